@@ -1,0 +1,102 @@
+//! Complex numbers over any [`Ring`]: fixed point included, which is why this is not a borrowed type.
+
+use crate::real::{Real, Ring, Scalar};
+use crate::turns::Turns;
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// re + i im.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Complex<R> {
+    /// Real part.
+    pub re: R,
+    /// Imaginary part.
+    pub im: R,
+}
+
+impl<R> Complex<R> {
+    /// re + i im.
+    pub const fn new(re: R, im: R) -> Self {
+        Self { re, im }
+    }
+}
+
+impl<R: Ring> Complex<R> {
+    /// 0.
+    pub const ZERO: Self = Self { re: R::ZERO, im: R::ZERO };
+    /// 1.
+    pub const ONE: Self = Self { re: R::ONE, im: R::ZERO };
+
+    /// The conjugate, re - i im.
+    #[must_use]
+    pub fn conj(self) -> Self {
+        Self { re: self.re, im: -self.im }
+    }
+
+    /// |z|².
+    #[must_use]
+    pub fn norm_squared(self) -> R {
+        self.re * self.re + self.im * self.im
+    }
+
+    /// i z.
+    #[must_use]
+    pub fn times_i(self) -> Self {
+        Self { re: -self.im, im: self.re }
+    }
+
+    /// x z, for real x.
+    #[must_use]
+    pub fn scaled(self, x: R) -> Self {
+        Self { re: self.re * x, im: self.im * x }
+    }
+}
+
+impl<R: Scalar> Complex<R> {
+    /// e^{2πix} of a phase of x turns.
+    #[inline]
+    #[must_use]
+    pub fn cis(phase: Turns) -> Self {
+        let (im, re) = R::sine_cosine(phase);
+        Self { re, im }
+    }
+}
+
+impl<R: Real> Complex<R> {
+    /// The argument in rad, in [-π, π]; 0 for z = 0.
+    #[must_use]
+    pub fn arg(self) -> R {
+        R::atan2(self.im, self.re)
+    }
+}
+
+impl<R: Ring> Add for Complex<R> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self { re: self.re + other.re, im: self.im + other.im }
+    }
+}
+
+impl<R: Ring> Sub for Complex<R> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Self { re: self.re - other.re, im: self.im - other.im }
+    }
+}
+
+impl<R: Ring> Mul for Complex<R> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Self { re: self.re * other.re - self.im * other.im, im: self.re * other.im + self.im * other.re }
+    }
+}
+
+impl<R: Ring> Neg for Complex<R> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self { re: -self.re, im: -self.im }
+    }
+}

@@ -1,0 +1,21 @@
+//! Set-up: runs once per throw, may refuse, computes in double-double.
+//!
+//! [`State`] → [`FirstIntegrals`] → [`BranchPoints`] → [`Motion`], in this order; a stage knows earlier ones only.
+
+mod averages;
+mod branch_points;
+mod first_integrals;
+mod motion;
+mod normal_force;
+mod regime;
+mod start;
+mod state;
+
+pub use averages::Averages;
+pub use branch_points::BranchPoints;
+pub use first_integrals::{FirstIntegrals, Sign, Signs};
+pub(crate) use motion::Course;
+pub use motion::Motion;
+pub use regime::{Pace, Regime, TipClass};
+pub use start::Start;
+pub use state::{Release, State};

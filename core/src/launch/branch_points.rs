@@ -1,0 +1,295 @@
+//! e₁ <= e₂ <= 1 <= e₃, the branch points of the hyperelliptic curve, and their small differences.
+//!
+//! On the motion (s/2)(e₄² - u²) u'² = g (u - e₁)(u - e₂)(u - e₃). The differences that can become small decide
+//! the period and the phases, so each is a number of its own, found without cancellation and never recomputed by
+//! subtraction.
+
+use super::first_integrals::ReducedPoint;
+use super::{FirstIntegrals, Signs, State};
+use crate::error::{LaunchError, finite, require};
+use crate::real::{DoubleDouble, Float, Ring};
+use crate::top::{Quantities, Top};
+
+/// The branch points and their differences, all without unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BranchPoints<F = f64> {
+    /// e₁, the least u of the motion, >= -1.
+    pub e1: F,
+    /// e₂, the greatest u of the motion, <= 1.
+    pub e2: F,
+    /// e₃ >= 1.
+    pub e3: F,
+    /// 1 + e₁ >= 0.
+    pub one_plus_e1: F,
+    /// 1 - e₂ >= 0.
+    pub one_minus_e2: F,
+    /// e₂ - e₁ >= 0.
+    pub e2_minus_e1: F,
+    /// e₃ - e₂ >= 0.
+    pub e3_minus_e2: F,
+    /// e₃ - 1 >= 0.
+    pub e3_minus_one: F,
+}
+
+/// Beyond this a motion is all spin and no gravity; the numbers of `f32` would overflow.
+pub(super) const LARGEST_E3: f64 = 1e14;
+
+impl BranchPoints {
+    /// From three given numbers, which count as exact.
+    ///
+    /// # Errors
+    /// `e1`, `e2`, `e3`: not finite, or not -1 <= e1 <= e2 <= 1 <= e3 <= 1e14.
+    pub fn new(e1: f64, e2: f64, e3: f64) -> Result<Self, LaunchError> {
+        Ok(BranchPoints::<DoubleDouble>::exact(e1, e2, e3)?.to_f64())
+    }
+
+    /// Of a state; every entry, the differences too, to a rounding (computed in double-double).
+    ///
+    /// # Errors
+    /// `omega`: so fast that e₃ would exceed 1e14.
+    pub fn of(top: &Top, state: &State) -> Result<Self, LaunchError> {
+        let (integrals, point) = FirstIntegrals::<DoubleDouble>::with_point(top, state);
+        Ok(BranchPoints::about(top, &integrals, &point)?.to_f64())
+    }
+
+    /// Of given l, n, h: the roots of the reduced equation's right-hand side. l, n and h of a motion that is nearly
+    /// degenerate do not determine its branch points well; where the state is known, use [`BranchPoints::of`].
+    ///
+    /// # Errors
+    /// `h`: no motion has these integrals (an energy that is too low); `l`, `n`, `h` not finite; e₃ above 1e14.
+    pub fn from_integrals(top: &Top, l: f64, n: f64, h: f64) -> Result<Self, LaunchError> {
+        let integrals = exact_integrals(finite("l", l)?, finite("n", n)?, finite("h", h)?);
+        let point = highest_point(top, &integrals)?;
+        Ok(BranchPoints::about(top, &integrals, &point)?.to_f64())
+    }
+
+    /// The first integrals of the motion with these branch points and signs (eqn:constants); each of the four choices
+    /// of signs has its own, and flipping the sign of l - n changes h too where A and C differ.
+    #[must_use]
+    pub fn integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals {
+        let lifted = self.lifted();
+        lifted.integrals_in(top, signs).to_f64()
+    }
+
+    fn lifted(&self) -> BranchPoints<DoubleDouble> {
+        let Self { e1, e2, e3, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, e3_minus_one } = *self;
+        BranchPoints {
+            e1: e1.into(),
+            e2: e2.into(),
+            e3: e3.into(),
+            one_plus_e1: one_plus_e1.into(),
+            one_minus_e2: one_minus_e2.into(),
+            e2_minus_e1: e2_minus_e1.into(),
+            e3_minus_e2: e3_minus_e2.into(),
+            e3_minus_one: e3_minus_one.into(),
+        }
+    }
+}
+
+impl<F: Float> BranchPoints<F> {
+    pub(crate) fn exact(e1: f64, e2: f64, e3: f64) -> Result<Self, LaunchError> {
+        for (name, e) in [("e1", e1), ("e2", e2), ("e3", e3)] {
+            finite(name, e)?;
+        }
+        require((-1.0..=1.0).contains(&e1), "e1", "in [-1, e2]")?;
+        require((e1..=1.0).contains(&e2), "e2", "in [e1, 1]")?;
+        require((1.0..=LARGEST_E3).contains(&e3), "e3", "in [1, 1e14]")?;
+        let [e1, e2, e3] = [e1, e2, e3].map(F::from_f64);
+        Ok(Self {
+            e1,
+            e2,
+            e3,
+            one_plus_e1: F::ONE + e1,
+            one_minus_e2: F::ONE - e2,
+            e2_minus_e1: e2 - e1,
+            e3_minus_e2: e3 - e2,
+            e3_minus_one: e3 - F::ONE,
+        })
+    }
+
+    /// The roots, seen from a point (u, u') of the motion itself.
+    ///
+    /// Two cubics, two viewpoints: in e - u, where the signs of e₁ - u and e₂ - u differ, so that e₂ - e₁ has no
+    /// cancellation; and in 1 - e, where those of 1 - e₂ and 1 - e₃ differ, so that e₃ - e₂, 1 - e₂ and e₃ - 1 have none.
+    pub(crate) fn about(
+        top: &Top,
+        integrals: &FirstIntegrals<F>,
+        point: &ReducedPoint<F>,
+    ) -> Result<Self, LaunchError> {
+        let quantities = Quantities::<F>::of(top);
+        let kappa = quantities.kappa();
+        let FirstIntegrals { l, n, l_plus_n, l_minus_n, .. } = *integrals;
+        let ReducedPoint { u, one_minus_u, one_plus_u, udot, excess } = *point;
+        let limit = F::from_f64(LARGEST_E3);
+        require(kappa * n.squared() < limit && excess < limit, "omega", "slow enough for e3 <= 1e14")?;
+        if one_minus_u == F::ZERO && excess == F::ZERO {
+            return Ok(Self::upright(kappa * n.squared() - F::ONE));
+        }
+
+        // y³ + g₂ y² + g₁ y + g₀ = (y - y₁)(y - y₂)(y - y₃), y = e - u
+        let d_of_u = quantities.a / quantities.p + quantities.s * one_minus_u * one_plus_u;
+        let g0 = d_of_u * udot.squared() / quantities.g.doubled();
+        let g1 = -(u * excess).doubled() - one_minus_u * one_plus_u + (kappa * n * (l - n * u)).doubled();
+        let g2 = u.doubled() - excess - kappa * n.squared();
+        let y3 = largest_root(g0, g1, g2);
+        let (product, sum) = if y3 > F::ZERO { (-g0 / y3, (g1 + g0 / y3) / y3) } else { (F::ZERO, -g2) };
+        let e2_minus_e1 = (sum.squared() - product.doubled().doubled()).sqrt();
+        let y2 = (sum + e2_minus_e1).halved();
+        let lower_pair_is_closer = e2_minus_e1 <= y3 - y2;
+        let y1 = (sum - e2_minus_e1).halved();
+        let y1 = if lower_pair_is_closer && sum > F::ZERO && y2 > F::ZERO { product / y2 } else { y1 };
+        let y1 = if lower_pair_is_closer { y1 } else { polished(y1, g0, g1, g2) };
+        let y1 = if y1 < F::ZERO { y1 } else { F::ZERO };
+
+        // x₂ + x₃ and x₂ x₃ of the two upper roots, x = 1 - e
+        let x1 = one_minus_u - y1;
+        let x_product = -kappa * l_minus_n.squared() / x1;
+        let x_sum = (-(excess - one_minus_u - kappa * l_minus_n * n).doubled() - x_product) / x1;
+        let e3_minus_e2 = (x_sum.squared() - x_product.doubled().doubled()).sqrt();
+        let (one_minus_e2, e3_minus_one) = if x_sum > F::ZERO {
+            let x2 = (x_sum + e3_minus_e2).halved();
+            (x2, -x_product / x2)
+        } else {
+            let x3 = (e3_minus_e2 - x_sum).halved();
+            (if x3 > F::ZERO { -x_product / x3 } else { F::ZERO }, x3)
+        };
+        let e2_minus_e1 = if lower_pair_is_closer { e2_minus_e1 } else { x1 - one_minus_e2 };
+        let two = F::from_f64(2.0);
+        // (1 + e₁)(1 + e₂) = κ (l+n)²/(1 + e₃), and e₂ - e₁ is known
+        let quotient = kappa * l_plus_n.squared() / (two + e3_minus_one);
+        let root = (e2_minus_e1.squared() + quotient.doubled().doubled()).sqrt();
+        let one_plus_e1 =
+            if quotient > F::ZERO { quotient.doubled() / (e2_minus_e1 + root) } else { F::ZERO };
+        require(e3_minus_one <= limit, "omega", "slow enough for e3 <= 1e14")?;
+        Ok(Self {
+            e1: one_plus_e1 - F::ONE,
+            e2: F::ONE - one_minus_e2,
+            e3: F::ONE + e3_minus_one,
+            one_plus_e1,
+            one_minus_e2,
+            e2_minus_e1,
+            e3_minus_e2,
+            e3_minus_one,
+        })
+    }
+
+    /// The axis at rest upright: 1 is a double root, and the third decides whether it sleeps (>= 1) or falls (< 1).
+    fn upright(third: F) -> Self {
+        let stable = third >= F::ONE;
+        let (e1, e3) = if stable { (F::ONE, third) } else { (third, F::ONE) };
+        Self {
+            e1,
+            e2: F::ONE,
+            e3,
+            one_plus_e1: F::ONE + e1,
+            one_minus_e2: F::ZERO,
+            e2_minus_e1: F::ONE - e1,
+            e3_minus_e2: e3 - F::ONE,
+            e3_minus_one: e3 - F::ONE,
+        }
+    }
+
+    /// 1 - e₁.
+    pub(crate) fn one_minus_e1(&self) -> F {
+        self.one_minus_e2 + self.e2_minus_e1
+    }
+
+    /// 1 + e₂.
+    pub(crate) fn one_plus_e2(&self) -> F {
+        self.one_plus_e1 + self.e2_minus_e1
+    }
+
+    /// 1 + e₃.
+    pub(crate) fn one_plus_e3(&self) -> F {
+        F::from_f64(2.0) + self.e3_minus_one
+    }
+
+    /// e₃ - e₁.
+    pub(crate) fn e3_minus_e1(&self) -> F {
+        self.e3_minus_e2 + self.e2_minus_e1
+    }
+
+    pub(crate) fn integrals_in(&self, top: &Top, signs: Signs) -> FirstIntegrals<F> {
+        let Quantities { a, c, p, g, .. } = Quantities::<F>::of(top);
+        let scale = (a * p * g).doubled();
+        let plus = (scale * self.one_plus_e1 * self.one_plus_e2() * self.one_plus_e3()).sqrt();
+        let minus = (scale * self.one_minus_e1() * self.one_minus_e2 * self.e3_minus_one).sqrt();
+        let (l_plus_n, l_minus_n) = (signs.l_plus_n.times(plus), signs.l_minus_n.times(minus));
+        let n = (l_plus_n - l_minus_n).halved();
+        // h = p g (e₁ + e₂ + e₃) + n² (1/C - 1/A)/2
+        let h = p * g * (self.e1 + self.e2 + self.e3) + n.squared() * (a - c) / (a * c).doubled();
+        FirstIntegrals { l: (l_plus_n + l_minus_n).halved(), n, h, l_plus_n, l_minus_n }
+    }
+
+    pub(crate) fn to_f64(self) -> BranchPoints {
+        BranchPoints {
+            e1: self.e1.to_f64(),
+            e2: self.e2.to_f64(),
+            e3: self.e3.to_f64(),
+            one_plus_e1: self.one_plus_e1.to_f64(),
+            one_minus_e2: self.one_minus_e2.to_f64(),
+            e2_minus_e1: self.e2_minus_e1.to_f64(),
+            e3_minus_e2: self.e3_minus_e2.to_f64(),
+            e3_minus_one: self.e3_minus_one.to_f64(),
+        }
+    }
+}
+
+/// The largest root of y³ + g₂ y² + g₁ y + g₀ by Newton's method from above, where it descends monotonically.
+fn largest_root<F: Float>(g0: F, g1: F, g2: F) -> F {
+    const MOST_STEPS: usize = 200; // a triple root is approached by a third a step: 130 steps for 32 digits
+    let mut y = g2.abs() + g1.abs().sqrt() + g0.abs() + F::ONE;
+    for _ in 0..MOST_STEPS {
+        let value = ((y + g2) * y + g1) * y + g0;
+        let slope = ((y + y + y) + g2.doubled()) * y + g1;
+        if value <= F::ZERO || slope <= F::ZERO {
+            break;
+        }
+        let next = y - value / slope;
+        if next >= y {
+            break;
+        }
+        y = next;
+    }
+    y
+}
+
+/// A simple root, already known to some digits, by three Newton steps.
+fn polished<F: Float>(start: F, g0: F, g1: F, g2: F) -> F {
+    (0..3).fold(start, |y, _| {
+        let slope = ((y + y + y) + g2.doubled()) * y + g1;
+        if slope == F::ZERO { y } else { y - (((y + g2) * y + g1) * y + g0) / slope }
+    })
+}
+
+fn exact_integrals(l: f64, n: f64, h: f64) -> FirstIntegrals<DoubleDouble> {
+    let [l, n, h] = [l, n, h].map(DoubleDouble::from);
+    FirstIntegrals { l, n, h, l_plus_n: l + n, l_minus_n: l - n }
+}
+
+/// The point of the reduced curve with the greatest (e₄² - u²) u'², which the integrals alone determine.
+fn highest_point(
+    top: &Top,
+    integrals: &FirstIntegrals<DoubleDouble>,
+) -> Result<ReducedPoint<DoubleDouble>, LaunchError> {
+    let Quantities { a, c, s, p, g } = Quantities::<DoubleDouble>::of(top);
+    let kappa = Quantities::<DoubleDouble>::of(top).kappa();
+    let FirstIntegrals { l, n, h, .. } = *integrals;
+    let one = DoubleDouble::ONE;
+    // f(u) = u³ - b u² + c₁ u + c₀
+    let energy = (h - n.squared() / c.doubled()) / (p * g);
+    let b = energy + kappa * n.squared();
+    let c1 = (kappa * l * n).doubled() - one;
+    let c0 = energy - kappa * l.squared();
+    let three = DoubleDouble::from(3.0);
+    let root = (b.squared() - three * c1).sqrt();
+    let u = if b > DoubleDouble::ZERO { c1 / (b + root) } else { (b - root) / three };
+    let peak = ((u - b) * u + c1) * u + c0;
+    let noise = (b.abs() + c1.abs() + c0.abs() + one) * DoubleDouble::from(1e-15);
+    let possible = u.abs() <= one && peak >= -noise && energy >= u;
+    require(possible, "h", "the energy of some motion with these l and n (it is too low)")?;
+    let (one_minus_u, one_plus_u) = (one - u, one + u);
+    let peak = if peak > DoubleDouble::ZERO { peak } else { DoubleDouble::ZERO };
+    let udot = (g.doubled() * peak / (a / p + s * one_minus_u * one_plus_u)).sqrt();
+    Ok(ReducedPoint { u, one_minus_u, one_plus_u, udot, excess: energy - u })
+}

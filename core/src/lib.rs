@@ -1,0 +1,38 @@
+#![doc = include_str!("../README.md")]
+#![cfg_attr(not(test), no_std)]
+
+// The numbers.
+pub mod real;
+mod turns;
+
+mod complex;
+pub mod su2;
+
+// What is thrown.
+mod error;
+mod top;
+
+// The law that set-up integrates over a period and the stepper over a tick.
+mod nutation;
+
+mod cayley_klein;
+
+// Once per throw; may refuse.
+mod launch;
+
+// Every tick; cannot fail.
+mod tick;
+
+#[cfg(feature = "nalgebra")]
+mod interop;
+
+pub use complex::Complex;
+pub use error::LaunchError;
+pub use launch::{
+    Averages, BranchPoints, FirstIntegrals, Motion, Pace, Regime, Release, Sign, Signs, Start, State,
+    TipClass,
+};
+pub use su2::Phi;
+pub use tick::{Pose, Stepper, Tip, TipAngle};
+pub use top::{Heaviness, Support, Top};
+pub use turns::{Rate, Turns};

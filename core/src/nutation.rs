@@ -1,0 +1,168 @@
+//! The law of the nutation: how fast the nutation phase and the two slow phases turn, at any point of the motion.
+//!
+//! With the half phase χ = θ/2, sin²χ = (u - e₁)/(e₂ - e₁), everything is smooth through the turning points and at the
+//! vertical, and no sign of u' is to be tracked:
+//!
+//! ```text
+//! χ' = √( g (e₃ - u) / (2 D) ),    D(u) = A/p + s (1 - u²)
+//! √2 α = [√(1+e₁) cos χ + i s₊ √(1+e₂) sin χ] e^{i(a + ψ_A + τt/2)}
+//! √2 β = [√(1-e₁) cos χ + i s₋ √(1-e₂) sin χ] e^{i(b + ψ_B - τt/2)}
+//! ```
+//!
+//! The logarithmic poles of the paper's integrals (eqn:abgdints) sit in the brackets; ψ_A' and ψ_B' divide by
+//! neither 1 - u nor 1 + u. Set-up integrates this law over a period, the stepper through a tick: one code, two users.
+
+use crate::launch::{BranchPoints, FirstIntegrals, Signs};
+use crate::real::{DoubleDouble, Float, Real, Ring};
+use crate::top::{Quantities, Top};
+
+/// Rates of the three phases, rad per unit time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PhaseRates<R> {
+    /// χ' for a nutating motion, v' for an aperiodic one.
+    pub(crate) nutation: R,
+    /// ψ_A'.
+    pub(crate) alpha: R,
+    /// ψ_B'.
+    pub(crate) beta: R,
+}
+
+impl<R: Ring> PhaseRates<R> {
+    /// k₁ + 2k₂ + 2k₃ + k₄, the weights of Runge and Kutta, times `sixth` of the step.
+    pub(crate) fn weighted([k1, k2, k3, k4]: [Self; 4], sixth: R) -> Self {
+        let mean = |part: fn(&Self) -> R| (part(&k1) + (part(&k2) + part(&k3)).doubled() + part(&k4)) * sixth;
+        Self { nutation: mean(|k| k.nutation), alpha: mean(|k| k.alpha), beta: mean(|k| k.beta) }
+    }
+}
+
+/// sin χ = tanh v and cos χ = sech v.
+pub(crate) fn gudermannian<R: Real>(v: R) -> (R, R) {
+    let q = (-v.abs()).exp();
+    let per_sum = R::ONE / (R::ONE + q.squared());
+    let tanh = (R::ONE - q) * (R::ONE + q) * per_sum;
+    (if v < R::ZERO { -tanh } else { tanh }, q.doubled() * per_sum)
+}
+
+/// The constants of the law for one motion, in the scalar it is evaluated in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Nutation<F> {
+    one_plus_e1: F,
+    one_minus_e2: F,
+    e2_minus_e1: F,
+    e3_minus_e2: F,
+    e3_minus_e1: F,
+    /// A/p, m.
+    a_over_p: F,
+    /// A/(p (e₃ + 1)), m.
+    a_over_p_e3: F,
+    s: F,
+    /// s (e₃ - 1), m.
+    s_e3: F,
+    /// g/2.
+    half_g: F,
+    /// (l + n)/(2A).
+    alpha_scale: F,
+    /// 2 √(A/(2 p g (e₃ + 1))): times χ' it is the smoothing term of ψ_A'.
+    alpha_smoothing: F,
+    /// s₋ √(2 A p g (1-e₁)(1-e₂))/(2A).
+    beta_scale: F,
+    /// √(e₃ - 1).
+    root_e3: F,
+    /// 2 √(A/(2 p g)).
+    beta_smoothing: F,
+}
+
+impl Nutation<DoubleDouble> {
+    /// Rounded to the scalar of the tick.
+    pub(crate) fn cast<R: Float>(&self) -> Nutation<R> {
+        let cast = |x: DoubleDouble| R::from_f64(x.to_f64());
+        Nutation {
+            one_plus_e1: cast(self.one_plus_e1),
+            one_minus_e2: cast(self.one_minus_e2),
+            e2_minus_e1: cast(self.e2_minus_e1),
+            e3_minus_e2: cast(self.e3_minus_e2),
+            e3_minus_e1: cast(self.e3_minus_e1),
+            a_over_p: cast(self.a_over_p),
+            a_over_p_e3: cast(self.a_over_p_e3),
+            s: cast(self.s),
+            s_e3: cast(self.s_e3),
+            half_g: cast(self.half_g),
+            alpha_scale: cast(self.alpha_scale),
+            alpha_smoothing: cast(self.alpha_smoothing),
+            beta_scale: cast(self.beta_scale),
+            root_e3: cast(self.root_e3),
+            beta_smoothing: cast(self.beta_smoothing),
+        }
+    }
+}
+
+impl<F: Float> Nutation<F> {
+    pub(crate) fn new(top: &Top, e: &BranchPoints<F>, integrals: &FirstIntegrals<F>, signs: Signs) -> Self {
+        let Quantities { a, s, p, g, .. } = Quantities::<F>::of(top);
+        let a_over_p = a / p;
+        let beta_scale = ((a * p * g).doubled() * e.one_minus_e1() * e.one_minus_e2).sqrt() / a.doubled();
+        let per_g = a_over_p / g.doubled();
+        Self {
+            one_plus_e1: e.one_plus_e1,
+            one_minus_e2: e.one_minus_e2,
+            e2_minus_e1: e.e2_minus_e1,
+            e3_minus_e2: e.e3_minus_e2,
+            e3_minus_e1: e.e3_minus_e1(),
+            a_over_p,
+            a_over_p_e3: a_over_p / e.one_plus_e3(),
+            s,
+            s_e3: s * e.e3_minus_one,
+            half_g: g.halved(),
+            alpha_scale: integrals.l_plus_n / a.doubled(),
+            alpha_smoothing: (per_g / e.one_plus_e3()).sqrt().doubled(),
+            beta_scale: signs.l_minus_n.times(beta_scale),
+            root_e3: e.e3_minus_one.sqrt(),
+            beta_smoothing: per_g.sqrt().doubled(),
+        }
+    }
+
+    /// 1 - u and 1 + u from sin χ and cos χ, without cancellation at either vertical.
+    fn complements(&self, sine: F, cosine: F) -> (F, F) {
+        let one_minus_u = self.one_minus_e2 + self.e2_minus_e1 * cosine.squared();
+        let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * sine.squared();
+        (one_minus_u, one_plus_u)
+    }
+
+    /// The rates of χ, ψ_A and ψ_B at the point with this sin χ and cos χ.
+    pub(crate) fn rates(&self, sine: F, cosine: F) -> PhaseRates<F> {
+        let (one_minus_u, one_plus_u) = self.complements(sine, cosine);
+        let e3_minus_u = self.e3_minus_e2 + self.e2_minus_e1 * cosine.squared();
+        let per_d = F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u);
+        let nutation = (self.half_g * e3_minus_u * per_d).sqrt();
+        let beta_divisor = self.root_e3 + self.beta_smoothing * nutation;
+        // e₂ = e₃ = 1 at the top: the numerator vanishes there too, and ψ_B' is 0
+        let beta = if beta_divisor > F::ZERO {
+            self.beta_scale * (self.s_e3 * one_plus_u - self.a_over_p) * per_d / beta_divisor
+        } else {
+            F::ZERO
+        };
+        PhaseRates { nutation, alpha: self.alpha_rate(one_minus_u, per_d, nutation), beta }
+    }
+
+    fn alpha_rate(&self, one_minus_u: F, per_d: F, chi_rate: F) -> F {
+        self.alpha_scale * (self.a_over_p_e3 + self.s * one_minus_u) * per_d
+            / (F::ONE + self.alpha_smoothing * chi_rate)
+    }
+
+    /// The aperiodic law (e₂ = e₃ = 1): the rates of v and ψ_A at sin χ = tanh v, cos χ = sech v. ψ_B stands still.
+    pub(crate) fn aperiodic_rates(&self, tanh: F, sech: F) -> PhaseRates<F> {
+        let (one_minus_u, one_plus_u) = self.complements(tanh, sech);
+        let per_d = F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u);
+        let nutation = (self.half_g * self.e2_minus_e1 * per_d).sqrt();
+        let chi_rate = nutation * sech;
+        PhaseRates { nutation, alpha: self.alpha_rate(one_minus_u, per_d, chi_rate), beta: F::ZERO }
+    }
+
+    /// dt/dv at sn v, cn v of the parameter m = (e₂ - e₁)/(e₃ - e₁), where χ = am v: √(2 D/(g (e₃ - e₁))), the measure
+    /// in which a period is integrated; it has no layer at the separatrix.
+    pub(crate) fn time_per_amplitude(&self, sn: F, cn: F) -> F {
+        let (one_minus_u, one_plus_u) = self.complements(sn, cn);
+        let d = self.a_over_p + self.s * one_minus_u * one_plus_u;
+        (d / (self.half_g * self.e3_minus_e1)).sqrt()
+    }
+}

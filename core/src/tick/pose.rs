@@ -1,0 +1,40 @@
+//! One instant of a motion: Φ and Φ', and what follows from them.
+
+use crate::real::Ring;
+use crate::su2::{Phi, PhiRate, Vector};
+
+/// Orientation and rate at one instant. Everything here is computed on demand, by products alone, and from α, β and
+/// their rates: nothing is read back from the constants of the motion, so l, n and h recomputed from a pose are a test.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pose<R> {
+    /// Φ.
+    pub phi: Phi<R>,
+    /// Φ', per unit time.
+    pub rate: PhiRate<R>,
+}
+
+impl<R: Ring> Pose<R> {
+    /// u = ⟨r, k⟩, the cosine of the tilt.
+    #[must_use]
+    pub fn u(&self) -> R {
+        self.phi.u()
+    }
+
+    /// u', per unit time.
+    #[must_use]
+    pub fn udot(&self) -> R {
+        self.rate.udot(&self.phi)
+    }
+
+    /// ω in the fixed frame, rad per unit time.
+    #[must_use]
+    pub fn omega(&self) -> Vector<R> {
+        self.rate.omega_fixed(&self.phi)
+    }
+
+    /// Ω = Φ⁻¹ω Φ, ω in the body frame, rad per unit time.
+    #[must_use]
+    pub fn omega_body(&self) -> Vector<R> {
+        self.rate.omega_body(&self.phi)
+    }
+}

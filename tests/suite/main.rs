@@ -1,0 +1,11 @@
+//! Public behaviour, against independent truth. One binary, one module an idea.
+
+mod group;
+mod interop;
+mod invariants;
+mod order;
+mod properties;
+mod refusals;
+mod regimes;
+mod stages;
+mod tip;

@@ -1,0 +1,143 @@
+//! Random tops, states and steps, with a fixed seed.
+
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngAlgorithm, RngSeed};
+use toytop::{
+    BranchPoints, FirstIntegrals, Heaviness, Motion, Phi, Regime, Release, Signs, Start, State, Stepper, Top,
+};
+use toytop_tests::{orientation_error, tolerance};
+
+fn config(cases: u32) -> Config {
+    Config {
+        cases,
+        failure_persistence: None,
+        rng_algorithm: RngAlgorithm::ChaCha,
+        rng_seed: RngSeed::Fixed(0x0007_0770),
+        ..Config::default()
+    }
+}
+
+/// 10^x for x in a range.
+fn decade(range: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
+    range.prop_map(|x| 10_f64.powf(x))
+}
+
+fn tops() -> impl Strategy<Value = Top> {
+    (decade(-5.0..2.0), 0.01_f64..2.0, decade(-2.0..3.0), decade(-2.0..1.0), decade(-1.0..2.0)).prop_map(
+        |(a, c_over_a, spread, s, g)| {
+            // A/(ps) = spread
+            Top::sliding(a, a * c_over_a, s, Heaviness::MassMoment(a / (spread * s)), g).unwrap()
+        },
+    )
+}
+
+/// Rates in units of √(p g/A).
+fn releases() -> impl Strategy<Value = (Top, Release)> {
+    let rate = || -4.0_f64..4.0;
+    let angle = || -7.0_f64..7.0;
+    (tops(), 0.0_f64..3.1415, angle(), angle(), rate(), rate(), rate()).prop_map(
+        |(top, tilt, azimuth, roll, spin, precession, nutation)| {
+            let unit = (top.p() * top.g() / top.a()).sqrt();
+            let (spin, precession, nutation) = (spin * unit, precession * unit, nutation * unit);
+            (top, Release { tilt, azimuth, roll, spin, precession, nutation })
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(config(2000))]
+
+    /// A launch reproduces the state it was launched from.
+    #[test]
+    fn state_to_constants_to_state((top, release) in releases()) {
+        let state = State::release(&release).unwrap();
+        let motion = Motion::launch(&top, &state).unwrap();
+        let pose = Stepper::<f64>::new(&motion).pose();
+        let error = orientation_error(pose.phi, state.phi().normalised());
+        prop_assert!(error < 1e-14, "orientation {error:e}");
+        let size = state.omega().iter().fold(1e-300_f64, |size, w| size.max(w.abs()));
+        for (ours, given) in pose.omega().iter().zip(state.omega()) {
+            prop_assert!((ours - given).abs() / size < tolerance::ROUND_TRIP.most, "omega {ours} {given}");
+        }
+        let again = FirstIntegrals::of(&top, &State::new(pose.phi, pose.omega()).unwrap());
+        let first = motion.first_integrals();
+        let scale = first.l.abs().max(first.n.abs()).max(1e-300);
+        prop_assert!((again.l - first.l).abs() / scale < tolerance::ROUND_TRIP.most);
+        prop_assert!((again.n - first.n).abs() / scale < tolerance::ROUND_TRIP.most);
+    }
+
+    /// Branch points satisfy their definition: the products that are l + n and l - n (eqn:constants), and the sum.
+    #[test]
+    fn branch_points_solve_their_equations((top, release) in releases()) {
+        let state = State::release(&release).unwrap();
+        let e = BranchPoints::of(&top, &state).unwrap();
+        prop_assert!(-1.0 <= e.e1 && e.e1 <= e.e2 && e.e2 <= 1.0 && 1.0 <= e.e3);
+        let integrals = FirstIntegrals::of(&top, &state);
+        let again = e.integrals(&top, integrals.signs());
+        let scale = integrals.l.abs().max(integrals.n.abs());
+        prop_assert!((again.l_plus_n - integrals.l_plus_n).abs() < 1e-14 * scale);
+        prop_assert!((again.l_minus_n - integrals.l_minus_n).abs() < 1e-14 * scale);
+        prop_assert!((again.h - integrals.h).abs() < 1e-13 * integrals.h.abs().max(top.p() * top.g()));
+    }
+
+    /// Forward and back over steps of changing size, and unit norm all the way.
+    #[test]
+    fn there_and_back((top, release) in releases(), steps in prop::collection::vec(0.0_f64..1.0, 60)) {
+        let motion = Motion::launch(&top, &State::release(&release).unwrap()).unwrap();
+        let unit = motion.averages().map_or(1.0, |averages| averages.period) / 4000.0;
+        let mut stepper = Stepper::<f64>::new(&motion);
+        let start = stepper.phi();
+        for dt in &steps {
+            stepper.step(dt * unit);
+            prop_assert!((stepper.phi().norm_squared() - 1.0).abs() < 2e-15);
+        }
+        for dt in steps.iter().rev() {
+            stepper.step(-dt * unit);
+        }
+        // the round trip of a fourth-order step is fifth order: it tells no error of the step itself
+        prop_assert!(orientation_error(stepper.phi(), start) < 1e-9);
+    }
+
+    /// The period brings α and β back, up to the turns that `averages` says.
+    #[test]
+    fn one_period_brings_it_back((top, release) in releases()) {
+        let motion = Motion::launch(&top, &State::release(&release).unwrap()).unwrap();
+        prop_assume!(motion.regime() == Regime::Nutating);
+        let averages = motion.averages().unwrap();
+        let mut stepper = Stepper::<f64>::new(&motion);
+        let start = stepper.phi();
+        let steps = 4096;
+        (0..steps).for_each(|_| stepper.step(averages.period / f64::from(steps)));
+        let turned = |turns: f64| toytop::Complex::<f64>::cis(toytop::Turns::new(turns));
+        let expected = Phi {
+            alpha: start.alpha * turned(averages.alpha_turns),
+            beta: start.beta * turned(averages.beta_turns),
+        };
+        let gap = motion.branch_points().e3_minus_e2;
+        let error = orientation_error(stepper.phi(), expected).min(orientation_error(stepper.phi(), Phi { alpha: -expected.alpha, beta: -expected.beta }));
+        prop_assert!(error * gap.min(1.0) < 1e-6, "{error:e}, gap {gap:e}");
+    }
+
+    /// Near every degenerate corner a launch from branch points is finite and its state leads back to them.
+    #[test]
+    fn branch_points_to_state_to_branch_points(
+        top in tops(),
+        (gap1, gap2, gap3, gap4) in (decade(-9.0..0.0), decade(-9.0..0.0), decade(-9.0..0.0), 0.0_f64..1.0),
+        theta in -3.0_f64..3.0,
+    ) {
+        // 1 + e1, 1 - e2 and e3 - 1 log-uniform; the rest of [-1, 1] shared out
+        let e1 = -1.0 + gap1 * (1.0 - gap4);
+        let e2 = 1.0 - gap2 * gap4;
+        let e3 = 1.0 + gap3;
+        let start = Start { theta, ..Start::default() };
+        let motion = Motion::from_branch_points(&top, [e1, e2, e3], Signs::default(), &start).unwrap();
+        let pose = Stepper::<f64>::new(&motion).pose();
+        prop_assert!(pose.omega().iter().all(|w| w.is_finite()));
+        let again = BranchPoints::of(&top, &State::new(pose.phi, pose.omega()).unwrap()).unwrap();
+        let given = motion.branch_points();
+        // a rounding of the state moves e3 - e2 by a rounding over e3 - e2 itself
+        let gap = given.e3_minus_e2;
+        prop_assert!((again.e3_minus_e2 - gap).abs() * gap < 1e-12, "{gap:e} {:e}", again.e3_minus_e2);
+        prop_assert!((again.e1 - given.e1).abs() < 1e-12 && (again.e2 - given.e2).abs() * gap < 1e-12);
+    }
+}

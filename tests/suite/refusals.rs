@@ -1,0 +1,89 @@
+//! Every refusal, by the parameter it names. What is accepted right beside it shows that the border is where it is said.
+
+use toytop::{BranchPoints, Complex, Heaviness, LaunchError, Motion, Phi, Release, Signs, Start, State, Top};
+
+fn parameter<T>(result: Result<T, LaunchError>) -> Option<&'static str> {
+    result.err().map(|error| error.parameter())
+}
+
+fn top() -> Top {
+    Top::sliding(1.0, 1.0, 1.0, Heaviness::MassMoment(1.0), 1.0).unwrap()
+}
+
+#[test]
+fn tops() {
+    let top = |a, c, s, p, g| parameter(Top::sliding(a, c, s, Heaviness::MassMoment(p), g));
+    assert_eq!(top(1.0, 2.0, 1.0, 1.0, 1.0), None);
+    assert_eq!(top(1.0, 2.0000001, 1.0, 1.0, 1.0), Some("axial_inertia"));
+    assert_eq!(top(-1.0, 1.0, 1.0, 1.0, 1.0), Some("transverse_inertia"));
+    assert_eq!(top(1.0, 0.0, 1.0, 1.0, 1.0), Some("axial_inertia"));
+    assert_eq!(top(1.0, 1.0, f64::NAN, 1.0, 1.0), Some("com_height"));
+    assert_eq!(top(1.0, 1.0, 1.0, f64::INFINITY, 1.0), Some("mass_moment"));
+    assert_eq!(top(1.0, 1.0, 1.0, 1.0, -9.81), Some("gravity"));
+    assert_eq!(top(1e-7, 1e-7, 1.0, 1.0, 1.0), Some("transverse_inertia"));
+    assert_eq!(top(1.1e-6, 1e-6, 1.0, 1.0, 1.0), None);
+}
+
+#[test]
+fn states() {
+    let z = Complex::new;
+    let state = |alpha, beta, omega| parameter(State::new(Phi { alpha, beta }, omega));
+    assert_eq!(state(z(0.6, 0.0), z(0.0, 0.8), [0.0; 3]), None);
+    assert_eq!(state(z(0.6, 0.0), z(0.0, 0.8000006), [0.0; 3]), None);
+    assert_eq!(state(z(0.6, 0.0), z(0.0, 0.8000007), [0.0; 3]), Some("alpha"));
+    assert_eq!(state(z(0.0, 0.0), z(0.0, 0.0), [0.0; 3]), Some("alpha"));
+    assert_eq!(state(z(f64::NAN, 0.0), z(0.0, 0.8), [0.0; 3]), Some("alpha"));
+    assert_eq!(state(z(0.6, 0.0), z(f64::INFINITY, 0.8), [0.0; 3]), Some("beta"));
+    assert_eq!(state(z(0.6, 0.0), z(0.0, 0.8), [0.0, f64::NAN, 0.0]), Some("omega"));
+    assert_eq!(state(z(0.6, 0.0), z(0.0, 0.8), [1e13, 0.0, 0.0]), Some("omega"));
+}
+
+#[test]
+fn releases() {
+    let release = |change: fn(&mut Release)| {
+        let mut release = Release { tilt: 0.3, spin: 10.0, ..Release::default() };
+        change(&mut release);
+        parameter(State::release(&release))
+    };
+    assert_eq!(release(|_| ()), None);
+    assert_eq!(release(|r| r.tilt = -1e-9), Some("tilt"));
+    assert_eq!(release(|r| r.tilt = 3.15), Some("tilt"));
+    assert_eq!(release(|r| r.azimuth = f64::NAN), Some("azimuth"));
+    assert_eq!(release(|r| r.roll = f64::NEG_INFINITY), Some("roll"));
+    assert_eq!(release(|r| r.spin = 1e12), Some("spin"));
+    assert_eq!(release(|r| r.precession = f64::NAN), Some("precession"));
+    assert_eq!(release(|r| r.nutation = 1e300), Some("nutation"));
+}
+
+#[test]
+fn branch_points() {
+    let e = |e1, e2, e3| parameter(BranchPoints::new(e1, e2, e3));
+    assert_eq!(e(-1.0, 1.0, 1.0), None);
+    assert_eq!(e(-1.0000001, 0.5, 2.0), Some("e1"));
+    assert_eq!(e(0.6, 0.5, 2.0), Some("e2"));
+    assert_eq!(e(0.6, 1.1, 2.0), Some("e2"));
+    assert_eq!(e(0.6, 0.9, 0.99), Some("e3"));
+    assert_eq!(e(0.6, 0.9, 1e15), Some("e3"));
+    assert_eq!(e(f64::NAN, 0.9, 2.0), Some("e1"));
+    let motion =
+        |start| parameter(Motion::from_branch_points(&top(), [0.7, 0.9, 2.0], Signs::default(), &start));
+    assert_eq!(motion(Start { theta: f64::NAN, ..Start::default() }), Some("nutation_phase"));
+    assert_eq!(motion(Start { arg_alpha: 1e7, ..Start::default() }), Some("arg_alpha"));
+    assert_eq!(motion(Start { arg_beta: f64::INFINITY, ..Start::default() }), Some("arg_beta"));
+}
+
+#[test]
+fn motions_too_fast_and_energies_too_low() {
+    let spinning = |spin| State::release(&Release { tilt: 0.3, spin, ..Release::default() }).unwrap();
+    assert_eq!(parameter(Motion::launch(&top(), &spinning(1e7))), None);
+    assert_eq!(parameter(Motion::launch(&top(), &spinning(1e8))), Some("omega"));
+    assert_eq!(parameter(BranchPoints::from_integrals(&top(), 2.0, 2.0, 1.0)), Some("h"));
+    assert_eq!(parameter(BranchPoints::from_integrals(&top(), f64::NAN, 2.0, 1.0)), Some("l"));
+}
+
+#[test]
+fn messages_name_the_parameter_and_what_is_allowed() {
+    let error = BranchPoints::new(0.6, 0.5, 2.0).unwrap_err();
+    assert_eq!(error.to_string(), "e2: must be in [e1, 1]");
+    assert_eq!(BranchPoints::new(0.6, f64::NAN, 2.0).unwrap_err().to_string(), "e2: must be a finite number");
+}

@@ -1,0 +1,194 @@
+//! Every kind of motion: recognised, propagated, never NaN.
+
+use toytop::real::Real;
+use toytop::{
+    Complex, Heaviness, Motion, Pace, Phi, Regime, Release, Sign, Signs, Start, State, Stepper, TipClass, Top,
+};
+use toytop_tests::{orientation_error, vectors};
+
+fn top() -> Top {
+    Top::sliding(1.1, 0.8, 0.6, Heaviness::MassMoment(0.9), 1.0).unwrap()
+}
+
+fn upright(omega: [f64; 3]) -> Motion {
+    Motion::launch(&top(), &State::new(Phi::IDENTITY, omega).unwrap()).unwrap()
+}
+
+fn downward(omega: [f64; 3]) -> Motion {
+    let phi = Phi { alpha: Complex::ZERO, beta: Complex::new(0.0, 1.0) };
+    Motion::launch(&top(), &State::new(phi, omega).unwrap()).unwrap()
+}
+
+fn stays_finite<R: Real>(motion: &Motion) {
+    let mut stepper = Stepper::<R>::new(motion);
+    for dt in [1e-3, 0.1, -0.3, 2.0, 50.0, -1e4, 1e9, -1e9, 0.0] {
+        for _ in 0..20 {
+            stepper.step(R::from_f64(dt));
+            let (pose, tip) = (stepper.pose(), stepper.tip());
+            let norm = pose.phi.norm_squared().to_f64();
+            assert!((norm - 1.0).abs() < 1e-6, "{:?}: norm {norm}", motion.regime());
+            assert!(pose.omega().iter().all(|w| w.to_f64().is_finite()), "{:?}", motion.regime());
+            assert!(tip.speed().to_f64().is_finite() && tip.rho().to_f64().is_finite());
+            assert!(tip.angle.is_none_or(|angle| angle.rate.to_f64().is_finite()));
+        }
+    }
+}
+
+#[test]
+fn every_regime_is_recognised() {
+    let expected = [
+        ("generic_AneC", Regime::Nutating, TipClass::Loops),
+        ("regular_precession", Regime::RegularPrecession(Pace::Slow), TipClass::Circle),
+        ("regular_precession_fast", Regime::RegularPrecession(Pace::Fast), TipClass::Circle),
+        ("sleeping_stable", Regime::SleepingStable, TipClass::Point),
+        ("sleeping_unstable", Regime::SleepingUnstable, TipClass::Point),
+        ("hanging", Regime::Hanging, TipClass::Point),
+        ("aperiodic", Regime::Aperiodic, TipClass::Spiral),
+    ];
+    for (name, regime, class) in expected {
+        let motion = vectors::named(name).motion().unwrap();
+        assert_eq!((motion.regime(), motion.tip_class()), (regime, class), "{name}");
+    }
+}
+
+#[test]
+fn no_regime_gives_anything_but_numbers() {
+    for vector in vectors::all() {
+        let motion = vector.motion().unwrap();
+        stays_finite::<f64>(&motion);
+        stays_finite::<f32>(&motion);
+    }
+    for omega in
+        [[0.0; 3], [0.0, 0.0, 5.0], [0.0, 0.0, -1.0], [0.3, 0.0, 0.0], [1e-9, -2e-9, 3.0], [2.0, 1.0, -4.0]]
+    {
+        for motion in [upright(omega), downward(omega)] {
+            stays_finite::<f64>(&motion);
+            stays_finite::<f32>(&motion);
+        }
+    }
+    // the border of sleep, n² = 4 A p g: all three branch points are 1
+    let (scale, border) = (top(), [1.0, 1.0, 1.0]);
+    let motion = Motion::from_branch_points(&scale, border, Signs::default(), &Start::default()).unwrap();
+    assert_eq!(motion.regime(), Regime::SleepingStable);
+    assert_eq!(motion.averages(), None);
+    stays_finite::<f64>(&motion);
+}
+
+#[test]
+fn steps_that_are_no_numbers_do_nothing() {
+    for name in ["generic_AneC", "aperiodic", "regular_precession"] {
+        let mut stepper = Stepper::<f64>::new(&vectors::named(name).motion().unwrap());
+        stepper.step(0.1);
+        let before = stepper;
+        for dt in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            stepper.step(dt);
+            assert_eq!(stepper, before, "{name}, dt = {dt}");
+        }
+    }
+}
+
+/// Upright: asleep above the border n² = 4 A p g, and ready to fall below it.
+#[test]
+fn sleep_has_its_border_where_the_paper_has_it() {
+    let border = (4.0 * 1.1 * 0.9_f64).sqrt() / 0.8;
+    assert_eq!(upright([0.0, 0.0, 1.0001 * border]).regime(), Regime::SleepingStable);
+    assert_eq!(upright([0.0, 0.0, 0.9999 * border]).regime(), Regime::SleepingUnstable);
+    assert_eq!(upright([0.0, 0.0, 0.0]).regime(), Regime::SleepingUnstable);
+    assert_eq!(downward([0.0, 0.0, 7.0]).regime(), Regime::Hanging);
+    // a sleeping top just spins: α = e^{iωt/2}
+    for spin in [3.0, 0.5] {
+        let mut stepper = Stepper::<f64>::new(&upright([0.0, 0.0, spin]));
+        stepper.step(2.0);
+        let truth = Phi { alpha: Complex::new(spin.cos(), spin.sin()), beta: Complex::ZERO };
+        assert!(orientation_error(stepper.phi(), truth) < 4e-16);
+    }
+}
+
+/// Exactly vertical and moving: through the vertical in the direction of ω × k, and no other.
+#[test]
+fn a_vertical_start_leaves_in_the_direction_it_moves() {
+    for motion in [upright([0.0, 0.5, 3.0]), downward([0.0, 0.5, 3.0])] {
+        assert_eq!((motion.regime(), motion.tip_class()), (Regime::Nutating, TipClass::ThroughOrigin));
+        let mut stepper = Stepper::<f64>::new(&motion);
+        let pose = stepper.pose();
+        assert!(pose.u().abs() == 1.0);
+        for (ours, given) in pose.omega().iter().zip([0.0, 0.5, 3.0]) {
+            assert!((ours - given).abs() < 1e-15);
+        }
+        // r' = ω × r = ±(0.5, 0, 0); the tip is at -s r
+        let small = 1e-6;
+        stepper.step(small);
+        let [r1, r2, u] = stepper.phi().axis();
+        assert!((r1 / (0.5 * small * u) - 1.0).abs() < 1e-5 && (r2 / r1).abs() < 1e-5, "{r1} {r2} {u}");
+    }
+}
+
+/// The aperiodic motion rises to the vertical and comes from it, for however long.
+#[test]
+fn aperiodic_for_ever() {
+    let motion = vectors::named("aperiodic_AneC").motion().unwrap();
+    let mut stepper = Stepper::<f64>::new(&motion);
+    for _ in 0..40_000 {
+        stepper.step(0.01);
+    }
+    assert!(stepper.pose().u() > 1.0 - 4e-16);
+    for _ in 0..40_000 {
+        stepper.step(-0.01);
+    }
+    assert!(
+        (stepper.pose().u() - motion.branch_points().e1).abs() < 1e-10,
+        "back at e1 after 400 time units each way"
+    );
+}
+
+/// A state of a regular precession, rounded to f64, is one; a nutation that can be seen is not.
+#[test]
+fn regular_precession_is_recognised_from_a_rounded_state() {
+    for name in ["regular_precession", "regular_precession_fast"] {
+        let vector = vectors::named(name);
+        let motion = Motion::launch(&vector.top(), &vector.state()).unwrap();
+        assert_eq!(motion.regime(), vector.motion().unwrap().regime());
+    }
+    let vector = vectors::named("tiny_nutation");
+    assert_eq!(Motion::launch(&vector.top(), &vector.state()).unwrap().regime(), Regime::Nutating);
+}
+
+/// The four choices of signs are four motions, and h tells them apart only if A ≠ C.
+#[test]
+fn four_choices_of_signs() {
+    let e = toytop::BranchPoints::new(-0.2, 0.6, 1.7).unwrap();
+    let signs = |plus, minus| Signs { l_plus_n: plus, l_minus_n: minus };
+    let all = [
+        signs(Sign::Plus, Sign::Plus),
+        signs(Sign::Plus, Sign::Minus),
+        signs(Sign::Minus, Sign::Plus),
+        signs(Sign::Minus, Sign::Minus),
+    ];
+    for top in [top(), Top::sliding(1.1, 1.1, 0.6, Heaviness::MassMoment(0.9), 1.0).unwrap()] {
+        let [pp, pm, mp, mm] = all.map(|signs| e.integrals(&top, signs));
+        assert!((pp.l - pm.n).abs() < 1e-15 && (pp.n - pm.l).abs() < 1e-15, "flipping l - n swaps l and n");
+        assert!((pp.l + mm.l).abs() < 1e-15 && (pm.n + mp.n).abs() < 1e-15, "flipping both mirrors");
+        assert_eq!((pp.h - pm.h).abs() > 1e-3, top.a() != top.c());
+        for (integrals, signs) in [pp, pm, mp, mm].iter().zip(all) {
+            assert_eq!(integrals.signs(), signs);
+            let again =
+                toytop::BranchPoints::from_integrals(&top, integrals.l, integrals.n, integrals.h).unwrap();
+            for (x, y) in [(again.e1, e.e1), (again.e2, e.e2), (again.e3, e.e3)] {
+                assert!((x - y).abs() < 1e-14, "{x} {y}");
+            }
+        }
+    }
+}
+
+/// A top let go at rest has cusps, at any tilt and spin, in SI units, whatever the rounding of its state.
+#[test]
+fn a_top_let_go_has_cusps() {
+    let top = Top::sliding(3e-5, 2e-5, 0.03, Heaviness::Mass(0.05), 9.81).unwrap();
+    for i in 1..200 {
+        let x = f64::from(i);
+        let release =
+            Release { tilt: 0.015 * x, spin: 3.0 * x, azimuth: x, roll: 2.0 * x, ..Release::default() };
+        let motion = Motion::launch(&top, &State::release(&release).unwrap()).unwrap();
+        assert_eq!(motion.tip_class(), TipClass::Cusp, "tilt {} spin {}", release.tilt, release.spin);
+    }
+}

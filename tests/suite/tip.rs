@@ -1,0 +1,119 @@
+//! The tip curve: angle, speed, class and the force that keeps it on the plane.
+
+use toytop::{Motion, Signs, Start, Stepper, TipClass};
+use toytop_tests::vectors;
+
+/// φ and c along a motion agree, φ is continuous, and φ' and c' are their derivatives.
+#[test]
+fn angle_and_velocity_are_derivatives() {
+    let (mut phi_worst, mut speed_worst) = (0.0_f64, 0.0_f64);
+    for vector in vectors::all() {
+        let motion = vector.motion().unwrap();
+        let mut stepper = Stepper::<f64>::new(&motion);
+        let dt = motion.averages().map_or(1.0, |averages| averages.period.min(10.0)) * 1e-4;
+        let mut before = stepper.tip();
+        for _ in 0..15_000 {
+            stepper.step(dt);
+            let middle = stepper.tip();
+            stepper.step(dt);
+            let after = stepper.tip();
+            let difference = (after.c - before.c).scaled(0.5 / dt);
+            let scale = motion.top().tip_scale() / (dt * 1e4);
+            speed_worst = speed_worst.max((difference - middle.velocity).norm_squared().sqrt() / scale);
+            assert!((middle.speed() - middle.velocity.norm_squared().sqrt()).abs() < 1e-15);
+            if let (Some(a), Some(b), Some(c)) = (before.angle, middle.angle, after.angle) {
+                // c = ±ρ e^{iφ}
+                let direction = toytop::Complex::cis(-b.phi);
+                let along: toytop::Complex<f64> = middle.c * direction;
+                assert!(along.im.abs() <= 1e-13 * motion.top().tip_scale(), "{}", vector.name);
+                let passes = motion.tip_class() == TipClass::ThroughOrigin;
+                assert!(passes || along.re >= 0.0, "{}", vector.name);
+                let slope = (c.phi - a.phi).to_radians() / (2.0 * dt);
+                // near the vertical φ' is large and short: compare where it is not
+                if middle.rho() > 0.05 * motion.top().tip_scale() {
+                    phi_worst = phi_worst.max((slope - b.rate).abs() * dt * 1e4);
+                }
+            } else {
+                assert!(motion.regime().is_vertical());
+            }
+            before = after;
+        }
+    }
+    assert!(phi_worst < 2e-2 && phi_worst > 1e-9, "{phi_worst:e}");
+    assert!(speed_worst < 2e-3 && speed_worst > 1e-9, "{speed_worst:e}");
+}
+
+/// The classes of the paper's figures 2 and 3.
+#[test]
+fn the_figures_of_the_paper() {
+    let expected = [
+        ("fig2_same_e3_1", TipClass::Smooth),
+        ("fig2_same_e3_2", TipClass::Smooth),
+        ("fig2_same_e3_100", TipClass::Smooth),
+        ("fig3_diff_e3_1", TipClass::Smooth),
+        ("fig3_diff_e3_1.1", TipClass::Smooth),
+        ("fig3_diff_e3_1.3", TipClass::Smooth),
+        ("fig3_diff_e3_1.85", TipClass::Cusp),
+        ("fig3_diff_e3_2.5", TipClass::Loops),
+        ("fig3_diff_e3_3", TipClass::Loops),
+        ("vertical_pass_e2_1", TipClass::ThroughOrigin),
+        ("e1_m1_l_eq_minus_n", TipClass::ThroughOrigin),
+        ("planar_e1m1_e2p1", TipClass::ThroughOrigin),
+    ];
+    for (name, class) in expected {
+        assert_eq!(vectors::named(name).motion().unwrap().tip_class(), class, "{name}");
+    }
+}
+
+/// The criterion against the sampled curve: φ' changes sign exactly where there are loops.
+#[test]
+fn loops_are_where_the_angle_runs_back() {
+    let top = vectors::named("generic_AneC").top();
+    let mut seen = [0_u32; 2];
+    for i in 0..400 {
+        let fraction = |k: f64| (f64::from(i) * k).fract();
+        let e1 = -0.95 + 1.8 * fraction(0.618);
+        let e2 = e1 + (0.98 - e1) * (0.05 + 0.9 * fraction(0.414));
+        let e3 = 1.01 + 6.0 * fraction(0.732);
+        let margin = e3 * (e2 - e1) - (1.0 - e1 * e2);
+        if margin.abs() < 1e-2 {
+            continue;
+        }
+        let signs = Signs { l_minus_n: toytop::Sign::Minus, ..Signs::default() };
+        let motion = Motion::from_branch_points(&top, [e1, e2, e3], signs, &Start::default()).unwrap();
+        let period = motion.averages().unwrap().period;
+        let mut stepper = Stepper::<f64>::new(&motion);
+        let (mut forward, mut backward) = (false, false);
+        for _ in 0..2000 {
+            stepper.step(period / 2000.0);
+            let rate = stepper.tip().angle.unwrap().rate;
+            (forward, backward) = (forward || rate > 0.0, backward || rate < 0.0);
+        }
+        let loops = forward && backward;
+        assert_eq!(motion.tip_class() == TipClass::Loops, loops, "{e1} {e2} {e3}");
+        seen[usize::from(loops)] += 1;
+    }
+    assert!(seen[0] > 20 && seen[1] > 20, "both kinds must occur: {seen:?}");
+}
+
+/// The figures measured for the paper's own motions: in figure 2, e3 = 100, the top would leave the plane.
+#[test]
+fn least_normal_force() {
+    for (name, least) in [("fig2_same_e3_100", -15.7), ("fast_spin", -9.5), ("generic_state", -0.17)] {
+        let force = vectors::named(name).motion().unwrap().min_normal_force().unwrap();
+        assert!((force - least).abs() < 0.06, "{name}: {force}");
+    }
+    assert_eq!(vectors::named("lagrange_exact").motion().unwrap().min_normal_force(), None);
+    assert_eq!(vectors::named("regular_precession").motion().unwrap().min_normal_force(), Some(1.0));
+    // against u'' from differences of u' along the motion
+    let motion = vectors::named("generic_AneC").motion().unwrap();
+    let mut stepper = Stepper::<f64>::new(&motion);
+    let (mut least, mut before, dt) = (f64::INFINITY, stepper.pose().udot(), 1e-3);
+    for _ in 0..6000 {
+        stepper.step(dt);
+        let now = stepper.pose().udot();
+        least = least.min(1.0 + motion.top().s() * (now - before) / dt);
+        before = now;
+    }
+    assert!((least - motion.min_normal_force().unwrap()).abs() < 1e-5);
+}

@@ -1,0 +1,68 @@
+//! Every tolerance of the test suite, in one table.
+//!
+//! A budget is two-sided: the worst error over all cases of a test must stay below `most`, and must reach `most / 30`.
+//! A bound that nothing comes near would not notice when the code, or the test, stopped working.
+
+/// What is allowed for one quantity in one scalar.
+#[derive(Clone, Copy, Debug)]
+pub struct Budget {
+    /// Worst error allowed.
+    pub most: f64,
+}
+
+/// How far below its bound the worst case of a test may stay.
+const SLACK: f64 = 30.0;
+
+impl Budget {
+    const fn of(most: f64) -> Self {
+        Self { most }
+    }
+
+    /// Checks the worst case of a whole test.
+    ///
+    /// # Panics
+    /// If the budget is exceeded, never approached, or not a number.
+    pub fn check(self, what: &str, worst: f64) {
+        assert!(worst <= self.most, "{what}: {worst:.1e}, allowed {:.1e}", self.most);
+        assert!(worst >= self.most / SLACK, "{what}: {worst:.1e}, so {:.1e} is too lax a bound", self.most);
+    }
+}
+
+/// l, n, h from branch points or a state, against 30 digits; relative to the largest of them.
+pub const CONSTANTS: Budget = Budget::of(4e-16);
+/// e₁, e₂, e₃ and each small difference by itself, relative, for a state taken as exact.
+pub const BRANCH_POINTS: Budget = Budget::of(4e-16);
+/// The nutation period, relative, and the phase advances in it (rad), inputs exact in f64.
+pub const PERIOD: Budget = Budget::of(1e-14);
+/// The same, inputs rounded to f64: times the smallest difference, which the rounding changes most.
+pub const PERIOD_ROUNDED: Budget = Budget::of(3e-16);
+
+/// Orientation (rad) over three periods, 4096 steps a period, f64, inputs exact in f64 and e₃ - e₂ > 1e-3.
+pub const STEPPER_F64: Budget = Budget::of(3e-13);
+/// The same near the separatrix, times e₃ - e₂.
+pub const STEPPER_F64_SEPARATRIX: Budget = Budget::of(3e-16);
+/// The same at A/(ps) = 1/16, where the nutation runs through the vertical sixteen times as fast: 4096 steps are few.
+pub const STEPPER_F64_SMALL_A: Budget = Budget::of(1e-11);
+/// Orientation (rad) over three periods, 1024 steps a period, f32.
+pub const STEPPER_F32: Budget = Budget::of(6e-6);
+/// u, and u' relative to its size, over three periods in f64.
+pub const REDUCED_F64: Budget = Budget::of(3e-13);
+/// The tip curve in units of s, over three periods in f64.
+pub const TIP_F64: Budget = Budget::of(3e-13);
+/// The tip angle, continued, over three periods in f64.
+pub const TIP_ANGLE_F64: Budget = Budget::of(3e-13);
+
+/// | |α|² + |β|² - 1 | after 10⁶ steps.
+pub const NORM_F64: Budget = Budget::of(2e-15);
+/// The same in f32.
+pub const NORM_F32: Budget = Budget::of(1e-6);
+/// l, n, h recomputed from α, β and their rates after 10⁶ steps, relative to the largest of them.
+pub const INVARIANTS_F64: Budget = Budget::of(1e-14);
+/// The same in f32.
+pub const INVARIANTS_F32: Budget = Budget::of(5e-6);
+/// Forward and back with changing steps, orientation in f64.
+pub const REVERSAL_F64: Budget = Budget::of(1e-14);
+/// State -> constants -> state, f64: what one rounding of the state does, over the condition of the launch.
+pub const ROUND_TRIP: Budget = Budget::of(2e-14);
+/// Group facts of SU(2), f64.
+pub const GROUP: Budget = Budget::of(3e-15);
