@@ -78,7 +78,7 @@ impl Top {
     }
 
     /// A top whose tip is held in a fixed point: both inertias are then about the *tip*, and only the product
-    /// p = M s [kg m] of mass and height enters.
+    /// p = M s (kg m) of mass and height enters.
     ///
     /// # Errors
     /// As [`Top::sliding`].
@@ -92,7 +92,7 @@ impl Top {
         Self::new(Support::Fixed, transverse_inertia, axial_inertia, 0.0, p, gravity)
     }
 
-    /// As [`Top::fixed`], from the mass [kg] and the height of the centre of mass above the tip [m].
+    /// As [`Top::fixed`], from the mass (kg) and the height of the centre of mass above the tip (m).
     ///
     /// # Errors
     /// As [`Top::sliding`].

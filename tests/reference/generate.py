@@ -10,20 +10,16 @@ Needs mpmath only (requirements.txt). The motion itself is in exact_motion.py: 8
 Newton inversion. README.md describes the format of the vectors.
 
 How the vectors are checked (measured):
-  * Each written vector carries a `crosscheck`: alpha and beta at all its samples against newton_euler.py,
-    which integrates the three-dimensional Newton-Euler equations at 60 digits (local tolerance 1e-50)
-    from the same initial state forwards and backwards, over all +-3 periods. Worst difference 2.2e-49,
-    except where the motion itself amplifies the integrator's error: 6.6e-45 near the separatrix,
-    1.8e-46 for the aperiodic one. l, n and the symmetric functions of e1, e2, e3, evaluated from the
-    initial state by their definitions (energy and momenta), agree with the formulas to 7e-80.
-  * --check reproduces the 31 vectors with decimal inputs, which were made by another program, to all
-    30 digits (difference below 1e-29) at every sample including 1e9 periods. Two exceptions, both
-    because an input is itself only known to the 30 digits stored in the file: lagrange_limit_e4_1e4
-    (s; 6e-29) and loop_n_zero (e1, e3; 3e-20 at 1e9 periods, 7e-31 if they are solved for exactly
-    from l = 0.9, n = 0). growth_rate and T_SI_seconds are not recomputed.
-  * phi is the continuous argument: unwound in small steps along a double precision integration of the
-    same equations, it agrees at all samples to what that integration resolves (1e-10; 2e-7 near the
-    separatrix; for the aperiodic motion 4e-2 at |t| = 20, where |c| is 1e-6, that is 1e-8 in c).
+  * Each written vector carries a `crosscheck`: alpha and beta at all its samples against newton_euler.py, which
+    integrates the three-dimensional Newton-Euler equations (60 digits, local tolerance 1e-50) both ways over all
+    +-3 periods. Worst: 2.2e-49; where the motion amplifies the integrator's error 6.6e-45 (near separatrix) and
+    1.8e-46 (aperiodic). l, n and the symmetric functions of e1, e2, e3 agree with their definitions to 7e-80.
+  * --check reproduces the 31 vectors with decimal inputs, made by another program, to all 30 digits (1e-29), 1e9
+    periods included, but for two with an input known only to the 30 digits in the file: lagrange_limit_e4_1e4 (s;
+    6e-29), loop_n_zero (e1, e3; 3e-20 at 1e9 periods, 7e-31 if they are solved for from l = 0.9, n = 0).
+    growth_rate and T_SI_seconds are not recomputed.
+  * phi, unwound in small steps along a double precision integration, agrees at all samples to what that resolves:
+    2e-10; 2e-7 near the separatrix; aperiodic 4e-2 at |t| = 20, where |c| is 1e-6 (1e-8 in c).
 """
 import json
 import sys
@@ -41,11 +37,10 @@ BY_STATE = "initial alpha,beta,omega (exact decimals)"
 
 # Everything below is a dyadic number, so the f64 written here, its decimal expansion in the vector and
 # the f64 parsed back from that are the same number. Bodies are (A, C, s, p).
-BODY = 1.3125, 0.6875, 0.8125, 1.125
-STEEP = 1.125, 0.625, 0.6875, 1.3125
-THIN = 1.25, 0.75, 0.5, 1.0
-ANGLES = 0.875, 0.3125, -1.125  # theta, arg alpha, arg beta at t = 0
-EARLY = 0.40625, 0.1875, 0.5
+BODY, STEEP = (1.3125, 0.6875, 0.8125, 1.125), (1.125, 0.625, 0.6875, 1.3125)
+THIN, HEAVY = (1.25, 0.75, 0.5, 1.0), (1.25, 0.5, 0.59375, 0.90625)
+# theta, arg alpha, arg beta at t = 0
+ANGLES, EARLY, BACK = (0.875, 0.3125, -1.125), (0.40625, 0.1875, 0.5), (-2.25, 2.75, 1.25)
 
 
 def roots(note, body, e1, e2, e3, signs, angles):
@@ -61,8 +56,7 @@ MOTIONS = {
     "exact_generic_pp": roots("generic, A!=C, l+n>0, l-n>0", BODY, *GENERIC, (1, 1), ANGLES),
     "exact_generic_pm": roots("generic, A!=C, l+n>0, l-n<0", BODY, *GENERIC, (1, -1), ANGLES),
     "exact_generic_mp": roots("generic, A!=C, l+n<0, l-n>0", BODY, *GENERIC, (-1, 1), ANGLES),
-    "exact_generic_mm": roots("generic, A!=C, l+n<0, l-n<0, starts with u'<0", BODY, *GENERIC, (-1, -1),
-                              (-2.25, 2.75, 1.25)),
+    "exact_generic_mm": roots("generic, A!=C, l+n<0, l-n<0, starts with u'<0", BODY, *GENERIC, (-1, -1), BACK),
     "exact_fast_spin": roots("e3=2^13", (1.25, 0.75, 1.0, 1.0), 0.296875, 0.298828125, 2.0 ** 13, (1, -1),
                              (0.1875, 0.25, -0.625)),
     "exact_near_separatrix_straddle": roots("e2=1-2^-21, e3=1+2^-21", THIN, -0.3125, 1 - 2 ** -21,
@@ -95,10 +89,9 @@ MOTIONS = {
     "exact_small_A": roots("A/(ps)=2^-4: e4 only just above 1", (0.0625, 0.09375, 1.0, 1.0), -0.875, 0.9375,
                            1.5, (1, -1), (0.75, -0.5, 2.0)),
     "exact_state_generic": state("generic state, u'<0; the f64 nearest to a unit quaternion",
-                                 (1.25, 0.5, 0.59375, 0.90625), (0.48, 0.64), (0.36, -0.48), (0.375, -0.6875, 2.1875)),
+                                 HEAVY, (0.48, 0.64), (0.36, -0.48), (0.375, -0.6875, 2.1875)),
     "exact_state_off_norm": state("|alpha|^2+|beta|^2 is off 1 by about 3e-7: means alpha/N, beta/N",
-                                  (1.25, 0.5, 0.59375, 0.90625), (-0.5, 0.25), (0.75, 0.353553771972656250),
-                                  (-0.8125, 1.375, 1.125)),
+                                  HEAVY, (-0.5, 0.25), (0.75, 0.35355377197265625), (-0.8125, 1.375, 1.125)),
     "exact_state_vertical": state("starts exactly upright (beta=0), horizontal omega: l=n=0, planar", BODY,
                                   (0.6, 0.8), (0.0, 0.0), (0.75, -0.3125, 0.0)),
     "exact_state_vertical_spin": state("starts exactly upright (beta=0), spinning and moving: e2=1, l=n",
@@ -181,8 +174,7 @@ def document(motion, head, times, huge):
     doc["samples"] = [sample(m, t, text) for t, text in times]
     doc["huge_samples"] = [dict(sample(m, t, text), period_count=str(n)) for t, text, n in huge]
     if m.periodic and not m.fixed:
-        turn_a = m.psi_a + m.tau * m.T / 2
-        turn_b = m.psi_b - m.tau * m.T / 2
+        turn_a, turn_b = m.psi_a + m.tau * m.T / 2, m.psi_b - m.tau * m.T / 2
         doc["period"] = dict(
             T=digits(m.T), delta_arg_alpha=digits(turn_a + mp.pi * m.sp * m.wind_a),
             delta_arg_beta=digits(turn_b + mp.pi * m.sm * m.wind_b),
@@ -224,10 +216,8 @@ def generate(name):
         doc["degenerate_note"] = ("u constant: T is the small-nutation period 2*pi/sqrt(2(e3-e)/D(e)); delta_* "
                                   "are genuine phase advances over that T")
     doc["crosscheck"] = crosscheck(motion, [mpf(t) for t in near])
-    path = VECTORS / (name + ".json")
-    path.write_text(json.dumps(doc, indent=1) + "\n")
-    print(f"{name}: {doc['crosscheck']['max_abs_diff_alpha_beta']} from Newton-Euler, "
-          f"{doc['crosscheck']['max_diff_of_e_l_n_from_their_definitions']} from the definitions of e, l, n", flush=True)
+    (VECTORS / (name + ".json")).write_text(json.dumps(doc, indent=1) + "\n")
+    print(name, {key: text for key, text in doc["crosscheck"].items() if key.startswith("max")}, flush=True)
 
 
 def number(text):

@@ -54,6 +54,16 @@ pub fn named(name: &str) -> Vector {
     Vector::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("reference/vectors/{name}.json")))
 }
 
+/// A file of `tests/reference`.
+pub fn json(name: &str) -> Value {
+    read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("reference").join(name))
+}
+
+fn read(file: &Path) -> Value {
+    let text = std::fs::read_to_string(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", file.display()))
+}
+
 impl Vector {
     fn read(file: &Path) -> Self {
         let text =
@@ -64,11 +74,11 @@ impl Vector {
 
     /// A number at the top of the file (`e1`, `l`, ...), if it is there.
     pub fn number(&self, key: &str) -> Option<f64> {
-        self.json.get(key).and_then(parse)
+        self.json.get(key).and_then(number)
     }
 
     fn parameter(&self, key: &str) -> Option<f64> {
-        self.json["params"].get(key).and_then(parse)
+        self.json["params"].get(key).and_then(number)
     }
 
     /// Whether its inputs are `f64` numbers exactly, so that nothing is lost in reading them.
@@ -147,26 +157,26 @@ impl Vector {
     /// The truth of a period, if there is one.
     pub fn period(&self) -> Option<Period> {
         let period = self.json.get("period")?;
-        let number = |key: &str| parse(&period[key]).unwrap();
+        let entry = |key: &str| number(&period[key]).unwrap();
         Some(Period {
-            period: number("T"),
-            alpha: number("delta_arg_alpha"),
-            beta: number("delta_arg_beta"),
-            phi: number("delta_phi"),
+            period: entry("T"),
+            alpha: entry("delta_arg_alpha"),
+            beta: entry("delta_arg_beta"),
+            phi: entry("delta_phi"),
         })
     }
 }
 
 fn sample(json: &Value) -> Sample {
-    let number = |key: &str| parse(&json[key]);
+    let entry = |key: &str| number(&json[key]);
     let c = numbers(&json["c"]);
     Sample {
-        t: number("t").unwrap(),
-        u: number("u").unwrap(),
-        udot: number("udot").unwrap(),
+        t: entry("t").unwrap(),
+        u: entry("u").unwrap(),
+        udot: entry("udot").unwrap(),
         phi: phi(json),
         c: Complex::new(c[0], c[1]),
-        tip_angle: number("phi"),
+        tip_angle: entry("phi"),
     }
 }
 
@@ -179,10 +189,11 @@ fn phi(json: &Value) -> Phi<f64> {
 }
 
 fn numbers(json: &Value) -> Vec<f64> {
-    json.as_array().unwrap().iter().map(|entry| parse(entry).unwrap()).collect()
+    json.as_array().unwrap().iter().map(|entry| number(entry).unwrap()).collect()
 }
 
-fn parse(json: &Value) -> Option<f64> {
+/// A number given as a JSON number or a decimal string.
+pub fn number(json: &Value) -> Option<f64> {
     match json {
         Value::String(text) => match text.as_str() {
             "pi" => Some(std::f64::consts::PI),

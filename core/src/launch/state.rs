@@ -30,7 +30,7 @@ pub struct Release {
 }
 
 impl State {
-    /// From the Cayley-Klein parameters and ω [rad/s] in the fixed frame.
+    /// From the Cayley-Klein parameters and ω (rad/s) in the fixed frame.
     ///
     /// | |α|² + |β|² - 1 | <= 1e-6 is accepted and means the exactly normalised state.
     ///
