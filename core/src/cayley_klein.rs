@@ -76,6 +76,14 @@ impl<R: Scalar> Bracket<R> {
         Complex::new(self.x * place.cosine, self.y * place.sine)
     }
 
+    /// The factors of e^{iχ} and e^{-iχ} in it.
+    pub(crate) fn exponentials(&self) -> [R; 2]
+    where
+        R: Float,
+    {
+        [(self.x + self.y).halved(), (self.x - self.y).halved()]
+    }
+
     /// Its derivative by χ.
     pub(crate) fn along(&self, place: &Place<R>) -> Complex<R> {
         Complex::new(-(self.x * place.sine), self.y * place.cosine)
@@ -116,6 +124,6 @@ impl<R: Real> Bracket<R> {
         // arg(x cos χ + i y sin χ) - χ
         let correction =
             R::atan2((y - self.x) * sine * cosine, self.x * cosine.squared() + y * sine.squared());
-        (chi + Turns::from_radians(correction.to_f64())) * sense
+        (chi + Turns::from_radians(correction.to_f64())).times(sense.into())
     }
 }

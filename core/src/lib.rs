@@ -33,6 +33,9 @@ pub use launch::{
     TipClass,
 };
 pub use su2::Phi;
-pub use tick::{Pose, Stepper, Tip, TipAngle};
+pub use tick::{
+    Cursor, Ephemeris, EphemerisF32, EphemerisF64, ErrorBound, Moment, NoFit, Pose, Stepper, Tick, Tip,
+    TipAngle, TurningPoint,
+};
 pub use top::{Heaviness, Support, Top};
 pub use turns::{Rate, Turns};

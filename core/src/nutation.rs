@@ -12,6 +12,8 @@
 //! The logarithmic poles of the paper's integrals (eqn:abgdints) sit in the brackets; ψ_A' and ψ_B' divide by
 //! neither 1 - u nor 1 + u. Set-up integrates this law over a period, the stepper through a tick: one code, two users.
 
+pub(crate) mod series;
+
 use crate::launch::{BranchPoints, FirstIntegrals, Signs};
 use crate::real::{DoubleDouble, Float, Real, Ring};
 use crate::top::{Quantities, Top};

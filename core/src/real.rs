@@ -17,7 +17,6 @@ mod sine;
 
 pub use double_double::DoubleDouble;
 
-use crate::turns::Turns;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -54,10 +53,16 @@ pub trait Ring:
 
 /// What a tick needs: a ring with the sine and cosine of an integer phase.
 pub trait Scalar: Ring {
-    /// (sin 2πx, cos 2πx) of a phase of x turns; the whole turns are dropped exactly.
+    /// (sin 2πx, cos 2πx) of a phase of x turns, given as the 64 bits of its fraction ([`crate::Turns::fraction`]).
     ///
     /// Error: below 1e-7 in `f32`, below 2e-16 in `f64`, and relative to the result near its zeros.
-    fn sine_cosine(phase: Turns) -> (Self, Self);
+    fn sine_cosine(phase: u64) -> (Self, Self);
+
+    /// Half a unit in the last place of 1: what one operation can round off.
+    const ROUNDING: f64;
+
+    /// fraction · 2^-63, in [-1, 1).
+    fn from_fraction(fraction: i64) -> Self;
 }
 
 /// What set-up needs: division and square root. Never asked of fixed point.

@@ -3,7 +3,8 @@
 //! An angle kept in radians loses digits as it grows and needs a reduction before its sine; a phase in turns does
 //! neither. Sums are exact, and dropping the whole turns is taking the lower bits.
 
-use core::ops::{Add, AddAssign, Mul, Neg, Sub};
+use crate::real::DoubleDouble;
+use core::ops::{Add, AddAssign, Neg, Sub};
 
 /// A phase in turns: a signed fixed-point number with 96 bits after the point.
 ///
@@ -15,6 +16,8 @@ pub struct Turns(i128);
 const FRACTION_BITS: i32 = 96;
 
 impl Turns {
+    /// The smallest difference of two phases, in turns.
+    pub const RESOLUTION: f64 = 1.0 / (1_u128 << FRACTION_BITS) as f64;
     /// No turn at all.
     pub const ZERO: Self = Self(0);
     /// A quarter of a turn, π/2 rad.
@@ -38,10 +41,28 @@ impl Turns {
         Self::new(angle * (0.5 * core::f64::consts::FRAC_1_PI))
     }
 
+    /// From turns in double-double, modulo 2^32 turns.
+    #[must_use]
+    pub fn of(turns: DoubleDouble) -> Self {
+        Self::new(turns.hi()) + Self::new(turns.lo())
+    }
+
+    /// From the number itself: bits · 2^-96 turns.
+    #[must_use]
+    pub const fn from_bits(bits: i128) -> Self {
+        Self(bits)
+    }
+
+    /// The number itself, in units of 2^-96 turns.
+    #[must_use]
+    pub const fn to_bits(self) -> i128 {
+        self.0
+    }
+
     /// In turns, the whole ones included: 2^-53 relative.
     #[must_use]
     pub fn to_f64(self) -> f64 {
-        self.0 as f64 * (1.0 / (1_u128 << FRACTION_BITS) as f64)
+        self.0 as f64 * Self::RESOLUTION
     }
 
     /// In radians, the whole turns included: 2^-52 relative.
@@ -58,18 +79,38 @@ impl Turns {
         if wrapped.0 == -Self::HALF.0 { Self::HALF } else { wrapped }
     }
 
-    /// The signed distance to the nearest multiple of a quarter turn, in [-1/8, 1/8), and that multiple modulo 4.
+    /// n times the phase, modulo 2^32 turns.
     #[inline]
-    pub(crate) fn quadrant(self) -> (u32, Self) {
-        let quarter = self.0.wrapping_add(1 << (FRACTION_BITS - 3)) >> (FRACTION_BITS - 2);
-        (quarter as u32 & 3, Self(self.0.wrapping_sub(quarter << (FRACTION_BITS - 2))))
+    #[must_use]
+    pub fn times(self, n: i64) -> Self {
+        Self(self.0.wrapping_mul(n.into()))
     }
 
-    /// The part of [`Self::quadrant`] as (upper 32 bits, next 32 bits) after the point, the upper signed.
+    /// The phase times share · 2^-64, rounded down to the last bit.
+    #[must_use]
+    pub fn part(self, share: u64) -> Self {
+        let upper = (self.0 >> 64) * i128::from(share);
+        let lower = (u128::from(self.0 as u64) * u128::from(share)) >> 64;
+        Self(upper.wrapping_add(lower as i128))
+    }
+
+    /// The nearest phase within half a turn of 0.
     #[inline]
-    pub(crate) fn words(self) -> (i32, u32) {
-        let bits = (self.0 >> (FRACTION_BITS - 64)) as i64;
-        ((bits >> 32) as i32, bits as u32)
+    pub(crate) fn clamped(self) -> Self {
+        Self(self.0.clamp(-Self::HALF.0, Self::HALF.0 - 1))
+    }
+
+    /// Whole half turns, and the rest in [0, 1/2) turn.
+    pub(crate) fn halves(self) -> (i64, Self) {
+        let halves = self.0 >> (FRACTION_BITS - 1);
+        (halves as i64, Self(self.0.wrapping_sub(halves << (FRACTION_BITS - 1))))
+    }
+
+    /// The 64 leading bits of the fraction, an unsigned share of a turn: what a sine is taken of.
+    #[inline]
+    #[must_use]
+    pub fn fraction(self) -> u64 {
+        (self.0 >> (FRACTION_BITS - 64)) as u64
     }
 }
 
@@ -94,15 +135,6 @@ impl Neg for Turns {
     #[inline]
     fn neg(self) -> Self {
         Self(self.0.wrapping_neg())
-    }
-}
-
-/// A whole multiple.
-impl Mul<i32> for Turns {
-    type Output = Self;
-    #[inline]
-    fn mul(self, times: i32) -> Self {
-        Self(self.0.wrapping_mul(times.into()))
     }
 }
 
@@ -191,17 +223,6 @@ mod tests {
         assert_eq!(Turns::new(7.25).principal(), Turns::QUARTER);
         assert_eq!(Turns::new(-0.5).principal(), Turns::HALF);
         assert_eq!(Turns::new(-3.25).principal().to_f64(), -0.25);
-    }
-
-    #[test]
-    fn quadrants_and_their_rest() {
-        for (turns, quadrant, rest) in
-            [(0.0, 0, 0.0), (0.3, 1, 0.05), (-0.1, 0, -0.1), (0.9, 0, -0.1), (5.5, 2, 0.0)]
-        {
-            let (q, r) = Turns::new(turns).quadrant();
-            assert_eq!(q, quadrant);
-            assert!((r.to_f64() - rest).abs() < 1e-15);
-        }
     }
 
     #[test]

@@ -31,13 +31,12 @@ CORNERS = [
 
 
 def state(e1, e2, e3, plus, minus, theta, a0, b0):
-    """alpha, beta, omega at nutation phase theta; FORMULAS: half-angle brackets and the expression of omega by l, n, u'."""
+    """alpha, beta, omega at nutation phase theta, from |alpha|, |beta| and their logarithmic derivatives."""
     scale = sqrt(2 * A * P)
     lpn = plus * scale * sqrt((1 + e1) * (1 + e2) * (1 + e3))
     lmn = minus * scale * sqrt((1 - e1) * (1 - e2) * (e3 - 1))
     l, n = (lpn + lmn) / 2, (lpn - lmn) / 2
     c, s = cos(theta / 2), sin(theta / 2)
-    unit = lambda z, phase: z / abs(z) * exp(1j * phase)
     alpha = abs(mpc(sqrt((1 + e1) / 2) * c, sqrt((1 + e2) / 2) * s)) * exp(1j * a0)
     beta = abs(mpc(sqrt((1 - e1) / 2) * c, sqrt((1 - e2) / 2) * s)) * exp(1j * b0)
     u = abs(alpha) ** 2 - abs(beta) ** 2

@@ -1,6 +1,7 @@
 //! Public behaviour, against independent truth. One binary, one module an idea.
 
 mod conditioning;
+mod ephemeris;
 mod group;
 mod interop;
 mod invariants;

@@ -35,7 +35,7 @@ fn tops() -> impl Strategy<Value = Top> {
 fn releases() -> impl Strategy<Value = (Top, Release)> {
     let rate = || -4.0_f64..4.0;
     let angle = || -7.0_f64..7.0;
-    (tops(), 0.0_f64..3.1415, angle(), angle(), rate(), rate(), rate()).prop_map(
+    (tops(), 0.0_f64..std::f64::consts::PI, angle(), angle(), rate(), rate(), rate()).prop_map(
         |(top, tilt, azimuth, roll, spin, precession, nutation)| {
             let unit = (top.p() * top.g() / top.a()).sqrt();
             let (spin, precession, nutation) = (spin * unit, precession * unit, nutation * unit);

@@ -30,8 +30,6 @@ impl Budget {
 
 /// l, n, h from branch points or a state, against 30 digits; relative to the largest of them.
 pub const CONSTANTS: Budget = Budget::of(4e-16);
-/// e₁, e₂, e₃ and each small difference by itself, relative, for a state taken as exact.
-pub const BRANCH_POINTS: Budget = Budget::of(4e-16);
 /// The nutation period, relative, and the phase advances in it (rad), inputs exact in f64.
 pub const PERIOD: Budget = Budget::of(1e-14);
 /// The same, inputs rounded to f64: times the smallest difference, which the rounding changes most.
@@ -52,6 +50,10 @@ pub const TIP_F64: Budget = Budget::of(3e-13);
 /// The tip angle, continued, over three periods in f64.
 pub const TIP_ANGLE_F64: Budget = Budget::of(3e-13);
 
+/// The ephemeris in f64 at any time, inputs exact in f64 (the start's own rounding is in it).
+pub const EPHEMERIS_F64: Budget = Budget::of(1e-14);
+/// The same in f32.
+pub const EPHEMERIS_F32: Budget = Budget::of(4e-7);
 /// | |α|² + |β|² - 1 | after 10⁶ steps.
 pub const NORM_F64: Budget = Budget::of(2e-15);
 /// The same in f32.

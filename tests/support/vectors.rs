@@ -135,7 +135,12 @@ impl Vector {
 
     /// The state at t = 0, as far as `f64` can say it.
     pub fn state(&self) -> State {
-        let initial = &self.json["initial"];
+        let (parameters, initial) = (&self.json["params"], &self.json["initial"]);
+        if parameters.get("alpha0").is_some() {
+            let complex = |key: &str| Complex::new(entry(parameters, key, 0), entry(parameters, key, 1));
+            let omega = [0, 1, 2].map(|i| entry(parameters, "omega0", i));
+            return State::new(Phi { alpha: complex("alpha0"), beta: complex("beta0") }, omega).unwrap();
+        }
         let omega = numbers(&initial["omega_fixed"]).try_into().unwrap();
         State::new(phi(initial), omega).unwrap()
     }
@@ -152,6 +157,12 @@ impl Vector {
     /// The samples over the first periods.
     pub fn samples(&self) -> Vec<Sample> {
         self.json["samples"].as_array().unwrap().iter().map(sample).collect()
+    }
+
+    /// The samples near 10³, 10⁶ and 10⁹ periods, with their number of periods.
+    pub fn huge_samples(&self) -> Vec<(f64, Sample)> {
+        let samples = self.json.get("huge_samples").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
+        samples.iter().map(|json| (number(&json["period_count"]).unwrap(), sample(json))).collect()
     }
 
     /// The truth of a period, if there is one.
@@ -186,6 +197,10 @@ fn phi(json: &Value) -> Phi<f64> {
         Complex::new(parts[0], parts[1])
     };
     Phi { alpha: complex("alpha"), beta: complex("beta") }
+}
+
+fn entry(json: &Value, key: &str, i: usize) -> f64 {
+    number(&json[key][i]).unwrap()
 }
 
 fn numbers(json: &Value) -> Vec<f64> {

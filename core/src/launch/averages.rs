@@ -44,6 +44,8 @@ pub(super) struct Quadrature<F> {
     pub(super) period: F,
     pub(super) psi_alpha: F,
     pub(super) psi_beta: F,
+    /// Relative error, judged by the last change.
+    pub(super) relative_error: f64,
 }
 
 /// Landen steps: each squares the smallness of the modulus; from m₁ = 1e-300 it takes nine.
@@ -61,21 +63,28 @@ impl<F: Float> Quadrature<F> {
             Sums::at(law, &landen, F::ZERO, F::ONE).plus(&Sums::at(law, &landen, F::ONE, F::ZERO)).halved();
         let mut nodes = 1_u32;
         let (mut step_sine, mut step_cosine) = (F::ONE, F::ZERO); // of π/2 over the number of nodes
-        loop {
+        let change = loop {
             (step_sine, step_cosine) = half_angle(step_sine, step_cosine);
             let odd = Sums::at_odd_nodes(law, &landen, nodes, step_sine, step_cosine);
             // trapezoid sums with `nodes` and twice as many
             let change = odd.plus(&sums.negated());
             sums = sums.plus(&odd);
             nodes *= 2;
-            let settled = change.within(F::from_f64(1e-13), &sums);
+            let settled = change.relative_to(&sums) <= F::from_f64(1e-13);
             if nodes >= MOST_NODES || (nodes >= 8 && settled) {
-                break;
+                break change.relative_to(&sums).to_f64();
             }
-        }
+        };
+        // Geometric convergence: the error after the next doubling is the square of the change.
+        let relative_error = if nodes < MOST_NODES { change * change } else { change };
         // Both halves of the period alike: 2 K over the number of nodes, twice over half of them.
         let weight = landen.quarter_period().doubled() / F::from_f64(f64::from(nodes));
-        Self { period: sums.time * weight, psi_alpha: sums.alpha * weight, psi_beta: sums.beta * weight }
+        Self {
+            period: sums.time * weight,
+            psi_alpha: sums.alpha * weight,
+            psi_beta: sums.beta * weight,
+            relative_error,
+        }
     }
 }
 
@@ -126,11 +135,13 @@ impl<F: Float> Sums<F> {
         Self { time: self.time.halved(), alpha: self.alpha.halved(), beta: self.beta.halved() }
     }
 
-    /// Whether a change is small against a total: the error after the next doubling is its square.
-    fn within(&self, tolerance: F, total: &Self) -> bool {
-        let small = |change: F, total: F| change.abs() <= tolerance * total.abs();
-        let scale = total.alpha.abs() + total.beta.abs();
-        small(self.time, total.time) && small(self.alpha, scale) && small(self.beta, scale)
+    /// The largest change relative to a total; the slow phases are weighed together.
+    fn relative_to(&self, total: &Self) -> F {
+        let slow = total.alpha.abs() + total.beta.abs();
+        let time = self.time.abs() / total.time.abs();
+        let slow_change = self.alpha.abs() + self.beta.abs();
+        let slow = if slow > F::ZERO { slow_change / slow } else { F::ZERO };
+        if time > slow { time } else { slow }
     }
 }
 

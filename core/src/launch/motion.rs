@@ -1,6 +1,6 @@
 //! A motion: everything about one throw that does not depend on time.
 
-use super::averages::{Averages, Quadrature, averages};
+use super::averages::Averages;
 use super::start::{Start, chi, half_phase, half_turns, slow_phase, still};
 use super::{BranchPoints, FirstIntegrals, Regime, Signs, State, TipClass, normal_force};
 use crate::cayley_klein::{Brackets, Place};
@@ -118,7 +118,7 @@ impl Motion {
             return Ok(motion);
         }
         if regime == Regime::Aperiodic {
-            let (sine, cosine) = f64::sine_cosine(chi);
+            let (sine, cosine) = f64::sine_cosine(chi.fraction());
             motion.course = Course::Aperiodic(libm::asinh(sine / cosine));
         }
         let place = motion.place_at_start();
@@ -170,18 +170,7 @@ impl Motion {
     /// Cost: a quadrature of some 16 to 128 nodes in double-double, every time it is called.
     #[must_use]
     pub fn averages(&self) -> Option<Averages> {
-        if self.e.e3_minus_e2 == DoubleDouble::ZERO {
-            return None;
-        }
-        let quadrature = Quadrature::over_period(&self.law(), &self.e);
-        // the half turn of each bracket, 0 where it passes through 0 (also for the parameter that is always 0)
-        let swinging = Brackets::<f64>::swinging(&self.e, self.signs);
-        let winding = [swinging.alpha.winding(), swinging.beta.winding()];
-        let half = DoubleDouble::from(0.5);
-        Some(
-            averages(&quadrature, self.half_tau(), winding.map(|sense| half * f64::from(sense).into()))
-                .to_f64(),
-        )
+        (self.e.e3_minus_e2 > DoubleDouble::ZERO).then(|| self.exact_averages().0.to_f64())
     }
 
     /// The least normal force over the motion, in units of the weight: N = 1 + s u''/g. Below 0 a real top would leave
@@ -207,7 +196,7 @@ impl Motion {
     }
 
     /// τ/2 = (1/C - 1/A) n/2, the rate at which a top with C ≠ A turns ahead of one with C = A, rad per unit time.
-    fn half_tau(&self) -> DoubleDouble {
+    pub(super) fn half_tau(&self) -> DoubleDouble {
         self.quantities().tau(self.integrals.n).halved()
     }
 
@@ -227,6 +216,10 @@ impl Motion {
         } else {
             Brackets::swinging(&self.e, self.signs)
         }
+    }
+
+    pub(super) fn exact_branch_points(&self) -> &BranchPoints<DoubleDouble> {
+        &self.e
     }
 
     pub(crate) fn course(&self) -> Course {
@@ -272,16 +265,23 @@ impl Motion {
     fn place_at_start(&self) -> Place<f64> {
         let (sine, cosine) = match self.course {
             Course::Steady(_) => (0.0, 1.0),
-            Course::Nutating(chi) => f64::sine_cosine(chi),
+            Course::Nutating(chi) => f64::sine_cosine(chi.fraction()),
             Course::Aperiodic(v) => gudermannian(v),
         };
         Place { sine, cosine, alpha: Complex::ONE, beta: Complex::ONE }
     }
 }
 
+pub(super) fn two_pi() -> DoubleDouble {
+    DoubleDouble::new(2.0 * core::f64::consts::PI, 2.4492935982947064e-16)
+}
+
+pub(super) fn in_turns(radians: DoubleDouble) -> DoubleDouble {
+    radians / two_pi()
+}
+
 fn rate_in_turns(radians: DoubleDouble) -> Rate {
-    let two_pi = DoubleDouble::new(2.0 * core::f64::consts::PI, 2.4492935982947064e-16);
-    let turns = radians / two_pi;
+    let turns = in_turns(radians);
     Rate::new(turns.hi(), turns.lo())
 }
 

@@ -1,19 +1,24 @@
 //! `f32` and `f64` as scalars. Transcendental functions come from `libm` on every target, never from `std`.
 
 use super::{Float, Real, Ring, Scalar, sine};
-use crate::turns::Turns;
 
 macro_rules! float_scalar {
-    ($float:ty, $sqrt:path, $atan2:path, $exp:path) => {
+    ($float:ty, $from_fraction:expr, $sqrt:path, $atan2:path, $exp:path) => {
         impl Ring for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
         }
 
         impl Scalar for $float {
+            const ROUNDING: f64 = <$float>::EPSILON as f64 / 2.0;
+
             #[inline]
-            fn sine_cosine(phase: Turns) -> (Self, Self) {
+            fn sine_cosine(phase: u64) -> (Self, Self) {
                 sine::sine_cosine(phase)
+            }
+            #[inline]
+            fn from_fraction(fraction: i64) -> Self {
+                $from_fraction(fraction)
             }
         }
 
@@ -45,5 +50,9 @@ macro_rules! float_scalar {
     };
 }
 
-float_scalar!(f32, libm::sqrtf, libm::atan2f, libm::expf);
-float_scalar!(f64, libm::sqrt, libm::atan2, libm::exp);
+/// 24 bits of the upper word are all that `f32` can hold.
+const UPPER_WORD: fn(i64) -> f32 = |fraction| ((fraction >> 32) as i32) as f32 * (1.0 / (1_u64 << 31) as f32);
+const ALL: fn(i64) -> f64 = |fraction| fraction as f64 * (1.0 / (1_u64 << 63) as f64);
+
+float_scalar!(f32, UPPER_WORD, libm::sqrtf, libm::atan2f, libm::expf);
+float_scalar!(f64, ALL, libm::sqrt, libm::atan2, libm::exp);

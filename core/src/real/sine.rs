@@ -5,7 +5,6 @@
 //! their own error is below 3e-9 in `f32` and 2e-21 in `f64`, so what remains is rounding.
 
 use super::Ring;
-use crate::turns::Turns;
 
 /// What differs between the float types: conversion of the reduced phase, and the polynomials.
 pub(super) trait SineKernel<const S: usize, const C: usize>: Ring + 'static {
@@ -58,12 +57,13 @@ impl SineKernel<8, 9> for f64 {
     }
 }
 
-/// (sin 2πx, cos 2πx) for a phase of x turns.
+/// (sin 2πx, cos 2πx) for a phase of x turns, given by the 64 bits of its fraction.
 #[inline]
-pub(super) fn sine_cosine<R: SineKernel<S, C>, const S: usize, const C: usize>(phase: Turns) -> (R, R) {
-    let (quadrant, rest) = phase.quadrant();
-    let (upper, lower) = rest.words();
-    let x = R::from_words(upper, lower);
+pub(super) fn sine_cosine<R: SineKernel<S, C>, const S: usize, const C: usize>(phase: u64) -> (R, R) {
+    // the nearest quarter turn, and the signed rest in [-1/8, 1/8)
+    let quadrant = phase.wrapping_add(1 << 61) >> 62;
+    let rest = phase.wrapping_sub(quadrant << 62) as i64;
+    let x = R::from_words((rest >> 32) as i32, rest as u32);
     let y = x.squared();
     let (sine, cosine) = (x * horner(&R::SINE, y), horner(&R::COSINE, y));
     match quadrant {
@@ -81,15 +81,15 @@ fn horner<R: Ring>(coefficients: &[R], y: R) -> R {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::real::Scalar;
+    use crate::turns::Turns;
 
     /// Largest error against libm's f64 sine over a grid that is no multiple of the segments.
     fn worst<R: Scalar + Into<f64>>() -> f64 {
         let points = 100_003;
         (0..points).fold(0.0, |worst: f64, i| {
             let turns = f64::from(i) * (3.0 / f64::from(points)) - 1.5;
-            let (sine, cosine) = R::sine_cosine(Turns::new(turns));
+            let (sine, cosine) = R::sine_cosine(Turns::new(turns).fraction());
             let angle = 2.0 * core::f64::consts::PI * (turns - turns.round());
             worst.max((sine.into() - libm::sin(angle)).abs()).max((cosine.into() - libm::cos(angle)).abs())
         })
@@ -106,12 +106,12 @@ mod tests {
 
     #[test]
     fn zeros_are_exact_and_their_neighbourhood_relatively_exact() {
-        assert_eq!(f64::sine_cosine(Turns::QUARTER), (1.0, 0.0));
-        assert_eq!(f32::sine_cosine(Turns::HALF), (0.0, -1.0));
+        assert_eq!(f64::sine_cosine(Turns::QUARTER.fraction()), (1.0, 0.0));
+        assert_eq!(f32::sine_cosine(Turns::HALF.fraction()), (0.0, -1.0));
         let tiny = 1e-15;
-        let (_, cosine) = f64::sine_cosine(Turns::QUARTER - Turns::new(tiny));
+        let (_, cosine) = f64::sine_cosine((Turns::QUARTER - Turns::new(tiny)).fraction());
         assert!((cosine / (2.0 * core::f64::consts::PI * tiny) - 1.0).abs() < 1e-4);
-        let (sine, _) = f32::sine_cosine(Turns::new(1e-12));
+        let (sine, _) = f32::sine_cosine(Turns::new(1e-12).fraction());
         assert!((sine / 6.283_185_3e-12 - 1.0).abs() < 1e-6);
     }
 }

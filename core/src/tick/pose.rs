@@ -1,6 +1,9 @@
 //! One instant of a motion: Φ and Φ', and what follows from them.
 
-use crate::real::Ring;
+use crate::complex::Complex;
+use crate::error::LaunchError;
+use crate::launch::State;
+use crate::real::{Float, Ring};
 use crate::su2::{Phi, PhiRate, Vector};
 
 /// Orientation and rate at one instant. Everything here is computed on demand, by products alone, and from α, β and
@@ -11,6 +14,18 @@ pub struct Pose<R> {
     pub phi: Phi<R>,
     /// Φ', per unit time.
     pub rate: PhiRate<R>,
+}
+
+impl<R: Float> Pose<R> {
+    /// As a state to launch from: after a nudge, or with another top. Rounded as the scalar is.
+    ///
+    /// # Errors
+    /// As [`State::new`]; none for a pose of this crate's own motions.
+    pub fn state(&self) -> Result<State, LaunchError> {
+        let widen = |z: Complex<R>| Complex::new(z.re.to_f64(), z.im.to_f64());
+        let phi = Phi { alpha: widen(self.phi.alpha), beta: widen(self.phi.beta) };
+        State::new(phi, self.omega().map(R::to_f64))
+    }
 }
 
 impl<R: Ring> Pose<R> {

@@ -137,7 +137,7 @@ impl<R: Real> Stepper<R> {
     }
 
     fn nutating_rates(&self, chi: Turns) -> PhaseRates<R> {
-        let (sine, cosine) = R::sine_cosine(chi);
+        let (sine, cosine) = R::sine_cosine(chi.fraction());
         self.law.rates(sine, cosine)
     }
 
@@ -164,7 +164,7 @@ impl<R: Real> Stepper<R> {
     fn place(&self) -> Place<R> {
         let (sine, cosine) = match self.course {
             Moving::Steady(_) => (R::ZERO, R::ONE),
-            Moving::Nutating(chi) => R::sine_cosine(chi),
+            Moving::Nutating(chi) => R::sine_cosine(chi.fraction()),
             Moving::Aperiodic(v) => gudermannian(v.sum),
         };
         let [alpha, beta] = self.phases.map(Complex::cis);

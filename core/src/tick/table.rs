@@ -1,0 +1,190 @@
+//! The table of an ephemeris, its tick, and what can be said of its error.
+
+use crate::error::{LaunchError, require};
+use crate::launch::{Motion, Rates, Tabulated, tabulate};
+use crate::real::{DoubleDouble, Float, Scalar};
+use crate::turns::Turns;
+use core::fmt;
+
+/// A tick as an exact fraction of a second (of the motion's unit of time).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tick {
+    ticks: u32,
+    seconds: u32,
+}
+
+impl Tick {
+    /// So many ticks a second.
+    ///
+    /// # Errors
+    /// `tick`: no ticks at all.
+    pub fn hertz(frequency: u32) -> Result<Self, LaunchError> {
+        Self::ratio(frequency, 1)
+    }
+
+    /// `ticks` ticks in `seconds` seconds: (44100, 2) is 44100/2 Hz.
+    ///
+    /// # Errors
+    /// `tick`: one of the two is 0.
+    pub fn ratio(ticks: u32, seconds: u32) -> Result<Self, LaunchError> {
+        require(
+            ticks > 0 && seconds > 0,
+            "tick",
+            "a positive number of ticks in a positive number of seconds",
+        )?;
+        Ok(Self { ticks, seconds })
+    }
+
+    /// Its length in units of time.
+    pub(super) fn length(self) -> DoubleDouble {
+        DoubleDouble::from(f64::from(self.seconds)) / DoubleDouble::from(f64::from(self.ticks))
+    }
+
+    /// Ticks in a unit of time.
+    pub(super) fn rate(self) -> DoubleDouble {
+        DoubleDouble::from(f64::from(self.ticks)) / DoubleDouble::from(f64::from(self.seconds))
+    }
+}
+
+/// The polynomials, lowest power first: the coefficients of Re α, Im α, Re β and Im β side by side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Table<R, const SEGMENTS: usize, const TERMS: usize> {
+    segments: [[[R; 4]; TERMS]; SEGMENTS],
+}
+
+impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Table<R, SEGMENTS, TERMS> {
+    /// Only what can be looked up by shifts: checked when the type is used.
+    const SIZE_IS_VALID: () = assert!(
+        SEGMENTS.is_power_of_two() && SEGMENTS >= 2 && SEGMENTS <= 1 << 16 && TERMS >= 1 && TERMS <= 16
+    );
+
+    pub(super) const EMPTY: Self = {
+        let () = Self::SIZE_IS_VALID;
+        Self { segments: [[[R::ZERO; 4]; TERMS]; SEGMENTS] }
+    };
+
+    pub(super) fn put(&mut self, segment: usize, polynomials: &[[f64; 16]; 4])
+    where
+        R: Float,
+    {
+        if let Some(place) = self.segments.get_mut(segment) {
+            for (k, four) in place.iter_mut().enumerate() {
+                for (value, polynomial) in four.iter_mut().zip(polynomials) {
+                    *value = R::from_f64(polynomial.get(k).copied().unwrap_or(0.0));
+                }
+            }
+        }
+    }
+
+    /// The four values at a share of half a period, given as the 64 bits of the share.
+    #[inline]
+    pub(super) fn value(&self, share: u64) -> [R; 4] {
+        let (terms, x) = self.find(share);
+        let mut four = [R::ZERO; 4];
+        for coefficients in terms.iter().rev() {
+            for (sum, &c) in four.iter_mut().zip(coefficients) {
+                *sum = *sum * x + c;
+            }
+        }
+        four
+    }
+
+    /// The four values, and their derivatives by x.
+    pub(super) fn value_and_slope(&self, share: u64) -> ([R; 4], [R; 4]) {
+        let (terms, x) = self.find(share);
+        let (mut four, mut slope) = ([R::ZERO; 4], [R::ZERO; 4]);
+        for coefficients in terms.iter().rev() {
+            for ((sum, slope), &c) in four.iter_mut().zip(&mut slope).zip(coefficients) {
+                *slope = *slope * x + *sum;
+                *sum = *sum * x + c;
+            }
+        }
+        (four, slope)
+    }
+
+    /// The segment that a share of half a period falls into, and the place in it, in [-1, 1).
+    #[inline]
+    fn find(&self, share: u64) -> (&[[R; 4]], R) {
+        let scaled = share.wrapping_mul(SEGMENTS as u64);
+        let segment = (share >> (64 - SEGMENTS.trailing_zeros())) as usize;
+        // [0, 1) to [-1, 1): the upper bit changes sides
+        let x = R::from_fraction((scaled ^ (1 << 63)) as i64);
+        (self.segments.get(segment).map_or(&[], |terms| terms), x)
+    }
+}
+
+/// How far an orientation from an ephemeris can be from the truth of the very numbers it was launched from, in rad
+/// (2 √(|Δα|² + |Δβ|²)): at tick n at most `constant + |n| per_tick`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ErrorBound {
+    /// What the polynomials leave, what set-up rounds off, and what a tick rounds off.
+    pub constant: f64,
+    /// The rounding of the rates and of the increments.
+    pub per_tick: f64,
+}
+
+impl ErrorBound {
+    pub(super) fn of<R: Scalar>(rates: &Rates, tabulated: &Tabulated, step: &[Turns; 3]) -> Self {
+        const TURN: f64 = 2.0 * core::f64::consts::PI;
+        /// Roundings of a tick: products and sums of numbers up to 1, and two sines and cosines.
+        const TICK_ROUNDINGS: f64 = 6.0;
+        /// Roundings of a set-up, all in f64: the march, the start on it, the angles in turns.
+        const SET_UP_ROUNDINGS: f64 = 24.0;
+        let tick = TICK_ROUNDINGS * R::ROUNDING;
+        let set_up = SET_UP_ROUNDINGS * <f64 as Scalar>::ROUNDING;
+        let increments = 3.0 * TURN * Turns::RESOLUTION;
+        let turning: f64 = step.iter().map(|turns| TURN * Float::abs(turns.to_f64())).sum();
+        Self {
+            constant: tabulated.truncation + 4.0 * tabulated.defect + tick + set_up,
+            per_tick: increments + rates.relative_error * turning,
+        }
+    }
+}
+
+/// The polynomials of this size miss the motion by more than is allowed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NoFit {
+    /// By how much, rad.
+    pub truncation: f64,
+    /// How many segments of as many terms would do; `None` if 4096 would not.
+    pub segments: Option<u32>,
+}
+
+impl NoFit {
+    const MOST_SEGMENTS: usize = 4096;
+
+    pub(super) fn check(
+        motion: &Motion,
+        rates: &Rates,
+        tabulated: &Tabulated,
+        [segments, terms]: [usize; 2],
+        allowed: f64,
+    ) -> Result<(), Self> {
+        if tabulated.truncation <= allowed {
+            return Ok(());
+        }
+        let mut more = segments;
+        let fits = loop {
+            more *= 2;
+            if more > Self::MOST_SEGMENTS {
+                break None;
+            }
+            if tabulate(motion, rates, more, terms, |_, _| ()).truncation <= allowed {
+                break Some(more as u32);
+            }
+        };
+        Err(Self { truncation: tabulated.truncation, segments: fits })
+    }
+}
+
+impl fmt::Display for NoFit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the table misses the motion by {:.1e} rad; ", self.truncation)?;
+        match self.segments {
+            Some(segments) => write!(f, "{segments} segments of this degree would fit"),
+            None => write!(f, "not even {} segments of this degree would fit", Self::MOST_SEGMENTS),
+        }
+    }
+}
+
+impl core::error::Error for NoFit {}

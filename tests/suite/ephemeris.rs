@@ -1,0 +1,256 @@
+//! The ephemeris: against truth to 10⁹ periods, and against itself.
+
+use toytop::real::Real;
+use toytop::{Complex, Ephemeris, EphemerisF32, EphemerisF64, Motion, NoFit, Phi, Regime, Stepper, Tick};
+use toytop_tests::vectors::{self, Vector};
+use toytop_tests::{orientation_error, tolerance, widened};
+
+fn kilohertz() -> Tick {
+    Tick::hertz(1000).unwrap()
+}
+
+/// Worst orientation errors of a vector's samples: over the first periods, and near 10³, 10⁶ and 10⁹ periods.
+fn errors<R: Real, const S: usize, const N: usize>(vector: &Vector) -> Result<[f64; 4], NoFit> {
+    let ephemeris = Ephemeris::<R, S, N>::new(&vector.motion().unwrap(), kilohertz())?;
+    let widen = |z: Complex<R>| Complex::new(z.re.to_f64(), z.im.to_f64());
+    let bound = ephemeris.error_bound();
+    let mut worst = [0.0_f64; 4];
+    let first = vector.samples().into_iter().map(|sample| (1.0, sample));
+    for (periods, sample) in first.chain(vector.huge_samples()) {
+        let Phi { alpha, beta } = ephemeris.at(sample.t).phi();
+        let error = orientation_error(Phi { alpha: widen(alpha), beta: widen(beta) }, sample.phi);
+        let decade = [10.0, 1e4, 1e7, f64::INFINITY].iter().position(|&limit| periods < limit).unwrap();
+        worst[decade] = worst[decade].max(error);
+        if vector.is_exact() {
+            let allowed = bound.constant + bound.per_tick * (sample.t * 1000.0).abs();
+            assert!(
+                error <= allowed,
+                "{}: {error:.1e} rad at {}, bound {allowed:.1e}",
+                vector.name,
+                sample.t
+            );
+        }
+    }
+    Ok(worst)
+}
+
+/// The smallest of three sizes that fits.
+fn errors_f64(vector: &Vector) -> [f64; 4] {
+    let larger = |_| errors::<f64, 256, 12>(vector).or_else(|_| errors::<f64, 1024, 12>(vector));
+    errors::<f64, 64, 11>(vector).or_else(larger).unwrap_or_else(|error| panic!("{}: {error}", vector.name))
+}
+
+fn exact() -> impl Iterator<Item = Vector> {
+    vectors::all().into_iter().filter(Vector::is_exact)
+}
+
+/// Inputs taken as exact, at any distance: the figures of the set-up in double-double.
+#[test]
+fn truth_to_a_thousand_million_periods_in_f64() {
+    let mut worst = [0.0_f64; 4];
+    for vector in exact() {
+        worst.iter_mut().zip(errors_f64(&vector)).for_each(|(worst, error)| *worst = worst.max(error));
+    }
+    for (what, error) in ["3", "1e3", "1e6", "1e9"].iter().zip(worst) {
+        tolerance::EPHEMERIS_F64.check(&format!("{what} periods"), error);
+    }
+}
+
+#[test]
+fn truth_to_a_thousand_million_periods_in_f32() {
+    let mut worst = 0.0_f64;
+    for vector in exact() {
+        let errors = errors::<f32, 64, 6>(&vector).or_else(|_| errors::<f32, 256, 7>(&vector)).unwrap();
+        worst = errors.into_iter().fold(worst, f64::max);
+    }
+    tolerance::EPHEMERIS_F32.check("any time", worst);
+}
+
+/// Every vector, with decimal inputs too, over its first periods.
+#[test]
+fn truth_on_every_vector() {
+    for vector in vectors::all() {
+        let rounding = if vector.gap() > 0.0 && vector.gap() < 1e-5 { 1e-8 } else { 1e-11 };
+        let [first, ..] = errors_f64(&vector);
+        assert!(first < rounding, "{}: {first:.1e}", vector.name);
+    }
+}
+
+/// The pose of a moment is that of the stepper: u, u', ω, and the tip.
+#[test]
+fn what_follows_from_a_moment() {
+    for vector in exact().filter(|vector| vector.gap() == 0.0 || vector.gap() > 1e-3) {
+        let motion = vector.motion().unwrap();
+        let ephemeris = Ephemeris::<f64, 512, 12>::new(&motion, kilohertz()).unwrap();
+        for sample in vector.samples() {
+            let moment = ephemeris.at(sample.t);
+            let pose = moment.pose();
+            let scale = pose.omega().iter().fold(1.0_f64, |scale, w| scale.max(w.abs()));
+            assert_eq!(pose.phi, moment.phi());
+            assert!((pose.u() - sample.u).abs() < 1e-13, "{}", vector.name);
+            assert!((pose.udot() - sample.udot).abs() < 1e-11 * scale, "{}", vector.name);
+            let c = moment.tip() - sample.c;
+            assert!(c.norm_squared().sqrt() < 1e-13 * motion.top().tip_scale(), "{}", vector.name);
+        }
+        let (start, state) = (Stepper::<f64>::new(&motion).pose(), ephemeris.at_tick(0).pose());
+        for (ours, stepped) in state.omega().iter().zip(start.omega()) {
+            assert!((ours - stepped).abs() < 1e-10, "{}: {ours} {stepped}", vector.name);
+        }
+    }
+}
+
+fn generic() -> Motion {
+    vectors::named("exact_generic_pm").motion().unwrap()
+}
+
+/// Bit for bit the same: the cursor, random access, and time where it is a whole number of ticks.
+#[test]
+fn cursor_and_random_access_and_time_agree_to_the_bit() {
+    let ephemeris = EphemerisF32::new(&generic(), kilohertz()).unwrap();
+    let first = -5_000_000;
+    let mut cursor = ephemeris.cursor(first);
+    let mut sum = 0.0_f64;
+    for n in first..first + 10_000_000 {
+        let moment = cursor.next();
+        if n % 97 == 0 {
+            assert_eq!(moment.phi(), ephemeris.at_tick(n).phi());
+        }
+        sum += f64::from(moment.phi().alpha.re);
+    }
+    assert_eq!(cursor.next().pose(), ephemeris.at_tick(first + 10_000_000).pose());
+    assert!(sum.is_finite());
+    let half_hertz = EphemerisF64::new(&generic(), Tick::ratio(44100, 2).unwrap()).unwrap();
+    for n in [0, 1, -1, 22050, -7 * 22050, 1 << 40, -(1 << 40), 12345 * 22050] {
+        let whole_seconds = n % 22050 == 0;
+        if whole_seconds {
+            assert_eq!(half_hertz.at((n / 22050) as f64).phi(), half_hertz.at_tick(n).phi());
+        }
+        let binary = EphemerisF64::new(&generic(), Tick::hertz(1024).unwrap()).unwrap();
+        assert_eq!(binary.at(n as f64 / 1024.0).phi(), binary.at_tick(n).phi());
+    }
+}
+
+/// Between ticks: t = (n + 1/3) ticks lies where the orientation of n and n + 1 say.
+#[test]
+fn times_between_ticks() {
+    let ephemeris = EphemerisF64::new(&generic(), Tick::hertz(100_000).unwrap()).unwrap();
+    for n in [0_i64, 77, -1, -12345, 1 << 33] {
+        let (before, after) = (ephemeris.at_tick(n).phi(), ephemeris.at_tick(n + 1).phi());
+        let between = ephemeris.at((n as f64 + 0.25) / 100_000.0).phi();
+        let mix = |a: Complex<f64>, b: Complex<f64>| a.scaled(0.75) + b.scaled(0.25);
+        let expected = Phi { alpha: mix(before.alpha, after.alpha), beta: mix(before.beta, after.beta) };
+        let error = orientation_error(between, expected);
+        assert!(error < 1e-9 + 1e-16 * n.abs() as f64, "{n}: {error:e}");
+    }
+    assert_eq!(ephemeris.at(f64::NAN).phi(), ephemeris.at_tick(0).phi());
+}
+
+/// About a turning point the motion is its own mirror image, once the turn of the slow phases is taken off; across the
+/// border of two segments it is continuous in value and slope.
+#[test]
+fn continuity_across_segments_and_turning_points() {
+    let motion = generic();
+    let period = motion.averages().unwrap().period;
+    let ephemeris = EphemerisF64::new(&motion, kilohertz()).unwrap();
+    let phase = ephemeris.at(0.0).nutation_phase().to_f64();
+    let (mut value, mut slope) = (0.0_f64, 0.0_f64);
+    for segment in 0..128 {
+        // the border, in time
+        let border = (f64::from(segment) / 128.0 - phase) * period;
+        let [before, after] = [-1e-12, 1e-12].map(|dt| ephemeris.at(border + dt).pose());
+        value = value.max(orientation_error(before.phi, after.phi));
+        for (x, y) in before.omega().iter().zip(after.omega()) {
+            slope = slope.max((x - y).abs());
+        }
+    }
+    assert!(value < 2e-11 && value > 1e-13, "value {value:e}");
+    assert!(slope < 1e-10, "slope {slope:e}");
+}
+
+/// n + m ticks are m ticks from the state at n: the flow is a group. Relaunched from the pose of a moment.
+#[test]
+fn a_relaunch_goes_on_as_before() {
+    let motion = generic();
+    let ephemeris = EphemerisF64::new(&motion, kilohertz()).unwrap();
+    for n in [3, 1000, -4321] {
+        let state = ephemeris.at_tick(n).pose().state().unwrap();
+        let again = EphemerisF64::new(&Motion::launch(motion.top(), &state).unwrap(), kilohertz()).unwrap();
+        for m in [0, 1, -1, 700, 9999] {
+            let error = orientation_error(again.at_tick(m).phi(), ephemeris.at_tick(n + m).phi());
+            assert!(error < 1e-12, "{n} + {m}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn turning_points_are_where_u_turns() {
+    let ephemeris = EphemerisF64::new(&generic(), kilohertz()).unwrap();
+    let e = generic().branch_points();
+    let mut n = -20_000_i64;
+    for _ in 0..12 {
+        let next = ephemeris.next_turning_point(n).unwrap();
+        assert!(next.tick >= n);
+        let u = [next.tick - 1, next.tick].map(|tick| ephemeris.at_tick(tick).phi().u());
+        let udot = [next.tick - 1, next.tick].map(|tick| ephemeris.at_tick(tick).pose().udot());
+        assert!(udot[0] * udot[1] <= 0.0, "u' changes sign within the tick before {}", next.tick);
+        let end = if next.upper { e.e2 } else { e.e1 };
+        assert!((u[0] - end).abs() < 1e-6 && next.upper == (udot[0] > 0.0));
+        n = next.tick + 1;
+    }
+    let steady = vectors::named("regular_precession").motion().unwrap();
+    assert!(EphemerisF64::new(&steady, kilohertz()).unwrap().next_turning_point(0).is_none());
+}
+
+/// Aperiodic: up to the vertical, and there for ever, at any tick; in f32 and f64 against the stepper.
+#[test]
+fn aperiodic_at_any_tick() {
+    let motion = vectors::named("exact_aperiodic").motion().unwrap();
+    assert_eq!(motion.regime(), Regime::Aperiodic);
+    let ephemeris = Ephemeris::<f64, 1024, 12>::new(&motion, kilohertz()).unwrap();
+    let single = Ephemeris::<f32, 128, 7>::new(&motion, kilohertz()).unwrap();
+    for direction in [1, -1] {
+        let mut stepper = Stepper::<f64>::new(&motion);
+        for n in 1..60_000 {
+            stepper.step(0.001 * f64::from(direction));
+            if n % 250 == 0 {
+                let truth = stepper.phi();
+                let tick = i64::from(n * direction);
+                assert!(orientation_error(ephemeris.at_tick(tick).phi(), truth) < 1e-11, "tick {tick}");
+                assert!(orientation_error(widened(single.at_tick(tick).phi()), truth) < 5e-7, "tick {tick}");
+            }
+        }
+    }
+    for n in [1 << 40, -(1 << 40), i64::MAX, i64::MIN] {
+        let phi = ephemeris.at_tick(n).phi();
+        assert!(
+            (phi.u() - 1.0).abs() < 1e-14 && (phi.norm_squared() - 1.0).abs() < 1e-14,
+            "{n}: {}",
+            phi.u()
+        );
+    }
+}
+
+/// A table that is too small says so, and how large it must be; one of that size fits.
+#[test]
+fn a_table_too_small_says_what_would_fit() {
+    let motion = vectors::named("exact_near_separatrix_straddle").motion().unwrap();
+    let error = EphemerisF32::new(&motion, kilohertz()).unwrap_err();
+    assert_eq!(error.segments, Some(32));
+    assert!(error.truncation > 1e-6 && error.to_string().contains("32 segments"));
+    Ephemeris::<f32, 32, 7>::new(&motion, kilohertz()).unwrap();
+    // or a larger error is allowed
+    EphemerisF32::within(&motion, kilohertz(), 1e-5).unwrap();
+}
+
+#[test]
+fn every_phase_wraps_and_nothing_overflows() {
+    for vector in vectors::all().into_iter().filter(|vector| vector.gap() == 0.0 || vector.gap() > 1e-3) {
+        let motion = vector.motion().unwrap();
+        let ephemeris = Ephemeris::<f32, 256, 8>::new(&motion, Tick::ratio(1, 1000).unwrap()).unwrap();
+        for n in [i64::MIN, i64::MIN + 1, -1, 0, 1, i64::MAX - 1, i64::MAX] {
+            let pose = ephemeris.at_tick(n).pose();
+            assert!((pose.phi.norm_squared() - 1.0).abs() < 1e-6, "{} tick {n}", vector.name);
+        }
+        assert!(ephemeris.at(1e300).phi().norm_squared().is_finite());
+    }
+}
