@@ -2,6 +2,7 @@
 #![cfg_attr(not(test), no_std)]
 
 // The numbers.
+mod cycle;
 pub mod real;
 mod turns;
 
@@ -27,6 +28,7 @@ mod tick;
 mod interop;
 
 pub use complex::Complex;
+pub use cycle::Cycle;
 pub use error::LaunchError;
 pub use launch::{
     Averages, BranchPoints, FirstIntegrals, Motion, Pace, Regime, Release, Sign, Signs, Start, State,

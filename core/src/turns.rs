@@ -80,7 +80,6 @@ impl Turns {
     }
 
     /// n times the phase, modulo 2^32 turns.
-    #[inline]
     #[must_use]
     pub fn times(self, n: i64) -> Self {
         Self(self.0.wrapping_mul(n.into()))
@@ -92,12 +91,6 @@ impl Turns {
         let upper = (self.0 >> 64) * i128::from(share);
         let lower = (u128::from(self.0 as u64) * u128::from(share)) >> 64;
         Self(upper.wrapping_add(lower as i128))
-    }
-
-    /// The nearest phase within half a turn of 0.
-    #[inline]
-    pub(crate) fn clamped(self) -> Self {
-        Self(self.0.clamp(-Self::HALF.0, Self::HALF.0 - 1))
     }
 
     /// Whole half turns, and the rest in [0, 1/2) turn.

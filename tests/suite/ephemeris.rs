@@ -220,6 +220,9 @@ fn aperiodic_at_any_tick() {
             }
         }
     }
+    for n in [1_000_000_000, -1_000_000_000] {
+        assert_eq!(ephemeris.at(n as f64).phi(), ephemeris.at_tick(n * 1000).phi());
+    }
     for n in [1 << 40, -(1 << 40), i64::MAX, i64::MIN] {
         let phi = ephemeris.at_tick(n).phi();
         assert!(

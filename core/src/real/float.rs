@@ -12,11 +12,11 @@ macro_rules! float_scalar {
         impl Scalar for $float {
             const ROUNDING: f64 = <$float>::EPSILON as f64 / 2.0;
 
-            #[inline]
+            #[inline(always)]
             fn sine_cosine(phase: u64) -> (Self, Self) {
                 sine::sine_cosine(phase)
             }
-            #[inline]
+            #[inline(always)]
             fn from_fraction(fraction: i64) -> Self {
                 $from_fraction(fraction)
             }

@@ -20,7 +20,7 @@ impl SineKernel<4, 5> for f32 {
     const SINE: [f32; 4] = [core::f32::consts::TAU, -41.341_663, 81.592_54, -75.401_61];
     const COSINE: [f32; 5] = [1.0, -19.739_208, 64.939_316, -85.442_84, 59.220_17];
 
-    #[inline]
+    #[inline(always)]
     fn from_words(upper: i32, lower: u32) -> f32 {
         const SCALE: f32 = 1.0 / (1_u64 << 32) as f32;
         (upper as f32 + lower as f32 * SCALE) * SCALE
@@ -50,7 +50,7 @@ impl SineKernel<8, 9> for f64 {
         0.27945867147528963,
     ];
 
-    #[inline]
+    #[inline(always)]
     fn from_words(upper: i32, lower: u32) -> f64 {
         const SCALE: f64 = 1.0 / (1_u64 << 32) as f64;
         (f64::from(upper) + f64::from(lower) * SCALE) * SCALE
@@ -58,7 +58,7 @@ impl SineKernel<8, 9> for f64 {
 }
 
 /// (sin 2πx, cos 2πx) for a phase of x turns, given by the 64 bits of its fraction.
-#[inline]
+#[inline(always)]
 pub(super) fn sine_cosine<R: SineKernel<S, C>, const S: usize, const C: usize>(phase: u64) -> (R, R) {
     // the nearest quarter turn, and the signed rest in [-1/8, 1/8)
     let quadrant = phase.wrapping_add(1 << 61) >> 62;
@@ -74,7 +74,7 @@ pub(super) fn sine_cosine<R: SineKernel<S, C>, const S: usize, const C: usize>(p
     }
 }
 
-#[inline]
+#[inline(always)]
 fn horner<R: Ring>(coefficients: &[R], y: R) -> R {
     coefficients.iter().rev().fold(R::ZERO, |sum, &c| sum * y + c)
 }

@@ -4,8 +4,9 @@
 //! (integers too). No root, no division, no library function, no loop whose length depends on data: any tick
 //! costs the same, and the 2^40th is as exact as the first.
 
-use super::moment::{Moment, Phases};
+use super::moment::Moment;
 use super::table::{ErrorBound, NoFit, Table, Tick};
+use crate::cycle::Cycle;
 use crate::launch::{Motion, Rates, Tabulated, tabulate};
 use crate::real::{DoubleDouble, Float, Real, Ring, Scalar};
 use crate::su2::Phi;
@@ -45,12 +46,14 @@ pub type EphemerisF64 = Ephemeris<f64, 64, 11>;
 /// The phases at tick 0, what a tick adds to them, and the scales of what is derived.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Clock<R> {
-    pub(super) start: Phases,
-    pub(super) step: Phases,
+    start: [Cycle; 3],
+    step: [Cycle; 3],
+    /// The whole turns of a tick, which a tick can do without but a part of one cannot.
+    whole_turns: [i32; 3],
     /// Ticks in a unit of time.
-    pub(super) ticks_per_time: DoubleDouble,
-    /// Beyond so many ticks an aperiodic motion is at its end; `None` for one that returns.
-    pub(super) horizon: Option<i64>,
+    ticks_per_time: DoubleDouble,
+    /// The first and the last tick at which an aperiodic motion still moves; `None` for one that returns.
+    horizon: Option<[i64; 2]>,
     /// 2 s.
     pub(super) tip_scale: R,
     /// dx/dt on a segment, and the mean rates of A and B in rad, per unit time.
@@ -81,8 +84,9 @@ impl<R: Real, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS, 
     pub const EMPTY: Self = Self {
         table: Table::EMPTY,
         clock: Clock {
-            start: [Turns::ZERO; 3],
-            step: [Turns::ZERO; 3],
+            start: [Cycle::ZERO; 3],
+            step: [Cycle::ZERO; 3],
+            whole_turns: [0; 3],
             ticks_per_time: DoubleDouble::ZERO,
             horizon: None,
             tip_scale: R::ZERO,
@@ -120,34 +124,27 @@ impl<R: Real, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS, 
     pub fn at(&self, t: f64) -> Moment<'_, R, SEGMENTS, TERMS> {
         let ticks = if t.is_finite() { self.clock.ticks_per_time * t.into() } else { DoubleDouble::ZERO };
         let (whole, share) = ticks.floor_and_share();
-        let Moment { phases, .. } = self.at_tick(whole);
-        let mut phases = phases;
-        for (phase, step) in phases.iter_mut().zip(self.clock.step) {
-            *phase += step.part(share);
-        }
-        Moment { ephemeris: self, phases }
+        self.moment(self.clock.between(whole, share))
     }
 }
 
 impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS, TERMS> {
     /// The moment of tick n, past or future.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn at_tick(&self, n: i64) -> Moment<'_, R, SEGMENTS, TERMS> {
-        let [nutation, alpha, beta] = self.clock.step;
-        let [start, a, b] = self.clock.start;
-        let counted = match self.clock.horizon {
-            None => n,
-            Some(horizon) => n.clamp(-horizon, horizon),
-        };
-        let phases = [start + nutation.times(counted), a + alpha.times(n), b + beta.times(n)];
-        Moment { ephemeris: self, phases }
+        self.moment(self.clock.at(n))
+    }
+
+    #[inline(always)]
+    fn moment(&self, phases: [Cycle; 3]) -> Moment<'_, R, SEGMENTS, TERMS> {
+        Moment { ephemeris: self, phases: phases.map(Cycle::leading) }
     }
 
     /// A way through consecutive ticks, by additions only.
     #[must_use]
     pub fn cursor(&self, first: i64) -> Cursor<'_, R, SEGMENTS, TERMS> {
-        Cursor { moment: self.at_tick(first) }
+        Cursor { ephemeris: self, tick: first, phases: self.clock.at(first) }
     }
 
     /// The next turning point of u after tick n - 1, so that its tick is n or later; `None` where u does not turn again, or
@@ -155,17 +152,17 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS
     #[must_use]
     pub fn next_turning_point(&self, n: i64) -> Option<TurningPoint> {
         let [step, ..] = self.clock.step;
-        let nutation = self.at_tick(n - 1).phases[0];
+        let [nutation, ..] = self.clock.at(n - 1);
+        let (step, nutation) = (step.to_turns(), nutation.to_turns());
         let (halves, rest) = nutation.halves();
-        let to_go = match self.clock.horizon {
-            None => Turns::HALF - rest,
-            // an aperiodic motion has one turning point, its lowest
-            Some(_) if nutation < Turns::ZERO => -nutation,
-            Some(_) => return None,
-        };
         if step <= Turns::ZERO || step >= Turns::HALF {
             return None;
         }
+        // an aperiodic motion has one turning point, its lowest: the end of the falling half
+        if self.clock.horizon.is_some() && halves == 0 {
+            return None;
+        }
+        let to_go = Turns::HALF - rest;
         let ticks = (to_go.to_bits() + step.to_bits() - 1) / step.to_bits();
         let upper = self.clock.horizon.is_none() && halves & 1 == 0;
         Some(TurningPoint { tick: (n - 1).saturating_add(i64::try_from(ticks).ok()?), upper })
@@ -178,32 +175,22 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS
             *phi = cursor.next().phi();
         }
     }
-
-    /// The phase on the table: in [-1/2, 1/2) turn as 64 bits, negative on the falling half.
-    #[inline]
-    pub(super) fn nutation_bits(&self, phase: Turns) -> u64 {
-        match self.clock.horizon {
-            None => phase.fraction(),
-            Some(_) => phase.clamped().fraction(),
-        }
-    }
 }
 
 impl<R: Real> Clock<R> {
     fn new(motion: &Motion, tick: Tick, rates: &Rates, tabulated: &Tabulated, segments: usize) -> Self {
         let length = tick.length();
         let step = rates.turns.map(|turns| Turns::of(turns * length));
-        // a million half periods: no count of ticks up to there wraps
-        let horizon = DoubleDouble::from(1e6) / (rates.turns[0] * length);
         let [frequency, alpha, beta] = rates.turns.map(Float::to_f64);
         let turn = 2.0 * core::f64::consts::PI;
         // half a period is `segments` segments of length 2 in x
         let x_rate = 4.0 * segments as f64 * frequency;
         Self {
-            start: tabulated.start,
-            step,
+            start: tabulated.start.map(Cycle::of),
+            step: step.map(Cycle::of),
+            whole_turns: step.map(|turns| (turns.to_bits() >> 96) as i32),
             ticks_per_time: tick.rate(),
-            horizon: (!rates.returns).then(|| horizon.to_f64() as i64),
+            horizon: (!rates.returns).then(|| horizon(tabulated.start[0], rates.turns[0] * length)),
             tip_scale: R::from_f64(2.0 * motion.top().tip_scale()),
             rates: [x_rate, turn * alpha, turn * beta].map(R::from_f64),
         }
@@ -219,20 +206,69 @@ pub struct TurningPoint {
     pub upper: bool,
 }
 
+impl<R> Clock<R> {
+    /// Nutation phase, A and B of tick n.
+    #[inline(always)]
+    fn at(&self, n: i64) -> [Cycle; 3] {
+        let [nutation, a, b] = self.start;
+        let [nutation_step, a_step, b_step] = self.step;
+        let nutation = match self.horizon {
+            Some([first, _]) if n < first => Cycle::HALF,
+            Some([_, last]) if n > last => Cycle::ALMOST_HALF,
+            _ => nutation.plus(nutation_step.times(n)),
+        };
+        [nutation, a.plus(a_step.times(n)), b.plus(b_step.times(n))]
+    }
+
+    /// The phases of tick n and a share · 2^-64 of the next.
+    fn between(&self, n: i64, share: u64) -> [Cycle; 3] {
+        let part = |step: Cycle, whole: i32| step.to_turns_with(whole).part(share);
+        let [nutation, a, b] = self.at(n);
+        let [nutation_step, a_step, b_step] = self.step;
+        let [nutation_whole, a_whole, b_whole] = self.whole_turns;
+        let nutation_part = part(nutation_step, nutation_whole);
+        let nutation = match self.horizon {
+            None => nutation.plus(Cycle::of(nutation_part)),
+            Some(_) => Cycle::clamping(nutation.to_signed_turns() + nutation_part),
+        };
+        [nutation, a.plus(Cycle::of(part(a_step, a_whole))), b.plus(Cycle::of(part(b_step, b_whole)))]
+    }
+}
+
+/// The ticks between which a nutation phase that does not wrap stays within half a turn of 0.
+fn horizon(start: Turns, step: DoubleDouble) -> [i64; 2] {
+    let ticks = |turns: f64| ((turns - start.to_f64()) / step.to_f64()) as i64;
+    [ticks(-0.5), ticks(0.5)]
+}
+
 /// Goes through consecutive ticks: three additions each, then what is asked of the moment. What an interrupt holds.
 #[derive(Clone, Copy, Debug)]
 pub struct Cursor<'a, R, const SEGMENTS: usize, const TERMS: usize> {
-    moment: Moment<'a, R, SEGMENTS, TERMS>,
+    ephemeris: &'a Ephemeris<R, SEGMENTS, TERMS>,
+    tick: i64,
+    phases: [Cycle; 3],
 }
 
 impl<'a, R: Scalar, const SEGMENTS: usize, const TERMS: usize> Cursor<'a, R, SEGMENTS, TERMS> {
+    /// The tick that the next moment is of.
+    #[must_use]
+    pub fn tick(&self) -> i64 {
+        self.tick
+    }
+
     /// The moment of the current tick; the cursor moves on to the next. Never ends, never fails: not an iterator.
-    #[inline]
+    #[inline(always)]
     #[allow(clippy::should_implement_trait)]
     pub fn next(&mut self) -> Moment<'a, R, SEGMENTS, TERMS> {
-        let now = self.moment;
-        for (phase, step) in self.moment.phases.iter_mut().zip(now.ephemeris.clock.step) {
-            *phase += step;
+        let now = self.ephemeris.moment(self.phases);
+        let clock = &self.ephemeris.clock;
+        self.tick = self.tick.wrapping_add(1);
+        if clock.horizon.is_some() {
+            self.phases = clock.at(self.tick);
+            return now;
+        }
+        for (phase, step) in self.phases.iter_mut().zip(clock.step) {
+            *phase = phase.plus(step);
         }
         now
     }

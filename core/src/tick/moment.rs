@@ -2,38 +2,35 @@
 
 use super::{Ephemeris, Pose};
 use crate::complex::Complex;
+use crate::cycle::Cycle;
 use crate::real::Scalar;
 use crate::su2::{Phi, PhiRate};
 use crate::turns::Turns;
-
-/// Nutation phase, A and B.
-pub(super) type Phases = [Turns; 3];
 
 /// A moment. Nothing is computed before it is asked for.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment<'a, R, const SEGMENTS: usize, const TERMS: usize> {
     pub(super) ephemeris: &'a Ephemeris<R, SEGMENTS, TERMS>,
-    pub(super) phases: Phases,
+    /// The 64 leading bits of nutation phase, A and B.
+    pub(super) phases: [u64; 3],
 }
 
 impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMENTS, TERMS> {
     /// The nutation phase: one turn a period, 0 at u = e₁, half a turn at u = e₂ (where an aperiodic motion stops).
     #[must_use]
     pub fn nutation_phase(&self) -> Turns {
-        match self.ephemeris.clock.horizon {
-            None => self.phases[0],
-            Some(_) => self.phases[0].clamped(),
-        }
+        let [nutation, ..] = self.phases;
+        Cycle::new((nutation >> 32) as u32, nutation << 32).to_turns()
     }
 
     /// The orientation Φ; γ, δ and u follow from it.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn phi(&self) -> Phi<R> {
         let (share, mirrored) = self.share();
         let [alpha, beta] = mirror(self.ephemeris.table.value(share), mirrored);
         let [_, a, b] = self.phases;
-        Phi { alpha: alpha * Complex::cis(a), beta: beta * Complex::cis(b) }
+        Phi { alpha: alpha * cis(a), beta: beta * cis(b) }
     }
 
     /// Φ and Φ', from which u' and ω follow.
@@ -45,7 +42,7 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMENT
         // on the falling half x runs backwards
         let x_rate = if mirrored { -x_rate } else { x_rate };
         let [_, a, b] = self.phases;
-        let (a, b) = (Complex::cis(a), Complex::cis(b));
+        let (a, b) = (cis(a), cis(b));
         let [alpha, beta] = mirror(value, mirrored);
         let [alpha_slope, beta_slope] = mirror(slope, mirrored);
         let rate = |value: Complex<R>, slope: Complex<R>, turning: R| {
@@ -61,7 +58,7 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMENT
     }
 
     /// The tip, c = 2 s αβ in m (2 αβ for a fixed tip).
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn tip(&self) -> Complex<R> {
         let phi = self.phi();
@@ -69,7 +66,7 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMENT
     }
 
     /// Φ and the tip in one evaluation.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn phi_and_tip(&self) -> (Phi<R>, Complex<R>) {
         let phi = self.phi();
@@ -77,18 +74,24 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMENT
     }
 
     /// The share of the half period as 64 bits, and whether it is the falling half.
-    #[inline]
+    #[inline(always)]
     fn share(&self) -> (u64, bool) {
-        let bits = self.ephemeris.nutation_bits(self.phases[0]);
+        let [bits, ..] = self.phases;
         let mirrored = (bits as i64) < 0;
         ((if mirrored { !bits } else { bits }) << 1, mirrored)
     }
 }
 
 /// Re α, Im α, Re β, Im β as complex numbers, conjugate on the falling half.
-#[inline]
+#[inline(always)]
 fn mirror<R: Scalar>(four: [R; 4], mirrored: bool) -> [Complex<R>; 2] {
     let [re_alpha, im_alpha, re_beta, im_beta] = four;
     let sign = |y: R| if mirrored { -y } else { y };
     [Complex::new(re_alpha, sign(im_alpha)), Complex::new(re_beta, sign(im_beta))]
+}
+
+#[inline(always)]
+fn cis<R: Scalar>(phase: u64) -> Complex<R> {
+    let (im, re) = R::sine_cosine(phase);
+    Complex::new(re, im)
 }

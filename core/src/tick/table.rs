@@ -1,5 +1,6 @@
 //! The table of an ephemeris, its tick, and what can be said of its error.
 
+use crate::cycle::Cycle;
 use crate::error::{LaunchError, require};
 use crate::launch::{Motion, Rates, Tabulated, tabulate};
 use crate::real::{DoubleDouble, Float, Scalar};
@@ -77,7 +78,7 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Table<R, SEGMENTS, TE
     }
 
     /// The four values at a share of half a period, given as the 64 bits of the share.
-    #[inline]
+    #[inline(always)]
     pub(super) fn value(&self, share: u64) -> [R; 4] {
         let (terms, x) = self.find(share);
         let mut four = [R::ZERO; 4];
@@ -103,7 +104,7 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Table<R, SEGMENTS, TE
     }
 
     /// The segment that a share of half a period falls into, and the place in it, in [-1, 1).
-    #[inline]
+    #[inline(always)]
     fn find(&self, share: u64) -> (&[[R; 4]], R) {
         let scaled = share.wrapping_mul(SEGMENTS as u64);
         let segment = (share >> (64 - SEGMENTS.trailing_zeros())) as usize;
@@ -124,7 +125,7 @@ pub struct ErrorBound {
 }
 
 impl ErrorBound {
-    pub(super) fn of<R: Scalar>(rates: &Rates, tabulated: &Tabulated, step: &[Turns; 3]) -> Self {
+    pub(super) fn of<R: Scalar>(rates: &Rates, tabulated: &Tabulated, step: &[Cycle; 3]) -> Self {
         const TURN: f64 = 2.0 * core::f64::consts::PI;
         /// Roundings of a tick: products and sums of numbers up to 1, and two sines and cosines.
         const TICK_ROUNDINGS: f64 = 6.0;
@@ -133,7 +134,7 @@ impl ErrorBound {
         let tick = TICK_ROUNDINGS * R::ROUNDING;
         let set_up = SET_UP_ROUNDINGS * <f64 as Scalar>::ROUNDING;
         let increments = 3.0 * TURN * Turns::RESOLUTION;
-        let turning: f64 = step.iter().map(|turns| TURN * Float::abs(turns.to_f64())).sum();
+        let turning: f64 = step.iter().map(|turns| TURN * Float::abs(turns.to_signed_turns().to_f64())).sum();
         Self {
             constant: tabulated.truncation + 4.0 * tabulated.defect + tick + set_up,
             per_tick: increments + rates.relative_error * turning,

@@ -1,0 +1,73 @@
+//! The motions that need no file: what `compare` runs when it is given none.
+
+use crate::Failure;
+use crate::scenario::Scenario;
+use toytop::{Heaviness, LaunchError, Motion, Sign, Signs, Start, Top};
+
+/// The paper's figures 2 and 3, three tops in SI units, and two motions near the separatrix.
+///
+/// # Errors
+/// None: every one is valid, and a test runs them.
+pub fn scenarios() -> Result<Vec<Scenario>, Failure> {
+    let impossible = |error: LaunchError| Failure::Input(format!("built-in motions: {error}"));
+    let mut scenarios = figures().map_err(impossible)?;
+    for (name, text) in SAMPLES {
+        scenarios.push(Scenario::parse(name, text)?);
+    }
+    for (gap, _) in SEPARATRIX {
+        scenarios.push(near_the_separatrix(gap).map_err(impossible)?);
+    }
+    Ok(scenarios)
+}
+
+/// e₃ - e₂ of the two near the separatrix, and how far from the full solver each may be over ten periods, in f64 and in
+/// f32 (rad). Measured: 1.7e-11 and 4.9e-6; 3.9e-9 and 1.6e-5.
+const SEPARATRIX: [(f64, [f64; 2]); 2] = [(1e-3, [1e-10, 2e-5]), (1e-6, [1e-8, 5e-5])];
+
+/// The bound of a built-in motion that has one of its own: in f64 and in f32, rad over ten periods.
+#[must_use]
+pub fn own_bounds(scenario: &Scenario) -> Option<[f64; 2]> {
+    SEPARATRIX.iter().find(|(gap, _)| scenario.name == separatrix_name(*gap)).map(|(_, bounds)| *bounds)
+}
+
+fn separatrix_name(gap: f64) -> String {
+    format!("near separatrix {gap:e}")
+}
+
+/// The sample files that are no figure of the paper.
+const SAMPLES: [(&str, &str); 3] = [
+    ("toy top 150 rad/s", include_str!("../scenarios/toy_top.toml")),
+    ("sleeping top", include_str!("../scenarios/sleeping.toml")),
+    ("Lagrange top", include_str!("../scenarios/lagrange.toml")),
+];
+
+/// l + n > 0 > l - n.
+const DIFFERENT: Signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
+/// l + n > 0, l - n > 0.
+const SAME: Signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Plus };
+
+/// e₁ = 0.7, e₂ = 0.9 and these e₃, for a sphere (A = C = s = p = g = 1).
+const FIGURES: [(&str, Signs, &[f64]); 2] =
+    [("figure 2", SAME, &[1.0, 2.0, 100.0]), ("figure 3", DIFFERENT, &[1.0, 1.1, 1.3, 1.85, 2.5, 3.0])];
+
+fn figures() -> Result<Vec<Scenario>, LaunchError> {
+    let top = Top::sliding(1.0, 1.0, 1.0, Heaviness::MassMoment(1.0), 1.0)?;
+    let mut curves = Vec::new();
+    for (figure, signs, e3s) in FIGURES {
+        for &e3 in e3s {
+            curves.push(curve(format!("{figure} e3={e3}"), &top, [0.7, 0.9, e3], signs)?);
+        }
+    }
+    Ok(curves)
+}
+
+/// e₂ and e₃ on both sides of 1, so close that the axis pauses near the vertical in every period; A and C differ.
+fn near_the_separatrix(gap: f64) -> Result<Scenario, LaunchError> {
+    let top = Top::sliding(1.1, 0.8, 0.6, Heaviness::MassMoment(0.9), 1.0)?;
+    curve(separatrix_name(gap), &top, [0.2, 1.0 - 0.5 * gap, 1.0 + 0.5 * gap], SAME)
+}
+
+fn curve(name: String, top: &Top, e: [f64; 3], signs: Signs) -> Result<Scenario, LaunchError> {
+    let motion = Motion::from_branch_points(top, e, signs, &Start::default())?;
+    Ok(Scenario { name, motion, state: None })
+}

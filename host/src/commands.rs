@@ -1,0 +1,61 @@
+//! One file a command. A command returns its whole output; nothing is printed before all of it is there.
+
+mod compare;
+mod constants;
+mod state;
+
+use crate::Failure;
+use crate::cli::Command;
+use crate::scenario::Scenario;
+
+/// What a command has to say.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Report {
+    /// For stdout.
+    pub text: String,
+    /// Lines for stderr.
+    pub notes: Vec<String>,
+    /// A stated bound was missed.
+    pub missed: bool,
+}
+
+impl Report {
+    /// Adds remarks on the result: below a table, but beside what another program will read.
+    fn with_remarks(mut self, remarks: impl IntoIterator<Item = String>, below: bool) -> Self {
+        for remark in remarks {
+            if below {
+                self.text.push_str(&format!("{remark}\n"));
+            } else {
+                self.notes.push(remark);
+            }
+        }
+        self
+    }
+}
+
+/// Runs a command.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn run(command: &Command) -> Result<Report, Failure> {
+    match command {
+        Command::Compare(arguments) => compare::run(arguments),
+        Command::State(arguments) => state::run(arguments),
+        Command::Constants(arguments) => constants::run(arguments),
+    }
+}
+
+/// One line on the motions in which the plane would have to pull at the tip, if there are any.
+fn lift_off(scenarios: &[Scenario]) -> Option<String> {
+    let pulled = |scenario: &Scenario| {
+        let least = scenario.motion.min_normal_force().filter(|force| *force < 0.0)?;
+        Some(format!("{} ({least:.3})", scenario.name))
+    };
+    let named: Vec<_> = scenarios.iter().filter_map(pulled).collect();
+    (!named.is_empty()).then(|| {
+        format!(
+            "warning: a real top would leave the plane (least normal force / weight): {}",
+            named.join(", ")
+        )
+    })
+}

@@ -1,0 +1,86 @@
+//! `toytop state`: orientation, rates and tip at given times.
+
+use super::{Report, lift_off};
+use crate::Failure;
+use crate::cli::{Format, Method, Scalar, StateArgs};
+use crate::output::{self, Cell, Record, number};
+use crate::progress::Progress;
+use crate::propagate::{Paced, Sample, period, steps_needed, sweep};
+use crate::scenario::Scenario;
+use crate::{times, truth};
+use toytop::real::Real;
+use toytop::{Complex, Motion};
+
+pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
+    let scenario = Scenario::read(&arguments.scenario)?;
+    let times = times::read(&arguments.times)?;
+    let step = period(&scenario.motion) / f64::from(arguments.steps_per_period);
+    let samples = match (arguments.method, arguments.scalar) {
+        (Method::Stepper, Scalar::F64) => stepped::<f64>(&scenario.motion, &times, step)?,
+        (Method::Stepper, Scalar::F32) => stepped::<f32>(&scenario.motion, &times, step)?,
+        (Method::Full, Scalar::F64) => truth::samples(&scenario, &times, step)?,
+        (Method::Full, scalar) => {
+            let name = scalar.name();
+            return Err(Failure::Input(format!("--scalar: {name}: must be f64 with --method full")));
+        }
+    };
+    let text = match arguments.format {
+        Format::Table => table(&samples),
+        Format::Csv => output::csv(&records(&samples)).map_err(Failure::Output)?,
+        Format::Json => output::json_list("samples", &records(&samples)).map_err(Failure::Output)?,
+    };
+    let report = Report { text, ..Report::default() };
+    Ok(report.with_remarks(lift_off(&[scenario]), arguments.format == Format::Table))
+}
+
+fn stepped<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sample>, Failure> {
+    let mut progress = Progress::new(steps_needed(times, step)?, "steps");
+    sweep(
+        times,
+        || Paced::<R>::new(motion, step),
+        |paced, t| {
+            paced.reach(t, &mut progress);
+            Ok(Sample::of(t, paced.stepper()))
+        },
+    )
+}
+
+fn records(samples: &[Sample]) -> Vec<Record> {
+    let complex = |z: Complex<f64>| Cell::Numbers(vec![("re", z.re), ("im", z.im)]);
+    let record = |sample: &Sample| {
+        let [x, y, z] = sample.omega;
+        Record(vec![
+            ("t", Cell::Number(sample.t)),
+            ("u", Cell::Number(sample.u)),
+            ("udot", Cell::Number(sample.udot)),
+            ("alpha", complex(sample.alpha)),
+            ("beta", complex(sample.beta)),
+            ("gamma", complex(-sample.beta.conj())),
+            ("delta", complex(sample.alpha.conj())),
+            ("omega", Cell::Numbers(vec![("x", x), ("y", y), ("z", z)])),
+            ("tip", Cell::Numbers(vec![("x", sample.tip.re), ("y", sample.tip.im)])),
+            ("phi", sample.phi.into()),
+        ])
+    };
+    samples.iter().map(record).collect()
+}
+
+/// A block a sample: with all digits, one line would not fit any screen.
+fn table(samples: &[Sample]) -> String {
+    let block = |record: &Record| {
+        let line = |(name, cell): &(&'static str, Cell)| {
+            let numbers = match cell {
+                Cell::Number(x) => vec![*x],
+                Cell::Numbers(parts) => parts.iter().map(|(_, x)| *x).collect(),
+                _ => Vec::new(),
+            };
+            let mut line = vec![(*name).to_owned()];
+            line.extend(numbers.into_iter().map(number));
+            line.resize(4, String::new());
+            line
+        };
+        record.0.iter().map(line).collect::<Vec<_>>()
+    };
+    let blocks: Vec<_> = records(samples).iter().map(|record| output::columns(block(record), 1)).collect();
+    blocks.join("\n")
+}

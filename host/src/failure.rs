@@ -1,0 +1,45 @@
+//! Why a command gives no result, and the exit code that says so.
+
+use std::fmt;
+use std::io;
+
+/// No result. Displayed as one line.
+#[derive(Debug)]
+pub enum Failure {
+    /// Bad input: the line names file, key and what is allowed. Exit code 2.
+    Input(String),
+    /// The method does not apply to this motion: the line says why. Exit code 3.
+    Method(String),
+    /// The result cannot be written. Exit code 1.
+    Output(io::Error),
+}
+
+impl Failure {
+    /// The process's exit code.
+    #[must_use]
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Output(_) => 1,
+            Self::Input(_) => 2,
+            Self::Method(_) => 3,
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let message = match self {
+            Self::Input(message) | Self::Method(message) => message.clone(),
+            Self::Output(error) => format!("cannot write the output: {error}"),
+        };
+        f.write_str(&one_line(&message))
+    }
+}
+
+impl std::error::Error for Failure {}
+
+/// File names and TOML keys may hold line breaks; a message may not.
+fn one_line(message: &str) -> String {
+    let escape = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.into() };
+    message.chars().map(escape).collect()
+}

@@ -1,0 +1,135 @@
+//! The Euler-Poisson equations of the toy top for (Phi, m), in the fixed frame and without coordinates of any
+//! special axis: no angles, no division by 1 - u^2, nothing that knows the motion is integrable.
+
+/// A vector of the fixed frame; k = (0, 0, 1) points up.
+type Vector = [f64; 3];
+
+/// alpha re, im, beta re, im, m1, m2, m3.
+pub(super) type Vector7 = [f64; 7];
+
+/// The body: inertias, where its centre of mass is, and gravity. Any consistent units; the ones named are SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FullTop {
+    /// Transverse moment of inertia A \[kg m^2\], > 0: about the centre of mass, or about the tip when `s` is
+    /// 0.
+    pub a: f64,
+    /// Axial moment of inertia C \[kg m^2\], > 0.
+    pub c: f64,
+    /// Distance s from tip to centre of mass \[m\], >= 0; 0 means the top whose tip is fixed (Lagrange).
+    pub s: f64,
+    /// Mass moment p = mass x distance from tip to centre of mass \[kg m\], >= 0.
+    pub p: f64,
+    /// Gravity g \[m/s^2\]; enters the weight only.
+    pub g: f64,
+}
+
+/// Orientation Phi = \[\[alpha, beta\], \[-conj beta, conj alpha\]\] and angular velocity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FullState {
+    /// alpha as (re, im).
+    pub alpha: [f64; 2],
+    /// beta as (re, im); |alpha|^2 + |beta|^2 = 1.
+    pub beta: [f64; 2],
+    /// Angular velocity \[rad/s\], components in the fixed frame.
+    pub omega: [f64; 3],
+}
+
+impl FullState {
+    /// Unit vector r from the tip to the centre of mass, fixed frame: (-2 alpha beta, |alpha|^2 - |beta|^2).
+    #[must_use]
+    pub fn axis(&self) -> [f64; 3] {
+        axis(self.alpha, self.beta)
+    }
+
+    /// Rate of the axis' height u = r . k \[1/s\]: (omega x r) . k.
+    #[must_use]
+    pub fn axis_height_rate(&self) -> f64 {
+        cross(self.omega, self.axis())[2]
+    }
+
+    /// Tip position c = 2 s alpha beta relative to the centre of mass' vertical, in the units of `s` \[m\].
+    #[must_use]
+    pub fn tip(&self, s: f64) -> [f64; 2] {
+        let r = self.axis();
+        [-s * r[0], -s * r[1]]
+    }
+}
+
+impl FullTop {
+    /// (l, n, h): the angular momenta about the vertical and about the axis \[kg m^2/s\] and the energy
+    /// \[J\], with the potential energy p g u. Rounding only: a few units in the last place of their largest
+    /// term.
+    #[must_use]
+    pub fn first_integrals(&self, state: &FullState) -> (f64, f64, f64) {
+        let equations = Equations { a: self.a, c: self.c, ps: self.p * self.s, pg: self.p * self.g };
+        let (r, m) = (state.axis(), equations.momentum(state));
+        (m[2], dot(m, r), 0.5 * dot(m, state.omega) + equations.pg * r[2])
+    }
+}
+
+/// What the motion depends on: A, C, p s and p g, here in whatever units of inertia and time the caller
+/// chose.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Equations {
+    pub(super) a: f64,
+    pub(super) c: f64,
+    pub(super) ps: f64,
+    pub(super) pg: f64,
+}
+
+impl Equations {
+    /// m = A omega + (C - A) <omega, r> r + p s u' q, where q = r x k and u' = <omega, q>.
+    pub(super) fn momentum(&self, state: &FullState) -> Vector {
+        let (r, w) = (state.axis(), state.omega);
+        let q = [r[1], -r[0], 0.0];
+        let (axial, rise) = ((self.c - self.a) * dot(w, r), self.ps * dot(w, q));
+        core::array::from_fn(|i| self.a * w[i] + axial * r[i] + rise * q[i])
+    }
+
+    /// Undoes `momentum` and also returns p s u'. <m, r> = C <omega, r> and <m, q> = (A + p s |q|^2) u' need
+    /// no matrix inverse, and their divisors are never small.
+    fn angular_velocity(&self, r: Vector, m: Vector) -> (Vector, f64) {
+        let q = [r[1], -r[0], 0.0];
+        let axial = (self.c - self.a) * dot(m, r) / self.c;
+        let rise = self.ps * dot(m, q) / (self.a + self.ps * dot(q, q));
+        (core::array::from_fn(|i| (m[i] - axial * r[i] - rise * q[i]) / self.a), rise)
+    }
+
+    /// The state with its angular velocity, from (Phi, m).
+    pub(super) fn state(&self, y: &Vector7) -> FullState {
+        let (alpha, beta) = ([y[0], y[1]], [y[2], y[3]]);
+        let omega = self.angular_velocity(axis(alpha, beta), [y[4], y[5], y[6]]).0;
+        FullState { alpha, beta, omega }
+    }
+
+    /// d/dt (Phi, m). Phi' = omega Phi. m' = omega x m + DL with DL = (C - A) <omega, r> r x omega + p s u' r
+    /// x (k x omega) - p g q; the two (C - A) terms cancel and Jacobi's identity leaves m' = p s u' (r' x k)
+    /// - p g q, which is horizontal: l = m3 is conserved to the last bit.
+    pub(super) fn derivative(&self, y: &Vector7) -> Vector7 {
+        let r = axis([y[0], y[1]], [y[2], y[3]]);
+        let (w, rise) = self.angular_velocity(r, [y[4], y[5], y[6]]);
+        let turn = cross(w, r);
+        [
+            0.5 * (-w[2] * y[1] + w[1] * y[2] - w[0] * y[3]),
+            0.5 * (w[2] * y[0] + w[0] * -y[2] - w[1] * y[3]),
+            0.5 * (-w[2] * y[3] - w[1] * y[0] + w[0] * y[1]),
+            0.5 * (w[2] * y[2] + w[0] * y[0] + w[1] * y[1]),
+            rise * turn[1] - self.pg * r[1],
+            -rise * turn[0] + self.pg * r[0],
+            0.0,
+        ]
+    }
+}
+
+fn axis(alpha: [f64; 2], beta: [f64; 2]) -> Vector {
+    let ([a, b], [c, d]) = (alpha, beta);
+    [-2.0 * (a * c - b * d), -2.0 * (a * d + b * c), a * a + b * b - c * c - d * d]
+}
+
+pub(super) fn cross(x: Vector, y: Vector) -> Vector {
+    [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
+}
+
+pub(super) fn dot(x: Vector, y: Vector) -> f64 {
+    x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
+}

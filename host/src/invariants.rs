@@ -1,0 +1,38 @@
+//! l, n and h from one orientation and one angular velocity, by the definitions of mechanics: none of the core's
+//! formulas, none of a motion's constants.
+
+use toytop::{Complex, Top};
+
+/// (l, n, h): l = A ω₃ + (C - A) ⟨ω, r⟩ u and n = C ⟨ω, r⟩ in kg m²/s, h = T + V in kg m²/s².
+#[must_use]
+pub fn first_integrals(top: &Top, alpha: Complex<f64>, beta: Complex<f64>, omega: [f64; 3]) -> [f64; 3] {
+    let (a, c, p, g) = (top.a(), top.c(), top.p(), top.g());
+    let [w1, w2, w3] = omega;
+    let horizontal = (alpha * beta).scaled(-2.0); // r₁ + i r₂
+    let (r1, r2, u) = (horizontal.re, horizontal.im, alpha.norm_squared() - beta.norm_squared());
+    let axial = w1 * r1 + w2 * r2 + w3 * u;
+    let udot = w1 * r2 - w2 * r1;
+    let kinetic =
+        0.5 * (a * (w1 * w1 + w2 * w2 + w3 * w3) + (c - a) * axial * axial + p * top.s() * udot * udot);
+    [a * w3 + (c - a) * axial * u, c * axial, kinetic + p * g * u]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toytop::{FirstIntegrals, Heaviness, Phi, State};
+
+    #[test]
+    fn they_agree_with_the_core() {
+        let sliding = Top::sliding(1.1, 0.8, 0.6, Heaviness::MassMoment(0.9), 9.81);
+        for top in [sliding, Top::fixed(1.1, 0.8, 0.9, 2.0)].map(Result::unwrap) {
+            let (alpha, beta) = (Complex::new(0.48, 0.64), Complex::new(-0.36, 0.48));
+            let omega = [0.3, -0.7, 1.9];
+            let core = FirstIntegrals::of(&top, &State::new(Phi { alpha, beta }, omega).unwrap());
+            let found = first_integrals(&top, alpha, beta, omega);
+            for (x, y) in found.into_iter().zip([core.l, core.n, core.h]) {
+                assert!((x - y).abs() < 4e-15 * y.abs(), "{x} {y}");
+            }
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! Records as CSV and JSON, numbers with 17 significant digits: what is read back is the number that was computed.
+
+use comfy_table::presets::NOTHING;
+use comfy_table::{CellAlignment, Row, Table};
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde_json::ser::Formatter;
+use std::io;
+
+/// One value of a record.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    /// A word or a name.
+    Text(String),
+    /// A whole number.
+    Count(u64),
+    /// A number.
+    Number(f64),
+    /// What does not exist here: `null` in JSON, empty in CSV.
+    Absent,
+    /// Several numbers with the suffixes of their CSV columns: an array in JSON.
+    Numbers(Vec<(&'static str, f64)>),
+}
+
+impl From<Option<f64>> for Cell {
+    fn from(number: Option<f64>) -> Self {
+        number.map_or(Self::Absent, Self::Number)
+    }
+}
+
+/// Named values, in order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Record(pub Vec<(&'static str, Cell)>);
+
+/// 17 significant digits; no -0.
+#[must_use]
+pub fn number(x: f64) -> String {
+    format!("{:.16e}", x + 0.0)
+}
+
+/// The records as CSV, with a header line.
+///
+/// # Errors
+/// None in memory; the writer's type has one.
+pub fn csv(records: &[Record]) -> io::Result<String> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    if let Some(first) = records.first() {
+        writer.write_record(flat(first).into_iter().map(|(name, _)| name))?;
+    }
+    for record in records {
+        writer.write_record(flat(record).into_iter().map(|(_, value)| value))?;
+    }
+    let bytes = writer.into_inner().map_err(io::Error::other)?;
+    String::from_utf8(bytes).map_err(io::Error::other)
+}
+
+/// Column names and values of a record.
+fn flat(record: &Record) -> Vec<(String, String)> {
+    let columns = |(name, cell): &(&'static str, Cell)| match cell {
+        Cell::Text(text) => vec![((*name).to_owned(), text.clone())],
+        Cell::Count(count) => vec![((*name).to_owned(), count.to_string())],
+        Cell::Number(x) => vec![((*name).to_owned(), number(*x))],
+        Cell::Absent => vec![((*name).to_owned(), String::new())],
+        Cell::Numbers(parts) => {
+            parts.iter().map(|(suffix, x)| (format!("{name}_{suffix}"), number(*x))).collect()
+        }
+    };
+    record.0.iter().flat_map(columns).collect()
+}
+
+/// `{"key":[record, ...]}`, on one line.
+///
+/// # Errors
+/// None in memory; the writer's type has one.
+pub fn json_list(key: &'static str, records: &[Record]) -> io::Result<String> {
+    struct List<'a>(&'static str, &'a [Record]);
+    impl Serialize for List<'_> {
+        fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+            let mut map = serializer.serialize_map(Some(1))?;
+            map.serialize_entry(self.0, self.1)?;
+            map.end()
+        }
+    }
+    json(&List(key, records))
+}
+
+/// Any value as JSON, on one line.
+///
+/// # Errors
+/// None in memory; the writer's type has one.
+pub fn json(value: &impl Serialize) -> io::Result<String> {
+    let mut bytes = Vec::new();
+    let mut serializer = serde_json::Serializer::with_formatter(&mut bytes, SeventeenDigits);
+    value.serialize(&mut serializer)?;
+    bytes.push(b'\n');
+    String::from_utf8(bytes).map_err(io::Error::other)
+}
+
+impl Serialize for Record {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, cell)| (name, cell)))
+    }
+}
+
+impl Serialize for Cell {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Text(text) => serializer.serialize_str(text),
+            Self::Count(count) => serializer.serialize_u64(*count),
+            Self::Number(x) => serializer.serialize_f64(*x),
+            Self::Absent => serializer.serialize_none(),
+            Self::Numbers(parts) => serializer.collect_seq(parts.iter().map(|(_, x)| x)),
+        }
+    }
+}
+
+struct SeventeenDigits;
+
+impl Formatter for SeventeenDigits {
+    fn write_f64<W: ?Sized + io::Write>(&mut self, writer: &mut W, value: f64) -> io::Result<()> {
+        writer.write_all(number(value).as_bytes())
+    }
+}
+
+/// Aligned columns without lines: the first `left` to the left, the others to the right.
+#[must_use]
+pub fn columns(rows: Vec<Vec<String>>, left: usize) -> String {
+    let mut table = Table::new();
+    table.load_style(NOTHING).add_rows(rows.into_iter().map(Row::from));
+    for (index, column) in table.column_iter_mut().enumerate() {
+        column.set_padding((0, 2));
+        column.set_cell_alignment(if index < left { CellAlignment::Left } else { CellAlignment::Right });
+    }
+    table.lines().map(|line| format!("{}\n", line.trim_end())).collect()
+}

@@ -1,0 +1,194 @@
+//! The command line as other programs see it: exit codes, stdout, stderr, JSON.
+
+mod refusals;
+mod state;
+
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// A top and a motion that every case starts from.
+const TOP: &str = "[top]
+mass_moment = 0.9
+com_height = 0.6
+transverse_inertia = 1.1
+axial_inertia = 0.8
+gravity = 1
+";
+const RELEASE: &str = "[motion]
+kind = \"release\"
+tilt_deg = 40
+spin = 3.5
+precession = 0.3
+";
+
+fn run(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_toytop")).args(arguments).output().expect("the program runs")
+}
+
+fn stdout(output: &Output) -> &str {
+    std::str::from_utf8(&output.stdout).expect("stdout is UTF-8")
+}
+
+fn stderr(output: &Output) -> &str {
+    std::str::from_utf8(&output.stderr).expect("stderr is UTF-8")
+}
+
+/// What a command that must succeed prints, as JSON.
+fn json(arguments: &[&str]) -> Value {
+    let output = run(arguments);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", stderr(&output));
+    serde_json::from_slice(&output.stdout).expect("stdout is JSON")
+}
+
+/// A scenario file of this content; every test has names of its own.
+fn scenario(name: &str, content: &str) -> String {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.toml"));
+    std::fs::write(&path, content).expect("the file is written");
+    path.to_str().expect("the path is UTF-8").to_owned()
+}
+
+fn sample(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios").join(format!("{name}.toml"));
+    path.to_str().expect("the path is UTF-8").to_owned()
+}
+
+/// [motion] by branch points, signs (+, `minus`).
+fn branch_points([e1, e2, e3]: [f64; 3], minus: i32) -> String {
+    format!(
+        "{TOP}[motion]\nkind = \"branch_points\"\ne1 = {e1}\ne2 = {e2}\ne3 = {e3}\n\
+         sign_l_plus_n = 1\nsign_l_minus_n = {minus}\n"
+    )
+}
+
+#[test]
+fn constants_have_the_keys_of_the_contract() {
+    let keys = [
+        "l n h e1 e2 e3 e4 one_plus_e1 one_minus_e2 e2_minus_e1 e3_minus_e2 e3_minus_one regime period",
+        "alpha_turns beta_turns phi_per_period tip_class min_normal_force",
+    ];
+    let keys: Vec<_> = keys.iter().flat_map(|line| line.split(' ')).collect();
+    // file, regime, tip class, keys that are null
+    let hanging = RELEASE.replace("40", "180").replace("precession = 0.3", "");
+    let rest = ["period", "alpha_turns", "beta_turns", "phi_per_period"];
+    let cases: [(String, &str, &str, &[&str]); 9] = [
+        (sample("toy_top"), "nutating", "cusp", &[]),
+        (sample("figure_3_cusp"), "nutating", "cusp", &[]),
+        (sample("lagrange"), "nutating", "loops", &["e4", "min_normal_force"]),
+        (sample("sleeping"), "sleeping_stable", "point", &["phi_per_period"]),
+        (scenario("c1", &format!("{TOP}{hanging}")), "hanging", "point", &["phi_per_period"]),
+        (scenario("c2", &branch_points([0.2, 1.0, 1.0], 1)), "aperiodic", "spiral", &rest),
+        (scenario("c3", &branch_points([0.5, 0.5, 1.7], -1)), "regular_precession", "circle", &[]),
+        (scenario("c4", &branch_points([-1.0, 0.6, 1.4], 1)), "nutating", "through_origin", &[]),
+        (
+            scenario("c5", &(branch_points([0.2, 1.0, 1.0], 1) + "nutation_phase = 3.141592653589793")),
+            "sleeping_unstable",
+            "point",
+            &rest,
+        ),
+    ];
+    for (file, regime, tip_class, nulls) in cases {
+        let output = run(&["constants", &file, "--format", "json"]);
+        let constants: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        let object = constants.as_object().expect("an object");
+        assert_eq!(object.len(), keys.len(), "{file}");
+        // serde_json sorts what it parses: the order is checked in the text
+        let places: Vec<_> = keys.iter().map(|key| stdout(&output).find(&format!("\"{key}\":"))).collect();
+        assert!(places.iter().all(Option::is_some) && places.is_sorted(), "{file}: {places:?}");
+        assert_eq!(constants["regime"], regime, "{file}");
+        assert_eq!(constants["tip_class"], tip_class, "{file}");
+        for key in &keys {
+            assert_eq!(constants[key].is_null(), nulls.contains(key), "{file}: {key}");
+        }
+        let table = run(&["constants", &file]);
+        assert!(keys.iter().zip(stdout(&table).lines()).all(|(key, line)| line.starts_with(key)), "{file}");
+    }
+}
+
+#[test]
+fn numbers_have_seventeen_digits() {
+    let file = sample("figure_3_cusp");
+    assert!(
+        stdout(&run(&["constants", &file, "--format", "json"])).contains("\"e1\":6.9999999999999996e-1,")
+    );
+    let csv = run(&["state", &file, "--times=0,1", "--format", "csv"]);
+    let lines: Vec<_> = stdout(&csv).lines().map(|line| line.split(',').count()).collect();
+    assert_eq!(lines, [17, 17, 17]);
+    assert!(stdout(&csv).lines().skip(1).flat_map(|line| line.split(',')).all(|number| {
+        number.trim_start_matches('-').split('e').next().is_some_and(|mantissa| mantissa.len() == 18)
+    }));
+}
+
+#[test]
+fn compare_holds_its_bounds() {
+    let rows = json(&["compare", "--format", "json"]);
+    let rows = rows["rows"].as_array().expect("rows");
+    assert_eq!(rows.len(), 28);
+    for row in rows {
+        let error = row["max_orientation_error_rad"].as_f64().expect("a number");
+        assert_eq!(row["verdict"], "ok", "{row}");
+        assert!(error > 0.0 && error <= row["bound_rad"].as_f64().expect("a number"), "{row}");
+        let drift_limit = if row["scalar"] == "f32" { 3e-6 } else { 1e-14 };
+        for key in ["h_drift", "l_drift", "n_drift"] {
+            assert!(row[key].as_f64().is_some_and(|drift| drift < drift_limit), "{key}: {row}");
+        }
+    }
+    let table = run(&["compare", "--scalar", "f64"]);
+    assert!(stdout(&table).lines().all(|line| line.chars().count() <= 120));
+    assert_eq!(stdout(&table).matches(" ok\n").count(), 14);
+    assert!(stdout(&table).contains("figure 2 e3=100 (-15.65"), "the warning is below the table");
+}
+
+#[test]
+fn compare_reads_scenarios_and_tells_a_miss() {
+    let all = json(&["compare", &sample("toy_top"), "--scalar", "all", "--periods", "2", "--format", "json"]);
+    let names = |row: &Value| format!("{} {}", row["motion"], row["scalar"]);
+    let rows: Vec<_> = all["rows"].as_array().expect("rows").iter().map(names).collect();
+    assert_eq!(rows, [r#""toy_top" "f64""#, r#""toy_top" "f32""#]);
+
+    // A/(ps) = 1e-4 near the vertical is too steep for 4096 steps a period.
+    let slender = branch_points([-0.9, 0.99, 1.18], -1)
+        .replace("inertia = 1.1", "inertia = 5.4e-5")
+        .replace("inertia = 0.8", "inertia = 5e-5");
+    let output = run(&["compare", &scenario("slender", &slender)]);
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(stdout(&output).matches(" MISS\n").count(), 2, "{}", stdout(&output));
+}
+
+#[test]
+fn a_top_that_would_lift_off_is_told_so_in_one_line() {
+    let file = scenario("lift_off", &branch_points([0.7, 0.9, 100.0], 1));
+    for (arguments, below) in [
+        (vec!["constants", &file], true),
+        (vec!["constants", &file, "--format", "json"], false),
+        (vec!["state", &file, "--times", "1"], true),
+        (vec!["state", &file, "--times", "1", "--format", "csv"], false),
+        (vec!["compare", &file, "--format", "csv"], false),
+    ] {
+        let output = run(&arguments);
+        let (with, without) =
+            if below { (stdout(&output), stderr(&output)) } else { (stderr(&output), stdout(&output)) };
+        let warnings =
+            |text: &str| text.lines().filter(|line| line.contains("would leave the plane")).count();
+        assert_eq!((warnings(with), warnings(without)), (1, 0), "{arguments:?}");
+    }
+    assert_eq!(stderr(&run(&["constants", &sample("toy_top"), "--format", "json"])), "");
+}
+
+#[test]
+fn help_version_and_a_closed_pipe_are_no_failures() {
+    for arguments in [vec!["--help"], vec!["--version"], vec!["state", "--help"]] {
+        let output = run(&arguments);
+        assert_eq!((output.status.code(), stderr(&output)), (Some(0), ""), "{arguments:?}");
+        assert!(!output.stdout.is_empty());
+    }
+    let times = vec!["0.5"; 20_000].join(",");
+    let program = env!("CARGO_BIN_EXE_toytop");
+    let pipe = format!(
+        "'{program}' state '{}' --times {times} --format csv | head -n 1; exit ${{PIPESTATUS[0]}}",
+        sample("toy_top")
+    );
+    let output = Command::new("bash").args(["-c", &pipe]).output().expect("bash runs");
+    assert_eq!((output.status.code(), stderr(&output)), (Some(0), ""));
+    assert!(stdout(&output).starts_with("t,u,udot,"));
+}

@@ -1,0 +1,198 @@
+//! Bad input: exit code 2, nothing on stdout, one line on stderr that names file, key and what is allowed.
+
+use super::{RELEASE, TOP, branch_points, run, sample, scenario, stderr, stdout};
+
+fn assert_refused(arguments: &[&str], code: i32, parts: &[&str]) {
+    let output = run(arguments);
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {message}");
+    assert_eq!(stdout(&output), "", "{arguments:?}");
+    assert_eq!(message.matches('\n').count(), 1, "{arguments:?}: {message}");
+    for part in parts {
+        assert!(message.contains(part), "{arguments:?}: {part:?} is not in {message:?}");
+    }
+}
+
+#[test]
+fn arguments() {
+    let file = sample("toy_top");
+    let missing = sample("no_such_file");
+    let cases: &[(&[&str], &[&str])] = &[
+        (&[], &["--help"]),
+        (&["plot"], &["plot"]),
+        (&["constants"], &["SCENARIO"]),
+        (&["constants", &file, "--format", "csv"], &["--format", "table, json"]),
+        (&["constants", &missing], &["no_such_file.toml", "No such file"]),
+        (&["compare", &file, &missing], &["no_such_file.toml"]),
+        (&["compare", "--periods", "0"], &["--periods", "1..=10000"]),
+        (&["compare", "--scalar", "f64,q31"], &["--scalar", "f64, f32, all"]),
+        (&["state", &file], &["--times", "--times-file"]),
+        (&["state", &file, "--times", "1", "--times-file", "x"], &["--times", "--times-file"]),
+        (&["state", &file, "--times", "1,,2"], &["--times", "finite number"]),
+        (&["state", &file, "--times", "1,NaN"], &["--times", "NaN", "finite number"]),
+        (&["state", &file, "--times", "1e999"], &["--times", "finite number"]),
+        (&["state", &file, "--times", "1 2"], &["--times", "finite number"]),
+        (&["state", &file, "--times-file", &missing], &["no_such_file.toml"]),
+        (&["state", &file, "--times-file", &file], &["toy_top.toml", "line 3", "finite number"]),
+        (&["state", &file, "--times", "1", "--method", "ephemeris"], &["ephemeris", "stepper, full"]),
+        (&["state", &file, "--times", "1", "--method", "closed-form"], &["closed-form", "stepper, full"]),
+        (&["state", &file, "--times", "1", "--scalar", "q31"], &["q31", "f64, f32"]),
+        (&["state", &file, "--times", "1", "--scalar", "f32", "--method", "full"], &["--scalar", "f64"]),
+        (&["state", &file, "--times", "1", "--steps-per-period", "0"], &["1..=16777216"]),
+        (&["state", &file, "--times", "1", "--steps-per-period", "16777217"], &["1..=16777216"]),
+        (&["state", &file, "--times", "1e6,-1e6"], &["--steps-per-period", "at most 1e10 steps"]),
+    ];
+    for (arguments, parts) in cases {
+        assert_refused(arguments, 2, parts);
+    }
+}
+
+#[test]
+fn files() {
+    let good = format!("{TOP}{RELEASE}");
+    let cases: &[(&str, Vec<u8>, &[&str])] = &[
+        ("empty", Vec::new(), &["top", "missing"]),
+        ("utf", b"[top]\n\xff\xfe".to_vec(), &["UTF-8"]),
+        ("large", format!("{good}#{}", "x".repeat(1 << 20)).into_bytes(), &["1 MiB"]),
+        ("syntax", good.replace("= 3.5", "= 3,5").into_bytes(), &["line 10", "TOML"]),
+        ("twice", format!("{good}spin = 2\n").into_bytes(), &["line 12", "TOML"]),
+        ("two", format!("{good}[motion]\nkind = \"state\"\n").into_bytes(), &["line 12", "TOML"]),
+        ("no_motion", TOP.into(), &["motion", "missing"]),
+        ("no_table", format!("motion = 3\n{TOP}").into_bytes(), &["motion", "table"]),
+        ("third", format!("{good}[tip]\n").into_bytes(), &["tip", "unknown"]),
+        ("lines", format!("{good}\"a\\nb\" = 1\n").into_bytes(), &["motion.a\\nb", "unknown"]),
+    ];
+    for (name, content, parts) in cases {
+        let file = scenario(&format!("file_{name}"), "");
+        std::fs::write(&file, content).expect("the file is written");
+        assert_refused(&["constants", &file], 2, &[&[&*file], *parts].concat());
+    }
+    assert_refused(&["constants", env!("CARGO_TARGET_TMPDIR")], 2, &["directory"]);
+    let no_times = scenario("file_no_times", "# none\n\n");
+    assert_refused(
+        &["state", &sample("toy_top"), "--times-file", &no_times],
+        2,
+        &["file_no_times", "at least one"],
+    );
+}
+
+/// Each case is one change of a good file: what is replaced, by what, and what the message must hold.
+type Change = (&'static str, &'static str, &'static [&'static str]);
+
+fn assert_changes_refused(kind: &str, good: &str, changes: &[Change]) {
+    let file = scenario(&format!("good_{kind}"), good);
+    assert_eq!(run(&["constants", &file]).status.code(), Some(0), "{good}");
+    for (index, (from, to, parts)) in changes.iter().enumerate() {
+        assert!(good.contains(from), "{from}");
+        let file = scenario(&format!("bad_{kind}_{index}"), &good.replacen(from, to, 1));
+        assert_refused(
+            &["state", &file, "--times", "1", "--format", "json"],
+            2,
+            &[&[&*file], *parts].concat(),
+        );
+    }
+}
+
+#[test]
+fn tops() {
+    let changes: &[Change] = &[
+        ("gravity = 1", "gravity = -1", &["top.gravity", "positive"]),
+        ("gravity = 1", "gravity = nan", &["top.gravity", "number"]),
+        ("gravity = 1", "gravity = true", &["top.gravity", "number"]),
+        ("gravity = 1", "gravity = \"1\"", &["top.gravity", "number"]),
+        ("gravity = 1", "gravity = 1e13", &["top.gravity", "1e-12 and 1e12"]),
+        ("gravity = 1", "gravty = 1", &["top.gravty", "unknown", "gravity"]),
+        ("gravity = 1", "support = \"hinge\"", &["top.support", "\"sliding\", \"fixed\""]),
+        ("gravity = 1", "support = 1", &["top.support", "\"sliding\", \"fixed\""]),
+        ("transverse_inertia = 1.1\n", "", &["top.transverse_inertia", "missing", "1e-12 and 1e12"]),
+        ("axial_inertia = 0.8\n", "", &["top.axial_inertia", "missing", "1e-12 and 1e12"]),
+        ("transverse_inertia = 1.1", "transverse_inertia = inf", &["top.transverse_inertia", "number"]),
+        ("axial_inertia = 0.8", "axial_inertia = 2.3", &["top.axial_inertia", "twice transverse_inertia"]),
+        ("com_height = 0.6\n", "", &["top.com_height", "missing"]),
+        ("com_height = 0.6", "com_height = 0", &["top.com_height", "positive"]),
+        ("mass_moment = 0.9\n", "", &["top.mass", "exactly one of mass, mass_moment"]),
+        ("mass_moment = 0.9", "mass_moment = -0.9", &["top.mass_moment", "positive"]),
+        ("mass_moment = 0.9", "mass = -0.9", &["top.mass", "positive"]),
+        ("mass_moment = 0.9", "mass = 1.5\nmass_moment = 0.9", &["top.mass_moment", "without mass"]),
+        ("gravity = 1", "support = \"fixed\"", &["top.com_height", "fixed", "together with mass"]),
+        ("com_height = 0.6", "support = \"fixed\"\nmass = 1", &["top.mass_moment", "without mass"]),
+        (
+            "mass_moment = 0.9\ncom_height = 0.6",
+            "support = \"fixed\"\nmass = 1",
+            &["top.com_height", "missing"],
+        ),
+    ];
+    assert_changes_refused("top", &format!("{TOP}{RELEASE}"), changes);
+}
+
+#[test]
+fn releases() {
+    let changes: &[Change] = &[
+        (
+            "kind = \"release\"\n",
+            "",
+            &["motion.kind", "missing", "\"release\", \"state\", \"branch_points\""],
+        ),
+        ("\"release\"", "\"throw\"", &["motion.kind", "\"release\", \"state\", \"branch_points\""]),
+        ("\"release\"", "\"state\"", &["motion.precession", "unneeded", "alpha, beta, omega"]),
+        ("tilt_deg = 40\n", "", &["motion.tilt_deg", "missing", "[0, 180]"]),
+        ("spin = 3.5\n", "", &["motion.spin", "missing"]),
+        ("tilt_deg = 40", "tilt_deg = 180.00000001", &["motion.tilt_deg", "[0, 180]"]),
+        ("tilt_deg = 40", "tilt_deg = -1", &["motion.tilt_deg", "[0, 180]"]),
+        ("tilt_deg = 40", "tilt_deg = [40]", &["motion.tilt_deg", "[0, 180]"]),
+        ("spin = 3.5", "spin = -inf", &["motion.spin", "number"]),
+        ("spin = 3.5", "spin = 1e12", &["motion.spin", "1e11"]),
+        ("spin = 3.5", "spin = 1e9", &["motion.spin", "e3 <= 1e14"]),
+        ("precession", "presession", &["motion.presession", "unknown", "precession"]),
+        ("precession = 0.3", "e1 = 0.3", &["motion.e1", "unneeded", "kind = \"release\""]),
+        ("precession = 0.3", "roll_deg = nan", &["motion.roll_deg", "degrees"]),
+    ];
+    assert_changes_refused("release", &format!("{TOP}{RELEASE}"), changes);
+}
+
+#[test]
+fn states() {
+    let good =
+        format!("{TOP}[motion]\nkind = \"state\"\nalpha = [0.6, 0]\nbeta = [0, 0.8]\nomega = [1, 2.5, 3]\n");
+    let changes: &[Change] = &[
+        ("alpha = [0.6, 0]\n", "", &["motion.alpha", "missing", "[re, im]"]),
+        ("[0.6, 0]", "[0.6, 0.0, 0]", &["motion.alpha", "two"]),
+        ("[0.6, 0]", "[0.6, \"0\"]", &["motion.alpha", "two"]),
+        ("[0.6, 0]", "0.6", &["motion.alpha", "two"]),
+        ("[0, 0.8]", "[0, nan]", &["motion.beta", "finite"]),
+        ("[0, 0.8]", "[0, 0.800002]", &["motion.alpha", "unit norm", "1e-6"]),
+        ("[1, 2.5, 3]", "[1, 2.5]", &["motion.omega", "three"]),
+        ("[1, 2.5, 3]", "[1, 2.5, 1e13]", &["motion.omega", "1e12"]),
+        ("[1, 2.5, 3]", "[1, 2.5, 1e9]", &["motion.omega", "e3 <= 1e14"]),
+        ("omega", "spin = 1\nomega", &["motion.spin", "unneeded"]),
+    ];
+    assert_changes_refused("state", &good, changes);
+    let near = scenario("state_norm", &good.replace("[0, 0.8]", "[0, 0.8000003]"));
+    assert_eq!(run(&["constants", &near]).status.code(), Some(0));
+}
+
+#[test]
+fn branch_points_out_of_order() {
+    let changes: &[Change] = &[
+        ("e1 = 0.2", "e1 = 0.9", &["motion.e2", "[e1, 1]"]),
+        ("e1 = 0.2", "e1 = -1.01", &["motion.e1", "[-1, e2]"]),
+        ("e1 = 0.2", "e1 = nan", &["motion.e1", "number"]),
+        ("e2 = 0.8", "e2 = 1.1", &["motion.e2", "[e1, 1]"]),
+        ("e3 = 1.5", "e3 = 0.99", &["motion.e3", "[1, 1e14]"]),
+        ("e3 = 1.5\n", "", &["motion.e3", "missing"]),
+        ("sign_l_plus_n = 1", "sign_l_plus_n = 0", &["motion.sign_l_plus_n", "1 or -1"]),
+        ("sign_l_minus_n = 1\n", "", &["motion.sign_l_minus_n", "missing", "1 or -1"]),
+        ("e3 = 1.5", "e3 = 1.5\nnutation_phase = 1e7", &["motion.nutation_phase", "1e6"]),
+        ("e3 = 1.5", "e3 = 1.5\narg_beta = inf", &["motion.arg_beta", "1e6"]),
+        ("e3 = 1.5", "e3 = 1.5\ntilt_deg = 3", &["motion.tilt_deg", "unneeded", "kind = \"branch_points\""]),
+    ];
+    assert_changes_refused("branch_points", &branch_points([0.2, 0.8, 1.5], 1), changes);
+}
+
+#[test]
+fn a_method_that_does_not_apply_exits_with_3() {
+    // A million seconds are more than the full solver's budget, and fewer than 1e10 steps of 1/1024 period.
+    let file = scenario("too_far", &format!("{TOP}{RELEASE}"));
+    let far = ["state", &file, "--times", "1e6", "--method", "full", "--steps-per-period", "64"];
+    assert_refused(&far, 3, &["too_far", "full solver", "evaluations"]);
+}

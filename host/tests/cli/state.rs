@@ -1,0 +1,203 @@
+//! `toytop state`: samples in the order asked, continuous, in both directions and by both methods.
+
+use super::{RELEASE, TOP, branch_points, json, run, sample, scenario, stdout};
+use serde_json::Value;
+
+fn samples(file: &str, times: &str, more: &[&str]) -> Vec<Value> {
+    let times = format!("--times={times}");
+    let mut arguments = vec!["state", file, &times, "--format", "json"];
+    arguments.extend(more);
+    json(&arguments)["samples"].as_array().expect("samples").clone()
+}
+
+fn numbers(sample: &Value, keys: &[&str]) -> Vec<f64> {
+    let number = |value: &Value| value.as_f64().expect("a number");
+    keys.iter()
+        .flat_map(|key| match &sample[key] {
+            Value::Array(parts) => parts.iter().map(number).collect(),
+            value => vec![number(value)],
+        })
+        .collect()
+}
+
+const EVERYTHING: [&str; 9] = ["u", "udot", "alpha", "beta", "gamma", "delta", "omega", "tip", "phi"];
+
+fn distance(a: &Value, b: &Value, keys: &[&str]) -> f64 {
+    numbers(a, keys).iter().zip(numbers(b, keys)).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn a_sample_has_the_shape_of_the_contract() {
+    let file = scenario("shape", &format!("{TOP}{RELEASE}"));
+    let output = run(&["state", &file, "--times", "0.7", "--format", "json"]);
+    let mut rest = stdout(&output);
+    for part in [
+        r#"{"samples":[{"t":"#,
+        r#","u":"#,
+        r#","udot":"#,
+        r#","alpha":["#,
+        r#"],"beta":["#,
+        r#"],"gamma":["#,
+        r#"],"delta":["#,
+        r#"],"omega":["#,
+        r#"],"tip":["#,
+        r#"],"phi":"#,
+        "}]}\n",
+    ] {
+        rest = rest.split_once(part).expect(part).1;
+    }
+    assert_eq!(rest, "");
+    let parsed: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let sample = &parsed["samples"][0];
+    let lengths: Vec<_> = ["alpha", "beta", "gamma", "delta", "omega", "tip"]
+        .iter()
+        .map(|key| sample[key].as_array().map(Vec::len))
+        .collect();
+    assert_eq!(lengths, [2, 2, 2, 2, 3, 2].map(Some));
+    let [ar, ai, br, bi, cr, ci, dr, di] = numbers(sample, &["alpha", "beta", "gamma", "delta"])[..] else {
+        panic!("four complex numbers");
+    };
+    assert_eq!([cr, ci, dr, di], [-br, bi, ar, -ai]);
+    let tip = [1.2 * (ar * br - ai * bi), 1.2 * (ar * bi + ai * br)];
+    assert!(numbers(sample, &["tip"]).iter().zip(tip).all(|(c, expected)| (c - expected).abs() < 1e-15));
+}
+
+#[test]
+fn the_start_is_the_release_of_the_contract() {
+    let release = "tilt_deg = 40\nspin = 3.5\nprecession = 0.3\nnutation = -0.2\nazimuth_deg = 720000000430\nroll_deg = -25\n";
+    let file = scenario("release", &format!("{TOP}[motion]\nkind = \"release\"\n{release}"));
+    // whole turns, of which two make no difference, cost no digits
+    let (tilt, azimuth, roll) = (40_f64.to_radians(), 430_f64.to_radians(), -25_f64.to_radians());
+    let (half_sum, half_difference) = ((azimuth + roll) / 2.0, (azimuth - roll) / 2.0);
+    let (cosine, sine) = ((tilt / 2.0).cos(), (tilt / 2.0).sin());
+    let r = [tilt.sin() * azimuth.cos(), tilt.sin() * azimuth.sin(), tilt.cos()];
+    let axial = 3.5 - 0.3 * tilt.cos();
+    let expected = [
+        cosine * half_sum.cos(),
+        cosine * half_sum.sin(),
+        -sine * half_difference.cos(),
+        -sine * half_difference.sin(),
+        axial * r[0] + 0.2 * azimuth.sin(),
+        axial * r[1] - 0.2 * azimuth.cos(),
+        axial * r[2] + 0.3,
+    ];
+    for method in ["stepper", "full"] {
+        let start = &samples(&file, "0", &["--method", method])[0];
+        let found = numbers(start, &["alpha", "beta", "omega"]);
+        assert!(found.iter().zip(expected).all(|(x, y)| (x - y).abs() < 3e-15), "{found:?} {expected:?}");
+        // the tip is opposite to where the axis leans: -110 degrees
+        assert!((numbers(start, &["phi"])[0] + 110_f64.to_radians()).abs() < 1e-14);
+    }
+    // exactly downward, exactly upright
+    for (degrees, u) in [("180", -1.0), ("180.0", -1.0), ("0", 1.0)] {
+        let file = scenario("vertical", &format!("{TOP}{}", RELEASE.replace("40", degrees)));
+        let start = &samples(&file, "0", &[])[0];
+        assert_eq!(numbers(start, &["u", "tip"]), [u, 0.0, 0.0]);
+        assert!(start["phi"].is_null());
+    }
+}
+
+#[test]
+fn times_come_in_the_order_asked() {
+    let file = sample("toy_top");
+    let asked = [0.31, -0.2, 0.0, 0.31, 1.0, -1.5, 1e-9];
+    let list = asked.map(|t| t.to_string()).join(",");
+    let together = samples(&file, &list, &[]);
+    for (t, sample) in asked.iter().zip(&together) {
+        assert_eq!(sample["t"].as_f64(), Some(*t));
+        // one time on its own goes by other steps to the same place
+        let alone = &samples(&file, &t.to_string(), &[])[0];
+        assert!(distance(sample, alone, &["alpha", "beta", "phi"]) < 1e-12, "t = {t}");
+    }
+    assert_eq!(together[0], together[3]);
+
+    let path = scenario("times", &format!("# seconds\n\n{}", asked.map(|t| format!(" {t} # s\n")).concat()));
+    let from_file = json(&["state", &file, "--times-file", &path, "--format", "json"]);
+    assert_eq!(from_file["samples"].as_array(), Some(&together));
+    assert_eq!(
+        json(&["state", &file, "--times", "-0.2,1", "--format", "json"])["samples"][0],
+        samples(&file, "-0.2", &[])[0]
+    );
+}
+
+#[test]
+fn both_methods_agree_and_phi_is_continued_from_zero() {
+    // e1, e2, e3, sign of l - n: smooth, loops, through the centre at the bottom, at the top, near the separatrix
+    let cases = [
+        ([0.2, 0.8, 1.5], 1),
+        ([0.2, 0.8, 3.0], -1),
+        ([-1.0, 0.6, 1.4], -1),
+        ([-0.3, 1.0, 1.3], 1),
+        ([0.2, 0.9995, 1.0005], 1),
+    ];
+    for (index, (e, minus)) in cases.into_iter().enumerate() {
+        let start = "nutation_phase = 0.4\narg_alpha = 2.9\narg_beta = 1.1\n";
+        let file = scenario(&format!("phi{index}"), &(branch_points(e, minus) + start));
+        let times: Vec<f64> = (-300..=300).map(|i| 0.05 * f64::from(i)).collect();
+        let list = times.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
+        let stepper = samples(&file, &list, &[]);
+        let full = samples(&file, &list, &["--method", "full"]);
+        let phi = |sample: &Value| numbers(sample, &["phi"])[0];
+        let origin = phi(&stepper[300]);
+        assert!(-std::f64::consts::PI < origin && origin <= std::f64::consts::PI, "{e:?}: {origin}");
+        let alone = phi(&samples(&file, "15", &["--method", "full"])[0]);
+        assert!((alone - phi(&stepper[600])).abs() < 1e-7, "{e:?}: {alone}");
+        for (a, b) in stepper.iter().zip(&full) {
+            assert!(distance(a, b, &EVERYTHING[..8]) < 1e-9, "{e:?}: {a} {b}");
+        }
+        for pair in stepper.windows(2).chain(full.windows(2)) {
+            assert!((phi(&pair[1]) - phi(&pair[0])).abs() < 1.0, "{e:?}: {pair:?}");
+        }
+        for (a, b) in stepper.iter().zip(&full) {
+            let [x, y] = numbers(a, &["tip"])[..] else { panic!("two numbers") };
+            // noise over |c|
+            assert!((phi(a) - phi(b)).abs() < 1e-9 / x.hypot(y).min(1.0), "{e:?}: {a} {b}");
+            let radius =
+                if e[0] == -1.0 || e[1] == 1.0 { x * phi(a).cos() + y * phi(a).sin() } else { x.hypot(y) };
+            assert!((x - radius * phi(a).cos()).hypot(y - radius * phi(a).sin()) < 1e-9, "{e:?}: {a}");
+        }
+    }
+}
+
+#[test]
+fn where_the_tip_is_at_the_centre_phi_goes_on_smoothly() {
+    let file = scenario("centre", &(branch_points([-1.0, 0.6, 1.4], 1) + "arg_beta = 0.7\n"));
+    for method in ["stepper", "full"] {
+        let passing = samples(&file, "-1e-4,0,1e-4", &["--method", method]);
+        let [before, at, after] = [0, 1, 2].map(|i| numbers(&passing[i], &["phi"])[0]);
+        assert!((before - at).abs() < 1e-3 && (after - at).abs() < 1e-3, "{method}: {before} {at} {after}");
+    }
+}
+
+#[test]
+fn single_precision_is_single_precision() {
+    let file = scenario("f32", &format!("{TOP}{RELEASE}"));
+    let times = "-7.3,0.1,25,333.3,25";
+    let (double, single) = (samples(&file, times, &[]), samples(&file, times, &["--scalar", "f32"]));
+    assert_eq!(single[2], single[4]);
+    for (a, b) in double.iter().zip(&single) {
+        assert_eq!(a["t"], b["t"]);
+        let error = distance(a, b, &["alpha", "beta"]);
+        assert!(error > 1e-9 && error < 1e-4, "{error:e}");
+        assert!(numbers(b, &["alpha", "beta", "omega"]).iter().all(|x| f64::from(*x as f32) == *x));
+    }
+}
+
+#[test]
+fn steps_per_period_are_obeyed_and_fourth_order() {
+    let file = scenario("order", &format!("{TOP}{RELEASE}"));
+    let at = |steps: &str| samples(&file, "20", &["--steps-per-period", steps])[0].clone();
+    let exact = at("8192");
+    let [coarse, fine] = ["64", "128"].map(|steps| distance(&at(steps), &exact, &["alpha", "beta"]));
+    let order = (coarse / fine).log2();
+    assert!((3.0..5.0).contains(&order), "{coarse:e} {fine:e}");
+}
+
+#[test]
+fn a_fixed_tip_has_a_direction_for_a_tip() {
+    let sample = &samples(&sample("lagrange"), "0.4", &[])[0];
+    let [ar, ai, br, bi, x, y] = numbers(sample, &["alpha", "beta", "tip"])[..] else {
+        panic!("six numbers")
+    };
+    assert!((x - 2.0 * (ar * br - ai * bi)).hypot(y - 2.0 * (ar * bi + ai * br)) < 1e-15);
+}
