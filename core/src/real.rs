@@ -55,8 +55,11 @@ pub trait Ring:
 pub trait Scalar: Ring {
     /// (sin 2πx, cos 2πx) of a phase of x turns, given as the 64 bits of its fraction ([`crate::Turns::fraction`]).
     ///
-    /// Error: below 1e-7 in `f32`, below 2e-16 in `f64`, and relative to the result near its zeros.
+    /// Error: below 1e-7 in `f32`, below 2e-16 in `f64`, and there relative to the result near its zeros.
     fn sine_cosine(phase: u64) -> (Self, Self);
+
+    /// Those of two phases, faster together.
+    fn sine_cosine_pair(phases: [u64; 2]) -> [(Self, Self); 2];
 
     /// Half a unit in the last place of 1: what one operation can round off.
     const ROUNDING: f64;

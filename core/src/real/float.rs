@@ -14,7 +14,12 @@ macro_rules! float_scalar {
 
             #[inline(always)]
             fn sine_cosine(phase: u64) -> (Self, Self) {
-                sine::sine_cosine(phase)
+                let [pair] = sine::sine_cosine([phase]);
+                pair
+            }
+            #[inline(always)]
+            fn sine_cosine_pair(phases: [u64; 2]) -> [(Self, Self); 2] {
+                sine::sine_cosine(phases)
             }
             #[inline(always)]
             fn from_fraction(fraction: i64) -> Self {

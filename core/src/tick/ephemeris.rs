@@ -263,13 +263,19 @@ impl<'a, R: Scalar, const SEGMENTS: usize, const TERMS: usize> Cursor<'a, R, SEG
         let now = self.ephemeris.moment(self.phases);
         let clock = &self.ephemeris.clock;
         self.tick = self.tick.wrapping_add(1);
-        if clock.horizon.is_some() {
-            self.phases = clock.at(self.tick);
-            return now;
-        }
         for (phase, step) in self.phases.iter_mut().zip(clock.step) {
             *phase = phase.plus(step);
         }
+        if clock.horizon.is_some() {
+            self.jump();
+        }
         now
+    }
+
+    /// To the phases of the current tick: for a motion whose nutation phase does not wrap, sums alone will not do.
+    #[cold]
+    #[inline(never)]
+    fn jump(&mut self) {
+        self.phases = self.ephemeris.clock.at(self.tick);
     }
 }

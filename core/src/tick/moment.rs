@@ -29,8 +29,8 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMENT
     pub fn phi(&self) -> Phi<R> {
         let (share, mirrored) = self.share();
         let [alpha, beta] = mirror(self.ephemeris.table.value(share), mirrored);
-        let [_, a, b] = self.phases;
-        Phi { alpha: alpha * cis(a), beta: beta * cis(b) }
+        let [a, b] = rotations(self.phases);
+        Phi { alpha: alpha * a, beta: beta * b }
     }
 
     /// Φ and Φ', from which u' and ω follow.
@@ -41,8 +41,7 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMENT
         let [x_rate, alpha_rate, beta_rate] = self.ephemeris.clock.rates;
         // on the falling half x runs backwards
         let x_rate = if mirrored { -x_rate } else { x_rate };
-        let [_, a, b] = self.phases;
-        let (a, b) = (cis(a), cis(b));
+        let [a, b] = rotations(self.phases);
         let [alpha, beta] = mirror(value, mirrored);
         let [alpha_slope, beta_slope] = mirror(slope, mirrored);
         let rate = |value: Complex<R>, slope: Complex<R>, turning: R| {
@@ -90,8 +89,9 @@ fn mirror<R: Scalar>(four: [R; 4], mirrored: bool) -> [Complex<R>; 2] {
     [Complex::new(re_alpha, sign(im_alpha)), Complex::new(re_beta, sign(im_beta))]
 }
 
+/// e^{iA} and e^{iB}.
 #[inline(always)]
-fn cis<R: Scalar>(phase: u64) -> Complex<R> {
-    let (im, re) = R::sine_cosine(phase);
-    Complex::new(re, im)
+fn rotations<R: Scalar>(phases: [u64; 3]) -> [Complex<R>; 2] {
+    let [_, a, b] = phases;
+    R::sine_cosine_pair([a, b]).map(|(im, re)| Complex::new(re, im))
 }

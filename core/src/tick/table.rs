@@ -81,8 +81,9 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Table<R, SEGMENTS, TE
     #[inline(always)]
     pub(super) fn value(&self, share: u64) -> [R; 4] {
         let (terms, x) = self.find(share);
-        let mut four = [R::ZERO; 4];
-        for coefficients in terms.iter().rev() {
+        let mut backwards = terms.iter().rev();
+        let mut four = backwards.next().copied().unwrap_or([R::ZERO; 4]);
+        for coefficients in backwards {
             for (sum, &c) in four.iter_mut().zip(coefficients) {
                 *sum = *sum * x + c;
             }
