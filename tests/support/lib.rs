@@ -16,3 +16,8 @@ pub fn widened(phi: Phi<f32>) -> Phi<f64> {
     let widen = |z: Complex<f32>| Complex::new(z.re.into(), z.im.into());
     Phi { alpha: widen(phi.alpha), beta: widen(phi.beta) }
 }
+
+/// The example of the README, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;
