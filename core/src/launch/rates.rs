@@ -27,6 +27,7 @@ const ARITHMETIC: f64 = 1e-29;
 
 impl Rates {
     /// Of a motion; for an aperiodic one up to where 1 - u is below `rounding`².
+    #[inline(never)]
     pub(crate) fn of(motion: &Motion, rounding: f64) -> Self {
         if motion.regime().is_steady() {
             let [alpha, beta] = motion.steady_rates().map(in_turns);

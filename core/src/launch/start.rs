@@ -143,7 +143,7 @@ impl Seek {
     /// The x of the start, if it lies in this segment (or the segment is the last).
     pub(super) fn within(&self, expansion: &Expansion, last: bool) -> Option<f64> {
         // sin(χ - χ₀) as a series
-        let (mut ahead, cosine) = (expansion.sine.coefficients(), expansion.cosine.coefficients());
+        let (mut ahead, cosine) = (*expansion.sine.coefficients(), expansion.cosine.coefficients());
         ahead.iter_mut().zip(cosine).for_each(|(s, c)| *s = *s * self.cosine - c * self.sine);
         let value = |x: f64| ahead.iter().rev().fold((0.0, 0.0), |(f, slope), c| (f * x + c, slope * x + f));
         if value(1.0).0 < 0.0 && !last {

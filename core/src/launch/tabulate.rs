@@ -11,9 +11,9 @@
 use super::Motion;
 use super::rates::Rates;
 use super::start::Seek;
-use crate::cayley_klein::{Bracket, Brackets};
+use crate::cayley_klein::Brackets;
 use crate::nutation::series::{Expansion, Point, TERMS};
-use crate::real::Float;
+use crate::real::{Float, Scalar};
 use crate::turns::Turns;
 
 /// The coefficients, lowest first, of Re α, Im α, Re β and Im β as polynomials in x ∈ [-1, 1] on one segment.
@@ -31,6 +31,7 @@ pub(crate) struct Tabulated {
 }
 
 /// Hands the polynomials of each of `segments` segments to `store`; only their first `terms` coefficients count.
+#[inline(never)]
 pub(crate) fn tabulate(
     motion: &Motion,
     rates: &Rates,
@@ -48,7 +49,7 @@ pub(crate) fn tabulate(
     let law = motion.law().cast::<f64>();
     let unit = rates.half_period / (2 * segments) as f64; // half a segment
     let seek = Seek::new(motion);
-    let mut march = March { point: Point::LOWEST, theta: [0.0; 2], remainder: 0.0 };
+    let mut march = March { point: Point::LOWEST, remainder: 0.0 };
     march.to(&law.expand(&march.point, unit, rates.excess), 1.0);
     let mut found = None;
     let mut dropped = 0.0_f64;
@@ -62,7 +63,7 @@ pub(crate) fn tabulate(
             && let Some(x) = seek.within(&expansion, last)
         {
             let phase = (segment as f64 + 0.5 * (1.0 + x)) / (2 * segments) as f64;
-            found = Some((phase, march.theta_at(&expansion, x)));
+            found = Some((phase, expansion.theta_at(x)));
         }
         march.to(&expansion, if last { 1.0 } else { 2.0 });
     }
@@ -77,30 +78,21 @@ pub(crate) fn tabulate(
 /// The way from centre to centre.
 struct March {
     point: Point,
-    /// θ of α and β at the point, rad.
-    theta: [f64; 2],
     /// What the series left out on the way so far, judged by its last term.
     remainder: f64,
 }
 
 impl March {
-    fn theta_at(&self, expansion: &Expansion, x: f64) -> [f64; 2] {
-        let [alpha, beta] = self.theta;
-        let [alpha_series, beta_series] = &expansion.theta;
-        [alpha + alpha_series.value(x), beta + beta_series.value(x)]
-    }
-
     fn to(&mut self, expansion: &Expansion, x: f64) {
         self.remainder += expansion.last_term(x);
-        self.theta = self.theta_at(expansion, x);
         self.point = expansion.point(x);
     }
 
-    /// At the upper turning point cos χ = 0, and α and β with their mean rotation taken off are real.
+    /// At the upper turning point cos χ = 0, and α and β with their mean rotation taken off are real: cos θ = 0.
     fn defect(&self) -> f64 {
-        let imaginary =
-            self.point.turning.iter().flatten().fold(0.0_f64, |worst, z| worst.max(Float::abs(z.im)));
-        2.0 * (Float::abs(self.point.cosine) + imaginary)
+        let miss = |angle: f64| Float::abs(f64::sine_cosine(Turns::from_radians(angle).fraction()).1);
+        let [alpha, beta] = self.point.theta;
+        2.0 * (Float::abs(self.point.cosine) + miss(alpha).max(miss(beta)))
     }
 }
 
@@ -117,26 +109,12 @@ fn constants(brackets: &Brackets<f64>) -> Polynomials {
     polynomials
 }
 
-/// The brackets times e^{iθ}: ((x + y) e^{i(θ+χ)} + (x - y) e^{i(θ-χ)})/2, in real and imaginary parts.
+/// The brackets times e^{iθ}, in real and imaginary parts.
+#[inline(never)]
 fn combine(brackets: &Brackets<f64>, expansion: &Expansion) -> Polynomials {
-    let [alpha, beta] = &expansion.turning;
-    let part = |bracket: &Bracket<f64>, forward: [f64; TERMS], backward: [f64; TERMS]| {
-        let [plus, minus] = bracket.exponentials();
-        let mut sum = forward;
-        sum.iter_mut().zip(backward).for_each(|(x, y)| *x = plus * *x + minus * y);
-        sum
-    };
-    let both = |bracket: &Bracket<f64>, [forward, backward]: &[_; 2]| {
-        let (forward, backward): (&crate::Complex<crate::nutation::series::Series>, &crate::Complex<_>) =
-            (forward, backward);
-        [
-            part(bracket, forward.re.coefficients(), backward.re.coefficients()),
-            part(bracket, forward.im.coefficients(), backward.im.coefficients()),
-        ]
-    };
-    let [re_alpha, im_alpha] = both(&brackets.alpha, alpha);
-    let [re_beta, im_beta] = both(&brackets.beta, beta);
-    [re_alpha, im_alpha, re_beta, im_beta]
+    let [re_alpha, im_alpha] = expansion.turned(0, brackets.alpha.exponentials());
+    let [re_beta, im_beta] = expansion.turned(1, brackets.beta.exponentials());
+    [re_alpha, im_alpha, re_beta, im_beta].map(|series| *series.coefficients())
 }
 
 /// Shortens all four; returns a bound of the change, as an orientation error.
