@@ -56,7 +56,7 @@ impl<R: Scalar> Complex<R> {
     #[inline]
     #[must_use]
     pub fn cis(phase: Turns) -> Self {
-        let (im, re) = R::sine_cosine(phase.fraction());
+        let (im, re) = R::sine_cosine(phase);
         Self { re, im }
     }
 }

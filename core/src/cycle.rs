@@ -51,11 +51,6 @@ impl Cycle {
         Turns::from_bits(((self.upper as i32 as i128) << 64) | self.lower as i128)
     }
 
-    /// The same with whole turns before the point.
-    pub(crate) const fn to_turns_with(self, whole: i32) -> Turns {
-        Turns::from_bits(((whole as i128) << 96) | self.to_turns().to_bits())
-    }
-
     /// The fraction of a phase that does not wrap: what is beyond half a turn stays there.
     pub(crate) fn clamping(phase: Turns) -> Self {
         if phase < -Turns::HALF {

@@ -17,6 +17,7 @@ mod sine;
 
 pub use double_double::DoubleDouble;
 
+use crate::turns::Turns;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -53,12 +54,13 @@ pub trait Ring:
 
 /// What a tick needs: a ring with the sine and cosine of an integer phase.
 pub trait Scalar: Ring {
-    /// (sin 2πx, cos 2πx) of a phase of x turns, given as the 64 bits of its fraction ([`crate::Turns::fraction`]).
+    /// (sin 2πx, cos 2πx) of a phase of x turns; the whole turns are dropped exactly.
     ///
-    /// Error: below 1e-7 in `f32`, below 2e-16 in `f64`, and there relative to the result near its zeros.
-    fn sine_cosine(phase: u64) -> (Self, Self);
+    /// Error: below 1.2e-7 in `f32`, below 2e-16 in `f64`, and there relative to the result near its zeros.
+    fn sine_cosine(phase: Turns) -> (Self, Self);
 
-    /// Those of two phases, faster together.
+    /// Those of two phases, given as the 64 leading bits of their fraction ([`crate::Turns::fraction`]): faster together.
+    /// Errors are absolute here.
     fn sine_cosine_pair(phases: [u64; 2]) -> [(Self, Self); 2];
 
     /// Half a unit in the last place of 1: what one operation can round off.

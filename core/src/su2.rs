@@ -131,7 +131,7 @@ impl<R: Real> Phi<R> {
         if angle == R::ZERO {
             return Self::IDENTITY;
         }
-        let (sine, cosine) = R::sine_cosine(Turns::from_radians(0.5 * angle.to_f64()).fraction());
+        let (sine, cosine) = R::sine_cosine(Turns::from_radians(0.5 * angle.to_f64()));
         let [x1, x2, x3] = x.map(|component| component * (sine / angle));
         Self { alpha: Complex::new(cosine, x3), beta: Complex::new(-x2, x1) }
     }

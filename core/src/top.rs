@@ -34,7 +34,7 @@ pub struct Top {
     g: f64,
 }
 
-/// Numbers in this range neither overflow nor underflow in any formula, `f32` included.
+/// With this range, and those of A/(ps), A/p and √(pg/A), nothing overflows or underflows in `f32` either.
 const ALLOWED: &str = "between 1e-12 and 1e12";
 
 fn magnitude(parameter: &'static str, value: f64) -> Result<f64, LaunchError> {
@@ -54,7 +54,8 @@ impl Top {
     ///
     /// # Errors
     /// Names the parameter that is not finite, not between 1e-12 and 1e12, or (C) above 2A; `A/(ps)`, the square of a
-    /// radius of gyration over s, must be between 1e-6 and 1e12.
+    /// radius of gyration over s, must be between 1e-6 and 1e12, A/p between 1e-12 and 1e12 m, and √(pg/A), the rate at
+    /// which the top falls, between 1e-9 and 1e9 per second.
     pub fn sliding(
         transverse_inertia: f64,
         axial_inertia: f64,
@@ -113,6 +114,18 @@ impl Top {
         require(c <= 2.0 * a, "axial_inertia", "at most twice transverse_inertia (no body has C > 2A)")?;
         require(c >= 1e-6 * a, "axial_inertia", "at least 1e-6 times transverse_inertia")?;
         let g = magnitude("gravity", g)?;
+        let length = a / p.hi();
+        require(
+            (1e-12..=1e12).contains(&length),
+            "transverse_inertia",
+            "between 1e-12 and 1e12 m times the mass moment",
+        )?;
+        let rate_squared = g / length;
+        require(
+            (1e-18..=1e18).contains(&rate_squared),
+            "gravity",
+            "such that sqrt(mass_moment x gravity / transverse_inertia) is between 1e-9 and 1e9 per second",
+        )?;
         Ok(Self { support, a, c, s, p, g })
     }
 

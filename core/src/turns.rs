@@ -85,18 +85,16 @@ impl Turns {
         Self(self.0.wrapping_mul(n.into()))
     }
 
-    /// The phase times share · 2^-64, rounded down to the last bit.
-    #[must_use]
-    pub fn part(self, share: u64) -> Self {
-        let upper = (self.0 >> 64) * i128::from(share);
-        let lower = (u128::from(self.0 as u64) * u128::from(share)) >> 64;
-        Self(upper.wrapping_add(lower as i128))
-    }
-
     /// Whole half turns, and the rest in [0, 1/2) turn.
     pub(crate) fn halves(self) -> (i64, Self) {
         let halves = self.0 >> (FRACTION_BITS - 1);
         (halves as i64, Self(self.0.wrapping_sub(halves << (FRACTION_BITS - 1))))
+    }
+
+    /// The nearest multiple of a quarter turn, modulo 4 (in its two lowest bits), and the rest in [-1/8, 1/8).
+    pub(crate) fn quadrant(self) -> (u32, Self) {
+        let quarter = self.0.wrapping_add(1 << (FRACTION_BITS - 3)) >> (FRACTION_BITS - 2);
+        (quarter as u32, Self(self.0.wrapping_sub(quarter << (FRACTION_BITS - 2))))
     }
 
     /// The 64 leading bits of the fraction, an unsigned share of a turn: what a sine is taken of.

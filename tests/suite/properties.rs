@@ -118,6 +118,50 @@ proptest! {
         prop_assert!(error * gap.min(1.0) < 1e-6, "{error:e}, gap {gap:e}");
     }
 
+    /// Near the vertical, both ways, by tilts and nudges down to 1e-50: the launch gives back its state.
+    #[test]
+    fn near_the_vertical(
+        top in tops(),
+        tilt in decade(-50.0..-1.0),
+        nudge in decade(-50.0..-1.0),
+        (spin, angle, down) in (-4.0_f64..4.0, -3.0_f64..3.0, any::<bool>()),
+    ) {
+        let unit = (top.p() * top.g() / top.a()).sqrt();
+        let near = toytop::Complex::new(0.5 * tilt * angle.cos(), 0.5 * tilt * angle.sin());
+        let rest = (1.0 - 0.25 * tilt * tilt).sqrt();
+        let far = toytop::Complex::new(rest * (2.0 * angle).cos(), rest * (2.0 * angle).sin());
+        let (alpha, beta) = if down { (near, far) } else { (far, near) };
+        let state = State::new(Phi { alpha, beta }, [unit * nudge, 0.0, unit * spin]).unwrap();
+        let motion = Motion::launch(&top, &state).unwrap();
+        let e = motion.branch_points();
+        prop_assert!(e.one_plus_e1 >= 0.0 && e.e2_minus_e1 >= 0.0 && e.one_minus_e2 >= 0.0 && e.e3_minus_e2 >= 0.0);
+        prop_assert!((e.one_plus_e1 + e.e2_minus_e1 + e.one_minus_e2 - 2.0).abs() < 1e-15);
+        prop_assert!(motion.averages().is_none_or(|averages| averages.period.is_finite()));
+        let mut stepper = Stepper::<f64>::new(&motion);
+        let pose = stepper.pose();
+        prop_assert!(orientation_error(pose.phi, state.phi().normalised()) < 1e-14);
+        for (ours, given) in pose.omega().iter().zip(state.omega()) {
+            prop_assert!((ours - given).abs() < 1e-12 * unit * (1.0 + spin.abs()), "{ours:e} {given:e}");
+        }
+        for _ in 0..100 {
+            stepper.step(0.01 / unit);
+            prop_assert!((stepper.phi().norm_squared() - 1.0).abs() < 2e-15);
+        }
+    }
+
+    /// What the documentation of the two ready sizes says.
+    #[test]
+    fn ready_sizes_fit((top, release) in releases()) {
+        let motion = Motion::launch(&top, &State::release(&release).unwrap()).unwrap();
+        let e = motion.branch_points();
+        let spread = top.a() / (top.p() * top.s());
+        prop_assume!(e.e3_minus_e2 >= 0.1 * e.e2_minus_e1 && spread >= 0.25);
+        let unit = motion.averages().map_or(1.0, |averages| averages.period);
+        let tick = toytop::Tick::hertz((1000.0 / unit).clamp(1.0, 1e9) as u32).unwrap();
+        prop_assert!(toytop::EphemerisF32::new(&motion, tick).is_ok());
+        prop_assert!(toytop::EphemerisF64::new(&motion, tick).is_ok());
+    }
+
     /// Near every degenerate corner a launch from branch points is finite and its state leads back to them.
     #[test]
     fn branch_points_to_state_to_branch_points(

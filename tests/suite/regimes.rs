@@ -123,6 +123,37 @@ fn a_vertical_start_leaves_in_the_direction_it_moves() {
     }
 }
 
+/// e2 = e3 = 1 at θ = π, in any of the forms that an angle has: asleep, and ready to fall.
+#[test]
+fn the_sleeping_top_by_branch_points() {
+    let pi = std::f64::consts::PI;
+    for theta in [pi, -pi, 3.0 * pi] {
+        let start = Start { theta, arg_alpha: 0.3, ..Start::default() };
+        let motion = Motion::from_branch_points(&top(), [-0.2, 1.0, 1.0], Signs::default(), &start).unwrap();
+        assert_eq!(motion.regime(), Regime::SleepingUnstable, "{theta}");
+    }
+    for theta in [0.0, 1.0, pi - 1e-12, -3.0] {
+        let start = Start { theta, ..Start::default() };
+        let motion = Motion::from_branch_points(&top(), [-0.2, 1.0, 1.0], Signs::default(), &start).unwrap();
+        assert_eq!(motion.regime(), Regime::Aperiodic, "{theta}");
+        stays_finite::<f64>(&motion);
+        // at the far end of the rise the table has nothing left to say: it and the stepper agree before and after
+        let ephemeris =
+            toytop::Ephemeris::<f64, 1024, 12>::new(&motion, toytop::Tick::hertz(100).unwrap()).unwrap();
+        for direction in [1.0, -1.0] {
+            let mut stepper = Stepper::<f64>::new(&motion);
+            for n in 1..=6000_i64 {
+                stepper.step(0.01 * direction);
+                if n % 500 == 0 {
+                    let phi = ephemeris.at_tick(n * direction as i64).phi();
+                    let error = orientation_error(phi, stepper.phi());
+                    assert!(error < 1e-7, "theta {theta}, tick {n} {direction}: {error:e}");
+                }
+            }
+        }
+    }
+}
+
 /// The aperiodic motion rises to the vertical and comes from it, for however long.
 #[test]
 fn aperiodic_for_ever() {

@@ -6,6 +6,7 @@
 //! so no inverse function and no library transcendental is needed, and any [`Float`] will do.
 
 use super::BranchPoints;
+use super::motion::in_turns;
 use crate::nutation::Nutation;
 use crate::real::{DoubleDouble, Float};
 
@@ -201,12 +202,11 @@ pub(super) fn averages(
     half_tau: DoubleDouble,
     winding: [DoubleDouble; 2],
 ) -> Averages<DoubleDouble> {
-    let two_pi = DoubleDouble::new(2.0 * core::f64::consts::PI, 2.4492935982947064e-16);
     let [alpha_winding, beta_winding] = winding;
     let drift = half_tau * quadrature.period;
     Averages {
         period: quadrature.period,
-        alpha_turns: (quadrature.psi_alpha + drift) / two_pi + alpha_winding,
-        beta_turns: (quadrature.psi_beta - drift) / two_pi + beta_winding,
+        alpha_turns: in_turns(quadrature.psi_alpha + drift) + alpha_winding,
+        beta_turns: in_turns(quadrature.psi_beta - drift) + beta_winding,
     }
 }

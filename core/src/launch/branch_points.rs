@@ -118,7 +118,7 @@ impl<F: Float> BranchPoints<F> {
     ) -> Result<Self, LaunchError> {
         let quantities = Quantities::<F>::of(top);
         let kappa = quantities.kappa();
-        let FirstIntegrals { l, n, l_plus_n, l_minus_n, .. } = *integrals;
+        let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
         let ReducedPoint { u, one_minus_u, one_plus_u, udot, excess } = *point;
         let limit = F::from_f64(LARGEST_E3);
         require(kappa * n.squared() < limit && excess < limit, "omega", "slow enough for e3 <= 1e14")?;
@@ -126,10 +126,12 @@ impl<F: Float> BranchPoints<F> {
             return Ok(Self::upright(kappa * n.squared() - F::ONE));
         }
 
+        // l - n u, from whichever of l ∓ n is not to be cancelled
+        let l_minus_nu = if u > F::ZERO { l_minus_n + n * one_minus_u } else { l_plus_n - n * one_plus_u };
         // y³ + g₂ y² + g₁ y + g₀ = (y - y₁)(y - y₂)(y - y₃), y = e - u
         let d_of_u = quantities.a / quantities.p + quantities.s * one_minus_u * one_plus_u;
         let g0 = d_of_u * udot.squared() / quantities.g.doubled();
-        let g1 = -(u * excess).doubled() - one_minus_u * one_plus_u + (kappa * n * (l - n * u)).doubled();
+        let g1 = -(u * excess).doubled() - one_minus_u * one_plus_u + (kappa * n * l_minus_nu).doubled();
         let g2 = u.doubled() - excess - kappa * n.squared();
         let y3 = largest_root(g0, g1, g2);
         let (product, sum) = if y3 > F::ZERO { (-g0 / y3, (g1 + g0 / y3) / y3) } else { (F::ZERO, -g2) };
@@ -155,11 +157,15 @@ impl<F: Float> BranchPoints<F> {
         };
         let e2_minus_e1 = if lower_pair_is_closer { e2_minus_e1 } else { x1 - one_minus_e2 };
         let two = F::from_f64(2.0);
-        // (1 + e₁)(1 + e₂) = κ (l+n)²/(1 + e₃), and e₂ - e₁ is known
-        let quotient = kappa * l_plus_n.squared() / (two + e3_minus_one);
-        let root = (e2_minus_e1.squared() + quotient.doubled().doubled()).sqrt();
-        let one_plus_e1 =
-            if quotient > F::ZERO { quotient.doubled() / (e2_minus_e1 + root) } else { F::ZERO };
+        let one_minus_e1 = one_minus_e2 + e2_minus_e1;
+        let one_plus_e1 = if one_minus_e1 < F::ONE {
+            two - one_minus_e1
+        } else {
+            // (1 + e₁)(1 + e₂) = κ (l+n)²/(1 + e₃), and e₂ - e₁ is known
+            let quotient = kappa * l_plus_n.squared() / (two + e3_minus_one);
+            let root = (e2_minus_e1.squared() + quotient.doubled().doubled()).sqrt();
+            if quotient > F::ZERO { quotient.doubled() / (e2_minus_e1 + root) } else { F::ZERO }
+        };
         require(e3_minus_one <= limit, "omega", "slow enough for e3 <= 1e14")?;
         Ok(Self {
             e1: one_plus_e1 - F::ONE,
@@ -235,10 +241,21 @@ impl<F: Float> BranchPoints<F> {
     }
 }
 
-/// The largest root of y³ + g₂ y² + g₁ y + g₀ by Newton's method from above, where it descends monotonically.
+/// The largest root of y³ + g₂ y² + g₁ y + g₀ (all real) by Newton's method from above, where it descends monotonically.
+///
+/// It starts close: a double root is approached by halves and a triple one by thirds, whatever its size.
 fn largest_root<F: Float>(g0: F, g1: F, g2: F) -> F {
-    const MOST_STEPS: usize = 200; // a triple root is approached by a third a step: 130 steps for 32 digits
-    let mut y = g2.abs() + g1.abs().sqrt() + g0.abs() + F::ONE;
+    const MOST_STEPS: usize = 200;
+    let larger = |x: F, y: F| if x > y { x } else { y };
+    let cube_root = F::from_f64(libm::cbrt(g0.abs().to_f64()));
+    let mut y = larger(g2.abs(), larger(g1.abs().sqrt(), cube_root)).doubled();
+    if g2 > F::ZERO {
+        // y³ >= 0 on the way, so the root of the quadratic is above as well, and near where all three are small
+        let root = (g1.squared() - (g2 * g0).doubled().doubled()).sqrt();
+        let above = if g1 > F::ZERO { -g0.doubled() / (g1 + root) } else { (root - g1) / g2.doubled() };
+        let above = above * F::from_f64(1.0 + 1e-15);
+        y = if above < y { larger(above, F::ZERO) } else { y };
+    }
     for _ in 0..MOST_STEPS {
         let value = ((y + g2) * y + g1) * y + g0;
         let slope = ((y + y + y) + g2.doubled()) * y + g1;
@@ -285,11 +302,20 @@ fn highest_point(
     let root = (b.squared() - three * c1).sqrt();
     let u = if b > DoubleDouble::ZERO { c1 / (b + root) } else { (b - root) / three };
     let peak = ((u - b) * u + c1) * u + c0;
+    // what one rounding of l, n and h can do
     let noise = (b.abs() + c1.abs() + c0.abs() + one) * DoubleDouble::from(1e-15);
-    let possible = u.abs() <= one && peak >= -noise && energy >= u;
+    let possible = u.abs() <= one + noise.sqrt() && peak >= -noise && energy - u >= -noise.sqrt();
     require(possible, "h", "the energy of some motion with these l and n (it is too low)")?;
+    let u = if u > one { one } else { u };
+    let u = if u < -one { -one } else { u };
     let (one_minus_u, one_plus_u) = (one - u, one + u);
     let peak = if peak > DoubleDouble::ZERO { peak } else { DoubleDouble::ZERO };
     let udot = (g.doubled() * peak / (a / p + s * one_minus_u * one_plus_u)).sqrt();
-    Ok(ReducedPoint { u, one_minus_u, one_plus_u, udot, excess: energy - u })
+    Ok(ReducedPoint {
+        u,
+        one_minus_u,
+        one_plus_u,
+        udot,
+        excess: if energy > u { energy - u } else { DoubleDouble::ZERO },
+    })
 }

@@ -1,7 +1,7 @@
 //! A motion: everything about one throw that does not depend on time.
 
 use super::averages::Averages;
-use super::start::{Start, chi, half_phase, half_turns, slow_phase, still};
+use super::start::{Start, chi, half_phase, half_turns, slow_phase};
 use super::{BranchPoints, FirstIntegrals, Regime, Signs, State, TipClass, normal_force};
 use crate::cayley_klein::{Brackets, Place};
 use crate::complex::Complex;
@@ -38,14 +38,14 @@ pub(crate) enum Course {
 
 impl Motion {
     /// From a state. The state's numbers count as exact; all of set-up is in double-double, so what is stored is good to
-    /// an `f64` rounding. An axis whose tilt swings by less than 2^-49 rad counts as regular precession.
+    /// an `f64` rounding.
     ///
     /// # Errors
     /// `omega`: so fast that e₃ would exceed 1e14.
     pub fn launch(top: &Top, state: &State) -> Result<Self, LaunchError> {
         let (integrals, point) = FirstIntegrals::with_point(top, state);
         let signs = integrals.signs();
-        let e = still(BranchPoints::about(top, &integrals, &point)?, &point);
+        let e = BranchPoints::about(top, &integrals, &point)?;
         let upright = point.one_minus_u == DoubleDouble::ZERO && point.excess == DoubleDouble::ZERO;
         let regime = Regime::of(&e, signs, upright);
 
@@ -62,7 +62,7 @@ impl Motion {
             course: Course::Nutating(Turns::ZERO),
             phases: [Turns::ZERO; 2],
         };
-        if regime.is_steady() {
+        if motion.stands_still() {
             motion.course = motion.steady_course();
             motion.phases = [alpha, beta].map(|[z, _]| Turns::from_radians(z.arg()));
             return Ok(motion);
@@ -108,17 +108,17 @@ impl Motion {
         }
         let integrals = e.integrals_in(top, signs);
         let chi = half_turns(theta);
-        let upright = chi == Turns::QUARTER;
+        let upright = chi.halves().1 == Turns::QUARTER;
         let regime = Regime::of(&e, signs, upright);
-        let given = [arg_alpha, arg_beta].map(Turns::from_radians);
+        let given = [arg_alpha, arg_beta].map(|angle| Turns::of(in_turns(angle.into())));
         let mut motion =
             Self { top: *top, signs, e, integrals, regime, course: Course::Nutating(chi), phases: given };
-        if regime.is_steady() {
+        if motion.stands_still() {
             motion.course = motion.steady_course();
             return Ok(motion);
         }
         if regime == Regime::Aperiodic {
-            let (sine, cosine) = f64::sine_cosine(chi.fraction());
+            let (sine, cosine) = f64::sine_cosine(chi);
             motion.course = Course::Aperiodic(libm::asinh(sine / cosine));
         }
         let place = motion.place_at_start();
@@ -178,7 +178,7 @@ impl Motion {
     #[must_use]
     pub fn min_normal_force(&self) -> Option<f64> {
         (self.top.support() == Support::Sliding).then(|| {
-            if self.regime.is_steady() {
+            if self.is_steady() {
                 return 1.0;
             }
             normal_force::minimum(&self.e.to_f64(), self.a_over_p().to_f64(), self.top.s())
@@ -210,7 +210,7 @@ impl Motion {
     }
 
     pub(crate) fn brackets<R: Float>(&self) -> Brackets<R> {
-        if self.regime.is_steady() {
+        if self.is_steady() {
             let (one_plus_u, one_minus_u) = self.steady_tilt();
             Brackets::steady(one_plus_u, one_minus_u)
         } else {
@@ -257,6 +257,16 @@ impl Motion {
         ]
     }
 
+    /// Whether u is constant, exactly. A swing too small to see is still a swing: its mean rates are not those at one u.
+    fn stands_still(&self) -> bool {
+        self.e.e2_minus_e1 == DoubleDouble::ZERO || self.regime == Regime::SleepingUnstable
+    }
+
+    /// As [`Motion::stands_still`], once the course is known.
+    pub(crate) fn is_steady(&self) -> bool {
+        matches!(self.course, Course::Steady(_))
+    }
+
     fn steady_course(&self) -> Course {
         Course::Steady(self.steady_rates().map(rate_in_turns))
     }
@@ -265,7 +275,7 @@ impl Motion {
     fn place_at_start(&self) -> Place<f64> {
         let (sine, cosine) = match self.course {
             Course::Steady(_) => (0.0, 1.0),
-            Course::Nutating(chi) => f64::sine_cosine(chi.fraction()),
+            Course::Nutating(chi) => f64::sine_cosine(chi),
             Course::Aperiodic(v) => gudermannian(v),
         };
         Place { sine, cosine, alpha: Complex::ONE, beta: Complex::ONE }

@@ -29,7 +29,7 @@ impl Rates {
     /// Of a motion; for an aperiodic one up to where 1 - u is below `rounding`².
     #[inline(never)]
     pub(crate) fn of(motion: &Motion, rounding: f64) -> Self {
-        if motion.regime().is_steady() {
+        if motion.is_steady() {
             let [alpha, beta] = motion.steady_rates().map(in_turns);
             let turns = [DoubleDouble::ZERO, alpha, beta];
             return Self {
@@ -86,7 +86,7 @@ impl Rates {
 
 /// The time from v = 0 to v, by Simpson's rule; it only has to cover the rise.
 pub(super) fn rise_time(law: &Nutation<f64>, v: f64) -> f64 {
-    const INTERVALS: u32 = 256;
+    const INTERVALS: u32 = 1024;
     let step = v / f64::from(INTERVALS);
     let sum = (0..=INTERVALS).fold(0.0, |sum, i| {
         let weight = if i == 0 || i == INTERVALS {

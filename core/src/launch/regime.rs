@@ -17,7 +17,7 @@ pub enum Pace {
 pub enum Regime {
     /// e₁ < e₂ and e₂ < e₃: u swings between e₁ and e₂.
     Nutating,
-    /// e₁ = e₂ within ±1: u constant.
+    /// e₁ = e₂ within ±1: u constant. The tilt may swing by less than 2^-49 rad, which is what the rounding of a state does.
     RegularPrecession(Pace),
     /// e₁ = e₂ = 1: upright, and a push only makes it nutate a little.
     SleepingStable,
@@ -33,7 +33,7 @@ impl Regime {
     /// The regime of exact branch points; `upright` says whether an e₂ = e₃ = 1 motion stands at u = 1.
     pub(super) fn of(e: &BranchPoints<DoubleDouble>, signs: Signs, upright: bool) -> Self {
         let zero = DoubleDouble::ZERO;
-        if e.e2_minus_e1 == zero {
+        if !swings(e) {
             if e.one_minus_e2 == zero {
                 Self::SleepingStable
             } else if e.one_plus_e1 == zero {
@@ -54,12 +54,16 @@ impl Regime {
     pub fn is_vertical(&self) -> bool {
         matches!(self, Self::SleepingStable | Self::SleepingUnstable | Self::Hanging)
     }
+}
 
-    /// Whether u stands still.
-    #[must_use]
-    pub fn is_steady(&self) -> bool {
-        !matches!(self, Self::Nutating | Self::Aperiodic)
-    }
+/// Whether the tilt swings enough to be seen. Through the vertical any swing is a motion.
+fn swings(e: &BranchPoints<DoubleDouble>) -> bool {
+    const STILL: f64 = 1.0 / (1_u64 << 49) as f64;
+    let zero = DoubleDouble::ZERO;
+    let passes_vertical = e.one_minus_e2 == zero || e.one_plus_e1 == zero;
+    let sine_squared = e.one_minus_e1() * e.one_plus_e2();
+    let visible = e.e2_minus_e1.squared() > DoubleDouble::from(STILL * STILL) * sine_squared;
+    e.e2_minus_e1 > zero && (visible || passes_vertical)
 }
 
 /// The kind of curve that the tip draws between its two bounding circles.

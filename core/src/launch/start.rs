@@ -1,7 +1,8 @@
 //! Where a motion is at t = 0: the half phase χ and the slow phases, from a state or from given angles.
 
 use super::first_integrals::ReducedPoint;
-use super::motion::Course;
+use super::motion::{Course, in_turns};
+use super::rates::rise_time;
 use super::{BranchPoints, Motion};
 use crate::cayley_klein::{Bracket, Place};
 use crate::complex::Complex;
@@ -21,31 +22,6 @@ pub struct Start {
     pub arg_alpha: f64,
     /// arg β(0); where β(0) = 0, arg β'(0).
     pub arg_beta: f64,
-}
-
-/// A tilt that swings by less than this (rad) stands still: the rounding of a state is as large.
-const STILL: f64 = 1.0 / (1_u64 << 49) as f64;
-
-/// Branch points whose swing is below the rounding of the state, drawn together at the u of the state.
-pub(super) fn still(
-    e: BranchPoints<DoubleDouble>,
-    point: &ReducedPoint<DoubleDouble>,
-) -> BranchPoints<DoubleDouble> {
-    let still = DoubleDouble::from(STILL * STILL);
-    if e.e2_minus_e1 == DoubleDouble::ZERO
-        || e.e2_minus_e1.squared() > still * e.one_minus_e1() * e.one_plus_e2()
-    {
-        return e;
-    }
-    BranchPoints {
-        e1: point.u,
-        e2: point.u,
-        one_plus_e1: point.one_plus_u,
-        one_minus_e2: point.one_minus_u,
-        e2_minus_e1: DoubleDouble::ZERO,
-        e3_minus_e2: e.e3_minus_one + point.one_minus_u,
-        ..e
-    }
 }
 
 /// sin χ and cos χ of a point of the reduced curve: √(u - e₁) and ±√(e₂ - u) over √(e₂ - e₁), the sign that of u'
@@ -88,11 +64,11 @@ pub(super) fn chi(sine: f64, cosine: f64) -> Turns {
 
 /// χ = θ/2; the `f64` nearest to a multiple of π means that multiple.
 pub(super) fn half_turns(theta: f64) -> Turns {
-    let half_turns = theta * core::f64::consts::FRAC_1_PI;
-    let nearest = libm::round(half_turns);
-    let exact = nearest != 0.0 && nearest * core::f64::consts::PI == theta;
-    let half_turns = if exact { nearest } else { half_turns };
-    Turns::new(0.25 * half_turns)
+    let nearest = libm::round(theta * core::f64::consts::FRAC_1_PI);
+    if nearest != 0.0 && nearest * core::f64::consts::PI == theta {
+        return Turns::new(0.25 * nearest);
+    }
+    Turns::of(in_turns(theta.into()) * DoubleDouble::from(0.5))
 }
 
 /// The slow phase of a parameter z with rate z': both must be the bracket and its rate, turned by it. Weighed together, so
@@ -120,23 +96,27 @@ pub(super) struct Seek {
     mirrored: bool,
     /// Half turns of χ that were folded away.
     folded: i64,
+    /// The phase of a start above the end of the march, where u = 1 to rounding.
+    beyond: Option<f64>,
 }
 
 impl Seek {
-    pub(super) fn new(motion: &Motion) -> Self {
+    pub(super) fn new(motion: &Motion, half_period: f64) -> Self {
         match motion.course() {
             Course::Aperiodic(v) => {
                 let (sine, cosine) = gudermannian(Float::abs(v));
-                Self { sine, cosine, mirrored: v < 0.0, folded: 0 }
+                let phase = rise_time(&motion.law().cast(), Float::abs(v)) / (2.0 * half_period);
+                let beyond = (phase > 0.5).then_some(phase);
+                Self { sine, cosine, mirrored: v < 0.0, folded: 0, beyond }
             }
             Course::Nutating(chi) => {
                 let (folded, rest) = chi.halves();
                 let mirrored = rest > Turns::QUARTER;
                 let (folded, rest) = if mirrored { (folded + 1, Turns::HALF - rest) } else { (folded, rest) };
-                let (sine, cosine) = f64::sine_cosine(rest.fraction());
-                Self { sine, cosine, mirrored, folded }
+                let (sine, cosine) = f64::sine_cosine(rest);
+                Self { sine, cosine, mirrored, folded, beyond: None }
             }
-            Course::Steady(_) => Self { sine: 0.0, cosine: 1.0, mirrored: false, folded: 0 },
+            Course::Steady(_) => Self { sine: 0.0, cosine: 1.0, mirrored: false, folded: 0, beyond: None },
         }
     }
 
@@ -160,6 +140,7 @@ impl Seek {
     pub(super) fn start(&self, motion: &Motion, phase: f64, theta: [f64; 2]) -> [Turns; 3] {
         let [alpha, beta] = motion.phases();
         let sense = if self.mirrored { -1.0 } else { 1.0 };
+        let phase = self.beyond.unwrap_or(phase);
         let half_turns = Turns::HALF.times(self.folded);
         let [alpha_theta, beta_theta] = theta.map(|angle| Turns::from_radians(sense * angle));
         [Turns::new(sense * phase), alpha + half_turns - alpha_theta, beta + half_turns - beta_theta]

@@ -32,7 +32,7 @@ pub struct Release {
 impl State {
     /// From the Cayley-Klein parameters and ω (rad/s) in the fixed frame.
     ///
-    /// | |α|² + |β|² - 1 | <= 1e-6 is accepted and means the exactly normalised state.
+    /// | |α|² + |β|² - 1 | <= 1e-6 is accepted and means the exactly normalised state. A component below 1e-60 counts as 0.
     ///
     /// # Errors
     /// `alpha`, `beta`, `omega`: a component is not finite; `alpha`: further from unit norm; `omega`: above 1e12 rad/s.
@@ -57,11 +57,13 @@ impl State {
     /// A tilt of exactly 0 or π is exactly vertical.
     ///
     /// # Errors
-    /// Names the field that is not finite, a tilt outside [0, π], a rate above 1e11 rad/s.
+    /// Names the field that is not finite, a tilt outside [0, π], another angle beyond ±1e6 rad, a rate above 1e11 rad/s.
     pub fn release(release: &Release) -> Result<Self, LaunchError> {
         let Release { tilt, azimuth, roll, spin, precession, nutation } = *release;
-        for (name, value) in [("tilt", tilt), ("azimuth", azimuth), ("roll", roll)] {
-            finite(name, value)?;
+        finite("tilt", tilt)?;
+        for (name, angle) in [("azimuth", azimuth), ("roll", roll)] {
+            finite(name, angle)?;
+            require(Float::abs(angle) <= 1e6, name, "between -1e6 and 1e6 rad")?;
         }
         for (name, rate) in [("spin", spin), ("precession", precession), ("nutation", nutation)] {
             finite(name, rate)?;
@@ -99,8 +101,14 @@ impl State {
 
     /// The exactly normalised Φ and ω in the number type of a set-up stage.
     pub(crate) fn exact<F: Float>(&self) -> (Phi<F>, Vector<F>) {
-        let lift = |z: Complex<f64>| Complex::new(F::from_f64(z.re), F::from_f64(z.im));
+        let lift = |z: Complex<f64>| Complex::new(lifted(z.re), lifted(z.im));
         let phi = Phi { alpha: lift(self.phi.alpha), beta: lift(self.phi.beta) };
-        (phi.normalised(), self.omega.map(F::from_f64))
+        (phi.normalised(), self.omega.map(lifted))
     }
+}
+
+/// The number, or 0 where its fourth power would leave the range of double-double.
+fn lifted<F: Float>(x: f64) -> F {
+    const LEAST: f64 = 1e-60;
+    if Float::abs(x) < LEAST { F::ZERO } else { F::from_f64(x) }
 }

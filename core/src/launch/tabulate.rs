@@ -40,7 +40,7 @@ pub(crate) fn tabulate(
     mut store: impl FnMut(usize, &Polynomials),
 ) -> Tabulated {
     let brackets = motion.brackets::<f64>();
-    if motion.regime().is_steady() {
+    if motion.is_steady() {
         let constant = constants(&brackets);
         (0..segments).for_each(|segment| store(segment, &constant));
         let [alpha, beta] = motion.phases();
@@ -48,7 +48,7 @@ pub(crate) fn tabulate(
     }
     let law = motion.law().cast::<f64>();
     let unit = rates.half_period / (2 * segments) as f64; // half a segment
-    let seek = Seek::new(motion);
+    let seek = Seek::new(motion, rates.half_period);
     let mut march = March { point: Point::LOWEST, remainder: 0.0 };
     march.to(&law.expand(&march.point, unit, rates.excess), 1.0);
     let mut found = None;
@@ -56,7 +56,7 @@ pub(crate) fn tabulate(
     for segment in 0..segments {
         let expansion = law.expand(&march.point, unit, rates.excess);
         let mut polynomials = combine(&brackets, &expansion);
-        dropped = dropped.max(economise_all(&mut polynomials, terms));
+        dropped = worse(dropped, economise_all(&mut polynomials, terms));
         store(segment, &polynomials);
         let last = segment + 1 == segments;
         if found.is_none()
@@ -65,7 +65,15 @@ pub(crate) fn tabulate(
             let phase = (segment as f64 + 0.5 * (1.0 + x)) / (2 * segments) as f64;
             found = Some((phase, expansion.theta_at(x)));
         }
-        march.to(&expansion, if last { 1.0 } else { 2.0 });
+        if last || expansion.last_term(2.0) > FAR {
+            march.to(&expansion, 1.0);
+        } else {
+            march.to(&expansion, 2.0);
+            continue;
+        }
+        if !last {
+            march.to(&law.expand(&march.point, unit, rates.excess), 1.0);
+        }
     }
     let (phase, theta) = found.unwrap_or_default();
     Tabulated {
@@ -73,6 +81,14 @@ pub(crate) fn tabulate(
         truncation: dropped + march.remainder,
         defect: if rates.returns { march.defect() } else { 0.0 },
     }
+}
+
+/// A step from centre to centre that leaves out more than this, rad, goes by the border between them.
+const FAR: f64 = 1e-15;
+
+/// The larger of two, or NaN if one is.
+fn worse(a: f64, b: f64) -> f64 {
+    if b <= a { a } else { b }
 }
 
 /// The way from centre to centre.
@@ -90,7 +106,7 @@ impl March {
 
     /// At the upper turning point cos χ = 0, and α and β with their mean rotation taken off are real: cos θ = 0.
     fn defect(&self) -> f64 {
-        let miss = |angle: f64| Float::abs(f64::sine_cosine(Turns::from_radians(angle).fraction()).1);
+        let miss = |angle: f64| Float::abs(f64::sine_cosine(Turns::from_radians(angle)).1);
         let [alpha, beta] = self.point.theta;
         2.0 * (Float::abs(self.point.cosine) + miss(alpha).max(miss(beta)))
     }

@@ -119,7 +119,7 @@ impl Expansion {
     pub(crate) fn turned(&self, which: usize, [p, q]: [f64; 2]) -> [Series; 2] {
         let rate = self.theta.get(which).unwrap_or(&Series::ZERO);
         let angle = self.origin.theta.get(which).copied().unwrap_or(0.0);
-        let (sine, cosine) = f64::sine_cosine(Turns::from_radians(angle).fraction());
+        let (sine, cosine) = f64::sine_cosine(Turns::from_radians(angle));
         let theta = Complex::new(cosine, sine);
         let chi = Complex::new(self.origin.cosine, self.origin.sine);
         let [mut re, mut im] = exponential(rate, &self.chi, 1.0, theta * chi, p);

@@ -67,16 +67,13 @@ impl DoubleDouble {
         Self { hi, lo }
     }
 
-    /// The whole number below (within the range of `i64`), and the rest in units of 2^-64.
-    pub(crate) fn floor_and_share(self) -> (i64, u64) {
-        let whole = libm::floor(self.hi);
-        let rest = Self::new(self.hi - whole, self.lo);
-        let (whole, rest) = if rest < Self::ZERO { (whole - 1.0, rest + Self::ONE) } else { (whole, rest) };
-        const SCALE: f64 = 18_446_744_073_709_551_616.0; // 2^64
-        let upper = libm::floor(rest.hi * SCALE);
-        let lower = (rest - Self::from(upper / SCALE)).hi * SCALE;
-        // conversions saturate; a rest that rounds up to 1 does no harm at 2^-64
-        (whole as i64, (upper as u64).saturating_add_signed(lower as i64))
+    /// The whole number below, saturating at the ends of `i64`, and the rest in [0, 1).
+    pub(crate) fn floor_and_rest(self) -> (i64, Self) {
+        let (whole, low_whole) = (libm::floor(self.hi), libm::floor(self.lo));
+        let rest = Self::new(self.hi - whole, self.lo - low_whole);
+        let (low_whole, rest) =
+            if rest < Self::ONE { (low_whole, rest) } else { (low_whole + 1.0, rest - Self::ONE) };
+        ((whole as i64).saturating_add(low_whole as i64), rest)
     }
 
     /// The leading part: the nearest `f64`.

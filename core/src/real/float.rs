@@ -1,30 +1,13 @@
 //! `f32` and `f64` as scalars. Transcendental functions come from `libm` on every target, never from `std`.
 
 use super::{Float, Real, Ring, Scalar, sine};
+use crate::turns::Turns;
 
 macro_rules! float_scalar {
-    ($float:ty, $from_fraction:expr, $sqrt:path, $atan2:path, $exp:path) => {
+    ($float:ty, $sqrt:path, $atan2:path, $exp:path) => {
         impl Ring for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
-        }
-
-        impl Scalar for $float {
-            const ROUNDING: f64 = <$float>::EPSILON as f64 / 2.0;
-
-            #[inline(always)]
-            fn sine_cosine(phase: u64) -> (Self, Self) {
-                let [pair] = sine::sine_cosine([phase]);
-                pair
-            }
-            #[inline(always)]
-            fn sine_cosine_pair(phases: [u64; 2]) -> [(Self, Self); 2] {
-                sine::sine_cosine(phases)
-            }
-            #[inline(always)]
-            fn from_fraction(fraction: i64) -> Self {
-                $from_fraction(fraction)
-            }
         }
 
         impl Float for $float {
@@ -55,9 +38,45 @@ macro_rules! float_scalar {
     };
 }
 
-/// 24 bits of the upper word are all that `f32` can hold.
-const UPPER_WORD: fn(i64) -> f32 = |fraction| ((fraction >> 32) as i32) as f32 * (1.0 / (1_u64 << 31) as f32);
-const ALL: fn(i64) -> f64 = |fraction| fraction as f64 * (1.0 / (1_u64 << 63) as f64);
+float_scalar!(f32, libm::sqrtf, libm::atan2f, libm::expf);
+float_scalar!(f64, libm::sqrt, libm::atan2, libm::exp);
 
-float_scalar!(f32, UPPER_WORD, libm::sqrtf, libm::atan2f, libm::expf);
-float_scalar!(f64, ALL, libm::sqrt, libm::atan2, libm::exp);
+impl Scalar for f32 {
+    const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
+
+    #[inline(always)]
+    fn sine_cosine(phase: Turns) -> (Self, Self) {
+        let [pair] = sine::sine_cosine_f32([phase.fraction()]);
+        pair
+    }
+
+    #[inline(always)]
+    fn sine_cosine_pair(phases: [u64; 2]) -> [(Self, Self); 2] {
+        sine::sine_cosine_f32(phases)
+    }
+
+    /// The upper word has all the bits that `f32` can hold.
+    #[inline(always)]
+    fn from_fraction(fraction: i64) -> Self {
+        const SCALE: f32 = 1.0 / (1_u64 << 31) as f32;
+        ((fraction >> 32) as i32) as f32 * SCALE
+    }
+}
+
+impl Scalar for f64 {
+    const ROUNDING: f64 = f64::EPSILON / 2.0;
+
+    fn sine_cosine(phase: Turns) -> (Self, Self) {
+        let (quadrant, rest) = phase.quadrant();
+        sine::quarter_turns(quadrant, rest.to_f64())
+    }
+
+    fn sine_cosine_pair(phases: [u64; 2]) -> [(Self, Self); 2] {
+        phases.map(sine::sine_cosine_f64)
+    }
+
+    fn from_fraction(fraction: i64) -> Self {
+        const SCALE: f64 = 1.0 / (1_u64 << 63) as f64;
+        fraction as f64 * SCALE
+    }
+}

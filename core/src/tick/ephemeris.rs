@@ -16,7 +16,7 @@ use crate::turns::Turns;
 /// (`&Ephemeris` is all that a [`Cursor`] holds) without locks.
 ///
 /// `SEGMENTS`, a power of two, polynomials of `TERMS` coefficients cover half a nutation period; size
-/// 4 · SEGMENTS · TERMS scalars and some 150 bytes. [`EphemerisF32`] and [`EphemerisF64`] are sizes for most motions.
+/// 4 · SEGMENTS · TERMS scalars and some 200 bytes. [`EphemerisF32`] and [`EphemerisF64`] are sizes for most motions.
 ///
 /// ```
 /// use toytop::{EphemerisF32, Heaviness, Motion, Release, State, Tick, Top};
@@ -37,19 +37,19 @@ pub struct Ephemeris<R, const SEGMENTS: usize, const TERMS: usize> {
     bound: ErrorBound,
 }
 
-/// Good for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.25, at the rounding of `f32`: 1792 bytes.
-pub type EphemerisF32 = Ephemeris<f32, 16, 7>;
+/// Good for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.25, at the rounding of `f32`: 2 KiB.
+pub type EphemerisF32 = Ephemeris<f32, 16, 8>;
 
-/// Good for the same motions at the rounding of `f64`.
-pub type EphemerisF64 = Ephemeris<f64, 64, 11>;
+/// Good for the same motions at the rounding of `f64`: 48 KiB. Where A/(ps) >= 1, `Ephemeris<f64, 64, 11>` (22 KiB) mostly is.
+pub type EphemerisF64 = Ephemeris<f64, 128, 12>;
 
 /// The phases at tick 0, what a tick adds to them, and the scales of what is derived.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Clock<R> {
     start: [Cycle; 3],
     step: [Cycle; 3],
-    /// The whole turns of a tick, which a tick can do without but a part of one cannot.
-    whole_turns: [i32; 3],
+    /// The same in turns, whole ones included, for a part of a tick.
+    exact_step: [DoubleDouble; 3],
     /// Ticks in a unit of time.
     ticks_per_time: DoubleDouble,
     /// The first and the last tick at which an aperiodic motion still moves; `None` for one that returns.
@@ -86,7 +86,7 @@ impl<R: Real, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS, 
         clock: Clock {
             start: [Cycle::ZERO; 3],
             step: [Cycle::ZERO; 3],
-            whole_turns: [0; 3],
+            exact_step: [DoubleDouble::ZERO; 3],
             ticks_per_time: DoubleDouble::ZERO,
             horizon: None,
             tip_scale: R::ZERO,
@@ -106,7 +106,8 @@ impl<R: Real, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS, 
         });
         NoFit::check(motion, &rates, &tabulated, [SEGMENTS, TERMS], truncation)?;
         self.clock = Clock::new(motion, tick, &rates, &tabulated, SEGMENTS);
-        self.bound = ErrorBound::of::<R>(&rates, &tabulated, &self.clock.step);
+        self.bound =
+            ErrorBound::of::<R>(&rates, &tabulated, self.clock.exact_step.map(Float::to_f64), SEGMENTS);
         Ok(())
     }
 
@@ -123,7 +124,7 @@ impl<R: Real, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS, 
     #[must_use]
     pub fn at(&self, t: f64) -> Moment<'_, R, SEGMENTS, TERMS> {
         let ticks = if t.is_finite() { self.clock.ticks_per_time * t.into() } else { DoubleDouble::ZERO };
-        let (whole, share) = ticks.floor_and_share();
+        let (whole, share) = ticks.floor_and_rest();
         self.moment(self.clock.between(whole, share))
     }
 }
@@ -144,28 +145,31 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS
     /// A way through consecutive ticks, by additions only.
     #[must_use]
     pub fn cursor(&self, first: i64) -> Cursor<'_, R, SEGMENTS, TERMS> {
-        Cursor { ephemeris: self, tick: first, phases: self.clock.at(first) }
+        let counted = self.clock.horizon.map(|_| first);
+        Cursor { ephemeris: self, phases: self.clock.at(first), counted }
     }
 
     /// The next turning point of u after tick n - 1, so that its tick is n or later; `None` where u does not turn again, or
     /// turns more than once a tick. Not for every tick: it divides.
     #[must_use]
     pub fn next_turning_point(&self, n: i64) -> Option<TurningPoint> {
-        let [step, ..] = self.clock.step;
-        let [nutation, ..] = self.clock.at(n - 1);
-        let (step, nutation) = (step.to_turns(), nutation.to_turns());
-        let (halves, rest) = nutation.halves();
-        if step <= Turns::ZERO || step >= Turns::HALF {
+        let [exact_step, ..] = self.clock.exact_step;
+        if !(exact_step > DoubleDouble::ZERO && exact_step < DoubleDouble::from(0.5)) {
             return None;
         }
-        // an aperiodic motion has one turning point, its lowest: the end of the falling half
-        if self.clock.horizon.is_some() && halves == 0 {
-            return None;
+        let before = n.saturating_sub(1);
+        let ([step, ..], [nutation, ..]) = (self.clock.step, self.clock.at(before));
+        if let Some([first, last]) = self.clock.horizon {
+            // an aperiodic motion has one turning point, its lowest: the end of the falling half
+            let falling = before < first || (before <= last && nutation.to_signed_turns() < Turns::ZERO);
+            let from = before.max(first);
+            let [nutation, ..] = self.clock.at(from);
+            let ticks = ticks_to(-nutation.to_signed_turns(), step);
+            return falling.then_some(TurningPoint { tick: from.saturating_add(ticks), upper: false });
         }
-        let to_go = Turns::HALF - rest;
-        let ticks = (to_go.to_bits() + step.to_bits() - 1) / step.to_bits();
-        let upper = self.clock.horizon.is_none() && halves & 1 == 0;
-        Some(TurningPoint { tick: (n - 1).saturating_add(i64::try_from(ticks).ok()?), upper })
+        let (halves, rest) = nutation.to_turns().halves();
+        let ticks = ticks_to(Turns::HALF - rest, step);
+        Some(TurningPoint { tick: before.saturating_add(ticks), upper: halves == 0 })
     }
 
     /// Φ at the ticks first, first + 1, ...
@@ -180,17 +184,17 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS
 impl<R: Real> Clock<R> {
     fn new(motion: &Motion, tick: Tick, rates: &Rates, tabulated: &Tabulated, segments: usize) -> Self {
         let length = tick.length();
-        let step = rates.turns.map(|turns| Turns::of(turns * length));
+        let exact_step = rates.turns.map(|turns| turns * length);
         let [frequency, alpha, beta] = rates.turns.map(Float::to_f64);
         let turn = 2.0 * core::f64::consts::PI;
         // half a period is `segments` segments of length 2 in x
         let x_rate = 4.0 * segments as f64 * frequency;
         Self {
             start: tabulated.start.map(Cycle::of),
-            step: step.map(Cycle::of),
-            whole_turns: step.map(|turns| (turns.to_bits() >> 96) as i32),
+            step: exact_step.map(|turns| Cycle::of(Turns::of(turns))),
+            exact_step,
             ticks_per_time: tick.rate(),
-            horizon: (!rates.returns).then(|| horizon(tabulated.start[0], rates.turns[0] * length)),
+            horizon: (!rates.returns).then(|| horizon(tabulated.start[0], exact_step[0])),
             tip_scale: R::from_f64(2.0 * motion.top().tip_scale()),
             rates: [x_rate, turn * alpha, turn * beta].map(R::from_f64),
         }
@@ -220,19 +224,22 @@ impl<R> Clock<R> {
         [nutation, a.plus(a_step.times(n)), b.plus(b_step.times(n))]
     }
 
-    /// The phases of tick n and a share · 2^-64 of the next.
-    fn between(&self, n: i64, share: u64) -> [Cycle; 3] {
-        let part = |step: Cycle, whole: i32| step.to_turns_with(whole).part(share);
+    /// The phases of tick n and a share of the next, in [0, 1).
+    fn between(&self, n: i64, share: DoubleDouble) -> [Cycle; 3] {
+        let [nutation_part, a_part, b_part] = self.exact_step.map(|step| Turns::of(step * share));
         let [nutation, a, b] = self.at(n);
-        let [nutation_step, a_step, b_step] = self.step;
-        let [nutation_whole, a_whole, b_whole] = self.whole_turns;
-        let nutation_part = part(nutation_step, nutation_whole);
         let nutation = match self.horizon {
             None => nutation.plus(Cycle::of(nutation_part)),
             Some(_) => Cycle::clamping(nutation.to_signed_turns() + nutation_part),
         };
-        [nutation, a.plus(Cycle::of(part(a_step, a_whole))), b.plus(Cycle::of(part(b_step, b_whole)))]
+        [nutation, a.plus(Cycle::of(a_part)), b.plus(Cycle::of(b_part))]
     }
+}
+
+/// How many steps until a phase ahead is reached or passed; both positive.
+fn ticks_to(ahead: Turns, step: Cycle) -> i64 {
+    let (ahead, step) = (ahead.to_bits(), step.to_turns().to_bits().max(1));
+    i64::try_from((ahead + step - 1) / step).unwrap_or(i64::MAX)
 }
 
 /// The ticks between which a nutation phase that does not wrap stays within half a turn of 0.
@@ -245,37 +252,32 @@ fn horizon(start: Turns, step: DoubleDouble) -> [i64; 2] {
 #[derive(Clone, Copy, Debug)]
 pub struct Cursor<'a, R, const SEGMENTS: usize, const TERMS: usize> {
     ephemeris: &'a Ephemeris<R, SEGMENTS, TERMS>,
-    tick: i64,
     phases: [Cycle; 3],
+    /// For a motion whose nutation phase does not wrap, so that sums will not do: the tick.
+    counted: Option<i64>,
 }
 
 impl<'a, R: Scalar, const SEGMENTS: usize, const TERMS: usize> Cursor<'a, R, SEGMENTS, TERMS> {
-    /// The tick that the next moment is of.
-    #[must_use]
-    pub fn tick(&self) -> i64 {
-        self.tick
-    }
-
     /// The moment of the current tick; the cursor moves on to the next. Never ends, never fails: not an iterator.
     #[inline(always)]
     #[allow(clippy::should_implement_trait)]
     pub fn next(&mut self) -> Moment<'a, R, SEGMENTS, TERMS> {
         let now = self.ephemeris.moment(self.phases);
-        let clock = &self.ephemeris.clock;
-        self.tick = self.tick.wrapping_add(1);
-        for (phase, step) in self.phases.iter_mut().zip(clock.step) {
+        for (phase, step) in self.phases.iter_mut().zip(self.ephemeris.clock.step) {
             *phase = phase.plus(step);
         }
-        if clock.horizon.is_some() {
-            self.jump();
+        if self.counted.is_some() {
+            self.count();
         }
         now
     }
 
-    /// To the phases of the current tick: for a motion whose nutation phase does not wrap, sums alone will not do.
     #[cold]
     #[inline(never)]
-    fn jump(&mut self) {
-        self.phases = self.ephemeris.clock.at(self.tick);
+    fn count(&mut self) {
+        if let Some(tick) = &mut self.counted {
+            *tick = tick.wrapping_add(1);
+            self.phases = self.ephemeris.clock.at(*tick);
+        }
     }
 }

@@ -58,6 +58,15 @@ impl<R: Real> Compensated<R> {
         let from_term = sum - self.sum;
         Self { sum, rest: (self.sum - (sum - from_term)) + (term - from_term) }
     }
+
+    /// Held within ±1e30, where cos χ has long been 0, so that a step of any size leaves a number.
+    fn bounded(self) -> Self {
+        let far = R::from_f64(1e30);
+        if self.sum.abs() <= far {
+            return self;
+        }
+        Self { sum: if self.sum < R::ZERO { -far } else { far }, rest: R::ZERO }
+    }
 }
 
 /// Radians of the scalar as an integer phase.
@@ -102,6 +111,9 @@ impl<R: Real> Stepper<R> {
 
     /// Advances by dt, in the motion's unit of time. A dt that is not finite advances by nothing.
     pub fn step(&mut self, dt: R) {
+        if !dt.to_f64().is_finite() {
+            return;
+        }
         match self.course {
             Moving::Steady(rates) => {
                 let elapsed = dt.to_f64();
@@ -115,16 +127,12 @@ impl<R: Real> Stepper<R> {
                 self.drift_on(dt, &change);
             }
             Moving::Aperiodic(v) => {
-                // Beyond this cos χ has long been 0: holding v there keeps a dt of any size finite.
-                let far = R::from_f64(1e30);
                 let change = runge_kutta(dt, |delta| {
                     let (tanh, sech) = gudermannian(v.plus(delta).sum);
                     self.law.aperiodic_rates(tanh, sech)
                 });
-                if change.nutation.abs() <= far && v.plus(change.nutation).sum.abs() <= far {
-                    self.course = Moving::Aperiodic(v.plus(change.nutation));
-                    self.drift_on(dt, &change);
-                }
+                self.course = Moving::Aperiodic(v.plus(change.nutation).bounded());
+                self.drift_on(dt, &change);
             }
         }
     }
@@ -137,7 +145,7 @@ impl<R: Real> Stepper<R> {
     }
 
     fn nutating_rates(&self, chi: Turns) -> PhaseRates<R> {
-        let (sine, cosine) = R::sine_cosine(chi.fraction());
+        let (sine, cosine) = R::sine_cosine(chi);
         self.law.rates(sine, cosine)
     }
 
@@ -164,7 +172,7 @@ impl<R: Real> Stepper<R> {
     fn place(&self) -> Place<R> {
         let (sine, cosine) = match self.course {
             Moving::Steady(_) => (R::ZERO, R::ONE),
-            Moving::Nutating(chi) => R::sine_cosine(chi.fraction()),
+            Moving::Nutating(chi) => R::sine_cosine(chi),
             Moving::Aperiodic(v) => gudermannian(v.sum),
         };
         let [alpha, beta] = self.phases.map(Complex::cis);

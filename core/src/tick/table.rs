@@ -1,6 +1,5 @@
 //! The table of an ephemeris, its tick, and what can be said of its error.
 
-use crate::cycle::Cycle;
 use crate::error::{LaunchError, require};
 use crate::launch::{Motion, Rates, Tabulated, tabulate};
 use crate::real::{DoubleDouble, Float, Scalar};
@@ -126,16 +125,21 @@ pub struct ErrorBound {
 }
 
 impl ErrorBound {
-    pub(super) fn of<R: Scalar>(rates: &Rates, tabulated: &Tabulated, step: &[Cycle; 3]) -> Self {
+    pub(super) fn of<R: Scalar>(
+        rates: &Rates,
+        tabulated: &Tabulated,
+        turns_per_tick: [f64; 3],
+        segments: usize,
+    ) -> Self {
         const TURN: f64 = 2.0 * core::f64::consts::PI;
         /// Roundings of a tick: products and sums of numbers up to 1, and two sines and cosines.
         const TICK_ROUNDINGS: f64 = 6.0;
-        /// Roundings of a set-up, all in f64: the march, the start on it, the angles in turns.
+        /// Roundings of a set-up, all in f64: the march (and more with its length), the start on it, the angles in turns.
         const SET_UP_ROUNDINGS: f64 = 24.0;
         let tick = TICK_ROUNDINGS * R::ROUNDING;
-        let set_up = SET_UP_ROUNDINGS * <f64 as Scalar>::ROUNDING;
+        let set_up = (SET_UP_ROUNDINGS + 2.0 * libm::sqrt(segments as f64)) * <f64 as Scalar>::ROUNDING;
         let increments = 3.0 * TURN * Turns::RESOLUTION;
-        let turning: f64 = step.iter().map(|turns| TURN * Float::abs(turns.to_signed_turns().to_f64())).sum();
+        let turning: f64 = turns_per_tick.iter().map(|&turns| TURN * Float::abs(turns)).sum();
         Self {
             constant: tabulated.truncation + 4.0 * tabulated.defect + tick + set_up,
             per_tick: increments + rates.relative_error * turning,

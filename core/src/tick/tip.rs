@@ -66,7 +66,14 @@ impl<R: Float> TipLaw<R> {
         let Pose { phi: Phi { alpha, beta }, rate } = *pose;
         // φ' = (l+n)/(4A |α|²) + (l-n)/(4A |β|²); where a parameter vanishes so does its momentum
         let part = |momentum: R, z: Complex<R>| {
-            if momentum == R::ZERO { R::ZERO } else { momentum / z.norm_squared() }
+            let (re, im) = (z.re.abs(), z.im.abs());
+            let size = if re > im { re } else { im };
+            if momentum == R::ZERO || size == R::ZERO {
+                return R::ZERO;
+            }
+            // |z|² may underflow where the quotient does not
+            let direction = z.scaled(R::ONE / size);
+            momentum / size / size / direction.norm_squared()
         };
         let [plus, minus] = self.momenta;
         let rate_of_phi = part(plus, alpha) + part(minus, beta);
