@@ -9,6 +9,7 @@ mod motion;
 mod normal_force;
 mod rates;
 mod regime;
+mod seek;
 mod start;
 mod state;
 mod tabulate;

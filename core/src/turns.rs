@@ -170,6 +170,16 @@ impl Rate {
     }
 }
 
+/// 2π to 32 digits.
+pub(crate) fn two_pi() -> DoubleDouble {
+    DoubleDouble::new(2.0 * core::f64::consts::PI, 2.4492935982947064e-16)
+}
+
+/// Radians as turns.
+pub(crate) fn in_turns(radians: DoubleDouble) -> DoubleDouble {
+    radians / two_pi()
+}
+
 /// x = mantissa · 2^exponent with |mantissa| < 2^53; 0 where x is not finite.
 fn integer_parts(x: f64) -> (i64, i32) {
     const MANTISSA_BITS: u32 = 52;

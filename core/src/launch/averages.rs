@@ -6,9 +6,9 @@
 //! so no inverse function and no library transcendental is needed, and any [`Float`] will do.
 
 use super::BranchPoints;
-use super::motion::in_turns;
 use crate::nutation::Nutation;
 use crate::real::{DoubleDouble, Float};
+use crate::turns::in_turns;
 
 /// What one nutation period does. Angles in turns, whole turns included.
 #[derive(Clone, Copy, Debug, PartialEq)]

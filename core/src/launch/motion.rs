@@ -10,7 +10,7 @@ use crate::nutation::{Nutation, gudermannian};
 use crate::real::{DoubleDouble, Float, Ring, Scalar};
 use crate::su2::PhiRate;
 use crate::top::{Quantities, Support, Top};
-use crate::turns::{Rate, Turns};
+use crate::turns::{Rate, Turns, in_turns};
 
 /// One throw: regime, constants, and where it is at t = 0. Immutable; build any number of steppers from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -280,14 +280,6 @@ impl Motion {
         };
         Place { sine, cosine, alpha: Complex::ONE, beta: Complex::ONE }
     }
-}
-
-pub(super) fn two_pi() -> DoubleDouble {
-    DoubleDouble::new(2.0 * core::f64::consts::PI, 2.4492935982947064e-16)
-}
-
-pub(super) fn in_turns(radians: DoubleDouble) -> DoubleDouble {
-    radians / two_pi()
 }
 
 fn rate_in_turns(radians: DoubleDouble) -> Rate {

@@ -1,11 +1,11 @@
 //! The mean rates of a motion: what an ephemeris counts with.
 
 use super::averages::{Averages, Quadrature, averages};
-use super::motion::{in_turns, two_pi};
 use super::{Motion, Regime};
 use crate::cayley_klein::Brackets;
 use crate::nutation::{Nutation, gudermannian};
 use crate::real::{DoubleDouble, Float, Ring};
+use crate::turns::{in_turns, two_pi};
 
 /// Nutation and mean slow rates, and what the march through half a period needs.
 #[derive(Clone, Copy, Debug)]

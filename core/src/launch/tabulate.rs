@@ -10,7 +10,7 @@
 
 use super::Motion;
 use super::rates::Rates;
-use super::start::Seek;
+use super::seek::Seek;
 use crate::cayley_klein::Brackets;
 use crate::nutation::series::{Expansion, Point, TERMS};
 use crate::real::{Float, Scalar};
