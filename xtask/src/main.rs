@@ -1,1 +1,56 @@
-fn main() {}
+//! `cargo xtask`: everything that is checked, on a machine that has rustup and nothing else.
+
+mod chain;
+mod firmware;
+mod lint;
+mod nopanic;
+mod process;
+mod steps;
+mod tools;
+
+use std::process::ExitCode;
+
+use anyhow::{Result, bail};
+
+const USAGE: &str = "\
+usage: cargo xtask VERB
+
+  test [--only STEP]           all tests; installs what they need, or says in one line what to install
+  firmware NAME [--chip CHIP]  runs a program under QEMU and shows its log
+  firmware NAME --overwrite    the same, and accepts the log as the expected one
+  firmware --list              programs and chips
+  nopanic [--planted]          links core against a panic handler that does not exist; --planted: shows that it bites
+  check-chain                  a stage of core uses earlier stages only
+  clippy-firmware              clippy over the firmware workspace, each package for its own targets
+  qemu CHIP ELF                runs an ELF and shows its log (the runner of firmware-examples/.cargo/config.toml)";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match run(&words) {
+        Ok(code) => code,
+        Err(error) => {
+            eprintln!("{error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(words: &[&str]) -> Result<ExitCode> {
+    match words {
+        ["test"] => return steps::test(None),
+        ["test", "--only", name] => return steps::test(Some(name)),
+        ["firmware", "--list"] => firmware::list(),
+        ["firmware", name] => return firmware::show(name, None),
+        ["firmware", name, "--chip", chip] => return firmware::show(name, Some(chip)),
+        ["firmware", name, "--overwrite"] => firmware::overwrite(name)?,
+        ["qemu", chip, elf] => return firmware::qemu(chip, elf),
+        ["nopanic"] => println!("{}", nopanic::check()?),
+        ["nopanic", "--planted"] => nopanic::show_planted()?,
+        ["check-chain"] => println!("{}", chain::check()?),
+        ["clippy-firmware"] => lint::firmware()?,
+        ["help" | "--help" | "-h"] => println!("{USAGE}"),
+        _ => bail!("{USAGE}"),
+    }
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,57 @@
+//! Set-up on the chip: a motion from measured initial conditions, and what happens when the numbers cannot be true.
+
+#![no_std]
+#![no_main]
+
+use defmt::Debug2Format;
+use toytop::{Heaviness, LaunchError, Motion, Release, State, Top};
+use toytop_firmware::{entry, exit};
+
+/// What the release sensor measures, in its own units.
+struct Measured {
+    /// Tenths of a degree from the vertical.
+    tilt: u16,
+    /// Revolutions a minute.
+    spin: i16,
+    /// Milliradians a second.
+    precession: i16,
+}
+
+#[entry]
+fn main() -> ! {
+    let measured = Measured { tilt: 203, spin: 1432, precession: 850 };
+    // A flat disc has C = 2A and no body more: the second one is a slip of the pen for 3.7e-5.
+    for axial_inertia in [2.0e-5, 7.3e-5, 3.7e-5] {
+        match throw(axial_inertia, &measured) {
+            Ok(motion) => log(&motion),
+            // Refused, with the reason; the program goes on.
+            Err(error) => {
+                defmt::warn!("refused: {=str} must be {=str}", error.parameter(), error.allowed());
+            }
+        }
+    }
+    exit()
+}
+
+fn throw(axial_inertia: f64, measured: &Measured) -> Result<Motion, LaunchError> {
+    let top = Top::sliding(3.0e-5, axial_inertia, 0.03, Heaviness::Mass(0.05), 9.81)?;
+    let release = Release {
+        tilt: (f64::from(measured.tilt) / 10.0).to_radians(),
+        spin: f64::from(measured.spin) * (core::f64::consts::TAU / 60.0),
+        precession: f64::from(measured.precession) / 1000.0,
+        ..Release::default()
+    };
+    Motion::launch(&top, &State::release(&release)?)
+}
+
+fn log(motion: &Motion) {
+    let e = motion.branch_points();
+    defmt::info!("{}, tip curve {}", Debug2Format(&motion.regime()), Debug2Format(&motion.tip_class()));
+    defmt::info!("cos(tilt) from {=f64} to {=f64}", e.e1, e.e2);
+    if let Some(averages) = motion.averages() {
+        defmt::info!("nutates in {=f64} s, precesses {=f64} rad", averages.period, averages.phi_per_period());
+    }
+    if let Some(force) = motion.min_normal_force() {
+        defmt::info!("presses on the plane with {=f64} of its weight or more", force);
+    }
+}

@@ -1,0 +1,128 @@
+//! One hash for every stage of core, over several motions: equal hashes mean equal results, to the last bit.
+//!
+//! Core uses neither `std` maths nor a fused multiply-add, so a chip, with or without a floating-point unit, must give
+//! what the host gives.
+
+use toytop::real::Real;
+use toytop::su2::Vector;
+use toytop::{
+    Averages, BranchPoints, Complex, FirstIntegrals, Heaviness, LaunchError, Motion, Phi, Release, Sign,
+    Signs, Start, State, Stepper, Top,
+};
+
+/// Steps of each motion.
+const TICKS: usize = 2000;
+
+/// Calls `report` with the name of a motion, the name of a stage, and the hash of all that the stage says.
+///
+/// # Errors
+/// None: the motions are possible.
+pub fn of_every_stage(mut report: impl FnMut(&str, &str, u64)) -> Result<(), LaunchError> {
+    for (name, motion, dt) in [
+        ("toy_top", toy_top()?, 1e-3),
+        ("near_separatrix", near_separatrix()?, 0.01),
+        ("lagrange", lagrange()?, 0.02),
+    ] {
+        report(name, "first_integrals", Hash::default().integrals(&motion.first_integrals()).0);
+        report(name, "branch_points", Hash::default().branch_points(&motion.branch_points()).0);
+        report(name, "averages", Hash::default().averages(motion.averages()).0);
+        let least_force =
+            motion.min_normal_force().map_or(Hash::default(), |force| Hash::default().number(force));
+        report(name, "normal_force", least_force.0);
+        let [phi, tip, omega] = ticks::<f32>(&motion, dt);
+        report(name, "stepper_f32_phi", phi.0);
+        report(name, "stepper_f32_tip", tip.0);
+        report(name, "stepper_f32_omega", omega.0);
+        let [phi, tip, omega] = ticks::<f64>(&motion, dt);
+        report(name, "stepper_f64_phi", phi.0);
+        report(name, "stepper_f64_tip", tip.0);
+        report(name, "stepper_f64_omega", omega.0);
+    }
+    Ok(())
+}
+
+/// A real toy top in SI units, thrown from all six numbers of a release.
+fn toy_top() -> Result<Motion, LaunchError> {
+    let top = Top::sliding(3.0e-5, 2.0e-5, 0.03, Heaviness::Mass(0.05), 9.81)?;
+    let release =
+        Release { tilt: 0.35, azimuth: 0.4, roll: -2.0, spin: 150.0, precession: 3.0, nutation: -1.5 };
+    Motion::launch(&top, &State::release(&release)?)
+}
+
+/// e₃ - e₂ = 1e-3, falling, loops, C > A; from branch points, in the paper's units.
+fn near_separatrix() -> Result<Motion, LaunchError> {
+    let top = Top::sliding(1.0, 1.5, 1.0, Heaviness::MassMoment(1.0), 1.0)?;
+    let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
+    let start = Start { theta: -2.0, arg_alpha: 0.3, arg_beta: 2.5 };
+    Motion::from_branch_points(&top, [-0.5, 0.9995, 1.0005], signs, &start)
+}
+
+/// A tip that is held, and an axis that passes just by the vertical; from α, β and ω.
+fn lagrange() -> Result<Motion, LaunchError> {
+    let top = Top::fixed(1.0, 0.7, 1.0, 1.0)?;
+    let phi = Phi { alpha: Complex::new(0.6, 0.0), beta: Complex::new(0.0, 0.8) };
+    Motion::launch(&top, &State::new(phi, [0.1, -1.3, 0.9])?)
+}
+
+/// Φ, tip and ω of every tick; dt changes from one to the next, in sign too.
+fn ticks<R: Real>(motion: &Motion, dt: f64) -> [Hash; 3] {
+    let mut stepper = Stepper::<R>::new(motion);
+    let mut hashes = [Hash::default(); 3];
+    for factor in [1.0, 0.5, -0.25, 2.0].into_iter().cycle().take(TICKS) {
+        stepper.step(R::from_f64(dt * factor));
+        let (pose, tip) = (stepper.pose(), stepper.tip());
+        let [phi_hash, tip_hash, omega_hash] = hashes;
+        let tip_hash = tip_hash.complex(tip.c).complex(tip.velocity);
+        hashes = [
+            phi_hash.complex(pose.phi.alpha).complex(pose.phi.beta),
+            tip.angle.map_or(tip_hash, |angle| tip_hash.number(angle.phi.to_f64()).number(angle.rate)),
+            omega_hash.vector(pose.omega()),
+        ];
+    }
+    hashes
+}
+
+/// FNV-1a, 64 bits.
+#[derive(Clone, Copy)]
+struct Hash(u64);
+
+impl Default for Hash {
+    fn default() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Hash {
+    fn number<R: Real>(self, number: R) -> Self {
+        let bytes = number.to_f64().to_bits().to_le_bytes();
+        Self(bytes.iter().fold(self.0, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)))
+    }
+
+    fn complex<R: Real>(self, z: Complex<R>) -> Self {
+        self.number(z.re).number(z.im)
+    }
+
+    fn vector<R: Real>(self, vector: Vector<R>) -> Self {
+        vector.into_iter().fold(self, Self::number)
+    }
+
+    fn integrals(self, integrals: &FirstIntegrals) -> Self {
+        let FirstIntegrals { l, n, h, l_plus_n, l_minus_n } = *integrals;
+        [l, n, h, l_plus_n, l_minus_n].into_iter().fold(self, Self::number)
+    }
+
+    fn branch_points(self, e: &BranchPoints) -> Self {
+        let BranchPoints { e1, e2, e3, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, e3_minus_one } =
+            *e;
+        [e1, e2, e3, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, e3_minus_one]
+            .into_iter()
+            .fold(self, Self::number)
+    }
+
+    fn averages(self, averages: Option<Averages>) -> Self {
+        averages.map_or(self, |averages| {
+            let Averages { period, alpha_turns, beta_turns } = averages;
+            self.number(period).number(alpha_turns).number(beta_turns)
+        })
+    }
+}

@@ -1,0 +1,41 @@
+//! The ground under every program: start-up code, the transport of the `defmt` log, and a way out.
+//!
+//! Whatever goes wrong ends the program with an exit code that is not 0, never in a silent loop: a panic with 101 (the
+//! panic handler of `semihosting`, which prints the message), a fault with 102.
+
+#[cfg(target_arch = "arm")]
+use cortex_m as _; // critical section
+#[cfg(feature = "rtt")]
+use defmt_rtt as _; // log transport
+#[cfg(not(feature = "rtt"))]
+use defmt_semihosting as _; // log transport
+#[cfg(target_arch = "riscv32")]
+use riscv as _; // critical section
+use semihosting::process;
+
+#[cfg(target_arch = "arm")]
+pub use cortex_m_rt::entry;
+#[cfg(target_arch = "riscv32")]
+pub use riscv_rt::entry;
+
+/// Ends the program, successfully.
+pub fn exit() -> ! {
+    defmt::flush();
+    process::exit(0)
+}
+
+const FAULT: i32 = 102;
+
+#[cfg(target_arch = "arm")]
+#[cortex_m_rt::exception]
+unsafe fn HardFault(frame: &cortex_m_rt::ExceptionFrame) -> ! {
+    defmt::error!("fault at {=u32:#010x}", frame.pc());
+    process::exit(FAULT)
+}
+
+#[cfg(target_arch = "riscv32")]
+#[unsafe(export_name = "ExceptionHandler")]
+extern "C" fn exception_handler(_: &riscv_rt::TrapFrame) -> ! {
+    defmt::error!("fault at {=usize:#010x}", riscv::register::mepc::read());
+    process::exit(FAULT)
+}

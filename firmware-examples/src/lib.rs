@@ -1,0 +1,13 @@
+//! What the programs in `bin/` share.
+//!
+//! * on a chip: the entry point, log transport and panic handler of the target ([`entry`], [`exit`]);
+//! * anywhere: [`bits`], the hashes that a chip and the host must agree on.
+
+#![cfg_attr(target_os = "none", no_std)]
+
+pub mod bits;
+
+#[cfg(target_os = "none")]
+mod chip;
+#[cfg(target_os = "none")]
+pub use chip::{entry, exit};

@@ -1,0 +1,195 @@
+//! The programs of `firmware-examples/`: built for their chips, run under QEMU, their logs compared with what is expected.
+
+mod chip;
+mod emulator;
+
+use std::path::PathBuf;
+use std::process::{Command, ExitCode};
+use std::{fs, path::Path};
+
+use anyhow::{Context, Result, bail};
+
+pub(crate) use chip::{Chip, TARGETS};
+
+use crate::process::{cargo, firmware_target_dir, root, run};
+use crate::tools::{self, Toolchain};
+use emulator::Run;
+
+/// A program, the chips it runs on (the first is the one it is shown on), and the exit code it must end with.
+pub(crate) struct Program {
+    pub(crate) name: &'static str,
+    chips: &'static [&'static Chip],
+    exit_code: i32,
+    /// Also runs on the host, and must say the same there.
+    on_host: bool,
+}
+
+pub(crate) const PROGRAMS: &[Program] = &[
+    Program { name: "spin", chips: &[&chip::M4F], exit_code: 0, on_host: false },
+    Program { name: "launch", chips: &[&chip::M4F], exit_code: 0, on_host: false },
+    Program { name: "bits", chips: chip::ALL, exit_code: 0, on_host: true },
+    Program { name: "panics", chips: &[&chip::M0, &chip::RISCV], exit_code: 101, on_host: false },
+];
+
+/// The programs that some chip with this target runs.
+pub(crate) fn programs_of(target: &str) -> impl Iterator<Item = &'static Program> {
+    PROGRAMS.iter().filter(move |program| program.chips.iter().any(|chip| chip.target == target))
+}
+
+/// A target folder for what must not share one.
+pub(crate) fn target_dir(toolchain: Toolchain, own: &str) -> PathBuf {
+    firmware_target_dir().join(toolchain.subfolder()).join(own)
+}
+
+fn find(name: &str) -> Result<&'static Program> {
+    let names = || PROGRAMS.iter().map(|program| program.name).collect::<Vec<_>>().join(" ");
+    PROGRAMS
+        .iter()
+        .find(|program| program.name == name)
+        .with_context(|| format!("no program {name}; there are: {}", names()))
+}
+
+/// Prints programs and chips.
+pub(crate) fn list() {
+    for Program { name, chips, on_host, .. } in PROGRAMS {
+        let chips: Vec<_> = chips.iter().map(|chip| chip.name).chain(on_host.then_some("host")).collect();
+        println!("{name:8} {}", chips.join(" "));
+    }
+    println!();
+    for chip in chip::ALL {
+        println!("{:8} {}, {}, QEMU: {}", chip.name, chip.core, chip.target, chip.machine);
+    }
+}
+
+/// Runs a program on one chip and shows its log.
+pub(crate) fn show(name: &str, chip: Option<&str>) -> Result<ExitCode> {
+    let program = find(name)?;
+    let chip = match chip {
+        None => program.chips[0],
+        Some(wanted) => program.chips.iter().find(|chip| chip.name == wanted).with_context(|| {
+            let names: Vec<_> = program.chips.iter().map(|chip| chip.name).collect();
+            format!("{name} runs on: {}", names.join(" "))
+        })?,
+    };
+    ended(&run_on(program, chip, true)?)
+}
+
+/// Runs an ELF on a chip and shows its log.
+pub(crate) fn qemu(chip: &str, elf: &str) -> Result<ExitCode> {
+    tools::qemu()?;
+    ended(&emulator::run(Chip::named(chip)?, Path::new(elf), &decoder()?, true)?)
+}
+
+fn ended(run: &Run) -> Result<ExitCode> {
+    eprint!("{}", run.errors);
+    Ok(u8::try_from(run.exit_code).map_or(ExitCode::FAILURE, ExitCode::from))
+}
+
+/// Runs a program on its first chip and takes its log for the expected one.
+pub(crate) fn overwrite(name: &str) -> Result<()> {
+    let program = find(name)?;
+    let run = run_on(program, program.chips[0], true)?;
+    if run.exit_code != program.exit_code {
+        bail!("{}exit code {}, not {}: nothing written", run.errors, run.exit_code, program.exit_code);
+    }
+    fs::write(expected_path(name), &run.log)?;
+    println!("written: {}", expected_path(name).display());
+    Ok(())
+}
+
+fn expected_path(name: &str) -> PathBuf {
+    root().join("firmware-examples/src/bin").join(format!("{name}.out"))
+}
+
+/// Runs a program on all its chips; each log must be the expected one.
+pub(crate) fn check(program: &Program) -> Result<String> {
+    let Program { name, chips, exit_code, on_host } = program;
+    let path = expected_path(name);
+    let expected = fs::read_to_string(&path).with_context(|| format!("{}", path.display()))?;
+    let accept = format!("if it is meant to change: cargo xtask firmware {name} --overwrite");
+    let reference = if *on_host {
+        let mut host = cargo("firmware-examples", &format!("run --quiet --release --bin {name}"));
+        run(host.arg("--target-dir").arg(firmware_target_dir()))?
+    } else {
+        expected.clone()
+    };
+    let mut different = Vec::new();
+    for chip in *chips {
+        let run = run_on(program, chip, false)?;
+        if run.exit_code != *exit_code {
+            bail!("{}: exit code {}, not {exit_code}\n{}{}", chip.name, run.exit_code, run.log, run.errors);
+        }
+        if run.log != reference {
+            different.push(format!(
+                "{} (-: expected, +: now)\n{}",
+                chip.name,
+                difference(&reference, &run.log)
+            ));
+        }
+    }
+    match (different.is_empty(), *on_host) {
+        (false, true) => bail!("not what the host says, bit for bit: {}", different.concat()),
+        (false, false) => bail!("{}{accept}", different.concat()),
+        (true, _) if reference != expected => {
+            bail!(
+                "host and chips agree, but not with {}:\n{}{accept}",
+                path.display(),
+                difference(&expected, &reference)
+            )
+        }
+        _ => {}
+    }
+    let places: Vec<_> = chips.iter().map(|chip| chip.name).chain(on_host.then_some("host")).collect();
+    Ok(places.join(" "))
+}
+
+/// The lines in which two logs differ.
+fn difference(expected: &str, log: &str) -> String {
+    let (mut old, mut new) = (expected.lines(), log.lines());
+    let mut text = String::new();
+    loop {
+        let (old, new) = (old.next(), new.next());
+        if old.is_none() && new.is_none() {
+            return text;
+        }
+        if old != new {
+            text.extend(old.map(|line| format!("- {line}\n")));
+            text.extend(new.map(|line| format!("+ {line}\n")));
+        }
+    }
+}
+
+fn run_on(program: &Program, chip: &Chip, show: bool) -> Result<Run> {
+    tools::qemu()?;
+    let elf = build(chip, &format!("--bin {}", program.name))?.join(program.name);
+    emulator::run(chip, &elf, &decoder()?, show)
+}
+
+/// Builds for a chip; returns the folder with the ELF.
+pub(crate) fn build(chip: &Chip, what: &str) -> Result<PathBuf> {
+    let (mut command, folder) = build_command(chip, what)?;
+    run(&mut command)?;
+    Ok(folder)
+}
+
+/// The command that builds for a chip, and the folder in which the ELF will be.
+pub(crate) fn build_command(chip: &Chip, what: &str) -> Result<(Command, PathBuf)> {
+    let toolchain = tools::toolchain()?;
+    let dir = target_dir(toolchain, if chip.rustflags.is_empty() { "" } else { chip.name });
+    let words = format!("build --release --target {} {what}", chip.target);
+    let mut command = toolchain.cargo("firmware-examples", &words);
+    command.arg("--target-dir").arg(&dir);
+    if !chip.rustflags.is_empty() {
+        let flags = std::env::var("RUSTFLAGS").unwrap_or_default();
+        command.env("RUSTFLAGS", format!("{flags} {}", chip.rustflags).trim_start());
+    }
+    Ok((command, dir.join(chip.target).join("release")))
+}
+
+/// The decoder of the log, for the host.
+fn decoder() -> Result<PathBuf> {
+    let dir = firmware_target_dir();
+    let mut command = cargo("firmware-examples", "build --package toytop-firmware-decoder");
+    run(command.arg("--target-dir").arg(&dir))?;
+    Ok(dir.join("debug/toytop-firmware-decoder"))
+}

@@ -1,0 +1,31 @@
+//! Clippy, with warnings as errors, over the firmware workspace: every package for the targets it is made for.
+
+use anyhow::Result;
+
+use crate::firmware::{self, Chip};
+use crate::process::{cargo, run};
+use crate::tools;
+
+pub(crate) fn firmware() -> Result<()> {
+    let deny = ["--", "-D", "warnings"];
+    for package in ["--package toytop-firmware-decoder", "--lib --bin bits"] {
+        let mut command = cargo("firmware-examples", &format!("clippy --release {package}"));
+        run(command.arg("--target-dir").arg(crate::process::firmware_target_dir()).args(deny))?;
+    }
+    println!("clippy: firmware, host side");
+    let toolchain = tools::toolchain()?;
+    // all programs, and those that are not for Cortex-M only
+    for chip in ["m4f", "riscv"] {
+        let target = Chip::named(chip)?.target;
+        let bins: Vec<_> =
+            firmware::programs_of(target).map(|program| format!("--bin {}", program.name)).collect();
+        let programs = format!("--lib {}", bins.join(" "));
+        for what in [&programs, &format!("{programs} --features rtt"), "--package toytop-nopanic"] {
+            let words = format!("clippy --release --target {target} {what}");
+            let mut command = toolchain.cargo("firmware-examples", &words);
+            run(command.arg("--target-dir").arg(firmware::target_dir(toolchain, "")).args(deny))?;
+        }
+        println!("clippy: firmware, {target}");
+    }
+    Ok(())
+}

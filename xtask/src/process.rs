@@ -1,0 +1,94 @@
+//! Other programs: no input, a time limit, and their output kept until it is known to be wanted.
+
+use std::io::{Read, pipe};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::time::{Duration, Instant};
+use std::{env, thread};
+
+use anyhow::{Context, Result, bail};
+
+/// Whether this is CI, where a missing tool is a failure and lock files are kept.
+pub(crate) fn in_ci() -> bool {
+    env::var("CI").is_ok_and(|value| !value.is_empty() && value != "false")
+}
+
+/// The root of the repository, from what `cargo run` says at run time: a binary may be older than its folder's name.
+pub(crate) fn root() -> PathBuf {
+    let xtask =
+        env::var_os("CARGO_MANIFEST_DIR").map_or_else(|| env!("CARGO_MANIFEST_DIR").into(), PathBuf::from);
+    xtask.parent().map(Path::to_owned).expect("xtask is a folder of the repository")
+}
+
+/// Where the firmware workspace builds: beside its sources, or below `CARGO_TARGET_DIR`.
+pub(crate) fn firmware_target_dir() -> PathBuf {
+    match env::var_os("CARGO_TARGET_DIR") {
+        Some(dir) => root().join(dir).join("firmware"),
+        None => root().join("firmware-examples/target"),
+    }
+}
+
+/// cargo in a folder of the repository.
+pub(crate) fn cargo(folder: &str, words: &str) -> Command {
+    let mut command = Command::new("cargo");
+    command.current_dir(root().join(folder)).args(words.split_whitespace());
+    if in_ci() {
+        command.arg("--locked");
+    }
+    command
+}
+
+/// The command, as one would type it.
+fn typed(command: &Command) -> String {
+    let words = std::iter::once(command.get_program()).chain(command.get_args());
+    words.map(|word| word.to_string_lossy()).collect::<Vec<_>>().join(" ")
+}
+
+/// How a command ended and what it wrote, to both streams in order.
+pub(crate) struct Ended {
+    pub(crate) success: bool,
+    pub(crate) output: String,
+}
+
+/// Runs a command to its end, or to the limit.
+pub(crate) fn run_within(command: &mut Command, limit: Duration) -> Result<Ended> {
+    let name = typed(command);
+    let (mut reader, writer) = pipe()?;
+    command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
+    let mut child = command.spawn().with_context(|| format!("cannot run {name}"))?;
+    command.stdout(Stdio::null()).stderr(Stdio::null()); // drops our ends of the pipe
+    let collector = thread::spawn(move || {
+        let mut bytes = Vec::new();
+        reader.read_to_end(&mut bytes).map(|_| String::from_utf8_lossy(&bytes).into_owned())
+    });
+    let Some(status) = wait(&mut child, limit)? else {
+        bail!("{name}: not done after {} s", limit.as_secs());
+    };
+    let output = collector.join().expect("the collector does not panic")?;
+    Ok(Ended { success: status.success(), output })
+}
+
+/// Runs a command that must succeed; its output otherwise is the error.
+pub(crate) fn run(command: &mut Command) -> Result<String> {
+    let ended = run_within(command, Duration::from_secs(1200))?;
+    if !ended.success {
+        bail!("{}\nfailed: {}", ended.output.trim_end(), typed(command));
+    }
+    Ok(ended.output)
+}
+
+/// Waits for the end of a child; kills it at the limit and returns `None`.
+pub(crate) fn wait(child: &mut Child, limit: Duration) -> Result<Option<ExitStatus>> {
+    let start = Instant::now();
+    loop {
+        if let Some(status) = child.try_wait()? {
+            return Ok(Some(status));
+        }
+        if start.elapsed() > limit {
+            child.kill()?;
+            child.wait()?;
+            return Ok(None);
+        }
+        thread::sleep(Duration::from_millis(5));
+    }
+}

@@ -1,0 +1,128 @@
+//! `cargo xtask test`: the steps, in the order in which a failure is cheapest.
+
+use std::io::{Write, stdout};
+use std::process::ExitCode;
+use std::time::Instant;
+
+use anyhow::{Result, bail};
+
+use crate::firmware::{self, PROGRAMS, TARGETS};
+use crate::process::{cargo, in_ci, run};
+use crate::{chain, nopanic, tools};
+
+/// One step of the test command.
+struct Step {
+    name: &'static str,
+    /// Provides what it needs besides cargo.
+    provide: fn() -> Result<()>,
+    /// Returns a remark.
+    run: Box<dyn Fn() -> Result<String>>,
+}
+
+impl Step {
+    fn new(
+        name: &'static str,
+        provide: fn() -> Result<()>,
+        run: impl Fn() -> Result<String> + 'static,
+    ) -> Self {
+        Self { name, provide, run: Box::new(run) }
+    }
+}
+
+fn steps() -> Vec<Step> {
+    let nothing = || Ok(());
+    let compiler = || tools::toolchain().map(drop);
+    let emulator = || tools::toolchain().and_then(|_| tools::qemu());
+    let mut steps = vec![
+        Step::new("chain", nothing, chain::check),
+        Step::new("no-std", compiler, no_std),
+        Step::new("tests", nothing, || cargo_test("--lib --bins --tests --examples")),
+        Step::new("doctests", nothing, || cargo_test("--doc")),
+        Step::new("docs", nothing, docs),
+        Step::new("no-panic", compiler, nopanic::check),
+    ];
+    steps.extend(
+        PROGRAMS.iter().map(|program| Step::new(program.name, emulator, || firmware::check(program))),
+    );
+    steps
+}
+
+/// Runs all steps, or the one named. What a machine lacks is named; in CI that is a failure.
+pub(crate) fn test(only: Option<&str>) -> Result<ExitCode> {
+    let mut steps = steps();
+    if let Some(name) = only {
+        let names: Vec<_> = steps.iter().map(|step| step.name).collect();
+        if !names.contains(&name) {
+            bail!("no step {name}; there are: {}", names.join(" "));
+        }
+        steps.retain(|step| step.name == name);
+    }
+
+    let start = Instant::now();
+    let (mut failed, mut skipped) = (Vec::new(), Vec::new());
+    for Step { name, provide, run } in &steps {
+        let provided = provide();
+        print!("{name:10} ");
+        stdout().flush()?;
+        let begin = Instant::now();
+        match provided.map(|()| run()) {
+            Ok(Ok(remark)) => println!("ok       {:6.1} s   {remark}", begin.elapsed().as_secs_f64()),
+            Ok(Err(error)) => {
+                println!("FAILED   {:6.1} s\n{error:#}\n", begin.elapsed().as_secs_f64());
+                failed.push(*name);
+            }
+            Err(missing) if in_ci() => {
+                println!("FAILED   {missing:#}");
+                failed.push(*name);
+            }
+            Err(missing) => {
+                println!("SKIPPED  {missing:#}");
+                skipped.push(*name);
+            }
+        }
+    }
+
+    let passed = steps.len() - failed.len() - skipped.len();
+    print!("\n{passed} of {} steps passed in {:.0} s", steps.len(), start.elapsed().as_secs_f64());
+    for (what, names) in [("failed", &failed), ("skipped", &skipped)] {
+        if !names.is_empty() {
+            print!("; {what}: {}", names.join(" "));
+        }
+    }
+    println!();
+    Ok(if failed.is_empty() && passed > 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Core for every chip, with no feature and with all: targets that have no `std`. (The programs link it, too.)
+fn no_std() -> Result<String> {
+    let toolchain = tools::toolchain()?;
+    for target in TARGETS {
+        for features in ["", "--all-features"] {
+            let words = format!("check --release --lib --package toytop --target {target} {features}");
+            let mut command = toolchain.cargo(".", &words);
+            command.arg("--target-dir").arg(firmware::target_dir(toolchain, "core"));
+            run(&mut command)?;
+        }
+    }
+    Ok(format!("{} targets, without features and with all", TARGETS.len()))
+}
+
+/// The closing lines of every test binary are shown.
+fn cargo_test(words: &str) -> Result<String> {
+    let output = run(&mut cargo(".", &format!("test --workspace {words}")))?;
+    let closing: Vec<_> = output.lines().filter(|line| line.starts_with("test result:")).collect();
+    let count = |label: &str| -> u32 {
+        let before = |line: &&str| line.split(label).next()?.split_whitespace().last()?.parse::<u32>().ok();
+        closing.iter().filter_map(before).sum()
+    };
+    let passed = count(" passed");
+    if passed == 0 {
+        bail!("{output}\nno test ran");
+    }
+    Ok(format!("{passed} passed, {} ignored\n{}", count(" ignored"), closing.join("\n")))
+}
+
+fn docs() -> Result<String> {
+    run(cargo(".", "doc --workspace --no-deps --all-features").env("RUSTDOCFLAGS", "-D warnings"))?;
+    Ok("no warnings".into())
+}

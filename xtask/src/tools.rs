@@ -1,0 +1,142 @@
+//! What cross compiling and emulating need: found, installed, or named in one line.
+
+use std::path::Path;
+use std::process::Command;
+use std::sync::OnceLock;
+use std::time::Duration;
+
+use anyhow::{Result, bail};
+
+use crate::firmware::TARGETS;
+use crate::process::{self, Ended, run_within};
+
+/// The compiler that can build for the chips.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Toolchain {
+    /// The one that runs this, with the targets added.
+    Own,
+    /// Debian's packages, which bring the sources of the standard library: for where rustup cannot reach its server.
+    Debian,
+}
+
+const DEBIAN_PACKAGES: &str = "rustc-web cargo-web rust-web-src rust-web-llvm rust-web-clippy lld-22";
+const QEMU_PACKAGES: &str = "qemu-system-arm qemu-system-misc";
+
+impl Toolchain {
+    /// cargo for a chip's target, in a folder of the repository.
+    pub(crate) fn cargo(self, folder: &str, words: &str) -> Command {
+        let mut command = process::cargo(folder, words);
+        if self == Self::Debian {
+            let mut debian = Command::new("/usr/bin/cargo");
+            debian.current_dir(process::root().join(folder)).args(command.get_args());
+            debian.env("RUSTC_BOOTSTRAP", "1").env("CARGO_UNSTABLE_BUILD_STD", "core");
+            debian.env("RUSTC", "/usr/bin/rustc").env("RUSTDOC", "/usr/bin/rustdoc");
+            debian.env("PATH", format!("/usr/bin:{}", std::env::var("PATH").unwrap_or_default()));
+            for variable in ["RUSTUP_TOOLCHAIN", "LD_LIBRARY_PATH", "CARGO", "RUSTC_WRAPPER"] {
+                debian.env_remove(variable);
+            }
+            command = debian;
+        }
+        command
+    }
+
+    /// Compilers do not share a target folder.
+    pub(crate) fn subfolder(self) -> &'static str {
+        match self {
+            Self::Own => "",
+            Self::Debian => "debian",
+        }
+    }
+}
+
+/// A toolchain for all [`TARGETS`]. Installs what is missing, the first time it is asked.
+pub(crate) fn toolchain() -> Result<Toolchain> {
+    static FOUND: OnceLock<Option<Toolchain>> = OnceLock::new();
+    match FOUND.get_or_init(find_toolchain) {
+        Some(toolchain) => Ok(*toolchain),
+        None => bail!("to build for the chips: rustup target add {}", TARGETS.join(" ")),
+    }
+}
+
+fn find_toolchain() -> Option<Toolchain> {
+    if missing_targets().is_empty() {
+        return Some(Toolchain::Own);
+    }
+    let mut rustup = Command::new("rustup");
+    rustup.args(["target", "add"]).args(missing_targets());
+    let added = attempt(&mut rustup, 180);
+    if missing_targets().is_empty() {
+        return Some(Toolchain::Own);
+    }
+    if let Some(Ended { success: false, output }) = added {
+        let reason = output.lines().find(|line| line.starts_with("error")).unwrap_or_default();
+        eprintln!("rustup cannot add the targets: {reason}");
+    }
+    if !debian_is_complete() {
+        apt_install(DEBIAN_PACKAGES);
+    }
+    debian_is_complete().then(|| {
+        eprintln!("building for the chips with Debian's Rust packages");
+        Toolchain::Debian
+    })
+}
+
+fn missing_targets() -> Vec<&'static str> {
+    let installed = |target: &str| {
+        let found = attempt(Command::new("rustc").args(["--print", "target-libdir", "--target", target]), 60);
+        found.is_some_and(|ended| ended.success && Path::new(ended.output.trim()).exists())
+    };
+    TARGETS.iter().copied().filter(|target| !installed(target)).collect()
+}
+
+/// Whether Debian's packages are there: compiler and clippy, linker, and the sources of `core`.
+fn debian_is_complete() -> bool {
+    let mut rustc = Command::new("/usr/bin/rustc");
+    rustc.args(["--print", "sysroot"]).env_remove("LD_LIBRARY_PATH");
+    let sources =
+        |sysroot: &str| Path::new(sysroot.trim()).join("lib/rustlib/src/rust/library/core").exists();
+    ["/usr/bin/cargo", "/usr/bin/cargo-clippy", "/usr/bin/rust-lld"]
+        .iter()
+        .all(|path| Path::new(path).exists())
+        && attempt(&mut rustc, 60).is_some_and(|ended| sources(&ended.output))
+}
+
+/// QEMU for both architectures. Installs it where it may.
+pub(crate) fn qemu() -> Result<()> {
+    static FOUND: OnceLock<bool> = OnceLock::new();
+    let works = |program: &str| {
+        attempt(Command::new(program).arg("--version"), 30).is_some_and(|ended| ended.success)
+    };
+    let both_work = || works("qemu-system-arm") && works("qemu-system-riscv32");
+    let found = *FOUND.get_or_init(|| {
+        both_work() || {
+            apt_install(QEMU_PACKAGES);
+            both_work()
+        }
+    });
+    if !found {
+        bail!("to emulate the chips: install QEMU (apt-get install {QEMU_PACKAGES}; brew install qemu)");
+    }
+    Ok(())
+}
+
+/// Installs Debian packages, for root only; whether that helped is seen by what they bring.
+fn apt_install(packages: &str) {
+    let root = attempt(Command::new("id").arg("-u"), 30).is_some_and(|ended| ended.output.trim() == "0");
+    if !root || attempt(Command::new("apt-get").arg("--version"), 30).is_none() {
+        return;
+    }
+    eprintln!("installing {packages}");
+    attempt(Command::new("apt-get").arg("update"), 180);
+    let mut install = Command::new("apt-get");
+    install.args(["install", "-y", "--no-install-recommends"]).args(packages.split(' '));
+    install.env("DEBIAN_FRONTEND", "noninteractive");
+    if let Some(Ended { success: false, output }) = attempt(&mut install, 600) {
+        eprintln!("{}", output.trim_end());
+    }
+}
+
+/// The end of a command that may be missing or hang.
+fn attempt(command: &mut Command, seconds: u64) -> Option<Ended> {
+    run_within(command, Duration::from_secs(seconds)).ok()
+}
