@@ -1,6 +1,7 @@
 //! The motions that need no file: what `compare` runs when it is given none.
 
 use crate::Failure;
+use crate::cli::Scalar;
 use crate::scenario::Scenario;
 use toytop::{Heaviness, LaunchError, Motion, Sign, Signs, Start, Top};
 
@@ -20,13 +21,35 @@ pub fn scenarios() -> Result<Vec<Scenario>, Failure> {
     Ok(scenarios)
 }
 
-/// e₃ - e₂ of the two near the separatrix, and how far from the full solver each may be over ten periods, in f64 and in
-/// f32 (rad). Measured: 1.7e-11 and 4.9e-6; 3.9e-9 and 1.6e-5.
-const SEPARATRIX: [(f64, [f64; 2]); 2] = [(1e-3, [1e-10, 2e-5]), (1e-6, [1e-8, 5e-5])];
+/// The bounds of a built-in motion that has bounds of its own, rad over ten periods.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OwnBounds {
+    /// On the full solver.
+    pub truth: f64,
+    /// On the stepper in f32; in f64 the truth's is the greater.
+    pub stepper_f32: f64,
+}
 
-/// The bound of a built-in motion that has one of its own: in f64 and in f32, rad over ten periods.
+impl OwnBounds {
+    /// On the stepper alone.
+    #[must_use]
+    pub fn stepper(&self, scalar: Scalar) -> f64 {
+        match scalar {
+            Scalar::F64 => 0.0,
+            Scalar::F32 => self.stepper_f32,
+        }
+    }
+}
+
+/// e₃ - e₂ of the two near the separatrix, and their bounds. Measured: 1.7e-11 and 5e-6; 4.1e-9 and 1.6e-5.
+const SEPARATRIX: [(f64, OwnBounds); 2] = [
+    (1e-3, OwnBounds { truth: 1e-10, stepper_f32: 2e-5 }),
+    (1e-6, OwnBounds { truth: 1e-8, stepper_f32: 5e-5 }),
+];
+
+/// The bounds of a built-in motion that has bounds of its own.
 #[must_use]
-pub fn own_bounds(scenario: &Scenario) -> Option<[f64; 2]> {
+pub fn own_bounds(scenario: &Scenario) -> Option<OwnBounds> {
     SEPARATRIX.iter().find(|(gap, _)| scenario.name == separatrix_name(*gap)).map(|(_, bounds)| *bounds)
 }
 

@@ -23,6 +23,10 @@ pub enum Command {
     State(StateArgs),
     /// First integrals, branch points, period and mean rotations of a motion
     Constants(ConstantsArgs),
+    /// The curve of the tip between its bounding circles, as a picture
+    Plot(PlotArgs),
+    /// What a state costs: ephemeris and stepper against the full solver, on this machine
+    Bench,
 }
 
 /// `toytop compare`
@@ -51,7 +55,7 @@ pub struct StateArgs {
     #[command(flatten)]
     pub times: TimesArgs,
     /// How to get there
-    #[arg(long, value_enum, default_value_t = Method::Stepper)]
+    #[arg(long, value_enum, default_value_t = Method::Ephemeris)]
     pub method: Method,
     /// Scalar type of the core
     #[arg(long, value_enum, default_value_t = Scalar::F64)]
@@ -89,6 +93,16 @@ pub struct ConstantsArgs {
     pub format: ConstantsFormat,
 }
 
+/// `toytop plot`
+#[derive(Args, Debug)]
+pub struct PlotArgs {
+    /// Scenario file
+    pub scenario: PathBuf,
+    /// Where to: a file that ends in .svg or .png
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+}
+
 /// Form of the output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
@@ -112,10 +126,24 @@ pub enum ConstantsFormat {
 /// How `state` gets to a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Method {
+    /// The core's ephemeris: any time at the same cost
+    Ephemeris,
     /// The core's stepper
     Stepper,
     /// The full 3-D equations, integrated numerically
     Full,
+}
+
+impl Method {
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ephemeris => "ephemeris",
+            Self::Stepper => "stepper",
+            Self::Full => "full",
+        }
+    }
 }
 
 /// Scalar types of the core.

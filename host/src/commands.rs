@@ -1,7 +1,9 @@
 //! One file a command. A command returns its whole output; nothing is printed before all of it is there.
 
+mod bench;
 mod compare;
 mod constants;
+mod plot;
 mod state;
 
 use crate::Failure;
@@ -42,6 +44,8 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Compare(arguments) => compare::run(arguments),
         Command::State(arguments) => state::run(arguments),
         Command::Constants(arguments) => constants::run(arguments),
+        Command::Plot(arguments) => plot::run(arguments),
+        Command::Bench => bench::run(),
     }
 }
 

@@ -24,6 +24,16 @@ impl Failure {
             Self::Method(_) => 3,
         }
     }
+
+    /// The same, with the name of what it is about in front.
+    #[must_use]
+    pub fn of(self, name: &str) -> Self {
+        match self {
+            Self::Input(message) => Self::Input(format!("{name}: {message}")),
+            Self::Method(message) => Self::Method(format!("{name}: {message}")),
+            output @ Self::Output(_) => output,
+        }
+    }
 }
 
 impl fmt::Display for Failure {

@@ -19,7 +19,8 @@ use differential_equations::methods::ExplicitRungeKutta;
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use differential_equations::status::Status;
 
-use equations::{Equations, Vector7, dot};
+use equations::dot;
+pub(crate) use equations::{Equations, Vector7};
 pub use equations::{FullState, FullTop};
 use rounding::{power_of_two, project, two_sum};
 

@@ -6,25 +6,34 @@
 //! | [`scenario`], [`builtin`] | a motion from a TOML file; the motions that need no file |
 //! | [`times`] | the times asked for |
 //! | [`propagate`] | the core's stepper taken to given times |
+//! | [`ephemeris`] | the core's ephemeris, in the smallest table that fits |
+//! | [`tip_angle`] | the tip angle of an ephemeris, continued from t = 0 |
 //! | [`truth`] | the full solver taken to the same times |
+//! | [`baseline`] | the full equations in equal steps: what one would do without the core |
 //! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
+//! | [`plot`] | the curve of the tip as a picture |
 //! | [`commands`] | one file a command |
 //! | [`output`], [`progress`] | table, CSV, JSON; the bar |
 //!
 //! A command computes everything before the first byte is printed, so a failure leaves nothing half-written.
 
+pub mod baseline;
 pub mod builtin;
 pub mod cli;
 pub mod commands;
+pub mod ephemeris;
 mod failure;
 pub mod full_solver;
 pub mod invariants;
 pub mod output;
+pub mod plot;
 pub mod progress;
 pub mod propagate;
 pub mod scenario;
 pub mod times;
+pub mod tip_angle;
 pub mod truth;
+mod whole_file;
 
 pub use commands::Report;
 pub use failure::Failure;

@@ -4,7 +4,7 @@ use crate::Failure;
 use crate::progress::Progress;
 use std::time::{Duration, Instant};
 use toytop::real::{DoubleDouble, Float, Real, Ring};
-use toytop::{Complex, Motion, Regime, Stepper, Top};
+use toytop::{Complex, Motion, Pose, Regime, Stepper, Top};
 
 /// Everything `state` says about one instant, in `f64` whatever computed it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,10 +28,9 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// Where a stepper is.
+    /// A moment of the core.
     #[must_use]
-    pub fn of<R: Real>(t: f64, stepper: &Stepper<R>) -> Self {
-        let (pose, tip) = (stepper.pose(), stepper.tip());
+    pub fn of<R: Real>(t: f64, pose: &Pose<R>, tip: Complex<R>, phi: Option<f64>) -> Self {
         let widen = |z: Complex<R>| Complex::new(z.re.to_f64(), z.im.to_f64());
         Self {
             t,
@@ -40,9 +39,16 @@ impl Sample {
             alpha: widen(pose.phi.alpha),
             beta: widen(pose.phi.beta),
             omega: pose.omega().map(R::to_f64),
-            tip: widen(tip.c),
-            phi: tip.angle.map(|angle| angle.phi.to_radians()),
+            tip: widen(tip),
+            phi,
         }
+    }
+
+    /// Where a stepper is.
+    #[must_use]
+    pub fn stepped<R: Real>(t: f64, stepper: &Stepper<R>) -> Self {
+        let tip = stepper.tip();
+        Self::of(t, &stepper.pose(), tip.c, tip.angle.map(|angle| angle.phi.to_radians()))
     }
 }
 

@@ -5,15 +5,16 @@ use crate::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState, FullTop};
 use crate::progress::Progress;
 use crate::propagate::{Paced, Sample, steps_needed, sweep};
 use crate::scenario::Scenario;
+use crate::tip_angle::remainder;
 use std::f64::consts::PI;
 use toytop::{Complex, Motion, Stepper, TipClass, Top};
 
-/// The full solver at the start of a scenario.
+/// Where the full equations start from.
 ///
 /// A state goes over as it was given. A motion given by branch points has none, so it is read off the core's stepper at
 /// t = 0: that hands over initial conditions (α, β, ω), no physics; what follows from them is the full solver's own.
 #[must_use]
-pub fn solver(scenario: &Scenario) -> FullSolver {
+pub fn start(scenario: &Scenario) -> (FullTop, FullState) {
     let top = scenario.motion.top();
     let (phi, omega) = match &scenario.state {
         Some(state) => (state.phi(), state.omega()),
@@ -24,7 +25,13 @@ pub fn solver(scenario: &Scenario) -> FullSolver {
     };
     let pair = |z: Complex<f64>| [z.re, z.im];
     let state = FullState { alpha: pair(phi.alpha), beta: pair(phi.beta), omega };
-    let top = FullTop { a: top.a(), c: top.c(), s: top.s(), p: top.p(), g: top.g() };
+    (FullTop { a: top.a(), c: top.c(), s: top.s(), p: top.p(), g: top.g() }, state)
+}
+
+/// The full solver at the start of a scenario.
+#[must_use]
+pub fn solver(scenario: &Scenario) -> FullSolver {
+    let (top, state) = start(scenario);
     FullSolver::new(top, state, FULL_SOLVER_TOLERANCE)
 }
 
@@ -91,9 +98,4 @@ fn sample(motion: &Motion, t: f64, state: &FullState, guide: Option<f64>) -> Sam
 /// 2 s αβ, or 2 αβ for a fixed tip.
 fn tip(top: &Top, product: Complex<f64>) -> Complex<f64> {
     product.scaled(2.0 * top.tip_scale())
-}
-
-/// x less the nearest multiple of `unit`.
-fn remainder(x: f64, unit: f64) -> f64 {
-    x - unit * (x / unit).round()
 }

@@ -61,7 +61,7 @@ fn regime(regime: Regime) -> &'static str {
     }
 }
 
-fn tip_class(class: TipClass) -> &'static str {
+pub(super) fn tip_class(class: TipClass) -> &'static str {
     match class {
         TipClass::Smooth => "smooth",
         TipClass::Cusp => "cusp",

@@ -3,11 +3,12 @@
 use super::{Report, lift_off};
 use crate::Failure;
 use crate::cli::{Format, Method, Scalar, StateArgs};
+use crate::ephemeris::{Instant, Sizes, furthest_time, smallest};
 use crate::output::{self, Cell, Record, number};
 use crate::progress::Progress;
 use crate::propagate::{Paced, Sample, period, steps_needed, sweep};
 use crate::scenario::Scenario;
-use crate::{times, truth};
+use crate::{times, tip_angle, truth};
 use toytop::real::Real;
 use toytop::{Complex, Motion};
 
@@ -16,6 +17,8 @@ pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let times = times::read(&arguments.times)?;
     let step = period(&scenario.motion) / f64::from(arguments.steps_per_period);
     let samples = match (arguments.method, arguments.scalar) {
+        (Method::Ephemeris, Scalar::F64) => tabulated::<f64>(&scenario, &times)?,
+        (Method::Ephemeris, Scalar::F32) => tabulated::<f32>(&scenario, &times)?,
         (Method::Stepper, Scalar::F64) => stepped::<f64>(&scenario.motion, &times, step)?,
         (Method::Stepper, Scalar::F32) => stepped::<f32>(&scenario.motion, &times, step)?,
         (Method::Full, Scalar::F64) => truth::samples(&scenario, &times, step)?,
@@ -33,6 +36,21 @@ pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     Ok(report.with_remarks(lift_off(&[scenario]), arguments.format == Format::Table))
 }
 
+fn tabulated<R: Sizes>(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
+    let motion = &scenario.motion;
+    let furthest = furthest_time(motion);
+    if let Some(t) = times.iter().find(|t| t.abs() > furthest) {
+        let allowed = format!("within ±{furthest:.1e} s with --method ephemeris");
+        return Err(Failure::Input(format!("times: {t:e} must be {allowed}")));
+    }
+    let ephemeris = smallest::<R>(motion).map_err(|failure| failure.of(&scenario.name))?;
+    let instants: Vec<_> = times.iter().map(|&t| (t, ephemeris.at(t))).collect();
+    let phis = tip_angle::continued(motion, &ephemeris.at(0.0), &instants)?;
+    let sample =
+        |((t, instant), phi): (&(f64, Instant<R>), _)| Sample::of(*t, &instant.pose, instant.tip, phi);
+    Ok(instants.iter().zip(phis).map(sample).collect())
+}
+
 fn stepped<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sample>, Failure> {
     let mut progress = Progress::new(steps_needed(times, step)?, "steps");
     sweep(
@@ -40,7 +58,7 @@ fn stepped<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sam
         || Paced::<R>::new(motion, step),
         |paced, t| {
             paced.reach(t, &mut progress);
-            Ok(Sample::of(t, paced.stepper()))
+            Ok(Sample::stepped(t, paced.stepper()))
         },
     )
 }

@@ -5,7 +5,7 @@
 type Vector = [f64; 3];
 
 /// alpha re, im, beta re, im, m1, m2, m3.
-pub(super) type Vector7 = [f64; 7];
+pub(crate) type Vector7 = [f64; 7];
 
 /// The body: inertias, where its centre of mass is, and gravity. Any consistent units; the ones named are SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,16 +70,16 @@ impl FullTop {
 /// What the motion depends on: A, C, p s and p g, here in whatever units of inertia and time the caller
 /// chose.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Equations {
-    pub(super) a: f64,
-    pub(super) c: f64,
-    pub(super) ps: f64,
-    pub(super) pg: f64,
+pub(crate) struct Equations {
+    pub(crate) a: f64,
+    pub(crate) c: f64,
+    pub(crate) ps: f64,
+    pub(crate) pg: f64,
 }
 
 impl Equations {
     /// m = A omega + (C - A) <omega, r> r + p s u' q, where q = r x k and u' = <omega, q>.
-    pub(super) fn momentum(&self, state: &FullState) -> Vector {
+    pub(crate) fn momentum(&self, state: &FullState) -> Vector {
         let (r, w) = (state.axis(), state.omega);
         let q = [r[1], -r[0], 0.0];
         let (axial, rise) = ((self.c - self.a) * dot(w, r), self.ps * dot(w, q));
@@ -96,7 +96,7 @@ impl Equations {
     }
 
     /// The state with its angular velocity, from (Phi, m).
-    pub(super) fn state(&self, y: &Vector7) -> FullState {
+    pub(crate) fn state(&self, y: &Vector7) -> FullState {
         let (alpha, beta) = ([y[0], y[1]], [y[2], y[3]]);
         let omega = self.angular_velocity(axis(alpha, beta), [y[4], y[5], y[6]]).0;
         FullState { alpha, beta, omega }
@@ -105,7 +105,7 @@ impl Equations {
     /// d/dt (Phi, m). Phi' = omega Phi. m' = omega x m + DL with DL = (C - A) <omega, r> r x omega + p s u' r
     /// x (k x omega) - p g q; the two (C - A) terms cancel and Jacobi's identity leaves m' = p s u' (r' x k)
     /// - p g q, which is horizontal: l = m3 is conserved to the last bit.
-    pub(super) fn derivative(&self, y: &Vector7) -> Vector7 {
+    pub(crate) fn derivative(&self, y: &Vector7) -> Vector7 {
         let r = axis([y[0], y[1]], [y[2], y[3]]);
         let (w, rise) = self.angular_velocity(r, [y[4], y[5], y[6]]);
         let turn = cross(w, r);

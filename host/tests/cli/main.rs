@@ -1,7 +1,10 @@
 //! The command line as other programs see it: exit codes, stdout, stderr, JSON.
 
+mod plot;
 mod refusals;
 mod state;
+mod tip_angle;
+mod vectors;
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -39,6 +42,14 @@ fn json(arguments: &[&str]) -> Value {
     let output = run(arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", stderr(&output));
     serde_json::from_slice(&output.stdout).expect("stdout is JSON")
+}
+
+/// What `state` says of a scenario file at these times.
+fn samples(file: &str, times: &str, more: &[&str]) -> Vec<Value> {
+    let times = format!("--times={times}");
+    let mut arguments = vec!["state", file, &times, "--format", "json"];
+    arguments.extend(more);
+    json(&arguments)["samples"].as_array().expect("samples").clone()
 }
 
 /// A scenario file of this content; every test has names of its own.
@@ -123,28 +134,34 @@ fn numbers_have_seventeen_digits() {
 fn compare_holds_its_bounds() {
     let rows = json(&["compare", "--format", "json"]);
     let rows = rows["rows"].as_array().expect("rows");
-    assert_eq!(rows.len(), 28);
+    assert_eq!(rows.len(), 56);
     for row in rows {
         let error = row["max_orientation_error_rad"].as_f64().expect("a number");
         assert_eq!(row["verdict"], "ok", "{row}");
         assert!(error > 0.0 && error <= row["bound_rad"].as_f64().expect("a number"), "{row}");
         let drift_limit = if row["scalar"] == "f32" { 3e-6 } else { 1e-14 };
+        let [by_steps, by_table] = ["steps", "table"].map(|key| !row[key].is_null());
+        assert_eq!([by_steps, by_table], [row["method"] == "stepper", row["method"] == "ephemeris"], "{row}");
+        if row["method"] == "ephemeris" && row["scalar"] == "f32" {
+            assert!(row["bound_rad"].as_f64().is_some_and(|bound| bound < 5.11e-7), "{row}");
+        }
         for key in ["h_drift", "l_drift", "n_drift"] {
             assert!(row[key].as_f64().is_some_and(|drift| drift < drift_limit), "{key}: {row}");
         }
     }
     let table = run(&["compare", "--scalar", "f64"]);
     assert!(stdout(&table).lines().all(|line| line.chars().count() <= 120));
-    assert_eq!(stdout(&table).matches(" ok\n").count(), 14);
+    assert_eq!(stdout(&table).matches(" ok\n").count(), 28);
     assert!(stdout(&table).contains("figure 2 e3=100 (-15.65"), "the warning is below the table");
 }
 
 #[test]
 fn compare_reads_scenarios_and_tells_a_miss() {
     let all = json(&["compare", &sample("toy_top"), "--scalar", "all", "--periods", "2", "--format", "json"]);
-    let names = |row: &Value| format!("{} {}", row["motion"], row["scalar"]);
+    let names = |row: &Value| format!("{} {} {}", row["motion"], row["scalar"], row["method"]);
     let rows: Vec<_> = all["rows"].as_array().expect("rows").iter().map(names).collect();
-    assert_eq!(rows, [r#""toy_top" "f64""#, r#""toy_top" "f32""#]);
+    let expected = ["f64 stepper", "f32 stepper", "f64 ephemeris", "f32 ephemeris"];
+    assert_eq!(rows, expected.map(|row| format!("\"toy_top\" \"{}\"", row.replace(' ', "\" \""))));
 
     // A/(ps) = 1e-4 near the vertical is too steep for 4096 steps a period.
     let slender = branch_points([-0.9, 0.99, 1.18], -1)
@@ -153,6 +170,15 @@ fn compare_reads_scenarios_and_tells_a_miss() {
     let output = run(&["compare", &scenario("slender", &slender)]);
     assert_eq!(output.status.code(), Some(1));
     assert_eq!(stdout(&output).matches(" MISS\n").count(), 2, "{}", stdout(&output));
+    let of_the_ephemeris = |line: &&str| line.contains(" ephemeris ") && line.ends_with(" ok");
+    assert_eq!(stdout(&output).lines().filter(of_the_ephemeris).count(), 2, "{}", stdout(&output));
+
+    // at 1e-6 no table fits: said, not missed
+    let needle = slender.replace("5.4e-5", "6e-7").replace("5e-5", "5.5e-7");
+    let file = scenario("needle_compared", &needle);
+    let output = run(&["compare", &file, "--scalar", "f32", "--periods", "1"]);
+    assert!(stdout(&output).contains("needle_compared f32: no ephemeris"), "{}", stdout(&output));
+    assert!(stdout(&output).lines().any(|line| line.contains(" ephemeris ") && line.ends_with(" no fit")));
 }
 
 #[test]

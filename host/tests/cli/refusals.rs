@@ -19,7 +19,8 @@ fn arguments() {
     let missing = sample("no_such_file");
     let cases: &[(&[&str], &[&str])] = &[
         (&[], &["--help"]),
-        (&["plot"], &["plot"]),
+        (&["plot"], &["--output", "SCENARIO"]),
+        (&["draw"], &["draw"]),
         (&["constants"], &["SCENARIO"]),
         (&["constants", &file, "--format", "csv"], &["--format", "table, json"]),
         (&["constants", &missing], &["no_such_file.toml", "No such file"]),
@@ -34,13 +35,16 @@ fn arguments() {
         (&["state", &file, "--times", "1 2"], &["--times", "finite number"]),
         (&["state", &file, "--times-file", &missing], &["no_such_file.toml"]),
         (&["state", &file, "--times-file", &file], &["toy_top.toml", "line 3", "finite number"]),
-        (&["state", &file, "--times", "1", "--method", "ephemeris"], &["ephemeris", "stepper, full"]),
-        (&["state", &file, "--times", "1", "--method", "closed-form"], &["closed-form", "stepper, full"]),
+        (&["state", &file, "--times", "1", "--method", "euler"], &["euler", "ephemeris, stepper, full"]),
         (&["state", &file, "--times", "1", "--scalar", "q31"], &["q31", "f64, f32"]),
         (&["state", &file, "--times", "1", "--scalar", "f32", "--method", "full"], &["--scalar", "f64"]),
         (&["state", &file, "--times", "1", "--steps-per-period", "0"], &["1..=16777216"]),
         (&["state", &file, "--times", "1", "--steps-per-period", "16777217"], &["1..=16777216"]),
-        (&["state", &file, "--times", "1e6,-1e6"], &["--steps-per-period", "at most 1e10 steps"]),
+        (
+            &["state", &file, "--times", "1e6,-1e6", "--method", "stepper"],
+            &["--steps-per-period", "at most 1e10 steps"],
+        ),
+        (&["state", &file, "--times", "1,-1e300"], &["times", "-1e300", "within ±2.8e14 s"]),
     ];
     for (arguments, parts) in cases {
         assert_refused(arguments, 2, parts);
@@ -195,4 +199,13 @@ fn a_method_that_does_not_apply_exits_with_3() {
     let file = scenario("too_far", &format!("{TOP}{RELEASE}"));
     let far = ["state", &file, "--times", "1e6", "--method", "full", "--steps-per-period", "64"];
     assert_refused(&far, 3, &["too_far", "full solver", "evaluations"]);
+    // A/(ps) = 1e-6 near the vertical: no table of the list fits
+    let needle = branch_points([-0.9, 0.99, 1.18], -1)
+        .replace("inertia = 1.1", "inertia = 6e-7")
+        .replace("inertia = 0.8", "inertia = 5.5e-7");
+    let file = scenario("needle", &needle);
+    for (scalar, size) in [("f64", "4096x11"), ("f32", "1024x7")] {
+        let arguments = ["state", &file, "--times", "1", "--scalar", scalar];
+        assert_refused(&arguments, 3, &["needle", "no ephemeris", size, "segments of this degree would fit"]);
+    }
 }

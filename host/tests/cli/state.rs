@@ -1,14 +1,7 @@
 //! `toytop state`: samples in the order asked, continuous, in both directions and by both methods.
 
-use super::{RELEASE, TOP, branch_points, json, run, sample, scenario, stdout};
+use super::{RELEASE, TOP, branch_points, json, run, sample, samples, scenario, stdout};
 use serde_json::Value;
-
-fn samples(file: &str, times: &str, more: &[&str]) -> Vec<Value> {
-    let times = format!("--times={times}");
-    let mut arguments = vec!["state", file, &times, "--format", "json"];
-    arguments.extend(more);
-    json(&arguments)["samples"].as_array().expect("samples").clone()
-}
 
 fn numbers(sample: &Value, keys: &[&str]) -> Vec<f64> {
     let number = |value: &Value| value.as_f64().expect("a number");
@@ -81,7 +74,7 @@ fn the_start_is_the_release_of_the_contract() {
         axial * r[1] - 0.2 * azimuth.cos(),
         axial * r[2] + 0.3,
     ];
-    for method in ["stepper", "full"] {
+    for method in ["ephemeris", "stepper", "full"] {
         let start = &samples(&file, "0", &["--method", method])[0];
         let found = numbers(start, &["alpha", "beta", "omega"]);
         assert!(found.iter().zip(expected).all(|(x, y)| (x - y).abs() < 3e-15), "{found:?} {expected:?}");
@@ -121,7 +114,7 @@ fn times_come_in_the_order_asked() {
 }
 
 #[test]
-fn both_methods_agree_and_phi_is_continued_from_zero() {
+fn the_methods_agree_and_phi_is_continued_from_zero() {
     // e1, e2, e3, sign of l - n: smooth, loops, through the centre at the bottom, at the top, near the separatrix
     let cases = [
         ([0.2, 0.8, 1.5], 1),
@@ -135,20 +128,20 @@ fn both_methods_agree_and_phi_is_continued_from_zero() {
         let file = scenario(&format!("phi{index}"), &(branch_points(e, minus) + start));
         let times: Vec<f64> = (-300..=300).map(|i| 0.05 * f64::from(i)).collect();
         let list = times.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
-        let stepper = samples(&file, &list, &[]);
-        let full = samples(&file, &list, &["--method", "full"]);
+        let [stepper, full, ephemeris] =
+            ["stepper", "full", "ephemeris"].map(|method| samples(&file, &list, &["--method", method]));
         let phi = |sample: &Value| numbers(sample, &["phi"])[0];
         let origin = phi(&stepper[300]);
         assert!(-std::f64::consts::PI < origin && origin <= std::f64::consts::PI, "{e:?}: {origin}");
         let alone = phi(&samples(&file, "15", &["--method", "full"])[0]);
         assert!((alone - phi(&stepper[600])).abs() < 1e-7, "{e:?}: {alone}");
-        for (a, b) in stepper.iter().zip(&full) {
+        for (a, b) in stepper.iter().zip(&full).chain(stepper.iter().zip(&ephemeris)) {
             assert!(distance(a, b, &EVERYTHING[..8]) < 1e-9, "{e:?}: {a} {b}");
         }
-        for pair in stepper.windows(2).chain(full.windows(2)) {
+        for pair in stepper.windows(2).chain(full.windows(2)).chain(ephemeris.windows(2)) {
             assert!((phi(&pair[1]) - phi(&pair[0])).abs() < 1.0, "{e:?}: {pair:?}");
         }
-        for (a, b) in stepper.iter().zip(&full) {
+        for (a, b) in stepper.iter().zip(&full).chain(ephemeris.iter().zip(&full)) {
             let [x, y] = numbers(a, &["tip"])[..] else { panic!("two numbers") };
             // noise over |c|
             assert!((phi(a) - phi(b)).abs() < 1e-9 / x.hypot(y).min(1.0), "{e:?}: {a} {b}");
@@ -162,7 +155,7 @@ fn both_methods_agree_and_phi_is_continued_from_zero() {
 #[test]
 fn where_the_tip_is_at_the_centre_phi_goes_on_smoothly() {
     let file = scenario("centre", &(branch_points([-1.0, 0.6, 1.4], 1) + "arg_beta = 0.7\n"));
-    for method in ["stepper", "full"] {
+    for method in ["ephemeris", "stepper", "full"] {
         let passing = samples(&file, "-1e-4,0,1e-4", &["--method", method]);
         let [before, at, after] = [0, 1, 2].map(|i| numbers(&passing[i], &["phi"])[0]);
         assert!((before - at).abs() < 1e-3 && (after - at).abs() < 1e-3, "{method}: {before} {at} {after}");
@@ -186,7 +179,8 @@ fn single_precision_is_single_precision() {
 #[test]
 fn steps_per_period_are_obeyed_and_fourth_order() {
     let file = scenario("order", &format!("{TOP}{RELEASE}"));
-    let at = |steps: &str| samples(&file, "20", &["--steps-per-period", steps])[0].clone();
+    let at =
+        |steps: &str| samples(&file, "20", &["--method", "stepper", "--steps-per-period", steps])[0].clone();
     let exact = at("8192");
     let [coarse, fine] = ["64", "128"].map(|steps| distance(&at(steps), &exact, &["alpha", "beta"]));
     let order = (coarse / fine).log2();

@@ -1,0 +1,50 @@
+//! `toytop bench`: what a state of the top costs, and what it costs elsewhere. On this machine, of this build.
+
+mod contest;
+mod ticks;
+mod timing;
+
+use super::Report;
+use crate::Failure;
+use crate::output;
+use crate::progress::Progress;
+
+/// One line of a table: what was timed, and the rest in cells.
+struct Line {
+    what: String,
+    /// Of the whole task, or of one tick, s.
+    seconds: f64,
+    rest: Vec<String>,
+}
+
+pub(super) fn run() -> Result<Report, Failure> {
+    let scenario = contest::scenario()?;
+    let mut progress = Progress::new(contest::TASKS + ticks::TASKS, "tasks");
+    let contest = contest::run(&scenario, &mut progress)?;
+    let ticks = ticks::run(&scenario.motion, &mut progress)?;
+    drop(progress);
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let build = if cfg!(debug_assertions) { "UNOPTIMISED build" } else { "release build" };
+    let text = format!(
+        "{} samples over {} periods (s = A = p = 1, C = 0.6, e = 0.7, 0.9, 1.85), orientation within {:.0e} rad:\n\n{}\n\
+         One state at a time:\n\n{}\n\
+         Least of {} runs on one core of {cores}; {build}.\n",
+        contest::SAMPLES,
+        contest::PERIODS,
+        contest::ACCURACY,
+        columns(&["", "time", "error, rad", "times as fast"], &contest),
+        columns(&["", "time", "million a second"], &ticks),
+        timing::RUNS,
+    );
+    Ok(Report { text, ..Report::default() })
+}
+
+fn columns(header: &[&str], lines: &[Line]) -> String {
+    let row = |line: &Line| {
+        let mut row = vec![line.what.clone(), timing::in_words(line.seconds)];
+        row.extend(line.rest.iter().cloned());
+        row
+    };
+    let header = header.iter().map(|&name| name.to_owned()).collect();
+    output::columns(std::iter::once(header).chain(lines.iter().map(row)).collect(), 1)
+}

@@ -1,0 +1,130 @@
+//! The same samples by the full solver, by Runge and Kutta's method and by an ephemeris.
+
+use super::Line;
+use super::timing::least;
+use crate::baseline::FixedSteps;
+use crate::full_solver::{FullSolver, FullState};
+use crate::progress::Progress;
+use crate::scenario::Scenario;
+use crate::{Failure, truth};
+use toytop::{EphemerisF64, Heaviness, LaunchError, Motion, Phi, Sign, Signs, Start, Tick, Top};
+
+pub(super) const SAMPLES: u32 = 1000;
+pub(super) const PERIODS: u32 = 100;
+/// Of the orientation, rad.
+pub(super) const ACCURACY: f64 = 1e-9;
+/// What is timed here.
+pub(super) const TASKS: u64 = 6;
+/// Ticks a second.
+const HERTZ: u32 = 1024;
+/// Steps a period of the baseline.
+const STEPS: u32 = 200;
+
+/// A toy top that draws cusps.
+pub(super) fn scenario() -> Result<Scenario, Failure> {
+    let motion = || -> Result<Motion, LaunchError> {
+        let top = Top::sliding(1.0, 0.6, 1.0, Heaviness::MassMoment(1.0), 1.0)?;
+        let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
+        Motion::from_branch_points(&top, [0.7, 0.9, 1.85], signs, &Start::default())
+    };
+    let motion = motion().map_err(impossible)?;
+    Ok(Scenario { name: "bench".to_owned(), motion, state: None })
+}
+
+/// The motion is valid.
+fn impossible(error: LaunchError) -> Failure {
+    Failure::Input(format!("bench: {error}"))
+}
+
+pub(super) fn run(scenario: &Scenario, progress: &mut Progress) -> Result<Vec<Line>, Failure> {
+    let motion = &scenario.motion;
+    let period = motion.averages().map_or(1.0, |averages| averages.period);
+    // on whole ticks, and these exact in f64: every way of asking is asked for the same moments
+    let apart = (f64::from(PERIODS) * period / f64::from(SAMPLES) * f64::from(HERTZ)).round() as i64;
+    let ticks: Vec<i64> = (1..=i64::from(SAMPLES)).map(|i| i * apart).collect();
+    let times: Vec<f64> = ticks.iter().map(|&n| n as f64 / f64::from(HERTZ)).collect();
+    let tick = Tick::hertz(HERTZ).map_err(impossible)?;
+    let set_up = || EphemerisF64::new(motion, tick).map_err(|error| Failure::Method(error.to_string()));
+    let (setting_up, ephemeris) = least(progress, set_up);
+    let ephemeris = ephemeris?;
+    let at = |t: &f64| ephemeris.at(*t);
+    let (ticking, _) =
+        least(progress, || ticks.iter().map(|&n| ephemeris.at_tick(n).phi()).collect::<Vec<_>>());
+    let (orienting, phis) = least(progress, || times.iter().map(|t| at(t).phi()).collect::<Vec<_>>());
+    let (turning, _) = least(progress, || {
+        let pose = |t: &f64| {
+            let pose = at(t).pose();
+            (pose.phi, pose.omega())
+        };
+        times.iter().map(pose).collect::<Vec<_>>()
+    });
+    let truth = truth::states(scenario, &times)?;
+    let error = |found: &[Phi<f64>]| {
+        let pairs = found.iter().zip(&truth);
+        pairs.map(|(found, truth)| distance(found, &phi(truth))).fold(0.0, f64::max)
+    };
+    let solver_error = |states: &[FullState]| error(&states.iter().map(phi).collect::<Vec<_>>());
+
+    let (tolerance, states) = loosest(scenario, &times, &solver_error)?;
+    let (solving, _) = least(progress, || solved(scenario, &times, tolerance));
+    let (stepping, stepped) = least(progress, || baseline(scenario, apart as f64 / f64::from(HERTZ)));
+    let line = |what: &str, seconds: f64, error: f64| {
+        let ratio = solving / seconds;
+        let ratio = if ratio < 10.0 { format!("{ratio:.1}") } else { format!("{ratio:.0}") };
+        Line { what: what.to_owned(), seconds, rest: vec![format!("{error:.1e}"), ratio] }
+    };
+    let solver = format!("full solver, tolerance {tolerance:.0e}: orientation and angular velocity");
+    let rivals = format!("Runge-Kutta of the full equations, {STEPS} steps a period: the same");
+    let error = error(&phis);
+    Ok(vec![
+        line(&solver, solving, solver_error(&states)),
+        line(&rivals, stepping, solver_error(&stepped)),
+        line("ephemeris f64, 64x11, at any time: the same", turning, error),
+        line("ephemeris f64, 64x11, at any time: orientation", orienting, error),
+        line("ephemeris f64, 64x11, at any tick: orientation", ticking, error),
+        Line { what: "    its set-up, once".to_owned(), seconds: setting_up, rest: vec![String::new(); 2] },
+    ])
+}
+
+/// The loosest tolerance, of powers of ten, that is accurate enough, and its states.
+fn loosest(
+    scenario: &Scenario,
+    times: &[f64],
+    error: &dyn Fn(&[FullState]) -> f64,
+) -> Result<(f64, Vec<FullState>), Failure> {
+    let mut tolerance = 1e-6;
+    loop {
+        let states = solved(scenario, times, tolerance)?;
+        if error(&states) <= ACCURACY || tolerance < 1e-15 {
+            return Ok((tolerance, states));
+        }
+        tolerance *= 0.1;
+    }
+}
+
+fn solved(scenario: &Scenario, times: &[f64], tolerance: f64) -> Result<Vec<FullState>, Failure> {
+    let (top, state) = truth::start(scenario);
+    let mut solver = FullSolver::new(top, state, tolerance);
+    let reach = |&t: &f64| solver.advance_to(t).map_err(|error| Failure::Method(error.to_string()));
+    times.iter().map(reach).collect()
+}
+
+fn baseline(scenario: &Scenario, apart: f64) -> Vec<FullState> {
+    let (top, state) = truth::start(scenario);
+    let mut run = FixedSteps::new(&top, &state, apart * f64::from(SAMPLES) / f64::from(STEPS * PERIODS));
+    let steps = STEPS * PERIODS / SAMPLES;
+    let sample = |_| {
+        (0..steps).for_each(|_| run.step());
+        run.state()
+    };
+    (0..SAMPLES).map(sample).collect()
+}
+
+fn phi(state: &FullState) -> Phi<f64> {
+    let complex = |[re, im]: [f64; 2]| toytop::Complex::new(re, im);
+    Phi { alpha: complex(state.alpha), beta: complex(state.beta) }
+}
+
+fn distance(a: &Phi<f64>, b: &Phi<f64>) -> f64 {
+    2.0 * ((a.alpha - b.alpha).norm_squared() + (a.beta - b.beta).norm_squared()).sqrt()
+}

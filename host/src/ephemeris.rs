@@ -1,0 +1,139 @@
+//! The core's ephemeris in the smallest table of a short list that fits: what a command holds does not know the size.
+
+use crate::Failure;
+use crate::propagate::period;
+use toytop::real::Real;
+use toytop::{Complex, Ephemeris, ErrorBound, LaunchError, Motion, NoFit, Pose, Stepper, Tick, Turns};
+
+/// An ephemeris of any size.
+pub trait AnySize<R>: Send + Sync {
+    /// Segments and terms.
+    fn size(&self) -> [usize; 2];
+
+    /// How far it can be from the truth.
+    fn error_bound(&self) -> ErrorBound;
+
+    /// The moment t units of time after t = 0, t taken as exact.
+    fn at(&self, t: f64) -> Instant<R>;
+}
+
+/// All that an ephemeris says of a moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Instant<R> {
+    /// Φ and Φ'.
+    pub pose: Pose<R>,
+    /// c = 2 s αβ, m; 2 αβ for a fixed tip.
+    pub tip: Complex<R>,
+    /// One turn a nutation period, 0 at u = e₁.
+    pub nutation_phase: Turns,
+}
+
+impl<R: Real + Send + Sync, const SEGMENTS: usize, const TERMS: usize> AnySize<R>
+    for Ephemeris<R, SEGMENTS, TERMS>
+{
+    fn size(&self) -> [usize; 2] {
+        [SEGMENTS, TERMS]
+    }
+
+    fn error_bound(&self) -> ErrorBound {
+        Self::error_bound(self)
+    }
+
+    fn at(&self, t: f64) -> Instant<R> {
+        let moment = Self::at(self, t);
+        Instant { pose: moment.pose(), tip: moment.tip(), nutation_phase: moment.nutation_phase() }
+    }
+}
+
+/// Sets up one size.
+type SetUp<R> = fn(&Motion, Tick) -> Result<Box<dyn AnySize<R>>, NoFit>;
+
+/// A size of the list, and how to set one up.
+#[derive(Clone, Copy)]
+pub struct Size<R> {
+    segments: u32,
+    terms: u32,
+    set_up: SetUp<R>,
+}
+
+/// A scalar with its list of sizes.
+///
+/// Four times the segments from size to size, and as many terms as still save segments. Measured on 3000 random motions
+/// with differences of the branch points down to 1e-9 and A/(ps) in \[1e-2, 1e3\]: in `f64` half of them need no more than
+/// the first size, nine in ten no more than the third, one in 3000 more than the last; in `f32` none needs more than it.
+pub trait Sizes: Real + Send + Sync + 'static {
+    /// All but the largest, the smallest first.
+    const SMALLER: &'static [Size<Self>];
+    /// The largest.
+    const LARGEST: Size<Self>;
+}
+
+impl Sizes for f64 {
+    const SMALLER: &'static [Size<Self>] =
+        &[size::<16, 11, _>(), size::<64, 11, _>(), size::<256, 11, _>(), size::<1024, 11, _>()];
+    const LARGEST: Size<Self> = size::<4096, 11, _>();
+}
+
+impl Sizes for f32 {
+    const SMALLER: &'static [Size<Self>] = &[size::<16, 7, _>(), size::<64, 7, _>(), size::<256, 7, _>()];
+    const LARGEST: Size<Self> = size::<1024, 7, _>();
+}
+
+const fn size<const SEGMENTS: usize, const TERMS: usize, R: Sizes>() -> Size<R> {
+    Size { segments: SEGMENTS as u32, terms: TERMS as u32, set_up: set_up::<SEGMENTS, TERMS, R> }
+}
+
+fn set_up<const SEGMENTS: usize, const TERMS: usize, R: Sizes>(
+    motion: &Motion,
+    tick: Tick,
+) -> Result<Box<dyn AnySize<R>>, NoFit> {
+    let mut table = Box::new(Ephemeris::<R, SEGMENTS, TERMS>::EMPTY);
+    table.set_up(motion, tick, 4.0 * R::ROUNDING)?;
+    Ok(table)
+}
+
+/// The smallest of the list that fits, at the rounding of the scalar.
+///
+/// # Errors
+/// [`Failure::Method`]: none does; the message says which would.
+pub fn smallest<R: Sizes>(motion: &Motion) -> Result<Box<dyn AnySize<R>>, Failure> {
+    let tick = tick(motion).map_err(|error| Failure::Method(error.to_string()))?;
+    let mut needed = 0;
+    for size in R::SMALLER {
+        if size.segments >= needed {
+            match (size.set_up)(motion, tick) {
+                Ok(table) => return Ok(table),
+                // a refusal says how many segments of as many terms would do
+                Err(refusal) => needed = refusal.segments.unwrap_or(u32::MAX),
+            }
+        }
+    }
+    let Size { segments, terms, set_up } = R::LARGEST;
+    set_up(motion, tick).map_err(|refusal| {
+        Failure::Method(format!(
+            "no ephemeris: a table of {segments}x{terms} is the largest there is; {refusal}"
+        ))
+    })
+}
+
+/// Ticks in a unit of time, a power of two: an ephemeris that is asked for times only is free to choose. At least a
+/// thousand in a period, and more than one in a turn.
+fn ticks_per_time(motion: &Motion) -> f64 {
+    let [x, y, z] = Stepper::<f64>::new(motion).pose().omega();
+    let rate = (x * x + y * y + z * z).sqrt().max(1000.0 / period(motion));
+    rate.log2().ceil().clamp(-MOST_EXPONENT, MOST_EXPONENT).exp2()
+}
+
+/// 2^31 fits the numerator and the denominator of a [`Tick`].
+const MOST_EXPONENT: f64 = 31.0;
+
+fn tick(motion: &Motion) -> Result<Tick, LaunchError> {
+    let frequency = ticks_per_time(motion);
+    if frequency >= 1.0 { Tick::hertz(frequency as u32) } else { Tick::ratio(1, frequency.recip() as u32) }
+}
+
+/// The times that can be asked for are within ± this: ticks are counted in 64 bits.
+#[must_use]
+pub fn furthest_time(motion: &Motion) -> f64 {
+    62_f64.exp2() / ticks_per_time(motion)
+}

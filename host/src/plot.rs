@@ -1,0 +1,7 @@
+//! The curve that the tip draws, as a picture.
+
+mod curve;
+mod picture;
+
+pub use curve::{Circle, Curve};
+pub use picture::{Form, draw};

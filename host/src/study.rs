@@ -1,0 +1,14 @@
+//! Random motions of every regime, and the core's ephemeris held against an evaluation that shares nothing with it.
+//!
+//! The truth ([`exact`]) is the paper's own integrals, with their poles, in double-double (32 digits): time and
+//! arguments as integrals over the nutation phase, by Gauss and Legendre's rule on panels graded towards the turning
+//! points, behind which all singularities lie. It shares no formula with the core's regularised law, no series, no
+//! stepping, no mean rates. Truncation is below 1e-25, and the times asked for are solved for, not rounded.
+
+pub mod exact;
+pub mod gauss;
+pub mod motions;
+pub mod random;
+pub mod tally;
+pub mod trial;
+pub mod trigonometry;

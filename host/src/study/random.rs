@@ -1,0 +1,42 @@
+//! A generator of random numbers whose every stream is fixed by a seed and a number (SplitMix64).
+
+/// One stream.
+#[derive(Clone, Debug)]
+pub struct Random(u64);
+
+impl Random {
+    /// The stream of this number: motions are the same whatever thread draws them, and in whatever order.
+    #[must_use]
+    pub fn new(seed: u64, stream: u64) -> Self {
+        let mut random = Self(seed);
+        random.0 ^= random.bits().wrapping_add(stream.wrapping_mul(0xd1b5_4a32_d192_ed03));
+        random
+    }
+
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// In [0, 1).
+    pub fn share(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Uniform.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.share()
+    }
+
+    /// Log-uniform.
+    pub fn scale(&mut self, low: f64, high: f64) -> f64 {
+        self.between(low.ln(), high.ln()).exp()
+    }
+
+    /// One in `n`.
+    pub fn one_in(&mut self, n: u64) -> bool {
+        self.bits() % n == 0
+    }
+}

@@ -1,0 +1,141 @@
+//! `toytop plot`: what is in the picture, and that it is there as a whole or not at all.
+
+use super::{RELEASE, TOP, branch_points, run, sample, scenario, stderr, stdout};
+use std::path::PathBuf;
+
+/// A folder of a test's own, empty.
+fn folder(name: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("plot_{name}"));
+    // left over from an earlier run, or never there
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir(&path).expect("a folder");
+    path
+}
+
+fn entries(folder: &PathBuf) -> usize {
+    std::fs::read_dir(folder).expect("a folder").count()
+}
+
+fn plot(file: &str, to: &std::path::Path) -> std::process::Output {
+    run(&["plot", file, "-o", to.to_str().expect("UTF-8")])
+}
+
+fn svg(file: &str, to: &std::path::Path) -> String {
+    let output = plot(file, to);
+    assert_eq!((output.status.code(), stdout(&output)), (Some(0), ""), "{file}: {}", stderr(&output));
+    std::fs::read_to_string(to).expect("the picture")
+}
+
+/// The points of every line of this colour, in pixels from the middle of the frame.
+fn lines(svg: &str, color: &str) -> Vec<Vec<[f64; 2]>> {
+    const MIDDLE: [f64; 2] = [352.0, 372.0];
+    let points = |path: &str| -> Vec<[f64; 2]> {
+        let (_, rest) = path.split_once("d=\"M ").expect("a path");
+        let (digits, _) = rest.split_once('"').expect("a path");
+        let place = |pair: &str| {
+            let (x, y) = pair.trim().split_once(' ').expect("x y");
+            [x.parse::<f64>().expect("x") - MIDDLE[0], y.parse::<f64>().expect("y") - MIDDLE[1]]
+        };
+        digits.split('L').map(place).collect()
+    };
+    let whole = |path: &'_ str| path.split_once('>').map(|(path, _)| path.to_owned());
+    let of_color = |path: &String| path.contains(&format!("stroke=\"{color}\""));
+    svg.split("<path ").skip(1).filter_map(whole).filter(of_color).map(|path| points(&path)).collect()
+}
+
+fn radii(points: &[[f64; 2]]) -> impl Iterator<Item = f64> {
+    points.iter().map(|[x, y]| x.hypot(*y))
+}
+
+/// Scenario, parts of the caption, radii of the circles over s, whether the curve comes back to the first.
+#[test]
+fn the_curve_lies_between_its_circles() {
+    let rho = |e: f64| (1.0 - e * e).sqrt();
+    let loops = sample("figure_3_loops");
+    let level = scenario("plot_level", &branch_points([-0.3, 0.6, 1.4], 1));
+    let circle = scenario("plot_circle", &branch_points([0.5, 0.5, 1.7], -1));
+    let centre = scenario("plot_centre", &branch_points([0.1, 1.0, 1.4], 1));
+    let spiral = scenario("plot_spiral", &branch_points([0.2, 1.0, 1.0], 1));
+    let cases: [(&str, &str, &[f64], f64); 5] = [
+        (&loops, "loops, 5 periods: e₁ = 0.7, e₂ = 0.9, e₃ = 3", &[rho(0.7), rho(0.9)], rho(0.9)),
+        (&level, "smooth, 3 periods: e₁ = -0.3, e₂ = 0.6, e₃ = 1.4", &[rho(0.3), rho(0.6), 1.0], rho(0.6)),
+        (&circle, "circle: e₁ = 0.5, e₂ = 0.5, e₃ = 1.7", &[rho(0.5)], rho(0.5)),
+        (&centre, "through origin, 3 periods: e₁ = 0.1, e₂ = 1, e₃ = 1.4", &[rho(0.1)], 0.0),
+        (&spiral, "spiral: e₁ = 0.2, e₂ = 1, e₃ = 1", &[rho(0.2)], 0.0),
+    ];
+    let folder = folder("between");
+    for (index, (file, caption, circles, least)) in cases.into_iter().enumerate() {
+        let picture = svg(file, &folder.join(format!("{index}.svg")));
+        assert!(picture.contains(&format!(">{caption}<")), "{caption} is not in {picture}");
+        let most = circles.iter().fold(0.0_f64, |most, radius| most.max(*radius));
+        // pixels: the frame is 560 wide and 1.18 times as far from the middle as anything drawn
+        let scale = 280.0 / (1.18 * most);
+        let mut bounds: Vec<f64> =
+            lines(&picture, "#8a8a8a").iter().flat_map(|line| radii(line).collect::<Vec<_>>()).collect();
+        assert!(
+            bounds.iter().all(|r| circles.iter().any(|circle| (r - scale * circle).abs() < 0.02)),
+            "{caption}"
+        );
+        bounds.sort_by(f64::total_cmp);
+        bounds.dedup_by(|a, b| (*a - *b).abs() < 0.1);
+        assert_eq!(bounds.len(), circles.len(), "{caption}: {bounds:?}");
+        let curves = lines(&picture, "#1f4e8c");
+        let [curve] = &curves[..] else { panic!("{caption}: {} curves", curves.len()) };
+        let [low, high] = radii(curve).fold([f64::INFINITY, 0.0], |[low, high], r| [low.min(r), high.max(r)]);
+        assert!(
+            (low - scale * least).abs() < 1.2 && (high - scale * most).abs() < 0.1,
+            "{caption}: {low} {high}"
+        );
+        let longest = curve.windows(2).map(|pair| (pair[0][0] - pair[1][0]).hypot(pair[0][1] - pair[1][1]));
+        assert!(longest.fold(0.0, f64::max) < 30.0 && curve.len() > 60, "{caption}");
+    }
+    assert_eq!(entries(&folder), 5, "nothing is left beside the pictures");
+}
+
+#[test]
+fn png_and_what_stands_still() {
+    let folder = folder("png");
+    for name in ["sleeping", "lagrange", "toy_top"] {
+        let to = folder.join(format!("{name}.PNG"));
+        assert_eq!(plot(&sample(name), &to).status.code(), Some(0));
+        let bytes = std::fs::read(&to).expect("the picture");
+        assert_eq!(&bytes[..8], b"\x89PNG\r\n\x1a\n");
+        let size = |at: usize| u32::from_be_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
+        assert_eq!([size(16), size(20)], [1304, 1420]);
+        assert!(bytes.ends_with(b"IEND\xaeB`\x82"));
+    }
+    let resting = svg(&sample("sleeping"), &folder.join("sleeping.svg"));
+    assert!(resting.contains(">point: e₁ = 1, e₂ = 1, e₃ = ") && !resting.contains("#8a8a8a"));
+}
+
+#[test]
+fn a_picture_is_there_as_a_whole_or_not_at_all() {
+    let folder = folder("refused");
+    let good = sample("toy_top");
+    let missing = sample("no_such_file");
+    let needle = branch_points([-0.9, 0.99, 1.18], -1)
+        .replace("inertia = 1.1", "inertia = 6e-7")
+        .replace("inertia = 0.8", "inertia = 5.5e-7");
+    let needle = scenario("plot_needle", &needle);
+    let cases = [
+        (&good, "tip.pdf", 2, ".svg or .png"),
+        (&good, "tip", 2, ".svg or .png"),
+        (&good, "no/such/folder/tip.svg", 2, "no/such/folder/tip.svg"),
+        (&missing, "tip.svg", 2, "no_such_file.toml"),
+        (&needle, "tip.svg", 3, "plot_needle: no ephemeris"),
+    ];
+    for (file, name, code, part) in cases {
+        let output = plot(file, &folder.join(name));
+        let message = stderr(&output);
+        assert_eq!((output.status.code(), stdout(&output)), (Some(code), ""), "{name}: {message}");
+        assert!(message.contains(part) && message.matches('\n').count() == 1, "{name}: {message}");
+        assert_eq!(entries(&folder), 0, "{name}");
+    }
+    // over an older picture
+    let to = folder.join("tip.svg");
+    std::fs::write(&to, "old").expect("writable");
+    assert!(svg(&good, &to).starts_with("<svg"));
+    let lift_off = scenario("plot_lift_off", &(TOP.to_owned() + RELEASE).replace("spin = 3.5", "spin = 35"));
+    assert_eq!(plot(&lift_off, &to).status.code(), Some(0));
+    assert_eq!(entries(&folder), 1);
+}

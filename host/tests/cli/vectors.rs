@@ -1,0 +1,169 @@
+//! `toytop state` against motions known to 30 digits, from the first moments to 10^9 periods.
+
+use super::{json, scenario};
+use serde_json::Value;
+use std::path::Path;
+
+/// A reference vector as a scenario file and its samples.
+struct Vector {
+    name: String,
+    /// The inputs are exact in f64, so the truth belongs to the very numbers read.
+    exact: bool,
+    /// e3 - e2: how much a rounding of inputs that are not exact is amplified.
+    gap: f64,
+    scenario: String,
+    /// Number of periods (0: the first few), sample.
+    samples: Vec<(u64, Value)>,
+}
+
+fn text<'a>(json: &'a Value, key: &str) -> &'a str {
+    json[key].as_str().unwrap_or("0")
+}
+
+fn number(json: &Value) -> f64 {
+    json.as_str().expect("a string").parse().expect("a number")
+}
+
+fn list(json: &Value) -> String {
+    let entries = json.as_array().expect("an array").iter();
+    format!("[{}]", entries.map(|entry| entry.as_str().expect("a string")).collect::<Vec<_>>().join(", "))
+}
+
+fn top(params: &Value) -> String {
+    let height = match text(params, "s") {
+        "0" | "0.0" => "support = \"fixed\"".to_owned(),
+        s => format!("com_height = {s}"),
+    };
+    let [a, c, p] = ["A", "C", "p"].map(|key| text(params, key));
+    format!(
+        "[top]\ntransverse_inertia = {a}\naxial_inertia = {c}\nmass_moment = {p}\n{height}\ngravity = 1\n"
+    )
+}
+
+fn motion(vector: &Value) -> String {
+    let params = &vector["params"];
+    if !text(params, "defined_by").starts_with("e1,e2,e3") {
+        let given = params.get("alpha0").is_some();
+        let (place, keys) = if given {
+            (params, ["alpha0", "beta0", "omega0"])
+        } else {
+            (&vector["initial"], ["alpha", "beta", "omega_fixed"])
+        };
+        let [alpha, beta, omega] = keys.map(|key| list(&place[key]));
+        return format!("[motion]\nkind = \"state\"\nalpha = {alpha}\nbeta = {beta}\nomega = {omega}\n");
+    }
+    let [e1, e2, e3] = ["e1", "e2", "e3"].map(|key| text(vector, key));
+    let [plus, minus] = ["s_plus", "s_minus"].map(|key| &vector[key]);
+    let [theta, alpha, beta] = ["theta0", "arg_alpha0", "arg_beta0"].map(|key| match text(params, key) {
+        "pi" => "3.141592653589793",
+        "pi/2" => "1.5707963267948966",
+        digits => digits,
+    });
+    format!(
+        "[motion]\nkind = \"branch_points\"\ne1 = {e1}\ne2 = {e2}\ne3 = {e3}\nsign_l_plus_n = {plus}\n\
+         sign_l_minus_n = {minus}\nnutation_phase = {theta}\narg_alpha = {alpha}\narg_beta = {beta}\n"
+    )
+}
+
+fn vectors() -> Vec<Vector> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/reference/vectors");
+    let mut paths: Vec<_> =
+        std::fs::read_dir(folder).expect("the vectors").map(|entry| entry.expect("a file").path()).collect();
+    paths.sort();
+    let read = |path: &std::path::PathBuf| {
+        let vector: Value =
+            serde_json::from_str(&std::fs::read_to_string(path).expect("readable")).expect("JSON");
+        let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
+        let entries = |key: &str| vector[key].as_array().cloned().unwrap_or_default();
+        let huge = entries("huge_samples").into_iter().map(|sample| {
+            (sample["period_count"].as_str().expect("a count").parse().expect("a whole number"), sample)
+        });
+        Vector {
+            exact: vector["exact_in_f64"] == true,
+            gap: number(&vector["e3"]) - number(&vector["e2"]),
+            scenario: scenario(&format!("vector_{name}"), &(top(&vector["params"]) + &motion(&vector))),
+            samples: entries("samples").into_iter().map(|sample| (0, sample)).chain(huge).collect(),
+            name,
+        }
+    };
+    paths.iter().map(read).collect()
+}
+
+/// What `state` says at the times of a vector's samples.
+fn found(vector: &Vector, scalar: &str) -> Vec<Value> {
+    let times: Vec<_> = vector.samples.iter().map(|(_, sample)| text(sample, "t")).collect();
+    let file = scenario(&format!("times_{scalar}_{}", vector.name), &times.join("\n"));
+    let arguments =
+        ["state", &vector.scenario, "--times-file", &file, "--scalar", scalar, "--format", "json"];
+    json(&arguments)["samples"].as_array().expect("samples").clone()
+}
+
+/// The error of the orientation, and of the tip angle less what the rounding of a number of its size explains.
+fn errors(found: &Value, truth: &Value) -> [f64; 2] {
+    let part =
+        |key: &str, i: usize| (found[key][i].as_f64().expect("a number") - number(&truth[key][i])).powi(2);
+    let orientation =
+        2.0 * ["alpha", "beta"].map(|key| part(key, 0) + part(key, 1)).iter().sum::<f64>().sqrt();
+    let (phi, true_phi) = (found["phi"].as_f64(), truth["phi"].as_str());
+    let angle = phi.zip(true_phi).map(|(phi, truth)| {
+        let truth: f64 = truth.parse().expect("a number");
+        (phi - truth).abs() - 2.0 * f64::EPSILON * truth.abs()
+    });
+    [orientation, angle.unwrap_or(0.0)]
+}
+
+/// The greatest errors up to 10 periods, 10^3, 10^6 and 10^9.
+fn greatest(vector: &Vector, scalar: &str) -> [[f64; 2]; 4] {
+    let mut greatest = [[0.0_f64; 2]; 4];
+    for ((periods, truth), found) in vector.samples.iter().zip(found(vector, scalar)) {
+        let decade =
+            [10, 10_000, 10_000_000, u64::MAX].iter().position(|limit| periods < limit).expect("a decade");
+        for (greatest, error) in greatest[decade].iter_mut().zip(errors(&found, truth)) {
+            *greatest = greatest.max(error);
+        }
+    }
+    greatest
+}
+
+/// Inputs exact in f64: at any distance the orientation and the tip angle are as good as f64, or f32, can say.
+#[test]
+fn exact_inputs_at_any_distance() {
+    for (scalar, orientation_bound) in [("f64", 1e-13), ("f32", 5e-7)] {
+        let mut worst = [0.0_f64; 2];
+        for vector in vectors().iter().filter(|vector| vector.exact) {
+            for (decade, errors) in greatest(vector, scalar).iter().enumerate() {
+                let [orientation, angle] = *errors;
+                assert!(
+                    orientation <= orientation_bound,
+                    "{scalar} {}, {decade}: {orientation:e}",
+                    vector.name
+                );
+                // the turns are counted by what is the same in both scalars
+                assert!(
+                    angle <= ANGLE_BOUND[usize::from(scalar == "f32")],
+                    "{scalar} {}, {decade}: phi {angle:e}",
+                    vector.name
+                );
+                worst = [worst[0].max(orientation), worst[1].max(angle)];
+            }
+        }
+        assert!(worst[0] > 1e-3 * orientation_bound && worst[1] > 0.0, "{worst:?}");
+    }
+}
+
+/// On φ, f64 and f32. In f32 it is as good as the argument of an f32 tip where that is the better one.
+const ANGLE_BOUND: [f64; 2] = [1e-13, 5e-6];
+
+/// Decimal inputs: what their rounding to f64 can do is the conditioning of the motion; the branch of φ is right in
+/// any case.
+#[test]
+fn every_motion_over_its_first_periods() {
+    for vector in vectors().iter().filter(|vector| !vector.exact) {
+        let bound = if vector.gap > 0.0 && vector.gap < 1e-5 { 1e-8 } else { 1e-11 };
+        let [[orientation, angle], rest @ ..] = greatest(vector, "f64");
+        assert!(orientation < bound && angle < bound, "{}: {orientation:e}, phi {angle:e}", vector.name);
+        for [_, angle] in rest {
+            assert!(angle < 1.0, "{}: phi {angle:e}", vector.name);
+        }
+    }
+}
