@@ -27,6 +27,8 @@ pub enum Command {
     Plot(PlotArgs),
     /// What a state costs: ephemeris and stepper against the full solver, on this machine
     Bench,
+    /// Random motions of every regime: does the ephemeris keep its error bound? (exit code 1 if not)
+    Study(StudyArgs),
 }
 
 /// `toytop compare`
@@ -101,6 +103,17 @@ pub struct PlotArgs {
     /// Where to: a file that ends in .svg or .png
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
+}
+
+/// `toytop study`
+#[derive(Args, Debug)]
+pub struct StudyArgs {
+    /// How many
+    #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
+    pub motions: u64,
+    /// Another seed, other motions
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
 }
 
 /// Form of the output.

@@ -5,6 +5,7 @@ mod compare;
 mod constants;
 mod plot;
 mod state;
+mod study;
 
 use crate::Failure;
 use crate::cli::Command;
@@ -46,6 +47,7 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Constants(arguments) => constants::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
         Command::Bench => bench::run(),
+        Command::Study(arguments) => study::run(arguments),
     }
 }
 

@@ -118,7 +118,8 @@ pub fn smallest<R: Sizes>(motion: &Motion) -> Result<Box<dyn AnySize<R>>, Failur
 
 /// Ticks in a unit of time, a power of two: an ephemeris that is asked for times only is free to choose. At least a
 /// thousand in a period, and more than one in a turn.
-fn ticks_per_time(motion: &Motion) -> f64 {
+#[must_use]
+pub fn ticks_per_time(motion: &Motion) -> f64 {
     let [x, y, z] = Stepper::<f64>::new(motion).pose().omega();
     let rate = (x * x + y * y + z * z).sqrt().max(1000.0 / period(motion));
     rate.log2().ceil().clamp(-MOST_EXPONENT, MOST_EXPONENT).exp2()

@@ -12,6 +12,7 @@
 //! | [`baseline`] | the full equations in equal steps: what one would do without the core |
 //! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
 //! | [`plot`] | the curve of the tip as a picture |
+//! | [`study`] | random motions, and the truth of them to thirty digits |
 //! | [`commands`] | one file a command |
 //! | [`output`], [`progress`] | table, CSV, JSON; the bar |
 //!
@@ -30,6 +31,7 @@ pub mod plot;
 pub mod progress;
 pub mod propagate;
 pub mod scenario;
+pub mod study;
 pub mod times;
 pub mod tip_angle;
 pub mod truth;

@@ -116,6 +116,9 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Table<R, SEGMENTS, TE
 
 /// How far an orientation from an ephemeris can be from the truth of the very numbers it was launched from, in rad
 /// (2 √(|Δα|² + |Δβ|²)): at tick n at most `constant + |n| per_tick`.
+///
+/// Known to fail: `toytop study --motions 5000` finds about one random motion in 200 whose error in `f64` exceeds this bound,
+/// by up to twenty times; those it lists have A/(ps) near 0.01 or pass close to the vertical. None in `f32`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorBound {
     /// What the polynomials leave, what set-up rounds off, and what a tick rounds off.
@@ -133,7 +136,7 @@ impl ErrorBound {
     ) -> Self {
         const TURN: f64 = 2.0 * core::f64::consts::PI;
         /// Roundings of a tick: products and sums of numbers up to 1, and two sines and cosines.
-        const TICK_ROUNDINGS: f64 = 6.0;
+        const TICK_ROUNDINGS: f64 = 8.0;
         /// Roundings of a set-up, all in f64: the march (and more with its length), the start on it, the angles in turns.
         const SET_UP_ROUNDINGS: f64 = 24.0;
         let tick = TICK_ROUNDINGS * R::ROUNDING;

@@ -10,7 +10,7 @@
 use super::gauss::Rule;
 use super::motions::Numbers;
 use super::trigonometry::{cis, quarter_turn};
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 use toytop::real::{DoubleDouble, Float, Ring};
 use toytop::{Complex, Phi, Sign};
 
@@ -71,7 +71,11 @@ impl<'a> Exact<'a> {
         // an aperiodic motion has its pole right at χ = π/2, which it never reaches
         let depths = [
             depth(&[below, below + beyond_e4]),
-            if e3_minus_e2 == Dd::ZERO { 0.0 } else { depth(&[above, above + beyond_e4, e3_minus_e2.to_f64()]) },
+            if e3_minus_e2 == Dd::ZERO {
+                0.0
+            } else {
+                depth(&[above, above + beyond_e4, e3_minus_e2.to_f64()])
+            },
         ];
         Self {
             rule,
@@ -90,7 +94,10 @@ impl<'a> Exact<'a> {
     /// The start.
     #[must_use]
     pub fn start(&self) -> Point {
-        Point { chi: Dd::from(0.5 * self.numbers.start.theta), t: Dd::ZERO, turned: [Dd::ZERO; 2] }
+        let theta = self.numbers.start.theta;
+        // the f64 nearest to π means π
+        let chi = if theta == PI { quarter_turn() } else { Dd::from(0.5 * theta) };
+        Point { chi, t: Dd::ZERO, turned: [Dd::ZERO; 2] }
     }
 
     /// 1 + u, 1 - u and dt/dχ.
@@ -135,7 +142,8 @@ impl<'a> Exact<'a> {
 
     /// A panel is no longer than what lies between it and the nearest turning point, or than the depth there.
     fn panel_end(&self, at: f64) -> f64 {
-        let quarter = (at / FRAC_PI_2).round();
+        // halfway, to rounding, counts as the one ahead
+        let quarter = (at / FRAC_PI_2 + (0.5 + 1e-9)).floor();
         let [bottom, top] = self.depths;
         let depth = if quarter.rem_euclid(2.0) == 0.0 { bottom } else { top };
         let centre = quarter * FRAC_PI_2;
@@ -155,7 +163,11 @@ impl<'a> Exact<'a> {
         let start = Point { chi: Dd::ZERO, ..self.start() };
         let half = self.go(&start, quarter_turn());
         let [alpha, beta] = half.turned;
-        Point { chi: quarter_turn().doubled(), t: half.t.doubled(), turned: [alpha.doubled(), beta.doubled()] }
+        Point {
+            chi: quarter_turn().doubled(),
+            t: half.t.doubled(),
+            turned: [alpha.doubled(), beta.doubled()],
+        }
     }
 
     /// So many periods after a point.
@@ -170,19 +182,17 @@ impl<'a> Exact<'a> {
         }
     }
 
-    /// The point nearest to a time, found from a point close to it; `place` is the same point in the first period.
+    /// The point at a time close to that of a point; `place` is the same place in the first period.
     #[must_use]
     pub fn at_time(&self, point: &Point, place: Dd, t: f64) -> Point {
-        let [_, _, slowness] = self.law(place);
-        let step = (Dd::from(t) - point.t) / slowness;
-        let here = Point { chi: place, t: Dd::ZERO, turned: [Dd::ZERO; 2] };
-        let moved = self.go(&here, place + step);
-        let ([alpha, beta], [alpha_step, beta_step]) = (point.turned, moved.turned);
-        Point {
-            chi: point.chi + step,
-            t: point.t + moved.t,
-            turned: [alpha + alpha_step, beta + beta_step],
+        const NEWTON_STEPS: u32 = 4;
+        let here = Point { chi: place, t: point.t, turned: point.turned };
+        let mut moved = here;
+        for _ in 0..NEWTON_STEPS {
+            let [_, _, slowness] = self.law(moved.chi);
+            moved = self.go(&here, moved.chi + (Dd::from(t) - moved.t) / slowness);
         }
+        Point { chi: point.chi + (moved.chi - place), ..moved }
     }
 
     /// Φ at a time so close to the point that what is between is linear.
@@ -216,7 +226,7 @@ impl<'a> Exact<'a> {
     /// -1 for a parameter that has passed through 0 an odd number of times.
     fn signs(&self, sine: Dd, cosine: Dd) -> [Dd; 2] {
         let sign = |x: Dd| Dd::from(if x < Dd::ZERO { -1.0 } else { 1.0 });
-        let from = cis(Dd::from(0.5 * self.numbers.start.theta));
+        let from = cis(self.start().chi);
         let small = |x: Dd| x.abs() < Dd::from(1e-15);
         // a parameter that is 0 at the start has its direction from its derivative
         let alpha = if small(from.im) { from.re } else { from.im };
@@ -253,3 +263,6 @@ impl<'a> Exact<'a> {
         [self.one_plus_e1 + self.e2_minus_e1, self.one_minus_e2]
     }
 }
+
+#[cfg(test)]
+mod tests;

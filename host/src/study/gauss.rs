@@ -53,7 +53,8 @@ fn legendre(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let (mut before, mut last) = (DoubleDouble::ONE, x);
     for k in 2..=NODES {
         let k = k as f64;
-        let next = (DoubleDouble::from(2.0 * k - 1.0) * x * last - DoubleDouble::from(k - 1.0) * before) / k.into();
+        let next =
+            (DoubleDouble::from(2.0 * k - 1.0) * x * last - DoubleDouble::from(k - 1.0) * before) / k.into();
         (before, last) = (last, next);
     }
     let n = DoubleDouble::from(NODES as f64);

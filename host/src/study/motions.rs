@@ -69,7 +69,11 @@ fn branch_points(random: &mut Random) -> [f64; 3] {
     };
     let e1 = if random.one_in(16) { -1.0 } else { (below - 1.0).clamp(-1.0, 1.0) };
     let e2 = if random.one_in(16) { 1.0 } else { (1.0 - above).clamp(e1, 1.0) };
-    let e1 = if random.one_in(16) { e2 } else { e1.min(e2) };
+    let [e1, e2] = match (random.one_in(16), random.one_in(2)) {
+        (true, true) => [e1, e1],
+        (true, false) => [e2, e2],
+        _ => [e1.min(e2), e2],
+    };
     let e3 = if random.one_in(16) { 1.0 } else { 1.0 + random.scale(LEAST, 1e4) };
     [e1, e2, e3]
 }

@@ -37,6 +37,6 @@ impl Random {
 
     /// One in `n`.
     pub fn one_in(&mut self, n: u64) -> bool {
-        self.bits() % n == 0
+        self.bits().is_multiple_of(n)
     }
 }

@@ -1,0 +1,172 @@
+//! One motion put to the test: both scalars, at random times in the first period and at one far away.
+
+use super::exact::{Exact, Point};
+use super::gauss::Rule;
+use super::motions::Numbers;
+use super::random::Random;
+use crate::Failure;
+use crate::ephemeris::{AnySize, Sizes, smallest, ticks_per_time};
+use crate::propagate::natural_time;
+use std::f64::consts::{FRAC_PI_2, PI};
+use toytop::real::{DoubleDouble, Float};
+use toytop::{Complex, Motion, Phi, Regime};
+
+/// A time, and the truth there.
+struct Target {
+    t: f64,
+    phi: Phi<DoubleDouble>,
+    far: bool,
+}
+
+/// What one scalar made of a motion.
+#[derive(Clone, Copy, Debug)]
+pub enum Outcome {
+    /// Typed: no table of the list fits.
+    NoFit,
+    /// A table of so many segments.
+    Fits {
+        /// Its segments.
+        segments: usize,
+        /// In the first period.
+        near: Worst,
+        /// Up to 10^9 periods away; the least there is where the motion does not return.
+        far: Worst,
+    },
+}
+
+/// The error that came closest to its bound, or furthest beyond.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Worst {
+    /// rad.
+    pub error: f64,
+    /// rad.
+    pub bound: f64,
+    /// At this time; in the first period, or after many.
+    pub t: f64,
+}
+
+impl Worst {
+    /// Error over bound; infinite for what is no number.
+    #[must_use]
+    pub fn strain(&self) -> f64 {
+        let strain = self.error / self.bound;
+        match self.bound {
+            0.0 => 0.0,
+            _ if strain.is_nan() => f64::INFINITY,
+            _ => strain,
+        }
+    }
+}
+
+/// A motion and its two outcomes, f64 and f32.
+#[derive(Clone, Copy, Debug)]
+pub struct Trial {
+    /// The motion.
+    pub numbers: Numbers,
+    /// Its regime.
+    pub regime: Regime,
+    /// In f64 and in f32.
+    pub outcomes: [Outcome; 2],
+}
+
+/// Draws a motion and tries it.
+///
+/// # Errors
+/// [`Failure`]: the motion was refused, which none should be.
+pub fn run(random: &mut Random, rule: &Rule) -> Result<Trial, Failure> {
+    let numbers = Numbers::random(random);
+    let motion = numbers.motion().map_err(|error| Failure::Input(format!("{numbers}: {error}")))?;
+    let exact = Exact::new(&numbers, rule);
+    let targets = targets(&motion, &exact, random);
+    let outcomes = [outcome::<f64>(&motion, &targets), outcome::<f32>(&motion, &targets)];
+    Ok(Trial { numbers, regime: motion.regime(), outcomes })
+}
+
+fn outcome<R: Sizes>(motion: &Motion, targets: &[Target]) -> Outcome {
+    let Ok(table) = smallest::<R>(motion) else { return Outcome::NoFit };
+    let rate = ticks_per_time(motion);
+    let worst = |far: bool| {
+        let of_kind = targets.iter().filter(|target| target.far == far);
+        let measured = of_kind.map(|target| measure(&*table, target, rate));
+        measured.fold(Worst::default(), |a, b| if b.strain() > a.strain() || a.bound == 0.0 { b } else { a })
+    };
+    Outcome::Fits { segments: table.size()[0], near: worst(false), far: worst(true) }
+}
+
+fn measure<R: Sizes>(table: &dyn AnySize<R>, target: &Target, ticks_per_time: f64) -> Worst {
+    let phi = table.at(target.t).pose.phi;
+    let off = |found: Complex<R>, truth: Complex<DoubleDouble>| {
+        let part = |x: R, y: DoubleDouble| (DoubleDouble::from(x.to_f64()) - y).to_f64();
+        part(found.re, truth.re).hypot(part(found.im, truth.im))
+    };
+    let error = 2.0 * off(phi.alpha, target.phi.alpha).hypot(off(phi.beta, target.phi.beta));
+    let bound = table.error_bound();
+    let ticks = (target.t * ticks_per_time).abs();
+    Worst { error, bound: bound.constant + bound.per_tick * ticks, t: target.t }
+}
+
+fn targets(motion: &Motion, exact: &Exact<'_>, random: &mut Random) -> Vec<Target> {
+    match motion.regime() {
+        Regime::Nutating => nutating(exact, random),
+        Regime::Aperiodic => aperiodic(exact, random),
+        _ => {
+            let [one_plus_u, one_minus_u] = exact.at_e2();
+            let time = natural_time(motion.top());
+            let times =
+                [time, time, time, time * random.scale(1.0, 1e9)].map(|most| random.between(0.0, most));
+            let target = |(i, t): (usize, f64)| {
+                let phi = exact.steady_phi(t, one_plus_u, one_minus_u);
+                Target { t, phi, far: i == 3 }
+            };
+            times.into_iter().enumerate().map(target).collect()
+        }
+    }
+}
+
+/// Places of each kind.
+const PLACES: usize = 8;
+
+/// Places anywhere in the first period, places close to a turning point, where things go fastest or slowest, and some of
+/// them again after up to 10^9 periods.
+fn nutating(exact: &Exact<'_>, random: &mut Random) -> Vec<Target> {
+    let start = exact.start();
+    let first = start.chi.to_f64();
+    let mut places = Vec::new();
+    for _ in 0..PLACES {
+        places.push(first + random.between(0.0, PI));
+        let turning = ((first + random.between(0.0, PI)) / FRAC_PI_2).round() * FRAC_PI_2;
+        let side = if random.one_in(2) { 1.0 } else { -1.0 };
+        places.push(turning + side * random.scale(1e-6, 0.3));
+    }
+    places.sort_by(f64::total_cmp);
+    let mut point = start;
+    let mut points: Vec<Point> = Vec::new();
+    for place in places {
+        point = exact.go(&point, place.into());
+        points.push(point);
+    }
+    let near = points.iter().map(|point| {
+        let t = point.t.to_f64();
+        Target { t, phi: exact.phi(point, t), far: false }
+    });
+    let period = exact.period();
+    let far = points.iter().step_by(2).map(|base| {
+        let later = exact.later(base, &period, random.scale(1.0, 1e9).round());
+        let t = later.t.to_f64();
+        let point = exact.at_time(&later, base.chi, t);
+        Target { t, phi: exact.phi(&point, t), far: true }
+    });
+    near.chain(far).collect()
+}
+
+/// Places on the way up or down.
+fn aperiodic(exact: &Exact<'_>, random: &mut Random) -> Vec<Target> {
+    let start = exact.start();
+    let target = |()| {
+        let chi = 2.0 * (0.5 * random.between(-12.0, 12.0)).tanh().atan();
+        let point = exact.go(&start, chi.into());
+        let t = point.t.to_f64();
+        Target { t, phi: exact.phi(&point, t), far: false }
+    };
+    [(); PLACES].map(target).into()
+}
