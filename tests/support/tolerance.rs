@@ -53,7 +53,7 @@ pub const TIP_ANGLE_F64: Budget = Budget::of(3e-13);
 /// The ephemeris in f64 at any time, inputs exact in f64 (the start's own rounding is in it).
 pub const EPHEMERIS_F64: Budget = Budget::of(1e-14);
 /// The same in f32.
-pub const EPHEMERIS_F32: Budget = Budget::of(4e-7);
+pub const EPHEMERIS_F32: Budget = Budget::of(2.5e-7);
 /// | |α|² + |β|² - 1 | after 10⁶ steps.
 pub const NORM_F64: Budget = Budget::of(2e-15);
 /// The same in f32.

@@ -30,19 +30,22 @@ pub(crate) struct Tabulated {
     pub(crate) defect: f64,
 }
 
-/// Hands the polynomials of each of `segments` segments to `store`; only their first `terms` coefficients count.
+/// Hands the polynomials of each of `segments` segments to `store`, which says what it cannot hold of them (an orientation
+/// error); only their first `terms` coefficients count.
 #[inline(never)]
 pub(crate) fn tabulate(
     motion: &Motion,
     rates: &Rates,
     segments: usize,
     terms: usize,
-    mut store: impl FnMut(usize, &Polynomials),
+    mut store: impl FnMut(usize, &Polynomials) -> f64,
 ) -> Tabulated {
     let brackets = motion.brackets::<f64>();
     if motion.is_steady() {
         let constant = constants(&brackets);
-        (0..segments).for_each(|segment| store(segment, &constant));
+        (0..segments).for_each(|segment| {
+            store(segment, &constant);
+        });
         let [alpha, beta] = motion.phases();
         return Tabulated { start: [Turns::ZERO, alpha, beta], ..Tabulated::default() };
     }
@@ -57,7 +60,7 @@ pub(crate) fn tabulate(
         let expansion = law.expand(&march.point, unit, rates.excess);
         let mut polynomials = combine(&brackets, &expansion);
         dropped = worse(dropped, economise_all(&mut polynomials, terms));
-        store(segment, &polynomials);
+        dropped = worse(dropped, store(segment, &polynomials));
         let last = segment + 1 == segments;
         if found.is_none()
             && let Some(x) = seek.within(&expansion, last)
