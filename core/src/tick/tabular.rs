@@ -1,7 +1,11 @@
 //! The arithmetic of a table: what a scalar's coefficients are, and how they become α and β.
 
+#[cfg(feature = "fixed")]
+mod fixed_point;
 mod float;
 mod integer;
+#[cfg(feature = "fixed")]
+mod narrow;
 
 use crate::complex::Complex;
 use crate::real::Scalar;
