@@ -31,7 +31,7 @@ pub struct Instant<R> {
 }
 
 impl<
-    R: Real + Tabular<Scale = R, Coefficient: Send + Sync> + Send + Sync,
+    R: Real + Tabular<Wide = R, Coefficient: Send + Sync> + Send + Sync,
     const SEGMENTS: usize,
     const TERMS: usize,
 > AnySize<R> for Ephemeris<R, SEGMENTS, TERMS>
@@ -66,7 +66,7 @@ pub struct Size<R> {
 /// Four times the segments from size to size, and as many terms as still save segments. Measured on 3000 random motions
 /// with differences of the branch points down to 1e-9 and A/(ps) in \[1e-2, 1e3\]: in `f64` half of them need no more than
 /// the first size, nine in ten no more than the third, one in 3000 more than the last; in `f32` none needs more than it.
-pub trait Sizes: Real + Tabular<Scale = Self, Coefficient: Send + Sync> + Send + Sync + 'static {
+pub trait Sizes: Real + Tabular<Wide = Self, Coefficient: Send + Sync> + Send + Sync + 'static {
     /// All but the largest, the smallest first.
     const SMALLER: &'static [Size<Self>];
     /// The largest.

@@ -6,10 +6,9 @@ use fixed::types::{I2F14, I2F30};
 
 impl Tabular for I2F30 {
     type Coefficient = i32;
-    type Scale = ();
+    type Wide = f32;
 
     const NOTHING: i32 = 0;
-    const NO_SCALE: () = ();
     const TICK_ERROR: f64 = integer::ERROR;
 
     fn coefficient(value: f64, power: usize) -> i32 {
@@ -20,11 +19,13 @@ impl Tabular for I2F30 {
         integer::excess(polynomial, integer::MARGIN)
     }
 
-    fn number(coefficient: i32, power: usize) -> Self {
-        Self::saturating_from_num(integer::number(coefficient, power))
+    fn number(coefficient: i32, power: usize) -> f32 {
+        integer::number(coefficient, power) as f32
     }
 
-    fn scale(_: f64) {}
+    fn widened(self) -> f32 {
+        self.to_num()
+    }
 
     #[inline(always)]
     fn alpha_beta(terms: &[[i32; 4]], place: Place) -> [Complex<Self>; 2] {
@@ -33,17 +34,16 @@ impl Tabular for I2F30 {
     }
 
     #[inline(always)]
-    fn tip(product: Complex<Self>, (): ()) -> Complex<Self> {
+    fn tip(product: Complex<Self>, _: f32) -> Complex<Self> {
         product + product
     }
 }
 
 impl Tabular for I2F14 {
     type Coefficient = i16;
-    type Scale = ();
+    type Wide = f32;
 
     const NOTHING: i16 = 0;
-    const NO_SCALE: () = ();
     const TICK_ERROR: f64 = narrow::ERROR;
 
     fn coefficient(value: f64, power: usize) -> i16 {
@@ -54,11 +54,13 @@ impl Tabular for I2F14 {
         integer::excess(polynomial, narrow::MARGIN)
     }
 
-    fn number(coefficient: i16, power: usize) -> Self {
-        Self::saturating_from_num(narrow::number(coefficient, power))
+    fn number(coefficient: i16, power: usize) -> f32 {
+        narrow::number(coefficient, power) as f32
     }
 
-    fn scale(_: f64) {}
+    fn widened(self) -> f32 {
+        self.to_num()
+    }
 
     #[inline(always)]
     fn alpha_beta(terms: &[[i16; 4]], place: Place) -> [Complex<Self>; 2] {
@@ -67,7 +69,7 @@ impl Tabular for I2F14 {
     }
 
     #[inline(always)]
-    fn tip(product: Complex<Self>, (): ()) -> Complex<Self> {
+    fn tip(product: Complex<Self>, _: f32) -> Complex<Self> {
         product + product
     }
 }

@@ -78,10 +78,9 @@ fn rotated([re, im]: [i32; 2], (sine, cosine): (i32, i32)) -> [i32; 2] {
 
 impl Tabular for f32 {
     type Coefficient = i32;
-    type Scale = Self;
+    type Wide = Self;
 
     const NOTHING: i32 = 0;
-    const NO_SCALE: Self = 0.0;
     /// The integers, and the results rounded to `f32`: each by 2^-24 of itself.
     const TICK_ERROR: f64 = ERROR + f32::EPSILON as f64;
 
@@ -97,8 +96,8 @@ impl Tabular for f32 {
         number(held, power) as Self
     }
 
-    fn scale(value: f64) -> Self {
-        value as Self
+    fn widened(self) -> Self {
+        self
     }
 
     #[inline(always)]
