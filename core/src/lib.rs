@@ -39,5 +39,7 @@ pub use tick::{
     Cursor, Ephemeris, EphemerisF32, EphemerisF64, ErrorBound, Moment, NoFit, Place, Pose, Stepper, Tabular,
     Tick, Tip, TipAngle, TurningPoint,
 };
+#[cfg(feature = "fixed")]
+pub use tick::{FixedStepper, NoTickMap};
 pub use top::{Heaviness, Support, Top};
 pub use turns::{Rate, Turns};

@@ -11,6 +11,8 @@
 //! [`Real`] is both at once plus an arctangent. No trait has a fused multiply-add, and no method here calls `std`, so
 //! that results agree to the bit between a host and a chip.
 
+#[cfg(feature = "fixed")]
+mod arctangent;
 mod double_double;
 #[cfg(feature = "fixed")]
 mod fixed_point;
@@ -18,6 +20,8 @@ mod float;
 mod product;
 mod sine;
 
+#[cfg(feature = "fixed")]
+pub(crate) use arctangent::angle;
 pub use double_double::DoubleDouble;
 pub(crate) use product::{high_product, long_product, wrapping_product};
 #[cfg(feature = "fixed")]

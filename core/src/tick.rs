@@ -1,6 +1,8 @@
 //! The tick: runs for ever, cannot fail.
 
 mod ephemeris;
+#[cfg(feature = "fixed")]
+mod fixed_stepper;
 mod moment;
 mod pose;
 mod stepper;
@@ -9,6 +11,8 @@ mod tabular;
 mod tip;
 
 pub use ephemeris::{Cursor, Ephemeris, EphemerisF32, EphemerisF64, TurningPoint};
+#[cfg(feature = "fixed")]
+pub use fixed_stepper::{FixedStepper, NoTickMap};
 pub use moment::Moment;
 pub use pose::Pose;
 pub use stepper::Stepper;

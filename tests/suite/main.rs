@@ -3,6 +3,7 @@
 mod conditioning;
 mod ephemeris;
 mod fixed_point;
+mod fixed_stepper;
 mod group;
 mod interop;
 mod invariants;

@@ -1,0 +1,118 @@
+//! What a tick does, in f64: the increments of the three phases over one tick, as functions of χ at its start, and their
+//! polynomials on a part of the circle.
+
+use crate::launch::Motion;
+use crate::nutation::Nutation;
+use crate::nutation::series::{Expansion, Point};
+use crate::real::{Float, Scalar};
+use crate::turns::Turns;
+
+/// Coefficients a polynomial has at most.
+pub(super) const MOST_TERMS: usize = 16;
+
+/// Chebyshev terms that are computed and dropped: they tell what the polynomial misses.
+const DROPPED: usize = 2;
+
+/// The increments of χ, ψ_A and ψ_B in turns.
+pub(super) type Increments = [f64; 3];
+
+/// The flow of a motion's law over one tick.
+pub(super) struct Flow {
+    law: Nutation<f64>,
+    /// Of a tick, in units of time.
+    length: f64,
+}
+
+/// Three polynomials on [-1, 1], lowest power first, and the sum of what each leaves out.
+pub(super) struct Fit {
+    pub(super) polynomials: [[f64; MOST_TERMS]; 3],
+    pub(super) missed: Increments,
+}
+
+impl Flow {
+    pub(super) fn new(motion: &Motion, length: f64) -> Self {
+        Self { law: motion.law().cast(), length }
+    }
+
+    /// Over a tick that starts at χ; NaN if the tick is so long that 256 series of 16 terms do not cover it.
+    fn over_a_tick(&self, chi: Turns) -> Increments {
+        /// What a series may leave out, rad.
+        const LEFT_OUT: f64 = 1e-16;
+        const MOST_PIECES: u32 = 256;
+        let (sine, cosine) = f64::sine_cosine(chi);
+        let start = Point { sine, cosine, theta: [0.0; 2] };
+        let mut pieces = 1;
+        while pieces <= MOST_PIECES {
+            let unit = self.length / f64::from(pieces);
+            let first = self.law.expand(&start, unit, [0.0; 2]);
+            if first.last_term(1.0) <= LEFT_OUT {
+                return self.march(start, &first, unit, pieces);
+            }
+            pieces *= 2;
+        }
+        [f64::NAN; 3]
+    }
+
+    #[inline(never)] // set-up's frames should not add up on a small stack
+    fn march(&self, start: Point, first: &Expansion, unit: f64, pieces: u32) -> Increments {
+        const PER_RADIAN: f64 = 0.5 * core::f64::consts::FRAC_1_PI;
+        let turned = |from: &Point, to: &Point| {
+            let sine = to.sine * from.cosine - to.cosine * from.sine;
+            libm::atan2(sine, to.cosine * from.cosine + to.sine * from.sine)
+        };
+        let mut point = first.point(1.0);
+        let mut chi = turned(&start, &point);
+        for _ in 1..pieces {
+            let next = self.law.expand(&point, unit, [0.0; 2]).point(1.0);
+            chi += turned(&point, &next);
+            point = next;
+        }
+        let [alpha, beta] = point.theta;
+        [chi, alpha, beta].map(|angle| angle * PER_RADIAN)
+    }
+
+    /// The increments on segment `segment` of `segments` that cover half a turn of χ, by interpolation in Chebyshev's points.
+    pub(super) fn fit(&self, segment: usize, segments: usize, terms: usize) -> Fit {
+        let width = 0.5 / segments as f64; // in turns
+        let terms = terms.min(MOST_TERMS);
+        let nodes = terms + DROPPED;
+        let mut chebyshev = [[0.0; MOST_TERMS + DROPPED]; 3];
+        for node in 0..nodes {
+            let (_, x) = f64::sine_cosine(Turns::new((node as f64 + 0.5) / (2 * nodes) as f64));
+            let values = self.over_a_tick(Turns::new((segment as f64 + 0.5 * (1.0 + x)) * width));
+            for (sums, value) in chebyshev.iter_mut().zip(values) {
+                let (mut t, mut next) = (1.0, x);
+                for (k, sum) in sums.iter_mut().enumerate().take(nodes) {
+                    let weight = if k == 0 { 1.0 } else { 2.0 } / nodes as f64;
+                    *sum += weight * value * t;
+                    (t, next) = (next, 2.0 * x * next - t);
+                }
+            }
+        }
+        Fit {
+            polynomials: chebyshev.map(|series| powers(&series, terms)),
+            missed: chebyshev
+                .map(|series| series.iter().skip(terms).fold(0.0, |sum, c| sum + Float::abs(*c))),
+        }
+    }
+}
+
+/// The coefficients of 1, x, x², ... of the first `terms` Chebyshev polynomials, by Clenshaw's recurrence.
+fn powers(chebyshev: &[f64], terms: usize) -> [f64; MOST_TERMS] {
+    let times_x = |p: &[f64; MOST_TERMS]| {
+        let mut product = [0.0; MOST_TERMS];
+        product.iter_mut().skip(1).zip(p).for_each(|(to, from)| *to = *from);
+        product
+    };
+    let (mut b, mut later) = ([0.0; MOST_TERMS], [0.0; MOST_TERMS]);
+    for (k, c) in chebyshev.iter().enumerate().take(terms).rev() {
+        let factor = if k == 0 { 1.0 } else { 2.0 };
+        let mut next = times_x(&b);
+        next.iter_mut().zip(later).for_each(|(value, later)| *value = factor * *value - later);
+        if let Some(constant) = next.first_mut() {
+            *constant += c;
+        }
+        (b, later) = (next, b);
+    }
+    b
+}
