@@ -115,12 +115,13 @@ fn the_error_does_not_depend_on_the_tick() {
     tolerance::STEPPER_Q31.check("any tick", worst);
 }
 
+/// Over 1000 periods of 100 ticks: the two ways round off differently.
 #[test]
 fn there_and_back() {
     let mut worst = 0.0_f64;
     for vector in exact() {
         let motion = vector.motion().unwrap();
-        let mut stepper = <FixedStepper>::new(&motion, Tick::hertz(rate(&vector) as u32).unwrap()).unwrap();
+        let mut stepper = FixedStepper::<64, 8>::new(&motion, tick(&motion, 100.0)).unwrap();
         let start = widened(stepper.phi());
         (0..100_000).for_each(|_| stepper.step());
         (0..100_000).for_each(|_| stepper.step_back());
@@ -218,4 +219,21 @@ fn steady_motions_do_not_go_astray() {
         assert!((f64::from(stepper.u()) - truth.phi().u()).abs() < 4e-9, "{name}");
         assert_eq!(stepper.tip_angle().is_none(), motion.regime().is_vertical(), "{name}");
     }
+}
+
+/// 10⁶ ticks, a thousand periods: what rounding adds up to, against an ephemeris, in which nothing does.
+#[test]
+fn little_adds_up() {
+    let (mut worst, mut judged) = (0.0_f64, 0);
+    for vector in exact() {
+        let motion = vector.motion().unwrap();
+        let tick = tick(&motion, 1000.0);
+        let Ok(truth) = Ephemeris::<f64, 256, 12>::new(&motion, tick) else { continue };
+        let mut stepper = <FixedStepper>::new(&motion, tick).unwrap();
+        (0..1_000_000).for_each(|_| stepper.step());
+        worst = worst.max(orientation_error(widened(stepper.phi()), truth.at_tick(1_000_000).phi()));
+        judged += 1;
+    }
+    assert!(judged > 15, "{judged}");
+    tolerance::STEPPER_Q31_LONG.check("10⁶ ticks", worst);
 }

@@ -60,14 +60,16 @@ pub const EPHEMERIS_Q31: Budget = Budget::of(1e-8);
 pub const EPHEMERIS_Q15: Budget = Budget::of(3e-4);
 /// The stepper in fixed point, orientation (rad) over three periods, some thousand ticks a period or sixteen.
 pub const STEPPER_Q31: Budget = Budget::of(8e-9);
+/// The same after 10⁶ ticks, a thousand periods; nearly all of it at A/(ps) = 1/16, elsewhere a fifth or less.
+pub const STEPPER_Q31_LONG: Budget = Budget::of(2e-6);
 /// u of the same, read off by itself.
 pub const U_Q31: Budget = Budget::of(4e-9);
 /// Its tip curve in units of s.
 pub const TIP_Q31: Budget = Budget::of(2.5e-8);
 /// Its tip angle, continued, times |c|/2s.
 pub const TIP_ANGLE_Q31: Budget = Budget::of(2.5e-8);
-/// Forward 100 000 ticks and back, orientation.
-pub const REVERSAL_Q31: Budget = Budget::of(2e-8);
+/// Forward 100 000 ticks, a thousand periods, and back: orientation.
+pub const REVERSAL_Q31: Budget = Budget::of(3e-7);
 /// | |α|² + |β|² - 1 | after 10⁶ steps.
 pub const NORM_F64: Budget = Budget::of(2e-15);
 /// The same in f32.

@@ -68,7 +68,8 @@ struct Ellipse {
 }
 
 impl<const SEGMENTS: usize, const TERMS: usize> FixedStepper<SEGMENTS, TERMS> {
-    /// At t = 0 of the motion. Cost: 2 · SEGMENTS · (TERMS + 2) series of 16 terms in `f64`; nothing where u is constant.
+    /// At t = 0 of the motion. Cost: 2 · SEGMENTS series of 16 terms in `f64` for ticks that are short against a
+    /// segment, up to TERMS + 2 times as many for long ones; next to nothing where u is constant.
     ///
     /// # Errors
     /// [`NoTickMap`]: the motion is aperiodic, the tick too long, or the polynomials too coarse.

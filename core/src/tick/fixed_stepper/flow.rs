@@ -36,11 +36,8 @@ impl Flow {
 
     /// Over a tick that starts at χ; NaN if the tick is so long that 256 series of 16 terms do not cover it.
     fn over_a_tick(&self, chi: Turns) -> Increments {
-        /// What a series may leave out, rad.
-        const LEFT_OUT: f64 = 1e-16;
         const MOST_PIECES: u32 = 256;
-        let (sine, cosine) = f64::sine_cosine(chi);
-        let start = Point { sine, cosine, theta: [0.0; 2] };
+        let start = point(chi);
         let mut pieces = 1;
         while pieces <= MOST_PIECES {
             let unit = self.length / f64::from(pieces);
@@ -55,11 +52,6 @@ impl Flow {
 
     #[inline(never)] // set-up's frames should not add up on a small stack
     fn march(&self, start: Point, first: &Expansion, unit: f64, pieces: u32) -> Increments {
-        const PER_RADIAN: f64 = 0.5 * core::f64::consts::FRAC_1_PI;
-        let turned = |from: &Point, to: &Point| {
-            let sine = to.sine * from.cosine - to.cosine * from.sine;
-            libm::atan2(sine, to.cosine * from.cosine + to.sine * from.sine)
-        };
         let mut point = first.point(1.0);
         let mut chi = turned(&start, &point);
         for _ in 1..pieces {
@@ -71,15 +63,28 @@ impl Flow {
         [chi, alpha, beta].map(|angle| angle * PER_RADIAN)
     }
 
+    /// The law's series around χ, over a tick and what it takes to turn by `reach` rad.
+    fn around(&self, chi: Turns, reach: f64) -> Neighbourhood<'_> {
+        let centre = point(chi);
+        let rate = self.law.rates(centre.sine, centre.cosine).nutation;
+        let unit = self.length + reach / rate;
+        Neighbourhood { flow: self, expansion: self.law.expand(&centre, unit, [0.0; 2]), centre, unit }
+    }
+
     /// The increments on segment `segment` of `segments` that cover half a turn of χ, by interpolation in Chebyshev's points.
     pub(super) fn fit(&self, segment: usize, segments: usize, terms: usize) -> Fit {
-        let width = 0.5 / segments as f64; // in turns
+        let half_width = 0.25 / segments as f64; // in turns
+        let centre = Turns::new((2 * segment + 1) as f64 * half_width);
+        let neighbourhood = self.around(centre, half_width / PER_RADIAN);
         let terms = terms.min(MOST_TERMS);
         let nodes = terms + DROPPED;
         let mut chebyshev = [[0.0; MOST_TERMS + DROPPED]; 3];
         for node in 0..nodes {
             let (_, x) = f64::sine_cosine(Turns::new((node as f64 + 0.5) / (2 * nodes) as f64));
-            let values = self.over_a_tick(Turns::new((segment as f64 + 0.5 * (1.0 + x)) * width));
+            let offset = x * half_width;
+            let values = neighbourhood
+                .tick_from(offset / PER_RADIAN)
+                .unwrap_or_else(|| self.over_a_tick(centre + Turns::new(offset)));
             for (sums, value) in chebyshev.iter_mut().zip(values) {
                 let (mut t, mut next) = (1.0, x);
                 for (k, sum) in sums.iter_mut().enumerate().take(nodes) {
@@ -95,6 +100,52 @@ impl Flow {
                 .map(|series| series.iter().skip(terms).fold(0.0, |sum, c| sum + Float::abs(*c))),
         }
     }
+}
+
+/// The motion near a point of it, by one series: good for most ticks that start there.
+struct Neighbourhood<'a> {
+    flow: &'a Flow,
+    expansion: Expansion,
+    centre: Point,
+    /// Of the series, in units of time.
+    unit: f64,
+}
+
+impl Neighbourhood<'_> {
+    /// The tick that starts where χ is `offset` rad from the centre; `None` if the series does not reach so far.
+    fn tick_from(&self, offset: f64) -> Option<Increments> {
+        /// Each squares the error, and the first guess is good to a digit.
+        const NEWTON_STEPS: usize = 5;
+        let length = self.flow.length / self.unit;
+        let (mut time, mut from) = (0.0, self.centre);
+        for _ in 0..NEWTON_STEPS {
+            let rate = self.flow.law.rates(from.sine, from.cosine).nutation * self.unit;
+            time -= (turned(&self.centre, &from) - offset) / rate;
+            from = self.expansion.point(time);
+        }
+        let reached = self.expansion.last_term(time).max(self.expansion.last_term(time + length));
+        let to = self.expansion.point(time + length);
+        let ([a, b], [a_next, b_next]) = (from.theta, to.theta);
+        let increments = [turned(&from, &to), a_next - a, b_next - b].map(|angle| angle * PER_RADIAN);
+        (reached <= LEFT_OUT).then_some(increments)
+    }
+}
+
+/// What a series may leave out, rad.
+const LEFT_OUT: f64 = 1e-16;
+
+const PER_RADIAN: f64 = 0.5 * core::f64::consts::FRAC_1_PI;
+
+/// At χ, with the slow phases counted from there.
+fn point(chi: Turns) -> Point {
+    let (sine, cosine) = f64::sine_cosine(chi);
+    Point { sine, cosine, theta: [0.0; 2] }
+}
+
+/// By what angle χ differs between two points less than half a turn apart, rad.
+fn turned(from: &Point, to: &Point) -> f64 {
+    let sine = to.sine * from.cosine - to.cosine * from.sine;
+    libm::atan2(sine, to.cosine * from.cosine + to.sine * from.sine)
 }
 
 /// The coefficients of 1, x, x², ... of the first `terms` Chebyshev polynomials, by Clenshaw's recurrence.
