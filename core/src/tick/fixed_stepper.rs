@@ -17,7 +17,7 @@ use crate::complex::Complex;
 use crate::launch::{Course, Motion};
 use crate::real::{Float, angle, high_product, sine_cosine_q31};
 use crate::su2::Phi;
-use crate::turns::Turns;
+use crate::turns::{Rate, Turns};
 use core::fmt;
 use fixed::types::I2F30;
 use flow::Flow;
@@ -28,9 +28,20 @@ use map::{Survey, TickMap, full_scale};
 ///
 /// State: the half phase χ and the slow phases A and B, integers of 2^-96 turns. Orientation, unit norm and first integrals
 /// are functions of them, so they cannot drift; what adds up from tick to tick is an error *along* the motion, of which
-/// [`FixedStepper::error_bound`] says how large it can be.
+/// [`FixedStepper::error_bound`] says how large it can become.
 ///
-/// `SEGMENTS` (a power of two) polynomials of `TERMS` coefficients cover half a turn of χ: 12 · SEGMENTS · TERMS bytes.
+/// `SEGMENTS` (a power of two) polynomials of `TERMS` coefficients cover half a turn of χ: 12 · SEGMENTS · TERMS bytes, 3 KiB
+/// as it comes, and some 200 bytes more. More are needed near the separatrix and where A/(ps) is small; [`NoTickMap`] says
+/// how many.
+///
+/// Cost: 3 (TERMS - 1) upper-word products and sums a step, whatever the data: modelled, 208 cycles on a Cortex-M4F and 886
+/// on a Cortex-M0+, and 207 and 1274 to read Φ. (A step of [`Stepper`] in `f32` is 2160 on the Cortex-M4F.)
+///
+/// Error: over three periods below 8e-9 rad, nearly all of it in reading Φ, for ticks of a sixteenth of a period as for a
+/// thousandth; after 10⁶ ticks, a thousand periods, mostly below 2e-7 rad (1e-6 where A/(ps) = 1/16).
+///
+/// Range, step by step: a partial sum is below 2^31 by the scale of the table, its shift is at most 31 bits of 64,
+/// phases wrap as turns do, and what is read off is at most 1 in numbers that go to 2.
 ///
 /// ```
 /// use toytop::{FixedStepper, Heaviness, Motion, Release, State, Tick, Top};
@@ -75,7 +86,7 @@ impl<const SEGMENTS: usize, const TERMS: usize> FixedStepper<SEGMENTS, TERMS> {
     /// [`NoTickMap`]: the motion is aperiodic, the tick too long, or the polynomials too coarse.
     pub fn new(motion: &Motion, tick: Tick) -> Result<Self, NoTickMap> {
         let length = tick.length();
-        let over_a_tick = |rate: crate::turns::Rate| rate.over(length.hi()) + rate.over(length.lo());
+        let over_a_tick = |rate: Rate| rate.over(length.hi()) + rate.over(length.lo());
         let [alpha, beta] = motion.phases();
         let brackets = motion.brackets::<f64>();
         let place = |phases, map, per_tick| {
@@ -159,21 +170,29 @@ impl<const SEGMENTS: usize, const TERMS: usize> FixedStepper<SEGMENTS, TERMS> {
         I2F30::from_bits(middle - high_product(swing, cosine))
     }
 
-    /// The tip in units of s, c/s = 2αβ.
+    /// The tip in units of s, c/s = 2αβ (2αβ for a fixed tip). Error: below 2.5e-8 besides that of the phases.
     #[inline(always)]
     #[must_use]
     pub fn tip(&self) -> Complex<I2F30> {
-        let Phi { alpha, beta } = self.phi();
-        let product = alpha * beta;
-        // |αβ| <= 1/2
-        Complex::new(product.re + product.re, product.im + product.im)
+        let (_, tip) = self.phi_and_tip();
+        tip
     }
 
-    /// The tip angle φ, continued along the motion as that of [`Stepper`]; `None` where the axis is vertical for ever. Error: that
-    /// of the phases, and 5e-8 rad, or 1e-8 rad over |c|/2s near the centre, where an angle says little.
+    /// Φ and the tip in one evaluation.
+    #[inline(always)]
+    #[must_use]
+    pub fn phi_and_tip(&self) -> (Phi<I2F30>, Complex<I2F30>) {
+        let phi = self.phi();
+        // |αβ| <= 1/2, so twice as much is far from 2
+        let product = phi.alpha * phi.beta;
+        (phi, product + product)
+    }
+
+    /// The tip angle φ, continued along the motion as that of [`Stepper`]; `None` where the axis is vertical for ever. Error: below
+    /// 2.5e-8 rad over |c|/2s, besides that of the phases: near the centre an angle says little.
     ///
-    /// Read off from the phases, so it cannot drift away from Φ. One sine-cosine pair, eight products, and 29 steps of shifts
-    /// and sums.
+    /// Read off from the phases, so it cannot drift away from Φ. One sine-cosine pair, eight products, and 29 rotations by
+    /// shifts and sums: some 740 modelled cycles on a Cortex-M4F, 2100 on a Cortex-M0+.
     #[must_use]
     pub fn tip_angle(&self) -> Option<Turns> {
         self.phi_origin.map(|origin| origin + self.continued_phi())

@@ -93,6 +93,7 @@ fn spin(motion: &Motion) {
     tick::<f64>(motion);
     table::<f32, 16, 8>(motion);
     table::<f64, 64, 11>(motion);
+    fixed_tick(motion);
 }
 
 fn tick<R: Real>(motion: &Motion) {
@@ -105,6 +106,17 @@ fn tick<R: Real>(motion: &Motion) {
         tip.angle
             .map(|angle| (angle.phi.to_f64(), angle.phi.to_radians(), angle.phi.principal(), angle.rate)),
     );
+}
+
+/// The stepper in fixed point: set-up, both ways, and all that is read off.
+fn fixed_tick(motion: &Motion) {
+    use toytop::{FixedStepper, Tick};
+    let Ok(tick) = Tick::hertz(black_box(1000)) else { return };
+    let Ok(mut stepper) = <FixedStepper>::new(motion, tick) else { return };
+    stepper.step();
+    black_box((stepper.phi(), stepper.u(), stepper.tip(), stepper.tip_angle()));
+    stepper.step_back();
+    black_box((stepper.phi(), stepper.error_bound()));
 }
 
 #[cfg(feature = "planted")]
