@@ -18,6 +18,7 @@ mod sine;
 
 pub use double_double::DoubleDouble;
 pub(crate) use product::{high_product, long_product, wrapping_product};
+pub use sine::{SINE_CONSTANTS, SineConstants};
 pub(crate) use sine::{sine_cosine_f64, sine_cosine_q31};
 
 use crate::turns::Turns;

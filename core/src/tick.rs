@@ -8,7 +8,9 @@ mod table;
 mod tabular;
 mod tip;
 
-pub use ephemeris::{Cursor, Ephemeris, EphemerisF32, EphemerisF64, TurningPoint};
+pub use ephemeris::{
+    Bakeable, Baked, BakedError, Cursor, Ephemeris, EphemerisF32, EphemerisF64, TurningPoint,
+};
 pub use moment::Moment;
 pub use pose::Pose;
 pub use stepper::Stepper;

@@ -1,5 +1,6 @@
 //! Public behaviour, against independent truth. One binary, one module an idea.
 
+mod baked;
 mod conditioning;
 mod ephemeris;
 mod group;

@@ -60,6 +60,11 @@ impl DoubleDouble {
         Self { hi, lo }
     }
 
+    /// From the two parts of a number of this type, [`DoubleDouble::hi`] and [`DoubleDouble::lo`].
+    pub(crate) const fn from_parts(hi: f64, lo: f64) -> Self {
+        Self { hi, lo }
+    }
+
     /// The product of two `f64`, exactly.
     #[must_use]
     pub fn product(a: f64, b: f64) -> Self {

@@ -4,6 +4,10 @@
 //! (integers too). No root, no division, no library function, no loop whose length depends on data: any tick
 //! costs the same, and the 2^40th is as exact as the first.
 
+mod baked;
+
+pub use baked::{Bakeable, Baked, BakedError};
+
 use super::moment::Moment;
 use super::table::{ErrorBound, NoFit, Table, Tick};
 use super::tabular::Tabular;

@@ -63,6 +63,16 @@ impl<C: Copy, const SEGMENTS: usize, const TERMS: usize> Table<C, SEGMENTS, TERM
         Self { segments: [[[coefficient; 4]; TERMS]; SEGMENTS] }
     }
 
+    pub(super) const fn from_segments(segments: [[[C; 4]; TERMS]; SEGMENTS]) -> Self {
+        let () = Self::SIZE_IS_VALID;
+        Self { segments }
+    }
+
+    /// By segment and power.
+    pub(super) fn segments(&self) -> &[[[C; 4]; TERMS]; SEGMENTS] {
+        &self.segments
+    }
+
     /// Keeps the polynomials of a segment; returns what the coefficients cannot hold of them.
     pub(super) fn put<R: Tabular<Coefficient = C>>(
         &mut self,
