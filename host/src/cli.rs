@@ -25,6 +25,8 @@ pub enum Command {
     Constants(ConstantsArgs),
     /// The curve of the tip between its bounding circles, as a picture
     Plot(PlotArgs),
+    /// The table of a motion as a constant for firmware: Rust, C with its evaluator, or JSON
+    Bake(BakeArgs),
     /// What a state costs: ephemeris and stepper against the full solver, on this machine
     Bench,
     /// Random motions of every regime: does the ephemeris keep its error bound? (exit code 1 if not)
@@ -103,6 +105,62 @@ pub struct PlotArgs {
     /// Where to: a file that ends in .svg or .png
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
+}
+
+/// `toytop bake`
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  toytop bake top.toml --hertz 8000 -o src/top.rs         a static, which a changed bit keeps from compiling
+  toytop bake top.toml --lang c --tick 44100/2 -o top.h   C99, the same results to the bit")]
+pub struct BakeArgs {
+    /// Scenario file
+    pub scenario: PathBuf,
+    /// Scalar type of the results
+    #[arg(long, value_enum, default_value_t = Scalar::F32)]
+    pub scalar: Scalar,
+    /// What to write
+    #[arg(long, value_enum, default_value_t = Language::Rust)]
+    pub lang: Language,
+    /// Segments and terms, as 64x7; without it the crate's default, or the smallest that fits
+    #[arg(long, value_name = "SxT", value_parser = size)]
+    pub size: Option<[u32; 2]>,
+    /// Ticks a second
+    #[arg(long, value_name = "N", default_value_t = 1000, conflicts_with = "tick",
+        value_parser = clap::value_parser!(u32).range(1..))]
+    pub hertz: u32,
+    /// A ticks in B seconds
+    #[arg(long, value_name = "A/B", value_parser = ratio)]
+    pub tick: Option<[u32; 2]>,
+    /// Where to; without it, to stdout
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// What `bake` writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Language {
+    /// A module with one static
+    Rust,
+    /// A header with the table and what evaluates it
+    C,
+    /// One object with all numbers
+    Json,
+}
+
+fn size(text: &str) -> Result<[u32; 2], &'static str> {
+    two(text, 'x').ok_or("must be segments x terms, as 64x7")
+}
+
+fn ratio(text: &str) -> Result<[u32; 2], &'static str> {
+    two(text, '/')
+        .filter(|two| !two.contains(&0))
+        .ok_or("must be two whole numbers from 1 to 4294967295, as 44100/2")
+}
+
+fn two(text: &str, between: char) -> Option<[u32; 2]> {
+    let (first, second) = text.split_once(between)?;
+    Some([first.parse().ok()?, second.parse().ok()?])
 }
 
 /// `toytop study`

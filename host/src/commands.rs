@@ -1,5 +1,6 @@
 //! One file a command. A command returns its whole output; nothing is printed before all of it is there.
 
+mod bake;
 mod bench;
 mod compare;
 mod constants;
@@ -46,6 +47,7 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::State(arguments) => state::run(arguments),
         Command::Constants(arguments) => constants::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
+        Command::Bake(arguments) => bake::run(arguments),
         Command::Bench => bench::run(),
         Command::Study(arguments) => study::run(arguments),
     }

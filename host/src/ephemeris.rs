@@ -1,6 +1,7 @@
 //! The core's ephemeris in the smallest table of a short list that fits: what a command holds does not know the size.
 
 use crate::Failure;
+use crate::bake::{Bake, Parts};
 use crate::propagate::period;
 use toytop::real::Real;
 use toytop::{
@@ -17,6 +18,9 @@ pub trait AnySize<R>: Send + Sync {
 
     /// The moment t units of time after t = 0, t taken as exact.
     fn at(&self, t: f64) -> Instant<R>;
+
+    /// Its numbers.
+    fn parts(&self) -> Parts;
 }
 
 /// All that an ephemeris says of a moment.
@@ -31,7 +35,7 @@ pub struct Instant<R> {
 }
 
 impl<
-    R: Real + Tabular<Scale = R, Coefficient: Send + Sync> + Send + Sync,
+    R: Real + Bake + Tabular<Scale = R, Coefficient: Send + Sync> + Send + Sync,
     const SEGMENTS: usize,
     const TERMS: usize,
 > AnySize<R> for Ephemeris<R, SEGMENTS, TERMS>
@@ -47,6 +51,10 @@ impl<
     fn at(&self, t: f64) -> Instant<R> {
         let moment = Self::at(self, t);
         Instant { pose: moment.pose(), tip: moment.tip(), nutation_phase: moment.nutation_phase() }
+    }
+
+    fn parts(&self) -> Parts {
+        Parts::of(&self.to_baked())
     }
 }
 
@@ -66,7 +74,11 @@ pub struct Size<R> {
 /// Four times the segments from size to size, and as many terms as still save segments. Measured on 3000 random motions
 /// with differences of the branch points down to 1e-9 and A/(ps) in \[1e-2, 1e3\]: in `f64` half of them need no more than
 /// the first size, nine in ten no more than the third, one in 3000 more than the last; in `f32` none needs more than it.
-pub trait Sizes: Real + Tabular<Scale = Self, Coefficient: Send + Sync> + Send + Sync + 'static {
+pub trait Sizes:
+    Real + Bake + Tabular<Scale = Self, Coefficient: Send + Sync> + Send + Sync + 'static
+{
+    /// The crate's own choice for most motions.
+    const DEFAULT: Size<Self>;
     /// All but the largest, the smallest first.
     const SMALLER: &'static [Size<Self>];
     /// The largest.
@@ -74,12 +86,16 @@ pub trait Sizes: Real + Tabular<Scale = Self, Coefficient: Send + Sync> + Send +
 }
 
 impl Sizes for f64 {
+    /// [`toytop::EphemerisF64`].
+    const DEFAULT: Size<Self> = size::<128, 12, _>();
     const SMALLER: &'static [Size<Self>] =
         &[size::<16, 11, _>(), size::<64, 11, _>(), size::<256, 11, _>(), size::<1024, 11, _>()];
     const LARGEST: Size<Self> = size::<4096, 11, _>();
 }
 
 impl Sizes for f32 {
+    /// [`toytop::EphemerisF32`].
+    const DEFAULT: Size<Self> = size::<16, 8, _>();
     const SMALLER: &'static [Size<Self>] = &[size::<16, 7, _>(), size::<64, 7, _>(), size::<256, 7, _>()];
     const LARGEST: Size<Self> = size::<1024, 7, _>();
 }
@@ -103,6 +119,10 @@ fn set_up<const SEGMENTS: usize, const TERMS: usize, R: Sizes>(
 /// [`Failure::Method`]: none does; the message says which would.
 pub fn smallest<R: Sizes>(motion: &Motion) -> Result<Box<dyn AnySize<R>>, Failure> {
     let tick = tick(motion).map_err(|error| Failure::Method(error.to_string()))?;
+    smallest_with(motion, tick)
+}
+
+fn smallest_with<R: Sizes>(motion: &Motion, tick: Tick) -> Result<Box<dyn AnySize<R>>, Failure> {
     let mut needed = 0;
     for size in R::SMALLER {
         if size.segments >= needed {
@@ -118,6 +138,37 @@ pub fn smallest<R: Sizes>(motion: &Motion) -> Result<Box<dyn AnySize<R>>, Failur
         Failure::Method(format!(
             "no ephemeris: a table of {segments}x{terms} is the largest there is; {refusal}"
         ))
+    })
+}
+
+/// The crate's default size if the motion fits, otherwise the smallest of the list that does.
+///
+/// # Errors
+/// [`Failure::Method`]: none does; the message says which would.
+pub fn default_or_smallest<R: Sizes>(motion: &Motion, tick: Tick) -> Result<Box<dyn AnySize<R>>, Failure> {
+    (R::DEFAULT.set_up)(motion, tick).or_else(|_| smallest_with(motion, tick))
+}
+
+/// The table of this size.
+///
+/// # Errors
+/// [`Failure::Input`]: none of the sizes there are. [`Failure::Method`]: the motion does not fit it.
+pub fn of_size<R: Sizes>(
+    size: [u32; 2],
+    motion: &Motion,
+    tick: Tick,
+) -> Result<Box<dyn AnySize<R>>, Failure> {
+    let mut sizes = [&[R::DEFAULT], R::SMALLER, &[R::LARGEST]].concat();
+    sizes.sort_by_key(|size| [size.segments, size.terms]);
+    let known = sizes.iter().find(|known| [known.segments, known.terms] == size).ok_or_else(|| {
+        let name = |size: &Size<R>| format!("{}x{}", size.segments, size.terms);
+        let allowed: Vec<_> = sizes.iter().map(name).collect();
+        let [segments, terms] = size;
+        Failure::Input(format!("--size: {segments}x{terms} must be one of {}", allowed.join(", ")))
+    })?;
+    (known.set_up)(motion, tick).map_err(|refusal| {
+        let [segments, terms] = size;
+        Failure::Method(format!("no ephemeris of {segments}x{terms}: {refusal}"))
     })
 }
 

@@ -7,6 +7,7 @@
 //! | [`times`] | the times asked for |
 //! | [`propagate`] | the core's stepper taken to given times |
 //! | [`ephemeris`] | the core's ephemeris, in the smallest table that fits |
+//! | [`bake`] | an ephemeris as Rust, C or JSON |
 //! | [`tip_angle`] | the tip angle of an ephemeris, continued from t = 0 |
 //! | [`truth`] | the full solver taken to the same times |
 //! | [`baseline`] | the full equations in equal steps: what one would do without the core |
@@ -18,6 +19,7 @@
 //!
 //! A command computes everything before the first byte is printed, so a failure leaves nothing half-written.
 
+pub mod bake;
 pub mod baseline;
 pub mod builtin;
 pub mod cli;

@@ -11,14 +11,14 @@ fn there_and_back_to_the_bit() {
         let single = Ephemeris::<f32, 256, 7>::new(&motion, Tick::hertz(1000).unwrap()).unwrap();
         let baked = single.to_baked();
         let back = baked.ephemeris().unwrap();
-        assert_eq!(back, single, "{name}");
+        assert!(back == single, "{name}");
         // the checksum sees the sign of a zero, which `==` does not
         assert_eq!(back.to_baked().checksum, baked.checksum, "{name}");
         aperiodic += u32::from(baked.horizon.is_some());
         if let Ok(double) = Ephemeris::<f64, 256, 12>::new(&motion, Tick::ratio(44_100, 2).unwrap()) {
             let baked = double.to_baked();
             let back = baked.ephemeris().unwrap();
-            assert_eq!((back, back.to_baked().checksum), (double, baked.checksum), "{name}");
+            assert!(back == double && back.to_baked().checksum == baked.checksum, "{name}");
             for n in [0, 77, -1 << 40, i64::MAX] {
                 assert_eq!(back.at_tick(n).phi_and_tip(), double.at_tick(n).phi_and_tip(), "{name}");
             }
@@ -33,10 +33,10 @@ fn there_and_back_to_the_bit() {
 /// What is done to one number.
 type Change = fn(&mut Baked<f32, 16, 8>);
 
-fn refused(baked: Baked<f32, 16, 8>, change: Change) -> BakedError {
+fn refused(baked: Baked<f32, 16, 8>, change: Change) -> Option<BakedError> {
     let mut changed = baked;
     change(&mut changed);
-    changed.ephemeris().expect_err("a change is refused")
+    changed.ephemeris().err()
 }
 
 #[test]
@@ -58,9 +58,9 @@ fn a_bit_flipped_anywhere_is_refused() {
         |baked| baked.coefficients.swap(3, 4),
     ];
     for (index, change) in changes.into_iter().enumerate() {
-        assert!(matches!(refused(baked, change), BakedError::Checksum { .. }), "{index}");
+        assert!(matches!(refused(baked, change), Some(BakedError::Checksum { .. })), "{index}");
     }
-    assert_eq!(refused(baked, |baked| baked.format += 1), BakedError::Format { found: 2 });
+    assert_eq!(refused(baked, |baked| baked.format += 1), Some(BakedError::Format { found: 2 }));
     // every bit of every coefficient
     for segment in 0..16 {
         for bit in 0..8 * 4 * 32 {
