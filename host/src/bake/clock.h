@@ -1,7 +1,11 @@
 #ifndef TOYTOP_CLOCK
 #define TOYTOP_CLOCK 1
+#include <float.h>
 #include <stdint.h>
 #include <string.h>
+#if FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2
+#error "floating point must not be evaluated in a wider type (for x86: -msse2 -mfpmath=sse)"
+#endif
 
 /* A share of a turn in 96 bits, the whole turns dropped. */
 typedef struct { uint64_t leading; uint32_t low; } toytop_phase;
