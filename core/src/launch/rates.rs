@@ -15,11 +15,13 @@ pub(crate) struct Rates {
     /// Whether the nutation comes back: not if aperiodic, whose nutation phase stops at half a turn.
     pub(crate) returns: bool,
     /// What the rates of the slow phases have besides ψ': drift less mean, rad per unit time.
-    pub(crate) excess: [f64; 2],
+    pub(crate) excess: [DoubleDouble; 2],
     /// 1/T, and the mean rates of α and β, in turns per unit time.
     pub(crate) turns: [DoubleDouble; 3],
     /// Relative error of `turns`.
     pub(crate) relative_error: f64,
+    /// Of the scalar that they are for.
+    pub(crate) rounding: f64,
 }
 
 /// A rounding of double-double arithmetic, with room for the hundred or so that make a rate.
@@ -35,19 +37,20 @@ impl Rates {
             return Self {
                 half_period: 0.0,
                 returns: true,
-                excess: [0.0; 2],
+                excess: [DoubleDouble::ZERO; 2],
                 turns,
                 relative_error: ARITHMETIC,
+                rounding,
             };
         }
         if motion.regime() == Regime::Aperiodic {
             Self::rising(motion, rounding)
         } else {
-            Self::periodic(motion)
+            Self::periodic(motion, rounding)
         }
     }
 
-    fn periodic(motion: &Motion) -> Self {
+    fn periodic(motion: &Motion, rounding: f64) -> Self {
         let (averages, winding, relative_error) = motion.exact_averages();
         let half = DoubleDouble::from(0.5);
         let frequency = DoubleDouble::ONE / averages.period;
@@ -60,9 +63,10 @@ impl Rates {
         Self {
             half_period: averages.period.halved().to_f64(),
             returns: true,
-            excess: [(drift - two_pi() * alpha).to_f64(), (-drift - two_pi() * beta).to_f64()],
+            excess: [drift - two_pi() * alpha, -drift - two_pi() * beta],
             turns: [frequency, alpha, beta],
             relative_error: relative_error + ARITHMETIC,
+            rounding,
         }
     }
 
@@ -77,9 +81,10 @@ impl Rates {
         Self {
             half_period,
             returns: false,
-            excess: [-at_the_top.alpha.to_f64(), 0.0],
+            excess: [-at_the_top.alpha, DoubleDouble::ZERO],
             turns: [frequency, in_turns(at_the_top.alpha + drift), in_turns(-drift)],
             relative_error: ARITHMETIC,
+            rounding,
         }
     }
 }

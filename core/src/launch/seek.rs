@@ -58,12 +58,12 @@ impl Seek {
     }
 
     /// Nutation phase and mean slow phases at t = 0, from the phase and θ found on the half period.
-    pub(super) fn start(&self, motion: &Motion, phase: f64, theta: [f64; 2]) -> [Turns; 3] {
+    pub(super) fn start(&self, motion: &Motion, phase: f64, theta: [Turns; 2]) -> [Turns; 3] {
         let [alpha, beta] = motion.phases();
         let sense = if self.mirrored { -1.0 } else { 1.0 };
         let phase = self.beyond.unwrap_or(phase);
         let half_turns = Turns::HALF.times(self.folded);
-        let [alpha_theta, beta_theta] = theta.map(|angle| Turns::from_radians(sense * angle));
+        let [alpha_theta, beta_theta] = theta.map(|theta| if self.mirrored { -theta } else { theta });
         [Turns::new(sense * phase), alpha + half_turns - alpha_theta, beta + half_turns - beta_theta]
     }
 }
