@@ -42,18 +42,28 @@ pub(crate) fn tabulate(
     mut store: impl FnMut(usize, &Polynomials) -> f64,
 ) -> Tabulated {
     let brackets = motion.brackets::<f64>();
+    let mut polynomials = [[0.0; TERMS]; 4];
     if motion.is_steady() {
-        let constant = constants(&brackets);
+        constants(&brackets, &mut polynomials);
         (0..segments).for_each(|segment| {
-            store(segment, &constant);
+            store(segment, &polynomials);
         });
         let [alpha, beta] = motion.phases();
         return Tabulated { start: [Turns::ZERO, alpha, beta], ..Tabulated::default() };
     }
-    let seek = Seek::new(motion, rates.half_period);
-    let mut march = March::new(motion, rates, segments);
+    let seek = Seek::new(motion, rates.half_period.to_f64());
+    let law = motion.law();
+    let mut march = March {
+        law: &law,
+        rounded: &law.cast(),
+        rates,
+        unit: rates.half_period / DoubleDouble::from((2 * segments) as f64),
+        point: Point::default(),
+        least: rates.rounding / (16 * segments) as f64,
+        far: rates.rounding / segments as f64,
+        remainder: 0.0,
+    };
     let mut expansion = Expansion::EMPTY;
-    let mut polynomials = [[0.0; TERMS]; 4];
     march.expand(&mut expansion);
     march.to(&expansion, 1.0);
     let mut found = None;
@@ -67,7 +77,9 @@ pub(crate) fn tabulate(
         if found.is_none()
             && let Some(x) = seek.within(&expansion, last)
         {
-            let phase = (segment as f64 + 0.5 * (1.0 + x)) / (2 * segments) as f64;
+            // half a turn of the nutation over all segments
+            let centre = (2 * segment + 1) as i128 * Turns::ONE.to_bits() / (4 * segments) as i128;
+            let phase = Turns::from_bits(centre) + Turns::new(x / (4 * segments) as f64);
             found = Some((phase, expansion.theta_at(x)));
         }
         if last || expansion.last_term(2.0) > march.far {
@@ -91,11 +103,11 @@ pub(crate) fn tabulate(
 
 /// The way from centre to centre.
 struct March<'a> {
-    law: Nutation<DoubleDouble>,
-    rounded: Nutation<f64>,
+    law: &'a Nutation<DoubleDouble>,
+    rounded: &'a Nutation<f64>,
     rates: &'a Rates,
-    /// Half a segment.
-    unit: f64,
+    /// Half a segment. An error here would add up over them.
+    unit: DoubleDouble,
     point: Point,
     /// Terms below this change nothing.
     least: f64,
@@ -105,24 +117,10 @@ struct March<'a> {
     remainder: f64,
 }
 
-impl<'a> March<'a> {
-    fn new(motion: &Motion, rates: &'a Rates, segments: usize) -> Self {
-        let law = motion.law();
-        Self {
-            law,
-            rounded: law.cast(),
-            rates,
-            unit: rates.half_period / (2 * segments) as f64,
-            point: Point::default(),
-            least: rates.rounding / (16 * segments) as f64,
-            far: rates.rounding / segments as f64,
-            remainder: 0.0,
-        }
-    }
-
+impl March<'_> {
     /// Around the point that was reached.
     fn expand(&self, expansion: &mut Expansion) {
-        self.rounded.expand(&self.point, &self.slopes(), self.unit, self.least, expansion);
+        self.rounded.expand(&self.point, &self.slopes(), self.unit.to_f64(), self.least, expansion);
     }
 
     /// In double-double: a slow phase may turn by thousands of radians, and hardly from its mean.
@@ -131,7 +129,7 @@ impl<'a> March<'a> {
         let (sine, cosine) = self.point.sine_cosine();
         let rates = self.law.rates(sine.into(), cosine.into());
         let [alpha_excess, beta_excess] = self.rates.excess;
-        let slope = |rate: DoubleDouble| self.unit * rate.to_f64();
+        let slope = |rate: DoubleDouble| (self.unit * rate).to_f64();
         Slopes {
             psi: PhaseRates {
                 nutation: slope(rates.nutation),
@@ -156,16 +154,14 @@ impl<'a> March<'a> {
 }
 
 /// α and β where the half phase stays 0.
-fn constants(brackets: &Brackets<f64>) -> Polynomials {
-    let mut polynomials = [[0.0; TERMS]; 4];
-    let [re_alpha, _, re_beta, _] = &mut polynomials;
+fn constants(brackets: &Brackets<f64>, polynomials: &mut Polynomials) {
+    let [re_alpha, _, re_beta, _] = polynomials;
     if let (Some(alpha), Some(beta)) = (re_alpha.first_mut(), re_beta.first_mut()) {
         let [plus, minus] = brackets.alpha.exponentials();
         *alpha = plus + minus;
         let [plus, minus] = brackets.beta.exponentials();
         *beta = plus + minus;
     }
-    polynomials
 }
 
 /// The brackets times e^{iθ}, in real and imaginary parts.

@@ -48,8 +48,8 @@ pub(crate) struct Slopes {
 /// The motion around a point, as functions of x = (t - t₀)/unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Expansion {
-    pub(crate) sine: Series,
-    pub(crate) cosine: Series,
+    sine: Series,
+    cosine: Series,
     /// dχ/dx.
     chi: Series,
     /// dθ/dx of α and of β.
@@ -85,11 +85,6 @@ impl Series {
         x * terms.fold(0.0, |sum, (c, per_power)| sum * x + c * per_power)
     }
 
-    /// All coefficients.
-    pub(crate) fn coefficients(&self) -> &[f64; TERMS] {
-        &self.0
-    }
-
     /// The k-th coefficient of a product.
     fn product(a: &Self, b: &Self, k: usize) -> f64 {
         a.0.iter().take(k + 1).zip(b.0.iter().take(k + 1).rev()).fold(0.0, |sum, (x, y)| sum + x * y)
@@ -100,15 +95,10 @@ impl Series {
         folded(a.0.get(..=k).unwrap_or_default())
     }
 
-    /// The k-th coefficient of q = n/d, from that of n and the earlier ones of q.
-    fn quotient(n: f64, d: &Self, q: &Self, k: usize) -> f64 {
-        let known = d.0.iter().skip(1).take(k).zip(q.0.iter().take(k).rev());
-        (n - known.fold(0.0, |sum, (x, y)| sum + x * y)) / d.get(0)
-    }
-
-    /// The k-th coefficient of r = √square, k > 0, from the earlier ones of r.
-    fn root(square: f64, r: &Self, k: usize) -> f64 {
-        (square - folded(r.0.get(1..k).unwrap_or_default())) / (2.0 * r.get(0))
+    /// What a₁ bₖ₋₁ + ... + aₙ bₖ₋ₙ adds to the k-th coefficient of a product, n = `last`.
+    fn rest(a: &Self, b: &Self, k: usize, last: usize) -> f64 {
+        let pairs = a.0.iter().skip(1).take(last).zip(b.0.iter().take(k).rev());
+        pairs.fold(0.0, |sum, (x, y)| sum + x * y)
     }
 }
 
@@ -148,8 +138,17 @@ impl Expansion {
 
     /// The point at x.
     pub(crate) fn point(&self, x: f64) -> Point {
-        let change = Turns::from_radians(self.chi.integral(x, self.terms));
-        Point { chi: self.origin.chi + change, theta: self.theta_at(x) }
+        Point { chi: self.chi_at(x), theta: self.theta_at(x) }
+    }
+
+    /// χ at x.
+    pub(crate) fn chi_at(&self, x: f64) -> Turns {
+        self.origin.chi + Turns::from_radians(self.chi.integral(x, self.terms))
+    }
+
+    /// dχ/dx at x.
+    pub(crate) fn chi_slope(&self, x: f64) -> f64 {
+        self.chi.0.iter().take(self.terms).rev().fold(0.0, |sum, c| sum * x + c)
     }
 
     /// θ of α and of β at x.
@@ -164,14 +163,14 @@ impl Expansion {
     /// where its terms fall below `least`.
     #[inline(never)] // set-up's frames should not add up on a small stack
     pub(crate) fn turned(&self, which: usize, [p, q]: [f64; 2], least: f64, sums: [&mut [f64; TERMS]; 2]) {
-        let rate = self.theta.get(which).unwrap_or(&Series::ZERO);
+        let slow = self.theta.get(which).unwrap_or(&Series::ZERO);
         let theta = self.origin.theta.get(which).copied().unwrap_or_default();
         let [re, im] = sums;
         (*re, *im) = ([0.0; TERMS], [0.0; TERMS]);
         for (sense, scale, start) in [(1.0, p, theta + self.origin.chi), (-1.0, q, theta - self.origin.chi)] {
-            let [this_re, this_im] = exponential(rate, &self.chi, sense, Complex::cis(start).scaled(scale), least);
-            re.iter_mut().zip(this_re.0).for_each(|(sum, term)| *sum += term);
-            im.iter_mut().zip(this_im.0).for_each(|(sum, term)| *sum += term);
+            let mut rate = *slow;
+            rate.0.iter_mut().zip(&self.chi.0).for_each(|(rate, chi)| *rate += sense * chi);
+            add_exponential(&rate, Complex::cis(start).scaled(scale), least, [&mut *re, &mut *im]);
         }
     }
 
@@ -189,11 +188,9 @@ impl Expansion {
     }
 }
 
-/// start · e^{i ∫(θ' ± χ')}: z' = i z (θ' ± χ').
+/// Adds start · e^{i ∫ rate}: z' = i z rate.
 #[inline(never)]
-fn exponential(theta: &Series, chi: &Series, sense: f64, start: Complex<f64>, least: f64) -> [Series; 2] {
-    let mut rate = *theta;
-    rate.0.iter_mut().zip(chi.0).for_each(|(rate, chi)| *rate += sense * chi);
+fn add_exponential(rate: &Series, start: Complex<f64>, least: f64, sums: [&mut [f64; TERMS]; 2]) {
     let (mut re, mut im) = (Series::constant(start.re), Series::constant(start.im));
     let mut before = f64::INFINITY;
     for (k, per_power) in PER_POWER.iter().enumerate().take(TERMS - 1) {
@@ -207,7 +204,9 @@ fn exponential(theta: &Series, chi: &Series, sense: f64, start: Complex<f64>, le
         }
         before = size;
     }
-    [re, im]
+    for (sum, part) in sums.into_iter().zip([&re, &im]) {
+        sum.iter_mut().zip(part.0).for_each(|(sum, term)| *sum += term);
+    }
 }
 
 impl Nutation<f64> {
@@ -215,17 +214,24 @@ impl Nutation<f64> {
     /// are below `least`.
     #[inline(never)]
     pub(crate) fn expand(&self, point: &Point, slopes: &Slopes, unit: f64, least: f64, to: &mut Expansion) {
-        *to = Expansion { origin: *point, terms: TERMS, ..Expansion::EMPTY };
         let (point_sine, point_cosine) = point.sine_cosine();
+        (to.origin, to.terms) = (*point, TERMS);
         let Expansion { sine, cosine, chi, theta: [alpha, beta], .. } = to;
+        for series in [&mut *sine, cosine, chi, alpha, beta] {
+            series.0.fill(0.0);
+        }
         sine.put(0, point_sine);
         cosine.put(0, point_cosine);
         chi.put(0, slopes.psi.nutation);
         alpha.put(0, slopes.psi.alpha);
         beta.put(0, slopes.psi.beta);
         let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * point_sine * point_sine;
-        // w = 1 - u, D = A/p + s (1 - u)(1 + u), (dχ/dx)², and what ψ_A' and ψ_B' divide by
-        let [mut w, mut d, mut square, mut alpha_divisor, mut beta_divisor] = [Series::ZERO; 5];
+        // w = 1 - u, D = A/p + s (1 - u)(1 + u), and D dχ/dx
+        let [mut w, mut d, mut drive] = [Series::ZERO; 3];
+        // ψ_A' and ψ_B' divide by combinations of the last two
+        let alpha_divisor = [unit, self.alpha_smoothing];
+        let beta_divisor = [unit * self.root_e3, self.beta_smoothing];
+        let mut per_leading = [0.0; 3];
         let time_squared = unit * unit;
         // (dχ/dx)² D = unit² g (e₃ - u)/2, and the numerators of ψ_A' and ψ_B'
         let scales = [self.half_g, self.s * self.alpha_scale, -self.s_e3 * self.beta_scale];
@@ -237,20 +243,29 @@ impl Nutation<f64> {
                 let one_minus_u = swing + self.one_minus_e2;
                 w.put(0, one_minus_u);
                 d.put(0, self.a_over_p + self.s * one_minus_u * one_plus_u);
-                square.put(0, chi.get(0) * chi.get(0));
+                drive.put(0, d.get(0) * chi.get(0));
             } else {
                 w.put(k, swing);
                 // 1 + u = 2 - w; only its constant term could cancel
                 d.put(k, self.s * (2.0 * swing - Series::square(&w, k)));
-                square.put(k, Series::quotient(chi_scale * swing, &d, &square, k));
-                chi.put(k, Series::root(square.get(k), chi, k));
+                // (D dχ/dx) dχ/dx is known; what is not known is χₖ in both factors, times D₀ χ₀
+                let known = Series::rest(&d, chi, k, k);
+                let [per_drive, ..] = per_leading;
+                let rest = chi_scale * swing - Series::rest(&drive, chi, k, k - 1) - chi.get(0) * known;
+                chi.put(k, rest * per_drive);
+                drive.put(k, known + d.get(0) * chi.get(k));
             }
-            let smoothing = Series::product(&d, chi, k);
-            alpha_divisor.put(k, unit * d.get(k) + self.alpha_smoothing * smoothing);
-            beta_divisor.put(k, unit * self.root_e3 * d.get(k) + self.beta_smoothing * smoothing);
-            if k > 0 {
-                alpha.put(k, Series::quotient(alpha_scale * swing, &alpha_divisor, alpha, k));
-                beta.put(k, Series::quotient(beta_scale * swing, &beta_divisor, beta, k));
+            if k == 0 {
+                let leading = |[of_d, of_drive]: [f64; 2]| of_d * d.get(0) + of_drive * drive.get(0);
+                per_leading =
+                    [2.0 * drive.get(0), leading(alpha_divisor), leading(beta_divisor)].map(|x| 1.0 / x);
+            } else {
+                let rest = |[of_d, of_drive]: [f64; 2], rate: &Series| {
+                    of_d * Series::rest(&d, rate, k, k) + of_drive * Series::rest(&drive, rate, k, k)
+                };
+                let [_, per_alpha, per_beta] = per_leading;
+                alpha.put(k, (alpha_scale * swing - rest(alpha_divisor, alpha)) * per_alpha);
+                beta.put(k, (beta_scale * swing - rest(beta_divisor, beta)) * per_beta);
             }
             let next = [Series::product(chi, cosine, k), -Series::product(chi, sine, k)];
             let [next_sine, next_cosine] = next.map(|sum| sum * per_power);
