@@ -194,8 +194,8 @@ fn add_exponential(rate: &Series, start: Complex<f64>, least: f64, sums: [&mut [
     let (mut re, mut im) = (Series::constant(start.re), Series::constant(start.im));
     let mut before = f64::INFINITY;
     for (k, per_power) in PER_POWER.iter().enumerate().take(TERMS - 1) {
-        let next_re = -Series::product(&rate, &im, k) * per_power;
-        let next_im = Series::product(&rate, &re, k) * per_power;
+        let next_re = -Series::product(rate, &im, k) * per_power;
+        let next_im = Series::product(rate, &re, k) * per_power;
         re.put(k + 1, next_re);
         im.put(k + 1, next_im);
         let size = worse(Float::abs(next_re), Float::abs(next_im));
