@@ -1,4 +1,4 @@
-//! The law as a power series in time: the motion around any of its points, to sixteen terms.
+//! The law as a power series in time: the motion around any of its points, to sixteen terms or fewer.
 //!
 //! Every quantity of the law is a product, a quotient or a root of earlier ones, so its coefficients follow one after the
 //! other from convolutions. The series of χ itself is never formed: sin χ, cos χ and e^{i(θ ± χ)} have linear equations.
@@ -8,7 +8,7 @@ use crate::complex::Complex;
 use crate::real::{Float, Scalar};
 use crate::turns::Turns;
 
-/// Terms of a series. A segment that a short polynomial can follow is a small part of the radius of convergence:
+/// Terms of a series at most; it stops where they fall below what the scalar can tell. A segment that a short polynomial can follow is a small part of the radius of convergence:
 /// sixteen terms leave 1e-10 where degree 5 leaves 3e-8, and 1e-16 where degree 9 leaves 1e-16.
 pub(crate) const TERMS: usize = 16;
 
