@@ -105,8 +105,8 @@ fn excess<R: Tabular>(polynomials: &Polynomials, terms: usize) -> f64 {
 /// How far an orientation from an ephemeris can be from the truth of the very numbers it was launched from, in rad
 /// (2 √(|Δα|² + |Δβ|²)): at tick n at most `constant + |n| per_tick`.
 ///
-/// The roundings in it are counts, calibrated on 800 random motions of every regime and held by 20 000 more: the greatest
-/// error was 0.7 of the bound in `f64` and 0.85 in `f32`. `toytop study` repeats that.
+/// The roundings in it are counts, calibrated on 800 random motions of every regime and held by 25 000 more: the greatest
+/// error was 0.75 of the bound in `f64` and 0.87 in `f32`. `toytop study` repeats that.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorBound {
     /// What the polynomials leave, what set-up rounds off, and what a tick rounds off.
