@@ -98,7 +98,8 @@ impl<F: Float> Quadrature<F> {
 /// is the square of the one before over a constant C, or the one before times the square of the last ratio; C may be small,
 /// and the ratio not yet settled, so that the sum of both is what holds (random motions: `toytop study`).
 fn left_by(change: f64, before: f64) -> f64 {
-    let ratio = change / before;
+    // both may be 0: in a slow and small nutation nothing is left to change
+    let ratio = change / before.max(change).max(f64::MIN_POSITIVE);
     change * (3.0 * change + 30.0 * ratio * ratio)
 }
 
@@ -221,5 +222,19 @@ pub(super) fn averages(
         period: quadrature.period,
         alpha_turns: in_turns(quadrature.psi_alpha + drift) + alpha_winding,
         beta_turns: in_turns(quadrature.psi_beta - drift) + beta_winding,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::left_by;
+
+    #[test]
+    fn what_is_left_is_a_number_also_where_nothing_changed() {
+        assert_eq!(left_by(0.0, 0.0), 0.0);
+        assert!(left_by(1e-32, 0.0) < 1e-30);
+        // one part in 1e8 from doubling to doubling: as much squared again
+        let left = left_by(1e-16, 1e-8);
+        assert!(left > 1e-32 && left < 1e-30, "{left:e}");
     }
 }
