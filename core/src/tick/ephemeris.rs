@@ -38,7 +38,8 @@ pub struct Ephemeris<R: Tabular, const SEGMENTS: usize, const TERMS: usize> {
     bound: ErrorBound,
 }
 
-/// Good for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.25, at the rounding of `f32`: 2 KiB.
+/// Good for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.5, at the rounding of `f32`: 2 KiB. Down to
+/// A/(ps) = 0.25 `Ephemeris<f32, 32, 7>` is (3.5 KiB): a motion through the vertical is there too fast for 16 segments.
 pub type EphemerisF32 = Ephemeris<f32, 16, 8>;
 
 /// Good for the same motions at the rounding of `f64`: 48 KiB. Where A/(ps) >= 1, `Ephemeris<f64, 64, 11>` (22 KiB) mostly is.
