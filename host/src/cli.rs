@@ -27,6 +27,8 @@ pub enum Command {
     Plot(PlotArgs),
     /// What a state costs: ephemeris and stepper against the full solver, on this machine
     Bench,
+    /// What each call costs on emulated microcontrollers, and whether that is within its budget (exit code 1 if not)
+    Budget(BudgetArgs),
     /// Random motions of every regime: does the ephemeris keep its error bound? (exit code 1 if not)
     Study(StudyArgs),
 }
@@ -103,6 +105,37 @@ pub struct PlotArgs {
     /// Where to: a file that ends in .svg or .png
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
+}
+
+/// `toytop budget`
+#[derive(Args, Debug)]
+#[command(
+    after_help = "Example: toytop budget --chip m4f,m0plus --clock 48\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
+)]
+pub struct BudgetArgs {
+    /// Chips: m0plus, m4f, m7, m33, riscv; none: all
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub chip: Vec<String>,
+    /// Clock of the chip in MHz, for times
+    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive)]
+    pub clock: f64,
+    /// An ELF of your own: measures its functions named bench_...
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["check", "accept"])]
+    pub elf: Option<PathBuf>,
+    /// Compare with firmware-examples/budgets.toml and the table in README.md
+    #[arg(long, conflicts_with = "accept")]
+    pub check: bool,
+    /// Rewrite both
+    #[arg(long)]
+    pub accept: bool,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// A number above 0.
+fn positive(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|x| *x > 0.0 && f64::is_finite(*x)).ok_or_else(|| "a number above 0".into())
 }
 
 /// `toytop study`

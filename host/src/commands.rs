@@ -1,6 +1,7 @@
 //! One file a command. A command returns its whole output; nothing is printed before all of it is there.
 
 mod bench;
+mod budget;
 mod compare;
 mod constants;
 mod plot;
@@ -47,6 +48,7 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Constants(arguments) => constants::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
         Command::Bench => bench::run(),
+        Command::Budget(arguments) => budget::run(arguments),
         Command::Study(arguments) => study::run(arguments),
     }
 }

@@ -42,6 +42,9 @@ pub(crate) fn target_dir(toolchain: Toolchain, own: &str) -> PathBuf {
 }
 
 fn find(name: &str) -> Result<&'static Program> {
+    if name == COST {
+        bail!("{COST} has no log: see its figures by `toytop budget`");
+    }
     let names = || PROGRAMS.iter().map(|program| program.name).collect::<Vec<_>>().join(" ");
     PROGRAMS
         .iter()
@@ -73,6 +76,16 @@ pub(crate) fn show(name: &str, chip: Option<&str>) -> Result<ExitCode> {
     };
     ended(&run_on(program, chip, true)?)
 }
+
+/// Builds a program and prints where it is, nothing else.
+pub(crate) fn elf(name: &str, chip: &Chip) -> Result<()> {
+    let what = if name == COST { "--package toytop-cost" } else { &format!("--bin {}", find(name)?.name) };
+    println!("{}", build(chip, what)?.join(name).display());
+    Ok(())
+}
+
+/// Has a symbol for each call; `toytop budget` runs it, under a trace. No log, and so none of [`PROGRAMS`].
+const COST: &str = "cost";
 
 /// Runs an ELF on a chip and shows its log.
 pub(crate) fn qemu(chip: &str, elf: &str) -> Result<ExitCode> {

@@ -39,7 +39,8 @@ impl<R: Float> Constants<R> {
         let (top, dt) = (motion.top(), 1.0 / f64::from(tick_rate));
         let (a, c, ps) = (top.a(), top.c(), top.p() * top.s());
         let [m3, per_a, axial, a_per_ps, ps, pg] =
-            [motion.first_integrals().l, 1.0 / a, (c - a) / c, a / ps, ps, top.p() * top.g()].map(R::from_f64);
+            [motion.first_integrals().l, 1.0 / a, (c - a) / c, a / ps, ps, top.p() * top.g()]
+                .map(R::from_f64);
         let [tip_scale, dt, half, third, sixth] =
             [2.0 * top.s(), dt, dt / 2.0, dt / 3.0, dt / 6.0].map(R::from_f64);
         Self { m3, per_a, axial, a_per_ps, ps, pg, tip_scale, dt, half, third, sixth }

@@ -32,7 +32,7 @@ use riscv as _; // critical section
 use riscv_rt::entry;
 
 /// Calls of each kind; the costliest counts.
-const CALLS: u32 = 8;
+const CALLS: usize = 8;
 /// Between the ticks asked for: a prime, so that they fall on segments of every kind.
 const STRIDE: i64 = 1_000_003;
 
@@ -60,7 +60,7 @@ fn main() -> ! {
 }
 
 fn ephemerides(meter: &mut Meter, single: &EphemerisF32, double: &EphemerisF64) {
-    let tick = |call: u32| black_box(i64::from(call) * STRIDE);
+    let tick = |call: usize| black_box(call as i64 * STRIDE);
     let (mut out, mut wide) = (Output::default(), Output::default());
     meter.measure("bench_ephemeris_f32", size_of_val(single), CALLS, |call| {
         calls::bench_ephemeris_f32(single, tick(call), &mut out);
@@ -113,29 +113,31 @@ fn runge_kutta(meter: &mut Meter, measured: &Measured, motion: &Motion, truth: &
 
 /// The angles are within one turn: a large one costs the others more.
 fn sines(meter: &mut Meter) {
-    let turns = |call: u32| black_box(Turns::new(f64::from(call) * 0.119));
-    let angle = |call: u32| black_box(f64::from(call) * 0.75);
+    // prepared beforehand, on stack that is not watched
+    let turns: [Turns; CALLS] = black_box(core::array::from_fn(|call| Turns::new(call as f64 * 0.119)));
+    let angles: [f64; CALLS] = black_box(core::array::from_fn(|call| call as f64 * 0.75));
+    let single = black_box(angles.map(|angle| angle as f32));
     let (mut pair, mut wide) = ([0.0; 2], [0.0; 2]);
     meter.measure("bench_sincos_ours_f32", 0, CALLS, |call| {
-        rivals::bench_sincos_ours_f32(&turns(call), &mut pair);
+        rivals::bench_sincos_ours_f32(&turns[call], &mut pair);
     });
     meter.measure("bench_sincos_libm_f32", 0, CALLS, |call| {
-        rivals::bench_sincos_libm_f32(angle(call) as f32, &mut pair);
+        rivals::bench_sincos_libm_f32(single[call], &mut pair);
     });
     meter.measure("bench_sincos_micromath_f32", 0, CALLS, |call| {
-        rivals::bench_sincos_micromath_f32(angle(call) as f32, &mut pair);
+        rivals::bench_sincos_micromath_f32(single[call], &mut pair);
     });
     meter.measure("bench_sincos_ours_f64", 0, CALLS, |call| {
-        rivals::bench_sincos_ours_f64(&turns(call), &mut wide);
+        rivals::bench_sincos_ours_f64(&turns[call], &mut wide);
     });
     meter.measure("bench_sincos_libm_f64", 0, CALLS, |call| {
-        rivals::bench_sincos_libm_f64(angle(call), &mut wide);
+        rivals::bench_sincos_libm_f64(angles[call], &mut wide);
     });
     black_box((pair, wide));
 }
 
 /// After as many ticks, a rival must be where the ephemeris is.
 fn same_motion(u: f32, truth: &EphemerisF32) {
-    let there = truth.at_tick(i64::from(CALLS)).phi().u();
+    let there = truth.at_tick(CALLS as i64).phi().u();
     assert!((u - there).abs() < 1e-5, "not the same motion: {u} {there}");
 }

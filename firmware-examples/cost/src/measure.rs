@@ -26,7 +26,7 @@ impl Meter {
 
     /// Runs `call` several times and says what the costliest used. `ram`: what has to be kept between the calls, bytes.
     #[inline(never)]
-    pub(crate) fn measure(&mut self, name: &str, ram: usize, calls: u32, mut call: impl FnMut(u32)) {
+    pub(crate) fn measure(&mut self, name: &str, ram: usize, calls: usize, mut call: impl FnMut(usize)) {
         let top = stack_pointer();
         paint(top);
         #[cfg(feature = "dwt")]

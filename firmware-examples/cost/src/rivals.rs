@@ -11,13 +11,21 @@ use crate::full_equations::{Constants, Point, phi, renormalised};
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_rk4_f32(constants: &Constants<f32>, y: &mut Point<f32>, out: &mut Output<f32>) {
+pub(crate) extern "C" fn bench_rk4_f32(
+    constants: &Constants<f32>,
+    y: &mut Point<f32>,
+    out: &mut Output<f32>,
+) {
     step(constants, y, out);
 }
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_rk4_f64(constants: &Constants<f64>, y: &mut Point<f64>, out: &mut Output<f64>) {
+pub(crate) extern "C" fn bench_rk4_f64(
+    constants: &Constants<f64>,
+    y: &mut Point<f64>,
+    out: &mut Output<f64>,
+) {
     step(constants, y, out);
 }
 
