@@ -26,6 +26,9 @@ pub(crate) struct Program {
 
 pub(crate) const PROGRAMS: &[Program] = &[
     Program { name: "spin", chips: &[&chip::M4F], exit_code: 0, on_host: false },
+    Program { name: "spin_m7", chips: &[&chip::M7], exit_code: 0, on_host: false },
+    Program { name: "spin_riscv", chips: &[&chip::RISCV], exit_code: 0, on_host: false },
+    Program { name: "telemetry", chips: &[&chip::M4F], exit_code: 0, on_host: false },
     Program { name: "launch", chips: &[&chip::M4F], exit_code: 0, on_host: false },
     Program { name: "bits", chips: chip::ALL, exit_code: 0, on_host: true },
     Program { name: "panics", chips: &[&chip::M0, &chip::RISCV], exit_code: 101, on_host: false },
