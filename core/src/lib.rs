@@ -24,7 +24,6 @@ mod launch;
 // Every tick; cannot fail.
 mod tick;
 
-#[cfg(feature = "nalgebra")]
 mod interop;
 
 pub use complex::Complex;

@@ -12,6 +12,7 @@ use crate::turns::in_turns;
 
 /// What one nutation period does. Angles in turns, whole turns included.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Averages<F = f64> {
     /// T, the time from e₁ over e₂ back to e₁, in the unit of time (s).
     pub period: F,
