@@ -21,8 +21,6 @@ pub(crate) struct Constants<R> {
     axial: R,
     /// A/(p s).
     a_per_ps: R,
-    /// p s.
-    ps: R,
     /// p g.
     pg: R,
     /// 2 s.
@@ -38,12 +36,11 @@ impl<R: Float> Constants<R> {
     pub(crate) fn of(motion: &Motion, tick_rate: u32) -> Self {
         let (top, dt) = (motion.top(), 1.0 / f64::from(tick_rate));
         let (a, c, ps) = (top.a(), top.c(), top.p() * top.s());
-        let [m3, per_a, axial, a_per_ps, ps, pg] =
-            [motion.first_integrals().l, 1.0 / a, (c - a) / c, a / ps, ps, top.p() * top.g()]
-                .map(R::from_f64);
+        let [m3, per_a, axial, a_per_ps, pg] =
+            [motion.first_integrals().l, 1.0 / a, (c - a) / c, a / ps, top.p() * top.g()].map(R::from_f64);
         let [tip_scale, dt, half, third, sixth] =
             [2.0 * top.s(), dt, dt / 2.0, dt / 3.0, dt / 6.0].map(R::from_f64);
-        Self { m3, per_a, axial, a_per_ps, ps, pg, tip_scale, dt, half, third, sixth }
+        Self { m3, per_a, axial, a_per_ps, pg, tip_scale, dt, half, third, sixth }
     }
 
     /// Φ' and m'.

@@ -19,7 +19,7 @@ use calls::{CursorOf, Measured, Output, Stepping};
 use full_equations::{Constants, start};
 use measure::Meter;
 use semihosting::process;
-use toytop::real::Real;
+use toytop::real::{Float, Real};
 use toytop::{EphemerisF32, EphemerisF64, Motion, Tick, Turns};
 
 #[cfg(target_arch = "arm")]
@@ -96,19 +96,19 @@ fn runge_kutta(meter: &mut Meter, measured: &Measured, motion: &Motion, truth: &
     meter.measure("bench_rk4_f32", ram, CALLS, |_| {
         rivals::bench_rk4_f32(&constants, &mut point, &mut out);
     });
-    same_motion(out.phi.u(), truth);
+    same_motion(&out, truth);
     let mut point = start(motion, &state);
     meter.measure("bench_multicalc_rk4_f32", ram, CALLS, |_| {
         rivals::bench_multicalc_rk4_f32(&constants, &mut point, &mut out);
     });
-    same_motion(out.phi.u(), truth);
+    same_motion(&out, truth);
     let constants = Constants::<f64>::of(motion, calls::TICK_RATE);
     let (mut point, mut wide) = (start(motion, &state), Output::default());
     let ram = size_of_val(&constants) + size_of_val(&point);
     meter.measure("bench_rk4_f64", ram, CALLS, |_| {
         rivals::bench_rk4_f64(&constants, &mut point, &mut wide);
     });
-    same_motion(wide.phi.u() as f32, truth);
+    same_motion(&wide, truth);
 }
 
 /// The angles are within one turn: a large one costs the others more.
@@ -137,7 +137,12 @@ fn sines(meter: &mut Meter) {
 }
 
 /// After as many ticks, a rival must be where the ephemeris is.
-fn same_motion(u: f32, truth: &EphemerisF32) {
-    let there = truth.at_tick(CALLS as i64).phi().u();
-    assert!((u - there).abs() < 1e-5, "not the same motion: {u} {there}");
+fn same_motion<R: Float>(out: &Output<R>, truth: &EphemerisF32) {
+    let (phi, tip) = truth.at_tick(CALLS as i64).phi_and_tip();
+    let near = |found: R, there: f32| (found.to_f64() - f64::from(there)).abs() < 1e-5;
+    assert!(
+        near(out.phi.alpha.re, phi.alpha.re) && near(out.phi.beta.im, phi.beta.im),
+        "not the same motion"
+    );
+    assert!(near(out.u, phi.u()) && near(out.c.re, tip.re) && near(out.c.im, tip.im), "not the same tip");
 }

@@ -21,8 +21,14 @@ const LOG_EVERY: i64 = 100;
 
 /// The motion, for the interrupt.
 static EPHEMERIS: Mutex<Cell<Option<&EphemerisF32>>> = Mutex::new(Cell::new(None));
-/// What the interrupt last left for the log: tick, orientation, tip.
-static SNAPSHOT: Mutex<Cell<Option<(i64, Phi<f32>, Complex<f32>)>>> = Mutex::new(Cell::new(None));
+/// What the interrupt last left for the log.
+static SNAPSHOT: Mutex<Cell<Option<Snapshot>>> = Mutex::new(Cell::new(None));
+
+struct Snapshot {
+    tick: i64,
+    phi: Phi<f32>,
+    tip: Complex<f32>,
+}
 
 #[entry]
 fn main() -> ! {
@@ -43,7 +49,8 @@ fn main() -> ! {
 
     loop {
         asm::wfi();
-        let Some((tick, phi, tip)) = critical_section::with(|cs| SNAPSHOT.borrow(cs).take()) else {
+        let Some(Snapshot { tick, phi, tip }) = critical_section::with(|cs| SNAPSHOT.borrow(cs).take())
+        else {
             continue;
         };
         let [x, y, height] = phi.axis();
@@ -70,7 +77,7 @@ fn SysTick() {
         let Some(ephemeris) = EPHEMERIS.borrow(cs).get() else { return };
         let (phi, tip) = ephemeris.at_tick(*TICK).phi_and_tip();
         if *TICK % LOG_EVERY == 0 {
-            SNAPSHOT.borrow(cs).set(Some((*TICK, phi, tip)));
+            SNAPSHOT.borrow(cs).set(Some(Snapshot { tick: *TICK, phi, tip }));
         }
     });
 }

@@ -6,7 +6,7 @@ const BEGIN: &str = "<!-- budget: written by `toytop budget --accept` -->\n";
 const END: &str = "<!-- budget: end -->";
 
 /// Calls and what they are called on the page.
-const ROWS: [(&str, &str); 9] = [
+const ROWS: [(&str, &str); 10] = [
     ("ephemeris_f32", "**ephemeris**, any tick, `f32`"),
     ("cursor_f32", "**ephemeris**, the next tick, `f32`"),
     ("stepper_f32", "stepper, `f32`"),
@@ -16,6 +16,7 @@ const ROWS: [(&str, &str); 9] = [
     ("cursor_f64", "**ephemeris**, the next tick, `f64`"),
     ("stepper_f64", "stepper, `f64`"),
     ("rk4_f64", "a Runge-Kutta step of the full equations, `f64`"),
+    ("launch", "set-up, once a throw: from measured numbers to the ephemeris, `f32`"),
 ];
 
 /// The page with its table as the limits say; `None` if it has no place for one.

@@ -1,6 +1,8 @@
 //! `toytop budget`.
 
 use super::{run, stderr, stdout};
+use std::path::Path;
+use toytop_host::budget::{Limits, with_table};
 
 /// Run by `cargo xtask test --only budget`, which provides compilers and QEMU.
 #[test]
@@ -9,6 +11,16 @@ fn every_call_is_within_its_budget() {
     let output = run(&["budget", "--check"]);
     assert_eq!(output.status.code(), Some(0), "{}{}", stdout(&output), stderr(&output));
     assert!(stdout(&output).ends_with("within budget\n"), "{}", stdout(&output));
+}
+
+#[test]
+fn the_front_page_has_the_table_of_the_budgets() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a folder of the repository");
+    let text = |name: &str| std::fs::read_to_string(root.join(name)).expect(name);
+    let limits = Limits::parse(&text("firmware-examples/budgets.toml")).expect("budgets");
+    let page = text("README.md");
+    let fresh = with_table(&page, &limits).expect("a place for the table");
+    assert_eq!(page, fresh, "how to renew it: the head of firmware-examples/budgets.toml");
 }
 
 #[test]
