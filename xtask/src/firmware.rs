@@ -30,6 +30,7 @@ const PROGRAM_FOLDER: &str = "src/bin";
 
 pub(crate) const PROGRAMS: &[Program] = &[
     Program { name: "spin", folder: PROGRAM_FOLDER, chips: &[&chip::M4F], exit_code: 0, on_host: false },
+    Program { name: "spin_m0", folder: PROGRAM_FOLDER, chips: &[&chip::M0], exit_code: 0, on_host: false },
     Program { name: "spin_m7", folder: PROGRAM_FOLDER, chips: &[&chip::M7], exit_code: 0, on_host: false },
     Program {
         name: "spin_riscv",
