@@ -27,7 +27,8 @@ pub struct Cost {
 /// Runs an ELF on an emulated chip: the costs of its functions named `bench_...`, in the order of their first calls.
 ///
 /// # Errors
-/// [`Failure::Input`]: no ELF, or none of its functions is named so. [`Failure::Method`]: see [`trace::run`].
+/// [`Failure::Input`]: no ELF, or none of its functions is named so. [`Failure::Method`]: there is no QEMU, the program did
+/// not end with exit code 0, or QEMU's log cannot be understood.
 pub fn measure(chip: &Chip, elf: &Path) -> Result<Vec<Cost>, Failure> {
     let image = Image::read(elf)?;
     let entries: HashMap<u64, &str> =

@@ -93,17 +93,27 @@ impl Reader {
         mut executed: impl FnMut(&[Block], usize) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
         let mut line = Vec::with_capacity(256);
+        // counted when the next begins: QEMU may call it off
+        let mut begun = None;
         loop {
             line.clear();
-            if log.read_until(b'\n', &mut line).map_err(|error| Failure::Method(error.to_string()))? == 0 {
-                return Ok(());
-            }
-            if line.starts_with(b"Trace ") {
-                let number = self.begun(&line).ok_or_else(|| unknown(&line))?;
-                executed(&self.blocks, number)?;
+            let end =
+                log.read_until(b'\n', &mut line).map_err(|error| Failure::Method(error.to_string()))? == 0;
+            if end || line.starts_with(b"Trace ") {
+                if let Some(number) = begun {
+                    executed(&self.blocks, number)?;
+                }
+                if end {
+                    return Ok(());
+                }
+                begun = Some(self.begun(&line).ok_or_else(|| unknown(&line))?);
+            } else if line.starts_with(b"Stopped execution of TB") {
+                begun = None;
             } else if line.starts_with(b"0x") {
                 self.list(&line).ok_or_else(|| unknown(&line))?;
-            } else if !(line.starts_with(b"----") || line.starts_with(b"IN:") || line == b"\n") {
+            } else if self.remarks.len() < 20
+                && !(line.starts_with(b"----") || line.starts_with(b"IN:") || line == b"\n")
+            {
                 self.remarks.push(String::from_utf8_lossy(&line).trim().to_owned());
             }
         }
@@ -200,6 +210,12 @@ mod tests {
     fn a_block_translated_anew_replaces_the_old_one() {
         let again = "0x00000500:  b580       push     {r7, lr}\n\nTrace 0: 0x7f40 [0/00000500/0/0] g\n";
         assert_eq!(executed(&format!("{LOG}{again}")).unwrap()[3], (0x500, 0x502, 1));
+    }
+
+    #[test]
+    fn a_block_that_was_called_off_does_not_count() {
+        let stopped = "Stopped execution of TB chain before 0x7f00 [00000400] f\n";
+        assert_eq!(executed(&format!("{LOG}{stopped}")).unwrap().len(), 2);
     }
 
     #[test]
