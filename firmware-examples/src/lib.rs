@@ -12,5 +12,7 @@ pub use throw::toy_top;
 
 #[cfg(target_os = "none")]
 mod chip;
+#[cfg(target_arch = "arm")]
+pub use chip::start_systick;
 #[cfg(target_os = "none")]
 pub use chip::{entry, exit};

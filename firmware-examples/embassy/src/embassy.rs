@@ -3,14 +3,13 @@
 #![no_std]
 #![no_main]
 
-use cortex_m::peripheral::syst::SystClkSource;
-use cortex_m::{Peripherals, singleton};
+use cortex_m::singleton;
 use cortex_m_rt::exception;
 use embassy_executor::Spawner;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
 use toytop::{EphemerisF32, Tick, TurningPoint};
-use toytop_firmware::{exit, toy_top};
+use toytop_firmware::{exit, start_systick, toy_top};
 
 /// Of the processor, Hz. The emulated board has 25 MHz.
 const CLOCK: u32 = 25_000_000;
@@ -28,12 +27,7 @@ async fn main(spawner: Spawner) {
     ephemeris.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
     spawner.spawn(log_turns(ephemeris).expect("spawned once"));
 
-    let mut systick = Peripherals::take().expect("taken once").SYST;
-    systick.set_clock_source(SystClkSource::Core);
-    systick.set_reload(CLOCK / TICK_RATE - 1);
-    systick.clear_current();
-    systick.enable_counter();
-    systick.enable_interrupt();
+    start_systick(CLOCK, TICK_RATE);
 
     let mut next = ephemeris.next_turning_point(1);
     for tick in 1..=200 {

@@ -4,10 +4,9 @@
 #![no_main]
 
 use cortex_m::peripheral::SCB;
-use cortex_m::peripheral::syst::SystClkSource;
-use cortex_m::{Peripherals, asm, interrupt, singleton};
+use cortex_m::{asm, interrupt, singleton};
 use toytop::{EphemerisF32, Tick};
-use toytop_firmware::{entry, exit, toy_top};
+use toytop_firmware::{entry, exit, start_systick, toy_top};
 
 /// Of the processor, Hz. The emulated chip has 16 MHz (and a SysTick, which a real nRF51 lacks).
 const CLOCK: u32 = 16_000_000;
@@ -21,12 +20,7 @@ fn main() -> ! {
     let ephemeris = singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once");
     ephemeris.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
 
-    let mut systick = Peripherals::take().expect("taken once").SYST;
-    systick.set_clock_source(SystClkSource::Core);
-    systick.set_reload(CLOCK / TICK_RATE - 1);
-    systick.clear_current();
-    systick.enable_counter();
-    systick.enable_interrupt();
+    start_systick(CLOCK, TICK_RATE);
     // An interrupt that is masked still ends the sleep.
     interrupt::disable();
 

@@ -4,10 +4,9 @@
 #![no_main]
 
 use cortex_m::peripheral::SCB;
-use cortex_m::peripheral::syst::SystClkSource;
-use cortex_m::{Peripherals, asm, interrupt, singleton};
+use cortex_m::{asm, interrupt, singleton};
 use toytop::{EphemerisF64, Tick};
-use toytop_firmware::{entry, exit, toy_top};
+use toytop_firmware::{entry, exit, start_systick, toy_top};
 
 /// Of the processor, Hz. The emulated board has 25 MHz.
 const CLOCK: u32 = 25_000_000;
@@ -22,12 +21,7 @@ fn main() -> ! {
     ephemeris.set_up(&motion, tick, 1e-15).expect("an ordinary motion");
     defmt::info!("at tick n within {=f64} rad + n * {=f64}", bound(ephemeris)[0], bound(ephemeris)[1]);
 
-    let mut systick = Peripherals::take().expect("taken once").SYST;
-    systick.set_clock_source(SystClkSource::Core);
-    systick.set_reload(CLOCK / TICK_RATE - 1);
-    systick.clear_current();
-    systick.enable_counter();
-    systick.enable_interrupt();
+    start_systick(CLOCK, TICK_RATE);
     // An interrupt that is masked still ends the sleep.
     interrupt::disable();
 

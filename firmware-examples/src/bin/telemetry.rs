@@ -7,13 +7,12 @@
 use core::cell::RefCell;
 use core::sync::atomic::{AtomicU32, Ordering};
 
-use cortex_m::peripheral::syst::SystClkSource;
-use cortex_m::{Peripherals, asm, singleton};
+use cortex_m::{asm, singleton};
 use cortex_m_rt::exception;
 use critical_section::Mutex;
 use heapless::spsc::{Producer, Queue};
 use toytop::{EphemerisF32, Phi, Tick};
-use toytop_firmware::{entry, exit, toy_top};
+use toytop_firmware::{entry, exit, start_systick, toy_top};
 
 /// Of the processor, Hz. The emulated board has 25 MHz.
 const CLOCK: u32 = 25_000_000;
@@ -52,12 +51,7 @@ fn main() -> ! {
     let source = Source { ephemeris, queue: producer, tick: 0 };
     critical_section::with(|cs| SOURCE.replace(cs, Some(source)));
 
-    let mut systick = Peripherals::take().expect("taken once").SYST;
-    systick.set_clock_source(SystClkSource::Core);
-    systick.set_reload(CLOCK / TICK_RATE - 1);
-    systick.clear_current();
-    systick.enable_counter();
-    systick.enable_interrupt();
+    start_systick(CLOCK, TICK_RATE);
 
     let (mut taken, mut missing, mut fullest) = (0, 0, 0);
     while taken < TICK_RATE {

@@ -172,7 +172,7 @@ fn kind(mnemonic: &str, operands: &[String], indexed: bool) -> Kind {
         _ if of(&["vldr"]) => Kind::FloatLoad { words: words(operands) },
         _ if of(&["vstr"]) => Kind::FloatStore { words: words(operands) },
         _ if of(&["vpush", "vpop"]) => Kind::Several { words: words(operands) },
-        _ if of(&["vldm", "vstm"]) => Kind::Several { words: words(&operands[1..]) },
+        _ if of(&["vldm", "vstm"]) => Kind::Several { words: words(operands.get(1..).unwrap_or_default()) },
         _ if of(&["vmla", "vmls", "vnmla", "vnmls", "vfma", "vfms", "vfnma", "vfnms"]) => {
             Kind::FloatMultiplyAdd
         }
@@ -180,7 +180,7 @@ fn kind(mnemonic: &str, operands: &[String], indexed: bool) -> Kind {
         _ if of(&["vadd", "vsub", "vmul", "vnmul", "vcvt", "vrint"]) => Kind::Float,
         _ if name.starts_with('v') => Kind::FloatMove { two: operands.len() > 2 },
         _ if of(&["ldrd", "strd"]) => Kind::Several { words: 2 },
-        _ if of(&["ldm", "stm"]) => Kind::Several { words: words(&operands[1..]) },
+        _ if of(&["ldm", "stm"]) => Kind::Several { words: words(operands.get(1..).unwrap_or_default()) },
         _ if of(&["ldr"]) => Kind::Load { indexed },
         _ if of(&["str"]) => Kind::Store { indexed },
         _ if of(&["sdiv", "udiv"]) => Kind::Divide,
