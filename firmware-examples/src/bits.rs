@@ -7,7 +7,7 @@ use toytop::real::Real;
 use toytop::su2::Vector;
 use toytop::{
     Averages, BranchPoints, Complex, Ephemeris, FirstIntegrals, Heaviness, LaunchError, Moment, Motion, Phi,
-    Release, Sign, Signs, Start, State, Stepper, Tick, Top,
+    Release, Sign, Signs, Start, State, Stepper, Tabular, Tick, Top,
 };
 
 /// Steps of each motion.
@@ -90,7 +90,7 @@ fn ticks<R: Real>(motion: &Motion, dt: f64) -> [Hash; 3] {
 
 /// Everything that a moment says, at ticks far apart and at consecutive ones. The table is of a size that the smallest chip
 /// has room for, exact or not.
-fn table<R: Real>(motion: &Motion) -> [Hash; 2] {
+fn table<R: Real + Tabular<Wide = R>>(motion: &Motion) -> [Hash; 2] {
     let mut hashes = [Hash::default(); 2];
     let mut ephemeris = Ephemeris::<R, 16, 8>::EMPTY;
     let fits = Tick::hertz(1000).map(|tick| ephemeris.set_up(motion, tick, f64::INFINITY));

@@ -10,11 +10,11 @@ use crate::launch::{
     Averages, BranchPoints, FirstIntegrals, Motion, Pace, Regime, Release, Sign, Signs, Start, State,
     TipClass,
 };
-use crate::real::{DoubleDouble, Real, Scalar};
+use crate::real::{DoubleDouble, Real};
 use crate::su2::{Phi, PhiRate};
 use crate::tick::{
-    Cursor, Ephemeris, EphemerisF32, EphemerisF64, ErrorBound, Moment, NoFit, Pose, Stepper, Tick, Tip,
-    TipAngle, TurningPoint,
+    Cursor, Ephemeris, EphemerisF32, EphemerisF64, ErrorBound, Moment, NoFit, Place, Pose, Stepper, Tabular,
+    Tick, Tip, TipAngle, TurningPoint,
 };
 use crate::top::{Heaviness, Support, Top};
 use crate::turns::{Rate, Turns};
@@ -48,13 +48,13 @@ impl<R: Real + Format> Format for Stepper<R> {
 }
 
 /// Its size and its error bound, not the table.
-impl<R: Real, const SEGMENTS: usize, const TERMS: usize> Format for Ephemeris<R, SEGMENTS, TERMS> {
+impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Format for Ephemeris<R, SEGMENTS, TERMS> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "ephemeris {=usize}x{=usize}, {}", SEGMENTS, TERMS, self.error_bound());
     }
 }
 
-impl<R: Scalar + Format, const SEGMENTS: usize, const TERMS: usize> Format
+impl<R: Tabular + Format, const SEGMENTS: usize, const TERMS: usize> Format
     for Moment<'_, R, SEGMENTS, TERMS>
 {
     fn format(&self, f: Formatter<'_>) {
@@ -63,7 +63,7 @@ impl<R: Scalar + Format, const SEGMENTS: usize, const TERMS: usize> Format
 }
 
 /// The moment it is about to give.
-impl<R: Scalar + Format, const SEGMENTS: usize, const TERMS: usize> Format
+impl<R: Tabular + Format, const SEGMENTS: usize, const TERMS: usize> Format
     for Cursor<'_, R, SEGMENTS, TERMS>
 {
     fn format(&self, f: Formatter<'_>) {
@@ -79,7 +79,7 @@ const _: () = {
     logs::<(LaunchError, Heaviness, Support, Top, Release, Start, State)>();
     logs::<(Averages, BranchPoints, FirstIntegrals, Pace, Regime, TipClass)>();
     logs::<(Motion, Sign, Signs)>();
-    logs::<(EphemerisF32, EphemerisF64, ErrorBound, NoFit, Tick, TurningPoint)>();
-    logs::<(Cursor<'static, f32, 2, 1>, Moment<'static, f64, 2, 1>)>();
+    logs::<(EphemerisF32, EphemerisF64, ErrorBound, NoFit, Place, Tick, TurningPoint)>();
+    logs::<(Cursor<'static, f32, 2, 2>, Moment<'static, f64, 2, 2>)>();
     logs::<(Pose<f32>, Stepper<f64>, Tip<f32>, TipAngle<f64>)>();
 };

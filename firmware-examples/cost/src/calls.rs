@@ -1,9 +1,10 @@
 //! Core's calls.
 
+use fixed::types::{I2F14, I2F30};
 use toytop::real::{Real, Ring, Scalar};
 use toytop::{
     Complex, Cursor, Ephemeris, EphemerisF32, EphemerisF64, Heaviness, LaunchError, Motion, Phi, Release,
-    State, Stepper, Tick, Top,
+    State, Stepper, Tabular, Tick, Top,
 };
 
 /// Ticks a second.
@@ -89,7 +90,9 @@ pub(crate) trait Table {
         Self: 'a;
 }
 
-impl<R: 'static, const SEGMENTS: usize, const TERMS: usize> Table for Ephemeris<R, SEGMENTS, TERMS> {
+impl<R: Tabular + 'static, const SEGMENTS: usize, const TERMS: usize> Table
+    for Ephemeris<R, SEGMENTS, TERMS>
+{
     type Cursor<'a> = Cursor<'a, R, SEGMENTS, TERMS>;
 }
 
@@ -105,6 +108,39 @@ pub(crate) extern "C" fn bench_cursor_f32(cursor: &mut CursorOf<'_, EphemerisF32
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_cursor_f64(cursor: &mut CursorOf<'_, EphemerisF64>, out: &mut Output<f64>) {
+    let (phi, c) = cursor.next().phi_and_tip();
+    *out = Output { phi, u: phi.u(), c };
+}
+
+/// In fixed point the tip is in units of s.
+pub(crate) type EphemerisQ31 = Ephemeris<I2F30, 32, 5>;
+/// The size that 16 bits need for the same motion.
+pub(crate) type EphemerisQ15 = Ephemeris<I2F14, 16, 4>;
+
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_ephemeris_q31(ephemeris: &EphemerisQ31, tick: i64, out: &mut Output<I2F30>) {
+    let (phi, c) = ephemeris.at_tick(tick).phi_and_tip();
+    *out = Output { phi, u: phi.u(), c };
+}
+
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_cursor_q31(cursor: &mut CursorOf<'_, EphemerisQ31>, out: &mut Output<I2F30>) {
+    let (phi, c) = cursor.next().phi_and_tip();
+    *out = Output { phi, u: phi.u(), c };
+}
+
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_ephemeris_q15(ephemeris: &EphemerisQ15, tick: i64, out: &mut Output<I2F14>) {
+    let (phi, c) = ephemeris.at_tick(tick).phi_and_tip();
+    *out = Output { phi, u: phi.u(), c };
+}
+
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_cursor_q15(cursor: &mut CursorOf<'_, EphemerisQ15>, out: &mut Output<I2F14>) {
     let (phi, c) = cursor.next().phi_and_tip();
     *out = Output { phi, u: phi.u(), c };
 }

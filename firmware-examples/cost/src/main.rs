@@ -15,7 +15,8 @@ mod rivals;
 use core::hint::black_box;
 use core::mem::{size_of, size_of_val};
 
-use calls::{CursorOf, Measured, Output, Stepping};
+use calls::{CursorOf, EphemerisQ15, EphemerisQ31, Measured, Output, Stepping};
+use fixed::types::{I2F14, I2F30};
 use full_equations::{Constants, start};
 use measure::Meter;
 use semihosting::process;
@@ -52,6 +53,7 @@ fn main() -> ! {
     double.set_up(&motion, tick, calls::truncation::<f64>()).expect("the motion fits");
 
     ephemerides(&mut meter, &single, &double);
+    fixed_point(&mut meter, &motion, tick);
     stepper(&mut meter, &motion, calls::bench_stepper_f32);
     stepper(&mut meter, &motion, calls::bench_stepper_f64);
     runge_kutta(&mut meter, &measured, &motion, &single);
@@ -75,6 +77,30 @@ fn ephemerides(meter: &mut Meter, single: &EphemerisF32, double: &EphemerisF64) 
     let ram = size_of_val(double) + size_of::<CursorOf<'_, EphemerisF64>>();
     meter.measure("bench_cursor_f64", ram, CALLS, |_| calls::bench_cursor_f64(&mut cursor, &mut wide));
     black_box((out, wide));
+}
+
+fn fixed_point(meter: &mut Meter, motion: &Motion, tick: Tick) {
+    let at = |call: usize| black_box(call as i64 * STRIDE);
+    let (mut long, mut short) = (Output::default(), Output::default());
+    let mut ephemeris = EphemerisQ31::EMPTY;
+    ephemeris.set_up(motion, tick, calls::truncation::<I2F30>()).expect("the motion fits");
+    let ram = size_of_val(&ephemeris);
+    meter.measure("bench_ephemeris_q31", ram, CALLS, |call| {
+        calls::bench_ephemeris_q31(&ephemeris, at(call), &mut long);
+    });
+    let mut cursor = ephemeris.cursor(STRIDE);
+    let ram = ram + size_of_val(&cursor);
+    meter.measure("bench_cursor_q31", ram, CALLS, |_| calls::bench_cursor_q31(&mut cursor, &mut long));
+    let mut ephemeris = EphemerisQ15::EMPTY;
+    ephemeris.set_up(motion, tick, calls::truncation::<I2F14>()).expect("the motion fits");
+    let ram = size_of_val(&ephemeris);
+    meter.measure("bench_ephemeris_q15", ram, CALLS, |call| {
+        calls::bench_ephemeris_q15(&ephemeris, at(call), &mut short);
+    });
+    let mut cursor = ephemeris.cursor(STRIDE);
+    let ram = ram + size_of_val(&cursor);
+    meter.measure("bench_cursor_q15", ram, CALLS, |_| calls::bench_cursor_q15(&mut cursor, &mut short));
+    black_box((long, short));
 }
 
 fn stepper<R: Real + Default>(
@@ -121,6 +147,10 @@ fn sines(meter: &mut Meter) {
     meter.measure("bench_sincos_ours_f32", 0, CALLS, |call| {
         rivals::bench_sincos_ours_f32(&turns[call], &mut pair);
     });
+    let mut fixed = [I2F30::ZERO; 2];
+    meter.measure("bench_sincos_ours_q31", 0, CALLS, |call| {
+        rivals::bench_sincos_ours_q31(&turns[call], &mut fixed);
+    });
     meter.measure("bench_sincos_libm_f32", 0, CALLS, |call| {
         rivals::bench_sincos_libm_f32(single[call], &mut pair);
     });
@@ -133,7 +163,7 @@ fn sines(meter: &mut Meter) {
     meter.measure("bench_sincos_libm_f64", 0, CALLS, |call| {
         rivals::bench_sincos_libm_f64(angles[call], &mut wide);
     });
-    black_box((pair, wide));
+    black_box((pair, fixed, wide));
 }
 
 /// After as many ticks, a rival must be where the ephemeris is.

@@ -1,5 +1,6 @@
 //! What one would write or take instead of core.
 
+use fixed::types::I2F30;
 use micromath::F32Ext;
 use multicalc::linear_algebra::Vector;
 use multicalc::ode::Rk4;
@@ -53,6 +54,12 @@ pub(crate) extern "C" fn bench_multicalc_rk4_f32(
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_sincos_ours_f32(phase: &Turns, out: &mut [f32; 2]) {
     *out = f32::sine_cosine(*phase).into();
+}
+
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_sincos_ours_q31(phase: &Turns, out: &mut [I2F30; 2]) {
+    *out = I2F30::sine_cosine(*phase).into();
 }
 
 #[inline(never)]
