@@ -24,6 +24,10 @@ mod launch;
 // Every tick; cannot fail.
 mod tick;
 
+// The paper's closed forms, to compare with.
+pub mod exact;
+
+#[cfg(feature = "nalgebra")]
 mod interop;
 
 pub use complex::Complex;

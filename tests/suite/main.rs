@@ -1,6 +1,8 @@
 //! Public behaviour, against independent truth. One binary, one module an idea.
 
+mod closed_forms;
 mod conditioning;
+mod elliptic;
 mod ephemeris;
 mod fixed_point;
 mod group;
