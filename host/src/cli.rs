@@ -178,6 +178,8 @@ pub enum Method {
     Stepper,
     /// The full 3-D equations, integrated numerically
     Full,
+    /// The paper's elliptic and elementary solutions, for the motions that have one (exit code 3 for the others)
+    ClosedForm,
 }
 
 impl Method {
@@ -188,6 +190,7 @@ impl Method {
             Self::Ephemeris => "ephemeris",
             Self::Stepper => "stepper",
             Self::Full => "full",
+            Self::ClosedForm => "closed-form",
         }
     }
 }
