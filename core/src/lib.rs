@@ -27,7 +27,6 @@ mod tick;
 // The paper's closed forms, to compare with.
 pub mod exact;
 
-#[cfg(feature = "nalgebra")]
 mod interop;
 
 pub use complex::Complex;

@@ -92,3 +92,5 @@ pub const CLOSED_FORM_EPHEMERIS: Budget = Budget::of(1e-13);
 pub const CLOSED_FORM_STEPPER: Budget = Budget::of(1e-13);
 /// l, n, h recomputed from a closed form's pose, relative to their sizes.
 pub const CLOSED_FORM_INTEGRALS: Budget = Budget::of(1e-13);
+/// The paper's formulas as they stand, in f64, against core (rad).
+pub const AS_THE_PAPER_HAS_IT: Budget = Budget::of(1e-13);

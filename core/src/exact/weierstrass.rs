@@ -192,9 +192,14 @@ impl Weierstrass {
         }
     }
 
-    /// B(z)/z, 1 at z = 0; for z in the cell around 0.
+    /// B(z)/z, for z in the cell around 0.
     pub(super) fn bare_per_z(&self, z: Complex<f64>) -> Complex<f64> {
-        if z == Complex::ZERO { Complex::ONE } else { quotient(self.bare(z).whole(), z) }
+        // 1 + O(z⁴ g₂) + O(κz²), which for a z so small that 1/z is infinite is all there is to say
+        const TINY: f64 = 1e-280;
+        if Float::abs(z.re).max(Float::abs(z.im)) < TINY {
+            return Complex::ONE;
+        }
+        quotient(self.bare(z).whole(), z)
     }
 }
 
