@@ -88,6 +88,8 @@ pub const CLOSED_FORMS: [Budget; 4] =
 pub const CLOSED_FORM_PER_PERIOD: Budget = Budget::of(5e-15);
 /// Closed form against ephemeris, over some fifty units of time.
 pub const CLOSED_FORM_EPHEMERIS: Budget = Budget::of(1e-13);
+/// The same over two periods, differences of the branch points down to 1e-12 and e₃ up to 1e12.
+pub const CLOSED_FORM_CORNERS: Budget = Budget::of(2e-13);
 /// Closed form against stepper, 2048 steps a unit of time.
 pub const CLOSED_FORM_STEPPER: Budget = Budget::of(1e-13);
 /// l, n, h recomputed from a closed form's pose, relative to their sizes.

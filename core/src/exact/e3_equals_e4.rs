@@ -25,8 +25,8 @@ use crate::turns::Turns;
 
 /// A nutating toy top with e₃ = e₄, as a function of time.
 ///
-/// Error of an orientation: 1e-14 rad in the first periods where no difference of the branch points is below 1e-3, and
-/// 1e-15 rad more in every period. Cost: set-up some 30 theta functions, a time some 15.
+/// Error of an orientation: 1e-14 rad in the first periods, 1e-13 rad where differences of the branch points are as small
+/// as 1e-12; and some 3e-15 rad more in every period, from the rounding of the period itself. Cost: set-up some 30 theta functions, a time some 15.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct E3EqualsE4 {
     e: BranchPoints,

@@ -24,8 +24,8 @@ use crate::turns::Turns;
 
 /// A nutating Lagrange top as a function of time.
 ///
-/// Error of an orientation: 1e-14 rad in the first periods where no difference of the branch points is below 1e-3, and
-/// 1e-15 rad more in every period. Cost: set-up some 20 theta functions, a time four; no iteration.
+/// Error of an orientation: 1e-14 rad in the first periods, 1e-13 rad where differences of the branch points are as small
+/// as 1e-12; and some 3e-15 rad more in every period, from the rounding of the period itself. Cost: set-up some 20 theta functions, a time four; no iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lagrange {
     lattice: Weierstrass,

@@ -20,8 +20,7 @@ use crate::turns::Rate;
 
 /// A motion at constant tilt as a function of time.
 ///
-/// Error of an orientation: 1e-15 rad, 2^-49 where the tilt swings by a rounding, and 2e-16 rad more for every rad that
-/// the body turns.
+/// Error of an orientation: 1e-14 rad, and 1e-15 rad more for every rad that the body turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RegularPrecession {
     regime: Regime,
