@@ -134,6 +134,10 @@ fn closed_form_ephemeris_and_stepper_agree() {
             }
         }
         assert!(orientation_error(form.at(0.0).phi, table.at_tick(0).phi()) < 1e-14);
+        for t in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(form.at(t), form.at(0.0));
+        }
+        assert!((form.at(1e300).phi.norm_squared() - 1.0).abs() < 1e-13);
     }
     tolerance::CLOSED_FORM_EPHEMERIS.check("closed form and ephemeris", from_table);
     tolerance::CLOSED_FORM_STEPPER.check("closed form and stepper", from_steps);

@@ -138,7 +138,7 @@ impl Aperiodic {
     #[must_use]
     pub fn v(&self, t: f64) -> f64 {
         let [start, origin] = self.start;
-        if t == 0.0 {
+        if t == 0.0 || !t.is_finite() {
             return start;
         }
         let target = origin + t;

@@ -56,7 +56,7 @@ impl ClosedForm {
         steady().or_else(rising).or_else(held).or_else(sliding).ok_or_else(refusal)
     }
 
-    /// Φ and Φ' at t.
+    /// Φ and Φ' at t. A t that is not finite counts as 0.
     #[must_use]
     pub fn at(&self, t: f64) -> Pose<f64> {
         match self {

@@ -3,8 +3,10 @@
 use crate::real::{DoubleDouble, Float};
 
 /// The nearest whole number of periods in origin + t, and what is left of it: the sum and the product are exact, so that
-/// only the rounding of the period itself grows with their number.
+/// only the rounding of the period itself grows with their number. Beyond 9e15 periods nothing is left; a t that is not
+/// finite counts as 0, as everywhere.
 pub(super) fn split(origin: f64, t: f64, period: f64) -> (i64, f64) {
+    let t = if t.is_finite() { t } else { 0.0 };
     let time = DoubleDouble::from(origin) + DoubleDouble::from(t);
     let periods = libm::round(time.to_f64() / period);
     if Float::abs(periods) >= 9e15 {
