@@ -24,7 +24,9 @@ mod launch;
 // Every tick; cannot fail.
 mod tick;
 
-#[cfg(feature = "nalgebra")]
+// The paper's closed forms, to compare with.
+pub mod exact;
+
 mod interop;
 
 pub use complex::Complex;

@@ -12,12 +12,16 @@
 //! that results agree to the bit between a host and a chip.
 
 mod double_double;
+#[cfg(feature = "fixed")]
+mod fixed_point;
 mod float;
 mod product;
 mod sine;
 
 pub use double_double::DoubleDouble;
 pub(crate) use product::{high_product, long_product, wrapping_product};
+#[cfg(feature = "fixed")]
+pub(crate) use sine::sine_cosine_q15;
 pub use sine::{SINE_CONSTANTS, SineConstants};
 pub(crate) use sine::{sine_cosine_f64, sine_cosine_q31};
 
@@ -41,11 +45,18 @@ pub trait Ring:
     /// 1.
     const ONE: Self;
 
+    /// The product: `*`, unless a type's own is slow on chips without a long multiplication.
+    #[inline(always)]
+    #[must_use]
+    fn product(self, other: Self) -> Self {
+        self * other
+    }
+
     /// x².
     #[inline]
     #[must_use]
     fn squared(self) -> Self {
-        self * self
+        self.product(self)
     }
 
     /// x + x: exact in binary floating point.

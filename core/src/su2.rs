@@ -31,6 +31,7 @@ pub fn bracket<R: Ring>(x: Vector<R>, y: Vector<R>) -> Vector<R> {
 ///
 /// γ = -β̄ and δ = ᾱ follow. Constructors do not normalise: |α|² + |β|² = 1 is the caller's.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Phi<R> {
     /// α, with 1 + u = 2 |α|².
     pub alpha: Complex<R>,
@@ -92,8 +93,9 @@ impl<R: Ring> Phi<R> {
     /// r = Φ e₃ Φ⁻¹, the symmetry axis from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = |α|² - |β|².
     #[must_use]
     pub fn axis(&self) -> Vector<R> {
-        let product = (self.alpha * self.beta).scaled(-(R::ONE + R::ONE));
-        [product.re, product.im, self.u()]
+        // |αβ| <= 1/2, so that this stays within a fixed-point range of ±2
+        let product = self.alpha * self.beta;
+        [-product.re.doubled(), -product.im.doubled(), self.u()]
     }
 
     /// u = |α|² - |β|², the cosine of the tilt.
@@ -139,6 +141,7 @@ impl<R: Real> Phi<R> {
 
 /// Φ and its rate of change: everything about one instant follows from these two by products alone.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PhiRate<R> {
     /// α', per unit time.
     pub alpha: Complex<R>,

@@ -88,7 +88,7 @@ impl Parts {
 }
 
 /// A scalar whose tables can be written.
-pub trait Bake: Bakeable<Scale: Into<f64>> {
+pub trait Bake: Bakeable<Wide: Into<f64>> {
     /// Which it is.
     const NAME: Scalar;
 

@@ -29,6 +29,8 @@ pub enum Command {
     Bake(BakeArgs),
     /// What a state costs: ephemeris and stepper against the full solver, on this machine
     Bench,
+    /// What each call costs on emulated microcontrollers, and whether that is within its budget (exit code 1 if not)
+    Budget(BudgetArgs),
     /// Random motions of every regime: does the ephemeris keep its error bound? (exit code 1 if not)
     Study(StudyArgs),
 }
@@ -163,6 +165,37 @@ fn two(text: &str, between: char) -> Option<[u32; 2]> {
     Some([first.parse().ok()?, second.parse().ok()?])
 }
 
+/// `toytop budget`
+#[derive(Args, Debug)]
+#[command(
+    after_help = "Example: toytop budget --chip m4f,m0plus --clock 48\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
+)]
+pub struct BudgetArgs {
+    /// Chips: m0plus, m4f, m7, m33, riscv; none: all
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub chip: Vec<String>,
+    /// Clock of the chip in MHz, for times
+    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive)]
+    pub clock: f64,
+    /// An ELF of your own: measures its functions named bench_...
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["check", "accept"])]
+    pub elf: Option<PathBuf>,
+    /// Compare with firmware-examples/budgets.toml and the table in README.md
+    #[arg(long, conflicts_with = "accept")]
+    pub check: bool,
+    /// Rewrite both
+    #[arg(long)]
+    pub accept: bool,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// A number above 0.
+fn positive(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|x| *x > 0.0 && f64::is_finite(*x)).ok_or_else(|| "a number above 0".into())
+}
+
 /// `toytop study`
 #[derive(Args, Debug)]
 pub struct StudyArgs {
@@ -203,6 +236,8 @@ pub enum Method {
     Stepper,
     /// The full 3-D equations, integrated numerically
     Full,
+    /// The paper's elliptic and elementary solutions, for the motions that have one (exit code 3 for the others)
+    ClosedForm,
 }
 
 impl Method {
@@ -213,6 +248,7 @@ impl Method {
             Self::Ephemeris => "ephemeris",
             Self::Stepper => "stepper",
             Self::Full => "full",
+            Self::ClosedForm => "closed-form",
         }
     }
 }

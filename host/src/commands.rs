@@ -2,6 +2,7 @@
 
 mod bake;
 mod bench;
+mod budget;
 mod compare;
 mod constants;
 mod plot;
@@ -49,6 +50,7 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Plot(arguments) => plot::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
         Command::Bench => bench::run(),
+        Command::Budget(arguments) => budget::run(arguments),
         Command::Study(arguments) => study::run(arguments),
     }
 }

@@ -35,7 +35,7 @@ pub struct Instant<R> {
 }
 
 impl<
-    R: Real + Bake + Tabular<Scale = R, Coefficient: Send + Sync> + Send + Sync,
+    R: Real + Bake + Tabular<Wide = R, Coefficient: Send + Sync> + Send + Sync,
     const SEGMENTS: usize,
     const TERMS: usize,
 > AnySize<R> for Ephemeris<R, SEGMENTS, TERMS>
@@ -75,7 +75,7 @@ pub struct Size<R> {
 /// with differences of the branch points down to 1e-9 and A/(ps) in \[1e-2, 1e3\]: in `f64` half of them need no more than
 /// the first size, nine in ten no more than the third, one in 3000 more than the last; in `f32` none needs more than it.
 pub trait Sizes:
-    Real + Bake + Tabular<Scale = Self, Coefficient: Send + Sync> + Send + Sync + 'static
+    Real + Bake + Tabular<Wide = Self, Coefficient: Send + Sync> + Send + Sync + 'static
 {
     /// The crate's own choice for most motions.
     const DEFAULT: Size<Self>;

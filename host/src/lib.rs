@@ -12,6 +12,7 @@
 //! | [`truth`] | the full solver taken to the same times |
 //! | [`baseline`] | the full equations in equal steps: what one would do without the core |
 //! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
+//! | [`budget`] | what a call costs on an emulated chip |
 //! | [`plot`] | the curve of the tip as a picture |
 //! | [`study`] | random motions, and the truth of them to thirty digits |
 //! | [`commands`] | one file a command |
@@ -21,6 +22,7 @@
 
 pub mod bake;
 pub mod baseline;
+pub mod budget;
 pub mod builtin;
 pub mod cli;
 pub mod commands;

@@ -1,12 +1,19 @@
 //! Public behaviour, against independent truth. One binary, one module an idea.
 
+mod aperiodic;
 mod baked;
+mod closed_forms;
 mod conditioning;
+mod e3_equals_e4;
+mod elliptic;
 mod ephemeris;
+mod fixed_point;
 mod group;
 mod interop;
 mod invariants;
+mod lagrange;
 mod order;
+mod precession;
 mod properties;
 mod refusals;
 mod regimes;

@@ -54,6 +54,10 @@ pub const TIP_ANGLE_F64: Budget = Budget::of(3e-13);
 pub const EPHEMERIS_F64: Budget = Budget::of(1e-14);
 /// The same in f32.
 pub const EPHEMERIS_F32: Budget = Budget::of(2.5e-7);
+/// The ephemeris in fixed point of 32 bits, at any time.
+pub const EPHEMERIS_Q31: Budget = Budget::of(1e-8);
+/// The same of 16 bits.
+pub const EPHEMERIS_Q15: Budget = Budget::of(3e-4);
 /// | |α|² + |β|² - 1 | after 10⁶ steps.
 pub const NORM_F64: Budget = Budget::of(2e-15);
 /// The same in f32.
@@ -68,3 +72,27 @@ pub const REVERSAL_F64: Budget = Budget::of(1e-14);
 pub const ROUND_TRIP: Budget = Budget::of(2e-14);
 /// Group facts of SU(2), f64.
 pub const GROUP: Budget = Budget::of(3e-15);
+
+/// ℘, ℘', ζ, σ against 30 digits, in units of |f| + |z f'|; ln σ in units of 1 + |ln σ| + |z ζ|.
+pub const WEIERSTRASS: Budget = Budget::of(2e-15);
+/// sn, cn, dn, am against 30 digits, in units of |f| + |u f'|.
+pub const JACOBI: Budget = Budget::of(1e-15);
+/// ω, |ω'| and K, relative; η and η' relative to the larger.
+pub const HALF_PERIODS: Budget = Budget::of(1e-15);
+
+/// Closed forms against the vectors (exact inputs): orientation in rad, u, u' relative to its size. Constant tilt,
+/// aperiodic, e₃ = e₄, Lagrange.
+pub const CLOSED_FORMS: [Budget; 4] =
+    [Budget::of(1e-14), Budget::of(1e-14), Budget::of(1e-14), Budget::of(1e-14)];
+/// Orientation (rad) far out, over the number of periods.
+pub const CLOSED_FORM_PER_PERIOD: Budget = Budget::of(5e-15);
+/// Closed form against ephemeris, over some fifty units of time.
+pub const CLOSED_FORM_EPHEMERIS: Budget = Budget::of(1e-13);
+/// The same over two periods, differences of the branch points down to 1e-12 and e₃ up to 1e12.
+pub const CLOSED_FORM_CORNERS: Budget = Budget::of(2e-13);
+/// Closed form against stepper, 2048 steps a unit of time.
+pub const CLOSED_FORM_STEPPER: Budget = Budget::of(1e-13);
+/// l, n, h recomputed from a closed form's pose, relative to their sizes.
+pub const CLOSED_FORM_INTEGRALS: Budget = Budget::of(1e-13);
+/// The paper's formulas as they stand, in f64, against core (rad).
+pub const AS_THE_PAPER_HAS_IT: Budget = Budget::of(1e-13);

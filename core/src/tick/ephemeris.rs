@@ -38,11 +38,12 @@ use crate::turns::Turns;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ephemeris<R: Tabular, const SEGMENTS: usize, const TERMS: usize> {
     pub(super) table: Table<R::Coefficient, SEGMENTS, TERMS>,
-    pub(super) clock: Clock<R::Scale>,
+    pub(super) clock: Clock<R::Wide>,
     bound: ErrorBound,
 }
 
-/// Good for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.25, at the rounding of `f32`: 2 KiB.
+/// Good for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.5, at the rounding of `f32`: 2 KiB. Down to
+/// A/(ps) = 0.25 `Ephemeris<f32, 32, 7>` is (3.5 KiB): a motion through the vertical is there too fast for 16 segments.
 pub type EphemerisF32 = Ephemeris<f32, 16, 8>;
 
 /// Good for the same motions at the rounding of `f64`: 48 KiB. Where A/(ps) >= 1, `Ephemeris<f64, 64, 11>` (22 KiB) mostly is.
@@ -50,7 +51,7 @@ pub type EphemerisF64 = Ephemeris<f64, 128, 12>;
 
 /// The phases, what a tick adds to them, and the scales of what is derived.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Clock<S> {
+pub(super) struct Clock<W> {
     /// At the very first tick, `i64::MIN`, from where ticks count up without a sign: in units of 2^-64 turns.
     first: [u64; 3],
     step: [Cycle; 3],
@@ -61,9 +62,9 @@ pub(super) struct Clock<S> {
     /// The first and the last tick at which an aperiodic motion still moves; `None` for one that returns.
     horizon: Option<[i64; 2]>,
     /// 2 s.
-    pub(super) tip_scale: S,
+    pub(super) tip_scale: W,
     /// dx/dt on a segment, and the mean rates of A and B in rad, per unit time.
-    pub(super) rates: [S; 3],
+    pub(super) rates: [W; 3],
 }
 
 impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS, TERMS> {
@@ -95,8 +96,8 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENT
             exact_step: [DoubleDouble::ZERO; 3],
             ticks_per_time: DoubleDouble::ZERO,
             horizon: None,
-            tip_scale: R::NO_SCALE,
-            rates: [R::NO_SCALE; 3],
+            tip_scale: R::Wide::ZERO,
+            rates: [R::Wide::ZERO; 3],
         },
         bound: ErrorBound { constant: 0.0, per_tick: 0.0 },
     };
@@ -111,7 +112,7 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENT
             self.table.put::<R>(segment, polynomials)
         });
         NoFit::check::<R>(motion, &rates, &tabulated, [SEGMENTS, TERMS], truncation)?;
-        self.clock = Clock::new(motion, tick, &rates, &tabulated, SEGMENTS, R::scale);
+        self.clock = Clock::new(motion, tick, &rates, &tabulated, SEGMENTS);
         self.bound =
             ErrorBound::of::<R>(&rates, &tabulated, self.clock.exact_step.map(Float::to_f64), SEGMENTS);
         Ok(())
@@ -185,15 +186,8 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENT
     }
 }
 
-impl<S> Clock<S> {
-    fn new(
-        motion: &Motion,
-        tick: Tick,
-        rates: &Rates,
-        tabulated: &Tabulated,
-        segments: usize,
-        scale: impl Fn(f64) -> S,
-    ) -> Self {
+impl<W: Float> Clock<W> {
+    fn new(motion: &Motion, tick: Tick, rates: &Rates, tabulated: &Tabulated, segments: usize) -> Self {
         let length = tick.length();
         let exact_step = rates.turns.map(|turns| turns * length);
         let [frequency, alpha, beta] = rates.turns.map(Float::to_f64);
@@ -209,14 +203,15 @@ impl<S> Clock<S> {
             exact_step,
             ticks_per_time: tick.rate(),
             horizon: (!rates.returns).then(|| horizon(tabulated.start[0], exact_step[0])),
-            tip_scale: scale(2.0 * motion.top().tip_scale()),
-            rates: [x_rate, turn * alpha, turn * beta].map(scale),
+            tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
+            rates: [x_rate, turn * alpha, turn * beta].map(W::from_f64),
         }
     }
 }
 
 /// Where u turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TurningPoint {
     /// The first tick at or after it.
     pub tick: i64,
@@ -224,7 +219,7 @@ pub struct TurningPoint {
     pub upper: bool,
 }
 
-impl<S> Clock<S> {
+impl<W> Clock<W> {
     /// Nutation phase, A and B of tick n.
     #[inline(always)]
     fn at(&self, n: i64) -> [Cycle; 3] {

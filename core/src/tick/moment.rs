@@ -3,7 +3,7 @@
 use super::tabular::{Place, Tabular};
 use super::{Ephemeris, Pose};
 use crate::complex::Complex;
-use crate::real::{Real, Ring};
+use crate::real::{Float, Ring};
 use crate::su2::{Phi, PhiRate};
 use crate::turns::Turns;
 
@@ -57,25 +57,39 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMEN
         let (terms, x) = self.ephemeris.table.find(share);
         (terms, Place { x, mirrored, slow: [a, b] })
     }
-}
 
-impl<R: Tabular<Scale = R> + Real, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMENTS, TERMS> {
-    /// Φ and Φ', from which u' and ω follow. Some three times the work of Φ alone.
+    /// The tip in units of length whatever the scalar: in `f32` where that is fixed point.
     #[must_use]
-    pub fn pose(&self) -> Pose<R> {
+    pub fn wide_tip(&self) -> Complex<R::Wide> {
+        let Phi { alpha, beta } = self.wide_phi();
+        (alpha * beta).scaled(self.ephemeris.clock.tip_scale)
+    }
+
+    /// Φ, in `f32` where the scalar is fixed point.
+    #[must_use]
+    pub fn wide_phi(&self) -> Phi<R::Wide> {
+        let wide = |number: Complex<R>| Complex::new(number.re.widened(), number.im.widened());
+        let phi = self.phi();
+        Phi { alpha: wide(phi.alpha), beta: wide(phi.beta) }
+    }
+
+    /// Φ and Φ', from which u' and ω follow; in `f32` where the scalar is fixed point. Some three times the work of Φ alone.
+    #[must_use]
+    pub fn pose(&self) -> Pose<R::Wide> {
         let (terms, place) = self.place();
         let [x_rate, alpha_rate, beta_rate] = self.ephemeris.clock.rates;
         // on the falling half x runs backwards
         let x_rate = if place.mirrored { -x_rate } else { x_rate };
-        let (value, slope) = value_and_slope(terms, R::from_f64(place.x as f64 / (1_u64 << 63) as f64));
+        let x = R::Wide::from_f64(place.x as f64 / (1_u64 << 63) as f64);
+        let (value, slope) = value_and_slope::<R>(terms, x);
         let [alpha, beta] = conjugate_if(place.mirrored, value);
         let [alpha_slope, beta_slope] = conjugate_if(place.mirrored, slope);
-        let rate = |value: Complex<R>, slope: Complex<R>, turning: R| {
+        let rate = |value: Complex<R::Wide>, slope: Complex<R::Wide>, turning: R::Wide| {
             slope.scaled(x_rate) + value.times_i().scaled(turning)
         };
         let [a, b] = place.slow.map(|phase| Complex::cis(turns(phase)));
         Pose {
-            phi: self.phi(),
+            phi: self.wide_phi(),
             rate: PhiRate {
                 alpha: rate(alpha, alpha_slope, alpha_rate) * a,
                 beta: rate(beta, beta_slope, beta_rate) * b,
@@ -85,8 +99,8 @@ impl<R: Tabular<Scale = R> + Real, const SEGMENTS: usize, const TERMS: usize> Mo
 }
 
 /// The four polynomials at x, and their derivatives.
-fn value_and_slope<R: Tabular>(terms: &[[R::Coefficient; 4]], x: R) -> ([R; 4], [R; 4]) {
-    let (mut four, mut slope) = ([R::ZERO; 4], [R::ZERO; 4]);
+fn value_and_slope<R: Tabular>(terms: &[[R::Coefficient; 4]], x: R::Wide) -> ([R::Wide; 4], [R::Wide; 4]) {
+    let (mut four, mut slope) = ([R::Wide::ZERO; 4], [R::Wide::ZERO; 4]);
     for (power, coefficients) in terms.iter().enumerate().rev() {
         for ((sum, slope), &c) in four.iter_mut().zip(&mut slope).zip(coefficients) {
             *slope = *slope * x + *sum;

@@ -1,14 +1,19 @@
 //! The arithmetic of a table: what a scalar's coefficients are, and how they become α and β.
 
+#[cfg(feature = "fixed")]
+mod fixed_point;
 mod float;
 mod integer;
+#[cfg(feature = "fixed")]
+mod narrow;
 
 use crate::complex::Complex;
-use crate::real::Scalar;
+use crate::real::{Real, Scalar};
 use core::fmt::Debug;
 
 /// A point of the motion as a table is asked for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Place {
     /// The place on the segment, x·2^63 with x in [-1, 1).
     pub x: i64,
@@ -25,13 +30,11 @@ pub struct Place {
 pub trait Tabular: Scalar {
     /// A coefficient as the table holds it.
     type Coefficient: Copy + Debug + PartialEq;
-    /// What lengths and rates are kept in: the scalar itself, or nothing where it cannot hold them.
-    type Scale: Copy + Debug + PartialEq;
+    /// What lengths and rates are in: the scalar itself, or `f32` where they are beyond its range.
+    type Wide: Real;
 
     /// The coefficient 0.
     const NOTHING: Self::Coefficient;
-    /// The scale 0.
-    const NO_SCALE: Self::Scale;
     /// What a tick rounds off, as an orientation error in rad.
     const TICK_ERROR: f64;
 
@@ -40,13 +43,13 @@ pub trait Tabular: Scalar {
     /// By how much the coefficients of a polynomial are beyond what the table can hold; 0 in floating point.
     fn excess(polynomial: &[f64]) -> f64;
     /// The coefficient of x^power as a number.
-    fn number(coefficient: Self::Coefficient, power: usize) -> Self;
-    /// The nearest scale.
-    fn scale(value: f64) -> Self::Scale;
+    fn number(coefficient: Self::Coefficient, power: usize) -> Self::Wide;
+    /// The same value.
+    fn widened(self) -> Self::Wide;
 
     /// α and β from the coefficients of a segment, lowest power first: those of Re α, Im α, Re β and Im β side by side.
     fn alpha_beta(terms: &[[Self::Coefficient; 4]], place: Place) -> [Complex<Self>; 2];
 
-    /// The tip from αβ, with 2s for a scale: in units of length, or of s where there is no scale.
-    fn tip(product: Complex<Self>, scale: Self::Scale) -> Complex<Self>;
+    /// The tip from αβ: in units of length, with 2s for a scale; in fixed point in units of s, whatever the scale.
+    fn tip(product: Complex<Self>, scale: Self::Wide) -> Complex<Self>;
 }

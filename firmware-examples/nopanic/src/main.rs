@@ -114,7 +114,7 @@ fn planted() -> u8 {
 }
 
 /// An ephemeris: set-up, every way to read it, and its turning points.
-fn table<R: Real + toytop::Tabular<Scale = R>, const S: usize, const T: usize>(motion: &Motion) {
+fn table<R: Real + toytop::Tabular, const S: usize, const T: usize>(motion: &Motion) {
     use toytop::{Ephemeris, Tick};
     let Ok(tick) = Tick::hertz(black_box(1000)) else { return };
     let Ok(e) = Ephemeris::<R, S, T>::within(motion, tick, unknown()) else { return };

@@ -80,9 +80,9 @@ pub struct Baked<R: Tabular, const SEGMENTS: usize, const TERMS: usize> {
     /// The [`ErrorBound`], rad: constant, and per tick.
     pub bound: [f64; 2],
     /// 2s in m (2 where the tip is held).
-    pub tip_scale: R::Scale,
+    pub tip_scale: R::Wide,
     /// dx/dt on a segment, and the mean rates of A and B in rad, per unit time.
-    pub rates: [R::Scale; 3],
+    pub rates: [R::Wide; 3],
     /// By segment and power: those of Re α, Im α, Re β and Im β.
     pub coefficients: [[[R::Coefficient; 4]; TERMS]; SEGMENTS],
 }
@@ -213,6 +213,7 @@ bakeable!(f64, 64, double, double);
 
 /// Why literal data make no ephemeris.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum BakedError {
     /// `format`: written by another version.

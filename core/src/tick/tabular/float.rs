@@ -6,10 +6,9 @@ use crate::real::sine_cosine_f64;
 
 impl Tabular for f64 {
     type Coefficient = Self;
-    type Scale = Self;
+    type Wide = Self;
 
     const NOTHING: Self = 0.0;
-    const NO_SCALE: Self = 0.0;
     /// Eight roundings: products and sums of numbers up to 1, and two sines and cosines.
     const TICK_ERROR: f64 = 4.0 * f64::EPSILON;
 
@@ -25,8 +24,8 @@ impl Tabular for f64 {
         coefficient
     }
 
-    fn scale(value: f64) -> Self {
-        value
+    fn widened(self) -> Self {
+        self
     }
 
     #[inline(always)]

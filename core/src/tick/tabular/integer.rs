@@ -14,29 +14,37 @@ const UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
 
 /// Error of [`alpha_beta`], as an orientation error: the sums round off up to two units of 2^-31 each, the sines 2.4, the
 /// rotations a unit of 2^-30.
-const ERROR: f64 = 8.0 * UNIT;
+pub(super) const ERROR: f64 = 8.0 * UNIT;
+
+/// Some thousand roundings of a coefficient.
+pub(super) const MARGIN: f64 = 1e-6;
 
 /// The nearest coefficient of x^power, and half a unit more to make up for the product that will be added, rounded down.
 /// Not for the constant: a last sum half a unit low is what [`alpha_beta`] can mirror without a carry.
-fn coefficient(value: f64, power: usize) -> i32 {
+pub(super) fn coefficient(value: f64, power: usize) -> i32 {
     let rounding = if power == 0 { 0.5 } else { 1.0 };
     libm::floor(value * (1_u64 << (31 + power)) as f64 + rounding) as i32
 }
 
-fn excess(polynomial: &[f64]) -> f64 {
-    const MARGIN: f64 = 1.0 - 1e-6;
+/// What [`coefficient`] holds.
+pub(super) fn number(coefficient: i32, power: usize) -> f64 {
+    f64::from(coefficient) / (1_u64 << (31 + power)) as f64
+}
+
+/// By how much a polynomial is beyond what keeps the sums in range, with a margin for what the coefficients round off.
+pub(super) fn excess(polynomial: &[f64], margin: f64) -> f64 {
     let mut sum = 0.0;
     let mut excess = 0.0_f64;
     for (power, value) in polynomial.iter().enumerate().skip(1).rev() {
         sum += libm::fabs(*value);
-        excess = excess.max(sum - MARGIN / (1_u64 << power) as f64);
+        excess = excess.max(sum - (1.0 - margin) / (1_u64 << power) as f64);
     }
     excess
 }
 
 /// Re α, Im α, Re β and Im β in units of 2^-30.
 #[inline(always)]
-fn alpha_beta(terms: &[[i32; 4]], place: Place) -> [i32; 4] {
+pub(super) fn alpha_beta(terms: &[[i32; 4]], place: Place) -> [i32; 4] {
     let x = (place.x >> 32) as i32;
     let [constant, higher @ ..] = terms else { return [0; 4] };
     let mut sums = [0; 4];
@@ -70,10 +78,9 @@ fn rotated([re, im]: [i32; 2], (sine, cosine): (i32, i32)) -> [i32; 2] {
 
 impl Tabular for f32 {
     type Coefficient = i32;
-    type Scale = Self;
+    type Wide = Self;
 
     const NOTHING: i32 = 0;
-    const NO_SCALE: Self = 0.0;
     /// The integers, and the results rounded to `f32`: each by 2^-24 of itself.
     const TICK_ERROR: f64 = ERROR + f32::EPSILON as f64;
 
@@ -82,15 +89,15 @@ impl Tabular for f32 {
     }
 
     fn excess(polynomial: &[f64]) -> f64 {
-        excess(polynomial)
+        excess(polynomial, MARGIN)
     }
 
-    fn number(coefficient: i32, power: usize) -> Self {
-        (f64::from(coefficient) / (1_u64 << (31 + power)) as f64) as Self
+    fn number(held: i32, power: usize) -> Self {
+        number(held, power) as Self
     }
 
-    fn scale(value: f64) -> Self {
-        value as Self
+    fn widened(self) -> Self {
+        self
     }
 
     #[inline(always)]

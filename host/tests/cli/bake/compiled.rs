@@ -87,7 +87,7 @@ fn truth<R: Bits, const S: usize, const T: usize>(file: &str, [ticks, seconds]: 
 }
 
 /// Scalars whose bits can be printed.
-trait Bits: Real + Bakeable + Tabular<Scale = Self> {
+trait Bits: Real + Bakeable + Tabular<Wide = Self> {
     fn hexadecimal(self) -> String;
 }
 
