@@ -6,6 +6,7 @@ mod constants;
 mod plot;
 mod state;
 mod study;
+mod sweep;
 
 use crate::Failure;
 use crate::cli::Command;
@@ -48,6 +49,7 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Plot(arguments) => plot::run(arguments),
         Command::Bench => bench::run(),
         Command::Study(arguments) => study::run(arguments),
+        Command::Sweep(arguments) => sweep::run(arguments),
     }
 }
 

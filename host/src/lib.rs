@@ -13,8 +13,9 @@
 //! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
 //! | [`plot`] | the curve of the tip as a picture |
 //! | [`study`] | random motions, and the truth of them to thirty digits |
+//! | [`sweep`] | many motions, a row each |
 //! | [`commands`] | one file a command |
-//! | [`output`], [`progress`] | table, CSV, JSON; the bar |
+//! | [`output`], [`names`], [`progress`] | table, CSV, JSON; the words in them; the bar |
 //!
 //! A command computes everything before the first byte is printed, so a failure leaves nothing half-written.
 
@@ -26,12 +27,14 @@ pub mod ephemeris;
 mod failure;
 pub mod full_solver;
 pub mod invariants;
+pub mod names;
 pub mod output;
 pub mod plot;
 pub mod progress;
 pub mod propagate;
 pub mod scenario;
 pub mod study;
+pub mod sweep;
 pub mod times;
 pub mod tip_angle;
 pub mod truth;

@@ -4,6 +4,7 @@ mod measure;
 mod plot;
 mod refusals;
 mod state;
+mod sweep;
 mod tip_angle;
 mod vectors;
 
