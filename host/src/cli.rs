@@ -27,6 +27,8 @@ pub enum Command {
     Constants(ConstantsArgs),
     /// The curve of the tip between its bounding circles, as a picture
     Plot(PlotArgs),
+    /// The paper's figures 2 and 3, the height of the axis and the errors against time, as SVG and PNG
+    Figures(FiguresArgs),
     /// What a state costs: ephemeris and stepper against the full solver, on this machine
     Bench,
     /// Random motions of every regime: does the ephemeris keep its error bound? (exit code 1 if not)
@@ -106,6 +108,14 @@ pub struct PlotArgs {
     pub scenario: PathBuf,
     /// Where to: a file that ends in .svg or .png
     #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+}
+
+/// `toytop figures`
+#[derive(Args, Debug)]
+pub struct FiguresArgs {
+    /// Folder to write to; made if it is not there
+    #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,
 }
 

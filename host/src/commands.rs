@@ -3,6 +3,7 @@
 mod bench;
 mod compare;
 mod constants;
+mod figures;
 mod plot;
 mod state;
 mod study;
@@ -47,6 +48,7 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::State(arguments) => state::run(arguments),
         Command::Constants(arguments) => constants::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
+        Command::Figures(arguments) => figures::run(arguments),
         Command::Bench => bench::run(),
         Command::Study(arguments) => study::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),

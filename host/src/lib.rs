@@ -10,8 +10,10 @@
 //! | [`tip_angle`] | the tip angle of an ephemeris, continued from t = 0 |
 //! | [`truth`] | the full solver taken to the same times |
 //! | [`baseline`] | the full equations in equal steps: what one would do without the core |
+//! | [`race`] | the core and its rivals over the same course |
 //! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
 //! | [`plot`] | the curve of the tip as a picture |
+//! | [`figures`] | the paper's figures, and charts |
 //! | [`study`] | random motions, and the truth of them to thirty digits |
 //! | [`sweep`] | many motions, a row each |
 //! | [`commands`] | one file a command |
@@ -25,6 +27,7 @@ pub mod cli;
 pub mod commands;
 pub mod ephemeris;
 mod failure;
+pub mod figures;
 pub mod full_solver;
 pub mod invariants;
 pub mod names;
@@ -32,6 +35,7 @@ pub mod output;
 pub mod plot;
 pub mod progress;
 pub mod propagate;
+pub mod race;
 pub mod scenario;
 pub mod study;
 pub mod sweep;

@@ -5,7 +5,7 @@
 type Vector = [f64; 3];
 
 /// alpha re, im, beta re, im, m1, m2, m3.
-pub(crate) type Vector7 = [f64; 7];
+pub type Vector7 = [f64; 7];
 
 /// The body: inertias, where its centre of mass is, and gravity. Any consistent units; the ones named are SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,7 +70,7 @@ impl FullTop {
 /// What the motion depends on: A, C, p s and p g, here in whatever units of inertia and time the caller
 /// chose.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Equations {
+pub struct Equations {
     pub(crate) a: f64,
     pub(crate) c: f64,
     pub(crate) ps: f64,

@@ -41,17 +41,15 @@ impl Part {
             std::io::ErrorKind::AlreadyExists => refused("exists; --resume goes on with it".to_owned()),
             _ => of_system(error),
         })?;
-        let Whole { lines, bytes, first, last } = whole_lines(&file).map_err(of_system)?;
+        let Whole { lines, bytes, first, last, rest } = whole_lines(&file).map_err(of_system)?;
         let header = rows.header();
         let done = lines.saturating_sub(1);
         let mut part =
             Self { path: path.to_owned(), file: file.try_clone().map_err(of_system)?, shard, of, done, len };
-        if lines > 0 {
-            let same_header = first == header;
-            let same_row = done == 0 || (done <= len && last == rows.row(part.index(done - 1)));
-            if !same_header || !same_row {
-                return Err(refused("is of another sweep, shard or version; nothing was changed".to_owned()));
-            }
+        let same_header = if lines > 0 { first == header } else { header.starts_with(&rest) };
+        let same_row = done == 0 || (done <= len && last == rows.row(part.index(done - 1)));
+        if !same_header || !same_row {
+            return Err(refused("is of another sweep, shard or version; nothing was changed".to_owned()));
         }
         file.set_len(bytes).map_err(of_system)?;
         part.file.seek(SeekFrom::Start(bytes)).map_err(of_system)?;
@@ -104,6 +102,8 @@ struct Whole {
     bytes: u64,
     first: String,
     last: String,
+    /// What follows.
+    rest: String,
 }
 
 fn whole_lines(file: &File) -> std::io::Result<Whole> {
@@ -119,5 +119,6 @@ fn whole_lines(file: &File) -> std::io::Result<Whole> {
         std::mem::swap(&mut whole.last, &mut line);
         line.clear();
     }
+    whole.rest = line;
     Ok(whole)
 }

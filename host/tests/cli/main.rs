@@ -1,5 +1,6 @@
 //! The command line as other programs see it: exit codes, stdout, stderr, JSON.
 
+mod figures;
 mod measure;
 mod plot;
 mod refusals;

@@ -70,9 +70,10 @@ fn a_killed_sweep_goes_on_where_it_was() {
         kills += usize::from(left.len() < whole.len());
     }
     assert_eq!(kills, 2, "killed before the end");
-    // as if the last write had been cut off
+    // as if the last write had been cut off, or the machine, which leaves zeros
     let left = std::fs::read_to_string(&path).expect("the file");
-    std::fs::write(&path, &left[..left.len() - 30]).expect("writable");
+    let zeros = "\0".repeat(10_000_000);
+    std::fs::write(&path, left[..left.len() - 30].to_owned() + &zeros).expect("writable");
     assert!(sweep(&path, &more) == whole);
     assert!(sweep(&path, &more) == whole, "nothing is left to do");
 }
@@ -101,6 +102,7 @@ fn shards_make_the_whole() {
     }
     parts.sort_by_key(|row| row.split(',').next().and_then(|index| index.parse::<u64>().ok()));
     assert_eq!(parts, whole.lines().skip(1).collect::<Vec<_>>());
+    assert!(parts.iter().enumerate().all(|(index, row)| row.starts_with(&format!("{index},"))));
     assert_eq!(parts.len(), 36);
     // e1 = 0.5 > e2 = 0.2 is a place of the grid, but no motion
     let refused: Vec<_> = parts.iter().filter(|row| row.contains(",refused,")).collect();
@@ -203,6 +205,8 @@ fn what_is_no_sweep_is_refused() {
     }
     refused(&path, &["--motions", "29", "--resume"], "another sweep");
     std::fs::write(&path, text.replace("e-7\n", "e-8\n")).expect("writable");
+    refused(&path, &["--motions", "30", "--resume"], "another sweep");
+    std::fs::write(&path, "something else").expect("writable");
     refused(&path, &["--motions", "30", "--resume"], "another sweep");
     let folder = path.join("file.csv");
     refused(&folder, &["--motions", "3"], "--output");

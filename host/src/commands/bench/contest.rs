@@ -3,7 +3,7 @@
 use super::Line;
 use super::timing::{least, least_in_parts};
 use crate::Failure;
-use crate::baseline::FixedSteps;
+use crate::baseline::{FixedSteps, RungeKutta};
 use crate::full_solver::{FullSolver, FullState};
 use crate::progress::Progress;
 use crate::scenario::Scenario;
@@ -137,12 +137,12 @@ fn solver(scenario: &Scenario, tolerance: f64) -> FullSolver {
 }
 
 /// In steps that end on every sample; samples are `apart`, in s.
-fn baseline(scenario: &Scenario, apart: f64) -> FixedSteps {
+fn baseline(scenario: &Scenario, apart: f64) -> FixedSteps<RungeKutta> {
     let (top, state) = truth::start(scenario);
     FixedSteps::new(&top, &state, apart * f64::from(SAMPLES) / f64::from(STEPS * PERIODS))
 }
 
-fn samples(run: &mut FixedSteps, count: usize) -> Vec<FullState> {
+fn samples(run: &mut FixedSteps<RungeKutta>, count: usize) -> Vec<FullState> {
     let sample = |_| {
         (0..STEPS * PERIODS / SAMPLES).for_each(|_| run.step());
         run.state()
