@@ -5,7 +5,7 @@
     cargo build --release --bin toytop && python3 host/benches/by_heyoka.py target/release/toytop
 
 Prints, for several tolerances, time a period (compiling apart) and greatest error in the last of 10 and of 1000 nutation
-periods, each with 16 orientations. The truth is `toytop state` by the ephemeris in f64, some 1e-15 rad.
+periods, each with 16 orientations; --json instead prints what `toytop report --rivals FILE` shows. The truth is `toytop state` by the ephemeris in f64, some 1e-15 rad.
 """
 import json, subprocess, sys, tempfile, time
 import numpy as np
@@ -58,7 +58,8 @@ def start(sample):
     return [a1, a2, b1, b2, *m]
 
 
-def main(program):
+def main(program, as_json):
+    rows = []
     with tempfile.NamedTemporaryFile("w", suffix=".toml") as file:
         file.write(SCENARIO)
         file.flush()
@@ -84,9 +85,15 @@ def main(program):
                 best = min(best, time.perf_counter() - began)
             off = states[-MOMENTS:, :4] - expected
             error = 2 * np.sqrt((off * off).sum(axis=1)).max()
-            print(f"heyoka, tolerance {tolerance:.0e}: {1e6 * best / periods:8.2f} µs a period, error {error:.1e} rad after "
-                  f"{periods} periods ({compiled:.1f} s to compile)")
+            if periods == 1000:
+                rows.append({"name": "heyoka", "effort": f"tolerance {tolerance:.0e}", "error_rad": error,
+                             "us_per_period": 1e6 * best / periods})
+            if not as_json:
+                print(f"heyoka, tolerance {tolerance:.0e}: {1e6 * best / periods:8.2f} µs a period, error {error:.1e} rad after "
+                      f"{periods} periods ({compiled:.1f} s to compile)")
+    if as_json:
+        print(json.dumps({"rows": rows}))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    main(sys.argv[1], "--json" in sys.argv[2:])

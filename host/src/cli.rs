@@ -31,6 +31,8 @@ pub enum Command {
     Figures(FiguresArgs),
     /// What a state costs: ephemeris and stepper against the full solver, on this machine
     Bench,
+    /// One page with accuracy, work and precision, figures; and the tables of the README
+    Report(ReportArgs),
     /// Random motions of every regime: does the ephemeris keep its error bound? (exit code 1 if not)
     Study(StudyArgs),
     /// Constants and errors of many motions, a row each: a grid or a random sample, on all cores, in shards if wanted
@@ -117,6 +119,27 @@ pub struct FiguresArgs {
     /// Folder to write to; made if it is not there
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,
+}
+
+/// `toytop report`
+#[derive(Args, Debug)]
+#[command(group = clap::ArgGroup::new("what").required(true).multiple(true).args(["output", "readme"]))]
+pub struct ReportArgs {
+    /// Folder for index.html; made if it is not there
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Markdown file whose tables to bring up to date
+    #[arg(long, value_name = "FILE")]
+    pub readme: Option<PathBuf>,
+    /// Change nothing; exit code 1 if a table is stale
+    #[arg(long, requires = "readme")]
+    pub check: bool,
+    /// What `toytop budget --format json` wrote, for the page
+    #[arg(long, value_name = "FILE", requires = "output")]
+    pub budget: Option<PathBuf>,
+    /// What host/benches/by_heyoka.py --json wrote, for the page
+    #[arg(long, value_name = "FILE", requires = "output")]
+    pub rivals: Option<PathBuf>,
 }
 
 /// `toytop study`

@@ -5,6 +5,7 @@ mod compare;
 mod constants;
 mod figures;
 mod plot;
+mod report;
 mod state;
 mod study;
 mod sweep;
@@ -50,6 +51,7 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Plot(arguments) => plot::run(arguments),
         Command::Figures(arguments) => figures::run(arguments),
         Command::Bench => bench::run(),
+        Command::Report(arguments) => report::run(arguments),
         Command::Study(arguments) => study::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
     }

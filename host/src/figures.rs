@@ -10,15 +10,24 @@ use crate::plot::{Form, encode};
 use crate::progress::Progress;
 use kuva::render::render::Scene;
 
-/// A picture: its name, without an ending, and itself.
+pub(crate) use chart::{Chart, Line};
+pub(crate) use errors::measured as measured_errors;
+
+/// A picture.
 #[derive(Debug)]
 pub struct Picture {
-    /// Of the file.
+    /// Of the file, without an ending.
     pub name: &'static str,
+    /// For a page that shows it.
+    pub title: &'static str,
     scene: Scene,
 }
 
 impl Picture {
+    pub(crate) fn new(name: &'static str, title: &'static str, scene: Scene) -> Self {
+        Self { name, title, scene }
+    }
+
     /// As SVG or PNG.
     ///
     /// # Errors
@@ -40,9 +49,9 @@ pub fn all() -> Result<Vec<Picture>, Failure> {
     progress.add(1);
     let errors = errors::picture(&mut progress)?;
     Ok(vec![
-        Picture { name: "figure_2", scene: figure_2 },
-        Picture { name: "figure_3", scene: figure_3 },
-        Picture { name: "height_against_time", scene: heights },
-        Picture { name: "error_against_time", scene: errors },
+        Picture::new("figure_2", "The paper's figure 2", figure_2),
+        Picture::new("figure_3", "The paper's figure 3", figure_3),
+        Picture::new("height_against_time", "Nutation", heights),
+        Picture::new("error_against_time", "Error against time", errors),
     ])
 }

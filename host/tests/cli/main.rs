@@ -4,6 +4,7 @@ mod figures;
 mod measure;
 mod plot;
 mod refusals;
+mod report;
 mod state;
 mod sweep;
 mod tip_angle;
