@@ -3,7 +3,8 @@
 use crate::Failure;
 use crate::sweep::{Axis, Column, DEFAULT_COLUMNS, SignChoice};
 use clap::error::ErrorKind;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 use std::ffi::OsString;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -20,23 +21,64 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// How far the core is from an independent integration of the full 3-D equations (exit code 1 if a bound is missed)
+    #[command(after_help = "Example: toytop compare host/scenarios/toy_top.toml --periods 100 --format csv")]
     Compare(CompareArgs),
     /// Orientation, rates and tip at given times
+    #[command(
+        after_help = "Example: toytop state host/scenarios/toy_top.toml --times 0,0.5,1e6 --format json"
+    )]
     State(StateArgs),
     /// First integrals, branch points, period and mean rotations of a motion
+    #[command(after_help = "Example: toytop constants host/scenarios/figure_3_loops.toml")]
     Constants(ConstantsArgs),
     /// The curve of the tip between its bounding circles, as a picture
+    #[command(after_help = "Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg")]
     Plot(PlotArgs),
     /// The paper's figures 2 and 3, the height of the axis and the errors against time, as SVG and PNG
+    #[command(after_help = "Example: toytop figures -o figures")]
     Figures(FiguresArgs),
     /// What a state costs: ephemeris and stepper against the full solver, on this machine
-    Bench,
+    #[command(after_help = "Example: toytop bench --format json")]
+    Bench(BenchArgs),
     /// One page with accuracy, work and precision, figures; and the tables of the README
+    #[command(after_help = "Example: toytop report -o report")]
     Report(ReportArgs),
     /// Random motions of every regime: does the ephemeris keep its error bound? (exit code 1 if not)
+    #[command(after_help = "Example: toytop study --motions 5000 --seed 2")]
     Study(StudyArgs),
     /// Constants and errors of many motions, a row each: a grid or a random sample, on all cores, in shards if wanted
+    #[command(
+        after_help = "Example: toytop sweep --e1=-0.9..0.1/41 --e2 0.9 --e3 log:1.01..100/33 --a-over-ps 1 --c-over-a 0.5 -o grid.csv\n         toytop sweep --motions 1000000 --shard 3/100 --resume -o part_3.csv"
+    )]
     Sweep(SweepArgs),
+    /// Completions for a shell, to be sourced or put where it looks for them
+    #[command(
+        after_help = "Example: toytop completions bash > ~/.local/share/bash-completion/completions/toytop"
+    )]
+    Completions(CompletionsArgs),
+}
+
+/// `toytop completions`
+#[derive(Args, Debug)]
+pub struct CompletionsArgs {
+    /// Which shell
+    pub shell: Shell,
+}
+
+/// `toytop bench`
+#[derive(Args, Debug)]
+pub struct BenchArgs {
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// The script that completes this program's commands, options and values.
+#[must_use]
+pub fn completions(shell: Shell) -> Vec<u8> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Cli::command(), "toytop", &mut script);
+    script
 }
 
 /// `toytop compare`
@@ -151,6 +193,9 @@ pub struct StudyArgs {
     /// Another seed, other motions
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
 }
 
 /// `toytop sweep`

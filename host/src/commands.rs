@@ -11,7 +11,7 @@ mod study;
 mod sweep;
 
 use crate::Failure;
-use crate::cli::Command;
+use crate::cli::{self, Command};
 use crate::scenario::Scenario;
 
 /// What a command has to say.
@@ -50,10 +50,14 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Constants(arguments) => constants::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
         Command::Figures(arguments) => figures::run(arguments),
-        Command::Bench => bench::run(),
+        Command::Bench(arguments) => bench::run(arguments),
         Command::Report(arguments) => report::run(arguments),
         Command::Study(arguments) => study::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
+        Command::Completions(arguments) => {
+            let script = String::from_utf8_lossy(&cli::completions(arguments.shell)).into_owned();
+            Ok(Report { text: script, ..Report::default() })
+        }
     }
 }
 

@@ -94,7 +94,7 @@ pub(super) fn run(scenario: &Scenario, progress: &mut Progress) -> Result<Vec<Li
     let line = |what: &str, seconds: f64, error: f64| {
         let ratio = solving / seconds;
         let ratio = if ratio < 10.0 { format!("{ratio:.1}") } else { format!("{ratio:.0}") };
-        Line { what: what.to_owned(), seconds, rest: vec![format!("{error:.1e}"), ratio] }
+        Line { what: what.to_owned(), seconds, error: Some(error), rest: vec![format!("{error:.1e}"), ratio] }
     };
     let solver = format!("full solver, tolerance {tolerance:.0e}: orientation and angular velocity");
     let rivals = format!("Runge-Kutta of the full equations, {STEPS} steps a period: the same");
@@ -105,7 +105,12 @@ pub(super) fn run(scenario: &Scenario, progress: &mut Progress) -> Result<Vec<Li
         line("ephemeris f64, 64x11, at any time: the same", turning, error),
         line("ephemeris f64, 64x11, at any time: orientation", orienting, error),
         line("ephemeris f64, 64x11, at any tick: orientation", ticking, error),
-        Line { what: "    its set-up, once".to_owned(), seconds: setting_up, rest: vec![String::new(); 2] },
+        Line {
+            what: "    its set-up, once".to_owned(),
+            seconds: setting_up,
+            error: None,
+            rest: vec![String::new(); 2],
+        },
     ])
 }
 
