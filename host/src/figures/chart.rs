@@ -26,8 +26,8 @@ pub(crate) struct Chart<'a> {
 }
 
 /// Apart from each other also to the colour-blind (Okabe and Ito's).
-const COLORS: [&str; 8] =
-    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#999933"];
+const COLORS: [&str; 9] =
+    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#999933", "#882255"];
 
 impl Chart<'_> {
     pub(crate) fn draw(&self, lines: &[Line]) -> Scene {
@@ -66,10 +66,11 @@ impl Chart<'_> {
         if self.powers[0] {
             layout = layout.with_x_tick_step(1.0).with_x_tick_format(power());
         }
-        let [low, high] = if self.powers[0] { x_ends.map(f64::round) } else { x_ends };
+        let [low, high] = if self.powers[0] { whole(x_ends) } else { x_ends };
         layout = layout.with_x_axis_min(low).with_x_axis_max(high);
         if self.powers[1] {
-            let [low, high] = [y_ends[0].floor(), y_ends[1].ceil()];
+            // with room for the marks
+            let [low, high] = whole([y_ends[0] - 0.1, y_ends[1] + 0.1]);
             let step = if high - low > 9.0 { 2.0 } else { 1.0 };
             let layout_of_powers = layout.with_y_axis_min(low).with_y_axis_max(high).with_y_tick_step(step);
             layout = layout_of_powers.with_y_tick_format(power());
@@ -98,6 +99,12 @@ fn place(x: f64, power: bool) -> Option<f64> {
 
 fn ends(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
     numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+}
+
+/// The whole numbers around them; what is all but whole counts as such.
+fn whole([low, high]: [f64; 2]) -> [f64; 2] {
+    const NEARLY: f64 = 2e-3;
+    [(low + NEARLY).floor(), (high - NEARLY).ceil()]
 }
 
 /// 10⁻⁹.
