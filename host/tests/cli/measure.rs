@@ -76,3 +76,15 @@ fn a_study_is_fixed_by_its_seed_and_adds_up() {
         }
     }
 }
+
+#[test]
+fn what_is_a_table_is_also_records() {
+    for (words, rows) in [(&["bench"][..], 14), (&["study", "--motions", "20"], 20)] {
+        let json = super::json(&[words, &["--format", "json"]].concat());
+        let records = json["rows"].as_array().expect("rows");
+        assert!(records.len() >= rows, "{words:?}: {}", records.len());
+        assert!(records.iter().all(|record| record["what"].is_string()));
+        let csv = run(&[words, &["--format", "csv"]].concat());
+        assert_eq!(stdout(&csv).lines().count(), records.len() + 1, "{words:?}");
+    }
+}
