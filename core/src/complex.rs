@@ -35,7 +35,7 @@ impl<R: Ring> Complex<R> {
     /// |z|².
     #[must_use]
     pub fn norm_squared(self) -> R {
-        self.re * self.re + self.im * self.im
+        self.re.squared() + self.im.squared()
     }
 
     /// i z.
@@ -47,7 +47,7 @@ impl<R: Ring> Complex<R> {
     /// x z, for real x.
     #[must_use]
     pub fn scaled(self, x: R) -> Self {
-        Self { re: self.re * x, im: self.im * x }
+        Self { re: self.re.product(x), im: self.im.product(x) }
     }
 }
 
@@ -89,7 +89,10 @@ impl<R: Ring> Mul for Complex<R> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        Self { re: self.re * other.re - self.im * other.im, im: self.re * other.im + self.im * other.re }
+        Self {
+            re: self.re.product(other.re) - self.im.product(other.im),
+            im: self.re.product(other.im) + self.im.product(other.re),
+        }
     }
 }
 

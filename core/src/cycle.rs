@@ -1,54 +1,57 @@
 //! A share of a turn as an integer of 96 bits: what an ephemeris counts in.
 
+use crate::real::{long_product, wrapping_product};
 use crate::turns::Turns;
 
-/// A fraction of a turn, the whole turns dropped: `upper`·2^-32 + `lower`·2^-96.
+/// A fraction of a turn in 96 bits, the whole turns dropped.
 ///
 /// Resolution 2^-96 turns: after 2^40 ticks an increment this fine is 4e-17 rad off (64 bits would be 1.9e-7). Three words on
 /// a 32-bit chip: a sum is one addition and two with carry, a multiple five multiplications.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cycle {
-    upper: u32,
-    lower: u64,
+    /// Least significant first; words and not wider numbers, so that nine of them lie without gaps.
+    words: [u32; 3],
 }
 
 impl Cycle {
     /// No turn.
-    pub const ZERO: Self = Self::new(0, 0);
+    pub const ZERO: Self = Self::new([0; 3]);
 
     /// Half a turn, which counts as -1/2.
-    pub const HALF: Self = Self::new(1 << 31, 0);
+    pub const HALF: Self = Self::new([0, 0, 1 << 31]);
     /// The last phase before half a turn.
-    pub const ALMOST_HALF: Self = Self::new((1 << 31) - 1, u64::MAX);
+    pub const ALMOST_HALF: Self = Self::new([u32::MAX, u32::MAX, (1 << 31) - 1]);
 
-    /// From its words.
+    /// From its words, the least significant first.
     #[must_use]
-    pub const fn new(upper: u32, lower: u64) -> Self {
-        Self { upper, lower }
+    pub const fn new(words: [u32; 3]) -> Self {
+        Self { words }
     }
 
-    /// Its words.
+    /// Its words, the least significant first.
     #[must_use]
-    pub const fn words(self) -> (u32, u64) {
-        (self.upper, self.lower)
+    pub const fn words(self) -> [u32; 3] {
+        self.words
     }
 
     /// The fraction of a phase, exactly.
     #[must_use]
     pub const fn of(phase: Turns) -> Self {
         let bits = phase.to_bits();
-        Self { upper: (bits >> 64) as u32, lower: bits as u64 }
+        Self::new([bits as u32, (bits >> 32) as u32, (bits >> 64) as u32])
     }
 
     /// The phase in [0, 1) turn, exactly.
     #[must_use]
     pub const fn to_turns(self) -> Turns {
-        Turns::from_bits(((self.upper as i128) << 64) | self.lower as i128)
+        let [.., upper] = self.words;
+        Turns::from_bits(((upper as i128) << 64) | self.lower() as i128)
     }
 
     /// The phase in [-1/2, 1/2) turn, exactly.
     pub(crate) const fn to_signed_turns(self) -> Turns {
-        Turns::from_bits(((self.upper as i32 as i128) << 64) | self.lower as i128)
+        let [.., upper] = self.words;
+        Turns::from_bits(((upper as i32 as i128) << 64) | self.lower() as i128)
     }
 
     /// The fraction of a phase that does not wrap: what is beyond half a turn stays there.
@@ -62,39 +65,50 @@ impl Cycle {
         }
     }
 
+    /// The two lower words.
+    #[inline(always)]
+    const fn lower(self) -> u64 {
+        let [low, middle, _] = self.words;
+        ((middle as u64) << 32) | low as u64
+    }
+
     /// The sum, whole turns dropped.
     #[inline(always)]
     #[must_use]
     pub const fn plus(self, other: Self) -> Self {
-        let (lower, carry) = self.lower.overflowing_add(other.lower);
-        let upper = self.upper.wrapping_add(other.upper).wrapping_add(carry as u32);
-        Self { upper, lower }
+        let ([.., upper], [.., other_upper]) = (self.words, other.words);
+        let (lower, carry) = self.lower().overflowing_add(other.lower());
+        let upper = upper.wrapping_add(other_upper).wrapping_add(carry as u32);
+        Self::new([lower as u32, (lower >> 32) as u32, upper])
     }
 
     /// n times, whole turns dropped.
     #[inline(always)]
     #[must_use]
-    pub const fn times(self, n: i64) -> Self {
-        // modulo 2^96 a negative n counts as 2^96 + n: its third word is all ones, which subtracts the lowest word
-        let n_bits = n as u64;
-        let (a0, a1, a2) = (self.lower as u32, (self.lower >> 32) as u32, self.upper);
-        let (n0, n1) = (n_bits as u32, (n_bits >> 32) as u32);
-        let low = a0 as u64 * n0 as u64;
-        let middle = (low >> 32) + ((a0 as u64 * n1 as u64) & 0xffff_ffff);
-        let other = a1 as u64 * n0 as u64;
-        let middle = middle + (other & 0xffff_ffff);
-        let high = ((a0 as u64 * n1 as u64) >> 32) as u32;
-        let high = high.wrapping_add((other >> 32) as u32).wrapping_add((middle >> 32) as u32);
-        let high = high.wrapping_add(a1.wrapping_mul(n1)).wrapping_add(a2.wrapping_mul(n0));
-        let high = if n < 0 { high.wrapping_sub(a0) } else { high };
-        Self { upper: high, lower: (middle << 32) | (low & 0xffff_ffff) }
+    pub const fn times(self, n: u64) -> Self {
+        let [low, ..] = self.words;
+        let (n_low, n_high) = (n as u32, (n >> 32) as u32);
+        let lowest = long_product(low, n_low);
+        let leading = wrapping_product(self.leading(), n)
+            .wrapping_add(long_product(low, n_high))
+            .wrapping_add(lowest >> 32);
+        Self::new([lowest as u32, leading as u32, (leading >> 32) as u32])
+    }
+
+    /// The sum with a phase of 64 bits, whole turns dropped: the lowest word has no carry.
+    #[inline(always)]
+    #[must_use]
+    pub const fn plus_leading(self, other: u64) -> Self {
+        let ([low, ..], sum) = (self.words, self.leading().wrapping_add(other));
+        Self::new([low, sum as u32, (sum >> 32) as u32])
     }
 
     /// The 64 leading bits.
     #[inline(always)]
     #[must_use]
     pub const fn leading(self) -> u64 {
-        ((self.upper as u64) << 32) | (self.lower >> 32)
+        let [_, middle, upper] = self.words;
+        ((upper as u64) << 32) | middle as u64
     }
 }
 
@@ -104,18 +118,17 @@ mod tests {
 
     #[test]
     fn multiples_are_repeated_sums_and_wrap() {
-        let step = Cycle::new(0xdead_beef, 0x0123_4567_89ab_cdef);
-        let mut sum = Cycle::ZERO;
+        let step = Cycle::new([0x89ab_cdef, 0x0123_4567, 0xdead_beef]);
+        let start = 0x8000_0001_ffff_0000;
+        let mut sum = Cycle::ZERO.plus_leading(start);
         for n in 0..1000 {
-            assert_eq!(step.times(n), sum);
-            assert_eq!(step.times(-n).plus(sum), Cycle::ZERO);
+            assert_eq!(step.times(n).plus_leading(start), sum);
             sum = sum.plus(step);
         }
-        for n in [i64::MAX, i64::MIN, -1, 1 << 40, 0x7fff_ffff_0000_0001] {
+        for n in [u64::MAX, 1 << 63, 1 << 40, 0x7fff_ffff_0000_0001] {
             // against 128-bit arithmetic
-            let bits = (i128::from(step.upper) << 64) | i128::from(step.lower);
-            let product = bits.wrapping_mul(i128::from(n));
-            assert_eq!(step.times(n), Cycle::new((product >> 64) as u32, product as u64), "{n}");
+            let product = step.to_turns().to_bits().wrapping_mul(i128::from(n));
+            assert_eq!(step.times(n), Cycle::of(Turns::from_bits(product)), "{n}");
         }
     }
 

@@ -23,4 +23,4 @@ pub(crate) use rates::Rates;
 pub use regime::{Pace, Regime, TipClass};
 pub use start::Start;
 pub use state::{Release, State};
-pub(crate) use tabulate::{Tabulated, tabulate};
+pub(crate) use tabulate::{Polynomials, Tabulated, tabulate};

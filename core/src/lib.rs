@@ -36,8 +36,8 @@ pub use launch::{
 };
 pub use su2::Phi;
 pub use tick::{
-    Cursor, Ephemeris, EphemerisF32, EphemerisF64, ErrorBound, Moment, NoFit, Pose, Stepper, Tick, Tip,
-    TipAngle, TurningPoint,
+    Cursor, Ephemeris, EphemerisF32, EphemerisF64, ErrorBound, Moment, NoFit, Place, Pose, Stepper, Tabular,
+    Tick, Tip, TipAngle, TurningPoint,
 };
 pub use top::{Heaviness, Support, Top};
 pub use turns::{Rate, Turns};

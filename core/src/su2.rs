@@ -92,8 +92,9 @@ impl<R: Ring> Phi<R> {
     /// r = Φ e₃ Φ⁻¹, the symmetry axis from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = |α|² - |β|².
     #[must_use]
     pub fn axis(&self) -> Vector<R> {
-        let product = (self.alpha * self.beta).scaled(-(R::ONE + R::ONE));
-        [product.re, product.im, self.u()]
+        // |αβ| <= 1/2, so that this stays within a fixed-point range of ±2
+        let product = self.alpha * self.beta;
+        [-product.re.doubled(), -product.im.doubled(), self.u()]
     }
 
     /// u = |α|² - |β|², the cosine of the tilt.

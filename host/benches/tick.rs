@@ -3,7 +3,7 @@
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 use toytop::real::Real;
-use toytop::{Ephemeris, Motion, Phi, Stepper, Tick};
+use toytop::{Ephemeris, Motion, Phi, Stepper, Tabular, Tick};
 use toytop_host::race::NUMBERS;
 
 /// Of a batch: enough to time, few enough to stay in the cache.
@@ -11,7 +11,7 @@ const TICKS: usize = 4096;
 /// The first of them.
 const FIRST: i64 = 1 << 40;
 
-fn ephemeris<R: Real, const SEGMENTS: usize, const TERMS: usize>(
+fn ephemeris<R: Real + Tabular<Wide = R>, const SEGMENTS: usize, const TERMS: usize>(
     c: &mut Criterion,
     name: &str,
     motion: &Motion,

@@ -3,7 +3,9 @@
 use crate::Failure;
 use crate::propagate::period;
 use toytop::real::Real;
-use toytop::{Complex, Ephemeris, ErrorBound, LaunchError, Motion, NoFit, Pose, Stepper, Tick, Turns};
+use toytop::{
+    Complex, Ephemeris, ErrorBound, LaunchError, Motion, NoFit, Pose, Stepper, Tabular, Tick, Turns,
+};
 
 /// An ephemeris of any size.
 pub trait AnySize<R>: Send + Sync {
@@ -28,8 +30,11 @@ pub struct Instant<R> {
     pub nutation_phase: Turns,
 }
 
-impl<R: Real + Send + Sync, const SEGMENTS: usize, const TERMS: usize> AnySize<R>
-    for Ephemeris<R, SEGMENTS, TERMS>
+impl<
+    R: Real + Tabular<Wide = R, Coefficient: Send + Sync> + Send + Sync,
+    const SEGMENTS: usize,
+    const TERMS: usize,
+> AnySize<R> for Ephemeris<R, SEGMENTS, TERMS>
 {
     fn size(&self) -> [usize; 2] {
         [SEGMENTS, TERMS]
@@ -61,7 +66,7 @@ pub struct Size<R> {
 /// Four times the segments from size to size, and as many terms as still save segments. Measured on 3000 random motions
 /// with differences of the branch points down to 1e-9 and A/(ps) in \[1e-2, 1e3\]: in `f64` half of them need no more than
 /// the first size, nine in ten no more than the third, one in 3000 more than the last; in `f32` none needs more than it.
-pub trait Sizes: Real + Send + Sync + 'static {
+pub trait Sizes: Real + Tabular<Wide = Self, Coefficient: Send + Sync> + Send + Sync + 'static {
     /// All but the largest, the smallest first.
     const SMALLER: &'static [Size<Self>];
     /// The largest.

@@ -12,7 +12,7 @@ use crate::truth::{self, distance, phi};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 use toytop::real::{DoubleDouble, Float, Real};
-use toytop::{Complex, Ephemeris, Phi, Sign, Signs, Start, Stepper, Tick};
+use toytop::{Complex, Ephemeris, Phi, Sign, Signs, Start, Stepper, Tabular, Tick};
 
 /// The paper's cusp (figure 3, e₃ = 1.85) with C = 0.6 A; s = A = p = g = 1.
 pub const NUMBERS: Numbers = Numbers {
@@ -167,7 +167,7 @@ impl Race {
         Ok((found.iter().zip(truth).map(|(found, truth)| distance(found, truth)).collect(), time))
     }
 
-    fn look_up<R: Real, const SEGMENTS: usize, const TERMS: usize>(
+    fn look_up<R: Real + Tabular<Wide = R>, const SEGMENTS: usize, const TERMS: usize>(
         &self,
         moments: &[u64],
     ) -> Result<(Vec<Phi<f64>>, Duration), Failure> {

@@ -1,7 +1,9 @@
 //! The ephemeris: against truth to 10⁹ periods, and against itself.
 
 use toytop::real::Real;
-use toytop::{Complex, Ephemeris, EphemerisF32, EphemerisF64, Motion, NoFit, Phi, Regime, Stepper, Tick};
+use toytop::{
+    Complex, Ephemeris, EphemerisF32, EphemerisF64, Motion, NoFit, Phi, Regime, Stepper, Tabular, Tick,
+};
 use toytop_tests::vectors::{self, Vector};
 use toytop_tests::{orientation_error, tolerance, widened};
 
@@ -10,7 +12,7 @@ fn kilohertz() -> Tick {
 }
 
 /// Worst orientation errors of a vector's samples: over the first periods, and near 10³, 10⁶ and 10⁹ periods.
-fn errors<R: Real, const S: usize, const N: usize>(vector: &Vector) -> Result<[f64; 4], NoFit> {
+fn errors<R: Real + Tabular, const S: usize, const N: usize>(vector: &Vector) -> Result<[f64; 4], NoFit> {
     let ephemeris = Ephemeris::<R, S, N>::new(&vector.motion().unwrap(), kilohertz())?;
     let widen = |z: Complex<R>| Complex::new(z.re.to_f64(), z.im.to_f64());
     let bound = ephemeris.error_bound();

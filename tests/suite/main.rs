@@ -2,6 +2,7 @@
 
 mod conditioning;
 mod ephemeris;
+mod fixed_point;
 mod group;
 mod interop;
 mod invariants;

@@ -12,8 +12,8 @@ pub fn orientation_error(phi: Phi<f64>, truth: Phi<f64>) -> f64 {
 }
 
 /// Φ of any scalar as `f64`.
-pub fn widened(phi: Phi<f32>) -> Phi<f64> {
-    let widen = |z: Complex<f32>| Complex::new(z.re.into(), z.im.into());
+pub fn widened<R: Into<f64>>(phi: Phi<R>) -> Phi<f64> {
+    let widen = |z: Complex<R>| Complex::new(z.re.into(), z.im.into());
     Phi { alpha: widen(phi.alpha), beta: widen(phi.beta) }
 }
 

@@ -53,7 +53,11 @@ pub const TIP_ANGLE_F64: Budget = Budget::of(3e-13);
 /// The ephemeris in f64 at any time, inputs exact in f64 (the start's own rounding is in it).
 pub const EPHEMERIS_F64: Budget = Budget::of(1e-14);
 /// The same in f32.
-pub const EPHEMERIS_F32: Budget = Budget::of(4e-7);
+pub const EPHEMERIS_F32: Budget = Budget::of(2.5e-7);
+/// The ephemeris in fixed point of 32 bits, at any time.
+pub const EPHEMERIS_Q31: Budget = Budget::of(1e-8);
+/// The same of 16 bits.
+pub const EPHEMERIS_Q15: Budget = Budget::of(3e-4);
 /// | |α|² + |β|² - 1 | after 10⁶ steps.
 pub const NORM_F64: Budget = Budget::of(2e-15);
 /// The same in f32.

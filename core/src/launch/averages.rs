@@ -53,6 +53,8 @@ pub(super) struct Quadrature<F> {
 const LANDEN_STEPS: usize = 12;
 /// Nodes a half period at most: more are needed only where A/(ps) is tiny.
 const MOST_NODES: u32 = 1 << 16;
+/// A doubling of the nodes that changes less, relatively, is the last. A thousand million periods away counts what it leaves.
+const SETTLED: f64 = 1e-15;
 
 impl<F: Float> Quadrature<F> {
     /// Over one period of `law`. Relative error: some 1e-30 in double-double, some 1e-15 in `f64`, unless
@@ -64,20 +66,23 @@ impl<F: Float> Quadrature<F> {
             Sums::at(law, &landen, F::ZERO, F::ONE).plus(&Sums::at(law, &landen, F::ONE, F::ZERO)).halved();
         let mut nodes = 1_u32;
         let (mut step_sine, mut step_cosine) = (F::ONE, F::ZERO); // of π/2 over the number of nodes
-        let change = loop {
+        let mut before = f64::INFINITY;
+        let relative_error = loop {
             (step_sine, step_cosine) = half_angle(step_sine, step_cosine);
             let odd = Sums::at_odd_nodes(law, &landen, nodes, step_sine, step_cosine);
             // trapezoid sums with `nodes` and twice as many
-            let change = odd.plus(&sums.negated());
+            let difference = odd.plus(&sums.negated());
             sums = sums.plus(&odd);
             nodes *= 2;
-            let settled = change.relative_to(&sums) <= F::from_f64(1e-12);
-            if nodes >= MOST_NODES || (nodes >= 8 && settled) {
-                break change.relative_to(&sums).to_f64();
+            let change = difference.relative_to(&sums).to_f64();
+            if nodes >= MOST_NODES {
+                break change;
             }
+            if nodes >= 8 && change <= SETTLED {
+                break left_by(change, before);
+            }
+            before = change;
         };
-        // Geometric convergence: the error of the last sum is the square of the change, up to a constant.
-        let relative_error = if nodes < MOST_NODES { 1e3 * change * change } else { change };
         // Both halves of the period alike: 2 K over the number of nodes, twice over half of them.
         let weight = landen.quarter_period().doubled() / F::from_f64(f64::from(nodes));
         Self {
@@ -87,6 +92,15 @@ impl<F: Float> Quadrature<F> {
             relative_error,
         }
     }
+}
+
+/// The error of a trapezoid sum, from what the last two doublings of its nodes changed. Convergence is geometric: each error
+/// is the square of the one before over a constant C, or the one before times the square of the last ratio; C may be small,
+/// and the ratio not yet settled, so that the sum of both is what holds (random motions: `toytop study`).
+fn left_by(change: f64, before: f64) -> f64 {
+    // both may be 0: in a slow and small nutation nothing is left to change
+    let ratio = change / before.max(change).max(f64::MIN_POSITIVE);
+    change * (3.0 * change + 30.0 * ratio * ratio)
 }
 
 /// sin and cos of half an angle in the first quadrant.
@@ -208,5 +222,19 @@ pub(super) fn averages(
         period: quadrature.period,
         alpha_turns: in_turns(quadrature.psi_alpha + drift) + alpha_winding,
         beta_turns: in_turns(quadrature.psi_beta - drift) + beta_winding,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::left_by;
+
+    #[test]
+    fn what_is_left_is_a_number_also_where_nothing_changed() {
+        assert_eq!(left_by(0.0, 0.0), 0.0);
+        assert!(left_by(1e-32, 0.0) < 1e-30);
+        // one part in 1e8 from doubling to doubling: as much squared again
+        let left = left_by(1e-16, 1e-8);
+        assert!(left > 1e-32 && left < 1e-30, "{left:e}");
     }
 }

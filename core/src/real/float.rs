@@ -44,22 +44,11 @@ float_scalar!(f64, libm::sqrt, libm::atan2, libm::exp);
 impl Scalar for f32 {
     const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
 
-    #[inline(always)]
+    #[inline]
     fn sine_cosine(phase: Turns) -> (Self, Self) {
-        let [pair] = sine::sine_cosine_f32([phase.fraction()]);
-        pair
-    }
-
-    #[inline(always)]
-    fn sine_cosine_pair(phases: [u64; 2]) -> [(Self, Self); 2] {
-        sine::sine_cosine_f32(phases)
-    }
-
-    /// The upper word has all the bits that `f32` can hold.
-    #[inline(always)]
-    fn from_fraction(fraction: i64) -> Self {
-        const SCALE: f32 = 1.0 / (1_u64 << 31) as f32;
-        ((fraction >> 32) as i32) as f32 * SCALE
+        const UNIT: f32 = 1.0 / (1_u64 << 31) as f32;
+        let (sine, cosine) = sine::sine_cosine_q31((phase.fraction() >> 32) as u32);
+        (sine as f32 * UNIT, cosine as f32 * UNIT)
     }
 }
 
@@ -69,14 +58,5 @@ impl Scalar for f64 {
     fn sine_cosine(phase: Turns) -> (Self, Self) {
         let (quadrant, rest) = phase.quadrant();
         sine::quarter_turns(quadrant, rest.to_f64())
-    }
-
-    fn sine_cosine_pair(phases: [u64; 2]) -> [(Self, Self); 2] {
-        phases.map(sine::sine_cosine_f64)
-    }
-
-    fn from_fraction(fraction: i64) -> Self {
-        const SCALE: f64 = 1.0 / (1_u64 << 63) as f64;
-        fraction as f64 * SCALE
     }
 }

@@ -6,17 +6,18 @@
 
 use super::moment::Moment;
 use super::table::{ErrorBound, NoFit, Table, Tick};
+use super::tabular::Tabular;
 use crate::cycle::Cycle;
 use crate::launch::{Motion, Rates, Tabulated, tabulate};
-use crate::real::{DoubleDouble, Float, Real, Ring, Scalar};
+use crate::real::{DoubleDouble, Float, Ring};
 use crate::su2::Phi;
 use crate::turns::Turns;
 
 /// One motion, ready for any tick: a table and a clock. Immutable once set up, so any number of readers may share it
 /// (`&Ephemeris` is all that a [`Cursor`] holds) without locks.
 ///
-/// `SEGMENTS`, a power of two, polynomials of `TERMS` coefficients cover half a nutation period; size
-/// 4 · SEGMENTS · TERMS scalars and some 200 bytes. [`EphemerisF32`] and [`EphemerisF64`] are sizes for most motions.
+/// `SEGMENTS` polynomials of `TERMS` coefficients cover half a nutation period; size
+/// 4 · SEGMENTS · TERMS scalars (in `f32` as many integers of 32 bits) and some 200 bytes. [`EphemerisF32`] and [`EphemerisF64`] are sizes for most motions.
 ///
 /// ```
 /// use toytop::{EphemerisF32, Heaviness, Motion, Release, State, Tick, Top};
@@ -31,22 +32,24 @@ use crate::turns::Turns;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ephemeris<R, const SEGMENTS: usize, const TERMS: usize> {
-    pub(super) table: Table<R, SEGMENTS, TERMS>,
-    pub(super) clock: Clock<R>,
+pub struct Ephemeris<R: Tabular, const SEGMENTS: usize, const TERMS: usize> {
+    pub(super) table: Table<R::Coefficient, SEGMENTS, TERMS>,
+    pub(super) clock: Clock<R::Wide>,
     bound: ErrorBound,
 }
 
-/// Good for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.25, at the rounding of `f32`: 2 KiB.
+/// Good for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.5, at the rounding of `f32`: 2 KiB. Down to
+/// A/(ps) = 0.25 `Ephemeris<f32, 32, 7>` is (3.5 KiB): a motion through the vertical is there too fast for 16 segments.
 pub type EphemerisF32 = Ephemeris<f32, 16, 8>;
 
 /// Good for the same motions at the rounding of `f64`: 48 KiB. Where A/(ps) >= 1, `Ephemeris<f64, 64, 11>` (22 KiB) mostly is.
 pub type EphemerisF64 = Ephemeris<f64, 128, 12>;
 
-/// The phases at tick 0, what a tick adds to them, and the scales of what is derived.
+/// The phases, what a tick adds to them, and the scales of what is derived.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Clock<R> {
-    start: [Cycle; 3],
+pub(super) struct Clock<W> {
+    /// At the very first tick, `i64::MIN`, from where ticks count up without a sign: in units of 2^-64 turns.
+    first: [u64; 3],
     step: [Cycle; 3],
     /// The same in turns, whole ones included, for a part of a tick.
     exact_step: [DoubleDouble; 3],
@@ -55,12 +58,12 @@ pub(super) struct Clock<R> {
     /// The first and the last tick at which an aperiodic motion still moves; `None` for one that returns.
     horizon: Option<[i64; 2]>,
     /// 2 s.
-    pub(super) tip_scale: R,
+    pub(super) tip_scale: W,
     /// dx/dt on a segment, and the mean rates of A and B in rad, per unit time.
-    pub(super) rates: [R; 3],
+    pub(super) rates: [W; 3],
 }
 
-impl<R: Real, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS, TERMS> {
+impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS, TERMS> {
     /// Sets up the table and the clock of a motion. Cost: `SEGMENTS` series of 16 terms, and a quadrature in double-double.
     ///
     /// # Errors
@@ -82,15 +85,15 @@ impl<R: Real, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS, 
 
     /// A table of nothing, for a `static` that [`Ephemeris::set_up`] fills in place.
     pub const EMPTY: Self = Self {
-        table: Table::EMPTY,
+        table: Table::of(R::NOTHING),
         clock: Clock {
-            start: [Cycle::ZERO; 3],
+            first: [0; 3],
             step: [Cycle::ZERO; 3],
             exact_step: [DoubleDouble::ZERO; 3],
             ticks_per_time: DoubleDouble::ZERO,
             horizon: None,
-            tip_scale: R::ZERO,
-            rates: [R::ZERO; 3],
+            tip_scale: R::Wide::ZERO,
+            rates: [R::Wide::ZERO; 3],
         },
         bound: ErrorBound { constant: 0.0, per_tick: 0.0 },
     };
@@ -102,9 +105,9 @@ impl<R: Real, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS, 
     pub fn set_up(&mut self, motion: &Motion, tick: Tick, truncation: f64) -> Result<(), NoFit> {
         let rates = Rates::of(motion, R::ROUNDING);
         let tabulated = tabulate(motion, &rates, SEGMENTS, TERMS, |segment, polynomials| {
-            self.table.put(segment, polynomials);
+            self.table.put::<R>(segment, polynomials)
         });
-        NoFit::check(motion, &rates, &tabulated, [SEGMENTS, TERMS], truncation)?;
+        NoFit::check::<R>(motion, &rates, &tabulated, [SEGMENTS, TERMS], truncation)?;
         self.clock = Clock::new(motion, tick, &rates, &tabulated, SEGMENTS);
         self.bound =
             ErrorBound::of::<R>(&rates, &tabulated, self.clock.exact_step.map(Float::to_f64), SEGMENTS);
@@ -127,9 +130,7 @@ impl<R: Real, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS, 
         let (whole, share) = ticks.floor_and_rest();
         self.moment(self.clock.between(whole, share))
     }
-}
 
-impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS, TERMS> {
     /// The moment of tick n, past or future.
     #[inline(always)]
     #[must_use]
@@ -145,8 +146,8 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS
     /// A way through consecutive ticks, by additions only.
     #[must_use]
     pub fn cursor(&self, first: i64) -> Cursor<'_, R, SEGMENTS, TERMS> {
-        let counted = self.clock.horizon.map(|_| first);
-        Cursor { ephemeris: self, phases: self.clock.at(first), counted }
+        let phases = self.clock.at(first);
+        Cursor { ephemeris: self, phases, counts: self.clock.horizon.is_some(), tick: first }
     }
 
     /// The next turning point of u after tick n - 1, so that its tick is n or later; `None` where u does not turn again, or
@@ -181,7 +182,7 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS
     }
 }
 
-impl<R: Real> Clock<R> {
+impl<W: Float> Clock<W> {
     fn new(motion: &Motion, tick: Tick, rates: &Rates, tabulated: &Tabulated, segments: usize) -> Self {
         let length = tick.length();
         let exact_step = rates.turns.map(|turns| turns * length);
@@ -189,14 +190,17 @@ impl<R: Real> Clock<R> {
         let turn = 2.0 * core::f64::consts::PI;
         // half a period is `segments` segments of length 2 in x
         let x_rate = 4.0 * segments as f64 * frequency;
+        let step = exact_step.map(Turns::of);
+        let [nutation, a, b] = tabulated.start;
+        let [nutation_step, a_step, b_step] = step.map(|step| step.times(i64::MIN));
         Self {
-            start: tabulated.start.map(Cycle::of),
-            step: exact_step.map(|turns| Cycle::of(Turns::of(turns))),
+            first: [nutation + nutation_step, a + a_step, b + b_step].map(Turns::fraction),
+            step: step.map(Cycle::of),
             exact_step,
             ticks_per_time: tick.rate(),
             horizon: (!rates.returns).then(|| horizon(tabulated.start[0], exact_step[0])),
-            tip_scale: R::from_f64(2.0 * motion.top().tip_scale()),
-            rates: [x_rate, turn * alpha, turn * beta].map(R::from_f64),
+            tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
+            rates: [x_rate, turn * alpha, turn * beta].map(W::from_f64),
         }
     }
 }
@@ -210,18 +214,19 @@ pub struct TurningPoint {
     pub upper: bool,
 }
 
-impl<R> Clock<R> {
+impl<W> Clock<W> {
     /// Nutation phase, A and B of tick n.
     #[inline(always)]
     fn at(&self, n: i64) -> [Cycle; 3] {
-        let [nutation, a, b] = self.start;
-        let [nutation_step, a_step, b_step] = self.step;
-        let nutation = match self.horizon {
-            Some([first, _]) if n < first => Cycle::HALF,
-            Some([_, last]) if n > last => Cycle::ALMOST_HALF,
-            _ => nutation.plus(nutation_step.times(n)),
+        let since_first = n.wrapping_sub(i64::MIN) as u64;
+        let after = |first: u64, step: Cycle| step.times(since_first).plus_leading(first);
+        let [nutation, a, b] = &self.first;
+        let [nutation_step, a_step, b_step] = &self.step;
+        let nutation = match self.horizon.and_then(|horizon| stopped(horizon, n)) {
+            None => after(*nutation, *nutation_step),
+            Some(stopped) => stopped,
         };
-        [nutation, a.plus(a_step.times(n)), b.plus(b_step.times(n))]
+        [nutation, after(*a, *a_step), after(*b, *b_step)]
     }
 
     /// The phases of tick n and a share of the next, in [0, 1).
@@ -233,6 +238,17 @@ impl<R> Clock<R> {
             Some(_) => Cycle::clamping(nutation.to_signed_turns() + nutation_part),
         };
         [nutation, a.plus(Cycle::of(a_part)), b.plus(Cycle::of(b_part))]
+    }
+}
+
+/// Where the nutation phase of an aperiodic motion stays, before and after its horizon.
+#[cold]
+#[inline(never)]
+fn stopped([first, last]: [i64; 2], n: i64) -> Option<Cycle> {
+    match n {
+        _ if n < first => Some(Cycle::HALF),
+        _ if n > last => Some(Cycle::ALMOST_HALF),
+        _ => None,
     }
 }
 
@@ -250,14 +266,16 @@ fn horizon(start: Turns, step: DoubleDouble) -> [i64; 2] {
 
 /// Goes through consecutive ticks: three additions each, then what is asked of the moment. What an interrupt holds.
 #[derive(Clone, Copy, Debug)]
-pub struct Cursor<'a, R, const SEGMENTS: usize, const TERMS: usize> {
+pub struct Cursor<'a, R: Tabular, const SEGMENTS: usize, const TERMS: usize> {
     ephemeris: &'a Ephemeris<R, SEGMENTS, TERMS>,
     phases: [Cycle; 3],
-    /// For a motion whose nutation phase does not wrap, so that sums will not do: the tick.
-    counted: Option<i64>,
+    /// Whether the nutation phase does not wrap, so that sums will not do.
+    counts: bool,
+    /// If so, the current tick.
+    tick: i64,
 }
 
-impl<'a, R: Scalar, const SEGMENTS: usize, const TERMS: usize> Cursor<'a, R, SEGMENTS, TERMS> {
+impl<'a, R: Tabular, const SEGMENTS: usize, const TERMS: usize> Cursor<'a, R, SEGMENTS, TERMS> {
     /// The moment of the current tick; the cursor moves on to the next. Never ends, never fails: not an iterator.
     #[inline(always)]
     #[allow(clippy::should_implement_trait)]
@@ -266,7 +284,7 @@ impl<'a, R: Scalar, const SEGMENTS: usize, const TERMS: usize> Cursor<'a, R, SEG
         for (phase, step) in self.phases.iter_mut().zip(self.ephemeris.clock.step) {
             *phase = phase.plus(step);
         }
-        if self.counted.is_some() {
+        if self.counts {
             self.count();
         }
         now
@@ -275,9 +293,7 @@ impl<'a, R: Scalar, const SEGMENTS: usize, const TERMS: usize> Cursor<'a, R, SEG
     #[cold]
     #[inline(never)]
     fn count(&mut self) {
-        if let Some(tick) = &mut self.counted {
-            *tick = tick.wrapping_add(1);
-            self.phases = self.ephemeris.clock.at(*tick);
-        }
+        self.tick = self.tick.wrapping_add(1);
+        self.phases = self.ephemeris.clock.at(self.tick);
     }
 }

@@ -1,67 +1,43 @@
 //! One moment of an ephemeris: three phases, and on demand what follows from them.
 
+use super::tabular::{Place, Tabular};
 use super::{Ephemeris, Pose};
 use crate::complex::Complex;
-use crate::cycle::Cycle;
-use crate::real::Scalar;
+use crate::real::{Float, Ring};
 use crate::su2::{Phi, PhiRate};
 use crate::turns::Turns;
 
 /// A moment. Nothing is computed before it is asked for.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment<'a, R, const SEGMENTS: usize, const TERMS: usize> {
+pub struct Moment<'a, R: Tabular, const SEGMENTS: usize, const TERMS: usize> {
     pub(super) ephemeris: &'a Ephemeris<R, SEGMENTS, TERMS>,
     /// The 64 leading bits of nutation phase, A and B.
     pub(super) phases: [u64; 3],
 }
 
-impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMENTS, TERMS> {
+impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMENTS, TERMS> {
     /// The nutation phase: one turn a period, 0 at u = e₁, half a turn at u = e₂ (where an aperiodic motion stops).
     #[must_use]
     pub fn nutation_phase(&self) -> Turns {
         let [nutation, ..] = self.phases;
-        Cycle::new((nutation >> 32) as u32, nutation << 32).to_turns()
+        turns(nutation)
     }
 
     /// The orientation Φ; γ, δ and u follow from it.
     #[inline(always)]
     #[must_use]
     pub fn phi(&self) -> Phi<R> {
-        let (share, mirrored) = self.share();
-        let [alpha, beta] = mirror(self.ephemeris.table.value(share), mirrored);
-        let [a, b] = rotations(self.phases);
-        Phi { alpha: alpha * a, beta: beta * b }
-    }
-
-    /// Φ and Φ', from which u' and ω follow.
-    #[must_use]
-    pub fn pose(&self) -> Pose<R> {
-        let (share, mirrored) = self.share();
-        let (value, slope) = self.ephemeris.table.value_and_slope(share);
-        let [x_rate, alpha_rate, beta_rate] = self.ephemeris.clock.rates;
-        // on the falling half x runs backwards
-        let x_rate = if mirrored { -x_rate } else { x_rate };
-        let [a, b] = rotations(self.phases);
-        let [alpha, beta] = mirror(value, mirrored);
-        let [alpha_slope, beta_slope] = mirror(slope, mirrored);
-        let rate = |value: Complex<R>, slope: Complex<R>, turning: R| {
-            slope.scaled(x_rate) + value.times_i().scaled(turning)
-        };
-        Pose {
-            phi: Phi { alpha: alpha * a, beta: beta * b },
-            rate: PhiRate {
-                alpha: rate(alpha, alpha_slope, alpha_rate) * a,
-                beta: rate(beta, beta_slope, beta_rate) * b,
-            },
-        }
+        let (terms, place) = self.place();
+        let [alpha, beta] = R::alpha_beta(terms, place);
+        Phi { alpha, beta }
     }
 
     /// The tip, c = 2 s αβ in m (2 αβ for a fixed tip).
     #[inline(always)]
     #[must_use]
     pub fn tip(&self) -> Complex<R> {
-        let phi = self.phi();
-        (phi.alpha * phi.beta).scaled(self.ephemeris.clock.tip_scale)
+        let (_, tip) = self.phi_and_tip();
+        tip
     }
 
     /// Φ and the tip in one evaluation.
@@ -69,29 +45,78 @@ impl<R: Scalar, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMENT
     #[must_use]
     pub fn phi_and_tip(&self) -> (Phi<R>, Complex<R>) {
         let phi = self.phi();
-        (phi, (phi.alpha * phi.beta).scaled(self.ephemeris.clock.tip_scale))
+        (phi, R::tip(phi.alpha * phi.beta, self.ephemeris.clock.tip_scale))
     }
 
-    /// The share of the half period as 64 bits, and whether it is the falling half.
+    /// The coefficients that count, and where among them.
     #[inline(always)]
-    fn share(&self) -> (u64, bool) {
-        let [bits, ..] = self.phases;
-        let mirrored = (bits as i64) < 0;
-        ((if mirrored { !bits } else { bits }) << 1, mirrored)
+    fn place(&self) -> (&[[R::Coefficient; 4]], Place) {
+        let [nutation, a, b] = self.phases;
+        let mirrored = (nutation as i64) < 0;
+        let share = (nutation ^ ((nutation as i64) >> 63) as u64) << 1;
+        let (terms, x) = self.ephemeris.table.find(share);
+        (terms, Place { x, mirrored, slow: [a, b] })
+    }
+
+    /// The tip in units of length whatever the scalar: in `f32` where that is fixed point.
+    #[must_use]
+    pub fn wide_tip(&self) -> Complex<R::Wide> {
+        let Phi { alpha, beta } = self.wide_phi();
+        (alpha * beta).scaled(self.ephemeris.clock.tip_scale)
+    }
+
+    /// Φ, in `f32` where the scalar is fixed point.
+    #[must_use]
+    pub fn wide_phi(&self) -> Phi<R::Wide> {
+        let wide = |number: Complex<R>| Complex::new(number.re.widened(), number.im.widened());
+        let phi = self.phi();
+        Phi { alpha: wide(phi.alpha), beta: wide(phi.beta) }
+    }
+
+    /// Φ and Φ', from which u' and ω follow; in `f32` where the scalar is fixed point. Some three times the work of Φ alone.
+    #[must_use]
+    pub fn pose(&self) -> Pose<R::Wide> {
+        let (terms, place) = self.place();
+        let [x_rate, alpha_rate, beta_rate] = self.ephemeris.clock.rates;
+        // on the falling half x runs backwards
+        let x_rate = if place.mirrored { -x_rate } else { x_rate };
+        let x = R::Wide::from_f64(place.x as f64 / (1_u64 << 63) as f64);
+        let (value, slope) = value_and_slope::<R>(terms, x);
+        let [alpha, beta] = conjugate_if(place.mirrored, value);
+        let [alpha_slope, beta_slope] = conjugate_if(place.mirrored, slope);
+        let rate = |value: Complex<R::Wide>, slope: Complex<R::Wide>, turning: R::Wide| {
+            slope.scaled(x_rate) + value.times_i().scaled(turning)
+        };
+        let [a, b] = place.slow.map(|phase| Complex::cis(turns(phase)));
+        Pose {
+            phi: self.wide_phi(),
+            rate: PhiRate {
+                alpha: rate(alpha, alpha_slope, alpha_rate) * a,
+                beta: rate(beta, beta_slope, beta_rate) * b,
+            },
+        }
     }
 }
 
-/// Re α, Im α, Re β, Im β as complex numbers, conjugate on the falling half.
-#[inline(always)]
-fn mirror<R: Scalar>(four: [R; 4], mirrored: bool) -> [Complex<R>; 2] {
-    let [re_alpha, im_alpha, re_beta, im_beta] = four;
+/// The four polynomials at x, and their derivatives.
+fn value_and_slope<R: Tabular>(terms: &[[R::Coefficient; 4]], x: R::Wide) -> ([R::Wide; 4], [R::Wide; 4]) {
+    let (mut four, mut slope) = ([R::Wide::ZERO; 4], [R::Wide::ZERO; 4]);
+    for (power, coefficients) in terms.iter().enumerate().rev() {
+        for ((sum, slope), &c) in four.iter_mut().zip(&mut slope).zip(coefficients) {
+            *slope = *slope * x + *sum;
+            *sum = *sum * x + R::number(c, power);
+        }
+    }
+    (four, slope)
+}
+
+/// Re α, Im α, Re β, Im β as complex numbers.
+fn conjugate_if<R: Ring>(mirrored: bool, [re_alpha, im_alpha, re_beta, im_beta]: [R; 4]) -> [Complex<R>; 2] {
     let sign = |y: R| if mirrored { -y } else { y };
     [Complex::new(re_alpha, sign(im_alpha)), Complex::new(re_beta, sign(im_beta))]
 }
 
-/// e^{iA} and e^{iB}.
-#[inline(always)]
-fn rotations<R: Scalar>(phases: [u64; 3]) -> [Complex<R>; 2] {
-    let [_, a, b] = phases;
-    R::sine_cosine_pair([a, b]).map(|(im, re)| Complex::new(re, im))
+/// From the 64 leading bits of a share of a turn.
+fn turns(leading: u64) -> Turns {
+    Turns::from_bits(i128::from(leading) << 32)
 }

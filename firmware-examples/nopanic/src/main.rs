@@ -114,12 +114,12 @@ fn planted() -> u8 {
 }
 
 /// An ephemeris: set-up, every way to read it, and its turning points.
-fn table<R: Real, const S: usize, const T: usize>(motion: &Motion) {
+fn table<R: Real + toytop::Tabular, const S: usize, const T: usize>(motion: &Motion) {
     use toytop::{Ephemeris, Tick};
     let Ok(tick) = Tick::hertz(black_box(1000)) else { return };
     let Ok(e) = Ephemeris::<R, S, T>::within(motion, tick, unknown()) else { return };
     black_box(e.at_tick(black_box(7)).phi());
-    black_box(e.at(unknown()).phi());
+    black_box((e.at(unknown()).phi(), e.at(unknown()).pose(), e.at(unknown()).phi_and_tip()));
     let mut c = e.cursor(black_box(3));
     black_box(c.next().phi());
     black_box(e.next_turning_point(black_box(3)));

@@ -204,7 +204,15 @@ fn what_is_no_sweep_is_refused() {
         refused(&path, &[&["--motions", "30", "--resume"][..], &other].concat(), "another sweep");
     }
     refused(&path, &["--motions", "29", "--resume"], "another sweep");
-    std::fs::write(&path, text.replace("e-7\n", "e-8\n")).expect("writable");
+    std::fs::write(
+        &path,
+        text.replacen(
+            "
+29,0.1", "
+29,9.1", 1,
+        ),
+    )
+    .expect("writable");
     refused(&path, &["--motions", "30", "--resume"], "another sweep");
     std::fs::write(&path, "something else").expect("writable");
     refused(&path, &["--motions", "30", "--resume"], "another sweep");

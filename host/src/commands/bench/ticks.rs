@@ -6,7 +6,7 @@ use crate::Failure;
 use crate::progress::Progress;
 use std::hint::black_box;
 use toytop::real::Real;
-use toytop::{Ephemeris, EphemerisF32, EphemerisF64, Motion, NoFit, Phi, Stepper, Tick};
+use toytop::{Ephemeris, EphemerisF32, EphemerisF64, Motion, NoFit, Phi, Stepper, Tabular, Tick};
 
 /// What is timed here.
 pub(super) const TASKS: u64 = 8;
@@ -22,8 +22,8 @@ pub(super) fn run(motion: &Motion, progress: &mut Progress) -> Result<Vec<Line>,
     let single = EphemerisF32::new(motion, tick).map_err(no_fit)?;
     let double = EphemerisF64::new(motion, tick).map_err(no_fit)?;
     let mut lines = Vec::new();
-    lines.extend(ephemeris("f32, 16x7", &single, progress));
-    lines.extend(ephemeris("f64, 64x11", &double, progress));
+    lines.extend(ephemeris("f32", &single, progress));
+    lines.extend(ephemeris("f64", &double, progress));
     lines.push(stepper::<f32>("f32", motion, progress));
     lines.push(stepper::<f64>("f64", motion, progress));
     Ok(lines)
@@ -35,11 +35,12 @@ fn per_tick(what: String, progress: &mut Progress, task: impl FnMut()) -> Line {
     Line { what, seconds, error: None, rest: vec![format!("{:.1}", 1e-6 / seconds)] }
 }
 
-fn ephemeris<R: Real, const SEGMENTS: usize, const TERMS: usize>(
+fn ephemeris<R: Tabular, const SEGMENTS: usize, const TERMS: usize>(
     name: &str,
     ephemeris: &Ephemeris<R, SEGMENTS, TERMS>,
     progress: &mut Progress,
 ) -> [Line; 3] {
+    let name = format!("{name}, {SEGMENTS}x{TERMS}");
     let mut out = vec![Phi::<R>::IDENTITY; TICKS as usize];
     let batch = per_tick(format!("ephemeris {name}: in a batch"), progress, || {
         ephemeris.fill(black_box(FIRST), &mut out);

@@ -1,0 +1,51 @@
+//! Numbers of the crate `fixed` as scalars: [`I2F30`] and [`I2F14`], both of the range [-2, 2) (feature `fixed`).
+//!
+//! No root, no division, no set-up: they only tick. What of a tick they hold is at most 1 in size: α, β, u, the axis, and
+//! the tip in units of s.
+
+use super::{Ring, Scalar, high_product, sine_cosine_q31};
+use crate::turns::Turns;
+use fixed::types::{I2F14, I2F30};
+
+impl Ring for I2F30 {
+    const ZERO: Self = Self::ZERO;
+    const ONE: Self = Self::ONE;
+
+    /// Rounded down to 2^-28: the upper word of the product alone.
+    #[inline(always)]
+    fn product(self, other: Self) -> Self {
+        Self::from_bits(high_product(self.to_bits(), other.to_bits()) << 2)
+    }
+}
+
+impl Scalar for I2F30 {
+    const ROUNDING: f64 = 1.0 / (1_u64 << 31) as f64;
+
+    #[inline]
+    fn sine_cosine(phase: Turns) -> (Self, Self) {
+        let (sine, cosine) = sine_cosine_q31((phase.fraction() >> 32) as u32);
+        (Self::from_bits((sine >> 1) + (sine & 1)), Self::from_bits((cosine >> 1) + (cosine & 1)))
+    }
+}
+
+impl Ring for I2F14 {
+    const ZERO: Self = Self::ZERO;
+    const ONE: Self = Self::ONE;
+
+    /// Rounded down to 2^-14.
+    #[inline(always)]
+    fn product(self, other: Self) -> Self {
+        Self::from_bits(((self.to_bits() as i32 * other.to_bits() as i32) >> 14) as i16)
+    }
+}
+
+impl Scalar for I2F14 {
+    const ROUNDING: f64 = 1.0 / (1_u64 << 15) as f64;
+
+    #[inline]
+    fn sine_cosine(phase: Turns) -> (Self, Self) {
+        let (sine, cosine) = sine_cosine_q31((phase.fraction() >> 32) as u32);
+        let short = |x: i32| Self::from_bits((((x >> 16) + 1) >> 1) as i16);
+        (short(sine), short(cosine))
+    }
+}

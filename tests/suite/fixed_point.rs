@@ -1,0 +1,44 @@
+//! The ephemeris in fixed point: against truth, and within its range.
+
+use fixed::types::{I2F14, I2F30};
+use toytop::{Ephemeris, NoFit, Tabular, Tick};
+use toytop_tests::vectors::{self, Vector};
+use toytop_tests::{orientation_error, tolerance, widened};
+
+/// Worst orientation error over a vector's samples, near and far, and by how much of its bound.
+fn worst<R: Tabular + Into<f64>, const S: usize, const N: usize>(vector: &Vector) -> Result<f64, NoFit> {
+    let tick = Tick::hertz(1000).unwrap();
+    let ephemeris = Ephemeris::<R, S, N>::new(&vector.motion().unwrap(), tick)?;
+    let bound = ephemeris.error_bound();
+    let far = vector.huge_samples().into_iter().map(|(_, sample)| sample);
+    Ok(vector.samples().into_iter().chain(far).fold(0.0, |worst: f64, sample| {
+        let error = orientation_error(widened(ephemeris.at(sample.t).phi()), sample.phi);
+        let allowed = bound.constant + bound.per_tick * (sample.t * 1000.0).abs();
+        assert!(error <= allowed, "{}: {error:.1e} at {}, bound {allowed:.1e}", vector.name, sample.t);
+        worst.max(error)
+    }))
+}
+
+fn exact() -> impl Iterator<Item = Vector> {
+    vectors::all()
+        .into_iter()
+        .filter(|vector| vector.is_exact() && (vector.gap() == 0.0 || vector.gap() >= 1e-4))
+}
+
+#[test]
+fn truth_to_a_thousand_million_periods_in_32_bits() {
+    let error = exact().fold(0.0_f64, |error, vector| {
+        let larger = |_| worst::<I2F30, 256, 8>(&vector);
+        error.max(worst::<I2F30, 32, 8>(&vector).or_else(larger).unwrap())
+    });
+    tolerance::EPHEMERIS_Q31.check("any time", error);
+}
+
+#[test]
+fn truth_to_a_thousand_million_periods_in_16_bits() {
+    let error = exact().fold(0.0_f64, |error, vector| {
+        let larger = |_| worst::<I2F14, 128, 4>(&vector);
+        error.max(worst::<I2F14, 32, 4>(&vector).or_else(larger).unwrap())
+    });
+    tolerance::EPHEMERIS_Q15.check("any time", error);
+}
