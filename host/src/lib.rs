@@ -8,6 +8,7 @@
 //! | [`propagate`] | the core's stepper taken to given times |
 //! | [`ephemeris`] | the core's ephemeris, in the smallest table that fits |
 //! | [`tip_angle`] | the tip angle of an ephemeris, continued from t = 0 |
+//! | [`newton_euler`] | the full equations with the plane's force in them, instant by instant |
 //! | [`truth`] | the full solver taken to the same times |
 //! | [`baseline`] | the full equations in equal steps: what one would do without the core |
 //! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
@@ -28,6 +29,7 @@ pub mod ephemeris;
 mod failure;
 pub mod full_solver;
 pub mod invariants;
+pub mod newton_euler;
 pub mod output;
 pub mod plot;
 pub mod progress;
