@@ -29,6 +29,8 @@ pub enum Command {
     Bench,
     /// What each call costs on emulated microcontrollers, and whether that is within its budget (exit code 1 if not)
     Budget(BudgetArgs),
+    /// The slips of the printed paper: both versions against the full equations (exit code 1 if one does not tell)
+    Errata(ErrataArgs),
     /// Random motions of every regime: does the ephemeris keep its error bound? (exit code 1 if not)
     Study(StudyArgs),
 }
@@ -128,6 +130,14 @@ pub struct BudgetArgs {
     /// Rewrite both
     #[arg(long)]
     pub accept: bool,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// `toytop errata`
+#[derive(Args, Debug)]
+pub struct ErrataArgs {
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,

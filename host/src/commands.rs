@@ -4,6 +4,7 @@ mod bench;
 mod budget;
 mod compare;
 mod constants;
+mod errata;
 mod plot;
 mod state;
 mod study;
@@ -49,6 +50,7 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Plot(arguments) => plot::run(arguments),
         Command::Bench => bench::run(),
         Command::Budget(arguments) => budget::run(arguments),
+        Command::Errata(arguments) => errata::run(arguments),
         Command::Study(arguments) => study::run(arguments),
     }
 }

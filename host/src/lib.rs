@@ -15,6 +15,8 @@
 //! | [`budget`] | what a call costs on an emulated chip |
 //! | [`plot`] | the curve of the tip as a picture |
 //! | [`study`] | random motions, and the truth of them to thirty digits |
+//! | [`errata`] | the slips of the printed paper: both versions, evaluated against the full equations |
+//! | [`contour`] | residues on the paper's curves |
 //! | [`commands`] | one file a command |
 //! | [`output`], [`progress`] | table, CSV, JSON; the bar |
 //!
@@ -25,7 +27,9 @@ pub mod budget;
 pub mod builtin;
 pub mod cli;
 pub mod commands;
+pub mod contour;
 pub mod ephemeris;
+pub mod errata;
 mod failure;
 pub mod full_solver;
 pub mod invariants;

@@ -7,7 +7,7 @@ use crate::full::solver;
 use toytop::exact::hyperelliptic::{Curve, Form, Point, r_of_integrals};
 use toytop::exact::tip_curve::TipCurve;
 use toytop::{Complex, Heaviness, Motion, Phi, Regime, Sign, Signs, Start, Top};
-use toytop_tests::contour::around_ellipse;
+use toytop_host::contour::around_ellipse;
 use toytop_tests::tolerance;
 
 fn size(z: Complex<f64>) -> f64 {

@@ -2,6 +2,7 @@
 
 mod aperiodic;
 mod closed_forms;
+mod cayley_klein;
 mod conditioning;
 mod e3_equals_e4;
 mod elliptic;
@@ -17,6 +18,7 @@ mod lagrangian;
 mod moebius;
 mod order;
 mod precession;
+mod paper;
 mod properties;
 mod refusals;
 mod regimes;

@@ -1,6 +1,7 @@
 //! The command line as other programs see it: exit codes, stdout, stderr, JSON.
 
 mod budget;
+mod errata;
 mod measure;
 mod plot;
 mod refusals;

@@ -3,7 +3,7 @@
 use super::{curves, real, size, top};
 use toytop::Complex;
 use toytop::exact::hyperelliptic::{Curve, Form, Point};
-use toytop_tests::contour::{residue, residue_at_branch_point, residue_at_infinity};
+use toytop_host::contour::{residue, residue_at_branch_point, residue_at_infinity};
 use toytop_tests::tolerance;
 
 /// The finite branch points of these tests' curves: no other of them, and not ±1, is within 0.09.
