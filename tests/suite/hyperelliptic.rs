@@ -226,14 +226,12 @@ fn lagrange_top_as_limit() {
         });
         let (curve, limit) = (Curve::of(&slides), Curve::of(&held));
         assert_eq!((slides.regime(), limit.form()), (Regime::Nutating, Form::FixedTip));
-        // on the rising half of the motion, u = 0.2: u' from the reduced equation
-        let place = |curve: &Curve, motion: &Motion| {
-            let (top, u) = (motion.top(), 0.2);
-            let d = top.a() / top.p() + top.s() * (1.0 - u * u);
-            let udot = (2.0 * top.g() * (u + 0.3) * (0.6 - u) * (1.4 - u) / d).sqrt();
-            curve.on_motion(u, udot)
+        // over u = 0.2, on the sheet where time runs forward as u rises
+        let place = |curve: &Curve| {
+            let point = curve.point(real(0.2));
+            if curve.time(&point).re > 0.0 { point } else { point.other_sheet() }
         };
-        let (sliding, fixed) = (place(&curve, &slides), place(&limit, &held));
+        let (sliding, fixed) = (place(&curve), place(&limit));
         let mut parts = vec![size(curve.time(&sliding) - limit.time(&fixed))];
         let pairs = curve.logarithms(&sliding).into_iter().zip(limit.logarithms(&fixed));
         parts.extend(pairs.map(|(ours, theirs)| size(ours - theirs)));

@@ -101,3 +101,49 @@ fn eqn_t_at_infinity() {
     }
     tolerance::CONTOUR.check("t at infinity", worst);
 }
+
+/// eqn:diffquot, eqn:flunder and eqn:alphaasymp, and the last display of section 5.3: near the zero a of α, with
+/// x - a = ∫ du/w from (-1, w₋₁) and h = x - a,
+///
+/// (u + 1)/h = u' + O(h), 1/h = u'/(u + 1) + u''/(2u') + O(h), d log α/dx = 1/h + const + O(h),
+///
+/// where u' = w₋₁ and u'' = R'(-1)/2 by x; the constant is w₋₁/(2(e₃ - 1)) for e₃ = e₄, w₋₁/4 - w₋₁/(1 - e₄²) for
+/// e₂ = e₃ = 1. Each remainder halves with h.
+#[test]
+fn eqn_alphaasymp() {
+    let over = |a: Complex<f64>, b: Complex<f64>| (a * b.conj()).scaled(1.0 / b.norm_squared());
+    let e4 = top().e4().unwrap();
+    let mut seen = 0;
+    for (_, curve) in curves() {
+        let w = curve.w_minus_one();
+        let constant = match curve.form() {
+            Form::E3EqualsE4 => w.scaled(0.5 / (e4 - 1.0)),
+            Form::Aperiodic => w.scaled(0.25 - 1.0 / (1.0 - e4 * e4)),
+            _ => continue,
+        };
+        seen += 1;
+        let step = real(1e-3);
+        let slope = (curve.r(step - Complex::ONE) - curve.r(-step - Complex::ONE)).scaled(0.5e3);
+        let bend = over(slope, w).scaled(0.25);
+        let remainders = |distance: f64| {
+            let start = Point { u: -Complex::ONE, w };
+            let place = |share: f64| curve.moved(&start, real(-1.0 + share * distance));
+            let at = place(1.0);
+            // x - a by Simpson's rule, to 1e-15
+            let inverse = |share: f64| over(real(distance), place(share).w);
+            let x = (0..20).fold(Complex::ZERO, |sum, i| {
+                let [a, b, c] = [0.0, 0.5, 1.0].map(|part| inverse((f64::from(i) + part) / 20.0));
+                sum + (a + b.scaled(4.0) + c).scaled(1.0 / 120.0)
+            });
+            let above = at.u + Complex::ONE;
+            let rate = curve.logarithms(&at)[0] * at.w;
+            let pole = over(Complex::ONE, x);
+            [over(above, x) - w, pole - over(w, above) - bend, rate - pole - constant].map(size)
+        };
+        let (near, far) = (remainders(1e-3), remainders(2e-3));
+        for (near, far) in near.into_iter().zip(far) {
+            assert!(near < 0.02 && (far / near - 2.0).abs() < 0.05, "{:?}: {near:e} {far:e}", curve.form());
+        }
+    }
+    assert_eq!(seen, 8);
+}
