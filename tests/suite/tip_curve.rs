@@ -60,7 +60,9 @@ fn prop_c_is_two_s_alpha_beta() {
             let z = phi.moebius(Some(Complex::ZERO));
             let image = stereographic([-r1, -r2, -u]);
             if let (Some(z), Some(image)) = (z, image) {
-                worst = worst.max(size(z - image) / (1.0 + z.norm_squared()));
+                // near the pole 1 - ζ has lost what 1 + |z|² multiplies
+                let scale = (1.0 + z.norm_squared()) * (1.0 + size(z));
+                worst = worst.max(size(z - image) / scale);
             }
             let [xi, eta, _] = sphere_point(z);
             worst = worst.max(size(tip - Complex::new(scale * xi, scale * eta)) / scale);
