@@ -1,8 +1,8 @@
 //! Public behaviour, against independent truth. One binary, one module an idea.
 
 mod aperiodic;
-mod closed_forms;
 mod cayley_klein;
+mod closed_forms;
 mod conditioning;
 mod e3_equals_e4;
 mod elliptic;
@@ -17,8 +17,8 @@ mod lagrange;
 mod lagrangian;
 mod moebius;
 mod order;
-mod precession;
 mod paper;
+mod precession;
 mod properties;
 mod refusals;
 mod regimes;
