@@ -24,7 +24,16 @@ mod launch;
 // Every tick; cannot fail.
 mod tick;
 
-#[cfg(feature = "nalgebra")]
+// The paper's closed forms, to compare with.
+pub mod exact;
+
+#[cfg(doc)]
+#[doc = include_str!("../docs/paper.md")]
+pub mod paper {}
+#[cfg(doc)]
+#[doc = include_str!("../docs/errata.md")]
+pub mod errata {}
+
 mod interop;
 
 pub use complex::Complex;

@@ -43,6 +43,11 @@ pub enum Command {
     /// One page with accuracy, work and precision, figures; and the tables of the README
     #[command(after_help = "Example: toytop report -o report")]
     Report(ReportArgs),
+    /// What each call costs on emulated microcontrollers, and whether that is within its budget (exit code 1 if not)
+    Budget(BudgetArgs),
+    #[command(after_help = "Example: toytop errata --format csv")]
+    /// The slips of the printed paper: both versions against the full equations (exit code 1 if one does not tell)
+    Errata(ErrataArgs),
     /// Random motions of every regime: does the ephemeris keep its error bound? (exit code 1 if not)
     #[command(after_help = "Example: toytop study --motions 5000 --seed 2")]
     Study(StudyArgs),
@@ -184,6 +189,45 @@ pub struct ReportArgs {
     pub rivals: Option<PathBuf>,
 }
 
+/// `toytop budget`
+#[derive(Args, Debug)]
+#[command(
+    after_help = "Example: toytop budget --chip m4f,m0plus --clock 48\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
+)]
+pub struct BudgetArgs {
+    /// Chips: m0plus, m4f, m7, m33, riscv; none: all
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub chip: Vec<String>,
+    /// Clock of the chip in MHz, for times
+    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive)]
+    pub clock: f64,
+    /// An ELF of your own: measures its functions named bench_...
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["check", "accept"])]
+    pub elf: Option<PathBuf>,
+    /// Compare with firmware-examples/budgets.toml and the table in README.md
+    #[arg(long, conflicts_with = "accept")]
+    pub check: bool,
+    /// Rewrite both
+    #[arg(long)]
+    pub accept: bool,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// `toytop errata`
+#[derive(Args, Debug)]
+pub struct ErrataArgs {
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// A number above 0.
+fn positive(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|x| *x > 0.0 && f64::is_finite(*x)).ok_or_else(|| "a number above 0".into())
+}
+
 /// `toytop study`
 #[derive(Args, Debug)]
 pub struct StudyArgs {
@@ -294,6 +338,8 @@ pub enum Method {
     Stepper,
     /// The full 3-D equations, integrated numerically
     Full,
+    /// The paper's elliptic and elementary solutions, for the motions that have one (exit code 3 for the others)
+    ClosedForm,
 }
 
 impl Method {
@@ -304,6 +350,7 @@ impl Method {
             Self::Ephemeris => "ephemeris",
             Self::Stepper => "stepper",
             Self::Full => "full",
+            Self::ClosedForm => "closed-form",
         }
     }
 }

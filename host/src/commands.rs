@@ -1,8 +1,10 @@
 //! One file a command. A command returns its whole output; nothing is printed before all of it is there.
 
 mod bench;
+mod budget;
 mod compare;
 mod constants;
+mod errata;
 mod figures;
 mod plot;
 mod report;
@@ -52,6 +54,8 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Figures(arguments) => figures::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
         Command::Report(arguments) => report::run(arguments),
+        Command::Budget(arguments) => budget::run(arguments),
+        Command::Errata(arguments) => errata::run(arguments),
         Command::Study(arguments) => study::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Completions(arguments) => {

@@ -45,6 +45,7 @@ fn steps() -> Vec<Step> {
     steps.extend(
         PROGRAMS.iter().map(|program| Step::new(program.name, emulator, || firmware::check(program))),
     );
+    steps.push(Step::new("budget", emulator, budget));
     steps
 }
 
@@ -131,6 +132,17 @@ fn benches() -> Result<String> {
         bail!("{output}\nno bench ran");
     }
     Ok(format!("{ran} ran once each"))
+}
+
+/// `toytop budget --check`, by the binary that the tests have built.
+fn budget() -> Result<String> {
+    let mut command = cargo(".", "test --workspace --test cli");
+    command.args(["--", "--ignored", "--exact", "budget::every_call_is_within_its_budget"]);
+    let output = run(&mut command)?;
+    if !output.contains("1 passed") {
+        bail!("{output}\nthe test did not run");
+    }
+    Ok("every call on every chip".into())
 }
 
 fn docs() -> Result<String> {

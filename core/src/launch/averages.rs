@@ -6,12 +6,14 @@
 //! so no inverse function and no library transcendental is needed, and any [`Float`] will do.
 
 use super::BranchPoints;
+use crate::exact::jacobi::Jacobi;
 use crate::nutation::Nutation;
 use crate::real::{DoubleDouble, Float};
 use crate::turns::in_turns;
 
 /// What one nutation period does. Angles in turns, whole turns included.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Averages<F = f64> {
     /// T, the time from e₁ over e₂ back to e₁, in the unit of time (s).
     pub period: F,
@@ -49,8 +51,6 @@ pub(super) struct Quadrature<F> {
     pub(super) relative_error: f64,
 }
 
-/// Landen steps: each squares the smallness of the modulus; from m₁ = 1e-300 it takes nine.
-const LANDEN_STEPS: usize = 12;
 /// Nodes a half period at most: more are needed only where A/(ps) is tiny.
 const MOST_NODES: u32 = 1 << 16;
 /// A doubling of the nodes that changes less, relatively, is the last. A thousand million periods away counts what it leaves.
@@ -60,16 +60,16 @@ impl<F: Float> Quadrature<F> {
     /// Over one period of `law`. Relative error: some 1e-30 in double-double, some 1e-15 in `f64`, unless
     /// A/(ps) < 1e-4 and the motion reaches the vertical, where the number of nodes is capped.
     pub(super) fn over_period(law: &Nutation<F>, e: &BranchPoints<F>) -> Self {
-        let landen = Landen::new(e);
+        let jacobi = Jacobi::of(e.e2_minus_e1 / e.e3_minus_e1(), e.e3_minus_e2 / e.e3_minus_e1());
         // The ends of the half period, half weight each; then ever finer sets of odd nodes between.
         let mut sums =
-            Sums::at(law, &landen, F::ZERO, F::ONE).plus(&Sums::at(law, &landen, F::ONE, F::ZERO)).halved();
+            Sums::at(law, &jacobi, F::ZERO, F::ONE).plus(&Sums::at(law, &jacobi, F::ONE, F::ZERO)).halved();
         let mut nodes = 1_u32;
         let (mut step_sine, mut step_cosine) = (F::ONE, F::ZERO); // of π/2 over the number of nodes
         let mut before = f64::INFINITY;
         let relative_error = loop {
             (step_sine, step_cosine) = half_angle(step_sine, step_cosine);
-            let odd = Sums::at_odd_nodes(law, &landen, nodes, step_sine, step_cosine);
+            let odd = Sums::at_odd_nodes(law, &jacobi, nodes, step_sine, step_cosine);
             // trapezoid sums with `nodes` and twice as many
             let difference = odd.plus(&sums.negated());
             sums = sums.plus(&odd);
@@ -84,7 +84,7 @@ impl<F: Float> Quadrature<F> {
             before = change;
         };
         // Both halves of the period alike: 2 K over the number of nodes, twice over half of them.
-        let weight = landen.quarter_period().doubled() / F::from_f64(f64::from(nodes));
+        let weight = jacobi.quarter_period().doubled() / F::from_f64(f64::from(nodes));
         Self {
             period: sums.time * weight,
             psi_alpha: sums.alpha * weight,
@@ -118,22 +118,22 @@ struct Sums<F> {
 }
 
 impl<F: Float> Sums<F> {
-    fn at(law: &Nutation<F>, landen: &Landen<F>, sine: F, cosine: F) -> Self {
-        let (sn, cn) = landen.sn_cn(sine, cosine);
+    fn at(law: &Nutation<F>, jacobi: &Jacobi<F>, sine: F, cosine: F) -> Self {
+        let (sn, cn, _) = jacobi.at_angle(sine, cosine);
         let time = law.time_per_amplitude(sn, cn);
         let rates = law.rates(sn, cn);
         Self { time, alpha: rates.alpha * time, beta: rates.beta * time }
     }
 
     /// Over the `nodes` angles (2j + 1) δ, given sin δ and cos δ.
-    fn at_odd_nodes(law: &Nutation<F>, landen: &Landen<F>, nodes: u32, sine: F, cosine: F) -> Self {
+    fn at_odd_nodes(law: &Nutation<F>, jacobi: &Jacobi<F>, nodes: u32, sine: F, cosine: F) -> Self {
         let double_sine = (sine * cosine).doubled();
         let double_cosine = (cosine - sine) * (cosine + sine);
         let (mut s, mut c) = (sine, cosine);
-        let mut sums = Self::at(law, landen, s, c);
+        let mut sums = Self::at(law, jacobi, s, c);
         for _ in 1..nodes {
             (s, c) = (s * double_cosine + c * double_sine, c * double_cosine - s * double_sine);
-            sums = sums.plus(&Self::at(law, landen, s, c));
+            sums = sums.plus(&Self::at(law, jacobi, s, c));
         }
         sums
     }
@@ -157,55 +157,6 @@ impl<F: Float> Sums<F> {
         let slow_change = self.alpha.abs() + self.beta.abs();
         let slow = if slow > F::ZERO { slow_change / slow } else { F::ZERO };
         if time > slow { time } else { slow }
-    }
-}
-
-/// The descending Landen chain of a modulus, from its complement.
-struct Landen<F> {
-    /// (k, 1 - k) of the transformed moduli, largest first.
-    steps: [(F, F); LANDEN_STEPS],
-}
-
-impl<F: Float> Landen<F> {
-    fn new(e: &BranchPoints<F>) -> Self {
-        let mut complement = (e.e3_minus_e2 / e.e3_minus_e1()).sqrt();
-        let mut modulus_squared = e.e2_minus_e1 / e.e3_minus_e1();
-        let steps = core::array::from_fn(|_| {
-            // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
-            let per_sum = F::ONE / (F::ONE + complement);
-            let modulus = modulus_squared * per_sum.squared();
-            // below the last digit of any type the step changes nothing, and is left out
-            let modulus = if modulus > F::from_f64(1e-33) { modulus } else { F::ZERO };
-            let rest = complement.doubled() * per_sum;
-            complement = complement.sqrt().doubled() * per_sum;
-            modulus_squared = modulus.squared();
-            (modulus, rest)
-        });
-        Self { steps }
-    }
-
-    /// K = π/2 ∏ (1 + k).
-    fn quarter_period(&self) -> F {
-        // π/2 to 32 digits, for double-double; one number for the smaller types
-        let half_pi = F::from_f64(core::f64::consts::FRAC_PI_2) + F::from_f64(6.123233995736766e-17);
-        self.steps.iter().fold(half_pi, |product, &(modulus, _)| product * (F::ONE + modulus))
-    }
-
-    /// (sn v, cn v) at v = 2 K φ/π, from sin φ and cos φ.
-    fn sn_cn(&self, sine: F, cosine: F) -> (F, F) {
-        let (mut sn, mut cn, mut dn) = (sine, cosine, F::ONE);
-        for &(modulus, rest) in self.steps.iter().rev() {
-            if modulus == F::ZERO {
-                continue;
-            }
-            let per_sum = F::ONE / (F::ONE + modulus * sn.squared());
-            // 1 - k sn² = (1 - k) + k cn²
-            let next_dn = (rest + modulus * cn.squared()) * per_sum;
-            cn = cn * dn * per_sum;
-            sn = (F::ONE + modulus) * sn * per_sum;
-            dn = next_dn;
-        }
-        (sn, cn)
     }
 }
 

@@ -14,6 +14,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// Range: results between 1e-290 and 1e290 in magnitude, or 0; [`crate::Top`] and [`crate::State`] admit only numbers
 /// that stay well inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DoubleDouble {
     hi: f64,
     lo: f64,

@@ -207,6 +207,7 @@ impl<W: Float> Clock<W> {
 
 /// Where u turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TurningPoint {
     /// The first tick at or after it.
     pub tick: i64,

@@ -9,6 +9,7 @@ use core::fmt;
 
 /// A tick as an exact fraction of a second (of the motion's unit of time).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Tick {
     ticks: u32,
     seconds: u32,
@@ -108,6 +109,7 @@ fn excess<R: Tabular>(polynomials: &Polynomials, terms: usize) -> f64 {
 /// The roundings in it are counts, calibrated on 800 random motions of every regime and held by 25 000 more: the greatest
 /// error was 0.75 of the bound in `f64` and 0.87 in `f32`. `toytop study` repeats that.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ErrorBound {
     /// What the polynomials leave, what set-up rounds off, and what a tick rounds off.
     pub constant: f64,
@@ -137,6 +139,7 @@ impl ErrorBound {
 
 /// The polynomials of this size miss the motion by more than is allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NoFit {
     /// By how much, rad.
     pub truncation: f64,

@@ -126,10 +126,10 @@ fn axis(alpha: [f64; 2], beta: [f64; 2]) -> Vector {
     [-2.0 * (a * c - b * d), -2.0 * (a * d + b * c), a * a + b * b - c * c - d * d]
 }
 
-pub(super) fn cross(x: Vector, y: Vector) -> Vector {
+pub(crate) fn cross(x: Vector, y: Vector) -> Vector {
     [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
 }
 
-pub(super) fn dot(x: Vector, y: Vector) -> f64 {
+pub(crate) fn dot(x: Vector, y: Vector) -> f64 {
     x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
 }

@@ -1,5 +1,7 @@
 //! The command line as other programs see it: exit codes, stdout, stderr, JSON.
 
+mod budget;
+mod errata;
 mod figures;
 mod measure;
 mod plot;
