@@ -16,6 +16,9 @@
 //! The functions themselves are useful elsewhere: [`Weierstrass`] (℘, ℘', ζ, σ, ln σ of a complex argument), [`Jacobi`]
 //! (sn, cn, dn, am with the complementary parameter), [`agm`], [`carlson_rf`].
 //!
+//! Beyond the solutions, the paper's other formulas as code: [`hyperelliptic`] (the curve and its integrals), [`lagrangian`]
+//! (T, V, L, DL), [`tip_curve`] and [`moebius`].
+//!
 //! ```
 //! use toytop::{exact::ClosedForm, Heaviness, Motion, Release, State, Top};
 //! let top = Top::fixed(7.5e-5, 2.0e-5, 1.5e-3, 9.81)?; // A, C about the tip, p, g
@@ -32,14 +35,18 @@ mod aperiodic;
 mod closed_form;
 mod e3_equals_e4;
 mod elementary;
+pub mod hyperelliptic;
 pub(crate) mod jacobi;
 mod lagrange;
+pub mod lagrangian;
+pub mod moebius;
 mod orientation;
 mod periods;
 mod precession;
 mod sigma_quotient;
 mod tall_lattice;
 mod theta;
+pub mod tip_curve;
 mod weierstrass;
 
 pub use agm::{agm, carlson_rf};

@@ -27,6 +27,13 @@ mod tick;
 // The paper's closed forms, to compare with.
 pub mod exact;
 
+#[cfg(doc)]
+#[doc = include_str!("../docs/paper.md")]
+pub mod paper {}
+#[cfg(doc)]
+#[doc = include_str!("../docs/errata.md")]
+pub mod errata {}
+
 mod interop;
 
 pub use complex::Complex;

@@ -202,7 +202,7 @@ pub fn sphere_point<R: Float>(z: Option<Complex<R>>) -> Vector<R> {
 }
 
 /// a / b, `None` for b = 0.
-fn quotient<R: Float>(a: Complex<R>, b: Complex<R>) -> Option<Complex<R>> {
+pub(crate) fn quotient<R: Float>(a: Complex<R>, b: Complex<R>) -> Option<Complex<R>> {
     let norm = b.norm_squared();
     (norm > R::ZERO).then(|| (a * b.conj()).scaled(R::ONE / norm))
 }

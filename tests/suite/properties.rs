@@ -7,7 +7,7 @@ use toytop::{
 };
 use toytop_tests::{orientation_error, tolerance};
 
-fn config(cases: u32) -> Config {
+pub(crate) fn config(cases: u32) -> Config {
     Config {
         cases,
         failure_persistence: None,

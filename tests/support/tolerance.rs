@@ -96,3 +96,15 @@ pub const CLOSED_FORM_STEPPER: Budget = Budget::of(1e-13);
 pub const CLOSED_FORM_INTEGRALS: Budget = Budget::of(1e-13);
 /// The paper's formulas as they stand, in f64, against core (rad).
 pub const AS_THE_PAPER_HAS_IT: Budget = Budget::of(1e-13);
+/// Central differences in double-double with a step of 1e-10: the square of the step, times the third derivative.
+pub const DIFFERENCES: Budget = Budget::of(2e-19);
+/// The same of what is quadratic, where only the rounding over the step is left.
+pub const DIFFERENCES_OF_SQUARES: Budget = Budget::of(1e-20);
+/// The paper's equations at one instant in f64, relative to the size of their terms.
+pub const EQUATIONS: Budget = Budget::of(5e-15);
+/// l, n, h by the Lagrangian along the full solver's path, relative to the largest of them.
+pub const FULL_INTEGRALS: Budget = Budget::of(1e-13);
+/// The curves at instants of the full solution, away from turning points.
+pub const CURVE_ON_PATH: Budget = Budget::of(5e-14);
+/// Contour integrals in f64, 512 nodes.
+pub const CONTOUR: Budget = Budget::of(1e-14);

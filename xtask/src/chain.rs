@@ -42,6 +42,7 @@ const ORDER: &[&[&str]] = &[
     &["exact/orientation", "exact/periods"],
     &["exact/e3_equals_e4", "exact/aperiodic", "exact/lagrange", "exact/precession"],
     &["exact/closed_form"],
+    &["exact/hyperelliptic", "exact/lagrangian", "exact/moebius", "exact/tip_curve"],
     &["interop"],
 ];
 

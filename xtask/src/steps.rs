@@ -39,6 +39,7 @@ fn steps() -> Vec<Step> {
         Step::new("tests", nothing, || cargo_test("--lib --bins --tests --examples")),
         Step::new("doctests", nothing, || cargo_test("--doc")),
         Step::new("docs", nothing, docs),
+        Step::new("benches", nothing, benches),
         Step::new("no-panic", compiler, nopanic::check),
     ];
     steps.extend(
@@ -121,6 +122,16 @@ fn cargo_test(words: &str) -> Result<String> {
         bail!("{output}\nno test ran");
     }
     Ok(format!("{passed} passed, {} ignored\n{}", count(" ignored"), closing.join("\n")))
+}
+
+/// Every bench once, so that none rots; times are not looked at.
+fn benches() -> Result<String> {
+    let output = run(&mut cargo(".", "bench --package toytop-host --benches -- --test"))?;
+    let ran = output.matches("\nSuccess").count();
+    if ran == 0 {
+        bail!("{output}\nno bench ran");
+    }
+    Ok(format!("{ran} ran once each"))
 }
 
 /// `toytop budget --check`, by the binary that the tests have built.

@@ -1,4 +1,4 @@
-//! Motions at constant tilt: regular precession, sleep, hanging (e₁ = e₂; section 3.4 of the paper), and how to find them.
+//! Motions at constant tilt: regular precession, sleep, hanging (e₁ = e₂; section 5.2 of the paper), and how to find them.
 //!
 //! At u = e the body turns with ω = ψ' r + φ' k, where A e φ'² - n φ' + p g = 0 and ψ' = n/C - e φ'; so
 //!
