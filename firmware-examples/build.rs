@@ -13,7 +13,10 @@ fn main() {
         _ => return, // the host
     };
     println!("cargo:rerun-if-env-changed=MEMORY_X");
-    let memory = env::var_os("MEMORY_X").map_or_else(|| Path::new("memory").join(machine), PathBuf::from);
+    // beside this script; a package in a folder of its own uses it, too
+    let here = if Path::new("memory").is_dir() { Path::new(".") } else { Path::new("..") };
+    let memory =
+        here.join(env::var_os("MEMORY_X").map_or_else(|| Path::new("memory").join(machine), PathBuf::from));
     println!("cargo:rerun-if-changed={}", memory.display());
 
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));

@@ -6,6 +6,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 /// re + i im.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Complex<R> {
     /// Real part.
     pub re: R,

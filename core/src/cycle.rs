@@ -8,6 +8,7 @@ use crate::turns::Turns;
 /// Resolution 2^-96 turns: after 2^40 ticks an increment this fine is 4e-17 rad off (64 bits would be 1.9e-7). Three words on
 /// a 32-bit chip: a sum is one addition and two with carry, a multiple five multiplications.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cycle {
     /// Least significant first; words and not wider numbers, so that nine of them lie without gaps.
     words: [u32; 3],

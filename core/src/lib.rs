@@ -24,7 +24,16 @@ mod launch;
 // Every tick; cannot fail.
 mod tick;
 
-#[cfg(feature = "nalgebra")]
+// The paper's closed forms, to compare with.
+pub mod exact;
+
+#[cfg(doc)]
+#[doc = include_str!("../docs/paper.md")]
+pub mod paper {}
+#[cfg(doc)]
+#[doc = include_str!("../docs/errata.md")]
+pub mod errata {}
+
 mod interop;
 
 pub use complex::Complex;
@@ -36,8 +45,8 @@ pub use launch::{
 };
 pub use su2::Phi;
 pub use tick::{
-    Cursor, Ephemeris, EphemerisF32, EphemerisF64, ErrorBound, Moment, NoFit, Place, Pose, Stepper, Tabular,
-    Tick, Tip, TipAngle, TurningPoint,
+    Bakeable, Baked, BakedError, Cursor, Ephemeris, EphemerisF32, EphemerisF64, ErrorBound, Moment, NoFit,
+    Place, Pose, Stepper, Tabular, Tick, Tip, TipAngle, TurningPoint,
 };
 #[cfg(feature = "fixed")]
 pub use tick::{FixedStepper, NoTickMap};

@@ -26,6 +26,7 @@ pub use double_double::DoubleDouble;
 pub(crate) use product::{high_product, long_product, wrapping_product};
 #[cfg(feature = "fixed")]
 pub(crate) use sine::sine_cosine_q15;
+pub use sine::{SINE_CONSTANTS, SineConstants};
 pub(crate) use sine::{sine_cosine_f64, sine_cosine_q31};
 
 use crate::turns::Turns;

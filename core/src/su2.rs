@@ -31,6 +31,7 @@ pub fn bracket<R: Ring>(x: Vector<R>, y: Vector<R>) -> Vector<R> {
 ///
 /// γ = -β̄ and δ = ᾱ follow. Constructors do not normalise: |α|² + |β|² = 1 is the caller's.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Phi<R> {
     /// α, with 1 + u = 2 |α|².
     pub alpha: Complex<R>,
@@ -140,6 +141,7 @@ impl<R: Real> Phi<R> {
 
 /// Φ and its rate of change: everything about one instant follows from these two by products alone.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PhiRate<R> {
     /// α', per unit time.
     pub alpha: Complex<R>,
@@ -200,7 +202,7 @@ pub fn sphere_point<R: Float>(z: Option<Complex<R>>) -> Vector<R> {
 }
 
 /// a / b, `None` for b = 0.
-fn quotient<R: Float>(a: Complex<R>, b: Complex<R>) -> Option<Complex<R>> {
+pub(crate) fn quotient<R: Float>(a: Complex<R>, b: Complex<R>) -> Option<Complex<R>> {
     let norm = b.norm_squared();
     (norm > R::ZERO).then(|| (a * b.conj()).scaled(R::ONE / norm))
 }

@@ -10,7 +10,9 @@ mod table;
 mod tabular;
 mod tip;
 
-pub use ephemeris::{Cursor, Ephemeris, EphemerisF32, EphemerisF64, TurningPoint};
+pub use ephemeris::{
+    Bakeable, Baked, BakedError, Cursor, Ephemeris, EphemerisF32, EphemerisF64, TurningPoint,
+};
 #[cfg(feature = "fixed")]
 pub use fixed_stepper::{FixedStepper, NoTickMap};
 pub use moment::Moment;

@@ -5,6 +5,7 @@ use crate::real::{DoubleDouble, Float, Ring};
 
 /// How heavy the top is: exactly one of two ways to say it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Heaviness {
     /// Its mass M in kg; the moment is then p = M s.
     Mass(f64),
@@ -14,6 +15,7 @@ pub enum Heaviness {
 
 /// What holds the tip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Support {
     /// A frictionless horizontal plane, on which the tip slides: Springborn's toy top.
     Sliding,
@@ -25,6 +27,7 @@ pub enum Support {
 ///
 /// Any consistent units will do; those named are SI. With g = 1 they are the paper's.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Top {
     support: Support,
     a: f64,

@@ -139,6 +139,7 @@ impl AddAssign for Turns {
 /// A constant rate of turning, kept to 63 bits whatever its size, so that a phase that only ever grows at this rate is
 /// as good after a long time as after a short one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rate {
     /// Turns per unit time = mantissa · 2^exponent.
     mantissa: i64,

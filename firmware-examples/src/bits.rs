@@ -6,8 +6,8 @@
 use toytop::real::Real;
 use toytop::su2::Vector;
 use toytop::{
-    Averages, BranchPoints, Complex, FirstIntegrals, Heaviness, LaunchError, Motion, Phi, Release, Sign,
-    Signs, Start, State, Stepper, Top,
+    Averages, BranchPoints, Complex, Ephemeris, FirstIntegrals, Heaviness, LaunchError, Moment, Motion, Phi,
+    Release, Sign, Signs, Start, State, Stepper, Tabular, Tick, Top,
 };
 
 /// Steps of each motion.
@@ -37,6 +37,12 @@ pub fn of_every_stage(mut report: impl FnMut(&str, &str, u64)) -> Result<(), Lau
         report(name, "stepper_f64_phi", phi.0);
         report(name, "stepper_f64_tip", tip.0);
         report(name, "stepper_f64_omega", omega.0);
+        let [any, next] = table::<f32>(&motion);
+        report(name, "ephemeris_f32", any.0);
+        report(name, "cursor_f32", next.0);
+        let [any, next] = table::<f64>(&motion);
+        report(name, "ephemeris_f64", any.0);
+        report(name, "cursor_f64", next.0);
     }
     Ok(())
 }
@@ -78,6 +84,27 @@ fn ticks<R: Real>(motion: &Motion, dt: f64) -> [Hash; 3] {
             tip.angle.map_or(tip_hash, |angle| tip_hash.number(angle.phi.to_f64()).number(angle.rate)),
             omega_hash.vector(pose.omega()),
         ];
+    }
+    hashes
+}
+
+/// Everything that a moment says, at ticks far apart and at consecutive ones. The table is of a size that the smallest chip
+/// has room for, exact or not.
+fn table<R: Real + Tabular<Wide = R>>(motion: &Motion) -> [Hash; 2] {
+    let mut hashes = [Hash::default(); 2];
+    let mut ephemeris = Ephemeris::<R, 16, 8>::EMPTY;
+    let fits = Tick::hertz(1000).map(|tick| ephemeris.set_up(motion, tick, f64::INFINITY));
+    let Ok(Ok(())) = fits else { return hashes };
+    let moment = |hash: Hash, moment: Moment<'_, R, 16, 8>| {
+        let (phi, tip) = moment.phi_and_tip();
+        hash.complex(phi.alpha).complex(phi.beta).complex(tip)
+    };
+    let mut cursor = ephemeris.cursor(-3);
+    for n in (-7_i64..).take(TICKS) {
+        let [any, next] = hashes;
+        // from years before the launch to years after it
+        let apart = ephemeris.at_tick(n << 33);
+        hashes = [moment(any, apart).vector(apart.pose().omega()), moment(next, cursor.next())];
     }
     hashes
 }

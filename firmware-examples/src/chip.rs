@@ -24,6 +24,17 @@ pub fn exit() -> ! {
     process::exit(0)
 }
 
+/// Starts SysTick: an interrupt `rate` times a second, by a processor of `clock` Hz. `bin/spin.rs` shows it in place.
+#[cfg(target_arch = "arm")]
+pub fn start_systick(clock: u32, rate: u32) {
+    let mut systick = cortex_m::Peripherals::take().expect("taken once").SYST;
+    systick.set_clock_source(cortex_m::peripheral::syst::SystClkSource::Core);
+    systick.set_reload(clock / rate - 1);
+    systick.clear_current();
+    systick.enable_counter();
+    systick.enable_interrupt();
+}
+
 const FAULT: i32 = 102;
 
 #[cfg(target_arch = "arm")]

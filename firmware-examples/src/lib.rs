@@ -1,13 +1,18 @@
 //! What the programs in `bin/` share.
 //!
 //! * on a chip: the entry point, log transport and panic handler of the target ([`entry`], [`exit`]);
-//! * anywhere: [`bits`], the hashes that a chip and the host must agree on.
+//! * anywhere: [`toy_top`], a motion; [`bits`], the hashes that a chip and the host must agree on.
 
 #![cfg_attr(target_os = "none", no_std)]
 
 pub mod bits;
+mod throw;
+
+pub use throw::toy_top;
 
 #[cfg(target_os = "none")]
 mod chip;
+#[cfg(target_arch = "arm")]
+pub use chip::start_systick;
 #[cfg(target_os = "none")]
 pub use chip::{entry, exit};

@@ -11,7 +11,7 @@ use toytop::{Heaviness, LaunchError, Motion, Sign, Signs, Start, Top};
 /// None: every one is valid, and a test runs them.
 pub fn scenarios() -> Result<Vec<Scenario>, Failure> {
     let impossible = |error: LaunchError| Failure::Input(format!("built-in motions: {error}"));
-    let mut scenarios = figures().map_err(impossible)?;
+    let mut scenarios = figures().map_err(impossible)?.concat();
     for (name, text) in SAMPLES {
         scenarios.push(Scenario::parse(name, text)?);
     }
@@ -73,15 +73,17 @@ const SAME: Signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Plus };
 const FIGURES: [(&str, Signs, &[f64]); 2] =
     [("figure 2", SAME, &[1.0, 2.0, 100.0]), ("figure 3", DIFFERENT, &[1.0, 1.1, 1.3, 1.85, 2.5, 3.0])];
 
-fn figures() -> Result<Vec<Scenario>, LaunchError> {
+/// The curves of the paper's figures 2 and 3.
+///
+/// # Errors
+/// None: every one is valid, and a test runs them.
+pub fn figures() -> Result<[Vec<Scenario>; 2], LaunchError> {
     let top = Top::sliding(1.0, 1.0, 1.0, Heaviness::MassMoment(1.0), 1.0)?;
-    let mut curves = Vec::new();
-    for (figure, signs, e3s) in FIGURES {
-        for &e3 in e3s {
-            curves.push(curve(format!("{figure} e3={e3}"), &top, [0.7, 0.9, e3], signs)?);
-        }
-    }
-    Ok(curves)
+    let [second, third] = FIGURES.map(|(figure, signs, e3s)| {
+        let curve = |e3: &f64| curve(format!("{figure} e3={e3}"), &top, [0.7, 0.9, *e3], signs);
+        e3s.iter().map(curve).collect::<Result<_, _>>()
+    });
+    Ok([second?, third?])
 }
 
 /// e₂ and e₃ on both sides of 1, so close that the axis pauses near the vertical in every period; A and C differ.

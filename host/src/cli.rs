@@ -1,10 +1,13 @@
 //! The command line: what can be asked, and how a wrong question is answered in one line.
 
 use crate::Failure;
+use crate::sweep::{Axis, Column, DEFAULT_COLUMNS, SignChoice};
 use clap::error::ErrorKind;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 use std::ffi::OsString;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 /// The motion of a spinning top whose tip slides on a plane, or is fixed.
 #[derive(Debug, Parser)]
@@ -18,17 +21,74 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// How far the core is from an independent integration of the full 3-D equations (exit code 1 if a bound is missed)
+    #[command(after_help = "Example: toytop compare host/scenarios/toy_top.toml --periods 100 --format csv")]
     Compare(CompareArgs),
     /// Orientation, rates and tip at given times
+    #[command(
+        after_help = "Example: toytop state host/scenarios/toy_top.toml --times 0,0.5,1e6 --format json"
+    )]
     State(StateArgs),
     /// First integrals, branch points, period and mean rotations of a motion
+    #[command(after_help = "Example: toytop constants host/scenarios/figure_3_loops.toml")]
     Constants(ConstantsArgs),
     /// The curve of the tip between its bounding circles, as a picture
+    #[command(after_help = "Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg")]
     Plot(PlotArgs),
+    /// The table of a motion as a constant for firmware: Rust, C with its evaluator, or JSON
+    #[command(
+        after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static, which a changed bit keeps from compiling\n         toytop bake top.toml --lang c --tick 44100/2 -o top.h   C99, the same results to the bit"
+    )]
+    Bake(BakeArgs),
+    /// The paper's figures 2 and 3, the height of the axis and the errors against time, as SVG and PNG
+    #[command(after_help = "Example: toytop figures -o figures")]
+    Figures(FiguresArgs),
     /// What a state costs: ephemeris and stepper against the full solver, on this machine
-    Bench,
+    #[command(after_help = "Example: toytop bench --format json")]
+    Bench(BenchArgs),
+    /// One page with accuracy, work and precision, figures; and the tables of the README
+    #[command(after_help = "Example: toytop report -o report")]
+    Report(ReportArgs),
+    /// What each call costs on emulated microcontrollers, and whether that is within its budget (exit code 1 if not)
+    Budget(BudgetArgs),
+    #[command(after_help = "Example: toytop errata --format csv")]
+    /// The slips of the printed paper: both versions against the full equations (exit code 1 if one does not tell)
+    Errata(ErrataArgs),
     /// Random motions of every regime: does the ephemeris keep its error bound? (exit code 1 if not)
+    #[command(after_help = "Example: toytop study --motions 5000 --seed 2")]
     Study(StudyArgs),
+    /// Constants and errors of many motions, a row each: a grid or a random sample, on all cores, in shards if wanted
+    #[command(
+        after_help = "Example: toytop sweep --e1=-0.9..0.1/41 --e2 0.9 --e3 log:1.01..100/33 --a-over-ps 1 --c-over-a 0.5 -o grid.csv\n         toytop sweep --motions 1000000 --shard 3/100 --resume -o part_3.csv"
+    )]
+    Sweep(SweepArgs),
+    /// Completions for a shell, to be sourced or put where it looks for them
+    #[command(
+        after_help = "Example: toytop completions bash > ~/.local/share/bash-completion/completions/toytop"
+    )]
+    Completions(CompletionsArgs),
+}
+
+/// `toytop completions`
+#[derive(Args, Debug)]
+pub struct CompletionsArgs {
+    /// Which shell
+    pub shell: Shell,
+}
+
+/// `toytop bench`
+#[derive(Args, Debug)]
+pub struct BenchArgs {
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// The script that completes this program's commands, options and values.
+#[must_use]
+pub fn completions(shell: Shell) -> Vec<u8> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Cli::command(), "toytop", &mut script);
+    script
 }
 
 /// `toytop compare`
@@ -105,6 +165,126 @@ pub struct PlotArgs {
     pub output: PathBuf,
 }
 
+/// `toytop bake`
+#[derive(Args, Debug)]
+pub struct BakeArgs {
+    /// Scenario file
+    pub scenario: PathBuf,
+    /// Scalar type of the results
+    #[arg(long, value_enum, default_value_t = Scalar::F32)]
+    pub scalar: Scalar,
+    /// What to write
+    #[arg(long, value_enum, default_value_t = Language::Rust)]
+    pub lang: Language,
+    /// Segments and terms, as 64x7; without it the crate's default, or the smallest that fits
+    #[arg(long, value_name = "SxT", value_parser = size)]
+    pub size: Option<[u32; 2]>,
+    /// Ticks a second
+    #[arg(long, value_name = "N", default_value_t = 1000, conflicts_with = "tick",
+        value_parser = clap::value_parser!(u32).range(1..))]
+    pub hertz: u32,
+    /// A ticks in B seconds
+    #[arg(long, value_name = "A/B", value_parser = ratio)]
+    pub tick: Option<[u32; 2]>,
+    /// Where to; without it, to stdout
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// What `bake` writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Language {
+    /// A module with one static
+    Rust,
+    /// A header with the table and what evaluates it
+    C,
+    /// One object with all numbers
+    Json,
+}
+
+fn size(text: &str) -> Result<[u32; 2], &'static str> {
+    two(text, 'x').ok_or("must be segments x terms, as 64x7")
+}
+
+fn ratio(text: &str) -> Result<[u32; 2], &'static str> {
+    two(text, '/')
+        .filter(|two| !two.contains(&0))
+        .ok_or("must be two whole numbers from 1 to 4294967295, as 44100/2")
+}
+
+fn two(text: &str, between: char) -> Option<[u32; 2]> {
+    let (first, second) = text.split_once(between)?;
+    Some([first.parse().ok()?, second.parse().ok()?])
+}
+
+/// `toytop figures`
+#[derive(Args, Debug)]
+pub struct FiguresArgs {
+    /// Folder to write to; made if it is not there
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// `toytop report`
+#[derive(Args, Debug)]
+#[command(group = clap::ArgGroup::new("what").required(true).multiple(true).args(["output", "readme"]))]
+pub struct ReportArgs {
+    /// Folder for index.html; made if it is not there
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Markdown file whose tables to bring up to date
+    #[arg(long, value_name = "FILE")]
+    pub readme: Option<PathBuf>,
+    /// Change nothing; exit code 1 if a table is stale
+    #[arg(long, requires = "readme")]
+    pub check: bool,
+    /// What `toytop budget --format json` wrote, for the page
+    #[arg(long, value_name = "FILE", requires = "output")]
+    pub budget: Option<PathBuf>,
+    /// What host/benches/by_heyoka.py --json wrote, for the page
+    #[arg(long, value_name = "FILE", requires = "output")]
+    pub rivals: Option<PathBuf>,
+}
+
+/// `toytop budget`
+#[derive(Args, Debug)]
+#[command(
+    after_help = "Example: toytop budget --chip m4f,m0plus --clock 48\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
+)]
+pub struct BudgetArgs {
+    /// Chips: m0plus, m4f, m7, m33, riscv; none: all
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub chip: Vec<String>,
+    /// Clock of the chip in MHz, for times
+    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive)]
+    pub clock: f64,
+    /// An ELF of your own: measures its functions named bench_...
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["check", "accept"])]
+    pub elf: Option<PathBuf>,
+    /// Compare with firmware-examples/budgets.toml and the table in README.md
+    #[arg(long, conflicts_with = "accept")]
+    pub check: bool,
+    /// Rewrite both
+    #[arg(long)]
+    pub accept: bool,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// `toytop errata`
+#[derive(Args, Debug)]
+pub struct ErrataArgs {
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// A number above 0.
+fn positive(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|x| *x > 0.0 && f64::is_finite(*x)).ok_or_else(|| "a number above 0".into())
+}
+
 /// `toytop study`
 #[derive(Args, Debug)]
 pub struct StudyArgs {
@@ -114,6 +294,76 @@ pub struct StudyArgs {
     /// Another seed, other motions
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// `toytop sweep`
+#[derive(Args, Debug)]
+pub struct SweepArgs {
+    /// CSV file to write; it must not exist, unless --resume is given
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// Draw so many motions by lot; without it, the grid of all combinations
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000_000))]
+    pub motions: Option<u64>,
+    /// e1: X,Y,... or LOW..HIGH (even in the logarithm: log:LOW..HIGH), in a grid LOW..HIGH/PLACES
+    #[arg(long, value_name = "AXIS", default_value = "-1..1", allow_hyphen_values = true)]
+    pub e1: Axis,
+    /// e2 >= e1
+    #[arg(long, value_name = "AXIS", default_value = "-1..1", allow_hyphen_values = true)]
+    pub e2: Axis,
+    /// e3 >= 1
+    #[arg(long, value_name = "AXIS", default_value = "log:1..100", allow_hyphen_values = true)]
+    pub e3: Axis,
+    /// A/(ps), the transverse moment of inertia
+    #[arg(long, value_name = "AXIS", default_value = "log:0.1..10", allow_hyphen_values = true)]
+    pub a_over_ps: Axis,
+    /// C/A, the axial moment of inertia
+    #[arg(long, value_name = "AXIS", default_value = "0.1..2", allow_hyphen_values = true)]
+    pub c_over_a: Axis,
+    /// Signs of l + n and l - n (the two other pairs are mirror images)
+    #[arg(long, value_enum, default_value_t = SignChoice::Both)]
+    pub signs: SignChoice,
+    /// Another seed, other motions
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+    /// What to say of each
+    #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS)]
+    pub columns: Vec<Column>,
+    /// Evaluate each at so many moments
+    #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub ticks: u32,
+    /// ... spread over so many nutation periods (where there is no period: natural times of the top)
+    #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = periods, allow_hyphen_values = true)]
+    pub periods: f64,
+    /// Only every N-th motion, beginning with the I-th: 1/1 is all
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    pub shard: Shard,
+    /// Go on with the file, if it exists
+    #[arg(long)]
+    pub resume: bool,
+}
+
+fn periods(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|x| *x > 0.0 && *x <= 1e9);
+    number.ok_or_else(|| "must be above 0 and at most 1e9".to_owned())
+}
+
+/// One part of a sweep: its number, from 1, and how many there are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard(pub [u64; 2]);
+
+impl FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |text: &str| text.parse::<u64>().ok().filter(|n| *n <= 1 << 32);
+        let pair = text.split_once('/').and_then(|(shard, of)| Some([number(shard)?, number(of)?]));
+        let pair = pair.filter(|[shard, of]| (1..=*of).contains(shard));
+        pair.map(Self).ok_or_else(|| "must be I/N with I from 1 to N".to_owned())
+    }
 }
 
 /// Form of the output.
@@ -145,6 +395,8 @@ pub enum Method {
     Stepper,
     /// The full 3-D equations, integrated numerically
     Full,
+    /// The paper's elliptic and elementary solutions, for the motions that have one (exit code 3 for the others)
+    ClosedForm,
 }
 
 impl Method {
@@ -155,6 +407,7 @@ impl Method {
             Self::Ephemeris => "ephemeris",
             Self::Stepper => "stepper",
             Self::Full => "full",
+            Self::ClosedForm => "closed-form",
         }
     }
 }
@@ -207,7 +460,7 @@ impl ScalarChoice {
 #[derive(Debug)]
 pub enum Request {
     /// Run a command.
-    Run(Command),
+    Run(Box<Command>),
     /// Print the help or the version.
     Show(String),
 }
@@ -218,7 +471,7 @@ pub enum Request {
 /// [`Failure::Input`] for everything that clap refuses.
 pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Request, Failure> {
     match Cli::try_parse_from(arguments) {
-        Ok(cli) => Ok(Request::Run(cli.command)),
+        Ok(cli) => Ok(Request::Run(Box::new(cli.command))),
         Err(error) => match error.kind() {
             ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
                 Ok(Request::Show(error.render().to_string()))

@@ -1,14 +1,20 @@
 //! One file a command. A command returns its whole output; nothing is printed before all of it is there.
 
+mod bake;
 mod bench;
+mod budget;
 mod compare;
 mod constants;
+mod errata;
+mod figures;
 mod plot;
+mod report;
 mod state;
 mod study;
+mod sweep;
 
 use crate::Failure;
-use crate::cli::Command;
+use crate::cli::{self, Command};
 use crate::scenario::Scenario;
 
 /// What a command has to say.
@@ -46,8 +52,18 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::State(arguments) => state::run(arguments),
         Command::Constants(arguments) => constants::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
-        Command::Bench => bench::run(),
+        Command::Bake(arguments) => bake::run(arguments),
+        Command::Figures(arguments) => figures::run(arguments),
+        Command::Bench(arguments) => bench::run(arguments),
+        Command::Report(arguments) => report::run(arguments),
+        Command::Budget(arguments) => budget::run(arguments),
+        Command::Errata(arguments) => errata::run(arguments),
         Command::Study(arguments) => study::run(arguments),
+        Command::Sweep(arguments) => sweep::run(arguments),
+        Command::Completions(arguments) => {
+            let script = String::from_utf8_lossy(&cli::completions(arguments.shell)).into_owned();
+            Ok(Report { text: script, ..Report::default() })
+        }
     }
 }
 

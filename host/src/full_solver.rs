@@ -19,9 +19,8 @@ use differential_equations::methods::ExplicitRungeKutta;
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use differential_equations::status::Status;
 
-use equations::dot;
-pub(crate) use equations::{Equations, Vector7};
-pub use equations::{FullState, FullTop};
+pub use equations::{Equations, FullState, FullTop, Vector7};
+pub(crate) use equations::{cross, dot};
 use rounding::{power_of_two, project, two_sum};
 
 /// Default tolerance per step. Measured: smaller ones buy no accuracy, only evaluations.

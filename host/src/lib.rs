@@ -7,31 +7,48 @@
 //! | [`times`] | the times asked for |
 //! | [`propagate`] | the core's stepper taken to given times |
 //! | [`ephemeris`] | the core's ephemeris, in the smallest table that fits |
+//! | [`bake`] | an ephemeris as Rust, C or JSON |
 //! | [`tip_angle`] | the tip angle of an ephemeris, continued from t = 0 |
+//! | [`newton_euler`] | the full equations with the plane's force in them, instant by instant |
 //! | [`truth`] | the full solver taken to the same times |
 //! | [`baseline`] | the full equations in equal steps: what one would do without the core |
+//! | [`race`] | the core and its rivals over the same course |
 //! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
+//! | [`budget`] | what a call costs on an emulated chip |
 //! | [`plot`] | the curve of the tip as a picture |
+//! | [`figures`] | the paper's figures, and charts |
 //! | [`study`] | random motions, and the truth of them to thirty digits |
+//! | [`sweep`] | many motions, a row each |
+//! | [`errata`] | the slips of the printed paper: both versions, evaluated against the full equations |
+//! | [`contour`] | residues on the paper's curves |
 //! | [`commands`] | one file a command |
-//! | [`output`], [`progress`] | table, CSV, JSON; the bar |
+//! | [`output`], [`names`], [`progress`] | table, CSV, JSON; the words in them; the bar |
 //!
 //! A command computes everything before the first byte is printed, so a failure leaves nothing half-written.
 
+pub mod bake;
 pub mod baseline;
+pub mod budget;
 pub mod builtin;
 pub mod cli;
 pub mod commands;
+pub mod contour;
 pub mod ephemeris;
+pub mod errata;
 mod failure;
+pub mod figures;
 pub mod full_solver;
 pub mod invariants;
+pub mod names;
+pub mod newton_euler;
 pub mod output;
 pub mod plot;
 pub mod progress;
 pub mod propagate;
+pub mod race;
 pub mod scenario;
 pub mod study;
+pub mod sweep;
 pub mod times;
 pub mod tip_angle;
 pub mod truth;

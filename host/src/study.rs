@@ -3,7 +3,8 @@
 //! The truth ([`exact`]) is the paper's own integrals, with their poles, in double-double (32 digits): time and
 //! arguments as integrals over the nutation phase, by Gauss and Legendre's rule on panels graded towards the turning
 //! points, behind which all singularities lie. It shares no formula with the core's regularised law, no series, no
-//! stepping, no mean rates. Truncation is below 1e-25, and the times asked for are solved for, not rounded.
+//! stepping, no mean rates. What the rule leaves is some 1e-28 of the integral (tested by other panels, and against
+//! vectors of 30 digits), and the times asked for are solved for, not rounded.
 
 pub mod exact;
 pub mod gauss;

@@ -14,7 +14,8 @@ use toytop::{Averages, Complex, Motion, Regime, Stepper, TipAngle, TipClass};
 
 /// φ at each of the times, in the order asked; `None` where the axis is vertical for ever. `start` is the instant at t = 0.
 ///
-/// Its relative precision is that of `f64`, as long as the turns gone round are fewer than 2^52.
+/// Its relative precision is that of `f64`, as long as α and β, whose turns add to those of φ, have turned less than some
+/// 10^15 times.
 ///
 /// # Errors
 /// As [`steps_needed`].

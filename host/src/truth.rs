@@ -7,7 +7,7 @@ use crate::propagate::{Paced, Sample, steps_needed, sweep};
 use crate::scenario::Scenario;
 use crate::tip_angle::remainder;
 use std::f64::consts::PI;
-use toytop::{Complex, Motion, Stepper, TipClass, Top};
+use toytop::{Complex, Motion, Phi, Stepper, TipClass, Top};
 
 /// Where the full equations start from.
 ///
@@ -26,6 +26,19 @@ pub fn start(scenario: &Scenario) -> (FullTop, FullState) {
     let pair = |z: Complex<f64>| [z.re, z.im];
     let state = FullState { alpha: pair(phi.alpha), beta: pair(phi.beta), omega };
     (FullTop { a: top.a(), c: top.c(), s: top.s(), p: top.p(), g: top.g() }, state)
+}
+
+/// The orientation of a state of the full solver.
+#[must_use]
+pub fn phi(state: &FullState) -> Phi<f64> {
+    let complex = |[re, im]: [f64; 2]| Complex::new(re, im);
+    Phi { alpha: complex(state.alpha), beta: complex(state.beta) }
+}
+
+/// How far one orientation is from another: 2 √(|Δα|² + |Δβ|²), rad.
+#[must_use]
+pub fn distance(a: &Phi<f64>, b: &Phi<f64>) -> f64 {
+    2.0 * ((a.alpha - b.alpha).norm_squared() + (a.beta - b.beta).norm_squared()).sqrt()
 }
 
 /// The full solver at the start of a scenario.

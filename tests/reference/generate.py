@@ -39,6 +39,7 @@ BY_STATE = "initial alpha,beta,omega (exact decimals)"
 # the f64 parsed back from that are the same number. Bodies are (A, C, s, p).
 BODY, STEEP = (1.3125, 0.6875, 0.8125, 1.125), (1.125, 0.625, 0.6875, 1.3125)
 THIN, HEAVY = (1.25, 0.75, 0.5, 1.0), (1.25, 0.5, 0.59375, 0.90625)
+ELLIPTIC, ROUND = (0.78125, 0.59375, 0.5, 1.25), (1.5625, 1.5625, 1.25, 1.0)
 # theta, arg alpha, arg beta at t = 0
 ANGLES, EARLY, BACK = (0.875, 0.3125, -1.125), (0.40625, 0.1875, 0.5), (-2.25, 2.75, 1.25)
 
@@ -88,6 +89,19 @@ MOTIONS = {
                             (0.8125, 0.125, 0.6875)),
     "exact_small_A": roots("A/(ps)=2^-4: e4 only just above 1", (0.0625, 0.09375, 1.0, 1.0), -0.875, 0.9375,
                            1.5, (1, -1), (0.75, -0.5, 2.0)),
+    # e3 = e4 exactly: A = (e4^2 - 1) p s
+    "exact_e3_e4_pp": roots("e3=e4=3/2, A!=C, l+n>0, l-n>0", ELLIPTIC, -0.34375, 0.625, 1.5, (1, 1), ANGLES),
+    "exact_e3_e4_pm": roots("e3=e4=3/2, A!=C, l+n>0, l-n<0", ELLIPTIC, -0.34375, 0.625, 1.5, (1, -1), ANGLES),
+    "exact_e3_e4_mp": roots("e3=e4=3/2, A!=C, l+n<0, l-n>0", ELLIPTIC, -0.34375, 0.625, 1.5, (-1, 1), ANGLES),
+    "exact_e3_e4_mm": roots("e3=e4=3/2, A!=C, l+n<0, l-n<0, starts with u'<0", ELLIPTIC, -0.34375, 0.625, 1.5,
+                            (-1, -1), BACK),
+    "exact_e3_e4_e2_1": roots("e3=e4=3/2, e2=1, A=C", ROUND, -0.1875, 1.0, 1.5, (1, 1), EARLY),
+    "exact_e3_e4_e1_m1": roots("e3=e4=3/2, e1=-1, A=C", ROUND, -1.0, 0.3125, 1.5, (1, -1), EARLY),
+    "exact_lagrange_aperiodic": roots("s=0, e2=e3=1: the Lagrange top rises to the vertical",
+                                      (1.3125, 0.90625, 0.0, 1.125), -0.40625, 1.0, 1.0, (1, 1), (0.8125, 0.125, 0.6875)),
+    "exact_lagrange_e2_1": roots("s=0, e2=1", (1.3125, 0.90625, 0.0, 1.125), -0.40625, 1.0, 1.8125, (-1, 1), EARLY),
+    "exact_lagrange_e1_m1": roots("s=0, e1=-1, starts with u'<0", (1.3125, 0.90625, 0.0, 1.125), -1.0, 0.375, 1.25,
+                                  (1, 1), BACK),
     "exact_state_generic": state("generic state, u'<0; the f64 nearest to a unit quaternion",
                                  HEAVY, (0.48, 0.64), (0.36, -0.48), (0.375, -0.6875, 2.1875)),
     "exact_state_off_norm": state("|alpha|^2+|beta|^2 is off 1 by about 3e-7: means alpha/N, beta/N",

@@ -7,7 +7,7 @@ use toytop::{
 };
 use toytop_tests::{orientation_error, tolerance};
 
-fn config(cases: u32) -> Config {
+pub(crate) fn config(cases: u32) -> Config {
     Config {
         cases,
         failure_persistence: None,
@@ -158,7 +158,9 @@ proptest! {
         prop_assume!(e.e3_minus_e2 >= 0.1 * e.e2_minus_e1 && spread >= 0.25);
         let unit = motion.averages().map_or(1.0, |averages| averages.period);
         let tick = toytop::Tick::hertz((1000.0 / unit).clamp(1.0, 1e9) as u32).unwrap();
-        prop_assert!(toytop::EphemerisF32::new(&motion, tick).is_ok());
+        // below, motions through both verticals are too fast for sixteen segments
+        prop_assert!(spread < 0.5 || toytop::EphemerisF32::new(&motion, tick).is_ok());
+        prop_assert!(toytop::Ephemeris::<f32, 32, 7>::new(&motion, tick).is_ok());
         prop_assert!(toytop::EphemerisF64::new(&motion, tick).is_ok());
     }
 

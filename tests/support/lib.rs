@@ -1,5 +1,6 @@
 //! What the cross-crate tests share: reference vectors, tolerances, and how errors are measured.
 
+pub mod complex;
 pub mod tolerance;
 pub mod vectors;
 

@@ -84,3 +84,39 @@ pub const REVERSAL_F64: Budget = Budget::of(1e-14);
 pub const ROUND_TRIP: Budget = Budget::of(2e-14);
 /// Group facts of SU(2), f64.
 pub const GROUP: Budget = Budget::of(3e-15);
+
+/// ℘, ℘', ζ, σ against 30 digits, in units of |f| + |z f'|; ln σ in units of 1 + |ln σ| + |z ζ|.
+pub const WEIERSTRASS: Budget = Budget::of(2e-15);
+/// sn, cn, dn, am against 30 digits, in units of |f| + |u f'|.
+pub const JACOBI: Budget = Budget::of(1e-15);
+/// ω, |ω'| and K, relative; η and η' relative to the larger.
+pub const HALF_PERIODS: Budget = Budget::of(1e-15);
+
+/// Closed forms against the vectors (exact inputs): orientation in rad, u, u' relative to its size. Constant tilt,
+/// aperiodic, e₃ = e₄, Lagrange.
+pub const CLOSED_FORMS: [Budget; 4] =
+    [Budget::of(1e-14), Budget::of(1e-14), Budget::of(1e-14), Budget::of(1e-14)];
+/// Orientation (rad) far out, over the number of periods.
+pub const CLOSED_FORM_PER_PERIOD: Budget = Budget::of(5e-15);
+/// Closed form against ephemeris, over some fifty units of time.
+pub const CLOSED_FORM_EPHEMERIS: Budget = Budget::of(1e-13);
+/// The same over two periods, differences of the branch points down to 1e-12 and e₃ up to 1e12.
+pub const CLOSED_FORM_CORNERS: Budget = Budget::of(2e-13);
+/// Closed form against stepper, 2048 steps a unit of time.
+pub const CLOSED_FORM_STEPPER: Budget = Budget::of(1e-13);
+/// l, n, h recomputed from a closed form's pose, relative to their sizes.
+pub const CLOSED_FORM_INTEGRALS: Budget = Budget::of(1e-13);
+/// The paper's formulas as they stand, in f64, against core (rad).
+pub const AS_THE_PAPER_HAS_IT: Budget = Budget::of(1e-13);
+/// Central differences in double-double with a step of 1e-10: the square of the step, times the third derivative.
+pub const DIFFERENCES: Budget = Budget::of(2e-19);
+/// The same of what is quadratic, where only the rounding over the step is left.
+pub const DIFFERENCES_OF_SQUARES: Budget = Budget::of(1e-20);
+/// The paper's equations at one instant in f64, relative to the size of their terms.
+pub const EQUATIONS: Budget = Budget::of(5e-15);
+/// l, n, h by the Lagrangian along the full solver's path, relative to the largest of them.
+pub const FULL_INTEGRALS: Budget = Budget::of(1e-13);
+/// The curves at instants of the full solution, away from turning points.
+pub const CURVE_ON_PATH: Budget = Budget::of(5e-14);
+/// Contour integrals in f64, 512 nodes.
+pub const CONTOUR: Budget = Budget::of(1e-14);

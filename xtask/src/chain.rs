@@ -26,6 +26,7 @@ const ORDER: &[&[&str]] = &[
     &["nutation"],
     &["cayley_klein"],
     &["launch/normal_force"],
+    &["exact/jacobi"],
     &["launch/averages"],
     &["launch/start"],
     &["launch/motion"],
@@ -33,11 +34,20 @@ const ORDER: &[&[&str]] = &[
     &["launch/seek"],
     &["launch/tabulate"],
     &["tick"],
+    &["exact/elementary", "exact/agm"],
+    &["exact/theta"],
+    &["exact/tall_lattice"],
+    &["exact/weierstrass"],
+    &["exact/sigma_quotient"],
+    &["exact/orientation", "exact/periods"],
+    &["exact/e3_equals_e4", "exact/aperiodic", "exact/lagrange", "exact/precession"],
+    &["exact/closed_form"],
+    &["exact/hyperelliptic", "exact/lagrangian", "exact/moebius", "exact/tip_curve"],
     &["interop"],
 ];
 
 /// Files that only gather what others define. To use one as a whole is to use the last of its files.
-const FACADES: &[&str] = &["", "launch"];
+const FACADES: &[&str] = &["", "launch", "exact"];
 
 /// What core's code must not contain, tests apart.
 const BANNED: &[&str] =

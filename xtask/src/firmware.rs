@@ -15,20 +15,41 @@ use crate::process::{cargo, firmware_target_dir, root, run};
 use crate::tools::{self, Toolchain};
 use emulator::Run;
 
-/// A program, the chips it runs on (the first is the one it is shown on), and the exit code it must end with.
+/// A program, the folder of its source, the chips it runs on (the first is the one it is shown on), and the exit code it must end with.
 pub(crate) struct Program {
     pub(crate) name: &'static str,
+    /// Of firmware-examples; another than `src/bin` is that of a package of its own.
+    folder: &'static str,
     chips: &'static [&'static Chip],
     exit_code: i32,
     /// Also runs on the host, and must say the same there.
     on_host: bool,
 }
 
+const PROGRAM_FOLDER: &str = "src/bin";
+
 pub(crate) const PROGRAMS: &[Program] = &[
-    Program { name: "spin", chips: &[&chip::M4F], exit_code: 0, on_host: false },
-    Program { name: "launch", chips: &[&chip::M4F], exit_code: 0, on_host: false },
-    Program { name: "bits", chips: chip::ALL, exit_code: 0, on_host: true },
-    Program { name: "panics", chips: &[&chip::M0, &chip::RISCV], exit_code: 101, on_host: false },
+    Program { name: "spin", folder: PROGRAM_FOLDER, chips: &[&chip::M4F], exit_code: 0, on_host: false },
+    Program { name: "spin_m0", folder: PROGRAM_FOLDER, chips: &[&chip::M0], exit_code: 0, on_host: false },
+    Program { name: "spin_m7", folder: PROGRAM_FOLDER, chips: &[&chip::M7], exit_code: 0, on_host: false },
+    Program {
+        name: "spin_riscv",
+        folder: PROGRAM_FOLDER,
+        chips: &[&chip::RISCV],
+        exit_code: 0,
+        on_host: false,
+    },
+    Program { name: "telemetry", folder: PROGRAM_FOLDER, chips: &[&chip::M4F], exit_code: 0, on_host: false },
+    Program { name: "launch", folder: PROGRAM_FOLDER, chips: &[&chip::M4F], exit_code: 0, on_host: false },
+    Program { name: "bits", folder: PROGRAM_FOLDER, chips: chip::ALL, exit_code: 0, on_host: true },
+    Program { name: "embassy", folder: "embassy/src", chips: &[&chip::M4F], exit_code: 0, on_host: false },
+    Program {
+        name: "panics",
+        folder: PROGRAM_FOLDER,
+        chips: &[&chip::M0, &chip::RISCV],
+        exit_code: 101,
+        on_host: false,
+    },
 ];
 
 /// The programs that some chip with this target runs.
@@ -42,6 +63,9 @@ pub(crate) fn target_dir(toolchain: Toolchain, own: &str) -> PathBuf {
 }
 
 fn find(name: &str) -> Result<&'static Program> {
+    if name == COST {
+        bail!("{COST} has no log: see its figures by `toytop budget`");
+    }
     let names = || PROGRAMS.iter().map(|program| program.name).collect::<Vec<_>>().join(" ");
     PROGRAMS
         .iter()
@@ -74,6 +98,16 @@ pub(crate) fn show(name: &str, chip: Option<&str>) -> Result<ExitCode> {
     ended(&run_on(program, chip, true)?)
 }
 
+/// Builds a program and prints where it is, nothing else.
+pub(crate) fn elf(name: &str, chip: &Chip) -> Result<()> {
+    let what = if name == COST { "--package toytop-cost".to_owned() } else { find(name)?.selection() };
+    println!("{}", build(chip, &what)?.join(name).display());
+    Ok(())
+}
+
+/// Has a symbol for each call; `toytop budget` runs it, under a trace. No log, and so none of [`PROGRAMS`].
+const COST: &str = "cost";
+
 /// Runs an ELF on a chip and shows its log.
 pub(crate) fn qemu(chip: &str, elf: &str) -> Result<ExitCode> {
     tools::qemu()?;
@@ -92,19 +126,28 @@ pub(crate) fn overwrite(name: &str) -> Result<()> {
     if run.exit_code != program.exit_code {
         bail!("{}exit code {}, not {}: nothing written", run.errors, run.exit_code, program.exit_code);
     }
-    fs::write(expected_path(name), &run.log)?;
-    println!("written: {}", expected_path(name).display());
+    fs::write(program.expected(), &run.log)?;
+    println!("written: {}", program.expected().display());
     Ok(())
 }
 
-fn expected_path(name: &str) -> PathBuf {
-    root().join("firmware-examples/src/bin").join(format!("{name}.out"))
+impl Program {
+    /// What cargo is to build.
+    pub(crate) fn selection(&self) -> String {
+        let Self { name, folder, .. } = self;
+        if *folder == PROGRAM_FOLDER { format!("--bin {name}") } else { format!("--package toytop-{name}") }
+    }
+
+    /// The log that is expected.
+    fn expected(&self) -> PathBuf {
+        root().join("firmware-examples").join(self.folder).join(format!("{}.out", self.name))
+    }
 }
 
 /// Runs a program on all its chips; each log must be the expected one.
 pub(crate) fn check(program: &Program) -> Result<String> {
-    let Program { name, chips, exit_code, on_host } = program;
-    let path = expected_path(name);
+    let Program { name, chips, exit_code, on_host, .. } = program;
+    let path = program.expected();
     let expected = fs::read_to_string(&path).with_context(|| format!("{}", path.display()))?;
     let accept = format!("if it is meant to change: cargo xtask firmware {name} --overwrite");
     let reference = if *on_host {
@@ -161,7 +204,7 @@ fn difference(expected: &str, log: &str) -> String {
 
 fn run_on(program: &Program, chip: &Chip, show: bool) -> Result<Run> {
     tools::qemu()?;
-    let elf = build(chip, &format!("--bin {}", program.name))?.join(program.name);
+    let elf = build(chip, &program.selection())?.join(program.name);
     emulator::run(chip, &elf, &decoder()?, show)
 }
 

@@ -17,10 +17,17 @@ pub(crate) fn firmware() -> Result<()> {
     // all programs, and those that are not for Cortex-M only
     for chip in ["m4f", "riscv"] {
         let target = Chip::named(chip)?.target;
-        let bins: Vec<_> =
-            firmware::programs_of(target).map(|program| format!("--bin {}", program.name)).collect();
+        let (bins, packages): (Vec<_>, Vec<_>) = firmware::programs_of(target)
+            .map(firmware::Program::selection)
+            .partition(|selection| selection.starts_with("--bin"));
         let programs = format!("--lib {}", bins.join(" "));
-        for what in [&programs, &format!("{programs} --features rtt"), "--package toytop-nopanic"] {
+        let mut all = vec![programs.clone(), format!("{programs} --features rtt")];
+        all.extend(packages);
+        all.extend(["--package toytop-nopanic", "--package toytop-cost"].map(str::to_owned));
+        if chip != "riscv" {
+            all.push("--package toytop-cost --features dwt".to_owned()); // a counter of Arm's
+        }
+        for what in all {
             let words = format!("clippy --release --target {target} {what}");
             let mut command = toolchain.cargo("firmware-examples", &words);
             run(command.arg("--target-dir").arg(firmware::target_dir(toolchain, "")).args(deny))?;

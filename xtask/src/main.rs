@@ -12,12 +12,16 @@ use std::process::ExitCode;
 
 use anyhow::{Result, bail};
 
+use firmware::Chip;
+
 const USAGE: &str = "\
 usage: cargo xtask VERB
 
   test [--only STEP]           all tests; installs what they need, or says in one line what to install
   firmware NAME [--chip CHIP]  runs a program under QEMU and shows its log
   firmware NAME --overwrite    the same, and accepts the log as the expected one
+  firmware NAME --chip CHIP --elf, firmware NAME --target TRIPLE --elf
+                               builds it, `cost` too, and prints the path of the ELF, nothing else
   firmware --list              programs and chips
   nopanic [--planted]          links core against a panic handler that does not exist; --planted: shows that it bites
   check-chain                  a stage of core uses earlier stages only
@@ -43,6 +47,8 @@ fn run(words: &[&str]) -> Result<ExitCode> {
         ["firmware", "--list"] => firmware::list(),
         ["firmware", name] => return firmware::show(name, None),
         ["firmware", name, "--chip", chip] => return firmware::show(name, Some(chip)),
+        ["firmware", name, "--target", target, "--elf"] => firmware::elf(name, Chip::with_target(target)?)?,
+        ["firmware", name, "--chip", chip, "--elf"] => firmware::elf(name, Chip::named(chip)?)?,
         ["firmware", name, "--overwrite"] => firmware::overwrite(name)?,
         ["qemu", chip, elf] => return firmware::qemu(chip, elf),
         ["nopanic"] => println!("{}", nopanic::check()?),

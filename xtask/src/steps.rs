@@ -39,11 +39,13 @@ fn steps() -> Vec<Step> {
         Step::new("tests", nothing, || cargo_test("--lib --bins --tests --examples")),
         Step::new("doctests", nothing, || cargo_test("--doc")),
         Step::new("docs", nothing, docs),
+        Step::new("benches", nothing, benches),
         Step::new("no-panic", compiler, nopanic::check),
     ];
     steps.extend(
         PROGRAMS.iter().map(|program| Step::new(program.name, emulator, || firmware::check(program))),
     );
+    steps.push(Step::new("budget", emulator, budget));
     steps
 }
 
@@ -120,6 +122,27 @@ fn cargo_test(words: &str) -> Result<String> {
         bail!("{output}\nno test ran");
     }
     Ok(format!("{passed} passed, {} ignored\n{}", count(" ignored"), closing.join("\n")))
+}
+
+/// Every bench once, so that none rots; times are not looked at.
+fn benches() -> Result<String> {
+    let output = run(&mut cargo(".", "bench --package toytop-host --benches -- --test"))?;
+    let ran = output.matches("\nSuccess").count();
+    if ran == 0 {
+        bail!("{output}\nno bench ran");
+    }
+    Ok(format!("{ran} ran once each"))
+}
+
+/// `toytop budget --check`, by the binary that the tests have built.
+fn budget() -> Result<String> {
+    let mut command = cargo(".", "test --workspace --test cli");
+    command.args(["--", "--ignored", "--exact", "budget::every_call_is_within_its_budget"]);
+    let output = run(&mut command)?;
+    if !output.contains("1 passed") {
+        bail!("{output}\nthe test did not run");
+    }
+    Ok("every call on every chip".into())
 }
 
 fn docs() -> Result<String> {

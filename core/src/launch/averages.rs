@@ -6,12 +6,14 @@
 //! so no inverse function and no library transcendental is needed, and any [`Float`] will do.
 
 use super::BranchPoints;
+use crate::exact::jacobi::Jacobi;
 use crate::nutation::Nutation;
 use crate::real::{DoubleDouble, Float};
 use crate::turns::in_turns;
 
 /// What one nutation period does. Angles in turns, whole turns included.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Averages<F = f64> {
     /// T, the time from e₁ over e₂ back to e₁, in the unit of time (s).
     pub period: F,
@@ -49,37 +51,40 @@ pub(super) struct Quadrature<F> {
     pub(super) relative_error: f64,
 }
 
-/// Landen steps: each squares the smallness of the modulus; from m₁ = 1e-300 it takes nine.
-const LANDEN_STEPS: usize = 12;
 /// Nodes a half period at most: more are needed only where A/(ps) is tiny.
 const MOST_NODES: u32 = 1 << 16;
+/// A doubling of the nodes that changes less, relatively, is the last. A thousand million periods away counts what it leaves.
+const SETTLED: f64 = 1e-15;
 
 impl<F: Float> Quadrature<F> {
     /// Over one period of `law`. Relative error: some 1e-30 in double-double, some 1e-15 in `f64`, unless
     /// A/(ps) < 1e-4 and the motion reaches the vertical, where the number of nodes is capped.
     pub(super) fn over_period(law: &Nutation<F>, e: &BranchPoints<F>) -> Self {
-        let landen = Landen::new(e);
+        let jacobi = Jacobi::of(e.e2_minus_e1 / e.e3_minus_e1(), e.e3_minus_e2 / e.e3_minus_e1());
         // The ends of the half period, half weight each; then ever finer sets of odd nodes between.
         let mut sums =
-            Sums::at(law, &landen, F::ZERO, F::ONE).plus(&Sums::at(law, &landen, F::ONE, F::ZERO)).halved();
+            Sums::at(law, &jacobi, F::ZERO, F::ONE).plus(&Sums::at(law, &jacobi, F::ONE, F::ZERO)).halved();
         let mut nodes = 1_u32;
         let (mut step_sine, mut step_cosine) = (F::ONE, F::ZERO); // of π/2 over the number of nodes
-        let change = loop {
+        let mut before = f64::INFINITY;
+        let relative_error = loop {
             (step_sine, step_cosine) = half_angle(step_sine, step_cosine);
-            let odd = Sums::at_odd_nodes(law, &landen, nodes, step_sine, step_cosine);
+            let odd = Sums::at_odd_nodes(law, &jacobi, nodes, step_sine, step_cosine);
             // trapezoid sums with `nodes` and twice as many
-            let change = odd.plus(&sums.negated());
+            let difference = odd.plus(&sums.negated());
             sums = sums.plus(&odd);
             nodes *= 2;
-            let settled = change.relative_to(&sums) <= F::from_f64(1e-12);
-            if nodes >= MOST_NODES || (nodes >= 8 && settled) {
-                break change.relative_to(&sums).to_f64();
+            let change = difference.relative_to(&sums).to_f64();
+            if nodes >= MOST_NODES {
+                break change;
             }
+            if nodes >= 8 && change <= SETTLED {
+                break left_by(change, before);
+            }
+            before = change;
         };
-        // Geometric convergence: the error of the last sum is the square of the change, up to a constant.
-        let relative_error = if nodes < MOST_NODES { 1e3 * change * change } else { change };
         // Both halves of the period alike: 2 K over the number of nodes, twice over half of them.
-        let weight = landen.quarter_period().doubled() / F::from_f64(f64::from(nodes));
+        let weight = jacobi.quarter_period().doubled() / F::from_f64(f64::from(nodes));
         Self {
             period: sums.time * weight,
             psi_alpha: sums.alpha * weight,
@@ -87,6 +92,15 @@ impl<F: Float> Quadrature<F> {
             relative_error,
         }
     }
+}
+
+/// The error of a trapezoid sum, from what the last two doublings of its nodes changed. Convergence is geometric: each error
+/// is the square of the one before over a constant C, or the one before times the square of the last ratio; C may be small,
+/// and the ratio not yet settled, so that the sum of both is what holds (random motions: `toytop study`).
+fn left_by(change: f64, before: f64) -> f64 {
+    // both may be 0: in a slow and small nutation nothing is left to change
+    let ratio = change / before.max(change).max(f64::MIN_POSITIVE);
+    change * (3.0 * change + 30.0 * ratio * ratio)
 }
 
 /// sin and cos of half an angle in the first quadrant.
@@ -104,22 +118,22 @@ struct Sums<F> {
 }
 
 impl<F: Float> Sums<F> {
-    fn at(law: &Nutation<F>, landen: &Landen<F>, sine: F, cosine: F) -> Self {
-        let (sn, cn) = landen.sn_cn(sine, cosine);
+    fn at(law: &Nutation<F>, jacobi: &Jacobi<F>, sine: F, cosine: F) -> Self {
+        let (sn, cn, _) = jacobi.at_angle(sine, cosine);
         let time = law.time_per_amplitude(sn, cn);
         let rates = law.rates(sn, cn);
         Self { time, alpha: rates.alpha * time, beta: rates.beta * time }
     }
 
     /// Over the `nodes` angles (2j + 1) δ, given sin δ and cos δ.
-    fn at_odd_nodes(law: &Nutation<F>, landen: &Landen<F>, nodes: u32, sine: F, cosine: F) -> Self {
+    fn at_odd_nodes(law: &Nutation<F>, jacobi: &Jacobi<F>, nodes: u32, sine: F, cosine: F) -> Self {
         let double_sine = (sine * cosine).doubled();
         let double_cosine = (cosine - sine) * (cosine + sine);
         let (mut s, mut c) = (sine, cosine);
-        let mut sums = Self::at(law, landen, s, c);
+        let mut sums = Self::at(law, jacobi, s, c);
         for _ in 1..nodes {
             (s, c) = (s * double_cosine + c * double_sine, c * double_cosine - s * double_sine);
-            sums = sums.plus(&Self::at(law, landen, s, c));
+            sums = sums.plus(&Self::at(law, jacobi, s, c));
         }
         sums
     }
@@ -146,55 +160,6 @@ impl<F: Float> Sums<F> {
     }
 }
 
-/// The descending Landen chain of a modulus, from its complement.
-struct Landen<F> {
-    /// (k, 1 - k) of the transformed moduli, largest first.
-    steps: [(F, F); LANDEN_STEPS],
-}
-
-impl<F: Float> Landen<F> {
-    fn new(e: &BranchPoints<F>) -> Self {
-        let mut complement = (e.e3_minus_e2 / e.e3_minus_e1()).sqrt();
-        let mut modulus_squared = e.e2_minus_e1 / e.e3_minus_e1();
-        let steps = core::array::from_fn(|_| {
-            // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
-            let per_sum = F::ONE / (F::ONE + complement);
-            let modulus = modulus_squared * per_sum.squared();
-            // below the last digit of any type the step changes nothing, and is left out
-            let modulus = if modulus > F::from_f64(1e-33) { modulus } else { F::ZERO };
-            let rest = complement.doubled() * per_sum;
-            complement = complement.sqrt().doubled() * per_sum;
-            modulus_squared = modulus.squared();
-            (modulus, rest)
-        });
-        Self { steps }
-    }
-
-    /// K = π/2 ∏ (1 + k).
-    fn quarter_period(&self) -> F {
-        // π/2 to 32 digits, for double-double; one number for the smaller types
-        let half_pi = F::from_f64(core::f64::consts::FRAC_PI_2) + F::from_f64(6.123233995736766e-17);
-        self.steps.iter().fold(half_pi, |product, &(modulus, _)| product * (F::ONE + modulus))
-    }
-
-    /// (sn v, cn v) at v = 2 K φ/π, from sin φ and cos φ.
-    fn sn_cn(&self, sine: F, cosine: F) -> (F, F) {
-        let (mut sn, mut cn, mut dn) = (sine, cosine, F::ONE);
-        for &(modulus, rest) in self.steps.iter().rev() {
-            if modulus == F::ZERO {
-                continue;
-            }
-            let per_sum = F::ONE / (F::ONE + modulus * sn.squared());
-            // 1 - k sn² = (1 - k) + k cn²
-            let next_dn = (rest + modulus * cn.squared()) * per_sum;
-            cn = cn * dn * per_sum;
-            sn = (F::ONE + modulus) * sn * per_sum;
-            dn = next_dn;
-        }
-        (sn, cn)
-    }
-}
-
 /// Turns per period of α and β, from the quadrature: the slow phases, the constant drift ±τT/2, and the half turn that
 /// the bracket makes (`winding`, 0 where it passes through 0 instead).
 pub(super) fn averages(
@@ -208,5 +173,19 @@ pub(super) fn averages(
         period: quadrature.period,
         alpha_turns: in_turns(quadrature.psi_alpha + drift) + alpha_winding,
         beta_turns: in_turns(quadrature.psi_beta - drift) + beta_winding,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::left_by;
+
+    #[test]
+    fn what_is_left_is_a_number_also_where_nothing_changed() {
+        assert_eq!(left_by(0.0, 0.0), 0.0);
+        assert!(left_by(1e-32, 0.0) < 1e-30);
+        // one part in 1e8 from doubling to doubling: as much squared again
+        let left = left_by(1e-16, 1e-8);
+        assert!(left > 1e-32 && left < 1e-30, "{left:e}");
     }
 }

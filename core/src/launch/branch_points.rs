@@ -12,6 +12,7 @@ use crate::top::{Quantities, Top};
 
 /// The branch points and their differences, all without unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BranchPoints<F = f64> {
     /// e₁, the least u of the motion, >= -1.
     pub e1: F,

@@ -7,6 +7,7 @@ use crate::top::{Quantities, Top};
 
 /// A sign, + or -.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Sign {
     /// +
     #[default]
@@ -43,6 +44,7 @@ impl Sign {
 ///
 /// Equal signs mean |l| > |n|, unequal ones |l| < |n|. Where one of the two combinations vanishes its sign is free.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Signs {
     /// The sign of l + n.
     pub l_plus_n: Sign,
@@ -55,6 +57,7 @@ pub struct Signs {
 /// l + n and l - n are kept beside l and n: near the vertical one of them is small, and a difference of rounded numbers
 /// would lose it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FirstIntegrals<F = f64> {
     /// l = ⟨m, k⟩, the vertical angular momentum, kg m²/s.
     pub l: F,

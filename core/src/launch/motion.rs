@@ -226,6 +226,14 @@ impl Motion {
         self.course
     }
 
+    /// χ at t = 0 of a motion that nutates.
+    pub(crate) fn nutation_start(&self) -> Option<Turns> {
+        match self.course {
+            Course::Nutating(chi) => Some(chi),
+            Course::Steady(_) | Course::Aperiodic(_) => None,
+        }
+    }
+
     pub(crate) fn phases(&self) -> [Turns; 2] {
         self.phases
     }

@@ -11,19 +11,21 @@ use crate::turns::{in_turns, two_pi};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rates {
     /// T/2; for an aperiodic motion the time from its lowest point to u = 1; 0 where u is constant.
-    pub(crate) half_period: f64,
+    pub(crate) half_period: DoubleDouble,
     /// Whether the nutation comes back: not if aperiodic, whose nutation phase stops at half a turn.
     pub(crate) returns: bool,
     /// What the rates of the slow phases have besides ψ': drift less mean, rad per unit time.
-    pub(crate) excess: [f64; 2],
+    pub(crate) excess: [DoubleDouble; 2],
     /// 1/T, and the mean rates of α and β, in turns per unit time.
     pub(crate) turns: [DoubleDouble; 3],
     /// Relative error of `turns`.
     pub(crate) relative_error: f64,
+    /// Of the scalar that they are for.
+    pub(crate) rounding: f64,
 }
 
-/// A rounding of double-double arithmetic, with room for the hundred or so that make a rate.
-const ARITHMETIC: f64 = 1e-29;
+/// A rounding of double-double arithmetic, with room for the thousands that make a rate and for a difference of two.
+const ARITHMETIC: f64 = 1e-28;
 
 impl Rates {
     /// Of a motion; for an aperiodic one up to where 1 - u is below `rounding`².
@@ -33,21 +35,22 @@ impl Rates {
             let [alpha, beta] = motion.steady_rates().map(in_turns);
             let turns = [DoubleDouble::ZERO, alpha, beta];
             return Self {
-                half_period: 0.0,
+                half_period: DoubleDouble::ZERO,
                 returns: true,
-                excess: [0.0; 2],
+                excess: [DoubleDouble::ZERO; 2],
                 turns,
                 relative_error: ARITHMETIC,
+                rounding,
             };
         }
         if motion.regime() == Regime::Aperiodic {
             Self::rising(motion, rounding)
         } else {
-            Self::periodic(motion)
+            Self::periodic(motion, rounding)
         }
     }
 
-    fn periodic(motion: &Motion) -> Self {
+    fn periodic(motion: &Motion, rounding: f64) -> Self {
         let (averages, winding, relative_error) = motion.exact_averages();
         let half = DoubleDouble::from(0.5);
         let frequency = DoubleDouble::ONE / averages.period;
@@ -58,11 +61,12 @@ impl Rates {
         let beta = whole(averages.beta_turns, beta_winding) * frequency;
         let drift = motion.half_tau();
         Self {
-            half_period: averages.period.halved().to_f64(),
+            half_period: averages.period.halved(),
             returns: true,
-            excess: [(drift - two_pi() * alpha).to_f64(), (-drift - two_pi() * beta).to_f64()],
+            excess: [drift - two_pi() * alpha, -drift - two_pi() * beta],
             turns: [frequency, alpha, beta],
             relative_error: relative_error + ARITHMETIC,
+            rounding,
         }
     }
 
@@ -70,16 +74,17 @@ impl Rates {
     fn rising(motion: &Motion, rounding: f64) -> Self {
         let law = motion.law();
         // cos χ = sech v ≈ 2 e^{-v}
-        let half_period = rise_time(&law.cast(), libm::log(4.0 / rounding));
+        let half_period = DoubleDouble::from(rise_time(&law.cast(), libm::log(4.0 / rounding)));
         let at_the_top = law.aperiodic_rates(DoubleDouble::ONE, DoubleDouble::ZERO);
         let drift = motion.half_tau();
-        let frequency = DoubleDouble::ONE / DoubleDouble::from(half_period).doubled();
+        let frequency = DoubleDouble::ONE / half_period.doubled();
         Self {
             half_period,
             returns: false,
-            excess: [-at_the_top.alpha.to_f64(), 0.0],
+            excess: [-at_the_top.alpha, DoubleDouble::ZERO],
             turns: [frequency, in_turns(at_the_top.alpha + drift), in_turns(-drift)],
             relative_error: ARITHMETIC,
+            rounding,
         }
     }
 }

@@ -5,6 +5,7 @@ use crate::real::{DoubleDouble, Float, Ring};
 
 /// The two regular precessions with the same e₁ = e₂ and e₃.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Pace {
     /// |l| < |n|: the slow one, which a toy top shows.
     Slow,
@@ -14,6 +15,7 @@ pub enum Pace {
 
 /// The kind of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Regime {
     /// e₁ < e₂ and e₂ < e₃: u swings between e₁ and e₂.
     Nutating,
@@ -68,6 +70,7 @@ fn swings(e: &BranchPoints<DoubleDouble>) -> bool {
 
 /// The kind of curve that the tip draws between its two bounding circles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum TipClass {
     /// The tip angle is monotone and the curve has no corner.
     Smooth,

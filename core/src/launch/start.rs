@@ -9,6 +9,7 @@ use crate::turns::{Turns, in_turns};
 
 /// Where on its curve a motion given by branch points is at t = 0. All in rad; 0 by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Start {
     /// θ(0), the nutation phase: 0 at u = e₁, π at u = e₂, rising between. A number that is the `f64` nearest to a
     /// multiple of π counts as that multiple. Without meaning where u is constant, except that θ = π with e₂ = e₃ = 1

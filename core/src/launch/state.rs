@@ -7,6 +7,7 @@ use crate::su2::{Phi, Vector};
 
 /// Orientation and angular velocity at t = 0. The `f64` numbers count as exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct State {
     phi: Phi<f64>,
     omega: Vector<f64>,
@@ -14,6 +15,7 @@ pub struct State {
 
 /// A throw in everyday terms: how the axis leans, how the body spins, how the axis moves. Angles in rad, rates in rad/s.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Release {
     /// Angle of the axis from the upward vertical, in [0, π].
     pub tilt: f64,

@@ -12,8 +12,9 @@ use super::Motion;
 use super::rates::Rates;
 use super::seek::Seek;
 use crate::cayley_klein::Brackets;
-use crate::nutation::series::{Expansion, Point, TERMS};
-use crate::real::{Float, Scalar};
+use crate::nutation::series::{Expansion, Point, Slopes, TERMS, worse};
+use crate::nutation::{Nutation, PhaseRates};
+use crate::real::{DoubleDouble, Float, Scalar};
 use crate::turns::Turns;
 
 /// The coefficients, lowest first, of Re α, Im α, Re β and Im β as polynomials in x ∈ [-1, 1] on one segment.
@@ -41,41 +42,55 @@ pub(crate) fn tabulate(
     mut store: impl FnMut(usize, &Polynomials) -> f64,
 ) -> Tabulated {
     let brackets = motion.brackets::<f64>();
+    let mut polynomials = [[0.0; TERMS]; 4];
     if motion.is_steady() {
-        let constant = constants(&brackets);
+        constants(&brackets, &mut polynomials);
         (0..segments).for_each(|segment| {
-            store(segment, &constant);
+            store(segment, &polynomials);
         });
         let [alpha, beta] = motion.phases();
         return Tabulated { start: [Turns::ZERO, alpha, beta], ..Tabulated::default() };
     }
-    let law = motion.law().cast::<f64>();
-    let unit = rates.half_period / (2 * segments) as f64; // half a segment
-    let seek = Seek::new(motion, rates.half_period);
-    let mut march = March { point: Point::LOWEST, remainder: 0.0 };
-    march.to(&law.expand(&march.point, unit, rates.excess), 1.0);
+    let seek = Seek::new(motion, rates.half_period.to_f64());
+    let law = motion.law();
+    let mut march = March {
+        law: &law,
+        rounded: &law.cast(),
+        rates,
+        unit: rates.half_period / DoubleDouble::from((2 * segments) as f64),
+        point: Point::default(),
+        least: rates.rounding / (16 * segments) as f64,
+        far: rates.rounding / segments as f64,
+        remainder: 0.0,
+    };
+    let mut expansion = Expansion::EMPTY;
+    march.expand(&mut expansion);
+    march.to(&expansion, 1.0);
     let mut found = None;
     let mut dropped = 0.0_f64;
     for segment in 0..segments {
-        let expansion = law.expand(&march.point, unit, rates.excess);
-        let mut polynomials = combine(&brackets, &expansion);
+        march.expand(&mut expansion);
+        combine(&brackets, &expansion, march.least, &mut polynomials);
         dropped = worse(dropped, economise_all(&mut polynomials, terms));
         dropped = worse(dropped, store(segment, &polynomials));
         let last = segment + 1 == segments;
         if found.is_none()
             && let Some(x) = seek.within(&expansion, last)
         {
-            let phase = (segment as f64 + 0.5 * (1.0 + x)) / (2 * segments) as f64;
+            // half a turn of the nutation over all segments
+            let centre = (2 * segment + 1) as i128 * Turns::ONE.to_bits() / (4 * segments) as i128;
+            let phase = Turns::from_bits(centre) + Turns::new(x / (4 * segments) as f64);
             found = Some((phase, expansion.theta_at(x)));
         }
-        if last || expansion.last_term(2.0) > FAR {
+        if last || expansion.last_term(2.0) > march.far {
             march.to(&expansion, 1.0);
         } else {
             march.to(&expansion, 2.0);
             continue;
         }
         if !last {
-            march.to(&law.expand(&march.point, unit, rates.excess), 1.0);
+            march.expand(&mut expansion);
+            march.to(&expansion, 1.0);
         }
     }
     let (phase, theta) = found.unwrap_or_default();
@@ -86,22 +101,45 @@ pub(crate) fn tabulate(
     }
 }
 
-/// A step from centre to centre that leaves out more than this, rad, goes by the border between them.
-const FAR: f64 = 1e-15;
-
-/// The larger of two, or NaN if one is.
-fn worse(a: f64, b: f64) -> f64 {
-    if b <= a { a } else { b }
-}
-
 /// The way from centre to centre.
-struct March {
+struct March<'a> {
+    law: &'a Nutation<DoubleDouble>,
+    rounded: &'a Nutation<f64>,
+    rates: &'a Rates,
+    /// Half a segment. An error here would add up over them.
+    unit: DoubleDouble,
     point: Point,
-    /// What the series left out on the way so far, judged by its last term.
+    /// Terms below this change nothing.
+    least: f64,
+    /// A step from centre to centre that leaves out more than this, rad, goes by the border between them.
+    far: f64,
+    /// What the series left out on the way so far, judged by its last terms.
     remainder: f64,
 }
 
-impl March {
+impl March<'_> {
+    /// Around the point that was reached.
+    fn expand(&self, expansion: &mut Expansion) {
+        self.rounded.expand(&self.point, &self.slopes(), self.unit.to_f64(), self.least, expansion);
+    }
+
+    /// In double-double: a slow phase may turn by thousands of radians, and hardly from its mean.
+    #[inline(never)]
+    fn slopes(&self) -> Slopes {
+        let (sine, cosine) = self.point.sine_cosine();
+        let rates = self.law.rates(sine.into(), cosine.into());
+        let [alpha_excess, beta_excess] = self.rates.excess;
+        let slope = |rate: DoubleDouble| (self.unit * rate).to_f64();
+        Slopes {
+            psi: PhaseRates {
+                nutation: slope(rates.nutation),
+                alpha: slope(rates.alpha),
+                beta: slope(rates.beta),
+            },
+            theta: [slope(rates.alpha + alpha_excess), slope(rates.beta + beta_excess)],
+        }
+    }
+
     fn to(&mut self, expansion: &Expansion, x: f64) {
         self.remainder += expansion.last_term(x);
         self.point = expansion.point(x);
@@ -109,61 +147,56 @@ impl March {
 
     /// At the upper turning point cos χ = 0, and α and β with their mean rotation taken off are real: cos θ = 0.
     fn defect(&self) -> f64 {
-        let miss = |angle: f64| Float::abs(f64::sine_cosine(Turns::from_radians(angle)).1);
-        let [alpha, beta] = self.point.theta;
-        2.0 * (Float::abs(self.point.cosine) + miss(alpha).max(miss(beta)))
+        let miss = |angle: Turns| Float::abs(f64::sine_cosine(angle).1);
+        let [alpha, beta] = self.point.theta.map(miss);
+        2.0 * (miss(self.point.chi) + alpha.max(beta))
     }
 }
 
 /// α and β where the half phase stays 0.
-fn constants(brackets: &Brackets<f64>) -> Polynomials {
-    let mut polynomials = [[0.0; TERMS]; 4];
-    let [re_alpha, _, re_beta, _] = &mut polynomials;
+fn constants(brackets: &Brackets<f64>, polynomials: &mut Polynomials) {
+    let [re_alpha, _, re_beta, _] = polynomials;
     if let (Some(alpha), Some(beta)) = (re_alpha.first_mut(), re_beta.first_mut()) {
         let [plus, minus] = brackets.alpha.exponentials();
         *alpha = plus + minus;
         let [plus, minus] = brackets.beta.exponentials();
         *beta = plus + minus;
     }
-    polynomials
 }
 
 /// The brackets times e^{iθ}, in real and imaginary parts.
 #[inline(never)]
-fn combine(brackets: &Brackets<f64>, expansion: &Expansion) -> Polynomials {
-    let [re_alpha, im_alpha] = expansion.turned(0, brackets.alpha.exponentials());
-    let [re_beta, im_beta] = expansion.turned(1, brackets.beta.exponentials());
-    [re_alpha, im_alpha, re_beta, im_beta].map(|series| *series.coefficients())
+fn combine(brackets: &Brackets<f64>, expansion: &Expansion, least: f64, polynomials: &mut Polynomials) {
+    let [re_alpha, im_alpha, re_beta, im_beta] = polynomials;
+    expansion.turned(0, brackets.alpha.exponentials(), least, [re_alpha, im_alpha]);
+    expansion.turned(1, brackets.beta.exponentials(), least, [re_beta, im_beta]);
 }
 
-/// Shortens all four; returns a bound of the change, as an orientation error.
+/// Shortens all four to `terms` coefficients by taking off multiples of Chebyshev polynomials from the top; returns a bound
+/// of the change on [-1, 1], as an orientation error: the sum of the multiples bounds that of each.
 fn economise_all(polynomials: &mut Polynomials, terms: usize) -> f64 {
-    let sum = polynomials.iter_mut().fold(0.0, |sum, polynomial| {
-        let dropped = economise(polynomial, terms);
-        sum + dropped * dropped
-    });
-    2.0 * Float::sqrt(sum)
-}
-
-/// Shortens to `terms` coefficients by taking off multiples of Chebyshev polynomials from the top; returns the sum of
-/// the multiples, which bounds the change on [-1, 1].
-fn economise(polynomial: &mut [f64; TERMS], terms: usize) -> f64 {
-    let mut dropped = 0.0;
+    let mut dropped = [0.0; 4];
     for degree in (terms.max(1)..TERMS).rev() {
-        let leading = polynomial.get(degree).copied().unwrap_or(0.0);
+        let leading = polynomials.each_ref().map(|polynomial| polynomial.get(degree).copied().unwrap_or(0.0));
+        if leading == [0.0; 4] {
+            continue;
+        }
         // T_n/2^{n-1} = Σ (-1)^j n/(n-j) C(n-j, j)/4^j x^{n-2j}, each term from the one before
         let n = degree as f64;
-        let mut coefficient = leading;
+        let mut coefficient = 1.0;
         for j in 0..=degree / 2 {
-            if let Some(entry) = polynomial.get_mut(degree - 2 * j) {
-                *entry -= coefficient;
+            for (polynomial, leading) in polynomials.iter_mut().zip(leading) {
+                if let Some(entry) = polynomial.get_mut(degree - 2 * j) {
+                    *entry -= leading * coefficient;
+                }
             }
             let (j, power) = (j as f64, n - 2.0 * j as f64);
             coefficient *= -power * (power - 1.0) / (4.0 * (j + 1.0) * (n - j - 1.0).max(1.0));
         }
-        dropped += Float::abs(leading) / (1_u64 << (degree - 1)) as f64;
+        let scale = 1.0 / (1_u64 << (degree - 1)) as f64;
+        dropped.iter_mut().zip(leading).for_each(|(sum, leading)| *sum += Float::abs(leading) * scale);
     }
-    dropped
+    2.0 * Float::sqrt(dropped.into_iter().fold(0.0, |sum, dropped| sum + dropped * dropped))
 }
 
 #[cfg(test)]
@@ -178,8 +211,9 @@ mod tests {
             .enumerate()
             .for_each(|(k, c)| *c = 0.3_f64.powi(k as i32) * (1.0 + (k as f64).sin()));
         for terms in 1..TERMS {
-            let mut short = exact;
-            let bound = economise(&mut short, terms);
+            let mut four = [exact, [0.0; TERMS], [0.0; TERMS], [0.0; TERMS]];
+            let bound = 0.5 * economise_all(&mut four, terms);
+            let [short, ..] = four;
             assert!(short[terms..].iter().all(|c| c.abs() < 1e-16));
             let value = |p: &[f64; TERMS], x: f64| p.iter().rev().fold(0.0, |sum, c| sum * x + c);
             let worst = (0..=1000).fold(0.0_f64, |worst, i| {

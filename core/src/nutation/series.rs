@@ -1,40 +1,63 @@
-//! The law as a power series in time: the motion around any of its points, to sixteen terms.
+//! The law as a power series in time: the motion around any of its points, to sixteen terms or fewer.
 //!
 //! Every quantity of the law is a product, a quotient or a root of earlier ones, so its coefficients follow one after the
 //! other from convolutions. The series of χ itself is never formed: sin χ, cos χ and e^{i(θ ± χ)} have linear equations.
 
-use super::Nutation;
+use super::{Nutation, PhaseRates};
 use crate::complex::Complex;
 use crate::real::{Float, Scalar};
 use crate::turns::Turns;
 
-/// Terms of a series. A segment that a short polynomial can follow is a small part of the radius of convergence:
+/// Terms of a series at most; it stops where they fall below what the scalar can tell. A segment that a short polynomial
+/// can follow is a small part of the radius of convergence:
 /// sixteen terms leave 1e-10 where degree 5 leaves 3e-8, and 1e-16 where degree 9 leaves 1e-16.
 pub(crate) const TERMS: usize = 16;
+
+/// 1/(k + 1), which integrating x^k divides by: a product costs a chip without a divider much less.
+#[allow(clippy::indexing_slicing)] // evaluated by the compiler, which would refuse an index out of range
+static PER_POWER: [f64; TERMS] = {
+    let mut inverses = [1.0; TERMS];
+    let mut k = 0;
+    while k < TERMS {
+        inverses[k] = 1.0 / (k + 1) as f64;
+        k += 1;
+    }
+    inverses
+};
 
 /// Coefficients of 1, x, x², ...
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Series([f64; TERMS]);
 
-/// A point of the motion, as an expansion needs it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A point of the motion. Its phases are integers, so that marching from point to point adds up without rounding, and
+/// the cosine of χ near a quarter turn keeps its digits.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Point {
-    pub(crate) sine: f64,
-    pub(crate) cosine: f64,
-    /// θ of α and of β: what their slow phases have turned beyond their mean, rad.
+    pub(crate) chi: Turns,
+    /// θ of α and of β: what their slow phases have turned beyond their mean.
+    pub(crate) theta: [Turns; 2],
+}
+
+/// The rates of χ, of ψ_A and ψ_B, and of θ_A and θ_B at a point, by x.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slopes {
+    pub(crate) psi: PhaseRates<f64>,
+    /// ψ' less its mean: given apart, because the difference may be small.
     pub(crate) theta: [f64; 2],
 }
 
 /// The motion around a point, as functions of x = (t - t₀)/unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Expansion {
-    pub(crate) sine: Series,
-    pub(crate) cosine: Series,
+    sine: Series,
+    cosine: Series,
     /// dχ/dx.
     chi: Series,
     /// dθ/dx of α and of β.
     theta: [Series; 2],
     origin: Point,
+    /// How many terms there are: as many as were needed, at most [`TERMS`].
+    terms: usize,
 }
 
 impl Series {
@@ -47,30 +70,20 @@ impl Series {
     }
 
     /// The k-th coefficient.
-    pub(crate) fn get(&self, k: usize) -> f64 {
+    fn get(&self, k: usize) -> f64 {
         self.0.get(k).copied().unwrap_or(0.0)
     }
 
-    pub(crate) fn put(&mut self, k: usize, value: f64) {
+    fn put(&mut self, k: usize, value: f64) {
         if let Some(coefficient) = self.0.get_mut(k) {
             *coefficient = value;
         }
     }
 
-    /// The value at x.
-    pub(crate) fn value(&self, x: f64) -> f64 {
-        self.0.iter().rev().fold(0.0, |sum, c| sum * x + c)
-    }
-
-    /// The integral from 0 to x.
-    fn integral(&self, x: f64) -> f64 {
-        let terms = self.0.iter().enumerate().rev();
-        x * terms.fold(0.0, |sum, (k, c)| sum * x + c / (k + 1) as f64)
-    }
-
-    /// All coefficients.
-    pub(crate) fn coefficients(&self) -> &[f64; TERMS] {
-        &self.0
+    /// The integral from 0 to x of the first `terms`.
+    fn integral(&self, x: f64, terms: usize) -> f64 {
+        let terms = self.0.iter().zip(&PER_POWER).take(terms).rev();
+        x * terms.fold(0.0, |sum, (c, per_power)| sum * x + c * per_power)
     }
 
     /// The k-th coefficient of a product.
@@ -78,125 +91,198 @@ impl Series {
         a.0.iter().take(k + 1).zip(b.0.iter().take(k + 1).rev()).fold(0.0, |sum, (x, y)| sum + x * y)
     }
 
-    /// The k-th coefficient of q = n/d, from that of n and the earlier ones of q.
-    fn quotient(n: f64, d: &Self, q: &Self, k: usize) -> f64 {
-        let known = d.0.iter().skip(1).take(k).zip(q.0.iter().take(k).rev());
-        (n - known.fold(0.0, |sum, (x, y)| sum + x * y)) / d.get(0)
+    /// The k-th coefficient of a square.
+    fn square(a: &Self, k: usize) -> f64 {
+        folded(a.0.get(..=k).unwrap_or_default())
     }
 
-    /// The k-th coefficient of r = √square, from the earlier ones of r.
-    fn root(square: &Self, r: &Self, k: usize) -> f64 {
-        if k == 0 {
-            return Float::sqrt(square.get(0));
-        }
-        let known = r.0.iter().take(k).skip(1).zip(r.0.iter().take(k).skip(1).rev());
-        (square.get(k) - known.fold(0.0, |sum, (x, y)| sum + x * y)) / (2.0 * r.get(0))
+    /// What a₁ bₖ₋₁ + ... + aₙ bₖ₋ₙ adds to the k-th coefficient of a product, n = `last`.
+    fn rest(a: &Self, b: &Self, k: usize, last: usize) -> f64 {
+        let pairs = a.0.iter().skip(1).take(last).zip(b.0.iter().take(k).rev());
+        pairs.fold(0.0, |sum, (x, y)| sum + x * y)
+    }
+}
+
+/// The larger of two, or NaN if one is.
+pub(crate) fn worse(a: f64, b: f64) -> f64 {
+    if b <= a { a } else { b }
+}
+
+/// Σ cᵢ cₙ₋₁₋ᵢ, each pair once.
+fn folded(c: &[f64]) -> f64 {
+    let half = c.len() / 2;
+    let pairs = c.iter().zip(c.iter().rev()).take(half);
+    let sum = 2.0 * pairs.fold(0.0, |sum, (x, y)| sum + x * y);
+    match c.get(half) {
+        Some(middle) if c.len() % 2 == 1 => sum + middle * middle,
+        _ => sum,
     }
 }
 
 impl Point {
-    /// χ = 0, where all phases are counted from.
-    pub(crate) const LOWEST: Self = Self { sine: 0.0, cosine: 1.0, theta: [0.0; 2] };
+    /// sin χ and cos χ.
+    pub(crate) fn sine_cosine(&self) -> (f64, f64) {
+        f64::sine_cosine(self.chi)
+    }
 }
 
 impl Expansion {
-    /// The point at x, with sin χ and cos χ put back on their circle.
+    /// Room for one.
+    pub(crate) const EMPTY: Self = Self {
+        sine: Series::ZERO,
+        cosine: Series::ZERO,
+        chi: Series::ZERO,
+        theta: [Series::ZERO; 2],
+        origin: Point { chi: Turns::ZERO, theta: [Turns::ZERO; 2] },
+        terms: 0,
+    };
+
+    /// The point at x.
     pub(crate) fn point(&self, x: f64) -> Point {
-        let (sine, cosine) = (self.sine.value(x), self.cosine.value(x));
-        let unit = 1.0 / Float::sqrt(sine * sine + cosine * cosine);
-        Point { sine: sine * unit, cosine: cosine * unit, theta: self.theta_at(x) }
+        Point { chi: self.chi_at(x), theta: self.theta_at(x) }
     }
 
-    /// θ of α and of β at x, rad.
-    pub(crate) fn theta_at(&self, x: f64) -> [f64; 2] {
+    /// χ at x.
+    pub(crate) fn chi_at(&self, x: f64) -> Turns {
+        self.origin.chi + Turns::from_radians(self.chi.integral(x, self.terms))
+    }
+
+    /// dχ/dx at x.
+    pub(crate) fn chi_slope(&self, x: f64) -> f64 {
+        self.chi.0.iter().take(self.terms).rev().fold(0.0, |sum, c| sum * x + c)
+    }
+
+    /// θ of α and of β at x.
+    pub(crate) fn theta_at(&self, x: f64) -> [Turns; 2] {
         let [alpha, beta] = self.origin.theta;
         let [alpha_rate, beta_rate] = &self.theta;
-        [alpha + alpha_rate.integral(x), beta + beta_rate.integral(x)]
+        let change = |rate: &Series| Turns::from_radians(rate.integral(x, self.terms));
+        [alpha + change(alpha_rate), beta + change(beta_rate)]
     }
 
-    /// The bracket p e^{iχ} + q e^{-iχ} times e^{iθ}, of α (`which` = 0) or of β (1): real and imaginary part.
+    /// Puts the bracket p e^{iχ} + q e^{-iχ} times e^{iθ}, of α (`which` = 0) or of β (1), in real and imaginary part, to
+    /// where its terms fall below `least`.
     #[inline(never)] // set-up's frames should not add up on a small stack
-    pub(crate) fn turned(&self, which: usize, [p, q]: [f64; 2]) -> [Series; 2] {
-        let rate = self.theta.get(which).unwrap_or(&Series::ZERO);
-        let angle = self.origin.theta.get(which).copied().unwrap_or(0.0);
-        let (sine, cosine) = f64::sine_cosine(Turns::from_radians(angle));
-        let theta = Complex::new(cosine, sine);
-        let chi = Complex::new(self.origin.cosine, self.origin.sine);
-        let [mut re, mut im] = exponential(rate, &self.chi, 1.0, theta * chi, p);
-        let [backward_re, backward_im] = exponential(rate, &self.chi, -1.0, theta * chi.conj(), q);
-        for (sum, term) in [(&mut re, backward_re), (&mut im, backward_im)] {
-            sum.0.iter_mut().zip(term.0).for_each(|(sum, term)| *sum += term);
+    pub(crate) fn turned(&self, which: usize, [p, q]: [f64; 2], least: f64, sums: [&mut [f64; TERMS]; 2]) {
+        let slow = self.theta.get(which).unwrap_or(&Series::ZERO);
+        let theta = self.origin.theta.get(which).copied().unwrap_or_default();
+        let [re, im] = sums;
+        (*re, *im) = ([0.0; TERMS], [0.0; TERMS]);
+        for (sense, scale, start) in [(1.0, p, theta + self.origin.chi), (-1.0, q, theta - self.origin.chi)] {
+            let mut rate = *slow;
+            rate.0.iter_mut().zip(&self.chi.0).for_each(|(rate, chi)| *rate += sense * chi);
+            add_exponential(&rate, Complex::cis(start).scaled(scale), least, [&mut *re, &mut *im]);
         }
-        [re, im]
     }
 
-    /// The largest of the last terms at x: what the series leave out is smaller.
+    /// The larger of the last two terms of the phases' rates at x > 0: what the series of the phases leave out is smaller.
     pub(crate) fn last_term(&self, x: f64) -> f64 {
-        let power = (1..TERMS).fold(1.0, |power, _| power * Float::abs(x));
+        let before = self.terms.saturating_sub(2);
+        let power = (0..before).fold(1.0, |power, _| power * x);
+        worse(self.term(before) * power, self.term(before + 1) * power * x)
+    }
+
+    /// The largest k-th coefficient of the phases by x.
+    fn term(&self, k: usize) -> f64 {
         let [alpha, beta] = &self.theta;
-        let last = |series: &Series| Float::abs(series.get(TERMS - 1)) * power;
-        let angle = last(alpha).max(last(beta)) * Float::abs(x) / TERMS as f64;
-        last(&self.sine).max(last(&self.cosine)).max(angle)
+        [&self.chi, alpha, beta].map(|rate| Float::abs(rate.get(k))).into_iter().fold(0.0, worse)
     }
 }
 
-/// scale · start · e^{i ∫(θ' ± χ')}: z' = i z (θ' ± χ').
+/// Adds start · e^{i ∫ rate}: z' = i z rate.
 #[inline(never)]
-fn exponential(theta: &Series, chi: &Series, sense: f64, start: Complex<f64>, scale: f64) -> [Series; 2] {
-    let mut rate = *theta;
-    rate.0.iter_mut().zip(chi.0).for_each(|(rate, chi)| *rate += sense * chi);
-    let (mut re, mut im) = (Series::constant(scale * start.re), Series::constant(scale * start.im));
-    for k in 0..TERMS - 1 {
-        let per_power = 1.0 / (k + 1) as f64;
-        let (next_re, next_im) = (-Series::product(&rate, &im, k), Series::product(&rate, &re, k));
-        re.put(k + 1, per_power * next_re);
-        im.put(k + 1, per_power * next_im);
+fn add_exponential(rate: &Series, start: Complex<f64>, least: f64, sums: [&mut [f64; TERMS]; 2]) {
+    let (mut re, mut im) = (Series::constant(start.re), Series::constant(start.im));
+    let mut before = f64::INFINITY;
+    for (k, per_power) in PER_POWER.iter().enumerate().take(TERMS - 1) {
+        let next_re = -Series::product(rate, &im, k) * per_power;
+        let next_im = Series::product(rate, &re, k) * per_power;
+        re.put(k + 1, next_re);
+        im.put(k + 1, next_im);
+        let size = worse(Float::abs(next_re), Float::abs(next_im));
+        if worse(size, before) < least {
+            break;
+        }
+        before = size;
     }
-    [re, im]
+    for (sum, part) in sums.into_iter().zip([&re, &im]) {
+        sum.iter_mut().zip(part.0).for_each(|(sum, term)| *sum += term);
+    }
 }
 
 impl Nutation<f64> {
-    /// Expands around `point`, with `unit` of time to a unit of x; `excess` is what the rates of the two slow phases have
-    /// besides ψ': drift less mean, rad per unit time.
+    /// Expands around `point`, where the slopes are given, with `unit` of time to a unit of x; until two terms at x = 2
+    /// are below `least`.
     #[inline(never)]
-    pub(crate) fn expand(&self, point: &Point, unit: f64, excess: [f64; 2]) -> Expansion {
-        let [alpha_excess, beta_excess] = excess;
-        let (mut sine, mut cosine) = (Series::constant(point.sine), Series::constant(point.cosine));
-        // w = 1 - u, and the rates by x of χ, θ of α and θ of β
-        let [mut w, mut d, mut square, mut chi, mut alpha, mut beta] = [Series::ZERO; 6];
-        let [mut alpha_divisor, mut beta_divisor] = [Series::ZERO; 2];
-        let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * point.sine * point.sine;
-        for k in 0..TERMS {
-            let constant = |value: f64| if k == 0 { value } else { 0.0 };
-            let swing = self.e2_minus_e1 * Series::product(&cosine, &cosine, k);
-            w.put(k, swing + constant(self.one_minus_e2));
-            // D = A/p + s (1 - u)(1 + u), where 1 + u = 2 - w; only its constant term could cancel, and that is direct
-            let product =
-                if k == 0 { w.get(0) * one_plus_u } else { 2.0 * w.get(k) - Series::product(&w, &w, k) };
-            d.put(k, self.s * product + constant(self.a_over_p));
-            // (dχ/dx)² = unit² g (e₃ - u)/(2D), and its root
-            let e3_minus_u = swing + constant(self.e3_minus_e2);
-            square.put(k, Series::quotient(unit * unit * self.half_g * e3_minus_u, &d, &square, k));
-            chi.put(k, Series::root(&square, &chi, k));
-            // ψ_A' and ψ_B'
-            let smoothing = Series::product(&d, &chi, k);
-            alpha_divisor.put(k, unit * d.get(k) + self.alpha_smoothing * smoothing);
-            beta_divisor.put(k, unit * self.root_e3 * d.get(k) + self.beta_smoothing * smoothing);
-            let above = if k == 0 { one_plus_u } else { -w.get(k) };
-            let alpha_rest =
-                unit * unit * self.alpha_scale * (self.s * w.get(k) + constant(self.a_over_p_e3));
-            let beta_rest = unit * unit * self.beta_scale * (self.s_e3 * above - constant(self.a_over_p));
-            alpha.put(k, Series::quotient(alpha_rest, &alpha_divisor, &alpha, k));
-            beta.put(k, Series::quotient(beta_rest, &beta_divisor, &beta, k));
-
-            let per_power = 1.0 / (k + 1) as f64;
-            let (next_sine, next_cosine) =
-                (Series::product(&chi, &cosine, k), -Series::product(&chi, &sine, k));
-            sine.put(k + 1, per_power * next_sine);
-            cosine.put(k + 1, per_power * next_cosine);
+    pub(crate) fn expand(&self, point: &Point, slopes: &Slopes, unit: f64, least: f64, to: &mut Expansion) {
+        let (point_sine, point_cosine) = point.sine_cosine();
+        (to.origin, to.terms) = (*point, TERMS);
+        let Expansion { sine, cosine, chi, theta: [alpha, beta], .. } = to;
+        for series in [&mut *sine, cosine, chi, alpha, beta] {
+            series.0.fill(0.0);
         }
-        alpha.put(0, alpha.get(0) + unit * alpha_excess);
-        beta.put(0, beta.get(0) + unit * beta_excess);
-        Expansion { sine, cosine, chi, theta: [alpha, beta], origin: *point }
+        sine.put(0, point_sine);
+        cosine.put(0, point_cosine);
+        chi.put(0, slopes.psi.nutation);
+        alpha.put(0, slopes.psi.alpha);
+        beta.put(0, slopes.psi.beta);
+        let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * point_sine * point_sine;
+        // w = 1 - u, D = A/p + s (1 - u)(1 + u), and D dχ/dx
+        let [mut w, mut d, mut drive] = [Series::ZERO; 3];
+        // ψ_A' and ψ_B' divide by combinations of the last two
+        let alpha_divisor = [unit, self.alpha_smoothing];
+        let beta_divisor = [unit * self.root_e3, self.beta_smoothing];
+        let mut per_leading = [0.0; 3];
+        let time_squared = unit * unit;
+        // (dχ/dx)² D = unit² g (e₃ - u)/2, and the numerators of ψ_A' and ψ_B'
+        let scales = [self.half_g, self.s * self.alpha_scale, -self.s_e3 * self.beta_scale];
+        let [chi_scale, alpha_scale, beta_scale] = scales.map(|scale| scale * time_squared);
+        let (mut power, mut before) = (1.0, f64::INFINITY);
+        for (k, per_power) in PER_POWER.iter().enumerate() {
+            let swing = self.e2_minus_e1 * Series::square(cosine, k);
+            if k == 0 {
+                let one_minus_u = swing + self.one_minus_e2;
+                w.put(0, one_minus_u);
+                d.put(0, self.a_over_p + self.s * one_minus_u * one_plus_u);
+                drive.put(0, d.get(0) * chi.get(0));
+            } else {
+                w.put(k, swing);
+                // 1 + u = 2 - w; only its constant term could cancel
+                d.put(k, self.s * (2.0 * swing - Series::square(&w, k)));
+                // (D dχ/dx) dχ/dx is known; what is not known is χₖ in both factors, times D₀ χ₀
+                let known = Series::rest(&d, chi, k, k);
+                let [per_drive, ..] = per_leading;
+                let rest = chi_scale * swing - Series::rest(&drive, chi, k, k - 1) - chi.get(0) * known;
+                chi.put(k, rest * per_drive);
+                drive.put(k, known + d.get(0) * chi.get(k));
+            }
+            if k == 0 {
+                let leading = |[of_d, of_drive]: [f64; 2]| of_d * d.get(0) + of_drive * drive.get(0);
+                per_leading =
+                    [2.0 * drive.get(0), leading(alpha_divisor), leading(beta_divisor)].map(|x| 1.0 / x);
+            } else {
+                let rest = |[of_d, of_drive]: [f64; 2], rate: &Series| {
+                    of_d * Series::rest(&d, rate, k, k) + of_drive * Series::rest(&drive, rate, k, k)
+                };
+                let [_, per_alpha, per_beta] = per_leading;
+                alpha.put(k, (alpha_scale * swing - rest(alpha_divisor, alpha)) * per_alpha);
+                beta.put(k, (beta_scale * swing - rest(beta_divisor, beta)) * per_beta);
+            }
+            let next = [Series::product(chi, cosine, k), -Series::product(chi, sine, k)];
+            let [next_sine, next_cosine] = next.map(|sum| sum * per_power);
+            sine.put(k + 1, next_sine);
+            cosine.put(k + 1, next_cosine);
+            let found = [next_sine, next_cosine, chi.get(k), alpha.get(k), beta.get(k)];
+            let size = power * found.into_iter().map(Float::abs).fold(0.0, worse);
+            if worse(size, before) < least {
+                to.terms = k + 1;
+                break;
+            }
+            (power, before) = (2.0 * power, size);
+        }
+        let [alpha_slope, beta_slope] = slopes.theta;
+        let [alpha, beta] = &mut to.theta;
+        alpha.put(0, alpha_slope);
+        beta.put(0, beta_slope);
     }
 }

@@ -14,6 +14,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// Range: results between 1e-290 and 1e290 in magnitude, or 0; [`crate::Top`] and [`crate::State`] admit only numbers
 /// that stay well inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DoubleDouble {
     hi: f64,
     lo: f64,
@@ -57,6 +58,11 @@ impl DoubleDouble {
     #[must_use]
     pub fn new(hi: f64, lo: f64) -> Self {
         let (hi, lo) = two_sum(hi, lo);
+        Self { hi, lo }
+    }
+
+    /// From the two parts of a number of this type, [`DoubleDouble::hi`] and [`DoubleDouble::lo`].
+    pub(crate) const fn from_parts(hi: f64, lo: f64) -> Self {
         Self { hi, lo }
     }
 

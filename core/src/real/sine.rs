@@ -77,6 +77,34 @@ static SINES: [i32; POINTS + POINTS / 4] = {
     sines
 };
 
+/// d = DISTANCE x for x in [-1, 1), rad.
+const DISTANCE: f64 = 2.0 * core::f64::consts::PI / 512.0;
+const LINEAR: i32 = (DISTANCE * (1_u64 << 37) as f64) as i32;
+const CUBIC: i32 = (DISTANCE * DISTANCE * DISTANCE / 6.0 * (1_u64 << 39) as f64) as i32;
+/// v = d²/2 - d⁴/24, with x⁴ replaced by the multiple of x² nearest to it on [0, 1].
+const VERSINE: i32 = (DISTANCE
+    * DISTANCE
+    * (0.5 - DISTANCE * DISTANCE * (2.0 * core::f64::consts::SQRT_2 - 2.0) / 24.0)
+    * (1_u64 << 38) as f64) as i32;
+
+/// The constants of the crate's sines: for an evaluator in another language that shall give the same bits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SineConstants {
+    /// In integers: (2^31 - 1) sin of 0, 1/256, ... 319/256 turns.
+    pub points: &'static [i32],
+    /// In integers, the turn from the nearest point: the coefficient of its sine, that of the cube in it, and that of its
+    /// versine, scaled by 2^37, 2^39 and 2^38.
+    pub turn: [i32; 3],
+    /// In `f64`: sin 2πx = x S(x²) for |x| <= 1/8, lowest power first.
+    pub sine: &'static [f64],
+    /// In `f64`: cos 2πx = C(x²).
+    pub cosine: &'static [f64],
+}
+
+/// The only ones.
+pub static SINE_CONSTANTS: SineConstants =
+    SineConstants { points: &SINES, turn: [LINEAR, CUBIC, VERSINE], sine: &SINE, cosine: &COSINE };
+
 /// (sin 2πx, cos 2πx)·2^31 for a phase of x turns, given by the upper 32 bits of its fraction: in integers alone, so the
 /// same bits everywhere. Error: below 2.4 units, 1.1e-9.
 ///
@@ -84,15 +112,6 @@ static SINES: [i32; POINTS + POINTS / 4] = {
 /// points on the axes are within 2^17 of the largest number, and they are exact.
 #[inline(always)]
 pub(crate) fn sine_cosine_q31(phase: u32) -> (i32, i32) {
-    /// d = DISTANCE x for x in [-1, 1), rad.
-    const DISTANCE: f64 = 2.0 * core::f64::consts::PI / 512.0;
-    const LINEAR: i32 = (DISTANCE * (1_u64 << 37) as f64) as i32;
-    const CUBIC: i32 = (DISTANCE * DISTANCE * DISTANCE / 6.0 * (1_u64 << 39) as f64) as i32;
-    /// v = d²/2 - d⁴/24, with x⁴ replaced by the multiple of x² nearest to it on [0, 1].
-    const VERSINE: i32 = (DISTANCE
-        * DISTANCE
-        * (0.5 - DISTANCE * DISTANCE * (2.0 * core::f64::consts::SQRT_2 - 2.0) / 24.0)
-        * (1_u64 << 38) as f64) as i32;
     let x = (phase << 8) as i32;
     let (sine, cosine) = point(phase);
     let square = high_product(x, x);

@@ -4,6 +4,10 @@
 //! (integers too). No root, no division, no library function, no loop whose length depends on data: any tick
 //! costs the same, and the 2^40th is as exact as the first.
 
+mod baked;
+
+pub use baked::{Bakeable, Baked, BakedError};
+
 use super::moment::Moment;
 use super::table::{ErrorBound, NoFit, Table, Tick};
 use super::tabular::Tabular;
@@ -38,7 +42,8 @@ pub struct Ephemeris<R: Tabular, const SEGMENTS: usize, const TERMS: usize> {
     bound: ErrorBound,
 }
 
-/// Good for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.25, at the rounding of `f32`: 2 KiB.
+/// Good for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.5, at the rounding of `f32`: 2 KiB. Down to
+/// A/(ps) = 0.25 `Ephemeris<f32, 32, 7>` is (3.5 KiB): a motion through the vertical is there too fast for 16 segments.
 pub type EphemerisF32 = Ephemeris<f32, 16, 8>;
 
 /// Good for the same motions at the rounding of `f64`: 48 KiB. Where A/(ps) >= 1, `Ephemeris<f64, 64, 11>` (22 KiB) mostly is.
@@ -206,6 +211,7 @@ impl<W: Float> Clock<W> {
 
 /// Where u turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TurningPoint {
     /// The first tick at or after it.
     pub tick: i64,

@@ -9,6 +9,7 @@ use crate::su2::{Phi, PhiRate, Vector};
 /// Orientation and rate at one instant. Everything here is computed on demand, by products alone, and from α, β and
 /// their rates: nothing is read back from the constants of the motion, so l, n and h recomputed from a pose are a test.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pose<R> {
     /// Φ.
     pub phi: Phi<R>,

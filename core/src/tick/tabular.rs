@@ -13,6 +13,7 @@ use core::fmt::Debug;
 
 /// A point of the motion as a table is asked for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Place {
     /// The place on the segment, x·2^63 with x in [-1, 1).
     pub x: i64,

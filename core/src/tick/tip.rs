@@ -9,6 +9,7 @@ use crate::turns::Turns;
 
 /// The tip at one instant, relative to the point of the plane below the centre of mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Tip<R> {
     /// c = x + i y = 2 s αβ, m; 2 αβ (no unit) for a fixed tip.
     pub c: Complex<R>,
@@ -20,6 +21,7 @@ pub struct Tip<R> {
 
 /// The tip angle, continued along the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TipAngle<R> {
     /// φ, with φ(0) in (-π, π]. Where the curve passes through the centre (e₁ = -1 or e₂ = 1) φ is smooth there and
     /// the radius changes sign: c = ±ρ e^{iφ}.

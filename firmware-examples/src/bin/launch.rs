@@ -3,7 +3,6 @@
 #![no_std]
 #![no_main]
 
-use defmt::Debug2Format;
 use toytop::{Heaviness, LaunchError, Motion, Release, State, Top};
 use toytop_firmware::{entry, exit};
 
@@ -25,9 +24,7 @@ fn main() -> ! {
         match throw(axial_inertia, &measured) {
             Ok(motion) => log(&motion),
             // Refused, with the reason; the program goes on.
-            Err(error) => {
-                defmt::warn!("refused: {=str} must be {=str}", error.parameter(), error.allowed());
-            }
+            Err(error) => defmt::warn!("refused: {}", error),
         }
     }
     exit()
@@ -45,9 +42,7 @@ fn throw(axial_inertia: f64, measured: &Measured) -> Result<Motion, LaunchError>
 }
 
 fn log(motion: &Motion) {
-    let e = motion.branch_points();
-    defmt::info!("{}, tip curve {}", Debug2Format(&motion.regime()), Debug2Format(&motion.tip_class()));
-    defmt::info!("cos(tilt) from {=f64} to {=f64}", e.e1, e.e2);
+    defmt::info!("{}", motion);
     if let Some(averages) = motion.averages() {
         defmt::info!("nutates in {=f64} s, precesses {=f64} rad", averages.period, averages.phi_per_period());
     }

@@ -1,15 +1,15 @@
-//! The smallest useful program: throw a top, step it from a 1 kHz interrupt, log where it is every 100 ms.
+//! The smallest useful program: throw a top, ask for its orientation in a 1 kHz interrupt, log it every 100 ms.
 
 #![no_std]
 #![no_main]
 
-use core::cell::{Cell, RefCell};
+use core::cell::Cell;
 
 use cortex_m::peripheral::syst::SystClkSource;
-use cortex_m::{Peripherals, asm};
+use cortex_m::{Peripherals, asm, singleton};
 use cortex_m_rt::exception;
 use critical_section::Mutex;
-use toytop::{Heaviness, LaunchError, Motion, Release, State, Stepper, Top};
+use toytop::{Complex, EphemerisF32, Heaviness, LaunchError, Motion, Phi, Release, State, Tick, Top};
 use toytop_firmware::{entry, exit};
 
 /// Of the processor, Hz. The emulated board has 25 MHz.
@@ -17,25 +17,28 @@ const CLOCK: u32 = 25_000_000;
 /// Ticks a second.
 const TICK_RATE: u32 = 1000;
 /// Ticks between two lines of the log.
-const LOG_EVERY: u32 = 100;
+const LOG_EVERY: i64 = 100;
 
-/// The top, as the interrupt spins it.
-static SPINNING: Mutex<RefCell<Option<Spinning>>> = Mutex::new(RefCell::new(None));
+/// The motion, for the interrupt.
+static EPHEMERIS: Mutex<Cell<Option<&EphemerisF32>>> = Mutex::new(Cell::new(None));
 /// What the interrupt last left for the log.
-static SNAPSHOT: Mutex<Cell<Option<Spinning>>> = Mutex::new(Cell::new(None));
+static SNAPSHOT: Mutex<Cell<Option<Snapshot>>> = Mutex::new(Cell::new(None));
 
-#[derive(Clone, Copy)]
-struct Spinning {
-    stepper: Stepper<f32>,
-    ticks: u32,
+struct Snapshot {
+    tick: i64,
+    phi: Phi<f32>,
+    tip: Complex<f32>,
 }
 
 #[entry]
 fn main() -> ! {
     // Fallible, in f64, once.
     let motion = launch().expect("a possible top");
-    let spinning = Spinning { stepper: Stepper::new(&motion), ticks: 0 };
-    critical_section::with(|cs| SPINNING.replace(cs, Some(spinning)));
+    let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
+    // 2 KiB, filled in place: not on the stack.
+    let ephemeris = singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once");
+    ephemeris.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
+    critical_section::with(|cs| EPHEMERIS.borrow(cs).set(Some(ephemeris)));
 
     let mut systick = Peripherals::take().expect("taken once").SYST;
     systick.set_clock_source(SystClkSource::Core);
@@ -46,14 +49,13 @@ fn main() -> ! {
 
     loop {
         asm::wfi();
-        let Some(Spinning { stepper, ticks }) = critical_section::with(|cs| SNAPSHOT.borrow(cs).take())
+        let Some(Snapshot { tick, phi, tip }) = critical_section::with(|cs| SNAPSHOT.borrow(cs).take())
         else {
             continue;
         };
-        let [x, y, height] = stepper.phi().axis();
-        let tip = stepper.tip();
-        defmt::info!("{=u32} ms: axis ({}, {}, {}), tip ({}, {}) m", ticks, x, y, height, tip.c.re, tip.c.im);
-        if ticks == TICK_RATE {
+        let [x, y, height] = phi.axis();
+        defmt::info!("{=i64} ms: axis ({}, {}, {}), tip ({}, {}) m", tick, x, y, height, tip.re, tip.im);
+        if tick == i64::from(TICK_RATE) {
             exit();
         }
     }
@@ -69,13 +71,13 @@ fn launch() -> Result<Motion, LaunchError> {
 /// Infallible, in f32, every millisecond.
 #[exception]
 fn SysTick() {
+    static mut TICK: i64 = 0;
+    *TICK += 1;
     critical_section::with(|cs| {
-        if let Some(spinning) = SPINNING.borrow_ref_mut(cs).as_mut() {
-            spinning.stepper.step(1.0 / TICK_RATE as f32);
-            spinning.ticks += 1;
-            if spinning.ticks % LOG_EVERY == 0 {
-                SNAPSHOT.borrow(cs).set(Some(*spinning));
-            }
+        let Some(ephemeris) = EPHEMERIS.borrow(cs).get() else { return };
+        let (phi, tip) = ephemeris.at_tick(*TICK).phi_and_tip();
+        if *TICK % LOG_EVERY == 0 {
+            SNAPSHOT.borrow(cs).set(Some(Snapshot { tick: *TICK, phi, tip }));
         }
     });
 }

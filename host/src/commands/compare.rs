@@ -18,10 +18,11 @@ use run::{Effort, Run, SAMPLES, look_up, sample_times, step_through};
 use std::time::Duration;
 
 /// One motion in one scalar by one method.
-struct Row {
-    motion: String,
-    scalar: Scalar,
-    method: Method,
+#[derive(Clone)]
+pub(super) struct Row {
+    pub(super) motion: String,
+    pub(super) scalar: Scalar,
+    pub(super) method: Method,
     /// `None` where the method does not apply.
     measured: Option<Measured>,
     /// On the error of the orientation, rad.
@@ -37,6 +38,11 @@ struct Measured {
 }
 
 impl Row {
+    /// Of the orientation, rad.
+    pub(super) fn error(&self) -> Option<f64> {
+        self.measured.map(|measured| measured.errors.orientation)
+    }
+
     /// A NaN is a miss.
     fn missed(&self) -> bool {
         let within = |measured: Measured| measured.errors.orientation <= self.bound;
@@ -55,7 +61,28 @@ impl Row {
 /// The core's propagators.
 const METHODS: [Method; 2] = [Method::Stepper, Method::Ephemeris];
 
+/// What was compared.
+pub(super) struct Compared {
+    scenarios: Vec<Scenario>,
+    pub(super) rows: Vec<Row>,
+    remarks: Vec<String>,
+}
+
 pub(super) fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
+    let Compared { scenarios, rows, mut remarks } = rows(arguments)?;
+    let below = arguments.format == Format::Table;
+    let text = match arguments.format {
+        Format::Table => show::table(&rows, arguments.periods, &ScalarChoice::chosen(&arguments.scalar)),
+        Format::Csv => output::csv(&show::records(&rows)).map_err(Failure::Output)?,
+        Format::Json => output::json_list("rows", &show::records(&rows)).map_err(Failure::Output)?,
+    };
+    remarks.extend(lift_off(&scenarios));
+    let missed = rows.iter().any(Row::missed);
+    Ok(Report { text, missed, ..Report::default() }.with_remarks(remarks, below))
+}
+
+/// Runs every motion in every scalar by every method.
+pub(super) fn rows(arguments: &CompareArgs) -> Result<Compared, Failure> {
     let built_in = arguments.scenarios.is_empty();
     let scenarios = if built_in {
         builtin::scenarios()?
@@ -90,15 +117,7 @@ pub(super) fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
             rows.push(Row { motion: scenario.name.clone(), scalar, method, measured, bound });
         }
     }
-    let below = arguments.format == Format::Table;
-    let text = match arguments.format {
-        Format::Table => show::table(&rows, arguments.periods, &scalars),
-        Format::Csv => output::csv(&show::records(&rows)).map_err(Failure::Output)?,
-        Format::Json => output::json_list("rows", &show::records(&rows)).map_err(Failure::Output)?,
-    };
-    remarks.extend(lift_off(&scenarios));
-    let missed = rows.iter().any(Row::missed);
-    Ok(Report { text, missed, ..Report::default() }.with_remarks(remarks, below))
+    Ok(Compared { scenarios, rows, remarks })
 }
 
 /// One run; fails only where no table fits.

@@ -1,11 +1,11 @@
 //! `toytop constants`: what does not change in a motion.
 
 use super::{Report, lift_off};
-use crate::Failure;
 use crate::cli::{ConstantsArgs, ConstantsFormat};
 use crate::output::{self, Cell, Record, number};
 use crate::scenario::Scenario;
-use toytop::{Averages, Motion, Regime, TipClass};
+use crate::{Failure, names};
+use toytop::{Averages, Motion};
 
 pub(super) fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
@@ -40,37 +40,14 @@ fn constants(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)> {
         ("e2_minus_e1", Cell::Number(e.e2_minus_e1), ""),
         ("e3_minus_e2", Cell::Number(e.e3_minus_e2), ""),
         ("e3_minus_one", Cell::Number(e.e3_minus_one), ""),
-        ("regime", Cell::Text(regime(motion.regime()).to_owned()), ""),
+        ("regime", Cell::Text(names::regime(motion.regime()).to_owned()), ""),
         ("period", average(|averages| averages.period).into(), "s"),
         ("alpha_turns", average(|averages| averages.alpha_turns).into(), "turns a period"),
         ("beta_turns", average(|averages| averages.beta_turns).into(), "turns a period"),
         ("phi_per_period", phi_per_period.into(), "rad a period"),
-        ("tip_class", Cell::Text(tip_class(motion.tip_class()).to_owned()), ""),
+        ("tip_class", Cell::Text(names::tip_class(motion.tip_class()).to_owned()), ""),
         ("min_normal_force", motion.min_normal_force().into(), "weights"),
     ]
-}
-
-fn regime(regime: Regime) -> &'static str {
-    match regime {
-        Regime::Nutating => "nutating",
-        Regime::RegularPrecession(_) => "regular_precession",
-        Regime::SleepingStable => "sleeping_stable",
-        Regime::SleepingUnstable => "sleeping_unstable",
-        Regime::Hanging => "hanging",
-        Regime::Aperiodic => "aperiodic",
-    }
-}
-
-pub(super) fn tip_class(class: TipClass) -> &'static str {
-    match class {
-        TipClass::Smooth => "smooth",
-        TipClass::Cusp => "cusp",
-        TipClass::Loops => "loops",
-        TipClass::Circle => "circle",
-        TipClass::ThroughOrigin => "through_origin",
-        TipClass::Spiral => "spiral",
-        TipClass::Point => "point",
-    }
 }
 
 fn table(constants: &[(&'static str, Cell, &'static str)]) -> String {

@@ -1,9 +1,9 @@
 //! `toytop plot`: the curve of the tip between its bounding circles.
 
-use super::constants::tip_class;
 use super::{Report, lift_off};
 use crate::Failure;
 use crate::cli::PlotArgs;
+use crate::names::tip_class;
 use crate::plot::{Curve, Form, draw};
 use crate::scenario::Scenario;
 use crate::whole_file;

@@ -9,6 +9,7 @@ use crate::progress::Progress;
 use crate::propagate::{Paced, Sample, period, steps_needed, sweep};
 use crate::scenario::Scenario;
 use crate::{times, tip_angle, truth};
+use toytop::exact::ClosedForm;
 use toytop::real::Real;
 use toytop::{Complex, Motion};
 
@@ -22,9 +23,10 @@ pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
         (Method::Stepper, Scalar::F64) => stepped::<f64>(&scenario.motion, &times, step)?,
         (Method::Stepper, Scalar::F32) => stepped::<f32>(&scenario.motion, &times, step)?,
         (Method::Full, Scalar::F64) => truth::samples(&scenario, &times, step)?,
-        (Method::Full, scalar) => {
-            let name = scalar.name();
-            return Err(Failure::Input(format!("--scalar: {name}: must be f64 with --method full")));
+        (Method::ClosedForm, Scalar::F64) => closed(&scenario, &times)?,
+        (method @ (Method::Full | Method::ClosedForm), scalar) => {
+            let (name, method) = (scalar.name(), method.name());
+            return Err(Failure::Input(format!("--scalar: {name}: must be f64 with --method {method}")));
         }
     };
     let text = match arguments.format {
@@ -44,8 +46,38 @@ fn tabulated<R: Sizes>(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>
         return Err(Failure::Input(format!("times: {t:e} must be {allowed}")));
     }
     let ephemeris = smallest::<R>(motion).map_err(|failure| failure.of(&scenario.name))?;
-    let instants: Vec<_> = times.iter().map(|&t| (t, ephemeris.at(t))).collect();
-    let phis = tip_angle::continued(motion, &ephemeris.at(0.0), &instants)?;
+    anywhere(motion, times, |t| ephemeris.at(t))
+}
+
+/// By the closed form, if the motion has one.
+fn closed(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
+    let motion = &scenario.motion;
+    let form =
+        ClosedForm::of(motion).map_err(|refusal| Failure::Method(refusal.to_string()).of(&scenario.name))?;
+    let furthest = MOST_PERIODS * period(motion);
+    if let Some(t) = times.iter().find(|t| t.abs() > furthest) {
+        let allowed = format!("within ±{furthest:.1e} s with --method closed-form");
+        return Err(Failure::Input(format!("times: {t:e} must be {allowed}")));
+    }
+    let scale = 2.0 * motion.top().tip_scale();
+    anywhere(motion, times, |t| {
+        let pose = form.at(t);
+        let tip = (pose.phi.alpha * pose.phi.beta).scaled(scale);
+        Instant { pose, tip, nutation_phase: form.nutation_phase(t).unwrap_or_default() }
+    })
+}
+
+/// A closed form loses some 1e-15 rad a period: beyond this nothing would be left.
+const MOST_PERIODS: f64 = 1e12;
+
+/// Samples of what says where it is at any time without going there.
+fn anywhere<R: Real>(
+    motion: &Motion,
+    times: &[f64],
+    at: impl Fn(f64) -> Instant<R>,
+) -> Result<Vec<Sample>, Failure> {
+    let instants: Vec<_> = times.iter().map(|&t| (t, at(t))).collect();
+    let phis = tip_angle::continued(motion, &at(0.0), &instants)?;
     let sample =
         |((t, instant), phi): (&(f64, Instant<R>), _)| Sample::of(*t, &instant.pose, instant.tip, phi);
     Ok(instants.iter().zip(phis).map(sample).collect())

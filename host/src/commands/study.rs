@@ -2,8 +2,8 @@
 
 use super::Report;
 use crate::Failure;
-use crate::cli::StudyArgs;
-use crate::output;
+use crate::cli::{Format, StudyArgs};
+use crate::output::{self, Cell, Record};
 use crate::progress::Progress;
 use crate::study::gauss::Rule;
 use crate::study::random::Random;
@@ -40,7 +40,16 @@ pub(super) fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
     let head =
         format!("{} motions, seed {}: {time:.0} s on {threads} cores\n", arguments.motions, arguments.seed);
     let missed = !tally.failures.is_empty() || tally.scalars.iter().any(|side| side.violated > 0);
-    Ok(Report { text: head + &show(&tally), missed, ..Report::default() })
+    let records = || records(&tally);
+    let text = match arguments.format {
+        Format::Table => head + &show(&tally),
+        Format::Csv => output::csv(&records()).map_err(Failure::Output)?,
+        Format::Json => output::json_list("rows", &records()).map_err(Failure::Output)?,
+    };
+    let below = arguments.format == Format::Table;
+    let failures = tally.failures.iter().map(|failure| format!("FAILURE: {failure}"));
+    let remarks = failures.filter(|_| !below);
+    Ok(Report { text, missed, ..Report::default() }.with_remarks(remarks, below))
 }
 
 /// Takes motion after motion until there are no more.
@@ -71,6 +80,15 @@ fn watch(next: &AtomicU64, motions: u64) {
         progress.add(now - seen);
         seen = now;
     }
+}
+
+/// The lines of the table.
+fn records(tally: &Tally) -> Vec<Record> {
+    let record = |row: Vec<String>| {
+        let cells = ["what", "f64", "f32"].into_iter().zip(row);
+        Record(cells.map(|(name, cell)| (name, Cell::Text(cell))).collect())
+    };
+    rows(tally).into_iter().skip(1).map(record).collect()
 }
 
 const NAMES: [&str; 2] = ["f64", "f32"];

@@ -5,7 +5,7 @@
 type Vector = [f64; 3];
 
 /// alpha re, im, beta re, im, m1, m2, m3.
-pub(crate) type Vector7 = [f64; 7];
+pub type Vector7 = [f64; 7];
 
 /// The body: inertias, where its centre of mass is, and gravity. Any consistent units; the ones named are SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,7 +70,7 @@ impl FullTop {
 /// What the motion depends on: A, C, p s and p g, here in whatever units of inertia and time the caller
 /// chose.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Equations {
+pub struct Equations {
     pub(crate) a: f64,
     pub(crate) c: f64,
     pub(crate) ps: f64,
@@ -126,10 +126,10 @@ fn axis(alpha: [f64; 2], beta: [f64; 2]) -> Vector {
     [-2.0 * (a * c - b * d), -2.0 * (a * d + b * c), a * a + b * b - c * c - d * d]
 }
 
-pub(super) fn cross(x: Vector, y: Vector) -> Vector {
+pub(crate) fn cross(x: Vector, y: Vector) -> Vector {
     [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
 }
 
-pub(super) fn dot(x: Vector, y: Vector) -> f64 {
+pub(crate) fn dot(x: Vector, y: Vector) -> f64 {
     x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
 }

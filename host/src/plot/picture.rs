@@ -10,7 +10,7 @@ use kuva::plot::{LegendPosition, LinePlot, LineStyle};
 use kuva::render::color::Color;
 use kuva::render::layout::Layout;
 use kuva::render::plots::Plot;
-use kuva::render::render::{Primitive, TextAnchor, render_multiple};
+use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 use std::f64::consts::PI;
 use std::io;
 use toytop::Support;
@@ -42,23 +42,17 @@ const BELOW: f64 = 58.0;
 /// [`Failure::Output`]: the picture cannot be encoded.
 pub fn draw(scenario: &Scenario, curve: &Curve, caption: &[String], form: Form) -> Result<Vec<u8>, Failure> {
     let scale = scenario.motion.top().tip_scale();
-    let extent = 1.18 * extent(curve, scale) / scale;
+    let extent = extent(curve, scale);
     let unit = if scenario.motion.top().support() == Support::Sliding { " / s" } else { "" };
-    let plots = plots(curve, scale);
-    let layout = Layout::auto_from_plots(&plots)
+    let mut plots = legend(curve);
+    plots.extend(lines(curve, scale));
+    let layout = square(&plots, extent)
         .with_width(LEFT + SIDE + RIGHT)
         .with_height(ABOVE + SIDE + BELOW)
         .with_force_margins(LEFT, RIGHT)
         .with_force_margins_y(ABOVE, BELOW)
         .with_title(&*scenario.name)
         .with_x_label(format!("x{unit}"))
-        .with_x_axis_min(-extent)
-        .with_x_axis_max(extent)
-        .with_y_axis_min(-extent)
-        .with_y_axis_max(extent)
-        .with_equal_aspect()
-        .with_box_axes()
-        .with_show_grid(false)
         .with_legend_position(LegendPosition::InsideTopRight)
         .with_legend_box(false);
     let mut scene = render_multiple(plots, layout);
@@ -66,11 +60,17 @@ pub fn draw(scenario: &Scenario, curve: &Curve, caption: &[String], form: Form) 
         scene.add(text(line, [LEFT + 0.5 * SIDE, y], 12, CAPTION));
     }
     scene.add(text(&format!("y{unit}"), [0.28 * LEFT, ABOVE + 0.5 * SIDE + 5.0], 14, "black"));
+    encode(&scene, form)
+}
+
+/// # Errors
+/// [`Failure::Output`]: the picture cannot be encoded.
+pub(crate) fn encode(scene: &Scene, form: Form) -> Result<Vec<u8>, Failure> {
     match form {
-        Form::Svg => Ok(SvgBackend::default().render_scene(&scene).into_bytes()),
+        Form::Svg => Ok(SvgBackend::default().render_scene(scene).into_bytes()),
         Form::Png => RasterBackend::new()
             .with_scale(2.0)
-            .render_scene(&scene)
+            .render_scene(scene)
             .map_err(|error| Failure::Output(io::Error::other(error))),
     }
 }
@@ -80,26 +80,47 @@ fn text(content: &str, [x, y]: [f64; 2], size: u32, color: &str) -> Primitive {
     Primitive::Text { x, y, content: content.to_owned(), size, anchor, rotate: None, bold: false, color }
 }
 
-/// The circles, the curve above them, and the start above that; lengths in units of `scale`.
-fn plots(curve: &Curve, scale: f64) -> Vec<Plot> {
-    let place = |&[x, y]: &[f64; 2]| (x / scale, y / scale);
-    let tip = LinePlot::new().with_color(CURVE).with_stroke_width(1.7);
-    let circles = || curve.circles.iter().zip(&DASHES);
-    // what the legend names, in its order; the lines themselves follow
-    let mut plots: Vec<Plot> = vec![tip.clone().with_legend("tip").into()];
-    for (circle, dash) in circles() {
+/// Equal axes from -extent to extent.
+pub(crate) fn square(plots: &[Plot], extent: f64) -> Layout {
+    Layout::auto_from_plots(plots)
+        .with_x_axis_min(-extent)
+        .with_x_axis_max(extent)
+        .with_y_axis_min(-extent)
+        .with_y_axis_max(extent)
+        .with_equal_aspect()
+        .with_box_axes()
+        .with_show_grid(false)
+}
+
+/// What the legend names, in its order; no lines.
+fn legend(curve: &Curve) -> Vec<Plot> {
+    let mut plots: Vec<Plot> = vec![tip().with_legend("tip").into()];
+    for (circle, dash) in curve.circles.iter().zip(&DASHES) {
         let named = bound().with_legend(format!("ρ at {}", circle.name));
         plots.push(named.with_line_style(dash.style.clone()).into());
     }
-    for (circle, dash) in circles() {
+    plots.push(start().with_legend("t = 0").into());
+    plots
+}
+
+/// The circles, the curve above them, and the start above that; lengths in units of `scale`.
+pub(crate) fn lines(curve: &Curve, scale: f64) -> Vec<Plot> {
+    let place = |&[x, y]: &[f64; 2]| (x / scale, y / scale);
+    let mut plots: Vec<Plot> = Vec::new();
+    for (circle, dash) in curve.circles.iter().zip(&DASHES) {
         plots.extend(arcs(circle.radius / scale, dash).map(|arc| bound().with_data(arc).into()));
     }
-    plots.push(tip.with_data(curve.points.iter().map(place)).into());
-    let start = curve.points.first().map(place);
-    plots.push(
-        ScatterPlot::new().with_data(start).with_color(START).with_size(4.0).with_legend("t = 0").into(),
-    );
+    plots.push(tip().with_data(curve.points.iter().map(place)).into());
+    plots.push(start().with_data(curve.points.first().map(place)).into());
     plots
+}
+
+fn tip() -> LinePlot {
+    LinePlot::new().with_color(CURVE).with_stroke_width(1.7)
+}
+
+fn start() -> ScatterPlot {
+    ScatterPlot::new().with_color(START).with_size(4.0)
 }
 
 fn bound() -> LinePlot {
@@ -133,9 +154,9 @@ fn arcs(radius: f64, dash: &Dash) -> impl Iterator<Item = Vec<(f64, f64)>> {
     })
 }
 
-/// The largest distance from the centre; `scale` where there is none.
-fn extent(curve: &Curve, scale: f64) -> f64 {
+/// What has to be seen on each side of the centre, and some room, in units of `scale`.
+pub(crate) fn extent(curve: &Curve, scale: f64) -> f64 {
     let points = curve.points.iter().map(|[x, y]| x.hypot(*y));
     let largest = curve.circles.iter().map(|circle| circle.radius).chain(points).fold(0.0, f64::max);
-    if largest > 0.0 { largest } else { scale }
+    1.18 * if largest > 0.0 { largest / scale } else { 1.0 }
 }

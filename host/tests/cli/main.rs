@@ -1,9 +1,15 @@
 //! The command line as other programs see it: exit codes, stdout, stderr, JSON.
 
+mod bake;
+mod budget;
+mod errata;
+mod figures;
 mod measure;
 mod plot;
 mod refusals;
+mod report;
 mod state;
+mod sweep;
 mod tip_angle;
 mod vectors;
 
@@ -218,4 +224,25 @@ fn help_version_and_a_closed_pipe_are_no_failures() {
     let output = Command::new("bash").args(["-c", &pipe]).output().expect("bash runs");
     assert_eq!((output.status.code(), stderr(&output)), (Some(0), ""));
     assert!(stdout(&output).starts_with("t,u,udot,"));
+}
+
+#[test]
+fn every_command_has_help_with_an_example_and_completes() {
+    let help = run(&["--help"]);
+    let commands: Vec<_> = stdout(&help)
+        .lines()
+        .skip_while(|line| *line != "Commands:")
+        .skip(1)
+        .map_while(|line| line.strip_prefix("  ")?.split_whitespace().next())
+        .filter(|name| *name != "help")
+        .collect();
+    assert!(commands.len() >= 10, "{commands:?}");
+    let scripts = ["bash", "zsh", "fish"].map(|shell| stdout(&run(&["completions", shell])).to_owned());
+    for command in commands {
+        let help = run(&[command, "--help"]);
+        assert!(stdout(&help).contains(&format!("Example: toytop {command} ")), "{command}");
+        assert!(!stdout(&help).contains('\x1b'), "{command}: no colour, so none to switch off");
+        assert!(scripts.iter().all(|script| script.contains(command)), "{command}");
+    }
+    assert!(scripts.iter().all(|script| script.contains("nutation") || script.contains("resume")));
 }

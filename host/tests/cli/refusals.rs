@@ -38,9 +38,16 @@ fn arguments() {
         (&["state", &file, "--times", "1 2"], &["--times", "finite number"]),
         (&["state", &file, "--times-file", &missing], &["no_such_file.toml"]),
         (&["state", &file, "--times-file", &file], &["toy_top.toml", "line 3", "finite number"]),
-        (&["state", &file, "--times", "1", "--method", "euler"], &["euler", "ephemeris, stepper, full"]),
+        (
+            &["state", &file, "--times", "1", "--method", "euler"],
+            &["euler", "ephemeris, stepper, full, closed-form"],
+        ),
         (&["state", &file, "--times", "1", "--scalar", "q31"], &["q31", "f64, f32"]),
         (&["state", &file, "--times", "1", "--scalar", "f32", "--method", "full"], &["--scalar", "f64"]),
+        (
+            &["state", &file, "--times", "1", "--scalar", "f32", "--method", "closed-form"],
+            &["--scalar", "f64"],
+        ),
         (&["state", &file, "--times", "1", "--steps-per-period", "0"], &["1..=16777216"]),
         (&["state", &file, "--times", "1", "--steps-per-period", "16777217"], &["1..=16777216"]),
         (
@@ -48,9 +55,23 @@ fn arguments() {
             &["--steps-per-period", "at most 1e10 steps"],
         ),
         (&["state", &file, "--times", "1,-1e300"], &["times", "-1e300", "within ±2.8e14 s"]),
+        (
+            &["state", &sample("lagrange"), "--times", "1,-1e300", "--method", "closed-form"],
+            &["times", "-1e300", "closed-form"],
+        ),
     ];
     for (arguments, parts) in cases {
         assert_refused(arguments, 2, parts);
+    }
+}
+
+/// Exit code 3: nothing is wrong with the file, but this motion is hyperelliptic.
+#[test]
+fn a_motion_without_a_closed_form() {
+    let file = sample("toy_top");
+    for format in ["table", "csv", "json"] {
+        let arguments = ["state", &file, "--times", "1", "--method", "closed-form", "--format", format];
+        assert_refused(&arguments, 3, &["toy_top: ", "e3 = e4", "e2 = e3 = 1"]);
     }
 }
 

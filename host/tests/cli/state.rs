@@ -152,6 +152,45 @@ fn the_methods_agree_and_phi_is_continued_from_zero() {
     }
 }
 
+/// Every kind of motion that has a closed form, by four methods: the full solver shares nothing with the other three.
+#[test]
+fn closed_form_ephemeris_stepper_and_full_solver_agree() {
+    let e4 = (1.0 + 1.1 / (0.9 * 0.6_f64)).sqrt();
+    let fixed = |text: String| text.replace("com_height = 0.6", "support = \"fixed\"");
+    let start = "nutation_phase = 0.7\narg_alpha = 2.9\narg_beta = 1.1\n";
+    let cases = [
+        ("e3_e4", branch_points([-0.3, 0.8, e4], 1)),
+        ("e3_e4_loops", branch_points([-0.3, 0.8, e4], -1)),
+        ("e3_e4_e1", branch_points([-1.0, 0.8, e4], -1)),
+        ("e3_e4_e2", branch_points([-0.3, 1.0, e4], 1)),
+        ("aperiodic", branch_points([-0.3, 1.0, 1.0], 1)),
+        ("precession", branch_points([0.4, 0.4, 1.3], -1)),
+        ("lagrange", fixed(branch_points([-0.3, 0.8, 1.4], -1))),
+        ("lagrange_aperiodic", fixed(branch_points([-0.3, 1.0, 1.0], 1))),
+    ];
+    let mut worst = 0.0_f64;
+    for (name, text) in cases {
+        let file = scenario(&format!("four_{name}"), &(text + start));
+        let times: Vec<_> = (-12..=12).map(|i| (0.83 * f64::from(i)).to_string()).collect();
+        let by = |method: &str| samples(&file, &times.join(","), &["--method", method]);
+        let closed = by("closed-form");
+        for method in ["ephemeris", "stepper", "full"] {
+            for (ours, theirs) in closed.iter().zip(by(method)) {
+                let error = distance(ours, &theirs, &EVERYTHING[..8]);
+                assert!(error < 1e-12, "{name}, {method}: {error:e} at {}", ours["t"]);
+                worst = worst.max(error);
+                // the angle is known to the rounding of c over its size
+                let [x, y] = numbers(ours, &["tip"])[..] else { panic!("two numbers") };
+                assert!(distance(ours, &theirs, &["phi"]) < 1e-12 / x.hypot(y).min(1.0), "{name}, {method}");
+            }
+        }
+    }
+    assert!(worst > 1e-15, "{worst:e}: four methods, not one");
+    // the vertical has no tip angle
+    let upright = samples(&sample("sleeping"), "0.5", &["--method", "closed-form"]);
+    assert!(upright[0]["phi"].is_null());
+}
+
 #[test]
 fn where_the_tip_is_at_the_centre_phi_goes_on_smoothly() {
     let file = scenario("centre", &(branch_points([-1.0, 0.6, 1.4], 1) + "arg_beta = 0.7\n"));

@@ -65,6 +65,14 @@ fn motion(vector: &Value) -> String {
     )
 }
 
+/// The scenario file of one vector, under a name of its own for a test.
+pub(super) fn scenario_of(name: &str, test: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../tests/reference/vectors/{name}.json"));
+    let vector: Value =
+        serde_json::from_str(&std::fs::read_to_string(path).expect("readable")).expect("JSON");
+    scenario(&format!("{test}_{name}"), &(top(&vector["params"]) + &motion(&vector)))
+}
+
 fn vectors() -> Vec<Vector> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/reference/vectors");
     let mut paths: Vec<_> =

@@ -23,12 +23,22 @@ pub(crate) const M0: Chip = Chip {
     machine: "microbit",
 };
 
-/// An FPU for f32.
+/// The same instructions. QEMU has none of it: a Cortex-M3, which has them too, and room for large tables.
+pub(crate) const M0PLUS: Chip = Chip {
+    name: "m0plus",
+    core: "Cortex-M0+",
+    target: "thumbv6m-none-eabi",
+    rustflags: "",
+    emulator: "qemu-system-arm",
+    machine: "mps2-an385",
+};
+
+/// An FPU for f32, on which a multiplication and a sum are faster than a multiply-add.
 pub(crate) const M4F: Chip = Chip {
     name: "m4f",
     core: "Cortex-M4F",
     target: "thumbv7em-none-eabihf",
-    rustflags: "",
+    rustflags: "-C target-cpu=cortex-m4",
     emulator: "qemu-system-arm",
     machine: "mps2-an386",
 };
@@ -63,16 +73,23 @@ pub(crate) const RISCV: Chip = Chip {
     machine: "virt -bios none",
 };
 
+/// What the programs run on.
 pub(crate) const ALL: &[&Chip] = &[&M4F, &M0, &M7, &M33, &RISCV];
 
 /// The targets of all chips.
 pub(crate) const TARGETS: &[&str] = &[M0.target, M4F.target, M33.target, RISCV.target];
 
 impl Chip {
+    /// The first chip with a target: a target has flags, too.
+    pub(crate) fn with_target(target: &str) -> Result<&'static Self> {
+        let known = || format!("no chip has the target {target}; there are: {}", TARGETS.join(" "));
+        [&M0PLUS, &M4F, &M33, &RISCV].into_iter().find(|chip| chip.target == target).with_context(known)
+    }
+
     pub(crate) fn named(name: &str) -> Result<&'static Self> {
-        let names = || ALL.iter().map(|chip| chip.name).collect::<Vec<_>>().join(" ");
-        ALL.iter()
-            .copied()
+        let all = || ALL.iter().copied().chain([&M0PLUS]);
+        let names = || all().map(|chip| chip.name).collect::<Vec<_>>().join(" ");
+        all()
             .find(|chip| chip.name == name)
             .with_context(|| format!("no chip {name}; there are: {}", names()))
     }

@@ -2,8 +2,8 @@
 //! polynomials on a part of the circle.
 
 use crate::launch::Motion;
-use crate::nutation::Nutation;
-use crate::nutation::series::{Expansion, Point};
+use crate::nutation::series::{Expansion, Point, Slopes};
+use crate::nutation::{Nutation, PhaseRates};
 use crate::real::{Float, Scalar};
 use crate::turns::Turns;
 
@@ -38,37 +38,47 @@ impl Flow {
     fn over_a_tick(&self, chi: Turns) -> Increments {
         const MOST_PIECES: u32 = 256;
         let start = point(chi);
+        let mut expansion = Expansion::EMPTY;
         let mut pieces = 1;
         while pieces <= MOST_PIECES {
             let unit = self.length / f64::from(pieces);
-            let first = self.law.expand(&start, unit, [0.0; 2]);
-            if first.last_term(1.0) <= LEFT_OUT {
-                return self.march(start, &first, unit, pieces);
+            self.expand(&start, unit, &mut expansion);
+            if expansion.last_term(1.0) <= LEFT_OUT {
+                return self.march(start, &mut expansion, unit, pieces);
             }
             pieces *= 2;
         }
         [f64::NAN; 3]
     }
 
+    /// `expansion` is that of the first piece.
     #[inline(never)] // set-up's frames should not add up on a small stack
-    fn march(&self, start: Point, first: &Expansion, unit: f64, pieces: u32) -> Increments {
-        let mut point = first.point(1.0);
-        let mut chi = turned(&start, &point);
+    fn march(&self, start: Point, expansion: &mut Expansion, unit: f64, pieces: u32) -> Increments {
+        let mut point = expansion.point(1.0);
         for _ in 1..pieces {
-            let next = self.law.expand(&point, unit, [0.0; 2]).point(1.0);
-            chi += turned(&point, &next);
-            point = next;
+            self.expand(&point, unit, expansion);
+            point = expansion.point(1.0);
         }
-        let [alpha, beta] = point.theta;
-        [chi, alpha, beta].map(|angle| angle * PER_RADIAN)
+        increments(&start, &point)
+    }
+
+    /// Around a point, the slow phases with their whole rates.
+    fn expand(&self, point: &Point, unit: f64, to: &mut Expansion) {
+        let (sine, cosine) = point.sine_cosine();
+        let rates = self.law.rates(sine, cosine);
+        let [nutation, alpha, beta] = [rates.nutation, rates.alpha, rates.beta].map(|rate| rate * unit);
+        let slopes = Slopes { psi: PhaseRates { nutation, alpha, beta }, theta: [alpha, beta] };
+        self.law.expand(point, &slopes, unit, LEFT_OUT, to);
     }
 
     /// The law's series around χ, over a tick and what it takes to turn by `reach` rad.
     fn around(&self, chi: Turns, reach: f64) -> Neighbourhood<'_> {
         let centre = point(chi);
-        let rate = self.law.rates(centre.sine, centre.cosine).nutation;
-        let unit = self.length + reach / rate;
-        Neighbourhood { flow: self, expansion: self.law.expand(&centre, unit, [0.0; 2]), centre, unit }
+        let (sine, cosine) = centre.sine_cosine();
+        let unit = self.length + reach / self.law.rates(sine, cosine).nutation;
+        let mut expansion = Expansion::EMPTY;
+        self.expand(&centre, unit, &mut expansion);
+        Neighbourhood { flow: self, expansion, centre, unit }
     }
 
     /// The increments on segment `segment` of `segments` that cover half a turn of χ, by interpolation in Chebyshev's points.
@@ -119,14 +129,14 @@ impl Neighbourhood<'_> {
         let length = self.flow.length / self.unit;
         let (mut time, mut from) = (0.0, self.centre);
         for _ in 0..NEWTON_STEPS {
-            let rate = self.flow.law.rates(from.sine, from.cosine).nutation * self.unit;
-            time -= (turned(&self.centre, &from) - offset) / rate;
+            let (sine, cosine) = from.sine_cosine();
+            let rate = self.flow.law.rates(sine, cosine).nutation * self.unit;
+            time -= ((from.chi - self.centre.chi).to_radians() - offset) / rate;
             from = self.expansion.point(time);
         }
         let reached = self.expansion.last_term(time).max(self.expansion.last_term(time + length));
         let to = self.expansion.point(time + length);
-        let ([a, b], [a_next, b_next]) = (from.theta, to.theta);
-        let increments = [turned(&from, &to), a_next - a, b_next - b].map(|angle| angle * PER_RADIAN);
+        let increments = increments(&from, &to);
         (reached <= LEFT_OUT).then_some(increments)
     }
 }
@@ -138,14 +148,13 @@ const PER_RADIAN: f64 = 0.5 * core::f64::consts::FRAC_1_PI;
 
 /// At χ, with the slow phases counted from there.
 fn point(chi: Turns) -> Point {
-    let (sine, cosine) = f64::sine_cosine(chi);
-    Point { sine, cosine, theta: [0.0; 2] }
+    Point { chi, ..Point::default() }
 }
 
-/// By what angle χ differs between two points less than half a turn apart, rad.
-fn turned(from: &Point, to: &Point) -> f64 {
-    let sine = to.sine * from.cosine - to.cosine * from.sine;
-    libm::atan2(sine, to.cosine * from.cosine + to.sine * from.sine)
+/// From one point to another.
+fn increments(from: &Point, to: &Point) -> Increments {
+    let ([alpha, beta], [alpha_next, beta_next]) = (from.theta, to.theta);
+    [to.chi - from.chi, alpha_next - alpha, beta_next - beta].map(Turns::to_f64)
 }
 
 /// The coefficients of 1, x, x², ... of the first `terms` Chebyshev polynomials, by Clenshaw's recurrence.

@@ -1,12 +1,13 @@
 //! The same samples by the full solver, by Runge and Kutta's method and by an ephemeris.
 
 use super::Line;
-use super::timing::least;
-use crate::baseline::FixedSteps;
+use super::timing::{least, least_in_parts};
+use crate::Failure;
+use crate::baseline::{FixedSteps, RungeKutta};
 use crate::full_solver::{FullSolver, FullState};
 use crate::progress::Progress;
 use crate::scenario::Scenario;
-use crate::{Failure, truth};
+use crate::truth::{self, distance, phi};
 use toytop::{EphemerisF64, Heaviness, LaunchError, Motion, Phi, Sign, Signs, Start, Tick, Top};
 
 pub(super) const SAMPLES: u32 = 1000;
@@ -15,6 +16,9 @@ pub(super) const PERIODS: u32 = 100;
 pub(super) const ACCURACY: f64 = 1e-9;
 /// What is timed here.
 pub(super) const TASKS: u64 = 6;
+/// A long task is timed in so many parts.
+const PARTS: usize = 50;
+const SAMPLES_OF_PART: usize = SAMPLES as usize / PARTS;
 /// Ticks a second.
 const HERTZ: u32 = 1024;
 /// Steps a period of the baseline.
@@ -66,12 +70,31 @@ pub(super) fn run(scenario: &Scenario, progress: &mut Progress) -> Result<Vec<Li
     let solver_error = |states: &[FullState]| error(&states.iter().map(phi).collect::<Vec<_>>());
 
     let (tolerance, states) = loosest(scenario, &times, &solver_error)?;
-    let (solving, _) = least(progress, || solved(scenario, &times, tolerance));
-    let (stepping, stepped) = least(progress, || baseline(scenario, apart as f64 / f64::from(HERTZ)));
+    let solving = least_in_parts(
+        progress,
+        PARTS,
+        || solver(scenario, tolerance),
+        |solver, part| {
+            for &t in times.iter().skip(part * SAMPLES_OF_PART).take(SAMPLES_OF_PART) {
+                // it has been there before without an error
+                let _ = std::hint::black_box(solver.advance_to(t));
+            }
+        },
+    );
+    let apart = apart as f64 / f64::from(HERTZ);
+    let stepping = least_in_parts(
+        progress,
+        PARTS,
+        || baseline(scenario, apart),
+        |run, _| {
+            std::hint::black_box(samples(run, SAMPLES_OF_PART));
+        },
+    );
+    let stepped = samples(&mut baseline(scenario, apart), times.len());
     let line = |what: &str, seconds: f64, error: f64| {
         let ratio = solving / seconds;
         let ratio = if ratio < 10.0 { format!("{ratio:.1}") } else { format!("{ratio:.0}") };
-        Line { what: what.to_owned(), seconds, rest: vec![format!("{error:.1e}"), ratio] }
+        Line { what: what.to_owned(), seconds, error: Some(error), rest: vec![format!("{error:.1e}"), ratio] }
     };
     let solver = format!("full solver, tolerance {tolerance:.0e}: orientation and angular velocity");
     let rivals = format!("Runge-Kutta of the full equations, {STEPS} steps a period: the same");
@@ -79,10 +102,15 @@ pub(super) fn run(scenario: &Scenario, progress: &mut Progress) -> Result<Vec<Li
     Ok(vec![
         line(&solver, solving, solver_error(&states)),
         line(&rivals, stepping, solver_error(&stepped)),
-        line("ephemeris f64, 64x11, at any time: the same", turning, error),
-        line("ephemeris f64, 64x11, at any time: orientation", orienting, error),
-        line("ephemeris f64, 64x11, at any tick: orientation", ticking, error),
-        Line { what: "    its set-up, once".to_owned(), seconds: setting_up, rest: vec![String::new(); 2] },
+        line("ephemeris f64, 128x12, at any time: the same", turning, error),
+        line("ephemeris f64, 128x12, at any time: orientation", orienting, error),
+        line("ephemeris f64, 128x12, at any tick: orientation", ticking, error),
+        Line {
+            what: "    its set-up, once".to_owned(),
+            seconds: setting_up,
+            error: None,
+            rest: vec![String::new(); 2],
+        },
     ])
 }
 
@@ -103,28 +131,26 @@ fn loosest(
 }
 
 fn solved(scenario: &Scenario, times: &[f64], tolerance: f64) -> Result<Vec<FullState>, Failure> {
-    let (top, state) = truth::start(scenario);
-    let mut solver = FullSolver::new(top, state, tolerance);
+    let mut solver = solver(scenario, tolerance);
     let reach = |&t: &f64| solver.advance_to(t).map_err(|error| Failure::Method(error.to_string()));
     times.iter().map(reach).collect()
 }
 
-fn baseline(scenario: &Scenario, apart: f64) -> Vec<FullState> {
+fn solver(scenario: &Scenario, tolerance: f64) -> FullSolver {
     let (top, state) = truth::start(scenario);
-    let mut run = FixedSteps::new(&top, &state, apart * f64::from(SAMPLES) / f64::from(STEPS * PERIODS));
-    let steps = STEPS * PERIODS / SAMPLES;
+    FullSolver::new(top, state, tolerance)
+}
+
+/// In steps that end on every sample; samples are `apart`, in s.
+fn baseline(scenario: &Scenario, apart: f64) -> FixedSteps<RungeKutta> {
+    let (top, state) = truth::start(scenario);
+    FixedSteps::new(&top, &state, apart * f64::from(SAMPLES) / f64::from(STEPS * PERIODS))
+}
+
+fn samples(run: &mut FixedSteps<RungeKutta>, count: usize) -> Vec<FullState> {
     let sample = |_| {
-        (0..steps).for_each(|_| run.step());
+        (0..STEPS * PERIODS / SAMPLES).for_each(|_| run.step());
         run.state()
     };
-    (0..SAMPLES).map(sample).collect()
-}
-
-fn phi(state: &FullState) -> Phi<f64> {
-    let complex = |[re, im]: [f64; 2]| toytop::Complex::new(re, im);
-    Phi { alpha: complex(state.alpha), beta: complex(state.beta) }
-}
-
-fn distance(a: &Phi<f64>, b: &Phi<f64>) -> f64 {
-    2.0 * ((a.alpha - b.alpha).norm_squared() + (a.beta - b.beta).norm_squared()).sqrt()
+    (0..count).map(sample).collect()
 }

@@ -32,7 +32,7 @@ pub(super) fn run(motion: &Motion, progress: &mut Progress) -> Result<Vec<Line>,
 fn per_tick(what: String, progress: &mut Progress, task: impl FnMut()) -> Line {
     let (whole, ()) = least(progress, task);
     let seconds = whole / f64::from(TICKS);
-    Line { what, seconds, rest: vec![format!("{:.1}", 1e-6 / seconds)] }
+    Line { what, seconds, error: None, rest: vec![format!("{:.1}", 1e-6 / seconds)] }
 }
 
 fn ephemeris<R: Tabular, const SEGMENTS: usize, const TERMS: usize>(

@@ -1,0 +1,110 @@
+//! The rival: the full equations of motion for (Φ, m), and one step of the classical Runge-Kutta method.
+//!
+//! As fast as we know to write it: m' = p s u' (r' × k) - p g (r × k), which is horizontal, so that m₃ is a constant and
+//! six equations are left; every constant factor is folded in beforehand; Φ is brought back to unit norm by one
+//! Newton step of 1/√x, which needs neither root nor division.
+
+use toytop::real::Float;
+use toytop::su2::dot;
+use toytop::{Complex, Motion, Phi, State};
+
+/// Re α, Im α, Re β, Im β, m₁, m₂.
+pub(crate) type Point<R> = [R; 6];
+
+/// Folded constants of a top and a step.
+pub(crate) struct Constants<R> {
+    /// m₃.
+    pub(crate) m3: R,
+    /// 1/A.
+    per_a: R,
+    /// (C - A)/C.
+    axial: R,
+    /// A/(p s).
+    a_per_ps: R,
+    /// p g.
+    pg: R,
+    /// 2 s.
+    pub(crate) tip_scale: R,
+    /// Length of a step, and parts of it.
+    pub(crate) dt: R,
+    half: R,
+    third: R,
+    sixth: R,
+}
+
+impl<R: Float> Constants<R> {
+    pub(crate) fn of(motion: &Motion, tick_rate: u32) -> Self {
+        let (top, dt) = (motion.top(), 1.0 / f64::from(tick_rate));
+        let (a, c, ps) = (top.a(), top.c(), top.p() * top.s());
+        let [m3, per_a, axial, a_per_ps, pg] =
+            [motion.first_integrals().l, 1.0 / a, (c - a) / c, a / ps, top.p() * top.g()].map(R::from_f64);
+        let [tip_scale, dt, half, third, sixth] =
+            [2.0 * top.s(), dt, dt / 2.0, dt / 3.0, dt / 6.0].map(R::from_f64);
+        Self { m3, per_a, axial, a_per_ps, pg, tip_scale, dt, half, third, sixth }
+    }
+
+    /// Φ' and m'.
+    #[inline(always)]
+    pub(crate) fn rates(&self, [a, b, c, d, m1, m2]: Point<R>) -> Point<R> {
+        let r = [-(a * c - b * d).doubled(), -(a * d + b * c).doubled(), a * a + b * b - c * c - d * d];
+        let axial = (m1 * r[0] + m2 * r[1] + self.m3 * r[2]) * self.axial;
+        // p s u', where u' = <m, q>/(A + p s |q|²) and q = r × k
+        let rise = (m1 * r[1] - m2 * r[0]) / (self.a_per_ps + r[0] * r[0] + r[1] * r[1]);
+        let w = [
+            (m1 - axial * r[0] - rise * r[1]) * self.per_a,
+            (m2 - axial * r[1] + rise * r[0]) * self.per_a,
+            (self.m3 - axial * r[2]) * self.per_a,
+        ];
+        let half = w.map(R::halved);
+        [
+            half[1] * c - half[2] * b - half[0] * d,
+            half[2] * a - half[0] * c - half[1] * d,
+            half[0] * b - half[1] * a - half[2] * d,
+            half[2] * c + half[0] * a + half[1] * b,
+            rise * (w[2] * r[0] - w[0] * r[2]) - self.pg * r[1],
+            rise * (w[2] * r[1] - w[1] * r[2]) + self.pg * r[0],
+        ]
+    }
+
+    /// One step.
+    #[inline(always)]
+    pub(crate) fn step(&self, y: &mut Point<R>) {
+        let ahead = |y: &Point<R>, k: &Point<R>, dt: R| -> Point<R> {
+            let mut sum = *y;
+            for (y, &k) in sum.iter_mut().zip(k) {
+                *y = *y + dt * k;
+            }
+            sum
+        };
+        let k1 = self.rates(*y);
+        let mut sum = ahead(y, &k1, self.sixth);
+        let k2 = self.rates(ahead(y, &k1, self.half));
+        sum = ahead(&sum, &k2, self.third);
+        let k3 = self.rates(ahead(y, &k2, self.half));
+        sum = ahead(&sum, &k3, self.third);
+        let k4 = self.rates(ahead(y, &k3, self.dt));
+        *y = renormalised(ahead(&sum, &k4, self.sixth));
+    }
+}
+
+/// Φ is off unit norm by what one step leaves: (3 - x)/2 is 1/√x there.
+#[inline(always)]
+pub(crate) fn renormalised<R: Float>([a, b, c, d, m1, m2]: Point<R>) -> Point<R> {
+    let norm_squared = a * a + b * b + c * c + d * d;
+    let scale = (R::ONE + R::ONE.halved()) - norm_squared.halved();
+    [a * scale, b * scale, c * scale, d * scale, m1, m2]
+}
+
+/// Where a state stands: m = A ω + (C - A) <ω, r> r + p s u' q.
+pub(crate) fn start<R: Float>(motion: &Motion, state: &State) -> Point<R> {
+    let (top, phi, omega) = (motion.top(), state.phi(), state.omega());
+    let r = phi.axis();
+    let q = [r[1], -r[0], 0.0];
+    let (axial, rise) = ((top.c() - top.a()) * dot(omega, r), top.p() * top.s() * dot(omega, q));
+    let m = |i: usize| top.a() * omega[i] + axial * r[i] + rise * q[i];
+    [phi.alpha.re, phi.alpha.im, phi.beta.re, phi.beta.im, m(0), m(1)].map(R::from_f64)
+}
+
+pub(crate) fn phi<R: Float>([a, b, c, d, _, _]: Point<R>) -> Phi<R> {
+    Phi { alpha: Complex::new(a, b), beta: Complex::new(c, d) }
+}

@@ -1,0 +1,178 @@
+//! What each call costs on a chip: core's, and what one would write or take instead.
+//!
+//! Every call is a function with a symbol, `bench_...`, which `toytop budget` looks for in QEMU's trace. Each is measured
+//! from where a tick number, a cursor or a state is at hand until α, β, u and c are in memory. The program itself says what the trace does
+//! not show: one line a call, `NAME stack BYTES ram BYTES`; with the feature `dwt`, on a board, `cycles COUNT` too.
+
+#![no_std]
+#![no_main]
+
+mod calls;
+mod full_equations;
+mod measure;
+mod rivals;
+
+use core::hint::black_box;
+use core::mem::{size_of, size_of_val};
+
+use calls::{CursorOf, EphemerisQ15, EphemerisQ31, Measured, Output, Stepping};
+use fixed::types::{I2F14, I2F30};
+use full_equations::{Constants, start};
+use measure::Meter;
+use semihosting::process;
+use toytop::real::{Float, Real};
+use toytop::{EphemerisF32, EphemerisF64, Motion, Tick, Turns};
+
+#[cfg(target_arch = "arm")]
+use cortex_m as _; // critical section
+#[cfg(target_arch = "arm")]
+use cortex_m_rt::entry;
+#[cfg(target_arch = "riscv32")]
+use riscv as _; // critical section
+#[cfg(target_arch = "riscv32")]
+use riscv_rt::entry;
+
+/// Calls of each kind; the costliest counts.
+const CALLS: usize = 8;
+/// Between the ticks asked for: a prime, so that they fall on segments of every kind.
+const STRIDE: i64 = 1_000_003;
+
+#[entry]
+fn main() -> ! {
+    let mut meter = Meter::new();
+    let measured = Measured::default();
+
+    let mut single = EphemerisF32::EMPTY;
+    let ram = size_of_val(&single);
+    meter.measure("bench_launch", ram, 1, |_| {
+        assert!(calls::bench_launch(&mut single, black_box(&measured)), "the motion fits");
+    });
+    let motion = measured.motion().expect("a possible top");
+    let mut double = EphemerisF64::EMPTY;
+    let tick = Tick::hertz(calls::TICK_RATE).expect("positive");
+    double.set_up(&motion, tick, calls::truncation::<f64>()).expect("the motion fits");
+
+    ephemerides(&mut meter, &single, &double);
+    fixed_point(&mut meter, &motion, tick);
+    stepper(&mut meter, &motion, calls::bench_stepper_f32);
+    stepper(&mut meter, &motion, calls::bench_stepper_f64);
+    runge_kutta(&mut meter, &measured, &motion, &single);
+    sines(&mut meter);
+    process::exit(0)
+}
+
+fn ephemerides(meter: &mut Meter, single: &EphemerisF32, double: &EphemerisF64) {
+    let tick = |call: usize| black_box(call as i64 * STRIDE);
+    let (mut out, mut wide) = (Output::default(), Output::default());
+    meter.measure("bench_ephemeris_f32", size_of_val(single), CALLS, |call| {
+        calls::bench_ephemeris_f32(single, tick(call), &mut out);
+    });
+    meter.measure("bench_ephemeris_f64", size_of_val(double), CALLS, |call| {
+        calls::bench_ephemeris_f64(double, tick(call), &mut wide);
+    });
+    let mut cursor = single.cursor(STRIDE);
+    let ram = size_of_val(single) + size_of::<CursorOf<'_, EphemerisF32>>();
+    meter.measure("bench_cursor_f32", ram, CALLS, |_| calls::bench_cursor_f32(&mut cursor, &mut out));
+    let mut cursor = double.cursor(STRIDE);
+    let ram = size_of_val(double) + size_of::<CursorOf<'_, EphemerisF64>>();
+    meter.measure("bench_cursor_f64", ram, CALLS, |_| calls::bench_cursor_f64(&mut cursor, &mut wide));
+    black_box((out, wide));
+}
+
+fn fixed_point(meter: &mut Meter, motion: &Motion, tick: Tick) {
+    let at = |call: usize| black_box(call as i64 * STRIDE);
+    let (mut long, mut short) = (Output::default(), Output::default());
+    let mut ephemeris = EphemerisQ31::EMPTY;
+    ephemeris.set_up(motion, tick, calls::truncation::<I2F30>()).expect("the motion fits");
+    let ram = size_of_val(&ephemeris);
+    meter.measure("bench_ephemeris_q31", ram, CALLS, |call| {
+        calls::bench_ephemeris_q31(&ephemeris, at(call), &mut long);
+    });
+    let mut cursor = ephemeris.cursor(STRIDE);
+    let ram = ram + size_of_val(&cursor);
+    meter.measure("bench_cursor_q31", ram, CALLS, |_| calls::bench_cursor_q31(&mut cursor, &mut long));
+    let mut ephemeris = EphemerisQ15::EMPTY;
+    ephemeris.set_up(motion, tick, calls::truncation::<I2F14>()).expect("the motion fits");
+    let ram = size_of_val(&ephemeris);
+    meter.measure("bench_ephemeris_q15", ram, CALLS, |call| {
+        calls::bench_ephemeris_q15(&ephemeris, at(call), &mut short);
+    });
+    let mut cursor = ephemeris.cursor(STRIDE);
+    let ram = ram + size_of_val(&cursor);
+    meter.measure("bench_cursor_q15", ram, CALLS, |_| calls::bench_cursor_q15(&mut cursor, &mut short));
+    black_box((long, short));
+}
+
+fn stepper<R: Real + Default>(
+    meter: &mut Meter,
+    motion: &Motion,
+    call: extern "C" fn(&mut Stepping<R>, &mut Output<R>),
+) {
+    let (mut stepping, mut out) = (Stepping::<R>::new(motion), Output::default());
+    let name = if size_of::<R>() == 4 { "bench_stepper_f32" } else { "bench_stepper_f64" };
+    meter.measure(name, size_of_val(&stepping), CALLS, |_| call(&mut stepping, &mut out));
+    black_box(out);
+}
+
+fn runge_kutta(meter: &mut Meter, measured: &Measured, motion: &Motion, truth: &EphemerisF32) {
+    let state = measured.state().expect("a possible release");
+    let constants = Constants::<f32>::of(motion, calls::TICK_RATE);
+    let (mut point, mut out) = (start(motion, &state), Output::default());
+    let ram = size_of_val(&constants) + size_of_val(&point);
+    meter.measure("bench_rk4_f32", ram, CALLS, |_| {
+        rivals::bench_rk4_f32(&constants, &mut point, &mut out);
+    });
+    same_motion(&out, truth);
+    let mut point = start(motion, &state);
+    meter.measure("bench_multicalc_rk4_f32", ram, CALLS, |_| {
+        rivals::bench_multicalc_rk4_f32(&constants, &mut point, &mut out);
+    });
+    same_motion(&out, truth);
+    let constants = Constants::<f64>::of(motion, calls::TICK_RATE);
+    let (mut point, mut wide) = (start(motion, &state), Output::default());
+    let ram = size_of_val(&constants) + size_of_val(&point);
+    meter.measure("bench_rk4_f64", ram, CALLS, |_| {
+        rivals::bench_rk4_f64(&constants, &mut point, &mut wide);
+    });
+    same_motion(&wide, truth);
+}
+
+/// The angles are within one turn: a large one costs the others more.
+fn sines(meter: &mut Meter) {
+    // prepared beforehand, on stack that is not watched
+    let turns: [Turns; CALLS] = black_box(core::array::from_fn(|call| Turns::new(call as f64 * 0.119)));
+    let angles: [f64; CALLS] = black_box(core::array::from_fn(|call| call as f64 * 0.75));
+    let single = black_box(angles.map(|angle| angle as f32));
+    let (mut pair, mut wide) = ([0.0; 2], [0.0; 2]);
+    meter.measure("bench_sincos_ours_f32", 0, CALLS, |call| {
+        rivals::bench_sincos_ours_f32(&turns[call], &mut pair);
+    });
+    let mut fixed = [I2F30::ZERO; 2];
+    meter.measure("bench_sincos_ours_q31", 0, CALLS, |call| {
+        rivals::bench_sincos_ours_q31(&turns[call], &mut fixed);
+    });
+    meter.measure("bench_sincos_libm_f32", 0, CALLS, |call| {
+        rivals::bench_sincos_libm_f32(single[call], &mut pair);
+    });
+    meter.measure("bench_sincos_micromath_f32", 0, CALLS, |call| {
+        rivals::bench_sincos_micromath_f32(single[call], &mut pair);
+    });
+    meter.measure("bench_sincos_ours_f64", 0, CALLS, |call| {
+        rivals::bench_sincos_ours_f64(&turns[call], &mut wide);
+    });
+    meter.measure("bench_sincos_libm_f64", 0, CALLS, |call| {
+        rivals::bench_sincos_libm_f64(angles[call], &mut wide);
+    });
+    black_box((pair, fixed, wide));
+}
+
+/// After as many ticks, a rival must be where the ephemeris is.
+fn same_motion<R: Float>(out: &Output<R>, truth: &EphemerisF32) {
+    let (phi, tip) = truth.at_tick(CALLS as i64).phi_and_tip();
+    let near = |found: R, there: f32| (found.to_f64() - f64::from(there)).abs() < 1e-5;
+    assert!(
+        near(out.phi.alpha.re, phi.alpha.re) && near(out.phi.beta.im, phi.beta.im),
+        "not the same motion"
+    );
+    assert!(near(out.u, phi.u()) && near(out.c.re, tip.re) && near(out.c.im, tip.im), "not the same tip");
+}

@@ -1,0 +1,46 @@
+//! Double precision in hardware: a cursor goes from tick to tick in the main loop, which sleeps in between.
+
+#![no_std]
+#![no_main]
+
+use cortex_m::peripheral::SCB;
+use cortex_m::{asm, interrupt, singleton};
+use toytop::{EphemerisF64, Tick};
+use toytop_firmware::{entry, exit, start_systick, toy_top};
+
+/// Of the processor, Hz. The emulated board has 25 MHz.
+const CLOCK: u32 = 25_000_000;
+/// Ticks a second.
+const TICK_RATE: u32 = 1000;
+
+#[entry]
+fn main() -> ! {
+    let motion = toy_top().expect("a possible top");
+    let ephemeris = singleton!(: EphemerisF64 = EphemerisF64::EMPTY).expect("taken once");
+    let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
+    ephemeris.set_up(&motion, tick, 1e-15).expect("an ordinary motion");
+    defmt::info!("at tick n within {=f64} rad + n * {=f64}", bound(ephemeris)[0], bound(ephemeris)[1]);
+
+    start_systick(CLOCK, TICK_RATE);
+    // An interrupt that is masked still ends the sleep.
+    interrupt::disable();
+
+    let mut cursor = ephemeris.cursor(1);
+    for tick in 1..=TICK_RATE {
+        asm::wfi();
+        SCB::clear_pendst();
+        let now = cursor.next();
+        if tick % 250 == 0 {
+            let pose = now.pose();
+            let ([x, y, height], tip) = (pose.phi.axis(), now.tip());
+            defmt::info!("{=u32} ms: axis ({}, {}, {}), u' {} / s", tick, x, y, height, pose.udot());
+            defmt::info!("        tip ({}, {}) m", tip.re, tip.im);
+        }
+    }
+    exit()
+}
+
+fn bound(ephemeris: &EphemerisF64) -> [f64; 2] {
+    let bound = ephemeris.error_bound();
+    [bound.constant, bound.per_tick]
+}

@@ -1,0 +1,47 @@
+//! RISC-V without an FPU: the machine's timer ends the sleep between two ticks.
+
+#![no_std]
+#![no_main]
+
+use riscv::asm::wfi;
+use riscv::register::mie;
+use toytop::{EphemerisF32, Tick};
+use toytop_firmware::{entry, exit, toy_top};
+
+/// Of the timer of QEMU's "virt" machine, Hz.
+const TIMER: u64 = 10_000_000;
+/// Its count, and the count at which it asks for an interrupt (CLINT).
+const MTIME: *const u64 = 0x0200_bff8 as *const u64;
+const MTIMECMP: *mut u64 = 0x0200_4000 as *mut u64;
+/// Ticks a second.
+const TICK_RATE: u32 = 1000;
+
+#[entry]
+fn main() -> ! {
+    let motion = toy_top().expect("a possible top");
+    let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
+    let ephemeris = riscv::singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once");
+    ephemeris.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
+
+    // An interrupt that is masked (mstatus.MIE is off) still ends the sleep.
+    // SAFETY: no handler can run, so none can see anything half-done
+    unsafe { mie::set_mtimer() };
+    // SAFETY: the timer's registers on this machine
+    let mut due = unsafe { MTIME.read_volatile() };
+    let mut cursor = ephemeris.cursor(1);
+    for tick in 1..=TICK_RATE {
+        due += TIMER / u64::from(TICK_RATE);
+        // SAFETY: as above
+        unsafe { MTIMECMP.write_volatile(due) };
+        // SAFETY: as above
+        while unsafe { MTIME.read_volatile() } < due {
+            wfi();
+        }
+        let (phi, tip) = cursor.next().phi_and_tip();
+        if tick % 250 == 0 {
+            let [x, y, height] = phi.axis();
+            defmt::info!("{=u32} ms: axis ({}, {}, {}), tip ({}, {}) m", tick, x, y, height, tip.re, tip.im);
+        }
+    }
+    exit()
+}

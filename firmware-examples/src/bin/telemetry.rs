@@ -1,0 +1,95 @@
+//! States out of an interrupt: it puts them into a lock-free queue, the main loop takes them out when it can. Nothing is
+//! lost, and the log says how full the queue got.
+
+#![no_std]
+#![no_main]
+
+use core::cell::RefCell;
+use core::sync::atomic::{AtomicU32, Ordering};
+
+use cortex_m::{asm, singleton};
+use cortex_m_rt::exception;
+use critical_section::Mutex;
+use heapless::spsc::{Producer, Queue};
+use toytop::{EphemerisF32, Phi, Tick};
+use toytop_firmware::{entry, exit, start_systick, toy_top};
+
+/// Of the processor, Hz. The emulated board has 25 MHz.
+const CLOCK: u32 = 25_000_000;
+/// Ticks a second.
+const TICK_RATE: u32 = 1000;
+/// The main loop is away for so many ticks at a time ...
+const AWAY: u32 = 40;
+/// ... for which there must be room: a queue holds one state fewer than its size.
+const SIZE: usize = 64;
+
+/// What goes through the queue.
+struct Sample {
+    tick: u32,
+    phi: Phi<f32>,
+}
+
+/// What the interrupt holds.
+struct Source {
+    ephemeris: &'static EphemerisF32,
+    queue: Producer<'static, Sample>,
+    tick: u32,
+}
+
+static SOURCE: Mutex<RefCell<Option<Source>>> = Mutex::new(RefCell::new(None));
+/// States that found the queue full.
+static LOST: AtomicU32 = AtomicU32::new(0);
+
+#[entry]
+fn main() -> ! {
+    let motion = toy_top().expect("a possible top");
+    let ephemeris = singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once");
+    let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
+    ephemeris.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
+    let queue = singleton!(: Queue<Sample, SIZE> = Queue::new()).expect("taken once");
+    let (producer, mut consumer) = queue.split();
+    let source = Source { ephemeris, queue: producer, tick: 0 };
+    critical_section::with(|cs| SOURCE.replace(cs, Some(source)));
+
+    start_systick(CLOCK, TICK_RATE);
+
+    let (mut taken, mut missing, mut fullest) = (0, 0, 0);
+    while taken < TICK_RATE {
+        for _ in 0..AWAY {
+            asm::wfi(); // anything else the program has to do
+        }
+        fullest = fullest.max(consumer.len());
+        let (mut lowest, mut highest) = (1.0_f32, -1.0_f32);
+        while let Some(Sample { tick, phi }) = consumer.dequeue() {
+            missing += tick - 1 - taken;
+            taken = tick;
+            let u = phi.u();
+            (lowest, highest) = (lowest.min(u), highest.max(u));
+        }
+        if taken % 200 == 0 {
+            defmt::info!(
+                "{=u32} ms: since the last look, u between {=f32} and {=f32}",
+                taken,
+                lowest,
+                highest
+            );
+        }
+    }
+    let lost = LOST.load(Ordering::Relaxed);
+    defmt::info!("{=u32} states, {=u32} missing, {=u32} refused", taken, missing, lost);
+    defmt::info!("the queue held at most {=usize} of {=usize}", fullest, consumer.capacity());
+    exit()
+}
+
+#[exception]
+fn SysTick() {
+    critical_section::with(|cs| {
+        let mut source = SOURCE.borrow_ref_mut(cs);
+        let Some(Source { ephemeris, queue, tick }) = source.as_mut() else { return };
+        *tick += 1;
+        let phi = ephemeris.at_tick(i64::from(*tick)).phi();
+        if queue.enqueue(Sample { tick: *tick, phi }).is_err() {
+            LOST.fetch_add(1, Ordering::Relaxed);
+        }
+    });
+}

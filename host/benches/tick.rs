@@ -1,0 +1,68 @@
+//! What a tick costs: by stepper, by cursor, at any tick, at any time, in a batch; f32 and f64.
+
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use std::hint::black_box;
+use toytop::real::Real;
+use toytop::{Ephemeris, Motion, Phi, Stepper, Tabular, Tick};
+use toytop_host::race::NUMBERS;
+
+/// Of a batch: enough to time, few enough to stay in the cache.
+const TICKS: usize = 4096;
+/// The first of them.
+const FIRST: i64 = 1 << 40;
+
+fn ephemeris<R: Real + Tabular<Wide = R>, const SEGMENTS: usize, const TERMS: usize>(
+    c: &mut Criterion,
+    name: &str,
+    motion: &Motion,
+) {
+    let tick = Tick::hertz(1024).expect("a tick");
+    let table = Ephemeris::<R, SEGMENTS, TERMS>::new(motion, tick).expect("a table that fits");
+    let mut group = c.benchmark_group(format!("ephemeris {name}, {SEGMENTS}x{TERMS}"));
+    let mut n = FIRST;
+    let mut cursor = table.cursor(FIRST);
+    group.bench_function("next tick", |b| b.iter(|| cursor.next().phi()));
+    group.bench_function("next tick, and its tip", |b| b.iter(|| cursor.next().phi_and_tip()));
+    let mut next = || {
+        n += 1;
+        black_box(n)
+    };
+    group.bench_function("any tick", |b| b.iter(|| table.at_tick(next()).phi()));
+    group.bench_function("any tick, with rates", |b| b.iter(|| table.at_tick(next()).pose()));
+    let mut t = 0.0;
+    let mut later = || {
+        t += 0.37;
+        black_box(t)
+    };
+    group.bench_function("any time", |b| b.iter(|| table.at(later()).phi()));
+    group.throughput(Throughput::Elements(TICKS as u64));
+    let mut out = vec![Phi::<R>::IDENTITY; TICKS];
+    group.bench_function("batch", |b| b.iter(|| table.fill(black_box(FIRST), black_box(&mut out))));
+    group.finish();
+}
+
+fn stepper<R: Real>(c: &mut Criterion, name: &str, motion: &Motion) {
+    let dt = R::from_f64(1.0 / 1024.0);
+    let mut group = c.benchmark_group(format!("stepper {name}"));
+    group.throughput(Throughput::Elements(TICKS as u64));
+    let go = |stepper: &mut Stepper<R>| {
+        for _ in 0..TICKS {
+            stepper.step(dt);
+            black_box(stepper.phi());
+        }
+    };
+    let start = || Stepper::<R>::new(motion);
+    group.bench_function("steps", |b| b.iter_batched_ref(start, go, BatchSize::SmallInput));
+    group.finish();
+}
+
+fn ticks(c: &mut Criterion) {
+    let motion = NUMBERS.motion().expect("a motion");
+    ephemeris::<f32, 16, 8>(c, "f32", &motion);
+    ephemeris::<f64, 128, 12>(c, "f64", &motion);
+    stepper::<f32>(c, "f32", &motion);
+    stepper::<f64>(c, "f64", &motion);
+}
+
+criterion_group!(benches, ticks);
+criterion_main!(benches);

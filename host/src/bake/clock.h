@@ -1,0 +1,78 @@
+#ifndef TOYTOP_CLOCK
+#define TOYTOP_CLOCK 1
+#include <float.h>
+#include <stdint.h>
+#include <string.h>
+#if FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2
+#error "floating point must not be evaluated in a wider type (for x86: -msse2 -mfpmath=sse)"
+#endif
+
+/* A share of a turn in 96 bits, the whole turns dropped. */
+typedef struct { uint64_t leading; uint32_t low; } toytop_phase;
+
+/* What every table has. Phases: nutation, A, B. */
+typedef struct {
+    uint32_t format, checksum, segments, terms;
+    uint64_t first[3];         /* at tick INT64_MIN, from where ticks count up without a sign */
+    toytop_phase step[3];      /* what a tick adds */
+    uint64_t numbers[10];      /* bits of doubles: exact steps, ticks in a unit of time, error bound */
+    uint32_t stops;            /* whether the motion is aperiodic, and then */
+    int64_t horizon[2];        /* the first and the last tick at which it still moves */
+} toytop_clock;
+
+/* Goes through consecutive ticks by additions: what an interrupt holds. */
+typedef struct { toytop_phase phase[3]; int64_t tick; } toytop_cursor;
+
+static inline toytop_phase toytop_sum(toytop_phase a, toytop_phase b) {
+    toytop_phase sum = {a.leading + b.leading, a.low + b.low};
+    sum.leading += sum.low < a.low;
+    return sum;
+}
+
+static inline toytop_cursor toytop_at(const toytop_clock *clock, int64_t tick) {
+    toytop_cursor at = {{{0, 0}, {0, 0}, {0, 0}}, tick};
+    uint64_t n = (uint64_t)tick ^ (uint64_t)1 << 63; /* ticks since INT64_MIN */
+    for (int i = 0; i < 3; i++) {
+        toytop_phase step = clock->step[i];
+        uint64_t lowest = (uint64_t)step.low * (uint32_t)n;
+        at.phase[i].low = (uint32_t)lowest;
+        at.phase[i].leading = step.leading * n + (uint64_t)step.low * (n >> 32) + (lowest >> 32) + clock->first[i];
+    }
+    if (clock->stops && tick < clock->horizon[0]) at.phase[0].leading = (uint64_t)1 << 63;
+    if (clock->stops && tick > clock->horizon[1]) at.phase[0].leading = ((uint64_t)1 << 63) - 1;
+    return at;
+}
+
+static inline void toytop_move_on(const toytop_clock *clock, toytop_cursor *at) {
+    for (int i = 0; i < 3; i++) at->phase[i] = toytop_sum(at->phase[i], clock->step[i]);
+    at->tick = (int64_t)((uint64_t)at->tick + 1);
+    if (clock->stops) *at = toytop_at(clock, at->tick);
+}
+
+/* Segment and place in it, x 2^63 with x in [-1, 1); the falling half is the mirror image of the rising one. */
+static inline int64_t toytop_find(uint32_t segments, uint64_t nutation, uint32_t *segment) {
+    uint64_t share = (nutation ^ (0 - (nutation >> 63))) << 1;
+    *segment = (uint32_t)(((share >> 32) * segments + (((share & 0xffffffff) * segments) >> 32)) >> 32);
+    return (int64_t)(share * segments ^ (uint64_t)1 << 63);
+}
+
+static inline uint32_t toytop_word(uint32_t sum, uint32_t word) {
+    sum = (sum ^ word) * (uint32_t)0x9e3779b1;
+    return sum ^ sum >> 15;
+}
+
+static inline uint32_t toytop_wide(uint32_t sum, uint64_t words) {
+    return toytop_word(toytop_word(sum, (uint32_t)words), (uint32_t)(words >> 32));
+}
+
+/* The checksum of a clock, with which that of a table begins. */
+static inline uint32_t toytop_head(const toytop_clock *clock, uint32_t scalar) {
+    uint32_t sum = toytop_word(toytop_word(0, clock->format), scalar);
+    sum = toytop_word(toytop_word(sum, clock->segments), clock->terms);
+    for (int i = 0; i < 3; i++) sum = toytop_wide(sum, clock->first[i]);
+    for (int i = 0; i < 3; i++) sum = toytop_wide(toytop_word(sum, clock->step[i].low), clock->step[i].leading);
+    for (int i = 0; i < 10; i++) sum = toytop_wide(sum, clock->numbers[i]);
+    sum = toytop_word(sum, clock->stops);
+    return toytop_wide(toytop_wide(sum, (uint64_t)clock->horizon[0]), (uint64_t)clock->horizon[1]);
+}
+#endif

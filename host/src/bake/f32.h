@@ -1,0 +1,70 @@
+typedef struct {
+    toytop_clock clock;
+    float scales[4];                  /* 2s; rates for the derivatives, which this file does not compute */
+    const int32_t (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
+} toytop_f32;
+
+/* The orientation; u, the cosine of the tilt; the tip c = 2 s alpha beta (without s where it is held). {re, im}. */
+typedef struct { float alpha[2], beta[2], u, c[2]; } toytop_moment_f32;
+
+/* a b 2^-32, rounded down: needs a compiler that shifts signed numbers arithmetically, as all do. */
+static inline int32_t toytop_high(int32_t a, int32_t b) { return (int32_t)(((int64_t)a * b) >> 32); }
+
+/* From units of 2^-31 to 2^-30, turned by the phase: the nearest of 256 points of the circle, and the rest by a series. */
+static inline void toytop_turn_f32(int32_t re, int32_t im, uint64_t leading, float turned[2]) {
+    uint32_t phase = (uint32_t)(leading >> 32);
+    int32_t x = (int32_t)(phase << 8);
+    const int32_t *point = toytop_sines + ((uint32_t)(phase + 0x800000) >> 24);
+    int32_t square = toytop_high(x, x), versine = toytop_high(square, TOYTOP_VERSINE);
+    int32_t small = toytop_high(x, TOYTOP_LINEAR - toytop_high(square, TOYTOP_CUBIC));
+    int32_t sine = point[0] + ((toytop_high(point[64], small) - toytop_high(point[0], versine) + 8) >> 4);
+    int32_t cosine = point[64] - ((toytop_high(point[0], small) + toytop_high(point[64], versine) + 8) >> 4);
+    turned[0] = (float)(toytop_high(re, cosine) - toytop_high(im, sine)) * 0x1p-30f;
+    turned[1] = (float)(toytop_high(re, sine) + toytop_high(im, cosine)) * 0x1p-30f;
+}
+
+static inline toytop_moment_f32 toytop_moment_of_f32(const toytop_f32 *table, const toytop_cursor *at) {
+    toytop_moment_f32 m;
+    uint64_t nutation = at->phase[0].leading;
+    uint32_t segment, terms = table->clock.terms;
+    int32_t x = (int32_t)(toytop_find(table->clock.segments, nutation, &segment) >> 32), sums[4];
+    const int32_t (*c)[4] = table->coefficients + segment * terms;
+    for (int i = 0; i < 4; i++) {
+        int32_t sum = c[terms - 1][i];
+        for (uint32_t k = terms - 1; k-- > 1;) sum = c[k][i] + toytop_high(sum, x);
+        int64_t last = (int64_t)c[0][i] + toytop_high(sum, x);
+        sums[i] = last > INT32_MAX ? INT32_MAX : last < INT32_MIN ? INT32_MIN : (int32_t)last;
+        if (i & 1 && nutation >> 63) sums[i] = ~sums[i];
+    }
+    toytop_turn_f32(sums[0], sums[1], at->phase[1].leading, m.alpha);
+    toytop_turn_f32(sums[2], sums[3], at->phase[2].leading, m.beta);
+    m.u = (m.alpha[0] * m.alpha[0] + m.alpha[1] * m.alpha[1]) - (m.beta[0] * m.beta[0] + m.beta[1] * m.beta[1]);
+    m.c[0] = (m.alpha[0] * m.beta[0] - m.alpha[1] * m.beta[1]) * table->scales[0];
+    m.c[1] = (m.alpha[0] * m.beta[1] + m.alpha[1] * m.beta[0]) * table->scales[0];
+    return m;
+}
+
+/* Any tick, at the same cost. */
+static inline toytop_moment_f32 toytop_at_tick_f32(const toytop_f32 *table, int64_t tick) {
+    toytop_cursor at = toytop_at(&table->clock, tick);
+    return toytop_moment_of_f32(table, &at);
+}
+
+/* The tick of a cursor, which begins as toytop_at(&table->clock, first) and moves on to the next. */
+static inline toytop_moment_f32 toytop_next_f32(const toytop_f32 *table, toytop_cursor *at) {
+    toytop_moment_f32 now = toytop_moment_of_f32(table, at);
+    toytop_move_on(&table->clock, at);
+    return now;
+}
+
+/* Whether every bit of a table is what it was when it was written. */
+static inline int toytop_intact_f32(const toytop_f32 *table) {
+    uint32_t bits, sum = toytop_head(&table->clock, 32);
+    for (int i = 0; i < 4; i++) {
+        memcpy(&bits, &table->scales[i], sizeof bits);
+        sum = toytop_word(sum, bits);
+    }
+    for (uint32_t row = 0; row < table->clock.segments * table->clock.terms; row++)
+        for (int i = 0; i < 4; i++) sum = toytop_word(sum, (uint32_t)table->coefficients[row][i]);
+    return sum == table->clock.checksum;
+}

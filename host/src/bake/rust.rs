@@ -1,0 +1,69 @@
+//! A Rust module with one `static`, which does not compile if a bit of it is changed.
+
+use super::{Coefficients, Label, Parts};
+use crate::cli::Scalar;
+
+/// The module's text. Numbers as Rust prints them: it reads back the same bits.
+#[must_use]
+pub fn module(label: &Label, parts: &Parts) -> String {
+    let name = label.identifier().to_uppercase();
+    let [segments, terms] = parts.size;
+    let size = format!("<{}, {segments}, {terms}>", parts.scalar.name());
+    let [tip_scale, rates @ ..] = parts.scales;
+    let scale = |x: f64| match parts.scalar {
+        // the shortest that is read as this f32
+        Scalar::F32 => format!("{:?}", x as f32),
+        Scalar::F64 => format!("{x:?}"),
+    };
+    let rates = rates.map(scale).join(", ");
+    format!(
+        "// Written by `toytop bake`; a changed number does not compile.
+
+/// {headline}.
+#[rustfmt::skip]
+#[allow(clippy::all, clippy::pedantic)]
+pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
+    format: {format},
+    checksum: {checksum:#010x},
+    first: {first:?},
+    step: {step:?},
+    exact_step: {exact_step:?},
+    ticks_per_time: {ticks_per_time:?},
+    horizon: {horizon:?},
+    bound: {bound:?},
+    tip_scale: {tip_scale},
+    rates: [{rates}],
+    coefficients: [
+{coefficients}    ],
+}})
+.ephemeris()
+{{
+    Ok(ephemeris) => ephemeris,
+    Err(toytop::BakedError::Format {{ .. }}) => panic!(\"format: written by another version of toytop\"),
+    Err(_) => panic!(\"checksum: the numbers were changed\"),
+}};
+",
+        headline = label.headline(parts),
+        format = parts.format,
+        checksum = parts.checksum,
+        first = parts.first,
+        step = parts.step,
+        exact_step = parts.exact_step,
+        ticks_per_time = parts.ticks_per_time,
+        horizon = parts.horizon,
+        bound = parts.bound,
+        tip_scale = scale(tip_scale),
+        coefficients = match &parts.coefficients {
+            Coefficients::Integers(rows) => rows_of(rows, terms),
+            Coefficients::Doubles(rows) => rows_of(rows, terms),
+        },
+    )
+}
+
+/// A row a line, a segment in brackets.
+fn rows_of(rows: &[[impl std::fmt::Debug; 4]], terms: usize) -> String {
+    let line = |row: &_| format!("            {row:?},\n");
+    let segment =
+        |rows: &[_]| format!("        [\n{}        ],\n", rows.iter().map(line).collect::<String>());
+    rows.chunks(terms).map(segment).collect()
+}

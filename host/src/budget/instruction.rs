@@ -1,0 +1,189 @@
+//! What the timing of an Arm Thumb instruction depends on.
+
+use capstone::arch::ArchDetail;
+use capstone::arch::arm::{ArchMode, ArmOperandType};
+use capstone::prelude::*;
+
+/// A set of registers: r0 to r15 in the bits 0 to 15, s0 to s31 in the bits 16 to 47 (d0 is s0 and s1).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Registers(u64);
+
+impl Registers {
+    /// Whether the sets share a register.
+    #[must_use]
+    pub fn meet(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+
+    /// A set of named registers; flags and the like are none.
+    #[must_use]
+    pub fn named<'a>(names: impl IntoIterator<Item = &'a str>) -> Self {
+        Self(names.into_iter().fold(0, |set, name| set | Self::bits(name)))
+    }
+
+    fn bits(name: &str) -> u64 {
+        let numbered = |prefix: char| name.strip_prefix(prefix)?.parse::<u32>().ok().filter(|&n| n < 32);
+        let core = match name {
+            "sb" => Some(9),
+            "sl" => Some(10),
+            "fp" => Some(11),
+            "ip" => Some(12),
+            "sp" => Some(13),
+            "lr" => Some(14),
+            "pc" => Some(15),
+            _ => numbered('r'),
+        };
+        match (core, numbered('s'), numbered('d').filter(|&n| n < 16)) {
+            (Some(n), ..) => 1 << n,
+            (_, Some(n), _) => 1 << (16 + n),
+            (.., Some(n)) => 3 << (16 + 2 * n),
+            _ => 0,
+        }
+    }
+}
+
+/// How an instruction is priced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Data processing, multiplication included.
+    Plain,
+    /// `it`
+    IfThen,
+    /// SDIV, UDIV.
+    Divide,
+    /// Barriers and special registers.
+    System,
+    /// One word or less; `indexed` by a register.
+    Load { indexed: bool },
+    /// One word or less; `indexed` by a register.
+    Store { indexed: bool },
+    /// So many words: LDM, STM, LDRD, STRD, PUSH, POP, VLDM, VSTM.
+    Several { words: u32 },
+    /// VADD, VMUL, VCVT ...: a result that the next instruction has to wait for.
+    Float,
+    /// VMLA, VFMA ...
+    FloatMultiplyAdd,
+    /// VDIV, VSQRT.
+    FloatDivide,
+    /// VMOV, VCMP, VNEG ...; of two core registers.
+    FloatMove { two: bool },
+    /// VLDR.
+    FloatLoad { words: u32 },
+    /// VSTR.
+    FloatStore { words: u32 },
+    /// B, to an address in the instruction.
+    Branch,
+    /// BL, to an address in the instruction.
+    Call,
+    /// B with a condition, CBZ, CBNZ.
+    Conditional,
+    /// BX, BLX.
+    ToRegister,
+    /// TBB, TBH.
+    Table,
+}
+
+/// One instruction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Instruction {
+    /// Its price.
+    pub kind: Kind,
+    /// What it reads.
+    pub reads: Registers,
+    /// What it writes.
+    pub writes: Registers,
+    /// What it computes an address of.
+    pub addressing: Registers,
+    /// Of four bytes, and not at a multiple of four: slow to jump to.
+    pub straddles: bool,
+}
+
+/// Decodes Thumb.
+pub(super) struct Decoder(Capstone);
+
+impl Decoder {
+    /// For every Cortex-M.
+    ///
+    /// # Errors
+    /// Those of Capstone.
+    pub(super) fn new() -> Result<Self, capstone::Error> {
+        let builder = Capstone::new().arm().mode(ArchMode::Thumb);
+        let extra = std::iter::once(capstone::arch::arm::ArchExtraMode::MClass);
+        Ok(Self(builder.extra_mode(extra).detail(true).build()?))
+    }
+
+    /// The instructions of a piece of code; as many as could be decoded.
+    ///
+    /// # Errors
+    /// Those of Capstone.
+    pub(super) fn decode(&self, code: &[u8], address: u64) -> Result<Vec<Instruction>, capstone::Error> {
+        let decoded = self.0.disasm_all(code, address)?;
+        decoded.iter().map(|instruction| self.facts(instruction)).collect()
+    }
+
+    fn facts(&self, instruction: &capstone::Insn) -> Result<Instruction, capstone::Error> {
+        let detail = self.0.insn_detail(instruction)?;
+        let set = |registers: &[RegId]| {
+            let names: Vec<_> = registers.iter().filter_map(|&register| self.0.reg_name(register)).collect();
+            Registers::named(names.iter().map(String::as_str))
+        };
+        let mut operands = Vec::new();
+        let mut addressing = Vec::new();
+        let ArchDetail::ArmDetail(arm) = detail.arch_detail();
+        for operand in arm.operands() {
+            match operand.op_type {
+                ArmOperandType::Reg(register) => operands.extend(self.0.reg_name(register)),
+                ArmOperandType::Mem(memory) => {
+                    addressing.extend([memory.base(), memory.index()].map(|r| self.0.reg_name(r)));
+                }
+                _ => {}
+            }
+        }
+        let indexed = matches!(addressing[..], [_, Some(_)]);
+        let addressing: Vec<_> = addressing.into_iter().flatten().collect();
+        let mnemonic = instruction.mnemonic().unwrap_or_default();
+        Ok(Instruction {
+            kind: kind(mnemonic, &operands, indexed),
+            reads: set(detail.regs_read()),
+            writes: set(detail.regs_write()),
+            addressing: Registers::named(addressing.iter().map(String::as_str)),
+            straddles: instruction.len() == 4 && !instruction.address().is_multiple_of(4),
+        })
+    }
+}
+
+/// By the name, without width, condition and data types.
+fn kind(mnemonic: &str, operands: &[String], indexed: bool) -> Kind {
+    let name = mnemonic.split('.').next().unwrap_or_default();
+    let of = |prefixes: &[&str]| prefixes.iter().any(|prefix| name.starts_with(prefix));
+    let words = |names: &[String]| names.iter().map(|name| if name.starts_with('d') { 2 } else { 1 }).sum();
+    match name {
+        "b" => Kind::Branch,
+        "bl" => Kind::Call,
+        "bx" | "blx" | "bxns" | "blxns" => Kind::ToRegister,
+        "cbz" | "cbnz" => Kind::Conditional,
+        "tbb" | "tbh" => Kind::Table,
+        "push" | "pop" => Kind::Several { words: words(operands) },
+        "dmb" | "dsb" | "isb" | "mrs" | "msr" | "cpsie" | "cpsid" | "svc" | "bkpt" => Kind::System,
+        _ if name.len() == 3 && name.starts_with('b') && name != "bic" && name != "bfi" && name != "bfc" => {
+            Kind::Conditional
+        }
+        _ if name.starts_with("it") => Kind::IfThen,
+        _ if of(&["vldr"]) => Kind::FloatLoad { words: words(operands) },
+        _ if of(&["vstr"]) => Kind::FloatStore { words: words(operands) },
+        _ if of(&["vpush", "vpop"]) => Kind::Several { words: words(operands) },
+        _ if of(&["vldm", "vstm"]) => Kind::Several { words: words(operands.get(1..).unwrap_or_default()) },
+        _ if of(&["vmla", "vmls", "vnmla", "vnmls", "vfma", "vfms", "vfnma", "vfnms"]) => {
+            Kind::FloatMultiplyAdd
+        }
+        _ if of(&["vdiv", "vsqrt"]) => Kind::FloatDivide,
+        _ if of(&["vadd", "vsub", "vmul", "vnmul", "vcvt", "vrint"]) => Kind::Float,
+        _ if name.starts_with('v') => Kind::FloatMove { two: operands.len() > 2 },
+        _ if of(&["ldrd", "strd"]) => Kind::Several { words: 2 },
+        _ if of(&["ldm", "stm"]) => Kind::Several { words: words(operands.get(1..).unwrap_or_default()) },
+        _ if of(&["ldr"]) => Kind::Load { indexed },
+        _ if of(&["str"]) => Kind::Store { indexed },
+        _ if of(&["sdiv", "udiv"]) => Kind::Divide,
+        _ => Kind::Plain,
+    }
+}

@@ -1,0 +1,187 @@
+//! What each call may cost: `firmware-examples/budgets.toml`.
+
+use super::Cost;
+use crate::Failure;
+use toml::{Table, Value};
+
+/// Allowed costs, by chip.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Limits(pub Vec<(String, Vec<Cost>)>);
+
+/// Allowed beyond what was measured, so that another compiler is no failure: a twentieth.
+const SLACK: u64 = 20;
+
+const HEAD: &str = "\
+# What each call may cost on each chip. `cargo xtask test` measures all of it and fails where more is taken, or where so much
+# less is that the figure says nothing (a quarter). Measured figures plus 5 %.
+#
+# To change: see what costs more and why (`cargo run --release --bin toytop -- budget`), then
+#     cargo run --release --bin toytop -- budget --accept
+# which rewrites this file and the table in README.md, and say in the commit what made the difference worth it.
+#
+# instructions: executed. cycles: of a model, zero wait states. stack, flash (code of all it runs through), ram (kept between
+# calls): bytes. The costliest of several calls.
+";
+
+impl Limits {
+    /// Measured costs and a little more.
+    #[must_use]
+    pub fn around(measured: &[(String, Vec<Cost>)]) -> Self {
+        let more = |figure: u64| figure + figure.div_ceil(SLACK);
+        let widened = |cost: &Cost| Cost {
+            call: cost.call.clone(),
+            instructions: more(cost.instructions),
+            cycles: cost.cycles.map(more),
+            stack: cost.stack.map(more),
+            flash: more(cost.flash),
+            // the size of a type
+            ram: cost.ram,
+        };
+        let chips = measured.iter().map(|(chip, costs)| (chip.clone(), costs.iter().map(widened).collect()));
+        Self(chips.collect())
+    }
+
+    /// As a file.
+    #[must_use]
+    pub fn to_toml(&self) -> String {
+        let mut text = HEAD.to_owned();
+        for (chip, costs) in &self.0 {
+            text += &format!("\n[{chip}]\n");
+            for cost in costs {
+                let figures: Vec<_> =
+                    figures(cost).map(|(name, figure)| format!("{name} = {figure}")).collect();
+                text += &format!("{} = {{ {} }}\n", cost.call, figures.join(", "));
+            }
+        }
+        text
+    }
+
+    /// From a file's text.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: not of the form that [`Limits::to_toml`] writes.
+    pub fn parse(text: &str) -> Result<Self, Failure> {
+        let refuse = |what: String| Failure::Input(format!("budgets.toml: {what}"));
+        let table: Table =
+            text.parse().map_err(|error: toml::de::Error| refuse(error.message().to_owned()))?;
+        let chip = |(chip, calls): (&String, &Value)| {
+            let calls = calls.as_table().ok_or_else(|| refuse(format!("{chip}: a table of calls")))?;
+            let cost = |(call, figures): (&String, &Value)| {
+                let figure = |name: &str| figures.get(name).and_then(Value::as_integer)?.try_into().ok();
+                let needed = |name: &str| {
+                    figure(name)
+                        .ok_or_else(|| refuse(format!("{chip}.{call}.{name}: a number, not negative")))
+                };
+                Ok(Cost {
+                    call: call.clone(),
+                    instructions: needed("instructions")?,
+                    cycles: figure("cycles"),
+                    stack: figure("stack"),
+                    flash: needed("flash")?,
+                    ram: figure("ram"),
+                })
+            };
+            Ok((chip.clone(), calls.iter().map(cost).collect::<Result<_, Failure>>()?))
+        };
+        Ok(Self(table.iter().map(chip).collect::<Result<_, Failure>>()?))
+    }
+
+    /// What is allowed to a call on a chip.
+    #[must_use]
+    pub fn of(&self, chip: &str, call: &str) -> Option<&Cost> {
+        let (_, costs) = self.0.iter().find(|(name, _)| name == chip)?;
+        costs.iter().find(|cost| cost.call == call)
+    }
+
+    /// One line for each figure that is not within its limit, and for each call that is on one side only.
+    #[must_use]
+    pub fn complaints(&self, chip: &str, measured: &[Cost]) -> Vec<String> {
+        let mut lines = Vec::new();
+        for cost in measured {
+            let call = &cost.call;
+            let Some(allowed) = self.of(chip, call) else {
+                lines.push(format!("{chip}: {call}: has no budget"));
+                continue;
+            };
+            for ((name, figure), (_, most)) in all_figures(cost).into_iter().zip(all_figures(allowed)) {
+                let (Some(figure), Some(most)) = (figure, most) else {
+                    if figure != most {
+                        lines.push(format!(
+                            "{chip}: {call}: {name}: measured, but not in the budget, or the reverse"
+                        ));
+                    }
+                    continue;
+                };
+                if figure > most {
+                    let over = figure - most;
+                    let percent = 100.0 * over as f64 / most.max(1) as f64;
+                    lines.push(format!(
+                        "{chip}: {call}: {figure} {name}, {most} allowed: {over} too many ({percent:.1} %)"
+                    ));
+                } else if figure < most - most / 4 {
+                    lines.push(format!("{chip}: {call}: {figure} {name}, {most} allowed: so much less that the budget is to be lowered"));
+                }
+            }
+        }
+        let gone = |cost: &&Cost| !measured.iter().any(|found| found.call == cost.call);
+        let limits = self.0.iter().filter(|(name, _)| name == chip).flat_map(|(_, costs)| costs);
+        lines.extend(
+            limits
+                .filter(gone)
+                .map(|cost| format!("{chip}: {}: has a budget, but was not called", cost.call)),
+        );
+        lines
+    }
+}
+
+fn all_figures(cost: &Cost) -> [(&'static str, Option<u64>); 5] {
+    [
+        ("instructions", Some(cost.instructions)),
+        ("cycles", cost.cycles),
+        ("stack", cost.stack),
+        ("flash", Some(cost.flash)),
+        ("ram", cost.ram),
+    ]
+}
+
+fn figures(cost: &Cost) -> impl Iterator<Item = (&'static str, u64)> {
+    all_figures(cost).into_iter().filter_map(|(name, figure)| Some((name, figure?)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cost(instructions: u64) -> Cost {
+        Cost {
+            call: "tick".into(),
+            instructions,
+            cycles: Some(400),
+            stack: Some(40),
+            flash: 900,
+            ram: Some(2000),
+        }
+    }
+
+    #[test]
+    fn what_is_written_can_be_read() {
+        let limits = Limits::around(&[
+            ("m4f".into(), vec![cost(300)]),
+            ("riscv".into(), vec![Cost { cycles: None, ..cost(5) }]),
+        ]);
+        assert_eq!(Limits::parse(&limits.to_toml()).unwrap(), limits);
+        assert!(Limits::parse("[m4f]\ntick = { instructions = -1, flash = 2 }").is_err());
+    }
+
+    #[test]
+    fn too_much_and_far_too_little_are_told() {
+        let limits = Limits::around(&[("m4f".into(), vec![cost(300)])]);
+        let said = |measured: &[Cost]| limits.complaints("m4f", measured);
+        assert_eq!(said(&[cost(315)]), Vec::<String>::new());
+        assert_eq!(said(&[cost(316)]), ["m4f: tick: 316 instructions, 315 allowed: 1 too many (0.3 %)"]);
+        assert!(said(&[cost(200)])[0].contains("lowered"));
+        assert!(said(&[Cost { stack: None, ..cost(300) }])[0].contains("stack"));
+        assert!(said(&[Cost { call: "tock".into(), ..cost(300) }])[0].contains("no budget"));
+        assert!(said(&[])[0].contains("not called"));
+    }
+}

@@ -1,0 +1,113 @@
+//! Cycles of an instruction: a *model* from published tables, never checked on silicon.
+//!
+//! Memory without wait states, no caches, no interrupts. The Cortex-M0+ (its Technical Reference Manual, table of
+//! instruction timings; the multiplier of one cycle) has a fixed price for everything. The Cortex-M4F's manual leaves choices:
+//!
+//! * a taken branch refills the pipeline in 1 to 3 cycles: here 1 to an address in the instruction, 2 to one in a register or
+//!   by a condition, and 1 more, up to 3, where the target is a wide instruction across two words
+//! * loads of one word overlap when they follow one another and do not depend on each other
+//! * SDIV and UDIV take 2 to 12: always 12 here, the operands not being known
+//! * an instruction that a condition skips costs as if it ran
+
+use super::instruction::{Instruction, Kind, Registers};
+
+/// A processor with published timings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Model {
+    /// Cortex-M0+ with the fast multiplier.
+    M0Plus,
+    /// Cortex-M4 with its FPU.
+    M4,
+}
+
+impl Model {
+    /// Cycles of an instruction by itself.
+    #[must_use]
+    pub fn alone(self, instruction: &Instruction) -> i64 {
+        let cycles = match (self, instruction.kind) {
+            (_, Kind::Several { words }) => 1 + words,
+            (Self::M0Plus, Kind::Load { .. } | Kind::Store { .. }) => 2,
+            (Self::M0Plus, Kind::System) => 3,
+            (Self::M0Plus, _) => 1,
+            (Self::M4, Kind::Load { .. } | Kind::Store { indexed: true } | Kind::System) => 2,
+            (Self::M4, Kind::FloatMove { two: true }) => 2,
+            (Self::M4, Kind::Divide) => 12,
+            (Self::M4, Kind::FloatMultiplyAdd) => 3,
+            (Self::M4, Kind::FloatDivide) => 14,
+            (Self::M4, Kind::FloatLoad { words } | Kind::FloatStore { words }) => 1 + words,
+            (Self::M4, _) => 1,
+        };
+        cycles.into()
+    }
+
+    /// Cycles more, or fewer, because of the instruction before it.
+    #[must_use]
+    pub fn after(self, before: &Instruction, instruction: &Instruction) -> i64 {
+        if self == Self::M0Plus {
+            return 0;
+        }
+        let waits_for_float = match before.kind {
+            Kind::Float | Kind::FloatMultiplyAdd | Kind::FloatDivide => before.writes.meet(instruction.reads),
+            _ => false,
+        };
+        let waits_for_address = before.kind == Kind::Plain && before.writes.meet(instruction.addressing);
+        let overlaps = matches!(before.kind, Kind::Load { .. })
+            && matches!(instruction.kind, Kind::Load { .. } | Kind::Store { indexed: true })
+            && !before.writes.meet(Registers::named(["pc"]))
+            && !before.writes.meet(instruction.addressing);
+        i64::from(waits_for_float) + i64::from(waits_for_address) - i64::from(overlaps)
+    }
+
+    /// Cycles more for going elsewhere than to the next instruction.
+    #[must_use]
+    pub fn jump(self, instruction: &Instruction, target: Option<&Instruction>) -> i64 {
+        match (self, instruction.kind) {
+            (Self::M0Plus, Kind::Call | Kind::Several { .. }) => 2,
+            (Self::M0Plus, _) => 1,
+            (Self::M4, Kind::Table) => 5,
+            (Self::M4, kind) => {
+                let refill = if matches!(kind, Kind::Branch | Kind::Call) { 1 } else { 2 };
+                let straddles = target.is_some_and(|target| target.straddles);
+                (refill + i64::from(straddles)).min(3)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::instruction::Decoder;
+    use super::*;
+
+    /// Cycles of a piece of Thumb code that runs from top to bottom and returns.
+    fn cycles(model: Model, code: &[u16]) -> i64 {
+        let bytes: Vec<u8> = code.iter().flat_map(|half| half.to_le_bytes()).collect();
+        let instructions = Decoder::new().unwrap().decode(&bytes, 0).unwrap();
+        let alone: i64 = instructions.iter().map(|instruction| model.alone(instruction)).sum();
+        let after: i64 = instructions.windows(2).map(|pair| model.after(&pair[0], &pair[1])).sum();
+        alone + after + model.jump(instructions.last().unwrap(), None)
+    }
+
+    #[test]
+    fn the_m0plus_has_a_price_for_everything() {
+        // push {r4, lr}; ldr r0, [r1]; muls r0, r2; str r0, [r1]; pop {r4, pc}
+        assert_eq!(cycles(Model::M0Plus, &[0xb510, 0x6808, 0x4350, 0x6008, 0xbd10]), 3 + 2 + 1 + 2 + 5);
+        // bx lr
+        assert_eq!(cycles(Model::M0Plus, &[0x4770]), 2);
+    }
+
+    #[test]
+    fn an_m4_waits_for_results_and_overlaps_loads() {
+        let bx = 0x4770;
+        // ldr r0, [r2]; ldr r1, [r3]: overlap. ldr r0, [r2]; ldr r1, [r0]: cannot
+        assert_eq!(cycles(Model::M4, &[0x6810, 0x6819, bx]), 2 + 1 + 3);
+        assert_eq!(cycles(Model::M4, &[0x6810, 0x6801, bx]), 2 + 2 + 3);
+        // adds r0, r0, r1; ldr r1, [r0]: the address is late
+        assert_eq!(cycles(Model::M4, &[0x1840, 0x6801, bx]), 1 + 3 + 3);
+        // vadd.f32 s0, s0, s1; vmul.f32 s2, s0, s0 (late), and of s3 (not)
+        assert_eq!(cycles(Model::M4, &[0xee30, 0x0a20, 0xee20, 0x1a00, bx]), 1 + 2 + 3);
+        assert_eq!(cycles(Model::M4, &[0xee30, 0x0a20, 0xee21, 0x1aa1, bx]), 1 + 1 + 3);
+        // vdiv.f32 s0, s0, s1; vldr s2, [r0]
+        assert_eq!(cycles(Model::M4, &[0xee80, 0x0a20, 0xed90, 0x1a00, bx]), 14 + 2 + 3);
+    }
+}

@@ -1,0 +1,79 @@
+//! The table of the front page, from what is allowed: so that it cannot promise what no test holds.
+
+use super::{Cost, Limits};
+
+const BEGIN: &str = "<!-- budget: written by `toytop budget --accept` -->\n";
+const END: &str = "<!-- budget: end -->";
+
+/// Calls and what they are called on the page.
+const ROWS: [(&str, &str); 10] = [
+    ("ephemeris_f32", "**ephemeris**, any tick, `f32`"),
+    ("cursor_f32", "**ephemeris**, the next tick, `f32`"),
+    ("stepper_f32", "stepper, `f32`"),
+    ("rk4_f32", "a Runge-Kutta step of the full equations, `f32`"),
+    ("multicalc_rk4_f32", "the same by the crate multicalc"),
+    ("ephemeris_f64", "**ephemeris**, any tick, `f64`"),
+    ("cursor_f64", "**ephemeris**, the next tick, `f64`"),
+    ("stepper_f64", "stepper, `f64`"),
+    ("rk4_f64", "a Runge-Kutta step of the full equations, `f64`"),
+    ("launch", "set-up, once a throw: from measured numbers to the ephemeris, `f32`"),
+];
+
+/// The page with its table as the limits say; `None` if it has no place for one.
+#[must_use]
+pub fn with_table(page: &str, limits: &Limits) -> Option<String> {
+    let (before, rest) = page.split_once(BEGIN)?;
+    let (_, after) = rest.split_once(END)?;
+    Some(format!("{before}{BEGIN}{}{END}{after}", table(limits)))
+}
+
+fn table(limits: &Limits) -> String {
+    let mut text = "\
+        | from a tick to α, β, u and the tip in memory, at most | M0+ cycles | M4F cycles | M7 instr. | RISC-V instr. | \
+        M4F stack, bytes | kept, bytes |\n|---|--:|--:|--:|--:|--:|--:|\n"
+        .to_owned();
+    for (call, what) in ROWS {
+        let cell = |chip: &str, figure: fn(&Cost) -> Option<u64>| {
+            limits.of(chip, call).and_then(figure).map_or("-".to_owned(), grouped)
+        };
+        let cells = [
+            cell("m0plus", |cost| cost.cycles),
+            cell("m4f", |cost| cost.cycles),
+            cell("m7", |cost| Some(cost.instructions)),
+            cell("riscv", |cost| Some(cost.instructions)),
+            cell("m4f", |cost| cost.stack),
+            cell("m4f", |cost| cost.ram),
+        ];
+        text += &format!("| {what} | {} |\n", cells.join(" | "));
+    }
+    text
+}
+
+/// 12345 as "12 345".
+fn grouped(figure: u64) -> String {
+    let digits = figure.to_string();
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push(' ');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_table_is_replaced() {
+        let cost = Cost { call: "rk4_f32".into(), cycles: Some(1234), ..Cost::default() };
+        let limits = Limits(vec![("m4f".into(), vec![cost])]);
+        let page = with_table(&format!("a\n{BEGIN}old\n{END}\nb"), &limits).unwrap();
+        assert!(page.starts_with("a\n") && page.ends_with("\nb") && !page.contains("old"), "{page}");
+        assert!(page.contains("| - | 1 234 | - |"), "{page}");
+        assert_eq!(with_table(&page, &limits).as_ref(), Some(&page));
+        assert_eq!(with_table("no place", &limits), None);
+    }
+}

@@ -1,0 +1,61 @@
+//! `toytop bake`: the table of a motion as a file for another program.
+
+use super::{Report, lift_off};
+use crate::Failure;
+use crate::bake::{Label, Parts, header, module, object};
+use crate::cli::{BakeArgs, Language, Scalar};
+use crate::ephemeris::{Sizes, default_or_smallest, of_size};
+use crate::scenario::Scenario;
+use crate::whole_file;
+use toytop::Tick;
+
+pub(super) fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
+    let scenario = Scenario::read(&arguments.scenario)?;
+    let [ticks, seconds] = arguments.tick.unwrap_or([arguments.hertz, 1]);
+    let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--tick: {error}")))?;
+    let parts = match arguments.scalar {
+        Scalar::F32 => parts::<f32>(arguments, &scenario, tick),
+        Scalar::F64 => parts::<f64>(arguments, &scenario, tick),
+    }
+    .map_err(|failure| match failure {
+        method @ Failure::Method(_) => method.of(&scenario.name),
+        other => other,
+    })?;
+    let label = Label {
+        name: scenario.name.clone(),
+        tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },
+    };
+    let text = match arguments.lang {
+        Language::Rust => module(&label, &parts),
+        Language::C => header(&label, &parts),
+        Language::Json => object(&label, &parts),
+    };
+    let remarks = [Some(summary(&label, &parts)), lift_off(&[scenario])];
+    let mut report = Report::default();
+    match &arguments.output {
+        None => report.text = text,
+        Some(path) => whole_file::write(path, text.as_bytes())
+            .map_err(|error| Failure::Input(format!("--output: {}: {error}", path.display())))?,
+    }
+    Ok(report.with_remarks(remarks.into_iter().flatten(), false))
+}
+
+fn parts<R: Sizes>(arguments: &BakeArgs, scenario: &Scenario, tick: Tick) -> Result<Parts, Failure> {
+    let table = match arguments.size {
+        Some(size) => of_size::<R>(size, &scenario.motion, tick),
+        None => default_or_smallest::<R>(&scenario.motion, tick),
+    }?;
+    Ok(table.parts())
+}
+
+/// What was written, in one line: nothing is chosen silently.
+fn summary(label: &Label, parts: &Parts) -> String {
+    let ([segments, terms], [constant, per_tick]) = (parts.size, parts.bound);
+    format!(
+        "{}: {segments}x{terms} in {}, {} bytes, {}; orientation within {constant:.1e} rad + {per_tick:.1e} rad a tick",
+        label.name,
+        parts.scalar.name(),
+        parts.table_bytes(),
+        label.tick,
+    )
+}

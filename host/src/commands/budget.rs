@@ -1,0 +1,190 @@
+//! `toytop budget`: what each call costs on each chip, and whether that is within its budget.
+
+use super::Report;
+use crate::Failure;
+use crate::budget::{CHIPS, Chip, Cost, Limits, measure, with_table};
+use crate::cli::{BudgetArgs, Format};
+use crate::output::{self, Cell, Record};
+use crate::progress::Progress;
+use crate::whole_file;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// Of the interrupt that a tick has to fit into, Hz.
+const TICK_RATE: f64 = 1000.0;
+
+pub(super) fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
+    let chips = chosen(&arguments.chip)?;
+    if let Some(elf) = &arguments.elf {
+        let [chip] = chips[..] else {
+            return Err(Failure::Input("--elf: needs one --chip, to say what the file is for".into()));
+        };
+        return shown(arguments, &[(chip, measure(chip, elf)?)]);
+    }
+    let root = repository()?;
+    let mut progress = Progress::new(chips.len() as u64, "chips");
+    let mut measured = Vec::new();
+    for chip in chips {
+        measured.push((chip, measure(chip, &build(&root, chip)?)?));
+        progress.add(1);
+    }
+    drop(progress);
+    if arguments.accept {
+        return accept(&root, &measured);
+    }
+    let mut report = shown(arguments, &measured)?;
+    if arguments.check {
+        let complaints = complaints(&root, &measured)?;
+        report.missed = !complaints.is_empty();
+        let remarks = if report.missed { complaints } else { vec!["within budget".to_owned()] };
+        report = report.with_remarks(remarks, arguments.format == Format::Table);
+    }
+    Ok(report)
+}
+
+fn chosen(names: &[String]) -> Result<Vec<&'static Chip>, Failure> {
+    let find = |name: &String| {
+        let all = || CHIPS.map(|chip| chip.name).join(", ");
+        let unknown = || Failure::Input(format!("--chip {name}: one of {}", all()));
+        CHIPS.iter().find(|chip| chip.name == name).ok_or_else(unknown)
+    };
+    if names.is_empty() { Ok(CHIPS.iter().collect()) } else { names.iter().map(find).collect() }
+}
+
+const LIMITS: &str = "firmware-examples/budgets.toml";
+const PAGE: &str = "README.md";
+
+/// The folder that holds the firmware: the current one, or one above it.
+fn repository() -> Result<PathBuf, Failure> {
+    let here = std::env::current_dir().map_err(|error| Failure::Input(format!("current folder: {error}")))?;
+    let holds = |folder: &&Path| folder.join("firmware-examples/cost").is_dir();
+    let missing = || {
+        Failure::Input(
+            "budget: not in the repository of toytop (it builds firmware-examples/cost); see --elf".into(),
+        )
+    };
+    here.ancestors().find(holds).map(Path::to_owned).ok_or_else(missing)
+}
+
+/// Builds the firmware; what the build says goes to stderr.
+fn build(root: &Path, chip: &Chip) -> Result<PathBuf, Failure> {
+    let fail = |what: String| {
+        Failure::Method(format!("budget: cargo xtask firmware cost --chip {} --elf: {what}", chip.name))
+    };
+    let built = Command::new("cargo")
+        .current_dir(root)
+        .args(["xtask", "firmware", "cost", "--chip", chip.name, "--elf"])
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|error| fail(error.to_string()))?;
+    if !built.status.success() {
+        return Err(fail(built.status.to_string()));
+    }
+    Ok(PathBuf::from(String::from_utf8_lossy(&built.stdout).trim()))
+}
+
+type Measured = [(&'static Chip, Vec<Cost>)];
+
+fn by_name(measured: &Measured) -> Vec<(String, Vec<Cost>)> {
+    measured.iter().map(|(chip, costs)| (chip.name.to_owned(), costs.clone())).collect()
+}
+
+fn text_of(path: &Path) -> Result<String, Failure> {
+    fs::read_to_string(path).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
+}
+
+fn complaints(root: &Path, measured: &Measured) -> Result<Vec<String>, Failure> {
+    let limits = Limits::parse(&text_of(&root.join(LIMITS))?)?;
+    let mut complaints: Vec<_> =
+        measured.iter().flat_map(|(chip, costs)| limits.complaints(chip.name, costs)).collect();
+    if !complaints.is_empty() {
+        complaints.push(format!("how to change a budget: the head of {LIMITS}"));
+    }
+    let page = text_of(&root.join(PAGE))?;
+    if with_table(&page, &limits).is_none_or(|fresh| fresh != page) {
+        complaints.push(format!("{PAGE}: the table is not that of {LIMITS}: toytop budget --accept"));
+    }
+    Ok(complaints)
+}
+
+fn accept(root: &Path, measured: &Measured) -> Result<Report, Failure> {
+    let limits = Limits::around(&by_name(measured));
+    if measured.len() != CHIPS.len() {
+        return Err(Failure::Input("--accept: all chips at once, without --chip".into()));
+    }
+    let page = text_of(&root.join(PAGE))?;
+    let no_place = || Failure::Input(format!("{PAGE}: no place for the table"));
+    let page = with_table(&page, &limits).ok_or_else(no_place)?;
+    whole_file::write(&root.join(LIMITS), limits.to_toml().as_bytes()).map_err(Failure::Output)?;
+    whole_file::write(&root.join(PAGE), page.as_bytes()).map_err(Failure::Output)?;
+    Ok(Report { text: format!("written: {LIMITS}, and the table in {PAGE}\n"), ..Report::default() })
+}
+
+fn shown(arguments: &BudgetArgs, measured: &Measured) -> Result<Report, Failure> {
+    let records: Vec<_> = measured
+        .iter()
+        .flat_map(|(chip, costs)| costs.iter().map(|cost| record(chip, cost, arguments.clock)))
+        .collect();
+    let text = match arguments.format {
+        Format::Csv => output::csv(&records).map_err(Failure::Output)?,
+        Format::Json => output::json_list("calls", &records).map_err(Failure::Output)?,
+        Format::Table => table(measured, arguments.clock),
+    };
+    Ok(Report { text, ..Report::default() })
+}
+
+/// µs and the part of a tick in percent.
+fn time(cycles: u64, megahertz: f64) -> [f64; 2] {
+    let microseconds = cycles as f64 / megahertz;
+    [microseconds, microseconds * 1e-6 * TICK_RATE * 100.0]
+}
+
+fn record(chip: &Chip, cost: &Cost, megahertz: f64) -> Record {
+    let count = |figure: Option<u64>| figure.map_or(Cell::Absent, Cell::Count);
+    let time = cost.cycles.map(|cycles| time(cycles, megahertz));
+    Record(vec![
+        ("chip", Cell::Text(chip.name.to_owned())),
+        ("call", Cell::Text(cost.call.clone())),
+        ("instructions", Cell::Count(cost.instructions)),
+        ("cycles_model", count(cost.cycles)),
+        ("microseconds", time.map(|[microseconds, _]| microseconds).into()),
+        ("tick_percent", time.map(|[_, percent]| percent).into()),
+        ("stack", count(cost.stack)),
+        ("flash", Cell::Count(cost.flash)),
+        ("ram", count(cost.ram)),
+    ])
+}
+
+fn table(measured: &Measured, megahertz: f64) -> String {
+    let microseconds = format!("µs at {megahertz} MHz");
+    let header =
+        ["", "instructions", "cycles (model)", &microseconds, "% of a 1 kHz tick", "stack", "flash", "RAM"];
+    let mut rows = vec![header.map(str::to_owned).to_vec()];
+    for (chip, costs) in measured {
+        rows.push(vec![chip.core.to_owned()]);
+        for cost in costs {
+            let count = |figure: Option<u64>| figure.map_or("-".to_owned(), |figure| figure.to_string());
+            let number = |x: f64| if x < 10.0 { format!("{x:.2}") } else { format!("{x:.0}") };
+            let time = cost
+                .cycles
+                .map_or(["-".to_owned(), "-".to_owned()], |cycles| time(cycles, megahertz).map(number));
+            let [microseconds, percent] = time;
+            rows.push(vec![
+                format!("  {}", cost.call),
+                cost.instructions.to_string(),
+                count(cost.cycles),
+                microseconds,
+                percent,
+                count(cost.stack),
+                cost.flash.to_string(),
+                count(cost.ram),
+            ]);
+        }
+    }
+    format!(
+        "{}\nThe costliest of several calls. Instructions are exact; cycles are a model (published timings, no wait states); \
+         stack, flash, RAM in bytes.\n",
+        output::columns(rows, 1)
+    )
+}

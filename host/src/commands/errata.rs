@@ -1,0 +1,60 @@
+//! `toytop errata`: the slips of the printed paper, both versions evaluated.
+
+use super::Report;
+use crate::Failure;
+use crate::cli::{ErrataArgs, Format};
+use crate::errata::{RIGHT, Slip, WRONG, slips};
+use crate::output::{self, Cell, Record};
+
+pub(super) fn run(arguments: &ErrataArgs) -> Result<Report, Failure> {
+    let evaluate = |slip: Slip| match (slip.residuals)() {
+        Ok(residuals) => Ok((slip, residuals)),
+        Err(error) => Err(Failure::Method(format!("{}: {error}", slip.place))),
+    };
+    let found = slips().into_iter().map(evaluate).collect::<Result<Vec<_>, _>>()?;
+    let tells = |[printed, corrected]: [f64; 2]| printed > WRONG && corrected < RIGHT;
+    let missed = !found.iter().all(|&(_, residuals)| tells(residuals));
+    let text = match arguments.format {
+        Format::Table => table(&found),
+        Format::Csv => output::csv(&records(&found)).map_err(Failure::Output)?,
+        Format::Json => output::json_list("slips", &records(&found)).map_err(Failure::Output)?,
+    };
+    Ok(Report { text, missed, ..Report::default() })
+}
+
+fn records(found: &[(Slip, [f64; 2])]) -> Vec<Record> {
+    let record = |(number, (slip, [printed, corrected])): (u64, &(Slip, [f64; 2]))| {
+        let text = |text: &str| Cell::Text(text.to_owned());
+        Record(vec![
+            ("number", Cell::Count(number)),
+            ("place", text(slip.place)),
+            ("against", text(slip.against)),
+            ("printed", text(slip.printed)),
+            ("corrected", text(slip.corrected)),
+            ("residual_printed", Cell::Number(*printed)),
+            ("residual_corrected", Cell::Number(*corrected)),
+        ])
+    };
+    (1..).zip(found).map(record).collect()
+}
+
+/// Four lines a slip: where, against what, and the two versions with their residuals.
+fn table(found: &[(Slip, [f64; 2])]) -> String {
+    let line = |cells: [&str; 4]| cells.map(str::to_owned).to_vec();
+    let mut lines = vec![line(["", "", "", "residual"])];
+    for (number, (slip, [printed, corrected])) in (1..).zip(found) {
+        lines.push(line([&format!("{number:2}"), "", slip.place, ""]));
+        lines.push(line(["", "against", slip.against, ""]));
+        lines.push(line(["", "printed", slip.printed, &format!("{printed:.2}")]));
+        lines.push(line(["", "corrected", slip.corrected, &bound(*corrected)]));
+    }
+    output::columns(lines, 3)
+}
+
+/// A power of ten well above, from 1e-15: the digits of a rounding are those of a machine's own sine.
+fn bound(residual: f64) -> String {
+    if residual == 0.0 {
+        return "0".to_owned();
+    }
+    format!("< 1e{}", (2.0 * residual).log10().ceil().max(-15.0))
+}

@@ -1,0 +1,23 @@
+//! `toytop figures`: the paper's figures 2 and 3, u against time, and errors against time.
+
+use super::Report;
+use crate::Failure;
+use crate::cli::FiguresArgs;
+use crate::figures;
+use crate::plot::Form;
+use crate::whole_file;
+
+pub(super) fn run(arguments: &FiguresArgs) -> Result<Report, Failure> {
+    let folder = &arguments.output;
+    let refused = |error: std::io::Error| Failure::Input(format!("--output: {}: {error}", folder.display()));
+    std::fs::create_dir_all(folder).map_err(refused)?;
+    let mut text = String::new();
+    for picture in figures::all()? {
+        for (ending, form) in [("svg", Form::Svg), ("png", Form::Png)] {
+            let path = folder.join(format!("{}.{ending}", picture.name));
+            whole_file::write(&path, &picture.encoded(form)?).map_err(refused)?;
+            text.push_str(&format!("{}\n", path.display()));
+        }
+    }
+    Ok(Report { text, ..Report::default() })
+}

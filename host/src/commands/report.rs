@@ -1,0 +1,75 @@
+//! `toytop report`: everything that is measured, on one page; and the README's tables, which only hold what every machine
+//! finds alike.
+
+mod accuracy;
+mod page;
+mod precision;
+mod readme;
+
+use super::Report;
+use crate::Failure;
+use crate::cli::ReportArgs;
+use crate::figures;
+use crate::plot::Form;
+use crate::race::Race;
+use crate::whole_file;
+use std::path::Path;
+
+/// A table as text: what a page and a README show.
+struct Table {
+    header: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+pub(super) fn run(arguments: &ReportArgs) -> Result<Report, Failure> {
+    let mut report = Report::default();
+    if let Some(path) = &arguments.readme {
+        let old = read(path, "--readme")?;
+        let tables = [("accuracy", accuracy::worst()?), ("error against time", precision::against_time()?)];
+        let new = readme::with(&old, &tables).map_err(|error| error.of(&path.display().to_string()))?;
+        if new != old && arguments.check {
+            report.missed = true;
+            let name = path.display();
+            report
+                .notes
+                .push(format!("{name}: a table is stale; toytop report --readme {name} writes it anew"));
+        } else if new != old {
+            write(path, "--readme", new.as_bytes())?;
+        }
+    }
+    let Some(folder) = &arguments.output else { return Ok(report) };
+    std::fs::create_dir_all(folder)
+        .map_err(|error| Failure::Input(format!("--output: {}: {error}", folder.display())))?;
+    let budget =
+        arguments.budget.as_deref().map(|path| page::records(&read(path, "--budget")?, path)).transpose()?;
+    let others = match &arguments.rivals {
+        Some(path) => precision::others(&read(path, "--rivals")?, path)?,
+        None => Vec::new(),
+    };
+    let race = Race::new()?;
+    let points = precision::measured(&race, others)?;
+    let mut pictures = vec![("Work and precision", precision::picture(&points).encoded(Form::Svg)?)];
+    for picture in figures::all()? {
+        pictures.push((picture.title, picture.encoded(Form::Svg)?));
+    }
+    let page =
+        page::Page { accuracy: accuracy::all()?, precision: precision::table(&points), budget, pictures };
+    let path = folder.join("index.html");
+    write(&path, "--output", page.html().as_bytes())?;
+    report.text = format!("{}\n", path.display());
+    Ok(report)
+}
+
+fn read(path: &Path, option: &str) -> Result<String, Failure> {
+    std::fs::read_to_string(path)
+        .map_err(|error| Failure::Input(format!("{option}: {}: {error}", path.display())))
+}
+
+fn write(path: &Path, option: &str, bytes: &[u8]) -> Result<(), Failure> {
+    whole_file::write(path, bytes)
+        .map_err(|error| Failure::Input(format!("{option}: {}: {error}", path.display())))
+}
+
+fn words<const N: usize>(words: [&str; N]) -> Vec<String> {
+    words.map(str::to_owned).into()
+}

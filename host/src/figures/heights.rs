@@ -1,0 +1,31 @@
+//! u, the cosine of the tilt, against time.
+
+use super::chart::{Chart, Line};
+use crate::ephemeris::smallest;
+use crate::{Failure, builtin};
+use kuva::render::render::Scene;
+
+/// Of the longest period here, two.
+const TIME: f64 = 16.0;
+const POINTS: u32 = 800;
+
+pub(super) fn picture() -> Result<Scene, Failure> {
+    let [_, third] =
+        builtin::figures().map_err(|error| Failure::Input(format!("built-in motions: {error}")))?;
+    let mut lines = Vec::new();
+    for scenario in &third {
+        let table = smallest::<f64>(&scenario.motion)?;
+        let point = |i: u32| {
+            let t = TIME * f64::from(i) / f64::from(POINTS);
+            [t, table.at(t).pose.u()]
+        };
+        let name = format!("e₃ = {}", scenario.motion.branch_points().e3);
+        lines.push(Line { name, points: (0..=POINTS).map(point).collect(), marked: false });
+    }
+    let chart = Chart {
+        title: "Nutation of figure 3: u swings between e₁ = 0.7 and e₂ = 0.9",
+        labels: ["t / √(s/g)", "u = cos(tilt)"],
+        powers: [false; 2],
+    };
+    Ok(chart.draw(&lines))
+}

@@ -1,0 +1,260 @@
+//! The same motion by the core and by its rivals, at moments that each of them can reach exactly, against the truth to thirty
+//! digits: what the work-precision diagram and the figure of errors are made of.
+
+use crate::Failure;
+use crate::baseline::{Exponential, FixedSteps, Multicalc, RungeKutta, Scheme};
+use crate::full_solver::FullSolver;
+use crate::scenario::Scenario;
+use crate::study::exact::{Exact, Point};
+use crate::study::gauss::Rule;
+use crate::study::motions::Numbers;
+use crate::truth::{self, distance, phi};
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+use toytop::real::{DoubleDouble, Float, Real};
+use toytop::{Complex, Ephemeris, Phi, Sign, Signs, Start, Stepper, Tabular, Tick};
+
+/// The paper's cusp (figure 3, e₃ = 1.85) with C = 0.6 A; s = A = p = g = 1.
+pub const NUMBERS: Numbers = Numbers {
+    a: 1.0,
+    c: 0.6,
+    s: 1.0,
+    p: 1.0,
+    g: 1.0,
+    e: [0.7, 0.9, 1.85],
+    signs: Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus },
+    start: Start { theta: 0.0, arg_alpha: 0.0, arg_beta: 0.0 },
+};
+
+/// Moments in a period, nearly.
+pub const MOMENTS: u32 = 16;
+
+/// Who takes part, and how hard it tries.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Entrant {
+    /// The core's ephemeris in `f64`, at any tick.
+    EphemerisF64,
+    /// The core's ephemeris in `f32`.
+    EphemerisF32,
+    /// The core's stepper in `f64`; so many steps between moments, a power of two.
+    StepperF64(u32),
+    /// The core's stepper in `f32`.
+    StepperF32(u32),
+    /// The full equations, Verner's 9(8), with this tolerance.
+    FullSolver(f64),
+    /// The full equations by the classical method, so many steps between moments.
+    RungeKutta(u32),
+    /// The same from multicalc.
+    Multicalc(u32),
+    /// nalgebra's quaternions and their exponential.
+    Exponential(u32),
+}
+
+impl Entrant {
+    /// Its name; entrants of one name are points of one curve.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::EphemerisF64 => "ephemeris f64",
+            Self::EphemerisF32 => "ephemeris f32",
+            Self::StepperF64(_) => "stepper f64",
+            Self::StepperF32(_) => "stepper f32",
+            Self::FullSolver(_) => "full solver, 9(8)",
+            Self::RungeKutta(_) => "RK4",
+            Self::Multicalc(_) => "RK4, multicalc",
+            Self::Exponential(_) => "nalgebra, exponential",
+        }
+    }
+
+    /// How hard it tries, in words.
+    #[must_use]
+    pub fn effort(&self) -> String {
+        match self {
+            Self::EphemerisF64 => "128x12".to_owned(),
+            Self::EphemerisF32 => "16x8".to_owned(),
+            Self::FullSolver(tolerance) => format!("tolerance {tolerance:.0e}"),
+            Self::StepperF64(steps)
+            | Self::StepperF32(steps)
+            | Self::RungeKutta(steps)
+            | Self::Multicalc(steps)
+            | Self::Exponential(steps) => format!("{} steps", steps * MOMENTS),
+        }
+    }
+}
+
+/// The motion, and the truth of it.
+#[derive(Debug)]
+pub struct Race {
+    scenario: Scenario,
+    /// Between moments: of so few binary digits that every multiple, and every half and quarter, is exact.
+    apart: f64,
+}
+
+/// Of [`Race::apart`], as parts of a unit of time.
+const GRAIN: f64 = 1024.0;
+
+impl Race {
+    /// Of [`NUMBERS`].
+    ///
+    /// # Errors
+    /// None: the motion is valid.
+    pub fn new() -> Result<Self, Failure> {
+        let motion = NUMBERS.motion().map_err(|error| Failure::Input(format!("race: {error}")))?;
+        let period = motion.averages().map_or(1.0, |averages| averages.period);
+        let apart = (period / f64::from(MOMENTS) * GRAIN).round() / GRAIN;
+        Ok(Self { scenario: Scenario { name: "race".to_owned(), motion, state: None }, apart })
+    }
+
+    /// Time between moments, in units of the period.
+    #[must_use]
+    pub fn share(&self) -> f64 {
+        self.apart / self.scenario.motion.averages().map_or(1.0, |averages| averages.period)
+    }
+
+    /// Φ at these moments, to the rounding of `f64`.
+    #[must_use]
+    pub fn truth(&self, moments: &[u64]) -> Vec<Phi<f64>> {
+        let rule = Rule::new();
+        let exact = Exact::new(&NUMBERS, &rule);
+        let period = exact.period();
+        let parts = 16 * MOMENTS;
+        let mut places: Vec<Point> = vec![exact.start()];
+        for part in 1..parts {
+            let chi = period.chi * DoubleDouble::from(f64::from(part) / f64::from(parts));
+            places.extend(places.last().map(|last| exact.go(last, chi)));
+        }
+        let narrow = |z: Complex<DoubleDouble>| Complex::new(z.re.to_f64(), z.im.to_f64());
+        let at = |&moment: &u64| {
+            let t = moment as f64 * self.apart;
+            let periods = (t / period.t.to_f64()).floor();
+            let rest = t - periods * period.t.to_f64();
+            let base = places.iter().rev().find(|place| place.t.to_f64() <= rest).unwrap_or(&places[0]);
+            let later = exact.later(base, &period, periods);
+            let Phi { alpha, beta } = exact.phi(&exact.at_time(&later, base.chi, t), t);
+            Phi { alpha: narrow(alpha), beta: narrow(beta) }
+        };
+        moments.iter().map(at).collect()
+    }
+
+    /// Φ at these moments (rising), and how long it took; an ephemeris is set up before the clock starts.
+    ///
+    /// # Errors
+    /// [`Failure::Method`]: the full solver gave up, or a table does not fit.
+    pub fn run(&self, entrant: Entrant, moments: &[u64]) -> Result<(Vec<Phi<f64>>, Duration), Failure> {
+        match entrant {
+            Entrant::EphemerisF64 => self.look_up::<f64, 128, 12>(moments),
+            Entrant::EphemerisF32 => self.look_up::<f32, 16, 8>(moments),
+            Entrant::StepperF64(steps) => Ok(self.step::<f64>(steps, moments)),
+            Entrant::StepperF32(steps) => Ok(self.step::<f32>(steps, moments)),
+            Entrant::FullSolver(tolerance) => self.solve(tolerance, moments),
+            Entrant::RungeKutta(steps) => Ok(self.march::<RungeKutta>(steps, moments)),
+            Entrant::Multicalc(steps) => Ok(self.march::<Multicalc>(steps, moments)),
+            Entrant::Exponential(steps) => Ok(self.march::<Exponential>(steps, moments)),
+        }
+    }
+
+    /// How far it is from the truth at each of the moments, rad, and how long it took.
+    ///
+    /// # Errors
+    /// As [`Race::run`].
+    pub fn errors(
+        &self,
+        entrant: Entrant,
+        moments: &[u64],
+        truth: &[Phi<f64>],
+    ) -> Result<(Vec<f64>, Duration), Failure> {
+        let (found, time) = self.run(entrant, moments)?;
+        Ok((found.iter().zip(truth).map(|(found, truth)| distance(found, truth)).collect(), time))
+    }
+
+    fn look_up<R: Real + Tabular<Wide = R>, const SEGMENTS: usize, const TERMS: usize>(
+        &self,
+        moments: &[u64],
+    ) -> Result<(Vec<Phi<f64>>, Duration), Failure> {
+        // one tick a grain: the moments are whole ticks
+        let tick = Tick::hertz(GRAIN as u32).map_err(|error| Failure::Input(format!("race: {error}")))?;
+        let table = Ephemeris::<R, SEGMENTS, TERMS>::new(&self.scenario.motion, tick);
+        let table = table.map_err(|error| Failure::Method(format!("race: {error}")))?;
+        let ticks = (self.apart * GRAIN) as i64;
+        Ok(timed(|| moments.iter().map(|&moment| table.at_tick(moment as i64 * ticks).phi()).collect()))
+            .map(|(phis, time): (Vec<Phi<R>>, Duration)| (phis.iter().map(widened).collect(), time))
+    }
+
+    fn step<R: Real>(&self, steps: u32, moments: &[u64]) -> (Vec<Phi<f64>>, Duration) {
+        let mut stepper = Stepper::<R>::new(&self.scenario.motion);
+        let step = R::from_f64(self.apart / f64::from(steps));
+        follow(steps, moments, &mut stepper, |stepper| stepper.step(step), |stepper| widened(&stepper.phi()))
+    }
+
+    fn march<S: Scheme>(&self, steps: u32, moments: &[u64]) -> (Vec<Phi<f64>>, Duration) {
+        let (top, state) = truth::start(&self.scenario);
+        let mut run = FixedSteps::<S>::new(&top, &state, self.apart / f64::from(steps));
+        follow(steps, moments, &mut run, FixedSteps::step, |run| phi(&run.state()))
+    }
+
+    fn solve(&self, tolerance: f64, moments: &[u64]) -> Result<(Vec<Phi<f64>>, Duration), Failure> {
+        let (top, state) = truth::start(&self.scenario);
+        let mut solver = FullSolver::new(top, state, tolerance);
+        let reach = |&moment: &u64| {
+            let state = solver.advance_to(moment as f64 * self.apart);
+            state.map(|state| phi(&state)).map_err(|error| Failure::Method(format!("race: {error}")))
+        };
+        let (phis, time) = timed(|| moments.iter().map(reach).collect::<Result<Vec<_>, _>>());
+        Ok((phis?, time))
+    }
+}
+
+/// Goes from moment to moment in steps.
+fn follow<T>(
+    steps: u32,
+    moments: &[u64],
+    traveller: &mut T,
+    mut step: impl FnMut(&mut T),
+    phi: impl Fn(&T) -> Phi<f64>,
+) -> (Vec<Phi<f64>>, Duration) {
+    let mut here = 0;
+    let mut reach = |&moment: &u64| {
+        (0..(moment - here) * u64::from(steps)).for_each(|_| step(traveller));
+        here = moment;
+        phi(traveller)
+    };
+    timed(|| moments.iter().map(&mut reach).collect())
+}
+
+fn timed<T>(task: impl FnOnce() -> T) -> (T, Duration) {
+    let started = Instant::now();
+    let result = black_box(task());
+    (result, started.elapsed())
+}
+
+fn widened<R: Real>(phi: &Phi<R>) -> Phi<f64> {
+    let widen = |z: Complex<R>| Complex::new(z.re.to_f64(), z.im.to_f64());
+    Phi { alpha: widen(phi.alpha), beta: widen(phi.beta) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The errors after 20 periods are those of the methods: each entrant's lies in its own range.
+    #[test]
+    fn everybody_runs_the_same_course() {
+        let race = Race::new().unwrap();
+        let moments: Vec<u64> = (1..=20 * u64::from(MOMENTS)).collect();
+        let truth = race.truth(&moments);
+        for (entrant, least, most) in [
+            (Entrant::EphemerisF64, 1e-16, 3e-15),
+            (Entrant::EphemerisF32, 1e-8, 5e-7),
+            (Entrant::StepperF64(256), 3e-16, 1e-13),
+            (Entrant::StepperF32(32), 1e-7, 1e-4),
+            (Entrant::FullSolver(1e-15), 1e-15, 1e-11),
+            (Entrant::RungeKutta(16), 1e-8, 1e-3),
+            (Entrant::Multicalc(16), 1e-8, 1e-3),
+            (Entrant::Exponential(16), 1e-4, 1.0),
+        ] {
+            let (errors, _) = race.errors(entrant, &moments, &truth).unwrap();
+            let worst = errors.iter().copied().fold(0.0, f64::max);
+            assert!(worst > least && worst < most, "{entrant:?}: {worst:e}");
+        }
+    }
+}

@@ -1,0 +1,279 @@
+//! What is said of each motion.
+
+use super::{Place, Space};
+use crate::ephemeris::{AnySize, Sizes, quickest, smallest_with_period};
+use crate::propagate::natural_time;
+use crate::scenario::Scenario;
+use crate::{names, truth};
+use std::fmt::Write as _;
+use toytop::{Averages, Complex, LaunchError, Motion, Phi, Regime};
+
+/// One or, of what is said at every tick, several columns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[value(rename_all = "snake_case")]
+pub enum Column {
+    /// The kind of motion; refused: no motion, as e1 > e2
+    Regime,
+    /// The kind of curve that the tip draws
+    TipClass,
+    /// First integral l
+    L,
+    /// First integral n
+    N,
+    /// Energy h
+    H,
+    /// Nutation period
+    Period,
+    /// Turns of α in a period
+    AlphaTurns,
+    /// Turns of β in a period
+    BetaTurns,
+    /// Advance of the tip angle in a period, rad
+    PhiPerPeriod,
+    /// Least normal force, in weights
+    MinNormalForce,
+    /// cos of the tilt at every tick
+    U,
+    /// Orientation (α and β) at every tick
+    Phi,
+    /// Tip at every tick, in units of s
+    Tip,
+    /// Greatest error of the f32 ephemeris over the ticks, against that in f64, rad
+    #[value(name = "error_f32")]
+    ErrorF32,
+    /// What the f32 ephemeris states as the bound of its error, rad
+    #[value(name = "bound_f32")]
+    BoundF32,
+    /// Segments of the f32 table
+    #[value(name = "segments_f32")]
+    SegmentsF32,
+    /// Greatest error of the f64 ephemeris against the full solver, rad (slow)
+    #[value(name = "full_error_f64")]
+    FullErrorF64,
+    /// Greatest error of the f32 ephemeris against the full solver, rad (slow)
+    #[value(name = "full_error_f32")]
+    FullErrorF32,
+}
+
+/// What is said where nothing else is asked for.
+pub const DEFAULT_COLUMNS: &str = "regime,tip_class,period,phi_per_period,min_normal_force,error_f32";
+
+impl Column {
+    /// Its names in the header.
+    fn header(self, ticks: u32) -> Vec<String> {
+        let name = clap::ValueEnum::to_possible_value(&self).map(|value| value.get_name().to_owned());
+        let name = name.unwrap_or_default();
+        let parts: &[&str] = match self {
+            Self::U => &["u"],
+            Self::Phi => &["alpha_re", "alpha_im", "beta_re", "beta_im"],
+            Self::Tip => &["tip_x", "tip_y"],
+            _ => return vec![name],
+        };
+        let of_tick = |tick| parts.iter().map(move |part| format!("{part}_{tick}"));
+        (1..=ticks).flat_map(of_tick).collect()
+    }
+
+    fn of_ticks(self) -> bool {
+        !matches!(
+            self,
+            Self::Regime
+                | Self::TipClass
+                | Self::L
+                | Self::N
+                | Self::H
+                | Self::Period
+                | Self::AlphaTurns
+                | Self::BetaTurns
+                | Self::PhiPerPeriod
+                | Self::MinNormalForce
+        )
+    }
+
+    fn of_f32(self) -> bool {
+        matches!(self, Self::ErrorF32 | Self::BoundF32 | Self::SegmentsF32 | Self::FullErrorF32)
+    }
+
+    fn of_the_full_solver(self) -> bool {
+        matches!(self, Self::FullErrorF64 | Self::FullErrorF32)
+    }
+}
+
+/// The table of a sweep: a header, and a row for every number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rows {
+    /// Which motions.
+    pub space: Space,
+    /// What is said of each.
+    pub columns: Vec<Column>,
+    /// At how many moments it is evaluated.
+    pub ticks: u32,
+    /// Over how many nutation periods.
+    pub periods: f64,
+}
+
+/// Columns that every table has.
+const KEYS: &str = "index,version,seed,e1,e2,e3,a_over_ps,c_over_a,sign_l_plus_n,sign_l_minus_n";
+
+impl Rows {
+    /// The names of the columns, with a line break.
+    #[must_use]
+    pub fn header(&self) -> String {
+        let names = self.columns.iter().flat_map(|column| column.header(self.ticks));
+        names.fold(KEYS.to_owned(), |line, name| line + "," + &name) + "\n"
+    }
+
+    /// The row of a number, with a line break. Numbers have as many digits as tell them from every other `f64`; no field
+    /// needs quotes.
+    #[must_use]
+    pub fn row(&self, number: u64) -> String {
+        let place = self.space.place(number);
+        let Place { e: [e1, e2, e3], a, c_over_a, signs } = place;
+        let seed = self.space.sample.map(|(_, seed)| seed.to_string()).unwrap_or_default();
+        let [plus, minus] = [signs.l_plus_n, signs.l_minus_n].map(|sign| sign.factor());
+        let version = env!("CARGO_PKG_VERSION");
+        let mut row =
+            format!("{number},{version},{seed},{e1:?},{e2:?},{e3:?},{a:?},{c_over_a:?},{plus},{minus}");
+        let measured = place.motion().map(|motion| self.measure(motion));
+        for &column in &self.columns {
+            put(&mut row, column, self.ticks, &measured);
+        }
+        row.push('\n');
+        row
+    }
+
+    fn measure(&self, motion: Motion) -> Measured {
+        let wants = |need: fn(Column) -> bool| self.columns.iter().any(|&column| need(column));
+        let averages = motion.averages();
+        let mut measured = Measured { motion, averages, double: None, single: None, full: None };
+        if !wants(Column::of_ticks) {
+            return measured;
+        }
+        let nutation = averages.filter(|_| motion.regime() == Regime::Nutating);
+        let period = nutation.map_or_else(|| natural_time(motion.top()), |averages| averages.period);
+        let times = times(self.periods * period, self.ticks);
+        measured.double = quickest(&motion, period).ok().map(|table| Run::of(&*table, &times));
+        if wants(Column::of_f32) {
+            let table = smallest_with_period::<f32>(&motion, period).ok();
+            measured.single = table.map(|table| Run::of(&*table, &times));
+        }
+        if wants(Column::of_the_full_solver) {
+            let scenario = Scenario { name: String::new(), motion, state: None };
+            let states = truth::states(&scenario, &times).ok();
+            measured.full = states.map(|states| states.iter().map(truth::phi).collect());
+        }
+        measured
+    }
+}
+
+/// One in each of equal parts of the time, moved on by multiples of the golden section.
+fn times(whole: f64, count: u32) -> Vec<f64> {
+    const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
+    let part = whole / f64::from(count);
+    (0..count).map(|i| part * (f64::from(i) + (f64::from(i + 1) * GOLDEN_SECTION).fract())).collect()
+}
+
+/// What is known of one motion.
+struct Measured {
+    motion: Motion,
+    averages: Option<Averages>,
+    double: Option<Run>,
+    single: Option<Run>,
+    full: Option<Vec<Phi<f64>>>,
+}
+
+/// An ephemeris at the ticks.
+struct Run {
+    phis: Vec<Phi<f64>>,
+    tips: Vec<Complex<f64>>,
+    segments: usize,
+    /// The constant part of it, rad: the rest only counts after millions of periods.
+    bound: f64,
+}
+
+impl Run {
+    fn of<R: Sizes>(table: &dyn AnySize<R>, times: &[f64]) -> Self {
+        let widen = |z: Complex<R>| Complex::new(z.re.to_f64(), z.im.to_f64());
+        let instants = times.iter().map(|&t| table.at(t));
+        let (phis, tips) = instants
+            .map(|instant| {
+                let Phi { alpha, beta } = instant.pose.phi;
+                (Phi { alpha: widen(alpha), beta: widen(beta) }, widen(instant.tip))
+            })
+            .unzip();
+        let bound = table.error_bound().constant;
+        Self { phis, tips, segments: table.size()[0], bound }
+    }
+
+    /// The greatest distance from the truth, rad.
+    fn error(&self, truth: &[Phi<f64>]) -> f64 {
+        let pairs = self.phis.iter().zip(truth);
+        pairs.map(|(phi, truth_phi)| truth::distance(phi, truth_phi)).fold(0.0, f64::max)
+    }
+}
+
+/// What is absent is an empty field.
+fn put(row: &mut String, column: Column, ticks: u32, measured: &Result<Measured, LaunchError>) {
+    let Ok(measured) = measured else {
+        let refused = if column == Column::Regime { "refused" } else { "" };
+        row.push(',');
+        row.push_str(refused);
+        let more = column.header(ticks).len() - 1;
+        row.extend(std::iter::repeat_n(',', more));
+        return;
+    };
+    let Measured { motion, averages, double, single, full } = measured;
+    let integrals = motion.first_integrals();
+    let averages = averages.as_ref();
+    let mut number = |x: Option<f64>| {
+        row.push(',');
+        if let Some(x) = x {
+            // a String takes everything
+            let _ = write!(row, "{x:?}");
+        }
+    };
+    match column {
+        Column::Regime => word(row, names::regime(motion.regime())),
+        Column::TipClass => word(row, names::tip_class(motion.tip_class())),
+        Column::L => number(Some(integrals.l)),
+        Column::N => number(Some(integrals.n)),
+        Column::H => number(Some(integrals.h)),
+        Column::Period => number(averages.map(|averages| averages.period)),
+        Column::AlphaTurns => number(averages.map(|averages| averages.alpha_turns)),
+        Column::BetaTurns => number(averages.map(|averages| averages.beta_turns)),
+        Column::PhiPerPeriod => {
+            let moving = averages.filter(|_| !motion.regime().is_vertical());
+            number(moving.map(Averages::phi_per_period));
+        }
+        Column::MinNormalForce => number(motion.min_normal_force()),
+        Column::U | Column::Phi | Column::Tip => {
+            for tick in 0..ticks as usize {
+                let of_tick =
+                    double.as_ref().and_then(|run| Some((*run.phis.get(tick)?, *run.tips.get(tick)?)));
+                let parts = of_tick.map(|(phi, tip)| match column {
+                    Column::U => vec![phi.u()],
+                    Column::Phi => vec![phi.alpha.re, phi.alpha.im, phi.beta.re, phi.beta.im],
+                    _ => vec![tip.re, tip.im],
+                });
+                match parts {
+                    Some(parts) => parts.into_iter().for_each(|part| number(Some(part))),
+                    None => (0..column.header(1).len()).for_each(|_| number(None)),
+                }
+            }
+        }
+        Column::ErrorF32 => {
+            number(single.as_ref().zip(double.as_ref()).map(|(single, double)| single.error(&double.phis)));
+        }
+        Column::BoundF32 => number(single.as_ref().map(|run| run.bound)),
+        Column::SegmentsF32 => match single {
+            Some(run) => word(row, &run.segments.to_string()),
+            None => number(None),
+        },
+        Column::FullErrorF64 => number(double.as_ref().zip(full.as_ref()).map(|(run, full)| run.error(full))),
+        Column::FullErrorF32 => number(single.as_ref().zip(full.as_ref()).map(|(run, full)| run.error(full))),
+    }
+}
+
+fn word(row: &mut String, word: &str) {
+    row.push(',');
+    row.push_str(word);
+}

@@ -1,0 +1,119 @@
+//! `toytop bake`: what is in the files, how the size is chosen, and that a file is there as a whole or not at all.
+
+mod compiled;
+
+use super::{RELEASE, TOP, branch_points, json, run, sample, scenario, stderr, stdout};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use toytop::{Baked, Ephemeris, Tick};
+use toytop_host::scenario::Scenario;
+
+fn folder(name: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("bake_{name}"));
+    // left over from an earlier run, or never there
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).expect("a folder");
+    path
+}
+
+#[test]
+fn json_holds_every_number() {
+    let file = sample("toy_top");
+    let object = json(&["bake", &file, "--lang", "json"]);
+    let motion = Scenario::read(Path::new(&file)).expect("a scenario").motion;
+    let baked = Ephemeris::<f32, 16, 8>::new(&motion, Tick::hertz(1000).expect("a tick"))
+        .expect("it fits")
+        .to_baked();
+    let whole = |value: &Value| value.as_i64().expect("a whole number");
+    let number = |value: &Value| value.as_f64().expect("a number");
+    let read = Baked::<f32, 16, 8> {
+        format: whole(&object["format"]) as u32,
+        checksum: whole(&object["checksum"]) as u32,
+        first: std::array::from_fn(|i| {
+            let words = &object["first"][i];
+            (whole(&words[1]) as u64) << 32 | whole(&words[0]) as u64
+        }),
+        step: std::array::from_fn(|i| std::array::from_fn(|j| whole(&object["step"][i][j]) as u32)),
+        exact_step: std::array::from_fn(|i| std::array::from_fn(|j| number(&object["exact_step"][i][j]))),
+        ticks_per_time: std::array::from_fn(|i| number(&object["ticks_per_time"][i])),
+        horizon: None,
+        bound: std::array::from_fn(|i| number(&object["bound"][i])),
+        tip_scale: number(&object["tip_scale"]) as f32,
+        rates: std::array::from_fn(|i| number(&object["rates"][i]) as f32),
+        coefficients: std::array::from_fn(|i| {
+            std::array::from_fn(|j| std::array::from_fn(|k| whole(&object["coefficients"][i][j][k]) as i32))
+        }),
+    };
+    assert_eq!(read, baked);
+    assert!(read.ephemeris().is_ok() && object["horizon"].is_null());
+    assert_eq!(object["sine"]["points"].as_array().map(Vec::len), Some(320));
+    assert_eq!((object["scalar"].as_str(), object["tick"].as_str()), (Some("f32"), Some("1000 Hz")));
+}
+
+#[test]
+fn the_size_is_chosen_and_said() {
+    let slender = branch_points([-0.9, 0.99, 1.18], -1)
+        .replace("inertia = 1.1", "inertia = 5.4e-3")
+        .replace("inertia = 0.8", "inertia = 5e-3");
+    let slender = scenario("bake_slender", &slender);
+    for (file, scalar, size) in [
+        (&sample("toy_top"), "f32", "16x8"),
+        (&sample("toy_top"), "f64", "128x12"),
+        (&slender, "f32", "64x7"),
+        (&slender, "f64", "256x11"),
+    ] {
+        let output = run(&["bake", file, "--scalar", scalar]);
+        let note = stderr(&output);
+        assert!(note.contains(&format!(": {size} in {scalar}, ")) && note.contains(" rad a tick"), "{note}");
+        assert!(
+            stdout(&output).contains(&format!("toytop::Ephemeris<{scalar}, {}>", size.replace('x', ", ")))
+        );
+    }
+    assert!(stdout(&run(&["bake", "--help"])).contains("toytop bake top.toml"));
+}
+
+#[test]
+fn what_cannot_be_baked_leaves_nothing_behind() {
+    let (folder, good) = (folder("refused"), sample("toy_top"));
+    let needle = branch_points([-0.9, 0.99, 1.18], -1)
+        .replace("inertia = 1.1", "inertia = 6e-7")
+        .replace("inertia = 0.8", "inertia = 5.5e-7");
+    let needle = scenario("bake_needle", &needle);
+    let broken = scenario("bake_broken", TOP);
+    let cases: &[(&str, &[&str], i32, &str)] = &[
+        (&good, &["--size", "17x8"], 2, "--size: 17x8 must be one of 16x7, 16x8, 64x7, 256x7, 1024x7"),
+        (&good, &["--size", "16*8"], 2, "segments x terms"),
+        (&good, &["--hertz", "0"], 2, "1..=4294967295"),
+        (&good, &["--tick", "0/2"], 2, "44100/2"),
+        (&good, &["--tick", "44100"], 2, "44100/2"),
+        (&good, &["--tick", "1/2", "--hertz", "3"], 2, "--hertz"),
+        (&good, &["--scalar", "q31"], 2, "f64, f32"),
+        (&good, &["--lang", "ada"], 2, "rust, c, json"),
+        (&good, &["-o", "no/such/folder/top.h"], 2, "no/such/folder/top.h"),
+        (&broken, &[], 2, "motion: missing"),
+        (&needle, &[], 3, "bake_needle: no ephemeris"),
+        (&needle, &["--size", "16x8"], 3, "bake_needle: no ephemeris of 16x8"),
+    ];
+    for (file, more, code, part) in cases {
+        let to = folder.join("top.rs");
+        let mut arguments = vec!["bake", file];
+        arguments.extend(*more);
+        if !more.contains(&"-o") {
+            arguments.extend(["-o", to.to_str().expect("UTF-8")]);
+        }
+        let output = run(&arguments);
+        let message = stderr(&output);
+        assert_eq!((output.status.code(), stdout(&output)), (Some(*code), ""), "{arguments:?}: {message}");
+        assert!(message.contains(part) && message.matches('\n').count() == 1, "{arguments:?}: {message}");
+        assert_eq!(std::fs::read_dir(&folder).expect("a folder").count(), 0, "{arguments:?}");
+    }
+}
+
+#[test]
+fn any_file_name_makes_an_identifier() {
+    let text = format!("{TOP}{}", RELEASE);
+    for (name, identifier) in [("bake 1-é*", "BAKE_1___"), ("1st bake", "TOP_1ST_BAKE")] {
+        let file = scenario(name, &text);
+        assert!(stdout(&run(&["bake", &file])).contains(&format!("pub static {identifier}: ")), "{name}");
+    }
+}

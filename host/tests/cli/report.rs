@@ -1,0 +1,86 @@
+//! `toytop report`: a page that needs nothing else, and the README's tables, which must not be stale.
+
+use super::{run, stderr, stdout};
+use std::path::{Path, PathBuf};
+
+fn folder() -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("report");
+    std::fs::create_dir_all(&path).expect("a folder");
+    path
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("UTF-8")
+}
+
+#[test]
+fn the_tables_of_the_readme_are_what_is_measured() {
+    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
+    let output = run(&["report", "--readme", text(&readme), "--check"]);
+    assert_eq!((output.status.code(), stderr(&output)), (Some(0), ""));
+
+    let good = std::fs::read_to_string(&readme).expect("the README");
+    let stale = folder().join("stale.md");
+    let changed = good.replacen("| RK4, 1024 steps | 9e-9 |", "| RK4, 1024 steps | 8e-9 |", 1);
+    assert_ne!(changed, good);
+    std::fs::write(&stale, &changed).expect("writable");
+    let output = run(&["report", "--readme", text(&stale), "--check"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains("stale") && stderr(&output).matches('\n').count() == 1);
+    assert_eq!(std::fs::read_to_string(&stale).expect("the file"), changed, "a check changes nothing");
+    assert_eq!(run(&["report", "--readme", text(&stale)]).status.code(), Some(0));
+    assert_eq!(std::fs::read_to_string(&stale).expect("the file"), good);
+}
+
+#[test]
+fn one_page_with_everything() {
+    let (budget, rivals) = (folder().join("budget.json"), folder().join("rivals.json"));
+    std::fs::write(&budget, r#"{"rows":[{"chip":"<m4f>","bytes":2048},{"chip":"m0","bytes":null}]}"#)
+        .expect("writable");
+    let row = r#"{"rows":[{"name":"somebody","effort":"much","error_rad":2.5e-7,"us_per_period":12.5}]}"#;
+    std::fs::write(&rivals, row).expect("writable");
+    let folder = folder().join("new");
+    let words = ["report", "-o", text(&folder), "--budget", text(&budget), "--rivals", text(&rivals)];
+    let output = run(&words);
+    assert_eq!((output.status.code(), stderr(&output)), (Some(0), ""));
+    let page = std::fs::read_to_string(stdout(&output).trim()).expect("the page");
+    for part in [
+        "<td>figure 3 e3=1.85</td>",
+        "<td>ephemeris f64</td>",
+        "<td>RK4, multicalc</td>",
+        "<td>nalgebra, exponential</td>",
+        "<td>somebody</td><td>much</td><td>2.5e-7</td><td>12.50</td>",
+        "<th>chip</th><th>bytes</th>",
+        "<td>&lt;m4f&gt;</td><td>2048</td>",
+        "<td>m0</td><td>-</td>",
+        "Times are those of this machine",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    assert_eq!(page.matches("<svg ").count(), 5);
+    let elsewhere = page.replace("http://www.w3.org/2000/svg", "");
+    for part in ["http", "src=", "@import", "url(http"] {
+        assert!(!elsewhere.contains(part), "{part}: nothing comes from elsewhere");
+    }
+}
+
+#[test]
+fn what_is_no_report_is_refused() {
+    let bad = folder().join("bad.json");
+    std::fs::write(&bad, r#"{"rows":[{"chip":1},{"core":2}]}"#).expect("writable");
+    let to = folder().join("refused");
+    for (words, part) in [
+        (vec!["report"], "--output"),
+        (vec!["report", "-o", text(&to), "--check"], "--readme"),
+        (vec!["report", "-o", text(&to), "--budget", text(&bad)], "same keys"),
+        (vec!["report", "-o", text(&to), "--rivals", text(&bad)], "us_per_period"),
+        (vec!["report", "--readme", text(&bad)], "<!-- toytop report: accuracy -->"),
+        (vec!["report", "--readme", text(&to)], "--readme"),
+    ] {
+        let output = run(&words);
+        let message = stderr(&output);
+        assert_eq!((output.status.code(), stdout(&output)), (Some(2), ""), "{words:?}: {message}");
+        assert!(message.contains(part) && message.matches('\n').count() == 1, "{words:?}: {message}");
+    }
+    assert!(!to.join("index.html").exists());
+}

@@ -1,0 +1,149 @@
+//! Tables 1 and 2 and the pole of time: residues by contour quadrature, of every place where there may be one.
+
+use super::{curves, real, size, top};
+use toytop::Complex;
+use toytop::exact::hyperelliptic::{Curve, Form, Point};
+use toytop_host::contour::{residue, residue_at_branch_point, residue_at_infinity};
+use toytop_tests::tolerance;
+
+/// The finite branch points of these tests' curves: no other of them, and not ±1, is within 0.09.
+fn branch_points(curve: &Curve) -> Vec<f64> {
+    let e4 = top().e4().unwrap();
+    match curve.form() {
+        Form::General => vec![-0.3, 0.6, 1.4, e4, -e4],
+        Form::E3EqualsE4 => vec![-0.3, 0.6, -e4],
+        Form::Aperiodic => vec![-0.3, e4, -e4],
+        Form::FixedTip => vec![-0.3, 0.6, 1.4],
+    }
+}
+
+/// Table 1: each logarithmic differential has residue 1 at its zero, -1 at infinity, and no other singularity: neither on
+/// the other sheet, nor over the other of ±1, nor at a branch point.
+#[test]
+fn table_1() {
+    let mut worst = 0.0_f64;
+    for (_, curve) in curves().into_iter().filter(|(_, curve)| curve.form() != Form::Aperiodic) {
+        let zeros = curve.zeros();
+        for part in 0..4 {
+            let f = |at: &Point| curve.logarithms(at)[part];
+            for (i, zero) in zeros.iter().enumerate() {
+                let expected = if i == part { Complex::ONE } else { Complex::ZERO };
+                worst = worst.max(size(residue(&curve, zero, 0.1, f) - expected));
+            }
+            let at_infinity = residue_at_infinity(&curve, 0.3, |at, _| f(at));
+            worst = worst.max(size(at_infinity + Complex::ONE));
+            for e in branch_points(&curve) {
+                // neither a residue nor a pole of second order
+                let (first, second) = (f, |at: &Point| f(at) * (at.u - real(e)));
+                worst = worst.max(size(residue_at_branch_point(&curve, e, 0.3, first)));
+                worst = worst.max(size(residue_at_branch_point(&curve, e, 0.3, second)));
+            }
+        }
+    }
+    tolerance::CONTOUR.check("Table 1", worst);
+}
+
+/// Table 2: the simple poles of dα/α and dδ/δ on the aperiodic curve; dβ/β and dγ/γ have residue 1/2 at both points
+/// over u = 1.
+#[test]
+fn table_2() {
+    let mut worst = 0.0_f64;
+    for (_, curve) in curves().into_iter().filter(|(_, curve)| curve.form() == Form::Aperiodic) {
+        let [alpha, _, plus, delta] = curve.zeros();
+        let (w, minus) = (curve.w_plus_one(), plus.other_sheet());
+        let ratio = (curve.w_minus_one() * w.conj()).scaled(0.5 / w.norm_squared());
+        let (one, half, zero) = (Complex::ONE, real(0.5), Complex::ZERO);
+        let table = [
+            [one, zero, -ratio, ratio],
+            [zero, zero, half, half],
+            [zero, zero, half, half],
+            [zero, one, ratio, -ratio],
+        ];
+        for (part, row) in table.into_iter().enumerate() {
+            let f = |at: &Point| curve.logarithms(at)[part];
+            for (place, expected) in [alpha, delta, plus, minus].iter().zip(row) {
+                worst = worst.max(size(residue(&curve, place, 0.1, f) - expected));
+            }
+            worst = worst.max(size(residue_at_infinity(&curve, 0.3, |at, _| f(at)) + one));
+            for e in branch_points(&curve) {
+                worst = worst.max(size(residue_at_branch_point(&curve, e, 0.3, f)));
+            }
+        }
+    }
+    tolerance::CONTOUR.check("Table 2", worst);
+}
+
+/// eqn:t is of the second kind: no residues, and at infinity t = -i√(2s)/v + O(1) in v² = 1/u. Of a fixed tip it is of
+/// the first kind: no pole at all. On the aperiodic curve it is of the third kind: poles over u = 1.
+#[test]
+fn eqn_t_at_infinity() {
+    let mut worst = 0.0_f64;
+    for (motion, curve) in curves() {
+        let time = |at: &Point| curve.time(at);
+        let leading = match curve.form() {
+            Form::FixedTip => 0.0,
+            _ => (2.0 * motion.top().s() / motion.top().g()).sqrt(),
+        };
+        // dt = -c dv/v² for t = c/v: the residue of v dt is -c; the sheet decides its sign
+        let pole = residue_at_infinity(&curve, 0.3, |at, v| time(at) * v);
+        worst = worst.max(pole.re.abs()).max((pole.im.abs() - leading).abs());
+        worst = worst.max(size(residue_at_infinity(&curve, 0.3, |at, _| time(at))));
+        worst = worst.max(size(residue_at_infinity(&curve, 0.3, |at, v| time(at) * v * v)));
+        for e in branch_points(&curve) {
+            worst = worst.max(size(residue_at_branch_point(&curve, e, 0.3, time)));
+        }
+        let over_one = size(residue(&curve, &curve.point(Complex::ONE), 0.1, time));
+        if curve.form() == Form::Aperiodic {
+            assert!(over_one > 0.1, "the aperiodic case");
+        } else {
+            worst = worst.max(over_one);
+        }
+    }
+    tolerance::CONTOUR.check("t at infinity", worst);
+}
+
+/// eqn:diffquot, eqn:flunder and eqn:alphaasymp, and the last display of section 5.3: near the zero a of α, with
+/// x - a = ∫ du/w from (-1, w₋₁) and h = x - a,
+///
+/// (u + 1)/h = u' + O(h), 1/h = u'/(u + 1) + u''/(2u') + O(h), d log α/dx = 1/h + const + O(h),
+///
+/// where u' = w₋₁ and u'' = R'(-1)/2 by x; the constant is w₋₁/(2(e₃ - 1)) for e₃ = e₄, w₋₁/4 - w₋₁/(1 - e₄²) for
+/// e₂ = e₃ = 1. Each remainder halves with h.
+#[test]
+fn eqn_alphaasymp() {
+    let over = |a: Complex<f64>, b: Complex<f64>| (a * b.conj()).scaled(1.0 / b.norm_squared());
+    let e4 = top().e4().unwrap();
+    let mut seen = 0;
+    for (_, curve) in curves() {
+        let w = curve.w_minus_one();
+        let constant = match curve.form() {
+            Form::E3EqualsE4 => w.scaled(0.5 / (e4 - 1.0)),
+            Form::Aperiodic => w.scaled(0.25 - 1.0 / (1.0 - e4 * e4)),
+            _ => continue,
+        };
+        seen += 1;
+        let step = real(1e-3);
+        let slope = (curve.r(step - Complex::ONE) - curve.r(-step - Complex::ONE)).scaled(0.5e3);
+        let bend = over(slope, w).scaled(0.25);
+        let remainders = |distance: f64| {
+            let start = Point { u: -Complex::ONE, w };
+            let place = |share: f64| curve.moved(&start, real(-1.0 + share * distance));
+            let at = place(1.0);
+            // x - a by Simpson's rule, to 1e-15
+            let inverse = |share: f64| over(real(distance), place(share).w);
+            let x = (0..20).fold(Complex::ZERO, |sum, i| {
+                let [a, b, c] = [0.0, 0.5, 1.0].map(|part| inverse((f64::from(i) + part) / 20.0));
+                sum + (a + b.scaled(4.0) + c).scaled(1.0 / 120.0)
+            });
+            let above = at.u + Complex::ONE;
+            let rate = curve.logarithms(&at)[0] * at.w;
+            let pole = over(Complex::ONE, x);
+            [over(above, x) - w, pole - over(w, above) - bend, rate - pole - constant].map(size)
+        };
+        let (near, far) = (remainders(1e-3), remainders(2e-3));
+        for (near, far) in near.into_iter().zip(far) {
+            assert!(near < 0.02 && (far / near - 2.0).abs() < 0.05, "{:?}: {near:e} {far:e}", curve.form());
+        }
+    }
+    assert_eq!(seen, 8);
+}
