@@ -42,14 +42,19 @@ const fn high_product_by_halves(a: i32, b: i32) -> i32 {
     a_high * b_high + (across >> 16) + (back >> 16)
 }
 
+/// The lower half of b is taken with a sign: from the usual halves the compiler would infer a product of 64 bits, and call its
+/// own routine after all.
 #[inline(always)]
 const fn long_product_by_halves(a: u32, b: u32) -> u64 {
-    let ((a_low, a_high), (b_low, b_high)) = ((a & 0xffff, a >> 16), (b & 0xffff, b >> 16));
-    let low = a_low * b_low;
-    let across = a_high * b_low + (low >> 16);
-    let back = a_low * b_high + (across & 0xffff);
-    let high = a_high * b_high + (across >> 16) + (back >> 16);
-    ((high as u64) << 32) | ((back << 16) | (low & 0xffff)) as u64
+    let (a_low, a_high) = (a & 0xffff, a >> 16);
+    let b_low = b as i16 as i32;
+    // up to 2^16
+    let b_high = (b >> 16) + ((b >> 15) & 1);
+    let low = (a_low as i32).wrapping_mul(b_low);
+    let across = (a_high as i32).wrapping_mul(b_low).wrapping_add(low >> 16);
+    let back = a_low.wrapping_mul(b_high).wrapping_add(across as u32 & 0xffff);
+    let high = a_high.wrapping_mul(b_high).wrapping_add((across >> 16) as u32).wrapping_add(back >> 16);
+    ((high as u64) << 32) | ((back << 16) | (low as u32 & 0xffff)) as u64
 }
 
 #[cfg(test)]

@@ -12,9 +12,9 @@ use crate::real::{high_product, sine_cosine_q31};
 /// 2^-30: the unit of what [`alpha_beta`] gives.
 const UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
 
-/// Error of [`alpha_beta`], as an orientation error: the sums round off up to two units of 2^-31 each, the sines 2.4, the
-/// rotations a unit of 2^-30.
-pub(super) const ERROR: f64 = 8.0 * UNIT;
+/// Error of [`alpha_beta`], as an orientation error: the phases lose up to 3 units to 32 bits, the sines are good to 4, the
+/// sums and the rotations round off up to 5.
+pub(super) const ERROR: f64 = 12.0 * UNIT;
 
 /// Some thousand roundings of a coefficient.
 pub(super) const MARGIN: f64 = 1e-6;
