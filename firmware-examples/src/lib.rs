@@ -1,14 +1,17 @@
 //! What the programs in `bin/` share.
 //!
 //! * on a chip: the entry point, log transport and panic handler of the target ([`entry`], [`exit`]);
-//! * anywhere: [`toy_top`], a motion; [`bits`], the hashes that a chip and the host must agree on.
+//! * anywhere: [`toy_top`], a motion, and [`TOY_TOP`], its table; [`bits`], the hashes that a chip and the host must agree on.
 
 #![cfg_attr(target_os = "none", no_std)]
 
 pub mod bits;
 mod throw;
+#[path = "tables/toy_top.rs"]
+mod toy_top_table;
 
 pub use throw::toy_top;
+pub use toy_top_table::TOY_TOP;
 
 #[cfg(target_os = "none")]
 mod chip;

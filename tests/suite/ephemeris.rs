@@ -132,6 +132,25 @@ fn cursor_and_random_access_and_time_agree_to_the_bit() {
     }
 }
 
+/// A batch is its ticks one by one, in every arithmetic.
+#[test]
+fn a_batch_agrees_with_random_access_to_the_bit() {
+    fn check<R: Tabular, const S: usize, const N: usize>() {
+        let ephemeris = Ephemeris::<R, S, N>::new(&generic(), kilohertz()).unwrap();
+        for (first, length) in [(0, 0), (-1, 1), (-500, 1001), (1 << 40, 4099)] {
+            let mut batch = vec![Phi::<R>::IDENTITY; length];
+            ephemeris.fill(first, &mut batch);
+            for (n, phi) in (first..).zip(batch) {
+                assert_eq!(phi, ephemeris.at_tick(n).phi(), "tick {n} of {length} from {first}");
+            }
+        }
+    }
+    check::<f32, 16, 8>();
+    check::<f64, 128, 12>();
+    check::<fixed::types::I2F30, 32, 8>();
+    check::<fixed::types::I2F14, 64, 4>();
+}
+
 /// Between ticks: t = (n + 1/3) ticks lies where the orientation of n and n + 1 say.
 #[test]
 fn times_between_ticks() {

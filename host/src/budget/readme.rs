@@ -6,9 +6,13 @@ const BEGIN: &str = "<!-- budget: written by `toytop budget --accept` -->\n";
 const END: &str = "<!-- budget: end -->";
 
 /// Calls and what they are called on the page.
-const ROWS: [(&str, &str); 10] = [
+const ROWS: [(&str, &str); 14] = [
     ("ephemeris_f32", "**ephemeris**, any tick, `f32`"),
     ("cursor_f32", "**ephemeris**, the next tick, `f32`"),
+    ("ephemeris_q31", "**ephemeris**, any tick, fixed point of 32 bits"),
+    ("cursor_q31", "**ephemeris**, the next tick, fixed point of 32 bits"),
+    ("ephemeris_q15", "**ephemeris**, any tick, fixed point of 16 bits"),
+    ("cursor_q15", "**ephemeris**, the next tick, fixed point of 16 bits"),
     ("stepper_f32", "stepper, `f32`"),
     ("rk4_f32", "a Runge-Kutta step of the full equations, `f32`"),
     ("multicalc_rk4_f32", "the same by the crate multicalc"),

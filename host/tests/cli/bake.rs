@@ -16,6 +16,14 @@ fn folder(name: &str) -> PathBuf {
     path
 }
 
+/// The table that `spin_m0` has in flash is what this program would write today.
+#[test]
+fn the_firmware_has_todays_table() {
+    let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("../firmware-examples/src/tables/toy_top.rs");
+    let committed = std::fs::read_to_string(committed).expect("a file");
+    assert_eq!(stdout(&run(&["bake", &sample("toy_top")])), committed);
+}
+
 #[test]
 fn json_holds_every_number() {
     let file = sample("toy_top");
