@@ -126,7 +126,9 @@ fn cargo_test(words: &str) -> Result<String> {
 
 /// Every bench once, so that none rots; times are not looked at.
 fn benches() -> Result<String> {
-    let output = run(&mut cargo(".", "bench --package toytop-host --benches -- --test"))?;
+    let mut command = cargo(".", "bench --package toytop-host --benches");
+    command.args(["--", "--test"]);
+    let output = run(&mut command)?;
     let ran = output.matches("\nSuccess").count();
     if ran == 0 {
         bail!("{output}\nno bench ran");
