@@ -4,6 +4,8 @@
 
 mod averages;
 mod branch_points;
+mod cell;
+mod economise;
 mod first_integrals;
 mod motion;
 mod normal_force;
@@ -16,6 +18,8 @@ mod tabulate;
 
 pub use averages::Averages;
 pub use branch_points::BranchPoints;
+pub(crate) use cell::{CELLS, Cell};
+pub(crate) use economise::Polynomials;
 pub use first_integrals::{FirstIntegrals, Sign, Signs};
 pub(crate) use motion::Course;
 pub use motion::Motion;
@@ -23,4 +27,4 @@ pub(crate) use rates::Rates;
 pub use regime::{Pace, Regime, TipClass};
 pub use start::Start;
 pub use state::{Release, State};
-pub(crate) use tabulate::{Polynomials, Tabulated, tabulate};
+pub(crate) use tabulate::{Fineness, Tabulated, tabulate};

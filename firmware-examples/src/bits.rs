@@ -92,10 +92,10 @@ fn ticks<R: Real>(motion: &Motion, dt: f64) -> [Hash; 3] {
 /// has room for, exact or not.
 fn table<R: Real + Tabular<Wide = R>>(motion: &Motion) -> [Hash; 2] {
     let mut hashes = [Hash::default(); 2];
-    let mut ephemeris = Ephemeris::<R, 16, 8>::EMPTY;
+    let mut ephemeris = Ephemeris::<R, 25, 5>::EMPTY;
     let fits = Tick::hertz(1000).map(|tick| ephemeris.set_up(motion, tick, f64::INFINITY));
     let Ok(Ok(())) = fits else { return hashes };
-    let moment = |hash: Hash, moment: Moment<'_, R, 16, 8>| {
+    let moment = |hash: Hash, moment: Moment<'_, R, 25, 5>| {
         let (phi, tip) = moment.phi_and_tip();
         hash.complex(phi.alpha).complex(phi.beta).complex(tip)
     };

@@ -15,11 +15,11 @@ fn launch(c: &mut Criterion) {
     group.bench_function("motion from branch points", |b| b.iter(|| black_box(&NUMBERS).motion()));
     group.bench_function("averages", |b| b.iter(|| black_box(&motion).averages()));
     group.bench_function("stepper f64", |b| b.iter(|| Stepper::<f64>::new(black_box(&motion))));
-    group.bench_function("ephemeris f32, 16x8", |b| b.iter(|| EphemerisF32::new(black_box(&motion), tick)));
+    group.bench_function("ephemeris f32, 25x5", |b| b.iter(|| EphemerisF32::new(black_box(&motion), tick)));
     let middle =
-        |b: &mut criterion::Bencher<'_>| b.iter(|| Ephemeris::<f64, 64, 11>::new(black_box(&motion), tick));
+        |b: &mut criterion::Bencher<'_>| b.iter(|| Ephemeris::<f64, 32, 11>::new(black_box(&motion), tick));
     group.bench_function("ephemeris f64, 64x11", middle);
-    group.bench_function("ephemeris f64, 128x12", |b| b.iter(|| EphemerisF64::new(black_box(&motion), tick)));
+    group.bench_function("ephemeris f64, 48x11", |b| b.iter(|| EphemerisF64::new(black_box(&motion), tick)));
     group.finish();
 }
 

@@ -58,8 +58,8 @@ fn stepper<R: Real>(c: &mut Criterion, name: &str, motion: &Motion) {
 
 fn ticks(c: &mut Criterion) {
     let motion = NUMBERS.motion().expect("a motion");
-    ephemeris::<f32, 16, 8>(c, "f32", &motion);
-    ephemeris::<f64, 128, 12>(c, "f64", &motion);
+    ephemeris::<f32, 25, 5>(c, "f32", &motion);
+    ephemeris::<f64, 48, 11>(c, "f64", &motion);
     stepper::<f32>(c, "f32", &motion);
     stepper::<f64>(c, "f64", &motion);
 }

@@ -41,6 +41,8 @@ pub struct Parts {
     pub bound: [f64; 2],
     /// 2s, and the rates of x, A and B.
     pub scales: [f64; 4],
+    /// Of each cell of half a period: its first segment, times 16, and the binary logarithm of how many it has.
+    pub cells: [u16; 16],
     /// Those of Re α, Im α, Re β and Im β, by segment and power.
     pub coefficients: Coefficients,
 }
@@ -71,6 +73,7 @@ impl Parts {
             horizon: baked.horizon,
             bound: baked.bound,
             scales: [baked.tip_scale, x, a, b].map(Into::into),
+            cells: baked.cells,
             coefficients: R::coefficients(baked.coefficients.as_flattened()),
         }
     }

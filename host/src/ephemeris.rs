@@ -87,17 +87,17 @@ pub trait Sizes:
 
 impl Sizes for f64 {
     /// [`toytop::EphemerisF64`].
-    const DEFAULT: Size<Self> = size::<128, 12, _>();
+    const DEFAULT: Size<Self> = size::<48, 11, _>();
     const SMALLER: &'static [Size<Self>] =
-        &[size::<16, 11, _>(), size::<64, 11, _>(), size::<256, 11, _>(), size::<1024, 11, _>()];
+        &[size::<16, 11, _>(), size::<32, 11, _>(), size::<128, 11, _>(), size::<512, 11, _>()];
     const LARGEST: Size<Self> = size::<4096, 11, _>();
 }
 
 impl Sizes for f32 {
     /// [`toytop::EphemerisF32`].
-    const DEFAULT: Size<Self> = size::<16, 8, _>();
-    const SMALLER: &'static [Size<Self>] = &[size::<16, 7, _>(), size::<64, 7, _>(), size::<256, 7, _>()];
-    const LARGEST: Size<Self> = size::<1024, 7, _>();
+    const DEFAULT: Size<Self> = size::<25, 5, _>();
+    const SMALLER: &'static [Size<Self>] = &[size::<16, 6, _>(), size::<32, 6, _>(), size::<128, 6, _>()];
+    const LARGEST: Size<Self> = size::<1024, 6, _>();
 }
 
 /// As many terms as a series has, so that fewest segments do: what is set up fastest.
@@ -274,8 +274,8 @@ mod tests {
             motions.push(motion(1.0, [-0.5, 1.0 - 0.2 * small, 1.0 + 0.2 * small * small]));
             motions.push(motion(small, [-0.99, 0.999, 1.02]));
         }
-        assert_eq!(sizes_chosen::<f64>(&motions), [16, 64, 256, 1024, 4096]);
-        assert_eq!(sizes_chosen::<f32>(&motions), [16, 64, 256, 1024]);
+        assert_eq!(sizes_chosen::<f64>(&motions), [16, 32, 128, 512, 4096]);
+        assert_eq!(sizes_chosen::<f32>(&motions), [16, 32, 128, 1024]);
     }
 
     #[test]

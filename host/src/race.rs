@@ -70,8 +70,8 @@ impl Entrant {
     #[must_use]
     pub fn effort(&self) -> String {
         match self {
-            Self::EphemerisF64 => "128x12".to_owned(),
-            Self::EphemerisF32 => "16x8".to_owned(),
+            Self::EphemerisF64 => "48x11".to_owned(),
+            Self::EphemerisF32 => "25x5".to_owned(),
             Self::FullSolver(tolerance) => format!("tolerance {tolerance:.0e}"),
             Self::StepperF64(steps)
             | Self::StepperF32(steps)
@@ -142,8 +142,8 @@ impl Race {
     /// [`Failure::Method`]: the full solver gave up, or a table does not fit.
     pub fn run(&self, entrant: Entrant, moments: &[u64]) -> Result<(Vec<Phi<f64>>, Duration), Failure> {
         match entrant {
-            Entrant::EphemerisF64 => self.look_up::<f64, 128, 12>(moments),
-            Entrant::EphemerisF32 => self.look_up::<f32, 16, 8>(moments),
+            Entrant::EphemerisF64 => self.look_up::<f64, 48, 11>(moments),
+            Entrant::EphemerisF32 => self.look_up::<f32, 25, 5>(moments),
             Entrant::StepperF64(steps) => Ok(self.step::<f64>(steps, moments)),
             Entrant::StepperF32(steps) => Ok(self.step::<f32>(steps, moments)),
             Entrant::FullSolver(tolerance) => self.solve(tolerance, moments),

@@ -31,9 +31,9 @@ fn there_and_back_to_the_bit() {
 }
 
 /// What is done to one number.
-type Change = fn(&mut Baked<f32, 16, 8>);
+type Change = fn(&mut Baked<f32, 25, 5>);
 
-fn refused(baked: Baked<f32, 16, 8>, change: Change) -> Option<BakedError> {
+fn refused(baked: Baked<f32, 25, 5>, change: Change) -> Option<BakedError> {
     let mut changed = baked;
     change(&mut changed);
     changed.ephemeris().err()
@@ -42,8 +42,8 @@ fn refused(baked: Baked<f32, 16, 8>, change: Change) -> Option<BakedError> {
 #[test]
 fn a_bit_flipped_anywhere_is_refused() {
     let motion = vectors::named("exact_generic_pp").motion().unwrap();
-    let baked = Ephemeris::<f32, 16, 8>::new(&motion, Tick::hertz(1000).unwrap()).unwrap().to_baked();
-    let changes: [Change; 12] = [
+    let baked = Ephemeris::<f32, 25, 5>::new(&motion, Tick::hertz(1000).unwrap()).unwrap().to_baked();
+    let changes: [Change; 13] = [
         |baked| baked.checksum ^= 1 << 31,
         |baked| baked.first[1] ^= 1 << 63,
         |baked| baked.step[2][0] ^= 1,
@@ -53,17 +53,18 @@ fn a_bit_flipped_anywhere_is_refused() {
         |baked| baked.bound[0] = f64::from_bits(baked.bound[0].to_bits() ^ 1),
         |baked| baked.tip_scale = -baked.tip_scale,
         |baked| baked.rates[0] = f32::from_bits(baked.rates[0].to_bits() ^ 1),
+        |baked| baked.cells[15] ^= 1,
         |baked| baked.coefficients[0][0][0] ^= 1,
-        |baked| baked.coefficients[15][7][3] ^= 1 << 31,
+        |baked| baked.coefficients[24][4][3] ^= 1 << 31,
         |baked| baked.coefficients.swap(3, 4),
     ];
     for (index, change) in changes.into_iter().enumerate() {
         assert!(matches!(refused(baked, change), Some(BakedError::Checksum { .. })), "{index}");
     }
-    assert_eq!(refused(baked, |baked| baked.format += 1), Some(BakedError::Format { found: 2 }));
+    assert_eq!(refused(baked, |baked| baked.format += 1), Some(BakedError::Format { found: 3 }));
     // every bit of every coefficient
-    for segment in 0..16 {
-        for bit in 0..8 * 4 * 32 {
+    for segment in 0..25 {
+        for bit in 0..5 * 4 * 32 {
             let mut changed = baked;
             changed.coefficients[segment][bit / 128][bit / 32 % 4] ^= 1 << (bit % 32);
             assert!(changed.ephemeris().is_err(), "{segment} {bit}");
@@ -75,5 +76,5 @@ fn a_bit_flipped_anywhere_is_refused() {
 fn what_is_wrong_is_said() {
     let checksum = BakedError::Checksum { stated: 0xab, computed: 0x1234_5678 };
     assert_eq!(checksum.to_string(), "checksum: must be 0x12345678, not 0x000000ab: the data were changed");
-    assert_eq!(BakedError::Format { found: 7 }.to_string(), "format: must be 1, not 7");
+    assert_eq!(BakedError::Format { found: 7 }.to_string(), "format: must be 2, not 7");
 }

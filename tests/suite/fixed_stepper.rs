@@ -98,7 +98,7 @@ fn the_error_does_not_depend_on_the_tick() {
         let motion = vectors::named(name).motion().unwrap();
         for per_period in [16, 64, 1024, 16384] {
             let tick = tick(&motion, f64::from(per_period));
-            let truth = Ephemeris::<f64, 128, 12>::new(&motion, tick).unwrap();
+            let truth = Ephemeris::<f64, 48, 11>::new(&motion, tick).unwrap();
             let mut stepper = FixedStepper::<64, 8>::new(&motion, tick).unwrap();
             let mut runge_kutta = Stepper::<f64>::new(&motion);
             let mut lost = 0.0_f64;

@@ -32,6 +32,7 @@ const ORDER: &[&[&str]] = &[
     &["launch/motion"],
     &["launch/rates"],
     &["launch/seek"],
+    &["launch/cell", "launch/economise"],
     &["launch/tabulate"],
     &["tick"],
     &["exact/elementary", "exact/agm"],

@@ -1,14 +1,18 @@
 //! Half a nutation period as short polynomials: the other half is its mirror image.
 //!
 //! With their mean rotation taken off, α and β are periodic and analytic in time, and conjugate on the two sides of a
-//! turning point. So half a period, from u = e₁ to u = e₂, is cut into equal segments; around the centre of each the law
-//! is expanded ([`crate::nutation::series`]) and the expansion shortened to the degree wanted (economised: what is
-//! dropped are multiples of Chebyshev polynomials, so the sum of their coefficients bounds the error).
+//! turning point. So half a period, from u = e₁ to u = e₂, is cut into segments; around the centre of each the law
+//! is expanded ([`crate::nutation::series`]) and the expansion shortened to the degree wanted.
+//!
+//! The motion may hurry in one place and rest in another, most where e₄ is close to 1, so segments differ in length: those of
+//! a [`Cell`] are halved until they fit.
 //!
 //! An aperiodic motion is tabulated in the same way, from its lowest point until u = 1 to rounding; a steady one is a
 //! single constant.
 
 use super::Motion;
+use super::cell::{CELLS, Cell};
+use super::economise::{Polynomials, economise};
 use super::rates::Rates;
 use super::seek::Seek;
 use crate::cayley_klein::Brackets;
@@ -17,12 +21,32 @@ use crate::nutation::{Nutation, PhaseRates};
 use crate::real::{DoubleDouble, Float, Scalar};
 use crate::turns::Turns;
 
-/// The coefficients, lowest first, of Re α, Im α, Re β and Im β as polynomials in x ∈ [-1, 1] on one segment.
-pub(crate) type Polynomials = [[f64; TERMS]; 4];
+/// What is asked of a tabulation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Fineness {
+    /// Half a period is cut into 2^cell_bits cells.
+    pub(crate) cell_bits: u32,
+    /// Coefficients of a polynomial.
+    pub(crate) terms: usize,
+    /// How far the table may be from the motion, as an orientation error in rad.
+    pub(crate) allowed: f64,
+    /// How many segments there may be.
+    pub(crate) most: usize,
+}
+
+impl Fineness {
+    fn cells(&self) -> usize {
+        1 << self.cell_bits
+    }
+}
 
 /// What a tabulation says besides its polynomials.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Tabulated {
+    /// Which segments are where.
+    pub(crate) cells: [Cell; CELLS],
+    /// How many there are.
+    pub(crate) segments: usize,
     /// Nutation phase at t = 0 (one turn a period, 0 at u = e₁), and the mean slow phases of α and β there.
     pub(crate) start: [Turns; 3],
     /// Bound, as an orientation error in rad, of what shortening the series costs, and of what sixteen terms leave.
@@ -31,105 +55,174 @@ pub(crate) struct Tabulated {
     pub(crate) defect: f64,
 }
 
-/// Hands the polynomials of each of `segments` segments to `store`, which says what it cannot hold of them (an orientation
-/// error); only their first `terms` coefficients count.
+/// Hands the polynomials of each segment to `store`, which says what it cannot hold of them (an orientation error); only
+/// their first `terms` coefficients count. A segment may come more than once: the last time counts. `None` where there
+/// would be more segments than may be.
 #[inline(never)]
 pub(crate) fn tabulate(
     motion: &Motion,
     rates: &Rates,
-    segments: usize,
-    terms: usize,
+    fineness: Fineness,
     mut store: impl FnMut(usize, &Polynomials) -> f64,
-) -> Tabulated {
-    let brackets = motion.brackets::<f64>();
-    let mut polynomials = [[0.0; TERMS]; 4];
+) -> Option<Tabulated> {
+    let mut tabulated = Tabulated {
+        cells: [Cell::default(); CELLS],
+        segments: 1,
+        start: [Turns::ZERO; 3],
+        truncation: 0.0,
+        defect: 0.0,
+    };
     if motion.is_steady() {
-        constants(&brackets, &mut polynomials);
-        (0..segments).for_each(|segment| {
-            store(segment, &polynomials);
-        });
+        store(0, &constants(&motion.brackets()));
         let [alpha, beta] = motion.phases();
-        return Tabulated { start: [Turns::ZERO, alpha, beta], ..Tabulated::default() };
+        tabulated.start = [Turns::ZERO, alpha, beta];
+        return Some(tabulated);
     }
     let seek = Seek::new(motion, rates.half_period.to_f64());
     let law = motion.law();
+    let cells = fineness.cells();
     let mut march = March {
         law: &law,
         rounded: &law.cast(),
+        brackets: &motion.brackets(),
         rates,
-        unit: rates.half_period / DoubleDouble::from((2 * segments) as f64),
-        point: Point::default(),
-        least: rates.rounding / (16 * segments) as f64,
-        far: rates.rounding / segments as f64,
-        remainder: 0.0,
+        seek: &seek,
+        fineness,
+        allowed: (1.0 - FOR_THE_WAY) * fineness.allowed,
+        half_cell: rates.half_period / DoubleDouble::from((2 * cells) as f64),
+        least: rates.rounding / (16 * fineness.most.min(16 * cells)) as f64,
+        expansion: Expansion::EMPTY,
+        polynomials: [[0.0; TERMS]; 4],
+        reached: Reached::default(),
     };
-    let mut expansion = Expansion::EMPTY;
-    march.expand(&mut expansion);
-    march.to(&expansion, 1.0);
-    let mut found = None;
-    let mut dropped = 0.0_f64;
-    for segment in 0..segments {
-        march.expand(&mut expansion);
-        combine(&brackets, &expansion, march.least, &mut polynomials);
-        dropped = worse(dropped, economise_all(&mut polynomials, terms));
-        dropped = worse(dropped, store(segment, &polynomials));
-        let last = segment + 1 == segments;
-        if found.is_none()
-            && let Some(x) = seek.within(&expansion, last)
-        {
-            // half a turn of the nutation over all segments
-            let centre = (2 * segment + 1) as i128 * Turns::ONE.to_bits() / (4 * segments) as i128;
-            let phase = Turns::from_bits(centre) + Turns::new(x / (4 * segments) as f64);
-            found = Some((phase, expansion.theta_at(x)));
-        }
-        if last || expansion.last_term(2.0) > march.far {
-            march.to(&expansion, 1.0);
-        } else {
-            march.to(&expansion, 2.0);
-            continue;
-        }
-        if !last {
-            march.expand(&mut expansion);
-            march.to(&expansion, 1.0);
+    let mut level = 0;
+    tabulated.segments = 0;
+    for (number, cell) in tabulated.cells.iter_mut().enumerate().take(cells) {
+        let before = march.reached;
+        loop {
+            *cell = Cell::new(tabulated.segments, level);
+            if level > Cell::DEEPEST || tabulated.segments + (1 << level) > fineness.most {
+                return None;
+            }
+            if let Some(error) = march.through(number, *cell, &mut store) {
+                tabulated.truncation = worse(tabulated.truncation, error);
+                tabulated.segments += 1 << level;
+                // twice as long they would miss the motion by about 2^terms times as much
+                let coarser = error * f64::from(1_u32 << fineness.terms) < COARSENING * march.allowed;
+                level -= u32::from(coarser && level > 0);
+                break;
+            }
+            level += 1;
+            march.reached = before;
         }
     }
+    let Reached { found, remainder, .. } = march.reached;
     let (phase, theta) = found.unwrap_or_default();
-    Tabulated {
-        start: seek.start(motion, phase, theta),
-        truncation: dropped + march.remainder,
-        defect: if rates.returns { march.defect() } else { 0.0 },
-    }
+    tabulated.start = seek.start(motion, phase, theta);
+    tabulated.truncation += remainder;
+    tabulated.defect = if rates.returns { march.defect() } else { 0.0 };
+    Some(tabulated)
 }
 
-/// The way from centre to centre.
+/// The next cell is tried with longer segments where those of the last promise to miss the motion by less than so many times
+/// what is allowed: a trial costs one series, a segment too many a place in the table.
+const COARSENING: f64 = 4.0;
+
+/// The share of the error allowed that the way from segment to segment may take.
+const FOR_THE_WAY: f64 = 0.125;
+
+/// The way through the segments.
 struct March<'a> {
     law: &'a Nutation<DoubleDouble>,
     rounded: &'a Nutation<f64>,
+    brackets: &'a Brackets<f64>,
     rates: &'a Rates,
-    /// Half a segment. An error here would add up over them.
-    unit: DoubleDouble,
-    point: Point,
+    seek: &'a Seek,
+    fineness: Fineness,
+    /// The error that shortening the series of a segment may cost.
+    allowed: f64,
+    /// Half the length of a cell. An error here would add up over them.
+    half_cell: DoubleDouble,
     /// Terms below this change nothing.
     least: f64,
-    /// A step from centre to centre that leaves out more than this, rad, goes by the border between them.
-    far: f64,
+    /// Around a border or a centre.
+    expansion: Expansion,
+    polynomials: Polynomials,
+    reached: Reached,
+}
+
+/// How far a march has come.
+#[derive(Clone, Copy, Debug, Default)]
+struct Reached {
+    point: Point,
+    /// Phase and θ of the start, once it is behind.
+    found: Option<(Turns, [Turns; 2])>,
     /// What the series left out on the way so far, judged by its last terms.
     remainder: f64,
 }
 
 impl March<'_> {
+    /// From border to border of a cell; `None` where its segments miss the motion by more than is allowed, otherwise by how
+    /// much they do.
+    fn through(
+        &mut self,
+        number: usize,
+        cell: Cell,
+        mut store: impl FnMut(usize, &Polynomials) -> f64,
+    ) -> Option<f64> {
+        let (level, count) = (cell.level(), 1_usize << cell.level());
+        let unit = self.half_cell * DoubleDouble::from(1.0 / count as f64);
+        // what remains on the way through half a segment may add up to its share of the whole
+        let share = FOR_THE_WAY * self.fineness.allowed / (2 * self.fineness.cells() * count) as f64;
+        let mut error = 0.0;
+        self.expand(unit);
+        self.to(1.0, share)?;
+        for place in 0..count {
+            self.expand(unit);
+            let segment = cell.first() + place;
+            let missed = self.polynomials_missing();
+            error = worse(error, worse(missed, store(segment, &self.polynomials)));
+            if !(error <= self.allowed) {
+                return None;
+            }
+            let last = place + 1 == count;
+            let centre = 2 * (number * count + place) + 1;
+            let end = last && number + 1 == self.fineness.cells();
+            if self.reached.found.is_none()
+                && let Some(x) = self.seek.within(&self.expansion, end)
+            {
+                // half a turn of the nutation over all cells
+                let halves = 2 + self.fineness.cell_bits + level;
+                let phase = Turns::from_bits(centre as i128 * (Turns::ONE.to_bits() >> halves))
+                    + Turns::new(x / (1_u64 << halves) as f64);
+                self.reached.found = Some((phase, self.expansion.theta_at(x)));
+            }
+            if last {
+                self.to(1.0, share)?;
+            } else if self.to(2.0, 2.0 * share).is_none() {
+                // by the border
+                self.to(1.0, share)?;
+                self.expand(unit);
+                self.to(1.0, share)?;
+            }
+        }
+        Some(error)
+    }
+
     /// Around the point that was reached.
-    fn expand(&self, expansion: &mut Expansion) {
-        self.rounded.expand(&self.point, &self.slopes(), self.unit.to_f64(), self.least, expansion);
+    fn expand(&mut self, unit: DoubleDouble) {
+        let slopes = self.slopes(unit);
+        let Self { expansion, reached, least, .. } = self;
+        self.rounded.expand(&reached.point, &slopes, unit.to_f64(), *least, expansion);
     }
 
     /// In double-double: a slow phase may turn by thousands of radians, and hardly from its mean.
     #[inline(never)]
-    fn slopes(&self) -> Slopes {
-        let (sine, cosine) = self.point.sine_cosine();
+    fn slopes(&self, unit: DoubleDouble) -> Slopes {
+        let (sine, cosine) = self.reached.point.sine_cosine();
         let rates = self.law.rates(sine.into(), cosine.into());
         let [alpha_excess, beta_excess] = self.rates.excess;
-        let slope = |rate: DoubleDouble| (self.unit * rate).to_f64();
+        let slope = |rate: DoubleDouble| (unit * rate).to_f64();
         Slopes {
             psi: PhaseRates {
                 nutation: slope(rates.nutation),
@@ -140,90 +233,47 @@ impl March<'_> {
         }
     }
 
-    fn to(&mut self, expansion: &Expansion, x: f64) {
-        self.remainder += expansion.last_term(x);
-        self.point = expansion.point(x);
+    /// The polynomials of the expansion, shortened; returns what that costs.
+    #[inline(never)]
+    fn polynomials_missing(&mut self) -> f64 {
+        let Self { expansion, polynomials, brackets, least, .. } = self;
+        let [re_alpha, im_alpha, re_beta, im_beta] = &mut *polynomials;
+        expansion.turned(0, brackets.alpha.exponentials(), *least, [re_alpha, im_alpha]);
+        expansion.turned(1, brackets.beta.exponentials(), *least, [re_beta, im_beta]);
+        economise(polynomials, self.fineness.terms)
+    }
+
+    /// Moves on to x, unless the series leaves out more than its share there.
+    fn to(&mut self, x: f64, share: f64) -> Option<()> {
+        let left_out = self.expansion.left_out(x);
+        if !(left_out <= share) {
+            return None;
+        }
+        self.reached.remainder += left_out;
+        self.reached.point = self.expansion.point(x);
+        Some(())
     }
 
     /// At the upper turning point cos χ = 0, and α and β with their mean rotation taken off are real: cos θ = 0.
     fn defect(&self) -> f64 {
         let miss = |angle: Turns| Float::abs(f64::sine_cosine(angle).1);
-        let [alpha, beta] = self.point.theta.map(miss);
-        2.0 * (miss(self.point.chi) + alpha.max(beta))
+        let Point { chi, theta } = self.reached.point;
+        let [alpha, beta] = theta.map(miss);
+        2.0 * (miss(chi) + alpha.max(beta))
     }
 }
 
 /// α and β where the half phase stays 0.
-fn constants(brackets: &Brackets<f64>, polynomials: &mut Polynomials) {
-    let [re_alpha, _, re_beta, _] = polynomials;
-    if let (Some(alpha), Some(beta)) = (re_alpha.first_mut(), re_beta.first_mut()) {
-        let [plus, minus] = brackets.alpha.exponentials();
-        *alpha = plus + minus;
-        let [plus, minus] = brackets.beta.exponentials();
-        *beta = plus + minus;
-    }
-}
-
-/// The brackets times e^{iθ}, in real and imaginary parts.
-#[inline(never)]
-fn combine(brackets: &Brackets<f64>, expansion: &Expansion, least: f64, polynomials: &mut Polynomials) {
-    let [re_alpha, im_alpha, re_beta, im_beta] = polynomials;
-    expansion.turned(0, brackets.alpha.exponentials(), least, [re_alpha, im_alpha]);
-    expansion.turned(1, brackets.beta.exponentials(), least, [re_beta, im_beta]);
-}
-
-/// Shortens all four to `terms` coefficients by taking off multiples of Chebyshev polynomials from the top; returns a bound
-/// of the change on [-1, 1], as an orientation error: the sum of the multiples bounds that of each.
-fn economise_all(polynomials: &mut Polynomials, terms: usize) -> f64 {
-    let mut dropped = [0.0; 4];
-    for degree in (terms.max(1)..TERMS).rev() {
-        let leading = polynomials.each_ref().map(|polynomial| polynomial.get(degree).copied().unwrap_or(0.0));
-        if leading == [0.0; 4] {
-            continue;
-        }
-        // T_n/2^{n-1} = Σ (-1)^j n/(n-j) C(n-j, j)/4^j x^{n-2j}, each term from the one before
-        let n = degree as f64;
-        let mut coefficient = 1.0;
-        for j in 0..=degree / 2 {
-            for (polynomial, leading) in polynomials.iter_mut().zip(leading) {
-                if let Some(entry) = polynomial.get_mut(degree - 2 * j) {
-                    *entry -= leading * coefficient;
-                }
-            }
-            let (j, power) = (j as f64, n - 2.0 * j as f64);
-            coefficient *= -power * (power - 1.0) / (4.0 * (j + 1.0) * (n - j - 1.0).max(1.0));
-        }
-        let scale = 1.0 / (1_u64 << (degree - 1)) as f64;
-        dropped.iter_mut().zip(leading).for_each(|(sum, leading)| *sum += Float::abs(leading) * scale);
-    }
-    2.0 * Float::sqrt(dropped.into_iter().fold(0.0, |sum, dropped| sum + dropped * dropped))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn economising_stays_within_what_it_says() {
-        let mut exact = [0.0; TERMS];
-        exact
-            .iter_mut()
-            .enumerate()
-            .for_each(|(k, c)| *c = 0.3_f64.powi(k as i32) * (1.0 + (k as f64).sin()));
-        for terms in 1..TERMS {
-            let mut four = [exact, [0.0; TERMS], [0.0; TERMS], [0.0; TERMS]];
-            let bound = 0.5 * economise_all(&mut four, terms);
-            let [short, ..] = four;
-            assert!(short[terms..].iter().all(|c| c.abs() < 1e-16));
-            let value = |p: &[f64; TERMS], x: f64| p.iter().rev().fold(0.0, |sum, c| sum * x + c);
-            let worst = (0..=1000).fold(0.0_f64, |worst, i| {
-                let x = f64::from(i) / 500.0 - 1.0;
-                worst.max((value(&short, x) - value(&exact, x)).abs())
-            });
-            assert!(
-                worst <= bound * 1.000_001 + 1e-15 && worst > 0.3 * bound,
-                "{terms}: {worst:e} {bound:e}"
-            );
-        }
-    }
+fn constants(brackets: &Brackets<f64>) -> Polynomials {
+    let constant = |[plus, minus]: [f64; 2]| {
+        let mut polynomial = [0.0; TERMS];
+        polynomial[0] = plus + minus;
+        polynomial
+    };
+    [
+        constant(brackets.alpha.exponentials()),
+        [0.0; TERMS],
+        constant(brackets.beta.exponentials()),
+        [0.0; TERMS],
+    ]
 }

@@ -1,6 +1,6 @@
 //! The orientation at any tick: a table of short polynomials and three integer phases.
 //!
-//! A tick is: nutation phase (an integer) → segment and place in it → four Horner sums → two rotations by the slow phases
+//! A tick is: nutation phase (an integer) → cell, segment and place in it → four Horner sums → two rotations by the slow phases
 //! (integers too). No root, no division, no library function, no loop whose length depends on data: any tick
 //! costs the same, and the 2^40th is as exact as the first.
 
@@ -12,7 +12,7 @@ use super::moment::Moment;
 use super::table::{ErrorBound, NoFit, Table, Tick};
 use super::tabular::Tabular;
 use crate::cycle::Cycle;
-use crate::launch::{Motion, Rates, Tabulated, tabulate};
+use crate::launch::{Motion, Rates, Tabulated};
 use crate::real::{DoubleDouble, Float, Ring};
 use crate::su2::Phi;
 use crate::turns::Turns;
@@ -20,7 +20,8 @@ use crate::turns::Turns;
 /// One motion, ready for any tick: a table and a clock. Immutable once set up, so any number of readers may share it
 /// (`&Ephemeris` is all that a [`Cursor`] holds) without locks.
 ///
-/// `SEGMENTS` polynomials of `TERMS` coefficients cover half a nutation period; size
+/// `SEGMENTS` polynomials of `TERMS` coefficients at most cover half a nutation period, short ones where the motion hurries;
+/// size
 /// 4 · SEGMENTS · TERMS scalars (in `f32` as many integers of 32 bits) and some 200 bytes. [`EphemerisF32`] and [`EphemerisF64`] are sizes for most motions.
 ///
 /// ```
@@ -42,12 +43,11 @@ pub struct Ephemeris<R: Tabular, const SEGMENTS: usize, const TERMS: usize> {
     bound: ErrorBound,
 }
 
-/// Good for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.5, at the rounding of `f32`: 2 KiB. Down to
-/// A/(ps) = 0.25 `Ephemeris<f32, 32, 7>` is (3.5 KiB): a motion through the vertical is there too fast for 16 segments.
-pub type EphemerisF32 = Ephemeris<f32, 16, 8>;
+/// Good for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.25, at the rounding of `f32`: a table of 2 KiB.
+pub type EphemerisF32 = Ephemeris<f32, 25, 5>;
 
-/// Good for the same motions at the rounding of `f64`: 48 KiB. Where A/(ps) >= 1, `Ephemeris<f64, 64, 11>` (22 KiB) mostly is.
-pub type EphemerisF64 = Ephemeris<f64, 128, 12>;
+/// Good for the same motions at the rounding of `f64`: 17 KiB. Where A/(ps) >= 1, `Ephemeris<f64, 32, 11>` (11 KiB) is.
+pub type EphemerisF64 = Ephemeris<f64, 48, 11>;
 
 /// The phases, what a tick adds to them, and the scales of what is derived.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +63,7 @@ pub(super) struct Clock<W> {
     horizon: Option<[i64; 2]>,
     /// 2 s.
     pub(super) tip_scale: W,
-    /// dx/dt on a segment, and the mean rates of A and B in rad, per unit time.
+    /// dx/dt on a cell of one segment, and the mean rates of A and B in rad, per unit time.
     pub(super) rates: [W; 3],
 }
 
@@ -108,13 +108,10 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENT
     /// [`NoFit`], as [`Ephemeris::new`]; the table is then not to be used.
     pub fn set_up(&mut self, motion: &Motion, tick: Tick, truncation: f64) -> Result<(), NoFit> {
         let rates = Rates::of(motion, R::ROUNDING);
-        let tabulated = tabulate(motion, &rates, SEGMENTS, TERMS, |segment, polynomials| {
-            self.table.put::<R>(segment, polynomials)
-        });
-        NoFit::check::<R>(motion, &rates, &tabulated, [SEGMENTS, TERMS], truncation)?;
-        self.clock = Clock::new(motion, tick, &rates, &tabulated, SEGMENTS);
-        self.bound =
-            ErrorBound::of::<R>(&rates, &tabulated, self.clock.exact_step.map(Float::to_f64), SEGMENTS);
+        let tabulated = self.table.fill::<R>(motion, &rates, truncation)?;
+        let cells = 1 << Table::<R::Coefficient, SEGMENTS, TERMS>::CELL_BITS;
+        self.clock = Clock::new(motion, tick, &rates, &tabulated, cells);
+        self.bound = ErrorBound::of::<R>(&rates, &tabulated, self.clock.exact_step.map(Float::to_f64));
         Ok(())
     }
 
@@ -187,13 +184,13 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENT
 }
 
 impl<W: Float> Clock<W> {
-    fn new(motion: &Motion, tick: Tick, rates: &Rates, tabulated: &Tabulated, segments: usize) -> Self {
+    fn new(motion: &Motion, tick: Tick, rates: &Rates, tabulated: &Tabulated, cells: u32) -> Self {
         let length = tick.length();
         let exact_step = rates.turns.map(|turns| turns * length);
         let [frequency, alpha, beta] = rates.turns.map(Float::to_f64);
         let turn = 2.0 * core::f64::consts::PI;
-        // half a period is `segments` segments of length 2 in x
-        let x_rate = 4.0 * segments as f64 * frequency;
+        // half a period is `cells` cells, and x runs through 2 in one that is not cut
+        let x_rate = 4.0 * f64::from(cells) * frequency;
         let step = exact_step.map(Turns::of);
         let [nutation, a, b] = tabulated.start;
         let [nutation_step, a_step, b_step] = step.map(|step| step.times(i64::MIN));

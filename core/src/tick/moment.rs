@@ -1,5 +1,6 @@
 //! One moment of an ephemeris: three phases, and on demand what follows from them.
 
+use super::table::Spot;
 use super::tabular::{Place, Tabular};
 use super::{Ephemeris, Pose};
 use crate::complex::Complex;
@@ -27,8 +28,8 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMEN
     #[inline(always)]
     #[must_use]
     pub fn phi(&self) -> Phi<R> {
-        let (terms, place) = self.place();
-        let [alpha, beta] = R::alpha_beta(terms, place);
+        let (spot, place) = self.place();
+        let [alpha, beta] = R::alpha_beta(spot.terms, place);
         Phi { alpha, beta }
     }
 
@@ -48,14 +49,15 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMEN
         (phi, R::tip(phi.alpha * phi.beta, self.ephemeris.clock.tip_scale))
     }
 
-    /// The coefficients that count, and where among them.
+    /// Where in the table, and where on the segment.
     #[inline(always)]
-    fn place(&self) -> (&[[R::Coefficient; 4]], Place) {
+    fn place(&self) -> (Spot<'_, R::Coefficient>, Place) {
         let [nutation, a, b] = self.phases;
         let mirrored = (nutation as i64) < 0;
         let share = (nutation ^ ((nutation as i64) >> 63) as u64) << 1;
-        let (terms, x) = self.ephemeris.table.find(share);
-        (terms, Place { x, mirrored, slow: [a, b] })
+        let spot = self.ephemeris.table.find(share);
+        let x = spot.x;
+        (spot, Place { x, mirrored, slow: [a, b] })
     }
 
     /// The tip in units of length whatever the scalar: in `f32` where that is fixed point.
@@ -76,8 +78,9 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMEN
     /// Φ and Φ', from which u' and ω follow; in `f32` where the scalar is fixed point. Some three times the work of Φ alone.
     #[must_use]
     pub fn pose(&self) -> Pose<R::Wide> {
-        let (terms, place) = self.place();
+        let (Spot { terms, level, .. }, place) = self.place();
         let [x_rate, alpha_rate, beta_rate] = self.ephemeris.clock.rates;
+        let x_rate = x_rate * R::Wide::from_f64(f64::from(1_u16 << level));
         // on the falling half x runs backwards
         let x_rate = if place.mirrored { -x_rate } else { x_rate };
         let x = R::Wide::from_f64(place.x as f64 / (1_u64 << 63) as f64);

@@ -2,7 +2,7 @@
 
 use super::tabular::Tabular;
 use crate::error::{LaunchError, require};
-use crate::launch::{Motion, Polynomials, Rates, Tabulated, tabulate};
+use crate::launch::{CELLS, Cell, Fineness, Motion, Polynomials, Rates, Tabulated, tabulate};
 use crate::real::{DoubleDouble, Float, Scalar};
 use crate::turns::Turns;
 use core::fmt;
@@ -51,22 +51,35 @@ impl Tick {
 /// The polynomials, lowest power first: the coefficients of Re α, Im α, Re β and Im β side by side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Table<C, const SEGMENTS: usize, const TERMS: usize> {
+    pub(super) cells: [Cell; CELLS],
     segments: [[[C; 4]; TERMS]; SEGMENTS],
+}
+
+/// Where a table is to be read.
+pub(super) struct Spot<'a, C> {
+    /// The coefficients that count.
+    pub(super) terms: &'a [[C; 4]],
+    /// The place on the segment, x·2^63 with x in [-1, 1).
+    pub(super) x: i64,
+    /// 2^level segments make a cell.
+    pub(super) level: u32,
 }
 
 impl<C: Copy, const SEGMENTS: usize, const TERMS: usize> Table<C, SEGMENTS, TERMS> {
     /// Checked when the type is used.
-    const SIZE_IS_VALID: () = assert!(SEGMENTS >= 2 && SEGMENTS <= 1 << 16 && TERMS >= 2 && TERMS <= 16);
+    const SIZE_IS_VALID: () =
+        assert!(SEGMENTS >= 2 && SEGMENTS <= Cell::MOST_SEGMENTS && TERMS >= 2 && TERMS <= 16);
+    /// As many cells, as a power of two.
+    pub(super) const CELL_BITS: u32 = Cell::bits_for(SEGMENTS);
 
     /// All coefficients the same.
     pub(super) const fn of(coefficient: C) -> Self {
-        let () = Self::SIZE_IS_VALID;
-        Self { segments: [[[coefficient; 4]; TERMS]; SEGMENTS] }
+        Self::from_parts([Cell::new(0, 0); CELLS], [[[coefficient; 4]; TERMS]; SEGMENTS])
     }
 
-    pub(super) const fn from_segments(segments: [[[C; 4]; TERMS]; SEGMENTS]) -> Self {
+    pub(super) const fn from_parts(cells: [Cell; CELLS], segments: [[[C; 4]; TERMS]; SEGMENTS]) -> Self {
         let () = Self::SIZE_IS_VALID;
-        Self { segments }
+        Self { cells, segments }
     }
 
     /// By segment and power.
@@ -74,12 +87,41 @@ impl<C: Copy, const SEGMENTS: usize, const TERMS: usize> Table<C, SEGMENTS, TERM
         &self.segments
     }
 
-    /// Keeps the polynomials of a segment; returns what the coefficients cannot hold of them.
-    pub(super) fn put<R: Tabular<Coefficient = C>>(
+    /// Tabulates a motion.
+    ///
+    /// # Errors
+    /// [`NoFit`].
+    pub(super) fn fill<R: Tabular<Coefficient = C>>(
         &mut self,
-        segment: usize,
-        polynomials: &Polynomials,
-    ) -> f64 {
+        motion: &Motion,
+        rates: &Rates,
+        allowed: f64,
+    ) -> Result<Tabulated, NoFit> {
+        // a quarter of the error where there is room for it
+        for (allowed, most) in [(0.25 * allowed, SEGMENTS), (allowed, Cell::MOST_SEGMENTS)] {
+            let fineness = Fineness { cell_bits: Self::CELL_BITS, terms: TERMS, allowed, most };
+            let tabulated = tabulate(motion, rates, fineness, |segment, polynomials| {
+                self.put::<R>(segment, polynomials);
+                excess::<R>(polynomials, TERMS)
+            });
+            match tabulated {
+                Some(tabulated) if tabulated.segments <= SEGMENTS => {
+                    self.cells = tabulated.cells;
+                    let unused = self.segments.get_mut(tabulated.segments..).unwrap_or_default();
+                    unused.fill([[R::NOTHING; 4]; TERMS]);
+                    return Ok(tabulated);
+                }
+                Some(Tabulated { segments, .. }) => {
+                    return Err(NoFit { truncation: allowed, segments: Some(segments as u32) });
+                }
+                None => {}
+            }
+        }
+        Err(NoFit { truncation: allowed, segments: None })
+    }
+
+    /// Keeps the polynomials of a segment, if there is room for it.
+    fn put<R: Tabular<Coefficient = C>>(&mut self, segment: usize, polynomials: &Polynomials) {
         if let Some(place) = self.segments.get_mut(segment) {
             for (power, four) in place.iter_mut().enumerate() {
                 for (value, polynomial) in four.iter_mut().zip(polynomials) {
@@ -87,20 +129,19 @@ impl<C: Copy, const SEGMENTS: usize, const TERMS: usize> Table<C, SEGMENTS, TERM
                 }
             }
         }
-        excess::<R>(polynomials, TERMS)
     }
 
-    /// The coefficients for a share of half a period, given as the 64 bits of the share, and the place among them, x·2^63
-    /// with x in [-1, 1).
+    /// What belongs to a share of half a period, given as 64 bits.
     #[inline(always)]
-    pub(super) fn find(&self, share: u64) -> (&[[C; 4]], i64) {
-        // both words of the share, so that a size that is no power of two costs two products, and one that is two shifts
-        let (upper, lower) = (share >> 32, share & 0xffff_ffff);
-        let count = SEGMENTS as u64;
-        let segment = (upper * count + ((lower * count) >> 32)) >> 32;
+    pub(super) fn find(&self, share: u64) -> Spot<'_, C> {
+        let number = (share >> (u64::BITS - Self::CELL_BITS)) as usize;
+        let cell = self.cells.get(number).copied().unwrap_or_default();
+        let (level, share) = (cell.level(), share << Self::CELL_BITS);
+        // the upper `level` bits are the segment's number in the cell; two shifts, because none of 32 is allowed
+        let segment = cell.first() + ((share >> 33) as u32 >> (31 - level)) as usize;
         // [0, 1) to [-1, 1): the upper bit changes sides
-        let x = share.wrapping_mul(count) ^ (1 << 63);
-        (self.segments.get(segment as usize).map_or(&[], |terms| terms), x as i64)
+        let x = (share << level) ^ (1 << 63);
+        Spot { terms: self.segments.get(segment).map_or(&[], |terms| terms), x: x as i64, level }
     }
 }
 
@@ -128,16 +169,12 @@ pub struct ErrorBound {
 }
 
 impl ErrorBound {
-    pub(super) fn of<R: Tabular>(
-        rates: &Rates,
-        tabulated: &Tabulated,
-        turns_per_tick: [f64; 3],
-        segments: usize,
-    ) -> Self {
+    pub(super) fn of<R: Tabular>(rates: &Rates, tabulated: &Tabulated, turns_per_tick: [f64; 3]) -> Self {
         const TURN: f64 = 2.0 * core::f64::consts::PI;
         /// Roundings of a set-up, all in f64: the march, the start on it, and more for a motion that takes many segments.
         const SET_UP_ROUNDINGS: f64 = 5.0;
-        let set_up = (SET_UP_ROUNDINGS + 0.5 * libm::sqrt(segments as f64)) * <f64 as Scalar>::ROUNDING;
+        let set_up =
+            (SET_UP_ROUNDINGS + 0.5 * libm::sqrt(tabulated.segments as f64)) * <f64 as Scalar>::ROUNDING;
         let increments = 3.0 * TURN * Turns::RESOLUTION;
         let turning: f64 = turns_per_tick.iter().map(|&turns| TURN * Float::abs(turns)).sum();
         Self {
@@ -147,50 +184,22 @@ impl ErrorBound {
     }
 }
 
-/// The polynomials of this size miss the motion by more than is allowed.
+/// Polynomials of this number and degree cannot follow the motion as closely as they should.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NoFit {
-    /// By how much, rad.
+    /// How closely they should: the error allowed, rad.
     pub truncation: f64,
     /// How many segments of as many terms would do; `None` if 4096 would not.
     pub segments: Option<u32>,
 }
 
-impl NoFit {
-    const MOST_SEGMENTS: usize = 4096;
-
-    pub(super) fn check<R: Tabular>(
-        motion: &Motion,
-        rates: &Rates,
-        tabulated: &Tabulated,
-        [segments, terms]: [usize; 2],
-        allowed: f64,
-    ) -> Result<(), Self> {
-        if tabulated.truncation <= allowed {
-            return Ok(());
-        }
-        let mut more = segments;
-        let fits = loop {
-            more *= 2;
-            if more > Self::MOST_SEGMENTS {
-                break None;
-            }
-            let held = |_, polynomials: &Polynomials| excess::<R>(polynomials, terms);
-            if tabulate(motion, rates, more, terms, held).truncation <= allowed {
-                break Some(more as u32);
-            }
-        };
-        Err(Self { truncation: tabulated.truncation, segments: fits })
-    }
-}
-
 impl fmt::Display for NoFit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the table misses the motion by {:.1e} rad; ", self.truncation)?;
+        write!(f, "the table misses the motion by more than {:.1e} rad; ", self.truncation)?;
         match self.segments {
             Some(segments) => write!(f, "{segments} segments of this degree would fit"),
-            None => write!(f, "not even {} segments of this degree would fit", Self::MOST_SEGMENTS),
+            None => write!(f, "not even {} segments of this degree would fit", Cell::MOST_SEGMENTS),
         }
     }
 }

@@ -113,9 +113,9 @@ pub(crate) extern "C" fn bench_cursor_f64(cursor: &mut CursorOf<'_, EphemerisF64
 }
 
 /// In fixed point the tip is in units of s.
-pub(crate) type EphemerisQ31 = Ephemeris<I2F30, 32, 5>;
+pub(crate) type EphemerisQ31 = Ephemeris<I2F30, 32, 4>;
 /// The size that 16 bits need for the same motion.
-pub(crate) type EphemerisQ15 = Ephemeris<I2F14, 16, 4>;
+pub(crate) type EphemerisQ15 = Ephemeris<I2F14, 16, 3>;
 
 #[inline(never)]
 #[unsafe(no_mangle)]

@@ -91,8 +91,8 @@ fn spin(motion: &Motion) {
     black_box(motion.min_normal_force());
     tick::<f32>(motion);
     tick::<f64>(motion);
-    table::<f32, 16, 8>(motion);
-    table::<f64, 64, 11>(motion);
+    table::<f32, 25, 5>(motion);
+    table::<f64, 32, 11>(motion);
     fixed_tick(motion);
 }
 

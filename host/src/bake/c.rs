@@ -76,6 +76,7 @@ fn clock(parts: &Parts) -> String {
         format!("{{{}}}", numbers.join(", ")),
         u32::from(parts.horizon.is_some()).to_string(),
         format!("{{{}}}", parts.horizon.unwrap_or_default().map(tick).join(", ")),
+        format!("{{{}}}", parts.cells.map(|cell| cell.to_string()).join(", ")),
     ];
     lines.iter().map(|line| format!("        {line},\n")).collect()
 }

@@ -1,5 +1,5 @@
 #ifndef TOYTOP_CLOCK
-#define TOYTOP_CLOCK 1
+#define TOYTOP_CLOCK 2
 #include <float.h>
 #include <stdint.h>
 #include <string.h>
@@ -18,6 +18,7 @@ typedef struct {
     uint64_t numbers[10];      /* bits of doubles: exact steps, ticks in a unit of time, error bound */
     uint32_t stops;            /* whether the motion is aperiodic, and then */
     int64_t horizon[2];        /* the first and the last tick at which it still moves */
+    uint16_t cells[16];        /* of each cell of half a period: first segment, 4 bits; it has 2^those segments */
 } toytop_clock;
 
 /* Goes through consecutive ticks by additions: what an interrupt holds. */
@@ -50,10 +51,13 @@ static inline void toytop_move_on(const toytop_clock *clock, toytop_cursor *at) 
 }
 
 /* Segment and place in it, x 2^63 with x in [-1, 1); the falling half is the mirror image of the rising one. */
-static inline int64_t toytop_find(uint32_t segments, uint64_t nutation, uint32_t *segment) {
+static inline int64_t toytop_find(const toytop_clock *clock, uint64_t nutation, uint32_t *segment) {
     uint64_t share = (nutation ^ (0 - (nutation >> 63))) << 1;
-    *segment = (uint32_t)(((share >> 32) * segments + (((share & 0xffffffff) * segments) >> 32)) >> 32);
-    return (int64_t)(share * segments ^ (uint64_t)1 << 63);
+    int bits = clock->segments < 4 ? 1 : clock->segments < 8 ? 2 : clock->segments < 16 ? 3 : 4;
+    uint32_t cell = clock->cells[share >> (64 - bits)], level = cell & 15;
+    share <<= bits;
+    *segment = (cell >> 4) + ((uint32_t)(share >> 33) >> (31 - level));
+    return (int64_t)(share << level ^ (uint64_t)1 << 63);
 }
 
 static inline uint32_t toytop_word(uint32_t sum, uint32_t word) {
@@ -73,6 +77,8 @@ static inline uint32_t toytop_head(const toytop_clock *clock, uint32_t scalar) {
     for (int i = 0; i < 3; i++) sum = toytop_wide(toytop_word(sum, clock->step[i].low), clock->step[i].leading);
     for (int i = 0; i < 10; i++) sum = toytop_wide(sum, clock->numbers[i]);
     sum = toytop_word(sum, clock->stops);
-    return toytop_wide(toytop_wide(sum, (uint64_t)clock->horizon[0]), (uint64_t)clock->horizon[1]);
+    sum = toytop_wide(toytop_wide(sum, (uint64_t)clock->horizon[0]), (uint64_t)clock->horizon[1]);
+    for (int i = 0; i < 16; i++) sum = toytop_word(sum, clock->cells[i]);
+    return sum;
 }
 #endif

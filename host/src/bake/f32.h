@@ -27,7 +27,7 @@ static inline toytop_moment_f32 toytop_moment_of_f32(const toytop_f32 *table, co
     toytop_moment_f32 m;
     uint64_t nutation = at->phase[0].leading;
     uint32_t segment, terms = table->clock.terms;
-    int32_t x = (int32_t)(toytop_find(table->clock.segments, nutation, &segment) >> 32), sums[4];
+    int32_t x = (int32_t)(toytop_find(&table->clock, nutation, &segment) >> 32), sums[4];
     const int32_t (*c)[4] = table->coefficients + segment * terms;
     for (int i = 0; i < 4; i++) {
         int32_t sum = c[terms - 1][i];

@@ -35,6 +35,7 @@ pub fn object(label: &Label, parts: &Parts) -> String {
         "bound": parts.bound,
         "tip_scale": tip_scale,
         "rates": rates,
+        "cells": parts.cells,
         "coefficients": coefficients,
         "sine": sine,
     });

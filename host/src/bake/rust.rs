@@ -33,6 +33,7 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
     bound: {bound:?},
     tip_scale: {tip_scale},
     rates: [{rates}],
+    cells: {cells:?},
     coefficients: [
 {coefficients}    ],
 }})
@@ -53,6 +54,7 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
         horizon = parts.horizon,
         bound = parts.bound,
         tip_scale = scale(tip_scale),
+        cells = parts.cells,
         coefficients = match &parts.coefficients {
             Coefficients::Integers(rows) => rows_of(rows, terms),
             Coefficients::Doubles(rows) => rows_of(rows, terms),

@@ -29,12 +29,12 @@ fn json_holds_every_number() {
     let file = sample("toy_top");
     let object = json(&["bake", &file, "--lang", "json"]);
     let motion = Scenario::read(Path::new(&file)).expect("a scenario").motion;
-    let baked = Ephemeris::<f32, 16, 8>::new(&motion, Tick::hertz(1000).expect("a tick"))
+    let baked = Ephemeris::<f32, 25, 5>::new(&motion, Tick::hertz(1000).expect("a tick"))
         .expect("it fits")
         .to_baked();
     let whole = |value: &Value| value.as_i64().expect("a whole number");
     let number = |value: &Value| value.as_f64().expect("a number");
-    let read = Baked::<f32, 16, 8> {
+    let read = Baked::<f32, 25, 5> {
         format: whole(&object["format"]) as u32,
         checksum: whole(&object["checksum"]) as u32,
         first: std::array::from_fn(|i| {
@@ -65,8 +65,8 @@ fn the_size_is_chosen_and_said() {
         .replace("inertia = 0.8", "inertia = 5e-3");
     let slender = scenario("bake_slender", &slender);
     for (file, scalar, size) in [
-        (&sample("toy_top"), "f32", "16x8"),
-        (&sample("toy_top"), "f64", "128x12"),
+        (&sample("toy_top"), "f32", "25x5"),
+        (&sample("toy_top"), "f64", "48x11"),
         (&slender, "f32", "64x7"),
         (&slender, "f64", "256x11"),
     ] {
@@ -89,7 +89,7 @@ fn what_cannot_be_baked_leaves_nothing_behind() {
     let needle = scenario("bake_needle", &needle);
     let broken = scenario("bake_broken", TOP);
     let cases: &[(&str, &[&str], i32, &str)] = &[
-        (&good, &["--size", "17x8"], 2, "--size: 17x8 must be one of 16x7, 16x8, 64x7, 256x7, 1024x7"),
+        (&good, &["--size", "17x8"], 2, "--size: 17x8 must be one of 16x7, 25x5, 64x7, 256x7, 1024x7"),
         (&good, &["--size", "16*8"], 2, "segments x terms"),
         (&good, &["--hertz", "0"], 2, "1..=4294967295"),
         (&good, &["--tick", "0/2"], 2, "44100/2"),
@@ -100,7 +100,7 @@ fn what_cannot_be_baked_leaves_nothing_behind() {
         (&good, &["-o", "no/such/folder/top.h"], 2, "no/such/folder/top.h"),
         (&broken, &[], 2, "motion: missing"),
         (&needle, &[], 3, "bake_needle: no ephemeris"),
-        (&needle, &["--size", "16x8"], 3, "bake_needle: no ephemeris of 16x8"),
+        (&needle, &["--size", "25x5"], 3, "bake_needle: no ephemeris of 25x5"),
     ];
     for (file, more, code, part) in cases {
         let to = folder.join("top.rs");

@@ -4,6 +4,7 @@ mod checksum;
 
 use super::{Clock, Ephemeris};
 use crate::cycle::Cycle;
+use crate::launch::{CELLS, Cell};
 use crate::real::DoubleDouble;
 use crate::tick::table::{ErrorBound, Table};
 use crate::tick::tabular::Tabular;
@@ -18,8 +19,8 @@ use core::fmt;
 /// ```
 /// use toytop::{Baked, Ephemeris};
 /// static RESTING: Ephemeris<f32, 2, 2> = match (Baked::<f32, 2, 2> {
-///     format: 1,
-///     checksum: 0xcaff_e225,
+///     format: 2,
+///     checksum: 0x1b59_3b33,
 ///     first: [0; 3],
 ///     step: [[0; 3], [0, 0, 1 << 31], [0; 3]],
 ///     exact_step: [[0.0; 2], [0.5, 0.0], [0.0; 2]],
@@ -28,6 +29,7 @@ use core::fmt;
 ///     bound: [1e-8, 1e-28],
 ///     tip_scale: 0.06,
 ///     rates: [0.0, 3141.5928, 0.0],
+///     cells: [0; 16],
 ///     coefficients: [[[i32::MAX, 0, 0, 0], [0; 4]]; 2],
 /// })
 /// .ephemeris()
@@ -42,8 +44,8 @@ use core::fmt;
 /// ```compile_fail,E0080
 /// # use toytop::{Baked, Ephemeris};
 /// static RESTING: Ephemeris<f32, 2, 2> = match (Baked::<f32, 2, 2> {
-/// #   format: 1,
-/// #   checksum: 0xcaff_e225,
+/// #   format: 2,
+/// #   checksum: 0x1b59_3b33,
 /// #   first: [0; 3],
 /// #   step: [[0; 3], [0, 0, 1 << 31], [0; 3]],
 /// #   exact_step: [[0.0; 2], [0.5, 0.0], [0.0; 2]],
@@ -52,6 +54,7 @@ use core::fmt;
 /// #   bound: [1e-8, 1e-28],
 /// #   tip_scale: 0.06,
 /// #   rates: [0.0, 3141.5928, 0.0],
+/// #   cells: [0; 16],
 ///     // as above, but for
 ///     coefficients: [[[i32::MAX - 1, 0, 0, 0], [0; 4]]; 2],
 /// })
@@ -81,15 +84,18 @@ pub struct Baked<R: Tabular, const SEGMENTS: usize, const TERMS: usize> {
     pub bound: [f64; 2],
     /// 2s in m (2 where the tip is held).
     pub tip_scale: R::Wide,
-    /// dx/dt on a segment, and the mean rates of A and B in rad, per unit time.
+    /// dx/dt on a cell of one segment, and the mean rates of A and B in rad, per unit time.
     pub rates: [R::Wide; 3],
+    /// Of each sixteenth of half a period (of each half where SEGMENTS is 2 or 3, and so on), u rising: the number of its first
+    /// segment, times 16, and the logarithm to base 2 of how many it has.
+    pub cells: [u16; 16],
     /// By segment and power: those of Re α, Im α, Re β and Im β.
     pub coefficients: [[[R::Coefficient; 4]; TERMS]; SEGMENTS],
 }
 
 impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Baked<R, SEGMENTS, TERMS> {
     /// The format that this version of the crate reads.
-    pub const FORMAT: u32 = 1;
+    pub const FORMAT: u32 = 2;
 
     /// The checksum of all but what depends on the scalar.
     const fn head(&self, scalar: u32) -> Checksum {
@@ -104,15 +110,27 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Baked<R, SEGMENTS, T
             Some(horizon) => horizon,
             None => [0; 2],
         };
-        sum.word(self.horizon.is_some() as u32).wide(first as u64).wide(last as u64)
+        sum = sum.word(self.horizon.is_some() as u32).wide(first as u64).wide(last as u64);
+        let mut cells = self.cells.as_slice();
+        while let [cell, rest @ ..] = cells {
+            sum = sum.word(*cell as u32);
+            cells = rest;
+        }
+        sum
     }
 
     const fn unpacked(&self) -> Ephemeris<R, SEGMENTS, TERMS> {
         let [nutation, a, b] = self.step;
         let [exact_nutation, exact_a, exact_b] = self.exact_step;
         let [constant, per_tick] = self.bound;
+        let mut cells = [Cell::from_bits(0); CELLS];
+        let (mut to, mut from) = (cells.as_mut_slice(), self.cells.as_slice());
+        while let ([cell, rest @ ..], [bits, others @ ..]) = (to, from) {
+            *cell = Cell::from_bits(*bits);
+            (to, from) = (rest, others);
+        }
         Ephemeris {
-            table: Table::from_segments(self.coefficients),
+            table: Table::from_parts(cells, self.coefficients),
             clock: Clock {
                 first: self.first,
                 step: [Cycle::new(nutation), Cycle::new(a), Cycle::new(b)],
@@ -154,6 +172,7 @@ impl<R: Bakeable, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMEN
             bound: [self.bound.constant, self.bound.per_tick],
             tip_scale,
             rates,
+            cells: self.table.cells.map(Cell::to_bits),
             coefficients: *self.table.segments(),
         };
         baked.checksum = R::checksum(&baked);

@@ -43,7 +43,7 @@ impl Flow {
         while pieces <= MOST_PIECES {
             let unit = self.length / f64::from(pieces);
             self.expand(&start, unit, &mut expansion);
-            if expansion.last_term(1.0) <= LEFT_OUT {
+            if expansion.left_out(1.0) <= LEFT_OUT {
                 return self.march(start, &mut expansion, unit, pieces);
             }
             pieces *= 2;
@@ -134,7 +134,7 @@ impl Neighbourhood<'_> {
             time -= ((from.chi - self.centre.chi).to_radians() - offset) / rate;
             from = self.expansion.point(time);
         }
-        let reached = self.expansion.last_term(time).max(self.expansion.last_term(time + length));
+        let reached = self.expansion.left_out(time).max(self.expansion.left_out(time + length));
         let to = self.expansion.point(time + length);
         let increments = increments(&from, &to);
         (reached <= LEFT_OUT).then_some(increments)

@@ -102,9 +102,9 @@ pub(super) fn run(scenario: &Scenario, progress: &mut Progress) -> Result<Vec<Li
     Ok(vec![
         line(&solver, solving, solver_error(&states)),
         line(&rivals, stepping, solver_error(&stepped)),
-        line("ephemeris f64, 128x12, at any time: the same", turning, error),
-        line("ephemeris f64, 128x12, at any time: orientation", orienting, error),
-        line("ephemeris f64, 128x12, at any tick: orientation", ticking, error),
+        line("ephemeris f64, 48x11, at any time: the same", turning, error),
+        line("ephemeris f64, 48x11, at any time: orientation", orienting, error),
+        line("ephemeris f64, 48x11, at any tick: orientation", ticking, error),
         Line {
             what: "    its set-up, once".to_owned(),
             seconds: setting_up,

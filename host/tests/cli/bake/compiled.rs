@@ -31,11 +31,11 @@ fn cases() -> Vec<Case> {
         )
     };
     let f32_default =
-        |file, tick| Case { file, scalar: "f32", size: "16x8", tick, truth: truth::<f32, 16, 8> };
+        |file, tick| Case { file, scalar: "f32", size: "25x5", tick, truth: truth::<f32, 25, 5> };
     let f32_large =
         |file, tick| Case { file, scalar: "f32", size: "256x7", tick, truth: truth::<f32, 256, 7> };
     let f64_default =
-        |file, tick| Case { file, scalar: "f64", size: "128x12", tick, truth: truth::<f64, 128, 12> };
+        |file, tick| Case { file, scalar: "f64", size: "48x11", tick, truth: truth::<f64, 48, 11> };
     let f64_large =
         |file, tick| Case { file, scalar: "f64", size: "1024x11", tick, truth: truth::<f64, 1024, 11> };
     vec![
