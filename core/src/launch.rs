@@ -19,7 +19,7 @@ mod tabulate;
 pub use averages::Averages;
 pub use branch_points::BranchPoints;
 pub(crate) use cell::{CELLS, Cell};
-pub(crate) use economise::Polynomials;
+pub(crate) use economise::Polynomial;
 pub use first_integrals::{FirstIntegrals, Sign, Signs};
 pub(crate) use motion::Course;
 pub use motion::Motion;

@@ -12,7 +12,7 @@
 
 use super::Motion;
 use super::cell::{CELLS, Cell};
-use super::economise::{Polynomials, economise};
+use super::economise::{Polynomial, economise};
 use super::rates::Rates;
 use super::seek::Seek;
 use crate::cayley_klein::Brackets;
@@ -55,32 +55,33 @@ pub(crate) struct Tabulated {
     pub(crate) defect: f64,
 }
 
-/// Hands the polynomials of each segment to `store`, which says what it cannot hold of them (an orientation error); only
-/// their first `terms` coefficients count. A segment may come more than once: the last time counts. `None` where there
-/// would be more segments than may be.
-#[inline(never)]
-pub(crate) fn tabulate(
-    motion: &Motion,
-    rates: &Rates,
-    fineness: Fineness,
-    mut store: impl FnMut(usize, &Polynomials) -> f64,
-) -> Option<Tabulated> {
-    let mut tabulated = Tabulated {
-        cells: [Cell::default(); CELLS],
+impl Tabulated {
+    const EMPTY: Self = Self {
+        cells: [Cell::new(0, 0); CELLS],
         segments: 1,
         start: [Turns::ZERO; 3],
         truncation: 0.0,
         defect: 0.0,
     };
+}
+
+/// Hands the polynomials of each segment to `store`: its number, 0 for α or 1 for β, and the coefficients, of which the
+/// first `terms` count. `store` says what it cannot hold of them (an orientation error). A segment may come more than once:
+/// the last time counts. `None` where there would be more segments than may be.
+#[inline(never)]
+pub(crate) fn tabulate(
+    motion: &Motion,
+    rates: &Rates,
+    fineness: Fineness,
+    mut store: impl FnMut(usize, usize, Polynomial<'_>) -> f64,
+) -> Option<Tabulated> {
     if motion.is_steady() {
-        store(0, &constants(&motion.brackets()));
-        let [alpha, beta] = motion.phases();
-        tabulated.start = [Turns::ZERO, alpha, beta];
-        return Some(tabulated);
+        return Some(constant(motion, store));
     }
     let seek = Seek::new(motion, rates.half_period.to_f64());
     let law = motion.law();
     let cells = fineness.cells();
+    let mut expansion = Expansion::EMPTY;
     let mut march = March {
         law: &law,
         rounded: &law.cast(),
@@ -91,37 +92,53 @@ pub(crate) fn tabulate(
         allowed: (1.0 - FOR_THE_WAY) * fineness.allowed,
         half_cell: rates.half_period / DoubleDouble::from((2 * cells) as f64),
         least: rates.rounding / (16 * fineness.most.min(16 * cells)) as f64,
-        expansion: Expansion::EMPTY,
-        polynomials: [[0.0; TERMS]; 4],
+        expansion: &mut expansion,
         reached: Reached::default(),
+        border: Reached::default(),
+        found: None,
     };
-    let mut level = 0;
-    tabulated.segments = 0;
+    let mut tabulated = Tabulated { segments: 0, ..Tabulated::EMPTY };
+    let (mut level, mut at_centre) = (0, false);
     for (number, cell) in tabulated.cells.iter_mut().enumerate().take(cells) {
-        let before = march.reached;
-        loop {
+        let found_before = march.found.is_some();
+        let error = loop {
             *cell = Cell::new(tabulated.segments, level);
             if level > Cell::DEEPEST || tabulated.segments + (1 << level) > fineness.most {
                 return None;
             }
-            if let Some(error) = march.through(number, *cell, &mut store) {
-                tabulated.truncation = worse(tabulated.truncation, error);
-                tabulated.segments += 1 << level;
-                // twice as long they would miss the motion by about 2^terms times as much
-                let coarser = error * f64::from(1_u32 << fineness.terms) < COARSENING * march.allowed;
-                level -= u32::from(coarser && level > 0);
-                break;
+            if let Some(error) = march.through(number, *cell, at_centre, &mut store) {
+                break error;
             }
-            level += 1;
-            march.reached = before;
-        }
+            (level, at_centre) = (level + 1, false);
+            march.reached = march.border;
+            march.found = march.found.filter(|_| found_before);
+        };
+        tabulated.truncation = worse(tabulated.truncation, error);
+        tabulated.segments += 1 << level;
+        // twice as long they would miss the motion by about 2^terms times as much
+        let coarser = level > 0 && error * f64::from(1_u32 << fineness.terms) < COARSENING * march.allowed;
+        at_centre = march.cross(level, coarser);
+        level -= u32::from(coarser);
     }
-    let Reached { found, remainder, .. } = march.reached;
-    let (phase, theta) = found.unwrap_or_default();
+    let (phase, theta) = march.found.unwrap_or_default();
     tabulated.start = seek.start(motion, phase, theta);
-    tabulated.truncation += remainder;
+    tabulated.truncation += march.border.remainder;
     tabulated.defect = if rates.returns { march.defect() } else { 0.0 };
     Some(tabulated)
+}
+
+/// A steady motion: α and β where the half phase stays 0, for all time.
+#[inline(never)]
+fn constant(motion: &Motion, mut store: impl FnMut(usize, usize, Polynomial<'_>) -> f64) -> Tabulated {
+    let brackets: Brackets<f64> = motion.brackets();
+    for (which, bracket) in [&brackets.alpha, &brackets.beta].into_iter().enumerate() {
+        let [plus, minus] = bracket.exponentials();
+        let mut re = [0.0; TERMS];
+        re[0] = plus + minus;
+        store(0, which, [&mut re, &mut [0.0; TERMS]]);
+    }
+    let [alpha, beta] = motion.phases();
+    Tabulated { start: [Turns::ZERO, alpha, beta], ..Tabulated::EMPTY }
 }
 
 /// The next cell is tried with longer segments where those of the last promise to miss the motion by less than so many times
@@ -146,59 +163,61 @@ struct March<'a> {
     /// Terms below this change nothing.
     least: f64,
     /// Around a border or a centre.
-    expansion: Expansion,
-    polynomials: Polynomials,
+    expansion: &'a mut Expansion,
     reached: Reached,
+    /// Where the cell begins.
+    border: Reached,
+    /// Phase and θ of the start, once it is behind.
+    found: Option<(Turns, [Turns; 2])>,
 }
 
 /// How far a march has come.
 #[derive(Clone, Copy, Debug, Default)]
 struct Reached {
     point: Point,
-    /// Phase and θ of the start, once it is behind.
-    found: Option<(Turns, [Turns; 2])>,
     /// What the series left out on the way so far, judged by its last terms.
     remainder: f64,
 }
 
 impl March<'_> {
-    /// From border to border of a cell; `None` where its segments miss the motion by more than is allowed, otherwise by how
-    /// much they do.
+    /// Through a cell from its border, or from its first centre, to its last centre and border; `None` where its segments miss
+    /// the motion by more than is allowed, otherwise by how much they do.
     fn through(
         &mut self,
         number: usize,
         cell: Cell,
-        mut store: impl FnMut(usize, &Polynomials) -> f64,
+        at_centre: bool,
+        mut store: impl FnMut(usize, usize, Polynomial<'_>) -> f64,
     ) -> Option<f64> {
         let (level, count) = (cell.level(), 1_usize << cell.level());
         let unit = self.half_cell * DoubleDouble::from(1.0 / count as f64);
-        // what remains on the way through half a segment may add up to its share of the whole
-        let share = FOR_THE_WAY * self.fineness.allowed / (2 * self.fineness.cells() * count) as f64;
+        let share = self.share(level);
         let mut error = 0.0;
-        self.expand(unit);
-        self.to(1.0, share)?;
+        if !at_centre {
+            self.expand(unit);
+            self.to(1.0, share)?;
+        }
         for place in 0..count {
             self.expand(unit);
             let segment = cell.first() + place;
-            let missed = self.polynomials_missing();
-            error = worse(error, worse(missed, store(segment, &self.polynomials)));
-            if !(error <= self.allowed) {
+            error = worse(error, self.shorten(segment, &mut store));
+            if error.is_nan() || error > self.allowed {
                 return None;
             }
             let last = place + 1 == count;
             let centre = 2 * (number * count + place) + 1;
             let end = last && number + 1 == self.fineness.cells();
-            if self.reached.found.is_none()
-                && let Some(x) = self.seek.within(&self.expansion, end)
+            if self.found.is_none()
+                && let Some(x) = self.seek.within(self.expansion, end)
             {
                 // half a turn of the nutation over all cells
                 let halves = 2 + self.fineness.cell_bits + level;
                 let phase = Turns::from_bits(centre as i128 * (Turns::ONE.to_bits() >> halves))
                     + Turns::new(x / (1_u64 << halves) as f64);
-                self.reached.found = Some((phase, self.expansion.theta_at(x)));
+                self.found = Some((phase, self.expansion.theta_at(x)));
             }
             if last {
-                self.to(1.0, share)?;
+                self.border = self.after(1.0, share)?;
             } else if self.to(2.0, 2.0 * share).is_none() {
                 // by the border
                 self.to(1.0, share)?;
@@ -207,6 +226,22 @@ impl March<'_> {
             }
         }
         Some(error)
+    }
+
+    /// From the last centre of a cell to the first of the next, whose segments are as long, or twice as long, if the series
+    /// carries so far, otherwise to the border; tells which.
+    fn cross(&mut self, level: u32, coarser: bool) -> bool {
+        let x = if coarser { 3.0 } else { 2.0 };
+        let carries = self.to(x, x * self.share(level)).is_some();
+        if !carries {
+            self.reached = self.border;
+        }
+        carries
+    }
+
+    /// What may remain on the way through half a segment, so that it adds up to its share of the whole.
+    fn share(&self, level: u32) -> f64 {
+        FOR_THE_WAY * self.fineness.allowed / ((2 * self.fineness.cells()) << level) as f64
     }
 
     /// Around the point that was reached.
@@ -233,47 +268,38 @@ impl March<'_> {
         }
     }
 
-    /// The polynomials of the expansion, shortened; returns what that costs.
+    /// Stores the expansion as short polynomials; returns what that costs, as an orientation error.
     #[inline(never)]
-    fn polynomials_missing(&mut self) -> f64 {
-        let Self { expansion, polynomials, brackets, least, .. } = self;
-        let [re_alpha, im_alpha, re_beta, im_beta] = &mut *polynomials;
-        expansion.turned(0, brackets.alpha.exponentials(), *least, [re_alpha, im_alpha]);
-        expansion.turned(1, brackets.beta.exponentials(), *least, [re_beta, im_beta]);
-        economise(polynomials, self.fineness.terms)
+    fn shorten(&mut self, segment: usize, mut store: impl FnMut(usize, usize, Polynomial<'_>) -> f64) -> f64 {
+        let brackets = [self.brackets.alpha.exponentials(), self.brackets.beta.exponentials()];
+        let (mut squares, mut excess) = (0.0, 0.0);
+        for (which, bracket) in brackets.into_iter().enumerate() {
+            let [re, im] = self.expansion.turned(which, bracket, self.least);
+            let dropped = economise([&mut *re, &mut *im], self.fineness.terms);
+            squares += dropped * dropped;
+            excess = worse(excess, store(segment, which, [re, im]));
+        }
+        worse(2.0 * Float::sqrt(squares), excess)
     }
 
     /// Moves on to x, unless the series leaves out more than its share there.
     fn to(&mut self, x: f64, share: f64) -> Option<()> {
-        let left_out = self.expansion.left_out(x);
-        if !(left_out <= share) {
-            return None;
-        }
-        self.reached.remainder += left_out;
-        self.reached.point = self.expansion.point(x);
+        self.reached = self.after(x, share)?;
         Some(())
+    }
+
+    #[inline(never)]
+    fn after(&self, x: f64, share: f64) -> Option<Reached> {
+        let left_out = self.expansion.left_out(x);
+        (left_out <= share)
+            .then(|| Reached { point: self.expansion.point(x), remainder: self.reached.remainder + left_out })
     }
 
     /// At the upper turning point cos χ = 0, and α and β with their mean rotation taken off are real: cos θ = 0.
     fn defect(&self) -> f64 {
         let miss = |angle: Turns| Float::abs(f64::sine_cosine(angle).1);
-        let Point { chi, theta } = self.reached.point;
+        let Point { chi, theta } = self.border.point;
         let [alpha, beta] = theta.map(miss);
         2.0 * (miss(chi) + alpha.max(beta))
     }
-}
-
-/// α and β where the half phase stays 0.
-fn constants(brackets: &Brackets<f64>) -> Polynomials {
-    let constant = |[plus, minus]: [f64; 2]| {
-        let mut polynomial = [0.0; TERMS];
-        polynomial[0] = plus + minus;
-        polynomial
-    };
-    [
-        constant(brackets.alpha.exponentials()),
-        [0.0; TERMS],
-        constant(brackets.beta.exponentials()),
-        [0.0; TERMS],
-    ]
 }

@@ -15,7 +15,7 @@ pub(crate) const TERMS: usize = 16;
 
 /// 1/(k + 1), which integrating x^k divides by: a product costs a chip without a divider much less.
 #[allow(clippy::indexing_slicing)] // evaluated by the compiler, which would refuse an index out of range
-static PER_POWER: [f64; TERMS] = {
+pub(crate) static PER_POWER: [f64; TERMS] = {
     let mut inverses = [1.0; TERMS];
     let mut k = 0;
     while k < TERMS {
@@ -49,8 +49,6 @@ pub(crate) struct Slopes {
 /// The motion around a point, as functions of x = (t - t₀)/unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Expansion {
-    sine: Series,
-    cosine: Series,
     /// dχ/dx.
     chi: Series,
     /// dθ/dx of α and of β.
@@ -58,15 +56,16 @@ pub(crate) struct Expansion {
     origin: Point,
     /// How many terms there are: as many as were needed, at most [`TERMS`].
     terms: usize,
+    /// For what is computed on the way, so that a small stack holds it once.
+    room: [Series; 5],
 }
 
 impl Series {
     const ZERO: Self = Self([0.0; TERMS]);
 
-    fn constant(value: f64) -> Self {
-        let mut series = Self::ZERO;
-        series.put(0, value);
-        series
+    fn set_constant(&mut self, value: f64) {
+        self.0.fill(0.0);
+        self.put(0, value);
     }
 
     /// The k-th coefficient.
@@ -105,7 +104,7 @@ impl Series {
 
 /// The larger of two, or NaN if one is.
 pub(crate) fn worse(a: f64, b: f64) -> f64 {
-    if b <= a { a } else { b }
+    if b <= a || a.is_nan() { a } else { b }
 }
 
 /// Σ cᵢ cₙ₋₁₋ᵢ, each pair once.
@@ -129,12 +128,11 @@ impl Point {
 impl Expansion {
     /// Room for one.
     pub(crate) const EMPTY: Self = Self {
-        sine: Series::ZERO,
-        cosine: Series::ZERO,
         chi: Series::ZERO,
         theta: [Series::ZERO; 2],
         origin: Point { chi: Turns::ZERO, theta: [Turns::ZERO; 2] },
         terms: 0,
+        room: [Series::ZERO; 5],
     };
 
     /// The point at x.
@@ -160,19 +158,24 @@ impl Expansion {
         [alpha + change(alpha_rate), beta + change(beta_rate)]
     }
 
-    /// Puts the bracket p e^{iχ} + q e^{-iχ} times e^{iθ}, of α (`which` = 0) or of β (1), in real and imaginary part, to
+    /// The bracket p e^{iχ} + q e^{-iχ} times e^{iθ}, of α (`which` = 0) or of β (1), in real and imaginary part, to
     /// where its terms fall below `least`.
     #[inline(never)] // set-up's frames should not add up on a small stack
-    pub(crate) fn turned(&self, which: usize, [p, q]: [f64; 2], least: f64, sums: [&mut [f64; TERMS]; 2]) {
+    pub(crate) fn turned(&mut self, which: usize, [p, q]: [f64; 2], least: f64) -> [&mut [f64; TERMS]; 2] {
         let slow = self.theta.get(which).unwrap_or(&Series::ZERO);
         let theta = self.origin.theta.get(which).copied().unwrap_or_default();
-        let [re, im] = sums;
-        (*re, *im) = ([0.0; TERMS], [0.0; TERMS]);
+        let [sum_re, sum_im, re, im, _] = &mut self.room;
+        sum_re.0.fill(0.0);
+        sum_im.0.fill(0.0);
         for (sense, scale, start) in [(1.0, p, theta + self.origin.chi), (-1.0, q, theta - self.origin.chi)] {
             let mut rate = *slow;
             rate.0.iter_mut().zip(&self.chi.0).for_each(|(rate, chi)| *rate += sense * chi);
-            add_exponential(&rate, Complex::cis(start).scaled(scale), least, [&mut *re, &mut *im]);
+            exponential(&rate, Complex::cis(start).scaled(scale), least, [re, im]);
+            for (sum, part) in [(&mut *sum_re, &*re), (&mut *sum_im, &*im)] {
+                sum.0.iter_mut().zip(part.0).for_each(|(sum, term)| *sum += term);
+            }
         }
+        [&mut sum_re.0, &mut sum_im.0]
     }
 
     /// Bound of what the series of the phases leave out at x > 0, rad, by the larger of the last two terms of their rates,
@@ -191,14 +194,15 @@ impl Expansion {
     }
 }
 
-/// Adds start · e^{i ∫ rate}: z' = i z rate.
+/// start · e^{i ∫ rate}: z' = i z rate.
 #[inline(never)]
-fn add_exponential(rate: &Series, start: Complex<f64>, least: f64, sums: [&mut [f64; TERMS]; 2]) {
-    let (mut re, mut im) = (Series::constant(start.re), Series::constant(start.im));
+fn exponential(rate: &Series, start: Complex<f64>, least: f64, [re, im]: [&mut Series; 2]) {
+    re.set_constant(start.re);
+    im.set_constant(start.im);
     let mut before = f64::INFINITY;
     for (k, per_power) in PER_POWER.iter().enumerate().take(TERMS - 1) {
-        let next_re = -Series::product(rate, &im, k) * per_power;
-        let next_im = Series::product(rate, &re, k) * per_power;
+        let next_re = -Series::product(rate, im, k) * per_power;
+        let next_im = Series::product(rate, re, k) * per_power;
         re.put(k + 1, next_re);
         im.put(k + 1, next_im);
         let size = worse(Float::abs(next_re), Float::abs(next_im));
@@ -206,9 +210,6 @@ fn add_exponential(rate: &Series, start: Complex<f64>, least: f64, sums: [&mut [
             break;
         }
         before = size;
-    }
-    for (sum, part) in sums.into_iter().zip([&re, &im]) {
-        sum.iter_mut().zip(part.0).for_each(|(sum, term)| *sum += term);
     }
 }
 
@@ -219,8 +220,9 @@ impl Nutation<f64> {
     pub(crate) fn expand(&self, point: &Point, slopes: &Slopes, unit: f64, least: f64, to: &mut Expansion) {
         let (point_sine, point_cosine) = point.sine_cosine();
         (to.origin, to.terms) = (*point, TERMS);
-        let Expansion { sine, cosine, chi, theta: [alpha, beta], .. } = to;
-        for series in [&mut *sine, cosine, chi, alpha, beta] {
+        // sin χ, cos χ, w = 1 - u, D = A/p + s (1 - u)(1 + u), and D dχ/dx
+        let Expansion { chi, theta: [alpha, beta], room: [sine, cosine, w, d, drive], .. } = to;
+        for series in [&mut *sine, cosine, chi, alpha, beta, w, d, drive] {
             series.0.fill(0.0);
         }
         sine.put(0, point_sine);
@@ -229,9 +231,7 @@ impl Nutation<f64> {
         alpha.put(0, slopes.psi.alpha);
         beta.put(0, slopes.psi.beta);
         let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * point_sine * point_sine;
-        // w = 1 - u, D = A/p + s (1 - u)(1 + u), and D dχ/dx
-        let [mut w, mut d, mut drive] = [Series::ZERO; 3];
-        // ψ_A' and ψ_B' divide by combinations of the last two
+        // ψ_A' and ψ_B' divide by combinations of D and D dχ/dx
         let alpha_divisor = [unit, self.alpha_smoothing];
         let beta_divisor = [unit * self.root_e3, self.beta_smoothing];
         let mut per_leading = [0.0; 3];
@@ -250,11 +250,11 @@ impl Nutation<f64> {
             } else {
                 w.put(k, swing);
                 // 1 + u = 2 - w; only its constant term could cancel
-                d.put(k, self.s * (2.0 * swing - Series::square(&w, k)));
+                d.put(k, self.s * (2.0 * swing - Series::square(w, k)));
                 // (D dχ/dx) dχ/dx is known; what is not known is χₖ in both factors, times D₀ χ₀
-                let known = Series::rest(&d, chi, k, k);
+                let known = Series::rest(d, chi, k, k);
                 let [per_drive, ..] = per_leading;
-                let rest = chi_scale * swing - Series::rest(&drive, chi, k, k - 1) - chi.get(0) * known;
+                let rest = chi_scale * swing - Series::rest(drive, chi, k, k - 1) - chi.get(0) * known;
                 chi.put(k, rest * per_drive);
                 drive.put(k, known + d.get(0) * chi.get(k));
             }
@@ -264,7 +264,7 @@ impl Nutation<f64> {
                     [2.0 * drive.get(0), leading(alpha_divisor), leading(beta_divisor)].map(|x| 1.0 / x);
             } else {
                 let rest = |[of_d, of_drive]: [f64; 2], rate: &Series| {
-                    of_d * Series::rest(&d, rate, k, k) + of_drive * Series::rest(&drive, rate, k, k)
+                    of_d * Series::rest(d, rate, k, k) + of_drive * Series::rest(drive, rate, k, k)
                 };
                 let [_, per_alpha, per_beta] = per_leading;
                 alpha.put(k, (alpha_scale * swing - rest(alpha_divisor, alpha)) * per_alpha);

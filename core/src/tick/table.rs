@@ -2,7 +2,7 @@
 
 use super::tabular::Tabular;
 use crate::error::{LaunchError, require};
-use crate::launch::{CELLS, Cell, Fineness, Motion, Polynomials, Rates, Tabulated, tabulate};
+use crate::launch::{CELLS, Cell, Fineness, Motion, Polynomial, Rates, Tabulated, tabulate};
 use crate::real::{DoubleDouble, Float, Scalar};
 use crate::turns::Turns;
 use core::fmt;
@@ -100,10 +100,8 @@ impl<C: Copy, const SEGMENTS: usize, const TERMS: usize> Table<C, SEGMENTS, TERM
         // a quarter of the error where there is room for it
         for (allowed, most) in [(0.25 * allowed, SEGMENTS), (allowed, Cell::MOST_SEGMENTS)] {
             let fineness = Fineness { cell_bits: Self::CELL_BITS, terms: TERMS, allowed, most };
-            let tabulated = tabulate(motion, rates, fineness, |segment, polynomials| {
-                self.put::<R>(segment, polynomials);
-                excess::<R>(polynomials, TERMS)
-            });
+            let tabulated =
+                tabulate(motion, rates, fineness, |segment, which, part| self.put::<R>(segment, which, part));
             match tabulated {
                 Some(tabulated) if tabulated.segments <= SEGMENTS => {
                     self.cells = tabulated.cells;
@@ -120,15 +118,26 @@ impl<C: Copy, const SEGMENTS: usize, const TERMS: usize> Table<C, SEGMENTS, TERM
         Err(NoFit { truncation: allowed, segments: None })
     }
 
-    /// Keeps the polynomials of a segment, if there is room for it.
-    fn put<R: Tabular<Coefficient = C>>(&mut self, segment: usize, polynomials: &Polynomials) {
-        if let Some(place) = self.segments.get_mut(segment) {
-            for (power, four) in place.iter_mut().enumerate() {
-                for (value, polynomial) in four.iter_mut().zip(polynomials) {
-                    *value = R::coefficient(polynomial.get(power).copied().unwrap_or(0.0), power);
+    /// Keeps the polynomial of α (`which` = 0) or of β (1) on a segment, if there is room for it; returns what the coefficients
+    /// cannot hold of it, as an orientation error.
+    fn put<R: Tabular<Coefficient = C>>(
+        &mut self,
+        segment: usize,
+        which: usize,
+        parts: Polynomial<'_>,
+    ) -> f64 {
+        let place = self.segments.get_mut(segment).map_or(&mut [][..], |terms| terms);
+        let mut largest = 0.0;
+        for (column, part) in (2 * which..).zip(parts) {
+            for (power, (four, &value)) in place.iter_mut().zip(part.iter()).enumerate() {
+                if let Some(coefficient) = four.get_mut(column) {
+                    *coefficient = R::coefficient(value, power);
                 }
             }
+            let excess = R::excess(part.get(..TERMS).unwrap_or(part));
+            largest = if excess > largest { excess } else { largest };
         }
+        4.0 * largest
     }
 
     /// What belongs to a share of half a period, given as 64 bits.
@@ -143,15 +152,6 @@ impl<C: Copy, const SEGMENTS: usize, const TERMS: usize> Table<C, SEGMENTS, TERM
         let x = (share << level) ^ (1 << 63);
         Spot { terms: self.segments.get(segment).map_or(&[], |terms| terms), x: x as i64, level }
     }
-}
-
-/// What the coefficients of a table cannot hold of a segment's polynomials, as an orientation error.
-fn excess<R: Tabular>(polynomials: &Polynomials, terms: usize) -> f64 {
-    let largest = polynomials.iter().fold(0.0, |largest, polynomial| {
-        let excess = R::excess(polynomial.get(..terms).unwrap_or(polynomial));
-        if excess > largest { excess } else { largest }
-    });
-    4.0 * largest
 }
 
 /// How far an orientation from an ephemeris can be from the truth of the very numbers it was launched from, in rad

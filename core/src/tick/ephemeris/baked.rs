@@ -124,7 +124,7 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Baked<R, SEGMENTS, T
         let [exact_nutation, exact_a, exact_b] = self.exact_step;
         let [constant, per_tick] = self.bound;
         let mut cells = [Cell::from_bits(0); CELLS];
-        let (mut to, mut from) = (cells.as_mut_slice(), self.cells.as_slice());
+        let (mut to, mut from): (&mut [Cell], &[u16]) = (&mut cells, &self.cells);
         while let ([cell, rest @ ..], [bits, others @ ..]) = (to, from) {
             *cell = Cell::from_bits(*bits);
             (to, from) = (rest, others);
