@@ -82,7 +82,7 @@ pub enum TipClass {
     Circle,
     /// e₁ = -1 or e₂ = 1: through the centre, once or twice a period.
     ThroughOrigin,
-    /// Aperiodic: into the centre.
+    /// Aperiodic: into the centre. In a plane (e₁ = -1) without a turn, and once through it before.
     Spiral,
     /// The axis is vertical: the tip rests at the centre.
     Point,
