@@ -1,9 +1,10 @@
-//! What a tick costs: by stepper, by cursor, at any tick, at any time, in a batch; f32 and f64.
+//! What a tick costs: by stepper, by cursor, at any tick, at any time, in a batch; floating and fixed point.
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use fixed::types::{I2F14, I2F30};
 use std::hint::black_box;
 use toytop::real::Real;
-use toytop::{Ephemeris, Motion, Phi, Stepper, Tabular, Tick};
+use toytop::{Ephemeris, FixedStepper, Motion, Stepper, Tabular, Tick};
 use toytop_host::race::NUMBERS;
 
 /// Of a batch: enough to time, few enough to stay in the cache.
@@ -11,7 +12,7 @@ const TICKS: usize = 4096;
 /// The first of them.
 const FIRST: i64 = 1 << 40;
 
-fn ephemeris<R: Real + Tabular<Wide = R>, const SEGMENTS: usize, const TERMS: usize>(
+fn ephemeris<R: Tabular, const SEGMENTS: usize, const TERMS: usize>(
     c: &mut Criterion,
     name: &str,
     motion: &Motion,
@@ -36,7 +37,7 @@ fn ephemeris<R: Real + Tabular<Wide = R>, const SEGMENTS: usize, const TERMS: us
     };
     group.bench_function("any time", |b| b.iter(|| table.at(later()).phi()));
     group.throughput(Throughput::Elements(TICKS as u64));
-    let mut out = vec![Phi::<R>::IDENTITY; TICKS];
+    let mut out = vec![table.at_tick(FIRST).phi(); TICKS];
     group.bench_function("batch", |b| b.iter(|| table.fill(black_box(FIRST), black_box(&mut out))));
     group.finish();
 }
@@ -56,12 +57,32 @@ fn stepper<R: Real>(c: &mut Criterion, name: &str, motion: &Motion) {
     group.finish();
 }
 
+fn fixed_stepper(c: &mut Criterion, motion: &Motion) {
+    let mut stepper =
+        FixedStepper::<32, 8>::new(motion, Tick::hertz(1024).expect("a tick")).expect("it fits");
+    let mut group = c.benchmark_group("stepper q31");
+    group.throughput(Throughput::Elements(TICKS as u64));
+    let steps = |b: &mut criterion::Bencher<'_>| {
+        b.iter(|| {
+            for _ in 0..TICKS {
+                stepper.step();
+                black_box(stepper.phi());
+            }
+        });
+    };
+    group.bench_function("steps", steps);
+    group.finish();
+}
+
 fn ticks(c: &mut Criterion) {
     let motion = NUMBERS.motion().expect("a motion");
     ephemeris::<f32, 25, 5>(c, "f32", &motion);
     ephemeris::<f64, 48, 11>(c, "f64", &motion);
+    ephemeris::<I2F30, 64, 5>(c, "q31", &motion);
+    ephemeris::<I2F14, 32, 4>(c, "q15", &motion);
     stepper::<f32>(c, "f32", &motion);
     stepper::<f64>(c, "f64", &motion);
+    fixed_stepper(c, &motion);
 }
 
 criterion_group!(benches, ticks);

@@ -37,6 +37,23 @@ pub fn number(x: f64) -> String {
     format!("{:.16e}", x + 0.0)
 }
 
+/// So many significant digits, and no more than it needs.
+#[must_use]
+pub fn short(x: f64, digits: usize) -> String {
+    let rounded: f64 = format!("{x:.*e}", digits.saturating_sub(1)).parse().unwrap_or(x);
+    if (1e-4..1e5).contains(&rounded.abs()) || rounded == 0.0 {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+/// Text for HTML.
+#[must_use]
+pub fn html(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
 /// The records as CSV, with a header line.
 ///
 /// # Errors

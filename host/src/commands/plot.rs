@@ -4,6 +4,7 @@ use super::{Report, lift_off};
 use crate::Failure;
 use crate::cli::PlotArgs;
 use crate::names::tip_class;
+use crate::output::short;
 use crate::plot::{Curve, Form, draw};
 use crate::scenario::Scenario;
 use crate::whole_file;
@@ -38,25 +39,15 @@ fn caption(scenario: &Scenario, curve: &Curve) -> [String; 2] {
     let (top, e, signs) = (motion.top(), motion.branch_points(), motion.signs());
     let class = tip_class(motion.tip_class()).replace('_', " ");
     let periods = curve.periods.map(|periods| format!(", {periods} periods")).unwrap_or_default();
-    let [e1, e2, e3] = [e.e1, e.e2, e.e3].map(short);
+    let [e1, e2, e3] = [e.e1, e.e2, e.e3].map(|e| short(e, 4));
     let sign = |sign: Sign| if sign == Sign::Plus { '>' } else { '<' };
     let (plus, minus) = (sign(signs.l_plus_n), sign(signs.l_minus_n));
     let inertias = match top.support() {
-        Support::Sliding => format!("A/(ps) = {}, C/A = ", short(top.a() / (top.p() * top.s()))),
+        Support::Sliding => format!("A/(ps) = {}, C/A = ", short(top.a() / (top.p() * top.s()), 4)),
         Support::Fixed => "tip held, C/A = ".to_owned(),
-    } + &short(top.c() / top.a());
+    } + &short(top.c() / top.a(), 4);
     [
         format!("{class}{periods}: e₁ = {e1}, e₂ = {e2}, e₃ = {e3}"),
         format!("l + n {plus} 0, l - n {minus} 0, {inertias}"),
     ]
-}
-
-/// Four digits and no more than it needs.
-fn short(x: f64) -> String {
-    let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
-    if (1e-4..1e5).contains(&rounded.abs()) || rounded == 0.0 {
-        rounded.to_string()
-    } else {
-        format!("{rounded:e}")
-    }
 }

@@ -2,6 +2,7 @@
 //! finds alike.
 
 mod accuracy;
+mod budget;
 mod page;
 mod precision;
 mod readme;
@@ -40,8 +41,10 @@ pub(super) fn run(arguments: &ReportArgs) -> Result<Report, Failure> {
     let Some(folder) = &arguments.output else { return Ok(report) };
     std::fs::create_dir_all(folder)
         .map_err(|error| Failure::Input(format!("--output: {}: {error}", folder.display())))?;
-    let budget =
-        arguments.budget.as_deref().map(|path| page::records(&read(path, "--budget")?, path)).transpose()?;
+    let budget = match &arguments.budget {
+        Some(path) => budget::records(&read(path, "--budget")?, path)?,
+        None => budget::allowed()?,
+    };
     let others = match &arguments.rivals {
         Some(path) => precision::others(&read(path, "--rivals")?, path)?,
         None => Vec::new(),
@@ -52,8 +55,13 @@ pub(super) fn run(arguments: &ReportArgs) -> Result<Report, Failure> {
     for picture in figures::all()? {
         pictures.push((picture.title, picture.encoded(Form::Svg)?));
     }
-    let page =
-        page::Page { accuracy: accuracy::all()?, precision: precision::table(&points), budget, pictures };
+    let page = page::Page {
+        accuracy: accuracy::all()?,
+        precision: precision::table(&points),
+        budget,
+        measured: arguments.budget.is_some(),
+        pictures,
+    };
     let path = folder.join("index.html");
     write(&path, "--output", page.html().as_bytes())?;
     report.text = format!("{}\n", path.display());

@@ -1,16 +1,16 @@
 //! The page: HTML without anything from elsewhere.
 
 use super::Table;
-use crate::Failure;
-use serde_json::Value;
+use crate::output;
 use std::fmt::Write as _;
-use std::path::Path;
 
 /// All that is on it.
 pub(super) struct Page {
     pub(super) accuracy: Table,
     pub(super) precision: Table,
-    pub(super) budget: Option<Table>,
+    pub(super) budget: Table,
+    /// Whether the budget is what was measured, or what is allowed.
+    pub(super) measured: bool,
     /// Title and SVG.
     pub(super) pictures: Vec<(&'static str, Vec<u8>)>,
 }
@@ -27,41 +27,37 @@ impl Page {
             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>toytop {version}: report</title>\
              <meta name=\"viewport\" content=\"width=device-width\"><style>{STYLE}</style></head><body>\n\
              <h1>toytop {version}</h1>\n<p>Times are those of this machine: {}. Errors are the same on all.</p>\n",
-            escaped(&machine()),
+            output::html(&machine()),
         );
         let (mut figures, mut pictures) = (String::new(), self.pictures.iter());
-        let section = |html: &mut String, title: &str, text: &str, table: Option<&Table>| {
+        let section = |html: &mut String, title: &str, text: &str, table: &Table| {
             // a String takes everything
-            let _ =
-                write!(html, "<h2>{title}</h2>\n<p>{text}</p>\n{}", table.map(markup).unwrap_or_default());
+            let _ = write!(html, "<h2>{title}</h2>\n<p>{text}</p>\n{}", markup(table));
         };
         section(
             &mut html,
             "Accuracy",
             "2 √(|Δα|² + |Δβ|²) against an integration of the full 3-D equations, which itself is off by some 1e-13 rad \
              (up to 4e-9 rad near the separatrix): <code>toytop compare</code>.",
-            Some(&self.accuracy),
+            &self.accuracy,
         );
         section(
             &mut html,
             "Work and precision",
             "s = A = p = g = 1, C = 0.6, e = 0.7, 0.9, 1.85 (a cusp), against the paper's integrals to thirty digits. An \
              ephemeris looks the orientations up; everybody else has to go there.",
-            Some(&self.precision),
+            &self.precision,
         );
         if let Some((_, svg)) = pictures.next() {
             html.push_str(&String::from_utf8_lossy(svg));
         }
-        let text = "What a tick takes on the chips, as <code>toytop budget --format json</code> says.";
-        match &self.budget {
-            Some(budget) => section(&mut html, "Budget", text, Some(budget)),
-            None => section(
-                &mut html,
-                "Budget",
-                "Not measured here: <code>--budget FILE.json</code> shows it.",
-                None,
-            ),
-        }
+        let text = if self.measured {
+            "What a call takes on the chips, as <code>toytop budget --format json</code> says."
+        } else {
+            "What a call may take on the chips, at most: <code>cargo xtask test --only budget</code> fails where it is more. \
+             Instructions are counted, cycles those of a model."
+        };
+        section(&mut html, "Budget", text, &self.budget);
         for (title, svg) in pictures {
             let _ = write!(figures, "<h3>{title}</h3>\n{}\n", String::from_utf8_lossy(svg));
         }
@@ -71,15 +67,12 @@ impl Page {
 
 fn markup(table: &Table) -> String {
     let line = |cells: &[String], tag: &str| {
-        let cells: String = cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", escaped(cell))).collect();
+        let cells: String =
+            cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", output::html(cell))).collect();
         format!("<tr>{cells}</tr>\n")
     };
     let rows: String = table.rows.iter().map(|row| line(row, "td")).collect();
     format!("<div class=\"scroll\"><table>\n{}{rows}</table></div>\n", line(&table.header, "th"))
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// What it runs on, as far as it says.
@@ -90,28 +83,4 @@ fn machine() -> String {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let build = if cfg!(debug_assertions) { ", UNOPTIMISED build" } else { "" };
     format!("{model}, {cores} cores, {}{build}", std::env::consts::OS)
-}
-
-/// Records of another command, `{"rows":[{..}]}` with any keys, as a table.
-pub(super) fn records(text: &str, path: &Path) -> Result<Table, Failure> {
-    let refused = || {
-        Failure::Input(format!(
-            "--budget: {}: must be {{\"rows\":[..]}}, records with the same keys",
-            path.display()
-        ))
-    };
-    let json: Value = serde_json::from_str(text).map_err(|_| refused())?;
-    let rows = json["rows"].as_array().ok_or_else(refused)?;
-    let first = rows.first().and_then(Value::as_object).ok_or_else(refused)?;
-    let mut header: Vec<String> = first.keys().cloned().collect();
-    // in the order of the file
-    header.sort_by_key(|key| text.find(&format!("\"{key}\"")));
-    let cell = |value: &Value| match value {
-        Value::String(text) => text.clone(),
-        Value::Null => "-".to_owned(),
-        other => other.to_string(),
-    };
-    let line = |row: &Value| header.iter().map(|key| row.get(key).map(cell)).collect::<Option<Vec<_>>>();
-    let rows = rows.iter().map(line).collect::<Option<Vec<_>>>().ok_or_else(refused)?;
-    Ok(Table { header, rows })
 }

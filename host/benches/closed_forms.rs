@@ -1,0 +1,55 @@
+//! What the paper's closed forms cost: each set up once, and asked for a moment; and the functions they are made of.
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use std::hint::black_box;
+use toytop::exact::{ClosedForm, Jacobi, Weierstrass};
+use toytop::{Complex, Heaviness, Motion, Signs, Start, Top};
+
+/// One motion of each kind that has a form.
+fn motions() -> [(&'static str, Motion); 4] {
+    // e4 = 2 exactly
+    let sliding = Top::sliding(3.0, 2.0, 1.0, Heaviness::MassMoment(1.0), 1.0).expect("a top");
+    let held = Top::fixed(3.0, 2.0, 1.0, 1.0).expect("a top");
+    let motion = |top: &Top, e: [f64; 3]| {
+        Motion::from_branch_points(top, e, Signs::default(), &Start::default()).expect("a motion")
+    };
+    [
+        ("constant tilt", motion(&sliding, [0.6, 0.6, 1.7])),
+        ("aperiodic", motion(&sliding, [0.2, 1.0, 1.0])),
+        ("e3 = e4", motion(&sliding, [0.3, 0.8, 2.0])),
+        ("Lagrange", motion(&held, [0.3, 0.8, 2.0])),
+    ]
+}
+
+fn forms(c: &mut Criterion) {
+    for (name, motion) in motions() {
+        let form = ClosedForm::of(&motion).expect("a closed form");
+        let mut group = c.benchmark_group(format!("closed form, {name}"));
+        group.bench_function("set-up", |b| b.iter(|| ClosedForm::of(black_box(&motion))));
+        let mut t = 0.0;
+        let mut later = || {
+            t += 0.37;
+            black_box(t)
+        };
+        group.bench_function("any time, with rates", |b| b.iter(|| form.at(later())));
+        group.finish();
+    }
+}
+
+fn functions(c: &mut Criterion) {
+    let lattice = Weierstrass::from_roots([1.3, 0.2, -1.5]).expect("a lattice");
+    let jacobi = Jacobi::new(0.7, 0.3).expect("a modulus");
+    let z = Complex::new(0.4, 0.3);
+    let mut group = c.benchmark_group("elliptic functions");
+    group.bench_function("lattice from roots", |b| {
+        b.iter(|| Weierstrass::from_roots(black_box([1.3, 0.2, -1.5])))
+    });
+    group.bench_function("p", |b| b.iter(|| lattice.p(black_box(z))));
+    group.bench_function("zeta", |b| b.iter(|| lattice.zeta(black_box(z))));
+    group.bench_function("ln sigma", |b| b.iter(|| lattice.ln_sigma(black_box(z))));
+    group.bench_function("sn, cn, dn, am", |b| b.iter(|| jacobi.at(black_box(0.8))));
+    group.finish();
+}
+
+criterion_group!(benches, forms, functions);
+criterion_main!(benches);
