@@ -213,7 +213,7 @@ fn the_page_shows_what_the_core_says() {
         let hertz = table["ticks_per_time"][0].as_f64().expect("a number");
         let motion = Scenario::read(Path::new(&file)).expect("a scenario").motion;
         let tick = Tick::hertz(hertz as u32).expect("a tick");
-        let core = Ephemeris::<f32, 16, 8>::new(&motion, tick).expect("it fits");
+        let core = Ephemeris::<f32, 25, 5>::new(&motion, tick).expect("it fits");
         // far out and in the past, too
         let times = "[0.3125, -2.5, 1000000.75]";
         let shown = probe(&page, &SHOWN.replace("TIMES", times), 1200);
