@@ -2,6 +2,7 @@
 
 use crate::Failure;
 use crate::sweep::{Axis, Column, DEFAULT_COLUMNS, SignChoice};
+use clap::builder::PossibleValue;
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -412,47 +413,74 @@ impl Method {
     }
 }
 
-/// Scalar types of the core.
+/// Scalar types of the core, and a rival's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Scalar {
     /// Double precision
     F64,
     /// Single precision
     F32,
+    /// Fixed point of 32 bits
+    Q31,
+    /// Fixed point of 16 bits
+    Q15,
+    /// Single precision with the sines and roots of the crate micromath, to compare with
+    Micromath,
 }
 
 impl Scalar {
+    /// All there are.
+    pub const ALL: [Self; 5] = [Self::F64, Self::F32, Self::Q31, Self::Q15, Self::Micromath];
+
     /// Its name on the command line.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::F64 => "f64",
             Self::F32 => "f32",
+            Self::Q31 => "q31",
+            Self::Q15 => "q15",
+            Self::Micromath => "micromath",
         }
     }
 }
 
 /// A scalar type, or all there are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ScalarChoice {
-    /// Double precision
-    F64,
-    /// Single precision
-    F32,
+    /// This one
+    One(Scalar),
     /// Every one
     All,
+}
+
+impl ValueEnum for ScalarChoice {
+    fn value_variants<'a>() -> &'a [Self] {
+        const {
+            let mut choices = [Self::All; Scalar::ALL.len() + 1];
+            let mut i = 0;
+            while i < Scalar::ALL.len() {
+                choices[i] = Self::One(Scalar::ALL[i]);
+                i += 1;
+            }
+            &{ choices }
+        }
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        match self {
+            Self::One(scalar) => scalar.to_possible_value(),
+            Self::All => Some(PossibleValue::new("all").help("Every one")),
+        }
+    }
 }
 
 impl ScalarChoice {
     /// The types chosen, each once, in the order of their declaration.
     #[must_use]
     pub fn chosen(choices: &[Self]) -> Vec<Scalar> {
-        let wanted = |(choice, _): &(Self, Scalar)| choices.contains(&Self::All) || choices.contains(choice);
-        [(Self::F64, Scalar::F64), (Self::F32, Scalar::F32)]
-            .into_iter()
-            .filter(wanted)
-            .map(|(_, scalar)| scalar)
-            .collect()
+        let wanted = |scalar: &Scalar| choices.contains(&Self::All) || choices.contains(&Self::One(*scalar));
+        Scalar::ALL.into_iter().filter(wanted).collect()
     }
 }
 

@@ -6,7 +6,9 @@
 //! | [`scenario`], [`builtin`] | a motion from a TOML file; the motions that need no file |
 //! | [`times`] | the times asked for |
 //! | [`propagate`] | the core's stepper taken to given times |
+//! | [`fixed_steps`] | the core's fixed-point stepper, likewise |
 //! | [`ephemeris`] | the core's ephemeris, in the smallest table that fits |
+//! | [`micromath`] | the rival scalar: `f32` with that crate's functions |
 //! | [`bake`] | an ephemeris as Rust, C or JSON |
 //! | [`tip_angle`] | the tip angle of an ephemeris, continued from t = 0 |
 //! | [`newton_euler`] | the full equations with the plane's force in them, instant by instant |
@@ -37,8 +39,10 @@ pub mod ephemeris;
 pub mod errata;
 mod failure;
 pub mod figures;
+pub mod fixed_steps;
 pub mod full_solver;
 pub mod invariants;
+pub mod micromath;
 pub mod names;
 pub mod newton_euler;
 pub mod output;
