@@ -15,8 +15,8 @@ static inline void toytop_turn_q15(int32_t re, int32_t im, uint64_t leading, int
     uint32_t phase = (uint32_t)(leading >> 32);
     const int32_t *point = toytop_sines + ((uint32_t)(phase + 0x800000) >> 24);
     int32_t small = ((int32_t)(phase << 8) >> 16) * (TOYTOP_LINEAR >> 16) >> 15;
-    int32_t sine = (point[0] + ((point[64] >> 16) * small >> 5)) >> 16;
-    int32_t cosine = (point[64] - ((point[0] >> 16) * small >> 5)) >> 16;
+    int32_t sine = ((point[0] >> 1) + ((point[64] >> 16) * small >> 6)) >> 15;
+    int32_t cosine = ((point[64] >> 1) - ((point[0] >> 16) * small >> 6)) >> 15;
     turned[0] = ((re >> 16) * cosine - (im >> 16) * sine + (1 << 15)) >> 16;
     turned[1] = ((re >> 16) * sine + (im >> 16) * cosine + (1 << 15)) >> 16;
 }
