@@ -17,6 +17,9 @@
 //! | [`race`] | the core and its rivals over the same course |
 //! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
 //! | [`budget`] | what a call costs on an emulated chip |
+//! | [`accuracy`] | the scalars side by side, error and cost |
+//! | [`sines`] | the sines of an integer phase, at every phase |
+//! | [`overflow`] | fixed point on random motions in checked arithmetic |
 //! | [`plot`] | the curve of the tip as a picture |
 //! | [`figures`] | the paper's figures, and charts |
 //! | [`study`] | random motions, and the truth of them to thirty digits |
@@ -28,6 +31,7 @@
 //!
 //! A command computes everything before the first byte is printed, so a failure leaves nothing half-written.
 
+pub mod accuracy;
 pub mod bake;
 pub mod baseline;
 pub mod budget;
@@ -35,6 +39,7 @@ pub mod builtin;
 pub mod cli;
 pub mod commands;
 pub mod contour;
+mod cores;
 pub mod ephemeris;
 pub mod errata;
 mod failure;
@@ -46,11 +51,13 @@ pub mod micromath;
 pub mod names;
 pub mod newton_euler;
 pub mod output;
+pub mod overflow;
 pub mod plot;
 pub mod progress;
 pub mod propagate;
 pub mod race;
 pub mod scenario;
+pub mod sines;
 pub mod study;
 pub mod sweep;
 pub mod times;
