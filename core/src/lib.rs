@@ -39,6 +39,8 @@ mod interop;
 pub use complex::Complex;
 pub use cycle::Cycle;
 pub use error::LaunchError;
+#[cfg(feature = "fixed")]
+pub use fixed;
 pub use launch::{
     Averages, BranchPoints, FirstIntegrals, Motion, Pace, Regime, Release, Sign, Signs, Start, State,
     TipClass,

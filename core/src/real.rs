@@ -24,10 +24,10 @@ mod sine;
 pub(crate) use arctangent::angle;
 pub use double_double::DoubleDouble;
 pub(crate) use product::{high_product, long_product, wrapping_product};
+pub(crate) use sine::sine_cosine_f64;
 #[cfg(feature = "fixed")]
-pub(crate) use sine::sine_cosine_q15;
-pub use sine::{SINE_CONSTANTS, SineConstants};
-pub(crate) use sine::{sine_cosine_f64, sine_cosine_q31};
+pub use sine::sine_cosine_q15;
+pub use sine::{SINE_CONSTANTS, SineConstants, sine_cosine_q31};
 
 use crate::turns::Turns;
 use core::fmt::Debug;

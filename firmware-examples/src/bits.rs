@@ -3,11 +3,12 @@
 //! Core uses neither `std` maths nor a fused multiply-add, so a chip, with or without a floating-point unit, must give
 //! what the host gives.
 
+use toytop::fixed::types::{I2F14, I2F30};
 use toytop::real::Real;
 use toytop::su2::Vector;
 use toytop::{
-    Averages, BranchPoints, Complex, Ephemeris, FirstIntegrals, Heaviness, LaunchError, Moment, Motion, Phi,
-    Release, Sign, Signs, Start, State, Stepper, Tabular, Tick, Top,
+    Averages, BranchPoints, Complex, Ephemeris, FirstIntegrals, FixedStepper, Heaviness, LaunchError, Moment,
+    Motion, Phi, Release, Sign, Signs, Start, State, Stepper, Tabular, Tick, Top,
 };
 
 /// Steps of each motion.
@@ -43,6 +44,13 @@ pub fn of_every_stage(mut report: impl FnMut(&str, &str, u64)) -> Result<(), Lau
         let [any, next] = table::<f64>(&motion);
         report(name, "ephemeris_f64", any.0);
         report(name, "cursor_f64", next.0);
+        report(name, "stepper_q31", fixed_ticks(&motion).0);
+        let [any, next] = table::<I2F30>(&motion);
+        report(name, "ephemeris_q31", any.0);
+        report(name, "cursor_q31", next.0);
+        let [any, next] = table::<I2F14>(&motion);
+        report(name, "ephemeris_q15", any.0);
+        report(name, "cursor_q15", next.0);
     }
     Ok(())
 }
@@ -71,7 +79,7 @@ fn lagrange() -> Result<Motion, LaunchError> {
 }
 
 /// Φ, tip and ω of every tick; dt changes from one to the next, in sign too.
-fn ticks<R: Real>(motion: &Motion, dt: f64) -> [Hash; 3] {
+fn ticks<R: Real + Into<f64>>(motion: &Motion, dt: f64) -> [Hash; 3] {
     let mut stepper = Stepper::<R>::new(motion);
     let mut hashes = [Hash::default(); 3];
     for factor in [1.0, 0.5, -0.25, 2.0].into_iter().cycle().take(TICKS) {
@@ -88,9 +96,27 @@ fn ticks<R: Real>(motion: &Motion, dt: f64) -> [Hash; 3] {
     hashes
 }
 
+/// All that the fixed-point stepper says of every tick, and on the way back; the motion may be too sharp for its table.
+fn fixed_ticks(motion: &Motion) -> Hash {
+    let mut hash = Hash::default();
+    let Ok(tick) = Tick::hertz(1000) else { return hash };
+    let Ok(mut stepper) = <FixedStepper>::new(motion, tick) else { return hash };
+    for n in 0..TICKS {
+        if n % 4 == 3 {
+            stepper.step_back();
+        } else {
+            stepper.step();
+        }
+        let (phi, tip) = stepper.phi_and_tip();
+        hash = hash.complex(phi.alpha).complex(phi.beta).complex(tip).number(stepper.u());
+        hash = stepper.tip_angle().map_or(hash, |angle| hash.number(angle.to_f64()));
+    }
+    hash
+}
+
 /// Everything that a moment says, at ticks far apart and at consecutive ones. The table is of a size that the smallest chip
 /// has room for, exact or not.
-fn table<R: Real + Tabular<Wide = R>>(motion: &Motion) -> [Hash; 2] {
+fn table<R: Tabular<Wide: Into<f64>> + Into<f64>>(motion: &Motion) -> [Hash; 2] {
     let mut hashes = [Hash::default(); 2];
     let mut ephemeris = Ephemeris::<R, 25, 5>::EMPTY;
     let fits = Tick::hertz(1000).map(|tick| ephemeris.set_up(motion, tick, f64::INFINITY));
@@ -120,16 +146,16 @@ impl Default for Hash {
 }
 
 impl Hash {
-    fn number<R: Real>(self, number: R) -> Self {
-        let bytes = number.to_f64().to_bits().to_le_bytes();
+    fn number(self, number: impl Into<f64>) -> Self {
+        let bytes = number.into().to_bits().to_le_bytes();
         Self(bytes.iter().fold(self.0, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)))
     }
 
-    fn complex<R: Real>(self, z: Complex<R>) -> Self {
+    fn complex<R: Into<f64>>(self, z: Complex<R>) -> Self {
         self.number(z.re).number(z.im)
     }
 
-    fn vector<R: Real>(self, vector: Vector<R>) -> Self {
+    fn vector<R: Into<f64>>(self, vector: Vector<R>) -> Self {
         vector.into_iter().fold(self, Self::number)
     }
 

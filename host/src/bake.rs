@@ -3,7 +3,7 @@
 //! All three hold the same numbers, the crate's [`Baked`], of any size, with its version and checksum. A Rust module with a
 //! changed number does not compile; the C header has a function that tells; both give the bits that the crate gives.
 //!
-//! C: `f32` is integers up to α and β, whose bits depend on nothing; u, c and `f64` need sums and products that are rounded
+//! C: fixed point is integers throughout, and `f32` is integers up to α and β, whose bits depend on nothing; u, c and `f64` need sums and products that are rounded
 //! one by one (`-ffp-contract=off`). GCC 12.2 fuses some of them in spite of that at `-O3` for a machine with a fused
 //! multiply-add; `-fno-tree-slp-vectorize` keeps it from doing so.
 
@@ -12,6 +12,7 @@ mod json;
 mod rust;
 
 use crate::cli::Scalar;
+use fixed::types::{I2F14, I2F30};
 use toytop::{Bakeable, Baked};
 
 pub use self::{c::header, json::object, rust::module};
@@ -52,6 +53,8 @@ pub struct Parts {
 pub enum Coefficients {
     /// Integers; that of x^k in units of 2^-(31+k).
     Integers(Vec<[i32; 4]>),
+    /// Short ones; that of x^k in units of 2^-(15+k).
+    Shorts(Vec<[i16; 4]>),
     /// Floating point.
     Doubles(Vec<[f64; 4]>),
 }
@@ -82,9 +85,10 @@ impl Parts {
     #[must_use]
     pub fn table_bytes(&self) -> usize {
         let [segments, terms] = self.size;
-        let coefficient = match self.scalar {
-            Scalar::F32 => 4,
-            Scalar::F64 => 8,
+        let coefficient = match &self.coefficients {
+            Coefficients::Integers(_) => 4,
+            Coefficients::Shorts(_) => 2,
+            Coefficients::Doubles(_) => 8,
         };
         4 * segments * terms * coefficient
     }
@@ -104,6 +108,22 @@ impl Bake for f32 {
 
     fn coefficients(rows: &[[i32; 4]]) -> Coefficients {
         Coefficients::Integers(rows.to_vec())
+    }
+}
+
+impl Bake for I2F30 {
+    const NAME: Scalar = Scalar::Q31;
+
+    fn coefficients(rows: &[[i32; 4]]) -> Coefficients {
+        Coefficients::Integers(rows.to_vec())
+    }
+}
+
+impl Bake for I2F14 {
+    const NAME: Scalar = Scalar::Q15;
+
+    fn coefficients(rows: &[[i16; 4]]) -> Coefficients {
+        Coefficients::Shorts(rows.to_vec())
     }
 }
 

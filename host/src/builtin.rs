@@ -26,7 +26,7 @@ pub fn scenarios() -> Result<Vec<Scenario>, Failure> {
 pub struct OwnBounds {
     /// On the full solver.
     pub truth: f64,
-    /// On the stepper in f32; in f64 the truth's is the greater.
+    /// On the stepper in f32; in f64 the truth's is the greater, and in other types it is that of any motion.
     pub stepper_f32: f64,
 }
 
@@ -37,6 +37,8 @@ impl OwnBounds {
         match scalar {
             Scalar::F64 => 0.0,
             Scalar::F32 => self.stepper_f32,
+            Scalar::Q31 | Scalar::Q15 => 1e-7,
+            Scalar::Micromath => 4.0,
         }
     }
 }

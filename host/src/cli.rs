@@ -2,6 +2,7 @@
 
 use crate::Failure;
 use crate::sweep::{Axis, Column, DEFAULT_COLUMNS, SignChoice};
+use clap::builder::PossibleValue;
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -58,6 +59,19 @@ pub enum Command {
     #[command(after_help = "Example: toytop errata --format csv")]
     /// The slips of the printed paper: both versions against the full equations (exit code 1 if one does not tell)
     Errata(ErrataArgs),
+    /// The scalars side by side: errors from tick 1 to tick 2^40, and what a tick costs on each chip
+    #[command(after_help = "Example: toytop accuracy --plot accuracy.svg")]
+    Accuracy(AccuracyArgs),
+    /// The sines of an integer phase, swept over all 2^32 phases
+    #[command(
+        after_help = "Example: toytop sines --format json\n         toytop sines --every 4099   a million of them, in no time"
+    )]
+    Sines(SinesArgs),
+    /// Fixed point on random motions, in a build that checks every sum (exit code 1 if one overflows)
+    #[command(
+        after_help = "Example: cargo run --release --config profile.release.overflow-checks=true --bin toytop -- overflow --motions 100000"
+    )]
+    Overflow(OverflowArgs),
     /// Random motions of every regime: does the ephemeris keep its error bound? (exit code 1 if not)
     #[command(after_help = "Example: toytop study --motions 5000 --seed 2")]
     Study(StudyArgs),
@@ -300,6 +314,45 @@ fn positive(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(|x| *x > 0.0 && f64::is_finite(*x)).ok_or_else(|| "a number above 0".into())
 }
 
+/// `toytop accuracy`
+#[derive(Args, Debug)]
+pub struct AccuracyArgs {
+    /// Scalar types
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]
+    pub scalar: Vec<ScalarChoice>,
+    /// Error against cost, as a picture: a file that ends in .svg or .png
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// `toytop sines`
+#[derive(Args, Debug)]
+pub struct SinesArgs {
+    /// Only every N-th phase
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    pub every: u32,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// `toytop overflow`
+#[derive(Args, Debug)]
+pub struct OverflowArgs {
+    /// How many motions
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
+    pub motions: u64,
+    /// Ticks of each, in 32 and in 16 bits, and as many steps
+    #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub ticks: u32,
+    /// Another seed, other motions
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+}
+
 /// `toytop study`
 #[derive(Args, Debug)]
 pub struct StudyArgs {
@@ -427,47 +480,74 @@ impl Method {
     }
 }
 
-/// Scalar types of the core.
+/// Scalar types of the core, and a rival's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Scalar {
     /// Double precision
     F64,
     /// Single precision
     F32,
+    /// Fixed point of 32 bits
+    Q31,
+    /// Fixed point of 16 bits
+    Q15,
+    /// Single precision with the sines and roots of the crate micromath, to compare with
+    Micromath,
 }
 
 impl Scalar {
+    /// All there are.
+    pub const ALL: [Self; 5] = [Self::F64, Self::F32, Self::Q31, Self::Q15, Self::Micromath];
+
     /// Its name on the command line.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::F64 => "f64",
             Self::F32 => "f32",
+            Self::Q31 => "q31",
+            Self::Q15 => "q15",
+            Self::Micromath => "micromath",
         }
     }
 }
 
 /// A scalar type, or all there are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ScalarChoice {
-    /// Double precision
-    F64,
-    /// Single precision
-    F32,
+    /// This one
+    One(Scalar),
     /// Every one
     All,
+}
+
+impl ValueEnum for ScalarChoice {
+    fn value_variants<'a>() -> &'a [Self] {
+        const {
+            let mut choices = [Self::All; Scalar::ALL.len() + 1];
+            let mut i = 0;
+            while i < Scalar::ALL.len() {
+                choices[i] = Self::One(Scalar::ALL[i]);
+                i += 1;
+            }
+            &{ choices }
+        }
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        match self {
+            Self::One(scalar) => scalar.to_possible_value(),
+            Self::All => Some(PossibleValue::new("all").help("Every one")),
+        }
+    }
 }
 
 impl ScalarChoice {
     /// The types chosen, each once, in the order of their declaration.
     #[must_use]
     pub fn chosen(choices: &[Self]) -> Vec<Scalar> {
-        let wanted = |(choice, _): &(Self, Scalar)| choices.contains(&Self::All) || choices.contains(choice);
-        [(Self::F64, Scalar::F64), (Self::F32, Scalar::F32)]
-            .into_iter()
-            .filter(wanted)
-            .map(|(_, scalar)| scalar)
-            .collect()
+        let wanted = |scalar: &Scalar| choices.contains(&Self::All) || choices.contains(&Self::One(*scalar));
+        Scalar::ALL.into_iter().filter(wanted).collect()
     }
 }
 

@@ -1,5 +1,6 @@
 //! One file a command. A command returns its whole output; nothing is printed before all of it is there.
 
+mod accuracy;
 mod bake;
 mod bench;
 mod budget;
@@ -7,8 +8,10 @@ mod compare;
 mod constants;
 mod errata;
 mod figures;
+mod overflow;
 mod plot;
 mod report;
+mod sines;
 mod state;
 mod study;
 mod sweep;
@@ -60,6 +63,9 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Report(arguments) => report::run(arguments),
         Command::Budget(arguments) => budget::run(arguments),
         Command::Errata(arguments) => errata::run(arguments),
+        Command::Accuracy(arguments) => accuracy::run(arguments),
+        Command::Sines(arguments) => sines::run(arguments),
+        Command::Overflow(arguments) => overflow::run(arguments),
         Command::Study(arguments) => study::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Completions(arguments) => {

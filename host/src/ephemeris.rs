@@ -1,15 +1,19 @@
 //! The core's ephemeris in the smallest table of a short list that fits: what a command holds does not know the size.
 
 use crate::Failure;
-use crate::bake::{Bake, Parts};
-use crate::propagate::period;
-use toytop::real::Real;
+use crate::bake::Parts;
+use crate::cli::Scalar;
+use crate::micromath::Micromath;
+use crate::propagate::{Sample, period};
+use fixed::types::{I2F14, I2F30};
+use toytop::real::Float;
+use toytop::su2::PhiRate;
 use toytop::{
-    Complex, Ephemeris, ErrorBound, LaunchError, Motion, NoFit, Pose, Stepper, Tabular, Tick, Turns,
+    Complex, Ephemeris, ErrorBound, LaunchError, Motion, NoFit, Phi, Stepper, Tabular, Tick, Turns,
 };
 
-/// An ephemeris of any size.
-pub trait AnySize<R>: Send + Sync {
+/// An ephemeris of any scalar and size.
+pub trait AnySize: Send + Sync {
     /// Segments and terms.
     fn size(&self) -> [usize; 2];
 
@@ -17,29 +21,39 @@ pub trait AnySize<R>: Send + Sync {
     fn error_bound(&self) -> ErrorBound;
 
     /// The moment t units of time after t = 0, t taken as exact.
-    fn at(&self, t: f64) -> Instant<R>;
+    fn at(&self, t: f64) -> Instant;
 
-    /// Its numbers.
-    fn parts(&self) -> Parts;
+    /// What an interrupt reads: Φ, u and the tip of tick n, in the scalar's own arithmetic.
+    fn at_tick(&self, n: i64) -> Reading;
+
+    /// Its numbers; `None` where nothing else would know how to read them.
+    fn parts(&self) -> Option<Parts>;
+}
+
+/// A tick, in `f64` without rounding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// Φ.
+    pub phi: Phi<f64>,
+    /// The cosine of the tilt.
+    pub u: f64,
+    /// c/s = 2αβ.
+    pub tip_over_s: Complex<f64>,
 }
 
 /// All that an ephemeris says of a moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Instant<R> {
-    /// Φ and Φ'.
-    pub pose: Pose<R>,
-    /// c = 2 s αβ, m; 2 αβ for a fixed tip.
-    pub tip: Complex<R>,
+pub struct Instant {
+    /// α, β and u as the scalar has them; the rates and the tip as its wide companion has them (`f32` beside fixed point). The
+    /// tip angle is not known.
+    pub sample: Sample,
+    /// Φ'.
+    pub rate: PhiRate<f64>,
     /// One turn a nutation period, 0 at u = e₁.
     pub nutation_phase: Turns,
 }
 
-impl<
-    R: Real + Bake + Tabular<Wide = R, Coefficient: Send + Sync> + Send + Sync,
-    const SEGMENTS: usize,
-    const TERMS: usize,
-> AnySize<R> for Ephemeris<R, SEGMENTS, TERMS>
-{
+impl<R: Tabled, const SEGMENTS: usize, const TERMS: usize> AnySize for Ephemeris<R, SEGMENTS, TERMS> {
     fn size(&self) -> [usize; 2] {
         [SEGMENTS, TERMS]
     }
@@ -48,71 +62,149 @@ impl<
         Self::error_bound(self)
     }
 
-    fn at(&self, t: f64) -> Instant<R> {
-        let moment = Self::at(self, t);
-        Instant { pose: moment.pose(), tip: moment.tip(), nutation_phase: moment.nutation_phase() }
+    fn at_tick(&self, n: i64) -> Reading {
+        let phi = Self::at_tick(self, n).phi();
+        let product = phi.alpha * phi.beta;
+        let exact = |z: Complex<R>| Complex::new(z.re.into(), z.im.into());
+        Reading {
+            phi: Phi { alpha: exact(phi.alpha), beta: exact(phi.beta) },
+            u: phi.u().into(),
+            tip_over_s: exact(product + product),
+        }
     }
 
-    fn parts(&self) -> Parts {
-        Parts::of(&self.to_baked())
+    fn at(&self, t: f64) -> Instant {
+        let moment = Self::at(self, t);
+        let (phi, pose) = (moment.phi(), moment.pose());
+        let exact = |z: Complex<R>| Complex::new(z.re.into(), z.im.into());
+        let wide = |z: Complex<R::Wide>| Complex::new(z.re.to_f64(), z.im.to_f64());
+        let sample = Sample {
+            u: phi.u().into(),
+            alpha: exact(phi.alpha),
+            beta: exact(phi.beta),
+            ..Sample::of(t, &pose, moment.wide_tip(), None)
+        };
+        let rate = PhiRate { alpha: wide(pose.rate.alpha), beta: wide(pose.rate.beta) };
+        Instant { sample, rate, nutation_phase: moment.nutation_phase() }
+    }
+
+    fn parts(&self) -> Option<Parts> {
+        R::parts(self)
     }
 }
 
 /// Sets up one size, with the truncation allowed, rad.
-type SetUp<R> = fn(&Motion, Tick, f64) -> Result<Box<dyn AnySize<R>>, NoFit>;
+type SetUp = fn(&Motion, Tick, f64) -> Result<Box<dyn AnySize>, NoFit>;
 
 /// A size of the list, and how to set one up.
 #[derive(Clone, Copy)]
-pub struct Size<R> {
+pub struct Size {
     segments: u32,
     terms: u32,
-    set_up: SetUp<R>,
+    set_up: SetUp,
 }
 
-/// A scalar with its list of sizes.
-///
-/// Four times the segments from size to size, and as many terms as still save segments. Measured on 3000 random motions
-/// with differences of the branch points down to 1e-9 and A/(ps) in \[1e-2, 1e3\]: in `f64` half of them need no more than
-/// the first size, nine in ten no more than the third, one in 3000 more than the last; in `f32` none needs more than it.
-pub trait Sizes:
-    Real + Bake + Tabular<Wide = Self, Coefficient: Send + Sync> + Send + Sync + 'static
+/// A scalar that an ephemeris is made in.
+pub trait Tabled:
+    Tabular<Coefficient: Send + Sync, Wide: Send + Sync> + Into<f64> + Send + Sync + 'static
 {
-    /// The crate's own choice for most motions.
-    const DEFAULT: Size<Self>;
+    /// The numbers of a table; `None` where nothing but this program reads them.
+    fn parts<const SEGMENTS: usize, const TERMS: usize>(
+        _: &Ephemeris<Self, SEGMENTS, TERMS>,
+    ) -> Option<Parts> {
+        None
+    }
+}
+
+macro_rules! baked {
+    ($($scalar:ty)*) => { $(
+        impl Tabled for $scalar {
+            fn parts<const S: usize, const T: usize>(table: &Ephemeris<Self, S, T>) -> Option<Parts> {
+                Some(Parts::of(&table.to_baked()))
+            }
+        }
+    )* };
+}
+
+baked!(f64 f32 I2F30 I2F14);
+impl Tabled for Micromath {}
+
+/// The sizes of a scalar.
+///
+/// Mostly four times the segments from size to size, and as many terms as still save segments. Measured on 3000 random
+/// motions with differences of the branch points down to 1e-9 and A/(ps) in \[1e-2, 1e3\]: half of them need no more than
+/// the first size, in `f64` nine in ten 37 segments and none more than 550, in `f32` nine in ten 19 and none more than 202.
+struct Sizes {
+    /// The crate's own choice for most motions; for fixed point, what the smallest chips are measured with.
+    default: Size,
     /// All but the largest, the smallest first.
-    const SMALLER: &'static [Size<Self>];
-    /// The largest.
-    const LARGEST: Size<Self>;
+    smaller: &'static [Size],
+    largest: Size,
+    /// What `Ephemeris::new` allows, rad.
+    truncation: f64,
 }
 
-impl Sizes for f64 {
-    /// [`toytop::EphemerisF64`].
-    const DEFAULT: Size<Self> = size::<48, 11, _>();
-    const SMALLER: &'static [Size<Self>] =
-        &[size::<16, 11, _>(), size::<32, 11, _>(), size::<128, 11, _>(), size::<512, 11, _>()];
-    const LARGEST: Size<Self> = size::<4096, 11, _>();
+impl Sizes {
+    const fn of(scalar: Scalar) -> Self {
+        match scalar {
+            Scalar::F64 => Self {
+                default: size::<48, 11, f64>(),
+                smaller: const {
+                    &[
+                        size::<16, 11, f64>(),
+                        size::<32, 11, f64>(),
+                        size::<128, 11, f64>(),
+                        size::<512, 11, f64>(),
+                    ]
+                },
+                largest: size::<4096, 11, f64>(),
+                truncation: truncation::<f64>(),
+            },
+            Scalar::F32 => Self::single::<f32>(),
+            Scalar::Q31 => Self {
+                default: size::<32, 4, I2F30>(),
+                smaller: const { &[size::<16, 6, I2F30>(), size::<32, 6, I2F30>(), size::<128, 6, I2F30>()] },
+                largest: size::<1024, 6, I2F30>(),
+                truncation: truncation::<I2F30>(),
+            },
+            Scalar::Q15 => Self {
+                default: size::<16, 3, I2F14>(),
+                smaller: const { &[size::<16, 4, I2F14>(), size::<32, 4, I2F14>(), size::<128, 4, I2F14>()] },
+                largest: size::<512, 4, I2F14>(),
+                truncation: truncation::<I2F14>(),
+            },
+            Scalar::Micromath => Self::single::<Micromath>(),
+        }
+    }
+
+    /// Those of `f32`, whoever's sines there are.
+    const fn single<R: Tabled>() -> Self {
+        Self {
+            default: size::<25, 5, R>(),
+            smaller: const { &[size::<16, 6, R>(), size::<32, 6, R>(), size::<128, 6, R>()] },
+            largest: size::<1024, 6, R>(),
+            truncation: truncation::<R>(),
+        }
+    }
 }
 
-impl Sizes for f32 {
-    /// [`toytop::EphemerisF32`].
-    const DEFAULT: Size<Self> = size::<25, 5, _>();
-    const SMALLER: &'static [Size<Self>] = &[size::<16, 6, _>(), size::<32, 6, _>(), size::<128, 6, _>()];
-    const LARGEST: Size<Self> = size::<1024, 6, _>();
+const fn truncation<R: Tabled>() -> f64 {
+    4.0 * R::ROUNDING
 }
 
 /// As many terms as a series has, so that fewest segments do: what is set up fastest.
-const QUICK: &[Size<f64>] =
-    &[size::<16, 16, _>(), size::<32, 16, _>(), size::<128, 16, _>(), size::<512, 16, _>()];
+const QUICK: &[Size] =
+    &[size::<16, 16, f64>(), size::<32, 16, f64>(), size::<128, 16, f64>(), size::<512, 16, f64>()];
 
-const fn size<const SEGMENTS: usize, const TERMS: usize, R: Sizes>() -> Size<R> {
+const fn size<const SEGMENTS: usize, const TERMS: usize, R: Tabled>() -> Size {
     Size { segments: SEGMENTS as u32, terms: TERMS as u32, set_up: set_up::<SEGMENTS, TERMS, R> }
 }
 
-fn set_up<const SEGMENTS: usize, const TERMS: usize, R: Sizes>(
+fn set_up<const SEGMENTS: usize, const TERMS: usize, R: Tabled>(
     motion: &Motion,
     tick: Tick,
     truncation: f64,
-) -> Result<Box<dyn AnySize<R>>, NoFit> {
+) -> Result<Box<dyn AnySize>, NoFit> {
     let mut table = Box::new(Ephemeris::<R, SEGMENTS, TERMS>::EMPTY);
     table.set_up(motion, tick, truncation)?;
     Ok(table)
@@ -122,53 +214,53 @@ fn set_up<const SEGMENTS: usize, const TERMS: usize, R: Sizes>(
 ///
 /// # Errors
 /// [`Failure::Method`]: none does; the message says which would.
-pub fn smallest<R: Sizes>(motion: &Motion) -> Result<Box<dyn AnySize<R>>, Failure> {
-    smallest_with_period(motion, period(motion))
+pub fn smallest(scalar: Scalar, motion: &Motion) -> Result<Box<dyn AnySize>, Failure> {
+    smallest_with_period(scalar, motion, period(motion))
 }
 
 /// The same, where the period (or the natural time, where there is none) is known: it takes a quadrature.
 ///
 /// # Errors
 /// As [`smallest`].
-pub fn smallest_with_period<R: Sizes>(motion: &Motion, period: f64) -> Result<Box<dyn AnySize<R>>, Failure> {
-    smallest_with_tick(motion, free_tick(motion, period)?)
+pub fn smallest_with_period(
+    scalar: Scalar,
+    motion: &Motion,
+    period: f64,
+) -> Result<Box<dyn AnySize>, Failure> {
+    smallest_with_tick(scalar, motion, free_tick(motion, period)?)
 }
 
 /// In `f64` within 1e-13 rad, by the table that is set up fastest; the period (or the natural time) is known.
 ///
 /// # Errors
 /// As [`smallest`].
-pub fn quickest(motion: &Motion, period: f64) -> Result<Box<dyn AnySize<f64>>, Failure> {
-    first_that_fits(QUICK, motion, free_tick(motion, period)?, 1e-13)
+pub fn quickest(motion: &Motion, period: f64) -> Result<Box<dyn AnySize>, Failure> {
+    const WITHIN: f64 = 1e-13;
+    let sizes = Sizes { smaller: QUICK, truncation: WITHIN, ..Sizes::of(Scalar::F64) };
+    first_that_fits(&sizes, motion, free_tick(motion, period)?)
 }
 
-fn smallest_with_tick<R: Sizes>(motion: &Motion, tick: Tick) -> Result<Box<dyn AnySize<R>>, Failure> {
-    first_that_fits(R::SMALLER, motion, tick, truncation::<R>())
+/// The same as [`smallest`], for ticks of this length.
+///
+/// # Errors
+/// As [`smallest`].
+pub fn smallest_with_tick(scalar: Scalar, motion: &Motion, tick: Tick) -> Result<Box<dyn AnySize>, Failure> {
+    first_that_fits(&Sizes::of(scalar), motion, tick)
 }
 
-/// What `Ephemeris::new` allows.
-fn truncation<R: Sizes>() -> f64 {
-    4.0 * R::ROUNDING
-}
-
-fn first_that_fits<R: Sizes>(
-    smaller: &[Size<R>],
-    motion: &Motion,
-    tick: Tick,
-    truncation: f64,
-) -> Result<Box<dyn AnySize<R>>, Failure> {
+fn first_that_fits(sizes: &Sizes, motion: &Motion, tick: Tick) -> Result<Box<dyn AnySize>, Failure> {
     let mut needed = 0;
-    for size in smaller {
+    for size in sizes.smaller {
         if size.segments >= needed {
-            match (size.set_up)(motion, tick, truncation) {
+            match (size.set_up)(motion, tick, sizes.truncation) {
                 Ok(table) => return Ok(table),
                 // a refusal says how many segments of as many terms would do
                 Err(refusal) => needed = refusal.segments.unwrap_or(u32::MAX),
             }
         }
     }
-    let Size { segments, terms, set_up } = R::LARGEST;
-    set_up(motion, tick, truncation).map_err(|refusal| {
+    let Size { segments, terms, set_up } = sizes.largest;
+    set_up(motion, tick, sizes.truncation).map_err(|refusal| {
         Failure::Method(format!(
             "no ephemeris: a table of {segments}x{terms} is the largest there is; {refusal}"
         ))
@@ -179,28 +271,31 @@ fn first_that_fits<R: Sizes>(
 ///
 /// # Errors
 /// [`Failure::Method`]: none does; the message says which would.
-pub fn default_or_smallest<R: Sizes>(motion: &Motion, tick: Tick) -> Result<Box<dyn AnySize<R>>, Failure> {
-    (R::DEFAULT.set_up)(motion, tick, truncation::<R>()).or_else(|_| smallest_with_tick(motion, tick))
+pub fn default_or_smallest(scalar: Scalar, motion: &Motion, tick: Tick) -> Result<Box<dyn AnySize>, Failure> {
+    let sizes = Sizes::of(scalar);
+    (sizes.default.set_up)(motion, tick, sizes.truncation).or_else(|_| first_that_fits(&sizes, motion, tick))
 }
 
 /// The table of this size.
 ///
 /// # Errors
 /// [`Failure::Input`]: none of the sizes there are. [`Failure::Method`]: the motion does not fit it.
-pub fn of_size<R: Sizes>(
+pub fn of_size(
+    scalar: Scalar,
     size: [u32; 2],
     motion: &Motion,
     tick: Tick,
-) -> Result<Box<dyn AnySize<R>>, Failure> {
-    let mut sizes = [&[R::DEFAULT], R::SMALLER, &[R::LARGEST]].concat();
+) -> Result<Box<dyn AnySize>, Failure> {
+    let Sizes { default, smaller, largest, truncation } = Sizes::of(scalar);
+    let mut sizes = [&[default], smaller, &[largest]].concat();
     sizes.sort_by_key(|size| [size.segments, size.terms]);
     let known = sizes.iter().find(|known| [known.segments, known.terms] == size).ok_or_else(|| {
-        let name = |size: &Size<R>| format!("{}x{}", size.segments, size.terms);
+        let name = |size: &Size| format!("{}x{}", size.segments, size.terms);
         let allowed: Vec<_> = sizes.iter().map(name).collect();
         let [segments, terms] = size;
         Failure::Input(format!("--size: {segments}x{terms} must be one of {}", allowed.join(", ")))
     })?;
-    (known.set_up)(motion, tick, truncation::<R>()).map_err(|refusal| {
+    (known.set_up)(motion, tick, truncation).map_err(|refusal| {
         let [segments, terms] = size;
         Failure::Method(format!("no ephemeris of {segments}x{terms}: {refusal}"))
     })
@@ -248,16 +343,14 @@ mod tests {
     }
 
     /// Every smaller size refuses; and the motions here need every size there is.
-    fn sizes_chosen<R: Sizes>(motions: &[Motion]) -> Vec<usize> {
+    fn sizes_chosen(scalar: Scalar, motions: &[Motion]) -> Vec<usize> {
+        let Sizes { smaller, truncation, .. } = Sizes::of(scalar);
         let chosen = |motion: &Motion| {
-            let table = smallest::<R>(motion).unwrap();
+            let table = smallest(scalar, motion).unwrap();
             let tick = tick(ticks_per_time(motion)).unwrap();
-            for size in R::SMALLER.iter().filter(|size| (size.segments as usize) < table.size()[0]) {
-                assert!(
-                    (size.set_up)(motion, tick, 4.0 * R::ROUNDING).is_err(),
-                    "{} segments would do",
-                    size.segments
-                );
+            for size in smaller.iter().filter(|size| (size.segments as usize) < table.size()[0]) {
+                let refused = (size.set_up)(motion, tick, truncation).is_err();
+                assert!(refused, "{} segments would do", size.segments);
             }
             table.size()[0]
         };
@@ -275,8 +368,8 @@ mod tests {
             motions.push(motion(1.0, [-0.5, 1.0 - 0.2 * small, 1.0 + 0.2 * small * small]));
             motions.push(motion(small, [-0.99, 0.999, 1.02]));
         }
-        assert_eq!(sizes_chosen::<f64>(&motions), [16, 32, 128, 512, 4096]);
-        assert_eq!(sizes_chosen::<f32>(&motions), [16, 32, 128, 1024]);
+        assert_eq!(sizes_chosen(Scalar::F64, &motions), [16, 32, 128, 512, 4096]);
+        assert_eq!(sizes_chosen(Scalar::F32, &motions), [16, 32, 128, 1024]);
     }
 
     #[test]

@@ -10,7 +10,7 @@ use crate::plot::{Form, encode};
 use crate::progress::Progress;
 use kuva::render::render::Scene;
 
-pub(crate) use chart::{Chart, Line};
+pub(crate) use chart::{Chart, Line, power_of_ten};
 pub(crate) use errors::measured as measured_errors;
 
 /// A picture.

@@ -1,7 +1,7 @@
 //! l, n and h from one orientation and one angular velocity, by the definitions of mechanics: none of the core's
 //! formulas, none of a motion's constants.
 
-use toytop::{Complex, Top};
+use toytop::{Complex, Motion, Top};
 
 /// (l, n, h): l = A ω₃ + (C - A) ⟨ω, r⟩ u and n = C ⟨ω, r⟩ in kg m²/s, h = T + V in kg m²/s².
 #[must_use]
@@ -15,6 +15,15 @@ pub fn first_integrals(top: &Top, alpha: Complex<f64>, beta: Complex<f64>, omega
     let kinetic =
         0.5 * (a * (w1 * w1 + w2 * w2 + w3 * w3) + (c - a) * axial * axial + p * top.s() * udot * udot);
     [a * w3 + (c - a) * axial * u, c * axial, kinetic + p * g * u]
+}
+
+/// Of l, n and h: the greater of the motion's own and of what the top's weight makes natural, √(2 A p g) and p g.
+#[must_use]
+pub fn natural_scales(motion: &Motion) -> [f64; 3] {
+    let (top, constants) = (motion.top(), motion.first_integrals());
+    let weight = top.p() * top.g();
+    let momentum = (2.0 * top.a() * weight).sqrt().max(constants.l.abs()).max(constants.n.abs());
+    [momentum, momentum, weight.max(constants.h.abs())]
 }
 
 #[cfg(test)]

@@ -6,7 +6,9 @@
 //! | [`scenario`], [`builtin`] | a motion from a TOML file; the motions that need no file |
 //! | [`times`] | the times asked for |
 //! | [`propagate`] | the core's stepper taken to given times |
+//! | [`fixed_steps`] | the core's fixed-point stepper, likewise |
 //! | [`ephemeris`] | the core's ephemeris, in the smallest table that fits |
+//! | [`micromath`] | the rival scalar: `f32` with that crate's functions |
 //! | [`bake`] | an ephemeris as Rust, C or JSON |
 //! | [`tip_angle`] | the tip angle of an ephemeris, continued from t = 0 |
 //! | [`newton_euler`] | the full equations with the plane's force in them, instant by instant |
@@ -15,6 +17,9 @@
 //! | [`race`] | the core and its rivals over the same course |
 //! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
 //! | [`budget`] | what a call costs on an emulated chip |
+//! | [`accuracy`] | the scalars side by side, error and cost |
+//! | [`sines`] | the sines of an integer phase, at every phase |
+//! | [`overflow`] | fixed point on random motions in checked arithmetic |
 //! | [`plot`] | the curve of the tip as a picture |
 //! | [`view`] | a motion as a page for a browser |
 //! | [`figures`] | the paper's figures, and charts |
@@ -27,6 +32,7 @@
 //!
 //! A command computes everything before the first byte is printed, so a failure leaves nothing half-written.
 
+pub mod accuracy;
 pub mod bake;
 pub mod baseline;
 pub mod budget;
@@ -34,20 +40,25 @@ pub mod builtin;
 pub mod cli;
 pub mod commands;
 pub mod contour;
+mod cores;
 pub mod ephemeris;
 pub mod errata;
 mod failure;
 pub mod figures;
+pub mod fixed_steps;
 pub mod full_solver;
 pub mod invariants;
+pub mod micromath;
 pub mod names;
 pub mod newton_euler;
 pub mod output;
+pub mod overflow;
 pub mod plot;
 pub mod progress;
 pub mod propagate;
 pub mod race;
 pub mod scenario;
+pub mod sines;
 pub mod study;
 pub mod sweep;
 pub mod times;

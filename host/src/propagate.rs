@@ -4,7 +4,7 @@ use crate::Failure;
 use crate::progress::Progress;
 use std::time::{Duration, Instant};
 use toytop::real::{DoubleDouble, Float, Real, Ring};
-use toytop::{Complex, Motion, Pose, Regime, Stepper, Top};
+use toytop::{Complex, Motion, Phi, Pose, Regime, Stepper, Top};
 
 /// Everything `state` says about one instant, in `f64` whatever computed it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,6 +42,12 @@ impl Sample {
             tip: widen(tip),
             phi,
         }
+    }
+
+    /// Φ.
+    #[must_use]
+    pub fn orientation(&self) -> Phi<f64> {
+        Phi { alpha: self.alpha, beta: self.beta }
     }
 
     /// Where a stepper is.

@@ -5,13 +5,14 @@ use crate::Failure;
 use crate::baseline::{Exponential, FixedSteps, Multicalc, RungeKutta, Scheme};
 use crate::full_solver::FullSolver;
 use crate::scenario::Scenario;
-use crate::study::exact::{Exact, Point};
+use crate::study::exact::Exact;
 use crate::study::gauss::Rule;
 use crate::study::motions::Numbers;
+use crate::study::places::{Places, narrowed};
 use crate::truth::{self, distance, phi};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
-use toytop::real::{DoubleDouble, Float, Real};
+use toytop::real::Real;
 use toytop::{Complex, Ephemeris, Phi, Sign, Signs, Start, Stepper, Tabular, Tick};
 
 /// The paper's cusp (figure 3, e₃ = 1.85) with C = 0.6 A; s = A = p = g = 1.
@@ -115,25 +116,8 @@ impl Race {
     #[must_use]
     pub fn truth(&self, moments: &[u64]) -> Vec<Phi<f64>> {
         let rule = Rule::new();
-        let exact = Exact::new(&NUMBERS, &rule);
-        let period = exact.period();
-        let parts = 16 * MOMENTS;
-        let mut places: Vec<Point> = vec![exact.start()];
-        for part in 1..parts {
-            let chi = period.chi * DoubleDouble::from(f64::from(part) / f64::from(parts));
-            places.extend(places.last().map(|last| exact.go(last, chi)));
-        }
-        let narrow = |z: Complex<DoubleDouble>| Complex::new(z.re.to_f64(), z.im.to_f64());
-        let at = |&moment: &u64| {
-            let t = moment as f64 * self.apart;
-            let periods = (t / period.t.to_f64()).floor();
-            let rest = t - periods * period.t.to_f64();
-            let base = places.iter().rev().find(|place| place.t.to_f64() <= rest).unwrap_or(&places[0]);
-            let later = exact.later(base, &period, periods);
-            let Phi { alpha, beta } = exact.phi(&exact.at_time(&later, base.chi, t), t);
-            Phi { alpha: narrow(alpha), beta: narrow(beta) }
-        };
-        moments.iter().map(at).collect()
+        let places = Places::new(Exact::new(&NUMBERS, &rule), 16 * MOMENTS);
+        moments.iter().map(|&moment| narrowed(&places.phi(moment as f64 * self.apart))).collect()
     }
 
     /// Φ at these moments (rising), and how long it took; an ephemeris is set up before the clock starts.

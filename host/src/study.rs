@@ -9,6 +9,7 @@
 pub mod exact;
 pub mod gauss;
 pub mod motions;
+pub mod places;
 pub mod random;
 pub mod tally;
 pub mod trial;

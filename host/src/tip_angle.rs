@@ -7,27 +7,28 @@
 use crate::Failure;
 use crate::ephemeris::Instant;
 use crate::progress::Progress;
-use crate::propagate::{Paced, steps_needed, sweep};
+use crate::propagate::{Paced, Sample, steps_needed, sweep};
 use std::f64::consts::PI;
-use toytop::real::Real;
 use toytop::{Averages, Complex, Motion, Regime, Stepper, TipAngle, TipClass};
 
-/// φ at each of the times, in the order asked; `None` where the axis is vertical for ever. `start` is the instant at t = 0.
+/// φ at each of the instants, in the order given; `None` where the axis is vertical for ever. `start` is the instant at t = 0,
+/// and `noise` is what an orientation may be wrong by, rad.
 ///
 /// Its relative precision is that of `f64`, as long as α and β, whose turns add to those of φ, have turned less than some
 /// 10^15 times.
 ///
 /// # Errors
 /// As [`steps_needed`].
-pub fn continued<R: Real>(
+pub fn continued(
     motion: &Motion,
-    start: &Instant<R>,
-    instants: &[(f64, Instant<R>)],
+    start: &Instant,
+    instants: &[Instant],
+    noise: f64,
 ) -> Result<Vec<Option<f64>>, Failure> {
     if motion.regime().is_vertical() {
         return Ok(vec![None; instants.len()]);
     }
-    let times = || instants.iter().map(|(t, _)| *t);
+    let times = || instants.iter().map(|instant| instant.sample.t);
     let guides = match (motion.regime(), motion.averages()) {
         (Regime::Nutating, Some(averages)) => periodic(motion, &averages, start, instants)?,
         (Regime::Aperiodic, _) => rising(motion, &times().collect::<Vec<_>>())?,
@@ -39,7 +40,7 @@ pub fn continued<R: Real>(
     // a curve that reaches the centre has a signed radius: there the angle is known up to half turns
     let signed = matches!(motion.tip_class(), TipClass::ThroughOrigin | TipClass::Spiral);
     let unit = if signed { PI } else { 2.0 * PI };
-    let settle = |((_, instant), guide): (&(f64, Instant<R>), f64)| Some(closest(instant, guide, unit));
+    let settle = |(instant, guide): (&Instant, f64)| Some(closest(&instant.sample, guide, unit, noise));
     Ok(instants.iter().zip(guides).map(settle).collect())
 }
 
@@ -48,24 +49,24 @@ pub fn continued<R: Real>(
 const GUIDE_STEPS: f64 = 65_536.0;
 
 /// The guide of a motion that nutates.
-fn periodic<R: Real>(
+fn periodic(
     motion: &Motion,
     averages: &Averages,
-    start: &Instant<R>,
-    instants: &[(f64, Instant<R>)],
+    start: &Instant,
+    instants: &[Instant],
 ) -> Result<Vec<f64>, Failure> {
     // The place in the period is read off the ephemeris: t less whole periods would lose it at 10^9 of them.
     let shares: Vec<f64> = instants
         .iter()
-        .map(|(_, instant)| (instant.nutation_phase - start.nutation_phase).principal().to_f64())
+        .map(|instant| (instant.nutation_phase - start.nutation_phase).principal().to_f64())
         .collect();
     let rests: Vec<f64> = shares.iter().map(|share| share * averages.period).collect();
     let step = averages.period / GUIDE_STEPS;
     let within_period = stepped(motion, &rests, step)?;
     let places = instants.iter().zip(shares).zip(within_period);
     Ok(places
-        .map(|(((t, _), share), phi)| {
-            let periods = (t / averages.period - share).round();
+        .map(|((instant, share), phi)| {
+            let periods = (instant.sample.t / averages.period - share).round();
             phi + periods * averages.phi_per_period()
         })
         .collect())
@@ -143,13 +144,11 @@ fn tip_angle(stepper: &Stepper<f64>) -> TipAngle<f64> {
 }
 
 /// The argument of c, up to multiples of `unit`, that is closest to the guide; the guide itself where it is closer than
-/// the rounding of c can tell.
-fn closest<R: Real>(instant: &Instant<R>, guide: f64, unit: f64) -> f64 {
-    const ROUNDINGS: f64 = 4.0;
-    let widen = |z: Complex<R>| Complex::new(z.re.to_f64(), z.im.to_f64());
-    let product = widen(instant.pose.phi.alpha) * widen(instant.pose.phi.beta);
+/// the noise of c can tell.
+fn closest(sample: &Sample, guide: f64, unit: f64, noise: f64) -> f64 {
+    let product = sample.alpha * sample.beta;
     let off = remainder(product.im.atan2(product.re) - guide, unit);
-    let noise = ROUNDINGS * R::ROUNDING / product.norm_squared().sqrt();
+    let noise = noise / product.norm_squared().sqrt();
     if off.abs() <= noise || noise.is_nan() { guide } else { guide + off }
 }
 

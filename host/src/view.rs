@@ -5,6 +5,7 @@ mod facts;
 
 use crate::Failure;
 use crate::bake::{Label, object};
+use crate::cli::Scalar;
 use crate::ephemeris::{default_or_smallest, tick, ticks_per_time};
 use crate::output::html;
 use crate::plot::Curve;
@@ -33,7 +34,8 @@ pub fn page(scenario: &Scenario) -> Result<String, Failure> {
     let motion = &scenario.motion;
     let frequency = frequency(motion);
     let clock = tick(frequency).map_err(|error| Failure::Method(error.to_string()))?;
-    let parts = default_or_smallest::<f32>(motion, clock)?.parts();
+    let unwritten = || Failure::Method("view: f32 has no table to write".into());
+    let parts = default_or_smallest(Scalar::F32, motion, clock)?.parts().ok_or_else(unwritten)?;
     let label = Label { name: scenario.name.clone(), tick: format!("{frequency} Hz") };
     let curve = Curve::of(motion)?;
     let held = motion.top().support() == Support::Fixed;

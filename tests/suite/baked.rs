@@ -1,11 +1,12 @@
 //! An ephemeris as literal data: nothing is lost, and nothing that was changed is read.
 
+use fixed::types::{I2F14, I2F30};
 use toytop::{Baked, BakedError, Ephemeris, Tick};
 use toytop_tests::vectors;
 
 #[test]
 fn there_and_back_to_the_bit() {
-    let (mut fitting, mut aperiodic) = (0, 0);
+    let (mut fitting, mut fitting_fixed, mut aperiodic) = (0, 0, 0);
     for vector in vectors::all() {
         let (name, motion) = (&vector.name, vector.motion().unwrap());
         let single = Ephemeris::<f32, 256, 7>::new(&motion, Tick::hertz(1000).unwrap()).unwrap();
@@ -15,6 +16,22 @@ fn there_and_back_to_the_bit() {
         // the checksum sees the sign of a zero, which `==` does not
         assert_eq!(back.to_baked().checksum, baked.checksum, "{name}");
         aperiodic += u32::from(baked.horizon.is_some());
+        if let Ok(long) = Ephemeris::<I2F30, 256, 7>::new(&motion, Tick::hertz(8000).unwrap()) {
+            let baked = long.to_baked();
+            let back = baked.ephemeris().unwrap();
+            assert!(back == long && back.to_baked().checksum == baked.checksum, "{name}");
+            // the same numbers are no table of another scalar
+            assert_ne!(baked.checksum, single.to_baked().checksum, "{name}");
+            fitting_fixed += 1;
+        }
+        if let Ok(short) = Ephemeris::<I2F14, 128, 4>::new(&motion, Tick::hertz(8000).unwrap()) {
+            let mut baked = short.to_baked();
+            let back = baked.ephemeris().unwrap();
+            assert!(back == short && back.to_baked().checksum == baked.checksum, "{name}");
+            baked.coefficients[127][3][3] ^= 1;
+            assert!(baked.ephemeris().is_err(), "{name}");
+            fitting_fixed += 1;
+        }
         if let Ok(double) = Ephemeris::<f64, 256, 12>::new(&motion, Tick::ratio(44_100, 2).unwrap()) {
             let baked = double.to_baked();
             let back = baked.ephemeris().unwrap();
@@ -27,6 +44,7 @@ fn there_and_back_to_the_bit() {
             fitting += 1;
         }
     }
+    assert!(fitting_fixed > 110, "{fitting_fixed} tables in fixed point");
     assert!(fitting > 40 && aperiodic >= 3, "{fitting} motions in f64, {aperiodic} aperiodic ones");
 }
 

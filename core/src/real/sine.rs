@@ -111,7 +111,7 @@ pub static SINE_CONSTANTS: SineConstants =
 /// From the nearest of 256 points, turned by the rest: sin d = d - d³/6, cos d = 1 - v. No sum can overflow: only the
 /// points on the axes are within 2^17 of the largest number, and they are exact.
 #[inline(always)]
-pub(crate) fn sine_cosine_q31(phase: u32) -> (i32, i32) {
+pub fn sine_cosine_q31(phase: u32) -> (i32, i32) {
     let x = (phase << 8) as i32;
     let (sine, cosine) = point(phase);
     let square = high_product(x, x);
@@ -123,16 +123,16 @@ pub(crate) fn sine_cosine_q31(phase: u32) -> (i32, i32) {
     (sine + ((sine_change + 8) >> 4), cosine - ((cosine_change + 8) >> 4))
 }
 
-/// As [`sine_cosine_q31`] by 16-bit products alone. Error: below 8e-5, nearly all of it a common factor between 1 and
-/// 1 + 7.6e-5: a point is moved along its tangent.
+/// (sin 2πx, cos 2πx)·2^30 as [`sine_cosine_q31`], by 16-bit products alone. Error: below 8e-5, nearly all of it a common
+/// factor between 1 and 1 + 7.6e-5: a point is moved along its tangent. A bit less than there, because that may lead beyond 1.
 #[cfg(feature = "fixed")]
 #[inline(always)]
-pub(crate) fn sine_cosine_q15(phase: u32) -> (i32, i32) {
+pub fn sine_cosine_q15(phase: u32) -> (i32, i32) {
     /// 2π/512 · 2^21
     const LINEAR: i32 = (2.0 * core::f64::consts::PI / 512.0 * (1 << 21) as f64) as i32;
     let (sine, cosine) = point(phase);
     let small = (((phase << 8) as i32 >> 16) * LINEAR) >> 15;
-    (sine + (((cosine >> 16) * small) >> 5), cosine - (((sine >> 16) * small) >> 5))
+    ((sine >> 1) + (((cosine >> 16) * small) >> 6), (cosine >> 1) - (((sine >> 16) * small) >> 6))
 }
 
 /// (2^31 - 1) times sine and cosine of the nearest point.

@@ -198,6 +198,13 @@ impl<const SEGMENTS: usize, const TERMS: usize> FixedStepper<SEGMENTS, TERMS> {
         self.phi_origin.map(|origin| origin + self.continued_phi())
     }
 
+    /// A stepper in `f64` with the same phases, of the motion that this one was made from: for what fixed point does not say
+    /// (rates, the rest of a tick), on a host.
+    #[must_use]
+    pub fn in_f64(&self, motion: &Motion) -> Stepper<f64> {
+        Stepper::new(motion).with_phases(self.phases)
+    }
+
     /// arg α + arg β, continued along the motion: ±χ each, and a correction within a quarter turn.
     fn continued_phi(&self) -> Turns {
         let [chi, alpha, beta] = self.phases;

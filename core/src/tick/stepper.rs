@@ -109,6 +109,16 @@ impl<R: Real> Stepper<R> {
         stepper
     }
 
+    /// The same motion with χ, A and B at another place of it.
+    #[cfg(feature = "fixed")]
+    pub(super) fn with_phases(mut self, [chi, alpha, beta]: [Turns; 3]) -> Self {
+        if let Moving::Nutating(ours) = &mut self.course {
+            *ours = chi;
+        }
+        self.phases = [alpha, beta];
+        self
+    }
+
     /// Advances by dt, in the motion's unit of time. A dt that is not finite advances by nothing.
     pub fn step(&mut self, dt: R) {
         if !dt.to_f64().is_finite() {

@@ -3,8 +3,8 @@
 use fixed::types::{I2F14, I2F30};
 use toytop::real::{Real, Ring, Scalar};
 use toytop::{
-    Complex, Cursor, Ephemeris, EphemerisF32, EphemerisF64, Heaviness, LaunchError, Motion, Phi, Release,
-    State, Stepper, Tabular, Tick, Top,
+    Complex, Cursor, Ephemeris, EphemerisF32, EphemerisF64, FixedStepper, Heaviness, LaunchError, Motion,
+    Phi, Release, State, Stepper, Tabular, Tick, Top,
 };
 
 /// Ticks a second.
@@ -157,7 +157,7 @@ impl<R: Real> Stepping<R> {
     }
 
     #[inline(always)]
-    fn step(&mut self, out: &mut Output<R>) {
+    pub(crate) fn step(&mut self, out: &mut Output<R>) {
         self.stepper.step(R::from_f64(1.0 / TICK_RATE as f64));
         *out = Output::of(self.stepper.phi(), self.tip_scale);
     }
@@ -168,6 +168,26 @@ impl<R: Ring> Output<R> {
     pub(crate) fn of(phi: Phi<R>, tip_scale: R) -> Self {
         Self { phi, u: phi.u(), c: (phi.alpha * phi.beta).scaled(tip_scale) }
     }
+}
+
+/// Set-up, from measured numbers to a stepper in fixed point.
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_launch_stepper_q31(
+    stepper: &mut Option<FixedStepper>,
+    measured: &Measured,
+) -> bool {
+    let (Ok(motion), Ok(tick)) = (measured.motion(), Tick::hertz(TICK_RATE)) else { return false };
+    *stepper = FixedStepper::new(&motion, tick).ok();
+    stepper.is_some()
+}
+
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_stepper_q31(stepper: &mut FixedStepper, out: &mut Output<I2F30>) {
+    stepper.step();
+    let (phi, c) = stepper.phi_and_tip();
+    *out = Output { phi, u: stepper.u(), c };
 }
 
 #[inline(never)]

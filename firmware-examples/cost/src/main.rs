@@ -10,18 +10,23 @@
 mod calls;
 mod full_equations;
 mod measure;
+// the host's own: no chip should be measured with another
+#[path = "../../../host/src/micromath.rs"]
+mod micromath;
 mod rivals;
 
 use core::hint::black_box;
 use core::mem::{size_of, size_of_val};
 
+use crate::micromath::Micromath;
 use calls::{CursorOf, EphemerisQ15, EphemerisQ31, Measured, Output, Stepping};
 use fixed::types::{I2F14, I2F30};
 use full_equations::{Constants, start};
 use measure::Meter;
+use rivals::EphemerisMicromath;
 use semihosting::process;
 use toytop::real::{Float, Real};
-use toytop::{EphemerisF32, EphemerisF64, Motion, Tick, Turns};
+use toytop::{EphemerisF32, EphemerisF64, FixedStepper, Motion, Tick, Turns};
 
 #[cfg(target_arch = "arm")]
 use cortex_m as _; // critical section
@@ -54,8 +59,10 @@ fn main() -> ! {
 
     ephemerides(&mut meter, &single, &double);
     fixed_point(&mut meter, &motion, tick);
-    stepper(&mut meter, &motion, calls::bench_stepper_f32);
-    stepper(&mut meter, &motion, calls::bench_stepper_f64);
+    stepper(&mut meter, &motion, "bench_stepper_f32", calls::bench_stepper_f32);
+    stepper(&mut meter, &motion, "bench_stepper_f64", calls::bench_stepper_f64);
+    fixed_stepper(&mut meter, &measured);
+    with_micromath(&mut meter, &motion, tick);
     runge_kutta(&mut meter, &measured, &motion, &single);
     sines(&mut meter);
     process::exit(0)
@@ -106,11 +113,39 @@ fn fixed_point(meter: &mut Meter, motion: &Motion, tick: Tick) {
 fn stepper<R: Real + Default>(
     meter: &mut Meter,
     motion: &Motion,
+    name: &str,
     call: extern "C" fn(&mut Stepping<R>, &mut Output<R>),
 ) {
     let (mut stepping, mut out) = (Stepping::<R>::new(motion), Output::default());
-    let name = if size_of::<R>() == 4 { "bench_stepper_f32" } else { "bench_stepper_f64" };
     meter.measure(name, size_of_val(&stepping), CALLS, |_| call(&mut stepping, &mut out));
+    black_box(out);
+}
+
+fn fixed_stepper(meter: &mut Meter, measured: &Measured) {
+    let mut stepper = None;
+    let ram = size_of::<FixedStepper>();
+    meter.measure("bench_launch_stepper_q31", ram, 1, |_| {
+        assert!(calls::bench_launch_stepper_q31(&mut stepper, black_box(measured)), "the motion fits");
+    });
+    let (mut stepper, mut out) = (stepper.expect("set up"), Output::default());
+    meter.measure("bench_stepper_q31", ram, CALLS, |_| calls::bench_stepper_q31(&mut stepper, &mut out));
+    black_box(out);
+}
+
+/// What micromath makes of the same algorithms.
+fn with_micromath(meter: &mut Meter, motion: &Motion, tick: Tick) {
+    let mut ephemeris = EphemerisMicromath::EMPTY;
+    ephemeris.set_up(motion, tick, calls::truncation::<Micromath>()).expect("the motion fits");
+    let (ram, mut out) = (size_of_val(&ephemeris), Output::default());
+    meter.measure("bench_ephemeris_micromath", ram, CALLS, |call| {
+        rivals::bench_ephemeris_micromath(&ephemeris, black_box(call as i64 * STRIDE), &mut out);
+    });
+    let mut cursor = ephemeris.cursor(STRIDE);
+    let ram = ram + size_of_val(&cursor);
+    meter.measure("bench_cursor_micromath", ram, CALLS, |_| {
+        rivals::bench_cursor_micromath(&mut cursor, &mut out);
+    });
+    stepper(meter, motion, "bench_stepper_micromath", rivals::bench_stepper_micromath);
     black_box(out);
 }
 

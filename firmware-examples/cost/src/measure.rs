@@ -6,7 +6,7 @@ use core::hint::black_box;
 use semihosting::println;
 
 /// Watched below the stack pointer, bytes.
-const DEPTH: usize = 12 * 1024;
+const DEPTH: usize = 32 * 1024;
 /// No call leaves this by chance in every word of a frame.
 const PAINT: u32 = 0x5afe_c0de;
 

@@ -1,14 +1,15 @@
 //! What one would write or take instead of core.
 
+use ::micromath::F32Ext;
 use fixed::types::I2F30;
-use micromath::F32Ext;
 use multicalc::linear_algebra::Vector;
 use multicalc::ode::Rk4;
-use toytop::Turns;
 use toytop::real::{Float, Scalar};
+use toytop::{Ephemeris, Turns};
 
-use crate::calls::Output;
+use crate::calls::{CursorOf, Output, Stepping};
 use crate::full_equations::{Constants, Point, phi, renormalised};
+use crate::micromath::Micromath;
 
 #[inline(never)]
 #[unsafe(no_mangle)]
@@ -85,4 +86,38 @@ pub(crate) extern "C" fn bench_sincos_libm_f64(angle: f64, out: &mut [f64; 2]) {
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_sincos_micromath_f32(angle: f32, out: &mut [f32; 2]) {
     *out = angle.sin_cos().into();
+}
+
+/// Core's table read with micromath's sines.
+pub(crate) type EphemerisMicromath = Ephemeris<Micromath, 25, 5>;
+
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_ephemeris_micromath(
+    ephemeris: &EphemerisMicromath,
+    tick: i64,
+    out: &mut Output<Micromath>,
+) {
+    let (phi, c) = ephemeris.at_tick(tick).phi_and_tip();
+    *out = Output { phi, u: phi.u(), c };
+}
+
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_cursor_micromath(
+    cursor: &mut CursorOf<'_, EphemerisMicromath>,
+    out: &mut Output<Micromath>,
+) {
+    let (phi, c) = cursor.next().phi_and_tip();
+    *out = Output { phi, u: phi.u(), c };
+}
+
+/// Core's stepper with micromath's sines and roots.
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_stepper_micromath(
+    stepping: &mut Stepping<Micromath>,
+    out: &mut Output<Micromath>,
+) {
+    stepping.step(out);
 }

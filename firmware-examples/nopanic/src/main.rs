@@ -7,6 +7,7 @@
 use core::hint::black_box;
 
 use panic_never as _;
+use toytop::fixed::types::{I2F14, I2F30};
 use toytop::real::Real;
 use toytop::su2::Phi;
 use toytop::{
@@ -93,6 +94,8 @@ fn spin(motion: &Motion) {
     tick::<f64>(motion);
     table::<f32, 25, 5>(motion);
     table::<f64, 32, 11>(motion);
+    table::<I2F30, 32, 4>(motion);
+    table::<I2F14, 16, 3>(motion);
     fixed_tick(motion);
 }
 
@@ -126,12 +129,13 @@ fn planted() -> u8 {
 }
 
 /// An ephemeris: set-up, every way to read it, and its turning points.
-fn table<R: Real + toytop::Tabular, const S: usize, const T: usize>(motion: &Motion) {
+fn table<R: toytop::Tabular, const S: usize, const T: usize>(motion: &Motion) {
     use toytop::{Ephemeris, Tick};
     let Ok(tick) = Tick::hertz(black_box(1000)) else { return };
     let Ok(e) = Ephemeris::<R, S, T>::within(motion, tick, unknown()) else { return };
     black_box(e.at_tick(black_box(7)).phi());
     black_box((e.at(unknown()).phi(), e.at(unknown()).pose(), e.at(unknown()).phi_and_tip()));
+    black_box((e.at(unknown()).wide_phi(), e.at(unknown()).wide_tip(), e.at(unknown()).phi().u()));
     let mut c = e.cursor(black_box(3));
     black_box(c.next().phi());
     black_box(e.next_turning_point(black_box(3)));

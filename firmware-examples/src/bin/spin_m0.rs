@@ -1,11 +1,13 @@
-//! Cortex-M0: no FPU, no division, 16 KiB of RAM. The table is in flash, so that nothing is set up: made by
-//! `toytop bake host/scenarios/toy_top.toml -o firmware-examples/src/tables/toy_top.rs`.
+//! Cortex-M0: no FPU, no division, 16 KiB of RAM. The table is in flash, so that nothing is set up, and in fixed point, so that
+//! a tick is sums and products of integers: made by
+//! `toytop bake host/scenarios/toy_top.toml --scalar q31 -o firmware-examples/src/tables/toy_top.rs`.
 
 #![no_std]
 #![no_main]
 
 use cortex_m::peripheral::SCB;
 use cortex_m::{asm, interrupt};
+use toytop::fixed::types::I2F30;
 use toytop_firmware::{TOY_TOP, entry, exit, start_systick};
 
 /// Of the processor, Hz. The emulated chip has 16 MHz (and a SysTick, which a real nRF51 lacks).
@@ -23,9 +25,12 @@ fn main() -> ! {
     for tick in 1..=TICK_RATE {
         asm::wfi();
         SCB::clear_pendst();
-        let (phi, tip) = cursor.next().phi_and_tip();
+        let now = cursor.next();
+        // what the tick is for: integers, the axis in units of 2^-30
+        let axis = now.phi().axis();
         if tick % 100 == 0 {
-            let [x, y, height] = phi.axis();
+            let [x, y, height] = axis.map(I2F30::to_num::<f32>);
+            let tip = now.wide_tip();
             defmt::info!("{=u32} ms: axis ({}, {}, {}), tip ({}, {}) m", tick, x, y, height, tip.re, tip.im);
         }
     }

@@ -12,13 +12,23 @@ const CLOCK: &str = include_str!("clock.h");
 pub fn header(label: &Label, parts: &Parts) -> String {
     let name = label.identifier();
     let (scalar, guard) = (parts.scalar.name(), name.to_uppercase());
-    let shared = format!("TOYTOP_{}", scalar.to_uppercase());
-    let (constants, evaluator) = match parts.scalar {
-        Scalar::F32 => (points(), include_str!("f32.h")),
-        Scalar::F64 => (series(), include_str!("f64.h")),
+    let evaluators: String = match parts.scalar {
+        Scalar::F64 => once("F64", &(series() + include_str!("f64.h"))),
+        // fixed point stands on the integers of f32
+        more => {
+            let base = once("F32", &(points() + include_str!("f32.h")));
+            match more {
+                Scalar::Q31 => base + &once("Q31", include_str!("q31.h")),
+                Scalar::Q15 => base + &once("Q15", include_str!("q15.h")),
+                _ => base,
+            }
+        }
     };
     let (ctype, rows) = match &parts.coefficients {
         Coefficients::Integers(rows) => ("int32_t", rows.iter().map(|row| line(row.map(integer))).collect()),
+        Coefficients::Shorts(rows) => {
+            ("int16_t", rows.iter().map(|row| line(row.map(|x| x.to_string()))).collect())
+        }
         Coefficients::Doubles(rows) => {
             ("double", rows.iter().map(|row| line(row.map(hexadecimal))).collect())
         }
@@ -34,11 +44,7 @@ pub fn header(label: &Label, parts: &Parts) -> String {
 #define {guard}_H
 
 {CLOCK}
-#ifndef {shared}
-#define {shared}
-{constants}
-{evaluator}#endif
-
+{evaluators}
 static const {ctype} {name}_coefficients[{count}][4] = {{
 {rows}}};
 
@@ -55,9 +61,14 @@ static const toytop_{scalar} {name} = {{
         clock = clock(parts),
         scales = parts
             .scales
-            .map(|x| hexadecimal(x) + if parts.scalar == Scalar::F32 { "f" } else { "" })
+            .map(|x| hexadecimal(x) + if parts.scalar == Scalar::F64 { "" } else { "f" })
             .join(", "),
     )
+}
+
+/// Text that several headers share.
+fn once(name: &str, text: &str) -> String {
+    format!("#ifndef TOYTOP_{name}\n#define TOYTOP_{name}\n{text}#endif\n")
 }
 
 /// The initialisers of a `toytop_clock`.

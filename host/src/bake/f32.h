@@ -11,7 +11,7 @@ typedef struct { float alpha[2], beta[2], u, c[2]; } toytop_moment_f32;
 static inline int32_t toytop_high(int32_t a, int32_t b) { return (int32_t)(((int64_t)a * b) >> 32); }
 
 /* From units of 2^-31 to 2^-30, turned by the phase: the nearest of 256 points of the circle, and the rest by a series. */
-static inline void toytop_turn_f32(int32_t re, int32_t im, uint64_t leading, float turned[2]) {
+static inline void toytop_turn(int32_t re, int32_t im, uint64_t leading, int32_t turned[2]) {
     uint32_t phase = (uint32_t)(leading >> 32);
     int32_t x = (int32_t)(phase << 8);
     const int32_t *point = toytop_sines + ((uint32_t)(phase + 0x800000) >> 24);
@@ -19,16 +19,16 @@ static inline void toytop_turn_f32(int32_t re, int32_t im, uint64_t leading, flo
     int32_t small = toytop_high(x, TOYTOP_LINEAR - toytop_high(square, TOYTOP_CUBIC));
     int32_t sine = point[0] + ((toytop_high(point[64], small) - toytop_high(point[0], versine) + 8) >> 4);
     int32_t cosine = point[64] - ((toytop_high(point[0], small) + toytop_high(point[64], versine) + 8) >> 4);
-    turned[0] = (float)(toytop_high(re, cosine) - toytop_high(im, sine)) * 0x1p-30f;
-    turned[1] = (float)(toytop_high(re, sine) + toytop_high(im, cosine)) * 0x1p-30f;
+    turned[0] = toytop_high(re, cosine) - toytop_high(im, sine);
+    turned[1] = toytop_high(re, sine) + toytop_high(im, cosine);
 }
 
-static inline toytop_moment_f32 toytop_moment_of_f32(const toytop_f32 *table, const toytop_cursor *at) {
-    toytop_moment_f32 m;
+/* Re alpha, Im alpha, Re beta and Im beta in units of 2^-30. */
+static inline void toytop_alpha_beta(const toytop_clock *clock, const int32_t (*c)[4], const toytop_cursor *at, int32_t four[4]) {
     uint64_t nutation = at->phase[0].leading;
-    uint32_t segment, terms = table->clock.terms;
-    int32_t x = (int32_t)(toytop_find(&table->clock, nutation, &segment) >> 32), sums[4];
-    const int32_t (*c)[4] = table->coefficients + segment * terms;
+    uint32_t segment, terms = clock->terms;
+    int32_t x = (int32_t)(toytop_find(clock, nutation, &segment) >> 32), sums[4];
+    c += segment * terms;
     for (int i = 0; i < 4; i++) {
         int32_t sum = c[terms - 1][i];
         for (uint32_t k = terms - 1; k-- > 1;) sum = c[k][i] + toytop_high(sum, x);
@@ -36,8 +36,15 @@ static inline toytop_moment_f32 toytop_moment_of_f32(const toytop_f32 *table, co
         sums[i] = last > INT32_MAX ? INT32_MAX : last < INT32_MIN ? INT32_MIN : (int32_t)last;
         if (i & 1 && nutation >> 63) sums[i] = ~sums[i];
     }
-    toytop_turn_f32(sums[0], sums[1], at->phase[1].leading, m.alpha);
-    toytop_turn_f32(sums[2], sums[3], at->phase[2].leading, m.beta);
+    toytop_turn(sums[0], sums[1], at->phase[1].leading, four);
+    toytop_turn(sums[2], sums[3], at->phase[2].leading, four + 2);
+}
+
+static inline toytop_moment_f32 toytop_moment_of_f32(const toytop_f32 *table, const toytop_cursor *at) {
+    toytop_moment_f32 m;
+    int32_t four[4];
+    toytop_alpha_beta(&table->clock, table->coefficients, at, four);
+    for (int i = 0; i < 2; i++) m.alpha[i] = (float)four[i] * 0x1p-30f, m.beta[i] = (float)four[i + 2] * 0x1p-30f;
     m.u = (m.alpha[0] * m.alpha[0] + m.alpha[1] * m.alpha[1]) - (m.beta[0] * m.beta[0] + m.beta[1] * m.beta[1]);
     m.c[0] = (m.alpha[0] * m.beta[0] - m.alpha[1] * m.beta[1]) * table->scales[0];
     m.c[1] = (m.alpha[0] * m.beta[1] + m.alpha[1] * m.beta[0]) * table->scales[0];

@@ -8,12 +8,17 @@ use crate::cli::Scalar;
 pub fn module(label: &Label, parts: &Parts) -> String {
     let name = label.identifier().to_uppercase();
     let [segments, terms] = parts.size;
-    let size = format!("<{}, {segments}, {terms}>", parts.scalar.name());
+    let scalar = match parts.scalar {
+        Scalar::Q31 => "toytop::fixed::types::I2F30",
+        Scalar::Q15 => "toytop::fixed::types::I2F14",
+        float => float.name(),
+    };
+    let size = format!("<{scalar}, {segments}, {terms}>");
     let [tip_scale, rates @ ..] = parts.scales;
     let scale = |x: f64| match parts.scalar {
-        // the shortest that is read as this f32
-        Scalar::F32 => format!("{:?}", x as f32),
         Scalar::F64 => format!("{x:?}"),
+        // the shortest that is read as this f32
+        _ => format!("{:?}", x as f32),
     };
     let rates = rates.map(scale).join(", ");
     format!(
@@ -57,6 +62,7 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
         cells = parts.cells,
         coefficients = match &parts.coefficients {
             Coefficients::Integers(rows) => rows_of(rows, terms),
+            Coefficients::Shorts(rows) => rows_of(rows, terms),
             Coefficients::Doubles(rows) => rows_of(rows, terms),
         },
     )

@@ -6,13 +6,15 @@ const BEGIN: &str = "<!-- budget: written by `toytop budget --accept` -->\n";
 const END: &str = "<!-- budget: end -->";
 
 /// Calls and what they are called on the page.
-const ROWS: [(&str, &str); 14] = [
+const ROWS: [(&str, &str); 17] = [
     ("ephemeris_f32", "**ephemeris**, any tick, `f32`"),
     ("cursor_f32", "**ephemeris**, the next tick, `f32`"),
     ("ephemeris_q31", "**ephemeris**, any tick, fixed point of 32 bits"),
     ("cursor_q31", "**ephemeris**, the next tick, fixed point of 32 bits"),
     ("ephemeris_q15", "**ephemeris**, any tick, fixed point of 16 bits"),
     ("cursor_q15", "**ephemeris**, the next tick, fixed point of 16 bits"),
+    ("cursor_micromath", "the same table in `f32` with the sines of the crate micromath, the next tick"),
+    ("stepper_q31", "stepper, fixed point of 32 bits"),
     ("stepper_f32", "stepper, `f32`"),
     ("rk4_f32", "a Runge-Kutta step of the full equations, `f32`"),
     ("multicalc_rk4_f32", "the same by the crate multicalc"),
@@ -21,6 +23,7 @@ const ROWS: [(&str, &str); 14] = [
     ("stepper_f64", "stepper, `f64`"),
     ("rk4_f64", "a Runge-Kutta step of the full equations, `f64`"),
     ("launch", "set-up, once a throw: from measured numbers to the ephemeris, `f32`"),
+    ("launch_stepper_q31", "set-up of the stepper, fixed point of 32 bits"),
 ];
 
 /// The page with its table as the limits say; `None` if it has no place for one.

@@ -3,8 +3,8 @@
 use super::{Report, lift_off};
 use crate::Failure;
 use crate::bake::{Label, Parts, header, module, object};
-use crate::cli::{BakeArgs, Language, Scalar};
-use crate::ephemeris::{Sizes, default_or_smallest, of_size};
+use crate::cli::{BakeArgs, Language};
+use crate::ephemeris::{default_or_smallest, of_size};
 use crate::scenario::Scenario;
 use crate::whole_file;
 use toytop::Tick;
@@ -13,11 +13,7 @@ pub(super) fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let [ticks, seconds] = arguments.tick.unwrap_or([arguments.hertz, 1]);
     let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--tick: {error}")))?;
-    let parts = match arguments.scalar {
-        Scalar::F32 => parts::<f32>(arguments, &scenario, tick),
-        Scalar::F64 => parts::<f64>(arguments, &scenario, tick),
-    }
-    .map_err(|failure| match failure {
+    let parts = parts(arguments, &scenario, tick).map_err(|failure| match failure {
         method @ Failure::Method(_) => method.of(&scenario.name),
         other => other,
     })?;
@@ -40,12 +36,15 @@ pub(super) fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     Ok(report.with_remarks(remarks.into_iter().flatten(), false))
 }
 
-fn parts<R: Sizes>(arguments: &BakeArgs, scenario: &Scenario, tick: Tick) -> Result<Parts, Failure> {
+fn parts(arguments: &BakeArgs, scenario: &Scenario, tick: Tick) -> Result<Parts, Failure> {
     let table = match arguments.size {
-        Some(size) => of_size::<R>(size, &scenario.motion, tick),
-        None => default_or_smallest::<R>(&scenario.motion, tick),
+        Some(size) => of_size(arguments.scalar, size, &scenario.motion, tick),
+        None => default_or_smallest(arguments.scalar, &scenario.motion, tick),
     }?;
-    Ok(table.parts())
+    table.parts().ok_or_else(|| {
+        let scalar = arguments.scalar.name();
+        Failure::Input(format!("--scalar: {scalar}: must be f64, f32, q31 or q15 with bake"))
+    })
 }
 
 /// What was written, in one line: nothing is chosen silently.

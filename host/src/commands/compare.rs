@@ -8,13 +8,13 @@ mod show;
 
 use super::{Report, lift_off};
 use crate::cli::{CompareArgs, Format, Method, Scalar, ScalarChoice};
-use crate::ephemeris::Sizes;
+use crate::micromath::Micromath;
 use crate::output;
 use crate::scenario::Scenario;
 use crate::{Failure, builtin};
 use bounds::{Span, bound, horizon, steps_per_period};
 use measure::{Errors, Truth};
-use run::{Effort, Run, SAMPLES, look_up, sample_times, step_through};
+use run::{Effort, Run, SAMPLES, look_up, sample_times, step_through, tick_through};
 use std::time::Duration;
 
 /// One motion in one scalar by one method.
@@ -61,6 +61,9 @@ impl Row {
 /// The core's propagators.
 const METHODS: [Method; 2] = [Method::Stepper, Method::Ephemeris];
 
+/// There is no stepper in 16 bits.
+const NONE_SUCH: (Method, Scalar) = (Method::Stepper, Scalar::Q15);
+
 /// What was compared.
 pub(super) struct Compared {
     scenarios: Vec<Scenario>,
@@ -72,7 +75,7 @@ pub(super) fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     let Compared { scenarios, rows, mut remarks } = rows(arguments)?;
     let below = arguments.format == Format::Table;
     let text = match arguments.format {
-        Format::Table => show::table(&rows, arguments.periods, &ScalarChoice::chosen(&arguments.scalar)),
+        Format::Table => show::table(&rows, arguments.periods),
         Format::Csv => output::csv(&show::records(&rows)).map_err(Failure::Output)?,
         Format::Json => output::json_list("rows", &show::records(&rows)).map_err(Failure::Output)?,
     };
@@ -99,11 +102,10 @@ pub(super) fn rows(arguments: &CompareArgs) -> Result<Compared, Failure> {
         let times: Vec<f64> = sample_times(span.time, SAMPLES * arguments.periods).collect();
         let mut truth = Truth::default();
         for (method, &scalar) in METHODS.iter().flat_map(|&method| scalars.iter().map(move |s| (method, s))) {
-            let run = match scalar {
-                Scalar::F64 => follow::<f64>(scenario, method, scalar, &times, &span),
-                Scalar::F32 => follow::<f32>(scenario, method, scalar, &times, &span),
-            };
-            let measured = match run {
+            if (method, scalar) == NONE_SUCH {
+                continue;
+            }
+            let measured = match follow(scenario, method, scalar, &times, &span) {
                 Ok(run) => {
                     let errors = truth.measure(scenario, &run)?;
                     Some(Measured { errors, effort: run.effort, wall: run.wall })
@@ -121,16 +123,20 @@ pub(super) fn rows(arguments: &CompareArgs) -> Result<Compared, Failure> {
 }
 
 /// One run; fails only where no table fits.
-fn follow<R: Sizes>(
+fn follow(
     scenario: &Scenario,
     method: Method,
     scalar: Scalar,
     times: &[f64],
     span: &Span,
 ) -> Result<Run, Failure> {
-    if method == Method::Ephemeris {
-        return look_up::<R>(&scenario.motion, times);
-    }
+    let motion = &scenario.motion;
     let step = span.period / f64::from(steps_per_period(scalar));
-    Ok(step_through::<R>(&scenario.motion, times, step))
+    match (method, scalar) {
+        (Method::Ephemeris, _) => look_up(scalar, motion, times),
+        (_, Scalar::F64) => Ok(step_through::<f64>(motion, times, step)),
+        (_, Scalar::F32) => Ok(step_through::<f32>(motion, times, step)),
+        (_, Scalar::Micromath) => Ok(step_through::<Micromath>(motion, times, step)),
+        (_, Scalar::Q31 | Scalar::Q15) => tick_through(motion, times, step),
+    }
 }

@@ -8,29 +8,17 @@ use crate::output::short;
 use crate::plot::{Curve, Form, draw};
 use crate::scenario::Scenario;
 use crate::whole_file;
-use std::path::Path;
 use toytop::{Sign, Support};
-
-/// The endings of a file, and what is written.
-const FORMS: [(&str, Form); 2] = [("svg", Form::Svg), ("png", Form::Png)];
 
 pub(super) fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
     let path = &arguments.output;
-    let form = form(path)?;
+    let form = Form::of(path, "--output")?;
     let scenario = Scenario::read(&arguments.scenario)?;
     let curve = Curve::of(&scenario.motion).map_err(|failure| failure.of(&scenario.name))?;
     let picture = draw(&scenario, &curve, &caption(&scenario, &curve), form)?;
     whole_file::write(path, &picture)
         .map_err(|error| Failure::Input(format!("--output: {}: {error}", path.display())))?;
     Ok(Report::default().with_remarks(lift_off(&[scenario]), false))
-}
-
-fn form(path: &Path) -> Result<Form, Failure> {
-    let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-    FORMS.iter().find(|(name, _)| *name == ending).map(|(_, form)| *form).ok_or_else(|| {
-        let allowed = FORMS.map(|(name, _)| format!(".{name}")).join(" or ");
-        Failure::Input(format!("--output: {}: must end in {allowed}", path.display()))
-    })
 }
 
 /// The class of the curve and the numbers of the scenario, in two lines.

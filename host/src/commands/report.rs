@@ -9,7 +9,8 @@ mod readme;
 
 use super::Report;
 use crate::Failure;
-use crate::cli::ReportArgs;
+use crate::accuracy::{Costs, measured};
+use crate::cli::{ReportArgs, Scalar};
 use crate::figures;
 use crate::plot::Form;
 use crate::race::Race;
@@ -26,7 +27,11 @@ pub(super) fn run(arguments: &ReportArgs) -> Result<Report, Failure> {
     let mut report = Report::default();
     if let Some(path) = &arguments.readme {
         let old = read(path, "--readme")?;
-        let tables = [("accuracy", accuracy::worst()?), ("error against time", precision::against_time()?)];
+        let tables = [
+            ("accuracy", accuracy::worst()?),
+            ("scalars", scalars()?),
+            ("error against time", precision::against_time()?),
+        ];
         let new = readme::with(&old, &tables).map_err(|error| error.of(&path.display().to_string()))?;
         if new != old && arguments.check {
             report.missed = true;
@@ -66,6 +71,13 @@ pub(super) fn run(arguments: &ReportArgs) -> Result<Report, Failure> {
     write(&path, "--output", page.html().as_bytes())?;
     report.text = format!("{}\n", path.display());
     Ok(report)
+}
+
+/// What `toytop accuracy` says of every scalar, with one digit.
+fn scalars() -> Result<Table, Failure> {
+    let mut rows = super::accuracy::rows(&measured(&Scalar::ALL)?, &Costs::known()?, 0);
+    let header = rows.remove(0);
+    Ok(Table { header, rows })
 }
 
 fn read(path: &Path, option: &str) -> Result<String, Failure> {

@@ -3,7 +3,9 @@
 use super::{Report, lift_off};
 use crate::Failure;
 use crate::cli::{Format, Method, Scalar, StateArgs};
-use crate::ephemeris::{Instant, Sizes, furthest_time, smallest};
+use crate::ephemeris::{Instant, furthest_time, smallest};
+use crate::fixed_steps::FixedSteps;
+use crate::micromath::Micromath;
 use crate::output::{self, Cell, Record, number};
 use crate::progress::Progress;
 use crate::propagate::{Paced, Sample, period, steps_needed, sweep};
@@ -18,15 +20,19 @@ pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let times = times::read(&arguments.times)?;
     let step = period(&scenario.motion) / f64::from(arguments.steps_per_period);
     let samples = match (arguments.method, arguments.scalar) {
-        (Method::Ephemeris, Scalar::F64) => tabulated::<f64>(&scenario, &times)?,
-        (Method::Ephemeris, Scalar::F32) => tabulated::<f32>(&scenario, &times)?,
+        (Method::Ephemeris, scalar) => tabulated(scalar, &scenario, &times)?,
         (Method::Stepper, Scalar::F64) => stepped::<f64>(&scenario.motion, &times, step)?,
         (Method::Stepper, Scalar::F32) => stepped::<f32>(&scenario.motion, &times, step)?,
+        (Method::Stepper, Scalar::Micromath) => stepped::<Micromath>(&scenario.motion, &times, step)?,
+        (Method::Stepper, Scalar::Q31) => ticked(&scenario, &times, step)?,
         (Method::Full, Scalar::F64) => truth::samples(&scenario, &times, step)?,
         (Method::ClosedForm, Scalar::F64) => closed(&scenario, &times)?,
-        (method @ (Method::Full | Method::ClosedForm), scalar) => {
-            let (name, method) = (scalar.name(), method.name());
-            return Err(Failure::Input(format!("--scalar: {name}: must be f64 with --method {method}")));
+        (method, scalar) => {
+            let (name, allowed) = (scalar.name(), scalars(method));
+            let method = method.name();
+            return Err(Failure::Input(format!(
+                "--scalar: {name}: must be {allowed} with --method {method}"
+            )));
         }
     };
     let text = match arguments.format {
@@ -38,15 +44,24 @@ pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     Ok(report.with_remarks(lift_off(&[scenario]), arguments.format == Format::Table))
 }
 
-fn tabulated<R: Sizes>(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
+/// Those that a method exists in.
+fn scalars(method: Method) -> &'static str {
+    match method {
+        Method::Ephemeris => "f64, f32, q31, q15 or micromath",
+        Method::Stepper => "f64, f32, q31 or micromath",
+        Method::Full | Method::ClosedForm => "f64",
+    }
+}
+
+fn tabulated(scalar: Scalar, scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
     let motion = &scenario.motion;
     let furthest = furthest_time(motion);
     if let Some(t) = times.iter().find(|t| t.abs() > furthest) {
         let allowed = format!("within ±{furthest:.1e} s with --method ephemeris");
         return Err(Failure::Input(format!("times: {t:e} must be {allowed}")));
     }
-    let ephemeris = smallest::<R>(motion).map_err(|failure| failure.of(&scenario.name))?;
-    anywhere(motion, times, |t| ephemeris.at(t))
+    let ephemeris = smallest(scalar, motion).map_err(|failure| failure.of(&scenario.name))?;
+    anywhere(motion, times, ephemeris.error_bound().constant, |t| ephemeris.at(t))
 }
 
 /// By the closed form, if the motion has one.
@@ -60,27 +75,45 @@ fn closed(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
         return Err(Failure::Input(format!("times: {t:e} must be {allowed}")));
     }
     let scale = 2.0 * motion.top().tip_scale();
-    anywhere(motion, times, |t| {
+    anywhere(motion, times, NOISE, |t| {
         let pose = form.at(t);
         let tip = (pose.phi.alpha * pose.phi.beta).scaled(scale);
-        Instant { pose, tip, nutation_phase: form.nutation_phase(t).unwrap_or_default() }
+        let nutation_phase = form.nutation_phase(t).unwrap_or_default();
+        Instant { sample: Sample::of(t, &pose, tip, None), rate: pose.rate, nutation_phase }
     })
 }
 
 /// A closed form loses some 1e-15 rad a period: beyond this nothing would be left.
 const MOST_PERIODS: f64 = 1e12;
 
+/// Of its orientation, rad: what the rounding of α and β alone leaves unknown.
+const NOISE: f64 = 2.0 * f64::EPSILON;
+
 /// Samples of what says where it is at any time without going there.
-fn anywhere<R: Real>(
+fn anywhere(
     motion: &Motion,
     times: &[f64],
-    at: impl Fn(f64) -> Instant<R>,
+    noise: f64,
+    at: impl Fn(f64) -> Instant,
 ) -> Result<Vec<Sample>, Failure> {
-    let instants: Vec<_> = times.iter().map(|&t| (t, at(t))).collect();
-    let phis = tip_angle::continued(motion, &at(0.0), &instants)?;
-    let sample =
-        |((t, instant), phi): (&(f64, Instant<R>), _)| Sample::of(*t, &instant.pose, instant.tip, phi);
-    Ok(instants.iter().zip(phis).map(sample).collect())
+    let instants: Vec<_> = times.iter().map(|&t| at(t)).collect();
+    let phis = tip_angle::continued(motion, &at(0.0), &instants, noise)?;
+    Ok(instants.iter().zip(phis).map(|(instant, phi)| Sample { phi, ..instant.sample }).collect())
+}
+
+/// By the fixed-point stepper.
+fn ticked(scenario: &Scenario, times: &[f64], step: f64) -> Result<Vec<Sample>, Failure> {
+    let motion = &scenario.motion;
+    let mut progress = Progress::new(steps_needed(times, step)?, "ticks");
+    let start = FixedSteps::new(motion, step).map_err(|failure| failure.of(&scenario.name))?;
+    sweep(
+        times,
+        || start.clone(),
+        |ticks, t| {
+            ticks.reach(t, &mut progress);
+            Ok(ticks.sample_at(t))
+        },
+    )
 }
 
 fn stepped<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sample>, Failure> {

@@ -3,6 +3,7 @@
 use super::Report;
 use crate::Failure;
 use crate::cli::{Format, StudyArgs};
+use crate::cores::STACK;
 use crate::output::{self, Cell, Record};
 use crate::progress::Progress;
 use crate::study::gauss::Rule;
@@ -13,9 +14,6 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread::{self, Builder};
 use std::time::{Duration, Instant};
-
-/// The largest table is a megabyte and a half, and is set up on the stack.
-const STACK: usize = 1 << 25;
 
 pub(super) fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
     let started = Instant::now();

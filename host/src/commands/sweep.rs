@@ -1,24 +1,20 @@
 //! `toytop sweep`: many motions, a row each, on all cores, in a file that can be gone on with.
 
 use super::Report;
-use crate::Failure;
 use crate::cli::SweepArgs;
 use crate::progress::Progress;
 use crate::sweep::{Part, Rows, Space};
+use crate::{Failure, cores};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use std::io;
 use std::time::Instant;
 
 /// Rows of a block: what is lost at most when the program is killed.
 const BLOCK: u64 = 1024;
-/// The largest table is a megabyte and a half, and is set up on the stack.
-const STACK: usize = 1 << 25;
 
 pub(super) fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     let started = Instant::now();
     let rows = rows(arguments)?;
-    let cores = rayon::ThreadPoolBuilder::new().stack_size(STACK).build();
-    let cores = cores.map_err(|error| Failure::Output(io::Error::other(error)))?;
+    let cores = cores::all()?;
     let mut part = Part::open(&arguments.output, &rows, arguments.shard.0, arguments.resume)?;
     let before = part.done();
     let mut progress = Progress::new(part.len() - before, "motions");

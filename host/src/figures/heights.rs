@@ -1,6 +1,7 @@
 //! u, the cosine of the tilt, against time.
 
 use super::chart::{Chart, Line};
+use crate::cli::Scalar;
 use crate::ephemeris::smallest;
 use crate::{Failure, builtin};
 use kuva::render::render::Scene;
@@ -14,10 +15,10 @@ pub(super) fn picture() -> Result<Scene, Failure> {
         builtin::figures().map_err(|error| Failure::Input(format!("built-in motions: {error}")))?;
     let mut lines = Vec::new();
     for scenario in &third {
-        let table = smallest::<f64>(&scenario.motion)?;
+        let table = smallest(Scalar::F64, &scenario.motion)?;
         let point = |i: u32| {
             let t = TIME * f64::from(i) / f64::from(POINTS);
-            [t, table.at(t).pose.u()]
+            [t, table.at(t).sample.u]
         };
         let name = format!("e₃ = {}", scenario.motion.branch_points().e3);
         lines.push(Line { name, points: (0..=POINTS).map(point).collect(), marked: false });

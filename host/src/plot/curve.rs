@@ -1,6 +1,7 @@
 //! The points of the curve: as close as its bends need them.
 
 use crate::Failure;
+use crate::cli::Scalar;
 use crate::ephemeris::{AnySize, smallest};
 use crate::propagate::natural_time;
 use std::f64::consts::PI;
@@ -38,7 +39,7 @@ impl Curve {
     /// # Errors
     /// [`Failure::Method`]: no table fits, even in f32, which is enough for a picture.
     pub fn of(motion: &Motion) -> Result<Self, Failure> {
-        let table = smallest::<f32>(motion)?;
+        let table = smallest(Scalar::F32, motion)?;
         let circles = circles(motion);
         let largest = circles.iter().map(|circle| circle.radius).fold(0.0, f64::max);
         let averages = motion.averages().filter(|_| motion.regime() == Regime::Nutating);
@@ -49,8 +50,8 @@ impl Curve {
             _ => (once_round(motion), 1),
         };
         let tip = |t: f64| {
-            let c = table.at(t).tip;
-            [f64::from(c.re), f64::from(c.im)]
+            let c = table.at(t).sample.tip;
+            [c.re, c.im]
         };
         let tracer = Tracer { tip: &tip, tolerance: TOLERANCE * largest };
         Ok(Self { points: tracer.trace(time, parts * PARTS), circles, time, periods })
@@ -92,13 +93,13 @@ fn once_round(motion: &Motion) -> f64 {
 }
 
 /// How long until the tip has come to the centre for good, and in how many parts to go there.
-fn rise(motion: &Motion, table: &dyn AnySize<f32>, largest: f64) -> (f64, u32) {
+fn rise(motion: &Motion, table: &dyn AnySize, largest: f64) -> (f64, u32) {
     const AT_THE_CENTRE: f64 = 4e-3;
     const MOST: u32 = 4096;
     let step = 0.25 * natural_time(motion.top());
     let far = |n: &u32| {
-        let c = table.at(step * f64::from(*n)).tip;
-        f64::from(c.norm_squared().sqrt()) > AT_THE_CENTRE * largest
+        let c = table.at(step * f64::from(*n)).sample.tip;
+        c.norm_squared().sqrt() > AT_THE_CENTRE * largest
     };
     let steps = (0..MOST).rev().find(far).unwrap_or(0) + 1;
     (step * f64::from(steps), steps)

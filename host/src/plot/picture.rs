@@ -13,6 +13,7 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 use std::f64::consts::PI;
 use std::io;
+use std::path::Path;
 use toytop::Support;
 
 /// What a picture is written as.
@@ -22,6 +23,23 @@ pub enum Form {
     Svg,
     /// Pixels, two for each unit of the layout.
     Png,
+}
+
+/// The endings of a file, and what is written.
+const FORMS: [(&str, Form); 2] = [("svg", Form::Svg), ("png", Form::Png)];
+
+impl Form {
+    /// By the ending of a file that was named by this option.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: another ending.
+    pub fn of(path: &Path, option: &str) -> Result<Self, Failure> {
+        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        FORMS.iter().find(|(name, _)| *name == ending).map(|(_, form)| *form).ok_or_else(|| {
+            let allowed = FORMS.map(|(name, _)| format!(".{name}")).join(" or ");
+            Failure::Input(format!("{option}: {}: must end in {allowed}", path.display()))
+        })
+    }
 }
 
 const CURVE: &str = "#1f4e8c";

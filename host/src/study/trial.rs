@@ -5,7 +5,8 @@ use super::gauss::Rule;
 use super::motions::Numbers;
 use super::random::Random;
 use crate::Failure;
-use crate::ephemeris::{AnySize, Sizes, smallest, ticks_per_time};
+use crate::cli::Scalar;
+use crate::ephemeris::{AnySize, smallest, ticks_per_time};
 use crate::propagate::natural_time;
 use std::f64::consts::{FRAC_PI_2, PI};
 use toytop::real::{DoubleDouble, Float};
@@ -78,12 +79,12 @@ pub fn run(random: &mut Random, rule: &Rule) -> Result<Trial, Failure> {
     let motion = numbers.motion().map_err(|error| Failure::Input(format!("{numbers}: {error}")))?;
     let exact = Exact::new(&numbers, rule);
     let targets = targets(&motion, &exact, random);
-    let outcomes = [outcome::<f64>(&motion, &targets), outcome::<f32>(&motion, &targets)];
+    let outcomes = [Scalar::F64, Scalar::F32].map(|scalar| outcome(scalar, &motion, &targets));
     Ok(Trial { numbers, regime: motion.regime(), outcomes })
 }
 
-fn outcome<R: Sizes>(motion: &Motion, targets: &[Target]) -> Outcome {
-    let Ok(table) = smallest::<R>(motion) else { return Outcome::NoFit };
+fn outcome(scalar: Scalar, motion: &Motion, targets: &[Target]) -> Outcome {
+    let Ok(table) = smallest(scalar, motion) else { return Outcome::NoFit };
     let rate = ticks_per_time(motion);
     let worst = |far: bool| {
         let of_kind = targets.iter().filter(|target| target.far == far);
@@ -93,16 +94,20 @@ fn outcome<R: Sizes>(motion: &Motion, targets: &[Target]) -> Outcome {
     Outcome::Fits { segments: table.size()[0], near: worst(false), far: worst(true) }
 }
 
-fn measure<R: Sizes>(table: &dyn AnySize<R>, target: &Target, ticks_per_time: f64) -> Worst {
-    let phi = table.at(target.t).pose.phi;
-    let off = |found: Complex<R>, truth: Complex<DoubleDouble>| {
-        let part = |x: R, y: DoubleDouble| (DoubleDouble::from(x.to_f64()) - y).to_f64();
-        part(found.re, truth.re).hypot(part(found.im, truth.im))
-    };
-    let error = 2.0 * off(phi.alpha, target.phi.alpha).hypot(off(phi.beta, target.phi.beta));
+fn measure(table: &dyn AnySize, target: &Target, ticks_per_time: f64) -> Worst {
+    let error = distance(&table.at(target.t).sample.orientation(), &target.phi);
     let bound = table.error_bound();
     let ticks = (target.t * ticks_per_time).abs();
     Worst { error, bound: bound.constant + bound.per_tick * ticks, t: target.t }
+}
+
+/// 2 √(|Δα|² + |Δβ|²), rad, without the rounding of the truth.
+pub(crate) fn distance(found: &Phi<f64>, truth: &Phi<DoubleDouble>) -> f64 {
+    let off = |found: Complex<f64>, truth: Complex<DoubleDouble>| {
+        let part = |x: f64, y: DoubleDouble| (DoubleDouble::from(x) - y).to_f64();
+        part(found.re, truth.re).hypot(part(found.im, truth.im))
+    };
+    2.0 * off(found.alpha, truth.alpha).hypot(off(found.beta, truth.beta))
 }
 
 fn targets(motion: &Motion, exact: &Exact<'_>, random: &mut Random) -> Vec<Target> {

@@ -1,7 +1,8 @@
 //! What is said of each motion.
 
 use super::{Place, Space};
-use crate::ephemeris::{AnySize, Sizes, quickest, smallest_with_period};
+use crate::cli::Scalar;
+use crate::ephemeris::{AnySize, quickest, smallest_with_period};
 use crate::propagate::natural_time;
 use crate::scenario::Scenario;
 use crate::{names, truth};
@@ -153,7 +154,7 @@ impl Rows {
         let times = times(self.periods * period, self.ticks);
         measured.double = quickest(&motion, period).ok().map(|table| Run::of(&*table, &times));
         if wants(Column::of_f32) {
-            let table = smallest_with_period::<f32>(&motion, period).ok();
+            let table = smallest_with_period(Scalar::F32, &motion, period).ok();
             measured.single = table.map(|table| Run::of(&*table, &times));
         }
         if wants(Column::of_the_full_solver) {
@@ -191,15 +192,9 @@ struct Run {
 }
 
 impl Run {
-    fn of<R: Sizes>(table: &dyn AnySize<R>, times: &[f64]) -> Self {
-        let widen = |z: Complex<R>| Complex::new(z.re.to_f64(), z.im.to_f64());
-        let instants = times.iter().map(|&t| table.at(t));
-        let (phis, tips) = instants
-            .map(|instant| {
-                let Phi { alpha, beta } = instant.pose.phi;
-                (Phi { alpha: widen(alpha), beta: widen(beta) }, widen(instant.tip))
-            })
-            .unzip();
+    fn of(table: &dyn AnySize, times: &[f64]) -> Self {
+        let samples = times.iter().map(|&t| table.at(t).sample);
+        let (phis, tips) = samples.map(|sample| (sample.orientation(), sample.tip)).unzip();
         let bound = table.error_bound().constant;
         Self { phis, tips, segments: table.size()[0], bound }
     }

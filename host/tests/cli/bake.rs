@@ -21,7 +21,7 @@ fn folder(name: &str) -> PathBuf {
 fn the_firmware_has_todays_table() {
     let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("../firmware-examples/src/tables/toy_top.rs");
     let committed = std::fs::read_to_string(committed).expect("a file");
-    assert_eq!(stdout(&run(&["bake", &sample("toy_top")])), committed);
+    assert_eq!(stdout(&run(&["bake", &sample("toy_top"), "--scalar", "q31"])), committed);
 }
 
 #[test]
@@ -48,6 +48,7 @@ fn json_holds_every_number() {
         bound: std::array::from_fn(|i| number(&object["bound"][i])),
         tip_scale: number(&object["tip_scale"]) as f32,
         rates: std::array::from_fn(|i| number(&object["rates"][i]) as f32),
+        cells: std::array::from_fn(|i| whole(&object["cells"][i]) as u16),
         coefficients: std::array::from_fn(|i| {
             std::array::from_fn(|j| std::array::from_fn(|k| whole(&object["coefficients"][i][j][k]) as i32))
         }),
@@ -67,15 +68,21 @@ fn the_size_is_chosen_and_said() {
     for (file, scalar, size) in [
         (&sample("toy_top"), "f32", "25x5"),
         (&sample("toy_top"), "f64", "48x11"),
+        (&sample("toy_top"), "q31", "32x4"),
+        (&sample("toy_top"), "q15", "16x3"),
         (&slender, "f32", "64x7"),
         (&slender, "f64", "256x11"),
     ] {
         let output = run(&["bake", file, "--scalar", scalar]);
         let note = stderr(&output);
         assert!(note.contains(&format!(": {size} in {scalar}, ")) && note.contains(" rad a tick"), "{note}");
-        assert!(
-            stdout(&output).contains(&format!("toytop::Ephemeris<{scalar}, {}>", size.replace('x', ", ")))
-        );
+        let scalar = match scalar {
+            "q31" => "toytop::fixed::types::I2F30",
+            "q15" => "toytop::fixed::types::I2F14",
+            float => float,
+        };
+        let name = format!("toytop::Ephemeris<{scalar}, {}>", size.replace('x', ", "));
+        assert!(stdout(&output).contains(&name));
     }
     assert!(stdout(&run(&["bake", "--help"])).contains("toytop bake top.toml"));
 }
@@ -95,7 +102,7 @@ fn what_cannot_be_baked_leaves_nothing_behind() {
         (&good, &["--tick", "0/2"], 2, "44100/2"),
         (&good, &["--tick", "44100"], 2, "44100/2"),
         (&good, &["--tick", "1/2", "--hertz", "3"], 2, "--hertz"),
-        (&good, &["--scalar", "q31"], 2, "f64, f32"),
+        (&good, &["--scalar", "micromath"], 2, "--scalar: micromath: must be f64, f32, q31 or q15"),
         (&good, &["--lang", "ada"], 2, "rust, c, json"),
         (&good, &["-o", "no/such/folder/top.h"], 2, "no/such/folder/top.h"),
         (&broken, &[], 2, "motion: missing"),

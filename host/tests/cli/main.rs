@@ -8,6 +8,7 @@ mod measure;
 mod plot;
 mod refusals;
 mod report;
+mod scalars;
 mod state;
 mod sweep;
 mod tip_angle;
@@ -142,16 +143,28 @@ fn numbers_have_seventeen_digits() {
 fn compare_holds_its_bounds() {
     let rows = json(&["compare", "--format", "json"]);
     let rows = rows["rows"].as_array().expect("rows");
-    assert_eq!(rows.len(), 56);
-    for row in rows {
+    assert_eq!(rows.len(), 14 * 9);
+    let (found, absent): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row["verdict"] != "no fit");
+    let [absent] = absent[..] else { panic!("{absent:?}") };
+    assert!(absent["motion"] == "near separatrix 1e-6" && absent["scalar"] == "q31", "{absent}");
+    for row in found {
         let error = row["max_orientation_error_rad"].as_f64().expect("a number");
         assert_eq!(row["verdict"], "ok", "{row}");
         assert!(error > 0.0 && error <= row["bound_rad"].as_f64().expect("a number"), "{row}");
-        let drift_limit = if row["scalar"] == "f32" { 3e-6 } else { 1e-14 };
+        // the derivatives of fixed point are in f32
+        let drift_limit = match row["scalar"].as_str().expect("a name") {
+            "f64" => 1e-14,
+            "f32" | "q31" => 3e-6,
+            "q15" => 3e-3,
+            _ => 0.1,
+        };
         let [by_steps, by_table] = ["steps", "table"].map(|key| !row[key].is_null());
         assert_eq!([by_steps, by_table], [row["method"] == "stepper", row["method"] == "ephemeris"], "{row}");
         if row["method"] == "ephemeris" && row["scalar"] == "f32" {
             assert!(row["bound_rad"].as_f64().is_some_and(|bound| bound < 5.11e-7), "{row}");
+        }
+        if row["scalar"] == "q31" {
+            assert!(error < 3e-8 && error > 1e-9, "{row}");
         }
         for key in ["h_drift", "l_drift", "n_drift"] {
             assert!(row[key].as_f64().is_some_and(|drift| drift < drift_limit), "{key}: {row}");
@@ -168,14 +181,24 @@ fn compare_reads_scenarios_and_tells_a_miss() {
     let all = json(&["compare", &sample("toy_top"), "--scalar", "all", "--periods", "2", "--format", "json"]);
     let names = |row: &Value| format!("{} {} {}", row["motion"], row["scalar"], row["method"]);
     let rows: Vec<_> = all["rows"].as_array().expect("rows").iter().map(names).collect();
-    let expected = ["f64 stepper", "f32 stepper", "f64 ephemeris", "f32 ephemeris"];
+    let expected = [
+        "f64 stepper",
+        "f32 stepper",
+        "q31 stepper",
+        "micromath stepper",
+        "f64 ephemeris",
+        "f32 ephemeris",
+        "q31 ephemeris",
+        "q15 ephemeris",
+        "micromath ephemeris",
+    ];
     assert_eq!(rows, expected.map(|row| format!("\"toy_top\" \"{}\"", row.replace(' ', "\" \""))));
 
     // A/(ps) = 1e-4 near the vertical is too steep for 4096 steps a period.
     let slender = branch_points([-0.9, 0.99, 1.18], -1)
         .replace("inertia = 1.1", "inertia = 5.4e-5")
         .replace("inertia = 0.8", "inertia = 5e-5");
-    let output = run(&["compare", &scenario("slender", &slender)]);
+    let output = run(&["compare", &scenario("slender", &slender), "--scalar", "f64,f32"]);
     assert_eq!(output.status.code(), Some(1));
     assert_eq!(stdout(&output).matches(" MISS\n").count(), 2, "{}", stdout(&output));
     let of_the_ephemeris = |line: &&str| line.contains(" ephemeris ") && line.ends_with(" ok");

@@ -29,7 +29,7 @@ fn arguments() {
         (&["constants", &missing], &["no_such_file.toml", "No such file"]),
         (&["compare", &file, &missing], &["no_such_file.toml"]),
         (&["compare", "--periods", "0"], &["--periods", "1..=10000"]),
-        (&["compare", "--scalar", "f64,q31"], &["--scalar", "f64, f32, all"]),
+        (&["compare", "--scalar", "f64,q7"], &["--scalar", "f64, f32, q31, q15, micromath, all"]),
         (&["state", &file], &["--times", "--times-file"]),
         (&["state", &file, "--times", "1", "--times-file", "x"], &["--times", "--times-file"]),
         (&["state", &file, "--times", "1,,2"], &["--times", "finite number"]),
@@ -42,7 +42,12 @@ fn arguments() {
             &["state", &file, "--times", "1", "--method", "euler"],
             &["euler", "ephemeris, stepper, full, closed-form"],
         ),
-        (&["state", &file, "--times", "1", "--scalar", "q31"], &["q31", "f64, f32"]),
+        (&["state", &file, "--times", "1", "--scalar", "q7"], &["q7", "f64, f32, q31, q15, micromath"]),
+        (
+            &["state", &file, "--times", "1", "--scalar", "q15", "--method", "stepper"],
+            &["--scalar: q15: must be f64, f32, q31 or micromath with --method stepper"],
+        ),
+        (&["state", &file, "--times", "1", "--scalar", "q31", "--method", "full"], &["--scalar", "f64"]),
         (&["state", &file, "--times", "1", "--scalar", "f32", "--method", "full"], &["--scalar", "f64"]),
         (
             &["state", &file, "--times", "1", "--scalar", "f32", "--method", "closed-form"],
@@ -228,7 +233,8 @@ fn a_method_that_does_not_apply_exits_with_3() {
         .replace("inertia = 1.1", "inertia = 6e-7")
         .replace("inertia = 0.8", "inertia = 5.5e-7");
     let file = scenario("needle", &needle);
-    for (scalar, size) in [("f64", "4096x11"), ("f32", "1024x7")] {
+    for (scalar, size) in [("f64", "4096x11"), ("f32", "1024x7"), ("q31", "1024x7"), ("micromath", "1024x7")]
+    {
         let arguments = ["state", &file, "--times", "1", "--scalar", scalar];
         assert_refused(&arguments, 3, &["needle", "no ephemeris", size, "segments of this degree would fit"]);
     }

@@ -215,6 +215,41 @@ fn single_precision_is_single_precision() {
     }
 }
 
+/// α, β and u as they are, not rounded to the `f32` of the rates; and the stepper's phases are where the ephemeris is.
+#[test]
+fn fixed_point_is_fixed_point() {
+    let file = scenario("fixed_point", &format!("{TOP}{RELEASE}"));
+    let times = "-7.3,0.1,25,333.3,25";
+    let double = samples(&file, times, &[]);
+    for (scalar, unit, least, most) in [("q31", 30, 1e-10, 2e-8), ("q15", 14, 1e-6, 3e-4)] {
+        let fixed = samples(&file, times, &["--scalar", scalar]);
+        assert_eq!(fixed[2], fixed[4]);
+        for (a, b) in double.iter().zip(&fixed) {
+            let error = distance(a, b, &["alpha", "beta", "u"]);
+            assert!(error > least && error < most, "{scalar}: {error:e}");
+            let whole = |x: &f64| (x * 2_f64.powi(unit)).fract() == 0.0;
+            assert!(numbers(b, &["alpha", "beta", "u"]).iter().all(whole), "{scalar}: {b}");
+            assert!(distance(a, b, &["omega", "tip", "udot"]) < 20.0 * most);
+        }
+    }
+    let stepped = samples(&file, times, &["--scalar", "q31", "--method", "stepper"]);
+    let worst = double.iter().zip(&stepped).map(|(a, b)| distance(a, b, &EVERYTHING)).fold(0.0, f64::max);
+    assert!(worst > 1e-13 && worst < 1e-6, "{worst:e}");
+}
+
+#[test]
+fn micromath_is_what_it_is() {
+    let file = scenario("micromath", &format!("{TOP}{RELEASE}"));
+    let double = samples(&file, "0,0.1,333.3", &[]);
+    let tabulated = samples(&file, "0,0.1,333.3", &["--scalar", "micromath"]);
+    let worst = double.iter().zip(&tabulated).map(|(a, b)| distance(a, b, &["alpha", "beta"]));
+    let worst = worst.fold(0.0, f64::max);
+    assert!(worst > 1e-4 && worst < 3e-3, "its sines: {worst:e}");
+    let stepped = samples(&file, "0,2", &["--scalar", "micromath", "--method", "stepper"]);
+    let error = distance(&samples(&file, "2", &[])[0], &stepped[1], &["alpha", "beta"]);
+    assert!(error > 1e-3, "its square root: {error:e}");
+}
+
 #[test]
 fn steps_per_period_are_obeyed_and_fourth_order() {
     let file = scenario("order", &format!("{TOP}{RELEASE}"));

@@ -136,7 +136,7 @@ fn greatest(vector: &Vector, scalar: &str) -> [[f64; 2]; 4] {
 /// Inputs exact in f64: at any distance the orientation and the tip angle are as good as f64, or f32, can say.
 #[test]
 fn exact_inputs_at_any_distance() {
-    for (scalar, orientation_bound) in [("f64", 1e-13), ("f32", 5e-7)] {
+    for (scalar, orientation_bound, angle_bound) in BOUNDS {
         let mut worst = [0.0_f64; 2];
         for vector in vectors().iter().filter(|vector| vector.exact) {
             for (decade, errors) in greatest(vector, scalar).iter().enumerate() {
@@ -146,12 +146,8 @@ fn exact_inputs_at_any_distance() {
                     "{scalar} {}, {decade}: {orientation:e}",
                     vector.name
                 );
-                // the turns are counted by what is the same in both scalars
-                assert!(
-                    angle <= ANGLE_BOUND[usize::from(scalar == "f32")],
-                    "{scalar} {}, {decade}: phi {angle:e}",
-                    vector.name
-                );
+                // the turns are counted by what is the same in all scalars
+                assert!(angle <= angle_bound, "{scalar} {}, {decade}: phi {angle:e}", vector.name);
                 worst = [worst[0].max(orientation), worst[1].max(angle)];
             }
         }
@@ -159,8 +155,14 @@ fn exact_inputs_at_any_distance() {
     }
 }
 
-/// On φ, f64 and f32. In f32 it is as good as the argument of an f32 tip where that is the better one.
-const ANGLE_BOUND: [f64; 2] = [1e-13, 5e-6];
+/// On the orientation, and on φ: it is as good as the argument of the scalar's tip where that is the better one.
+const BOUNDS: [(&str, f64, f64); 5] = [
+    ("f64", 1e-13, 1e-13),
+    ("f32", 5e-7, 5e-6),
+    ("q31", 1.2e-8, 1e-6),
+    ("q15", 4e-4, 1e-1),
+    ("micromath", 4e-3, 1e-1),
+];
 
 /// Decimal inputs: what their rounding to f64 can do is the conditioning of the motion; the branch of φ is right in
 /// any case.

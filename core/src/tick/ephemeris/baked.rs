@@ -229,6 +229,10 @@ macro_rules! bakeable {
 
 bakeable!(f32, 32, single, signed);
 bakeable!(f64, 64, double, double);
+#[cfg(feature = "fixed")]
+bakeable!(fixed::types::I2F30, 31, single, signed);
+#[cfg(feature = "fixed")]
+bakeable!(fixed::types::I2F14, 15, single, short);
 
 /// Why literal data make no ephemeris.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -57,6 +57,6 @@ pub(super) fn alpha_beta(terms: &[[i16; 4]], place: Place) -> [i16; 4] {
 /// From 31 bits after the point to 14.
 #[inline(always)]
 fn rotated(number: [i32; 2], (sine, cosine): (i32, i32)) -> [i16; 2] {
-    let ([re, im], sine, cosine) = (number.map(|part| part >> 16), sine >> 16, cosine >> 16);
+    let ([re, im], sine, cosine) = (number.map(|part| part >> 16), sine >> 15, cosine >> 15);
     [re * cosine - im * sine, re * sine + im * cosine].map(|part| ((part + (1 << 15)) >> 16) as i16)
 }

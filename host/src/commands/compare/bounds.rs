@@ -5,18 +5,19 @@ use crate::cli::{Method, Scalar};
 use crate::propagate::period;
 use toytop::{Motion, Regime};
 
-/// Steps a period. In f64, truncation and rounding of the fourth-order step are equal near 2048 (smooth motions) to 8192
+/// Steps a period, in f64 and in every other type. In f64, truncation and rounding of the fourth-order step are equal near 2048 (smooth motions) to 8192
 /// (near the separatrix). In f32, rounding alone is left from 512 on, also near the separatrix; as the phases are
-/// integers it does not grow with more steps, which only cost time.
+/// integers it does not grow with more steps, which only cost time. In
+/// fixed point a step is exact whatever its length.
 pub(super) fn steps_per_period(scalar: Scalar) -> u32 {
     match scalar {
         Scalar::F64 => 4096,
-        Scalar::F32 => 512,
+        Scalar::F32 | Scalar::Q31 | Scalar::Q15 | Scalar::Micromath => 512,
     }
 }
 
 /// Of the stepper over ten periods, rad. In f32 near the separatrix: 180 motions with e₃ - e₂ from 1e-3 to 1e-12, at most
-/// 1.1e-4 rad above what is the truth's.
+/// 1.1e-4 rad above what is the truth's. Of micromath, whose square root is 6 % off, nothing can be promised.
 fn of_the_stepper(motion: &Motion, scalar: Scalar) -> f64 {
     /// Below this e₃ - e₂ a motion counts as near the separatrix.
     const NEAR: f64 = 1e-2;
@@ -25,15 +26,21 @@ fn of_the_stepper(motion: &Motion, scalar: Scalar) -> f64 {
         (Scalar::F64, _) => 1e-10,
         (Scalar::F32, false) => 2e-5,
         (Scalar::F32, true) => 2e-4,
+        (Scalar::Q31 | Scalar::Q15, _) => 1e-7,
+        (Scalar::Micromath, _) => WORST,
     }
 }
 
 /// Of an ephemeris at any time, rad. In f64 it is some 1e-15 (measured against vectors of 30 digits), so that the truth,
-/// up to 3e-13 over ten periods of the motions here, sets the bound; in f32 up to 4e-7.
+/// up to 3e-13 over ten periods of the motions here, sets the bound; in f32 up to 4e-7, in
+/// fixed point 9e-9 and 3e-4, with micromath's sines 2.2e-3.
 fn of_the_ephemeris(scalar: Scalar) -> f64 {
     match scalar {
         Scalar::F64 => 0.0,
         Scalar::F32 => 5e-7,
+        Scalar::Q31 => 2e-8,
+        Scalar::Q15 => 5e-4,
+        Scalar::Micromath => 1e-2,
     }
 }
 

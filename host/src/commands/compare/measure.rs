@@ -3,6 +3,7 @@
 use super::run::{Moment, Run};
 use crate::Failure;
 use crate::full_solver::FullState;
+use crate::invariants::natural_scales;
 use crate::scenario::Scenario;
 use crate::truth;
 use toytop::{Complex, Motion};
@@ -72,12 +73,4 @@ fn worsen(worst: &mut f64, error: f64) {
     if error > *worst || error.is_nan() {
         *worst = error;
     }
-}
-
-/// Of l, n and h: the greater of the motion's own and of what the top's weight makes natural, √(2 A p g) and p g.
-fn natural_scales(motion: &Motion) -> [f64; 3] {
-    let (top, constants) = (motion.top(), motion.first_integrals());
-    let weight = top.p() * top.g();
-    let momentum = (2.0 * top.a() * weight).sqrt().max(constants.l.abs()).max(constants.n.abs());
-    [momentum, momentum, weight.max(constants.h.abs())]
 }

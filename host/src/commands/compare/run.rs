@@ -1,14 +1,16 @@
 //! One run of the core over a motion: by a stepper, or by an ephemeris.
 
 use crate::Failure;
-use crate::ephemeris::{Sizes, smallest};
+use crate::cli::Scalar;
+use crate::ephemeris::smallest;
+use crate::fixed_steps::FixedSteps;
 use crate::invariants::first_integrals;
 use crate::progress::Progress;
 use crate::propagate::{Paced, Sample};
 use std::time::{Duration, Instant};
 use toytop::real::Real;
 use toytop::su2::PhiRate;
-use toytop::{Complex, Motion, Phi, Pose, Top};
+use toytop::{Complex, Motion, Top};
 
 /// What a run gave and took.
 pub(super) struct Run {
@@ -54,30 +56,43 @@ pub(super) fn step_through<R: Real>(motion: &Motion, times: &[f64], step: f64) -
         .map(|&t| {
             paced.reach(t, &mut progress);
             let stepper = paced.stepper();
-            moment(motion.top(), Sample::stepped(paced.elapsed(), stepper), &stepper.pose())
+            moment(motion.top(), Sample::stepped(paced.elapsed(), stepper), &stepper.pose().rate)
         })
         .collect();
     Run { moments, effort: Effort::Steps(paced.steps()), wall: paced.stepping() }
 }
 
+/// The same by the fixed-point stepper: at the last tick before each time.
+pub(super) fn tick_through(motion: &Motion, times: &[f64], step: f64) -> Result<Run, Failure> {
+    let horizon = times.last().copied().unwrap_or_default();
+    let mut progress = Progress::new((horizon / step) as u64, "ticks");
+    let mut ticks = FixedSteps::new(motion, step)?;
+    let moments = times
+        .iter()
+        .map(|&t| {
+            ticks.reach(t, &mut progress);
+            moment(motion.top(), ticks.sample(), &ticks.in_f64().pose().rate)
+        })
+        .collect();
+    Ok(Run { moments, effort: Effort::Steps(ticks.steps()), wall: ticks.stepping() })
+}
+
 /// Looks the times up in an ephemeris.
-pub(super) fn look_up<R: Sizes>(motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
-    let ephemeris = smallest::<R>(motion)?;
+pub(super) fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
+    let ephemeris = smallest(scalar, motion)?;
     let started = Instant::now();
     let instants: Vec<_> = times.iter().map(|&t| ephemeris.at(t)).collect();
     let wall = started.elapsed();
-    let moment = |(t, instant): (&f64, &crate::ephemeris::Instant<R>)| {
-        moment(motion.top(), Sample::of(*t, &instant.pose, instant.tip, None), &instant.pose)
-    };
-    let moments = times.iter().zip(&instants).map(moment).collect();
+    let moments =
+        instants.iter().map(|instant| moment(motion.top(), instant.sample, &instant.rate)).collect();
     Ok(Run { moments, effort: Effort::Table(ephemeris.size()), wall })
 }
 
 /// ω once more, in f64 from the core's α, β and rates: what is measured is those, not the rounding of a product.
-fn moment<R: Real>(top: &Top, sample: Sample, pose: &Pose<R>) -> Moment {
+fn moment<R: Real>(top: &Top, sample: Sample, rate: &PhiRate<R>) -> Moment {
     let widen = |z: Complex<R>| Complex::new(z.re.to_f64(), z.im.to_f64());
-    let phi = Phi { alpha: sample.alpha, beta: sample.beta };
-    let rate = PhiRate { alpha: widen(pose.rate.alpha), beta: widen(pose.rate.beta) };
+    let phi = sample.orientation();
+    let rate = PhiRate { alpha: widen(rate.alpha), beta: widen(rate.beta) };
     let integrals = first_integrals(top, phi.alpha, phi.beta, rate.omega_fixed(&phi));
     Moment { sample, integrals }
 }

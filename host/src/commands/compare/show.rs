@@ -39,18 +39,17 @@ fn record(row: &Row) -> Record {
 const HEADER: [&str; 13] =
     ["motion", "type", "method", "angle", "u", "tip", "h", "l", "n", "steps", "time", "bound", ""];
 
-pub(super) fn table(rows: &[Row], periods: u32, scalars: &[Scalar]) -> String {
+pub(super) fn table(rows: &[Row], periods: u32) -> String {
     let header = HEADER.iter().map(|&name| name.to_owned()).collect();
     let lines = std::iter::once(header).chain(rows.iter().map(line)).collect();
-    let steps: Vec<_> =
-        scalars.iter().map(|&scalar| format!("{} in {}", steps_per_period(scalar), scalar.name())).collect();
     format!(
         "{}\nThe core against the full 3-D equations: greatest differences at {SAMPLES} moments a period over {periods} periods.\n\
          angle: 2 sqrt(|d alpha|^2 + |d beta|^2) in rad, not to exceed the bound; tip: in units of s; h, l, n: as recomputed\n\
-         from alpha, beta and their rates, against their constants, relative. Steps a period: {}; of an\n\
-         ephemeris the segments x terms of its table. Time: of the steps or look-ups alone.\n",
+         from alpha, beta and their rates, against their constants, relative. Steps a period: {} in f64,\n\
+         {} in other types; of an ephemeris the segments x terms of its table. Time: of the steps or look-ups alone.\n",
         output::columns(lines, 3),
-        steps.join(", ")
+        steps_per_period(Scalar::F64),
+        steps_per_period(Scalar::F32),
     )
 }
 

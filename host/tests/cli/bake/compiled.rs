@@ -3,10 +3,10 @@
 use super::folder;
 use crate::vectors::scenario_of;
 use crate::{branch_points, run, sample, scenario, stderr, stdout};
+use fixed::types::{I2F14, I2F30};
 use std::fmt::Write as _;
 use std::path::Path;
 use std::process::{Command, Output};
-use toytop::real::Real;
 use toytop::{Bakeable, Complex, Ephemeris, Moment, Tabular, Tick};
 use toytop_host::scenario::Scenario;
 
@@ -38,6 +38,10 @@ pub(crate) fn cases() -> Vec<Case> {
         |file, tick| Case { file, scalar: "f64", size: "48x11", tick, truth: truth::<f64, 48, 11> };
     let f64_large =
         |file, tick| Case { file, scalar: "f64", size: "1024x11", tick, truth: truth::<f64, 1024, 11> };
+    let q31 = |file, tick| Case { file, scalar: "q31", size: "32x4", tick, truth: truth::<I2F30, 32, 4> };
+    let q31_large =
+        |file, tick| Case { file, scalar: "q31", size: "256x7", tick, truth: truth::<I2F30, 256, 7> };
+    let q15 = |file, tick| Case { file, scalar: "q15", size: "128x4", tick, truth: truth::<I2F14, 128, 4> };
     vec![
         f32_default(sample("toy_top"), [1000, 1]),
         f32_default(sample("lagrange"), [44_100, 2]),
@@ -50,6 +54,12 @@ pub(crate) fn cases() -> Vec<Case> {
         // upright at tick 0, where |Re alpha| = 1 is one more than an integer of 32 bits holds
         f32_default(upright(1), [1000, 1]),
         f32_default(upright(-1), [1000, 1]),
+        q31(vector("exact_fast_spin"), [44_100, 2]),
+        q31_large(vector("exact_state_vertical"), [1000, 1]),
+        q31_large(vector("exact_lagrange_aperiodic"), [1000, 1]),
+        q15(vector("exact_generic_mm"), [44_100, 2]),
+        q15(vector("sleeping_unstable"), [1000, 1]),
+        q15(vector("aperiodic"), [8000, 1]),
         f64_default(sample("figure_3_loops"), [44_100, 2]),
         f64_default(vector("exact_generic_pm"), [1000, 1]),
         f64_default(vector("hanging"), [1000, 1]),
@@ -87,11 +97,23 @@ fn truth<R: Bits, const S: usize, const T: usize>(file: &str, [ticks, seconds]: 
 }
 
 /// Scalars whose bits can be printed.
-trait Bits: Real + Bakeable + Tabular<Wide = Self> {
+trait Bits: Bakeable + Tabular {
     fn hexadecimal(self) -> String;
 }
 
 impl Bits for f32 {
+    fn hexadecimal(self) -> String {
+        format!("{:x}", self.to_bits())
+    }
+}
+
+impl Bits for I2F30 {
+    fn hexadecimal(self) -> String {
+        format!("{:x}", self.to_bits())
+    }
+}
+
+impl Bits for I2F14 {
     fn hexadecimal(self) -> String {
         format!("{:x}", self.to_bits())
     }
@@ -155,7 +177,11 @@ fn c_gives_the_same_bits() {
         bake(case, "c", &folder.join(format!("{name}.h")));
         // twice: once is enough
         source += &format!("#include \"{name}.h\"\n#include \"{name}.h\"\n");
-        let [word, format] = if scalar == "f32" { ["uint32_t", "PRIx32"] } else { ["uint64_t", "PRIx64"] };
+        let [word, format] = match scalar {
+            "f64" => ["uint64_t", "PRIx64"],
+            "q15" => ["uint16_t", "PRIx16"],
+            _ => ["uint32_t", "PRIx32"],
+        };
         main += &format!(
             "    if (!toytop_intact_{scalar}(&{name})) return 1;
     state = 1;
@@ -219,7 +245,7 @@ fn rust_gives_the_same_bits_and_a_changed_number_does_not_compile() {
     std::fs::write(
         folder.join("Cargo.toml"),
         format!(
-            "[package]\nname = \"baked\"\nedition = \"2024\"\n[dependencies]\ntoytop = {{ path = {core:?} }}\n[workspace]\n"
+            "[package]\nname = \"baked\"\nedition = \"2024\"\n[dependencies]\ntoytop = {{ path = {core:?}, features = [\"fixed\"] }}\n[workspace]\n"
         ),
     )
     .expect("the manifest");

@@ -31,6 +31,11 @@ impl Checksum {
         self.word(number as u32)
     }
 
+    #[cfg(feature = "fixed")]
+    pub(super) const fn short(self, number: i16) -> Self {
+        self.signed(number as i32)
+    }
+
     pub(super) const fn single(self, number: f32) -> Self {
         self.word(number.to_bits())
     }

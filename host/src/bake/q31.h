@@ -1,0 +1,48 @@
+typedef struct {
+    toytop_clock clock;
+    float scales[4];                  /* 2s; rates for the derivatives, which this file does not compute */
+    const int32_t (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
+} toytop_q31;
+
+/* In units of 2^-30: the orientation; u, the cosine of the tilt; the tip over s, 2 alpha beta. {re, im}. */
+typedef struct { int32_t alpha[2], beta[2], u, c[2]; } toytop_moment_q31;
+
+/* Rounded down to 2^-28. */
+static inline int32_t toytop_product_q31(int32_t a, int32_t b) { return toytop_high(a, b) * 4; }
+
+static inline toytop_moment_q31 toytop_moment_of_q31(const toytop_q31 *table, const toytop_cursor *at) {
+    toytop_moment_q31 m;
+    int32_t four[4];
+    toytop_alpha_beta(&table->clock, table->coefficients, at, four);
+    for (int i = 0; i < 2; i++) m.alpha[i] = four[i], m.beta[i] = four[i + 2];
+    m.u = (toytop_product_q31(four[0], four[0]) + toytop_product_q31(four[1], four[1]))
+        - (toytop_product_q31(four[2], four[2]) + toytop_product_q31(four[3], four[3]));
+    m.c[0] = 2 * (toytop_product_q31(four[0], four[2]) - toytop_product_q31(four[1], four[3]));
+    m.c[1] = 2 * (toytop_product_q31(four[0], four[3]) + toytop_product_q31(four[1], four[2]));
+    return m;
+}
+
+/* Any tick, at the same cost. */
+static inline toytop_moment_q31 toytop_at_tick_q31(const toytop_q31 *table, int64_t tick) {
+    toytop_cursor at = toytop_at(&table->clock, tick);
+    return toytop_moment_of_q31(table, &at);
+}
+
+/* The tick of a cursor, which begins as toytop_at(&table->clock, first) and moves on to the next. */
+static inline toytop_moment_q31 toytop_next_q31(const toytop_q31 *table, toytop_cursor *at) {
+    toytop_moment_q31 now = toytop_moment_of_q31(table, at);
+    toytop_move_on(&table->clock, at);
+    return now;
+}
+
+/* Whether every bit of a table is what it was when it was written. */
+static inline int toytop_intact_q31(const toytop_q31 *table) {
+    uint32_t bits, sum = toytop_head(&table->clock, 31);
+    for (int i = 0; i < 4; i++) {
+        memcpy(&bits, &table->scales[i], sizeof bits);
+        sum = toytop_word(sum, bits);
+    }
+    for (uint32_t row = 0; row < table->clock.segments * table->clock.terms; row++)
+        for (int i = 0; i < 4; i++) sum = toytop_word(sum, (uint32_t)table->coefficients[row][i]);
+    return sum == table->clock.checksum;
+}

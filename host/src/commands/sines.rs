@@ -1,0 +1,58 @@
+//! `toytop sines`: how exact the sines of an integer phase are, at every phase.
+
+use super::Report;
+use crate::Failure;
+use crate::cli::{Format, SinesArgs};
+use crate::output::{self, Cell, Record};
+use crate::sines::{UNIT, WAYS, Way, Worst, phases, swept};
+
+pub(super) fn run(arguments: &SinesArgs) -> Result<Report, Failure> {
+    let found = swept(arguments.every)?;
+    let pairs = || WAYS.iter().zip(&found);
+    let text = match arguments.format {
+        Format::Table => {
+            let head = ["", "", "sine, 2^-31", "cosine, 2^-31", "bits", "worst phase, 2^-32 turns"];
+            let mut lines = vec![head.map(str::to_owned).into()];
+            lines.extend(pairs().map(line));
+            let count = phases(arguments.every);
+            format!("{}\nGreatest errors over {count} phases.\n", output::columns(lines, 2))
+        }
+        Format::Csv => output::csv(&records(pairs())).map_err(Failure::Output)?,
+        Format::Json => output::json_list("rows", &records(pairs())).map_err(Failure::Output)?,
+    };
+    Ok(Report { text, ..Report::default() })
+}
+
+/// As a number of bits after the point.
+fn bits(error: f64) -> f64 {
+    -error.log2()
+}
+
+fn line((way, [sine, cosine]): (&Way, &Worst)) -> Vec<String> {
+    let (error, phase) = if sine.0 >= cosine.0 { *sine } else { *cosine };
+    vec![
+        way.name.to_owned(),
+        way.what.to_owned(),
+        format!("{:.3}", sine.0 / UNIT),
+        format!("{:.3}", cosine.0 / UNIT),
+        format!("{:.2}", bits(error)),
+        format!("{phase:#010x}"),
+    ]
+}
+
+fn records<'a>(pairs: impl Iterator<Item = (&'a Way, &'a Worst)>) -> Vec<Record> {
+    let of_way = |(way, worst): (&Way, &Worst)| {
+        let record = |(function, (error, phase)): (&str, (f64, u32))| {
+            Record(vec![
+                ("table", Cell::Text(way.name.to_owned())),
+                ("function", Cell::Text(function.to_owned())),
+                ("max_error", Cell::Number(error)),
+                ("max_error_units", Cell::Number(error / UNIT)),
+                ("bits", Cell::Number(bits(error))),
+                ("phase", Cell::Count(phase.into())),
+            ])
+        };
+        ["sine", "cosine"].into_iter().zip(*worst).map(record).collect::<Vec<_>>()
+    };
+    pairs.flat_map(of_way).collect()
+}
