@@ -70,8 +70,8 @@ fn the_size_is_chosen_and_said() {
         (&sample("toy_top"), "f64", "48x11"),
         (&sample("toy_top"), "q31", "32x4"),
         (&sample("toy_top"), "q15", "16x3"),
-        (&slender, "f32", "64x7"),
-        (&slender, "f64", "256x11"),
+        (&slender, "f32", "32x6"),
+        (&slender, "f64", "128x11"),
     ] {
         let output = run(&["bake", file, "--scalar", scalar]);
         let note = stderr(&output);
@@ -96,7 +96,7 @@ fn what_cannot_be_baked_leaves_nothing_behind() {
     let needle = scenario("bake_needle", &needle);
     let broken = scenario("bake_broken", TOP);
     let cases: &[(&str, &[&str], i32, &str)] = &[
-        (&good, &["--size", "17x8"], 2, "--size: 17x8 must be one of 16x7, 25x5, 64x7, 256x7, 1024x7"),
+        (&good, &["--size", "17x8"], 2, "--size: 17x8 must be one of 16x6, 25x5, 32x6, 128x6, 1024x6"),
         (&good, &["--size", "16*8"], 2, "segments x terms"),
         (&good, &["--hertz", "0"], 2, "1..=4294967295"),
         (&good, &["--tick", "0/2"], 2, "44100/2"),

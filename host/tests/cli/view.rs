@@ -51,7 +51,7 @@ fn one_page_that_needs_nothing_else() {
         "<th scope=\"row\">α in a period</th><td>0.78468 <small>turns<",
         "<th scope=\"row\">least normal force</th><td>0.647059 <small>weights<",
         "tip curve: loops",
-        "16 × 8 in f32",
+        "25 × 5 in f32",
         "<small>rad<",
     ] {
         assert!(page.contains(fact), "{fact}");

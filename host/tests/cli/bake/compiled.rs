@@ -33,14 +33,14 @@ pub(crate) fn cases() -> Vec<Case> {
     let f32_default =
         |file, tick| Case { file, scalar: "f32", size: "25x5", tick, truth: truth::<f32, 25, 5> };
     let f32_large =
-        |file, tick| Case { file, scalar: "f32", size: "256x7", tick, truth: truth::<f32, 256, 7> };
+        |file, tick| Case { file, scalar: "f32", size: "128x6", tick, truth: truth::<f32, 128, 6> };
     let f64_default =
         |file, tick| Case { file, scalar: "f64", size: "48x11", tick, truth: truth::<f64, 48, 11> };
     let f64_large =
-        |file, tick| Case { file, scalar: "f64", size: "1024x11", tick, truth: truth::<f64, 1024, 11> };
+        |file, tick| Case { file, scalar: "f64", size: "512x11", tick, truth: truth::<f64, 512, 11> };
     let q31 = |file, tick| Case { file, scalar: "q31", size: "32x4", tick, truth: truth::<I2F30, 32, 4> };
     let q31_large =
-        |file, tick| Case { file, scalar: "q31", size: "256x7", tick, truth: truth::<I2F30, 256, 7> };
+        |file, tick| Case { file, scalar: "q31", size: "128x6", tick, truth: truth::<I2F30, 128, 6> };
     let q15 = |file, tick| Case { file, scalar: "q15", size: "128x4", tick, truth: truth::<I2F14, 128, 4> };
     vec![
         f32_default(sample("toy_top"), [1000, 1]),
