@@ -36,7 +36,7 @@ impl<R: Ring> Complex<R> {
     /// |z|².
     #[must_use]
     pub fn norm_squared(self) -> R {
-        self.re.squared() + self.im.squared()
+        R::inner([self.re, self.im], [self.re, self.im])
     }
 
     /// i z.
@@ -91,8 +91,8 @@ impl<R: Ring> Mul for Complex<R> {
     #[inline]
     fn mul(self, other: Self) -> Self {
         Self {
-            re: self.re.product(other.re) - self.im.product(other.im),
-            im: self.re.product(other.im) + self.im.product(other.re),
+            re: R::determinant([self.re, self.im], [other.im, other.re]),
+            im: R::inner([self.re, self.im], [other.im, other.re]),
         }
     }
 }

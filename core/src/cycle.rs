@@ -83,6 +83,15 @@ impl Cycle {
         Self::new([lower as u32, (lower >> 32) as u32, upper])
     }
 
+    /// The difference, whole turns dropped.
+    #[must_use]
+    pub(crate) const fn minus(self, other: Self) -> Self {
+        let ([.., upper], [.., other_upper]) = (self.words, other.words);
+        let (lower, borrow) = self.lower().overflowing_sub(other.lower());
+        let upper = upper.wrapping_sub(other_upper).wrapping_sub(borrow as u32);
+        Self::new([lower as u32, (lower >> 32) as u32, upper])
+    }
+
     /// n times, whole turns dropped.
     #[inline(always)]
     #[must_use]
@@ -124,6 +133,7 @@ mod tests {
         let mut sum = Cycle::ZERO.plus_leading(start);
         for n in 0..1000 {
             assert_eq!(step.times(n).plus_leading(start), sum);
+            assert_eq!(sum.plus(step).minus(step), sum);
             sum = sum.plus(step);
         }
         for n in [u64::MAX, 1 << 63, 1 << 40, 0x7fff_ffff_0000_0001] {

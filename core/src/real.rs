@@ -23,7 +23,10 @@ mod sine;
 #[cfg(feature = "fixed")]
 pub(crate) use arctangent::angle;
 pub use double_double::DoubleDouble;
-pub(crate) use product::{high_product, long_product, wrapping_product};
+pub(crate) use product::{
+    high_product, high_product_of_less, long_product, short_product, short_product_by_constant,
+    wrapping_product,
+};
 pub(crate) use sine::sine_cosine_f64;
 #[cfg(feature = "fixed")]
 pub use sine::sine_cosine_q15;
@@ -54,6 +57,20 @@ pub trait Ring:
     #[must_use]
     fn product(self, other: Self) -> Self {
         self * other
+    }
+
+    /// The inner product of two pairs, ac + bd.
+    #[inline(always)]
+    #[must_use]
+    fn inner([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        a.product(c) + b.product(d)
+    }
+
+    /// The determinant of two pairs, ad - bc.
+    #[inline(always)]
+    #[must_use]
+    fn determinant([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        a.product(d) - b.product(c)
     }
 
     /// x².

@@ -101,7 +101,8 @@ impl<R: Ring> Phi<R> {
     /// u = |α|² - |β|², the cosine of the tilt.
     #[must_use]
     pub fn u(&self) -> R {
-        self.alpha.norm_squared() - self.beta.norm_squared()
+        let (sum, difference) = (self.alpha + self.beta, self.alpha - self.beta);
+        R::inner([sum.re, sum.im], [difference.re, difference.im])
     }
 }
 

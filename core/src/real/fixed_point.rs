@@ -16,6 +16,20 @@ impl Ring for I2F30 {
     fn product(self, other: Self) -> Self {
         Self::from_bits(high_product(self.to_bits(), other.to_bits()) << 2)
     }
+
+    #[inline(always)]
+    fn inner([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        Self::from_bits(
+            high_product(a.to_bits(), c.to_bits()).wrapping_add(high_product(b.to_bits(), d.to_bits())) << 2,
+        )
+    }
+
+    #[inline(always)]
+    fn determinant([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        Self::from_bits(
+            high_product(a.to_bits(), d.to_bits()).wrapping_sub(high_product(b.to_bits(), c.to_bits())) << 2,
+        )
+    }
 }
 
 impl Scalar for I2F30 {
@@ -36,6 +50,18 @@ impl Ring for I2F14 {
     #[inline(always)]
     fn product(self, other: Self) -> Self {
         Self::from_bits(((self.to_bits() as i32 * other.to_bits() as i32) >> 14) as i16)
+    }
+
+    #[inline(always)]
+    fn inner([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        let product = |x: Self, y: Self| x.to_bits() as i32 * y.to_bits() as i32;
+        Self::from_bits((product(a, c).wrapping_add(product(b, d)) >> 14) as i16)
+    }
+
+    #[inline(always)]
+    fn determinant([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        let product = |x: Self, y: Self| x.to_bits() as i32 * y.to_bits() as i32;
+        Self::from_bits((product(a, d).wrapping_sub(product(b, c)) >> 14) as i16)
     }
 }
 

@@ -1,9 +1,9 @@
 //! Sine and cosine of an integer phase: reduction is exact, and costs a shift.
 //!
 //! In `f64` by quarter turns and two polynomials, relative to the result near its zeros. In `f32` and fixed point by
-//! integers, from 256 points of the circle (1.25 KiB of flash), absolutely.
+//! integers, from 512 points of the circle (2.5 KiB of flash), absolutely.
 
-use super::high_product;
+use super::{high_product, short_product, short_product_by_constant};
 
 /// sin 2πx = x S(x²) and cos 2πx = C(x²) for |x| <= 1/8: the Chebyshev interpolants on [0, 1/64] (mpmath:
 /// `chebyfit(lambda y: sin(2*pi*sqrt(y))/sqrt(y), [0, 1/64], 8)`, and the like), lowest power first; their own error is
@@ -60,40 +60,39 @@ const fn horner(mut coefficients: &[f64], y: f64) -> f64 {
     sum
 }
 
-/// Points on the circle; the nearest is within 1/512 of a turn.
-const POINTS: usize = 256;
+/// Points on the circle; the nearest is within 1/1024 of a turn.
+const POINTS: usize = 512;
 
-/// (2^31 - 1) sin of 0, 1/256, ... turns; a quarter turn on is the cosine.
+/// 2^31 sin of 0, 1/512, ... turns, 2^31 - 1 for the one that is too large; a quarter turn on is the cosine.
 #[allow(clippy::indexing_slicing)] // evaluated by the compiler, which would refuse an index out of range
 static SINES: [i32; POINTS + POINTS / 4] = {
     let mut sines = [0; POINTS + POINTS / 4];
     let mut i = 0;
     while i < sines.len() {
-        let (sine, _) = sine_cosine_f64((i as u64) << 56);
-        let scaled = i32::MAX as f64 * sine;
-        sines[i] = (if scaled < 0.0 { scaled - 0.5 } else { scaled + 0.5 }) as i32;
+        let (sine, _) = sine_cosine_f64((i as u64) << 55);
+        let scaled = (1_u64 << 31) as f64 * sine;
+        let nearest = (if scaled < 0.0 { scaled - 0.5 } else { scaled + 0.5 }) as i32;
+        sines[i] = if nearest == i32::MIN { -i32::MAX } else { nearest };
         i += 1;
     }
     sines
 };
 
 /// d = DISTANCE x for x in [-1, 1), rad.
-const DISTANCE: f64 = 2.0 * core::f64::consts::PI / 512.0;
-const LINEAR: i32 = (DISTANCE * (1_u64 << 37) as f64) as i32;
-const CUBIC: i32 = (DISTANCE * DISTANCE * DISTANCE / 6.0 * (1_u64 << 39) as f64) as i32;
-/// v = d²/2 - d⁴/24, with x⁴ replaced by the multiple of x² nearest to it on [0, 1].
-const VERSINE: i32 = (DISTANCE
-    * DISTANCE
-    * (0.5 - DISTANCE * DISTANCE * (2.0 * core::f64::consts::SQRT_2 - 2.0) / 24.0)
-    * (1_u64 << 38) as f64) as i32;
+const DISTANCE: f64 = 2.0 * core::f64::consts::PI / 1024.0;
+const LINEAR: i32 = (DISTANCE * (1_u64 << 38) as f64) as i32;
+/// Of so small a term some bits will do.
+const CUBIC: i32 = (DISTANCE * DISTANCE * DISTANCE / 6.0 * (1_u64 << 32) as f64 + 0.5) as i32;
+/// As it happens, a number of 15 bits to 3e-6 of itself; the next term, d^4/24, is an eighth of a unit.
+const VERSINE: i32 = (DISTANCE * DISTANCE / 2.0 * (1_u64 << 30) as f64 + 0.5) as i32;
 
 /// The constants of the crate's sines: for an evaluator in another language that shall give the same bits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SineConstants {
-    /// In integers: (2^31 - 1) sin of 0, 1/256, ... 319/256 turns.
+    /// In integers: 2^31 sin of 0, 1/512, ... 639/512 turns, at most 2^31 - 1.
     pub points: &'static [i32],
     /// In integers, the turn from the nearest point: the coefficient of its sine, that of the cube in it, and that of its
-    /// versine, scaled by 2^37, 2^39 and 2^38.
+    /// versine, scaled by 2^38, 2^32 and 2^30.
     pub turn: [i32; 3],
     /// In `f64`: sin 2πx = x S(x²) for |x| <= 1/8, lowest power first.
     pub sine: &'static [f64],
@@ -106,39 +105,40 @@ pub static SINE_CONSTANTS: SineConstants =
     SineConstants { points: &SINES, turn: [LINEAR, CUBIC, VERSINE], sine: &SINE, cosine: &COSINE };
 
 /// (sin 2πx, cos 2πx)·2^31 for a phase of x turns, given by the upper 32 bits of its fraction: in integers alone, so the
-/// same bits everywhere. Error: below 2.4 units, 1.1e-9.
+/// same bits everywhere. Error: below 2.45 units, 1.2e-9.
 ///
-/// From the nearest of 256 points, turned by the rest: sin d = d - d³/6, cos d = 1 - v. No sum can overflow: only the
-/// points on the axes are within 2^17 of the largest number, and they are exact.
+/// From the nearest of 512 points, turned by the rest: sin d = d - d³/6, cos d = 1 - d²/2. No sum can overflow: only the
+/// points on the axes are within 2^17 of the largest number, and there one of the changes is 0.
 #[inline(always)]
 pub fn sine_cosine_q31(phase: u32) -> (i32, i32) {
-    let x = (phase << 8) as i32;
+    let x = (phase << 9) as i32;
     let (sine, cosine) = point(phase);
     let square = high_product(x, x);
-    let versine = high_product(square, VERSINE);
-    let small_sine = high_product(x, LINEAR - high_product(square, CUBIC));
-    // the corrections have 35 bits after the point
-    let sine_change = high_product(cosine, small_sine) - high_product(sine, versine);
-    let cosine_change = high_product(sine, small_sine) + high_product(cosine, versine);
-    (sine + ((sine_change + 8) >> 4), cosine - ((cosine_change + 8) >> 4))
+    // 37 bits after the point, and 44
+    let small_sine = high_product(x, LINEAR - (((square >> 16) * CUBIC) >> 8));
+    let versine = short_product_by_constant(square, VERSINE << 16);
+    // the corrections have 36
+    let sine_change = high_product(small_sine, cosine) - (short_product(versine, sine) >> 7);
+    let cosine_change = high_product(small_sine, sine) + (short_product(versine, cosine) >> 7);
+    (sine + ((sine_change + 16) >> 5), cosine - ((cosine_change + 16) >> 5))
 }
 
-/// (sin 2πx, cos 2πx)·2^30 as [`sine_cosine_q31`], by 16-bit products alone. Error: below 8e-5, nearly all of it a common
-/// factor between 1 and 1 + 7.6e-5: a point is moved along its tangent. A bit less than there, because that may lead beyond 1.
+/// (sin 2πx, cos 2πx)·2^30 as [`sine_cosine_q31`], by 16-bit products alone. Error: below 2.2e-5, nearly all of it a common
+/// factor between 1 and 1 + 1.9e-5: a point is moved along its tangent. A bit less than there, because that may lead beyond 1.
 #[cfg(feature = "fixed")]
 #[inline(always)]
 pub fn sine_cosine_q15(phase: u32) -> (i32, i32) {
-    /// 2π/512 · 2^21
-    const LINEAR: i32 = (2.0 * core::f64::consts::PI / 512.0 * (1 << 21) as f64) as i32;
+    /// 2π/1024 · 2^22
+    const LINEAR: i32 = (2.0 * core::f64::consts::PI / 1024.0 * (1 << 22) as f64) as i32;
     let (sine, cosine) = point(phase);
-    let small = (((phase << 8) as i32 >> 16) * LINEAR) >> 15;
-    ((sine >> 1) + (((cosine >> 16) * small) >> 6), (cosine >> 1) - (((sine >> 16) * small) >> 6))
+    let small = (((phase << 9) as i32 >> 16) * LINEAR) >> 15;
+    ((sine >> 1) + (((cosine >> 16) * small) >> 7), (cosine >> 1) - (((sine >> 16) * small) >> 7))
 }
 
-/// (2^31 - 1) times sine and cosine of the nearest point.
+/// 2^31 times sine and cosine of the nearest point.
 #[inline(always)]
 fn point(phase: u32) -> (i32, i32) {
-    let point = (phase.wrapping_add(1 << 23) >> 24) as usize;
+    let point = (phase.wrapping_add(1 << 22) >> 23) as usize;
     let from_here = SINES.get(point..).unwrap_or(&[]);
     let sine = from_here.first().copied().unwrap_or(0);
     let cosine = from_here.get(POINTS / 4).copied().unwrap_or(0);

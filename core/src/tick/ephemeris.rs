@@ -37,9 +37,10 @@ use crate::turns::Turns;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)] // what a tick adds lies first, where the smallest chip's loads reach
 pub struct Ephemeris<R: Tabular, const SEGMENTS: usize, const TERMS: usize> {
-    pub(super) table: Table<R::Coefficient, SEGMENTS, TERMS>,
     pub(super) clock: Clock<R::Wide>,
+    pub(super) table: Table<R::Coefficient, SEGMENTS, TERMS>,
     bound: ErrorBound,
 }
 
@@ -51,18 +52,19 @@ pub type EphemerisF64 = Ephemeris<f64, 48, 11>;
 
 /// The phases, what a tick adds to them, and the scales of what is derived.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub(super) struct Clock<W> {
+    step: [Cycle; 3],
+    /// 2 s.
+    pub(super) tip_scale: W,
     /// At the very first tick, `i64::MIN`, from where ticks count up without a sign: in units of 2^-64 turns.
     first: [u64; 3],
-    step: [Cycle; 3],
-    /// The same in turns, whole ones included, for a part of a tick.
+    /// The first and the last tick at which an aperiodic motion still moves; `None` for one that returns.
+    horizon: Option<[i64; 2]>,
+    /// The steps in turns, whole ones included, for a part of a tick.
     exact_step: [DoubleDouble; 3],
     /// Ticks in a unit of time.
     ticks_per_time: DoubleDouble,
-    /// The first and the last tick at which an aperiodic motion still moves; `None` for one that returns.
-    horizon: Option<[i64; 2]>,
-    /// 2 s.
-    pub(super) tip_scale: W,
     /// dx/dt on a cell of one segment, and the mean rates of A and B in rad, per unit time.
     pub(super) rates: [W; 3],
 }
@@ -147,8 +149,12 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENT
     /// A way through consecutive ticks, by additions only.
     #[must_use]
     pub fn cursor(&self, first: i64) -> Cursor<'_, R, SEGMENTS, TERMS> {
-        let phases = self.clock.at(first);
-        Cursor { ephemeris: self, phases, counts: self.clock.horizon.is_some(), tick: first }
+        let mut before = self.clock.at(first);
+        for (phase, step) in before.iter_mut().zip(self.clock.step) {
+            *phase = phase.minus(step);
+        }
+        let tick = first.wrapping_sub(1);
+        Cursor { ephemeris: self, phases: before, counts: self.clock.horizon.is_some(), tick }
     }
 
     /// The next turning point of u after tick n - 1, so that its tick is n or later; `None` where u does not turn again, or
@@ -268,12 +274,14 @@ fn horizon(start: Turns, step: DoubleDouble) -> [i64; 2] {
 
 /// Goes through consecutive ticks: three additions each, then what is asked of the moment. What an interrupt holds.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)] // the flag lies where the smallest chip's loads reach
 pub struct Cursor<'a, R: Tabular, const SEGMENTS: usize, const TERMS: usize> {
     ephemeris: &'a Ephemeris<R, SEGMENTS, TERMS>,
-    phases: [Cycle; 3],
     /// Whether the nutation phase does not wrap, so that sums will not do.
     counts: bool,
-    /// If so, the current tick.
+    /// Those of the tick before the current one, so that a tick has no old ones to keep.
+    phases: [Cycle; 3],
+    /// If so, the tick before the current one.
     tick: i64,
 }
 
@@ -282,14 +290,13 @@ impl<'a, R: Tabular, const SEGMENTS: usize, const TERMS: usize> Cursor<'a, R, SE
     #[inline(always)]
     #[allow(clippy::should_implement_trait)]
     pub fn next(&mut self) -> Moment<'a, R, SEGMENTS, TERMS> {
-        let now = self.ephemeris.moment(self.phases);
-        for (phase, step) in self.phases.iter_mut().zip(self.ephemeris.clock.step) {
-            *phase = phase.plus(step);
+        for (phase, step) in self.phases.iter_mut().zip(&self.ephemeris.clock.step) {
+            *phase = phase.plus(*step);
         }
         if self.counts {
             self.count();
         }
-        now
+        self.ephemeris.moment(self.phases)
     }
 
     #[cold]

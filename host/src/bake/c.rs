@@ -102,7 +102,7 @@ fn points() -> String {
     let count = SINE_CONSTANTS.points.len();
     format!(
         "#define TOYTOP_LINEAR {linear}\n#define TOYTOP_CUBIC {cubic}\n#define TOYTOP_VERSINE {versine}\n\
-         /* (2^31 - 1) sin of 0, 1/256, ... turns; a quarter turn on is the cosine. */\n\
+         /* 2^31 sin of 0, 1/512, ... turns, at most 2^31 - 1; a quarter turn on is the cosine. */\n\
          static const int32_t toytop_sines[{count}] = {{\n{rows}}};\n"
     )
 }

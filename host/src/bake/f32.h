@@ -10,15 +10,20 @@ typedef struct { float alpha[2], beta[2], u, c[2]; } toytop_moment_f32;
 /* a b 2^-32, rounded down: needs a compiler that shifts signed numbers arithmetically, as all do. */
 static inline int32_t toytop_high(int32_t a, int32_t b) { return (int32_t)(((int64_t)a * b) >> 32); }
 
-/* From units of 2^-31 to 2^-30, turned by the phase: the nearest of 256 points of the circle, and the rest by a series. */
+/* The same with the 16 upper bits of b alone. */
+static inline int32_t toytop_short(int32_t a, int32_t b) { return (int32_t)(((int64_t)a * (b >> 16)) >> 16); }
+
+/* From units of 2^-31 to 2^-30, turned by the phase: the nearest of 512 points of the circle, and the rest by a series. */
 static inline void toytop_turn(int32_t re, int32_t im, uint64_t leading, int32_t turned[2]) {
     uint32_t phase = (uint32_t)(leading >> 32);
-    int32_t x = (int32_t)(phase << 8);
-    const int32_t *point = toytop_sines + ((uint32_t)(phase + 0x800000) >> 24);
-    int32_t square = toytop_high(x, x), versine = toytop_high(square, TOYTOP_VERSINE);
-    int32_t small = toytop_high(x, TOYTOP_LINEAR - toytop_high(square, TOYTOP_CUBIC));
-    int32_t sine = point[0] + ((toytop_high(point[64], small) - toytop_high(point[0], versine) + 8) >> 4);
-    int32_t cosine = point[64] - ((toytop_high(point[0], small) + toytop_high(point[64], versine) + 8) >> 4);
+    int32_t x = (int32_t)(phase << 9);
+    const int32_t *point = toytop_sines + ((uint32_t)(phase + 0x400000) >> 23);
+    int32_t square = toytop_high(x, x), versine = toytop_high(square, TOYTOP_VERSINE * 65536);
+    int32_t small = toytop_high(x, TOYTOP_LINEAR - (((square >> 16) * TOYTOP_CUBIC) >> 8));
+    int32_t change = toytop_high(point[128], small) - (toytop_short(versine, point[0]) >> 7);
+    int32_t sine = point[0] + ((change + 16) >> 5);
+    change = toytop_high(point[0], small) + (toytop_short(versine, point[128]) >> 7);
+    int32_t cosine = point[128] - ((change + 16) >> 5);
     turned[0] = toytop_high(re, cosine) - toytop_high(im, sine);
     turned[1] = toytop_high(re, sine) + toytop_high(im, cosine);
 }
@@ -31,7 +36,8 @@ static inline void toytop_alpha_beta(const toytop_clock *clock, const int32_t (*
     c += segment * terms;
     for (int i = 0; i < 4; i++) {
         int32_t sum = c[terms - 1][i];
-        for (uint32_t k = terms - 1; k-- > 1;) sum = c[k][i] + toytop_high(sum, x);
+        for (uint32_t k = terms - 1; k-- > 1;) /* for the upper half of the powers 16 bits of x will do */
+            sum = c[k][i] + (2 * (k + 1) > terms ? toytop_short(sum, x) : toytop_high(sum, x));
         int64_t last = (int64_t)c[0][i] + toytop_high(sum, x);
         sums[i] = last > INT32_MAX ? INT32_MAX : last < INT32_MIN ? INT32_MIN : (int32_t)last;
         if (i & 1 && nutation >> 63) sums[i] = ~sums[i];
@@ -45,7 +51,7 @@ static inline toytop_moment_f32 toytop_moment_of_f32(const toytop_f32 *table, co
     int32_t four[4];
     toytop_alpha_beta(&table->clock, table->coefficients, at, four);
     for (int i = 0; i < 2; i++) m.alpha[i] = (float)four[i] * 0x1p-30f, m.beta[i] = (float)four[i + 2] * 0x1p-30f;
-    m.u = (m.alpha[0] * m.alpha[0] + m.alpha[1] * m.alpha[1]) - (m.beta[0] * m.beta[0] + m.beta[1] * m.beta[1]);
+    m.u = (m.alpha[0] + m.beta[0]) * (m.alpha[0] - m.beta[0]) + (m.alpha[1] + m.beta[1]) * (m.alpha[1] - m.beta[1]);
     m.c[0] = (m.alpha[0] * m.beta[0] - m.alpha[1] * m.beta[1]) * table->scales[0];
     m.c[1] = (m.alpha[0] * m.beta[1] + m.alpha[1] * m.beta[0]) * table->scales[0];
     return m;

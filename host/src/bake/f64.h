@@ -37,7 +37,7 @@ static inline toytop_moment_f64 toytop_moment_of_f64(const toytop_f64 *table, co
     }
     toytop_turn_f64(sums[0], sums[1], at->phase[1].leading, m.alpha);
     toytop_turn_f64(sums[2], sums[3], at->phase[2].leading, m.beta);
-    m.u = (m.alpha[0] * m.alpha[0] + m.alpha[1] * m.alpha[1]) - (m.beta[0] * m.beta[0] + m.beta[1] * m.beta[1]);
+    m.u = (m.alpha[0] + m.beta[0]) * (m.alpha[0] - m.beta[0]) + (m.alpha[1] + m.beta[1]) * (m.alpha[1] - m.beta[1]);
     m.c[0] = (m.alpha[0] * m.beta[0] - m.alpha[1] * m.beta[1]) * table->scales[0];
     m.c[1] = (m.alpha[0] * m.beta[1] + m.alpha[1] * m.beta[0]) * table->scales[0];
     return m;

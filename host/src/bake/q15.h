@@ -7,16 +7,16 @@ typedef struct {
 /* In units of 2^-14: the orientation; u, the cosine of the tilt; the tip over s, 2 alpha beta. {re, im}. */
 typedef struct { int16_t alpha[2], beta[2], u, c[2]; } toytop_moment_q15;
 
-/* Rounded down to 2^-14: needs a compiler that shifts signed numbers arithmetically, as all do. */
-static inline int32_t toytop_product_q15(int32_t a, int32_t b) { return a * b >> 14; }
+/* a c + b d, rounded down to 2^-14: needs a compiler that shifts signed numbers arithmetically, as all do. */
+static inline int32_t toytop_inner_q15(int32_t a, int32_t b, int32_t c, int32_t d) { return (a * c + b * d) >> 14; }
 
 /* From 31 bits after the point to 14, turned by the phase: the nearest point of the circle, moved along its tangent. */
 static inline void toytop_turn_q15(int32_t re, int32_t im, uint64_t leading, int32_t turned[2]) {
     uint32_t phase = (uint32_t)(leading >> 32);
-    const int32_t *point = toytop_sines + ((uint32_t)(phase + 0x800000) >> 24);
-    int32_t small = ((int32_t)(phase << 8) >> 16) * (TOYTOP_LINEAR >> 16) >> 15;
-    int32_t sine = ((point[0] >> 1) + ((point[64] >> 16) * small >> 6)) >> 15;
-    int32_t cosine = ((point[64] >> 1) - ((point[0] >> 16) * small >> 6)) >> 15;
+    const int32_t *point = toytop_sines + ((uint32_t)(phase + 0x400000) >> 23);
+    int32_t small = ((int32_t)(phase << 9) >> 16) * (TOYTOP_LINEAR >> 16) >> 15;
+    int32_t sine = ((point[0] >> 1) + ((point[128] >> 16) * small >> 7)) >> 15;
+    int32_t cosine = ((point[128] >> 1) - ((point[0] >> 16) * small >> 7)) >> 15;
     turned[0] = ((re >> 16) * cosine - (im >> 16) * sine + (1 << 15)) >> 16;
     turned[1] = ((re >> 16) * sine + (im >> 16) * cosine + (1 << 15)) >> 16;
 }
@@ -37,10 +37,9 @@ static inline toytop_moment_q15 toytop_moment_of_q15(const toytop_q15 *table, co
     toytop_turn_q15(sums[0], sums[1], at->phase[1].leading, four);
     toytop_turn_q15(sums[2], sums[3], at->phase[2].leading, four + 2);
     for (int i = 0; i < 2; i++) m.alpha[i] = (int16_t)four[i], m.beta[i] = (int16_t)four[i + 2];
-    m.u = (int16_t)((toytop_product_q15(four[0], four[0]) + toytop_product_q15(four[1], four[1]))
-        - (toytop_product_q15(four[2], four[2]) + toytop_product_q15(four[3], four[3])));
-    m.c[0] = (int16_t)(2 * (toytop_product_q15(four[0], four[2]) - toytop_product_q15(four[1], four[3])));
-    m.c[1] = (int16_t)(2 * (toytop_product_q15(four[0], four[3]) + toytop_product_q15(four[1], four[2])));
+    m.u = (int16_t)toytop_inner_q15(four[0] + four[2], four[1] + four[3], four[0] - four[2], four[1] - four[3]);
+    m.c[0] = (int16_t)(2 * ((four[0] * four[2] - four[1] * four[3]) >> 14));
+    m.c[1] = (int16_t)(2 * toytop_inner_q15(four[0], four[1], four[3], four[2]));
     return m;
 }
 

@@ -45,15 +45,22 @@ function high(a, b) {
   return Math.floor((a * (b >> 16) + Math.floor((a * (b & 0xffff)) / 65536)) / 65536) | 0;
 }
 
-/** Sine and cosine, times 2^31 - 1, of a phase of 32 bits: the nearest of 256 points, turned by the rest. */
+/** The same with the 16 upper bits of b alone. */
+function short(a, b) {
+  return Math.floor((a * (b >> 16)) / 65536) | 0;
+}
+
+/** Sine and cosine, times 2^31, of a phase of 32 bits: the nearest of 512 points, turned by the rest. */
 function sineAndCosine({ points, turn: [linear, cubic, versine] }, phase) {
-  const x = phase << 8;
-  const nearest = (phase + 0x800000) >>> 24;
-  const [s, c] = [points[nearest], points[nearest + 64]];
+  const x = phase << 9;
+  const nearest = (phase + 0x400000) >>> 23;
+  const [s, c] = [points[nearest], points[nearest + 128]];
   const square = high(x, x);
-  const lost = high(square, versine);
-  const small = high(x, linear - high(square, cubic));
-  return [s + ((high(c, small) - high(s, lost) + 8) >> 4), c - ((high(s, small) + high(c, lost) + 8) >> 4)];
+  const lost = high(square, versine * 65536);
+  const small = high(x, linear - (((square >> 16) * cubic) >> 8));
+  const up = high(c, small) - (short(lost, s) >> 7);
+  const down = high(s, small) + (short(lost, c) >> 7);
+  return [s + ((up + 16) >> 5), c - ((down + 16) >> 5)];
 }
 
 /** From units of 2^-31 to numbers, turned by a phase. */
@@ -68,7 +75,11 @@ function polynomials(table, { falling, segment, x }) {
   const rows = table.coefficients[segment];
   return [0, 1, 2, 3].map((i) => {
     let sum = rows[table.terms - 1][i];
-    for (let k = table.terms - 2; k > 0; k--) sum = (rows[k][i] + high(sum, x)) | 0;
+    for (let k = table.terms - 2; k > 0; k--) {
+      // for the upper half of the powers 16 bits of x will do
+      const product = 2 * (k + 1) > table.terms ? short : high;
+      sum = (rows[k][i] + product(sum, x)) | 0;
+    }
     const last = Math.max(-(2 ** 31), Math.min(2 ** 31 - 1, rows[0][i] + high(sum, x)));
     return falling && i % 2 === 1 ? ~last : last;
   });
@@ -84,10 +95,11 @@ function momentAt(table, tick) {
   const alpha = turned(table, sums.slice(0, 2), a);
   const beta = turned(table, sums.slice(2), b);
   const f = Math.fround;
-  const square = ([re, im]) => f(f(re * re) + f(im * im));
+  const product = (i) => f(f(alpha[i] + beta[i]) * f(alpha[i] - beta[i]));
+  const u = f(product(0) + product(1));
   const tip = [
     f(f(f(alpha[0] * beta[0]) - f(alpha[1] * beta[1])) * table.tip_scale),
     f(f(f(alpha[0] * beta[1]) + f(alpha[1] * beta[0])) * table.tip_scale),
   ];
-  return { nutation, alpha, beta, u: f(square(alpha) - square(beta)), tip };
+  return { nutation, alpha, beta, u, tip };
 }

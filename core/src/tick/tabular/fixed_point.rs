@@ -16,7 +16,7 @@ impl Tabular for I2F30 {
     }
 
     fn excess(polynomial: &[f64]) -> f64 {
-        integer::excess(polynomial, integer::MARGIN)
+        integer::excess(polynomial, integer::MARGIN) + integer::shortfall(polynomial)
     }
 
     fn number(coefficient: i32, power: usize) -> f32 {

@@ -4,20 +4,26 @@
 //! that of the next lower coefficient. So a step of Horner's rule is one product and one sum. What must hold is that
 //! the sum of the |c_j| from j = k on is below 2^-k for k >= 1; then no step overflows, and set-up counts what is beyond as
 //! an error of the table. The last sum, |α| <= 1, saturates: a polynomial may exceed 1 by its error.
+//!
+//! The upper half of the powers is so small, where a table is as exact as 2^-31, that 16 bits of x will do for them: on the
+//! smallest chip less than half the work. Set-up holds every table to that too.
 
 use super::{Place, Tabular};
 use crate::complex::Complex;
-use crate::real::{high_product, sine_cosine_q31};
+use crate::real::{high_product, high_product_of_less, short_product, sine_cosine_q31};
 
 /// 2^-30: the unit of what [`alpha_beta`] gives.
 const UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
 
 /// Error of [`alpha_beta`], as an orientation error: the phases lose up to 3 units to 32 bits, the sines are good to 4, the
-/// sums and the rotations round off up to 5.
-pub(super) const ERROR: f64 = 12.0 * UNIT;
+/// sums and the rotations round off up to 5, and the short products up to 2.
+pub(super) const ERROR: f64 = 14.0 * UNIT;
 
-/// Some thousand roundings of a coefficient.
-pub(super) const MARGIN: f64 = 1e-6;
+/// What the short products may lose of a polynomial before set-up counts it as an error of the table.
+const SHORT_ERROR: f64 = 0.5 * UNIT;
+
+/// 2^-15, and some thousand roundings of a coefficient.
+pub(super) const MARGIN: f64 = 3.2e-5;
 
 /// The nearest coefficient of x^power, and half a unit more to make up for the product that will be added, rounded down.
 /// Not for the constant: a last sum half a unit low is what [`alpha_beta`] can mirror without a carry.
@@ -29,6 +35,25 @@ pub(super) fn coefficient(value: f64, power: usize) -> i32 {
 /// What [`coefficient`] holds.
 pub(super) fn number(coefficient: i32, power: usize) -> f64 {
     f64::from(coefficient) / (1_u64 << (31 + power)) as f64
+}
+
+/// Whether 16 bits of x will do for a sum that is multiplied to this power of it.
+#[inline(always)]
+const fn is_short(power: usize, terms: usize) -> bool {
+    2 * power > terms
+}
+
+/// By how much more than [`SHORT_ERROR`] a polynomial can lose to short products: x loses up to 2^-15.
+pub(super) fn shortfall(polynomial: &[f64]) -> f64 {
+    let mut sum = 0.0;
+    let mut sums = 0.0;
+    for (power, value) in polynomial.iter().enumerate().rev() {
+        sum += libm::fabs(*value);
+        if is_short(power, polynomial.len()) {
+            sums += sum;
+        }
+    }
+    (sums / 32768.0 - SHORT_ERROR).max(0.0)
 }
 
 /// By how much a polynomial is beyond what keeps the sums in range, with a margin for what the coefficients round off.
@@ -46,28 +71,31 @@ pub(super) fn excess(polynomial: &[f64], margin: f64) -> f64 {
 #[inline(always)]
 pub(super) fn alpha_beta(terms: &[[i32; 4]], place: Place) -> [i32; 4] {
     let x = (place.x >> 32) as i32;
-    let [constant, higher @ ..] = terms else { return [0; 4] };
-    let mut sums = [0; 4];
-    let mut backwards = higher.iter().rev();
-    if let Some(&highest) = backwards.next() {
-        sums = highest;
-    }
-    for coefficients in backwards {
-        for (sum, &c) in sums.iter_mut().zip(coefficients) {
-            *sum = c + high_product(*sum, x);
-        }
-    }
-    for (sum, &c) in sums.iter_mut().zip(constant) {
-        *sum = c.saturating_add(high_product(*sum, x));
-    }
-    let [re_alpha, im_alpha, re_beta, im_beta] = sums;
     // a sum is half a unit low, so that its complement is what its negative would be
     let mask = -i32::from(place.mirrored);
-    let sign = |y: i32| y ^ mask;
-    let [a, b] = place.slow.map(|phase| sine_cosine_q31((phase >> 32) as u32));
-    let [re_alpha, im_alpha] = rotated([re_alpha, sign(im_alpha)], a);
-    let [re_beta, im_beta] = rotated([re_beta, sign(im_beta)], b);
+    let [a, b] = place.slow;
+    let [re_alpha, im_alpha] = sums(terms, x, |&[re, im, _, _]| [re, im]);
+    let [re_alpha, im_alpha] = rotated([re_alpha, im_alpha ^ mask], sine_cosine_q31((a >> 32) as u32));
+    let [re_beta, im_beta] = sums(terms, x, |&[_, _, re, im]| [re, im]);
+    let [re_beta, im_beta] = rotated([re_beta, im_beta ^ mask], sine_cosine_q31((b >> 32) as u32));
     [re_alpha, im_alpha, re_beta, im_beta]
+}
+
+/// Two of the polynomials by Horner's rule. (Four at a time would be more than the smallest chip has registers for.)
+#[inline(always)]
+fn sums(terms: &[[i32; 4]], x: i32, two: impl Fn(&[i32; 4]) -> [i32; 2]) -> [i32; 2] {
+    let [constant, higher @ ..] = terms else { return [0; 2] };
+    let mut sums = [0; 2];
+    for (power, coefficients) in higher.iter().enumerate().map(|(below, four)| (below + 2, four)).rev() {
+        let short = is_short(power, terms.len());
+        for (sum, c) in sums.iter_mut().zip(two(coefficients)) {
+            *sum = c + if short { short_product(*sum, x) } else { high_product_of_less(*sum, x) };
+        }
+    }
+    for (sum, c) in sums.iter_mut().zip(two(constant)) {
+        *sum = c.saturating_add(high_product_of_less(*sum, x));
+    }
+    sums
 }
 
 /// From units of 2^-31 to units of 2^-30, which leaves room for √2.
@@ -89,7 +117,7 @@ impl Tabular for f32 {
     }
 
     fn excess(polynomial: &[f64]) -> f64 {
-        excess(polynomial, MARGIN)
+        excess(polynomial, MARGIN) + shortfall(polynomial)
     }
 
     fn number(held: i32, power: usize) -> Self {

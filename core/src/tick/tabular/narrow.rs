@@ -13,8 +13,8 @@ pub(super) const ERROR: f64 = 3e-4;
 /// Some thirty roundings of a coefficient.
 pub(super) const MARGIN: f64 = 1e-3;
 
-/// The sines stretch by 1 to 1 + 7.6e-5: the coefficients meet them half-way.
-const SHRINK: f64 = 1.0 - 3.8e-5;
+/// The sines stretch by 1 to 1 + 1.9e-5: the coefficients meet them half-way.
+const SHRINK: f64 = 1.0 - 9.4e-6;
 
 /// The nearest coefficient of x^power.
 pub(super) fn coefficient(value: f64, power: usize) -> i16 {
