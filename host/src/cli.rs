@@ -34,6 +34,11 @@ pub enum Command {
     /// The curve of the tip between its bounding circles, as a picture
     #[command(after_help = "Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg")]
     Plot(PlotArgs),
+    /// The motion as one page for a browser: the top in 3-D, the curve of its tip, its axis and its constants
+    #[command(
+        after_help = "Example: toytop view host/scenarios/figure_3_loops.toml -o top.html\n         top.html#t=12.5 then shows that time"
+    )]
+    View(ViewArgs),
     /// The table of a motion as a constant for firmware: Rust, C with its evaluator, or JSON
     #[command(
         after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static, which a changed bit keeps from compiling\n         toytop bake top.toml --lang c --tick 44100/2 -o top.h   C99, the same results to the bit"
@@ -165,6 +170,16 @@ pub struct PlotArgs {
     pub output: PathBuf,
 }
 
+/// `toytop view`
+#[derive(Args, Debug)]
+pub struct ViewArgs {
+    /// Scenario file
+    pub scenario: PathBuf,
+    /// Where to: a file that ends in .html
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+}
+
 /// `toytop bake`
 #[derive(Args, Debug)]
 pub struct BakeArgs {
@@ -238,7 +253,7 @@ pub struct ReportArgs {
     /// Change nothing; exit code 1 if a table is stale
     #[arg(long, requires = "readme")]
     pub check: bool,
-    /// What `toytop budget --format json` wrote, for the page
+    /// What `toytop budget --format json` wrote, for the page; without it, what the calls are allowed
     #[arg(long, value_name = "FILE", requires = "output")]
     pub budget: Option<PathBuf>,
     /// What host/benches/by_heyoka.py --json wrote, for the page

@@ -12,6 +12,7 @@ mod report;
 mod state;
 mod study;
 mod sweep;
+mod view;
 
 use crate::Failure;
 use crate::cli::{self, Command};
@@ -52,6 +53,7 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::State(arguments) => state::run(arguments),
         Command::Constants(arguments) => constants::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
+        Command::View(arguments) => view::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
         Command::Figures(arguments) => figures::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),

@@ -226,7 +226,8 @@ fn free_tick(motion: &Motion, period: f64) -> Result<Tick, Failure> {
 /// 2^31 fits the numerator and the denominator of a [`Tick`].
 const MOST_EXPONENT: f64 = 31.0;
 
-fn tick(frequency: f64) -> Result<Tick, LaunchError> {
+/// So many ticks in a unit of time, or one in so many: a whole number.
+pub(crate) fn tick(frequency: f64) -> Result<Tick, LaunchError> {
     if frequency >= 1.0 { Tick::hertz(frequency as u32) } else { Tick::ratio(1, frequency.recip() as u32) }
 }
 

@@ -16,6 +16,7 @@
 //! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
 //! | [`budget`] | what a call costs on an emulated chip |
 //! | [`plot`] | the curve of the tip as a picture |
+//! | [`view`] | a motion as a page for a browser |
 //! | [`figures`] | the paper's figures, and charts |
 //! | [`study`] | random motions, and the truth of them to thirty digits |
 //! | [`sweep`] | many motions, a row each |
@@ -52,6 +53,7 @@ pub mod sweep;
 pub mod times;
 pub mod tip_angle;
 pub mod truth;
+pub mod view;
 mod whole_file;
 
 pub use commands::Report;

@@ -32,6 +32,7 @@ impl Step {
 fn steps() -> Vec<Step> {
     let nothing = || Ok(());
     let compiler = || tools::toolchain().map(drop);
+    let browser = || tools::chromium().map(drop);
     let emulator = || tools::toolchain().and_then(|_| tools::qemu());
     let mut steps = vec![
         Step::new("chain", nothing, chain::check),
@@ -41,6 +42,7 @@ fn steps() -> Vec<Step> {
         Step::new("docs", nothing, docs),
         Step::new("benches", nothing, benches),
         Step::new("no-panic", compiler, nopanic::check),
+        Step::new("browser", browser, page),
     ];
     steps.extend(
         PROGRAMS.iter().map(|program| Step::new(program.name, emulator, || firmware::check(program))),
@@ -134,6 +136,18 @@ fn benches() -> Result<String> {
         bail!("{output}\nno bench ran");
     }
     Ok(format!("{ran} ran once each"))
+}
+
+/// The page of `toytop view` in Chromium, by the binary that the tests have built.
+fn page() -> Result<String> {
+    let mut command = cargo(".", "test --workspace --test cli");
+    command.args(["--", "--ignored", "--nocapture", "view::browser::"]).env("CHROMIUM", tools::chromium()?);
+    let output = run(&mut command)?;
+    let remark = output.split_once("evaluated by ").and_then(|(_, rest)| rest.lines().next());
+    match remark {
+        Some(engines) if output.contains("4 passed") => Ok(engines.to_owned()),
+        _ => bail!("{output}\nthe tests did not run"),
+    }
 }
 
 /// `toytop budget --check`, by the binary that the tests have built.

@@ -1,4 +1,4 @@
-//! What cross compiling and emulating need: found, installed, or named in one line.
+//! What cross compiling, emulating and browsing need: found, installed, or named in one line.
 
 use std::path::Path;
 use std::process::Command;
@@ -21,6 +21,7 @@ pub(crate) enum Toolchain {
 
 const DEBIAN_PACKAGES: &str = "rustc-web cargo-web rust-web-src rust-web-llvm rust-web-clippy lld-22";
 const QEMU_PACKAGES: &str = "qemu-system-arm qemu-system-misc";
+const CHROMIUM_PACKAGE: &str = "chromium";
 
 impl Toolchain {
     /// cargo for a chip's target, in a folder of the repository.
@@ -118,6 +119,27 @@ pub(crate) fn qemu() -> Result<()> {
         bail!("to emulate the chips: install QEMU (apt-get install {QEMU_PACKAGES}; brew install qemu)");
     }
     Ok(())
+}
+
+/// A Chromium. Installs it where it may.
+pub(crate) fn chromium() -> Result<&'static str> {
+    static FOUND: OnceLock<Option<&'static str>> = OnceLock::new();
+    let works = |program: &str| {
+        attempt(Command::new(program).arg("--version"), 60).is_some_and(|ended| ended.success)
+    };
+    let any = || ["chromium", "chromium-browser", "google-chrome"].into_iter().find(|program| works(program));
+    let found = FOUND.get_or_init(|| {
+        any().or_else(|| {
+            apt_install(CHROMIUM_PACKAGE);
+            any()
+        })
+    });
+    match found {
+        Some(program) => Ok(program),
+        None => {
+            bail!("to test the page of `toytop view`: install Chromium (apt-get install {CHROMIUM_PACKAGE})")
+        }
+    }
 }
 
 /// Installs Debian packages, for root only; whether that helped is seen by what they bring.

@@ -13,6 +13,8 @@ pub struct Curve {
     pub points: Vec<[f64; 2]>,
     /// Of e₁ and e₂, and of u = 0 if that is between; none where the tip rests at the centre.
     pub circles: Vec<Circle>,
+    /// How long it is followed, s.
+    pub time: f64,
     /// How far it is followed, in nutation periods; `None` where there is none.
     pub periods: Option<u32>,
 }
@@ -51,7 +53,7 @@ impl Curve {
             [f64::from(c.re), f64::from(c.im)]
         };
         let tracer = Tracer { tip: &tip, tolerance: TOLERANCE * largest };
-        Ok(Self { points: tracer.trace(time, parts * PARTS), circles, periods })
+        Ok(Self { points: tracer.trace(time, parts * PARTS), circles, time, periods })
     }
 }
 

@@ -1,6 +1,6 @@
 //! `toytop bake`: what is in the files, how the size is chosen, and that a file is there as a whole or not at all.
 
-mod compiled;
+pub(crate) mod compiled;
 
 use super::{RELEASE, TOP, branch_points, json, run, sample, scenario, stderr, stdout};
 use serde_json::Value;

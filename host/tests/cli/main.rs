@@ -12,6 +12,7 @@ mod state;
 mod sweep;
 mod tip_angle;
 mod vectors;
+mod view;
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};

@@ -11,17 +11,17 @@ use toytop::{Bakeable, Complex, Ephemeris, Moment, Tabular, Tick};
 use toytop_host::scenario::Scenario;
 
 /// A motion, and the size in which both sides hold it.
-struct Case {
-    file: String,
-    scalar: &'static str,
-    size: &'static str,
-    tick: [u32; 2],
+pub(crate) struct Case {
+    pub(crate) file: String,
+    pub(crate) scalar: &'static str,
+    pub(crate) size: &'static str,
+    pub(crate) tick: [u32; 2],
     /// Every moment asked for, from the crate: a line of bits each.
-    truth: fn(&str, [u32; 2]) -> String,
+    pub(crate) truth: fn(&str, [u32; 2]) -> String,
 }
 
 /// Nutating, steady, vertical, aperiodic, near the separatrix; with a sliding and with a fixed tip.
-fn cases() -> Vec<Case> {
+pub(crate) fn cases() -> Vec<Case> {
     let vector = |name: &str| scenario_of(name, "bake");
     let upright = |sign: i32| {
         let text = branch_points([0.2, 1.0, 1.5], 1) + "nutation_phase = 3.141592653589793\n";
@@ -57,9 +57,9 @@ fn cases() -> Vec<Case> {
     ]
 }
 
-/// The same ticks in three languages: 2000 of all sizes and signs, and 40 runs of 50 ticks, of which the first two pass the
+/// The same ticks in every language: 2000 of all sizes and signs, and 40 runs of 50 ticks, of which the first two pass the
 /// ends of an aperiodic motion.
-const RUNS: (u32, u32, u32) = (2000, 40, 50);
+pub(crate) const RUNS: (u32, u32, u32) = (2000, 40, 50);
 
 fn next_tick(state: &mut u64, k: u32) -> i64 {
     *state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
@@ -134,7 +134,7 @@ fn succeed(command: &mut Command) -> Output {
 }
 
 /// What a program printed, against the crate, case by case.
-fn assert_equal(printed: &str, cases: &[Case]) {
+pub(crate) fn assert_equal(printed: &str, cases: &[Case]) {
     let mut printed = printed.lines();
     for case in cases {
         for (index, line) in (case.truth)(&case.file, case.tick).lines().enumerate() {

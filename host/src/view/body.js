@@ -1,0 +1,127 @@
+// A top as turned on a lathe, and painted: a body of revolution whose marks show its spin.
+
+/** Its outline from the tip up: heights in units of s (the centre of mass is at 1), radii in units of the greatest. */
+const OUTLINE = [
+  [0, 0], [0.02, 0.035], [0.1, 0.05], [0.3, 0.13], [0.5, 0.3], [0.68, 0.58], [0.8, 0.84], [0.9, 0.97], [0.99, 1],
+  [1.07, 0.955], [1.14, 0.83], [1.2, 0.62], [1.25, 0.36], [1.3, 0.2],
+];
+/** The stem above, with radii in units of s. */
+const STEM = [[1.36, 0.085], [1.5, 0.065], [1.68, 0.062], [1.74, 0.085], [1.79, 0.09], [1.83, 0.075], [1.85, 0]];
+const STEM_FROM = 1.3;
+/** Where the axis of the top is drawn to. */
+const END = 2.1;
+
+const SECTORS = 72;
+const PAINT = { red: [196, 58, 43], cream: [246, 232, 202], wood: [205, 152, 92], metal: [150, 158, 168], mark: [38, 84, 160] };
+
+/** What is painted at a height and a sector: rings that stay, and petals and a stripe that turn. */
+function paint(height, sector) {
+  if (height < 0.09) return PAINT.metal;
+  if (height > STEM_FROM - 0.02) return PAINT.wood;
+  const stripe = sector < 6;
+  if (height > 0.9 && height < 0.985) return stripe ? PAINT.mark : PAINT.cream;
+  if (height > 1.06 && height < 1.22) {
+    if (stripe) return PAINT.mark;
+    return sector % 12 < 6 ? PAINT.cream : PAINT.red;
+  }
+  if (stripe && height > 0.3 && height < 1.22) return PAINT.mark;
+  if (height > 0.36 && height < 0.46) return PAINT.cream;
+  return PAINT.red;
+}
+
+/** A curve through the outline, bent as Catmull and Rom do: each stretch in parts of about this length. */
+function smooth(points, length) {
+  const at = (i) => points[Math.max(0, Math.min(points.length - 1, i))];
+  const between = (i, t) =>
+    [0, 1].map((k) => {
+      const [p, q, r, s] = [at(i - 1)[k], at(i)[k], at(i + 1)[k], at(i + 2)[k]];
+      return q + 0.5 * t * (r - p + t * (2 * p - 5 * q + 4 * r - s + t * (3 * (q - r) + s - p)));
+    });
+  const stretches = points.slice(1).map(([z, r], i) => {
+    const parts = Math.ceil(Math.hypot(z - points[i][0], r - points[i][1]) / length);
+    return Array.from({ length: parts }, (_, j) => between(i, j / parts));
+  });
+  return [...stretches.flat(), points[points.length - 1]];
+}
+
+/** The body in its own coordinates, for a greatest radius in units of s: rings of corners, and the faces between them. */
+function turnOnLathe(breadth) {
+  const outline = smooth([...OUTLINE.map(([z, r]) => [z, Math.max(r * breadth, z > 1 ? 0.09 : 0)]), ...STEM], 0.035);
+  const angle = (sector) => (2 * Math.PI * (sector - 3)) / SECTORS;
+  const ring = ([z, r]) => Array.from({ length: SECTORS }, (_, i) => [r * Math.cos(angle(i)), r * Math.sin(angle(i)), z]);
+  const rings = outline.map(ring);
+  const faces = [];
+  for (let i = 0; i + 1 < rings.length; i++) {
+    const [[z0, r0], [z1, r1]] = [outline[i], outline[i + 1]];
+    if (z1 <= z0 && r1 === r0) continue;
+    for (let j = 0; j < SECTORS; j++) {
+      const middle = angle(j + 0.5);
+      const normal = unit([(z1 - z0) * Math.cos(middle), (z1 - z0) * Math.sin(middle), r0 - r1]);
+      const corners = [[i, j], [i, (j + 1) % SECTORS], [i + 1, (j + 1) % SECTORS], [i + 1, j]];
+      faces.push({ corners, normal, colour: paint((z0 + z1) / 2, j) });
+    }
+  }
+  return { rings, faces };
+}
+
+/** Light from above, a little from the left of who looks. */
+function light(camera) {
+  return unit(sum(sum([0, 0, 0.9], camera.back, 0.55), camera.right, -0.6));
+}
+
+/** The faces that are seen, the farthest first. `place` takes body coordinates to space, `rotate` directions. */
+function seenFaces(camera, body, { place, rotate }) {
+  const space = body.rings.map((ring) => ring.map(place));
+  const seen = [];
+  for (const { corners, normal, colour } of body.faces) {
+    const [[i, j], , [k, l]] = corners;
+    const middle = sum(space[i][j], space[k][l]).map((x) => x / 2);
+    const towards = sum(camera.position, middle, -1);
+    const n = rotate(normal);
+    if (dot(n, towards) <= 0) continue;
+    seen.push({ points: corners.map(([i, j]) => space[i][j]), n, colour, depth: dot(towards, camera.back) });
+  }
+  return seen.sort((a, b) => b.depth - a.depth);
+}
+
+/** What of a face is above the plane (side 1) or below it (side -1). */
+function cut(points, side) {
+  if (points.every(([, , z]) => side * z >= 0)) return points;
+  return points.flatMap((p, i) => {
+    const q = points[(i + 1) % points.length];
+    const kept = side * p[2] >= 0 ? [p] : [];
+    return p[2] * q[2] < 0 ? [...kept, sum(p, sum(q, p, -1), p[2] / (p[2] - q[2]))] : kept;
+  });
+}
+
+function drawFaces(pen, camera, faces, side) {
+  const lamp = light(camera);
+  const half = unit(sum(lamp, camera.back));
+  pen.lineWidth = 0.8;
+  for (const { points, n, colour } of faces) {
+    const part = cut(points, side);
+    if (part.length < 3) continue;
+    const diffuse = 0.42 + 0.46 * Math.max(0, dot(n, lamp)) + 0.12 * Math.max(0, dot(n, camera.back));
+    const gloss = 46 * Math.max(0, dot(n, half)) ** 22;
+    pen.fillStyle = pen.strokeStyle = `rgb(${colour.map((part) => Math.round(Math.min(255, part * diffuse + gloss)))})`;
+    trace(pen, part.map((point) => camera.project(point)), true);
+    pen.fill();
+    // or the background would show between them
+    pen.stroke();
+  }
+}
+
+/** Its shadow on the plane, as of a light straight above. */
+function drawShadow(pen, camera, body, place, style) {
+  pen.beginPath();
+  for (const ring of body.rings.filter((_, i) => i % 2 === 1)) {
+    ring.map(place).forEach(([x, y], i) => {
+      const [a, b] = camera.project([x, y, 0]);
+      if (i) pen.lineTo(a, b);
+      else pen.moveTo(a, b);
+    });
+    pen.closePath();
+  }
+  pen.fillStyle = style;
+  pen.fill("nonzero");
+}

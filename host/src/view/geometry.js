@@ -1,0 +1,102 @@
+// Rotations, the camera, colours and lines: what every picture of the page needs.
+
+/** x = Φ X Φ⁻¹ as a function from body to fixed coordinates; the third body axis is the top's own. */
+function rotation({ alpha: [a, b], beta: [c, d], u }) {
+  // α², β², αβ and α times β conjugate
+  const [aa, bb] = [[a * a - b * b, 2 * a * b], [c * c - d * d, 2 * c * d]];
+  const [product, mixed] = [[a * c - b * d, a * d + b * c], [a * c + b * d, b * c - a * d]];
+  const first = [aa[0] - bb[0], aa[1] - bb[1], 2 * mixed[0]];
+  const second = [-aa[1] - bb[1], aa[0] + bb[0], -2 * mixed[1]];
+  const axis = [-2 * product[0], -2 * product[1], u];
+  const rotate = ([x, y, z]) => [0, 1, 2].map((i) => x * first[i] + y * second[i] + z * axis[i]);
+  return Object.assign(rotate, { axis });
+}
+
+const dot = (x, y) => x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+const sum = (x, y, k = 1) => [x[0] + k * y[0], x[1] + k * y[1], x[2] + k * y[2]];
+const unit = (x) => x.map((coordinate) => coordinate / Math.hypot(...x));
+
+/** Looks at `target` from an azimuth and an elevation, so that `reach` around it fills a width of `size` pixels. */
+class Camera {
+  constructor({ azimuth, elevation }, target, reach, [width, height]) {
+    const [ca, sa, ce, se] = [Math.cos(azimuth), Math.sin(azimuth), Math.cos(elevation), Math.sin(elevation)];
+    this.back = [ce * ca, ce * sa, se];
+    this.right = [-sa, ca, 0];
+    this.up = [-se * ca, -se * sa, ce];
+    this.distance = 4.2 * reach;
+    this.position = sum(target, this.back, this.distance);
+    this.middle = [width / 2, height / 2];
+    this.focus = (Math.min(width, height) / 2) * Math.sqrt(4.2 ** 2 - 1);
+  }
+
+  /** Pixels, and how far away. */
+  project(point) {
+    const p = sum(point, this.position, -1);
+    const depth = -dot(p, this.back);
+    const scale = this.focus / depth;
+    return [this.middle[0] + scale * dot(p, this.right), this.middle[1] - scale * dot(p, this.up), depth];
+  }
+}
+
+/** The page's colours, as the style sheet has them for the light or the dark. */
+function palette() {
+  const style = getComputedStyle(document.documentElement);
+  const names = "ground rim grid bound tip axis ink faint sphere".split(" ");
+  return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
+}
+
+/** A canvas made as fine as the screen; its size in CSS pixels, and what draws on it. */
+function sheet(canvas) {
+  const ratio = window.devicePixelRatio || 1;
+  const size = [canvas.clientWidth, canvas.clientHeight];
+  const [width, height] = size.map((length) => Math.max(1, Math.round(length * ratio)));
+  if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+  const pen = canvas.getContext("2d");
+  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  pen.clearRect(0, 0, ...size);
+  pen.lineJoin = pen.lineCap = "round";
+  return { pen, size };
+}
+
+/** A line through places on the sheet. */
+function trace(pen, places, closed = false) {
+  pen.beginPath();
+  places.forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
+  if (closed) pen.closePath();
+}
+
+function stroke(pen, style, width, dash = []) {
+  Object.assign(pen, { strokeStyle: style, lineWidth: width });
+  pen.setLineDash(dash);
+  pen.stroke();
+  pen.setLineDash([]);
+}
+
+function disc(pen, [x, y], radius, style) {
+  pen.beginPath();
+  pen.arc(x, y, radius, 0, 2 * Math.PI);
+  pen.fillStyle = style;
+  pen.fill();
+}
+
+/** Circles in space: places at equal angles. */
+function circle(radius, height, corners = 120) {
+  const corner = (_, i) => (2 * Math.PI * i) / corners;
+  return Array.from({ length: corners + 1 }, corner).map((t) => [radius * Math.cos(t), radius * Math.sin(t), height]);
+}
+
+/** The past, fading: in parts of which each is as faint as it is old. `seen` may put aside what is hidden. */
+function fading(pen, places, style, width, seen = () => 1) {
+  const parts = Math.min(40, places.length - 1);
+  for (let part = 0; part < parts; part++) {
+    const [from, to] = [part, part + 1].map((n) => Math.floor((n * (places.length - 1)) / parts));
+    const visible = seen(places[Math.floor((from + to) / 2)]);
+    if (visible === 0) continue;
+    pen.globalAlpha = visible * (0.12 + 0.88 * ((part + 1) / parts) ** 1.5);
+    trace(pen, places.slice(from, to + 1));
+    pen.lineCap = "butt";
+    stroke(pen, style, width);
+  }
+  pen.lineCap = "round";
+  pen.globalAlpha = 1;
+}
