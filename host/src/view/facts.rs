@@ -143,6 +143,7 @@ fn none() -> String {
 
 fn table(title: &str, facts: &[Fact]) -> String {
     let row = |(name, value, unit): &Fact| {
+        let unit = if *value == none() { "" } else { unit };
         format!("        <tr><th scope=\"row\">{name}</th><td>{value} <small>{unit}</small></td></tr>\n")
     };
     let rows: String = facts.iter().map(row).collect();

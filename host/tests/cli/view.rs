@@ -66,6 +66,7 @@ fn every_kind_of_motion_has_a_page() {
     let spiral = scenario("view_spiral", &branch_points([0.2, 1.0, 1.0], 1));
     let page = view(&spiral, &folder.join("spiral.html"));
     assert!(page.contains("aperiodic") && !page.contains("id=\"periods\""));
+    assert!(page.contains("<th scope=\"row\">nutation period</th><td>– <small></small>"));
     assert!(view(&sample("sleeping"), &folder.join("sleeping.html")).contains("\"circles\":[]"));
     let tall = scenario("view_tall", &branch_points([0.6, 0.8, 1.5], 1));
     let page = view(&tall, &folder.join("tall.html"));
