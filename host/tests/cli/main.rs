@@ -8,6 +8,7 @@ mod measure;
 mod plot;
 mod refusals;
 mod report;
+mod robustness;
 mod state;
 mod sweep;
 mod tip_angle;
