@@ -7,6 +7,7 @@ mod compare;
 mod constants;
 mod errata;
 mod figures;
+mod longrun;
 mod plot;
 mod report;
 mod state;
@@ -59,6 +60,7 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Budget(arguments) => budget::run(arguments),
         Command::Errata(arguments) => errata::run(arguments),
         Command::Study(arguments) => study::run(arguments),
+        Command::Longrun(arguments) => longrun::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Completions(arguments) => {
             let script = String::from_utf8_lossy(&cli::completions(arguments.shell)).into_owned();

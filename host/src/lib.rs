@@ -18,6 +18,7 @@
 //! | [`plot`] | the curve of the tip as a picture |
 //! | [`figures`] | the paper's figures, and charts |
 //! | [`study`] | random motions, and the truth of them to thirty digits |
+//! | [`longrun`] | steppers and cursors over very many ticks |
 //! | [`sweep`] | many motions, a row each |
 //! | [`errata`] | the slips of the printed paper: both versions, evaluated against the full equations |
 //! | [`contour`] | residues on the paper's curves |
@@ -39,6 +40,8 @@ mod failure;
 pub mod figures;
 pub mod full_solver;
 pub mod invariants;
+pub mod longrun;
+mod marked;
 pub mod names;
 pub mod newton_euler;
 pub mod output;

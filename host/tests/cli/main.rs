@@ -10,6 +10,7 @@ mod refusals;
 mod report;
 mod robustness;
 mod state;
+mod study;
 mod sweep;
 mod tip_angle;
 mod vectors;

@@ -172,6 +172,8 @@ fn a_place_that_cannot_be_written_exits_with_2() {
             vec!["sweep", "--motions", "10", "-o", &csv],
             vec!["figures", "-o", place],
             vec!["report", "-o", place],
+            vec!["study", "--corners", "--docs", &svg],
+            vec!["longrun", "--docs", &svg],
         ] {
             let output = run(&arguments);
             let message = stderr(&output);
