@@ -73,8 +73,13 @@ pub enum Command {
     )]
     Overflow(OverflowArgs),
     /// Random motions of every regime: does the ephemeris keep its error bound? (exit code 1 if not)
-    #[command(after_help = "Example: toytop study --motions 5000 --seed 2")]
+    #[command(
+        after_help = "Example: toytop study --motions 5000 --seed 2         toytop study --corners --motions 100000 --docs host/docs/study.md"
+    )]
     Study(StudyArgs),
+    /// Steppers and ephemeris cursors over very many ticks against the truth, there and back, and the full solver against itself
+    #[command(after_help = "Example: toytop longrun --ticks 10000000 --format csv")]
+    Longrun(LongrunArgs),
     /// Constants and errors of many motions, a row each: a grid or a random sample, on all cores, in shards if wanted
     #[command(
         after_help = "Example: toytop sweep --e1=-0.9..0.1/41 --e2 0.9 --e3 log:1.01..100/33 --a-over-ps 1 --c-over-a 0.5 -o grid.csv\n         toytop sweep --motions 1000000 --shard 3/100 --resume -o part_3.csv"
@@ -356,12 +361,43 @@ pub struct OverflowArgs {
 /// `toytop study`
 #[derive(Args, Debug)]
 pub struct StudyArgs {
-    /// How many
-    #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
-    pub motions: u64,
+    /// How many (100000 if nothing is said; with --corners 1000000)
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
+    pub motions: Option<u64>,
     /// Another seed, other motions
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
+    /// Launches towards every degenerate corner, of branch points and of states, in four scalars
+    #[arg(long)]
+    pub corners: bool,
+    /// How many of the launches are held against the truth
+    #[arg(long, value_name = "N", default_value_t = 10_000, requires = "corners", value_parser = clap::value_parser!(u64).range(1..))]
+    pub truths: u64,
+    /// Markdown page whose table to write
+    #[arg(long, value_name = "FILE", requires = "corners")]
+    pub docs: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+impl StudyArgs {
+    /// How many motions.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.motions.unwrap_or(if self.corners { 1_000_000 } else { 100_000 })
+    }
+}
+
+/// `toytop longrun`
+#[derive(Args, Debug)]
+pub struct LongrunArgs {
+    /// How many ticks
+    #[arg(long, value_name = "N", default_value_t = 1_000_000_000, value_parser = clap::value_parser!(u64).range(1000..=1_000_000_000_000))]
+    pub ticks: u64,
+    /// Markdown page whose table to write
+    #[arg(long, value_name = "FILE")]
+    pub docs: Option<PathBuf>,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,

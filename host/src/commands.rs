@@ -8,6 +8,7 @@ mod compare;
 mod constants;
 mod errata;
 mod figures;
+mod longrun;
 mod overflow;
 mod plot;
 mod report;
@@ -67,6 +68,7 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Sines(arguments) => sines::run(arguments),
         Command::Overflow(arguments) => overflow::run(arguments),
         Command::Study(arguments) => study::run(arguments),
+        Command::Longrun(arguments) => longrun::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Completions(arguments) => {
             let script = String::from_utf8_lossy(&cli::completions(arguments.shell)).into_owned();

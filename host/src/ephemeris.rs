@@ -308,13 +308,15 @@ pub fn ticks_per_time(motion: &Motion) -> f64 {
     ticks_for(motion, period(motion))
 }
 
-fn ticks_for(motion: &Motion, period: f64) -> f64 {
+/// The same, where the period (or the natural time) is known.
+#[must_use]
+pub fn ticks_for(motion: &Motion, period: f64) -> f64 {
     let [x, y, z] = Stepper::<f64>::new(motion).pose().omega();
     let rate = (x * x + y * y + z * z).sqrt().max(1000.0 / period);
     rate.log2().ceil().clamp(-MOST_EXPONENT, MOST_EXPONENT).exp2()
 }
 
-fn free_tick(motion: &Motion, period: f64) -> Result<Tick, Failure> {
+pub(crate) fn free_tick(motion: &Motion, period: f64) -> Result<Tick, Failure> {
     tick(ticks_for(motion, period)).map_err(|error| Failure::Method(error.to_string()))
 }
 

@@ -24,6 +24,7 @@
 //! | [`view`] | a motion as a page for a browser |
 //! | [`figures`] | the paper's figures, and charts |
 //! | [`study`] | random motions, and the truth of them to thirty digits |
+//! | [`longrun`] | steppers and cursors over very many ticks |
 //! | [`sweep`] | many motions, a row each |
 //! | [`errata`] | the slips of the printed paper: both versions, evaluated against the full equations |
 //! | [`contour`] | residues on the paper's curves |
@@ -48,6 +49,8 @@ pub mod figures;
 pub mod fixed_steps;
 pub mod full_solver;
 pub mod invariants;
+pub mod longrun;
+mod marked;
 pub mod micromath;
 pub mod names;
 pub mod newton_euler;

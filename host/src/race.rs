@@ -13,7 +13,7 @@ use crate::truth::{self, distance, phi};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 use toytop::real::Real;
-use toytop::{Complex, Ephemeris, Phi, Sign, Signs, Start, Stepper, Tabular, Tick};
+use toytop::{Complex, Ephemeris, Motion, Phi, Sign, Signs, Start, Stepper, Tabular, Tick};
 
 /// The paper's cusp (figure 3, e₃ = 1.85) with C = 0.6 A; s = A = p = g = 1.
 pub const NUMBERS: Numbers = Numbers {
@@ -100,10 +100,42 @@ impl Race {
     /// # Errors
     /// None: the motion is valid.
     pub fn new() -> Result<Self, Failure> {
+        Self::with_moments(MOMENTS)
+    }
+
+    /// The same, with so many moments in a period.
+    ///
+    /// # Errors
+    /// None: the motion is valid.
+    pub fn with_moments(moments: u32) -> Result<Self, Failure> {
         let motion = NUMBERS.motion().map_err(|error| Failure::Input(format!("race: {error}")))?;
         let period = motion.averages().map_or(1.0, |averages| averages.period);
-        let apart = (period / f64::from(MOMENTS) * GRAIN).round() / GRAIN;
+        let apart = (period / f64::from(moments) * GRAIN).round() / GRAIN;
         Ok(Self { scenario: Scenario { name: "race".to_owned(), motion, state: None }, apart })
+    }
+
+    /// The motion.
+    #[must_use]
+    pub fn motion(&self) -> &Motion {
+        &self.scenario.motion
+    }
+
+    /// The motion, for the full solver.
+    #[must_use]
+    pub fn scenario(&self) -> &Scenario {
+        &self.scenario
+    }
+
+    /// Time between moments.
+    #[must_use]
+    pub fn apart(&self) -> f64 {
+        self.apart
+    }
+
+    /// The same as a fraction: so many moments in so many units of time.
+    #[must_use]
+    pub fn rate(&self) -> [u32; 2] {
+        [GRAIN as u32, (self.apart * GRAIN) as u32]
     }
 
     /// Time between moments, in units of the period.

@@ -7,10 +7,8 @@ mod motion;
 mod section;
 mod top;
 
-use crate::Failure;
+use crate::{Failure, whole_file};
 use section::Section;
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 use toml::{Table, Value};
 use toytop::{Motion, State};
@@ -26,8 +24,8 @@ pub struct Scenario {
     pub state: Option<State>,
 }
 
-/// A scenario file is a dozen lines; something larger is something else.
-const LARGEST_FILE: u64 = 1 << 20;
+/// A scenario file is a dozen lines; something larger, MiB, is something else.
+const LARGEST_FILE: u64 = 1;
 
 impl Scenario {
     /// Reads a scenario file and names the scenario by it.
@@ -36,15 +34,7 @@ impl Scenario {
     /// [`Failure::Input`]: the file cannot be read, is larger than 1 MiB or not UTF-8, or as [`Scenario::parse`].
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let file = path.display().to_string();
-        let refuse = |reason: &dyn std::fmt::Display| Failure::Input(format!("{file}: {reason}"));
-        let mut bytes = Vec::new();
-        File::open(path)
-            .and_then(|open| open.take(LARGEST_FILE + 1).read_to_end(&mut bytes))
-            .map_err(|error| refuse(&error))?;
-        if bytes.len() as u64 > LARGEST_FILE {
-            return Err(refuse(&"must be at most 1 MiB"));
-        }
-        let text = String::from_utf8(bytes).map_err(|_| refuse(&"must be UTF-8"))?;
+        let text = whole_file::read(&file, path, LARGEST_FILE)?;
         let mut scenario = Self::parse(&file, &text)?;
         if let Some(stem) = path.file_stem() {
             scenario.name = stem.to_string_lossy().into_owned();

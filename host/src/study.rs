@@ -6,11 +6,14 @@
 //! stepping, no mean rates. What the rule leaves is some 1e-28 of the integral (tested by other panels, and against
 //! vectors of 30 digits), and the times asked for are solved for, not rounded.
 
+pub mod corners;
 pub mod exact;
 pub mod gauss;
 pub mod motions;
 pub mod places;
 pub mod random;
+pub mod states;
 pub mod tally;
 pub mod trial;
 pub mod trigonometry;
+pub mod wide;

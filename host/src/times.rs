@@ -1,7 +1,7 @@
 //! The times asked for: a list on the command line, or a file of numbers.
 
-use crate::Failure;
 use crate::cli::TimesArgs;
+use crate::{Failure, whole_file};
 use std::path::Path;
 
 /// The times in the order asked, at least one, all finite.
@@ -16,9 +16,12 @@ pub fn read(arguments: &TimesArgs) -> Result<Vec<f64>, Failure> {
     }
 }
 
+/// Some five million times, MiB.
+const LARGEST_FILE: u64 = 64;
+
 fn from_file(path: &Path) -> Result<Vec<f64>, Failure> {
     let name = path.display();
-    let text = std::fs::read_to_string(path).map_err(|error| Failure::Input(format!("{name}: {error}")))?;
+    let text = whole_file::read(&name.to_string(), path, LARGEST_FILE)?;
     let mut times = Vec::new();
     for (index, line) in text.lines().enumerate() {
         let entry = line.split('#').next().unwrap_or_default().trim();

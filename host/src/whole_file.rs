@@ -1,24 +1,69 @@
-//! A file that is either there as a whole or not at all.
+//! A file that is either there as a whole or not at all, and one that is not read without end.
 
+use crate::Failure;
 use std::ffi::OsString;
-use std::fs;
-use std::io;
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
-/// Writes beside the file, then renames: who reads it never sees a half.
+/// Writes beside the file, then renames: who reads it never sees a half. What is no file (a device, a pipe) is written to as
+/// it is, and stays; a link is followed.
 ///
 /// # Errors
-/// Those of the file system; nothing is left behind.
-pub(crate) fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let name = path.file_name().ok_or(io::ErrorKind::InvalidInput)?;
+/// [`refused`], with `option` and the file in front; nothing is left behind.
+pub(crate) fn write(option: &str, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_whole(path, bytes).map_err(|error| refused(option, path, error))
+}
+
+fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    // a file that is not there yet has no other name
+    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    if fs::metadata(&path).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
+        return fs::write(path, bytes);
+    }
+    let name = path.file_name().ok_or(ErrorKind::InvalidInput)?;
     let mut hidden = OsString::from(".");
     hidden.push(name);
     hidden.push(format!(".{}", std::process::id()));
     let beside = path.with_file_name(hidden);
-    let written = fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, path));
+    let written = fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, &path));
     if written.is_err() {
         // it may not exist at all
         let _ = fs::remove_file(&beside);
     }
     written
+}
+
+/// A path that is wrong is bad input; a disk that is full, or fails, is not.
+pub(crate) fn refused(option: &str, path: &Path, error: io::Error) -> Failure {
+    let message = format!("{option}: {}: {error}", path.display());
+    match error.kind() {
+        ErrorKind::StorageFull
+        | ErrorKind::QuotaExceeded
+        | ErrorKind::FileTooLarge
+        | ErrorKind::WriteZero
+        | ErrorKind::BrokenPipe => Failure::Output(io::Error::new(error.kind(), message)),
+        _ if error.raw_os_error() == Some(EIO) => Failure::Output(io::Error::new(error.kind(), message)),
+        _ => Failure::Input(message),
+    }
+}
+
+/// The device failed.
+const EIO: i32 = 5;
+
+/// The text of a file of at most so many MiB.
+///
+/// # Errors
+/// [`Failure::Input`] with `name` in front: it cannot be read, is larger, or is not UTF-8.
+pub(crate) fn read(name: &str, path: &Path, most_mebibytes: u64) -> Result<String, Failure> {
+    let refuse = |reason: String| Failure::Input(format!("{name}: {reason}"));
+    let most = most_mebibytes << 20;
+    let mut bytes = Vec::new();
+    File::open(path)
+        .and_then(|open| open.take(most + 1).read_to_end(&mut bytes))
+        .map_err(|error| refuse(error.to_string()))?;
+    if bytes.len() as u64 > most {
+        return Err(refuse(format!("must be at most {most_mebibytes} MiB")));
+    }
+    String::from_utf8(bytes).map_err(|_| refuse("must be UTF-8".to_owned()))
 }

@@ -21,8 +21,7 @@ pub(super) fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
         Format::Json => output::json_list("rows", &records(&all, &costs)).map_err(Failure::Output)?,
     };
     if let (Some(path), Some(form)) = (&arguments.plot, form) {
-        whole_file::write(path, &picture(&all)?.encoded(form)?)
-            .map_err(|error| Failure::Input(format!("--plot: {}: {error}", path.display())))?;
+        whole_file::write("--plot", path, &picture(&all)?.encoded(form)?)?;
     }
     Ok(Report { text, ..Report::default() })
 }

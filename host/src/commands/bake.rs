@@ -30,8 +30,7 @@ pub(super) fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     let mut report = Report::default();
     match &arguments.output {
         None => report.text = text,
-        Some(path) => whole_file::write(path, text.as_bytes())
-            .map_err(|error| Failure::Input(format!("--output: {}: {error}", path.display())))?,
+        Some(path) => whole_file::write("--output", path, text.as_bytes())?,
     }
     Ok(report.with_remarks(remarks.into_iter().flatten(), false))
 }

@@ -116,8 +116,8 @@ fn accept(root: &Path, measured: &Measured) -> Result<Report, Failure> {
     let page = text_of(&root.join(PAGE))?;
     let no_place = || Failure::Input(format!("{PAGE}: no place for the table"));
     let page = with_table(&page, &limits).ok_or_else(no_place)?;
-    whole_file::write(&root.join(LIMITS), limits.to_toml().as_bytes()).map_err(Failure::Output)?;
-    whole_file::write(&root.join(PAGE), page.as_bytes()).map_err(Failure::Output)?;
+    whole_file::write("--accept", &root.join(LIMITS), limits.to_toml().as_bytes())?;
+    whole_file::write("--accept", &root.join(PAGE), page.as_bytes())?;
     Ok(Report { text: format!("written: {LIMITS}, and the table in {PAGE}\n"), ..Report::default() })
 }
 

@@ -9,13 +9,12 @@ use crate::whole_file;
 
 pub(super) fn run(arguments: &FiguresArgs) -> Result<Report, Failure> {
     let folder = &arguments.output;
-    let refused = |error: std::io::Error| Failure::Input(format!("--output: {}: {error}", folder.display()));
-    std::fs::create_dir_all(folder).map_err(refused)?;
+    std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--output", folder, error))?;
     let mut text = String::new();
     for picture in figures::all()? {
         for (ending, form) in [("svg", Form::Svg), ("png", Form::Png)] {
             let path = folder.join(format!("{}.{ending}", picture.name));
-            whole_file::write(&path, &picture.encoded(form)?).map_err(refused)?;
+            whole_file::write("--output", &path, &picture.encoded(form)?)?;
             text.push_str(&format!("{}\n", path.display()));
         }
     }

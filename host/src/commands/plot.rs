@@ -16,8 +16,7 @@ pub(super) fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let curve = Curve::of(&scenario.motion).map_err(|failure| failure.of(&scenario.name))?;
     let picture = draw(&scenario, &curve, &caption(&scenario, &curve), form)?;
-    whole_file::write(path, &picture)
-        .map_err(|error| Failure::Input(format!("--output: {}: {error}", path.display())))?;
+    whole_file::write("--output", path, &picture)?;
     Ok(Report::default().with_remarks(lift_off(&[scenario]), false))
 }
 

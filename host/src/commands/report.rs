@@ -17,6 +17,9 @@ use crate::race::Race;
 use crate::whole_file;
 use std::path::Path;
 
+/// Of a page or of other programs' results, MiB.
+const LARGEST_FILE: u64 = 16;
+
 /// A table as text: what a page and a README show.
 struct Table {
     header: Vec<String>,
@@ -40,12 +43,11 @@ pub(super) fn run(arguments: &ReportArgs) -> Result<Report, Failure> {
                 .notes
                 .push(format!("{name}: a table is stale; toytop report --readme {name} writes it anew"));
         } else if new != old {
-            write(path, "--readme", new.as_bytes())?;
+            whole_file::write("--readme", path, new.as_bytes())?;
         }
     }
     let Some(folder) = &arguments.output else { return Ok(report) };
-    std::fs::create_dir_all(folder)
-        .map_err(|error| Failure::Input(format!("--output: {}: {error}", folder.display())))?;
+    std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--output", folder, error))?;
     let budget = match &arguments.budget {
         Some(path) => budget::records(&read(path, "--budget")?, path)?,
         None => budget::allowed()?,
@@ -68,7 +70,7 @@ pub(super) fn run(arguments: &ReportArgs) -> Result<Report, Failure> {
         pictures,
     };
     let path = folder.join("index.html");
-    write(&path, "--output", page.html().as_bytes())?;
+    whole_file::write("--output", &path, page.html().as_bytes())?;
     report.text = format!("{}\n", path.display());
     Ok(report)
 }
@@ -81,13 +83,7 @@ fn scalars() -> Result<Table, Failure> {
 }
 
 fn read(path: &Path, option: &str) -> Result<String, Failure> {
-    std::fs::read_to_string(path)
-        .map_err(|error| Failure::Input(format!("{option}: {}: {error}", path.display())))
-}
-
-fn write(path: &Path, option: &str, bytes: &[u8]) -> Result<(), Failure> {
-    whole_file::write(path, bytes)
-        .map_err(|error| Failure::Input(format!("{option}: {}: {error}", path.display())))
+    whole_file::read(&format!("{option}: {}", path.display()), path, LARGEST_FILE)
 }
 
 fn words<const N: usize>(words: [&str; N]) -> Vec<String> {

@@ -1,5 +1,7 @@
 //! `toytop study`: random motions of every regime, and how the ephemeris and its bound do on them.
 
+mod corners;
+
 use super::Report;
 use crate::Failure;
 use crate::cli::{Format, StudyArgs};
@@ -16,6 +18,9 @@ use std::thread::{self, Builder};
 use std::time::{Duration, Instant};
 
 pub(super) fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
+    if arguments.corners {
+        return corners::run(arguments);
+    }
     let started = Instant::now();
     let threads = thread::available_parallelism().map_or(1, usize::from);
     let next = AtomicU64::new(0);
@@ -24,7 +29,7 @@ pub(super) fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
     thread::scope(|scope| {
         let spawn = |_| Builder::new().stack_size(STACK).spawn_scoped(scope, work);
         let workers = (0..threads).map(spawn).collect::<Result<Vec<_>, _>>().map_err(Failure::Output)?;
-        watch(&next, arguments.motions);
+        watch(&next, arguments.count());
         for worker in workers {
             match worker.join() {
                 Ok(part) => tally.merge(part),
@@ -36,7 +41,7 @@ pub(super) fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
     tally.finish();
     let time = started.elapsed().as_secs_f64();
     let head =
-        format!("{} motions, seed {}: {time:.0} s on {threads} cores\n", arguments.motions, arguments.seed);
+        format!("{} motions, seed {}: {time:.0} s on {threads} cores\n", arguments.count(), arguments.seed);
     let missed = !tally.failures.is_empty() || tally.scalars.iter().any(|side| side.violated > 0);
     let records = || records(&tally);
     let text = match arguments.format {
@@ -56,7 +61,7 @@ fn worker(arguments: &StudyArgs, next: &AtomicU64) -> Tally {
     let mut tally = Tally::default();
     loop {
         let stream = next.fetch_add(1, Ordering::Relaxed);
-        if stream >= arguments.motions {
+        if stream >= arguments.count() {
             return tally;
         }
         let mut random = Random::new(arguments.seed, stream);

@@ -38,7 +38,7 @@ impl Numbers {
         let (s, p, g) = (random.scale(0.1, 10.0), random.scale(0.1, 10.0), random.scale(0.1, 10.0));
         let a = random.scale(1e-2, 1e3) * p * s;
         let c = a * random.scale(0.02, 2.0);
-        let e = branch_points(random);
+        let e = branch_points(random, LEAST, 1e4);
         let sign = |random: &mut Random| if random.one_in(2) { Sign::Plus } else { Sign::Minus };
         let signs = Signs { l_plus_n: sign(random), l_minus_n: sign(random) };
         let mut angle = || random.between(-PI, PI);
@@ -58,9 +58,10 @@ impl Numbers {
     }
 }
 
-fn branch_points(random: &mut Random) -> [f64; 3] {
+/// The differences down to `least`, e₃ - 1 up to `most`.
+pub(super) fn branch_points(random: &mut Random, least: f64, most: f64) -> [f64; 3] {
     // 1 + e₁, e₂ - e₁ and 1 - e₂ add to 2: one of them, drawn by lot, is what the other two leave
-    let parts = [(); 2].map(|()| random.scale(LEAST, 0.999));
+    let parts = [(); 2].map(|()| random.scale(least, 0.999));
     let rotation = random.between(0.0, 3.0) as u32;
     let [below, above] = match rotation {
         0 => [parts[0], parts[1]],
@@ -74,7 +75,7 @@ fn branch_points(random: &mut Random) -> [f64; 3] {
         (true, false) => [e2, e2],
         _ => [e1.min(e2), e2],
     };
-    let e3 = if random.one_in(16) { 1.0 } else { 1.0 + random.scale(LEAST, 1e4) };
+    let e3 = if random.one_in(16) { 1.0 } else { 1.0 + random.scale(least, most) };
     [e1, e2, e3]
 }
 

@@ -1,6 +1,6 @@
 //! One motion put to the test: both scalars, at random times in the first period and at one far away.
 
-use super::exact::{Exact, Point};
+use super::exact::{Course, Exact, Point};
 use super::gauss::Rule;
 use super::motions::Numbers;
 use super::random::Random;
@@ -111,10 +111,10 @@ pub(crate) fn distance(found: &Phi<f64>, truth: &Phi<DoubleDouble>) -> f64 {
 }
 
 fn targets(motion: &Motion, exact: &Exact<'_>, random: &mut Random) -> Vec<Target> {
-    match motion.regime() {
-        Regime::Nutating => nutating(exact, random),
-        Regime::Aperiodic => aperiodic(exact, random),
-        _ => {
+    match exact.course() {
+        Course::Nutating => nutating(exact, random),
+        Course::Aperiodic => aperiodic(exact, random),
+        Course::Steady => {
             let [one_plus_u, one_minus_u] = exact.at_e2();
             let time = natural_time(motion.top());
             let times =

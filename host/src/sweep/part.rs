@@ -2,6 +2,7 @@
 
 use super::Rows;
 use crate::Failure;
+use crate::whole_file::refused;
 use std::fs::{File, OpenOptions};
 use std::io::{BufRead, BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -26,8 +27,8 @@ impl Part {
     /// # Errors
     /// [`Failure::Input`]: the file exists and is not to be resumed, belongs to another sweep, or cannot be written.
     pub fn open(path: &Path, rows: &Rows, [shard, of]: [u64; 2], resume: bool) -> Result<Self, Failure> {
-        let refused = |reason: String| Failure::Input(format!("--output: {}: {reason}", path.display()));
-        let of_system = |error: std::io::Error| refused(error.to_string());
+        let wrong = |reason: &str| Failure::Input(format!("--output: {}: {reason}", path.display()));
+        let of_system = |error: std::io::Error| refused("--output", path, error);
         let total = rows.space.len();
         let len = (total + of - shard) / of;
         let mut options = OpenOptions::new();
@@ -38,7 +39,7 @@ impl Part {
             options.create_new(true);
         }
         let file = options.open(path).map_err(|error| match error.kind() {
-            std::io::ErrorKind::AlreadyExists => refused("exists; --resume goes on with it".to_owned()),
+            std::io::ErrorKind::AlreadyExists => wrong("exists; --resume goes on with it"),
             _ => of_system(error),
         })?;
         let Whole { lines, bytes, first, last, rest } = whole_lines(&file).map_err(of_system)?;
@@ -49,7 +50,7 @@ impl Part {
         let same_header = if lines > 0 { first == header } else { header.starts_with(&rest) };
         let same_row = done == 0 || (done <= len && last == rows.row(part.index(done - 1)));
         if !same_header || !same_row {
-            return Err(refused("is of another sweep, shard or version; nothing was changed".to_owned()));
+            return Err(wrong("is of another sweep, shard or version; nothing was changed"));
         }
         file.set_len(bytes).map_err(of_system)?;
         part.file.seek(SeekFrom::Start(bytes)).map_err(of_system)?;
@@ -86,10 +87,10 @@ impl Part {
     /// Appends a block of rows: with the system when this returns.
     ///
     /// # Errors
-    /// [`Failure::Input`]: it cannot be written; what was there before stays good.
+    /// It cannot be written; what was there before stays good.
     pub fn append(&mut self, block: &str, rows: u64) -> Result<(), Failure> {
         let written = self.file.write_all(block.as_bytes());
-        written.map_err(|error| Failure::Input(format!("--output: {}: {error}", self.path.display())))?;
+        written.map_err(|error| refused("--output", &self.path, error))?;
         self.done += rows;
         Ok(())
     }

@@ -1,0 +1,63 @@
+//! `toytop longrun`: steppers and cursors over very many ticks, there and back, and the full solver against itself.
+
+use super::Report;
+use crate::Failure;
+use crate::cli::{Format, LongrunArgs};
+use crate::longrun::{self, Line, TICKS_PER_PERIOD, decades};
+use crate::marked;
+use crate::output::{self, Cell, Record};
+
+const MARK: &str = "toytop longrun: errors";
+
+pub(super) fn run(arguments: &LongrunArgs) -> Result<Report, Failure> {
+    if let Some(path) = &arguments.docs {
+        // a place that is not there is told before the work, not after
+        marked::check(path, "--docs", MARK)?;
+    }
+    let lines = longrun::run(arguments.ticks)?;
+    let head = format!(
+        "toytop {}: the paper's cusp, {} ticks, some {TICKS_PER_PERIOD} a period; errors in rad.",
+        env!("CARGO_PKG_VERSION"),
+        arguments.ticks
+    );
+    let rows = rows(&lines, arguments.ticks);
+    if let Some(path) = &arguments.docs {
+        marked::write(path, "--docs", MARK, &format!("{head}\n\n{}", marked::table(&rows)))?;
+    }
+    let records: Vec<_> = lines.iter().flat_map(records).collect();
+    let text = match arguments.format {
+        Format::Table => format!("{head}\n{}", output::columns(rows, 1)),
+        Format::Csv => output::csv(&records).map_err(Failure::Output)?,
+        Format::Json => output::json_list("rows", &records).map_err(Failure::Output)?,
+    };
+    Ok(Report { text, ..Report::default() })
+}
+
+/// One line a runner, one column a decade.
+fn rows(lines: &[Line], ticks: u64) -> Vec<Vec<String>> {
+    let decades = decades(ticks);
+    let mut header = vec!["error after ... ticks, rad".to_owned()];
+    header.extend(decades.iter().map(|ticks| format!("{:.0e}", *ticks as f64)));
+    header.push("10^6 there and back".to_owned());
+    let show = |error: Option<f64>| error.map_or("-".to_owned(), |error| format!("{error:.0e}"));
+    let row = |line: &Line| {
+        let at = |ticks: &u64| line.errors.iter().find(|(at, _)| at == ticks).map(|(_, error)| *error);
+        let mut row = vec![line.who.clone()];
+        row.extend(decades.iter().map(|ticks| show(at(ticks))));
+        row.push(show(line.back));
+        row
+    };
+    std::iter::once(header).chain(lines.iter().map(row)).collect()
+}
+
+fn records(line: &Line) -> Vec<Record> {
+    let record = |&(ticks, error): &(u64, f64)| {
+        Record(vec![
+            ("who", Cell::Text(line.who.clone())),
+            ("ticks", Cell::Count(ticks)),
+            ("error_rad", Cell::Number(error)),
+            ("left_there_and_back_rad", line.back.into()),
+        ])
+    };
+    line.errors.iter().map(record).collect()
+}

@@ -1,0 +1,236 @@
+//! Killed, without room, without a reader, with a file that is none: whole files or none, one line, the right exit code.
+
+use super::{run, sample, scenario, stderr, stdout};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_toytop");
+
+/// An empty folder.
+fn folder(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("robust_{name}"));
+    // left over from an earlier run, or never there
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir(&path).expect("the folder is made");
+    path
+}
+
+/// Files by name, without those still being written, whose names begin with a dot.
+fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    let entries = fs::read_dir(folder).expect("the folder").map(|entry| entry.expect("an entry"));
+    let mut files: Vec<_> = entries
+        .map(|entry| (entry.file_name().into_string().expect("UTF-8"), entry.path()))
+        .filter(|(name, _)| !name.starts_with('.'))
+        .map(|(name, path)| (name, fs::read(path).expect("a file")))
+        .collect();
+    files.sort();
+    files
+}
+
+/// Starts a command and kills it after a while; whether it was still running.
+fn killed(arguments: &[&str], after: Duration) -> bool {
+    let mut child = Command::new(PROGRAM)
+        .args(arguments)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the program runs");
+    sleep(after);
+    child.kill().expect("it can be killed");
+    !child.wait().expect("it ends").success()
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("UTF-8")
+}
+
+/// What a picture or a page ends with.
+fn is_whole(name: &str, bytes: &[u8]) -> bool {
+    let end: &[u8] = match name.rsplit('.').next() {
+        Some("svg") => b"</svg>",
+        Some("png") => b"IEND\xaeB`\x82",
+        Some("html") => b"</html>",
+        _ => return false,
+    };
+    bytes.trim_ascii_end().ends_with(end)
+}
+
+#[test]
+fn a_killed_bake_leaves_the_old_table_or_the_new() {
+    let folder = folder("bake");
+    let path = folder.join("top.rs");
+    let toy_top = sample("toy_top");
+    let arguments = ["bake", &toy_top, "--scalar", "f64", "-o", text(&path)];
+    let started = Instant::now();
+    assert_eq!(run(&arguments).status.code(), Some(0));
+    let whole = started.elapsed();
+    let new = fs::read(&path).expect("the table");
+    let mut kills = 0;
+    for part in 0..24 {
+        fs::write(&path, "old").expect("written");
+        kills += u32::from(killed(&arguments, whole * part / 16));
+        let left = fs::read(&path).expect("the table is there");
+        assert!(left == b"old" || left == new, "part {part}: {} bytes", left.len());
+    }
+    assert!(kills > 0, "never killed in time");
+}
+
+#[test]
+fn killed_pictures_and_pages_are_whole_or_not_there() {
+    for (command, kills) in [("figures", [0.3, 0.6, 0.9, 0.97]), ("report", [0.1, 0.2, 0.3, 0.4])] {
+        let folder = folder(command);
+        let arguments = [command, "-o", text(&folder)];
+        // `report` takes long: it is killed while pictures are drawn, and by chance later
+        let whole = if command == "figures" {
+            let started = Instant::now();
+            assert_eq!(run(&arguments).status.code(), Some(0));
+            started.elapsed()
+        } else {
+            Duration::from_secs(3)
+        };
+        assert!(files(&folder).iter().all(|(name, bytes)| is_whole(name, bytes)));
+        for share in kills {
+            killed(&arguments, whole.mul_f64(share));
+            for (name, bytes) in files(&folder) {
+                assert!(is_whole(&name, &bytes), "{command} {share}: {name}, {} bytes", bytes.len());
+            }
+        }
+    }
+}
+
+/// Bash, because a limit and a pipe's exit code are its.
+fn bash(script: &str, arguments: &[&str]) -> std::process::Output {
+    Command::new("bash").args(["-c", script, PROGRAM]).args(arguments).output().expect("bash runs")
+}
+
+#[test]
+fn without_room_nothing_is_left_and_the_exit_code_is_1() {
+    let toy_top = sample("toy_top");
+    let output = bash("\"$0\" \"$@\" > /dev/full", &["state", &toy_top, "--times", "1"]);
+    let message = stderr(&output).to_owned();
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(message.contains("No space left") && message.matches('\n').count() == 1, "{message}");
+
+    // as a full disk does, a limit on the size of files lets a part be written
+    let limited = "trap '' XFSZ; ulimit -f 4; exec \"$0\" \"$@\"";
+    let folder = folder("full");
+    let path = folder.join("top.rs");
+    let picture = folder.join("top.svg");
+    let rows = folder.join("rows.csv");
+    for (arguments, path) in [
+        (vec!["bake", &toy_top, "--scalar", "f64", "-o", text(&path)], &path),
+        (vec!["plot", &toy_top, "-o", text(&picture)], &picture),
+        (vec!["sweep", "--motions", "100", "-o", text(&rows)], &rows),
+        (vec!["figures", "-o", text(&folder)], &folder),
+    ] {
+        let output = bash(limited, &arguments);
+        let message = stderr(&output).to_owned();
+        assert_eq!((output.status.code(), stdout(&output)), (Some(1), ""), "{arguments:?}: {message}");
+        assert!(message.contains(text(path)) && message.contains("too large"), "{message}");
+        assert_eq!(message.matches('\n').count(), 1, "{message}");
+    }
+    // a sweep keeps what it has: it can be gone on with
+    let left = fs::read_dir(&folder).expect("the folder").map(|entry| entry.expect("an entry").file_name());
+    assert_eq!(left.collect::<Vec<_>>(), ["rows.csv"]);
+    let output = run(&["sweep", "--motions", "100", "-o", text(&rows), "--resume"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert_eq!(fs::read_to_string(&rows).expect("the rows").lines().count(), 101);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_is_no_file_stays_what_it_is() {
+    let folder = folder("device");
+    let toy_top = sample("toy_top");
+    let full = folder.join("full.rs");
+    std::os::unix::fs::symlink("/dev/full", &full).expect("a link");
+    let output = run(&["bake", &toy_top, "-o", text(&full)]);
+    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+    assert!(stderr(&output).contains("No space left"), "{}", stderr(&output));
+    assert!(fs::symlink_metadata(&full).expect("the link").is_symlink());
+
+    let (link, file) = (folder.join("link.rs"), folder.join("file.rs"));
+    fs::write(&file, "old").expect("written");
+    std::os::unix::fs::symlink(&file, &link).expect("a link");
+    assert_eq!(run(&["bake", &toy_top, "-o", text(&link)]).status.code(), Some(0));
+    assert!(fs::symlink_metadata(&link).expect("the link").is_symlink());
+    assert!(fs::read_to_string(&file).expect("the table").contains("toytop"));
+}
+
+#[test]
+fn a_place_that_cannot_be_written_exits_with_2() {
+    let toy_top = sample("toy_top");
+    let below_a_file = format!("{toy_top}/x");
+    for place in [&*below_a_file, "/proc/toytop"] {
+        let [svg, rs, csv] = ["svg", "rs", "csv"].map(|ending| format!("{place}.{ending}"));
+        for arguments in [
+            vec!["plot", &toy_top, "-o", &svg],
+            vec!["bake", &toy_top, "-o", &rs],
+            vec!["sweep", "--motions", "10", "-o", &csv],
+            vec!["figures", "-o", place],
+            vec!["report", "-o", place],
+            vec!["study", "--corners", "--docs", &svg],
+            vec!["longrun", "--docs", &svg],
+        ] {
+            let output = run(&arguments);
+            let message = stderr(&output);
+            assert_eq!((output.status.code(), stdout(&output)), (Some(2), ""), "{arguments:?}: {message}");
+            assert!(
+                message.contains(place) && message.matches('\n').count() == 1,
+                "{arguments:?}: {message}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_reader_that_has_seen_enough_is_no_failure() {
+    let toy_top = sample("toy_top");
+    for arguments in [
+        vec!["state", &toy_top, "--times", "1"],
+        vec!["bake", &toy_top, "--scalar", "f64"],
+        vec!["constants", &toy_top],
+        vec!["completions", "bash"],
+        vec!["--help"],
+    ] {
+        let output = bash("\"$0\" \"$@\" | head -c 1; exit ${PIPESTATUS[0]}", &arguments);
+        assert_eq!((output.status.code(), stdout(&output).len()), (Some(0), 1), "{arguments:?}");
+        // `bake` says there what it has made
+        assert!(!stderr(&output).contains("error"), "{arguments:?}: {}", stderr(&output));
+    }
+}
+
+#[test]
+fn a_scenario_that_is_none_is_refused_at_once() {
+    let sparse = scenario("robust_100_mb", "");
+    fs::File::options().write(true).open(&sparse).and_then(|file| file.set_len(100_000_000)).expect("a hole");
+    let directory = folder("scenario");
+    let cases: [(&str, &str); 4] = [
+        (&sparse, "1 MiB"),
+        ("/dev/zero", "1 MiB"),
+        (text(&directory), "directory"),
+        ("/dev/null", "missing"),
+    ];
+    for (file, part) in cases {
+        for arguments in [
+            vec!["state", file, "--times", "1"],
+            vec!["constants", file],
+            vec!["compare", file],
+            vec!["bake", file],
+            vec!["plot", file, "-o", "x.svg"],
+        ] {
+            let output = run(&arguments);
+            let message = stderr(&output);
+            assert_eq!((output.status.code(), stdout(&output)), (Some(2), ""), "{arguments:?}: {message}");
+            assert!(message.contains(file) && message.contains(part), "{arguments:?}: {message}");
+            assert_eq!(message.matches('\n').count(), 1, "{arguments:?}: {message}");
+        }
+    }
+    let toy_top = sample("toy_top");
+    let output = run(&["state", &toy_top, "--times-file", "/dev/zero"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("64 MiB"), "{}", stderr(&output));
+}
