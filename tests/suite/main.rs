@@ -2,6 +2,7 @@
 
 mod aperiodic;
 mod baked;
+#[cfg(feature = "host")]
 mod cayley_klein;
 mod closed_forms;
 mod conditioning;
@@ -10,12 +11,17 @@ mod elliptic;
 mod ephemeris;
 mod fixed_point;
 mod fixed_stepper;
+mod found;
+#[cfg(feature = "host")]
 mod full;
 mod group;
+mod hostile;
+#[cfg(feature = "host")]
 mod hyperelliptic;
 mod interop;
 mod invariants;
 mod lagrange;
+#[cfg(feature = "host")]
 mod lagrangian;
 mod moebius;
 mod order;
@@ -26,4 +32,5 @@ mod refusals;
 mod regimes;
 mod stages;
 mod tip;
+#[cfg(feature = "host")]
 mod tip_curve;

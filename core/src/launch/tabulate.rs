@@ -71,7 +71,8 @@ pub(crate) fn tabulate(
     for segment in 0..segments {
         march.expand(&mut expansion);
         combine(&brackets, &expansion, march.least, &mut polynomials);
-        dropped = worse(dropped, economise_all(&mut polynomials, terms));
+        let cut_off = beyond_the_last(&polynomials);
+        dropped = worse(dropped, economise_all(&mut polynomials, terms) + cut_off);
         dropped = worse(dropped, store(segment, &polynomials));
         let last = segment + 1 == segments;
         if found.is_none()
@@ -170,6 +171,25 @@ fn combine(brackets: &Brackets<f64>, expansion: &Expansion, least: f64, polynomi
     let [re_alpha, im_alpha, re_beta, im_beta] = polynomials;
     expansion.turned(0, brackets.alpha.exponentials(), least, [re_alpha, im_alpha]);
     expansion.turned(1, brackets.beta.exponentials(), least, [re_beta, im_beta]);
+}
+
+/// What the series leave out beyond their last term, as an orientation error: as if they went on as their last four terms
+/// do. Infinite where these do not fall.
+fn beyond_the_last(polynomials: &Polynomials) -> f64 {
+    /// Below it terms are rounding, and need not fall.
+    const NEGLIGIBLE: f64 = 1e-18;
+    let mut squares = 0.0;
+    for polynomial in polynomials {
+        let [.., c12, c13, c14, c15] = polynomial.map(Float::abs);
+        // by pairs, since a series may be even or odd
+        let (before, last) = (c12 + c13, c14 + c15);
+        if last > NEGLIGIBLE {
+            let ratio = last / before;
+            let rest = if ratio < 1.0 { last * ratio / (1.0 - ratio) } else { f64::INFINITY };
+            squares += rest * rest;
+        }
+    }
+    2.0 * Float::sqrt(squares)
 }
 
 /// Shortens all four to `terms` coefficients by taking off multiples of Chebyshev polynomials from the top; returns a bound

@@ -167,7 +167,8 @@ impl NoFit {
         [segments, terms]: [usize; 2],
         allowed: f64,
     ) -> Result<(), Self> {
-        if tabulated.truncation <= allowed {
+        // what has no bound fits no allowance
+        if tabulated.truncation <= allowed && tabulated.truncation < f64::INFINITY {
             return Ok(());
         }
         let mut more = segments;
