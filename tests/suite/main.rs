@@ -6,6 +6,7 @@ mod baked;
 mod cayley_klein;
 mod closed_forms;
 mod conditioning;
+mod dependencies;
 mod e3_equals_e4;
 mod elliptic;
 mod ephemeris;

@@ -23,7 +23,7 @@ fn stepper<const SEGMENTS: usize, const TERMS: usize>(input: &mut Input<'_>) {
     let Ok(mut stepper) = FixedStepper::<SEGMENTS, TERMS>::new(&motion, tick) else { return };
     let bound = stepper.error_bound();
     sound::finite("error bound", [bound.constant, bound.per_tick]);
-    let back = input.byte() % 2 == 0;
+    let back = input.byte().is_multiple_of(2);
     for _ in 0..100 {
         if back {
             stepper.step_back()

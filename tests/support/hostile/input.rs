@@ -88,7 +88,7 @@ impl<'a> Input<'a> {
 
     /// Orientation and ω in rates of the top's fall.
     fn state(&mut self, unit: f64) -> Result<State, LaunchError> {
-        if self.byte() % 2 == 0 {
+        if self.byte().is_multiple_of(2) {
             let mut rate = || unit * self.signed(-20.0, 8.0);
             let (spin, precession, nutation) = (rate(), rate(), rate());
             let tilt = self.place(std::f64::consts::PI);
@@ -108,7 +108,7 @@ impl<'a> Input<'a> {
     /// A launch from a state or from branch points.
     pub(super) fn motion(&mut self) -> Result<Motion, LaunchError> {
         let top = self.top()?;
-        if self.byte() % 2 == 0 {
+        if self.byte().is_multiple_of(2) {
             return Motion::launch(&top, &self.state((top.p() * top.g() / top.a()).sqrt())?);
         }
         let e1 = self.place(2.0) - 1.0;
