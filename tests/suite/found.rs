@@ -34,3 +34,29 @@ fn a_series_that_is_cut_off_is_in_the_error_bound() {
     let bound = coarse.error_bound().constant;
     assert!(worst <= bound && worst > 0.05 * bound, "{worst:e}, bound {bound:e}");
 }
+
+/// A table whose sums would leave its integers was accepted where much error is allowed, and wrapped.
+#[test]
+fn a_table_that_its_integers_cannot_hold_fits_no_allowance() {
+    let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Plus };
+    let tick = Tick::hertz(1000).unwrap();
+    let (mut held, mut refused) = (0, 0);
+    // the smaller A, the faster the slow phases turn in a segment
+    for k in 0..20 {
+        let a = 10_f64.powf(-0.25 * f64::from(k));
+        let top = Top::sliding(a, a, 1.0, Heaviness::MassMoment(1.0), 1.0).unwrap();
+        let motion = Motion::from_branch_points(&top, [-0.3, 0.26, 3.0], signs, &Start::default()).unwrap();
+        if Ephemeris::<f64, 3, 4>::within(&motion, tick, 1e6).is_err() {
+            continue;
+        }
+        match Ephemeris::<f32, 3, 4>::within(&motion, tick, 1e6) {
+            Ok(_) => held += 1,
+            Err(error) => {
+                assert!(error.truncation == f64::INFINITY && error.segments.is_some(), "{error:?}");
+                assert!(error.to_string().starts_with("the table cannot hold the motion; "), "{error}");
+                refused += 1;
+            }
+        }
+    }
+    assert!(held > 0 && refused > 0, "{held} held, {refused} refused");
+}

@@ -104,13 +104,14 @@ impl<C: Copy, const SEGMENTS: usize, const TERMS: usize> Table<C, SEGMENTS, TERM
     }
 }
 
-/// What the coefficients of a table cannot hold of a segment's polynomials, as an orientation error.
+/// What the coefficients of a table cannot hold of a segment's polynomials, as an orientation error: there is no saying where
+/// a sum may go beyond its integers.
 fn excess<R: Tabular>(polynomials: &Polynomials, terms: usize) -> f64 {
     let largest = polynomials.iter().fold(0.0, |largest, polynomial| {
         let excess = R::excess(polynomial.get(..terms).unwrap_or(polynomial));
         if excess > largest { excess } else { largest }
     });
-    4.0 * largest
+    if largest > 0.0 { f64::INFINITY } else { 0.0 }
 }
 
 /// How far an orientation from an ephemeris can be from the truth of the very numbers it was launched from, in rad
@@ -151,7 +152,7 @@ impl ErrorBound {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NoFit {
-    /// By how much, rad.
+    /// By how much, rad; infinite where nothing bounds it, which no allowance accepts.
     pub truncation: f64,
     /// How many segments of as many terms would do; `None` if 4096 would not.
     pub segments: Option<u32>,
@@ -188,7 +189,11 @@ impl NoFit {
 
 impl fmt::Display for NoFit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the table misses the motion by {:.1e} rad; ", self.truncation)?;
+        if self.truncation < f64::INFINITY {
+            write!(f, "the table misses the motion by {:.1e} rad; ", self.truncation)?;
+        } else {
+            write!(f, "the table cannot hold the motion; ")?;
+        }
         match self.segments {
             Some(segments) => write!(f, "{segments} segments of this degree would fit"),
             None => write!(f, "not even {} segments of this degree would fit", Self::MOST_SEGMENTS),
