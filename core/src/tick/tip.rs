@@ -83,8 +83,12 @@ impl<R: Float> TipLaw<R> {
             if momentum == R::ZERO || size == R::ZERO {
                 return R::ZERO;
             }
-            // |z|² and 1/|z| may leave the scalar's range where the quotient does not
-            let direction = Complex::new(z.re / size, z.im / size);
+            // |z|² may underflow where the quotient does not, and 1/|z| overflow
+            let inverse = R::ONE / size;
+            let direction = match inverse.to_f64().is_finite() {
+                true => z.scaled(inverse),
+                false => Complex::new(z.re / size, z.im / size),
+            };
             momentum / size / size / direction.norm_squared()
         };
         let [plus, minus] = self.momenta;
