@@ -40,7 +40,7 @@ Studies, for a longer wait; each installs its cargo subcommand the first time:
   fuzz [--seconds N] [TARGET]  looks for input that breaks core or the scenario parser: N seconds (600) each
   coverage [--accept]          the lines of core that its tests run; --accept writes host/docs/coverage.md
   mutants --shard I/N          the I-th of N parts of core's mutants: which ones no test notices
-  miri [--target TRIPLE]       core's unit tests in Miri; s390x-unknown-linux-gnu has the other byte order
+  miri [--target TRIPLE]       core's unit tests in Miri, as a big-endian machine runs them; not x86-64
   features                     core with every set of its features, on the smallest chip
   deny                         licences, duplicates, sources and advisories of the dependencies";
 
