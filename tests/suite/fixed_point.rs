@@ -1,7 +1,8 @@
 //! The ephemeris in fixed point: against truth, and within its range.
 
 use fixed::types::{I2F14, I2F30};
-use toytop::{Ephemeris, EphemerisF64, NoFit, Tabular, Tick};
+use toytop::real::{Ring, Scalar};
+use toytop::{Ephemeris, EphemerisF64, NoFit, Tabular, Tick, Turns};
 use toytop_tests::vectors::{self, Vector};
 use toytop_tests::{orientation_error, tolerance, widened};
 
@@ -74,4 +75,28 @@ fn random_motions_stay_in_range() {
     assert!(tally.ticks > 50_000 && tally.steps > 22_000, "{tally:?}");
     assert!(tally.strain.iter().all(|strain| (0.3..1.0).contains(strain)), "{tally:?}");
     assert!(toytop_host::overflow::is_checked() == cfg!(debug_assertions));
+}
+
+/// Sine and cosine of a phase in either size: within two and a half units of the last place, and not better than half
+/// of one.
+#[test]
+fn sine_and_cosine_of_a_phase() {
+    let mut worst = [0.0_f64; 2];
+    for i in 0..4096 {
+        let phase = Turns::new(f64::from(i) * 0.618_033_988_75);
+        let (sine, cosine) = f64::sine_cosine(phase);
+        let ((s, c), (short_s, short_c)) = (I2F30::sine_cosine(phase), I2F14::sine_cosine(phase));
+        let off = |a: f64, b: f64| (a - sine).abs().max((b - cosine).abs());
+        worst[0] = worst[0].max(off(s.into(), c.into()) * (1_u64 << 30) as f64);
+        worst[1] = worst[1].max(off(short_s.into(), short_c.into()) * (1_u64 << 14) as f64);
+    }
+    assert!(worst.iter().all(|units| (0.4..2.6).contains(units)), "{worst:?} units");
+}
+
+/// Both sizes as a ring: a product is rounded down.
+#[test]
+fn products_of_either_size() {
+    assert_eq!(I2F14::from_num(0.75).product(I2F14::from_num(-0.5)), I2F14::from_num(-0.375));
+    assert_eq!(I2F30::from_num(0.75).product(I2F30::from_num(-0.5)), I2F30::from_num(-0.375));
+    assert_eq!(I2F14::from_bits(3).product(I2F14::from_num(0.5)), I2F14::from_bits(1));
 }

@@ -2,20 +2,27 @@
 
 mod aperiodic;
 mod baked;
+#[cfg(feature = "host")]
 mod cayley_klein;
 mod closed_forms;
 mod conditioning;
+mod dependencies;
 mod e3_equals_e4;
 mod elliptic;
 mod ephemeris;
 mod fixed_point;
 mod fixed_stepper;
+mod found;
+#[cfg(feature = "host")]
 mod full;
 mod group;
+mod hostile;
+#[cfg(feature = "host")]
 mod hyperelliptic;
 mod interop;
 mod invariants;
 mod lagrange;
+#[cfg(feature = "host")]
 mod lagrangian;
 mod moebius;
 mod order;
@@ -26,4 +33,5 @@ mod refusals;
 mod regimes;
 mod stages;
 mod tip;
+#[cfg(feature = "host")]
 mod tip_curve;

@@ -1,6 +1,9 @@
 //! Every refusal, by the parameter it names. What is accepted right beside it shows that the border is where it is said.
 
-use toytop::{BranchPoints, Complex, Heaviness, LaunchError, Motion, Phi, Release, Signs, Start, State, Top};
+use toytop::{
+    BranchPoints, Complex, Heaviness, LaunchError, Motion, NoFit, Phi, Release, Sign, Signs, Start, State,
+    Top,
+};
 
 fn parameter<T>(result: Result<T, LaunchError>) -> Option<&'static str> {
     result.err().map(|error| error.parameter())
@@ -86,4 +89,18 @@ fn messages_name_the_parameter_and_what_is_allowed() {
     let error = BranchPoints::new(0.6, 0.5, 2.0).unwrap_err();
     assert_eq!(error.to_string(), "e2: must be in [e1, 1]");
     assert_eq!(BranchPoints::new(0.6, f64::NAN, 2.0).unwrap_err().to_string(), "e2: must be a finite number");
+}
+
+#[test]
+fn what_a_table_misses_is_said() {
+    let says = |truncation, segments| NoFit { truncation, segments }.to_string();
+    let misses = "the table misses the motion by 2.5e-3 rad; ";
+    assert_eq!(says(0.0025, Some(64)), format!("{misses}64 segments of this degree would fit"));
+    assert_eq!(says(0.0025, None), format!("{misses}not even 4096 segments of this degree would fit"));
+}
+
+#[test]
+fn signs_are_factors() {
+    assert_eq!([Sign::Plus.factor(), Sign::Minus.factor()], [1, -1]);
+    assert_eq!([Sign::of(0.0), Sign::of(-1e-300)].map(Sign::factor), [1, -1]);
 }

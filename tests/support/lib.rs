@@ -1,6 +1,7 @@
 //! What the cross-crate tests share: reference vectors, tolerances, and how errors are measured.
 
 pub mod complex;
+pub mod hostile;
 pub mod tolerance;
 pub mod vectors;
 

@@ -1,11 +1,18 @@
 //! `cargo xtask`: everything that is checked, on a machine that has rustup and nothing else.
 
 mod chain;
+mod coverage;
+mod deny;
+mod features;
 mod firmware;
+mod fuzz;
 mod lint;
+mod miri;
+mod mutants;
 mod nopanic;
 mod process;
 mod steps;
+mod subcommand;
 mod tools;
 
 use std::process::ExitCode;
@@ -26,7 +33,16 @@ usage: cargo xtask VERB
   nopanic [--planted]          links core against a panic handler that does not exist; --planted: shows that it bites
   check-chain                  a stage of core uses earlier stages only
   clippy-firmware              clippy over the firmware workspace, each package for its own targets
-  qemu CHIP ELF                runs an ELF and shows its log (the runner of firmware-examples/.cargo/config.toml)";
+  qemu CHIP ELF                runs an ELF and shows its log (the runner of firmware-examples/.cargo/config.toml)
+
+Studies, for a longer wait; each installs its cargo subcommand the first time:
+
+  fuzz [--seconds N] [TARGET]  looks for input that breaks core or the scenario parser: N seconds (600) each
+  coverage [--accept]          the lines of core that its tests run; --accept writes host/docs/coverage.md
+  mutants --shard I/N          the I-th of N parts of core's mutants: which ones no test notices
+  miri [--target TRIPLE]       core's unit tests in Miri, as a big-endian machine runs them; not x86-64
+  features                     core with every set of its features, on the smallest chip
+  deny                         licences, duplicates, sources and advisories of the dependencies";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -53,10 +69,30 @@ fn run(words: &[&str]) -> Result<ExitCode> {
         ["qemu", chip, elf] => return firmware::qemu(chip, elf),
         ["nopanic"] => println!("{}", nopanic::check()?),
         ["nopanic", "--planted"] => nopanic::show_planted()?,
+        ["fuzz", rest @ ..] => fuzz_with(rest)?,
+        ["coverage"] => coverage::coverage(false)?,
+        ["coverage", "--accept"] => coverage::coverage(true)?,
+        ["mutants", "--shard", shard] => mutants::mutants(shard)?,
+        ["miri"] => miri::miri(None)?,
+        ["miri", "--target", target] => miri::miri(Some(target))?,
+        ["features"] => println!("{}", features::check()?),
+        ["deny"] => deny::check()?,
         ["check-chain"] => println!("{}", chain::check()?),
         ["clippy-firmware"] => lint::firmware()?,
         ["help" | "--help" | "-h"] => println!("{USAGE}"),
         _ => bail!("{USAGE}"),
     }
     Ok(ExitCode::SUCCESS)
+}
+
+fn fuzz_with(words: &[&str]) -> Result<()> {
+    let (seconds, rest) = match words {
+        ["--seconds", seconds, rest @ ..] => (seconds.parse()?, rest),
+        _ => (600, words),
+    };
+    match rest {
+        [] => fuzz::fuzz(seconds, None),
+        [target] => fuzz::fuzz(seconds, Some(target)),
+        _ => bail!("{USAGE}"),
+    }
 }

@@ -8,7 +8,7 @@ use anyhow::{Result, bail};
 
 use crate::firmware::{self, PROGRAMS, TARGETS};
 use crate::process::{cargo, in_ci, run};
-use crate::{chain, nopanic, tools};
+use crate::{chain, features, fuzz, nopanic, tools};
 
 /// One step of the test command.
 struct Step {
@@ -37,10 +37,12 @@ fn steps() -> Vec<Step> {
     let mut steps = vec![
         Step::new("chain", nothing, chain::check),
         Step::new("no-std", compiler, no_std),
+        Step::new("features", compiler, features::check),
         Step::new("tests", nothing, || cargo_test("--lib --bins --tests --examples")),
         Step::new("doctests", nothing, || cargo_test("--doc")),
         Step::new("docs", nothing, docs),
         Step::new("benches", nothing, benches),
+        Step::new("fuzz", nothing, fuzz::briefly),
         Step::new("no-panic", compiler, nopanic::check),
         Step::new("browser", browser, page),
     ];

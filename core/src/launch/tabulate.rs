@@ -201,7 +201,7 @@ impl March<'_> {
             self.expand(unit);
             let segment = cell.first() + place;
             error = worse(error, self.shorten(segment, &mut store));
-            if error.is_nan() || error > self.allowed {
+            if !error.is_finite() || error > self.allowed {
                 return None;
             }
             let last = place + 1 == count;
@@ -275,7 +275,8 @@ impl March<'_> {
         let (mut squares, mut excess) = (0.0, 0.0);
         for (which, bracket) in brackets.into_iter().enumerate() {
             let [re, im] = self.expansion.turned(which, bracket, self.least);
-            let dropped = economise([&mut *re, &mut *im], self.fineness.terms);
+            let beyond = [&*re, &*im].map(beyond_the_last).into_iter().fold(0.0, worse);
+            let dropped = economise([&mut *re, &mut *im], self.fineness.terms) + 2.0 * beyond;
             squares += dropped * dropped;
             excess = worse(excess, store(segment, which, [re, im]));
         }
@@ -301,5 +302,21 @@ impl March<'_> {
         let Point { chi, theta } = self.border.point;
         let [alpha, beta] = theta.map(miss);
         2.0 * (miss(chi) + alpha.max(beta))
+    }
+}
+
+/// What a series leaves out beyond its last term: as if it went on as its last four terms do. Infinite where these do not
+/// fall.
+fn beyond_the_last(part: &[f64; TERMS]) -> f64 {
+    /// Below it terms are rounding, and need not fall.
+    const NEGLIGIBLE: f64 = 3e-17;
+    let [.., c12, c13, c14, c15] = part.map(Float::abs);
+    // by pairs, since a series may be even or odd
+    let (before, last) = (c12 + c13, c14 + c15);
+    let ratio = last / before;
+    match last > NEGLIGIBLE {
+        true if ratio < 1.0 => last * ratio / (1.0 - ratio),
+        true => f64::INFINITY,
+        false => 0.0,
     }
 }

@@ -26,7 +26,8 @@ pub struct TipAngle<R> {
     /// φ, with φ(0) in (-π, π]. Where the curve passes through the centre (e₁ = -1 or e₂ = 1) φ is smooth there and
     /// the radius changes sign: c = ±ρ e^{iφ}.
     pub phi: Turns,
-    /// φ', rad per unit time (eqn:dphi): ((l + n)/(1 + u) + (l - n)/(1 - u))/(2A).
+    /// φ', rad per unit time (eqn:dphi): ((l + n)/(1 + u) + (l - n)/(1 - u))/(2A). Where that is beyond `f32`, as it is for
+    /// an instant in a motion that misses the vertical by 1e-30, its greatest number.
     pub rate: R,
 }
 
@@ -42,6 +43,15 @@ impl<R: Float> Tip<R> {
     pub fn speed(&self) -> R {
         self.velocity.norm_squared().sqrt()
     }
+}
+
+/// The number; of one that has left the range of `f32`, the greatest with its sign.
+fn saturated<R: Float>(x: R) -> R {
+    if x.to_f64().is_finite() {
+        return x;
+    }
+    let greatest = R::from_f64(f32::MAX.into());
+    if x < R::ZERO { -greatest } else { greatest }
 }
 
 /// What the tip needs to know of a motion.
@@ -73,12 +83,16 @@ impl<R: Float> TipLaw<R> {
             if momentum == R::ZERO || size == R::ZERO {
                 return R::ZERO;
             }
-            // |z|² may underflow where the quotient does not
-            let direction = z.scaled(R::ONE / size);
+            // |z|² may underflow where the quotient does not, and 1/|z| overflow
+            let inverse = R::ONE / size;
+            let direction = match inverse.to_f64().is_finite() {
+                true => z.scaled(inverse),
+                false => Complex::new(z.re / size, z.im / size),
+            };
             momentum / size / size / direction.norm_squared()
         };
         let [plus, minus] = self.momenta;
-        let rate_of_phi = part(plus, alpha) + part(minus, beta);
+        let rate_of_phi = saturated(part(plus, alpha) + part(minus, beta));
         Tip {
             c: (alpha * beta).scaled(self.scale),
             velocity: (rate.alpha * beta + alpha * rate.beta).scaled(self.scale),

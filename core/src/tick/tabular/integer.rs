@@ -56,7 +56,8 @@ pub(super) fn shortfall(polynomial: &[f64]) -> f64 {
     (sums / 32768.0 - SHORT_ERROR).max(0.0)
 }
 
-/// By how much a polynomial is beyond what keeps the sums in range, with a margin for what the coefficients round off.
+/// Infinite where a polynomial is beyond what keeps the sums in range, with a margin for what the coefficients round off: there
+/// is no saying how wrong a sum may be that leaves it.
 pub(super) fn excess(polynomial: &[f64], margin: f64) -> f64 {
     let mut sum = 0.0;
     let mut excess = 0.0_f64;
@@ -64,7 +65,7 @@ pub(super) fn excess(polynomial: &[f64], margin: f64) -> f64 {
         sum += libm::fabs(*value);
         excess = excess.max(sum - (1.0 - margin) / (1_u64 << power) as f64);
     }
-    excess
+    if excess > 0.0 { f64::INFINITY } else { 0.0 }
 }
 
 /// Re α, Im α, Re β and Im β in units of 2^-30.

@@ -1,0 +1,16 @@
+//! The text of a scenario file.
+
+use super::input::Input;
+use super::sound;
+use toytop_host::scenario::Scenario;
+
+pub(super) fn run(bytes: &[u8]) {
+    let text = String::from_utf8_lossy(bytes);
+    match Scenario::parse("fuzz.toml", &text) {
+        Ok(scenario) => sound::motion(&scenario.motion, &mut Input::new(&[])),
+        Err(error) => {
+            let error = error.to_string();
+            assert!(error.starts_with("fuzz.toml: ") && !error.contains('\n'), "{error:?}");
+        }
+    }
+}

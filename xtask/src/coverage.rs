@@ -1,0 +1,126 @@
+//! `cargo xtask coverage`: which lines of core its tests run, file by file, by cargo-llvm-cov.
+
+use std::fs;
+use std::process::Command;
+
+use anyhow::{Context, Result, bail};
+
+use crate::process::{root, run};
+use crate::subcommand::provide;
+
+/// Per cent of a file's lines below which a reason is asked for.
+const ENOUGH: f64 = 95.0;
+
+/// Files of core with fewer lines run, and why.
+const REASONS: &[(&str, &str)] = &[
+    ("exact/hyperelliptic.rs", BY_THE_HOST),
+    ("exact/lagrangian.rs", BY_THE_HOST),
+    ("exact/tip_curve.rs", BY_THE_HOST),
+    ("real/arctangent.rs", "the rest is evaluated by the compiler, for a table"),
+    ("tick/table.rs", "the rest is evaluated by the compiler, for a `static`"),
+];
+
+/// The modules of the suite that a build without the host's crate does not have.
+const BY_THE_HOST: &str = "tested against the full solver, whose crate this build leaves out";
+
+const PAGE: &str = "host/docs/coverage.md";
+const BEGIN: &str = "<!-- coverage: written by `cargo xtask coverage --accept` -->\n";
+const END: &str = "<!-- coverage: end -->";
+
+/// A file of core, below core/src.
+struct File {
+    name: String,
+    lines: u32,
+    run: u32,
+}
+
+impl File {
+    fn share(&self) -> f64 {
+        100.0 * f64::from(self.run) / f64::from(self.lines.max(1))
+    }
+
+    fn reason(&self) -> Option<&'static str> {
+        REASONS.iter().find(|(name, _)| *name == self.name).map(|(_, reason)| *reason)
+    }
+}
+
+/// The build is that of mutants and fuzzer, without the host's crate.
+///
+/// Prints the table and refuses a file with too few lines run and no reason for it; writes the page if so asked.
+pub(crate) fn coverage(accept: bool) -> Result<()> {
+    provide("llvm-cov")?;
+    let mut command = Command::new("cargo");
+    command.args(["llvm-cov", "--package", "toytop", "--package", "toytop-tests", "--no-default-features"]);
+    command.args(["--features", "toytop/fixed,toytop/nalgebra", "--lib", "--test", "suite"]);
+    command.args(["--lcov", "--quiet"]).current_dir(root());
+    // the compiler's own LLVM is fetched by cargo-llvm-cov, or given by LLVM_COV and LLVM_PROFDATA
+    let files = files(&run(command.env("CARGO_TERM_COLOR", "never"))?);
+    if files.is_empty() {
+        bail!("no file of core was run");
+    }
+    let table = table(&files);
+    println!("{table}");
+    if accept {
+        write(&table)?;
+    }
+    let unexplained = files.iter().filter(|file| file.share() < ENOUGH && file.reason().is_none());
+    let names: Vec<_> = unexplained.map(|file| file.name.as_str()).collect();
+    if !names.is_empty() {
+        bail!("below {ENOUGH} % without a reason in xtask/src/coverage.rs: {}", names.join(" "));
+    }
+    let idle = |name: &str| files.iter().all(|file| file.name != name || file.share() >= ENOUGH);
+    if let Some((name, _)) = REASONS.iter().find(|(name, _)| idle(name)) {
+        bail!("{name} needs its reason in xtask/src/coverage.rs no more");
+    }
+    Ok(())
+}
+
+/// From lcov's format: a record for each file, with LF lines of which LH were run.
+fn files(lcov: &str) -> Vec<File> {
+    let mut files = Vec::new();
+    for record in lcov.split("end_of_record") {
+        let field = |key: &str| record.lines().find_map(|line| line.strip_prefix(key));
+        let name = field("SF:").and_then(|path| path.split_once("core/src/"));
+        let count = |key: &str| field(key).and_then(|number| number.parse().ok());
+        if let (Some((_, name)), Some(lines), Some(run)) = (name, count("LF:"), count("LH:")) {
+            files.push(File { name: name.to_owned(), lines, run });
+        }
+    }
+    files.sort_by(|a, b| a.name.cmp(&b.name));
+    files
+}
+
+fn table(files: &[File]) -> String {
+    let mut table = String::from("| core/src/ | lines | run | % | |\n|---|--:|--:|--:|---|\n");
+    let row = |file: &File| {
+        let File { name, lines, run } = file;
+        let reason = file.reason().unwrap_or_default();
+        format!("| {name} | {lines} | {run} | {:.1} | {reason} |\n", file.share())
+    };
+    files.iter().for_each(|file| table += &row(file));
+    let sum = |count: fn(&File) -> u32| files.iter().map(count).sum();
+    table + &row(&File { name: "**all**".into(), lines: sum(|file| file.lines), run: sum(|file| file.run) })
+}
+
+fn write(table: &str) -> Result<()> {
+    let page = root().join(PAGE);
+    let text = fs::read_to_string(&page)?;
+    let (before, rest) = text.split_once(BEGIN).with_context(|| format!("{PAGE}: no {BEGIN}"))?;
+    let (_, after) = rest.split_once(END).with_context(|| format!("{PAGE}: no {END}"))?;
+    let version = env!("CARGO_PKG_VERSION");
+    fs::write(page, format!("{before}{BEGIN}Version {version}:\n\n{table}{END}{after}"))?;
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn records_of_core_are_read() {
+        let lcov = "SF:/x/core/src/top.rs\nDA:1,1\nLF:40\nLH:39\nend_of_record\nSF:/x/tests/a.rs\nLF:2\nLH:1\nend_of_record\n";
+        let files = files(lcov);
+        assert_eq!(files.len(), 1);
+        assert_eq!((files[0].name.as_str(), files[0].share()), ("top.rs", 97.5));
+    }
+}

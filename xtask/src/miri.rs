@@ -1,0 +1,40 @@
+//! `cargo xtask miri`: core's unit tests in Miri, on a machine of the other byte order.
+
+use std::process::Command;
+
+use anyhow::{Result, bail};
+
+use crate::process::{root, run};
+use crate::subcommand::{nightly_is_there, show, succeeds};
+
+/// Big-endian; and libm has no assembly for it, which Miri refuses: on x86-64 it takes square roots so.
+const TARGET: &str = "s390x-unknown-linux-gnu";
+
+/// Core's unit tests under Miri, for a target that it emulates.
+pub(crate) fn miri(target: Option<&str>) -> Result<()> {
+    if !nightly_is_there() {
+        bail!("Miri needs a nightly compiler: rustup toolchain install nightly");
+    }
+    let there = || succeeds(Command::new("cargo").args(["+nightly", "miri", "--version"]));
+    if !there() {
+        let _ = run(Command::new("rustup").args(["+nightly", "component", "add", "miri", "rust-src"]));
+    }
+    if !there() {
+        bail!("no Miri here, and rustup cannot fetch it: rustup +nightly component add miri rust-src");
+    }
+    let mut command = Command::new("cargo");
+    command.args([
+        "+nightly",
+        "miri",
+        "test",
+        "--package",
+        "toytop",
+        "--lib",
+        "--features",
+        "fixed,nalgebra",
+    ]);
+    if let Some(target) = target {
+        command.args(["--target", target]);
+    }
+    show(command.current_dir(root()))
+}
