@@ -23,18 +23,7 @@ pub(crate) fn miri(target: Option<&str>) -> Result<()> {
         bail!("no Miri here, and rustup cannot fetch it: rustup +nightly component add miri rust-src");
     }
     let mut command = Command::new("cargo");
-    command.args([
-        "+nightly",
-        "miri",
-        "test",
-        "--package",
-        "toytop",
-        "--lib",
-        "--features",
-        "fixed,nalgebra",
-    ]);
-    if let Some(target) = target {
-        command.args(["--target", target]);
-    }
+    command.args(["+nightly", "miri", "test", "--package", "toytop", "--lib", "--features", "fixed"]);
+    command.args(["--target", target.unwrap_or(TARGET)]);
     show(command.current_dir(root()))
 }
