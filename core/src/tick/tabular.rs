@@ -40,7 +40,7 @@ pub trait Tabular: Scalar {
 
     /// The nearest coefficient of x^power.
     fn coefficient(value: f64, power: usize) -> Self::Coefficient;
-    /// By how much the coefficients of a polynomial are beyond what the table can hold; 0 in floating point.
+    /// What the coefficients of a polynomial cannot hold of it, infinite where a sum could overflow; 0 in floating point.
     fn excess(polynomial: &[f64]) -> f64;
     /// The coefficient of x^power as a number.
     fn number(coefficient: Self::Coefficient, power: usize) -> Self::Wide;
