@@ -41,7 +41,7 @@ impl<R: Ring> PhaseRates<R> {
 pub(crate) fn gudermannian<R: Real>(v: R) -> (R, R) {
     let q = (-v.abs()).exp();
     let per_sum = R::ONE / (R::ONE + q.squared());
-    let tanh = (R::ONE - q) * (R::ONE + q) * per_sum;
+    let tanh = -(-v.abs()).exp_minus_one() * (R::ONE + q) * per_sum;
     (if v < R::ZERO { -tanh } else { tanh }, q.doubled() * per_sum)
 }
 
@@ -166,5 +166,20 @@ impl<F: Float> Nutation<F> {
         let (one_minus_u, one_plus_u) = self.complements(sn, cn);
         let d = self.a_over_p + self.s * one_minus_u * one_plus_u;
         (d / (self.half_g * self.e3_minus_e1)).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_gudermannian_keeps_its_digits_at_both_ends() {
+        for v in [1e-20, 3e-9, 0.1, 2.0, 30.0, 700.0_f64] {
+            let (tanh, sech) = gudermannian(v);
+            assert!((tanh / v.tanh() - 1.0).abs() < 5e-16, "{v}: {tanh:e}");
+            assert!((sech * v.cosh() - 1.0).abs() < 5e-16, "{v}: {sech:e}");
+            assert_eq!(gudermannian(-v), (-tanh, sech));
+        }
     }
 }

@@ -131,4 +131,7 @@ pub trait Real: Scalar + Float {
     /// eˣ.
     #[must_use]
     fn exp(self) -> Self;
+    /// eˣ - 1, with all its digits where x is small.
+    #[must_use]
+    fn exp_minus_one(self) -> Self;
 }

@@ -69,7 +69,7 @@ pub enum Command {
     Sines(SinesArgs),
     /// Fixed point on random motions, in a build that checks every sum (exit code 1 if one overflows)
     #[command(
-        after_help = "Example: cargo run --release --config profile.release.overflow-checks=true --bin toytop -- overflow --motions 100000"
+        after_help = "Example: toytop overflow --motions 100000\nSums are checked in a build of: cargo run --release --config profile.release.overflow-checks=true --bin toytop -- overflow"
     )]
     Overflow(OverflowArgs),
     /// Random motions of every regime: does the ephemeris keep its error bound? (exit code 1 if not)

@@ -101,6 +101,10 @@ impl Real for Micromath {
     fn exp(self) -> Self {
         Self(F32Ext::exp(self.0))
     }
+    #[inline]
+    fn exp_minus_one(self) -> Self {
+        Self(F32Ext::exp(self.0) - 1.0)
+    }
 }
 
 /// The crate's tables as one would read them with such a library: four Horner sums and two rotations in `f32`.

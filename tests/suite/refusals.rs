@@ -94,7 +94,7 @@ fn messages_name_the_parameter_and_what_is_allowed() {
 #[test]
 fn what_a_table_misses_is_said() {
     let says = |truncation, segments| NoFit { truncation, segments }.to_string();
-    let misses = "the table misses the motion by 2.5e-3 rad; ";
+    let misses = "the table cannot follow the motion to within 2.5e-3 rad; ";
     assert_eq!(says(0.0025, Some(64)), format!("{misses}64 segments of this degree would fit"));
     assert_eq!(says(0.0025, None), format!("{misses}not even 4096 segments of this degree would fit"));
 }

@@ -4,7 +4,7 @@ use super::{Float, Real, Ring, Scalar, sine};
 use crate::turns::Turns;
 
 macro_rules! float_scalar {
-    ($float:ty, $sqrt:path, $atan2:path, $exp:path) => {
+    ($float:ty, $sqrt:path, $atan2:path, $exp:path, $exp_minus_one:path) => {
         impl Ring for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
@@ -34,12 +34,16 @@ macro_rules! float_scalar {
             fn exp(self) -> Self {
                 $exp(self)
             }
+            #[inline]
+            fn exp_minus_one(self) -> Self {
+                $exp_minus_one(self)
+            }
         }
     };
 }
 
-float_scalar!(f32, libm::sqrtf, libm::atan2f, libm::expf);
-float_scalar!(f64, libm::sqrt, libm::atan2, libm::exp);
+float_scalar!(f32, libm::sqrtf, libm::atan2f, libm::expf, libm::expm1f);
+float_scalar!(f64, libm::sqrt, libm::atan2, libm::exp, libm::expm1);
 
 impl Scalar for f32 {
     const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;

@@ -198,11 +198,7 @@ pub struct NoFit {
 
 impl fmt::Display for NoFit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.truncation < f64::INFINITY {
-            write!(f, "the table misses the motion by more than {:.1e} rad; ", self.truncation)?;
-        } else {
-            write!(f, "the table cannot hold the motion; ")?;
-        }
+        write!(f, "the table cannot follow the motion to within {:.1e} rad; ", self.truncation)?;
         match self.segments {
             Some(segments) => write!(f, "{segments} segments of this degree would fit"),
             None => write!(f, "not even {} segments of this degree would fit", Cell::MOST_SEGMENTS),

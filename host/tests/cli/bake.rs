@@ -55,7 +55,7 @@ fn json_holds_every_number() {
     };
     assert_eq!(read, baked);
     assert!(read.ephemeris().is_ok() && object["horizon"].is_null());
-    assert_eq!(object["sine"]["points"].as_array().map(Vec::len), Some(320));
+    assert_eq!(object["sine"]["points"].as_array().map(Vec::len), Some(640));
     assert_eq!((object["scalar"].as_str(), object["tick"].as_str()), (Some("f32"), Some("1000 Hz")));
 }
 
@@ -70,7 +70,7 @@ fn the_size_is_chosen_and_said() {
         (&sample("toy_top"), "f64", "48x11"),
         (&sample("toy_top"), "q31", "32x4"),
         (&sample("toy_top"), "q15", "16x3"),
-        (&slender, "f32", "32x6"),
+        (&slender, "f32", "128x6"),
         (&slender, "f64", "128x11"),
     ] {
         let output = run(&["bake", file, "--scalar", scalar]);
