@@ -53,6 +53,8 @@ pub(crate) struct Tabulated {
     pub(crate) truncation: f64,
     /// How far the march through the segments misses the upper turning point, where it must end, rad.
     pub(crate) defect: f64,
+    /// How far α and β would turn in half a period as fast as they ever do, rad: roundings on the way delay what follows.
+    pub(crate) haste: f64,
 }
 
 impl Tabulated {
@@ -62,6 +64,7 @@ impl Tabulated {
         start: [Turns::ZERO; 3],
         truncation: 0.0,
         defect: 0.0,
+        haste: 0.0,
     };
 }
 
@@ -96,7 +99,9 @@ pub(crate) fn tabulate(
         reached: Reached::default(),
         border: Reached::default(),
         found: None,
+        fastest: 0.0,
     };
+    march.fastest = worse(march.speed(0.0, 1.0), march.speed(1.0, 0.0));
     let mut tabulated = Tabulated { segments: 0, ..Tabulated::EMPTY };
     let (mut level, mut at_centre) = (0, false);
     for (number, cell) in tabulated.cells.iter_mut().enumerate().take(cells) {
@@ -124,6 +129,7 @@ pub(crate) fn tabulate(
     tabulated.start = seek.start(motion, phase, theta);
     tabulated.truncation += march.border.remainder;
     tabulated.defect = if rates.returns { march.defect() } else { 0.0 };
+    tabulated.haste = march.fastest * rates.half_period.to_f64();
     Some(tabulated)
 }
 
@@ -167,6 +173,8 @@ struct March<'a> {
     reached: Reached,
     /// Where the cell begins.
     border: Reached,
+    /// How fast α and β change, their mean rotation taken off, at the faster of the turning points: hardly less than anywhere.
+    fastest: f64,
     /// Phase and θ of the start, once it is behind.
     found: Option<(Turns, [Turns; 2])>,
 }
@@ -258,6 +266,7 @@ impl March<'_> {
         let rates = self.law.rates(sine.into(), cosine.into());
         let [alpha_excess, beta_excess] = self.rates.excess;
         let slope = |rate: DoubleDouble| (unit * rate).to_f64();
+        let weight = self.fastest * unit.to_f64() / Float::abs(slope(rates.nutation));
         Slopes {
             psi: PhaseRates {
                 nutation: slope(rates.nutation),
@@ -265,7 +274,16 @@ impl March<'_> {
                 beta: slope(rates.beta),
             },
             theta: [slope(rates.alpha + alpha_excess), slope(rates.beta + beta_excess)],
+            weight: if weight > 1.0 { weight } else { 1.0 },
         }
+    }
+
+    /// How fast α and β change where sin χ and cos χ are these, rad per unit time.
+    fn speed(&self, sine: f64, cosine: f64) -> f64 {
+        let rates = self.rounded.rates(sine, cosine);
+        let [alpha_excess, beta_excess] = self.rates.excess.map(Float::to_f64);
+        let slow = Float::abs(rates.alpha + alpha_excess) + Float::abs(rates.beta + beta_excess);
+        Float::abs(rates.nutation) + slow
     }
 
     /// Stores the expansion as short polynomials; returns what that costs, as an orientation error.

@@ -44,6 +44,8 @@ pub(crate) struct Slopes {
     pub(crate) psi: PhaseRates<f64>,
     /// ψ' less its mean: given apart, because the difference may be small.
     pub(crate) theta: [f64; 2],
+    /// What an error of χ here counts for, one of θ being 1: more where the motion rests, because it delays what follows.
+    pub(crate) weight: f64,
 }
 
 /// The motion around a point, as functions of x = (t - t₀)/unit.
@@ -54,6 +56,8 @@ pub(crate) struct Expansion {
     /// dθ/dx of α and of β.
     theta: [Series; 2],
     origin: Point,
+    /// What an error of χ counts for.
+    weight: f64,
     /// How many terms there are: as many as were needed, at most [`TERMS`].
     terms: usize,
     /// For what is computed on the way, so that a small stack holds it once.
@@ -131,6 +135,7 @@ impl Expansion {
         chi: Series::ZERO,
         theta: [Series::ZERO; 2],
         origin: Point { chi: Turns::ZERO, theta: [Turns::ZERO; 2] },
+        weight: 1.0,
         terms: 0,
         room: [Series::ZERO; 5],
     };
@@ -187,10 +192,11 @@ impl Expansion {
         last * x / (3 * self.terms) as f64
     }
 
-    /// The largest k-th coefficient of the phases by x.
+    /// The largest k-th coefficient of the phases by x, that of χ weighed.
     fn term(&self, k: usize) -> f64 {
         let [alpha, beta] = &self.theta;
-        [&self.chi, alpha, beta].map(|rate| Float::abs(rate.get(k))).into_iter().fold(0.0, worse)
+        let [chi, alpha, beta] = [&self.chi, alpha, beta].map(|rate| Float::abs(rate.get(k)));
+        worse(self.weight * chi, worse(alpha, beta))
     }
 }
 
@@ -219,7 +225,7 @@ impl Nutation<f64> {
     #[inline(never)]
     pub(crate) fn expand(&self, point: &Point, slopes: &Slopes, unit: f64, least: f64, to: &mut Expansion) {
         let (point_sine, point_cosine) = point.sine_cosine();
-        (to.origin, to.terms) = (*point, TERMS);
+        (to.origin, to.weight, to.terms) = (*point, slopes.weight, TERMS);
         // sin χ, cos χ, w = 1 - u, D = A/p + s (1 - u)(1 + u), and D dχ/dx
         let Expansion { chi, theta: [alpha, beta], room: [sine, cosine, w, d, drive], .. } = to;
         for series in [&mut *sine, cosine, chi, alpha, beta, w, d, drive] {
@@ -274,7 +280,7 @@ impl Nutation<f64> {
             let [next_sine, next_cosine] = next.map(|sum| sum * per_power);
             sine.put(k + 1, next_sine);
             cosine.put(k + 1, next_cosine);
-            let found = [next_sine, next_cosine, chi.get(k), alpha.get(k), beta.get(k)];
+            let found = [next_sine, next_cosine, slopes.weight * chi.get(k), alpha.get(k), beta.get(k)];
             let size = power * found.into_iter().map(Float::abs).fold(0.0, worse);
             if worse(size, before) < least {
                 to.terms = k + 1;

@@ -175,8 +175,11 @@ impl ErrorBound {
         const TURN: f64 = 2.0 * core::f64::consts::PI;
         /// Roundings of a set-up, all in f64: the march, the start on it, and more for a motion that takes many segments.
         const SET_UP_ROUNDINGS: f64 = 5.0;
-        let set_up =
-            (SET_UP_ROUNDINGS + 0.5 * libm::sqrt(tabulated.segments as f64)) * <f64 as Scalar>::ROUNDING;
+        /// Of the haste: a rounding a cell, each of a cell's share of it.
+        const DELAYS: f64 = 0.25;
+        let roundings =
+            SET_UP_ROUNDINGS + 0.5 * libm::sqrt(tabulated.segments as f64) + DELAYS * tabulated.haste;
+        let set_up = roundings * <f64 as Scalar>::ROUNDING;
         let increments = 3.0 * TURN * Turns::RESOLUTION;
         let turning: f64 = turns_per_tick.iter().map(|&turns| TURN * Float::abs(turns)).sum();
         Self {

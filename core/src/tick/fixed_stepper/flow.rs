@@ -67,7 +67,7 @@ impl Flow {
         let (sine, cosine) = point.sine_cosine();
         let rates = self.law.rates(sine, cosine);
         let [nutation, alpha, beta] = [rates.nutation, rates.alpha, rates.beta].map(|rate| rate * unit);
-        let slopes = Slopes { psi: PhaseRates { nutation, alpha, beta }, theta: [alpha, beta] };
+        let slopes = Slopes { psi: PhaseRates { nutation, alpha, beta }, theta: [alpha, beta], weight: 1.0 };
         self.law.expand(point, &slopes, unit, LEFT_OUT, to);
     }
 
