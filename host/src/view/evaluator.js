@@ -46,7 +46,7 @@ function high(a, b) {
 }
 
 /** The same with the 16 upper bits of b alone. */
-function short(a, b) {
+function shortHigh(a, b) {
   return Math.floor((a * (b >> 16)) / 65536) | 0;
 }
 
@@ -58,8 +58,8 @@ function sineAndCosine({ points, turn: [linear, cubic, versine] }, phase) {
   const square = high(x, x);
   const lost = high(square, versine * 65536);
   const small = high(x, linear - (((square >> 16) * cubic) >> 8));
-  const up = high(c, small) - (short(lost, s) >> 7);
-  const down = high(s, small) + (short(lost, c) >> 7);
+  const up = high(c, small) - (shortHigh(lost, s) >> 7);
+  const down = high(s, small) + (shortHigh(lost, c) >> 7);
   return [s + ((up + 16) >> 5), c - ((down + 16) >> 5)];
 }
 
@@ -77,7 +77,7 @@ function polynomials(table, { falling, segment, x }) {
     let sum = rows[table.terms - 1][i];
     for (let k = table.terms - 2; k > 0; k--) {
       // for the upper half of the powers 16 bits of x will do
-      const product = 2 * (k + 1) > table.terms ? short : high;
+      const product = 2 * (k + 1) > table.terms ? shortHigh : high;
       sum = (rows[k][i] + product(sum, x)) | 0;
     }
     const last = Math.max(-(2 ** 31), Math.min(2 ** 31 - 1, rows[0][i] + high(sum, x)));
