@@ -279,6 +279,7 @@ impl March<'_> {
     }
 
     /// How fast α and β change where sin χ and cos χ are these, rad per unit time.
+    #[inline(never)] // the frames of a set-up should not add up
     fn speed(&self, sine: f64, cosine: f64) -> f64 {
         let rates = self.rounded.rates(sine, cosine);
         let [alpha_excess, beta_excess] = self.rates.excess.map(Float::to_f64);
