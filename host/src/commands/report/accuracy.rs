@@ -5,11 +5,14 @@ use crate::Failure;
 use crate::cli::{CompareArgs, Format, Method, Scalar, ScalarChoice};
 use crate::commands::compare::{self, Row};
 
-const KINDS: [(Method, Scalar, &str); 4] = [
+const KINDS: [(Method, Scalar, &str); 7] = [
     (Method::Ephemeris, Scalar::F64, "ephemeris f64"),
-    (Method::Ephemeris, Scalar::F32, "ephemeris f32"),
+    (Method::Ephemeris, Scalar::F32, "f32"),
+    (Method::Ephemeris, Scalar::Q31, "q31"),
+    (Method::Ephemeris, Scalar::Q15, "q15"),
     (Method::Stepper, Scalar::F64, "stepper f64"),
-    (Method::Stepper, Scalar::F32, "stepper f32"),
+    (Method::Stepper, Scalar::F32, "f32"),
+    (Method::Stepper, Scalar::Q31, "q31"),
 ];
 
 /// The built-in motions by the beginning of their names, and what they are called together.
