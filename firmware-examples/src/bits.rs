@@ -7,8 +7,8 @@ use toytop::fixed::types::{I2F14, I2F30};
 use toytop::real::Real;
 use toytop::su2::Vector;
 use toytop::{
-    Averages, BranchPoints, Complex, Ephemeris, FirstIntegrals, FixedStepper, Heaviness, LaunchError, Moment,
-    Motion, Phi, Release, Sign, Signs, Start, State, Stepper, Tabular, Tick, Top,
+    Averages, BranchPoints, Complex, Ephemeris, FirstIntegrals, Heaviness, LaunchError, Moment, Motion, Phi,
+    Release, Sign, Signs, Start, State, Stepper, Tabular, Tick, Top,
 };
 
 /// Steps of each motion.
@@ -44,7 +44,6 @@ pub fn of_every_stage(mut report: impl FnMut(&str, &str, u64)) -> Result<(), Lau
         let [any, next] = table::<f64>(&motion);
         report(name, "ephemeris_f64", any.0);
         report(name, "cursor_f64", next.0);
-        report(name, "stepper_q31", fixed_ticks(&motion).0);
         let [any, next] = table::<I2F30>(&motion);
         report(name, "ephemeris_q31", any.0);
         report(name, "cursor_q31", next.0);
@@ -94,24 +93,6 @@ fn ticks<R: Real + Into<f64>>(motion: &Motion, dt: f64) -> [Hash; 3] {
         ];
     }
     hashes
-}
-
-/// All that the fixed-point stepper says of every tick, and on the way back; the motion may be too sharp for its table.
-fn fixed_ticks(motion: &Motion) -> Hash {
-    let mut hash = Hash::default();
-    let Ok(tick) = Tick::hertz(1000) else { return hash };
-    let Ok(mut stepper) = <FixedStepper>::new(motion, tick) else { return hash };
-    for n in 0..TICKS {
-        if n % 4 == 3 {
-            stepper.step_back();
-        } else {
-            stepper.step();
-        }
-        let (phi, tip) = stepper.phi_and_tip();
-        hash = hash.complex(phi.alpha).complex(phi.beta).complex(tip).number(stepper.u());
-        hash = stepper.tip_angle().map_or(hash, |angle| hash.number(angle.to_f64()));
-    }
-    hash
 }
 
 /// Everything that a moment says, at ticks far apart and at consecutive ones. The table is of a size that the smallest chip
