@@ -4,9 +4,9 @@ use super::Motion;
 use super::motion::Course;
 use super::rates::rise_time;
 use super::start::chi;
-use crate::nutation::gudermannian;
 use crate::nutation::series::Expansion;
-use crate::real::Float;
+use crate::nutation::{Nutation, gudermannian};
+use crate::real::{DoubleDouble, Float};
 use crate::turns::Turns;
 
 /// What the march through the half period looks for.
@@ -22,11 +22,11 @@ pub(super) struct Seek {
 }
 
 impl Seek {
-    pub(super) fn new(motion: &Motion, half_period: f64) -> Self {
+    pub(super) fn new(motion: &Motion, law: &Nutation<DoubleDouble>, half_period: f64) -> Self {
         match motion.course() {
             Course::Aperiodic(v) => {
                 let (sine, cosine) = gudermannian(Float::abs(v));
-                let phase = rise_time(&motion.law().cast(), Float::abs(v)) / (2.0 * half_period);
+                let phase = rise_time(&law.cast(), Float::abs(v)) / (2.0 * half_period);
                 let beyond = (phase > 0.5).then_some(Turns::new(phase));
                 Self { chi: chi(sine, cosine), mirrored: v < 0.0, folded: 0, beyond }
             }

@@ -81,13 +81,12 @@ pub(crate) fn tabulate(
     if motion.is_steady() {
         return Some(constant(motion, store));
     }
-    let seek = Seek::new(motion, rates.half_period.to_f64());
     let law = motion.law();
+    let seek = Seek::new(motion, &law, rates.half_period.to_f64());
     let cells = fineness.cells();
     let mut expansion = Expansion::EMPTY;
     let mut march = March {
         law: &law,
-        rounded: &law.cast(),
         brackets: &motion.brackets(),
         rates,
         seek: &seek,
@@ -157,7 +156,6 @@ const FOR_THE_WAY: f64 = 0.125;
 /// The way through the segments.
 struct March<'a> {
     law: &'a Nutation<DoubleDouble>,
-    rounded: &'a Nutation<f64>,
     brackets: &'a Brackets<f64>,
     rates: &'a Rates,
     seek: &'a Seek,
@@ -255,8 +253,13 @@ impl March<'_> {
     /// Around the point that was reached.
     fn expand(&mut self, unit: DoubleDouble) {
         let slopes = self.slopes(unit);
-        let Self { expansion, reached, least, .. } = self;
-        self.rounded.expand(&reached.point, &slopes, unit.to_f64(), *least, expansion);
+        self.expand_along(&slopes, unit);
+    }
+
+    #[inline(never)] // the law rounded to f64 shall not lie below what follows
+    fn expand_along(&mut self, slopes: &Slopes, unit: DoubleDouble) {
+        let Self { law, expansion, reached, least, .. } = self;
+        law.cast().expand(&reached.point, slopes, unit.to_f64(), *least, expansion);
     }
 
     /// In double-double: a slow phase may turn by thousands of radians, and hardly from its mean.
@@ -281,7 +284,7 @@ impl March<'_> {
     /// How fast α and β change where sin χ and cos χ are these, rad per unit time.
     #[inline(never)] // the frames of a set-up should not add up
     fn speed(&self, sine: f64, cosine: f64) -> f64 {
-        let rates = self.rounded.rates(sine, cosine);
+        let rates = self.law.cast().rates(sine, cosine);
         let [alpha_excess, beta_excess] = self.rates.excess.map(Float::to_f64);
         let slow = Float::abs(rates.alpha + alpha_excess) + Float::abs(rates.beta + beta_excess);
         Float::abs(rates.nutation) + slow
@@ -290,10 +293,10 @@ impl March<'_> {
     /// Stores the expansion as short polynomials; returns what that costs, as an orientation error.
     #[inline(never)]
     fn shorten(&mut self, segment: usize, mut store: impl FnMut(usize, usize, Polynomial<'_>) -> f64) -> f64 {
-        let brackets = [self.brackets.alpha.exponentials(), self.brackets.beta.exponentials()];
+        let brackets = [&self.brackets.alpha, &self.brackets.beta];
         let (mut squares, mut excess) = (0.0, 0.0);
         for (which, bracket) in brackets.into_iter().enumerate() {
-            let [re, im] = self.expansion.turned(which, bracket, self.least);
+            let [re, im] = self.expansion.turned(which, bracket.exponentials(), self.least);
             let beyond = [&*re, &*im].map(beyond_the_last).into_iter().fold(0.0, worse);
             let dropped = economise([&mut *re, &mut *im], self.fineness.terms) + 2.0 * beyond;
             squares += dropped * dropped;

@@ -169,13 +169,15 @@ impl Expansion {
     pub(crate) fn turned(&mut self, which: usize, [p, q]: [f64; 2], least: f64) -> [&mut [f64; TERMS]; 2] {
         let slow = self.theta.get(which).unwrap_or(&Series::ZERO);
         let theta = self.origin.theta.get(which).copied().unwrap_or_default();
-        let [sum_re, sum_im, re, im, _] = &mut self.room;
+        let [sum_re, sum_im, re, im, rate] = &mut self.room;
         sum_re.0.fill(0.0);
         sum_im.0.fill(0.0);
-        for (sense, scale, start) in [(1.0, p, theta + self.origin.chi), (-1.0, q, theta - self.origin.chi)] {
-            let mut rate = *slow;
-            rate.0.iter_mut().zip(&self.chi.0).for_each(|(rate, chi)| *rate += sense * chi);
-            exponential(&rate, Complex::cis(start).scaled(scale), least, [re, im]);
+        for (forwards, scale) in [(true, p), (false, q)] {
+            let (sense, chi) = if forwards { (1.0, self.origin.chi) } else { (-1.0, -self.origin.chi) };
+            for (rate, (slow, chi)) in rate.0.iter_mut().zip(slow.0.iter().zip(&self.chi.0)) {
+                *rate = slow + sense * chi;
+            }
+            exponential(rate, Complex::cis(theta + chi).scaled(scale), least, [re, im]);
             for (sum, part) in [(&mut *sum_re, &*re), (&mut *sum_im, &*im)] {
                 sum.0.iter_mut().zip(part.0).for_each(|(sum, term)| *sum += term);
             }
