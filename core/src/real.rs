@@ -30,7 +30,7 @@ pub(crate) use product::{
 pub(crate) use sine::sine_cosine_f64;
 #[cfg(feature = "fixed")]
 pub use sine::sine_cosine_q15;
-pub use sine::{SINE_CONSTANTS, SineConstants, sine_cosine_q31};
+pub use sine::{SINE_CONSTANTS, SineConstants, sine_cosine_q26, sine_cosine_q31};
 
 use crate::turns::Turns;
 use core::fmt::Debug;

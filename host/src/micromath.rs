@@ -115,6 +115,7 @@ impl Tabular for Micromath {
     const NOTHING: Self = Self(0.0);
     /// What micromath's sines leave: measured, as all of its errors.
     const TICK_ERROR: f64 = 3e-3;
+    const PLACE_ROUNDING: f64 = f32::EPSILON as f64;
 
     fn coefficient(value: f64, _: usize) -> Self {
         Self::from_f64(value)
@@ -134,7 +135,7 @@ impl Tabular for Micromath {
 
     #[inline]
     fn alpha_beta(terms: &[[Self; 4]], place: Place) -> [Complex<Self>; 2] {
-        let x = Self((place.x >> 32) as i32 as f32 * (1.0 / (1_u32 << 31) as f32));
+        let x = Self(place.short_x as f32 * (1.0 / (1_u32 << 31) as f32));
         let sums = terms.iter().rev().fold([Self::ZERO; 4], |mut sums, coefficients| {
             for (sum, &c) in sums.iter_mut().zip(coefficients) {
                 *sum = *sum * x + c;

@@ -11,7 +11,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
 use std::sync::Mutex;
 use toytop::Turns;
-use toytop::real::{Scalar, sine_cosine_q15, sine_cosine_q31};
+use toytop::real::{Scalar, sine_cosine_q15, sine_cosine_q26, sine_cosine_q31};
 
 /// 2^-31.
 pub const UNIT: f64 = 1.0 / (1_u64 << 31) as f64;
@@ -27,14 +27,19 @@ pub struct Way {
 }
 
 /// All that the core has but `f64`, which no sweep can exhaust.
-pub const WAYS: [Way; 5] = [
+pub const WAYS: [Way; 6] = [
     Way {
         name: "q31",
         what: "integers of 32 bits",
         worst: |p, t| greatest(p, t, |phase| whole(sine_cosine_q31(phase), UNIT)),
     },
-    Way { name: "f32", what: "the same, as f32", worst: |p, t| greatest(p, t, scalar::<f32>) },
-    Way { name: "I2F30", what: "the same, with 30 bits", worst: |p, t| greatest(p, t, scalar::<I2F30>) },
+    Way {
+        name: "q26",
+        what: "fewer terms, for f32",
+        worst: |p, t| greatest(p, t, |phase| whole(sine_cosine_q26(phase), UNIT)),
+    },
+    Way { name: "f32", what: "q31, as f32", worst: |p, t| greatest(p, t, scalar::<f32>) },
+    Way { name: "I2F30", what: "q31, with 30 bits", worst: |p, t| greatest(p, t, scalar::<I2F30>) },
     Way {
         name: "q15",
         what: "by 16-bit products",

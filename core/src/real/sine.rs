@@ -1,7 +1,7 @@
 //! Sine and cosine of an integer phase: reduction is exact, and costs a shift.
 //!
 //! In `f64` by quarter turns and two polynomials, relative to the result near its zeros. In `f32` and fixed point by
-//! integers, from 512 points of the circle (2.5 KiB of flash), absolutely.
+//! integers, from 512 points of the circle (2.5 KiB of flash), absolutely: to 29, 26 or 15 bits, as what follows can use them.
 
 use super::{high_product, short_product, short_product_by_constant};
 
@@ -86,6 +86,9 @@ const CUBIC: i32 = (DISTANCE * DISTANCE * DISTANCE / 6.0 * (1_u64 << 32) as f64 
 /// As it happens, a number of 15 bits to 3e-6 of itself; the next term, d^4/24, is an eighth of a unit.
 const VERSINE: i32 = (DISTANCE * DISTANCE / 2.0 * (1_u64 << 30) as f64 + 0.5) as i32;
 
+/// Of the d that goes for sin d.
+const SECANT: i32 = (DISTANCE * (1.0 - DISTANCE * DISTANCE / 8.0) * (1_u64 << 33) as f64) as i32;
+
 /// The constants of the crate's sines: for an evaluator in another language that shall give the same bits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SineConstants {
@@ -94,6 +97,8 @@ pub struct SineConstants {
     /// In integers, the turn from the nearest point: the coefficient of its sine, that of the cube in it, and that of its
     /// versine, scaled by 2^38, 2^32 and 2^30.
     pub turn: [i32; 3],
+    /// For what will be an `f32`: the coefficient that goes for the turn's sine, scaled by 2^33.
+    pub secant: i32,
     /// In `f64`: sin 2πx = x S(x²) for |x| <= 1/8, lowest power first.
     pub sine: &'static [f64],
     /// In `f64`: cos 2πx = C(x²).
@@ -101,8 +106,13 @@ pub struct SineConstants {
 }
 
 /// The only ones.
-pub static SINE_CONSTANTS: SineConstants =
-    SineConstants { points: &SINES, turn: [LINEAR, CUBIC, VERSINE], sine: &SINE, cosine: &COSINE };
+pub static SINE_CONSTANTS: SineConstants = SineConstants {
+    points: &SINES,
+    turn: [LINEAR, CUBIC, VERSINE],
+    secant: SECANT,
+    sine: &SINE,
+    cosine: &COSINE,
+};
 
 /// (sin 2πx, cos 2πx)·2^31 for a phase of x turns, given by the upper 32 bits of its fraction: in integers alone, so the
 /// same bits everywhere. Error: below 2.45 units, 1.2e-9.
@@ -121,6 +131,20 @@ pub fn sine_cosine_q31(phase: u32) -> (i32, i32) {
     let sine_change = high_product(small_sine, cosine) - (short_product(versine, sine) >> 7);
     let cosine_change = high_product(small_sine, sine) + (short_product(versine, cosine) >> 7);
     (sine + ((sine_change + 16) >> 5), cosine - ((cosine_change + 16) >> 5))
+}
+
+/// (sin 2πx, cos 2πx)·2^31 as [`sine_cosine_q31`], for what will be an `f32`. Error: below 25 units, 1.2e-8: sin d = κd with the
+/// κ that is best from 0 to the greatest d.
+#[inline(always)]
+pub fn sine_cosine_q26(phase: u32) -> (i32, i32) {
+    let (sine, cosine) = point(phase);
+    // 32 bits after the point
+    let small_sine = high_product((phase << 9) as i32, SECANT);
+    let versine = high_product(small_sine, small_sine >> 1);
+    (
+        sine - high_product(sine, versine) + high_product(cosine, small_sine),
+        cosine - high_product(cosine, versine) - high_product(sine, small_sine),
+    )
 }
 
 /// (sin 2πx, cos 2πx)·2^30 as [`sine_cosine_q31`], by 16-bit products alone. Error: below 2.2e-5, nearly all of it a common
@@ -147,7 +171,7 @@ fn point(phase: u32) -> (i32, i32) {
 
 #[cfg(test)]
 mod tests {
-    use super::{sine_cosine_f64, sine_cosine_q31};
+    use super::{sine_cosine_f64, sine_cosine_q26, sine_cosine_q31};
     use crate::real::Scalar;
     use crate::turns::Turns;
 
@@ -167,15 +191,18 @@ mod tests {
         let single = worst::<f32>();
         assert!((2.9e-8..3.2e-8).contains(&single), "f32: {single:e}");
         let unit = 1.0 / (1_u64 << 31) as f64;
-        let fixed = (0..1 << 20).fold(0.0, |worst: f64, i: u32| {
-            // an odd step, so that all lower bits occur
-            let phase = i.wrapping_mul(4099);
-            let (sine, cosine) = sine_cosine_q31(phase);
-            let (true_sine, true_cosine) = sine_cosine_f64(u64::from(phase) << 32);
-            let miss = |ours: i32, truth: f64| (f64::from(ours) * unit - truth).abs();
-            worst.max(miss(sine, true_sine)).max(miss(cosine, true_cosine))
-        });
-        assert!((1.5 * unit..2.4 * unit).contains(&fixed), "fixed: {} units", fixed / unit);
+        let units = |of: fn(u32) -> (i32, i32)| {
+            (0..1 << 20).fold(0.0, |worst: f64, i: u32| {
+                // an odd step, so that all lower bits occur
+                let phase = i.wrapping_mul(4099);
+                let ((sine, cosine), truth) = (of(phase), sine_cosine_f64(u64::from(phase) << 32));
+                let miss = |ours: i32, truth: f64| (f64::from(ours) - truth / unit).abs();
+                worst.max(miss(sine, truth.0)).max(miss(cosine, truth.1))
+            })
+        };
+        let (long, short) = (units(sine_cosine_q31), units(sine_cosine_q26));
+        assert!((1.5..2.4).contains(&long), "q31: {long} units");
+        assert!((20.0..25.0).contains(&short), "q26: {short} units");
         // The reference rounds its own argument: up to 4.4e-16 at π.
         let double = worst::<f64>();
         assert!((2e-16..6e-16).contains(&double), "f64: {double:e}");

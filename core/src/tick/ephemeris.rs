@@ -50,6 +50,9 @@ pub type EphemerisF32 = Ephemeris<f32, 25, 5>;
 /// Good for the same motions at the rounding of `f64`: 17 KiB. Where A/(ps) >= 1, `Ephemeris<f64, 32, 11>` (11 KiB) is.
 pub type EphemerisF64 = Ephemeris<f64, 48, 11>;
 
+/// So many ticks at a time: their phases first, so that what follows need not wait for one another.
+const BLOCK: usize = 16;
+
 /// The phases, what a tick adds to them, and the scales of what is derived.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
@@ -113,7 +116,7 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENT
         let tabulated = self.table.fill::<R>(motion, &rates, truncation)?;
         let cells = 1 << Table::<R::Coefficient, SEGMENTS, TERMS>::CELL_BITS;
         self.clock = Clock::new(motion, tick, &rates, &tabulated, cells);
-        self.bound = ErrorBound::of::<R>(&rates, &tabulated, self.clock.exact_step.map(Float::to_f64));
+        self.bound = ErrorBound::of::<R>(&rates, &tabulated, cells, self.clock.exact_step.map(Float::to_f64));
         Ok(())
     }
 
@@ -180,11 +183,29 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENT
         Some(TurningPoint { tick: before.saturating_add(ticks), upper: halves == 0 })
     }
 
-    /// Φ at the ticks first, first + 1, ...
+    /// Φ at the ticks first, first + 1, ...: the same bits as tick by tick, in less time on a processor that does several things
+    /// at once; with its wider vectors (`-C target-cpu=x86-64-v3`) in half of that in `f32`.
     pub fn fill(&self, first: i64, out: &mut [Phi<R>]) {
-        let mut cursor = self.cursor(first);
-        for phi in out {
-            *phi = cursor.next().phi();
+        if self.clock.horizon.is_some() {
+            for (phi, past) in out.iter_mut().zip(0..) {
+                *phi = self.at_tick(first.wrapping_add(past)).phi();
+            }
+            return;
+        }
+        // as wide numbers: words would have to be put together for every tick
+        let step = self.clock.step.map(Cycle::to_turns);
+        let mut now = self.clock.at(first).map(Cycle::to_turns);
+        let mut phases = [[0; 3]; BLOCK];
+        for block in out.chunks_mut(BLOCK) {
+            for phases in phases.iter_mut().take(block.len()) {
+                *phases = now.map(Turns::fraction);
+                for (now, step) in now.iter_mut().zip(step) {
+                    *now += step;
+                }
+            }
+            for (phi, &phases) in block.iter_mut().zip(&phases) {
+                *phi = Moment { ephemeris: self, phases }.phi();
+            }
         }
     }
 }

@@ -56,8 +56,8 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMEN
         let mirrored = (nutation as i64) < 0;
         let share = (nutation ^ ((nutation as i64) >> 63) as u64) << 1;
         let spot = self.ephemeris.table.find(share);
-        let x = spot.x;
-        (spot, Place { x, mirrored, slow: [a, b] })
+        let (x, short_x) = (spot.x, spot.short_x);
+        (spot, Place { x, short_x, mirrored, slow: [a, b] })
     }
 
     /// The tip in units of length whatever the scalar: in `f32` where that is fixed point.

@@ -61,6 +61,8 @@ pub(super) struct Spot<'a, C> {
     pub(super) terms: &'a [[C; 4]],
     /// The place on the segment, x·2^63 with x in [-1, 1).
     pub(super) x: i64,
+    /// The same times 2^31, from 32 bits of the share of the cell: rounded down to 2^level.
+    pub(super) short_x: i32,
     /// 2^level segments make a cell.
     pub(super) level: u32,
 }
@@ -145,12 +147,16 @@ impl<C: Copy, const SEGMENTS: usize, const TERMS: usize> Table<C, SEGMENTS, TERM
     pub(super) fn find(&self, share: u64) -> Spot<'_, C> {
         let number = (share >> (u64::BITS - Self::CELL_BITS)) as usize;
         let cell = self.cells.get(number).copied().unwrap_or_default();
-        let (level, share) = (cell.level(), share << Self::CELL_BITS);
+        let level = cell.level();
+        // what is left of the share, and 32 bits of it
+        let (share, short) = (share << Self::CELL_BITS, (share >> (32 - Self::CELL_BITS)) as u32);
         // the upper `level` bits are the segment's number in the cell; two shifts, because none of 32 is allowed
-        let segment = cell.first() + ((share >> 33) as u32 >> (31 - level)) as usize;
+        let segment = cell.first() + (short >> 1 >> (31 - level)) as usize;
+        // no cell leads beyond the last segment; with another one in its place no branch is needed to say so
+        let terms = self.segments.get(segment).or(self.segments.first());
         // [0, 1) to [-1, 1): the upper bit changes sides
-        let x = (share << level) ^ (1 << 63);
-        Spot { terms: self.segments.get(segment).map_or(&[], |terms| terms), x: x as i64, level }
+        let (x, short_x) = ((share << level) ^ (1 << 63), (short << level) ^ (1 << 31));
+        Spot { terms: terms.map_or(&[], |terms| terms), x: x as i64, short_x: short_x as i32, level }
     }
 }
 
@@ -170,19 +176,24 @@ pub struct ErrorBound {
 }
 
 impl ErrorBound {
-    pub(super) fn of<R: Tabular>(rates: &Rates, tabulated: &Tabulated, turns_per_tick: [f64; 3]) -> Self {
+    pub(super) fn of<R: Tabular>(
+        rates: &Rates,
+        tabulated: &Tabulated,
+        cells: u32,
+        turns_per_tick: [f64; 3],
+    ) -> Self {
         const TURN: f64 = 2.0 * core::f64::consts::PI;
         /// Roundings of a set-up, all in f64: the march, the start on it, and more for a motion that takes many segments.
         const SET_UP_ROUNDINGS: f64 = 5.0;
         /// Of the haste: a rounding a cell, each of a cell's share of it.
-        const DELAYS: f64 = 0.25;
-        let roundings =
-            SET_UP_ROUNDINGS + 0.5 * libm::sqrt(tabulated.segments as f64) + DELAYS * tabulated.haste;
+        const DELAYS: f64 = 0.5;
+        let roundings = SET_UP_ROUNDINGS + libm::sqrt(tabulated.segments as f64) + DELAYS * tabulated.haste;
         let set_up = roundings * <f64 as Scalar>::ROUNDING;
+        let place = 2.0 * R::PLACE_ROUNDING * tabulated.haste / f64::from(cells);
         let increments = 3.0 * TURN * Turns::RESOLUTION;
         let turning: f64 = turns_per_tick.iter().map(|&turns| TURN * Float::abs(turns)).sum();
         Self {
-            constant: tabulated.truncation + tabulated.defect + R::TICK_ERROR + set_up,
+            constant: tabulated.truncation + tabulated.defect + R::TICK_ERROR + place + set_up,
             per_tick: increments + rates.relative_error * turning,
         }
     }

@@ -17,6 +17,8 @@ use core::fmt::Debug;
 pub struct Place {
     /// The place on the segment, x·2^63 with x in [-1, 1).
     pub x: i64,
+    /// The same times 2^31, rounded down to a 2^-36th of half a period.
+    pub short_x: i32,
     /// Whether u is falling: α and β, their mean rotation taken off, are then the conjugates of the tabulated ones.
     pub mirrored: bool,
     /// The mean rotations of α and β: the 64 leading bits of a share of a turn.
@@ -37,6 +39,8 @@ pub trait Tabular: Scalar {
     const NOTHING: Self::Coefficient;
     /// What a tick rounds off, as an orientation error in rad.
     const TICK_ERROR: f64;
+    /// What it rounds off of the place in a cell, as a share of the cell: of a motion in a hurry that is more.
+    const PLACE_ROUNDING: f64;
 
     /// The nearest coefficient of x^power.
     fn coefficient(value: f64, power: usize) -> Self::Coefficient;

@@ -94,7 +94,7 @@ fn clock(parts: &Parts) -> String {
 
 /// The points of the circle, and the coefficients of the rest.
 fn points() -> String {
-    let [linear, cubic, versine] = SINE_CONSTANTS.turn;
+    let ([linear, cubic, versine], secant) = (SINE_CONSTANTS.turn, SINE_CONSTANTS.secant);
     let rows = SINE_CONSTANTS.points.chunks(8);
     let rows: String = rows
         .map(|row| format!("    {},\n", row.iter().map(|&x| integer(x)).collect::<Vec<_>>().join(", ")))
@@ -102,6 +102,7 @@ fn points() -> String {
     let count = SINE_CONSTANTS.points.len();
     format!(
         "#define TOYTOP_LINEAR {linear}\n#define TOYTOP_CUBIC {cubic}\n#define TOYTOP_VERSINE {versine}\n\
+         #define TOYTOP_SECANT {secant}\n\
          /* 2^31 sin of 0, 1/512, ... turns, at most 2^31 - 1; a quarter turn on is the cosine. */\n\
          static const int32_t toytop_sines[{count}] = {{\n{rows}}};\n"
     )

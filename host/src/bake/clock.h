@@ -50,14 +50,15 @@ static inline void toytop_move_on(const toytop_clock *clock, toytop_cursor *at) 
     if (clock->stops) *at = toytop_at(clock, at->tick);
 }
 
-/* Segment and place in it, x 2^63 with x in [-1, 1); the falling half is the mirror image of the rising one. */
-static inline int64_t toytop_find(const toytop_clock *clock, uint64_t nutation, uint32_t *segment) {
+/* Segment and place in it, x 2^63 with x in [-1, 1), of which so many bits are from what is behind of the cell; the falling
+ * half is the mirror image of the rising one. */
+static inline int64_t toytop_find(const toytop_clock *clock, uint64_t nutation, int kept, uint32_t *segment) {
     uint64_t share = (nutation ^ (0 - (nutation >> 63))) << 1;
     int bits = clock->segments < 4 ? 1 : clock->segments < 8 ? 2 : clock->segments < 16 ? 3 : 4;
     uint32_t cell = clock->cells[share >> (64 - bits)], level = cell & 15;
     share <<= bits;
     *segment = (cell >> 4) + ((uint32_t)(share >> 33) >> (31 - level));
-    return (int64_t)(share << level ^ (uint64_t)1 << 63);
+    return (int64_t)(share >> (64 - kept) << (64 - kept) << level ^ (uint64_t)1 << 63);
 }
 
 static inline uint32_t toytop_word(uint32_t sum, uint32_t word) {

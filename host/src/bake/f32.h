@@ -13,26 +13,26 @@ static inline int32_t toytop_high(int32_t a, int32_t b) { return (int32_t)(((int
 /* The same with the 16 upper bits of b alone. */
 static inline int32_t toytop_short(int32_t a, int32_t b) { return (int32_t)(((int64_t)a * (b >> 16)) >> 16); }
 
-/* From units of 2^-31 to 2^-30, turned by the phase: the nearest of 512 points of the circle, and the rest by a series. */
-static inline void toytop_turn(int32_t re, int32_t im, uint64_t leading, int32_t turned[2]) {
-    uint32_t phase = (uint32_t)(leading >> 32);
-    int32_t x = (int32_t)(phase << 9);
+/* 2^31 times sine and cosine of a phase, to 26 bits: the nearest of 512 points of the circle, and the rest by a series. */
+static inline void toytop_sincos_q26(uint32_t phase, int32_t of[2]) {
     const int32_t *point = toytop_sines + ((uint32_t)(phase + 0x400000) >> 23);
-    int32_t square = toytop_high(x, x), versine = toytop_high(square, TOYTOP_VERSINE * 65536);
-    int32_t small = toytop_high(x, TOYTOP_LINEAR - (((square >> 16) * TOYTOP_CUBIC) >> 8));
-    int32_t change = toytop_high(point[128], small) - (toytop_short(versine, point[0]) >> 7);
-    int32_t sine = point[0] + ((change + 16) >> 5);
-    change = toytop_high(point[0], small) + (toytop_short(versine, point[128]) >> 7);
-    int32_t cosine = point[128] - ((change + 16) >> 5);
-    turned[0] = toytop_high(re, cosine) - toytop_high(im, sine);
-    turned[1] = toytop_high(re, sine) + toytop_high(im, cosine);
+    int32_t small = toytop_high((int32_t)(phase << 9), TOYTOP_SECANT), versine = toytop_high(small, small >> 1);
+    of[0] = point[0] - toytop_high(point[0], versine) + toytop_high(point[128], small);
+    of[1] = point[128] - toytop_high(point[128], versine) - toytop_high(point[0], small);
+}
+
+/* From units of 2^-31 to 2^-30, turned. */
+static inline void toytop_turn(int32_t re, int32_t im, const int32_t by[2], int32_t turned[2]) {
+    turned[0] = toytop_high(re, by[1]) + toytop_high(~im, by[0]);
+    turned[1] = toytop_high(re, by[0]) + toytop_high(im, by[1]);
 }
 
 /* Re alpha, Im alpha, Re beta and Im beta in units of 2^-30. */
-static inline void toytop_alpha_beta(const toytop_clock *clock, const int32_t (*c)[4], const toytop_cursor *at, int32_t four[4]) {
+static inline void toytop_alpha_beta(const toytop_clock *clock, const int32_t (*c)[4], const toytop_cursor *at,
+                                     void (*sincos)(uint32_t, int32_t[2]), int32_t four[4]) {
     uint64_t nutation = at->phase[0].leading;
     uint32_t segment, terms = clock->terms;
-    int32_t x = (int32_t)(toytop_find(clock, nutation, &segment) >> 32), sums[4];
+    int32_t x = (int32_t)(toytop_find(clock, nutation, 32, &segment) >> 32), sums[4], of[2];
     c += segment * terms;
     for (int i = 0; i < 4; i++) {
         int32_t sum = c[terms - 1][i];
@@ -42,14 +42,16 @@ static inline void toytop_alpha_beta(const toytop_clock *clock, const int32_t (*
         sums[i] = last > INT32_MAX ? INT32_MAX : last < INT32_MIN ? INT32_MIN : (int32_t)last;
         if (i & 1 && nutation >> 63) sums[i] = ~sums[i];
     }
-    toytop_turn(sums[0], sums[1], at->phase[1].leading, four);
-    toytop_turn(sums[2], sums[3], at->phase[2].leading, four + 2);
+    for (int i = 0; i < 2; i++) {
+        sincos((uint32_t)(at->phase[i + 1].leading >> 32), of);
+        toytop_turn(sums[2 * i], sums[2 * i + 1], of, four + 2 * i);
+    }
 }
 
 static inline toytop_moment_f32 toytop_moment_of_f32(const toytop_f32 *table, const toytop_cursor *at) {
     toytop_moment_f32 m;
     int32_t four[4];
-    toytop_alpha_beta(&table->clock, table->coefficients, at, four);
+    toytop_alpha_beta(&table->clock, table->coefficients, at, toytop_sincos_q26, four);
     for (int i = 0; i < 2; i++) m.alpha[i] = (float)four[i] * 0x1p-30f, m.beta[i] = (float)four[i + 2] * 0x1p-30f;
     m.u = (m.alpha[0] + m.beta[0]) * (m.alpha[0] - m.beta[0]) + (m.alpha[1] + m.beta[1]) * (m.alpha[1] - m.beta[1]);
     m.c[0] = (m.alpha[0] * m.beta[0] - m.alpha[1] * m.beta[1]) * table->scales[0];

@@ -28,7 +28,7 @@ static inline toytop_moment_f64 toytop_moment_of_f64(const toytop_f64 *table, co
     toytop_moment_f64 m;
     uint64_t nutation = at->phase[0].leading;
     uint32_t segment, terms = table->clock.terms;
-    double x = (double)toytop_find(&table->clock, nutation, &segment) * 0x1p-63, sums[4];
+    double x = (double)toytop_find(&table->clock, nutation, 64, &segment) * 0x1p-63, sums[4];
     const double (*c)[4] = table->coefficients + segment * terms;
     for (int i = 0; i < 4; i++) {
         double sum = c[terms - 1][i];

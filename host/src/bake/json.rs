@@ -10,7 +10,7 @@ use toytop::real::SINE_CONSTANTS;
 #[must_use]
 pub fn object(label: &Label, parts: &Parts) -> String {
     let words = |wide: u64| [wide as u32, (wide >> 32) as u32];
-    let points = || json!({ "points": SINE_CONSTANTS.points, "turn": SINE_CONSTANTS.turn });
+    let points = || json!({ "points": SINE_CONSTANTS.points, "turn": SINE_CONSTANTS.turn, "secant": SINE_CONSTANTS.secant });
     let (coefficients, sine) = match &parts.coefficients {
         Coefficients::Integers(rows) => (by_segment(rows, parts), points()),
         Coefficients::Shorts(rows) => (by_segment(rows, parts), points()),

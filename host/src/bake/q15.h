@@ -25,7 +25,7 @@ static inline toytop_moment_q15 toytop_moment_of_q15(const toytop_q15 *table, co
     toytop_moment_q15 m;
     uint64_t nutation = at->phase[0].leading;
     uint32_t segment, terms = table->clock.terms;
-    int32_t x = (int32_t)(((toytop_find(&table->clock, nutation, &segment) >> 47) + 1) >> 1), sums[4], four[4];
+    int32_t x = (int32_t)(((toytop_find(&table->clock, nutation, 32, &segment) >> 47) + 1) >> 1), sums[4], four[4];
     const int16_t (*c)[4] = table->coefficients + segment * terms;
     for (int i = 0; i < 4; i++) {
         int32_t sum = c[terms - 1][i] * 65536;

@@ -35,9 +35,9 @@ function find(table, nutation) {
   const bits = BigInt(Math.min(4, 31 - Math.clz32(table.segments)));
   const cell = table.cells[Number(share >> (64n - bits))];
   const level = cell & 15;
-  const rest = BigInt.asUintN(64, share << bits);
-  const segment = (cell >> 4) + (Number(rest >> 33n) >>> (31 - level));
-  return { falling, segment, x: Number(BigInt.asUintN(64, rest << BigInt(level)) >> 32n) ^ 0x80000000 };
+  const rest = Number(BigInt.asUintN(32, share >> (32n - bits)));
+  const segment = (cell >> 4) + (rest >>> 1 >>> (31 - level));
+  return { falling, segment, x: (rest << level) ^ 0x80000000 };
 }
 
 /** a b 2^-32, rounded down: no product needs more than 53 bits. */
@@ -51,23 +51,19 @@ function shortHigh(a, b) {
 }
 
 /** Sine and cosine, times 2^31, of a phase of 32 bits: the nearest of 512 points, turned by the rest. */
-function sineAndCosine({ points, turn: [linear, cubic, versine] }, phase) {
-  const x = phase << 9;
+function sineAndCosine({ points, secant }, phase) {
   const nearest = (phase + 0x400000) >>> 23;
   const [s, c] = [points[nearest], points[nearest + 128]];
-  const square = high(x, x);
-  const lost = high(square, versine * 65536);
-  const small = high(x, linear - (((square >> 16) * cubic) >> 8));
-  const up = high(c, small) - (shortHigh(lost, s) >> 7);
-  const down = high(s, small) + (shortHigh(lost, c) >> 7);
-  return [s + ((up + 16) >> 5), c - ((down + 16) >> 5)];
+  const small = high(phase << 9, secant);
+  const versine = high(small, small >> 1);
+  return [s - high(s, versine) + high(c, small), c - high(c, versine) - high(s, small)];
 }
 
 /** From units of 2^-31 to numbers, turned by a phase. */
 function turned(table, [re, im], phase) {
   const [sine, cosine] = sineAndCosine(table.sine, Number(phase >> 32n));
   const number = (integer) => Math.fround(integer) * 2 ** -30;
-  return [number(high(re, cosine) - high(im, sine)), number(high(re, sine) + high(im, cosine))];
+  return [number(high(re, cosine) + high(~im, sine)), number(high(re, sine) + high(im, cosine))];
 }
 
 /** The four polynomials of a segment at x, the falling half mirrored. */

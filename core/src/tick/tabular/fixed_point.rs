@@ -2,6 +2,7 @@
 
 use super::{Place, Tabular, integer, narrow};
 use crate::complex::Complex;
+use crate::real::sine_cosine_q31;
 use fixed::types::{I2F14, I2F30};
 
 impl Tabular for I2F30 {
@@ -10,6 +11,7 @@ impl Tabular for I2F30 {
 
     const NOTHING: i32 = 0;
     const TICK_ERROR: f64 = integer::ERROR;
+    const PLACE_ROUNDING: f64 = integer::PLACE_ROUNDING;
 
     fn coefficient(value: f64, power: usize) -> i32 {
         integer::coefficient(value, power)
@@ -29,7 +31,8 @@ impl Tabular for I2F30 {
 
     #[inline(always)]
     fn alpha_beta(terms: &[[i32; 4]], place: Place) -> [Complex<Self>; 2] {
-        let [re_alpha, im_alpha, re_beta, im_beta] = integer::alpha_beta(terms, place).map(Self::from_bits);
+        let [re_alpha, im_alpha, re_beta, im_beta] =
+            integer::alpha_beta(terms, place, sine_cosine_q31).map(Self::from_bits);
         [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)]
     }
 
@@ -45,6 +48,7 @@ impl Tabular for I2F14 {
 
     const NOTHING: i16 = 0;
     const TICK_ERROR: f64 = narrow::ERROR;
+    const PLACE_ROUNDING: f64 = integer::PLACE_ROUNDING;
 
     fn coefficient(value: f64, power: usize) -> i16 {
         narrow::coefficient(value, power)

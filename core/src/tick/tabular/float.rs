@@ -11,6 +11,7 @@ impl Tabular for f64 {
     const NOTHING: Self = 0.0;
     /// Eight roundings: products and sums of numbers up to 1, and two sines and cosines.
     const TICK_ERROR: f64 = 4.0 * f64::EPSILON;
+    const PLACE_ROUNDING: f64 = 0.5 * f64::EPSILON;
 
     fn coefficient(value: f64, _: usize) -> Self {
         value

@@ -10,7 +10,7 @@
 
 use super::{Place, Tabular};
 use crate::complex::Complex;
-use crate::real::{high_product, high_product_of_less, short_product, sine_cosine_q31};
+use crate::real::{high_product, high_product_of_less, short_product, sine_cosine_q26};
 
 /// 2^-30: the unit of what [`alpha_beta`] gives.
 const UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
@@ -18,6 +18,9 @@ const UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
 /// Error of [`alpha_beta`], as an orientation error: the phases lose up to 3 units to 32 bits, the sines are good to 4, the
 /// sums and the rotations round off up to 5, and the short products up to 2.
 pub(super) const ERROR: f64 = 14.0 * UNIT;
+
+/// What [`Place::short_x`] rounds off.
+pub(super) const PLACE_ROUNDING: f64 = 1.0 / (1_u64 << 32) as f64;
 
 /// What the short products may lose of a polynomial before set-up counts it as an error of the table.
 const SHORT_ERROR: f64 = 0.5 * UNIT;
@@ -68,41 +71,52 @@ pub(super) fn excess(polynomial: &[f64], margin: f64) -> f64 {
     if excess > 0.0 { f64::INFINITY } else { 0.0 }
 }
 
-/// Re α, Im α, Re β and Im β in units of 2^-30.
+/// Re α, Im α, Re β and Im β in units of 2^-30, by sines in units of 2^-31.
 #[inline(always)]
-pub(super) fn alpha_beta(terms: &[[i32; 4]], place: Place) -> [i32; 4] {
-    let x = (place.x >> 32) as i32;
-    // a sum is half a unit low, so that its complement is what its negative would be
+pub(super) fn alpha_beta(
+    terms: &[[i32; 4]],
+    place: Place,
+    sine_cosine: impl Fn(u32) -> (i32, i32),
+) -> [i32; 4] {
+    let x = place.short_x;
     let mask = -i32::from(place.mirrored);
-    let [a, b] = place.slow;
-    let [re_alpha, im_alpha] = sums(terms, x, |&[re, im, _, _]| [re, im]);
-    let [re_alpha, im_alpha] = rotated([re_alpha, im_alpha ^ mask], sine_cosine_q31((a >> 32) as u32));
-    let [re_beta, im_beta] = sums(terms, x, |&[_, _, re, im]| [re, im]);
-    let [re_beta, im_beta] = rotated([re_beta, im_beta ^ mask], sine_cosine_q31((b >> 32) as u32));
+    let [a, b] = place.slow.map(|phase| (phase >> 32) as u32);
+    let turned = |[re, im]: [i32; 2], phase| rotated([re, im ^ mask], sine_cosine(phase));
+    let ([re_alpha, im_alpha], [re_beta, im_beta]) = if FOUR_AT_A_TIME {
+        let [re_alpha, im_alpha, re_beta, im_beta] = sums(terms, x, |four| *four);
+        (turned([re_alpha, im_alpha], a), turned([re_beta, im_beta], b))
+    } else {
+        let beta = turned(sums(terms, x, |&[_, _, re, im]| [re, im]), b);
+        (turned(sums(terms, x, |&[re, im, _, _]| [re, im]), a), beta)
+    };
     [re_alpha, im_alpha, re_beta, im_beta]
 }
 
-/// Two of the polynomials by Horner's rule. (Four at a time would be more than the smallest chip has registers for.)
+/// Sums side by side suit the vectors of large processors; for four of them the smallest chip has too few registers.
+const FOUR_AT_A_TIME: bool = cfg!(target_pointer_width = "64");
+
+/// Polynomials by Horner's rule.
 #[inline(always)]
-fn sums(terms: &[[i32; 4]], x: i32, two: impl Fn(&[i32; 4]) -> [i32; 2]) -> [i32; 2] {
-    let [constant, higher @ ..] = terms else { return [0; 2] };
-    let mut sums = [0; 2];
+fn sums<const N: usize>(terms: &[[i32; 4]], x: i32, of: impl Fn(&[i32; 4]) -> [i32; N]) -> [i32; N] {
+    let [constant, higher @ ..] = terms else { return [0; N] };
+    let mut sums = [0; N];
     for (power, coefficients) in higher.iter().enumerate().map(|(below, four)| (below + 2, four)).rev() {
         let short = is_short(power, terms.len());
-        for (sum, c) in sums.iter_mut().zip(two(coefficients)) {
+        for (sum, c) in sums.iter_mut().zip(&of(coefficients)) {
             *sum = c + if short { short_product(*sum, x) } else { high_product_of_less(*sum, x) };
         }
     }
-    for (sum, c) in sums.iter_mut().zip(two(constant)) {
+    for (sum, c) in sums.iter_mut().zip(of(constant)) {
         *sum = c.saturating_add(high_product_of_less(*sum, x));
     }
     sums
 }
 
-/// From units of 2^-31 to units of 2^-30, which leaves room for √2.
+/// From units of 2^-31 to units of 2^-30, which leaves room for √2. (A sum is half a unit low, so that its complement is what
+/// its negative would be.)
 #[inline(always)]
 fn rotated([re, im]: [i32; 2], (sine, cosine): (i32, i32)) -> [i32; 2] {
-    [high_product(re, cosine) - high_product(im, sine), high_product(re, sine) + high_product(im, cosine)]
+    [high_product(re, cosine) + high_product(!im, sine), high_product(re, sine) + high_product(im, cosine)]
 }
 
 impl Tabular for f32 {
@@ -110,8 +124,9 @@ impl Tabular for f32 {
     type Wide = Self;
 
     const NOTHING: i32 = 0;
-    /// The integers, and the results rounded to `f32`: each by 2^-24 of itself.
-    const TICK_ERROR: f64 = ERROR + f32::EPSILON as f64;
+    /// The integers, the sines' error of 1.2e-8, and the results rounded to `f32`: each by 2^-24 of itself.
+    const TICK_ERROR: f64 = ERROR + 2.4e-8 + f32::EPSILON as f64;
+    const PLACE_ROUNDING: f64 = PLACE_ROUNDING;
 
     fn coefficient(value: f64, power: usize) -> i32 {
         coefficient(value, power)
@@ -132,7 +147,7 @@ impl Tabular for f32 {
     #[inline(always)]
     fn alpha_beta(terms: &[[i32; 4]], place: Place) -> [Complex<Self>; 2] {
         let [re_alpha, im_alpha, re_beta, im_beta] =
-            alpha_beta(terms, place).map(|value| value as Self * UNIT as Self);
+            alpha_beta(terms, place, sine_cosine_q26).map(|value| value as Self * UNIT as Self);
         [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)]
     }
 

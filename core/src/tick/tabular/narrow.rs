@@ -29,7 +29,7 @@ pub(super) fn number(coefficient: i16, power: usize) -> f64 {
 /// Re α, Im α, Re β and Im β in units of 2^-14.
 #[inline(always)]
 pub(super) fn alpha_beta(terms: &[[i16; 4]], place: Place) -> [i16; 4] {
-    let x = (((place.x >> 47) + 1) >> 1) as i32;
+    let x = ((place.short_x >> 15) + 1) >> 1;
     let [constant, higher @ ..] = terms else { return [0; 4] };
     let wide = |coefficient: i16| i32::from(coefficient) << 16;
     let mut sums = [0; 4];
