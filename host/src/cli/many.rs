@@ -68,7 +68,7 @@ pub struct LongrunArgs {
 /// `toytop sweep`
 #[derive(Args, Debug)]
 pub struct SweepArgs {
-    /// CSV file to write; it must not exist, unless --resume is given
+    /// CSV file to write, or Parquet if it ends in .parquet (in a build with that feature); it must not exist, unless --resume is given
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// Draw so many motions by lot; without it, the grid of all combinations
