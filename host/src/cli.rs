@@ -5,7 +5,7 @@ mod many;
 mod measure;
 mod motion;
 
-pub use choice::{ConstantsFormat, Format, Method, Scalar, ScalarChoice};
+pub use choice::{Format, Method, Scalar, ScalarChoice};
 pub use many::{LongrunArgs, OverflowArgs, Shard, StudyArgs, SweepArgs};
 pub use measure::{
     AccuracyArgs, BenchArgs, BudgetArgs, CompareArgs, ErrataArgs, FiguresArgs, ReportArgs, SinesArgs,
@@ -84,7 +84,7 @@ pub enum Command {
     Overflow(OverflowArgs),
     /// Random motions of every regime: does the ephemeris keep its error bound? (exit code 1 if not)
     #[command(
-        after_help = "Example: toytop study --motions 5000 --seed 2         toytop study --corners --motions 100000 --docs host/docs/study.md"
+        after_help = "Example: toytop study --motions 5000 --seed 2\n         toytop study --corners --motions 100000 --docs host/docs/study.md"
     )]
     Study(StudyArgs),
     /// Steppers and ephemeris cursors over very many ticks against the truth, there and back, and the full solver against itself
@@ -145,9 +145,14 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Request, F
     }
 }
 
-/// The first paragraph of clap's message, which says what is wrong and what is possible; the rest is usage and tips.
+/// The first paragraph of clap's message, which says what is wrong and what is possible, and what may have been meant; the
+/// rest is usage.
 fn in_one_line(message: &str) -> String {
     let paragraph = message.lines().take_while(|line| !line.trim().is_empty());
     let line = paragraph.map(str::trim).collect::<Vec<_>>().join(" ");
-    line.trim_start_matches("error: ").to_owned()
+    let meant = message
+        .lines()
+        .find_map(|line| line.trim().strip_prefix("tip: ").filter(|tip| tip.contains("similar")));
+    let meant = meant.map(|tip| format!("; {tip}")).unwrap_or_default();
+    line.trim_start_matches("error: ").to_owned() + &meant
 }

@@ -14,15 +14,6 @@ pub enum Format {
     Json,
 }
 
-/// Form of the output of `constants`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ConstantsFormat {
-    /// For reading
-    Table,
-    /// One JSON object
-    Json,
-}
-
 /// How `state` gets to a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Method {

@@ -1,6 +1,6 @@
 //! Commands that take one motion, from a scenario file.
 
-use super::{ConstantsFormat, Format, Method, Scalar};
+use super::{Format, Method, Scalar};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -47,8 +47,8 @@ pub struct ConstantsArgs {
     /// Scenario file
     pub scenario: PathBuf,
     /// Form of the output
-    #[arg(long, value_enum, default_value_t = ConstantsFormat::Table)]
-    pub format: ConstantsFormat,
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
 }
 
 /// `toytop plot`
