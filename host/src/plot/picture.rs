@@ -63,7 +63,7 @@ pub fn draw(scenario: &Scenario, curve: &Curve, caption: &[String], form: Form) 
     let extent = extent(curve, scale);
     let (name, unit) = match scenario.motion.top().support() {
         Support::Sliding => ("tip", " / s"),
-        Support::Fixed => ("axis, from above", ""),
+        Support::Fixed => ("axis", ""),
     };
     let mut plots = legend(curve, name);
     plots.extend(lines(curve, scale));
