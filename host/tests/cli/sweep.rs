@@ -47,6 +47,10 @@ fn field<'a>(table: &'a str, row: usize, name: &str) -> &'a str {
     lines.nth(row).expect("a row").split(',').nth(place).expect("a field")
 }
 
+/// A grid of 36 places, of which six have e1 > e2.
+const GRID: [&str; 9] =
+    ["--e1=-0.5..0.5/3", "--e2", "0.2,0.6", "--e3", "log:1.1..9/3", "--a-over-ps", "1", "--c-over-a", "0.7"];
+
 /// A sweep that is killed.
 const KILLED: [&str; 5] = ["--motions", "6000", "--seed", "7", "--resume"];
 
@@ -91,22 +95,11 @@ fn a_killed_sweep_goes_on_where_it_was() {
 
 #[test]
 fn shards_make_the_whole() {
-    let grid = [
-        "--e1=-0.5..0.5/3",
-        "--e2",
-        "0.2,0.6",
-        "--e3",
-        "log:1.1..9/3",
-        "--a-over-ps",
-        "1",
-        "--c-over-a",
-        "0.7",
-    ];
-    let whole = sweep(&no_file("grid"), &grid);
+    let whole = sweep(&no_file("grid"), &GRID);
     let mut parts = Vec::new();
     for shard in 1..=5 {
         let shard = format!("{shard}/5");
-        let more = [&grid[..], &["--shard", &shard]].concat();
+        let more = [&GRID[..], &["--shard", &shard]].concat();
         let part = sweep(&no_file(&format!("grid_{}", &shard[..1])), &more);
         assert_eq!(part.lines().next(), whole.lines().next());
         parts.extend(part.lines().skip(1).map(str::to_owned));

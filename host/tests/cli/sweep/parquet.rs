@@ -1,6 +1,6 @@
 //! Parquet out of `toytop sweep`: the table of the CSV file, as safe from being killed.
 
-use super::{KILLED, killed, no_file, refused, sweep, words};
+use super::{GRID, KILLED, killed, no_file, refused, sweep, words};
 use crate::{run, stderr};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 
 /// A Parquet file that is not there, nor the CSV file on its way.
 fn no_parquet(name: &str) -> PathBuf {
-    let path = no_file(name).with_extension("parquet");
+    // no other test has files of this name: what stands there goes
+    let path = no_file(&format!("parquet_{name}")).with_extension("parquet");
     for left_over in [path.clone(), path.with_extension("parquet.csv")] {
         // from an earlier run, or never there
         let _ = fs::remove_file(left_over);
@@ -49,18 +50,7 @@ fn the_table_of_the_csv_file() {
     let sample =
         [&["--motions", "30", "--seed", "18446744073709551615", "--shard", "2/3"][..], &columns].concat();
     // places with e1 > e2 have nulls
-    let axes = [
-        "--e1=-0.5..0.5/3",
-        "--e2",
-        "0.2,0.6",
-        "--e3",
-        "log:1.1..9/3",
-        "--a-over-ps",
-        "1",
-        "--c-over-a",
-        "0.7",
-    ];
-    let grid = [&axes[..], &columns].concat();
+    let grid = [&GRID[..], &columns].concat();
     for (name, more, seed, nulls) in
         [("sample", sample, Some("18446744073709551615"), false), ("grid", grid, None, true)]
     {
