@@ -7,6 +7,7 @@
 //! vectors of 30 digits), and the times asked for are solved for, not rounded.
 
 pub mod corners;
+mod draw;
 pub mod exact;
 pub mod gauss;
 pub mod motions;

@@ -4,6 +4,8 @@
 //! a part that was cut off can go on.
 
 mod axis;
+#[cfg(feature = "parquet")]
+pub mod columnar;
 mod columns;
 mod part;
 mod space;

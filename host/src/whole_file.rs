@@ -3,7 +3,7 @@
 use crate::Failure;
 use std::ffi::OsString;
 use std::fs::{self, File};
-use std::io::{self, ErrorKind, Read};
+use std::io::{self, ErrorKind, Read, Write};
 use std::path::Path;
 
 /// Writes beside the file, then renames: who reads it never sees a half. What is no file (a device, a pipe) is written to as
@@ -12,21 +12,34 @@ use std::path::Path;
 /// # Errors
 /// [`refused`], with `option` and the file in front; nothing is left behind.
 pub(crate) fn write(option: &str, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    write_whole(path, bytes).map_err(|error| refused(option, path, error))
+    write_by(option, path, |file| file.write_all(bytes))
 }
 
-fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+/// The same for what is not held in memory as a whole.
+///
+/// # Errors
+/// As [`write`], and what `fill` returns.
+pub(crate) fn write_by(
+    option: &str,
+    path: &Path,
+    fill: impl FnOnce(&mut File) -> io::Result<()>,
+) -> Result<(), Failure> {
+    write_whole(path, fill).map_err(|error| refused(option, path, error))
+}
+
+fn write_whole(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     // a file that is not there yet has no other name
     let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     if fs::metadata(&path).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
-        return fs::write(path, bytes);
+        return fill(&mut File::create(path)?);
     }
     let name = path.file_name().ok_or(ErrorKind::InvalidInput)?;
     let mut hidden = OsString::from(".");
     hidden.push(name);
     hidden.push(format!(".{}", std::process::id()));
     let beside = path.with_file_name(hidden);
-    let written = fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, &path));
+    let written =
+        File::create(&beside).and_then(|mut file| fill(&mut file)).and_then(|()| fs::rename(&beside, &path));
     if written.is_err() {
         // it may not exist at all
         let _ = fs::remove_file(&beside);

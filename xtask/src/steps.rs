@@ -1,7 +1,7 @@
 //! `cargo xtask test`: the steps, in the order in which a failure is cheapest.
 
 use std::io::{Write, stdout};
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 use std::time::Instant;
 
 use anyhow::{Result, bail};
@@ -113,9 +113,15 @@ fn no_std() -> Result<String> {
     Ok(format!("{} targets, without features and with all", TARGETS.len()))
 }
 
+/// Tests of all crates, and of what the program can do beyond its default features: the same in every step, which then
+/// share one build.
+fn tests(words: &str) -> Command {
+    cargo(".", &format!("test --workspace --features toytop-host/parquet {words}"))
+}
+
 /// The closing lines of every test binary are shown.
 fn cargo_test(words: &str) -> Result<String> {
-    let output = run(&mut cargo(".", &format!("test --workspace {words}")))?;
+    let output = run(&mut tests(words))?;
     let closing: Vec<_> = output.lines().filter(|line| line.starts_with("test result:")).collect();
     let count = |label: &str| -> u32 {
         let before = |line: &&str| line.split(label).next()?.split_whitespace().last()?.parse::<u32>().ok();
@@ -142,7 +148,7 @@ fn benches() -> Result<String> {
 
 /// The page of `toytop view` in Chromium, by the binary that the tests have built.
 fn page() -> Result<String> {
-    let mut command = cargo(".", "test --workspace --test cli");
+    let mut command = tests("--test cli");
     command.args(["--", "--ignored", "--nocapture", "view::browser::"]).env("CHROMIUM", tools::chromium()?);
     let output = run(&mut command)?;
     let remark = output.split_once("evaluated by ").and_then(|(_, rest)| rest.lines().next());
@@ -154,7 +160,7 @@ fn page() -> Result<String> {
 
 /// `toytop budget --check`, by the binary that the tests have built.
 fn budget() -> Result<String> {
-    let mut command = cargo(".", "test --workspace --test cli");
+    let mut command = tests("--test cli");
     command.args(["--", "--ignored", "--exact", "budget::every_call_is_within_its_budget"]);
     let output = run(&mut command)?;
     if !output.contains("1 passed") {

@@ -6,20 +6,24 @@ use toytop::real::SINE_CONSTANTS;
 
 /// Phases: the same for every scalar.
 const CLOCK: &str = include_str!("clock.h");
+/// How a table is asked, whatever it evaluates by.
+const ACCESSORS: &str = include_str!("accessors.h");
+/// The checksum of integers.
+const INTACT: &str = include_str!("intact.h");
 
 /// The header's text. Several may be included in one file: what they share is there once.
 #[must_use]
 pub fn header(label: &Label, parts: &Parts) -> String {
     let name = label.identifier();
     let (scalar, guard) = (parts.scalar.name(), name.to_uppercase());
-    let evaluators: String = match parts.scalar {
-        Scalar::F64 => once("F64", &(series() + include_str!("f64.h"))),
+    let evaluators = match parts.scalar {
+        Scalar::F64 => evaluator("f64", &(series() + include_str!("f64.h")), include_str!("intact_f64.h")),
         // fixed point stands on the integers of f32
         more => {
-            let base = once("F32", &(points() + include_str!("f32.h")));
+            let base = evaluator("f32", &(points() + include_str!("f32.h")), INTACT);
             match more {
-                Scalar::Q31 => base + &once("Q31", include_str!("q31.h")),
-                Scalar::Q15 => base + &once("Q15", include_str!("q15.h")),
+                Scalar::Q31 => base + &evaluator("q31", include_str!("q31.h"), INTACT),
+                Scalar::Q15 => base + &evaluator("q15", include_str!("q15.h"), INTACT),
                 _ => base,
             }
         }
@@ -66,9 +70,11 @@ static const toytop_{scalar} {name} = {{
     )
 }
 
-/// Text that several headers share.
-fn once(name: &str, text: &str) -> String {
-    format!("#ifndef TOYTOP_{name}\n#define TOYTOP_{name}\n{text}#endif\n")
+/// What evaluates the tables of a scalar: its own arithmetic, and two templates. Several headers share it.
+fn evaluator(scalar: &str, arithmetic: &str, intact: &str) -> String {
+    let (name, bits) = (scalar.to_uppercase(), &scalar[1..]);
+    let asked = [ACCESSORS, intact].concat().replace("SCALAR", scalar).replace("BITS", bits);
+    format!("#ifndef TOYTOP_{name}\n#define TOYTOP_{name}\n{arithmetic}{asked}#endif\n")
 }
 
 /// The initialisers of a `toytop_clock`.

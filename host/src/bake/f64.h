@@ -42,32 +42,3 @@ static inline toytop_moment_f64 toytop_moment_of_f64(const toytop_f64 *table, co
     m.c[1] = (m.alpha[0] * m.beta[1] + m.alpha[1] * m.beta[0]) * table->scales[0];
     return m;
 }
-
-/* Any tick, at the same cost. */
-static inline toytop_moment_f64 toytop_at_tick_f64(const toytop_f64 *table, int64_t tick) {
-    toytop_cursor at = toytop_at(&table->clock, tick);
-    return toytop_moment_of_f64(table, &at);
-}
-
-/* The tick of a cursor, which begins as toytop_at(&table->clock, first) and moves on to the next. */
-static inline toytop_moment_f64 toytop_next_f64(const toytop_f64 *table, toytop_cursor *at) {
-    toytop_moment_f64 now = toytop_moment_of_f64(table, at);
-    toytop_move_on(&table->clock, at);
-    return now;
-}
-
-/* Whether every bit of a table is what it was when it was written. */
-static inline int toytop_intact_f64(const toytop_f64 *table) {
-    uint64_t bits;
-    uint32_t sum = toytop_head(&table->clock, 64);
-    for (int i = 0; i < 4; i++) {
-        memcpy(&bits, &table->scales[i], sizeof bits);
-        sum = toytop_wide(sum, bits);
-    }
-    for (uint32_t row = 0; row < table->clock.segments * table->clock.terms; row++)
-        for (int i = 0; i < 4; i++) {
-            memcpy(&bits, &table->coefficients[row][i], sizeof bits);
-            sum = toytop_wide(sum, bits);
-        }
-    return sum == table->clock.checksum;
-}

@@ -42,28 +42,3 @@ static inline toytop_moment_q15 toytop_moment_of_q15(const toytop_q15 *table, co
     m.c[1] = (int16_t)(2 * toytop_inner_q15(four[0], four[1], four[3], four[2]));
     return m;
 }
-
-/* Any tick, at the same cost. */
-static inline toytop_moment_q15 toytop_at_tick_q15(const toytop_q15 *table, int64_t tick) {
-    toytop_cursor at = toytop_at(&table->clock, tick);
-    return toytop_moment_of_q15(table, &at);
-}
-
-/* The tick of a cursor, which begins as toytop_at(&table->clock, first) and moves on to the next. */
-static inline toytop_moment_q15 toytop_next_q15(const toytop_q15 *table, toytop_cursor *at) {
-    toytop_moment_q15 now = toytop_moment_of_q15(table, at);
-    toytop_move_on(&table->clock, at);
-    return now;
-}
-
-/* Whether every bit of a table is what it was when it was written. */
-static inline int toytop_intact_q15(const toytop_q15 *table) {
-    uint32_t bits, sum = toytop_head(&table->clock, 15);
-    for (int i = 0; i < 4; i++) {
-        memcpy(&bits, &table->scales[i], sizeof bits);
-        sum = toytop_word(sum, bits);
-    }
-    for (uint32_t row = 0; row < table->clock.segments * table->clock.terms; row++)
-        for (int i = 0; i < 4; i++) sum = toytop_word(sum, (uint32_t)table->coefficients[row][i]);
-    return sum == table->clock.checksum;
-}

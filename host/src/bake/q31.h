@@ -34,28 +34,3 @@ static inline toytop_moment_q31 toytop_moment_of_q31(const toytop_q31 *table, co
     m.c[1] = 2 * toytop_inner_q31(four[0], four[1], four[3], four[2]);
     return m;
 }
-
-/* Any tick, at the same cost. */
-static inline toytop_moment_q31 toytop_at_tick_q31(const toytop_q31 *table, int64_t tick) {
-    toytop_cursor at = toytop_at(&table->clock, tick);
-    return toytop_moment_of_q31(table, &at);
-}
-
-/* The tick of a cursor, which begins as toytop_at(&table->clock, first) and moves on to the next. */
-static inline toytop_moment_q31 toytop_next_q31(const toytop_q31 *table, toytop_cursor *at) {
-    toytop_moment_q31 now = toytop_moment_of_q31(table, at);
-    toytop_move_on(&table->clock, at);
-    return now;
-}
-
-/* Whether every bit of a table is what it was when it was written. */
-static inline int toytop_intact_q31(const toytop_q31 *table) {
-    uint32_t bits, sum = toytop_head(&table->clock, 31);
-    for (int i = 0; i < 4; i++) {
-        memcpy(&bits, &table->scales[i], sizeof bits);
-        sum = toytop_word(sum, bits);
-    }
-    for (uint32_t row = 0; row < table->clock.segments * table->clock.terms; row++)
-        for (int i = 0; i < 4; i++) sum = toytop_word(sum, (uint32_t)table->coefficients[row][i]);
-    return sum == table->clock.checksum;
-}

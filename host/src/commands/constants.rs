@@ -1,7 +1,7 @@
 //! `toytop constants`: what does not change in a motion.
 
 use super::{Report, lift_off};
-use crate::cli::{ConstantsArgs, ConstantsFormat};
+use crate::cli::{ConstantsArgs, Format};
 use crate::output::{self, Cell, Record, number};
 use crate::scenario::Scenario;
 use crate::{Failure, names};
@@ -10,15 +10,14 @@ use toytop::{Averages, Motion};
 pub(super) fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let constants = constants(&scenario.motion);
-    let as_table = arguments.format == ConstantsFormat::Table;
-    let text = if as_table {
-        table(&constants)
-    } else {
-        let record = Record(constants.into_iter().map(|(key, cell, _)| (key, cell)).collect());
-        output::json(&record).map_err(Failure::Output)?
+    let record = || Record(constants.iter().map(|(key, cell, _)| (*key, cell.clone())).collect());
+    let text = match arguments.format {
+        Format::Table => table(&constants),
+        Format::Csv => output::csv(&[record()]).map_err(Failure::Output)?,
+        Format::Json => output::json(&record()).map_err(Failure::Output)?,
     };
     let report = Report { text, ..Report::default() };
-    Ok(report.with_remarks(lift_off(&[scenario]), as_table))
+    Ok(report.with_remarks(lift_off(&[scenario]), arguments.format == Format::Table))
 }
 
 /// Key, value, unit. The units are those of a scenario in SI.

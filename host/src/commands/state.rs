@@ -13,7 +13,7 @@ use crate::scenario::Scenario;
 use crate::{times, tip_angle, truth};
 use toytop::exact::ClosedForm;
 use toytop::real::Real;
-use toytop::{Complex, Motion};
+use toytop::{Complex, Motion, Support};
 
 pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
@@ -36,7 +36,7 @@ pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
         }
     };
     let text = match arguments.format {
-        Format::Table => table(&samples),
+        Format::Table => table(&samples, scenario.motion.top().support()),
         Format::Csv => output::csv(&records(&samples)).map_err(Failure::Output)?,
         Format::Json => output::json_list("samples", &records(&samples)).map_err(Failure::Output)?,
     };
@@ -148,8 +148,20 @@ fn records(samples: &[Sample]) -> Vec<Record> {
     samples.iter().map(record).collect()
 }
 
+/// Of a scenario in SI.
+fn unit(name: &str, support: Support) -> &'static str {
+    match (name, support) {
+        ("t", _) => "s",
+        ("udot", _) => "1/s",
+        ("omega", _) => "rad/s",
+        ("phi", _) => "rad",
+        ("tip", Support::Sliding) => "m",
+        _ => "",
+    }
+}
+
 /// A block a sample: with all digits, one line would not fit any screen.
-fn table(samples: &[Sample]) -> String {
+fn table(samples: &[Sample], support: Support) -> String {
     let block = |record: &Record| {
         let line = |(name, cell): &(&'static str, Cell)| {
             let numbers = match cell {
@@ -157,13 +169,13 @@ fn table(samples: &[Sample]) -> String {
                 Cell::Numbers(parts) => parts.iter().map(|(_, x)| *x).collect(),
                 _ => Vec::new(),
             };
-            let mut line = vec![(*name).to_owned()];
+            let mut line = vec![(*name).to_owned(), unit(name, support).to_owned()];
             line.extend(numbers.into_iter().map(number));
-            line.resize(4, String::new());
+            line.resize(5, String::new());
             line
         };
         record.0.iter().map(line).collect::<Vec<_>>()
     };
-    let blocks: Vec<_> = records(samples).iter().map(|record| output::columns(block(record), 1)).collect();
+    let blocks: Vec<_> = records(samples).iter().map(|record| output::columns(block(record), 2)).collect();
     blocks.join("\n")
 }

@@ -10,8 +10,8 @@ use kuva::render::render::Scene;
 const PANEL: [f64; 2] = [340.0, 372.0];
 const COLUMNS: usize = 3;
 const TITLES: [&str; 2] = [
-    "Springborn, figure 2: l + n > 0, l - n > 0, e₁ = 0.7, e₂ = 0.9, e₄² = 2",
-    "Springborn, figure 3: l + n > 0 > l - n, e₁ = 0.7, e₂ = 0.9, e₄² = 2",
+    "Springborn, figure 2: l + n > 0, l - n > 0, s = 1, e₁ = 0.7, e₂ = 0.9, e₄² = 2",
+    "Springborn, figure 3: l + n > 0 > l - n, s = 1, e₁ = 0.7, e₂ = 0.9, e₄² = 2",
 ];
 
 pub(super) fn both() -> Result<[Scene; 2], Failure> {

@@ -54,7 +54,9 @@ impl Curve {
             [c.re, c.im]
         };
         let tracer = Tracer { tip: &tip, tolerance: TOLERANCE * largest };
-        Ok(Self { points: tracer.trace(time, parts * PARTS), circles, time, periods })
+        // the rounding of a table is no curve
+        let points = if largest > 0.0 { tracer.trace(time, parts * PARTS) } else { vec![[0.0; 2]] };
+        Ok(Self { points, circles, time, periods })
     }
 }
 

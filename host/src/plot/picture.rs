@@ -61,8 +61,11 @@ const BELOW: f64 = 58.0;
 pub fn draw(scenario: &Scenario, curve: &Curve, caption: &[String], form: Form) -> Result<Vec<u8>, Failure> {
     let scale = scenario.motion.top().tip_scale();
     let extent = extent(curve, scale);
-    let unit = if scenario.motion.top().support() == Support::Sliding { " / s" } else { "" };
-    let mut plots = legend(curve);
+    let (name, unit) = match scenario.motion.top().support() {
+        Support::Sliding => ("tip", " / s"),
+        Support::Fixed => ("axis", ""),
+    };
+    let mut plots = legend(curve, name);
     plots.extend(lines(curve, scale));
     let layout = square(&plots, extent)
         .with_width(LEFT + SIDE + RIGHT)
@@ -111,8 +114,8 @@ pub(crate) fn square(plots: &[Plot], extent: f64) -> Layout {
 }
 
 /// What the legend names, in its order; no lines.
-fn legend(curve: &Curve) -> Vec<Plot> {
-    let mut plots: Vec<Plot> = vec![tip().with_legend("tip").into()];
+fn legend(curve: &Curve, name: &str) -> Vec<Plot> {
+    let mut plots: Vec<Plot> = vec![tip().with_legend(name).into()];
     for (circle, dash) in curve.circles.iter().zip(&DASHES) {
         let named = bound().with_legend(format!("ρ at {}", circle.name));
         plots.push(named.with_line_style(dash.style.clone()).into());

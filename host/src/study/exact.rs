@@ -7,13 +7,16 @@
 //!
 //! |α|² = (1 + u)/2 and |β|² = (1 - u)/2; where e₁ = -1 (e₂ = 1) α (β) changes sign instead of turning.
 
+mod orientation;
+mod path;
+
 use super::gauss::Rule;
 use super::motions::Numbers;
 use super::trigonometry::{cis, quarter_turn};
 use super::wide::Launched;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 use toytop::real::{DoubleDouble, Float, Ring};
-use toytop::{Complex, Phi, Sign};
+use toytop::{Complex, Sign};
 
 type Dd = DoubleDouble;
 
@@ -188,196 +191,6 @@ impl<'a> Exact<'a> {
         let slowness = (d.doubled() / (self.g * (self.e3_minus_e2 + swing))).sqrt();
         [one_plus_u, one_minus_u, slowness]
     }
-
-    /// d(t, arg α, arg β)/dχ without the drift, at so much beyond so many quarter turns.
-    fn integrand(&self, quarter: f64, beyond: Dd) -> [Dd; 3] {
-        let Complex { re, im } = cis(beyond);
-        let (sine, cosine) = if is_even(quarter) { (im, re) } else { (re, im) };
-        let [one_plus_u, one_minus_u, slowness] = self.law_at(sine, cosine);
-        let turning = |momentum: Dd, complement: Dd| {
-            if momentum == Dd::ZERO { Dd::ZERO } else { momentum / complement * slowness }
-        };
-        let [alpha, beta] = self.momenta;
-        [slowness, turning(alpha, one_plus_u), turning(beta, one_minus_u)]
-    }
-
-    /// From a point on to a larger, or back to a smaller, χ.
-    ///
-    /// Places are told by how far they are beyond the nearest turning point: the depth there may be far less than what
-    /// double-double tells apart beside π/2.
-    #[must_use]
-    pub fn go(&self, from: &Point, chi: Dd) -> Point {
-        let (low, high, sense) =
-            if chi < from.chi { (chi, from.chi, -Dd::ONE) } else { (from.chi, chi, Dd::ONE) };
-        let mut sums = [Dd::ZERO; 3];
-        // halfway, to rounding, counts as the one ahead
-        let mut quarter = (low.to_f64() / FRAC_PI_2 + (0.5 + 1e-9)).floor();
-        let mut beyond = low - quarter_turn() * quarter.into();
-        loop {
-            let last = high - quarter_turn() * quarter.into();
-            if beyond >= last {
-                break;
-            }
-            let next = Dd::from(self.panel_end(quarter, beyond.to_f64()));
-            let next = if next > beyond && next < last { next } else { last };
-            let panel = self.rule.integrate([beyond, next], |beyond| self.integrand(quarter, beyond));
-            sums.iter_mut().zip(panel).for_each(|(sum, part)| *sum = *sum + part);
-            beyond = next;
-            if beyond.to_f64() >= (0.5 - 1e-9) * FRAC_PI_2 {
-                quarter += 1.0;
-                beyond = beyond - quarter_turn();
-            }
-        }
-        let [t, alpha, beta] = sums.map(|sum| sense * sum);
-        let [turned_alpha, turned_beta] = from.turned;
-        Point { chi, t: from.t + t, turned: [turned_alpha + alpha, turned_beta + beta] }
-    }
-
-    /// A panel is no longer than what lies between it and the nearest turning point, or than the depth there.
-    fn panel_end(&self, quarter: f64, beyond: f64) -> f64 {
-        let [bottom, top] = self.depths;
-        let depth = if is_even(quarter) { bottom } else { top };
-        if beyond >= 0.0 {
-            (2.0 * beyond).max(depth).min(0.5 * FRAC_PI_2)
-        } else if -beyond <= depth * (1.0 + 1e-9) {
-            0.0
-        } else {
-            (0.5 * beyond).min(-depth)
-        }
-    }
-
-    /// One nutation period after the start; of no meaning for an aperiodic motion.
-    #[must_use]
-    pub fn period(&self) -> Point {
-        let start = Point { chi: Dd::ZERO, ..self.start() };
-        let half = self.go(&start, quarter_turn());
-        let [alpha, beta] = half.turned;
-        Point {
-            chi: quarter_turn().doubled(),
-            t: half.t.doubled(),
-            turned: [alpha.doubled(), beta.doubled()],
-        }
-    }
-
-    /// So many periods after a point.
-    #[must_use]
-    pub fn later(&self, point: &Point, period: &Point, periods: f64) -> Point {
-        let on = |now: Dd, step: Dd| now + step * periods.into();
-        let ([alpha, beta], [alpha_step, beta_step]) = (point.turned, period.turned);
-        Point {
-            chi: on(point.chi, period.chi),
-            t: on(point.t, period.t),
-            turned: [on(alpha, alpha_step), on(beta, beta_step)],
-        }
-    }
-
-    /// The point at a time close to that of a point; `place` is the same place in the first period.
-    #[must_use]
-    pub fn at_time(&self, point: &Point, place: Dd, t: f64) -> Point {
-        const NEWTON_STEPS: u32 = 4;
-        let here = Point { chi: place, t: point.t, turned: point.turned };
-        let mut moved = here;
-        for _ in 0..NEWTON_STEPS {
-            let [_, _, slowness] = self.law(moved.chi);
-            moved = self.go(&here, moved.chi + (Dd::from(t) - moved.t) / slowness);
-        }
-        Point { chi: point.chi + (moved.chi - place), ..moved }
-    }
-
-    /// The point of a time, found from a point before or after it: Newton's steps, halved where they leave the bracket of χ.
-    #[must_use]
-    pub fn seek(&self, from: &Point, t: f64, [low, high]: [f64; 2]) -> Point {
-        const STEPS: u32 = 200;
-        let (mut low, mut high) = (low, high);
-        let mut point = *from;
-        for _ in 0..STEPS {
-            let behind = Dd::from(t) - point.t;
-            let chi = point.chi.to_f64();
-            if behind < Dd::ZERO {
-                high = high.min(chi)
-            } else {
-                low = low.max(chi)
-            }
-            let [_, _, slowness] = self.law(point.chi);
-            let step = behind / slowness;
-            let there = (point.chi + step).to_f64();
-            if step.to_f64().abs() < 1e-15 {
-                break;
-            }
-            let next =
-                if low < there && there < high { point.chi + step } else { (0.5 * (low + high)).into() };
-            point = self.go(&point, next);
-        }
-        point
-    }
-
-    /// Φ at a time so close to the point that what is between is linear.
-    #[must_use]
-    pub fn phi(&self, point: &Point, t: f64) -> Phi<Dd> {
-        let ahead = Dd::from(t) - point.t;
-        let Complex { re: cosine, im: sine } = cis(point.chi);
-        let [one_plus_u, one_minus_u, slowness] = self.law(point.chi);
-        let chi_step = ahead / slowness;
-        let rise = self.e2_minus_e1 * sine * cosine * chi_step; // half of what u rises
-        let place = |complement: Dd, rise: Dd, turned: Dd, momentum: Dd, drift: Dd| {
-            let modulus = complement.halved().sqrt();
-            // where it vanishes so does its momentum, and the other parameter's change is all there is
-            let (grown, turning) = if complement > Dd::ZERO {
-                (modulus + modulus * rise / complement, momentum / complement)
-            } else {
-                (modulus, Dd::ZERO)
-            };
-            cis(turned + turning * ahead + drift * Dd::from(t)).scaled(grown)
-        };
-        let ([alpha, beta], [alpha_turned, beta_turned]) = (self.momenta, point.turned);
-        let [alpha_from, beta_from] = self.directions;
-        let alpha = alpha_from * place(one_plus_u, rise, alpha_turned, alpha, self.half_tau);
-        let beta = beta_from * place(one_minus_u, -rise, beta_turned, beta, -self.half_tau);
-        let [alpha_sign, beta_sign] = self.signs(sine, cosine);
-        Phi { alpha: alpha.scaled(alpha_sign), beta: beta.scaled(beta_sign) }
-    }
-
-    /// -1 for a parameter that has passed through 0 an odd number of times.
-    fn signs(&self, sine: Dd, cosine: Dd) -> [Dd; 2] {
-        let sign = |x: Dd| Dd::from(if x < Dd::ZERO { -1.0 } else { 1.0 });
-        let from = cis(self.start().chi);
-        let small = |x: Dd| x.abs() < Dd::from(1e-15);
-        // a parameter that is 0 at the start has its direction from its derivative
-        let alpha = if small(from.im) { from.re } else { from.im };
-        let beta = if small(from.re) { -from.im } else { from.re };
-        let passes = |passes: bool, now: Dd, then: Dd| if passes { sign(now) * sign(then) } else { Dd::ONE };
-        [
-            passes(self.one_plus_e1 == Dd::ZERO, sine, alpha),
-            passes(self.one_minus_e2 == Dd::ZERO, cosine, beta),
-        ]
-    }
-
-    /// Φ of a motion in which u is constant.
-    #[must_use]
-    pub fn steady_phi(&self, t: f64, one_plus_u: Dd, one_minus_u: Dd) -> Phi<Dd> {
-        let place = |complement: Dd, momentum: Dd, drift: Dd| {
-            if complement == Dd::ZERO {
-                return Complex::ZERO;
-            }
-            cis((momentum / complement + drift) * Dd::from(t)).scaled(complement.halved().sqrt())
-        };
-        let ([alpha, beta], [alpha_from, beta_from]) = (self.momenta, self.directions);
-        Phi {
-            alpha: alpha_from * place(one_plus_u, alpha, self.half_tau),
-            beta: beta_from * place(one_minus_u, beta, -self.half_tau),
-        }
-    }
-
-    /// 1 + u and 1 - u of a motion in which u is e₂.
-    #[must_use]
-    pub fn at_e2(&self) -> [Dd; 2] {
-        [self.one_plus_e1 + self.e2_minus_e1, self.one_minus_e2]
-    }
-}
-
-/// χ is a multiple of a half turn: u is e₁ there.
-fn is_even(quarter: f64) -> bool {
-    quarter.rem_euclid(2.0) == 0.0
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! One motion put to the test: both scalars, at random times in the first period and at one far away.
 
+use super::draw;
 use super::exact::{Course, Exact, Point};
 use super::gauss::Rule;
 use super::motions::Numbers;
@@ -8,7 +9,6 @@ use crate::Failure;
 use crate::cli::Scalar;
 use crate::ephemeris::{AnySize, smallest, ticks_per_time};
 use crate::propagate::natural_time;
-use std::f64::consts::{FRAC_PI_2, PI};
 use toytop::real::{DoubleDouble, Float};
 use toytop::{Complex, Motion, Phi, Regime};
 
@@ -113,7 +113,10 @@ pub(crate) fn distance(found: &Phi<f64>, truth: &Phi<DoubleDouble>) -> f64 {
 fn targets(motion: &Motion, exact: &Exact<'_>, random: &mut Random) -> Vec<Target> {
     match exact.course() {
         Course::Nutating => nutating(exact, random),
-        Course::Aperiodic => aperiodic(exact, random),
+        Course::Aperiodic => {
+            let points = draw::aperiodic(exact, PLACES, random);
+            points.iter().map(|point| near(exact, point)).collect()
+        }
         Course::Steady => {
             let [one_plus_u, one_minus_u] = exact.at_e2();
             let time = natural_time(motion.top());
@@ -131,29 +134,10 @@ fn targets(motion: &Motion, exact: &Exact<'_>, random: &mut Random) -> Vec<Targe
 /// Places of each kind.
 const PLACES: usize = 8;
 
-/// Places anywhere in the first period, places close to a turning point, where things go fastest or slowest, and some of
-/// them again after up to 10^9 periods.
+/// Points of the first period, and some of them again after up to 10^9 periods.
 fn nutating(exact: &Exact<'_>, random: &mut Random) -> Vec<Target> {
-    let start = exact.start();
-    let first = start.chi.to_f64();
-    let mut places = Vec::new();
-    for _ in 0..PLACES {
-        places.push(first + random.between(0.0, PI));
-        let turning = ((first + random.between(0.0, PI)) / FRAC_PI_2).round() * FRAC_PI_2;
-        let side = if random.one_in(2) { 1.0 } else { -1.0 };
-        places.push(turning + side * random.scale(1e-6, 0.3));
-    }
-    places.sort_by(f64::total_cmp);
-    let mut point = start;
-    let mut points: Vec<Point> = Vec::new();
-    for place in places {
-        point = exact.go(&point, place.into());
-        points.push(point);
-    }
-    let near = points.iter().map(|point| {
-        let t = point.t.to_f64();
-        Target { t, phi: exact.phi(point, t), far: false }
-    });
+    let points = draw::nutating(exact, PLACES, random);
+    let near = points.iter().map(|point| near(exact, point));
     let period = exact.period();
     let far = points.iter().step_by(2).map(|base| {
         let later = exact.later(base, &period, random.scale(1.0, 1e9).round());
@@ -164,14 +148,7 @@ fn nutating(exact: &Exact<'_>, random: &mut Random) -> Vec<Target> {
     near.chain(far).collect()
 }
 
-/// Places on the way up or down.
-fn aperiodic(exact: &Exact<'_>, random: &mut Random) -> Vec<Target> {
-    let start = exact.start();
-    let target = |()| {
-        let chi = 2.0 * (0.5 * random.between(-12.0, 12.0)).tanh().atan();
-        let point = exact.go(&start, chi.into());
-        let t = point.t.to_f64();
-        Target { t, phi: exact.phi(&point, t), far: false }
-    };
-    [(); PLACES].map(target).into()
+fn near(exact: &Exact<'_>, point: &Point) -> Target {
+    let t = point.t.to_f64();
+    Target { t, phi: exact.phi(point, t), far: false }
 }

@@ -6,7 +6,7 @@ use crate::ephemeris::{AnySize, quickest, smallest_with_period};
 use crate::propagate::natural_time;
 use crate::scenario::Scenario;
 use crate::{names, truth};
-use std::fmt::Write as _;
+use std::fmt::{self, Write as _};
 use toytop::{Averages, Complex, LaunchError, Motion, Phi, Regime};
 
 /// One or, of what is said at every tick, several columns.
@@ -62,16 +62,20 @@ pub const DEFAULT_COLUMNS: &str = "regime,tip_class,period,phi_per_period,min_no
 impl Column {
     /// Its names in the header.
     fn header(self, ticks: u32) -> Vec<String> {
-        let name = clap::ValueEnum::to_possible_value(&self).map(|value| value.get_name().to_owned());
-        let name = name.unwrap_or_default();
         let parts: &[&str] = match self {
             Self::U => &["u"],
             Self::Phi => &["alpha_re", "alpha_im", "beta_re", "beta_im"],
             Self::Tip => &["tip_x", "tip_y"],
-            _ => return vec![name],
+            _ => return vec![self.name()],
         };
         let of_tick = |tick| parts.iter().map(move |part| format!("{part}_{tick}"));
         (1..=ticks).flat_map(of_tick).collect()
+    }
+
+    /// Its name on the command line.
+    fn name(self) -> String {
+        let value = clap::ValueEnum::to_possible_value(&self);
+        value.map(|value| value.get_name().to_owned()).unwrap_or_default()
     }
 
     fn of_ticks(self) -> bool {
@@ -163,6 +167,15 @@ impl Rows {
             measured.full = states.map(|states| states.iter().map(truth::phi).collect());
         }
         measured
+    }
+}
+
+/// The options of `toytop sweep` that make this table.
+impl fmt::Display for Rows {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} --ticks {} --periods {:?} --columns ", self.space, self.ticks, self.periods)?;
+        let names: Vec<_> = self.columns.iter().map(|column| column.name()).collect();
+        f.write_str(&names.join(","))
     }
 }
 

@@ -3,6 +3,7 @@
 use super::Axis;
 use crate::Failure;
 use crate::study::random::Random;
+use std::fmt;
 use toytop::{Heaviness, LaunchError, Motion, Sign, Signs, Start, Top};
 
 /// Signs of l + n and l - n. The two other pairs are mirror images.
@@ -53,6 +54,21 @@ const LIMITS: [(&str, [f64; 2]); 5] = [
 const DRAWS: u32 = 1000;
 /// Of the draws so many in a hundred must have it: then 1000 in a row without are not to be expected in any sweep.
 const LEAST_SHARE: u64 = 5;
+
+/// The options of `toytop sweep` that say which motions.
+impl fmt::Display for Space {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (axis, (name, _)) in self.axes.iter().zip(LIMITS) {
+            write!(f, "{name}={axis} ")?;
+        }
+        let signs = clap::ValueEnum::to_possible_value(&self.signs);
+        write!(f, "--signs {}", signs.as_ref().map_or("", |value| value.get_name()))?;
+        match self.sample {
+            Some((motions, seed)) => write!(f, " --motions {motions} --seed {seed}"),
+            None => Ok(()),
+        }
+    }
+}
 
 impl Space {
     /// Checks the axes.

@@ -122,6 +122,17 @@ fn constants_have_the_keys_of_the_contract() {
         for key in &keys {
             assert_eq!(constants[key].is_null(), nulls.contains(key), "{file}: {key}");
         }
+        let csv = run(&["constants", &file, "--format", "csv"]);
+        let lines: Vec<_> = stdout(&csv).lines().collect();
+        let [header, values] = lines[..] else { panic!("{file}: {lines:?}") };
+        assert_eq!(header, keys.join(","), "{file}");
+        for (key, value) in keys.iter().zip(values.split(',')) {
+            let same = match &constants[key] {
+                Value::Number(x) => x.as_f64() == value.parse().ok(),
+                other => other.as_str().unwrap_or_default() == value,
+            };
+            assert!(same, "{file}: {key}: {value}");
+        }
         let table = run(&["constants", &file]);
         assert!(keys.iter().zip(stdout(&table).lines()).all(|(key, line)| line.starts_with(key)), "{file}");
     }

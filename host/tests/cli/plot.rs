@@ -106,6 +106,12 @@ fn png_and_what_stands_still() {
     }
     let resting = svg(&sample("sleeping"), &folder.join("sleeping.svg"));
     assert!(resting.contains(">point: e₁ = 1, e₂ = 1, e₃ = ") && !resting.contains("#8a8a8a"));
+    assert!(
+        lines(&resting, "#1f4e8c").iter().all(|line| radii(line).all(|r| r < 0.1)),
+        "a point is no circle"
+    );
+    let held = svg(&sample("lagrange"), &folder.join("lagrange.svg"));
+    assert!(held.contains(">axis<") && !held.contains(">tip<"), "the tip of a held top stays");
 }
 
 #[test]

@@ -269,3 +269,23 @@ fn a_fixed_tip_has_a_direction_for_a_tip() {
     };
     assert!((x - 2.0 * (ar * br - ai * bi)).hypot(y - 2.0 * (ar * bi + ai * br)) < 1e-15);
 }
+
+#[test]
+fn a_table_says_its_units() {
+    for (file, of_tip) in [("toy_top", Some("m")), ("lagrange", None)] {
+        let output = run(&["state", &sample(file), "--times", "0.5"]);
+        let units = stdout(&output).lines().map(|line| {
+            let mut words = line.split_whitespace();
+            let name = words.next().expect("a name");
+            (name, words.next().filter(|word| word.parse::<f64>().is_err()))
+        });
+        let expected = EVERYTHING.map(|name| match name {
+            "udot" => (name, Some("1/s")),
+            "omega" => (name, Some("rad/s")),
+            "phi" => (name, Some("rad")),
+            "tip" => (name, of_tip),
+            _ => (name, None),
+        });
+        assert_eq!(units.collect::<Vec<_>>(), [&[("t", Some("s"))][..], &expected].concat(), "{file}");
+    }
+}

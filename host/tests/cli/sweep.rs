@@ -1,5 +1,8 @@
 //! `toytop sweep`: rows that do not depend on who computes them, and a file that survives being killed.
 
+#[cfg(feature = "parquet")]
+mod parquet;
+
 use super::{json, run, stderr, stdout};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -44,27 +47,39 @@ fn field<'a>(table: &'a str, row: usize, name: &str) -> &'a str {
     lines.nth(row).expect("a row").split(',').nth(place).expect("a field")
 }
 
+/// A grid of 36 places, of which six have e1 > e2.
+const GRID: [&str; 9] =
+    ["--e1=-0.5..0.5/3", "--e2", "0.2,0.6", "--e3", "log:1.1..9/3", "--a-over-ps", "1", "--c-over-a", "0.7"];
+
+/// A sweep that is killed.
+const KILLED: [&str; 5] = ["--motions", "6000", "--seed", "7", "--resume"];
+
+/// Kills it when so many lines are in its CSV file; how many there were then.
+fn killed(output: &Path, csv: &Path, least: usize) -> usize {
+    let rows = || std::fs::read_to_string(csv).map_or(0, |text| text.matches('\n').count());
+    let mut child = Command::new(env!("CARGO_BIN_EXE_toytop"))
+        .args(words(output, &KILLED))
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the program runs");
+    while rows() < least && child.try_wait().expect("a child").is_none() {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    let seen = rows();
+    child.kill().expect("killed"); // SIGKILL
+    child.wait().expect("ended");
+    seen
+}
+
 #[test]
 fn a_killed_sweep_goes_on_where_it_was() {
-    let whole = sweep(&no_file("whole"), &["--motions", "6000", "--seed", "7"]);
+    let whole = sweep(&no_file("whole"), &KILLED);
     assert_eq!(whole.lines().count(), 6001);
     let path = no_file("killed");
-    let more = ["--motions", "6000", "--seed", "7", "--resume"];
-    let rows = || std::fs::read_to_string(&path).map_or(0, |text| text.matches('\n').count());
     let mut kills = 0;
     for least in [1000, 3000] {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_toytop"))
-            .args(words(&path, &more))
-            .stdout(Stdio::null())
-            .stderr(Stdio::null())
-            .spawn()
-            .expect("the program runs");
-        while rows() < least && child.try_wait().expect("a child").is_none() {
-            std::thread::sleep(Duration::from_millis(1));
-        }
-        let seen = rows();
-        child.kill().expect("killed"); // SIGKILL
-        child.wait().expect("ended");
+        let seen = killed(&path, &path, least);
         let left = std::fs::read_to_string(&path).expect("the file");
         assert!(left.matches('\n').count() >= seen && whole.starts_with(&left), "what is there is good");
         kills += usize::from(left.len() < whole.len());
@@ -74,28 +89,17 @@ fn a_killed_sweep_goes_on_where_it_was() {
     let left = std::fs::read_to_string(&path).expect("the file");
     let zeros = "\0".repeat(10_000_000);
     std::fs::write(&path, left[..left.len() - 30].to_owned() + &zeros).expect("writable");
-    assert!(sweep(&path, &more) == whole);
-    assert!(sweep(&path, &more) == whole, "nothing is left to do");
+    assert!(sweep(&path, &KILLED) == whole);
+    assert!(sweep(&path, &KILLED) == whole, "nothing is left to do");
 }
 
 #[test]
 fn shards_make_the_whole() {
-    let grid = [
-        "--e1=-0.5..0.5/3",
-        "--e2",
-        "0.2,0.6",
-        "--e3",
-        "log:1.1..9/3",
-        "--a-over-ps",
-        "1",
-        "--c-over-a",
-        "0.7",
-    ];
-    let whole = sweep(&no_file("grid"), &grid);
+    let whole = sweep(&no_file("grid"), &GRID);
     let mut parts = Vec::new();
     for shard in 1..=5 {
         let shard = format!("{shard}/5");
-        let more = [&grid[..], &["--shard", &shard]].concat();
+        let more = [&GRID[..], &["--shard", &shard]].concat();
         let part = sweep(&no_file(&format!("grid_{}", &shard[..1])), &more);
         assert_eq!(part.lines().next(), whole.lines().next());
         parts.extend(part.lines().skip(1).map(str::to_owned));
@@ -218,4 +222,10 @@ fn what_is_no_sweep_is_refused() {
     refused(&path, &["--motions", "30", "--resume"], "another sweep");
     let folder = path.join("file.csv");
     refused(&folder, &["--motions", "3"], "--output");
+}
+
+#[cfg(not(feature = "parquet"))]
+#[test]
+fn what_was_built_without_parquet_says_so() {
+    refused(&no_file("none").with_extension("parquet"), &["--motions", "3"], "built without Parquet");
 }

@@ -21,8 +21,9 @@ const PARTS: usize = 50;
 const SAMPLES_OF_PART: usize = SAMPLES as usize / PARTS;
 /// Ticks a second.
 const HERTZ: u32 = 1024;
-/// Steps a period of the baseline.
-const STEPS: u32 = 200;
+/// Steps of the baseline between samples.
+const FEWEST_STEPS: u32 = 20;
+const MOST_STEPS: u32 = 2560;
 
 /// A toy top that draws cusps.
 pub(super) fn scenario() -> Result<Scenario, Failure> {
@@ -69,7 +70,9 @@ pub(super) fn run(scenario: &Scenario, progress: &mut Progress) -> Result<Vec<Li
     };
     let solver_error = |states: &[FullState]| error(&states.iter().map(phi).collect::<Vec<_>>());
 
-    let (tolerance, states) = loosest(scenario, &times, &solver_error)?;
+    let tighter = |tolerance: f64| (tolerance > 1e-15).then_some(0.1 * tolerance);
+    let (tolerance, states) =
+        least_effort(1e-6, tighter, |tolerance| solved(scenario, &times, tolerance), &solver_error)?;
     let solving = least_in_parts(
         progress,
         PARTS,
@@ -82,26 +85,30 @@ pub(super) fn run(scenario: &Scenario, progress: &mut Progress) -> Result<Vec<Li
         },
     );
     let apart = apart as f64 / f64::from(HERTZ);
+    let stepped = |steps: u32| Ok(samples(&mut baseline(scenario, apart, steps), steps, times.len()));
+    let finer = |steps: u32| (steps < MOST_STEPS).then_some(2 * steps);
+    let (steps, stepped) = least_effort(FEWEST_STEPS, finer, stepped, &solver_error)?;
     let stepping = least_in_parts(
         progress,
         PARTS,
-        || baseline(scenario, apart),
+        || baseline(scenario, apart, steps),
         |run, _| {
-            std::hint::black_box(samples(run, SAMPLES_OF_PART));
+            std::hint::black_box(samples(run, steps, SAMPLES_OF_PART));
         },
     );
-    let stepped = samples(&mut baseline(scenario, apart), times.len());
     let line = |what: &str, seconds: f64, error: f64| {
         let ratio = solving / seconds;
-        let ratio = if ratio < 10.0 { format!("{ratio:.1}") } else { format!("{ratio:.0}") };
+        let digits = if ratio < 1.0 { 2 } else { usize::from(ratio < 10.0) };
+        let ratio = format!("{ratio:.digits$}");
         Line { what: what.to_owned(), seconds, error: Some(error), rest: vec![format!("{error:.1e}"), ratio] }
     };
     let solver = format!("full solver, tolerance {tolerance:.0e}: orientation and angular velocity");
-    let rivals = format!("Runge-Kutta of the full equations, {STEPS} steps a period: the same");
+    let rival =
+        format!("Runge-Kutta of the full equations, {} steps a period: the same", steps * SAMPLES / PERIODS);
     let error = error(&phis);
     Ok(vec![
         line(&solver, solving, solver_error(&states)),
-        line(&rivals, stepping, solver_error(&stepped)),
+        line(&rival, stepping, solver_error(&stepped)),
         line("ephemeris f64, 48x11, at any time: the same", turning, error),
         line("ephemeris f64, 48x11, at any time: orientation", orienting, error),
         line("ephemeris f64, 48x11, at any tick: orientation", ticking, error),
@@ -114,20 +121,19 @@ pub(super) fn run(scenario: &Scenario, progress: &mut Progress) -> Result<Vec<Li
     ])
 }
 
-/// The loosest tolerance, of powers of ten, that is accurate enough, and its states.
-fn loosest(
-    scenario: &Scenario,
-    times: &[f64],
+/// The first effort that is accurate enough, and the states that it gives.
+fn least_effort<E: Copy>(
+    first: E,
+    more: impl Fn(E) -> Option<E>,
+    states_of: impl Fn(E) -> Result<Vec<FullState>, Failure>,
     error: &dyn Fn(&[FullState]) -> f64,
-) -> Result<(f64, Vec<FullState>), Failure> {
-    let mut tolerance = 1e-6;
-    loop {
-        let states = solved(scenario, times, tolerance)?;
-        if error(&states) <= ACCURACY || tolerance < 1e-15 {
-            return Ok((tolerance, states));
-        }
-        tolerance *= 0.1;
+) -> Result<(E, Vec<FullState>), Failure> {
+    let (mut effort, mut states) = (first, states_of(first)?);
+    while error(&states) > ACCURACY {
+        let Some(greater) = more(effort) else { break };
+        (effort, states) = (greater, states_of(greater)?);
     }
+    Ok((effort, states))
 }
 
 fn solved(scenario: &Scenario, times: &[f64], tolerance: f64) -> Result<Vec<FullState>, Failure> {
@@ -141,15 +147,15 @@ fn solver(scenario: &Scenario, tolerance: f64) -> FullSolver {
     FullSolver::new(top, state, tolerance)
 }
 
-/// In steps that end on every sample; samples are `apart`, in s.
-fn baseline(scenario: &Scenario, apart: f64) -> FixedSteps<RungeKutta> {
+/// In so many steps from sample to sample; samples are `apart`, in s.
+fn baseline(scenario: &Scenario, apart: f64, steps: u32) -> FixedSteps<RungeKutta> {
     let (top, state) = truth::start(scenario);
-    FixedSteps::new(&top, &state, apart * f64::from(SAMPLES) / f64::from(STEPS * PERIODS))
+    FixedSteps::new(&top, &state, apart / f64::from(steps))
 }
 
-fn samples(run: &mut FixedSteps<RungeKutta>, count: usize) -> Vec<FullState> {
+fn samples(run: &mut FixedSteps<RungeKutta>, steps: u32, count: usize) -> Vec<FullState> {
     let sample = |_| {
-        (0..STEPS * PERIODS / SAMPLES).for_each(|_| run.step());
+        (0..steps).for_each(|_| run.step());
         run.state()
     };
     (0..count).map(sample).collect()

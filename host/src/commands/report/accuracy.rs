@@ -39,14 +39,13 @@ fn table(rows: &[Row], groups: &[(String, String)]) -> Table {
         let of_group = rows
             .iter()
             .filter(|row| row.motion.starts_with(start) && row.method == *method && row.scalar == *scalar);
-        of_group.filter_map(Row::error).fold(0.0, f64::max)
+        let worst = of_group.filter_map(Row::error).reduce(f64::max);
+        worst.map_or("-".to_owned(), |worst| format!("{worst:.0e}"))
     };
     let mut header = words(["greatest error over ten periods, rad"]);
     header.extend(KINDS.map(|(_, _, name)| name.to_owned()));
     let line = |(start, name): &(String, String)| {
-        std::iter::once(name.clone())
-            .chain(KINDS.iter().map(|kind| format!("{:.0e}", worst(start, kind))))
-            .collect()
+        std::iter::once(name.clone()).chain(KINDS.iter().map(|kind| worst(start, kind))).collect()
     };
     Table { header, rows: groups.iter().map(line).collect() }
 }

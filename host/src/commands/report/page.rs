@@ -17,7 +17,8 @@ pub(super) struct Page {
 
 const STYLE: &str = "body{font:16px/1.5 system-ui,sans-serif;max-width:70rem;margin:2rem auto;padding:0 1rem;color:#222}\
 table{border-collapse:collapse;margin:1rem 0;font-variant-numeric:tabular-nums}\
-th,td{padding:.2rem .8rem;border-bottom:1px solid #ddd;text-align:right}th:first-child,td:first-child{text-align:left}\
+th,td{padding:.2rem .8rem;border-bottom:1px solid #ddd;text-align:right}th:first-child,td:first-child,\
+#budget :is(th,td):nth-child(2){text-align:left}\
 th{border-bottom:2px solid #888}svg{max-width:100%;height:auto}.scroll{overflow-x:auto}";
 
 impl Page {
@@ -32,7 +33,10 @@ impl Page {
         let (mut figures, mut pictures) = (String::new(), self.pictures.iter());
         let section = |html: &mut String, title: &str, text: &str, table: &Table| {
             // a String takes everything
-            let _ = write!(html, "<h2>{title}</h2>\n<p>{text}</p>\n{}", markup(table));
+            let id = title.to_lowercase().replace(' ', "-");
+            let markup = markup(table);
+            let _ =
+                write!(html, "<section id=\"{id}\"><h2>{title}</h2>\n<p>{text}</p>\n{markup}</section>\n");
         };
         section(
             &mut html,
@@ -45,7 +49,7 @@ impl Page {
             &mut html,
             "Work and precision",
             "s = A = p = g = 1, C = 0.6, e = 0.7, 0.9, 1.85 (a cusp), against the paper's integrals to thirty digits. An \
-             ephemeris looks the orientations up; everybody else has to go there.",
+             ephemeris looks the orientations up; everybody else has to go there. multicalc's RK4 lies on ours.",
             &self.precision,
         );
         if let Some((_, svg)) = pictures.next() {

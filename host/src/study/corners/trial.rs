@@ -4,6 +4,7 @@ use super::input::Input;
 use super::reading::{Reading, SCALARS, readings};
 use crate::invariants::first_integrals;
 use crate::propagate::natural_time;
+use crate::study::draw;
 use crate::study::exact::{Course, Exact, Point};
 use crate::study::gauss::Rule;
 use crate::study::random::Random;
@@ -187,37 +188,15 @@ fn targets(input: &Input, motion: &Motion, rule: &Rule, random: &mut Random) -> 
 
 /// In order of time.
 fn points(exact: &Exact<'_>, motion: &Motion, random: &mut Random) -> Vec<Point> {
-    let start = exact.start();
-    let first = start.chi.to_f64();
-    let mut places = Vec::new();
     match exact.course() {
         Course::Steady => {
             let mut times = [(); PLACES].map(|()| random.between(0.0, natural_time(motion.top())));
             times.sort_by(f64::total_cmp);
-            return times.map(|t| start.resting_until(t)).into();
+            times.map(|t| exact.start().resting_until(t)).into()
         }
-        Course::Aperiodic => {
-            let place = |v: f64| 2.0 * (0.5 * v).tanh().atan();
-            places.extend([(); PLACES].map(|()| place(random.between(-12.0, 12.0))));
-        }
-        Course::Nutating => {
-            for _ in 0..PLACES {
-                places.push(first + random.between(0.0, PI));
-                let turning = ((first + random.between(0.0, PI)) / FRAC_PI_2).round() * FRAC_PI_2;
-                let side = if random.one_in(2) { 1.0 } else { -1.0 };
-                places.push(turning + side * random.scale(1e-6, 0.3));
-            }
-        }
+        Course::Aperiodic => draw::aperiodic(exact, PLACES, random),
+        Course::Nutating => draw::nutating(exact, PLACES, random),
     }
-    places.sort_by(f64::total_cmp);
-    let mut point = start;
-    places
-        .into_iter()
-        .map(|place| {
-            point = exact.go(&point, place.into());
-            point
-        })
-        .collect()
 }
 
 fn at(exact: &Exact<'_>, point: &Point, t: f64) -> Phi<DoubleDouble> {

@@ -4,7 +4,7 @@ use super::*;
 use crate::study::random::Random;
 use serde_json::Value;
 use std::path::Path;
-use toytop::{Signs, Start};
+use toytop::{Phi, Signs, Start};
 
 fn number(json: &Value) -> f64 {
     json.as_str().map_or(0.0, |text| text.parse().expect("a number"))

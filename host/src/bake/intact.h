@@ -1,0 +1,12 @@
+
+/* Whether every bit of a table is what it was when it was written. */
+static inline int toytop_intact_SCALAR(const toytop_SCALAR *table) {
+    uint32_t bits, sum = toytop_head(&table->clock, BITS);
+    for (int i = 0; i < 4; i++) {
+        memcpy(&bits, &table->scales[i], sizeof bits);
+        sum = toytop_word(sum, bits);
+    }
+    for (uint32_t row = 0; row < table->clock.segments * table->clock.terms; row++)
+        for (int i = 0; i < 4; i++) sum = toytop_word(sum, (uint32_t)table->coefficients[row][i]);
+    return sum == table->clock.checksum;
+}

@@ -1,0 +1,133 @@
+//! Commands that go through many motions, or very many ticks.
+
+use super::Format;
+use crate::sweep::{Axis, Column, DEFAULT_COLUMNS, SignChoice};
+use clap::Args;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// `toytop overflow`
+#[derive(Args, Debug)]
+pub struct OverflowArgs {
+    /// How many motions
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
+    pub motions: u64,
+    /// Ticks of each, in 32 and in 16 bits, and as many steps
+    #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub ticks: u32,
+    /// Another seed, other motions
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+}
+
+/// `toytop study`
+#[derive(Args, Debug)]
+pub struct StudyArgs {
+    /// How many (100000 if nothing is said; with --corners 1000000)
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
+    pub motions: Option<u64>,
+    /// Another seed, other motions
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+    /// Launches towards every degenerate corner, of branch points and of states, in four scalars
+    #[arg(long)]
+    pub corners: bool,
+    /// How many of the launches are held against the truth
+    #[arg(long, value_name = "N", default_value_t = 10_000, requires = "corners", value_parser = clap::value_parser!(u64).range(1..))]
+    pub truths: u64,
+    /// Markdown page whose table to write
+    #[arg(long, value_name = "FILE", requires = "corners")]
+    pub docs: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+impl StudyArgs {
+    /// How many motions.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.motions.unwrap_or(if self.corners { 1_000_000 } else { 100_000 })
+    }
+}
+
+/// `toytop longrun`
+#[derive(Args, Debug)]
+pub struct LongrunArgs {
+    /// How many ticks
+    #[arg(long, value_name = "N", default_value_t = 1_000_000_000, value_parser = clap::value_parser!(u64).range(1000..=1_000_000_000_000))]
+    pub ticks: u64,
+    /// Markdown page whose table to write
+    #[arg(long, value_name = "FILE")]
+    pub docs: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// `toytop sweep`
+#[derive(Args, Debug)]
+pub struct SweepArgs {
+    /// CSV file to write, or Parquet if it ends in .parquet (in a build with that feature); it must not exist, unless --resume is given
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// Draw so many motions by lot; without it, the grid of all combinations
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000_000))]
+    pub motions: Option<u64>,
+    /// e1: X,Y,... or LOW..HIGH (even in the logarithm: log:LOW..HIGH), in a grid LOW..HIGH/PLACES
+    #[arg(long, value_name = "AXIS", default_value = "-1..1", allow_hyphen_values = true)]
+    pub e1: Axis,
+    /// e2 >= e1
+    #[arg(long, value_name = "AXIS", default_value = "-1..1", allow_hyphen_values = true)]
+    pub e2: Axis,
+    /// e3 >= 1
+    #[arg(long, value_name = "AXIS", default_value = "log:1..100", allow_hyphen_values = true)]
+    pub e3: Axis,
+    /// A/(ps), the transverse moment of inertia
+    #[arg(long, value_name = "AXIS", default_value = "log:0.1..10", allow_hyphen_values = true)]
+    pub a_over_ps: Axis,
+    /// C/A, the axial moment of inertia
+    #[arg(long, value_name = "AXIS", default_value = "0.1..2", allow_hyphen_values = true)]
+    pub c_over_a: Axis,
+    /// Signs of l + n and l - n (the two other pairs are mirror images)
+    #[arg(long, value_enum, default_value_t = SignChoice::Both)]
+    pub signs: SignChoice,
+    /// Another seed, other motions
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+    /// What to say of each
+    #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS)]
+    pub columns: Vec<Column>,
+    /// Evaluate each at so many moments
+    #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub ticks: u32,
+    /// ... spread over so many nutation periods (where there is no period: natural times of the top)
+    #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = periods, allow_hyphen_values = true)]
+    pub periods: f64,
+    /// Only every N-th motion, beginning with the I-th: 1/1 is all
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    pub shard: Shard,
+    /// Go on with the file, if it exists
+    #[arg(long)]
+    pub resume: bool,
+}
+
+fn periods(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|x| *x > 0.0 && *x <= 1e9);
+    number.ok_or_else(|| "must be above 0 and at most 1e9".to_owned())
+}
+
+/// One part of a sweep: its number, from 1, and how many there are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard(pub [u64; 2]);
+
+impl FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |text: &str| text.parse::<u64>().ok().filter(|n| *n <= 1 << 32);
+        let pair = text.split_once('/').and_then(|(shard, of)| Some([number(shard)?, number(of)?]));
+        let pair = pair.filter(|[shard, of]| (1..=*of).contains(shard));
+        pair.map(Self).ok_or_else(|| "must be I/N with I from 1 to N".to_owned())
+    }
+}

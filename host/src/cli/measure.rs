@@ -1,0 +1,123 @@
+//! Commands that measure the core and show what they found.
+
+use super::{Format, ScalarChoice};
+use clap::Args;
+use std::path::PathBuf;
+
+/// `toytop compare`
+#[derive(Args, Debug)]
+pub struct CompareArgs {
+    /// Scenario files; none: the built-in motions
+    #[arg(value_name = "SCENARIO")]
+    pub scenarios: Vec<PathBuf>,
+    /// Nutation periods to compare over (where there is no period: natural times of the top)
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub periods: u32,
+    /// Scalar types of the core
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]
+    pub scalar: Vec<ScalarChoice>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// `toytop figures`
+#[derive(Args, Debug)]
+pub struct FiguresArgs {
+    /// Folder to write to; made if it is not there
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// `toytop bench`
+#[derive(Args, Debug)]
+pub struct BenchArgs {
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// `toytop report`
+#[derive(Args, Debug)]
+#[command(group = clap::ArgGroup::new("what").required(true).multiple(true).args(["output", "readme"]))]
+pub struct ReportArgs {
+    /// Folder for index.html; made if it is not there
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Markdown file whose tables to bring up to date
+    #[arg(long, value_name = "FILE")]
+    pub readme: Option<PathBuf>,
+    /// Change nothing; exit code 1 if a table is stale
+    #[arg(long, requires = "readme")]
+    pub check: bool,
+    /// What `toytop budget --format json` wrote, for the page; without it, what the calls are allowed
+    #[arg(long, value_name = "FILE", requires = "output")]
+    pub budget: Option<PathBuf>,
+    /// What host/benches/by_heyoka.py --json wrote, for the page
+    #[arg(long, value_name = "FILE", requires = "output")]
+    pub rivals: Option<PathBuf>,
+}
+
+/// `toytop budget`
+#[derive(Args, Debug)]
+#[command(
+    after_help = "Example: toytop budget --chip m4f,m0plus --clock 48\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
+)]
+pub struct BudgetArgs {
+    /// Chips: m0plus, m4f, m7, m33, riscv; none: all
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub chip: Vec<String>,
+    /// Clock of the chip in MHz, for times
+    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive)]
+    pub clock: f64,
+    /// An ELF of your own: measures its functions named bench_...
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["check", "accept"])]
+    pub elf: Option<PathBuf>,
+    /// Compare with firmware-examples/budgets.toml and the table in README.md
+    #[arg(long, conflicts_with = "accept")]
+    pub check: bool,
+    /// Rewrite both
+    #[arg(long)]
+    pub accept: bool,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// A number above 0.
+fn positive(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|x| *x > 0.0 && f64::is_finite(*x)).ok_or_else(|| "a number above 0".into())
+}
+
+/// `toytop errata`
+#[derive(Args, Debug)]
+pub struct ErrataArgs {
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// `toytop accuracy`
+#[derive(Args, Debug)]
+pub struct AccuracyArgs {
+    /// Scalar types
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]
+    pub scalar: Vec<ScalarChoice>,
+    /// Error against cost, as a picture: a file that ends in .svg or .png
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// `toytop sines`
+#[derive(Args, Debug)]
+pub struct SinesArgs {
+    /// Only every N-th phase
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    pub every: u32,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
