@@ -66,6 +66,7 @@ fn a_tick_in_32_bits_is_within_its_bound_of_one_in_f64() {
 
 /// Overflow would panic here, where sums are checked (`toytop overflow` does the same at length), and a bit that a conversion
 /// drops would be an error beyond its bound.
+#[cfg(feature = "host")]
 #[test]
 fn random_motions_stay_in_range() {
     let tally = (0..150)
