@@ -81,6 +81,12 @@ fn motions_too_fast_and_energies_too_low() {
     assert_eq!(parameter(Motion::launch(&top(), &spinning(1e7))), None);
     assert_eq!(parameter(Motion::launch(&top(), &spinning(1e8))), Some("omega"));
     assert_eq!(parameter(BranchPoints::from_integrals(&top(), 2.0, 2.0, 1.0)), Some("h"));
+    // enough to be at some height, but not for so much l there
+    assert_eq!(parameter(BranchPoints::from_integrals(&top(), 1.5, 0.0, 0.5)), Some("h"));
+    assert_eq!(parameter(BranchPoints::from_integrals(&top(), 1.0, 0.0, 0.5)), None);
+    // of a top at rest: hanging, or not at all
+    assert_eq!(parameter(BranchPoints::from_integrals(&top(), 0.0, 0.0, -1.0)), None);
+    assert_eq!(parameter(BranchPoints::from_integrals(&top(), 0.0, 0.0, -1.0 - 1e-6)), Some("h"));
     assert_eq!(parameter(BranchPoints::from_integrals(&top(), f64::NAN, 2.0, 1.0)), Some("l"));
 }
 

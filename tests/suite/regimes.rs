@@ -74,6 +74,22 @@ fn no_regime_gives_anything_but_numbers() {
     stays_finite::<f64>(&motion);
 }
 
+/// What is seen of a swing depends on the tilt that swings; through the vertical any swing is a motion.
+#[test]
+fn a_small_swing_is_seen_where_the_tilt_is_small() {
+    let between = |e1: f64, e2: f64| {
+        let motion = Motion::from_branch_points(&top(), [e1, e2, 3.0], Signs::default(), &Start::default());
+        motion.unwrap().regime()
+    };
+    let unit = 0.5 * f64::EPSILON;
+    // sine of the tilt 1.4e-5, then 1: it swings by 8e-12 rad and by 1e-16
+    assert_eq!(between(1.0 - 1e-10, 1.0 - 1e-10 + unit), Regime::Nutating);
+    assert!(matches!(between(0.0, unit), Regime::RegularPrecession(_)));
+    // by 1e-20 or so
+    assert_eq!(upright([1e-20, 0.0, 5.0]).regime(), Regime::Nutating);
+    assert_eq!(upright([0.0, 0.0, 5.0]).regime(), Regime::SleepingStable);
+}
+
 #[test]
 fn steps_that_are_no_numbers_do_nothing() {
     for name in ["generic_AneC", "aperiodic", "regular_precession"] {
@@ -206,6 +222,35 @@ fn four_choices_of_signs() {
                 toytop::BranchPoints::from_integrals(&top, integrals.l, integrals.n, integrals.h).unwrap();
             for (x, y) in [(again.e1, e.e1), (again.e2, e.e2), (again.e3, e.e3)] {
                 assert!((x - y).abs() < 1e-14, "{x} {y}");
+            }
+        }
+    }
+}
+
+/// What the integrals of steady and of vertical motions tell is on the border of what is possible, in any rounding.
+#[test]
+fn the_integrals_of_degenerate_motions_are_accepted() {
+    for e in [
+        [0.3, 0.3, 2.0],
+        [-0.7, -0.7, 1.01],
+        [-1.0, -1.0, 2.0],
+        [1.0, 1.0, 3.0],
+        [0.5, 1.0, 1.0],
+        [-1.0, 0.5, 2.0],
+        [-0.5, 1.0, 2.0],
+        [-1.0, 1.0, 2.0],
+    ] {
+        let given = toytop::BranchPoints::new(e[0], e[1], e[2]).unwrap();
+        for l_minus_n in [Sign::Plus, Sign::Minus] {
+            for mass_moment in [0.9, 0.1, 12.345] {
+                let top = Top::sliding(1.1, 0.8, 0.6, Heaviness::MassMoment(mass_moment), 1.0).unwrap();
+                let integrals = given.integrals(&top, Signs { l_minus_n, ..Signs::default() });
+                let toytop::FirstIntegrals { l, n, h, .. } = integrals;
+                let again = toytop::BranchPoints::from_integrals(&top, l, n, h).unwrap();
+                // a double root keeps half the digits
+                for (x, y) in [again.e1, again.e2, again.e3].into_iter().zip(e) {
+                    assert!((x - y).abs() < 1e-7, "{x} {y}");
+                }
             }
         }
     }
