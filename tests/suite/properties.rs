@@ -66,18 +66,22 @@ proptest! {
         prop_assert!((again.n - first.n).abs() / scale < tolerance::ROUND_TRIP.most);
     }
 
-    /// Branch points satisfy their definition: the products that are l + n and l - n (eqn:constants), and the sum.
+    /// Branch points satisfy their definition: the products that are l + n and l - n (eqn:constants), and the sum; those of a
+    /// state, and those of its rounded integrals, with which nothing else of the motion is known.
     #[test]
     fn branch_points_solve_their_equations((top, release) in releases()) {
         let state = State::release(&release).unwrap();
-        let e = BranchPoints::of(&top, &state).unwrap();
-        prop_assert!(-1.0 <= e.e1 && e.e1 <= e.e2 && e.e2 <= 1.0 && 1.0 <= e.e3);
         let integrals = FirstIntegrals::of(&top, &state);
-        let again = e.integrals(&top, integrals.signs());
         let scale = integrals.l.abs().max(integrals.n.abs());
-        prop_assert!((again.l_plus_n - integrals.l_plus_n).abs() < 1e-14 * scale);
-        prop_assert!((again.l_minus_n - integrals.l_minus_n).abs() < 1e-14 * scale);
-        prop_assert!((again.h - integrals.h).abs() < 1e-13 * integrals.h.abs().max(top.p() * top.g()));
+        let FirstIntegrals { l, n, h, .. } = integrals;
+        let of_integrals = BranchPoints::from_integrals(&top, l, n, h).unwrap();
+        for e in [BranchPoints::of(&top, &state).unwrap(), of_integrals] {
+            prop_assert!(-1.0 <= e.e1 && e.e1 <= e.e2 && e.e2 <= 1.0 && 1.0 <= e.e3);
+            let again = e.integrals(&top, integrals.signs());
+            prop_assert!((again.l_plus_n - integrals.l_plus_n).abs() < 1e-14 * scale);
+            prop_assert!((again.l_minus_n - integrals.l_minus_n).abs() < 1e-14 * scale);
+            prop_assert!((again.h - h).abs() < 1e-13 * h.abs().max(top.p() * top.g()));
+        }
     }
 
     /// Forward and back over steps of changing size, and unit norm all the way.

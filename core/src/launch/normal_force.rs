@@ -111,22 +111,29 @@ fn bisect(polynomial: &[f64], mut left: f64, mut right: f64, rising: bool) -> f6
 mod tests {
     use super::*;
 
-    /// Against a fine scan of the same rational function by central differences of f/D.
+    /// Against a fine scan of the same rational function by central differences of f/D; where it is least at an end of the
+    /// interval, and where between.
     #[test]
     fn the_minimum_is_not_undercut_by_a_scan() {
-        for (e1, e2, e3, a_over_p, s) in
-            [(0.7, 0.9, 100.0, 1.0, 1.0), (-0.9, 0.95, 1.2, 0.05, 1.0), (-0.5, 0.5, 3.0, 2.0, 0.3)]
-        {
+        for ([e1, e2, e3], a_over_p, s, is_between) in [
+            ([0.7, 0.9, 100.0], 1.0, 1.0, false),
+            ([-0.9, 0.95, 1.2], 0.05, 1.0, false),
+            ([-0.5, 0.5, 3.0], 2.0, 0.3, false),
+            ([-0.4, 0.86, 1.005], 0.13, 1.0, true),
+            ([-0.95, 0.93, 1.01], 3.7, 1.0, true),
+            ([0.5, 0.97, 1.002], 0.01, 0.5, true),
+        ] {
             let e = BranchPoints::new(e1, e2, e3).unwrap();
             let least = minimum(&e, a_over_p, s);
             let ratio = |u: f64| (u - e1) * (u - e2) * (u - e3) / (a_over_p + s * (1.0 - u * u));
-            let scan = (0..=20_000)
-                .map(|i| {
-                    let u = e1 + (e2 - e1) * f64::from(i) / 20_000.0;
-                    1.0 + s * (ratio(u + 1e-6) - ratio(u - 1e-6)) / 2e-6
-                })
-                .fold(f64::INFINITY, f64::min);
+            let force = |i: u32| {
+                let u = e1 + (e2 - e1) * f64::from(i) / 20_000.0;
+                1.0 + s * (ratio(u + 1e-6) - ratio(u - 1e-6)) / 2e-6
+            };
+            let scan = (0..=20_000).map(force).fold(f64::INFINITY, f64::min);
             assert!(least <= scan + 1e-7 && least > scan - 1e-5, "{least} against {scan}");
+            let ends = force(0).min(force(20_000));
+            assert_eq!(scan < ends - 1e-3, is_between, "{scan}, at the ends {ends}");
         }
     }
 }
