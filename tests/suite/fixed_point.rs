@@ -100,4 +100,12 @@ fn products_of_either_size() {
     assert_eq!(I2F14::from_num(0.75).product(I2F14::from_num(-0.5)), I2F14::from_num(-0.375));
     assert_eq!(I2F30::from_num(0.75).product(I2F30::from_num(-0.5)), I2F30::from_num(-0.375));
     assert_eq!(I2F14::from_bits(3).product(I2F14::from_num(0.5)), I2F14::from_bits(1));
+    // 3/8 - 1/8 and 1/4 - 3/16
+    let [a, b, c, d] = [0.75, -0.25, 0.5, 0.5].map(I2F14::from_num::<f64>);
+    assert_eq!(I2F14::inner([a, b], [c, d]), I2F14::from_num(0.25));
+    let [a, b, c, d] = [0.5, 0.25, 0.75, 0.5].map(I2F14::from_num::<f64>);
+    assert_eq!(I2F14::determinant([a, b], [c, d]), I2F14::from_num(0.0625));
+    let [a, b, c, d] = [0.75, -0.25, 0.5, 0.5].map(I2F30::from_num::<f64>);
+    assert_eq!(I2F30::inner([a, b], [c, d]), I2F30::from_num(0.25));
+    assert_eq!(I2F30::determinant([a, b], [c, d]), I2F30::from_num(0.5));
 }
