@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, RngSeed};
+use toytop::su2::dot;
 use toytop::{
     BranchPoints, FirstIntegrals, Heaviness, Motion, Phi, Regime, Release, Signs, Start, State, Stepper, Top,
 };
@@ -64,6 +65,27 @@ proptest! {
         let scale = first.l.abs().max(first.n.abs()).max(1e-300);
         prop_assert!((again.l - first.l).abs() / scale < tolerance::ROUND_TRIP.most);
         prop_assert!((again.n - first.n).abs() / scale < tolerance::ROUND_TRIP.most);
+    }
+
+    /// The axis of a release points where tilt and azimuth say and turns as their rates say; the rest of ω is along it.
+    #[test]
+    fn a_release_is_what_it_says((_, release) in releases()) {
+        let state = State::release(&release).unwrap();
+        let ((sine, cosine), (y, x)) = (release.tilt.sin_cos(), release.azimuth.sin_cos());
+        let axis = [sine * x, sine * y, cosine];
+        let omega = state.omega();
+        let size = dot(omega, omega).sqrt() + release.nutation.abs() + release.precession.abs();
+        prop_assert!((dot(omega, axis) - release.spin).abs() < 1e-14 * size);
+        let turning = [0, 1, 2].map(|i| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            omega[j] * axis[k] - omega[k] * axis[j]
+        });
+        let (tilting, going_round) = ([cosine * x, cosine * y, -sine], [-sine * y, sine * x, 0.0]);
+        for i in 0..3 {
+            prop_assert!((state.phi().axis()[i] - axis[i]).abs() < 1e-15);
+            let rate = release.nutation * tilting[i] + release.precession * going_round[i];
+            prop_assert!((turning[i] - rate).abs() < 1e-14 * size, "{turning:?} {rate}");
+        }
     }
 
     /// Branch points satisfy their definition: the products that are l + n and l - n (eqn:constants), and the sum; those of a

@@ -256,6 +256,40 @@ fn the_integrals_of_degenerate_motions_are_accepted() {
     }
 }
 
+/// In a plane, from the horizontal, as fast as takes it to the vertical: it is on its way up, or was just so on its way down.
+#[test]
+fn an_aperiodic_launch_from_half_way() {
+    let top = Top::sliding(1.0, 0.5, 1.0, Heaviness::MassMoment(1.0), 1.0).unwrap();
+    let half = Complex::new(std::f64::consts::FRAC_1_SQRT_2, 0.0);
+    for rising in [1.0, -1.0] {
+        let state = State::new(Phi { alpha: half, beta: -half }, [0.0, -rising, 0.0]).unwrap();
+        let motion = Motion::launch(&top, &state).unwrap();
+        assert_eq!(motion.regime(), Regime::Aperiodic);
+        let mut stepper = Stepper::<f64>::new(&motion);
+        let pose = stepper.pose();
+        assert!(
+            pose.u().abs() < 1e-15 && (pose.udot() - rising).abs() < 1e-15,
+            "{} {}",
+            pose.u(),
+            pose.udot()
+        );
+        (0..1000).for_each(|_| stepper.step(0.02));
+        assert!(1.0 - stepper.pose().u() < 1e-3, "{}", stepper.pose().u());
+    }
+}
+
+/// θ as the `f64` nearest to a multiple of π is that multiple: at a turning point u' is 0 and not 1e-16.
+#[test]
+fn rounded_multiples_of_pi_are_turning_points() {
+    for k in -4..5 {
+        let start = Start { theta: f64::from(k) * std::f64::consts::PI, ..Start::default() };
+        let motion = Motion::from_branch_points(&top(), [-0.25, 0.5, 2.0], Signs::default(), &start).unwrap();
+        let pose = Stepper::<f64>::new(&motion).pose();
+        let end = if k % 2 == 0 { -0.25 } else { 0.5 };
+        assert!(pose.udot() == 0.0 && (pose.u() - end).abs() < 1e-15, "{k}: {} {}", pose.u(), pose.udot());
+    }
+}
+
 /// A top let go at rest has cusps, at any tilt and spin, in SI units, whatever the rounding of its state.
 #[test]
 fn a_top_let_go_has_cusps() {
