@@ -9,6 +9,7 @@ mod fuzz;
 mod lint;
 mod miri;
 mod mutants;
+mod narrow;
 mod nopanic;
 mod page;
 mod process;
@@ -44,8 +45,9 @@ Studies, for a longer wait; each installs its cargo subcommand the first time:
   mutants --shard I/N [--accept]
                                the I-th of N parts of core's mutants: which ones no test notices; --accept counts
                                them in host/docs/mutants.md
-  mutants PART                 those with this in their name, such as top.rs
-  miri [--target TRIPLE]       core's unit tests in Miri, as a big-endian machine runs them; not x86-64
+  mutants PART...              those with one of these in their names, such as top.rs
+  miri [--target TRIPLE]       core's unit tests in Miri, as a big-endian machine of 32 bits runs them; not x86-64
+  narrow                       core's unit tests and the suite as a program of 32 bits
   features                     core with every set of its features, on the smallest chip
   deny                         licences, duplicates, sources and advisories of the dependencies";
 
@@ -81,9 +83,10 @@ fn run(words: &[&str]) -> Result<ExitCode> {
         ["mutants", "--shard", shard, "--accept"] => {
             mutants::mutants(&Choice::Shard { shard, accept: true })?
         }
-        ["mutants", part] => mutants::mutants(&Choice::Named(part))?,
+        ["mutants", parts @ ..] if !parts.is_empty() => mutants::mutants(&Choice::Named(parts))?,
         ["miri"] => miri::miri(None)?,
         ["miri", "--target", target] => miri::miri(Some(target))?,
+        ["narrow"] => narrow::narrow()?,
         ["features"] => println!("{}", features::check()?),
         ["deny"] => deny::check()?,
         ["check-chain"] => println!("{}", chain::check()?),

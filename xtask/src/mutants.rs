@@ -38,8 +38,8 @@ const MARKS: [&str; 2] =
 pub(crate) enum Choice<'a> {
     /// The I-th of N parts, every N-th mutant: a sample of all files; whether its row on the page is written anew.
     Shard { shard: &'a str, accept: bool },
-    /// Those with this in their name: file, line and column, function, change.
-    Named(&'a str),
+    /// Those with one of these in their names: file, line and column, function, change.
+    Named(&'a [&'a str]),
 }
 
 /// Tries the chosen mutants with core's unit tests and the suite, without what needs the host's crate; says what no test
@@ -85,7 +85,10 @@ pub(crate) fn mutants(choice: &Choice) -> Result<()> {
 
 fn chosen<'a>(all: &'a [Mutant], choice: &Choice) -> Result<Vec<&'a Mutant>> {
     match choice {
-        Choice::Named(part) => Ok(all.iter().filter(|mutant| mutant.name.contains(part)).collect()),
+        Choice::Named(parts) => {
+            let named = |mutant: &&Mutant| parts.iter().any(|part| mutant.name.contains(part));
+            Ok(all.iter().filter(named).collect())
+        }
         Choice::Shard { shard, .. } => {
             let numbers = shard.split_once('/').map(|(part, of)| (part.parse(), of.parse()));
             match numbers {
