@@ -67,10 +67,13 @@ proptest! {
         prop_assert!((again.n - first.n).abs() / scale < tolerance::ROUND_TRIP.most);
     }
 
-    /// The axis of a release points where tilt and azimuth say and turns as their rates say; the rest of ω is along it.
+    /// A release is rolled, tilted, then turned; its axis turns as the rates say, and the rest of ω is along it.
     #[test]
     fn a_release_is_what_it_says((_, release) in releases()) {
         let state = State::release(&release).unwrap();
+        let [roll, azimuth] = [release.roll, release.azimuth].map(|angle| Phi::<f64>::exp([0.0, 0.0, angle]));
+        let turned = azimuth.compose(&Phi::exp([0.0, release.tilt, 0.0])).compose(&roll);
+        prop_assert!(orientation_error(state.phi(), turned) < 1e-14);
         let ((sine, cosine), (y, x)) = (release.tilt.sin_cos(), release.azimuth.sin_cos());
         let axis = [sine * x, sine * y, cosine];
         let omega = state.omega();

@@ -278,6 +278,22 @@ fn an_aperiodic_launch_from_half_way() {
     }
 }
 
+/// The differences at rest upright, where two branch points are 1 whatever the spin.
+#[test]
+fn the_branch_points_of_an_upright_axis() {
+    for spin in [5.0, 0.5] {
+        let state = State::new(Phi::IDENTITY, [0.0, 0.0, spin]).unwrap();
+        let e = toytop::BranchPoints::of(&top(), &state).unwrap();
+        let sleeps = spin > 1.0;
+        assert_eq!([e.e1 == 1.0, e.e2 == 1.0, e.e3 == 1.0], [sleeps, true, !sleeps]);
+        let differences = [e.e2_minus_e1, e.one_minus_e2, e.e3_minus_one, e.one_plus_e1, e.e3_minus_e2];
+        let expected = [1.0 - e.e1, 0.0, e.e3 - 1.0, 1.0 + e.e1, e.e3 - 1.0];
+        let close =
+            differences.iter().zip(expected).all(|(ours, theirs)| (ours - theirs).abs() < 1e-15 * e.e3);
+        assert!(close, "{e:?}");
+    }
+}
+
 /// θ as the `f64` nearest to a multiple of π is that multiple: at a turning point u' is 0 and not 1e-16.
 #[test]
 fn rounded_multiples_of_pi_are_turning_points() {
