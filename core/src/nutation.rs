@@ -177,8 +177,8 @@ mod tests {
     fn the_gudermannian_keeps_its_digits_at_both_ends() {
         for v in [1e-20, 3e-9, 0.1, 2.0, 30.0, 700.0_f64] {
             let (tanh, sech) = gudermannian(v);
-            assert!((tanh / v.tanh() - 1.0).abs() < 5e-16, "{v}: {tanh:e}");
-            assert!((sech * v.cosh() - 1.0).abs() < 5e-16, "{v}: {sech:e}");
+            assert!((tanh / libm::tanh(v) - 1.0).abs() < 5e-16, "{v}: {tanh:e}");
+            assert!((sech * libm::cosh(v) - 1.0).abs() < 5e-16, "{v}: {sech:e}");
             assert_eq!(gudermannian(-v), (-tanh, sech));
         }
     }

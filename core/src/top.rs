@@ -244,5 +244,7 @@ mod tests {
         let top = Top::sliding(3e-5, 2e-5, 0.03, Heaviness::Mass(0.05), 9.81).unwrap();
         assert!(top.p.lo() != 0.0);
         assert_eq!(top.p(), 0.05 * 0.03);
+        let p = Quantities::<DoubleDouble>::of(&top).p;
+        assert_eq!((p.hi(), p.lo()), (top.p.hi(), top.p.lo()));
     }
 }

@@ -1,16 +1,18 @@
 //! A file that is either there as a whole or not at all, and one that is not read without end.
 
 use crate::Failure;
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::Path;
+use std::time::Duration;
 
 /// Writes beside the file, then renames: who reads it never sees a half. What is no file (a device, a pipe) is written to as
 /// it is, and stays; a link is followed.
 ///
 /// # Errors
-/// [`refused`], with `option` and the file in front; nothing is left behind.
+/// [`refused`], with `option` and the file in front; nothing is left behind. Who is killed on the way leaves a hidden file, which
+/// the next to write the same file removes.
 pub(crate) fn write(option: &str, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     write_by(option, path, |file| file.write_all(bytes))
 }
@@ -36,7 +38,9 @@ fn write_whole(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> i
     let name = path.file_name().ok_or(ErrorKind::InvalidInput)?;
     let mut hidden = OsString::from(".");
     hidden.push(name);
-    hidden.push(format!(".{}", std::process::id()));
+    hidden.push(".");
+    remove_leftovers(&path, &hidden);
+    hidden.push(std::process::id().to_string());
     let beside = path.with_file_name(hidden);
     let written =
         File::create(&beside).and_then(|mut file| fill(&mut file)).and_then(|()| fs::rename(&beside, &path));
@@ -46,6 +50,25 @@ fn write_whole(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> i
     }
     written
 }
+
+/// What others have begun and not ended: such a file lives for as long as its bytes take to be written. Who cannot remove it, or
+/// look, can still write.
+fn remove_leftovers(path: &Path, hidden: &OsStr) {
+    let beside = fs::read_dir(path.with_file_name(".")).into_iter().flatten().flatten();
+    for entry in beside {
+        let name = entry.file_name();
+        let process = name.as_encoded_bytes().strip_prefix(hidden.as_encoded_bytes());
+        let age = entry.metadata().and_then(|metadata| metadata.modified()).map(|time| time.elapsed());
+        if process.is_some_and(|process| process.iter().all(u8::is_ascii_digit))
+            && age.is_ok_and(|age| age.is_ok_and(|age| age > LONGEST_WRITE))
+        {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+}
+
+/// Without a byte more.
+const LONGEST_WRITE: Duration = Duration::from_secs(60);
 
 /// A path that is wrong is bad input; a disk that is full, or fails, is not.
 pub(crate) fn refused(option: &str, path: &Path, error: io::Error) -> Failure {

@@ -66,6 +66,7 @@ fn a_tick_in_32_bits_is_within_its_bound_of_one_in_f64() {
 
 /// Overflow would panic here, where sums are checked (`toytop overflow` does the same at length), and a bit that a conversion
 /// drops would be an error beyond its bound.
+#[cfg(feature = "host")]
 #[test]
 fn random_motions_stay_in_range() {
     let tally = (0..150)
@@ -99,4 +100,12 @@ fn products_of_either_size() {
     assert_eq!(I2F14::from_num(0.75).product(I2F14::from_num(-0.5)), I2F14::from_num(-0.375));
     assert_eq!(I2F30::from_num(0.75).product(I2F30::from_num(-0.5)), I2F30::from_num(-0.375));
     assert_eq!(I2F14::from_bits(3).product(I2F14::from_num(0.5)), I2F14::from_bits(1));
+    // 3/8 - 1/8 and 1/4 - 3/16
+    let [a, b, c, d] = [0.75, -0.25, 0.5, 0.5].map(I2F14::from_num::<f64>);
+    assert_eq!(I2F14::inner([a, b], [c, d]), I2F14::from_num(0.25));
+    let [a, b, c, d] = [0.5, 0.25, 0.75, 0.5].map(I2F14::from_num::<f64>);
+    assert_eq!(I2F14::determinant([a, b], [c, d]), I2F14::from_num(0.0625));
+    let [a, b, c, d] = [0.75, -0.25, 0.5, 0.5].map(I2F30::from_num::<f64>);
+    assert_eq!(I2F30::inner([a, b], [c, d]), I2F30::from_num(0.25));
+    assert_eq!(I2F30::determinant([a, b], [c, d]), I2F30::from_num(0.5));
 }

@@ -1,6 +1,9 @@
 //! What hostile input has broken, each in its smallest form (`cargo xtask fuzz`).
 
-use toytop::{Complex, Ephemeris, Heaviness, Motion, Phi, Sign, Signs, Start, State, Stepper, Tick, Top};
+use fixed::types::{I2F14, I2F30};
+use toytop::{
+    Complex, Ephemeris, Heaviness, Motion, Phi, Sign, Signs, Start, State, Stepper, Tabular, Tick, Top,
+};
 use toytop_tests::orientation_error;
 
 /// A miss of the vertical by 3e-43: the tip angle turns faster than `f32` can say, and 1/|β| leaves its range, too.
@@ -38,6 +41,12 @@ fn a_series_that_is_cut_off_is_in_the_error_bound() {
 /// A table whose sums would leave its integers was accepted where much error is allowed, and wrapped.
 #[test]
 fn a_table_that_its_integers_cannot_hold_fits_no_allowance() {
+    tables_are_refused::<f32>();
+    tables_are_refused::<I2F30>();
+    tables_are_refused::<I2F14>();
+}
+
+fn tables_are_refused<R: Tabular>() {
     let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Plus };
     let tick = Tick::hertz(1000).unwrap();
     let (mut held, mut refused) = (0, 0);
@@ -49,7 +58,7 @@ fn a_table_that_its_integers_cannot_hold_fits_no_allowance() {
         if Ephemeris::<f64, 3, 4>::within(&motion, tick, 1e6).is_err() {
             continue;
         }
-        match Ephemeris::<f32, 3, 4>::within(&motion, tick, 1e6) {
+        match Ephemeris::<R, 3, 4>::within(&motion, tick, 1e6) {
             Ok(_) => held += 1,
             Err(error) => {
                 assert!(error.truncation == 1e6 && error.segments > Some(3), "{error:?}");

@@ -25,6 +25,7 @@ mod lagrange;
 #[cfg(feature = "host")]
 mod lagrangian;
 mod moebius;
+mod moments;
 mod order;
 mod paper;
 mod precession;

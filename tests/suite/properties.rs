@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, RngSeed};
+use toytop::su2::dot;
 use toytop::{
     BranchPoints, FirstIntegrals, Heaviness, Motion, Phi, Regime, Release, Signs, Start, State, Stepper, Top,
 };
@@ -66,18 +67,46 @@ proptest! {
         prop_assert!((again.n - first.n).abs() / scale < tolerance::ROUND_TRIP.most);
     }
 
-    /// Branch points satisfy their definition: the products that are l + n and l - n (eqn:constants), and the sum.
+    /// A release is rolled, tilted, then turned; its axis turns as the rates say, and the rest of ω is along it.
+    #[test]
+    fn a_release_is_what_it_says((_, release) in releases()) {
+        let state = State::release(&release).unwrap();
+        let [roll, azimuth] = [release.roll, release.azimuth].map(|angle| Phi::<f64>::exp([0.0, 0.0, angle]));
+        let turned = azimuth.compose(&Phi::exp([0.0, release.tilt, 0.0])).compose(&roll);
+        prop_assert!(orientation_error(state.phi(), turned) < 1e-14);
+        let ((sine, cosine), (y, x)) = (release.tilt.sin_cos(), release.azimuth.sin_cos());
+        let axis = [sine * x, sine * y, cosine];
+        let omega = state.omega();
+        let size = dot(omega, omega).sqrt() + release.nutation.abs() + release.precession.abs();
+        prop_assert!((dot(omega, axis) - release.spin).abs() < 1e-14 * size);
+        let turning = [0, 1, 2].map(|i| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            omega[j] * axis[k] - omega[k] * axis[j]
+        });
+        let (tilting, going_round) = ([cosine * x, cosine * y, -sine], [-sine * y, sine * x, 0.0]);
+        for i in 0..3 {
+            prop_assert!((state.phi().axis()[i] - axis[i]).abs() < 1e-15);
+            let rate = release.nutation * tilting[i] + release.precession * going_round[i];
+            prop_assert!((turning[i] - rate).abs() < 1e-14 * size, "{turning:?} {rate}");
+        }
+    }
+
+    /// Branch points satisfy their definition: the products that are l + n and l - n (eqn:constants), and the sum; those of a
+    /// state, and those of its rounded integrals, with which nothing else of the motion is known.
     #[test]
     fn branch_points_solve_their_equations((top, release) in releases()) {
         let state = State::release(&release).unwrap();
-        let e = BranchPoints::of(&top, &state).unwrap();
-        prop_assert!(-1.0 <= e.e1 && e.e1 <= e.e2 && e.e2 <= 1.0 && 1.0 <= e.e3);
         let integrals = FirstIntegrals::of(&top, &state);
-        let again = e.integrals(&top, integrals.signs());
         let scale = integrals.l.abs().max(integrals.n.abs());
-        prop_assert!((again.l_plus_n - integrals.l_plus_n).abs() < 1e-14 * scale);
-        prop_assert!((again.l_minus_n - integrals.l_minus_n).abs() < 1e-14 * scale);
-        prop_assert!((again.h - integrals.h).abs() < 1e-13 * integrals.h.abs().max(top.p() * top.g()));
+        let FirstIntegrals { l, n, h, .. } = integrals;
+        let of_integrals = BranchPoints::from_integrals(&top, l, n, h).unwrap();
+        for e in [BranchPoints::of(&top, &state).unwrap(), of_integrals] {
+            prop_assert!(-1.0 <= e.e1 && e.e1 <= e.e2 && e.e2 <= 1.0 && 1.0 <= e.e3);
+            let again = e.integrals(&top, integrals.signs());
+            prop_assert!((again.l_plus_n - integrals.l_plus_n).abs() < 1e-14 * scale);
+            prop_assert!((again.l_minus_n - integrals.l_minus_n).abs() < 1e-14 * scale);
+            prop_assert!((again.h - h).abs() < 1e-13 * h.abs().max(top.p() * top.g()));
+        }
     }
 
     /// Forward and back over steps of changing size, and unit norm all the way.

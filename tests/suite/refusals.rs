@@ -2,7 +2,7 @@
 
 use toytop::{
     BranchPoints, Complex, Heaviness, LaunchError, Motion, NoFit, Phi, Release, Sign, Signs, Start, State,
-    Top,
+    Tick, Top,
 };
 
 fn parameter<T>(result: Result<T, LaunchError>) -> Option<&'static str> {
@@ -81,7 +81,19 @@ fn motions_too_fast_and_energies_too_low() {
     assert_eq!(parameter(Motion::launch(&top(), &spinning(1e7))), None);
     assert_eq!(parameter(Motion::launch(&top(), &spinning(1e8))), Some("omega"));
     assert_eq!(parameter(BranchPoints::from_integrals(&top(), 2.0, 2.0, 1.0)), Some("h"));
+    // enough to be at some height, but not for so much l there
+    assert_eq!(parameter(BranchPoints::from_integrals(&top(), 1.5, 0.0, 0.5)), Some("h"));
+    assert_eq!(parameter(BranchPoints::from_integrals(&top(), 1.0, 0.0, 0.5)), None);
+    // of a top at rest: hanging, or not at all
+    assert_eq!(parameter(BranchPoints::from_integrals(&top(), 0.0, 0.0, -1.0)), None);
+    assert_eq!(parameter(BranchPoints::from_integrals(&top(), 0.0, 0.0, -1.0 - 1e-6)), Some("h"));
     assert_eq!(parameter(BranchPoints::from_integrals(&top(), f64::NAN, 2.0, 1.0)), Some("l"));
+}
+
+#[test]
+fn ticks() {
+    assert_eq!([Tick::hertz(0), Tick::ratio(0, 1), Tick::ratio(1, 0)].map(parameter), [Some("tick"); 3]);
+    assert_eq!(parameter(Tick::ratio(u32::MAX, 1)), None);
 }
 
 #[test]

@@ -74,6 +74,22 @@ fn no_regime_gives_anything_but_numbers() {
     stays_finite::<f64>(&motion);
 }
 
+/// What is seen of a swing depends on the tilt that swings; through the vertical any swing is a motion.
+#[test]
+fn a_small_swing_is_seen_where_the_tilt_is_small() {
+    let between = |e1: f64, e2: f64| {
+        let motion = Motion::from_branch_points(&top(), [e1, e2, 3.0], Signs::default(), &Start::default());
+        motion.unwrap().regime()
+    };
+    let unit = 0.5 * f64::EPSILON;
+    // sine of the tilt 1.4e-5, then 1: it swings by 8e-12 rad and by 1e-16
+    assert_eq!(between(1.0 - 1e-10, 1.0 - 1e-10 + unit), Regime::Nutating);
+    assert!(matches!(between(0.0, unit), Regime::RegularPrecession(_)));
+    // by 1e-20 or so
+    assert_eq!(upright([1e-20, 0.0, 5.0]).regime(), Regime::Nutating);
+    assert_eq!(upright([0.0, 0.0, 5.0]).regime(), Regime::SleepingStable);
+}
+
 #[test]
 fn steps_that_are_no_numbers_do_nothing() {
     for name in ["generic_AneC", "aperiodic", "regular_precession"] {
@@ -208,6 +224,85 @@ fn four_choices_of_signs() {
                 assert!((x - y).abs() < 1e-14, "{x} {y}");
             }
         }
+    }
+}
+
+/// What the integrals of steady and of vertical motions tell is on the border of what is possible, in any rounding.
+#[test]
+fn the_integrals_of_degenerate_motions_are_accepted() {
+    for e in [
+        [0.3, 0.3, 2.0],
+        [-0.7, -0.7, 1.01],
+        [-1.0, -1.0, 2.0],
+        [1.0, 1.0, 3.0],
+        [0.5, 1.0, 1.0],
+        [-1.0, 0.5, 2.0],
+        [-0.5, 1.0, 2.0],
+        [-1.0, 1.0, 2.0],
+    ] {
+        let given = toytop::BranchPoints::new(e[0], e[1], e[2]).unwrap();
+        for l_minus_n in [Sign::Plus, Sign::Minus] {
+            for mass_moment in [0.9, 0.1, 12.345] {
+                let top = Top::sliding(1.1, 0.8, 0.6, Heaviness::MassMoment(mass_moment), 1.0).unwrap();
+                let integrals = given.integrals(&top, Signs { l_minus_n, ..Signs::default() });
+                let toytop::FirstIntegrals { l, n, h, .. } = integrals;
+                let again = toytop::BranchPoints::from_integrals(&top, l, n, h).unwrap();
+                // a double root keeps half the digits
+                for (x, y) in [again.e1, again.e2, again.e3].into_iter().zip(e) {
+                    assert!((x - y).abs() < 1e-7, "{x} {y}");
+                }
+            }
+        }
+    }
+}
+
+/// In a plane, from the horizontal, as fast as takes it to the vertical: it is on its way up, or was just so on its way down.
+#[test]
+fn an_aperiodic_launch_from_half_way() {
+    let top = Top::sliding(1.0, 0.5, 1.0, Heaviness::MassMoment(1.0), 1.0).unwrap();
+    let half = Complex::new(std::f64::consts::FRAC_1_SQRT_2, 0.0);
+    for rising in [1.0, -1.0] {
+        let state = State::new(Phi { alpha: half, beta: -half }, [0.0, -rising, 0.0]).unwrap();
+        let motion = Motion::launch(&top, &state).unwrap();
+        assert_eq!(motion.regime(), Regime::Aperiodic);
+        let mut stepper = Stepper::<f64>::new(&motion);
+        let pose = stepper.pose();
+        assert!(
+            pose.u().abs() < 1e-15 && (pose.udot() - rising).abs() < 1e-15,
+            "{} {}",
+            pose.u(),
+            pose.udot()
+        );
+        (0..1000).for_each(|_| stepper.step(0.02));
+        assert!(1.0 - stepper.pose().u() < 1e-3, "{}", stepper.pose().u());
+    }
+}
+
+/// The differences at rest upright, where two branch points are 1 whatever the spin.
+#[test]
+fn the_branch_points_of_an_upright_axis() {
+    for spin in [5.0, 0.5] {
+        let state = State::new(Phi::IDENTITY, [0.0, 0.0, spin]).unwrap();
+        let e = toytop::BranchPoints::of(&top(), &state).unwrap();
+        let sleeps = spin > 1.0;
+        assert_eq!([e.e1 == 1.0, e.e2 == 1.0, e.e3 == 1.0], [sleeps, true, !sleeps]);
+        let differences = [e.e2_minus_e1, e.one_minus_e2, e.e3_minus_one, e.one_plus_e1, e.e3_minus_e2];
+        let expected = [1.0 - e.e1, 0.0, e.e3 - 1.0, 1.0 + e.e1, e.e3 - 1.0];
+        let close =
+            differences.iter().zip(expected).all(|(ours, theirs)| (ours - theirs).abs() < 1e-15 * e.e3);
+        assert!(close, "{e:?}");
+    }
+}
+
+/// θ as the `f64` nearest to a multiple of π is that multiple: at a turning point u' is 0 and not 1e-16.
+#[test]
+fn rounded_multiples_of_pi_are_turning_points() {
+    for k in -4..5 {
+        let start = Start { theta: f64::from(k) * std::f64::consts::PI, ..Start::default() };
+        let motion = Motion::from_branch_points(&top(), [-0.25, 0.5, 2.0], Signs::default(), &start).unwrap();
+        let pose = Stepper::<f64>::new(&motion).pose();
+        let end = if k % 2 == 0 { -0.25 } else { 0.5 };
+        assert!(pose.udot() == 0.0 && (pose.u() - end).abs() < 1e-15, "{k}: {} {}", pose.u(), pose.udot());
     }
 }
 

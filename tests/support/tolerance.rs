@@ -28,6 +28,14 @@ impl Budget {
     }
 }
 
+/// u, u', ω and the tip from a moment of an ephemeris in `f32`, as shares of the greatest rate and of the length: from the pose,
+/// the tip in `f32`, and the tip in the scalar itself.
+pub const MOMENT_F32: [Budget; 3] = [Budget::of(6e-7), Budget::of(3e-7), Budget::of(3e-7)];
+/// The same in fixed point of 32 bits.
+pub const MOMENT_Q31: [Budget; 3] = [Budget::of(6e-7), Budget::of(3e-7), Budget::of(4e-8)];
+/// The same in fixed point of 16 bits.
+pub const MOMENT_Q15: [Budget; 3] = [Budget::of(1e-3); 3];
+
 /// l, n, h from branch points or a state, against 30 digits; relative to the largest of them.
 pub const CONSTANTS: Budget = Budget::of(4e-16);
 /// The nutation period, relative, and the phase advances in it (rad), inputs exact in f64.

@@ -1,10 +1,10 @@
 //! `cargo xtask coverage`: which lines of core its tests run, file by file, by cargo-llvm-cov.
 
-use std::fs;
 use std::process::Command;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 
+use crate::page::rewrite;
 use crate::process::{root, run};
 use crate::subcommand::provide;
 
@@ -12,20 +12,11 @@ use crate::subcommand::provide;
 const ENOUGH: f64 = 95.0;
 
 /// Files of core with fewer lines run, and why.
-const REASONS: &[(&str, &str)] = &[
-    ("exact/hyperelliptic.rs", BY_THE_HOST),
-    ("exact/lagrangian.rs", BY_THE_HOST),
-    ("exact/tip_curve.rs", BY_THE_HOST),
-    ("real/arctangent.rs", "the rest is evaluated by the compiler, for a table"),
-    ("tick/table.rs", "the rest is evaluated by the compiler, for a `static`"),
-];
-
-/// The modules of the suite that a build without the host's crate does not have.
-const BY_THE_HOST: &str = "tested against the full solver, whose crate this build leaves out";
+const REASONS: &[(&str, &str)] = &[];
 
 const PAGE: &str = "host/docs/coverage.md";
-const BEGIN: &str = "<!-- coverage: written by `cargo xtask coverage --accept` -->\n";
-const END: &str = "<!-- coverage: end -->";
+const MARKS: [&str; 2] =
+    ["<!-- coverage: written by `cargo xtask coverage --accept` -->\n", "<!-- coverage: end -->"];
 
 /// A file of core, below core/src.
 struct File {
@@ -44,13 +35,11 @@ impl File {
     }
 }
 
-/// The build is that of mutants and fuzzer, without the host's crate.
-///
 /// Prints the table and refuses a file with too few lines run and no reason for it; writes the page if so asked.
 pub(crate) fn coverage(accept: bool) -> Result<()> {
     provide("llvm-cov")?;
     let mut command = Command::new("cargo");
-    command.args(["llvm-cov", "--package", "toytop", "--package", "toytop-tests", "--no-default-features"]);
+    command.args(["llvm-cov", "--package", "toytop", "--package", "toytop-tests"]);
     command.args(["--features", "toytop/fixed,toytop/nalgebra", "--lib", "--test", "suite"]);
     command.args(["--lcov", "--quiet"]).current_dir(root());
     // the compiler's own LLVM is fetched by cargo-llvm-cov, or given by LLVM_COV and LLVM_PROFDATA
@@ -61,7 +50,8 @@ pub(crate) fn coverage(accept: bool) -> Result<()> {
     let table = table(&files);
     println!("{table}");
     if accept {
-        write(&table)?;
+        let version = env!("CARGO_PKG_VERSION");
+        rewrite(PAGE, MARKS, |_| format!("Version {version}:\n\n{table}"))?;
     }
     let unexplained = files.iter().filter(|file| file.share() < ENOUGH && file.reason().is_none());
     let names: Vec<_> = unexplained.map(|file| file.name.as_str()).collect();
@@ -100,16 +90,6 @@ fn table(files: &[File]) -> String {
     files.iter().for_each(|file| table += &row(file));
     let sum = |count: fn(&File) -> u32| files.iter().map(count).sum();
     table + &row(&File { name: "**all**".into(), lines: sum(|file| file.lines), run: sum(|file| file.run) })
-}
-
-fn write(table: &str) -> Result<()> {
-    let page = root().join(PAGE);
-    let text = fs::read_to_string(&page)?;
-    let (before, rest) = text.split_once(BEGIN).with_context(|| format!("{PAGE}: no {BEGIN}"))?;
-    let (_, after) = rest.split_once(END).with_context(|| format!("{PAGE}: no {END}"))?;
-    let version = env!("CARGO_PKG_VERSION");
-    fs::write(page, format!("{before}{BEGIN}Version {version}:\n\n{table}{END}{after}"))?;
-    Ok(())
 }
 
 #[cfg(test)]

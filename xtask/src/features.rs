@@ -1,11 +1,12 @@
-//! Core with every set of its features, on the smallest chip: features only add, so each set must build.
+//! Core with every set of its features, on the smallest chip, and the suite without its own: features only add, so each set
+//! must build.
 
 use std::fs;
 
 use anyhow::{Result, bail};
 
 use crate::firmware;
-use crate::process::{root, run};
+use crate::process::{cargo, root, run};
 use crate::tools;
 
 const TARGET: &str = "thumbv6m-none-eabi";
@@ -27,6 +28,8 @@ pub(crate) fn check() -> Result<String> {
         command.arg("--target-dir").arg(firmware::target_dir(toolchain, "core"));
         run(&mut command)?;
     }
+    // what mutants and the fuzzer build
+    run(&mut cargo(".", "check --package toytop-tests --no-default-features --tests"))?;
     Ok(format!("{} sets of {} on {TARGET}; Rust {msrv} or later", sets.len(), features.join(", ")))
 }
 

@@ -9,7 +9,9 @@ mod fuzz;
 mod lint;
 mod miri;
 mod mutants;
+mod narrow;
 mod nopanic;
+mod page;
 mod process;
 mod steps;
 mod subcommand;
@@ -20,6 +22,7 @@ use std::process::ExitCode;
 use anyhow::{Result, bail};
 
 use firmware::Chip;
+use mutants::Choice;
 
 const USAGE: &str = "\
 usage: cargo xtask VERB
@@ -39,8 +42,12 @@ Studies, for a longer wait; each installs its cargo subcommand the first time:
 
   fuzz [--seconds N] [TARGET]  looks for input that breaks core or the scenario parser: N seconds (600) each
   coverage [--accept]          the lines of core that its tests run; --accept writes host/docs/coverage.md
-  mutants --shard I/N          the I-th of N parts of core's mutants: which ones no test notices
-  miri [--target TRIPLE]       core's unit tests in Miri, as a big-endian machine runs them; not x86-64
+  mutants --shard I/N [--accept]
+                               the I-th of N parts of core's mutants: which ones no test notices; --accept counts
+                               them in host/docs/mutants.md
+  mutants PART...              those with one of these in their names, such as top.rs
+  miri [--target TRIPLE]       core's unit tests in Miri, as a big-endian machine of 32 bits runs them; not x86-64
+  narrow                       core's unit tests and the suite as a program of 32 bits
   features                     core with every set of its features, on the smallest chip
   deny                         licences, duplicates, sources and advisories of the dependencies";
 
@@ -72,9 +79,14 @@ fn run(words: &[&str]) -> Result<ExitCode> {
         ["fuzz", rest @ ..] => fuzz_with(rest)?,
         ["coverage"] => coverage::coverage(false)?,
         ["coverage", "--accept"] => coverage::coverage(true)?,
-        ["mutants", "--shard", shard] => mutants::mutants(shard)?,
+        ["mutants", "--shard", shard] => mutants::mutants(&Choice::Shard { shard, accept: false })?,
+        ["mutants", "--shard", shard, "--accept"] => {
+            mutants::mutants(&Choice::Shard { shard, accept: true })?
+        }
+        ["mutants", parts @ ..] if !parts.is_empty() => mutants::mutants(&Choice::Named(parts))?,
         ["miri"] => miri::miri(None)?,
         ["miri", "--target", target] => miri::miri(Some(target))?,
+        ["narrow"] => narrow::narrow()?,
         ["features"] => println!("{}", features::check()?),
         ["deny"] => deny::check()?,
         ["check-chain"] => println!("{}", chain::check()?),

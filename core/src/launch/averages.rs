@@ -188,4 +188,14 @@ mod tests {
         let left = left_by(1e-16, 1e-8);
         assert!(left > 1e-32 && left < 1e-30, "{left:e}");
     }
+
+    /// Errors C q, C q², C q⁴: what the last two doublings changed is the first two, what is left the third.
+    #[test]
+    fn what_is_left_is_bounded_however_small_the_constant() {
+        for constant in [1.0, 1e-3, 1e-6] {
+            let [before, change, truth] = [1, 2, 4].map(|power| constant * 0.01_f64.powi(power));
+            let bound = left_by(change, before);
+            assert!((truth..100.0 * truth).contains(&bound), "{bound:e} of {truth:e}");
+        }
+    }
 }

@@ -302,7 +302,9 @@ fn highest_point(
     let three = DoubleDouble::from(3.0);
     let root = (b.squared() - three * c1).sqrt();
     let u = if b > DoubleDouble::ZERO { c1 / (b + root) } else { (b - root) / three };
-    let peak = ((u - b) * u + c1) * u + c0;
+    // f once more, without cancellation where the axis is nearly upright
+    let l_minus_nu = if u > DoubleDouble::ZERO { (l - n) + n * (one - u) } else { l - n * u };
+    let peak = (energy - u) * (one - u) * (one + u) - kappa * l_minus_nu.squared();
     // what one rounding of l, n and h can do
     let noise = (b.abs() + c1.abs() + c0.abs() + one) * DoubleDouble::from(1e-15);
     let possible = u.abs() <= one + noise.sqrt() && peak >= -noise && energy - u >= -noise.sqrt();

@@ -46,3 +46,24 @@ impl Cell {
         if segments < CELLS { segments.ilog2() } else { CELLS.ilog2() }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_numbers_come_back_to_the_last() {
+        for (first, level) in [(0, 0), (1, 3), (Cell::MOST_SEGMENTS - 1, 0), (2048, Cell::DEEPEST)] {
+            let cell = Cell::from_bits(Cell::new(first, level).to_bits());
+            assert_eq!((cell.first(), cell.level()), (first, level));
+        }
+    }
+
+    #[test]
+    fn every_cell_has_a_segment() {
+        for segments in 1..=Cell::MOST_SEGMENTS {
+            let cells = 1_usize << Cell::bits_for(segments);
+            assert!(cells <= segments.min(CELLS) && 2 * cells > segments.min(CELLS), "{cells} of {segments}");
+        }
+    }
+}

@@ -52,8 +52,9 @@ mod tests {
             assert_eq!(nothing, [0.0; TERMS]);
             assert!(short[terms..].iter().all(|c| c.abs() < 1e-16));
             let value = |p: &[f64; TERMS], x: f64| p.iter().rev().fold(0.0, |sum, c| sum * x + c);
-            let worst = (0..=1000).fold(0.0_f64, |worst, i| {
-                let x = f64::from(i) / 500.0 - 1.0;
+            let points = if cfg!(miri) { 40 } else { 1000 };
+            let worst = (0..=points).fold(0.0_f64, |worst, i| {
+                let x = 2.0 * f64::from(i) / f64::from(points) - 1.0;
                 worst.max((value(&short, x) - value(&exact, x)).abs())
             });
             assert!(

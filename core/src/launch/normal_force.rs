@@ -111,22 +111,54 @@ fn bisect(polynomial: &[f64], mut left: f64, mut right: f64, rising: bool) -> f6
 mod tests {
     use super::*;
 
-    /// Against a fine scan of the same rational function by central differences of f/D.
+    #[test]
+    fn all_roots_of_a_quartic_are_found() {
+        // (y - 0.1)(y - 0.2)(y - 0.5)(y - 0.9)
+        let mut roots = [0.0; 4];
+        assert_eq!(roots_between(&[0.009, -0.163, 0.89, -1.7, 1.0], 1.0, &mut roots), 4);
+        let worst = roots
+            .iter()
+            .zip([0.1, 0.2, 0.5, 0.9])
+            .fold(0.0_f64, |worst, (y, truth)| worst.max((y - truth).abs()));
+        assert!(worst < 1e-14, "{roots:?}");
+        assert_eq!(roots_between(&[0.009, -0.163, 0.89, -1.7, 1.0], 0.8, &mut roots), 3);
+    }
+
+    #[test]
+    fn the_quartic_is_the_second_derivative() {
+        let (f, d) = ([0.0, 0.7, -1.9, 1.0], [0.6, -0.8, -0.5]);
+        let ratio = |y: f64| horner(&f, y) / horner(&d, y);
+        let step = 1e-4;
+        for y in [0.0, 0.1, 0.2, 0.3, 0.4] {
+            let second = (ratio(y + step) - 2.0 * ratio(y) + ratio(y - step)) / (step * step);
+            let ours = horner(&stationary_points(&f, &d), y);
+            assert!((second * horner(&d, y).powi(3) - ours).abs() < 1e-5, "{y}: {ours}");
+        }
+    }
+
+    /// Against a fine scan of the same rational function by central differences of f/D; where it is least at an end of the
+    /// interval, and where between.
     #[test]
     fn the_minimum_is_not_undercut_by_a_scan() {
-        for (e1, e2, e3, a_over_p, s) in
-            [(0.7, 0.9, 100.0, 1.0, 1.0), (-0.9, 0.95, 1.2, 0.05, 1.0), (-0.5, 0.5, 3.0, 2.0, 0.3)]
-        {
+        for ([e1, e2, e3], a_over_p, s, is_between) in [
+            ([0.7, 0.9, 100.0], 1.0, 1.0, false),
+            ([-0.9, 0.95, 1.2], 0.05, 1.0, false),
+            ([-0.5, 0.5, 3.0], 2.0, 0.3, false),
+            ([-0.4, 0.86, 1.005], 0.13, 1.0, true),
+            ([-0.95, 0.93, 1.01], 3.7, 1.0, true),
+            ([0.5, 0.97, 1.002], 0.01, 0.5, true),
+        ] {
             let e = BranchPoints::new(e1, e2, e3).unwrap();
             let least = minimum(&e, a_over_p, s);
             let ratio = |u: f64| (u - e1) * (u - e2) * (u - e3) / (a_over_p + s * (1.0 - u * u));
-            let scan = (0..=20_000)
-                .map(|i| {
-                    let u = e1 + (e2 - e1) * f64::from(i) / 20_000.0;
-                    1.0 + s * (ratio(u + 1e-6) - ratio(u - 1e-6)) / 2e-6
-                })
-                .fold(f64::INFINITY, f64::min);
-            assert!(least <= scan + 1e-7 && least > scan - 1e-5, "{least} against {scan}");
+            let force = |i: u32| {
+                let u = e1 + (e2 - e1) * f64::from(i) / 20_000.0;
+                1.0 + s * (ratio(u + 1e-6) - ratio(u - 1e-6)) / 2e-6
+            };
+            let scan = (0..=20_000).map(force).fold(f64::INFINITY, f64::min);
+            assert!(least <= scan + 1e-8 && least > scan - 1e-6, "{least} against {scan}");
+            let ends = force(0).min(force(20_000));
+            assert_eq!(scan < ends - 1e-3, is_between, "{scan}, at the ends {ends}");
         }
     }
 }

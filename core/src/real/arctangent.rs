@@ -54,13 +54,24 @@ pub(crate) fn angle(x: i32, y: i32) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::angle;
+    use super::{angle, arctangent};
+
+    /// The compiler's own run of it, for the table, is seen by no debugger and no measure of coverage.
+    #[test]
+    fn the_series_has_the_digits_that_the_table_needs() {
+        let worst = (1..=500).map(|i| f64::from(i) * 1e-3).fold(0.0_f64, |worst, x| {
+            let truth = libm::atan(x);
+            worst.max(((arctangent(x) - truth) / truth).abs()).max((arctangent(-x) + truth).abs())
+        });
+        assert!(worst <= 3e-16, "{worst:e}");
+    }
 
     #[test]
     fn the_error_is_what_the_documentation_says() {
         let mut worst = 0.0_f64;
-        for i in 0..200_003_u32 {
-            let turns = f64::from(i) * (1.0 / 200_003.0);
+        let points: u32 = if cfg!(miri) { 3001 } else { 200_003 };
+        for i in 0..points {
+            let turns = f64::from(i) / f64::from(points);
             let radius = f64::from(1_u32 << 30) * 0.5_f64.powf(f64::from(i % 7) * 0.3);
             let (y, x) = libm::sincos(core::f64::consts::TAU * turns);
             let (x, y) = ((radius * x) as i32, (radius * y) as i32);

@@ -95,7 +95,7 @@ mod tests {
     fn halves_give_the_same_bits() {
         let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
         let extremes = [i32::MIN, i32::MAX, -1, 0, 1, 0xffff, -0x1_0000, 0x7fff_0001];
-        for k in 0..100_000 {
+        for k in 0..if cfg!(miri) { 3000 } else { 100_000 } {
             bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
             let pick = |random: i32, choice: usize| {
                 if k % 3 == 0 { extremes[choice % extremes.len()] } else { random }

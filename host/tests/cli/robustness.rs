@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::thread::sleep;
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime};
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_toytop");
 
@@ -76,6 +76,25 @@ fn a_killed_bake_leaves_the_old_table_or_the_new() {
         assert!(left == b"old" || left == new, "part {part}: {} bytes", left.len());
     }
     assert!(kills > 0, "never killed in time");
+}
+
+#[test]
+fn what_a_killed_one_left_is_gone_after_the_next() {
+    let folder = folder("leftovers");
+    let long_ago = SystemTime::now() - Duration::from_secs(3600);
+    let leave = |name: &str, time: SystemTime| {
+        let file = fs::File::create(folder.join(name)).expect("a file");
+        file.set_modified(time).expect("its time");
+    };
+    leave(".top.rs.12345", long_ago);
+    // another is at it now; and these only look alike
+    let kept = [".top.rs.54321", ".top.rs.orig", ".top.c.12345", "top.rs.12345"];
+    leave(kept[0], SystemTime::now());
+    kept[1..].iter().for_each(|name| leave(name, long_ago));
+    let toy_top = sample("toy_top");
+    assert_eq!(run(&["bake", &toy_top, "-o", text(&folder.join("top.rs"))]).status.code(), Some(0));
+    assert!(!folder.join(".top.rs.12345").exists());
+    assert!(kept.iter().all(|name| folder.join(name).exists()));
 }
 
 #[test]
