@@ -183,11 +183,14 @@ impl ErrorBound {
         turns_per_tick: [f64; 3],
     ) -> Self {
         const TURN: f64 = 2.0 * core::f64::consts::PI;
-        /// Roundings of a set-up, all in f64: the march, the start on it, and more for a motion that takes many segments.
+        /// Roundings of a set-up, all in f64: the march, the start on it, and more for a motion that takes many segments,
+        /// some of them in the same sense.
         const SET_UP_ROUNDINGS: f64 = 5.0;
         /// Of the haste: a rounding a cell, each of a cell's share of it.
-        const DELAYS: f64 = 0.5;
-        let roundings = SET_UP_ROUNDINGS + libm::sqrt(tabulated.segments as f64) + DELAYS * tabulated.haste;
+        const DELAYS: f64 = 0.25;
+        let segments = tabulated.segments as f64;
+        let march = 0.5 * libm::sqrt(segments) + segments / 64.0;
+        let roundings = SET_UP_ROUNDINGS + march + DELAYS * tabulated.haste;
         let set_up = roundings * <f64 as Scalar>::ROUNDING;
         let place = 2.0 * R::PLACE_ROUNDING * tabulated.haste / f64::from(cells);
         let increments = 3.0 * TURN * Turns::RESOLUTION;
