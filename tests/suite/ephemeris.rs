@@ -137,8 +137,8 @@ fn cursor_and_random_access_and_time_agree_to_the_bit() {
 /// A batch is its ticks one by one, in every arithmetic.
 #[test]
 fn a_batch_agrees_with_random_access_to_the_bit() {
-    fn check<R: Tabular, const S: usize, const N: usize>() {
-        let ephemeris = Ephemeris::<R, S, N>::new(&generic(), kilohertz()).unwrap();
+    fn check<R: Tabular, const S: usize, const N: usize>(motion: &Motion) {
+        let ephemeris = Ephemeris::<R, S, N>::new(motion, kilohertz()).unwrap();
         for (first, length) in [(0, 0), (-1, 1), (-500, 1001), (1 << 40, 4099)] {
             let mut batch = vec![Phi::<R>::IDENTITY; length];
             ephemeris.fill(first, &mut batch);
@@ -147,10 +147,14 @@ fn a_batch_agrees_with_random_access_to_the_bit() {
             }
         }
     }
-    check::<f32, 25, 5>();
-    check::<f64, 48, 11>();
-    check::<fixed::types::I2F30, 32, 8>();
-    check::<fixed::types::I2F14, 64, 4>();
+    check::<f32, 25, 5>(&generic());
+    check::<f64, 48, 11>(&generic());
+    check::<fixed::types::I2F30, 32, 8>(&generic());
+    check::<fixed::types::I2F14, 64, 4>(&generic());
+    // phases that do not wrap are not sums
+    let aperiodic = vectors::named("exact_aperiodic").motion().unwrap();
+    check::<f64, 1024, 12>(&aperiodic);
+    check::<f32, 128, 7>(&aperiodic);
 }
 
 /// Between ticks: t = (n + 1/3) ticks lies where the orientation of n and n + 1 say.
