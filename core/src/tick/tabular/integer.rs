@@ -95,7 +95,7 @@ pub(super) fn alpha_beta(
 /// Sums side by side suit the vectors of large processors; for four of them the smallest chip has too few registers.
 const FOUR_AT_A_TIME: bool = cfg!(target_pointer_width = "64");
 
-/// Polynomials by Horner's rule.
+/// Polynomials by Horner's rule. (A row of coefficients is borrowed because the compiler then sees a vector in it.)
 #[inline(always)]
 fn sums<const N: usize>(terms: &[[i32; 4]], x: i32, of: impl Fn(&[i32; 4]) -> [i32; N]) -> [i32; N] {
     let [constant, higher @ ..] = terms else { return [0; N] };
