@@ -13,9 +13,12 @@ static inline int32_t toytop_high(int32_t a, int32_t b) { return (int32_t)(((int
 /* The same with the 16 upper bits of b alone. */
 static inline int32_t toytop_short(int32_t a, int32_t b) { return (int32_t)(((int64_t)a * (b >> 16)) >> 16); }
 
-/* 2^31 times sine and cosine of a phase, to 26 bits: the nearest of 512 points of the circle, and the rest by a series. */
+/* The nearest of 512 points of the circle: 2^31 times its sine and, 128 numbers on, its cosine. */
+static inline const int32_t *toytop_point(uint32_t phase) { return toytop_sines + ((uint32_t)(phase + 0x400000) >> 23); }
+
+/* 2^31 times sine and cosine of a phase, to 26 bits: those of the nearest point, and the rest by a series. */
 static inline void toytop_sincos_q26(uint32_t phase, int32_t of[2]) {
-    const int32_t *point = toytop_sines + ((uint32_t)(phase + 0x400000) >> 23);
+    const int32_t *point = toytop_point(phase);
     int32_t small = toytop_high((int32_t)(phase << 9), TOYTOP_SECANT), versine = toytop_high(small, small >> 1);
     of[0] = point[0] - toytop_high(point[0], versine) + toytop_high(point[128], small);
     of[1] = point[128] - toytop_high(point[128], versine) - toytop_high(point[0], small);

@@ -13,7 +13,7 @@ static inline int32_t toytop_inner_q15(int32_t a, int32_t b, int32_t c, int32_t 
 /* From 31 bits after the point to 14, turned by the phase: the nearest point of the circle, moved along its tangent. */
 static inline void toytop_turn_q15(int32_t re, int32_t im, uint64_t leading, int32_t turned[2]) {
     uint32_t phase = (uint32_t)(leading >> 32);
-    const int32_t *point = toytop_sines + ((uint32_t)(phase + 0x400000) >> 23);
+    const int32_t *point = toytop_point(phase);
     int32_t small = ((int32_t)(phase << 9) >> 16) * (TOYTOP_LINEAR >> 16) >> 15;
     int32_t sine = ((point[0] >> 1) + ((point[128] >> 16) * small >> 7)) >> 15;
     int32_t cosine = ((point[128] >> 1) - ((point[0] >> 16) * small >> 7)) >> 15;

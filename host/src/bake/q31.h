@@ -7,10 +7,10 @@ typedef struct {
 /* In units of 2^-30: the orientation; u, the cosine of the tilt; the tip over s, 2 alpha beta. {re, im}. */
 typedef struct { int32_t alpha[2], beta[2], u, c[2]; } toytop_moment_q31;
 
-/* 2^31 times sine and cosine of a phase, to 29 bits: the nearest of 512 points of the circle, and the rest by a series. */
+/* 2^31 times sine and cosine of a phase, to 29 bits: those of the nearest point, and the rest by a series. */
 static inline void toytop_sincos_q31(uint32_t phase, int32_t of[2]) {
     int32_t x = (int32_t)(phase << 9);
-    const int32_t *point = toytop_sines + ((uint32_t)(phase + 0x400000) >> 23);
+    const int32_t *point = toytop_point(phase);
     int32_t square = toytop_high(x, x), versine = toytop_high(square, TOYTOP_VERSINE * 65536);
     int32_t small = toytop_high(x, TOYTOP_LINEAR - (((square >> 16) * TOYTOP_CUBIC) >> 8));
     int32_t change = toytop_high(point[128], small) - (toytop_short(versine, point[0]) >> 7);

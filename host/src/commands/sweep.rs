@@ -63,9 +63,10 @@ fn parquet(rows: &Rows, cores: &ThreadPool, arguments: &SweepArgs) -> Result<Add
     use crate::sweep::columnar;
     let (output, shard) = (&arguments.output, arguments.shard.0);
     let csv = output.with_extension("parquet.csv");
-    match columnar::rows_there(output, rows, shard, arguments.resume)? {
-        Some(len) if !csv.exists() => return Ok(Added { len, before: len }),
-        _ => {}
+    if let Some(len) = columnar::rows_there(output, rows, shard, arguments.resume)?
+        && !csv.exists()
+    {
+        return Ok(Added { len, before: len });
     }
     let added = append(&csv, rows, cores, arguments)?;
     columnar::write(&csv, output, rows, shard, added.len)?;
