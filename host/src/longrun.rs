@@ -11,7 +11,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::hint::black_box;
 use std::sync::Mutex;
 use toytop::real::Real;
-use toytop::{Complex, Cursor, Ephemeris, FixedStepper, Motion, Phi, Stepper, Tabular, Tick};
+use toytop::{Complex, Cursor, Ephemeris, ErrorBound, FixedStepper, Motion, Phi, Stepper, Tabular, Tick};
 
 /// Who runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,6 +53,16 @@ pub struct Line {
     pub errors: Vec<(u64, f64)>,
     /// What is left after 10^6 ticks forward and as many back, rad.
     pub back: Option<f64>,
+    /// The greatest error as a share of the bound that the runner states.
+    pub of_bound: Option<f64>,
+}
+
+/// Where a runner came to.
+struct Way {
+    /// Φ at the decades.
+    phi: Vec<Phi<f64>>,
+    back: Option<f64>,
+    bound: Option<ErrorBound>,
 }
 
 /// The powers of ten from 10^3 to `ticks`, and `ticks` itself.
@@ -75,10 +85,17 @@ pub fn run(ticks: u64) -> Result<Vec<Line>, Failure> {
     let progress = Mutex::new(Progress::new(RUNNERS.len() as u64 * ticks, "ticks"));
     let line = |(who, runner): &(&str, Runner)| {
         let track = Track { race: &race, decades: &decades, progress: &progress };
-        let (found, back) = track.run(*runner)?;
-        let errors = found.iter().zip(&truth).map(|(found, truth)| distance(found, truth));
-        let errors = decades.iter().copied().zip(errors).collect();
-        Ok(Line { who: format!("{who}, against the truth"), errors, back })
+        let Way { phi, back, bound } = track.run(*runner)?;
+        let errors = phi.iter().zip(&truth).map(|(found, truth)| distance(found, truth));
+        let errors: Vec<_> = decades.iter().copied().zip(errors).collect();
+        let of_bound = bound.map(|bound| {
+            // what is no number is beyond every bound
+            let share = |(tick, error): &(u64, f64)| {
+                if error.is_nan() { f64::INFINITY } else { error / bound.after(*tick as f64) }
+            };
+            errors.iter().map(share).fold(0.0, f64::max)
+        });
+        Ok(Line { who: format!("{who}, against the truth"), errors, back, of_bound })
     };
     let mut lines = RUNNERS.par_iter().map(line).collect::<Result<Vec<_>, Failure>>()?;
     drop(progress);
@@ -94,16 +111,15 @@ struct Track<'a> {
 }
 
 impl Track<'_> {
-    /// Φ at the decades; what is left there and back.
-    fn run(&self, runner: Runner) -> Result<(Vec<Phi<f64>>, Option<f64>), Failure> {
-        Ok(match runner {
-            Runner::StepperF64 => self.step::<f64>(),
-            Runner::StepperF32 => self.step::<f32>(),
-            Runner::FixedStepper => self.step_fixed()?,
-            Runner::CursorF64 => (self.look_up::<f64, 128, 12>(f64::from)?, None),
-            Runner::CursorF32 => (self.look_up::<f32, 16, 8>(f64::from)?, None),
-            Runner::CursorQ31 => (self.look_up::<I2F30, 32, 8>(f64::from)?, None),
-        })
+    fn run(&self, runner: Runner) -> Result<Way, Failure> {
+        match runner {
+            Runner::StepperF64 => Ok(self.step::<f64>()),
+            Runner::StepperF32 => Ok(self.step::<f32>()),
+            Runner::FixedStepper => self.step_fixed(),
+            Runner::CursorF64 => self.look_up::<f64, 48, 11>(f64::from),
+            Runner::CursorF32 => self.look_up::<f32, 25, 5>(f64::from),
+            Runner::CursorQ31 => self.look_up::<I2F30, 32, 6>(f64::from),
+        }
     }
 
     fn motion(&self) -> &Motion {
@@ -115,17 +131,17 @@ impl Track<'_> {
         Tick::ratio(ticks, seconds).map_err(|error| Failure::Method(error.to_string()))
     }
 
-    fn step<R: Real>(&self) -> (Vec<Phi<f64>>, Option<f64>) {
+    fn step<R: Real>(&self) -> Way {
         let (start, dt) = (Stepper::<R>::new(self.motion()), R::from_f64(self.race.apart()));
         let widen = |stepper: &Stepper<R>| widened(stepper.phi(), R::to_f64);
         let mut there = start;
         (0..THERE).for_each(|_| there.step(dt));
         (0..THERE).for_each(|_| there.step(-dt));
         let back = distance(&widen(&there), &widen(&start));
-        (self.follow(start, |stepper| stepper.step(dt), widen), Some(back))
+        Way { phi: self.follow(start, |stepper| stepper.step(dt), widen), back: Some(back), bound: None }
     }
 
-    fn step_fixed(&self) -> Result<(Vec<Phi<f64>>, Option<f64>), Failure> {
+    fn step_fixed(&self) -> Result<Way, Failure> {
         let start = <FixedStepper>::new(self.motion(), self.tick()?);
         let start = start.map_err(|error| Failure::Method(error.to_string()))?;
         let widen = |stepper: &FixedStepper| widened(stepper.phi(), f64::from);
@@ -133,20 +149,22 @@ impl Track<'_> {
         (0..THERE).for_each(|_| there.step());
         (0..THERE).for_each(|_| there.step_back());
         let back = distance(&widen(&there), &widen(&start));
-        Ok((self.follow(start, FixedStepper::step, widen), Some(back)))
+        let phi = self.follow(start, FixedStepper::step, widen);
+        Ok(Way { phi, back: Some(back), bound: Some(start.error_bound()) })
     }
 
     fn look_up<R: Tabular, const SEGMENTS: usize, const TERMS: usize>(
         &self,
         widen: fn(R) -> f64,
-    ) -> Result<Vec<Phi<f64>>, Failure> {
+    ) -> Result<Way, Failure> {
         let table = Ephemeris::<R, SEGMENTS, TERMS>::new(self.motion(), self.tick()?);
         let table = table.map_err(|error| Failure::Method(error.to_string()))?;
         let step = |cursor: &mut Cursor<'_, R, SEGMENTS, TERMS>| {
             black_box(cursor.next().phi());
         };
         // the cursor stands before the tick that it has counted to
-        Ok(self.follow(table.cursor(0), step, |cursor| widened(cursor.clone().next().phi(), widen)))
+        let phi = self.follow(table.cursor(0), step, |cursor| widened(cursor.clone().next().phi(), widen));
+        Ok(Way { phi, back: None, bound: Some(table.error_bound()) })
     }
 
     fn follow<T>(
@@ -192,7 +210,7 @@ fn full_solvers(race: &Race, decades: &[u64], truth: &[Phi<f64>]) -> Result<Vec<
     let [fine, coarse] = [follow(TOLERANCES[0])?, follow(TOLERANCES[1])?];
     let line = |who: String, a: &[Phi<f64>], b: &[Phi<f64>]| {
         let errors = a.iter().zip(b).map(|(a, b)| distance(a, b));
-        Line { who, errors: decades.iter().copied().zip(errors).collect(), back: None }
+        Line { who, errors: decades.iter().copied().zip(errors).collect(), back: None, of_bound: None }
     };
     let [fine_name, coarse_name] = TOLERANCES.map(|tolerance| format!("full solver at {tolerance:.0e}"));
     Ok(vec![
@@ -229,11 +247,14 @@ mod tests {
             (1e-17, 1e-9),
         ];
         assert_eq!(lines.len(), ranges.len());
-        for (Line { who, errors, back }, (least, most)) in lines.iter().zip(ranges) {
+        for (Line { who, errors, back, of_bound }, (least, most)) in lines.iter().zip(ranges) {
             let (ticks, last) = errors[1];
             assert_eq!((ticks, errors.len()), (10_000, 2), "{who}");
             assert!(last > least && last < most, "{who}: {last:e}");
             assert_eq!(back.is_some(), who.contains("stepper"), "{who}");
+            let stated = who.contains("cursor") || who.contains("fixed-point");
+            assert_eq!(of_bound.is_some(), stated, "{who}");
+            assert!(of_bound.is_none_or(|share| share > 0.01 && share <= 1.0), "{who}: {of_bound:?}");
         }
     }
 }

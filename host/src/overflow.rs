@@ -15,8 +15,8 @@ use crate::truth::distance;
 use std::fmt::Write as _;
 use std::hint::black_box;
 use std::panic::{self, AssertUnwindSafe};
+use toytop::Motion;
 use toytop::real::Scalar as _;
-use toytop::{ErrorBound, Motion};
 
 /// What was tried.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -101,7 +101,7 @@ fn look_up(motion: &Motion, random: &mut Random, ticks: u32, tally: &mut Tally, 
             tally.ticks += 1;
             let Some(truth) = &truth else { continue };
             let exact = truth.at_tick(n);
-            let bound = allowed(table.error_bound(), n) + allowed(truth.error_bound(), n);
+            let bound = table.error_bound().after(n as f64) + truth.error_bound().after(n as f64);
             let error = distance(&found.phi, &exact.phi);
             let derived = (found.u - exact.u).abs();
             let derived = derived.max((found.tip_over_s - exact.tip_over_s).norm_squared().sqrt());
@@ -129,8 +129,8 @@ fn step(motion: &Motion, random: &mut Random, ticks: u32, tally: &mut Tally, sai
             let sample = steps.sample();
             let Some(truth) = &truth else { continue };
             let exact = truth.at(sample.t).sample;
-            let bound = allowed(steps.error_bound(), steps.steps() as i64)
-                + allowed(truth.error_bound(), (sample.t * rate) as i64)
+            let bound = steps.error_bound().after(steps.steps() as f64)
+                + truth.error_bound().after(sample.t * rate)
                 // the time itself is rounded
                 + sample.t.abs() * f64::EPSILON * sample.omega.map(|x| x * x).iter().sum::<f64>().sqrt();
             let error = distance(&sample.orientation(), &exact.orientation());
@@ -138,10 +138,6 @@ fn step(motion: &Motion, random: &mut Random, ticks: u32, tally: &mut Tally, sai
         }
         tally.steps += steps.steps();
     }
-}
-
-fn allowed(bound: ErrorBound, n: i64) -> f64 {
-    bound.constant + bound.per_tick * n.unsigned_abs() as f64
 }
 
 /// The greatest strain so far; beyond 1, or no number, it is said.

@@ -26,7 +26,7 @@ fn errors<R: Real + Tabular, const S: usize, const N: usize>(vector: &Vector) ->
         let decade = [10.0, 1e4, 1e7, f64::INFINITY].iter().position(|&limit| periods < limit).unwrap();
         worst[decade] = worst[decade].max(error);
         if vector.is_exact() {
-            let allowed = bound.constant + bound.per_tick * (sample.t * 1000.0).abs();
+            let allowed = bound.after(sample.t * 1000.0);
             assert!(
                 error <= allowed,
                 "{}: {error:.1e} rad at {}, bound {allowed:.1e}",

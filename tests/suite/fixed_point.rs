@@ -14,7 +14,7 @@ fn worst<R: Tabular + Into<f64>, const S: usize, const N: usize>(vector: &Vector
     let far = vector.huge_samples().into_iter().map(|(_, sample)| sample);
     Ok(vector.samples().into_iter().chain(far).fold(0.0, |worst: f64, sample| {
         let error = orientation_error(widened(ephemeris.at(sample.t).phi()), sample.phi);
-        let allowed = bound.constant + bound.per_tick * (sample.t * 1000.0).abs();
+        let allowed = bound.after(sample.t * 1000.0);
         assert!(error <= allowed, "{}: {error:.1e} at {}, bound {allowed:.1e}", vector.name, sample.t);
         worst.max(error)
     }))

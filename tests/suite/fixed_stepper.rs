@@ -49,8 +49,7 @@ fn truth_over_three_periods() {
         let (scale, rate) = (vector.top().tip_scale(), rate(&vector));
         follow(&vector, |stepper, sample| {
             let error = orientation_error(widened(stepper.phi()), sample.phi);
-            let bound = stepper.error_bound();
-            assert!(error <= bound.constant + bound.per_tick * sample.t.abs() * rate, "{}", vector.name);
+            assert!(error <= stepper.error_bound().after(sample.t * rate), "{}", vector.name);
             orientation = orientation.max(error);
             tilt = tilt.max((f64::from(stepper.u()) - sample.u).abs());
             let tip = stepper.tip();
@@ -175,7 +174,7 @@ fn a_million_ticks_of_random_motions_stay_in_range() {
             assert!(stepper.tip_angle().is_some() && f64::from(stepper.tip().norm_squared()) <= 1.0 + 1e-7);
             if let Some(truth) = &truth {
                 let error = orientation_error(phi, truth.at_tick(n).phi());
-                assert!(error <= bound.constant + bound.per_tick * n as f64, "{i}: {error:e} after {n}");
+                assert!(error <= bound.after(n as f64), "{i}: {error:e} after {n}");
             }
         }
         ticks += n;

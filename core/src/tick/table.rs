@@ -161,7 +161,7 @@ impl<C: Copy, const SEGMENTS: usize, const TERMS: usize> Table<C, SEGMENTS, TERM
 }
 
 /// How far an orientation from an ephemeris can be from the truth of the very numbers it was launched from, in rad
-/// (2 √(|Δα|² + |Δβ|²)): at tick n at most `constant + |n| per_tick`.
+/// (2 √(|Δα|² + |Δβ|²)): at tick n at most `constant + |n| per_tick`, [`ErrorBound::after`].
 ///
 /// The roundings in it are counts. All of 100 000 random motions of every regime keep it (`toytop study --motions 100000 --seed
 /// 3`), and of 6543 launches towards every degenerate corner (`toytop study --corners --motions 20000 --truths 6000`) all do: the
@@ -176,6 +176,12 @@ pub struct ErrorBound {
 }
 
 impl ErrorBound {
+    /// So many ticks from tick 0, whole or not, either way: rad.
+    #[must_use]
+    pub fn after(&self, ticks: f64) -> f64 {
+        self.constant + self.per_tick * Float::abs(ticks)
+    }
+
     pub(super) fn of<R: Tabular>(
         rates: &Rates,
         tabulated: &Tabulated,

@@ -1,4 +1,5 @@
-//! `toytop longrun`: steppers and cursors over very many ticks, there and back, and the full solver against itself.
+//! `toytop longrun`: steppers and cursors over very many ticks, there and back, and the full solver against itself; exit code 1
+//! if one leaves the bound it states.
 
 use super::Report;
 use crate::Failure;
@@ -30,7 +31,8 @@ pub(super) fn run(arguments: &LongrunArgs) -> Result<Report, Failure> {
         Format::Csv => output::csv(&records).map_err(Failure::Output)?,
         Format::Json => output::json_list("rows", &records).map_err(Failure::Output)?,
     };
-    Ok(Report { text, ..Report::default() })
+    let missed = lines.iter().any(|line| line.of_bound.is_some_and(|share| share > 1.0));
+    Ok(Report { text, missed, ..Report::default() })
 }
 
 /// One line a runner, one column a decade.
@@ -38,13 +40,14 @@ fn rows(lines: &[Line], ticks: u64) -> Vec<Vec<String>> {
     let decades = decades(ticks);
     let mut header = vec!["error after ... ticks, rad".to_owned()];
     header.extend(decades.iter().map(|ticks| format!("{:.0e}", *ticks as f64)));
-    header.push("10^6 there and back".to_owned());
+    header.extend(["10^6 there and back", "greatest error / bound"].map(str::to_owned));
     let show = |error: Option<f64>| error.map_or("-".to_owned(), |error| format!("{error:.0e}"));
     let row = |line: &Line| {
         let at = |ticks: &u64| line.errors.iter().find(|(at, _)| at == ticks).map(|(_, error)| *error);
         let mut row = vec![line.who.clone()];
         row.extend(decades.iter().map(|ticks| show(at(ticks))));
         row.push(show(line.back));
+        row.push(line.of_bound.map_or("-".to_owned(), |share| format!("{share:.2}")));
         row
     };
     std::iter::once(header).chain(lines.iter().map(row)).collect()
@@ -57,6 +60,7 @@ fn records(line: &Line) -> Vec<Record> {
             ("ticks", Cell::Count(ticks)),
             ("error_rad", Cell::Number(error)),
             ("left_there_and_back_rad", line.back.into()),
+            ("greatest_share_of_bound", line.of_bound.into()),
         ])
     };
     line.errors.iter().map(record).collect()

@@ -96,9 +96,7 @@ fn outcome(scalar: Scalar, motion: &Motion, targets: &[Target]) -> Outcome {
 
 fn measure(table: &dyn AnySize, target: &Target, ticks_per_time: f64) -> Worst {
     let error = distance(&table.at(target.t).sample.orientation(), &target.phi);
-    let bound = table.error_bound();
-    let ticks = (target.t * ticks_per_time).abs();
-    Worst { error, bound: bound.constant + bound.per_tick * ticks, t: target.t }
+    Worst { error, bound: table.error_bound().after(target.t * ticks_per_time), t: target.t }
 }
 
 /// 2 √(|Δα|² + |Δβ|²), rad, without the rounding of the truth.

@@ -44,7 +44,7 @@ impl Reading {
     /// How far Φ can be from the truth then, rad.
     #[must_use]
     pub fn bound(&self, t: f64) -> f64 {
-        self.bound.constant + self.bound.per_tick * (t * self.ticks_per_time).abs()
+        self.bound.after(t * self.ticks_per_time)
     }
 }
 
