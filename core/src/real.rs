@@ -95,7 +95,7 @@ pub trait Scalar: Ring {
     /// Error: below 3.2e-8 in `f32`; below 2e-16 in `f64`, and there relative to the result near its zeros.
     fn sine_cosine(phase: Turns) -> (Self, Self);
 
-    /// Half a unit in the last place of 1: what one operation can round off.
+    /// Half a unit in the last place of 1: what one operation can round off (a product in fixed point eight times as much).
     const ROUNDING: f64;
 }
 

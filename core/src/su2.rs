@@ -30,13 +30,19 @@ pub fn bracket<R: Ring>(x: Vector<R>, y: Vector<R>) -> Vector<R> {
 /// An orientation: the matrix Φ = ((α, β), (γ, δ)) of SU(2) in Cayley-Klein parameters.
 ///
 /// γ = -β̄ and δ = ᾱ follow. Constructors do not normalise: |α|² + |β|² = 1 is the caller's.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Phi<R> {
     /// α, with 1 + u = 2 |α|².
     pub alpha: Complex<R>,
     /// β, with 1 - u = 2 |β|².
     pub beta: Complex<R>,
+}
+
+impl<R: Ring> Default for Phi<R> {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
 }
 
 impl<R: Ring> Phi<R> {
@@ -84,10 +90,12 @@ impl<R: Ring> Phi<R> {
         let [x1, x2, x3] = body;
         let w = Complex::new(x1, x2);
         let (alpha, beta) = (self.alpha, self.beta);
-        let horizontal = alpha * alpha * w - beta * beta * w.conj() - (alpha * beta).scaled(x3.doubled());
+        // |αβ| <= 1/2: doubled last, it stays within a fixed-point range of ±2
+        let along = (alpha * beta).scaled(x3);
+        let across = alpha * alpha * w - beta * beta * w.conj();
         let vertical =
             (alpha.norm_squared() - beta.norm_squared()) * x3 + (alpha * beta.conj() * w).re.doubled();
-        [horizontal.re, horizontal.im, vertical]
+        [across.re - along.re.doubled(), across.im - along.im.doubled(), vertical]
     }
 
     /// r = Φ e₃ Φ⁻¹, the symmetry axis from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = |α|² - |β|².
@@ -98,7 +106,30 @@ impl<R: Ring> Phi<R> {
         [-product.re.doubled(), -product.im.doubled(), self.u()]
     }
 
-    /// u = |α|² - |β|², the cosine of the tilt.
+    /// The same rotation as a unit quaternion w + x i + y j + z k, as [w, x, y, z]: body to fixed frame, sign included.
+    #[must_use]
+    pub fn quaternion(&self) -> [R; 4] {
+        let Self { alpha, beta } = *self;
+        [alpha.re, beta.im, -beta.re, alpha.im]
+    }
+
+    /// The reverse of [`Phi::quaternion`]; not normalised either.
+    #[must_use]
+    pub fn from_quaternion([w, x, y, z]: [R; 4]) -> Self {
+        Self { alpha: Complex::new(w, z), beta: Complex::new(-y, x) }
+    }
+
+    /// Ad_Φ as a matrix, row by row: fixed coordinates are its product with the column of body coordinates. The third column is
+    /// the axis.
+    #[must_use]
+    pub fn matrix(&self) -> [Vector<R>; 3] {
+        let (zero, one) = (R::ZERO, R::ONE);
+        let [a, b] = [[one, zero, zero], [zero, one, zero]].map(|body| self.adjoint(body));
+        let ([a1, a2, a3], [b1, b2, b3], [r1, r2, r3]) = (a, b, self.axis());
+        [[a1, b1, r1], [a2, b2, r2], [a3, b3, r3]]
+    }
+
+    /// u = |α|² - |β|², the cosine of the tilt: the real part of (α + β)(ᾱ - β̄), two products instead of four.
     #[must_use]
     pub fn u(&self) -> R {
         let (sum, difference) = (self.alpha + self.beta, self.alpha - self.beta);
@@ -126,18 +157,33 @@ impl<R: Float> Phi<R> {
 }
 
 impl<R: Real> Phi<R> {
-    /// exp of an element of su(2): the rotation by |x| rad about x. `Turns` carry the angle, so any size is exact
-    /// to the scalar's rounding of |x| itself.
+    /// exp of an element of su(2): the rotation by |x| rad about x. `Turns` carry a large angle, a series a small one, so any
+    /// size is exact to some roundings of the scalar, of |x| itself and of the result.
     #[must_use]
     pub fn exp(x: Vector<R>) -> Self {
-        let angle = dot(x, x).sqrt();
-        if angle == R::ZERO {
-            return Self::IDENTITY;
-        }
-        let (sine, cosine) = R::sine_cosine(Turns::from_radians(0.5 * angle.to_f64()));
-        let [x1, x2, x3] = x.map(|component| component * (sine / angle));
+        /// Below it the sine of `f32`, good to 2^-32 turns, would be short of digits.
+        const SMALL: f64 = 1.0 / 16.0;
+        let square = dot(x, x);
+        let (scale, cosine) = if square < R::from_f64(SMALL * SMALL) {
+            small_half_angle(square * R::from_f64(0.25))
+        } else {
+            let angle = square.sqrt();
+            let (sine, cosine) = R::sine_cosine(Turns::from_radians(0.5 * angle.to_f64()));
+            (sine / angle, cosine)
+        };
+        let [x1, x2, x3] = x.map(|component| component * scale);
         Self { alpha: Complex::new(cosine, x3), beta: Complex::new(-x2, x1) }
     }
+}
+
+/// sin h/2h and cos h from h² <= 2^-10: what the series leave out is below 2^-61.
+fn small_half_angle<R: Real>(square: R) -> (R, R) {
+    // 1 - h²/d₁ (1 - h²/d₂ (1 - ...)), the divisors last to first
+    let series = |divisors: [f64; 4]| {
+        divisors.into_iter().fold(R::ONE, |sum, divisor| R::ONE - square * R::from_f64(1.0 / divisor) * sum)
+    };
+    let (sine, cosine) = (series([72.0, 42.0, 20.0, 6.0]), series([56.0, 30.0, 12.0, 2.0]));
+    (sine * R::from_f64(0.5), cosine)
 }
 
 /// Φ and its rate of change: everything about one instant follows from these two by products alone.

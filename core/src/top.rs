@@ -56,7 +56,7 @@ impl Top {
     /// * `gravity`: g, m/s²
     ///
     /// # Errors
-    /// Names the parameter that is not finite, not between 1e-12 and 1e12, or (C) above 2A; `A/(ps)`, the square of a
+    /// Names the parameter that is not finite, not between 1e-12 and 1e12, or (C) above 2A or below 1e-6 A; `A/(ps)`, the square of a
     /// radius of gyration over s, must be between 1e-6 and 1e12, A/p between 1e-12 and 1e12 m, and √(pg/A), the rate at
     /// which the top falls, between 1e-9 and 1e9 per second.
     pub fn sliding(
@@ -99,7 +99,7 @@ impl Top {
     /// As [`Top::fixed`], from the mass (kg) and the height of the centre of mass above the tip (m).
     ///
     /// # Errors
-    /// As [`Top::sliding`].
+    /// As [`Top::sliding`]; and A below M s² + C/2, which no body has about its tip: most likely it is about the centre of mass.
     pub fn fixed_with_mass(
         transverse_inertia: f64,
         axial_inertia: f64,
@@ -107,8 +107,17 @@ impl Top {
         mass: f64,
         gravity: f64,
     ) -> Result<Self, LaunchError> {
+        /// Room for what the numbers are rounded to.
+        const ROOM: f64 = 1e-9;
         let p = DoubleDouble::product(magnitude("mass", mass)?, magnitude("com_height", com_height)?);
-        Self::new(Support::Fixed, transverse_inertia, axial_inertia, 0.0, p, gravity)
+        let top = Self::new(Support::Fixed, transverse_inertia, axial_inertia, 0.0, p, gravity)?;
+        let least = p.hi() * com_height + 0.5 * top.c;
+        require(
+            top.a >= least * (1.0 - ROOM),
+            "transverse_inertia",
+            "about the tip, at least mass x com_height^2 + axial_inertia / 2",
+        )?;
+        Ok(top)
     }
 
     fn new(support: Support, a: f64, c: f64, s: f64, p: DoubleDouble, g: f64) -> Result<Self, LaunchError> {
@@ -237,6 +246,12 @@ mod tests {
         assert_eq!(parameter(Top::sliding(1e-11, 1e-11, 0.03, mass, 9.81)), Some("transverse_inertia"));
         assert_eq!(parameter(Top::fixed(3e-5, 2e-5, -0.1, 9.81)), Some("mass_moment"));
         assert_eq!(parameter(Top::fixed_with_mass(3e-5, 2e-5, 0.03, 0.0, 9.81)), Some("mass"));
+        // 0.05 kg x (0.03 m)^2 = 4.5e-5 kg m^2
+        assert_eq!(parameter(Top::fixed_with_mass(5.5e-5, 2e-5, 0.03, 0.05, 9.81)), None);
+        assert_eq!(
+            parameter(Top::fixed_with_mass(5.4999e-5, 2e-5, 0.03, 0.05, 9.81)),
+            Some("transverse_inertia")
+        );
     }
 
     #[test]

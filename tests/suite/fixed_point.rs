@@ -109,3 +109,24 @@ fn products_of_either_size() {
     assert_eq!(I2F30::inner([a, b], [c, d]), I2F30::from_num(0.25));
     assert_eq!(I2F30::determinant([a, b], [c, d]), I2F30::from_num(0.5));
 }
+
+/// What 16 bits say of an instant can be launched from, though its norm is short of theirs.
+#[test]
+fn a_relaunch_from_sixteen_bits() {
+    for vector in exact() {
+        let motion = vector.motion().unwrap();
+        let Ok(ephemeris) = Ephemeris::<I2F14, 64, 4>::new(&motion, Tick::hertz(1000).unwrap()) else {
+            continue;
+        };
+        for n in [0, 12_345, 1 << 40] {
+            let moment = ephemeris.at_tick(n);
+            let state = moment.pose().state().unwrap();
+            let error = orientation_error(state.phi(), widened(moment.phi()));
+            assert!(
+                error < 1e-3 && (state.phi().norm_squared() - 1.0).abs() < 1e-7,
+                "{}: {error:e}",
+                vector.name
+            );
+        }
+    }
+}

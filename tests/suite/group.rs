@@ -1,5 +1,7 @@
 //! SU(2), its algebra, and the two ways it turns the sphere (section 2 of the paper).
 
+use toytop::fixed::traits::Fixed;
+use toytop::fixed::types::{I2F14, I2F30};
 use toytop::real::Float;
 use toytop::su2::{PhiRate, Vector, bracket, dot, sphere_point, stereographic};
 use toytop::{Complex, Phi, Stepper};
@@ -8,6 +10,11 @@ use toytop_tests::{orientation_error, tolerance, vectors};
 /// Fixed pseudo-random rotations: exponentials of a walk through su(2).
 fn rotations() -> Vec<Phi<f64>> {
     (1..200).map(|i| Phi::exp(vector(i).map(|x| 4.0 * x))).collect()
+}
+
+fn narrowed<F: Fixed>(phi: Phi<f64>) -> Phi<F> {
+    let narrow = |z: Complex<f64>| Complex::new(F::from_num(z.re), F::from_num(z.im));
+    Phi { alpha: narrow(phi.alpha), beta: narrow(phi.beta) }
 }
 
 fn vector(i: u32) -> Vector<f64> {
@@ -90,4 +97,55 @@ fn angular_velocities() {
     assert!((again.alpha - pose.rate.alpha).norm_squared().sqrt() < 1e-14);
     assert!((again.beta - pose.rate.beta).norm_squared().sqrt() < 1e-14);
     assert!(Float::abs(pose.udot() - (after.u() - before.u()) * 0.5 / step) < 1e-7);
+}
+
+/// Of what has no room beyond 2: an axis turned by the adjoint action is the axis.
+#[test]
+fn the_adjoint_action_in_fixed_point() {
+    let mut error = [0.0_f64; 2];
+    for phi in rotations() {
+        let (wide, narrow): (Phi<I2F30>, Phi<I2F14>) = (narrowed(phi), narrowed(phi));
+        let turned = wide.adjoint([I2F30::ZERO, I2F30::ZERO, I2F30::ONE]).map(f64::from);
+        let turned_narrow = narrow.adjoint([I2F14::ZERO, I2F14::ZERO, I2F14::ONE]).map(f64::from);
+        for (error, turned) in error.iter_mut().zip([turned, turned_narrow]) {
+            *error = error.max(distance(turned, phi.axis()));
+        }
+    }
+    assert!(error[0] < 3e-8 && error[1] < 1e-3, "{error:?}");
+}
+
+/// In `f32` a small rotation has all its digits, and a large one as many as its angle.
+#[test]
+fn the_exponential_of_small_rotations() {
+    for exponent in -30..2 {
+        let angle = 1.37 * 10_f64.powi(exponent);
+        let phi = Phi::<f32>::exp([0.0, angle as f32, 0.0]);
+        let half = 0.5 * f64::from(angle as f32);
+        let [sine, cosine] = [-f64::from(phi.beta.re), f64::from(phi.alpha.re)];
+        assert!((sine / half.sin() - 1.0).abs() < 2e-7, "{angle}: {sine:e}");
+        assert!((cosine - half.cos()).abs() < 2e-7, "{angle}: {cosine:e}");
+        let double = Phi::<f64>::exp([0.0, angle, 0.0]);
+        let half = 0.5 * angle;
+        assert!((-double.beta.re / half.sin() - 1.0).abs() < 4e-16, "{angle}: {:e}", double.beta.re);
+        assert!((double.alpha.re - half.cos()).abs() < 4e-16, "{angle}");
+    }
+}
+
+/// One rotation by quaternion, by matrix and by the adjoint action.
+#[test]
+fn quaternion_and_matrix() {
+    let mut worst = 0.0_f64;
+    for (i, phi) in rotations().into_iter().enumerate() {
+        assert_eq!(Phi::from_quaternion(phi.quaternion()), phi);
+        let x = vector(i as u32 + 11);
+        let turned = phi.adjoint(x);
+        worst = worst.max(distance(phi.matrix().map(|row| dot(row, x)), turned));
+        // v + 2 w (q × v) + 2 q × (q × v)
+        let [w, q @ ..] = phi.quaternion();
+        let (once, twice) = (bracket(q, x), bracket(q, bracket(q, x)));
+        let by_quaternion = std::array::from_fn(|k| x[k] + 2.0 * (w * once[k] + twice[k]));
+        worst = worst.max(distance(by_quaternion, turned));
+    }
+    tolerance::GROUP.check("quaternion and matrix", worst);
+    assert_eq!(Phi::<f64>::default().matrix(), [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
 }

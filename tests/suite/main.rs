@@ -24,6 +24,7 @@ mod invariants;
 mod lagrange;
 #[cfg(feature = "host")]
 mod lagrangian;
+mod long_ticks;
 mod moebius;
 mod moments;
 mod order;

@@ -1,9 +1,10 @@
 //! Every refusal, by the parameter it names. What is accepted right beside it shows that the border is where it is said.
 
 use toytop::{
-    BranchPoints, Complex, Heaviness, LaunchError, Motion, NoFit, Phi, Release, Sign, Signs, Start, State,
-    Tick, Top,
+    BranchPoints, Complex, Ephemeris, Heaviness, LaunchError, Motion, NoFit, Phi, Release, Sign, Signs,
+    Start, State, Tick, Top,
 };
+use toytop_tests::vectors;
 
 fn parameter<T>(result: Result<T, LaunchError>) -> Option<&'static str> {
     result.err().map(|error| error.parameter())
@@ -70,7 +71,7 @@ fn branch_points() {
     assert_eq!(e(f64::NAN, 0.9, 2.0), Some("e1"));
     let motion =
         |start| parameter(Motion::from_branch_points(&top(), [0.7, 0.9, 2.0], Signs::default(), &start));
-    assert_eq!(motion(Start { theta: f64::NAN, ..Start::default() }), Some("nutation_phase"));
+    assert_eq!(motion(Start { theta: f64::NAN, ..Start::default() }), Some("theta"));
     assert_eq!(motion(Start { arg_alpha: 1e7, ..Start::default() }), Some("arg_alpha"));
     assert_eq!(motion(Start { arg_beta: f64::INFINITY, ..Start::default() }), Some("arg_beta"));
 }
@@ -115,4 +116,16 @@ fn what_a_table_misses_is_said() {
 fn signs_are_factors() {
     assert_eq!([Sign::Plus.factor(), Sign::Minus.factor()], [1, -1]);
     assert_eq!([Sign::of(0.0), Sign::of(-1e-300)].map(Sign::factor), [1, -1]);
+}
+
+/// A table that was set up and then refused another motion says that it is not to be relied on.
+#[test]
+fn a_refused_set_up_states_no_bound() {
+    let [easy, hard] =
+        ["exact_generic_pp", "near_separatrix_straddle"].map(|name| vectors::named(name).motion().unwrap());
+    let tick = Tick::hertz(1000).unwrap();
+    let mut ephemeris = Ephemeris::<f64, 48, 11>::new(&easy, tick).unwrap();
+    assert!(ephemeris.error_bound().after(1e9) < 1e-12);
+    assert!(ephemeris.set_up(&hard, tick, 1e-19).is_err());
+    assert_eq!(ephemeris.error_bound().after(0.0), f64::INFINITY);
 }

@@ -6,7 +6,7 @@ use crate::tick::Pose;
 use crate::turns::Turns;
 use core::fmt;
 
-/// A motion that elementary or elliptic functions can say.
+/// A motion that elementary or elliptic functions express.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ClosedForm {
     /// e₁ = e₂, or upright: trigonometric functions.

@@ -49,7 +49,7 @@ impl E3EqualsE4 {
     /// Units in the last place that e₃ and e₄ may differ by: √(1 + A/(ps)) is rarely an `f64`.
     pub const TOLERANCE_ULP: f64 = 4.0;
 
-    /// The closed form of a motion; `None` unless the tip slides, e₁ < e₂ and |e₃ - e₄| <= 4 ulp.
+    /// The closed form of a motion; `None` unless the tip slides, e₁ < e₂ and |e₃ - e₄| <= 2^-50 e₄.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
         let (top, e) = (motion.top(), motion.branch_points());

@@ -85,7 +85,7 @@ impl Curve {
         }
     }
 
-    /// The elliptic curve of section 5.1; `None` unless |e₃ - e₄| <= 4 ulp. The factor u - e₃ is taken out:
+    /// The elliptic curve of section 5.1; `None` unless |e₃ - e₄| <= 2^-50 e₄. The factor u - e₃ is taken out:
     /// w of the general curve is (u - e₃)/2 times w here.
     #[must_use]
     pub fn e3_equals_e4(motion: &Motion) -> Option<Self> {

@@ -33,6 +33,21 @@ impl Format for Turns {
     }
 }
 
+/// As [`core::fmt::Display`] has it.
+#[cfg(feature = "fixed")]
+impl Format for crate::tick::NoTickMap {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "{}", defmt::Display2Format(self));
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl<const SEGMENTS: usize, const TERMS: usize> Format for crate::tick::FixedStepper<SEGMENTS, TERMS> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "stepper {=usize}x{=usize} at {}", SEGMENTS, TERMS, self.phi());
+    }
+}
+
 /// What kind of motion, and between which heights; the rest can be asked for.
 impl Format for Motion {
     fn format(&self, f: Formatter<'_>) {
@@ -72,7 +87,8 @@ impl<R: Tabular + Format, const SEGMENTS: usize, const TERMS: usize> Format
     }
 }
 
-/// Every public type; a new one belongs here.
+/// Every public type that a firmware meets (not those of [`crate::exact`], nor [`crate::Baked`], which is a table); a new one belongs
+/// here.
 const _: () = {
     const fn logs<T: Format>() {}
     logs::<(Complex<f32>, Cycle, DoubleDouble, Phi<f32>, PhiRate<f64>, Rate, Turns)>();
@@ -82,4 +98,6 @@ const _: () = {
     logs::<(EphemerisF32, EphemerisF64, ErrorBound, NoFit, Place, Tick, TurningPoint)>();
     logs::<(Cursor<'static, f32, 2, 2>, Moment<'static, f64, 2, 2>)>();
     logs::<(Pose<f32>, Stepper<f64>, Tip<f32>, TipAngle<f64>)>();
+    #[cfg(feature = "fixed")]
+    logs::<(crate::FixedStepper, crate::NoTickMap, Phi<fixed::types::I2F30>, Complex<fixed::types::I2F14>)>();
 };

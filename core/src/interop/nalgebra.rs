@@ -1,11 +1,9 @@
 //! nalgebra's rotations, in both directions (feature `nalgebra`).
 //!
-//! Components: with q = w + x i + y j + z k, α = w + i z and β = -y + i x, so
-//! `UnitQuaternion` (nalgebra's constructor takes w first) and [`Phi`] are the same element of SU(2), *sign included*: Φ
+//! By the components of [`Phi::quaternion`], so `UnitQuaternion` and [`Phi`] are the same element of SU(2), *sign included*: Φ
 //! and -Φ give q and -q. Both turn body coordinates into fixed ones. A `Rotation3` has no sign; coming back from it, Φ is
 //! one of the two, that with the quaternion nalgebra chooses.
 
-use crate::complex::Complex;
 use crate::real::Ring;
 use crate::su2::Phi;
 use nalgebra::{Quaternion, RealField, Rotation3, UnitQuaternion};
@@ -13,15 +11,15 @@ use nalgebra::{Quaternion, RealField, Rotation3, UnitQuaternion};
 /// Not renormalised: Φ must be of unit norm, as every one of this crate is.
 impl<R: Ring + RealField> From<Phi<R>> for UnitQuaternion<R> {
     fn from(phi: Phi<R>) -> Self {
-        let Phi { alpha, beta } = phi;
-        Self::new_unchecked(Quaternion::new(alpha.re, beta.im, -beta.re, alpha.im))
+        let [w, x, y, z] = phi.quaternion();
+        Self::new_unchecked(Quaternion::new(w, x, y, z))
     }
 }
 
 /// Exact: the components are moved, not computed.
 impl<R: Ring + RealField> From<UnitQuaternion<R>> for Phi<R> {
     fn from(q: UnitQuaternion<R>) -> Self {
-        Self { alpha: Complex::new(q.w, q.k), beta: Complex::new(-q.j, q.i) }
+        Self::from_quaternion([q.w, q.i, q.j, q.k])
     }
 }
 

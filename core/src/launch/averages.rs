@@ -53,7 +53,8 @@ pub(super) struct Quadrature<F> {
 
 /// Nodes a half period at most: more are needed only where A/(ps) is tiny.
 const MOST_NODES: u32 = 1 << 16;
-/// A doubling of the nodes that changes less, relatively, is the last. A thousand million periods away counts what it leaves.
+/// A doubling of the nodes that changes less, relatively, is the last. What it leaves is far less still, which 10⁹ periods need:
+/// they multiply it by as many.
 const SETTLED: f64 = 1e-15;
 
 impl<F: Float> Quadrature<F> {

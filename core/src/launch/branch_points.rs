@@ -61,7 +61,8 @@ impl BranchPoints {
     pub fn from_integrals(top: &Top, l: f64, n: f64, h: f64) -> Result<Self, LaunchError> {
         let integrals = exact_integrals(finite("l", l)?, finite("n", n)?, finite("h", h)?);
         let point = highest_point(top, &integrals)?;
-        Ok(BranchPoints::about(top, &integrals, &point)?.to_f64())
+        let refused = |_| LaunchError::OutOfRange { parameter: "h", allowed: "such that e3 <= 1e14" };
+        Ok(BranchPoints::about(top, &integrals, &point).map_err(refused)?.to_f64())
     }
 
     /// The first integrals of the motion with these branch points and signs (eqn:constants); each of the four choices

@@ -102,7 +102,7 @@ impl Motion {
         let [e1, e2, e3] = e;
         let e = BranchPoints::exact(e1, e2, e3)?;
         let Start { theta, arg_alpha, arg_beta } = *start;
-        for (name, angle) in [("nutation_phase", theta), ("arg_alpha", arg_alpha), ("arg_beta", arg_beta)] {
+        for (name, angle) in [("theta", theta), ("arg_alpha", arg_alpha), ("arg_beta", arg_beta)] {
             finite(name, angle)?;
             require(Float::abs(angle) <= 1e6, name, "between -1e6 and 1e6 rad")?;
         }
@@ -167,7 +167,7 @@ impl Motion {
     /// The nutation period and the turns of α and β in it; where u is constant, of the small nutation that a push would
     /// start. `None` where nothing comes back: aperiodic, sleeping unstable, and the border of sleep (e₁ = e₂ = e₃ = 1).
     ///
-    /// Cost: a quadrature of some 16 to 128 nodes in double-double, every time it is called.
+    /// Cost: a quadrature of some 16 to 128 nodes in double-double, up to 65536 where A/(ps) is tiny, every time it is called.
     #[must_use]
     pub fn averages(&self) -> Option<Averages> {
         (self.e.e3_minus_e2 > DoubleDouble::ZERO).then(|| self.exact_averages().0.to_f64())

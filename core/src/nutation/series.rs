@@ -9,8 +9,8 @@ use crate::real::{Float, Scalar};
 use crate::turns::Turns;
 
 /// Terms of a series at most; it stops where they fall below what the scalar can tell. A segment that a short polynomial
-/// can follow is a small part of the radius of convergence:
-/// sixteen terms leave 1e-10 where degree 5 leaves 3e-8, and 1e-16 where degree 9 leaves 1e-16.
+/// can follow is a small part of the radius of convergence: where degree 5 leaves 3e-8 sixteen terms leave 1e-10, and no less
+/// than degree 9 where that leaves 1e-16, which is rounding.
 pub(crate) const TERMS: usize = 16;
 
 /// 1/(k + 1), which integrating x^k divides by: a product costs a chip without a divider much less.

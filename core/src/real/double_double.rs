@@ -176,7 +176,7 @@ impl Float for DoubleDouble {
         if self.hi <= 0.0 {
             return Self::ZERO;
         }
-        // Two Newton steps for 1/sqrt in effect: each correction is half the residual over the root.
+        // two of Heron's steps: each correction is half the residual over the root
         let root = Self::from(libm::sqrt(self.hi));
         let root = root + Self::from((self - root * root).hi / (2.0 * root.hi));
         root + Self::from((self - root * root).hi / (2.0 * root.hi))

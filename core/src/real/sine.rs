@@ -86,7 +86,7 @@ const CUBIC: i32 = (DISTANCE * DISTANCE * DISTANCE / 6.0 * (1_u64 << 32) as f64 
 /// As it happens, a number of 15 bits to 3e-6 of itself; the next term, d^4/24, is an eighth of a unit.
 const VERSINE: i32 = (DISTANCE * DISTANCE / 2.0 * (1_u64 << 30) as f64 + 0.5) as i32;
 
-/// Of the d that goes for sin d.
+/// Of d (1 - d²/8 ...): what stands for sin d where d³ is left out.
 const SECANT: i32 = (DISTANCE * (1.0 - DISTANCE * DISTANCE / 8.0) * (1_u64 << 33) as f64) as i32;
 
 /// The constants of the crate's sines: for an evaluator in another language that shall give the same bits.
@@ -105,7 +105,7 @@ pub struct SineConstants {
     pub cosine: &'static [f64],
 }
 
-/// The only ones.
+/// Those that this crate's sines are made of.
 pub static SINE_CONSTANTS: SineConstants = SineConstants {
     points: &SINES,
     turn: [LINEAR, CUBIC, VERSINE],

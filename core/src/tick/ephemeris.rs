@@ -20,9 +20,9 @@ use crate::turns::Turns;
 /// One motion, ready for any tick: a table and a clock. Immutable once set up, so any number of readers may share it
 /// (`&Ephemeris` is all that a [`Cursor`] holds) without locks.
 ///
-/// `SEGMENTS` polynomials of `TERMS` coefficients at most cover half a nutation period, short ones where the motion hurries;
-/// size
-/// 4 · SEGMENTS · TERMS scalars (in `f32` as many integers of 32 bits) and some 200 bytes. [`EphemerisF32`] and [`EphemerisF64`] are sizes for most motions.
+/// `SEGMENTS` polynomials of `TERMS` coefficients at most cover half a nutation period, short ones where the motion hurries; size
+/// 4 · SEGMENTS · TERMS scalars (in `f32` as many integers of 32 bits) and some 200 bytes. [`EphemerisF32`] and [`EphemerisF64`] are
+/// sizes for most motions.
 ///
 /// ```
 /// use toytop::{EphemerisF32, Heaviness, Motion, Release, State, Tick, Top};
@@ -73,7 +73,9 @@ pub(super) struct Clock<W> {
 }
 
 impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS, TERMS> {
-    /// Sets up the table and the clock of a motion. Cost: `SEGMENTS` series of 16 terms, and a quadrature in double-double.
+    /// Sets up the table and the clock of a motion. Cost: a series of 16 terms for each segment, of which
+    /// there are `SEGMENTS` or fewer (one that is halved is tried again), and a quadrature in double-double
+    /// ([`Motion::averages`]); before a refusal up to 4096 more, to say how many would do.
     ///
     /// # Errors
     /// [`NoFit`]: the polynomials would miss the motion by more than four roundings of the scalar; it says how many
@@ -92,7 +94,8 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENT
         Ok(ephemeris)
     }
 
-    /// A table of nothing, for a `static` that [`Ephemeris::set_up`] fills in place.
+    /// A table of nothing, for a `static` that [`Ephemeris::set_up`] fills in place: all zeros, its error bound too, so that it
+    /// takes no flash.
     pub const EMPTY: Self = Self {
         table: Table::of(R::NOTHING),
         clock: Clock {
@@ -110,8 +113,9 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENT
     /// Sets up in place: what a chip does, whose stack should not hold a table.
     ///
     /// # Errors
-    /// [`NoFit`], as [`Ephemeris::new`]; the table is then not to be used.
+    /// [`NoFit`], as [`Ephemeris::new`]; the table is then not to be used, and its error bound is infinite.
     pub fn set_up(&mut self, motion: &Motion, tick: Tick, truncation: f64) -> Result<(), NoFit> {
+        self.bound = ErrorBound { constant: f64::INFINITY, per_tick: 0.0 };
         let rates = Rates::of(motion, R::ROUNDING);
         let tabulated = self.table.fill::<R>(motion, &rates, truncation)?;
         let cells = 1 << Table::<R::Coefficient, SEGMENTS, TERMS>::CELL_BITS;
@@ -129,7 +133,7 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENT
     /// The moment t units of time after t = 0, t taken as exact. A t that is not finite is t = 0.
     ///
     /// Equal to [`Ephemeris::at_tick`] to the bit where t is a whole number of ticks (and the tick rate is a whole or half
-    /// number).
+    /// number). Only where one tick would be longer than all of an aperiodic motion's rise are moments within it not told apart.
     #[must_use]
     pub fn at(&self, t: f64) -> Moment<'_, R, SEGMENTS, TERMS> {
         let ticks = if t.is_finite() { self.clock.ticks_per_time * t.into() } else { DoubleDouble::ZERO };
@@ -264,6 +268,12 @@ impl<W> Clock<W> {
         let [nutation, a, b] = self.at(n);
         let nutation = match self.horizon {
             None => nutation.plus(Cycle::of(nutation_part)),
+            // the moment may lie beyond the first tick's phase already: from there back
+            Some([first, _]) if n.saturating_add(1) == first => {
+                let ([next, ..], [step, ..]) = (self.at(first), self.exact_step);
+                Cycle::clamping(next.to_signed_turns() + Turns::of(step * (share - DoubleDouble::ONE)))
+            }
+            Some([first, _]) if n < first => nutation,
             Some(_) => Cycle::clamping(nutation.to_signed_turns() + nutation_part),
         };
         [nutation, a.plus(Cycle::of(a_part)), b.plus(Cycle::of(b_part))]
@@ -287,10 +297,12 @@ fn ticks_to(ahead: Turns, step: Cycle) -> i64 {
     i64::try_from((ahead + step - 1) / step).unwrap_or(i64::MAX)
 }
 
-/// The ticks between which a nutation phase that does not wrap stays within half a turn of 0.
+/// The first and the last tick at which a nutation phase that does not wrap is within half a turn of 0.
 fn horizon(start: Turns, step: DoubleDouble) -> [i64; 2] {
-    let ticks = |turns: f64| ((turns - start.to_f64()) / step.to_f64()) as i64;
-    [ticks(-0.5), ticks(0.5)]
+    /// Room for what the quotient rounds off; a phase as near the end as that may count as the end.
+    const HALF: f64 = 0.5 - 1e-15;
+    let ticks = |turns: f64| (turns - start.to_f64()) / step.to_f64();
+    [libm::ceil(ticks(-HALF)) as i64, libm::floor(ticks(HALF)) as i64]
 }
 
 /// Goes through consecutive ticks: three additions each, then what is asked of the moment. What an interrupt holds.

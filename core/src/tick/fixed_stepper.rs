@@ -14,8 +14,8 @@ use super::stepper::Stepper;
 use super::table::{ErrorBound, Tick};
 use crate::cayley_klein::{Bracket, Brackets};
 use crate::complex::Complex;
-use crate::launch::{Course, Motion};
-use crate::real::{Float, angle, high_product, sine_cosine_q31};
+use crate::launch::{Course, Motion, Rates};
+use crate::real::{Float, Scalar, angle, high_product, sine_cosine_q31};
 use crate::su2::Phi;
 use crate::turns::{Rate, Turns};
 use core::fmt;
@@ -104,10 +104,13 @@ impl<const SEGMENTS: usize, const TERMS: usize> FixedStepper<SEGMENTS, TERMS> {
         };
         let chi = match motion.course() {
             Course::Aperiodic(_) => return Err(NoTickMap::Aperiodic),
-            Course::Steady(rates) => {
-                let [a, b] = rates.map(over_a_tick);
-                let map = TickMap::constant([Turns::ZERO, a, b]);
-                return Ok(place([Turns::ZERO, alpha, beta], map, 2.0 * TURN * Turns::RESOLUTION));
+            Course::Steady(_) => {
+                let rates = Rates::of(motion, <f64 as Scalar>::ROUNDING);
+                let turns = rates.turns.map(|turns| turns * length);
+                let turned: f64 = turns.iter().map(|turns| Float::abs(turns.to_f64())).sum();
+                let per_tick = 2.0 * TURN * (Turns::RESOLUTION + rates.relative_error * turned);
+                let map = TickMap::constant(turns.map(Turns::of));
+                return Ok(place([Turns::ZERO, alpha, beta], map, per_tick));
             }
             Course::Nutating(chi) => chi,
         };
@@ -296,7 +299,7 @@ pub enum NoTickMap {
         phase: &'static str,
         /// By how much, as a share of what the orientation turns by.
         miss: f64,
-        /// How many segments of as many terms would do; `None` if 4096 would not.
+        /// How many segments of as many terms would do; `None` if 512 would not, beyond which nobody looks.
         segments: Option<u32>,
     },
 }
@@ -346,7 +349,10 @@ impl NoTickMap {
         let turned = survey.turned(drift);
         let shares = survey.astray(survey.missed, drift).map(|astray| astray / turned);
         let all = Self::PHASES.into_iter().zip(shares);
-        all.fold(("nutation", 0.0), |worst, now| if now.1 <= worst.1 { worst } else { now })
+        all.fold(
+            ("nutation", 0.0),
+            |worst, now| if now.1 <= worst.1 || worst.1.is_nan() { worst } else { now },
+        )
     }
 }
 

@@ -33,7 +33,7 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMEN
         Phi { alpha, beta }
     }
 
-    /// The tip, c = 2 s αβ in m (2 αβ for a fixed tip).
+    /// The tip, c = 2 s αβ in m (2αβ for a fixed tip); in fixed point in units of s, as 2αβ: for metres [`Moment::wide_tip`].
     #[inline(always)]
     #[must_use]
     pub fn tip(&self) -> Complex<R> {
@@ -41,7 +41,7 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Moment<'_, R, SEGMEN
         tip
     }
 
-    /// Φ and the tip in one evaluation.
+    /// Φ and the tip of [`Moment::tip`] in one evaluation.
     #[inline(always)]
     #[must_use]
     pub fn phi_and_tip(&self) -> (Phi<R>, Complex<R>) {

@@ -8,7 +8,7 @@ use crate::su2::{Phi, PhiRate, Vector};
 
 /// Orientation and rate at one instant. Everything here is computed on demand, by products alone, and from α, β and
 /// their rates: nothing is read back from the constants of the motion, so l, n and h recomputed from a pose are a test.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pose<R> {
     /// Φ.
@@ -21,11 +21,11 @@ impl<R: Float> Pose<R> {
     /// As a state to launch from: after a nudge, or with another top. Rounded as the scalar is.
     ///
     /// # Errors
-    /// As [`State::new`]; none for a pose of this crate's own motions.
+    /// As [`State::new`]; none for a pose of this crate's own motions, as it is normalised first.
     pub fn state(&self) -> Result<State, LaunchError> {
         let widen = |z: Complex<R>| Complex::new(z.re.to_f64(), z.im.to_f64());
         let phi = Phi { alpha: widen(self.phi.alpha), beta: widen(self.phi.beta) };
-        State::new(phi, self.omega().map(R::to_f64))
+        State::new(phi.normalised(), self.omega().map(R::to_f64))
     }
 }
 

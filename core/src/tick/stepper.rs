@@ -16,9 +16,10 @@ use crate::turns::{Rate, Turns};
 
 /// Steps a motion through time; dt may change from call to call and have either sign.
 ///
-/// Fourth order in dt. With 4096 steps a period the error over ten periods is some 1e-12 rad in `f64` and 1e-6 in `f32`
+/// Fourth order in dt. With 4096 steps a period in `f64`, 512 in `f32`, the error over ten periods is below 1e-12 rad and 1e-5
 /// away from the separatrix (`toytop compare` prints it). A step costs four evaluations of the law: 4 sine-cosine
-/// pairs, 4 square roots and 12 divisions; no branch depends on the data, and no step is ever divided.
+/// pairs (4 exponentials and as many of `expm1` if the motion is aperiodic), 4 square roots and 12 divisions; no step is ever
+/// divided.
 ///
 /// Where u is constant (regular precession, sleeping, hanging) a step is exact for any dt.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -159,7 +160,7 @@ impl<R: Real> Stepper<R> {
         self.law.rates(sine, cosine)
     }
 
-    /// The orientation Φ. Cost: three sine-cosine pairs and eleven products.
+    /// The orientation Φ. Cost: three sine-cosine pairs and twelve products.
     #[must_use]
     pub fn phi(&self) -> Phi<R> {
         self.brackets.phi(&self.place())

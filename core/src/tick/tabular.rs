@@ -17,7 +17,7 @@ use core::fmt::Debug;
 pub struct Place {
     /// The place on the segment, x·2^63 with x in [-1, 1).
     pub x: i64,
-    /// The same times 2^31, rounded down to a 2^-36th of half a period.
+    /// The same times 2^31, rounded down to 2^-36 of half a period.
     pub short_x: i32,
     /// Whether u is falling: α and β, their mean rotation taken off, are then the conjugates of the tabulated ones.
     pub mirrored: bool,

@@ -23,7 +23,7 @@ pub struct Tip<R> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TipAngle<R> {
-    /// φ, with φ(0) in (-π, π]. Where the curve passes through the centre (e₁ = -1 or e₂ = 1) φ is smooth there and
+    /// φ, with φ(0) within half a turn of 0. Where the curve passes through the centre (e₁ = -1 or e₂ = 1) φ is smooth there and
     /// the radius changes sign: c = ±ρ e^{iφ}.
     pub phi: Turns,
     /// φ', rad per unit time (eqn:dphi): ((l + n)/(1 + u) + (l - n)/(1 - u))/(2A). Where that is beyond `f32`, as it is for

@@ -6,6 +6,7 @@
 //! every k: then no partial sum leaves 32 bits, whatever the place.
 
 use super::flow::{Fit, Flow, Increments};
+use crate::nutation::series::worse;
 use crate::real::{Float, high_product};
 use crate::turns::Turns;
 
@@ -52,12 +53,12 @@ impl Survey {
             let mut sum = 0.0;
             for (power, value) in polynomial.iter().enumerate().skip(1).rev() {
                 sum += Float::abs(*value);
-                *steepest = not_less(*steepest, sum * (1_u64 << power) as f64);
+                *steepest = worse(*steepest, sum * (1_u64 << power) as f64);
             }
             let [constant, ..] = polynomial;
-            *lowest = -not_less(-*lowest, sum - constant);
-            *highest = not_less(*highest, sum + constant);
-            *worst = not_less(*worst, missed);
+            *lowest = -worse(-*lowest, sum - constant);
+            *highest = worse(*highest, sum + constant);
+            *worst = worse(*worst, missed);
         }
     }
 
@@ -76,9 +77,9 @@ impl Survey {
 
     /// The largest increments of χ, and of A or B, which turn by `drift` and its negative besides, in turns.
     fn largest(&self, drift: f64) -> [f64; 2] {
-        let size = |low: f64, high: f64| not_less(Float::abs(low), Float::abs(high));
+        let size = |low: f64, high: f64| worse(Float::abs(low), Float::abs(high));
         let ([chi_low, a_low, b_low], [chi_high, a_high, b_high]) = (self.lowest, self.highest);
-        let slow = not_less(size(a_low + drift, a_high + drift), size(b_low - drift, b_high - drift));
+        let slow = worse(size(a_low + drift, a_high + drift), size(b_low - drift, b_high - drift));
         [size(chi_low, chi_high), slow]
     }
 
@@ -103,7 +104,7 @@ impl Survey {
         /// Room for the rounding of the coefficients.
         const MARGIN: f64 = 1.0 + 1e-6;
         let mut largest = self.swings();
-        largest.iter_mut().zip(self.steepest).for_each(|(swing, steep)| *swing = not_less(*swing, steep));
+        largest.iter_mut().zip(self.steepest).for_each(|(swing, steep)| *swing = worse(*swing, steep));
         largest.map(|largest| (1..32).find(|&shift| largest * MARGIN <= full_scale(shift)))
     }
 }
@@ -113,11 +114,6 @@ const TURN: f64 = 2.0 * core::f64::consts::PI;
 /// What a sum of 2^31 stands for, in turns.
 pub(super) fn full_scale(shift: u32) -> f64 {
     (1_u64 << shift) as f64 / (1_u64 << 33) as f64
-}
-
-/// The larger of two, or NaN if one is.
-fn not_less(a: f64, b: f64) -> f64 {
-    if b <= a { a } else { b }
 }
 
 impl<const SEGMENTS: usize, const TERMS: usize> TickMap<SEGMENTS, TERMS> {
