@@ -12,6 +12,8 @@ pub enum Failure {
     Method(String),
     /// The result cannot be written. Exit code 1.
     Output(io::Error),
+    /// Another program that this one needs (cargo, QEMU) is missing, or failed. Exit code 1.
+    Tool(String),
 }
 
 impl Failure {
@@ -19,7 +21,7 @@ impl Failure {
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Output(_) => 1,
+            Self::Output(_) | Self::Tool(_) => 1,
             Self::Input(_) => 2,
             Self::Method(_) => 3,
         }
@@ -31,6 +33,7 @@ impl Failure {
         match self {
             Self::Input(message) => Self::Input(format!("{name}: {message}")),
             Self::Method(message) => Self::Method(format!("{name}: {message}")),
+            Self::Tool(message) => Self::Tool(format!("{name}: {message}")),
             output @ Self::Output(_) => output,
         }
     }
@@ -39,7 +42,7 @@ impl Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let message = match self {
-            Self::Input(message) | Self::Method(message) => message.clone(),
+            Self::Input(message) | Self::Method(message) | Self::Tool(message) => message.clone(),
             Self::Output(error) => format!("cannot write the output: {error}"),
         };
         f.write_str(&one_line(&message))

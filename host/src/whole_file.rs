@@ -4,7 +4,7 @@ use crate::Failure;
 use std::ffi::{OsStr, OsString};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// Writes beside the file, then renames: who reads it never sees a half. What is no file (a device, a pipe) is written to as
@@ -30,9 +30,9 @@ pub(crate) fn write_by(
 }
 
 fn write_whole(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
-    // a file that is not there yet has no other name
-    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    if fs::metadata(&path).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
+    let path = followed(path);
+    let there = fs::metadata(&path);
+    if there.as_ref().is_ok_and(|there| !there.is_file() && !there.is_dir()) {
         return fill(&mut File::create(path)?);
     }
     let name = path.file_name().ok_or(ErrorKind::InvalidInput)?;
@@ -42,13 +42,25 @@ fn write_whole(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> i
     remove_leftovers(&path, &hidden);
     hidden.push(std::process::id().to_string());
     let beside = path.with_file_name(hidden);
-    let written =
-        File::create(&beside).and_then(|mut file| fill(&mut file)).and_then(|()| fs::rename(&beside, &path));
+    let written = File::create(&beside).and_then(|mut file| {
+        fill(&mut file)?;
+        // who may read and write the new file is who might the old one
+        there.map_or(Ok(()), |there| fs::set_permissions(&beside, there.permissions()))?;
+        fs::rename(&beside, &path)
+    });
     if written.is_err() {
         // it may not exist at all
         let _ = fs::remove_file(&beside);
     }
     written
+}
+
+/// Where a path leads, also to what is not there yet.
+fn followed(path: &Path) -> PathBuf {
+    fs::canonicalize(path).unwrap_or_else(|_| match fs::read_link(path) {
+        Ok(target) => path.with_file_name(".").join(target),
+        Err(_) => path.to_owned(),
+    })
 }
 
 /// What others have begun and not ended: such a file lives for as long as its bytes take to be written. Who cannot remove it, or
@@ -67,7 +79,7 @@ fn remove_leftovers(path: &Path, hidden: &OsStr) {
     }
 }
 
-/// Without a byte more.
+/// No writer takes as long between two of its bytes.
 const LONGEST_WRITE: Duration = Duration::from_secs(60);
 
 /// A path that is wrong is bad input; a disk that is full, or fails, is not.
@@ -102,4 +114,27 @@ pub(crate) fn read(name: &str, path: &Path, most_mebibytes: u64) -> Result<Strin
         return Err(refuse(format!("must be at most {most_mebibytes} MiB")));
     }
     String::from_utf8(bytes).map_err(|_| refuse("must be UTF-8".to_owned()))
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::{PermissionsExt, symlink};
+
+    /// A link to nothing gets its target; a file that only its owner may read stays so.
+    #[test]
+    fn links_and_modes_are_kept() {
+        let folder = std::env::temp_dir().join(format!("toytop_whole_file_{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let [target, link] = ["target", "link"].map(|name| folder.join(name));
+        symlink("target", &link).unwrap();
+        write("-o", &link, b"one").unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read(&target).unwrap(), b"one");
+        fs::set_permissions(&target, fs::Permissions::from_mode(0o600)).unwrap();
+        write("-o", &link, b"two").unwrap();
+        assert_eq!(fs::read(&target).unwrap(), b"two");
+        assert_eq!(fs::metadata(&target).unwrap().permissions().mode() & 0o777, 0o600);
+        fs::remove_dir_all(&folder).unwrap();
+    }
 }

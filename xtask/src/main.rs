@@ -43,7 +43,7 @@ Studies, for a longer wait; each installs its cargo subcommand the first time:
   fuzz [--seconds N] [TARGET]  looks for input that breaks core or the scenario parser: N seconds (600) each
   coverage [--accept]          the lines of core that its tests run; --accept writes host/docs/coverage.md
   mutants --shard I/N [--accept]
-                               the I-th of N parts of core's mutants: which ones no test notices; --accept counts
+                               part I of N (from 0) of core's mutants: which ones no test notices; --accept counts
                                them in host/docs/mutants.md
   mutants PART...              those with one of these in their names, such as top.rs
   miri [--target TRIPLE]       core's unit tests in Miri, as a big-endian machine of 32 bits runs them; not x86-64

@@ -36,7 +36,7 @@ const MARKS: [&str; 2] =
 
 /// Which mutants.
 pub(crate) enum Choice<'a> {
-    /// The I-th of N parts, every N-th mutant: a sample of all files; whether its row on the page is written anew.
+    /// Part I of N, from 0: every N-th mutant, a sample of all files; whether its row on the page is written anew.
     Shard { shard: &'a str, accept: bool },
     /// Those with one of these in their names: file, line and column, function, change.
     Named(&'a [&'a str]),

@@ -37,7 +37,7 @@ pub(crate) struct Measured {
 }
 
 impl Default for Measured {
-    /// 50 g, let go at 20 degrees with 150 rad/s.
+    /// 50 g, let go at 0.35 rad with 150 rad/s.
     fn default() -> Self {
         let release = Release { tilt: 0.35, spin: 150.0, ..Release::default() };
         Self { inertia: [3.0e-5, 2.0e-5], com_height: 0.03, mass: 0.05, release }

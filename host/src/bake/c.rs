@@ -14,7 +14,7 @@ const INTACT: &str = include_str!("intact.h");
 /// The header's text. Several may be included in one file: what they share is there once.
 #[must_use]
 pub fn header(label: &Label, parts: &Parts) -> String {
-    let name = label.identifier();
+    let name = name(label);
     let (scalar, guard) = (parts.scalar.name(), name.to_uppercase());
     let evaluators = match parts.scalar {
         Scalar::F64 => evaluator("f64", &(series() + include_str!("f64.h")), include_str!("intact_f64.h")),
@@ -42,7 +42,7 @@ pub fn header(label: &Label, parts: &Parts) -> String {
         "/* {headline}
  *
  * Written by `toytop bake`. Call toytop_at_tick_{scalar}(&{name}, tick), or toytop_next_{scalar} with a cursor; toytop_intact_{scalar} tells
- * whether a bit was changed. The same bits as the Rust crate: with contraction of floating point off (-std=c99 with GCC,
+ * whether a bit was changed. As a quaternion the orientation is w = alpha[0], x = beta[1], y = -beta[0], z = alpha[1]. The same bits as the Rust crate: with contraction of floating point off (-std=c99 with GCC,
  * otherwise -ffp-contract=off). */
 #ifndef {guard}_H
 #define {guard}_H
@@ -68,6 +68,12 @@ static const toytop_{scalar} {name} = {{
             .map(|x| hexadecimal(x) + if parts.scalar == Scalar::F64 { "" } else { "f" })
             .join(", "),
     )
+}
+
+/// One word may be C's, or a library's (`int`, `clock`); so may what ends in `_t`.
+fn name(label: &Label) -> String {
+    let name = label.identifier();
+    if name.contains('_') && !name.ends_with("_t") { name } else { format!("top_{name}") }
 }
 
 /// What evaluates the tables of a scalar: its own arithmetic, and two templates. Several headers share it.
@@ -167,5 +173,12 @@ mod tests {
         ] {
             assert_eq!(hexadecimal(x), text);
         }
+    }
+
+    #[test]
+    fn no_name_is_one_of_c() {
+        let named = |name: &str| super::name(&Label { name: name.to_owned(), tick: String::new() });
+        assert_eq!(["int", "Clock", "time_t"].map(named), ["top_int", "top_clock", "top_time_t"]);
+        assert_eq!(["toy_top", "2 tops"].map(named), ["toy_top", "top_2_tops"]);
     }
 }

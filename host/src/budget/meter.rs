@@ -27,7 +27,7 @@ pub struct Cost {
 /// Runs an ELF on an emulated chip: the costs of its functions named `bench_...`, in the order of their first calls.
 ///
 /// # Errors
-/// [`Failure::Input`]: no ELF, or none of its functions is named so. [`Failure::Method`]: there is no QEMU, the program did
+/// [`Failure::Input`]: no ELF, or none of its functions is named so. [`Failure::Tool`]: there is no QEMU, the program did
 /// not end with exit code 0, or QEMU's log cannot be understood.
 pub fn measure(chip: &Chip, elf: &Path) -> Result<Vec<Cost>, Failure> {
     let image = Image::read(elf)?;
@@ -39,7 +39,7 @@ pub fn measure(chip: &Chip, elf: &Path) -> Result<Vec<Cost>, Failure> {
     let mut meter = Meter::new(&image, &entries, chip.model)?;
     let printed = trace::run(chip, elf, |blocks, number| meter.executed(blocks, number))?;
     if meter.costs.is_empty() {
-        return Err(Failure::Method(format!("budget: {}: nothing was called", elf.display())));
+        return Err(Failure::Tool(format!("budget: {}: nothing was called", elf.display())));
     }
     Ok(meter.costs.into_iter().map(|cost| with_report(cost, &printed)).collect())
 }
@@ -178,7 +178,7 @@ struct Priced {
 
 impl Prices {
     fn new(model: Model) -> Result<Self, Failure> {
-        let decoder = Decoder::new().map_err(|error| Failure::Method(format!("budget: {error}")))?;
+        let decoder = Decoder::new().map_err(|error| Failure::Tool(format!("budget: {error}")))?;
         Ok(Self { model, decoder, blocks: Vec::new(), edges: HashMap::new() })
     }
 
@@ -197,7 +197,7 @@ impl Prices {
         let instructions =
             image.code(start, block.end).and_then(|code| self.decoder.decode(code, start).ok());
         let instructions = instructions.filter(|found| found.len() == block.addresses.len());
-        let undecoded = || Failure::Method(format!("budget: code at {start:#x} cannot be decoded"));
+        let undecoded = || Failure::Tool(format!("budget: code at {start:#x} cannot be decoded"));
         let instructions = instructions.ok_or_else(undecoded)?;
         let (Some(&first), Some(&last)) = (instructions.first(), instructions.last()) else {
             return Err(undecoded());

@@ -9,7 +9,13 @@ use std::collections::HashMap;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::sync::Mutex;
+use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
+use std::time::Duration;
+
+/// What takes longer does not end: the firmware of this repository takes a second.
+const LONGEST_RUN: Duration = Duration::from_secs(120);
 
 /// Instructions that follow one another.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -32,13 +38,13 @@ impl Block {
 /// what the program printed.
 ///
 /// # Errors
-/// [`Failure::Method`]: there is no QEMU, the program did not end with exit code 0, or the record cannot be understood.
+/// [`Failure::Tool`]: there is no QEMU, the program did not end in time and with exit code 0, or the record cannot be understood.
 pub(super) fn run(
     chip: &Chip,
     elf: &Path,
     executed: impl FnMut(&[Block], usize) -> Result<(), Failure>,
 ) -> Result<String, Failure> {
-    let fail = |what: String| Failure::Method(format!("budget: {}: {what}", chip.name));
+    let fail = |what: String| Failure::Tool(format!("budget: {}: {what}", chip.name));
     let mut qemu = Command::new(chip.emulator)
         .args(chip.machine)
         .args(["-nographic", "-monitor", "none", "-serial", "none"])
@@ -59,12 +65,32 @@ pub(super) fn run(
     });
     let Some(log) = qemu.stderr.take() else { return Err(fail("no log".into())) };
     let mut reader = Reader::default();
-    let read = reader.read(BufReader::with_capacity(1 << 16, log), executed);
+    let qemu = Mutex::new(qemu);
+    // whatever it still does is of no use; it may have ended by itself
+    let kill = &|| qemu.lock().map(|mut qemu| qemu.kill());
+    let (end, ended) = channel::<()>();
+    let read = thread::scope(|scope| {
+        let late = scope.spawn(move || {
+            let late = ended.recv_timeout(LONGEST_RUN) == Err(RecvTimeoutError::Timeout);
+            if late {
+                let _ = kill();
+            }
+            late
+        });
+        let read = reader.read(BufReader::with_capacity(1 << 16, log), executed);
+        drop(end);
+        if late.join().unwrap_or_default() {
+            return Err(fail(format!("the firmware did not end within {} s", LONGEST_RUN.as_secs())));
+        }
+        read
+    });
     if read.is_err() {
-        // whatever it still does is of no use; it may have ended by itself
-        let _ = qemu.kill();
+        let _ = kill();
     }
-    let status = qemu.wait().map_err(|error| fail(error.to_string()))?;
+    let status = match qemu.into_inner() {
+        Ok(mut qemu) => qemu.wait().map_err(|error| fail(error.to_string()))?,
+        Err(_) => return Err(fail("a thread was lost".into())),
+    };
     let printed = printed.join().unwrap_or_default();
     read?;
     if !status.success() {
@@ -98,7 +124,7 @@ impl Reader {
         loop {
             line.clear();
             let end =
-                log.read_until(b'\n', &mut line).map_err(|error| Failure::Method(error.to_string()))? == 0;
+                log.read_until(b'\n', &mut line).map_err(|error| Failure::Tool(error.to_string()))? == 0;
             if end || line.starts_with(b"Trace ") {
                 if let Some(number) = begun {
                     executed(&self.blocks, number)?;
@@ -153,7 +179,7 @@ impl Reader {
 
 fn unknown(line: &[u8]) -> Failure {
     let line = String::from_utf8_lossy(line);
-    Failure::Method(format!("budget: QEMU's log is not as expected: {}", line.trim()))
+    Failure::Tool(format!("budget: QEMU's log is not as expected: {}", line.trim()))
 }
 
 /// The number at the front, and the rest.

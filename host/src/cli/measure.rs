@@ -76,8 +76,8 @@ pub struct BudgetArgs {
     /// Compare with firmware-examples/budgets.toml and the table in README.md
     #[arg(long, conflicts_with = "accept")]
     pub check: bool,
-    /// Rewrite both
-    #[arg(long)]
+    /// Rewrite both, with all chips
+    #[arg(long, conflicts_with = "chip")]
     pub accept: bool,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]

@@ -70,7 +70,7 @@ fn repository() -> Result<PathBuf, Failure> {
 /// Builds the firmware; what the build says goes to stderr.
 fn build(root: &Path, chip: &Chip) -> Result<PathBuf, Failure> {
     let fail = |what: String| {
-        Failure::Method(format!("budget: cargo xtask firmware cost --chip {} --elf: {what}", chip.name))
+        Failure::Tool(format!("budget: cargo xtask firmware cost --chip {} --elf: {what}", chip.name))
     };
     let built = Command::new("cargo")
         .current_dir(root)
@@ -110,9 +110,6 @@ fn complaints(root: &Path, measured: &Measured) -> Result<Vec<String>, Failure> 
 
 fn accept(root: &Path, measured: &Measured) -> Result<Report, Failure> {
     let limits = Limits::around(&by_name(measured));
-    if measured.len() != CHIPS.len() {
-        return Err(Failure::Input("--accept: all chips at once, without --chip".into()));
-    }
     let page = text_of(&root.join(PAGE))?;
     let no_place = || Failure::Input(format!("{PAGE}: no place for the table"));
     let page = with_table(&page, &limits).ok_or_else(no_place)?;
@@ -128,7 +125,7 @@ fn shown(arguments: &BudgetArgs, measured: &Measured) -> Result<Report, Failure>
         .collect();
     let text = match arguments.format {
         Format::Csv => output::csv(&records).map_err(Failure::Output)?,
-        Format::Json => output::json_list("calls", &records).map_err(Failure::Output)?,
+        Format::Json => output::json_list("rows", &records).map_err(Failure::Output)?,
         Format::Table => table(measured, arguments.clock),
     };
     Ok(Report { text, ..Report::default() })

@@ -39,7 +39,14 @@ pub(super) fn run(arguments: &LongrunArgs) -> Result<Report, Failure> {
 fn rows(lines: &[Line], ticks: u64) -> Vec<Vec<String>> {
     let decades = decades(ticks);
     let mut header = vec!["error after ... ticks, rad".to_owned()];
-    header.extend(decades.iter().map(|ticks| format!("{:.0e}", *ticks as f64)));
+    let count = |ticks: &u64| {
+        if 10_u64.pow(ticks.ilog10()) == *ticks {
+            format!("{:.0e}", *ticks as f64)
+        } else {
+            ticks.to_string()
+        }
+    };
+    header.extend(decades.iter().map(count));
     header.extend(["10^6 there and back", "greatest error / bound"].map(str::to_owned));
     let show = |error: Option<f64>| error.map_or("-".to_owned(), |error| format!("{error:.0e}"));
     let row = |line: &Line| {

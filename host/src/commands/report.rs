@@ -28,6 +28,15 @@ struct Table {
 
 pub(super) fn run(arguments: &ReportArgs) -> Result<Report, Failure> {
     let mut report = Report::default();
+    // what is refused is refused before anything is written
+    let budget = match &arguments.budget {
+        Some(path) => budget::records(&read(path, "--budget")?, path)?,
+        None => budget::allowed()?,
+    };
+    let others = match &arguments.rivals {
+        Some(path) => precision::others(&read(path, "--rivals")?, path)?,
+        None => Vec::new(),
+    };
     if let Some(path) = &arguments.readme {
         let old = read(path, "--readme")?;
         let tables = [
@@ -48,14 +57,6 @@ pub(super) fn run(arguments: &ReportArgs) -> Result<Report, Failure> {
     }
     let Some(folder) = &arguments.output else { return Ok(report) };
     std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--output", folder, error))?;
-    let budget = match &arguments.budget {
-        Some(path) => budget::records(&read(path, "--budget")?, path)?,
-        None => budget::allowed()?,
-    };
-    let others = match &arguments.rivals {
-        Some(path) => precision::others(&read(path, "--rivals")?, path)?,
-        None => Vec::new(),
-    };
     let race = Race::new()?;
     let points = precision::measured(&race, others)?;
     let mut pictures = vec![("Work and precision", precision::picture(&points).encoded(Form::Svg)?)];

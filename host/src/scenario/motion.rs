@@ -17,7 +17,10 @@ const KINDS: [(&str, Kind); 3] =
 /// The motion, and its state at t = 0 if that is how it is given.
 pub(super) fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Option<State>), Failure> {
     match section.choice("kind", &KINDS, None)? {
-        Kind::Release => launch(section, top, release(section)?, &RELEASE_NAMES),
+        Kind::Release => {
+            let (state, fastest) = release(section)?;
+            launch(section, top, state, &[("omega", fastest)])
+        }
         Kind::State => launch(section, top, state(section)?, &[]),
         Kind::BranchPoints => Ok((branch_points(section, top)?, None)),
     }
@@ -46,10 +49,11 @@ const RELEASE: [Key; 6] = [
 ];
 
 /// The core's names of what is called differently here.
-const RELEASE_NAMES: [(&str, &str); 4] =
-    [("tilt", "tilt_deg"), ("azimuth", "azimuth_deg"), ("roll", "roll_deg"), ("omega", "spin")];
+const RELEASE_NAMES: [(&str, &str); 3] =
+    [("tilt", "tilt_deg"), ("azimuth", "azimuth_deg"), ("roll", "roll_deg")];
 
-fn release(section: &Section<'_>) -> Result<State, Failure> {
+/// The state, and the key of the greatest rate.
+fn release(section: &Section<'_>) -> Result<(State, &'static str), Failure> {
     let [tilt_deg, spin, precession, nutation, azimuth_deg, roll_deg] = section.numbers("kind", &RELEASE)?;
     let [tilt_key, ..] = &RELEASE;
     // Only half the azimuth and the roll enter: two whole turns, dropped exactly, change nothing.
@@ -62,7 +66,11 @@ fn release(section: &Section<'_>) -> Result<State, Failure> {
         precession,
         nutation,
     };
-    State::release(&release).map_err(|error| section.refused(&error, &RELEASE_NAMES))
+    let rates = [("spin", spin), ("precession", precession), ("nutation", nutation)];
+    let (fastest, _) =
+        rates.into_iter().fold(rates[0], |most, rate| if rate.1.abs() > most.1.abs() { rate } else { most });
+    let state = State::release(&release).map_err(|error| section.refused(&error, &RELEASE_NAMES))?;
+    Ok((state, fastest))
 }
 
 /// Radians of a tilt in [0, 180] degrees. 180, and no other, becomes the π that means exactly downward.
@@ -113,5 +121,5 @@ fn branch_points(section: &Section<'_>, top: &Top) -> Result<Motion, Failure> {
     let signs = Signs { l_plus_n: sign(plus, plus_key)?, l_minus_n: sign(minus, minus_key)? };
     let start = Start { theta, arg_alpha, arg_beta };
     Motion::from_branch_points(top, [e1, e2, e3], signs, &start)
-        .map_err(|error: LaunchError| section.refused(&error, &[]))
+        .map_err(|error: LaunchError| section.refused(&error, &[("theta", "nutation_phase")]))
 }
