@@ -5,41 +5,42 @@ mod corners;
 use super::Report;
 use crate::Failure;
 use crate::cli::{Format, StudyArgs};
-use crate::cores::STACK;
+use crate::cores;
+use crate::names::regime;
 use crate::output::{self, Cell, Record};
 use crate::progress::Progress;
 use crate::study::gauss::Rule;
 use crate::study::random::Random;
-use crate::study::tally::{Case, Side, Spread, Tally, regime};
+use crate::study::tally::{Case, Side, Spread, Tally};
 use crate::study::trial::{self, Worst};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::thread::{self, Builder};
-use std::time::{Duration, Instant};
+use std::sync::Mutex;
+use std::time::Instant;
 
 pub(super) fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
     if arguments.corners {
         return corners::run(arguments);
     }
     let started = Instant::now();
-    let threads = thread::available_parallelism().map_or(1, usize::from);
-    let next = AtomicU64::new(0);
-    let work = || worker(arguments, &next);
-    let mut tally = Tally::default();
-    thread::scope(|scope| {
-        let spawn = |_| Builder::new().stack_size(STACK).spawn_scoped(scope, work);
-        let workers = (0..threads).map(spawn).collect::<Result<Vec<_>, _>>().map_err(Failure::Output)?;
-        watch(&next, arguments.count());
-        for worker in workers {
-            match worker.join() {
-                Ok(part) => tally.merge(part),
-                Err(_) => tally.failures.push("a thread was lost".to_owned()),
-            }
+    let cores = cores::all()?;
+    let rule = Rule::new();
+    let progress = Mutex::new(Progress::new(arguments.count(), "motions"));
+    let each = |mut tally: Tally, stream| {
+        add(&mut tally, arguments, stream, &rule);
+        if let Ok(mut progress) = progress.lock() {
+            progress.add(1);
         }
-        Ok::<(), Failure>(())
-    })?;
+        tally
+    };
+    let mut tally = cores.install(|| {
+        let streams = (0..arguments.count()).into_par_iter();
+        streams.fold(Tally::default, each).reduce(Tally::default, Tally::merged)
+    });
+    drop(progress);
     tally.finish();
     let time = started.elapsed().as_secs_f64();
+    let threads = cores.current_num_threads();
     let head =
         format!("{} motions, seed {}: {time:.0} s on {threads} cores\n", arguments.count(), arguments.seed);
     let missed = !tally.failures.is_empty() || tally.scalars.iter().any(|side| side.violated > 0);
@@ -55,49 +56,56 @@ pub(super) fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
     Ok(Report { text, missed, ..Report::default() }.with_remarks(remarks, below))
 }
 
-/// Takes motion after motion until there are no more.
-fn worker(arguments: &StudyArgs, next: &AtomicU64) -> Tally {
-    let rule = Rule::new();
-    let mut tally = Tally::default();
-    loop {
-        let stream = next.fetch_add(1, Ordering::Relaxed);
-        if stream >= arguments.count() {
-            return tally;
-        }
-        let mut random = Random::new(arguments.seed, stream);
-        match catch_unwind(AssertUnwindSafe(|| trial::run(&mut random, &rule))) {
-            Ok(Ok(trial)) => tally.add(&trial),
-            Ok(Err(refused)) => tally.failures.push(format!("motion {stream}: {refused}")),
-            Err(_) => tally.failures.push(format!("motion {stream}: panicked")),
-        }
+fn add(tally: &mut Tally, arguments: &StudyArgs, stream: u64, rule: &Rule) {
+    let mut random = Random::new(arguments.seed, stream);
+    match catch_unwind(AssertUnwindSafe(|| trial::run(&mut random, rule))) {
+        Ok(Ok(trial)) => tally.add(&trial),
+        Ok(Err(refused)) => tally.failures.push(format!("motion {stream}: {refused}")),
+        Err(_) => tally.failures.push(format!("motion {stream}: panicked")),
     }
 }
 
-/// Shows how far the workers are.
-fn watch(next: &AtomicU64, motions: u64) {
-    let mut progress = Progress::new(motions, "motions");
-    let mut seen = 0;
-    while seen < motions {
-        thread::sleep(Duration::from_millis(20));
-        let now = next.load(Ordering::Relaxed).min(motions);
-        progress.add(now - seen);
-        seen = now;
+/// What is said of a scalar.
+#[derive(Clone, Copy)]
+enum Value {
+    Count(u64),
+    Error(f64),
+    Ratio(f64),
+    Share(f64),
+}
+
+impl Value {
+    fn text(self) -> String {
+        match self {
+            Self::Count(count) => count.to_string(),
+            Self::Error(error) => format!("{error:.1e}"),
+            Self::Ratio(ratio) => format!("{ratio:.2}"),
+            Self::Share(share) => format!("{:.1} %", 100.0 * share),
+        }
+    }
+
+    fn cell(self) -> Cell {
+        match self {
+            Self::Count(count) => Cell::Count(count),
+            Self::Error(x) | Self::Ratio(x) | Self::Share(x) => Cell::Number(x),
+        }
     }
 }
 
 /// The lines of the table.
 fn records(tally: &Tally) -> Vec<Record> {
-    let record = |row: Vec<String>| {
-        let cells = ["what", "f64", "f32"].into_iter().zip(row);
-        Record(cells.map(|(name, cell)| (name, Cell::Text(cell))).collect())
+    let record = |(name, values): (String, [Value; 2])| {
+        let values = NAMES.into_iter().zip(values.map(Value::cell));
+        Record(std::iter::once(("what", Cell::Text(name))).chain(values).collect())
     };
-    rows(tally).into_iter().skip(1).map(record).collect()
+    lines(tally).into_iter().map(record).collect()
 }
 
 const NAMES: [&str; 2] = ["f64", "f32"];
 
 fn show(tally: &Tally) -> String {
-    let regimes: Vec<_> = tally.regimes.iter().map(|(name, count)| format!("{count} {name}")).collect();
+    let regimes: Vec<_> =
+        tally.regimes.iter().map(|(name, count)| format!("{count} {}", name.replace('_', " "))).collect();
     let mut text = format!("{}\n\n{}\n", regimes.join("; "), output::columns(rows(tally), 1));
     for (name, side) in NAMES.iter().zip(&tally.scalars) {
         text.push_str(&format!("{name}, closest to the bound:\n{}", worst(side)));
@@ -109,47 +117,56 @@ fn show(tally: &Tally) -> String {
             far: 8, up to 10^9 periods away.\n"
 }
 
-/// A name, and what is said of f64 and of f32.
 fn rows(tally: &Tally) -> Vec<Vec<String>> {
+    let header = ["", NAMES[0], NAMES[1]].map(str::to_owned).to_vec();
+    let row =
+        |(name, values): (String, [Value; 2])| std::iter::once(name).chain(values.map(Value::text)).collect();
+    std::iter::once(header).chain(lines(tally).into_iter().map(row)).collect()
+}
+
+/// A name, and what is said of f64 and of f32.
+fn lines(tally: &Tally) -> Vec<(String, [Value; 2])> {
     let sides = &tally.scalars;
-    let mut rows = vec![vec![String::new(), NAMES[0].to_owned(), NAMES[1].to_owned()]];
-    let mut row = |name: &str, value: &dyn Fn(&Side) -> String| {
-        rows.push(vec![name.to_owned(), value(&sides[0]), value(&sides[1])]);
+    let mut lines = Vec::new();
+    let mut line = |name: &str, value: &dyn Fn(&Side) -> Value| {
+        lines.push((name.to_owned(), sides.each_ref().map(value)));
     };
     let mut sizes: Vec<_> = sides.iter().flat_map(|side| side.fits.keys().copied()).collect();
     sizes.sort_unstable();
     sizes.dedup();
     for size in sizes {
-        row(&format!("fit {size} segments"), &|side| side.fits.get(&size).copied().unwrap_or(0).to_string());
+        let count = |side: &Side| Value::Count(side.fits.get(&size).copied().unwrap_or(0));
+        line(&format!("fit {size} segments"), &count);
     }
-    row("do not fit", &|side| side.no_fit.to_string());
-    row("BOUND VIOLATED", &|side| side.violated.to_string());
+    line("do not fit", &|side| Value::Count(side.no_fit));
+    line("BOUND VIOLATED", &|side| Value::Count(side.violated));
     let kinds: [(&str, Part); 2] = [("near", |side| &side.near), ("far", |side| &side.far)];
     for (kind, spread) in kinds {
         for (quantile, share) in [("median", 0.5), ("99 %", 0.99), ("greatest", 1.0)] {
-            row(&format!("{kind}: error, {quantile}, rad"), &|side| {
-                format!("{:.1e}", spread(side).error(share))
+            line(&format!("{kind}: error, {quantile}, rad"), &|side| Value::Error(spread(side).error(share)));
+        }
+        for (quantile, share) in RATIOS {
+            line(&format!("{kind}: bound / error, {quantile}"), &|side| {
+                Value::Ratio(spread(side).ratio(share))
             });
         }
-        for (quantile, share) in [
-            ("least", 0.0),
-            ("1 %", 0.01),
-            ("10 %", 0.1),
-            ("median", 0.5),
-            ("90 %", 0.9),
-            ("99 %", 0.99),
-            ("greatest", 1.0),
-        ] {
-            row(&format!("{kind}: bound / error, {quantile}"), &|side| {
-                format!("{:.2}", spread(side).ratio(share))
-            });
-        }
-        row(&format!("{kind}: bound at most 10 times the error"), &|side| {
-            format!("{:.1} %", 100.0 * spread(side).within(10.0))
+        line(&format!("{kind}: bound at most 10 times the error"), &|side| {
+            Value::Share(spread(side).within(10.0))
         });
     }
-    rows
+    lines
 }
+
+/// Which of the ratios of all motions are told.
+const RATIOS: [(&str, f64); 7] = [
+    ("least", 0.0),
+    ("1 %", 0.01),
+    ("10 %", 0.1),
+    ("median", 0.5),
+    ("90 %", 0.9),
+    ("99 %", 0.99),
+    ("greatest", 1.0),
+];
 
 fn worst(side: &Side) -> String {
     let line = |case: &Case| {

@@ -1,8 +1,8 @@
 //! What many trials add up to.
 
 use super::trial::{Outcome, Trial, Worst};
+use crate::names::regime;
 use std::collections::BTreeMap;
-use toytop::Regime;
 
 /// Worst cases that are kept.
 const KEPT: usize = 5;
@@ -64,8 +64,9 @@ impl Tally {
         }
     }
 
-    /// Adds what another thread has.
-    pub fn merge(&mut self, other: Self) {
+    /// With what another thread has.
+    #[must_use]
+    pub fn merged(mut self, other: Self) -> Self {
         for (regime, count) in other.regimes {
             *self.regimes.entry(regime).or_default() += count;
         }
@@ -73,6 +74,7 @@ impl Tally {
         for (side, other) in self.scalars.iter_mut().zip(other.scalars) {
             side.merge(other);
         }
+        self
     }
 
     /// Puts numbers in order; before that there are no quantiles.
@@ -153,17 +155,4 @@ impl Spread {
 fn quantile(sorted: &[f64], share: f64) -> f64 {
     let last = sorted.len().saturating_sub(1);
     sorted.get((share * last as f64).round() as usize).copied().unwrap_or(f64::NAN)
-}
-
-/// In words.
-#[must_use]
-pub fn regime(regime: Regime) -> &'static str {
-    match regime {
-        Regime::Nutating => "nutating",
-        Regime::RegularPrecession(_) => "regular precession",
-        Regime::SleepingStable => "sleeping, stable",
-        Regime::SleepingUnstable => "sleeping, unstable",
-        Regime::Hanging => "hanging",
-        Regime::Aperiodic => "aperiodic",
-    }
 }

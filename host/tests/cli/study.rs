@@ -18,10 +18,10 @@ fn corners_keep_their_bounds_and_fill_their_page() {
     for (row, (least, most)) in
         nutating.iter().zip([(1e-17, 1e-13), (1e-9, 1e-6), (1e-10, 1e-7), (1e-6, 1e-3)])
     {
-        let error = row["error, rad"].as_f64().expect("a number");
+        let error = row["error_rad"].as_f64().expect("a number");
         assert!(error > least && error < most, "{row}");
-        assert!(row["error / bound"].as_f64().is_some_and(|share| share > 0.01 && share <= 1.0), "{row}");
-        assert_eq!(row["beyond bound"], 0, "{row}");
+        assert!(row["error_of_bound"].as_f64().is_some_and(|share| share > 0.01 && share <= 1.0), "{row}");
+        assert_eq!(row["beyond_bound"], 0, "{row}");
     }
     let text = std::fs::read_to_string(page).expect("the page");
     assert!(text.starts_with("before\n") && text.ends_with("after\n") && !text.contains("old"), "{text}");

@@ -3,6 +3,7 @@
 use super::Report;
 use crate::Failure;
 use crate::cli::{Format, StudyArgs};
+use crate::cores;
 use crate::marked;
 use crate::output::{self, Cell, Record};
 use crate::progress::Progress;
@@ -13,7 +14,6 @@ use crate::study::corners::trial;
 use crate::study::gauss::Rule;
 use crate::study::random::Random;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Mutex;
 
@@ -25,8 +25,7 @@ pub(super) fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
         // a place that is not there is told before the work, not after
         marked::check(path, "--docs", MARK)?;
     }
-    let cores = rayon::ThreadPoolBuilder::new().stack_size(super::STACK).build();
-    let cores = cores.map_err(|error| Failure::Output(io::Error::other(error)))?;
+    let cores = cores::all()?;
     let rule = Rule::new();
     let progress = Mutex::new(Progress::new(arguments.count(), "launches"));
     let each = |mut tally: Tally, stream| {
@@ -104,15 +103,15 @@ fn records(name: &'static str, regime: &Regime) -> Vec<Record> {
             ("regime", Cell::Text(name.to_owned())),
             ("scalar", Cell::Text(scalar.to_owned())),
             ("motions", Cell::Count(regime.motions)),
-            ("no table", Cell::Count(side.no_fit)),
-            ("norm, turning points / bound", Cell::Number(side.strain)),
-            ("drift of l, n, h", side_drift(scalar, side)),
+            ("no_table", Cell::Count(side.no_fit)),
+            ("checks_of_bound", Cell::Number(side.strain)),
+            ("drift", side_drift(scalar, side)),
             ("truths", Cell::Count(regime.with_truth)),
-            ("error, rad", truth(side.error).into()),
-            ("error / bound", truth(side.of_bound).into()),
-            ("last place of input, rad", Cell::Number(regime.sensitivity)),
-            ("error / condition", truth(side.of_condition).into()),
-            ("beyond bound", Cell::Count(side.violated + side.astray)),
+            ("error_rad", truth(side.error).into()),
+            ("error_of_bound", truth(side.of_bound).into()),
+            ("last_place_rad", Cell::Number(regime.sensitivity)),
+            ("error_of_condition", truth(side.of_condition).into()),
+            ("beyond_bound", Cell::Count(side.violated + side.astray)),
         ])
     };
     SCALARS.into_iter().zip(&regime.scalars).map(record).collect()
@@ -123,15 +122,31 @@ fn side_drift(scalar: &str, side: &Side) -> Cell {
     if scalar.starts_with('q') { Cell::Absent } else { Cell::Number(side.drift) }
 }
 
+/// For reading, what the keys of the records mean.
+const HEADER: [&str; 12] = [
+    "regime",
+    "scalar",
+    "motions",
+    "no table",
+    "norm, turning points / bound",
+    "drift of l, n, h",
+    "truths",
+    "error, rad",
+    "error / bound",
+    "last place of input, rad",
+    "error / condition",
+    "beyond bound",
+];
+
 /// Header and cells, for reading.
 fn rows(records: &[Record]) -> Vec<Vec<String>> {
-    let header = records.first().map(|record| record.0.iter().map(|(name, _)| (*name).to_owned()).collect());
     let cell = |(name, cell): &(&str, Cell)| match cell {
-        Cell::Text(text) => text.clone(),
+        Cell::Text(text) => text.replace('_', " "),
         Cell::Count(count) => count.to_string(),
-        Cell::Number(x) if name.contains("/ ") => format!("{x:.2}"),
+        Cell::Number(x) if name.contains("_of_") => format!("{x:.2}"),
         Cell::Number(x) => format!("{x:.0e}"),
         _ => "-".to_owned(),
     };
-    header.into_iter().chain(records.iter().map(|record| record.0.iter().map(cell).collect())).collect()
+    let header = HEADER.map(str::to_owned).to_vec();
+    std::iter::once(header).chain(records.iter().map(|record| record.0.iter().map(cell).collect())).collect()
 }

@@ -2,7 +2,7 @@
 
 use super::reading::SCALARS;
 use super::trial::{Kept, Outcome};
-use crate::study::tally::regime;
+use crate::names::regime;
 use std::collections::BTreeMap;
 
 /// Counts and greatest errors.
