@@ -67,7 +67,7 @@ pub enum Command {
     /// What each call costs on emulated microcontrollers, and whether that is within its budget (exit code 1 if not)
     Budget(BudgetArgs),
     #[command(after_help = "Example: toytop errata --format csv")]
-    /// The slips of the printed paper: both versions against the full equations (exit code 1 if one does not tell)
+    /// The slips of the printed paper: both versions against the full equations (exit code 1 if a pair does not differ as stated)
     Errata(ErrataArgs),
     /// The scalars side by side: errors from tick 1 to tick 2^40, and what a tick costs on each chip
     #[command(after_help = "Example: toytop accuracy --plot accuracy.svg")]

@@ -20,7 +20,9 @@ mod view;
 
 use crate::Failure;
 use crate::cli::{self, Command};
+use crate::reality;
 use crate::scenario::Scenario;
+use toytop::Motion;
 
 /// What a command has to say.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -77,17 +79,16 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
     }
 }
 
-/// One line on the motions in which the plane would have to pull at the tip, if there are any.
-fn lift_off(scenarios: &[Scenario]) -> Option<String> {
-    let pulled = |scenario: &Scenario| {
-        let least = scenario.motion.min_normal_force().filter(|force| *force < 0.0)?;
-        Some(format!("{} ({least:.3})", scenario.name))
+/// What a real top on a plane would do otherwise: a line a kind, with the motions it is true of.
+fn unreal(scenarios: &[Scenario]) -> Vec<String> {
+    let line = |what: &str, number: fn(&Motion) -> Option<f64>, digits: usize| {
+        let of = |scenario: &Scenario| {
+            number(&scenario.motion).map(|number| format!("{} ({number:.digits$})", scenario.name))
+        };
+        let named: Vec<_> = scenarios.iter().filter_map(of).collect();
+        (!named.is_empty()).then(|| format!("warning: a real top would {what}: {}", named.join(", ")))
     };
-    let named: Vec<_> = scenarios.iter().filter_map(pulled).collect();
-    (!named.is_empty()).then(|| {
-        format!(
-            "warning: a real top would leave the plane (least normal force / weight): {}",
-            named.join(", ")
-        )
-    })
+    let pulled = line("leave the plane (least normal force / weight)", reality::pulled, 3);
+    let fallen = line("fall on its side (greatest tilt, degrees)", reality::fallen, 1);
+    [pulled, fallen].into_iter().flatten().collect()
 }

@@ -12,9 +12,11 @@
 //! | [`bake`] | an ephemeris as Rust, C or JSON |
 //! | [`tip_angle`] | the tip angle of an ephemeris, continued from t = 0 |
 //! | [`newton_euler`] | the full equations with the plane's force in them, instant by instant |
+//! | [`full_solver`] | the full equations, integrated with a tolerance |
 //! | [`truth`] | the full solver taken to the same times |
 //! | [`baseline`] | the full equations in equal steps: what one would do without the core |
 //! | [`race`] | the core and its rivals over the same course |
+//! | [`reality`] | what the equations allow and a top on a table does not do |
 //! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
 //! | [`budget`] | what a call costs on an emulated chip |
 //! | [`accuracy`] | the scalars side by side, error and cost |
@@ -60,6 +62,7 @@ pub mod plot;
 pub mod progress;
 pub mod propagate;
 pub mod race;
+pub mod reality;
 pub mod scenario;
 pub mod sines;
 pub mod study;

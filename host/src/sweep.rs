@@ -3,7 +3,7 @@
 //! A row depends on the sweep and its own number only, not on who computes it: so parts computed anywhere fit together, and
 //! a part that was cut off can go on.
 
-mod axis;
+pub(crate) mod axis;
 #[cfg(feature = "parquet")]
 pub mod columnar;
 mod columns;

@@ -1,6 +1,7 @@
 //! The times asked for: a list on the command line, or a file of numbers.
 
 use crate::cli::TimesArgs;
+use crate::sweep::axis::Axis;
 use crate::{Failure, whole_file};
 use std::path::Path;
 
@@ -10,9 +11,23 @@ use std::path::Path;
 /// [`Failure::Input`]: an unreadable file, or an entry that is no finite number.
 pub fn read(arguments: &TimesArgs) -> Result<Vec<f64>, Failure> {
     match (&arguments.times, &arguments.times_file) {
+        (Some(spread), _) if spread.contains("..") => evenly(spread),
         (Some(list), _) => list.split(',').map(|entry| time(entry, "--times")).collect(),
         (None, Some(path)) => from_file(path),
         (None, None) => Err(Failure::Input("--times or --times-file is required".into())),
+    }
+}
+
+/// `LOW..HIGH/PLACES`.
+fn evenly(spread: &str) -> Result<Vec<f64>, Failure> {
+    const MOST: u32 = 5_000_000;
+    let refused = |reason: &str| Failure::Input(format!("--times: {spread}: {reason}"));
+    match spread.parse().map_err(|reason: String| refused(&reason))? {
+        axis @ Axis::Grid(_, places) if places <= MOST => {
+            Ok((0..places).map(|place| axis.at(place.into())).collect())
+        }
+        Axis::Grid(..) => Err(refused(&format!("PLACES must be at most {MOST}"))),
+        _ => Err(refused("must be T1,T2,... or LOW..HIGH/PLACES")),
     }
 }
 
@@ -39,5 +54,21 @@ fn time(entry: &str, place: &str) -> Result<f64, Failure> {
     match entry.trim().parse::<f64>() {
         Ok(time) if time.is_finite() => Ok(time),
         _ => Err(Failure::Input(format!("{place}: {:?} must be a finite number", entry.trim()))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spread_evenly_with_both_ends() {
+        assert_eq!(evenly("-1..1/5").unwrap(), [-1.0, -0.5, 0.0, 0.5, 1.0]);
+        let third = evenly("0..0.3/4").unwrap();
+        assert_eq!((third.len(), third[0], third[3]), (4, 0.0, 0.3));
+        for refused in ["0..1", "1..0/3", "0..1/1", "0..1/5000001", "0..x/3"] {
+            let message = evenly(refused).unwrap_err().to_string();
+            assert!(message.starts_with(&format!("--times: {refused}: ")), "{message}");
+        }
     }
 }

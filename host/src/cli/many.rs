@@ -23,7 +23,7 @@ pub struct OverflowArgs {
 /// `toytop study`
 #[derive(Args, Debug)]
 pub struct StudyArgs {
-    /// How many (100000 if nothing is said; with --corners 1000000)
+    /// Motions to try [default: 100000; with --corners 1000000]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     pub motions: Option<u64>,
     /// Another seed, other motions

@@ -33,7 +33,7 @@ pub const DEFAULT_STEPS: u32 = 4096;
 #[derive(Args, Debug)]
 #[group(required = true, multiple = false)]
 pub struct TimesArgs {
-    /// Times, separated by commas, in any order; negative ones too
+    /// Times, separated by commas, in any order, negative ones too; or LOW..HIGH/PLACES, evenly spread with both ends
     #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true)]
     pub times: Option<String>,
     /// File with one time a line; # starts a comment

@@ -1,6 +1,6 @@
 //! `toytop bake`: the table of a motion as a file for another program.
 
-use super::{Report, lift_off};
+use super::{Report, unreal};
 use crate::Failure;
 use crate::bake::{Label, Parts, header, module, object};
 use crate::cli::{BakeArgs, Language};
@@ -26,13 +26,13 @@ pub(super) fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
         Language::C => header(&label, &parts),
         Language::Json => object(&label, &parts),
     };
-    let remarks = [Some(summary(&label, &parts)), lift_off(&[scenario])];
+    let remarks = std::iter::once(summary(&label, &parts)).chain(unreal(&[scenario]));
     let mut report = Report::default();
     match &arguments.output {
         None => report.text = text,
         Some(path) => whole_file::write("--output", path, text.as_bytes())?,
     }
-    Ok(report.with_remarks(remarks.into_iter().flatten(), false))
+    Ok(report.with_remarks(remarks, false))
 }
 
 fn parts(arguments: &BakeArgs, scenario: &Scenario, tick: Tick) -> Result<Parts, Failure> {

@@ -6,13 +6,13 @@ mod measure;
 mod run;
 mod show;
 
-use super::{Report, lift_off};
+use super::{Report, unreal};
 use crate::cli::{CompareArgs, Format, Method, Scalar, ScalarChoice};
 use crate::micromath::Micromath;
 use crate::output;
 use crate::scenario::Scenario;
 use crate::{Failure, builtin};
-use bounds::{Span, bound, horizon, steps_per_period};
+use bounds::{Span, WORST, bound, horizon, steps_per_period};
 use measure::{Errors, Truth};
 use run::{Effort, Run, SAMPLES, look_up, sample_times, step_through, tick_through};
 use std::time::Duration;
@@ -53,6 +53,8 @@ impl Row {
         match self.measured {
             None => "no fit",
             Some(_) if self.missed() => "MISS",
+            // nothing could be further off
+            Some(_) if self.bound >= WORST => "no bound",
             Some(_) => "ok",
         }
     }
@@ -79,7 +81,7 @@ pub(super) fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
         Format::Csv => output::csv(&show::records(&rows)).map_err(Failure::Output)?,
         Format::Json => output::json_list("rows", &show::records(&rows)).map_err(Failure::Output)?,
     };
-    remarks.extend(lift_off(&scenarios));
+    remarks.extend(unreal(&scenarios));
     let missed = rows.iter().any(Row::missed);
     Ok(Report { text, missed, ..Report::default() }.with_remarks(remarks, below))
 }

@@ -1,6 +1,6 @@
 //! `toytop constants`: what does not change in a motion.
 
-use super::{Report, lift_off};
+use super::{Report, unreal};
 use crate::cli::{ConstantsArgs, Format};
 use crate::output::{self, Cell, Record, number};
 use crate::scenario::Scenario;
@@ -17,7 +17,7 @@ pub(super) fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
         Format::Json => output::json(&record()).map_err(Failure::Output)?,
     };
     let report = Report { text, ..Report::default() };
-    Ok(report.with_remarks(lift_off(&[scenario]), arguments.format == Format::Table))
+    Ok(report.with_remarks(unreal(&[scenario]), arguments.format == Format::Table))
 }
 
 /// Key, value, unit. The units are those of a scenario in SI.

@@ -1,6 +1,6 @@
 //! `toytop plot`: the curve of the tip between its bounding circles.
 
-use super::{Report, lift_off};
+use super::{Report, unreal};
 use crate::Failure;
 use crate::cli::PlotArgs;
 use crate::names::tip_class;
@@ -17,7 +17,7 @@ pub(super) fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
     let curve = Curve::of(&scenario.motion).map_err(|failure| failure.of(&scenario.name))?;
     let picture = draw(&scenario, &curve, &caption(&scenario, &curve), form)?;
     whole_file::write("--output", path, &picture)?;
-    Ok(Report::default().with_remarks(lift_off(&[scenario]), false))
+    Ok(Report::default().with_remarks(unreal(&[scenario]), false))
 }
 
 /// The class of the curve and the numbers of the scenario, in two lines.
@@ -27,8 +27,14 @@ fn caption(scenario: &Scenario, curve: &Curve) -> [String; 2] {
     let class = tip_class(motion.tip_class()).replace('_', " ");
     let periods = curve.periods.map(|periods| format!(", {periods} periods")).unwrap_or_default();
     let [e1, e2, e3] = [e.e1, e.e2, e.e3].map(|e| short(e, 4));
-    let sign = |sign: Sign| if sign == Sign::Plus { '>' } else { '<' };
-    let (plus, minus) = (sign(signs.l_plus_n), sign(signs.l_minus_n));
+    // their squares are proportional to these
+    let vanishes = [e.one_plus_e1 * (1.0 + e.e2), (1.0 - e.e1) * e.one_minus_e2 * e.e3_minus_one];
+    let sign = |sign: Sign, vanishes: f64| match sign {
+        _ if vanishes == 0.0 => '=',
+        Sign::Plus => '>',
+        Sign::Minus => '<',
+    };
+    let (plus, minus) = (sign(signs.l_plus_n, vanishes[0]), sign(signs.l_minus_n, vanishes[1]));
     let inertias = match top.support() {
         Support::Sliding => format!("A/(ps) = {}, C/A = ", short(top.a() / (top.p() * top.s()), 4)),
         Support::Fixed => "tip held, C/A = ".to_owned(),

@@ -1,6 +1,6 @@
 //! `toytop state`: orientation, rates and tip at given times.
 
-use super::{Report, lift_off};
+use super::{Report, unreal};
 use crate::Failure;
 use crate::cli::{Format, Method, Scalar, StateArgs};
 use crate::ephemeris::{Instant, furthest_time, smallest};
@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
         Format::Json => output::json_list("samples", &records(&samples)).map_err(Failure::Output)?,
     };
     let report = Report { text, ..Report::default() };
-    Ok(report.with_remarks(lift_off(&[scenario]), arguments.format == Format::Table))
+    Ok(report.with_remarks(unreal(&[scenario]), arguments.format == Format::Table))
 }
 
 /// Those that a method exists in.

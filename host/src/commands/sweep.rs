@@ -77,7 +77,7 @@ fn parquet(rows: &Rows, cores: &ThreadPool, arguments: &SweepArgs) -> Result<Add
 #[cfg(not(feature = "parquet"))]
 fn parquet(_: &Rows, _: &ThreadPool, arguments: &SweepArgs) -> Result<Added, Failure> {
     Err(Failure::Input(format!(
-        "--output: {}: this program was built without Parquet (cargo build --features parquet), but not without CSV",
+        "--output: {}: this program was built without Parquet (cargo build --features parquet); name a .csv file",
         arguments.output.display()
     )))
 }

@@ -1,6 +1,6 @@
 //! `toytop view`: a motion as a page for a browser.
 
-use super::{Report, lift_off};
+use super::{Report, unreal};
 use crate::cli::ViewArgs;
 use crate::scenario::Scenario;
 use crate::{Failure, view, whole_file};
@@ -14,5 +14,5 @@ pub(super) fn run(arguments: &ViewArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let page = view::page(&scenario).map_err(|failure| failure.of(&scenario.name))?;
     whole_file::write("--output", path, page.as_bytes())?;
-    Ok(Report::default().with_remarks(lift_off(&[scenario]), false))
+    Ok(Report::default().with_remarks(unreal(&[scenario]), false))
 }

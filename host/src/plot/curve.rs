@@ -5,9 +5,9 @@ use crate::cli::Scalar;
 use crate::ephemeris::{AnySize, smallest};
 use crate::propagate::natural_time;
 use std::f64::consts::PI;
-use toytop::{Averages, Motion, Regime};
+use toytop::{Averages, Motion, Regime, Support};
 
-/// The curve of the tip from t = 0, and the circles it keeps between.
+/// The curve of the tip (of the axis, if the tip is held) from t = 0, and the circles it keeps between.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     /// x and y, in m (without unit for a fixed tip).
@@ -49,9 +49,11 @@ impl Curve {
             _ if motion.regime() == Regime::Aperiodic => rise(motion, &*table, largest),
             _ => (once_round(motion), 1),
         };
+        // where the tip is held, what moves is the axis: -2αβ
+        let sense = if motion.top().support() == Support::Fixed { -1.0 } else { 1.0 };
         let tip = |t: f64| {
             let c = table.at(t).sample.tip;
-            [c.re, c.im]
+            [sense * c.re, sense * c.im]
         };
         let tracer = Tracer { tip: &tip, tolerance: TOLERANCE * largest };
         // the rounding of a table is no curve
@@ -142,5 +144,26 @@ impl Tracer<'_> {
         }
         self.refine([t0, t], [p0, p], depth - 1, points);
         self.refine([t, t1], [p, p1], depth - 1, points);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toytop::{Heaviness, Release, State, Top};
+
+    /// At t = 0: the tip of a top that slides is opposite its axis, of one that is held the axis is drawn.
+    #[test]
+    fn tip_and_axis_begin_where_they_are() {
+        let release = Release { tilt: 0.4, azimuth: 0.7, spin: 150.0, ..Release::default() };
+        let state = State::release(&release).unwrap();
+        let [x, y, _] = state.phi().axis();
+        let slid = Top::sliding(3.0e-5, 2.0e-5, 0.03, Heaviness::Mass(0.05), 9.81).unwrap();
+        let held = Top::fixed(7.5e-5, 2.0e-5, 1.5e-3, 9.81).unwrap();
+        for (top, scale) in [(slid, -0.03), (held, 1.0)] {
+            let curve = Curve::of(&Motion::launch(&top, &state).unwrap()).unwrap();
+            let [at_x, at_y] = curve.points[0];
+            assert!((at_x - scale * x).hypot(at_y - scale * y) < 1e-6 * scale.abs(), "{at_x} {at_y}");
+        }
     }
 }

@@ -45,7 +45,7 @@ impl Axis {
     }
 
     /// The number at a place of the grid. A range has none but its lower end.
-    pub(super) fn at(&self, place: u64) -> f64 {
+    pub(crate) fn at(&self, place: u64) -> f64 {
         match self {
             Self::List(numbers) => numbers.get(place as usize).copied().unwrap_or(f64::NAN),
             Self::Range(range) => range.low,

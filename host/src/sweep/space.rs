@@ -95,7 +95,7 @@ impl Space {
             });
             if drawn.count() < trials as usize / 100 * LEAST_SHARE as usize {
                 return Err(Failure::Input(
-                    "--e1, --e2: must have e1 <= e2 in one of 20 draws or more".into(),
+                    "--e1, --e2: must have e1 <= e2 in at least one of 20 draws".into(),
                 ));
             }
         } else if self.sizes().iter().try_fold(1_u64, |product, &size| product.checked_mul(size)).is_none() {

@@ -4,6 +4,7 @@ use crate::bake::Parts;
 use crate::names;
 use crate::output::short;
 use crate::plot::Curve;
+use crate::reality;
 use toytop::{Motion, Support};
 
 /// What kind of top and motion, in a line.
@@ -12,8 +13,15 @@ pub(super) fn summary(motion: &Motion) -> String {
         Support::Sliding => "a top whose tip slides without friction",
         Support::Fixed => "a top whose tip is held",
     };
+    let curve = if motion.top().support() == Support::Fixed { "axis" } else { "tip" };
+    let real = match (reality::pulled(motion), reality::fallen(motion)) {
+        (Some(_), Some(_)) => ". A real top would leave the plane, and fall on its side.",
+        (Some(_), None) => ". A real top would leave the plane.",
+        (None, Some(_)) => ". A real top would fall on its side.",
+        (None, None) => "",
+    };
     format!(
-        "{top}: {}, tip curve: {}",
+        "{top}: {}, {curve} curve: {}{real}",
         words(names::regime(motion.regime())),
         words(names::tip_class(motion.tip_class()))
     )

@@ -52,7 +52,7 @@ const short = (x) => String(Number(x.toPrecision(6))).replace("-", "−").replac
 function tell({ moment, axis }) {
   const { t, page } = state;
   const values = {
-    tilt: `${digits((Math.acos(Math.max(-1, Math.min(1, moment.u))) * 180) / Math.PI, 2)}°`,
+    tilt: `${digits((Math.atan2(Math.hypot(axis[0], axis[1]), axis[2]) * 180) / Math.PI, 2)}°`,
     u: digits(moment.u, 6),
     alpha: `${digits(moment.alpha[0])} ${moment.alpha[1] < 0 ? "−" : "+"} ${digits(Math.abs(moment.alpha[1]))} i`,
     beta: `${digits(moment.beta[0])} ${moment.beta[1] < 0 ? "−" : "+"} ${digits(Math.abs(moment.beta[1]))} i`,

@@ -162,7 +162,8 @@ fn compare_holds_its_bounds() {
     assert!(absent["motion"] == "near separatrix 1e-6" && absent["scalar"] == "q31", "{absent}");
     for row in found {
         let error = row["max_orientation_error_rad"].as_f64().expect("a number");
-        assert_eq!(row["verdict"], "ok", "{row}");
+        let unbounded = row["scalar"] == "micromath" && row["method"] == "stepper";
+        assert_eq!(row["verdict"], if unbounded { "no bound" } else { "ok" }, "{row}");
         assert!(error > 0.0 && error <= row["bound_rad"].as_f64().expect("a number"), "{row}");
         // the derivatives of fixed point are in f32
         let drift_limit = match row["scalar"].as_str().expect("a name") {

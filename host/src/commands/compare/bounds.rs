@@ -5,10 +5,9 @@ use crate::cli::{Method, Scalar};
 use crate::propagate::period;
 use toytop::{Motion, Regime};
 
-/// Steps a period, in f64 and in every other type. In f64, truncation and rounding of the fourth-order step are equal near 2048 (smooth motions) to 8192
-/// (near the separatrix). In f32, rounding alone is left from 512 on, also near the separatrix; as the phases are
-/// integers it does not grow with more steps, which only cost time. In
-/// fixed point a step is exact whatever its length.
+/// Steps a period, in f64 and in every other type. In f64, truncation and rounding of the fourth-order step are equal near 2048
+/// (smooth motions) to 8192 (near the separatrix). In f32, rounding alone is left from 512 on, also near the separatrix; as the
+/// phases are integers it does not grow with more steps, which only cost time. In fixed point a step is exact whatever its length.
 pub(super) fn steps_per_period(scalar: Scalar) -> u32 {
     match scalar {
         Scalar::F64 => 4096,
@@ -60,7 +59,7 @@ fn of_the_truth(motion: &Motion) -> f64 {
 }
 
 /// No orientation is further from another.
-const WORST: f64 = 4.0;
+pub(super) const WORST: f64 = 4.0;
 
 /// What the error of the orientation may be, rad. `own` are the bounds of a motion that has bounds of its own.
 ///
