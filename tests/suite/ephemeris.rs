@@ -1,30 +1,29 @@
 //! The ephemeris: against truth to 10⁹ periods, and against itself.
 
-use toytop::real::Real;
 use toytop::{
     Complex, Ephemeris, EphemerisF32, EphemerisF64, Motion, NoFit, Phi, Regime, Stepper, Tabular, Tick,
 };
 use toytop_tests::vectors::{self, Vector};
-use toytop_tests::{orientation_error, tolerance, widened};
+use toytop_tests::{greater, orientation_error, tolerance, widened};
 
 fn kilohertz() -> Tick {
     Tick::hertz(1000).unwrap()
 }
 
 /// Worst orientation errors of a vector's samples: over the first periods, and near 10³, 10⁶ and 10⁹ periods.
-fn errors<R: Real + Tabular, const S: usize, const N: usize>(vector: &Vector) -> Result<[f64; 4], NoFit> {
+fn errors<R: Tabular + Into<f64>, const S: usize, const N: usize>(
+    vector: &Vector,
+) -> Result<[f64; 4], NoFit> {
     let ephemeris = Ephemeris::<R, S, N>::new(&vector.motion().unwrap(), kilohertz())?;
-    let widen = |z: Complex<R>| Complex::new(z.re.to_f64(), z.im.to_f64());
     let bound = ephemeris.error_bound();
     // it says something after a hundred years, too
     assert!(bound.per_tick > 0.0 && bound.per_tick * 3e12 < bound.constant, "{}: {bound:?}", vector.name);
     let mut worst = [0.0_f64; 4];
     let first = vector.samples().into_iter().map(|sample| (1.0, sample));
     for (periods, sample) in first.chain(vector.huge_samples()) {
-        let Phi { alpha, beta } = ephemeris.at(sample.t).phi();
-        let error = orientation_error(Phi { alpha: widen(alpha), beta: widen(beta) }, sample.phi);
+        let error = orientation_error(widened(ephemeris.at(sample.t).phi()), sample.phi);
         let decade = [10.0, 1e4, 1e7, f64::INFINITY].iter().position(|&limit| periods < limit).unwrap();
-        worst[decade] = worst[decade].max(error);
+        worst[decade] = greater(worst[decade], error);
         if vector.is_exact() {
             let allowed = bound.after(sample.t * 1000.0);
             assert!(
@@ -53,7 +52,7 @@ fn exact() -> impl Iterator<Item = Vector> {
 fn truth_to_a_thousand_million_periods_in_f64() {
     let mut worst = [0.0_f64; 4];
     for vector in exact() {
-        worst.iter_mut().zip(errors_f64(&vector)).for_each(|(worst, error)| *worst = worst.max(error));
+        worst.iter_mut().zip(errors_f64(&vector)).for_each(|(worst, error)| *worst = greater(*worst, error));
     }
     for (what, error) in ["3", "1e3", "1e6", "1e9"].iter().zip(worst) {
         tolerance::EPHEMERIS_F64.check(&format!("{what} periods"), error);
@@ -65,7 +64,7 @@ fn truth_to_a_thousand_million_periods_in_f32() {
     let mut worst = 0.0_f64;
     for vector in exact() {
         let errors = errors::<f32, 64, 6>(&vector).or_else(|_| errors::<f32, 256, 7>(&vector)).unwrap();
-        worst = errors.into_iter().fold(worst, f64::max);
+        worst = errors.into_iter().fold(worst, greater);
     }
     tolerance::EPHEMERIS_F32.check("any time", worst);
 }
@@ -185,9 +184,9 @@ fn continuity_across_segments_and_turning_points() {
         // the border, in time
         let border = (f64::from(segment) / 128.0 - phase) * period;
         let [before, after] = [-1e-12, 1e-12].map(|dt| ephemeris.at(border + dt).pose());
-        value = value.max(orientation_error(before.phi, after.phi));
+        value = greater(value, orientation_error(before.phi, after.phi));
         for (x, y) in before.omega().iter().zip(after.omega()) {
-            slope = slope.max((x - y).abs());
+            slope = greater(slope, (x - y).abs());
         }
     }
     assert!(value < 2e-11 && value > 1e-13, "value {value:e}");
