@@ -104,11 +104,13 @@ fn the_mirror_image_is_exact() {
 /// Steps of any size keep the top on its own motion: the first integrals hold even where the step is far too long.
 #[test]
 fn a_step_far_too_long_is_wrong_only_along_the_motion() {
+    let mut worst = 0.0_f64;
     let motion = vectors::named("generic_AneC").motion().unwrap();
     assert_eq!(motion.regime(), Regime::Nutating);
     let mut stepper = Stepper::<f64>::new(&motion);
     for _ in 0..1000 {
         stepper.step(3.7);
-        assert!(drift(&recomputed(motion.top(), &stepper.pose()), &motion.first_integrals()) < 1e-14);
+        worst = greater(worst, drift(&recomputed(motion.top(), &stepper.pose()), &motion.first_integrals()));
     }
+    tolerance::INVARIANTS_F64.check("l, n, h", worst);
 }

@@ -5,7 +5,7 @@ use toytop::{
     BranchPoints, Complex, Ephemeris, Heaviness, Motion, Phi, Regime, Signs, Start, State, Stepper, Tick,
     TipClass, Top,
 };
-use toytop_tests::{orientation_error, vectors};
+use toytop_tests::{greater, orientation_error, tolerance, vectors};
 
 /// Upright: asleep above the border n² = 4 A p g, and ready to fall below it.
 #[test]
@@ -52,6 +52,7 @@ fn the_sleeping_top_by_branch_points() {
         let motion = Motion::from_branch_points(&top(), [-0.2, 1.0, 1.0], Signs::default(), &start).unwrap();
         assert_eq!(motion.regime(), Regime::SleepingUnstable, "{theta}");
     }
+    let mut worst = 0.0_f64;
     for theta in [0.0, 1.0, pi - 1e-12, -3.0] {
         let start = Start { theta, ..Start::default() };
         let motion = Motion::from_branch_points(&top(), [-0.2, 1.0, 1.0], Signs::default(), &start).unwrap();
@@ -65,12 +66,12 @@ fn the_sleeping_top_by_branch_points() {
                 stepper.step(0.01 * direction);
                 if n % 500 == 0 {
                     let phi = ephemeris.at_tick(n * direction as i64).phi();
-                    let error = orientation_error(phi, stepper.phi());
-                    assert!(error < 1e-7, "theta {theta}, tick {n} {direction}: {error:e}");
+                    worst = greater(worst, orientation_error(phi, stepper.phi()));
                 }
             }
         }
     }
+    tolerance::RISE_STEPPER.check("table against stepper", worst);
 }
 
 /// The aperiodic motion rises to the vertical and comes from it, for however long.
