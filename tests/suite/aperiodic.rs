@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use toytop::exact::{Aperiodic, Weierstrass, carlson_rf};
 use toytop::{Complex, Heaviness, Motion, Phi, Sign, Signs, Start, Top};
 use toytop_tests::complex::{C, I, from, to};
-use toytop_tests::{orientation_error, tolerance};
+use toytop_tests::{greater, orientation_error, tolerance};
 
 const E4: f64 = 1.5;
 
@@ -135,7 +135,7 @@ fn eqn_tpolydiv_eqn_aperform() {
             let t = paper.t(x);
             assert!(t.im.abs() < 1e-13 && t.re * share >= 0.0, "{t}");
             let pose = form.at(t.re);
-            worst = worst.max(orientation_error(pose.phi, paper.phi(x)));
+            worst = greater(worst, orientation_error(pose.phi, paper.phi(x)));
         }
     }
     tolerance::AS_THE_PAPER_HAS_IT.check("aperiodic", worst);

@@ -4,7 +4,7 @@ use crate::full::{full_state, full_top};
 use toytop::su2::{PhiRate, Vector, bracket, dot};
 use toytop::{Complex, FirstIntegrals, Motion, Phi, Sign, Signs, Start, State, Stepper};
 use toytop_host::newton_euler::accelerations;
-use toytop_tests::{tolerance, vectors};
+use toytop_tests::{greater, tolerance, vectors, worst};
 
 type Matrix = [Complex<f64>; 4];
 
@@ -19,7 +19,7 @@ fn product([a, b, c, d]: Matrix, [e, f, g, h]: Matrix) -> Matrix {
 }
 
 fn far(x: Matrix, y: Matrix) -> f64 {
-    x.iter().zip(y).map(|(x, y)| (*x - y).norm_squared().sqrt()).fold(0.0, f64::max)
+    worst(x.iter().zip(y).map(|(x, y)| (*x - y).norm_squared().sqrt()))
 }
 
 fn of_phi(phi: &Phi<f64>) -> Matrix {
@@ -42,18 +42,18 @@ fn r3_is_su2() {
         let (x, y) = (vector(i), vector(i + 31));
         let (xy, yx) = (product(matrix(x), matrix(y)), product(matrix(y), matrix(x)));
         let commutator: Matrix = std::array::from_fn(|k| xy[k] - yx[k]);
-        worst = worst.max(far(commutator, matrix(bracket(x, y))));
+        worst = greater(worst, far(commutator, matrix(bracket(x, y))));
         let trace = (xy[0] + xy[3]).scaled(-2.0);
-        worst = worst.max((trace.re - dot(x, y)).abs().max(trace.im.abs()));
+        worst = greater(worst, greater((trace.re - dot(x, y)).abs(), trace.im.abs()));
         let phi = Phi::exp(vector(i + 57).map(|component| 3.0 * component));
         let turned = product(product(of_phi(&phi), matrix(x)), of_phi(&phi.inverse()));
-        worst = worst.max(far(turned, matrix(phi.adjoint(x))));
+        worst = greater(worst, far(turned, matrix(phi.adjoint(x))));
         // eqn:omega and eqn:Omega with the middle matrices corrected
         let omega = y.map(|component| 2.0 * component);
         let rate = PhiRate::from_fixed(&phi, omega);
-        worst = worst.max(far(product(of_rate(&rate), of_phi(&phi.inverse())), matrix(omega)));
+        worst = greater(worst, far(product(of_rate(&rate), of_phi(&phi.inverse())), matrix(omega)));
         let body = rate.omega_body(&phi);
-        worst = worst.max(far(product(of_phi(&phi.inverse()), of_rate(&rate)), matrix(body)));
+        worst = greater(worst, far(product(of_phi(&phi.inverse()), of_rate(&rate)), matrix(body)));
     }
     tolerance::GROUP.check("su(2)", worst);
     let basis = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -100,7 +100,7 @@ fn eqn_up1um1_to_eqn_omegasum() {
         let [alpha, beta, gamma, delta] = of_phi(&phi);
         let [alpha_dot, beta_dot, gamma_dot, delta_dot] = of_rate(&rate);
         let (u, udot) = (phi.axis()[2], rate.udot(&phi));
-        let mut off = |z: Complex<f64>| worst = worst.max(z.norm_squared().sqrt());
+        let mut off = |z: Complex<f64>| worst = greater(worst, z.norm_squared().sqrt());
         let real = |x: f64| Complex::new(x, 0.0);
         // eqn:up1um1, eqn:du
         off((alpha * delta).scaled(2.0) - real(1.0 + u));

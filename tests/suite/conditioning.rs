@@ -1,7 +1,7 @@
 //! Branch points near every degenerate corner, from states rounded to f64, against the roots of exactly those states.
 //!
-//! Every difference must come out to the last bit but one. Solving the cubic in f64 by its coefficients loses up to all digits of a small difference here (of e₂ - e₁ = 1e-8
-//! upright, every one; of e₃ - e₂ = 1e-6, all but three).
+//! Every difference must come out to the last bit but one. Solving the cubic in f64 by its coefficients loses up to all
+//! digits of a small difference here (of e₂ - e₁ = 1e-8 upright, every one; of e₃ - e₂ = 1e-6, all but three).
 
 use toytop::{BranchPoints, Complex, Heaviness, Phi, State, Top};
 use toytop_tests::vectors;

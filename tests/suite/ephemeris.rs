@@ -1,106 +1,12 @@
-//! The ephemeris: against truth to 10⁹ periods, and against itself.
+//! The ephemeris: against itself and the stepper; against truth in `truth`.
 
-use toytop::real::Real;
-use toytop::{
-    Complex, Ephemeris, EphemerisF32, EphemerisF64, Motion, NoFit, Phi, Regime, Stepper, Tabular, Tick,
-};
-use toytop_tests::vectors::{self, Vector};
-use toytop_tests::{orientation_error, tolerance, widened};
+mod truth;
+
+use toytop::{Complex, Ephemeris, EphemerisF32, EphemerisF64, Motion, Phi, Regime, Stepper, Tabular, Tick};
+use toytop_tests::{greater, orientation_error, tolerance, vectors, widened};
 
 fn kilohertz() -> Tick {
     Tick::hertz(1000).unwrap()
-}
-
-/// Worst orientation errors of a vector's samples: over the first periods, and near 10³, 10⁶ and 10⁹ periods.
-fn errors<R: Real + Tabular, const S: usize, const N: usize>(vector: &Vector) -> Result<[f64; 4], NoFit> {
-    let ephemeris = Ephemeris::<R, S, N>::new(&vector.motion().unwrap(), kilohertz())?;
-    let widen = |z: Complex<R>| Complex::new(z.re.to_f64(), z.im.to_f64());
-    let bound = ephemeris.error_bound();
-    // it says something after a hundred years, too
-    assert!(bound.per_tick > 0.0 && bound.per_tick * 3e12 < bound.constant, "{}: {bound:?}", vector.name);
-    let mut worst = [0.0_f64; 4];
-    let first = vector.samples().into_iter().map(|sample| (1.0, sample));
-    for (periods, sample) in first.chain(vector.huge_samples()) {
-        let Phi { alpha, beta } = ephemeris.at(sample.t).phi();
-        let error = orientation_error(Phi { alpha: widen(alpha), beta: widen(beta) }, sample.phi);
-        let decade = [10.0, 1e4, 1e7, f64::INFINITY].iter().position(|&limit| periods < limit).unwrap();
-        worst[decade] = worst[decade].max(error);
-        if vector.is_exact() {
-            let allowed = bound.after(sample.t * 1000.0);
-            assert!(
-                error <= allowed,
-                "{}: {error:.1e} rad at {}, bound {allowed:.1e}",
-                vector.name,
-                sample.t
-            );
-        }
-    }
-    Ok(worst)
-}
-
-/// The smallest of three sizes that fits.
-fn errors_f64(vector: &Vector) -> [f64; 4] {
-    let larger = |_| errors::<f64, 256, 12>(vector).or_else(|_| errors::<f64, 1024, 12>(vector));
-    errors::<f64, 32, 11>(vector).or_else(larger).unwrap_or_else(|error| panic!("{}: {error}", vector.name))
-}
-
-fn exact() -> impl Iterator<Item = Vector> {
-    vectors::all().into_iter().filter(Vector::is_exact)
-}
-
-/// Inputs taken as exact, at any distance: the figures of the set-up in double-double.
-#[test]
-fn truth_to_a_thousand_million_periods_in_f64() {
-    let mut worst = [0.0_f64; 4];
-    for vector in exact() {
-        worst.iter_mut().zip(errors_f64(&vector)).for_each(|(worst, error)| *worst = worst.max(error));
-    }
-    for (what, error) in ["3", "1e3", "1e6", "1e9"].iter().zip(worst) {
-        tolerance::EPHEMERIS_F64.check(&format!("{what} periods"), error);
-    }
-}
-
-#[test]
-fn truth_to_a_thousand_million_periods_in_f32() {
-    let mut worst = 0.0_f64;
-    for vector in exact() {
-        let errors = errors::<f32, 64, 6>(&vector).or_else(|_| errors::<f32, 256, 7>(&vector)).unwrap();
-        worst = errors.into_iter().fold(worst, f64::max);
-    }
-    tolerance::EPHEMERIS_F32.check("any time", worst);
-}
-
-/// Every vector, with decimal inputs too, over its first periods.
-#[test]
-fn truth_on_every_vector() {
-    for vector in vectors::all() {
-        let rounding = if vector.gap() > 0.0 && vector.gap() < 1e-5 { 1e-8 } else { 1e-11 };
-        let [first, ..] = errors_f64(&vector);
-        assert!(first < rounding, "{}: {first:.1e}", vector.name);
-    }
-}
-
-/// The pose of a moment is that of the stepper: u, u', ω, and the tip.
-#[test]
-fn what_follows_from_a_moment() {
-    for vector in exact().filter(|vector| vector.gap() == 0.0 || vector.gap() > 1e-3) {
-        let motion = vector.motion().unwrap();
-        let ephemeris = Ephemeris::<f64, 512, 12>::new(&motion, kilohertz()).unwrap();
-        for sample in vector.samples() {
-            let moment = ephemeris.at(sample.t);
-            let pose = moment.pose();
-            let scale = pose.omega().iter().fold(1.0_f64, |scale, w| scale.max(w.abs()));
-            assert_eq!(pose.phi, moment.phi());
-            assert!((pose.u() - sample.u).abs() < 1e-13, "{}", vector.name);
-            assert!((pose.udot() - sample.udot).abs() < 1e-11 * scale, "{}", vector.name);
-            let c = moment.tip() - sample.c;
-            assert!(c.norm_squared().sqrt() < 1e-13 * motion.top().tip_scale(), "{}", vector.name);
-        }
-        let (start, state) = (Stepper::<f64>::new(&motion).pose(), ephemeris.at_tick(0).pose());
-        for (ours, stepped) in state.omega().iter().zip(start.omega()) {
-            assert!((ours - stepped).abs() < 1e-10, "{}: {ours} {stepped}", vector.name);
-        }
-    }
 }
 
 fn generic() -> Motion {
@@ -185,13 +91,13 @@ fn continuity_across_segments_and_turning_points() {
         // the border, in time
         let border = (f64::from(segment) / 128.0 - phase) * period;
         let [before, after] = [-1e-12, 1e-12].map(|dt| ephemeris.at(border + dt).pose());
-        value = value.max(orientation_error(before.phi, after.phi));
+        value = greater(value, orientation_error(before.phi, after.phi));
         for (x, y) in before.omega().iter().zip(after.omega()) {
-            slope = slope.max((x - y).abs());
+            slope = greater(slope, (x - y).abs());
         }
     }
-    assert!(value < 2e-11 && value > 1e-13, "value {value:e}");
-    assert!(slope < 1e-10, "slope {slope:e}");
+    tolerance::CONTINUITY.check("value", value);
+    tolerance::CONTINUITY_OF_RATES.check("slope", slope);
 }
 
 /// n + m ticks are m ticks from the state at n: the flow is a group. Relaunched from the pose of a moment.
@@ -199,14 +105,15 @@ fn continuity_across_segments_and_turning_points() {
 fn a_relaunch_goes_on_as_before() {
     let motion = generic();
     let ephemeris = EphemerisF64::new(&motion, kilohertz()).unwrap();
+    let mut worst = 0.0_f64;
     for n in [3, 1000, -4321] {
         let state = ephemeris.at_tick(n).pose().state().unwrap();
         let again = EphemerisF64::new(&Motion::launch(motion.top(), &state).unwrap(), kilohertz()).unwrap();
         for m in [0, 1, -1, 700, 9999] {
-            let error = orientation_error(again.at_tick(m).phi(), ephemeris.at_tick(n + m).phi());
-            assert!(error < 1e-12, "{n} + {m}: {error:e}");
+            worst = greater(worst, orientation_error(again.at_tick(m).phi(), ephemeris.at_tick(n + m).phi()));
         }
     }
+    tolerance::RELAUNCH.check("n + m ticks", worst);
 }
 
 #[test]
@@ -243,6 +150,7 @@ fn aperiodic_at_any_tick() {
     assert_eq!(motion.regime(), Regime::Aperiodic);
     let ephemeris = Ephemeris::<f64, 1024, 12>::new(&motion, kilohertz()).unwrap();
     let single = Ephemeris::<f32, 128, 7>::new(&motion, kilohertz()).unwrap();
+    let (mut worst, mut worst_single) = (0.0_f64, 0.0_f64);
     for direction in [1, -1] {
         let mut stepper = Stepper::<f64>::new(&motion);
         for n in 1..60_000 {
@@ -250,11 +158,14 @@ fn aperiodic_at_any_tick() {
             if n % 250 == 0 {
                 let truth = stepper.phi();
                 let tick = i64::from(n * direction);
-                assert!(orientation_error(ephemeris.at_tick(tick).phi(), truth) < 1e-11, "tick {tick}");
-                assert!(orientation_error(widened(single.at_tick(tick).phi()), truth) < 5e-7, "tick {tick}");
+                worst = greater(worst, orientation_error(ephemeris.at_tick(tick).phi(), truth));
+                worst_single =
+                    greater(worst_single, orientation_error(widened(single.at_tick(tick).phi()), truth));
             }
         }
     }
+    tolerance::APERIODIC_STEPPER.check("f64", worst);
+    tolerance::EPHEMERIS_F32.check("f32", worst_single);
     for n in [1_000_000_000, -1_000_000_000] {
         assert_eq!(ephemeris.at(n as f64).phi(), ephemeris.at_tick(n * 1000).phi());
     }

@@ -4,7 +4,7 @@ use fixed::types::{I2F14, I2F30};
 use toytop::real::{Ring, Scalar};
 use toytop::{Ephemeris, EphemerisF64, NoFit, Tabular, Tick, Turns};
 use toytop_tests::vectors::{self, Vector};
-use toytop_tests::{orientation_error, tolerance, widened};
+use toytop_tests::{greater, orientation_error, tolerance, widened};
 
 /// Worst orientation error over a vector's samples, near and far, and by how much of its bound.
 fn worst<R: Tabular + Into<f64>, const S: usize, const N: usize>(vector: &Vector) -> Result<f64, NoFit> {
@@ -16,7 +16,7 @@ fn worst<R: Tabular + Into<f64>, const S: usize, const N: usize>(vector: &Vector
         let error = orientation_error(widened(ephemeris.at(sample.t).phi()), sample.phi);
         let allowed = bound.after(sample.t * 1000.0);
         assert!(error <= allowed, "{}: {error:.1e} at {}, bound {allowed:.1e}", vector.name, sample.t);
-        worst.max(error)
+        greater(worst, error)
     }))
 }
 
@@ -30,7 +30,7 @@ fn exact() -> impl Iterator<Item = Vector> {
 fn truth_to_a_thousand_million_periods_in_32_bits() {
     let error = exact().fold(0.0_f64, |error, vector| {
         let larger = |_| worst::<I2F30, 256, 8>(&vector);
-        error.max(worst::<I2F30, 32, 8>(&vector).or_else(larger).unwrap())
+        greater(error, worst::<I2F30, 32, 8>(&vector).or_else(larger).unwrap())
     });
     tolerance::EPHEMERIS_Q31.check("any time", error);
 }
@@ -39,7 +39,7 @@ fn truth_to_a_thousand_million_periods_in_32_bits() {
 fn truth_to_a_thousand_million_periods_in_16_bits() {
     let error = exact().fold(0.0_f64, |error, vector| {
         let larger = |_| worst::<I2F14, 128, 4>(&vector);
-        error.max(worst::<I2F14, 32, 4>(&vector).or_else(larger).unwrap())
+        greater(error, worst::<I2F14, 32, 4>(&vector).or_else(larger).unwrap())
     });
     tolerance::EPHEMERIS_Q15.check("any time", error);
 }
@@ -55,7 +55,7 @@ fn a_tick_in_32_bits_is_within_its_bound_of_one_in_f64() {
         let double = EphemerisF64::new(&motion, tick).unwrap();
         let worst = (0..300_000).fold(0.0, |worst: f64, n| {
             let n = 7919 * n;
-            worst.max(orientation_error(widened(fixed.at_tick(n).phi()), double.at_tick(n).phi()))
+            greater(worst, orientation_error(widened(fixed.at_tick(n).phi()), double.at_tick(n).phi()))
         });
         let bound = fixed.error_bound().constant;
         assert!((0.5 * bound..bound).contains(&worst), "{TERMS} terms: {worst:.2e}, bound {bound:.2e}");
@@ -87,9 +87,9 @@ fn sine_and_cosine_of_a_phase() {
         let phase = Turns::new(f64::from(i) * 0.618_033_988_75);
         let (sine, cosine) = f64::sine_cosine(phase);
         let ((s, c), (short_s, short_c)) = (I2F30::sine_cosine(phase), I2F14::sine_cosine(phase));
-        let off = |a: f64, b: f64| (a - sine).abs().max((b - cosine).abs());
-        worst[0] = worst[0].max(off(s.into(), c.into()) * (1_u64 << 30) as f64);
-        worst[1] = worst[1].max(off(short_s.into(), short_c.into()) * (1_u64 << 14) as f64);
+        let off = |a: f64, b: f64| greater((a - sine).abs(), (b - cosine).abs());
+        worst[0] = greater(worst[0], off(s.into(), c.into()) * (1_u64 << 30) as f64);
+        worst[1] = greater(worst[1], off(short_s.into(), short_c.into()) * (1_u64 << 14) as f64);
     }
     assert!(worst.iter().all(|units| (0.4..3.0).contains(units)), "{worst:?} units");
 }

@@ -4,7 +4,7 @@ use toytop::{
     Ephemeris, FixedStepper, Heaviness, Motion, NoTickMap, Phi, Sign, Signs, Start, Stepper, Tick, Top,
 };
 use toytop_tests::vectors::{self, Sample, Vector};
-use toytop_tests::{orientation_error, tolerance, widened};
+use toytop_tests::{greater, orientation_error, tolerance, widened};
 
 /// Ticks a unit of time, so that every sample is at a whole tick.
 fn rate(vector: &Vector) -> f64 {
@@ -50,11 +50,11 @@ fn truth_over_three_periods() {
         follow(&vector, |stepper, sample| {
             let error = orientation_error(widened(stepper.phi()), sample.phi);
             assert!(error <= stepper.error_bound().after(sample.t * rate), "{}", vector.name);
-            orientation = orientation.max(error);
-            tilt = tilt.max((f64::from(stepper.u()) - sample.u).abs());
+            orientation = greater(orientation, error);
+            tilt = greater(tilt, (f64::from(stepper.u()) - sample.u).abs());
             let tip = stepper.tip();
             let (x, y) = (f64::from(tip.re) - sample.c.re / scale, f64::from(tip.im) - sample.c.im / scale);
-            curve = curve.max(x.hypot(y));
+            curve = greater(curve, x.hypot(y));
         });
     }
     tolerance::STEPPER_Q31.check("orientation", orientation);
@@ -73,8 +73,8 @@ fn the_tip_angle_is_continued() {
                 return assert_eq!(stepper.tip_angle().is_some(), sample.tip_angle.is_some());
             };
             let lever = 0.5 * sample.c.norm_squared().sqrt() / scale;
-            worst = worst.max((angle.to_radians() - truth).abs() * lever);
-            turns = turns.max(angle.to_f64().abs());
+            worst = greater(worst, (angle.to_radians() - truth).abs() * lever);
+            turns = greater(turns, angle.to_f64().abs());
         });
     }
     assert!(turns > 1.0, "{turns}");
@@ -105,8 +105,8 @@ fn the_error_does_not_depend_on_the_tick() {
                 stepper.step();
                 runge_kutta.step(motion.averages().unwrap().period / f64::from(per_period));
                 let phi = truth.at_tick(n.into()).phi();
-                worst = worst.max(orientation_error(widened(stepper.phi()), phi));
-                lost = lost.max(orientation_error(runge_kutta.phi(), phi));
+                worst = greater(worst, orientation_error(widened(stepper.phi()), phi));
+                lost = greater(lost, orientation_error(runge_kutta.phi(), phi));
             }
             assert!(per_period > 16 || lost > 1e-7, "{name}: {lost:.1e}");
         }
@@ -124,7 +124,7 @@ fn there_and_back() {
         let start = widened(stepper.phi());
         (0..100_000).for_each(|_| stepper.step());
         (0..100_000).for_each(|_| stepper.step_back());
-        worst = worst.max(orientation_error(widened(stepper.phi()), start));
+        worst = greater(worst, orientation_error(widened(stepper.phi()), start));
     }
     tolerance::REVERSAL_Q31.check("there and back", worst);
 }
@@ -230,7 +230,7 @@ fn little_adds_up() {
         let Ok(truth) = Ephemeris::<f64, 256, 12>::new(&motion, tick) else { continue };
         let mut stepper = <FixedStepper>::new(&motion, tick).unwrap();
         (0..1_000_000).for_each(|_| stepper.step());
-        worst = worst.max(orientation_error(widened(stepper.phi()), truth.at_tick(1_000_000).phi()));
+        worst = greater(worst, orientation_error(widened(stepper.phi()), truth.at_tick(1_000_000).phi()));
         judged += 1;
     }
     assert!(judged > 15, "{judged}");

@@ -8,7 +8,7 @@ use toytop::exact::hyperelliptic::{Curve, Form, Point, r_of_integrals};
 use toytop::exact::tip_curve::TipCurve;
 use toytop::{Complex, Heaviness, Motion, Phi, Regime, Sign, Signs, Start, Top};
 use toytop_host::contour::around_ellipse;
-use toytop_tests::tolerance;
+use toytop_tests::{greater, tolerance};
 
 fn size(z: Complex<f64>) -> f64 {
     z.norm_squared().sqrt()
@@ -67,7 +67,7 @@ fn eqn_r_with_l_n_h() {
             let x = f64::from(i);
             let u = Complex::new(2.0 * (0.9 * x).sin(), 2.0 * (1.7 * x).cos());
             let ours = r_of_integrals(motion.top(), &motion.first_integrals(), u).unwrap();
-            worst = worst.max(size(ours - curve.r(u)) / size(curve.r(u)).max(1.0));
+            worst = greater(worst, size(ours - curve.r(u)) / size(curve.r(u)).max(1.0));
         }
     }
     tolerance::EQUATIONS.check("R(u)", worst);
@@ -88,7 +88,7 @@ fn w_plus_and_minus_one() {
     let mut worst = 0.0_f64;
     for (motion, curve) in curves() {
         for (w, u) in [(curve.w_minus_one(), -1.0), (curve.w_plus_one(), 1.0)] {
-            worst = worst.max(size(w * w - curve.r(real(u))) / size(curve.r(real(u))));
+            worst = greater(worst, size(w * w - curve.r(real(u))) / size(curve.r(real(u))));
         }
         if curve.form() != Form::General {
             continue;
@@ -102,7 +102,7 @@ fn w_plus_and_minus_one() {
             let momentum = momentum / top.g().sqrt();
             let second = (s / 2.0).sqrt() * (1.0 - top.e4().unwrap().powi(2)) * momentum / a;
             let first = (s / 2.0).sqrt() * momentum / (p * s);
-            worst = worst.max(size(w - real(second)).max(size(w + real(first))) / size(w));
+            worst = greater(worst, greater(size(w - real(second)), size(w + real(first))) / size(w));
             assert_eq!(Sign::of(w.re), Sign::of(-f64::from(sign.factor())));
         }
         // the same sign: |l| > |n|
@@ -129,8 +129,9 @@ fn eqn_t_and_eqn_abgdints_on_the_full_solution() {
                 continue; // at a turning point the integrands are infinite
             }
             let at = curve.on_motion(u, udot);
-            curve_worst = curve_worst.max(size(at.w * at.w - curve.r(at.u)) / size(curve.r(at.u)).max(1.0));
-            curve_worst = curve_worst.max(size(curve.time(&at).scaled(udot) - Complex::ONE));
+            curve_worst =
+                greater(curve_worst, size(at.w * at.w - curve.r(at.u)) / size(curve.r(at.u)).max(1.0));
+            curve_worst = greater(curve_worst, size(curve.time(&at).scaled(udot) - Complex::ONE));
             let over = |a: Complex<f64>, b: Complex<f64>| (a * b.conj()).scaled(1.0 / b.norm_squared());
             let (gamma, delta) = (-rate.beta.conj(), rate.alpha.conj());
             let truth = [
@@ -143,14 +144,15 @@ fn eqn_t_and_eqn_abgdints_on_the_full_solution() {
             let drift = [tau, -tau, tau, -tau];
             for ((ours, drift), truth) in curve.logarithms(&at).into_iter().zip(drift).zip(truth) {
                 let ours = ours.scaled(udot) + drift;
-                rate_worst = rate_worst.max(size(ours - truth) / size(truth).max(1.0));
+                rate_worst = greater(rate_worst, size(ours - truth) / size(truth).max(1.0));
             }
             // eqn:dphi
             let tip = over(phi.alpha * rate.beta + rate.alpha * phi.beta, phi.alpha * phi.beta).im;
             let ours = curve.tip_angle(&at).scaled(udot);
-            rate_worst = rate_worst.max((ours.re - tip).abs().max(ours.im.abs()) / tip.abs().max(1.0));
+            rate_worst =
+                greater(rate_worst, greater((ours.re - tip).abs(), ours.im.abs()) / tip.abs().max(1.0));
             let reduced = TipCurve::new(&motion).slope(u, udot) * udot;
-            rate_worst = rate_worst.max((reduced - tip).abs() / tip.abs().max(1.0));
+            rate_worst = greater(rate_worst, (reduced - tip).abs() / tip.abs().max(1.0));
         }
     }
     tolerance::CURVE_ON_PATH.check("w and dt", curve_worst);
@@ -172,12 +174,12 @@ fn eqn_tint0_around_the_cut() {
             let time = ellipse(&|at| curve.time(at));
             // the way around is the motion's or its reverse
             let sense = time.re.signum();
-            worst = worst.max(size(time - real(sense * averages.period)) / averages.period);
+            worst = greater(worst, size(time - real(sense * averages.period)) / averages.period);
             let tau = Complex::new(0.0, 0.5 * curve.tau() * averages.period);
             for (part, tau, turns) in [(0, tau, averages.alpha_turns), (1, -tau, averages.beta_turns)] {
                 let turn = ellipse(&|at| curve.logarithms(at)[part]).scaled(sense) + tau;
                 let angle = 2.0 * std::f64::consts::PI * turns;
-                worst = worst.max(size(turn - Complex::new(0.0, angle)) / angle.abs().max(1.0));
+                worst = greater(worst, size(turn - Complex::new(0.0, angle)) / angle.abs().max(1.0));
             }
         }
     }
@@ -201,10 +203,10 @@ fn eqn_zander_and_eqn_aperabgdints_are_the_general_ones() {
             let Some(factor) = factor(u) else { continue };
             let (at, general) = (curve.point(u), Curve::of(&motion));
             let lifted = Point { u, w: at.w * factor };
-            worst = worst.max(size(lifted.w * lifted.w - general.r(u)) / size(general.r(u)).max(1.0));
-            worst = worst.max(size(curve.time(&at) - general.time(&lifted)));
+            worst = greater(worst, size(lifted.w * lifted.w - general.r(u)) / size(general.r(u)).max(1.0));
+            worst = greater(worst, size(curve.time(&at) - general.time(&lifted)));
             for (ours, theirs) in curve.logarithms(&at).into_iter().zip(general.logarithms(&lifted)) {
-                worst = worst.max(size(ours - theirs));
+                worst = greater(worst, size(ours - theirs));
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 use toytop::Phi;
-use toytop_tests::orientation_error;
+use toytop_tests::{orientation_error, widened};
 
 #[test]
 fn the_quaternion_is_the_same_rotation_with_the_same_sign() {
@@ -42,8 +42,7 @@ fn the_matrix_loses_only_the_sign() {
         assert!((axis - Vector3::from(phi.axis())).norm() < 1e-6);
         let back = Phi::from(matrix);
         let minus = Phi { alpha: -back.alpha, beta: -back.beta };
-        let error =
-            |candidate| orientation_error(toytop_tests::widened(candidate), toytop_tests::widened(phi));
+        let error = |candidate| orientation_error(widened(candidate), widened(phi));
         assert!(error(back).min(error(minus)) < 2e-6);
     }
 }

@@ -2,7 +2,7 @@
 
 use fixed::types::{I2F14, I2F30};
 use toytop::{Complex, Ephemeris, EphemerisF64, Tabular, Tick};
-use toytop_tests::{tolerance, vectors};
+use toytop_tests::{greater, tolerance, vectors, worst};
 
 /// Errors of the pose, of the tip as wide as there is, and of the tip in the scalar, near and far: as shares of the greatest rate
 /// and of the length.
@@ -15,7 +15,7 @@ where
     let double = EphemerisF64::new(&motion, tick).unwrap();
     let ephemeris = Ephemeris::<R, S, N>::new(&motion, tick).unwrap();
     let length = motion.top().tip_scale();
-    let mut worst = [0.0_f64; 3];
+    let mut greatest = [0.0_f64; 3];
     for n in (-5000..5000).step_by(7).chain([1 << 40, -(1 << 40)]) {
         let (ours, truth) = (ephemeris.at_tick(n), double.at_tick(n));
         let (pose, exact) = (ours.pose(), truth.pose());
@@ -27,12 +27,10 @@ where
         let misses = pose.omega().into_iter().zip(exact.omega()).map(|(w, exact)| (w.into() - exact) / rate);
         let misses = misses.chain([pose.u().into() - exact.u(), (pose.udot().into() - exact.udot()) / rate]);
         let off = |tip: Complex<f64>| (tip - truth.tip()).norm_squared().sqrt() / length;
-        // what is no number is infinitely wrong
-        let larger = |a: f64, b: f64| if b.abs() <= a { a } else { b.abs().min(f64::INFINITY) };
-        let now = [misses.fold(0.0, larger), off(wide), off(tip.scaled(unit))];
-        worst.iter_mut().zip(now).for_each(|(worst, now)| *worst = larger(*worst, now));
+        let now = [worst(misses.map(f64::abs)), off(wide), off(tip.scaled(unit))];
+        greatest.iter_mut().zip(now).for_each(|(greatest, now)| *greatest = greater(*greatest, now));
     }
-    worst
+    greatest
 }
 
 #[test]

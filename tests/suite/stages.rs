@@ -1,14 +1,9 @@
 //! Each stage of the chain, alone, against the reference vectors.
 
 use toytop::real::Real;
-use toytop::{BranchPoints, FirstIntegrals, Motion, Phi, Stepper};
+use toytop::{BranchPoints, FirstIntegrals, Motion, Stepper};
 use toytop_tests::vectors::{self, Sample, Vector};
-use toytop_tests::{orientation_error, tolerance};
-
-/// Worst of an iterator of errors; NaN counts as infinite.
-fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
-    errors.into_iter().fold(0.0, |worst, error| if error >= 0.0 { worst.max(error) } else { f64::INFINITY })
-}
+use toytop_tests::{greater, orientation_error, tolerance, widened, worst};
 
 fn relative(value: f64, truth: f64, scale: f64) -> f64 {
     ((value - truth) / scale).abs()
@@ -118,15 +113,10 @@ fn follow<R: Real>(
     }
 }
 
-fn widened<R: Real>(phi: Phi<R>) -> Phi<f64> {
-    let widen = |z: toytop::Complex<R>| toytop::Complex::new(z.re.to_f64(), z.im.to_f64());
-    Phi { alpha: widen(phi.alpha), beta: widen(phi.beta) }
-}
-
-fn orientation_over<R: Real>(vector: &Vector, steps: f64) -> f64 {
+fn orientation_over<R: Real + Into<f64>>(vector: &Vector, steps: f64) -> f64 {
     let mut error = 0.0_f64;
     follow::<R>(&vector.motion().unwrap(), &vector.samples(), steps, |stepper, sample| {
-        error = worst([error, orientation_error(widened(stepper.phi()), sample.phi)]);
+        error = greater(error, orientation_error(widened(stepper.phi()), sample.phi));
     });
     error
 }
@@ -170,9 +160,9 @@ fn stepper_reduced_motion_tip_and_angle() {
                 worst([reduced, (pose.u() - sample.u).abs(), (pose.udot() - sample.udot).abs() / speed]);
             let place = stepper.tip();
             let distance = (place.c - sample.c).norm_squared().sqrt() / motion.top().tip_scale();
-            tip = worst([tip, distance]);
+            tip = greater(tip, distance);
             if let (Some(ours), Some(truth)) = (place.angle, sample.tip_angle) {
-                angle = worst([angle, (ours.phi.to_radians() - truth).abs()]);
+                angle = greater(angle, (ours.phi.to_radians() - truth).abs());
             }
         });
     }

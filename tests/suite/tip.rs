@@ -1,7 +1,7 @@
 //! The tip curve: angle, speed, class and the force that keeps it on the plane.
 
 use toytop::{Motion, Signs, Start, Stepper, TipClass};
-use toytop_tests::vectors;
+use toytop_tests::{greater, vectors};
 
 /// φ and c along a motion agree, φ is continuous, and φ' and c' are their derivatives.
 #[test]
@@ -19,7 +19,7 @@ fn angle_and_velocity_are_derivatives() {
             let after = stepper.tip();
             let difference = (after.c - before.c).scaled(0.5 / dt);
             let scale = motion.top().tip_scale() / (dt * 1e4);
-            speed_worst = speed_worst.max((difference - middle.velocity).norm_squared().sqrt() / scale);
+            speed_worst = greater(speed_worst, (difference - middle.velocity).norm_squared().sqrt() / scale);
             assert!((middle.speed() - middle.velocity.norm_squared().sqrt()).abs() < 1e-15);
             if let (Some(a), Some(b), Some(c)) = (before.angle, middle.angle, after.angle) {
                 // c = ±ρ e^{iφ}
@@ -31,7 +31,7 @@ fn angle_and_velocity_are_derivatives() {
                 let slope = (c.phi - a.phi).to_radians() / (2.0 * dt);
                 // near the vertical φ' is large and short: compare where it is not
                 if middle.rho() > 0.05 * motion.top().tip_scale() {
-                    phi_worst = phi_worst.max((slope - b.rate).abs() * dt * 1e4);
+                    phi_worst = greater(phi_worst, (slope - b.rate).abs() * dt * 1e4);
                 }
             } else {
                 assert!(motion.regime().is_vertical());

@@ -13,6 +13,16 @@ pub fn orientation_error(phi: Phi<f64>, truth: Phi<f64>) -> f64 {
     2.0 * (alpha.norm_squared() + beta.norm_squared()).sqrt()
 }
 
+/// The greater of two errors. NaN, which `f64::max` would drop, is greater than any number: it must not pass a bound.
+pub fn greater(a: f64, b: f64) -> f64 {
+    if a > b || a.is_nan() { a } else { b }
+}
+
+/// The worst of many errors: NaN if one is, 0 if there are none.
+pub fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
+    errors.into_iter().fold(0.0, greater)
+}
+
 /// Φ of any scalar as `f64`.
 pub fn widened<R: Into<f64>>(phi: Phi<R>) -> Phi<f64> {
     let widen = |z: Complex<R>| Complex::new(z.re.into(), z.im.into());
@@ -23,3 +33,11 @@ pub fn widened<R: Into<f64>>(phi: Phi<R>) -> Phi<f64> {
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]
 struct Readme;
+
+#[test]
+fn an_error_that_is_no_number_is_the_worst() {
+    assert_eq!(worst([0.5, 2.0, 1.0]), 2.0);
+    for errors in [[f64::NAN, 1.0, 2.0], [1.0, f64::NAN, 2.0], [1.0, 2.0, f64::NAN]] {
+        assert!(worst(errors).is_nan(), "{errors:?}");
+    }
+}

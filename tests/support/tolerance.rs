@@ -1,4 +1,5 @@
-//! Every tolerance of the test suite, in one table.
+//! What the test suite allows errors that add up along a motion, or are gathered over many of them, in one table. What a
+//! single identity may round off stands inline, where it is tested.
 //!
 //! A budget is two-sided: the worst error over all cases of a test must stay below `most`, and must reach `most / 30`.
 //! A bound that nothing comes near would not notice when the code, or the test, stopped working.
@@ -36,6 +37,10 @@ pub const MOMENT_Q31: [Budget; 3] = [Budget::of(6e-7), Budget::of(3e-7), Budget:
 /// The same in fixed point of 16 bits.
 pub const MOMENT_Q15: [Budget; 3] = [Budget::of(1e-3); 3];
 
+/// u, u' as a share of the greatest rate and the tip as a share of its length, in f64 over three periods; ω at the start.
+pub const MOMENT_F64: [Budget; 4] =
+    [Budget::of(2e-15), Budget::of(2e-15), Budget::of(2e-15), Budget::of(2e-13)];
+
 /// l, n, h from branch points or a state, against 30 digits; relative to the largest of them.
 pub const CONSTANTS: Budget = Budget::of(4e-16);
 /// The nutation period, relative, and the phase advances in it (rad), inputs exact in f64.
@@ -62,6 +67,16 @@ pub const TIP_ANGLE_F64: Budget = Budget::of(3e-13);
 pub const EPHEMERIS_F64: Budget = Budget::of(1e-14);
 /// The same in f32.
 pub const EPHEMERIS_F32: Budget = Budget::of(2.5e-7);
+/// Orientation (rad) 1e-12 of time on either side of a border between two segments in f64.
+pub const CONTINUITY: Budget = Budget::of(2e-11);
+/// ω of the same.
+pub const CONTINUITY_OF_RATES: Budget = Budget::of(2e-11);
+/// Ephemeris in f64 of a motion launched anew from the pose of a moment, over 10 000 ticks.
+pub const RELAUNCH: Budget = Budget::of(5e-14);
+/// Ephemeris in f64 of an aperiodic motion against the stepper, 60 000 ticks of 1e-3.
+pub const APERIODIC_STEPPER: Budget = Budget::of(5e-14);
+/// The same in 6000 ticks of 1e-2, of which the stepper's error is of fourth order.
+pub const RISE_STEPPER: Budget = Budget::of(1e-11);
 /// The ephemeris in fixed point of 32 bits, at any time.
 pub const EPHEMERIS_Q31: Budget = Budget::of(1e-8);
 /// The same of 16 bits.
@@ -104,6 +119,8 @@ pub const HALF_PERIODS: Budget = Budget::of(1e-15);
 /// aperiodic, e₃ = e₄, Lagrange.
 pub const CLOSED_FORMS: [Budget; 4] =
     [Budget::of(1e-14), Budget::of(1e-14), Budget::of(1e-14), Budget::of(1e-14)];
+/// Orientation (rad) of the same where the inputs are rounded to f64.
+pub const CLOSED_FORMS_ROUNDED: Budget = Budget::of(5e-14);
 /// Orientation (rad) far out, over the number of periods.
 pub const CLOSED_FORM_PER_PERIOD: Budget = Budget::of(5e-15);
 /// Closed form against ephemeris, over some fifty units of time.

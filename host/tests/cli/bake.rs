@@ -1,20 +1,13 @@
 //! `toytop bake`: what is in the files, how the size is chosen, and that a file is there as a whole or not at all.
 
-pub(crate) mod compiled;
+pub(crate) mod cases;
+mod compiled;
 
-use super::{RELEASE, TOP, branch_points, json, run, sample, scenario, stderr, stdout};
+use super::{RELEASE, TOP, folder, json, needle, run, sample, scenario, slender, stderr, stdout};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use toytop::{Baked, Ephemeris, Tick};
 use toytop_host::scenario::Scenario;
-
-fn folder(name: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("bake_{name}"));
-    // left over from an earlier run, or never there
-    let _ = std::fs::remove_dir_all(&path);
-    std::fs::create_dir_all(&path).expect("a folder");
-    path
-}
 
 /// The table that `spin_m0` has in flash is what this program would write today.
 #[test]
@@ -61,10 +54,7 @@ fn json_holds_every_number() {
 
 #[test]
 fn the_size_is_chosen_and_said() {
-    let slender = branch_points([-0.9, 0.99, 1.18], -1)
-        .replace("inertia = 1.1", "inertia = 5.4e-3")
-        .replace("inertia = 0.8", "inertia = 5e-3");
-    let slender = scenario("bake_slender", &slender);
+    let slender = scenario("bake_slender", &slender([-0.9, 0.99, 1.18], ["5.4e-3", "5e-3"]));
     for (file, scalar, size) in [
         (&sample("toy_top"), "f32", "25x5"),
         (&sample("toy_top"), "f64", "48x11"),
@@ -89,11 +79,8 @@ fn the_size_is_chosen_and_said() {
 
 #[test]
 fn what_cannot_be_baked_leaves_nothing_behind() {
-    let (folder, good) = (folder("refused"), sample("toy_top"));
-    let needle = branch_points([-0.9, 0.99, 1.18], -1)
-        .replace("inertia = 1.1", "inertia = 6e-7")
-        .replace("inertia = 0.8", "inertia = 5.5e-7");
-    let needle = scenario("bake_needle", &needle);
+    let (folder, good) = (folder("bake_refused"), sample("toy_top"));
+    let needle = needle("bake_needle");
     let broken = scenario("bake_broken", TOP);
     let cases: &[(&str, &[&str], i32, &str)] = &[
         (&good, &["--size", "17x8"], 2, "--size: 17x8 must be one of 16x6, 25x5, 32x6, 128x6, 1024x6"),

@@ -10,6 +10,7 @@ mod refusals;
 mod report;
 mod robustness;
 mod scalars;
+mod scratch;
 mod state;
 mod study;
 mod sweep;
@@ -17,24 +18,9 @@ mod tip_angle;
 mod vectors;
 mod view;
 
+use scratch::{RELEASE, TOP, branch_points, folder, needle, sample, scenario, slender};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-
-/// A top and a motion that every case starts from.
-const TOP: &str = "[top]
-mass_moment = 0.9
-com_height = 0.6
-transverse_inertia = 1.1
-axial_inertia = 0.8
-gravity = 1
-";
-const RELEASE: &str = "[motion]
-kind = \"release\"
-tilt_deg = 40
-spin = 3.5
-precession = 0.3
-";
 
 fn run(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_toytop")).args(arguments).output().expect("the program runs")
@@ -61,26 +47,6 @@ fn samples(file: &str, times: &str, more: &[&str]) -> Vec<Value> {
     let mut arguments = vec!["state", file, &times, "--format", "json"];
     arguments.extend(more);
     json(&arguments)["samples"].as_array().expect("samples").clone()
-}
-
-/// A scenario file of this content; every test has names of its own.
-fn scenario(name: &str, content: &str) -> String {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.toml"));
-    std::fs::write(&path, content).expect("the file is written");
-    path.to_str().expect("the path is UTF-8").to_owned()
-}
-
-fn sample(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios").join(format!("{name}.toml"));
-    path.to_str().expect("the path is UTF-8").to_owned()
-}
-
-/// [motion] by branch points, signs (+, `minus`).
-fn branch_points([e1, e2, e3]: [f64; 3], minus: i32) -> String {
-    format!(
-        "{TOP}[motion]\nkind = \"branch_points\"\ne1 = {e1}\ne2 = {e2}\ne3 = {e3}\n\
-         sign_l_plus_n = 1\nsign_l_minus_n = {minus}\n"
-    )
 }
 
 #[test]
@@ -209,19 +175,15 @@ fn compare_reads_scenarios_and_tells_a_miss() {
     assert_eq!(rows, expected.map(|row| format!("\"toy_top\" \"{}\"", row.replace(' ', "\" \""))));
 
     // A/(ps) = 1e-4 near the vertical is too steep for 4096 steps a period.
-    let slender = branch_points([-0.9, 0.99, 1.18], -1)
-        .replace("inertia = 1.1", "inertia = 5.4e-5")
-        .replace("inertia = 0.8", "inertia = 5e-5");
-    let output = run(&["compare", &scenario("slender", &slender), "--scalar", "f64,f32"]);
+    let file = scenario("slender", &slender([-0.9, 0.99, 1.18], ["5.4e-5", "5e-5"]));
+    let output = run(&["compare", &file, "--scalar", "f64,f32"]);
     assert_eq!(output.status.code(), Some(1));
     assert_eq!(stdout(&output).matches(" MISS\n").count(), 2, "{}", stdout(&output));
     let of_the_ephemeris = |line: &&str| line.contains(" ephemeris ") && line.ends_with(" ok");
     assert_eq!(stdout(&output).lines().filter(of_the_ephemeris).count(), 2, "{}", stdout(&output));
 
     // at 1e-6 no table fits: said, not missed
-    let needle = slender.replace("5.4e-5", "6e-7").replace("5e-5", "5.5e-7");
-    let file = scenario("needle_compared", &needle);
-    let output = run(&["compare", &file, "--scalar", "f32", "--periods", "1"]);
+    let output = run(&["compare", &needle("needle_compared"), "--scalar", "f32", "--periods", "1"]);
     assert!(stdout(&output).contains("needle_compared f32: no ephemeris"), "{}", stdout(&output));
     assert!(stdout(&output).lines().any(|line| line.contains(" ephemeris ") && line.ends_with(" no fit")));
 }

@@ -44,9 +44,8 @@ fn a_study_is_fixed_by_its_seed_and_adds_up() {
         let text = stdout(&output).to_owned();
         let (head, rest) = text.split_once('\n').expect("lines");
         assert!(head.starts_with(&format!("150 motions, seed {seed}: ")), "{head}");
-        let violated = cells(&text, "BOUND VIOLATED");
-        let missed = violated.iter().any(|count| count != "0") || text.contains("FAILURE");
-        assert_eq!(output.status.code(), Some(i32::from(missed)), "{text}");
+        assert_eq!(output.status.code(), Some(0), "{text}");
+        assert_eq!(cells(&text, "BOUND VIOLATED"), ["0", "0"], "{text}");
         rest.to_owned()
     };
     let text = study("3");
@@ -66,7 +65,7 @@ fn a_study_is_fixed_by_its_seed_and_adds_up() {
         let fits: u64 = fits.map(|words| count(words[3 + side])).sum();
         assert_eq!(fits + count(&cells(&text, "do not fit")[side]), 150, "{text}");
     }
-    // the errors are those of the scalars, and most bounds hold
+    // the errors are those of the scalars
     let number = |start: &str, side: usize| cells(&text, start)[side].parse::<f64>().expect("a number");
     for (side, rounding) in [(0, f64::EPSILON), (1, f64::from(f32::EPSILON))] {
         for kind in ["near", "far"] {

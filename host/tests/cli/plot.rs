@@ -1,16 +1,7 @@
 //! `toytop plot`: what is in the picture, and that it is there as a whole or not at all.
 
-use super::{RELEASE, TOP, branch_points, run, sample, scenario, stderr, stdout};
+use super::{RELEASE, TOP, branch_points, folder, needle, run, sample, scenario, stderr, stdout};
 use std::path::PathBuf;
-
-/// A folder of a test's own, empty.
-fn folder(name: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("plot_{name}"));
-    // left over from an earlier run, or never there
-    let _ = std::fs::remove_dir_all(&path);
-    std::fs::create_dir(&path).expect("a folder");
-    path
-}
 
 fn entries(folder: &PathBuf) -> usize {
     std::fs::read_dir(folder).expect("a folder").count()
@@ -63,7 +54,7 @@ fn the_curve_lies_between_its_circles() {
         (&centre, "through origin, 3 periods: e₁ = 0.1, e₂ = 1, e₃ = 1.4", &[rho(0.1)], 0.0),
         (&spiral, "spiral: e₁ = 0.2, e₂ = 1, e₃ = 1", &[rho(0.2)], 0.0),
     ];
-    let folder = folder("between");
+    let folder = folder("plot_between");
     for (index, (file, caption, circles, least)) in cases.into_iter().enumerate() {
         let picture = svg(file, &folder.join(format!("{index}.svg")));
         assert!(picture.contains(&format!(">{caption}<")), "{caption} is not in {picture}");
@@ -94,7 +85,7 @@ fn the_curve_lies_between_its_circles() {
 
 #[test]
 fn png_and_what_stands_still() {
-    let folder = folder("png");
+    let folder = folder("plot_png");
     for name in ["sleeping", "lagrange", "toy_top"] {
         let to = folder.join(format!("{name}.PNG"));
         assert_eq!(plot(&sample(name), &to).status.code(), Some(0));
@@ -116,13 +107,10 @@ fn png_and_what_stands_still() {
 
 #[test]
 fn a_picture_is_there_as_a_whole_or_not_at_all() {
-    let folder = folder("refused");
+    let folder = folder("plot_refused");
     let good = sample("toy_top");
     let missing = sample("no_such_file");
-    let needle = branch_points([-0.9, 0.99, 1.18], -1)
-        .replace("inertia = 1.1", "inertia = 6e-7")
-        .replace("inertia = 0.8", "inertia = 5.5e-7");
-    let needle = scenario("plot_needle", &needle);
+    let needle = needle("plot_needle");
     let cases = [
         (&good, "tip.pdf", 2, ".svg or .png"),
         (&good, "tip", 2, ".svg or .png"),

@@ -1,13 +1,7 @@
 //! `toytop report`: a page that needs nothing else, and the README's tables, which must not be stale.
 
-use super::{run, stderr, stdout};
-use std::path::{Path, PathBuf};
-
-fn folder() -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("report");
-    std::fs::create_dir_all(&path).expect("a folder");
-    path
-}
+use super::{folder, run, stderr, stdout};
+use std::path::Path;
 
 fn text(path: &Path) -> &str {
     path.to_str().expect("UTF-8")
@@ -20,7 +14,7 @@ fn the_tables_of_the_readme_are_what_is_measured() {
     assert_eq!((output.status.code(), stderr(&output)), (Some(0), ""));
 
     let good = std::fs::read_to_string(&readme).expect("the README");
-    let stale = folder().join("stale.md");
+    let stale = folder("report_stale").join("stale.md");
     let changed = good.replacen("| RK4, 1024 steps | 9e-9 |", "| RK4, 1024 steps | 8e-9 |", 1);
     assert_ne!(changed, good);
     std::fs::write(&stale, &changed).expect("writable");
@@ -34,12 +28,13 @@ fn the_tables_of_the_readme_are_what_is_measured() {
 
 #[test]
 fn one_page_with_everything() {
-    let (budget, rivals) = (folder().join("budget.json"), folder().join("rivals.json"));
+    let folder = folder("report_page");
+    let [budget, rivals] = ["budget.json", "rivals.json"].map(|name| folder.join(name));
     std::fs::write(&budget, r#"{"rows":[{"chip":"<m4f>","bytes":2048},{"chip":"m0","bytes":null}]}"#)
         .expect("writable");
     let row = r#"{"rows":[{"name":"somebody","effort":"much","error_rad":2.5e-7,"us_per_period":12.5}]}"#;
     std::fs::write(&rivals, row).expect("writable");
-    let folder = folder().join("new");
+    let folder = folder.join("new");
     let words = ["report", "-o", text(&folder), "--budget", text(&budget), "--rivals", text(&rivals)];
     let output = run(&words);
     assert_eq!((output.status.code(), stderr(&output)), (Some(0), ""));
@@ -68,9 +63,10 @@ fn one_page_with_everything() {
 
 #[test]
 fn what_is_no_report_is_refused() {
-    let bad = folder().join("bad.json");
+    let folder = folder("report_refused");
+    let bad = folder.join("bad.json");
     std::fs::write(&bad, r#"{"rows":[{"chip":1},{"core":2}]}"#).expect("writable");
-    let to = folder().join("refused");
+    let to = folder.join("refused");
     for (words, part) in [
         (vec!["report"], "--output"),
         (vec!["report", "-o", text(&to), "--check"], "--readme"),

@@ -1,22 +1,16 @@
 //! Killed, without room, without a reader, with a file that is none: whole files or none, one line, the right exit code.
 
-use super::{run, sample, scenario, stderr, stdout};
+use super::{folder, run, sample, scenario, stderr, stdout};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant, SystemTime};
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_toytop");
 
-/// An empty folder.
-fn folder(name: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("robust_{name}"));
-    // left over from an earlier run, or never there
-    let _ = fs::remove_dir_all(&path);
-    fs::create_dir(&path).expect("the folder is made");
-    path
-}
+/// Bytes that Linux keeps for a reader.
+const PIPE: usize = 65_536;
 
 /// Files by name, without those still being written, whose names begin with a dot.
 fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
@@ -30,17 +24,23 @@ fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     files
 }
 
-/// Starts a command and kills it after a while; whether it was still running.
-fn killed(arguments: &[&str], after: Duration) -> bool {
+/// Starts a command and kills it after a while, looking all the time at what is there; whether it was still running.
+fn killed(arguments: &[&str], after: Duration, look: impl Fn()) -> bool {
+    let started = Instant::now();
     let mut child = Command::new(PROGRAM)
         .args(arguments)
         .stdout(Stdio::null())
         .stderr(Stdio::null())
         .spawn()
         .expect("the program runs");
-    sleep(after);
+    while started.elapsed() < after {
+        look();
+        sleep(Duration::from_micros(100));
+    }
     child.kill().expect("it can be killed");
-    !child.wait().expect("it ends").success()
+    let whole = child.wait().expect("it ends").success();
+    look();
+    !whole
 }
 
 fn text(path: &Path) -> &str {
@@ -60,7 +60,7 @@ fn is_whole(name: &str, bytes: &[u8]) -> bool {
 
 #[test]
 fn a_killed_bake_leaves_the_old_table_or_the_new() {
-    let folder = folder("bake");
+    let folder = folder("robust_bake");
     let path = folder.join("top.rs");
     let toy_top = sample("toy_top");
     let arguments = ["bake", &toy_top, "--scalar", "f64", "-o", text(&path)];
@@ -71,16 +71,17 @@ fn a_killed_bake_leaves_the_old_table_or_the_new() {
     let mut kills = 0;
     for part in 0..24 {
         fs::write(&path, "old").expect("written");
-        kills += u32::from(killed(&arguments, whole * part / 16));
-        let left = fs::read(&path).expect("the table is there");
-        assert!(left == b"old" || left == new, "part {part}: {} bytes", left.len());
+        kills += u32::from(killed(&arguments, whole * part / 16, || {
+            let left = fs::read(&path).expect("the table is there");
+            assert!(left == b"old" || left == new, "part {part}: {} bytes", left.len());
+        }));
     }
     assert!(kills > 0, "never killed in time");
 }
 
 #[test]
 fn what_a_killed_one_left_is_gone_after_the_next() {
-    let folder = folder("leftovers");
+    let folder = folder("robust_leftovers");
     let long_ago = SystemTime::now() - Duration::from_secs(3600);
     let leave = |name: &str, time: SystemTime| {
         let file = fs::File::create(folder.join(name)).expect("a file");
@@ -98,26 +99,38 @@ fn what_a_killed_one_left_is_gone_after_the_next() {
 }
 
 #[test]
-fn killed_pictures_and_pages_are_whole_or_not_there() {
-    for (command, kills) in [("figures", [0.3, 0.6, 0.9, 0.97]), ("report", [0.1, 0.2, 0.3, 0.4])] {
-        let folder = folder(command);
-        let arguments = [command, "-o", text(&folder)];
-        // `report` takes long: it is killed while pictures are drawn, and by chance later
-        let whole = if command == "figures" {
-            let started = Instant::now();
-            assert_eq!(run(&arguments).status.code(), Some(0));
-            started.elapsed()
-        } else {
-            Duration::from_secs(3)
-        };
-        assert!(files(&folder).iter().all(|(name, bytes)| is_whole(name, bytes)));
-        for share in kills {
-            killed(&arguments, whole.mul_f64(share));
-            for (name, bytes) in files(&folder) {
-                assert!(is_whole(&name, &bytes), "{command} {share}: {name}, {} bytes", bytes.len());
+fn killed_figures_are_whole_or_not_there() {
+    let folder = folder("robust_figures");
+    let arguments = ["figures", "-o", text(&folder)];
+    let started = Instant::now();
+    assert_eq!(run(&arguments).status.code(), Some(0));
+    let whole = started.elapsed();
+    for share in [0.0, 0.5, 0.9, 1.1] {
+        killed(&arguments, whole.mul_f64(share), || {
+            let files = files(&folder);
+            assert_eq!(files.len(), 8, "{share}");
+            for (name, bytes) in files {
+                assert!(is_whole(&name, &bytes), "{share}: {name}, {} bytes", bytes.len());
             }
-        }
+        });
     }
+}
+
+/// It takes long, and its page comes last: killed on the way, the page of before is there.
+#[test]
+fn a_killed_report_leaves_the_old_page_or_the_new() {
+    let folder = folder("robust_report");
+    let mut kills = 0;
+    for tenths in [0, 3, 6, 9, 12] {
+        fs::write(folder.join("index.html"), "old").expect("written");
+        kills +=
+            u32::from(killed(&["report", "-o", text(&folder)], Duration::from_millis(100 * tenths), || {
+                let files = files(&folder);
+                let [(name, bytes)] = &files[..] else { panic!("{tenths}: {} files", files.len()) };
+                assert!(bytes == b"old" || is_whole(name, bytes), "{tenths}: {name}, {} bytes", bytes.len());
+            }));
+    }
+    assert!(kills > 0, "never killed in time");
 }
 
 /// Bash, because a limit and a pipe's exit code are its.
@@ -135,7 +148,7 @@ fn without_room_nothing_is_left_and_the_exit_code_is_1() {
 
     // as a full disk does, a limit on the size of files lets a part be written
     let limited = "trap '' XFSZ; ulimit -f 4; exec \"$0\" \"$@\"";
-    let folder = folder("full");
+    let folder = folder("robust_full");
     let path = folder.join("top.rs");
     let picture = folder.join("top.svg");
     let rows = folder.join("rows.csv");
@@ -162,7 +175,7 @@ fn without_room_nothing_is_left_and_the_exit_code_is_1() {
 #[cfg(target_os = "linux")]
 #[test]
 fn what_is_no_file_stays_what_it_is() {
-    let folder = folder("device");
+    let folder = folder("robust_device");
     let toy_top = sample("toy_top");
     let full = folder.join("full.rs");
     std::os::unix::fs::symlink("/dev/full", &full).expect("a link");
@@ -208,13 +221,17 @@ fn a_place_that_cannot_be_written_exits_with_2() {
 #[test]
 fn a_reader_that_has_seen_enough_is_no_failure() {
     let toy_top = sample("toy_top");
-    for arguments in [
-        vec!["state", &toy_top, "--times", "1"],
-        vec!["bake", &toy_top, "--scalar", "f64"],
-        vec!["constants", &toy_top],
-        vec!["completions", "bash"],
-        vec!["--help"],
+    let times = vec!["0.5"; 2000].join(",");
+    for (arguments, is_long) in [
+        (vec!["state", &toy_top, "--times", &times], true),
+        (vec!["bake", &toy_top, "--scalar", "f64", "--size", "512x11"], true),
+        (vec!["bake", &toy_top, "--scalar", "f64", "--size", "512x11", "--lang", "c"], true),
+        (vec!["constants", &toy_top], false),
+        (vec!["completions", "bash"], false),
+        (vec!["--help"], false),
     ] {
+        // what a pipe holds is written whether or not it is read
+        assert_eq!(run(&arguments).stdout.len() > 2 * PIPE, is_long, "{arguments:?}");
         let output = bash("\"$0\" \"$@\" | head -c 1; exit ${PIPESTATUS[0]}", &arguments);
         assert_eq!((output.status.code(), stdout(&output).len()), (Some(0), 1), "{arguments:?}");
         // `bake` says there what it has made
@@ -226,7 +243,7 @@ fn a_reader_that_has_seen_enough_is_no_failure() {
 fn a_scenario_that_is_none_is_refused_at_once() {
     let sparse = scenario("robust_100_mb", "");
     fs::File::options().write(true).open(&sparse).and_then(|file| file.set_len(100_000_000)).expect("a hole");
-    let directory = folder("scenario");
+    let directory = folder("robust_scenario");
     let cases: [(&str, &str); 4] = [
         (&sparse, "1 MiB"),
         ("/dev/zero", "1 MiB"),

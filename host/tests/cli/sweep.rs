@@ -181,7 +181,8 @@ fn errors_are_those_of_the_scalars() {
             double > 1e-16 && double < 1e-12 && (single - error).abs() <= double,
             "{double:e} {single:e}"
         );
-        assert!([16.0, 64.0].contains(&segments), "{segments}");
+        // nothing here is near a corner
+        assert!(segments == 16.0, "{segments}");
     }
 }
 

@@ -2,18 +2,9 @@
 
 mod browser;
 
-use super::{RELEASE, TOP, branch_points, json, run, sample, scenario, stderr, stdout};
+use super::{RELEASE, TOP, branch_points, folder, json, needle, run, sample, scenario, stderr, stdout};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
-
-/// A folder of a test's own, empty.
-fn folder(name: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("view_{name}"));
-    // left over from an earlier run, or never there
-    let _ = std::fs::remove_dir_all(&path);
-    std::fs::create_dir(&path).expect("a folder");
-    path
-}
+use std::path::Path;
 
 fn view(file: &str, to: &Path) -> String {
     let output = run(&["view", file, "-o", to.to_str().expect("UTF-8")]);
@@ -29,7 +20,7 @@ fn element<'a>(page: &'a str, id: &str) -> &'a str {
 
 #[test]
 fn one_page_that_needs_nothing_else() {
-    let folder = folder("page");
+    let folder = folder("view_page");
     let file = sample("figure_3_loops");
     let page = view(&file, &folder.join("top.HTML"));
     for part in ["http", "src=", "href=", "@import", "url(", "import ", "fetch(", "{{", "}}"] {
@@ -62,7 +53,7 @@ fn one_page_that_needs_nothing_else() {
 /// Without a period, without a tip curve, with the tip held, and a name that is no HTML.
 #[test]
 fn every_kind_of_motion_has_a_page() {
-    let folder = folder("kinds");
+    let folder = folder("view_kinds");
     let spiral = scenario("view_spiral", &branch_points([0.2, 1.0, 1.0], 1));
     let page = view(&spiral, &folder.join("spiral.html"));
     assert!(page.contains("aperiodic") && !page.contains("id=\"periods\""));
@@ -84,12 +75,9 @@ fn every_kind_of_motion_has_a_page() {
 
 #[test]
 fn what_has_no_page_is_refused() {
-    let folder = folder("refused");
+    let folder = folder("view_refused");
     let good = sample("toy_top");
-    let needle = branch_points([-0.9, 0.99, 1.18], -1)
-        .replace("inertia = 1.1", "inertia = 6e-7")
-        .replace("inertia = 0.8", "inertia = 5.5e-7");
-    let needle = scenario("view_needle", &needle);
+    let needle = needle("view_needle");
     for (file, name, code, part) in [
         (&good, "top.pdf", 2, "--output: "),
         (&good, "top", 2, "must end in .html"),

@@ -4,7 +4,7 @@ use super::{curves, real, size, top};
 use toytop::Complex;
 use toytop::exact::hyperelliptic::{Curve, Form, Point};
 use toytop_host::contour::{residue, residue_at_branch_point, residue_at_infinity};
-use toytop_tests::tolerance;
+use toytop_tests::{greater, tolerance};
 
 /// The finite branch points of these tests' curves: no other of them, and not ±1, is within 0.09.
 fn branch_points(curve: &Curve) -> Vec<f64> {
@@ -28,15 +28,15 @@ fn table_1() {
             let f = |at: &Point| curve.logarithms(at)[part];
             for (i, zero) in zeros.iter().enumerate() {
                 let expected = if i == part { Complex::ONE } else { Complex::ZERO };
-                worst = worst.max(size(residue(&curve, zero, 0.1, f) - expected));
+                worst = greater(worst, size(residue(&curve, zero, 0.1, f) - expected));
             }
             let at_infinity = residue_at_infinity(&curve, 0.3, |at, _| f(at));
-            worst = worst.max(size(at_infinity + Complex::ONE));
+            worst = greater(worst, size(at_infinity + Complex::ONE));
             for e in branch_points(&curve) {
                 // neither a residue nor a pole of second order
                 let (first, second) = (f, |at: &Point| f(at) * (at.u - real(e)));
-                worst = worst.max(size(residue_at_branch_point(&curve, e, 0.3, first)));
-                worst = worst.max(size(residue_at_branch_point(&curve, e, 0.3, second)));
+                worst = greater(worst, size(residue_at_branch_point(&curve, e, 0.3, first)));
+                worst = greater(worst, size(residue_at_branch_point(&curve, e, 0.3, second)));
             }
         }
     }
@@ -62,11 +62,11 @@ fn table_2() {
         for (part, row) in table.into_iter().enumerate() {
             let f = |at: &Point| curve.logarithms(at)[part];
             for (place, expected) in [alpha, delta, plus, minus].iter().zip(row) {
-                worst = worst.max(size(residue(&curve, place, 0.1, f) - expected));
+                worst = greater(worst, size(residue(&curve, place, 0.1, f) - expected));
             }
-            worst = worst.max(size(residue_at_infinity(&curve, 0.3, |at, _| f(at)) + one));
+            worst = greater(worst, size(residue_at_infinity(&curve, 0.3, |at, _| f(at)) + one));
             for e in branch_points(&curve) {
-                worst = worst.max(size(residue_at_branch_point(&curve, e, 0.3, f)));
+                worst = greater(worst, size(residue_at_branch_point(&curve, e, 0.3, f)));
             }
         }
     }
@@ -86,17 +86,17 @@ fn eqn_t_at_infinity() {
         };
         // dt = -c dv/v² for t = c/v: the residue of v dt is -c; the sheet decides its sign
         let pole = residue_at_infinity(&curve, 0.3, |at, v| time(at) * v);
-        worst = worst.max(pole.re.abs()).max((pole.im.abs() - leading).abs());
-        worst = worst.max(size(residue_at_infinity(&curve, 0.3, |at, _| time(at))));
-        worst = worst.max(size(residue_at_infinity(&curve, 0.3, |at, v| time(at) * v * v)));
+        worst = [pole.re.abs(), (pole.im.abs() - leading).abs()].into_iter().fold(worst, greater);
+        worst = greater(worst, size(residue_at_infinity(&curve, 0.3, |at, _| time(at))));
+        worst = greater(worst, size(residue_at_infinity(&curve, 0.3, |at, v| time(at) * v * v)));
         for e in branch_points(&curve) {
-            worst = worst.max(size(residue_at_branch_point(&curve, e, 0.3, time)));
+            worst = greater(worst, size(residue_at_branch_point(&curve, e, 0.3, time)));
         }
         let over_one = size(residue(&curve, &curve.point(Complex::ONE), 0.1, time));
         if curve.form() == Form::Aperiodic {
             assert!(over_one > 0.1, "the aperiodic case");
         } else {
-            worst = worst.max(over_one);
+            worst = greater(worst, over_one);
         }
     }
     tolerance::CONTOUR.check("t at infinity", worst);

@@ -1,139 +1,9 @@
 //! What `toytop bake` writes, compiled by the system's C compiler and by cargo: it gives the bits of the crate.
 
-use super::folder;
-use crate::vectors::scenario_of;
-use crate::{branch_points, run, sample, scenario, stderr, stdout};
-use fixed::types::{I2F14, I2F30};
-use std::fmt::Write as _;
+use super::cases::{Case, RUNS, assert_equal, cases};
+use crate::{folder, run, stderr, stdout};
 use std::path::Path;
 use std::process::{Command, Output};
-use toytop::{Bakeable, Complex, Ephemeris, Moment, Tabular, Tick};
-use toytop_host::scenario::Scenario;
-
-/// A motion, and the size in which both sides hold it.
-pub(crate) struct Case {
-    pub(crate) file: String,
-    pub(crate) scalar: &'static str,
-    pub(crate) size: &'static str,
-    pub(crate) tick: [u32; 2],
-    /// Every moment asked for, from the crate: a line of bits each.
-    pub(crate) truth: fn(&str, [u32; 2]) -> String,
-}
-
-/// Nutating, steady, vertical, aperiodic, near the separatrix; with a sliding and with a fixed tip.
-pub(crate) fn cases() -> Vec<Case> {
-    let vector = |name: &str| scenario_of(name, "bake");
-    let upright = |sign: i32| {
-        let text = branch_points([0.2, 1.0, 1.5], 1) + "nutation_phase = 3.141592653589793\n";
-        scenario(
-            &format!("bake_upright_{}", sign + 1),
-            &text.replace("plus_n = 1", &format!("plus_n = {sign}")),
-        )
-    };
-    let f32_default =
-        |file, tick| Case { file, scalar: "f32", size: "25x5", tick, truth: truth::<f32, 25, 5> };
-    let f32_large =
-        |file, tick| Case { file, scalar: "f32", size: "128x6", tick, truth: truth::<f32, 128, 6> };
-    let f64_default =
-        |file, tick| Case { file, scalar: "f64", size: "48x11", tick, truth: truth::<f64, 48, 11> };
-    let f64_large =
-        |file, tick| Case { file, scalar: "f64", size: "512x11", tick, truth: truth::<f64, 512, 11> };
-    let q31 = |file, tick| Case { file, scalar: "q31", size: "32x4", tick, truth: truth::<I2F30, 32, 4> };
-    let q31_large =
-        |file, tick| Case { file, scalar: "q31", size: "128x6", tick, truth: truth::<I2F30, 128, 6> };
-    let q15 = |file, tick| Case { file, scalar: "q15", size: "128x4", tick, truth: truth::<I2F14, 128, 4> };
-    vec![
-        f32_default(sample("toy_top"), [1000, 1]),
-        f32_default(sample("lagrange"), [44_100, 2]),
-        f32_default(sample("sleeping"), [1000, 1]),
-        f32_default(vector("exact_generic_mp"), [1000, 1]),
-        f32_default(vector("exact_regular_precession_pm"), [1, 3]),
-        f32_large(vector("exact_aperiodic"), [1000, 1]),
-        f32_large(vector("exact_near_separatrix_e2_1"), [8000, 1]),
-        f32_large(vector("exact_e1_m1"), [1000, 1]),
-        // upright at tick 0, where |Re alpha| = 1 is one more than an integer of 32 bits holds
-        f32_default(upright(1), [1000, 1]),
-        f32_default(upright(-1), [1000, 1]),
-        q31(vector("exact_fast_spin"), [44_100, 2]),
-        q31_large(vector("exact_state_vertical"), [1000, 1]),
-        q31_large(vector("exact_lagrange_aperiodic"), [1000, 1]),
-        q15(vector("exact_generic_mm"), [44_100, 2]),
-        q15(vector("sleeping_unstable"), [1000, 1]),
-        q15(vector("aperiodic"), [8000, 1]),
-        f64_default(sample("figure_3_loops"), [44_100, 2]),
-        f64_default(vector("exact_generic_pm"), [1000, 1]),
-        f64_default(vector("hanging"), [1000, 1]),
-        f64_large(vector("aperiodic_AneC"), [1000, 1]),
-    ]
-}
-
-/// The same ticks in every language: 2000 of all sizes and signs, and 40 runs of 50 ticks, of which the first two pass the
-/// ends of an aperiodic motion.
-pub(crate) const RUNS: (u32, u32, u32) = (2000, 40, 50);
-
-fn next_tick(state: &mut u64, k: u32) -> i64 {
-    *state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-    (*state as i64) >> (k % 61)
-}
-
-fn truth<R: Bits, const S: usize, const T: usize>(file: &str, [ticks, seconds]: [u32; 2]) -> String {
-    let motion = Scenario::read(Path::new(file)).expect("a scenario").motion;
-    let mut table = Box::new(Ephemeris::<R, S, T>::EMPTY);
-    table.set_up(&motion, Tick::ratio(ticks, seconds).expect("a tick"), 4.0 * R::ROUNDING).expect("it fits");
-    let (singles, runs, length) = RUNS;
-    let (mut state, mut text) = (1, String::new());
-    for k in 0..singles {
-        line(&mut text, &table.at_tick(next_tick(&mut state, k)));
-    }
-    let horizon = table.to_baked().horizon.unwrap_or_default();
-    for k in 0..runs {
-        let first = horizon.get(k as usize).map_or_else(|| next_tick(&mut state, k + 20), |end| end - 9);
-        let mut cursor = table.cursor(first);
-        for _ in 0..length {
-            line(&mut text, &cursor.next());
-        }
-    }
-    text
-}
-
-/// Scalars whose bits can be printed.
-trait Bits: Bakeable + Tabular {
-    fn hexadecimal(self) -> String;
-}
-
-impl Bits for f32 {
-    fn hexadecimal(self) -> String {
-        format!("{:x}", self.to_bits())
-    }
-}
-
-impl Bits for I2F30 {
-    fn hexadecimal(self) -> String {
-        format!("{:x}", self.to_bits())
-    }
-}
-
-impl Bits for I2F14 {
-    fn hexadecimal(self) -> String {
-        format!("{:x}", self.to_bits())
-    }
-}
-
-impl Bits for f64 {
-    fn hexadecimal(self) -> String {
-        format!("{:x}", self.to_bits())
-    }
-}
-
-fn line<R: Bits, const S: usize, const T: usize>(text: &mut String, moment: &Moment<'_, R, S, T>) {
-    let (phi, tip) = moment.phi_and_tip();
-    let parts = |z: Complex<R>| [z.re, z.im];
-    let [alpha, beta, tip] = [phi.alpha, phi.beta, tip].map(parts);
-    let numbers = [&alpha[..], &beta, &[phi.u()], &tip].concat();
-    let words: Vec<_> = numbers.into_iter().map(R::hexadecimal).collect();
-    let nutation = moment.nutation_phase().to_bits() >> 32;
-    writeln!(text, "{nutation:x} {}", words.join(" ")).expect("memory");
-}
 
 fn bake(case: &Case, lang: &str, to: &Path) {
     let tick = format!("{}/{}", case.tick[0], case.tick[1]);
@@ -155,20 +25,9 @@ fn succeed(command: &mut Command) -> Output {
     output
 }
 
-/// What a program printed, against the crate, case by case.
-pub(crate) fn assert_equal(printed: &str, cases: &[Case]) {
-    let mut printed = printed.lines();
-    for case in cases {
-        for (index, line) in (case.truth)(&case.file, case.tick).lines().enumerate() {
-            assert_eq!(printed.next(), Some(line), "{} {}: moment {index}", case.file, case.scalar);
-        }
-    }
-    assert_eq!(printed.next(), None);
-}
-
 #[test]
 fn c_gives_the_same_bits() {
-    let (folder, cases) = (folder("c"), cases());
+    let (folder, cases) = (folder("bake_c"), cases());
     let (singles, runs, length) = RUNS;
     let mut source = "#include <stdio.h>\n#include <stdint.h>\n".to_owned();
     let mut main = String::new();
@@ -237,7 +96,7 @@ int main(void) {
 
 #[test]
 fn rust_gives_the_same_bits_and_a_changed_number_does_not_compile() {
-    let (folder, cases) = (folder("rust"), cases());
+    let (folder, cases) = (folder("bake_rust"), cases());
     let (singles, runs, length) = RUNS;
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     std::fs::create_dir(folder.join("src")).expect("a folder");

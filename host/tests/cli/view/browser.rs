@@ -3,7 +3,7 @@
 //! Run by `cargo xtask test --only browser`, which provides Chromium and names it in `CHROMIUM`.
 
 use super::{element, folder, view};
-use crate::bake::compiled::{Case, RUNS, assert_equal, cases};
+use crate::bake::cases::{Case, RUNS, assert_equal, cases};
 use crate::{run, sample, samples, stdout};
 use serde_json::Value;
 use std::fmt::Write as _;
@@ -81,7 +81,7 @@ const printed = lines.join(\"\\n\");
 #[test]
 #[ignore = "a browser: cargo xtask test --only browser"]
 fn the_evaluator_gives_the_bits_of_the_crate() {
-    let folder = folder("bits");
+    let folder = folder("view_bits");
     let mut cases = cases();
     cases.retain(|case| case.scalar == "f32");
     let script = evaluation(&cases);
@@ -203,7 +203,7 @@ fn complex(value: &Value) -> Complex<f64> {
 #[test]
 #[ignore = "a browser: cargo xtask test --only browser"]
 fn the_page_shows_what_the_core_says() {
-    let folder = folder("shown");
+    let folder = folder("view_shown");
     for name in ["toy_top", "lagrange", "figure_3_loops"] {
         let file = sample(name);
         let page = folder.join(format!("{name}.html"));
@@ -256,7 +256,7 @@ const MANY_COLOURS: u64 = 50;
 #[test]
 #[ignore = "a browser: cargo xtask test --only browser"]
 fn the_page_does_what_its_controls_say() {
-    let folder = folder("controls");
+    let folder = folder("view_controls");
     for (name, width) in [("toy_top", 1200), ("figure_3_cusp", 500)] {
         let page = folder.join(format!("{name}.html"));
         view(&sample(name), &page);
@@ -273,7 +273,7 @@ fn the_page_does_what_its_controls_say() {
 #[test]
 #[ignore = "a browser: cargo xtask test --only browser"]
 fn an_error_on_a_page_is_seen() {
-    let page = folder("error").join("error.html");
+    let page = folder("view_error").join("error.html");
     for script in ["absent();", "console.error('bad')", "new Image().src = 'nowhere.png'"] {
         let html = format!(
             "<!DOCTYPE html><meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'\"><script>{script}</script>"
