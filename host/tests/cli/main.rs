@@ -14,6 +14,7 @@ mod scratch;
 mod state;
 mod study;
 mod sweep;
+mod times;
 mod tip_angle;
 mod vectors;
 mod view;
@@ -189,23 +190,33 @@ fn compare_reads_scenarios_and_tells_a_miss() {
 }
 
 #[test]
-fn a_top_that_would_lift_off_is_told_so_in_one_line() {
-    let file = scenario("lift_off", &branch_points([0.7, 0.9, 100.0], 1));
+fn what_a_real_top_would_not_do_is_told_in_one_line() {
+    let lifts = scenario("lift_off", &branch_points([0.7, 0.9, 100.0], 1));
+    let falls = scenario("fall", &branch_points([-0.5, 0.9, 1.1], 1));
+    warned(&lifts, "warning: a real top would leave the plane (least normal force / weight): lift_off (-");
+    warned(&falls, "warning: a real top would fall on its side (greatest tilt, degrees): fall (120.0)");
+    assert_eq!(stderr(&run(&["constants", &sample("toy_top"), "--format", "json"])), "");
+    // what is held does not fall
+    let held = std::fs::read_to_string(sample("lagrange")).expect("the sample");
+    let held = scenario("hanging", &held.replace("tilt_deg = 20.0", "tilt_deg = 120.0"));
+    assert_eq!(stderr(&run(&["constants", &held, "--format", "json"])), "");
+}
+
+fn warned(file: &str, warning: &str) {
     for (arguments, below) in [
-        (vec!["constants", &file], true),
-        (vec!["constants", &file, "--format", "json"], false),
-        (vec!["state", &file, "--times", "1"], true),
-        (vec!["state", &file, "--times", "1", "--format", "csv"], false),
-        (vec!["compare", &file, "--format", "csv"], false),
+        (vec!["constants", file], true),
+        (vec!["constants", file, "--format", "json"], false),
+        (vec!["state", file, "--times", "1"], true),
+        (vec!["state", file, "--times", "1", "--format", "csv"], false),
+        (vec!["compare", file, "--format", "csv"], false),
     ] {
         let output = run(&arguments);
         let (with, without) =
             if below { (stdout(&output), stderr(&output)) } else { (stderr(&output), stdout(&output)) };
-        let warnings =
-            |text: &str| text.lines().filter(|line| line.contains("would leave the plane")).count();
+        let warnings = |text: &str| text.lines().filter(|line| line.starts_with("warning: ")).count();
         assert_eq!((warnings(with), warnings(without)), (1, 0), "{arguments:?}");
+        assert!(with.contains(warning), "{with}");
     }
-    assert_eq!(stderr(&run(&["constants", &sample("toy_top"), "--format", "json"])), "");
 }
 
 #[test]

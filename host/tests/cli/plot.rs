@@ -103,6 +103,8 @@ fn png_and_what_stands_still() {
     );
     let held = svg(&sample("lagrange"), &folder.join("lagrange.svg"));
     assert!(held.contains(">axis<") && !held.contains(">tip<"), "the tip of a held top stays");
+    // l = n
+    assert!(resting.contains(">l + n &gt; 0, l - n = 0,") && held.contains(">l + n &gt; 0, l - n &lt; 0,"));
 }
 
 #[test]

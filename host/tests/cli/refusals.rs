@@ -177,6 +177,8 @@ fn releases() {
         ("spin = 3.5", "spin = -inf", &["motion.spin", "number"]),
         ("spin = 3.5", "spin = 1e12", &["motion.spin", "1e11"]),
         ("spin = 3.5", "spin = 1e9", &["motion.spin", "e3 <= 1e14"]),
+        ("spin = 3.5", "spin = 3.5\nnutation = -1e9", &["motion.nutation", "e3 <= 1e14"]),
+        ("precession = 0.3", "precession = 1e9", &["motion.precession", "e3 <= 1e14"]),
         ("precession", "presession", &["motion.presession", "unknown", "precession"]),
         ("precession = 0.3", "e1 = 0.3", &["motion.e1", "unneeded", "kind = \"release\""]),
         ("precession = 0.3", "roll_deg = nan", &["motion.roll_deg", "degrees"]),
