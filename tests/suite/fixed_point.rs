@@ -130,3 +130,16 @@ fn a_relaunch_from_sixteen_bits() {
         }
     }
 }
+
+/// Of 16 bits: the nearest number but for what the sines of 32 bits leave.
+#[test]
+fn sines_of_sixteen_bits_are_rounded() {
+    let unit = f64::from(I2F14::DELTA);
+    let phases = (0..4096).map(|i| Turns::new((f64::from(i) + 0.37) / 4096.0));
+    let errors = phases.map(|phase| {
+        let ((sine, cosine), (true_sine, true_cosine)) = (I2F14::sine_cosine(phase), f64::sine_cosine(phase));
+        (f64::from(sine) - true_sine).abs().max((f64::from(cosine) - true_cosine).abs()) / unit
+    });
+    let worst = toytop_tests::worst(errors);
+    assert!(worst > 0.4 && worst < 0.51, "{worst} units");
+}

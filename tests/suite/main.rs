@@ -2,6 +2,7 @@
 
 mod aperiodic;
 mod baked;
+mod bounds;
 #[cfg(feature = "host")]
 mod cayley_klein;
 mod closed_forms;

@@ -156,3 +156,22 @@ impl Tabular for f32 {
         product.scaled(scale)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of six terms the products to the fourth and the fifth power are short, and the lower one's sum holds both.
+    #[test]
+    fn what_short_products_lose() {
+        assert_eq!(shortfall(&[9.0, 9.0, 9.0, 9.0, -300.0, 500.0]), 1300.0 / 32768.0 - SHORT_ERROR);
+        assert_eq!(shortfall(&[1.0, 0.5, 0.25, 0.1, 0.0, 1e-9]), 0.0);
+    }
+
+    #[test]
+    fn sums_stay_below_their_powers_by_a_margin() {
+        assert_eq!(excess(&[9.0, 0.4994, 0.0], 1e-3), 0.0);
+        assert_eq!(excess(&[9.0, 0.4996, 0.0], 1e-3), f64::INFINITY);
+        assert_eq!(excess(&[9.0, 0.2, -0.2499, 0.0], 1e-3), f64::INFINITY);
+    }
+}
