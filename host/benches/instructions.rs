@@ -10,7 +10,7 @@ use toytop::real::Real;
 use toytop::{
     Ephemeris, FixedStepper, Heaviness, LaunchError, Motion, Phi, Release, State, Stepper, Tabular, Tick, Top,
 };
-use toytop_host::baseline::{FixedSteps, RungeKutta};
+use toytop_host::baseline::{EqualSteps, RungeKutta};
 use toytop_host::full_solver::FullSolver;
 use toytop_host::race::{NUMBERS, Race};
 use toytop_host::truth;
@@ -83,9 +83,9 @@ fn full_solver() -> impl FnOnce() -> FullSolver {
     }
 }
 
-fn runge_kutta() -> impl FnOnce() -> FixedSteps<RungeKutta> {
+fn runge_kutta() -> impl FnOnce() -> EqualSteps<RungeKutta> {
     let (top, state) = truth::start(Race::new().expect("a race").scenario());
-    let mut steps = FixedSteps::new(&top, &state, 1.0 / 1024.0);
+    let mut steps = EqualSteps::new(&top, &state, 1.0 / 1024.0);
     move || {
         steps.step();
         steps

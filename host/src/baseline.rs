@@ -64,7 +64,7 @@ impl Scheme for Exponential {
 
 /// A motion followed in equal steps.
 #[derive(Clone, Debug)]
-pub struct FixedSteps<S> {
+pub struct EqualSteps<S> {
     equations: Equations,
     y: Vector7,
     /// s.
@@ -72,7 +72,7 @@ pub struct FixedSteps<S> {
     scheme: PhantomData<S>,
 }
 
-impl<S: Scheme> FixedSteps<S> {
+impl<S: Scheme> EqualSteps<S> {
     /// At t = 0, to go on in steps of `step` in s.
     #[must_use]
     pub fn new(top: &FullTop, state: &FullState, step: f64) -> Self {
@@ -105,7 +105,7 @@ mod tests {
         let state = FullState { alpha: [0.6, 0.0], beta: [0.0, 0.8], omega: [0.3, -0.2, 2.5] };
         let truth = FullSolver::new(top, state, FULL_SOLVER_TOLERANCE).advance_to(2.0).unwrap();
         let error = |steps: u32| {
-            let mut run = FixedSteps::<S>::new(&top, &state, 2.0 / f64::from(steps));
+            let mut run = EqualSteps::<S>::new(&top, &state, 2.0 / f64::from(steps));
             (0..steps).for_each(|_| run.step());
             let found = run.state();
             let omega = (0..3).map(|i| found.omega[i] - truth.omega[i]);

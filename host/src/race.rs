@@ -2,7 +2,7 @@
 //! digits: what the work-precision diagram and the figure of errors are made of.
 
 use crate::Failure;
-use crate::baseline::{Exponential, FixedSteps, Multicalc, RungeKutta, Scheme};
+use crate::baseline::{EqualSteps, Exponential, Multicalc, RungeKutta, Scheme};
 use crate::full_solver::FullSolver;
 use crate::scenario::Scenario;
 use crate::study::exact::Exact;
@@ -204,8 +204,8 @@ impl Race {
 
     fn march<S: Scheme>(&self, steps: u32, moments: &[u64]) -> (Vec<Phi<f64>>, Duration) {
         let (top, state) = truth::start(&self.scenario);
-        let mut run = FixedSteps::<S>::new(&top, &state, self.apart / f64::from(steps));
-        follow(steps, moments, &mut run, FixedSteps::step, |run| phi(&run.state()))
+        let mut run = EqualSteps::<S>::new(&top, &state, self.apart / f64::from(steps));
+        follow(steps, moments, &mut run, EqualSteps::step, |run| phi(&run.state()))
     }
 
     fn solve(&self, tolerance: f64, moments: &[u64]) -> Result<(Vec<Phi<f64>>, Duration), Failure> {

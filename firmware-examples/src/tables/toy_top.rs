@@ -1,6 +1,8 @@
 // Written by `toytop bake`; a changed number does not compile.
 
 /// toy_top, 1000 Hz: 32 x 4 in q31; within 1.4e-8 rad + 2.6e-28 rad a tick.
+///
+/// `TOY_TOP.at_tick(n)` is any tick; `TOY_TOP.cursor(0)` goes from one to the next.
 #[rustfmt::skip]
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32, 4> = match (toytop::Baked::<toytop::fixed::types::I2F30, 32, 4> {

@@ -25,6 +25,8 @@ pub fn module(label: &Label, parts: &Parts) -> String {
         "// Written by `toytop bake`; a changed number does not compile.
 
 /// {headline}.
+///
+/// `{name}.at_tick(n)` is any tick; `{name}.cursor(0)` goes from one to the next.
 #[rustfmt::skip]
 #[allow(clippy::all, clippy::pedantic)]
 pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{

@@ -51,6 +51,7 @@ fn tables(contest: &[Line], ticks: &[Line]) -> String {
     format!(
         "{} samples over {} periods (s = A = p = 1, C = 0.6, e = 0.7, 0.9, 1.85), orientation within {:.0e} rad:\n\n{}\n\
          One state at a time:\n\n{}\n\
+         (This processor may work on several ticks at once where the numbers are given; the next tick waits for the one before.)\n\
          Least of {} runs on one core of {cores}; {build}.\n",
         contest::SAMPLES,
         contest::PERIODS,

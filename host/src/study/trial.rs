@@ -101,11 +101,17 @@ fn measure(table: &dyn AnySize, target: &Target, ticks_per_time: f64) -> Worst {
 
 /// 2 √(|Δα|² + |Δβ|²), rad, without the rounding of the truth.
 pub(crate) fn distance(found: &Phi<f64>, truth: &Phi<DoubleDouble>) -> f64 {
-    let off = |found: Complex<f64>, truth: Complex<DoubleDouble>| {
-        let part = |x: f64, y: DoubleDouble| (DoubleDouble::from(x) - y).to_f64();
-        part(found.re, truth.re).hypot(part(found.im, truth.im))
-    };
-    2.0 * off(found.alpha, truth.alpha).hypot(off(found.beta, truth.beta))
+    apart(&lifted(found), truth)
+}
+
+fn lifted(phi: &Phi<f64>) -> Phi<DoubleDouble> {
+    let lift = |z: Complex<f64>| Complex::new(z.re.into(), z.im.into());
+    Phi { alpha: lift(phi.alpha), beta: lift(phi.beta) }
+}
+
+/// The same of two truths.
+pub(crate) fn apart(a: &Phi<DoubleDouble>, b: &Phi<DoubleDouble>) -> f64 {
+    2.0 * ((a.alpha - b.alpha).norm_squared() + (a.beta - b.beta).norm_squared()).to_f64().sqrt()
 }
 
 fn targets(motion: &Motion, exact: &Exact<'_>, random: &mut Random) -> Vec<Target> {

@@ -3,7 +3,7 @@
 use super::Line;
 use super::timing::{least, least_in_parts};
 use crate::Failure;
-use crate::baseline::{FixedSteps, RungeKutta};
+use crate::baseline::{EqualSteps, RungeKutta};
 use crate::full_solver::{FullSolver, FullState};
 use crate::progress::Progress;
 use crate::scenario::Scenario;
@@ -148,12 +148,12 @@ fn solver(scenario: &Scenario, tolerance: f64) -> FullSolver {
 }
 
 /// In so many steps from sample to sample; samples are `apart`, in s.
-fn baseline(scenario: &Scenario, apart: f64, steps: u32) -> FixedSteps<RungeKutta> {
+fn baseline(scenario: &Scenario, apart: f64, steps: u32) -> EqualSteps<RungeKutta> {
     let (top, state) = truth::start(scenario);
-    FixedSteps::new(&top, &state, apart / f64::from(steps))
+    EqualSteps::new(&top, &state, apart / f64::from(steps))
 }
 
-fn samples(run: &mut FixedSteps<RungeKutta>, steps: u32, count: usize) -> Vec<FullState> {
+fn samples(run: &mut EqualSteps<RungeKutta>, steps: u32, count: usize) -> Vec<FullState> {
     let sample = |_| {
         (0..steps).for_each(|_| run.step());
         run.state()

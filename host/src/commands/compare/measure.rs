@@ -6,7 +6,7 @@ use crate::full_solver::FullState;
 use crate::invariants::natural_scales;
 use crate::scenario::Scenario;
 use crate::truth;
-use toytop::{Complex, Motion};
+use toytop::{Motion, Phi};
 
 /// The greatest errors over all samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -46,12 +46,11 @@ impl Truth {
 
 impl Errors {
     fn worsen(&mut self, motion: &Motion, Moment { sample, integrals }: &Moment, truth: &FullState) {
-        let (alpha, beta) = (complex(truth.alpha), complex(truth.beta));
-        let (alpha_error, beta_error) = (sample.alpha - alpha, sample.beta - beta);
-        let distance = (alpha_error.norm_squared() + beta_error.norm_squared()).sqrt();
+        let truth = truth::phi(truth);
+        let Phi { alpha, beta } = truth;
         let tip = (alpha * beta).scaled(2.0);
         let tip_error = sample.tip.scaled(1.0 / motion.top().tip_scale()) - tip;
-        worsen(&mut self.orientation, 2.0 * distance);
+        worsen(&mut self.orientation, truth::distance(&sample.orientation(), &truth));
         worsen(&mut self.u, (sample.u - (alpha.norm_squared() - beta.norm_squared())).abs());
         worsen(&mut self.tip, tip_error.norm_squared().sqrt());
         let constants = motion.first_integrals();
@@ -62,10 +61,6 @@ impl Errors {
             worsen(worst, difference.abs() / scale);
         }
     }
-}
-
-fn complex([re, im]: [f64; 2]) -> Complex<f64> {
-    Complex::new(re, im)
 }
 
 /// The greatest so far; a NaN stays.

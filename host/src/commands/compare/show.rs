@@ -5,7 +5,6 @@ use super::run::{Effort, SAMPLES};
 use super::{Measured, Row};
 use crate::cli::Scalar;
 use crate::output::{self, Cell, Record};
-use std::time::Duration;
 
 pub(super) fn records(rows: &[Row]) -> Vec<Record> {
     rows.iter().map(record).collect()
@@ -37,7 +36,7 @@ fn record(row: &Row) -> Record {
 }
 
 const HEADER: [&str; 13] =
-    ["motion", "type", "method", "angle", "u", "tip", "h", "l", "n", "steps", "time", "bound", ""];
+    ["motion", "type", "method", "angle", "u", "tip", "h", "l", "n", "steps", "ns a call", "bound", ""];
 
 pub(super) fn table(rows: &[Row], periods: u32) -> String {
     let header = HEADER.iter().map(|&name| name.to_owned()).collect();
@@ -46,7 +45,7 @@ pub(super) fn table(rows: &[Row], periods: u32) -> String {
         "{}\nThe core against the full 3-D equations: greatest differences at {SAMPLES} moments a period over {periods} periods.\n\
          angle: 2 sqrt(|d alpha|^2 + |d beta|^2) in rad, not to exceed the bound; tip: in units of s; h, l, n: as recomputed\n\
          from alpha, beta and their rates, against their constants, relative. Steps a period: {} in f64,\n\
-         {} in other types; of an ephemeris the segments x terms of its table. Time: of the steps or look-ups alone.\n",
+         {} in other types; of an ephemeris the segments x terms of its table. A call: a step or a look-up.\n",
         output::columns(lines, 3),
         steps_per_period(Scalar::F64),
         steps_per_period(Scalar::F32),
@@ -56,14 +55,14 @@ pub(super) fn table(rows: &[Row], periods: u32) -> String {
 fn line(row: &Row) -> Vec<String> {
     let mut cells = vec![shortened(&row.motion), row.scalar.name().to_owned(), row.method.name().to_owned()];
     match &row.measured {
-        Some(Measured { errors, effort, wall }) => {
+        Some(Measured { errors, effort, wall, calls }) => {
             let [l, n, h] = errors.integrals;
             cells.extend([errors.orientation, errors.u, errors.tip, h, l, n].map(|x| format!("{x:.1e}")));
             cells.push(match effort {
                 Effort::Steps(steps) => steps.to_string(),
                 Effort::Table(size) => by(*size),
             });
-            cells.push(milliseconds(*wall));
+            cells.push(format!("{:.0}", 1e9 * wall.as_secs_f64() / (*calls).max(1) as f64));
         }
         None => cells.extend(["-"; 8].map(str::to_owned)),
     }
@@ -73,10 +72,6 @@ fn line(row: &Row) -> Vec<String> {
 
 fn by([segments, terms]: [usize; 2]) -> String {
     format!("{segments}x{terms}")
-}
-
-fn milliseconds(time: Duration) -> String {
-    format!("{:.2} ms", 1e3 * time.as_secs_f64())
 }
 
 /// A name that keeps the table within 120 columns.

@@ -8,9 +8,10 @@ use crate::study::draw;
 use crate::study::exact::{Course, Exact, Point};
 use crate::study::gauss::Rule;
 use crate::study::random::Random;
+use crate::study::trial::{apart, distance};
 use std::f64::consts::{FRAC_PI_2, PI};
 use toytop::real::{DoubleDouble, Float};
-use toytop::{Complex, LaunchError, Motion, Phi, Regime, Top};
+use toytop::{LaunchError, Motion, Phi, Regime, Top};
 
 /// A time in the first period, the truth there, and what the last place of the input does to it, rad.
 struct Target {
@@ -87,7 +88,7 @@ pub fn run(input: &Input, random: &mut Random, rule: Option<&Rule>) -> Outcome {
 
 fn error(reading: &Reading, targets: &[Target], rounding: f64) -> Error {
     targets.iter().fold(Error::default(), |worst, target| {
-        let error = distance(&lifted(&reading.at(target.t).phi), &target.phi);
+        let error = distance(&reading.at(target.t).phi, &target.phi);
         // what is no number is beyond every bound
         let error = if error.is_nan() { f64::INFINITY } else { error };
         Error {
@@ -96,16 +97,6 @@ fn error(reading: &Reading, targets: &[Target], rounding: f64) -> Error {
             of_condition: worst.of_condition.max(error / (rounding + target.sensitivity)),
         }
     })
-}
-
-fn lifted(phi: &Phi<f64>) -> Phi<DoubleDouble> {
-    let lift = |z: Complex<f64>| Complex::new(z.re.into(), z.im.into());
-    Phi { alpha: lift(phi.alpha), beta: lift(phi.beta) }
-}
-
-/// 2 √(|Δα|² + |Δβ|²), rad.
-fn distance(a: &Phi<DoubleDouble>, b: &Phi<DoubleDouble>) -> f64 {
-    2.0 * ((a.alpha - b.alpha).norm_squared() + (a.beta - b.beta).norm_squared()).to_f64().sqrt()
 }
 
 /// What needs no truth: unit norm, u at the turning points, energy and momenta.
@@ -177,7 +168,7 @@ fn targets(input: &Input, motion: &Motion, rule: &Rule, random: &mut Random) -> 
         let mut point = neighbour.start();
         for target in &mut targets {
             point = follow(&neighbour, &point, target.t);
-            let moved = distance(&at(&neighbour, &point, target.t), &target.phi);
+            let moved = apart(&at(&neighbour, &point, target.t), &target.phi);
             if moved.is_finite() {
                 target.sensitivity = target.sensitivity.max(moved);
             }
