@@ -4,11 +4,14 @@
 //! the period and the phases, so each is a number of its own, found without cancellation and never recomputed by
 //! subtraction.
 
+mod cubic;
+
 use super::first_integrals::ReducedPoint;
 use super::{FirstIntegrals, Signs, State};
 use crate::error::{LaunchError, finite, require};
 use crate::real::{DoubleDouble, Float, Ring};
 use crate::top::{Quantities, Top};
+use cubic::{largest_root, polished};
 
 /// The branch points and their differences, all without unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -241,44 +244,6 @@ impl<F: Float> BranchPoints<F> {
             e3_minus_one: self.e3_minus_one.to_f64(),
         }
     }
-}
-
-/// The largest root of y³ + g₂ y² + g₁ y + g₀ (all real) by Newton's method from above, where it descends monotonically.
-///
-/// It starts close: a double root is approached by halves and a triple one by thirds, whatever its size.
-fn largest_root<F: Float>(g0: F, g1: F, g2: F) -> F {
-    const MOST_STEPS: usize = 200;
-    let larger = |x: F, y: F| if x > y { x } else { y };
-    let cube_root = F::from_f64(libm::cbrt(g0.abs().to_f64()));
-    let mut y = larger(g2.abs(), larger(g1.abs().sqrt(), cube_root)).doubled();
-    if g2 > F::ZERO {
-        // y³ >= 0 on the way, so the root of the quadratic is above as well, and near where all three are small
-        let root = (g1.squared() - (g2 * g0).doubled().doubled()).sqrt();
-        let above = if g1 > F::ZERO { -g0.doubled() / (g1 + root) } else { (root - g1) / g2.doubled() };
-        let above = above * F::from_f64(1.0 + 1e-15);
-        y = if above < y { larger(above, F::ZERO) } else { y };
-    }
-    for _ in 0..MOST_STEPS {
-        let value = ((y + g2) * y + g1) * y + g0;
-        let slope = ((y + y + y) + g2.doubled()) * y + g1;
-        if value <= F::ZERO || slope <= F::ZERO {
-            break;
-        }
-        let next = y - value / slope;
-        if next >= y {
-            break;
-        }
-        y = next;
-    }
-    y
-}
-
-/// A simple root, already known to some digits, by three Newton steps.
-fn polished<F: Float>(start: F, g0: F, g1: F, g2: F) -> F {
-    (0..3).fold(start, |y, _| {
-        let slope = ((y + y + y) + g2.doubled()) * y + g1;
-        if slope == F::ZERO { y } else { y - (((y + g2) * y + g1) * y + g0) / slope }
-    })
 }
 
 fn exact_integrals(l: f64, n: f64, h: f64) -> FirstIntegrals<DoubleDouble> {

@@ -5,14 +5,18 @@
 //! costs the same, and the 2^40th is as exact as the first.
 
 mod baked;
+mod clock;
+mod cursor;
 
 pub use baked::{Bakeable, Baked, BakedError};
+use clock::Clock;
+pub use cursor::Cursor;
 
 use super::moment::Moment;
 use super::table::{ErrorBound, NoFit, Table, Tick};
 use super::tabular::Tabular;
 use crate::cycle::Cycle;
-use crate::launch::{Motion, Rates, Tabulated};
+use crate::launch::{Motion, Rates};
 use crate::real::{DoubleDouble, Float, Ring};
 use crate::su2::Phi;
 use crate::turns::Turns;
@@ -52,25 +56,6 @@ pub type EphemerisF64 = Ephemeris<f64, 48, 11>;
 
 /// So many ticks at a time: their phases first, so that what follows need not wait for one another.
 const BLOCK: usize = 16;
-
-/// The phases, what a tick adds to them, and the scales of what is derived.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)]
-pub(super) struct Clock<W> {
-    step: [Cycle; 3],
-    /// 2 s.
-    pub(super) tip_scale: W,
-    /// At the very first tick, `i64::MIN`, from where ticks count up without a sign: in units of 2^-64 turns.
-    first: [u64; 3],
-    /// The first and the last tick at which an aperiodic motion still moves; `None` for one that returns.
-    horizon: Option<[i64; 2]>,
-    /// The steps in turns, whole ones included, for a part of a tick.
-    exact_step: [DoubleDouble; 3],
-    /// Ticks in a unit of time.
-    ticks_per_time: DoubleDouble,
-    /// dx/dt on a cell of one segment, and the mean rates of A and B in rad, per unit time.
-    pub(super) rates: [W; 3],
-}
 
 impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENTS, TERMS> {
     /// Sets up the table and the clock of a motion. Cost: a series of 16 terms for each segment, of which
@@ -214,29 +199,6 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENT
     }
 }
 
-impl<W: Float> Clock<W> {
-    fn new(motion: &Motion, tick: Tick, rates: &Rates, tabulated: &Tabulated, cells: u32) -> Self {
-        let length = tick.length();
-        let exact_step = rates.turns.map(|turns| turns * length);
-        let [frequency, alpha, beta] = rates.turns.map(Float::to_f64);
-        let turn = 2.0 * core::f64::consts::PI;
-        // half a period is `cells` cells, and x runs through 2 in one that is not cut
-        let x_rate = 4.0 * f64::from(cells) * frequency;
-        let step = exact_step.map(Turns::of);
-        let [nutation, a, b] = tabulated.start;
-        let [nutation_step, a_step, b_step] = step.map(|step| step.times(i64::MIN));
-        Self {
-            first: [nutation + nutation_step, a + a_step, b + b_step].map(Turns::fraction),
-            step: step.map(Cycle::of),
-            exact_step,
-            ticks_per_time: tick.rate(),
-            horizon: (!rates.returns).then(|| horizon(tabulated.start[0], exact_step[0])),
-            tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
-            rates: [x_rate, turn * alpha, turn * beta].map(W::from_f64),
-        }
-    }
-}
-
 /// Where u turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -247,95 +209,8 @@ pub struct TurningPoint {
     pub upper: bool,
 }
 
-impl<W> Clock<W> {
-    /// Nutation phase, A and B of tick n.
-    #[inline(always)]
-    fn at(&self, n: i64) -> [Cycle; 3] {
-        let since_first = n.wrapping_sub(i64::MIN) as u64;
-        let after = |first: u64, step: Cycle| step.times(since_first).plus_leading(first);
-        let [nutation, a, b] = &self.first;
-        let [nutation_step, a_step, b_step] = &self.step;
-        let nutation = match self.horizon.and_then(|horizon| stopped(horizon, n)) {
-            None => after(*nutation, *nutation_step),
-            Some(stopped) => stopped,
-        };
-        [nutation, after(*a, *a_step), after(*b, *b_step)]
-    }
-
-    /// The phases of tick n and a share of the next, in [0, 1).
-    fn between(&self, n: i64, share: DoubleDouble) -> [Cycle; 3] {
-        let [nutation_part, a_part, b_part] = self.exact_step.map(|step| Turns::of(step * share));
-        let [nutation, a, b] = self.at(n);
-        let nutation = match self.horizon {
-            None => nutation.plus(Cycle::of(nutation_part)),
-            // the moment may lie beyond the first tick's phase already: from there back
-            Some([first, _]) if n.saturating_add(1) == first => {
-                let ([next, ..], [step, ..]) = (self.at(first), self.exact_step);
-                Cycle::clamping(next.to_signed_turns() + Turns::of(step * (share - DoubleDouble::ONE)))
-            }
-            Some([first, _]) if n < first => nutation,
-            Some(_) => Cycle::clamping(nutation.to_signed_turns() + nutation_part),
-        };
-        [nutation, a.plus(Cycle::of(a_part)), b.plus(Cycle::of(b_part))]
-    }
-}
-
-/// Where the nutation phase of an aperiodic motion stays, before and after its horizon.
-#[cold]
-#[inline(never)]
-fn stopped([first, last]: [i64; 2], n: i64) -> Option<Cycle> {
-    match n {
-        _ if n < first => Some(Cycle::HALF),
-        _ if n > last => Some(Cycle::ALMOST_HALF),
-        _ => None,
-    }
-}
-
 /// How many steps until a phase ahead is reached or passed; both positive.
 fn ticks_to(ahead: Turns, step: Cycle) -> i64 {
     let (ahead, step) = (ahead.to_bits(), step.to_turns().to_bits().max(1));
     i64::try_from((ahead + step - 1) / step).unwrap_or(i64::MAX)
-}
-
-/// The first and the last tick at which a nutation phase that does not wrap is within half a turn of 0.
-fn horizon(start: Turns, step: DoubleDouble) -> [i64; 2] {
-    /// Room for what the quotient rounds off; a phase as near the end as that may count as the end.
-    const HALF: f64 = 0.5 - 1e-15;
-    let ticks = |turns: f64| (turns - start.to_f64()) / step.to_f64();
-    [libm::ceil(ticks(-HALF)) as i64, libm::floor(ticks(HALF)) as i64]
-}
-
-/// Goes through consecutive ticks: three additions each, then what is asked of the moment. What an interrupt holds.
-#[derive(Clone, Copy, Debug)]
-#[repr(C)] // the flag lies where the smallest chip's loads reach
-pub struct Cursor<'a, R: Tabular, const SEGMENTS: usize, const TERMS: usize> {
-    ephemeris: &'a Ephemeris<R, SEGMENTS, TERMS>,
-    /// Whether the nutation phase does not wrap, so that sums will not do.
-    counts: bool,
-    /// Those of the tick before the current one, so that a tick has no old ones to keep.
-    phases: [Cycle; 3],
-    /// If so, the tick before the current one.
-    tick: i64,
-}
-
-impl<'a, R: Tabular, const SEGMENTS: usize, const TERMS: usize> Cursor<'a, R, SEGMENTS, TERMS> {
-    /// The moment of the current tick; the cursor moves on to the next. Never ends, never fails: not an iterator.
-    #[inline(always)]
-    #[allow(clippy::should_implement_trait)]
-    pub fn next(&mut self) -> Moment<'a, R, SEGMENTS, TERMS> {
-        for (phase, step) in self.phases.iter_mut().zip(&self.ephemeris.clock.step) {
-            *phase = phase.plus(*step);
-        }
-        if self.counts {
-            self.count();
-        }
-        self.ephemeris.moment(self.phases)
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn count(&mut self) {
-        self.tick = self.tick.wrapping_add(1);
-        self.phases = self.ephemeris.clock.at(self.tick);
-    }
 }
