@@ -17,4 +17,6 @@ pub mod states;
 pub mod tally;
 pub mod trial;
 pub mod trigonometry;
+#[cfg(test)]
+mod vectors;
 pub mod wide;

@@ -1,17 +1,17 @@
 //! `toytop plot`: what is in the picture, and that it is there as a whole or not at all.
 
 use super::{RELEASE, TOP, branch_points, folder, needle, run, sample, scenario, stderr, stdout};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 fn entries(folder: &PathBuf) -> usize {
     std::fs::read_dir(folder).expect("a folder").count()
 }
 
-fn plot(file: &str, to: &std::path::Path) -> std::process::Output {
+fn plot(file: &str, to: &Path) -> std::process::Output {
     run(&["plot", file, "-o", to.to_str().expect("UTF-8")])
 }
 
-fn svg(file: &str, to: &std::path::Path) -> String {
+fn svg(file: &str, to: &Path) -> String {
     let output = plot(file, to);
     assert_eq!((output.status.code(), stdout(&output)), (Some(0), ""), "{file}: {}", stderr(&output));
     std::fs::read_to_string(to).expect("the picture")
@@ -134,4 +134,16 @@ fn a_picture_is_there_as_a_whole_or_not_at_all() {
     let lift_off = scenario("plot_lift_off", &(TOP.to_owned() + RELEASE).replace("spin = 3.5", "spin = 35"));
     assert_eq!(plot(&lift_off, &to).status.code(), Some(0));
     assert_eq!(entries(&folder), 1);
+}
+
+#[test]
+fn the_readmes_picture_is_todays() {
+    let to = folder("plot_readme").join("tip.svg");
+    let readmes = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/tip.svg");
+    let kept = std::fs::read_to_string(readmes).expect("the README's picture");
+    assert_eq!(
+        svg(&sample("figure_3_loops"), &to),
+        kept,
+        "toytop plot host/scenarios/figure_3_loops.toml -o host/docs/tip.svg"
+    );
 }

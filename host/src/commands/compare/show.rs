@@ -36,7 +36,7 @@ fn record(row: &Row) -> Record {
 }
 
 const HEADER: [&str; 13] =
-    ["motion", "type", "method", "angle", "u", "tip", "h", "l", "n", "steps", "ns a call", "bound", ""];
+    ["motion", "type", "method", "angle", "u", "tip", "h", "l", "n", "steps", "ns each", "bound", ""];
 
 pub(super) fn table(rows: &[Row], periods: u32) -> String {
     let header = HEADER.iter().map(|&name| name.to_owned()).collect();
@@ -45,7 +45,7 @@ pub(super) fn table(rows: &[Row], periods: u32) -> String {
         "{}\nThe core against the full 3-D equations: greatest differences at {SAMPLES} moments a period over {periods} periods.\n\
          angle: 2 sqrt(|d alpha|^2 + |d beta|^2) in rad, not to exceed the bound; tip: in units of s; h, l, n: as recomputed\n\
          from alpha, beta and their rates, against their constants, relative. Steps a period: {} in f64,\n\
-         {} in other types; of an ephemeris the segments x terms of its table. A call: a step or a look-up.\n",
+         {} in other types; of an ephemeris the segments x terms of its table. Each: a step or a look-up.\n",
         output::columns(lines, 3),
         steps_per_period(Scalar::F64),
         steps_per_period(Scalar::F32),

@@ -2,19 +2,13 @@
 
 use super::*;
 use crate::study::random::Random;
+use crate::study::vectors::{self, number, periods};
 use serde_json::Value;
-use std::path::Path;
 use toytop::{Phi, Signs, Start};
-
-fn number(json: &Value) -> f64 {
-    json.as_str().map_or(0.0, |text| text.parse().expect("a number"))
-}
 
 /// A vector that is given by branch points, all exact in f64.
 fn vector(name: &str) -> (Numbers, Value) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/reference/vectors");
-    let text = std::fs::read_to_string(folder.join(format!("{name}.json"))).expect("the vector");
-    let json: Value = serde_json::from_str(&text).expect("JSON");
+    let json = vectors::read(name);
     let params = |key: &str| number(&json["params"][key]);
     let sign = |key: &str| if json[key] == -1 { Sign::Minus } else { Sign::Plus };
     let numbers = Numbers {
@@ -77,7 +71,7 @@ fn samples_known_to_thirty_digits() {
         let huge = json["huge_samples"].as_array().expect("samples").iter();
         for sample in samples.chain(huge) {
             let t = number(&sample["t"]);
-            let periods = number(&sample["period_count"]);
+            let periods = periods(sample);
             // where it is in the period: time after the start, less whole periods, by steps of bisection
             let rest = (Dd::from(t) - period.t * periods.into()).to_f64();
             let place = by_bisection(&exact, &start, rest);

@@ -3,19 +3,13 @@
 use super::*;
 use crate::study::exact::{Exact, Point};
 use crate::study::gauss::Rule;
+use crate::study::vectors::{self, number, periods};
 use serde_json::Value;
-use std::path::Path;
 use toytop::real::Float;
-
-fn number(json: &Value) -> f64 {
-    json.as_str().map_or(0.0, |text| text.parse().expect("a number"))
-}
 
 /// A vector that is given by a state, all exact in f64.
 fn vector(name: &str) -> (StateNumbers, Value) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/reference/vectors");
-    let text = std::fs::read_to_string(folder.join(format!("{name}.json"))).expect("the vector");
-    let json: Value = serde_json::from_str(&text).expect("JSON");
+    let json = vectors::read(name);
     let params = &json["params"];
     let top = ["A", "C", "s", "p"].map(|key| number(&params[key]));
     let [a, c, s, p] = top;
@@ -47,7 +41,7 @@ fn states_known_to_thirty_digits() {
         let samples = json["samples"].as_array().expect("samples").iter();
         for sample in samples.chain(json["huge_samples"].as_array().expect("samples")) {
             let t = number(&sample["t"]);
-            let phi = exact.phi(&point(&exact, t, number(&sample["period_count"])), t);
+            let phi = exact.phi(&point(&exact, t, periods(sample)), t);
             let off = |z: Complex<DoubleDouble>, key: &str| {
                 (z.re.to_f64() - number(&sample[key][0])).hypot(z.im.to_f64() - number(&sample[key][1]))
             };
