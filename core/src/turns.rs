@@ -220,6 +220,17 @@ mod tests {
         assert_eq!(Turns::new(0.5), Turns::HALF);
     }
 
+    /// To units of 2^-96 turns, the half upwards; what is much smaller is nothing.
+    #[test]
+    fn conversion_rounds_to_the_nearest() {
+        for (units, rounded) in
+            [(0.25, 0), (0.5, 1), (0.75, 1), (1.25, 1), (1.5, 2), (-0.5, 0), (-0.75, -1), (-1.25, -1)]
+        {
+            assert_eq!(Turns::new(units / (1_u128 << 96) as f64).to_bits(), rounded, "{units}");
+        }
+        assert_eq!(Turns::new(f64::from_bits(1 << 51)), Turns::ZERO);
+    }
+
     #[test]
     fn the_principal_value_is_within_half_a_turn() {
         assert_eq!(Turns::new(7.25).principal(), Turns::QUARTER);

@@ -166,6 +166,9 @@ mod tests {
     fn what_short_products_lose() {
         assert_eq!(shortfall(&[9.0, 9.0, 9.0, 9.0, -300.0, 500.0]), 1300.0 / 32768.0 - SHORT_ERROR);
         assert_eq!(shortfall(&[1.0, 0.5, 0.25, 0.1, 0.0, 1e-9]), 0.0);
+        // in range, and yet not short: what f32 cannot hold
+        let steep = [0.0, 0.0, 0.0, 0.0, 0.02, 0.01];
+        assert_eq!(<f32 as Tabular>::excess(&steep), 0.04 / 32768.0 - SHORT_ERROR);
     }
 
     #[test]
