@@ -4,7 +4,8 @@
 use std::f64::consts::PI;
 use toytop::exact::Aperiodic;
 use toytop::{
-    Ephemeris, FixedStepper, Heaviness, Motion, Release, Sign, Signs, Start, State, Tabular, Tick, Top,
+    Ephemeris, FixedStepper, Heaviness, Motion, Release, Sign, Signs, Start, State, Stepper, Tabular, Tick,
+    Top,
 };
 use toytop_tests::{orientation_error, widened};
 
@@ -43,6 +44,32 @@ fn a_rise_between_ticks() {
     for (seconds, least) in [(1, 100), (16, 6), (100, 1)] {
         assert!(keeps_its_bound::<f64>(&motion, seconds) >= least);
         assert!(keeps_its_bound::<f32>(&motion, seconds) >= least);
+    }
+}
+
+/// A pendulum on its separatrix, which does not turn about the vertical: from one end of time to the other α changes sign.
+#[test]
+fn a_step_longer_than_all_time() {
+    let top = Top::sliding(1.25, 0.75, 0.5, Heaviness::MassMoment(1.5), 3.0).unwrap();
+    let motion =
+        Motion::from_branch_points(&top, [-1.0, 1.0, 1.0], Signs::default(), &Start::default()).unwrap();
+    let mut stepper = Stepper::<f64>::new(&motion);
+    stepper.step(-1e300);
+    let before = stepper.phi();
+    stepper.step(1e301);
+    let after = stepper.phi();
+    assert!(after.alpha.re * before.alpha.re < -0.999, "{before:?} {after:?}");
+    assert!(after.u() > 0.999 && before.u() > 0.999);
+}
+
+/// A cursor goes where at_tick is, before the rise, in it and after.
+#[test]
+fn a_cursor_rises_too() {
+    let motion = rising(0.4);
+    let ephemeris = Ephemeris::<f32, 512, 5>::new(&motion, Tick::hertz(8).unwrap()).unwrap();
+    let mut cursor = ephemeris.cursor(-200);
+    for n in -200..200 {
+        assert_eq!(cursor.next().phi(), ephemeris.at_tick(n).phi(), "{n}");
     }
 }
 
