@@ -173,7 +173,7 @@ impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Ephemeris<R, SEGMENT
     }
 
     /// Φ at the ticks first, first + 1, ...: the same bits as tick by tick, in less time on a processor that does several things
-    /// at once; with its wider vectors (`-C target-cpu=x86-64-v3`) in half of that in `f32`.
+    /// at once; with its wider vectors (`-C target-cpu=x86-64-v3`) in little more than half of that in `f32`.
     pub fn fill(&self, first: i64, out: &mut [Phi<R>]) {
         if self.clock.horizon.is_some() {
             for (phi, past) in out.iter_mut().zip(0..) {
