@@ -163,9 +163,9 @@ impl<C: Copy, const SEGMENTS: usize, const TERMS: usize> Table<C, SEGMENTS, TERM
 /// How far an orientation from an ephemeris can be from the truth of the very numbers it was launched from, in rad
 /// (2 √(|Δα|² + |Δβ|²)): at tick n at most `constant + |n| per_tick`, [`ErrorBound::after`].
 ///
-/// The roundings in it are estimates, not proved: their number, counted. All of 100 000 random motions of every regime keep it (`toytop study --motions 100000 --seed
-/// 3`), and of a million launches towards every degenerate corner the 9822 that were held against the truth (`toytop study
-/// --corners`): the greatest error there was 0.83 of the bound in `f64` and 0.67 in `f32`.
+/// The roundings in it are counted, not proved. All of 100 000 random motions of every regime keep it (`toytop study --motions
+/// 100000 --seed 3`), and of a million launches towards every degenerate corner the 9822 that were held against the truth
+/// (`toytop study --corners`): the greatest error there was 0.83 of the bound in `f64` and 0.67 in `f32`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ErrorBound {

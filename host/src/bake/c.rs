@@ -42,8 +42,8 @@ pub fn header(label: &Label, parts: &Parts) -> String {
         "/* {headline}
  *
  * Written by `toytop bake`. Call toytop_at_tick_{scalar}(&{name}, tick), or toytop_next_{scalar} with a cursor; toytop_intact_{scalar} tells
- * whether a bit was changed. As a quaternion the orientation is w = alpha[0], x = beta[1], y = -beta[0], z = alpha[1]. The same bits as the Rust crate: with contraction of floating point off (-std=c99 with GCC,
- * otherwise -ffp-contract=off). */
+ * whether a bit was changed. As a quaternion the orientation is w = alpha[0], x = beta[1], y = -beta[0], z = alpha[1].
+ * The same bits as the Rust crate: with contraction of floating point off (-std=c99 with GCC, otherwise -ffp-contract=off). */
 #ifndef {guard}_H
 #define {guard}_H
 

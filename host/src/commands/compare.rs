@@ -35,8 +35,6 @@ struct Measured {
     errors: Errors,
     effort: Effort,
     wall: Duration,
-    /// Steps or look-ups.
-    calls: u64,
 }
 
 impl Row {
@@ -112,11 +110,7 @@ pub(super) fn rows(arguments: &CompareArgs) -> Result<Compared, Failure> {
             let measured = match follow(scenario, method, scalar, &times, &span) {
                 Ok(run) => {
                     let errors = truth.measure(scenario, &run)?;
-                    let calls = match run.effort {
-                        Effort::Steps(steps) => steps,
-                        Effort::Table(_) => times.len() as u64,
-                    };
-                    Some(Measured { errors, effort: run.effort, wall: run.wall, calls })
+                    Some(Measured { errors, effort: run.effort, wall: run.wall })
                 }
                 Err(failure) => {
                     remarks.push(format!("{} {}: {failure}", scenario.name, scalar.name()));

@@ -8,14 +8,11 @@ use crate::cli::{Format, StudyArgs};
 use crate::cores;
 use crate::names::regime;
 use crate::output::{self, Cell, Record};
-use crate::progress::Progress;
 use crate::study::gauss::Rule;
 use crate::study::random::Random;
 use crate::study::tally::{Case, Side, Spread, Tally};
 use crate::study::trial::{self, Worst};
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Mutex;
 use std::time::Instant;
 
 pub(super) fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
@@ -25,19 +22,8 @@ pub(super) fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
     let started = Instant::now();
     let cores = cores::all()?;
     let rule = Rule::new();
-    let progress = Mutex::new(Progress::new(arguments.count(), "motions"));
-    let each = |mut tally: Tally, stream| {
-        add(&mut tally, arguments, stream, &rule);
-        if let Ok(mut progress) = progress.lock() {
-            progress.add(1);
-        }
-        tally
-    };
-    let mut tally = cores.install(|| {
-        let streams = (0..arguments.count()).into_par_iter();
-        streams.fold(Tally::default, each).reduce(Tally::default, Tally::merged)
-    });
-    drop(progress);
+    let add = |tally: &mut Tally, stream| add(tally, arguments, stream, &rule);
+    let mut tally = cores::tally(&cores, (arguments.count(), "motions"), add, Tally::merged);
     tally.finish();
     let time = started.elapsed().as_secs_f64();
     let threads = cores.current_num_threads();

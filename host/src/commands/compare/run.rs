@@ -25,8 +25,17 @@ pub(super) struct Run {
 pub(super) enum Effort {
     /// So many steps.
     Steps(u64),
-    /// A table of so many segments and terms.
-    Table([usize; 2]),
+    /// A table of so many segments and terms, and so many look-ups in it.
+    Table { size: [usize; 2], look_ups: u64 },
+}
+
+impl Effort {
+    /// Steps or look-ups.
+    pub(super) fn calls(self) -> u64 {
+        match self {
+            Self::Steps(calls) | Self::Table { look_ups: calls, .. } => calls,
+        }
+    }
 }
 
 /// A moment of the core.
@@ -85,7 +94,8 @@ pub(super) fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<
     let wall = started.elapsed();
     let moments =
         instants.iter().map(|instant| moment(motion.top(), instant.sample, &instant.rate)).collect();
-    Ok(Run { moments, effort: Effort::Table(ephemeris.size()), wall })
+    let effort = Effort::Table { size: ephemeris.size(), look_ups: times.len() as u64 };
+    Ok(Run { moments, effort, wall })
 }
 
 /// ω once more, in f64 from the core's α, β and rates: what is measured is those, not the rounding of a product.

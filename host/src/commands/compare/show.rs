@@ -14,7 +14,7 @@ fn record(row: &Row) -> Record {
     let number = |value: fn(&Measured) -> f64| Cell::from(row.measured.as_ref().map(value));
     let (steps, table) = match row.measured.map(|measured| measured.effort) {
         Some(Effort::Steps(steps)) => (Cell::Count(steps), Cell::Absent),
-        Some(Effort::Table(size)) => (Cell::Absent, Cell::Text(by(size))),
+        Some(Effort::Table { size, .. }) => (Cell::Absent, Cell::Text(by(size))),
         None => (Cell::Absent, Cell::Absent),
     };
     Record(vec![
@@ -55,14 +55,14 @@ pub(super) fn table(rows: &[Row], periods: u32) -> String {
 fn line(row: &Row) -> Vec<String> {
     let mut cells = vec![shortened(&row.motion), row.scalar.name().to_owned(), row.method.name().to_owned()];
     match &row.measured {
-        Some(Measured { errors, effort, wall, calls }) => {
+        Some(Measured { errors, effort, wall }) => {
             let [l, n, h] = errors.integrals;
             cells.extend([errors.orientation, errors.u, errors.tip, h, l, n].map(|x| format!("{x:.1e}")));
             cells.push(match effort {
                 Effort::Steps(steps) => steps.to_string(),
-                Effort::Table(size) => by(*size),
+                Effort::Table { size, .. } => by(*size),
             });
-            cells.push(format!("{:.0}", 1e9 * wall.as_secs_f64() / (*calls).max(1) as f64));
+            cells.push(format!("{:.0}", 1e9 * wall.as_secs_f64() / effort.calls().max(1) as f64));
         }
         None => cells.extend(["-"; 8].map(str::to_owned)),
     }

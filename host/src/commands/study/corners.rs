@@ -6,16 +6,13 @@ use crate::cli::{Format, StudyArgs};
 use crate::cores;
 use crate::marked;
 use crate::output::{self, Cell, Record};
-use crate::progress::Progress;
 use crate::study::corners::input::Input;
 use crate::study::corners::reading::SCALARS;
 use crate::study::corners::tally::{Regime, Side, Tally};
 use crate::study::corners::trial;
 use crate::study::gauss::Rule;
 use crate::study::random::Random;
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Mutex;
 
 /// One input in so many is beyond the range.
 const ONE_BEYOND_IN: u64 = 64;
@@ -27,21 +24,8 @@ pub(super) fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
     }
     let cores = cores::all()?;
     let rule = Rule::new();
-    let progress = Mutex::new(Progress::new(arguments.count(), "launches"));
-    let each = |mut tally: Tally, stream| {
-        add(&mut tally, arguments, stream, &rule);
-        if let Ok(mut progress) = progress.lock() {
-            progress.add(1);
-        }
-        tally
-    };
-    let tally: Tally = cores.install(|| {
-        (0..arguments.count())
-            .into_par_iter()
-            .fold(Tally::default, each)
-            .reduce(Tally::default, Tally::merged)
-    });
-    drop(progress);
+    let add = |tally: &mut Tally, stream| add(tally, arguments, stream, &rule);
+    let tally = cores::tally(&cores, (arguments.count(), "launches"), add, Tally::merged);
 
     let records: Vec<_> = tally.regimes.iter().flat_map(|(name, regime)| records(name, regime)).collect();
     let text = match arguments.format {
