@@ -1,30 +1,31 @@
-//! α and β from the nutation half phase and the two slow phases: the brackets of the regularised solution.
+//! α and β from the nutation half phase χ and the two slow phases A and B (the regularised solution).
 
 use crate::complex::Complex;
-use crate::launch::{BranchPoints, Signs};
-use crate::nutation::PhaseRates;
-use crate::real::{Float, Real, Scalar};
-use crate::su2::{Phi, PhiRate};
-use crate::turns::Turns;
+use crate::constants::{BranchPoints, Signs};
+use crate::law::PhaseRates;
+use crate::phase::Phase;
+use crate::scalar::{Float, Real, Scalar};
+use crate::su2::{Orientation, OrientationRate};
 
-/// α = (a₁ cos χ + i a₂ sin χ) e^{iA}, β = (b₁ cos χ + i b₂ sin χ) e^{iB}, with
-/// a₁² = (1+e₁)/2, a₂² = (1+e₂)/2, b₁² = (1-e₁)/2, b₂² = (1-e₂)/2: so |α|² + |β|² = 1 whatever χ, A and B are.
+/// Brackets of α and β: α = (a₁ cos χ + i a₂ sin χ) e^{iA}, β = (b₁ cos χ + i b₂ sin χ) e^{iB}, with a₁² = (1+e₁)/2,
+/// a₂² = (1+e₂)/2, b₁² = (1-e₁)/2, b₂² = (1-e₂)/2. They make |α|² + |β|² = 1 for all χ, A and B.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Brackets<R> {
     pub(crate) alpha: Bracket<R>,
     pub(crate) beta: Bracket<R>,
 }
 
-/// x cos χ + i y sin χ: the ellipse that a Cayley-Klein parameter runs through when its slow phase is taken off.
+/// Bracket x cos χ + i y sin χ of a Cayley-Klein parameter: the parameter divided by e^{i slow phase}. It runs
+/// through an ellipse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bracket<R> {
     x: R,
     y: R,
 }
 
-/// A moment of the motion: the half phase by its sine and cosine, the slow phases by e^{iA} and e^{iB}.
+/// Phases of one instant as directions: sin χ and cos χ of the half phase, e^{iA} and e^{iB} of the slow phases.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place<R> {
+pub(crate) struct PhaseDirections<R> {
     pub(crate) sine: R,
     pub(crate) cosine: R,
     pub(crate) alpha: Complex<R>,
@@ -32,7 +33,7 @@ pub(crate) struct Place<R> {
 }
 
 impl<R: Float> Brackets<R> {
-    /// For a motion that swings between e₁ and e₂, or rises from e₁.
+    /// Brackets of a motion whose u oscillates between e₁ and e₂, or rises from e₁ to 1.
     pub(crate) fn swinging<F: Float>(e: &BranchPoints<F>, signs: Signs) -> Self {
         let root = |x: F| R::from_f64(x.halved().sqrt().to_f64());
         let (a1, a2) = (root(e.one_plus_e1), root(e.one_plus_e2()));
@@ -43,7 +44,7 @@ impl<R: Float> Brackets<R> {
         }
     }
 
-    /// For u constant, where χ stays 0 and the slow phases are all.
+    /// Brackets of a motion with constant u, whose χ is 0 and whose slow phases alone change.
     pub(crate) fn steady<F: Float>(one_plus_u: F, one_minus_u: F) -> Self {
         let modulus = |x: F| Bracket { x: R::from_f64(x.halved().sqrt().to_f64()), y: R::ZERO };
         Self { alpha: modulus(one_plus_u), beta: modulus(one_minus_u) }
@@ -51,32 +52,37 @@ impl<R: Float> Brackets<R> {
 }
 
 impl<R: Scalar> Brackets<R> {
-    /// Φ at a place.
+    /// Orientation Φ at these phases.
     #[inline]
-    pub(crate) fn phi(&self, place: &Place<R>) -> Phi<R> {
-        Phi { alpha: self.alpha.at(place) * place.alpha, beta: self.beta.at(place) * place.beta }
+    pub(crate) fn orientation(&self, directions: &PhaseDirections<R>) -> Orientation<R> {
+        Orientation {
+            alpha: self.alpha.at(directions) * directions.alpha,
+            beta: self.beta.at(directions) * directions.beta,
+        }
     }
 
-    /// Φ' at a place, from the whole rates of χ, A and B there.
-    pub(crate) fn rate(&self, place: &Place<R>, rates: &PhaseRates<R>) -> PhiRate<R> {
+    /// Rate Φ' at these phases, from the rates of χ, A and B, rad per unit time.
+    pub(crate) fn rate(&self, directions: &PhaseDirections<R>, rates: &PhaseRates<R>) -> OrientationRate<R> {
         let rate = |bracket: &Bracket<R>, cis: Complex<R>, turning: R| {
-            (bracket.along(place).scaled(rates.nutation) + bracket.at(place).times_i().scaled(turning)) * cis
+            (bracket.along(directions).scaled(rates.nutation)
+                + bracket.at(directions).times_i().scaled(turning))
+                * cis
         };
-        PhiRate {
-            alpha: rate(&self.alpha, place.alpha, rates.alpha),
-            beta: rate(&self.beta, place.beta, rates.beta),
+        OrientationRate {
+            alpha: rate(&self.alpha, directions.alpha, rates.alpha),
+            beta: rate(&self.beta, directions.beta, rates.beta),
         }
     }
 }
 
 impl<R: Scalar> Bracket<R> {
-    /// The bracket.
+    /// Value of the bracket.
     #[inline]
-    pub(crate) fn at(&self, place: &Place<R>) -> Complex<R> {
-        Complex::new(self.x * place.cosine, self.y * place.sine)
+    pub(crate) fn at(&self, directions: &PhaseDirections<R>) -> Complex<R> {
+        Complex::new(self.x * directions.cosine, self.y * directions.sine)
     }
 
-    /// The factors of e^{iχ} and e^{-iχ} in it.
+    /// Coefficients of e^{iχ} and e^{-iχ} in the bracket.
     pub(crate) fn exponentials(&self) -> [R; 2]
     where
         R: Float,
@@ -84,17 +90,18 @@ impl<R: Scalar> Bracket<R> {
         [(self.x + self.y).halved(), (self.x - self.y).halved()]
     }
 
-    /// Its derivative by χ.
-    pub(crate) fn along(&self, place: &Place<R>) -> Complex<R> {
-        Complex::new(-(self.x * place.sine), self.y * place.cosine)
+    /// Derivative of the bracket with respect to χ.
+    pub(crate) fn along(&self, directions: &PhaseDirections<R>) -> Complex<R> {
+        Complex::new(-(self.x * directions.sine), self.y * directions.cosine)
     }
 
-    /// Whether it passes through 0, changing sign, instead of turning around it: e₁ = -1 (α) or e₂ = 1 (β).
+    /// Whether the bracket passes through 0 and changes sign, instead of winding around 0: e₁ = -1 for α, e₂ = 1 for
+    /// β.
     fn passes_through_zero(&self) -> bool {
         self.x == R::ZERO || self.y == R::ZERO
     }
 
-    /// The sense in which it turns around 0 with growing χ: +1, -1, or 0 where it passes through 0.
+    /// Winding number of the bracket around 0 over 2π of χ: 1 or -1, or 0 where the bracket passes through 0.
     pub(crate) fn winding(&self) -> i32 {
         match self.passes_through_zero() {
             true => 0,
@@ -105,25 +112,25 @@ impl<R: Scalar> Bracket<R> {
 }
 
 impl<R: Real> Bracket<R> {
-    /// Its argument at a place; where it vanishes, that of its derivative by χ.
-    pub(crate) fn argument(&self, place: &Place<R>) -> Turns {
-        let value = self.at(place);
-        let value = if value == Complex::ZERO { self.along(place) } else { value };
-        Turns::from_radians(value.arg().to_f64())
+    /// Argument of the bracket; where the bracket is 0, the argument of its derivative with respect to χ.
+    pub(crate) fn argument(&self, directions: &PhaseDirections<R>) -> Phase {
+        let value = self.at(directions);
+        let value = if value == Complex::ZERO { self.along(directions) } else { value };
+        Phase::from_radians(value.arg().to_f64())
     }
 
-    /// Its argument continued along the motion, up to a constant: ±χ and a correction within a quarter turn, which has
-    /// no branch to track; constant where the bracket passes through 0 (a signed modulus takes over).
-    pub(crate) fn continued_argument(&self, place: &Place<R>, chi: Turns) -> Turns {
+    /// Argument of the bracket, continuous in χ, up to a constant: ±χ plus a correction within a quarter turn, which
+    /// needs no choice of branch. It is constant where the bracket passes through 0, whose modulus then has a sign.
+    pub(crate) fn continued_argument(&self, directions: &PhaseDirections<R>, chi: Phase) -> Phase {
         let sense = self.winding();
         if sense == 0 {
-            return Turns::ZERO;
+            return Phase::ZERO;
         }
         let y = if sense < 0 { -self.y } else { self.y };
-        let (sine, cosine) = (place.sine, place.cosine);
+        let (sine, cosine) = (directions.sine, directions.cosine);
         // arg(x cos χ + i y sin χ) - χ
         let correction =
             R::atan2((y - self.x) * sine * cosine, self.x * cosine.squared() + y * sine.squared());
-        (chi + Turns::from_radians(correction.to_f64())).times(sense.into())
+        (chi + Phase::from_radians(correction.to_f64())).times(sense.into())
     }
 }

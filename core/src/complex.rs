@@ -1,10 +1,10 @@
-//! Complex numbers over any [`Ring`]: fixed point included, which is why this is not a borrowed type.
+//! Complex numbers over any [`Ring`], fixed point included; the complex types of other crates require floating point.
 
-use crate::real::{Real, Ring, Scalar};
-use crate::turns::Turns;
+use crate::phase::Phase;
+use crate::scalar::{Float, Real, Ring, Scalar};
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// re + i im.
+/// Complex number re + i im.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Complex<R> {
@@ -15,37 +15,37 @@ pub struct Complex<R> {
 }
 
 impl<R> Complex<R> {
-    /// re + i im.
+    /// Complex number re + i im.
     pub const fn new(re: R, im: R) -> Self {
         Self { re, im }
     }
 }
 
 impl<R: Ring> Complex<R> {
-    /// 0.
+    /// Zero.
     pub const ZERO: Self = Self { re: R::ZERO, im: R::ZERO };
-    /// 1.
+    /// One.
     pub const ONE: Self = Self { re: R::ONE, im: R::ZERO };
 
-    /// The conjugate, re - i im.
+    /// Complex conjugate, re - i im.
     #[must_use]
     pub fn conj(self) -> Self {
         Self { re: self.re, im: -self.im }
     }
 
-    /// |z|².
+    /// Squared modulus, |z|².
     #[must_use]
     pub fn norm_squared(self) -> R {
         R::inner([self.re, self.im], [self.re, self.im])
     }
 
-    /// i z.
+    /// Product i z.
     #[must_use]
     pub fn times_i(self) -> Self {
         Self { re: -self.im, im: self.re }
     }
 
-    /// x z, for real x.
+    /// Product x z with a real x.
     #[must_use]
     pub fn scaled(self, x: R) -> Self {
         Self { re: self.re.product(x), im: self.im.product(x) }
@@ -53,17 +53,25 @@ impl<R: Ring> Complex<R> {
 }
 
 impl<R: Scalar> Complex<R> {
-    /// e^{2πix} of a phase of x turns.
+    /// Unit complex number e^{2πix} for a phase of x turns.
     #[inline]
     #[must_use]
-    pub fn cis(phase: Turns) -> Self {
+    pub fn cis(phase: Phase) -> Self {
         let (im, re) = R::sine_cosine(phase);
         Self { re, im }
     }
 }
 
+impl<R: Float> Complex<R> {
+    /// Modulus, |z|.
+    #[must_use]
+    pub fn modulus(self) -> R {
+        self.norm_squared().sqrt()
+    }
+}
+
 impl<R: Real> Complex<R> {
-    /// The argument in rad, in [-π, π]; 0 for z = 0.
+    /// Argument in rad, in [-π, π]; 0 for z = 0.
     #[must_use]
     pub fn arg(self) -> R {
         R::atan2(self.im, self.re)

@@ -1,29 +1,30 @@
-//! Why a top, a state or a motion is refused.
+//! Reasons for refusing a top, a state or a motion.
 
 use core::fmt;
 
-/// What is wrong with the input of a launch, and with which parameter.
+/// Invalid parameter of a top, a state or a motion: its name and the reason.
 ///
-/// Returned by everything that runs before the first tick; once a [`crate::Motion`] stands, nothing can fail.
+/// Only functions that run before the first tick return it; once a [`crate::Motion`] exists, its evaluation cannot
+/// fail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum LaunchError {
+pub enum ParameterError {
     /// The parameter is NaN or infinite.
     NotFinite {
-        /// Its name.
+        /// Name of the parameter.
         parameter: &'static str,
     },
-    /// The parameter is a number, but not one of the allowed.
+    /// The parameter is finite but not allowed.
     OutOfRange {
-        /// Its name.
+        /// Name of the parameter.
         parameter: &'static str,
-        /// What is allowed, in words or as an interval.
+        /// Allowed values, in words or as an interval.
         allowed: &'static str,
     },
 }
 
-impl LaunchError {
-    /// The name of the parameter that is wrong.
+impl ParameterError {
+    /// Name of the invalid parameter.
     #[must_use]
     pub fn parameter(&self) -> &'static str {
         match self {
@@ -31,7 +32,7 @@ impl LaunchError {
         }
     }
 
-    /// What is allowed.
+    /// Allowed values, in words or as an interval.
     #[must_use]
     pub fn allowed(&self) -> &'static str {
         match self {
@@ -41,24 +42,24 @@ impl LaunchError {
     }
 }
 
-impl fmt::Display for LaunchError {
+impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: must be {}", self.parameter(), self.allowed())
     }
 }
 
-impl core::error::Error for LaunchError {}
+impl core::error::Error for ParameterError {}
 
-/// `value` if it is finite.
-pub(crate) fn finite(parameter: &'static str, value: f64) -> Result<f64, LaunchError> {
-    if value.is_finite() { Ok(value) } else { Err(LaunchError::NotFinite { parameter }) }
+/// The value, or an error where it is not finite.
+pub(crate) fn finite(parameter: &'static str, value: f64) -> Result<f64, ParameterError> {
+    if value.is_finite() { Ok(value) } else { Err(ParameterError::NotFinite { parameter }) }
 }
 
-/// Refuses unless `holds`.
+/// Error for this parameter unless `holds`.
 pub(crate) fn require(
     holds: bool,
     parameter: &'static str,
     allowed: &'static str,
-) -> Result<(), LaunchError> {
-    if holds { Ok(()) } else { Err(LaunchError::OutOfRange { parameter, allowed }) }
+) -> Result<(), ParameterError> {
+    if holds { Ok(()) } else { Err(ParameterError::OutOfRange { parameter, allowed }) }
 }

@@ -1,4 +1,4 @@
-//! Other crates' types and traits, each behind a feature of its name.
+//! Types and traits of other crates, each behind a feature of the crate's name.
 
 #[cfg(feature = "defmt")]
 mod defmt;

@@ -1,31 +1,52 @@
 #![doc = include_str!("../README.md")]
 #![cfg_attr(not(test), no_std)]
 
-// The numbers.
-mod cycle;
-pub mod real;
-mod turns;
+// Modules in the order of dependence: each one uses only those above it.
+
+// Numbers: products of integers, phases, scalars, complex numbers, SU(2).
+mod product;
+
+mod phase;
+
+pub mod scalar;
 
 mod complex;
+
 pub mod su2;
 
-// What is thrown.
+// Input: a top and its state.
 mod error;
+
 mod top;
 
-// The law that set-up integrates over a period and the stepper over a tick.
-mod nutation;
+mod state;
+
+// Constants of the motion.
+mod constants;
+
+pub mod elliptic;
+
+mod law;
 
 mod cayley_klein;
 
-// Once per throw; may refuse.
-mod launch;
+mod mean_motion;
 
-// Every tick; cannot fail.
-mod tick;
+mod motion;
 
-// The paper's closed forms, to compare with.
+// Motion as a function of time. Nothing below this line can fail after set-up.
+mod attitude_state;
+
+mod tip;
+
+mod stepper;
+
+mod ephemeris;
+
+// Closed forms of the paper, for comparison.
 pub mod exact;
+
+mod interop;
 
 #[cfg(doc)]
 #[doc = include_str!("../docs/paper.md")]
@@ -33,24 +54,32 @@ pub mod paper {}
 #[cfg(doc)]
 #[doc = include_str!("../docs/errata.md")]
 pub mod errata {}
+#[cfg(doc)]
+#[doc = include_str!("../docs/error_bound.md")]
+pub mod error_bound {}
+#[cfg(doc)]
+#[doc = include_str!("../docs/table_format.md")]
+pub mod table_format {}
 
-mod interop;
-
+pub use attitude_state::AttitudeState;
 pub use complex::Complex;
-pub use cycle::Cycle;
-pub use error::LaunchError;
+pub use constants::{BranchPoints, FirstIntegrals, Regime, Sign, Signs, TipClass};
+#[cfg(feature = "micromath")]
+pub use ephemeris::Micromath;
+pub use ephemeris::{
+    Baked, BakedError, Clock, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisScalar,
+    EphemerisStorage, EphemerisView, ErrorBound, Sample, Samples, SegmentPoint, TableData, TableTooSmall,
+    Tick, TipClock, TurningPoint,
+};
+#[cfg(feature = "fixed")]
+pub use ephemeris::{EphemerisQ15, EphemerisQ31};
+pub use error::ParameterError;
 #[cfg(feature = "fixed")]
 pub use fixed;
-pub use launch::{
-    Averages, BranchPoints, FirstIntegrals, Motion, Pace, Regime, Release, Sign, Signs, Start, State,
-    TipClass,
-};
-pub use su2::Phi;
-pub use tick::{
-    Bakeable, Baked, BakedError, Cursor, Ephemeris, EphemerisF32, EphemerisF64, ErrorBound, Moment, NoFit,
-    Place, Pose, Stepper, Tabular, Tick, Tip, TipAngle, TurningPoint,
-};
-#[cfg(feature = "fixed")]
-pub use tick::{FixedStepper, NoTickMap};
-pub use top::{Heaviness, Support, Top};
-pub use turns::{Rate, Turns};
+pub use mean_motion::PeriodAdvance;
+pub use motion::{Motion, Start};
+pub use phase::Phase;
+pub use state::{Release, State};
+pub use stepper::Stepper;
+pub use su2::Orientation;
+pub use top::{Support, Top, TopParameters};

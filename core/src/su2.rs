@@ -1,79 +1,81 @@
-//! SU(2) and its Lie algebra: the orientation of the top and the vectors it turns (section 2 of the paper).
+//! SU(2) and its Lie algebra: orientations and the vectors that they rotate (section 2.1 of the paper).
 //!
-//! A vector x of R³ stands for the matrix ½ ((i x₃, -x₂ + i x₁), (x₂ + i x₁, -i x₃)) of su(2); with this factor ½ the
-//! Lie bracket is the cross product and ⟨x, y⟩ = -2 Tr(x y). A body vector X is turned into the fixed frame by
-//! x = Φ X Φ⁻¹; the third body axis points from the tip to the centre of mass, the third fixed axis upward.
+//! A vector x of R³ stands for the matrix ½ ((i x₃, -x₂ + i x₁), (x₂ + i x₁, -i x₃)) of su(2). The factor ½ makes the
+//! Lie bracket the cross product; the scalar product is ⟨x, y⟩ = -2 Tr(x y). A vector X in body coordinates has the
+//! coordinates x = Φ X Φ⁻¹ in the fixed frame. The third body axis points from the tip to the centre of mass, the
+//! third fixed axis upward.
 //!
-//! Φ and -Φ are the same rotation. This crate keeps the sign: it is continuous in time.
+//! Φ and -Φ are the same rotation. Every function of this crate returns the sign that makes Φ continuous in time.
 
 use crate::complex::Complex;
-use crate::real::{Float, Real, Ring};
-use crate::turns::Turns;
+use crate::phase::Phase;
+use crate::scalar::{Float, Real, Ring};
 
-/// A vector of R³, read as an element of su(2).
+/// Vector of R³, identified with an element of su(2).
 pub type Vector<R> = [R; 3];
 
-/// ⟨x, y⟩ = -2 Tr(x y).
+/// Scalar product ⟨x, y⟩ = -2 Tr(x y).
 pub fn dot<R: Ring>(x: Vector<R>, y: Vector<R>) -> R {
     let [x1, x2, x3] = x;
     let [y1, y2, y3] = y;
     x1 * y1 + x2 * y2 + x3 * y3
 }
 
-/// [x, y], the Lie bracket: the cross product x × y.
+/// Lie bracket [x, y], equal to the cross product x × y.
 pub fn bracket<R: Ring>(x: Vector<R>, y: Vector<R>) -> Vector<R> {
     let [x1, x2, x3] = x;
     let [y1, y2, y3] = y;
     [x2 * y3 - x3 * y2, x3 * y1 - x1 * y3, x1 * y2 - x2 * y1]
 }
 
-/// An orientation: the matrix Φ = ((α, β), (γ, δ)) of SU(2) in Cayley-Klein parameters.
+/// Orientation: the matrix Φ = ((α, β), (γ, δ)) of SU(2), in Cayley-Klein parameters.
 ///
-/// γ = -β̄ and δ = ᾱ follow. Constructors do not normalise: |α|² + |β|² = 1 is the caller's.
+/// The other two parameters are γ = -β̄ and δ = ᾱ. Constructors do not normalise: the caller provides |α|² + |β|² =
+/// 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Phi<R> {
-    /// α, with 1 + u = 2 |α|².
+pub struct Orientation<R> {
+    /// Cayley-Klein parameter α, with 2 |α|² = 1 + u.
     pub alpha: Complex<R>,
-    /// β, with 1 - u = 2 |β|².
+    /// Cayley-Klein parameter β, with 2 |β|² = 1 - u.
     pub beta: Complex<R>,
 }
 
-impl<R: Ring> Default for Phi<R> {
+impl<R: Ring> Default for Orientation<R> {
     fn default() -> Self {
         Self::IDENTITY
     }
 }
 
-impl<R: Ring> Phi<R> {
-    /// No rotation: the axis upright.
+impl<R: Ring> Orientation<R> {
+    /// Identity: the axis points upward.
     pub const IDENTITY: Self = Self { alpha: Complex::ONE, beta: Complex::ZERO };
 
-    /// γ = -β̄.
+    /// Cayley-Klein parameter γ = -β̄.
     #[must_use]
     pub fn gamma(&self) -> Complex<R> {
         -self.beta.conj()
     }
 
-    /// δ = ᾱ.
+    /// Cayley-Klein parameter δ = ᾱ.
     #[must_use]
     pub fn delta(&self) -> Complex<R> {
         self.alpha.conj()
     }
 
-    /// |α|² + |β|², the determinant.
+    /// Determinant |α|² + |β|².
     #[must_use]
     pub fn norm_squared(&self) -> R {
         self.alpha.norm_squared() + self.beta.norm_squared()
     }
 
-    /// Φ⁻¹ = ((δ, -β), (-γ, α)).
+    /// Inverse Φ⁻¹ = ((δ, -β), (-γ, α)).
     #[must_use]
     pub fn inverse(&self) -> Self {
         Self { alpha: self.alpha.conj(), beta: -self.beta }
     }
 
-    /// The product Φ Ψ: first Ψ, then Φ.
+    /// Product Φ Ψ: the rotation Ψ followed by Φ.
     #[must_use]
     pub fn compose(&self, psi: &Self) -> Self {
         Self {
@@ -82,15 +84,15 @@ impl<R: Ring> Phi<R> {
         }
     }
 
-    /// The adjoint action Ad_Φ: body coordinates X to fixed coordinates Φ X Φ⁻¹.
+    /// Adjoint action Ad_Φ: fixed coordinates Φ X Φ⁻¹ of the vector with body coordinates X.
     #[must_use]
     pub fn adjoint(&self, body: Vector<R>) -> Vector<R> {
-        // The right column of Φ X Φ⁻¹, with w = X₁ + i X₂:
+        // The right column of Φ X Φ⁻¹, with w = X₁ + i X₂, gives
         //   x₁ + i x₂ = α² w - β² w̄ - 2 αβ X₃,   x₃ = (|α|² - |β|²) X₃ + 2 Re(α β̄ w)
         let [x1, x2, x3] = body;
         let w = Complex::new(x1, x2);
         let (alpha, beta) = (self.alpha, self.beta);
-        // |αβ| <= 1/2: doubled last, it stays within a fixed-point range of ±2
+        // αβ| <= 1/2: doubling it last keeps the intermediate results within the fixed-point range of ±2
         let along = (alpha * beta).scaled(x3);
         let across = alpha * alpha * w - beta * beta * w.conj();
         let vertical =
@@ -98,29 +100,39 @@ impl<R: Ring> Phi<R> {
         [across.re - along.re.doubled(), across.im - along.im.doubled(), vertical]
     }
 
-    /// r = Φ e₃ Φ⁻¹, the symmetry axis from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = |α|² - |β|².
+    /// Symmetry axis r = Φ e₃ Φ⁻¹, the unit vector from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = |α|² -
+    /// |β|².
     #[must_use]
     pub fn axis(&self) -> Vector<R> {
-        // |αβ| <= 1/2, so that this stays within a fixed-point range of ±2
+        // αβ| <= 1/2, so the intermediate results stay within the fixed-point range of ±2
         let product = self.alpha * self.beta;
         [-product.re.doubled(), -product.im.doubled(), self.u()]
     }
 
-    /// The same rotation as a unit quaternion w + x i + y j + z k, as [w, x, y, z]: body to fixed frame, sign included.
+    /// Unit quaternion w + x i + y j + z k of the rotation from body to fixed coordinates, as [w, x, y, z]. Φ and -Φ
+    /// give quaternions of opposite sign.
     #[must_use]
     pub fn quaternion(&self) -> [R; 4] {
         let Self { alpha, beta } = *self;
         [alpha.re, beta.im, -beta.re, alpha.im]
     }
 
-    /// The reverse of [`Phi::quaternion`]; not normalised either.
+    /// Orientation from a quaternion, the inverse of [`Orientation::quaternion`]. It is not normalised.
     #[must_use]
     pub fn from_quaternion([w, x, y, z]: [R; 4]) -> Self {
         Self { alpha: Complex::new(w, z), beta: Complex::new(-y, x) }
     }
 
-    /// Ad_Φ as a matrix, row by row: fixed coordinates are its product with the column of body coordinates. The third column is
-    /// the axis.
+    /// Tip position in units of s, c/s = 2αβ: x + iy relative to the point below the centre of mass.
+    #[inline]
+    #[must_use]
+    pub fn tip_over_s(&self) -> Complex<R> {
+        let product = self.alpha * self.beta;
+        Complex::new(product.re.doubled(), product.im.doubled())
+    }
+
+    /// Rotation matrix Ad_Φ, row by row: its product with a column of body coordinates gives fixed coordinates. The
+    /// third column is the axis.
     #[must_use]
     pub fn matrix(&self) -> [Vector<R>; 3] {
         let (zero, one) = (R::ZERO, R::ONE);
@@ -129,24 +141,46 @@ impl<R: Ring> Phi<R> {
         [[a1, b1, r1], [a2, b2, r2], [a3, b3, r3]]
     }
 
-    /// u = |α|² - |β|², the cosine of the tilt: the real part of (α + β)(ᾱ - β̄), two products instead of four.
+    /// Cosine of the tilt, u = |α|² - |β|², computed as Re((α + β)(ᾱ - β̄)): two products instead of four. Near the
+    /// vertical a rounding of α and β can take it past ±1; [`Orientation::clamped_u`] stays within.
     #[must_use]
     pub fn u(&self) -> R {
         let (sum, difference) = (self.alpha + self.beta, self.alpha - self.beta);
         R::inner([sum.re, sum.im], [difference.re, difference.im])
     }
+
+    /// u within [-1, 1], as an arc cosine needs it: [`Self::u`] and two comparisons. A NaN stays.
+    #[must_use]
+    pub fn clamped_u(&self) -> R {
+        let u = self.u();
+        if u > R::ONE {
+            R::ONE
+        } else if u < -R::ONE {
+            -R::ONE
+        } else {
+            u
+        }
+    }
 }
 
-impl<R: Float> Phi<R> {
-    /// Φ / √(|α|² + |β|²).
+impl<R: Float> Orientation<R> {
+    /// Distance of two orientations, 2 √(|Δα|² + |Δβ|²), rad: where it is small, the angle between them. Φ and -Φ are
+    /// 4 rad apart.
+    #[must_use]
+    pub fn distance(&self, other: &Self) -> R {
+        let (alpha, beta) = (self.alpha - other.alpha, self.beta - other.beta);
+        (alpha.norm_squared() + beta.norm_squared()).sqrt().doubled()
+    }
+
+    /// Orientation scaled to unit norm, Φ / √(|α|² + |β|²).
     #[must_use]
     pub fn normalised(&self) -> Self {
         let scale = R::ONE / self.norm_squared().sqrt();
         Self { alpha: self.alpha.scaled(scale), beta: self.beta.scaled(scale) }
     }
 
-    /// The Möbius transformation z ↦ (αz + β)/(γz + δ): the rotation seen in the stereographic plane
-    /// ([`stereographic`]). The point at infinity is `None`, on both sides.
+    /// Image of z under the Möbius transformation z ↦ (αz + β)/(γz + δ), which is the rotation in the stereographic
+    /// plane ([`stereographic`]). `None` stands for the point at infinity, as argument and as result.
     #[must_use]
     pub fn moebius(&self, z: Option<Complex<R>>) -> Option<Complex<R>> {
         match z {
@@ -156,29 +190,61 @@ impl<R: Float> Phi<R> {
     }
 }
 
-impl<R: Real> Phi<R> {
-    /// exp of an element of su(2): the rotation by |x| rad about x. `Turns` carry a large angle, a series a small one, so any
-    /// size is exact to some roundings of the scalar, of |x| itself and of the result.
+impl<R: Real> Orientation<R> {
+    /// Exponential of an element of su(2): the rotation by |x| rad about x; the identity where a component is not
+    /// finite.
+    ///
+    /// Error: a few roundings of the result, and the rounding of the angle |x|, which may exceed a turn where |x| is
+    /// above 1e15 (1e7 in `f32`). The result is a rotation about x for any |x|.
     #[must_use]
     pub fn exp(x: Vector<R>) -> Self {
-        /// Below it the sine of `f32`, good to 2^-32 turns, would be short of digits.
+        /// Angle below which the sine of `f32`, whose absolute error is 2^-32 turns, would have too large a relative
+        /// error.
         const SMALL: f64 = 1.0 / 16.0;
+        /// Angle above which the fraction of a turn in [`Phase`] has no correct digits.
+        const LARGE: f64 = (1_u64 << 52) as f64;
         let square = dot(x, x);
+        let small_enough = square.to_f64() <= LARGE * LARGE;
+        if !small_enough {
+            return Self::exp_of_large(x);
+        }
         let (scale, cosine) = if square < R::from_f64(SMALL * SMALL) {
             small_half_angle(square * R::from_f64(0.25))
         } else {
             let angle = square.sqrt();
-            let (sine, cosine) = R::sine_cosine(Turns::from_radians(0.5 * angle.to_f64()));
+            let (sine, cosine) = R::sine_cosine(Phase::from_radians(0.5 * angle.to_f64()));
             (sine / angle, cosine)
         };
-        let [x1, x2, x3] = x.map(|component| component * scale);
+        Self::from_half_angle(cosine, x.map(|component| component * scale))
+    }
+
+    /// [`Orientation::exp`] of a vector with a component that is not finite, or whose square may overflow.
+    #[cold]
+    fn exp_of_large(x: Vector<R>) -> Self {
+        let larger = |x: R, y: R| if x > y { x } else { y };
+        let [a, b, c] = x.map(Float::abs);
+        let size = larger(larger(a, b), c);
+        if !x.into_iter().all(|component| component.to_f64().is_finite()) {
+            return Self::IDENTITY;
+        }
+        let direction = x.map(|component| component / size);
+        let length = dot(direction, direction).sqrt();
+        // at most √3/2 times the largest finite number
+        let half_angle = 0.5 * length.to_f64() * size.to_f64();
+        let (sine, cosine) = libm::sincos(half_angle);
+        let sine = R::from_f64(sine);
+        Self::from_half_angle(R::from_f64(cosine), direction.map(|component| component / length * sine))
+    }
+
+    /// Orientation from the cosine of half the angle, and the axis times the sine of half the angle.
+    fn from_half_angle(cosine: R, [x1, x2, x3]: Vector<R>) -> Self {
         Self { alpha: Complex::new(cosine, x3), beta: Complex::new(-x2, x1) }
     }
 }
 
-/// sin h/2h and cos h from h² <= 2^-10: what the series leave out is below 2^-61.
+/// sin h/2h and cos h from h² <= 2^-10. Truncation error: below 2^-61.
 fn small_half_angle<R: Real>(square: R) -> (R, R) {
-    // 1 - h²/d₁ (1 - h²/d₂ (1 - ...)), the divisors last to first
+    // 1 - h²/d₁ (1 - h²/d₂ (1 - ...)), with the divisors in reverse order
     let series = |divisors: [f64; 4]| {
         divisors.into_iter().fold(R::ONE, |sum, divisor| R::ONE - square * R::from_f64(1.0 / divisor) * sum)
     };
@@ -186,20 +252,20 @@ fn small_half_angle<R: Real>(square: R) -> (R, R) {
     (sine * R::from_f64(0.5), cosine)
 }
 
-/// Φ and its rate of change: everything about one instant follows from these two by products alone.
+/// Rate of change Φ' of an orientation. Φ and Φ' together determine every quantity of one instant by products only.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct PhiRate<R> {
-    /// α', per unit time.
+pub struct OrientationRate<R> {
+    /// Rate α', per unit time.
     pub alpha: Complex<R>,
-    /// β', per unit time.
+    /// Rate β', per unit time.
     pub beta: Complex<R>,
 }
 
-impl<R: Ring> PhiRate<R> {
-    /// Φ' = ω Φ, for ω in the fixed frame.
+impl<R: Ring> OrientationRate<R> {
+    /// Rate Φ' = ω Φ, with ω in the fixed frame.
     #[must_use]
-    pub fn from_fixed(phi: &Phi<R>, omega: Vector<R>) -> Self
+    pub fn from_fixed(phi: &Orientation<R>, omega: Vector<R>) -> Self
     where
         R: Float,
     {
@@ -211,44 +277,44 @@ impl<R: Ring> PhiRate<R> {
         }
     }
 
-    /// ω = Φ' Φ⁻¹ in the fixed frame (eqn:omega, with the printed slip corrected).
+    /// Angular velocity ω = Φ' Φ⁻¹ in the fixed frame: equation (2.2) of the paper, erratum 1 corrected.
     #[must_use]
-    pub fn omega_fixed(&self, phi: &Phi<R>) -> Vector<R> {
+    pub fn omega_fixed(&self, phi: &Orientation<R>) -> Vector<R> {
         let diagonal = self.alpha * phi.delta() - self.beta * phi.gamma();
         let upper = self.beta * phi.alpha - self.alpha * phi.beta;
         [upper.im.doubled(), -upper.re.doubled(), diagonal.im.doubled()]
     }
 
-    /// Ω = Φ⁻¹ Φ' in the body frame (eqn:Omega, with the printed slip corrected).
+    /// Angular velocity Ω = Φ⁻¹ Φ' in the body frame: equation (2.3) of the paper, erratum 2 corrected.
     #[must_use]
-    pub fn omega_body(&self, phi: &Phi<R>) -> Vector<R> {
+    pub fn omega_body(&self, phi: &Orientation<R>) -> Vector<R> {
         let (gamma, delta) = (-self.beta.conj(), self.alpha.conj());
         let diagonal = phi.delta() * self.alpha - phi.beta * gamma;
         let upper = phi.delta() * self.beta - phi.beta * delta;
         [upper.im.doubled(), -upper.re.doubled(), diagonal.im.doubled()]
     }
 
-    /// u' = d(|α|² - |β|²)/dt.
+    /// Rate of the cosine of the tilt, u' = d(|α|² - |β|²)/dt.
     #[must_use]
-    pub fn udot(&self, phi: &Phi<R>) -> R {
+    pub fn udot(&self, phi: &Orientation<R>) -> R {
         ((phi.alpha.conj() * self.alpha).re - (phi.beta.conj() * self.beta).re).doubled()
     }
 }
 
-/// The stereographic projection from the north pole, z = (ξ + iη)/(1 - ζ); `None` is the point at infinity.
+/// Stereographic projection from the north pole, z = (ξ + iη)/(1 - ζ); `None` is the point at infinity.
 pub fn stereographic<R: Float>(point: Vector<R>) -> Option<Complex<R>> {
     let [xi, eta, zeta] = point;
     quotient(Complex::new(xi, eta), Complex::new(R::ONE - zeta, R::ZERO))
 }
 
-/// The point of the unit sphere over z (eqn:inerse-stereo-proj): (2 Re z, 2 Im z, |z|² - 1)/(|z|² + 1).
+/// Point of the unit sphere over z (equation (2.4) of the paper): (2 Re z, 2 Im z, |z|² - 1)/(|z|² + 1).
 pub fn sphere_point<R: Float>(z: Option<Complex<R>>) -> Vector<R> {
     let Some(z) = z else { return [R::ZERO, R::ZERO, R::ONE] };
     let scale = R::ONE / (z.norm_squared() + R::ONE);
     [z.re.doubled() * scale, z.im.doubled() * scale, (z.norm_squared() - R::ONE) * scale]
 }
 
-/// a / b, `None` for b = 0.
+/// Quotient a / b; `None` for b = 0.
 pub(crate) fn quotient<R: Float>(a: Complex<R>, b: Complex<R>) -> Option<Complex<R>> {
     let norm = b.norm_squared();
     (norm > R::ZERO).then(|| (a * b.conj()).scaled(R::ONE / norm))

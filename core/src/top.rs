@@ -1,31 +1,55 @@
-//! The top: A, C, s, p and the gravity it spins in.
+//! Top: its moments of inertia A and C, the distance s, the mass moment p and the gravity g.
 
-use crate::error::{LaunchError, finite, require};
-use crate::real::{DoubleDouble, Float, Ring};
+use crate::error::{ParameterError, finite, require};
+use crate::scalar::{DoubleDouble, Float, Ring};
 
-/// How heavy the top is: exactly one of two ways to say it.
+/// Parameters of a top by name, in SI or any consistent units.
+///
+/// Exactly one of `mass` and `mass_moment` must be given; a field with its default value 0 counts as not given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Heaviness {
-    /// Its mass M in kg; the moment is then p = M s.
-    Mass(f64),
-    /// The paper's p = M s in kg m.
-    MassMoment(f64),
+pub struct TopParameters {
+    /// Transverse moment of inertia A, kg m²: about the centre of mass for a sliding tip, about the tip for a fixed
+    /// one.
+    pub transverse_inertia: f64,
+    /// Axial moment of inertia C <= 2A, kg m².
+    pub axial_inertia: f64,
+    /// Distance s of the centre of mass from the tip, m; for a fixed tip it is used only together with `mass`.
+    pub com_height: f64,
+    /// Mass M, kg.
+    pub mass: f64,
+    /// Mass moment p = M s, kg m.
+    pub mass_moment: f64,
+    /// Gravity g, m/s²; by default 9.80665. The units of the paper have g = 1.
+    pub gravity: f64,
 }
 
-/// What holds the tip.
+impl Default for TopParameters {
+    fn default() -> Self {
+        Self {
+            transverse_inertia: 0.0,
+            axial_inertia: 0.0,
+            com_height: 0.0,
+            mass: 0.0,
+            mass_moment: 0.0,
+            gravity: 9.80665,
+        }
+    }
+}
+
+/// Support of the tip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Support {
-    /// A frictionless horizontal plane, on which the tip slides: Springborn's toy top.
+    /// Sliding on a frictionless horizontal plane: Springborn's toy top.
     Sliding,
-    /// A fixed point: the Lagrange top, the limit s → 0 of the formulas at fixed p.
+    /// Held at a fixed point: the Lagrange top, the limit s → 0 of the formulas at fixed p.
     Fixed,
 }
 
-/// A symmetric top, validated. Copy it, share it: it never changes.
+/// Symmetric top with valid parameters. It is immutable.
 ///
-/// Any consistent units will do; those named are SI. With g = 1 they are the paper's.
+/// Any consistent units are allowed; the units named here are SI. With g = 1 they are the paper's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Top {
@@ -37,41 +61,46 @@ pub struct Top {
     g: f64,
 }
 
-/// With this range, and those of A/(ps), A/p and √(pg/A), nothing overflows or underflows in `f32` either.
+/// Allowed range of a parameter. Together with the ranges of A/(ps), A/p and √(pg/A) it excludes overflow and
+/// underflow, also in `f32`.
 const ALLOWED: &str = "between 1e-12 and 1e12";
 
-fn magnitude(parameter: &'static str, value: f64) -> Result<f64, LaunchError> {
+fn magnitude(parameter: &'static str, value: f64) -> Result<f64, ParameterError> {
     finite(parameter, value)?;
     require(value > 0.0, parameter, "positive, between 1e-12 and 1e12")?;
     require((1e-12..=1e12).contains(&value), parameter, ALLOWED)?;
     Ok(value)
 }
 
+impl TopParameters {
+    /// Mass, or `None` where the mass moment is given instead.
+    fn given_mass(&self) -> Result<Option<f64>, ParameterError> {
+        match (self.mass == 0.0, self.mass_moment == 0.0) {
+            (false, true) => Ok(Some(magnitude("mass", self.mass)?)),
+            (true, false) => Ok(None),
+            _ => Err(ParameterError::OutOfRange {
+                parameter: "mass",
+                allowed: "given if mass_moment is not, and left out if it is",
+            }),
+        }
+    }
+}
+
 impl Top {
-    /// A top whose tip slides on a plane.
-    ///
-    /// * `transverse_inertia`: A, about an axis through the centre of mass across the symmetry axis, kg m²
-    /// * `axial_inertia`: C <= 2A, about the symmetry axis, kg m²
-    /// * `com_height`: s, distance of the centre of mass from the tip, m
-    /// * `gravity`: g, m/s²
+    /// Top whose tip slides on a plane: Springborn's toy top.
     ///
     /// # Errors
-    /// Names the parameter that is not finite, not between 1e-12 and 1e12, or (C) above 2A or below 1e-6 A; `A/(ps)`, the square of a
-    /// radius of gyration over s, must be between 1e-6 and 1e12, A/p between 1e-12 and 1e12 m, and √(pg/A), the rate at
-    /// which the top falls, between 1e-9 and 1e9 per second.
-    pub fn sliding(
-        transverse_inertia: f64,
-        axial_inertia: f64,
-        com_height: f64,
-        heaviness: Heaviness,
-        gravity: f64,
-    ) -> Result<Self, LaunchError> {
-        let s = magnitude("com_height", com_height)?;
-        let p = match heaviness {
-            Heaviness::Mass(mass) => DoubleDouble::product(magnitude("mass", mass)?, s),
-            Heaviness::MassMoment(moment) => magnitude("mass_moment", moment)?.into(),
+    /// [`ParameterError`] names the parameter that is wrong. Each must be finite and between 1e-12 and 1e12, C
+    /// between 1e-6 A and 2A, A/(ps) between 1e-6 and 1e12, A/p between 1e-12 and 1e12 m, and √(pg/A), the growth
+    /// rate of a fall from the vertical, between 1e-9 and 1e9 per second. Exactly one of `mass` and `mass_moment`
+    /// must be given.
+    pub fn sliding(parameters: &TopParameters) -> Result<Self, ParameterError> {
+        let s = magnitude("com_height", parameters.com_height)?;
+        let p = match parameters.given_mass()? {
+            Some(mass) => DoubleDouble::product(mass, s),
+            None => magnitude("mass_moment", parameters.mass_moment)?.into(),
         };
-        let top = Self::new(Support::Sliding, transverse_inertia, axial_inertia, s, p, gravity)?;
+        let top = Self::new(Support::Sliding, parameters, s, p)?;
         let spread = top.a / (top.p.hi() * s);
         require(
             (1e-6..=1e12).contains(&spread),
@@ -81,56 +110,51 @@ impl Top {
         Ok(top)
     }
 
-    /// A top whose tip is held in a fixed point: both inertias are then about the *tip*, and only the product
-    /// p = M s (kg m) of mass and height enters.
+    /// Top whose tip is held at a fixed point, the Lagrange top. Both moments of inertia are about the *tip*. Either
+    /// `mass_moment` is given, or `mass` together with `com_height`; only their product p = M s enters the motion.
     ///
     /// # Errors
-    /// As [`Top::sliding`].
-    pub fn fixed(
-        transverse_inertia: f64,
-        axial_inertia: f64,
-        mass_moment: f64,
-        gravity: f64,
-    ) -> Result<Self, LaunchError> {
-        let p = magnitude("mass_moment", mass_moment)?.into();
-        Self::new(Support::Fixed, transverse_inertia, axial_inertia, 0.0, p, gravity)
-    }
-
-    /// As [`Top::fixed`], from the mass (kg) and the height of the centre of mass above the tip (m).
-    ///
-    /// # Errors
-    /// As [`Top::sliding`]; and A below M s² + C/2, which no body has about its tip: most likely it is about the centre of mass.
-    pub fn fixed_with_mass(
-        transverse_inertia: f64,
-        axial_inertia: f64,
-        com_height: f64,
-        mass: f64,
-        gravity: f64,
-    ) -> Result<Self, LaunchError> {
-        /// Room for what the numbers are rounded to.
-        const ROOM: f64 = 1e-9;
-        let p = DoubleDouble::product(magnitude("mass", mass)?, magnitude("com_height", com_height)?);
-        let top = Self::new(Support::Fixed, transverse_inertia, axial_inertia, 0.0, p, gravity)?;
-        let least = p.hi() * com_height + 0.5 * top.c;
+    /// The errors of [`Top::sliding`]; also, with a mass, A below M s² + C/2. No body has such an A about its tip:
+    /// most likely it is the moment of inertia about the centre of mass.
+    pub fn fixed(parameters: &TopParameters) -> Result<Self, ParameterError> {
+        /// Relative tolerance for the rounding of A.
+        const ROUNDING: f64 = 1e-9;
+        let Some(mass) = parameters.given_mass()? else {
+            require(
+                parameters.com_height == 0.0,
+                "com_height",
+                "left out where the tip is fixed and mass_moment is given",
+            )?;
+            let p = magnitude("mass_moment", parameters.mass_moment)?.into();
+            return Self::new(Support::Fixed, parameters, 0.0, p);
+        };
+        let p = DoubleDouble::product(mass, magnitude("com_height", parameters.com_height)?);
+        let top = Self::new(Support::Fixed, parameters, 0.0, p)?;
+        let least = p.hi() * parameters.com_height + 0.5 * top.c;
         require(
-            top.a >= least * (1.0 - ROOM),
+            top.a >= least * (1.0 - ROUNDING),
             "transverse_inertia",
-            "about the tip, at least mass x com_height^2 + axial_inertia / 2",
+            "the moment about the tip, at least mass x com_height^2 + axial_inertia / 2",
         )?;
         Ok(top)
     }
 
-    fn new(support: Support, a: f64, c: f64, s: f64, p: DoubleDouble, g: f64) -> Result<Self, LaunchError> {
-        let a = magnitude("transverse_inertia", a)?;
-        let c = magnitude("axial_inertia", c)?;
+    fn new(
+        support: Support,
+        parameters: &TopParameters,
+        s: f64,
+        p: DoubleDouble,
+    ) -> Result<Self, ParameterError> {
+        let a = magnitude("transverse_inertia", parameters.transverse_inertia)?;
+        let c = magnitude("axial_inertia", parameters.axial_inertia)?;
         require(c <= 2.0 * a, "axial_inertia", "at most twice transverse_inertia (no body has C > 2A)")?;
         require(c >= 1e-6 * a, "axial_inertia", "at least 1e-6 times transverse_inertia")?;
-        let g = magnitude("gravity", g)?;
+        let g = magnitude("gravity", parameters.gravity)?;
         let length = a / p.hi();
         require(
             (1e-12..=1e12).contains(&length),
             "transverse_inertia",
-            "between 1e-12 and 1e12 m times the mass moment",
+            "between 1e-12 and 1e12 times mass_moment x 1 m",
         )?;
         let rate_squared = g / length;
         require(
@@ -141,32 +165,34 @@ impl Top {
         Ok(Self { support, a, c, s, p, g })
     }
 
-    /// What holds the tip.
+    /// Support of the tip.
     #[must_use]
     pub fn support(&self) -> Support {
         self.support
     }
 
-    /// A, the transverse moment of inertia, kg m² (sliding: about the centre of mass; fixed: about the tip).
+    /// Transverse moment of inertia A, kg m²: about the centre of mass for a sliding tip, about the tip for a fixed
+    /// one.
     #[must_use]
-    pub fn a(&self) -> f64 {
+    pub fn transverse_inertia(&self) -> f64 {
         self.a
     }
 
-    /// C, the axial moment of inertia, kg m².
+    /// Axial moment of inertia C, kg m².
     #[must_use]
-    pub fn c(&self) -> f64 {
+    pub fn axial_inertia(&self) -> f64 {
         self.c
     }
 
-    /// s, the distance of the centre of mass from the sliding tip, m; 0 for a fixed tip, where the paper's formulas are
-    /// read in the limit s → 0 at fixed p.
+    /// Distance s of the centre of mass from a sliding tip, m; 0 for a fixed tip, for which the paper's formulas hold
+    /// in the limit s → 0 at fixed p.
     #[must_use]
-    pub fn s(&self) -> f64 {
+    pub fn com_height(&self) -> f64 {
         self.s
     }
 
-    /// The length that scales the tip curve c = 2 s αβ: s, and 1 for a fixed tip (where 2αβ is a direction).
+    /// Length that scales the tip curve c = 2 s αβ, m: s, or 1 for a fixed tip, whose 2αβ is a direction without
+    /// unit.
     #[must_use]
     pub fn tip_scale(&self) -> f64 {
         match self.support {
@@ -175,19 +201,20 @@ impl Top {
         }
     }
 
-    /// p = M s, kg m.
+    /// Mass moment p = M s, kg m.
     #[must_use]
-    pub fn p(&self) -> f64 {
+    pub fn mass_moment(&self) -> f64 {
         self.p.hi()
     }
 
-    /// g, m/s². The paper has g = 1.
+    /// Gravity g, m/s². The units of the paper have g = 1.
     #[must_use]
-    pub fn g(&self) -> f64 {
+    pub fn gravity(&self) -> f64 {
         self.g
     }
 
-    /// e₄ = √(1 + A/(ps)), the branch point that no motion reaches; `None` (infinite) for a fixed tip.
+    /// Branch point e₄ = √(1 + A/(ps)) (equation (3.5) of the paper), which u never reaches; `None` for a fixed tip,
+    /// whose e₄ is infinite.
     #[must_use]
     pub fn e4(&self) -> Option<f64> {
         (self.s > 0.0).then(|| {
@@ -197,7 +224,7 @@ impl Top {
     }
 }
 
-/// The paper's quantities in the number type that a set-up stage computes in.
+/// Parameters of a top by the paper's symbols, in the number type of a set-up stage.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quantities<F> {
     pub(crate) a: F,
@@ -213,12 +240,12 @@ impl<F: Float> Quantities<F> {
         Self { a: F::from_f64(top.a), c: F::from_f64(top.c), s: F::from_f64(top.s), p, g: F::from_f64(top.g) }
     }
 
-    /// κ = 1/(2 A p g): κ l² has the dimension of u³.
+    /// Factor κ = 1/(2 A p g), which makes κ l² a number without unit.
     pub(crate) fn kappa(&self) -> F {
         F::ONE / (self.a * self.p * self.g).doubled()
     }
 
-    /// τ = (1/C - 1/A) n.
+    /// Rate τ = (1/C - 1/A) n, rad per unit time.
     pub(crate) fn tau(&self, n: F) -> F {
         (self.a - self.c) / (self.a * self.c) * n
     }
@@ -228,37 +255,66 @@ impl<F: Float> Quantities<F> {
 mod tests {
     use super::*;
 
+    const TOP: TopParameters = TopParameters {
+        transverse_inertia: 3e-5,
+        axial_inertia: 2e-5,
+        com_height: 0.03,
+        mass: 0.05,
+        mass_moment: 0.0,
+        gravity: 9.81,
+    };
+
+    fn refused(result: Result<Top, ParameterError>) -> Option<&'static str> {
+        result.err().map(|error| error.parameter())
+    }
+
     #[test]
     fn every_parameter_is_checked_and_named() {
-        let mass = Heaviness::Mass(0.05);
-        let parameter = |result: Result<Top, LaunchError>| result.err().map(|error| error.parameter());
-        assert_eq!(parameter(Top::sliding(3e-5, 2e-5, 0.03, mass, 9.81)), None);
-        assert_eq!(parameter(Top::sliding(f64::NAN, 2e-5, 0.03, mass, 9.81)), Some("transverse_inertia"));
-        assert_eq!(parameter(Top::sliding(3e-5, 6.1e-5, 0.03, mass, 9.81)), Some("axial_inertia"));
-        assert_eq!(parameter(Top::sliding(3e-5, 6e-5, 0.03, mass, 9.81)), None);
-        assert_eq!(parameter(Top::sliding(3e-5, 2e-5, 0.0, mass, 9.81)), Some("com_height"));
-        assert_eq!(parameter(Top::sliding(3e-5, 2e-5, 0.03, Heaviness::Mass(-1.0), 9.81)), Some("mass"));
+        let sliding = |change: fn(&mut TopParameters)| {
+            let mut parameters = TOP;
+            change(&mut parameters);
+            refused(Top::sliding(&parameters))
+        };
+        assert_eq!(sliding(|_| {}), None);
+        assert_eq!(sliding(|top| top.transverse_inertia = f64::NAN), Some("transverse_inertia"));
+        assert_eq!(sliding(|top| top.axial_inertia = 6.1e-5), Some("axial_inertia"));
+        assert_eq!(sliding(|top| top.axial_inertia = 6e-5), None);
+        assert_eq!(sliding(|top| top.com_height = 0.0), Some("com_height"));
+        assert_eq!(sliding(|top| top.mass = -1.0), Some("mass"));
+        assert_eq!(sliding(|top| top.mass = 0.0), Some("mass"));
+        assert_eq!(sliding(|top| top.mass_moment = 1e-3), Some("mass"));
+        assert_eq!(sliding(|top| (top.mass, top.mass_moment) = (0.0, -1.0)), Some("mass_moment"));
+        assert_eq!(sliding(|top| (top.mass, top.mass_moment) = (0.0, 1.5e-3)), None);
+        assert_eq!(sliding(|top| top.gravity = f64::INFINITY), Some("gravity"));
         assert_eq!(
-            parameter(Top::sliding(3e-5, 2e-5, 0.03, Heaviness::MassMoment(0.0), 9.81)),
-            Some("mass_moment")
-        );
-        assert_eq!(parameter(Top::sliding(3e-5, 2e-5, 0.03, mass, f64::INFINITY)), Some("gravity"));
-        assert_eq!(parameter(Top::sliding(1e-11, 1e-11, 0.03, mass, 9.81)), Some("transverse_inertia"));
-        assert_eq!(parameter(Top::fixed(3e-5, 2e-5, -0.1, 9.81)), Some("mass_moment"));
-        assert_eq!(parameter(Top::fixed_with_mass(3e-5, 2e-5, 0.03, 0.0, 9.81)), Some("mass"));
-        // 0.05 kg x (0.03 m)^2 = 4.5e-5 kg m^2
-        assert_eq!(parameter(Top::fixed_with_mass(5.5e-5, 2e-5, 0.03, 0.05, 9.81)), None);
-        assert_eq!(
-            parameter(Top::fixed_with_mass(5.4999e-5, 2e-5, 0.03, 0.05, 9.81)),
+            sliding(|top| (top.transverse_inertia, top.axial_inertia) = (1e-11, 1e-11)),
             Some("transverse_inertia")
         );
     }
 
     #[test]
+    fn a_fixed_tip_takes_inertias_about_the_tip() {
+        let fixed = |change: fn(&mut TopParameters)| {
+            let mut parameters = TOP;
+            change(&mut parameters);
+            refused(Top::fixed(&parameters))
+        };
+        assert_eq!(
+            fixed(|top| (top.mass, top.com_height, top.mass_moment) = (0.0, 0.0, -0.1)),
+            Some("mass_moment")
+        );
+        assert_eq!(fixed(|top| (top.mass, top.mass_moment) = (0.0, 0.1)), Some("com_height"));
+        assert_eq!(fixed(|top| top.mass = 0.0), Some("mass"));
+        // 0.05 kg · (0.03 m)² = 4.5e-5 kg m²
+        assert_eq!(fixed(|top| top.transverse_inertia = 5.5e-5), None);
+        assert_eq!(fixed(|top| top.transverse_inertia = 5.4999e-5), Some("transverse_inertia"));
+    }
+
+    #[test]
     fn the_mass_moment_is_exact() {
-        let top = Top::sliding(3e-5, 2e-5, 0.03, Heaviness::Mass(0.05), 9.81).unwrap();
+        let top = Top::sliding(&TOP).unwrap();
         assert!(top.p.lo() != 0.0);
-        assert_eq!(top.p(), 0.05 * 0.03);
+        assert_eq!(top.mass_moment(), 0.05 * 0.03);
         let p = Quantities::<DoubleDouble>::of(&top).p;
         assert_eq!((p.hi(), p.lo()), (top.p.hi(), top.p.lo()));
     }

@@ -4,11 +4,11 @@
 //! what the host gives.
 
 use toytop::fixed::types::{I2F14, I2F30};
-use toytop::real::Real;
+use toytop::scalar::Real;
 use toytop::su2::Vector;
 use toytop::{
-    Averages, BranchPoints, Complex, Ephemeris, FirstIntegrals, Heaviness, LaunchError, Moment, Motion, Phi,
-    Release, Sign, Signs, Start, State, Stepper, Tabular, Tick, Top,
+    BranchPoints, Complex, Ephemeris, EphemerisScalar, FirstIntegrals, Motion, Orientation, ParameterError,
+    PeriodAdvance, Release, Sample, Sign, Signs, Start, State, Stepper, Tick, Top, TopParameters,
 };
 
 /// Steps of each motion.
@@ -18,7 +18,7 @@ const TICKS: usize = 2000;
 ///
 /// # Errors
 /// None: the motions are possible.
-pub fn of_every_stage(mut report: impl FnMut(&str, &str, u64)) -> Result<(), LaunchError> {
+pub fn of_every_stage(mut report: impl FnMut(&str, &str, u64)) -> Result<(), ParameterError> {
     for (name, motion, dt) in [
         ("toy_top", toy_top()?, 1e-3),
         ("near_separatrix", near_separatrix()?, 0.01),
@@ -26,28 +26,28 @@ pub fn of_every_stage(mut report: impl FnMut(&str, &str, u64)) -> Result<(), Lau
     ] {
         report(name, "first_integrals", Hash::default().integrals(&motion.first_integrals()).0);
         report(name, "branch_points", Hash::default().branch_points(&motion.branch_points()).0);
-        report(name, "averages", Hash::default().averages(motion.averages()).0);
+        report(name, "averages", Hash::default().averages(motion.period_advance()).0);
         let least_force =
             motion.min_normal_force().map_or(Hash::default(), |force| Hash::default().number(force));
         report(name, "normal_force", least_force.0);
-        let [phi, tip, omega] = ticks::<f32>(&motion, dt);
-        report(name, "stepper_f32_phi", phi.0);
+        let [orientation, tip, omega] = ticks::<f32>(&motion, dt);
+        report(name, "stepper_f32_phi", orientation.0);
         report(name, "stepper_f32_tip", tip.0);
         report(name, "stepper_f32_omega", omega.0);
-        let [phi, tip, omega] = ticks::<f64>(&motion, dt);
-        report(name, "stepper_f64_phi", phi.0);
+        let [orientation, tip, omega] = ticks::<f64>(&motion, dt);
+        report(name, "stepper_f64_phi", orientation.0);
         report(name, "stepper_f64_tip", tip.0);
         report(name, "stepper_f64_omega", omega.0);
-        let [any, next] = table::<f32>(&motion);
+        let [any, next] = table::<f32, 25>(&motion);
         report(name, "ephemeris_f32", any.0);
         report(name, "cursor_f32", next.0);
-        let [any, next] = table::<f64>(&motion);
+        let [any, next] = table::<f64, 16>(&motion);
         report(name, "ephemeris_f64", any.0);
         report(name, "cursor_f64", next.0);
-        let [any, next] = table::<I2F30>(&motion);
+        let [any, next] = table::<I2F30, 32>(&motion);
         report(name, "ephemeris_q31", any.0);
         report(name, "cursor_q31", next.0);
-        let [any, next] = table::<I2F14>(&motion);
+        let [any, next] = table::<I2F14, 16>(&motion);
         report(name, "ephemeris_q15", any.0);
         report(name, "cursor_q15", next.0);
     }
@@ -55,25 +55,45 @@ pub fn of_every_stage(mut report: impl FnMut(&str, &str, u64)) -> Result<(), Lau
 }
 
 /// A real toy top in SI units, thrown from all six numbers of a release.
-fn toy_top() -> Result<Motion, LaunchError> {
-    let top = Top::sliding(3.0e-5, 2.0e-5, 0.03, Heaviness::Mass(0.05), 9.81)?;
+fn toy_top() -> Result<Motion, ParameterError> {
+    let top = Top::sliding(&TopParameters {
+        transverse_inertia: 3.0e-5,
+        axial_inertia: 2.0e-5,
+        com_height: 0.03,
+        mass: 0.05,
+        gravity: 9.81,
+        ..TopParameters::default()
+    })?;
     let release =
         Release { tilt: 0.35, azimuth: 0.4, roll: -2.0, spin: 150.0, precession: 3.0, nutation: -1.5 };
     Motion::launch(&top, &State::release(&release)?)
 }
 
 /// e₃ - e₂ = 1e-3, falling, loops, C > A; from branch points, in the paper's units.
-fn near_separatrix() -> Result<Motion, LaunchError> {
-    let top = Top::sliding(1.0, 1.5, 1.0, Heaviness::MassMoment(1.0), 1.0)?;
+fn near_separatrix() -> Result<Motion, ParameterError> {
+    let top = Top::sliding(&TopParameters {
+        transverse_inertia: 1.0,
+        axial_inertia: 1.5,
+        com_height: 1.0,
+        mass_moment: 1.0,
+        gravity: 1.0,
+        ..TopParameters::default()
+    })?;
     let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
     let start = Start { theta: -2.0, arg_alpha: 0.3, arg_beta: 2.5 };
     Motion::from_branch_points(&top, [-0.5, 0.9995, 1.0005], signs, &start)
 }
 
 /// A tip that is held, and an axis that passes just by the vertical; from α, β and ω.
-fn lagrange() -> Result<Motion, LaunchError> {
-    let top = Top::fixed(1.0, 0.7, 1.0, 1.0)?;
-    let phi = Phi { alpha: Complex::new(0.6, 0.0), beta: Complex::new(0.0, 0.8) };
+fn lagrange() -> Result<Motion, ParameterError> {
+    let top = Top::fixed(&TopParameters {
+        transverse_inertia: 1.0,
+        axial_inertia: 0.7,
+        mass_moment: 1.0,
+        gravity: 1.0,
+        ..TopParameters::default()
+    })?;
+    let phi = Orientation { alpha: Complex::new(0.6, 0.0), beta: Complex::new(0.0, 0.8) };
     Motion::launch(&top, &State::new(phi, [0.1, -1.3, 0.9])?)
 }
 
@@ -83,35 +103,39 @@ fn ticks<R: Real + Into<f64>>(motion: &Motion, dt: f64) -> [Hash; 3] {
     let mut hashes = [Hash::default(); 3];
     for factor in [1.0, 0.5, -0.25, 2.0].into_iter().cycle().take(TICKS) {
         stepper.step(R::from_f64(dt * factor));
-        let (pose, tip) = (stepper.pose(), stepper.tip());
-        let [phi_hash, tip_hash, omega_hash] = hashes;
-        let tip_hash = tip_hash.complex(tip.c).complex(tip.velocity);
+        let Orientation { alpha, beta } = stepper.orientation();
+        let [orientation, tip, omega] = hashes;
+        let tip = tip.complex(stepper.tip()).complex(stepper.tip_velocity());
         hashes = [
-            phi_hash.complex(pose.phi.alpha).complex(pose.phi.beta),
-            tip.angle.map_or(tip_hash, |angle| tip_hash.number(angle.phi.to_f64()).number(angle.rate)),
-            omega_hash.vector(pose.omega()),
+            orientation.complex(alpha).complex(beta),
+            stepper
+                .tip_angle()
+                .map_or(tip, |angle| tip.number(angle.to_f64()).number(stepper.tip_angle_rate())),
+            omega.vector(stepper.omega()),
         ];
     }
     hashes
 }
 
-/// Everything that a moment says, at ticks far apart and at consecutive ones. The table is of a size that the smallest chip
-/// has room for, exact or not.
-fn table<R: Tabular<Wide: Into<f64>> + Into<f64>>(motion: &Motion) -> [Hash; 2] {
+/// Orientation, tip and ω of samples at ticks far apart, and orientation and tip at consecutive ticks. The tables are small enough for 16 KiB of RAM,
+/// whether or not the motion would need more segments.
+fn table<R: EphemerisScalar<Wide: Into<f64>> + Into<f64>, const SEGMENTS: usize>(
+    motion: &Motion,
+) -> [Hash; 2] {
     let mut hashes = [Hash::default(); 2];
-    let mut ephemeris = Ephemeris::<R, 25, 5>::EMPTY;
+    let mut ephemeris = Ephemeris::<R, SEGMENTS>::EMPTY;
     let fits = Tick::hertz(1000).map(|tick| ephemeris.set_up(motion, tick, f64::INFINITY));
     let Ok(Ok(())) = fits else { return hashes };
-    let moment = |hash: Hash, moment: Moment<'_, R, 25, 5>| {
-        let (phi, tip) = moment.phi_and_tip();
-        hash.complex(phi.alpha).complex(phi.beta).complex(tip)
+    let with_sample = |hash: Hash, sample: Sample<'_, R>| {
+        let (Orientation { alpha, beta }, tip) = sample.orientation_and_tip();
+        hash.complex(alpha).complex(beta).complex(tip)
     };
     let mut cursor = ephemeris.cursor(-3);
     for n in (-7_i64..).take(TICKS) {
         let [any, next] = hashes;
         // from years before the launch to years after it
         let apart = ephemeris.at_tick(n << 33);
-        hashes = [moment(any, apart).vector(apart.pose().omega()), moment(next, cursor.next())];
+        hashes = [with_sample(any, apart).vector(apart.omega()), with_sample(next, cursor.next(&ephemeris))];
     }
     hashes
 }
@@ -153,9 +177,9 @@ impl Hash {
             .fold(self, Self::number)
     }
 
-    fn averages(self, averages: Option<Averages>) -> Self {
+    fn averages(self, averages: Option<PeriodAdvance>) -> Self {
         averages.map_or(self, |averages| {
-            let Averages { period, alpha_turns, beta_turns } = averages;
+            let PeriodAdvance { period, alpha_turns, beta_turns, .. } = averages;
             self.number(period).number(alpha_turns).number(beta_turns)
         })
     }

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""The course of benches/rivals.rs by heyoka, a general Taylor integrator that compiles the equations it is given.
+"""The motion of benches/methods.rs by heyoka, a general Taylor integrator that compiles the equations it is given.
 
     python3 -m pip install heyoka numpy
     cargo build --release --bin toytop && python3 host/benches/by_heyoka.py target/release/toytop
 
 Prints, for several tolerances, time a period (compiling apart) and greatest error in the last of 10 and of 1000 nutation
-periods, each with 16 orientations; --json instead prints what `toytop report --rivals FILE` shows. The truth is `toytop state` by the ephemeris in f64, some 1e-15 rad.
+periods, each with 16 orientations; --json instead prints what `toytop-lab report --others FILE` shows. The truth is `toytop state` by the ephemeris in f64, some 1e-15 rad.
 """
 import json, subprocess, sys, tempfile, time
 import numpy as np

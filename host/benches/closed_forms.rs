@@ -2,14 +2,30 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
-use toytop::exact::{ClosedForm, Jacobi, Weierstrass};
-use toytop::{Complex, Heaviness, Motion, Signs, Start, Top};
+use toytop::elliptic::{Jacobi, Weierstrass};
+use toytop::exact::ClosedForm;
+use toytop::{Complex, Motion, Signs, Start, Top, TopParameters};
 
 /// One motion of each kind that has a form.
 fn motions() -> [(&'static str, Motion); 4] {
     // e4 = 2 exactly
-    let sliding = Top::sliding(3.0, 2.0, 1.0, Heaviness::MassMoment(1.0), 1.0).expect("a top");
-    let held = Top::fixed(3.0, 2.0, 1.0, 1.0).expect("a top");
+    let sliding = Top::sliding(&TopParameters {
+        transverse_inertia: 3.0,
+        axial_inertia: 2.0,
+        com_height: 1.0,
+        mass_moment: 1.0,
+        gravity: 1.0,
+        ..TopParameters::default()
+    })
+    .expect("a top");
+    let held = Top::fixed(&TopParameters {
+        transverse_inertia: 3.0,
+        axial_inertia: 2.0,
+        mass_moment: 1.0,
+        gravity: 1.0,
+        ..TopParameters::default()
+    })
+    .expect("a top");
     let motion = |top: &Top, e: [f64; 3]| {
         Motion::from_branch_points(top, e, Signs::default(), &Start::default()).expect("a motion")
     };

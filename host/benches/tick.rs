@@ -3,41 +3,37 @@
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use fixed::types::{I2F14, I2F30};
 use std::hint::black_box;
-use toytop::real::Real;
-use toytop::{Ephemeris, FixedStepper, Motion, Stepper, Tabular, Tick};
-use toytop_host::race::NUMBERS;
+use toytop::scalar::Real;
+use toytop::{Ephemeris, EphemerisScalar, Motion, Stepper, Tick};
+use toytop_host::measure::benchmark::NUMBERS;
 
 /// Of a batch: enough to time, few enough to stay in the cache.
 const TICKS: usize = 4096;
 /// The first of them.
 const FIRST: i64 = 1 << 40;
 
-fn ephemeris<R: Tabular, const SEGMENTS: usize, const TERMS: usize>(
-    c: &mut Criterion,
-    name: &str,
-    motion: &Motion,
-) {
+fn ephemeris<R: EphemerisScalar, const SEGMENTS: usize>(c: &mut Criterion, name: &str, motion: &Motion) {
     let tick = Tick::hertz(1024).expect("a tick");
-    let table = Ephemeris::<R, SEGMENTS, TERMS>::new(motion, tick).expect("a table that fits");
-    let mut group = c.benchmark_group(format!("ephemeris {name}, {SEGMENTS}x{TERMS}"));
+    let table = Ephemeris::<R, SEGMENTS>::new(motion, tick).expect("a table that fits");
+    let mut group = c.benchmark_group(format!("ephemeris {name}, {SEGMENTS}x{}", R::TERMS));
     let mut n = FIRST;
     let mut cursor = table.cursor(FIRST);
-    group.bench_function("next tick", |b| b.iter(|| cursor.next().phi()));
-    group.bench_function("next tick, and its tip", |b| b.iter(|| cursor.next().phi_and_tip()));
+    group.bench_function("next tick", |b| b.iter(|| cursor.next(&table).orientation()));
+    group.bench_function("next tick, and its tip", |b| b.iter(|| cursor.next(&table).orientation_and_tip()));
     let mut next = || {
         n += 1;
         black_box(n)
     };
-    group.bench_function("any tick", |b| b.iter(|| table.at_tick(next()).phi()));
-    group.bench_function("any tick, with rates", |b| b.iter(|| table.at_tick(next()).pose()));
+    group.bench_function("any tick", |b| b.iter(|| table.at_tick(next()).orientation()));
+    group.bench_function("any tick, with rates", |b| b.iter(|| table.at_tick(next()).attitude_state()));
     let mut t = 0.0;
     let mut later = || {
         t += 0.37;
         black_box(t)
     };
-    group.bench_function("any time", |b| b.iter(|| table.at(later()).phi()));
+    group.bench_function("any time", |b| b.iter(|| table.at(later()).orientation()));
     group.throughput(Throughput::Elements(TICKS as u64));
-    let mut out = vec![table.at_tick(FIRST).phi(); TICKS];
+    let mut out = vec![table.at_tick(FIRST).orientation(); TICKS];
     group.bench_function("batch", |b| b.iter(|| table.fill(black_box(FIRST), black_box(&mut out))));
     group.finish();
 }
@@ -49,7 +45,7 @@ fn stepper<R: Real>(c: &mut Criterion, name: &str, motion: &Motion) {
     let go = |stepper: &mut Stepper<R>| {
         for _ in 0..TICKS {
             stepper.step(dt);
-            black_box(stepper.phi());
+            black_box(stepper.orientation());
         }
     };
     let start = || Stepper::<R>::new(motion);
@@ -57,32 +53,14 @@ fn stepper<R: Real>(c: &mut Criterion, name: &str, motion: &Motion) {
     group.finish();
 }
 
-fn fixed_stepper(c: &mut Criterion, motion: &Motion) {
-    let mut stepper =
-        FixedStepper::<32, 8>::new(motion, Tick::hertz(1024).expect("a tick")).expect("it fits");
-    let mut group = c.benchmark_group("stepper q31");
-    group.throughput(Throughput::Elements(TICKS as u64));
-    let steps = |b: &mut criterion::Bencher<'_>| {
-        b.iter(|| {
-            for _ in 0..TICKS {
-                stepper.step();
-                black_box(stepper.phi());
-            }
-        });
-    };
-    group.bench_function("steps", steps);
-    group.finish();
-}
-
 fn ticks(c: &mut Criterion) {
     let motion = NUMBERS.motion().expect("a motion");
-    ephemeris::<f32, 25, 5>(c, "f32", &motion);
-    ephemeris::<f64, 48, 11>(c, "f64", &motion);
-    ephemeris::<I2F30, 64, 5>(c, "q31", &motion);
-    ephemeris::<I2F14, 32, 4>(c, "q15", &motion);
+    ephemeris::<f32, 25>(c, "f32", &motion);
+    ephemeris::<f64, 48>(c, "f64", &motion);
+    ephemeris::<I2F30, 64>(c, "q31", &motion);
+    ephemeris::<I2F14, 32>(c, "q15", &motion);
     stepper::<f32>(c, "f32", &motion);
     stepper::<f64>(c, "f64", &motion);
-    fixed_stepper(c, &motion);
 }
 
 criterion_group!(benches, ticks);

@@ -1,27 +1,22 @@
 //! One file a command. A command returns its whole output; nothing is printed before all of it is there.
 
-mod accuracy;
+pub mod accuracy;
 mod bake;
 mod bench;
 mod budget;
-mod compare;
+pub mod compare;
 mod constants;
 mod errata;
 mod figures;
-mod longrun;
-mod overflow;
 mod plot;
-mod report;
-mod sines;
 mod state;
-mod study;
 mod sweep;
 mod view;
 
 use crate::Failure;
 use crate::cli::{self, Command};
-use crate::reality;
-use crate::scenario::Scenario;
+use crate::input::scenario::Scenario;
+use crate::motion::physical_limits;
 use toytop::Motion;
 
 /// What a command has to say.
@@ -37,7 +32,8 @@ pub struct Report {
 
 impl Report {
     /// Adds remarks on the result: below a table, but beside what another program will read.
-    fn with_remarks(mut self, remarks: impl IntoIterator<Item = String>, below: bool) -> Self {
+    #[must_use]
+    pub fn with_remarks(mut self, remarks: impl IntoIterator<Item = String>, below: bool) -> Self {
         for remark in remarks {
             if below {
                 self.text.push_str(&format!("{remark}\n"));
@@ -63,14 +59,9 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Bake(arguments) => bake::run(arguments),
         Command::Figures(arguments) => figures::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
-        Command::Report(arguments) => report::run(arguments),
         Command::Budget(arguments) => budget::run(arguments),
         Command::Errata(arguments) => errata::run(arguments),
         Command::Accuracy(arguments) => accuracy::run(arguments),
-        Command::Sines(arguments) => sines::run(arguments),
-        Command::Overflow(arguments) => overflow::run(arguments),
-        Command::Study(arguments) => study::run(arguments),
-        Command::Longrun(arguments) => longrun::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Completions(arguments) => {
             let script = String::from_utf8_lossy(&cli::completions(arguments.shell)).into_owned();
@@ -83,12 +74,27 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
 fn unreal(scenarios: &[Scenario]) -> Vec<String> {
     let line = |what: &str, number: fn(&Motion) -> Option<f64>, digits: usize| {
         let of = |scenario: &Scenario| {
-            number(&scenario.motion).map(|number| format!("{} ({number:.digits$})", scenario.name))
+            number(&scenario.motion).map(|number| format!("{} ({})", scenario.name, rounded(number, digits)))
         };
         let named: Vec<_> = scenarios.iter().filter_map(of).collect();
         (!named.is_empty()).then(|| format!("warning: a real top would {what}: {}", named.join(", ")))
     };
-    let pulled = line("leave the plane (least normal force / weight)", reality::pulled, 3);
-    let fallen = line("fall on its side (greatest tilt, degrees)", reality::fallen, 1);
-    [pulled, fallen].into_iter().flatten().collect()
+    let pulled = line("leave the plane (least normal force / weight)", physical_limits::pulled, 3);
+    let fallen = line("fall on its side (greatest tilt, degrees)", physical_limits::fallen, 1);
+    let upright: Vec<_> = scenarios
+        .iter()
+        .filter(|scenario| physical_limits::unstable(&scenario.motion))
+        .map(|scenario| scenario.name.as_str())
+        .collect();
+    let unstable = (!upright.is_empty()).then(|| {
+        let names = upright.join(", ");
+        format!("warning: upright for ever by the equations, but unstable (a real top would fall): {names}")
+    });
+    [pulled, fallen, unstable].into_iter().flatten().collect()
+}
+
+/// So many digits after the point, or in scientific notation where these are all 0.
+fn rounded(number: f64, digits: usize) -> String {
+    let text = format!("{number:.digits$}");
+    if text.bytes().any(|byte| (b'1'..=b'9').contains(&byte)) { text } else { format!("{number:.1e}") }
 }

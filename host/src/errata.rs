@@ -1,9 +1,10 @@
 //! The slips of the printed paper: each formula as printed and as corrected, and how far either is from the truth.
 //!
-//! The truth is the full equations: [`crate::newton_euler`] at one instant, [`crate::full_solver`] along a motion. All
+//! The truth is the full equations: [`crate::full_equations::newton_euler`] at one instant, [`crate::full_equations::full_solver`] along a motion. All
 //! tops and motions here are generic, with numbers near 1, so a residual near 1 is a formula that is wrong.
 
 mod aperiodic;
+pub mod contour;
 mod curve;
 mod e3_equals_e4;
 mod instant;
@@ -11,7 +12,7 @@ mod kinematics;
 mod tip;
 mod weierstrass;
 
-use crate::full_solver::{FullSolverError, FullState, FullTop};
+use crate::full_equations::full_solver::{FullSolverError, FullState, FullTop};
 
 /// How far the printed and the corrected version are from the truth, both without unit.
 pub type Residuals = Result<[f64; 2], FullSolverError>;

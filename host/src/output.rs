@@ -1,5 +1,10 @@
 //! Records as CSV and JSON, numbers with 17 significant digits: what is read back is the number that was computed.
 
+pub mod doc_markers;
+pub mod names;
+pub mod progress;
+pub mod whole_file;
+
 use comfy_table::presets::NOTHING;
 use comfy_table::{CellAlignment, Row, Table};
 use serde::ser::{Serialize, SerializeMap, Serializer};

@@ -1,6 +1,6 @@
 """Makes elliptic.json: Weierstrass's and Jacobi's functions to 30 digits, at arguments that are exact in f64.
 
-The Weierstrass functions come from their Laurent series at 0 and the duplication formulas, at 120 digits: z is halved until
+The Weierstrass functions come from their Laurent series at 0 and the duplication formulas, at 300 digits: z is halved until
 the series converges, then doubled again. Jacobi's come from the theta series of mpmath at 60 digits, K from its AGM with the
 complementary parameter. The library uses neither: it has theta series for the first and Landen's chain for the second.
 
@@ -11,10 +11,10 @@ import json
 import random
 from mpmath import mp, mpf, mpc, nstr, log, agm, pi, sqrt, nint, jtheta, exp
 
-mp.dps = 120
+mp.dps = 300
 
 
-def laurent(g2, g3, terms=60):
+def laurent(g2, g3, terms=170):
     """c_k of p(z) = z^-2 + sum c_k z^(2k-2), k >= 2."""
     c = {2: g2 / 20, 3: g3 / 28}
     for k in range(4, terms):
@@ -48,10 +48,11 @@ def half_periods(e):
     return pi / 2 / agm(sqrt(e1 - e3), sqrt(e1 - e2)), pi / 2 / agm(sqrt(e1 - e3), sqrt(e2 - e3))
 
 
-def digits(x):
+def digits(x, zero="1e-45"):
+    """To 30 digits; what is below the rounding of its computation counts as 0."""
     if isinstance(x, mpc):
-        return [digits(x.real), digits(x.imag)]
-    return nstr(mpf(0) if abs(x) < mpf("1e-45") else mpf(x), 30, strip_zeros=False)
+        return [digits(x.real, "1e-90"), digits(x.imag, "1e-90")]
+    return nstr(mpf(0) if abs(x) < mpf(zero) else mpf(x), 30, strip_zeros=False)
 
 
 def lattice(upper, lower, generator):
@@ -98,11 +99,11 @@ def jacobi(m1, generator):
 def main():
     generator = random.Random(6)
     gaps = [(1.0, 1.0), (0.5, 2.0), (2.0, 0.5), (1.5, 1e-3), (1e-3, 1.5), (1e-9, 0.75), (0.75, 1e-9), (3e4, 7e3),
-            (1e-4, 3e-4), (0.00390625, 1024.0)]
+            (1e-4, 3e-4), (0.00390625, 1024.0), (1.0, 3e-24), (2e-24, 0.75), (7e-25, 40.0), (1e-30, 1e-7)]
     lattices = [lattice(upper, lower, generator) for upper, lower in gaps]
     mp.dps = 60
     # dyadic, so that m + m1 = 1 to the last bit wherever m has room for it
-    complements = [0.5, 0.25, 0.75, 0.9990234375, 2.0**-10, 2.0**-30, 2.0**-52, 2.0**-70]
+    complements = [0.5, 0.25, 0.75, 0.9990234375, 2.0**-10, 2.0**-30, 2.0**-52, 2.0**-70, 6e-31, 2.0**-100, 3e-18]
     jacobis = [jacobi(m1, generator) for m1 in complements]
     print(json.dumps({"lattices": lattices, "jacobi": jacobis}, indent=1))
 

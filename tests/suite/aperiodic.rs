@@ -1,15 +1,16 @@
-//! Section 5.3, e₂ = e₃ = 1: the paper's formulas written out, with the slips of the print corrected, against the closed form
-//! in core; and any time whatever.
+//! Section 5.3, e₂ = e₃ = 1: the paper's formulas written out, with the printed errors corrected, against the closed
+//! form in core; and the closed form at extreme times.
 
 use std::f64::consts::FRAC_PI_2;
-use toytop::exact::{Aperiodic, Weierstrass, carlson_rf};
-use toytop::{Complex, Heaviness, Motion, Phi, Sign, Signs, Start, Top};
+use toytop::elliptic::{Weierstrass, carlson_rf};
+use toytop::exact::Aperiodic;
+use toytop::{Complex, Motion, Orientation, Sign, Signs, Start, Top, TopParameters};
 use toytop_tests::complex::{C, I, from, to};
-use toytop_tests::{greater, orientation_error, tolerance};
+use toytop_tests::{greater, tolerance};
 
 const E4: f64 = 1.5;
 
-/// One motion in the paper's symbols, with its initial conditions: u = e₁, α > 0, β in iℝ₊. A = C = 5/4, s = p = 1.
+/// Motion in the paper's symbols, with initial conditions u = e₁, α > 0, β in iℝ₊. A = C = 5/4, s = p = 1.
 struct Paper {
     motion: Motion,
     e1: f64,
@@ -28,7 +29,15 @@ fn motion(top: &Top, e1: f64, sign: Sign) -> Motion {
 }
 
 fn sliding() -> Top {
-    Top::sliding(1.25, 1.25, 1.0, Heaviness::MassMoment(1.0), 1.0).unwrap()
+    Top::sliding(&TopParameters {
+        transverse_inertia: 1.25,
+        axial_inertia: 1.25,
+        com_height: 1.0,
+        mass_moment: 1.0,
+        gravity: 1.0,
+        ..TopParameters::default()
+    })
+    .unwrap()
 }
 
 impl Paper {
@@ -39,7 +48,7 @@ impl Paper {
         let [real, imaginary] = lattice.half_periods();
         let omega3 = C::new(real, imaginary);
         let w_minus = 2_f64.sqrt() * (1.0 - E4 * E4) * motion.first_integrals().l / 1.25;
-        // ∫ du/√R from -1 to e₁, ∫ du/√(-R) from e₁ to 1 (the print has √R, √(-R))
+        // ∫ du/√R from -1 to e₁, ∫ du/√(-R) from e₁ to 1 (printed as √R, √(-R))
         let to_e1 = (1.0 + e1).sqrt() * carlson_rf((1.0 + E4) * above, (E4 - 1.0) * below, below * above);
         let to_one = (1.0 - e1).sqrt() * carlson_rf((E4 - 1.0) * above, (E4 + 1.0) * below, below * above);
         let p_prime = |x: C| from(lattice.p_prime(to(x - omega3)));
@@ -60,18 +69,18 @@ impl Paper {
         from(self.lattice.p(to(x - self.omega3))) + self.e1 / 3.0
     }
 
-    /// log(-σ(x - b)/σ(x + b)), the branch that is 0 at x = 0: real for x between ±b.
+    /// Logarithm log(-σ(x - b)/σ(x + b)), in the branch that is 0 at x = 0 and real for x between ±b.
     fn log(&self, x: C) -> C {
         (-self.sigma(x - self.b) / self.sigma(x + self.b)).ln()
     }
 
-    /// ∫ du/((u - 1) w), eqn:I1.
+    /// Integral ∫ du/((u - 1) w), equation (5.15).
     fn i1(&self, x: C) -> C {
         let zetas = self.zeta(self.omega3) + self.zeta(self.b - self.omega3);
         (self.log(x) + zetas * x * 2.0) / self.w_plus
     }
 
-    /// ∫ (u + 1) du/w, eqn:I2.
+    /// Integral ∫ (u + 1) du/w, equation (5.16).
     fn i2(&self, x: C) -> C {
         x * (1.0 + self.e1 / 3.0) - self.zeta(x - self.omega3) - self.zeta(self.omega3)
     }
@@ -80,7 +89,7 @@ impl Paper {
         I * 2_f64.sqrt() * (self.i2(x) + self.i1(x) * (1.0 - E4 * E4))
     }
 
-    fn phi(&self, x: C) -> Phi<f64> {
+    fn phi(&self, x: C) -> Orientation<f64> {
         let (a, b, omega3) = (self.a, self.b, self.omega3);
         let p = C::from(self.w_minus) / (self.w_plus * 2.0);
         let k = self.sigma(omega3) / self.sigma(a) * ((1.0 + self.e1) / 2.0).sqrt();
@@ -88,7 +97,7 @@ impl Paper {
             - self.w_minus / (1.0 - E4 * E4)
             - p * (self.zeta(a + b) - self.zeta(a - b));
         let alpha = k * (l * x - p * self.log(x)).exp() * self.sigma(x - a) / self.sigma(x - omega3);
-        Phi { alpha: to(alpha), beta: to(I * ((C::from(1.0) - self.u(x)) / 2.0).sqrt()) }
+        Orientation { alpha: to(alpha), beta: to(I * ((C::from(1.0) - self.u(x)) / 2.0).sqrt()) }
     }
 }
 
@@ -100,7 +109,7 @@ fn papers() -> Vec<Paper> {
         .collect()
 }
 
-/// a lies over (-1, w₋₁), b over u = 1; u runs from e₁.
+/// The point a lies over (-1, w₋₁), the point b over u = 1, and x = 0 over u = e₁.
 #[test]
 fn the_uniformization() {
     for paper in papers() {
@@ -124,7 +133,7 @@ fn eqn_i1_and_eqn_i2() {
     }
 }
 
-/// The paper's t, α and β on the path from 0 to ±b are core's.
+/// The paper's t, α and β on the path from 0 to ±b equal those of core.
 #[test]
 fn eqn_tpolydiv_eqn_aperform() {
     let mut worst = 0.0_f64;
@@ -135,7 +144,7 @@ fn eqn_tpolydiv_eqn_aperform() {
             let t = paper.t(x);
             assert!(t.im.abs() < 1e-13 && t.re * share >= 0.0, "{t}");
             let pose = form.at(t.re);
-            worst = greater(worst, orientation_error(pose.phi, paper.phi(x)));
+            worst = greater(worst, pose.orientation.distance(&paper.phi(x)));
         }
     }
     tolerance::AS_THE_PAPER_HAS_IT.check("aperiodic", worst);
@@ -144,8 +153,23 @@ fn eqn_tpolydiv_eqn_aperform() {
 /// u = e₁ + (1 - e₁) tanh² v, |β| = √((1 - e₁)/2) sech v, dt/dv = √(2D/(g (1 - e₁))).
 #[test]
 fn the_elementary_form() {
-    let fixed = Top::fixed(1.25, 0.75, 1.5, 3.0).unwrap();
-    let slid = Top::sliding(1.25, 0.75, 0.5, Heaviness::MassMoment(1.5), 3.0).unwrap();
+    let fixed = Top::fixed(&TopParameters {
+        transverse_inertia: 1.25,
+        axial_inertia: 0.75,
+        mass_moment: 1.5,
+        gravity: 3.0,
+        ..TopParameters::default()
+    })
+    .unwrap();
+    let slid = Top::sliding(&TopParameters {
+        transverse_inertia: 1.25,
+        axial_inertia: 0.75,
+        com_height: 0.5,
+        mass_moment: 1.5,
+        gravity: 3.0,
+        ..TopParameters::default()
+    })
+    .unwrap();
     for (top, e1) in [(fixed, -0.4), (fixed, 0.9), (slid, -0.4), (slid, 0.9)] {
         let form = Aperiodic::new(&motion(&top, e1, Sign::Minus)).unwrap();
         for t in [-6.0, -1.5, 0.0, 0.25, 3.0, 9.0] {
@@ -153,40 +177,61 @@ fn the_elementary_form() {
             let u = e1 + (1.0 - e1) * v.tanh().powi(2);
             let beta = ((1.0 - e1) / 2.0).sqrt() / v.cosh();
             assert!((pose.u() - u).abs() < 1e-14);
-            assert!((pose.phi.beta.norm_squared().sqrt() / beta - 1.0).abs() < 1e-13);
+            assert!((pose.orientation.beta.norm_squared().sqrt() / beta - 1.0).abs() < 1e-13);
             let h = 1e-4;
             let slope = 2.0 * h / (form.v(t + h) - form.v(t - h));
-            let d = top.a() / top.p() + top.s() * (1.0 - u * u);
+            let d = top.transverse_inertia() / top.mass_moment() + top.com_height() * (1.0 - u * u);
             assert!((slope / (2.0 * d / (3.0 * (1.0 - e1))).sqrt() - 1.0).abs() < 1e-7);
-            if top.s() == 0.0 {
+            if top.com_height() == 0.0 {
                 assert!((v - t * (1.5 * 3.0 * (1.0 - e1) / 2.5_f64).sqrt()).abs() < 1e-14 * (1.0 + v.abs()));
             }
         }
     }
 }
 
-/// Where 1 - u has no digits left: upright, of unit norm, and α turns at its last rate, (l/A + τ)/2 = n/(2C).
+/// Where 1 - u has no correct digits, the axis is upright, the norm is 1, and α rotates at its final rate, (l/A +
+/// τ)/2 = n/(2C).
 #[test]
 fn upright_to_rounding_at_any_time() {
-    let slid = Top::sliding(1.25, 0.75, 0.5, Heaviness::MassMoment(1.5), 3.0).unwrap();
-    for top in [Top::fixed(1.25, 0.75, 1.5, 3.0).unwrap(), slid, sliding()] {
+    let slid = Top::sliding(&TopParameters {
+        transverse_inertia: 1.25,
+        axial_inertia: 0.75,
+        com_height: 0.5,
+        mass_moment: 1.5,
+        gravity: 3.0,
+        ..TopParameters::default()
+    })
+    .unwrap();
+    for top in [
+        Top::fixed(&TopParameters {
+            transverse_inertia: 1.25,
+            axial_inertia: 0.75,
+            mass_moment: 1.5,
+            gravity: 3.0,
+            ..TopParameters::default()
+        })
+        .unwrap(),
+        slid,
+        sliding(),
+    ] {
         for (e1, sign) in [(-0.4, Sign::Plus), (0.8, Sign::Minus), (-1.0, Sign::Plus)] {
             let motion = motion(&top, e1, sign);
             let form = Aperiodic::new(&motion).unwrap();
-            let rate = 0.5 * motion.first_integrals().n / top.c();
+            let rate = 0.5 * motion.first_integrals().n / top.axial_inertia();
             for sense in [1.0, -1.0] {
                 for t in [60.0, 1e3, 1e6, 1e12, 1e15, 1e300].map(|t| sense * t) {
                     let pose = form.at(t);
-                    assert!((pose.phi.norm_squared() - 1.0).abs() < 1e-13, "{e1} {t}");
+                    assert!((pose.orientation.norm_squared() - 1.0).abs() < 1e-13, "{e1} {t}");
                     assert!((pose.u() - 1.0).abs() < 1e-13 && pose.udot().abs() < 1e-13, "{e1} {t}");
                     assert!(pose.omega().iter().all(|w| w.is_finite()), "{e1} {t}");
                 }
-                let turned = form.at(sense * 400.0).phi.alpha * form.at(sense * 300.0).phi.alpha.conj();
+                let turned = form.at(sense * 400.0).orientation.alpha
+                    * form.at(sense * 300.0).orientation.alpha.conj();
                 let (sine, cosine) = (sense * 100.0 * rate).sin_cos();
                 assert!(
                     (turned - Complex::new(cosine, sine)).norm_squared() < 1e-24,
                     "{e1} {turned:?} {rate} {} {sense}",
-                    top.s()
+                    top.com_height()
                 );
             }
         }

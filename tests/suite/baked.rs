@@ -1,4 +1,4 @@
-//! An ephemeris as literal data: nothing is lost, and nothing that was changed is read.
+//! Ephemerides as literal data: no bit is lost, and changed data are refused.
 
 use fixed::types::{I2F14, I2F30};
 use toytop::{Baked, BakedError, Ephemeris, Tick};
@@ -9,37 +9,41 @@ fn there_and_back_to_the_bit() {
     let (mut fitting, mut fitting_fixed, mut aperiodic) = (0, 0, 0);
     for vector in vectors::all() {
         let (name, motion) = (&vector.name, vector.motion().unwrap());
-        let single = Ephemeris::<f32, 256, 7>::new(&motion, Tick::hertz(1000).unwrap()).unwrap();
+        let single = Ephemeris::<f32, 256>::new(&motion, Tick::hertz(1000).unwrap()).unwrap();
         let baked = single.to_baked();
         let back = baked.ephemeris().unwrap();
         assert!(back == single, "{name}");
         // the checksum sees the sign of a zero, which `==` does not
-        assert_eq!(back.to_baked().checksum, baked.checksum, "{name}");
-        aperiodic += u32::from(baked.horizon.is_some());
-        if let Ok(long) = Ephemeris::<I2F30, 256, 7>::new(&motion, Tick::hertz(8000).unwrap()) {
+        assert_eq!(back.to_baked().crc32, baked.crc32, "{name}");
+        aperiodic += u32::from(baked.clock.horizon.is_some());
+        if let Ok(long) = Ephemeris::<I2F30, 256>::new(&motion, Tick::hertz(8000).unwrap()) {
             let baked = long.to_baked();
             let back = baked.ephemeris().unwrap();
-            assert!(back == long && back.to_baked().checksum == baked.checksum, "{name}");
-            // the same numbers are no table of another scalar
-            assert_ne!(baked.checksum, single.to_baked().checksum, "{name}");
+            assert!(back == long && back.to_baked().crc32 == baked.crc32, "{name}");
+            // data of one scalar are refused by another, even with equal numbers
+            assert_ne!(baked.crc32, single.to_baked().crc32, "{name}");
             fitting_fixed += 1;
         }
-        if let Ok(short) = Ephemeris::<I2F14, 128, 4>::new(&motion, Tick::hertz(8000).unwrap()) {
+        if let Ok(short) = Ephemeris::<I2F14, 128>::new(&motion, Tick::hertz(8000).unwrap()) {
             let mut baked = short.to_baked();
             let back = baked.ephemeris().unwrap();
-            assert!(back == short && back.to_baked().checksum == baked.checksum, "{name}");
-            baked.coefficients[127][3][3] ^= 1;
+            assert!(back == short && back.to_baked().crc32 == baked.crc32, "{name}");
+            baked.segments[127][2][3] ^= 1;
             assert!(baked.ephemeris().is_err(), "{name}");
             fitting_fixed += 1;
         }
-        if let Ok(double) = Ephemeris::<f64, 256, 12>::new(&motion, Tick::ratio(44_100, 2).unwrap()) {
+        if let Ok(double) = Ephemeris::<f64, 256>::new(&motion, Tick::ratio(44_100, 2).unwrap()) {
             let baked = double.to_baked();
             let back = baked.ephemeris().unwrap();
-            assert!(back == double && back.to_baked().checksum == baked.checksum, "{name}");
+            assert!(back == double && back.to_baked().crc32 == baked.crc32, "{name}");
             for n in [0, 77, -1 << 40, i64::MAX] {
-                assert_eq!(back.at_tick(n).phi_and_tip(), double.at_tick(n).phi_and_tip(), "{name}");
+                assert_eq!(
+                    back.at_tick(n).orientation_and_tip(),
+                    double.at_tick(n).orientation_and_tip(),
+                    "{name}"
+                );
             }
-            let both = [&back, &double].map(|table| (table.at(0.1).pose(), table.error_bound()));
+            let both = [&back, &double].map(|table| (table.at(0.1).attitude_state(), table.error_bound()));
             assert_eq!(both[0], both[1], "{name}");
             fitting += 1;
         }
@@ -48,11 +52,11 @@ fn there_and_back_to_the_bit() {
     assert!(fitting > 40 && aperiodic >= 3, "{fitting} motions in f64, {aperiodic} aperiodic ones");
 }
 
-/// What is done to one number.
-type Change = fn(&mut Baked<f32, 25, 5>);
+/// Change of one number.
+type Change = fn(&mut Baked<f32, 25>);
 
-fn refused(baked: Baked<f32, 25, 5>, change: Change) -> Option<BakedError> {
-    let mut changed = baked;
+fn refused(baked: &Baked<f32, 25>, change: Change) -> Option<BakedError> {
+    let mut changed = baked.clone();
     change(&mut changed);
     changed.ephemeris().err()
 }
@@ -60,31 +64,35 @@ fn refused(baked: Baked<f32, 25, 5>, change: Change) -> Option<BakedError> {
 #[test]
 fn a_bit_flipped_anywhere_is_refused() {
     let motion = vectors::named("exact_generic_pp").motion().unwrap();
-    let baked = Ephemeris::<f32, 25, 5>::new(&motion, Tick::hertz(1000).unwrap()).unwrap().to_baked();
-    let changes: [Change; 13] = [
-        |baked| baked.checksum ^= 1 << 31,
-        |baked| baked.first[1] ^= 1 << 63,
-        |baked| baked.step[2][0] ^= 1,
-        |baked| baked.exact_step[0][1] = f64::from_bits(baked.exact_step[0][1].to_bits() ^ 1),
-        |baked| baked.ticks_per_time[1] = -baked.ticks_per_time[1],
-        |baked| baked.horizon = Some([0; 2]),
-        |baked| baked.bound[0] = f64::from_bits(baked.bound[0].to_bits() ^ 1),
-        |baked| baked.tip_scale = -baked.tip_scale,
-        |baked| baked.rates[0] = f32::from_bits(baked.rates[0].to_bits() ^ 1),
+    let baked = Ephemeris::<f32, 25>::new(&motion, Tick::hertz(1000).unwrap()).unwrap().to_baked();
+    let changes: [Change; 17] = [
+        |baked| baked.clock.tip.start[3] ^= 1,
+        |baked| baked.clock.tip.step[0] ^= 1,
+        |baked| baked.clock.tip.passes ^= 1,
+        |baked| baked.clock.turns = !baked.clock.turns,
+        |baked| baked.crc32 ^= 1 << 31,
+        |baked| baked.clock.first[1] ^= 1 << 63,
+        |baked| baked.clock.step[2][0] ^= 1,
+        |baked| baked.clock.exact_step[0][1] = f64::from_bits(baked.clock.exact_step[0][1].to_bits() ^ 1),
+        |baked| baked.clock.ticks_per_time[1] = -baked.clock.ticks_per_time[1],
+        |baked| baked.clock.horizon = Some([0; 2]),
+        |baked| baked.error_bound.constant = f64::from_bits(baked.error_bound.constant.to_bits() ^ 1),
+        |baked| baked.clock.tip_scale = -baked.clock.tip_scale,
+        |baked| baked.clock.rates[0] = f32::from_bits(baked.clock.rates[0].to_bits() ^ 1),
         |baked| baked.cells[15] ^= 1,
-        |baked| baked.coefficients[0][0][0] ^= 1,
-        |baked| baked.coefficients[24][4][3] ^= 1 << 31,
-        |baked| baked.coefficients.swap(3, 4),
+        |baked| baked.segments[0][0][0] ^= 1,
+        |baked| baked.segments[24][4][3] ^= 1 << 31,
+        |baked| baked.segments.swap(3, 4),
     ];
     for (index, change) in changes.into_iter().enumerate() {
-        assert!(matches!(refused(baked, change), Some(BakedError::Checksum { .. })), "{index}");
+        assert!(matches!(refused(&baked, change), Some(BakedError::Checksum { .. })), "{index}");
     }
-    assert_eq!(refused(baked, |baked| baked.format += 1), Some(BakedError::Format { found: 3 }));
+    assert_eq!(refused(&baked, |baked| baked.format += 1), Some(BakedError::Format { found: 4 }));
     // every bit of every coefficient
     for segment in 0..25 {
         for bit in 0..5 * 4 * 32 {
-            let mut changed = baked;
-            changed.coefficients[segment][bit / 128][bit / 32 % 4] ^= 1 << (bit % 32);
+            let mut changed = baked.clone();
+            changed.segments[segment][bit / 128][bit / 32 % 4] ^= 1 << (bit % 32);
             assert!(changed.ephemeris().is_err(), "{segment} {bit}");
         }
     }
@@ -93,6 +101,122 @@ fn a_bit_flipped_anywhere_is_refused() {
 #[test]
 fn what_is_wrong_is_said() {
     let checksum = BakedError::Checksum { stated: 0xab, computed: 0x1234_5678 };
-    assert_eq!(checksum.to_string(), "checksum: must be 0x12345678, not 0x000000ab: the data were changed");
-    assert_eq!(BakedError::Format { found: 7 }.to_string(), "format: must be 2, not 7");
+    assert_eq!(checksum.to_string(), "crc32: must be 0x12345678, not 0x000000ab: the data were changed");
+    assert_eq!(BakedError::Format { found: 7 }.to_string(), "format: must be 3, not 7");
+    let range = BakedError::OutOfRange { field: "rates" };
+    assert_eq!(range.to_string(), "rates: must contain only finite numbers that cannot overflow in a tick");
+}
+
+/// Random numbers under a correct checksum either are refused or give finite numbers, without overflow.
+macro_rules! wild {
+    ($name:ident, $scalar:ty, $segments:literal, $coefficient:ty) => {
+        #[test]
+        fn $name() {
+            let motion = vectors::named("exact_generic_pp").motion().unwrap();
+            let table = Ephemeris::<$scalar, $segments>::new(&motion, Tick::hertz(1000).unwrap()).unwrap();
+            let baked = table.to_baked();
+            let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+            let mut draw = move || {
+                bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+                bits
+            };
+            let (mut refused, mut read) = (0, 0);
+            for k in 0..4000 {
+                let mut wild = baked.clone();
+                // from all bits of a coefficient to only a few
+                let shift = k % 56;
+                let row = &mut wild.segments[draw() as usize % $segments];
+                let power = draw() as usize % row.len();
+                for number in row[power..].iter_mut().flatten() {
+                    *number = <$coefficient>::wild(draw(), shift);
+                }
+                if k % 3 == 0 {
+                    wild.clock.first = [0; 3].map(|_: u64| draw());
+                    wild.clock.horizon = Some([draw() as i64, draw() as i64]);
+                    wild.cells = [0; 16].map(|_: u16| draw() as u16);
+                }
+                wild.crc32 = wild.computed_crc32();
+                let Ok(ephemeris) = wild.ephemeris() else {
+                    refused += 1;
+                    continue;
+                };
+                read += 1;
+                for n in (0..300).map(|n| n * 7).chain([i64::MIN, i64::MAX, draw() as i64]) {
+                    let moment = ephemeris.at_tick(n);
+                    let phi = moment.orientation();
+                    let tip = phi.tip_over_s();
+                    let (pose, wide) = (moment.attitude_state(), moment.tip());
+                    let numbers = [wide.re, wide.im, pose.u(), pose.udot()].map(f64::from);
+                    let omega = pose.omega().map(f64::from);
+                    let of_scalar = [phi.alpha.re, phi.beta.im, tip.re, tip.im].map(f64::from);
+                    assert!(
+                        [numbers, of_scalar].iter().flatten().chain(&omega).all(|x| x.is_finite()),
+                        "{n}"
+                    );
+                    let _ =
+                        (ephemeris.next_turning_point(n), ephemeris.cursor(n).next(&ephemeris).orientation());
+                }
+            }
+            assert!(refused > 200 && read > 300, "{refused} refused, {read} read");
+        }
+    };
+}
+
+wild!(wild_numbers_in_f32_are_refused_or_read, f32, 64, i32);
+wild!(wild_numbers_in_q31_are_refused_or_read, I2F30, 256, i32);
+wild!(wild_numbers_in_q15_are_refused_or_read, I2F14, 128, i16);
+wild!(wild_numbers_in_f64_are_refused_or_read, f64, 64, f64);
+
+/// Coefficient with random bits; larger `shift` (below 56) gives smaller numbers.
+trait Wild {
+    fn wild(bits: u64, shift: u32) -> Self;
+}
+
+impl Wild for i32 {
+    fn wild(bits: u64, shift: u32) -> Self {
+        (bits >> 32) as Self >> (shift / 8)
+    }
+}
+
+impl Wild for i16 {
+    fn wild(bits: u64, shift: u32) -> Self {
+        (bits >> 48) as Self >> (shift / 8)
+    }
+}
+
+impl Wild for f64 {
+    fn wild(bits: u64, shift: u32) -> Self {
+        if shift & 1 == 0 { Self::from_bits(bits) } else { (bits as Self).powi(shift as i32 % 4) }
+    }
+}
+
+/// A field with a number that is not finite, or too large for a tick, is named.
+#[test]
+fn a_field_beyond_its_range_is_named() {
+    let motion = vectors::named("exact_generic_pp").motion().unwrap();
+    let baked = Ephemeris::<f32, 25>::new(&motion, Tick::hertz(1000).unwrap()).unwrap().to_baked();
+    let changes: [(Change, &str); 8] = [
+        (|baked| baked.clock.exact_step[1][0] = f64::NAN, "exact_step"),
+        (|baked| baked.clock.ticks_per_time[0] = f64::INFINITY, "ticks_per_time"),
+        (|baked| baked.error_bound.constant = f64::NAN, "error_bound"),
+        (|baked| baked.error_bound.per_tick = f64::NEG_INFINITY, "error_bound"),
+        (|baked| baked.clock.tip_scale = f32::MAX, "tip_scale"),
+        (|baked| baked.clock.rates[2] = f32::NAN, "rates"),
+        // a sum of 2^31 - 2^15 is the smallest that is too large
+        (|baked| baked.segments[3][1..].fill([i32::MAX - 0x7fff, 0, 0, 0]), "segments"),
+        (|baked| baked.segments[24][4][3] = i32::MIN, "segments"),
+    ];
+    for (change, field) in changes {
+        let mut changed = baked.clone();
+        change(&mut changed);
+        changed.crc32 = changed.computed_crc32();
+        let error = changed.ephemeris().err();
+        assert_eq!(error, Some(BakedError::OutOfRange { field }), "{field}");
+    }
+    // the largest sum that is allowed
+    let mut changed = baked.clone();
+    changed.segments[3][1..].fill([0; 4]);
+    changed.segments[3][1] = [i32::MAX - 0x8000, 0x8000 - i32::MAX, 0, 0];
+    changed.crc32 = changed.computed_crc32();
+    assert!(changed.ephemeris().is_ok());
 }

@@ -1,14 +1,14 @@
 //! Sections 2.1 and 3.4: R³ as su(2), moving points, and the relations between Cayley-Klein parameters, ω and l, n.
 
 use crate::full::{full_state, full_top};
-use toytop::su2::{PhiRate, Vector, bracket, dot};
-use toytop::{Complex, FirstIntegrals, Motion, Phi, Sign, Signs, Start, State, Stepper};
-use toytop_host::newton_euler::accelerations;
+use toytop::su2::{OrientationRate, Vector, bracket, dot};
+use toytop::{Complex, FirstIntegrals, Motion, Orientation, Sign, Signs, Start, State, Stepper};
+use toytop_host::full_equations::newton_euler::accelerations;
 use toytop_tests::{greater, tolerance, vectors, worst};
 
 type Matrix = [Complex<f64>; 4];
 
-/// ½ ((i x₃, -x₂ + i x₁), (x₂ + i x₁, -i x₃)).
+/// Matrix ½ ((i x₃, -x₂ + i x₁), (x₂ + i x₁, -i x₃)) of a vector.
 fn matrix([x1, x2, x3]: Vector<f64>) -> Matrix {
     let half = |re: f64, im: f64| Complex::new(0.5 * re, 0.5 * im);
     [half(0.0, x3), half(-x2, x1), half(x2, x1), half(0.0, -x3)]
@@ -22,11 +22,11 @@ fn far(x: Matrix, y: Matrix) -> f64 {
     worst(x.iter().zip(y).map(|(x, y)| (*x - y).norm_squared().sqrt()))
 }
 
-fn of_phi(phi: &Phi<f64>) -> Matrix {
+fn of_phi(phi: &Orientation<f64>) -> Matrix {
     [phi.alpha, phi.beta, phi.gamma(), phi.delta()]
 }
 
-fn of_rate(rate: &PhiRate<f64>) -> Matrix {
+fn of_rate(rate: &OrientationRate<f64>) -> Matrix {
     [rate.alpha, rate.beta, -rate.beta.conj(), rate.alpha.conj()]
 }
 
@@ -45,12 +45,12 @@ fn r3_is_su2() {
         worst = greater(worst, far(commutator, matrix(bracket(x, y))));
         let trace = (xy[0] + xy[3]).scaled(-2.0);
         worst = greater(worst, greater((trace.re - dot(x, y)).abs(), trace.im.abs()));
-        let phi = Phi::exp(vector(i + 57).map(|component| 3.0 * component));
+        let phi = Orientation::exp(vector(i + 57).map(|component| 3.0 * component));
         let turned = product(product(of_phi(&phi), matrix(x)), of_phi(&phi.inverse()));
         worst = greater(worst, far(turned, matrix(phi.adjoint(x))));
-        // eqn:omega and eqn:Omega with the middle matrices corrected
+        // equations (2.2) and (2.3) with the middle matrices corrected
         let omega = y.map(|component| 2.0 * component);
-        let rate = PhiRate::from_fixed(&phi, omega);
+        let rate = OrientationRate::from_fixed(&phi, omega);
         worst = greater(worst, far(product(of_rate(&rate), of_phi(&phi.inverse())), matrix(omega)));
         let body = rate.omega_body(&phi);
         worst = greater(worst, far(product(of_phi(&phi.inverse()), of_rate(&rate)), matrix(body)));
@@ -71,66 +71,73 @@ fn moving_points() {
         let mut stepper = stepper;
         stepper.step(side * step);
         let place = std::array::from_fn(|k| point[k] + side * step * velocity[k]);
-        (stepper.pose(), stepper.phi().adjoint(place))
+        (stepper.attitude_state(), stepper.orientation().adjoint(place))
     });
     let ((_, before), (pose, x), (_, after)) = (at[0], at[1], at[2]);
     let difference: Vector<f64> = std::array::from_fn(|k| (after[k] - before[k]) / (2.0 * step));
     let turned = bracket(pose.omega(), x);
-    let carried = pose.phi.adjoint(velocity);
+    let carried = pose.orientation.adjoint(velocity);
     for k in 0..3 {
         assert!((difference[k] - carried[k] - turned[k]).abs() < 1e-8);
     }
-    let back = pose.phi.inverse().adjoint(std::array::from_fn(|k| carried[k] + turned[k]));
+    let back = pose.orientation.inverse().adjoint(std::array::from_fn(|k| carried[k] + turned[k]));
     let in_body = bracket(pose.omega_body(), point);
     for k in 0..3 {
         assert!((back[k] - in_body[k] - velocity[k]).abs() < 1e-13);
     }
 }
 
-/// eqn:up1um1, eqn:du, eqn:du-plus-iOmegas-dt and eqn:omegasum at generic states.
+/// Equations (3.13) to (3.17) at generic states.
 #[test]
 fn eqn_up1um1_to_eqn_omegasum() {
     let mut worst = 0.0_f64;
     let top = vectors::named("generic_AneC").top();
     for i in 1..60 {
         let [x, y, z] = vector(i);
-        let phi = Phi { alpha: Complex::new(x, y), beta: Complex::new(z, 0.3) }.normalised();
+        let phi = Orientation { alpha: Complex::new(x, y), beta: Complex::new(z, 0.3) }.normalised();
         let omega = vector(i + 12).map(|w| 2.0 * w);
-        let rate = PhiRate::from_fixed(&phi, omega);
+        let rate = OrientationRate::from_fixed(&phi, omega);
         let [alpha, beta, gamma, delta] = of_phi(&phi);
         let [alpha_dot, beta_dot, gamma_dot, delta_dot] = of_rate(&rate);
         let (u, udot) = (phi.axis()[2], rate.udot(&phi));
         let mut off = |z: Complex<f64>| worst = greater(worst, z.norm_squared().sqrt());
         let real = |x: f64| Complex::new(x, 0.0);
-        // eqn:up1um1, eqn:du
+        // equations (3.13) and (3.14)
         off((alpha * delta).scaled(2.0) - real(1.0 + u));
         off((beta * gamma).scaled(2.0) - real(u - 1.0));
         off((delta * alpha_dot + alpha * delta_dot).scaled(2.0) - real(udot));
         off((gamma * beta_dot + beta * gamma_dot).scaled(2.0) - real(udot));
-        // eqn:du-plus-iOmegas-dt
+        // equation (3.15)
         let (fixed, body) = (omega[2], rate.omega_body(&phi)[2]);
         let (sum, difference) = (Complex::new(udot, body + fixed), Complex::new(udot, body - fixed));
         off(sum - (delta * alpha_dot).scaled(4.0));
         off(difference - (gamma * beta_dot).scaled(4.0));
         off(difference.conj() - (beta * gamma_dot).scaled(4.0));
         off(sum.conj() - (alpha * delta_dot).scaled(4.0));
-        // eqn:omegasum
+        // equations (3.16) and (3.17)
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } =
             FirstIntegrals::of(&top, &State::new(phi, omega).unwrap());
-        let tau = (1.0 / top.c() - 1.0 / top.a()) * n;
-        off(real(body + fixed - l_plus_n / top.a() - (u + 1.0) * tau));
-        off(real(body - fixed + l_minus_n / top.a() + (u - 1.0) * tau));
+        let tau = (1.0 / top.axial_inertia() - 1.0 / top.transverse_inertia()) * n;
+        off(real(body + fixed - l_plus_n / top.transverse_inertia() - (u + 1.0) * tau));
+        off(real(body - fixed + l_minus_n / top.transverse_inertia() + (u - 1.0) * tau));
     }
     tolerance::EQUATIONS.check("relations of section 3.4", worst);
 }
 
-/// eqn:constants: three numbers e₁, e₂, e₃ have four (l, n): (a, b), (-a, -b), (b, a), (-b, -a); two energies unless A = C;
-/// two choices if one of e₁, e₂, e₃ is ±1, and one, l = n = 0, if e₁ = -1 and e₂ = 1. Each is a motion of the full equations
-/// that turns at e₁.
+/// Equation (3.6): three numbers e₁, e₂, e₃ have four pairs (l, n): (a, b), (-a, -b), (b, a), (-b, -a), with two
+/// energies unless A = C. There are two pairs if one of e₁, e₂, e₃ is ±1, and one, l = n = 0, if e₁ = -1 and e₂ = 1.
+/// Each is a motion of the full equations that has a turning point at e₁.
 #[test]
 fn eqn_constants_four_choices() {
     let top = vectors::named("generic_AneC").top();
-    let spherical = toytop::Top::fixed(1.1, 1.1, 0.9, 1.0).unwrap();
+    let spherical = toytop::Top::fixed(&toytop::TopParameters {
+        transverse_inertia: 1.1,
+        axial_inertia: 1.1,
+        mass_moment: 0.9,
+        gravity: 1.0,
+        ..toytop::TopParameters::default()
+    })
+    .unwrap();
     let signs = [Sign::Plus, Sign::Minus];
     let choices = |top: &toytop::Top, e: [f64; 3]| {
         let mut found: Vec<(f64, f64, f64)> = Vec::new();
@@ -164,10 +171,10 @@ fn eqn_constants_four_choices() {
     for l_minus_n in signs {
         let chosen = Signs { l_plus_n: Sign::Plus, l_minus_n };
         let motion = Motion::from_branch_points(&top, e, chosen, &Start::default()).unwrap();
-        let state = Stepper::<f64>::new(&motion).pose().state().unwrap();
+        let state = Stepper::<f64>::new(&motion).attitude_state().state().unwrap();
         let rise = accelerations(&full_top(&top), &full_state(&state)).height;
-        // u'' at e₁ is g (e₂ - e₁)(e₃ - e₁)/D(e₁), from eqn:reduced2
-        let d = top.a() / top.p() + top.s() * (1.0 - 0.09);
-        assert!((rise - top.g() * 0.9 * 1.7 / d).abs() < 1e-14);
+        // u'' at e₁ is g (e₂ - e₁)(e₃ - e₁)/D(e₁), from equation (3.3)
+        let d = top.transverse_inertia() / top.mass_moment() + top.com_height() * (1.0 - 0.09);
+        assert!((rise - top.gravity() * 0.9 * 1.7 / d).abs() < 1e-14);
     }
 }

@@ -1,11 +1,13 @@
-//! What every manifest asks for is on the page that says why, and core asks for little.
+//! Every dependency of every manifest is on the page that gives its reason, and core has few.
 
 use std::fs;
 use std::path::Path;
 
-const MANIFESTS: [&str; 10] = [
+const MANIFESTS: [&str; 12] = [
     "core",
     "host",
+    "host/chips",
+    "host/lab",
     "tests",
     "tests/fuzz",
     "xtask",
@@ -21,7 +23,7 @@ fn read(path: &str) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// The lines of a manifest's tables of dependencies: those in whose title `table` stands.
+/// Lines of the dependency tables of a manifest: the tables whose title contains `table`.
 fn entries(manifest: &str, table: &str) -> Vec<String> {
     let mut inside = false;
     let mut lines = Vec::new();

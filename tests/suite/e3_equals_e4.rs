@@ -1,16 +1,17 @@
-//! Section 5.1, e₃ = e₄: the paper's formulas written out with the public Weierstrass functions, against the closed form in
-//! core, which never forms them like this. The slips of the print are corrected.
+//! Section 5.1, e₃ = e₄: the paper's formulas written out with the public Weierstrass functions, with the printed
+//! errors corrected, against the closed form in core, which computes them in another way.
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use toytop::exact::{E3EqualsE4, Weierstrass, carlson_rf};
-use toytop::{Complex, Heaviness, Motion, Phi, Sign, Signs, Start, Top};
+use toytop::elliptic::{Weierstrass, carlson_rf};
+use toytop::exact::E3EqualsE4;
+use toytop::{Complex, Motion, Orientation, Sign, Signs, Start, Top, TopParameters};
 use toytop_tests::complex::{C, I, from, to};
-use toytop_tests::{greater, orientation_error, tolerance};
+use toytop_tests::{greater, tolerance};
 
-/// e₃ = e₄ = 3/2 for A = C = 5/4, s = p = 1.
+/// Value of e₃ = e₄ for A = C = 5/4, s = p = 1.
 const E3: f64 = 1.5;
 
-/// One motion in the paper's symbols, with its initial conditions: u = e₂, α > 0, β in iℝ₊.
+/// Motion in the paper's symbols, with initial conditions u = e₂, α > 0, β in iℝ₊.
 struct Paper {
     motion: Motion,
     e1: f64,
@@ -26,16 +27,24 @@ struct Paper {
 
 impl Paper {
     fn new(e1: f64, e2: f64, signs: Signs) -> Self {
-        let top = Top::sliding(1.25, 1.25, 1.0, Heaviness::MassMoment(1.0), 1.0).unwrap();
+        let top = Top::sliding(&TopParameters {
+            transverse_inertia: 1.25,
+            axial_inertia: 1.25,
+            com_height: 1.0,
+            mass_moment: 1.0,
+            gravity: 1.0,
+            ..TopParameters::default()
+        })
+        .unwrap();
         let start = Start { theta: PI, arg_alpha: 0.0, arg_beta: FRAC_PI_2 };
         let motion = Motion::from_branch_points(&top, [e1, e2, E3], signs, &start).unwrap();
         let lattice = Weierstrass::from_gaps(e2 - e1, e1 + E3).unwrap();
         let [omega2, omega1] = lattice.half_periods();
         let (omega1, omega2) = (-I * omega1, C::from(omega2));
         let integrals = motion.first_integrals();
-        let w_minus = 2_f64.sqrt() * (E3 - 1.0) * integrals.l_plus_n / top.a();
-        let w_plus = 2_f64.sqrt() * (E3 + 1.0) * integrals.l_minus_n / top.a();
-        // ∫ du/√R (the print has √R) from -1 to e₁ and from e₂ to 1
+        let w_minus = 2_f64.sqrt() * (E3 - 1.0) * integrals.l_plus_n / top.transverse_inertia();
+        let w_plus = 2_f64.sqrt() * (E3 + 1.0) * integrals.l_minus_n / top.transverse_inertia();
+        // ∫ du/√R (printed as √R) from -1 to e₁ and from e₂ to 1
         let to_e1 = (1.0 + e1).sqrt()
             * carlson_rf((e2 - e1) * (e1 + E3), (e2 - e1) * (E3 - 1.0), (e1 + E3) * (1.0 + e2));
         let to_one = (1.0 - e2).sqrt()
@@ -66,14 +75,14 @@ impl Paper {
         I * 2_f64.sqrt() * (self.zeta(x - self.omega2) + self.zeta(self.omega2) - linear)
     }
 
-    /// Φ by eqn:degabgd, eqn:ks, eqn:ls.
-    fn phi(&self, x: C) -> Phi<f64> {
+    /// Orientation Φ by equations (5.6), (5.7) and (5.8).
+    fn phi(&self, x: C) -> Orientation<f64> {
         let (a, b, omega2) = (self.a, self.b, self.omega2);
         let k1 = self.sigma(omega2) / self.sigma(a) * ((1.0 + self.e2) / 2.0).sqrt();
         let k2 = I * self.sigma(omega2) / self.sigma(b) * ((1.0 - self.e2) / 2.0).sqrt();
         let l1 = self.zeta(a - omega2) + self.w_minus / (2.0 * (E3 - 1.0));
         let l3 = self.zeta(b - omega2) + self.w_plus / (2.0 * (E3 + 1.0));
-        Phi {
+        Orientation {
             alpha: to(k1 * (l1 * x).exp() * self.sigma(x - a) / self.sigma(x - omega2)),
             beta: to(k2 * (-l3 * x).exp() * self.sigma(x + b) / self.sigma(x + omega2)),
         }
@@ -89,10 +98,10 @@ fn papers() -> Vec<Paper> {
     pairs.into_iter().flat_map(|pair| paper(pair).collect::<Vec<_>>()).collect()
 }
 
-/// Points of the x-plane, none of them special.
+/// Generic points of the x-plane.
 const POINTS: [C; 4] = [C::new(0.3, 0.2), C::new(-0.7, 0.5), C::new(0.0, -0.9), C::new(1.1, 1.7)];
 
-/// u(x) and w(x) run on the curve w² = 4 (u - e₁)(u - e₂)(u + e₃) with du = w dx, from u = e₂.
+/// u(x) and w(x) lie on the curve w² = 4 (u - e₁)(u - e₂)(u + e₃) with du = w dx, and u(0) = e₂.
 #[test]
 fn eqn_x_eqn_uofx_eqn_wofx() {
     for paper in papers() {
@@ -109,7 +118,7 @@ fn eqn_x_eqn_uofx_eqn_wofx() {
     }
 }
 
-/// a and b lie over (-1, w₋₁) and (1, w₊₁), with the w's of l + n and l - n.
+/// The points a and b lie over (-1, w₋₁) and (1, w₊₁), with w₋₁ and w₊₁ from l + n and l - n.
 #[test]
 fn the_points_a_and_b() {
     for paper in papers() {
@@ -119,7 +128,7 @@ fn the_points_a_and_b() {
     }
 }
 
-/// dt = -i √(2s) (u + e₃) dx: with these formulas x runs upwards.
+/// dt = -i √(2s) (u + e₃) dx; with these formulas x increases along the imaginary axis.
 #[test]
 fn eqn_degtint() {
     for paper in papers() {
@@ -132,17 +141,17 @@ fn eqn_degtint() {
         let form = E3EqualsE4::new(&paper.motion).unwrap();
         let period = paper.t(-paper.omega1 * 2.0);
         assert!((period.re / form.period() - 1.0).abs() < 1e-14 && period.im.abs() < 1e-14);
-        assert!((form.period() / paper.motion.averages().unwrap().period - 1.0).abs() < 1e-14);
+        assert!((form.period() / paper.motion.period_advance().unwrap().period - 1.0).abs() < 1e-14);
     }
 }
 
-/// d log α, d log β as the integrals have them.
+/// d log α and d log β equal the integrands of the paper.
 #[test]
 fn eqn_zander() {
     for paper in papers() {
         for x in [I * 0.3, I * -0.8, I * 1.9] {
             let h = 1e-5;
-            let log_slope = |z: fn(Phi<f64>) -> Complex<f64>| {
+            let log_slope = |z: fn(Orientation<f64>) -> Complex<f64>| {
                 let [before, at, after] = [-h, 0.0, h].map(|step| from(z(paper.phi(x + step))));
                 (after - before) / at / (2.0 * h)
             };
@@ -155,7 +164,7 @@ fn eqn_zander() {
     }
 }
 
-/// The paper's α and β along the imaginary axis, over three periods, are core's at the paper's t.
+/// The paper's α and β along the imaginary axis, over three periods, equal those of core at the paper's t.
 #[test]
 fn eqn_degabgd_eqn_ks_eqn_ls() {
     let mut worst = 0.0_f64;
@@ -167,7 +176,7 @@ fn eqn_degabgd_eqn_ks_eqn_ls() {
             assert!(t.im.abs() < 1e-13 && t.re * share >= 0.0);
             let pose = form.at(t.re);
             assert!((pose.u() - paper.u(x).re).abs() < 1e-13 && paper.u(x).im.abs() < 1e-13);
-            worst = greater(worst, orientation_error(pose.phi, paper.phi(x)));
+            worst = greater(worst, pose.orientation.distance(&paper.phi(x)));
         }
     }
     tolerance::AS_THE_PAPER_HAS_IT.check("e3 = e4", worst);

@@ -1,11 +1,11 @@
-//! The fuzzer's targets on what it has found so far, and on random bytes: what a machine without a fuzzer can repeat.
+//! Targets of the fuzzer, on the inputs that it has found so far and on random bytes, without a fuzzer.
 
 use proptest::prelude::*;
 use std::fs;
 use std::path::Path;
 use toytop_tests::hostile::TARGETS;
 
-/// What breaks a target is named, with the call that repeats it.
+/// Runs a target; its panic names the input and the call that repeats it.
 fn hold(name: &str, run: fn(&[u8]), what: &str, bytes: &[u8]) {
     if let Err(panic) = std::panic::catch_unwind(|| run(bytes)) {
         eprintln!("{name}: {what}: {bytes:?}");

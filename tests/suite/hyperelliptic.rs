@@ -1,13 +1,13 @@
-//! Sections 3.3, 3.4, 5: the curves, what is integrated on them, and their poles, by contour quadrature and against
-//! the full solution.
+//! Sections 3.3, 3.4, 5: the curves, the integrals on them and their poles, by contour quadrature and against the
+//! full solution.
 
 mod poles;
 
 use crate::full::solver;
 use toytop::exact::hyperelliptic::{Curve, Form, Point, r_of_integrals};
 use toytop::exact::tip_curve::TipCurve;
-use toytop::{Complex, Heaviness, Motion, Phi, Regime, Sign, Signs, Start, Top};
-use toytop_host::contour::around_ellipse;
+use toytop::{Complex, Motion, Orientation, Regime, Sign, Signs, Start, Top, TopParameters};
+use toytop_host::errata::contour::around_ellipse;
 use toytop_tests::{greater, tolerance};
 
 fn size(z: Complex<f64>) -> f64 {
@@ -28,19 +28,45 @@ const CHOICES: [Signs; 4] = {
     ]
 };
 
-/// A top with C ≠ A and g ≠ 1.
+/// Top with C ≠ A and g ≠ 1.
 fn top() -> Top {
-    Top::sliding(1.1, 0.8, 0.6, Heaviness::MassMoment(0.9), 1.3).unwrap()
+    Top::sliding(&TopParameters {
+        transverse_inertia: 1.1,
+        axial_inertia: 0.8,
+        com_height: 0.6,
+        mass_moment: 0.9,
+        gravity: 1.3,
+        ..TopParameters::default()
+    })
+    .unwrap()
 }
 
 fn motion(top: &Top, e: [f64; 3], signs: Signs) -> Motion {
     Motion::from_branch_points(top, e, signs, &Start::default()).unwrap()
 }
 
-/// A motion on each of the four curves, for each choice of signs.
+/// Motion on each of the four curves, for each choice of signs.
 fn curves() -> Vec<(Motion, Curve)> {
-    let (sliding, spherical) = (top(), Top::sliding(1.1, 1.1, 0.6, Heaviness::MassMoment(0.9), 1.3).unwrap());
-    let fixed = Top::fixed(1.1, 0.8, 0.9, 1.3).unwrap();
+    let (sliding, spherical) = (
+        top(),
+        Top::sliding(&TopParameters {
+            transverse_inertia: 1.1,
+            axial_inertia: 1.1,
+            com_height: 0.6,
+            mass_moment: 0.9,
+            gravity: 1.3,
+            ..TopParameters::default()
+        })
+        .unwrap(),
+    );
+    let fixed = Top::fixed(&TopParameters {
+        transverse_inertia: 1.1,
+        axial_inertia: 0.8,
+        mass_moment: 0.9,
+        gravity: 1.3,
+        ..TopParameters::default()
+    })
+    .unwrap();
     let e4 = sliding.e4().unwrap();
     let mut curves = Vec::new();
     for signs in CHOICES {
@@ -56,7 +82,7 @@ fn curves() -> Vec<(Motion, Curve)> {
     curves
 }
 
-/// eqn:R(u)-with-l-n-h: R from l, n, h is R from e₁, e₂, e₃, at complex u and for all four choices of (l, n).
+/// Equation (3.8): R from l, n, h equals R from e₁, e₂, e₃, at complex u and for all four pairs (l, n).
 #[test]
 fn eqn_r_with_l_n_h() {
     let mut worst = 0.0_f64;
@@ -73,7 +99,14 @@ fn eqn_r_with_l_n_h() {
     tolerance::EQUATIONS.check("R(u)", worst);
     assert_eq!(
         r_of_integrals(
-            &Top::fixed(1.0, 1.0, 1.0, 1.0).unwrap(),
+            &Top::fixed(&TopParameters {
+                transverse_inertia: 1.0,
+                axial_inertia: 1.0,
+                mass_moment: 1.0,
+                gravity: 1.0,
+                ..TopParameters::default()
+            })
+            .unwrap(),
             &motion(&top(), [0.1, 0.2, 3.0], CHOICES[0]).first_integrals(),
             real(0.5)
         ),
@@ -81,8 +114,9 @@ fn eqn_r_with_l_n_h() {
     );
 }
 
-/// The proof of Proposition 3: w₊₁ and w₋₁ are values of w over u = ±1. On the general curve they are the paper's second
-/// display, √(s/2)(1-e₄²)(l ∓ n)/A, and minus its first; their signs are minus those of l ∓ n.
+/// Proof of Proposition 3: w₊₁ and w₋₁ are values of w over u = ±1. On the general curve they equal the paper's
+/// second displayed formula, √(s/2)(1-e₄²)(l ∓ n)/A, and the negative of the first; their signs are opposite to those
+/// of l ∓ n.
 #[test]
 fn w_plus_and_minus_one() {
     let mut worst = 0.0_f64;
@@ -94,26 +128,26 @@ fn w_plus_and_minus_one() {
             continue;
         }
         let (top, integrals) = (motion.top(), motion.first_integrals());
-        let (a, s, p) = (top.a(), top.s(), top.p());
+        let (a, s, p) = (top.transverse_inertia(), top.com_height(), top.mass_moment());
         for (w, momentum, sign) in [
             (curve.w_minus_one(), integrals.l_plus_n, motion.signs().l_plus_n),
             (curve.w_plus_one(), integrals.l_minus_n, motion.signs().l_minus_n),
         ] {
-            let momentum = momentum / top.g().sqrt();
+            let momentum = momentum / top.gravity().sqrt();
             let second = (s / 2.0).sqrt() * (1.0 - top.e4().unwrap().powi(2)) * momentum / a;
             let first = (s / 2.0).sqrt() * momentum / (p * s);
             worst = greater(worst, greater(size(w - real(second)), size(w + real(first))) / size(w));
             assert_eq!(Sign::of(w.re), Sign::of(-f64::from(sign.factor())));
         }
-        // the same sign: |l| > |n|
+        // equal signs: |l| > |n|
         let same = Sign::of(curve.w_minus_one().re) == Sign::of(curve.w_plus_one().re);
         assert_eq!(same, integrals.l.abs() > integrals.n.abs());
     }
     tolerance::EQUATIONS.check("w over u = ±1", worst);
 }
 
-/// eqn:t, eqn:abgdints and eqn:dphi (and their degenerate forms) at instants of the full solution: w² = R, dt/du u' = 1,
-/// and the logarithmic rates of α, β, γ, δ, with iτ/2 where C ≠ A.
+/// Equations (3.9), (3.10) and (4.1) (and their degenerate forms) at instants of the full solution: w² = R, dt/du u'
+/// = 1, and the logarithmic rates of α, β, γ, δ, with iτ/2 where C ≠ A.
 #[test]
 fn eqn_t_and_eqn_abgdints_on_the_full_solution() {
     let (mut curve_worst, mut rate_worst) = (0.0_f64, 0.0_f64);
@@ -122,8 +156,8 @@ fn eqn_t_and_eqn_abgdints_on_the_full_solution() {
         for i in 1..12 {
             let state = path.advance_to(0.23 * f64::from(i)).unwrap();
             let complex = |[re, im]: [f64; 2]| Complex::new(re, im);
-            let phi = Phi { alpha: complex(state.alpha), beta: complex(state.beta) };
-            let rate = toytop::su2::PhiRate::from_fixed(&phi, state.omega);
+            let phi = Orientation { alpha: complex(state.alpha), beta: complex(state.beta) };
+            let rate = toytop::su2::OrientationRate::from_fixed(&phi, state.omega);
             let (u, udot) = (phi.u(), rate.udot(&phi));
             if udot.abs() < 0.05 {
                 continue; // at a turning point the integrands are infinite
@@ -146,7 +180,7 @@ fn eqn_t_and_eqn_abgdints_on_the_full_solution() {
                 let ours = ours.scaled(udot) + drift;
                 rate_worst = greater(rate_worst, size(ours - truth) / size(truth).max(1.0));
             }
-            // eqn:dphi
+            // equation (4.1)
             let tip = over(phi.alpha * rate.beta + rate.alpha * phi.beta, phi.alpha * phi.beta).im;
             let ours = curve.tip_angle(&at).scaled(udot);
             rate_worst =
@@ -159,20 +193,30 @@ fn eqn_t_and_eqn_abgdints_on_the_full_solution() {
     tolerance::EQUATIONS.check("d log and dφ", rate_worst);
 }
 
-/// eqn:tint0 and eqn:t: the integral of dt around the cut [e₁, e₂] is a nutation period, and those of d log α and
-/// d log β are the turns of α and β in it.
+/// Equations (3.7) and (3.9): the integral of dt around the cut [e₁, e₂] is a nutation period, and those of d log α
+/// and d log β are the advances of α and β over it.
 #[test]
 fn eqn_tint0_around_the_cut() {
     let mut worst = 0.0_f64;
     for signs in CHOICES {
-        for top in [top(), Top::fixed(1.1, 0.8, 0.9, 1.3).unwrap()] {
+        for top in [
+            top(),
+            Top::fixed(&TopParameters {
+                transverse_inertia: 1.1,
+                axial_inertia: 0.8,
+                mass_moment: 0.9,
+                gravity: 1.3,
+                ..TopParameters::default()
+            })
+            .unwrap(),
+        ] {
             let motion = motion(&top, [-0.4, 0.4, 1.7], signs);
-            let (curve, averages) = (Curve::of(&motion), motion.averages().unwrap());
+            let (curve, averages) = (Curve::of(&motion), motion.period_advance().unwrap());
             let ellipse = |f: &dyn Fn(&Point) -> Complex<f64>| {
                 around_ellipse(&curve, 0.0, [0.7, 0.5], f).scaled(2.0 * std::f64::consts::PI).times_i()
             };
             let time = ellipse(&|at| curve.time(at));
-            // the way around is the motion's or its reverse
+            // the contour has the direction of the motion or the opposite one
             let sense = time.re.signum();
             worst = greater(worst, size(time - real(sense * averages.period)) / averages.period);
             let tau = Complex::new(0.0, 0.5 * curve.tau() * averages.period);
@@ -186,8 +230,8 @@ fn eqn_tint0_around_the_cut() {
     tolerance::CONTOUR.check("around the cut", worst);
 }
 
-/// eqn:degtint, eqn:zander, eqn:apertint, eqn:aperabgdints: with the common factor of w and u² - e₄² taken out, the
-/// integrands are those of the general curve.
+/// Equations (5.1), (5.2), (5.12), (5.13): with the common factor of w and u² - e₄² removed, the integrands are those
+/// of the general curve.
 #[test]
 fn eqn_zander_and_eqn_aperabgdints_are_the_general_ones() {
     let mut worst = 0.0_f64;
@@ -215,20 +259,36 @@ fn eqn_zander_and_eqn_aperabgdints_are_the_general_ones() {
     assert_eq!((Curve::e3_equals_e4(&plain), Curve::aperiodic(&plain)), (None, None));
 }
 
-/// Section 5.4: as e₄ grows at fixed A/p, dt and the logarithms tend to Klein's on the elliptic curve, as e₄⁻².
+/// Section 5.4: as e₄ grows at fixed A/p, dt and the logarithms converge to Klein's on the elliptic curve, at the
+/// rate e₄⁻².
 #[test]
 fn lagrange_top_as_limit() {
     let at = |spread: f64| {
-        // A/p = 1.1/0.9 whatever s
+        // A/p = 1.1/0.9 for every s
         let s = 1.1 / 0.9 / spread;
-        let top = Top::sliding(1.1, 0.8, s, Heaviness::MassMoment(0.9), 1.3).unwrap();
+        let top = Top::sliding(&TopParameters {
+            transverse_inertia: 1.1,
+            axial_inertia: 0.8,
+            com_height: s,
+            mass_moment: 0.9,
+            gravity: 1.3,
+            ..TopParameters::default()
+        })
+        .unwrap();
         let (slides, held) = (motion(&top, [-0.3, 0.6, 1.4], CHOICES[1]), {
-            let top = Top::fixed(1.1, 0.8, 0.9, 1.3).unwrap();
+            let top = Top::fixed(&TopParameters {
+                transverse_inertia: 1.1,
+                axial_inertia: 0.8,
+                mass_moment: 0.9,
+                gravity: 1.3,
+                ..TopParameters::default()
+            })
+            .unwrap();
             motion(&top, [-0.3, 0.6, 1.4], CHOICES[1])
         });
         let (curve, limit) = (Curve::of(&slides), Curve::of(&held));
         assert_eq!((slides.regime(), limit.form()), (Regime::Nutating, Form::FixedTip));
-        // over u = 0.2, on the sheet where time runs forward as u rises
+        // over u = 0.2, on the sheet where u increases with time
         let place = |curve: &Curve| {
             let point = curve.point(real(0.2));
             if curve.time(&point).re > 0.0 { point } else { point.other_sheet() }

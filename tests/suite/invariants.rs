@@ -1,12 +1,12 @@
-//! What must not change: the unit norm, l, n and h, recomputed from α, β and their rates.
+//! Invariants: the unit norm, l, n and h, recomputed from α, β and their rates.
 
-use toytop::real::Real;
-use toytop::{FirstIntegrals, Motion, Phi, Pose, Regime, State, Stepper, Top};
-use toytop_tests::{greater, orientation_error, tolerance, vectors, widened, worst};
+use toytop::scalar::Real;
+use toytop::{AttitudeState, FirstIntegrals, Motion, Orientation, Regime, State, Stepper, Top};
+use toytop_tests::{greater, tolerance, vectors, widened, worst};
 
-/// l, n, h from Φ and Φ' by the definitions of section 3.1, and the largest of them.
-fn recomputed<R: Real + Into<f64>>(top: &Top, pose: &Pose<R>) -> FirstIntegrals {
-    FirstIntegrals::of(top, &State::new(widened(pose.phi), pose.omega().map(R::into)).unwrap())
+/// First integrals from Φ and Φ' by the definitions of section 3.1, and the largest of them.
+fn recomputed<R: Real + Into<f64>>(top: &Top, pose: &AttitudeState<R>) -> FirstIntegrals {
+    FirstIntegrals::of(top, &State::new(widened(pose.orientation), pose.omega().map(R::into)).unwrap())
 }
 
 fn drift(now: &FirstIntegrals, then: &FirstIntegrals) -> f64 {
@@ -15,17 +15,17 @@ fn drift(now: &FirstIntegrals, then: &FirstIntegrals) -> f64 {
     worst(differences.map(|difference| (difference / scale).abs()))
 }
 
-/// (norm defect, drift of the invariants) at the worst of every thousandth of 10⁶ steps.
+/// Defect of the norm and change of the first integrals, the largest at thousand instants of 10⁶ steps.
 fn after_a_million_steps<R: Real + Into<f64>>(motion: &Motion) -> (f64, f64) {
-    let period = motion.averages().map_or(10.0, |averages| averages.period);
+    let period = motion.period_advance().map_or(10.0, |averages| averages.period);
     let dt = R::from_f64(period / 1000.7);
     let mut stepper = Stepper::<R>::new(motion);
     let start = motion.first_integrals();
     let (mut norm, mut invariants) = (0.0_f64, 0.0_f64);
     for _ in 0..1000 {
         (0..1000).for_each(|_| stepper.step(dt));
-        let pose = stepper.pose();
-        norm = greater(norm, (pose.phi.norm_squared().to_f64() - 1.0).abs());
+        let pose = stepper.attitude_state();
+        norm = greater(norm, (pose.orientation.norm_squared().to_f64() - 1.0).abs());
         invariants = greater(invariants, drift(&recomputed(motion.top(), &pose), &start));
     }
     (norm, invariants)
@@ -62,23 +62,23 @@ fn there_and_back_with_changing_steps() {
     let mut worst = 0.0_f64;
     for vector in vectors::all() {
         let motion = vector.motion().unwrap();
-        let period = motion.averages().map_or(4.0, |averages| averages.period).min(10.0);
+        let period = motion.period_advance().map_or(4.0, |averages| averages.period).min(10.0);
         let mut stepper = Stepper::<f64>::new(&motion);
-        let start = stepper.phi();
+        let start = stepper.orientation();
         let steps: Vec<f64> = (0..4000).map(|i| period * (1.0 + f64::from(i % 7)) / 16384.0).collect();
         for dt in &steps {
             stepper.step(*dt);
         }
-        assert!(orientation_error(stepper.phi(), start) > 1e-3, "{}: did not move", vector.name);
+        assert!(stepper.orientation().distance(&start) > 1e-3, "{}: did not move", vector.name);
         for dt in steps.iter().rev() {
             stepper.step(-dt);
         }
-        worst = greater(worst, orientation_error(stepper.phi(), start) * vector.gap().clamp(1e-6, 1.0));
+        worst = greater(worst, stepper.orientation().distance(&start) * vector.gap().clamp(1e-6, 1.0));
     }
     tolerance::REVERSAL_F64.check("there and back", worst);
 }
 
-/// (l, n) -> (-l, -n): the mirror image, α and β conjugate.
+/// (l, n) -> (-l, -n) gives the mirror image, with complex conjugate α and β.
 #[test]
 fn the_mirror_image_is_exact() {
     for vector in vectors::all().into_iter().filter(|vector| vector.by_branch_points()) {
@@ -96,12 +96,13 @@ fn the_mirror_image_is_exact() {
             one.step(0.01);
             other.step(0.01);
         }
-        let mirror = Phi { alpha: other.phi().alpha.conj(), beta: other.phi().beta.conj() };
-        assert!(orientation_error(one.phi(), mirror) < 4e-15, "{}", vector.name);
+        let mirror =
+            Orientation { alpha: other.orientation().alpha.conj(), beta: other.orientation().beta.conj() };
+        assert!(one.orientation().distance(&mirror) < 4e-15, "{}", vector.name);
     }
 }
 
-/// Steps of any size keep the top on its own motion: the first integrals hold even where the step is far too long.
+/// Steps of any size keep the first integrals, even where the step is far too long.
 #[test]
 fn a_step_far_too_long_is_wrong_only_along_the_motion() {
     let mut worst = 0.0_f64;
@@ -110,7 +111,10 @@ fn a_step_far_too_long_is_wrong_only_along_the_motion() {
     let mut stepper = Stepper::<f64>::new(&motion);
     for _ in 0..1000 {
         stepper.step(3.7);
-        worst = greater(worst, drift(&recomputed(motion.top(), &stepper.pose()), &motion.first_integrals()));
+        worst = greater(
+            worst,
+            drift(&recomputed(motion.top(), &stepper.attitude_state()), &motion.first_integrals()),
+        );
     }
     tolerance::INVARIANTS_F64.check("l, n, h", worst);
 }

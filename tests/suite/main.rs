@@ -1,4 +1,4 @@
-//! Public behaviour, against independent truth. One binary, one module an idea.
+//! Tests of public behaviour against independent results: one binary, one module per subject.
 
 mod aperiodic;
 mod baked;
@@ -11,8 +11,8 @@ mod dependencies;
 mod e3_equals_e4;
 mod elliptic;
 mod ephemeris;
+mod far_ticks;
 mod fixed_point;
-mod fixed_stepper;
 mod found;
 #[cfg(feature = "host")]
 mod full;
@@ -25,16 +25,20 @@ mod invariants;
 mod lagrange;
 #[cfg(feature = "host")]
 mod lagrangian;
+mod layout;
 mod long_ticks;
 mod moebius;
 mod moments;
+mod normal_force;
 mod order;
 mod paper;
 mod precession;
 mod properties;
 mod refusals;
 mod regimes;
+mod small_together;
 mod stages;
 mod tip;
+mod tip_angle;
 #[cfg(feature = "host")]
 mod tip_curve;

@@ -1,8 +1,8 @@
-//! Section 2.2: the facts about SL(2, C) and its subgroup of rotations on the sphere of numbers.
+//! Section 2.2: statements on SL(2, C) and its subgroup of rotations, acting on the Riemann sphere.
 
 use toytop::exact::moebius::{Moebius, chordal_distance};
 use toytop::su2::{dot, sphere_point, stereographic};
-use toytop::{Complex, Phi};
+use toytop::{Complex, Orientation};
 use toytop_tests::{greater, tolerance};
 
 fn number(i: u32) -> Complex<f64> {
@@ -10,7 +10,7 @@ fn number(i: u32) -> Complex<f64> {
     Complex::new(2.0 * (1.3 * x).sin(), 1.5 * (2.1 * x).cos())
 }
 
-/// Elements of SL(2, C), hardly ever a rotation.
+/// Elements of SL(2, C), almost none of which is a rotation.
 fn transformations() -> Vec<Moebius<f64>> {
     let of = |i: u32| {
         let (alpha, beta, gamma) = (number(3 * i + 1), number(3 * i + 2), number(3 * i + 5));
@@ -21,17 +21,17 @@ fn transformations() -> Vec<Moebius<f64>> {
     (0..60).map(of).filter(|m| m.alpha.norm_squared() > 0.3).collect()
 }
 
-fn rotations() -> Vec<Phi<f64>> {
+fn rotations() -> Vec<Orientation<f64>> {
     let vector = |i: u32| [number(i).re, number(i + 9).im, number(i + 4).re];
-    (0..60).map(|i| Phi::exp(vector(i))).collect()
+    (0..60).map(|i| Orientation::exp(vector(i))).collect()
 }
 
 fn size(z: Complex<f64>) -> f64 {
     z.norm_squared().sqrt()
 }
 
-/// eqn:inerse-stereo-proj: on the unit sphere, its inverse is (ξ + iη)/(1 - ζ), the unit circle is the equator, 0 the south
-/// pole and infinity the north pole.
+/// Equation (2.4): the image is on the unit sphere, the inverse is (ξ + iη)/(1 - ζ), the unit circle is the equator,
+/// 0 the south pole and infinity the north pole.
 #[test]
 fn eqn_inverse_stereo_proj() {
     let mut worst = 0.0_f64;
@@ -47,7 +47,7 @@ fn eqn_inverse_stereo_proj() {
     assert_eq!(sphere_point(Some(Complex::new(0.6, 0.8))), [0.6, 0.8, 0.0]);
 }
 
-/// The projection is conformal: a step in any direction of the plane is stretched by the same 2/(|z|² + 1).
+/// The projection is conformal: a step in any direction of the plane is scaled by the same factor 2/(|z|² + 1).
 #[test]
 fn stereographic_projection_is_conformal() {
     let step = 1e-5;
@@ -63,7 +63,8 @@ fn stereographic_projection_is_conformal() {
     }
 }
 
-/// eqn:Moeb: the map of a product is the map of maps, and the derivative, a complex number, is 1/(γz + δ)².
+/// Equation (2.5): the map of a product is the composition of the maps, and the derivative, a complex number, is
+/// 1/(γz + δ)².
 #[test]
 fn eqn_moeb_is_a_homomorphism_and_conformal() {
     let (mut homomorphism, mut derivative) = (0.0_f64, 0.0_f64);
@@ -72,7 +73,7 @@ fn eqn_moeb_is_a_homomorphism_and_conformal() {
         assert!(size(first.determinant() - Complex::ONE) < 1e-14);
         for z in [Some(number(i as u32 + 70)), Some(Complex::ZERO), None] {
             let (product, successive) = (first.compose(second).at(z), first.at(second.at(z)));
-            // how much the two maps stretch: rounding in between grows by it
+            // scale factors of the two maps, by which the rounding between them grows
             let norm = |m: &Moebius<f64>| {
                 [m.alpha, m.beta, m.gamma, m.delta].iter().map(|z| z.norm_squared()).sum::<f64>()
             };
@@ -96,11 +97,12 @@ fn eqn_moeb_is_a_homomorphism_and_conformal() {
     assert!(derivative < 1e-8 && derivative > 1e-12, "{derivative:e}");
 }
 
-/// The kernel is {1, -1}: Φ and -Φ are one map; a map that leaves three points alone is the identity, so its matrix is ±1.
+/// The kernel is {1, -1}: Φ and -Φ give the same map; a map that fixes three points is the identity, so its matrix is
+/// ±1.
 #[test]
 fn the_kernel_is_plus_and_minus_one() {
     for phi in rotations() {
-        let negative = Phi { alpha: -phi.alpha, beta: -phi.beta };
+        let negative = Orientation { alpha: -phi.alpha, beta: -phi.beta };
         for z in [Some(number(5)), Some(Complex::ZERO), None] {
             assert_eq!(phi.moebius(z), negative.moebius(z));
         }
@@ -113,13 +115,14 @@ fn the_kernel_is_plus_and_minus_one() {
         assert!(moved > from_identity, "{moved} {from_identity}");
     }
     for sign in [1.0, -1.0] {
-        let identity = Phi { alpha: Complex::new(sign, 0.0), beta: Complex::ZERO };
+        let identity = Orientation { alpha: Complex::new(sign, 0.0), beta: Complex::ZERO };
         assert_eq!(identity.moebius(Some(number(8))), Some(number(8)));
         assert_eq!(identity.moebius(None), None);
     }
 }
 
-/// The rotations are the Möbius transformations with δ = ᾱ, γ = -β̄: those keep all distances on the sphere, others do not.
+/// The rotations are the Möbius transformations with δ = ᾱ, γ = -β̄: these preserve all distances on the sphere,
+/// others do not.
 #[test]
 fn rotations_are_su2() {
     let points: Vec<_> = (100..112).map(|i| Some(number(i))).chain([None]).collect();

@@ -1,19 +1,19 @@
-//! The order of the stepper, measured.
+//! Order of convergence of the stepper, measured.
 
-use toytop::{Motion, Phi, Stepper};
-use toytop_tests::{orientation_error, vectors};
+use toytop::{Motion, Orientation, Stepper};
+use toytop_tests::vectors;
 
-fn after(motion: &Motion, time: f64, steps: u32) -> Phi<f64> {
+fn after(motion: &Motion, time: f64, steps: u32) -> Orientation<f64> {
     let mut stepper = Stepper::<f64>::new(motion);
     (0..steps).for_each(|_| stepper.step(time / f64::from(steps)));
-    stepper.phi()
+    stepper.orientation()
 }
 
-/// Slope of log(error) over log(dt) between two step counts, against a run with many more steps.
+/// Slope of log(error) over log(dt) between two numbers of steps, against a run with many more steps.
 fn order(name: &str, time: f64) -> f64 {
     let motion = vectors::named(name).motion().unwrap();
     let truth = after(&motion, time, 20_000);
-    let error = |steps| orientation_error(after(&motion, time, steps), truth);
+    let error = |steps| after(&motion, time, steps).distance(&truth);
     (error(100) / error(400)).ln() / 4.0_f64.ln()
 }
 
@@ -30,14 +30,14 @@ fn the_stepper_is_of_fourth_order() {
     }
 }
 
-/// Where u is constant any step is exact, however long.
+/// Where u is constant a step of any length is exact.
 #[test]
 fn steady_motions_are_exact_in_one_step() {
     for name in
         ["regular_precession", "regular_precession_fast", "sleeping_stable", "sleeping_unstable", "hanging"]
     {
         let motion = vectors::named(name).motion().unwrap();
-        let error = orientation_error(after(&motion, 1e6, 1), after(&motion, 1e6, 1000));
+        let error = after(&motion, 1e6, 1).distance(&after(&motion, 1e6, 1000));
         assert!(error < 1e-15, "{name}: {error:.1e}");
     }
 }

@@ -1,8 +1,8 @@
-//! core/docs/paper.md: every label of the paper has a row, and every test that a row names exists.
+//! Page core/docs/paper.md: every label of the paper has a row, and every test that a row names exists.
 
 use std::path::Path;
 
-/// The labels of the paper's source.
+/// Labels of the paper's LaTeX source.
 const LABELS: [&str; 47] = [
     "eqn:omega",
     "eqn:Omega",
@@ -58,7 +58,7 @@ fn read(path: &str) -> String {
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// The cells of each row: label, what, item, tests.
+/// Cells of each row: label, what, item, tests.
 fn rows() -> Vec<[String; 4]> {
     let page = read("../core/docs/paper.md");
     let cells = |line: &str| line.trim_matches('|').split(" | ").map(|cell| cell.trim().to_owned()).collect();

@@ -2,12 +2,20 @@
 
 use toytop::exact::{RegularPrecession, Stability, SteadyPrecession};
 use toytop::{
-    Complex, Heaviness, Motion, Pace, Phi, Regime, Release, Sign, Signs, Start, State, Stepper, Top,
+    Complex, Motion, Orientation, Regime, Release, Sign, Signs, Start, State, Stepper, Top, TopParameters,
 };
 use toytop_tests::vectors;
 
 fn top() -> Top {
-    Top::sliding(1.1, 0.8, 0.6, Heaviness::MassMoment(0.9), 2.0).unwrap()
+    Top::sliding(&TopParameters {
+        transverse_inertia: 1.1,
+        axial_inertia: 0.8,
+        com_height: 0.6,
+        mass_moment: 0.9,
+        gravity: 2.0,
+        ..TopParameters::default()
+    })
+    .unwrap()
 }
 
 fn at(e1: f64, e2: f64, e3: f64, l_minus_n: Sign) -> Motion {
@@ -15,52 +23,62 @@ fn at(e1: f64, e2: f64, e3: f64, l_minus_n: Sign) -> Motion {
     Motion::from_branch_points(&top(), [e1, e2, e3], signs, &Start::default()).unwrap()
 }
 
-/// φ' solves A e φ'² - n φ' + p g = 0, is the φ' of the general formula, and fast times slow is pg/A.
+/// φ' solves A e φ'² - n φ' + p g = 0 and equals the general formula, and the product of fast and slow φ' is pg/A.
 #[test]
 fn both_kinds_of_regular_precession() {
     let top = top();
     for (e, e3) in [(0.4, 1.3), (-0.7, 5.0), (0.999, 1.0), (0.0, 2.0), (-0.999_999, 1.000_001)] {
         let mut product = 1.0;
-        for (sign, pace) in [(Sign::Plus, Pace::Fast), (Sign::Minus, Pace::Slow)] {
+        for (sign, regime) in [(Sign::Plus, Regime::FastPrecession), (Sign::Minus, Regime::SlowPrecession)] {
             let motion = at(e, e, e3, sign);
             let form = RegularPrecession::new(&motion).unwrap();
-            assert!(e3 == 1.0 || form.regime() == Regime::RegularPrecession(pace));
+            assert!(e3 == 1.0 || form.regime() == regime);
             let [precession, spin] = form.rates().unwrap();
             let integrals = motion.first_integrals();
-            let terms = [top.a() * e * precession * precession, -integrals.n * precession, top.p() * top.g()];
+            let terms = [
+                top.transverse_inertia() * e * precession * precession,
+                -integrals.n * precession,
+                top.mass_moment() * top.gravity(),
+            ];
             let size = terms.iter().fold(0.0, |size, term| size + term.abs());
             assert!(terms.iter().sum::<f64>().abs() < 1e-15 * size);
-            let general = (integrals.l - integrals.n * e) / (top.a() * (1.0 - e * e));
+            let general = (integrals.l - integrals.n * e) / (top.transverse_inertia() * (1.0 - e * e));
             assert!((precession - general).abs() < 1e-9 * general.abs());
-            assert!((spin + e * precession - integrals.n / top.c()).abs() < 1e-15 * spin.abs().max(1.0));
+            assert!(
+                (spin + e * precession - integrals.n / top.axial_inertia()).abs()
+                    < 1e-15 * spin.abs().max(1.0)
+            );
             product *= precession;
             // ω = ψ' r + φ' k at any time
             let pose = form.at(0.7);
-            let [r1, r2, r3] = pose.phi.axis();
+            let [r1, r2, r3] = pose.orientation.axis();
             let expected = [spin * r1, spin * r2, spin * r3 + precession];
             for (ours, expected) in pose.omega().iter().zip(expected) {
                 assert!((ours - expected).abs() < 1e-14 * (spin.abs() + precession.abs()));
             }
         }
-        assert!((product * top.a() / (top.p() * top.g()) - 1.0).abs() < 1e-14, "{e} {e3}: {product}");
+        assert!(
+            (product * top.transverse_inertia() / (top.mass_moment() * top.gravity()) - 1.0).abs() < 1e-14,
+            "{e} {e3}: {product}"
+        );
     }
 }
 
-/// The frequency is that of the nutations which a small push starts: the difference goes as the square of the push.
+/// The frequency is that of the nutation after a small push: the difference is of second order in the push.
 #[test]
 fn small_nutations() {
     for (e, e3) in [(0.4, 1.3), (-0.7, 5.0), (0.9, 1.05)] {
         let form = RegularPrecession::new(&at(e, e, e3, Sign::Minus)).unwrap();
         let Stability::Stable { frequency } = form.stability() else { panic!("e1 = e2 is stable") };
         let off = |push: f64| {
-            let period = at(e - push, e + push, e3, Sign::Minus).averages().unwrap().period;
+            let period = at(e - push, e + push, e3, Sign::Minus).period_advance().unwrap().period;
             frequency * period / std::f64::consts::TAU - 1.0
         };
         let (coarse, fine) = (off(1e-3), off(1e-4));
         assert!((coarse / fine - 100.0).abs() < 5.0, "{coarse:e} {fine:e}");
         assert!(fine.abs() < 1e-5);
     }
-    // the vectors state the period of small nutations
+    // the vectors contain the period of small nutations
     for name in ["regular_precession", "regular_precession_fast", "sleeping_stable"] {
         let vector = vectors::named(name);
         let form = RegularPrecession::new(&vector.motion().unwrap()).unwrap();
@@ -71,27 +89,30 @@ fn small_nutations() {
 }
 
 fn upright(spin: f64, push: f64) -> Motion {
-    Motion::launch(&top(), &State::new(Phi::IDENTITY, [push, 0.0, spin]).unwrap()).unwrap()
+    Motion::launch(&top(), &State::new(Orientation::IDENTITY, [push, 0.0, spin]).unwrap()).unwrap()
 }
 
-/// The sleeping top: pushed, it leaves with the growth rate below the border, and stays near above it.
+/// Sleeping top after a push: below the border it falls at the growth rate, above the border it stays near the
+/// vertical.
 #[test]
 fn the_sleeping_top_falls_at_its_growth_rate() {
     let top = top();
-    let border = (4.0 * top.a() * top.p() * top.g()).sqrt() / top.c();
+    let border =
+        (4.0 * top.transverse_inertia() * top.mass_moment() * top.gravity()).sqrt() / top.axial_inertia();
     for share in [0.0, 0.5, 0.9] {
-        let n = top.c() * share * border;
+        let n = top.axial_inertia() * share * border;
         let form = RegularPrecession::new(&upright(share * border, 0.0)).unwrap();
         let Stability::Unstable { growth_rate } = form.stability() else { panic!("too slow to sleep") };
-        let formula = (4.0 * top.a() * top.p() * top.g() - n * n).sqrt() / (2.0 * top.a());
+        let formula = (4.0 * top.transverse_inertia() * top.mass_moment() * top.gravity() - n * n).sqrt()
+            / (2.0 * top.transverse_inertia());
         assert!((growth_rate / formula - 1.0).abs() < 1e-14);
-        // between two times when the fall is far from its start and still small
+        // between two times at which the tilt is far above its initial value and still small
         let pushed = upright(share * border, 1e-9);
         let mut stepper = Stepper::<f64>::new(&pushed);
         let mut sizes = [0.0; 2];
         for size in &mut sizes {
             (0..4096).for_each(|_| stepper.step(6.0 / growth_rate / 4096.0));
-            *size = stepper.phi().beta.norm_squared().sqrt();
+            *size = stepper.orientation().beta.norm_squared().sqrt();
         }
         assert!(((sizes[1] / sizes[0]).ln() / 6.0 - 1.0).abs() < 1e-4, "{share}: {sizes:?}");
     }
@@ -100,7 +121,7 @@ fn the_sleeping_top_falls_at_its_growth_rate() {
     let form = RegularPrecession::new(&at(1.0, 1.0, 1.0, Sign::Plus)).unwrap();
     assert_eq!(form.stability(), Stability::Marginal);
     assert_eq!(form.rates(), None);
-    // the growth rate of the vector, measured there by another program
+    // growth rate of the vector, measured there by another program
     let vector = vectors::named("sleeping_unstable");
     let form = RegularPrecession::new(&vector.motion().unwrap()).unwrap();
     let Stability::Unstable { growth_rate } = form.stability() else { panic!("unstable") };
@@ -114,7 +135,7 @@ fn released(tilt: f64, spin: f64, precession: f64) -> Motion {
     Motion::launch(&top(), &State::release(&release).unwrap()).unwrap()
 }
 
-/// Released with the rate found, the tilt stays: at every tilt and spin where there is one.
+/// A release with the computed rate keeps its tilt, for every tilt and spin with a steady precession.
 #[test]
 fn a_steady_precession_is_steady() {
     let mut found = 0;
@@ -134,7 +155,7 @@ fn a_steady_precession_is_steady() {
             };
             for rate in rates {
                 let e = released(tilt, spin, rate).branch_points();
-                // what a rounding of the release does to the tilt, over how stiffly it is held
+                // effect of a rounding of the release on the tilt, over the stiffness of the tilt
                 let allowed = 1e-13 / (e.e3_minus_e2 / e.e3).min(1.0);
                 assert!(e.e2_minus_e1 < allowed, "{tilt} {spin} {rate}: {e:?}");
                 found += 1;
@@ -144,7 +165,7 @@ fn a_steady_precession_is_steady() {
     assert_eq!(found, 58);
 }
 
-/// Where there is none, no rate at all keeps the tilt; where the spin is the least, the two rates are one.
+/// Where there is no steady precession, no rate keeps the tilt; at the least spin the two rates are equal.
 #[test]
 fn below_the_least_spin_there_is_none() {
     let tilt = 0.5;
@@ -159,7 +180,7 @@ fn below_the_least_spin_there_is_none() {
         SteadyPrecession::Two { slow, fast } => fast / slow - 1.0,
         other => panic!("{other:?}"),
     };
-    // the rates part like the square root
+    // the difference of the rates grows like the square root
     let ratio = two(least_spin * (1.0 + 1e-6)) / two(least_spin * (1.0 + 1e-8));
     assert!((ratio - 10.0).abs() < 0.1, "{ratio}");
     let error = |tilt, spin| SteadyPrecession::new(&top(), tilt, spin).unwrap_err().parameter();
@@ -167,21 +188,21 @@ fn below_the_least_spin_there_is_none() {
     assert_eq!([error(0.5, 1e12), error(0.5, f64::INFINITY)], ["spin"; 2]);
 }
 
-/// A state that is a regular precession to rounding counts as one.
+/// A state that is a regular precession up to rounding has the closed form.
 #[test]
 fn a_rounded_state_has_the_form_too() {
     let SteadyPrecession::Two { slow, .. } = SteadyPrecession::new(&top(), 0.4, 9.0).unwrap() else {
         panic!()
     };
     let motion = released(0.4, 9.0, slow);
-    assert_eq!(motion.regime(), Regime::RegularPrecession(Pace::Slow));
+    assert_eq!(motion.regime(), Regime::SlowPrecession);
     let form = RegularPrecession::new(&motion).unwrap();
     let mut stepper = Stepper::<f64>::new(&motion);
     for second in 1..20 {
         (0..1024).for_each(|_| stepper.step(1.0 / 1024.0));
-        let apart = stepper.phi().alpha - form.at(f64::from(second)).phi.alpha;
-        let beta = stepper.phi().beta - form.at(f64::from(second)).phi.beta;
+        let apart = stepper.orientation().alpha - form.at(f64::from(second)).orientation.alpha;
+        let beta = stepper.orientation().beta - form.at(f64::from(second)).orientation.beta;
         assert!(apart.norm_squared().sqrt() + beta.norm_squared().sqrt() < 1e-13);
     }
-    assert!(form.at(1e9).phi.alpha != Complex::ZERO);
+    assert!(form.at(1e9).orientation.alpha != Complex::ZERO);
 }

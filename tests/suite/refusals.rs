@@ -1,22 +1,40 @@
-//! Every refusal, by the parameter it names. What is accepted right beside it shows that the border is where it is said.
+//! Every refusal, by the name of its parameter. Values just inside the border are accepted, which shows where the
+//! border is.
 
 use toytop::{
-    BranchPoints, Complex, Ephemeris, Heaviness, LaunchError, Motion, NoFit, Phi, Release, Sign, Signs,
-    Start, State, Tick, Top,
+    BranchPoints, Complex, Ephemeris, Motion, Orientation, ParameterError, Release, Sign, Signs, Start,
+    State, TableTooSmall, Tick, Top, TopParameters,
 };
 use toytop_tests::vectors;
 
-fn parameter<T>(result: Result<T, LaunchError>) -> Option<&'static str> {
+fn parameter<T>(result: Result<T, ParameterError>) -> Option<&'static str> {
     result.err().map(|error| error.parameter())
 }
 
 fn top() -> Top {
-    Top::sliding(1.0, 1.0, 1.0, Heaviness::MassMoment(1.0), 1.0).unwrap()
+    Top::sliding(&TopParameters {
+        transverse_inertia: 1.0,
+        axial_inertia: 1.0,
+        com_height: 1.0,
+        mass_moment: 1.0,
+        gravity: 1.0,
+        ..TopParameters::default()
+    })
+    .unwrap()
 }
 
 #[test]
 fn tops() {
-    let top = |a, c, s, p, g| parameter(Top::sliding(a, c, s, Heaviness::MassMoment(p), g));
+    let top = |a, c, s, p, g| {
+        parameter(Top::sliding(&TopParameters {
+            transverse_inertia: a,
+            axial_inertia: c,
+            com_height: s,
+            mass_moment: p,
+            gravity: g,
+            ..TopParameters::default()
+        }))
+    };
     assert_eq!(top(1.0, 2.0, 1.0, 1.0, 1.0), None);
     assert_eq!(top(1.0, 2.0000001, 1.0, 1.0, 1.0), Some("axial_inertia"));
     assert_eq!(top(-1.0, 1.0, 1.0, 1.0, 1.0), Some("transverse_inertia"));
@@ -31,7 +49,7 @@ fn tops() {
 #[test]
 fn states() {
     let z = Complex::new;
-    let state = |alpha, beta, omega| parameter(State::new(Phi { alpha, beta }, omega));
+    let state = |alpha, beta, omega| parameter(State::new(Orientation { alpha, beta }, omega));
     assert_eq!(state(z(0.6, 0.0), z(0.0, 0.8), [0.0; 3]), None);
     assert_eq!(state(z(0.6, 0.0), z(0.0, 0.8000006), [0.0; 3]), None);
     assert_eq!(state(z(0.6, 0.0), z(0.0, 0.8000007), [0.0; 3]), Some("alpha"));
@@ -82,10 +100,10 @@ fn motions_too_fast_and_energies_too_low() {
     assert_eq!(parameter(Motion::launch(&top(), &spinning(1e7))), None);
     assert_eq!(parameter(Motion::launch(&top(), &spinning(1e8))), Some("omega"));
     assert_eq!(parameter(BranchPoints::from_integrals(&top(), 2.0, 2.0, 1.0)), Some("h"));
-    // enough to be at some height, but not for so much l there
+    // enough energy for some heights, but not for this l at any height
     assert_eq!(parameter(BranchPoints::from_integrals(&top(), 1.5, 0.0, 0.5)), Some("h"));
     assert_eq!(parameter(BranchPoints::from_integrals(&top(), 1.0, 0.0, 0.5)), None);
-    // of a top at rest: hanging, or not at all
+    // a top at rest: only hanging is possible
     assert_eq!(parameter(BranchPoints::from_integrals(&top(), 0.0, 0.0, -1.0)), None);
     assert_eq!(parameter(BranchPoints::from_integrals(&top(), 0.0, 0.0, -1.0 - 1e-6)), Some("h"));
     assert_eq!(parameter(BranchPoints::from_integrals(&top(), f64::NAN, 2.0, 1.0)), Some("l"));
@@ -106,7 +124,7 @@ fn messages_name_the_parameter_and_what_is_allowed() {
 
 #[test]
 fn what_a_table_misses_is_said() {
-    let says = |truncation, segments| NoFit { truncation, segments }.to_string();
+    let says = |truncation, segments| TableTooSmall { truncation, segments }.to_string();
     let misses = "the table cannot follow the motion to within 2.5e-3 rad; ";
     assert_eq!(says(0.0025, Some(64)), format!("{misses}64 segments of this degree would fit"));
     assert_eq!(says(0.0025, None), format!("{misses}not even 4096 segments of this degree would fit"));
@@ -118,13 +136,13 @@ fn signs_are_factors() {
     assert_eq!([Sign::of(0.0), Sign::of(-1e-300)].map(Sign::factor), [1, -1]);
 }
 
-/// A table that was set up and then refused another motion says that it is not to be relied on.
+/// A table that refused a motion in set-up has an infinite error bound.
 #[test]
 fn a_refused_set_up_states_no_bound() {
     let [easy, hard] =
         ["exact_generic_pp", "near_separatrix_straddle"].map(|name| vectors::named(name).motion().unwrap());
     let tick = Tick::hertz(1000).unwrap();
-    let mut ephemeris = Ephemeris::<f64, 48, 11>::new(&easy, tick).unwrap();
+    let mut ephemeris = Ephemeris::<f64, 48>::new(&easy, tick).unwrap();
     assert!(ephemeris.error_bound().after(1e9) < 1e-12);
     assert!(ephemeris.set_up(&hard, tick, 1e-19).is_err());
     assert_eq!(ephemeris.error_bound().after(0.0), f64::INFINITY);

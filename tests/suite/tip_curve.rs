@@ -1,17 +1,25 @@
-//! Section 4: the curve of the tip, its angle, and the criterion for loops and cusps against the curve itself.
+//! Section 4: the curve of the tip, its angle, and the criterion for loops and cusps compared with the sampled curve.
 
 use crate::full::solver;
 use proptest::prelude::*;
 use toytop::exact::tip_curve::{TipCurve, loop_margin};
 use toytop::su2::{sphere_point, stereographic};
-use toytop::{Complex, Heaviness, Motion, Sign, Signs, Start, Stepper, TipClass, Top};
+use toytop::{Complex, Motion, Sign, Signs, Start, Stepper, TipClass, Top, TopParameters};
 use toytop_tests::{greater, tolerance, vectors};
 
 const SAME: Signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Plus };
 const DIFFERENT: Signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
 
 fn top() -> Top {
-    Top::sliding(1.1, 0.8, 0.6, Heaviness::MassMoment(0.9), 1.0).unwrap()
+    Top::sliding(&TopParameters {
+        transverse_inertia: 1.1,
+        axial_inertia: 0.8,
+        com_height: 0.6,
+        mass_moment: 0.9,
+        gravity: 1.0,
+        ..TopParameters::default()
+    })
+    .unwrap()
 }
 
 fn motion(e: [f64; 3], signs: Signs) -> Motion {
@@ -22,19 +30,19 @@ fn size(z: Complex<f64>) -> f64 {
     z.norm_squared().sqrt()
 }
 
-/// c and c' at `count` instants of a period (or of ten units of time).
+/// Tip position c and velocity c' at `count` instants of a period (or of ten units of time).
 fn sampled(motion: &Motion, count: u32) -> Vec<(Complex<f64>, Complex<f64>)> {
-    let time = motion.averages().map_or(10.0, |averages| averages.period);
+    let time = motion.period_advance().map_or(10.0, |averages| averages.period);
     let mut stepper = Stepper::<f64>::new(motion);
     let samples = (0..count).map(|_| {
-        let tip = stepper.tip();
+        let tip = (stepper.tip(), stepper.tip_velocity());
         stepper.step(time / f64::from(count));
-        (tip.c, tip.velocity)
+        tip
     });
     samples.collect()
 }
 
-/// The curve's class as one sees it: whether the angle runs back on the part of the curve that is sampled.
+/// Whether the angle decreases on some part of the sampled curve and increases on another.
 fn runs_back(motion: &Motion) -> bool {
     let turning = |(c, velocity): (Complex<f64>, Complex<f64>)| (c.conj() * velocity).im;
     let all: Vec<f64> = sampled(motion, 4000).into_iter().map(turning).collect();
@@ -42,8 +50,8 @@ fn runs_back(motion: &Motion) -> bool {
     all.iter().any(|&x| x > 1e-9 * largest) && all.iter().any(|&x| x < -1e-9 * largest)
 }
 
-/// Proposition on c: the curve is the projection of -sr, and 2sαβ, and s 2z/(|z|² + 1) with z = β/δ, the image of 0 under
-/// the Möbius transformation and the stereographic image of -r; |c| = s√(1 - u²).
+/// Proposition 4: the curve is the projection of -sr, and 2sαβ, and s 2z/(|z|² + 1) with z = β/δ, the image of 0
+/// under the Möbius transformation and the stereographic image of -r; |c| = s√(1 - u²).
 #[test]
 fn prop_c_is_two_s_alpha_beta() {
     let mut worst = 0.0_f64;
@@ -54,13 +62,13 @@ fn prop_c_is_two_s_alpha_beta() {
         let mut stepper = Stepper::<f64>::new(&motion);
         for _ in 0..50 {
             stepper.step(0.05);
-            let (phi, tip) = (stepper.phi(), stepper.tip().c);
+            let (phi, tip) = (stepper.orientation(), stepper.tip());
             let [r1, r2, u] = phi.axis();
             worst = greater(worst, size(tip - Complex::new(-scale * r1, -scale * r2)) / scale);
             let z = phi.moebius(Some(Complex::ZERO));
             let image = stereographic([-r1, -r2, -u]);
             if let (Some(z), Some(image)) = (z, image) {
-                // near the pole 1 - ζ has lost what 1 + |z|² multiplies
+                // near the pole, 1 - ζ has lost digits in proportion to 1 + |z|²
                 let scale = (1.0 + z.norm_squared()) * (1.0 + size(z));
                 worst = greater(worst, size(z - image) / scale);
             }
@@ -74,7 +82,7 @@ fn prop_c_is_two_s_alpha_beta() {
     tolerance::GROUP.check("c", worst);
 }
 
-/// eqn:dphi: φ' and dφ/du along the full solution are functions of u alone.
+/// Equation (4.1): φ' and dφ/du along the full solution are functions of u alone.
 #[test]
 fn prop_eqn_dphi() {
     let mut worst = 0.0_f64;
@@ -102,8 +110,8 @@ fn prop_eqn_dphi() {
 proptest! {
     #![proptest_config(crate::properties::config(400))]
 
-    /// Proposition on loops: the paper's condition on e₃, the equivalent one on l/n, eqn:loopcondition, and the curve
-    /// itself agree.
+    /// Proposition 6: the paper's condition on e₃, the equivalent one on l/n, equation (4.2), and the sampled curve
+    /// agree.
     #[test]
     fn prop_loop_cusp_or_wobbly_arc(
         (low, width, height) in (-0.98_f64..0.9, 0.02_f64..0.98, -2.5_f64..1.5),
@@ -124,7 +132,7 @@ proptest! {
         prop_assert_eq!(curve.class(), motion.tip_class());
         prop_assert_eq!(runs_back(&motion), loops);
         if loops {
-            // eqn:loopcondition at the height where the angle turns, and φ' = 0 there
+            // equation (4.2) at the height where the angle changes direction, and φ' = 0 there
             let integrals = motion.first_integrals();
             let ratio = integrals.l_plus_n / integrals.l_minus_n;
             prop_assert!(((height + 1.0) / (height - 1.0) - ratio).abs() < 1e-11 * ratio.abs());
@@ -132,7 +140,8 @@ proptest! {
         }
     }
 
-    /// On the border e₃ = (1 - e₁e₂)/(e₂ - e₁) there is a cusp: the tip stands still at u = e₂, and only there.
+    /// On the border e₃ = (1 - e₁e₂)/(e₂ - e₁) there is a cusp: the velocity of the tip is 0 at u = e₂, and only
+    /// there.
     #[test]
     fn prop_cusps((low, width) in (-0.95_f64..0.9, 0.1_f64..0.9)) {
         let e2 = low + (0.97 - low) * width;
@@ -149,7 +158,7 @@ proptest! {
     }
 }
 
-/// e₁ = e₂: a circle of radius s√(1 - e²), at constant speed.
+/// For e₁ = e₂ the curve is a circle of radius s√(1 - e²), at constant speed.
 #[test]
 fn tip_of_regular_precession_is_a_circle() {
     for signs in [SAME, DIFFERENT] {
@@ -166,7 +175,8 @@ fn tip_of_regular_precession_is_a_circle() {
     }
 }
 
-/// e₂ = 1 or e₁ = -1: through the centre, where φ jumps by half a turn unless ρ has a sign; both: a straight segment.
+/// For e₂ = 1 or e₁ = -1 the curve passes through the centre, where φ jumps by half a turn unless ρ has a sign; with
+/// both it is a straight segment.
 #[test]
 fn tip_through_the_centre() {
     for (e, at) in [([0.2, 1.0, 1.6], 500), ([-1.0, 0.4, 1.6], 0)] {
@@ -177,7 +187,7 @@ fn tip_through_the_centre() {
         let samples = sampled(&motion, 1000);
         assert!(size(samples[at].0) < 1e-6, "{:?}", samples[at]);
         let (before, after) = (samples[(at + 990) % 1000], samples[at + 10]);
-        // the direction reverses, the velocity does not, and φ' is finite
+        // the direction of c is reversed, the velocity is continuous, and φ' is finite
         assert!((before.0.conj() * after.0).re < 0.0 && (before.1.conj() * after.1).re > 0.0);
         assert!(curve.rate(if at == 0 { -1.0 } else { 1.0 }).is_finite());
     }
@@ -190,11 +200,19 @@ fn tip_through_the_centre() {
     assert!(samples.iter().all(|(c, _)| (far.conj() * *c).im.abs() < 1e-15));
 }
 
-/// e₃ = 1: w₊₁ = 0, l = n, smooth whatever the free sign (figures 2 and 3 begin with the same curve), and with C = A the
-/// argument of β is constant.
+/// For e₃ = 1, w₊₁ = 0 and l = n, the curve is smooth for either free sign (figures 2 and 3 begin with the same
+/// curve), and with C = A the argument of β is constant.
 #[test]
 fn tip_at_e3_equal_to_one() {
-    let spherical = Top::sliding(1.0, 1.0, 1.0, Heaviness::MassMoment(1.0), 1.0).unwrap();
+    let spherical = Top::sliding(&TopParameters {
+        transverse_inertia: 1.0,
+        axial_inertia: 1.0,
+        com_height: 1.0,
+        mass_moment: 1.0,
+        gravity: 1.0,
+        ..TopParameters::default()
+    })
+    .unwrap();
     let [first, second] = [SAME, DIFFERENT].map(|signs| {
         let start = Start { arg_beta: 0.4, ..Start::default() };
         Motion::from_branch_points(&spherical, [0.7, 0.9, 1.0], signs, &start).unwrap()
@@ -208,7 +226,7 @@ fn tip_at_e3_equal_to_one() {
         let mut stepper = Stepper::<f64>::new(motion);
         for _ in 0..8000 {
             stepper.step(0.001);
-            assert!((stepper.phi().beta.arg() - 0.4).abs() < 1e-12);
+            assert!((stepper.orientation().beta.arg() - 0.4).abs() < 1e-12);
         }
     }
     for (one, other) in sampled(&first, 4000).into_iter().zip(sampled(&second, 4000)) {
@@ -216,7 +234,7 @@ fn tip_at_e3_equal_to_one() {
     }
 }
 
-/// e₂ = e₃ = 1: the tip spirals into the centre and never gets there; upright or hanging it rests.
+/// For e₂ = e₃ = 1 the tip tends to the centre without reaching it; upright or hanging, it stays at the centre.
 #[test]
 fn tip_spirals_in_or_rests() {
     let aperiodic = motion([0.2, 1.0, 1.0], SAME);
@@ -234,7 +252,7 @@ fn tip_spirals_in_or_rests() {
     }
 }
 
-/// Figures 2 and 3: both criteria on the paper's own motions.
+/// Figures 2 and 3: both criteria for the paper's own motions.
 #[test]
 fn figures_2_and_3_by_both_criteria() {
     let mut cusps = 0;

@@ -1,8 +1,8 @@
-//! Hostile input: functions that take any bytes, build what these describe, and assert what must hold of it whatever the
-//! bytes were. No panic, no hang, and no NaN or infinity out of anything that was constructed.
+//! Hostile input: functions that accept any bytes, construct what the bytes describe, and assert the properties that
+//! must always hold: no panic, no endless loop, and no NaN or infinity from anything that was constructed.
 //!
-//! cargo-fuzz looks for bytes that break one of them (`cargo xtask fuzz`, `tests/fuzz`); the suite runs them over the
-//! committed seeds and over random bytes.
+//! cargo-fuzz searches for bytes that violate one of them (`cargo xtask fuzz`, `tests/fuzz`). The suite runs them on
+//! the committed seeds and on random bytes.
 
 mod bake;
 mod ephemeris;
@@ -13,15 +13,15 @@ mod launch;
 mod scenario;
 mod sound;
 
-/// A function that any bytes may be given to.
+/// Function that accepts any bytes.
 pub struct Target {
-    /// That of its seeds' folder and of its program in `tests/fuzz`.
+    /// Name of the folder of its seeds and of its program in `tests/fuzz`.
     pub name: &'static str,
-    /// Panics if what must hold does not.
+    /// Function that panics if a property is violated.
     pub run: fn(&[u8]),
 }
 
-/// All of them.
+/// All targets.
 pub const TARGETS: &[Target] = &[
     #[cfg(feature = "host")]
     Target { name: "scenario", run: scenario::run },
@@ -31,10 +31,10 @@ pub const TARGETS: &[Target] = &[
     Target { name: "bake", run: bake::run },
 ];
 
-/// Runs the one so named.
+/// Runs the target of this name.
 ///
 /// # Panics
-/// If there is none, or as the target does.
+/// If there is no such target, or if the target panics.
 pub fn run(name: &str, bytes: &[u8]) {
     let target = TARGETS.iter().find(|target| target.name == name);
     (target.unwrap_or_else(|| panic!("no target {name}")).run)(bytes);

@@ -1,32 +1,40 @@
-//! What the cross-crate tests share: reference vectors, tolerances, and how errors are measured.
+//! Shared parts of the tests of all crates: reference vectors, tolerances, and the measure of errors.
 
 pub mod complex;
 pub mod hostile;
 pub mod tolerance;
 pub mod vectors;
 
-use toytop::{Complex, Phi};
+use toytop::{Complex, Ephemeris, EphemerisScalar, Motion, Orientation, Tick};
 
-/// The error of an orientation everywhere in this project: 2 √(|Δα|² + |Δβ|²) in rad, sensitive to the sign of Φ.
-pub fn orientation_error(phi: Phi<f64>, truth: Phi<f64>) -> f64 {
-    let (alpha, beta) = (phi.alpha - truth.alpha, phi.beta - truth.beta);
-    2.0 * (alpha.norm_squared() + beta.norm_squared()).sqrt()
-}
-
-/// The greater of two errors. NaN, which `f64::max` would drop, is greater than any number: it must not pass a bound.
+/// Larger of two errors. NaN counts as larger than any number, so that it cannot pass a bound; `f64::max` would drop
+/// it.
 pub fn greater(a: f64, b: f64) -> f64 {
     if a > b || a.is_nan() { a } else { b }
 }
 
-/// The worst of many errors: NaN if one is, 0 if there are none.
+/// Largest of several errors: NaN if one of them is NaN, 0 if there are none.
 pub fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
     errors.into_iter().fold(0.0, greater)
 }
 
-/// Φ of any scalar as `f64`.
-pub fn widened<R: Into<f64>>(phi: Phi<R>) -> Phi<f64> {
+/// Orientation of any scalar as `f64`.
+pub fn widened<R: Into<f64>>(phi: Orientation<R>) -> Orientation<f64> {
     let widen = |z: Complex<R>| Complex::new(z.re.into(), z.im.into());
-    Phi { alpha: widen(phi.alpha), beta: widen(phi.beta) }
+    Orientation { alpha: widen(phi.alpha), beta: widen(phi.beta) }
+}
+
+/// Ephemeris on the heap: a large one, by value, is too much for the stack of a test.
+///
+/// # Panics
+/// If the motion does not fit.
+pub fn boxed<R: EphemerisScalar, const SEGMENTS: usize>(
+    motion: &Motion,
+    tick: Tick,
+) -> Box<Ephemeris<R, SEGMENTS>> {
+    let mut ephemeris = Box::new(Ephemeris::<R, SEGMENTS>::EMPTY);
+    ephemeris.set_up(motion, tick, 4.0 * R::ROUNDING).unwrap();
+    ephemeris
 }
 
 /// The example of the README, compiled and run.

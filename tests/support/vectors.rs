@@ -1,35 +1,36 @@
-//! The reference vectors of `tests/reference/vectors`: one JSON file a motion, numbers as decimal strings.
+//! Reference vectors of `tests/reference/vectors`: one JSON file per motion, with numbers as decimal strings.
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use toytop::{Complex, Heaviness, LaunchError, Motion, Phi, Sign, Signs, Start, State, Top};
+use toytop::scalar::{DoubleDouble, Ring};
+use toytop::{Complex, Motion, Orientation, ParameterError, Sign, Signs, Start, State, Top, TopParameters};
 
-/// One motion with its truth. Units: g = 1.
+/// Reference vector: one motion with its exact values. Units: g = 1.
 pub struct Vector {
-    /// File name without ending.
+    /// File name without extension.
     pub name: String,
     json: Value,
 }
 
-/// The truth at one time.
+/// Exact values at one time.
 pub struct Sample {
     /// Time, exact in decimal.
     pub t: f64,
-    /// u.
+    /// Cosine of the tilt u.
     pub u: f64,
-    /// u'.
+    /// Rate u'.
     pub udot: f64,
-    /// Φ.
-    pub phi: Phi<f64>,
-    /// The tip curve.
+    /// Orientation Φ.
+    pub phi: Orientation<f64>,
+    /// Tip curve c.
     pub c: Complex<f64>,
-    /// The tip angle, continued; None where it does not exist.
+    /// Tip angle, continued in time; `None` where it does not exist.
     pub tip_angle: Option<f64>,
 }
 
-/// The truth of one period.
+/// Exact values of one period.
 pub struct Period {
-    /// T.
+    /// Period T.
     pub period: f64,
     /// Advance of arg α, rad.
     pub alpha: f64,
@@ -39,7 +40,7 @@ pub struct Period {
     pub phi: f64,
 }
 
-/// All vectors, by name.
+/// All vectors, sorted by name.
 pub fn all() -> Vec<Vector> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("reference/vectors");
     let entries = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
@@ -49,12 +50,12 @@ pub fn all() -> Vec<Vector> {
     files.iter().map(|file| Vector::read(file)).collect()
 }
 
-/// The vector of this name.
+/// Vector of this name.
 pub fn named(name: &str) -> Vector {
     Vector::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("reference/vectors/{name}.json")))
 }
 
-/// A file of `tests/reference`.
+/// JSON file of `tests/reference`.
 pub fn json(name: &str) -> Value {
     read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("reference").join(name))
 }
@@ -72,7 +73,7 @@ impl Vector {
         Self { name: file.file_stem().unwrap().to_string_lossy().into_owned(), json }
     }
 
-    /// A number at the top of the file (`e1`, `l`, ...), if it is there.
+    /// Number at the top level of the file (`e1`, `l`, ...), if it is present.
     pub fn number(&self, key: &str) -> Option<f64> {
         self.json.get(key).and_then(number)
     }
@@ -81,39 +82,52 @@ impl Vector {
         self.json["params"].get(key).and_then(number)
     }
 
-    /// Whether its inputs are `f64` numbers exactly, so that nothing is lost in reading them.
+    /// Whether the inputs are exactly `f64` numbers, so that reading them causes no rounding.
     pub fn is_exact(&self) -> bool {
         self.json.get("exact_in_f64").is_some()
     }
 
-    /// Whether it is defined by branch points (otherwise by a state).
+    /// Whether the motion is given by branch points (otherwise by a state).
     pub fn by_branch_points(&self) -> bool {
         self.json["params"]["defined_by"].as_str().is_some_and(|text| text.starts_with("e1,e2,e3"))
     }
 
-    /// e₃ - e₂, which tells how much the equations amplify.
+    /// Difference e₃ - e₂; the errors of a motion are amplified by its inverse.
     pub fn gap(&self) -> f64 {
         self.number("e3").unwrap() - self.number("e2").unwrap()
     }
 
-    /// The smallest of 1, e₃ - e₂ and 1 - e₂ that is not 0: what a rounding of the inputs is to be compared with.
+    /// Smallest of 1, e₃ - e₂ and 1 - e₂ that is not 0: the scale for the effect of a rounding of the inputs.
     pub fn smallest_difference(&self) -> f64 {
         let differences = [self.gap(), 1.0 - self.number("e2").unwrap()];
         differences.into_iter().filter(|&x| x > 0.0).fold(1.0, f64::min)
     }
 
-    /// The top; s = 0 is one with a fixed tip.
+    /// Top of the motion; s = 0 means a fixed tip.
     pub fn top(&self) -> Top {
         let [a, c, s, p] = ["A", "C", "s", "p"].map(|key| self.parameter(key).unwrap());
         let top = if s > 0.0 {
-            Top::sliding(a, c, s, Heaviness::MassMoment(p), 1.0)
+            Top::sliding(&TopParameters {
+                transverse_inertia: a,
+                axial_inertia: c,
+                com_height: s,
+                mass_moment: p,
+                gravity: 1.0,
+                ..TopParameters::default()
+            })
         } else {
-            Top::fixed(a, c, p, 1.0)
+            Top::fixed(&TopParameters {
+                transverse_inertia: a,
+                axial_inertia: c,
+                mass_moment: p,
+                gravity: 1.0,
+                ..TopParameters::default()
+            })
         };
         top.unwrap()
     }
 
-    /// The signs of l + n and l - n.
+    /// Signs of l + n and l - n.
     pub fn signs(&self) -> Signs {
         let sign = |key| match self.json.get(key).and_then(Value::as_i64) {
             Some(-1) => Sign::Minus,
@@ -122,31 +136,32 @@ impl Vector {
         Signs { l_plus_n: sign("s_plus"), l_minus_n: sign("s_minus") }
     }
 
-    /// Where a motion defined by branch points starts.
+    /// Start of a motion given by branch points.
     pub fn start(&self) -> Start {
         let angle = |key| self.parameter(key).unwrap_or(0.0);
         Start { theta: angle("theta0"), arg_alpha: angle("arg_alpha0"), arg_beta: angle("arg_beta0") }
     }
 
-    /// e₁, e₂, e₃.
+    /// Branch points e₁, e₂, e₃.
     pub fn roots(&self) -> [f64; 3] {
         ["e1", "e2", "e3"].map(|key| self.number(key).unwrap())
     }
 
-    /// The state at t = 0, as far as `f64` can say it.
+    /// State at t = 0, rounded to `f64`.
     pub fn state(&self) -> State {
         let (parameters, initial) = (&self.json["params"], &self.json["initial"]);
         if parameters.get("alpha0").is_some() {
             let complex = |key: &str| Complex::new(entry(parameters, key, 0), entry(parameters, key, 1));
             let omega = [0, 1, 2].map(|i| entry(parameters, "omega0", i));
-            return State::new(Phi { alpha: complex("alpha0"), beta: complex("beta0") }, omega).unwrap();
+            return State::new(Orientation { alpha: complex("alpha0"), beta: complex("beta0") }, omega)
+                .unwrap();
         }
         let omega = numbers(&initial["omega_fixed"]).try_into().unwrap();
         State::new(phi(initial), omega).unwrap()
     }
 
-    /// The motion, from what defines it.
-    pub fn motion(&self) -> Result<Motion, LaunchError> {
+    /// Motion, launched from its branch points or its state.
+    pub fn motion(&self) -> Result<Motion, ParameterError> {
         if self.by_branch_points() {
             Motion::from_branch_points(&self.top(), self.roots(), self.signs(), &self.start())
         } else {
@@ -154,18 +169,18 @@ impl Vector {
         }
     }
 
-    /// The samples over the first periods.
+    /// Samples over the first periods.
     pub fn samples(&self) -> Vec<Sample> {
         self.json["samples"].as_array().unwrap().iter().map(sample).collect()
     }
 
-    /// The samples near 10³, 10⁶ and 10⁹ periods, with their number of periods.
+    /// Samples near 10³, 10⁶ and 10⁹ periods, with their number of periods.
     pub fn huge_samples(&self) -> Vec<(f64, Sample)> {
         let samples = self.json.get("huge_samples").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
         samples.iter().map(|json| (number(&json["period_count"]).unwrap(), sample(json))).collect()
     }
 
-    /// The truth of a period, if there is one.
+    /// Exact values of a period, if there is one.
     pub fn period(&self) -> Option<Period> {
         let period = self.json.get("period")?;
         let entry = |key: &str| number(&period[key]).unwrap();
@@ -191,12 +206,12 @@ fn sample(json: &Value) -> Sample {
     }
 }
 
-fn phi(json: &Value) -> Phi<f64> {
+fn phi(json: &Value) -> Orientation<f64> {
     let complex = |key: &str| {
         let parts = numbers(&json[key]);
         Complex::new(parts[0], parts[1])
     };
-    Phi { alpha: complex("alpha"), beta: complex("beta") }
+    Orientation { alpha: complex("alpha"), beta: complex("beta") }
 }
 
 fn entry(json: &Value, key: &str, i: usize) -> f64 {
@@ -207,7 +222,22 @@ fn numbers(json: &Value) -> Vec<f64> {
     json.as_array().unwrap().iter().map(|entry| number(entry).unwrap()).collect()
 }
 
-/// A number given as a JSON number or a decimal string.
+/// Number from a decimal string, to double-double: 30 of its digits.
+pub fn exact_number(json: &Value) -> DoubleDouble {
+    let text = json.as_str().unwrap();
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits = whole.trim_start_matches('-').chars().chain(fraction.chars());
+    let digit = |c: char| DoubleDouble::from(f64::from(c.to_digit(10).unwrap()));
+    let ten = DoubleDouble::from(10.0);
+    let size = digits.map(digit).fold(DoubleDouble::ZERO, |sum, digit| sum * ten + digit);
+    let shift = exponent.parse::<i32>().unwrap() - fraction.len() as i32;
+    let scale = (0..shift.abs()).fold(DoubleDouble::ONE, |scale, _| scale * ten);
+    let size = if shift < 0 { size / scale } else { size * scale };
+    if text.starts_with('-') { -size } else { size }
+}
+
+/// Number from a JSON number or a decimal string.
 pub fn number(json: &Value) -> Option<f64> {
     match json {
         Value::String(text) => match text.as_str() {

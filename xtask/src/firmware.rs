@@ -9,7 +9,7 @@ use std::{fs, path::Path};
 
 use anyhow::{Context, Result, bail};
 
-pub(crate) use chip::{Chip, TARGETS};
+pub(crate) use chip::{Chip, TARGETS, named, with_target};
 
 use crate::process::{cargo, firmware_target_dir, root, run};
 use crate::tools::{self, Toolchain};
@@ -81,7 +81,7 @@ pub(crate) fn list() {
     }
     println!();
     for chip in chip::ALL {
-        println!("{:8} {}, {}, QEMU: {}", chip.name, chip.core, chip.target, chip.machine);
+        println!("{:8} {}, {}, QEMU: {}", chip.name, chip.core, chip.target, chip.machine.join(" "));
     }
 }
 
@@ -111,7 +111,7 @@ const COST: &str = "cost";
 /// Runs an ELF on a chip and shows its log.
 pub(crate) fn qemu(chip: &str, elf: &str) -> Result<ExitCode> {
     tools::qemu()?;
-    ended(&emulator::run(Chip::named(chip)?, Path::new(elf), &decoder()?, true)?)
+    ended(&emulator::run(named(chip)?, Path::new(elf), &decoder()?, true)?)
 }
 
 fn ended(run: &Run) -> Result<ExitCode> {
@@ -158,6 +158,9 @@ pub(crate) fn check(program: &Program) -> Result<String> {
     };
     let mut different = Vec::new();
     for chip in *chips {
+        if program.folder == PROGRAM_FOLDER {
+            build(chip, &bins_on(chip))?;
+        }
         let run = run_on(program, chip, false)?;
         if run.exit_code != *exit_code {
             bail!("{}: exit code {}, not {exit_code}\n{}{}", chip.name, run.exit_code, run.log, run.errors);
@@ -184,6 +187,14 @@ pub(crate) fn check(program: &Program) -> Result<String> {
     }
     let places: Vec<_> = chips.iter().map(|chip| chip.name).chain(on_host.then_some("host")).collect();
     Ok(places.join(" "))
+}
+
+/// What cargo is to build for all programs of the main package on a chip: at once, so that all processor cores link.
+fn bins_on(chip: &Chip) -> String {
+    let here = |program: &&Program| {
+        program.folder == PROGRAM_FOLDER && program.chips.iter().any(|other| other.name == chip.name)
+    };
+    PROGRAMS.iter().filter(here).map(Program::selection).collect::<Vec<_>>().join(" ")
 }
 
 /// The lines in which two logs differ.

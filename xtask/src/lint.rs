@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 
-use crate::firmware::{self, Chip};
+use crate::firmware::{self, named};
 use crate::process::{cargo, run};
 use crate::tools;
 
@@ -16,7 +16,7 @@ pub(crate) fn firmware() -> Result<()> {
     let toolchain = tools::toolchain()?;
     // all programs, and those that are not for Cortex-M only
     for chip in ["m4f", "riscv"] {
-        let target = Chip::named(chip)?.target;
+        let target = named(chip)?.target;
         let (bins, packages): (Vec<_>, Vec<_>) = firmware::programs_of(target)
             .map(firmware::Program::selection)
             .partition(|selection| selection.starts_with("--bin"));

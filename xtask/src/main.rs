@@ -1,6 +1,5 @@
 //! `cargo xtask`: everything that is checked, on a machine that has rustup and nothing else.
 
-mod chain;
 mod coverage;
 mod deny;
 mod features;
@@ -11,8 +10,10 @@ mod miri;
 mod mutants;
 mod narrow;
 mod nopanic;
+mod package;
 mod page;
 mod process;
+mod setup;
 mod steps;
 mod subcommand;
 mod tools;
@@ -21,20 +22,17 @@ use std::process::ExitCode;
 
 use anyhow::{Result, bail};
 
-use firmware::Chip;
-use mutants::Choice;
-
 const USAGE: &str = "\
 usage: cargo xtask VERB
 
-  test [--only STEP]           all tests; installs what they need, or says in one line what to install
+  setup                        installs what the tests need: a line for each thing, and what was done about it
+  test [--only STEP]           all tests; says in one line what is missing, and installs it as `setup` does where it can
   firmware NAME [--chip CHIP]  runs a program under QEMU and shows its log
   firmware NAME --overwrite    the same, and accepts the log as the expected one
   firmware NAME --chip CHIP --elf, firmware NAME --target TRIPLE --elf
                                builds it, `cost` too, and prints the path of the ELF, nothing else
   firmware --list              programs and chips
   nopanic [--planted]          links core against a panic handler that does not exist; --planted: shows that it bites
-  check-chain                  a stage of core uses earlier stages only
   clippy-firmware              clippy over the firmware workspace, each package for its own targets
   qemu CHIP ELF                runs an ELF and shows its log (the runner of firmware-examples/.cargo/config.toml)
 
@@ -42,10 +40,9 @@ Studies, for a longer wait; each installs its cargo subcommand the first time:
 
   fuzz [--seconds N] [TARGET]  looks for input that breaks core or the scenario parser: N seconds (600) each
   coverage [--accept]          the lines of core that its tests run; --accept writes host/docs/coverage.md
-  mutants --shard I/N [--accept]
-                               part I of N (from 0) of core's mutants: which ones no test notices; --accept counts
-                               them in host/docs/mutants.md
-  mutants PART...              those with one of these in their names, such as top.rs
+  mutants --shard I/N [FILTER] cargo-mutants on part I of N (from 0) of core's mutants: which ones no test notices;
+                               of those only whose names match FILTER, a regular expression
+  mutants FILTER               all that match, such as regime.rs
   miri [--target TRIPLE]       core's unit tests in Miri, as a big-endian machine of 32 bits runs them; not x86-64
   narrow                       core's unit tests and the suite as a program of 32 bits
   features                     core with every set of its features, on the smallest chip
@@ -65,13 +62,16 @@ fn main() -> ExitCode {
 
 fn run(words: &[&str]) -> Result<ExitCode> {
     match words {
+        ["setup"] => return setup::setup(),
         ["test"] => return steps::test(None),
         ["test", "--only", name] => return steps::test(Some(name)),
         ["firmware", "--list"] => firmware::list(),
         ["firmware", name] => return firmware::show(name, None),
         ["firmware", name, "--chip", chip] => return firmware::show(name, Some(chip)),
-        ["firmware", name, "--target", target, "--elf"] => firmware::elf(name, Chip::with_target(target)?)?,
-        ["firmware", name, "--chip", chip, "--elf"] => firmware::elf(name, Chip::named(chip)?)?,
+        ["firmware", name, "--target", target, "--elf"] => {
+            firmware::elf(name, firmware::with_target(target)?)?
+        }
+        ["firmware", name, "--chip", chip, "--elf"] => firmware::elf(name, firmware::named(chip)?)?,
         ["firmware", name, "--overwrite"] => firmware::overwrite(name)?,
         ["qemu", chip, elf] => return firmware::qemu(chip, elf),
         ["nopanic"] => println!("{}", nopanic::check()?),
@@ -79,17 +79,14 @@ fn run(words: &[&str]) -> Result<ExitCode> {
         ["fuzz", rest @ ..] => fuzz_with(rest)?,
         ["coverage"] => coverage::coverage(false)?,
         ["coverage", "--accept"] => coverage::coverage(true)?,
-        ["mutants", "--shard", shard] => mutants::mutants(&Choice::Shard { shard, accept: false })?,
-        ["mutants", "--shard", shard, "--accept"] => {
-            mutants::mutants(&Choice::Shard { shard, accept: true })?
-        }
-        ["mutants", parts @ ..] if !parts.is_empty() => mutants::mutants(&Choice::Named(parts))?,
+        ["mutants", "--shard", shard] => return mutants::mutants(Some(shard), None),
+        ["mutants", "--shard", shard, filter] => return mutants::mutants(Some(shard), Some(filter)),
+        ["mutants", filter] => return mutants::mutants(None, Some(filter)),
         ["miri"] => miri::miri(None)?,
         ["miri", "--target", target] => miri::miri(Some(target))?,
         ["narrow"] => narrow::narrow()?,
         ["features"] => println!("{}", features::check()?),
         ["deny"] => deny::check()?,
-        ["check-chain"] => println!("{}", chain::check()?),
         ["clippy-firmware"] => lint::firmware()?,
         ["help" | "--help" | "-h"] => println!("{USAGE}"),
         _ => bail!("{USAGE}"),

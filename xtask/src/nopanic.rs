@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use anyhow::{Result, bail};
 
-use crate::firmware::{Chip, TARGETS, build, build_command};
+use crate::firmware::{TARGETS, build, build_command, named};
 use crate::process::run_within;
 
 const PACKAGE: &str = "--package toytop-nopanic";
@@ -16,7 +16,7 @@ const REFUSAL: &str = "your program contains at least one panicking branch";
 /// Links for all targets, and sees the linker refuse a program in which a panic was planted.
 pub(crate) fn check() -> Result<String> {
     for chip in ["m0", "m4f", "m33", "riscv"] {
-        build(Chip::named(chip)?, PACKAGE)?;
+        build(named(chip)?, PACKAGE)?;
     }
     if !planted()?.contains(REFUSAL) {
         bail!("a planted panic went unnoticed");
@@ -32,7 +32,7 @@ pub(crate) fn show_planted() -> Result<()> {
 }
 
 fn planted() -> Result<String> {
-    let (mut command, _) = build_command(Chip::named("m4f")?, &format!("{PACKAGE} --features planted"))?;
+    let (mut command, _) = build_command(named("m4f")?, &format!("{PACKAGE} --features planted"))?;
     let ended = run_within(&mut command, Duration::from_secs(600))?;
     if ended.success {
         bail!("a planted panic was linked");

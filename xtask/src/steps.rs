@@ -8,41 +8,36 @@ use anyhow::{Result, bail};
 
 use crate::firmware::{self, PROGRAMS, TARGETS};
 use crate::process::{cargo, in_ci, run};
-use crate::{chain, features, fuzz, nopanic, tools};
+use crate::setup::{BROWSER, COMPILER, EMULATOR, Need};
+use crate::{features, fuzz, nopanic, package, tools};
 
 /// One step of the test command.
 struct Step {
     name: &'static str,
-    /// Provides what it needs besides cargo.
-    provide: fn() -> Result<()>,
+    /// Things that it needs besides cargo.
+    needs: &'static [Need],
     /// Returns a remark.
     run: Box<dyn Fn() -> Result<String>>,
 }
 
 impl Step {
-    fn new(
-        name: &'static str,
-        provide: fn() -> Result<()>,
-        run: impl Fn() -> Result<String> + 'static,
-    ) -> Self {
-        Self { name, provide, run: Box::new(run) }
+    fn new(name: &'static str, needs: &'static [Need], run: impl Fn() -> Result<String> + 'static) -> Self {
+        Self { name, needs, run: Box::new(run) }
     }
 }
 
 fn steps() -> Vec<Step> {
-    let nothing = || Ok(());
-    let compiler = || tools::toolchain().map(drop);
-    let browser = || tools::chromium().map(drop);
-    let emulator = || tools::toolchain().and_then(|_| tools::qemu());
+    let (compiler, browser, emulator) = (&[COMPILER], &[BROWSER], &[COMPILER, EMULATOR]);
     let mut steps = vec![
-        Step::new("chain", nothing, chain::check),
         Step::new("no-std", compiler, no_std),
         Step::new("features", compiler, features::check),
-        Step::new("tests", nothing, || cargo_test("--lib --bins --tests --examples")),
-        Step::new("doctests", nothing, || cargo_test("--doc")),
-        Step::new("docs", nothing, docs),
-        Step::new("benches", nothing, benches),
-        Step::new("fuzz", nothing, fuzz::briefly),
+        Step::new("tests", &[], || cargo_test("--lib --bins --tests --examples")),
+        Step::new("doctests", &[], || cargo_test("--doc")),
+        Step::new("examples", &[], package::examples),
+        Step::new("package", &[], package::check),
+        Step::new("docs", &[], docs),
+        Step::new("benches", &[], benches),
+        Step::new("fuzz", &[], fuzz::briefly),
         Step::new("no-panic", compiler, nopanic::check),
         Step::new("browser", browser, page),
     ];
@@ -64,10 +59,14 @@ pub(crate) fn test(only: Option<&str>) -> Result<ExitCode> {
         steps.retain(|step| step.name == name);
     }
 
+    let missing = missing(&steps);
+    if !missing.is_empty() {
+        println!("missing: {}; `cargo xtask setup` brings it, as is tried now", missing.join(", "));
+    }
     let start = Instant::now();
     let (mut failed, mut skipped) = (Vec::new(), Vec::new());
-    for Step { name, provide, run } in &steps {
-        let provided = provide();
+    for Step { name, needs, run } in &steps {
+        let provided = needs.iter().try_for_each(Need::provide);
         print!("{name:10} ");
         stdout().flush()?;
         let begin = Instant::now();
@@ -97,6 +96,14 @@ pub(crate) fn test(only: Option<&str>) -> Result<ExitCode> {
     }
     println!();
     Ok(if failed.is_empty() && passed > 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// The names of what some of the steps need and this machine lacks.
+fn missing(steps: &[Step]) -> Vec<&'static str> {
+    let mut needs: Vec<&Need> = steps.iter().flat_map(|step| step.needs).collect();
+    needs.sort_by_key(|need| need.name);
+    needs.dedup_by_key(|need| need.name);
+    needs.into_iter().filter(|need| need.is_missing()).map(|need| need.name).collect()
 }
 
 /// Core for every chip, with no feature and with all: targets that have no `std`. (The programs link it, too.)
@@ -134,11 +141,10 @@ fn cargo_test(words: &str) -> Result<String> {
     Ok(format!("{passed} passed, {} ignored\n{}", count(" ignored"), closing.join("\n")))
 }
 
-/// Every bench once, so that none rots; times are not looked at.
+/// Every bench once, so that none rots; times are not looked at. In the profile of the tests, whose build it shares: a build of
+/// everything for release would serve nothing else.
 fn benches() -> Result<String> {
-    let mut command = cargo(".", "bench --package toytop-host --benches");
-    command.args(["--", "--test"]);
-    let output = run(&mut command)?;
+    let output = run(&mut tests("--benches"))?;
     let ran = output.matches("\nSuccess").count();
     if ran == 0 {
         bail!("{output}\nno bench ran");

@@ -59,6 +59,11 @@ pub(crate) fn toolchain() -> Result<Toolchain> {
     }
 }
 
+/// Whether something here can build for all [`TARGETS`]; installs nothing.
+pub(crate) fn toolchain_is_there() -> bool {
+    missing_targets().is_empty() || debian_is_complete()
+}
+
 fn find_toolchain() -> Option<Toolchain> {
     if missing_targets().is_empty() {
         return Some(Toolchain::Own);
@@ -102,17 +107,18 @@ fn debian_is_complete() -> bool {
         && attempt(&mut rustc, 60).is_some_and(|ended| sources(&ended.output))
 }
 
+/// Whether QEMU is here for both architectures.
+pub(crate) fn qemu_is_there() -> bool {
+    works("qemu-system-arm") && works("qemu-system-riscv32")
+}
+
 /// QEMU for both architectures. Installs it where it may.
 pub(crate) fn qemu() -> Result<()> {
     static FOUND: OnceLock<bool> = OnceLock::new();
-    let works = |program: &str| {
-        attempt(Command::new(program).arg("--version"), 30).is_some_and(|ended| ended.success)
-    };
-    let both_work = || works("qemu-system-arm") && works("qemu-system-riscv32");
     let found = *FOUND.get_or_init(|| {
-        both_work() || {
+        qemu_is_there() || {
             apt_install(QEMU_PACKAGES);
-            both_work()
+            qemu_is_there()
         }
     });
     if !found {
@@ -121,17 +127,18 @@ pub(crate) fn qemu() -> Result<()> {
     Ok(())
 }
 
+/// The Chromium that is here, by the name of its program.
+pub(crate) fn any_chromium() -> Option<&'static str> {
+    ["chromium", "chromium-browser", "google-chrome"].into_iter().find(|program| works(program))
+}
+
 /// A Chromium. Installs it where it may.
 pub(crate) fn chromium() -> Result<&'static str> {
     static FOUND: OnceLock<Option<&'static str>> = OnceLock::new();
-    let works = |program: &str| {
-        attempt(Command::new(program).arg("--version"), 60).is_some_and(|ended| ended.success)
-    };
-    let any = || ["chromium", "chromium-browser", "google-chrome"].into_iter().find(|program| works(program));
     let found = FOUND.get_or_init(|| {
-        any().or_else(|| {
+        any_chromium().or_else(|| {
             apt_install(CHROMIUM_PACKAGE);
-            any()
+            any_chromium()
         })
     });
     match found {
@@ -156,6 +163,11 @@ fn apt_install(packages: &str) {
     if let Some(Ended { success: false, output }) = attempt(&mut install, 600) {
         eprintln!("{}", output.trim_end());
     }
+}
+
+/// Whether a program is here and says its version.
+fn works(program: &str) -> bool {
+    attempt(Command::new(program).arg("--version"), 60).is_some_and(|ended| ended.success)
 }
 
 /// The end of a command that may be missing or hang.

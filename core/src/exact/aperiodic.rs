@@ -1,45 +1,47 @@
-//! The aperiodic motion, e₂ = e₃ = 1: the axis comes from the vertical and rises to it again, each in infinite time
+//! Aperiodic motion, e₂ = e₃ = 1: the axis descends from the vertical and rises to it again, each in infinite time
 //! (section 5.3 of the paper).
 //!
-//! In the variable v with sn → tanh the form is elementary,
+//! In the variable v, for which sn becomes tanh, these quantities are elementary:
 //!
 //! ```text
 //! u = e₁ + (1 - e₁) tanh² v,   β = √((1 - e₁)/2) sech v e^{i(b₀ - τt/2)},   dt/dv = √(2 D(u)/(g (1 - e₁)))
 //! ```
 //!
-//! and only t(v) and the argument of α are not: for a sliding tip they are [Weierstrass functions](sliding), for a fixed
-//! one elementary too.
+//! The time t(v) and the argument of α are [Weierstrass functions](sliding) for a sliding tip, and elementary
+//! functions for a fixed one.
 
 mod fixed;
 mod sliding;
 
-use super::orientation::Fit;
-use super::periods::solve_rising;
-use super::sigma_quotient::Germ;
-use crate::complex::Complex;
-use crate::launch::{BranchPoints, Course, Motion};
-use crate::nutation::gudermannian;
-use crate::real::Float;
-use crate::tick::Pose;
-use crate::turns::Turns;
+use crate::attitude_state::AttitudeState;
+use crate::elliptic::elementary::real;
+use crate::elliptic::transcendental::tanh_sech;
+use crate::exact::orientation::Fit;
+use crate::exact::periods::solve_rising;
+use crate::exact::sigma_quotient::ValueAndSlope;
+use crate::motion::{Motion, NutationVariable};
+use crate::phase::Phase;
+use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::top::{Quantities, Support};
 use fixed::Fixed;
 use sliding::Sliding;
 
-/// An aperiodic motion as a function of time, for any t: where 1 - u has no more digits the axis is upright and α turns
-/// on at its constant rate.
+/// Aperiodic motion as a function of time, for any t. Where 1 - u is below the smallest number, the axis is upright
+/// and α rotates at a constant rate.
 ///
-/// Error of an orientation: 1e-14 rad, and 1e-15 rad more for every rad that α turns. Cost: set-up some 20 theta
-/// functions, a time some 20 for a sliding tip, three exponentials and two arctangents for a fixed one.
+/// Error of an orientation: below 1e-15 rad, also after α has rotated by 1e5 rad and for e₁ as close to ±1 as 2^-50.
+/// Cost: about 20 theta functions in double-double for set-up; for one time about 60 for a sliding tip, a few
+/// exponentials and two arctangents for a fixed one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aperiodic {
     point: Rise,
     form: Form,
-    /// v at t = 0, and t(v) there.
-    start: [f64; 2],
+    /// Variable v at t = 0, and t(v) there.
+    start: [DoubleDouble; 2],
     fit: Fit,
 }
 
-/// What t and arg α are made of.
+/// Solution for t and arg α, by support of the tip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "there is no heap to box it into")]
 enum Form {
@@ -47,61 +49,72 @@ enum Form {
     Fixed(Fixed),
 }
 
-/// u and what depends on it alone, as functions of v.
+/// Functions of u only, in the variable v.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Rise {
-    e1: f64,
-    one_plus_e1: f64,
-    one_minus_e1: f64,
-    a_over_p: f64,
-    s: f64,
-    g: f64,
+    e1: DoubleDouble,
+    one_plus_e1: DoubleDouble,
+    one_minus_e1: DoubleDouble,
+    a_over_p: DoubleDouble,
+    s: DoubleDouble,
+    g: DoubleDouble,
 }
 
-/// One v.
+/// Values at one v.
 #[derive(Clone, Copy, Debug)]
-struct Point {
-    v: f64,
-    tanh: f64,
-    sech: f64,
-    /// 1 - u.
-    below: f64,
-    /// 1 + u.
-    above: f64,
-    /// dt/dv.
-    slowness: f64,
+struct RiseValues {
+    v: DoubleDouble,
+    tanh: DoubleDouble,
+    sech: DoubleDouble,
+    ln_sech: DoubleDouble,
+    /// Difference 1 - u.
+    below: DoubleDouble,
+    /// Sum 1 + u.
+    above: DoubleDouble,
+    /// Derivative dt/dv.
+    dt_dv: DoubleDouble,
+}
+
+impl RiseValues {
+    /// Value of an odd function at v, from its value at |v|.
+    fn with_sign_of_v(&self, value: DoubleDouble) -> DoubleDouble {
+        if self.v < DoubleDouble::ZERO { -value } else { value }
+    }
 }
 
 impl Rise {
-    fn at(&self, v: f64) -> Point {
-        let (tanh, sech) = gudermannian(v);
-        let below = self.one_minus_e1 * sech * sech;
-        let above = self.one_plus_e1 + self.one_minus_e1 * tanh * tanh;
-        let d = self.a_over_p + self.s * below * above;
-        Point { v, tanh, sech, below, above, slowness: Float::sqrt(2.0 * d / (self.g * self.one_minus_e1)) }
+    fn at(&self, v: DoubleDouble) -> RiseValues {
+        let (tanh, sech, ln_sech) = tanh_sech(v);
+        let below = self.one_minus_e1 * sech.squared();
+        let above = self.one_plus_e1 + self.one_minus_e1 * tanh.squared();
+        let dt_dv = self.dt_dv(self.a_over_p + self.s * below * above);
+        RiseValues { v, tanh, sech, ln_sech, below, above, dt_dv }
     }
 
-    /// The bounds that dt/dv puts on v at this t.
-    fn bracket(&self, t: f64) -> [f64; 2] {
-        let slowness = |d: f64| Float::sqrt(2.0 * d / (self.g * self.one_minus_e1));
-        let (fast, slow) = (t / slowness(self.a_over_p), t / slowness(self.a_over_p + self.s));
-        let (low, high) = (fast.min(slow), fast.max(slow));
-        // and a rounding beyond, on either side
-        let room = 1e-13 * Float::abs(fast);
-        [low - room, high + room]
+    /// Derivative dt/dv for a value of D.
+    fn dt_dv(&self, d: DoubleDouble) -> DoubleDouble {
+        (d.doubled() / (self.g * self.one_minus_e1)).sqrt()
+    }
+
+    /// Bounds on v at a given t, from the bounds on dt/dv.
+    fn bracket(&self, t: DoubleDouble) -> [DoubleDouble; 2] {
+        let (fast, slow) = (t / self.dt_dv(self.a_over_p), t / self.dt_dv(self.a_over_p + self.s));
+        // widened by a margin on either side
+        let margin = fast.abs() * DoubleDouble::from(1e-13);
+        if fast < slow { [fast - margin, slow + margin] } else { [slow - margin, fast + margin] }
     }
 }
 
 impl Form {
-    fn time(&self, point: &Point) -> f64 {
+    fn time(&self, point: &RiseValues) -> DoubleDouble {
         match self {
             Self::Sliding(form) => form.time(point),
-            Self::Fixed(_) => point.v * point.slowness,
+            Self::Fixed(_) => point.v * point.dt_dv,
         }
     }
 
-    /// α and its rate by time, without drift.
-    fn alpha(&self, point: &Point) -> Germ {
+    /// α and its time derivative for C = A.
+    fn alpha(&self, point: &RiseValues) -> ValueAndSlope {
         match self {
             Self::Sliding(form) => form.alpha(point),
             Self::Fixed(form) => form.alpha(point),
@@ -110,54 +123,58 @@ impl Form {
 }
 
 impl Aperiodic {
-    /// The closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
+    /// Time in s at which t is limited: the phases have no correct digits long before.
+    const FURTHEST: f64 = 1e200;
+
+    /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let Course::Aperiodic(v) = motion.course() else { return None };
-        let (top, e) = (motion.top(), motion.branch_points());
-        let BranchPoints { e1, one_plus_e1, .. } = e;
-        let (a_over_p, s, g) = (top.a() / top.p(), top.s(), top.g());
-        let point = Rise { e1, one_plus_e1, one_minus_e1: e.one_minus_e1(), a_over_p, s, g };
-        let form = match top.e4() {
-            Some(e4) => Form::Sliding(Sliding::new(&point, e4, motion.first_integrals().l / top.a())),
-            None => Form::Fixed(Fixed::new(&point, motion.signs().l_plus_n)),
+        let NutationVariable::Aperiodic(v) = motion.nutation() else { return None };
+        let (e, Quantities { a, p, s, g, .. }) = (motion.exact_branch_points(), motion.quantities());
+        let one_minus_e1 = e.one_minus_e1();
+        let point = Rise { e1: e.e1, one_plus_e1: e.one_plus_e1, one_minus_e1, a_over_p: a / p, s, g };
+        let form = match motion.top().support() {
+            Support::Sliding => Form::Sliding(Sliding::new(&point, motion.exact_integrals().l / a)),
+            Support::Fixed => Form::Fixed(Fixed::new(&point, motion.signs().l_plus_n)),
         };
+        let v = DoubleDouble::from(v);
         let start = point.at(v);
-        let fit = Fit::new(motion, form.alpha(&start), point.beta(&start));
+        let fit = Fit::new(motion, [form.alpha(&start), point.beta(&start)]);
         Some(Self { point, form, start: [v, form.time(&start)], fit })
     }
 
-    /// Φ and Φ' at t.
+    /// Orientation Φ and rate Φ' at t.
     #[must_use]
-    pub fn at(&self, t: f64) -> Pose<f64> {
-        let point = self.point.at(self.v(t));
-        self.fit.pose(t, [self.form.alpha(&point), self.point.beta(&point)], [Turns::ZERO; 2])
+    pub fn at(&self, t: f64) -> AttitudeState<f64> {
+        let point = self.point.at(self.exact_v(t));
+        self.fit.attitude_state(t, [self.form.alpha(&point), self.point.beta(&point)], [Phase::ZERO; 2])
     }
 
-    /// v at t, so that u = e₁ + (1 - e₁) tanh² v.
+    /// Variable v at t, with u = e₁ + (1 - e₁) tanh² v.
     #[must_use]
     pub fn v(&self, t: f64) -> f64 {
+        self.exact_v(t).to_f64()
+    }
+
+    fn exact_v(&self, t: f64) -> DoubleDouble {
         let [start, origin] = self.start;
         if t == 0.0 || !t.is_finite() {
             return start;
         }
-        let target = origin + t;
-        let function = |v: f64| {
+        let target = origin + t.clamp(-Self::FURTHEST, Self::FURTHEST).into();
+        let function = |v: DoubleDouble| {
             let point = self.point.at(v);
-            (self.form.time(&point), point.slowness)
+            (self.form.time(&point), point.dt_dv)
         };
         let bracket @ [low, high] = self.point.bracket(target);
-        solve_rising(target, bracket, 0.5 * (low + high), function)
+        solve_rising(target, bracket, (low + high).halved(), function)
     }
 }
 
 impl Rise {
-    /// β with argument 0, and its rate by time.
-    fn beta(&self, point: &Point) -> Germ {
-        let value = Float::sqrt(0.5 * self.one_minus_e1) * point.sech;
-        Germ {
-            value: Complex::new(value, 0.0),
-            slope: Complex::new(-value * point.tanh / point.slowness, 0.0),
-        }
+    /// β with argument 0, and its time derivative.
+    fn beta(&self, point: &RiseValues) -> ValueAndSlope {
+        let value = self.one_minus_e1.halved().sqrt() * point.sech;
+        ValueAndSlope { value: real(value), slope: real(-(value * point.tanh / point.dt_dv)) }
     }
 }

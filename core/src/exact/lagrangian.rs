@@ -1,4 +1,4 @@
-//! The Lagrangian side (section 3.1): T, V, L, the momentum m = ∂L/∂ω and the equations of motion in (Φ, m).
+//! Lagrangian formulation (section 3.1): T, V, L, the momentum m = ∂L/∂ω and the equations of motion in (Φ, m).
 //!
 //! The tangent space is trivialised by right multiplication, Φ' = ωΦ, so ω and m are vectors of the fixed frame. With
 //! r = ΦkΦ⁻¹ and q = [r, k]:
@@ -7,28 +7,28 @@
 //! T  = A⟨ω, ω⟩/2 + (C - A)⟨ω, r⟩²/2 + ps⟨q, ω⟩²/2        V = pg⟨r, k⟩        L = T - V
 //! m  = Aω + (C - A)⟨ω, r⟩ r + ps⟨q, ω⟩ q
 //! DL = (C - A)⟨ω, r⟩ [r, ω] + ps⟨q, ω⟩ [r, [k, ω]] - pg q        (printed with + in front of the last term)
-//! m' = [ω, m] + DL                                               (eqn:motion)
+//! m' = [ω, m] + DL                                               (equation (3.1))
 //! ```
 
-use crate::real::Float;
-use crate::su2::{Phi, Vector, bracket, dot};
+use crate::scalar::Float;
+use crate::su2::{Orientation, Vector, bracket, dot};
 use crate::top::{Quantities, Top};
 
-/// L = T - V of a top. The fixed tip is the case s = 0, with inertias about the tip.
+/// Lagrangian L = T - V of a top. A fixed tip is the case s = 0, with moments of inertia about the tip.
 ///
-/// Exact but for the rounding of some thirty operations of the scalar: `f32`, `f64`, or
-/// [`DoubleDouble`](crate::real::DoubleDouble), in which numerical differentiation has twenty digits left.
+/// Its error is the rounding of about thirty operations of the number type: `f32`, `f64`, or
+/// [`DoubleDouble`](crate::scalar::DoubleDouble), in which a numerical derivative has twenty correct digits.
 #[derive(Clone, Copy, Debug)]
 pub struct Lagrangian<F> {
     a: F,
     c: F,
-    /// p s, kg m².
+    /// Product p s, kg m².
     ps: F,
-    /// p g, kg m²/s².
+    /// Product p g, kg m²/s².
     pg: F,
 }
 
-/// k = e₃, the upward vertical.
+/// Upward vertical k = e₃.
 fn up<F: Float>() -> Vector<F> {
     [F::ZERO, F::ZERO, F::ONE]
 }
@@ -43,16 +43,17 @@ fn times<F: Float>(factor: F, x: Vector<F>) -> Vector<F> {
 }
 
 impl<F: Float> Lagrangian<F> {
-    /// Of a top, its numbers taken as exact.
+    /// Lagrangian of a top, whose parameters count as exact.
     #[must_use]
     pub fn new(top: &Top) -> Self {
         let Quantities { a, c, s, p, g } = Quantities::of(top);
         Self { a, c, ps: p * s, pg: p * g }
     }
 
-    /// T(Φ, ω) (eqn:kinetic), J: the rotation about the centre of mass, and (last term) its rise and fall.
+    /// Kinetic energy T(Φ, ω), J: the rotation about the centre of mass, and (last term) the vertical motion of the
+    /// centre of mass.
     #[must_use]
-    pub fn kinetic(&self, phi: &Phi<F>, omega: Vector<F>) -> F {
+    pub fn kinetic(&self, phi: &Orientation<F>, omega: Vector<F>) -> F {
         let (r, q) = axis_and_normal(phi);
         let squares = self.a * dot(omega, omega)
             + (self.c - self.a) * dot(omega, r).squared()
@@ -60,62 +61,63 @@ impl<F: Float> Lagrangian<F> {
         squares.halved()
     }
 
-    /// V(Φ) = pg u, J: 0 with the centre of mass in the plane of the tip.
+    /// Potential energy V(Φ) = pg u, J: 0 where the centre of mass is at the height of the tip.
     #[must_use]
-    pub fn potential(&self, phi: &Phi<F>) -> F {
+    pub fn potential(&self, phi: &Orientation<F>) -> F {
         self.pg * phi.u()
     }
 
-    /// L = T - V (eqn:lagrange), J.
+    /// Lagrangian L = T - V, J.
     #[must_use]
-    pub fn value(&self, phi: &Phi<F>, omega: Vector<F>) -> F {
+    pub fn value(&self, phi: &Orientation<F>, omega: Vector<F>) -> F {
         self.kinetic(phi, omega) - self.potential(phi)
     }
 
-    /// The energy h = T + V, J.
+    /// Energy h = T + V, J.
     #[must_use]
-    pub fn energy(&self, phi: &Phi<F>, omega: Vector<F>) -> F {
+    pub fn energy(&self, phi: &Orientation<F>, omega: Vector<F>) -> F {
         self.kinetic(phi, omega) + self.potential(phi)
     }
 
-    /// m = ∂L/∂ω, kg m²/s. Its vertical and axial parts are the integrals l = ⟨m, k⟩ and n = ⟨m, r⟩.
+    /// Momentum m = ∂L/∂ω, kg m²/s. Its vertical and axial components are the first integrals l = ⟨m, k⟩ and n = ⟨m,
+    /// r⟩.
     #[must_use]
-    pub fn momentum(&self, phi: &Phi<F>, omega: Vector<F>) -> Vector<F> {
+    pub fn momentum(&self, phi: &Orientation<F>, omega: Vector<F>) -> Vector<F> {
         let (r, q) = axis_and_normal(phi);
         let axial = times((self.c - self.a) * dot(omega, r), r);
         let rising = times(self.ps * dot(q, omega), q);
         sum(times(self.a, omega), sum(axial, rising))
     }
 
-    /// ω of a momentum: the inverse of [`Lagrangian::momentum`], with no matrix to invert, since
-    /// ⟨m, r⟩ = C⟨ω, r⟩ and ⟨m, q⟩ = (A + ps|q|²)⟨ω, q⟩.
+    /// Angular velocity ω of a momentum: the inverse of [`Lagrangian::momentum`]. No matrix is inverted, because ⟨m,
+    /// r⟩ = C⟨ω, r⟩ and ⟨m, q⟩ = (A + ps|q|²)⟨ω, q⟩.
     #[must_use]
-    pub fn omega(&self, phi: &Phi<F>, m: Vector<F>) -> Vector<F> {
+    pub fn omega(&self, phi: &Orientation<F>, m: Vector<F>) -> Vector<F> {
         let (r, q) = axis_and_normal(phi);
         let axial = times(-((self.c - self.a) / self.c * dot(m, r)), r);
         let rising = times(-(self.ps * dot(m, q) / (self.a + self.ps * dot(q, q))), q);
         times(F::ONE / self.a, sum(m, sum(axial, rising)))
     }
 
-    /// DL, the derivative by the first argument: ⟨DL, η⟩ = d/dε L(e^{εη}Φ, ω) at ε = 0, J/rad.
+    /// Derivative DL with respect to the orientation: ⟨DL, η⟩ = d/dε L(e^{εη}Φ, ω) at ε = 0, J/rad.
     #[must_use]
-    pub fn derivative(&self, phi: &Phi<F>, omega: Vector<F>) -> Vector<F> {
+    pub fn derivative(&self, phi: &Orientation<F>, omega: Vector<F>) -> Vector<F> {
         let (r, q) = axis_and_normal(phi);
         let axial = times((self.c - self.a) * dot(omega, r), bracket(r, omega));
         let rising = times(self.ps * dot(q, omega), bracket(r, bracket(up(), omega)));
         sum(sum(axial, rising), times(-self.pg, q))
     }
 
-    /// m' = [ω, m] + DL (eqn:motion), kg m²/s²; the other half, Φ' = ωΦ, is
-    /// [`PhiRate::from_fixed`](crate::su2::PhiRate::from_fixed).
+    /// Rate m' = [ω, m] + DL of the momentum (equation (3.1) of the paper), kg m²/s². The rate of the orientation, Φ'
+    /// = ωΦ, is [`OrientationRate::from_fixed`](crate::su2::OrientationRate::from_fixed).
     #[must_use]
-    pub fn momentum_rate(&self, phi: &Phi<F>, omega: Vector<F>) -> Vector<F> {
+    pub fn momentum_rate(&self, phi: &Orientation<F>, omega: Vector<F>) -> Vector<F> {
         sum(bracket(omega, self.momentum(phi, omega)), self.derivative(phi, omega))
     }
 }
 
-/// r and q = [r, k].
-fn axis_and_normal<F: Float>(phi: &Phi<F>) -> (Vector<F>, Vector<F>) {
+/// Vectors r and q = [r, k].
+fn axis_and_normal<F: Float>(phi: &Orientation<F>) -> (Vector<F>, Vector<F>) {
     let r = phi.axis();
     (r, bracket(r, up()))
 }

@@ -1,66 +1,98 @@
-//! How a closed form is fitted to a motion: what it says of α and β holds up to their arguments at t = 0.
+//! Orientation of a motion from a closed form of α and β, adapted to their arguments at t = 0.
 
-use super::elementary::direction;
-use super::sigma_quotient::Germ;
+use crate::attitude_state::AttitudeState;
 use crate::complex::Complex;
-use crate::launch::Motion;
-use crate::su2::{Phi, PhiRate};
-use crate::tick::{Pose, Stepper};
-use crate::turns::{Rate, Turns};
+use crate::elliptic::elementary::{Wide, real, rounded};
+use crate::elliptic::transcendental::angle;
+use crate::elliptic::transcendental::{of_turns, tanh_sech};
+use crate::exact::sigma_quotient::ValueAndSlope;
+use crate::law::PhaseRates;
+use crate::motion::{Motion, NutationVariable};
+use crate::phase::Phase;
+use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::su2::{Orientation, OrientationRate};
 
-/// The constant arguments of α and β, and the drift ±τ/2 of a top with A ≠ C.
+/// Constant arguments of α and β, and the rates ±τ/2 of a top with A ≠ C.
 ///
-/// Φ(t) = diag(e^{ia}, e^{ib}) Φ_closed(t) diag(e^{iτt/2}, e^{-iτt/2}) in effect, with Φ_closed that of a spherical top.
+/// The orientation is Φ(t) = diag(e^{ia}, e^{ib}) Φ_closed(t) diag(e^{iτt/2}, e^{-iτt/2}), with Φ_closed that of a
+/// top with A = C.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Fit {
-    alpha: Complex<f64>,
-    beta: Complex<f64>,
-    drift: Rate,
-    half_tau: f64,
+    /// Angles a and b.
+    arguments: [Phase; 2],
+    half_tau: DoubleDouble,
 }
 
 impl Fit {
-    /// Before the arguments are known.
-    pub(super) fn none(motion: &Motion) -> Self {
-        let (drift, half_tau) = motion.drift();
-        Self { alpha: Complex::ONE, beta: Complex::ONE, drift, half_tau }
-    }
-
-    /// From the closed form's α and β at t = 0 (and their rates by time), without drift.
+    /// Arguments from α, β and their time derivatives in the closed form at t = 0, for C = A.
     ///
-    /// Value and rate are weighed together: a parameter that is 0 at t = 0 is placed by how it leaves.
-    pub(super) fn new(motion: &Motion, alpha: Germ, beta: Germ) -> Self {
-        let Pose { phi, rate } = Stepper::<f64>::new(motion).pose();
-        let unfitted = Self::none(motion);
-        let half_tau = unfitted.half_tau;
-        let (top, rest) = (motion.top(), |z: Complex<f64>, tau: f64| z.times_i().scaled(tau));
-        let time_squared = top.a() / (top.p() * top.g());
-        let unit = |truth: [Complex<f64>; 2], closed: Germ| {
-            let [value, slope] = truth;
-            direction(value * closed.value.conj() + (slope * closed.slope.conj()).scaled(time_squared))
+    /// Value and derivative are averaged with weights, so that the argument is well defined also where a parameter is
+    /// 0 at t = 0.
+    pub(super) fn new(motion: &Motion, closed: [ValueAndSlope; 2]) -> Self {
+        let (sine, cosine) = match motion.nutation() {
+            NutationVariable::Nutating(chi) => of_turns(chi),
+            NutationVariable::Aperiodic(v) => {
+                let (tanh, sech, _) = tanh_sech(v.into());
+                (tanh, sech)
+            }
+            NutationVariable::Steady(_) => (DoubleDouble::ZERO, DoubleDouble::ONE),
         };
-        Self {
-            alpha: unit([phi.alpha, rate.alpha - rest(phi.alpha, half_tau)], alpha),
-            beta: unit([phi.beta, rate.beta + rest(phi.beta, half_tau)], beta),
-            ..unfitted
-        }
+        let (e, signs, rates) =
+            (motion.exact_branch_points(), motion.signs(), motion.law().rates(sine, cosine));
+        let root = |x: DoubleDouble| x.halved().sqrt();
+        let (alpha_root, beta_root) = (root(e.one_plus_e2()), root(e.one_minus_e2));
+        let axes = [
+            [root(e.one_plus_e1), signs.l_plus_n.times(alpha_root)],
+            [root(e.one_minus_e1()), signs.l_minus_n.times(beta_root)],
+        ];
+        let [alpha_axes, beta_axes] = axes;
+        let [alpha, beta] = closed;
+        let [alpha_phase, beta_phase] = motion.phases();
+        let PhaseRates { alpha: alpha_rate, beta: beta_rate, nutation } = rates;
+        let argument = |axes, turning, closed| argument(axes, [sine, cosine], [nutation, turning], closed);
+        let arguments = [
+            alpha_phase + argument(alpha_axes, alpha_rate, alpha),
+            beta_phase + argument(beta_axes, beta_rate, beta),
+        ];
+        Self { arguments, half_tau: motion.half_tau() }
     }
 
-    /// The pose at t, from α and β there (and their rates by time) and what whole periods have turned them besides.
-    pub(super) fn pose(
+    /// Attitude state at t, from α, β and their time derivatives in the closed form, and the rotation of α and β over
+    /// the whole periods.
+    pub(super) fn attitude_state(
         &self,
         t: f64,
-        [alpha, beta]: [Germ; 2],
-        [alpha_turns, beta_turns]: [Turns; 2],
-    ) -> Pose<f64> {
-        let drift = self.drift.over(t);
-        let placed = |germ: Germ, unit: Complex<f64>, turns: Turns, tau: f64| {
-            let factor = unit * Complex::cis(turns);
-            let value = germ.value * factor;
-            (value, germ.slope * factor + value.times_i().scaled(tau))
+        [alpha, beta]: [ValueAndSlope; 2],
+        [alpha_turns, beta_turns]: [Phase; 2],
+    ) -> AttitudeState<f64> {
+        let half_tau_phase = (self.half_tau * t.into()).in_turns().to_phase();
+        let half_tau = self.half_tau.to_f64();
+        let placed = |closed: ValueAndSlope, turns: Phase, tau: f64| {
+            let factor = Complex::cis(turns);
+            let value = rounded(closed.value) * factor;
+            (value, rounded(closed.slope) * factor + value.times_i().scaled(tau))
         };
-        let alpha = placed(alpha, self.alpha, alpha_turns + drift, self.half_tau);
-        let beta = placed(beta, self.beta, beta_turns - drift, -self.half_tau);
-        Pose { phi: Phi { alpha: alpha.0, beta: beta.0 }, rate: PhiRate { alpha: alpha.1, beta: beta.1 } }
+        let [a, b] = self.arguments;
+        let alpha = placed(alpha, a + alpha_turns + half_tau_phase, half_tau);
+        let beta = placed(beta, b + beta_turns - half_tau_phase, -half_tau);
+        AttitudeState {
+            orientation: Orientation { alpha: alpha.0, beta: beta.0 },
+            rate: OrientationRate { alpha: alpha.1, beta: beta.1 },
+        }
     }
+}
+
+/// Argument of x cos χ + i y sin χ divided by the closed form's value, from their derivatives too.
+fn argument(
+    [x, y]: [DoubleDouble; 2],
+    [sine, cosine]: [DoubleDouble; 2],
+    [nutation, turning]: [DoubleDouble; 2],
+    closed: ValueAndSlope,
+) -> Phase {
+    let value: Wide = Complex::new(x * cosine, y * sine);
+    let along: Wide = Complex::new(-(x * sine), y * cosine);
+    let slope = along.scaled(nutation) + value.times_i().scaled(turning);
+    let rate_squared = nutation.squared() + turning.squared();
+    let sum = value * closed.value.conj() * real(rate_squared) + slope * closed.slope.conj();
+    angle(sum.im, sum.re).in_turns().to_phase()
 }

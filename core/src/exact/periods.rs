@@ -1,43 +1,45 @@
-//! Time in whole periods and a rest, and the inverse of a time that rises with its variable.
+//! Time as whole periods and a remainder, and the inverse of an increasing function.
 
-use crate::real::{DoubleDouble, Float};
+use crate::scalar::{DoubleDouble, Float, Ring};
 
-/// The nearest whole number of periods in origin + t, and what is left of it: the sum and the product are exact, so that
-/// only the rounding of the period itself grows with their number. Beyond 9e15 periods nothing is left; a t that is not
-/// finite counts as 0, as everywhere.
-pub(super) fn split(origin: f64, t: f64, period: f64) -> (i64, f64) {
+/// Nearest whole number of periods in origin + t, and the remainder, which is 0 beyond 9e15 periods. A t that is not
+/// finite counts as 0.
+pub(super) fn split(origin: DoubleDouble, t: f64, period: DoubleDouble) -> (i64, DoubleDouble) {
     let t = if t.is_finite() { t } else { 0.0 };
-    let time = DoubleDouble::from(origin) + DoubleDouble::from(t);
-    let periods = libm::round(time.to_f64() / period);
+    let time = origin + t.into();
+    let periods = libm::round(time.to_f64() / period.to_f64());
     if Float::abs(periods) >= 9e15 {
-        return (0, 0.0);
+        return (0, DoubleDouble::ZERO);
     }
-    (periods as i64, (time - DoubleDouble::product(periods, period)).to_f64())
+    (periods as i64, time - period * periods.into())
 }
 
-/// The y in [low, high] at which a rising function is `target`: Newton's method, and bisection where it would leave the
-/// bracket. `function` returns value and slope > 0.
+/// Solution y in [low, high] of `function`(y) = `target` for an increasing function: Newton's method, with bisection
+/// where a step would leave the interval. `function` returns value and slope > 0.
 pub(super) fn solve_rising(
-    target: f64,
-    [low, high]: [f64; 2],
-    guess: f64,
-    function: impl Fn(f64) -> (f64, f64),
-) -> f64 {
-    const MOST_STEPS: usize = 80;
+    target: DoubleDouble,
+    [low, high]: [DoubleDouble; 2],
+    guess: DoubleDouble,
+    function: impl Fn(DoubleDouble) -> (DoubleDouble, DoubleDouble),
+) -> DoubleDouble {
+    const MOST_STEPS: usize = 150;
+    /// Relative step after which the iteration ends. The error after a step of Newton's method is about the square of
+    /// the step.
+    const LAST_STEP: f64 = 1e-18;
     let (mut low, mut high, mut y) = (low, high, guess);
     for _ in 0..MOST_STEPS {
         let (value, slope) = function(y);
-        let excess = value - target;
-        if excess > 0.0 {
+        let residual = value - target;
+        if residual > DoubleDouble::ZERO {
             high = y
         } else {
             low = y
         }
-        let newton = y - excess / slope;
-        let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
-        let done = Float::abs(next - y) <= 2e-16 * Float::abs(next);
+        let newton = y - residual / slope;
+        let next = if newton >= low && newton <= high { newton } else { (low + high).halved() };
+        let done = (next - y).abs() <= next.abs() * LAST_STEP.into();
         y = next;
-        if done || excess == 0.0 {
+        if done || residual == DoubleDouble::ZERO {
             break;
         }
     }
@@ -50,21 +52,21 @@ mod tests {
 
     #[test]
     fn whole_periods_are_taken_off_exactly() {
-        let period = 1.0 / 3.0;
-        assert_eq!(split(0.125, 1e9 * period - 0.125, period).0, 1_000_000_000);
-        let (periods, rest) = split(0.0, 1e9, period);
+        let period = DoubleDouble::ONE / 3.0.into();
+        let (periods, rest) = split(DoubleDouble::from(0.125), 1e9, period);
         assert_eq!(periods, 3_000_000_000);
-        // 1e9 - 3e9 (1/3 rounded down by 2^-54/3)
-        assert!((rest - 3e9 * (1.0 / 54_043_195_528_445_952.0)).abs() < 1e-20, "{rest:e}");
-        assert_eq!(split(0.0, 1e300, 1.0), (0, 0.0));
+        assert!((rest.to_f64() - 0.125).abs() < 1e-22, "{rest:?}");
+        assert_eq!(split(DoubleDouble::ZERO, 1e300, DoubleDouble::ONE), (0, DoubleDouble::ZERO));
     }
 
     #[test]
     fn the_inverse_of_a_stiff_function() {
-        let stiff = |y: f64| (y * y * y + 1e-9 * y, 3.0 * y * y + 1e-9);
+        let small = DoubleDouble::from(1e-9);
+        let stiff = |y: DoubleDouble| (y.squared() * y + small * y, y.squared() * 3.0.into() + small);
         for target in [-1.0, -1e-12, 0.0, 1e-20, 0.3] {
-            let y = solve_rising(target, [-2.0, 2.0], 1.0, stiff);
-            assert!((stiff(y).0 - target).abs() <= 1e-15 * target.abs(), "{target}");
+            let y = solve_rising(target.into(), [(-2.0).into(), 2.0.into()], 1.0.into(), stiff);
+            let error = (stiff(y).0 - target.into()).abs().to_f64();
+            assert!(error <= 1e-30 * target.abs(), "{target}: {error:e}");
         }
     }
 }

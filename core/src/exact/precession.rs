@@ -1,182 +1,190 @@
-//! Motions at constant tilt: regular precession, sleep, hanging (e₁ = e₂; section 5.2 of the paper), and how to find them.
+//! Motions at constant tilt (e₁ = e₂; section 5.2 of the paper): regular precession, sleeping and hanging, and the
+//! steady precessions of a given tilt and spin.
 //!
-//! At u = e the body turns with ω = ψ' r + φ' k, where A e φ'² - n φ' + p g = 0 and ψ' = n/C - e φ'; so
+//! At u = e the angular velocity is ω = ψ' r + φ' k, where A e φ'² - n φ' + p g = 0 and ψ' = n/C - e φ'. Therefore
 //!
 //! ```text
 //! φ' = √(pg/2A) [s₊ √(e₃ + 1) + s₋ √(e₃ - 1)]
 //! α = α(0) e^{i(φ' + ψ')t/2},   β = β(0) e^{i(φ' - ψ')t/2}
 //! ```
 //!
-//! Equal signs give the fast precession, unequal ones the slow; at the same e and e₃ their product is pg/A.
+//! Equal signs give the fast precession, different signs the slow one; at the same e and e₃ their product is pg/A.
 
+use crate::attitude_state::AttitudeState;
 use crate::complex::Complex;
-use crate::error::{LaunchError, finite, require};
-use crate::launch::{Motion, Regime, Signs};
-use crate::real::Float;
-use crate::su2::{Phi, PhiRate};
-use crate::tick::{Pose, Stepper};
-use crate::top::Top;
-use crate::turns::Rate;
+use crate::constants::{Regime, Signs};
+use crate::error::{ParameterError, finite, require};
+use crate::motion::Motion;
+use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::stepper::Stepper;
+use crate::su2::{Orientation, OrientationRate};
+use crate::top::{Quantities, Top};
 
-/// A motion at constant tilt as a function of time.
+/// Motion at constant tilt as a function of time.
 ///
-/// Error of an orientation: 1e-14 rad, and 1e-15 rad more for every rad that the body turns.
+/// Error of an orientation: below 1e-15 rad where u is exactly constant. An oscillation of the tilt of up to 2^-49
+/// rad is neglected; it may add 1e-15 rad for every rad of the body's rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RegularPrecession {
     regime: Regime,
-    /// φ', ψ'.
+    /// Rates φ' and ψ', rad per unit time.
     rates: [f64; 2],
     stability: Stability,
-    start: Phi<f64>,
+    start: Orientation<f64>,
     /// Rates of arg α and arg β, rad per unit time.
-    turning: [f64; 2],
+    turning: [DoubleDouble; 2],
 }
 
-/// What a small push does to a motion at constant tilt.
+/// Stability of a motion at constant tilt under a small push.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stability {
-    /// u swings about its value with √(2 g (e₃ - e)/D(e)), D(e) = A/p + s (1 - e²).
+    /// Stable: u oscillates about its value with the angular frequency √(2 g (e₃ - e)/D(e)), D(e) = A/p + s (1 - e²).
     Stable {
-        /// The frequency of small nutations, rad per unit time.
+        /// Angular frequency of small nutations, rad per unit time.
         frequency: f64,
     },
-    /// Sleeping too slowly, n² < 4 A p g: the tilt grows like e^{λt} with λ = √(4 A p g - n²)/(2A).
+    /// Unstable: sleeping with n² < 4 A p g. The tilt grows like e^{λt} with λ = √(4 A p g - n²)/(2A).
     Unstable {
-        /// λ, per unit time.
+        /// Growth rate λ, per unit time.
         growth_rate: f64,
     },
-    /// e₁ = e₂ = e₃ = 1, n² = 4 A p g: neither, to first order.
+    /// On the border, e₁ = e₂ = e₃ = 1, n² = 4 A p g: neither stable nor unstable to first order.
     Marginal,
 }
 
 impl RegularPrecession {
-    /// The closed form of a motion; `None` unless u is constant (to 2^-49 rad of tilt).
+    /// Closed form of a motion; `None` unless u is constant (to 2^-49 rad of tilt).
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
         let regime = motion.regime();
         if matches!(regime, Regime::Nutating | Regime::Aperiodic) {
             return None;
         }
-        let (top, e) = (motion.top(), motion.branch_points());
+        let (e, Quantities { a, c, s, p, g }) = (motion.exact_branch_points(), motion.quantities());
         let falls = regime == Regime::SleepingUnstable;
-        let one_minus_u = if falls { 0.0 } else { e.one_minus_e2 + 0.5 * e.e2_minus_e1 };
-        let one_plus_u = if falls { 2.0 } else { e.one_plus_e1 + 0.5 * e.e2_minus_e1 };
+        let (zero, one) = (DoubleDouble::ZERO, DoubleDouble::ONE);
+        let swing = e.e2_minus_e1.halved();
+        let one_minus_u = if falls { zero } else { e.one_minus_e2 + swing };
+        let one_plus_u = if falls { one.doubled() } else { e.one_plus_e1 + swing };
 
-        let precession = precession_of(top, e.e3_minus_one, motion.signs());
-        let axial = motion.first_integrals().n / top.c();
-        let u = if one_minus_u < one_plus_u { 1.0 - one_minus_u } else { one_plus_u - 1.0 };
+        let precession = precession_of(p * g / a, e.e3_minus_one, motion.signs());
+        let axial = motion.exact_integrals().n / c;
+        let u = if one_minus_u < one_plus_u { one - one_minus_u } else { one_plus_u - one };
         // φ' ± ψ' with ψ' = n/C - u φ'
-        let turning =
-            [precession * one_minus_u + axial, precession * one_plus_u - axial].map(|rate| 0.5 * rate);
+        let turning = [precession * one_minus_u + axial, precession * one_plus_u - axial].map(Float::halved);
 
-        let (a, p, g) = (top.a(), top.p(), top.g());
         let stability = if falls {
             // 4 A p g - n² = 2 A p g (1 - e₁)
-            Stability::Unstable { growth_rate: Float::sqrt(0.5 * p * g * e.one_minus_e1() / a) }
-        } else if e.e3_minus_e2 > 0.0 {
-            let d = a / p + top.s() * one_minus_u * one_plus_u;
-            Stability::Stable { frequency: Float::sqrt(2.0 * g * e.e3_minus_e2 / d) }
+            Stability::Unstable { growth_rate: (p * g * e.one_minus_e1() / a).halved().sqrt().to_f64() }
+        } else if e.e3_minus_e2 > zero {
+            let d = a / p + s * one_minus_u * one_plus_u;
+            Stability::Stable { frequency: (g.doubled() * e.e3_minus_e2 / d).sqrt().to_f64() }
         } else {
             Stability::Marginal
         };
-        let rates = [precession, axial - u * precession];
-        Some(Self { regime, rates, stability, start: Stepper::<f64>::new(motion).phi(), turning })
+        let rates = [precession, axial - u * precession].map(Float::to_f64);
+        Some(Self { regime, rates, stability, start: Stepper::<f64>::new(motion).orientation(), turning })
     }
 
-    /// Which of the motions at constant tilt.
+    /// Regime of the motion, one of those at constant tilt.
     #[must_use]
     pub fn regime(&self) -> Regime {
         self.regime
     }
 
-    /// φ' about the vertical and ψ' about the axis, rad per unit time; `None` where the two are one.
+    /// Rate φ' about the vertical and ψ' about the axis, rad per unit time; `None` where the two axes coincide.
     #[must_use]
     pub fn rates(&self) -> Option<[f64; 2]> {
         (!self.regime.is_vertical()).then_some(self.rates)
     }
 
-    /// What a small push does.
+    /// Stability under a small push.
     #[must_use]
     pub fn stability(&self) -> Stability {
         self.stability
     }
 
-    /// Φ and Φ' at t.
+    /// Orientation Φ and rate Φ' at t.
     #[must_use]
-    pub fn at(&self, t: f64) -> Pose<f64> {
-        let turned = |z: Complex<f64>, rate: f64| {
-            let turns = Rate::new(rate * (0.5 * core::f64::consts::FRAC_1_PI), 0.0).over(t);
-            let value = z * Complex::cis(turns);
-            (value, value.times_i().scaled(rate))
+    pub fn at(&self, t: f64) -> AttitudeState<f64> {
+        let turned = |z: Complex<f64>, rate: DoubleDouble| {
+            let value = z * Complex::cis((rate * t.into()).in_turns().to_phase());
+            (value, value.times_i().scaled(rate.to_f64()))
         };
         let [alpha_rate, beta_rate] = self.turning;
         let (alpha, beta) = (turned(self.start.alpha, alpha_rate), turned(self.start.beta, beta_rate));
-        Pose { phi: Phi { alpha: alpha.0, beta: beta.0 }, rate: PhiRate { alpha: alpha.1, beta: beta.1 } }
+        AttitudeState {
+            orientation: Orientation { alpha: alpha.0, beta: beta.0 },
+            rate: OrientationRate { alpha: alpha.1, beta: beta.1 },
+        }
     }
 }
 
-/// φ' = √(pg/2A) [s₊ √(e₃ + 1) + s₋ √(e₃ - 1)]; with unequal signs 2/(√(e₃ + 1) + √(e₃ - 1)) for the difference.
-fn precession_of(top: &Top, e3_minus_one: f64, signs: Signs) -> f64 {
-    let scale = Float::sqrt(0.5 * top.p() * top.g() / top.a());
-    let sum = Float::sqrt(2.0 + e3_minus_one) + Float::sqrt(e3_minus_one);
-    let pace = if signs.l_plus_n == signs.l_minus_n { sum } else { 2.0 / sum };
-    signs.l_plus_n.times(scale * pace)
+/// Rate φ' = √(pg/2A) [s₊ √(e₃ + 1) + s₋ √(e₃ - 1)], rad per unit time; for different signs the difference of the
+/// roots is 2/(√(e₃ + 1) + √(e₃ - 1)). `weight_per_a` is pg/A.
+fn precession_of(weight_per_a: DoubleDouble, e3_minus_one: DoubleDouble, signs: Signs) -> DoubleDouble {
+    let two = DoubleDouble::ONE.doubled();
+    let sum = (two + e3_minus_one).sqrt() + e3_minus_one.sqrt();
+    let roots = if signs.l_plus_n == signs.l_minus_n { sum } else { two / sum };
+    signs.l_plus_n.times(weight_per_a.halved().sqrt() * roots)
 }
 
-/// The steady precessions of a top at one tilt and one spin: the roots of A e φ'² - n φ' + p g = 0.
+/// Steady precessions of a top at given tilt and spin: the roots of A e φ'² - n φ' + p g = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SteadyPrecession {
-    /// None: above the horizontal the top spins too slowly, or the axis is horizontal and it does not spin at all.
+    /// No steady precession: the spin is too slow for an axis above the horizontal, or 0 for a horizontal axis.
     None {
-        /// The least |spin| at which there is one, √(4 A e p g)/C, rad per unit time; 0 for a horizontal axis, where any
-        /// spin but 0 will do.
+        /// Least |spin| with a steady precession, √(4 A e p g)/C, rad per unit time; 0 for a horizontal axis, which
+        /// needs any spin other than 0.
         least_spin: f64,
     },
-    /// One: the axis is horizontal, φ' = p g/n, or the spin is exactly the least.
+    /// One steady precession: the axis is horizontal, with φ' = p g/n, or the spin is exactly the least one.
     One {
-        /// φ', rad per unit time.
+        /// Rate φ', rad per unit time.
         rate: f64,
     },
-    /// Two. Below the horizontal they go round in opposite senses.
+    /// Two steady precessions. Below the horizontal they have opposite directions.
     Two {
-        /// The φ' of smaller size: a fast top's p g/n, nearly.
+        /// Rate φ' of smaller magnitude, rad per unit time; about p g/n for a fast top.
         slow: f64,
-        /// The φ' of larger size: a fast top's n/(A e), nearly.
+        /// Rate φ' of larger magnitude, rad per unit time; about n/(A e) for a fast top.
         fast: f64,
     },
 }
 
 impl SteadyPrecession {
-    /// Of a top, from its tilt (rad from the upward vertical, strictly between 0 and π) and its spin ω·r = n/C.
+    /// Steady precessions of a top at a tilt (rad from the upward vertical, strictly between 0 and π) and a spin ω·r
+    /// = n/C.
     ///
-    /// Release it with this tilt and spin, the φ' found as `precession`, and no nutation: the tilt stays. Error: a few
-    /// roundings of each rate, but for the one that the difference from the least spin has.
+    /// A top released with this tilt and spin, the rate φ' as `precession`, and no nutation keeps its tilt. Relative
+    /// error of a rate: a few roundings, except that the difference of the spin from the least spin loses digits
+    /// where it is small.
     ///
     /// ```
-    /// use toytop::{Heaviness, Top, exact::SteadyPrecession};
-    /// let top = Top::sliding(3.0e-5, 2.0e-5, 0.03, Heaviness::Mass(0.05), 9.81)?;
+    /// use toytop::{TopParameters, Top, exact::SteadyPrecession};
+    /// let top = Top::sliding(&TopParameters { transverse_inertia: 3.0e-5, axial_inertia: 2.0e-5, com_height: 0.03, mass: 0.05, gravity: 9.81, ..TopParameters::default() })?;
     /// let SteadyPrecession::Two { slow, fast } = SteadyPrecession::new(&top, 0.5, 150.0)? else { panic!() };
     /// assert!(slow > 5.0 && slow < 9.0 && fast > 90.0);
     /// let SteadyPrecession::None { least_spin } = SteadyPrecession::new(&top, 0.5, 50.0)? else { panic!() };
     /// assert!(least_spin > 60.0);
-    /// # Ok::<(), toytop::LaunchError>(())
+    /// # Ok::<(), toytop::ParameterError>(())
     /// ```
     ///
     /// # Errors
-    /// `tilt`: not strictly between 0 and π; `spin`: above 1e11 in size; either not finite.
-    pub fn new(top: &Top, tilt: f64, spin: f64) -> Result<Self, LaunchError> {
+    /// `tilt`: not strictly between 0 and π; `spin`: above 1e11 in magnitude; either not finite.
+    pub fn new(top: &Top, tilt: f64, spin: f64) -> Result<Self, ParameterError> {
         finite("tilt", tilt)?;
         finite("spin", spin)?;
         require(tilt > 0.0 && tilt < core::f64::consts::PI, "tilt", "strictly between 0 and pi")?;
-        require(Float::abs(spin) <= 1e11, "spin", "at most 1e11 rad/s")?;
-        let (a, n) = (top.a(), top.c() * spin);
-        let weight = top.p() * top.g();
+        require(Float::abs(spin) <= 1e11, "spin", "between -1e11 and 1e11 rad/s")?;
+        let (a, n) = (top.transverse_inertia(), top.axial_inertia() * spin);
+        let weight = top.mass_moment() * top.gravity();
         // the f64 nearest to π/2 means a horizontal axis
         let e = if tilt == core::f64::consts::FRAC_PI_2 { 0.0 } else { libm::cos(tilt) };
         let least = Float::sqrt(4.0 * a * e * weight);
         let above_least = Float::abs(n) - least;
         if e >= 0.0 && (above_least < 0.0 || n == 0.0) {
-            return Ok(Self::None { least_spin: least / top.c() });
+            return Ok(Self::None { least_spin: least / top.axial_inertia() });
         }
         let root = if e > 0.0 {
             Float::sqrt(above_least * (Float::abs(n) + least))

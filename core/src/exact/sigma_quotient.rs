@@ -1,63 +1,66 @@
-//! What a Cayley-Klein parameter is in an elliptic case: an exponential times a quotient of sigma functions.
+//! Cayley-Klein parameter in an elliptic case: an exponential times a quotient of sigma functions.
 
-use super::elementary::{exp, quotient};
-use super::weierstrass::Weierstrass;
-use crate::complex::Complex;
-use crate::turns::Turns;
+use crate::elliptic::elementary::{Wide, exp, modulus, quotient};
+use crate::elliptic::lattice::Lattice;
+use crate::elliptic::transcendental::angle;
+use crate::phase::Phase;
+use crate::scalar::{DoubleDouble, Ring};
 
-/// k e^{lx} σ(x - a)/σ(x - c), a function with the zero a and the pole c that every period only multiplies.
+/// Function k e^{lx} σ(x - a)/σ(x - c), with the zero a and the pole c; each period multiplies it by a constant.
 ///
-/// Held as k̂ e^{l̂x} B(x - a)/B(x - c) with σ(z) = e^{κz²} B(z): the Gaussians leave a constant and e^{2κ(c - a)x}, which
-/// cancels the like term of ζ(a - c) in l.
+/// It is stored as k̂ e^{l̂x} B(x - a)/B(x - c) with σ(z) = e^{κz²} B(z). The quotient of the factors e^{κz²} is a
+/// constant times e^{2κ(c - a)x}, which cancels the corresponding term of ζ(a - c) in l.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct SigmaQuotient {
-    scale: f64,
-    rate: Complex<f64>,
-    zero: Complex<f64>,
-    pole: Complex<f64>,
+    scale: DoubleDouble,
+    rate: Wide,
+    zero: Wide,
+    pole: Wide,
 }
 
-/// A function's value and derivative.
+/// Value and derivative of a function.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Germ {
-    pub(super) value: Complex<f64>,
-    pub(super) slope: Complex<f64>,
+pub(super) struct ValueAndSlope {
+    pub(super) value: Wide,
+    pub(super) slope: Wide,
 }
 
-impl Germ {
-    /// The same as a function of something else: `rate` is the derivative of the old variable by the new one.
-    pub(super) fn by(self, rate: Complex<f64>) -> Self {
+impl ValueAndSlope {
+    /// Value and derivative with respect to another variable; `rate` is the derivative of the previous variable with
+    /// respect to it.
+    pub(super) fn by(self, rate: Wide) -> Self {
         Self { slope: self.slope * rate, ..self }
     }
 }
 
 impl SigmaQuotient {
-    /// With l = ζ(a - c) + `excess`, and |k| such that the modulus at x is the one given; the argument of k is left open.
+    /// Quotient with l = ζ(a - c) + `rate_offset`, and |k| for the given modulus at x; the argument of k is arbitrary.
     pub(super) fn through(
-        lattice: &Weierstrass,
-        [zero, pole]: [Complex<f64>; 2],
-        excess: Complex<f64>,
-        (x, modulus): (Complex<f64>, f64),
+        lattice: &Lattice,
+        [zero, pole]: [Wide; 2],
+        rate_offset: Wide,
+        (x, size): (Wide, DoubleDouble),
     ) -> Self {
-        let rate = excess + lattice.bare(zero - pole).log_slope();
-        let unscaled = Self { scale: 1.0, rate, zero, pole };
+        let rate = rate_offset + lattice.sigma_factor(zero - pole).log_slope();
+        let unscaled = Self { scale: DoubleDouble::ONE, rate, zero, pole };
         let value = unscaled.at(lattice, x).value;
-        Self { scale: modulus / libm::hypot(value.re, value.im), ..unscaled }
+        Self { scale: size / modulus(value), ..unscaled }
     }
 
-    pub(super) fn at(&self, lattice: &Weierstrass, x: Complex<f64>) -> Germ {
-        let (above, below) = (lattice.bare(x - self.zero), lattice.bare(x - self.pole));
+    pub(super) fn at(&self, lattice: &Lattice, x: Wide) -> ValueAndSlope {
+        let (above, below) = (lattice.sigma_factor(x - self.zero), lattice.sigma_factor(x - self.pole));
         let factor =
             quotient(exp(self.rate * x + above.exponent - below.exponent).scaled(self.scale), below.value);
         let value = factor * above.value;
-        // without a division by σ(x - a), so that the derivative is good at the zero too
+        // without a division by σ(x - a), so that the derivative is accurate at the zero too
         let rate = self.rate + above.exponent_rate - below.log_slope();
-        Germ { value, slope: factor * above.slope + rate * value }
+        ValueAndSlope { value, slope: factor * above.slope + rate * value }
     }
 
-    /// The turns of the argument from `x` to `x` + `period`, up to whole ones; the value must not vanish there.
-    pub(super) fn turns(&self, lattice: &Weierstrass, x: Complex<f64>, period: Complex<f64>) -> Turns {
+    /// Change of the argument from `x` to `x` + `period` in turns, modulo 1; the value must not be 0 there.
+    pub(super) fn turns(&self, lattice: &Lattice, x: Wide, period: Wide) -> Phase {
         let [before, after] = [x, x + period].map(|x| self.at(lattice, x).value);
-        Turns::from_radians((after * before.conj()).arg())
+        let turned = after * before.conj();
+        angle(turned.im, turned.re).in_turns().to_phase()
     }
 }

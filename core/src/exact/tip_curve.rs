@@ -1,29 +1,30 @@
-//! The curve of the tip as a function of the tilt (section 4), and where its angle turns back.
+//! Curve of the tip as a function of the tilt (section 4), and the points where its angle changes direction.
 //!
-//! c = 2sαβ = ρe^{iφ} with ρ = s√(1-u²) and, on the motion, φ' = (l - nu)/(A(1-u²)) (eqn:dphi), whatever C is. So the
-//! angle turns where u = l/n, which the paper writes as (u+1)/(u-1) = w₋₁/w₊₁ (eqn:loopcondition): there are loops
-//! exactly if l/n is in (e₁, e₂), cusps if it is e₂. That is the paper's criterion (1 - e₁e₂)/(e₂ - e₁) < e₃ in other
-//! words, computed from other numbers; [`TipClass`] uses the paper's.
+//! c = 2sαβ = ρe^{iφ} with ρ = s√(1-u²) and, on the motion, φ' = (l - nu)/(A(1-u²)) (equation (4.1) of the paper) for
+//! any C. The angle therefore changes direction where u = l/n, which the paper writes as (u+1)/(u-1) = w₋₁/w₊₁
+//! (equation (4.2)): there are loops exactly if l/n is in (e₁, e₂), and cusps if it is e₂. This is equivalent to the
+//! paper's criterion (1 - e₁e₂)/(e₂ - e₁) < e₃, which [`TipClass`] uses, but is computed from other numbers.
 
-use crate::launch::{BranchPoints, Motion, Regime, TipClass};
-use crate::real::Float;
+use crate::constants::{BranchPoints, Regime, TipClass};
+use crate::motion::Motion;
+use crate::scalar::Float;
 
-/// The tip curve of a motion.
+/// Tip curve of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TipCurve {
     regime: Regime,
     e: BranchPoints,
     scale: f64,
-    /// (l + n)/(2A) and (l - n)/(2A), rad per unit time.
+    /// Rates (l + n)/(2A) and (l - n)/(2A), rad per unit time.
     rates: [f64; 2],
 }
 
 impl TipCurve {
-    /// Of a motion.
+    /// Tip curve of a motion.
     #[must_use]
     pub fn new(motion: &Motion) -> Self {
         let (top, integrals) = (motion.top(), motion.first_integrals());
-        let per_a = 0.5 / top.a();
+        let per_a = 0.5 / top.transverse_inertia();
         Self {
             regime: motion.regime(),
             e: motion.branch_points(),
@@ -32,14 +33,14 @@ impl TipCurve {
         }
     }
 
-    /// ρ = s√(1 - u²), m (without unit for a fixed tip), for u in [-1, 1].
+    /// Radius ρ = s√(1 - u²), m (without unit for a fixed tip), for u in [-1, 1].
     #[must_use]
     pub fn rho(&self, u: f64) -> f64 {
         self.scale * Float::sqrt((1.0 - u) * (1.0 + u))
     }
 
-    /// The radii of the circles that the curve lies between and touches: ρ at e₁ and at e₂, m. Where u passes through
-    /// 0 in between, both are inner and the outer is s.
+    /// Radii of the bounding circles: ρ at e₁ and at e₂, m. Where u passes through 0 between them, both are inner
+    /// circles and the outer radius is s.
     #[must_use]
     pub fn bounding_circles(&self) -> [f64; 2] {
         let BranchPoints { one_plus_e1, one_minus_e2, e2_minus_e1, .. } = self.e;
@@ -47,8 +48,8 @@ impl TipCurve {
         [radius(one_plus_e1, one_minus_e2 + e2_minus_e1), radius(one_plus_e1 + e2_minus_e1, one_minus_e2)]
     }
 
-    /// φ' = ((l+n)/(1+u) + (l-n)/(1-u))/(2A) at a tilt, rad per unit time. A term whose momentum is 0 stays 0 at the
-    /// vertical too, where the other is all there is.
+    /// Rate φ' = ((l+n)/(1+u) + (l-n)/(1-u))/(2A) of the tip angle at a tilt, rad per unit time. A term whose
+    /// momentum is 0 is 0, also at the vertical.
     #[must_use]
     pub fn rate(&self, u: f64) -> f64 {
         let [plus, minus] = self.rates;
@@ -56,13 +57,13 @@ impl TipCurve {
         part(plus, 1.0 + u) + part(minus, 1.0 - u)
     }
 
-    /// dφ/du = φ'/u' at a tilt with the given u', rad.
+    /// Slope dφ/du = φ'/u' at a tilt with the given u', rad.
     #[must_use]
     pub fn slope(&self, u: f64, udot: f64) -> f64 {
         self.rate(u) / udot
     }
 
-    /// l/n: where the angle would turn if the motion got there. `None` for n = 0.
+    /// Height u = l/n at which the angle would change direction; `None` for n = 0.
     #[must_use]
     pub fn turning_height(&self) -> Option<f64> {
         let [plus, minus] = self.rates;
@@ -70,8 +71,8 @@ impl TipCurve {
         (twice_n != 0.0).then(|| (plus + minus) / twice_n)
     }
 
-    /// A(1-u²)φ' = l - nu in units of its own terms at the two turning points, without cancellation but its own:
-    /// ((l+n)(1-u) + (l-n)(1+u))/2 over the sum of the moduli.
+    /// A(1-u²)φ' = l - nu at the two turning points, relative to the magnitude of its terms: ((l+n)(1-u) +
+    /// (l-n)(1+u))/2 over the sum of their moduli.
     fn turning_signs(&self) -> [f64; 2] {
         let BranchPoints { one_plus_e1, one_minus_e2, e2_minus_e1, .. } = self.e;
         let [plus, minus] = self.rates;
@@ -83,15 +84,15 @@ impl TipCurve {
         [relative(one_minus_e2 + e2_minus_e1, one_plus_e1), relative(one_minus_e2, one_plus_e1 + e2_minus_e1)]
     }
 
-    /// The class by l/n: loops if φ' has different signs at u = e₁ and u = e₂, a cusp if it vanishes at e₂ to
-    /// rounding. Agrees with [`Motion::tip_class`], which goes by e₃, wherever that is not a matter of rounding.
+    /// Class of the curve by l/n: loops if φ' has different signs at u = e₁ and u = e₂, cusps if it is 0 at e₂ to
+    /// rounding. It agrees with [`Motion::tip_class`], which uses e₃, unless the two differ by rounding only.
     #[must_use]
     pub fn class(&self) -> TipClass {
         const ROUNDING: f64 = 16.0 * f64::EPSILON;
         let BranchPoints { one_plus_e1, one_minus_e2, .. } = self.e;
         match self.regime {
             Regime::Aperiodic => TipClass::Spiral,
-            Regime::RegularPrecession(_) => TipClass::Circle,
+            Regime::SlowPrecession | Regime::FastPrecession => TipClass::Circle,
             regime if regime.is_vertical() => TipClass::Point,
             _ if one_plus_e1 == 0.0 || one_minus_e2 == 0.0 => TipClass::ThroughOrigin,
             _ => {
@@ -108,9 +109,11 @@ impl TipCurve {
     }
 }
 
-/// The paper's condition: e₃ (e₂ - e₁) - (1 - e₁e₂), above 0 for loops where w₊₁ and w₋₁ have different signs.
+/// Margin of the paper's condition, e₃ (e₂ - e₁) - (1 - e₁e₂): positive for loops where w₊₁ and w₋₁ have different
+/// signs.
 ///
-/// 1 - e₁e₂ = (1-e₂)(1+e₁) + (e₂-e₁), so the value is (e₃-1)(e₂-e₁) - (1-e₂)(1+e₁), without cancellation in the terms.
+/// Since 1 - e₁e₂ = (1-e₂)(1+e₁) + (e₂-e₁), the value is (e₃-1)(e₂-e₁) - (1-e₂)(1+e₁), whose terms have no
+/// cancellation.
 #[must_use]
 pub fn loop_margin(e: &BranchPoints) -> f64 {
     e.e3_minus_one * e.e2_minus_e1 - e.one_minus_e2 * e.one_plus_e1

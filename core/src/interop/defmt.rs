@@ -1,54 +1,32 @@
-//! `defmt::Format`, for logs that are put into words on the host (feature `defmt`).
+//! Implementations of `defmt::Format`, for logs that are formatted on the host (feature `defmt`).
 //!
-//! Most types derive it where they are declared. Here are those that would log a table, or numbers that mean nothing by
-//! themselves.
+//! Most types derive it where they are declared. This module has the implementations for types whose fields are a
+//! table, or numbers without meaning on their own.
 
-use crate::complex::Complex;
-use crate::cycle::Cycle;
-use crate::error::LaunchError;
-use crate::launch::{
-    Averages, BranchPoints, FirstIntegrals, Motion, Pace, Regime, Release, Sign, Signs, Start, State,
-    TipClass,
+use crate::scalar::{DoubleDouble, Real};
+use crate::su2::OrientationRate;
+use crate::{
+    AttitudeState, BranchPoints, Complex, Cursor, EphemerisF32, EphemerisF64, EphemerisScalar,
+    EphemerisStorage, ErrorBound, FirstIntegrals, Motion, Orientation, ParameterError, PeriodAdvance, Phase,
+    Regime, Release, Sample, Sign, Signs, Start, State, Stepper, Support, TableTooSmall, Tick, TipClass, Top,
+    TopParameters, TurningPoint,
 };
-use crate::real::{DoubleDouble, Real};
-use crate::su2::{Phi, PhiRate};
-use crate::tick::{
-    Cursor, Ephemeris, EphemerisF32, EphemerisF64, ErrorBound, Moment, NoFit, Place, Pose, Stepper, Tabular,
-    Tick, Tip, TipAngle, TurningPoint,
-};
-use crate::top::{Heaviness, Support, Top};
-use crate::turns::{Rate, Turns};
 use defmt::{Format, Formatter, write};
 
-/// As [`core::fmt::Display`] has it.
-impl Format for LaunchError {
+/// The text of [`core::fmt::Display`].
+impl Format for ParameterError {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "{=str}: must be {=str}", self.parameter(), self.allowed());
     }
 }
 
-impl Format for Turns {
+impl Format for Phase {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "{=f64} turns", self.to_f64());
     }
 }
 
-/// As [`core::fmt::Display`] has it.
-#[cfg(feature = "fixed")]
-impl Format for crate::tick::NoTickMap {
-    fn format(&self, f: Formatter<'_>) {
-        write!(f, "{}", defmt::Display2Format(self));
-    }
-}
-
-#[cfg(feature = "fixed")]
-impl<const SEGMENTS: usize, const TERMS: usize> Format for crate::tick::FixedStepper<SEGMENTS, TERMS> {
-    fn format(&self, f: Formatter<'_>) {
-        write!(f, "stepper {=usize}x{=usize} at {}", SEGMENTS, TERMS, self.phi());
-    }
-}
-
-/// What kind of motion, and between which heights; the rest can be asked for.
+/// Regime, tip class and bounds of u; other constants have their own accessors.
 impl Format for Motion {
     fn format(&self, f: Formatter<'_>) {
         let e = self.branch_points();
@@ -58,46 +36,41 @@ impl Format for Motion {
 
 impl<R: Real + Format> Format for Stepper<R> {
     fn format(&self, f: Formatter<'_>) {
-        write!(f, "stepper at {}", self.phi());
+        write!(f, "stepper at {}", self.orientation());
     }
 }
 
-/// Its size and its error bound, not the table.
-impl<R: Tabular, const SEGMENTS: usize, const TERMS: usize> Format for Ephemeris<R, SEGMENTS, TERMS> {
+/// Capacity and error bound, not the table.
+impl<R: EphemerisScalar, const SEGMENTS: usize> Format for EphemerisStorage<R, [R::Segment; SEGMENTS]> {
     fn format(&self, f: Formatter<'_>) {
-        write!(f, "ephemeris {=usize}x{=usize}, {}", SEGMENTS, TERMS, self.error_bound());
+        write!(f, "ephemeris of {=usize} segments, {}", SEGMENTS, self.error_bound());
     }
 }
 
-impl<R: Tabular + Format, const SEGMENTS: usize, const TERMS: usize> Format
-    for Moment<'_, R, SEGMENTS, TERMS>
-{
+impl<R: EphemerisScalar + Format> Format for Sample<'_, R> {
     fn format(&self, f: Formatter<'_>) {
-        write!(f, "{} (nutation {})", self.phi(), self.nutation_phase());
+        write!(f, "{} (nutation {})", self.orientation(), self.nutation_phase());
     }
 }
 
-/// The moment it is about to give.
-impl<R: Tabular + Format, const SEGMENTS: usize, const TERMS: usize> Format
-    for Cursor<'_, R, SEGMENTS, TERMS>
-{
+/// Tick of the last sample.
+impl Format for Cursor {
     fn format(&self, f: Formatter<'_>) {
-        let mut ahead = *self;
-        write!(f, "cursor before {}", ahead.next());
+        write!(f, "cursor at tick {=i64}", self.tick());
     }
 }
 
-/// Every public type that a firmware meets (not those of [`crate::exact`], nor [`crate::Baked`], which is a table); a new one belongs
-/// here.
+/// Check that every public type for firmware implements `Format` (except those of [`crate::exact`], and
+/// [`crate::Baked`], which is a table). A new type must be added here.
 const _: () = {
     const fn logs<T: Format>() {}
-    logs::<(Complex<f32>, Cycle, DoubleDouble, Phi<f32>, PhiRate<f64>, Rate, Turns)>();
-    logs::<(LaunchError, Heaviness, Support, Top, Release, Start, State)>();
-    logs::<(Averages, BranchPoints, FirstIntegrals, Pace, Regime, TipClass)>();
+    logs::<(Complex<f32>, DoubleDouble, Orientation<f32>, OrientationRate<f64>, Phase)>();
+    logs::<(ParameterError, Support, Top, TopParameters, Release, Start, State)>();
+    logs::<(BranchPoints, FirstIntegrals, PeriodAdvance, Regime, TipClass)>();
     logs::<(Motion, Sign, Signs)>();
-    logs::<(EphemerisF32, EphemerisF64, ErrorBound, NoFit, Place, Tick, TurningPoint)>();
-    logs::<(Cursor<'static, f32, 2, 2>, Moment<'static, f64, 2, 2>)>();
-    logs::<(Pose<f32>, Stepper<f64>, Tip<f32>, TipAngle<f64>)>();
+    logs::<(EphemerisF32, EphemerisF64, ErrorBound, TableTooSmall, Tick, TurningPoint)>();
+    logs::<(Cursor, Sample<'static, f64>)>();
+    logs::<(AttitudeState<f32>, Stepper<f64>)>();
     #[cfg(feature = "fixed")]
-    logs::<(crate::FixedStepper, crate::NoTickMap, Phi<fixed::types::I2F30>, Complex<fixed::types::I2F14>)>();
+    logs::<(Orientation<fixed::types::I2F30>, Complex<fixed::types::I2F14>)>();
 };

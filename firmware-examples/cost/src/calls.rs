@@ -1,10 +1,10 @@
 //! Core's calls.
 
 use fixed::types::{I2F14, I2F30};
-use toytop::real::{Real, Ring, Scalar};
+use toytop::scalar::{Real, Ring, Scalar};
 use toytop::{
-    Complex, Cursor, Ephemeris, EphemerisF32, EphemerisF64, FixedStepper, Heaviness, LaunchError, Motion,
-    Phi, Release, State, Stepper, Tabular, Tick, Top,
+    Complex, Cursor, EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, EphemerisScalar, Motion,
+    Orientation, ParameterError, Release, Sample, State, Stepper, Tick, Top, TopParameters,
 };
 
 /// Ticks a second.
@@ -13,15 +13,15 @@ pub(crate) const TICK_RATE: u32 = 1000;
 /// What every tick must leave in memory.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Output<R> {
-    pub(crate) phi: Phi<R>,
+    pub(crate) orientation: Orientation<R>,
     pub(crate) u: R,
-    /// The tip, m.
+    /// Tip, m; in fixed point in units of s.
     pub(crate) c: Complex<R>,
 }
 
 impl<R: Ring> Default for Output<R> {
     fn default() -> Self {
-        Self { phi: Phi::IDENTITY, u: R::ZERO, c: Complex::new(R::ZERO, R::ZERO) }
+        Self { orientation: Orientation::IDENTITY, u: R::ZERO, c: Complex::new(R::ZERO, R::ZERO) }
     }
 }
 
@@ -45,13 +45,20 @@ impl Default for Measured {
 }
 
 impl Measured {
-    pub(crate) fn state(&self) -> Result<State, LaunchError> {
+    pub(crate) fn state(&self) -> Result<State, ParameterError> {
         State::release(&self.release)
     }
 
-    pub(crate) fn motion(&self) -> Result<Motion, LaunchError> {
+    pub(crate) fn motion(&self) -> Result<Motion, ParameterError> {
         let [a, c] = self.inertia;
-        let top = Top::sliding(a, c, self.com_height, Heaviness::Mass(self.mass), 9.81)?;
+        let top = Top::sliding(&TopParameters {
+            transverse_inertia: a,
+            axial_inertia: c,
+            com_height: self.com_height,
+            mass: self.mass,
+            gravity: 9.81,
+            ..TopParameters::default()
+        })?;
         Motion::launch(&top, &self.state()?)
     }
 }
@@ -72,77 +79,65 @@ pub(crate) extern "C" fn bench_launch(ephemeris: &mut EphemerisF32, measured: &M
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_ephemeris_f32(ephemeris: &EphemerisF32, tick: i64, out: &mut Output<f32>) {
-    let (phi, c) = ephemeris.at_tick(tick).phi_and_tip();
-    *out = Output { phi, u: phi.u(), c };
+    *out = Output::floating(ephemeris.at_tick(tick));
+}
+
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_cursor_f32(
+    ephemeris: &EphemerisF32,
+    cursor: &mut Cursor,
+    out: &mut Output<f32>,
+) {
+    *out = Output::floating(cursor.next(ephemeris));
 }
 
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_ephemeris_f64(ephemeris: &EphemerisF64, tick: i64, out: &mut Output<f64>) {
-    let (phi, c) = ephemeris.at_tick(tick).phi_and_tip();
-    *out = Output { phi, u: phi.u(), c };
-}
-
-/// A table with its way through consecutive ticks, whatever its size.
-pub(crate) trait Table {
-    type Cursor<'a>
-    where
-        Self: 'a;
-}
-
-impl<R: Tabular + 'static, const SEGMENTS: usize, const TERMS: usize> Table
-    for Ephemeris<R, SEGMENTS, TERMS>
-{
-    type Cursor<'a> = Cursor<'a, R, SEGMENTS, TERMS>;
-}
-
-pub(crate) type CursorOf<'a, T> = <T as Table>::Cursor<'a>;
-
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_f32(cursor: &mut CursorOf<'_, EphemerisF32>, out: &mut Output<f32>) {
-    let (phi, c) = cursor.next().phi_and_tip();
-    *out = Output { phi, u: phi.u(), c };
+    *out = Output::floating(ephemeris.at_tick(tick));
 }
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_f64(cursor: &mut CursorOf<'_, EphemerisF64>, out: &mut Output<f64>) {
-    let (phi, c) = cursor.next().phi_and_tip();
-    *out = Output { phi, u: phi.u(), c };
+pub(crate) extern "C" fn bench_cursor_f64(
+    ephemeris: &EphemerisF64,
+    cursor: &mut Cursor,
+    out: &mut Output<f64>,
+) {
+    *out = Output::floating(cursor.next(ephemeris));
 }
-
-/// In fixed point the tip is in units of s.
-pub(crate) type EphemerisQ31 = Ephemeris<I2F30, 32, 4>;
-/// The size that 16 bits need for the same motion.
-pub(crate) type EphemerisQ15 = Ephemeris<I2F14, 16, 3>;
 
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_ephemeris_q31(ephemeris: &EphemerisQ31, tick: i64, out: &mut Output<I2F30>) {
-    let (phi, c) = ephemeris.at_tick(tick).phi_and_tip();
-    *out = Output { phi, u: phi.u(), c };
+    *out = Output::fixed_point(ephemeris.at_tick(tick));
 }
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_q31(cursor: &mut CursorOf<'_, EphemerisQ31>, out: &mut Output<I2F30>) {
-    let (phi, c) = cursor.next().phi_and_tip();
-    *out = Output { phi, u: phi.u(), c };
+pub(crate) extern "C" fn bench_cursor_q31(
+    ephemeris: &EphemerisQ31,
+    cursor: &mut Cursor,
+    out: &mut Output<I2F30>,
+) {
+    *out = Output::fixed_point(cursor.next(ephemeris));
 }
 
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_ephemeris_q15(ephemeris: &EphemerisQ15, tick: i64, out: &mut Output<I2F14>) {
-    let (phi, c) = ephemeris.at_tick(tick).phi_and_tip();
-    *out = Output { phi, u: phi.u(), c };
+    *out = Output::fixed_point(ephemeris.at_tick(tick));
 }
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_q15(cursor: &mut CursorOf<'_, EphemerisQ15>, out: &mut Output<I2F14>) {
-    let (phi, c) = cursor.next().phi_and_tip();
-    *out = Output { phi, u: phi.u(), c };
+pub(crate) extern "C" fn bench_cursor_q15(
+    ephemeris: &EphemerisQ15,
+    cursor: &mut Cursor,
+    out: &mut Output<I2F14>,
+) {
+    *out = Output::fixed_point(cursor.next(ephemeris));
 }
 
 /// A stepper, and 2 s for the tip.
@@ -153,41 +148,38 @@ pub(crate) struct Stepping<R> {
 
 impl<R: Real> Stepping<R> {
     pub(crate) fn new(motion: &Motion) -> Self {
-        Self { stepper: Stepper::new(motion), tip_scale: R::from_f64(2.0 * motion.top().s()) }
+        Self { stepper: Stepper::new(motion), tip_scale: R::from_f64(2.0 * motion.top().com_height()) }
     }
 
     #[inline(always)]
     pub(crate) fn step(&mut self, out: &mut Output<R>) {
         self.stepper.step(R::from_f64(1.0 / TICK_RATE as f64));
-        *out = Output::of(self.stepper.phi(), self.tip_scale);
+        *out = Output::of(self.stepper.orientation(), self.tip_scale);
     }
 }
 
 impl<R: Ring> Output<R> {
     #[inline(always)]
-    pub(crate) fn of(phi: Phi<R>, tip_scale: R) -> Self {
-        Self { phi, u: phi.u(), c: (phi.alpha * phi.beta).scaled(tip_scale) }
+    pub(crate) fn of(orientation: Orientation<R>, tip_scale: R) -> Self {
+        let c = (orientation.alpha * orientation.beta).scaled(tip_scale);
+        Self { orientation, u: orientation.u(), c }
     }
 }
 
-/// Set-up, from measured numbers to a stepper in fixed point.
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_launch_stepper_q31(
-    stepper: &mut Option<FixedStepper>,
-    measured: &Measured,
-) -> bool {
-    let (Ok(motion), Ok(tick)) = (measured.motion(), Tick::hertz(TICK_RATE)) else { return false };
-    *stepper = FixedStepper::new(&motion, tick).ok();
-    stepper.is_some()
+impl<R: EphemerisScalar<Wide = R>> Output<R> {
+    #[inline(always)]
+    pub(crate) fn floating(sample: Sample<'_, R>) -> Self {
+        let (orientation, c) = sample.orientation_and_tip();
+        Self { orientation, u: orientation.u(), c }
+    }
 }
 
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_stepper_q31(stepper: &mut FixedStepper, out: &mut Output<I2F30>) {
-    stepper.step();
-    let (phi, c) = stepper.phi_and_tip();
-    *out = Output { phi, u: stepper.u(), c };
+impl<R: EphemerisScalar> Output<R> {
+    #[inline(always)]
+    fn fixed_point(sample: Sample<'_, R>) -> Self {
+        let orientation = sample.orientation();
+        Self { orientation, u: orientation.u(), c: orientation.tip_over_s() }
+    }
 }
 
 #[inline(never)]

@@ -4,9 +4,9 @@
 //! six equations are left; every constant factor is folded in beforehand; Φ is brought back to unit norm by one
 //! Newton step of 1/√x, which needs neither root nor division.
 
-use toytop::real::Float;
+use toytop::scalar::Float;
 use toytop::su2::dot;
-use toytop::{Complex, Motion, Phi, State};
+use toytop::{Complex, Motion, Orientation, State};
 
 /// Re α, Im α, Re β, Im β, m₁, m₂.
 pub(crate) type Point<R> = [R; 6];
@@ -35,11 +35,13 @@ pub(crate) struct Constants<R> {
 impl<R: Float> Constants<R> {
     pub(crate) fn of(motion: &Motion, tick_rate: u32) -> Self {
         let (top, dt) = (motion.top(), 1.0 / f64::from(tick_rate));
-        let (a, c, ps) = (top.a(), top.c(), top.p() * top.s());
+        let (a, c, ps) =
+            (top.transverse_inertia(), top.axial_inertia(), top.mass_moment() * top.com_height());
         let [m3, per_a, axial, a_per_ps, pg] =
-            [motion.first_integrals().l, 1.0 / a, (c - a) / c, a / ps, top.p() * top.g()].map(R::from_f64);
+            [motion.first_integrals().l, 1.0 / a, (c - a) / c, a / ps, top.mass_moment() * top.gravity()]
+                .map(R::from_f64);
         let [tip_scale, dt, half, third, sixth] =
-            [2.0 * top.s(), dt, dt / 2.0, dt / 3.0, dt / 6.0].map(R::from_f64);
+            [2.0 * top.com_height(), dt, dt / 2.0, dt / 3.0, dt / 6.0].map(R::from_f64);
         Self { m3, per_a, axial, a_per_ps, pg, tip_scale, dt, half, third, sixth }
     }
 
@@ -97,14 +99,18 @@ pub(crate) fn renormalised<R: Float>([a, b, c, d, m1, m2]: Point<R>) -> Point<R>
 
 /// Where a state stands: m = A ω + (C - A) <ω, r> r + p s u' q.
 pub(crate) fn start<R: Float>(motion: &Motion, state: &State) -> Point<R> {
-    let (top, phi, omega) = (motion.top(), state.phi(), state.omega());
-    let r = phi.axis();
+    let (top, orientation, omega) = (motion.top(), state.orientation(), state.omega());
+    let r = orientation.axis();
     let q = [r[1], -r[0], 0.0];
-    let (axial, rise) = ((top.c() - top.a()) * dot(omega, r), top.p() * top.s() * dot(omega, q));
-    let m = |i: usize| top.a() * omega[i] + axial * r[i] + rise * q[i];
-    [phi.alpha.re, phi.alpha.im, phi.beta.re, phi.beta.im, m(0), m(1)].map(R::from_f64)
+    let (axial, rise) = (
+        (top.axial_inertia() - top.transverse_inertia()) * dot(omega, r),
+        top.mass_moment() * top.com_height() * dot(omega, q),
+    );
+    let m = |i: usize| top.transverse_inertia() * omega[i] + axial * r[i] + rise * q[i];
+    let Orientation { alpha, beta } = orientation;
+    [alpha.re, alpha.im, beta.re, beta.im, m(0), m(1)].map(R::from_f64)
 }
 
-pub(crate) fn phi<R: Float>([a, b, c, d, _, _]: Point<R>) -> Phi<R> {
-    Phi { alpha: Complex::new(a, b), beta: Complex::new(c, d) }
+pub(crate) fn orientation<R: Float>([a, b, c, d, _, _]: Point<R>) -> Orientation<R> {
+    Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) }
 }

@@ -10,23 +10,21 @@
 mod calls;
 mod full_equations;
 mod measure;
-// the host's own: no chip should be measured with another
-#[path = "../../../host/src/micromath.rs"]
-mod micromath;
 mod rivals;
 
 use core::hint::black_box;
-use core::mem::{size_of, size_of_val};
+use core::mem::size_of_val;
 
-use crate::micromath::Micromath;
-use calls::{CursorOf, EphemerisQ15, EphemerisQ31, Measured, Output, Stepping};
+use calls::{Measured, Output, Stepping};
 use fixed::types::{I2F14, I2F30};
 use full_equations::{Constants, start};
 use measure::Meter;
 use rivals::EphemerisMicromath;
 use semihosting::process;
-use toytop::real::{Float, Real};
-use toytop::{EphemerisF32, EphemerisF64, FixedStepper, Motion, Tick, Turns};
+use toytop::scalar::{Float, Real};
+use toytop::{
+    EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, Micromath, Motion, Orientation, Phase, Tick,
+};
 
 #[cfg(target_arch = "arm")]
 use cortex_m as _; // critical section
@@ -61,7 +59,6 @@ fn main() -> ! {
     fixed_point(&mut meter, &motion, tick);
     stepper(&mut meter, &motion, "bench_stepper_f32", calls::bench_stepper_f32);
     stepper(&mut meter, &motion, "bench_stepper_f64", calls::bench_stepper_f64);
-    fixed_stepper(&mut meter, &measured);
     with_micromath(&mut meter, &motion, tick);
     runge_kutta(&mut meter, &measured, &motion, &single);
     sines(&mut meter);
@@ -78,11 +75,12 @@ fn ephemerides(meter: &mut Meter, single: &EphemerisF32, double: &EphemerisF64) 
         calls::bench_ephemeris_f64(double, tick(call), &mut wide);
     });
     let mut cursor = single.cursor(STRIDE);
-    let ram = size_of_val(single) + size_of::<CursorOf<'_, EphemerisF32>>();
-    meter.measure("bench_cursor_f32", ram, CALLS, |_| calls::bench_cursor_f32(&mut cursor, &mut out));
+    let ram = size_of_val(single) + size_of_val(&cursor);
+    meter.measure("bench_cursor_f32", ram, CALLS, |_| calls::bench_cursor_f32(single, &mut cursor, &mut out));
     let mut cursor = double.cursor(STRIDE);
-    let ram = size_of_val(double) + size_of::<CursorOf<'_, EphemerisF64>>();
-    meter.measure("bench_cursor_f64", ram, CALLS, |_| calls::bench_cursor_f64(&mut cursor, &mut wide));
+    let ram = size_of_val(double) + size_of_val(&cursor);
+    meter
+        .measure("bench_cursor_f64", ram, CALLS, |_| calls::bench_cursor_f64(double, &mut cursor, &mut wide));
     black_box((out, wide));
 }
 
@@ -97,7 +95,9 @@ fn fixed_point(meter: &mut Meter, motion: &Motion, tick: Tick) {
     });
     let mut cursor = ephemeris.cursor(STRIDE);
     let ram = ram + size_of_val(&cursor);
-    meter.measure("bench_cursor_q31", ram, CALLS, |_| calls::bench_cursor_q31(&mut cursor, &mut long));
+    meter.measure("bench_cursor_q31", ram, CALLS, |_| {
+        calls::bench_cursor_q31(&ephemeris, &mut cursor, &mut long)
+    });
     let mut ephemeris = EphemerisQ15::EMPTY;
     ephemeris.set_up(motion, tick, calls::truncation::<I2F14>()).expect("the motion fits");
     let ram = size_of_val(&ephemeris);
@@ -106,7 +106,9 @@ fn fixed_point(meter: &mut Meter, motion: &Motion, tick: Tick) {
     });
     let mut cursor = ephemeris.cursor(STRIDE);
     let ram = ram + size_of_val(&cursor);
-    meter.measure("bench_cursor_q15", ram, CALLS, |_| calls::bench_cursor_q15(&mut cursor, &mut short));
+    meter.measure("bench_cursor_q15", ram, CALLS, |_| {
+        calls::bench_cursor_q15(&ephemeris, &mut cursor, &mut short)
+    });
     black_box((long, short));
 }
 
@@ -121,17 +123,6 @@ fn stepper<R: Real + Default>(
     black_box(out);
 }
 
-fn fixed_stepper(meter: &mut Meter, measured: &Measured) {
-    let mut stepper = None;
-    let ram = size_of::<FixedStepper>();
-    meter.measure("bench_launch_stepper_q31", ram, 1, |_| {
-        assert!(calls::bench_launch_stepper_q31(&mut stepper, black_box(measured)), "the motion fits");
-    });
-    let (mut stepper, mut out) = (stepper.expect("set up"), Output::default());
-    meter.measure("bench_stepper_q31", ram, CALLS, |_| calls::bench_stepper_q31(&mut stepper, &mut out));
-    black_box(out);
-}
-
 /// What micromath makes of the same algorithms.
 fn with_micromath(meter: &mut Meter, motion: &Motion, tick: Tick) {
     let mut ephemeris = EphemerisMicromath::EMPTY;
@@ -143,7 +134,7 @@ fn with_micromath(meter: &mut Meter, motion: &Motion, tick: Tick) {
     let mut cursor = ephemeris.cursor(STRIDE);
     let ram = ram + size_of_val(&cursor);
     meter.measure("bench_cursor_micromath", ram, CALLS, |_| {
-        rivals::bench_cursor_micromath(&mut cursor, &mut out);
+        rivals::bench_cursor_micromath(&ephemeris, &mut cursor, &mut out);
     });
     stepper(meter, motion, "bench_stepper_micromath", rivals::bench_stepper_micromath);
     black_box(out);
@@ -175,7 +166,7 @@ fn runge_kutta(meter: &mut Meter, measured: &Measured, motion: &Motion, truth: &
 /// The angles are within one turn: a large one costs the others more.
 fn sines(meter: &mut Meter) {
     // prepared beforehand, on stack that is not watched
-    let turns: [Turns; CALLS] = black_box(core::array::from_fn(|call| Turns::new(call as f64 * 0.119)));
+    let turns: [Phase; CALLS] = black_box(core::array::from_fn(|call| Phase::new(call as f64 * 0.119)));
     let angles: [f64; CALLS] = black_box(core::array::from_fn(|call| call as f64 * 0.75));
     let single = black_box(angles.map(|angle| angle as f32));
     let (mut pair, mut wide) = ([0.0; 2], [0.0; 2]);
@@ -203,11 +194,15 @@ fn sines(meter: &mut Meter) {
 
 /// After as many ticks, a rival must be where the ephemeris is.
 fn same_motion<R: Float>(out: &Output<R>, truth: &EphemerisF32) {
-    let (phi, tip) = truth.at_tick(CALLS as i64).phi_and_tip();
+    let (orientation, tip) = truth.at_tick(CALLS as i64).orientation_and_tip();
     let near = |found: R, there: f32| (found.to_f64() - f64::from(there)).abs() < 1e-5;
+    let Orientation { alpha, beta } = out.orientation;
     assert!(
-        near(out.phi.alpha.re, phi.alpha.re) && near(out.phi.beta.im, phi.beta.im),
+        near(alpha.re, orientation.alpha.re) && near(beta.im, orientation.beta.im),
         "not the same motion"
     );
-    assert!(near(out.u, phi.u()) && near(out.c.re, tip.re) && near(out.c.im, tip.im), "not the same tip");
+    assert!(
+        near(out.u, orientation.u()) && near(out.c.re, tip.re) && near(out.c.im, tip.im),
+        "not the same tip"
+    );
 }

@@ -1,15 +1,14 @@
 //! What one would write or take instead of core.
 
-use ::micromath::F32Ext;
 use fixed::types::I2F30;
+use micromath::F32Ext;
 use multicalc::linear_algebra::Vector;
 use multicalc::ode::Rk4;
-use toytop::real::{Float, Scalar};
-use toytop::{Ephemeris, Turns};
+use toytop::scalar::{Float, Scalar};
+use toytop::{Cursor, Ephemeris, Micromath, Phase};
 
-use crate::calls::{CursorOf, Output, Stepping};
-use crate::full_equations::{Constants, Point, phi, renormalised};
-use crate::micromath::Micromath;
+use crate::calls::{Output, Stepping};
+use crate::full_equations::{Constants, Point, orientation, renormalised};
 
 #[inline(never)]
 #[unsafe(no_mangle)]
@@ -34,7 +33,7 @@ pub(crate) extern "C" fn bench_rk4_f64(
 #[inline(always)]
 fn step<R: Float>(constants: &Constants<R>, y: &mut Point<R>, out: &mut Output<R>) {
     constants.step(y);
-    *out = Output::of(phi(*y), constants.tip_scale);
+    *out = Output::of(orientation(*y), constants.tip_scale);
 }
 
 /// The same equations, stepped by a library.
@@ -47,25 +46,25 @@ pub(crate) extern "C" fn bench_multicalc_rk4_f32(
 ) {
     let rates = |_, y: &Vector<6, f32>| Vector::new(constants.rates(y.into_array()));
     *y = renormalised(Rk4::step(&rates, 0.0, &Vector::new(*y), constants.dt).into_array());
-    *out = Output::of(phi(*y), constants.tip_scale);
+    *out = Output::of(orientation(*y), constants.tip_scale);
 }
 
 /// The integer phase that a tick has at hand.
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_sincos_ours_f32(phase: &Turns, out: &mut [f32; 2]) {
+pub(crate) extern "C" fn bench_sincos_ours_f32(phase: &Phase, out: &mut [f32; 2]) {
     *out = f32::sine_cosine(*phase).into();
 }
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_sincos_ours_q31(phase: &Turns, out: &mut [I2F30; 2]) {
+pub(crate) extern "C" fn bench_sincos_ours_q31(phase: &Phase, out: &mut [I2F30; 2]) {
     *out = I2F30::sine_cosine(*phase).into();
 }
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_sincos_ours_f64(phase: &Turns, out: &mut [f64; 2]) {
+pub(crate) extern "C" fn bench_sincos_ours_f64(phase: &Phase, out: &mut [f64; 2]) {
     *out = f64::sine_cosine(*phase).into();
 }
 
@@ -89,7 +88,7 @@ pub(crate) extern "C" fn bench_sincos_micromath_f32(angle: f32, out: &mut [f32; 
 }
 
 /// Core's table read with micromath's sines.
-pub(crate) type EphemerisMicromath = Ephemeris<Micromath, 25, 5>;
+pub(crate) type EphemerisMicromath = Ephemeris<Micromath, 25>;
 
 #[inline(never)]
 #[unsafe(no_mangle)]
@@ -98,18 +97,17 @@ pub(crate) extern "C" fn bench_ephemeris_micromath(
     tick: i64,
     out: &mut Output<Micromath>,
 ) {
-    let (phi, c) = ephemeris.at_tick(tick).phi_and_tip();
-    *out = Output { phi, u: phi.u(), c };
+    *out = Output::floating(ephemeris.at_tick(tick));
 }
 
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_cursor_micromath(
-    cursor: &mut CursorOf<'_, EphemerisMicromath>,
+    ephemeris: &EphemerisMicromath,
+    cursor: &mut Cursor,
     out: &mut Output<Micromath>,
 ) {
-    let (phi, c) = cursor.next().phi_and_tip();
-    *out = Output { phi, u: phi.u(), c };
+    *out = Output::floating(cursor.next(ephemeris));
 }
 
 /// Core's stepper with micromath's sines and roots.

@@ -8,11 +8,11 @@ use core::hint::black_box;
 
 use panic_never as _;
 use toytop::fixed::types::{I2F14, I2F30};
-use toytop::real::Real;
-use toytop::su2::Phi;
+use toytop::scalar::Real;
+use toytop::su2::Orientation;
 use toytop::{
-    BranchPoints, Complex, FirstIntegrals, Heaviness, LaunchError, Motion, Release, Sign, Signs, Start,
-    State, Stepper, Top,
+    BranchPoints, Complex, Ephemeris, EphemerisScalar, FirstIntegrals, Motion, ParameterError, Release, Sign,
+    Signs, Start, State, Stepper, Tick, Top, TopParameters,
 };
 
 #[cfg(target_arch = "arm")]
@@ -39,16 +39,25 @@ fn complex() -> Complex<f64> {
     Complex::new(unknown(), unknown())
 }
 
-fn set_up() -> Result<(), LaunchError> {
+fn set_up() -> Result<(), ParameterError> {
     for top in tops() {
         let top = top?;
-        black_box((top.support(), top.a(), top.c(), top.s(), top.p(), top.g(), top.e4(), top.tip_scale()));
+        black_box((
+            top.support(),
+            top.transverse_inertia(),
+            top.axial_inertia(),
+            top.com_height(),
+            top.mass_moment(),
+            top.gravity(),
+            top.e4(),
+            top.tip_scale(),
+        ));
         for state in [
-            State::new(Phi { alpha: complex(), beta: complex() }, [unknown(); 3]),
+            State::new(Orientation { alpha: complex(), beta: complex() }, [unknown(); 3]),
             State::release(&release()),
         ] {
             let state = state?;
-            black_box((state.phi(), state.omega()));
+            black_box((state.orientation(), state.omega()));
             black_box(FirstIntegrals::of(&top, &state).signs());
             black_box(BranchPoints::of(&top, &state)?);
             spin(&Motion::launch(&top, &state)?);
@@ -64,14 +73,18 @@ fn set_up() -> Result<(), LaunchError> {
     Ok(())
 }
 
-fn tops() -> [Result<Top, LaunchError>; 4] {
-    let sliding = |heaviness| Top::sliding(unknown(), unknown(), unknown(), heaviness, unknown());
-    [
-        sliding(Heaviness::Mass(unknown())),
-        sliding(Heaviness::MassMoment(unknown())),
-        Top::fixed(unknown(), unknown(), unknown(), unknown()),
-        Top::fixed_with_mass(unknown(), unknown(), unknown(), unknown(), unknown()),
-    ]
+fn tops() -> [Result<Top, ParameterError>; 4] {
+    let parameters = || TopParameters {
+        transverse_inertia: unknown(),
+        axial_inertia: unknown(),
+        com_height: unknown(),
+        mass: unknown(),
+        mass_moment: unknown(),
+        gravity: unknown(),
+    };
+    let by_mass = TopParameters { mass_moment: 0.0, ..parameters() };
+    let by_moment = TopParameters { mass: 0.0, ..parameters() };
+    [Top::sliding(&by_mass), Top::sliding(&by_moment), Top::fixed(&by_mass), Top::fixed(&by_moment)]
 }
 
 fn release() -> Release {
@@ -88,38 +101,23 @@ fn release() -> Release {
 fn spin(motion: &Motion) {
     black_box((motion.top(), motion.regime(), motion.tip_class(), motion.signs()));
     black_box((motion.first_integrals(), motion.branch_points()));
-    black_box(motion.averages().map(|averages| averages.phi_per_period()));
+    black_box(motion.period_advance().map(|averages| averages.phi_per_period()));
     black_box(motion.min_normal_force());
     tick::<f32>(motion);
     tick::<f64>(motion);
-    table::<f32, 25, 5>(motion);
-    table::<f64, 32, 11>(motion);
-    table::<I2F30, 32, 4>(motion);
-    table::<I2F14, 16, 3>(motion);
-    fixed_tick(motion);
+    table::<f32, 25>(motion);
+    table::<f64, 32>(motion);
+    table::<I2F30, 32>(motion);
+    table::<I2F14, 16>(motion);
 }
 
 fn tick<R: Real>(motion: &Motion) {
     let mut stepper = Stepper::<R>::new(motion);
     stepper.step(R::from_f64(unknown()));
-    let (phi, pose, tip) = (stepper.phi(), stepper.pose(), stepper.tip());
-    black_box((phi.axis(), pose.u(), pose.udot(), pose.omega(), pose.omega_body()));
-    black_box((tip.c, tip.rho(), tip.velocity, tip.speed()));
-    black_box(
-        tip.angle
-            .map(|angle| (angle.phi.to_f64(), angle.phi.to_radians(), angle.phi.principal(), angle.rate)),
-    );
-}
-
-/// The stepper in fixed point: set-up, both ways, and all that is read off.
-fn fixed_tick(motion: &Motion) {
-    use toytop::{FixedStepper, Tick};
-    let Ok(tick) = Tick::hertz(black_box(1000)) else { return };
-    let Ok(mut stepper) = <FixedStepper>::new(motion, tick) else { return };
-    stepper.step();
-    black_box((stepper.phi(), stepper.u(), stepper.tip(), stepper.tip_angle()));
-    stepper.step_back();
-    black_box((stepper.phi(), stepper.error_bound()));
+    black_box((stepper.orientation(), stepper.u(), stepper.udot(), stepper.axis(), stepper.quaternion()));
+    black_box((stepper.omega(), stepper.omega_body(), stepper.attitude_state().state().is_ok()));
+    black_box((stepper.tip(), stepper.tip_velocity(), stepper.tip_angle_rate()));
+    black_box(stepper.tip_angle().map(|angle| (angle.to_f64(), angle.to_radians(), angle.principal())));
 }
 
 #[cfg(feature = "planted")]
@@ -128,19 +126,21 @@ fn planted() -> u8 {
     table[black_box(3)]
 }
 
-/// An ephemeris: set-up, every way to read it, and its turning points.
-fn table<R: toytop::Tabular, const S: usize, const T: usize>(motion: &Motion) {
-    use toytop::{Ephemeris, Tick};
+/// Ephemeris: its set-up, every way to read it, and its turning points.
+fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let Ok(tick) = Tick::hertz(black_box(1000)) else { return };
-    let Ok(e) = Ephemeris::<R, S, T>::within(motion, tick, unknown()) else { return };
-    black_box(e.at_tick(black_box(7)).phi());
-    black_box((e.at(unknown()).phi(), e.at(unknown()).pose(), e.at(unknown()).phi_and_tip()));
-    black_box((e.at(unknown()).wide_phi(), e.at(unknown()).wide_tip(), e.at(unknown()).phi().u()));
-    let mut c = e.cursor(black_box(3));
-    black_box(c.next().phi());
-    black_box(e.next_turning_point(black_box(3)));
-    black_box(e.error_bound());
-    let mut out = [Phi::<R>::IDENTITY; 4];
-    e.fill(black_box(0), &mut out);
+    let Ok(ephemeris) = Ephemeris::<R, SEGMENTS>::within(motion, tick, unknown()) else { return };
+    black_box(ephemeris.at_tick(black_box(7)).orientation());
+    let sample = ephemeris.at(unknown());
+    black_box((sample.orientation_and_tip(), sample.u(), sample.axis(), sample.quaternion(), sample.tip()));
+    black_box((sample.omega(), sample.omega_body(), sample.udot(), sample.tip_velocity()));
+    black_box((sample.tip_angle(), sample.nutation_phase(), sample.orientation().tip_over_s()));
+    black_box(sample.attitude_state().state().is_ok());
+    let mut cursor = ephemeris.cursor(black_box(3));
+    black_box((cursor.next(&ephemeris).orientation(), cursor.tick()));
+    black_box(ephemeris.next_turning_point(black_box(3)));
+    black_box((ephemeris.error_bound(), ephemeris.capacity()));
+    let mut out = [Orientation::<R>::IDENTITY; 4];
+    ephemeris.fill(black_box(0), &mut out);
     black_box(out);
 }

@@ -3,7 +3,7 @@
 #![no_std]
 #![no_main]
 
-use toytop::{Heaviness, LaunchError, Motion, Release, State, Top};
+use toytop::{Motion, ParameterError, Release, State, Top, TopParameters};
 use toytop_firmware::{entry, exit};
 
 /// What the release sensor measures, in its own units.
@@ -30,8 +30,15 @@ fn main() -> ! {
     exit()
 }
 
-fn throw(axial_inertia: f64, measured: &Measured) -> Result<Motion, LaunchError> {
-    let top = Top::sliding(3.0e-5, axial_inertia, 0.03, Heaviness::Mass(0.05), 9.81)?;
+fn throw(axial_inertia: f64, measured: &Measured) -> Result<Motion, ParameterError> {
+    let top = Top::sliding(&TopParameters {
+        transverse_inertia: 3.0e-5,
+        axial_inertia,
+        com_height: 0.03,
+        mass: 0.05,
+        gravity: 9.81,
+        ..TopParameters::default()
+    })?;
     let release = Release {
         tilt: (f64::from(measured.tilt) / 10.0).to_radians(),
         spin: f64::from(measured.spin) * (core::f64::consts::TAU / 60.0),
@@ -43,7 +50,7 @@ fn throw(axial_inertia: f64, measured: &Measured) -> Result<Motion, LaunchError>
 
 fn log(motion: &Motion) {
     defmt::info!("{}", motion);
-    if let Some(averages) = motion.averages() {
+    if let Some(averages) = motion.period_advance() {
         defmt::info!("nutates in {=f64} s, precesses {=f64} rad", averages.period, averages.phi_per_period());
     }
     if let Some(force) = motion.min_normal_force() {

@@ -9,7 +9,9 @@ use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m::{Peripherals, asm, singleton};
 use cortex_m_rt::exception;
 use critical_section::Mutex;
-use toytop::{Complex, EphemerisF32, Heaviness, LaunchError, Motion, Phi, Release, State, Tick, Top};
+use toytop::{
+    Complex, EphemerisF32, Motion, Orientation, ParameterError, Release, State, Tick, Top, TopParameters,
+};
 use toytop_firmware::{entry, exit};
 
 /// Of the processor, Hz. The emulated board has 25 MHz.
@@ -26,7 +28,7 @@ static SNAPSHOT: Mutex<Cell<Option<Snapshot>>> = Mutex::new(Cell::new(None));
 
 struct Snapshot {
     tick: i64,
-    phi: Phi<f32>,
+    orientation: Orientation<f32>,
     tip: Complex<f32>,
 }
 
@@ -49,11 +51,12 @@ fn main() -> ! {
 
     loop {
         asm::wfi();
-        let Some(Snapshot { tick, phi, tip }) = critical_section::with(|cs| SNAPSHOT.borrow(cs).take())
+        let Some(Snapshot { tick, orientation, tip }) =
+            critical_section::with(|cs| SNAPSHOT.borrow(cs).take())
         else {
             continue;
         };
-        let [x, y, height] = phi.axis();
+        let [x, y, height] = orientation.axis();
         defmt::info!("{=i64} ms: axis ({}, {}, {}), tip ({}, {}) m", tick, x, y, height, tip.re, tip.im);
         if tick == i64::from(TICK_RATE) {
             exit();
@@ -62,8 +65,15 @@ fn main() -> ! {
 }
 
 /// A 50 g top with its centre of mass 30 mm above the tip, let go at 20 degrees with 150 rad/s.
-fn launch() -> Result<Motion, LaunchError> {
-    let top = Top::sliding(3.0e-5, 2.0e-5, 0.03, Heaviness::Mass(0.05), 9.81)?;
+fn launch() -> Result<Motion, ParameterError> {
+    let top = Top::sliding(&TopParameters {
+        transverse_inertia: 3.0e-5,
+        axial_inertia: 2.0e-5,
+        com_height: 0.03,
+        mass: 0.05,
+        gravity: 9.81,
+        ..TopParameters::default()
+    })?;
     let release = Release { tilt: 20.0_f64.to_radians(), spin: 150.0, ..Release::default() };
     Motion::launch(&top, &State::release(&release)?)
 }
@@ -75,9 +85,9 @@ fn SysTick() {
     *TICK += 1;
     critical_section::with(|cs| {
         let Some(ephemeris) = EPHEMERIS.borrow(cs).get() else { return };
-        let (phi, tip) = ephemeris.at_tick(*TICK).phi_and_tip();
+        let (orientation, tip) = ephemeris.at_tick(*TICK).orientation_and_tip();
         if *TICK % LOG_EVERY == 0 {
-            SNAPSHOT.borrow(cs).set(Some(Snapshot { tick: *TICK, phi, tip }));
+            SNAPSHOT.borrow(cs).set(Some(Snapshot { tick: *TICK, orientation, tip }));
         }
     });
 }

@@ -25,12 +25,12 @@ fn main() -> ! {
     for tick in 1..=TICK_RATE {
         asm::wfi();
         SCB::clear_pendst();
-        let now = cursor.next();
+        let now = cursor.next(&TOY_TOP);
         // what the tick is for: integers, the axis in units of 2^-30
-        let axis = now.phi().axis();
+        let axis = now.orientation().axis();
         if tick % 100 == 0 {
             let [x, y, height] = axis.map(I2F30::to_num::<f32>);
-            let tip = now.wide_tip();
+            let tip = now.tip();
             defmt::info!("{=u32} ms: axis ({}, {}, {}), tip ({}, {}) m", tick, x, y, height, tip.re, tip.im);
         }
     }

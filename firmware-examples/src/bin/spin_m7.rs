@@ -29,11 +29,11 @@ fn main() -> ! {
     for tick in 1..=TICK_RATE {
         asm::wfi();
         SCB::clear_pendst();
-        let now = cursor.next();
+        let now = cursor.next(ephemeris);
         if tick % 250 == 0 {
-            let pose = now.pose();
-            let ([x, y, height], tip) = (pose.phi.axis(), now.tip());
-            defmt::info!("{=u32} ms: axis ({}, {}, {}), u' {} / s", tick, x, y, height, pose.udot());
+            let state = now.attitude_state();
+            let ([x, y, height], tip) = (state.axis(), now.tip());
+            defmt::info!("{=u32} ms: axis ({}, {}, {}), u' {} / s", tick, x, y, height, state.udot());
             defmt::info!("        tip ({}, {}) m", tip.re, tip.im);
         }
     }

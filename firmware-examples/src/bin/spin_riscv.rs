@@ -37,9 +37,9 @@ fn main() -> ! {
         while unsafe { MTIME.read_volatile() } < due {
             wfi();
         }
-        let (phi, tip) = cursor.next().phi_and_tip();
+        let (orientation, tip) = cursor.next(ephemeris).orientation_and_tip();
         if tick % 250 == 0 {
-            let [x, y, height] = phi.axis();
+            let [x, y, height] = orientation.axis();
             defmt::info!("{=u32} ms: axis ({}, {}, {}), tip ({}, {}) m", tick, x, y, height, tip.re, tip.im);
         }
     }

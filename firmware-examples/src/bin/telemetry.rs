@@ -11,7 +11,7 @@ use cortex_m::{asm, singleton};
 use cortex_m_rt::exception;
 use critical_section::Mutex;
 use heapless::spsc::{Producer, Queue};
-use toytop::{EphemerisF32, Phi, Tick};
+use toytop::{EphemerisF32, Orientation, Tick};
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
 /// Of the processor, Hz. The emulated board has 25 MHz.
@@ -26,7 +26,7 @@ const SIZE: usize = 64;
 /// What goes through the queue.
 struct Sample {
     tick: u32,
-    phi: Phi<f32>,
+    orientation: Orientation<f32>,
 }
 
 /// What the interrupt holds.
@@ -60,10 +60,10 @@ fn main() -> ! {
         }
         fullest = fullest.max(consumer.len());
         let (mut lowest, mut highest) = (1.0_f32, -1.0_f32);
-        while let Some(Sample { tick, phi }) = consumer.dequeue() {
+        while let Some(Sample { tick, orientation }) = consumer.dequeue() {
             missing += tick - 1 - taken;
             taken = tick;
-            let u = phi.u();
+            let u = orientation.u();
             (lowest, highest) = (lowest.min(u), highest.max(u));
         }
         if taken % 200 == 0 {
@@ -87,8 +87,8 @@ fn SysTick() {
         let mut source = SOURCE.borrow_ref_mut(cs);
         let Some(Source { ephemeris, queue, tick }) = source.as_mut() else { return };
         *tick += 1;
-        let phi = ephemeris.at_tick(i64::from(*tick)).phi();
-        if queue.enqueue(Sample { tick: *tick, phi }).is_err() {
+        let orientation = ephemeris.at_tick(i64::from(*tick)).orientation();
+        if queue.enqueue(Sample { tick: *tick, orientation }).is_err() {
             LOST.fetch_add(1, Ordering::Relaxed);
         }
     });

@@ -1,8 +1,13 @@
-//! A C header: the table and what evaluates it, in C99 without a library, to the same bits as the crate.
+//! A C header: the table and what evaluates it, in C99 and C++11 or later without a library, to the same bits as the crate.
+//!
+//! Numbers are decimal, with as many digits as tell every one from its neighbours (9 in single, 17 in double precision): C++ has
+//! hexadecimal ones since C++17 only. The include guard of a table is defined as its checksum, so that another table of the
+//! same name is an error.
 
 use super::{Coefficients, Label, Parts};
 use crate::cli::Scalar;
-use toytop::real::SINE_CONSTANTS;
+use toytop::scalar::SINE_CONSTANTS;
+use toytop::{Clock, ErrorBound};
 
 /// Phases: the same for every scalar.
 const CLOCK: &str = include_str!("clock.h");
@@ -11,7 +16,7 @@ const ACCESSORS: &str = include_str!("accessors.h");
 /// The checksum of integers.
 const INTACT: &str = include_str!("intact.h");
 
-/// The header's text. Several may be included in one file: what they share is there once.
+/// The text of a header. Several may be included in one file: what they share is there once.
 #[must_use]
 pub fn header(label: &Label, parts: &Parts) -> String {
     let name = name(label);
@@ -33,9 +38,7 @@ pub fn header(label: &Label, parts: &Parts) -> String {
         Coefficients::Shorts(rows) => {
             ("int16_t", rows.iter().map(|row| line(row.map(|x| x.to_string()))).collect())
         }
-        Coefficients::Doubles(rows) => {
-            ("double", rows.iter().map(|row| line(row.map(hexadecimal))).collect())
-        }
+        Coefficients::Doubles(rows) => ("double", rows.iter().map(|row| line(row.map(decimal))).collect()),
     };
     let rows: String = rows;
     format!(
@@ -44,8 +47,12 @@ pub fn header(label: &Label, parts: &Parts) -> String {
  * Written by `toytop bake`. Call toytop_at_tick_{scalar}(&{name}, tick), or toytop_next_{scalar} with a cursor; toytop_intact_{scalar} tells
  * whether a bit was changed. As a quaternion the orientation is w = alpha[0], x = beta[1], y = -beta[0], z = alpha[1].
  * The same bits as the Rust crate: with contraction of floating point off (-std=c99 with GCC, otherwise -ffp-contract=off). */
-#ifndef {guard}_H
-#define {guard}_H
+#ifdef {guard}_H
+#if {guard}_H != {crc32:#x}
+#error two different tables have the name {name}: rename one of the scenario files and bake it again
+#endif
+#else
+#define {guard}_H {crc32:#x}
 
 {CLOCK}
 {evaluators}
@@ -61,11 +68,11 @@ static const toytop_{scalar} {name} = {{
 #endif
 ",
         headline = label.headline(parts),
+        crc32 = parts.crc32,
         count = parts.size[0] * parts.size[1],
         clock = clock(parts),
-        scales = parts
-            .scales
-            .map(|x| hexadecimal(x) + if parts.scalar == Scalar::F64 { "" } else { "f" })
+        scales = scales(parts)
+            .map(|x| if parts.scalar == Scalar::F64 { decimal(x) } else { format!("{:.8e}f", x as f32) })
             .join(", "),
     )
 }
@@ -90,18 +97,30 @@ fn clock(parts: &Parts) -> String {
     let phase = |[low, middle, upper]: [u32; 3]| {
         format!("{{{:#x}u, {low:#x}u}}", u64::from(upper) << 32 | u64::from(middle))
     };
-    let doubles = [parts.exact_step.as_flattened(), &parts.ticks_per_time, &parts.bound].concat();
+    let Clock { step, first, horizon, exact_step, ticks_per_time, tip, turns, .. } = &parts.clock;
+    let ErrorBound { constant, per_tick } = parts.error_bound;
+    let doubles = [exact_step.as_flattened(), ticks_per_time, &[constant, per_tick]].concat();
     let numbers: Vec<_> = doubles.into_iter().map(|x| wide(x.to_bits())).collect();
+    let words = |words: [u32; 4]| words.map(|word| format!("{word:#x}u")).join(", ");
+    let flags = [tip.quarter as u8, tip.passes, tip.exists.into(), (*turns).into()];
     let lines = [
-        format!("{}u, {:#x}u, {segments}u, {terms}u", parts.format, parts.checksum),
-        format!("{{{}}}", parts.first.map(wide).join(", ")),
-        format!("{{{}}}", parts.step.map(phase).join(", ")),
+        format!("{}u, {:#x}u, {segments}u, {terms}u", parts.format, parts.crc32),
+        format!("{{{}}}", first.map(wide).join(", ")),
+        format!("{{{}}}", step.map(phase).join(", ")),
         format!("{{{}}}", numbers.join(", ")),
-        u32::from(parts.horizon.is_some()).to_string(),
-        format!("{{{}}}", parts.horizon.unwrap_or_default().map(tick).join(", ")),
+        u32::from(horizon.is_some()).to_string(),
+        format!("{{{}}}", horizon.unwrap_or_default().map(tick).join(", ")),
+        format!("{{{}}}, {{{}}}", words(tip.start), words(tip.step)),
+        format!("{{{}}}", flags.map(|flag| flag.to_string()).join(", ")),
         format!("{{{}}}", parts.cells.map(|cell| cell.to_string()).join(", ")),
     ];
     lines.iter().map(|line| format!("        {line},\n")).collect()
+}
+
+/// Scale of the tip, and the rates of x, A and B.
+fn scales(parts: &Parts) -> [f64; 4] {
+    let Clock { tip_scale, rates: [x, a, b], .. } = parts.clock;
+    [tip_scale, x, a, b]
 }
 
 /// The points of the circle, and the coefficients of the rest.
@@ -123,7 +142,7 @@ fn points() -> String {
 /// sin 2 pi x = x S(x^2), cos 2 pi x = C(x^2).
 fn series() -> String {
     let series = |name: &str, coefficients: &[f64]| {
-        let rows: String = coefficients.iter().map(|&x| format!("    {},\n", hexadecimal(x))).collect();
+        let rows: String = coefficients.iter().map(|&x| format!("    {},\n", decimal(x))).collect();
         format!("static const double toytop_{name}[{}] = {{\n{rows}}};\n", coefficients.len())
     };
     "/* sin 2 pi x = x S(x^2) and cos 2 pi x = C(x^2) for |x| <= 1/8. */\n".to_owned()
@@ -144,19 +163,9 @@ fn tick(n: i64) -> String {
     if n == i64::MIN { "INT64_MIN".to_owned() } else { format!("INT64_C({n})") }
 }
 
-/// A number as C99 reads it without rounding.
-fn hexadecimal(x: f64) -> String {
-    const MANTISSA: u64 = (1 << 52) - 1;
-    let bits = x.to_bits();
-    let sign = if bits >> 63 == 1 { "-" } else { "" };
-    let (leading, exponent) = match (bits >> 52 & 0x7ff) as i32 {
-        0 => (0, -1022),
-        biased => (1, biased - 1023),
-    };
-    match bits & !(1 << 63) {
-        0 => format!("{sign}0.0"),
-        _ => format!("{sign}0x{leading}.{:013x}p{exponent}", bits & MANTISSA),
-    }
+/// A number of double precision in 17 significant digits, which C and C++ read to the same bits.
+fn decimal(x: f64) -> String {
+    format!("{x:.16e}")
 }
 
 #[cfg(test)]
@@ -164,15 +173,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn hexadecimal_numbers() {
-        for (x, text) in [
-            (1.0, "0x1.0000000000000p0"),
-            (-0.1, "-0x1.999999999999ap-4"),
-            (-0.0, "-0.0"),
-            (f64::from_bits(1), "0x0.0000000000001p-1022"),
-        ] {
-            assert_eq!(hexadecimal(x), text);
+    fn decimal_numbers_are_read_as_they_were() {
+        for x in [1.0, -0.1, -0.0, f64::from_bits(1), f64::MAX, 1.0 / 3.0] {
+            assert_eq!(decimal(x).parse::<f64>().map(f64::to_bits), Ok(x.to_bits()));
         }
+        assert_eq!([1.0, -0.0].map(decimal), ["1.0000000000000000e0", "-0.0000000000000000e0"]);
     }
 
     #[test]

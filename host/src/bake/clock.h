@@ -1,5 +1,5 @@
 #ifndef TOYTOP_CLOCK
-#define TOYTOP_CLOCK 2
+#define TOYTOP_CLOCK 3
 #include <float.h>
 #include <stdint.h>
 #include <string.h>
@@ -12,12 +12,15 @@ typedef struct { uint64_t leading; uint32_t low; } toytop_phase;
 
 /* What every table has. Phases: nutation, A, B. */
 typedef struct {
-    uint32_t format, checksum, segments, terms;
+    uint32_t format, crc32, segments, terms;
     uint64_t first[3];         /* at tick INT64_MIN, from where ticks count up without a sign */
     toytop_phase step[3];      /* what a tick adds */
     uint64_t numbers[10];      /* bits of doubles: exact steps, ticks in a unit of time, error bound */
     uint32_t stops;            /* whether the motion is aperiodic, and then */
     int64_t horizon[2];        /* the first and the last tick at which it still moves */
+    uint32_t tip_start[4];     /* mean tip angle at tick 0, in units of 2^-96 turns, the least significant word first */
+    uint32_t tip_step[4];      /* what a tick adds to it */
+    uint8_t flags[4];          /* quarter turns of alpha beta at u = e1, parameters that pass 0, tip angle exists, u turns */
     uint16_t cells[16];        /* of each cell of half a period: first segment, 4 bits; it has 2^those segments */
 } toytop_clock;
 
@@ -54,32 +57,36 @@ static inline void toytop_move_on(const toytop_clock *clock, toytop_cursor *at) 
  * half is the mirror image of the rising one. */
 static inline int64_t toytop_find(const toytop_clock *clock, uint64_t nutation, int kept, uint32_t *segment) {
     uint64_t share = (nutation ^ (0 - (nutation >> 63))) << 1;
-    int bits = clock->segments < 4 ? 1 : clock->segments < 8 ? 2 : clock->segments < 16 ? 3 : 4;
+    const int bits = 4; /* 16 cells */
     uint32_t cell = clock->cells[share >> (64 - bits)], level = cell & 15;
     share <<= bits;
     *segment = (cell >> 4) + ((uint32_t)(share >> 33) >> (31 - level));
     return (int64_t)(share >> (64 - kept) << (64 - kept) << level ^ (uint64_t)1 << 63);
 }
 
-static inline uint32_t toytop_word(uint32_t sum, uint32_t word) {
-    sum = (sum ^ word) * (uint32_t)0x9e3779b1;
-    return sum ^ sum >> 15;
-}
-
-static inline uint32_t toytop_wide(uint32_t sum, uint64_t words) {
-    return toytop_word(toytop_word(sum, (uint32_t)words), (uint32_t)(words >> 32));
+/* CRC-32 of ISO-HDLC, continued over the lowest `bytes` bytes of a number, the least significant first. */
+static inline uint32_t toytop_crc(uint32_t sum, uint64_t number, int bytes) {
+    for (int i = 0; i < bytes; i++) {
+        sum ^= (uint32_t)(number >> 8 * i) & 255u;
+        for (int bit = 0; bit < 8; bit++) sum = sum >> 1 ^ (UINT32_C(0xedb88320) & (0u - (sum & 1u)));
+    }
+    return sum;
 }
 
 /* The checksum of a clock, with which that of a table begins. */
 static inline uint32_t toytop_head(const toytop_clock *clock, uint32_t scalar) {
-    uint32_t sum = toytop_word(toytop_word(0, clock->format), scalar);
-    sum = toytop_word(toytop_word(sum, clock->segments), clock->terms);
-    for (int i = 0; i < 3; i++) sum = toytop_wide(sum, clock->first[i]);
-    for (int i = 0; i < 3; i++) sum = toytop_wide(toytop_word(sum, clock->step[i].low), clock->step[i].leading);
-    for (int i = 0; i < 10; i++) sum = toytop_wide(sum, clock->numbers[i]);
-    sum = toytop_word(sum, clock->stops);
-    sum = toytop_wide(toytop_wide(sum, (uint64_t)clock->horizon[0]), (uint64_t)clock->horizon[1]);
-    for (int i = 0; i < 16; i++) sum = toytop_word(sum, clock->cells[i]);
+    uint32_t sum = toytop_crc(toytop_crc(UINT32_MAX, clock->format, 4), scalar, 4);
+    sum = toytop_crc(toytop_crc(sum, clock->segments, 4), clock->terms, 4);
+    for (int i = 0; i < 3; i++) sum = toytop_crc(toytop_crc(sum, clock->step[i].low, 4), clock->step[i].leading, 8);
+    for (int i = 0; i < 3; i++) sum = toytop_crc(sum, clock->first[i], 8);
+    sum = toytop_crc(sum, clock->stops, 1);
+    sum = toytop_crc(toytop_crc(sum, (uint64_t)clock->horizon[0], 8), (uint64_t)clock->horizon[1], 8);
+    for (int i = 0; i < 8; i++) sum = toytop_crc(sum, clock->numbers[i], 8);
+    for (int i = 0; i < 4; i++) sum = toytop_crc(sum, clock->tip_start[i], 4);
+    for (int i = 0; i < 4; i++) sum = toytop_crc(sum, clock->tip_step[i], 4);
+    for (int i = 0; i < 4; i++) sum = toytop_crc(sum, clock->flags[i], 1);
+    for (int i = 8; i < 10; i++) sum = toytop_crc(sum, clock->numbers[i], 8);
+    for (int i = 0; i < 16; i++) sum = toytop_crc(sum, clock->cells[i], 2);
     return sum;
 }
 #endif

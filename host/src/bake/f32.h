@@ -4,8 +4,8 @@ typedef struct {
     const int32_t (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
 } toytop_f32;
 
-/* The orientation; u, the cosine of the tilt; the tip c = 2 s alpha beta (without s where it is held). {re, im}. */
-typedef struct { float alpha[2], beta[2], u, c[2]; } toytop_moment_f32;
+/* The orientation; u, the cosine of the tilt (a rounding can take it past 1: clamp before acosf); the tip c = 2 s alpha beta (without s where it is held). {re, im}. */
+typedef struct { float alpha[2], beta[2], u, c[2]; } toytop_sample_f32;
 
 /* a b 2^-32, rounded down: needs a compiler that shifts signed numbers arithmetically, as all do. */
 static inline int32_t toytop_high(int32_t a, int32_t b) { return (int32_t)(((int64_t)a * b) >> 32); }
@@ -51,11 +51,12 @@ static inline void toytop_alpha_beta(const toytop_clock *clock, const int32_t (*
     }
 }
 
-static inline toytop_moment_f32 toytop_moment_of_f32(const toytop_f32 *table, const toytop_cursor *at) {
-    toytop_moment_f32 m;
+static inline toytop_sample_f32 toytop_sample_of_f32(const toytop_f32 *table, const toytop_cursor *at) {
+    toytop_sample_f32 m;
     int32_t four[4];
     toytop_alpha_beta(&table->clock, table->coefficients, at, toytop_sincos_q26, four);
-    for (int i = 0; i < 2; i++) m.alpha[i] = (float)four[i] * 0x1p-30f, m.beta[i] = (float)four[i + 2] * 0x1p-30f;
+    const float unit = 1.0f / 1073741824.0f; /* 2^-30 */
+    for (int i = 0; i < 2; i++) m.alpha[i] = (float)four[i] * unit, m.beta[i] = (float)four[i + 2] * unit;
     m.u = (m.alpha[0] + m.beta[0]) * (m.alpha[0] - m.beta[0]) + (m.alpha[1] + m.beta[1]) * (m.alpha[1] - m.beta[1]);
     m.c[0] = (m.alpha[0] * m.beta[0] - m.alpha[1] * m.beta[1]) * table->scales[0];
     m.c[1] = (m.alpha[0] * m.beta[1] + m.alpha[1] * m.beta[0]) * table->scales[0];

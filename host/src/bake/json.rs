@@ -2,7 +2,8 @@
 
 use super::{Coefficients, Label, Parts};
 use serde_json::{Value, json};
-use toytop::real::SINE_CONSTANTS;
+use toytop::Clock;
+use toytop::scalar::SINE_CONSTANTS;
 
 /// The object, on one line. Integers of more than 53 bits, which not every reader of JSON keeps, are words of 32 bits, the least
 /// significant first; floating point has the shortest digits that read back the same bits. `sine` is what the crate's sines
@@ -18,23 +19,32 @@ pub fn object(label: &Label, parts: &Parts) -> String {
             (by_segment(rows, parts), json!({ "sine": SINE_CONSTANTS.sine, "cosine": SINE_CONSTANTS.cosine }))
         }
     };
-    let [tip_scale, rates @ ..] = parts.scales;
+    let Clock { step, tip_scale, first, horizon, exact_step, ticks_per_time, rates, tip, turns } =
+        &parts.clock;
     let object = json!({
         "name": label.name,
         "tick": label.tick,
         "format": parts.format,
-        "checksum": parts.checksum,
+        "crc32": parts.crc32,
         "scalar": parts.scalar.name(),
         "segments": parts.size[0],
         "terms": parts.size[1],
-        "first": parts.first.map(words),
-        "step": parts.step,
-        "exact_step": parts.exact_step,
-        "ticks_per_time": parts.ticks_per_time,
-        "horizon": parts.horizon.map(|ticks| ticks.map(|tick| words(tick as u64))),
-        "bound": parts.bound,
+        "step": step,
         "tip_scale": tip_scale,
+        "first": first.map(words),
+        "horizon": horizon.map(|ticks| ticks.map(|tick| words(tick as u64))),
+        "exact_step": exact_step,
+        "ticks_per_time": ticks_per_time,
         "rates": rates,
+        "tip": {
+            "start": tip.start,
+            "step": tip.step,
+            "quarter": tip.quarter,
+            "passes": tip.passes,
+            "exists": tip.exists,
+        },
+        "turns": turns,
+        "error_bound": [parts.error_bound.constant, parts.error_bound.per_tick],
         "cells": parts.cells,
         "coefficients": coefficients,
         "sine": sine,

@@ -4,8 +4,8 @@ typedef struct {
     const int16_t (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
 } toytop_q15;
 
-/* In units of 2^-14: the orientation; u, the cosine of the tilt; the tip over s, 2 alpha beta. {re, im}. */
-typedef struct { int16_t alpha[2], beta[2], u, c[2]; } toytop_moment_q15;
+/* In units of 2^-14: the orientation; u, the cosine of the tilt (a rounding can take it past 2^14); the tip over s, 2 alpha beta. {re, im}. */
+typedef struct { int16_t alpha[2], beta[2], u, c[2]; } toytop_sample_q15;
 
 /* a c + b d, rounded down to 2^-14: needs a compiler that shifts signed numbers arithmetically, as all do. */
 static inline int32_t toytop_inner_q15(int32_t a, int32_t b, int32_t c, int32_t d) { return (a * c + b * d) >> 14; }
@@ -21,8 +21,8 @@ static inline void toytop_turn_q15(int32_t re, int32_t im, uint64_t leading, int
     turned[1] = ((re >> 16) * sine + (im >> 16) * cosine + (1 << 15)) >> 16;
 }
 
-static inline toytop_moment_q15 toytop_moment_of_q15(const toytop_q15 *table, const toytop_cursor *at) {
-    toytop_moment_q15 m;
+static inline toytop_sample_q15 toytop_sample_of_q15(const toytop_q15 *table, const toytop_cursor *at) {
+    toytop_sample_q15 m;
     uint64_t nutation = at->phase[0].leading;
     uint32_t segment, terms = table->clock.terms;
     int32_t x = (int32_t)(((toytop_find(&table->clock, nutation, 32, &segment) >> 47) + 1) >> 1), sums[4], four[4];

@@ -4,8 +4,8 @@ typedef struct {
     const int32_t (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
 } toytop_q31;
 
-/* In units of 2^-30: the orientation; u, the cosine of the tilt; the tip over s, 2 alpha beta. {re, im}. */
-typedef struct { int32_t alpha[2], beta[2], u, c[2]; } toytop_moment_q31;
+/* In units of 2^-30: the orientation; u, the cosine of the tilt (a rounding can take it past 2^30); the tip over s, 2 alpha beta. {re, im}. */
+typedef struct { int32_t alpha[2], beta[2], u, c[2]; } toytop_sample_q31;
 
 /* 2^31 times sine and cosine of a phase, to 29 bits: those of the nearest point, and the rest by a series. */
 static inline void toytop_sincos_q31(uint32_t phase, int32_t of[2]) {
@@ -24,8 +24,8 @@ static inline int32_t toytop_inner_q31(int32_t a, int32_t b, int32_t c, int32_t 
     return (toytop_high(a, c) + toytop_high(b, d)) * 4;
 }
 
-static inline toytop_moment_q31 toytop_moment_of_q31(const toytop_q31 *table, const toytop_cursor *at) {
-    toytop_moment_q31 m;
+static inline toytop_sample_q31 toytop_sample_of_q31(const toytop_q31 *table, const toytop_cursor *at) {
+    toytop_sample_q31 m;
     int32_t four[4];
     toytop_alpha_beta(&table->clock, table->coefficients, at, toytop_sincos_q31, four);
     for (int i = 0; i < 2; i++) m.alpha[i] = four[i], m.beta[i] = four[i + 2];

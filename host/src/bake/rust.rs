@@ -2,6 +2,7 @@
 
 use super::{Coefficients, Label, Parts};
 use crate::cli::Scalar;
+use toytop::{Clock, ErrorBound, TipClock};
 
 /// The module's text. Numbers as Rust prints them: it reads back the same bits.
 #[must_use]
@@ -13,14 +14,17 @@ pub fn module(label: &Label, parts: &Parts) -> String {
         Scalar::Q15 => "toytop::fixed::types::I2F14",
         float => float.name(),
     };
-    let size = format!("<{scalar}, {segments}, {terms}>");
-    let [tip_scale, rates @ ..] = parts.scales;
+    let size = format!("<{scalar}, {segments}>");
     let scale = |x: f64| match parts.scalar {
         Scalar::F64 => format!("{x:?}"),
         // the shortest that is read as this f32
         _ => format!("{:?}", x as f32),
     };
+    let Clock { step, tip_scale, first, horizon, exact_step, ticks_per_time, rates, tip, turns } =
+        &parts.clock;
     let rates = rates.map(scale).join(", ");
+    let TipClock { start, step: tip_step, quarter, passes, exists } = tip;
+    let ErrorBound { constant, per_tick } = parts.error_bound;
     format!(
         "// Written by `toytop bake`; a changed number does not compile.
 
@@ -31,38 +35,42 @@ pub fn module(label: &Label, parts: &Parts) -> String {
 #[allow(clippy::all, clippy::pedantic)]
 pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
     format: {format},
-    checksum: {checksum:#010x},
-    first: {first:?},
-    step: {step:?},
-    exact_step: {exact_step:?},
-    ticks_per_time: {ticks_per_time:?},
-    horizon: {horizon:?},
-    bound: {bound:?},
-    tip_scale: {tip_scale},
-    rates: [{rates}],
+    crc32: {crc32:#010x},
+    clock: toytop::Clock {{
+        step: {step:?},
+        tip_scale: {tip_scale},
+        first: {first:?},
+        horizon: {horizon:?},
+        exact_step: {exact_step:?},
+        ticks_per_time: {ticks_per_time:?},
+        rates: [{rates}],
+        tip: toytop::TipClock {{
+            start: {start:?},
+            step: {tip_step:?},
+            quarter: {quarter},
+            passes: {passes},
+            exists: {exists},
+        }},
+        turns: {turns},
+    }},
+    error_bound: toytop::ErrorBound {{ constant: {constant:?}, per_tick: {per_tick:?} }},
     cells: {cells:?},
-    coefficients: [
-{coefficients}    ],
+    segments: [
+{segments}    ],
 }})
 .ephemeris()
 {{
     Ok(ephemeris) => ephemeris,
     Err(toytop::BakedError::Format {{ .. }}) => panic!(\"format: written by another version of toytop\"),
-    Err(_) => panic!(\"checksum: the numbers were changed\"),
+    Err(_) => panic!(\"crc32: the numbers were changed\"),
 }};
 ",
         headline = label.headline(parts),
         format = parts.format,
-        checksum = parts.checksum,
-        first = parts.first,
-        step = parts.step,
-        exact_step = parts.exact_step,
-        ticks_per_time = parts.ticks_per_time,
-        horizon = parts.horizon,
-        bound = parts.bound,
-        tip_scale = scale(tip_scale),
+        crc32 = parts.crc32,
+        tip_scale = scale(*tip_scale),
         cells = parts.cells,
-        coefficients = match &parts.coefficients {
+        segments = match &parts.coefficients {
             Coefficients::Integers(rows) => rows_of(rows, terms),
             Coefficients::Shorts(rows) => rows_of(rows, terms),
             Coefficients::Doubles(rows) => rows_of(rows, terms),

@@ -17,7 +17,7 @@ const HEAD: &str = "\
 #
 # To change: see what costs more and why (`cargo run --release --bin toytop -- budget`), then
 #     cargo run --release --bin toytop -- budget --accept
-# which rewrites this file and the table in README.md, and say in the commit what made the difference worth it.
+# which rewrites this file and the tables in host/docs/costs.md and README.md, and say in the commit what made the difference worth it.
 #
 # instructions: executed. cycles: of a model, zero wait states. stack, flash (code of all it runs through), ram (kept between
 # calls): bytes. The costliest of several calls.

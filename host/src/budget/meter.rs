@@ -1,5 +1,6 @@
 //! From the record of a run to the cost of each call.
 
+use super::chip::model;
 use super::instruction::{Decoder, Instruction};
 use super::trace::{self, Block};
 use super::{Chip, Image, Model};
@@ -36,7 +37,7 @@ pub fn measure(chip: &Chip, elf: &Path) -> Result<Vec<Cost>, Failure> {
     if entries.is_empty() {
         return Err(Failure::Input(format!("{}: no function named {PREFIX}...", elf.display())));
     }
-    let mut meter = Meter::new(&image, &entries, chip.model)?;
+    let mut meter = Meter::new(&image, &entries, model(chip))?;
     let printed = trace::run(chip, elf, |blocks, number| meter.executed(blocks, number))?;
     if meter.costs.is_empty() {
         return Err(Failure::Tool(format!("budget: {}: nothing was called", elf.display())));

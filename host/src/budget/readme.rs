@@ -1,4 +1,4 @@
-//! The table of the front page, from what is allowed: so that it cannot promise what no test holds.
+//! Tables of costs in pages, from the limits: no page promises what no test checks.
 
 use super::{Cost, Limits};
 
@@ -6,7 +6,7 @@ const BEGIN: &str = "<!-- budget: written by `toytop budget --accept` -->\n";
 const END: &str = "<!-- budget: end -->";
 
 /// Calls and what they are called on the page.
-const ROWS: [(&str, &str); 17] = [
+const ROWS: [(&str, &str); 15] = [
     ("ephemeris_f32", "**ephemeris**, any tick, `f32`"),
     ("cursor_f32", "**ephemeris**, the next tick, `f32`"),
     ("ephemeris_q31", "**ephemeris**, any tick, fixed point of 32 bits"),
@@ -14,7 +14,6 @@ const ROWS: [(&str, &str); 17] = [
     ("ephemeris_q15", "**ephemeris**, any tick, fixed point of 16 bits"),
     ("cursor_q15", "**ephemeris**, the next tick, fixed point of 16 bits"),
     ("cursor_micromath", "the same table in `f32` with the sines of the crate micromath, the next tick"),
-    ("stepper_q31", "stepper, fixed point of 32 bits"),
     ("stepper_f32", "stepper, `f32`"),
     ("rk4_f32", "a Runge-Kutta step of the full equations, `f32`"),
     ("multicalc_rk4_f32", "the same by the crate multicalc"),
@@ -22,9 +21,43 @@ const ROWS: [(&str, &str); 17] = [
     ("cursor_f64", "**ephemeris**, the next tick, `f64`"),
     ("stepper_f64", "stepper, `f64`"),
     ("rk4_f64", "a Runge-Kutta step of the full equations, `f64`"),
-    ("launch", "set-up, once a throw: from measured numbers to the ephemeris, `f32`"),
-    ("launch_stepper_q31", "set-up of the stepper, fixed point of 32 bits"),
+    (
+        "launch",
+        "set-up, once a throw, `f32`: from measured numbers to the ephemeris, of a 50 g top at 150 rad/s; other motions cost up to ten times as much",
+    ),
 ];
+
+const FRONT_BEGIN: &str = "<!-- budget: front page, written by `toytop budget --accept` -->\n";
+const FRONT_END: &str = "<!-- budget: end of front page -->";
+
+/// Rows of the front page: chip, call, and what they are called there.
+const FRONT_ROWS: [(&str, &str, &str); 4] = [
+    ("m4f", "cursor_f32", "the next tick in `f32`, Cortex-M4F"),
+    ("m0plus", "cursor_q31", "the next tick in 32-bit fixed point, Cortex-M0+"),
+    ("m0plus", "cursor_q15", "the next tick in 16-bit fixed point, Cortex-M0+"),
+    (
+        "m4f",
+        "launch",
+        "set-up of this motion, once a throw, Cortex-M4F; other motions cost up to ten times as much",
+    ),
+];
+
+/// Front page with its table as the limits say; `None` if it has no place for one.
+#[must_use]
+pub fn with_front_table(page: &str, limits: &Limits) -> Option<String> {
+    let (before, rest) = page.split_once(FRONT_BEGIN)?;
+    let (_, after) = rest.split_once(FRONT_END)?;
+    let mut text = "| at most | cycles | RAM, bytes | flash, bytes |\n|---|--:|--:|--:|\n".to_owned();
+    for (chip, call, what) in FRONT_ROWS {
+        let cell = |figure: fn(&Cost) -> Option<u64>| {
+            limits.of(chip, call).and_then(figure).map_or("-".to_owned(), grouped)
+        };
+        let (cycles, ram, flash) =
+            (cell(|cost| cost.cycles), cell(|cost| cost.ram), cell(|cost| Some(cost.flash)));
+        text += &format!("| {what} | {cycles} | {ram} | {flash} |\n");
+    }
+    Some(format!("{before}{FRONT_BEGIN}{text}{FRONT_END}{after}"))
+}
 
 /// The page with its table as the limits say; `None` if it has no place for one.
 #[must_use]
@@ -72,6 +105,16 @@ fn grouped(figure: u64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_front_page_has_figures_of_several_chips() {
+        let cost = |cycles| Cost { call: "cursor_q31".into(), cycles: Some(cycles), ..Cost::default() };
+        let limits = Limits(vec![("m4f".into(), vec![cost(260)]), ("m0plus".into(), vec![cost(1221)])]);
+        let page = with_front_table(&format!("a\n{FRONT_BEGIN}old\n{FRONT_END}\nb"), &limits).unwrap();
+        assert!(page.contains("Cortex-M0+ | 1 221 | - | 0 |") && !page.contains("old"), "{page}");
+        assert_eq!(with_front_table(&page, &limits).as_ref(), Some(&page));
+        assert_eq!(with_front_table("no place", &limits), None);
+    }
 
     #[test]
     fn only_the_table_is_replaced() {

@@ -8,7 +8,6 @@ use crate::Failure;
 use std::collections::HashMap;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
-use std::process::{Command, Stdio};
 use std::sync::Mutex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
@@ -45,16 +44,9 @@ pub(super) fn run(
     executed: impl FnMut(&[Block], usize) -> Result<(), Failure>,
 ) -> Result<String, Failure> {
     let fail = |what: String| Failure::Tool(format!("budget: {}: {what}", chip.name));
-    let mut qemu = Command::new(chip.emulator)
-        .args(chip.machine)
-        .args(["-nographic", "-monitor", "none", "-serial", "none"])
-        .args(["-semihosting-config", "enable=on,target=native"])
+    let mut qemu = chip
+        .qemu(elf)
         .args(["-d", "in_asm,exec,nochain"])
-        .arg("-kernel")
-        .arg(elf)
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
         .spawn()
         .map_err(|error| fail(format!("cannot run {} ({error}); install QEMU", chip.emulator)))?;
     let stdout = qemu.stdout.take();

@@ -40,7 +40,7 @@ impl Method {
     }
 }
 
-/// Scalar types of the core, and a rival's.
+/// Scalar types of the core, and the one with the sines of the crate micromath.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Scalar {
     /// Double precision

@@ -1,74 +1,14 @@
-//! Commands that go through many motions, or very many ticks.
+//! The command that goes through many motions.
 
-use super::Format;
 use crate::sweep::{Axis, Column, DEFAULT_COLUMNS, SignChoice};
 use clap::Args;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-/// `toytop overflow`
-#[derive(Args, Debug)]
-pub struct OverflowArgs {
-    /// How many motions
-    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
-    pub motions: u64,
-    /// Ticks of each, in 32 and in 16 bits, and as many steps
-    #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
-    pub ticks: u32,
-    /// Another seed, other motions
-    #[arg(long, value_name = "S", default_value_t = 1)]
-    pub seed: u64,
-}
-
-/// `toytop study`
-#[derive(Args, Debug)]
-pub struct StudyArgs {
-    /// Motions to try [default: 100000; with --corners 1000000]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
-    pub motions: Option<u64>,
-    /// Another seed, other motions
-    #[arg(long, value_name = "S", default_value_t = 1)]
-    pub seed: u64,
-    /// Launches towards every degenerate corner, of branch points and of states, in four scalars
-    #[arg(long)]
-    pub corners: bool,
-    /// How many of the launches are held against the truth
-    #[arg(long, value_name = "N", default_value_t = 10_000, requires = "corners", value_parser = clap::value_parser!(u64).range(1..))]
-    pub truths: u64,
-    /// Markdown page whose table to write
-    #[arg(long, value_name = "FILE", requires = "corners")]
-    pub docs: Option<PathBuf>,
-    /// Form of the output
-    #[arg(long, value_enum, default_value_t = Format::Table)]
-    pub format: Format,
-}
-
-impl StudyArgs {
-    /// How many motions.
-    #[must_use]
-    pub fn count(&self) -> u64 {
-        self.motions.unwrap_or(if self.corners { 1_000_000 } else { 100_000 })
-    }
-}
-
-/// `toytop longrun`
-#[derive(Args, Debug)]
-pub struct LongrunArgs {
-    /// How many ticks
-    #[arg(long, value_name = "N", default_value_t = 1_000_000_000, value_parser = clap::value_parser!(u64).range(1000..=1_000_000_000_000))]
-    pub ticks: u64,
-    /// Markdown page whose table to write
-    #[arg(long, value_name = "FILE")]
-    pub docs: Option<PathBuf>,
-    /// Form of the output
-    #[arg(long, value_enum, default_value_t = Format::Table)]
-    pub format: Format,
-}
-
 /// `toytop sweep`
 #[derive(Args, Debug)]
 pub struct SweepArgs {
-    /// CSV file to write, or Parquet if it ends in .parquet (in a build with that feature); it must not exist, unless --resume is given
+    /// CSV file to write (- is stdout), or Parquet if it ends in .parquet (in a build with that feature); it must not exist, unless --resume is given
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// Draw so many motions by lot; without it, the grid of all combinations
@@ -107,7 +47,7 @@ pub struct SweepArgs {
     /// Only every N-th motion, beginning with the I-th: 1/1 is all
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     pub shard: Shard,
-    /// Go on with the file, if it exists
+    /// Go on with the file, if it exists: a regular file, which no other process may be writing
     #[arg(long)]
     pub resume: bool,
 }

@@ -16,6 +16,9 @@ pub struct CompareArgs {
     /// Scalar types of the core
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]
     pub scalar: Vec<ScalarChoice>,
+    /// Every run of the built-in motions in a row of its own, as for scenario files; without it a row a motion. CSV and JSON always have every run
+    #[arg(long)]
+    pub all: bool,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,
@@ -37,27 +40,6 @@ pub struct BenchArgs {
     pub format: Format,
 }
 
-/// `toytop report`
-#[derive(Args, Debug)]
-#[command(group = clap::ArgGroup::new("what").required(true).multiple(true).args(["output", "readme"]))]
-pub struct ReportArgs {
-    /// Folder for index.html; made if it is not there
-    #[arg(short, long, value_name = "DIR")]
-    pub output: Option<PathBuf>,
-    /// Markdown file whose tables to bring up to date
-    #[arg(long, value_name = "FILE")]
-    pub readme: Option<PathBuf>,
-    /// Change nothing; exit code 1 if a table is stale
-    #[arg(long, requires = "readme")]
-    pub check: bool,
-    /// What `toytop budget --format json` wrote, for the page; without it, what the calls are allowed
-    #[arg(long, value_name = "FILE", requires = "output")]
-    pub budget: Option<PathBuf>,
-    /// What host/benches/by_heyoka.py --json wrote, for the page
-    #[arg(long, value_name = "FILE", requires = "output")]
-    pub rivals: Option<PathBuf>,
-}
-
 /// `toytop budget`
 #[derive(Args, Debug)]
 #[command(
@@ -73,7 +55,7 @@ pub struct BudgetArgs {
     /// An ELF of your own: measures its functions named bench_...
     #[arg(long, value_name = "FILE", conflicts_with_all = ["check", "accept"])]
     pub elf: Option<PathBuf>,
-    /// Compare with firmware-examples/budgets.toml and the table in README.md
+    /// Compare with firmware-examples/budgets.toml and the tables of host/docs/costs.md and README.md
     #[arg(long, conflicts_with = "accept")]
     pub check: bool,
     /// Rewrite both, with all chips
@@ -106,17 +88,6 @@ pub struct AccuracyArgs {
     /// Error against cost, as a picture: a file that ends in .svg or .png
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
-    /// Form of the output
-    #[arg(long, value_enum, default_value_t = Format::Table)]
-    pub format: Format,
-}
-
-/// `toytop sines`
-#[derive(Args, Debug)]
-pub struct SinesArgs {
-    /// Only every N-th phase
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
-    pub every: u32,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,

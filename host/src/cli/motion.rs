@@ -82,9 +82,9 @@ pub struct BakeArgs {
     /// What to write
     #[arg(long, value_enum, default_value_t = Language::Rust)]
     pub lang: Language,
-    /// Segments and terms, as 64x7; without it the crate's default, or the smallest that fits
-    #[arg(long, value_name = "SxT", value_parser = size)]
-    pub size: Option<[u32; 2]>,
+    /// Room for so many segments, a power of two from 16 to 4096; without it the crate's default, or the smallest that fits
+    #[arg(long, value_name = "SEGMENTS")]
+    pub size: Option<u32>,
     /// Ticks a second
     #[arg(long, value_name = "N", default_value_t = 1000, conflicts_with = "tick",
         value_parser = clap::value_parser!(u32).range(1..))]
@@ -106,10 +106,6 @@ pub enum Language {
     C,
     /// One object with all numbers
     Json,
-}
-
-fn size(text: &str) -> Result<[u32; 2], &'static str> {
-    two(text, 'x').ok_or("must be segments x terms, as 64x7")
 }
 
 fn ratio(text: &str) -> Result<[u32; 2], &'static str> {

@@ -2,11 +2,11 @@
 
 use super::Report;
 use crate::Failure;
-use crate::accuracy::{Accuracy, CHIPS, Costs, Errors, OCTAVES, measured, picture};
 use crate::cli::{AccuracyArgs, Format, ScalarChoice};
+use crate::measure::accuracy::{Accuracy, CHIPS, Costs, Errors, OCTAVES, measured, picture};
+use crate::output::whole_file;
 use crate::output::{self, Cell, Record};
-use crate::plot::Form;
-use crate::whole_file;
+use crate::pictures::plot::Form;
 
 /// What the errors over fewer ticks are shown for: up to 2 to these powers.
 const SPANS: [u32; 4] = [10, 20, 30, 40];
@@ -26,8 +26,9 @@ pub(super) fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     Ok(Report { text, ..Report::default() })
 }
 
-/// A line a scalar: errors with so many digits, and costs.
-pub(super) fn rows(all: &[Accuracy], costs: &Costs, digits: usize) -> Vec<Vec<String>> {
+/// One line a scalar: errors with so many digits, and costs.
+#[must_use]
+pub fn rows(all: &[Accuracy], costs: &Costs, digits: usize) -> Vec<Vec<String>> {
     let head = ["", "greatest error, rad", "RMS error, rad", "tip, s", "norm", "energy"];
     let mut header: Vec<_> = head.map(str::to_owned).into();
     header.extend(CHIPS.map(|chip| chip.heading.to_owned()));

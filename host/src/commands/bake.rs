@@ -4,10 +4,10 @@ use super::{Report, unreal};
 use crate::Failure;
 use crate::bake::{Label, Parts, header, module, object};
 use crate::cli::{BakeArgs, Language};
-use crate::ephemeris::{default_or_smallest, of_size};
-use crate::scenario::Scenario;
-use crate::whole_file;
-use toytop::Tick;
+use crate::input::scenario::Scenario;
+use crate::motion::ephemeris::{default_or_smallest, of_size};
+use crate::output::whole_file;
+use toytop::{ErrorBound, Tick};
 
 pub(super) fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
@@ -48,7 +48,7 @@ fn parts(arguments: &BakeArgs, scenario: &Scenario, tick: Tick) -> Result<Parts,
 
 /// What was written, in one line: nothing is chosen silently.
 fn summary(label: &Label, parts: &Parts) -> String {
-    let ([segments, terms], [constant, per_tick]) = (parts.size, parts.bound);
+    let ([segments, terms], ErrorBound { constant, per_tick }) = (parts.size, parts.error_bound);
     format!(
         "{}: {segments}x{terms} in {}, {} bytes, {}; orientation within {constant:.1e} rad + {per_tick:.1e} rad a tick",
         label.name,

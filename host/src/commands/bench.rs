@@ -1,17 +1,17 @@
 //! `toytop bench`: what a state of the top costs, and what it costs elsewhere. On this machine, of this build.
 
-mod contest;
+mod methods;
 mod ticks;
 mod timing;
 
 use super::Report;
 use crate::Failure;
 use crate::cli::{BenchArgs, Format};
+use crate::output::progress::Progress;
 use crate::output::{self, Cell, Record};
-use crate::progress::Progress;
 
 /// One line of a table: what was timed, and the rest in cells.
-struct Line {
+struct Row {
     what: String,
     /// Of the whole task, or of one tick, s.
     seconds: f64,
@@ -20,7 +20,7 @@ struct Line {
     rest: Vec<String>,
 }
 
-impl Line {
+impl Row {
     fn record(&self) -> Record {
         Record(vec![
             ("what", Cell::Text(self.what.trim().to_owned())),
@@ -31,21 +31,21 @@ impl Line {
 }
 
 pub(super) fn run(arguments: &BenchArgs) -> Result<Report, Failure> {
-    let scenario = contest::scenario()?;
-    let mut progress = Progress::new(contest::TASKS + ticks::TASKS, "tasks");
-    let contest = contest::run(&scenario, &mut progress)?;
+    let scenario = methods::scenario()?;
+    let mut progress = Progress::new(methods::TASKS + ticks::TASKS, "tasks");
+    let methods = methods::run(&scenario, &mut progress)?;
     let ticks = ticks::run(&scenario.motion, &mut progress)?;
     drop(progress);
-    let records = || contest.iter().chain(&ticks).map(Line::record).collect::<Vec<_>>();
+    let records = || methods.iter().chain(&ticks).map(Row::record).collect::<Vec<_>>();
     let text = match arguments.format {
-        Format::Table => tables(&contest, &ticks),
+        Format::Table => tables(&methods, &ticks),
         Format::Csv => output::csv(&records()).map_err(Failure::Output)?,
         Format::Json => output::json_list("rows", &records()).map_err(Failure::Output)?,
     };
     Ok(Report { text, ..Report::default() })
 }
 
-fn tables(contest: &[Line], ticks: &[Line]) -> String {
+fn tables(methods: &[Row], ticks: &[Row]) -> String {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let build = if cfg!(debug_assertions) { "UNOPTIMISED build" } else { "release build" };
     format!(
@@ -53,17 +53,17 @@ fn tables(contest: &[Line], ticks: &[Line]) -> String {
          One state at a time:\n\n{}\n\
          (This processor may work on several ticks at once where the numbers are given; the next tick waits for the one before.)\n\
          Least of {} runs on one core of {cores}; {build}.\n",
-        contest::SAMPLES,
-        contest::PERIODS,
-        contest::ACCURACY,
-        columns(&["", "time", "error, rad", "times as fast"], contest),
+        methods::SAMPLES,
+        methods::PERIODS,
+        methods::ACCURACY,
+        columns(&["", "time", "error, rad", "times as fast"], methods),
         columns(&["", "time", "million a second"], ticks),
         timing::RUNS,
     )
 }
 
-fn columns(header: &[&str], lines: &[Line]) -> String {
-    let row = |line: &Line| {
+fn columns(header: &[&str], lines: &[Row]) -> String {
+    let row = |line: &Row| {
         let mut row = vec![line.what.clone(), timing::in_words(line.seconds)];
         row.extend(line.rest.iter().cloned());
         row

@@ -2,16 +2,16 @@
 
 use super::Report;
 use crate::Failure;
-use crate::budget::{CHIPS, Chip, Cost, Limits, measure, with_table};
+use crate::budget::{CHIPS, Chip, Cost, Limits, measure, with_front_table, with_table};
 use crate::cli::{BudgetArgs, Format};
+use crate::output::progress::Progress;
+use crate::output::whole_file;
 use crate::output::{self, Cell, Record};
-use crate::progress::Progress;
-use crate::whole_file;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// Of the interrupt that a tick has to fit into, Hz.
+/// Frequency of the interrupt that a tick has to fit into, Hz.
 const TICK_RATE: f64 = 1000.0;
 
 pub(super) fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
@@ -53,7 +53,11 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Chip>, Failure> {
 }
 
 const LIMITS: &str = "firmware-examples/budgets.toml";
-const PAGE: &str = "README.md";
+/// Pages with a table, and what writes it.
+const PAGES: [(&str, WithTable); 2] = [("host/docs/costs.md", with_table), ("README.md", with_front_table)];
+
+/// Page with its table as the limits say; `None` if it has no place for one.
+type WithTable = fn(&str, &Limits) -> Option<String>;
 
 /// The folder that holds the firmware: the current one, or one above it.
 fn repository() -> Result<PathBuf, Failure> {
@@ -101,21 +105,29 @@ fn complaints(root: &Path, measured: &Measured) -> Result<Vec<String>, Failure> 
     if !complaints.is_empty() {
         complaints.push(format!("how to change a budget: the head of {LIMITS}"));
     }
-    let page = text_of(&root.join(PAGE))?;
-    if with_table(&page, &limits).is_none_or(|fresh| fresh != page) {
-        complaints.push(format!("{PAGE}: the table is not that of {LIMITS}: toytop budget --accept"));
+    for (name, with_table) in PAGES {
+        let page = text_of(&root.join(name))?;
+        if with_table(&page, &limits).is_none_or(|fresh| fresh != page) {
+            complaints.push(format!("{name}: the table is not that of {LIMITS}: toytop budget --accept"));
+        }
     }
     Ok(complaints)
 }
 
 fn accept(root: &Path, measured: &Measured) -> Result<Report, Failure> {
     let limits = Limits::around(&by_name(measured));
-    let page = text_of(&root.join(PAGE))?;
-    let no_place = || Failure::Input(format!("{PAGE}: no place for the table"));
-    let page = with_table(&page, &limits).ok_or_else(no_place)?;
+    let mut pages = Vec::new();
+    for (name, with_table) in PAGES {
+        let no_place = || Failure::Input(format!("{name}: no place for the table"));
+        let page = with_table(&text_of(&root.join(name))?, &limits).ok_or_else(no_place)?;
+        pages.push((name, page));
+    }
     whole_file::write("--accept", &root.join(LIMITS), limits.to_toml().as_bytes())?;
-    whole_file::write("--accept", &root.join(PAGE), page.as_bytes())?;
-    Ok(Report { text: format!("written: {LIMITS}, and the table in {PAGE}\n"), ..Report::default() })
+    for (name, page) in &pages {
+        whole_file::write("--accept", &root.join(name), page.as_bytes())?;
+    }
+    let names = PAGES.map(|(name, _)| name).join(" and ");
+    Ok(Report { text: format!("written: {LIMITS}, and the tables in {names}\n"), ..Report::default() })
 }
 
 fn shown(arguments: &BudgetArgs, measured: &Measured) -> Result<Report, Failure> {

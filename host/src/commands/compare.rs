@@ -7,22 +7,26 @@ mod run;
 mod show;
 
 use super::{Report, unreal};
+use crate::Failure;
 use crate::cli::{CompareArgs, Format, Method, Scalar, ScalarChoice};
-use crate::micromath::Micromath;
+use crate::input::builtin;
+use crate::input::scenario::Scenario;
 use crate::output;
-use crate::scenario::Scenario;
-use crate::{Failure, builtin};
 use bounds::{Span, WORST, bound, horizon, steps_per_period};
 use measure::{Errors, Truth};
-use run::{Effort, Run, SAMPLES, look_up, sample_times, step_through, tick_through};
+use run::{Effort, Run, SAMPLES, look_up, sample_times, step_through};
 use std::time::Duration;
+use toytop::Micromath;
 
 /// One motion in one scalar by one method.
-#[derive(Clone)]
-pub(super) struct Row {
-    pub(super) motion: String,
-    pub(super) scalar: Scalar,
-    pub(super) method: Method,
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Name of the motion.
+    pub motion: String,
+    /// Scalar of the core.
+    pub scalar: Scalar,
+    /// Propagator of the core.
+    pub method: Method,
     /// `None` where the method does not apply.
     measured: Option<Measured>,
     /// On the error of the orientation, rad.
@@ -30,7 +34,7 @@ pub(super) struct Row {
 }
 
 /// What a run gave and took.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Measured {
     errors: Errors,
     effort: Effort,
@@ -38,8 +42,9 @@ struct Measured {
 }
 
 impl Row {
-    /// Of the orientation, rad.
-    pub(super) fn error(&self) -> Option<f64> {
+    /// Greatest error of the orientation, rad; `None` where the method does not apply.
+    #[must_use]
+    pub fn error(&self) -> Option<f64> {
         self.measured.map(|measured| measured.errors.orientation)
     }
 
@@ -63,13 +68,17 @@ impl Row {
 /// The core's propagators.
 const METHODS: [Method; 2] = [Method::Stepper, Method::Ephemeris];
 
-/// There is no stepper in 16 bits.
-const NONE_SUCH: (Method, Scalar) = (Method::Stepper, Scalar::Q15);
+/// Whether the core has the method in the scalar: in fixed point it has no stepper.
+fn exists(method: Method, scalar: Scalar) -> bool {
+    !(method == Method::Stepper && matches!(scalar, Scalar::Q31 | Scalar::Q15))
+}
 
 /// What was compared.
-pub(super) struct Compared {
+#[derive(Debug)]
+pub struct Compared {
     scenarios: Vec<Scenario>,
-    pub(super) rows: Vec<Row>,
+    /// One row a motion, scalar and method.
+    pub rows: Vec<Row>,
     remarks: Vec<String>,
 }
 
@@ -77,6 +86,9 @@ pub(super) fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     let Compared { scenarios, rows, mut remarks } = rows(arguments)?;
     let below = arguments.format == Format::Table;
     let text = match arguments.format {
+        Format::Table if arguments.scenarios.is_empty() && !arguments.all => {
+            show::summary(&rows, arguments.periods)
+        }
         Format::Table => show::table(&rows, arguments.periods),
         Format::Csv => output::csv(&show::records(&rows)).map_err(Failure::Output)?,
         Format::Json => output::json_list("rows", &show::records(&rows)).map_err(Failure::Output)?,
@@ -87,7 +99,10 @@ pub(super) fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
 }
 
 /// Runs every motion in every scalar by every method.
-pub(super) fn rows(arguments: &CompareArgs) -> Result<Compared, Failure> {
+///
+/// # Errors
+/// [`Failure::Input`]: a scenario cannot be read; [`Failure::Method`]: the full solver gave up.
+pub fn rows(arguments: &CompareArgs) -> Result<Compared, Failure> {
     let built_in = arguments.scenarios.is_empty();
     let scenarios = if built_in {
         builtin::scenarios()?
@@ -104,7 +119,7 @@ pub(super) fn rows(arguments: &CompareArgs) -> Result<Compared, Failure> {
         let times: Vec<f64> = sample_times(span.time, SAMPLES * arguments.periods).collect();
         let mut truth = Truth::default();
         for (method, &scalar) in METHODS.iter().flat_map(|&method| scalars.iter().map(move |s| (method, s))) {
-            if (method, scalar) == NONE_SUCH {
+            if !exists(method, scalar) {
                 continue;
             }
             let measured = match follow(scenario, method, scalar, &times, &span) {
@@ -135,10 +150,9 @@ fn follow(
     let motion = &scenario.motion;
     let step = span.period / f64::from(steps_per_period(scalar));
     match (method, scalar) {
-        (Method::Ephemeris, _) => look_up(scalar, motion, times),
+        (Method::Ephemeris, _) | (_, Scalar::Q31 | Scalar::Q15) => look_up(scalar, motion, times),
         (_, Scalar::F64) => Ok(step_through::<f64>(motion, times, step)),
         (_, Scalar::F32) => Ok(step_through::<f32>(motion, times, step)),
         (_, Scalar::Micromath) => Ok(step_through::<Micromath>(motion, times, step)),
-        (_, Scalar::Q31 | Scalar::Q15) => tick_through(motion, times, step),
     }
 }

@@ -1,11 +1,12 @@
 //! `toytop constants`: what does not change in a motion.
 
 use super::{Report, unreal};
+use crate::Failure;
 use crate::cli::{ConstantsArgs, Format};
+use crate::input::scenario::Scenario;
+use crate::output::names;
 use crate::output::{self, Cell, Record, number};
-use crate::scenario::Scenario;
-use crate::{Failure, names};
-use toytop::{Averages, Motion};
+use toytop::{Motion, PeriodAdvance};
 
 pub(super) fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
@@ -23,9 +24,9 @@ pub(super) fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
 /// Key, value, unit. The units are those of a scenario in SI.
 fn constants(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)> {
     let (integrals, e) = (motion.first_integrals(), motion.branch_points());
-    let averages = motion.averages();
-    let average = |value: fn(&Averages) -> f64| averages.as_ref().map(value);
-    let phi_per_period = average(Averages::phi_per_period).filter(|_| !motion.regime().is_vertical());
+    let averages = motion.period_advance();
+    let average = |value: fn(&PeriodAdvance) -> f64| averages.as_ref().map(value);
+    let phi_per_period = average(PeriodAdvance::phi_per_period).filter(|_| !motion.regime().is_vertical());
     vec![
         ("l", Cell::Number(integrals.l), "kg m^2/s"),
         ("n", Cell::Number(integrals.n), "kg m^2/s"),

@@ -3,9 +3,9 @@
 use super::Report;
 use crate::Failure;
 use crate::cli::FiguresArgs;
-use crate::figures;
-use crate::plot::Form;
-use crate::whole_file;
+use crate::output::whole_file;
+use crate::pictures::figures;
+use crate::pictures::plot::Form;
 
 pub(super) fn run(arguments: &FiguresArgs) -> Result<Report, Failure> {
     let folder = &arguments.output;

@@ -3,11 +3,11 @@
 use super::{Report, unreal};
 use crate::Failure;
 use crate::cli::PlotArgs;
-use crate::names::tip_class;
+use crate::input::scenario::Scenario;
+use crate::output::names::tip_class;
 use crate::output::short;
-use crate::plot::{Curve, Form, draw};
-use crate::scenario::Scenario;
-use crate::whole_file;
+use crate::output::whole_file;
+use crate::pictures::plot::{Curve, Form, draw};
 use toytop::{Sign, Support};
 
 pub(super) fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
@@ -36,9 +36,12 @@ fn caption(scenario: &Scenario, curve: &Curve) -> [String; 2] {
     };
     let (plus, minus) = (sign(signs.l_plus_n, vanishes[0]), sign(signs.l_minus_n, vanishes[1]));
     let inertias = match top.support() {
-        Support::Sliding => format!("A/(ps) = {}, C/A = ", short(top.a() / (top.p() * top.s()), 4)),
-        Support::Fixed => "tip held, C/A = ".to_owned(),
-    } + &short(top.c() / top.a(), 4);
+        Support::Sliding => format!(
+            "A/(ps) = {}, C/A = ",
+            short(top.transverse_inertia() / (top.mass_moment() * top.com_height()), 4)
+        ),
+        Support::Fixed => "tip held: the curve is minus the tip of toytop state, C/A = ".to_owned(),
+    } + &short(top.axial_inertia() / top.transverse_inertia(), 4);
     [
         format!("{class}{periods}: e₁ = {e1}, e₂ = {e2}, e₃ = {e3}"),
         format!("l + n {plus} 0, l - n {minus} 0, {inertias}"),

@@ -3,17 +3,17 @@
 use super::{Report, unreal};
 use crate::Failure;
 use crate::cli::{Format, Method, Scalar, StateArgs};
-use crate::ephemeris::{Instant, furthest_time, smallest};
-use crate::fixed_steps::FixedSteps;
-use crate::micromath::Micromath;
+use crate::full_equations::solution;
+use crate::input::scenario::Scenario;
+use crate::input::times;
+use crate::motion::ephemeris::{furthest_time, smallest};
+use crate::motion::propagate::{Sample, TimedStepper, period, steps_needed, visit_times};
+use crate::motion::tip_angle::TipAngle;
+use crate::output::progress::Progress;
 use crate::output::{self, Cell, Record, number};
-use crate::progress::Progress;
-use crate::propagate::{Paced, Sample, period, steps_needed, sweep};
-use crate::scenario::Scenario;
-use crate::{times, tip_angle, truth};
 use toytop::exact::ClosedForm;
-use toytop::real::Real;
-use toytop::{Complex, Motion, Support};
+use toytop::scalar::Real;
+use toytop::{Complex, Micromath, Motion, Support};
 
 pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
@@ -24,8 +24,8 @@ pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
         (Method::Stepper, Scalar::F64) => stepped::<f64>(&scenario.motion, &times, step)?,
         (Method::Stepper, Scalar::F32) => stepped::<f32>(&scenario.motion, &times, step)?,
         (Method::Stepper, Scalar::Micromath) => stepped::<Micromath>(&scenario.motion, &times, step)?,
-        (Method::Stepper, Scalar::Q31) => ticked(&scenario, &times, step)?,
-        (Method::Full, Scalar::F64) => truth::samples(&scenario, &times, step)?,
+        (Method::Stepper, Scalar::Q31 | Scalar::Q15) => return Err(no_stepper(arguments.scalar)),
+        (Method::Full, Scalar::F64) => solution::samples(&scenario, &times)?,
         (Method::ClosedForm, Scalar::F64) => closed(&scenario, &times)?,
         (method, scalar) => {
             let (name, allowed) = (scalar.name(), scalars(method));
@@ -48,9 +48,15 @@ pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
 fn scalars(method: Method) -> &'static str {
     match method {
         Method::Ephemeris => "f64, f32, q31, q15 or micromath",
-        Method::Stepper => "f64, f32, q31 or micromath",
+        Method::Stepper => "f64, f32 or micromath",
         Method::Full | Method::ClosedForm => "f64",
     }
+}
+
+/// The refusal of a stepper in fixed point, where only the ephemeris exists.
+fn no_stepper(scalar: Scalar) -> Failure {
+    let name = scalar.name();
+    Failure::Method(format!("--method stepper: none in {name}: use --method ephemeris, which has {name}"))
 }
 
 fn tabulated(scalar: Scalar, scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
@@ -61,7 +67,7 @@ fn tabulated(scalar: Scalar, scenario: &Scenario, times: &[f64]) -> Result<Vec<S
         return Err(Failure::Input(format!("times: {t:e} must be {allowed}")));
     }
     let ephemeris = smallest(scalar, motion).map_err(|failure| failure.of(&scenario.name))?;
-    anywhere(motion, times, ephemeris.error_bound().constant, |t| ephemeris.at(t))
+    Ok(times.iter().map(|&t| ephemeris.at(t).sample).collect())
 }
 
 /// By the closed form, if the motion has one.
@@ -75,55 +81,29 @@ fn closed(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
         return Err(Failure::Input(format!("times: {t:e} must be {allowed}")));
     }
     let scale = 2.0 * motion.top().tip_scale();
-    anywhere(motion, times, NOISE, |t| {
-        let pose = form.at(t);
-        let tip = (pose.phi.alpha * pose.phi.beta).scaled(scale);
-        let nutation_phase = form.nutation_phase(t).unwrap_or_default();
-        Instant { sample: Sample::of(t, &pose, tip, None), rate: pose.rate, nutation_phase }
-    })
+    let angle = TipAngle::of(motion)?;
+    let sample = |&t: &f64| {
+        let state = form.at(t);
+        let product = state.orientation.alpha * state.orientation.beta;
+        Sample::of(t, &state, product.scaled(scale), angle.continued(t, product, NOISE))
+    };
+    Ok(times.iter().map(sample).collect())
 }
 
-/// A closed form loses some 1e-15 rad a period: beyond this nothing would be left.
+/// The form for e₃ = e₄ loses up to 5e-14 rad a period where that is true only to a rounding: beyond this nothing would be left.
 const MOST_PERIODS: f64 = 1e12;
 
-/// Of its orientation, rad: what the rounding of α and β alone leaves unknown.
-const NOISE: f64 = 2.0 * f64::EPSILON;
-
-/// Samples of what says where it is at any time without going there.
-fn anywhere(
-    motion: &Motion,
-    times: &[f64],
-    noise: f64,
-    at: impl Fn(f64) -> Instant,
-) -> Result<Vec<Sample>, Failure> {
-    let instants: Vec<_> = times.iter().map(|&t| at(t)).collect();
-    let phis = tip_angle::continued(motion, &at(0.0), &instants, noise)?;
-    Ok(instants.iter().zip(phis).map(|(instant, phi)| Sample { phi, ..instant.sample }).collect())
-}
-
-/// By the fixed-point stepper.
-fn ticked(scenario: &Scenario, times: &[f64], step: f64) -> Result<Vec<Sample>, Failure> {
-    let motion = &scenario.motion;
-    let mut progress = Progress::new(steps_needed(times, step)?, "ticks");
-    let start = FixedSteps::new(motion, step).map_err(|failure| failure.of(&scenario.name))?;
-    sweep(
-        times,
-        || start.clone(),
-        |ticks, t| {
-            ticks.reach(t, &mut progress);
-            Ok(ticks.sample_at(t))
-        },
-    )
-}
+/// |αβ| of a tip whose angle the rounding of α and β blurs by more than 1e-5 rad.
+const NOISE: f64 = 1e-11;
 
 fn stepped<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sample>, Failure> {
     let mut progress = Progress::new(steps_needed(times, step)?, "steps");
-    sweep(
+    visit_times(
         times,
-        || Paced::<R>::new(motion, step),
-        |paced, t| {
-            paced.reach(t, &mut progress);
-            Ok(Sample::stepped(t, paced.stepper()))
+        || TimedStepper::<R>::new(motion, step),
+        |stepper, t| {
+            stepper.reach(t, &mut progress);
+            Ok(Sample::stepped(t, stepper.stepper()))
         },
     )
 }
@@ -177,5 +157,9 @@ fn table(samples: &[Sample], support: Support) -> String {
         record.0.iter().map(line).collect::<Vec<_>>()
     };
     let blocks: Vec<_> = records(samples).iter().map(|record| output::columns(block(record), 2)).collect();
-    blocks.join("\n")
+    let held = match support {
+        Support::Sliding => "",
+        Support::Fixed => "\ntip: 2 alpha beta, minus the horizontal part of the axis (the tip is held)\n",
+    };
+    blocks.join("\n") + held
 }

@@ -1,12 +1,15 @@
 //! `toytop sweep`: many motions, a row each, on all cores, in a file that can be gone on with.
 
 use super::Report;
+use crate::Failure;
 use crate::cli::SweepArgs;
-use crate::progress::Progress;
+use crate::output::progress::Progress;
 use crate::sweep::{Part, Rows, Space};
-use crate::{Failure, cores};
+use crate::thread_pool;
 use rayon::ThreadPool;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use std::io::{self, ErrorKind, Write};
+use std::ops::Range;
 use std::path::Path;
 use std::time::Instant;
 
@@ -16,22 +19,29 @@ const BLOCK: u64 = 1024;
 pub(super) fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     let started = Instant::now();
     let rows = rows(arguments)?;
-    let cores = cores::all()?;
+    let cores = thread_pool::of_all_cores()?;
     let output = &arguments.output;
     let in_columns = output.extension().is_some_and(|ending| ending == "parquet");
-    let Added { len, before } = if in_columns {
+    let to_stdout = output.as_os_str() == "-";
+    let Added { len, before } = if to_stdout {
+        print(&rows, &cores, arguments)?
+    } else if in_columns {
         parquet(&rows, &cores, arguments)?
     } else {
-        append(output, &rows, &cores, arguments)?
+        let (added, _) = append(output, &rows, &cores, arguments)?;
+        added
     };
     let (seconds, motions) = (started.elapsed().as_secs_f64(), len - before);
     let already = if before > 0 { format!(" ({before} were there)") } else { String::new() };
     let text = format!(
         "{}: {motions} motions{already} in {seconds:.1} s on {} cores, {:.0} a minute\n",
-        output.display(),
+        if to_stdout { "stdout".into() } else { output.to_string_lossy() },
         cores.current_num_threads(),
         60.0 * motions as f64 / seconds,
     );
+    if to_stdout {
+        return Ok(Report { notes: vec![text.trim_end().to_owned()], ..Report::default() });
+    }
     Ok(Report { text, ..Report::default() })
 }
 
@@ -41,20 +51,62 @@ struct Added {
     before: u64,
 }
 
-/// The rows that a CSV file lacks.
-fn append(path: &Path, rows: &Rows, cores: &ThreadPool, arguments: &SweepArgs) -> Result<Added, Failure> {
-    let mut part = Part::open(path, rows, arguments.shard.0, arguments.resume)?;
-    let (len, before) = (part.len(), part.done());
-    let mut progress = Progress::new(len - before, "motions");
-    while part.done() < len {
-        let block = part.done()..len.min(part.done() + BLOCK);
+/// Computes rows of a shard, block by block and in order, and hands on the lines of each block and how many there are.
+fn compute(
+    rows: &Rows,
+    cores: &ThreadPool,
+    shard: [u64; 2],
+    range: Range<u64>,
+    mut hand_on: impl FnMut(&str, u64) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let mut progress = Progress::new(range.end - range.start, "motions");
+    for start in range.clone().step_by(BLOCK as usize) {
+        let block = start..range.end.min(start + BLOCK);
         let count = block.end - block.start;
-        let lines: Vec<String> =
-            cores.install(|| block.into_par_iter().map(|row| rows.row(part.index(row))).collect());
-        part.append(&lines.concat(), count)?;
+        let line = |row| rows.row(Part::index_in(row, shard));
+        let lines: Vec<String> = cores.install(|| block.into_par_iter().map(line).collect());
+        hand_on(&lines.concat(), count)?;
         progress.add(count);
     }
-    Ok(Added { len, before })
+    Ok(())
+}
+
+/// Adds the rows that a CSV file lacks. The file stays locked for as long as the part is kept.
+fn append(
+    path: &Path,
+    rows: &Rows,
+    cores: &ThreadPool,
+    arguments: &SweepArgs,
+) -> Result<(Added, Part), Failure> {
+    let shard = arguments.shard.0;
+    let mut part = Part::open(path, rows, shard, arguments.resume)?;
+    let (len, before) = (part.len(), part.done());
+    compute(rows, cores, shard, before..len, |lines, count| part.append(lines, count))?;
+    Ok((Added { len, before }, part))
+}
+
+/// Prints a header and the rows as they come. A reader that has seen enough (`| head`) is no failure.
+fn print(rows: &Rows, cores: &ThreadPool, arguments: &SweepArgs) -> Result<Added, Failure> {
+    if arguments.resume {
+        return Err(Failure::Input("--resume: needs a file to go on with; --output is stdout".into()));
+    }
+    let shard = arguments.shard.0;
+    let len = Part::rows_of(rows, shard);
+    let mut done = 0;
+    let mut stdout = io::stdout().lock();
+    let mut put =
+        |text: &str| stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()).map_err(Failure::Output);
+    let printed = put(&rows.header()).and_then(|()| {
+        compute(rows, cores, shard, 0..len, |lines, count| {
+            done += count;
+            put(lines)
+        })
+    });
+    match printed {
+        Err(Failure::Output(error)) if error.kind() == ErrorKind::BrokenPipe => {}
+        other => other?,
+    }
+    Ok(Added { len: done, before: 0 })
 }
 
 /// The same by way of a CSV file beside it, which alone can be gone on with.
@@ -68,9 +120,11 @@ fn parquet(rows: &Rows, cores: &ThreadPool, arguments: &SweepArgs) -> Result<Add
     {
         return Ok(Added { len, before: len });
     }
-    let added = append(&csv, rows, cores, arguments)?;
+    // locked until the Parquet file is there
+    let (added, _part) = append(&csv, rows, cores, arguments)?;
     columnar::write(&csv, output, rows, shard, added.len)?;
-    std::fs::remove_file(&csv).map_err(|error| crate::whole_file::refused("--output", &csv, error))?;
+    std::fs::remove_file(&csv)
+        .map_err(|error| crate::output::whole_file::refused("--output", &csv, error))?;
     Ok(added)
 }
 

@@ -1,9 +1,11 @@
 //! `toytop view`: a motion as a page for a browser.
 
 use super::{Report, unreal};
+use crate::Failure;
 use crate::cli::ViewArgs;
-use crate::scenario::Scenario;
-use crate::{Failure, view, whole_file};
+use crate::input::scenario::Scenario;
+use crate::output::whole_file;
+use crate::pictures::view;
 
 pub(super) fn run(arguments: &ViewArgs) -> Result<Report, Failure> {
     let path = &arguments.output;

@@ -2,11 +2,13 @@
 
 use super::weierstrass::{Integral, Lattice, from_root, printed_from_root};
 use super::{Residuals, Slip};
-use crate::contour::residue;
-use crate::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullSolverError, FullState, FullTop};
+use crate::errata::contour::residue;
+use crate::full_equations::full_solver::{
+    FULL_SOLVER_TOLERANCE, FullSolver, FullSolverError, FullState, FullTop,
+};
 use num_complex::Complex64 as C;
 use toytop::exact::hyperelliptic::Curve;
-use toytop::{Heaviness, Motion, Signs, Start, Top};
+use toytop::{Motion, Signs, Start, Top, TopParameters};
 
 pub(super) const SLIPS: [Slip; 6] = [
     Slip {
@@ -176,7 +178,14 @@ fn slope() -> Residuals {
 }
 
 fn table() -> Residuals {
-    let top = Top::sliding(TOP.a, TOP.c, TOP.s, Heaviness::MassMoment(TOP.p), TOP.g);
+    let top = Top::sliding(&TopParameters {
+        transverse_inertia: TOP.a,
+        axial_inertia: TOP.c,
+        com_height: TOP.s,
+        mass_moment: TOP.p,
+        gravity: TOP.g,
+        ..TopParameters::default()
+    });
     let motion = top.and_then(|top| {
         Motion::from_branch_points(&top, [E1, 1.0, 1.0], Signs::default(), &Start::default())
     });

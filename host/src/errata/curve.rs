@@ -2,10 +2,10 @@
 
 use super::instant::{Instant, TOP, e4_squared};
 use super::{Residuals, Slip, farthest};
-use crate::contour::residue_at_infinity;
+use crate::errata::contour::residue_at_infinity;
 use num_complex::Complex64 as C;
 use toytop::exact::hyperelliptic::Curve;
-use toytop::{Heaviness, Motion, Signs, Start, Top};
+use toytop::{Motion, Signs, Start, Top, TopParameters};
 
 pub(super) const SLIPS: [Slip; 3] = [
     Slip {
@@ -77,7 +77,14 @@ fn sums_of_rates() -> Residuals {
 }
 
 fn at_infinity() -> Residuals {
-    let top = Top::sliding(TOP.a, TOP.c, TOP.s, Heaviness::MassMoment(TOP.p), TOP.g);
+    let top = Top::sliding(&TopParameters {
+        transverse_inertia: TOP.a,
+        axial_inertia: TOP.c,
+        com_height: TOP.s,
+        mass_moment: TOP.p,
+        gravity: TOP.g,
+        ..TopParameters::default()
+    });
     let motion = top.and_then(|top| {
         Motion::from_branch_points(&top, [-0.3, 0.6, 1.4], Signs::default(), &Start::default())
     });

@@ -2,7 +2,9 @@
 
 use super::weierstrass::{Integral, Lattice, from_root, printed_from_root};
 use super::{Residuals, Slip};
-use crate::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullSolverError, FullState, FullTop};
+use crate::full_equations::full_solver::{
+    FULL_SOLVER_TOLERANCE, FullSolver, FullSolverError, FullState, FullTop,
+};
 use num_complex::Complex64 as C;
 
 pub(super) const SLIPS: [Slip; 3] = [

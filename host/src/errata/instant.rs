@@ -1,8 +1,8 @@
 //! One instant of a generic motion, with everything the formulas of sections 2 to 4 speak of.
 
-use crate::full_solver::{Equations, FullState, FullTop, cross, dot};
+use crate::full_equations::full_solver::{Equations, FullState, FullTop, cross, dot};
 use num_complex::Complex64 as C;
-use toytop::{Complex, Phi};
+use toytop::{Complex, Orientation};
 
 /// The top of sections 2 to 4: A, C, s, p; g = 1.
 pub(super) const TOP: FullTop = FullTop { a: 1.1, c: 0.8, s: 0.6, p: 0.9, g: 1.0 };
@@ -47,7 +47,7 @@ impl Instant {
         };
         let axis = state.axis();
         let (l, n, _) = TOP.first_integrals(&state);
-        let phi = Phi { alpha: Complex::new(a, b), beta: Complex::new(c, d) };
+        let phi = Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) };
         Self {
             state,
             phi: four([a, b, c, d]),

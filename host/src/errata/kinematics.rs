@@ -2,8 +2,8 @@
 
 use super::instant::{Instant, TOP};
 use super::{Residuals, Slip, farthest};
-use crate::full_solver::{FullState, cross, dot};
-use crate::newton_euler::accelerations;
+use crate::full_equations::full_solver::{FullState, cross, dot};
+use crate::full_equations::newton_euler::accelerations;
 use num_complex::Complex64 as C;
 
 pub(super) const SLIPS: [Slip; 4] = [

@@ -2,7 +2,7 @@
 
 use super::instant::{Instant, TOP};
 use super::{Residuals, Slip};
-use crate::study::random::Random;
+use crate::input::random::Random;
 use num_complex::Complex64 as C;
 
 pub(super) const SLIPS: [Slip; 2] = [

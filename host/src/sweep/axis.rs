@@ -1,6 +1,6 @@
 //! What one number of a sweep may be: listed, or spread over a range.
 
-use crate::study::random::Random;
+use crate::input::random::Random;
 use std::fmt;
 use std::str::FromStr;
 

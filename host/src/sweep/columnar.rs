@@ -5,8 +5,8 @@
 
 use super::Rows;
 use crate::Failure;
-use crate::progress::Progress;
-use crate::whole_file::write_by;
+use crate::output::progress::Progress;
+use crate::output::whole_file::write_by;
 use parquet::column::writer::ColumnWriter;
 use parquet::data_type::ByteArray;
 use parquet::errors::{ParquetError, Result as Written};
@@ -52,6 +52,7 @@ fn metadata(rows: &Rows, [shard, of]: [u64; 2]) -> Vec<KeyValue> {
 /// [`Failure::Input`]: it is something else, or not to be resumed.
 pub fn rows_there(path: &Path, rows: &Rows, shard: [u64; 2], resume: bool) -> Result<Option<u64>, Failure> {
     let wrong = |reason: &str| Failure::Input(format!("--output: {}: {reason}", path.display()));
+    super::part::must_be_regular(path)?;
     let Ok(file) = File::open(path) else { return Ok(None) };
     if !resume {
         return Err(wrong("exists; --resume goes on with it"));

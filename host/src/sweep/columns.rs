@@ -2,12 +2,13 @@
 
 use super::{Place, Space};
 use crate::cli::Scalar;
-use crate::ephemeris::{AnySize, quickest, smallest_with_period};
-use crate::propagate::natural_time;
-use crate::scenario::Scenario;
-use crate::{names, truth};
+use crate::full_equations::solution;
+use crate::input::scenario::Scenario;
+use crate::motion::ephemeris::{AnyScalar, approximate, smallest_with_period};
+use crate::motion::propagate::natural_time;
+use crate::output::names;
 use std::fmt::{self, Write as _};
-use toytop::{Averages, Complex, LaunchError, Motion, Phi, Regime};
+use toytop::{Complex, Motion, Orientation, ParameterError, PeriodAdvance, Regime};
 
 /// One or, of what is said at every tick, several columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -36,7 +37,8 @@ pub enum Column {
     /// cos of the tilt at every tick
     U,
     /// Orientation (α and β) at every tick
-    Phi,
+    #[value(name = "phi", alias = "orientation")]
+    Orientation,
     /// Tip at every tick, in units of s
     Tip,
     /// Greatest error of the f32 ephemeris over the ticks, against that in f64, rad
@@ -64,7 +66,7 @@ impl Column {
     fn header(self, ticks: u32) -> Vec<String> {
         let parts: &[&str] = match self {
             Self::U => &["u"],
-            Self::Phi => &["alpha_re", "alpha_im", "beta_re", "beta_im"],
+            Self::Orientation => &["alpha_re", "alpha_im", "beta_re", "beta_im"],
             Self::Tip => &["tip_x", "tip_y"],
             _ => return vec![self.name()],
         };
@@ -148,7 +150,7 @@ impl Rows {
 
     fn measure(&self, motion: Motion) -> Measured {
         let wants = |need: fn(Column) -> bool| self.columns.iter().any(|&column| need(column));
-        let averages = motion.averages();
+        let averages = motion.period_advance();
         let mut measured = Measured { motion, averages, double: None, single: None, full: None };
         if !wants(Column::of_ticks) {
             return measured;
@@ -156,15 +158,15 @@ impl Rows {
         let nutation = averages.filter(|_| motion.regime() == Regime::Nutating);
         let period = nutation.map_or_else(|| natural_time(motion.top()), |averages| averages.period);
         let times = times(self.periods * period, self.ticks);
-        measured.double = quickest(&motion, period).ok().map(|table| Run::of(&*table, &times));
+        measured.double = approximate(&motion, period).ok().map(|table| Run::of(&*table, &times));
         if wants(Column::of_f32) {
             let table = smallest_with_period(Scalar::F32, &motion, period).ok();
             measured.single = table.map(|table| Run::of(&*table, &times));
         }
         if wants(Column::of_the_full_solver) {
             let scenario = Scenario { name: String::new(), motion, state: None };
-            let states = truth::states(&scenario, &times).ok();
-            measured.full = states.map(|states| states.iter().map(truth::phi).collect());
+            let states = solution::states(&scenario, &times).ok();
+            measured.full = states.map(|states| states.iter().map(solution::phi).collect());
         }
         measured
     }
@@ -189,15 +191,15 @@ fn times(whole: f64, count: u32) -> Vec<f64> {
 /// What is known of one motion.
 struct Measured {
     motion: Motion,
-    averages: Option<Averages>,
+    averages: Option<PeriodAdvance>,
     double: Option<Run>,
     single: Option<Run>,
-    full: Option<Vec<Phi<f64>>>,
+    full: Option<Vec<Orientation<f64>>>,
 }
 
 /// An ephemeris at the ticks.
 struct Run {
-    phis: Vec<Phi<f64>>,
+    phis: Vec<Orientation<f64>>,
     tips: Vec<Complex<f64>>,
     segments: usize,
     /// The constant part of it, rad: the rest only counts after millions of periods.
@@ -205,7 +207,7 @@ struct Run {
 }
 
 impl Run {
-    fn of(table: &dyn AnySize, times: &[f64]) -> Self {
+    fn of(table: &dyn AnyScalar, times: &[f64]) -> Self {
         let samples = times.iter().map(|&t| table.at(t).sample);
         let (phis, tips) = samples.map(|sample| (sample.orientation(), sample.tip)).unzip();
         let bound = table.error_bound().constant;
@@ -213,14 +215,14 @@ impl Run {
     }
 
     /// The greatest distance from the truth, rad.
-    fn error(&self, truth: &[Phi<f64>]) -> f64 {
+    fn error(&self, truth: &[Orientation<f64>]) -> f64 {
         let pairs = self.phis.iter().zip(truth);
-        pairs.map(|(phi, truth_phi)| truth::distance(phi, truth_phi)).fold(0.0, f64::max)
+        pairs.map(|(phi, truth_phi)| phi.distance(truth_phi)).fold(0.0, f64::max)
     }
 }
 
 /// What is absent is an empty field.
-fn put(row: &mut String, column: Column, ticks: u32, measured: &Result<Measured, LaunchError>) {
+fn put(row: &mut String, column: Column, ticks: u32, measured: &Result<Measured, ParameterError>) {
     let Ok(measured) = measured else {
         let refused = if column == Column::Regime { "refused" } else { "" };
         row.push(',');
@@ -250,16 +252,16 @@ fn put(row: &mut String, column: Column, ticks: u32, measured: &Result<Measured,
         Column::BetaTurns => number(averages.map(|averages| averages.beta_turns)),
         Column::PhiPerPeriod => {
             let moving = averages.filter(|_| !motion.regime().is_vertical());
-            number(moving.map(Averages::phi_per_period));
+            number(moving.map(PeriodAdvance::phi_per_period));
         }
         Column::MinNormalForce => number(motion.min_normal_force()),
-        Column::U | Column::Phi | Column::Tip => {
+        Column::U | Column::Orientation | Column::Tip => {
             for tick in 0..ticks as usize {
                 let of_tick =
                     double.as_ref().and_then(|run| Some((*run.phis.get(tick)?, *run.tips.get(tick)?)));
                 let parts = of_tick.map(|(phi, tip)| match column {
-                    Column::U => vec![phi.u()],
-                    Column::Phi => vec![phi.alpha.re, phi.alpha.im, phi.beta.re, phi.beta.im],
+                    Column::U => vec![phi.clamped_u()],
+                    Column::Orientation => vec![phi.alpha.re, phi.alpha.im, phi.beta.re, phi.beta.im],
                     _ => vec![tip.re, tip.im],
                 });
                 match parts {

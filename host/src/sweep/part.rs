@@ -2,9 +2,9 @@
 
 use super::Rows;
 use crate::Failure;
-use crate::whole_file::refused;
-use std::fs::{File, OpenOptions};
-use std::io::{BufRead, BufReader, Seek, SeekFrom, Write};
+use crate::output::whole_file::refused;
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{BufRead, BufReader, ErrorKind, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// The rows of shard `shard` of `of` (from 1): every `of`-th row of the sweep, so that shards take equally long.
@@ -22,15 +22,16 @@ pub struct Part {
 
 impl Part {
     /// Begins a file, or goes on with one (`resume`): a line that was cut off goes, and the last whole row has to be what the
-    /// sweep gives for it.
+    /// sweep gives for it. The file is locked until this is dropped.
     ///
     /// # Errors
-    /// [`Failure::Input`]: the file exists and is not to be resumed, belongs to another sweep, or cannot be written.
+    /// [`Failure::Input`]: the file exists and is not to be resumed, is no regular file, is locked by another process, belongs to
+    /// another sweep, or cannot be written.
     pub fn open(path: &Path, rows: &Rows, [shard, of]: [u64; 2], resume: bool) -> Result<Self, Failure> {
         let wrong = |reason: &str| Failure::Input(format!("--output: {}: {reason}", path.display()));
         let of_system = |error: std::io::Error| refused("--output", path, error);
-        let total = rows.space.len();
-        let len = (total + of - shard) / of;
+        must_be_regular(path)?;
+        let len = Self::rows_of(rows, [shard, of]);
         let mut options = OpenOptions::new();
         options.read(true).write(true);
         if resume {
@@ -42,6 +43,13 @@ impl Part {
             std::io::ErrorKind::AlreadyExists => wrong("exists; --resume goes on with it"),
             _ => of_system(error),
         })?;
+        lock(&file).map_err(|error| match error {
+            TryLockError::WouldBlock => wrong("another toytop is writing it; nothing was changed"),
+            TryLockError::Error(error) => of_system(error),
+        })?;
+        if !path.exists() {
+            return Err(wrong("another toytop has just finished it; nothing was changed"));
+        }
         let Whole { lines, bytes, first, last, rest } = whole_lines(&file).map_err(of_system)?;
         let header = rows.header();
         let done = lines.saturating_sub(1);
@@ -60,10 +68,22 @@ impl Part {
         Ok(part)
     }
 
-    /// The number, in the whole sweep, of a row of this part.
+    /// Number of rows of a shard.
+    #[must_use]
+    pub fn rows_of(rows: &Rows, [shard, of]: [u64; 2]) -> u64 {
+        (rows.space.len() + of - shard) / of
+    }
+
+    /// Number, in the whole sweep, of a row of a shard.
+    #[must_use]
+    pub fn index_in(row: u64, [shard, of]: [u64; 2]) -> u64 {
+        row * of + shard - 1
+    }
+
+    /// Number, in the whole sweep, of a row of this part.
     #[must_use]
     pub fn index(&self, row: u64) -> u64 {
-        row * self.of + self.shard - 1
+        Self::index_in(row, [self.shard, self.of])
     }
 
     /// Rows there already.
@@ -93,6 +113,26 @@ impl Part {
         written.map_err(|error| refused("--output", &self.path, error))?;
         self.done += rows;
         Ok(())
+    }
+}
+
+/// Refuses a path that leads to a pipe, a device or a folder: reading one could wait for ever.
+///
+/// # Errors
+/// [`Failure::Input`].
+pub(super) fn must_be_regular(path: &Path) -> Result<(), Failure> {
+    if std::fs::metadata(path).is_ok_and(|there| !there.is_file()) {
+        let path = path.display();
+        return Err(Failure::Input(format!("--output: {path}: must be a regular file, or - for stdout")));
+    }
+    Ok(())
+}
+
+/// Locks a file for this process. A file system without locks leaves it unlocked.
+fn lock(file: &File) -> Result<(), TryLockError> {
+    match file.try_lock() {
+        Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => Ok(()),
+        other => other,
     }
 }
 

@@ -2,9 +2,9 @@
 
 use super::Axis;
 use crate::Failure;
-use crate::study::random::Random;
+use crate::input::random::Random;
 use std::fmt;
-use toytop::{Heaviness, LaunchError, Motion, Sign, Signs, Start, Top};
+use toytop::{Motion, ParameterError, Sign, Signs, Start, Top, TopParameters};
 
 /// Signs of l + n and l - n. The two other pairs are mirror images.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -184,8 +184,15 @@ impl Place {
     ///
     /// # Errors
     /// `e2`: a place of a grid with e₁ > e₂.
-    pub fn motion(&self) -> Result<Motion, LaunchError> {
-        let top = Top::sliding(self.a, self.c_over_a * self.a, 1.0, Heaviness::MassMoment(1.0), 1.0)?;
+    pub fn motion(&self) -> Result<Motion, ParameterError> {
+        let top = Top::sliding(&TopParameters {
+            transverse_inertia: self.a,
+            axial_inertia: self.c_over_a * self.a,
+            com_height: 1.0,
+            mass_moment: 1.0,
+            gravity: 1.0,
+            ..TopParameters::default()
+        })?;
         Motion::from_branch_points(&top, self.e, self.signs, &Start::default())
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{run, stderr, stdout};
 use std::path::Path;
-use toytop_host::budget::{Limits, with_table};
+use toytop_host::budget::{Limits, with_front_table, with_table};
 
 /// Run by `cargo xtask test --only budget`, which provides compilers and QEMU.
 #[test]
@@ -14,13 +14,14 @@ fn every_call_is_within_its_budget() {
 }
 
 #[test]
-fn the_front_page_has_the_table_of_the_budgets() {
+fn pages_have_the_tables_of_the_budgets() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a folder of the repository");
     let text = |name: &str| std::fs::read_to_string(root.join(name)).expect(name);
     let limits = Limits::parse(&text("firmware-examples/budgets.toml")).expect("budgets");
-    let page = text("README.md");
-    let fresh = with_table(&page, &limits).expect("a place for the table");
-    assert_eq!(page, fresh, "how to renew it: the head of firmware-examples/budgets.toml");
+    let [costs, front] = ["host/docs/costs.md", "README.md"].map(text);
+    let fresh =
+        [with_table(&costs, &limits), with_front_table(&front, &limits)].map(|page| page.expect("a place"));
+    assert_eq!([costs, front], fresh, "how to renew them: the head of firmware-examples/budgets.toml");
 }
 
 #[test]

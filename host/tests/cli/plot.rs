@@ -102,7 +102,8 @@ fn png_and_what_stands_still() {
         "a point is no circle"
     );
     let held = svg(&sample("lagrange"), &folder.join("lagrange.svg"));
-    assert!(held.contains(">axis<") && !held.contains(">tip<"), "the tip of a held top stays");
+    assert!(held.contains(">axis, −2αβ<") && !held.contains(">tip<"), "the tip of a held top stays");
+    assert!(held.contains("tip held: the curve is minus the tip of toytop state"), "the sign is said");
     // l = n
     assert!(resting.contains(">l + n &gt; 0, l - n = 0,") && held.contains(">l + n &gt; 0, l - n &lt; 0,"));
 }

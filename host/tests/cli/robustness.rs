@@ -1,61 +1,17 @@
 //! Killed, without room, without a reader, with a file that is none: whole files or none, one line, the right exit code.
 
-use super::{folder, run, sample, scenario, stderr, stdout};
+use super::killed::{files, is_whole, killed};
+use super::{PROGRAM, folder, run, sample, scenario, stderr, stdout};
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Stdio};
-use std::thread::sleep;
+use std::process::Command;
 use std::time::{Duration, Instant, SystemTime};
-
-const PROGRAM: &str = env!("CARGO_BIN_EXE_toytop");
 
 /// Bytes that Linux keeps for a reader.
 const PIPE: usize = 65_536;
 
-/// Files by name, without those still being written, whose names begin with a dot.
-fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
-    let entries = fs::read_dir(folder).expect("the folder").map(|entry| entry.expect("an entry"));
-    let mut files: Vec<_> = entries
-        .map(|entry| (entry.file_name().into_string().expect("UTF-8"), entry.path()))
-        .filter(|(name, _)| !name.starts_with('.'))
-        .map(|(name, path)| (name, fs::read(path).expect("a file")))
-        .collect();
-    files.sort();
-    files
-}
-
-/// Starts a command and kills it after a while, looking all the time at what is there; whether it was still running.
-fn killed(arguments: &[&str], after: Duration, look: impl Fn()) -> bool {
-    let started = Instant::now();
-    let mut child = Command::new(PROGRAM)
-        .args(arguments)
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .expect("the program runs");
-    while started.elapsed() < after {
-        look();
-        sleep(Duration::from_micros(100));
-    }
-    child.kill().expect("it can be killed");
-    let whole = child.wait().expect("it ends").success();
-    look();
-    !whole
-}
-
 fn text(path: &Path) -> &str {
     path.to_str().expect("UTF-8")
-}
-
-/// What a picture or a page ends with.
-fn is_whole(name: &str, bytes: &[u8]) -> bool {
-    let end: &[u8] = match name.rsplit('.').next() {
-        Some("svg") => b"</svg>",
-        Some("png") => b"IEND\xaeB`\x82",
-        Some("html") => b"</html>",
-        _ => return false,
-    };
-    bytes.trim_ascii_end().ends_with(end)
 }
 
 #[test]
@@ -114,23 +70,6 @@ fn killed_figures_are_whole_or_not_there() {
             }
         });
     }
-}
-
-/// It takes long, and its page comes last: killed on the way, the page of before is there.
-#[test]
-fn a_killed_report_leaves_the_old_page_or_the_new() {
-    let folder = folder("robust_report");
-    let mut kills = 0;
-    for tenths in [0, 3, 6, 9, 12] {
-        fs::write(folder.join("index.html"), "old").expect("written");
-        kills +=
-            u32::from(killed(&["report", "-o", text(&folder)], Duration::from_millis(100 * tenths), || {
-                let files = files(&folder);
-                let [(name, bytes)] = &files[..] else { panic!("{tenths}: {} files", files.len()) };
-                assert!(bytes == b"old" || is_whole(name, bytes), "{tenths}: {name}, {} bytes", bytes.len());
-            }));
-    }
-    assert!(kills > 0, "never killed in time");
 }
 
 /// Bash, because a limit and a pipe's exit code are its.
@@ -203,9 +142,6 @@ fn a_place_that_cannot_be_written_exits_with_2() {
             vec!["bake", &toy_top, "-o", &rs],
             vec!["sweep", "--motions", "10", "-o", &csv],
             vec!["figures", "-o", place],
-            vec!["report", "-o", place],
-            vec!["study", "--corners", "--docs", &svg],
-            vec!["longrun", "--docs", &svg],
         ] {
             let output = run(&arguments);
             let message = stderr(&output);
@@ -224,8 +160,8 @@ fn a_reader_that_has_seen_enough_is_no_failure() {
     let times = vec!["0.5"; 2000].join(",");
     for (arguments, is_long) in [
         (vec!["state", &toy_top, "--times", &times], true),
-        (vec!["bake", &toy_top, "--scalar", "f64", "--size", "512x11"], true),
-        (vec!["bake", &toy_top, "--scalar", "f64", "--size", "512x11", "--lang", "c"], true),
+        (vec!["bake", &toy_top, "--scalar", "f64", "--size", "512"], true),
+        (vec!["bake", &toy_top, "--scalar", "f64", "--size", "512", "--lang", "c"], true),
         (vec!["constants", &toy_top], false),
         (vec!["completions", "bash"], false),
         (vec!["--help"], false),

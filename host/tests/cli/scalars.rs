@@ -1,4 +1,4 @@
-//! `toytop accuracy`, `sines` and `overflow`: the scalars side by side.
+//! `toytop accuracy`: the scalars side by side.
 
 use super::{json, run, stderr, stdout};
 use serde_json::Value;
@@ -53,49 +53,11 @@ fn each_scalar_is_as_exact_as_it_says_at_every_tick() {
 }
 
 #[test]
-fn sines_are_as_exact_as_their_documentation_says() {
-    let object = json(&["sines", "--every", "997", "--format", "json"]);
-    let rows = object["rows"].as_array().expect("rows");
-    assert_eq!(rows.len(), 12);
-    for row in rows {
-        let error = row["max_error"].as_f64().expect("a number");
-        let most = match row["table"].as_str().expect("a name") {
-            "q31" => 1.2e-9,
-            "q26" => 1.2e-8,
-            "f32" => 3.2e-8,
-            "I2F30" => 1.6e-9,
-            "q15" => 2.2e-5,
-            _ => 3.2e-5,
-        };
-        assert!(error > 0.3 * most && error < most, "{row}");
-        let bits = row["bits"].as_f64().expect("a number");
-        assert!((-error.log2() - bits).abs() < 1e-12 && row["phase"].as_u64() < Some(1 << 32), "{row}");
-    }
-    let table = run(&["sines", "--every", "65537"]);
-    assert!(stdout(&table).contains("over 65536 phases"), "{}", stdout(&table));
-}
-
-/// A build that would not notice says so; one that would finds nothing.
-#[test]
-fn nothing_overflows() {
-    let output = run(&["overflow", "--motions", "40", "--ticks", "200"]);
-    if cfg!(debug_assertions) {
-        assert_eq!(output.status.code(), Some(0), "{}{}", stdout(&output), stderr(&output));
-        assert!(stdout(&output).contains("40 motions") && stdout(&output).contains("bounds: 0\n"));
-    } else {
-        assert_eq!((output.status.code(), stdout(&output)), (Some(2), ""));
-        assert!(stderr(&output).contains("does not check for overflow"));
-    }
-}
-
-#[test]
 fn what_is_asked_wrongly_is_refused() {
     for (arguments, part) in [
         (&["accuracy", "--plot", "top.gif"][..], "--plot: top.gif: must end in .svg or .png"),
         (&["accuracy", "--scalar", "q7"], "q31, q15, micromath, all"),
         (&["accuracy", "--scalar", "q15", "--plot", "no/such/folder/a.svg"], "no/such/folder/a.svg"),
-        (&["sines", "--every", "0"], "--every"),
-        (&["overflow", "--ticks", "0"], "1..=1000000"),
     ] {
         let output = run(arguments);
         assert_eq!((output.status.code(), stdout(&output)), (Some(2), ""), "{arguments:?}");

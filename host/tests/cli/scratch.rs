@@ -49,12 +49,3 @@ pub(super) fn sample(name: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios").join(format!("{name}.toml"));
     path.to_str().expect("the path is UTF-8").to_owned()
 }
-
-/// An empty folder.
-pub(super) fn folder(name: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    // left over from an earlier run, or never there
-    let _ = std::fs::remove_dir_all(&path);
-    std::fs::create_dir(&path).expect("a folder");
-    path
-}

@@ -57,7 +57,7 @@ const KILLED: [&str; 5] = ["--motions", "6000", "--seed", "7", "--resume"];
 /// Kills it when so many lines are in its CSV file; how many there were then.
 fn killed(output: &Path, csv: &Path, least: usize) -> usize {
     let rows = || std::fs::read_to_string(csv).map_or(0, |text| text.matches('\n').count());
-    let mut child = Command::new(env!("CARGO_BIN_EXE_toytop"))
+    let mut child = Command::new(super::PROGRAM)
         .args(words(output, &KILLED))
         .stdout(Stdio::null())
         .stderr(Stdio::null())
@@ -223,6 +223,73 @@ fn what_is_no_sweep_is_refused() {
     refused(&path, &["--motions", "30", "--resume"], "another sweep");
     let folder = path.join("file.csv");
     refused(&folder, &["--motions", "3"], "--output");
+}
+
+/// Two that go on with one file: one of them does, the other says why not, and no row is lost or doubled.
+#[test]
+fn one_file_has_one_writer() {
+    let whole = sweep(&no_file("one_writer_whole"), &KILLED);
+    let path = no_file("one_writer");
+    for _ in 0..4 {
+        let _ = std::fs::remove_file(&path);
+        let start = || {
+            Command::new(env!("CARGO_BIN_EXE_toytop"))
+                .args(words(&path, &KILLED))
+                .stdout(Stdio::null())
+                .stderr(Stdio::piped())
+                .spawn()
+                .expect("the program runs")
+        };
+        let mut outputs: Vec<_> = [start(), start(), start()]
+            .into_iter()
+            .map(|child| child.wait_with_output().expect("ended"))
+            .collect();
+        outputs.retain(|output| !output.status.success());
+        for output in &outputs {
+            assert_eq!(output.status.code(), Some(2), "{}", stderr(output));
+            assert!(stderr(output).contains("another toytop is writing it"), "{}", stderr(output));
+        }
+        assert!(!outputs.is_empty() && outputs.len() < 3);
+        assert!(std::fs::read_to_string(&path).expect("the file") == whole);
+    }
+}
+
+/// What is no regular file is refused at once, also where reading it would wait for ever.
+#[cfg(unix)]
+#[test]
+fn only_a_regular_file_is_gone_on_with() {
+    let pipe = no_file("pipe");
+    assert!(Command::new("mkfifo").arg(&pipe).status().expect("mkfifo runs").success());
+    for path in [pipe.to_str().expect("UTF-8"), "/dev/null"] {
+        for more in [&["--motions", "3", "--resume"][..], &["--motions", "3"]] {
+            let output = Command::new("timeout")
+                .args(["20", env!("CARGO_BIN_EXE_toytop")])
+                .args(words(Path::new(path), more))
+                .output()
+                .expect("timeout runs");
+            let message = stderr(&output);
+            assert_eq!(output.status.code(), Some(2), "{path} {more:?}: {message}");
+            assert!(message.contains("must be a regular file, or - for stdout"), "{path}: {message}");
+        }
+    }
+}
+
+#[test]
+fn a_minus_is_stdout() {
+    let more = ["--motions", "1500", "--columns", "regime,u"];
+    let whole = sweep(&no_file("in_a_file"), &more);
+    let output = run(&words(Path::new("-"), &more));
+    assert!(output.status.success() && stdout(&output) == whole, "{}", stderr(&output));
+    assert!(stderr(&output).contains("1500 motions"), "{}", stderr(&output));
+    assert!(!Path::new("-").exists());
+    refused(Path::new("-"), &["--motions", "3", "--resume"], "--resume: needs a file");
+    let pipe = format!(
+        "'{}' sweep -o - --motions 20000 --columns regime 2> /dev/null | head -n 1; exit ${{PIPESTATUS[0]}}",
+        env!("CARGO_BIN_EXE_toytop")
+    );
+    let output = Command::new("bash").args(["-c", &pipe]).output().expect("bash runs");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(stdout(&output).starts_with("index,version,seed,"), "{}", stdout(&output));
 }
 
 #[cfg(not(feature = "parquet"))]

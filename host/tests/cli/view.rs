@@ -66,7 +66,9 @@ fn every_kind_of_motion_has_a_page() {
         let drawn = circle["radius"].as_f64().expect("a radius");
         assert!((drawn - radius).abs() < 1e-15, "{drawn} is not in units of s");
     }
-    assert!(view(&sample("lagrange"), &folder.join("held.html")).contains("\"held\":true"));
+    let held = view(&sample("lagrange"), &folder.join("held.html"));
+    assert!(held.contains("\"held\":true"));
+    assert!(held.contains("foot of the axis, −2αβ: minus the tip of <code>toytop state</code>"));
     let named = scenario("view <b>&amp;", &(TOP.to_owned() + RELEASE));
     let page = view(&named, &folder.join("named.html"));
     assert!(page.contains("<h1>view &lt;b&gt;&amp;amp;</h1>") && page.contains("view \\u003cb>&amp;"));

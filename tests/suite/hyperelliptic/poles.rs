@@ -1,12 +1,12 @@
-//! Tables 1 and 2 and the pole of time: residues by contour quadrature, of every place where there may be one.
+//! Tables 1 and 2 and the pole of time: residues by contour quadrature at every possible singularity.
 
 use super::{curves, real, size, top};
 use toytop::Complex;
 use toytop::exact::hyperelliptic::{Curve, Form, Point};
-use toytop_host::contour::{residue, residue_at_branch_point, residue_at_infinity};
+use toytop_host::errata::contour::{residue, residue_at_branch_point, residue_at_infinity};
 use toytop_tests::{greater, tolerance};
 
-/// The finite branch points of these tests' curves: no other of them, and not ±1, is within 0.09.
+/// Finite branch points of these tests' curves; the distances between them, and from ±1, are at least 0.09.
 fn branch_points(curve: &Curve) -> Vec<f64> {
     let e4 = top().e4().unwrap();
     match curve.form() {
@@ -17,8 +17,8 @@ fn branch_points(curve: &Curve) -> Vec<f64> {
     }
 }
 
-/// Table 1: each logarithmic differential has residue 1 at its zero, -1 at infinity, and no other singularity: neither on
-/// the other sheet, nor over the other of ±1, nor at a branch point.
+/// Table 1: each logarithmic differential has residue 1 at its zero, -1 at infinity, and no other singularity:
+/// neither on the other sheet, nor over the other of ±1, nor at a branch point.
 #[test]
 fn table_1() {
     let mut worst = 0.0_f64;
@@ -73,8 +73,9 @@ fn table_2() {
     tolerance::CONTOUR.check("Table 2", worst);
 }
 
-/// eqn:t is of the second kind: no residues, and at infinity t = -i√(2s)/v + O(1) in v² = 1/u. Of a fixed tip it is of
-/// the first kind: no pole at all. On the aperiodic curve it is of the third kind: poles over u = 1.
+/// Equation (3.9): dt is of the second kind, without residues, and at infinity t = -i√(2s)/v + O(1) in v² = 1/u. For
+/// a fixed tip it is of the first kind, without poles; on the aperiodic curve it is of the third kind, with poles
+/// over u = 1.
 #[test]
 fn eqn_t_at_infinity() {
     let mut worst = 0.0_f64;
@@ -82,9 +83,9 @@ fn eqn_t_at_infinity() {
         let time = |at: &Point| curve.time(at);
         let leading = match curve.form() {
             Form::FixedTip => 0.0,
-            _ => (2.0 * motion.top().s() / motion.top().g()).sqrt(),
+            _ => (2.0 * motion.top().com_height() / motion.top().gravity()).sqrt(),
         };
-        // dt = -c dv/v² for t = c/v: the residue of v dt is -c; the sheet decides its sign
+        // dt = -c dv/v² for t = c/v: the residue of v dt is -c, with the sign of the sheet
         let pole = residue_at_infinity(&curve, 0.3, |at, v| time(at) * v);
         worst = [pole.re.abs(), (pole.im.abs() - leading).abs()].into_iter().fold(worst, greater);
         worst = greater(worst, size(residue_at_infinity(&curve, 0.3, |at, _| time(at))));
@@ -102,13 +103,13 @@ fn eqn_t_at_infinity() {
     tolerance::CONTOUR.check("t at infinity", worst);
 }
 
-/// eqn:diffquot, eqn:flunder and eqn:alphaasymp, and the last display of section 5.3: near the zero a of α, with
-/// x - a = ∫ du/w from (-1, w₋₁) and h = x - a,
+/// Equations (5.11), (5.10) and (5.9), and the last displayed formula of section 5.3: near the zero a of α, with x -
+/// a = ∫ du/w from (-1, w₋₁) and h = x - a,
 ///
 /// (u + 1)/h = u' + O(h), 1/h = u'/(u + 1) + u''/(2u') + O(h), d log α/dx = 1/h + const + O(h),
 ///
-/// where u' = w₋₁ and u'' = R'(-1)/2 by x; the constant is w₋₁/(2(e₃ - 1)) for e₃ = e₄, w₋₁/4 - w₋₁/(1 - e₄²) for
-/// e₂ = e₃ = 1. Each remainder halves with h.
+/// where u' = w₋₁ and u'' = R'(-1)/2 are derivatives with respect to x; the constant is w₋₁/(2(e₃ - 1)) for e₃ = e₄,
+/// and w₋₁/4 - w₋₁/(1 - e₄²) for e₂ = e₃ = 1. Each remainder is proportional to h.
 #[test]
 fn eqn_alphaasymp() {
     let over = |a: Complex<f64>, b: Complex<f64>| (a * b.conj()).scaled(1.0 / b.norm_squared());

@@ -1,13 +1,13 @@
-//! An axis that is vertical, and one that rises to it or leaves it: asleep, ready to fall, through it, on its way for ever.
+//! Motions with a vertical axis, and motions that rise to the vertical, leave it, or pass through it.
 
 use super::{downward, stays_finite, top, upright};
 use toytop::{
-    BranchPoints, Complex, Ephemeris, Heaviness, Motion, Phi, Regime, Signs, Start, State, Stepper, Tick,
-    TipClass, Top,
+    BranchPoints, Complex, Ephemeris, Motion, Orientation, Regime, Signs, Start, State, Stepper, Tick,
+    TipClass, Top, TopParameters,
 };
-use toytop_tests::{greater, orientation_error, tolerance, vectors};
+use toytop_tests::{greater, tolerance, vectors};
 
-/// Upright: asleep above the border n² = 4 A p g, and ready to fall below it.
+/// Upright axis: stable above the border n² = 4 A p g, unstable below it.
 #[test]
 fn sleep_has_its_border_where_the_paper_has_it() {
     let border = (4.0 * 1.1 * 0.9_f64).sqrt() / 0.8;
@@ -15,22 +15,117 @@ fn sleep_has_its_border_where_the_paper_has_it() {
     assert_eq!(upright([0.0, 0.0, 0.9999 * border]).regime(), Regime::SleepingUnstable);
     assert_eq!(upright([0.0, 0.0, 0.0]).regime(), Regime::SleepingUnstable);
     assert_eq!(downward([0.0, 0.0, 7.0]).regime(), Regime::Hanging);
-    // a sleeping top just spins: α = e^{iωt/2}
+    // a sleeping top only spins: α = e^{iωt/2}
     for spin in [3.0, 0.5] {
         let mut stepper = Stepper::<f64>::new(&upright([0.0, 0.0, spin]));
         stepper.step(2.0);
-        let truth = Phi { alpha: Complex::new(spin.cos(), spin.sin()), beta: Complex::ZERO };
-        assert!(orientation_error(stepper.phi(), truth) < 4e-16);
+        let truth = Orientation { alpha: Complex::new(spin.cos(), spin.sin()), beta: Complex::ZERO };
+        assert!(stepper.orientation().distance(&truth) < 4e-16);
     }
 }
 
-/// Exactly vertical and moving: through the vertical in the direction of ω × k, and no other.
+/// Regime and branch points of an upright axis that spins at this rate.
+fn asleep(top: &Top, spin: f64) -> (Regime, BranchPoints) {
+    let motion = Motion::launch(top, &State::new(Orientation::IDENTITY, [0.0, 0.0, spin]).unwrap()).unwrap();
+    (motion.regime(), motion.branch_points())
+}
+
+/// On the border n² = 4 A p g all three branch points are 1, their differences are 0 (and not -0), and the top sleeps
+/// stably. One unit in the last place of the spin below, it is unstable; one unit above, e3 is above 1.
+fn has_its_border_at(top: &Top, spin: f64) {
+    let (regime, e) = asleep(top, spin);
+    assert_eq!(regime, Regime::SleepingStable, "{top:?}, {spin}");
+    assert_eq!([e.e1, e.e2, e.e3, e.one_plus_e1], [1.0, 1.0, 1.0, 2.0], "{top:?}, {spin}: {e:?}");
+    let differences = [e.one_minus_e2, e.e2_minus_e1, e.e3_minus_e2, e.e3_minus_one];
+    assert_eq!(differences.map(f64::to_bits), [0; 4], "{top:?}, {spin}: {e:?}");
+
+    let unit = spin.next_up() - spin;
+    let (regime, e) = asleep(top, spin + unit);
+    // n²/(2Apg) - 1 = 1 + 4 δ, with δ = unit/spin, to first order
+    let gap = 4.0 * unit / spin;
+    assert_eq!((regime, e.e1, e.e2_minus_e1), (Regime::SleepingStable, 1.0, 0.0), "{top:?}, {spin}");
+    assert!((e.e3_minus_one / gap - 1.0).abs() < 1e-15 && e.e3 > 1.0, "{:e} {gap:e}", e.e3_minus_one);
+    let below = spin.next_down();
+    let (regime, e) = asleep(top, below);
+    let gap = 4.0 * (spin - below) / spin;
+    assert_eq!((regime, e.e3, e.e3_minus_one), (Regime::SleepingUnstable, 1.0, 0.0), "{top:?}, {spin}");
+    assert!((e.e2_minus_e1 / gap - 1.0).abs() < 1e-15 && e.e1 < 1.0, "{:e} {gap:e}", e.e2_minus_e1);
+}
+
+/// All borders among small whole numbers, where both sides are exact in 128 bits.
+#[test]
+fn the_border_of_sleep_is_exact_in_small_numbers() {
+    let sizes = [1_u64, 2, 3, 4, 5, 8, 9, 25, 100, 200];
+    let mut borders = 0;
+    for (a, c) in sizes.into_iter().flat_map(|a| sizes.map(|c| (a, c))).filter(|(a, c)| *c <= 2 * a) {
+        for (p, g) in sizes.into_iter().flat_map(|p| sizes.map(|g| (p, g))) {
+            let spin = (((4 * a * p * g) as f64).sqrt() / c as f64).round() as u64;
+            if spin == 0 || (c * spin).pow(2) != 4 * a * p * g {
+                continue;
+            }
+            let [a, c, p, g, spin] = [a, c, p, g, spin].map(|whole| whole as f64);
+            has_its_border_at(
+                &Top::sliding(&TopParameters {
+                    transverse_inertia: a,
+                    axial_inertia: c,
+                    com_height: 1.0,
+                    mass_moment: p,
+                    gravity: g,
+                    ..TopParameters::default()
+                })
+                .unwrap(),
+                spin,
+            );
+            has_its_border_at(
+                &Top::fixed(&TopParameters {
+                    transverse_inertia: a,
+                    axial_inertia: c,
+                    mass_moment: p,
+                    gravity: g,
+                    ..TopParameters::default()
+                })
+                .unwrap(),
+                spin,
+            );
+            borders += 1;
+        }
+    }
+    assert!(borders > 295, "{borders}");
+}
+
+/// Borders whose numbers have 53 significant bits, and n² and 4 A p g two or four times as many: A = m 2^i, C = m, g
+/// = s 2^j and p = m s, so that ω = s 2^(1 + (i + j)/2) is exactly on the border.
+#[test]
+fn the_border_of_sleep_is_exact_in_long_numbers() {
+    let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut draw = || {
+        bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+        f64::from_bits((1023 << 52) | (bits >> 12)) * 2_f64.powi((bits >> 3) as i32 % 9 - 4)
+    };
+    for k in 0..4000_i32 {
+        let (mass, s) = (draw(), draw());
+        let (i, j) = (k % 5, (k % 5) + 2 * (k / 5 % 4) - 2);
+        let [a, g] = [mass * 2_f64.powi(i), s * 2_f64.powi(j)];
+        let top = Top::sliding(&TopParameters {
+            transverse_inertia: a,
+            axial_inertia: mass,
+            com_height: s,
+            mass,
+            gravity: g,
+            ..TopParameters::default()
+        })
+        .unwrap();
+        has_its_border_at(&top, s * 2_f64.powi(1 + (i + j) / 2));
+    }
+}
+
+/// A vertical axis that moves leaves the vertical in the direction of ω × k.
 #[test]
 fn a_vertical_start_leaves_in_the_direction_it_moves() {
     for motion in [upright([0.0, 0.5, 3.0]), downward([0.0, 0.5, 3.0])] {
         assert_eq!((motion.regime(), motion.tip_class()), (Regime::Nutating, TipClass::ThroughOrigin));
         let mut stepper = Stepper::<f64>::new(&motion);
-        let pose = stepper.pose();
+        let pose = stepper.attitude_state();
         assert!(pose.u().abs() == 1.0);
         for (ours, given) in pose.omega().iter().zip([0.0, 0.5, 3.0]) {
             assert!((ours - given).abs() < 1e-15);
@@ -38,16 +133,17 @@ fn a_vertical_start_leaves_in_the_direction_it_moves() {
         // r' = ω × r = ±(0.5, 0, 0); the tip is at -s r
         let small = 1e-6;
         stepper.step(small);
-        let [r1, r2, u] = stepper.phi().axis();
+        let [r1, r2, u] = stepper.orientation().axis();
         assert!((r1 / (0.5 * small * u) - 1.0).abs() < 1e-5 && (r2 / r1).abs() < 1e-5, "{r1} {r2} {u}");
     }
 }
 
-/// e2 = e3 = 1 at θ = π, in any of the forms that an angle has: asleep, and ready to fall.
+/// Motion with e2 = e3 = 1 at θ = π, in several forms of the angle: stable or unstable sleep.
 #[test]
 fn the_sleeping_top_by_branch_points() {
     let pi = std::f64::consts::PI;
-    for theta in [pi, -pi, 3.0 * pi] {
+    // the last is the f64 nearest to 11 π, and not 11 times the f64 nearest to π
+    for theta in [pi, -pi, 3.0 * pi, 34.55751918948773] {
         let start = Start { theta, arg_alpha: 0.3, ..Start::default() };
         let motion = Motion::from_branch_points(&top(), [-0.2, 1.0, 1.0], Signs::default(), &start).unwrap();
         assert_eq!(motion.regime(), Regime::SleepingUnstable, "{theta}");
@@ -58,15 +154,15 @@ fn the_sleeping_top_by_branch_points() {
         let motion = Motion::from_branch_points(&top(), [-0.2, 1.0, 1.0], Signs::default(), &start).unwrap();
         assert_eq!(motion.regime(), Regime::Aperiodic, "{theta}");
         stays_finite::<f64>(&motion);
-        // at the far end of the rise the table has nothing left to say: it and the stepper agree before and after
-        let ephemeris = Ephemeris::<f64, 1024, 12>::new(&motion, Tick::hertz(100).unwrap()).unwrap();
+        // at the end of the rise the table ends; ephemeris and stepper agree before and after it
+        let ephemeris = Ephemeris::<f64, 1024>::new(&motion, Tick::hertz(100).unwrap()).unwrap();
         for direction in [1.0, -1.0] {
             let mut stepper = Stepper::<f64>::new(&motion);
             for n in 1..=6000_i64 {
                 stepper.step(0.01 * direction);
                 if n % 500 == 0 {
-                    let phi = ephemeris.at_tick(n * direction as i64).phi();
-                    worst = greater(worst, orientation_error(phi, stepper.phi()));
+                    let phi = ephemeris.at_tick(n * direction as i64).orientation();
+                    worst = greater(worst, phi.distance(&stepper.orientation()));
                 }
             }
         }
@@ -74,7 +170,7 @@ fn the_sleeping_top_by_branch_points() {
     tolerance::RISE_STEPPER.check("table against stepper", worst);
 }
 
-/// The aperiodic motion rises to the vertical and comes from it, for however long.
+/// The aperiodic motion rises to the vertical and comes from it, at any time.
 #[test]
 fn aperiodic_for_ever() {
     let motion = vectors::named("aperiodic_AneC").motion().unwrap();
@@ -82,27 +178,36 @@ fn aperiodic_for_ever() {
     for _ in 0..40_000 {
         stepper.step(0.01);
     }
-    assert!(stepper.pose().u() > 1.0 - 4e-16);
+    assert!(stepper.attitude_state().u() > 1.0 - 4e-16);
     for _ in 0..40_000 {
         stepper.step(-0.01);
     }
     assert!(
-        (stepper.pose().u() - motion.branch_points().e1).abs() < 1e-10,
+        (stepper.attitude_state().u() - motion.branch_points().e1).abs() < 1e-10,
         "back at e1 after 400 time units each way"
     );
 }
 
-/// In a plane, from the horizontal, as fast as takes it to the vertical: it is on its way up, or was just so on its way down.
+/// A motion in a plane, from the horizontal, with exactly the energy to reach the vertical: it rises at once, or falls
+/// first and rises on the other side.
 #[test]
 fn an_aperiodic_launch_from_half_way() {
-    let top = Top::sliding(1.0, 0.5, 1.0, Heaviness::MassMoment(1.0), 1.0).unwrap();
+    let top = Top::sliding(&TopParameters {
+        transverse_inertia: 1.0,
+        axial_inertia: 0.5,
+        com_height: 1.0,
+        mass_moment: 1.0,
+        gravity: 1.0,
+        ..TopParameters::default()
+    })
+    .unwrap();
     let half = Complex::new(std::f64::consts::FRAC_1_SQRT_2, 0.0);
     for rising in [1.0, -1.0] {
-        let state = State::new(Phi { alpha: half, beta: -half }, [0.0, -rising, 0.0]).unwrap();
+        let state = State::new(Orientation { alpha: half, beta: -half }, [0.0, -rising, 0.0]).unwrap();
         let motion = Motion::launch(&top, &state).unwrap();
         assert_eq!(motion.regime(), Regime::Aperiodic);
         let mut stepper = Stepper::<f64>::new(&motion);
-        let pose = stepper.pose();
+        let pose = stepper.attitude_state();
         assert!(
             pose.u().abs() < 1e-15 && (pose.udot() - rising).abs() < 1e-15,
             "{} {}",
@@ -110,15 +215,15 @@ fn an_aperiodic_launch_from_half_way() {
             pose.udot()
         );
         (0..1000).for_each(|_| stepper.step(0.02));
-        assert!(1.0 - stepper.pose().u() < 1e-3, "{}", stepper.pose().u());
+        assert!(1.0 - stepper.attitude_state().u() < 1e-3, "{}", stepper.attitude_state().u());
     }
 }
 
-/// The differences at rest upright, where two branch points are 1 whatever the spin.
+/// Differences of the branch points at rest upright, where two of them are 1 at any spin.
 #[test]
 fn the_branch_points_of_an_upright_axis() {
     for spin in [5.0, 0.5] {
-        let state = State::new(Phi::IDENTITY, [0.0, 0.0, spin]).unwrap();
+        let state = State::new(Orientation::IDENTITY, [0.0, 0.0, spin]).unwrap();
         let e = BranchPoints::of(&top(), &state).unwrap();
         let sleeps = spin > 1.0;
         assert_eq!([e.e1 == 1.0, e.e2 == 1.0, e.e3 == 1.0], [sleeps, true, !sleeps]);

@@ -1,12 +1,15 @@
-//! What the bytes describe: tops, states, motions, ticks.
+//! Interpretation of the bytes: tops, states, motions, ticks.
 //!
-//! A number is arbitrary bits or, so that constructors do not refuse nearly all, of any size that they might accept; which of
-//! the two is said by a byte before it.
+//! A number is either an arbitrary bit pattern or, so that the constructors do not refuse almost all inputs, a number
+//! of a size that they may accept. A byte before the number selects which.
 
 use arbitrary::Unstructured;
-use toytop::{Complex, Heaviness, LaunchError, Motion, Phi, Release, Sign, Signs, Start, State, Tick, Top};
+use toytop::{
+    Complex, Motion, Orientation, ParameterError, Release, Sign, Signs, Start, State, Tick, Top,
+    TopParameters,
+};
 
-/// Reads the bytes from the front; those that are missing are 0.
+/// Reader of the bytes from the front; missing bytes count as 0.
 pub(super) struct Input<'a>(Unstructured<'a>);
 
 impl<'a> Input<'a> {
@@ -26,17 +29,17 @@ impl<'a> Input<'a> {
         self.0.arbitrary().unwrap_or_default()
     }
 
-    /// Any bits.
+    /// Number with an arbitrary bit pattern.
     pub(super) fn bits(&mut self) -> f64 {
         f64::from_bits(self.wide() as u64)
     }
 
-    /// In [0, 1), by 32 bits.
+    /// Number in [0, 1), from 32 bits.
     fn share(&mut self) -> f64 {
         f64::from(self.word()) / (1_u64 << 32) as f64
     }
 
-    /// 10^x for x in a range; from one byte in 16 on, any bits instead.
+    /// Number 10^x for x in a range; in one case of 16 an arbitrary bit pattern.
     fn decade(&mut self, low: f64, high: f64) -> f64 {
         match self.byte() {
             0xf0.. => self.bits(),
@@ -44,7 +47,7 @@ impl<'a> Input<'a> {
         }
     }
 
-    /// Of either sign and any size up to 10^high, or 0; or any bits.
+    /// Number of either sign with a magnitude of up to 10^high, or 0, or an arbitrary bit pattern.
     pub(super) fn signed(&mut self, low: f64, high: f64) -> f64 {
         match self.byte() {
             0xf0.. => self.bits(),
@@ -56,7 +59,7 @@ impl<'a> Input<'a> {
         }
     }
 
-    /// One of the numbers that cases are told by, one beside it, or any between 0 and `most`.
+    /// One of the numbers at which cases change, a neighbour of it, or any number between 0 and `most`.
     fn place(&mut self, most: f64) -> f64 {
         let near = |input: &mut Self| 10_f64.powf(-20.0 * input.share());
         match self.byte() {
@@ -69,25 +72,52 @@ impl<'a> Input<'a> {
         }
     }
 
-    /// A top of either support; most are accepted.
-    fn top(&mut self) -> Result<Top, LaunchError> {
+    /// Top of either support; most are accepted.
+    fn top(&mut self) -> Result<Top, ParameterError> {
         let kind = self.byte() % 4;
         let a = self.decade(-6.0, 4.0);
         let c = a * self.decade(-6.5, 0.5);
         let s = self.decade(-4.0, 2.0);
         let g = self.decade(-3.0, 3.0);
-        // A/(ps) decides how hard a top is
+        // A/(ps) determines how difficult a top is
         let moment = a / (s * self.decade(-6.5, 6.5));
         match kind {
-            0 => Top::sliding(a, c, s, Heaviness::MassMoment(moment), g),
-            1 => Top::sliding(a, c, s, Heaviness::Mass(moment / s), g),
-            2 => Top::fixed(a, c, moment, g),
-            _ => Top::fixed_with_mass(a, c, s, moment / s, g),
+            0 => Top::sliding(&TopParameters {
+                transverse_inertia: a,
+                axial_inertia: c,
+                com_height: s,
+                mass_moment: moment,
+                gravity: g,
+                ..TopParameters::default()
+            }),
+            1 => Top::sliding(&TopParameters {
+                transverse_inertia: a,
+                axial_inertia: c,
+                com_height: s,
+                mass: moment / s,
+                gravity: g,
+                ..TopParameters::default()
+            }),
+            2 => Top::fixed(&TopParameters {
+                transverse_inertia: a,
+                axial_inertia: c,
+                mass_moment: moment,
+                gravity: g,
+                ..TopParameters::default()
+            }),
+            _ => Top::fixed(&TopParameters {
+                transverse_inertia: a,
+                axial_inertia: c,
+                com_height: s,
+                mass: moment / s,
+                gravity: g,
+                ..TopParameters::default()
+            }),
         }
     }
 
-    /// Orientation and ω in rates of the top's fall.
-    fn state(&mut self, unit: f64) -> Result<State, LaunchError> {
+    /// Orientation and ω, with ω in units of the growth rate of a fall.
+    fn state(&mut self, unit: f64) -> Result<State, ParameterError> {
         if self.byte().is_multiple_of(2) {
             let mut rate = || unit * self.signed(-20.0, 8.0);
             let (spin, precession, nutation) = (rate(), rate(), rate());
@@ -102,14 +132,17 @@ impl<'a> Input<'a> {
             _ => (re_alpha * re_alpha + im_alpha * im_alpha + re_beta * re_beta + im_beta * im_beta).sqrt(),
         };
         let part = |re: f64, im: f64| Complex::new(re / norm, im / norm);
-        State::new(Phi { alpha: part(re_alpha, im_alpha), beta: part(re_beta, im_beta) }, omega)
+        State::new(Orientation { alpha: part(re_alpha, im_alpha), beta: part(re_beta, im_beta) }, omega)
     }
 
-    /// A launch from a state or from branch points.
-    pub(super) fn motion(&mut self) -> Result<Motion, LaunchError> {
+    /// Motion from a state or from branch points.
+    pub(super) fn motion(&mut self) -> Result<Motion, ParameterError> {
         let top = self.top()?;
         if self.byte().is_multiple_of(2) {
-            return Motion::launch(&top, &self.state((top.p() * top.g() / top.a()).sqrt())?);
+            return Motion::launch(
+                &top,
+                &self.state((top.mass_moment() * top.gravity() / top.transverse_inertia()).sqrt())?,
+            );
         }
         let e1 = self.place(2.0) - 1.0;
         let e2 = e1 + self.place(1.0 - e1);
@@ -125,18 +158,18 @@ impl<'a> Input<'a> {
         Motion::from_branch_points(&top, [e1, e2, e3], signs, &start)
     }
 
-    /// Mostly between a tenth and a millionth of the nutation period.
-    pub(super) fn tick(&mut self, motion: &Motion) -> Result<Tick, LaunchError> {
+    /// Tick length, mostly between a tenth and a millionth of the nutation period.
+    pub(super) fn tick(&mut self, motion: &Motion) -> Result<Tick, ParameterError> {
         if self.byte() >= 0xe0 {
             return Tick::ratio(self.word(), self.word());
         }
-        let period = motion.averages().map_or(1.0, |averages| averages.period);
+        let period = motion.period_advance().map_or(1.0, |averages| averages.period);
         let length = (period * self.decade(-6.0, 0.0)).clamp(1e-9, 1e9);
         let seconds = if length < 1.0 { 1.0 } else { length.ceil() };
         Tick::ratio((seconds / length).round() as u32, seconds as u32)
     }
 
-    /// How far a table may miss: mostly what a small one can.
+    /// Truncation error allowed for a table, mostly one that a small table can reach.
     pub(super) fn truncation(&mut self) -> f64 {
         self.decade(-8.0, 2.0)
     }

@@ -2,7 +2,7 @@
 
 use super::input::Input;
 use super::sound;
-use toytop_host::scenario::Scenario;
+use toytop_host::input::scenario::Scenario;
 
 pub(super) fn run(bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);

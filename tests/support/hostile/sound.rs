@@ -1,33 +1,33 @@
-//! What must hold of anything that was constructed.
+//! Properties that must hold for everything that was constructed.
 
 use super::input::Input;
 use crate::widened;
-use toytop::real::{Float, Real};
-use toytop::{Motion, Phi, Pose, Stepper};
+use toytop::scalar::{Float, Real};
+use toytop::{AttitudeState, Motion, Orientation, Stepper};
 
-/// All are numbers.
+/// Asserts that all numbers are finite.
 pub(super) fn finite(what: &str, numbers: impl IntoIterator<Item = f64>) {
     for (index, number) in numbers.into_iter().enumerate() {
         assert!(number.is_finite(), "{what}: entry {index} is {number}");
     }
 }
 
-/// An orientation: of norm 1 within an error.
-pub(super) fn orientation<R: Into<f64>>(what: &str, phi: Phi<R>, error: f64) {
+/// Asserts that an orientation has norm 1 within an error.
+pub(super) fn orientation<R: Into<f64>>(what: &str, phi: Orientation<R>, error: f64) {
     let norm = widened(phi).norm_squared();
     assert!((norm - 1.0).abs() <= error, "{what}: |alpha|^2 + |beta|^2 = {norm}, error {error:e}");
 }
 
-/// Orientation and rates.
-pub(super) fn pose<R: Float + Into<f64>>(what: &str, pose: &Pose<R>, error: f64) {
-    orientation(what, pose.phi, error);
+/// Asserts that orientation and rates are finite, and the norm is 1 within an error.
+pub(super) fn pose<R: Float + Into<f64>>(what: &str, pose: &AttitudeState<R>, error: f64) {
+    orientation(what, pose.orientation, error);
     let rates = [pose.rate.alpha.re, pose.rate.alpha.im, pose.rate.beta.re, pose.rate.beta.im];
     finite(what, rates.map(Into::into));
     finite(what, pose.omega().map(Into::into));
     finite(what, [pose.u().into(), pose.udot().into()]);
 }
 
-/// The constants of a motion, and a stepper of each scalar over some steps.
+/// Checks the constants of a motion, and a stepper of each scalar over some steps.
 pub(super) fn motion(motion: &Motion, input: &mut Input<'_>) {
     let e = motion.branch_points();
     finite("e1, e2, e3", [e.e1, e.e2, e.e3]);
@@ -36,7 +36,7 @@ pub(super) fn motion(motion: &Motion, input: &mut Input<'_>) {
     assert!(differences.iter().all(|difference| *difference >= 0.0), "{e:?}");
     let integrals = motion.first_integrals();
     finite("l, n, h", [integrals.l, integrals.n, integrals.h, integrals.l_plus_n, integrals.l_minus_n]);
-    if let Some(averages) = motion.averages() {
+    if let Some(averages) = motion.period_advance() {
         assert!(averages.period > 0.0, "{averages:?}");
         finite("averages", [averages.period, averages.alpha_turns, averages.beta_turns]);
     }
@@ -51,11 +51,10 @@ fn stepper<R: Real + Into<f64>>(motion: &Motion, steps: &[f64], error: f64) {
     let mut stepper = Stepper::<R>::new(motion);
     for &dt in [0.0].iter().chain(steps) {
         stepper.step(R::from_f64(dt));
-        pose("stepper", &stepper.pose(), error);
-        let tip = stepper.tip();
-        let numbers = [tip.c.re, tip.c.im, tip.velocity.re, tip.velocity.im];
-        finite("tip", numbers.map(Into::into));
-        finite("rate of the tip angle", tip.angle.map(|angle| angle.rate.into()));
-        assert_eq!(tip.angle.is_none(), motion.regime().is_vertical());
+        pose("stepper", &stepper.attitude_state(), error);
+        let (tip, velocity) = (stepper.tip(), stepper.tip_velocity());
+        finite("tip", [tip.re, tip.im, velocity.re, velocity.im].map(Into::into));
+        finite("rate of the tip angle", [stepper.tip_angle_rate().into()]);
+        assert_eq!(stepper.tip_angle().is_none(), motion.regime().is_vertical());
     }
 }

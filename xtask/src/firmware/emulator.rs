@@ -25,16 +25,9 @@ pub(crate) struct Run {
 
 /// Runs an ELF to its end. One instruction takes one virtual nanosecond, so that a run is repeatable.
 pub(crate) fn run(chip: &Chip, elf: &Path, decoder: &Path, show: bool) -> Result<Run> {
-    let mut qemu = Command::new(chip.emulator)
-        .arg("-machine")
-        .args(chip.machine.split(' '))
-        .args(["-nographic", "-monitor", "none", "-serial", "none", "-icount", "shift=0"])
-        .args(["-semihosting-config", "enable=on,target=native"])
-        .arg("-kernel")
-        .arg(elf)
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
+    let mut qemu = chip
+        .qemu(elf)
+        .args(["-icount", "shift=0"])
         .spawn()
         .with_context(|| format!("cannot run {}", chip.emulator))?;
     let frames = qemu.stdout.take().expect("piped");

@@ -1,43 +1,44 @@
-//! The Lagrange top's aperiodic motion, all elementary: t = v √(2A/(p g (1 - e₁))), and
+//! Aperiodic motion of the Lagrange top, in elementary functions: t = v √(2A/(p g (1 - e₁))), and
 //!
 //! ```text
 //! α = (√((1+e₁)/2) sech v + i s₊ tanh v) e^{iψ},   b² = (1 - e₁)/2,
 //! ψ = s₊ (√(1 - b²)/b v - 2 arctan(√((1-b)/(1+b)) tanh(v/2)))
 //! ```
 
-use super::{Point, Rise};
 use crate::complex::Complex;
-use crate::exact::elementary::cis;
-use crate::exact::sigma_quotient::Germ;
-use crate::launch::Sign;
-use crate::real::Float;
+use crate::constants::Sign;
+use crate::elliptic::elementary::{Wide, cis};
+use crate::elliptic::transcendental::angle;
+use crate::elliptic::transcendental::tanh_sech;
+use crate::exact::aperiodic::{Rise, RiseValues};
+use crate::exact::sigma_quotient::ValueAndSlope;
+use crate::scalar::{DoubleDouble, Float, Ring};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Fixed {
-    /// √((1 ± e₁)/2): |α| and |β| at the lowest point.
-    lowest: [f64; 2],
+    /// Moduli √((1 ± e₁)/2) of α and β at the lowest point.
+    lowest: [DoubleDouble; 2],
     sign: Sign,
 }
 
 impl Fixed {
     pub(super) fn new(rise: &Rise, sign: Sign) -> Self {
-        Self { lowest: [rise.one_plus_e1, rise.one_minus_e1].map(|x| Float::sqrt(0.5 * x)), sign }
+        Self { lowest: [rise.one_plus_e1, rise.one_minus_e1].map(|x| x.halved().sqrt()), sign }
     }
 
-    pub(super) fn alpha(&self, point: &Point) -> Germ {
+    pub(super) fn alpha(&self, point: &RiseValues) -> ValueAndSlope {
         let [a, b] = self.lowest;
-        let Point { v, tanh, sech, slowness, .. } = *point;
+        let RiseValues { v, tanh, sech, dt_dv, .. } = *point;
         // (1 - b)/(1 + b) = a²/(1 + b)²
-        let half = libm::tanh(0.5 * v);
-        let psi = self.sign.times(a / b * v - 2.0 * libm::atan(a / (1.0 + b) * half));
+        let (half, ..) = tanh_sech(v.halved());
+        let one = DoubleDouble::ONE;
+        let psi = self.sign.times(a / b * v - angle(a * half, one + b).doubled());
         // dψ/dv = s₊ a/b / (1 + b sech v)
-        let turning = self.sign.times(a / b / (1.0 + b * sech));
-        let bracket = Complex::new(a * sech, self.sign.times(tanh));
-        let along = Complex::new(-a * sech * tanh, self.sign.times(sech * sech));
+        let turning = self.sign.times(a / b / (one + b * sech));
+        let bracket: Wide = Complex::new(a * sech, self.sign.times(tanh));
+        let along: Wide = Complex::new(-(a * sech * tanh), self.sign.times(sech.squared()));
         let factor = cis(psi);
-        Germ {
-            value: bracket * factor,
-            slope: ((along + bracket.times_i().scaled(turning)) * factor).scaled(1.0 / slowness),
-        }
+        let slope = (along + bracket.times_i().scaled(turning)) * factor;
+        ValueAndSlope { value: bracket * factor, slope: slope.scaled(one / dt_dv) }
     }
 }

@@ -1,12 +1,15 @@
 //! One tick of each propagator.
 
-use super::Line;
+use super::Row;
 use super::timing::least;
 use crate::Failure;
-use crate::progress::Progress;
+use crate::output::progress::Progress;
 use std::hint::black_box;
-use toytop::real::Real;
-use toytop::{Ephemeris, EphemerisF32, EphemerisF64, Motion, NoFit, Phi, Stepper, Tabular, Tick};
+use toytop::scalar::Real;
+use toytop::{
+    EphemerisF32, EphemerisF64, EphemerisScalar, EphemerisView, Motion, Orientation, Stepper, TableTooSmall,
+    Tick,
+};
 
 /// What is timed here.
 pub(super) const TASKS: u64 = 8;
@@ -16,9 +19,9 @@ const TICKS: u32 = 4096;
 /// The first of them.
 const FIRST: i64 = 1 << 40;
 
-pub(super) fn run(motion: &Motion, progress: &mut Progress) -> Result<Vec<Line>, Failure> {
+pub(super) fn run(motion: &Motion, progress: &mut Progress) -> Result<Vec<Row>, Failure> {
     let tick = Tick::hertz(1000).map_err(|error| Failure::Input(format!("bench: {error}")))?;
-    let no_fit = |error: NoFit| Failure::Method(format!("bench: {error}"));
+    let no_fit = |error: TableTooSmall| Failure::Method(format!("bench: {error}"));
     let single = EphemerisF32::new(motion, tick).map_err(no_fit)?;
     let double = EphemerisF64::new(motion, tick).map_err(no_fit)?;
     let mut lines = Vec::new();
@@ -29,19 +32,19 @@ pub(super) fn run(motion: &Motion, progress: &mut Progress) -> Result<Vec<Line>,
     Ok(lines)
 }
 
-fn per_tick(what: String, progress: &mut Progress, task: impl FnMut()) -> Line {
+fn per_tick(what: String, progress: &mut Progress, task: impl FnMut()) -> Row {
     let (whole, ()) = least(progress, task);
     let seconds = whole / f64::from(TICKS);
-    Line { what, seconds, error: None, rest: vec![format!("{:.1}", 1e-6 / seconds)] }
+    Row { what, seconds, error: None, rest: vec![format!("{:.1}", 1e-6 / seconds)] }
 }
 
-fn ephemeris<R: Tabular, const SEGMENTS: usize, const TERMS: usize>(
+fn ephemeris<R: EphemerisScalar>(
     name: &str,
-    ephemeris: &Ephemeris<R, SEGMENTS, TERMS>,
+    ephemeris: &EphemerisView<R>,
     progress: &mut Progress,
-) -> [Line; 3] {
-    let name = format!("{name}, {SEGMENTS}x{TERMS}");
-    let mut out = vec![Phi::<R>::IDENTITY; TICKS as usize];
+) -> [Row; 3] {
+    let name = format!("{name}, {}x{}", ephemeris.capacity(), R::TERMS);
+    let mut out = vec![Orientation::<R>::IDENTITY; TICKS as usize];
     let batch = per_tick(format!("ephemeris {name}: in a batch"), progress, || {
         ephemeris.fill(black_box(FIRST), &mut out);
         black_box(&mut out);
@@ -49,24 +52,24 @@ fn ephemeris<R: Tabular, const SEGMENTS: usize, const TERMS: usize>(
     let next = per_tick(format!("ephemeris {name}: the next tick"), progress, || {
         let mut cursor = ephemeris.cursor(black_box(FIRST));
         for _ in 0..TICKS {
-            black_box(cursor.next().phi());
+            black_box(cursor.next(ephemeris).orientation());
         }
     });
     let any = per_tick(format!("ephemeris {name}: any tick"), progress, || {
         for n in 0..TICKS {
-            black_box(ephemeris.at_tick(black_box(FIRST + i64::from(n))).phi());
+            black_box(ephemeris.at_tick(black_box(FIRST + i64::from(n))).orientation());
         }
     });
     [batch, next, any]
 }
 
-fn stepper<R: Real>(name: &str, motion: &Motion, progress: &mut Progress) -> Line {
+fn stepper<R: Real>(name: &str, motion: &Motion, progress: &mut Progress) -> Row {
     let mut stepper = Stepper::<R>::new(motion);
     let dt = R::from_f64(1e-3);
     per_tick(format!("stepper {name}: a step"), progress, || {
         for _ in 0..TICKS {
             stepper.step(dt);
-            black_box(stepper.phi());
+            black_box(stepper.orientation());
         }
     })
 }

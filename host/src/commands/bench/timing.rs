@@ -1,6 +1,6 @@
 //! Time, taken as the least of several runs: whatever else the machine does only adds.
 
-use crate::progress::Progress;
+use crate::output::progress::Progress;
 use std::time::Instant;
 
 /// Runs of a task.

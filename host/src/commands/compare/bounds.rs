@@ -1,22 +1,23 @@
 //! What the core is held to, and over how long: one table.
 
-use crate::builtin::OwnBounds;
 use crate::cli::{Method, Scalar};
-use crate::propagate::period;
+use crate::input::builtin::OwnBounds;
+use crate::motion::propagate::period;
 use toytop::{Motion, Regime};
 
 /// Steps a period, in f64 and in every other type. In f64, truncation and rounding of the fourth-order step are equal near 2048
 /// (smooth motions) to 8192 (near the separatrix). In f32, rounding alone is left from 512 on, also near the separatrix; as the
-/// phases are integers it does not grow with more steps, which only cost time. In fixed point a step is exact whatever its length.
+/// phases are integers it does not grow with more steps, which only cost time.
 pub(super) fn steps_per_period(scalar: Scalar) -> u32 {
     match scalar {
         Scalar::F64 => 4096,
-        Scalar::F32 | Scalar::Q31 | Scalar::Q15 | Scalar::Micromath => 512,
+        _ => 512,
     }
 }
 
 /// Of the stepper over ten periods, rad. In f32 near the separatrix: 180 motions with e₃ - e₂ from 1e-3 to 1e-12, at most
-/// 1.1e-4 rad above what is the truth's. Of micromath, whose square root is 6 % off, nothing can be promised.
+/// 1.1e-4 rad above what is the truth's. Of micromath, whose square root is 6 % off, nothing can be promised;
+/// in fixed point there is no stepper.
 fn of_the_stepper(motion: &Motion, scalar: Scalar) -> f64 {
     /// Below this e₃ - e₂ a motion counts as near the separatrix.
     const NEAR: f64 = 1e-2;
@@ -25,8 +26,7 @@ fn of_the_stepper(motion: &Motion, scalar: Scalar) -> f64 {
         (Scalar::F64, _) => 1e-10,
         (Scalar::F32, false) => 2e-5,
         (Scalar::F32, true) => 2e-4,
-        (Scalar::Q31 | Scalar::Q15, _) => 1e-7,
-        (Scalar::Micromath, _) => WORST,
+        (Scalar::Micromath | Scalar::Q31 | Scalar::Q15, _) => WORST,
     }
 }
 
@@ -55,7 +55,8 @@ fn of_the_truth(motion: &Motion) -> f64 {
         _ => 0.0,
     };
     let top = motion.top();
-    (amplified + 1e-12) * (top.a() + top.p() * top.s()) / top.a().min(top.c())
+    (amplified + 1e-12) * (top.transverse_inertia() + top.mass_moment() * top.com_height())
+        / top.transverse_inertia().min(top.axial_inertia())
 }
 
 /// No orientation is further from another.
@@ -104,7 +105,8 @@ pub(super) fn horizon(motion: &Motion, periods: u32) -> Span {
     }
     // λ = √(4 A p g - n²)/(2 A)
     let (top, n) = (motion.top(), motion.first_integrals().n);
-    let rate = (4.0 * top.a() * top.p() * top.g() - n * n).sqrt() / (2.0 * top.a());
+    let rate = (4.0 * top.transverse_inertia() * top.mass_moment() * top.gravity() - n * n).sqrt()
+        / (2.0 * top.transverse_inertia());
     let sensible = MOST_AMPLIFIED.ln() / rate;
     if sensible >= time {
         return span;

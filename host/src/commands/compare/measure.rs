@@ -1,12 +1,12 @@
-//! How far a run of the core is from the full solver, at the moments that the run has gone through.
+//! How far a run of the core is from the full solver, at the samples that the run has gone through.
 
-use super::run::{Moment, Run};
+use super::run::{CoreSample, Run};
 use crate::Failure;
-use crate::full_solver::FullState;
-use crate::invariants::natural_scales;
-use crate::scenario::Scenario;
-use crate::truth;
-use toytop::{Motion, Phi};
+use crate::full_equations::full_solver::FullState;
+use crate::full_equations::solution;
+use crate::input::scenario::Scenario;
+use crate::motion::invariants::natural_scales;
+use toytop::{Motion, Orientation};
 
 /// The greatest errors over all samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -31,26 +31,26 @@ impl Truth {
     /// Compares a run with the full solver at the times the run has truly gone through: an f32 step lands next to the time
     /// asked for.
     pub(super) fn measure(&mut self, scenario: &Scenario, run: &Run) -> Result<Errors, Failure> {
-        let times: Vec<f64> = run.moments.iter().map(|moment| moment.sample.t).collect();
+        let times: Vec<f64> = run.samples.iter().map(|sample| sample.sample.t).collect();
         if times != self.times {
-            self.states = truth::states(scenario, &times)?;
+            self.states = solution::states(scenario, &times)?;
             self.times = times;
         }
         let mut errors = Errors::default();
-        run.moments.iter().zip(&self.states).for_each(|(moment, state)| {
-            errors.worsen(&scenario.motion, moment, state);
+        run.samples.iter().zip(&self.states).for_each(|(sample, state)| {
+            errors.worsen(&scenario.motion, sample, state);
         });
         Ok(errors)
     }
 }
 
 impl Errors {
-    fn worsen(&mut self, motion: &Motion, Moment { sample, integrals }: &Moment, truth: &FullState) {
-        let truth = truth::phi(truth);
-        let Phi { alpha, beta } = truth;
+    fn worsen(&mut self, motion: &Motion, CoreSample { sample, integrals }: &CoreSample, truth: &FullState) {
+        let truth = solution::phi(truth);
+        let Orientation { alpha, beta } = truth;
         let tip = (alpha * beta).scaled(2.0);
         let tip_error = sample.tip.scaled(1.0 / motion.top().tip_scale()) - tip;
-        worsen(&mut self.orientation, truth::distance(&sample.orientation(), &truth));
+        worsen(&mut self.orientation, sample.orientation().distance(&truth));
         worsen(&mut self.u, (sample.u - (alpha.norm_squared() - beta.norm_squared())).abs());
         worsen(&mut self.tip, tip_error.norm_squared().sqrt());
         let constants = motion.first_integrals();

@@ -2,19 +2,19 @@
 
 use crate::Failure;
 use crate::cli::Scalar;
-use crate::ephemeris::smallest;
-use crate::fixed_steps::FixedSteps;
-use crate::invariants::first_integrals;
-use crate::progress::Progress;
-use crate::propagate::{Paced, Sample};
+use crate::motion::cast;
+use crate::motion::ephemeris::smallest;
+use crate::motion::invariants::first_integrals;
+use crate::motion::propagate::{Sample, TimedStepper};
+use crate::output::progress::Progress;
 use std::time::{Duration, Instant};
-use toytop::real::Real;
-use toytop::su2::PhiRate;
+use toytop::scalar::Real;
+use toytop::su2::OrientationRate;
 use toytop::{Complex, Motion, Top};
 
 /// What a run gave and took.
 pub(super) struct Run {
-    pub(super) moments: Vec<Moment>,
+    pub(super) samples: Vec<CoreSample>,
     pub(super) effort: Effort,
     /// Wall time of the steps, or of the evaluations, alone.
     pub(super) wall: Duration,
@@ -38,8 +38,8 @@ impl Effort {
     }
 }
 
-/// A moment of the core.
-pub(super) struct Moment {
+/// Sample of the core and the first integrals computed from it.
+pub(super) struct CoreSample {
     pub(super) sample: Sample,
     pub(super) integrals: [f64; 3],
 }
@@ -59,31 +59,20 @@ pub(super) fn sample_times(horizon: f64, count: u32) -> impl Iterator<Item = f64
 pub(super) fn step_through<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Run {
     let horizon = times.last().copied().unwrap_or_default();
     let mut progress = Progress::new((horizon / step) as u64, "steps");
-    let mut paced = Paced::<R>::new(motion, step);
-    let moments = times
+    let mut timed = TimedStepper::<R>::new(motion, step);
+    let samples = times
         .iter()
         .map(|&t| {
-            paced.reach(t, &mut progress);
-            let stepper = paced.stepper();
-            moment(motion.top(), Sample::stepped(paced.elapsed(), stepper), &stepper.pose().rate)
+            timed.reach(t, &mut progress);
+            let stepper = timed.stepper();
+            core_sample(
+                motion.top(),
+                Sample::stepped(timed.elapsed(), stepper),
+                &stepper.attitude_state().rate,
+            )
         })
         .collect();
-    Run { moments, effort: Effort::Steps(paced.steps()), wall: paced.stepping() }
-}
-
-/// The same by the fixed-point stepper: at the last tick before each time.
-pub(super) fn tick_through(motion: &Motion, times: &[f64], step: f64) -> Result<Run, Failure> {
-    let horizon = times.last().copied().unwrap_or_default();
-    let mut progress = Progress::new((horizon / step) as u64, "ticks");
-    let mut ticks = FixedSteps::new(motion, step)?;
-    let moments = times
-        .iter()
-        .map(|&t| {
-            ticks.reach(t, &mut progress);
-            moment(motion.top(), ticks.sample(), &ticks.in_f64().pose().rate)
-        })
-        .collect();
-    Ok(Run { moments, effort: Effort::Steps(ticks.steps()), wall: ticks.stepping() })
+    Run { samples, effort: Effort::Steps(timed.steps()), wall: timed.stepping() }
 }
 
 /// Looks the times up in an ephemeris.
@@ -92,17 +81,17 @@ pub(super) fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<
     let started = Instant::now();
     let instants: Vec<_> = times.iter().map(|&t| ephemeris.at(t)).collect();
     let wall = started.elapsed();
-    let moments =
-        instants.iter().map(|instant| moment(motion.top(), instant.sample, &instant.rate)).collect();
+    let samples =
+        instants.iter().map(|instant| core_sample(motion.top(), instant.sample, &instant.rate)).collect();
     let effort = Effort::Table { size: ephemeris.size(), look_ups: times.len() as u64 };
-    Ok(Run { moments, effort, wall })
+    Ok(Run { samples, effort, wall })
 }
 
 /// ω once more, in f64 from the core's α, β and rates: what is measured is those, not the rounding of a product.
-fn moment<R: Real>(top: &Top, sample: Sample, rate: &PhiRate<R>) -> Moment {
-    let widen = |z: Complex<R>| Complex::new(z.re.to_f64(), z.im.to_f64());
+fn core_sample<R: Real>(top: &Top, sample: Sample, rate: &OrientationRate<R>) -> CoreSample {
+    let widen = |z: Complex<R>| cast::complex(z, R::to_f64);
     let phi = sample.orientation();
-    let rate = PhiRate { alpha: widen(rate.alpha), beta: widen(rate.beta) };
+    let rate = OrientationRate { alpha: widen(rate.alpha), beta: widen(rate.beta) };
     let integrals = first_integrals(top, phi.alpha, phi.beta, rate.omega_fixed(&phi));
-    Moment { sample, integrals }
+    CoreSample { sample, integrals }
 }

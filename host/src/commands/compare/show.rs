@@ -1,6 +1,6 @@
 //! The rows of `compare` as a table to read and as records.
 
-use super::bounds::steps_per_period;
+use super::bounds::{WORST, steps_per_period};
 use super::run::{Effort, SAMPLES};
 use super::{Measured, Row};
 use crate::cli::Scalar;
@@ -50,6 +50,48 @@ pub(super) fn table(rows: &[Row], periods: u32) -> String {
         steps_per_period(Scalar::F64),
         steps_per_period(Scalar::F32),
     )
+}
+
+/// A row a motion: of each scalar the error that is nearest to its bound, the cost, and whether every bound is kept.
+pub(super) fn summary(rows: &[Row], periods: u32) -> String {
+    let scalars: Vec<Scalar> =
+        Scalar::ALL.into_iter().filter(|scalar| rows.iter().any(|row| row.scalar == *scalar)).collect();
+    let names = scalars.iter().map(|scalar| scalar.name());
+    let header = ["motion"].into_iter().chain(names).chain(["ns", ""]).map(str::to_owned).collect();
+    let motions = rows.chunk_by(|a, b| a.motion == b.motion).map(|runs| summary_line(runs, &scalars));
+    let lines = std::iter::once(header).chain(motions).collect();
+    format!(
+        "{}\nThe core against the full 3-D equations, at {SAMPLES} moments a period over {periods} periods: greatest\n\
+         error of the orientation / its bound, rad, by stepper or ephemeris, whichever is nearer to its\n\
+         bound. ns: a look-up in the ephemeris of the slowest type, on this machine. Every run: --all.\n",
+        output::columns(lines, 1),
+    )
+}
+
+fn summary_line(runs: &[Row], scalars: &[Scalar]) -> Vec<String> {
+    let name = runs.first().map(|row| shortened(&row.motion)).unwrap_or_default();
+    let nearest = |scalar: &Scalar| {
+        let of_scalar = runs.iter().filter(|row| row.scalar == *scalar && row.bound < WORST);
+        let errors = of_scalar.filter_map(|row| Some((row.error()?, row.bound)));
+        let nearest = errors.max_by(|(a, a_bound), (b, b_bound)| (a / a_bound).total_cmp(&(b / b_bound)));
+        nearest.map_or_else(|| "-".to_owned(), |(error, bound)| format!("{error:.0e}/{bound:.0e}"))
+    };
+    let look_ups = runs.iter().filter_map(|row| match row.measured?.effort {
+        Effort::Table { look_ups, .. } => {
+            Some(1e9 * row.measured?.wall.as_secs_f64() / look_ups.max(1) as f64)
+        }
+        Effort::Steps(_) => None,
+    });
+    let slowest = look_ups.fold(0.0, f64::max);
+    let verdict = match runs {
+        _ if runs.iter().any(Row::missed) => "MISS",
+        _ if runs.iter().any(|row| row.measured.is_none()) => "no fit",
+        _ => "ok",
+    };
+    let mut cells = vec![name];
+    cells.extend(scalars.iter().map(nearest));
+    cells.extend([format!("{slowest:.0}"), verdict.to_owned()]);
+    cells
 }
 
 fn line(row: &Row) -> Vec<String> {

@@ -9,9 +9,9 @@ use serde_json::Value;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::process::Command;
-use toytop::{Complex, Ephemeris, Phi, Tick};
-use toytop_host::scenario::Scenario;
-use toytop_host::view::EVALUATOR;
+use toytop::{Complex, Ephemeris, Orientation, Tick};
+use toytop_host::input::scenario::Scenario;
+use toytop_host::pictures::view::EVALUATOR;
 
 /// The document as Chromium leaves it, and what it wrote to the console.
 fn browse(page: &Path, width: u32) -> (String, Vec<String>) {
@@ -213,7 +213,7 @@ fn the_page_shows_what_the_core_says() {
         let hertz = table["ticks_per_time"][0].as_f64().expect("a number");
         let motion = Scenario::read(Path::new(&file)).expect("a scenario").motion;
         let tick = Tick::hertz(hertz as u32).expect("a tick");
-        let core = Ephemeris::<f32, 25, 5>::new(&motion, tick).expect("it fits");
+        let core = Ephemeris::<f32, 25>::new(&motion, tick).expect("it fits");
         // far out and in the past, too
         let times = "[0.3125, -2.5, 1000000.75]";
         let shown = probe(&page, &SHOWN.replace("TIMES", times), 1200);
@@ -222,9 +222,9 @@ fn the_page_shows_what_the_core_says() {
         for (shown, truth) in shown.as_array().expect("an array").iter().zip(&truth) {
             let t = truth["t"].as_f64().expect("a time");
             assert_eq!((shown["t"].as_f64(), shown["tick"].as_f64()), (Some(t), Some(t * hertz)), "{name}");
-            let phi = core.at_tick((t * hertz) as i64).phi();
+            let phi = core.at_tick((t * hertz) as i64).orientation();
             let wide = |z: Complex<f32>| Complex::new(f64::from(z.re), f64::from(z.im));
-            let phi = Phi { alpha: wide(phi.alpha), beta: wide(phi.beta) };
+            let phi = Orientation { alpha: wide(phi.alpha), beta: wide(phi.beta) };
             assert_eq!((complex(&shown["alpha"]), complex(&shown["beta"])), (phi.alpha, phi.beta), "{name}");
             let [alpha, beta] = ["alpha", "beta"].map(|key| complex(&shown[key]) - complex(&truth[key]));
             let error = 2.0 * (alpha.norm_squared() + beta.norm_squared()).sqrt();

@@ -1,0 +1,45 @@
+//! Choice of a propagator: ephemeris, cursor, stepper or closed form.
+//!
+//! | you need | use | why |
+//! |---|---|---|
+//! | the next tick, thousands of times a second | `Cursor` | cheapest; error bound for ever; needs set-up and a table |
+//! | any tick or any time | `Ephemeris` | as exact, some more cycles |
+//! | no table in RAM, or a new motion every few ticks | `Stepper` | set up without a table; the error grows with the periods |
+//! | an independent check on a PC | `exact` | the paper's closed forms, where they exist |
+//! | firmware that never sets up | `Baked` | the table is computed on a PC: see the example `baked` |
+
+use toytop::{EphemerisF64, Motion, Regime, Release, State, Stepper, Tick, Top, TopParameters};
+
+fn main() -> Result<(), Box<dyn core::error::Error>> {
+    let top = Top::sliding(&TopParameters {
+        transverse_inertia: 3.0e-5,
+        axial_inertia: 2.0e-5,
+        com_height: 0.03,
+        mass: 0.05,
+        gravity: 9.81,
+        ..TopParameters::default()
+    })?;
+    let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
+    let motion = Motion::launch(&top, &state)?;
+    assert_eq!(motion.regime(), Regime::Nutating);
+
+    // A table, then any tick.
+    let ephemeris = EphemerisF64::new(&motion, Tick::hertz(1000)?)?;
+    // Consecutive ticks.
+    let mut cursor = ephemeris.cursor(0);
+    // No table; steps of any length.
+    let mut stepper = Stepper::<f64>::new(&motion);
+    let mut worst: f64 = 0.0;
+    for tick in 0..2000 {
+        let next = cursor.next(&ephemeris).orientation();
+        assert_eq!(next, ephemeris.at_tick(tick).orientation(), "cursor and at_tick give the same bits");
+        worst = worst.max(next.distance(&stepper.orientation()));
+        stepper.step(0.001);
+    }
+    println!("ephemeris against stepper, two seconds in steps of 1 ms: {worst:.1e} rad");
+    println!("error bound of the ephemeris there: {:.1e} rad", ephemeris.error_bound().after(2000.0));
+    println!("size of the ephemeris: {} bytes", size_of_val(&ephemeris));
+    println!("size of the stepper: {} bytes", size_of_val(&stepper));
+    assert!(worst < 1e-3);
+    Ok(())
+}

@@ -1,0 +1,23 @@
+//! Constants of a motion in double-double: first integrals, branch points, regime, tip class, least normal force.
+//!
+//! Each follows from the one before: [`State`](crate::State) → [`FirstIntegrals`] → [`BranchPoints`] → [`Regime`],
+//! [`TipClass`].
+
+mod first_integrals;
+
+mod branch_points;
+
+mod regime;
+
+mod tip_class;
+
+mod conditioning;
+
+pub(crate) mod normal_force;
+
+pub use branch_points::BranchPoints;
+pub(crate) use conditioning::Conditioning;
+pub(crate) use first_integrals::ReducedPoint;
+pub use first_integrals::{FirstIntegrals, Sign, Signs};
+pub use regime::Regime;
+pub use tip_class::TipClass;

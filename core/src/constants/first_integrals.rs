@@ -1,0 +1,153 @@
+//! First integrals l, n and h of a state (Proposition 1 of the paper).
+
+use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::state::State;
+use crate::su2::{bracket, dot};
+use crate::top::{Quantities, Top};
+
+/// Sign, + or -.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Sign {
+    /// Positive, +.
+    #[default]
+    Plus,
+    /// Negative, -.
+    Minus,
+}
+
+impl Sign {
+    /// Sign of x; + for 0.
+    pub fn of<R: Ring>(x: R) -> Self {
+        if x < R::ZERO { Self::Minus } else { Self::Plus }
+    }
+
+    /// x with this sign as a factor, ±x.
+    pub fn times<R: Ring>(self, x: R) -> R {
+        match self {
+            Self::Plus => x,
+            Self::Minus => -x,
+        }
+    }
+
+    /// Factor ±1.
+    #[must_use]
+    pub fn factor(self) -> i32 {
+        match self {
+            Self::Plus => 1,
+            Self::Minus => -1,
+        }
+    }
+}
+
+/// Signs of l + n and of l - n. Branch points and signs together determine a motion up to its start.
+///
+/// Equal signs mean |l| > |n|, different signs mean |l| < |n|. Where l + n or l - n is 0, its sign is arbitrary.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Signs {
+    /// Sign of l + n.
+    pub l_plus_n: Sign,
+    /// Sign of l - n.
+    pub l_minus_n: Sign,
+}
+
+/// First integrals: two components of the angular momentum, and the energy.
+///
+/// The sum l + n and the difference l - n are stored besides l and n, because one of them is small near the vertical
+/// and the subtraction of rounded numbers would lose its digits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct FirstIntegrals<F = f64> {
+    /// Vertical angular momentum l = ⟨m, k⟩, kg m²/s.
+    pub l: F,
+    /// Axial angular momentum n = ⟨m, r⟩ = C ⟨ω, r⟩, kg m²/s.
+    pub n: F,
+    /// Energy h = T + V, J; V = 0 where the centre of mass is at the height of the tip.
+    pub h: F,
+    /// Sum l + n, kg m²/s.
+    pub l_plus_n: F,
+    /// Difference l - n, kg m²/s.
+    pub l_minus_n: F,
+}
+
+/// Point (u, u') of the reduced curve, with the quantities that the cubics need there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ReducedPoint<F> {
+    pub(crate) u: F,
+    pub(crate) one_minus_u: F,
+    pub(crate) one_plus_u: F,
+    pub(crate) udot: F,
+    /// Kinetic energy of the motion of the axis in units of p g: K = (A |ω × r|² + p s u'²)/(2 p g).
+    pub(crate) axis_energy: F,
+}
+
+impl<F: Ring> ReducedPoint<F> {
+    /// Whether the axis is upright and does not move.
+    pub(crate) fn rests_upright(&self) -> bool {
+        self.one_minus_u == F::ZERO && self.axis_energy == F::ZERO
+    }
+}
+
+impl FirstIntegrals {
+    /// First integrals of a state, computed in double-double. Error: one `f64` rounding of the result.
+    #[must_use]
+    pub fn of(top: &Top, state: &State) -> Self {
+        FirstIntegrals::<DoubleDouble>::with_point(top, state).0.to_f64()
+    }
+}
+
+impl<F: Float> FirstIntegrals<F> {
+    /// First integrals of a state, and the point of the reduced curve that it is at.
+    pub(crate) fn with_point(top: &Top, state: &State) -> (Self, ReducedPoint<F>) {
+        let Quantities { a, c, s, p, g } = Quantities::<F>::of(top);
+        let (phi, omega) = state.exact::<F>();
+        let one_minus_u = phi.beta.norm_squared().doubled();
+        let one_plus_u = phi.alpha.norm_squared().doubled();
+        let two = F::ONE.doubled();
+        // On the vertical the values are exact, without the rounding of the norm, so that n is the exact product of C
+        // and ω₃.
+        let [r1, r2, u] = phi.axis();
+        let (u, one_minus_u, one_plus_u) = if one_minus_u == F::ZERO {
+            (F::ONE, F::ZERO, two)
+        } else if one_plus_u == F::ZERO {
+            (-F::ONE, two, F::ZERO)
+        } else {
+            (u, one_minus_u, one_plus_u)
+        };
+        let r = [r1, r2, u];
+
+        let spin = dot(omega, r);
+        let n = c * spin;
+        // l ∓ n = A ⟨ω, k ∓ r⟩ ∓ (C - A) ⟨ω, r⟩ (1 ∓ u), without the cancellation of subtracting n from l
+        let l_minus_n = a * dot(omega, [-r1, -r2, one_minus_u]) - (c - a) * spin * one_minus_u;
+        let l_plus_n = a * dot(omega, [r1, r2, one_plus_u]) + (c - a) * spin * one_plus_u;
+
+        let [w1, w2, _] = omega;
+        let udot = w1 * r2 - w2 * r1;
+        let r_dot = bracket(omega, r);
+        let axis_energy = (a * dot(r_dot, r_dot) + p * s * udot.squared()) / (p * g).doubled();
+        let h = n.squared() / c.doubled() + p * g * (u + axis_energy);
+
+        let integrals = Self { l: (l_plus_n + l_minus_n).halved(), n, h, l_plus_n, l_minus_n };
+        (integrals, ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy })
+    }
+
+    /// First integrals rounded to `f64`, each field separately.
+    #[must_use]
+    pub fn to_f64(&self) -> FirstIntegrals {
+        FirstIntegrals {
+            l: self.l.to_f64(),
+            n: self.n.to_f64(),
+            h: self.h.to_f64(),
+            l_plus_n: self.l_plus_n.to_f64(),
+            l_minus_n: self.l_minus_n.to_f64(),
+        }
+    }
+
+    /// Signs of l + n and l - n; + where the number is 0.
+    #[must_use]
+    pub fn signs(&self) -> Signs {
+        Signs { l_plus_n: Sign::of(self.l_plus_n), l_minus_n: Sign::of(self.l_minus_n) }
+    }
+}

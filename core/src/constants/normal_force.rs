@@ -1,0 +1,113 @@
+//! Normal force of the plane, N = 1 + s u''/g in units of the weight, and its least value over a motion.
+//!
+//! The equations of motion also hold where N < 0, but a real top would then leave the plane. With f = (u - e₁)(u -
+//! e₂)(u - e₃) and D = s (e₄² - u²), u'²/2 = g f/D and u'' = g d(f/D)/du. Partial fractions of s f/D at u = ±e₄ give
+//!
+//! N = (F₊/(e₄ - u)² + F₋/(e₄ + u)²)/2e₄ with F± = (e₄ ∓ e₁)(e₄ ∓ e₂)(±e₄ - e₃)(±1).
+//!
+//! F₋ > 0 always holds. If e₃ >= e₄, then F₊ <= 0 and N decreases with u, so it is least at e₂. If e₃ < e₄, then N >
+//! 0 everywhere and N is a convex function of u, with the minimum ((∛F₊ + ∛F₋)/2e₄)³ at (e₄ - u)/(e₄ + u) = ∛(F₊/F₋).
+
+use crate::constants::BranchPoints;
+use crate::scalar::{DoubleDouble, Float, Ring};
+
+/// Magnitude of N, in units of the weight, below which it counts as 0. The rounding error of N in double-double is
+/// smaller.
+const NOISE: f64 = 1e-20;
+
+/// Least N over u in [e₁, e₂], in units of the weight. `spread` is A/(ps) = e₄² - 1.
+pub(crate) fn minimum(e: &BranchPoints<DoubleDouble>, spread: DoubleDouble) -> f64 {
+    let e4 = (DoubleDouble::ONE + spread).sqrt();
+    let e4_minus_one = spread / (DoubleDouble::ONE + e4);
+    let e4_minus_e2 = e4_minus_one + e.one_minus_e2;
+    let upper = (e4_minus_one + e.one_minus_e1()) * e4_minus_e2 * (e4_minus_one - e.e3_minus_one);
+    if upper > DoubleDouble::ZERO {
+        let lower = (e4_minus_one + e.one_plus_e1)
+            * (e4_minus_one + e.one_plus_e2())
+            * (e4_minus_one + e.one_plus_e3());
+        let (upper, lower) = (cube_root(upper), cube_root(lower));
+        // e₄ - u at the minimum is 2 e₄ ∛F₊/(∛F₊ + ∛F₋)
+        if e4.doubled() * upper > e4_minus_e2 * (upper + lower) {
+            let root = (upper + lower) / e4.doubled();
+            return (root.squared() * root).to_f64();
+        }
+    }
+    at_e2(e, spread)
+}
+
+/// N at u = e₂, where f' = -(e₂ - e₁)(e₃ - e₂).
+fn at_e2(e: &BranchPoints<DoubleDouble>, spread: DoubleDouble) -> f64 {
+    let d_over_s = spread + e.one_minus_e2 * e.one_plus_e2();
+    let force = (d_over_s - e.e2_minus_e1 * e.e3_minus_e2) / d_over_s;
+    if force.abs() > DoubleDouble::from(NOISE) { force.to_f64() } else { 0.0 }
+}
+
+/// Cube root of x > 0: one step of Newton's method from the `f64` cube root.
+fn cube_root(x: DoubleDouble) -> DoubleDouble {
+    let root = DoubleDouble::from(libm::cbrt(x.to_f64()));
+    let square = root.squared();
+    root + (x - square * root) / (square + square.doubled())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn least(e: [f64; 3], spread: f64) -> f64 {
+        let [e1, e2, e3] = e;
+        minimum(&BranchPoints::exact(e1, e2, e3).unwrap(), spread.into())
+    }
+
+    /// Comparison with a fine scan of the same rational function, by central differences of f/D. Some cases have the
+    /// minimum at e₂, the others between e₁ and e₂.
+    #[test]
+    fn the_minimum_is_not_undercut_by_a_scan() {
+        for ([e1, e2, e3], spread, is_between) in [
+            ([0.7, 0.9, 100.0], 1.0, false),
+            ([-0.9, 0.95, 1.2], 0.05, false),
+            ([-0.5, 0.5, 3.0], 2.0 / 0.3, false),
+            ([-0.4, 0.86, 1.005], 0.13, true),
+            ([-0.95, 0.93, 1.01], 3.7, true),
+            ([0.5, 0.97, 1.002], 0.02, true),
+        ] {
+            let least = least([e1, e2, e3], spread);
+            let ratio = |u: f64| (u - e1) * (u - e2) * (u - e3) / (spread + (1.0 - u * u));
+            let force = |i: u32| {
+                let u = e1 + (e2 - e1) * f64::from(i) / 20_000.0;
+                1.0 + (ratio(u + 1e-6) - ratio(u - 1e-6)) / 2e-6
+            };
+            let scan = (0..=20_000).map(force).fold(f64::INFINITY, f64::min);
+            assert!(least <= scan + 1e-8 && least > scan - 1e-6, "{least} against {scan}");
+            let ends = force(0).min(force(20_000));
+            assert_eq!(scan < ends - 1e-3, is_between, "{scan}, at the ends {ends}");
+        }
+    }
+
+    /// Tops with A/(ps) = 2^-40, less than [`crate::Top`] admits; expected values by
+    /// `tests/reference/normal_force.py`.
+    #[test]
+    fn the_minimum_keeps_its_digits_where_differences_are_small() {
+        let small = |power: i32| libm::ldexp(1.0, -power);
+        for (e, truth) in [
+            ([-0.5, 1.0, 1.0 + small(30)], -1535.0),
+            ([-0.5, 1.0 - small(38), 1.0 + small(41)], 0.25000000000060635),
+            ([-0.5, 1.0 - small(45), 1.0 + small(45)], 0.250000004024345),
+            ([-1.0 + small(40), 1.0 - small(20), 1.0 + small(50)], 6.932584669490062e-13),
+            ([0.25, 1.0, 1.0 + small(41)], 0.625),
+            ([1.0 - small(35), 1.0 - small(40), 1.0 + small(39)], 0.9999999999718057),
+            ([-0.75, 0.5, 1.0 + small(20)], 0.1666650772104832),
+        ] {
+            let force = least(e, small(40));
+            assert!((force / truth - 1.0).abs() <= f64::EPSILON, "{e:?}: {force:e} against {truth:e}");
+        }
+    }
+
+    #[test]
+    fn a_cube_root_cubes_back() {
+        for x in [2.0, 1e-30, 12345.678, 1e40, 27.0] {
+            let x = DoubleDouble::from(x);
+            let root = cube_root(x);
+            assert!(((root.squared() * root - x) / x).abs().to_f64() < 1e-31, "{x:?}");
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! Regime of a motion, determined once by the paper's criteria.
+
+use crate::constants::{BranchPoints, Signs};
+use crate::scalar::{DoubleDouble, Ring};
+
+/// Kind of motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Regime {
+    /// e₁ < e₂ < e₃: u oscillates between e₁ and e₂.
+    Nutating,
+    /// e₁ = e₂ within ±1 and |l| < |n|: regular precession, the slower of the two at this tilt and spin, which toy
+    /// tops usually show. u is constant, or the tilt oscillates by less than 2^-49 rad, the rounding of a state.
+    SlowPrecession,
+    /// e₁ = e₂ within ±1 and |l| >= |n|: regular precession, the faster of the two at this tilt and spin.
+    FastPrecession,
+    /// e₁ = e₂ = 1: the axis is upright, and a small push causes a small nutation.
+    SleepingStable,
+    /// e₂ = e₃ = 1 and u = 1: the axis is upright, and any push makes the top fall.
+    SleepingUnstable,
+    /// e₁ = e₂ = -1: the centre of mass is straight below the tip.
+    Hanging,
+    /// e₂ = e₃ = 1 and u < 1: the axis rises to the vertical in infinite time.
+    Aperiodic,
+}
+
+impl Regime {
+    /// Regime of exact branch points; `upright` tells whether a motion with e₂ = e₃ = 1 has u = 1.
+    pub(crate) fn of(e: &BranchPoints<DoubleDouble>, signs: Signs, upright: bool) -> Self {
+        let zero = DoubleDouble::ZERO;
+        if !swings(e) {
+            if e.one_minus_e2 == zero {
+                Self::SleepingStable
+            } else if e.one_plus_e1 == zero {
+                Self::Hanging
+            } else {
+                let fast = signs.l_plus_n == signs.l_minus_n;
+                if fast { Self::FastPrecession } else { Self::SlowPrecession }
+            }
+        } else if e.e3_minus_e2 == zero {
+            if upright { Self::SleepingUnstable } else { Self::Aperiodic }
+        } else {
+            Self::Nutating
+        }
+    }
+
+    /// Whether the motion is a regular precession: u is constant and the axis is not vertical.
+    #[must_use]
+    pub fn is_regular_precession(&self) -> bool {
+        matches!(self, Self::SlowPrecession | Self::FastPrecession)
+    }
+
+    /// Whether the axis is vertical at all times; the tip angle does not exist then.
+    #[must_use]
+    pub fn is_vertical(&self) -> bool {
+        matches!(self, Self::SleepingStable | Self::SleepingUnstable | Self::Hanging)
+    }
+}
+
+/// Whether the oscillation of the tilt is larger than the rounding of a state. A motion through the vertical always
+/// counts as an oscillation.
+fn swings(e: &BranchPoints<DoubleDouble>) -> bool {
+    const STILL: f64 = 1.0 / (1_u64 << 49) as f64;
+    let zero = DoubleDouble::ZERO;
+    let passes_vertical = e.one_minus_e2 == zero || e.one_plus_e1 == zero;
+    let sine_squared = e.one_minus_e1() * e.one_plus_e2();
+    let visible = e.e2_minus_e1.squared() > DoubleDouble::from(STILL * STILL) * sine_squared;
+    e.e2_minus_e1 > zero && (visible || passes_vertical)
+}

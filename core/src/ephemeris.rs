@@ -1,0 +1,64 @@
+//! Ephemeris: the motion at any tick, from a table of short polynomials and three integer phases.
+//!
+//! The evaluation of a tick takes these steps: the nutation phase (an integer) gives a cell, a segment and the local
+//! coordinate on it; four polynomials are evaluated by Horner's rule; α and β are rotated by the slow phases (also
+//! integers). There is no square root, no division, no library function and no loop whose length depends on data.
+//! Every tick has the same cost, and the error does not grow with the number of ticks except by the rounding of the
+//! rates.
+
+// Set-up: from a motion to a table.
+mod cell;
+
+mod tick;
+
+mod mean_rates;
+
+mod economise;
+
+mod seek;
+
+mod speeds;
+
+mod tabulate;
+
+mod evaluation;
+
+mod error_bound;
+
+mod table;
+
+// Data of an ephemeris, and their evaluation.
+mod clock;
+
+mod storage;
+
+mod sample;
+
+mod tip_angle;
+
+mod set_up;
+
+mod batch;
+
+mod cursor;
+
+mod turning_point;
+
+mod crc32;
+
+mod baked;
+
+pub use baked::{Baked, BakedError, TableData};
+pub use clock::{Clock, TipClock};
+pub use cursor::{Cursor, Samples};
+pub use error_bound::ErrorBound;
+#[cfg(feature = "micromath")]
+pub use evaluation::Micromath;
+pub use evaluation::{EphemerisScalar, SegmentPoint};
+pub use sample::Sample;
+pub use storage::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisStorage, EphemerisView};
+#[cfg(feature = "fixed")]
+pub use storage::{EphemerisQ15, EphemerisQ31};
+pub use table::TableTooSmall;
+pub use tick::Tick;
+pub use turning_point::TurningPoint;

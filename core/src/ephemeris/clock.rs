@@ -1,0 +1,257 @@
+//! Clock of an ephemeris: the phases at any tick, and at any time between two ticks.
+
+use crate::constants::Regime;
+use crate::ephemeris::cell::CELLS;
+use crate::ephemeris::error_bound::missed_by;
+use crate::ephemeris::mean_rates::MeanRates;
+use crate::ephemeris::tabulate::Tabulated;
+use crate::ephemeris::tick::Tick;
+use crate::motion::Motion;
+use crate::phase::{Phase, PhaseFraction, whole_number};
+use crate::scalar::{DoubleDouble, Float, Ring};
+
+/// Phases at tick 0, their increments per tick, and the scales of lengths and rates, as plain numbers: see
+/// `docs/table_format.md`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)] // the increments lie first, within the short address range of the smallest chip's load instructions
+pub struct Clock<W> {
+    /// Increments per tick of nutation phase, A and B, in units of 2^-96 turns: words of 32 bits, the least
+    /// significant first.
+    pub step: [[u32; 3]; 3],
+    /// Scale of the tip curve, 2 s in m; 2 for a fixed tip.
+    pub tip_scale: W,
+    /// Nutation phase, A and B at tick `i64::MIN`, from which ticks are counted by unsigned numbers; in units of
+    /// 2^-64 turns.
+    pub first: [u64; 3],
+    /// First and last tick between which the phase of an aperiodic motion changes; `None` for other motions.
+    pub horizon: Option<[i64; 2]>,
+    /// Increments per tick of nutation phase, A and B in turns, whole turns included, each as the sum of two `f64`.
+    pub exact_step: [[f64; 2]; 3],
+    /// Number of ticks in a unit of time, as the sum of two `f64`.
+    pub ticks_per_time: [f64; 2],
+    /// Rate dx/dt on a cell of one segment, and the mean rates of A and B in rad, per unit time.
+    pub rates: [W; 3],
+    /// Clock of the mean tip angle.
+    pub tip: TipClock,
+    /// Whether u has turning points; false where u is constant to 2^-49.
+    pub turns: bool,
+}
+
+/// Mean tip angle at any tick, whole turns included, as plain numbers: see `docs/table_format.md`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
+pub struct TipClock {
+    /// Mean tip angle at tick 0, in units of 2^-96 turns: words of 32 bits, the least significant first.
+    pub start: [u32; 4],
+    /// Increment of the mean tip angle per tick, in units of 2^-96 turns: words of 32 bits, the least significant
+    /// first.
+    pub step: [u32; 4],
+    /// Quarter turns of the argument of the tabulated αβ at u = e₁: 0, or 1 or -1 where α passes through 0 there (e₁
+    /// = -1).
+    pub quarter: i8,
+    /// Number of parameters that pass through 0 instead of winding around it: 0, 1 or 2.
+    pub passes: u8,
+    /// Whether the tip angle exists; false where the axis is vertical at all times.
+    pub exists: bool,
+}
+
+impl TipClock {
+    const STOPPED: Self = Self { start: [0; 4], step: [0; 4], quarter: 0, passes: 0, exists: false };
+
+    /// Mean tip angle at tick n.
+    #[inline(always)]
+    pub(crate) fn at(&self, n: i64) -> Phase {
+        Phase::from_words(self.start) + Phase::from_words(self.step).times(n)
+    }
+
+    /// Mean tip angle after `whole` ticks, given as the sum of two numbers, and a fraction `share` in [0, 1) of the
+    /// next tick.
+    pub(crate) fn between(&self, whole: [f64; 2], share: DoubleDouble) -> Phase {
+        let [leading, rest] = whole;
+        let ticks = whole_number(leading).wrapping_add(whole_number(rest));
+        let turned = Phase::from_words(self.step).to_bits().wrapping_mul(ticks);
+        Phase::from_words(self.start)
+            + Phase::from_bits(turned)
+            + Phase::new(Phase::from_words(self.step).to_f64() * share.to_f64())
+    }
+
+    fn new(motion: &Motion, rates: &MeanRates, exact_step: [DoubleDouble; 3]) -> Self {
+        let [nutation, a, b] = exact_step;
+        let [alpha, beta] = motion.windings();
+        let passes = u8::from(alpha == 0) + u8::from(beta == 0);
+        // the mean rates of A and B include half a turn per period for a parameter that passes through 0; the tip
+        // angle does not
+        let halves = if rates.returns {
+            nutation * DoubleDouble::from(0.5 * f64::from(passes))
+        } else {
+            DoubleDouble::ZERO
+        };
+        Self {
+            start: [0; 4],
+            step: (a + b - halves).to_phase().words(),
+            quarter: if alpha == 0 { motion.signs().l_plus_n.factor() as i8 } else { 0 },
+            passes: if rates.returns { passes } else { 0 },
+            exists: !motion.regime().is_vertical(),
+        }
+    }
+}
+
+impl<W: Float> Clock<W> {
+    /// Clock before its set-up; all increments are 0.
+    pub(crate) const STOPPED: Self = Self {
+        step: [[0; 3]; 3],
+        tip_scale: W::ZERO,
+        first: [0; 3],
+        horizon: None,
+        exact_step: [[0.0; 2]; 3],
+        ticks_per_time: [0.0; 2],
+        rates: [W::ZERO; 3],
+        tip: TipClock::STOPPED,
+        turns: false,
+    };
+
+    pub(crate) fn new(motion: &Motion, tick: Tick, rates: &MeanRates, tabulated: &Tabulated) -> Self {
+        let length = tick.length();
+        let exact_step = rates.turns.map(|turns| turns * length);
+        let [frequency, alpha, beta] = rates.turns.map(Float::to_f64);
+        let turn = 2.0 * core::f64::consts::PI;
+        // half a period has CELLS cells, and x changes by 2 over a cell of one segment
+        let x_rate = 4.0 * CELLS as f64 * frequency;
+        let step = exact_step.map(DoubleDouble::to_phase);
+        let [nutation, a, b] = tabulated.start;
+        let [nutation_step, a_step, b_step] = step.map(|step| step.times(i64::MIN));
+        let parts = |sum: DoubleDouble| [sum.hi(), sum.lo()];
+        Self {
+            first: [nutation + nutation_step, a + a_step, b + b_step].map(Phase::fraction),
+            step: step.map(|step| PhaseFraction::of(step).words()),
+            exact_step: exact_step.map(parts),
+            ticks_per_time: parts(tick.rate()),
+            horizon: (!rates.returns).then(|| horizon(tabulated.start[0], exact_step[0])),
+            tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
+            rates: [x_rate, turn * alpha, turn * beta].map(W::from_f64),
+            tip: TipClock::new(motion, rates, exact_step),
+            turns: matches!(motion.regime(), Regime::Nutating | Regime::Aperiodic),
+        }
+    }
+}
+
+impl<W> Clock<W> {
+    /// Increments per tick of nutation phase, A and B.
+    #[inline(always)]
+    pub(crate) fn steps(&self) -> [PhaseFraction; 3] {
+        self.step.map(PhaseFraction::new)
+    }
+
+    /// Increments per tick of nutation phase, A and B in turns, whole turns included.
+    pub(crate) fn exact_steps(&self) -> [DoubleDouble; 3] {
+        self.exact_step.map(|[hi, lo]| DoubleDouble::from_parts(hi, lo))
+    }
+
+    /// Rounding errors of the increments, in turns: exact minus rounded.
+    pub(crate) fn missed(&self) -> [f64; 3] {
+        self.exact_steps().map(|exact| missed_by(exact.to_phase(), exact))
+    }
+
+    /// Increments per tick of nutation phase, A and B in turns, rounded to `f64`.
+    pub(crate) fn turns_per_tick(&self) -> [f64; 3] {
+        self.exact_steps().map(Float::to_f64)
+    }
+
+    /// Largest whole number of ticks until a time, as the sum of two `f64`, and the remainder in [0, 1). A time that
+    /// is not finite counts as 0.
+    pub(crate) fn ticks(&self, t: f64) -> ([f64; 2], DoubleDouble) {
+        let [hi, lo] = self.ticks_per_time;
+        let time = if t.is_finite() { t } else { 0.0 };
+        (DoubleDouble::from_parts(hi, lo) * time.into()).floor_and_rest()
+    }
+
+    /// Nutation phase, A and B at tick n.
+    #[inline(always)]
+    pub(crate) fn at(&self, n: i64) -> [PhaseFraction; 3] {
+        let since_first = n.wrapping_sub(i64::MIN) as u64;
+        let after =
+            |first: u64, step: [u32; 3]| PhaseFraction::new(step).times(since_first).plus_leading(first);
+        let [nutation, a, b] = &self.first;
+        // by reference: an array of all steps would take nine registers at once
+        let [nutation_step, a_step, b_step] = &self.step;
+        let nutation = match self.horizon.and_then(|horizon| stopped(horizon, n)) {
+            None => after(*nutation, *nutation_step),
+            Some(stopped) => stopped,
+        };
+        [nutation, after(*a, *a_step), after(*b, *b_step)]
+    }
+
+    /// Phases after `whole` ticks, given as a sum of two numbers, and a fraction `share` in [0, 1) of the next tick.
+    pub(crate) fn between(&self, whole: [f64; 2], share: DoubleDouble) -> [PhaseFraction; 3] {
+        let [leading, rest] = whole;
+        let ticks = whole_number(leading).wrapping_add(whole_number(rest));
+        // at 2^127 or more, the number modulo 2^128 no longer determines the sign
+        let countable = Float::abs(leading) < TWO_TO_100;
+        match i64::try_from(ticks) {
+            Ok(n) if countable => self.near(n, share),
+            _ => self.beyond(ticks, leading > 0.0, share),
+        }
+    }
+
+    /// Phases at ticks outside the range of `i64`: the increments times the number of ticks modulo 2^96, which drops
+    /// whole turns. An aperiodic motion keeps its last or first phases.
+    #[cold]
+    #[inline(never)]
+    fn beyond(&self, ticks: i128, future: bool, share: DoubleDouble) -> [PhaseFraction; 3] {
+        let since_first = ticks.wrapping_sub(i64::MIN.into());
+        let after = |first: u64, step: PhaseFraction, exact: DoubleDouble| {
+            let turned = step.to_phase().to_bits().wrapping_mul(since_first);
+            let part = PhaseFraction::of((exact * share).to_phase());
+            PhaseFraction::of(Phase::from_bits(turned)).plus_leading(first).plus(part)
+        };
+        let ([nutation, a, b], [nutation_step, a_step, b_step]) = (self.first, self.steps());
+        let [exact_nutation, exact_a, exact_b] = self.exact_steps();
+        let nutation = match (self.horizon, future) {
+            (None, _) => after(nutation, nutation_step, exact_nutation),
+            (Some(_), true) => PhaseFraction::ALMOST_HALF,
+            (Some(_), false) => PhaseFraction::HALF,
+        };
+        [nutation, after(a, a_step, exact_a), after(b, b_step, exact_b)]
+    }
+
+    /// Phases at tick n plus a fraction `share` in [0, 1) of the next tick.
+    fn near(&self, n: i64, share: DoubleDouble) -> [PhaseFraction; 3] {
+        let [nutation_part, a_part, b_part] = self.exact_steps().map(|step| (step * share).to_phase());
+        let [nutation, a, b] = self.at(n);
+        let nutation = match self.horizon {
+            None => nutation.plus(PhaseFraction::of(nutation_part)),
+            // the time may be later than the first tick's phase: the phases are computed backwards from that tick
+            Some([first, _]) if n.saturating_add(1) == first => {
+                let ([next, ..], [step, ..]) = (self.at(first), self.exact_steps());
+                PhaseFraction::clamping(
+                    next.to_signed_phase() + (step * (share - DoubleDouble::ONE)).to_phase(),
+                )
+            }
+            Some([first, _]) if n < first => nutation,
+            Some(_) => PhaseFraction::clamping(nutation.to_signed_phase() + nutation_part),
+        };
+        [nutation, a.plus(PhaseFraction::of(a_part)), b.plus(PhaseFraction::of(b_part))]
+    }
+}
+
+/// 2^100.
+const TWO_TO_100: f64 = (1_u128 << 100) as f64;
+
+/// Nutation phase of an aperiodic motion before and after its horizon; `None` between.
+#[cold]
+#[inline(never)]
+fn stopped([first, last]: [i64; 2], n: i64) -> Option<PhaseFraction> {
+    match n {
+        _ if n < first => Some(PhaseFraction::HALF),
+        _ if n > last => Some(PhaseFraction::ALMOST_HALF),
+        _ => None,
+    }
+}
+
+/// First and last tick at which a nutation phase that does not wrap is within half a turn of 0.
+fn horizon(start: Phase, step: DoubleDouble) -> [i64; 2] {
+    /// Half a turn, less a margin for the rounding of the quotient; a phase within the margin may count as the end.
+    const HALF: f64 = 0.5 - 1e-15;
+    let ticks = |turns: f64| (turns - start.to_f64()) / step.to_f64();
+    [libm::ceil(ticks(-HALF)) as i64, libm::floor(ticks(HALF)) as i64]
+}

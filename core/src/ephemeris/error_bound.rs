@@ -1,0 +1,163 @@
+//! Error bound of an ephemeris; `core/docs/error_bound.md` derives every term.
+
+use crate::ephemeris::cell::CELLS;
+use crate::ephemeris::evaluation::EphemerisScalar;
+use crate::ephemeris::mean_rates::MeanRates;
+use crate::ephemeris::speeds::Speeds;
+use crate::ephemeris::tabulate::Tabulated;
+use crate::phase::Phase;
+use crate::scalar::{DoubleDouble, Float, Scalar};
+
+/// Upper bound on the orientation error 2 √(|Δα|² + |Δβ|²), rad, against the truth of the very numbers of the launch: at tick n
+/// `constant + |n| per_tick`, [`ErrorBound::after`].
+///
+/// The increments, and the ticks of `f32` and of fixed point, are bounded by the worst case of every rounding. The roundings of
+/// set-up, and of the tick in `f64`, are bounded by five standard deviations of a sum of independent roundings, the remainders of
+/// series and quadratures by their last terms: these are estimates. The page `docs/error_bound.md` derives the terms one by
+/// one and says which of them are proved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ErrorBound {
+    /// Error at tick 0, from the polynomials, from set-up and from the evaluation, rad.
+    pub constant: f64,
+    /// Growth of the error per tick away from tick 0, from the rounding of the rates and of the increments, rad.
+    pub per_tick: f64,
+}
+
+/// One turn in rad.
+const TURN: f64 = 2.0 * core::f64::consts::PI;
+
+/// Variance of the orientation error from roundings of set-up that do not depend on the motion, in units of (2^-53
+/// rad)².
+const FIXED_VARIANCE: f64 = 8.0;
+/// Standard deviation of the delay that a step through the segments makes, over the sum of the sizes of its terms, in units of
+/// 2^-53. Not derived: raised until no launch of the studies exceeded the bound.
+const DELAY: f64 = 4.0;
+/// Standard deviation of the error of θ that a step makes, over the sum of the sizes of its terms, in units of 2^-53. Not derived
+/// either.
+const ANGLE: f64 = 1.5;
+/// Standard deviation of the relative rounding error of the half phase at the start, in units of 2^-53.
+const START: f64 = 1.0;
+/// Standard deviation of the relative rounding error of a coefficient other than the first, in units of 2^-53.
+const COEFFICIENT: f64 = 4.0;
+/// Relative error of the `f64` nearest to 1/2π, in units of 2^-53. It is common to all conversions from rad to turns.
+const PER_TURN: f64 = 0.56;
+/// Number of standard deviations in the bound.
+const DEVIATIONS: f64 = 5.0;
+
+impl ErrorBound {
+    /// Upper bound on the error, rad, at a number of ticks from tick 0, which may be fractional and of either sign.
+    #[must_use]
+    pub fn after(&self, ticks: f64) -> f64 {
+        self.constant + self.per_tick * Float::abs(ticks)
+    }
+
+    /// Error bound of a table with this tick length, whose increments differ by `missed` turns from the rates.
+    pub(crate) fn of<R: EphemerisScalar>(
+        rates: &MeanRates,
+        tabulated: &Tabulated,
+        length: f64,
+        missed: [f64; 3],
+    ) -> Self {
+        let Tabulated { truncation, speeds, .. } = *tabulated;
+        let tick = R::TICK_ERROR + R::SLOPE_ROUNDING * speeds.steepness;
+        let place = R::PLACE_ROUNDING * speeds.sweep / CELLS as f64;
+        let rise = if rates.returns { 0.0 } else { rates.rounding };
+        let rounded = rounded::<R>(tabulated);
+        let rounded = if rounded > tabulated.defect { rounded } else { tabulated.defect };
+        Self {
+            constant: truncation + tick + place + rise + rounded + Self::of_phases(tabulated, [CLOCK; 3]),
+            per_tick: Self::per_tick(rates, tabulated, length, missed),
+        }
+    }
+
+    fn per_tick(rates: &MeanRates, tabulated: &Tabulated, length: f64, missed: [f64; 3]) -> f64 {
+        let mut errors = missed;
+        for (error, of_rate) in errors.iter_mut().zip(rates.errors) {
+            *error = Float::abs(*error) + of_rate * length;
+        }
+        Self::of_phases(tabulated, errors)
+    }
+
+    /// Orientation error, rad, caused by these errors of the three phases, in turns. The error of the nutation phase
+    /// is multiplied by the greatest speed; of the slow phases only the larger error counts, because |α|² + |β|² = 1.
+    fn of_phases(tabulated: &Tabulated, [nutation, alpha, beta]: [f64; 3]) -> f64 {
+        let slow = if alpha > beta { alpha } else { beta };
+        2.0 * (tabulated.speeds.sweep * nutation + TURN * slow)
+    }
+}
+
+/// Error of the phases at a tick, in turns: the phases of the first tick and of the current tick are each truncated
+/// to 2^-64.
+const CLOCK: f64 = 1.0 / (1_u64 << 63) as f64;
+
+/// Orientation error, rad, of all arithmetic in `f64`: the part common to all steps, plus five standard deviations of
+/// the independent part.
+fn rounded<R: EphemerisScalar>(tabulated: &Tabulated) -> f64 {
+    const ROUNDING: f64 = <f64 as Scalar>::ROUNDING;
+    let tick = R::TICK_DEVIATION / ROUNDING;
+    let Speeds { sweep, turning, steepness } = tabulated.speeds;
+    let [delays, angles] = tabulated.squares;
+    let steps =
+        DELAY * DELAY * delays * sweep * sweep + ANGLE * ANGLE * (delays * turning * turning + 4.0 * angles);
+    let start = START * tabulated.speeds.delay(tabulated.start_share);
+    let coefficients = COEFFICIENT * steepness;
+    let variance = FIXED_VARIANCE + tick * tick + steps + start * start + coefficients * coefficients;
+    let systematic = PER_TURN * (sweep + TURN);
+    (systematic + DEVIATIONS * Float::sqrt(variance)) * ROUNDING
+}
+
+/// Exact step minus increment, in turns; whole turns are ignored.
+pub(crate) fn missed_by(increment: Phase, exact: DoubleDouble) -> f64 {
+    let bits = increment.to_bits();
+    let leading = bits as f64;
+    let rest = bits.wrapping_sub(leading as i128) as f64;
+    let held = DoubleDouble::new(leading * Phase::RESOLUTION, rest * Phase::RESOLUTION);
+    let missed = (exact - held).to_f64();
+    missed - libm::round(missed)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ephemeris::speeds::Speeds;
+    use crate::scalar::Ring;
+
+    /// Errors of the rates far above the rounding of the increments: the bound must contain each of them completely.
+    #[test]
+    fn the_rates_errors_are_in_it() {
+        let speeds = Speeds { sweep: 5.0, turning: 3.0, steepness: 0.1 };
+        let tabulated = Tabulated { speeds, ..Tabulated::EMPTY };
+        let nothing = DoubleDouble::ZERO;
+        let rates = |errors| MeanRates {
+            half_period: DoubleDouble::ONE,
+            returns: true,
+            theta_offset: [nothing; 2],
+            turns: [DoubleDouble::ONE; 3],
+            errors,
+            rounding: <f64 as Scalar>::ROUNDING,
+        };
+        let per_tick =
+            |errors, missed| ErrorBound::of::<f64>(&rates(errors), &tabulated, 0.5, missed).per_tick;
+        for (errors, allowed) in [
+            ([1e-20, 0.0, 0.0], 5e-20),
+            ([0.0, 1e-20, 0.0], TURN * 1e-20),
+            ([0.0, 0.0, 1e-20], TURN * 1e-20),
+            ([1e-20; 3], (5.0 + TURN) * 1e-20),
+        ] {
+            assert!((per_tick(errors, [0.0; 3]) / allowed - 1.0).abs() < 1e-12, "{errors:?}");
+        }
+        assert!((per_tick([0.0; 3], [-1e-29; 3]) / (2.0 * (5.0 + TURN) * 1e-29) - 1.0).abs() < 1e-12);
+        assert_eq!(per_tick([0.0; 3], [0.0; 3]), 0.0);
+    }
+
+    #[test]
+    fn what_an_increment_misses_is_known_to_the_last_place() {
+        let third = DoubleDouble::ONE / DoubleDouble::from(3.0);
+        let missed = missed_by(third.to_phase(), third) / Phase::RESOLUTION;
+        assert!((missed - 1.0 / 3.0).abs() < 1e-3, "{missed}");
+        // whole turns beyond 2^32 do not matter
+        let far = third + DoubleDouble::from(2_f64.powi(40));
+        assert!(missed_by(far.to_phase(), far).abs() < 1e-18);
+    }
+}

@@ -1,0 +1,90 @@
+//! Evaluation of a segment: the coefficients of a scalar, and α and β from them.
+
+mod float;
+
+mod integer;
+
+#[cfg(feature = "fixed")]
+mod narrow;
+
+#[cfg(feature = "fixed")]
+mod fixed_point;
+
+#[cfg(feature = "micromath")]
+mod micromath;
+
+#[cfg(feature = "micromath")]
+pub use micromath::Micromath;
+
+use crate::complex::Complex;
+use crate::scalar::{Real, Scalar};
+use core::fmt::Debug;
+
+/// Local coordinate on a segment, and the mean rotations of α and β there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(hidden)]
+pub struct SegmentPoint {
+    /// Local coordinate on the segment: x·2^63 with x in [-1, 1).
+    pub x: i64,
+    /// Local coordinate times 2^31, rounded down to a multiple of 2^-36 of half a period.
+    pub short_x: i32,
+    /// Whether u is falling. Apart from their mean rotation, α and β are then the complex conjugates of the tabulated
+    /// values.
+    pub mirrored: bool,
+    /// Mean rotations of α and β: the 64 leading bits of a fraction of a turn.
+    pub slow: [u64; 2],
+}
+
+/// Scalar of an ephemeris: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
+///
+/// `f64` is evaluated in floating point. `f32` and fixed point are evaluated in 32-bit integers. Their error is a
+/// quarter of that of `f32` arithmetic; they are as fast as an `f32` unit and several times as fast as its emulation.
+pub trait EphemerisScalar: Scalar {
+    /// Coefficient as the table holds it.
+    type Coefficient: Copy + Debug + PartialEq;
+    /// Segment type: coefficients of Re α, Im α, Re β and Im β side by side, lowest power first.
+    type Segment: Copy + Debug + PartialEq + AsRef<[[Self::Coefficient; 4]]> + AsMut<[[Self::Coefficient; 4]]>;
+    /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small for them.
+    type Wide: Real;
+
+    /// Number of coefficients of a polynomial, its degree plus one.
+    const TERMS: usize;
+    /// Segment whose coefficients are all 0.
+    #[doc(hidden)]
+    const ZERO_SEGMENT: Self::Segment;
+    /// Code of the scalar in table data: see `docs/table_format.md`.
+    #[doc(hidden)]
+    const CODE: u32;
+    /// Upper bound on the rounding error of a tick, as an orientation error in rad, without the errors that the next
+    /// constants describe.
+    #[doc(hidden)]
+    const TICK_ERROR: f64;
+    /// Standard deviation of the random rounding error of a tick in floating point, as an orientation error in rad.
+    #[doc(hidden)]
+    const TICK_DEVIATION: f64;
+    /// Upper bound on a further rounding error of a tick, over the greatest change of the orientation on half a
+    /// segment.
+    #[doc(hidden)]
+    const SLOPE_ROUNDING: f64;
+    /// Upper bound on the truncation of the local coordinate in a tick, as a fraction of a cell.
+    #[doc(hidden)]
+    const PLACE_ROUNDING: f64;
+
+    /// Coefficient of x^power nearest to a value.
+    #[doc(hidden)]
+    fn coefficient(value: f64, power: usize) -> Self::Coefficient;
+    /// Error of a polynomial caused by its coefficients; infinite where a sum could overflow, and 0 in floating
+    /// point.
+    #[doc(hidden)]
+    fn coefficient_error(polynomial: &[f64]) -> f64;
+    /// Value of a coefficient of x^power.
+    #[doc(hidden)]
+    fn number(coefficient: Self::Coefficient, power: usize) -> Self::Wide;
+    /// Value in the wide type.
+    #[doc(hidden)]
+    fn widened(self) -> Self::Wide;
+    /// α and β at a point of a segment.
+    #[doc(hidden)]
+    fn alpha_beta(terms: &[[Self::Coefficient; 4]], point: SegmentPoint) -> [Complex<Self>; 2];
+}

@@ -1,0 +1,197 @@
+//! `f32` and 32-bit fixed point: sums and rotations in integers, with the same bits on every chip.
+//!
+//! A coefficient of x^k is stored as c·2^(31+k). The upper word of its product with x·2^31 has half the scale, which
+//! is the scale of the next lower coefficient, so a step of Horner's rule is one product and one sum. No step
+//! overflows if the sum of the |c_j| for j >= k is below 2^-k for all k >= 1; set-up counts an excess as an error of
+//! the table. The last sum, |α| <= 1, saturates, because a polynomial may exceed 1 by its error.
+//!
+//! The coefficients of the upper half of the powers are so small, where the error of a table is 2^-31, that 16 bits
+//! of x are enough for them, which takes less than half the time on the smallest chip. Set-up verifies this for every
+//! table.
+
+use crate::complex::Complex;
+use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint};
+use crate::product::{high_product, high_product_of_less, short_product};
+use crate::scalar::sine_cosine_q26;
+
+/// Unit of the results of [`alpha_beta`], 2^-30.
+const UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
+
+/// Upper bound on the error of [`alpha_beta`] as an orientation error, if the sines were exact: up to π units from
+/// truncating the phases to 32 bits, 4 from the sums (up to 1 unit for each of four, from its coefficients and
+/// products), 2 from the short products, and 8 from the rotations (up to 2 units for each of four results, truncated
+/// in two products).
+pub(crate) const ERROR: f64 = 17.2 * UNIT;
+
+/// Upper bound on the orientation error caused by errors of sine and cosine, over their error: 2 √2.
+pub(crate) const PER_SINE: f64 = 2.83;
+
+/// Upper bound on the error with the sines of [`crate::scalar::sine_cosine_q31`], which have an error of 2.45 units
+/// of 2^-31.
+#[cfg(feature = "fixed")]
+pub(crate) const ERROR_Q31: f64 = ERROR + PER_SINE * 1.23 * UNIT;
+
+/// Truncation of [`SegmentPoint::short_x`].
+pub(crate) const PLACE_ROUNDING: f64 = 1.0 / (1_u64 << 32) as f64;
+
+/// Error of a polynomial from short products that set-up accepts without counting it as an error of the table.
+const SHORT_ERROR: f64 = 0.5 * UNIT;
+
+/// Margin of 2^-15 plus some thousand roundings of a coefficient.
+pub(crate) const MARGIN: f64 = 3.2e-5;
+
+/// Nearest coefficient of x^power, plus half a unit to compensate for the product that is rounded down and added. The
+/// constant coefficient has no such half unit: [`alpha_beta`] can mirror a last sum that is half a unit low without a
+/// carry.
+pub(crate) fn coefficient(value: f64, power: usize) -> i32 {
+    let rounding = if power == 0 { 0.5 } else { 1.0 };
+    libm::floor(value * (1_u64 << (31 + power)) as f64 + rounding) as i32
+}
+
+/// Value of a [`coefficient`].
+pub(crate) fn number(coefficient: i32, power: usize) -> f64 {
+    f64::from(coefficient) / (1_u64 << (31 + power)) as f64
+}
+
+/// Whether 16 bits of x are enough for a sum that is multiplied by this power of x.
+#[inline(always)]
+const fn is_short(power: usize, terms: usize) -> bool {
+    2 * power > terms
+}
+
+/// Amount by which a polynomial's error from short products can exceed [`SHORT_ERROR`]; x is truncated by up to
+/// 2^-15.
+pub(crate) fn shortfall(polynomial: &[f64]) -> f64 {
+    let mut sum = 0.0;
+    let mut sums = 0.0;
+    for (power, value) in polynomial.iter().enumerate().rev() {
+        sum += libm::fabs(*value);
+        if is_short(power, polynomial.len()) {
+            sums += sum;
+        }
+    }
+    (sums / 32768.0 - SHORT_ERROR).max(0.0)
+}
+
+/// Infinite where a sum of the polynomial could overflow, with a margin for the rounding of the coefficients, because
+/// the error after an overflow is unbounded; otherwise 0.
+pub(crate) fn overflow(polynomial: &[f64], margin: f64) -> f64 {
+    let mut sum = 0.0;
+    let mut excess = 0.0_f64;
+    for (power, value) in polynomial.iter().enumerate().skip(1).rev() {
+        sum += libm::fabs(*value);
+        excess = excess.max(sum - (1.0 - margin) / (1_u64 << power) as f64);
+    }
+    if excess > 0.0 { f64::INFINITY } else { 0.0 }
+}
+
+/// Re α, Im α, Re β and Im β in units of 2^-30, with sines in units of 2^-31.
+#[inline(always)]
+pub(crate) fn alpha_beta(
+    terms: &[[i32; 4]],
+    point: SegmentPoint,
+    sine_cosine: impl Fn(u32) -> (i32, i32),
+) -> [i32; 4] {
+    let x = point.short_x;
+    let mask = -i32::from(point.mirrored);
+    let [a, b] = point.slow.map(|phase| (phase >> 32) as u32);
+    let turned = |[re, im]: [i32; 2], phase| rotated([re, im ^ mask], sine_cosine(phase));
+    let ([re_alpha, im_alpha], [re_beta, im_beta]) = if FOUR_AT_A_TIME {
+        let [re_alpha, im_alpha, re_beta, im_beta] = sums(terms, x, |four| *four);
+        (turned([re_alpha, im_alpha], a), turned([re_beta, im_beta], b))
+    } else {
+        let beta = turned(sums(terms, x, |&[_, _, re, im]| [re, im]), b);
+        (turned(sums(terms, x, |&[re, im, _, _]| [re, im]), a), beta)
+    };
+    [re_alpha, im_alpha, re_beta, im_beta]
+}
+
+/// Whether the four polynomials are evaluated together. This suits the vector units of large processors; the smallest
+/// chips have too few registers for it.
+const FOUR_AT_A_TIME: bool = cfg!(target_pointer_width = "64");
+
+/// Polynomials by Horner's rule. (A row of coefficients is borrowed because the compiler then recognises a vector.)
+#[inline(always)]
+fn sums<const N: usize>(terms: &[[i32; 4]], x: i32, of: impl Fn(&[i32; 4]) -> [i32; N]) -> [i32; N] {
+    let [constant, higher @ ..] = terms else { return [0; N] };
+    let mut sums = [0; N];
+    for (power, coefficients) in higher.iter().enumerate().map(|(below, four)| (below + 2, four)).rev() {
+        let short = is_short(power, terms.len());
+        for (sum, c) in sums.iter_mut().zip(&of(coefficients)) {
+            *sum = c + if short { short_product(*sum, x) } else { high_product_of_less(*sum, x) };
+        }
+    }
+    for (sum, c) in sums.iter_mut().zip(of(constant)) {
+        *sum = c.saturating_add(high_product_of_less(*sum, x));
+    }
+    sums
+}
+
+/// Rotated number, from units of 2^-31 to units of 2^-30, which avoids overflow up to √2. (A sum is half a unit low,
+/// so its bitwise complement represents its negative.)
+#[inline(always)]
+fn rotated([re, im]: [i32; 2], (sine, cosine): (i32, i32)) -> [i32; 2] {
+    [high_product(re, cosine) + high_product(!im, sine), high_product(re, sine) + high_product(im, cosine)]
+}
+
+impl EphemerisScalar for f32 {
+    type Coefficient = i32;
+    type Segment = [[i32; 4]; 5];
+    type Wide = Self;
+
+    const TERMS: usize = 5;
+    const ZERO_SEGMENT: Self::Segment = [[0; 4]; 5];
+    const CODE: u32 = 32;
+    /// Error of the integer evaluation, of the sines (25 units of 2^-31), and of the conversion to `f32` (2^-24,
+    /// relative).
+    const TICK_ERROR: f64 = ERROR + PER_SINE * 12.5 * UNIT + f32::EPSILON as f64;
+    const TICK_DEVIATION: f64 = 0.0;
+    const SLOPE_ROUNDING: f64 = 0.0;
+    const PLACE_ROUNDING: f64 = PLACE_ROUNDING;
+
+    fn coefficient(value: f64, power: usize) -> i32 {
+        coefficient(value, power)
+    }
+
+    fn coefficient_error(polynomial: &[f64]) -> f64 {
+        overflow(polynomial, MARGIN) + shortfall(polynomial)
+    }
+
+    fn number(held: i32, power: usize) -> Self {
+        number(held, power) as Self
+    }
+
+    fn widened(self) -> Self {
+        self
+    }
+
+    #[inline(always)]
+    fn alpha_beta(terms: &[[i32; 4]], point: SegmentPoint) -> [Complex<Self>; 2] {
+        let [re_alpha, im_alpha, re_beta, im_beta] =
+            alpha_beta(terms, point, sine_cosine_q26).map(|value| value as Self * UNIT as Self);
+        [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// With six terms the products with the fourth and the fifth power are short, and the sum of the lower one
+    /// contains both.
+    #[test]
+    fn what_short_products_lose() {
+        assert_eq!(shortfall(&[9.0, 9.0, 9.0, 9.0, -300.0, 500.0]), 1300.0 / 32768.0 - SHORT_ERROR);
+        assert_eq!(shortfall(&[1.0, 0.5, 0.25, 0.1, 0.0, 1e-9]), 0.0);
+        // in range, but the short products are not accurate enough
+        let steep = [0.0, 0.0, 0.0, 0.0, 0.02, 0.01];
+        assert_eq!(<f32 as EphemerisScalar>::coefficient_error(&steep), 0.04 / 32768.0 - SHORT_ERROR);
+    }
+
+    #[test]
+    fn sums_stay_below_their_powers_by_a_margin() {
+        assert_eq!(overflow(&[9.0, 0.4994, 0.0], 1e-3), 0.0);
+        assert_eq!(overflow(&[9.0, 0.4996, 0.0], 1e-3), f64::INFINITY);
+        assert_eq!(overflow(&[9.0, 0.2, -0.2499, 0.0], 1e-3), f64::INFINITY);
+    }
+}

@@ -1,0 +1,161 @@
+//! `f32` with the functions of the crate micromath: a scalar for the benchmarks only.
+//!
+//! Its sines have an error of 1e-3 and its square root of 6 %; the benchmarks show the resulting error of the same
+//! algorithms.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+// names in full wherever `std` has a method of the same name, which would take precedence
+use super::{EphemerisScalar, SegmentPoint};
+use crate::complex::Complex;
+use crate::phase::Phase;
+use crate::scalar::{Float, Real, Ring, Scalar, sealed};
+use micromath::F32Ext;
+
+/// `f32` whose roots, sines, arctangent and exponential are those of micromath.
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+pub struct Micromath(pub f32);
+
+impl From<Micromath> for f64 {
+    fn from(x: Micromath) -> Self {
+        x.0.into()
+    }
+}
+
+impl Add for Micromath {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+}
+
+impl Sub for Micromath {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Self(self.0 - other.0)
+    }
+}
+
+impl Mul for Micromath {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Self(self.0 * other.0)
+    }
+}
+
+impl Div for Micromath {
+    type Output = Self;
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        Self(self.0 / other.0)
+    }
+}
+
+impl Neg for Micromath {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl sealed::Sealed for Micromath {}
+
+impl Ring for Micromath {
+    const ZERO: Self = Self(0.0);
+    const ONE: Self = Self(1.0);
+}
+
+impl Scalar for Micromath {
+    const ROUNDING: f64 = f32::ROUNDING;
+
+    /// The phase is reduced to half a turn in integers, which micromath cannot do; the sine and cosine are those of
+    /// micromath.
+    #[inline]
+    fn sine_cosine(phase: Phase) -> (Self, Self) {
+        let angle =
+            (phase.fraction() >> 32) as u32 as i32 as f32 * (core::f32::consts::PI / (1_u32 << 31) as f32);
+        let (sine, cosine) = F32Ext::sin_cos(angle);
+        (Self(sine), Self(cosine))
+    }
+}
+
+impl Float for Micromath {
+    #[inline]
+    fn from_f64(x: f64) -> Self {
+        Self(x as f32)
+    }
+    #[inline]
+    fn to_f64(self) -> f64 {
+        self.into()
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        if self.0 > 0.0 { Self(F32Ext::sqrt(self.0)) } else { Self::ZERO }
+    }
+}
+
+impl Real for Micromath {
+    #[inline]
+    fn atan2(y: Self, x: Self) -> Self {
+        Self(F32Ext::atan2(y.0, x.0))
+    }
+    #[inline]
+    fn exp(self) -> Self {
+        Self(F32Ext::exp(self.0))
+    }
+    #[inline]
+    fn exp_minus_one(self) -> Self {
+        Self(F32Ext::exp(self.0) - 1.0)
+    }
+}
+
+/// Evaluation of the crate's tables in `f32` with micromath's sines: four polynomials by Horner's rule and two
+/// rotations.
+impl EphemerisScalar for Micromath {
+    type Coefficient = Self;
+    type Segment = [[Self; 4]; 5];
+    type Wide = Self;
+
+    const TERMS: usize = 5;
+    const ZERO_SEGMENT: Self::Segment = [[Self(0.0); 4]; 5];
+    const CODE: u32 = 0;
+    /// Measured error caused by micromath's sines.
+    const TICK_ERROR: f64 = 3e-3;
+    const TICK_DEVIATION: f64 = 0.0;
+    const SLOPE_ROUNDING: f64 = 1.25 * f32::EPSILON as f64;
+    const PLACE_ROUNDING: f64 = 1.0 / (1_u64 << 32) as f64;
+
+    fn coefficient(value: f64, _: usize) -> Self {
+        Self::from_f64(value)
+    }
+
+    fn coefficient_error(_: &[f64]) -> f64 {
+        0.0
+    }
+
+    fn number(coefficient: Self, _: usize) -> Self {
+        coefficient
+    }
+
+    fn widened(self) -> Self {
+        self
+    }
+
+    #[inline]
+    fn alpha_beta(terms: &[[Self; 4]], point: SegmentPoint) -> [Complex<Self>; 2] {
+        let x = Self(point.short_x as f32 * (1.0 / (1_u32 << 31) as f32));
+        let sums = terms.iter().rev().fold([Self::ZERO; 4], |mut sums, coefficients| {
+            for (sum, &c) in sums.iter_mut().zip(coefficients) {
+                *sum = *sum * x + c;
+            }
+            sums
+        });
+        let [re_alpha, im_alpha, re_beta, im_beta] = sums;
+        let sign = |y: Self| if point.mirrored { -y } else { y };
+        let [a, b] = point.slow.map(|phase| Complex::cis(Phase::from_bits(i128::from(phase) << 32)));
+        [Complex::new(re_alpha, sign(im_alpha)) * a, Complex::new(re_beta, sign(im_beta)) * b]
+    }
+}

@@ -1,0 +1,79 @@
+//! Start of a motion on the half period that an ephemeris tabulates.
+
+use crate::ephemeris::mean_rates::rise_time;
+use crate::law::series::Expansion;
+use crate::law::{Law, gudermannian};
+use crate::motion::Motion;
+use crate::motion::NutationVariable;
+use crate::motion::start::chi;
+use crate::phase::Phase;
+use crate::scalar::{DoubleDouble, Float};
+
+/// Data for finding the start of a motion while its half period is tabulated.
+pub(crate) struct StartSearch {
+    /// Half phase of the start, folded into [0, 1/4] turn.
+    chi: Phase,
+    /// Whether u is falling at the start.
+    mirrored: bool,
+    /// Half turns of χ that the folding removed.
+    folded: i64,
+    /// Change of χ at the start, rad, over a relative change of the number that was rounded: χ, its difference from a
+    /// quarter turn, or v.
+    per_rounding: f64,
+    /// Nutation phase of a start beyond the end of the tabulated interval, where 1 - u is below the rounding.
+    beyond: Option<Phase>,
+}
+
+impl StartSearch {
+    pub(crate) fn new(motion: &Motion, law: &Law<DoubleDouble>, half_period: f64) -> Self {
+        match motion.nutation() {
+            NutationVariable::Aperiodic(v) => {
+                let (sine, cosine) = gudermannian(Float::abs(v));
+                let phase = rise_time(&law.cast(), Float::abs(v)) / (2.0 * half_period);
+                let beyond = (phase > 0.5).then_some(Phase::new(phase));
+                let per_rounding = Float::abs(v) * cosine;
+                Self { chi: chi(sine, cosine), mirrored: v < 0.0, folded: 0, per_rounding, beyond }
+            }
+            NutationVariable::Nutating(start) => {
+                let (folded, rest) = start.halves();
+                let mirrored = rest > Phase::QUARTER;
+                let (folded, chi) = if mirrored { (folded + 1, Phase::HALF - rest) } else { (folded, rest) };
+                let rest = Phase::QUARTER - chi;
+                let per_rounding = (if rest < chi { rest } else { chi }).to_radians();
+                Self { chi, mirrored, folded, per_rounding, beyond: None }
+            }
+            NutationVariable::Steady(_) => {
+                Self { chi: Phase::ZERO, mirrored: false, folded: 0, per_rounding: 0.0, beyond: None }
+            }
+        }
+    }
+
+    /// Coordinate x of the start, if it lies in this segment (or the segment is the last).
+    pub(crate) fn within(&self, expansion: &Expansion, last: bool) -> Option<f64> {
+        let miss = |x: f64| (expansion.chi_at(x) - self.chi).to_radians();
+        if miss(1.0) < 0.0 && !last {
+            return None;
+        }
+        const NEWTON_STEPS: usize = 8;
+        Some((0..NEWTON_STEPS).fold(0.0, |x: f64, _| {
+            let slope = expansion.chi_slope(x);
+            if slope > 0.0 { (x - miss(x) / slope).clamp(-1.0, 1.0) } else { x }
+        }))
+    }
+
+    /// Change of x at the start over a relative change of the number that its χ was rounded as.
+    pub(crate) fn per_rounding(&self, expansion: &Expansion, x: f64) -> f64 {
+        let slope = expansion.chi_slope(x);
+        if slope > 0.0 { self.per_rounding / slope } else { 0.0 }
+    }
+
+    /// Nutation phase and mean slow phases at t = 0, from the phase and θ found on the half period.
+    pub(crate) fn start(&self, motion: &Motion, phase: Phase, theta: [Phase; 2]) -> [Phase; 3] {
+        let [alpha, beta] = motion.phases();
+        let mirror = |phase: Phase| if self.mirrored { -phase } else { phase };
+        let phase = mirror(self.beyond.unwrap_or(phase));
+        let half_turns = Phase::HALF.times(self.folded);
+        let [alpha_theta, beta_theta] = theta.map(mirror);
+        [phase, alpha + half_turns - alpha_theta, beta + half_turns - beta_theta]
+    }
+}

@@ -1,0 +1,128 @@
+//! Table of an ephemeris: cells and segments, and their computation from a motion.
+
+use crate::ephemeris::EphemerisScalar;
+use crate::ephemeris::cell::{CELL_BITS, CELLS, Cell};
+use crate::ephemeris::economise::Polynomial;
+use crate::ephemeris::mean_rates::MeanRates;
+use crate::ephemeris::tabulate::{Requirements, Tabulated, tabulate};
+use crate::motion::Motion;
+use core::fmt;
+
+/// Segment that contains a phase, and the local coordinate on it.
+pub(crate) struct LocatedSegment<'a, R: EphemerisScalar> {
+    /// Coefficients, lowest power first.
+    pub(crate) terms: &'a [[R::Coefficient; 4]],
+    /// Local coordinate x·2^63 with x in [-1, 1).
+    pub(crate) x: i64,
+    /// Local coordinate times 2^31, from 32 bits of the fraction of the cell: a multiple of 2^level, rounded down.
+    pub(crate) short_x: i32,
+    /// Index of the segment.
+    pub(crate) number: usize,
+    /// Base-2 logarithm of the number of segments in the cell.
+    pub(crate) level: u32,
+}
+
+/// Segment for a fraction of half a period, given as 64 bits.
+#[inline(always)]
+pub(crate) fn locate<'a, R: EphemerisScalar>(
+    cells: &[u16; CELLS],
+    segments: &'a [R::Segment],
+    share: u64,
+) -> LocatedSegment<'a, R> {
+    let number = (share >> (u64::BITS - CELL_BITS)) as usize;
+    let cell = Cell::from_bits(cells.get(number).copied().unwrap_or_default());
+    let level = cell.level();
+    // the fraction of the cell, and its 32 leading bits
+    let (share, short) = (share << CELL_BITS, (share >> (32 - CELL_BITS)) as u32);
+    // the upper `level` bits are the index of the segment in the cell; two shifts, because a shift by 32 is not
+    // allowed
+    let number = cell.first() + (short >> 1 >> (31 - level)) as usize;
+    // no cell refers to a segment beyond the last; the fallback to the first segment avoids a branch for a panic
+    let segment = segments.get(number).or(segments.first());
+    // the range [0, 1) becomes [-1, 1) by flipping the upper bit
+    let (x, short_x) = ((share << level) ^ (1 << 63), (short << level) ^ (1 << 31));
+    LocatedSegment {
+        terms: segment.map_or(&[], |segment| segment.as_ref()),
+        x: x as i64,
+        short_x: short_x as i32,
+        number,
+        level,
+    }
+}
+
+/// Fills `cells` and `segments` for a motion.
+///
+/// # Errors
+/// [`TableTooSmall`]: the segments are not enough for the allowed error.
+pub(crate) fn fill<R: EphemerisScalar>(
+    cells: &mut [u16; CELLS],
+    segments: &mut [R::Segment],
+    motion: &Motion,
+    rates: &MeanRates,
+    allowed: f64,
+) -> Result<Tabulated, TableTooSmall> {
+    let capacity = segments.len();
+    // the first attempt has a quarter of the error, if the capacity is enough for it
+    for (allowed, most) in [(0.25 * allowed, capacity), (allowed, Cell::MOST_SEGMENTS)] {
+        let requirements = Requirements { terms: R::TERMS, allowed, most };
+        let tabulated = tabulate(motion, rates, requirements, &mut |segment, which, part| {
+            put::<R>(segments, segment, which, part)
+        });
+        match tabulated {
+            Some(tabulated) if tabulated.segments <= capacity => {
+                *cells = tabulated.cells.map(Cell::to_bits);
+                segments.get_mut(tabulated.segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
+                return Ok(tabulated);
+            }
+            Some(Tabulated { segments, .. }) => {
+                return Err(TableTooSmall { truncation: allowed, segments: Some(segments as u32) });
+            }
+            None => {}
+        }
+    }
+    Err(TableTooSmall { truncation: allowed, segments: None })
+}
+
+/// Stores the polynomial of α (`which` = 0) or of β (1) on a segment, if the table contains that segment. Returns the
+/// orientation error that the rounding of its coefficients causes.
+fn put<R: EphemerisScalar>(
+    segments: &mut [R::Segment],
+    segment: usize,
+    which: usize,
+    parts: Polynomial<'_>,
+) -> f64 {
+    let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
+    let mut largest = 0.0;
+    for (column, part) in (2 * which..).zip(parts) {
+        for (power, (four, &value)) in place.iter_mut().zip(part.iter()).enumerate() {
+            if let Some(coefficient) = four.get_mut(column) {
+                *coefficient = R::coefficient(value, power);
+            }
+        }
+        let error = R::coefficient_error(part.get(..R::TERMS).unwrap_or(part));
+        largest = if error > largest { error } else { largest };
+    }
+    4.0 * largest
+}
+
+/// Error of set-up: the table has too few segments for the allowed truncation error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TableTooSmall {
+    /// Allowed truncation error, rad.
+    pub truncation: f64,
+    /// Number of segments that is enough; `None` if 4096 are not.
+    pub segments: Option<u32>,
+}
+
+impl fmt::Display for TableTooSmall {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the table cannot follow the motion to within {:.1e} rad; ", self.truncation)?;
+        match self.segments {
+            Some(segments) => write!(f, "{segments} segments of this degree would fit"),
+            None => write!(f, "not even {} segments of this degree would fit", Cell::MOST_SEGMENTS),
+        }
+    }
+}
+
+impl core::error::Error for TableTooSmall {}

@@ -1,0 +1,382 @@
+//! Tabulation of half a nutation period as short polynomials; the other half is its mirror image.
+//!
+//! Without their mean rotation, α and β are periodic analytic functions of time, and complex conjugates on the two
+//! sides of a turning point. Therefore only half a period, from u = e₁ to u = e₂, is divided into segments. The law
+//! is expanded around the centre of each segment ([`crate::law::series`]), and the expansion is reduced to the degree
+//! of the table.
+//!
+//! A motion may be fast in one part of the period and slow in another, most of all where e₄ is close to 1. Segments
+//! therefore differ in length: those of a [`Cell`] are halved until the error is small enough.
+//!
+//! An aperiodic motion is tabulated in the same way, from its lowest point until 1 - u is below the rounding; a
+//! steady motion is a single constant.
+
+use crate::cayley_klein::Brackets;
+use crate::ephemeris::cell::{CELL_BITS, CELLS, Cell};
+use crate::ephemeris::economise::{Polynomial, economise};
+use crate::ephemeris::mean_rates::MeanRates;
+use crate::ephemeris::seek::StartSearch;
+use crate::ephemeris::speeds::{Speeds, greatest_slope};
+use crate::law::series::{Expansion, PhasePoint, Slopes, TERMS, larger_or_nan};
+use crate::law::{Law, PhaseRates};
+use crate::motion::Motion;
+use crate::phase::Phase;
+use crate::scalar::{DoubleDouble, Float, Scalar};
+
+/// Requirements on a tabulation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Requirements {
+    /// Number of coefficients of a polynomial.
+    pub(crate) terms: usize,
+    /// Largest truncation error allowed, as an orientation error in rad.
+    pub(crate) allowed: f64,
+    /// Largest number of segments.
+    pub(crate) most: usize,
+}
+
+/// Result of a tabulation besides its polynomials.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tabulated {
+    /// Cells with their segments.
+    pub(crate) cells: [Cell; CELLS],
+    /// Number of segments.
+    pub(crate) segments: usize,
+    /// Nutation phase at t = 0 (one turn a period, 0 at u = e₁), and the mean slow phases of α and β at t = 0.
+    pub(crate) start: [Phase; 3],
+    /// Estimated truncation error, as an orientation error in rad: of the reduced polynomials and of the series of
+    /// sixteen terms.
+    pub(crate) truncation: f64,
+    /// Distance of the last point from the upper turning point, at which it must be, as an orientation error in rad.
+    pub(crate) defect: f64,
+    /// Upper bounds on the speeds.
+    pub(crate) speeds: Speeds,
+    /// Delay by a relative rounding of the start's χ, over that rounding, in units of half a period.
+    pub(crate) start_share: f64,
+    /// Sums of the squares of the terms that the steps add up: of χ as delays, in units of half a period, and of θ,
+    /// rad.
+    pub(crate) squares: [f64; 2],
+}
+
+impl Tabulated {
+    pub(crate) const EMPTY: Self = Self {
+        cells: [Cell::new(0, 0); CELLS],
+        segments: 1,
+        start: [Phase::ZERO; 3],
+        truncation: 0.0,
+        defect: 0.0,
+        speeds: Speeds::ZERO,
+        start_share: 0.0,
+        squares: [0.0; 2],
+    };
+}
+
+/// Receiver of polynomials: see [`tabulate`]. A reference, so that set-up is compiled once for all scalars.
+pub(crate) type Store<'a> = dyn FnMut(usize, usize, Polynomial<'_>) -> f64 + 'a;
+
+/// Tabulates a motion. It passes the polynomials of each segment to `store`: the index of the segment, 0 for α or 1
+/// for β, and the coefficients, of which the first `terms` are used. `store` returns the orientation error from
+/// rounding them. A segment may be passed more than once, and the last time is valid. The result is `None` where the
+/// segments would exceed the largest number allowed.
+#[inline(never)]
+pub(crate) fn tabulate(
+    motion: &Motion,
+    rates: &MeanRates,
+    requirements: Requirements,
+    store: &mut Store<'_>,
+) -> Option<Tabulated> {
+    if motion.is_steady() {
+        return Some(constant(motion, store));
+    }
+    let law = motion.law();
+    let seek = StartSearch::new(motion, &law, rates.half_period.to_f64());
+    let mut expansion = Expansion::EMPTY;
+    let mut tabulation = Tabulation {
+        law: &law,
+        brackets: &motion.brackets(),
+        rates,
+        seek: &seek,
+        requirements,
+        allowed: (1.0 - STEPPING_SHARE) * requirements.allowed,
+        half_cell: rates.half_period / DoubleDouble::from((2 * CELLS) as f64),
+        least: rates.rounding / (16 * requirements.most.min(16 * CELLS)) as f64,
+        expansion: &mut expansion,
+        part: 0.0,
+        current: Position::default(),
+        border: Position::default(),
+        found_start: None,
+        fastest: 0.0,
+        speeds: Speeds::ZERO,
+    };
+    tabulation.fastest = larger_or_nan(tabulation.speed(0.0, 1.0), tabulation.speed(1.0, 0.0));
+    let mut tabulated = Tabulated { segments: 0, ..Tabulated::EMPTY };
+    let (mut level, mut at_centre) = (0, false);
+    for (number, cell) in tabulated.cells.iter_mut().enumerate() {
+        let (found_before, speeds) = (tabulation.found_start.is_some(), tabulation.speeds);
+        let error = loop {
+            *cell = Cell::new(tabulated.segments, level);
+            if level > Cell::DEEPEST || tabulated.segments + (1 << level) > requirements.most {
+                return None;
+            }
+            if let Some(error) = tabulation.through(number, *cell, at_centre, store) {
+                break error;
+            }
+            (level, at_centre) = (level + 1, false);
+            tabulation.current = tabulation.border;
+            tabulation.found_start = tabulation.found_start.filter(|_| found_before);
+            tabulation.speeds = speeds;
+        };
+        tabulated.truncation = larger_or_nan(tabulated.truncation, error);
+        tabulated.segments += 1 << level;
+        // segments of twice the length would have about 2^terms times the error
+        let coarser =
+            level > 0 && error * f64::from(1_u32 << requirements.terms) < COARSENING * tabulation.allowed;
+        at_centre = tabulation.cross(level, coarser);
+        level -= u32::from(coarser);
+    }
+    let TabulatedStart { phase, theta, share } = tabulation.found_start.unwrap_or_default();
+    tabulated.start = seek.start(motion, phase, theta);
+    tabulated.start_share = share;
+    tabulated.speeds = tabulation.speeds;
+    tabulated.squares = tabulation.border.squares;
+    let fastest = tabulation.fastest * rates.half_period.to_f64();
+    tabulated.truncation += tabulation.speeds.left_out(tabulation.border.remainder, fastest);
+    tabulated.defect = if rates.returns { tabulation.defect() } else { 0.0 };
+    Some(tabulated)
+}
+
+/// Tabulation of a steady motion: α and β at χ = 0, which are constant.
+#[inline(never)]
+fn constant(motion: &Motion, store: &mut Store<'_>) -> Tabulated {
+    let brackets: Brackets<f64> = motion.brackets();
+    for (which, bracket) in [&brackets.alpha, &brackets.beta].into_iter().enumerate() {
+        let [plus, minus] = bracket.exponentials();
+        let mut re = [0.0; TERMS];
+        re[0] = plus + minus;
+        store(0, which, [&mut re, &mut [0.0; TERMS]]);
+    }
+    let [alpha, beta] = motion.phases();
+    Tabulated { start: [Phase::ZERO, alpha, beta], ..Tabulated::EMPTY }
+}
+
+/// Factor by which the expected error of longer segments may exceed the allowed error and they are still tried in the
+/// next cell. A failed trial costs one series; an unnecessary segment takes memory in the table.
+const COARSENING: f64 = 4.0;
+
+/// Fraction of the allowed error that the steps from segment to segment may use.
+const STEPPING_SHARE: f64 = 0.125;
+
+/// State of the steps through the segments of the half period.
+struct Tabulation<'a> {
+    law: &'a Law<DoubleDouble>,
+    brackets: &'a Brackets<f64>,
+    rates: &'a MeanRates,
+    seek: &'a StartSearch,
+    requirements: Requirements,
+    /// Truncation error that the reduction of a segment's series may cause.
+    allowed: f64,
+    /// Half the length of a cell, in double-double because its error would accumulate over the cells.
+    half_cell: DoubleDouble,
+    /// Magnitude below which a term of the series is negligible.
+    least: f64,
+    /// Expansion around the border of a cell or the centre of a segment.
+    expansion: &'a mut Expansion,
+    /// Unit of x in the expansion, in units of half a period.
+    part: f64,
+    current: Position,
+    /// Position at the beginning of the cell.
+    border: Position,
+    /// Sum of the rates of χ, θ_A and θ_B at the turning point where it is greater; the weight of an error of χ.
+    fastest: f64,
+    /// Upper bounds on the speeds up to this position.
+    speeds: Speeds,
+    /// Start of the motion, once it has been passed.
+    found_start: Option<TabulatedStart>,
+}
+
+/// Start of the motion on the half period.
+#[derive(Clone, Copy, Debug, Default)]
+struct TabulatedStart {
+    phase: Phase,
+    theta: [Phase; 2],
+    /// Delay by a relative rounding of the start's χ: see [`Tabulated::start_share`].
+    share: f64,
+}
+
+/// Position reached by the steps, with the errors so far.
+#[derive(Clone, Copy, Debug, Default)]
+struct Position {
+    point: PhasePoint,
+    /// Truncation error of the series so far, estimated from their last terms.
+    remainder: f64,
+    /// Sums of the squares of the terms that the steps add up: of χ as delays, in units of half a period, and of θ,
+    /// rad.
+    squares: [f64; 2],
+}
+
+impl Tabulation<'_> {
+    /// Steps through a cell, from its border or its first centre to its last centre and border. Returns the
+    /// truncation error of its segments, or `None` where it exceeds the allowed error.
+    fn through(&mut self, number: usize, cell: Cell, at_centre: bool, store: &mut Store<'_>) -> Option<f64> {
+        let (level, count) = (cell.level(), 1_usize << cell.level());
+        let unit = self.half_cell * DoubleDouble::from(1.0 / count as f64);
+        let share = self.share(level);
+        let mut error = 0.0;
+        if !at_centre {
+            self.expand(unit);
+            self.to(1.0, share)?;
+        }
+        for place in 0..count {
+            self.expand(unit);
+            let segment = cell.first() + place;
+            error = larger_or_nan(error, self.shorten(segment, store));
+            if !error.is_finite() || error > self.allowed {
+                return None;
+            }
+            let last = place + 1 == count;
+            let centre = 2 * (number * count + place) + 1;
+            let end = last && number + 1 == CELLS;
+            if self.found_start.is_none()
+                && let Some(x) = self.seek.within(self.expansion, end)
+            {
+                // half a turn of the nutation phase over all cells
+                let halvings = 2 + CELL_BITS + level;
+                let phase = Phase::from_bits(centre as i128 * (Phase::ONE.to_bits() >> halvings))
+                    + Phase::new(x / (1_u64 << halvings) as f64);
+                let share = self.seek.per_rounding(self.expansion, x) * self.part;
+                self.found_start = Some(TabulatedStart { phase, theta: self.expansion.theta_at(x), share });
+            }
+            if last {
+                self.border = self.after(1.0, share)?;
+            } else if self.to(2.0, 2.0 * share).is_none() {
+                // by way of the border
+                self.to(1.0, share)?;
+                self.expand(unit);
+                self.to(1.0, share)?;
+            }
+        }
+        Some(error)
+    }
+
+    /// Steps from the last centre of a cell to the first centre of the next, whose segments have the same or twice
+    /// the length, if the series is accurate so far, otherwise to the border. Returns whether it reached the centre.
+    fn cross(&mut self, level: u32, coarser: bool) -> bool {
+        let x = if coarser { 3.0 } else { 2.0 };
+        let carries = self.to(x, x * self.share(level)).is_some();
+        if !carries {
+            self.current = self.border;
+        }
+        carries
+    }
+
+    /// Truncation error allowed for a step over half a segment, so that the sum over all steps is within their
+    /// fraction of the allowed error.
+    fn share(&self, level: u32) -> f64 {
+        STEPPING_SHARE * self.requirements.allowed / ((2 * CELLS) << level) as f64
+    }
+
+    /// Expands the law around the position reached.
+    fn expand(&mut self, unit: DoubleDouble) {
+        self.part = unit.to_f64() / self.rates.half_period.to_f64();
+        let slopes = self.slopes(unit);
+        self.expand_along(&slopes, unit);
+    }
+
+    #[inline(never)] // the frame with the law in f64 must not remain on the stack below the following calls
+    fn expand_along(&mut self, slopes: &Slopes, unit: DoubleDouble) {
+        let Self { law, expansion, current, least, .. } = self;
+        law.cast().expand(&current.point, slopes, unit.to_f64(), *least, expansion);
+    }
+
+    /// Derivatives of the phases, in double-double: a slow phase may turn by thousands of radians and hardly differ
+    /// from its mean.
+    #[inline(never)]
+    fn slopes(&self, unit: DoubleDouble) -> Slopes {
+        let (sine, cosine) = self.current.point.sine_cosine();
+        let rates = self.law.rates(sine.into(), cosine.into());
+        let [alpha_offset, beta_offset] = self.rates.theta_offset;
+        let slope = |rate: DoubleDouble| (unit * rate).to_f64();
+        let weight = self.fastest * unit.to_f64() / Float::abs(slope(rates.nutation));
+        Slopes {
+            psi: PhaseRates {
+                nutation: slope(rates.nutation),
+                alpha: slope(rates.alpha),
+                beta: slope(rates.beta),
+            },
+            theta: [slope(rates.alpha + alpha_offset), slope(rates.beta + beta_offset)],
+            weight: if weight > 1.0 { weight } else { 1.0 },
+        }
+    }
+
+    /// Speed of α and β at given sin χ and cos χ, rad per unit time.
+    #[inline(never)] // the stack frames of set-up must not add up
+    fn speed(&self, sine: f64, cosine: f64) -> f64 {
+        let rates = self.law.cast().rates(sine, cosine);
+        let [alpha_offset, beta_offset] = self.rates.theta_offset.map(Float::to_f64);
+        let slow = Float::abs(rates.alpha + alpha_offset) + Float::abs(rates.beta + beta_offset);
+        Float::abs(rates.nutation) + slow
+    }
+
+    /// Stores the expansion as polynomials of reduced degree. Returns the truncation and rounding error, as an
+    /// orientation error in rad.
+    #[inline(never)]
+    fn shorten(&mut self, segment: usize, store: &mut Store<'_>) -> f64 {
+        let brackets = [&self.brackets.alpha, &self.brackets.beta];
+        let (mut squares, mut stored_error, mut slopes) = (0.0, 0.0, 0.0);
+        for (which, bracket) in brackets.into_iter().enumerate() {
+            let [re, im] = self.expansion.turned(which, bracket.exponentials(), self.least);
+            let beyond = [&*re, &*im].map(beyond_the_last).into_iter().fold(0.0, larger_or_nan);
+            let dropped = economise([&mut *re, &mut *im], self.requirements.terms) + 2.0 * beyond;
+            squares += dropped * dropped;
+            slopes +=
+                [&*re, &*im].map(greatest_slope).into_iter().fold(0.0, |sum, slope| sum + slope * slope);
+            stored_error = larger_or_nan(stored_error, store(segment, which, [re, im]));
+        }
+        self.speeds.note(2.0 * Float::sqrt(slopes), self.expansion.greatest_theta_slope(), self.part);
+        larger_or_nan(2.0 * Float::sqrt(squares), stored_error)
+    }
+
+    /// Moves to x; `None` where the truncation error there exceeds `share`.
+    fn to(&mut self, x: f64, share: f64) -> Option<()> {
+        self.current = self.after(x, share)?;
+        Some(())
+    }
+
+    #[inline(never)]
+    fn after(&self, x: f64, share: f64) -> Option<Position> {
+        let left_out = self.expansion.left_out(x);
+        let [chi, theta] = self.expansion.sizes(x);
+        let delay = self.part * chi / self.expansion.chi_slope(x);
+        let [delays, angles] = self.current.squares;
+        (left_out <= share).then(|| Position {
+            point: self.expansion.point(x),
+            remainder: self.current.remainder + left_out,
+            squares: [delays + delay * delay, angles + theta * theta],
+        })
+    }
+
+    /// Error at the upper turning point, as an orientation error in rad. There cos χ = 0, and α and β without their
+    /// mean rotation are real, so cos θ = 0. An error of χ is a delay, which is multiplied by the greatest speed.
+    fn defect(&self) -> f64 {
+        let miss = |angle: Phase| Float::abs(f64::sine_cosine(angle).1);
+        let PhasePoint { chi, theta } = self.border.point;
+        let [alpha, beta] = theta.map(miss);
+        let at_the_end = self.law.cast::<f64>().rates(1.0, 0.0).nutation * self.rates.half_period.to_f64();
+        self.speeds.delay(miss(chi) / at_the_end) + 2.0 * alpha.max(beta)
+    }
+}
+
+/// Estimated sum of the omitted terms of a series: its last four terms are continued as a geometric series. The
+/// result is infinite where these terms do not decrease.
+fn beyond_the_last(part: &[f64; TERMS]) -> f64 {
+    /// Magnitude below which terms are rounding errors and need not decrease.
+    const NEGLIGIBLE: f64 = 3e-17;
+    let [.., c12, c13, c14, c15] = part.map(Float::abs);
+    // in pairs, because a series may be even or odd
+    let (before, last) = (c12 + c13, c14 + c15);
+    let ratio = last / before;
+    match last > NEGLIGIBLE {
+        true if ratio < 1.0 => last * ratio / (1.0 - ratio),
+        true => f64::INFINITY,
+        false => 0.0,
+    }
+}

@@ -1,0 +1,45 @@
+//! Tick: the unit of time of an ephemeris.
+
+use crate::error::{ParameterError, require};
+use crate::scalar::DoubleDouble;
+
+/// Tick length as an exact fraction of a second (of the motion's unit of time).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Tick {
+    ticks: u32,
+    seconds: u32,
+}
+
+impl Tick {
+    /// Tick length for a number of ticks per second: a frequency in Hz.
+    ///
+    /// # Errors
+    /// `tick`: the frequency is 0.
+    pub fn hertz(frequency: u32) -> Result<Self, ParameterError> {
+        Self::ratio(frequency, 1)
+    }
+
+    /// Tick length for `ticks` ticks in `seconds` seconds: (44100, 2) means 44100/2 Hz.
+    ///
+    /// # Errors
+    /// `tick`: one of the two is 0.
+    pub fn ratio(ticks: u32, seconds: u32) -> Result<Self, ParameterError> {
+        require(
+            ticks > 0 && seconds > 0,
+            "tick",
+            "a positive number of ticks in a positive number of seconds",
+        )?;
+        Ok(Self { ticks, seconds })
+    }
+
+    /// Length of a tick in units of time.
+    pub(crate) fn length(self) -> DoubleDouble {
+        DoubleDouble::from(f64::from(self.seconds)) / DoubleDouble::from(f64::from(self.ticks))
+    }
+
+    /// Number of ticks in a unit of time.
+    pub(crate) fn rate(self) -> DoubleDouble {
+        DoubleDouble::from(f64::from(self.ticks)) / DoubleDouble::from(f64::from(self.seconds))
+    }
+}

@@ -1,0 +1,177 @@
+//! Tip angle of an ephemeris: the sum of its mean, which is linear in time, and of a periodic part from the table.
+//!
+//! Between u = e₁ and u = e₂ the periodic part is the argument of the tabulated αβ, continued from segment to
+//! segment; on the other half of the period it is the negative of that. For a slender top αβ may wind around 0 many
+//! times, so the crossings of the negative real axis are counted at the centres of the segments.
+
+use crate::complex::Complex;
+use crate::ephemeris::clock::TipClock;
+use crate::ephemeris::evaluation::EphemerisScalar;
+use crate::ephemeris::sample::values_and_slopes;
+use crate::ephemeris::storage::EphemerisView;
+use crate::ephemeris::table::locate;
+use crate::motion::Motion;
+use crate::phase::Phase;
+use crate::scalar::{Float, Real, Ring, Scalar};
+
+impl<R: EphemerisScalar> EphemerisView<R> {
+    /// Mean rate of the tip angle in turns per unit time; 0 where the axis is vertical at all times. The rate times t
+    /// tells how often a tip angle, which is known modulo 2^32 turns, has passed that number.
+    #[must_use]
+    pub fn mean_tip_angle_rate(&self) -> f64 {
+        let [ticks_per_time, _] = self.clock.ticks_per_time;
+        Phase::from_words(self.clock.tip.step).to_f64() * ticks_per_time
+    }
+
+    /// Periodic part of the tip angle at a nutation phase, given by the 64 leading bits of its fraction of a turn.
+    /// Cost: an arctangent, and a complex product for every segment between u = e₁ and the phase.
+    pub(crate) fn periodic_tip_angle(&self, nutation: u64) -> Phase {
+        self.signed_part(nutation) + self.tabulated_angle(nutation)
+    }
+
+    /// Sets the mean tip angle so that the tip angle at t = 0 is the argument of c in (-1/2, 1/2] turn.
+    ///
+    /// * `start`: nutation phase, A and B at t = 0
+    pub(crate) fn start_tip_angle(&mut self, motion: &Motion, [nutation, a, b]: [Phase; 3]) {
+        let nutation = nutation.fraction();
+        let quarter_turn = Phase::QUARTER.times(self.clock.tip.quarter.into());
+        let tabulated = self.tabulated_angle(nutation);
+        // the table tells the whole turns, the motion's own phases the rest: near the centre the table's angle is blurred
+        let argument = motion.tip_angle_at_start();
+        let exact = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
+        let TipClock { quarter, passes, .. } = self.clock.tip;
+        let off = exact - tabulated;
+        // through the centre the radius has a sign, which half a turn of the angle changes
+        let off = if quarter != 0 || passes != 0 { half_turn_remainder(off) } else { off.principal() };
+        let tabulated = tabulated + off;
+        self.clock.tip.start = (argument - self.signed_part(nutation) - tabulated).words();
+    }
+
+    /// Half a turn a period for each parameter that passes through 0, which A and B have and the tip angle has not.
+    fn signed_part(&self, nutation: u64) -> Phase {
+        Phase::from_bits(i128::from(nutation as i64) << 31).times(self.clock.tip.passes.into())
+    }
+
+    /// Argument of the tabulated αβ, continued from u = e₁, where it is 0.
+    fn tabulated_angle(&self, nutation: u64) -> Phase {
+        let share = (nutation ^ ((nutation as i64) >> 63) as u64) << 1;
+        let found = locate::<R>(&self.cells, &self.segments, share);
+        let x = R::Wide::from_f64(found.x as f64 / (1_u64 << 63) as f64);
+        let mut winding = Winding::new();
+        for segment in self.segments.iter().take(found.number + 1) {
+            let [centre, ..] = segment.as_ref() else { continue };
+            let product = self.turned_back(centre.map(|coefficient| R::number(coefficient, 0)));
+            if !self.has_faded(product) {
+                winding.reach(product);
+            }
+        }
+        let (value, slope) = values_and_slopes::<R>(found.terms, x);
+        if !self.has_faded(self.turned_back(value)) {
+            winding.reach(self.direction(value, slope, x));
+        }
+        let angle = winding.angle();
+        if is_falling(nutation) { -angle } else { angle }
+    }
+
+    /// Whether αβ of an aperiodic motion is so close to its limit 0 that its argument is the limit's: the two differ
+    /// by about |αβ|², the rounding of the table changes the argument by more.
+    fn has_faded(&self, product: Complex<R::Wide>) -> bool {
+        let limit = R::ROUNDING + R::Wide::ROUNDING;
+        self.clock.horizon.is_some() && product.norm_squared() < R::Wide::from_f64(limit)
+    }
+
+    /// αβ turned as by [`EphemerisView::turned_back`]; so near 0 that rounding blurs it, the direction in which it moves away from 0, or
+    /// from which it comes.
+    fn direction(&self, value: [R::Wide; 4], slope: [R::Wide; 4], x: R::Wide) -> Complex<R::Wide> {
+        let product = self.turned_back(value);
+        let ([alpha, beta], [alpha_slope, beta_slope]) = (complex(value), complex(slope));
+        let change = self.rotated_back(alpha_slope * beta + alpha * beta_slope);
+        let blurred = BLURRED * (R::ROUNDING + R::Wide::ROUNDING);
+        if product.norm_squared() > R::Wide::from_f64(blurred * blurred) {
+            product
+        } else if x < R::Wide::ZERO {
+            change
+        } else {
+            -change
+        }
+    }
+
+    /// αβ of tabulated values, turned so that at u = e₁ it leaves along the positive real axis.
+    fn turned_back(&self, values: [R::Wide; 4]) -> Complex<R::Wide> {
+        let [alpha, beta] = complex(values);
+        self.rotated_back(alpha * beta)
+    }
+
+    fn rotated_back(&self, product: Complex<R::Wide>) -> Complex<R::Wide> {
+        match self.clock.tip.quarter {
+            0 => product,
+            1.. => -product.times_i(),
+            _ => product.times_i(),
+        }
+    }
+}
+
+/// α and β from their parts.
+fn complex<R>([re_alpha, im_alpha, re_beta, im_beta]: [R; 4]) -> [Complex<R>; 2] {
+    [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)]
+}
+
+/// |αβ| in roundings of the scalar, below which its argument counts as blurred: a table is within four of them.
+const BLURRED: f64 = 64.0;
+
+/// A phase less the nearest multiple of half a turn.
+fn half_turn_remainder(phase: Phase) -> Phase {
+    Phase::from_bits(phase.times(2).principal().to_bits() >> 1)
+}
+
+/// Whether u falls at a nutation phase: α and β, their mean rotation taken off, are then the conjugates of the tabulated ones.
+fn is_falling(nutation: u64) -> bool {
+    (nutation as i64) < 0
+}
+
+/// Argument of a complex number that moves by less than half a turn at a time, continued from 0.
+struct Winding<R> {
+    z: Complex<R>,
+    turns: i64,
+}
+
+impl<R: Real> Winding<R> {
+    fn new() -> Self {
+        Self { z: Complex::ONE, turns: 0 }
+    }
+
+    /// Continues the argument to z; z = 0 has no argument and changes nothing.
+    fn reach(&mut self, z: Complex<R>) {
+        if z == Complex::ZERO {
+            return;
+        }
+        let anticlockwise = self.z.re * z.im - self.z.im * z.re > R::ZERO;
+        match (self.z.im < R::ZERO, z.im < R::ZERO) {
+            (false, true) if anticlockwise => self.turns += 1,
+            (true, false) if !anticlockwise => self.turns -= 1,
+            _ => {}
+        }
+        self.z = z;
+    }
+
+    fn angle(&self) -> Phase {
+        Phase::from_radians(self.z.arg().to_f64()) + Phase::ONE.times(self.turns)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_argument_is_continued_through_any_number_of_turns() {
+        for sense in [1.0, -1.0] {
+            let mut winding = Winding::<f64>::new();
+            for step in 1..40 {
+                let angle = sense * 0.9 * f64::from(step);
+                winding.reach(Complex::new(angle.cos(), angle.sin()));
+                assert!((winding.angle().to_radians() - angle).abs() < 1e-12, "{angle}");
+            }
+        }
+    }
+}

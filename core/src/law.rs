@@ -1,0 +1,187 @@
+//! Law of the nutation: rates of the nutation phase and of the two slow phases at any point of the motion.
+//!
+//! With the half phase χ = θ/2, sin²χ = (u - e₁)/(e₂ - e₁), all functions are smooth at the turning points and at the
+//! vertical, and the sign of u' needs no separate treatment:
+//!
+//! ```text
+//! χ' = √( g (e₃ - u) / (2 D) ),    D(u) = A/p + s (1 - u²)
+//! √2 α = [√(1+e₁) cos χ + i s₊ √(1+e₂) sin χ] e^{i(a + ψ_A + τt/2)}
+//! √2 β = [√(1-e₁) cos χ + i s₋ √(1-e₂) sin χ] e^{i(b + ψ_B - τt/2)}
+//! ```
+//!
+//! The logarithmic poles of the paper's integrals (equation (3.10)) are contained in the brackets; ψ_A' and ψ_B' have
+//! neither 1 - u nor 1 + u in a denominator. Set-up integrates this law over a period, and the stepper integrates it
+//! over a time step.
+
+pub(crate) mod series;
+
+use crate::constants::{BranchPoints, FirstIntegrals, Signs};
+use crate::scalar::{DoubleDouble, Float, Real, Ring};
+use crate::top::{Quantities, Top};
+
+/// Rates of the three phases, rad per unit time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PhaseRates<R> {
+    /// Rate χ' for a nutating motion, v' for an aperiodic one.
+    pub(crate) nutation: R,
+    /// Rate ψ_A'.
+    pub(crate) alpha: R,
+    /// Rate ψ_B'.
+    pub(crate) beta: R,
+}
+
+impl<R: Ring> PhaseRates<R> {
+    /// Weighted sum k₁ + 2k₂ + 2k₃ + k₄ of the Runge-Kutta method, times `sixth`, a sixth of the step.
+    pub(crate) fn weighted([k1, k2, k3, k4]: [Self; 4], sixth: R) -> Self {
+        let mean = |part: fn(&Self) -> R| (part(&k1) + (part(&k2) + part(&k3)).doubled() + part(&k4)) * sixth;
+        Self { nutation: mean(|k| k.nutation), alpha: mean(|k| k.alpha), beta: mean(|k| k.beta) }
+    }
+}
+
+/// sin χ = tanh v and cos χ = sech v, for χ the Gudermannian of v.
+pub(crate) fn gudermannian<R: Real>(v: R) -> (R, R) {
+    let q = (-v.abs()).exp();
+    let per_sum = R::ONE / (R::ONE + q.squared());
+    let tanh = -(-v.abs()).exp_minus_one() * (R::ONE + q) * per_sum;
+    (if v < R::ZERO { -tanh } else { tanh }, q.doubled() * per_sum)
+}
+
+/// Constants of the law for one motion, in the number type that evaluates it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Law<F> {
+    one_plus_e1: F,
+    one_minus_e2: F,
+    e2_minus_e1: F,
+    e3_minus_e2: F,
+    e3_minus_e1: F,
+    /// Length A/p, m.
+    a_over_p: F,
+    /// Length A/(p (e₃ + 1)), m.
+    a_over_p_e3: F,
+    s: F,
+    /// Length s (e₃ - 1), m.
+    s_e3: F,
+    /// Half of the gravity, g/2, m/s².
+    half_g: F,
+    /// Rate (l + n)/(2A), rad per unit time.
+    alpha_scale: F,
+    /// Time 2 √(A/(2 p g (e₃ + 1))). Its product with χ' is the term in the denominator of ψ_A' that makes it smooth.
+    alpha_smoothing: F,
+    /// Rate s₋ √(2 A p g (1-e₁)(1-e₂))/(2A), rad per unit time.
+    beta_scale: F,
+    /// Root √(e₃ - 1).
+    root_e3: F,
+    /// Time 2 √(A/(2 p g)). Its product with χ' is the term in the denominator of ψ_B' that makes it smooth.
+    beta_smoothing: F,
+}
+
+impl Law<DoubleDouble> {
+    /// Law rounded to the scalar of the tick.
+    pub(crate) fn cast<R: Float>(&self) -> Law<R> {
+        let cast = |x: DoubleDouble| R::from_f64(x.to_f64());
+        Law {
+            one_plus_e1: cast(self.one_plus_e1),
+            one_minus_e2: cast(self.one_minus_e2),
+            e2_minus_e1: cast(self.e2_minus_e1),
+            e3_minus_e2: cast(self.e3_minus_e2),
+            e3_minus_e1: cast(self.e3_minus_e1),
+            a_over_p: cast(self.a_over_p),
+            a_over_p_e3: cast(self.a_over_p_e3),
+            s: cast(self.s),
+            s_e3: cast(self.s_e3),
+            half_g: cast(self.half_g),
+            alpha_scale: cast(self.alpha_scale),
+            alpha_smoothing: cast(self.alpha_smoothing),
+            beta_scale: cast(self.beta_scale),
+            root_e3: cast(self.root_e3),
+            beta_smoothing: cast(self.beta_smoothing),
+        }
+    }
+}
+
+impl<F: Float> Law<F> {
+    pub(crate) fn new(top: &Top, e: &BranchPoints<F>, integrals: &FirstIntegrals<F>, signs: Signs) -> Self {
+        let Quantities { a, s, p, g, .. } = Quantities::<F>::of(top);
+        let a_over_p = a / p;
+        let beta_scale = ((a * p * g).doubled() * e.one_minus_e1() * e.one_minus_e2).sqrt() / a.doubled();
+        let per_g = a_over_p / g.doubled();
+        Self {
+            one_plus_e1: e.one_plus_e1,
+            one_minus_e2: e.one_minus_e2,
+            e2_minus_e1: e.e2_minus_e1,
+            e3_minus_e2: e.e3_minus_e2,
+            e3_minus_e1: e.e3_minus_e1(),
+            a_over_p,
+            a_over_p_e3: a_over_p / e.one_plus_e3(),
+            s,
+            s_e3: s * e.e3_minus_one,
+            half_g: g.halved(),
+            alpha_scale: integrals.l_plus_n / a.doubled(),
+            alpha_smoothing: (per_g / e.one_plus_e3()).sqrt().doubled(),
+            beta_scale: signs.l_minus_n.times(beta_scale),
+            root_e3: e.e3_minus_one.sqrt(),
+            beta_smoothing: per_g.sqrt().doubled(),
+        }
+    }
+
+    /// 1 - u and 1 + u from sin χ and cos χ, without cancellation near the vertical.
+    fn complements(&self, sine: F, cosine: F) -> (F, F) {
+        let one_minus_u = self.one_minus_e2 + self.e2_minus_e1 * cosine.squared();
+        let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * sine.squared();
+        (one_minus_u, one_plus_u)
+    }
+
+    /// Rates of χ, ψ_A and ψ_B at given sin χ and cos χ.
+    pub(crate) fn rates(&self, sine: F, cosine: F) -> PhaseRates<F> {
+        let (one_minus_u, one_plus_u) = self.complements(sine, cosine);
+        let e3_minus_u = self.e3_minus_e2 + self.e2_minus_e1 * cosine.squared();
+        let per_d = F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u);
+        let nutation = (self.half_g * e3_minus_u * per_d).sqrt();
+        let beta_divisor = self.root_e3 + self.beta_smoothing * nutation;
+        // for e₂ = e₃ = 1 and u = 1 numerator and denominator are 0, and ψ_B' is 0
+        let beta = if beta_divisor > F::ZERO {
+            self.beta_scale * (self.s_e3 * one_plus_u - self.a_over_p) * per_d / beta_divisor
+        } else {
+            F::ZERO
+        };
+        PhaseRates { nutation, alpha: self.alpha_rate(one_minus_u, per_d, nutation), beta }
+    }
+
+    fn alpha_rate(&self, one_minus_u: F, per_d: F, chi_rate: F) -> F {
+        self.alpha_scale * (self.a_over_p_e3 + self.s * one_minus_u) * per_d
+            / (F::ONE + self.alpha_smoothing * chi_rate)
+    }
+
+    /// Aperiodic law (e₂ = e₃ = 1): rates of v and ψ_A at sin χ = tanh v, cos χ = sech v. The rate of ψ_B is 0.
+    pub(crate) fn aperiodic_rates(&self, tanh: F, sech: F) -> PhaseRates<F> {
+        let (one_minus_u, one_plus_u) = self.complements(tanh, sech);
+        let per_d = F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u);
+        let nutation = (self.half_g * self.e2_minus_e1 * per_d).sqrt();
+        let chi_rate = nutation * sech;
+        PhaseRates { nutation, alpha: self.alpha_rate(one_minus_u, per_d, chi_rate), beta: F::ZERO }
+    }
+
+    /// dt/dv = √(2 D/(g (e₃ - e₁))) at given sn v and cn v, where χ = am v and the parameter is m = (e₂ - e₁)/(e₃ -
+    /// e₁). As a function of v the time has no boundary layer near the separatrix, which makes v the variable of
+    /// integration.
+    pub(crate) fn time_per_amplitude(&self, sn: F, cn: F) -> F {
+        let (one_minus_u, one_plus_u) = self.complements(sn, cn);
+        let d = self.a_over_p + self.s * one_minus_u * one_plus_u;
+        (d / (self.half_g * self.e3_minus_e1)).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_gudermannian_keeps_its_digits_at_both_ends() {
+        for v in [1e-20, 3e-9, 0.1, 2.0, 30.0, 700.0_f64] {
+            let (tanh, sech) = gudermannian(v);
+            assert!((tanh / libm::tanh(v) - 1.0).abs() < 5e-16, "{v}: {tanh:e}");
+            assert!((sech * libm::cosh(v) - 1.0).abs() < 5e-16, "{v}: {sech:e}");
+            assert_eq!(gudermannian(-v), (-tanh, sech));
+        }
+    }
+}

@@ -1,0 +1,363 @@
+//! Motion: regime, constants and start of one throw, independent of time.
+
+pub(crate) mod start;
+
+pub use start::Start;
+
+use crate::cayley_klein::{Brackets, PhaseDirections};
+use crate::complex::Complex;
+use crate::constants::{BranchPoints, Conditioning, FirstIntegrals, Regime, Signs, TipClass, normal_force};
+use crate::error::{ParameterError, finite, require};
+use crate::law::{Law, gudermannian};
+use crate::mean_motion::{MeanMotion, PeriodAdvance};
+use crate::phase::{Phase, TurnRate};
+use crate::scalar::{DoubleDouble, Float, Ring, Scalar};
+use crate::state::State;
+use crate::su2::OrientationRate;
+use crate::top::{Quantities, Support, Top};
+use start::{chi, half_phase, half_turns, slow_phase};
+
+/// Motion of one throw: regime, constants and state at t = 0. It is immutable; any number of steppers and ephemerides
+/// can be made from it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    top: Top,
+    signs: Signs,
+    e: BranchPoints<DoubleDouble>,
+    integrals: FirstIntegrals<DoubleDouble>,
+    regime: Regime,
+    nutation: NutationVariable,
+    /// Slow phases A and B, of α and β, at t = 0.
+    phases: [Phase; 2],
+    /// Rounding errors of the constants.
+    conditioning: Conditioning,
+    /// Mean motion; `None` where the motion has no nutation period.
+    mean: Option<MeanMotion>,
+}
+
+/// Variable of the nutation with its value at t = 0, by kind of motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum NutationVariable {
+    /// No variable, because u is constant; A and B have these constant rates.
+    Steady([TurnRate; 2]),
+    /// Half phase χ.
+    Nutating(Phase),
+    /// Variable v of an aperiodic motion, with χ = gd v (Gudermannian).
+    Aperiodic(f64),
+}
+
+impl Motion {
+    /// Motion from a state. The numbers of the state count as exact. Set-up computes in double-double, so the stored
+    /// constants have the error of one `f64` rounding.
+    ///
+    /// # Errors
+    /// `omega`: so large that e₃ would exceed 1e14.
+    pub fn launch(top: &Top, state: &State) -> Result<Self, ParameterError> {
+        let (integrals, point) = FirstIntegrals::with_point(top, state);
+        let signs = integrals.signs();
+        let e = BranchPoints::of_point(top, &integrals, &point)?;
+        let regime = Regime::of(&e, signs, point.rests_upright());
+
+        let (phi, omega) = state.exact::<DoubleDouble>();
+        let rate = OrientationRate::from_fixed(&phi, omega);
+        let [alpha, beta] =
+            [(phi.alpha, rate.alpha), (phi.beta, rate.beta)].map(|(z, z_dot)| [z, z_dot].map(to_f64));
+        let mut motion = Self {
+            top: *top,
+            signs,
+            e,
+            integrals,
+            regime,
+            nutation: NutationVariable::Nutating(Phase::ZERO),
+            phases: [Phase::ZERO; 2],
+            conditioning: Conditioning::of_state(top, &integrals, &point, &e, state.speed()),
+            mean: None,
+        };
+        motion.mean = motion.computed_mean();
+        if motion.stands_still() {
+            motion.nutation = motion.steady_nutation();
+            motion.phases = [alpha, beta].map(|[z, _]| Phase::from_radians(z.arg()));
+            return Ok(motion);
+        }
+        let d = motion.a_over_p() + motion.quantities().s * point.one_minus_u * point.one_plus_u;
+        let g0 = d * point.udot.squared() / DoubleDouble::from(top.gravity()).doubled();
+        let (sine, cosine) = half_phase(&e, &point, g0, regime == Regime::Aperiodic);
+        motion.nutation = if regime == Regime::Aperiodic {
+            NutationVariable::Aperiodic(libm::asinh(sine / cosine))
+        } else {
+            NutationVariable::Nutating(chi(sine, cosine))
+        };
+        let directions = motion.directions_at_start();
+        let mut rates = motion.law().cast().rates(directions.sine, directions.cosine);
+        let half_tau = motion.half_tau().to_f64();
+        (rates.alpha, rates.beta) = (rates.alpha + half_tau, rates.beta - half_tau);
+        let brackets = motion.brackets();
+        motion.phases = [
+            slow_phase(&brackets.alpha, &directions, [rates.nutation, rates.alpha], alpha),
+            slow_phase(&brackets.beta, &directions, [rates.nutation, rates.beta], beta),
+        ];
+        Ok(motion)
+    }
+
+    /// Motion from branch points -1 <= e₁ <= e₂ <= 1 <= e₃ (which count as exact), the signs of l + n and l - n, and
+    /// the phases at t = 0.
+    ///
+    /// # Errors
+    /// `e1`, `e2`, `e3`: not finite or not in this order; `nutation_phase`, `arg_alpha`, `arg_beta`: not finite or
+    /// beyond ±1e6 rad.
+    pub fn from_branch_points(
+        top: &Top,
+        e: [f64; 3],
+        signs: Signs,
+        start: &Start,
+    ) -> Result<Self, ParameterError> {
+        let [e1, e2, e3] = e;
+        let e = BranchPoints::exact(e1, e2, e3)?;
+        let Start { theta, arg_alpha, arg_beta } = *start;
+        for (name, angle) in [("theta", theta), ("arg_alpha", arg_alpha), ("arg_beta", arg_beta)] {
+            finite(name, angle)?;
+            require(Float::abs(angle) <= 1e6, name, "between -1e6 and 1e6 rad")?;
+        }
+        let integrals = e.integrals_in(top, signs);
+        let chi = half_turns(theta);
+        let upright = chi.halves().1 == Phase::QUARTER;
+        let regime = Regime::of(&e, signs, upright);
+        let given = [arg_alpha, arg_beta].map(|angle| DoubleDouble::from(angle).in_turns().to_phase());
+        let mut motion = Self {
+            top: *top,
+            signs,
+            e,
+            integrals,
+            regime,
+            nutation: NutationVariable::Nutating(chi),
+            phases: given,
+            conditioning: Conditioning::default(),
+            mean: None,
+        };
+        motion.mean = motion.computed_mean();
+        if motion.stands_still() {
+            motion.nutation = motion.steady_nutation();
+            return Ok(motion);
+        }
+        if regime == Regime::Aperiodic {
+            let (sine, cosine) = f64::sine_cosine(chi);
+            motion.nutation = NutationVariable::Aperiodic(libm::asinh(sine / cosine));
+        }
+        let directions = motion.directions_at_start();
+        let brackets = motion.brackets();
+        let [alpha, beta] = given;
+        motion.phases =
+            [alpha - brackets.alpha.argument(&directions), beta - brackets.beta.argument(&directions)];
+        Ok(motion)
+    }
+
+    /// Top of the motion.
+    #[must_use]
+    pub fn top(&self) -> &Top {
+        &self.top
+    }
+
+    /// Kind of motion.
+    #[must_use]
+    pub fn regime(&self) -> Regime {
+        self.regime
+    }
+
+    /// Class of the curve that the tip draws.
+    #[must_use]
+    pub fn tip_class(&self) -> TipClass {
+        TipClass::of(self.regime, &self.e, self.signs)
+    }
+
+    /// First integrals l, n and h.
+    #[must_use]
+    pub fn first_integrals(&self) -> FirstIntegrals {
+        self.integrals.to_f64()
+    }
+
+    /// Branch points e₁, e₂, e₃ and their differences.
+    #[must_use]
+    pub fn branch_points(&self) -> BranchPoints {
+        self.e.to_f64()
+    }
+
+    /// Signs of l + n and l - n.
+    #[must_use]
+    pub fn signs(&self) -> Signs {
+        self.signs
+    }
+
+    /// Nutation period, and advance of α and β over it. Where u is constant, these are the values of the small
+    /// nutation that a push would start. `None` where no motion nearby is periodic: aperiodic, sleeping unstable, and
+    /// the border of stability (e₁ = e₂ = e₃ = 1).
+    ///
+    /// It is computed once, when the motion is launched.
+    #[must_use]
+    pub fn period_advance(&self) -> Option<PeriodAdvance> {
+        self.mean.map(|mean| mean.advance.to_f64())
+    }
+
+    /// Winding numbers of the brackets of α and β around 0: see [`MeanMotion::winding`]. They are 1 for a steady
+    /// motion, whose brackets are constant.
+    pub(crate) fn windings(&self) -> [i32; 2] {
+        if self.is_steady() {
+            return [1; 2];
+        }
+        let Brackets { alpha, beta } = self.brackets::<f64>();
+        [alpha.winding(), beta.winding()]
+    }
+
+    /// Tip angle at t = 0, in (-1/2, 1/2] turn.
+    pub(crate) fn tip_angle_at_start(&self) -> Phase {
+        let (directions, Brackets { alpha, beta }) = (self.directions_at_start(), self.brackets::<f64>());
+        let [a, b] = self.phases;
+        (a + b + alpha.argument(&directions) + beta.argument(&directions)).principal()
+    }
+
+    /// Mean motion in double-double; `None` where the motion has no nutation period.
+    pub(crate) fn mean_motion(&self) -> Option<&MeanMotion> {
+        self.mean.as_ref()
+    }
+
+    fn computed_mean(&self) -> Option<MeanMotion> {
+        let has_period = self.e.e3_minus_e2 > DoubleDouble::ZERO;
+        has_period.then(|| MeanMotion::of(&self.law(), &self.e, self.signs, self.half_tau()))
+    }
+
+    /// Least normal force over the motion, N = 1 + s u''/g in units of the weight. Its relative error is one `f64`
+    /// rounding, unless it is within 1e-14 of 0; a magnitude below 1e-20 counts as 0. Where it is negative, a real
+    /// top leaves the plane and does not follow the computed motion. `None` for a fixed tip, whose support can also
+    /// pull.
+    #[must_use]
+    pub fn min_normal_force(&self) -> Option<f64> {
+        (self.top.support() == Support::Sliding).then(|| {
+            if self.is_steady() {
+                return 1.0;
+            }
+            normal_force::minimum(&self.e, self.a_over_p() / self.top.com_height().into())
+        })
+    }
+
+    pub(crate) fn quantities(&self) -> Quantities<DoubleDouble> {
+        Quantities::of(&self.top)
+    }
+
+    /// Length A/p, m.
+    fn a_over_p(&self) -> DoubleDouble {
+        let Quantities { a, p, .. } = self.quantities();
+        a / p
+    }
+
+    /// Half of τ = (1/C - 1/A) n, rad per unit time. The slow phases of a top with C ≠ A have the additional rates
+    /// ±τ/2, compared with C = A.
+    pub(crate) fn half_tau(&self) -> DoubleDouble {
+        self.quantities().tau(self.integrals.n).halved()
+    }
+
+    /// Rate τ/2 for the slow phases: in turns, and in rad, per unit time.
+    pub(crate) fn half_tau_rates(&self) -> (TurnRate, f64) {
+        (rate_in_turns(self.half_tau()), self.half_tau().to_f64())
+    }
+
+    pub(crate) fn law(&self) -> Law<DoubleDouble> {
+        Law::new(&self.top, &self.e, &self.integrals, self.signs)
+    }
+
+    pub(crate) fn brackets<R: Float>(&self) -> Brackets<R> {
+        if self.is_steady() {
+            let (one_plus_u, one_minus_u) = self.steady_tilt();
+            Brackets::steady(one_plus_u, one_minus_u)
+        } else {
+            Brackets::swinging(&self.e, self.signs)
+        }
+    }
+
+    pub(crate) fn exact_branch_points(&self) -> &BranchPoints<DoubleDouble> {
+        &self.e
+    }
+
+    pub(crate) fn exact_integrals(&self) -> &FirstIntegrals<DoubleDouble> {
+        &self.integrals
+    }
+
+    pub(crate) fn conditioning(&self) -> &Conditioning {
+        &self.conditioning
+    }
+
+    pub(crate) fn nutation(&self) -> NutationVariable {
+        self.nutation
+    }
+
+    /// Half phase χ at t = 0; `None` unless the motion nutates.
+    pub(crate) fn nutation_start(&self) -> Option<Phase> {
+        match self.nutation {
+            NutationVariable::Nutating(chi) => Some(chi),
+            NutationVariable::Steady(_) | NutationVariable::Aperiodic(_) => None,
+        }
+    }
+
+    pub(crate) fn phases(&self) -> [Phase; 2] {
+        self.phases
+    }
+
+    /// 1 + u and 1 - u of a steady motion.
+    fn steady_tilt(&self) -> (DoubleDouble, DoubleDouble) {
+        if self.regime == Regime::SleepingUnstable {
+            (DoubleDouble::from(2.0), DoubleDouble::ZERO)
+        } else {
+            (self.e.one_plus_e1, self.e.one_minus_e2)
+        }
+    }
+
+    /// Rates of A and B where u is constant, rad per unit time: ((l ± n)/(A (1 ± u)) ± τ)/2, with the upper signs for
+    /// A; 0 for a parameter that is 0.
+    pub(crate) fn steady_rates(&self) -> [DoubleDouble; 2] {
+        let twice_a = DoubleDouble::from(self.top.transverse_inertia()).doubled();
+        let (one_plus_u, one_minus_u) = self.steady_tilt();
+        let rate = |momentum: DoubleDouble, complement: DoubleDouble, half_tau: DoubleDouble| {
+            if complement > DoubleDouble::ZERO {
+                momentum / (twice_a * complement) + half_tau
+            } else {
+                DoubleDouble::ZERO
+            }
+        };
+        [
+            rate(self.integrals.l_plus_n, one_plus_u, self.half_tau()),
+            rate(self.integrals.l_minus_n, one_minus_u, -self.half_tau()),
+        ]
+    }
+
+    /// Whether u is exactly constant. An oscillation too small for the regime to count still has its own mean rates,
+    /// which differ from those at a constant u.
+    fn stands_still(&self) -> bool {
+        self.e.e2_minus_e1 == DoubleDouble::ZERO || self.regime == Regime::SleepingUnstable
+    }
+
+    /// Whether the motion is steady, that is, u is constant; known once the nutation variable is.
+    pub(crate) fn is_steady(&self) -> bool {
+        matches!(self.nutation, NutationVariable::Steady(_))
+    }
+
+    fn steady_nutation(&self) -> NutationVariable {
+        NutationVariable::Steady(self.steady_rates().map(rate_in_turns))
+    }
+
+    /// Nutation direction at t = 0, with both slow phases 0.
+    fn directions_at_start(&self) -> PhaseDirections<f64> {
+        let (sine, cosine) = match self.nutation {
+            NutationVariable::Steady(_) => (0.0, 1.0),
+            NutationVariable::Nutating(chi) => f64::sine_cosine(chi),
+            NutationVariable::Aperiodic(v) => gudermannian(v),
+        };
+        PhaseDirections { sine, cosine, alpha: Complex::ONE, beta: Complex::ONE }
+    }
+}
+
+fn rate_in_turns(radians: DoubleDouble) -> TurnRate {
+    let turns = radians.in_turns();
+    TurnRate::new(turns.hi(), turns.lo())
+}
+
+fn to_f64(z: Complex<DoubleDouble>) -> Complex<f64> {
+    Complex::new(z.re.to_f64(), z.im.to_f64())
+}

@@ -1,0 +1,126 @@
+//! Start of a motion: half phase χ and slow phases at t = 0, from a state or from given angles.
+
+use crate::cayley_klein::{Bracket, PhaseDirections};
+use crate::complex::Complex;
+use crate::constants::BranchPoints;
+use crate::constants::ReducedPoint;
+use crate::phase::Phase;
+use crate::scalar::{DoubleDouble, Float, Ring};
+
+/// Phases at t = 0 of a motion given by branch points. All are in rad, and 0 by default.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Start {
+    /// Nutation phase θ(0): 0 at u = e₁, π at u = e₂, with u rising in between. An `f64` that is nearest to a
+    /// multiple of π counts as that multiple. The value is ignored where u is constant, except that θ = π with e₂ =
+    /// e₃ = 1 means the sleeping top.
+    pub theta: f64,
+    /// Argument of α(0); where α(0) = 0, that of α'(0).
+    pub arg_alpha: f64,
+    /// Argument of β(0); where β(0) = 0, that of β'(0).
+    pub arg_beta: f64,
+}
+
+/// sin χ and cos χ of a point of the reduced curve: √(u - e₁) and ±√(e₂ - u), divided by √(e₂ - e₁). The sign is that
+/// of u'. An aperiodic motion has cos χ > 0, and its sin χ has the sign of u' instead.
+///
+/// The smaller of the two differences is computed from g₀ = (u - e₁)(e₂ - u)(e₃ - u), without a subtraction.
+pub(crate) fn half_phase(
+    e: &BranchPoints<DoubleDouble>,
+    point: &ReducedPoint<DoubleDouble>,
+    g0: DoubleDouble,
+    aperiodic: bool,
+) -> (f64, f64) {
+    let above_e1 = point.one_plus_u - e.one_plus_e1;
+    let below_e2 = point.one_minus_u - e.one_minus_e2;
+    let below_e3 = point.one_minus_u + e.e3_minus_one;
+    let (above_e1, below_e2) = if below_e2 < above_e1 {
+        (above_e1, g0 / (below_e3 * above_e1))
+    } else {
+        (g0 / (below_e3 * below_e2), below_e2)
+    };
+    let (sine, cosine) = (above_e1.sqrt().to_f64(), below_e2.sqrt().to_f64());
+    match (point.udot < DoubleDouble::ZERO, aperiodic) {
+        (false, _) => (sine, cosine),
+        (true, false) => (sine, -cosine),
+        (true, true) => (-sine, cosine),
+    }
+}
+
+/// Half phase χ in [0, 1/2] turn from its sine >= 0 and cosine, with full relative precision near 0, 1/4 and 1/2
+/// turn.
+pub(crate) fn chi(sine: f64, cosine: f64) -> Phase {
+    let from = |y: f64, x: f64| Phase::from_radians(libm::atan2(y, x));
+    if Float::abs(cosine) < sine {
+        Phase::QUARTER - from(cosine, sine)
+    } else if cosine > 0.0 {
+        from(sine, cosine)
+    } else {
+        Phase::HALF - from(sine, -cosine)
+    }
+}
+
+/// Half phase χ = θ/2. An `f64` θ that is nearest to a multiple of π counts as that multiple; this holds for |θ| up
+/// to 2^48, beyond which several multiples of π may round to one `f64`.
+pub(crate) fn half_turns(theta: f64) -> Phase {
+    let nearest = libm::round(theta * core::f64::consts::FRAC_1_PI);
+    let multiple = DoubleDouble::TWO_PI.halved() * nearest.into();
+    if nearest != 0.0 && multiple.to_f64() == theta {
+        return Phase::new(0.25 * nearest);
+    }
+    (DoubleDouble::from(theta).in_turns() * DoubleDouble::from(0.5)).to_phase()
+}
+
+/// Slow phase of a parameter z with rate z': the angle by which the bracket and its rate must be rotated to give z
+/// and z'. The rotations of value and rate are averaged with weights, so that the phase is well defined also where z
+/// is 0 or small at t = 0.
+pub(crate) fn slow_phase(
+    bracket: &Bracket<f64>,
+    directions: &PhaseDirections<f64>,
+    [nutation, turning]: [f64; 2],
+    z: [Complex<f64>; 2],
+) -> Phase {
+    let [value, rate] = z;
+    let model = bracket.at(directions);
+    let model_rate = bracket.along(directions).scaled(nutation) + model.times_i().scaled(turning);
+    let time = 1.0 / (nutation.squared() + turning.squared());
+    let sum = value * model.conj() + (rate * model_rate.conj()).scaled(time);
+    Phase::from_radians(sum.arg())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `f64` nearest to k π, computed in integers: π to 100 fraction bits, and the leading 53 bits of the product.
+    fn nearest_to_multiple(k: u32) -> f64 {
+        const PI: u128 = 0x32_43f6_a888_5a30_8d31_3198_a2e0;
+        let product = PI * u128::from(k);
+        let dropped = product.ilog2() - 52;
+        let rest = product & ((1 << dropped) - 1);
+        let half = 1 << (dropped - 1);
+        // the product is smaller than k π, by less than k units
+        assert!(rest.abs_diff(half) > u128::from(k), "{k}");
+        let mantissa = (product >> dropped) + u128::from(rest > half);
+        libm::ldexp(mantissa as f64, dropped as i32 - 100)
+    }
+
+    #[test]
+    fn the_nearest_number_to_any_multiple_of_pi_is_that_multiple() {
+        let most = if cfg!(miri) { 300 } else { 400_000 };
+        for k in 1..=most {
+            let theta = nearest_to_multiple(k);
+            let turns = Phase::from_bits(i128::from(k) * (Phase::QUARTER.to_bits()));
+            assert_eq!([half_turns(theta), half_turns(-theta)], [turns, -turns], "{k}: {theta:e}");
+            // a neighbouring number is a different, close angle
+            for near in [theta.next_up(), theta.next_down()] {
+                let off = half_turns(near) - turns;
+                let unit = Float::abs(near - theta) * 0.25 * core::f64::consts::FRAC_1_PI;
+                let share = Float::abs(off.to_f64()) / unit;
+                assert!((0.49..1.51).contains(&share), "{k}: {share}");
+                assert!((half_turns(-near) + half_turns(near)).to_bits().abs() <= 1, "{k}");
+            }
+        }
+        assert_eq!(half_turns(0.0), Phase::ZERO);
+    }
+}

@@ -1,0 +1,144 @@
+//! Scalars: the traits that the algorithms require of a number type, and the types that implement them.
+//!
+//! There are three small traits, because fixed point has no division and double-double has no sine. No trait provides
+//! a fused multiply-add, and transcendental functions never come from `std`, so that results are equal to the bit on
+//! a host and on a chip.
+//!
+//! | trait | requires | `f32` `f64` | [`DoubleDouble`] | fixed point, micromath |
+//! |---|---|---|---|---|
+//! | [`Ring`] | `+ - *`, order, 0 and 1 | yes | yes | yes |
+//! | [`Scalar`] | sine and cosine of an integer phase: what a *tick* needs | yes | no | yes |
+//! | [`Float`] | division, square root, conversion: what *set-up* needs | yes | yes | micromath only |
+
+mod double_double;
+
+mod sine;
+
+mod float;
+
+#[cfg(feature = "fixed")]
+mod fixed_point;
+
+pub use double_double::DoubleDouble;
+pub(crate) use sine::sine_cosine_f64;
+#[cfg(feature = "fixed")]
+pub use sine::sine_cosine_q15;
+pub use sine::{SINE_CONSTANTS, SineConstants, sine_cosine_q26, sine_cosine_q31};
+
+use crate::phase::Phase;
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Number type with sums, differences and products. Sealed.
+pub trait Ring:
+    sealed::Sealed
+    + Copy
+    + Debug
+    + PartialEq
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Neg<Output = Self>
+{
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+
+    /// Product. The default is `*`; a type overrides it where `*` is slow on chips without a long multiplication.
+    #[inline(always)]
+    #[must_use]
+    fn product(self, other: Self) -> Self {
+        self * other
+    }
+
+    /// Inner product of two pairs, ac + bd.
+    #[inline(always)]
+    #[must_use]
+    fn inner([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        a.product(c) + b.product(d)
+    }
+
+    /// Determinant of two pairs, ad - bc.
+    #[inline(always)]
+    #[must_use]
+    fn determinant([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        a.product(d) - b.product(c)
+    }
+
+    /// Square, x².
+    #[inline]
+    #[must_use]
+    fn squared(self) -> Self {
+        self.product(self)
+    }
+
+    /// Double, x + x: exact in binary floating point.
+    #[inline]
+    #[must_use]
+    fn doubled(self) -> Self {
+        self + self
+    }
+}
+
+/// Number type of a tick: a ring with the sine and cosine of an integer phase.
+pub trait Scalar: Ring {
+    /// (sin 2πx, cos 2πx) of a phase of x turns; dropping the whole turns is exact.
+    ///
+    /// Error: below 3.2e-8 in `f32`, absolute; below 2e-16 in `f64`, relative to the result near its zeros.
+    fn sine_cosine(phase: Phase) -> (Self, Self);
+
+    /// Half a unit in the last place of 1: the rounding error of one operation (a product in fixed point may be off
+    /// by eight times as much).
+    const ROUNDING: f64;
+}
+
+/// Number type of set-up: a ring with division and square root. Fixed point does not implement it.
+pub trait Float: Ring + Div<Output = Self> {
+    /// Nearest value of this type.
+    fn from_f64(x: f64) -> Self;
+    /// Nearest `f64`.
+    fn to_f64(self) -> f64;
+    /// Square root; 0 for a number that rounding made negative.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// Absolute value, |x|.
+    #[inline]
+    #[must_use]
+    fn abs(self) -> Self {
+        if self < Self::ZERO { -self } else { self }
+    }
+
+    /// Half, x / 2: exact in binary floating point.
+    #[inline]
+    #[must_use]
+    fn halved(self) -> Self {
+        self * Self::from_f64(0.5)
+    }
+}
+
+/// Floating-point type for both set-up and ticks, with the angle of a point and the exponential function.
+pub trait Real: Scalar + Float {
+    /// Angle of the point (x, y) in rad, in [-π, π].
+    fn atan2(y: Self, x: Self) -> Self;
+    /// Exponential function eˣ.
+    #[must_use]
+    fn exp(self) -> Self;
+    /// eˣ - 1, with a small relative error also where x is small.
+    #[must_use]
+    fn exp_minus_one(self) -> Self;
+}
+
+/// Supertrait of the sealed scalar traits. No type outside the crate implements it, so that the traits may grow.
+pub(crate) mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+    impl Sealed for super::DoubleDouble {}
+    #[cfg(feature = "fixed")]
+    impl Sealed for fixed::types::I2F30 {}
+    #[cfg(feature = "fixed")]
+    impl Sealed for fixed::types::I2F14 {}
+}

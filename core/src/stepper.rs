@@ -1,0 +1,288 @@
+//! Stepper: integration of the motion by one Runge-Kutta step for three phases per time step.
+//!
+//! Only the half phase χ and the slow phases ψ_A and ψ_B are integrated, and their rates depend on χ alone.
+//! Orientation, unit norm and first integrals are functions of the phases. Therefore |Φ|, l, n and h do not drift for
+//! any step size, and the error of a step is an error in time or phase along the exact motion. The phases are
+//! integers in turns and lose no digits as they grow, also in `f32`.
+
+use crate::attitude_state::AttitudeState;
+use crate::cayley_klein::{Brackets, PhaseDirections};
+use crate::complex::Complex;
+use crate::law::{Law, PhaseRates, gudermannian};
+use crate::motion::{Motion, NutationVariable};
+use crate::phase::{Phase, TurnRate};
+use crate::scalar::{Float, Real};
+use crate::su2::{Orientation, Vector};
+use crate::tip::TipLaw;
+
+/// Stepper of one motion. The step dt may change from call to call and have either sign.
+///
+/// The method is of fourth order in dt. With 4096 steps a period in `f64` the error over ten periods is below 1e-12
+/// rad, with 512 steps in `f32` below 1e-5 rad, away from the separatrix (`toytop compare` prints it). A step costs
+/// four evaluations of the law: 4 sine-cosine pairs (if the motion is aperiodic, 4 exponentials and 4 `expm1`), 4
+/// square roots and 12 divisions. A step is never subdivided.
+///
+/// Where u is constant (regular precession, sleeping, hanging) a step is exact for any dt.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stepper<R> {
+    brackets: Brackets<R>,
+    law: Law<R>,
+    tip: TipLaw<R>,
+    nutation: CurrentNutation<R>,
+    /// Slow phases A and B.
+    phases: [Phase; 2],
+    /// Rate τ/2: in turns per unit time for the phases, in rad per unit time for their rates.
+    half_tau: (TurnRate, R),
+    /// Difference of φ and the sum of the continued arguments of α and β; `None` where φ does not exist.
+    phi_origin: Option<Phase>,
+}
+
+/// Variable of the nutation at the current time, by kind of motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum CurrentNutation<R> {
+    /// Rates of A and B, in turns and in rad per unit time.
+    Steady([(TurnRate, R); 2]),
+    Nutating(Phase),
+    Aperiodic(Compensated<R>),
+}
+
+/// Sum of many small terms, with the rounding error of the last addition (Knuth's exact addition).
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Compensated<R> {
+    sum: R,
+    rest: R,
+}
+
+impl<R: Real> Compensated<R> {
+    fn plus(self, term: R) -> Self {
+        let term = term + self.rest;
+        let sum = self.sum + term;
+        let from_term = sum - self.sum;
+        Self { sum, rest: (self.sum - (sum - from_term)) + (term - from_term) }
+    }
+
+    /// Sum limited to ±1e30, where cos χ is 0 in every scalar, so that a step of any size gives a finite number.
+    fn bounded(self) -> Self {
+        let far = R::from_f64(1e30);
+        if self.sum.abs() <= far {
+            return self;
+        }
+        Self { sum: if self.sum < R::ZERO { -far } else { far }, rest: R::ZERO }
+    }
+}
+
+/// Angle in rad as an integer phase.
+fn turns<R: Real>(radians: R) -> Phase {
+    Phase::new((radians * R::from_f64(0.5 * core::f64::consts::FRAC_1_PI)).to_f64())
+}
+
+impl<R: Real> Stepper<R> {
+    /// Stepper at t = 0 of the motion. Its constants are computed in double-double and rounded once to `R`.
+    #[must_use]
+    pub fn new(motion: &Motion) -> Self {
+        let (half_tau, drift_rate) = motion.half_tau_rates();
+        let nutation = match motion.nutation() {
+            NutationVariable::Steady(rates) => {
+                let [alpha, beta] = motion.steady_rates().map(|rate| R::from_f64(rate.to_f64()));
+                let [alpha_turns, beta_turns] = rates;
+                CurrentNutation::Steady([(alpha_turns, alpha), (beta_turns, beta)])
+            }
+            NutationVariable::Nutating(chi) => CurrentNutation::Nutating(chi),
+            NutationVariable::Aperiodic(v) => {
+                let sum = R::from_f64(v);
+                CurrentNutation::Aperiodic(Compensated { sum, rest: R::from_f64(v - sum.to_f64()) })
+            }
+        };
+        let mut stepper = Self {
+            brackets: motion.brackets(),
+            law: motion.law().cast(),
+            tip: TipLaw::new(motion),
+            nutation,
+            phases: motion.phases(),
+            half_tau: (half_tau, R::from_f64(drift_rate)),
+            phi_origin: None,
+        };
+        if !motion.regime().is_vertical() {
+            let directions = stepper.directions();
+            let [alpha, beta] = stepper.phases;
+            let arguments =
+                stepper.brackets.alpha.argument(&directions) + stepper.brackets.beta.argument(&directions);
+            stepper.phi_origin =
+                Some((alpha + beta + arguments).principal() - stepper.continued_phi(&directions));
+        }
+        stepper
+    }
+
+    /// Advances by dt, in the motion's unit of time. A dt that is not finite counts as 0.
+    pub fn step(&mut self, dt: R) {
+        if !dt.to_f64().is_finite() {
+            return;
+        }
+        match self.nutation {
+            CurrentNutation::Steady(rates) => {
+                let elapsed = dt.to_f64();
+                for (phase, (rate, _)) in self.phases.iter_mut().zip(rates) {
+                    *phase += rate.over(elapsed);
+                }
+            }
+            CurrentNutation::Nutating(chi) => {
+                let change = runge_kutta(dt, |delta| self.nutating_rates(chi + turns(delta)));
+                self.nutation = CurrentNutation::Nutating(chi + turns(change.nutation));
+                self.drift_on(dt, &change);
+            }
+            CurrentNutation::Aperiodic(v) => {
+                let change = runge_kutta(dt, |delta| {
+                    let (tanh, sech) = gudermannian(v.plus(delta).sum);
+                    self.law.aperiodic_rates(tanh, sech)
+                });
+                self.nutation = CurrentNutation::Aperiodic(v.plus(change.nutation).bounded());
+                self.drift_on(dt, &change);
+            }
+        }
+    }
+
+    fn drift_on(&mut self, dt: R, change: &PhaseRates<R>) {
+        let half_tau = self.half_tau.0.over(dt.to_f64());
+        let [alpha, beta] = &mut self.phases;
+        *alpha += turns(change.alpha) + half_tau;
+        *beta += turns(change.beta) - half_tau;
+    }
+
+    fn nutating_rates(&self, chi: Phase) -> PhaseRates<R> {
+        let (sine, cosine) = R::sine_cosine(chi);
+        self.law.rates(sine, cosine)
+    }
+
+    /// Orientation Φ. Cost: three sine-cosine pairs and twelve products.
+    #[must_use]
+    pub fn orientation(&self) -> Orientation<R> {
+        self.brackets.orientation(&self.directions())
+    }
+
+    /// Orientation and its rate.
+    #[must_use]
+    pub fn attitude_state(&self) -> AttitudeState<R> {
+        let directions = self.directions();
+        let rate = self.brackets.rate(&directions, &self.whole_rates(&directions));
+        AttitudeState { orientation: self.brackets.orientation(&directions), rate }
+    }
+
+    /// Cosine of the tilt u, in [-1, 1].
+    #[must_use]
+    pub fn u(&self) -> R {
+        self.orientation().clamped_u()
+    }
+
+    /// Rate u' of the cosine of the tilt, per unit time.
+    #[must_use]
+    pub fn udot(&self) -> R {
+        self.attitude_state().udot()
+    }
+
+    /// Unit vector r from the tip to the centre of mass, in the fixed frame.
+    #[must_use]
+    pub fn axis(&self) -> Vector<R> {
+        self.orientation().axis()
+    }
+
+    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give quaternions of opposite sign.
+    #[must_use]
+    pub fn quaternion(&self) -> [R; 4] {
+        self.orientation().quaternion()
+    }
+
+    /// Angular velocity ω in the fixed frame, rad per unit time.
+    #[must_use]
+    pub fn omega(&self) -> Vector<R> {
+        self.attitude_state().omega()
+    }
+
+    /// Angular velocity Ω in the body frame, rad per unit time.
+    #[must_use]
+    pub fn omega_body(&self) -> Vector<R> {
+        self.attitude_state().omega_body()
+    }
+
+    /// Tip position c = 2 s αβ, in m, relative to the point of the plane below the centre of mass; 2αβ without unit
+    /// for a fixed tip.
+    #[must_use]
+    pub fn tip(&self) -> Complex<R> {
+        self.tip.tip(&self.orientation())
+    }
+
+    /// Velocity c' of the tip, m per unit time.
+    #[must_use]
+    pub fn tip_velocity(&self) -> Complex<R> {
+        self.tip.velocity(&self.attitude_state())
+    }
+
+    /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, whole turns included; `None` where the
+    /// axis is vertical at all times.
+    ///
+    /// Where the curve passes through the centre (e₁ = -1 or e₂ = 1), φ is smooth there and the radius changes sign:
+    /// c = ±ρ e^{iφ}.
+    #[must_use]
+    pub fn tip_angle(&self) -> Option<Phase> {
+        self.phi_origin.map(|origin| origin + self.continued_phi(&self.directions()))
+    }
+
+    /// Rate φ' of the tip angle, rad per unit time: ((l + n)/(1 + u) + (l - n)/(1 - u))/(2A), equation (4.1) of the
+    /// paper. It is limited to the largest finite `f32`, which a motion that misses the vertical by 1e-30 exceeds; 0
+    /// where the axis is vertical at all times.
+    #[must_use]
+    pub fn tip_angle_rate(&self) -> R {
+        self.tip.angle_rate(&self.orientation())
+    }
+
+    fn directions(&self) -> PhaseDirections<R> {
+        let (sine, cosine) = match self.nutation {
+            CurrentNutation::Steady(_) => (R::ZERO, R::ONE),
+            CurrentNutation::Nutating(chi) => R::sine_cosine(chi),
+            CurrentNutation::Aperiodic(v) => gudermannian(v.sum),
+        };
+        let [alpha, beta] = self.phases.map(Complex::cis);
+        PhaseDirections { sine, cosine, alpha, beta }
+    }
+
+    /// Rates of χ, A and B at these phases, rad per unit time.
+    fn whole_rates(&self, directions: &PhaseDirections<R>) -> PhaseRates<R> {
+        let mut rates = match self.nutation {
+            CurrentNutation::Steady([(_, alpha), (_, beta)]) => {
+                return PhaseRates { nutation: R::ZERO, alpha, beta };
+            }
+            CurrentNutation::Nutating(_) => self.law.rates(directions.sine, directions.cosine),
+            CurrentNutation::Aperiodic(_) => {
+                let rates = self.law.aperiodic_rates(directions.sine, directions.cosine);
+                PhaseRates { nutation: rates.nutation * directions.cosine, ..rates } // χ' = v' sech v
+            }
+        };
+        rates.alpha = rates.alpha + self.half_tau.1;
+        rates.beta = rates.beta - self.half_tau.1;
+        rates
+    }
+
+    /// Sum arg α + arg β, continuous in time.
+    fn continued_phi(&self, directions: &PhaseDirections<R>) -> Phase {
+        let [alpha, beta] = self.phases;
+        let chi = match self.nutation {
+            CurrentNutation::Steady(_) => Phase::ZERO,
+            CurrentNutation::Nutating(chi) => chi,
+            CurrentNutation::Aperiodic(_) => turns(R::atan2(directions.sine, directions.cosine)),
+        };
+        alpha
+            + beta
+            + self.brackets.alpha.continued_argument(directions, chi)
+            + self.brackets.beta.continued_argument(directions, chi)
+    }
+}
+
+/// Changes of the phases over dt by the classical fourth-order Runge-Kutta step. The rates are a function of the
+/// change of the nutation phase since the start of the step.
+fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> PhaseRates<R>) -> PhaseRates<R> {
+    let half = dt.halved();
+    let k1 = rates(R::ZERO);
+    let k2 = rates(k1.nutation * half);
+    let k3 = rates(k2.nutation * half);
+    let k4 = rates(k3.nutation * dt);
+    PhaseRates::weighted([k1, k2, k3, k4], dt * R::from_f64(1.0 / 6.0))
+}

@@ -1,0 +1,107 @@
+//! The chips that toytop is tested on, and the QEMU machines that stand for them. Memory maps: firmware-examples/memory/.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// Processor core with its Rust target and QEMU machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Chip {
+    /// Name on the command line and in `firmware-examples/budgets.toml`.
+    pub name: &'static str,
+    /// Name for reading.
+    pub core: &'static str,
+    /// Rust's target triple.
+    pub target: &'static str,
+    /// Flags of the compiler; a chip that has some has a target folder of its own.
+    pub rustflags: &'static str,
+    /// Program of QEMU.
+    pub emulator: &'static str,
+    /// Arguments that choose the machine of QEMU.
+    pub machine: &'static [&'static str],
+}
+
+/// Chip without FPU and division, with 16 KiB of RAM.
+pub const M0: Chip = Chip {
+    name: "m0",
+    core: "Cortex-M0",
+    target: "thumbv6m-none-eabi",
+    rustflags: "",
+    emulator: "qemu-system-arm",
+    machine: &["-machine", "microbit"],
+};
+
+/// Chip with the instructions of [`M0`]. QEMU has none: a Cortex-M3 stands for it, which knows these instructions too and has
+/// memory for large tables.
+pub const M0PLUS: Chip =
+    Chip { name: "m0plus", core: "Cortex-M0+", machine: &["-machine", "mps2-an385"], ..M0 };
+
+/// Chip with an FPU for `f32`, on which a multiplication and a sum are faster than a multiply-add.
+pub const M4F: Chip = Chip {
+    name: "m4f",
+    core: "Cortex-M4F",
+    target: "thumbv7em-none-eabihf",
+    rustflags: "-C target-cpu=cortex-m4",
+    emulator: "qemu-system-arm",
+    machine: &["-machine", "mps2-an386"],
+};
+
+/// Chip with an FPU for `f32` and `f64`. Its ELF hangs on an M4F without a message.
+pub const M7: Chip = Chip {
+    name: "m7",
+    core: "Cortex-M7",
+    rustflags: "-C target-cpu=cortex-m7",
+    machine: &["-machine", "mps2-an500"],
+    ..M4F
+};
+
+/// Chip of Armv8-M with an FPU for `f32`.
+pub const M33: Chip = Chip {
+    name: "m33",
+    core: "Cortex-M33",
+    target: "thumbv8m.main-none-eabihf",
+    rustflags: "",
+    emulator: "qemu-system-arm",
+    machine: &["-machine", "mps2-an505"],
+};
+
+/// Chip of RISC-V without FPU.
+pub const RISCV: Chip = Chip {
+    name: "riscv",
+    core: "RISC-V (RV32IMAC)",
+    target: "riscv32imac-unknown-none-elf",
+    rustflags: "",
+    emulator: "qemu-system-riscv32",
+    machine: &["-machine", "virt", "-bios", "none"],
+};
+
+impl Chip {
+    /// Command that runs an ELF to its end: no input, and the semihosting of the host. Both outputs are piped.
+    #[must_use]
+    pub fn qemu(&self, elf: &Path) -> Command {
+        let mut command = Command::new(self.emulator);
+        command
+            .args(self.machine)
+            .args(["-nographic", "-monitor", "none", "-serial", "none"])
+            .args(["-semihosting-config", "enable=on,target=native"])
+            .arg("-kernel")
+            .arg(elf)
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        command
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_elf_and_the_machine_are_in_the_command() {
+        let command = RISCV.qemu(Path::new("program.elf"));
+        let words: Vec<_> = command.get_args().map(|word| word.to_string_lossy()).collect();
+        assert_eq!(command.get_program(), "qemu-system-riscv32");
+        assert_eq!(words[..4], ["-machine", "virt", "-bios", "none"]);
+        assert_eq!(words[words.len() - 2..], ["-kernel", "program.elf"]);
+    }
+}

@@ -1,0 +1,171 @@
+//! What is launched: branch points or a state, in range or on purpose beyond it.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::fmt;
+use toytop::{Motion, ParameterError, Release, Sign, Signs, Start, State, Stepper};
+use toytop_host::input::random::Random;
+use toytop_host::truth::exact::Exact;
+use toytop_host::truth::motions::{Numbers, branch_points};
+use toytop_host::truth::state_constants::Launched;
+use toytop_host::truth::states::StateNumbers;
+
+/// The least difference of branch points that is not 0, and of a tilt from the vertical half as many digits.
+const LEAST: f64 = 1e-12;
+/// The greatest e₃ - 1: some 10^6 turns of the body in the time in which the axis would fall.
+const MOST: f64 = 1e12;
+
+/// An input, all numbers exact.
+#[derive(Clone, Copy, Debug)]
+pub enum Input {
+    /// e₁, e₂, e₃, the signs, and where it starts.
+    BranchPoints(Numbers),
+    /// Orientation and angular velocity.
+    State(StateNumbers),
+}
+
+impl Input {
+    /// Log-uniform towards the corners: A/(ps) in \[1e-3, 1e6\], C/A in \[1e-3, 2\], 1 + e₁, e₂ - e₁, 1 - e₂ and e₃ - 1 down to
+    /// 1e-12, and one in sixteen at 0. Half of them are branch points; a quarter are states on such motions, in `f64`; a
+    /// quarter are thrown: tilt down to 1e-6 from either vertical, spin from 1e-3 to 1e6 rad/s.
+    #[must_use]
+    pub fn random(random: &mut Random) -> Self {
+        let numbers = numbers(random);
+        if random.one_in(2) {
+            return Self::BranchPoints(numbers);
+        }
+        let thrown = random.one_in(2);
+        let release = release(random);
+        let state = if thrown { State::release(&release).ok() } else { on_motion(&numbers) };
+        let Numbers { a, c, s, p, g, .. } = numbers;
+        // a release in range is a state, and so is a point of a motion that stands
+        state.map_or(Self::BranchPoints(numbers), |state| {
+            Self::State(StateNumbers::of([a, c, s, p, g], &state))
+        })
+    }
+
+    /// The same with one number where none is allowed.
+    #[must_use]
+    pub fn beyond(random: &mut Random) -> Self {
+        let mut input = Self::random(random);
+        let far = random.scale(1e3, 1e12);
+        let not_finite = if random.one_in(2) { f64::NAN } else { f64::INFINITY };
+        let place = random.between(0.0, 6.0) as u32;
+        match (&mut input, place) {
+            (Self::BranchPoints(numbers), 0) => numbers.a = 1e-7 / far * numbers.p * numbers.s,
+            (Self::BranchPoints(numbers), 1) => numbers.c = (2.0 + 1e-3 * far) * numbers.a,
+            (Self::BranchPoints(numbers), 2) => numbers.e[2] = 1e12 * far,
+            (Self::BranchPoints(numbers), 3) => numbers.e[0] = -1.0 - 1e-15 * far,
+            (Self::BranchPoints(numbers), 4) => numbers.e[1] = 1.0 + 1e-15 * far,
+            (Self::BranchPoints(numbers), _) => numbers.start.theta = not_finite,
+            (Self::State(numbers), 0) => numbers.top[0] = 1e-7 / far * numbers.top[2] * numbers.top[3],
+            (Self::State(numbers), 1) => numbers.top[1] = (2.0 + 1e-3 * far) * numbers.top[0],
+            (Self::State(numbers), 2) => numbers.omega[2] = 1e10 * far,
+            (Self::State(numbers), 3) => numbers.phi = numbers.phi.map(|z| z.map(|x| (1.0 + 1e-9 * far) * x)),
+            (Self::State(numbers), 4) => numbers.top[4] = -numbers.top[4],
+            (Self::State(numbers), _) => numbers.omega[0] = not_finite,
+        }
+        input
+    }
+
+    /// The motion.
+    ///
+    /// # Errors
+    /// Those of a launch.
+    pub fn motion(&self) -> Result<Motion, ParameterError> {
+        match self {
+            Self::BranchPoints(numbers) => numbers.motion(),
+            Self::State(numbers) => numbers.motion(),
+        }
+    }
+
+    /// The truth of it.
+    #[must_use]
+    pub fn exact(&self) -> Exact {
+        match self {
+            Self::BranchPoints(numbers) => Exact::new(numbers),
+            Self::State(numbers) => Exact::launched(&Launched::new(numbers)),
+        }
+    }
+
+    /// The same with every number moved by one unit in its last place, up or down by lot. A number that stands right at a
+    /// corner stays there, and so do two branch points that are one.
+    #[must_use]
+    pub fn neighbour(&self, random: &mut Random) -> Self {
+        let mut moved = |x: f64, corners: &[f64]| match random.one_in(2) {
+            _ if corners.contains(&x.abs()) => x,
+            true => x.next_up(),
+            false => x.next_down(),
+        };
+        match *self {
+            Self::BranchPoints(numbers) => {
+                let [e1, e2, e3] = numbers.e;
+                let lower = moved(e1, &[1.0]);
+                let upper = if e1 == e2 { lower } else { moved(e2, &[1.0]).max(lower) };
+                let start = numbers.start;
+                Self::BranchPoints(Numbers {
+                    a: moved(numbers.a, &[]),
+                    c: moved(numbers.c, &[]),
+                    s: moved(numbers.s, &[]),
+                    p: moved(numbers.p, &[]),
+                    g: moved(numbers.g, &[]),
+                    e: [lower, upper, moved(e3, &[1.0])],
+                    signs: numbers.signs,
+                    start: Start {
+                        theta: moved(start.theta, &[0.0, PI]),
+                        arg_alpha: moved(start.arg_alpha, &[]),
+                        arg_beta: moved(start.arg_beta, &[]),
+                    },
+                })
+            }
+            Self::State(numbers) => Self::State(StateNumbers {
+                top: numbers.top.map(|x| moved(x, &[])),
+                phi: numbers.phi.map(|z| z.map(|x| moved(x, &[0.0]))),
+                omega: numbers.omega.map(|x| moved(x, &[0.0])),
+            }),
+        }
+    }
+}
+
+fn numbers(random: &mut Random) -> Numbers {
+    let [s, p, g] = [(); 3].map(|()| random.scale(0.1, 10.0));
+    let a = random.scale(1e-3, 1e6) * p * s;
+    let c = a * random.scale(1e-3, 2.0);
+    let e = branch_points(random, LEAST, MOST);
+    let mut sign = || if random.one_in(2) { Sign::Plus } else { Sign::Minus };
+    let signs = Signs { l_plus_n: sign(), l_minus_n: sign() };
+    let [theta, arg_alpha, arg_beta] = [(); 3].map(|()| random.between(-PI, PI));
+    let at_corner = [0.0, PI].into_iter().find(|_| random.one_in(16));
+    let start = Start { theta: at_corner.unwrap_or(theta), arg_alpha, arg_beta };
+    Numbers { a, c, s, p, g, e, signs, start }
+}
+
+/// Where a motion starts, as a state in `f64`: no longer exactly on it, and a motion of its own.
+fn on_motion(numbers: &Numbers) -> Option<State> {
+    let pose = Stepper::<f64>::new(&numbers.motion().ok()?).attitude_state();
+    State::new(pose.orientation, pose.omega()).ok()
+}
+
+fn release(random: &mut Random) -> Release {
+    let tilt = match (random.one_in(16), random.one_in(3)) {
+        (true, _) => 0.0,
+        (false, true) => PI - random.scale(LEAST.sqrt(), FRAC_PI_2),
+        (false, false) => random.scale(LEAST.sqrt(), FRAC_PI_2),
+    };
+    let [azimuth, roll] = [(); 2].map(|()| random.between(-PI, PI));
+    let mut rate = |one_in_rests: u64, most: f64| match (random.one_in(one_in_rests), random.one_in(2)) {
+        (true, _) => 0.0,
+        (false, true) => random.scale(1e-3, most),
+        (false, false) => -random.scale(1e-3, most),
+    };
+    let (spin, precession, nutation) = (rate(16, 1e6), rate(3, 1e3), rate(3, 1e3));
+    Release { tilt, azimuth, roll, spin, precession, nutation }
+}
+
+impl fmt::Display for Input {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::BranchPoints(numbers) => numbers.fmt(f),
+            Self::State(numbers) => numbers.fmt(f),
+        }
+    }
+}

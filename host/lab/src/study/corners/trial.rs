@@ -1,0 +1,181 @@
+//! One input put to the test.
+
+use super::input::Input;
+use super::reading::{Reading, SCALARS, readings};
+use crate::study::draw::Ticks;
+use toytop::{Motion, ParameterError, Regime, Top};
+use toytop_host::input::random::Random;
+use toytop_host::motion::ephemeris::ticks_for;
+use toytop_host::motion::invariants::first_integrals;
+use toytop_host::motion::propagate::natural_time;
+use toytop_host::truth::exact::PreciseOrientation;
+
+/// A tick, and the truth there.
+struct Target {
+    tick: i64,
+    phi: PreciseOrientation,
+    /// What the last place of the input does to Φ, rad; only asked for in the first period.
+    sensitivity: Option<f64>,
+}
+
+/// What one scalar made of an input.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Kept {
+    /// What of Φ's norm and of u at its turning points is beyond the bound, as a share of it.
+    pub strain: f64,
+    /// The greatest change of l and n as a share of what they are made of, and of h.
+    pub drift: f64,
+    /// Against the truth, where it was asked.
+    pub error: Option<Error>,
+}
+
+/// The greatest of each over the places.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Error {
+    /// rad.
+    pub error: f64,
+    /// In units of the bound.
+    pub of_bound: f64,
+    /// The tick at which it is greatest in units of the bound.
+    pub tick: i64,
+    /// In units of a rounding of the scalar and what one of the input does, in the first period.
+    pub of_condition: f64,
+    /// Places, and those of them at which more than half of the bound comes from the number of ticks.
+    pub places: [u64; 2],
+}
+
+/// What became of an input.
+#[derive(Clone, Debug)]
+pub enum Outcome {
+    /// No motion.
+    Refused(ParameterError),
+    /// A motion, and what each scalar made of it; `None`: no table fits.
+    Moves {
+        /// Its regime.
+        regime: Regime,
+        /// By scalar, in the order of [`SCALARS`].
+        kept: Box<[Option<Kept>; 4]>,
+        /// The greatest change of Φ that the last place of the input makes, rad, where it was asked.
+        sensitivity: Option<f64>,
+    },
+}
+
+/// Tries an input, against the truth if that is wanted.
+#[must_use]
+pub fn run(input: &Input, random: &mut Random, with_truth: bool) -> Outcome {
+    let motion = match input.motion() {
+        Ok(motion) => motion,
+        Err(error) => return Outcome::Refused(error),
+    };
+    let averages = motion.period_advance().filter(|_| motion.regime() == Regime::Nutating);
+    let period = averages.map_or_else(|| natural_time(motion.top()), |averages| averages.period);
+    let readings = readings(&motion, period);
+    let targets = with_truth.then(|| targets(input, &motion, ticks_for(&motion, period), random));
+    let checks = Checks::new(&motion, period, averages.is_some(), random);
+    let kept = |(reading, (_, rounding)): (&Option<Reading>, (&str, f64))| {
+        reading.as_ref().map(|reading| Kept {
+            strain: checks.strain(reading),
+            drift: checks.drift(reading),
+            error: targets.as_ref().map(|targets| error(reading, targets, rounding)),
+        })
+    };
+    let [a, b, c, d] = &readings;
+    let [first, second, third, fourth] = SCALARS;
+    Outcome::Moves {
+        regime: motion.regime(),
+        kept: Box::new([(a, first), (b, second), (c, third), (d, fourth)].map(kept)),
+        sensitivity: targets
+            .map(|targets| targets.iter().filter_map(|target| target.sensitivity).fold(0.0, f64::max)),
+    }
+}
+
+fn error(reading: &Reading, targets: &[Target], rounding: f64) -> Error {
+    targets.iter().fold(Error::default(), |worst, target| {
+        let error = target.phi.distance(&reading.at_tick(target.tick));
+        // what is no number is beyond every bound
+        let error = if error.is_nan() { f64::INFINITY } else { error };
+        let condition = target.sensitivity.map_or(0.0, |sensitivity| error / (rounding + sensitivity));
+        let [places, by_ticks] = worst.places;
+        let of_bound = error / reading.bound_at(target.tick);
+        Error {
+            error: worst.error.max(error),
+            of_bound: worst.of_bound.max(of_bound),
+            tick: if of_bound > worst.of_bound { target.tick } else { worst.tick },
+            of_condition: worst.of_condition.max(condition),
+            places: [places + 1, by_ticks + u64::from(reading.counts_ticks(target.tick))],
+        }
+    })
+}
+
+/// What needs no truth: unit norm, u at the turning points, energy and momenta.
+struct Checks {
+    top: Top,
+    /// Anywhere in the first period.
+    times: Vec<f64>,
+    /// The nutation period with e₁ and e₂, where there is one.
+    turning: Option<(f64, [f64; 2])>,
+}
+
+impl Checks {
+    fn new(motion: &Motion, period: f64, turns: bool, random: &mut Random) -> Self {
+        let times = (0..PLACES).map(|_| random.between(0.0, period)).collect();
+        let e = motion.branch_points();
+        Self { top: *motion.top(), times, turning: turns.then_some((period, [e.e1, e.e2])) }
+    }
+
+    fn strain(&self, reading: &Reading) -> f64 {
+        let norms = self.times.iter().map(|&t| (t, reading.at(t).phi.norm_squared() - 1.0));
+        let ends = self.turning.into_iter().flat_map(|(period, [e1, e2])| {
+            [(1.0, e1), (0.5, e2)].map(|(phase, u)| ((phase - reading.phase()) * period, u))
+        });
+        let heights = ends.map(|(t, u)| (t, reading.at(t).phi.u() - u));
+        norms.chain(heights).fold(0.0, |worst, (t, off)| {
+            let strain = off.abs() / reading.bound(t);
+            if strain.is_nan() { f64::INFINITY } else { strain.max(worst) }
+        })
+    }
+
+    fn drift(&self, reading: &Reading) -> f64 {
+        let mut first: Option<[f64; 3]> = None;
+        let mut worst = 0.0_f64;
+        for &t in &self.times {
+            let seen = reading.at(t);
+            let Some(omega) = seen.omega else { return 0.0 };
+            let now = first_integrals(&self.top, seen.phi.alpha, seen.phi.beta, omega);
+            let then = *first.get_or_insert(now);
+            let size = omega.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let momentum = self.top.transverse_inertia().max(self.top.axial_inertia()) * size;
+            let energy = momentum * size + self.top.mass_moment() * self.top.gravity();
+            let shares = [momentum, momentum, energy];
+            for ((now, then), share) in now.iter().zip(then).zip(shares) {
+                let drift = (now - then).abs() / share.max(f64::MIN_POSITIVE);
+                worst = worst.max(if drift.is_nan() { f64::INFINITY } else { drift });
+            }
+        }
+        worst
+    }
+}
+
+/// Near places anywhere, as many beside a turning point, and as many far ones anywhere.
+const PLACES: usize = 4;
+/// Neighbours that the sensitivity is the greatest of.
+const NEIGHBOURS: usize = 2;
+
+fn targets(input: &Input, motion: &Motion, rate: f64, random: &mut Random) -> Vec<Target> {
+    let exact = input.exact();
+    let ticks = Ticks { exact: &exact, rate, natural_time: natural_time(motion.top()) };
+    let mut near = ticks.near(PLACES, random);
+    near.extend(ticks.fast());
+    let neighbours = [(); NEIGHBOURS].map(|()| input.neighbour(random).exact());
+    let near = near.into_iter().map(|tick| {
+        let t = ticks.time(tick);
+        let phi = exact.at(&t);
+        let moved = neighbours.iter().map(|neighbour| neighbour.at(&t).apart(&phi));
+        let sensitivity = Some(moved.filter(|moved| moved.is_finite()).fold(0.0, f64::max));
+        Target { tick, phi, sensitivity }
+    });
+    let near: Vec<_> = near.collect();
+    let far = ticks.far(PLACES, random).into_iter();
+    let far = far.map(|tick| Target { tick, phi: exact.at(&ticks.time(tick)), sensitivity: None });
+    near.into_iter().chain(far).collect()
+}

@@ -1,0 +1,112 @@
+//! Ticks of a motion at which it is held against the truth.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use toytop_host::input::random::Random;
+use toytop_host::truth::exact::{Course, Exact};
+use toytop_host::truth::precise::{Precise, precise, to_f64, to_floor, to_nearest, whole};
+
+/// A motion with ticks: a power of two of them in a unit of time, so that the time of a tick is exact.
+pub(super) struct Ticks<'a> {
+    pub(super) exact: &'a Exact,
+    /// Ticks in a unit of time.
+    pub(super) rate: f64,
+    /// The time in which an axis of this top falls; stands for the period of a motion that has none.
+    pub(super) natural_time: f64,
+}
+
+/// Powers of two of the far ticks that are moved to the fast part of their period.
+const AIMED: [u32; 3] = [40, 50, 62];
+
+/// Periods that are searched for one in which a tick falls right on the fast part.
+const SEARCHED: i64 = 64;
+
+impl Ticks<'_> {
+    /// The time of a tick.
+    pub(super) fn time(&self, tick: i64) -> Precise {
+        whole(tick) / precise(self.rate)
+    }
+
+    /// Ticks of the first period: so many anywhere, and as many close to a turning point, where things go fastest or slowest.
+    /// Of an aperiodic motion, so many on the way up or down; of a steady one, in the natural time.
+    pub(super) fn near(&self, count: usize, random: &mut Random) -> Vec<i64> {
+        let mut ticks = Vec::new();
+        for _ in 0..count {
+            match self.exact.course() {
+                Course::Steady => ticks.push(self.within(self.natural_time, random)),
+                Course::Aperiodic => {
+                    ticks.extend(self.at(2.0 * (0.5 * random.between(-12.0, 12.0)).tanh().atan()));
+                }
+                Course::Nutating => {
+                    ticks.push(self.within(self.period(), random));
+                    let turning = (random.between(0.0, PI) / FRAC_PI_2).round() * FRAC_PI_2;
+                    let side = if random.one_in(2) { 1.0 } else { -1.0 };
+                    ticks.extend(self.at(turning + side * random.scale(1e-6, 0.3)));
+                }
+            }
+        }
+        ticks
+    }
+
+    /// Ticks up to so many periods away, each so many periods after one of these.
+    pub(super) fn periods_after(&self, ticks: &[i64], most: f64, random: &mut Random) -> Vec<i64> {
+        let later = |&tick: &i64| {
+            let periods = random.scale(1.0, most).round();
+            tick.saturating_add((periods * self.period() * self.rate) as i64)
+        };
+        ticks.iter().map(later).collect()
+    }
+
+    /// Ticks where the error per tick has added up: so many anywhere from ±2^40 to ±2^62, and the tick nearest to the fast part
+    /// of a period at ±2^40, ±2^50 and ±2^62, if there is one.
+    pub(super) fn far(&self, count: usize, random: &mut Random) -> Vec<i64> {
+        let mut ticks: Vec<i64> = (0..count)
+            .map(|_| {
+                let size = random.scale(40_f64.exp2(), 62_f64.exp2()) as i64;
+                if random.one_in(2) { size } else { -size }
+            })
+            .collect();
+        let fast = self.exact.fastest();
+        for power in AIMED {
+            ticks.extend([1, -1].map(|sign| self.aimed(&fast, sign * (1_i64 << power))));
+        }
+        ticks
+    }
+
+    /// The tick nearest to the fast part of the first period.
+    pub(super) fn fast(&self) -> Vec<i64> {
+        let is_nutating = self.exact.course() == Course::Nutating;
+        is_nutating
+            .then(|| to_nearest(&(self.exact.fastest() * precise(self.rate))))
+            .flatten()
+            .into_iter()
+            .collect()
+    }
+
+    /// Among the ticks nearest to the fast part of one of the periods that follow a tick, the one that is closest to it.
+    fn aimed(&self, fast: &Precise, tick: i64) -> i64 {
+        let Some(period) = self.exact.period() else { return tick };
+        let rate = precise(self.rate);
+        let (fast, period) = (fast * &rate, period * rate);
+        let first = to_floor(&((whole(tick) - &fast) / &period)).unwrap_or(0);
+        let there = |periods: i64| {
+            let place = &fast + whole(periods) * &period;
+            let nearest = to_nearest(&place)?;
+            Some((to_f64(&(whole(nearest) - place)).abs(), nearest))
+        };
+        let found = (0..SEARCHED).filter_map(|i| there(first + i)).min_by(|a, b| a.0.total_cmp(&b.0));
+        found.map_or(tick, |(_, nearest)| nearest)
+    }
+
+    fn period(&self) -> f64 {
+        self.exact.period().map_or(self.natural_time, |period| to_f64(&period))
+    }
+
+    fn within(&self, time: f64, random: &mut Random) -> i64 {
+        (random.share() * time * self.rate) as i64
+    }
+
+    /// The tick nearest to a half phase, rad.
+    fn at(&self, half_phase: f64) -> Option<i64> {
+        to_nearest(&(self.exact.time_of(half_phase) * precise(self.rate)))
+    }
+}

@@ -1,0 +1,61 @@
+//! The full equations in their first form: Newton's for the centre of mass, Euler's for the rotation about it, the force
+//! of the plane unknown. No Lagrangian, no momentum m: what is derived from those can be checked against this.
+//!
+//! ```text
+//! M s u'' = N - M g        d/dt (A ω + (C - A) ⟨ω, r⟩ r) = (-s r) × (N k) = -s N q        q = r × k
+//! ```
+//!
+//! The axial part says ⟨ω, r⟩' = 0; the part along q, with u' = ⟨ω, q⟩, leaves one linear equation for u''.
+
+use crate::full_equations::full_solver::{FullState, FullTop, cross, dot};
+
+/// What the equations say of a state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Accelerations {
+    /// ω', rad/s².
+    pub omega: [f64; 3],
+    /// u'', 1/s².
+    pub height: f64,
+    /// The force of the plane in units of the weight (without meaning for a fixed tip).
+    pub normal_force: f64,
+}
+
+/// The accelerations of a state of a top. `s` = 0: about the fixed tip.
+#[must_use]
+pub fn accelerations(top: &FullTop, state: &FullState) -> Accelerations {
+    let FullTop { a, c, s, p, g } = *top;
+    let (r, omega) = (state.axis(), state.omega);
+    let (q, turn) = ([r[1], -r[0], 0.0], cross(omega, r));
+    let axial = (c - a) * dot(omega, r);
+    // u'' = ⟨ω', q⟩ + ⟨ω, r' × k⟩ and A ω' = -p (g + s u'') q - axial r'
+    let bend = a * dot(omega, [turn[1], -turn[0], 0.0]);
+    let height = (bend - p * g * dot(q, q) - axial * dot(turn, q)) / (a + p * s * dot(q, q));
+    let push = p * (g + s * height);
+    let omega = std::array::from_fn(|i| (-push * q[i] - axial * turn[i]) / a);
+    Accelerations { omega, height, normal_force: 1.0 + s * height / g }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::full_equations::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver};
+
+    /// Against differences of ω along the full solver's path, for both supports.
+    #[test]
+    fn it_is_the_acceleration_of_the_full_solution() {
+        for s in [0.6, 0.0] {
+            let top = FullTop { a: 1.1, c: 0.8, s, p: 0.9, g: 1.3 };
+            let state = FullState { alpha: [0.6, 0.0], beta: [0.0, 0.8], omega: [0.3, -0.2, 2.5] };
+            let solver = FullSolver::new(top, state, FULL_SOLVER_TOLERANCE);
+            let at = |t: f64| solver.clone().advance_to(t).unwrap();
+            let (found, step) = (accelerations(&top, &at(0.7)), 1e-4);
+            let (before, after) = (at(0.7 - step), at(0.7 + step));
+            for i in 0..3 {
+                let difference = (after.omega[i] - before.omega[i]) / (2.0 * step);
+                assert!((difference - found.omega[i]).abs() < 1e-7, "{i}: {difference} {found:?}");
+            }
+            let rise = (after.axis_height_rate() - before.axis_height_rate()) / (2.0 * step);
+            assert!((rise - found.height).abs() < 1e-7 && (found.height.abs() > 1e-2), "{rise} {found:?}");
+        }
+    }
+}

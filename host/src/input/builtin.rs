@@ -1,0 +1,113 @@
+//! The motions that need no file: what `compare` runs when it is given none.
+
+use crate::Failure;
+use crate::cli::Scalar;
+use crate::input::scenario::Scenario;
+use toytop::{Motion, ParameterError, Sign, Signs, Start, Top, TopParameters};
+
+/// The paper's figures 2 and 3, three tops in SI units, and two motions near the separatrix.
+///
+/// # Errors
+/// None: every one is valid, and a test runs them.
+pub fn scenarios() -> Result<Vec<Scenario>, Failure> {
+    let impossible = |error: ParameterError| Failure::Input(format!("built-in motions: {error}"));
+    let mut scenarios = figures().map_err(impossible)?.concat();
+    for (name, text) in SAMPLES {
+        scenarios.push(Scenario::parse(name, text)?);
+    }
+    for (gap, _) in SEPARATRIX {
+        scenarios.push(near_the_separatrix(gap).map_err(impossible)?);
+    }
+    Ok(scenarios)
+}
+
+/// The bounds of a built-in motion that has bounds of its own, rad over ten periods.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OwnBounds {
+    /// On the full solver.
+    pub truth: f64,
+    /// On the stepper in f32; in f64 the truth's is the greater, and in other types it is that of any motion.
+    pub stepper_f32: f64,
+}
+
+impl OwnBounds {
+    /// On the stepper alone.
+    #[must_use]
+    pub fn stepper(&self, scalar: Scalar) -> f64 {
+        match scalar {
+            Scalar::F64 => 0.0,
+            Scalar::F32 => self.stepper_f32,
+            Scalar::Micromath | Scalar::Q31 | Scalar::Q15 => 4.0,
+        }
+    }
+}
+
+/// e₃ - e₂ of the two near the separatrix, and their bounds. Measured: 1.7e-11 and 5e-6; 4.1e-9 and 1.6e-5.
+const SEPARATRIX: [(f64, OwnBounds); 2] = [
+    (1e-3, OwnBounds { truth: 1e-10, stepper_f32: 2e-5 }),
+    (1e-6, OwnBounds { truth: 1e-8, stepper_f32: 5e-5 }),
+];
+
+/// The bounds of a built-in motion that has bounds of its own.
+#[must_use]
+pub fn own_bounds(scenario: &Scenario) -> Option<OwnBounds> {
+    SEPARATRIX.iter().find(|(gap, _)| scenario.name == separatrix_name(*gap)).map(|(_, bounds)| *bounds)
+}
+
+fn separatrix_name(gap: f64) -> String {
+    format!("near separatrix {gap:e}")
+}
+
+/// The sample files that are no figure of the paper.
+const SAMPLES: [(&str, &str); 3] = [
+    ("toy top 150 rad/s", include_str!("../../scenarios/toy_top.toml")),
+    ("sleeping top", include_str!("../../scenarios/sleeping.toml")),
+    ("Lagrange top", include_str!("../../scenarios/lagrange.toml")),
+];
+
+/// l + n > 0 > l - n.
+const DIFFERENT: Signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
+/// l + n > 0, l - n > 0.
+const SAME: Signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Plus };
+
+/// e₁ = 0.7, e₂ = 0.9 and these e₃, for a sphere (A = C = s = p = g = 1).
+const FIGURES: [(&str, Signs, &[f64]); 2] =
+    [("figure 2", SAME, &[1.0, 2.0, 100.0]), ("figure 3", DIFFERENT, &[1.0, 1.1, 1.3, 1.85, 2.5, 3.0])];
+
+/// The curves of the paper's figures 2 and 3.
+///
+/// # Errors
+/// None: every one is valid, and a test runs them.
+pub fn figures() -> Result<[Vec<Scenario>; 2], ParameterError> {
+    let top = Top::sliding(&TopParameters {
+        transverse_inertia: 1.0,
+        axial_inertia: 1.0,
+        com_height: 1.0,
+        mass_moment: 1.0,
+        gravity: 1.0,
+        ..TopParameters::default()
+    })?;
+    let [second, third] = FIGURES.map(|(figure, signs, e3s)| {
+        let curve = |e3: &f64| curve(format!("{figure} e3={e3}"), &top, [0.7, 0.9, *e3], signs);
+        e3s.iter().map(curve).collect::<Result<_, _>>()
+    });
+    Ok([second?, third?])
+}
+
+/// e₂ and e₃ on both sides of 1, so close that the axis pauses near the vertical in every period; A and C differ.
+fn near_the_separatrix(gap: f64) -> Result<Scenario, ParameterError> {
+    let top = Top::sliding(&TopParameters {
+        transverse_inertia: 1.1,
+        axial_inertia: 0.8,
+        com_height: 0.6,
+        mass_moment: 0.9,
+        gravity: 1.0,
+        ..TopParameters::default()
+    })?;
+    curve(separatrix_name(gap), &top, [0.2, 1.0 - 0.5 * gap, 1.0 + 0.5 * gap], SAME)
+}
+
+fn curve(name: String, top: &Top, e: [f64; 3], signs: Signs) -> Result<Scenario, ParameterError> {
+    let motion = Motion::from_branch_points(top, e, signs, &Start::default())?;
+    Ok(Scenario { name, motion, state: None })
+}

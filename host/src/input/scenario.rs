@@ -1,0 +1,71 @@
+//! A scenario: one top and one motion, from a TOML file.
+//!
+//! Reading is strict. A key that is unknown, missing, of the wrong type, out of range or not needed is refused with one
+//! line that names file, key and what is allowed.
+
+mod motion;
+mod section;
+mod top;
+
+use crate::Failure;
+
+use crate::output::whole_file;
+use section::Section;
+use std::path::Path;
+use toml::{Table, Value};
+use toytop::{Motion, State};
+
+/// One top and one motion.
+#[derive(Clone, Debug)]
+pub struct Scenario {
+    /// What reports call it.
+    pub name: String,
+    /// The motion, with its top.
+    pub motion: Motion,
+    /// The state at t = 0, where the scenario gives one.
+    pub state: Option<State>,
+}
+
+/// A scenario file is a dozen lines; something larger, MiB, is something else.
+const LARGEST_FILE: u64 = 1;
+
+impl Scenario {
+    /// Reads a scenario file and names the scenario by it.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: the file cannot be read, is larger than 1 MiB or not UTF-8, or as [`Scenario::parse`].
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let file = path.display().to_string();
+        let text = whole_file::read(&file, path, LARGEST_FILE)?;
+        let mut scenario = Self::parse(&file, &text)?;
+        if let Some(stem) = path.file_stem() {
+            scenario.name = stem.to_string_lossy().into_owned();
+        }
+        Ok(scenario)
+    }
+
+    /// Parses the text of a scenario file; `file` is its name in messages.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: no TOML, or not the tables `[top]` and `[motion]` with exactly the keys they need, in range.
+    pub fn parse(file: &str, text: &str) -> Result<Self, Failure> {
+        let root = text.parse::<Table>().map_err(|error| {
+            let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
+            Failure::Input(format!("{file}: line {line}: must be TOML: {}", error.message()))
+        })?;
+        if let Some(key) = root.keys().find(|key| !["top", "motion"].contains(&key.as_str())) {
+            return Err(Failure::Input(format!("{file}: {key}: unknown key; allowed: top, motion")));
+        }
+        let top = top::read(&section(file, "top", &root)?)?;
+        let (motion, state) = motion::read(&section(file, "motion", &root)?, &top)?;
+        Ok(Self { name: file.to_owned(), motion, state })
+    }
+}
+
+fn section<'a>(file: &'a str, name: &'static str, root: &'a Table) -> Result<Section<'a>, Failure> {
+    match root.get(name) {
+        Some(Value::Table(table)) => Ok(Section::new(file, name, table)),
+        Some(_) => Err(Failure::Input(format!("{file}: {name}: must be a table, [{name}]"))),
+        None => Err(Failure::Input(format!("{file}: {name}: missing; must be a table, [{name}]"))),
+    }
+}

@@ -1,0 +1,126 @@
+//! `[motion]`: exactly one of three kinds.
+
+use super::section::{Key, Section};
+use crate::Failure;
+use toytop::{Complex, Motion, Orientation, ParameterError, Release, Sign, Signs, Start, State, Top};
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Release,
+    State,
+    BranchPoints,
+}
+
+const KINDS: [(&str, Kind); 3] =
+    [("release", Kind::Release), ("state", Kind::State), ("branch_points", Kind::BranchPoints)];
+
+/// The motion, and its state at t = 0 if that is how it is given.
+pub(super) fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Option<State>), Failure> {
+    match section.choice("kind", &KINDS, None)? {
+        Kind::Release => {
+            let (state, fastest) = release(section)?;
+            launch(section, top, state, &[("omega", fastest)])
+        }
+        Kind::State => launch(section, top, state(section)?, &[]),
+        Kind::BranchPoints => Ok((branch_points(section, top)?, None)),
+    }
+}
+
+fn launch(
+    section: &Section<'_>,
+    top: &Top,
+    state: State,
+    renamed: &[(&str, &str)],
+) -> Result<(Motion, Option<State>), Failure> {
+    let motion = Motion::launch(top, &state).map_err(|error| section.refused(&error, renamed))?;
+    Ok((motion, Some(state)))
+}
+
+const RATE: &str = "a number of rad/s, at most 1e11 in size";
+const SPIN: &str = "a number of rad/s, at most 1e11 in size: the whole component of omega along the axis";
+const DEGREES: &str = "a finite number of degrees";
+
+const RELEASE: [Key; 6] = [
+    Key::required("tilt_deg", "a number in [0, 180]"),
+    Key::required("spin", SPIN),
+    Key::optional("precession", 0.0, RATE),
+    Key::optional("nutation", 0.0, RATE),
+    Key::optional("azimuth_deg", 0.0, DEGREES),
+    Key::optional("roll_deg", 0.0, DEGREES),
+];
+
+/// The core's names of what is called differently here.
+const RELEASE_NAMES: [(&str, &str); 3] =
+    [("tilt", "tilt_deg"), ("azimuth", "azimuth_deg"), ("roll", "roll_deg")];
+
+/// The state, and the key of the greatest rate.
+fn release(section: &Section<'_>) -> Result<(State, &'static str), Failure> {
+    let [tilt_deg, spin, precession, nutation, azimuth_deg, roll_deg] = section.numbers("kind", &RELEASE)?;
+    let [tilt_key, ..] = &RELEASE;
+    // Only half the azimuth and the roll enter: two whole turns, dropped exactly, change nothing.
+    let reduced = |degrees: f64| (degrees % 720.0).to_radians();
+    let release = Release {
+        tilt: tilt(tilt_deg).ok_or_else(|| section.not_allowed(tilt_key))?,
+        azimuth: reduced(azimuth_deg),
+        roll: reduced(roll_deg),
+        spin,
+        precession,
+        nutation,
+    };
+    let rates = [("spin", spin), ("precession", precession), ("nutation", nutation)];
+    let (fastest, _) =
+        rates.into_iter().fold(rates[0], |most, rate| if rate.1.abs() > most.1.abs() { rate } else { most });
+    let state = State::release(&release).map_err(|error| section.refused(&error, &RELEASE_NAMES))?;
+    Ok((state, fastest))
+}
+
+/// Radians of a tilt in [0, 180] degrees. 180, and no other, becomes the π that means exactly downward.
+fn tilt(degrees: f64) -> Option<f64> {
+    use std::f64::consts::PI;
+    let radians = if degrees == 180.0 { PI } else { degrees.to_radians().min(PI.next_down()) };
+    (0.0..=180.0).contains(&degrees).then_some(radians)
+}
+
+const PAIR: &str = "an array of two finite numbers [re, im], of unit norm with the other parameter";
+
+const STATE: [Key; 3] = [
+    Key::required("alpha", PAIR),
+    Key::required("beta", PAIR),
+    Key::required("omega", "an array of three finite numbers [x, y, z] in rad/s"),
+];
+
+fn state(section: &Section<'_>) -> Result<State, Failure> {
+    section.only("kind", &STATE)?;
+    let [alpha, beta, omega] = &STATE;
+    let complex = |[re, im]: [f64; 2]| Complex::new(re, im);
+    let phi = Orientation { alpha: complex(section.array(alpha)?), beta: complex(section.array(beta)?) };
+    State::new(phi, section.array(omega)?).map_err(|error| section.refused(&error, &[]))
+}
+
+const SIGN: &str = "1 or -1";
+const ANGLE: &str = "a number between -1e6 and 1e6 rad";
+
+const BRANCH_POINTS: [Key; 8] = [
+    Key::required("e1", "a number in [-1, e2]"),
+    Key::required("e2", "a number in [e1, 1]"),
+    Key::required("e3", "a number in [1, 1e14]"),
+    Key::required("sign_l_plus_n", SIGN),
+    Key::required("sign_l_minus_n", SIGN),
+    Key::optional("nutation_phase", 0.0, ANGLE),
+    Key::optional("arg_alpha", 0.0, ANGLE),
+    Key::optional("arg_beta", 0.0, ANGLE),
+];
+
+fn branch_points(section: &Section<'_>, top: &Top) -> Result<Motion, Failure> {
+    let [e1, e2, e3, plus, minus, theta, arg_alpha, arg_beta] = section.numbers("kind", &BRANCH_POINTS)?;
+    let [_, _, _, plus_key, minus_key, ..] = &BRANCH_POINTS;
+    let sign = |number: f64, key: &Key| match number {
+        1.0 => Ok(Sign::Plus),
+        -1.0 => Ok(Sign::Minus),
+        _ => Err(section.not_allowed(key)),
+    };
+    let signs = Signs { l_plus_n: sign(plus, plus_key)?, l_minus_n: sign(minus, minus_key)? };
+    let start = Start { theta, arg_alpha, arg_beta };
+    Motion::from_branch_points(top, [e1, e2, e3], signs, &start)
+        .map_err(|error: ParameterError| section.refused(&error, &[("theta", "nutation_phase")]))
+}

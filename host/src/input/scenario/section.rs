@@ -1,0 +1,133 @@
+//! One table of the file, and the table-driven way to read it: a [`Key`] says what it may hold, once.
+
+use crate::Failure;
+use toml::{Table, Value};
+use toytop::ParameterError;
+
+/// A key that holds a number or several.
+pub(super) struct Key {
+    pub(super) name: &'static str,
+    /// What it may hold, in words.
+    allowed: &'static str,
+    /// What a missing key means; `None` where it must not be missing.
+    default: Option<f64>,
+}
+
+impl Key {
+    pub(super) const fn required(name: &'static str, allowed: &'static str) -> Self {
+        Self { name, allowed, default: None }
+    }
+
+    pub(super) const fn optional(name: &'static str, default: f64, allowed: &'static str) -> Self {
+        Self { name, allowed, default: Some(default) }
+    }
+}
+
+/// `[top]` or `[motion]`.
+pub(super) struct Section<'a> {
+    file: &'a str,
+    name: &'static str,
+    table: &'a Table,
+}
+
+impl<'a> Section<'a> {
+    pub(super) fn new(file: &'a str, name: &'static str, table: &'a Table) -> Self {
+        Self { file, name, table }
+    }
+
+    /// The refusal of a key.
+    pub(super) fn refuse(&self, key: &str, reason: &str) -> Failure {
+        Failure::Input(format!("{}: {}.{key}: {reason}", self.file, self.name))
+    }
+
+    /// A refusal by the core, whose parameters mostly have the names of the keys; `renamed` lists the others.
+    pub(super) fn refused(&self, error: &ParameterError, renamed: &[(&str, &str)]) -> Failure {
+        let parameter = error.parameter();
+        let key = renamed.iter().find(|(name, _)| *name == parameter).map_or(parameter, |(_, key)| key);
+        self.refuse(key, &format!("must be {}", error.allowed()))
+    }
+
+    pub(super) fn has(&self, key: &Key) -> bool {
+        self.table.contains_key(key.name)
+    }
+
+    /// Refuses every key but `choice` (which selects among tables of keys) and those listed.
+    pub(super) fn only(&self, choice: &str, keys: &[Key]) -> Result<(), Failure> {
+        let mut names = vec![choice];
+        names.extend(keys.iter().map(|key| key.name));
+        match self.table.keys().find(|key| !names.contains(&key.as_str())) {
+            Some(key) => {
+                let selected = self.table.get(choice).and_then(Value::as_str);
+                let place = selected.map_or(String::new(), |value| format!(" with {choice} = {value:?}"));
+                Err(self
+                    .refuse(key, &format!("unknown or unneeded key; allowed{place}: {}", names.join(", "))))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// One of several words; the first is the default if there is one.
+    pub(super) fn choice<T: Copy>(
+        &self,
+        key: &str,
+        words: &[(&str, T)],
+        default: Option<T>,
+    ) -> Result<T, Failure> {
+        let quoted = words.iter().map(|(word, _)| format!("{word:?}")).collect::<Vec<_>>().join(", ");
+        match self.table.get(key) {
+            None => default.ok_or_else(|| self.refuse(key, &format!("missing; must be one of {quoted}"))),
+            Some(value) => words
+                .iter()
+                .find(|(word, _)| value.as_str() == Some(word))
+                .map(|(_, meaning)| *meaning)
+                .ok_or_else(|| self.refuse(key, &format!("must be one of {quoted}"))),
+        }
+    }
+
+    /// A finite number.
+    pub(super) fn number(&self, key: &Key) -> Result<f64, Failure> {
+        match (self.table.get(key.name), key.default) {
+            (Some(value), _) => number(value).ok_or_else(|| self.not_allowed(key)),
+            (None, Some(default)) => Ok(default),
+            (None, None) => Err(self.missing(key)),
+        }
+    }
+
+    /// Exactly these keys beside `choice`, each a finite number.
+    pub(super) fn numbers<const N: usize>(&self, choice: &str, keys: &[Key; N]) -> Result<[f64; N], Failure> {
+        self.only(choice, keys)?;
+        let mut numbers = [0.0; N];
+        for (slot, key) in numbers.iter_mut().zip(keys) {
+            *slot = self.number(key)?;
+        }
+        Ok(numbers)
+    }
+
+    /// An array of N finite numbers.
+    pub(super) fn array<const N: usize>(&self, key: &Key) -> Result<[f64; N], Failure> {
+        let value = self.table.get(key.name).ok_or_else(|| self.missing(key))?;
+        value
+            .as_array()
+            .and_then(|entries| entries.iter().map(number).collect::<Option<Vec<_>>>())
+            .and_then(|numbers| numbers.try_into().ok())
+            .ok_or_else(|| self.not_allowed(key))
+    }
+
+    fn missing(&self, key: &Key) -> Failure {
+        self.refuse(key.name, &format!("missing; must be {}", key.allowed))
+    }
+
+    pub(super) fn not_allowed(&self, key: &Key) -> Failure {
+        self.refuse(key.name, &format!("must be {}", key.allowed))
+    }
+}
+
+/// A finite number; integers are numbers too.
+fn number(value: &Value) -> Option<f64> {
+    match value {
+        Value::Float(number) => Some(*number),
+        Value::Integer(number) => Some(*number as f64),
+        _ => None,
+    }
+    .filter(|number| number.is_finite())
+}

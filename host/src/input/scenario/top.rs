@@ -1,0 +1,48 @@
+//! `[top]`: support, inertias, mass, gravity.
+
+use super::section::{Key, Section};
+use crate::Failure;
+use toytop::{ParameterError, Support, Top, TopParameters};
+
+const MAGNITUDE: &str = "a number between 1e-12 and 1e12";
+
+const KEYS: [Key; 6] = [
+    Key::required("transverse_inertia", MAGNITUDE),
+    Key::required("axial_inertia", "a number between 1e-12 and 1e12, at most twice transverse_inertia"),
+    Key::optional("gravity", 9.80665, MAGNITUDE),
+    Key::required("com_height", MAGNITUDE),
+    Key::required("mass", MAGNITUDE),
+    Key::required("mass_moment", MAGNITUDE),
+];
+
+pub(super) fn read(section: &Section<'_>) -> Result<Top, Failure> {
+    section.only("support", &KEYS)?;
+    let supports = [("sliding", Support::Sliding), ("fixed", Support::Fixed)];
+    let support = section.choice("support", &supports, Some(Support::Sliding))?;
+
+    let [transverse, axial, gravity, height, mass, moment] = &KEYS;
+    let mut parameters = TopParameters {
+        transverse_inertia: section.number(transverse)?,
+        axial_inertia: section.number(axial)?,
+        gravity: section.number(gravity)?,
+        ..TopParameters::default()
+    };
+    match (section.has(mass), section.has(moment)) {
+        (true, false) => parameters.mass = section.number(mass)?,
+        (false, true) => parameters.mass_moment = section.number(moment)?,
+        (true, true) => return Err(section.refuse(moment.name, "allowed only without mass")),
+        (false, false) => return Err(section.refuse(mass.name, "missing; exactly one of mass, mass_moment")),
+    }
+    let takes_height = support == Support::Sliding || section.has(mass);
+    if takes_height {
+        parameters.com_height = section.number(height)?;
+    } else if section.has(height) {
+        let reason = "unneeded: with support = \"fixed\" allowed only together with mass";
+        return Err(section.refuse(height.name, reason));
+    }
+    let top = match support {
+        Support::Sliding => Top::sliding(&parameters),
+        Support::Fixed => Top::fixed(&parameters),
+    };
+    top.map_err(|error: ParameterError| section.refused(&error, &[]))
+}

@@ -1,0 +1,17 @@
+//! Motion by the core: its propagators at given times, and what is read off a motion.
+//!
+//! | module | contents |
+//! |---|---|
+//! | [`propagate`] | stepper at given times |
+//! | [`ephemeris`] | ephemeris in the smallest table that fits |
+//! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
+//! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
+//! | [`cast`] | complex numbers and orientations of any scalar as `f64` |
+//! | [`physical_limits`] | what the equations allow and a top on a table does not do |
+
+pub mod cast;
+pub mod ephemeris;
+pub mod invariants;
+pub mod physical_limits;
+pub mod propagate;
+pub mod tip_angle;

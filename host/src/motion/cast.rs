@@ -1,0 +1,15 @@
+//! Complex numbers and orientations of any scalar as `f64`.
+
+use toytop::{Complex, Orientation};
+
+/// Complex number in `f64`, each part by `to_f64`.
+#[must_use]
+pub fn complex<R>(z: Complex<R>, to_f64: impl Fn(R) -> f64) -> Complex<f64> {
+    Complex { re: to_f64(z.re), im: to_f64(z.im) }
+}
+
+/// Orientation in `f64`, each part by `to_f64`.
+#[must_use]
+pub fn orientation<R>(phi: Orientation<R>, to_f64: impl Fn(R) -> f64) -> Orientation<f64> {
+    Orientation { alpha: complex(phi.alpha, &to_f64), beta: complex(phi.beta, &to_f64) }
+}

@@ -1,0 +1,163 @@
+//! The core's ephemeris with as many segments as a motion needs: what a command holds does not know the capacity.
+
+mod sizes;
+mod ticks;
+
+pub use sizes::{approximate, default_or_smallest, of_size, smallest, smallest_with_period};
+pub(crate) use ticks::tick;
+pub use ticks::{furthest_time, ticks_for, ticks_per_time};
+
+use crate::bake::{Bake, Parts};
+use crate::motion::cast;
+use crate::motion::propagate::Sample;
+use std::f64::consts::PI;
+use toytop::scalar::Float;
+use toytop::su2::OrientationRate;
+use toytop::{Complex, EphemerisScalar, EphemerisView, ErrorBound, Micromath, Orientation, Phase};
+
+/// An ephemeris of any scalar.
+pub trait AnyScalar: Send + Sync {
+    /// Segments, and coefficients of each polynomial.
+    fn size(&self) -> [usize; 2];
+
+    /// Upper bound on the orientation error.
+    fn error_bound(&self) -> ErrorBound;
+
+    /// Sample of the motion t units of time after t = 0, t taken as exact.
+    fn at(&self, t: f64) -> TimedSample;
+
+    /// Orientation, u and tip at tick n, as an interrupt computes them: in the scalar's own arithmetic.
+    fn at_tick(&self, n: i64) -> TickSample;
+
+    /// Numbers of the table; `None` for a scalar that no other program reads.
+    fn parts(&self) -> Option<Parts>;
+}
+
+/// Orientation, u and tip at a tick, in `f64` without rounding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TickSample {
+    /// Orientation Φ.
+    pub orientation: Orientation<f64>,
+    /// Cosine of the tilt.
+    pub u: f64,
+    /// c/s = 2αβ.
+    pub tip_over_s: Complex<f64>,
+}
+
+/// Everything that an ephemeris says of a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimedSample {
+    /// α, β and u as the scalar has them; rates, tip and tip angle as its wide companion has them (`f32` beside fixed point).
+    pub sample: Sample,
+    /// Φ', per unit time.
+    pub rate: OrientationRate<f64>,
+    /// Nutation phase: one turn a nutation period, 0 at u = e₁.
+    pub nutation_phase: Phase,
+}
+
+/// An ephemeris on the heap.
+struct Boxed<R: EphemerisScalar>(Box<EphemerisView<R>>);
+
+impl<R: BoxedScalar> AnyScalar for Boxed<R> {
+    fn size(&self) -> [usize; 2] {
+        [self.0.capacity(), R::TERMS]
+    }
+
+    fn error_bound(&self) -> ErrorBound {
+        self.0.error_bound()
+    }
+
+    fn at_tick(&self, n: i64) -> TickSample {
+        let orientation = self.0.at_tick(n).orientation();
+        TickSample {
+            orientation: Orientation { alpha: exact(orientation.alpha), beta: exact(orientation.beta) },
+            u: orientation.clamped_u().into(),
+            tip_over_s: exact(orientation.tip_over_s()),
+        }
+    }
+
+    fn at(&self, t: f64) -> TimedSample {
+        let now = self.0.at(t);
+        let (orientation, state) = (now.orientation(), now.attitude_state());
+        let wide = |z: Complex<R::Wide>| cast::complex(z, |x| x.to_f64());
+        let phi = now.tip_angle().map(|angle| unwrapped(angle, self.0.mean_tip_angle_rate() * t));
+        let sample = Sample {
+            u: orientation.clamped_u().into(),
+            alpha: exact(orientation.alpha),
+            beta: exact(orientation.beta),
+            ..Sample::of(t, &state, now.tip(), phi)
+        };
+        let rate = OrientationRate { alpha: wide(state.rate.alpha), beta: wide(state.rate.beta) };
+        TimedSample { sample, rate, nutation_phase: now.nutation_phase() }
+    }
+
+    fn parts(&self) -> Option<Parts> {
+        R::parts(&self.0)
+    }
+}
+
+/// Angle in radians of a phase known modulo 2^32 turns, `near` a number of turns.
+fn unwrapped(phase: Phase, near: f64) -> f64 {
+    const MODULUS: f64 = (1_u64 << 32) as f64;
+    let turns = phase.to_f64();
+    2.0 * PI * (turns + MODULUS * ((near - turns) / MODULUS).round())
+}
+
+fn exact<R: Into<f64>>(z: Complex<R>) -> Complex<f64> {
+    cast::complex(z, Into::into)
+}
+
+/// Scalar that an ephemeris is made in here.
+trait BoxedScalar:
+    EphemerisScalar<Segment: Send + Sync, Wide: Send + Sync> + Into<f64> + Send + Sync + 'static
+{
+    /// Numbers of a table; `None` for a scalar that no other program reads.
+    fn parts(_: &EphemerisView<Self>) -> Option<Parts> {
+        None
+    }
+}
+
+impl BoxedScalar for Micromath {}
+
+macro_rules! baked {
+    ($($scalar:ty)*) => { $(
+        impl BoxedScalar for $scalar {
+            fn parts(table: &EphemerisView<Self>) -> Option<Parts> {
+                Some(<Self as Bake>::parts(table))
+            }
+        }
+    )* };
+}
+
+baked!(f64 f32 fixed::types::I2F30 fixed::types::I2F14);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::propagate::period;
+    use toytop::{Motion, Signs, Start, Top, TopParameters};
+
+    pub(super) fn motion(a: f64, e: [f64; 3]) -> Motion {
+        let top = Top::sliding(&TopParameters {
+            transverse_inertia: a,
+            axial_inertia: 0.8 * a,
+            com_height: 1.0,
+            mass_moment: 1.0,
+            gravity: 1.0,
+            ..TopParameters::default()
+        })
+        .unwrap();
+        Motion::from_branch_points(&top, e, Signs::default(), &Start::default()).unwrap()
+    }
+
+    #[test]
+    fn a_tick_is_shorter_than_a_turn_and_a_thousandth_of_a_period() {
+        for motion in
+            [motion(1.0, [0.2, 0.8, 1.5]), motion(1e-6, [0.2, 0.8, 1e6]), motion(1e9, [0.2, 0.8, 1.5])]
+        {
+            let rate = ticks_per_time(&motion);
+            assert!(rate * period(&motion) >= 1000.0 && rate.log2().fract() == 0.0);
+            assert!(furthest_time(&motion) / period(&motion) >= 1e10);
+        }
+    }
+}

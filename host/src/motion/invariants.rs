@@ -1,0 +1,66 @@
+//! l, n and h from one orientation and one angular velocity, by the definitions of mechanics: none of the core's
+//! formulas, none of a motion's constants.
+
+use toytop::{Complex, Motion, Top};
+
+/// (l, n, h): l = A ω₃ + (C - A) ⟨ω, r⟩ u and n = C ⟨ω, r⟩ in kg m²/s, h = T + V in kg m²/s².
+#[must_use]
+pub fn first_integrals(top: &Top, alpha: Complex<f64>, beta: Complex<f64>, omega: [f64; 3]) -> [f64; 3] {
+    let (a, c, p, g) = (top.transverse_inertia(), top.axial_inertia(), top.mass_moment(), top.gravity());
+    let [w1, w2, w3] = omega;
+    let horizontal = (alpha * beta).scaled(-2.0); // r₁ + i r₂
+    let (r1, r2, u) = (horizontal.re, horizontal.im, alpha.norm_squared() - beta.norm_squared());
+    let axial = w1 * r1 + w2 * r2 + w3 * u;
+    let udot = w1 * r2 - w2 * r1;
+    let kinetic = 0.5
+        * (a * (w1 * w1 + w2 * w2 + w3 * w3) + (c - a) * axial * axial + p * top.com_height() * udot * udot);
+    [a * w3 + (c - a) * axial * u, c * axial, kinetic + p * g * u]
+}
+
+/// Of l, n and h: the greater of the motion's own and of what the top's weight makes natural, √(2 A p g) and p g.
+#[must_use]
+pub fn natural_scales(motion: &Motion) -> [f64; 3] {
+    let (top, constants) = (motion.top(), motion.first_integrals());
+    let weight = top.mass_moment() * top.gravity();
+    let momentum =
+        (2.0 * top.transverse_inertia() * weight).sqrt().max(constants.l.abs()).max(constants.n.abs());
+    [momentum, momentum, weight.max(constants.h.abs())]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toytop::{FirstIntegrals, Orientation, State, TopParameters};
+
+    #[test]
+    fn they_agree_with_the_core() {
+        let sliding = Top::sliding(&TopParameters {
+            transverse_inertia: 1.1,
+            axial_inertia: 0.8,
+            com_height: 0.6,
+            mass_moment: 0.9,
+            gravity: 9.81,
+            ..TopParameters::default()
+        });
+        for top in [
+            sliding,
+            Top::fixed(&TopParameters {
+                transverse_inertia: 1.1,
+                axial_inertia: 0.8,
+                mass_moment: 0.9,
+                gravity: 2.0,
+                ..TopParameters::default()
+            }),
+        ]
+        .map(Result::unwrap)
+        {
+            let (alpha, beta) = (Complex::new(0.48, 0.64), Complex::new(-0.36, 0.48));
+            let omega = [0.3, -0.7, 1.9];
+            let core = FirstIntegrals::of(&top, &State::new(Orientation { alpha, beta }, omega).unwrap());
+            let found = first_integrals(&top, alpha, beta, omega);
+            for (x, y) in found.into_iter().zip([core.l, core.n, core.h]) {
+                assert!((x - y).abs() < 4e-15 * y.abs(), "{x} {y}");
+            }
+        }
+    }
+}

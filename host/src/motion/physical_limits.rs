@@ -1,0 +1,24 @@
+//! What the equations allow and a top on a table does not do.
+
+use toytop::{Motion, Regime, Support};
+
+/// The least normal force in units of the weight, if it is below 0: the plane would have to pull at the tip.
+#[must_use]
+pub fn pulled(motion: &Motion) -> Option<f64> {
+    motion.min_normal_force().filter(|force| *force < 0.0)
+}
+
+/// The greatest tilt in degrees, if the axis comes below the level: the body would have to go through the plane. An unstable
+/// sleeping top never leaves the vertical, although its e₁ may be below 0.
+#[must_use]
+pub fn fallen(motion: &Motion) -> Option<f64> {
+    let e1 = motion.branch_points().e1;
+    (!unstable(motion) && motion.top().support() == Support::Sliding && e1 < 0.0)
+        .then(|| e1.acos().to_degrees())
+}
+
+/// Whether the axis stands upright for ever by the equations, where any push would make a real top fall.
+#[must_use]
+pub fn unstable(motion: &Motion) -> bool {
+    motion.regime() == Regime::SleepingUnstable
+}

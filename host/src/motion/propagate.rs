@@ -1,0 +1,275 @@
+//! The core's stepper taken to given times: in equal steps, with one shorter last step onto each time.
+
+use crate::Failure;
+use crate::motion::cast;
+use crate::output::progress::Progress;
+use std::time::{Duration, Instant};
+use toytop::scalar::{DoubleDouble, Float, Real, Ring};
+use toytop::{AttitudeState, Complex, Motion, Orientation, Phase, Regime, Stepper, Top};
+
+/// Everything `state` says about one instant, in `f64` whatever computed it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// The time, s.
+    pub t: f64,
+    /// u, the cosine of the tilt.
+    pub u: f64,
+    /// u', 1/s.
+    pub udot: f64,
+    /// α.
+    pub alpha: Complex<f64>,
+    /// β.
+    pub beta: Complex<f64>,
+    /// ω in the fixed frame, rad/s.
+    pub omega: [f64; 3],
+    /// c = 2 s αβ, m; 2 αβ for a fixed tip.
+    pub tip: Complex<f64>,
+    /// The tip angle continued from t = 0, rad; `None` where the axis is vertical for ever.
+    pub phi: Option<f64>,
+}
+
+impl Sample {
+    /// A moment of the core.
+    #[must_use]
+    pub fn of<R: Real>(t: f64, pose: &AttitudeState<R>, tip: Complex<R>, phi: Option<f64>) -> Self {
+        let widen = |z: Complex<R>| cast::complex(z, R::to_f64);
+        Self {
+            t,
+            u: pose.u().to_f64(),
+            udot: pose.udot().to_f64(),
+            alpha: widen(pose.orientation.alpha),
+            beta: widen(pose.orientation.beta),
+            omega: pose.omega().map(R::to_f64),
+            tip: widen(tip),
+            phi,
+        }
+    }
+
+    /// Φ.
+    #[must_use]
+    pub fn orientation(&self) -> Orientation<f64> {
+        Orientation { alpha: self.alpha, beta: self.beta }
+    }
+
+    /// Where a stepper is.
+    #[must_use]
+    pub fn stepped<R: Real>(t: f64, stepper: &Stepper<R>) -> Self {
+        let phi = stepper.tip_angle().map(Phase::to_radians);
+        Self::of(t, &stepper.attitude_state(), stepper.tip(), phi)
+    }
+}
+
+/// T₀ = 2π √((A/p + s)/g), a time of the top's own for motions that have no period, s.
+#[must_use]
+pub fn natural_time(top: &Top) -> f64 {
+    2.0 * std::f64::consts::PI
+        * ((top.transverse_inertia() / top.mass_moment() + top.com_height()) / top.gravity()).sqrt()
+}
+
+/// The nutation period of a motion that nutates, T₀ of any other, s.
+#[must_use]
+pub fn period(motion: &Motion) -> f64 {
+    let nutation = motion.period_advance().filter(|_| motion.regime() == Regime::Nutating);
+    nutation.map_or_else(|| natural_time(motion.top()), |averages| averages.period)
+}
+
+/// More than this is no answer in any useful time.
+const MOST_STEPS: f64 = 1e10;
+
+/// How many steps of size `step` it takes to reach all of `times`.
+///
+/// # Errors
+/// [`Failure::Input`]: more than 10^10.
+pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
+    let furthest = |sign: f64| times.iter().fold(0.0_f64, |most, t| most.max(sign * t));
+    let steps = (furthest(1.0) + furthest(-1.0)) / step + times.len() as f64;
+    if steps <= MOST_STEPS {
+        Ok(steps as u64)
+    } else {
+        Err(Failure::Input(format!(
+            "times, --steps-per-period: {steps:.1e} steps of {step:.1e} s; must be at most 1e10 steps"
+        )))
+    }
+}
+
+/// Goes through `times` in two sweeps away from t = 0, one forwards and one backwards, each from `start`; the results
+/// are in the order of `times`.
+///
+/// # Errors
+/// The first that `reach` returns.
+pub fn visit_times<S, T>(
+    times: &[f64],
+    start: impl Fn() -> S,
+    mut reach: impl FnMut(&mut S, f64) -> Result<T, Failure>,
+) -> Result<Vec<T>, Failure> {
+    let mut indexed: Vec<(usize, f64)> = times.iter().copied().enumerate().collect();
+    indexed.sort_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
+    let (backwards, forwards): (Vec<_>, Vec<_>) = indexed.into_iter().partition(|(_, t)| *t < 0.0);
+    let mut results = Vec::with_capacity(times.len());
+    for direction in [forwards, backwards] {
+        let mut state = start();
+        for (index, t) in direction {
+            results.push((index, reach(&mut state, t)?));
+        }
+    }
+    results.sort_by_key(|(index, _)| *index);
+    Ok(results.into_iter().map(|(_, result)| result).collect())
+}
+
+/// A stepper that knows the time it has truly gone through: every dt as rounded to its scalar, summed exactly enough
+/// that no digit of a time in `f64` is lost.
+#[derive(Debug)]
+pub struct TimedStepper<R> {
+    stepper: Stepper<R>,
+    /// h > 0 as the scalar has it.
+    step: R,
+    elapsed: DoubleDouble,
+    /// The last time asked for.
+    target: f64,
+    steps: u64,
+    stepping: Duration,
+}
+
+impl<R: Real> TimedStepper<R> {
+    /// At t = 0, to go on in steps of h = `step` in s.
+    #[must_use]
+    pub fn new(motion: &Motion, step: f64) -> Self {
+        let stepper = Stepper::new(motion);
+        let (elapsed, stepping) = (DoubleDouble::ZERO, Duration::ZERO);
+        Self { stepper, step: R::from_f64(step), elapsed, target: 0.0, steps: 0, stepping }
+    }
+
+    /// Steps to `t` in s, in either direction: whole steps counted from where it is, then one shorter one that lands.
+    /// What the landing step's own rounding leaves over is part of [`Self::elapsed`], and the next landing makes it good.
+    pub fn reach(&mut self, t: f64, progress: &mut Progress) {
+        if t == self.target {
+            return;
+        }
+        self.target = t;
+        let started = Instant::now();
+        let ahead = (DoubleDouble::from(t) - self.elapsed).to_f64();
+        let step = if ahead < 0.0 { -self.step } else { self.step };
+        let mut left = (ahead / step.to_f64()).floor() as u64;
+        while left > 0 {
+            let batch = left.min(BATCH);
+            for _ in 0..batch {
+                self.stepper.step(step);
+            }
+            // batch x step is exact in double-double
+            self.elapsed = self.elapsed + DoubleDouble::product(batch as f64, step.to_f64());
+            self.steps += batch;
+            left -= batch;
+            progress.add(batch);
+        }
+        let rest = R::from_f64((DoubleDouble::from(t) - self.elapsed).to_f64());
+        if rest != R::ZERO {
+            self.stepper.step(rest);
+            self.elapsed = self.elapsed + DoubleDouble::from(rest.to_f64());
+            self.steps += 1;
+        }
+        self.stepping += started.elapsed();
+    }
+
+    /// The stepper.
+    #[must_use]
+    pub fn stepper(&self) -> &Stepper<R> {
+        &self.stepper
+    }
+
+    /// The time gone through, s.
+    #[must_use]
+    pub fn elapsed(&self) -> f64 {
+        self.elapsed.to_f64()
+    }
+
+    /// Steps made.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Wall time spent in them.
+    #[must_use]
+    pub fn stepping(&self) -> Duration {
+        self.stepping
+    }
+}
+
+/// Steps between two looks at the clock.
+const BATCH: u64 = 1 << 16;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toytop::{Signs, Start, TopParameters};
+
+    fn motion() -> Motion {
+        let top = Top::sliding(&TopParameters {
+            transverse_inertia: 1.1,
+            axial_inertia: 0.8,
+            com_height: 0.6,
+            mass_moment: 0.9,
+            gravity: 1.0,
+            ..TopParameters::default()
+        })
+        .unwrap();
+        Motion::from_branch_points(&top, [0.2, 0.8, 1.5], Signs::default(), &Start::default()).unwrap()
+    }
+
+    /// After a million landings the elapsed time is still the time asked for: to the last bit in f64, to the rounding of
+    /// one landing step in f32.
+    fn greatest_gap<R: Real>() -> f64 {
+        let step = period(&motion()) / 4096.0;
+        let mut stepper = TimedStepper::<R>::new(&motion(), step);
+        let mut progress = Progress::new(0, "steps");
+        let gap = |i: u32| {
+            let t = 0.3 * step * f64::from(i);
+            stepper.reach(t, &mut progress);
+            (stepper.elapsed() - t).abs() / step
+        };
+        (1..1_000_000).map(gap).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn landings_lose_no_time() {
+        assert_eq!(greatest_gap::<f64>(), 0.0);
+        let single = greatest_gap::<f32>();
+        assert!(single > 1e-9 && single < 1e-7, "{single:e}");
+    }
+
+    #[test]
+    fn a_time_asked_twice_is_one_place() {
+        let mut stepper = TimedStepper::<f32>::new(&motion(), 0.01);
+        let mut progress = Progress::new(0, "steps");
+        for i in 1..100 {
+            let steps = [(); 2].map(|()| {
+                stepper.reach(0.017 * f64::from(i), &mut progress);
+                stepper.steps()
+            });
+            assert_eq!(steps[0], steps[1]);
+        }
+    }
+
+    #[test]
+    fn too_many_steps_are_refused_before_the_first() {
+        assert_eq!(steps_needed(&[3.0, -2.0, 1.0], 0.5).unwrap(), 13);
+        assert!(steps_needed(&[1e10, 1.0], 0.5).is_err());
+        assert!(steps_needed(&[-1e10], 0.5).is_err());
+    }
+
+    #[test]
+    fn a_sweep_goes_outwards_and_answers_in_the_order_asked() {
+        let mut visited = Vec::new();
+        let results = visit_times(
+            &[2.0, -1.0, 0.5, -3.0, 2.0],
+            || 0.0,
+            |at: &mut f64, t| {
+                visited.push((*at, t));
+                *at = t;
+                Ok(10.0 * t)
+            },
+        );
+        assert_eq!(results.unwrap(), [20.0, -10.0, 5.0, -30.0, 20.0]);
+        assert_eq!(visited, [(0.0, 0.5), (0.5, 2.0), (2.0, 2.0), (0.0, -1.0), (-1.0, -3.0)]);
+    }
+}

@@ -1,0 +1,62 @@
+//! What a command writes into a page: between the lines `<!-- toytop COMMAND: NAME -->` and `<!-- end of NAME -->`, the rest
+//! of the page untouched.
+
+use crate::Failure;
+
+use crate::output::whole_file;
+use std::path::Path;
+
+/// The two lines of a mark, `toytop COMMAND: NAME`.
+fn lines(mark: &str) -> [String; 2] {
+    let name = mark.split_once(": ").map_or(mark, |(_, name)| name);
+    [format!("<!-- {mark} -->\n"), format!("<!-- end of {name} -->\n")]
+}
+
+/// The text with this body at its place.
+///
+/// # Errors
+/// [`Failure::Input`]: it has no such place.
+pub fn with(text: &str, mark: &str, body: &str) -> Result<String, Failure> {
+    let [begin, end] = lines(mark);
+    let parts = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
+    let Some((before, after)) = parts else {
+        return Err(Failure::Input(format!("must hold the lines {} and {}", begin.trim(), end.trim())));
+    };
+    Ok(format!("{before}{begin}\n{body}\n{end}{after}"))
+}
+
+/// Whether the page can be written: before hours of work, not after.
+///
+/// # Errors
+/// As [`write()`].
+pub fn check(path: &Path, option: &str, mark: &str) -> Result<(), Failure> {
+    with(&read(path, option)?, mark, "").map(|_| ()).map_err(|error| named(error, option, path))
+}
+
+/// Writes this body into a page.
+///
+/// # Errors
+/// [`Failure::Input`], with the option that named the page: it cannot be read or written, or has no place for it.
+pub fn write(path: &Path, option: &str, mark: &str, body: &str) -> Result<(), Failure> {
+    let page = with(&read(path, option)?, mark, body).map_err(|error| named(error, option, path))?;
+    whole_file::write(option, path, page.as_bytes())
+}
+
+/// MiB.
+const LARGEST_PAGE: u64 = 16;
+
+fn read(path: &Path, option: &str) -> Result<String, Failure> {
+    whole_file::read(&format!("{option}: {}", path.display()), path, LARGEST_PAGE)
+}
+
+fn named(error: Failure, option: &str, path: &Path) -> Failure {
+    error.of(&format!("{option}: {}", path.display()))
+}
+
+/// A header and rows as Markdown.
+pub fn table(rows: &[Vec<String>]) -> String {
+    let line = |cells: &Vec<String>| format!("| {} |\n", cells.join(" | "));
+    let Some((header, rows)) = rows.split_first() else { return String::new() };
+    let rule = "|---".repeat(header.len()) + "|\n";
+    line(header) + &rule + &rows.iter().map(line).collect::<String>()
+}

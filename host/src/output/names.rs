@@ -1,0 +1,32 @@
+//! The words for regimes and curves, as programs read them.
+
+use toytop::{Regime, TipClass};
+
+/// `nutating`, `regular_precession`, ...
+#[must_use]
+pub fn regime(regime: Regime) -> &'static str {
+    match regime {
+        Regime::Nutating => "nutating",
+        Regime::SlowPrecession | Regime::FastPrecession => "regular_precession",
+        Regime::SleepingStable => "sleeping_stable",
+        Regime::SleepingUnstable => "sleeping_unstable",
+        Regime::Hanging => "hanging",
+        Regime::Aperiodic => "aperiodic",
+        _ => "unknown",
+    }
+}
+
+/// `smooth`, `cusp`, `loops`, ...
+#[must_use]
+pub fn tip_class(class: TipClass) -> &'static str {
+    match class {
+        TipClass::Smooth => "smooth",
+        TipClass::Cusp => "cusp",
+        TipClass::Loops => "loops",
+        TipClass::Circle => "circle",
+        TipClass::ThroughOrigin => "through_origin",
+        TipClass::Spiral => "spiral",
+        TipClass::Point => "point",
+        _ => "unknown",
+    }
+}

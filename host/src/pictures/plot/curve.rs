@@ -1,0 +1,184 @@
+//! The points of the curve: as close as its bends need them.
+
+use crate::Failure;
+use crate::cli::Scalar;
+use crate::motion::ephemeris::{AnyScalar, smallest};
+use crate::motion::propagate::natural_time;
+use std::f64::consts::PI;
+use toytop::{Motion, PeriodAdvance, Regime, Support};
+
+/// The curve of the tip (of the axis, if the tip is held) from t = 0, and the circles it keeps between.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// x and y, in m (without unit for a fixed tip).
+    pub points: Vec<[f64; 2]>,
+    /// Of e₁ and e₂, and of u = 0 if that is between; none where the tip rests at the centre.
+    pub circles: Vec<Circle>,
+    /// How long it is followed, s.
+    pub time: f64,
+    /// How far it is followed, in nutation periods; `None` where there is none.
+    pub periods: Option<u32>,
+}
+
+/// ρ(e) = s √(1 - e²), a bound of the distance from the centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Circle {
+    /// Its radius, in the unit of the curve.
+    pub radius: f64,
+    /// Which bound it is.
+    pub name: &'static str,
+}
+
+/// Nutation periods at least and at most.
+const PERIODS: [f64; 2] = [3.0, 24.0];
+
+impl Curve {
+    /// Over so many nutation periods that the tip goes round the centre once, within bounds; once round where u is
+    /// constant; until the tip is at the centre where the motion is aperiodic.
+    ///
+    /// # Errors
+    /// [`Failure::Method`]: no table fits, even in f32, which is enough for a picture.
+    pub fn of(motion: &Motion) -> Result<Self, Failure> {
+        let table = smallest(Scalar::F32, motion)?;
+        let circles = circles(motion);
+        let largest = circles.iter().map(|circle| circle.radius).fold(0.0, f64::max);
+        let averages = motion.period_advance().filter(|_| motion.regime() == Regime::Nutating);
+        let periods = averages.as_ref().map(periods);
+        let (time, parts) = match (&averages, periods) {
+            (Some(averages), Some(periods)) => (averages.period * f64::from(periods), periods),
+            _ if motion.regime() == Regime::Aperiodic => rise(motion, &*table, largest),
+            _ => (once_round(motion), 1),
+        };
+        // where the tip is held, what moves is the axis: -2αβ
+        let sense = if motion.top().support() == Support::Fixed { -1.0 } else { 1.0 };
+        let tip = |t: f64| {
+            let c = table.at(t).sample.tip;
+            [sense * c.re, sense * c.im]
+        };
+        let tracer = Tracer { tip: &tip, tolerance: TOLERANCE * largest };
+        // the rounding of a table is no curve
+        let points = if largest > 0.0 { tracer.trace(time, parts * PARTS) } else { vec![[0.0; 2]] };
+        Ok(Self { points, circles, time, periods })
+    }
+}
+
+fn circles(motion: &Motion) -> Vec<Circle> {
+    let (e, scale) = (motion.branch_points(), motion.top().tip_scale());
+    let circle = |one_plus_e: f64, one_minus_e: f64, name| Circle {
+        radius: scale * (one_plus_e * one_minus_e).sqrt(),
+        name,
+    };
+    let lower = circle(e.one_plus_e1, 2.0 - e.one_plus_e1, "u = e₁");
+    let upper = circle(2.0 - e.one_minus_e2, e.one_minus_e2, "u = e₂");
+    let equator = circle(1.0, 1.0, "u = 0");
+    let circles = match motion.regime() {
+        regime if regime.is_vertical() => Vec::new(),
+        regime if regime.is_regular_precession() => vec![Circle { name: "u = e₁ = e₂", ..upper }],
+        // between e₁ and e₂ the axis is level: no bound is further out
+        _ if e.e1 < 0.0 && e.e2 > 0.0 => vec![lower, upper, equator],
+        _ => vec![lower, upper],
+    };
+    circles.into_iter().filter(|circle| circle.radius > 0.0).collect()
+}
+
+fn periods(averages: &PeriodAdvance) -> u32 {
+    let [least, most] = PERIODS;
+    let once_round = (2.0 * PI / averages.phi_per_period().abs()).ceil();
+    // so slow that a part of the way shows no more than a few periods
+    if once_round > 4.0 * most { least as u32 } else { once_round.clamp(least, most) as u32 }
+}
+
+fn once_round(motion: &Motion) -> f64 {
+    let advance = motion.period_advance().map(|averages| averages.phi_per_period().abs() / averages.period);
+    match advance {
+        Some(rate) if rate > 0.0 && !motion.regime().is_vertical() => 2.0 * PI / rate,
+        _ => natural_time(motion.top()),
+    }
+}
+
+/// How long until the tip has come to the centre for good, and in how many parts to go there.
+fn rise(motion: &Motion, table: &dyn AnyScalar, largest: f64) -> (f64, u32) {
+    const AT_THE_CENTRE: f64 = 4e-3;
+    const MOST: u32 = 4096;
+    let step = 0.25 * natural_time(motion.top());
+    let far = |n: &u32| {
+        let c = table.at(step * f64::from(*n)).sample.tip;
+        c.norm_squared().sqrt() > AT_THE_CENTRE * largest
+    };
+    let steps = (0..MOST).rev().find(far).unwrap_or(0) + 1;
+    (step * f64::from(steps), steps)
+}
+
+/// Equal parts of a nutation period, before any is halved.
+const PARTS: u32 = 64;
+/// A chord may be this far from the curve, in units of the largest radius.
+const TOLERANCE: f64 = 2e-4;
+/// Halvings of a part at most.
+const DEEPEST: u32 = 10;
+
+struct Tracer<'a> {
+    tip: &'a dyn Fn(f64) -> [f64; 2],
+    tolerance: f64,
+}
+
+impl Tracer<'_> {
+    fn trace(&self, time: f64, parts: u32) -> Vec<[f64; 2]> {
+        let mut points = vec![(self.tip)(0.0)];
+        let part = time / f64::from(parts);
+        for i in 0..parts {
+            let from = part * f64::from(i);
+            let last = points.last().copied().unwrap_or_default();
+            self.refine([from, from + part], [last, (self.tip)(from + part)], DEEPEST, &mut points);
+        }
+        points
+    }
+
+    /// Adds the points after the first, up to the second.
+    fn refine(&self, [t0, t1]: [f64; 2], [p0, p1]: [[f64; 2]; 2], depth: u32, points: &mut Vec<[f64; 2]>) {
+        let t = 0.5 * (t0 + t1);
+        let p = (self.tip)(t);
+        let off = (p[0] - 0.5 * (p0[0] + p1[0])).hypot(p[1] - 0.5 * (p0[1] + p1[1]));
+        if depth == 0 || off <= self.tolerance {
+            points.push(p1);
+            return;
+        }
+        self.refine([t0, t], [p0, p], depth - 1, points);
+        self.refine([t, t1], [p, p1], depth - 1, points);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toytop::{Release, State, Top, TopParameters};
+
+    /// At t = 0: the tip of a top that slides is opposite its axis, of one that is held the axis is drawn.
+    #[test]
+    fn tip_and_axis_begin_where_they_are() {
+        let release = Release { tilt: 0.4, azimuth: 0.7, spin: 150.0, ..Release::default() };
+        let state = State::release(&release).unwrap();
+        let [x, y, _] = state.orientation().axis();
+        let slid = Top::sliding(&TopParameters {
+            transverse_inertia: 3.0e-5,
+            axial_inertia: 2.0e-5,
+            com_height: 0.03,
+            mass: 0.05,
+            gravity: 9.81,
+            ..TopParameters::default()
+        })
+        .unwrap();
+        let held = Top::fixed(&TopParameters {
+            transverse_inertia: 7.5e-5,
+            axial_inertia: 2.0e-5,
+            mass_moment: 1.5e-3,
+            gravity: 9.81,
+            ..TopParameters::default()
+        })
+        .unwrap();
+        for (top, scale) in [(slid, -0.03), (held, 1.0)] {
+            let curve = Curve::of(&Motion::launch(&top, &state).unwrap()).unwrap();
+            let [at_x, at_y] = curve.points[0];
+            assert!((at_x - scale * x).hypot(at_y - scale * y) < 1e-6 * scale.abs(), "{at_x} {at_y}");
+        }
+    }
+}

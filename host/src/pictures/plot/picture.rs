@@ -1,0 +1,183 @@
+//! A curve as SVG or PNG, for a page that is white.
+
+use super::Curve;
+use crate::Failure;
+use crate::input::scenario::Scenario;
+use kuva::backend::raster::RasterBackend;
+use kuva::backend::svg::SvgBackend;
+use kuva::plot::scatter::ScatterPlot;
+use kuva::plot::{LegendPosition, LinePlot, LineStyle};
+use kuva::render::color::Color;
+use kuva::render::layout::Layout;
+use kuva::render::plots::Plot;
+use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
+use std::f64::consts::PI;
+use std::io;
+use std::path::Path;
+use toytop::Support;
+
+/// What a picture is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Scalable.
+    Svg,
+    /// Pixels, two for each unit of the layout.
+    Png,
+}
+
+/// The endings of a file, and what is written.
+const FORMS: [(&str, Form); 2] = [("svg", Form::Svg), ("png", Form::Png)];
+
+impl Form {
+    /// By the ending of a file that was named by this option.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: another ending.
+    pub fn of(path: &Path, option: &str) -> Result<Self, Failure> {
+        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        FORMS.iter().find(|(name, _)| *name == ending).map(|(_, form)| *form).ok_or_else(|| {
+            let allowed = FORMS.map(|(name, _)| format!(".{name}")).join(" or ");
+            Failure::Input(format!("{option}: {}: must end in {allowed}", path.display()))
+        })
+    }
+}
+
+const CURVE: &str = "#1f4e8c";
+const BOUND: &str = "#8a8a8a";
+const START: &str = "#c0392b";
+const CAPTION: &str = "#555555";
+
+/// Pixels of the layout: the square that is drawn in, and what is around it.
+const SIDE: f64 = 560.0;
+const LEFT: f64 = 72.0;
+const RIGHT: f64 = 20.0;
+const ABOVE: f64 = 92.0;
+const BELOW: f64 = 58.0;
+
+/// Draws it; the lines of the caption go below the title.
+///
+/// # Errors
+/// [`Failure::Output`]: the picture cannot be encoded.
+pub fn draw(scenario: &Scenario, curve: &Curve, caption: &[String], form: Form) -> Result<Vec<u8>, Failure> {
+    let scale = scenario.motion.top().tip_scale();
+    let extent = extent(curve, scale);
+    let (name, unit) = match scenario.motion.top().support() {
+        Support::Sliding => ("tip", " / s"),
+        Support::Fixed => ("axis, −2αβ", ""),
+    };
+    let mut plots = legend(curve, name);
+    plots.extend(lines(curve, scale));
+    let layout = square(&plots, extent)
+        .with_width(LEFT + SIDE + RIGHT)
+        .with_height(ABOVE + SIDE + BELOW)
+        .with_force_margins(LEFT, RIGHT)
+        .with_force_margins_y(ABOVE, BELOW)
+        .with_title(&*scenario.name)
+        .with_x_label(format!("x{unit}"))
+        .with_legend_position(LegendPosition::InsideTopRight)
+        .with_legend_box(false);
+    let mut scene = render_multiple(plots, layout);
+    for (line, y) in caption.iter().zip([56.0, 74.0]) {
+        scene.add(text(line, [LEFT + 0.5 * SIDE, y], 12, CAPTION));
+    }
+    scene.add(text(&format!("y{unit}"), [0.28 * LEFT, ABOVE + 0.5 * SIDE + 5.0], 14, "black"));
+    encode(&scene, form)
+}
+
+/// # Errors
+/// [`Failure::Output`]: the picture cannot be encoded.
+pub(crate) fn encode(scene: &Scene, form: Form) -> Result<Vec<u8>, Failure> {
+    match form {
+        Form::Svg => Ok(SvgBackend::default().render_scene(scene).into_bytes()),
+        Form::Png => RasterBackend::new()
+            .with_scale(2.0)
+            .render_scene(scene)
+            .map_err(|error| Failure::Output(io::Error::other(error))),
+    }
+}
+
+fn text(content: &str, [x, y]: [f64; 2], size: u32, color: &str) -> Primitive {
+    let (anchor, color) = (TextAnchor::Middle, Some(Color::from(color)));
+    Primitive::Text { x, y, content: content.to_owned(), size, anchor, rotate: None, bold: false, color }
+}
+
+/// Equal axes from -extent to extent.
+pub(crate) fn square(plots: &[Plot], extent: f64) -> Layout {
+    Layout::auto_from_plots(plots)
+        .with_x_axis_min(-extent)
+        .with_x_axis_max(extent)
+        .with_y_axis_min(-extent)
+        .with_y_axis_max(extent)
+        .with_equal_aspect()
+        .with_box_axes()
+        .with_show_grid(false)
+}
+
+/// What the legend names, in its order; no lines.
+fn legend(curve: &Curve, name: &str) -> Vec<Plot> {
+    let mut plots: Vec<Plot> = vec![tip().with_legend(name).into()];
+    for (circle, dash) in curve.circles.iter().zip(&DASHES) {
+        let named = bound().with_legend(format!("ρ at {}", circle.name));
+        plots.push(named.with_line_style(dash.style.clone()).into());
+    }
+    plots.push(start().with_legend("t = 0").into());
+    plots
+}
+
+/// The circles, the curve above them, and the start above that; lengths in units of `scale`.
+pub(crate) fn lines(curve: &Curve, scale: f64) -> Vec<Plot> {
+    let place = |&[x, y]: &[f64; 2]| (x / scale, y / scale);
+    let mut plots: Vec<Plot> = Vec::new();
+    for (circle, dash) in curve.circles.iter().zip(&DASHES) {
+        plots.extend(arcs(circle.radius / scale, dash).map(|arc| bound().with_data(arc).into()));
+    }
+    plots.push(tip().with_data(curve.points.iter().map(place)).into());
+    plots.push(start().with_data(curve.points.first().map(place)).into());
+    plots
+}
+
+fn tip() -> LinePlot {
+    LinePlot::new().with_color(CURVE).with_stroke_width(1.7)
+}
+
+fn start() -> ScatterPlot {
+    ScatterPlot::new().with_color(START).with_size(4.0)
+}
+
+fn bound() -> LinePlot {
+    LinePlot::new().with_color(BOUND).with_stroke_width(1.1)
+}
+
+/// How a circle is drawn: in one, or in arcs with gaps between (the raster knows no dashes along a curve).
+struct Dash {
+    style: LineStyle,
+    arcs: u32,
+    /// What an arc and the gap behind it have of arc.
+    share: f64,
+}
+
+const DASHES: [Dash; 3] = [
+    Dash { style: LineStyle::Solid, arcs: 1, share: 1.0 },
+    Dash { style: LineStyle::Dashed, arcs: 72, share: 0.6 },
+    Dash { style: LineStyle::Dotted, arcs: 180, share: 0.25 },
+];
+
+fn arcs(radius: f64, dash: &Dash) -> impl Iterator<Item = Vec<(f64, f64)>> {
+    let Dash { arcs, share, .. } = *dash;
+    let corners = 720 / arcs;
+    (0..arcs).map(move |arc| {
+        let corner = |i: u32| {
+            let part = f64::from(arc) + share * f64::from(i) / f64::from(corners);
+            let angle = 2.0 * PI * part / f64::from(arcs);
+            (radius * angle.cos(), radius * angle.sin())
+        };
+        (0..=corners).map(corner).collect()
+    })
+}
+
+/// What has to be seen on each side of the centre, and some room, in units of `scale`.
+pub(crate) fn extent(curve: &Curve, scale: f64) -> f64 {
+    let points = curve.points.iter().map(|[x, y]| x.hypot(*y));
+    let largest = curve.circles.iter().map(|circle| circle.radius).chain(points).fold(0.0, f64::max);
+    1.18 * if largest > 0.0 { largest / scale } else { 1.0 }
+}

@@ -1,0 +1,101 @@
+// What `toytop bake --lang json` writes in f32, evaluated: the bits of the crate at any tick.
+//
+// All is integers of 32 bits up to alpha and beta, which a Number holds; only the phases, of 64 and 96 bits, are BigInt.
+
+/** Integers of 32 bits, the least significant first, as one. */
+function wide(words) {
+  return words.reduceRight((sum, word) => (sum << 32n) | BigInt(word), 0n);
+}
+
+/** A table from its JSON. */
+function readTable(json) {
+  if (json.format !== 3 || json.scalar !== "f32") throw new Error("not a table of format 3 in f32");
+  return {
+    ...json,
+    first: json.first.map(wide),
+    step: json.step.map(wide),
+    horizon: json.horizon && json.horizon.map((words) => BigInt.asIntN(64, wide(words))),
+  };
+}
+
+/** Nutation phase, A and B at a tick (a BigInt or a whole Number), in units of 2^-64 turns. */
+function phasesAt(table, tick) {
+  const n = BigInt(tick);
+  const sinceFirst = BigInt.asUintN(64, n + (1n << 63n));
+  const phases = table.first.map((first, i) => BigInt.asUintN(64, first + ((table.step[i] * sinceFirst) >> 32n)));
+  if (table.horizon && n < table.horizon[0]) phases[0] = 1n << 63n;
+  if (table.horizon && n > table.horizon[1]) phases[0] = (1n << 63n) - 1n;
+  return phases;
+}
+
+/** Cell, segment and place in it, x 2^31 with x in [-1, 1); the falling half is the mirror image of the rising one. */
+function find(table, nutation) {
+  const falling = nutation >> 63n === 1n;
+  const share = BigInt.asUintN(64, (falling ? ~nutation : nutation) << 1n);
+  const bits = 4n; // 16 cells
+  const cell = table.cells[Number(share >> (64n - bits))];
+  const level = cell & 15;
+  const rest = Number(BigInt.asUintN(32, share >> (32n - bits)));
+  const segment = (cell >> 4) + (rest >>> 1 >>> (31 - level));
+  return { falling, segment, x: (rest << level) ^ 0x80000000 };
+}
+
+/** a b 2^-32, rounded down: no product needs more than 53 bits. */
+function high(a, b) {
+  return Math.floor((a * (b >> 16) + Math.floor((a * (b & 0xffff)) / 65536)) / 65536) | 0;
+}
+
+/** The same with the 16 upper bits of b alone. */
+function shortHigh(a, b) {
+  return Math.floor((a * (b >> 16)) / 65536) | 0;
+}
+
+/** Sine and cosine, times 2^31, of a phase of 32 bits: the nearest of 512 points, turned by the rest. */
+function sineAndCosine({ points, secant }, phase) {
+  const nearest = (phase + 0x400000) >>> 23;
+  const [s, c] = [points[nearest], points[nearest + 128]];
+  const small = high(phase << 9, secant);
+  const versine = high(small, small >> 1);
+  return [s - high(s, versine) + high(c, small), c - high(c, versine) - high(s, small)];
+}
+
+/** From units of 2^-31 to numbers, turned by a phase. */
+function turned(table, [re, im], phase) {
+  const [sine, cosine] = sineAndCosine(table.sine, Number(phase >> 32n));
+  const number = (integer) => Math.fround(integer) * 2 ** -30;
+  return [number(high(re, cosine) + high(~im, sine)), number(high(re, sine) + high(im, cosine))];
+}
+
+/** The four polynomials of a segment at x, the falling half mirrored. */
+function polynomials(table, { falling, segment, x }) {
+  const rows = table.coefficients[segment];
+  return [0, 1, 2, 3].map((i) => {
+    let sum = rows[table.terms - 1][i];
+    for (let k = table.terms - 2; k > 0; k--) {
+      // for the upper half of the powers 16 bits of x will do
+      const product = 2 * (k + 1) > table.terms ? shortHigh : high;
+      sum = (rows[k][i] + product(sum, x)) | 0;
+    }
+    const last = Math.max(-(2 ** 31), Math.min(2 ** 31 - 1, rows[0][i] + high(sum, x)));
+    return falling && i % 2 === 1 ? ~last : last;
+  });
+}
+
+/**
+ * The moment of a tick: alpha and beta as [re, im], u (the cosine of the tilt) and the tip c = 2 s alpha beta (2 alpha beta
+ * where it is held), each the f32 that the crate has.
+ */
+function momentAt(table, tick) {
+  const [nutation, a, b] = phasesAt(table, tick);
+  const sums = polynomials(table, find(table, nutation));
+  const alpha = turned(table, sums.slice(0, 2), a);
+  const beta = turned(table, sums.slice(2), b);
+  const f = Math.fround;
+  const product = (i) => f(f(alpha[i] + beta[i]) * f(alpha[i] - beta[i]));
+  const u = f(product(0) + product(1));
+  const tip = [
+    f(f(f(alpha[0] * beta[0]) - f(alpha[1] * beta[1])) * table.tip_scale),
+    f(f(f(alpha[0] * beta[1]) + f(alpha[1] * beta[0])) * table.tip_scale),
+  ];
+  return { nutation, alpha, beta, u, tip };
+}

@@ -1,0 +1,77 @@
+//! A program of commands from its arguments to its exit code.
+
+use crate::{Failure, Report};
+use clap::Parser;
+use clap::error::ErrorKind;
+use std::ffi::OsString;
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+/// What a command line asks for.
+#[derive(Debug)]
+pub enum Request<C> {
+    /// Run a command.
+    Run(Box<C>),
+    /// Print the help or the version.
+    Show(String),
+}
+
+/// Parses a command line, the program's name in front.
+///
+/// # Errors
+/// [`Failure::Input`] for everything that clap refuses.
+pub fn parse<C: Parser>(arguments: impl IntoIterator<Item = OsString>) -> Result<Request<C>, Failure> {
+    match C::try_parse_from(arguments) {
+        Ok(cli) => Ok(Request::Run(Box::new(cli))),
+        Err(error) => match error.kind() {
+            ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
+                Ok(Request::Show(error.render().to_string()))
+            }
+            ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+                Err(Failure::Input(format!("no command given; see {} --help", C::command().get_name())))
+            }
+            _ => Err(Failure::Input(in_one_line(&error.render().to_string()))),
+        },
+    }
+}
+
+/// The first paragraph of clap's message, which says what is wrong and what is possible, and what may have been meant; the
+/// rest is usage.
+fn in_one_line(message: &str) -> String {
+    let paragraph = message.lines().take_while(|line| !line.trim().is_empty());
+    let line = paragraph.map(str::trim).collect::<Vec<_>>().join(" ");
+    let meant = message
+        .lines()
+        .find_map(|line| line.trim().strip_prefix("tip: ").filter(|tip| tip.contains("similar")));
+    let meant = meant.map(|tip| format!("; {tip}")).unwrap_or_default();
+    line.trim_start_matches("error: ").to_owned() + &meant
+}
+
+/// Exit code where a bound is missed or the output cannot be written.
+const NOT_GOOD: u8 = 1;
+
+/// Prints what a command found, or why it found nothing; returns the exit code.
+#[must_use]
+pub fn finish(result: Result<Report, Failure>) -> ExitCode {
+    match result.and_then(|report| print(&report)) {
+        Ok(code) => code,
+        Err(failure) => {
+            // stderr may be closed; there is nobody left to tell
+            let _ = writeln!(io::stderr(), "error: {failure}");
+            ExitCode::from(failure.exit_code())
+        }
+    }
+}
+
+/// Everything was computed before this: what is printed is whole.
+fn print(report: &Report) -> Result<ExitCode, Failure> {
+    for note in &report.notes {
+        let _ = writeln!(io::stderr(), "{note}");
+    }
+    let mut stdout = io::stdout().lock();
+    match stdout.write_all(report.text.as_bytes()).and_then(|()| stdout.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
+        // a reader that has seen enough (`| head`) is no failure
+        _ => Ok(if report.missed { ExitCode::from(NOT_GOOD) } else { ExitCode::SUCCESS }),
+    }
+}

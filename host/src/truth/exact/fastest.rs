@@ -1,0 +1,32 @@
+//! Where a nutation is fastest.
+
+use super::law::End;
+use super::{Exact, Place};
+use crate::truth::precise::{Precise, precise, to_f64};
+
+/// Places looked at in each octave of the distance from a turning point.
+const PER_OCTAVE: f64 = 4.0;
+
+impl Exact {
+    /// How long after the start Φ changes fastest, its mean rotation taken off, in one of the periods; 0 for any other motion.
+    #[must_use]
+    pub fn fastest(&self) -> Precise {
+        let Some(passage) = &self.passage else { return precise(0.0) };
+        let [time, alpha, beta] = passage.half.each_ref().map(to_f64);
+        let mean_rates = [alpha / time, beta / time];
+        let mut best = (f64::NEG_INFINITY, Place { quarter: 0, beyond: precise(0.0) });
+        for (quarter, end) in [(0, End::Bottom), (1, End::Top)] {
+            let Some(depth) = self.coarse.depth(end) else { continue };
+            let octaves = (4.0 / depth).log2().clamp(2.0, 60.0);
+            let distances =
+                (0..(PER_OCTAVE * octaves) as u32).map(|i| (-0.5 - f64::from(i) / PER_OCTAVE).exp2());
+            for beyond in distances.chain([0.0]) {
+                let unrest = self.coarse.unrest(end, beyond, mean_rates);
+                if unrest > best.0 {
+                    best = (unrest, Place { quarter, beyond: precise(beyond) });
+                }
+            }
+        }
+        self.time_of_place(&best.1)
+    }
+}

@@ -1,0 +1,92 @@
+//! `cargo xtask setup`: installs what the tests need, and says of each thing what was done about it.
+
+use std::process::{Command, ExitCode};
+use std::time::Duration;
+
+use anyhow::{Result, bail};
+
+use crate::process::run_within;
+use crate::subcommand::{is_there, nightly_is_there, provide};
+use crate::tools;
+
+/// A thing that some test needs besides cargo.
+pub(crate) struct Need {
+    pub(crate) name: &'static str,
+    is_there: fn() -> bool,
+    /// Installs it where this machine allows that; the error says how to install it by hand.
+    bring: fn() -> Result<()>,
+}
+
+pub(crate) const LINTS: Need =
+    Need { name: "rustfmt and clippy", is_there: lints_are_there, bring: bring_lints };
+pub(crate) const COMPILER: Need = Need {
+    name: "compiler for the chips",
+    is_there: tools::toolchain_is_there,
+    bring: || tools::toolchain().map(drop),
+};
+pub(crate) const EMULATOR: Need = Need { name: "QEMU", is_there: tools::qemu_is_there, bring: tools::qemu };
+pub(crate) const BROWSER: Need = Need {
+    name: "Chromium",
+    is_there: || tools::any_chromium().is_some(),
+    bring: || tools::chromium().map(drop),
+};
+const NIGHTLY: Need = Need { name: "nightly compiler", is_there: nightly_is_there, bring: bring_nightly };
+const FUZZER: Need = Need { name: "cargo-fuzz", is_there: || is_there("fuzz"), bring: || provide("fuzz") };
+
+/// Everything that a step of the tests uses; the last two only for the step `fuzz`, which runs nothing without them.
+const ALL: [Need; 6] = [LINTS, COMPILER, EMULATOR, BROWSER, NIGHTLY, FUZZER];
+
+impl Need {
+    pub(crate) fn is_missing(&self) -> bool {
+        !(self.is_there)()
+    }
+
+    /// Makes it available, or says in one line that it is missing and how it is installed.
+    pub(crate) fn provide(&self) -> Result<()> {
+        (self.bring)()
+    }
+}
+
+/// Installs what is missing, a line each.
+pub(crate) fn setup() -> Result<ExitCode> {
+    let mut code = ExitCode::SUCCESS;
+    for need in &ALL {
+        let said = match need.is_missing() {
+            false => "is there".to_owned(),
+            true => match need.provide() {
+                Ok(()) => "installed".to_owned(),
+                Err(reason) => {
+                    code = ExitCode::FAILURE;
+                    format!("MISSING: {}", format!("{reason:#}").lines().last().unwrap_or_default())
+                }
+            },
+        };
+        println!("{:24}{said}", need.name);
+    }
+    Ok(code)
+}
+
+fn lints_are_there() -> bool {
+    is_there("fmt") && is_there("clippy")
+}
+
+fn bring_lints() -> Result<()> {
+    rustup(&["component", "add", "rustfmt", "clippy"]);
+    if !lints_are_there() {
+        bail!("to check form and lints: rustup component add rustfmt clippy");
+    }
+    Ok(())
+}
+
+fn bring_nightly() -> Result<()> {
+    rustup(&["toolchain", "install", "nightly", "--profile", "minimal"]);
+    if !nightly_is_there() {
+        bail!("to search with the fuzzer: rustup toolchain install nightly");
+    }
+    Ok(())
+}
+
+/// Runs rustup; whether that helped is seen by what it brings.
+fn rustup(words: &[&str]) {
+    let _ = run_within(Command::new("rustup").args(words), Duration::from_secs(600));
+}
