@@ -1,4 +1,4 @@
-//! Constants of a motion in double-double: first integrals, branch points, regime, tip class, least normal force.
+//! Constants of a motion in extended precision: first integrals, branch points, regime, tip class, least normal force.
 //!
 //! Each follows from the one before: [`State`](crate::State) → [`FirstIntegrals`] → [`BranchPoints`] → [`Regime`],
 //! [`TipClass`].

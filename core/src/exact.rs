@@ -1,7 +1,7 @@
 //! Closed forms of the paper, and the elliptic functions that they use.
 //!
 //! Where the paper solves a motion in elementary or elliptic functions, this module has the solution as a function of
-//! time. It is evaluated in double-double and rounded to `f64` at the end, and is slower than an
+//! time. It is evaluated in extended precision and rounded to `f64` at the end, and is slower than an
 //! [ephemeris](crate::Ephemeris), which can represent every motion. Its purpose is independent verification: it uses
 //! no time step, no table and no quadrature.
 //!

@@ -16,7 +16,7 @@
 pub(crate) mod series;
 
 use crate::constants::{BranchPoints, FirstIntegrals, Signs};
-use crate::scalar::{DoubleDouble, Float, Real, Ring};
+use crate::scalar::{Extended, Float, Real, Ring};
 use crate::top::{Quantities, Top};
 
 /// Rates of the three phases, rad per unit time.
@@ -75,10 +75,10 @@ pub(crate) struct Law<F> {
     beta_smoothing: F,
 }
 
-impl Law<DoubleDouble> {
+impl Law<Extended> {
     /// Law rounded to the scalar of the tick.
     pub(crate) fn cast<R: Float>(&self) -> Law<R> {
-        let cast = |x: DoubleDouble| R::from_f64(x.to_f64());
+        let cast = |x: Extended| R::from_f64(x.to_f64());
         Law {
             one_plus_e1: cast(self.one_plus_e1),
             one_minus_e2: cast(self.one_minus_e2),

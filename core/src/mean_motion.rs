@@ -5,7 +5,7 @@ mod quadrature;
 use crate::cayley_klein::Brackets;
 use crate::constants::{BranchPoints, Signs};
 use crate::law::Law;
-use crate::scalar::{DoubleDouble, Float};
+use crate::scalar::{Extended, Float};
 use quadrature::Quadrature;
 
 /// Nutation period, and advance of α and β over one period in turns, whole turns included.
@@ -42,16 +42,16 @@ impl<F: Float> PeriodAdvance<F> {
     }
 }
 
-/// Period and advances of one motion in double-double. One quadrature computes them when the motion is launched.
+/// Period and advances of one motion in extended precision. One quadrature computes them when the motion is launched.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct MeanMotion {
     /// Period, and advances of α and β over one period.
-    pub(crate) advance: PeriodAdvance<DoubleDouble>,
+    pub(crate) advance: PeriodAdvance<Extended>,
     /// Winding numbers of the brackets of α and β around 0 over one period: 1, -1, or 0 where a bracket passes
     /// through 0.
     pub(crate) winding: [i32; 2],
     /// Angles ψ_A(T) and ψ_B(T), rad.
-    pub(crate) psi: [DoubleDouble; 2],
+    pub(crate) psi: [Extended; 2],
     /// Error of the trapezoid rule, estimated from its last change: relative to the period, and relative to |ψ_A| +
     /// |ψ_B|.
     pub(crate) relative_error: f64,
@@ -63,15 +63,15 @@ impl MeanMotion {
     /// Mean motion of the law, for e₃ > e₂.
     #[inline(never)]
     pub(crate) fn of(
-        law: &Law<DoubleDouble>,
-        e: &BranchPoints<DoubleDouble>,
+        law: &Law<Extended>,
+        e: &BranchPoints<Extended>,
         signs: Signs,
-        half_tau: DoubleDouble,
+        half_tau: Extended,
     ) -> Self {
         let quadrature = Quadrature::over_period(law, e);
         let brackets = Brackets::<f64>::swinging(e, signs);
         let winding = [brackets.alpha.winding(), brackets.beta.winding()];
-        let [alpha_winding, beta_winding] = winding.map(|sense| DoubleDouble::from(0.5 * f64::from(sense)));
+        let [alpha_winding, beta_winding] = winding.map(|sense| Extended::from(0.5 * f64::from(sense)));
         let slow = half_tau * quadrature.period;
         let advance = PeriodAdvance {
             period: quadrature.period,
@@ -80,7 +80,7 @@ impl MeanMotion {
             // the terms ±τT/2 of α and β cancel
             phi: quadrature.psi_alpha
                 + quadrature.psi_beta
-                + DoubleDouble::TWO_PI * (alpha_winding + beta_winding),
+                + Extended::TWO_PI * (alpha_winding + beta_winding),
         };
         let Quadrature { psi_alpha, psi_beta, relative_error, nodes, .. } = quadrature;
         Self { advance, winding, psi: [psi_alpha, psi_beta], relative_error, nodes }

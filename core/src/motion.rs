@@ -11,7 +11,7 @@ use crate::error::{ParameterError, finite, require};
 use crate::law::{Law, gudermannian};
 use crate::mean_motion::{MeanMotion, PeriodAdvance};
 use crate::phase::{Phase, TurnRate};
-use crate::scalar::{DoubleDouble, Float, Ring, Scalar};
+use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::state::State;
 use crate::su2::OrientationRate;
 use crate::top::{Quantities, Support, Top};
@@ -23,8 +23,8 @@ use start::{chi, half_phase, half_turns, slow_phase};
 pub struct Motion {
     top: Top,
     signs: Signs,
-    e: BranchPoints<DoubleDouble>,
-    integrals: FirstIntegrals<DoubleDouble>,
+    e: BranchPoints<Extended>,
+    integrals: FirstIntegrals<Extended>,
     regime: Regime,
     nutation: NutationVariable,
     /// Slow phases A and B, of α and β, at t = 0.
@@ -47,7 +47,7 @@ pub(crate) enum NutationVariable {
 }
 
 impl Motion {
-    /// Motion from a state. The numbers of the state count as exact. Set-up computes in double-double, so the stored
+    /// Motion from a state. The numbers of the state count as exact. Set-up computes in extended precision, so the stored
     /// constants have the error of one `f64` rounding.
     ///
     /// # Errors
@@ -58,7 +58,8 @@ impl Motion {
         let e = BranchPoints::of_point(top, &integrals, &point)?;
         let regime = Regime::of(&e, signs, point.rests_upright());
 
-        let (phi, omega) = state.exact::<DoubleDouble>();
+        let (phi, omega) = state.exact::<Extended>();
+        let phi = phi.normalised();
         let rate = OrientationRate::from_fixed(&phi, omega);
         let [alpha, beta] =
             [(phi.alpha, rate.alpha), (phi.beta, rate.beta)].map(|(z, z_dot)| [z, z_dot].map(to_f64));
@@ -80,7 +81,7 @@ impl Motion {
             return Ok(motion);
         }
         let d = motion.a_over_p() + motion.quantities().s * point.one_minus_u * point.one_plus_u;
-        let g0 = d * point.udot.squared() / DoubleDouble::from(top.gravity()).doubled();
+        let g0 = d * point.udot.squared() / Extended::from(top.gravity()).doubled();
         let (sine, cosine) = half_phase(&e, &point, g0, regime == Regime::Aperiodic);
         motion.nutation = if regime == Regime::Aperiodic {
             NutationVariable::Aperiodic(libm::asinh(sine / cosine))
@@ -122,7 +123,7 @@ impl Motion {
         let chi = half_turns(theta);
         let upright = chi.halves().1 == Phase::QUARTER;
         let regime = Regime::of(&e, signs, upright);
-        let given = [arg_alpha, arg_beta].map(|angle| DoubleDouble::from(angle).in_turns().to_phase());
+        let given = [arg_alpha, arg_beta].map(|angle| Extended::from(angle).in_turns().to_phase());
         let mut motion = Self {
             top: *top,
             signs,
@@ -214,13 +215,13 @@ impl Motion {
         (a + b + alpha.argument(&directions) + beta.argument(&directions)).principal()
     }
 
-    /// Mean motion in double-double; `None` where the motion has no nutation period.
+    /// Mean motion in extended precision; `None` where the motion has no nutation period.
     pub(crate) fn mean_motion(&self) -> Option<&MeanMotion> {
         self.mean.as_ref()
     }
 
     fn computed_mean(&self) -> Option<MeanMotion> {
-        let has_period = self.e.e3_minus_e2 > DoubleDouble::ZERO;
+        let has_period = self.e.e3_minus_e2 > Extended::ZERO;
         has_period.then(|| MeanMotion::of(&self.law(), &self.e, self.signs, self.half_tau()))
     }
 
@@ -238,19 +239,19 @@ impl Motion {
         })
     }
 
-    pub(crate) fn quantities(&self) -> Quantities<DoubleDouble> {
+    pub(crate) fn quantities(&self) -> Quantities<Extended> {
         Quantities::of(&self.top)
     }
 
     /// Length A/p, m.
-    fn a_over_p(&self) -> DoubleDouble {
+    fn a_over_p(&self) -> Extended {
         let Quantities { a, p, .. } = self.quantities();
         a / p
     }
 
     /// Half of τ = (1/C - 1/A) n, rad per unit time. The slow phases of a top with C ≠ A have the additional rates
     /// ±τ/2, compared with C = A.
-    pub(crate) fn half_tau(&self) -> DoubleDouble {
+    pub(crate) fn half_tau(&self) -> Extended {
         self.quantities().tau(self.integrals.n).halved()
     }
 
@@ -259,7 +260,7 @@ impl Motion {
         (rate_in_turns(self.half_tau()), self.half_tau().to_f64())
     }
 
-    pub(crate) fn law(&self) -> Law<DoubleDouble> {
+    pub(crate) fn law(&self) -> Law<Extended> {
         Law::new(&self.top, &self.e, &self.integrals, self.signs)
     }
 
@@ -272,11 +273,11 @@ impl Motion {
         }
     }
 
-    pub(crate) fn exact_branch_points(&self) -> &BranchPoints<DoubleDouble> {
+    pub(crate) fn exact_branch_points(&self) -> &BranchPoints<Extended> {
         &self.e
     }
 
-    pub(crate) fn exact_integrals(&self) -> &FirstIntegrals<DoubleDouble> {
+    pub(crate) fn exact_integrals(&self) -> &FirstIntegrals<Extended> {
         &self.integrals
     }
 
@@ -301,9 +302,9 @@ impl Motion {
     }
 
     /// 1 + u and 1 - u of a steady motion.
-    fn steady_tilt(&self) -> (DoubleDouble, DoubleDouble) {
+    fn steady_tilt(&self) -> (Extended, Extended) {
         if self.regime == Regime::SleepingUnstable {
-            (DoubleDouble::from(2.0), DoubleDouble::ZERO)
+            (Extended::from(2.0), Extended::ZERO)
         } else {
             (self.e.one_plus_e1, self.e.one_minus_e2)
         }
@@ -311,14 +312,14 @@ impl Motion {
 
     /// Rates of A and B where u is constant, rad per unit time: ((l ± n)/(A (1 ± u)) ± τ)/2, with the upper signs for
     /// A; 0 for a parameter that is 0.
-    pub(crate) fn steady_rates(&self) -> [DoubleDouble; 2] {
-        let twice_a = DoubleDouble::from(self.top.transverse_inertia()).doubled();
+    pub(crate) fn steady_rates(&self) -> [Extended; 2] {
+        let twice_a = Extended::from(self.top.transverse_inertia()).doubled();
         let (one_plus_u, one_minus_u) = self.steady_tilt();
-        let rate = |momentum: DoubleDouble, complement: DoubleDouble, half_tau: DoubleDouble| {
-            if complement > DoubleDouble::ZERO {
+        let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {
+            if complement > Extended::ZERO {
                 momentum / (twice_a * complement) + half_tau
             } else {
-                DoubleDouble::ZERO
+                Extended::ZERO
             }
         };
         [
@@ -330,7 +331,7 @@ impl Motion {
     /// Whether u is exactly constant. An oscillation too small for the regime to count still has its own mean rates,
     /// which differ from those at a constant u.
     fn stands_still(&self) -> bool {
-        self.e.e2_minus_e1 == DoubleDouble::ZERO || self.regime == Regime::SleepingUnstable
+        self.e.e2_minus_e1 == Extended::ZERO || self.regime == Regime::SleepingUnstable
     }
 
     /// Whether the motion is steady, that is, u is constant; known once the nutation variable is.
@@ -353,11 +354,12 @@ impl Motion {
     }
 }
 
-fn rate_in_turns(radians: DoubleDouble) -> TurnRate {
+fn rate_in_turns(radians: Extended) -> TurnRate {
     let turns = radians.in_turns();
-    TurnRate::new(turns.hi(), turns.lo())
+    let [leading, rest] = turns.parts();
+    TurnRate::new(leading, rest)
 }
 
-fn to_f64(z: Complex<DoubleDouble>) -> Complex<f64> {
+fn to_f64(z: Complex<Extended>) -> Complex<f64> {
     Complex::new(z.re.to_f64(), z.im.to_f64())
 }

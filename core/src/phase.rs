@@ -20,7 +20,7 @@ use core::ops::{Add, AddAssign, Neg, Sub};
 pub struct Phase(i128);
 
 /// Number of fraction bits.
-const FRACTION_BITS: i32 = 96;
+pub(crate) const FRACTION_BITS: i32 = 96;
 
 impl Phase {
     /// Smallest difference of two phases, in turns.
@@ -150,7 +150,7 @@ impl AddAssign for Phase {
 }
 
 /// Mantissa and exponent of x = mantissa · 2^exponent, with |mantissa| < 2^53; both 0 where x is not finite.
-fn integer_parts(x: f64) -> (i64, i32) {
+pub(crate) fn integer_parts(x: f64) -> (i64, i32) {
     const MANTISSA_BITS: u32 = 52;
     const BIAS: i32 = 1075; // 1023 + 52
     let bits = x.to_bits();
@@ -171,7 +171,7 @@ pub(crate) fn whole_number(x: f64) -> i128 {
 }
 
 /// value · 2^shift, rounded to the nearest integer, modulo 2^128.
-fn shifted(value: i128, shift: i32) -> i128 {
+pub(crate) fn shifted(value: i128, shift: i32) -> i128 {
     match shift {
         128.. => 0,
         0.. => value << shift,

@@ -54,6 +54,44 @@ pub(crate) const fn wrapping_product(a: u64, b: u64) -> u64 {
     long_product(a_low, b_low).wrapping_add((across as u64) << 32)
 }
 
+/// Complete 256-bit product of two unsigned numbers: upper and lower half.
+#[inline(never)] // a call: set-up multiplies in hundreds of places
+pub(crate) fn wide_product(a: u128, b: u128) -> [u128; 2] {
+    if cfg!(target_pointer_width = "64") {
+        wide_product_of_long_words(a, b)
+    } else {
+        wide_product_of_words(a, b)
+    }
+}
+
+fn wide_product_of_long_words(a: u128, b: u128) -> [u128; 2] {
+    let [[a_low, a_high], [b_low, b_high]] = [a, b].map(|x| [u128::from(x as u64), x >> 64]);
+    let low = a_low * b_low;
+    let across = a_high * b_low + (low >> 64);
+    let back = a_low * b_high + u128::from(across as u64);
+    [a_high * b_high + (across >> 64) + (back >> 64), (back << 64) | u128::from(low as u64)]
+}
+
+fn wide_product_of_words(a: u128, b: u128) -> [u128; 2] {
+    let words = |x: u128| [x as u32, (x >> 32) as u32, (x >> 64) as u32, (x >> 96) as u32];
+    let number = |[a, b, c, d]: [u32; 4]| {
+        u128::from(a) | u128::from(b) << 32 | u128::from(c) << 64 | u128::from(d) << 96
+    };
+    // the product with each word of b is added to the words from there on; the lowest of them is then complete
+    let (mut upper, mut lower) = ([0_u32; 4], [0_u32; 4]);
+    for (factor, complete) in words(b).into_iter().zip(&mut lower) {
+        let mut carry = 0;
+        for (word, sum) in words(a).into_iter().zip(&mut upper) {
+            // at most (2^32 - 1)^2 + 2 (2^32 - 1), which is 2^64 - 1
+            let term = long_product(word, factor) + u64::from(*sum) + u64::from(carry);
+            (*sum, carry) = (term as u32, (term >> 32) as u32);
+        }
+        let [least, second, third, fourth] = upper;
+        (*complete, upper) = (least, [second, third, fourth, carry]);
+    }
+    [number(upper), number(lower)]
+}
+
 /// Signed lower half of a number, and its upper half rounded to the nearest, in -2^15..=2^15.
 #[inline(always)]
 const fn halves(number: i32) -> [i32; 2] {
@@ -111,6 +149,11 @@ mod tests {
             assert_eq!([short_product_by_halves(a, b), short_product(a, b)], [short; 2], "{a} {b}");
             let wide = (a as u64, !(b as u64));
             assert_eq!(wrapping_product(wide.0, wide.1), wide.0.wrapping_mul(wide.1), "{a} {b}");
+            let [x, y] = [(a, b), (b, !a)].map(|(high, low)| {
+                u128::from(high as u32) << 96 | u128::from(bits.rotate_left(7)) << 32 | u128::from(low as u32)
+            });
+            assert_eq!(wide_product_of_words(x, y), wide_product_of_long_words(x, y), "{x} {y}");
+            assert_eq!(wide_product(x, y)[1], x.wrapping_mul(y), "{x} {y}");
             let (a, b) = (a as u32, b as u32);
             assert_eq!(long_product_by_halves(a, b), u64::from(a) * u64::from(b), "{a} {b}");
         }

@@ -1,16 +1,16 @@
 //! Scalars: the traits that the algorithms require of a number type, and the types that implement them.
 //!
-//! There are three small traits, because fixed point has no division and double-double has no sine. No trait provides
+//! There are three small traits, because fixed point has no division and extended precision has no sine. No trait provides
 //! a fused multiply-add, and transcendental functions never come from `std`, so that results are equal to the bit on
 //! a host and on a chip.
 //!
-//! | trait | requires | `f32` `f64` | [`DoubleDouble`] | fixed point, micromath |
+//! | trait | requires | `f32` `f64` | [`Extended`] | fixed point, micromath |
 //! |---|---|---|---|---|
 //! | [`Ring`] | `+ - *`, order, 0 and 1 | yes | yes | yes |
 //! | [`Scalar`] | sine and cosine of an integer phase: what a *tick* needs | yes | no | yes |
 //! | [`Float`] | division, square root, conversion: what *set-up* needs | yes | yes | micromath only |
 
-mod double_double;
+mod extended;
 
 mod sine;
 
@@ -19,7 +19,7 @@ mod float;
 #[cfg(feature = "fixed")]
 mod fixed_point;
 
-pub use double_double::DoubleDouble;
+pub use extended::Extended;
 pub(crate) use sine::sine_cosine_f64;
 #[cfg(feature = "fixed")]
 pub use sine::sine_cosine_q15;
@@ -136,7 +136,7 @@ pub(crate) mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}
-    impl Sealed for super::DoubleDouble {}
+    impl Sealed for super::Extended {}
     #[cfg(feature = "fixed")]
     impl Sealed for fixed::types::I2F30 {}
     #[cfg(feature = "fixed")]

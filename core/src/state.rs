@@ -114,16 +114,16 @@ impl State {
         libm::sqrt(self.omega.iter().map(|component| component * component).sum())
     }
 
-    /// Exactly normalised Φ, and ω, in the number type of a set-up stage.
+    /// Φ as it was given, not normalised, and ω, in the number type of a set-up stage.
     pub(crate) fn exact<F: Float>(&self) -> (Orientation<F>, Vector<F>) {
         let lift = |z: Complex<f64>| Complex::new(lifted(z.re), lifted(z.im));
         let orientation =
             Orientation { alpha: lift(self.orientation.alpha), beta: lift(self.orientation.beta) };
-        (orientation.normalised(), self.omega.map(lifted))
+        (orientation, self.omega.map(lifted))
     }
 }
 
-/// x in the number type F, or 0 where the fourth power of x would leave the range of double-double.
+/// x in the number type F, or 0 below 1e-60.
 fn lifted<F: Float>(x: f64) -> F {
     const LEAST: f64 = 1e-60;
     if Float::abs(x) < LEAST { F::ZERO } else { F::from_f64(x) }

@@ -77,7 +77,7 @@ fn turns<R: Real>(radians: R) -> Phase {
 }
 
 impl<R: Real> Stepper<R> {
-    /// Stepper at t = 0 of the motion. Its constants are computed in double-double and rounded once to `R`.
+    /// Stepper at t = 0 of the motion. Its constants are computed in extended precision and rounded once to `R`.
     #[must_use]
     pub fn new(motion: &Motion) -> Self {
         let (half_tau, drift_rate) = motion.half_tau_rates();

@@ -1,7 +1,7 @@
 //! Top: its moments of inertia A and C, the distance s, the mass moment p and the gravity g.
 
 use crate::error::{ParameterError, finite, require};
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Parameters of a top by name, in SI or any consistent units.
 ///
@@ -57,7 +57,7 @@ pub struct Top {
     a: f64,
     c: f64,
     s: f64,
-    p: DoubleDouble,
+    p: Extended,
     g: f64,
 }
 
@@ -97,11 +97,11 @@ impl Top {
     pub fn sliding(parameters: &TopParameters) -> Result<Self, ParameterError> {
         let s = magnitude("com_height", parameters.com_height)?;
         let p = match parameters.given_mass()? {
-            Some(mass) => DoubleDouble::product(mass, s),
+            Some(mass) => Extended::product(mass, s),
             None => magnitude("mass_moment", parameters.mass_moment)?.into(),
         };
         let top = Self::new(Support::Sliding, parameters, s, p)?;
-        let spread = top.a / (top.p.hi() * s);
+        let spread = top.a / (top.p.to_f64() * s);
         require(
             (1e-6..=1e12).contains(&spread),
             "transverse_inertia",
@@ -128,9 +128,9 @@ impl Top {
             let p = magnitude("mass_moment", parameters.mass_moment)?.into();
             return Self::new(Support::Fixed, parameters, 0.0, p);
         };
-        let p = DoubleDouble::product(mass, magnitude("com_height", parameters.com_height)?);
+        let p = Extended::product(mass, magnitude("com_height", parameters.com_height)?);
         let top = Self::new(Support::Fixed, parameters, 0.0, p)?;
-        let least = p.hi() * parameters.com_height + 0.5 * top.c;
+        let least = p.to_f64() * parameters.com_height + 0.5 * top.c;
         require(
             top.a >= least * (1.0 - ROUNDING),
             "transverse_inertia",
@@ -143,14 +143,14 @@ impl Top {
         support: Support,
         parameters: &TopParameters,
         s: f64,
-        p: DoubleDouble,
+        p: Extended,
     ) -> Result<Self, ParameterError> {
         let a = magnitude("transverse_inertia", parameters.transverse_inertia)?;
         let c = magnitude("axial_inertia", parameters.axial_inertia)?;
         require(c <= 2.0 * a, "axial_inertia", "at most twice transverse_inertia (no body has C > 2A)")?;
         require(c >= 1e-6 * a, "axial_inertia", "at least 1e-6 times transverse_inertia")?;
         let g = magnitude("gravity", parameters.gravity)?;
-        let length = a / p.hi();
+        let length = a / p.to_f64();
         require(
             (1e-12..=1e12).contains(&length),
             "transverse_inertia",
@@ -204,7 +204,7 @@ impl Top {
     /// Mass moment p = M s, kg m.
     #[must_use]
     pub fn mass_moment(&self) -> f64 {
-        self.p.hi()
+        self.p.to_f64()
     }
 
     /// Gravity g, m/s². The units of the paper have g = 1.
@@ -218,8 +218,8 @@ impl Top {
     #[must_use]
     pub fn e4(&self) -> Option<f64> {
         (self.s > 0.0).then(|| {
-            let quantities = Quantities::<DoubleDouble>::of(self);
-            (DoubleDouble::ONE + quantities.a / (quantities.p * quantities.s)).sqrt().to_f64()
+            let quantities = Quantities::<Extended>::of(self);
+            (Extended::ONE + quantities.a / (quantities.p * quantities.s)).sqrt().to_f64()
         })
     }
 }
@@ -236,7 +236,10 @@ pub(crate) struct Quantities<F> {
 
 impl<F: Float> Quantities<F> {
     pub(crate) fn of(top: &Top) -> Self {
-        let p = F::from_f64(top.p.hi()) + F::from_f64(top.p.lo());
+        let p = {
+            let [leading, rest] = top.p.parts();
+            F::from_f64(leading) + F::from_f64(rest)
+        };
         Self { a: F::from_f64(top.a), c: F::from_f64(top.c), s: F::from_f64(top.s), p, g: F::from_f64(top.g) }
     }
 
@@ -313,9 +316,9 @@ mod tests {
     #[test]
     fn the_mass_moment_is_exact() {
         let top = Top::sliding(&TOP).unwrap();
-        assert!(top.p.lo() != 0.0);
+        assert!(top.p.parts()[1] != 0.0);
         assert_eq!(top.mass_moment(), 0.05 * 0.03);
-        let p = Quantities::<DoubleDouble>::of(&top).p;
-        assert_eq!((p.hi(), p.lo()), (top.p.hi(), top.p.lo()));
+        let p = Quantities::<Extended>::of(&top).p;
+        assert_eq!(p, top.p);
     }
 }

@@ -2,7 +2,7 @@
 //! them.
 //!
 //! Errors of f(z) are in units of |f| + 1e-13 |z f'|: relative, with an allowance for the rounding of z in
-//! double-double.
+//! extended precision.
 
 use serde_json::Value;
 use toytop::Complex;
@@ -36,7 +36,7 @@ fn lattices() -> Vec<(Weierstrass, Value)> {
     entries(&json["lattices"]).iter().map(lattice).collect()
 }
 
-/// Allowance for the rounding of z in double-double, relative to |z f'|.
+/// Allowance for the rounding of z in extended precision, relative to |z f'|.
 const OF_ARGUMENT: f64 = 1e-13;
 
 /// Error of f(z), relative to |f| + 1e-13 |z f'|.

@@ -3,7 +3,7 @@
 
 use crate::full::{full_state, full_top, solver};
 use toytop::exact::lagrangian::Lagrangian;
-use toytop::scalar::{DoubleDouble, Float, Ring};
+use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{OrientationRate, Vector, bracket, dot};
 use toytop::{Complex, FirstIntegrals, Orientation, Sign, Signs, Start, State, Stepper, Top};
 use toytop_host::full_equations::newton_euler::accelerations;
@@ -25,10 +25,10 @@ fn tops() -> [Top; 2] {
     ["generic_AneC", "lagrange_exact"].map(|name| vectors::named(name).top())
 }
 
-fn lifted(state: &State) -> (Orientation<DoubleDouble>, Vector<DoubleDouble>) {
+fn lifted(state: &State) -> (Orientation<Extended>, Vector<Extended>) {
     let lift = |z: Complex<f64>| Complex::new(z.re.into(), z.im.into());
     let phi = Orientation { alpha: lift(state.orientation().alpha), beta: lift(state.orientation().beta) };
-    (phi.normalised(), state.omega().map(DoubleDouble::from))
+    (phi.normalised(), state.omega().map(Extended::from))
 }
 
 fn distance<F: Float>(x: Vector<F>, y: Vector<F>) -> f64 {
@@ -36,14 +36,14 @@ fn distance<F: Float>(x: Vector<F>, y: Vector<F>) -> f64 {
     dot(difference, difference).sqrt().to_f64()
 }
 
-/// Central difference of f at 0, in double-double; its error is about 1e-20.
-fn slope(f: impl Fn(DoubleDouble) -> DoubleDouble) -> DoubleDouble {
-    let step = DoubleDouble::from(1e-10);
+/// Central difference of f at 0, in extended precision; its error is about 1e-20.
+fn slope(f: impl Fn(Extended) -> Extended) -> Extended {
+    let step = Extended::from(1e-10);
     (f(step) - f(-step)) / step.doubled()
 }
 
-fn unit(i: usize) -> Vector<DoubleDouble> {
-    std::array::from_fn(|j| if i == j { DoubleDouble::ONE } else { DoubleDouble::ZERO })
+fn unit(i: usize) -> Vector<Extended> {
+    std::array::from_fn(|j| if i == j { Extended::ONE } else { Extended::ZERO })
 }
 
 /// Kinetic energy (section 3.1): the rotation about the centre of mass plus M (s u')²/2; V is the weight times the
@@ -77,7 +77,7 @@ fn eqn_kinetic_and_potential() {
 fn momentum_is_the_derivative_by_omega() {
     let (mut worst, mut inverse) = (0.0_f64, 0.0_f64);
     for top in tops() {
-        let lagrangian = Lagrangian::<DoubleDouble>::new(&top);
+        let lagrangian = Lagrangian::<Extended>::new(&top);
         for state in states() {
             let (phi, omega) = lifted(&state);
             let along = |i: usize| {
@@ -100,17 +100,15 @@ fn momentum_is_the_derivative_by_omega() {
 fn dl_is_the_derivative_by_phi() {
     let mut worst = 0.0_f64;
     for top in tops() {
-        let lagrangian = Lagrangian::<DoubleDouble>::new(&top);
+        let lagrangian = Lagrangian::<Extended>::new(&top);
         for state in states() {
             let (phi, omega) = lifted(&state);
             let along = |i: usize| {
                 slope(|step| {
                     // 1 + εη, normalised: it has the tangent of e^{εη}, and is odd in ε likewise
                     let [x1, x2, x3] = unit(i).map(|x| (x * step).halved());
-                    let near_one = Orientation {
-                        alpha: Complex::new(DoubleDouble::ONE, x3),
-                        beta: Complex::new(-x2, x1),
-                    };
+                    let near_one =
+                        Orientation { alpha: Complex::new(Extended::ONE, x3), beta: Complex::new(-x2, x1) };
                     lagrangian.value(&near_one.compose(&phi).normalised(), omega)
                 })
             };

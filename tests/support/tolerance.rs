@@ -140,11 +140,11 @@ pub const CLOSED_FORM_STEPPER: Budget = Budget::of(1e-13);
 pub const CLOSED_FORM_INTEGRALS: Budget = Budget::of(2e-15);
 /// Difference of the paper's formulas, written out in f64, and core (rad).
 pub const AS_THE_PAPER_HAS_IT: Budget = Budget::of(1e-13);
-/// Error of central differences in double-double with a step of 1e-10: the square of the step, times the third
+/// Error of central differences in extended precision with a step of 1e-10: the square of the step, times the third
 /// derivative.
 pub const DIFFERENCES: Budget = Budget::of(2e-19);
 /// Error of central differences of quadratic functions: only the rounding error over the step.
-pub const DIFFERENCES_OF_SQUARES: Budget = Budget::of(1e-20);
+pub const DIFFERENCES_OF_SQUARES: Budget = Budget::of(1e-26);
 /// Errors of the paper's equations at one instant in f64, relative to the size of their terms.
 pub const EQUATIONS: Budget = Budget::of(5e-15);
 /// Errors of l, n, h from the Lagrangian along the path of the full solver, relative to the largest of the three.

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use toytop::scalar::{DoubleDouble, Ring};
+use toytop::scalar::{Extended, Ring};
 use toytop::{Complex, Motion, Orientation, ParameterError, Sign, Signs, Start, State, Top, TopParameters};
 
 /// Reference vector: one motion with its exact values. Units: g = 1.
@@ -222,17 +222,17 @@ fn numbers(json: &Value) -> Vec<f64> {
     json.as_array().unwrap().iter().map(|entry| number(entry).unwrap()).collect()
 }
 
-/// Number from a decimal string, to double-double: 30 of its digits.
-pub fn exact_number(json: &Value) -> DoubleDouble {
+/// Number from a decimal string, to extended precision: 37 of its digits.
+pub fn exact_number(json: &Value) -> Extended {
     let text = json.as_str().unwrap();
     let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
     let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     let digits = whole.trim_start_matches('-').chars().chain(fraction.chars());
-    let digit = |c: char| DoubleDouble::from(f64::from(c.to_digit(10).unwrap()));
-    let ten = DoubleDouble::from(10.0);
-    let size = digits.map(digit).fold(DoubleDouble::ZERO, |sum, digit| sum * ten + digit);
+    let digit = |c: char| Extended::from(f64::from(c.to_digit(10).unwrap()));
+    let ten = Extended::from(10.0);
+    let size = digits.map(digit).fold(Extended::ZERO, |sum, digit| sum * ten + digit);
     let shift = exponent.parse::<i32>().unwrap() - fraction.len() as i32;
-    let scale = (0..shift.abs()).fold(DoubleDouble::ONE, |scale, _| scale * ten);
+    let scale = (0..shift.abs()).fold(Extended::ONE, |scale, _| scale * ten);
     let size = if shift < 0 { size / scale } else { size * scale };
     if text.starts_with('-') { -size } else { size }
 }

@@ -11,7 +11,7 @@ mod upright;
 use crate::constants::first_integrals::ReducedPoint;
 use crate::constants::{FirstIntegrals, Signs};
 use crate::error::{ParameterError, finite, require};
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 use crate::state::State;
 use crate::top::{Quantities, Top};
 use cubic::{largest_root, polished};
@@ -48,7 +48,7 @@ impl BranchPoints {
     /// # Errors
     /// `e1`, `e2`, `e3`: not finite, or not -1 <= e1 <= e2 <= 1 <= e3 <= 1e14.
     pub fn new(e1: f64, e2: f64, e3: f64) -> Result<Self, ParameterError> {
-        Ok(BranchPoints::<DoubleDouble>::exact(e1, e2, e3)?.to_f64())
+        Ok(BranchPoints::<Extended>::exact(e1, e2, e3)?.to_f64())
     }
 
     /// Branch points of a state. Every field, differences included, has the relative error of one `f64` rounding.
@@ -56,7 +56,7 @@ impl BranchPoints {
     /// # Errors
     /// `omega`: so large that e₃ would exceed 1e14.
     pub fn of(top: &Top, state: &State) -> Result<Self, ParameterError> {
-        let (integrals, point) = FirstIntegrals::<DoubleDouble>::with_point(top, state);
+        let (integrals, point) = FirstIntegrals::<Extended>::with_point(top, state);
         Ok(BranchPoints::of_point(top, &integrals, &point)?.to_f64())
     }
 
@@ -81,7 +81,7 @@ impl BranchPoints {
         lifted.integrals_in(top, signs).to_f64()
     }
 
-    fn lifted(&self) -> BranchPoints<DoubleDouble> {
+    fn lifted(&self) -> BranchPoints<Extended> {
         let Self { e1, e2, e3, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, e3_minus_one } = *self;
         BranchPoints {
             e1: e1.into(),
@@ -96,12 +96,12 @@ impl BranchPoints {
     }
 }
 
-impl BranchPoints<DoubleDouble> {
+impl BranchPoints<Extended> {
     /// Branch points of the motion through a point of the reduced curve.
     pub(crate) fn of_point(
         top: &Top,
-        integrals: &FirstIntegrals<DoubleDouble>,
-        point: &ReducedPoint<DoubleDouble>,
+        integrals: &FirstIntegrals<Extended>,
+        point: &ReducedPoint<Extended>,
     ) -> Result<Self, ParameterError> {
         if point.rests_upright() {
             Self::upright(top, integrals.n)
@@ -248,45 +248,45 @@ impl<F: Float> BranchPoints<F> {
     }
 }
 
-fn exact_integrals(l: f64, n: f64, h: f64) -> FirstIntegrals<DoubleDouble> {
-    let [l, n, h] = [l, n, h].map(DoubleDouble::from);
+fn exact_integrals(l: f64, n: f64, h: f64) -> FirstIntegrals<Extended> {
+    let [l, n, h] = [l, n, h].map(Extended::from);
     FirstIntegrals { l, n, h, l_plus_n: l + n, l_minus_n: l - n }
 }
 
 /// Point of the reduced curve at which (e₄² - u²) u'² is greatest. The integrals alone determine it.
 fn highest_point(
     top: &Top,
-    integrals: &FirstIntegrals<DoubleDouble>,
-) -> Result<ReducedPoint<DoubleDouble>, ParameterError> {
-    let Quantities { a, c, s, p, g } = Quantities::<DoubleDouble>::of(top);
-    let kappa = Quantities::<DoubleDouble>::of(top).kappa();
+    integrals: &FirstIntegrals<Extended>,
+) -> Result<ReducedPoint<Extended>, ParameterError> {
+    let Quantities { a, c, s, p, g } = Quantities::<Extended>::of(top);
+    let kappa = Quantities::<Extended>::of(top).kappa();
     let FirstIntegrals { l, n, h, .. } = *integrals;
-    let one = DoubleDouble::ONE;
+    let one = Extended::ONE;
     // f(u) = u³ - b u² + c₁ u + c₀
     let energy = (h - n.squared() / c.doubled()) / (p * g);
     let b = energy + kappa * n.squared();
     let c1 = (kappa * l * n).doubled() - one;
     let c0 = energy - kappa * l.squared();
-    let three = DoubleDouble::from(3.0);
+    let three = Extended::from(3.0);
     let root = (b.squared() - three * c1).sqrt();
-    let u = if b > DoubleDouble::ZERO { c1 / (b + root) } else { (b - root) / three };
+    let u = if b > Extended::ZERO { c1 / (b + root) } else { (b - root) / three };
     // f(u) again, without cancellation where the axis is nearly upright
-    let l_minus_nu = if u > DoubleDouble::ZERO { (l - n) + n * (one - u) } else { l - n * u };
+    let l_minus_nu = if u > Extended::ZERO { (l - n) + n * (one - u) } else { l - n * u };
     let peak = (energy - u) * (one - u) * (one + u) - kappa * l_minus_nu.squared();
     // largest effect of one `f64` rounding of l, n and h on f(u)
-    let noise = (b.abs() + c1.abs() + c0.abs() + one) * DoubleDouble::from(1e-15);
+    let noise = (b.abs() + c1.abs() + c0.abs() + one) * Extended::from(1e-15);
     let possible = u.abs() <= one + noise.sqrt() && peak >= -noise && energy - u >= -noise.sqrt();
     require(possible, "h", "the energy of some motion with these l and n (it is too low)")?;
     let u = if u > one { one } else { u };
     let u = if u < -one { -one } else { u };
     let (one_minus_u, one_plus_u) = (one - u, one + u);
-    let peak = if peak > DoubleDouble::ZERO { peak } else { DoubleDouble::ZERO };
+    let peak = if peak > Extended::ZERO { peak } else { Extended::ZERO };
     let udot = (g.doubled() * peak / (a / p + s * one_minus_u * one_plus_u)).sqrt();
     Ok(ReducedPoint {
         u,
         one_minus_u,
         one_plus_u,
         udot,
-        axis_energy: if energy > u { energy - u } else { DoubleDouble::ZERO },
+        axis_energy: if energy > u { energy - u } else { Extended::ZERO },
     })
 }

@@ -1,8 +1,8 @@
-//! Rounding errors of a launch from a state in double-double, and their effect on the law of the motion.
+//! Rounding errors of a launch from a state in extended precision, and their effect on the law of the motion.
 
 use crate::constants::first_integrals::ReducedPoint;
 use crate::constants::{BranchPoints, FirstIntegrals};
-use crate::scalar::{DoubleDouble, Float};
+use crate::scalar::{Extended, Float};
 use crate::top::{Quantities, Top};
 
 /// Errors of the law. They are 0 for a motion from branch points, whose numbers and differences are exact.
@@ -25,12 +25,12 @@ impl Conditioning {
     /// A/(ps) it is the relative error of T and ψ.
     pub(crate) fn of_state(
         top: &Top,
-        integrals: &FirstIntegrals<DoubleDouble>,
-        point: &ReducedPoint<DoubleDouble>,
-        e: &BranchPoints<DoubleDouble>,
+        integrals: &FirstIntegrals<Extended>,
+        point: &ReducedPoint<Extended>,
+        e: &BranchPoints<Extended>,
         speed: f64,
     ) -> Self {
-        let rounding = OPERATIONS * DoubleDouble::ROUNDING;
+        let rounding = OPERATIONS * Extended::ROUNDING;
         let Quantities { a, c, s, p, g } = Quantities::<f64>::of(top);
         let kappa = 1.0 / (2.0 * a * p * g);
         let FirstIntegrals { n, l_minus_n, .. } = integrals.to_f64();

@@ -1,6 +1,6 @@
 //! First integrals l, n and h of a state (Proposition 1 of the paper).
 
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 use crate::state::State;
 use crate::su2::{bracket, dot};
 use crate::top::{Quantities, Top};
@@ -90,10 +90,10 @@ impl<F: Ring> ReducedPoint<F> {
 }
 
 impl FirstIntegrals {
-    /// First integrals of a state, computed in double-double. Error: one `f64` rounding of the result.
+    /// First integrals of a state, computed in extended precision. Error: one `f64` rounding of the result.
     #[must_use]
     pub fn of(top: &Top, state: &State) -> Self {
-        FirstIntegrals::<DoubleDouble>::with_point(top, state).0.to_f64()
+        FirstIntegrals::<Extended>::with_point(top, state).0.to_f64()
     }
 }
 
@@ -102,12 +102,15 @@ impl<F: Float> FirstIntegrals<F> {
     pub(crate) fn with_point(top: &Top, state: &State) -> (Self, ReducedPoint<F>) {
         let Quantities { a, c, s, p, g } = Quantities::<F>::of(top);
         let (phi, omega) = state.exact::<F>();
-        let one_minus_u = phi.beta.norm_squared().doubled();
-        let one_plus_u = phi.alpha.norm_squared().doubled();
+        // Every component is quadratic in Φ and is divided by the squared norm: without a root, what is a simple
+        // fraction remains exact.
+        let norm = phi.norm_squared();
+        let one_minus_u = phi.beta.norm_squared().doubled() / norm;
+        let one_plus_u = phi.alpha.norm_squared().doubled() / norm;
         let two = F::ONE.doubled();
         // On the vertical the values are exact, without the rounding of the norm, so that n is the exact product of C
         // and ω₃.
-        let [r1, r2, u] = phi.axis();
+        let [r1, r2, u] = phi.axis().map(|component| component / norm);
         let (u, one_minus_u, one_plus_u) = if one_minus_u == F::ZERO {
             (F::ONE, F::ZERO, two)
         } else if one_plus_u == F::ZERO {

@@ -9,19 +9,19 @@
 //! 0 everywhere and N is a convex function of u, with the minimum ((∛F₊ + ∛F₋)/2e₄)³ at (e₄ - u)/(e₄ + u) = ∛(F₊/F₋).
 
 use crate::constants::BranchPoints;
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
-/// Magnitude of N, in units of the weight, below which it counts as 0. The rounding error of N in double-double is
+/// Magnitude of N, in units of the weight, below which it counts as 0. The rounding error of N in extended precision is
 /// smaller.
 const NOISE: f64 = 1e-20;
 
 /// Least N over u in [e₁, e₂], in units of the weight. `spread` is A/(ps) = e₄² - 1.
-pub(crate) fn minimum(e: &BranchPoints<DoubleDouble>, spread: DoubleDouble) -> f64 {
-    let e4 = (DoubleDouble::ONE + spread).sqrt();
-    let e4_minus_one = spread / (DoubleDouble::ONE + e4);
+pub(crate) fn minimum(e: &BranchPoints<Extended>, spread: Extended) -> f64 {
+    let e4 = (Extended::ONE + spread).sqrt();
+    let e4_minus_one = spread / (Extended::ONE + e4);
     let e4_minus_e2 = e4_minus_one + e.one_minus_e2;
     let upper = (e4_minus_one + e.one_minus_e1()) * e4_minus_e2 * (e4_minus_one - e.e3_minus_one);
-    if upper > DoubleDouble::ZERO {
+    if upper > Extended::ZERO {
         let lower = (e4_minus_one + e.one_plus_e1)
             * (e4_minus_one + e.one_plus_e2())
             * (e4_minus_one + e.one_plus_e3());
@@ -36,15 +36,15 @@ pub(crate) fn minimum(e: &BranchPoints<DoubleDouble>, spread: DoubleDouble) -> f
 }
 
 /// N at u = e₂, where f' = -(e₂ - e₁)(e₃ - e₂).
-fn at_e2(e: &BranchPoints<DoubleDouble>, spread: DoubleDouble) -> f64 {
+fn at_e2(e: &BranchPoints<Extended>, spread: Extended) -> f64 {
     let d_over_s = spread + e.one_minus_e2 * e.one_plus_e2();
     let force = (d_over_s - e.e2_minus_e1 * e.e3_minus_e2) / d_over_s;
-    if force.abs() > DoubleDouble::from(NOISE) { force.to_f64() } else { 0.0 }
+    if force.abs() > Extended::from(NOISE) { force.to_f64() } else { 0.0 }
 }
 
 /// Cube root of x > 0: one step of Newton's method from the `f64` cube root.
-fn cube_root(x: DoubleDouble) -> DoubleDouble {
-    let root = DoubleDouble::from(libm::cbrt(x.to_f64()));
+fn cube_root(x: Extended) -> Extended {
+    let root = Extended::from(libm::cbrt(x.to_f64()));
     let square = root.squared();
     root + (x - square * root) / (square + square.doubled())
 }
@@ -105,7 +105,7 @@ mod tests {
     #[test]
     fn a_cube_root_cubes_back() {
         for x in [2.0, 1e-30, 12345.678, 1e40, 27.0] {
-            let x = DoubleDouble::from(x);
+            let x = Extended::from(x);
             let root = cube_root(x);
             assert!(((root.squared() * root - x) / x).abs().to_f64() < 1e-31, "{x:?}");
         }

@@ -1,7 +1,7 @@
 //! Regime of a motion, determined once by the paper's criteria.
 
 use crate::constants::{BranchPoints, Signs};
-use crate::scalar::{DoubleDouble, Ring};
+use crate::scalar::{Extended, Ring};
 
 /// Kind of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,8 +27,8 @@ pub enum Regime {
 
 impl Regime {
     /// Regime of exact branch points; `upright` tells whether a motion with e₂ = e₃ = 1 has u = 1.
-    pub(crate) fn of(e: &BranchPoints<DoubleDouble>, signs: Signs, upright: bool) -> Self {
-        let zero = DoubleDouble::ZERO;
+    pub(crate) fn of(e: &BranchPoints<Extended>, signs: Signs, upright: bool) -> Self {
+        let zero = Extended::ZERO;
         if !swings(e) {
             if e.one_minus_e2 == zero {
                 Self::SleepingStable
@@ -60,11 +60,11 @@ impl Regime {
 
 /// Whether the oscillation of the tilt is larger than the rounding of a state. A motion through the vertical always
 /// counts as an oscillation.
-fn swings(e: &BranchPoints<DoubleDouble>) -> bool {
+fn swings(e: &BranchPoints<Extended>) -> bool {
     const STILL: f64 = 1.0 / (1_u64 << 49) as f64;
-    let zero = DoubleDouble::ZERO;
+    let zero = Extended::ZERO;
     let passes_vertical = e.one_minus_e2 == zero || e.one_plus_e1 == zero;
     let sine_squared = e.one_minus_e1() * e.one_plus_e2();
-    let visible = e.e2_minus_e1.squared() > DoubleDouble::from(STILL * STILL) * sine_squared;
+    let visible = e.e2_minus_e1.squared() > Extended::from(STILL * STILL) * sine_squared;
     e.e2_minus_e1 > zero && (visible || passes_vertical)
 }

@@ -1,7 +1,7 @@
 //! Class of the tip curve, by the paper's criteria (section 4.2).
 
 use super::{BranchPoints, Regime, Signs};
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Class of the curve that the tip draws between its two bounding circles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,8 +32,8 @@ impl TipClass {
     ///
     /// The two sides count as equal where they differ by no more than the rounding of the three branch points to
     /// `f64` can cause. A top released from rest therefore has cusps.
-    pub(crate) fn of(regime: Regime, e: &BranchPoints<DoubleDouble>, signs: Signs) -> Self {
-        let zero = DoubleDouble::ZERO;
+    pub(crate) fn of(regime: Regime, e: &BranchPoints<Extended>, signs: Signs) -> Self {
+        let zero = Extended::ZERO;
         match regime {
             Regime::Aperiodic => Self::Spiral,
             Regime::SlowPrecession | Regime::FastPrecession => Self::Circle,
@@ -41,9 +41,9 @@ impl TipClass {
             _ if e.one_plus_e1 == zero || e.one_minus_e2 == zero => Self::ThroughOrigin,
             _ if e.e3_minus_one == zero || signs.l_plus_n == signs.l_minus_n => Self::Smooth,
             _ => {
-                let margin = e.e3 * e.e2_minus_e1 - (DoubleDouble::ONE - e.e1 * e.e2);
-                let rounding = e.e3 * (e.e1.abs() + e.e2.abs()) + DoubleDouble::ONE + (e.e1 * e.e2).abs();
-                let noise = rounding * DoubleDouble::from(16.0 * f64::EPSILON);
+                let margin = e.e3 * e.e2_minus_e1 - (Extended::ONE - e.e1 * e.e2);
+                let rounding = e.e3 * (e.e1.abs() + e.e2.abs()) + Extended::ONE + (e.e1 * e.e2).abs();
+                let noise = rounding * Extended::from(16.0 * f64::EPSILON);
                 if margin.abs() <= noise {
                     Self::Cusp
                 } else if margin > zero {

@@ -5,7 +5,7 @@ use crate::scalar::Float;
 /// Arithmetic-geometric mean of x and y: the common limit of their arithmetic and geometric means, for x, y > 0; 0
 /// where one of them is 0.
 ///
-/// Relative error: a few roundings of the number type, also in double-double. Convergence is quadratic: seven steps
+/// Relative error: a few roundings of the number type, also in extended precision. Convergence is quadratic: seven steps
 /// at y/x = 1e-16, eleven at 1e-300.
 ///
 /// ```
@@ -35,7 +35,7 @@ pub fn agm<F: Float>(x: F, y: F) -> F {
 /// Carlson's R_F(x, y, z) = ½ ∫₀^∞ dt / √((t + x)(t + y)(t + z)), for x, y, z >= 0 of which at most one is 0.
 ///
 /// Every elliptic integral of the first kind can be expressed by it. Relative error: a few roundings of the number
-/// type, also in double-double. Cost: about 15 iterations of three square roots.
+/// type, also in extended precision. Cost: about 15 iterations of three square roots.
 ///
 /// ```
 /// let k: f64 = toytop::elliptic::carlson_rf(0.0, 0.5, 1.0); // K at m = 1/2
@@ -87,14 +87,14 @@ pub(crate) fn first_kind_per_length<F: Float>(upper: [F; 3], lower: [F; 3]) -> F
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::{DoubleDouble, Ring};
+    use crate::scalar::{Extended, Ring};
 
     #[test]
-    fn the_mean_in_double_double() {
+    fn the_mean_in_extended() {
         // Gauss's constant: agm(1, √2) = 1.19814023473559220743992249228...
-        let root = DoubleDouble::from(2.0).sqrt();
-        let mean = agm(DoubleDouble::ONE, root);
-        let truth = DoubleDouble::new(1.1981402347355923, -7.250663635457894e-17);
+        let root = Extended::from(2.0).sqrt();
+        let mean = agm(Extended::ONE, root);
+        let truth = Extended::sum(1.1981402347355923, -7.250663635457894e-17);
         assert!((mean - truth).abs().to_f64() < 1e-30, "{:e}", (mean - truth).to_f64());
         assert_eq!(agm(0.0, 1.0), 0.0);
         assert!((agm(1e200, 1e-200) / agm(1e-200, 1e200) - 1.0).abs() < 1e-15);

@@ -1,15 +1,15 @@
-//! Quotient, exponential, logarithm, sine and cosine of complex numbers in double-double.
+//! Quotient, exponential, logarithm, sine and cosine of complex numbers in extended precision.
 
 use super::transcendental::{exp as real_exp, ln as real_ln};
 use crate::complex::Complex;
 use crate::elliptic::transcendental::angle;
 use crate::elliptic::transcendental::{sine_cosine, sinh_cosh};
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
-/// Complex number in double-double, the number type of the closed forms.
-pub(crate) type Wide = Complex<DoubleDouble>;
+/// Complex number in extended precision, the number type of the closed forms.
+pub(crate) type Wide = Complex<Extended>;
 
-/// Complex number in double-double from one in `f64`, exact.
+/// Complex number in extended precision from one in `f64`, exact.
 pub(crate) fn widened(z: Complex<f64>) -> Wide {
     Complex::new(z.re.into(), z.im.into())
 }
@@ -20,24 +20,24 @@ pub(crate) fn rounded(z: Wide) -> Complex<f64> {
 }
 
 /// Real number as a complex number.
-pub(crate) fn real(x: DoubleDouble) -> Wide {
-    Complex::new(x, DoubleDouble::ZERO)
+pub(crate) fn real(x: Extended) -> Wide {
+    Complex::new(x, Extended::ZERO)
 }
 
 /// Imaginary number ix as a complex number.
-pub(crate) fn imaginary(x: DoubleDouble) -> Wide {
-    Complex::new(DoubleDouble::ZERO, x)
+pub(crate) fn imaginary(x: Extended) -> Wide {
+    Complex::new(Extended::ZERO, x)
 }
 
-fn size(z: Wide) -> DoubleDouble {
+fn size(z: Wide) -> Extended {
     if z.re.abs() > z.im.abs() { z.re.abs() } else { z.im.abs() }
 }
 
 /// Modulus |z|: the larger part in magnitude, times a factor between 1 and √2, so that no intermediate result
 /// overflows.
-pub(crate) fn modulus(z: Wide) -> DoubleDouble {
+pub(crate) fn modulus(z: Wide) -> Extended {
     let size = size(z);
-    if size == DoubleDouble::ZERO {
+    if size == Extended::ZERO {
         return size;
     }
     Complex::new(z.re / size, z.im / size).norm_squared().sqrt() * size
@@ -47,8 +47,8 @@ pub(crate) fn modulus(z: Wide) -> DoubleDouble {
 pub(crate) fn quotient(a: Wide, b: Wide) -> Wide {
     let size = size(b);
     let (re, im) = (b.re / size, b.im / size);
-    let per_norm = DoubleDouble::ONE / (re * re + im * im);
-    (a * Complex::new(re, -im)).scaled(per_norm).scaled(DoubleDouble::ONE / size)
+    let per_norm = Extended::ONE / (re * re + im * im);
+    (a * Complex::new(re, -im)).scaled(per_norm).scaled(Extended::ONE / size)
 }
 
 /// Exponential function eᶻ.
@@ -57,7 +57,7 @@ pub(crate) fn exp(z: Wide) -> Wide {
 }
 
 /// Unit complex number e^{ix}, x in rad.
-pub(crate) fn cis(x: DoubleDouble) -> Wide {
+pub(crate) fn cis(x: Extended) -> Wide {
     let (im, re) = sine_cosine(x);
     Complex::new(re, im)
 }

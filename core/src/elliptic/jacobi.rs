@@ -6,7 +6,7 @@
 use crate::elliptic::transcendental::angle;
 use crate::elliptic::transcendental::{half_pi, sine_cosine};
 use crate::error::{ParameterError, finite, require};
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Jacobi's functions sn, cn, dn and am of one parameter m.
 ///
@@ -18,7 +18,7 @@ use crate::scalar::{DoubleDouble, Float, Ring};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jacobi {
-    landen: Landen<DoubleDouble>,
+    landen: Landen<Extended>,
 }
 
 /// Values sn u, cn u, dn u and am u.
@@ -46,8 +46,8 @@ impl Jacobi {
         require((0.0..=1.0).contains(&m), "m", "in [0, 1]")?;
         require((1e-300..=1.0).contains(&m1), "m1", "in [1e-300, 1]")?;
         require(Float::abs(m + m1 - 1.0) <= 1e-12, "m1", "1 - m")?;
-        let [exact, complement] = [m, m1].map(DoubleDouble::from);
-        let one = DoubleDouble::ONE;
+        let [exact, complement] = [m, m1].map(Extended::from);
+        let one = Extended::ONE;
         let landen =
             if m < m1 { Landen::of(exact, one - exact) } else { Landen::of(one - complement, complement) };
         Ok(Self { landen })
@@ -62,20 +62,20 @@ impl Jacobi {
     /// Values of the functions at a real u.
     ///
     /// Error of each value f: below 1.2e-16 (|f| + 1e-13 |u f'|), from the rounding of the result and the
-    /// double-double arithmetic on u. Cost: two sines and cosines, one arctangent and at most twelve steps with one
-    /// division each, in double-double.
+    /// arithmetic in extended precision on u. Cost: two sines and cosines, one arctangent and at most twelve steps with one
+    /// division each, in extended precision.
     #[must_use]
     pub fn at(&self, u: f64) -> JacobiValues {
-        let (u, quarter) = (DoubleDouble::from(u), self.landen.quarter_period());
+        let (u, quarter) = (Extended::from(u), self.landen.quarter_period());
         let halves = libm::round((u / quarter.doubled()).to_f64());
         let rest = u - quarter.doubled() * halves.into();
-        let phase = |v: DoubleDouble| sine_cosine(v / quarter * half_pi());
+        let phase = |v: Extended| sine_cosine(v / quarter * half_pi());
         // sine and cosine of the angle, reduced so that the smaller one comes from a small angle
         let (sine, cosine) = if rest.abs() <= quarter.halved() {
             phase(rest)
         } else {
             let (cosine, sine) = phase(quarter - rest.abs());
-            (if rest < DoubleDouble::ZERO { -sine } else { sine }, cosine)
+            (if rest < Extended::ZERO { -sine } else { sine }, cosine)
         };
         let (sn, cn, dn) = self.landen.at_angle(sine, cosine);
         let am = half_pi().doubled() * halves.into() + angle(sn, cn);
@@ -116,7 +116,7 @@ impl<F: Float> Landen<F> {
 
     /// Quarter period K = π/2 ∏ (1 + k). Error: a few roundings of the number type.
     pub(crate) fn quarter_period(&self) -> F {
-        // π/2 to 32 digits in double-double; in smaller types the second term has no effect
+        // π/2 to 32 digits in extended precision; in smaller types the second term has no effect
         let half_pi = F::from_f64(core::f64::consts::FRAC_PI_2) + F::from_f64(6.123233995736766e-17);
         self.steps.iter().fold(half_pi, |product, &(modulus, _)| product * (F::ONE + modulus))
     }

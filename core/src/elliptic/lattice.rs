@@ -1,4 +1,4 @@
-//! Weierstrass's functions on any rectangular lattice, in double-double. A lattice wider than tall is rotated by a
+//! Weierstrass's functions on any rectangular lattice, in extended precision. A lattice wider than tall is rotated by a
 //! right angle to a tall lattice.
 
 use crate::complex::Complex;
@@ -6,12 +6,12 @@ use crate::elliptic::agm::agm;
 use crate::elliptic::elementary::{Wide, quotient};
 use crate::elliptic::tall_lattice::{SigmaFactor, TallLattice, roots_from_gaps};
 use crate::elliptic::transcendental::half_pi;
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Lattice of the periods 2ω and 2ω', with ω > 0 and ω' = i|ω'|; ℘ has the values e₁ > e₂ > e₃ at ω, ω + ω', ω'.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Lattice {
-    roots: [DoubleDouble; 3],
+    roots: [Extended; 3],
     tall: TallLattice,
     /// Whether `tall` is this lattice rotated by a right angle: z in `tall` is then i z here.
     turned: bool,
@@ -19,7 +19,7 @@ pub(crate) struct Lattice {
 
 impl Lattice {
     /// Lattice from the differences of the roots, e₁ - e₂ and e₂ - e₃, both > 0.
-    pub(crate) fn of_gaps(upper_gap: DoubleDouble, lower_gap: DoubleDouble) -> Self {
+    pub(crate) fn of_gaps(upper_gap: Extended, lower_gap: Extended) -> Self {
         let [whole, upper, lower] = [upper_gap + lower_gap, upper_gap, lower_gap].map(Float::sqrt);
         // ω = K(m)/√(e₁ - e₃) = π/2 / agm(√(e₁ - e₃), √(e₁ - e₂)), and |ω'| likewise with e₂ - e₃
         let half_periods = [upper, lower].map(|other| half_pi() / agm(whole, other));
@@ -27,7 +27,7 @@ impl Lattice {
     }
 
     /// Lattice from its half periods ω and |ω'|.
-    pub(crate) fn of_half_periods(real: DoubleDouble, imaginary: DoubleDouble) -> Self {
+    pub(crate) fn of_half_periods(real: Extended, imaginary: Extended) -> Self {
         let roots = if real <= imaginary {
             TallLattice::roots_of(real, imaginary)
         } else {
@@ -36,7 +36,7 @@ impl Lattice {
         Self::new([real, imaginary], roots)
     }
 
-    fn new([real, imaginary]: [DoubleDouble; 2], roots: [DoubleDouble; 3]) -> Self {
+    fn new([real, imaginary]: [Extended; 2], roots: [Extended; 3]) -> Self {
         let turned = real > imaginary;
         let tall = if turned {
             TallLattice::new(imaginary, real, turned_roots(roots))
@@ -46,18 +46,18 @@ impl Lattice {
         Self { roots, tall, turned }
     }
 
-    pub(crate) fn roots(&self) -> [DoubleDouble; 3] {
+    pub(crate) fn roots(&self) -> [Extended; 3] {
         self.roots
     }
 
     /// Half periods ω and |ω'|.
-    pub(crate) fn half_periods(&self) -> [DoubleDouble; 2] {
+    pub(crate) fn half_periods(&self) -> [Extended; 2] {
         let (width, height) = (self.tall.width(), self.tall.height());
         if self.turned { [height, width] } else { [width, height] }
     }
 
     /// Quasi-periods ζ(ω) and ζ(ω')/i.
-    pub(crate) fn quasi_periods(&self) -> [DoubleDouble; 2] {
+    pub(crate) fn quasi_periods(&self) -> [Extended; 2] {
         let (across, up) = (self.tall.kappa().doubled() * self.tall.width(), self.tall.eta_up());
         if self.turned { [-up, -across] } else { [across, up] }
     }
@@ -99,7 +99,7 @@ impl Lattice {
     }
 
     /// Coefficient κ in σ(z) = e^{κz²} B(z).
-    pub(crate) fn kappa(&self) -> DoubleDouble {
+    pub(crate) fn kappa(&self) -> Extended {
         if self.turned { -self.tall.kappa() } else { self.tall.kappa() }
     }
 
@@ -122,7 +122,7 @@ impl Lattice {
         // the result is 1 + O(z⁴ g₂) + O(κz²); below this |z| the quotient would underflow, and 1 is correct to all
         // digits
         const TINY: f64 = 1e-250;
-        if Float::abs(z.re.hi()).max(Float::abs(z.im.hi())) < TINY {
+        if Float::abs(z.re.to_f64()).max(Float::abs(z.im.to_f64())) < TINY {
             return Complex::ONE;
         }
         quotient(self.sigma_factor(z).whole(), z)
@@ -130,6 +130,6 @@ impl Lattice {
 }
 
 /// Roots of the lattice multiplied by i.
-fn turned_roots([e1, e2, e3]: [DoubleDouble; 3]) -> [DoubleDouble; 3] {
+fn turned_roots([e1, e2, e3]: [Extended; 3]) -> [Extended; 3] {
     [-e3, -e2, -e1]
 }

@@ -4,24 +4,24 @@ use super::transcendental::{exp as real_exp, half_pi};
 use crate::complex::Complex;
 use crate::elliptic::elementary::{Wide, exp, imaginary, ln, quotient, real};
 use crate::elliptic::theta::{Theta, Values};
-use crate::scalar::{DoubleDouble, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Lattice of the periods 2W and 2iV with W <= V, and the quantities that do not depend on z.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TallLattice {
     /// Half width W.
-    width: DoubleDouble,
+    width: Extended,
     /// Half height V.
-    height: DoubleDouble,
+    height: Extended,
     /// Roots at W, W + iV and iV: largest, middle, smallest.
-    roots: [DoubleDouble; 3],
+    roots: [Extended; 3],
     theta: Theta,
     /// Quotients ϑ₁'(0)/ϑ₂(0), ϑ₁'(0)/ϑ₃(0), ϑ₁'(0)/ϑ₄(0), for theta functions normalised as in [`Values`].
-    constants: [DoubleDouble; 3],
+    constants: [Extended; 3],
     /// Normalised slope ϑ₁'(0)/(2 q^{1/4}).
-    origin_slope: DoubleDouble,
+    origin_slope: Extended,
     /// Coefficient κ = ζ(W)/2W.
-    kappa: DoubleDouble,
+    kappa: Extended,
 }
 
 /// Factor B(z) = σ(z) e^{-κz²} of the sigma function, as e^`exponent` times `value`.
@@ -58,7 +58,7 @@ struct Reduced {
 
 impl TallLattice {
     /// Lattice from the half width W, the half height V >= W and the roots.
-    pub(crate) fn new(width: DoubleDouble, height: DoubleDouble, roots: [DoubleDouble; 3]) -> Self {
+    pub(crate) fn new(width: Extended, height: Extended, roots: [Extended; 3]) -> Self {
         let theta = Theta::new(nome(width, height));
         let Values { one_slope, two, three, four, .. } = theta.at(Complex::ZERO);
         let constants = [two, three, four].map(|value| one_slope.re / value.re);
@@ -69,36 +69,36 @@ impl TallLattice {
     }
 
     /// Roots of the lattice with these half periods.
-    pub(crate) fn roots_of(width: DoubleDouble, height: DoubleDouble) -> [DoubleDouble; 3] {
+    pub(crate) fn roots_of(width: Extended, height: Extended) -> [Extended; 3] {
         let nome = nome(width, height);
         let Values { two, four, .. } = Theta::new(nome).at(Complex::ZERO);
-        let fourth = |x: DoubleDouble| x.squared().squared();
+        let fourth = |x: Extended| x.squared().squared();
         let square = (half_pi() / width).squared();
         // e₁ - e₂ = (π/2W)² ϑ₄⁴, e₂ - e₃ = (π/2W)² ϑ₂⁴
         let (upper, lower) = (square * fourth(four.re), nome * square * fourth(two.re) * 16.0.into());
         roots_from_gaps(upper, lower)
     }
 
-    pub(crate) fn kappa(&self) -> DoubleDouble {
+    pub(crate) fn kappa(&self) -> Extended {
         self.kappa
     }
 
-    pub(crate) fn width(&self) -> DoubleDouble {
+    pub(crate) fn width(&self) -> Extended {
         self.width
     }
 
-    pub(crate) fn height(&self) -> DoubleDouble {
+    pub(crate) fn height(&self) -> Extended {
         self.height
     }
 
     /// Quasi-period ζ(iV)/i = 2κV - π/2W (Legendre's relation).
-    pub(crate) fn eta_up(&self) -> DoubleDouble {
+    pub(crate) fn eta_up(&self) -> Extended {
         self.kappa.doubled() * self.height - half_pi() / self.width
     }
 
     fn reduced(&self, z: Wide) -> Reduced {
         let (width, height) = (self.width.doubled(), self.height.doubled());
-        let (across, up) = (libm::round((z.re / width).hi()), libm::round((z.im / height).hi()));
+        let (across, up) = (libm::round((z.re / width).to_f64()), libm::round((z.im / height).to_f64()));
         let z = Complex::new(z.re - width * across.into(), z.im - height * up.into());
         Reduced { z, across, up }
     }
@@ -157,12 +157,12 @@ impl TallLattice {
     pub(crate) fn sigma_factor(&self, z: Wide) -> SigmaFactor {
         let Reduced { z, across, up } = self.reduced(z);
         let Values { one, one_slope, .. } = self.theta_at(z);
-        let per_slope = DoubleDouble::ONE / self.origin_slope;
+        let per_slope = Extended::ONE / self.origin_slope;
         // ϑ₁(v + nπ + mπiV/W) = (-1)^{n+m} e^{πVm²/W - 2imv} ϑ₁(v), with v = πz/2W
-        let (unit, up) = (half_pi() / self.width, DoubleDouble::from(up));
+        let (unit, up) = (half_pi() / self.width, Extended::from(up));
         let rate = imaginary(-(unit * up).doubled());
         let growth = (unit * self.height * up.squared()).doubled();
-        let constant = Complex::new(growth, half_pi() * (2.0 * odd(across + up.hi())).into());
+        let constant = Complex::new(growth, half_pi() * (2.0 * odd(across + up.to_f64())).into());
         SigmaFactor {
             exponent: rate * z + constant,
             exponent_rate: rate,
@@ -173,13 +173,13 @@ impl TallLattice {
 }
 
 /// Nome q = e^{-πV/W}.
-fn nome(width: DoubleDouble, height: DoubleDouble) -> DoubleDouble {
+fn nome(width: Extended, height: Extended) -> Extended {
     real_exp(-(half_pi().doubled() * height / width))
 }
 
 /// Three roots with sum 0, from e₁ - e₂ and e₂ - e₃.
-pub(crate) fn roots_from_gaps(upper: DoubleDouble, lower: DoubleDouble) -> [DoubleDouble; 3] {
-    let third = |x: DoubleDouble| x / 3.0.into();
+pub(crate) fn roots_from_gaps(upper: Extended, lower: Extended) -> [Extended; 3] {
+    let third = |x: Extended| x / 3.0.into();
     [third(upper.doubled() + lower), third(lower - upper), -third(upper + lower.doubled())]
 }
 

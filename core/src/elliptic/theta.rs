@@ -1,13 +1,13 @@
-//! Four theta functions of a nome q <= e^{-π}: six terms of their series are enough for double-double.
+//! Four theta functions of a nome q <= e^{-π}: six terms of their series are enough for extended precision.
 
 use crate::complex::Complex;
 use crate::elliptic::elementary::{Wide, sin_cos};
-use crate::scalar::{DoubleDouble, Ring};
+use crate::scalar::{Extended, Ring};
 
 /// Theta functions of one nome.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Theta {
-    nome: DoubleDouble,
+    nome: Extended,
 }
 
 /// Values of the theta functions. ϑ₁ and ϑ₂ are divided by their common factor 2 q^{1/4}, which could underflow and
@@ -32,7 +32,7 @@ const TERMS: usize = 6;
 
 impl Theta {
     /// Theta functions of a nome in [0, e^{-π}].
-    pub(crate) fn new(nome: DoubleDouble) -> Self {
+    pub(crate) fn new(nome: Extended) -> Self {
         Self { nome }
     }
 
@@ -82,15 +82,15 @@ impl Theta {
     }
 
     /// Eisenstein series E₂ = 1 - 24 Σ n q^{2n}/(1 - q^{2n}) = -ϑ₁'''(0)/ϑ₁'(0).
-    pub(crate) fn eisenstein(&self) -> DoubleDouble {
+    pub(crate) fn eisenstein(&self) -> Extended {
         const POWERS: u32 = 13;
         let square = self.nome.squared();
-        let mut power = DoubleDouble::ONE;
-        let sum = (1..=POWERS).fold(DoubleDouble::ZERO, |sum, n| {
+        let mut power = Extended::ONE;
+        let sum = (1..=POWERS).fold(Extended::ZERO, |sum, n| {
             power = power * square;
-            sum + power * f64::from(n).into() / (DoubleDouble::ONE - power)
+            sum + power * f64::from(n).into() / (Extended::ONE - power)
         });
-        DoubleDouble::ONE - sum * 24.0.into()
+        Extended::ONE - sum * 24.0.into()
     }
 }
 

@@ -4,19 +4,19 @@ use crate::complex::Complex;
 use crate::elliptic::elementary::{Wide, rounded, widened};
 use crate::elliptic::lattice::Lattice;
 use crate::error::{ParameterError, finite, require};
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Weierstrass's functions of one lattice: half periods ω > 0 and ω' = i|ω'|, roots e₁ > e₂ > e₃ with sum 0, where
 /// ℘(ω) = e₁, ℘(ω + ω') = e₂, ℘(ω') = e₃ and ℘'² = 4 (℘ - e₁)(℘ - e₂)(℘ - e₃).
 ///
-/// They are computed from theta series in double-double. A lattice wider than tall is rotated by a right angle first,
+/// They are computed from theta series in extended precision. A lattice wider than tall is rotated by a right angle first,
 /// so that the nome is at most e^{-π} and six terms are enough. Any argument z is allowed; it is reduced to the
 /// fundamental cell around 0. At a lattice point the functions with a pole are not finite.
 ///
 /// Root differences and z count as exact. Error of ℘, ℘' and ζ, against 300 digits on fourteen lattices with
 /// quotients of the root differences down to 1e-24: below 1.2e-16 (|f| + 1e-13 |z f'|), from the rounding of the
-/// result and the double-double arithmetic on z. Error of σ (relative) and ln σ (absolute): below 4e-16 (1 + |ln σ| +
-/// |z ζ|). Cost of one call: the sines and cosines of a complex angle in double-double, and six terms of four series.
+/// result and the arithmetic in extended precision on z. Error of σ (relative) and ln σ (absolute): below 4e-16 (1 + |ln σ| +
+/// |z ζ|). Cost of one call: the sines and cosines of a complex angle in extended precision, and six terms of four series.
 ///
 /// ```
 /// use toytop::{Complex, elliptic::Weierstrass};
@@ -97,7 +97,7 @@ impl Weierstrass {
     pub fn invariants(&self) -> [f64; 2] {
         let [e1, e2, e3] = self.lattice.roots();
         let second = (e1.squared() + e2.squared() + e3.squared()).doubled();
-        [second, e1 * e2 * e3 * DoubleDouble::from(4.0)].map(Float::to_f64)
+        [second, e1 * e2 * e3 * Extended::from(4.0)].map(Float::to_f64)
     }
 
     /// Value of a function at z, rounded to `f64`.

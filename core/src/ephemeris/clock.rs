@@ -8,7 +8,7 @@ use crate::ephemeris::tabulate::Tabulated;
 use crate::ephemeris::tick::Tick;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction, whole_number};
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Phases at tick 0, their increments per tick, and the scales of lengths and rates, as plain numbers: see
 /// `docs/table_format.md`.
@@ -66,7 +66,7 @@ impl TipClock {
 
     /// Mean tip angle after `whole` ticks, given as the sum of two numbers, and a fraction `share` in [0, 1) of the
     /// next tick.
-    pub(crate) fn between(&self, whole: [f64; 2], share: DoubleDouble) -> Phase {
+    pub(crate) fn between(&self, whole: [f64; 2], share: Extended) -> Phase {
         let [leading, rest] = whole;
         let ticks = whole_number(leading).wrapping_add(whole_number(rest));
         let turned = Phase::from_words(self.step).to_bits().wrapping_mul(ticks);
@@ -75,17 +75,14 @@ impl TipClock {
             + Phase::new(Phase::from_words(self.step).to_f64() * share.to_f64())
     }
 
-    fn new(motion: &Motion, rates: &MeanRates, exact_step: [DoubleDouble; 3]) -> Self {
+    fn new(motion: &Motion, rates: &MeanRates, exact_step: [Extended; 3]) -> Self {
         let [nutation, a, b] = exact_step;
         let [alpha, beta] = motion.windings();
         let passes = u8::from(alpha == 0) + u8::from(beta == 0);
         // the mean rates of A and B include half a turn per period for a parameter that passes through 0; the tip
         // angle does not
-        let halves = if rates.returns {
-            nutation * DoubleDouble::from(0.5 * f64::from(passes))
-        } else {
-            DoubleDouble::ZERO
-        };
+        let halves =
+            if rates.returns { nutation * Extended::from(0.5 * f64::from(passes)) } else { Extended::ZERO };
         Self {
             start: [0; 4],
             step: (a + b - halves).to_phase().words(),
@@ -117,15 +114,14 @@ impl<W: Float> Clock<W> {
         let turn = 2.0 * core::f64::consts::PI;
         // half a period has CELLS cells, and x changes by 2 over a cell of one segment
         let x_rate = 4.0 * CELLS as f64 * frequency;
-        let step = exact_step.map(DoubleDouble::to_phase);
+        let step = exact_step.map(Extended::to_phase);
         let [nutation, a, b] = tabulated.start;
         let [nutation_step, a_step, b_step] = step.map(|step| step.times(i64::MIN));
-        let parts = |sum: DoubleDouble| [sum.hi(), sum.lo()];
         Self {
             first: [nutation + nutation_step, a + a_step, b + b_step].map(Phase::fraction),
             step: step.map(|step| PhaseFraction::of(step).words()),
-            exact_step: exact_step.map(parts),
-            ticks_per_time: parts(tick.rate()),
+            exact_step: exact_step.map(Extended::parts),
+            ticks_per_time: tick.rate().parts(),
             horizon: (!rates.returns).then(|| horizon(tabulated.start[0], exact_step[0])),
             tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
             rates: [x_rate, turn * alpha, turn * beta].map(W::from_f64),
@@ -143,8 +139,8 @@ impl<W> Clock<W> {
     }
 
     /// Increments per tick of nutation phase, A and B in turns, whole turns included.
-    pub(crate) fn exact_steps(&self) -> [DoubleDouble; 3] {
-        self.exact_step.map(|[hi, lo]| DoubleDouble::from_parts(hi, lo))
+    pub(crate) fn exact_steps(&self) -> [Extended; 3] {
+        self.exact_step.map(|[hi, lo]| Extended::sum(hi, lo))
     }
 
     /// Rounding errors of the increments, in turns: exact minus rounded.
@@ -159,10 +155,10 @@ impl<W> Clock<W> {
 
     /// Largest whole number of ticks until a time, as the sum of two `f64`, and the remainder in [0, 1). A time that
     /// is not finite counts as 0.
-    pub(crate) fn ticks(&self, t: f64) -> ([f64; 2], DoubleDouble) {
+    pub(crate) fn ticks(&self, t: f64) -> ([f64; 2], Extended) {
         let [hi, lo] = self.ticks_per_time;
         let time = if t.is_finite() { t } else { 0.0 };
-        (DoubleDouble::from_parts(hi, lo) * time.into()).floor_and_rest()
+        (Extended::sum(hi, lo) * time.into()).floor_and_rest()
     }
 
     /// Nutation phase, A and B at tick n.
@@ -182,7 +178,7 @@ impl<W> Clock<W> {
     }
 
     /// Phases after `whole` ticks, given as a sum of two numbers, and a fraction `share` in [0, 1) of the next tick.
-    pub(crate) fn between(&self, whole: [f64; 2], share: DoubleDouble) -> [PhaseFraction; 3] {
+    pub(crate) fn between(&self, whole: [f64; 2], share: Extended) -> [PhaseFraction; 3] {
         let [leading, rest] = whole;
         let ticks = whole_number(leading).wrapping_add(whole_number(rest));
         // at 2^127 or more, the number modulo 2^128 no longer determines the sign
@@ -197,9 +193,9 @@ impl<W> Clock<W> {
     /// whole turns. An aperiodic motion keeps its last or first phases.
     #[cold]
     #[inline(never)]
-    fn beyond(&self, ticks: i128, future: bool, share: DoubleDouble) -> [PhaseFraction; 3] {
+    fn beyond(&self, ticks: i128, future: bool, share: Extended) -> [PhaseFraction; 3] {
         let since_first = ticks.wrapping_sub(i64::MIN.into());
-        let after = |first: u64, step: PhaseFraction, exact: DoubleDouble| {
+        let after = |first: u64, step: PhaseFraction, exact: Extended| {
             let turned = step.to_phase().to_bits().wrapping_mul(since_first);
             let part = PhaseFraction::of((exact * share).to_phase());
             PhaseFraction::of(Phase::from_bits(turned)).plus_leading(first).plus(part)
@@ -215,7 +211,7 @@ impl<W> Clock<W> {
     }
 
     /// Phases at tick n plus a fraction `share` in [0, 1) of the next tick.
-    fn near(&self, n: i64, share: DoubleDouble) -> [PhaseFraction; 3] {
+    fn near(&self, n: i64, share: Extended) -> [PhaseFraction; 3] {
         let [nutation_part, a_part, b_part] = self.exact_steps().map(|step| (step * share).to_phase());
         let [nutation, a, b] = self.at(n);
         let nutation = match self.horizon {
@@ -223,9 +219,7 @@ impl<W> Clock<W> {
             // the time may be later than the first tick's phase: the phases are computed backwards from that tick
             Some([first, _]) if n.saturating_add(1) == first => {
                 let ([next, ..], [step, ..]) = (self.at(first), self.exact_steps());
-                PhaseFraction::clamping(
-                    next.to_signed_phase() + (step * (share - DoubleDouble::ONE)).to_phase(),
-                )
+                PhaseFraction::clamping(next.to_signed_phase() + (step * (share - Extended::ONE)).to_phase())
             }
             Some([first, _]) if n < first => nutation,
             Some(_) => PhaseFraction::clamping(nutation.to_signed_phase() + nutation_part),
@@ -249,7 +243,7 @@ fn stopped([first, last]: [i64; 2], n: i64) -> Option<PhaseFraction> {
 }
 
 /// First and last tick at which a nutation phase that does not wrap is within half a turn of 0.
-fn horizon(start: Phase, step: DoubleDouble) -> [i64; 2] {
+fn horizon(start: Phase, step: Extended) -> [i64; 2] {
     /// Half a turn, less a margin for the rounding of the quotient; a phase within the margin may count as the end.
     const HALF: f64 = 0.5 - 1e-15;
     let ticks = |turns: f64| (turns - start.to_f64()) / step.to_f64();

@@ -6,7 +6,7 @@ use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::speeds::Speeds;
 use crate::ephemeris::tabulate::Tabulated;
 use crate::phase::Phase;
-use crate::scalar::{DoubleDouble, Float, Scalar};
+use crate::scalar::{Extended, Float, Scalar};
 
 /// Upper bound on the orientation error 2 √(|Δα|² + |Δβ|²), rad, against the truth of the very numbers of the launch: at tick n
 /// `constant + |n| per_tick`, [`ErrorBound::after`].
@@ -108,11 +108,11 @@ fn rounded<R: EphemerisScalar>(tabulated: &Tabulated) -> f64 {
 }
 
 /// Exact step minus increment, in turns; whole turns are ignored.
-pub(crate) fn missed_by(increment: Phase, exact: DoubleDouble) -> f64 {
+pub(crate) fn missed_by(increment: Phase, exact: Extended) -> f64 {
     let bits = increment.to_bits();
     let leading = bits as f64;
     let rest = bits.wrapping_sub(leading as i128) as f64;
-    let held = DoubleDouble::new(leading * Phase::RESOLUTION, rest * Phase::RESOLUTION);
+    let held = Extended::sum(leading * Phase::RESOLUTION, rest * Phase::RESOLUTION);
     let missed = (exact - held).to_f64();
     missed - libm::round(missed)
 }
@@ -128,12 +128,12 @@ mod tests {
     fn the_rates_errors_are_in_it() {
         let speeds = Speeds { sweep: 5.0, turning: 3.0, steepness: 0.1 };
         let tabulated = Tabulated { speeds, ..Tabulated::EMPTY };
-        let nothing = DoubleDouble::ZERO;
+        let nothing = Extended::ZERO;
         let rates = |errors| MeanRates {
-            half_period: DoubleDouble::ONE,
+            half_period: Extended::ONE,
             returns: true,
             theta_offset: [nothing; 2],
-            turns: [DoubleDouble::ONE; 3],
+            turns: [Extended::ONE; 3],
             errors,
             rounding: <f64 as Scalar>::ROUNDING,
         };
@@ -153,11 +153,11 @@ mod tests {
 
     #[test]
     fn what_an_increment_misses_is_known_to_the_last_place() {
-        let third = DoubleDouble::ONE / DoubleDouble::from(3.0);
+        let third = Extended::ONE / Extended::from(3.0);
         let missed = missed_by(third.to_phase(), third) / Phase::RESOLUTION;
         assert!((missed - 1.0 / 3.0).abs() < 1e-3, "{missed}");
         // whole turns beyond 2^32 do not matter
-        let far = third + DoubleDouble::from(2_f64.powi(40));
+        let far = third + Extended::from(2_f64.powi(40));
         assert!(missed_by(far.to_phase(), far).abs() < 1e-18);
     }
 }

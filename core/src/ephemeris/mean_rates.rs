@@ -4,19 +4,19 @@ use crate::constants::Conditioning;
 use crate::law::{Law, gudermannian};
 use crate::mean_motion::MeanMotion;
 use crate::motion::Motion;
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Rates of the nutation phase and of the mean slow phases, with the values needed to step through the half period.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MeanRates {
     /// Half period T/2; for an aperiodic motion the time from its lowest point to u = 1; 0 where u is constant.
-    pub(crate) half_period: DoubleDouble,
+    pub(crate) half_period: Extended,
     /// Whether the nutation is periodic; false for an aperiodic motion, whose nutation phase stops at half a turn.
     pub(crate) returns: bool,
     /// Constant rates of θ_A and θ_B besides ψ_A' and ψ_B': ±τ/2 minus the mean rate, rad per unit time.
-    pub(crate) theta_offset: [DoubleDouble; 2],
+    pub(crate) theta_offset: [Extended; 2],
     /// Nutation frequency 1/T, and the mean rates of α and β, in turns per unit time.
-    pub(crate) turns: [DoubleDouble; 3],
+    pub(crate) turns: [Extended; 3],
     /// Errors of `turns`, turns per unit time.
     pub(crate) errors: [f64; 3],
     /// Rounding unit of the scalar that the rates are used with.
@@ -44,17 +44,17 @@ impl MeanRates {
     }
 
     fn steady(motion: &Motion, rounding: f64) -> Self {
-        let [alpha, beta] = motion.steady_rates().map(DoubleDouble::in_turns);
-        let relative = OPERATIONS * DoubleDouble::ROUNDING + motion.conditioning().relative;
+        let [alpha, beta] = motion.steady_rates().map(Extended::in_turns);
+        let relative = OPERATIONS * Extended::ROUNDING + motion.conditioning().relative;
         // a rate is the sum of a quotient and ±τ/2, which may cancel
         let half_tau = Float::abs(motion.half_tau().in_turns().to_f64());
-        let slow = DoubleDouble::from(motion.conditioning().turning).in_turns().to_f64();
-        let error = |rate: DoubleDouble| (Float::abs(rate.to_f64()) + 2.0 * half_tau) * relative + slow;
+        let slow = Extended::from(motion.conditioning().turning).in_turns().to_f64();
+        let error = |rate: Extended| (Float::abs(rate.to_f64()) + 2.0 * half_tau) * relative + slow;
         Self {
-            half_period: DoubleDouble::ZERO,
+            half_period: Extended::ZERO,
             returns: true,
-            theta_offset: [DoubleDouble::ZERO; 2],
-            turns: [DoubleDouble::ZERO, alpha, beta],
+            theta_offset: [Extended::ZERO; 2],
+            turns: [Extended::ZERO, alpha, beta],
             errors: [0.0, error(alpha), error(beta)],
             rounding,
         }
@@ -62,10 +62,10 @@ impl MeanRates {
 
     fn periodic(motion: &Motion, mean: &MeanMotion, rounding: f64) -> Self {
         let MeanMotion { advance, winding, .. } = *mean;
-        let half = DoubleDouble::from(0.5);
-        let frequency = DoubleDouble::ONE / advance.period;
+        let half = Extended::from(0.5);
+        let frequency = Extended::ONE / advance.period;
         // a bracket that passes through 0 changes sign once in a period, which is half a turn in either direction
-        let whole = |turns: DoubleDouble, winding: i32| if winding == 0 { turns + half } else { turns };
+        let whole = |turns: Extended, winding: i32| if winding == 0 { turns + half } else { turns };
         let [alpha_winding, beta_winding] = winding;
         let alpha = whole(advance.alpha_turns, alpha_winding) * frequency;
         let beta = whole(advance.beta_turns, beta_winding) * frequency;
@@ -73,7 +73,7 @@ impl MeanRates {
         Self {
             half_period: advance.period.halved(),
             returns: true,
-            theta_offset: [half_tau - DoubleDouble::TWO_PI * alpha, -half_tau - DoubleDouble::TWO_PI * beta],
+            theta_offset: [half_tau - Extended::TWO_PI * alpha, -half_tau - Extended::TWO_PI * beta],
             turns: [frequency, alpha, beta],
             errors: errors(motion, mean),
             rounding,
@@ -84,21 +84,21 @@ impl MeanRates {
     fn rising(motion: &Motion, rounding: f64) -> Self {
         let law = motion.law();
         // cos χ = sech v ≈ 2 e^{-v}
-        let half_period = DoubleDouble::from(rise_time(&law.cast(), libm::log(4.0 / rounding)));
-        let at_the_top = law.aperiodic_rates(DoubleDouble::ONE, DoubleDouble::ZERO);
+        let half_period = Extended::from(rise_time(&law.cast(), libm::log(4.0 / rounding)));
+        let at_the_top = law.aperiodic_rates(Extended::ONE, Extended::ZERO);
         let half_tau = motion.half_tau();
-        let frequency = DoubleDouble::ONE / half_period.doubled();
+        let frequency = Extended::ONE / half_period.doubled();
         let Conditioning { relative, turning } = *motion.conditioning();
-        let relative = OPERATIONS * DoubleDouble::ROUNDING + relative;
+        let relative = OPERATIONS * Extended::ROUNDING + relative;
         let slow = Float::abs(at_the_top.alpha.to_f64()) + Float::abs(half_tau.to_f64());
-        let error = DoubleDouble::from(slow * relative + turning).in_turns().to_f64();
+        let error = Extended::from(slow * relative + turning).in_turns().to_f64();
         Self {
             half_period,
             returns: false,
-            theta_offset: [-at_the_top.alpha, DoubleDouble::ZERO],
+            theta_offset: [-at_the_top.alpha, Extended::ZERO],
             turns: [frequency, (at_the_top.alpha + half_tau).in_turns(), (-half_tau).in_turns()],
             // the frequency can be chosen freely, so only the increments contain its rounding error
-            errors: [frequency.to_f64() * OPERATIONS * DoubleDouble::ROUNDING, error, error],
+            errors: [frequency.to_f64() * OPERATIONS * Extended::ROUNDING, error, error],
             rounding,
         }
     }
@@ -110,13 +110,13 @@ impl MeanRates {
 fn errors(motion: &Motion, mean: &MeanMotion) -> [f64; 3] {
     let Conditioning { relative, turning } = *motion.conditioning();
     let operations = OPERATIONS + OPERATIONS_PER_NODE * f64::from(mean.nodes);
-    let arithmetic = operations * DoubleDouble::ROUNDING + relative;
+    let arithmetic = operations * Extended::ROUNDING + relative;
     let rule = mean.relative_error;
     let frequency = 1.0 / mean.advance.period.to_f64();
     let psi = mean.psi.map(|angle| Float::abs(angle.in_turns().to_f64()));
     let [psi_alpha, psi_beta] = psi;
     let half_tau = Float::abs(motion.half_tau().in_turns().to_f64());
-    let slow = DoubleDouble::from(turning).in_turns().to_f64();
+    let slow = Extended::from(turning).in_turns().to_f64();
     let [alpha, beta] = psi.map(|own| {
         // the rate is (ψ(T) + half a turn)/T ± τ/2; the error of the trapezoid rule affects the first term only
         let advance = own + 0.5;

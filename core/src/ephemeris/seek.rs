@@ -7,7 +7,7 @@ use crate::motion::Motion;
 use crate::motion::NutationVariable;
 use crate::motion::start::chi;
 use crate::phase::Phase;
-use crate::scalar::{DoubleDouble, Float};
+use crate::scalar::{Extended, Float};
 
 /// Data for finding the start of a motion while its half period is tabulated.
 pub(crate) struct StartSearch {
@@ -25,7 +25,7 @@ pub(crate) struct StartSearch {
 }
 
 impl StartSearch {
-    pub(crate) fn new(motion: &Motion, law: &Law<DoubleDouble>, half_period: f64) -> Self {
+    pub(crate) fn new(motion: &Motion, law: &Law<Extended>, half_period: f64) -> Self {
         match motion.nutation() {
             NutationVariable::Aperiodic(v) => {
                 let (sine, cosine) = gudermannian(Float::abs(v));

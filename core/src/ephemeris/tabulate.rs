@@ -21,7 +21,7 @@ use crate::law::series::{Expansion, PhasePoint, Slopes, TERMS, larger_or_nan};
 use crate::law::{Law, PhaseRates};
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{DoubleDouble, Float, Scalar};
+use crate::scalar::{Extended, Float, Scalar};
 
 /// Requirements on a tabulation.
 #[derive(Clone, Copy, Debug)]
@@ -97,7 +97,7 @@ pub(crate) fn tabulate(
         seek: &seek,
         requirements,
         allowed: (1.0 - STEPPING_SHARE) * requirements.allowed,
-        half_cell: rates.half_period / DoubleDouble::from((2 * CELLS) as f64),
+        half_cell: rates.half_period / Extended::from((2 * CELLS) as f64),
         least: rates.rounding / (16 * requirements.most.min(16 * CELLS)) as f64,
         expansion: &mut expansion,
         part: 0.0,
@@ -167,15 +167,15 @@ const STEPPING_SHARE: f64 = 0.125;
 
 /// State of the steps through the segments of the half period.
 struct Tabulation<'a> {
-    law: &'a Law<DoubleDouble>,
+    law: &'a Law<Extended>,
     brackets: &'a Brackets<f64>,
     rates: &'a MeanRates,
     seek: &'a StartSearch,
     requirements: Requirements,
     /// Truncation error that the reduction of a segment's series may cause.
     allowed: f64,
-    /// Half the length of a cell, in double-double because its error would accumulate over the cells.
-    half_cell: DoubleDouble,
+    /// Half the length of a cell, in extended precision because its error would accumulate over the cells.
+    half_cell: Extended,
     /// Magnitude below which a term of the series is negligible.
     least: f64,
     /// Expansion around the border of a cell or the centre of a segment.
@@ -218,7 +218,7 @@ impl Tabulation<'_> {
     /// truncation error of its segments, or `None` where it exceeds the allowed error.
     fn through(&mut self, number: usize, cell: Cell, at_centre: bool, store: &mut Store<'_>) -> Option<f64> {
         let (level, count) = (cell.level(), 1_usize << cell.level());
-        let unit = self.half_cell * DoubleDouble::from(1.0 / count as f64);
+        let unit = self.half_cell * Extended::from(1.0 / count as f64);
         let share = self.share(level);
         let mut error = 0.0;
         if !at_centre {
@@ -275,26 +275,26 @@ impl Tabulation<'_> {
     }
 
     /// Expands the law around the position reached.
-    fn expand(&mut self, unit: DoubleDouble) {
+    fn expand(&mut self, unit: Extended) {
         self.part = unit.to_f64() / self.rates.half_period.to_f64();
         let slopes = self.slopes(unit);
         self.expand_along(&slopes, unit);
     }
 
     #[inline(never)] // the frame with the law in f64 must not remain on the stack below the following calls
-    fn expand_along(&mut self, slopes: &Slopes, unit: DoubleDouble) {
+    fn expand_along(&mut self, slopes: &Slopes, unit: Extended) {
         let Self { law, expansion, current, least, .. } = self;
         law.cast().expand(&current.point, slopes, unit.to_f64(), *least, expansion);
     }
 
-    /// Derivatives of the phases, in double-double: a slow phase may turn by thousands of radians and hardly differ
+    /// Derivatives of the phases, in extended precision: a slow phase may turn by thousands of radians and hardly differ
     /// from its mean.
     #[inline(never)]
-    fn slopes(&self, unit: DoubleDouble) -> Slopes {
+    fn slopes(&self, unit: Extended) -> Slopes {
         let (sine, cosine) = self.current.point.sine_cosine();
         let rates = self.law.rates(sine.into(), cosine.into());
         let [alpha_offset, beta_offset] = self.rates.theta_offset;
-        let slope = |rate: DoubleDouble| (unit * rate).to_f64();
+        let slope = |rate: Extended| (unit * rate).to_f64();
         let weight = self.fastest * unit.to_f64() / Float::abs(slope(rates.nutation));
         Slopes {
             psi: PhaseRates {

@@ -1,7 +1,7 @@
 //! Tick: the unit of time of an ephemeris.
 
 use crate::error::{ParameterError, require};
-use crate::scalar::DoubleDouble;
+use crate::scalar::Extended;
 
 /// Tick length as an exact fraction of a second (of the motion's unit of time).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,12 +34,12 @@ impl Tick {
     }
 
     /// Length of a tick in units of time.
-    pub(crate) fn length(self) -> DoubleDouble {
-        DoubleDouble::from(f64::from(self.seconds)) / DoubleDouble::from(f64::from(self.ticks))
+    pub(crate) fn length(self) -> Extended {
+        Extended::from(f64::from(self.seconds)) / Extended::from(f64::from(self.ticks))
     }
 
     /// Number of ticks in a unit of time.
-    pub(crate) fn rate(self) -> DoubleDouble {
-        DoubleDouble::from(f64::from(self.ticks)) / DoubleDouble::from(f64::from(self.seconds))
+    pub(crate) fn rate(self) -> Extended {
+        Extended::from(f64::from(self.ticks)) / Extended::from(f64::from(self.seconds))
     }
 }

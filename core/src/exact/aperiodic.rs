@@ -21,7 +21,7 @@ use crate::exact::periods::solve_rising;
 use crate::exact::sigma_quotient::ValueAndSlope;
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 use crate::top::{Quantities, Support};
 use fixed::Fixed;
 use sliding::Sliding;
@@ -30,14 +30,14 @@ use sliding::Sliding;
 /// and α rotates at a constant rate.
 ///
 /// Error of an orientation: below 1e-15 rad, also after α has rotated by 1e5 rad and for e₁ as close to ±1 as 2^-50.
-/// Cost: about 20 theta functions in double-double for set-up; for one time about 60 for a sliding tip, a few
+/// Cost: about 20 theta functions in extended precision for set-up; for one time about 60 for a sliding tip, a few
 /// exponentials and two arctangents for a fixed one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aperiodic {
     point: Rise,
     form: Form,
     /// Variable v at t = 0, and t(v) there.
-    start: [DoubleDouble; 2],
+    start: [Extended; 2],
     fit: Fit,
 }
 
@@ -52,38 +52,38 @@ enum Form {
 /// Functions of u only, in the variable v.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Rise {
-    e1: DoubleDouble,
-    one_plus_e1: DoubleDouble,
-    one_minus_e1: DoubleDouble,
-    a_over_p: DoubleDouble,
-    s: DoubleDouble,
-    g: DoubleDouble,
+    e1: Extended,
+    one_plus_e1: Extended,
+    one_minus_e1: Extended,
+    a_over_p: Extended,
+    s: Extended,
+    g: Extended,
 }
 
 /// Values at one v.
 #[derive(Clone, Copy, Debug)]
 struct RiseValues {
-    v: DoubleDouble,
-    tanh: DoubleDouble,
-    sech: DoubleDouble,
-    ln_sech: DoubleDouble,
+    v: Extended,
+    tanh: Extended,
+    sech: Extended,
+    ln_sech: Extended,
     /// Difference 1 - u.
-    below: DoubleDouble,
+    below: Extended,
     /// Sum 1 + u.
-    above: DoubleDouble,
+    above: Extended,
     /// Derivative dt/dv.
-    dt_dv: DoubleDouble,
+    dt_dv: Extended,
 }
 
 impl RiseValues {
     /// Value of an odd function at v, from its value at |v|.
-    fn with_sign_of_v(&self, value: DoubleDouble) -> DoubleDouble {
-        if self.v < DoubleDouble::ZERO { -value } else { value }
+    fn with_sign_of_v(&self, value: Extended) -> Extended {
+        if self.v < Extended::ZERO { -value } else { value }
     }
 }
 
 impl Rise {
-    fn at(&self, v: DoubleDouble) -> RiseValues {
+    fn at(&self, v: Extended) -> RiseValues {
         let (tanh, sech, ln_sech) = tanh_sech(v);
         let below = self.one_minus_e1 * sech.squared();
         let above = self.one_plus_e1 + self.one_minus_e1 * tanh.squared();
@@ -92,21 +92,21 @@ impl Rise {
     }
 
     /// Derivative dt/dv for a value of D.
-    fn dt_dv(&self, d: DoubleDouble) -> DoubleDouble {
+    fn dt_dv(&self, d: Extended) -> Extended {
         (d.doubled() / (self.g * self.one_minus_e1)).sqrt()
     }
 
     /// Bounds on v at a given t, from the bounds on dt/dv.
-    fn bracket(&self, t: DoubleDouble) -> [DoubleDouble; 2] {
+    fn bracket(&self, t: Extended) -> [Extended; 2] {
         let (fast, slow) = (t / self.dt_dv(self.a_over_p), t / self.dt_dv(self.a_over_p + self.s));
         // widened by a margin on either side
-        let margin = fast.abs() * DoubleDouble::from(1e-13);
+        let margin = fast.abs() * Extended::from(1e-13);
         if fast < slow { [fast - margin, slow + margin] } else { [slow - margin, fast + margin] }
     }
 }
 
 impl Form {
-    fn time(&self, point: &RiseValues) -> DoubleDouble {
+    fn time(&self, point: &RiseValues) -> Extended {
         match self {
             Self::Sliding(form) => form.time(point),
             Self::Fixed(_) => point.v * point.dt_dv,
@@ -137,7 +137,7 @@ impl Aperiodic {
             Support::Sliding => Form::Sliding(Sliding::new(&point, motion.exact_integrals().l / a)),
             Support::Fixed => Form::Fixed(Fixed::new(&point, motion.signs().l_plus_n)),
         };
-        let v = DoubleDouble::from(v);
+        let v = Extended::from(v);
         let start = point.at(v);
         let fit = Fit::new(motion, [form.alpha(&start), point.beta(&start)]);
         Some(Self { point, form, start: [v, form.time(&start)], fit })
@@ -156,13 +156,13 @@ impl Aperiodic {
         self.exact_v(t).to_f64()
     }
 
-    fn exact_v(&self, t: f64) -> DoubleDouble {
+    fn exact_v(&self, t: f64) -> Extended {
         let [start, origin] = self.start;
         if t == 0.0 || !t.is_finite() {
             return start;
         }
         let target = origin + t.clamp(-Self::FURTHEST, Self::FURTHEST).into();
-        let function = |v: DoubleDouble| {
+        let function = |v: Extended| {
             let point = self.point.at(v);
             (self.form.time(&point), point.dt_dv)
         };

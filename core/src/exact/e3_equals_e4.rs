@@ -25,7 +25,7 @@ use crate::exact::periods::{solve_rising, split};
 use crate::exact::sigma_quotient::{SigmaQuotient, ValueAndSlope};
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 use crate::top::{Quantities, Support};
 
 /// Nutating toy top with e₃ = e₄ as a function of time.
@@ -33,15 +33,15 @@ use crate::top::{Quantities, Support};
 /// Error of an orientation: below 1e-15 rad at any time up to 1e9 periods where e₃ = e₄ exactly. Where they differ
 /// within [`E3EqualsE4::TOLERANCE`], the solution is that of a slightly different motion, and the error grows by up
 /// to 5e-14 rad per period (measured for A/(ps) down to 2e-3; it grows for smaller A/(ps)). Cost: about 30 theta
-/// functions in double-double for set-up, and about 30 for one time.
+/// functions in extended precision for set-up, and about 30 for one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct E3EqualsE4 {
     solution: Solution,
-    period: DoubleDouble,
+    period: Extended,
     /// Rotation of α and β over one period, for C = A.
     turns: [Phase; 2],
     /// Time t(x) at t = 0 of the motion.
-    origin: DoubleDouble,
+    origin: Extended,
     fit: Fit,
 }
 
@@ -50,9 +50,9 @@ pub struct E3EqualsE4 {
 struct Solution {
     lattice: Lattice,
     /// Time √(2s/g).
-    time_scale: DoubleDouble,
+    time_scale: Extended,
     /// Coefficient (e₁ + e₂ + 2e₃)/3.
-    linear: DoubleDouble,
+    linear: Extended,
     alpha: SigmaQuotient,
     beta: SigmaQuotient,
 }
@@ -77,7 +77,7 @@ impl E3EqualsE4 {
         let time_scale = (s.doubled() / g).sqrt();
 
         // a and b, where u is -1 and 1
-        let zero = DoubleDouble::ZERO;
+        let zero = Extended::ZERO;
         let to_minus_one = first_kind(
             e.one_plus_e1,
             [zero, e.e2_minus_e1, e1_plus_e3],
@@ -95,8 +95,8 @@ impl E3EqualsE4 {
         // w₋₁/(2(e₃ - 1)) = √(s/2g) (l + n)/A, and w₊₁ likewise; |k₁| follows from |α| at u = e₂ and |k₂| from |β| at
         // u = e₁, which are never 0
         let integrals = motion.exact_integrals();
-        let rate_offset = |momentum: DoubleDouble| real((time_scale * momentum / inertia).halved());
-        let modulus = |x: DoubleDouble| x.halved().sqrt();
+        let rate_offset = |momentum: Extended| real((time_scale * momentum / inertia).halved());
+        let modulus = |x: Extended| x.halved().sqrt();
         let (shift, lowest) = (real(shift), imaginary(-half));
         let alpha = SigmaQuotient::through(
             &lattice,
@@ -148,7 +148,7 @@ impl E3EqualsE4 {
 }
 
 /// Difference e₃² - e₄², and e₄² - 1 = A/(ps).
-fn squares(motion: &Motion) -> (DoubleDouble, DoubleDouble) {
+fn squares(motion: &Motion) -> (Extended, Extended) {
     let (e, Quantities { a, s, p, .. }) = (motion.exact_branch_points(), motion.quantities());
     let spread = a / (p * s);
     (e.e3_minus_one * e.one_plus_e3() - spread, spread)
@@ -157,19 +157,19 @@ fn squares(motion: &Motion) -> (DoubleDouble, DoubleDouble) {
 /// Difference e₃ - e₄ for a sliding tip.
 pub(super) fn difference(motion: &Motion) -> f64 {
     let (apart, spread) = squares(motion);
-    (apart / (motion.exact_branch_points().e3 + (DoubleDouble::ONE + spread).sqrt())).to_f64()
+    (apart / (motion.exact_branch_points().e3 + (Extended::ONE + spread).sqrt())).to_f64()
 }
 
 /// Whether e₃ = e₄ to the tolerance.
 fn coincide(motion: &Motion) -> bool {
     let (e, (apart, spread)) = (motion.exact_branch_points(), squares(motion));
-    let [apart, allowed] = [apart.abs(), DoubleDouble::from(E3EqualsE4::TOLERANCE)];
+    let [apart, allowed] = [apart.abs(), Extended::from(E3EqualsE4::TOLERANCE)];
     apart <= spread * allowed && apart <= e.e3_minus_e2 * e.e3.doubled() * allowed
 }
 
 impl Solution {
     /// Time t and derivative dt/dy at x = iy.
-    fn time(&self, y: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+    fn time(&self, y: Extended) -> (Extended, Extended) {
         let [shift, _] = self.lattice.half_periods();
         let x = Complex::new(-shift, y);
         let zetas = self.lattice.sigma_factor(x).log_slope().im;
@@ -179,15 +179,15 @@ impl Solution {
     }
 
     /// Coordinate y at a time within half a period of u = e₂.
-    fn y_at(&self, time: DoubleDouble, period: DoubleDouble) -> DoubleDouble {
+    fn y_at(&self, time: Extended, period: Extended) -> Extended {
         let [_, half] = self.lattice.half_periods();
         solve_rising(time, [-half, half], half.doubled() * time / period, |y| self.time(y))
     }
 
     /// α and β at x = iy, and their time derivatives.
-    fn parameters(&self, y: DoubleDouble) -> [ValueAndSlope; 2] {
+    fn parameters(&self, y: Extended) -> [ValueAndSlope; 2] {
         let (_, per_y) = self.time(y);
-        let rate = imaginary(DoubleDouble::ONE / per_y);
+        let rate = imaginary(Extended::ONE / per_y);
         [self.alpha, self.beta].map(|parameter| parameter.at(&self.lattice, imaginary(y)).by(rate))
     }
 }

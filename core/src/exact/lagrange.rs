@@ -23,22 +23,22 @@ use crate::exact::periods::split;
 use crate::exact::sigma_quotient::{SigmaQuotient, ValueAndSlope};
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 use crate::top::{Quantities, Support};
 
 /// Nutating Lagrange top as a function of time.
 ///
 /// Error of an orientation: below 1e-15 rad at any time up to 1e9 periods, also where several differences of the
-/// branch points are as small as 1e-12. Cost: about 20 theta functions in double-double for set-up, and four for one
+/// branch points are as small as 1e-12. Cost: about 20 theta functions in extended precision for set-up, and four for one
 /// time, without iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lagrange {
     solution: Solution,
-    period: DoubleDouble,
+    period: Extended,
     /// Rotation of α and β over one period, for C = A.
     turns: [Phase; 2],
     /// Time at t = 0 of the motion, counted from u = e₁.
-    origin: DoubleDouble,
+    origin: Extended,
     fit: Fit,
 }
 
@@ -47,7 +47,7 @@ pub struct Lagrange {
 struct Solution {
     lattice: Lattice,
     /// Rate of z per unit of time.
-    z_rate: DoubleDouble,
+    z_rate: Extended,
     alpha: SigmaQuotient,
     beta: SigmaQuotient,
 }
@@ -69,20 +69,20 @@ impl Lagrange {
         // from u = -1 up to e₁ and from e₂ up to 1, along imaginary z
         let to_e1 = first_kind(
             e.one_plus_e1,
-            [DoubleDouble::ZERO, swing, e.e3_minus_e1()],
+            [Extended::ZERO, swing, e.e3_minus_e1()],
             [e.one_plus_e1, e.one_plus_e2(), e.one_plus_e3()],
         );
         let to_one = first_kind(
             e.one_minus_e2,
             [e.one_minus_e1(), e.one_minus_e2, e.e3_minus_one],
-            [swing, DoubleDouble::ZERO, gap],
+            [swing, Extended::ZERO, gap],
         );
         let Signs { l_plus_n, l_minus_n } = motion.signs();
         let a = imaginary(l_plus_n.times(to_e1.halved()));
         let b = Complex::new(half, l_minus_n.times(to_one.halved()));
         let (pole, highest) = (imaginary(-height), real(half));
         // |k| from |α| at u = e₂ and from |β| at u = e₁, which are never 0
-        let modulus = |x: DoubleDouble| x.halved().sqrt();
+        let modulus = |x: Extended| x.halved().sqrt();
         let alpha =
             SigmaQuotient::through(&lattice, [a, pole], Complex::ZERO, (highest, modulus(e.one_plus_e2())));
         let beta = SigmaQuotient::through(
@@ -134,7 +134,7 @@ impl Lagrange {
 
 impl Solution {
     /// α and β, and their time derivatives, at this time since u = e₁.
-    fn parameters(&self, time: DoubleDouble) -> [ValueAndSlope; 2] {
+    fn parameters(&self, time: Extended) -> [ValueAndSlope; 2] {
         let z = real(self.z_rate * time);
         [self.alpha, self.beta].map(|parameter| parameter.at(&self.lattice, z).by(real(self.z_rate)))
     }

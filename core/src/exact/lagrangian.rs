@@ -17,7 +17,7 @@ use crate::top::{Quantities, Top};
 /// Lagrangian L = T - V of a top. A fixed tip is the case s = 0, with moments of inertia about the tip.
 ///
 /// Its error is the rounding of about thirty operations of the number type: `f32`, `f64`, or
-/// [`DoubleDouble`](crate::scalar::DoubleDouble), in which a numerical derivative has twenty correct digits.
+/// [`Extended`](crate::scalar::Extended), in which a numerical derivative has twenty correct digits.
 #[derive(Clone, Copy, Debug)]
 pub struct Lagrangian<F> {
     a: F,

@@ -9,7 +9,7 @@ use crate::exact::sigma_quotient::ValueAndSlope;
 use crate::law::PhaseRates;
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 use crate::su2::{Orientation, OrientationRate};
 
 /// Constant arguments of α and β, and the rates ±τ/2 of a top with A ≠ C.
@@ -20,7 +20,7 @@ use crate::su2::{Orientation, OrientationRate};
 pub(super) struct Fit {
     /// Angles a and b.
     arguments: [Phase; 2],
-    half_tau: DoubleDouble,
+    half_tau: Extended,
 }
 
 impl Fit {
@@ -35,11 +35,11 @@ impl Fit {
                 let (tanh, sech, _) = tanh_sech(v.into());
                 (tanh, sech)
             }
-            NutationVariable::Steady(_) => (DoubleDouble::ZERO, DoubleDouble::ONE),
+            NutationVariable::Steady(_) => (Extended::ZERO, Extended::ONE),
         };
         let (e, signs, rates) =
             (motion.exact_branch_points(), motion.signs(), motion.law().rates(sine, cosine));
-        let root = |x: DoubleDouble| x.halved().sqrt();
+        let root = |x: Extended| x.halved().sqrt();
         let (alpha_root, beta_root) = (root(e.one_plus_e2()), root(e.one_minus_e2));
         let axes = [
             [root(e.one_plus_e1), signs.l_plus_n.times(alpha_root)],
@@ -84,9 +84,9 @@ impl Fit {
 
 /// Argument of x cos χ + i y sin χ divided by the closed form's value, from their derivatives too.
 fn argument(
-    [x, y]: [DoubleDouble; 2],
-    [sine, cosine]: [DoubleDouble; 2],
-    [nutation, turning]: [DoubleDouble; 2],
+    [x, y]: [Extended; 2],
+    [sine, cosine]: [Extended; 2],
+    [nutation, turning]: [Extended; 2],
     closed: ValueAndSlope,
 ) -> Phase {
     let value: Wide = Complex::new(x * cosine, y * sine);

@@ -1,15 +1,15 @@
 //! Time as whole periods and a remainder, and the inverse of an increasing function.
 
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Nearest whole number of periods in origin + t, and the remainder, which is 0 beyond 9e15 periods. A t that is not
 /// finite counts as 0.
-pub(super) fn split(origin: DoubleDouble, t: f64, period: DoubleDouble) -> (i64, DoubleDouble) {
+pub(super) fn split(origin: Extended, t: f64, period: Extended) -> (i64, Extended) {
     let t = if t.is_finite() { t } else { 0.0 };
     let time = origin + t.into();
     let periods = libm::round(time.to_f64() / period.to_f64());
     if Float::abs(periods) >= 9e15 {
-        return (0, DoubleDouble::ZERO);
+        return (0, Extended::ZERO);
     }
     (periods as i64, time - period * periods.into())
 }
@@ -17,11 +17,11 @@ pub(super) fn split(origin: DoubleDouble, t: f64, period: DoubleDouble) -> (i64,
 /// Solution y in [low, high] of `function`(y) = `target` for an increasing function: Newton's method, with bisection
 /// where a step would leave the interval. `function` returns value and slope > 0.
 pub(super) fn solve_rising(
-    target: DoubleDouble,
-    [low, high]: [DoubleDouble; 2],
-    guess: DoubleDouble,
-    function: impl Fn(DoubleDouble) -> (DoubleDouble, DoubleDouble),
-) -> DoubleDouble {
+    target: Extended,
+    [low, high]: [Extended; 2],
+    guess: Extended,
+    function: impl Fn(Extended) -> (Extended, Extended),
+) -> Extended {
     const MOST_STEPS: usize = 150;
     /// Relative step after which the iteration ends. The error after a step of Newton's method is about the square of
     /// the step.
@@ -30,7 +30,7 @@ pub(super) fn solve_rising(
     for _ in 0..MOST_STEPS {
         let (value, slope) = function(y);
         let residual = value - target;
-        if residual > DoubleDouble::ZERO {
+        if residual > Extended::ZERO {
             high = y
         } else {
             low = y
@@ -39,7 +39,7 @@ pub(super) fn solve_rising(
         let next = if newton >= low && newton <= high { newton } else { (low + high).halved() };
         let done = (next - y).abs() <= next.abs() * LAST_STEP.into();
         y = next;
-        if done || residual == DoubleDouble::ZERO {
+        if done || residual == Extended::ZERO {
             break;
         }
     }
@@ -52,17 +52,17 @@ mod tests {
 
     #[test]
     fn whole_periods_are_taken_off_exactly() {
-        let period = DoubleDouble::ONE / 3.0.into();
-        let (periods, rest) = split(DoubleDouble::from(0.125), 1e9, period);
+        let period = Extended::ONE / 3.0.into();
+        let (periods, rest) = split(Extended::from(0.125), 1e9, period);
         assert_eq!(periods, 3_000_000_000);
         assert!((rest.to_f64() - 0.125).abs() < 1e-22, "{rest:?}");
-        assert_eq!(split(DoubleDouble::ZERO, 1e300, DoubleDouble::ONE), (0, DoubleDouble::ZERO));
+        assert_eq!(split(Extended::ZERO, 1e300, Extended::ONE), (0, Extended::ZERO));
     }
 
     #[test]
     fn the_inverse_of_a_stiff_function() {
-        let small = DoubleDouble::from(1e-9);
-        let stiff = |y: DoubleDouble| (y.squared() * y + small * y, y.squared() * 3.0.into() + small);
+        let small = Extended::from(1e-9);
+        let stiff = |y: Extended| (y.squared() * y + small * y, y.squared() * 3.0.into() + small);
         for target in [-1.0, -1e-12, 0.0, 1e-20, 0.3] {
             let y = solve_rising(target.into(), [(-2.0).into(), 2.0.into()], 1.0.into(), stiff);
             let error = (stiff(y).0 - target.into()).abs().to_f64();

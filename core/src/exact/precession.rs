@@ -15,7 +15,7 @@ use crate::complex::Complex;
 use crate::constants::{Regime, Signs};
 use crate::error::{ParameterError, finite, require};
 use crate::motion::Motion;
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 use crate::stepper::Stepper;
 use crate::su2::{Orientation, OrientationRate};
 use crate::top::{Quantities, Top};
@@ -32,7 +32,7 @@ pub struct RegularPrecession {
     stability: Stability,
     start: Orientation<f64>,
     /// Rates of arg α and arg β, rad per unit time.
-    turning: [DoubleDouble; 2],
+    turning: [Extended; 2],
 }
 
 /// Stability of a motion at constant tilt under a small push.
@@ -62,7 +62,7 @@ impl RegularPrecession {
         }
         let (e, Quantities { a, c, s, p, g }) = (motion.exact_branch_points(), motion.quantities());
         let falls = regime == Regime::SleepingUnstable;
-        let (zero, one) = (DoubleDouble::ZERO, DoubleDouble::ONE);
+        let (zero, one) = (Extended::ZERO, Extended::ONE);
         let swing = e.e2_minus_e1.halved();
         let one_minus_u = if falls { zero } else { e.one_minus_e2 + swing };
         let one_plus_u = if falls { one.doubled() } else { e.one_plus_e1 + swing };
@@ -107,7 +107,7 @@ impl RegularPrecession {
     /// Orientation Φ and rate Φ' at t.
     #[must_use]
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
-        let turned = |z: Complex<f64>, rate: DoubleDouble| {
+        let turned = |z: Complex<f64>, rate: Extended| {
             let value = z * Complex::cis((rate * t.into()).in_turns().to_phase());
             (value, value.times_i().scaled(rate.to_f64()))
         };
@@ -122,8 +122,8 @@ impl RegularPrecession {
 
 /// Rate φ' = √(pg/2A) [s₊ √(e₃ + 1) + s₋ √(e₃ - 1)], rad per unit time; for different signs the difference of the
 /// roots is 2/(√(e₃ + 1) + √(e₃ - 1)). `weight_per_a` is pg/A.
-fn precession_of(weight_per_a: DoubleDouble, e3_minus_one: DoubleDouble, signs: Signs) -> DoubleDouble {
-    let two = DoubleDouble::ONE.doubled();
+fn precession_of(weight_per_a: Extended, e3_minus_one: Extended, signs: Signs) -> Extended {
+    let two = Extended::ONE.doubled();
     let sum = (two + e3_minus_one).sqrt() + e3_minus_one.sqrt();
     let roots = if signs.l_plus_n == signs.l_minus_n { sum } else { two / sum };
     signs.l_plus_n.times(weight_per_a.halved().sqrt() * roots)

@@ -4,7 +4,7 @@ use crate::elliptic::elementary::{Wide, exp, modulus, quotient};
 use crate::elliptic::lattice::Lattice;
 use crate::elliptic::transcendental::angle;
 use crate::phase::Phase;
-use crate::scalar::{DoubleDouble, Ring};
+use crate::scalar::{Extended, Ring};
 
 /// Function k e^{lx} σ(x - a)/σ(x - c), with the zero a and the pole c; each period multiplies it by a constant.
 ///
@@ -12,7 +12,7 @@ use crate::scalar::{DoubleDouble, Ring};
 /// constant times e^{2κ(c - a)x}, which cancels the corresponding term of ζ(a - c) in l.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct SigmaQuotient {
-    scale: DoubleDouble,
+    scale: Extended,
     rate: Wide,
     zero: Wide,
     pole: Wide,
@@ -39,10 +39,10 @@ impl SigmaQuotient {
         lattice: &Lattice,
         [zero, pole]: [Wide; 2],
         rate_offset: Wide,
-        (x, size): (Wide, DoubleDouble),
+        (x, size): (Wide, Extended),
     ) -> Self {
         let rate = rate_offset + lattice.sigma_factor(zero - pole).log_slope();
-        let unscaled = Self { scale: DoubleDouble::ONE, rate, zero, pole };
+        let unscaled = Self { scale: Extended::ONE, rate, zero, pole };
         let value = unscaled.at(lattice, x).value;
         Self { scale: size / modulus(value), ..unscaled }
     }

@@ -3,7 +3,7 @@
 //! Most types derive it where they are declared. This module has the implementations for types whose fields are a
 //! table, or numbers without meaning on their own.
 
-use crate::scalar::{DoubleDouble, Real};
+use crate::scalar::{Extended, Real};
 use crate::su2::OrientationRate;
 use crate::{
     AttitudeState, BranchPoints, Complex, Cursor, EphemerisF32, EphemerisF64, EphemerisScalar,
@@ -64,7 +64,7 @@ impl Format for Cursor {
 /// [`crate::Baked`], which is a table). A new type must be added here.
 const _: () = {
     const fn logs<T: Format>() {}
-    logs::<(Complex<f32>, DoubleDouble, Orientation<f32>, OrientationRate<f64>, Phase)>();
+    logs::<(Complex<f32>, Extended, Orientation<f32>, OrientationRate<f64>, Phase)>();
     logs::<(ParameterError, Support, Top, TopParameters, Release, Start, State)>();
     logs::<(BranchPoints, FirstIntegrals, PeriodAdvance, Regime, TipClass)>();
     logs::<(Motion, Sign, Signs)>();

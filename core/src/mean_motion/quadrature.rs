@@ -31,7 +31,7 @@ const MOST_NODES: u32 = 1 << 16;
 const SETTLED: f64 = 1e-15;
 
 impl<F: Float> Quadrature<F> {
-    /// Integrals of `law` over one period. Relative error: about 1e-30 in double-double, about 1e-15 in `f64`, unless
+    /// Integrals of `law` over one period. Relative error: about 1e-30 in extended precision, about 1e-15 in `f64`, unless
     /// A/(ps) < 1e-4 and the motion reaches the vertical, where the number of nodes is limited.
     pub(crate) fn over_period(law: &Law<F>, e: &BranchPoints<F>) -> Self {
         let jacobi = Landen::of(e.e2_minus_e1 / e.e3_minus_e1(), e.e3_minus_e2 / e.e3_minus_e1());

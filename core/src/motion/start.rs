@@ -5,7 +5,7 @@ use crate::complex::Complex;
 use crate::constants::BranchPoints;
 use crate::constants::ReducedPoint;
 use crate::phase::Phase;
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Phases at t = 0 of a motion given by branch points. All are in rad, and 0 by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -26,9 +26,9 @@ pub struct Start {
 ///
 /// The smaller of the two differences is computed from g₀ = (u - e₁)(e₂ - u)(e₃ - u), without a subtraction.
 pub(crate) fn half_phase(
-    e: &BranchPoints<DoubleDouble>,
-    point: &ReducedPoint<DoubleDouble>,
-    g0: DoubleDouble,
+    e: &BranchPoints<Extended>,
+    point: &ReducedPoint<Extended>,
+    g0: Extended,
     aperiodic: bool,
 ) -> (f64, f64) {
     let above_e1 = point.one_plus_u - e.one_plus_e1;
@@ -40,7 +40,7 @@ pub(crate) fn half_phase(
         (g0 / (below_e3 * below_e2), below_e2)
     };
     let (sine, cosine) = (above_e1.sqrt().to_f64(), below_e2.sqrt().to_f64());
-    match (point.udot < DoubleDouble::ZERO, aperiodic) {
+    match (point.udot < Extended::ZERO, aperiodic) {
         (false, _) => (sine, cosine),
         (true, false) => (sine, -cosine),
         (true, true) => (-sine, cosine),
@@ -64,11 +64,11 @@ pub(crate) fn chi(sine: f64, cosine: f64) -> Phase {
 /// to 2^48, beyond which several multiples of π may round to one `f64`.
 pub(crate) fn half_turns(theta: f64) -> Phase {
     let nearest = libm::round(theta * core::f64::consts::FRAC_1_PI);
-    let multiple = DoubleDouble::TWO_PI.halved() * nearest.into();
+    let multiple = Extended::TWO_PI.halved() * nearest.into();
     if nearest != 0.0 && multiple.to_f64() == theta {
         return Phase::new(0.25 * nearest);
     }
-    (DoubleDouble::from(theta).in_turns() * DoubleDouble::from(0.5)).to_phase()
+    (Extended::from(theta).in_turns() * Extended::from(0.5)).to_phase()
 }
 
 /// Slow phase of a parameter z with rate z': the angle by which the bracket and its rate must be rotated to give z

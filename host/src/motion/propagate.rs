@@ -4,7 +4,7 @@ use crate::Failure;
 use crate::motion::cast;
 use crate::output::progress::Progress;
 use std::time::{Duration, Instant};
-use toytop::scalar::{DoubleDouble, Float, Real, Ring};
+use toytop::scalar::{Extended, Float, Real, Ring};
 use toytop::{AttitudeState, Complex, Motion, Orientation, Phase, Regime, Stepper, Top};
 
 /// Everything `state` says about one instant, in `f64` whatever computed it.
@@ -123,7 +123,7 @@ pub struct TimedStepper<R> {
     stepper: Stepper<R>,
     /// h > 0 as the scalar has it.
     step: R,
-    elapsed: DoubleDouble,
+    elapsed: Extended,
     /// The last time asked for.
     target: f64,
     steps: u64,
@@ -135,7 +135,7 @@ impl<R: Real> TimedStepper<R> {
     #[must_use]
     pub fn new(motion: &Motion, step: f64) -> Self {
         let stepper = Stepper::new(motion);
-        let (elapsed, stepping) = (DoubleDouble::ZERO, Duration::ZERO);
+        let (elapsed, stepping) = (Extended::ZERO, Duration::ZERO);
         Self { stepper, step: R::from_f64(step), elapsed, target: 0.0, steps: 0, stepping }
     }
 
@@ -147,7 +147,7 @@ impl<R: Real> TimedStepper<R> {
         }
         self.target = t;
         let started = Instant::now();
-        let ahead = (DoubleDouble::from(t) - self.elapsed).to_f64();
+        let ahead = (Extended::from(t) - self.elapsed).to_f64();
         let step = if ahead < 0.0 { -self.step } else { self.step };
         let mut left = (ahead / step.to_f64()).floor() as u64;
         while left > 0 {
@@ -155,16 +155,16 @@ impl<R: Real> TimedStepper<R> {
             for _ in 0..batch {
                 self.stepper.step(step);
             }
-            // batch x step is exact in double-double
-            self.elapsed = self.elapsed + DoubleDouble::product(batch as f64, step.to_f64());
+            // batch x step is exact in extended precision
+            self.elapsed = self.elapsed + Extended::product(batch as f64, step.to_f64());
             self.steps += batch;
             left -= batch;
             progress.add(batch);
         }
-        let rest = R::from_f64((DoubleDouble::from(t) - self.elapsed).to_f64());
+        let rest = R::from_f64((Extended::from(t) - self.elapsed).to_f64());
         if rest != R::ZERO {
             self.stepper.step(rest);
-            self.elapsed = self.elapsed + DoubleDouble::from(rest.to_f64());
+            self.elapsed = self.elapsed + Extended::from(rest.to_f64());
             self.steps += 1;
         }
         self.stepping += started.elapsed();

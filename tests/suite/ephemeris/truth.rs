@@ -42,7 +42,7 @@ fn exact() -> impl Iterator<Item = Vector> {
     vectors::all().into_iter().filter(Vector::is_exact)
 }
 
-/// Errors for inputs taken as exact, at any distance: they show the precision of set-up in double-double.
+/// Errors for inputs taken as exact, at any distance: they show the precision of set-up in extended precision.
 #[test]
 fn truth_to_a_thousand_million_periods_in_f64() {
     let mut worst = [0.0_f64; 4];

@@ -4,19 +4,19 @@
 use crate::constants::BranchPoints;
 use crate::constants::branch_points::LARGEST_E3;
 use crate::error::{ParameterError, require};
-use crate::scalar::{DoubleDouble, Ring};
+use crate::scalar::{Extended, Ring};
 use crate::top::{Quantities, Top};
 
-impl BranchPoints<DoubleDouble> {
+impl BranchPoints<Extended> {
     /// Branch points from n, which counts as exact. The third root is n²/(2 A p g) - 1; the top sleeps if it is at
     /// least 1. The number n² - 4 A p g has a single rounding, so its sign is correct and it is 0 exactly on the
     /// border of stability.
-    pub(crate) fn upright(top: &Top, n: DoubleDouble) -> Result<Self, ParameterError> {
-        let quantities = Quantities::<DoubleDouble>::of(top);
+    pub(crate) fn upright(top: &Top, n: Extended) -> Result<Self, ParameterError> {
+        let quantities = Quantities::<Extended>::of(top);
         let scale = (quantities.a * quantities.p * quantities.g).doubled();
         let gap = beyond_border(&quantities, n) / scale;
-        require(gap < DoubleDouble::from(LARGEST_E3), "omega", "slow enough for e3 <= 1e14")?;
-        let (zero, one) = (DoubleDouble::ZERO, DoubleDouble::ONE);
+        require(gap < Extended::from(LARGEST_E3), "omega", "slow enough for e3 <= 1e14")?;
+        let (zero, one) = (Extended::ZERO, Extended::ONE);
         let upright = Self {
             e1: one,
             e2: one,
@@ -36,55 +36,34 @@ impl BranchPoints<DoubleDouble> {
     }
 }
 
-/// n² - 4 A p g, rounded once to double-double. A and g are `f64`; n and p are double-double.
-fn beyond_border(quantities: &Quantities<DoubleDouble>, n: DoubleDouble) -> DoubleDouble {
+/// n² - 4 A p g. Where the two cancel, every step is exact: the factors are multiplied by halves, and the leading
+/// parts are subtracted first.
+fn beyond_border(quantities: &Quantities<Extended>, n: Extended) -> Extended {
     let Quantities { a, p, g, .. } = *quantities;
-    let ag = DoubleDouble::product(-4.0 * a.hi(), g.hi());
-    exact_sum([
-        DoubleDouble::product(n.hi(), n.hi()),
-        DoubleDouble::product(2.0 * n.hi(), n.lo()),
-        DoubleDouble::product(n.lo(), n.lo()),
-        DoubleDouble::product(ag.hi(), p.hi()),
-        DoubleDouble::product(ag.hi(), p.lo()),
-        DoubleDouble::product(ag.lo(), p.hi()),
-        DoubleDouble::product(ag.lo(), p.lo()),
-    ])
-}
-
-/// Number of parts of an exact sum of seven products.
-const PARTS: usize = 14;
-
-/// Sum of exact products, rounded to double-double once, at the end (Shewchuk's expansions).
-fn exact_sum(products: [DoubleDouble; PARTS / 2]) -> DoubleDouble {
-    // the sum of the terms so far as non-overlapping parts, the smallest first
-    let mut parts = [0.0; PARTS];
-    let terms = products.iter().flat_map(|product| [product.lo(), product.hi()]);
-    for (count, term) in terms.enumerate() {
-        let mut carry = term;
-        for part in parts.iter_mut().take(count) {
-            let sum = DoubleDouble::new(carry, *part);
-            (carry, *part) = (sum.hi(), sum.lo());
-        }
-        if let Some(part) = parts.get_mut(count) {
-            *part = carry;
-        }
-    }
-    parts.into_iter().fold(DoubleDouble::ZERO, |sum, part| sum + part.into())
+    let ([n_upper, n_lower], [p_upper, p_lower]) = (n.halves(), p.halves());
+    let [ag_upper, ag_lower] = (a * g * Extended::from(4.0)).halves();
+    let leading = n_upper.squared() - ag_upper * p_upper;
+    let across = (n_upper * n_lower).doubled() - ag_upper * p_lower - ag_lower * p_upper;
+    leading + across + (n_lower.squared() - ag_lower * p_lower)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scalar::Float;
 
-    /// The sum is correct also where all leading parts cancel.
+    /// The sign and the size of a difference far below the rounding of its two terms.
     #[test]
-    fn a_sum_is_rounded_once() {
-        let [large, small] = [1e200, 1e-80].map(|x| DoubleDouble::product(x, 1.0 + f64::EPSILON));
-        let zero = DoubleDouble::ZERO;
-        assert_eq!(exact_sum([large, small, -large, zero, zero, zero, zero]), small);
-        assert_eq!(exact_sum([small, large, zero, -large, -small, zero, zero]), zero);
-        let third = DoubleDouble::from(1.0) / DoubleDouble::from(3.0);
-        let sum = exact_sum([large, third, small, -large, zero, -small, -third]);
-        assert_eq!(sum.hi().to_bits() << 1, 0, "{sum:?}");
+    fn the_border_is_sharp() {
+        let (factor, third) = (Extended::from(1.0 + f64::EPSILON), Extended::ONE / 3.0.into());
+        let p = Extended::product(1.0 + f64::EPSILON, 0.1);
+        let quantities = |p| Quantities { a: factor * 0.25.into(), c: third, s: third, p, g: 0.1.into() };
+        let n = factor * Extended::from(0.1);
+        assert_eq!(beyond_border(&quantities(p), n), Extended::ZERO);
+        let least = Extended::from(1e-36);
+        for (n, sign) in [(n + least, 1.0), (n - least, -1.0)] {
+            let beyond = beyond_border(&quantities(p), n) / (n * least).doubled();
+            assert!((beyond.to_f64() - sign).abs() < 0.1, "{beyond:?}");
+        }
     }
 }

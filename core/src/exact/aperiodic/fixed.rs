@@ -12,12 +12,12 @@ use crate::elliptic::transcendental::angle;
 use crate::elliptic::transcendental::tanh_sech;
 use crate::exact::aperiodic::{Rise, RiseValues};
 use crate::exact::sigma_quotient::ValueAndSlope;
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Fixed {
     /// Moduli √((1 ± e₁)/2) of α and β at the lowest point.
-    lowest: [DoubleDouble; 2],
+    lowest: [Extended; 2],
     sign: Sign,
 }
 
@@ -31,7 +31,7 @@ impl Fixed {
         let RiseValues { v, tanh, sech, dt_dv, .. } = *point;
         // (1 - b)/(1 + b) = a²/(1 + b)²
         let (half, ..) = tanh_sech(v.halved());
-        let one = DoubleDouble::ONE;
+        let one = Extended::ONE;
         let psi = self.sign.times(a / b * v - angle(a * half, one + b).doubled());
         // dψ/dv = s₊ a/b / (1 + b sech v)
         let turning = self.sign.times(a / b / (one + b * sech));

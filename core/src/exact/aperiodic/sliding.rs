@@ -21,7 +21,7 @@ use crate::elliptic::lattice::Lattice;
 use crate::elliptic::transcendental::ln;
 use crate::exact::aperiodic::{Rise, RiseValues};
 use crate::exact::sigma_quotient::{SigmaQuotient, ValueAndSlope};
-use crate::scalar::{DoubleDouble, Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sliding {
@@ -30,31 +30,31 @@ pub(super) struct Sliding {
     /// Half period ω₃.
     middle: Wide,
     /// Branch point e₄, and e₄ - 1.
-    e4: [DoubleDouble; 2],
+    e4: [Extended; 2],
     /// Modulus |b|; b = -i|b|.
-    b: DoubleDouble,
+    b: Extended,
     /// Time √(2s/g).
-    time_scale: DoubleDouble,
+    time_scale: Extended,
     /// Coefficients in t of y = ix and of L.
-    time_factors: [DoubleDouble; 2],
+    time_factors: [Extended; 2],
     alpha: SigmaQuotient,
     /// Real number ip.
-    log_power: DoubleDouble,
+    log_power: Extended,
 }
 
 /// Position of x on its path.
 struct PathPosition {
     /// Coordinate y, with x = -iy.
-    y: DoubleDouble,
+    y: Extended,
     /// Quotient (|b| - |y|)/(1 - u).
-    left_per_below: DoubleDouble,
+    left_per_below: Extended,
 }
 
 impl Sliding {
     /// Solution for a motion; `l_per_a` is l/A, rad per unit time.
-    pub(super) fn new(rise: &Rise, l_per_a: DoubleDouble) -> Self {
+    pub(super) fn new(rise: &Rise, l_per_a: Extended) -> Self {
         let Rise { e1, one_plus_e1, one_minus_e1, a_over_p, s, g } = *rise;
-        let (zero, one) = (DoubleDouble::ZERO, DoubleDouble::ONE);
+        let (zero, one) = (Extended::ZERO, Extended::ONE);
         // e₄² - 1 = A/(ps)
         let spread = a_over_p / s;
         let e4 = (one + spread).sqrt();
@@ -99,7 +99,7 @@ impl Sliding {
     }
 
     /// Linear factors u - e₁, e₄ - u and e₄ + u of -R/4.
-    fn factors(&self, point: &RiseValues) -> [DoubleDouble; 3] {
+    fn factors(&self, point: &RiseValues) -> [Extended; 3] {
         let [_, e4_minus_one] = self.e4;
         let above_e1 = self.rise.one_minus_e1 * point.tanh.squared();
         [above_e1, e4_minus_one + point.below, e4_minus_one + point.above]
@@ -110,15 +110,14 @@ impl Sliding {
         let Rise { one_minus_e1, one_plus_e1, .. } = self.rise;
         let here = self.factors(point);
         let [above_e1, ..] = here;
-        let lowest = [DoubleDouble::ZERO, one_minus_e1 + e4_minus_one, one_plus_e1 + e4_minus_one];
+        let lowest = [Extended::ZERO, one_minus_e1 + e4_minus_one, one_plus_e1 + e4_minus_one];
         let y = first_kind(above_e1, here, lowest).halved();
-        let left_per_below =
-            first_kind_per_length([one_minus_e1, e4_minus_one, e4 + DoubleDouble::ONE], here);
+        let left_per_below = first_kind_per_length([one_minus_e1, e4_minus_one, e4 + Extended::ONE], here);
         PathPosition { y: point.with_sign_of_v(y), left_per_below }
     }
 
     /// Logarithm L.
-    fn log(&self, point: &RiseValues, position: &PathPosition) -> DoubleDouble {
+    fn log(&self, point: &RiseValues, position: &PathPosition) -> Extended {
         let ln_below = ln(self.rise.one_minus_e1) + point.ln_sech.doubled();
         let left = position.left_per_below * point.below;
         let near = self.lattice.sigma_factor_per_z(imaginary(left));
@@ -133,10 +132,10 @@ impl Sliding {
         let far = self.lattice.sigma_factor(imaginary(-(position.y.abs() + self.b))).log_slope();
         // (1 - u)/(x - b) · (x - b) B'(x - b)/B(x - b)
         let near = quotient(self.lattice.sigma_factor(left).slope, self.lattice.sigma_factor_per_z(left));
-        -near.times_i().scaled(DoubleDouble::ONE / position.left_per_below) - far.scaled(point.below)
+        -near.times_i().scaled(Extended::ONE / position.left_per_below) - far.scaled(point.below)
     }
 
-    pub(super) fn time(&self, point: &RiseValues) -> DoubleDouble {
+    pub(super) fn time(&self, point: &RiseValues) -> Extended {
         let position = self.position(point);
         let [of_y, of_log] = self.time_factors;
         let x = imaginary(-position.y);
@@ -151,7 +150,7 @@ impl Sliding {
         let ValueAndSlope { value, slope } = self.alpha.at(&self.lattice, x);
         // dx/dt = -i (1 - u)/(√(2s/g) (e₄² - u²))
         let [_, from_e4, to_e4] = self.factors(point);
-        let speed = imaginary(-(DoubleDouble::ONE / (self.time_scale * from_e4 * to_e4)));
+        let speed = imaginary(-(Extended::ONE / (self.time_scale * from_e4 * to_e4)));
         let factor = cis(self.log_power * self.log(point, &position));
         let turning = imaginary(self.log_power) * self.log_rate(point, &position) * speed;
         ValueAndSlope {
