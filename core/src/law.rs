@@ -13,7 +13,11 @@
 //! neither 1 - u nor 1 + u in a denominator. Set-up integrates this law over a period, and the stepper integrates it
 //! over a time step.
 
+mod block;
+
 pub(crate) mod series;
+
+mod expand;
 
 use crate::constants::{BranchPoints, FirstIntegrals, Signs};
 use crate::scalar::{Extended, Float, Real, Ring};

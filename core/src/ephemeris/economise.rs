@@ -1,39 +1,64 @@
 //! Reduction of a polynomial's degree (economisation): multiples of Chebyshev polynomials are subtracted, the highest
 //! degree first.
 
-use crate::law::series::{PER_POWER, TERMS};
+use crate::law::series::{Split, TERMS, UNIT, scaled_product};
 use crate::scalar::Float;
 
-/// Coefficients of α or of β as a polynomial in x ∈ [-1, 1] on one segment, lowest power first: real and imaginary
-/// parts.
-pub(crate) type Polynomial<'a> = [&'a mut [f64; TERMS]; 2];
+/// Coefficients of α or of β as a polynomial in x ∈ [-1, 1] on one segment, lowest power first, in units of 2^-56:
+/// real and imaginary parts.
+pub(crate) type Polynomial<'a> = [&'a mut [i64; TERMS]; 2];
+
+/// Number of coefficients of a Chebyshev polynomial of degree 15 that are not 0.
+const HALF: usize = TERMS / 2;
+
+/// Coefficients of T_n/2^{n-1} for every degree n, of x^n, x^{n-2}, ..., in units of 2^-54.
+#[allow(clippy::indexing_slicing)] // evaluated by the compiler, which would refuse an index out of range
+static CHEBYSHEV: [[Split; HALF]; TERMS] = {
+    let mut table = [[Split::ZERO; HALF]; TERMS];
+    let mut degree = 1;
+    while degree < TERMS {
+        // Σ (-1)^j n/(n-j) C(n-j, j)/4^j x^{n-2j}, each coefficient from the one before; all are exact
+        let mut coefficient = 1_i64 << SCALE;
+        let mut j = 0;
+        while j < HALF && 2 * j <= degree {
+            table[degree][j] = Split::of(coefficient);
+            let power = (degree - 2 * j) as i128;
+            let falling = power * (power - 1);
+            let divisor = 4 * (j as i128 + 1) * (degree as i128 - j as i128 - 1);
+            if divisor > 0 {
+                coefficient = (-(coefficient as i128) * falling / divisor) as i64;
+            }
+            j += 1;
+        }
+        degree += 1;
+    }
+    table
+};
+
+/// Fraction bits of [`CHEBYSHEV`].
+const SCALE: i32 = 54;
 
 /// Reduces both parts to `terms` coefficients by subtracting multiples of Chebyshev polynomials. Returns an upper
 /// bound on the change of |α|, or |β|, on [-1, 1]: the change of each part is at most the sum of the multiples.
-pub(crate) fn economise([re, im]: Polynomial<'_>, terms: usize) -> f64 {
-    let inverse = |k: usize| PER_POWER.get(k.wrapping_sub(1)).copied().unwrap_or(1.0);
-    let mut dropped = [0.0; 2];
-    for degree in (terms.max(1)..TERMS).rev() {
-        let leading = [&*re, &*im].map(|part| part.get(degree).copied().unwrap_or(0.0));
-        if leading == [0.0; 2] {
-            continue;
-        }
-        // T_n/2^{n-1} = Σ (-1)^j n/(n-j) C(n-j, j)/4^j x^{n-2j}, each coefficient from the one before
-        let mut coefficient = 1.0;
-        for j in 0..=degree / 2 {
-            let power = degree - 2 * j;
-            for (part, leading) in [&mut *re, &mut *im].into_iter().zip(leading) {
-                if let Some(entry) = part.get_mut(power) {
-                    *entry -= leading * coefficient;
+pub(crate) fn economise(parts: Polynomial<'_>, terms: usize) -> f64 {
+    let [re, im] = parts.map(|part| {
+        let mut dropped = 0;
+        for (degree, polynomial) in CHEBYSHEV.iter().enumerate().skip(terms.max(1)).rev() {
+            let leading = part.get(degree).copied().unwrap_or(0);
+            if leading == 0 {
+                continue;
+            }
+            let leading_parts = Split::of(leading);
+            for (j, coefficient) in polynomial.iter().enumerate().take(degree / 2 + 1) {
+                if let Some(entry) = part.get_mut(degree - 2 * j) {
+                    *entry -= scaled_product(leading_parts, *coefficient, SCALE);
                 }
             }
-            let falling = (power * power.saturating_sub(1)) as f64;
-            coefficient *= -0.25 * falling * inverse(j + 1) * inverse(degree - j - 1);
+            // rounded up
+            dropped += (leading.abs() >> (degree - 1)) + 1;
         }
-        let scale = 1.0 / (1_u64 << (degree - 1)) as f64;
-        dropped.iter_mut().zip(leading).for_each(|(sum, leading)| *sum += Float::abs(leading) * scale);
-    }
-    let [re, im] = dropped;
+        dropped as f64 * UNIT
+    });
     Float::sqrt(re * re + im * im)
 }
 
@@ -43,17 +68,18 @@ mod tests {
 
     #[test]
     fn economising_stays_within_what_it_says() {
-        let mut exact = [0.0; TERMS];
+        let mut exact = [0; TERMS];
         exact
             .iter_mut()
             .enumerate()
-            .for_each(|(k, c)| *c = 0.3_f64.powi(k as i32) * (1.0 + (k as f64).sin()));
+            .for_each(|(k, c)| *c = (0.3_f64.powi(k as i32) * (1.0 + (k as f64).sin()) / UNIT) as i64);
         for terms in 1..TERMS {
-            let (mut short, mut nothing) = (exact, [0.0; TERMS]);
+            let (mut short, mut nothing) = (exact, [0; TERMS]);
             let bound = economise([&mut short, &mut nothing], terms);
-            assert_eq!(nothing, [0.0; TERMS]);
-            assert!(short[terms..].iter().all(|c| c.abs() < 1e-16));
-            let value = |p: &[f64; TERMS], x: f64| p.iter().rev().fold(0.0, |sum, c| sum * x + c);
+            assert_eq!(nothing, [0; TERMS]);
+            assert!(short[terms..].iter().all(|c| *c == 0));
+            let value =
+                |p: &[i64; TERMS], x: f64| p.iter().rev().fold(0.0, |sum, c| sum * x + *c as f64 * UNIT);
             let points = if cfg!(miri) { 40 } else { 1000 };
             let worst = (0..=points).fold(0.0_f64, |worst, i| {
                 let x = 2.0 * f64::from(i) / f64::from(points) - 1.0;

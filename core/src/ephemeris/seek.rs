@@ -50,20 +50,20 @@ impl StartSearch {
 
     /// Coordinate x of the start, if it lies in this segment (or the segment is the last).
     pub(crate) fn within(&self, expansion: &Expansion, last: bool) -> Option<f64> {
-        let miss = |x: f64| (expansion.chi_at(x) - self.chi).to_radians();
-        if miss(1.0) < 0.0 && !last {
+        if (expansion.point(1).chi - self.chi).to_radians() < 0.0 && !last {
             return None;
         }
         const NEWTON_STEPS: usize = 8;
         Some((0..NEWTON_STEPS).fold(0.0, |x: f64, _| {
-            let slope = expansion.chi_slope(x);
-            if slope > 0.0 { (x - miss(x) / slope).clamp(-1.0, 1.0) } else { x }
+            let (chi, slope) = expansion.chi_and_slope(x);
+            let miss = (chi - self.chi).to_radians();
+            if slope > 0.0 { (x - miss / slope).clamp(-1.0, 1.0) } else { x }
         }))
     }
 
     /// Change of x at the start over a relative change of the number that its χ was rounded as.
     pub(crate) fn per_rounding(&self, expansion: &Expansion, x: f64) -> f64 {
-        let slope = expansion.chi_slope(x);
+        let (_, slope) = expansion.chi_and_slope(x);
         if slope > 0.0 { self.per_rounding / slope } else { 0.0 }
     }
 

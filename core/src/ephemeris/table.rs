@@ -5,6 +5,7 @@ use crate::ephemeris::cell::{CELL_BITS, CELLS, Cell};
 use crate::ephemeris::economise::Polynomial;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::tabulate::{Requirements, Tabulated, tabulate};
+use crate::law::series::{TERMS, UNIT};
 use crate::motion::Motion;
 use core::fmt;
 
@@ -94,12 +95,16 @@ fn put<R: EphemerisScalar>(
     let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
     let mut largest = 0.0;
     for (column, part) in (2 * which..).zip(parts) {
-        for (power, (four, &value)) in place.iter_mut().zip(part.iter()).enumerate() {
+        let mut numbers = [0.0; TERMS];
+        for (number, part) in numbers.iter_mut().zip(part.iter()).take(R::TERMS) {
+            *number = *part as f64 * UNIT;
+        }
+        for (power, (four, &value)) in place.iter_mut().zip(&numbers).enumerate() {
             if let Some(coefficient) = four.get_mut(column) {
                 *coefficient = R::coefficient(value, power);
             }
         }
-        let error = R::coefficient_error(part.get(..R::TERMS).unwrap_or(part));
+        let error = R::coefficient_error(numbers.get(..R::TERMS).unwrap_or(&numbers));
         largest = if error > largest { error } else { largest };
     }
     4.0 * largest

@@ -17,7 +17,7 @@ use crate::ephemeris::economise::{Polynomial, economise};
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::seek::StartSearch;
 use crate::ephemeris::speeds::{Speeds, greatest_slope};
-use crate::law::series::{Expansion, PhasePoint, Slopes, TERMS, larger_or_nan};
+use crate::law::series::{Expansion, PhasePoint, Slopes, TERMS, UNIT, larger_or_nan};
 use crate::law::{Law, PhaseRates};
 use crate::motion::Motion;
 use crate::phase::Phase;
@@ -150,9 +150,9 @@ fn constant(motion: &Motion, store: &mut Store<'_>) -> Tabulated {
     let brackets: Brackets<f64> = motion.brackets();
     for (which, bracket) in [&brackets.alpha, &brackets.beta].into_iter().enumerate() {
         let [plus, minus] = bracket.exponentials();
-        let mut re = [0.0; TERMS];
-        re[0] = plus + minus;
-        store(0, which, [&mut re, &mut [0.0; TERMS]]);
+        let mut re = [0; TERMS];
+        re[0] = libm::round((plus + minus) / UNIT) as i64;
+        store(0, which, [&mut re, &mut [0; TERMS]]);
     }
     let [alpha, beta] = motion.phases();
     Tabulated { start: [Phase::ZERO, alpha, beta], ..Tabulated::EMPTY }
@@ -223,7 +223,7 @@ impl Tabulation<'_> {
         let mut error = 0.0;
         if !at_centre {
             self.expand(unit);
-            self.to(1.0, share)?;
+            self.to(1, share)?;
         }
         for place in 0..count {
             self.expand(unit);
@@ -246,12 +246,12 @@ impl Tabulation<'_> {
                 self.found_start = Some(TabulatedStart { phase, theta: self.expansion.theta_at(x), share });
             }
             if last {
-                self.border = self.after(1.0, share)?;
-            } else if self.to(2.0, 2.0 * share).is_none() {
+                self.border = self.after(1, share)?;
+            } else if self.to(2, 2.0 * share).is_none() {
                 // by way of the border
-                self.to(1.0, share)?;
+                self.to(1, share)?;
                 self.expand(unit);
-                self.to(1.0, share)?;
+                self.to(1, share)?;
             }
         }
         Some(error)
@@ -260,8 +260,8 @@ impl Tabulation<'_> {
     /// Steps from the last centre of a cell to the first centre of the next, whose segments have the same or twice
     /// the length, if the series is accurate so far, otherwise to the border. Returns whether it reached the centre.
     fn cross(&mut self, level: u32, coarser: bool) -> bool {
-        let x = if coarser { 3.0 } else { 2.0 };
-        let carries = self.to(x, x * self.share(level)).is_some();
+        let x = if coarser { 3 } else { 2 };
+        let carries = self.to(x, x as f64 * self.share(level)).is_some();
         if !carries {
             self.current = self.border;
         }
@@ -323,27 +323,34 @@ impl Tabulation<'_> {
         let brackets = [&self.brackets.alpha, &self.brackets.beta];
         let (mut squares, mut stored_error, mut slopes) = (0.0, 0.0, 0.0);
         for (which, bracket) in brackets.into_iter().enumerate() {
-            let [re, im] = self.expansion.turned(which, bracket.exponentials(), self.least);
-            let beyond = [&*re, &*im].map(beyond_the_last).into_iter().fold(0.0, larger_or_nan);
-            let dropped = economise([&mut *re, &mut *im], self.requirements.terms) + 2.0 * beyond;
+            let (mut re, mut im) = ([0; TERMS], [0; TERMS]);
+            let converges =
+                self.expansion.turned(which, bracket.exponentials(), self.least, [&mut re, &mut im]);
+            if converges.is_none() {
+                return f64::INFINITY;
+            }
+            let beyond = [&re, &im].map(beyond_the_last).into_iter().fold(0.0, larger_or_nan);
+            let dropped = economise([&mut re, &mut im], self.requirements.terms) + 2.0 * beyond;
             squares += dropped * dropped;
-            slopes +=
-                [&*re, &*im].map(greatest_slope).into_iter().fold(0.0, |sum, slope| sum + slope * slope);
-            stored_error = larger_or_nan(stored_error, store(segment, which, [re, im]));
+            slopes += [&re, &im].map(greatest_slope).into_iter().fold(0.0, |sum, slope| sum + slope * slope);
+            stored_error = larger_or_nan(stored_error, store(segment, which, [&mut re, &mut im]));
         }
         self.speeds.note(2.0 * Float::sqrt(slopes), self.expansion.greatest_theta_slope(), self.part);
         larger_or_nan(2.0 * Float::sqrt(squares), stored_error)
     }
 
     /// Moves to x; `None` where the truncation error there exceeds `share`.
-    fn to(&mut self, x: f64, share: f64) -> Option<()> {
+    fn to(&mut self, x: i64, share: f64) -> Option<()> {
         self.current = self.after(x, share)?;
         Some(())
     }
 
     #[inline(never)]
-    fn after(&self, x: f64, share: f64) -> Option<Position> {
+    fn after(&self, x: i64, share: f64) -> Option<Position> {
         let left_out = self.expansion.left_out(x);
+        if left_out > share {
+            return None;
+        }
         let [chi, theta] = self.expansion.sizes(x);
         let delay = self.part * chi / self.expansion.chi_slope(x);
         let [delays, angles] = self.current.squares;
@@ -367,16 +374,16 @@ impl Tabulation<'_> {
 
 /// Estimated sum of the omitted terms of a series: its last four terms are continued as a geometric series. The
 /// result is infinite where these terms do not decrease.
-fn beyond_the_last(part: &[f64; TERMS]) -> f64 {
-    /// Magnitude below which terms are rounding errors and need not decrease.
-    const NEGLIGIBLE: f64 = 3e-17;
-    let [.., c12, c13, c14, c15] = part.map(Float::abs);
+fn beyond_the_last(part: &[i64; TERMS]) -> f64 {
+    /// Magnitude below which terms are rounding errors and need not decrease: 3e-17 in units of 2^-56.
+    const NEGLIGIBLE: i64 = 2;
+    let [.., c12, c13, c14, c15] = part.map(i64::abs);
     // in pairs, because a series may be even or odd
     let (before, last) = (c12 + c13, c14 + c15);
-    let ratio = last / before;
-    match last > NEGLIGIBLE {
-        true if ratio < 1.0 => last * ratio / (1.0 - ratio),
-        true => f64::INFINITY,
-        false => 0.0,
+    if last <= NEGLIGIBLE {
+        return 0.0;
     }
+    let (before, last) = (before as f64 * UNIT, last as f64 * UNIT);
+    let ratio = last / before;
+    if ratio < 1.0 { last * ratio / (1.0 - ratio) } else { f64::INFINITY }
 }

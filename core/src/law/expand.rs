@@ -1,0 +1,343 @@
+//! Expansion of the law around a point: the recurrence of the coefficients.
+
+use crate::law::Law;
+use crate::law::block::{BITS, Block, Factor, TERMS, in_range, power_of_two, rounded, scaled};
+use crate::law::series::{Expansion, PhasePoint, Rate, Slopes, integrated, larger_or_nan, negligible};
+use crate::scalar::Float;
+
+/// Constants of one expansion, from the values at its point.
+struct Values {
+    /// Factor of cos²χ in η.
+    eta: f64,
+    /// Factors of cos²χ and of its square in δ.
+    delta: [f64; 2],
+    /// Factors of cos²χ in the variations of dψ_A/dx and dψ_B/dx.
+    psi: [f64; 2],
+    /// Shares of D and of D dχ/dx in the denominators of ψ_A' and ψ_B'.
+    shares: [[f64; 2]; 2],
+}
+
+/// Variation of the rate of one slow phase, and of its denominator.
+struct SlowPhase<'a> {
+    variation: &'a mut Block,
+    divisor: &'a mut Block,
+    from_square: Factor,
+    from_divisor: Factor,
+    /// Factors of δ and of the variation of D dχ/dx in that of the denominator.
+    shares: [Factor; 2],
+    negligible: i64,
+}
+
+impl<'a> SlowPhase<'a> {
+    /// Slow phase with a rate of `slope`; `delta` and `drive` have their exponents already.
+    fn new(
+        rate: &'a mut Rate,
+        slope: f64,
+        (scale, [constant, smoothing]): (f64, [f64; 2]),
+        [square, delta, drive]: [&Block; 3],
+        least: f64,
+    ) -> Self {
+        let Rate { variation, integral: divisor, .. } = rate;
+        let size = |series: &Block| power_of_two(series.exponent + BITS);
+        divisor.clear(constant * size(delta) + smoothing * size(drive));
+        variation.clear(Float::abs(slope) * size(divisor) + Float::abs(scale) * size(square));
+        rate.scale = 1.0;
+        Self {
+            from_square: Factor::new(scale, square.exponent, variation.exponent),
+            from_divisor: Factor::new(slope, divisor.exponent, variation.exponent),
+            shares: [
+                Factor::new(constant, delta.exponent, divisor.exponent),
+                Factor::new(smoothing, drive.exponent, divisor.exponent),
+            ],
+            negligible: negligible(least, variation.unit()),
+            variation,
+            divisor,
+        }
+    }
+
+    /// Computes the k-th coefficients. Returns whether the rate's is negligible, or `None` where one is out of range.
+    fn advance(&mut self, k: usize, square: i64, delta: i64, drive: i64) -> Option<bool> {
+        let [constant, smoothing] = &self.shares;
+        let divisor = constant.times(delta) + smoothing.times(drive);
+        let known = rounded(self.divisor.product(self.variation, 1, k - 1, k), -self.divisor.exponent);
+        let rate = self.from_square.times(square) - self.from_divisor.times(divisor) - known;
+        let in_range = self.divisor.put(k, divisor) & self.variation.put(k, rate);
+        in_range.then_some(rate.abs() >> k <= self.negligible)
+    }
+}
+
+/// Series of the recurrence, with the constant factors between them.
+struct Recurrence<'a> {
+    sine: &'a mut Block,
+    cosine: &'a mut Block,
+    /// Variation of cos²χ.
+    square: &'a mut Block,
+    /// Variation δ of D.
+    delta: &'a mut Block,
+    /// Variation of D dχ/dx.
+    drive: &'a mut Block,
+    /// Variation ξ of dχ/dx.
+    xi: &'a mut Block,
+    slow: [SlowPhase<'a>; 2],
+    /// Factor of cos²χ in η, and factors of cos²χ and of its square in δ.
+    from_square: [Factor; 3],
+    /// Factor from the units of δ to those of ξ.
+    to_drive: Factor,
+    to_sine: Factor,
+    to_cosine: Factor,
+    /// Magnitudes below which a term of sin χ, cos χ and ξ is negligible.
+    negligible: [i64; 3],
+}
+
+impl Recurrence<'_> {
+    /// Stores sin χ and cos χ at the point. Returns whether they are in range.
+    fn start(&mut self, sine: f64, cosine: f64) -> bool {
+        let sine = self.sine.put(0, scaled(sine, self.sine.exponent));
+        sine & self.cosine.put(0, scaled(cosine, self.cosine.exponent))
+    }
+
+    /// Computes the coefficients until two in succession are negligible. Returns their number, or `None` where the
+    /// series do not converge.
+    fn run(&mut self) -> Option<usize> {
+        let mut before = false;
+        for k in 0..TERMS {
+            let rates = if k == 0 { false } else { self.advance(k)? };
+            let negligible = self.turn(k)? && rates;
+            if negligible && before {
+                return Some(k + 1);
+            }
+            before = negligible;
+        }
+        Some(TERMS)
+    }
+
+    /// Computes the k-th coefficients of the rates: (1 + ξ)² (1 + δ) = 1 + η.
+    fn advance(&mut self, k: usize) -> Option<bool> {
+        let [eta, linear, quadratic] = &self.from_square;
+        let square = rounded(self.cosine.product(self.cosine, 0, k, k), BITS);
+        let twice = rounded(self.square.product(self.square, 1, k - 1, k), BITS);
+        let delta = linear.times(square) + quadratic.times(twice);
+        let across = |series: &Block| rounded(series.product(self.xi, 1, k - 1, k), -series.exponent);
+        // coefficient of (1 + ξ)(1 + δ) without the unknown ξ
+        let known = self.to_drive.times(delta) + across(self.delta);
+        let xi = (eta.times(square) - known - across(self.drive)) >> 1;
+        let drive = known + xi;
+        let in_range = self.square.put(k, square)
+            & self.delta.put(k, delta)
+            & self.xi.put(k, xi)
+            & self.drive.put(k, drive);
+        let [alpha, beta] = &mut self.slow;
+        let slow = in_range
+            .then_some(())
+            .and_then(|()| alpha.advance(k, square, delta, drive).zip(beta.advance(k, square, delta, drive)));
+        let [.., of_xi] = self.negligible;
+        slow.map(|(alpha, beta)| alpha && beta && xi.abs() >> k <= of_xi)
+    }
+
+    /// Computes coefficient k + 1 of sin χ and of cos χ. Returns whether both are negligible.
+    fn turn(&mut self, k: usize) -> Option<bool> {
+        let rate = |part: &Block| part.get(k) + rounded(self.xi.product(part, 1, k, k), -self.xi.exponent);
+        let sine = integrated(in_range(self.to_sine.times(rate(self.cosine)))?, k);
+        let cosine = integrated(in_range(self.to_cosine.times(rate(self.sine)))?, k);
+        let in_range = self.sine.put(k + 1, sine) & self.cosine.put(k + 1, cosine);
+        let [of_sine, of_cosine, _] = self.negligible;
+        in_range.then_some(sine.abs() >> k <= of_sine && cosine.abs() >> k <= of_cosine)
+    }
+}
+
+impl Law<f64> {
+    #[inline(never)] // the frame must not remain below those of the recurrence
+    fn values(&self, sine: f64, cosine: f64, chi_slope: f64, unit: f64) -> Values {
+        let swing = self.e2_minus_e1 * cosine * cosine;
+        let one_minus_u = swing + self.one_minus_e2;
+        let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * sine * sine;
+        let d = self.a_over_p + self.s * one_minus_u * one_plus_u;
+        let s_per_d = self.s * self.e2_minus_e1 / d;
+        // the denominators of ψ_A' and ψ_B' over D: combinations of 1 and dχ/dx
+        let per = |constant: f64, smoothing: f64| {
+            let divisor = constant + smoothing * chi_slope;
+            let shares = [constant / divisor, smoothing * chi_slope / divisor];
+            (unit * unit * self.e2_minus_e1 / (divisor * d), shares)
+        };
+        let (alpha, alpha_shares) = per(unit, self.alpha_smoothing);
+        let (beta, beta_shares) = per(unit * self.root_e3, self.beta_smoothing);
+        Values {
+            eta: self.e2_minus_e1 / (self.e3_minus_e2 + swing),
+            delta: [2.0 * s_per_d * (1.0 - one_minus_u), s_per_d * self.e2_minus_e1],
+            psi: [self.s * self.alpha_scale * alpha, -self.s_e3 * self.beta_scale * beta],
+            shares: [alpha_shares, beta_shares],
+        }
+    }
+
+    /// Expands the law around `point` with the given derivatives, where `unit` is the time that corresponds to x = 1.
+    /// Terms are computed until two in succession are below `least` at x = 2, y = 1/2.
+    #[inline(never)]
+    pub(crate) fn expand(
+        &self,
+        point: &PhasePoint,
+        slopes: &Slopes,
+        unit: f64,
+        least: f64,
+        to: &mut Expansion,
+    ) {
+        // the series are in y = x/4
+        let (unit, chi_slope) = (4.0 * unit, 4.0 * slopes.psi.nutation);
+        (to.origin, to.weight, to.terms) = (*point, slopes.weight, 0);
+        let (point_sine, point_cosine) = point.sine_cosine();
+        let values = self.values(point_sine, point_cosine, chi_slope, unit);
+        // sin χ and cos χ, and the variations of cos²χ, of D and of D dχ/dx
+        let Expansion { chi, theta: [alpha, beta], scratch: [sine, cosine, square, delta, drive], .. } =
+            &mut *to;
+        let magnitude = |own: f64, other: f64| larger_or_nan(Float::abs(own), Float::abs(chi_slope * other));
+        sine.clear(magnitude(point_sine, point_cosine));
+        cosine.clear(magnitude(point_cosine, point_sine));
+        square.clear_to(2 * cosine.exponent + BITS);
+        let square_size = power_of_two(square.exponent + BITS);
+        let [linear, quadratic] = values.delta;
+        let delta_size = square_size * (Float::abs(linear) + quadratic * square_size);
+        delta.clear(delta_size);
+        for series in [&mut *drive, &mut chi.variation] {
+            series.clear(delta_size + values.eta * square_size);
+        }
+        (chi.slope, chi.scale) = (chi_slope, chi_slope);
+        let ([alpha_scale, beta_scale], [alpha_shares, beta_shares]) = (values.psi, values.shares);
+        let series = [&*square, &*delta, &*drive];
+        let slow = [
+            SlowPhase::new(alpha, 4.0 * slopes.psi.alpha, (alpha_scale, alpha_shares), series, least),
+            SlowPhase::new(beta, 4.0 * slopes.psi.beta, (beta_scale, beta_shares), series, least),
+        ];
+        let mut recurrence = Recurrence {
+            from_square: [
+                Factor::new(values.eta, square.exponent, drive.exponent),
+                Factor::new(linear, square.exponent, delta.exponent),
+                Factor::new(-quadratic, 2 * square.exponent + BITS, delta.exponent),
+            ],
+            to_drive: Factor::new(1.0, delta.exponent, drive.exponent),
+            to_sine: Factor::new(chi_slope, cosine.exponent, sine.exponent),
+            to_cosine: Factor::new(-chi_slope, sine.exponent, cosine.exponent),
+            negligible: [
+                negligible(least, sine.unit()),
+                negligible(least, cosine.unit()),
+                negligible(least / Float::abs(slopes.weight * chi_slope), drive.unit()),
+            ],
+            sine,
+            cosine,
+            square,
+            delta,
+            drive,
+            xi: &mut chi.variation,
+            slow,
+        };
+        let converges = chi_slope <= STEEPEST && recurrence.start(point_sine, point_cosine);
+        let Some(terms) = (if converges { recurrence.run() } else { None }) else { return };
+        to.terms = terms;
+        to.complete(slopes);
+    }
+}
+
+/// Largest dχ/dy at which series may converge fast enough to be used.
+const STEEPEST: f64 = 4.0;
+
+impl Expansion {
+    /// Integrates the rates term by term, after the recurrence has used the integrals' memory.
+    #[inline(never)]
+    fn complete(&mut self, slopes: &Slopes) {
+        let terms = self.terms;
+        let [.., delta, _] = &self.scratch;
+        let psi = larger_or_nan(Float::abs(slopes.psi.alpha), Float::abs(slopes.psi.beta));
+        let varying = delta.at_quarters(3, terms, i64::abs).unwrap_or(i64::MAX);
+        // the rate is four times as great in y
+        self.variation_size = 4.0 * psi * (varying as f64 * delta.unit());
+        let [alpha, beta] = &mut self.theta;
+        [alpha.slope, beta.slope] = slopes.theta.map(|slope| 4.0 * slope);
+        for rate in [&mut self.chi, alpha, beta] {
+            rate.integral.clear_to(rate.variation.exponent);
+            for k in 1..terms {
+                // not larger than the coefficient, which is in range
+                let _ = rate.integral.put(k, integrated(rate.variation.get(k), k));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::complex::Complex;
+    use crate::constants::{BranchPoints, Sign, Signs};
+    use crate::law::series::UNIT;
+    use crate::phase::Phase;
+    use crate::scalar::{Extended, Scalar};
+    use crate::top::{Top, TopParameters};
+
+    fn law(spread: f64, [e1, e2, e3]: [f64; 3]) -> Law<Extended> {
+        let parameters = TopParameters {
+            transverse_inertia: spread,
+            axial_inertia: 0.7 * spread,
+            com_height: 1.0,
+            mass_moment: 1.0,
+            gravity: 1.0,
+            ..TopParameters::default()
+        };
+        let top = Top::sliding(&parameters).unwrap();
+        let e = BranchPoints::<Extended>::exact(e1, e2, e3).unwrap();
+        let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
+        Law::new(&top, &e, &e.integrals_in(&top, signs), signs)
+    }
+
+    /// At other points of the segment the series have the rates of the law, and α and β the value that the phases
+    /// give.
+    #[test]
+    fn the_series_obey_the_law() {
+        let mut worst = [0.0_f64; 4];
+        for (spread, e) in [
+            (1.0, [-0.5, 0.5, 1.5]),
+            (0.01, [-0.9, 1.0, 1.0 + 1e-6]),
+            (1e3, [0.5, 0.5 + 1e-9, 1e4]),
+            (1.0, [-0.3, 0.4, 1.0]),
+            (1e-5, [-1.0, 0.26, 28.8]),
+        ] {
+            let exact = law(spread, e);
+            let rounded: Law<f64> = exact.cast();
+            for turns in [0.0, 1e-9, 0.1, 0.17, 0.2499, 0.25] {
+                let point = PhasePoint { chi: Phase::new(turns), theta: [Phase::new(0.3), Phase::new(-0.4)] };
+                let (sine, cosine) = point.sine_cosine();
+                let rates = exact.rates(sine.into(), cosine.into());
+                let beyond = rounded.rates(sine, cosine);
+                let size = [beyond.nutation, beyond.alpha, beyond.beta].into_iter().map(f64::abs);
+                let unit = 0.02 * spread.sqrt().min(1.0) / size.fold(0.0, f64::max).max(1.0);
+                let [chi, alpha, beta] =
+                    [rates.nutation, rates.alpha, rates.beta].map(|rate| (rate * unit.into()).to_f64());
+                let slopes = Slopes {
+                    psi: crate::law::PhaseRates { nutation: chi, alpha, beta },
+                    theta: [alpha, beta],
+                    weight: (alpha.abs().max(beta.abs()) / chi).max(1.0),
+                };
+                let mut expansion = Expansion::EMPTY;
+                rounded.expand(&point, &slopes, unit, 1e-18, &mut expansion);
+                assert!(expansion.terms > 2, "{spread} {e:?} {turns}");
+                for x in [-1.0, 0.5, 1.0] {
+                    let (at, slope) = expansion.chi_and_slope(x);
+                    let (sine, cosine) = f64::sine_cosine(at);
+                    let rates = exact.rates(sine.into(), cosine.into());
+                    let of = |rate: Extended| (rate * unit.into()).to_f64();
+                    let [alpha, beta] =
+                        expansion.theta.map(|rate| 0.25 * rate.between(0.25 * x, expansion.terms).0);
+                    worst[0] = worst[0].max(slopes.weight * (slope - of(rates.nutation)).abs());
+                    worst[1] = worst[1].max((alpha - of(rates.alpha)).abs());
+                    worst[2] = worst[2].max((beta - of(rates.beta)).abs());
+                    let theta = expansion.theta_at(x);
+                    let ([p, q], mut re, mut im) = ([0.6, -0.3], [0; TERMS], [0; TERMS]);
+                    let mut copy = expansion;
+                    copy.turned(0, [p, q], 1e-18, [&mut re, &mut im]).unwrap();
+                    let sum =
+                        |part: [i64; TERMS]| part.iter().rev().fold(0.0, |sum, c| sum * x + *c as f64 * UNIT);
+                    let [up, down] = [at, -at].map(|chi| Complex::cis(chi + theta[0]));
+                    let truth = up.scaled(p) + down.scaled(q);
+                    worst[3] = worst[3].max((sum(re) - truth.re).abs()).max((sum(im) - truth.im).abs());
+                }
+            }
+        }
+        assert!(worst.into_iter().all(|worst| (1e-19..5e-15).contains(&worst)), "{worst:?}");
+    }
+}
