@@ -9,10 +9,11 @@ use crate::scalar::Float;
 pub(crate) type Polynomial<'a> = [&'a mut [f64; TERMS]; 2];
 
 /// Reduces both parts to `terms` coefficients by subtracting multiples of Chebyshev polynomials. Returns an upper
-/// bound on the change of |α|, or |β|, on [-1, 1]: the change of each part is at most the sum of the multiples.
-pub(crate) fn economise([re, im]: Polynomial<'_>, terms: usize) -> f64 {
+/// bounds on the changes of |α|, or |β|, and of its derivative on [-1, 1]: the change of each part is at most the sum of
+/// the multiples, and that of its derivative the sum of their products with the degree squared.
+pub(crate) fn economise([re, im]: Polynomial<'_>, terms: usize) -> [f64; 2] {
     let inverse = |k: usize| PER_POWER.get(k.wrapping_sub(1)).copied().unwrap_or(1.0);
-    let mut dropped = [0.0; 2];
+    let (mut dropped, mut dropped_slopes) = ([0.0; 2], [0.0; 2]);
     for degree in (terms.max(1)..TERMS).rev() {
         let leading = [&*re, &*im].map(|part| part.get(degree).copied().unwrap_or(0.0));
         if leading == [0.0; 2] {
@@ -31,10 +32,14 @@ pub(crate) fn economise([re, im]: Polynomial<'_>, terms: usize) -> f64 {
             coefficient *= -0.25 * falling * inverse(j + 1) * inverse(degree - j - 1);
         }
         let scale = 1.0 / (1_u64 << (degree - 1)) as f64;
-        dropped.iter_mut().zip(leading).for_each(|(sum, leading)| *sum += Float::abs(leading) * scale);
+        let squared = (degree * degree) as f64;
+        for ((sum, slopes), leading) in dropped.iter_mut().zip(&mut dropped_slopes).zip(leading) {
+            let multiple = Float::abs(leading) * scale;
+            *sum += multiple;
+            *slopes += multiple * squared;
+        }
     }
-    let [re, im] = dropped;
-    Float::sqrt(re * re + im * im)
+    [dropped, dropped_slopes].map(|[re, im]| Float::sqrt(re * re + im * im))
 }
 
 #[cfg(test)]
@@ -50,19 +55,26 @@ mod tests {
             .for_each(|(k, c)| *c = 0.3_f64.powi(k as i32) * (1.0 + (k as f64).sin()));
         for terms in 1..TERMS {
             let (mut short, mut nothing) = (exact, [0.0; TERMS]);
-            let bound = economise([&mut short, &mut nothing], terms);
+            let [bound, slope_bound] = economise([&mut short, &mut nothing], terms);
             assert_eq!(nothing, [0.0; TERMS]);
             assert!(short[terms..].iter().all(|c| c.abs() < 1e-16));
             let value = |p: &[f64; TERMS], x: f64| p.iter().rev().fold(0.0, |sum, c| sum * x + c);
             let points = if cfg!(miri) { 40 } else { 1000 };
-            let worst = (0..=points).fold(0.0_f64, |worst, i| {
-                let x = 2.0 * f64::from(i) / f64::from(points) - 1.0;
-                worst.max((value(&short, x) - value(&exact, x)).abs())
-            });
-            assert!(
-                worst <= bound * 1.000_001 + 1e-15 && worst > 0.3 * bound,
-                "{terms}: {worst:e} {bound:e}"
-            );
+            let slope = |p: &[f64; TERMS], x: f64| {
+                p.iter().enumerate().skip(1).rev().fold(0.0, |sum, (k, c)| sum * x + k as f64 * c)
+            };
+            let greatest = |of: &dyn Fn(&[f64; TERMS], f64) -> f64| {
+                (0..=points).fold(0.0_f64, |worst, i| {
+                    let x = 2.0 * f64::from(i) / f64::from(points) - 1.0;
+                    worst.max((of(&short, x) - of(&exact, x)).abs())
+                })
+            };
+            for (worst, bound) in [(greatest(&value), bound), (greatest(&slope), slope_bound)] {
+                assert!(
+                    worst <= bound * 1.000_001 + 1e-15 && worst > 0.3 * bound,
+                    "{terms}: {worst:e} {bound:e}"
+                );
+            }
         }
     }
 }
