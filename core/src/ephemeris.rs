@@ -25,6 +25,8 @@ mod evaluation;
 
 mod error_bound;
 
+mod rate_error;
+
 mod table;
 
 // Data of an ephemeris, and their evaluation.

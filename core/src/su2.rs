@@ -87,17 +87,16 @@ impl<R: Ring> Orientation<R> {
     /// Adjoint action Ad_Φ: fixed coordinates Φ X Φ⁻¹ of the vector with body coordinates X.
     #[must_use]
     pub fn adjoint(&self, body: Vector<R>) -> Vector<R> {
-        // The right column of Φ X Φ⁻¹, with w = X₁ + i X₂, gives
-        //   x₁ + i x₂ = α² w - β² w̄ - 2 αβ X₃,   x₃ = (|α|² - |β|²) X₃ + 2 Re(α β̄ w)
+        // with w = X₁ + i X₂ and Φ X = ½ i ((q, p), ...), p = αw - βX₃ and q = αX₃ + βw̄:
+        //   x₁ + i x₂ = αp - βq,   x₃ = Re(ᾱq + β̄p)
         let [x1, x2, x3] = body;
         let w = Complex::new(x1, x2);
         let (alpha, beta) = (self.alpha, self.beta);
-        // αβ| <= 1/2: doubling it last keeps the intermediate results within the fixed-point range of ±2
-        let along = (alpha * beta).scaled(x3);
-        let across = alpha * alpha * w - beta * beta * w.conj();
+        let (p, q) = (alpha * w - beta.scaled(x3), alpha.scaled(x3) + beta * w.conj());
+        let across = alpha * p - beta * q;
         let vertical =
-            (alpha.norm_squared() - beta.norm_squared()) * x3 + (alpha * beta.conj() * w).re.doubled();
-        [across.re - along.re.doubled(), across.im - along.im.doubled(), vertical]
+            R::inner([alpha.re, alpha.im], [q.re, q.im]) + R::inner([beta.re, beta.im], [p.re, p.im]);
+        [across.re, across.im, vertical]
     }
 
     /// Symmetry axis r = Φ e₃ Φ⁻¹, the unit vector from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = |α|² -
@@ -107,6 +106,14 @@ impl<R: Ring> Orientation<R> {
         // αβ| <= 1/2, so the intermediate results stay within the fixed-point range of ±2
         let product = self.alpha * self.beta;
         [-product.re.doubled(), -product.im.doubled(), self.u()]
+    }
+
+    /// Rate r' = Φ (Ω × e₃) Φ⁻¹ of the symmetry axis in the fixed frame. Its third component is u'.
+    ///
+    /// * `omega_body`: angular velocity Ω in the body frame
+    #[must_use]
+    pub fn axis_rate(&self, [x1, x2, _]: Vector<R>) -> Vector<R> {
+        self.adjoint([x2, -x1, R::ZERO])
     }
 
     /// Unit quaternion w + x i + y j + z k of the rotation from body to fixed coordinates, as [w, x, y, z]. Φ and -Φ
@@ -274,6 +281,20 @@ impl<R: Ring> OrientationRate<R> {
         Self {
             alpha: diagonal * phi.alpha + upper * phi.gamma(),
             beta: diagonal * phi.beta + upper * phi.delta(),
+        }
+    }
+
+    /// Rate Φ' = Φ Ω, with Ω in the body frame.
+    #[must_use]
+    pub fn from_body(phi: &Orientation<R>, omega: Vector<R>) -> Self
+    where
+        R: Float,
+    {
+        let [x1, x2, x3] = omega.map(Float::halved);
+        let (diagonal, transverse) = (Complex::new(R::ZERO, x3), Complex::new(x1, x2));
+        Self {
+            alpha: phi.alpha * diagonal + (phi.beta * transverse.conj()).times_i(),
+            beta: (phi.alpha * transverse).times_i() - phi.beta * diagonal,
         }
     }
 

@@ -30,8 +30,10 @@ pub struct Parts {
     pub size: [usize; 2],
     /// Phases and rates.
     pub clock: Clock<f64>,
-    /// Upper bound on the orientation error.
+    /// Upper bound on the orientation error, rad.
     pub error_bound: ErrorBound,
+    /// Upper bound on the error of the angular velocity, rad per unit time.
+    pub rate_error_bound: ErrorBound,
     /// Of each cell of half a period: its first segment, times 16, and the binary logarithm of how many it has.
     pub cells: [u16; 16],
     /// Those of Re α, Im α, Re β and Im β, by segment and power.
@@ -73,7 +75,15 @@ macro_rules! bake {
     ($($scalar:ty: $name:ident, $coefficients:ident;)*) => { $(
         impl Bake for $scalar {
             fn parts(table: &EphemerisView<Self>) -> Parts {
-                let toytop::TableData { format, crc32, clock, error_bound, cells, segments } = table.data();
+                let toytop::TableData {
+                    format,
+                    crc32,
+                    clock,
+                    error_bound,
+                    rate_error_bound,
+                    cells,
+                    segments,
+                } = table.data();
                 Parts {
                     format,
                     crc32,
@@ -81,6 +91,7 @@ macro_rules! bake {
                     size: [segments.len(), Self::TERMS],
                     clock: wide(clock),
                     error_bound,
+                    rate_error_bound,
                     cells,
                     coefficients: Coefficients::$coefficients(segments.as_flattened().to_vec()),
                 }

@@ -131,7 +131,14 @@ fn angular_velocities() {
     let again = OrientationRate::from_fixed(&pose.orientation, pose.omega());
     assert!((again.alpha - pose.rate.alpha).norm_squared().sqrt() < 1e-14);
     assert!((again.beta - pose.rate.beta).norm_squared().sqrt() < 1e-14);
+    let again = OrientationRate::from_body(&pose.orientation, pose.omega_body());
+    assert!((again.alpha - pose.rate.alpha).norm_squared().sqrt() < 1e-14);
+    assert!((again.beta - pose.rate.beta).norm_squared().sqrt() < 1e-14);
     assert!(Float::abs(pose.udot() - (after.u() - before.u()) * 0.5 / step) < 1e-7);
+    let [x, y, z] = pose.orientation.axis_rate(pose.omega_body());
+    let [before, after] = [before.axis(), after.axis()];
+    let differences = [0, 1, 2].map(|i| (after[i] - before[i]) * 0.5 / step);
+    assert!(distance([x, y, z], differences) < 1e-7 && Float::abs(z - pose.udot()) < 1e-14);
 }
 
 /// In a number type with the range ±2, the adjoint action of the third unit vector is the axis.

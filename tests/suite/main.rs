@@ -34,6 +34,7 @@ mod order;
 mod paper;
 mod precession;
 mod properties;
+mod rates;
 mod refusals;
 mod regimes;
 mod small_together;

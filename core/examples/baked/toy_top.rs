@@ -6,8 +6,8 @@
 #[rustfmt::skip]
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25> {
-    format: 3,
-    crc32: 0xb809d832,
+    format: 4,
+    crc32: 0xbd108274,
     clock: toytop::Clock {
         step: [[2824891389, 588342322, 56542227], [1544111065, 672778249, 51392304], [1794140112, 2227764775, 4247109518]],
         tip_scale: 0.06,
@@ -15,9 +15,9 @@ pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25>
         horizon: None,
         exact_step: [[0.013164763137927308, -7.232863786880737e-19], [0.01196570325564672, 5.073803992537764e-19], [-0.011142757134816631, 4.02115992261513e-19]],
         ticks_per_time: [1000.0, 0.0],
-        rates: [842.54486, 75.18273, -70.01201],
+        rates: [842.54486, 5.170723, 150.0],
         tip: toytop::TipClock {
-            start: [2708500480, 1210206573, 2147483646, 0],
+            start: [0, 73296, 2147483648, 0],
             step: [3338251177, 2900543024, 3534526, 0],
             quarter: 0,
             passes: 0,
@@ -26,6 +26,7 @@ pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25>
         turns: true,
     },
     error_bound: toytop::ErrorBound { constant: 1.6847821598390687e-7, per_tick: 8.331277049895532e-29 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00012007084912135441, per_tick: 2.0999261477851496e-26 },
     cells: [0, 16, 32, 48, 64, 80, 96, 112, 128, 144, 160, 176, 192, 208, 224, 240],
     segments: [
         [

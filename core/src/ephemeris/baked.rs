@@ -25,8 +25,10 @@ pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     pub crc32: u32,
     /// Phases and rates.
     pub clock: Clock<R::Wide>,
-    /// Error bound.
+    /// Error bound of the orientation, rad.
     pub error_bound: ErrorBound,
+    /// Error bound of the angular velocity, rad per unit time.
+    pub rate_error_bound: ErrorBound,
     /// Cells: half a period consists of sixteen cells of equal length, with u rising. Each number is 16 times the
     /// index of the cell's first segment, plus the base-2 logarithm of the cell's number of segments.
     pub cells: [u16; CELLS],
@@ -36,7 +38,7 @@ pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Baked<R, SEGMENTS> {
     /// Version of the format that this version of the crate reads.
-    pub const FORMAT: u32 = 3;
+    pub const FORMAT: u32 = 4;
 
     const fn data(&self) -> TableData<'_, R> {
         TableData {
@@ -44,6 +46,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Baked<R, SEGMENTS> {
             crc32: self.crc32,
             clock: self.clock,
             error_bound: self.error_bound,
+            rate_error_bound: self.rate_error_bound,
             cells: self.cells,
             segments: &self.segments,
         }
@@ -53,6 +56,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Baked<R, SEGMENTS> {
         EphemerisStorage {
             clock: self.clock,
             error_bound: self.error_bound,
+            rate_error_bound: self.rate_error_bound,
             cells: self.cells,
             segments: self.segments,
         }
@@ -69,8 +73,10 @@ pub struct TableData<'a, R: EphemerisScalar> {
     pub crc32: u32,
     /// Phases and rates.
     pub clock: Clock<R::Wide>,
-    /// Error bound.
+    /// Error bound of the orientation, rad.
     pub error_bound: ErrorBound,
+    /// Error bound of the angular velocity, rad per unit time.
+    pub rate_error_bound: ErrorBound,
     /// Cells: see [`Baked::cells`].
     pub cells: [u16; CELLS],
     /// Segments: see [`Baked::segments`].
@@ -97,6 +103,7 @@ impl<R: EphemerisScalar> TableData<'_, R> {
         let TipClock { start, step, quarter, passes, exists } = tip;
         sum = sum.words(start).words(step).u8(*quarter as u8).u8(*passes).u8(*exists as u8).u8(*turns as u8);
         sum = sum.f64(self.error_bound.constant).f64(self.error_bound.per_tick);
+        sum = sum.f64(self.rate_error_bound.constant).f64(self.rate_error_bound.per_tick);
         let mut cells = self.cells.as_slice();
         while let [cell, rest @ ..] = cells {
             sum = sum.u16(*cell);
@@ -110,12 +117,15 @@ impl<R: EphemerisScalar> TableData<'_, R> {
     const fn not_finite(&self) -> Option<&'static str> {
         let [nutation, a, b] = self.clock.exact_step;
         let ErrorBound { constant, per_tick } = self.error_bound;
+        let ErrorBound { constant: rate_constant, per_tick: rate_per_tick } = self.rate_error_bound;
         if !(range::finite(nutation) && range::finite(a) && range::finite(b)) {
             Some("exact_step")
         } else if !range::finite(self.clock.ticks_per_time) {
             Some("ticks_per_time")
         } else if !range::finite([constant, per_tick]) {
             Some("error_bound")
+        } else if !range::finite([rate_constant, rate_per_tick]) {
+            Some("rate_error_bound")
         } else {
             None
         }
@@ -129,8 +139,9 @@ macro_rules! baked {
             /// Checksum of the data, whatever the field `crc32` says.
             #[must_use]
             pub const fn computed_crc32(&self) -> u32 {
-                let [x, a, b] = self.clock.rates;
-                let mut sum = self.crc32_of_head().$wide(self.clock.tip_scale).$wide(x).$wide(a).$wide(b);
+                let [x, mean, axial] = self.clock.rates;
+                let mut sum = self.crc32_of_head().$wide(self.clock.tip_scale);
+                sum = sum.$wide(x).$wide(mean).$wide(axial);
                 let mut rows = self.segments.as_flattened();
                 while let [[re_alpha, im_alpha, re_beta, im_beta], rest @ ..] = rows {
                     sum = sum
@@ -145,14 +156,14 @@ macro_rules! baked {
 
             /// Name of the first field with a number that a tick cannot compute with.
             const fn out_of_range(&self) -> Option<&'static str> {
-                let [x, a, b] = self.clock.rates;
+                let [x, mean, axial] = self.clock.rates;
                 if let Some(field) = self.not_finite() {
                     return Some(field);
                 }
                 if !range::$wide(self.clock.tip_scale) {
                     return Some("tip_scale");
                 }
-                if !(range::$wide(x) && range::$wide(a) && range::$wide(b)) {
+                if !(range::$wide(x) && range::$wide(mean) && range::$wide(axial)) {
                     return Some("rates");
                 }
                 let mut segments = self.segments;
@@ -202,6 +213,7 @@ macro_rules! baked {
                     crc32: 0,
                     clock: self.clock,
                     error_bound: self.error_bound,
+                    rate_error_bound: self.rate_error_bound,
                     cells: self.cells,
                     segments: &self.segments,
                 };
@@ -215,8 +227,10 @@ macro_rules! baked {
             /// table, too large for the stack of a chip.
             #[must_use]
             pub fn to_baked(&self) -> Baked<$scalar, SEGMENTS> {
-                let TableData { format, crc32, clock, error_bound, cells, .. } = self.data();
-                Baked { format, crc32, clock, error_bound, cells, segments: self.segments }
+                let TableData { format, crc32, clock, error_bound, rate_error_bound, cells, .. } =
+                    self.data();
+                let segments = self.segments;
+                Baked { format, crc32, clock, error_bound, rate_error_bound, cells, segments }
             }
         }
     };

@@ -29,7 +29,8 @@ pub struct Clock<W> {
     pub exact_step: [[f64; 2]; 3],
     /// Number of ticks in a unit of time, as the sum of two `f64`.
     pub ticks_per_time: [f64; 2],
-    /// Rate dx/dt on a cell of one segment, and the mean rates of A and B in rad, per unit time.
+    /// Rate dx/dt on a cell of one segment, per unit time; mean rate of A + B and axial component n/C of the angular
+    /// velocity, rad per unit time.
     pub rates: [W; 3],
     /// Clock of the mean tip angle.
     pub tip: TipClock,
@@ -110,10 +111,11 @@ impl<W: Float> Clock<W> {
     pub(crate) fn new(motion: &Motion, tick: Tick, rates: &MeanRates, tabulated: &Tabulated) -> Self {
         let length = tick.length();
         let exact_step = rates.turns.map(|turns| turns * length);
-        let [frequency, alpha, beta] = rates.turns.map(Float::to_f64);
-        let turn = 2.0 * core::f64::consts::PI;
+        let [frequency, alpha, beta] = rates.turns;
+        let mean = ((alpha + beta) * Extended::TWO_PI).to_f64();
+        let axial = motion.first_integrals().n / motion.top().axial_inertia();
         // half a period has CELLS cells, and x changes by 2 over a cell of one segment
-        let x_rate = 4.0 * CELLS as f64 * frequency;
+        let x_rate = 4.0 * CELLS as f64 * frequency.to_f64();
         let step = exact_step.map(Extended::to_phase);
         let [nutation, a, b] = tabulated.start;
         let [nutation_step, a_step, b_step] = step.map(|step| step.times(i64::MIN));
@@ -124,7 +126,7 @@ impl<W: Float> Clock<W> {
             ticks_per_time: tick.rate().parts(),
             horizon: (!rates.returns).then(|| horizon(tabulated.start[0], exact_step[0])),
             tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
-            rates: [x_rate, turn * alpha, turn * beta].map(W::from_f64),
+            rates: [x_rate, mean, axial].map(W::from_f64),
             tip: TipClock::new(motion, rates, exact_step),
             turns: matches!(motion.regime(), Regime::Nutating | Regime::Aperiodic),
         }

@@ -38,11 +38,12 @@ static CHEBYSHEV: [[Split; HALF]; TERMS] = {
 /// Fraction bits of [`CHEBYSHEV`].
 const SCALE: i32 = 54;
 
-/// Reduces both parts to `terms` coefficients by subtracting multiples of Chebyshev polynomials. Returns an upper
-/// bound on the change of |α|, or |β|, on [-1, 1]: the change of each part is at most the sum of the multiples.
-pub(crate) fn economise(parts: Polynomial<'_>, terms: usize) -> f64 {
+/// Reduces both parts to `terms` coefficients by subtracting multiples of Chebyshev polynomials. Returns upper
+/// bounds on the changes of |α|, or |β|, and of its derivative on [-1, 1]: the change of each part is at most the sum of
+/// the multiples, and that of its derivative the sum of their products with the degree squared.
+pub(crate) fn economise(parts: Polynomial<'_>, terms: usize) -> [f64; 2] {
     let [re, im] = parts.map(|part| {
-        let mut dropped = 0;
+        let (mut dropped, mut dropped_slopes) = (0, 0);
         for (degree, polynomial) in CHEBYSHEV.iter().enumerate().skip(terms.max(1)).rev() {
             let leading = part.get(degree).copied().unwrap_or(0);
             if leading == 0 {
@@ -55,11 +56,14 @@ pub(crate) fn economise(parts: Polynomial<'_>, terms: usize) -> f64 {
                 }
             }
             // rounded up
-            dropped += (leading.abs() >> (degree - 1)) + 1;
+            let multiple = (leading.abs() >> (degree - 1)) + 1;
+            dropped += multiple;
+            dropped_slopes += multiple * (degree * degree) as i64;
         }
-        dropped as f64 * UNIT
+        [dropped, dropped_slopes].map(|sum| sum as f64 * UNIT)
     });
-    Float::sqrt(re * re + im * im)
+    let ([re, re_slope], [im, im_slope]) = (re, im);
+    [[re, im], [re_slope, im_slope]].map(|[re, im]| Float::sqrt(re * re + im * im))
 }
 
 #[cfg(test)]
@@ -75,20 +79,27 @@ mod tests {
             .for_each(|(k, c)| *c = (0.3_f64.powi(k as i32) * (1.0 + (k as f64).sin()) / UNIT) as i64);
         for terms in 1..TERMS {
             let (mut short, mut nothing) = (exact, [0; TERMS]);
-            let bound = economise([&mut short, &mut nothing], terms);
+            let [bound, slope_bound] = economise([&mut short, &mut nothing], terms);
             assert_eq!(nothing, [0; TERMS]);
             assert!(short[terms..].iter().all(|c| *c == 0));
-            let value =
-                |p: &[i64; TERMS], x: f64| p.iter().rev().fold(0.0, |sum, c| sum * x + *c as f64 * UNIT);
+            let number = |c: &i64| *c as f64 * UNIT;
+            let value = |p: &[i64; TERMS], x: f64| p.iter().rev().fold(0.0, |sum, c| sum * x + number(c));
             let points = if cfg!(miri) { 40 } else { 1000 };
-            let worst = (0..=points).fold(0.0_f64, |worst, i| {
-                let x = 2.0 * f64::from(i) / f64::from(points) - 1.0;
-                worst.max((value(&short, x) - value(&exact, x)).abs())
-            });
-            assert!(
-                worst <= bound * 1.000_001 + 1e-15 && worst > 0.3 * bound,
-                "{terms}: {worst:e} {bound:e}"
-            );
+            let slope = |p: &[i64; TERMS], x: f64| {
+                p.iter().enumerate().skip(1).rev().fold(0.0, |sum, (k, c)| sum * x + k as f64 * number(c))
+            };
+            let greatest = |of: &dyn Fn(&[i64; TERMS], f64) -> f64| {
+                (0..=points).fold(0.0_f64, |worst, i| {
+                    let x = 2.0 * f64::from(i) / f64::from(points) - 1.0;
+                    worst.max((of(&short, x) - of(&exact, x)).abs())
+                })
+            };
+            for (worst, bound) in [(greatest(&value), bound), (greatest(&slope), slope_bound)] {
+                assert!(
+                    worst <= bound * 1.000_001 + 1e-15 && worst > 0.3 * bound,
+                    "{terms}: {worst:e} {bound:e}"
+                );
+            }
         }
     }
 }

@@ -45,7 +45,15 @@ const PER_TURN: f64 = 0.56;
 /// Number of standard deviations in the bound.
 const DEVIATIONS: f64 = 5.0;
 
+/// Upper bound on the relative rounding error of the coefficients other than the first in set-up.
+pub(crate) const COEFFICIENTS: f64 = DEVIATIONS * COEFFICIENT * <f64 as Scalar>::ROUNDING;
+
 impl ErrorBound {
+    /// Bound of a table before its set-up.
+    pub(crate) const NONE: Self = Self { constant: 0.0, per_tick: 0.0 };
+    /// Bound of a table that must not be used.
+    pub(crate) const INFINITE: Self = Self { constant: f64::INFINITY, per_tick: 0.0 };
+
     /// Upper bound on the error, rad, at a number of ticks from tick 0, which may be fractional and of either sign.
     #[must_use]
     pub fn after(&self, ticks: f64) -> f64 {
@@ -96,7 +104,7 @@ const CLOCK: f64 = 1.0 / (1_u64 << 63) as f64;
 fn rounded<R: EphemerisScalar>(tabulated: &Tabulated) -> f64 {
     const ROUNDING: f64 = <f64 as Scalar>::ROUNDING;
     let tick = R::TICK_DEVIATION / ROUNDING;
-    let Speeds { sweep, turning, steepness } = tabulated.speeds;
+    let Speeds { sweep, turning, steepness, .. } = tabulated.speeds;
     let [delays, angles] = tabulated.squares;
     let steps =
         DELAY * DELAY * delays * sweep * sweep + ANGLE * ANGLE * (delays * turning * turning + 4.0 * angles);
@@ -105,6 +113,16 @@ fn rounded<R: EphemerisScalar>(tabulated: &Tabulated) -> f64 {
     let variance = FIXED_VARIANCE + tick * tick + steps + start * start + coefficients * coefficients;
     let systematic = PER_TURN * (sweep + TURN);
     (systematic + DEVIATIONS * Float::sqrt(variance)) * ROUNDING
+}
+
+/// Upper bound on the delay of a tick near tick 0, in half periods: truncated phases, and the steps of set-up, as far as
+/// they delay χ.
+pub(crate) fn delay<R: EphemerisScalar>(tabulated: &Tabulated) -> f64 {
+    let Tabulated { squares: [delays, _], start_share, defect, stepping, speeds, .. } = *tabulated;
+    let variance = DELAY * DELAY * delays + START * START * start_share * start_share;
+    let steps = DEVIATIONS * Float::sqrt(variance) * <f64 as Scalar>::ROUNDING;
+    let missed = if speeds.sweep > 0.0 { (defect + stepping) / speeds.sweep } else { 0.0 };
+    R::PLACE_ROUNDING / CELLS as f64 + 2.0 * CLOCK + steps + missed
 }
 
 /// Exact step minus increment, in turns; whole turns are ignored.
@@ -126,7 +144,7 @@ mod tests {
     /// Errors of the rates far above the rounding of the increments: the bound must contain each of them completely.
     #[test]
     fn the_rates_errors_are_in_it() {
-        let speeds = Speeds { sweep: 5.0, turning: 3.0, steepness: 0.1 };
+        let speeds = Speeds { sweep: 5.0, turning: 3.0, steepness: 0.1, ..Speeds::ZERO };
         let tabulated = Tabulated { speeds, ..Tabulated::EMPTY };
         let nothing = Extended::ZERO;
         let rates = |errors| MeanRates {

@@ -1,5 +1,7 @@
 //! Evaluation of a segment: the coefficients of a scalar, and α and β from them.
 
+mod rates;
+
 mod float;
 
 mod integer;
@@ -15,9 +17,11 @@ mod micromath;
 
 #[cfg(feature = "micromath")]
 pub use micromath::Micromath;
+pub(crate) use rates::ValuesAndSlopes;
 
 use crate::complex::Complex;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Ring, Scalar};
+use crate::su2::Vector;
 use core::fmt::Debug;
 
 /// Local coordinate on a segment, and the mean rotations of α and β there.
@@ -47,6 +51,9 @@ pub trait EphemerisScalar: Scalar {
     type Segment: Copy + Debug + PartialEq + AsRef<[[Self::Coefficient; 4]]> + AsMut<[[Self::Coefficient; 4]]>;
     /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small for them.
     type Wide: Real;
+    /// Type of rates as numbers of some unit: the scalar itself, or `I2F30` for fixed point.
+    #[doc(hidden)]
+    type Rate: Ring;
 
     /// Number of coefficients of a polynomial, its degree plus one.
     const TERMS: usize;
@@ -70,6 +77,13 @@ pub trait EphemerisScalar: Scalar {
     /// Upper bound on the truncation of the local coordinate in a tick, as a fraction of a cell.
     #[doc(hidden)]
     const PLACE_ROUNDING: f64;
+    /// Upper bound on the rounding error of the angular velocity, over the greatest of the rates that multiply the
+    /// polynomials and their derivatives.
+    #[doc(hidden)]
+    const RATE_ERROR: f64;
+    /// Upper bound on a further rounding error of the angular velocity, relative to its greatest value.
+    #[doc(hidden)]
+    const RATE_ROUNDING: f64;
 
     /// Coefficient of x^power nearest to a value.
     #[doc(hidden)]
@@ -87,4 +101,21 @@ pub trait EphemerisScalar: Scalar {
     /// α and β at a point of a segment.
     #[doc(hidden)]
     fn alpha_beta(terms: &[[Self::Coefficient; 4]], point: SegmentPoint) -> [Complex<Self>; 2];
+    /// α and β at a point of a segment of 2^-`level` cells, the angular velocity Ω in the body frame as numbers of some
+    /// unit, and that unit.
+    ///
+    /// * `rates`: those of x on a segment of one cell, of A + B, and about the axis
+    #[doc(hidden)]
+    fn alpha_beta_and_rates(
+        terms: &[[Self::Coefficient; 4]],
+        point: SegmentPoint,
+        level: u32,
+        rates: [Self::Wide; 3],
+    ) -> ([Complex<Self>; 2], Vector<Self::Rate>, Self::Wide);
+    /// Value in the type of the rates.
+    #[doc(hidden)]
+    fn rate_number(self) -> Self::Rate;
+    /// Rate from a number of some unit.
+    #[doc(hidden)]
+    fn rate_in(rate: Self::Rate, unit: Self::Wide) -> Self::Wide;
 }

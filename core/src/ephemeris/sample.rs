@@ -6,7 +6,7 @@ use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint};
 use crate::ephemeris::storage::EphemerisView;
 use crate::ephemeris::table::{LocatedSegment, locate};
 use crate::phase::{Phase, PhaseFraction};
-use crate::scalar::{Float, Ring};
+use crate::scalar::Float;
 use crate::su2::{Orientation, OrientationRate, Vector};
 
 /// Sample of a motion at one time. Each method computes its result anew, on demand. If several of orientation, u,
@@ -114,29 +114,50 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         (orientation, (alpha * beta).scaled(self.ephemeris.clock.tip_scale))
     }
 
-    /// Angular velocity ω in the fixed frame, rad per unit time. Cost: that of [`Sample::attitude_state`].
+    /// Angular velocity ω in the fixed frame, rad per unit time. Error: [`EphemerisView::rate_error_bound`].
+    #[inline(always)]
     #[must_use]
     pub fn omega(&self) -> Vector<R::Wide> {
-        self.attitude_state().omega()
+        let (orientation, omega_body, unit) = self.rates_with_orientation();
+        orientation.adjoint(omega_body).map(|rate| R::rate_in(rate, unit))
     }
 
-    /// Angular velocity Ω in the body frame, rad per unit time. Cost: that of [`Sample::attitude_state`].
+    /// Angular velocity Ω in the body frame, rad per unit time. Error: [`EphemerisView::rate_error_bound`].
+    #[inline(always)]
     #[must_use]
     pub fn omega_body(&self) -> Vector<R::Wide> {
-        self.attitude_state().omega_body()
+        let (_, omega_body) = self.orientation_and_omega_body();
+        omega_body
     }
 
-    /// Rate u' of the cosine of the tilt, per unit time. Cost: that of [`Sample::attitude_state`].
+    /// Orientation and angular velocity Ω in the body frame by a single evaluation.
+    #[inline(always)]
+    #[must_use]
+    pub fn orientation_and_omega_body(&self) -> (Orientation<R>, Vector<R::Wide>) {
+        let (orientation, [x1, x2, _], unit) = self.rates();
+        let [.., axial] = self.ephemeris.clock.rates;
+        (orientation, [R::rate_in(x1, unit), R::rate_in(x2, unit), axial])
+    }
+
+    /// Rate u' of the cosine of the tilt, per unit time. Error: [`EphemerisView::rate_error_bound`].
+    #[inline(always)]
     #[must_use]
     pub fn udot(&self) -> R::Wide {
-        self.attitude_state().udot()
+        let (orientation, omega_body, unit) = self.rates_with_orientation();
+        let [.., udot] = orientation.axis_rate(omega_body);
+        R::rate_in(udot, unit)
     }
 
-    /// Velocity c' of the tip, m per unit time; per unit time for a fixed tip. Cost: that of
-    /// [`Sample::attitude_state`].
+    /// Velocity c' of the tip, m per unit time; per unit time for a fixed tip. Error: s times
+    /// [`EphemerisView::rate_error_bound`], where s is 1 for a fixed tip.
+    #[inline(always)]
     #[must_use]
     pub fn tip_velocity(&self) -> Complex<R::Wide> {
-        self.attitude_state().product_rate().scaled(self.ephemeris.clock.tip_scale)
+        let (orientation, omega_body, unit) = self.rates_with_orientation();
+        let [x, y, _] = orientation.axis_rate(omega_body);
+        // c = -s (r₁ + i r₂), and the scale of the tip is 2 s
+        let half_scale = -self.ephemeris.clock.tip_scale.halved();
+        Complex::new(R::rate_in(x, unit), R::rate_in(y, unit)).scaled(half_scale)
     }
 
     /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, whole turns included (modulo 2^32
@@ -151,30 +172,30 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         exists.then(|| self.mean_tip + self.ephemeris.periodic_tip_angle(nutation))
     }
 
-    /// Orientation and its rate, from which ω, u' and a [`State`](crate::State) follow. Cost in `f32` on a
-    /// Cortex-M4F: 22 times that of the orientation.
+    /// Orientation and its rate, from which ω, u' and a [`State`](crate::State) follow. Cost: that of the orientation
+    /// and of some forty operations of [`EphemerisScalar::Wide`].
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Wide> {
-        let (LocatedSegment { terms, level, .. }, point) = self.locate();
-        let [x_rate, alpha_rate, beta_rate] = self.ephemeris.clock.rates;
-        let x_rate = x_rate * R::Wide::from_f64(f64::from(1_u16 << level));
-        // where u is falling, x decreases with time
-        let x_rate = if point.mirrored { -x_rate } else { x_rate };
-        let x = R::Wide::from_f64(point.x as f64 / (1_u64 << 63) as f64);
-        let (value, slope) = values_and_slopes::<R>(terms, x);
-        let [alpha, beta] = conjugate_if(point.mirrored, value);
-        let [alpha_slope, beta_slope] = conjugate_if(point.mirrored, slope);
-        let rate = |value: Complex<R::Wide>, slope: Complex<R::Wide>, turning: R::Wide| {
-            slope.scaled(x_rate) + value.times_i().scaled(turning)
-        };
-        let [a, b] = point.slow.map(|bits| Complex::cis(phase(bits)));
-        AttitudeState {
-            orientation: widened(&self.orientation()),
-            rate: OrientationRate {
-                alpha: rate(alpha, alpha_slope, alpha_rate) * a,
-                beta: rate(beta, beta_slope, beta_rate) * b,
-            },
-        }
+        let (orientation, omega_body) = self.orientation_and_omega_body();
+        let orientation = widened(&orientation);
+        AttitudeState { orientation, rate: OrientationRate::from_body(&orientation, omega_body) }
+    }
+
+    /// Orientation, and angular velocity Ω in the body frame in some unit, which is the last result.
+    #[inline(always)]
+    fn rates(&self) -> (Orientation<R>, Vector<R::Rate>, R::Wide) {
+        let (found, point) = self.locate();
+        let ([alpha, beta], omega_body, unit) =
+            R::alpha_beta_and_rates(found.terms, point, found.level, self.ephemeris.clock.rates);
+        (Orientation { alpha, beta }, omega_body, unit)
+    }
+
+    /// [`Sample::rates`], with the orientation in the number type of the rates.
+    #[inline(always)]
+    fn rates_with_orientation(&self) -> (Orientation<R::Rate>, Vector<R::Rate>, R::Wide) {
+        let (Orientation { alpha, beta }, omega_body, unit) = self.rates();
+        let [alpha, beta] = [alpha, beta].map(|z| Complex::new(z.re.rate_number(), z.im.rate_number()));
+        (Orientation { alpha, beta }, omega_body, unit)
     }
 
     /// Segment, and the local coordinate on it.
@@ -193,27 +214,6 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
 fn widened<R: EphemerisScalar>(orientation: &Orientation<R>) -> Orientation<R::Wide> {
     let wide = |number: Complex<R>| Complex::new(number.re.widened(), number.im.widened());
     Orientation { alpha: wide(orientation.alpha), beta: wide(orientation.beta) }
-}
-
-/// Re α, Im α, Re β and Im β of a segment at x, and their derivatives by x.
-pub(crate) fn values_and_slopes<R: EphemerisScalar>(
-    terms: &[[R::Coefficient; 4]],
-    x: R::Wide,
-) -> ([R::Wide; 4], [R::Wide; 4]) {
-    let (mut four, mut slope) = ([R::Wide::ZERO; 4], [R::Wide::ZERO; 4]);
-    for (power, coefficients) in terms.iter().enumerate().rev() {
-        for ((sum, slope), &c) in four.iter_mut().zip(&mut slope).zip(coefficients) {
-            *slope = *slope * x + *sum;
-            *sum = *sum * x + R::number(c, power);
-        }
-    }
-    (four, slope)
-}
-
-/// α and β from Re α, Im α, Re β, Im β, conjugated where `mirrored`.
-fn conjugate_if<R: Ring>(mirrored: bool, [re_alpha, im_alpha, re_beta, im_beta]: [R; 4]) -> [Complex<R>; 2] {
-    let sign = |y: R| if mirrored { -y } else { y };
-    [Complex::new(re_alpha, sign(im_alpha)), Complex::new(re_beta, sign(im_beta))]
 }
 
 /// Phase from the 64 leading bits of its fraction of a turn.

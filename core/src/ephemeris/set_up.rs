@@ -4,6 +4,7 @@ use crate::ephemeris::clock::Clock;
 use crate::ephemeris::error_bound::ErrorBound;
 use crate::ephemeris::evaluation::EphemerisScalar;
 use crate::ephemeris::mean_rates::MeanRates;
+use crate::ephemeris::rate_error::{MotionRates, rate_error};
 use crate::ephemeris::storage::{EphemerisStorage, EphemerisView};
 use crate::ephemeris::table::{TableTooSmall, fill};
 use crate::ephemeris::tick::Tick;
@@ -40,13 +41,16 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// [`TableTooSmall`]; the table must then not be used, and its error bound is infinite.
     #[inline(never)]
     pub fn set_up(&mut self, motion: &Motion, tick: Tick, truncation: f64) -> Result<(), TableTooSmall> {
-        self.error_bound = ErrorBound { constant: f64::INFINITY, per_tick: 0.0 };
+        (self.error_bound, self.rate_error_bound) = (ErrorBound::INFINITE, ErrorBound::INFINITE);
         let rates = MeanRates::of(motion, R::ROUNDING);
         let tabulated = fill::<R>(&mut self.cells, &mut self.segments, motion, &rates, truncation)?;
         self.clock = Clock::new(motion, tick, &rates, &tabulated);
         self.start_tip_angle(motion, tabulated.start);
         self.error_bound =
             ErrorBound::of::<R>(&rates, &tabulated, tick.length().to_f64(), self.clock.missed());
+        let [_, mean, axial] = self.clock.rates.map(Float::to_f64);
+        let of_motion = MotionRates { half_period: rates.half_period.to_f64(), mean, axial };
+        self.rate_error_bound = rate_error::<R>(&self.error_bound, &of_motion, &tabulated);
         Ok(())
     }
 }

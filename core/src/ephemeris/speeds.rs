@@ -12,18 +12,50 @@ pub(crate) struct Speeds {
     pub(crate) turning: f64,
     /// Greatest change on half a segment, 2 √(|dα/dx|² + |dβ/dx|²), rad.
     pub(crate) steepness: f64,
+    /// Greatest acceleration 2 √(|d²α/dt²|² + |d²β/dt²|²), in rad per half period squared.
+    pub(crate) acceleration: f64,
+    /// Greatest change of the angular velocity on half a segment, in rad per half period.
+    pub(crate) bend: f64,
+    /// Truncation error of the angular velocity 2 √(|dα/dt|² + |dβ/dt|²), in rad per half period.
+    pub(crate) sweep_error: f64,
+    /// Greatest rate dx/dt of the local coordinate, per half period.
+    pub(crate) x_rate: f64,
+}
+
+/// Derivatives by x on one segment, each as 2 √(|α|² + |β|²).
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct SegmentSpeeds {
+    /// First derivative.
+    pub(crate) slope: f64,
+    /// Truncation error of the first derivative.
+    pub(crate) slope_error: f64,
+    /// Second derivative.
+    pub(crate) curvature: f64,
 }
 
 impl Speeds {
-    pub(crate) const ZERO: Self = Self { sweep: 0.0, turning: 0.0, steepness: 0.0 };
+    pub(crate) const ZERO: Self = Self {
+        sweep: 0.0,
+        turning: 0.0,
+        steepness: 0.0,
+        acceleration: 0.0,
+        bend: 0.0,
+        sweep_error: 0.0,
+        x_rate: 0.0,
+    };
 
-    /// Includes a segment whose half length is the fraction `part` of half a period: 2 √(|dα/dx|² + |dβ/dx|²) and
-    /// dθ/dx on it.
-    pub(crate) fn note(&mut self, slope: f64, theta_slope: f64, part: f64) {
+    /// Includes a segment whose half length is the fraction `part` of half a period, with its speeds and dθ/dx.
+    pub(crate) fn note(&mut self, speeds: SegmentSpeeds, theta_slope: f64, part: f64) {
+        let SegmentSpeeds { slope, slope_error, curvature } = speeds;
+        let x_rate = 1.0 / part;
         *self = Self {
-            sweep: larger_or_nan(self.sweep, slope / part),
-            turning: larger_or_nan(self.turning, 2.0 * theta_slope / part),
+            sweep: larger_or_nan(self.sweep, slope * x_rate),
+            turning: larger_or_nan(self.turning, 2.0 * theta_slope * x_rate),
             steepness: larger_or_nan(self.steepness, slope),
+            acceleration: larger_or_nan(self.acceleration, curvature * x_rate * x_rate),
+            bend: larger_or_nan(self.bend, curvature * x_rate),
+            sweep_error: larger_or_nan(self.sweep_error, slope_error * x_rate),
+            x_rate: larger_or_nan(self.x_rate, x_rate),
         };
     }
 
@@ -40,9 +72,12 @@ impl Speeds {
     }
 }
 
-/// Upper bound on [-1, 1] of the derivative of a polynomial, lowest power first, in units of 2^-56.
-pub(crate) fn greatest_slope(part: &[i64; TERMS]) -> f64 {
-    // sixteen products of at most fifteen and a coefficient below 2^60 need four bits more than i64 has
-    let sum = part.iter().zip(0_i64..).fold(0, |sum, (c, power)| sum + power * ((c.abs() >> 8) + 1));
-    sum as f64 * (256.0 * UNIT)
+/// Upper bounds on [-1, 1] of the first two derivatives of a polynomial, lowest power first, in units of 2^-56.
+pub(crate) fn greatest_slopes(part: &[i64; TERMS]) -> [f64; 2] {
+    // products of at most 210 and a coefficient below 2^60 need eight bits more than i64 has
+    let sums = part.iter().zip(0_i64..).fold([0; 2], |[slope, curvature], (c, power)| {
+        let size = (c.abs() >> 12) + 1;
+        [slope + power * size, curvature + power * (power - 1) * size]
+    });
+    sums.map(|sum| sum as f64 * (4096.0 * UNIT))
 }

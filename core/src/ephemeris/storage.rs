@@ -43,6 +43,7 @@ pub type EphemerisView<R> = EphemerisStorage<R, [<R as EphemerisScalar>::Segment
 pub struct EphemerisStorage<R: EphemerisScalar, S: ?Sized> {
     pub(crate) clock: Clock<R::Wide>,
     pub(crate) error_bound: ErrorBound,
+    pub(crate) rate_error_bound: ErrorBound,
     /// Cells, as [`crate::ephemeris::cell::Cell::to_bits`].
     pub(crate) cells: [u16; CELLS],
     pub(crate) segments: S,
@@ -75,7 +76,8 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisStorage<R, [R::Segment;
         let () = Self::SIZE_IS_VALID;
         Self {
             clock: Clock::STOPPED,
-            error_bound: ErrorBound { constant: 0.0, per_tick: 0.0 },
+            error_bound: ErrorBound::NONE,
+            rate_error_bound: ErrorBound::NONE,
             cells: [0; CELLS],
             segments: [R::ZERO_SEGMENT; SEGMENTS],
         }
@@ -112,9 +114,16 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.segments.len()
     }
 
-    /// Upper bound on the orientation error.
+    /// Upper bound on the orientation error, rad.
     #[must_use]
     pub fn error_bound(&self) -> ErrorBound {
         self.error_bound
+    }
+
+    /// Upper bound on the error of the angular velocity, |Δω| or |ΔΩ|, and of u', rad per unit time. That of the tip's
+    /// velocity is s times as large, and of equal size for a fixed tip.
+    #[must_use]
+    pub fn rate_error_bound(&self) -> ErrorBound {
+        self.rate_error_bound
     }
 }

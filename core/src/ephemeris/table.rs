@@ -7,6 +7,7 @@ use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::tabulate::{Requirements, Tabulated, tabulate};
 use crate::law::series::{TERMS, UNIT};
 use crate::motion::Motion;
+use crate::scalar::Float;
 use core::fmt;
 
 /// Segment that contains a phase, and the local coordinate on it.
@@ -85,29 +86,32 @@ pub(crate) fn fill<R: EphemerisScalar>(
 }
 
 /// Stores the polynomial of α (`which` = 0) or of β (1) on a segment, if the table contains that segment. Returns the
-/// orientation error that the rounding of its coefficients causes.
+/// orientation error that coefficients out of range cause, and the error of the derivative that the rounding of its
+/// coefficients causes.
 fn put<R: EphemerisScalar>(
     segments: &mut [R::Segment],
     segment: usize,
     which: usize,
     parts: Polynomial<'_>,
-) -> f64 {
+) -> [f64; 2] {
     let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
-    let mut largest = 0.0;
+    let (mut largest, mut slope_squares) = (0.0, 0.0);
     for (column, part) in (2 * which..).zip(parts) {
-        let mut numbers = [0.0; TERMS];
+        let (mut numbers, mut slope_error) = ([0.0; TERMS], 0.0);
         for (number, part) in numbers.iter_mut().zip(part.iter()).take(R::TERMS) {
             *number = *part as f64 * UNIT;
         }
         for (power, (four, &value)) in place.iter_mut().zip(&numbers).enumerate() {
             if let Some(coefficient) = four.get_mut(column) {
                 *coefficient = R::coefficient(value, power);
+                slope_error += power as f64 * Float::abs(R::number(*coefficient, power).to_f64() - value);
             }
         }
         let error = R::coefficient_error(numbers.get(..R::TERMS).unwrap_or(&numbers));
         largest = if error > largest { error } else { largest };
+        slope_squares += slope_error * slope_error;
     }
-    4.0 * largest
+    [4.0 * largest, Float::sqrt(slope_squares)]
 }
 
 /// Error of set-up: the table has too few segments for the allowed truncation error.

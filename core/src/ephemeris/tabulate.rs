@@ -16,7 +16,7 @@ use crate::ephemeris::cell::{CELL_BITS, CELLS, Cell};
 use crate::ephemeris::economise::{Polynomial, economise};
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::seek::StartSearch;
-use crate::ephemeris::speeds::{Speeds, greatest_slope};
+use crate::ephemeris::speeds::{SegmentSpeeds, Speeds, greatest_slopes};
 use crate::law::series::{Expansion, PhasePoint, Slopes, TERMS, UNIT, larger_or_nan};
 use crate::law::{Law, PhaseRates};
 use crate::motion::Motion;
@@ -46,6 +46,8 @@ pub(crate) struct Tabulated {
     /// Estimated truncation error, as an orientation error in rad: of the reduced polynomials and of the series of
     /// sixteen terms.
     pub(crate) truncation: f64,
+    /// Part of the truncation error that the stepping causes, rad.
+    pub(crate) stepping: f64,
     /// Distance of the last point from the upper turning point, at which it must be, as an orientation error in rad.
     pub(crate) defect: f64,
     /// Upper bounds on the speeds.
@@ -63,6 +65,7 @@ impl Tabulated {
         segments: 1,
         start: [Phase::ZERO; 3],
         truncation: 0.0,
+        stepping: 0.0,
         defect: 0.0,
         speeds: Speeds::ZERO,
         start_share: 0.0,
@@ -71,12 +74,12 @@ impl Tabulated {
 }
 
 /// Receiver of polynomials: see [`tabulate`]. A reference, so that set-up is compiled once for all scalars.
-pub(crate) type Store<'a> = dyn FnMut(usize, usize, Polynomial<'_>) -> f64 + 'a;
+pub(crate) type Store<'a> = dyn FnMut(usize, usize, Polynomial<'_>) -> [f64; 2] + 'a;
 
 /// Tabulates a motion. It passes the polynomials of each segment to `store`: the index of the segment, 0 for α or 1
-/// for β, and the coefficients, of which the first `terms` are used. `store` returns the orientation error from
-/// rounding them. A segment may be passed more than once, and the last time is valid. The result is `None` where the
-/// segments would exceed the largest number allowed.
+/// for β, and the coefficients, of which the first `terms` are used. `store` returns the orientation error and the
+/// error of the derivative from rounding them. A segment may be passed more than once, and the last time is valid.
+/// The result is `None` where the segments would exceed the largest number allowed.
 #[inline(never)]
 pub(crate) fn tabulate(
     motion: &Motion,
@@ -139,7 +142,8 @@ pub(crate) fn tabulate(
     tabulated.speeds = tabulation.speeds;
     tabulated.squares = tabulation.border.squares;
     let fastest = tabulation.fastest * rates.half_period.to_f64();
-    tabulated.truncation += tabulation.speeds.left_out(tabulation.border.remainder, fastest);
+    tabulated.stepping = tabulation.speeds.left_out(tabulation.border.remainder, fastest);
+    tabulated.truncation += tabulated.stepping;
     tabulated.defect = if rates.returns { tabulation.defect() } else { 0.0 };
     Some(tabulated)
 }
@@ -321,7 +325,8 @@ impl Tabulation<'_> {
     #[inline(never)]
     fn shorten(&mut self, segment: usize, store: &mut Store<'_>) -> f64 {
         let brackets = [&self.brackets.alpha, &self.brackets.beta];
-        let (mut squares, mut stored_error, mut slopes) = (0.0, 0.0, 0.0);
+        let (mut squares, mut stored_error) = (0.0, 0.0);
+        let mut slopes = [0.0; 3];
         for (which, bracket) in brackets.into_iter().enumerate() {
             let (mut re, mut im) = ([0; TERMS], [0; TERMS]);
             let converges =
@@ -330,12 +335,20 @@ impl Tabulation<'_> {
                 return f64::INFINITY;
             }
             let beyond = [&re, &im].map(beyond_the_last).into_iter().fold(0.0, larger_or_nan);
-            let dropped = economise([&mut re, &mut im], self.requirements.terms) + 2.0 * beyond;
+            let [dropped, dropped_slope] = economise([&mut re, &mut im], self.requirements.terms);
+            let dropped = dropped + 2.0 * beyond;
             squares += dropped * dropped;
-            slopes += [&re, &im].map(greatest_slope).into_iter().fold(0.0, |sum, slope| sum + slope * slope);
-            stored_error = larger_or_nan(stored_error, store(segment, which, [&mut re, &mut im]));
+            let [[re_slope, re_curvature], [im_slope, im_curvature]] = [&re, &im].map(greatest_slopes);
+            let of_beyond = 2.0 * TERMS as f64 * beyond;
+            let [error, rounded_slope] = store(segment, which, [&mut re, &mut im]);
+            stored_error = larger_or_nan(stored_error, error);
+            let slope_error = dropped_slope + of_beyond + rounded_slope;
+            let each = [[re_slope, im_slope], [slope_error, 0.0], [re_curvature, im_curvature]];
+            slopes.iter_mut().zip(each).for_each(|(sum, [x, y])| *sum += x * x + y * y);
         }
-        self.speeds.note(2.0 * Float::sqrt(slopes), self.expansion.greatest_theta_slope(), self.part);
+        let [slope, slope_error, curvature] = slopes.map(|squares| 2.0 * Float::sqrt(squares));
+        let speeds = SegmentSpeeds { slope, slope_error, curvature };
+        self.speeds.note(speeds, self.expansion.greatest_theta_slope(), self.part);
         larger_or_nan(2.0 * Float::sqrt(squares), stored_error)
     }
 

@@ -6,8 +6,7 @@
 
 use crate::complex::Complex;
 use crate::ephemeris::clock::TipClock;
-use crate::ephemeris::evaluation::EphemerisScalar;
-use crate::ephemeris::sample::values_and_slopes;
+use crate::ephemeris::evaluation::{EphemerisScalar, ValuesAndSlopes};
 use crate::ephemeris::storage::EphemerisView;
 use crate::ephemeris::table::locate;
 use crate::motion::Motion;
@@ -65,7 +64,9 @@ impl<R: EphemerisScalar> EphemerisView<R> {
                 winding.reach(product);
             }
         }
-        let (value, slope) = values_and_slopes::<R>(found.terms, x);
+        let numbers = |(power, row): (usize, &[R::Coefficient; 4])| row.map(|c| R::number(c, power));
+        let ValuesAndSlopes(value, slope) =
+            ValuesAndSlopes::at(found.terms.iter().enumerate().rev().map(numbers), x);
         if !self.has_faded(self.turned_back(value)) {
             winding.reach(self.direction(value, slope, x));
         }

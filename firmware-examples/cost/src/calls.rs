@@ -140,6 +140,36 @@ pub(crate) extern "C" fn bench_cursor_q15(
     *out = Output::fixed_point(cursor.next(ephemeris));
 }
 
+/// Orientation and angular velocity in the body frame, as a gyroscope measures it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rates<R> {
+    pub(crate) orientation: Orientation<R>,
+    /// rad/s.
+    pub(crate) omega_body: [f32; 3],
+}
+
+impl<R: EphemerisScalar<Wide = f32>> Rates<R> {
+    pub(crate) const ZERO: Self = Self { orientation: Orientation::IDENTITY, omega_body: [0.0; 3] };
+
+    #[inline(always)]
+    fn of(sample: Sample<'_, R>) -> Self {
+        let (orientation, omega_body) = sample.orientation_and_omega_body();
+        Self { orientation, omega_body }
+    }
+}
+
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_omega_f32(ephemeris: &EphemerisF32, tick: i64, out: &mut Rates<f32>) {
+    *out = Rates::of(ephemeris.at_tick(tick));
+}
+
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_omega_q31(ephemeris: &EphemerisQ31, tick: i64, out: &mut Rates<I2F30>) {
+    *out = Rates::of(ephemeris.at_tick(tick));
+}
+
 /// A stepper, and 2 s for the tip.
 pub(crate) struct Stepping<R> {
     stepper: Stepper<R>,

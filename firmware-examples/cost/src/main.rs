@@ -1,7 +1,8 @@
 //! What each call costs on a chip: core's, and what one would write or take instead.
 //!
 //! Every call is a function with a symbol, `bench_...`, which `toytop budget` looks for in QEMU's trace. Each is measured
-//! from where a tick number, a cursor or a state is at hand until α, β, u and c are in memory. The program itself says what the trace does
+//! from where a tick number, a cursor or a state is at hand until α, β, u and c are in memory; `bench_omega_...` until α, β and the
+//! angular velocity in the body frame are. The program itself says what the trace does
 //! not show: one line a call, `NAME stack BYTES ram BYTES`; with the feature `dwt`, on a board, `cycles COUNT` too.
 
 #![no_std]
@@ -15,7 +16,7 @@ mod rivals;
 use core::hint::black_box;
 use core::mem::size_of_val;
 
-use calls::{Measured, Output, Stepping};
+use calls::{Measured, Output, Rates, Stepping};
 use fixed::types::{I2F14, I2F30};
 use full_equations::{Constants, start};
 use measure::Meter;
@@ -74,6 +75,11 @@ fn ephemerides(meter: &mut Meter, single: &EphemerisF32, double: &EphemerisF64) 
     meter.measure("bench_ephemeris_f64", size_of_val(double), CALLS, |call| {
         calls::bench_ephemeris_f64(double, tick(call), &mut wide);
     });
+    let mut rates = Rates::ZERO;
+    meter.measure("bench_omega_f32", size_of_val(single), CALLS, |call| {
+        calls::bench_omega_f32(single, tick(call), &mut rates);
+    });
+    black_box(rates);
     let mut cursor = single.cursor(STRIDE);
     let ram = size_of_val(single) + size_of_val(&cursor);
     meter.measure("bench_cursor_f32", ram, CALLS, |_| calls::bench_cursor_f32(single, &mut cursor, &mut out));
@@ -93,6 +99,11 @@ fn fixed_point(meter: &mut Meter, motion: &Motion, tick: Tick) {
     meter.measure("bench_ephemeris_q31", ram, CALLS, |call| {
         calls::bench_ephemeris_q31(&ephemeris, at(call), &mut long);
     });
+    let mut rates = Rates::ZERO;
+    meter.measure("bench_omega_q31", ram, CALLS, |call| {
+        calls::bench_omega_q31(&ephemeris, at(call), &mut rates);
+    });
+    black_box(rates);
     let mut cursor = ephemeris.cursor(STRIDE);
     let ram = ram + size_of_val(&cursor);
     meter.measure("bench_cursor_q31", ram, CALLS, |_| {

@@ -134,6 +134,7 @@ fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let sample = ephemeris.at(unknown());
     black_box((sample.orientation_and_tip(), sample.u(), sample.axis(), sample.quaternion(), sample.tip()));
     black_box((sample.omega(), sample.omega_body(), sample.udot(), sample.tip_velocity()));
+    black_box((sample.orientation_and_omega_body(), ephemeris.rate_error_bound().after(unknown())));
     black_box((sample.tip_angle(), sample.nutation_phase(), sample.orientation().tip_over_s()));
     black_box(sample.attitude_state().state().is_ok());
     let mut cursor = ephemeris.cursor(black_box(3));

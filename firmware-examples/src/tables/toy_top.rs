@@ -6,8 +6,8 @@
 #[rustfmt::skip]
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (toytop::Baked::<toytop::fixed::types::I2F30, 32> {
-    format: 3,
-    crc32: 0x54d3fbb0,
+    format: 4,
+    crc32: 0x3438500d,
     clock: toytop::Clock {
         step: [[2824891389, 588342322, 56542227], [1544111065, 672778249, 51392304], [1794140112, 2227764775, 4247109518]],
         tip_scale: 0.06,
@@ -15,7 +15,7 @@ pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (
         horizon: None,
         exact_step: [[0.013164763137927308, -7.232863786880737e-19], [0.01196570325564672, 5.073803992537764e-19], [-0.011142757134816631, 4.02115992261513e-19]],
         ticks_per_time: [1000.0, 0.0],
-        rates: [842.54486, 75.18273, -70.01201],
+        rates: [842.54486, 5.170723, 150.0],
         tip: toytop::TipClock {
             start: [0, 160, 2147483648, 0],
             step: [3338251177, 2900543024, 3534526, 0],
@@ -26,6 +26,7 @@ pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (
         turns: true,
     },
     error_bound: toytop::ErrorBound { constant: 1.9909800703748358e-8, per_tick: 8.330768415730287e-29 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00012250481111636557, per_tick: 2.097137763024378e-26 },
     cells: [1, 33, 65, 97, 129, 161, 193, 225, 257, 289, 321, 353, 385, 417, 449, 481],
     segments: [
         [

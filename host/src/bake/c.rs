@@ -98,8 +98,9 @@ fn clock(parts: &Parts) -> String {
         format!("{{{:#x}u, {low:#x}u}}", u64::from(upper) << 32 | u64::from(middle))
     };
     let Clock { step, first, horizon, exact_step, ticks_per_time, tip, turns, .. } = &parts.clock;
-    let ErrorBound { constant, per_tick } = parts.error_bound;
-    let doubles = [exact_step.as_flattened(), ticks_per_time, &[constant, per_tick]].concat();
+    let bound = |ErrorBound { constant, per_tick }: ErrorBound| [constant, per_tick];
+    let bounds = [parts.error_bound, parts.rate_error_bound].map(bound);
+    let doubles = [exact_step.as_flattened(), ticks_per_time, bounds.as_flattened()].concat();
     let numbers: Vec<_> = doubles.into_iter().map(|x| wide(x.to_bits())).collect();
     let words = |words: [u32; 4]| words.map(|word| format!("{word:#x}u")).join(", ");
     let flags = [tip.quarter as u8, tip.passes, tip.exists.into(), (*turns).into()];
@@ -117,10 +118,10 @@ fn clock(parts: &Parts) -> String {
     lines.iter().map(|line| format!("        {line},\n")).collect()
 }
 
-/// Scale of the tip, and the rates of x, A and B.
+/// Scale of the tip, the rates of x and of A + B, and the axial angular velocity.
 fn scales(parts: &Parts) -> [f64; 4] {
-    let Clock { tip_scale, rates: [x, a, b], .. } = parts.clock;
-    [tip_scale, x, a, b]
+    let Clock { tip_scale, rates: [x, mean, axial], .. } = parts.clock;
+    [tip_scale, x, mean, axial]
 }
 
 /// The points of the circle, and the coefficients of the rest.

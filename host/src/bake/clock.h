@@ -1,5 +1,5 @@
 #ifndef TOYTOP_CLOCK
-#define TOYTOP_CLOCK 3
+#define TOYTOP_CLOCK 4
 #include <float.h>
 #include <stdint.h>
 #include <string.h>
@@ -15,7 +15,7 @@ typedef struct {
     uint32_t format, crc32, segments, terms;
     uint64_t first[3];         /* at tick INT64_MIN, from where ticks count up without a sign */
     toytop_phase step[3];      /* what a tick adds */
-    uint64_t numbers[10];      /* bits of doubles: exact steps, ticks in a unit of time, error bound */
+    uint64_t numbers[12];      /* bits of doubles: exact steps, ticks in a unit of time, error bounds of orientation and rates */
     uint32_t stops;            /* whether the motion is aperiodic, and then */
     int64_t horizon[2];        /* the first and the last tick at which it still moves */
     uint32_t tip_start[4];     /* mean tip angle at tick 0, in units of 2^-96 turns, the least significant word first */
@@ -85,7 +85,7 @@ static inline uint32_t toytop_head(const toytop_clock *clock, uint32_t scalar) {
     for (int i = 0; i < 4; i++) sum = toytop_crc(sum, clock->tip_start[i], 4);
     for (int i = 0; i < 4; i++) sum = toytop_crc(sum, clock->tip_step[i], 4);
     for (int i = 0; i < 4; i++) sum = toytop_crc(sum, clock->flags[i], 1);
-    for (int i = 8; i < 10; i++) sum = toytop_crc(sum, clock->numbers[i], 8);
+    for (int i = 8; i < 12; i++) sum = toytop_crc(sum, clock->numbers[i], 8);
     for (int i = 0; i < 16; i++) sum = toytop_crc(sum, clock->cells[i], 2);
     return sum;
 }

@@ -45,6 +45,7 @@ pub fn object(label: &Label, parts: &Parts) -> String {
         },
         "turns": turns,
         "error_bound": [parts.error_bound.constant, parts.error_bound.per_tick],
+        "rate_error_bound": [parts.rate_error_bound.constant, parts.rate_error_bound.per_tick],
         "cells": parts.cells,
         "coefficients": coefficients,
         "sine": sine,

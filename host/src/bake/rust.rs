@@ -24,7 +24,9 @@ pub fn module(label: &Label, parts: &Parts) -> String {
         &parts.clock;
     let rates = rates.map(scale).join(", ");
     let TipClock { start, step: tip_step, quarter, passes, exists } = tip;
-    let ErrorBound { constant, per_tick } = parts.error_bound;
+    let bound = |ErrorBound { constant, per_tick }: ErrorBound| {
+        format!("toytop::ErrorBound {{ constant: {constant:?}, per_tick: {per_tick:?} }}")
+    };
     format!(
         "// Written by `toytop bake`; a changed number does not compile.
 
@@ -53,7 +55,8 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
         }},
         turns: {turns},
     }},
-    error_bound: toytop::ErrorBound {{ constant: {constant:?}, per_tick: {per_tick:?} }},
+    error_bound: {error_bound},
+    rate_error_bound: {rate_error_bound},
     cells: {cells:?},
     segments: [
 {segments}    ],
@@ -69,6 +72,8 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
         format = parts.format,
         crc32 = parts.crc32,
         tip_scale = scale(*tip_scale),
+        error_bound = bound(parts.error_bound),
+        rate_error_bound = bound(parts.rate_error_bound),
         cells = parts.cells,
         segments = match &parts.coefficients {
             Coefficients::Integers(rows) => rows_of(rows, terms),

@@ -6,11 +6,13 @@ const BEGIN: &str = "<!-- budget: written by `toytop budget --accept` -->\n";
 const END: &str = "<!-- budget: end -->";
 
 /// Calls and what they are called on the page.
-const ROWS: [(&str, &str); 15] = [
+const ROWS: [(&str, &str); 17] = [
     ("ephemeris_f32", "**ephemeris**, any tick, `f32`"),
     ("cursor_f32", "**ephemeris**, the next tick, `f32`"),
+    ("omega_f32", "**ephemeris**, any tick, `f32`: α, β and Ω in the body frame"),
     ("ephemeris_q31", "**ephemeris**, any tick, fixed point of 32 bits"),
     ("cursor_q31", "**ephemeris**, the next tick, fixed point of 32 bits"),
+    ("omega_q31", "**ephemeris**, any tick, fixed point of 32 bits: α, β and Ω in the body frame"),
     ("ephemeris_q15", "**ephemeris**, any tick, fixed point of 16 bits"),
     ("cursor_q15", "**ephemeris**, the next tick, fixed point of 16 bits"),
     ("cursor_micromath", "the same table in `f32` with the sines of the crate micromath, the next tick"),

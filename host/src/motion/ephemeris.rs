@@ -1,8 +1,10 @@
 //! The core's ephemeris with as many segments as a motion needs: what a command holds does not know the capacity.
 
+mod rates;
 mod sizes;
 mod ticks;
 
+pub use rates::RateSample;
 pub use sizes::{approximate, default_or_smallest, of_size, smallest, smallest_with_period};
 pub(crate) use ticks::tick;
 pub use ticks::{furthest_time, ticks_for, ticks_per_time};
@@ -20,14 +22,20 @@ pub trait AnyScalar: Send + Sync {
     /// Segments, and coefficients of each polynomial.
     fn size(&self) -> [usize; 2];
 
-    /// Upper bound on the orientation error.
+    /// Upper bound on the orientation error, rad.
     fn error_bound(&self) -> ErrorBound;
+
+    /// Upper bound on the error of ω, of Ω and of u', rad per unit time.
+    fn rate_error_bound(&self) -> ErrorBound;
 
     /// Sample of the motion t units of time after t = 0, t taken as exact.
     fn at(&self, t: f64) -> TimedSample;
 
     /// Orientation, u and tip at tick n, as an interrupt computes them: in the scalar's own arithmetic.
     fn at_tick(&self, n: i64) -> TickSample;
+
+    /// Rates at tick n.
+    fn rates_at_tick(&self, n: i64) -> RateSample;
 
     /// Numbers of the table; `None` for a scalar that no other program reads.
     fn parts(&self) -> Option<Parts>;
@@ -67,6 +75,10 @@ impl<R: BoxedScalar> AnyScalar for Boxed<R> {
         self.0.error_bound()
     }
 
+    fn rate_error_bound(&self) -> ErrorBound {
+        self.0.rate_error_bound()
+    }
+
     fn at_tick(&self, n: i64) -> TickSample {
         let orientation = self.0.at_tick(n).orientation();
         TickSample {
@@ -74,6 +86,12 @@ impl<R: BoxedScalar> AnyScalar for Boxed<R> {
             u: orientation.clamped_u().into(),
             tip_over_s: exact(orientation.tip_over_s()),
         }
+    }
+
+    fn rates_at_tick(&self, n: i64) -> RateSample {
+        let now = self.0.at_tick(n);
+        let wide = |vector: [R::Wide; 3]| vector.map(Float::to_f64);
+        RateSample { omega: wide(now.omega()), omega_body: wide(now.omega_body()), udot: now.udot().to_f64() }
     }
 
     fn at(&self, t: f64) -> TimedSample {

@@ -10,6 +10,9 @@ use crate::output::names;
 use std::fmt::{self, Write as _};
 use toytop::{Complex, Motion, Orientation, ParameterError, PeriodAdvance, Regime};
 
+/// Truncation error of the table in `f64`, rad.
+const WITHIN: f64 = 1e-13;
+
 /// One or, of what is said at every tick, several columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 #[value(rename_all = "snake_case")]
@@ -158,7 +161,7 @@ impl Rows {
         let nutation = averages.filter(|_| motion.regime() == Regime::Nutating);
         let period = nutation.map_or_else(|| natural_time(motion.top()), |averages| averages.period);
         let times = times(self.periods * period, self.ticks);
-        measured.double = approximate(&motion, period).ok().map(|table| Run::of(&*table, &times));
+        measured.double = approximate(&motion, period, WITHIN).ok().map(|table| Run::of(&*table, &times));
         if wants(Column::of_f32) {
             let table = smallest_with_period(Scalar::F32, &motion, period).ok();
             measured.single = table.map(|table| Run::of(&*table, &times));

@@ -13,6 +13,7 @@
 mod fastest;
 mod law;
 mod orientation;
+mod rates;
 mod side;
 mod time;
 

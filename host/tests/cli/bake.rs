@@ -53,6 +53,10 @@ fn json_holds_every_number() {
             constant: number(&object["error_bound"][0]),
             per_tick: number(&object["error_bound"][1]),
         },
+        rate_error_bound: ErrorBound {
+            constant: number(&object["rate_error_bound"][0]),
+            per_tick: number(&object["rate_error_bound"][1]),
+        },
         cells: std::array::from_fn(|i| whole(&object["cells"][i]) as u16),
         segments: std::array::from_fn(|i| {
             std::array::from_fn(|j| std::array::from_fn(|k| whole(&object["coefficients"][i][j][k]) as i32))

@@ -2,13 +2,19 @@
 
 use crate::complex::Complex;
 use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint, integer, narrow};
-use crate::scalar::sine_cosine_q31;
+use crate::scalar::{Scalar, sine_cosine_q31};
+use crate::su2::Vector;
 use fixed::types::{I2F14, I2F30};
+
+/// Relative roundings to `f32` of the constants and of the result, one each, and truncations to 2^-28 in the rotation to
+/// the fixed frame: they add up to at most 13 units, where |Ω| is at least 1/2.
+const RATE_ROUNDING: f64 = 3.7 * <f32 as Scalar>::ROUNDING;
 
 impl EphemerisScalar for I2F30 {
     type Coefficient = i32;
     type Segment = [[i32; 4]; 4];
     type Wide = f32;
+    type Rate = Self;
 
     const TERMS: usize = 4;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 4];
@@ -17,6 +23,8 @@ impl EphemerisScalar for I2F30 {
     const TICK_DEVIATION: f64 = 0.0;
     const SLOPE_ROUNDING: f64 = 0.0;
     const PLACE_ROUNDING: f64 = integer::PLACE_ROUNDING;
+    const RATE_ERROR: f64 = integer::RATE_ERROR;
+    const RATE_ROUNDING: f64 = RATE_ROUNDING;
 
     fn coefficient(value: f64, power: usize) -> i32 {
         integer::coefficient(value, power)
@@ -40,12 +48,34 @@ impl EphemerisScalar for I2F30 {
             integer::alpha_beta(terms, point, sine_cosine_q31).map(Self::from_bits);
         [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)]
     }
+
+    #[inline(always)]
+    fn alpha_beta_and_rates(
+        terms: &[[i32; 4]],
+        point: SegmentPoint,
+        level: u32,
+        rates: [f32; 3],
+    ) -> ([Complex<Self>; 2], Vector<Self>, f32) {
+        let (parameters, rates) = integer::alpha_beta_and_rates(terms, point, level, rates, sine_cosine_q31);
+        let [re_alpha, im_alpha, re_beta, im_beta] = parameters.map(Self::from_bits);
+        let parameters = [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)];
+        (parameters, rates.omega.map(Self::from_bits), rates.unit())
+    }
+
+    fn rate_number(self) -> Self {
+        self
+    }
+
+    fn rate_in(rate: Self, unit: f32) -> f32 {
+        rate.to_bits() as f32 * unit
+    }
 }
 
 impl EphemerisScalar for I2F14 {
     type Coefficient = i16;
     type Segment = [[i16; 4]; 3];
     type Wide = f32;
+    type Rate = I2F30;
 
     const TERMS: usize = 3;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 3];
@@ -54,6 +84,8 @@ impl EphemerisScalar for I2F14 {
     const TICK_DEVIATION: f64 = 0.0;
     const SLOPE_ROUNDING: f64 = narrow::SLOPE_ROUNDING;
     const PLACE_ROUNDING: f64 = integer::PLACE_ROUNDING;
+    const RATE_ERROR: f64 = narrow::RATE_ERROR;
+    const RATE_ROUNDING: f64 = RATE_ROUNDING;
 
     fn coefficient(value: f64, power: usize) -> i16 {
         narrow::coefficient(value, power)
@@ -75,5 +107,26 @@ impl EphemerisScalar for I2F14 {
     fn alpha_beta(terms: &[[i16; 4]], point: SegmentPoint) -> [Complex<Self>; 2] {
         let [re_alpha, im_alpha, re_beta, im_beta] = narrow::alpha_beta(terms, point).map(Self::from_bits);
         [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)]
+    }
+
+    #[inline(always)]
+    fn alpha_beta_and_rates(
+        terms: &[[i16; 4]],
+        point: SegmentPoint,
+        level: u32,
+        rates: [f32; 3],
+    ) -> ([Complex<Self>; 2], Vector<I2F30>, f32) {
+        let (parameters, rates) = narrow::alpha_beta_and_rates(terms, point, level, rates);
+        let [re_alpha, im_alpha, re_beta, im_beta] = parameters.map(Self::from_bits);
+        let parameters = [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)];
+        (parameters, rates.omega.map(I2F30::from_bits), rates.unit())
+    }
+
+    fn rate_number(self) -> I2F30 {
+        I2F30::from_bits(i32::from(self.to_bits()) << 16)
+    }
+
+    fn rate_in(rate: I2F30, unit: f32) -> f32 {
+        rate.to_bits() as f32 * unit
     }
 }

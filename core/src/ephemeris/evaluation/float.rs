@@ -1,8 +1,10 @@
 //! `f64`: four polynomials by Horner's rule and two rotations, in floating point.
 
 use crate::complex::Complex;
+use crate::ephemeris::evaluation::rates::ValuesAndSlopes;
 use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint};
 use crate::scalar::{Scalar, sine_cosine_f64};
+use crate::su2::Vector;
 
 /// Rounding unit, 2^-53.
 const ROUNDING: f64 = <f64 as Scalar>::ROUNDING;
@@ -11,6 +13,7 @@ impl EphemerisScalar for f64 {
     type Coefficient = Self;
     type Segment = [[Self; 4]; 11];
     type Wide = Self;
+    type Rate = Self;
 
     const TERMS: usize = 11;
     const ZERO_SEGMENT: Self::Segment = [[0.0; 4]; 11];
@@ -24,6 +27,10 @@ impl EphemerisScalar for f64 {
     /// Zero, because the local coordinate is rounded on the segment and counts as another rounding of the
     /// coefficients.
     const PLACE_ROUNDING: f64 = 0.0;
+    /// Zero, because the roundings are relative to the angular velocity.
+    const RATE_ERROR: f64 = 0.0;
+    /// Five standard deviations of one rounding.
+    const RATE_ROUNDING: f64 = 5.0 * ROUNDING;
 
     fn coefficient(value: f64, _: usize) -> Self {
         value
@@ -43,21 +50,42 @@ impl EphemerisScalar for f64 {
 
     #[inline(always)]
     fn alpha_beta(terms: &[[Self; 4]], point: SegmentPoint) -> [Complex<Self>; 2] {
-        const UNIT: f64 = 1.0 / (1_u64 << 63) as f64;
-        let x = point.x as f64 * UNIT;
-        let mut backwards = terms.iter().rev();
-        let mut four = backwards.next().copied().unwrap_or([0.0; 4]);
-        for coefficients in backwards {
-            for (sum, &c) in four.iter_mut().zip(coefficients) {
-                *sum = *sum * x + c;
-            }
-        }
-        let [re_alpha, im_alpha, re_beta, im_beta] = four;
-        let sign = |y: f64| if point.mirrored { -y } else { y };
-        let [a, b] = point.slow.map(|phase| {
-            let (sine, cosine) = sine_cosine_f64(phase);
-            Complex::new(cosine, sine)
-        });
-        [Complex::new(re_alpha, sign(im_alpha)) * a, Complex::new(re_beta, sign(im_beta)) * b]
+        values_and_slopes(terms, point.x).alpha_beta(point.mirrored, point.slow.map(direction))
     }
+
+    #[inline(always)]
+    fn alpha_beta_and_rates(
+        terms: &[[Self; 4]],
+        point: SegmentPoint,
+        level: u32,
+        [x, mean, axial]: [Self; 3],
+    ) -> ([Complex<Self>; 2], Vector<Self>, Self) {
+        let polynomials = values_and_slopes(terms, point.x);
+        let [a, b] = point.slow.map(direction);
+        let parameters = polynomials.alpha_beta(point.mirrored, [a, b]);
+        let rates = [x * Self::from(1_u16 << level), mean, axial];
+        (parameters, polynomials.omega_body(point.mirrored, a.conj() * b, rates), 1.0)
+    }
+
+    fn rate_number(self) -> Self {
+        self
+    }
+
+    fn rate_in(rate: Self, _: Self) -> Self {
+        rate
+    }
+}
+
+/// e^{iA} from the leading bits of A.
+#[inline(always)]
+fn direction(phase: u64) -> Complex<f64> {
+    let (sine, cosine) = sine_cosine_f64(phase);
+    Complex::new(cosine, sine)
+}
+
+/// Polynomials and their derivatives at x·2^63.
+#[inline(always)]
+fn values_and_slopes(terms: &[[f64; 4]], x: i64) -> ValuesAndSlopes<f64> {
+    const UNIT: f64 = 1.0 / (1_u64 << 63) as f64;
+    ValuesAndSlopes::at(terms.iter().rev().copied(), x as f64 * UNIT)
 }

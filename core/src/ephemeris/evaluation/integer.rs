@@ -10,9 +10,11 @@
 //! table.
 
 use crate::complex::Complex;
+use crate::ephemeris::evaluation::rates::{IntegerRates, ValuesAndSlopes};
 use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint};
 use crate::product::{high_product, high_product_of_less, short_product};
-use crate::scalar::sine_cosine_q26;
+use crate::scalar::{Scalar, sine_cosine_q26};
+use crate::su2::Vector;
 
 /// Unit of the results of [`alpha_beta`], 2^-30.
 const UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
@@ -30,6 +32,12 @@ pub(crate) const PER_SINE: f64 = 2.83;
 /// of 2^-31.
 #[cfg(feature = "fixed")]
 pub(crate) const ERROR_Q31: f64 = ERROR + PER_SINE * 1.23 * UNIT;
+
+/// Upper bound on the rounding error of the angular velocity, without that of the coefficients, over the rate of x, with
+/// which the polynomials' derivatives are multiplied, or over the mean rate, with which αβ is: twice the sum of 5 units
+/// from the derivatives (2.5 for each of four, from halves and products), 3 from the four products of each part of N,
+/// and 12 from its products with both rates (two for each of two parts, truncated by up to 4 units).
+pub(crate) const RATE_ERROR: f64 = 40.0 * UNIT;
 
 /// Truncation of [`SegmentPoint::short_x`].
 pub(crate) const PLACE_ROUNDING: f64 = 1.0 / (1_u64 << 32) as f64;
@@ -97,34 +105,82 @@ pub(crate) fn alpha_beta(
     let [a, b] = point.slow.map(|phase| (phase >> 32) as u32);
     let turned = |[re, im]: [i32; 2], phase| rotated([re, im ^ mask], sine_cosine(phase));
     let ([re_alpha, im_alpha], [re_beta, im_beta]) = if FOUR_AT_A_TIME {
-        let [re_alpha, im_alpha, re_beta, im_beta] = sums(terms, x, |four| *four);
+        let [[re_alpha, im_alpha, re_beta, im_beta], _] = sums_and_slopes::<_, false>(terms, x, |four| *four);
         (turned([re_alpha, im_alpha], a), turned([re_beta, im_beta], b))
     } else {
-        let beta = turned(sums(terms, x, |&[_, _, re, im]| [re, im]), b);
-        (turned(sums(terms, x, |&[re, im, _, _]| [re, im]), a), beta)
+        let [beta, _] = sums_and_slopes::<_, false>(terms, x, |&[_, _, re, im]| [re, im]);
+        let beta = turned(beta, b);
+        let [alpha, _] = sums_and_slopes::<_, false>(terms, x, |&[re, im, _, _]| [re, im]);
+        (turned(alpha, a), beta)
     };
     [re_alpha, im_alpha, re_beta, im_beta]
+}
+
+/// [`alpha_beta`], and the angular velocity Ω in the body frame.
+#[inline(always)]
+pub(crate) fn alpha_beta_and_rates(
+    terms: &[[i32; 4]],
+    point: SegmentPoint,
+    level: u32,
+    rates: [f32; 3],
+    sine_cosine: impl Fn(u32) -> (i32, i32),
+) -> ([i32; 4], IntegerRates) {
+    let x = point.short_x;
+    let mask = -i32::from(point.mirrored);
+    let [a, b] = point.slow.map(|phase| sine_cosine((phase >> 32) as u32));
+    let [[re_beta, im_beta], beta_slopes] = sums_and_slopes::<_, true>(terms, x, |&[_, _, re, im]| [re, im]);
+    let [[re_alpha, im_alpha], alpha_slopes] =
+        sums_and_slopes::<_, true>(terms, x, |&[re, im, _, _]| [re, im]);
+    let ([re_slope_a, im_slope_a], [re_slope_b, im_slope_b]) = (alpha_slopes, beta_slopes);
+    let polynomials = ValuesAndSlopes(
+        [re_alpha, im_alpha, re_beta, im_beta],
+        [re_slope_a, im_slope_a, re_slope_b, im_slope_b],
+    );
+    let ((sine_a, cosine_a), (sine_b, cosine_b)) = (a, b);
+    let turn = [
+        high_product(cosine_a, cosine_b) + high_product(sine_a, sine_b),
+        high_product(cosine_a, sine_b) - high_product(sine_a, cosine_b),
+    ];
+    let [re_alpha, im_alpha] = rotated([re_alpha, im_alpha ^ mask], a);
+    let [re_beta, im_beta] = rotated([re_beta, im_beta ^ mask], b);
+    let rates = polynomials.integer_rates(point.mirrored, turn, level, rates);
+    ([re_alpha, im_alpha, re_beta, im_beta], rates)
 }
 
 /// Whether the four polynomials are evaluated together. This suits the vector units of large processors; the smallest
 /// chips have too few registers for it.
 const FOUR_AT_A_TIME: bool = cfg!(target_pointer_width = "64");
 
-/// Polynomials by Horner's rule. (A row of coefficients is borrowed because the compiler then recognises a vector.)
+/// Polynomials and, if `SLOPES`, their derivatives by Horner's rule. (A row of coefficients is borrowed because the compiler then
+/// recognises a vector.)
+///
+/// The sums for a derivative have half the scale of those for the polynomial, because they may be twice as large: at
+/// most the sum of the latter, each halved as often as products with x follow.
 #[inline(always)]
-fn sums<const N: usize>(terms: &[[i32; 4]], x: i32, of: impl Fn(&[i32; 4]) -> [i32; N]) -> [i32; N] {
-    let [constant, higher @ ..] = terms else { return [0; N] };
-    let mut sums = [0; N];
+fn sums_and_slopes<const N: usize, const SLOPES: bool>(
+    terms: &[[i32; 4]],
+    x: i32,
+    of: impl Fn(&[i32; 4]) -> [i32; N],
+) -> [[i32; N]; 2] {
+    let [constant, higher @ ..] = terms else { return [[0; N]; 2] };
+    let (mut sums, mut slopes) = ([0; N], [0; N]);
     for (power, coefficients) in higher.iter().enumerate().map(|(below, four)| (below + 2, four)).rev() {
         let short = is_short(power, terms.len());
-        for (sum, c) in sums.iter_mut().zip(&of(coefficients)) {
-            *sum = c + if short { short_product(*sum, x) } else { high_product_of_less(*sum, x) };
+        for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(&of(coefficients)) {
+            let product = |sum| if short { short_product(sum, x) } else { high_product_of_less(sum, x) };
+            if SLOPES {
+                *slope = (*sum >> 1) + product(*slope);
+            }
+            *sum = c + product(*sum);
         }
     }
-    for (sum, c) in sums.iter_mut().zip(of(constant)) {
+    for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(of(constant)) {
+        if SLOPES {
+            *slope = (*sum >> 1) + high_product_of_less(*slope, x);
+        }
         *sum = c.saturating_add(high_product_of_less(*sum, x));
     }
-    sums
+    [sums, slopes]
 }
 
 /// Rotated number, from units of 2^-31 to units of 2^-30, which avoids overflow up to √2. (A sum is half a unit low,
@@ -138,6 +194,7 @@ impl EphemerisScalar for f32 {
     type Coefficient = i32;
     type Segment = [[i32; 4]; 5];
     type Wide = Self;
+    type Rate = Self;
 
     const TERMS: usize = 5;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 5];
@@ -148,6 +205,9 @@ impl EphemerisScalar for f32 {
     const TICK_DEVIATION: f64 = 0.0;
     const SLOPE_ROUNDING: f64 = 0.0;
     const PLACE_ROUNDING: f64 = PLACE_ROUNDING;
+    const RATE_ERROR: f64 = RATE_ERROR;
+    /// One rounding for the constants, and up to five for the sums of products of the rotation to the fixed frame.
+    const RATE_ROUNDING: f64 = 6.0 * Self::ROUNDING;
 
     fn coefficient(value: f64, power: usize) -> i32 {
         coefficient(value, power)
@@ -170,6 +230,28 @@ impl EphemerisScalar for f32 {
         let [re_alpha, im_alpha, re_beta, im_beta] =
             alpha_beta(terms, point, sine_cosine_q26).map(|value| value as Self * UNIT as Self);
         [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)]
+    }
+
+    #[inline(always)]
+    fn alpha_beta_and_rates(
+        terms: &[[i32; 4]],
+        point: SegmentPoint,
+        level: u32,
+        rates: [Self; 3],
+    ) -> ([Complex<Self>; 2], Vector<Self>, Self) {
+        let (parameters, integers) = alpha_beta_and_rates(terms, point, level, rates, sine_cosine_q26);
+        let [re_alpha, im_alpha, re_beta, im_beta] = parameters.map(|value| value as Self * UNIT as Self);
+        let ([x1, x2, _], [.., axial], unit) = (integers.omega, rates, integers.unit());
+        let omega_body = [x1 as Self * unit, x2 as Self * unit, axial];
+        ([Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)], omega_body, 1.0)
+    }
+
+    fn rate_number(self) -> Self {
+        self
+    }
+
+    fn rate_in(rate: Self, _: Self) -> Self {
+        rate
     }
 }
 

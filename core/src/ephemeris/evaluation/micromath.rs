@@ -5,10 +5,12 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 // names in full wherever `std` has a method of the same name, which would take precedence
+use super::rates::ValuesAndSlopes;
 use super::{EphemerisScalar, SegmentPoint};
 use crate::complex::Complex;
 use crate::phase::Phase;
 use crate::scalar::{Float, Real, Ring, Scalar, sealed};
+use crate::su2::Vector;
 use micromath::F32Ext;
 
 /// `f32` whose roots, sines, arctangent and exponential are those of micromath.
@@ -118,6 +120,7 @@ impl EphemerisScalar for Micromath {
     type Coefficient = Self;
     type Segment = [[Self; 4]; 5];
     type Wide = Self;
+    type Rate = Self;
 
     const TERMS: usize = 5;
     const ZERO_SEGMENT: Self::Segment = [[Self(0.0); 4]; 5];
@@ -127,6 +130,8 @@ impl EphemerisScalar for Micromath {
     const TICK_DEVIATION: f64 = 0.0;
     const SLOPE_ROUNDING: f64 = 1.25 * f32::EPSILON as f64;
     const PLACE_ROUNDING: f64 = 1.0 / (1_u64 << 32) as f64;
+    const RATE_ERROR: f64 = 4.0 * f32::EPSILON as f64;
+    const RATE_ROUNDING: f64 = 16.0 * f32::EPSILON as f64;
 
     fn coefficient(value: f64, _: usize) -> Self {
         Self::from_f64(value)
@@ -146,16 +151,41 @@ impl EphemerisScalar for Micromath {
 
     #[inline]
     fn alpha_beta(terms: &[[Self; 4]], point: SegmentPoint) -> [Complex<Self>; 2] {
-        let x = Self(point.short_x as f32 * (1.0 / (1_u32 << 31) as f32));
-        let sums = terms.iter().rev().fold([Self::ZERO; 4], |mut sums, coefficients| {
-            for (sum, &c) in sums.iter_mut().zip(coefficients) {
-                *sum = *sum * x + c;
-            }
-            sums
-        });
-        let [re_alpha, im_alpha, re_beta, im_beta] = sums;
-        let sign = |y: Self| if point.mirrored { -y } else { y };
-        let [a, b] = point.slow.map(|phase| Complex::cis(Phase::from_bits(i128::from(phase) << 32)));
-        [Complex::new(re_alpha, sign(im_alpha)) * a, Complex::new(re_beta, sign(im_beta)) * b]
+        values_and_slopes(terms, point.short_x).alpha_beta(point.mirrored, point.slow.map(direction))
     }
+
+    #[inline]
+    fn alpha_beta_and_rates(
+        terms: &[[Self; 4]],
+        point: SegmentPoint,
+        level: u32,
+        [x, mean, axial]: [Self; 3],
+    ) -> ([Complex<Self>; 2], Vector<Self>, Self) {
+        let polynomials = values_and_slopes(terms, point.short_x);
+        let [a, b] = point.slow.map(direction);
+        let parameters = polynomials.alpha_beta(point.mirrored, [a, b]);
+        let rates = [x * Self(f32::from(1_u16 << level)), mean, axial];
+        (parameters, polynomials.omega_body(point.mirrored, a.conj() * b, rates), Self::ONE)
+    }
+
+    fn rate_number(self) -> Self {
+        self
+    }
+
+    fn rate_in(rate: Self, _: Self) -> Self {
+        rate
+    }
+}
+
+/// e^{iA} from the leading bits of A.
+#[inline]
+fn direction(phase: u64) -> Complex<Micromath> {
+    Complex::cis(Phase::from_bits(i128::from(phase) << 32))
+}
+
+/// Polynomials and their derivatives at x·2^31.
+#[inline(always)]
+fn values_and_slopes(terms: &[[Micromath; 4]], x: i32) -> ValuesAndSlopes<Micromath> {
+    const UNIT: f32 = 1.0 / (1_u32 << 31) as f32;
+    ValuesAndSlopes::at(terms.iter().rev().copied(), Micromath(x as f32 * UNIT))
 }

@@ -4,6 +4,7 @@
 //! which the upper 16 are multiplied.
 
 use crate::ephemeris::evaluation::SegmentPoint;
+use crate::ephemeris::evaluation::rates::{IntegerRates, ValuesAndSlopes};
 use crate::scalar::sine_cosine_q15;
 
 /// Unit of a coefficient of x^0, 2^-15.
@@ -14,6 +15,11 @@ const UNIT: f64 = 1.0 / (1_u64 << 15) as f64;
 /// truncating sine and cosine, 4 from the results (four roundings to 2^-14), and at most 1.3e-5 from the common
 /// factor of the sines.
 pub(crate) const ERROR: f64 = 16.83 * UNIT + 2.6e-5;
+
+/// Upper bound on the rounding error of the angular velocity, without that of the coefficients, over the rate of x or
+/// over the mean rate: twice that of N, which is 1 unit from the derivatives (half a unit for each of four, from the
+/// truncated sum) and 2^-12 of a unit from the products.
+pub(crate) const RATE_ERROR: f64 = 2.001 * UNIT;
 
 /// Rounding of the local coordinate to 2^-15.
 pub(crate) const SLOPE_ROUNDING: f64 = 0.5 * UNIT;
@@ -37,34 +43,70 @@ pub(crate) fn number(coefficient: i16, power: usize) -> f64 {
 /// Re α, Im α, Re β and Im β in units of 2^-14.
 #[inline(always)]
 pub(crate) fn alpha_beta(terms: &[[i16; 4]], point: SegmentPoint) -> [i16; 4] {
-    let x = ((point.short_x >> 15) + 1) >> 1;
-    let [constant, higher @ ..] = terms else { return [0; 4] };
+    let ValuesAndSlopes(values, _) = values_and_slopes(terms, point.short_x);
+    turned(values, point.mirrored, point.slow.map(sine_cosine))
+}
+
+/// [`alpha_beta`], and the angular velocity Ω in the body frame.
+#[inline(always)]
+pub(crate) fn alpha_beta_and_rates(
+    terms: &[[i16; 4]],
+    point: SegmentPoint,
+    level: u32,
+    rates: [f32; 3],
+) -> ([i16; 4], IntegerRates) {
+    let polynomials = values_and_slopes(terms, point.short_x);
+    let [a, b] = point.slow.map(sine_cosine);
+    let parameters = turned(polynomials.0, point.mirrored, [a, b]);
+    let ((sine_a, cosine_a), (sine_b, cosine_b)) = (a, b);
+    let turn = [cosine_a * cosine_b + sine_a * sine_b, cosine_a * sine_b - sine_a * cosine_b];
+    (parameters, polynomials.integer_rates(point.mirrored, turn, level, rates))
+}
+
+/// Polynomials and their derivatives at x·2^31, in units of 2^-31.
+#[inline(always)]
+fn values_and_slopes(terms: &[[i16; 4]], x: i32) -> ValuesAndSlopes<i32> {
+    let x = ((x >> 15) + 1) >> 1;
+    let [constant, higher @ ..] = terms else { return ValuesAndSlopes([0; 4], [0; 4]) };
     let wide = |coefficient: i16| i32::from(coefficient) << 16;
-    let mut sums = [0; 4];
+    let (mut sums, mut slopes) = ([0; 4], [0; 4]);
     let mut backwards = higher.iter().rev();
     if let Some(&highest) = backwards.next() {
         sums = highest.map(wide);
     }
     for coefficients in backwards {
-        for (sum, &c) in sums.iter_mut().zip(coefficients) {
+        for ((sum, slope), &c) in sums.iter_mut().zip(&mut slopes).zip(coefficients) {
+            *slope = (*sum >> 1) + (*slope >> 16) * x;
             *sum = wide(c) + (*sum >> 16) * x;
         }
     }
-    for (sum, &c) in sums.iter_mut().zip(constant) {
+    for ((sum, slope), &c) in sums.iter_mut().zip(&mut slopes).zip(constant) {
+        *slope = (*sum >> 1) + (*slope >> 16) * x;
         // plus half a unit, because the lower half of the sum is dropped next
         *sum = (wide(c) + (1 << 15)).saturating_add((*sum >> 16) * x);
     }
-    let [re_alpha, im_alpha, re_beta, im_beta] = sums;
-    let mask = -i32::from(point.mirrored);
-    let [a, b] = point.slow.map(|phase| sine_cosine_q15((phase >> 32) as u32));
-    let [re_alpha, im_alpha] = rotated([re_alpha, im_alpha ^ mask], a);
-    let [re_beta, im_beta] = rotated([re_beta, im_beta ^ mask], b);
+    ValuesAndSlopes(sums, slopes)
+}
+
+/// Sine and cosine of a phase with 15 fraction bits.
+#[inline(always)]
+fn sine_cosine(phase: u64) -> (i32, i32) {
+    let (sine, cosine) = sine_cosine_q15((phase >> 32) as u32);
+    (sine >> 15, cosine >> 15)
+}
+
+/// Parameters turned by their slow phases.
+#[inline(always)]
+fn turned([re_a, im_a, re_b, im_b]: [i32; 4], mirrored: bool, [a, b]: [(i32, i32); 2]) -> [i16; 4] {
+    let mask = -i32::from(mirrored);
+    let [re_alpha, im_alpha] = rotated([re_a, im_a ^ mask], a);
+    let [re_beta, im_beta] = rotated([re_b, im_b ^ mask], b);
     [re_alpha, im_alpha, re_beta, im_beta]
 }
 
 /// Rotated number, from 31 fraction bits to 14.
 #[inline(always)]
 fn rotated(number: [i32; 2], (sine, cosine): (i32, i32)) -> [i16; 2] {
-    let ([re, im], sine, cosine) = (number.map(|part| part >> 16), sine >> 15, cosine >> 15);
+    let [re, im] = number.map(|part| part >> 16);
     [re * cosine - im * sine, re * sine + im * cosine].map(|part| ((part + (1 << 15)) >> 16) as i16)
 }

@@ -99,7 +99,7 @@ fn show(tally: &Tally) -> String {
         text.push_str(&format!("FAILURE: {failure}\n"));
     }
     text + "Truth: the paper's integrals by quadrature in 192 bits. Near: 16 places in the first period;\n\
-            far: 8, up to 10^9 periods away.\n"
+            far: 8, up to 10^9 periods away. Rates: of angular velocity and u', near and far, as shares of the greatest rate.\n"
 }
 
 fn rows(tally: &Tally) -> Vec<Vec<String>> {
@@ -125,10 +125,16 @@ fn lines(tally: &Tally) -> Vec<(String, [Value; 2])> {
     }
     line("do not fit", &|side| Value::Count(side.no_fit));
     line("BOUND VIOLATED", &|side| Value::Count(side.violated));
-    let kinds: [(&str, Part); 2] = [("near", |side| &side.near), ("far", |side| &side.far)];
-    for (kind, spread) in kinds {
+    let kinds: [(&str, &str, Part); 3] = [
+        ("near", "rad", |side| &side.near),
+        ("far", "rad", |side| &side.far),
+        ("rates", "of the greatest", |side| &side.rates),
+    ];
+    for (kind, unit, spread) in kinds {
         for (quantile, share) in [("median", 0.5), ("99 %", 0.99), ("greatest", 1.0)] {
-            line(&format!("{kind}: error, {quantile}, rad"), &|side| Value::Error(spread(side).error(share)));
+            line(&format!("{kind}: error, {quantile}, {unit}"), &|side| {
+                Value::Error(spread(side).error(share))
+            });
         }
         for (quantile, share) in RATIOS {
             line(&format!("{kind}: bound / error, {quantile}"), &|side| {
@@ -165,5 +171,5 @@ fn worst(side: &Side) -> String {
     side.worst.iter().map(line).collect()
 }
 
-/// One of the two spreads of a side.
+/// One of the spreads of a side.
 type Part = fn(&Side) -> &Spread;

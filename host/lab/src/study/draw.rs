@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use toytop_host::input::random::Random;
+use toytop_host::motion::ephemeris::RateSample;
 use toytop_host::truth::exact::{Course, Exact};
 use toytop_host::truth::precise::{Precise, precise, to_f64, to_floor, to_nearest, whole};
 
@@ -24,6 +25,11 @@ impl Ticks<'_> {
     /// The time of a tick.
     pub(super) fn time(&self, tick: i64) -> Precise {
         whole(tick) / precise(self.rate)
+    }
+
+    /// Rates at a tick.
+    pub(super) fn rates(&self, tick: i64) -> RateSample {
+        self.exact.rates(&self.time(tick), self.period())
     }
 
     /// Ticks of the first period: so many anywhere, and as many close to a turning point, where things go fastest or slowest.

@@ -25,12 +25,14 @@ pub struct Side {
     pub fits: BTreeMap<usize, u64>,
     /// Typed refusals.
     pub no_fit: u64,
-    /// An error beyond its bound, near or far.
+    /// An error beyond its bound, near or far, of the orientation or of the rates.
     pub violated: u64,
     /// The first period.
     pub near: Spread,
     /// Far away.
     pub far: Spread,
+    /// Rates, near and far.
+    pub rates: Spread,
     /// The greatest errors over bound, with their motions.
     pub worst: Vec<Case>,
 }
@@ -51,7 +53,7 @@ pub struct Case {
 pub struct Spread {
     /// Bound over error, motion by motion.
     ratios: Vec<f64>,
-    /// rad.
+    /// rad; for rates, shares of the greatest angular speed.
     errors: Vec<f64>,
 }
 
@@ -80,7 +82,7 @@ impl Tally {
     /// Puts numbers in order; before that there are no quantiles.
     pub fn finish(&mut self) {
         for side in &mut self.scalars {
-            for spread in [&mut side.near, &mut side.far] {
+            for spread in [&mut side.near, &mut side.far, &mut side.rates] {
                 spread.ratios.sort_by(f64::total_cmp);
                 spread.errors.sort_by(f64::total_cmp);
             }
@@ -90,15 +92,16 @@ impl Tally {
 
 impl Side {
     fn add(&mut self, outcome: &Outcome, trial: &Trial) {
-        let Outcome::Fits { segments, near, far } = outcome else {
+        let Outcome::Fits { segments, near, far, rates } = outcome else {
             self.no_fit += 1;
             return;
         };
         *self.fits.entry(*segments).or_default() += 1;
         self.near.add(near);
         self.far.add(far);
+        self.rates.add(rates);
         let worse = if far.strain() > near.strain() { far } else { near };
-        self.violated += u64::from(worse.strain() > 1.0);
+        self.violated += u64::from(worse.strain() > 1.0 || rates.strain() > 1.0);
         self.keep(Case { worst: *worse, segments: *segments, trial: *trial });
     }
 
@@ -116,6 +119,7 @@ impl Side {
         self.violated += other.violated;
         self.near.merge(other.near);
         self.far.merge(other.far);
+        self.rates.merge(other.rates);
         other.worst.into_iter().for_each(|case| self.keep(case));
     }
 }
@@ -139,7 +143,7 @@ impl Spread {
         quantile(&self.ratios, share)
     }
 
-    /// Error, rad.
+    /// Error, in its unit.
     #[must_use]
     pub fn error(&self, share: f64) -> f64 {
         quantile(&self.errors, share)

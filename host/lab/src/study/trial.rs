@@ -5,7 +5,7 @@ use toytop::{Motion, Regime};
 use toytop_host::Failure;
 use toytop_host::cli::Scalar;
 use toytop_host::input::random::Random;
-use toytop_host::motion::ephemeris::{AnyScalar, smallest, ticks_per_time};
+use toytop_host::motion::ephemeris::{AnyScalar, RateSample, smallest, ticks_per_time};
 use toytop_host::motion::propagate::natural_time;
 use toytop_host::truth::exact::{Course, Exact, PreciseOrientation};
 use toytop_host::truth::motions::Numbers;
@@ -14,6 +14,7 @@ use toytop_host::truth::motions::Numbers;
 struct Target {
     tick: i64,
     phi: PreciseOrientation,
+    rates: RateSample,
     far: bool,
 }
 
@@ -30,21 +31,28 @@ pub enum Outcome {
         near: Worst,
         /// Up to 10^9 periods away; the least there is where the motion does not return.
         far: Worst,
+        /// Rates in both, as shares of the greatest angular speed.
+        rates: Worst,
     },
 }
 
 /// The error that came closest to its bound, or furthest beyond.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Worst {
-    /// rad.
+    /// rad; for rates, a share of the greatest angular speed.
     pub error: f64,
-    /// rad.
+    /// In the same unit.
     pub bound: f64,
     /// At this time; in the first period, or after many.
     pub t: f64,
 }
 
 impl Worst {
+    /// The one that comes closest to its bound.
+    fn of(measured: impl Iterator<Item = Self>) -> Self {
+        measured.fold(Self::default(), |a, b| if b.strain() > a.strain() || a.bound == 0.0 { b } else { a })
+    }
+
     /// Error over bound; infinite for what is no number.
     #[must_use]
     pub fn strain(&self) -> f64 {
@@ -88,10 +96,18 @@ fn outcome(scalar: Scalar, motion: &Motion, targets: &[Target]) -> Outcome {
     let rate = ticks_per_time(motion);
     let worst = |far: bool| {
         let of_kind = targets.iter().filter(|target| target.far == far);
-        let measured = of_kind.map(|target| measure(&*table, target, rate));
-        measured.fold(Worst::default(), |a, b| if b.strain() > a.strain() || a.bound == 0.0 { b } else { a })
+        Worst::of(of_kind.map(|target| measure(&*table, target, rate)))
     };
-    Outcome::Fits { segments: table.size()[0], near: worst(false), far: worst(true) }
+    let speed = targets.iter().map(|target| target.rates.speed()).fold(f64::MIN_POSITIVE, f64::max);
+    let rates = Worst::of(targets.iter().map(|target| measure_rates(&*table, target, speed, rate)));
+    Outcome::Fits { segments: table.size()[0], near: worst(false), far: worst(true), rates }
+}
+
+fn measure_rates(table: &dyn AnyScalar, target: &Target, speed: f64, ticks_per_time: f64) -> Worst {
+    let error = target.rates.distance(&table.rates_at_tick(target.tick));
+    let tick = target.tick as f64;
+    let bound = table.rate_error_bound().after(tick);
+    Worst { error: error / speed, bound: bound / speed, t: tick / ticks_per_time }
 }
 
 fn measure(table: &dyn AnyScalar, target: &Target, ticks_per_time: f64) -> Worst {
@@ -114,7 +130,12 @@ fn targets(ticks: &Ticks<'_>, random: &mut Random) -> Vec<Target> {
         Course::Aperiodic => Vec::new(),
     };
     let far = ticks.periods_after(&far, FURTHEST, random);
-    let target = |tick: i64, far: bool| Target { tick, phi: ticks.exact.at(&ticks.time(tick)), far };
+    let target = |tick: i64, far: bool| Target {
+        tick,
+        phi: ticks.exact.at(&ticks.time(tick)),
+        rates: ticks.rates(tick),
+        far,
+    };
     near.into_iter()
         .map(|tick| target(tick, false))
         .chain(far.into_iter().map(|tick| target(tick, true)))

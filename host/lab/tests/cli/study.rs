@@ -20,7 +20,9 @@ fn corners_keep_their_bounds_and_fill_their_page() {
     {
         let error = row["error_rad"].as_f64().expect("a number");
         assert!(error > least && error < most, "{row}");
-        assert!(row["error_of_bound"].as_f64().is_some_and(|share| share > 0.01 && share <= 1.0), "{row}");
+        for share in ["error_of_bound", "rate_error_of_bound"] {
+            assert!(row[share].as_f64().is_some_and(|share| share > 0.01 && share <= 1.0), "{row}");
+        }
         assert_eq!(row["beyond_bound"], 0, "{row}");
     }
     // at far ticks their number dominates the bound, and the bound is not far above the errors
@@ -30,7 +32,9 @@ fn corners_keep_their_bounds_and_fill_their_page() {
             count("judged_motions") >= 25 && count("judged_places") >= 10 * count("judged_motions"),
             "{scalar}"
         );
-        assert!(scalar["share_of_motions_within_ten"].as_f64().is_some_and(|share| share > 0.5), "{scalar}");
+        for share in ["share_of_motions_within_ten", "share_of_motions_with_rates_within_ten"] {
+            assert!(scalar[share].as_f64().is_some_and(|share| share > 0.5), "{scalar}");
+        }
     }
     assert!(study["scalars"][0]["places_by_ticks"].as_u64().is_some_and(|count| count > 50), "{study}");
     let seeds = study["seeds"].as_array().expect("seeds");
@@ -97,6 +101,9 @@ fn a_study_is_fixed_by_its_seed_and_adds_up() {
             assert!(median > 0.3 * rounding && median < 20.0 * rounding, "{kind} {side}: {median:e}");
             assert!(number(&format!("{kind}: bound / error, 10 %"), side) > 1.0);
         }
+        let median = number("rates: error, median, of the greatest", side);
+        assert!(median > 0.3 * rounding && median < 100.0 * rounding, "rates {side}: {median:e}");
+        assert!(number("rates: bound / error, least", side) > 1.0);
     }
 }
 

@@ -67,8 +67,8 @@ pub(super) fn run(scenario: &Scenario, progress: &mut Progress) -> Result<Vec<Ro
     let (orienting, phis) = least(progress, || times.iter().map(|t| at(t).orientation()).collect::<Vec<_>>());
     let (turning, _) = least(progress, || {
         let pose = |t: &f64| {
-            let pose = at(t).attitude_state();
-            (pose.orientation, pose.omega())
+            let now = at(t);
+            (now.orientation(), now.omega())
         };
         times.iter().map(pose).collect::<Vec<_>>()
     });

@@ -96,13 +96,12 @@ pub fn smallest_with_period(
     first_that_fits(&Sizes::of(scalar), motion, free_tick(motion, period)?)
 }
 
-/// The smallest table in `f64` that is within 1e-13 rad of the motion; the period (or the natural time) is known.
+/// The smallest table in `f64` with a truncation error of at most so many rad; the period (or the natural time) is known.
 ///
 /// # Errors
 /// As [`smallest`].
-pub fn approximate(motion: &Motion, period: f64) -> Result<Box<dyn AnyScalar>, Failure> {
-    const WITHIN: f64 = 1e-13;
-    let sizes = Sizes { truncation: WITHIN, ..Sizes::of(Scalar::F64) };
+pub fn approximate(motion: &Motion, period: f64, truncation: f64) -> Result<Box<dyn AnyScalar>, Failure> {
+    let sizes = Sizes { truncation, ..Sizes::of(Scalar::F64) };
     first_that_fits(&sizes, motion, free_tick(motion, period)?)
 }
 

@@ -9,7 +9,7 @@ function wide(words) {
 
 /** A table from its JSON. */
 function readTable(json) {
-  if (json.format !== 3 || json.scalar !== "f32") throw new Error("not a table of format 3 in f32");
+  if (json.format !== 4 || json.scalar !== "f32") throw new Error("not a table of format 4 in f32");
   return {
     ...json,
     first: json.first.map(wide),

@@ -123,7 +123,9 @@ fn records(name: &'static str, regime: &Regime) -> Vec<Record> {
             ("error_of_bound", truth(side.of_bound).into()),
             ("last_place_rad", Cell::Number(regime.sensitivity)),
             ("error_of_condition", truth(side.of_condition).into()),
-            ("beyond_bound", Cell::Count(side.violated + side.astray)),
+            ("rate_error", truth(side.rates).into()),
+            ("rate_error_of_bound", truth(side.rates_of_bound).into()),
+            ("beyond_bound", Cell::Count(side.beyond_bound())),
         ])
     };
     SCALARS.into_iter().zip(&regime.scalars).map(record).collect()
@@ -135,7 +137,7 @@ fn side_drift(scalar: &str, side: &Side) -> Cell {
 }
 
 /// For reading, what the keys of the records mean.
-const HEADER: [&str; 12] = [
+const HEADER: [&str; 14] = [
     "regime",
     "scalar",
     "motions",
@@ -147,6 +149,8 @@ const HEADER: [&str; 12] = [
     "error / bound",
     "last place of input, rad",
     "error / condition",
+    "error of the rates / greatest rate",
+    "error of the rates / bound",
     "beyond bound",
 ];
 

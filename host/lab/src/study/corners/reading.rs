@@ -1,11 +1,10 @@
 //! The smallest table that fits, of any scalar, read in `f64`.
 
 use fixed::types::{I2F14, I2F30};
-use std::rc::Rc;
 use toytop::scalar::Scalar as _;
 use toytop::{ErrorBound, Motion, Orientation};
 use toytop_host::cli::Scalar;
-use toytop_host::motion::ephemeris::{AnyScalar, smallest_with_period, ticks_for};
+use toytop_host::motion::ephemeris::{AnyScalar, RateSample, approximate, smallest_with_period, ticks_for};
 
 /// Scalars, by name and the rounding of each.
 pub const SCALARS: [(&str, f64); 4] =
@@ -22,25 +21,39 @@ pub struct Seen {
 
 /// A table of any size and scalar.
 pub struct Reading {
+    table: Box<dyn AnyScalar>,
     bound: ErrorBound,
     ticks_per_time: f64,
     /// At t = 0, in turns.
     phase: f64,
-    at: Box<dyn Fn(f64) -> Seen>,
-    at_tick: Box<dyn Fn(i64) -> Orientation<f64>>,
+    /// Whether the scalar can hold ω.
+    floating: bool,
 }
 
 impl Reading {
     /// The moment t.
     #[must_use]
     pub fn at(&self, t: f64) -> Seen {
-        (self.at)(t)
+        let sample = self.table.at(t).sample;
+        Seen { phi: sample.orientation(), omega: self.floating.then_some(sample.omega) }
     }
 
     /// Φ of a tick, in the scalar's own arithmetic.
     #[must_use]
     pub fn at_tick(&self, tick: i64) -> Orientation<f64> {
-        (self.at_tick)(tick)
+        self.table.at_tick(tick).orientation
+    }
+
+    /// Rates at a tick.
+    #[must_use]
+    pub fn rates_at_tick(&self, tick: i64) -> RateSample {
+        self.table.rates_at_tick(tick)
+    }
+
+    /// Upper bound on the error of the rates at a tick, rad per unit time.
+    #[must_use]
+    pub fn rate_bound_at(&self, tick: i64) -> f64 {
+        self.table.rate_error_bound().after(tick as f64)
     }
 
     /// How far Φ of a tick can be from the truth, rad.
@@ -74,16 +87,16 @@ pub fn readings(motion: &Motion, period: f64) -> [Option<Reading>; 4] {
     [Scalar::F64, Scalar::F32, Scalar::Q31, Scalar::Q15].map(|scalar| reading(scalar, motion, period))
 }
 
+/// A table in `f64` whose truncation error is far below the rounding; `None` where none fits.
+#[must_use]
+pub fn finer(motion: &Motion, period: f64) -> Option<Box<dyn AnyScalar>> {
+    const TRUNCATION: f64 = 1e-18;
+    approximate(motion, period, TRUNCATION).ok()
+}
+
 fn reading(scalar: Scalar, motion: &Motion, period: f64) -> Option<Reading> {
-    let table: Rc<dyn AnyScalar> = smallest_with_period(scalar, motion, period).ok()?.into();
+    let table = smallest_with_period(scalar, motion, period).ok()?;
     let (bound, phase) = (table.error_bound(), table.at(0.0).nutation_phase.to_f64());
     let floating = matches!(scalar, Scalar::F64 | Scalar::F32);
-    let by_tick = Rc::clone(&table);
-    let at_tick = move |tick| by_tick.at_tick(tick).orientation;
-    let at = move |t| {
-        let sample = table.at(t).sample;
-        Seen { phi: sample.orientation(), omega: floating.then_some(sample.omega) }
-    };
-    let ticks_per_time = ticks_for(motion, period);
-    Some(Reading { bound, ticks_per_time, phase, at: Box::new(at), at_tick: Box::new(at_tick) })
+    Some(Reading { table, bound, ticks_per_time: ticks_for(motion, period), phase, floating })
 }

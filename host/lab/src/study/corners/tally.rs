@@ -52,8 +52,15 @@ pub struct Side {
     pub of_bound: f64,
     /// In units of a rounding of the scalar and what one of the input does.
     pub of_condition: f64,
-    /// Motions held against the truth, and those of them whose bound is at most ten times their greatest error.
-    pub judged: [u64; 2],
+    /// Error of the rates, as a share of the greatest angular speed.
+    pub rates: f64,
+    /// Error of the rates, as a share of their bound.
+    pub rates_of_bound: f64,
+    /// Errors of the rates beyond their bound.
+    pub rates_violated: u64,
+    /// Motions held against the truth, those of them whose bound is at most ten times their greatest error, and those
+    /// whose bound on the rates is.
+    pub judged: [u64; 3],
     /// Places of those motions, and those of them at which more than half of the bound comes from the number of ticks.
     pub places: [u64; 2],
 }
@@ -80,14 +87,14 @@ impl Tally {
         regime.with_truth += u64::from(sensitivity.is_some());
         regime.sensitivity = regime.sensitivity.max(sensitivity.unwrap_or(0.0));
         for ((side, kept), (scalar, _)) in regime.scalars.iter_mut().zip(kept.iter()).zip(SCALARS) {
-            let before = side.astray + side.violated;
+            let before = side.beyond_bound();
             side.add(kept);
-            if side.astray + side.violated > before {
+            if side.beyond_bound() > before {
                 let strain = kept.map_or(0.0, |kept| kept.strain);
                 let error = kept.and_then(|kept| kept.error).unwrap_or_default();
                 self.failures.push(format!(
-                    "{scalar}, {kind}: norm and turning points at {strain:.2}, error at {:.2} of the bound at tick {} (greatest {:.1e} rad): {name}",
-                    error.of_bound, error.tick, error.error
+                    "{scalar}, {kind}: norm and turning points at {strain:.2}, error at {:.2} of the bound at tick {} (greatest {:.1e} rad), rates at {:.2} of theirs at tick {}: {name}",
+                    error.of_bound, error.tick, error.error, error.rates_of_bound, error.rates_tick
                 ));
             }
         }
@@ -157,16 +164,27 @@ impl Side {
             error: error.error,
             of_bound: error.of_bound,
             of_condition: error.of_condition,
-            judged: [judged, u64::from(error.of_bound >= CLOSE)],
+            rates: error.rates,
+            rates_of_bound: error.rates_of_bound,
+            rates_violated: u64::from(error.rates_of_bound > 1.0),
+            judged: [judged, u64::from(error.of_bound >= CLOSE), u64::from(error.rates_of_bound >= CLOSE)],
             places: error.places,
         });
     }
 
+    /// Motions of which an error, of the orientation or of the rates, or a check is beyond its bound.
+    #[must_use]
+    pub fn beyond_bound(&self) -> u64 {
+        self.astray + self.violated + self.rates_violated
+    }
+
     /// Adds what another regime or seed has.
     pub fn merge(&mut self, other: &Self) {
-        let sum = |[a, b]: [u64; 2], [c, d]: [u64; 2]| [a + c, b + d];
-        self.judged = sum(self.judged, other.judged);
-        self.places = sum(self.places, other.places);
+        self.judged.iter_mut().zip(other.judged).for_each(|(sum, more)| *sum += more);
+        self.places.iter_mut().zip(other.places).for_each(|(sum, more)| *sum += more);
+        self.rates_violated += other.rates_violated;
+        self.rates = self.rates.max(other.rates);
+        self.rates_of_bound = self.rates_of_bound.max(other.rates_of_bound);
         self.no_fit += other.no_fit;
         self.astray += other.astray;
         self.violated += other.violated;

@@ -1,11 +1,11 @@
 //! One input put to the test.
 
 use super::input::Input;
-use super::reading::{Reading, SCALARS, readings};
+use super::reading::{Reading, SCALARS, finer, readings};
 use crate::study::draw::Ticks;
 use toytop::{Motion, ParameterError, Regime, Top};
 use toytop_host::input::random::Random;
-use toytop_host::motion::ephemeris::ticks_for;
+use toytop_host::motion::ephemeris::{AnyScalar, RateSample, ticks_for};
 use toytop_host::motion::invariants::first_integrals;
 use toytop_host::motion::propagate::natural_time;
 use toytop_host::truth::exact::PreciseOrientation;
@@ -14,6 +14,7 @@ use toytop_host::truth::exact::PreciseOrientation;
 struct Target {
     tick: i64,
     phi: PreciseOrientation,
+    rates: RateSample,
     /// What the last place of the input does to Φ, rad; only asked for in the first period.
     sensitivity: Option<f64>,
 }
@@ -40,6 +41,12 @@ pub struct Error {
     pub tick: i64,
     /// In units of a rounding of the scalar and what one of the input does, in the first period.
     pub of_condition: f64,
+    /// Error of the rates, as a share of the greatest angular speed.
+    pub rates: f64,
+    /// Error of the rates, in units of their bound.
+    pub rates_of_bound: f64,
+    /// Tick at which the error of the rates is greatest in units of their bound.
+    pub rates_tick: i64,
     /// Places, and those of them at which more than half of the bound comes from the number of ticks.
     pub places: [u64; 2],
 }
@@ -70,7 +77,11 @@ pub fn run(input: &Input, random: &mut Random, with_truth: bool) -> Outcome {
     let averages = motion.period_advance().filter(|_| motion.regime() == Regime::Nutating);
     let period = averages.map_or_else(|| natural_time(motion.top()), |averages| averages.period);
     let readings = readings(&motion, period);
-    let targets = with_truth.then(|| targets(input, &motion, ticks_for(&motion, period), random));
+    let targets = with_truth.then(|| {
+        let rate = ticks_for(&motion, period);
+        let doubtful = finer(&motion, period).map(|finer| doubtful(&readings, &*finer, period * rate));
+        targets(input, &motion, rate, &doubtful.unwrap_or_default(), random)
+    });
     let checks = Checks::new(&motion, period, averages.is_some(), random);
     let kept = |(reading, (_, rounding)): (&Option<Reading>, (&str, f64))| {
         reading.as_ref().map(|reading| Kept {
@@ -89,8 +100,26 @@ pub fn run(input: &Input, random: &mut Random, with_truth: bool) -> Outcome {
     }
 }
 
+/// Ticks at which the rates of a table are compared with those of a finer one.
+const COMPARED: i64 = 2048;
+
+/// For each scalar, the tick of the first period, `ticks` long, at which its rates differ most from those of a finer
+/// table.
+fn doubtful(readings: &[Option<Reading>; 4], finer: &dyn AnyScalar, ticks: f64) -> Vec<i64> {
+    let place = |place: i64| (ticks * place as f64 / COMPARED as f64) as i64;
+    let fine: Vec<_> = (0..COMPARED).map(place).map(|tick| (tick, finer.rates_at_tick(tick))).collect();
+    let most = |reading: &Reading| {
+        let apart = fine.iter().map(|(tick, rates)| (*tick, reading.rates_at_tick(*tick).distance(rates)));
+        apart.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(tick, _)| tick)
+    };
+    readings.iter().flatten().filter_map(most).collect()
+}
+
 fn error(reading: &Reading, targets: &[Target], rounding: f64) -> Error {
+    let speed = targets.iter().map(|target| target.rates.speed()).fold(f64::MIN_POSITIVE, f64::max);
     targets.iter().fold(Error::default(), |worst, target| {
+        let rates = target.rates.distance(&reading.rates_at_tick(target.tick));
+        let rates_of_bound = rates / reading.rate_bound_at(target.tick);
         let error = target.phi.distance(&reading.at_tick(target.tick));
         // what is no number is beyond every bound
         let error = if error.is_nan() { f64::INFINITY } else { error };
@@ -102,6 +131,9 @@ fn error(reading: &Reading, targets: &[Target], rounding: f64) -> Error {
             of_bound: worst.of_bound.max(of_bound),
             tick: if of_bound > worst.of_bound { target.tick } else { worst.tick },
             of_condition: worst.of_condition.max(condition),
+            rates: worst.rates.max(rates / speed),
+            rates_of_bound: worst.rates_of_bound.max(rates_of_bound),
+            rates_tick: if rates_of_bound > worst.rates_of_bound { target.tick } else { worst.rates_tick },
             places: [places + 1, by_ticks + u64::from(reading.counts_ticks(target.tick))],
         }
     })
@@ -161,7 +193,7 @@ const PLACES: usize = 4;
 /// Neighbours that the sensitivity is the greatest of.
 const NEIGHBOURS: usize = 2;
 
-fn targets(input: &Input, motion: &Motion, rate: f64, random: &mut Random) -> Vec<Target> {
+fn targets(input: &Input, motion: &Motion, rate: f64, doubtful: &[i64], random: &mut Random) -> Vec<Target> {
     let exact = input.exact();
     let ticks = Ticks { exact: &exact, rate, natural_time: natural_time(motion.top()) };
     let mut near = ticks.near(PLACES, random);
@@ -172,10 +204,13 @@ fn targets(input: &Input, motion: &Motion, rate: f64, random: &mut Random) -> Ve
         let phi = exact.at(&t);
         let moved = neighbours.iter().map(|neighbour| neighbour.at(&t).apart(&phi));
         let sensitivity = Some(moved.filter(|moved| moved.is_finite()).fold(0.0, f64::max));
-        Target { tick, phi, sensitivity }
+        Target { tick, phi, rates: ticks.rates(tick), sensitivity }
     });
     let near: Vec<_> = near.collect();
-    let far = ticks.far(PLACES, random).into_iter();
-    let far = far.map(|tick| Target { tick, phi: exact.at(&ticks.time(tick)), sensitivity: None });
-    near.into_iter().chain(far).collect()
+    let others = ticks.far(PLACES, random).into_iter().chain(doubtful.iter().copied());
+    let others = others.map(|tick| {
+        let (phi, rates) = (exact.at(&ticks.time(tick)), ticks.rates(tick));
+        Target { tick, phi, rates, sensitivity: None }
+    });
+    near.into_iter().chain(others).collect()
 }

@@ -1,7 +1,7 @@
 //! A row of each seed.
 
 use crate::study::corners::reading::SCALARS;
-use crate::study::corners::tally::Tally;
+use crate::study::corners::tally::{Side, Tally};
 use toytop_host::output::{Cell, Record};
 
 /// Keys of the greatest errors as a share of the bound, by scalar, in the order of [`SCALARS`].
@@ -24,7 +24,7 @@ pub(super) fn record(seed: u64, tally: &Tally) -> Record {
     cells.extend(OF_BOUND.into_iter().zip(&sides).map(|(key, side)| (key, Cell::Number(side.of_bound))));
     let strain = sides.iter().map(|side| side.strain).fold(0.0, f64::max);
     cells.push(("checks_of_bound", Cell::Number(strain)));
-    cells.push(("beyond_bound", Cell::Count(sides.iter().map(|side| side.violated + side.astray).sum())));
+    cells.push(("beyond_bound", Cell::Count(sides.iter().map(Side::beyond_bound).sum())));
     cells.push(("failures", Cell::Count(tally.failures.len() as u64)));
     Record(cells)
 }
