@@ -20,6 +20,7 @@ mod group;
 mod hostile;
 #[cfg(feature = "host")]
 mod hyperelliptic;
+mod impulse;
 mod interop;
 mod invariants;
 mod lagrange;
