@@ -5,6 +5,7 @@ mod baked;
 mod bounds;
 #[cfg(feature = "host")]
 mod cayley_klein;
+mod clock_change;
 mod closed_forms;
 mod conditioning;
 mod dependencies;
