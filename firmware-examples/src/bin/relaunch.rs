@@ -1,0 +1,191 @@
+//! Relaunch while an interrupt goes on sampling: after each kick the main loop sets up a new table and hands it over, and
+//! the interrupt gives the old one back. Two tables go round through two lock-free queues, which need neither `unsafe` nor
+//! a compare-and-swap. A stepper, which is ready sooner than the table, bridges the time between.
+
+#![no_std]
+#![no_main]
+
+use core::cell::Cell;
+
+use cortex_m::{asm, singleton};
+use cortex_m_rt::exception;
+use critical_section::Mutex;
+use heapless::spsc::{Consumer, Producer, Queue};
+use toytop::{
+    AttitudeState, EphemerisF32, EphemerisView, Motion, Orientation, ParameterError, Release, Sampler, State,
+    Stepper, Tick, Top, TopParameters,
+};
+use toytop_firmware::{entry, exit, start_systick};
+
+/// Clock of the processor, Hz. The emulated Cortex-M4F has 25 MHz; the Cortex-M0, which has no compare-and-swap, 16 MHz.
+const CLOCK: u32 = if cfg!(target_has_atomic = "ptr") { 25_000_000 } else { 16_000_000 };
+/// Ticks a second.
+const TICK_RATE: u32 = 1000;
+/// Length of a tick, s.
+const TICK_LENGTH: f32 = 1.0 / TICK_RATE as f32;
+/// Ticks of the simulated kicks.
+const KICKS: [i64; 3] = [100, 300, 500];
+/// Impulse of a kick, N s: a stroke along the second fixed axis that presses down a little.
+const IMPULSE: [f64; 3] = [0.0, 3.0e-3, -1.0e-3];
+/// Point that a kick meets, m from the tip: on the axis, 30 mm above the centre of mass.
+const POINT: [f64; 3] = [0.0, 0.0, 0.06];
+
+/// Table in memory of its own, which has one owner at a time.
+type Table = &'static mut EphemerisView<f32>;
+
+/// Kick, as the interrupt notices it: the tick, and the state without the kick.
+struct Kick {
+    tick: i64,
+    state: AttitudeState<f32>,
+}
+
+/// Take-over by the stepper or by the new table.
+struct TakeOver {
+    by: &'static str,
+    tick: i64,
+    /// Jump of the orientation, rad: from what the interrupt used so far, and from the old table.
+    jumps: [f32; 2],
+}
+
+/// Everything that the interrupt owns.
+struct Source {
+    sampler: Sampler<'static, f32>,
+    stepper: Option<Stepper<f32>>,
+    kicks: Producer<'static, Kick>,
+    bridges: Consumer<'static, (i64, Stepper<f32>)>,
+    fresh: Consumer<'static, Table>,
+    used: Producer<'static, Table>,
+    log: Producer<'static, TakeOver>,
+}
+
+impl Source {
+    /// Orientation at the next tick.
+    fn next(&mut self) -> Orientation<f32> {
+        let old = self.sampler.next().orientation();
+        let tick = self.sampler.tick();
+        let mut now = old;
+        if let Some(stepper) = &mut self.stepper {
+            stepper.step(TICK_LENGTH);
+            now = stepper.orientation();
+        }
+        if let Some((kick, mut stepper)) = self.bridges.dequeue() {
+            (kick..tick).for_each(|_| stepper.step(TICK_LENGTH));
+            now = self.take_over("stepper", [now, old], stepper.orientation());
+            self.stepper = Some(stepper);
+        }
+        if let Some(table) = self.fresh.dequeue() {
+            now = self.take_over("table", [now, old], table.at_tick(tick).orientation());
+            self.stepper = None;
+            let old = self.sampler.exchange(table);
+            assert!(self.used.enqueue(old).is_ok(), "there are but two tables");
+        }
+        if KICKS.contains(&tick) {
+            let state = self.sampler.table().at_tick(tick).attitude_state();
+            assert!(self.kicks.enqueue(Kick { tick, state }).is_ok(), "kicks come too fast");
+        }
+        now
+    }
+
+    fn take_over(
+        &mut self,
+        by: &'static str,
+        before: [Orientation<f32>; 2],
+        now: Orientation<f32>,
+    ) -> Orientation<f32> {
+        let jumps = before.map(|before| before.distance(&now));
+        let _ = self.log.enqueue(TakeOver { by, tick: self.sampler.tick(), jumps });
+        now
+    }
+}
+
+/// Source on its way to the interrupt.
+static SOURCE: Mutex<Cell<Option<Source>>> = Mutex::new(Cell::new(None));
+
+#[exception]
+fn SysTick() {
+    static mut OWN: Option<Source> = None;
+    if OWN.is_none() {
+        *OWN = critical_section::with(|cs| SOURCE.borrow(cs).take());
+    }
+    if let Some(source) = OWN {
+        let _orientation = source.next(); // what the tick is for
+    }
+}
+
+#[entry]
+fn main() -> ! {
+    let top = top().expect("a possible top");
+    let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
+    let [first, second] = [
+        singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once"),
+        singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once"),
+    ];
+    let (kicks, mut kicked) = singleton!(: Queue<Kick, 4> = Queue::new()).expect("taken once").split();
+    let (mut bridge, bridges) =
+        singleton!(: Queue<(i64, Stepper<f32>), 2> = Queue::new()).expect("taken once").split();
+    let (mut ready, fresh) = singleton!(: Queue<Table, 2> = Queue::new()).expect("taken once").split();
+    let (mut used, mut spare) = singleton!(: Queue<Table, 2> = Queue::new()).expect("taken once").split();
+    let (log, mut logged) = singleton!(: Queue<TakeOver, 4> = Queue::new()).expect("taken once").split();
+
+    first.set_up(&throw(&top).expect("a possible throw"), tick, 1e-6).expect("an ordinary motion");
+    assert!(used.enqueue(second).is_ok(), "the queue is empty");
+    let sampler = Sampler::new(first, 1);
+    let source = Source { sampler, stepper: None, kicks, bridges, fresh, used, log };
+    critical_section::with(|cs| SOURCE.borrow(cs).set(Some(source)));
+    start_systick(CLOCK, TICK_RATE);
+
+    for kick in KICKS {
+        let Kick { tick: at, state } = wait(&mut kicked);
+        let motion = relaunch(&top, &state).expect("a possible kick");
+        assert!(bridge.enqueue((at, Stepper::new(&motion))).is_ok(), "the last one is taken");
+        let table = wait(&mut spare);
+        table.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
+        table.delay(at as f64); // its tick 0 is the tick of the kick
+        assert!(ready.enqueue(table).is_ok(), "the last one is taken");
+        for _ in 0..2 {
+            let TakeOver { by, tick, jumps: [jump, unbridged] } = wait(&mut logged);
+            defmt::info!(
+                "kick at {=i64} ms: {=str} after {=i64} ticks, a jump of {=f32} rad; from the old table {=f32} rad",
+                kick,
+                by,
+                tick - at,
+                jump,
+                unbridged
+            );
+        }
+    }
+    exit()
+}
+
+/// Next item of a queue; the processor sleeps until there is one.
+fn wait<T>(queue: &mut Consumer<'static, T>) -> T {
+    loop {
+        if let Some(item) = queue.dequeue() {
+            return item;
+        }
+        asm::wfi();
+    }
+}
+
+/// A 50 g top with its centre of mass 30 mm above the tip.
+fn top() -> Result<Top, ParameterError> {
+    Top::sliding(&TopParameters {
+        transverse_inertia: 3.0e-5,
+        axial_inertia: 2.0e-5,
+        com_height: 0.03,
+        mass: 0.05,
+        gravity: 9.81,
+        ..TopParameters::default()
+    })
+}
+
+/// The top, let go at 20 degrees with 150 rad/s.
+fn throw(top: &Top) -> Result<Motion, ParameterError> {
+    let release = Release { tilt: 20.0_f64.to_radians(), spin: 150.0, ..Release::default() };
+    Motion::launch(top, &State::release(&release)?)
+}
+
+/// The motion after a kick.
+fn relaunch(top: &Top, before: &AttitudeState<f32>) -> Result<Motion, ParameterError> {
+    Motion::launch(top, &before.state()?.with_impulse(top, IMPULSE, POINT)?)
+}
