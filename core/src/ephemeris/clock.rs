@@ -123,7 +123,7 @@ impl<W: Float> Clock<W> {
             step: exact_step.map(|step| PhaseFraction::of(step.to_phase()).words()),
             exact_step: exact_step.map(Extended::parts),
             ticks_per_time: tick.rate().parts(),
-            horizon: (!rates.returns).then(|| whole_between(rise(start, nutation_step))),
+            horizon: (!rates.returns).then(|| horizon(start, nutation_step)),
             tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
             rates: [x_rate, mean, axial].map(W::from_f64),
             tip: TipClock::new(motion, rates, exact_step),
@@ -255,6 +255,13 @@ pub(crate) fn first_phases(start: [Phase; 3], exact_step: [Extended; 3]) -> [u64
         *first = (start + step.to_phase().times(i64::MIN)).fraction();
     }
     first
+}
+
+/// First and last tick at which a nutation phase that does not wrap is within half a turn of 0.
+#[cold]
+#[inline(never)] // no stack for it where the motion is another
+fn horizon(start: Phase, step: Extended) -> [i64; 2] {
+    whole_between(rise(start, step))
 }
 
 /// Time, in ticks since a nutation phase that does not wrap, at which it leaves -1/2 turn and reaches 1/2.
