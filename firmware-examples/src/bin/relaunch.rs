@@ -12,10 +12,10 @@ use cortex_m_rt::exception;
 use critical_section::Mutex;
 use heapless::spsc::{Consumer, Producer, Queue};
 use toytop::{
-    AttitudeState, EphemerisF32, EphemerisView, Motion, Orientation, ParameterError, Release, Sampler, State,
-    Stepper, Tick, Top, TopParameters,
+    AttitudeState, EphemerisF32, EphemerisView, Motion, Orientation, ParameterError, Sampler, Stepper, Tick,
+    Top,
 };
-use toytop_firmware::{entry, exit, start_systick};
+use toytop_firmware::{entry, exit, start_systick, toy_top};
 
 /// Clock of the processor, Hz. The emulated Cortex-M4F has 25 MHz; the Cortex-M0, which has no compare-and-swap, 16 MHz.
 const CLOCK: u32 = if cfg!(target_has_atomic = "ptr") { 25_000_000 } else { 16_000_000 };
@@ -114,20 +114,21 @@ fn SysTick() {
 
 #[entry]
 fn main() -> ! {
-    let top = top().expect("a possible top");
+    let motion = toy_top().expect("a possible throw");
+    let top = motion.top();
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
     let [first, second] = [
         singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once"),
         singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once"),
     ];
-    let (kicks, mut kicked) = singleton!(: Queue<Kick, 4> = Queue::new()).expect("taken once").split();
+    let (kicks, mut kicks_taken) = singleton!(: Queue<Kick, 4> = Queue::new()).expect("taken once").split();
     let (mut bridge, bridges) =
         singleton!(: Queue<(i64, Stepper<f32>), 2> = Queue::new()).expect("taken once").split();
     let (mut ready, fresh) = singleton!(: Queue<Table, 2> = Queue::new()).expect("taken once").split();
     let (mut used, mut spare) = singleton!(: Queue<Table, 2> = Queue::new()).expect("taken once").split();
     let (log, mut logged) = singleton!(: Queue<TakeOver, 4> = Queue::new()).expect("taken once").split();
 
-    first.set_up(&throw(&top).expect("a possible throw"), tick, 1e-6).expect("an ordinary motion");
+    first.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
     assert!(used.enqueue(second).is_ok(), "the queue is empty");
     let sampler = Sampler::new(first, 1);
     let source = Source { sampler, stepper: None, kicks, bridges, fresh, used, log };
@@ -135,24 +136,30 @@ fn main() -> ! {
     start_systick(CLOCK, TICK_RATE);
 
     for kick in KICKS {
-        let Kick { tick: at, state } = wait(&mut kicked);
-        let motion = relaunch(&top, &state).expect("a possible kick");
+        let Kick { tick: at, state } = wait(&mut kicks_taken);
+        let motion = kicked(top, &state).expect("a possible kick");
         assert!(bridge.enqueue((at, Stepper::new(&motion))).is_ok(), "the last one is taken");
         let table = wait(&mut spare);
         table.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
         table.delay(at as f64); // its tick 0 is the tick of the kick
         assert!(ready.enqueue(table).is_ok(), "the last one is taken");
-        for _ in 0..2 {
+        let [stale, without] = [(); 2].map(|()| {
             let TakeOver { by, tick, jumps: [jump, unbridged] } = wait(&mut logged);
             defmt::info!(
-                "kick at {=i64} ms: {=str} after {=i64} ticks, a jump of {=f32} rad; from the old table {=f32} rad",
-                kick,
+                "{=i64} ms: the {=str} takes over; a jump of {=f32} rad, from the old table {=f32} rad",
+                tick,
                 by,
-                tick - at,
                 jump,
                 unbridged
             );
-        }
+            tick - at - 1 // at the tick of the kick itself the orientation is right
+        });
+        defmt::info!(
+            "kick at {=i64} ms: {=i64} stale ticks; without the stepper {=i64}",
+            kick,
+            stale,
+            without
+        );
     }
     exit()
 }
@@ -167,25 +174,7 @@ fn wait<T>(queue: &mut Consumer<'static, T>) -> T {
     }
 }
 
-/// A 50 g top with its centre of mass 30 mm above the tip.
-fn top() -> Result<Top, ParameterError> {
-    Top::sliding(&TopParameters {
-        transverse_inertia: 3.0e-5,
-        axial_inertia: 2.0e-5,
-        com_height: 0.03,
-        mass: 0.05,
-        gravity: 9.81,
-        ..TopParameters::default()
-    })
-}
-
-/// The top, let go at 20 degrees with 150 rad/s.
-fn throw(top: &Top) -> Result<Motion, ParameterError> {
-    let release = Release { tilt: 20.0_f64.to_radians(), spin: 150.0, ..Release::default() };
-    Motion::launch(top, &State::release(&release)?)
-}
-
-/// The motion after a kick.
-fn relaunch(top: &Top, before: &AttitudeState<f32>) -> Result<Motion, ParameterError> {
+/// Motion after a kick.
+fn kicked(top: &Top, before: &AttitudeState<f32>) -> Result<Motion, ParameterError> {
     Motion::launch(top, &before.state()?.with_impulse(top, IMPULSE, POINT)?)
 }
