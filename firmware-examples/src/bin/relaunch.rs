@@ -1,6 +1,8 @@
 //! Relaunch while an interrupt goes on sampling: after each kick the main loop sets up a new table and hands it over, and
 //! the interrupt gives the old one back. Two tables go round through two lock-free queues, which need neither `unsafe` nor
 //! a compare-and-swap. A stepper, which is ready sooner than the table, bridges the time between.
+//!
+//! QEMU executes 10⁹ instructions a second. A chip of 100 MHz needs some fifteen times as many ticks as the log says.
 
 #![no_std]
 #![no_main]
@@ -12,8 +14,7 @@ use cortex_m_rt::exception;
 use critical_section::Mutex;
 use heapless::spsc::{Consumer, Producer, Queue};
 use toytop::{
-    AttitudeState, EphemerisF32, EphemerisView, Motion, Orientation, ParameterError, Sampler, Stepper, Tick,
-    Top,
+    AttitudeState, Ephemeris, EphemerisView, Motion, Orientation, ParameterError, Sampler, Stepper, Tick, Top,
 };
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
@@ -30,6 +31,8 @@ const IMPULSE: [f64; 3] = [0.0, 3.0e-3, -1.0e-3];
 /// Point that a kick meets, m from the tip: on the axis, 30 mm above the centre of mass.
 const POINT: [f64; 3] = [0.0, 0.0, 0.06];
 
+/// Table of 16 segments, which are enough for this top and leave room for the stack in 16 KiB of RAM.
+type SmallTable = Ephemeris<f32, 16>;
 /// Table in memory of its own, which has one owner at a time.
 type Table = &'static mut EphemerisView<f32>;
 
@@ -114,12 +117,9 @@ fn SysTick() {
 
 #[entry]
 fn main() -> ! {
-    let motion = toy_top().expect("a possible throw");
-    let top = motion.top();
-    let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
     let [first, second] = [
-        singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once"),
-        singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once"),
+        singleton!(: SmallTable = SmallTable::EMPTY).expect("taken once"),
+        singleton!(: SmallTable = SmallTable::EMPTY).expect("taken once"),
     ];
     let (kicks, mut kicks_taken) = singleton!(: Queue<Kick, 4> = Queue::new()).expect("taken once").split();
     let (mut bridge, bridges) =
@@ -128,7 +128,7 @@ fn main() -> ! {
     let (mut used, mut spare) = singleton!(: Queue<Table, 2> = Queue::new()).expect("taken once").split();
     let (log, mut logged) = singleton!(: Queue<TakeOver, 4> = Queue::new()).expect("taken once").split();
 
-    first.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
+    let top = throw(first).expect("a possible throw");
     assert!(used.enqueue(second).is_ok(), "the queue is empty");
     let sampler = Sampler::new(first, 1);
     let source = Source { sampler, stepper: None, kicks, bridges, fresh, used, log };
@@ -137,10 +137,11 @@ fn main() -> ! {
 
     for kick in KICKS {
         let Kick { tick: at, state } = wait(&mut kicks_taken);
-        let motion = kicked(top, &state).expect("a possible kick");
-        assert!(bridge.enqueue((at, Stepper::new(&motion))).is_ok(), "the last one is taken");
         let table = wait(&mut spare);
-        table.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
+        relaunch(&top, &state, table, |stepper| {
+            assert!(bridge.enqueue((at, stepper)).is_ok(), "the last one is taken");
+        })
+        .expect("a possible kick");
         table.delay(at as f64); // its tick 0 is the tick of the kick
         assert!(ready.enqueue(table).is_ok(), "the last one is taken");
         let [stale, without] = [(); 2].map(|()| {
@@ -174,7 +175,24 @@ fn wait<T>(queue: &mut Consumer<'static, T>) -> T {
     }
 }
 
-/// Motion after a kick.
-fn kicked(top: &Top, before: &AttitudeState<f32>) -> Result<Motion, ParameterError> {
-    Motion::launch(top, &before.state()?.with_impulse(top, IMPULSE, POINT)?)
+/// Sets up the table of the first throw, and returns its top.
+#[inline(never)] // its motion does not remain on the stack
+fn throw(table: &mut EphemerisView<f32>) -> Result<Top, ParameterError> {
+    let motion = toy_top()?;
+    table.set_up(&motion, Tick::hertz(TICK_RATE)?, 1e-6).expect("an ordinary motion");
+    Ok(*motion.top())
+}
+
+/// Launches the motion after a kick, passes its stepper on, and sets up its table.
+#[inline(never)]
+fn relaunch(
+    top: &Top,
+    before: &AttitudeState<f32>,
+    table: &mut EphemerisView<f32>,
+    bridge: impl FnOnce(Stepper<f32>),
+) -> Result<(), ParameterError> {
+    let motion = Motion::launch(top, &before.state()?.with_impulse(top, IMPULSE, POINT)?)?;
+    bridge(Stepper::new(&motion));
+    table.set_up(&motion, Tick::hertz(TICK_RATE)?, 1e-6).expect("an ordinary motion");
+    Ok(())
 }
