@@ -72,7 +72,7 @@ impl ErrorBound {
         let rounded = rounded::<R>(tabulated);
         let rounded = if rounded > tabulated.defect { rounded } else { tabulated.defect };
         Self {
-            constant: truncation + tick + place + rise + rounded + Self::of_phases(tabulated, [CLOCK; 3]),
+            constant: truncation + tick + place + rise + rounded + Self::of_phases(speeds.sweep, [CLOCK; 3]),
             per_tick: Self::per_tick(rates, tabulated, length, missed),
         }
     }
@@ -82,20 +82,21 @@ impl ErrorBound {
         for (error, of_rate) in errors.iter_mut().zip(rates.errors) {
             *error = Float::abs(*error) + of_rate * length;
         }
-        Self::of_phases(tabulated, errors)
+        Self::of_phases(tabulated.speeds.sweep, errors)
     }
 
     /// Orientation error, rad, caused by these errors of the three phases, in turns. The error of the nutation phase
-    /// is multiplied by the greatest speed; of the slow phases only the larger error counts, because |α|² + |β|² = 1.
-    fn of_phases(tabulated: &Tabulated, [nutation, alpha, beta]: [f64; 3]) -> f64 {
+    /// is multiplied by the greatest speed [`Speeds::sweep`]; of the slow phases only the larger error counts, because |α|² + |β|² = 1.
+    pub(crate) fn of_phases(sweep: f64, [nutation, alpha, beta]: [f64; 3]) -> f64 {
         let slow = if alpha > beta { alpha } else { beta };
-        2.0 * (tabulated.speeds.sweep * nutation + TURN * slow)
+        2.0 * (sweep * nutation + TURN * slow)
     }
 }
 
-/// Error of the phases at a tick, in turns: the phases of the first tick and of the current tick are each truncated
-/// to 2^-64.
-const CLOCK: f64 = 1.0 / (1_u64 << 63) as f64;
+/// Truncation of a phase to its 64 leading bits, in turns.
+pub(crate) const TRUNCATION: f64 = 0.5 / (1_u64 << 63) as f64;
+/// Error of the phases at a tick, in turns: the phases of the first tick and of the current tick are each truncated.
+const CLOCK: f64 = 2.0 * TRUNCATION;
 
 /// Orientation error, rad, of all arithmetic in `f64`: the part common to all steps, plus five standard deviations of
 /// the independent part.
