@@ -4,6 +4,7 @@ mod choice;
 mod many;
 mod measure;
 mod motion;
+mod score;
 
 pub use choice::{Format, Method, Scalar, ScalarChoice};
 pub use many::{Shard, SweepArgs};
@@ -11,6 +12,8 @@ pub use measure::{AccuracyArgs, BenchArgs, BudgetArgs, CompareArgs, ErrataArgs, 
 pub use motion::{
     BakeArgs, ConstantsArgs, DEFAULT_STEPS, Language, PlotArgs, StateArgs, TimesArgs, ViewArgs,
 };
+
+pub use score::ScoreArgs;
 
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
@@ -65,6 +68,17 @@ pub enum Command {
     /// Figures 2 and 3 of the paper, nutation and errors, as SVG and PNG
     #[command(after_help = "Example: toytop figures -o figures")]
     Figures(FiguresArgs),
+    /// Errors of your integrator's output against the exact motion
+    #[command(
+        after_help = "A RESULT has a header, and a row for each time: t in s, and w,x,y,z (unit quaternion from body to fixed coordinates), or\n\
+            alpha_re,alpha_im,beta_re,beta_im, or r11,r12,...,r33 (matrix by rows, body to fixed). For the drifts of h, l and n it may have wx,wy,wz\n\
+            (rad/s, body frame) or omega_x,omega_y,omega_z (fixed frame); without them they follow from differences. Other columns are ignored.\n\
+            Of the two signs of a quaternion the nearer one counts. Lines above the header may say: # method = RK4, # step = 0.001,\n\
+            # evaluations = 40000. Files of one method with different steps give its order of convergence.\n\n\
+            Example: toytop score host/scenarios/toy_top.toml rk4_*.csv --plot rk4.svg\n         \
+            toytop state TOP.toml --times 0..1/1001 --method stepper --format csv > s.csv && toytop score TOP.toml s.csv"
+    )]
+    Score(ScoreArgs),
     /// Time for a state on this machine: ephemeris, stepper, full solver
     #[command(after_help = "Example: toytop bench --format json")]
     Bench(BenchArgs),

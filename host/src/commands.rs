@@ -9,6 +9,7 @@ mod constants;
 mod errata;
 mod figures;
 mod plot;
+mod score;
 mod state;
 mod sweep;
 mod view;
@@ -58,6 +59,7 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::View(arguments) => view::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
         Command::Figures(arguments) => figures::run(arguments),
+        Command::Score(arguments) => score::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
         Command::Budget(arguments) => budget::run(arguments),
         Command::Errata(arguments) => errata::run(arguments),

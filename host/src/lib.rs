@@ -9,6 +9,7 @@
 //! | [`measure`] | errors and times of the core against the truth |
 //! | [`budget`] | cost of a call on an emulated chip |
 //! | [`errata`] | slips of the printed paper: both versions against the full equations |
+//! | [`score`] | output of an integrator, judged by the exact motion |
 //! | [`sweep`] | many motions, a row each |
 //! | [`bake`] | ephemeris as Rust, C or JSON |
 //! | [`pictures`] | curve of the tip, figures, page for a browser |
@@ -31,6 +32,7 @@ pub mod motion;
 pub mod output;
 pub mod pictures;
 pub mod program;
+pub mod score;
 pub mod sweep;
 pub mod thread_pool;
 pub mod truth;

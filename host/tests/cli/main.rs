@@ -11,6 +11,7 @@ mod program;
 mod refusals;
 mod robustness;
 mod scalars;
+mod score;
 mod scratch;
 mod state;
 mod sweep;
