@@ -10,7 +10,7 @@ pub use choice::{Format, Method, Scalar, ScalarChoice};
 pub use many::{Shard, SweepArgs};
 pub use measure::{AccuracyArgs, BenchArgs, BudgetArgs, CompareArgs, ErrataArgs, FiguresArgs};
 pub use motion::{
-    BakeArgs, ConstantsArgs, DEFAULT_STEPS, Language, PlotArgs, StateArgs, TimesArgs, ViewArgs,
+    BakeArgs, ConstantsArgs, DEFAULT_STEPS, Language, PlotArgs, SampleFormat, StateArgs, TimesArgs, ViewArgs,
 };
 
 pub use score::ScoreArgs;
@@ -36,15 +36,21 @@ pub enum Command {
     #[command(after_help = "Example: toytop compare host/scenarios/toy_top.toml --periods 100 --format csv")]
     Compare(CompareArgs),
     /// Orientation, rates and tip at given times
-    #[command(
-        after_help = "Units of every format (the CSV columns have the names of the JSON keys): t in s, udot in 1/s, omega in rad/s, tip in m, phi in rad;\n\
-            u, alpha, beta, gamma and delta are pure numbers. The tip is c = 2 s alpha beta; with support = \"fixed\" it is 2 alpha beta,\n\
-            a pure number: minus the horizontal part of the axis, which plot and view draw.\n\n\
-            Example: toytop state host/scenarios/toy_top.toml --times 0,0.5,1e6 --format json"
-    )]
+    #[command(after_help = "Units: t in s, udot in 1/s, omega in rad/s, tip in m, phi in rad and\n\
+            the other angles too, unless the scenario says units = \"none\"; u, alpha, beta,\n\
+            gamma, delta, quaternion and axis are pure numbers. The tip is c = 2 s alpha beta; with support = \"fixed\" it is 2 alpha beta, a pure number:\n\
+            minus the horizontal part of the axis. The CSV columns have the names of the JSON keys, except for quaternion (w,x,y,z), omega_body\n\
+            (wx,wy,wz), angles (tilt,azimuth,roll) and euler_zxz (euler_phi,euler_theta,euler_psi).\n\n\
+            Example: toytop state host/scenarios/toy_top.toml --times 0,0.5,1e6 --format json\n         \
+            toytop state host/scenarios/toy_top.toml --times 0..10/1000001 --columns t,quaternion,omega_body --format npy -o top.npy\n         \
+            toytop state host/scenarios/toy_top.toml --ticks 0..999 --hertz 8000 --scalar q15 --format csv")]
     State(StateArgs),
     /// First integrals, branch points, period and mean rotations
-    #[command(after_help = "Example: toytop constants host/scenarios/figure_3_loops.toml")]
+    #[command(
+        after_help = "Tilts are those of the axis from the vertical. The precession is the mean rate of the axis about the vertical; the spin is omega . r,\n\
+            the whole component along the axis; above the critical spin the top sleeps upright. Without units of time a second is the scenario's.\n\n\
+            Example: toytop constants host/scenarios/figure_3_loops.toml"
+    )]
     Constants(ConstantsArgs),
     /// Picture of the curve of the tip between its bounding circles
     ///

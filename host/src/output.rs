@@ -1,5 +1,6 @@
 //! Records as CSV and JSON, numbers with 17 significant digits: what is read back is the number that was computed.
 
+pub mod digits;
 pub mod doc_markers;
 pub mod names;
 pub mod progress;

@@ -1,6 +1,7 @@
 //! Commands that take one motion, from a scenario file.
 
 use super::{Format, Method, Scalar};
+use crate::samples::column::{Column, DEFAULT_COLUMNS};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -21,24 +22,58 @@ pub struct StateArgs {
     /// Steps of the stepper in a nutation period (where there is none: in a natural time of the top)
     #[arg(long, value_name = "N", default_value_t = DEFAULT_STEPS, value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
     pub steps_per_period: u32,
+    /// Ticks a second, for --ticks; 1000 if nothing is said
+    #[arg(long, value_name = "N", conflicts_with = "tick", value_parser = clap::value_parser!(u32).range(1..))]
+    pub hertz: Option<u32>,
+    /// A ticks in B seconds, for --ticks
+    #[arg(long, value_name = "A/B", value_parser = ratio)]
+    pub tick: Option<[u32; 2]>,
+    /// What to say of each instant, in this order
+    #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS)]
+    pub columns: Vec<Column>,
+    /// Name the units in the header of CSV, Parquet excepted: omega_x [rad/s]
+    #[arg(long)]
+    pub units: bool,
     /// Form of the output
-    #[arg(long, value_enum, default_value_t = Format::Table)]
-    pub format: Format,
+    #[arg(long, value_enum, default_value_t = SampleFormat::Table)]
+    pub format: SampleFormat,
+    /// Where to; without it, to stdout
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// Form of samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SampleFormat {
+    /// For reading
+    Table,
+    /// Comma-separated, one line a record
+    Csv,
+    /// One JSON object
+    Json,
+    /// NumPy file: a structured array with the names of the CSV columns
+    Npy,
+    /// Parquet file (in a build with that feature)
+    Parquet,
 }
 
 /// Steps a period where nothing else is said.
 pub const DEFAULT_STEPS: u32 = 4096;
 
-/// The times of `toytop state`: exactly one of the two.
+/// The instants of `toytop state`: exactly one of the three.
 #[derive(Args, Debug)]
 #[group(required = true, multiple = false)]
 pub struct TimesArgs {
-    /// Times, separated by commas, in any order, negative ones too; or LOW..HIGH/PLACES, evenly spread with both ends
+    /// Times, separated by commas, in any order, negative ones too; or LOW..HIGH/PLACES, evenly spread with both ends, or
+    /// log:LOW..HIGH/PLACES, even in the logarithm
     #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true)]
     pub times: Option<String>,
     /// File with one time a line; # starts a comment
     #[arg(long, value_name = "FILE")]
     pub times_file: Option<PathBuf>,
+    /// Ticks of a clock, as an interrupt counts them: N1,N2,... or FIRST..LAST
+    #[arg(long, value_name = "N1,N2,...", allow_hyphen_values = true)]
+    pub ticks: Option<String>,
 }
 
 /// `toytop constants`

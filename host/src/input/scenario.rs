@@ -8,12 +8,32 @@ mod section;
 mod top;
 
 use crate::Failure;
-
-use crate::output::whole_file;
+use crate::output::{shown, whole_file};
 use section::Section;
 use std::path::Path;
 use toml::{Table, Value};
 use toytop::{Motion, State};
+
+/// Units of a scenario's numbers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Units {
+    /// SI: kg, m, s.
+    #[default]
+    Si,
+    /// None are named: any consistent ones, or the paper's, with p = s = g = 1.
+    None,
+}
+
+impl Units {
+    /// A unit's name, where units are named.
+    #[must_use]
+    pub fn name(self, si: &'static str) -> &'static str {
+        match self {
+            Self::Si => si,
+            Self::None => "",
+        }
+    }
+}
 
 /// One top and one motion.
 #[derive(Clone, Debug)]
@@ -24,6 +44,8 @@ pub struct Scenario {
     pub motion: Motion,
     /// The state at t = 0, where the scenario gives one.
     pub state: Option<State>,
+    /// Units of its numbers.
+    pub units: Units,
 }
 
 /// A scenario file is a dozen lines; something larger, MiB, is something else.
@@ -53,12 +75,18 @@ impl Scenario {
             let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
             Failure::Input(format!("{file}: line {line}: must be TOML: {}", error.message()))
         })?;
-        if let Some(key) = root.keys().find(|key| !["top", "motion"].contains(&key.as_str())) {
-            return Err(Failure::Input(format!("{file}: {key}: unknown key; allowed: top, motion")));
+        if let Some(key) = root.keys().find(|key| !["units", "top", "motion"].contains(&key.as_str())) {
+            let key = shown(key);
+            return Err(Failure::Input(format!("{file}: {key}: unknown key; allowed: units, top, motion")));
         }
+        let units = match root.get("units").map(Value::as_str) {
+            None | Some(Some("SI")) => Units::Si,
+            Some(Some("none")) => Units::None,
+            _ => return Err(Failure::Input(format!("{file}: units: must be one of \"SI\", \"none\""))),
+        };
         let top = top::read(&section(file, "top", &root)?)?;
         let (motion, state) = motion::read(&section(file, "motion", &root)?, &top)?;
-        Ok(Self { name: file.to_owned(), motion, state })
+        Ok(Self { name: file.to_owned(), motion, state, units })
     }
 }
 

@@ -3,7 +3,7 @@
 use super::{Place, Space};
 use crate::cli::Scalar;
 use crate::full_equations::solution;
-use crate::input::scenario::Scenario;
+use crate::input::scenario::{Scenario, Units};
 use crate::motion::ephemeris::{AnyScalar, approximate, smallest_with_period};
 use crate::motion::propagate::natural_time;
 use crate::output::names;
@@ -164,7 +164,7 @@ impl Rows {
             measured.single = table.map(|table| Run::of(&*table, &times));
         }
         if wants(Column::of_the_full_solver) {
-            let scenario = Scenario { name: String::new(), motion, state: None };
+            let scenario = Scenario { name: String::new(), motion, state: None, units: Units::None };
             let states = solution::states(&scenario, &times).ok();
             measured.full = states.map(|states| states.iter().map(solution::phi).collect());
         }
