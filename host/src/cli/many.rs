@@ -65,9 +65,13 @@ impl FromStr for Shard {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let number = |text: &str| text.parse::<u64>().ok().filter(|n| *n <= 1 << 32);
+        const MOST: u64 = 1 << 32;
+        let number = |text: &str| text.parse::<u64>().ok();
         let pair = text.split_once('/').and_then(|(shard, of)| Some([number(shard)?, number(of)?]));
-        let pair = pair.filter(|[shard, of]| (1..=*of).contains(shard));
-        pair.map(Self).ok_or_else(|| "must be I/N with I from 1 to N".to_owned())
+        match pair {
+            Some([_, of]) if of > MOST => Err(format!("N must be at most {MOST}")),
+            Some(pair @ [shard, of]) if (1..=of).contains(&shard) => Ok(Self(pair)),
+            _ => Err("must be I/N with I from 1 to N".to_owned()),
+        }
     }
 }

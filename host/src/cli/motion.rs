@@ -117,7 +117,8 @@ pub struct BakeArgs {
     /// What to write
     #[arg(long, value_enum, default_value_t = Language::Rust)]
     pub lang: Language,
-    /// Room for so many segments, a power of two from 16 to 4096; without it the crate's default, or the smallest that fits
+    /// Room for so many segments: a power of two from 16 to 4096, 25 in f32, or 48 in f64; without it the crate's default, or the
+    /// smallest that fits the motion
     #[arg(long, value_name = "SEGMENTS")]
     pub size: Option<u32>,
     /// Ticks a second

@@ -1,6 +1,7 @@
 //! What one number of a sweep may be: listed, or spread over a range.
 
 use crate::input::random::Random;
+use crate::output::short;
 use std::fmt;
 use std::str::FromStr;
 
@@ -103,9 +104,14 @@ impl FromStr for Axis {
     }
 }
 
+/// A number that is read back as the same, without hundreds of zeros.
+fn exact(x: f64) -> String {
+    short(x, 17)
+}
+
 impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}{}..{}", if self.log { "log:" } else { "" }, self.low, self.high)
+        write!(f, "{}{}..{}", if self.log { "log:" } else { "" }, exact(self.low), exact(self.high))
     }
 }
 
@@ -113,7 +119,7 @@ impl fmt::Display for Axis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::List(numbers) => {
-                let numbers: Vec<_> = numbers.iter().map(f64::to_string).collect();
+                let numbers: Vec<_> = numbers.iter().copied().map(exact).collect();
                 f.write_str(&numbers.join(","))
             }
             Self::Range(range) => range.fmt(f),
@@ -164,7 +170,7 @@ mod tests {
         for text in ["", "x", "1,,2", "1..", "2..1", "1..1", "log:0..1", "0..1/1", "0..1/x", "nan", "log:3"] {
             assert!(text.parse::<Axis>().is_err(), "{text}");
         }
-        for text in ["0.7", "0.1,0.2", "log:0.001..1000/7", "-1..1"] {
+        for text in ["0.7", "0.1,0.2", "log:0.001..1000/7", "-1..1", "1e300", "-1e-9..0.3333333333333333"] {
             assert_eq!(axis(text).to_string(), text);
         }
     }
