@@ -104,9 +104,9 @@ pub enum Command {
     ///
     /// The motions are computed on all cores, in shards if wanted, and get a row each.
     #[command(
-        after_help = "Example: toytop sweep --e1=-0.9..0.1/41 --e2 0.9 --e3 log:1.01..100/33 --a-over-ps 1 --c-over-a 0.5 -o grid.csv\n         toytop sweep --motions 1000000 --shard 3/100 --resume -o part_3.csv"
+        after_help = "Example: toytop sweep host/scenarios/toy_top.toml --spin 90..300/200 --tilt 1..60/100 --plot spin,tilt,period -o grid.csv\n         toytop sweep --e1=-0.9..0.1/41 --e2 0.9 --e3 log:1.01..100/33 --a-over-ps 1 --c-over-a 0.5 -o grid.csv\n         toytop sweep --motions 1000000 --shard 3/100 --resume -o part_3.csv"
     )]
-    Sweep(SweepArgs),
+    Sweep(Box<SweepArgs>),
     /// Completions for a shell
     #[command(
         after_help = "Example: toytop completions bash > ~/.local/share/bash-completion/completions/toytop"

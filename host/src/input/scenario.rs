@@ -5,7 +5,10 @@
 
 mod motion;
 mod section;
+mod template;
 mod top;
+
+pub use template::{Key, Template};
 
 use crate::Failure;
 use crate::output::{shown, whole_file};
@@ -71,10 +74,11 @@ impl Scenario {
     /// # Errors
     /// [`Failure::Input`]: no TOML, or not the tables `[top]` and `[motion]` with exactly the keys they need, in range.
     pub fn parse(file: &str, text: &str) -> Result<Self, Failure> {
-        let root = text.parse::<Table>().map_err(|error| {
-            let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
-            Failure::Input(format!("{file}: line {line}: must be TOML: {}", error.message()))
-        })?;
+        let root = table(file, text)?;
+        Self::of_table(file, &root)
+    }
+
+    fn of_table(file: &str, root: &Table) -> Result<Self, Failure> {
         if let Some(key) = root.keys().find(|key| !["units", "top", "motion"].contains(&key.as_str())) {
             let key = shown(key);
             return Err(Failure::Input(format!("{file}: {key}: unknown key; allowed: units, top, motion")));
@@ -84,10 +88,17 @@ impl Scenario {
             Some(Some("none")) => Units::None,
             _ => return Err(Failure::Input(format!("{file}: units: must be one of \"SI\", \"none\""))),
         };
-        let top = top::read(&section(file, "top", &root)?)?;
-        let (motion, state) = motion::read(&section(file, "motion", &root)?, &top)?;
+        let top = top::read(&section(file, "top", root)?)?;
+        let (motion, state) = motion::read(&section(file, "motion", root)?, &top)?;
         Ok(Self { name: file.to_owned(), motion, state, units })
     }
+}
+
+fn table(file: &str, text: &str) -> Result<Table, Failure> {
+    text.parse::<Table>().map_err(|error| {
+        let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
+        Failure::Input(format!("{file}: line {line}: must be TOML: {}", error.message()))
+    })
 }
 
 fn section<'a>(file: &'a str, name: &'static str, root: &'a Table) -> Result<Section<'a>, Failure> {

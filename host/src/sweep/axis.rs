@@ -64,6 +64,30 @@ impl Axis {
         }
     }
 
+    /// Place of a number on a grid, if it is the one nearest to it.
+    pub(super) fn place_of(&self, number: f64) -> Option<u64> {
+        let [low, high] = self.drawn_ends();
+        let share = (self.drawn(number) - low) / (high - low);
+        let places = self.len()?;
+        (0.0..1.0).contains(&share).then_some((share * places as f64) as u64)
+    }
+
+    /// Ends of the cells of a grid, half a step beyond its numbers, in logarithms where it is even in these.
+    pub(super) fn drawn_ends(&self) -> [f64; 2] {
+        let [low, high] = self.ends().map(|end| self.drawn(end));
+        let half = 0.5 * (high - low) / (self.len().unwrap_or(2) as f64 - 1.0).max(1.0);
+        [low - half, high + half]
+    }
+
+    fn drawn(&self, number: f64) -> f64 {
+        if self.is_log() { number.log10() } else { number }
+    }
+
+    /// Whether it is even in the logarithm.
+    pub(super) fn is_log(&self) -> bool {
+        matches!(self, Self::Range(range) | Self::Grid(range, _) if range.log)
+    }
+
     /// The least and the greatest.
     pub(super) fn ends(&self) -> [f64; 2] {
         match self {
