@@ -10,7 +10,8 @@ pub use choice::{Format, Method, Scalar, ScalarChoice};
 pub use many::{Shard, SweepArgs};
 pub use measure::{AccuracyArgs, BenchArgs, BudgetArgs, CompareArgs, ErrataArgs, FiguresArgs};
 pub use motion::{
-    BakeArgs, ConstantsArgs, DEFAULT_STEPS, Language, PlotArgs, SampleFormat, StateArgs, TimesArgs, ViewArgs,
+    AnimateArgs, BakeArgs, ConstantsArgs, DEFAULT_STEPS, Language, PlotArgs, PlotKind, SampleFormat,
+    StateArgs, TimesArgs, ViewArgs,
 };
 
 pub use score::ScoreArgs;
@@ -20,7 +21,7 @@ use clap_complete::Shell;
 
 /// The motion of a spinning top whose tip slides on a plane, or is fixed.
 #[derive(Debug, Parser)]
-#[command(name = "toytop", version)]
+#[command(name = "toytop", version, help_template = "{about}\n{usage-heading} {usage}\n\n{all-args}\n")]
 pub struct Cli {
     /// What to do.
     #[command(subcommand)]
@@ -52,11 +53,20 @@ pub enum Command {
             Example: toytop constants host/scenarios/figure_3_loops.toml"
     )]
     Constants(ConstantsArgs),
-    /// Picture of the curve of the tip between its bounding circles
+    /// Picture of a motion: curve of the tip or axis, tilt, precession, potential
     ///
-    /// For a held tip it is the curve of the axis, -2 alpha beta.
-    #[command(after_help = "Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg")]
+    /// For a held tip the curve from above is that of the axis, -2 alpha beta.
+    #[command(
+        after_help = "Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg\n         toytop plot host/scenarios/toy_top.toml --kind tilt --times 0..0.5 --size 1200 -o tilt.png"
+    )]
     Plot(PlotArgs),
+    /// Top in motion as a GIF, or as a film by ffmpeg
+    #[command(
+        after_help = "The frames show exact times. A red spoke of the disc turns with the body; a fast spin is seen only in slow motion: --times 0..0.2\n\
+            spreads a fifth of a second over the whole film.\n\n\
+            Example: toytop animate host/scenarios/toy_top.toml --times 0..0.2 -o top.gif"
+    )]
+    Animate(AnimateArgs),
     /// Motion as one page for a browser, the top in 3-D
     ///
     /// The page also shows the curve of the tip, the axis and the constants of the motion.

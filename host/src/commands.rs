@@ -1,6 +1,7 @@
 //! One file a command. A command returns its whole output; nothing is printed before all of it is there.
 
 pub mod accuracy;
+mod animate;
 mod bake;
 mod bench;
 mod budget;
@@ -56,6 +57,7 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::State(arguments) => state::run(arguments),
         Command::Constants(arguments) => constants::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
+        Command::Animate(arguments) => animate::run(arguments),
         Command::View(arguments) => view::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
         Command::Figures(arguments) => figures::run(arguments),

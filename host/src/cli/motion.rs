@@ -86,14 +86,68 @@ pub struct ConstantsArgs {
     pub format: Format,
 }
 
+/// What `plot` draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum PlotKind {
+    /// Curve of the tip between its circles, from above; of the axis, if the tip is held
+    Tip,
+    /// Curve of the axis on the unit sphere
+    Axis,
+    /// Tilt of the axis against time
+    Tilt,
+    /// Azimuth of the axis against time
+    Precession,
+    /// Potential that the axis nutates in, against the tilt
+    Potential,
+}
+
+/// Two times, LOW..HIGH.
+pub(super) fn span(text: &str) -> Result<[f64; 2], &'static str> {
+    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
+    let ends = text.split_once("..").and_then(|(from, until)| Some([number(from)?, number(until)?]));
+    ends.filter(|[from, until]| from < until).ok_or("must be LOW..HIGH, two times in s")
+}
+
 /// `toytop plot`
 #[derive(Args, Debug)]
 pub struct PlotArgs {
     /// Scenario file
     pub scenario: PathBuf,
+    /// What to draw
+    #[arg(long, value_enum, default_value_t = PlotKind::Tip)]
+    pub kind: PlotKind,
+    /// Times to draw, s; without it, until the curve of the tip has gone round
+    #[arg(long, value_name = "LOW..HIGH", value_parser = span, allow_hyphen_values = true)]
+    pub times: Option<[f64; 2]>,
+    /// Width of the picture, pixels
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(100..=10_000))]
+    pub size: Option<u32>,
     /// Where to: a file that ends in .svg or .png
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
+}
+
+/// `toytop animate`
+#[derive(Args, Debug)]
+pub struct AnimateArgs {
+    /// Scenario file
+    pub scenario: PathBuf,
+    /// Times to show, s; without it, until the curve of the tip has gone round
+    #[arg(long, value_name = "LOW..HIGH", value_parser = span, allow_hyphen_values = true)]
+    pub times: Option<[f64; 2]>,
+    /// Length of the film, s
+    #[arg(long, value_name = "S", default_value_t = 6.0, value_parser = length)]
+    pub seconds: f64,
+    /// Width and height of the film, pixels
+    #[arg(long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u32).range(64..=2160))]
+    pub size: u32,
+    /// Where to: a file that ends in .gif, or by ffmpeg .webm or .mp4
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+}
+
+fn length(text: &str) -> Result<f64, &'static str> {
+    text.parse().ok().filter(|x| (0.1..=600.0).contains(x)).ok_or("must be a number from 0.1 to 600")
 }
 
 /// `toytop view`

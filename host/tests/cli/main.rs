@@ -1,5 +1,6 @@
 //! The command line as other programs see it: exit codes, stdout, stderr, JSON.
 
+mod animate;
 mod bake;
 mod bench;
 mod budget;
