@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`plot`] | curve of the tip |
 //! | [`figures`] | figures of the paper, and charts |
-//! | [`view`] | motion as a page for a browser |
+//! | [`view`] | page for a browser |
 
 pub mod figures;
 pub mod plot;

@@ -64,8 +64,8 @@ pub struct PlotArgs {
 /// `toytop view`
 #[derive(Args, Debug)]
 pub struct ViewArgs {
-    /// Scenario file
-    pub scenario: PathBuf,
+    /// Scenario file to start with; without it, a toy top
+    pub scenario: Option<PathBuf>,
     /// Where to: a file that ends in .html
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,

@@ -44,15 +44,21 @@ impl Scenario {
         Ok(scenario)
     }
 
+    /// Keys and values of a scenario file, as they stand there.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: the file cannot be read, is larger than 1 MiB or not UTF-8, or no TOML.
+    pub fn keys(path: &Path) -> Result<Table, Failure> {
+        let file = path.display().to_string();
+        table(&file, &whole_file::read(&file, path, LARGEST_FILE)?)
+    }
+
     /// Parses the text of a scenario file; `file` is its name in messages.
     ///
     /// # Errors
     /// [`Failure::Input`]: no TOML, or not the tables `[top]` and `[motion]` with exactly the keys they need, in range.
     pub fn parse(file: &str, text: &str) -> Result<Self, Failure> {
-        let root = text.parse::<Table>().map_err(|error| {
-            let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
-            Failure::Input(format!("{file}: line {line}: must be TOML: {}", error.message()))
-        })?;
+        let root = table(file, text)?;
         if let Some(key) = root.keys().find(|key| !["top", "motion"].contains(&key.as_str())) {
             return Err(Failure::Input(format!("{file}: {key}: unknown key; allowed: top, motion")));
         }
@@ -60,6 +66,13 @@ impl Scenario {
         let (motion, state) = motion::read(&section(file, "motion", &root)?, &top)?;
         Ok(Self { name: file.to_owned(), motion, state })
     }
+}
+
+fn table(file: &str, text: &str) -> Result<Table, Failure> {
+    text.parse::<Table>().map_err(|error| {
+        let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
+        Failure::Input(format!("{file}: line {line}: must be TOML: {}", error.message()))
+    })
 }
 
 fn section<'a>(file: &'a str, name: &'static str, root: &'a Table) -> Result<Section<'a>, Failure> {
