@@ -105,21 +105,36 @@ function outlineOf(camera, { space, pixels }, { corners }, side) {
   return part.map((point) => camera.project(point));
 }
 
+/** Path of a face whose edges are a little longer than they are: the background would show between two otherwise. */
+function traceFace(pen, outline) {
+  const last = outline.length - 1;
+  pen.beginPath();
+  for (let i = 0; i <= last; i++) {
+    const [x, y] = outline[i];
+    let [u, v] = [x, y];
+    for (const [otherX, otherY] of [outline[i ? i - 1 : last], outline[i < last ? i + 1 : 0]]) {
+      const [dx, dy] = [x - otherX, y - otherY];
+      const share = 0.6 / Math.max(0.1, Math.sqrt(dx * dx + dy * dy));
+      u += share * dx;
+      v += share * dy;
+    }
+    pen.lineTo(u, v);
+  }
+  pen.closePath();
+}
+
 function drawFaces(pen, camera, faces, side) {
   const lamp = light(camera);
   const half = unit(sum(lamp, camera.back));
-  pen.lineWidth = 1;
   for (const { face, n } of faces.seen) {
     const outline = outlineOf(camera, faces, face, side);
     if (outline.length < 3) continue;
     const diffuse = 0.42 + 0.46 * Math.max(0, dot(n, lamp)) + 0.12 * Math.max(0, dot(n, camera.back));
     const gloss = 46 * Math.max(0, dot(n, half)) ** 22;
     const [r, g, b] = face.colour.map((part) => Math.round(Math.min(255, part * diffuse + gloss)));
-    pen.fillStyle = pen.strokeStyle = `rgb(${r},${g},${b})`;
-    trace(pen, outline, true);
+    pen.fillStyle = `rgb(${r},${g},${b})`;
+    traceFace(pen, outline);
     pen.fill();
-    // or the background would show between them
-    pen.stroke();
   }
 }
 
