@@ -1,7 +1,7 @@
 //! What JavaScript receives, against the core as a program calls it.
 
 use toytop::scalar::Float;
-use toytop::{EphemerisF64, Motion, Release, State, Top, TopParameters};
+use toytop::{EphemerisF64, Motion, Release, State, Support};
 use toytop_page::constants::{self, CONSTANTS};
 use toytop_page::ghost::{Ghost, MOST_STEPS};
 use toytop_page::scenario::{self, Kind};
@@ -28,15 +28,11 @@ fn on_a_large_stack(test: impl FnOnce() + Send + 'static) {
 
 #[test]
 fn numbers_make_the_motion_that_names_make() {
-    let top = Top::sliding(&TopParameters {
-        transverse_inertia: 3.0e-5,
-        axial_inertia: 2.0e-5,
-        com_height: 0.03,
-        mass: 0.05,
-        gravity: 9.81,
-        ..TopParameters::default()
-    })
-    .unwrap();
+    let top = scenario::top(&TOY_TOP).unwrap();
+    assert_eq!([top.transverse_inertia(), top.axial_inertia(), top.com_height()], [3.0e-5, 2.0e-5, 0.03]);
+    assert_eq!((top.support(), top.mass_moment(), top.gravity()), (Support::Sliding, 0.05 * 0.03, 9.81));
+    let held = scenario::top(&[1.0, 7.5e-5, 2.0e-5, 0.0, 0.0, 0.0015, 9.81]).unwrap();
+    assert_eq!((held.support(), held.mass_moment()), (Support::Fixed, 0.0015));
     let release = Release {
         tilt: 20_f64.to_radians(),
         spin: 150.0,

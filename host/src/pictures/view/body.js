@@ -82,9 +82,8 @@ function seenFaces(camera, body, { place, rotate }) {
   for (const face of body.faces) {
     const [[i, j], , [k, l]] = face.corners;
     const [p, q] = [space[i][j], space[k][l]];
-    const towards = camera.position.map((x, axis) => x - 0.5 * (p[axis] + q[axis]));
     const n = rotate(face.normal);
-    if (dot(n, towards) > 0) seen.push({ face, n, depth: pixels[i][j][2] + pixels[k][l][2] });
+    if (dot(n, camera.position) > 0.5 * (dot(n, p) + dot(n, q))) seen.push({ face, n, depth: pixels[i][j][2] + pixels[k][l][2] });
   }
   return { space, pixels, seen: seen.sort((a, b) => b.depth - a.depth) };
 }

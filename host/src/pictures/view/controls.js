@@ -79,7 +79,7 @@ function buildControls(change) {
     row.className = "row";
     row.innerHTML = `<label for="${key}" class="term" data-define="${define}">${label}</label>
       <input type="range" id="${key}" min="0" max="1" step="any">
-      <input type="text" id="${key}-field" inputmode="text" autocomplete="off" spellcheck="false" aria-label="${label}, ${unit || "number"}">
+      <input type="text" id="${key}-field" inputmode="text" autocomplete="off" spellcheck="false" aria-label="${label}, ${unit || "number"}" aria-description="${define}">
       <span class="unit">${unit}</span>`;
     element(`${group}-controls`).append(row);
     Object.assign(control, { row, slider: element(key), field: element(`${key}-field`), home: NaN });
@@ -97,7 +97,8 @@ function buildControls(change) {
 }
 
 function mark(field, wrong) {
-  field.toggleAttribute("aria-invalid", wrong);
+  if (wrong) field.setAttribute("aria-invalid", "true");
+  else field.removeAttribute("aria-invalid");
 }
 
 /** Shows the numbers of a motion. `settle` also lays the sliders' ranges around them. */

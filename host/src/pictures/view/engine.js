@@ -20,6 +20,18 @@ function numbersOf({ top, motion }) {
   return [top.support === "fixed" ? 1 : 0, ...ofTop, ...MOTION_KEYS[motion.kind].flatMap((key) => value(key, motion))];
 }
 
+/** How many numbers a key holds, where that is not one. */
+const LENGTHS = { alpha: 2, beta: 2, omega: 3 };
+
+/** A key of the motion that does not hold the numbers it has to; the core refuses the other errors. */
+function missingKey({ motion }) {
+  const holds = (key) => {
+    const value = motion[key] ?? DEFAULTS[key];
+    return key in LENGTHS ? Array.isArray(value) && value.length === LENGTHS[key] : typeof value === "number";
+  };
+  return MOTION_KEYS[motion.kind].find((key) => !holds(key));
+}
+
 /** Orientation, axis and tip of the ten numbers of a moment. */
 function momentOf(numbers) {
   const [a, b, c, d, u, x, y, z, tipX, tipY] = numbers;
@@ -54,6 +66,8 @@ class Core {
 
   /** Shows a scenario: regime, class of the tip curve and constants by name, or what is refused. */
   launch(scenario) {
+    const missing = missingKey(scenario);
+    if (missing) return { refused: { parameter: missing, allowed: "given" } };
     this.numbers.set(numbersOf(scenario));
     const length = this.exports.launch(KINDS.indexOf(scenario.motion.kind));
     const [first, second] = this.words(Math.abs(length));

@@ -131,7 +131,10 @@ function fillTable(table, facts) {
     const [label, cell] = row.children;
     const [term] = label.children;
     if (term.textContent !== name) term.textContent = name;
-    if (term.dataset.define !== definition) Object.assign(term.dataset, { define: definition });
+    if (term.dataset.define !== definition) {
+      term.dataset.define = definition;
+      term.setAttribute("aria-description", definition);
+    }
     const text = value === "–" ? value : `${value}${unit && unit !== "°" ? " " : ""}${unit}`;
     if (cell.textContent !== text) cell.textContent = text;
   });

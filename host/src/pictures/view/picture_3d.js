@@ -41,7 +41,7 @@ function drawPlane(pen, project, size, colours, radius, height) {
 }
 
 function drawScene(canvas, frame) {
-  const { scene, now, past, colours } = frame;
+  const { scene, now, colours } = frame;
   const { pen, size } = sheet(canvas, colours.card);
   const camera = cameraOf(frame, size);
   const place = (point) => sum(baseOf(scene, now), now.rotate(point));
@@ -52,7 +52,6 @@ function drawScene(canvas, frame) {
     const { ghost } = frame;
     drawGhost(pen, camera, scene.body, (point) => sum(baseOf(scene, ghost), ghost.rotate(point)), colours.ghost);
   }
-  return past.length;
 }
 
 function drawSliding(pen, size, camera, frame, faces, place) {

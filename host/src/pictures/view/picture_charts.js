@@ -35,6 +35,11 @@ const CHARTS = {
 };
 
 function drawChart({ pen, size: [width, height] }, { scene, stretch, t, colours }, kind) {
+  if (kind === "precession" && isVertical(scene.shown.regime)) {
+    write(pen, colours.faint, "center");
+    pen.fillText("The axis is vertical: it has no azimuth.", 0.5 * width, 0.5 * height);
+    return;
+  }
   const values = (stretch[kind] ??= CHARTS[kind].values(stretch));
   const { from, to } = stretch;
   const bounds = kind === "tilt" ? scene.e.slice(0, 2).map((u) => degrees(Math.acos(Math.max(-1, Math.min(1, u))))) : [];

@@ -10,7 +10,7 @@ function place(scene, moment) {
   return { moment, rotate, axis: moment.axis, foot };
 }
 
-/** Points that were passed, at whole multiples of a stride; those no longer drawn are forgotten. */
+/** Points at whole multiples of a stride of time, each computed once. */
 class Trail {
   constructor(core, scene) {
     Object.assign(this, { core, scene, stride: scene.span / scene.parts, points: new Map() });
@@ -21,11 +21,22 @@ class Trail {
     const { span } = this.scene;
     const first = Math.ceil((t >= 0 ? Math.max(0, t - span) : t - span) / this.stride);
     const last = Math.floor(t / this.stride);
-    for (const number of this.points.keys()) if (number < first || number > last) this.points.delete(number);
+    return this.between(first, last);
+  }
+
+  /** Points by their numbers. */
+  between(first, last) {
     let missing = first;
     while (missing <= last && this.points.has(missing)) missing++;
     if (missing <= last) this.compute(missing, Math.min(MOST_POINTS, last - missing + 1));
     return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => this.points.get(first + i)).filter(Boolean);
+  }
+
+  /** Forgets what is more than two spans away from t. */
+  forget(t) {
+    if (this.points.size < 6 * this.scene.parts) return;
+    const far = (number) => Math.abs(number * this.stride - t) > 2 * this.scene.span;
+    for (const number of [...this.points.keys()].filter(far)) this.points.delete(number);
   }
 
   compute(first, count) {
@@ -44,11 +55,8 @@ function pointOf(scene, numbers, i) {
 }
 
 /** The points of the stretch of time that the slider covers. */
-function stretchOf(core, scene, page) {
-  const from = page * scene.span;
-  const numbers = core.curve(from, scene.span / scene.parts, scene.parts + 1);
-  const points = Array.from({ length: scene.parts + 1 }, (_, i) => pointOf(scene, numbers, i));
-  return { from, to: from + scene.span, points };
+function stretchOf(trail, { span, parts }, page) {
+  return { from: page * span, to: (page + 1) * span, points: trail.between(page * parts, (page + 1) * parts) };
 }
 
 /** Play and pause, and the frames in between; `step` is called with the seconds that have passed. */

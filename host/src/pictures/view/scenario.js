@@ -19,9 +19,18 @@ function toFragment({ top, motion }, settings) {
   return `#${pairs.map(([key, value]) => `${key}=${value}`).join("&")}`;
 }
 
+/** A text without its percent signs; as it is where it is none of an address. */
+function decoded(text) {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
 /** What a fragment says: a scenario, a time, a speed and the step of a ghost, or NaN for what it does not. Other keys are left out. */
 function fromFragment(fragment) {
-  const values = new Map(fragment.replace(/^#/, "").split("&").map((pair) => pair.split("=").map(decodeURIComponent)));
+  const values = new Map(decoded(fragment.slice(1)).split("&").map((pair) => pair.split("=")));
   const [t, speed, ghost] = ["t", "speed", "ghost"].map((key) => numberOf(values.get(key) ?? ""));
   const kind = values.get("kind");
   if (!KINDS.includes(kind)) return { t, speed, ghost };

@@ -19,7 +19,7 @@ function spanOf(shown, core) {
   const round = (2 * Math.PI) / Math.abs(phi_per_period);
   if (regime === "nutating") {
     const periods = round > 96 ? 3 : Math.max(3, Math.min(24, Math.ceil(round)));
-    return { span: periods * period, parts: Math.min(MOST_POINTS - 1, periods * 120) };
+    return { span: periods * period, parts: Math.min(MOST_POINTS - 1, periods * 80) };
   }
   if (regime === "aperiodic") return { span: riseOf(core, natural_time), parts: 1600 };
   const once = round * period;

@@ -60,8 +60,8 @@ function show() {
   pending = false;
   const { t, view, colours, page } = state;
   const now = place(scene, core.at(t));
-  stretch ??= { page, ...stretchOf(core, scene, page) };
-  if (stretch.page !== page) stretch = { page, ...stretchOf(core, scene, page) };
+  trail.forget(t);
+  if (stretch?.page !== page) stretch = { page, ...stretchOf(trail, scene, page) };
   const ghost = ghostNow(t);
   const frame = { scene, now, past: [...trail.before(t), now], stretch, t, view, colours, ghost };
   shown = { ...now, t, frame };

@@ -18,7 +18,7 @@ use toytop_host::pictures::view::{self, CORE, EVALUATOR, Start};
 use toytop_page::table;
 
 /// Time that Chromium lets pass for a page; it does not wait for it.
-const PASSING: &str = "--virtual-time-budget=20000";
+const PASSING: &str = "--virtual-time-budget=60000";
 
 /// The document as Chromium leaves it, and what it wrote to the console. An option may say how time passes.
 fn browse(page: &Path, width: u32, fragment: &str, option: &str) -> (String, Vec<String>) {
@@ -125,7 +125,7 @@ const FRAMES: &str =
 
 /// What the scripts of the tests use.
 const TOOLS: &str = "
-const settled = () => new Promise((done) => setTimeout(done, 400));
+const settled = () => new Promise((done) => setTimeout(done, 300));
 const pixels = (canvas) => {
   const { width, height } = canvas;
   const copy = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });

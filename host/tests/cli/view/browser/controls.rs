@@ -105,6 +105,11 @@ facts['a picture is SVG'] = !parsed.querySelector('parsererror') && parsed.query
 facts['a film can be taken'] = canFilm();
 facts['no number is minus zero'] = complexText([-1e-9, -1e-9]) === '0.0000 + 0.0000 i' && decimals(-1e-9, 2) === '0.00';
 const named = (e) => e.getAttribute('aria-label') || e.textContent.trim() || (e.labels && e.labels.length > 0);
+for (const fragment of ['#t=%', '#kind=release&spin=x', '#kind=release&tilt_deg=200&spin=1', '#=&&', '#kind=state&alpha=1']) {
+  location.hash = fragment;
+  await settled();
+}
+facts['an address that says nothing changes nothing'] = scene.shown.regime === 'nutating' && Number.isFinite(state.t);
 facts['everything has a name'] = [...document.querySelectorAll('canvas, button, input, select')].every(named);
 facts['every name of a number is defined'] = [...document.querySelectorAll('.term')].every((term) => term.dataset.define.length > 4);
 facts['nothing is wider than the window'] = document.documentElement.scrollWidth <= innerWidth;
@@ -112,7 +117,7 @@ return facts;
 ";
 
 /// Number of sentences in [`CONTROLS`].
-const SENTENCES: usize = 36;
+const SENTENCES: usize = 37;
 
 #[test]
 #[ignore = "a browser: cargo xtask test --only browser"]
