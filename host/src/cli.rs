@@ -67,11 +67,11 @@ pub enum Command {
             Example: toytop animate host/scenarios/toy_top.toml --times 0..0.2 -o top.gif"
     )]
     Animate(AnimateArgs),
-    /// Motion as one page for a browser, the top in 3-D
+    /// Page for a browser, in which a top is thrown and watched
     ///
-    /// The page also shows the curve of the tip, the axis and the constants of the motion.
+    /// The page needs nothing else: it contains the core, which computes any other motion that is set with its sliders.
     #[command(
-        after_help = "Example: toytop view host/scenarios/figure_3_loops.toml -o top.html\n         top.html#t=12.5 then shows that time"
+        after_help = "Example: toytop view host/scenarios/figure_3_loops.toml -o top.html\n         top.html#t=12.5 then shows that time\n         toytop view -o index.html   the page that introduces the project"
     )]
     View(ViewArgs),
     /// Table of a motion as a constant for firmware: Rust, C or JSON

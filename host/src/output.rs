@@ -1,10 +1,13 @@
 //! Records as CSV and JSON, numbers with 17 significant digits: what is read back is the number that was computed.
 
+mod base64;
 pub mod digits;
 pub mod doc_markers;
-pub mod names;
 pub mod progress;
 pub mod whole_file;
+
+pub use base64::base64;
+pub use toytop_page::names;
 
 use comfy_table::presets::NOTHING;
 use comfy_table::{CellAlignment, Row, Table};

@@ -8,7 +8,7 @@
 //! | [`animation`] | the top in motion, frame by frame |
 //! | [`camera`], [`sphere`] | space on paper; the axis on its sphere |
 //! | [`figures`] | figures of the paper, and charts |
-//! | [`view`] | motion as a page for a browser |
+//! | [`view`] | page for a browser |
 
 pub mod animation;
 pub mod camera;

@@ -3,11 +3,12 @@
 use std::fs;
 use std::path::Path;
 
-const MANIFESTS: [&str; 12] = [
+const MANIFESTS: [&str; 13] = [
     "core",
     "host",
     "host/chips",
     "host/lab",
+    "host/page",
     "tests",
     "tests/fuzz",
     "xtask",

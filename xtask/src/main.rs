@@ -17,6 +17,7 @@ mod setup;
 mod steps;
 mod subcommand;
 mod tools;
+mod web;
 
 use std::process::ExitCode;
 

@@ -24,6 +24,11 @@ pub(crate) const COMPILER: Need = Need {
     is_there: tools::toolchain_is_there,
     bring: || tools::toolchain().map(drop),
 };
+pub(crate) const PAGE_COMPILER: Need = Need {
+    name: "compiler for pages",
+    is_there: tools::page_toolchain_is_there,
+    bring: || tools::page_toolchain().map(drop),
+};
 pub(crate) const EMULATOR: Need = Need { name: "QEMU", is_there: tools::qemu_is_there, bring: tools::qemu };
 pub(crate) const BROWSER: Need = Need {
     name: "Chromium",
@@ -34,7 +39,7 @@ const NIGHTLY: Need = Need { name: "nightly compiler", is_there: nightly_is_ther
 const FUZZER: Need = Need { name: "cargo-fuzz", is_there: || is_there("fuzz"), bring: || provide("fuzz") };
 
 /// Everything that a step of the tests uses; the last two only for the step `fuzz`, which runs nothing without them.
-const ALL: [Need; 6] = [LINTS, COMPILER, EMULATOR, BROWSER, NIGHTLY, FUZZER];
+const ALL: [Need; 7] = [LINTS, COMPILER, PAGE_COMPILER, EMULATOR, BROWSER, NIGHTLY, FUZZER];
 
 impl Need {
     pub(crate) fn is_missing(&self) -> bool {

@@ -8,8 +8,8 @@ use anyhow::{Result, bail};
 
 use crate::firmware::{self, PROGRAMS, TARGETS};
 use crate::process::{cargo, in_ci, run};
-use crate::setup::{BROWSER, COMPILER, EMULATOR, Need};
-use crate::{features, fuzz, nopanic, package, tools};
+use crate::setup::{BROWSER, COMPILER, EMULATOR, Need, PAGE_COMPILER};
+use crate::{features, fuzz, nopanic, package, tools, web};
 
 /// One step of the test command.
 struct Step {
@@ -27,10 +27,11 @@ impl Step {
 }
 
 fn steps() -> Vec<Step> {
-    let (compiler, browser, emulator) = (&[COMPILER], &[BROWSER], &[COMPILER, EMULATOR]);
+    let (compiler, emulator) = (&[COMPILER], &[COMPILER, EMULATOR]);
     let mut steps = vec![
         Step::new("no-std", compiler, no_std),
         Step::new("features", compiler, features::check),
+        Step::new("page", &[PAGE_COMPILER], web::check),
         Step::new("tests", &[], || cargo_test("--lib --bins --tests --examples")),
         Step::new("doctests", &[], || cargo_test("--doc")),
         Step::new("examples", &[], package::examples),
@@ -39,7 +40,7 @@ fn steps() -> Vec<Step> {
         Step::new("benches", &[], benches),
         Step::new("fuzz", &[], fuzz::briefly),
         Step::new("no-panic", compiler, nopanic::check),
-        Step::new("browser", browser, page),
+        Step::new("browser", &[PAGE_COMPILER, BROWSER], browser),
     ];
     steps.extend(
         PROGRAMS.iter().map(|program| Step::new(program.name, emulator, || firmware::check(program))),
@@ -123,7 +124,7 @@ fn no_std() -> Result<String> {
 /// Tests of all crates, and of what the program can do beyond its default features: the same in every step, which then
 /// share one build.
 fn tests(words: &str) -> Command {
-    cargo(".", &format!("test --workspace --features toytop-host/parquet {words}"))
+    web::with_core(cargo(".", &format!("test --workspace --features toytop-host/parquet {words}")))
 }
 
 /// The closing lines of every test binary are shown.
@@ -152,14 +153,16 @@ fn benches() -> Result<String> {
     Ok(format!("{ran} ran once each"))
 }
 
-/// The page of `toytop view` in Chromium, by the binary that the tests have built.
-fn page() -> Result<String> {
+/// Pages of `toytop view` in Chromium, by the binary that the tests have built.
+fn browser() -> Result<String> {
     let mut command = tests("--test cli");
     command.args(["--", "--ignored", "--nocapture", "view::browser::"]).env("CHROMIUM", tools::chromium()?);
     let output = run(&mut command)?;
-    let remark = output.split_once("evaluated by ").and_then(|(_, rest)| rest.lines().next());
-    match remark {
-        Some(engines) if output.contains("4 passed") => Ok(engines.to_owned()),
+    let remark = |before: &str| output.split_once(before).and_then(|(_, rest)| rest.lines().next());
+    match (remark("evaluated by "), remark("from slider to picture in ")) {
+        (Some(engines), Some(time)) if output.contains("7 passed") => {
+            Ok(format!("{engines}; from slider to picture in {time}"))
+        }
         _ => bail!("{output}\nthe tests did not run"),
     }
 }

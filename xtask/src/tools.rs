@@ -10,7 +10,7 @@ use anyhow::{Result, bail};
 use crate::firmware::TARGETS;
 use crate::process::{self, Ended, run_within};
 
-/// The compiler that can build for the chips.
+/// A compiler that can build for the chips, or for a page.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Toolchain {
     /// The one that runs this, with the targets added.
@@ -19,12 +19,15 @@ pub(crate) enum Toolchain {
     Debian,
 }
 
+/// Target of the core in a page.
+pub(crate) const PAGE_TARGET: &str = "wasm32-unknown-unknown";
+
 const DEBIAN_PACKAGES: &str = "rustc-web cargo-web rust-web-src rust-web-llvm rust-web-clippy lld-22";
 const QEMU_PACKAGES: &str = "qemu-system-arm qemu-system-misc";
 const CHROMIUM_PACKAGE: &str = "chromium";
 
 impl Toolchain {
-    /// cargo for a chip's target, in a folder of the repository.
+    /// cargo for a target without `std`, in a folder of the repository.
     pub(crate) fn cargo(self, folder: &str, words: &str) -> Command {
         let mut command = process::cargo(folder, words);
         if self == Self::Debian {
@@ -53,25 +56,43 @@ impl Toolchain {
 /// A toolchain for all [`TARGETS`]. Installs what is missing, the first time it is asked.
 pub(crate) fn toolchain() -> Result<Toolchain> {
     static FOUND: OnceLock<Option<Toolchain>> = OnceLock::new();
-    match FOUND.get_or_init(find_toolchain) {
+    match FOUND.get_or_init(|| find_toolchain(TARGETS)) {
         Some(toolchain) => Ok(*toolchain),
         None => bail!("to build for the chips: rustup target add {}", TARGETS.join(" ")),
     }
 }
 
-/// Whether something here can build for all [`TARGETS`]; installs nothing.
-pub(crate) fn toolchain_is_there() -> bool {
-    missing_targets().is_empty() || debian_is_complete()
+/// A toolchain for the pages of `toytop view`. Installs what is missing, the first time it is asked.
+pub(crate) fn page_toolchain() -> Result<Toolchain> {
+    static FOUND: OnceLock<Option<Toolchain>> = OnceLock::new();
+    match FOUND.get_or_init(|| find_toolchain(&[PAGE_TARGET])) {
+        Some(toolchain) => Ok(*toolchain),
+        None => bail!("to build the pages of `toytop view`: rustup target add {PAGE_TARGET}"),
+    }
 }
 
-fn find_toolchain() -> Option<Toolchain> {
-    if missing_targets().is_empty() {
+/// Whether something here can build for all [`TARGETS`]; installs nothing.
+pub(crate) fn toolchain_is_there() -> bool {
+    can_build(TARGETS)
+}
+
+/// Whether something here can build the pages of `toytop view`; installs nothing.
+pub(crate) fn page_toolchain_is_there() -> bool {
+    can_build(&[PAGE_TARGET])
+}
+
+fn can_build(targets: &[&str]) -> bool {
+    missing(targets).is_empty() || debian_is_complete()
+}
+
+fn find_toolchain(targets: &[&str]) -> Option<Toolchain> {
+    if missing(targets).is_empty() {
         return Some(Toolchain::Own);
     }
     let mut rustup = Command::new("rustup");
-    rustup.args(["target", "add"]).args(missing_targets());
+    rustup.args(["target", "add"]).args(missing(targets));
     let added = attempt(&mut rustup, 180);
-    if missing_targets().is_empty() {
+    if missing(targets).is_empty() {
         return Some(Toolchain::Own);
     }
     if let Some(Ended { success: false, output }) = added {
@@ -82,17 +103,17 @@ fn find_toolchain() -> Option<Toolchain> {
         apt_install(DEBIAN_PACKAGES);
     }
     debian_is_complete().then(|| {
-        eprintln!("building for the chips with Debian's Rust packages");
+        eprintln!("building for {} with Debian's Rust packages", targets.join(" "));
         Toolchain::Debian
     })
 }
 
-fn missing_targets() -> Vec<&'static str> {
+fn missing<'a>(targets: &[&'a str]) -> Vec<&'a str> {
     let installed = |target: &str| {
         let found = attempt(Command::new("rustc").args(["--print", "target-libdir", "--target", target]), 60);
         found.is_some_and(|ended| ended.success && Path::new(ended.output.trim()).exists())
     };
-    TARGETS.iter().copied().filter(|target| !installed(target)).collect()
+    targets.iter().copied().filter(|target| !installed(target)).collect()
 }
 
 /// Whether Debian's packages are there: compiler and clippy, linker, and the sources of `core`.

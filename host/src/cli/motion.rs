@@ -153,8 +153,8 @@ fn length(text: &str) -> Result<f64, &'static str> {
 /// `toytop view`
 #[derive(Args, Debug)]
 pub struct ViewArgs {
-    /// Scenario file
-    pub scenario: PathBuf,
+    /// Scenario file to start with; without it, a toy top
+    pub scenario: Option<PathBuf>,
     /// Where to: a file that ends in .html
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,

@@ -19,14 +19,7 @@ pub struct RungeKutta;
 
 impl Scheme for RungeKutta {
     fn step(equations: &Equations, y: &Vector7, step: f64) -> Vector7 {
-        let ahead =
-            |k: &Vector7, share: f64| -> Vector7 { core::array::from_fn(|i| y[i] + share * step * k[i]) };
-        let k1 = equations.derivative(y);
-        let k2 = equations.derivative(&ahead(&k1, 0.5));
-        let k3 = equations.derivative(&ahead(&k2, 0.5));
-        let k4 = equations.derivative(&ahead(&k3, 1.0));
-        let sum: Vector7 = core::array::from_fn(|i| k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
-        ahead(&sum, 1.0 / 6.0)
+        equations.runge_kutta(y, step)
     }
 }
 

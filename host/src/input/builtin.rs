@@ -58,9 +58,12 @@ fn separatrix_name(gap: f64) -> String {
     format!("near separatrix {gap:e}")
 }
 
+/// The scenario file of the toy top.
+pub const TOY_TOP: &str = include_str!("../../scenarios/toy_top.toml");
+
 /// The sample files that are no figure of the paper.
 const SAMPLES: [(&str, &str); 3] = [
-    ("toy top 150 rad/s", include_str!("../../scenarios/toy_top.toml")),
+    ("toy top 150 rad/s", TOY_TOP),
     ("sleeping top", include_str!("../../scenarios/sleeping.toml")),
     ("Lagrange top", include_str!("../../scenarios/lagrange.toml")),
 ];
@@ -71,7 +74,7 @@ const DIFFERENT: Signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
 const SAME: Signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Plus };
 
 /// e₁ = 0.7, e₂ = 0.9 and these e₃, for a sphere (A = C = s = p = g = 1).
-const FIGURES: [(&str, Signs, &[f64]); 2] =
+pub const FIGURES: [(&str, Signs, &[f64]); 2] =
     [("figure 2", SAME, &[1.0, 2.0, 100.0]), ("figure 3", DIFFERENT, &[1.0, 1.1, 1.3, 1.85, 2.5, 3.0])];
 
 /// The curves of the paper's figures 2 and 3.

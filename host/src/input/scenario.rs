@@ -69,6 +69,15 @@ impl Scenario {
         Ok(scenario)
     }
 
+    /// Keys and values of a scenario file, as they stand there.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: the file cannot be read, is larger than 1 MiB or not UTF-8, or no TOML.
+    pub fn keys(path: &Path) -> Result<Table, Failure> {
+        let file = path.display().to_string();
+        table(&file, &whole_file::read(&file, path, LARGEST_FILE)?)
+    }
+
     /// Parses the text of a scenario file; `file` is its name in messages.
     ///
     /// # Errors

@@ -5,7 +5,9 @@ use crate::motion::cast;
 use crate::output::progress::Progress;
 use std::time::{Duration, Instant};
 use toytop::scalar::{Extended, Float, Real, Ring};
-use toytop::{AttitudeState, Complex, Motion, Orientation, Phase, Regime, Stepper, Top};
+use toytop::{AttitudeState, Complex, Motion, Orientation, Phase, Stepper};
+
+pub use toytop_page::constants::{natural_time, period};
 
 /// Everything `state` says about one instant, in `f64` whatever computed it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,20 +59,6 @@ impl Sample {
         let phi = stepper.tip_angle().map(Phase::to_radians);
         Self::of(t, &stepper.attitude_state(), stepper.tip(), phi)
     }
-}
-
-/// T₀ = 2π √((A/p + s)/g), a time of the top's own for motions that have no period, s.
-#[must_use]
-pub fn natural_time(top: &Top) -> f64 {
-    2.0 * std::f64::consts::PI
-        * ((top.transverse_inertia() / top.mass_moment() + top.com_height()) / top.gravity()).sqrt()
-}
-
-/// The nutation period of a motion that nutates, T₀ of any other, s.
-#[must_use]
-pub fn period(motion: &Motion) -> f64 {
-    let nutation = motion.period_advance().filter(|_| motion.regime() == Regime::Nutating);
-    nutation.map_or_else(|| natural_time(motion.top()), |averages| averages.period)
 }
 
 /// More than this is no answer in any useful time.
@@ -201,7 +189,7 @@ const BATCH: u64 = 1 << 16;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use toytop::{Signs, Start, TopParameters};
+    use toytop::{Signs, Start, Top, TopParameters};
 
     fn motion() -> Motion {
         let top = Top::sliding(&TopParameters {

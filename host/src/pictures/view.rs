@@ -1,60 +1,122 @@
-//! A motion as one page that needs nothing else: the table of `toytop bake --lang json`, what evaluates it in the browser
-//! with the bits of the crate ([`EVALUATOR`]), and pictures of what that says.
-
-mod facts;
+//! A page for a browser that needs nothing else: the core as WebAssembly, and what draws the motions that it computes.
+//!
+//! A program that was compiled without the target for WebAssembly has no such core. Its pages play one motion from the table of
+//! `toytop bake --lang json`, which [`EVALUATOR`] evaluates with the bits of the crate.
 
 use crate::Failure;
 use crate::bake::{Label, object};
 use crate::cli::Scalar;
+use crate::input::builtin::{FIGURES, TOY_TOP};
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::{default_or_smallest, tick, ticks_per_time};
-use crate::output::html;
-use crate::pictures::plot::Curve;
-use serde_json::{Value, json};
-use std::f64::consts::PI;
-use toytop::{Motion, Stepper, Support, Top};
+use crate::output::{base64, html, names};
+use serde_json::{Map, Value, json};
+use toml::Table;
+use toytop::Motion;
+use toytop_page::constants;
 
 /// JavaScript: `readTable` makes a table of the JSON in `f32`, and `momentAt(table, tick)` is what it says.
 pub const EVALUATOR: &str = include_str!("view/evaluator.js");
 
-/// What is made of it, in the order in which each needs those before.
-const SCRIPTS: [&str; 5] = [
-    EVALUATOR,
+/// The core as WebAssembly; empty in a program that was compiled without that target.
+pub const CORE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/core.wasm"));
+
+/// What a program says whose pages play one motion only.
+pub const NOT_LIVE: &str = "view: the page plays this motion only; for one with sliders: rustup target add \
+                            wasm32-unknown-unknown, then install toytop again";
+
+/// Scripts of every page, in the order in which each needs those before.
+const SCRIPTS: [&str; 22] = [
+    include_str!("view/engine.js"),
+    include_str!("view/scenario.js"),
     include_str!("view/geometry.js"),
     include_str!("view/body.js"),
-    include_str!("view/pictures.js"),
+    include_str!("view/gyroscope.js"),
+    include_str!("view/scene.js"),
+    include_str!("view/text.js"),
+    include_str!("view/picture_3d.js"),
+    include_str!("view/picture_sphere.js"),
+    include_str!("view/picture_plan.js"),
+    include_str!("view/picture_charts.js"),
+    include_str!("view/picture_potential.js"),
+    include_str!("view/svg.js"),
+    include_str!("view/facts.js"),
+    include_str!("view/presets.js"),
+    include_str!("view/controls.js"),
+    include_str!("view/drag.js"),
     include_str!("view/player.js"),
+    include_str!("view/save.js"),
+    include_str!("view/state.js"),
+    include_str!("view/listen.js"),
+    include_str!("view/main.js"),
 ];
 
-/// The page of a motion.
+/// Scripts that a page without the core needs besides.
+const RECORDED: [&str; 2] = [EVALUATOR, include_str!("view/recorded.js")];
+
+/// Motion that a page starts with.
+#[derive(Clone, Debug)]
+pub struct Start {
+    /// Keys and values of its scenario.
+    pub keys: Table,
+    /// The same, read.
+    pub scenario: Scenario,
+}
+
+impl Start {
+    /// The toy top of the samples.
+    ///
+    /// # Errors
+    /// None: the sample is valid.
+    pub fn toy_top() -> Result<Self, Failure> {
+        let mut scenario = Scenario::parse("toy top", TOY_TOP)?;
+        scenario.name = "A spinning top".into();
+        Ok(Self { keys: keys_of_toy_top()?, scenario })
+    }
+}
+
+fn keys_of_toy_top() -> Result<Table, Failure> {
+    TOY_TOP.parse().map_err(|error| Failure::Input(format!("toy top: {error}")))
+}
+
+/// The page that starts with a motion, with the core as WebAssembly; where that is empty, a page that plays this motion only.
 ///
 /// # Errors
-/// [`Failure::Method`]: no table fits, even in `f32`.
-pub fn page(scenario: &Scenario) -> Result<String, Failure> {
+/// [`Failure::Method`]: no table fits the motion, even in `f32`.
+pub fn page(start: &Start, core: &[u8]) -> Result<String, Failure> {
+    let Start { keys, scenario } = start;
+    let table = table(scenario)?;
+    let unwritten = |error: serde_json::Error| Failure::Method(format!("view: {error}"));
+    let recorded = || json!({ "table": table, "shown": shown(&scenario.motion) });
+    let data = json!({
+        "name": scenario.name,
+        "scenario": serde_json::to_value(keys).map_err(unwritten)?,
+        "constants": constants::names().collect::<Vec<_>>(),
+        "figures": FIGURES.map(|(figure, signs, e3s)| json!([figure, signs.l_minus_n.factor(), e3s])),
+        "toy_top": serde_json::to_value(keys_of_toy_top()?).map_err(unwritten)?,
+        "recorded": if core.is_empty() { recorded() } else { Value::Null },
+    });
+    let before = if core.is_empty() { RECORDED.concat() } else { String::new() };
+    let values = [
+        ("name", html(&scenario.name)),
+        ("style", concat!(include_str!("view/style.css"), include_str!("view/layout.css")).to_owned()),
+        ("data", in_script(&data.to_string())),
+        ("core", base64(core)),
+        ("version", env!("CARGO_PKG_VERSION").to_owned()),
+        ("script", before + &SCRIPTS.concat()),
+    ];
+    Ok(filled(include_str!("view/page.html"), &values))
+}
+
+/// Table of the motion in `f32`, which the page without the core plays; that it exists is asked of every motion.
+fn table(scenario: &Scenario) -> Result<Value, Failure> {
     let motion = &scenario.motion;
     let frequency = frequency(motion);
     let clock = tick(frequency).map_err(|error| Failure::Method(error.to_string()))?;
     let unwritten = || Failure::Method("view: f32 has no table to write".into());
     let parts = default_or_smallest(Scalar::F32, motion, clock)?.parts().ok_or_else(unwritten)?;
     let label = Label { name: scenario.name.clone(), tick: format!("{frequency} Hz") };
-    let curve = Curve::of(motion)?;
-    let held = motion.top().support() == Support::Fixed;
-    let values = [
-        ("name", html(&scenario.name)),
-        ("summary", facts::summary(motion)),
-        ("style", include_str!("view/style.css").to_owned()),
-        ("scene_label", facts::scene_label(held).to_owned()),
-        ("legend", facts::legend(&curve, held)),
-        ("plan_title", facts::plan_title(held).to_owned()),
-        ("plan_label", format!("{}, between its bounding circles.", facts::plan_title(held))),
-        ("periods_row", facts::periods_row(motion).to_owned()),
-        ("constants", facts::constants(motion, &parts, frequency)),
-        ("footer", facts::footer()),
-        ("scene", in_script(&scene(scenario, &curve).to_string())),
-        ("table", in_script(object(&label, &parts).trim_end())),
-        ("script", SCRIPTS.concat()),
-    ];
-    Ok(filled(include_str!("view/page.html"), &values))
+    serde_json::from_str(&object(&label, &parts)).map_err(|error| Failure::Method(format!("view: {error}")))
 }
 
 /// Ticks in a unit of time: so many that the slowest motion is smooth.
@@ -63,49 +125,13 @@ fn frequency(motion: &Motion) -> f64 {
     (FINER * ticks_per_time(motion)).min(31_f64.exp2())
 }
 
-/// What the pictures have to know beside the table: lengths in units of s.
-fn scene(scenario: &Scenario, curve: &Curve) -> Value {
-    let motion = &scenario.motion;
-    let (e, scale) = (motion.branch_points(), motion.top().tip_scale());
-    let circle = |circle: &crate::pictures::plot::Circle| json!({ "radius": circle.radius / scale, "name": circle.name });
-    let period = motion.period_advance().map(|averages| averages.period);
-    json!({
-        "held": motion.top().support() == Support::Fixed,
-        "span": curve.time,
-        "points": POINTS * curve.periods.unwrap_or(4),
-        "period": period,
-        "speed": speed(motion, period),
-        "e": [e.e1, e.e2, e.e3],
-        "breadth": breadth(motion.top(), e.e1),
-        "circles": curve.circles.iter().map(circle).collect::<Value>(),
-    })
-}
-
-/// Of a line, in a nutation period.
-const POINTS: u32 = 160;
-
-/// Units of time a second at first: about one turn or nutation, whichever is the faster; 1, 2 or 5 of a power of ten.
-fn speed(motion: &Motion, period: Option<f64>) -> f64 {
-    let [x, y, z] = Stepper::<f64>::new(motion).attitude_state().omega();
-    let fastest = (x * x + y * y + z * z).sqrt().max(period.map_or(0.0, |period| 2.0 * PI / period));
-    let wanted = 2.0 * PI / fastest;
-    let power = wanted.log10().floor();
-    let round = [1.0, 2.0, 5.0].into_iter().rfind(|digit| digit * 10_f64.powf(power) <= wanted);
-    round.unwrap_or(1.0) * 10_f64.powf(power)
-}
-
-/// The greatest radius of the body that is drawn, in units of s: that of a disc with this C/A, where it stays above the
-/// plane and looks like a top.
-fn breadth(top: &Top, e1: f64) -> f64 {
-    let ratio = top.axial_inertia() / top.transverse_inertia();
-    let disc = match top.support() {
-        Support::Sliding => (2.0 * top.axial_inertia() / (top.mass_moment() * top.com_height())).sqrt(),
-        Support::Fixed => (4.0 * ratio / (2.0 - ratio).max(1e-3)).sqrt(),
-    };
-    // no point of the outline is wider, seen from the tip, than its greatest radius at the height 1
-    let room = 0.93 * e1 / (1.0 - e1 * e1).max(1e-9).sqrt();
-    let most = if room < 0.45 { 0.7 } else { room.min(0.82) };
-    disc.clamp(0.45, most)
+/// What the core would say of the motion.
+fn shown(motion: &Motion) -> Value {
+    let numbers = constants::CONSTANTS.iter().map(|(name, value)| ((*name).to_owned(), value(motion).into()));
+    let words =
+        [("regime", names::regime(motion.regime())), ("tipClass", names::tip_class(motion.tip_class()))];
+    let words = words.map(|(name, word)| (name.to_owned(), Value::from(word)));
+    Value::Object(numbers.chain(words).collect::<Map<_, _>>())
 }
 
 /// The text of a script element: JSON in which nothing ends it.

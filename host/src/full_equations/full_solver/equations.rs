@@ -119,6 +119,19 @@ impl Equations {
             0.0,
         ]
     }
+
+    /// One step of the classical method of Runge and Kutta.
+    #[must_use]
+    pub fn runge_kutta(&self, y: &Vector7, step: f64) -> Vector7 {
+        let ahead =
+            |k: &Vector7, share: f64| -> Vector7 { core::array::from_fn(|i| y[i] + share * step * k[i]) };
+        let k1 = self.derivative(y);
+        let k2 = self.derivative(&ahead(&k1, 0.5));
+        let k3 = self.derivative(&ahead(&k2, 0.5));
+        let k4 = self.derivative(&ahead(&k3, 1.0));
+        let sum: Vector7 = core::array::from_fn(|i| k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
+        ahead(&sum, 1.0 / 6.0)
+    }
 }
 
 fn axis(alpha: [f64; 2], beta: [f64; 2]) -> Vector {

@@ -3,6 +3,7 @@
 use super::section::{Key, Section};
 use crate::Failure;
 use toytop::{Complex, Motion, Orientation, ParameterError, Release, Sign, Signs, Start, State, Top};
+use toytop_page::scenario::{angle, tilt};
 
 #[derive(Clone, Copy)]
 enum Kind {
@@ -66,12 +67,13 @@ const RELEASE_NAMES: [(&str, &str); 3] =
 fn release(section: &Section<'_>) -> Result<(State, &'static str), Failure> {
     let [tilt_deg, spin, precession, nutation, azimuth_deg, roll_deg] = section.numbers("kind", &RELEASE)?;
     let [tilt_key, ..] = &RELEASE;
-    // Only half the azimuth and the roll enter: two whole turns, dropped exactly, change nothing.
-    let reduced = |degrees: f64| (degrees % 720.0).to_radians();
+    if !(0.0..=180.0).contains(&tilt_deg) {
+        return Err(section.not_allowed(tilt_key));
+    }
     let release = Release {
-        tilt: tilt(tilt_deg).ok_or_else(|| section.not_allowed(tilt_key))?,
-        azimuth: reduced(azimuth_deg),
-        roll: reduced(roll_deg),
+        tilt: tilt(tilt_deg),
+        azimuth: angle(azimuth_deg),
+        roll: angle(roll_deg),
         spin,
         precession,
         nutation,
@@ -81,13 +83,6 @@ fn release(section: &Section<'_>) -> Result<(State, &'static str), Failure> {
         rates.into_iter().fold(rates[0], |most, rate| if rate.1.abs() > most.1.abs() { rate } else { most });
     let state = State::release(&release).map_err(|error| section.refused(&error, &RELEASE_NAMES))?;
     Ok((state, fastest))
-}
-
-/// Radians of a tilt in [0, 180] degrees. 180, and no other, becomes the π that means exactly downward.
-fn tilt(degrees: f64) -> Option<f64> {
-    use std::f64::consts::PI;
-    let radians = if degrees == 180.0 { PI } else { degrees.to_radians().min(PI.next_down()) };
-    (0.0..=180.0).contains(&degrees).then_some(radians)
 }
 
 const PAIR: &str = "an array of two finite numbers [re, im], of unit norm with the other parameter";

@@ -11,18 +11,18 @@ const STEM_FROM = 1.3;
 /** Where the axis of the top is drawn to. */
 const END = 2.1;
 
-const SECTORS = 72;
+const SECTORS = 48;
 const PAINT = { red: [196, 58, 43], cream: [246, 232, 202], wood: [205, 152, 92], metal: [150, 158, 168], mark: [38, 84, 160] };
 
 /** What is painted at a height and a sector: rings that stay, and petals and a stripe that turn. */
 function paint(height, sector) {
   if (height < 0.09) return PAINT.metal;
   if (height > STEM_FROM - 0.02) return PAINT.wood;
-  const stripe = sector < 6;
+  const stripe = sector < SECTORS / 12;
   if (height > 0.9 && height < 0.985) return stripe ? PAINT.mark : PAINT.cream;
   if (height > 1.06 && height < 1.22) {
     if (stripe) return PAINT.mark;
-    return sector % 12 < 6 ? PAINT.cream : PAINT.red;
+    return sector % (SECTORS / 6) < SECTORS / 12 ? PAINT.cream : PAINT.red;
   }
   if (stripe && height > 0.3 && height < 1.22) return PAINT.mark;
   if (height > 0.36 && height < 0.46) return PAINT.cream;
@@ -44,24 +44,29 @@ function smooth(points, length) {
   return [...stretches.flat(), points[points.length - 1]];
 }
 
-/** The body in its own coordinates, for a greatest radius in units of s: rings of corners, and the faces between them. */
-function turnOnLathe(breadth) {
-  const outline = smooth([...OUTLINE.map(([z, r]) => [z, Math.max(r * breadth, z > 1 ? 0.09 : 0)]), ...STEM], 0.035);
-  const angle = (sector) => (2 * Math.PI * (sector - 3)) / SECTORS;
+/** A body of revolution in its own coordinates: rings of corners, and the faces between them with their colours. */
+function bodyOf(outline, paint) {
+  const angle = (sector) => (2 * Math.PI * (sector - SECTORS / 24)) / SECTORS;
   const ring = ([z, r]) => Array.from({ length: SECTORS }, (_, i) => [r * Math.cos(angle(i)), r * Math.sin(angle(i)), z]);
   const rings = outline.map(ring);
   const faces = [];
   for (let i = 0; i + 1 < rings.length; i++) {
     const [[z0, r0], [z1, r1]] = [outline[i], outline[i + 1]];
-    if (z1 <= z0 && r1 === r0) continue;
+    if (z1 === z0 && r1 === r0) continue;
     for (let j = 0; j < SECTORS; j++) {
       const middle = angle(j + 0.5);
       const normal = unit([(z1 - z0) * Math.cos(middle), (z1 - z0) * Math.sin(middle), r0 - r1]);
       const corners = [[i, j], [i, (j + 1) % SECTORS], [i + 1, (j + 1) % SECTORS], [i + 1, j]];
-      faces.push({ corners, normal, colour: paint((z0 + z1) / 2, j) });
+      faces.push({ corners, normal, colour: paint((z0 + z1) / 2, j, (r0 + r1) / 2) });
     }
   }
   return { rings, faces };
+}
+
+/** The top, for a greatest radius in units of s. */
+function turnOnLathe(breadth) {
+  const outline = smooth([...OUTLINE.map(([z, r]) => [z, Math.max(r * breadth, z > 1 ? 0.09 : 0)]), ...STEM], 0.085);
+  return bodyOf(outline, paint);
 }
 
 /** Light from above, a little from the left of who looks. */
@@ -72,21 +77,19 @@ function light(camera) {
 /** The faces that are seen, the farthest first. `place` takes body coordinates to space, `rotate` directions. */
 function seenFaces(camera, body, { place, rotate }) {
   const space = body.rings.map((ring) => ring.map(place));
+  const pixels = space.map((ring) => ring.map((point) => camera.project(point)));
   const seen = [];
-  for (const { corners, normal, colour } of body.faces) {
-    const [[i, j], , [k, l]] = corners;
-    const middle = sum(space[i][j], space[k][l]).map((x) => x / 2);
-    const towards = sum(camera.position, middle, -1);
-    const n = rotate(normal);
-    if (dot(n, towards) <= 0) continue;
-    seen.push({ points: corners.map(([i, j]) => space[i][j]), n, colour, depth: dot(towards, camera.back) });
+  for (const face of body.faces) {
+    const [[i, j], , [k, l]] = face.corners;
+    const [p, q] = [space[i][j], space[k][l]];
+    const n = rotate(face.normal);
+    if (dot(n, camera.position) > 0.5 * (dot(n, p) + dot(n, q))) seen.push({ face, n, depth: pixels[i][j][2] + pixels[k][l][2] });
   }
-  return seen.sort((a, b) => b.depth - a.depth);
+  return { space, pixels, seen: seen.sort((a, b) => b.depth - a.depth) };
 }
 
 /** What of a face is above the plane (side 1) or below it (side -1). */
 function cut(points, side) {
-  if (points.every(([, , z]) => side * z >= 0)) return points;
   return points.flatMap((p, i) => {
     const q = points[(i + 1) % points.length];
     const kept = side * p[2] >= 0 ? [p] : [];
@@ -94,20 +97,43 @@ function cut(points, side) {
   });
 }
 
+/** Places on the sheet of what of a face is to be drawn; side 0 is all of it. */
+function outlineOf(camera, { space, pixels }, { corners }, side) {
+  if (side === 0 || corners.every(([i, j]) => side * space[i][j][2] >= 0)) return corners.map(([i, j]) => pixels[i][j]);
+  const part = cut(corners.map(([i, j]) => space[i][j]), side);
+  return part.map((point) => camera.project(point));
+}
+
+/** Path of a face whose edges are a little longer than they are: the background would show between two otherwise. */
+function traceFace(pen, outline) {
+  const last = outline.length - 1;
+  pen.beginPath();
+  for (let i = 0; i <= last; i++) {
+    const [x, y] = outline[i];
+    let [u, v] = [x, y];
+    for (const [otherX, otherY] of [outline[i ? i - 1 : last], outline[i < last ? i + 1 : 0]]) {
+      const [dx, dy] = [x - otherX, y - otherY];
+      const share = 0.6 / Math.max(0.1, Math.sqrt(dx * dx + dy * dy));
+      u += share * dx;
+      v += share * dy;
+    }
+    pen.lineTo(u, v);
+  }
+  pen.closePath();
+}
+
 function drawFaces(pen, camera, faces, side) {
   const lamp = light(camera);
   const half = unit(sum(lamp, camera.back));
-  pen.lineWidth = 0.8;
-  for (const { points, n, colour } of faces) {
-    const part = cut(points, side);
-    if (part.length < 3) continue;
+  for (const { face, n } of faces.seen) {
+    const outline = outlineOf(camera, faces, face, side);
+    if (outline.length < 3) continue;
     const diffuse = 0.42 + 0.46 * Math.max(0, dot(n, lamp)) + 0.12 * Math.max(0, dot(n, camera.back));
     const gloss = 46 * Math.max(0, dot(n, half)) ** 22;
-    pen.fillStyle = pen.strokeStyle = `rgb(${colour.map((part) => Math.round(Math.min(255, part * diffuse + gloss)))})`;
-    trace(pen, part.map((point) => camera.project(point)), true);
+    const [r, g, b] = face.colour.map((part) => Math.round(Math.min(255, part * diffuse + gloss)));
+    pen.fillStyle = `rgb(${r},${g},${b})`;
+    traceFace(pen, outline);
     pen.fill();
-    // or the background would show between them
-    pen.stroke();
   }
 }
 
@@ -124,4 +150,19 @@ function drawShadow(pen, camera, body, place, style) {
   }
   pen.fillStyle = style;
   pen.fill("nonzero");
+}
+
+/** The ghost: some rings of the body and its axis, without faces. */
+function drawGhost(pen, camera, body, place, style) {
+  const last = body.rings.length - 1;
+  for (const ring of body.rings.filter((_, i) => i % 3 === 1)) {
+    trace(pen, ring.map((point) => camera.project(place(point))), true);
+    stroke(pen, style, 0.8);
+  }
+  for (let sector = 0; sector < SECTORS; sector += SECTORS / 6) {
+    trace(pen, body.rings.map((ring) => camera.project(place(ring[sector]))));
+    stroke(pen, style, 0.8);
+  }
+  trace(pen, [body.rings[0][0], body.rings[last][0]].map((point) => camera.project(place(point))));
+  stroke(pen, style, 1.6, [5, 4]);
 }

@@ -8,7 +8,8 @@ function rotation({ alpha: [a, b], beta: [c, d], u }) {
   const first = [aa[0] - bb[0], aa[1] - bb[1], 2 * mixed[0]];
   const second = [-aa[1] - bb[1], aa[0] + bb[0], -2 * mixed[1]];
   const axis = [-2 * product[0], -2 * product[1], u];
-  const rotate = ([x, y, z]) => [0, 1, 2].map((i) => x * first[i] + y * second[i] + z * axis[i]);
+  const turned = (x, y, z, i) => x * first[i] + y * second[i] + z * axis[i];
+  const rotate = ([x, y, z]) => [turned(x, y, z, 0), turned(x, y, z, 1), turned(x, y, z, 2)];
   return Object.assign(rotate, { axis });
 }
 
@@ -36,24 +37,36 @@ class Camera {
     const scale = this.focus / depth;
     return [this.middle[0] + scale * dot(p, this.right), this.middle[1] - scale * dot(p, this.up), depth];
   }
+
+  /** Pixels of a unit of length at a point. */
+  scaleAt(point) {
+    return this.focus / -dot(sum(point, this.position, -1), this.back);
+  }
 }
 
 /** The page's colours, as the style sheet has them for the light or the dark. */
 function palette() {
   const style = getComputedStyle(document.documentElement);
-  const names = "ground rim grid bound tip axis ink faint sphere".split(" ");
+  const names = "card ground rim grid bound tip axis ink faint sphere stand shine pin ghost".split(" ");
   return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
 }
 
-/** A canvas made as fine as the screen; its size in CSS pixels, and what draws on it. */
-function sheet(canvas) {
-  const ratio = window.devicePixelRatio || 1;
-  const size = [canvas.clientWidth, canvas.clientHeight];
+/** CSS pixels of a unit of length of the pictures, which grow with the page's letters. */
+const unitOf = () => parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
+
+/** Width and height of a canvas in units of the pictures. */
+const sizeOf = (canvas) => [canvas.clientWidth, canvas.clientHeight].map((length) => length / unitOf());
+
+/** A canvas made as fine as the screen and cleared; its size, and what draws on it. */
+function sheet(canvas, ground) {
+  const ratio = (window.devicePixelRatio || 1) * unitOf();
+  const size = sizeOf(canvas);
   const [width, height] = size.map((length) => Math.max(1, Math.round(length * ratio)));
   if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
   const pen = canvas.getContext("2d");
   pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-  pen.clearRect(0, 0, ...size);
+  pen.fillStyle = ground;
+  pen.fillRect(0, 0, ...size);
   pen.lineJoin = pen.lineCap = "round";
   return { pen, size };
 }

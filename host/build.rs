@@ -1,0 +1,86 @@
+//! Compiles the core to WebAssembly for the pages of `toytop view`, where the compiler has that target.
+//!
+//! `TOYTOP_PAGE_WASM` names a file to take instead, for a machine that compiles it with another toolchain. Without either, the
+//! program is built all the same, and its pages play one motion from a table.
+
+use std::env::{self, var_os};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+const TARGET: &str = "wasm32-unknown-unknown";
+/// What a program of another kind would be compiled with.
+const NOT_OURS: [&str; 6] = [
+    "RUSTFLAGS",
+    "CARGO_ENCODED_RUSTFLAGS",
+    "CARGO_BUILD_TARGET",
+    "CARGO_TARGET_DIR",
+    "RUSTC_WRAPPER",
+    "RUSTC_WORKSPACE_WRAPPER",
+];
+
+fn main() {
+    println!("cargo:rerun-if-env-changed=TOYTOP_PAGE_WASM");
+    for input in ["../core/src", "../core/Cargo.toml", "page", "../Cargo.lock", EQUATIONS] {
+        println!("cargo:rerun-if-changed={input}");
+    }
+    let file = match var_os("TOYTOP_PAGE_WASM") {
+        Some(file) => Some(PathBuf::from(file)),
+        None => has_target().then(compiled),
+    };
+    let bytes = file.map_or(Vec::new(), |file| {
+        fs::read(&file).unwrap_or_else(|error| panic!("{}: {error}", file.display()))
+    });
+    fs::write(out_dir().join("core.wasm"), bytes).expect("the folder of build output is writable");
+}
+
+const EQUATIONS: &str = "src/full_equations/full_solver/equations.rs";
+
+fn out_dir() -> PathBuf {
+    var_os("OUT_DIR").expect("cargo sets OUT_DIR").into()
+}
+
+/// Whether the compiler's standard library is there for WebAssembly.
+fn has_target() -> bool {
+    let rustc = var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let output = Command::new(rustc).args(["--print", "target-libdir", "--target", TARGET]).output();
+    let text = output.map_or(String::new(), |output| String::from_utf8_lossy(&output.stdout).into_owned());
+    // lib/rustlib/TARGET/lib, and rustup's list beside the targets, which changes when one is added
+    let folder = Path::new(text.trim());
+    if let Some(list) = folder.ancestors().nth(2).map(|rustlib| rustlib.join("components"))
+        && list.exists()
+    {
+        println!("cargo:rerun-if-changed={}", list.display());
+    }
+    folder.exists()
+}
+
+/// The compiled core, in a folder that all profiles share.
+fn compiled() -> PathBuf {
+    // target/PROFILE/build/PACKAGE/out
+    let out = out_dir();
+    let target = out.ancestors().nth(4).map_or(out.join("page"), |target| target.join("page"));
+    let mut cargo = Command::new(var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    // what is needed has been fetched for the program itself
+    cargo.args([
+        "build",
+        "--package",
+        "toytop-page",
+        "--profile",
+        "page",
+        "--locked",
+        "--offline",
+        "--target",
+        TARGET,
+    ]);
+    cargo.current_dir(env!("CARGO_MANIFEST_DIR")).arg("--target-dir").arg(&target);
+    for variable in NOT_OURS {
+        cargo.env_remove(variable);
+    }
+    for (name, _) in env::vars_os().filter(|(name, _)| name.to_string_lossy().starts_with("CARGO_PROFILE_")) {
+        cargo.env_remove(name);
+    }
+    let output = cargo.output().expect("cargo runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    target.join(TARGET).join("page/toytop_page.wasm")
+}

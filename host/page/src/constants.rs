@@ -1,0 +1,109 @@
+//! Constants of the motion by name, in the order in which the page receives them.
+
+use core::f64::consts::PI;
+use toytop::scalar::{Float, Real, Ring};
+use toytop::{AttitudeState, Motion, PeriodAdvance, Regime, Stepper, Support, Top};
+
+/// Constant by its name and its function of the motion; NaN where it does not exist.
+pub type Constant = (&'static str, fn(&Motion) -> f64);
+
+/// All constants of a motion.
+pub const CONSTANTS: [Constant; 30] = [
+    ("held", |motion| f64::from(u8::from(motion.top().support() == Support::Fixed))),
+    ("A", |motion| motion.top().transverse_inertia()),
+    ("C", |motion| motion.top().axial_inertia()),
+    ("s", |motion| motion.top().com_height()),
+    ("p", |motion| motion.top().mass_moment()),
+    ("g", |motion| motion.top().gravity()),
+    ("e1", |motion| motion.branch_points().e1),
+    ("e2", |motion| motion.branch_points().e2),
+    ("e3", |motion| motion.branch_points().e3),
+    ("e4", |motion| motion.top().e4().unwrap_or(f64::NAN)),
+    ("one_plus_e1", |motion| motion.branch_points().one_plus_e1),
+    ("one_minus_e2", |motion| motion.branch_points().one_minus_e2),
+    ("e2_minus_e1", |motion| motion.branch_points().e2_minus_e1),
+    ("e3_minus_one", |motion| motion.branch_points().e3_minus_one),
+    ("l", |motion| motion.first_integrals().l),
+    ("n", |motion| motion.first_integrals().n),
+    ("h", |motion| motion.first_integrals().h),
+    ("sign_l_plus_n", |motion| motion.signs().l_plus_n.factor().into()),
+    ("sign_l_minus_n", |motion| motion.signs().l_minus_n.factor().into()),
+    ("period", |motion| advance(motion, |of| of.period)),
+    ("alpha_turns", |motion| advance(motion, |of| of.alpha_turns)),
+    ("beta_turns", |motion| advance(motion, |of| of.beta_turns)),
+    ("phi_per_period", |motion| advance(motion, PeriodAdvance::phi_per_period)),
+    ("min_normal_force", |motion| motion.min_normal_force().unwrap_or(f64::NAN)),
+    ("natural_time", |motion| natural_time(motion.top())),
+    ("tilt", |motion| tilt(&at_start(motion))),
+    ("azimuth", |motion| azimuth(&at_start(motion))),
+    ("spin", |motion| motion.first_integrals().n / motion.top().axial_inertia()),
+    ("precession", |motion| precession(&at_start(motion))),
+    ("nutation", |motion| nutation(&at_start(motion))),
+];
+
+/// Names of all that [`launch`](crate::exports::launch) puts into the numbers: the constants, the bound on the orientation
+/// error at t = 0, rad, and its growth, rad/s.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    CONSTANTS.iter().map(|(name, _)| *name).chain(["error", "error_growth"])
+}
+
+fn advance(motion: &Motion, of: fn(&PeriodAdvance) -> f64) -> f64 {
+    motion.period_advance().as_ref().map_or(f64::NAN, of)
+}
+
+/// T₀ = 2π √((A/p + s)/g), a time of the top's own for motions that have no period, s.
+#[must_use]
+pub fn natural_time(top: &Top) -> f64 {
+    let length = top.transverse_inertia() / top.mass_moment() + top.com_height();
+    2.0 * PI * Float::sqrt(length / top.gravity())
+}
+
+/// The nutation period of a motion that nutates, T₀ of any other, s.
+#[must_use]
+pub fn period(motion: &Motion) -> f64 {
+    let nutation = motion.period_advance().filter(|_| motion.regime() == Regime::Nutating);
+    nutation.map_or_else(|| natural_time(motion.top()), |advance| advance.period)
+}
+
+fn at_start(motion: &Motion) -> AttitudeState<f64> {
+    Stepper::new(motion).attitude_state()
+}
+
+/// Horizontal part of the axis, and its length.
+fn horizontal(state: &AttitudeState<f64>) -> ([f64; 2], f64) {
+    let [x, y, _] = state.axis();
+    ([x, y], Float::sqrt(x * x + y * y))
+}
+
+fn tilt(state: &AttitudeState<f64>) -> f64 {
+    Real::atan2(horizontal(state).1, state.u())
+}
+
+fn azimuth(state: &AttitudeState<f64>) -> f64 {
+    let ([x, y], _) = horizontal(state);
+    Real::atan2(y, x)
+}
+
+/// Rate of the azimuth, rad/s; 0 where the axis is vertical.
+fn precession(state: &AttitudeState<f64>) -> f64 {
+    let ([x, y], length) = horizontal(state);
+    let [rx, ry, _] = axis_rate(state);
+    if length > 0.0 { (x * ry - y * rx) / length.squared() } else { 0.0 }
+}
+
+/// Rate of the tilt, rad/s; where the axis is vertical, the rate at which it leaves.
+fn nutation(state: &AttitudeState<f64>) -> f64 {
+    let ([x, y], length) = horizontal(state);
+    let [rx, ry, rz] = axis_rate(state);
+    if length > 0.0 {
+        (x * rx + y * ry) / length * state.u() - rz * length
+    } else {
+        Float::sqrt(rx * rx + ry * ry)
+    }
+}
+
+/// r' = ω × r, per s.
+fn axis_rate(state: &AttitudeState<f64>) -> [f64; 3] {
+    let ([wx, wy, wz], [x, y, z]) = (state.omega(), state.axis());
+    [wy * z - wz * y, wz * x - wx * z, wx * y - wy * x]
+}

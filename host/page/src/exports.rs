@@ -1,0 +1,120 @@
+//! Functions that JavaScript calls. Numbers go both ways through one array, words come back through another.
+//!
+//! A result stays there until the next call, so that JavaScript copies what it wants to keep.
+
+use crate::constants::CONSTANTS;
+use crate::ghost::Ghost;
+use crate::names;
+use crate::scenario::{self, Kind, MotionNumbers, TopNumbers};
+use crate::table::{self, Table, moment_at, ticks_per_time};
+use core::array::from_fn;
+use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
+use spin::Mutex;
+use toytop::{Motion, ParameterError};
+
+/// Points of a curve that one call computes at most.
+const POINTS: usize = 4096;
+/// Numbers of a point of a curve: r₁, r₂, r₃, c₁, c₂.
+const COORDINATES: usize = 5;
+
+static NUMBERS: [AtomicU64; POINTS * COORDINATES] = [const { AtomicU64::new(0) }; POINTS * COORDINATES];
+static WORDS: [AtomicU8; 256] = [const { AtomicU8::new(0) }; 256];
+static MOTION: Mutex<Option<Motion>> = Mutex::new(None);
+/// All its bits are 0 at first, so that it takes no room in the file.
+static TABLE: Mutex<Table> = Mutex::new(Table::EMPTY);
+static GHOST: Mutex<Option<Ghost>> = Mutex::new(None);
+
+/// Address of the numbers, each an `f64` by its bits.
+#[unsafe(no_mangle)]
+pub extern "C" fn numbers() -> *const AtomicU64 {
+    NUMBERS.as_ptr()
+}
+
+/// Address of the words, in UTF-8.
+#[unsafe(no_mangle)]
+pub extern "C" fn words() -> *const AtomicU8 {
+    WORDS.as_ptr()
+}
+
+/// Shows the motion of this kind (0 release, 1 state, 2 branch points) whose numbers stand in the array: those of the top,
+/// then those of the motion. After a refusal no motion is shown.
+///
+/// The result is the length of the words. It is positive if all is well: the words are regime and class of the tip curve,
+/// and the numbers are the constants in the order of [`CONSTANTS`], then the bound on the orientation error at t = 0, rad,
+/// and its growth, rad/s. It is negative after a refusal: the words are the parameter and what is allowed.
+#[unsafe(no_mangle)]
+pub extern "C" fn launch(kind: u32) -> i32 {
+    let top: TopNumbers = from_fn(number);
+    let motion: MotionNumbers = from_fn(|i| number(top.len() + i));
+    (*MOTION.lock(), *GHOST.lock()) = (None, None);
+    match launched(&top, Kind::of(kind), &motion) {
+        Ok(motion) => {
+            let bound = TABLE.lock().error_bound();
+            let growth = bound.per_tick * ticks_per_time(&motion);
+            put(CONSTANTS.iter().map(|(_, value)| value(&motion)).chain([bound.constant, growth]));
+            *MOTION.lock() = Some(motion);
+            say([names::regime(motion.regime()), names::tip_class(motion.tip_class())])
+        }
+        Err(error) => -say([error.parameter(), error.allowed()]),
+    }
+}
+
+fn launched(top: &TopNumbers, kind: Kind, numbers: &MotionNumbers) -> Result<Motion, ParameterError> {
+    let motion = scenario::motion(&scenario::top(top)?, kind, numbers)?;
+    table::set_up(&mut TABLE.lock(), &motion)?;
+    Ok(motion)
+}
+
+/// Puts the moment t after t = 0 into the numbers.
+#[unsafe(no_mangle)]
+pub extern "C" fn moment(t: f64) {
+    put(moment_at(&TABLE.lock(), t));
+}
+
+/// Puts axis and tip at `count` times into the numbers, the first at `from`, `step` apart.
+#[unsafe(no_mangle)]
+pub extern "C" fn curve(from: f64, step: f64, count: u32) {
+    let table = TABLE.lock();
+    put((0..count).flat_map(|i| {
+        let [.., r1, r2, r3, c1, c2] = moment_at(&table, from + step * f64::from(i));
+        [r1, r2, r3, c1, c2]
+    }));
+}
+
+/// Starts a ghost of the motion with this step, s; a step that is not positive ends it.
+#[unsafe(no_mangle)]
+pub extern "C" fn ghost(step: f64) {
+    let motion = *MOTION.lock();
+    *GHOST.lock() = motion.filter(|_| step > 0.0).map(|motion| Ghost::new(&motion, step));
+}
+
+/// Puts the ghost's moment into the numbers, then the time that it has reached on its way to t, and its distance from the
+/// exact orientation, rad. The result is 1, or 0 without a ghost.
+#[unsafe(no_mangle)]
+pub extern "C" fn ghost_moment(t: f64) -> u32 {
+    let Some(ghost) = &mut *GHOST.lock() else { return 0 };
+    let (reached, orientation, tip) = ghost.go(t);
+    let distance = TABLE.lock().at(reached).orientation().distance(&orientation);
+    put(table::moment(&orientation, tip).into_iter().chain([reached, distance]));
+    1
+}
+
+fn number(index: usize) -> f64 {
+    NUMBERS.get(index).map_or(0.0, |bits| f64::from_bits(bits.load(Relaxed)))
+}
+
+fn put(values: impl IntoIterator<Item = f64>) {
+    for (place, value) in NUMBERS.iter().zip(values) {
+        place.store(value.to_bits(), Relaxed);
+    }
+}
+
+/// Two words with a line feed between; their length.
+fn say([first, second]: [&str; 2]) -> i32 {
+    let mut length = 0;
+    for (place, byte) in WORDS.iter().zip(first.bytes().chain([b'\n']).chain(second.bytes())) {
+        place.store(byte, Relaxed);
+        length += 1;
+    }
+    length
+}

@@ -1,0 +1,78 @@
+//! The same motion by the classical Runge-Kutta method in equal steps, for comparison with the exact one.
+
+use crate::equations::{Equations, FullState, Vector7};
+use toytop::scalar::Float;
+use toytop::{Complex, Motion, Orientation, Stepper};
+
+/// Integration of the full equations from t = 0, forwards or backwards.
+#[derive(Clone, Copy, Debug)]
+pub struct Ghost {
+    equations: Equations,
+    /// Distance s of the centre of mass from the tip, m.
+    com_height: f64,
+    start: Vector7,
+    /// Length of a step, s, > 0.
+    step: f64,
+    /// State after `steps` steps in the direction `sense`.
+    y: Vector7,
+    steps: f64,
+    sense: f64,
+}
+
+/// Steps that a call takes at most, so that a page stays responsive.
+pub const MOST_STEPS: u32 = 40_000;
+
+impl Ghost {
+    /// Ghost of a motion at t = 0.
+    #[must_use]
+    pub fn new(motion: &Motion, step: f64) -> Self {
+        let (top, state) = (motion.top(), Stepper::<f64>::new(motion).attitude_state());
+        let (p, Orientation { alpha, beta }) = (top.mass_moment(), state.orientation);
+        let equations = Equations {
+            a: top.transverse_inertia(),
+            c: top.axial_inertia(),
+            ps: p * top.com_height(),
+            pg: p * top.gravity(),
+        };
+        let full = FullState { alpha: [alpha.re, alpha.im], beta: [beta.re, beta.im], omega: state.omega() };
+        let [m1, m2, m3] = equations.momentum(&full);
+        let start = [alpha.re, alpha.im, beta.re, beta.im, m1, m2, m3];
+        Self { equations, com_height: top.com_height(), start, step, y: start, steps: 0.0, sense: 1.0 }
+    }
+
+    /// Goes towards a time by whole steps, at most [`MOST_STEPS`] of them; a time on the other side of the last one is
+    /// approached from t = 0 again. The result is the time that is reached, and the orientation and the tip then. Where that
+    /// is within a step of t, the last part of the way is a shorter step, which is not kept.
+    pub fn go(&mut self, t: f64) -> (f64, Orientation<f64>, Complex<f64>) {
+        let sense = if t < 0.0 { -1.0 } else { 1.0 };
+        if sense != self.sense || sense * t < self.steps * self.step {
+            (self.y, self.steps, self.sense) = (self.start, 0.0, sense);
+        }
+        let mut left = MOST_STEPS;
+        while left > 0 && (self.steps + 1.0) * self.step <= sense * t {
+            self.y = normalised(self.equations.runge_kutta(&self.y, sense * self.step));
+            self.steps += 1.0;
+            left -= 1;
+        }
+        let reached = sense * self.steps * self.step;
+        let rest = t - reached;
+        if sense * rest >= self.step {
+            return self.at(reached, &self.y);
+        }
+        self.at(t, &normalised(self.equations.runge_kutta(&self.y, rest)))
+    }
+
+    fn at(&self, t: f64, y: &Vector7) -> (f64, Orientation<f64>, Complex<f64>) {
+        let state = self.equations.state(y);
+        let complex = |[re, im]: [f64; 2]| Complex::new(re, im);
+        let orientation = Orientation { alpha: complex(state.alpha), beta: complex(state.beta) };
+        (t, orientation, complex(state.tip(self.com_height)))
+    }
+}
+
+/// Φ back on the unit sphere.
+fn normalised(y: Vector7) -> Vector7 {
+    let [a, b, c, d, m1, m2, m3] = y;
+    let norm = Float::sqrt(a * a + b * b + c * c + d * d);
+    [a / norm, b / norm, c / norm, d / norm, m1, m2, m3]
+}

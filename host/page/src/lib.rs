@@ -1,0 +1,31 @@
+//! The core as the page of `toytop view` calls it.
+//!
+//! | module | content |
+//! |---|---|
+//! | [`scenario`] | a top and its motion from numbers in the order of a scenario's keys |
+//! | [`table`] | table of a motion in `f64`: any time, at the same cost |
+//! | [`constants`] | constants of the motion by name |
+//! | [`names`] | words for regimes and tip curves |
+//! | [`ghost`] | the same motion by the classical Runge-Kutta method, for comparison |
+//! | [`equations`] | the full equations that the ghost integrates, a file of the full solver |
+//! | [`exports`] | functions that JavaScript calls |
+//!
+//! On WebAssembly the crate has no `std` and no allocator. Elsewhere it is an ordinary library, whose tests run on the host.
+
+#![cfg_attr(target_family = "wasm", no_std)]
+
+pub mod constants;
+#[path = "../../src/full_equations/full_solver/equations.rs"]
+pub mod equations;
+pub mod exports;
+pub mod ghost;
+pub mod names;
+pub mod scenario;
+pub mod table;
+
+/// A panic, which no function of the core can reach, stops the page with an error that its console shows.
+#[cfg(target_family = "wasm")]
+#[panic_handler]
+fn stop(_: &core::panic::PanicInfo<'_>) -> ! {
+    core::arch::wasm32::unreachable()
+}

@@ -1,0 +1,89 @@
+//! A top and its motion from numbers in the order of a scenario's keys.
+
+use core::f64::consts::PI;
+use toytop::{
+    Complex, Motion, Orientation, ParameterError, Release, Sign, Signs, Start, State, Top, TopParameters,
+};
+
+/// Numbers of a top: 1 for a held tip and 0 for a sliding one, then A, C, s, M, p and g, with 0 for what is not given.
+pub type TopNumbers = [f64; 7];
+
+/// Numbers of a motion, by its [`Kind`]; what a kind does not need is ignored.
+pub type MotionNumbers = [f64; 8];
+
+/// How a motion is given, as the key `kind` of a scenario.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Tilt (degrees), spin, precession, nutation, azimuth and roll (degrees).
+    Release,
+    /// α and β as real and imaginary parts, and ω.
+    State,
+    /// e₁, e₂, e₃, the signs of l + n and l - n, and the phases at t = 0.
+    BranchPoints,
+}
+
+impl Kind {
+    /// Kind by its number: 0, 1, and any other.
+    #[must_use]
+    pub fn of(number: u32) -> Self {
+        match number {
+            0 => Self::Release,
+            1 => Self::State,
+            _ => Self::BranchPoints,
+        }
+    }
+}
+
+/// Top from its numbers.
+///
+/// # Errors
+/// The errors of [`Top::sliding`] and [`Top::fixed`].
+pub fn top(numbers: &TopNumbers) -> Result<Top, ParameterError> {
+    let [held, transverse_inertia, axial_inertia, com_height, mass, mass_moment, gravity] = *numbers;
+    let parameters =
+        TopParameters { transverse_inertia, axial_inertia, com_height, mass, mass_moment, gravity };
+    if held == 1.0 { Top::fixed(&parameters) } else { Top::sliding(&parameters) }
+}
+
+/// Motion from its numbers.
+///
+/// # Errors
+/// The errors of [`State::release`], [`State::new`], [`Motion::launch`] and [`Motion::from_branch_points`].
+pub fn motion(top: &Top, kind: Kind, numbers: &MotionNumbers) -> Result<Motion, ParameterError> {
+    let [a, b, c, d, e, f, g, h] = *numbers;
+    match kind {
+        Kind::Release => {
+            let (tilt, azimuth, roll) = (tilt(a), angle(e), angle(f));
+            let release = Release { tilt, azimuth, roll, spin: b, precession: c, nutation: d };
+            Motion::launch(top, &State::release(&release)?)
+        }
+        Kind::State => {
+            let phi = Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) };
+            Motion::launch(top, &State::new(phi, [e, f, g])?)
+        }
+        Kind::BranchPoints => {
+            let signs = Signs { l_plus_n: Sign::of(d), l_minus_n: Sign::of(e) };
+            let start = Start { theta: f, arg_alpha: g, arg_beta: h };
+            Motion::from_branch_points(top, [a, b, c], signs, &start)
+        }
+    }
+}
+
+/// Tilt in rad from degrees. 180, and no other number, becomes the π that means exactly downward.
+#[must_use]
+pub fn tilt(degrees: f64) -> f64 {
+    if degrees < 180.0 {
+        degrees.to_radians().min(PI.next_down())
+    } else if degrees == 180.0 {
+        PI
+    } else {
+        degrees.to_radians()
+    }
+}
+
+/// Azimuth or roll in rad from degrees. Only half of either enters a state, so that two whole turns, dropped exactly,
+/// change nothing.
+#[must_use]
+pub fn angle(degrees: f64) -> f64 {
+    (degrees % 720.0).to_radians()
+}

@@ -1,0 +1,124 @@
+//! What JavaScript receives, against the core as a program calls it.
+
+use toytop::scalar::Float;
+use toytop::{EphemerisF64, Motion, Release, State, Support};
+use toytop_page::constants::{self, CONSTANTS};
+use toytop_page::ghost::{Ghost, MOST_STEPS};
+use toytop_page::scenario::{self, Kind};
+use toytop_page::table::{Table, moment_at, set_up, tick};
+
+/// The toy top of the README: support, A, C, s, M, p, g.
+const TOY_TOP: [f64; 7] = [0.0, 3.0e-5, 2.0e-5, 0.03, 0.05, 0.0, 9.81];
+/// Tilt, spin, precession, nutation, azimuth, roll.
+const THROW: [f64; 8] = [20.0, 150.0, 4.0, -3.0, 50.0, 70.0, 0.0, 0.0];
+
+fn thrown() -> Motion {
+    scenario::motion(&scenario::top(&TOY_TOP).unwrap(), Kind::Release, &THROW).unwrap()
+}
+
+fn constant(motion: &Motion, name: &str) -> f64 {
+    let (_, value) = CONSTANTS.iter().find(|(other, _)| *other == name).unwrap();
+    value(motion)
+}
+
+/// A table of the largest capacity is larger than a test's stack.
+fn on_a_large_stack(test: impl FnOnce() + Send + 'static) {
+    std::thread::Builder::new().stack_size(64 << 20).spawn(test).unwrap().join().unwrap();
+}
+
+#[test]
+fn numbers_make_the_motion_that_names_make() {
+    let top = scenario::top(&TOY_TOP).unwrap();
+    assert_eq!([top.transverse_inertia(), top.axial_inertia(), top.com_height()], [3.0e-5, 2.0e-5, 0.03]);
+    assert_eq!((top.support(), top.mass_moment(), top.gravity()), (Support::Sliding, 0.05 * 0.03, 9.81));
+    let held = scenario::top(&[1.0, 7.5e-5, 2.0e-5, 0.0, 0.0, 0.0015, 9.81]).unwrap();
+    assert_eq!((held.support(), held.mass_moment()), (Support::Fixed, 0.0015));
+    let release = Release {
+        tilt: 20_f64.to_radians(),
+        spin: 150.0,
+        precession: 4.0,
+        nutation: -3.0,
+        azimuth: 50_f64.to_radians(),
+        roll: 70_f64.to_radians(),
+    };
+    let state = State::release(&release).unwrap();
+    assert_eq!(thrown(), Motion::launch(&top, &state).unwrap());
+    let ([alpha, beta], omega) = ([state.orientation().alpha, state.orientation().beta], state.omega());
+    let numbers = [alpha.re, alpha.im, beta.re, beta.im, omega[0], omega[1], omega[2], 0.0];
+    assert_eq!(scenario::motion(&top, Kind::State, &numbers).unwrap(), thrown());
+    let of_roots =
+        scenario::motion(&top, Kind::BranchPoints, &[0.5, 0.75, 2.0, 1.0, -1.0, 0.0, 0.0, 0.0]).unwrap();
+    assert_eq!(["e1", "e2", "e3"].map(|name| constant(&of_roots, name)), [0.5, 0.75, 2.0]);
+    assert!(constant(&of_roots, "l").abs() < constant(&of_roots, "n").abs());
+}
+
+/// The sliders of the throw show any motion by these.
+#[test]
+fn angles_and_rates_at_the_start_are_those_of_the_throw() {
+    let motion = thrown();
+    for (name, given) in [
+        ("tilt", 20_f64.to_radians()),
+        ("azimuth", 50_f64.to_radians()),
+        ("spin", 150.0),
+        ("precession", 4.0),
+        ("nutation", -3.0),
+    ] {
+        let found = constant(&motion, name);
+        assert!((found / given - 1.0).abs() < 1e-12, "{name}: {found} for {given}");
+    }
+    assert_eq!(constants::names().count(), CONSTANTS.len() + 2);
+}
+
+#[test]
+fn what_is_no_motion_is_refused_by_its_name() {
+    let top = scenario::top(&TOY_TOP).unwrap();
+    let refused = |i: usize, x: f64| {
+        let mut numbers = THROW;
+        numbers[i] = x;
+        scenario::motion(&top, Kind::Release, &numbers).unwrap_err().parameter()
+    };
+    assert_eq!(
+        [refused(0, 180.1), refused(0, -1.0), refused(1, f64::NAN), refused(2, 1e12)],
+        ["tilt", "tilt", "spin", "precession"]
+    );
+    assert_eq!(scenario::tilt(180.0), std::f64::consts::PI);
+    assert!(scenario::tilt(180_f64.next_down()) < std::f64::consts::PI);
+}
+
+#[test]
+fn a_moment_is_the_cores() {
+    on_a_large_stack(|| {
+        let motion = thrown();
+        let mut table = Box::new(Table::EMPTY);
+        set_up(&mut table, &motion).unwrap();
+        let core = EphemerisF64::new(&motion, tick(&motion).unwrap()).unwrap();
+        for t in [0.0, 0.3125, -7.1, 1e6] {
+            let [a, b, c, d, u, .., x, y] = moment_at(&table, t);
+            let (phi, tip) = core.at(t).orientation_and_tip();
+            assert_eq!([a, b, c, d], [phi.alpha.re, phi.alpha.im, phi.beta.re, phi.beta.im]);
+            assert_eq!([u, x, y], [phi.clamped_u(), tip.re, tip.im]);
+        }
+    });
+}
+
+/// Of fourth order, forwards and backwards; and a call never takes long.
+#[test]
+fn the_ghost_drifts_as_its_step_says() {
+    let motion = thrown();
+    let core = EphemerisF64::new(&motion, tick(&motion).unwrap()).unwrap();
+    for t in [0.5, -0.5] {
+        let errors = [4e-4, 2e-4].map(|step| {
+            let (reached, phi, _) = Ghost::new(&motion, step).go(t);
+            assert_eq!(reached, t);
+            core.at(t).orientation().distance(&phi)
+        });
+        let order = (errors[0] / errors[1]).log2();
+        assert!((3.5..4.6).contains(&order) && errors[0] > 1e-9, "{order} {errors:?}");
+    }
+    let mut ghost = Ghost::new(&motion, 1e-5);
+    let (first, ..) = ghost.go(1.0);
+    assert!((first / (f64::from(MOST_STEPS) * 1e-5) - 1.0).abs() < 1e-12, "{first}");
+    let (second, ..) = ghost.go(1.0);
+    assert!(second > first && second < 1.0);
+    assert_eq!(Float::abs(ghost.go(-1e-7).0), 1e-7);
+}

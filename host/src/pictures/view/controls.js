@@ -1,0 +1,123 @@
+// Sliders and fields: each shows a number of the motion and sets it.
+
+const LINEAR = { place: (x, [low, high]) => (x - low) / (high - low), value: (place, [low, high]) => low + place * (high - low) };
+const LOGARITHMIC = {
+  place: (x, [low, high]) => Math.log(x / low) / Math.log(high / low),
+  value: (place, [low, high]) => low * (high / low) ** place,
+};
+/** Finer towards the lower end, where e₃ matters most. */
+const CUBIC = { place: (x, [low, high]) => Math.cbrt((x - low) / (high - low)), value: (place, [low, high]) => low + place ** 3 * (high - low) };
+
+const aroundHome = (home) => [home / 8, home * 8];
+const bothWays = (least) => (home, shown) => {
+  const reach = 2 * Math.max(Math.abs(home), least(shown));
+  return [-reach, reach];
+};
+
+/** A number of the top, by the key that a scenario has for it. */
+const ofTop = (key, label, unit, define) => ({
+  key, label, unit, define, group: "top", scale: LOGARITHMIC, range: aroundHome,
+  read: ({ top }) => top[key] ?? DEFAULTS[key],
+  write: ({ top, motion }, x) => ({ top: { ...top, [key]: x }, motion }),
+});
+
+/** A number of the throw. */
+const ofThrow = (key, label, unit, define, range, read) => ({
+  key, label, unit, define, group: "throw", scale: LINEAR, range,
+  read: ({ motion }, shown) => (motion.kind === "release" ? (motion[key] ?? 0) : read(shown)),
+  write: (scenario, x, shown) => {
+    const { top, motion } = asRelease(scenario, shown);
+    return { top, motion: { ...motion, [key]: x } };
+  },
+});
+
+/** A branch point; those that would stand in the wrong order give way. */
+const ofRoot = (key, label, define, scale, range) => ({
+  key, label, unit: "", define, group: "roots", scale, range,
+  read: (_, shown) => shown[key],
+  write: (scenario, x, shown) => withRoot(scenario, key, x, shown),
+});
+
+function withRoot(scenario, key, x, shown) {
+  const { top, motion } = asBranchPoints(scenario, shown);
+  const changed = { ...motion, [key]: x };
+  if (key === "e1") Object.assign(changed, { e1: Math.max(-1, x), e2: Math.max(motion.e2, x) });
+  if (key === "e2") Object.assign(changed, { e1: Math.min(motion.e1, x), e2: Math.min(1, x) });
+  if (key === "e3") changed.e3 = Math.max(1, x);
+  return { top, motion: changed };
+}
+
+const perNutation = ({ period, natural_time }) => 3 / (period > 0 ? period : natural_time);
+
+const CONTROLS = [
+  ofThrow("tilt_deg", "Tilt", "°", "Angle of the axis from the upward vertical at t = 0.", () => [0, 180], ({ tilt }) => degrees(tilt)),
+  ofThrow("spin", "Spin", "rad/s", "Component of the angular velocity along the axis; it never changes.", bothWays(criticalSpin), ({ spin }) => spin),
+  ofThrow("precession", "Precession", "rad/s", "Rate at which the axis goes round the vertical at t = 0.", bothWays(perNutation), ({ precession }) => precession),
+  ofThrow("nutation", "Nutation", "rad/s", "Rate at which the tilt grows at t = 0.", bothWays(perNutation), ({ nutation }) => nutation),
+  ofTop("mass", "Mass", "kg", "Mass M."),
+  ofTop("mass_moment", "Moment p", "kg m", "Mass times distance from the tip to the centre of mass."),
+  ofTop("transverse_inertia", "Inertia A", "kg m²", "Transverse moment of inertia: about the centre of mass for a sliding tip, about the tip for a held one."),
+  ofTop("axial_inertia", "Inertia C", "kg m²", "Moment of inertia about the axis of the top; at most 2A."),
+  ofTop("com_height", "Height s", "m", "Distance from the tip to the centre of mass."),
+  ofTop("gravity", "Gravity", "m/s²", "Gravity g: 9.81 on Earth, 1.62 on the Moon."),
+  ofRoot("e1", "e₁", "Least u, the cosine of the tilt.", LINEAR, () => [-1, 1]),
+  ofRoot("e2", "e₂", "Greatest u.", LINEAR, () => [-1, 1]),
+  ofRoot("e3", "e₃", "Third root of the cubic, at least 1.", CUBIC, (home) => [1, Math.max(20, 1 + 4 * (home - 1))]),
+];
+
+/** A slider's value without digits that nobody set. */
+const rounded = (x, [low, high]) => Number(x.toFixed(Math.max(0, Math.min(20, 3 - Math.floor(Math.log10(high - low))))));
+
+/** Six digits as they are typed: 0.25, 7.5e-5. */
+const typed = (x) => (x !== 0 && Math.abs(x) < 1e-3 ? x.toExponential(5).replace(/\.?0+e/, "e") : String(Number(x.toPrecision(6))));
+
+/** Rows of sliders and fields in their groups. */
+function buildControls(change) {
+  for (const control of CONTROLS) {
+    const { key, label, unit, define, group } = control;
+    const row = document.createElement("div");
+    row.className = "row";
+    row.innerHTML = `<label for="${key}" class="term" data-define="${define}">${label}</label>
+      <input type="range" id="${key}" min="0" max="1" step="any">
+      <input type="text" id="${key}-field" inputmode="text" autocomplete="off" spellcheck="false" aria-label="${label}, ${unit || "number"}" aria-description="${define}">
+      <span class="unit">${unit}</span>`;
+    element(`${group}-controls`).append(row);
+    Object.assign(control, { row, slider: element(key), field: element(`${key}-field`), home: NaN });
+    control.slider.addEventListener("input", ({ target }) => {
+      const x = control.scale.value(Number(target.value), control.limits);
+      change(control, control.scale === LOGARITHMIC ? Number(x.toPrecision(4)) : rounded(x, control.limits));
+    });
+    control.field.addEventListener("change", ({ target }) => {
+      const x = numberOf(target.value);
+      mark(target, Number.isNaN(x));
+      if (Number.isNaN(x)) say("motion", `${label}: “${target.value.slice(0, 40)}” is no number`);
+      else change(control, x);
+    });
+  }
+}
+
+function mark(field, wrong) {
+  if (wrong) field.setAttribute("aria-invalid", "true");
+  else field.removeAttribute("aria-invalid");
+}
+
+/** Shows the numbers of a motion. `settle` also lays the sliders' ranges around them. */
+function showControls({ scenario, shown, settle }) {
+  for (const control of CONTROLS) {
+    const x = control.read(scenario, shown);
+    control.row.hidden = x === undefined;
+    if (x === undefined) continue;
+    const [low, high] = control.limits ?? [NaN, NaN];
+    if (settle || !(x >= low && x <= high)) control.limits = control.range(x, shown);
+    control.slider.value = String(control.scale.place(x, control.limits));
+    const text = typed(x);
+    control.slider.setAttribute("aria-valuetext", `${text} ${control.unit}`);
+    if (document.activeElement !== control.field) control.field.value = text;
+    mark(control.field, false);
+  }
+  const { kind } = scenario.motion;
+  element("throw-controls").classList.toggle("given", kind !== "branch_points");
+  element("roots-controls").classList.toggle("given", kind === "branch_points");
+  for (const sign of ["sign_l_plus_n", "sign_l_minus_n"]) element(sign).value = String(shown[sign]);
+  element(shown.held ? "held" : "sliding").checked = true;
+}

@@ -1,0 +1,44 @@
+// Pointers and arrow keys on the pictures.
+
+/** Turns the 3-D pictures. */
+function listenToTurns(canvas, turn, reset) {
+  canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
+  canvas.addEventListener("pointermove", (event) => {
+    if (canvas.hasPointerCapture(event.pointerId)) turn(-0.008 * event.movementX, 0.008 * event.movementY);
+  });
+  canvas.addEventListener("dblclick", reset);
+}
+
+/** Drags e₁, e₂ and e₃ along the potential: `roots` are those shown, `set` takes a key and a number, `release` hears of the end. */
+function listenToRoots(canvas, roots, set, release) {
+  const place = ({ offsetX }) => offsetX / unitOf();
+  const layout = () => heldLayout ?? potentialLayout(sizeOf(canvas), roots());
+  let held = null;
+  const nearest = (x) => {
+    const at = roots().map((root) => Math.abs(layout().x(root) - x));
+    const least = Math.min(...at);
+    // where two lie together, the one that has room on the side of the pointer
+    const [first, last] = [at.indexOf(least), at.lastIndexOf(least)];
+    return least < 26 ? (x < layout().x(roots()[first]) ? first : last) : null;
+  };
+  canvas.addEventListener("pointerdown", (event) => {
+    held = nearest(place(event));
+    if (held === null) return;
+    heldLayout = layout();
+    canvas.setPointerCapture(event.pointerId);
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    canvas.style.cursor = held !== null || nearest(place(event)) !== null ? "ew-resize" : "default";
+    if (held === null) return;
+    const u = layout().u(place(event));
+    const bounds = [[-1, 0.9999], [-0.9999, 1], [1, 1e4]][held];
+    const x = Math.max(bounds[0], Math.min(bounds[1], u));
+    set(`e${held + 1}`, Number(x.toPrecision(Math.abs(x) > 10 ? 3 : 4)));
+  });
+  for (const end of ["pointerup", "pointercancel"]) {
+    canvas.addEventListener(end, () => {
+      [held, heldLayout] = [null, null];
+      release();
+    });
+  }
+}

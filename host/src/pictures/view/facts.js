@@ -1,0 +1,147 @@
+// What is said of a motion and of the moment: names, numbers, units, and what each means.
+
+/** Spin above which an upright top sleeps, rad/s: n² = 4 A p g. */
+const criticalSpin = ({ A, C, p, g }) => (2 * Math.sqrt(A * p * g)) / C;
+
+/** Angle of the axis from the vertical where its cosine is u, in degrees. */
+const tiltAt = (u) => degrees(Math.acos(Math.max(-1, Math.min(1, u))));
+
+/** Force of the plane in weights at a height u of the axis: 1 + d/du of f(u)/D(u), with f the cubic and D = e₄² - u². */
+function normalForce({ e1, e2, e3, e4 }, u) {
+  const [a, b, c, d] = [u - e1, u - e2, u - e3, e4 * e4 - u * u];
+  return 1 + (b * c + a * c + a * b) / d + (2 * u * a * b * c) / (d * d);
+}
+
+/** The tilts between which the plane would have to pull, in degrees. */
+function liftOff(shown) {
+  const { e1, e2 } = shown;
+  const places = Array.from({ length: 401 }, (_, i) => e1 + ((e2 - e1) * i) / 400).filter((u) => normalForce(shown, u) < 0);
+  return places.length ? [tiltAt(places[places.length - 1]), tiltAt(places[0])].map((x) => `${decimals(x, 1)}°`) : null;
+}
+
+const REGIMES = {
+  nutating: "The axis nods between two tilts while it goes round.",
+  regular_precession: "Regular precession: the axis goes round at a constant tilt.",
+  sleeping_stable: "A sleeping top: it stands upright, and a push makes it nod a little.",
+  sleeping_unstable: "It stands upright, but any push makes it fall.",
+  hanging: "The body hangs straight down.",
+  aperiodic: "The axis rises to the vertical and needs for ever to reach it.",
+};
+
+/** The kind of motion in a sentence, and what a real top would do. */
+function summaryOf(shown) {
+  const { regime, held, min_normal_force, e1 } = shown;
+  const real = [];
+  if (min_normal_force < 0) real.push("lift off the plane");
+  if (!held && e1 < 0 && regime !== "sleeping_unstable") real.push("fall on its side");
+  const support = held ? "The tip is held." : "The tip slides without friction.";
+  return `${support} ${REGIMES[regime] ?? ""}${real.length ? ` A real top would ${real.join(" and ")}.` : ""}`;
+}
+
+/** Why the curve is as it is (Proposition 6 of the paper). */
+function curveReason(shown) {
+  const { tipClass, e1, e2, e3, sign_l_plus_n, sign_l_minus_n } = shown;
+  const [left, right] = [short(e3 * (e2 - e1), 4), short(1 - e1 * e2, 4)];
+  const signs = sign_l_plus_n === sign_l_minus_n ? "the same sign" : "different signs";
+  const compared = (sign) => `l + n and l − n have ${signs}, and e₃(e₂ − e₁) = ${left} ${sign} 1 − e₁e₂ = ${right}`;
+  switch (tipClass) {
+    case "loops":
+      return `Loops: ${compared(">")}. The axis goes backwards at its highest.`;
+    case "cusp":
+      return `Cusps: ${compared("=")}. The axis stands still at its highest, as when it is let go there.`;
+    case "smooth":
+      return signs === "the same sign" ? `Smooth: l + n and l − n have ${signs}, so that the axis never turns back.` : `Smooth: ${compared("<")}.`;
+    case "circle":
+      return "A circle: e₁ = e₂, so that the tilt does not change.";
+    case "through_origin":
+      return "Through the centre: e₂ = 1 or e₁ = −1, so that the axis passes the vertical.";
+    case "spiral":
+      return "A spiral: e₂ = e₃ = 1, so that the axis comes to the vertical and stays.";
+    default:
+      return "A point: the axis is vertical.";
+  }
+}
+
+/** Names, values, units and definitions for a teacher. */
+function teachersFacts(shown) {
+  const { e1, e2, period, phi_per_period, spin, min_normal_force, held } = shown;
+  const rate = phi_per_period / period;
+  const critical = criticalSpin(shown);
+  const both = (x) => `${short(x, 4)} rad/s = ${short(perMinute(x), 4)}`;
+  const lift = held ? null : liftOff(shown);
+  return [
+    ["tilt", `${decimals(tiltAt(e2), 2)}° … ${decimals(tiltAt(e1), 2)}`, "°", "Angle between the axis and the vertical: the least and the greatest that it takes."],
+    ["nutation period", short(period), "s", "Time from one lowest place of the axis to the next. Nutation is the nodding of the axis."],
+    ["nutation frequency", short(1 / period), "Hz", "Number of nods in a second."],
+    ["mean precession", short(degrees(rate)), "°/s", "Rate at which the axis goes round the vertical, averaged over a nutation period."],
+    ["the same", short(perMinute(rate)), "rpm", "Mean precession in revolutions per minute."],
+    ["spin", both(spin), "rpm", "Component of the angular velocity along the axis. It never changes."],
+    ["critical spin", both(critical), "rpm", "An upright top sleeps, that is, it stays upright after a small push, if it spins faster than 2√(A p g)/C."],
+    ["upright it would", Math.abs(spin) > critical ? "sleep" : "fall", "", "Whether the spin is above the critical spin."],
+    ...(held
+      ? []
+      : [
+          ["least normal force", short(min_normal_force), "weights", "Least force with which the plane pushes the tip up. Where it would be negative, a real top leaves the plane."],
+          ["it would lift off", lift ? `between ${lift.join(" and ")}` : "nowhere", "", "Tilts at which the plane would have to pull."],
+        ]),
+  ];
+}
+
+/** The paper's constants. */
+function paperFacts(shown) {
+  const { e1, e2, e3, e4, l, n, h, A, C, s, p, g, held, alpha_turns, beta_turns } = shown;
+  return [
+    ["e₁", short(e1, 8), "", "Least u, the cosine of the tilt. The three branch points are the roots of the cubic that governs u."],
+    ["e₂", short(e2, 8), "", "Greatest u."],
+    ["e₃", short(e3, 8), "", "Third root, above 1, which u never reaches: large for a fast spin."],
+    ...(held ? [] : [["e₄", short(e4, 8), "", "√(1 + A/(p s)): how much the sliding of the tip matters; infinite for a held tip."]]),
+    ["l", short(l), "kg m²/s", "Angular momentum about the vertical. It never changes."],
+    ["n", short(n), "kg m²/s", "Angular momentum about the axis of the top. It never changes."],
+    ["h", short(h), "J", "Energy; potential energy is 0 where the centre of mass is at the height of the tip."],
+    ["α in a period", short(alpha_turns), "turns", "Advance of the argument of the Cayley-Klein parameter α in a nutation period."],
+    ["β in a period", short(beta_turns), "turns", "The same of β. The axis goes round by the sum of the two."],
+    ["A", short(A), "kg m²", held ? "Transverse moment of inertia about the tip." : "Transverse moment of inertia about the centre of mass."],
+    ["C", short(C), "kg m²", "Moment of inertia about the axis of the top."],
+    ...(held ? [] : [["s", short(s), "m", "Distance from the tip to the centre of mass."]]),
+    ["p", short(p), "kg m", "Mass moment: mass times distance from the tip to the centre of mass."],
+    ["g", short(g), "m/s²", "Gravity."],
+  ];
+}
+
+/** The moment that is shown. */
+function momentFacts({ alpha, beta, u, axis }, t, shown) {
+  const { period, error, error_growth } = shown;
+  return [
+    ["tilt", decimals(tiltOf(axis), 3), "°", "Angle between the axis and the vertical, now."],
+    ["azimuth", decimals(degrees(azimuthOf(axis)), 2), "°", "Direction in which the axis leans, seen from above."],
+    ["u", decimals(u, 6), "", "Cosine of the tilt."],
+    ["axis", axis.map((x) => decimals(x, 3)).join(", "), "", "Unit vector from the tip to the centre of mass; its third component points up."],
+    ["α", complexText(alpha), "", "First Cayley-Klein parameter of the orientation; as a quaternion w + z i."],
+    ["β", complexText(beta), "", "Second Cayley-Klein parameter of the orientation; as a quaternion −y + x i."],
+    ["periods", period > 0 ? decimals(t / period, 2) : "–", "", "Nutation periods since t = 0."],
+    ["error at most", short(error + error_growth * Math.abs(t), 2), "rad", "Bound on the error of the orientation at this time; it counts roundings and does not grow by steps."],
+  ];
+}
+
+/** Fills a table; rows that are there keep their place, so that a tooltip stays open. */
+function fillTable(table, facts) {
+  while (table.rows.length > facts.length) table.deleteRow(-1);
+  facts.forEach(([name, value, unit, definition], i) => {
+    const row = table.rows[i] ?? newRow(table);
+    const [label, cell] = row.children;
+    const [term] = label.children;
+    if (term.textContent !== name) term.textContent = name;
+    if (term.dataset.define !== definition) {
+      term.dataset.define = definition;
+      term.setAttribute("aria-description", definition);
+    }
+    const text = value === "–" ? value : `${value}${unit && unit !== "°" ? " " : ""}${unit}`;
+    if (cell.textContent !== text) cell.textContent = text;
+  });
+}
+
+function newRow(table) {
+  const row = table.insertRow();
+  row.innerHTML = '<th scope="row"><span class="term" tabindex="0"></span></th><td></td>';
+  return row;
+}

@@ -1,0 +1,61 @@
+// A gyroscope on its stand: what a top looks like whose tip is held.
+
+/** Axle, hub and wheel from the pivot up: heights in units of the distance to the centre of mass, radii in the same. */
+function wheelOutline(breadth) {
+  const [inner, outer, half] = [0.8 * breadth, breadth, 0.1];
+  return [
+    [0, 0], [0.03, 0.035], [0.07, 0.045], [0.78, 0.045], [0.8, 0.13], [0.94, 0.13], [0.96, 0.16],
+    [0.965, inner], [1 - half, inner + 0.02], [1 - half, outer - 0.02], [1 - 0.7 * half, outer],
+    [1 + 0.7 * half, outer], [1 + half, outer - 0.02], [1 + half, inner + 0.02], [1.035, inner], [1.04, 0.16],
+    [1.06, 0.13], [1.2, 0.13], [1.22, 0.045], [1.7, 0.045], [1.74, 0.03], [1.75, 0],
+  ];
+}
+
+/** Paint of the wheel: a web with a stripe and four fields, a brass rim with a mark, a steel axle. */
+function paintWheel(height, sector, radius, breadth) {
+  const [stripe, brass] = [sector < SECTORS / 12, [201, 164, 84]];
+  if (radius < 0.18) return PAINT.metal;
+  if (radius > 0.78 * breadth) return stripe ? PAINT.mark : brass;
+  if (stripe) return PAINT.mark;
+  return sector % (SECTORS / 4) < SECTORS / 8 ? PAINT.red : PAINT.cream;
+}
+
+function gyroscope(breadth) {
+  return bodyOf(wheelOutline(breadth), (height, sector, radius) => paintWheel(height, sector, radius, breadth));
+}
+
+/** Height of the table on which the stand is: so low that the body passes above it. */
+const TABLE_BELOW = -1.45;
+/** Height of the arm from which a body hangs that never rises far. */
+const ARM_ABOVE = 1.35;
+
+/** Whether the body hangs from an arm: its axis is mostly below the level. */
+const hangs = ({ e: [low, high] }) => low + high < -0.6;
+
+/** The stand: a foot, a post, and a pin at the pivot. */
+function drawStand(pen, camera, scene, colours) {
+  const project = (point) => camera.project(point);
+  const line = (points, width, style) => {
+    trace(pen, points.map(project));
+    stroke(pen, style, width * camera.scaleAt([0, 0, 0]));
+  };
+  if (hangs(scene)) {
+    const [x, y] = [-camera.right[0] * 1.8, -camera.right[1] * 1.8];
+    trace(pen, circle(0.4, -2.1).map(([u, v, z]) => project([x + u, y + v, z])), true);
+    pen.fillStyle = colours.stand;
+    pen.fill();
+    for (const [width, style] of [[0.09, colours.stand], [0.03, colours.shine]]) {
+      line([[x, y, -2.1], [x, y, ARM_ABOVE], [0, 0, ARM_ABOVE], [0, 0, 0]], width, style);
+    }
+  } else {
+    for (const [radius, height] of [[0.62, TABLE_BELOW], [0.55, TABLE_BELOW + 0.08], [0.16, TABLE_BELOW + 0.16]]) {
+      trace(pen, circle(radius, height).map(project), true);
+      pen.fillStyle = colours.stand;
+      pen.fill();
+      stroke(pen, colours.shine, 0.7);
+    }
+    line([[0, 0, TABLE_BELOW + 0.1], [0, 0, -0.06]], 0.1, colours.stand);
+    line([[0, 0, TABLE_BELOW + 0.1], [0, 0, -0.06]], 0.03, colours.shine);
+  }
+  disc(pen, project([0, 0, 0]), 0.075 * camera.scaleAt([0, 0, 0]), colours.pin);
+}

@@ -1,0 +1,22 @@
+// What happens when the page is opened.
+
+async function begin() {
+  core = data.recorded ? new Recorded(data.recorded) : await Core.load(element("core").textContent.trim(), data.constants);
+  document.body.classList.toggle("recorded", !core.isLive);
+  buildControls(change);
+  fillPresets();
+  setScenario(data.scenario, { settle: true });
+  listenToTime();
+  listenToMotion();
+  listenToPictures();
+  document.addEventListener("keydown", onKey);
+  window.addEventListener("hashchange", fromAddress);
+  new ResizeObserver(redraw).observe(element("scene-picture"));
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", recolour);
+  for (const event of ["beforeprint", "afterprint"]) window.addEventListener(event, recolour);
+  matchMedia("print").addEventListener("change", recolour);
+  const stands = fromAddress();
+  play(!stands && !matchMedia("(prefers-reduced-motion: reduce)").matches);
+}
+
+const ready = begin();

@@ -1,0 +1,121 @@
+// The top on its plane, or the gyroscope on its stand.
+
+/** What all pictures draw the bounds with: whole, dashed, dotted. */
+const DASHES = [[], [5, 4], [1, 4]];
+
+/** Where the tip is in units of s; the tip of a held top stays. */
+const baseOf = (scene, { foot: [x, y] }) => (scene.held ? [0, 0, 0] : [x, y, 0]);
+const endOf = (scene, place) => sum(baseOf(scene, place), place.axis, END);
+/** How far out the plane has to be seen. */
+const widest = ({ circles }) => circles.reduce((most, { radius }) => Math.max(most, radius), circles.length ? 0 : 0.25);
+
+function cameraOf({ scene, view }, size) {
+  const [low, high] = scene.e;
+  const gap = 0.25 * (high - low);
+  if (scene.held) return new Camera(view, [0, 0, hangs(scene) ? -0.3 : 0.2], 2.2, size);
+  return new Camera(view, [0, 0, 0.46 * (low + high)], 1.42 + gap, size);
+}
+
+/** A disc with rings and spokes at a height. */
+function drawPlane(pen, project, size, colours, radius, height) {
+  const rim = circle(radius, height).map(project);
+  const [, middle] = project([0, 0, height]);
+  const shade = pen.createLinearGradient(0, middle - 0.25 * size[1], 0, middle + 0.3 * size[1]);
+  shade.addColorStop(0, colours.ground);
+  shade.addColorStop(1, colours.rim);
+  trace(pen, rim, true);
+  pen.globalAlpha = 0.86;
+  pen.fillStyle = shade;
+  pen.fill();
+  pen.globalAlpha = 1;
+  stroke(pen, colours.grid, 1.2);
+  for (let r = 0.25; r < radius; r += 0.25) {
+    trace(pen, circle(r, height, 72).map(project));
+    stroke(pen, colours.grid, 0.6);
+  }
+  for (let spoke = 0; spoke < 12; spoke++) {
+    const [c, s] = [Math.cos((spoke * Math.PI) / 6), Math.sin((spoke * Math.PI) / 6)];
+    trace(pen, [project([0.25 * c, 0.25 * s, height]), project([radius * c, radius * s, height])]);
+    stroke(pen, colours.grid, 0.6);
+  }
+}
+
+function drawScene(canvas, frame) {
+  const { scene, now, colours } = frame;
+  const { pen, size } = sheet(canvas, colours.card);
+  const camera = cameraOf(frame, size);
+  const place = (point) => sum(baseOf(scene, now), now.rotate(point));
+  const faces = seenFaces(camera, scene.body, { place, rotate: now.rotate });
+  if (scene.held) drawHeld(pen, size, camera, frame, faces);
+  else drawSliding(pen, size, camera, frame, faces, place);
+  if (frame.ghost) {
+    const { ghost } = frame;
+    drawGhost(pen, camera, scene.body, (point) => sum(baseOf(scene, ghost), ghost.rotate(point)), colours.ghost);
+  }
+}
+
+function drawSliding(pen, size, camera, frame, faces, place) {
+  const { scene, now, past, colours } = frame;
+  const project = (point) => camera.project(point);
+  const onPlane = ([x, y]) => camera.project([x, y, 0]);
+  const radius = Math.max(1.28 * widest(scene), 1.15 * scene.breadth, 0.9);
+  // what is below the plane is seen through it
+  drawFaces(pen, camera, faces, -1);
+  drawPlane(pen, project, size, colours, radius, 0);
+  pen.save();
+  trace(pen, circle(radius, 0).map(project), true);
+  pen.clip();
+  if (now.axis[2] > 0.15) drawShadow(pen, camera, scene.body, place, "rgb(0 0 0 / 0.1)");
+  pen.restore();
+  scene.circles.forEach((bound, i) => {
+    trace(pen, circle(bound.radius, 0).map(project));
+    stroke(pen, colours.bound, 1.4, DASHES[i]);
+  });
+  fading(pen, past.map(({ foot }) => onPlane(foot)), colours.tip, 2.6);
+  disc(pen, onPlane(now.foot), 3.2, colours.tip);
+  // the vertical on which the centre of mass goes up and down
+  const vertical = [[0, 0, 0], [0, 0, 1.9]].map(project);
+  trace(pen, vertical);
+  stroke(pen, colours.faint, 1.2, [2, 4]);
+  drawBody(pen, camera, frame, faces, 1);
+  pen.globalAlpha = 0.3;
+  trace(pen, vertical);
+  stroke(pen, colours.faint, 1, [2, 4]);
+  pen.globalAlpha = 1;
+}
+
+function drawHeld(pen, size, camera, frame, faces) {
+  const { scene, now, colours } = frame;
+  const project = (point) => camera.project(point);
+  const standsOnTable = !hangs(scene);
+  if (standsOnTable) drawPlane(pen, project, size, colours, 1.1, TABLE_BELOW);
+  scene.e.slice(0, 2).forEach((u, i) => {
+    trace(pen, circle(END * Math.sqrt(Math.max(0, 1 - u * u)), END * u).map(project));
+    stroke(pen, colours.bound, 1.2, DASHES[i]);
+  });
+  // the stand is behind a body that leans to the onlooker
+  const leansForward = dot(now.axis, camera.back) > 0;
+  if (leansForward) drawStand(pen, camera, scene, colours);
+  drawBody(pen, camera, frame, faces, 0);
+  if (!leansForward) drawStand(pen, camera, scene, colours);
+}
+
+/** The body with its axis, between the parts of the axis' trail behind it and before it. Side 1 is above the plane. */
+function drawBody(pen, camera, { scene, now, past, colours }, faces, side) {
+  const project = (point) => camera.project(point);
+  const place = (point) => sum(baseOf(scene, now), now.rotate(point));
+  const ends = past.map((moment) => project(endOf(scene, moment)));
+  const depth = project(place([0, 0, 1.2]))[2];
+  fading(pen, ends, colours.axis, 1.8, ([, , far]) => (far >= depth ? 0.9 : 0));
+  const axis = [place([0, 0, 1.7]), endOf(scene, now)].map(project);
+  const stick = () => {
+    trace(pen, axis);
+    stroke(pen, colours.ink, 1.6);
+    disc(pen, axis[1], 3.6, colours.axis);
+  };
+  const leansAway = axis[1][2] > depth;
+  if (leansAway) stick();
+  drawFaces(pen, camera, faces, side);
+  if (!leansAway) stick();
+  fading(pen, ends, colours.axis, 1.8, ([, , far]) => (far < depth ? 0.9 : 0));
+}

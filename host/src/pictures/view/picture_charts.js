@@ -1,0 +1,81 @@
+// Tilt and precession against time, over the stretch of time that the slider covers.
+
+/** Numbers of round steps in a range, so many at most. */
+function ticksIn(low, high, most) {
+  const step = roundBelow((2.5 * (high - low)) / most) || 1;
+  const first = Math.ceil(low / step - 1e-9);
+  return Array.from({ length: Math.max(0, Math.floor(high / step + 1e-9) - first + 1) }, (_, i) => (first + i) * step);
+}
+
+/** An angle that is continued from point to point, in degrees. */
+function continued(angles) {
+  let turns = 0;
+  return angles.map((angle, i) => {
+    if (i) turns -= Math.round((angle - angles[i - 1]) / (2 * Math.PI));
+    return degrees(angle + 2 * Math.PI * turns);
+  });
+}
+
+const tiltOf = ([x, y, z]) => degrees(Math.atan2(Math.hypot(x, y), z));
+const azimuthOf = ([x, y]) => Math.atan2(y, x);
+
+/** A range with some room; never empty. */
+function roomy(values) {
+  const [low, high] = values.reduce(([a, b], x) => [Math.min(a, x), Math.max(b, x)], [Infinity, -Infinity]);
+  const room = Math.max(0.08 * (high - low), 1e-6 * Math.max(1, Math.abs(high)), high - low < 1e-9 ? 1 : 0);
+  return [low - room, high + room];
+}
+
+const CHARTS = {
+  tilt: { name: "tilt in °", values: ({ points }) => points.map(({ axis }) => tiltOf(axis)) },
+  precession: {
+    name: "azimuth of the axis in °",
+    values: ({ points }) => continued(points.map(({ axis }) => azimuthOf(axis))),
+  },
+};
+
+function drawChart({ pen, size: [width, height] }, { scene, stretch, t, colours }, kind) {
+  if (kind === "precession" && isVertical(scene.shown.regime)) {
+    write(pen, colours.faint, "center");
+    pen.fillText("The axis is vertical: it has no azimuth.", 0.5 * width, 0.5 * height);
+    return;
+  }
+  const values = (stretch[kind] ??= CHARTS[kind].values(stretch));
+  const { from, to } = stretch;
+  const bounds = kind === "tilt" ? scene.e.slice(0, 2).map((u) => degrees(Math.acos(Math.max(-1, Math.min(1, u))))) : [];
+  const [low, high] = roomy([...values, ...bounds]);
+  const [left, right, top, bottom] = [52, width - 26, 22, height - 34];
+  const x = (time) => left + ((time - from) / (to - from)) * (right - left);
+  const y = (value) => bottom - ((value - low) / (high - low)) * (bottom - top);
+  write(pen, colours.faint, "left");
+  pen.fillText(CHARTS[kind].name, 6, 13);
+  write(pen, colours.faint, "right", 11);
+  for (const value of ticksIn(low, high, 6)) {
+    trace(pen, [[left, y(value)], [right, y(value)]]);
+    stroke(pen, colours.grid, 0.7);
+    pen.fillText(short(value, 6), left - 5, y(value) + 4);
+  }
+  write(pen, colours.faint, "center", 11);
+  // beyond some digits only the place in the stretch is legible
+  const far = Math.abs(from) > 1e4 * (to - from);
+  const origin = far ? from : 0;
+  for (const time of ticksIn(from - origin, to - origin, width > 420 ? 8 : 5)) {
+    trace(pen, [[x(time + origin), bottom], [x(time + origin), bottom + 4]]);
+    stroke(pen, colours.faint, 1);
+    pen.fillText(short(time, 6), x(time + origin), bottom + 16);
+  }
+  pen.fillText(far ? `t − ${short(from, 10)} s, in s` : "t in s", 0.5 * (left + right), height - 4);
+  bounds.forEach((bound, i) => {
+    trace(pen, [[left, y(bound)], [right, y(bound)]]);
+    stroke(pen, colours.bound, 1.2, DASHES[i]);
+    write(pen, colours.faint, "left", 11);
+    if (i === 0 || bounds[0] - bounds[1] > 0.1 * (high - low)) pen.fillText(`e${"₁₂"[i]}`, right + 5, y(bound) + 4);
+  });
+  trace(pen, values.map((value, i) => [x(from + ((to - from) * i) / (values.length - 1)), y(value)]));
+  stroke(pen, colours.axis, 1.8);
+  trace(pen, [[x(t), top], [x(t), bottom]]);
+  stroke(pen, colours.ink, 1, [2, 3]);
+  const place = Math.max(0, Math.min(values.length - 1, ((t - from) / (to - from)) * (values.length - 1)));
+  const [before, after] = [values[Math.floor(place)], values[Math.ceil(place)]];
+  disc(pen, [x(t), y(before + (place % 1) * (after - before))], 4, colours.axis);
+}

@@ -1,0 +1,53 @@
+// The plane from above: the curve between its bounds, with their names and a scale.
+
+function drawPlan({ pen, size: [width, height] }, { scene, now, past, colours, ghost }) {
+  const most = widest(scene) || 1;
+  const scale = (0.5 * Math.min(width, height) - 26) / most;
+  const place = ([x, y]) => [0.5 * width + scale * x, 0.5 * height - 6 - scale * y];
+  const [cx, cy] = place([0, 0]);
+  for (const [dx, dy] of [[5, 0], [0, 5]]) {
+    trace(pen, [[cx - dx, cy - dy], [cx + dx, cy + dy]]);
+    stroke(pen, colours.faint, 1);
+  }
+  write(pen, colours.faint, "center");
+  scene.circles.forEach(({ radius, name }, i) => {
+    trace(pen, circle(radius, 0).map(place), true);
+    stroke(pen, colours.bound, 1.2, DASHES[i]);
+    // outside the largest; inside the others, where the curve is not, above or below
+    if (radius >= most) pen.fillText(name, cx, cy - scale * radius - 6);
+    else if (scale * radius > 34) pen.fillText(name, cx, i ? cy - scale * radius + 15 : cy + scale * radius - 7);
+  });
+  fading(pen, past.map(({ foot }) => place(foot)), colours.tip, 2);
+  drawDirection(pen, past.map(({ foot }) => place(foot)), colours.tip);
+  if (ghost) disc(pen, place(ghost.foot), 4, colours.ghost);
+  disc(pen, place(now.foot), 4, colours.tip);
+  drawScale(pen, scene, scale, height, colours);
+}
+
+function write(pen, style, align, size = 12) {
+  Object.assign(pen, { font: `${size}px system-ui, sans-serif`, textAlign: align, fillStyle: style });
+}
+
+/** An arrow head in the middle of the last stretch: the direction of travel. */
+function drawDirection(pen, places, style) {
+  const last = places.length - 1;
+  const [from, to] = [places[Math.max(0, last - 14)], places[Math.max(0, last - 11)]];
+  if (last < 15 || Math.hypot(to[0] - from[0], to[1] - from[1]) < 1) return;
+  const angle = Math.atan2(to[1] - from[1], to[0] - from[0]);
+  const corner = (turn, size) => [to[0] + size * Math.cos(angle + turn), to[1] + size * Math.sin(angle + turn)];
+  trace(pen, [corner(0, 7), corner(2.5, 6), corner(-2.5, 6)], true);
+  pen.fillStyle = style;
+  pen.fill();
+}
+
+/** A bar of a round length; the axis of a held top has no unit. */
+function drawScale(pen, scene, scale, height, colours) {
+  const most = (90 / scale) * scene.scale;
+  if (!(most > 0)) return;
+  const length = roundBelow(most);
+  const pixels = (length / scene.scale) * scale;
+  trace(pen, [[12, height - 16], [12, height - 10], [12 + pixels, height - 10], [12 + pixels, height - 16]]);
+  stroke(pen, colours.ink, 1.2);
+  write(pen, colours.ink, "left", 11);
+  pen.fillText(scene.held ? short(length) : lengthText(length), 12 + pixels + 6, height - 10);
+}

@@ -1,0 +1,47 @@
+// The end of the axis on the unit sphere.
+
+/** The end of the axis on the unit sphere, from where the top is looked at. */
+function drawSphere(canvas, { scene, now, past, view, colours, ghost }) {
+  const { pen, size } = sheet(canvas, colours.card);
+  // from higher up: most tops are near the upper pole
+  const camera = new Camera({ ...view, elevation: Math.min(1.5, view.elevation + 0.4) }, [0, 0, 0], 1.09, size);
+  const project = (point) => camera.project(point);
+  // a point of the sphere is seen if it is before the circle where lines of sight touch
+  const seen = (point) => dot(point, camera.position) >= 1;
+  const edge = camera.focus / Math.sqrt(camera.distance ** 2 - 1);
+  const [cx, cy] = camera.middle;
+  const shade = pen.createRadialGradient(cx - 0.35 * edge, cy - 0.45 * edge, 0.1 * edge, cx, cy, edge);
+  shade.addColorStop(0, colours.ground);
+  shade.addColorStop(1, colours.sphere);
+  disc(pen, [cx, cy], edge, shade);
+  const onSphere = (points, style, width, dash) => {
+    for (const [front, alpha] of [[false, 0.25], [true, 1]]) {
+      pen.globalAlpha = alpha;
+      pen.beginPath();
+      points.forEach((point, i) => {
+        const [x, y] = project(point);
+        if (i && seen(point) === front) pen.lineTo(x, y);
+        else pen.moveTo(x, y);
+      });
+      stroke(pen, style, width, dash);
+    }
+    pen.globalAlpha = 1;
+  };
+  const parallel = (u) => circle(Math.sqrt(Math.max(0, 1 - u * u)), u);
+  [-60, -30, 0, 30, 60].forEach((degrees) => onSphere(parallel(Math.sin((degrees * Math.PI) / 180)), colours.grid, 0.7));
+  [0, 30, 60, 90, 120, 150].forEach((degrees) => {
+    const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+    onSphere(circle(1, 0).map(([x, y]) => [x * c, x * s, y]), colours.grid, 0.7);
+  });
+  [...new Set(scene.e.slice(0, 2))].forEach((u, i) => onSphere(parallel(u), colours.bound, 1.3, DASHES[i]));
+  const places = past.map(({ axis }) => [...project(axis), seen(axis)]);
+  for (const front of [false, true]) {
+    fading(pen, places, colours.axis, 2, (place) => (place[3] === front ? (front ? 1 : 0.3) : 0));
+  }
+  if (ghost) disc(pen, project(ghost.axis), 4, colours.ghost);
+  const tip = project(now.axis);
+  trace(pen, [project([0, 0, 0]), tip]);
+  stroke(pen, colours.ink, 1.3);
+  disc(pen, project([0, 0, 0]), 2.2, colours.ink);
+  disc(pen, tip, 4, colours.axis);
+}

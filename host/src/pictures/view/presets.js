@@ -1,0 +1,42 @@
+// Motions to start from: the paper's nine curves, real tops, and corners.
+
+/** The paper's units: a top with A = C = s = p = g = 1. */
+const PAPERS_TOP = { support: "sliding", transverse_inertia: 1, axial_inertia: 1, com_height: 1, mass_moment: 1, gravity: 1 };
+
+function branchPoints(top, [e1, e2, e3], minus) {
+  return { top, motion: { kind: "branch_points", e1, e2, e3, sign_l_plus_n: 1, sign_l_minus_n: minus } };
+}
+
+/** Groups of presets: each has a name, and presets by their names. */
+function presetsOf({ name, scenario, figures, toy_top: toyTop }) {
+  const { top } = toyTop;
+  const thrown = (changes) => ({ top, motion: { ...toyTop.motion, ...changes } });
+  const [A, C, p, g] = [top.transverse_inertia, top.axial_inertia, top.mass * top.com_height, top.gravity];
+  const critical = criticalSpin({ A, C, p, g });
+  const spin = (share) => Number((share * critical).toPrecision(4));
+  const wheel = { support: "fixed", mass: 0.2, com_height: 0.06, transverse_inertia: 9.5e-4, axial_inertia: 4e-4, gravity: 9.81 };
+  const tall = { support: "sliding", transverse_inertia: 1.1, axial_inertia: 0.8, com_height: 0.6, mass_moment: 0.9, gravity: 1 };
+  const released = (changes) => ({ top: wheel, motion: { kind: "release", tilt_deg: 70, spin: 250, ...changes } });
+  return {
+    "This page": { [name.replaceAll("_", " ")]: scenario },
+    "Real tops": {
+      "Toy top, let go": thrown({}),
+      "Toy top, pushed: loops": thrown({ precession: -6 }),
+      "Toy top, tip held": withSupport(thrown({ nutation: 0.5 }), "fixed"),
+      "Sleeping, just above the critical spin": thrown({ tilt_deg: 1, spin: spin(1.03) }),
+      "Waking, just below the critical spin": thrown({ tilt_deg: 1, spin: spin(0.97) }),
+      "Gyroscope, let go": released({ precession: 0 }),
+      "Gyroscope, steady": released({ precession: 1.2 }),
+    },
+    "The paper": Object.fromEntries(
+      figures.flatMap(([figure, minus, e3s]) =>
+        e3s.map((e3) => [`${figure[0].toUpperCase()}${figure.slice(1)}, e₃ = ${e3}`, branchPoints(PAPERS_TOP, [0.7, 0.9, e3], minus)]),
+      ),
+    ),
+    Corners: {
+      "Near the separatrix": branchPoints(tall, [0.2, 1 - 5e-7, 1 + 5e-7], 1),
+      "Rising for ever": branchPoints(tall, [0.2, 1, 1], 1),
+      "Held pendulum": { top: wheel, motion: { kind: "release", tilt_deg: 120, spin: 0, precession: 3 } },
+    },
+  };
+}

@@ -1,0 +1,198 @@
+// State of the page: what changes it, and what is drawn of it.
+
+const element = (id) => document.getElementById(id);
+const data = JSON.parse(element("data").textContent);
+
+const start = { azimuth: 0.9, elevation: 0.42 };
+const state = { t: 0, page: 0, speed: 1, exponent: 0, view: { ...start }, colours: palette(), scenario: data.scenario, name: data.name.replaceAll("_", " ") };
+/** The core, the motion that it shows, its pictures' scene, and the points that were passed. */
+let core, scene, trail, stretch;
+/** What is shown; a test compares it with the crate. */
+let shown;
+let pending = false;
+
+const clock = new Clock((passed) => {
+  state.t = limited(state.t + passed * state.speed);
+  turnPage();
+  show();
+});
+
+const limited = (t) => Math.max(-FURTHEST, Math.min(FURTHEST, t));
+
+/** Says something on a topic; nothing clears what was said on that topic. */
+function say(topic, text, isError = true) {
+  const message = element("message");
+  if (!text && message.dataset.topic !== topic) return;
+  message.dataset.topic = topic;
+  message.textContent = text;
+  message.hidden = !text;
+  message.classList.toggle("error", isError);
+}
+
+/** Shows a scenario, or says why it cannot be and keeps the one before. */
+function setScenario(scenario, { settle = false, name } = {}) {
+  const launched = core.launch(scenario);
+  if (launched.refused) {
+    const { parameter, allowed } = launched.refused;
+    say("motion", `${parameter.replaceAll("_", " ")}: must be ${allowed}`);
+    core.launch(state.scenario);
+    startGhost();
+    if (scene) showControls({ scenario: state.scenario, shown: scene.shown });
+    return false;
+  }
+  state.scenario = scenario;
+  if (name !== undefined) state.name = name;
+  element("presets").value = state.name;
+  scene = sceneOf(launched, core);
+  trail = new Trail(core, scene);
+  stretch = undefined;
+  state.page = Math.floor(state.t / scene.span);
+  say("motion", "");
+  startGhost();
+  setSpeed(settle ? 0 : state.exponent, settle);
+  showControls({ scenario, shown: launched, settle });
+  tellMotion(launched);
+  show();
+  return true;
+}
+
+function show() {
+  pending = false;
+  const { t, view, colours, page } = state;
+  const now = place(scene, core.at(t));
+  trail.forget(t);
+  if (stretch?.page !== page) stretch = { page, ...stretchOf(trail, scene, page) };
+  const ghost = ghostNow(t);
+  const frame = { scene, now, past: [...trail.before(t), now], stretch, t, view, colours, ghost };
+  shown = { ...now, t, frame };
+  drawScene(element("scene-picture"), frame);
+  drawSphere(element("sphere-picture"), frame);
+  for (const [id, draw] of Object.entries(FLAT)) draw(sheet(element(`${id}-picture`), colours.card), frame);
+  tellMoment(now);
+}
+
+/** Pictures that can be SVG, too. */
+const FLAT = {
+  plan: drawPlan,
+  tilt: (paper, frame) => drawChart(paper, frame, "tilt"),
+  precession: (paper, frame) => drawChart(paper, frame, "precession"),
+  potential: drawPotential,
+};
+
+/** Draws once, with the next frame. */
+function redraw() {
+  if (!pending) requestAnimationFrame(show);
+  pending = true;
+}
+
+function tellMotion(launched) {
+  document.title = `${state.name}: a top in motion`;
+  element("name").textContent = state.name;
+  element("summary").textContent = summaryOf(launched);
+  element("curve-reason").textContent = curveReason(launched);
+  element("plan-title").textContent = launched.held ? "Axis from above" : "Tip from above";
+  element("tip-legend").textContent = launched.held ? "foot of the axis, −2αβ" : "tip on the plane";
+  fillTable(element("teachers-facts"), teachersFacts(launched));
+  fillTable(element("papers-facts"), paperFacts(launched));
+}
+
+function tellMoment({ moment }) {
+  const { t, page } = state;
+  fillTable(element("moment-facts"), momentFacts(moment, t, scene.shown));
+  const time = element("time");
+  if (document.activeElement !== time) time.value = String(Number(t.toPrecision(Math.abs(t) > 1e4 ? 12 : 5)));
+  const slider = element("position");
+  slider.value = String(t / scene.span - page);
+  slider.setAttribute("aria-valuetext", `${short(t, 6)} s`);
+}
+
+/** Goes to a time; the slider's range follows where it is left. */
+function go(t) {
+  if (limited(t) !== t) say("t", `t: must be between −10¹² and 10¹² s; ${short(t)} s is beyond`);
+  else say("t", "");
+  state.t = limited(t);
+  turnPage();
+  redraw();
+}
+
+function turnPage() {
+  const place = state.t / scene.span - state.page;
+  if (place < 0 || place > 1) state.page = Math.floor(state.t / scene.span);
+}
+
+function play(playing) {
+  const button = element("play");
+  button.setAttribute("aria-label", playing ? "Pause" : "Play");
+  button.title = playing ? "Pause (space)" : "Play (space)";
+  button.dataset.playing = playing;
+  clock.play(playing);
+}
+
+function setSpeed(exponent, settle = true) {
+  state.exponent = exponent;
+  if (settle) state.base = scene.speed;
+  state.speed = state.base * 2 ** exponent;
+  element("speed").value = String(exponent);
+  const text = `${short(state.speed, 2)} s of motion a second`;
+  element("speed-now").textContent = text;
+  element("speed").setAttribute("aria-valuetext", text);
+}
+
+/** A slider, a field or a drag has changed a number. */
+function change(control, x) {
+  setScenario(control.write(state.scenario, x, scene.shown), { name: "Your top" });
+  remember();
+}
+
+/** The ghost's step in s, as the field says; 0 where it is off. */
+const ghostStep = () => (element("ghost").checked ? numberOf(element("ghost-step").value) : 0);
+
+function startGhost() {
+  const step = ghostStep();
+  say("ghost", Number.isNaN(step) || step < 0 ? "step of the ghost: must be a positive number of seconds" : "");
+  core.startGhost(step > 0 ? step : 0);
+}
+
+function ghostNow(t) {
+  const ghost = core.ghostAt(t);
+  const output = element("ghost-error");
+  if (!ghost) {
+    output.textContent = "";
+    return null;
+  }
+  const { moment, reached, distance } = ghost;
+  const arrived = Math.abs(reached - t) <= 1e-9 * Math.abs(t);
+  const off = distance < 0.01 ? `${short(distance, 2)} rad` : `${decimals(degrees(distance), 1)}°`;
+  output.textContent = arrived ? `The ghost is ${off} off.` : `The ghost is still on its way: t = ${short(reached, 4)} s, ${off} off.`;
+  if (!arrived && !clock.playing) redraw();
+  return place(scene, moment);
+}
+
+/** The address of what is set: the motion, and time, speed and ghost where they are not those of a page just opened. */
+function addressed() {
+  const speed = state.exponent === 0 ? undefined : Number(state.speed.toPrecision(4));
+  return toFragment(state.scenario, { t: clock.playing ? undefined : state.t, speed, ghost: ghostStep() || undefined });
+}
+
+/** Puts the settings into the address, so that it can be shared and reloaded. */
+let remembering;
+function remember() {
+  clearTimeout(remembering);
+  remembering = setTimeout(() => history.replaceState(null, "", addressed()), 250);
+}
+
+/** Shows what the address says: a scenario, a time, or both; a time stands still. */
+function fromAddress() {
+  const { scenario, t, speed, ghost } = fromFragment(location.hash);
+  if (ghost > 0 && core.isLive) {
+    element("ghost").checked = true;
+    element("ghost-step").value = String(ghost);
+  }
+  if (scenario && core.isLive) setScenario(scenario, { settle: true, name: "A shared top" });
+  else startGhost();
+  if (speed > 0) setSpeed(Math.max(-6, Math.min(6, Math.log2(speed / scene.speed))));
+  if (Number.isNaN(t)) return false;
+  play(false);
+  go(t);
+  return true;
+}

@@ -1,0 +1,37 @@
+// Numbers as a reader wants them.
+
+/** So many decimals, without a minus before zero. */
+const decimals = (x, n = 4) => {
+  const text = x.toFixed(n);
+  return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−");
+};
+
+/** So many significant digits, and no more than it needs. */
+const short = (x, n = 5) => {
+  if (!Number.isFinite(x)) return "–";
+  const [digits, power] = String(Number(x.toPrecision(n))).replace("-", "−").split("e");
+  return power === undefined ? digits : `${digits} · 10${superscript(power)}`;
+};
+
+const superscript = (power) => [...power.replace("+", "").replace("-", "−")].map((c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻").join("");
+
+/** A complex number in rectangular form. */
+const complexText = ([re, im]) => {
+  const size = decimals(Math.abs(im));
+  const minus = im < 0 && Number(size) !== 0;
+  return `${decimals(re)} ${minus ? "−" : "+"} ${size} i`;
+};
+
+/** A length in m, with the unit in which it is a number of few digits. */
+function lengthText(metres) {
+  const [scale, unit] = Math.abs(metres) < 1 ? [1e3, "mm"] : [1, "m"];
+  return `${short(metres * scale, 3)} ${unit}`;
+}
+
+/** The largest of 1, 2 and 5 times a power of ten that is at most x. */
+function roundBelow(x) {
+  const power = 10 ** Math.floor(Math.log10(x));
+  return power * ([5, 2, 1].find((digit) => digit * power <= x * (1 + 1e-12)) ?? 1);
+}
+
+const perMinute = (radiansPerSecond) => (radiansPerSecond * 60) / (2 * Math.PI);

@@ -1,0 +1,46 @@
+//! The core as WebAssembly, which `host/build.rs` puts into every page of `toytop view`.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+use anyhow::{Result, bail};
+
+use crate::process::{root, run};
+use crate::tools::{self, PAGE_TARGET, Toolchain};
+
+/// Bytes that it may have: a page of 400 KB holds it in base 64, beside the scripts.
+const MOST: u64 = 200_000;
+
+/// Builds it, and says how large it is.
+pub(crate) fn check() -> Result<String> {
+    let toolchain = tools::page_toolchain()?;
+    let file = file_of(toolchain);
+    let words = format!("build --package toytop-page --profile page --target {PAGE_TARGET}");
+    let mut command = toolchain.cargo(".", &words);
+    run(command.arg("--target-dir").arg(folder_of(toolchain)))?;
+    let bytes = fs::metadata(&file)?.len();
+    if bytes > MOST {
+        bail!("{}: {bytes} bytes, more than {MOST}", file.display());
+    }
+    Ok(format!("{bytes} bytes of WebAssembly"))
+}
+
+/// A command that builds the host, with the file if the compiler that builds the host cannot make it.
+pub(crate) fn with_core(mut command: Command) -> Command {
+    let file = file_of(Toolchain::Debian);
+    if file.exists() && matches!(tools::page_toolchain(), Ok(Toolchain::Debian)) {
+        command.env("TOYTOP_PAGE_WASM", file);
+    }
+    command
+}
+
+/// Folder that the compiler shares with `host/build.rs`.
+fn folder_of(toolchain: Toolchain) -> PathBuf {
+    let target = std::env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into());
+    root().join(target).join("page").join(toolchain.subfolder())
+}
+
+fn file_of(toolchain: Toolchain) -> PathBuf {
+    folder_of(toolchain).join(PAGE_TARGET).join("page/toytop_page.wasm")
+}
