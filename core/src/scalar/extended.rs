@@ -294,7 +294,7 @@ mod tests {
             bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
             let number = f64::from_bits((bits >> 1) % (0x7fe << 52));
             let number = if k % 3 == 0 { libm::round((bits >> 50) as f64 / 7.0) } else { number };
-            let number = if number > 1e150 || number < 1e-150 { number * 0.0 + 0.375 } else { number };
+            let number = if (1e-150..=1e150).contains(&number) { number } else { 0.375 };
             if bits & 1 == 1 { -number } else { number }
         })
     }
