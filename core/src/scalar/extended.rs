@@ -111,6 +111,7 @@ impl Extended {
 }
 
 impl From<f64> for Extended {
+    #[inline(never)]
     fn from(x: f64) -> Self {
         let (mantissa, exponent) = integer_parts(x);
         Self::normalised(mantissa.into(), exponent)
@@ -136,6 +137,7 @@ impl Add for Extended {
 
 impl Neg for Extended {
     type Output = Self;
+    #[inline(never)]
     fn neg(self) -> Self {
         Self::normalised(-self.significand, self.exponent)
     }
@@ -143,6 +145,7 @@ impl Neg for Extended {
 
 impl Sub for Extended {
     type Output = Self;
+    #[inline(never)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -209,6 +212,7 @@ fn inverse_root(number: u128) -> u128 {
 }
 
 impl PartialOrd for Extended {
+    #[inline(never)]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         let sign = |number: &Self| number.significand.signum();
         let magnitudes = || (self.exponent, self.significand).cmp(&(other.exponent, other.significand));
