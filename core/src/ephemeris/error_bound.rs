@@ -113,14 +113,14 @@ fn rounded<R: EphemerisScalar>(tabulated: &Tabulated) -> f64 {
     (systematic + DEVIATIONS * Float::sqrt(variance)) * ROUNDING
 }
 
-/// Upper bound on the delay of a tick near tick 0, in half periods: truncated phases, and the steps of set-up, as far as
-/// they delay χ.
-pub(crate) fn delay<R: EphemerisScalar>(tabulated: &Tabulated) -> f64 {
+/// Upper bounds on the delay of a tick near tick 0, in half periods: by truncated phases and series, and by the roundings of
+/// the steps of set-up, which are random.
+pub(crate) fn delays<R: EphemerisScalar>(tabulated: &Tabulated) -> [f64; 2] {
     let Tabulated { squares: [delays, _], start_share, defect, stepping, speeds, .. } = *tabulated;
     let variance = STEP * STEP * delays + START * START * start_share * start_share;
-    let steps = DEVIATIONS * Float::sqrt(variance) * <f64 as Scalar>::ROUNDING;
     let missed = if speeds.sweep > 0.0 { (defect + stepping) / speeds.sweep } else { 0.0 };
-    R::PLACE_ROUNDING / CELLS as f64 + 2.0 * CLOCK + steps + missed
+    let truncated = R::PLACE_ROUNDING / CELLS as f64 + 2.0 * CLOCK + missed;
+    [truncated, DEVIATIONS * Float::sqrt(variance) * <f64 as Scalar>::ROUNDING]
 }
 
 /// Exact step minus increment, in turns; whole turns are ignored.

@@ -102,7 +102,7 @@ pub trait EphemerisScalar: Scalar {
     #[doc(hidden)]
     fn alpha_beta(terms: &[[Self::Coefficient; 4]], point: SegmentPoint) -> [Complex<Self>; 2];
     /// α and β at a point of a segment of 2^-`level` cells, the angular velocity Ω in the body frame as numbers of some
-    /// unit, and that unit.
+    /// unit, and the exponent of that unit for [`EphemerisScalar::rate_in`].
     ///
     /// * `rates`: those of x on a segment of one cell, of A + B, and about the axis
     #[doc(hidden)]
@@ -111,11 +111,11 @@ pub trait EphemerisScalar: Scalar {
         point: SegmentPoint,
         level: u32,
         rates: [Self::Wide; 3],
-    ) -> ([Complex<Self>; 2], Vector<Self::Rate>, Self::Wide);
+    ) -> ([Complex<Self>; 2], Vector<Self::Rate>, i32);
     /// Value in the type of the rates.
     #[doc(hidden)]
     fn rate_number(self) -> Self::Rate;
     /// Rate from a number of some unit.
     #[doc(hidden)]
-    fn rate_in(rate: Self::Rate, unit: Self::Wide) -> Self::Wide;
+    fn rate_in(rate: Self::Rate, exponent: i32) -> Self::Wide;
 }

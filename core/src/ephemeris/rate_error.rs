@@ -1,6 +1,6 @@
 //! Error bound of the angular velocity; `core/docs/error_bound.md` derives it.
 
-use crate::ephemeris::error_bound::{COEFFICIENTS, ErrorBound, delay};
+use crate::ephemeris::error_bound::{COEFFICIENTS, ErrorBound, delays};
 use crate::ephemeris::evaluation::EphemerisScalar;
 use crate::ephemeris::tabulate::Tabulated;
 use crate::scalar::Float;
@@ -28,7 +28,10 @@ pub(crate) fn rate_error<R: EphemerisScalar>(
     let mean = Float::abs(mean);
     let transverse = speeds.sweep * per_time + mean;
     let whole = transverse + Float::abs(axial);
-    let own = (speeds.sweep_error + COEFFICIENTS * speeds.sweep) * per_time
+    let [truncated, random] = delays::<R>(tabulated).map(|delay| delay * speeds.acceleration);
+    let coefficients = COEFFICIENTS * speeds.sweep;
+    let rounded = Float::sqrt(coefficients * coefficients + random * random);
+    let own = (speeds.sweep_error + truncated + rounded) * per_time
         + R::RATE_ERROR * (speeds.x_rate * per_time + mean)
         + R::SLOPE_ROUNDING * speeds.bend * per_time
         + R::RATE_ROUNDING * whole;
@@ -36,9 +39,7 @@ pub(crate) fn rate_error<R: EphemerisScalar>(
     let delayed = if speeds.sweep > 0.0 { speeds.acceleration / speeds.sweep * per_time } else { 0.0 };
     let turned = mean + whole;
     ErrorBound {
-        constant: own
-            + turned * orientation.constant
-            + delay::<R>(tabulated) * speeds.acceleration * per_time,
+        constant: own + turned * orientation.constant,
         per_tick: (delayed + turned) * orientation.per_tick,
     }
 }

@@ -118,8 +118,8 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
     #[must_use]
     pub fn omega(&self) -> Vector<R::Wide> {
-        let (orientation, omega_body, unit) = self.rates_with_orientation();
-        orientation.adjoint(omega_body).map(|rate| R::rate_in(rate, unit))
+        let (orientation, omega_body, exponent) = self.rates_with_orientation();
+        orientation.adjoint(omega_body).map(|rate| R::rate_in(rate, exponent))
     }
 
     /// Angular velocity Ω in the body frame, rad per unit time. Error: [`EphemerisView::rate_error_bound`].
@@ -134,18 +134,18 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
     #[must_use]
     pub fn orientation_and_omega_body(&self) -> (Orientation<R>, Vector<R::Wide>) {
-        let (orientation, [x1, x2, _], unit) = self.rates();
+        let (orientation, [x1, x2, _], exponent) = self.rates();
         let [.., axial] = self.ephemeris.clock.rates;
-        (orientation, [R::rate_in(x1, unit), R::rate_in(x2, unit), axial])
+        (orientation, [R::rate_in(x1, exponent), R::rate_in(x2, exponent), axial])
     }
 
     /// Rate u' of the cosine of the tilt, per unit time. Error: [`EphemerisView::rate_error_bound`].
     #[inline(always)]
     #[must_use]
     pub fn udot(&self) -> R::Wide {
-        let (orientation, omega_body, unit) = self.rates_with_orientation();
+        let (orientation, omega_body, exponent) = self.rates_with_orientation();
         let [.., udot] = orientation.axis_rate(omega_body);
-        R::rate_in(udot, unit)
+        R::rate_in(udot, exponent)
     }
 
     /// Velocity c' of the tip, m per unit time; per unit time for a fixed tip. Error: s times
@@ -153,11 +153,11 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
     #[must_use]
     pub fn tip_velocity(&self) -> Complex<R::Wide> {
-        let (orientation, omega_body, unit) = self.rates_with_orientation();
+        let (orientation, omega_body, exponent) = self.rates_with_orientation();
         let [x, y, _] = orientation.axis_rate(omega_body);
         // c = -s (r₁ + i r₂), and the scale of the tip is 2 s
         let half_scale = -self.ephemeris.clock.tip_scale.halved();
-        Complex::new(R::rate_in(x, unit), R::rate_in(y, unit)).scaled(half_scale)
+        Complex::new(R::rate_in(x, exponent), R::rate_in(y, exponent)).scaled(half_scale)
     }
 
     /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, whole turns included (modulo 2^32
@@ -181,21 +181,22 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         AttitudeState { orientation, rate: OrientationRate::from_body(&orientation, omega_body) }
     }
 
-    /// Orientation, and angular velocity Ω in the body frame in some unit, which is the last result.
+    /// Orientation, and angular velocity Ω in the body frame in some unit, whose exponent is the last
+    /// result.
     #[inline(always)]
-    fn rates(&self) -> (Orientation<R>, Vector<R::Rate>, R::Wide) {
+    fn rates(&self) -> (Orientation<R>, Vector<R::Rate>, i32) {
         let (found, point) = self.locate();
-        let ([alpha, beta], omega_body, unit) =
+        let ([alpha, beta], omega_body, exponent) =
             R::alpha_beta_and_rates(found.terms, point, found.level, self.ephemeris.clock.rates);
-        (Orientation { alpha, beta }, omega_body, unit)
+        (Orientation { alpha, beta }, omega_body, exponent)
     }
 
     /// [`Sample::rates`], with the orientation in the number type of the rates.
     #[inline(always)]
-    fn rates_with_orientation(&self) -> (Orientation<R::Rate>, Vector<R::Rate>, R::Wide) {
-        let (Orientation { alpha, beta }, omega_body, unit) = self.rates();
+    fn rates_with_orientation(&self) -> (Orientation<R::Rate>, Vector<R::Rate>, i32) {
+        let (Orientation { alpha, beta }, omega_body, exponent) = self.rates();
         let [alpha, beta] = [alpha, beta].map(|z| Complex::new(z.re.rate_number(), z.im.rate_number()));
-        (Orientation { alpha, beta }, omega_body, unit)
+        (Orientation { alpha, beta }, omega_body, exponent)
     }
 
     /// Segment, and the local coordinate on it.

@@ -79,7 +79,7 @@ fn ephemerides(meter: &mut Meter, single: &EphemerisF32, double: &EphemerisF64) 
     meter.measure("bench_omega_f32", size_of_val(single), CALLS, |call| {
         calls::bench_omega_f32(single, tick(call), &mut rates);
     });
-    black_box(rates);
+    black_box((rates.orientation, rates.omega_body));
     let mut cursor = single.cursor(STRIDE);
     let ram = size_of_val(single) + size_of_val(&cursor);
     meter.measure("bench_cursor_f32", ram, CALLS, |_| calls::bench_cursor_f32(single, &mut cursor, &mut out));
@@ -103,7 +103,7 @@ fn fixed_point(meter: &mut Meter, motion: &Motion, tick: Tick) {
     meter.measure("bench_omega_q31", ram, CALLS, |call| {
         calls::bench_omega_q31(&ephemeris, at(call), &mut rates);
     });
-    black_box(rates);
+    black_box((rates.orientation, rates.omega_body));
     let mut cursor = ephemeris.cursor(STRIDE);
     let ram = ram + size_of_val(&cursor);
     meter.measure("bench_cursor_q31", ram, CALLS, |_| {

@@ -1,7 +1,7 @@
 //! [`I2F30`] and [`I2F14`]: their integer representations are evaluated directly.
 
 use crate::complex::Complex;
-use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint, integer, narrow};
+use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint, integer, narrow, rates};
 use crate::scalar::{Scalar, sine_cosine_q31};
 use crate::su2::Vector;
 use fixed::types::{I2F14, I2F30};
@@ -55,19 +55,19 @@ impl EphemerisScalar for I2F30 {
         point: SegmentPoint,
         level: u32,
         rates: [f32; 3],
-    ) -> ([Complex<Self>; 2], Vector<Self>, f32) {
-        let (parameters, rates) = integer::alpha_beta_and_rates(terms, point, level, rates, sine_cosine_q31);
+    ) -> ([Complex<Self>; 2], Vector<Self>, i32) {
+        let (parameters, found) = integer::alpha_beta_and_rates(terms, point, level, rates, sine_cosine_q31);
         let [re_alpha, im_alpha, re_beta, im_beta] = parameters.map(Self::from_bits);
         let parameters = [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)];
-        (parameters, rates.omega.map(Self::from_bits), rates.unit())
+        (parameters, found.omega.map(Self::from_bits), found.exponent)
     }
 
     fn rate_number(self) -> Self {
         self
     }
 
-    fn rate_in(rate: Self, unit: f32) -> f32 {
-        rate.to_bits() as f32 * unit
+    fn rate_in(rate: Self, exponent: i32) -> f32 {
+        rates::rate_in(rate.to_bits(), exponent)
     }
 }
 
@@ -115,18 +115,18 @@ impl EphemerisScalar for I2F14 {
         point: SegmentPoint,
         level: u32,
         rates: [f32; 3],
-    ) -> ([Complex<Self>; 2], Vector<I2F30>, f32) {
-        let (parameters, rates) = narrow::alpha_beta_and_rates(terms, point, level, rates);
+    ) -> ([Complex<Self>; 2], Vector<I2F30>, i32) {
+        let (parameters, found) = narrow::alpha_beta_and_rates(terms, point, level, rates);
         let [re_alpha, im_alpha, re_beta, im_beta] = parameters.map(Self::from_bits);
         let parameters = [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)];
-        (parameters, rates.omega.map(I2F30::from_bits), rates.unit())
+        (parameters, found.omega.map(I2F30::from_bits), found.exponent)
     }
 
     fn rate_number(self) -> I2F30 {
         I2F30::from_bits(i32::from(self.to_bits()) << 16)
     }
 
-    fn rate_in(rate: I2F30, unit: f32) -> f32 {
-        rate.to_bits() as f32 * unit
+    fn rate_in(rate: I2F30, exponent: i32) -> f32 {
+        rates::rate_in(rate.to_bits(), exponent)
     }
 }

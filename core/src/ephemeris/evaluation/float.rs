@@ -59,19 +59,19 @@ impl EphemerisScalar for f64 {
         point: SegmentPoint,
         level: u32,
         [x, mean, axial]: [Self; 3],
-    ) -> ([Complex<Self>; 2], Vector<Self>, Self) {
+    ) -> ([Complex<Self>; 2], Vector<Self>, i32) {
         let polynomials = values_and_slopes(terms, point.x);
         let [a, b] = point.slow.map(direction);
         let parameters = polynomials.alpha_beta(point.mirrored, [a, b]);
         let rates = [x * Self::from(1_u16 << level), mean, axial];
-        (parameters, polynomials.omega_body(point.mirrored, a.conj() * b, rates), 1.0)
+        (parameters, polynomials.omega_body(point.mirrored, a.conj() * b, rates), 0)
     }
 
     fn rate_number(self) -> Self {
         self
     }
 
-    fn rate_in(rate: Self, _: Self) -> Self {
+    fn rate_in(rate: Self, _: i32) -> Self {
         rate
     }
 }

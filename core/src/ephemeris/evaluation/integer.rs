@@ -10,7 +10,7 @@
 //! table.
 
 use crate::complex::Complex;
-use crate::ephemeris::evaluation::rates::{IntegerRates, ValuesAndSlopes};
+use crate::ephemeris::evaluation::rates::{IntegerRates, ValuesAndSlopes, rate_in};
 use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint};
 use crate::product::{high_product, high_product_of_less, short_product};
 use crate::scalar::{Scalar, sine_cosine_q26};
@@ -238,19 +238,20 @@ impl EphemerisScalar for f32 {
         point: SegmentPoint,
         level: u32,
         rates: [Self; 3],
-    ) -> ([Complex<Self>; 2], Vector<Self>, Self) {
+    ) -> ([Complex<Self>; 2], Vector<Self>, i32) {
         let (parameters, integers) = alpha_beta_and_rates(terms, point, level, rates, sine_cosine_q26);
         let [re_alpha, im_alpha, re_beta, im_beta] = parameters.map(|value| value as Self * UNIT as Self);
-        let ([x1, x2, _], [.., axial], unit) = (integers.omega, rates, integers.unit());
-        let omega_body = [x1 as Self * unit, x2 as Self * unit, axial];
-        ([Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)], omega_body, 1.0)
+        let IntegerRates { omega: [x1, x2, _], exponent } = integers;
+        let [.., axial] = rates;
+        let omega_body = [rate_in(x1, exponent), rate_in(x2, exponent), axial];
+        ([Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)], omega_body, 0)
     }
 
     fn rate_number(self) -> Self {
         self
     }
 
-    fn rate_in(rate: Self, _: Self) -> Self {
+    fn rate_in(rate: Self, _: i32) -> Self {
         rate
     }
 }

@@ -53,19 +53,22 @@ impl<R: Ring> ValuesAndSlopes<R> {
     }
 }
 
-/// Angular velocity Ω in units of 2^(`exponent` - 157) rad per unit time: integers below 2^30 in magnitude.
+/// Angular velocity Ω in units of 2^(`exponent` - 157) rad per unit time: integers below 2^31 in magnitude.
 pub(crate) struct IntegerRates {
     pub(crate) omega: [i32; 3],
     /// Exponent of 2^30 units, biased as in an `f32`.
-    exponent: i32,
+    pub(crate) exponent: i32,
 }
 
-impl IntegerRates {
-    /// Unit as a floating-point number. Rates below 2^-96 rad per unit time count as such.
-    #[inline(always)]
-    pub(crate) fn unit(&self) -> f32 {
-        f32::from_bits(((self.exponent - 30).clamp(1, 254) as u32) << 23)
+/// Number in units of 2^(`exponent` - 157) as an `f32`, without a product: a rate below 2^-96 counts as 0.
+#[inline(always)]
+pub(crate) fn rate_in(number: i32, exponent: i32) -> f32 {
+    if number == 0 || exponent <= 31 {
+        return 0.0;
     }
+    // the exponent of the converted number is at most 158, and that of the result at most `exponent` + 1
+    let bits = (number as f32).to_bits().wrapping_add_signed((exponent - 157) << 23);
+    f32::from_bits(bits)
 }
 
 impl ValuesAndSlopes<i32> {
@@ -135,5 +138,56 @@ impl Significand {
     #[inline(always)]
     fn times(self, integer: i32, exponent: i32) -> i32 {
         high_product(self.digits, integer) >> (exponent - self.exponent).min(31)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_power_of_two_is_exact() {
+        for (number, exponent) in [(1 << 30, 127), (-3, 157), (i32::MAX, 246), (1, 32), (i32::MIN, 100)] {
+            let exact = f64::from(number as f32) * libm::exp2(f64::from(exponent - 157));
+            assert_eq!(f64::from(rate_in(number, exponent)), exact, "{number} {exponent}");
+        }
+        assert_eq!([rate_in(0, 200), rate_in(1 << 30, 31), rate_in(5, -40)], [0.0; 3]);
+    }
+
+    /// The integers against the same formula in `f64`, for rates of any size and sign, at the error stated for them.
+    #[test]
+    fn integers_give_what_floating_point_gives() {
+        let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut random = || {
+            bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+            (bits >> 32) as i32
+        };
+        let mut worst = 0.0_f64;
+        for case in 0..if cfg!(miri) { 100 } else { 20_000 } {
+            let values = [(); 4].map(|()| random() >> 2);
+            let slopes = [(); 4].map(|()| random() >> (3 + case % 20));
+            let angle = f64::from(random());
+            let turn = [libm::cos(angle), libm::sin(angle)];
+            let mut rate = || (libm::exp2(f64::from(random() % 9)) * f64::from(random()) / 2e9) as f32;
+            let rates = [rate().abs(), rate(), rate()];
+            let (level, mirrored) = (case % 12, case % 2 == 1);
+            let unit = 1.0 / (1_u64 << 31) as f64;
+            let wide = ValuesAndSlopes(
+                values.map(|value| f64::from(value) * unit),
+                slopes.map(|slope| f64::from(slope) * unit),
+            );
+            let [x, mean, axial] = rates.map(f64::from);
+            let x = x * f64::from(1_u32 << level);
+            let exact = wide.omega_body(mirrored, Complex::new(turn[0], turn[1]), [x, mean, axial]);
+            let turn = turn.map(|part| (part * (1_u64 << 30) as f64) as i32);
+            let found = ValuesAndSlopes(values, slopes).integer_rates(mirrored, turn, level, rates);
+            let allowed = 3e-8 * (x + mean.abs() + axial.abs());
+            for (number, exact) in found.omega.into_iter().zip(exact) {
+                // a rotated number may exceed 2^30 by up to √2
+                assert!(number.unsigned_abs() < 3 << 29, "{case}: {number}");
+                worst = worst.max((f64::from(rate_in(number, found.exponent)) - exact).abs() / allowed);
+            }
+        }
+        assert!(worst < 1.0 && worst > 0.1, "{worst}");
     }
 }

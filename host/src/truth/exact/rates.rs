@@ -19,7 +19,13 @@ impl Exact {
         let double_step = step << 1;
         let rate = |x: &[Precise; 2], y: &[Precise; 2]| [0, 1].map(|i| (&y[i] - &x[i]) / &double_step);
         let rates = [rate(&before.alpha, &after.alpha), rate(&before.beta, &after.beta)];
-        of_rates(&self.at(t), &rates)
+        // the mean of both ends is Φ to the square of the step, and saves a third evaluation
+        let mean = |x: &[Precise; 2], y: &[Precise; 2]| [0, 1].map(|i| (&x[i] + &y[i]) >> 1);
+        let phi = PreciseOrientation {
+            alpha: mean(&before.alpha, &after.alpha),
+            beta: mean(&before.beta, &after.beta),
+        };
+        of_rates(&phi, &rates)
     }
 }
 
