@@ -2,11 +2,11 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`column`] | what may be said of a sample |
+//! | [`mod@column`] | what may be said of a sample |
 //! | [`angles`] | Euler angles of an orientation |
 //! | [`sheet`] | rows as CSV, JSON or a table for reading |
 //! | [`npy`] | rows as a NumPy array |
-//! | [`parquet`] | rows as Parquet (with the feature) |
+//! | `parquet` | rows as Parquet (with the feature) |
 //! | [`stream`] | blocks of rows, computed on all cores and written in order |
 
 pub mod angles;

@@ -71,6 +71,9 @@ pub struct SweepArgs {
     /// Go on with the file, if it exists: a regular file, which no other process may be writing
     #[arg(long)]
     pub resume: bool,
+    /// Compute every row of the CSV file that is there anew, and compare: a changed byte is named by its line. Nothing is written
+    #[arg(long, conflicts_with_all = ["resume", "plot"])]
+    pub verify: bool,
 }
 
 fn key_and_axis(text: &str) -> Result<(String, Axis), String> {

@@ -86,7 +86,7 @@ pub struct ConstantsArgs {
     pub format: Format,
 }
 
-/// What `plot` draws.
+/// Kind of picture that `plot` draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum PlotKind {
     /// Curve of the tip between its circles, from above; of the axis, if the tip is held

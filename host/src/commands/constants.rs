@@ -52,7 +52,7 @@ fn constants(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)> {
     ]
 }
 
-/// The same motion in words of a lecture. Without units of time, a second is the scenario's unit.
+/// Constants in degrees and turns, for a lecture. Without units of time, a second is the scenario's unit.
 fn in_everyday_units(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)> {
     let (top, e, integrals) = (motion.top(), motion.branch_points(), motion.first_integrals());
     let vertical = motion.regime().is_vertical();

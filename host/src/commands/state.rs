@@ -186,7 +186,7 @@ fn write(
     }
 }
 
-/// What a table says of a tip that is held.
+/// Remark below a table with the tip of a top that is held.
 fn remark(sheet: &Sheet) -> &'static str {
     use crate::samples::column::Column;
     if sheet.support == Support::Fixed && sheet.columns.contains(&Column::Tip) {

@@ -11,7 +11,8 @@ use crate::sweep::{HeatMap, Launches, Motions, Part, Rows, Space};
 use crate::thread_pool;
 use rayon::ThreadPool;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use std::io::{self, ErrorKind, Write};
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, ErrorKind, Write};
 use std::ops::Range;
 use std::path::Path;
 use std::time::Instant;
@@ -24,6 +25,9 @@ pub(super) fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     let rows = rows(arguments)?;
     let cores = thread_pool::of_all_cores()?;
     let output = &arguments.output;
+    if arguments.verify {
+        return verify(output, &rows, &cores, arguments.shard.0);
+    }
     let in_columns = output.extension().is_some_and(|ending| ending == "parquet");
     let to_stdout = output.as_os_str() == "-";
     let map = match &arguments.plot {
@@ -86,6 +90,36 @@ fn compute(
         progress.add(count);
     }
     Ok(())
+}
+
+/// Compares every line of a CSV file with what the sweep gives.
+fn verify(path: &Path, rows: &Rows, cores: &ThreadPool, shard: [u64; 2]) -> Result<Report, Failure> {
+    let name = path.display().to_string();
+    let refuse = |reason: String| Failure::Input(format!("{name}: {reason}"));
+    let open = |path| File::open(path).and_then(|file| Ok((file.metadata()?.is_file(), file)));
+    let (regular, file) = open(path).map_err(|error| refuse(error.to_string()))?;
+    if !regular {
+        return Err(refuse("must be a regular file".to_owned()));
+    }
+    let mut lines = BufReader::new(file).split(b'\n');
+    let mut number = 0_u64;
+    let mut expect = |expected: &str| {
+        number += 1;
+        let found = lines.next().transpose().map_err(|error| refuse(error.to_string()))?;
+        let reason = match found {
+            Some(found) if found == expected.as_bytes() => return Ok(()),
+            Some(_) => "is not what the sweep gives",
+            None => "missing: the file ends here; --resume goes on with it",
+        };
+        Err(refuse(format!("line {number}: {reason}")))
+    };
+    expect(rows.header().trim_end())?;
+    let len = Part::rows_of(rows, shard);
+    compute(rows, cores, shard, 0..len, |block, _| block.lines().try_for_each(&mut expect))?;
+    if lines.next().is_some() {
+        return Err(refuse(format!("line {}: must be the end of the file", len + 2)));
+    }
+    Ok(Report { text: format!("{name}: {len} rows, all as the sweep gives them\n"), ..Report::default() })
 }
 
 /// Adds the rows that a CSV file lacks. The file stays locked for as long as the part is kept.

@@ -34,7 +34,7 @@ impl Progress {
         Self { bar, started: Instant::now(), possible: stderr().is_terminal(), lines: None, unit }
     }
 
-    /// The same, and where stderr is no terminal a line every half minute, for a log.
+    /// Progress as of [`Progress::new`]; where stderr is no terminal, it writes a line every half minute, for a log.
     #[must_use]
     pub fn logged(total: u64, unit: &'static str) -> Self {
         let mut progress = Self::new(total, unit);

@@ -57,7 +57,7 @@ impl<'a> Film<'a> {
         [tip, [tip[0] + AXIS * x, tip[1] + AXIS * y, tip[2] + AXIS * z]]
     }
 
-    /// What leaves a trace: the tip that slides, or the upper end of the axis.
+    /// Point that leaves a trace: the tip that slides, or the upper end of the axis.
     fn traced(&self, t: f64) -> [f64; 3] {
         let [tip, end] = self.ends(t);
         if self.scenario.motion.top().support() == Support::Sliding { tip } else { end }

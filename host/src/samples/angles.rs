@@ -30,7 +30,7 @@ fn modulus(z: Complex<f64>) -> f64 {
     z.re.hypot(z.im)
 }
 
-/// The same angle in (-π, π].
+/// Angle in (-π, π] that differs by whole turns.
 fn wrapped(angle: f64) -> f64 {
     let turns = (angle / (2.0 * PI) - 0.5).ceil();
     (angle - 2.0 * PI * turns).clamp(-PI, PI)

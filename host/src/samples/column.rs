@@ -1,4 +1,4 @@
-//! What may be said of a sample: one number or several.
+//! Quantities of a sample, each one number or several.
 
 use super::angles;
 use crate::input::scenario::Units;

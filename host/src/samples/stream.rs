@@ -13,7 +13,7 @@ const BLOCK: u64 = 1024;
 /// Blocks between two writes.
 const BLOCKS: u64 = 32;
 
-/// What encodes row by row: the row's number, numbers to work with, and the bytes to append to.
+/// Encoder of a row, from the row's number, numbers to work with, and the bytes to append to.
 pub type Encode<'a> = dyn Fn(u64, &mut Vec<f64>, &mut Vec<u8>) + Sync + 'a;
 
 /// Writes so many rows in order.

@@ -34,7 +34,7 @@ pub struct Score {
     pub norm_error: f64,
     /// Upper bound on the error of the exact motion itself, rad.
     pub truth_bound: f64,
-    /// What is wrong with the first row, if it is far from the motion.
+    /// Likely reason why the first row is far from the motion, if it is.
     pub doubt: Option<String>,
 }
 

@@ -18,7 +18,7 @@ pub struct HeatMap {
     axes: [Axis; 2],
 }
 
-/// What has no value.
+/// Colour of a cell without a value.
 const ABSENT: &str = "#c8c8c8";
 
 impl HeatMap {

@@ -149,3 +149,29 @@ fn without_parquet_it_is_refused() {
     assert_eq!((output.status.code(), stdout(&output)), (Some(2), ""));
     assert!(stderr(&output).contains("--features parquet"), "{}", stderr(&output));
 }
+
+/// The numbers of a Parquet file are those of CSV, and what does not exist is null.
+#[cfg(feature = "parquet")]
+#[test]
+fn a_parquet_file_has_the_numbers_of_csv() {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::RowAccessor;
+    let (file, folder) = (sample("sleeping"), folder("state_parquet"));
+    let to = folder.join("rows.parquet");
+    let arguments = ["state", &file, "--times=0..1/3000", "--units", "--columns", "t,omega,phi"];
+    let output = run(&[&arguments[..], &["--format", "parquet", "-o", to.to_str().expect("UTF-8")]].concat());
+    assert_eq!((output.status.code(), stdout(&output)), (Some(0), ""), "{}", stderr(&output));
+    let reader = SerializedFileReader::new(std::fs::File::open(&to).expect("the file")).expect("Parquet");
+    let names: Vec<_> =
+        reader.metadata().file_metadata().schema_descr().columns().iter().map(|c| c.name()).collect();
+    assert_eq!(names, ["t", "omega_x", "omega_y", "omega_z", "phi"]);
+    let (_, rows) = csv(&arguments);
+    let mut count = 0;
+    for (row, expected) in reader.get_row_iter(None).expect("rows").zip(&rows) {
+        let row = row.expect("a row");
+        assert!((0..4).all(|i| row.get_double(i).expect("a number") == expected[i]));
+        assert!(row.get_double(4).is_err(), "a vertical axis has no tip angle");
+        count += 1;
+    }
+    assert_eq!((count, rows.len()), (3000, 3000));
+}

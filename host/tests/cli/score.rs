@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 
-/// What `score` says of these files, as JSON.
+/// Scores of these files, as JSON.
 fn score(scenario: &str, files: &[PathBuf], more: &[&str]) -> Value {
     let mut arguments = vec!["score", scenario];
     arguments.extend(files.iter().map(|file| file.to_str().expect("UTF-8")));
@@ -109,7 +109,7 @@ fn a_delay_is_three_phase_errors() {
     }
 }
 
-/// The same motion about another azimuth: precession alone.
+/// A motion about another azimuth has a precession error alone.
 #[test]
 fn a_turn_about_the_vertical_is_precession() {
     let (file, folder) = (sample("lagrange"), folder("score_turned"));

@@ -226,6 +226,37 @@ fn what_is_no_sweep_is_refused() {
     refused(&folder, &["--motions", "3"], "--output");
 }
 
+/// Every byte counts: a changed digit, a row that is gone, one too many, another sweep.
+#[test]
+fn a_file_is_verified_row_by_row() {
+    let path = no_file("verified");
+    let more = ["--motions", "1500", "--columns", "regime,period"];
+    let verify = [&more[..], &["--verify"]].concat();
+    refused(&path, &verify, "No such file");
+    let text = sweep(&path, &more);
+    let output = run(&words(&path, &verify));
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(stdout(&output).contains("1500 rows, all as the sweep gives them"), "{}", stdout(&output));
+    let line = text.lines().nth(1200).expect("a row");
+    let digit = line.rfind(|c: char| c.is_ascii_digit()).expect("a digit");
+    let other = if line.as_bytes()[digit] == b'1' { "2" } else { "1" };
+    let changed = format!("{}{other}{}", &line[..digit], &line[digit + 1..]);
+    let last = text[..text.len() - 1].rfind('\n').expect("rows") + 1;
+    for (content, part) in [
+        (text.replacen(line, &changed, 1), "line 1201: is not what the sweep gives"),
+        (text[..last].to_owned(), "line 1501: missing"),
+        (text.clone() + "1500,\n", "line 1502: must be the end of the file"),
+        (text.replacen("index", "Index", 1), "line 1: is not what the sweep gives"),
+        (String::new(), "line 1: missing"),
+    ] {
+        std::fs::write(&path, content).expect("writable");
+        refused(&path, &verify, part);
+    }
+    std::fs::write(&path, &text).expect("writable");
+    refused(&path, &[&verify[..], &["--seed", "2"]].concat(), "line 2: is not what the sweep gives");
+    refused(Path::new("/dev/null"), &verify, "must be a regular file");
+}
+
 /// Two that go on with one file: one of them does, the other says why not, and no row is lost or doubled.
 #[test]
 fn one_file_has_one_writer() {

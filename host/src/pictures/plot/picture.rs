@@ -103,7 +103,7 @@ pub(crate) fn encode(scene: &Scene, form: Form) -> Result<Vec<u8>, Failure> {
     encode_at(scene, form, None)
 }
 
-/// The same, so many pixels wide.
+/// Picture in a form, so many pixels wide; without a width, in the size of its layout.
 pub(crate) fn encode_at(scene: &Scene, form: Form, width: Option<u32>) -> Result<Vec<u8>, Failure> {
     let scale = width.map(|width| f64::from(width) / scene.width);
     match form {
