@@ -1,7 +1,7 @@
 //! Launch from sensors: a gyroscope, and an accelerometer's tilt.
 //!
-//! A gyroscope that is fixed to the body measures ω in the body frame. `State::new` takes ω in the fixed frame, which is
-//! `orientation.adjoint(gyro)`.
+//! A gyroscope that is fixed to the body measures the angular velocity in the body frame, and an attitude filter estimates a
+//! quaternion from body to fixed coordinates: `State::from_quaternion_and_gyro` takes the two as they are.
 
 use toytop::{EphemerisF32, Motion, Orientation, State, Tick, Top, TopParameters};
 
@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     let orientation = levelled([1.96, 0.98, 9.56]);
     // At the release: the gyroscope, rad/s in the body frame. Its third component is the spin ω·r.
     let gyro = [0.4, -0.2, 150.0];
-    let state = State::new(orientation, orientation.adjoint(gyro))?;
+    let state = State::from_quaternion_and_gyro(orientation.quaternion(), gyro)?;
 
     let motion = Motion::launch(&top, &state)?;
     let ephemeris = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;

@@ -1,8 +1,10 @@
-//! Relaunch after an impulse: a blow changes ω at once and leaves the orientation as it is.
+//! Relaunch after an impulse: a stroke changes ω at once and leaves the orientation as it is.
 //!
-//! The motion after the blow is another exact motion. The cursor in the interrupt is replaced together with the table.
+//! The motion after the stroke is another exact motion, with a table of its own. Here its ticks are counted as before: the new
+//! table is delayed by the tick of the stroke. The cursor is replaced together with the table; the firmware example
+//! `relaunch` does so between two ticks of a running interrupt.
 
-use toytop::{EphemerisF64, Motion, Release, State, Tick, Top, TopParameters};
+use toytop::{EphemerisF64, Motion, Release, Sampler, State, Tick, Top, TopParameters};
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
     let top = Top::sliding(&TopParameters {
@@ -15,32 +17,34 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     })?;
     let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     let tick = Tick::hertz(1000)?;
-    let before = EphemerisF64::new(&Motion::launch(&top, &state)?, tick)?;
+    let mut before = EphemerisF64::new(&Motion::launch(&top, &state)?, tick)?;
 
-    // At tick 250 a flick of two fingers adds an angular impulse of 4e-4 N m s about the top's own axis r: ω changes by that
-    // over C, along r.
-    let struck_at = 250;
-    let struck = before.at_tick(struck_at).attitude_state().state()?;
-    let added = 4.0e-4 / top.axial_inertia();
-    let ([x, y, z], [r1, r2, r3]) = (struck.omega(), struck.orientation().axis());
-    let state = State::new(struck.orientation(), [x + added * r1, y + added * r2, z + added * r3])?;
-    let after = EphemerisF64::new(&Motion::launch(&top, &state)?, tick)?;
+    // At tick 250 a stick strikes the rim with 2 mN s: 25 mm from the axis, at the height of the centre of mass, along the
+    // second fixed axis.
+    let struck_at: u16 = 250;
+    let state = before.at_tick(struck_at.into()).attitude_state().state()?;
+    let (impulse, point) = ([0.0, 2.0e-3, 0.0], [0.025, 0.0, 0.03]);
+    let [.., pressure] = state.reaction_impulse(&top, impulse, point)?;
+    println!("the plane answers with {pressure:.1e} N s; if that were negative, the top would leave it");
+    let mut after =
+        EphemerisF64::new(&Motion::launch(&top, &state.with_impulse(&top, impulse, point)?)?, tick)?;
+    after.delay(struck_at.into());
 
-    // Tick 0 of the new table is tick 250 of the old one.
-    let jump = before.at_tick(struck_at).orientation().distance(&after.at_tick(0).orientation());
+    let [old, new] = [&before, &after].map(|table| table.at_tick(struck_at.into()));
+    let jump = old.orientation().distance(&new.orientation());
     println!("the orientation jumps by {jump:.1e} rad");
-    println!("omega before: {:?} rad/s", before.at_tick(struck_at).omega());
-    println!("omega after:  {:?} rad/s", after.at_tick(0).omega());
-    println!(
-        "u a tenth of a second later: {} instead of {}",
-        after.at_tick(100).u(),
-        before.at_tick(350).u()
-    );
+    println!("omega before: {:?} rad/s", old.omega());
+    println!("omega after:  {:?} rad/s", new.omega());
+    assert!(jump < 1e-12 && pressure > 0.0);
+    for (stated, found) in state.with_impulse(&top, impulse, point)?.omega().into_iter().zip(new.omega()) {
+        assert!((stated - found).abs() < 1e-9, "{stated} {found}");
+    }
 
-    assert!(jump < 1e-12);
-    let [.., spin_before] = before.at_tick(struck_at).omega_body();
-    let [.., spin_after] = after.at_tick(0).omega_body();
-    println!("spin: {spin_before} rad/s before, {spin_after} rad/s after");
-    assert!((spin_after - spin_before - added).abs() < 1e-9);
+    // Ticks go on from table to table.
+    let mut sampler = Sampler::new(&mut before, struck_at.into());
+    println!("u at tick {struck_at}: {}", sampler.next().u());
+    sampler.exchange(&mut after);
+    println!("u at tick {}: {}", struck_at + 1, sampler.next().u());
+    assert_eq!(sampler.tick(), i64::from(struck_at) + 1);
     Ok(())
 }

@@ -34,6 +34,8 @@ mod clock;
 
 mod storage;
 
+mod clock_change;
+
 mod sample;
 
 mod tip_angle;
@@ -43,6 +45,8 @@ mod set_up;
 mod batch;
 
 mod cursor;
+
+mod sampler;
 
 mod turning_point;
 
@@ -58,6 +62,7 @@ pub use error_bound::ErrorBound;
 pub use evaluation::Micromath;
 pub use evaluation::{EphemerisScalar, SegmentPoint};
 pub use sample::Sample;
+pub use sampler::Sampler;
 pub use storage::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisStorage, EphemerisView};
 #[cfg(feature = "fixed")]
 pub use storage::{EphemerisQ15, EphemerisQ31};

@@ -68,8 +68,8 @@ pub use constants::{BranchPoints, FirstIntegrals, Regime, Sign, Signs, TipClass}
 pub use ephemeris::Micromath;
 pub use ephemeris::{
     Baked, BakedError, Clock, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisScalar,
-    EphemerisStorage, EphemerisView, ErrorBound, Sample, Samples, SegmentPoint, TableData, TableTooSmall,
-    Tick, TipClock, TurningPoint,
+    EphemerisStorage, EphemerisView, ErrorBound, Sample, Sampler, Samples, SegmentPoint, TableData,
+    TableTooSmall, Tick, TipClock, TurningPoint,
 };
 #[cfg(feature = "fixed")]
 pub use ephemeris::{EphemerisQ15, EphemerisQ31};

@@ -1,9 +1,14 @@
 //! State of a top at t = 0: orientation and angular velocity.
 
+mod impulse;
+
 use crate::complex::Complex;
 use crate::error::{ParameterError, finite, require};
 use crate::scalar::Float;
-use crate::su2::{Orientation, Vector};
+use crate::su2::{Orientation, Vector, dot};
+
+/// Largest component of an angular velocity, rad/s.
+const FASTEST: f64 = 1e12;
 
 /// State at t = 0: orientation and angular velocity. Set-up treats its `f64` numbers as exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,17 +51,52 @@ impl State {
             finite(name, z.re)?;
             finite(name, z.im)?;
         }
-        let defect = Float::abs(orientation.norm_squared() - 1.0);
-        require(defect <= 1e-6, "alpha", "of unit norm with beta: | |alpha|^2 + |beta|^2 - 1 | <= 1e-6")?;
+        require(
+            is_unit(&orientation),
+            "alpha",
+            "of unit norm with beta: | |alpha|^2 + |beta|^2 - 1 | <= 1e-6",
+        )?;
         for component in omega {
             finite("omega", component)?;
             require(
-                Float::abs(component) <= 1e12,
+                Float::abs(component) <= FASTEST,
                 "omega",
                 "between -1e12 and 1e12 rad/s in every component",
             )?;
         }
         Ok(Self { orientation, omega })
+    }
+
+    /// State from the unit quaternion [w, x, y, z] from body to fixed coordinates, as an attitude filter estimates it, and the
+    /// angular velocity Ω (rad/s) in the body frame, as a gyroscope measures it. In the fixed frame ω = Φ Ω Φ⁻¹.
+    ///
+    /// The norm may differ from 1 by up to 1e-6, |w² + x² + y² + z² - 1| <= 1e-6, which a filter in `f32` keeps; the
+    /// state is that of the exactly normalised quaternion. The third body axis points from the tip to the centre of
+    /// mass: a sensor that is mounted otherwise needs its own rotation first. q and -q are the same rotation, and give
+    /// motions whose α and β have opposite signs.
+    ///
+    /// ```
+    /// use toytop::State;
+    /// let state = State::from_quaternion_and_gyro([0.6, 0.0, 0.8, 0.0], [0.4, -0.2, 150.0])?;
+    /// let [x, ..] = state.omega();
+    /// assert!((x - (-0.28 * 0.4 + 0.96 * 150.0)).abs() < 1e-12);
+    /// # Ok::<(), toytop::ParameterError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `quaternion`: a component is not finite, or the norm differs from 1 by more; `gyro`: a component is not finite,
+    /// or the magnitude is above 1e12 rad/s.
+    pub fn from_quaternion_and_gyro(quaternion: [f64; 4], gyro: Vector<f64>) -> Result<Self, ParameterError> {
+        for component in quaternion {
+            finite("quaternion", component)?;
+        }
+        for component in gyro {
+            finite("gyro", component)?;
+        }
+        let orientation = Orientation::from_quaternion(quaternion);
+        require(is_unit(&orientation), "quaternion", "of unit norm: | w^2 + x^2 + y^2 + z^2 - 1 | <= 1e-6")?;
+        require(dot(gyro, gyro) <= FASTEST * FASTEST, "gyro", "at most 1e12 rad/s in magnitude")?;
+        Ok(Self { orientation, omega: orientation.normalised().adjoint(gyro) })
     }
 
     /// State from tilt, azimuth, roll and their rates:
@@ -121,6 +161,11 @@ impl State {
             Orientation { alpha: lift(self.orientation.alpha), beta: lift(self.orientation.beta) };
         (orientation, self.omega.map(lifted))
     }
+}
+
+/// Whether the norm is that of a rotation, | |α|² + |β|² - 1 | <= 1e-6.
+fn is_unit(orientation: &Orientation<f64>) -> bool {
+    Float::abs(orientation.norm_squared() - 1.0) <= 1e-6
 }
 
 /// x in the number type F, or 0 below 1e-60.

@@ -4,20 +4,24 @@ mod choice;
 mod many;
 mod measure;
 mod motion;
+mod score;
 
 pub use choice::{Format, Method, Scalar, ScalarChoice};
 pub use many::{Shard, SweepArgs};
 pub use measure::{AccuracyArgs, BenchArgs, BudgetArgs, CompareArgs, ErrataArgs, FiguresArgs};
 pub use motion::{
-    BakeArgs, ConstantsArgs, DEFAULT_STEPS, Language, PlotArgs, StateArgs, TimesArgs, ViewArgs,
+    AnimateArgs, BakeArgs, ConstantsArgs, DEFAULT_STEPS, Language, PlotArgs, PlotKind, SampleFormat,
+    StateArgs, TimesArgs, ViewArgs,
 };
+
+pub use score::ScoreArgs;
 
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
 /// The motion of a spinning top whose tip slides on a plane, or is fixed.
 #[derive(Debug, Parser)]
-#[command(name = "toytop", version)]
+#[command(name = "toytop", version, help_template = "{about}\n{usage-heading} {usage}\n\n{all-args}\n")]
 pub struct Cli {
     /// What to do.
     #[command(subcommand)]
@@ -33,21 +37,36 @@ pub enum Command {
     #[command(after_help = "Example: toytop compare host/scenarios/toy_top.toml --periods 100 --format csv")]
     Compare(CompareArgs),
     /// Orientation, rates and tip at given times
-    #[command(
-        after_help = "Units of every format (the CSV columns have the names of the JSON keys): t in s, udot in 1/s, omega in rad/s, tip in m, phi in rad;\n\
-            u, alpha, beta, gamma and delta are pure numbers. The tip is c = 2 s alpha beta; with support = \"fixed\" it is 2 alpha beta,\n\
-            a pure number: minus the horizontal part of the axis, which plot and view draw.\n\n\
-            Example: toytop state host/scenarios/toy_top.toml --times 0,0.5,1e6 --format json"
-    )]
+    #[command(after_help = "Units: t in s, udot in 1/s, omega in rad/s, tip in m, phi in rad and\n\
+            the other angles too, unless the scenario says units = \"none\"; u, alpha, beta,\n\
+            gamma, delta, quaternion and axis are pure numbers. The tip is c = 2 s alpha beta; with support = \"fixed\" it is 2 alpha beta, a pure number:\n\
+            minus the horizontal part of the axis. The CSV columns have the names of the JSON keys, except for quaternion (w,x,y,z), omega_body\n\
+            (wx,wy,wz), angles (tilt,azimuth,roll) and euler_zxz (euler_phi,euler_theta,euler_psi).\n\n\
+            Example: toytop state host/scenarios/toy_top.toml --times 0,0.5,1e6 --format json\n         \
+            toytop state host/scenarios/toy_top.toml --times 0..10/1000001 --columns t,quaternion,omega_body --format npy -o top.npy\n         \
+            toytop state host/scenarios/toy_top.toml --ticks 0..999 --hertz 8000 --scalar q15 --format csv")]
     State(StateArgs),
     /// First integrals, branch points, period and mean rotations
-    #[command(after_help = "Example: toytop constants host/scenarios/figure_3_loops.toml")]
+    #[command(
+        after_help = "Tilts are those of the axis from the vertical. The precession is the mean rate of the axis about the vertical; the spin is omega . r,\n\
+            the whole component along the axis; above the critical spin the top sleeps upright. Without units of time a second is the scenario's.\n\n\
+            Example: toytop constants host/scenarios/figure_3_loops.toml"
+    )]
     Constants(ConstantsArgs),
-    /// Picture of the curve of the tip between its bounding circles
+    /// Picture of a motion: curve of the tip or axis, tilt, precession, potential
     ///
-    /// For a held tip it is the curve of the axis, -2 alpha beta.
-    #[command(after_help = "Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg")]
+    /// For a held tip the curve from above is that of the axis, -2 alpha beta.
+    #[command(
+        after_help = "Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg\n         toytop plot host/scenarios/toy_top.toml --kind tilt --times 0..0.5 --size 1200 -o tilt.png"
+    )]
     Plot(PlotArgs),
+    /// Top in motion as a GIF, or as a film by ffmpeg
+    #[command(
+        after_help = "The frames show exact times. A red spoke of the disc turns with the body; a fast spin is seen only in slow motion: --times 0..0.2\n\
+            spreads a fifth of a second over the whole film.\n\n\
+            Example: toytop animate host/scenarios/toy_top.toml --times 0..0.2 -o top.gif"
+    )]
+    Animate(AnimateArgs),
     /// Page for a browser, in which a top is thrown and watched
     ///
     /// The page needs nothing else: it contains the core, which computes any other motion that is set with its sliders.
@@ -65,6 +84,17 @@ pub enum Command {
     /// Figures 2 and 3 of the paper, nutation and errors, as SVG and PNG
     #[command(after_help = "Example: toytop figures -o figures")]
     Figures(FiguresArgs),
+    /// Errors of your integrator's output against the exact motion
+    #[command(
+        after_help = "A RESULT has a header, and a row for each time: t in s, and w,x,y,z (unit quaternion from body to fixed coordinates), or\n\
+            alpha_re,alpha_im,beta_re,beta_im, or r11,r12,...,r33 (matrix by rows, body to fixed). For the drifts of h, l and n it may have wx,wy,wz\n\
+            (rad/s, body frame) or omega_x,omega_y,omega_z (fixed frame); without them they follow from differences. Other columns are ignored.\n\
+            Of the two signs of a quaternion the nearer one counts. Lines above the header may say: # method = RK4, # step = 0.001,\n\
+            # evaluations = 40000. Files of one method with different steps give its order of convergence.\n\n\
+            Example: toytop score host/scenarios/toy_top.toml rk4_*.csv --plot rk4.svg\n         \
+            toytop state TOP.toml --times 0..1/1001 --method stepper --format csv > s.csv && toytop score TOP.toml s.csv"
+    )]
+    Score(ScoreArgs),
     /// Time for a state on this machine: ephemeris, stepper, full solver
     #[command(after_help = "Example: toytop bench --format json")]
     Bench(BenchArgs),
@@ -84,9 +114,9 @@ pub enum Command {
     ///
     /// The motions are computed on all cores, in shards if wanted, and get a row each.
     #[command(
-        after_help = "Example: toytop sweep --e1=-0.9..0.1/41 --e2 0.9 --e3 log:1.01..100/33 --a-over-ps 1 --c-over-a 0.5 -o grid.csv\n         toytop sweep --motions 1000000 --shard 3/100 --resume -o part_3.csv"
+        after_help = "Example: toytop sweep host/scenarios/toy_top.toml --spin 90..300/200 --tilt 1..60/100 --plot spin,tilt,period -o grid.csv\n         toytop sweep --e1=-0.9..0.1/41 --e2 0.9 --e3 log:1.01..100/33 --a-over-ps 1 --c-over-a 0.5 -o grid.csv\n         toytop sweep --motions 1000000 --shard 3/100 --resume -o part_3.csv"
     )]
-    Sweep(SweepArgs),
+    Sweep(Box<SweepArgs>),
     /// Completions for a shell
     #[command(
         after_help = "Example: toytop completions bash > ~/.local/share/bash-completion/completions/toytop"

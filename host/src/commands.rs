@@ -1,6 +1,7 @@
 //! One file a command. A command returns its whole output; nothing is printed before all of it is there.
 
 pub mod accuracy;
+mod animate;
 mod bake;
 mod bench;
 mod budget;
@@ -9,6 +10,7 @@ mod constants;
 mod errata;
 mod figures;
 mod plot;
+mod score;
 mod state;
 mod sweep;
 mod view;
@@ -55,9 +57,11 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::State(arguments) => state::run(arguments),
         Command::Constants(arguments) => constants::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
+        Command::Animate(arguments) => animate::run(arguments),
         Command::View(arguments) => view::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
         Command::Figures(arguments) => figures::run(arguments),
+        Command::Score(arguments) => score::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
         Command::Budget(arguments) => budget::run(arguments),
         Command::Errata(arguments) => errata::run(arguments),

@@ -51,8 +51,14 @@ impl fmt::Display for Failure {
 
 impl std::error::Error for Failure {}
 
-/// File names and TOML keys may hold line breaks; a message may not.
+/// File names and TOML keys may hold line breaks, and 100 KB; a message may not.
 fn one_line(message: &str) -> String {
+    const ENDS: usize = 500;
     let escape = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.into() };
-    message.chars().map(escape).collect()
+    let characters: Vec<char> = message.chars().collect();
+    let text = |part: &[char]| part.iter().copied().map(escape).collect::<String>();
+    match characters.len() {
+        len if len > 3 * ENDS => text(&characters[..ENDS]) + " ... " + &text(&characters[len - ENDS..]),
+        _ => text(&characters),
+    }
 }

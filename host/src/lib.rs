@@ -9,13 +9,15 @@
 //! | [`measure`] | errors and times of the core against the truth |
 //! | [`budget`] | cost of a call on an emulated chip |
 //! | [`errata`] | slips of the printed paper: both versions against the full equations |
+//! | [`samples`] | samples of a motion as tables of chosen columns |
+//! | [`score`] | output of an integrator, judged by the exact motion |
 //! | [`sweep`] | many motions, a row each |
 //! | [`bake`] | ephemeris as Rust, C or JSON |
 //! | [`pictures`] | curve of the tip, figures, page for a browser |
 //! | [`output`] | tables, CSV, JSON, files, progress |
 //! | [`cli`], [`commands`], [`program`] | command line, one file a command, exit codes |
 //!
-//! A command computes everything before the first byte is printed, so a failure leaves nothing half-written.
+//! A command computes everything that can fail before the first byte is printed, so a failure leaves nothing half-written.
 //! `toytop-lab` (the folder `lab`) is built on this library: the studies that check the core itself.
 
 pub mod bake;
@@ -31,6 +33,8 @@ pub mod motion;
 pub mod output;
 pub mod pictures;
 pub mod program;
+pub mod samples;
+pub mod score;
 pub mod sweep;
 pub mod thread_pool;
 pub mod truth;

@@ -1,6 +1,7 @@
 //! Records as CSV and JSON, numbers with 17 significant digits: what is read back is the number that was computed.
 
 mod base64;
+pub mod digits;
 pub mod doc_markers;
 pub mod progress;
 pub mod whole_file;
@@ -56,6 +57,14 @@ pub fn short(x: f64, digits: usize) -> String {
     }
 }
 
+/// Somebody else's text, short enough for a message.
+#[must_use]
+pub fn shown(text: &str) -> String {
+    const MOST: usize = 60;
+    let beginning: String = text.chars().take(MOST).collect();
+    if beginning.len() < text.len() { format!("{beginning}...") } else { beginning }
+}
+
 /// Text for HTML.
 #[must_use]
 pub fn html(text: &str) -> String {
@@ -97,15 +106,25 @@ fn flat(record: &Record) -> Vec<(String, String)> {
 /// # Errors
 /// None in memory; the writer's type has one.
 pub fn json_list(key: &'static str, records: &[Record]) -> io::Result<String> {
-    struct List<'a>(&'static str, &'a [Record]);
-    impl Serialize for List<'_> {
+    json_lists(&[(key, records)], &Record(Vec::new()))
+}
+
+/// `{"key":[record, ...], ...}` with the entries of one more record behind the lists, on one line.
+///
+/// # Errors
+/// None in memory; the writer's type has one.
+pub fn json_lists(lists: &[(&'static str, &[Record])], rest: &Record) -> io::Result<String> {
+    struct Lists<'a>(&'a [(&'static str, &'a [Record])], &'a Record);
+    impl Serialize for Lists<'_> {
         fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-            let mut map = serializer.serialize_map(Some(1))?;
-            map.serialize_entry(self.0, self.1)?;
+            let Self(lists, rest) = self;
+            let mut map = serializer.serialize_map(Some(lists.len() + rest.0.len()))?;
+            lists.iter().try_for_each(|(key, records)| map.serialize_entry(key, records))?;
+            rest.0.iter().try_for_each(|(key, cell)| map.serialize_entry(key, cell))?;
             map.end()
         }
     }
-    json(&List(key, records))
+    json(&Lists(lists, rest))
 }
 
 /// Any value as JSON, on one line.

@@ -5,6 +5,7 @@ mod baked;
 mod bounds;
 #[cfg(feature = "host")]
 mod cayley_klein;
+mod clock_change;
 mod closed_forms;
 mod conditioning;
 mod dependencies;
@@ -20,6 +21,7 @@ mod group;
 mod hostile;
 #[cfg(feature = "host")]
 mod hyperelliptic;
+mod impulse;
 mod interop;
 mod invariants;
 mod lagrange;

@@ -80,6 +80,11 @@ pub const CONTINUITY: Budget = Budget::of(2e-11);
 pub const CONTINUITY_OF_RATES: Budget = Budget::of(2e-11);
 /// Error of the ephemeris in f64 of a motion launched again from the attitude state of a sample, over 10 000 ticks.
 pub const RELAUNCH: Budget = Budget::of(5e-14);
+/// Difference of a table with a changed tick and the same table as it was, over the sum of their bounds.
+pub const OF_THE_BOUND: Budget = Budget::of(1.0);
+/// Change of ω by an impulse, and the reaction to it, relative, against forces that act for 1e-9 s and for half of that,
+/// extrapolated.
+pub const IMPULSE: Budget = Budget::of(1e-12);
 /// Difference of the ephemeris in f64 of an aperiodic motion and the stepper, over 60 000 ticks of 1e-3.
 pub const APERIODIC_STEPPER: Budget = Budget::of(5e-14);
 /// Difference of the ephemeris and the stepper over 6000 ticks of 1e-2, dominated by the fourth-order error of the

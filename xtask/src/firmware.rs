@@ -40,6 +40,13 @@ pub(crate) const PROGRAMS: &[Program] = &[
         on_host: false,
     },
     Program { name: "telemetry", folder: PROGRAM_FOLDER, chips: &[&chip::M4F], exit_code: 0, on_host: false },
+    Program {
+        name: "relaunch",
+        folder: PROGRAM_FOLDER,
+        chips: &[&chip::M4F, &chip::M0],
+        exit_code: 0,
+        on_host: false,
+    },
     Program { name: "launch", folder: PROGRAM_FOLDER, chips: &[&chip::M4F], exit_code: 0, on_host: false },
     Program { name: "bits", folder: PROGRAM_FOLDER, chips: chip::ALL, exit_code: 0, on_host: true },
     Program { name: "embassy", folder: "embassy/src", chips: &[&chip::M4F], exit_code: 0, on_host: false },
@@ -119,15 +126,23 @@ fn ended(run: &Run) -> Result<ExitCode> {
     Ok(u8::try_from(run.exit_code).map_or(ExitCode::FAILURE, ExitCode::from))
 }
 
-/// Runs a program on its first chip and takes its log for the expected one.
+/// Runs a program on its first chip, and on each chip with an expected log of its own, and takes the logs for the expected
+/// ones.
 pub(crate) fn overwrite(name: &str) -> Result<()> {
     let program = find(name)?;
-    let run = run_on(program, program.chips[0], true)?;
-    if run.exit_code != program.exit_code {
-        bail!("{}exit code {}, not {}: nothing written", run.errors, run.exit_code, program.exit_code);
+    let common = program.expected(program.chips[0]);
+    for (number, chip) in program.chips.iter().enumerate() {
+        let path = program.expected(chip);
+        if number > 0 && path == common {
+            continue;
+        }
+        let run = run_on(program, chip, true)?;
+        if run.exit_code != program.exit_code {
+            bail!("{}exit code {}, not {}: nothing written", run.errors, run.exit_code, program.exit_code);
+        }
+        fs::write(&path, &run.log)?;
+        println!("written: {}", path.display());
     }
-    fs::write(program.expected(), &run.log)?;
-    println!("written: {}", program.expected().display());
     Ok(())
 }
 
@@ -138,24 +153,24 @@ impl Program {
         if *folder == PROGRAM_FOLDER { format!("--bin {name}") } else { format!("--package toytop-{name}") }
     }
 
-    /// The log that is expected.
-    fn expected(&self) -> PathBuf {
-        root().join("firmware-examples").join(self.folder).join(format!("{}.out", self.name))
+    /// The log that is expected on a chip: one of its own, where the log depends on how fast the chip is, or that of all.
+    fn expected(&self, chip: &Chip) -> PathBuf {
+        let folder = root().join("firmware-examples").join(self.folder);
+        let own = folder.join(format!("{}.{}.out", self.name, chip.name));
+        if own.exists() { own } else { folder.join(format!("{}.out", self.name)) }
     }
 }
 
 /// Runs a program on all its chips; each log must be the expected one.
 pub(crate) fn check(program: &Program) -> Result<String> {
     let Program { name, chips, exit_code, on_host, .. } = program;
-    let path = program.expected();
-    let expected = fs::read_to_string(&path).with_context(|| format!("{}", path.display()))?;
+    let read = |path: &Path| fs::read_to_string(path).with_context(|| format!("{}", path.display()));
     let accept = format!("if it is meant to change: cargo xtask firmware {name} --overwrite");
-    let reference = if *on_host {
+    let host_log = on_host.then(|| {
         let mut host = cargo("firmware-examples", &format!("run --quiet --release --bin {name}"));
-        run(host.arg("--target-dir").arg(firmware_target_dir()))?
-    } else {
-        expected.clone()
-    };
+        run(host.arg("--target-dir").arg(firmware_target_dir()))
+    });
+    let host_log = host_log.transpose()?;
     let mut different = Vec::new();
     for chip in *chips {
         if program.folder == PROGRAM_FOLDER {
@@ -165,25 +180,24 @@ pub(crate) fn check(program: &Program) -> Result<String> {
         if run.exit_code != *exit_code {
             bail!("{}: exit code {}, not {exit_code}\n{}{}", chip.name, run.exit_code, run.log, run.errors);
         }
-        if run.log != reference {
-            different.push(format!(
-                "{} (-: expected, +: now)\n{}",
-                chip.name,
-                difference(&reference, &run.log)
-            ));
+        let expected = host_log.clone().map_or_else(|| read(&program.expected(chip)), Ok)?;
+        if run.log != expected {
+            let lines = difference(&expected, &run.log);
+            different.push(format!("{} (-: expected, +: now)\n{lines}", chip.name));
         }
     }
-    match (different.is_empty(), *on_host) {
-        (false, true) => bail!("not what the host says, bit for bit: {}", different.concat()),
-        (false, false) => bail!("{}{accept}", different.concat()),
-        (true, _) if reference != expected => {
-            bail!(
-                "host and chips agree, but not with {}:\n{}{accept}",
-                path.display(),
-                difference(&expected, &reference)
-            )
+    match &host_log {
+        _ if different.is_empty() => {}
+        Some(_) => bail!("not what the host says, bit for bit: {}", different.concat()),
+        None => bail!("{}{accept}", different.concat()),
+    }
+    if let Some(host) = &host_log {
+        let path = program.expected(chips[0]);
+        let expected = read(&path)?;
+        if *host != expected {
+            let lines = difference(&expected, host);
+            bail!("host and chips agree, but not with {}:\n{lines}{accept}", path.display());
         }
-        _ => {}
     }
     let places: Vec<_> = chips.iter().map(|chip| chip.name).chain(on_host.then_some("host")).collect();
     Ok(places.join(" "))

@@ -68,29 +68,29 @@ impl TipClock {
     /// Mean tip angle after `whole` ticks, given as the sum of two numbers, and a fraction `share` in [0, 1) of the
     /// next tick.
     pub(crate) fn between(&self, whole: [f64; 2], share: Extended) -> Phase {
-        let [leading, rest] = whole;
-        let ticks = whole_number(leading).wrapping_add(whole_number(rest));
-        let turned = Phase::from_words(self.step).to_bits().wrapping_mul(ticks);
+        let turned = Phase::from_words(self.step).to_bits().wrapping_mul(whole_ticks(whole));
         Phase::from_words(self.start)
             + Phase::from_bits(turned)
             + Phase::new(Phase::from_words(self.step).to_f64() * share.to_f64())
     }
 
     fn new(motion: &Motion, rates: &MeanRates, exact_step: [Extended; 3]) -> Self {
-        let [nutation, a, b] = exact_step;
         let [alpha, beta] = motion.windings();
-        let passes = u8::from(alpha == 0) + u8::from(beta == 0);
-        // the mean rates of A and B include half a turn per period for a parameter that passes through 0; the tip
-        // angle does not
-        let halves =
-            if rates.returns { nutation * Extended::from(0.5 * f64::from(passes)) } else { Extended::ZERO };
+        let passes = if rates.returns { u8::from(alpha == 0) + u8::from(beta == 0) } else { 0 };
         Self {
             start: [0; 4],
-            step: (a + b - halves).to_phase().words(),
+            step: Self::increment(exact_step, passes),
             quarter: if alpha == 0 { motion.signs().l_plus_n.factor() as i8 } else { 0 },
-            passes: if rates.returns { passes } else { 0 },
+            passes,
             exists: !motion.regime().is_vertical(),
         }
+    }
+
+    /// Increment of the mean tip angle per tick. The mean rates of A and B include half a turn per period for a parameter
+    /// that passes through 0; the tip angle does not.
+    pub(crate) fn increment([nutation, a, b]: [Extended; 3], passes: u8) -> [u32; 4] {
+        let halves = nutation * Extended::from(0.5 * f64::from(passes));
+        (a + b - halves).to_phase().words()
     }
 }
 
@@ -116,15 +116,14 @@ impl<W: Float> Clock<W> {
         let axial = motion.first_integrals().n / motion.top().axial_inertia();
         // half a period has CELLS cells, and x changes by 2 over a cell of one segment
         let x_rate = 4.0 * CELLS as f64 * frequency.to_f64();
-        let step = exact_step.map(Extended::to_phase);
-        let [nutation, a, b] = tabulated.start;
-        let [nutation_step, a_step, b_step] = step.map(|step| step.times(i64::MIN));
+        let [start, ..] = tabulated.start;
+        let [nutation_step, ..] = exact_step;
         Self {
-            first: [nutation + nutation_step, a + a_step, b + b_step].map(Phase::fraction),
-            step: step.map(|step| PhaseFraction::of(step).words()),
+            first: first_phases(tabulated.start, exact_step),
+            step: exact_step.map(|step| PhaseFraction::of(step.to_phase()).words()),
             exact_step: exact_step.map(Extended::parts),
             ticks_per_time: tick.rate().parts(),
-            horizon: (!rates.returns).then(|| horizon(tabulated.start[0], exact_step[0])),
+            horizon: (!rates.returns).then(|| horizon(start, nutation_step)),
             tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
             rates: [x_rate, mean, axial].map(W::from_f64),
             tip: TipClock::new(motion, rates, exact_step),
@@ -181,8 +180,7 @@ impl<W> Clock<W> {
 
     /// Phases after `whole` ticks, given as a sum of two numbers, and a fraction `share` in [0, 1) of the next tick.
     pub(crate) fn between(&self, whole: [f64; 2], share: Extended) -> [PhaseFraction; 3] {
-        let [leading, rest] = whole;
-        let ticks = whole_number(leading).wrapping_add(whole_number(rest));
+        let ([leading, _], ticks) = (whole, whole_ticks(whole));
         // at 2^127 or more, the number modulo 2^128 no longer determines the sign
         let countable = Float::abs(leading) < TWO_TO_100;
         match i64::try_from(ticks) {
@@ -196,20 +194,26 @@ impl<W> Clock<W> {
     #[cold]
     #[inline(never)]
     fn beyond(&self, ticks: i128, future: bool, share: Extended) -> [PhaseFraction; 3] {
-        let since_first = ticks.wrapping_sub(i64::MIN.into());
-        let after = |first: u64, step: PhaseFraction, exact: Extended| {
-            let turned = step.to_phase().to_bits().wrapping_mul(since_first);
-            let part = PhaseFraction::of((exact * share).to_phase());
-            PhaseFraction::of(Phase::from_bits(turned)).plus_leading(first).plus(part)
-        };
-        let ([nutation, a, b], [nutation_step, a_step, b_step]) = (self.first, self.steps());
-        let [exact_nutation, exact_a, exact_b] = self.exact_steps();
+        let [nutation, a, b] = self.unstopped(ticks, share);
         let nutation = match (self.horizon, future) {
-            (None, _) => after(nutation, nutation_step, exact_nutation),
+            (None, _) => nutation,
             (Some(_), true) => PhaseFraction::ALMOST_HALF,
             (Some(_), false) => PhaseFraction::HALF,
         };
-        [nutation, after(a, a_step, exact_a), after(b, b_step, exact_b)]
+        [nutation, a, b]
+    }
+
+    /// Phases after any number of ticks and a fraction `share` in [0, 1) of the next; that of an aperiodic motion wraps
+    /// where it should stop.
+    pub(crate) fn unstopped(&self, ticks: i128, share: Extended) -> [PhaseFraction; 3] {
+        let since_first = ticks.wrapping_sub(i64::MIN.into());
+        let mut phases = self.steps();
+        for ((phase, exact), first) in phases.iter_mut().zip(self.exact_steps()).zip(self.first) {
+            let turned = phase.to_phase().to_bits().wrapping_mul(since_first);
+            let part = PhaseFraction::of((exact * share).to_phase());
+            *phase = PhaseFraction::of(Phase::from_bits(turned)).plus_leading(first).plus(part);
+        }
+        phases
     }
 
     /// Phases at tick n plus a fraction `share` in [0, 1) of the next tick.
@@ -244,10 +248,39 @@ fn stopped([first, last]: [i64; 2], n: i64) -> Option<PhaseFraction> {
     }
 }
 
+/// Phases at tick `i64::MIN`, in units of 2^-64 turns, from those at tick 0 and the increments in turns.
+pub(crate) fn first_phases(start: [Phase; 3], exact_step: [Extended; 3]) -> [u64; 3] {
+    let mut first = [0; 3];
+    for ((first, start), step) in first.iter_mut().zip(start).zip(exact_step) {
+        *first = (start + step.to_phase().times(i64::MIN)).fraction();
+    }
+    first
+}
+
 /// First and last tick at which a nutation phase that does not wrap is within half a turn of 0.
+#[cold]
+#[inline(never)] // no stack for it where the motion is another
 fn horizon(start: Phase, step: Extended) -> [i64; 2] {
+    whole_between(rise(start, step))
+}
+
+/// Time, in ticks since a nutation phase that does not wrap, at which it leaves -1/2 turn and reaches 1/2.
+pub(crate) fn rise(phase: Phase, step: Extended) -> [Extended; 2] {
     /// Half a turn, less a margin for the rounding of the quotient; a phase within the margin may count as the end.
     const HALF: f64 = 0.5 - 1e-15;
-    let ticks = |turns: f64| (turns - start.to_f64()) / step.to_f64();
-    [libm::ceil(ticks(-HALF)) as i64, libm::floor(ticks(HALF)) as i64]
+    [-HALF, HALF].map(|turns| Extended::from(turns - phase.to_f64()) / step)
+}
+
+/// First and last whole number between two numbers, within the range of `i64`.
+pub(crate) fn whole_between([from, to]: [Extended; 2]) -> [i64; 2] {
+    let floor = |x: Extended| match x.to_f64() as i64 {
+        limit @ (i64::MIN | i64::MAX) => limit,
+        _ => whole_ticks(x.floor_and_rest().0) as i64,
+    };
+    [floor(-from).saturating_neg(), floor(to)]
+}
+
+/// Sum of two whole numbers, modulo 2^128.
+pub(crate) fn whole_ticks([leading, rest]: [f64; 2]) -> i128 {
+    whole_number(leading).wrapping_add(whole_number(rest))
 }

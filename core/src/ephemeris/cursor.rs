@@ -7,10 +7,10 @@ use crate::ephemeris::storage::EphemerisView;
 use crate::phase::PhaseFraction;
 
 /// Phases of consecutive ticks, advanced by three additions a tick. An interrupt routine keeps the cursor and passes
-/// the table to every call, so that the table can be exchanged between two ticks.
+/// the table to every call.
 ///
-/// A cursor belongs to the ephemeris that made it. After an exchange of the table, make a new cursor by
-/// `new.cursor(tick)`; a cursor used with another table gives meaningless samples.
+/// A cursor belongs to the ephemeris that made it, and to its clock; with another table it gives meaningless samples.
+/// Where tables are exchanged between two ticks, a [`Sampler`](crate::Sampler) keeps table and cursor together.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct Cursor {

@@ -4,7 +4,7 @@
 use crate::law::series::{Split, TERMS, UNIT, scaled_product};
 use crate::scalar::Float;
 
-/// Coefficients of α or of β as a polynomial in x ∈ [-1, 1] on one segment, lowest power first, in units of 2^-56:
+/// Coefficients of α or of β as a polynomial in x ∈ [-1, 1] on one segment, lowest power first, in units of 2^-62:
 /// real and imaginary parts.
 pub(crate) type Polynomial<'a> = [&'a mut [i64; TERMS]; 2];
 
@@ -56,9 +56,9 @@ pub(crate) fn economise(parts: Polynomial<'_>, terms: usize) -> [f64; 2] {
                 }
             }
             // rounded up
-            let multiple = (leading.abs() >> (degree - 1)) + 1;
-            dropped += multiple;
-            dropped_slopes += multiple * (degree * degree) as i64;
+            let squared = (degree * degree) as i64;
+            dropped += (leading.abs() >> (degree - 1)) + 1;
+            dropped_slopes += (leading.abs().saturating_mul(squared) >> (degree - 1)) + 1;
         }
         [dropped, dropped_slopes].map(|sum| sum as f64 * UNIT)
     });
@@ -76,7 +76,7 @@ mod tests {
         exact
             .iter_mut()
             .enumerate()
-            .for_each(|(k, c)| *c = (0.3_f64.powi(k as i32) * (1.0 + (k as f64).sin()) / UNIT) as i64);
+            .for_each(|(k, c)| *c = (0.2 * 0.3_f64.powi(k as i32) * (1.0 + (k as f64).sin()) / UNIT) as i64);
         for terms in 1..TERMS {
             let (mut short, mut nothing) = (exact, [0; TERMS]);
             let [bound, slope_bound] = economise([&mut short, &mut nothing], terms);

@@ -28,18 +28,16 @@ pub struct ErrorBound {
 const TURN: f64 = 2.0 * core::f64::consts::PI;
 
 /// Variance of the orientation error from roundings of set-up that do not depend on the motion, in units of (2^-53
-/// rad)².
+/// rad)²: 24 roundings of numbers up to 1, each with a variance of 1/3.
 const FIXED_VARIANCE: f64 = 8.0;
-/// Standard deviation of the delay that a step through the segments makes, over the sum of the sizes of its terms, in units of
-/// 2^-53. Not derived: raised until no launch of the studies exceeded the bound.
-const DELAY: f64 = 4.0;
-/// Standard deviation of the error of θ that a step makes, over the sum of the sizes of its terms, in units of 2^-53. Not derived
-/// either.
-const ANGLE: f64 = 1.5;
+/// Standard deviation of the delay or of the error of θ that a step through the segments makes, over the sum of the
+/// sizes of its terms, in units of 2^-53: the root of thirteen roundings, each with a variance of 1/3.
+const STEP: f64 = 2.1;
 /// Standard deviation of the relative rounding error of the half phase at the start, in units of 2^-53.
 const START: f64 = 1.0;
-/// Standard deviation of the relative rounding error of a coefficient other than the first, in units of 2^-53.
-const COEFFICIENT: f64 = 4.0;
+/// Standard deviation of the relative rounding error of a coefficient other than the first, in units of 2^-53: the
+/// root of the roundings of the coefficient, of the product with x and of the sum, each with a variance of 1/3.
+const COEFFICIENT: f64 = 1.0;
 /// Relative error of the `f64` nearest to 1/2π, in units of 2^-53. It is common to all conversions from rad to turns.
 const PER_TURN: f64 = 0.56;
 /// Number of standard deviations in the bound.
@@ -74,7 +72,7 @@ impl ErrorBound {
         let rounded = rounded::<R>(tabulated);
         let rounded = if rounded > tabulated.defect { rounded } else { tabulated.defect };
         Self {
-            constant: truncation + tick + place + rise + rounded + Self::of_phases(tabulated, [CLOCK; 3]),
+            constant: truncation + tick + place + rise + rounded + Self::of_phases(speeds.sweep, [CLOCK; 3]),
             per_tick: Self::per_tick(rates, tabulated, length, missed),
         }
     }
@@ -84,20 +82,21 @@ impl ErrorBound {
         for (error, of_rate) in errors.iter_mut().zip(rates.errors) {
             *error = Float::abs(*error) + of_rate * length;
         }
-        Self::of_phases(tabulated, errors)
+        Self::of_phases(tabulated.speeds.sweep, errors)
     }
 
     /// Orientation error, rad, caused by these errors of the three phases, in turns. The error of the nutation phase
-    /// is multiplied by the greatest speed; of the slow phases only the larger error counts, because |α|² + |β|² = 1.
-    fn of_phases(tabulated: &Tabulated, [nutation, alpha, beta]: [f64; 3]) -> f64 {
+    /// is multiplied by the greatest speed [`Speeds::sweep`]; of the slow phases only the larger error counts, because |α|² + |β|² = 1.
+    pub(crate) fn of_phases(sweep: f64, [nutation, alpha, beta]: [f64; 3]) -> f64 {
         let slow = if alpha > beta { alpha } else { beta };
-        2.0 * (tabulated.speeds.sweep * nutation + TURN * slow)
+        2.0 * (sweep * nutation + TURN * slow)
     }
 }
 
-/// Error of the phases at a tick, in turns: the phases of the first tick and of the current tick are each truncated
-/// to 2^-64.
-const CLOCK: f64 = 1.0 / (1_u64 << 63) as f64;
+/// Truncation of a phase to its 64 leading bits, in turns.
+pub(crate) const TRUNCATION: f64 = 0.5 / (1_u64 << 63) as f64;
+/// Error of the phases at a tick, in turns: the phases of the first tick and of the current tick are each truncated.
+const CLOCK: f64 = 2.0 * TRUNCATION;
 
 /// Orientation error, rad, of all arithmetic in `f64`: the part common to all steps, plus five standard deviations of
 /// the independent part.
@@ -106,8 +105,7 @@ fn rounded<R: EphemerisScalar>(tabulated: &Tabulated) -> f64 {
     let tick = R::TICK_DEVIATION / ROUNDING;
     let Speeds { sweep, turning, steepness, .. } = tabulated.speeds;
     let [delays, angles] = tabulated.squares;
-    let steps =
-        DELAY * DELAY * delays * sweep * sweep + ANGLE * ANGLE * (delays * turning * turning + 4.0 * angles);
+    let steps = STEP * STEP * (delays * (sweep * sweep + turning * turning) + 4.0 * angles);
     let start = START * tabulated.speeds.delay(tabulated.start_share);
     let coefficients = COEFFICIENT * steepness;
     let variance = FIXED_VARIANCE + tick * tick + steps + start * start + coefficients * coefficients;
@@ -119,7 +117,7 @@ fn rounded<R: EphemerisScalar>(tabulated: &Tabulated) -> f64 {
 /// they delay χ.
 pub(crate) fn delay<R: EphemerisScalar>(tabulated: &Tabulated) -> f64 {
     let Tabulated { squares: [delays, _], start_share, defect, stepping, speeds, .. } = *tabulated;
-    let variance = DELAY * DELAY * delays + START * START * start_share * start_share;
+    let variance = STEP * STEP * delays + START * START * start_share * start_share;
     let steps = DEVIATIONS * Float::sqrt(variance) * <f64 as Scalar>::ROUNDING;
     let missed = if speeds.sweep > 0.0 { (defect + stepping) / speeds.sweep } else { 0.0 };
     R::PLACE_ROUNDING / CELLS as f64 + 2.0 * CLOCK + steps + missed

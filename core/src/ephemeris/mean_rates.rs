@@ -26,6 +26,8 @@ pub(crate) struct MeanRates {
 /// Number of successive roundings of a rate, without those of the quadrature's nodes, and of the tick length and its
 /// product with the rate.
 const OPERATIONS: f64 = 64.0;
+/// Relative error of an increment that is stored as the sum of two `f64`: half a unit in the last place of each.
+const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
 /// Number of roundings per node of the quadrature: sine and cosine of the next node are computed from those of the
 /// last by two products and a sum each, and the rounding error of the constant factor recurs at every node.
 const OPERATIONS_PER_NODE: f64 = 2.0;
@@ -45,7 +47,7 @@ impl MeanRates {
 
     fn steady(motion: &Motion, rounding: f64) -> Self {
         let [alpha, beta] = motion.steady_rates().map(Extended::in_turns);
-        let relative = OPERATIONS * Extended::ROUNDING + motion.conditioning().relative;
+        let relative = OPERATIONS * Extended::ROUNDING + STORED + motion.conditioning().relative;
         // a rate is the sum of a quotient and ±τ/2, which may cancel
         let half_tau = Float::abs(motion.half_tau().in_turns().to_f64());
         let slow = Extended::from(motion.conditioning().turning).in_turns().to_f64();
@@ -89,7 +91,7 @@ impl MeanRates {
         let half_tau = motion.half_tau();
         let frequency = Extended::ONE / half_period.doubled();
         let Conditioning { relative, turning } = *motion.conditioning();
-        let relative = OPERATIONS * Extended::ROUNDING + relative;
+        let relative = OPERATIONS * Extended::ROUNDING + STORED + relative;
         let slow = Float::abs(at_the_top.alpha.to_f64()) + Float::abs(half_tau.to_f64());
         let error = Extended::from(slow * relative + turning).in_turns().to_f64();
         Self {
@@ -98,7 +100,7 @@ impl MeanRates {
             theta_offset: [-at_the_top.alpha, Extended::ZERO],
             turns: [frequency, (at_the_top.alpha + half_tau).in_turns(), (-half_tau).in_turns()],
             // the frequency can be chosen freely, so only the increments contain its rounding error
-            errors: [frequency.to_f64() * OPERATIONS * Extended::ROUNDING, error, error],
+            errors: [frequency.to_f64() * (OPERATIONS * Extended::ROUNDING + STORED), error, error],
             rounding,
         }
     }
@@ -110,7 +112,7 @@ impl MeanRates {
 fn errors(motion: &Motion, mean: &MeanMotion) -> [f64; 3] {
     let Conditioning { relative, turning } = *motion.conditioning();
     let operations = OPERATIONS + OPERATIONS_PER_NODE * f64::from(mean.nodes);
-    let arithmetic = operations * Extended::ROUNDING + relative;
+    let arithmetic = operations * Extended::ROUNDING + STORED + relative;
     let rule = mean.relative_error;
     let frequency = 1.0 / mean.advance.period.to_f64();
     let psi = mean.psi.map(|angle| Float::abs(angle.in_turns().to_f64()));

@@ -72,9 +72,9 @@ impl Speeds {
     }
 }
 
-/// Upper bounds on [-1, 1] of the first two derivatives of a polynomial, lowest power first, in units of 2^-56.
+/// Upper bounds on [-1, 1] of the first two derivatives of a polynomial, lowest power first, in units of 2^-62.
 pub(crate) fn greatest_slopes(part: &[i64; TERMS]) -> [f64; 2] {
-    // products of at most 210 and a coefficient below 2^60 need eight bits more than i64 has
+    // products of at most 210 and a coefficient below 2^62 need ten bits more than i64 has
     let sums = part.iter().zip(0_i64..).fold([0; 2], |[slope, curvature], (c, power)| {
         let size = (c.abs() >> 12) + 1;
         [slope + power * size, curvature + power * (power - 1) * size]

@@ -388,8 +388,8 @@ impl Tabulation<'_> {
 /// Estimated sum of the omitted terms of a series: its last four terms are continued as a geometric series. The
 /// result is infinite where these terms do not decrease.
 fn beyond_the_last(part: &[i64; TERMS]) -> f64 {
-    /// Magnitude below which terms are rounding errors and need not decrease: 3e-17 in units of 2^-56.
-    const NEGLIGIBLE: i64 = 2;
+    /// Magnitude below which terms are rounding errors and need not decrease: 3e-17 in units of 2^-62.
+    const NEGLIGIBLE: i64 = 138;
     let [.., c12, c13, c14, c15] = part.map(i64::abs);
     // in pairs, because a series may be even or odd
     let (before, last) = (c12 + c13, c14 + c15);

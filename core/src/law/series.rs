@@ -13,8 +13,17 @@ use crate::scalar::{Float, Scalar};
 
 pub(crate) use crate::law::block::{Split, TERMS};
 
-/// Unit of the coefficients of α and β, 2^-56.
-pub(crate) const UNIT: f64 = power_of_two(-BITS);
+/// Unit of the coefficients of α and β, 2^-62.
+pub(crate) const UNIT: f64 = power_of_two(-UNIT_BITS);
+const UNIT_BITS: i32 = 62;
+
+/// Coefficient of x^k in units of 2^-62, from that of yᵏ = (x/4)^k in units of 2^-56.
+fn of_x(coefficient: i64, k: usize) -> i64 {
+    match 2 * k as i32 - (UNIT_BITS - BITS) {
+        shift @ 1.. => ((coefficient >> (shift - 1)) + 1) >> 1,
+        shift => coefficient << -shift,
+    }
+}
 
 /// Magnitude below which a term of a series is negligible, in its units.
 pub(crate) fn negligible(least: f64, unit: f64) -> i64 {
@@ -202,7 +211,7 @@ impl Expansion {
     }
 
     /// Bracket p e^{iχ} + q e^{-iχ} times e^{iθ}, of α (`which` = 0) or of β (1), as the series of its real and
-    /// imaginary part in units of 2^-56; the series end where their terms fall below `least`. The result is `None`
+    /// imaginary part in units of 2^-62; the series end where their terms fall below `least`. The result is `None`
     /// where they do not converge.
     #[inline(never)] // set-up's frames should not add up on a small stack
     pub(crate) fn turned(
@@ -234,10 +243,8 @@ impl Expansion {
             let start = [scale * cosine, scale * sine];
             let terms = exponential(rate, start, least, [re, im])?;
             for (k, (sum_re, sum_im)) in sum_re.iter_mut().zip(sum_im.iter_mut()).enumerate().take(terms) {
-                // from powers of y to powers of x
-                let of_x = |part: &Block| ((2 * part.get(k) >> (2 * k)) + 1) >> 1;
-                *sum_re += of_x(re);
-                *sum_im += of_x(im);
+                *sum_re += of_x(re.get(k), k);
+                *sum_im += of_x(im.get(k), k);
             }
             converges.then_some(())?;
         }
@@ -270,7 +277,7 @@ impl Expansion {
 #[inline(never)]
 fn exponential(rate: &Block, start: [f64; 2], least: f64, [re, im]: [&mut Block; 2]) -> Option<usize> {
     (*re, *im) = (Block::ZERO, Block::ZERO);
-    let least = negligible(least, UNIT);
+    let least = negligible(least, power_of_two(-BITS));
     let [start_re, start_im] = start.map(|part| scaled(part, -BITS));
     let mut converges = re.put(0, start_re) & im.put(0, start_im);
     let mut before = i64::MAX;

@@ -11,8 +11,8 @@ use toytop::fixed::types::{I2F14, I2F30};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 use toytop::{
-    BranchPoints, Complex, Ephemeris, EphemerisScalar, FirstIntegrals, Motion, ParameterError, Release, Sign,
-    Signs, Start, State, Stepper, Tick, Top, TopParameters,
+    BranchPoints, Complex, Ephemeris, EphemerisScalar, FirstIntegrals, Motion, ParameterError, Release,
+    Sampler, Sign, Signs, Start, State, Stepper, Tick, Top, TopParameters,
 };
 
 #[cfg(target_arch = "arm")]
@@ -54,9 +54,12 @@ fn set_up() -> Result<(), ParameterError> {
         ));
         for state in [
             State::new(Orientation { alpha: complex(), beta: complex() }, [unknown(); 3]),
+            State::from_quaternion_and_gyro([unknown(); 4], [unknown(); 3]),
             State::release(&release()),
         ] {
             let state = state?;
+            black_box(state.reaction_impulse(&top, [unknown(); 3], [unknown(); 3])?);
+            let state = state.with_impulse(&top, [unknown(); 3], [unknown(); 3])?;
             black_box((state.orientation(), state.omega()));
             black_box(FirstIntegrals::of(&top, &state).signs());
             black_box(BranchPoints::of(&top, &state)?);
@@ -126,10 +129,12 @@ fn planted() -> u8 {
     table[black_box(3)]
 }
 
-/// Ephemeris: its set-up, every way to read it, and its turning points.
+/// Ephemeris: its set-up, changes of its clock, every way to read it, its turning points, and its exchange.
 fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let Ok(tick) = Tick::hertz(black_box(1000)) else { return };
-    let Ok(ephemeris) = Ephemeris::<R, SEGMENTS>::within(motion, tick, unknown()) else { return };
+    let Ok(mut ephemeris) = Ephemeris::<R, SEGMENTS>::within(motion, tick, unknown()) else { return };
+    ephemeris.delay(unknown());
+    ephemeris.set_tick(tick);
     black_box(ephemeris.at_tick(black_box(7)).orientation());
     let sample = ephemeris.at(unknown());
     black_box((sample.orientation_and_tip(), sample.u(), sample.axis(), sample.quaternion(), sample.tip()));
@@ -144,4 +149,8 @@ fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let mut out = [Orientation::<R>::IDENTITY; 4];
     ephemeris.fill(black_box(0), &mut out);
     black_box(out);
+    let mut spare = Ephemeris::<R, SEGMENTS>::EMPTY;
+    let mut sampler = Sampler::new(&mut ephemeris, black_box(3));
+    black_box((sampler.next().orientation(), sampler.tick(), sampler.table().error_bound()));
+    black_box(sampler.exchange(&mut spare).capacity());
 }

@@ -11,6 +11,27 @@ pub struct SweepArgs {
     /// CSV file to write (- is stdout), or Parquet if it ends in .parquet (in a build with that feature); it must not exist, unless --resume is given
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
+    /// Scenario file whose numbers vary by the options below; without it, the paper's constants vary
+    #[arg(conflicts_with_all = ["e1", "e2", "e3", "a_over_ps", "c_over_a", "signs"])]
+    pub scenario: Option<PathBuf>,
+    /// Spin of a release, rad/s, as an axis (see --e1)
+    #[arg(long, value_name = "AXIS", requires = "scenario", allow_hyphen_values = true)]
+    pub spin: Option<Axis>,
+    /// Tilt of a release, degrees
+    #[arg(long, value_name = "AXIS", requires = "scenario", allow_hyphen_values = true)]
+    pub tilt: Option<Axis>,
+    /// Precession of a release, rad/s
+    #[arg(long, value_name = "AXIS", requires = "scenario", allow_hyphen_values = true)]
+    pub precession: Option<Axis>,
+    /// Nutation of a release, rad/s
+    #[arg(long, value_name = "AXIS", requires = "scenario", allow_hyphen_values = true)]
+    pub nutation: Option<Axis>,
+    /// Any other number of the scenario, in the key's unit: --axis com_height=0.02..0.04/21
+    #[arg(long, value_name = "KEY=AXIS", requires = "scenario", value_parser = key_and_axis)]
+    pub axis: Vec<(String, Axis)>,
+    /// Heat map of a column over two keys of a grid, as an SVG file beside the output
+    #[arg(long, value_name = "X,Y,COLUMN", requires = "scenario")]
+    pub plot: Option<String>,
     /// Draw so many motions by lot; without it, the grid of all combinations
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000_000))]
     pub motions: Option<u64>,
@@ -52,6 +73,26 @@ pub struct SweepArgs {
     pub resume: bool,
 }
 
+fn key_and_axis(text: &str) -> Result<(String, Axis), String> {
+    let (key, axis) = text.split_once('=').ok_or("must be KEY=AXIS")?;
+    Ok((key.to_owned(), axis.parse()?))
+}
+
+impl SweepArgs {
+    /// Keys of the scenario that vary, with their axes.
+    #[must_use]
+    pub fn varied(&self) -> Vec<(String, Axis)> {
+        let of_release = [
+            ("spin", &self.spin),
+            ("tilt_deg", &self.tilt),
+            ("precession", &self.precession),
+            ("nutation", &self.nutation),
+        ];
+        let named = of_release.into_iter().filter_map(|(key, axis)| Some((key.to_owned(), axis.clone()?)));
+        named.chain(self.axis.iter().cloned()).collect()
+    }
+}
+
 fn periods(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|x| *x > 0.0 && *x <= 1e9);
     number.ok_or_else(|| "must be above 0 and at most 1e9".to_owned())
@@ -65,9 +106,13 @@ impl FromStr for Shard {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let number = |text: &str| text.parse::<u64>().ok().filter(|n| *n <= 1 << 32);
+        const MOST: u64 = 1 << 32;
+        let number = |text: &str| text.parse::<u64>().ok();
         let pair = text.split_once('/').and_then(|(shard, of)| Some([number(shard)?, number(of)?]));
-        let pair = pair.filter(|[shard, of]| (1..=*of).contains(shard));
-        pair.map(Self).ok_or_else(|| "must be I/N with I from 1 to N".to_owned())
+        match pair {
+            Some([_, of]) if of > MOST => Err(format!("N must be at most {MOST}")),
+            Some(pair @ [shard, of]) if (1..=of).contains(&shard) => Ok(Self(pair)),
+            _ => Err("must be I/N with I from 1 to N".to_owned()),
+        }
     }
 }

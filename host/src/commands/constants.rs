@@ -3,17 +3,19 @@
 use super::{Report, unreal};
 use crate::Failure;
 use crate::cli::{ConstantsArgs, Format};
-use crate::input::scenario::Scenario;
+use crate::input::scenario::{Scenario, Units};
 use crate::output::names;
 use crate::output::{self, Cell, Record, number};
-use toytop::{Motion, PeriodAdvance};
+use std::f64::consts::PI;
+use toytop::{Motion, PeriodAdvance, Regime};
 
 pub(super) fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
-    let constants = constants(&scenario.motion);
+    let mut constants = constants(&scenario.motion);
+    constants.extend(in_everyday_units(&scenario.motion));
     let record = || Record(constants.iter().map(|(key, cell, _)| (*key, cell.clone())).collect());
     let text = match arguments.format {
-        Format::Table => table(&constants),
+        Format::Table => table(&constants, scenario.units),
         Format::Csv => output::csv(&[record()]).map_err(Failure::Output)?,
         Format::Json => output::json(&record()).map_err(Failure::Output)?,
     };
@@ -50,14 +52,57 @@ fn constants(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)> {
     ]
 }
 
-fn table(constants: &[(&'static str, Cell, &'static str)]) -> String {
+/// The same motion in words of a lecture. Without units of time, a second is the scenario's unit.
+fn in_everyday_units(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)> {
+    let (top, e, integrals) = (motion.top(), motion.branch_points(), motion.first_integrals());
+    let vertical = motion.regime().is_vertical();
+    let tilt =
+        |one_plus_e: f64, one_minus_e: f64| 2.0 * one_minus_e.sqrt().atan2(one_plus_e.sqrt()).to_degrees();
+    let [least, greatest] = match motion.regime() {
+        Regime::Hanging => [180.0; 2],
+        _ if vertical => [0.0; 2],
+        _ => [tilt(2.0 - e.one_minus_e2, e.one_minus_e2), tilt(e.one_plus_e1, 2.0 - e.one_plus_e1)],
+    };
+    let advance = motion.period_advance();
+    let precession =
+        advance.as_ref().filter(|_| !vertical).map(|a| a.phi_per_period() / (2.0 * PI * a.period));
+    let (a, c) = (top.transverse_inertia(), top.axial_inertia());
+    let spin = integrals.n / c / (2.0 * PI);
+    // upright, e3 > 1 if n² > 4 A p g
+    let critical = 2.0 * (a * top.mass_moment() * top.gravity()).sqrt() / c / (2.0 * PI);
+    let rates = |turns: Option<f64>| [360.0, 60.0].map(|unit| Cell::from(turns.map(|turns| turns * unit)));
+    let [precession_deg, precession_rpm] = rates(precession);
+    let [spin_deg, spin_rpm] = rates(Some(spin));
+    let [critical_deg, critical_rpm] = rates(Some(critical));
+    vec![
+        ("min_tilt_deg", Cell::Number(least), "degrees"),
+        ("max_tilt_deg", Cell::Number(greatest), "degrees"),
+        ("nutation_hz", advance.as_ref().map(|advance| 1.0 / advance.period).into(), "1/s"),
+        ("mean_precession_deg_per_s", precession_deg, "degrees/s"),
+        ("mean_precession_rpm", precession_rpm, "turns/min"),
+        ("spin_deg_per_s", spin_deg, "degrees/s"),
+        ("spin_rpm", spin_rpm, "turns/min"),
+        ("critical_spin_deg_per_s", critical_deg, "degrees/s"),
+        ("critical_spin_rpm", critical_rpm, "turns/min"),
+    ]
+}
+
+fn table(constants: &[(&'static str, Cell, &'static str)], units: Units) -> String {
     let row = |(key, cell, unit): &(&'static str, Cell, &'static str)| {
+        let unit = match units {
+            Units::None
+                if unit.contains("kg") || unit.ends_with('s') && *unit != "weights" && *unit != "degrees" =>
+            {
+                ""
+            }
+            _ => unit,
+        };
         let value = match cell {
             Cell::Number(x) => number(*x),
             Cell::Text(word) => word.clone(),
             _ => "-".to_owned(),
         };
-        vec![(*key).to_owned(), value, (*unit).to_owned()]
+        vec![(*key).to_owned(), value, unit.to_owned()]
     };
     output::columns(constants.iter().map(row).collect(), 3)
 }

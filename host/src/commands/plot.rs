@@ -1,23 +1,48 @@
-//! `toytop plot`: the curve of the tip between its bounding circles.
+//! `toytop plot`: the curve of the tip between its bounding circles, and other pictures of a motion.
 
 use super::{Report, unreal};
 use crate::Failure;
-use crate::cli::PlotArgs;
+use crate::cli::{PlotArgs, PlotKind};
 use crate::input::scenario::Scenario;
 use crate::output::names::tip_class;
 use crate::output::short;
 use crate::output::whole_file;
-use crate::pictures::plot::{Curve, Form, draw};
+use crate::pictures::plot::{Curve, Form, draw, encode_at};
+use crate::pictures::span::Span;
+use crate::pictures::{charts, sphere};
+use kuva::render::render::Scene;
 use toytop::{Sign, Support};
 
 pub(super) fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
     let path = &arguments.output;
     let form = Form::of(path, "--output")?;
     let scenario = Scenario::read(&arguments.scenario)?;
-    let curve = Curve::of(&scenario.motion).map_err(|failure| failure.of(&scenario.name))?;
-    let picture = draw(&scenario, &curve, &caption(&scenario, &curve), form)?;
-    whole_file::write("--output", path, &picture)?;
+    let scene = scene(arguments, &scenario).map_err(|failure| match failure {
+        Failure::Method(_) => failure.of(&scenario.name),
+        other => other,
+    })?;
+    whole_file::write("--output", path, &encode_at(&scene, form, arguments.size)?)?;
     Ok(Report::default().with_remarks(unreal(&[scenario]), false))
+}
+
+fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
+    let (motion, times) = (&scenario.motion, arguments.times);
+    if arguments.kind == PlotKind::Potential {
+        return Ok(charts::potential(scenario));
+    }
+    let span = Span::new(motion, times)?;
+    Ok(match arguments.kind {
+        PlotKind::Tilt => charts::tilt(scenario, &span),
+        PlotKind::Precession => charts::precession(scenario, &span)?,
+        _ => {
+            let curve = Curve::between(motion, times)?;
+            let caption = caption(scenario, &curve);
+            match arguments.kind {
+                PlotKind::Axis => sphere::draw(scenario, &span, &caption),
+                _ => draw(scenario, &curve, &caption),
+            }
+        }
+    })
 }
 
 /// The class of the curve and the numbers of the scenario, in two lines.

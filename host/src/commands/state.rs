@@ -2,31 +2,62 @@
 
 use super::{Report, unreal};
 use crate::Failure;
-use crate::cli::{Format, Method, Scalar, StateArgs};
+use crate::cli::{Method, SampleFormat, Scalar, StateArgs};
 use crate::full_equations::solution;
 use crate::input::scenario::Scenario;
-use crate::input::times;
-use crate::motion::ephemeris::{furthest_time, smallest};
+use crate::input::times::{self, Instants};
+use crate::motion::ephemeris::{default_or_smallest, furthest_time, smallest};
 use crate::motion::propagate::{Sample, TimedStepper, period, steps_needed, visit_times};
 use crate::motion::tip_angle::TipAngle;
 use crate::output::progress::Progress;
-use crate::output::{self, Cell, Record, number};
+use crate::samples::sheet::Sheet;
+use crate::samples::{npy, stream};
+use crate::thread_pool;
+use std::io::{self, Write};
 use toytop::exact::ClosedForm;
 use toytop::scalar::Real;
-use toytop::{Complex, Micromath, Motion, Support};
+use toytop::{Micromath, Motion, Support, Tick};
+
+/// Sample of one instant, by its place in the order asked.
+type At = dyn Fn(u64) -> Sample + Sync;
 
 pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
+    if arguments.format == SampleFormat::Parquet && !cfg!(feature = "parquet") {
+        let reason = "this program was built without Parquet (cargo build --features parquet)";
+        return Err(Failure::Input(format!("--format: parquet: {reason}")));
+    }
     let scenario = Scenario::read(&arguments.scenario)?;
-    let times = times::read(&arguments.times)?;
-    let step = period(&scenario.motion) / f64::from(arguments.steps_per_period);
+    let rate = arguments.tick.or(arguments.hertz.map(|hertz| [hertz, 1]));
+    if rate.is_some() && arguments.times.ticks.is_none() {
+        return Err(Failure::Input("--hertz, --tick: need --ticks".to_owned()));
+    }
+    let instants = times::read(&arguments.times, rate.unwrap_or([1000, 1]))?;
+    let sheet = Sheet {
+        columns: arguments.columns.clone(),
+        units: scenario.units,
+        support: scenario.motion.top().support(),
+        named_units: arguments.units && arguments.format != SampleFormat::Parquet,
+    };
+    let count = instants.count();
+    let at = source(arguments, &scenario, instants)?;
+    // what can fail by the input has been done
+    stream::to(arguments.output.as_deref(), |out| write(arguments.format, &sheet, count, &*at, out))?;
+    let table = arguments.format == SampleFormat::Table && arguments.output.is_none();
+    Ok(Report::default().with_remarks(unreal(&[scenario]), table))
+}
+
+/// Samples of a method.
+fn source(arguments: &StateArgs, scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
+    let motion = &scenario.motion;
+    let step = period(motion) / f64::from(arguments.steps_per_period);
     let samples = match (arguments.method, arguments.scalar) {
-        (Method::Ephemeris, scalar) => tabulated(scalar, &scenario, &times)?,
-        (Method::Stepper, Scalar::F64) => stepped::<f64>(&scenario.motion, &times, step)?,
-        (Method::Stepper, Scalar::F32) => stepped::<f32>(&scenario.motion, &times, step)?,
-        (Method::Stepper, Scalar::Micromath) => stepped::<Micromath>(&scenario.motion, &times, step)?,
+        (Method::Ephemeris, scalar) => return tabulated(scalar, scenario, instants),
+        (Method::Stepper, Scalar::F64) => stepped::<f64>(motion, &instants.times()?, step)?,
+        (Method::Stepper, Scalar::F32) => stepped::<f32>(motion, &instants.times()?, step)?,
+        (Method::Stepper, Scalar::Micromath) => stepped::<Micromath>(motion, &instants.times()?, step)?,
         (Method::Stepper, Scalar::Q31 | Scalar::Q15) => return Err(no_stepper(arguments.scalar)),
-        (Method::Full, Scalar::F64) => solution::samples(&scenario, &times)?,
-        (Method::ClosedForm, Scalar::F64) => closed(&scenario, &times)?,
+        (Method::Full, Scalar::F64) => solution::samples(scenario, &instants.times()?)?,
+        (Method::ClosedForm, Scalar::F64) => return closed(scenario, instants),
         (method, scalar) => {
             let (name, allowed) = (scalar.name(), scalars(method));
             let method = method.name();
@@ -35,13 +66,7 @@ pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
             )));
         }
     };
-    let text = match arguments.format {
-        Format::Table => table(&samples, scenario.motion.top().support()),
-        Format::Csv => output::csv(&records(&samples)).map_err(Failure::Output)?,
-        Format::Json => output::json_list("samples", &records(&samples)).map_err(Failure::Output)?,
-    };
-    let report = Report { text, ..Report::default() };
-    Ok(report.with_remarks(unreal(&[scenario]), arguments.format == Format::Table))
+    Ok(Box::new(move |index| samples[index as usize]))
 }
 
 /// Those that a method exists in.
@@ -59,35 +84,46 @@ fn no_stepper(scalar: Scalar) -> Failure {
     Failure::Method(format!("--method stepper: none in {name}: use --method ephemeris, which has {name}"))
 }
 
-fn tabulated(scalar: Scalar, scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
-    let motion = &scenario.motion;
-    let furthest = furthest_time(motion);
-    if let Some(t) = times.iter().find(|t| t.abs() > furthest) {
-        let allowed = format!("within ±{furthest:.1e} s with --method ephemeris");
-        return Err(Failure::Input(format!("times: {t:e} must be {allowed}")));
+/// Refuses times beyond the reach of a method.
+fn within(instants: &Instants, furthest: f64, method: Method) -> Result<(), Failure> {
+    let t = instants.furthest();
+    if t.abs() <= furthest {
+        return Ok(());
     }
-    let ephemeris = smallest(scalar, motion).map_err(|failure| failure.of(&scenario.name))?;
-    Ok(times.iter().map(|&t| ephemeris.at(t).sample).collect())
+    let allowed = format!("within ±{furthest:.1e} s with --method {}", method.name());
+    Err(Failure::Input(format!("times: {t:e} must be {allowed}")))
+}
+
+fn tabulated(scalar: Scalar, scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
+    let motion = &scenario.motion;
+    let of_scenario = |failure: Failure| failure.of(&scenario.name);
+    if let Instants::Ticks(ticks) = &instants {
+        let [ticks_there, seconds] = ticks.rate;
+        let tick =
+            Tick::ratio(ticks_there, seconds).map_err(|error| Failure::Input(format!("--tick: {error}")))?;
+        let table = default_or_smallest(scalar, motion, tick).map_err(of_scenario)?;
+        let ticks = ticks.clone();
+        return Ok(Box::new(move |i| table.sample_at_tick(ticks.number(i), instants.time(i)).sample));
+    }
+    within(&instants, furthest_time(motion), Method::Ephemeris)?;
+    let table = smallest(scalar, motion).map_err(of_scenario)?;
+    Ok(Box::new(move |index| table.at(instants.time(index)).sample))
 }
 
 /// By the closed form, if the motion has one.
-fn closed(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
+fn closed(scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
     let form =
         ClosedForm::of(motion).map_err(|refusal| Failure::Method(refusal.to_string()).of(&scenario.name))?;
-    let furthest = MOST_PERIODS * period(motion);
-    if let Some(t) = times.iter().find(|t| t.abs() > furthest) {
-        let allowed = format!("within ±{furthest:.1e} s with --method closed-form");
-        return Err(Failure::Input(format!("times: {t:e} must be {allowed}")));
-    }
+    within(&instants, MOST_PERIODS * period(motion), Method::ClosedForm)?;
     let scale = 2.0 * motion.top().tip_scale();
     let angle = TipAngle::of(motion)?;
-    let sample = |&t: &f64| {
+    Ok(Box::new(move |index| {
+        let t = instants.time(index);
         let state = form.at(t);
         let product = state.orientation.alpha * state.orientation.beta;
         Sample::of(t, &state, product.scaled(scale), angle.continued(t, product, NOISE))
-    };
-    Ok(times.iter().map(sample).collect())
+    }))
 }
 
 /// The form for e₃ = e₄ loses up to 5e-14 rad a period where that is true only to a rounding: beyond this nothing would be left.
@@ -108,58 +144,54 @@ fn stepped<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sam
     )
 }
 
-fn records(samples: &[Sample]) -> Vec<Record> {
-    let complex = |z: Complex<f64>| Cell::Numbers(vec![("re", z.re), ("im", z.im)]);
-    let record = |sample: &Sample| {
-        let [x, y, z] = sample.omega;
-        Record(vec![
-            ("t", Cell::Number(sample.t)),
-            ("u", Cell::Number(sample.u)),
-            ("udot", Cell::Number(sample.udot)),
-            ("alpha", complex(sample.alpha)),
-            ("beta", complex(sample.beta)),
-            ("gamma", complex(-sample.beta.conj())),
-            ("delta", complex(sample.alpha.conj())),
-            ("omega", Cell::Numbers(vec![("x", x), ("y", y), ("z", z)])),
-            ("tip", Cell::Numbers(vec![("x", sample.tip.re), ("y", sample.tip.im)])),
-            ("phi", sample.phi.into()),
-        ])
-    };
-    samples.iter().map(record).collect()
-}
-
-/// Of a scenario in SI.
-fn unit(name: &str, support: Support) -> &'static str {
-    match (name, support) {
-        ("t", _) => "s",
-        ("udot", _) => "1/s",
-        ("omega", _) => "rad/s",
-        ("phi", _) => "rad",
-        ("tip", Support::Sliding) => "m",
-        _ => "",
+/// Writes all samples.
+fn write(
+    format: SampleFormat,
+    sheet: &Sheet,
+    count: u64,
+    at: &At,
+    out: &mut (dyn Write + Send),
+) -> io::Result<()> {
+    let cores = thread_pool::of_all_cores().map_err(io::Error::other)?;
+    match format {
+        SampleFormat::Csv => {
+            out.write_all(sheet.csv_header().as_bytes())?;
+            stream::rows(&cores, count, &|row, numbers, text| sheet.csv(&at(row), numbers, text), out)
+        }
+        SampleFormat::Json => {
+            let object = |row, numbers: &mut Vec<f64>, text: &mut Vec<u8>| {
+                text.extend_from_slice(if row == 0 { b"" } else { b"," });
+                sheet.json(&at(row), numbers, text);
+            };
+            out.write_all(b"{\"samples\":[")?;
+            stream::rows(&cores, count, &object, out)?;
+            out.write_all(b"]}\n")
+        }
+        SampleFormat::Table => {
+            let block = |row, _: &mut Vec<f64>, text: &mut Vec<u8>| {
+                text.extend_from_slice(if row == 0 { b"" } else { b"\n" });
+                text.extend_from_slice(sheet.block(&at(row)).as_bytes());
+            };
+            stream::rows(&cores, count, &block, out)?;
+            out.write_all(remark(sheet).as_bytes())
+        }
+        SampleFormat::Npy => {
+            out.write_all(&npy::header(sheet, count))?;
+            stream::rows(&cores, count, &|row, numbers, bytes| npy::row(sheet, &at(row), numbers, bytes), out)
+        }
+        #[cfg(feature = "parquet")]
+        SampleFormat::Parquet => crate::samples::parquet::write(sheet, count, &at, out),
+        #[cfg(not(feature = "parquet"))]
+        SampleFormat::Parquet => Ok(()),
     }
 }
 
-/// A block a sample: with all digits, one line would not fit any screen.
-fn table(samples: &[Sample], support: Support) -> String {
-    let block = |record: &Record| {
-        let line = |(name, cell): &(&'static str, Cell)| {
-            let numbers = match cell {
-                Cell::Number(x) => vec![*x],
-                Cell::Numbers(parts) => parts.iter().map(|(_, x)| *x).collect(),
-                _ => Vec::new(),
-            };
-            let mut line = vec![(*name).to_owned(), unit(name, support).to_owned()];
-            line.extend(numbers.into_iter().map(number));
-            line.resize(5, String::new());
-            line
-        };
-        record.0.iter().map(line).collect::<Vec<_>>()
-    };
-    let blocks: Vec<_> = records(samples).iter().map(|record| output::columns(block(record), 2)).collect();
-    let held = match support {
-        Support::Sliding => "",
-        Support::Fixed => "\ntip: 2 alpha beta, minus the horizontal part of the axis (the tip is held)\n",
-    };
-    blocks.join("\n") + held
+/// What a table says of a tip that is held.
+fn remark(sheet: &Sheet) -> &'static str {
+    use crate::samples::column::Column;
+    if sheet.support == Support::Fixed && sheet.columns.contains(&Column::Tip) {
+        "\ntip: 2 alpha beta, minus the horizontal part of the axis (the tip is held)\n"
+    } else {
+        ""
+    }
 }

@@ -3,8 +3,11 @@
 use super::Report;
 use crate::Failure;
 use crate::cli::SweepArgs;
+use crate::input::scenario::Template;
 use crate::output::progress::Progress;
-use crate::sweep::{Part, Rows, Space};
+use crate::output::whole_file;
+use crate::pictures::plot::Form;
+use crate::sweep::{HeatMap, Launches, Motions, Part, Rows, Space};
 use crate::thread_pool;
 use rayon::ThreadPool;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -23,6 +26,13 @@ pub(super) fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     let output = &arguments.output;
     let in_columns = output.extension().is_some_and(|ending| ending == "parquet");
     let to_stdout = output.as_os_str() == "-";
+    let map = match &arguments.plot {
+        Some(_) if to_stdout || in_columns || arguments.shard.0 != [1, 1] => {
+            return Err(Failure::Input("--plot: needs a whole CSV file, no shard".to_owned()));
+        }
+        Some(text) => Some(HeatMap::new(text, &rows.motions, &rows.header())?),
+        None => None,
+    };
     let Added { len, before } = if to_stdout {
         print(&rows, &cores, arguments)?
     } else if in_columns {
@@ -31,6 +41,10 @@ pub(super) fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
         let (added, _) = append(output, &rows, &cores, arguments)?;
         added
     };
+    if let Some(map) = map {
+        let csv = whole_file::read("--output", output, LARGEST_PLOTTED)?;
+        whole_file::write("--plot", &output.with_extension("svg"), &map.draw(&csv)?.encoded(Form::Svg)?)?;
+    }
     let (seconds, motions) = (started.elapsed().as_secs_f64(), len - before);
     let already = if before > 0 { format!(" ({before} were there)") } else { String::new() };
     let text = format!(
@@ -44,6 +58,9 @@ pub(super) fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     }
     Ok(Report { text, ..Report::default() })
 }
+
+/// Size of the largest file that is drawn, MiB.
+const LARGEST_PLOTTED: u64 = 4096;
 
 /// How many rows a file has, and how many it had.
 struct Added {
@@ -59,7 +76,7 @@ fn compute(
     range: Range<u64>,
     mut hand_on: impl FnMut(&str, u64) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    let mut progress = Progress::new(range.end - range.start, "motions");
+    let mut progress = Progress::logged(range.end - range.start, "motions");
     for start in range.clone().step_by(BLOCK as usize) {
         let block = start..range.end.min(start + BLOCK);
         let count = block.end - block.start;
@@ -138,12 +155,15 @@ fn parquet(_: &Rows, _: &ThreadPool, arguments: &SweepArgs) -> Result<Added, Fai
 
 fn rows(arguments: &SweepArgs) -> Result<Rows, Failure> {
     let SweepArgs { e1, e2, e3, a_over_ps, c_over_a, .. } = arguments;
-    let space = Space {
-        axes: [e1, e2, e3, a_over_ps, c_over_a].map(Clone::clone),
-        signs: arguments.signs,
-        sample: arguments.motions.map(|motions| (motions, arguments.seed)),
+    let sample = arguments.motions.map(|motions| (motions, arguments.seed));
+    let motions = if let Some(path) = &arguments.scenario {
+        Motions::Scenario(Launches::new(Template::read(path)?, &arguments.varied(), sample)?)
+    } else {
+        let axes = [e1, e2, e3, a_over_ps, c_over_a].map(Clone::clone);
+        let space = Space { axes, signs: arguments.signs, sample };
+        space.check()?;
+        Motions::BranchPoints(space)
     };
-    space.check()?;
     let mut columns = arguments.columns.clone();
     let mut seen = Vec::new();
     columns.retain(|column| {
@@ -152,5 +172,5 @@ fn rows(arguments: &SweepArgs) -> Result<Rows, Failure> {
             true
         }
     });
-    Ok(Rows { space, columns, ticks: arguments.ticks, periods: arguments.periods })
+    Ok(Rows { motions, columns, ticks: arguments.ticks, periods: arguments.periods })
 }

@@ -59,7 +59,10 @@ impl fmt::Display for FullSolverError {
         match self {
             Self::BadInput(what) => write!(f, "full solver: {what}"),
             Self::EvaluationLimit { limit, time } => {
-                write!(f, "full solver: stopped at t = {time:e} after {limit} evaluations of the equations")
+                write!(
+                    f,
+                    "full solver: gives up at t = {time:.2e} after {limit} evaluations of the equations; ask for earlier times"
+                )
             }
             Self::StepFailed { time } => {
                 write!(f, "full solver: no step meets the tolerance at t = {time:e}")

@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::cli::Scalar;
-use crate::input::scenario::Scenario;
+use crate::input::scenario::{Scenario, Units};
 use toytop::{Motion, ParameterError, Sign, Signs, Start, Top, TopParameters};
 
 /// The paper's figures 2 and 3, three tops in SI units, and two motions near the separatrix.
@@ -112,5 +112,5 @@ fn near_the_separatrix(gap: f64) -> Result<Scenario, ParameterError> {
 
 fn curve(name: String, top: &Top, e: [f64; 3], signs: Signs) -> Result<Scenario, ParameterError> {
     let motion = Motion::from_branch_points(top, e, signs, &Start::default())?;
-    Ok(Scenario { name, motion, state: None })
+    Ok(Scenario { name, motion, state: None, units: Units::None })
 }

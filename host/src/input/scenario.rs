@@ -5,15 +5,38 @@
 
 mod motion;
 mod section;
+mod template;
 mod top;
 
-use crate::Failure;
+pub use template::{Key, Template};
 
-use crate::output::whole_file;
+use crate::Failure;
+use crate::output::{shown, whole_file};
 use section::Section;
 use std::path::Path;
 use toml::{Table, Value};
 use toytop::{Motion, State};
+
+/// Units of a scenario's numbers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Units {
+    /// SI: kg, m, s.
+    #[default]
+    Si,
+    /// None are named: any consistent ones, or the paper's, with p = s = g = 1.
+    None,
+}
+
+impl Units {
+    /// A unit's name, where units are named.
+    #[must_use]
+    pub fn name(self, si: &'static str) -> &'static str {
+        match self {
+            Self::Si => si,
+            Self::None => "",
+        }
+    }
+}
 
 /// One top and one motion.
 #[derive(Clone, Debug)]
@@ -24,6 +47,8 @@ pub struct Scenario {
     pub motion: Motion,
     /// The state at t = 0, where the scenario gives one.
     pub state: Option<State>,
+    /// Units of its numbers.
+    pub units: Units,
 }
 
 /// A scenario file is a dozen lines; something larger, MiB, is something else.
@@ -59,12 +84,22 @@ impl Scenario {
     /// [`Failure::Input`]: no TOML, or not the tables `[top]` and `[motion]` with exactly the keys they need, in range.
     pub fn parse(file: &str, text: &str) -> Result<Self, Failure> {
         let root = table(file, text)?;
-        if let Some(key) = root.keys().find(|key| !["top", "motion"].contains(&key.as_str())) {
-            return Err(Failure::Input(format!("{file}: {key}: unknown key; allowed: top, motion")));
+        Self::of_table(file, &root)
+    }
+
+    fn of_table(file: &str, root: &Table) -> Result<Self, Failure> {
+        if let Some(key) = root.keys().find(|key| !["units", "top", "motion"].contains(&key.as_str())) {
+            let key = shown(key);
+            return Err(Failure::Input(format!("{file}: {key}: unknown key; allowed: units, top, motion")));
         }
-        let top = top::read(&section(file, "top", &root)?)?;
-        let (motion, state) = motion::read(&section(file, "motion", &root)?, &top)?;
-        Ok(Self { name: file.to_owned(), motion, state })
+        let units = match root.get("units").map(Value::as_str) {
+            None | Some(Some("SI")) => Units::Si,
+            Some(Some("none")) => Units::None,
+            _ => return Err(Failure::Input(format!("{file}: units: must be one of \"SI\", \"none\""))),
+        };
+        let top = top::read(&section(file, "top", root)?)?;
+        let (motion, state) = motion::read(&section(file, "motion", root)?, &top)?;
+        Ok(Self { name: file.to_owned(), motion, state, units })
     }
 }
 

@@ -5,7 +5,7 @@ use crate::Failure;
 use crate::full_equations::baseline::{EqualSteps, Exponential, Multicalc, RungeKutta, Scheme};
 use crate::full_equations::full_solver::FullSolver;
 use crate::full_equations::solution::{self, phi};
-use crate::input::scenario::Scenario;
+use crate::input::scenario::{Scenario, Units};
 use crate::motion::cast;
 use crate::truth::exact::Exact;
 use crate::truth::motions::Numbers;
@@ -111,7 +111,10 @@ impl Benchmark {
         let motion = NUMBERS.motion().map_err(|error| Failure::Input(format!("benchmark: {error}")))?;
         let period = motion.period_advance().map_or(1.0, |averages| averages.period);
         let apart = (period / f64::from(moments) * GRAIN).round() / GRAIN;
-        Ok(Self { scenario: Scenario { name: "benchmark".to_owned(), motion, state: None }, apart })
+        Ok(Self {
+            scenario: Scenario { name: "benchmark".to_owned(), motion, state: None, units: Units::None },
+            apart,
+        })
     }
 
     /// The motion.

@@ -31,6 +31,9 @@ pub trait AnyScalar: Send + Sync {
     /// Sample of the motion t units of time after t = 0, t taken as exact.
     fn at(&self, t: f64) -> TimedSample;
 
+    /// Sample of the motion at tick n, as [`AnyScalar::at`] its time, which is `t`.
+    fn sample_at_tick(&self, n: i64, t: f64) -> TimedSample;
+
     /// Orientation, u and tip at tick n, as an interrupt computes them: in the scalar's own arithmetic.
     fn at_tick(&self, n: i64) -> TickSample;
 
@@ -66,6 +69,23 @@ pub struct TimedSample {
 /// An ephemeris on the heap.
 struct Boxed<R: EphemerisScalar>(Box<EphemerisView<R>>);
 
+impl<R: BoxedScalar> Boxed<R> {
+    /// Everything that is said of the sample at time t.
+    fn timed(&self, t: f64, now: toytop::Sample<'_, R>) -> TimedSample {
+        let (orientation, state) = (now.orientation(), now.attitude_state());
+        let wide = |z: Complex<R::Wide>| cast::complex(z, |x| x.to_f64());
+        let phi = now.tip_angle().map(|angle| unwrapped(angle, self.0.mean_tip_angle_rate() * t));
+        let sample = Sample {
+            u: orientation.clamped_u().into(),
+            alpha: exact(orientation.alpha),
+            beta: exact(orientation.beta),
+            ..Sample::of(t, &state, now.tip(), phi)
+        };
+        let rate = OrientationRate { alpha: wide(state.rate.alpha), beta: wide(state.rate.beta) };
+        TimedSample { sample, rate, nutation_phase: now.nutation_phase() }
+    }
+}
+
 impl<R: BoxedScalar> AnyScalar for Boxed<R> {
     fn size(&self) -> [usize; 2] {
         [self.0.capacity(), R::TERMS]
@@ -95,18 +115,11 @@ impl<R: BoxedScalar> AnyScalar for Boxed<R> {
     }
 
     fn at(&self, t: f64) -> TimedSample {
-        let now = self.0.at(t);
-        let (orientation, state) = (now.orientation(), now.attitude_state());
-        let wide = |z: Complex<R::Wide>| cast::complex(z, |x| x.to_f64());
-        let phi = now.tip_angle().map(|angle| unwrapped(angle, self.0.mean_tip_angle_rate() * t));
-        let sample = Sample {
-            u: orientation.clamped_u().into(),
-            alpha: exact(orientation.alpha),
-            beta: exact(orientation.beta),
-            ..Sample::of(t, &state, now.tip(), phi)
-        };
-        let rate = OrientationRate { alpha: wide(state.rate.alpha), beta: wide(state.rate.beta) };
-        TimedSample { sample, rate, nutation_phase: now.nutation_phase() }
+        self.timed(t, self.0.at(t))
+    }
+
+    fn sample_at_tick(&self, n: i64, t: f64) -> TimedSample {
+        self.timed(t, self.0.at_tick(n))
     }
 
     fn parts(&self) -> Option<Parts> {

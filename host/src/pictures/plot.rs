@@ -5,4 +5,4 @@ mod picture;
 
 pub use curve::{Circle, Curve};
 pub use picture::{Form, draw};
-pub(crate) use picture::{encode, extent, lines, square};
+pub(crate) use picture::{encode, encode_at, extent, lines, square};

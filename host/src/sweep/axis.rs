@@ -1,6 +1,7 @@
 //! What one number of a sweep may be: listed, or spread over a range.
 
 use crate::input::random::Random;
+use crate::output::short;
 use std::fmt;
 use std::str::FromStr;
 
@@ -63,6 +64,30 @@ impl Axis {
         }
     }
 
+    /// Place of a number on a grid, if it is the one nearest to it.
+    pub(super) fn place_of(&self, number: f64) -> Option<u64> {
+        let [low, high] = self.drawn_ends();
+        let share = (self.drawn(number) - low) / (high - low);
+        let places = self.len()?;
+        (0.0..1.0).contains(&share).then_some((share * places as f64) as u64)
+    }
+
+    /// Ends of the cells of a grid, half a step beyond its numbers, in logarithms where it is even in these.
+    pub(super) fn drawn_ends(&self) -> [f64; 2] {
+        let [low, high] = self.ends().map(|end| self.drawn(end));
+        let half = 0.5 * (high - low) / (self.len().unwrap_or(2) as f64 - 1.0).max(1.0);
+        [low - half, high + half]
+    }
+
+    fn drawn(&self, number: f64) -> f64 {
+        if self.is_log() { number.log10() } else { number }
+    }
+
+    /// Whether it is even in the logarithm.
+    pub(super) fn is_log(&self) -> bool {
+        matches!(self, Self::Range(range) | Self::Grid(range, _) if range.log)
+    }
+
     /// The least and the greatest.
     pub(super) fn ends(&self) -> [f64; 2] {
         match self {
@@ -103,9 +128,14 @@ impl FromStr for Axis {
     }
 }
 
+/// A number that is read back as the same, without hundreds of zeros.
+fn exact(x: f64) -> String {
+    short(x, 17)
+}
+
 impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}{}..{}", if self.log { "log:" } else { "" }, self.low, self.high)
+        write!(f, "{}{}..{}", if self.log { "log:" } else { "" }, exact(self.low), exact(self.high))
     }
 }
 
@@ -113,7 +143,7 @@ impl fmt::Display for Axis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::List(numbers) => {
-                let numbers: Vec<_> = numbers.iter().map(f64::to_string).collect();
+                let numbers: Vec<_> = numbers.iter().copied().map(exact).collect();
                 f.write_str(&numbers.join(","))
             }
             Self::Range(range) => range.fmt(f),
@@ -164,7 +194,7 @@ mod tests {
         for text in ["", "x", "1,,2", "1..", "2..1", "1..1", "log:0..1", "0..1/1", "0..1/x", "nan", "log:3"] {
             assert!(text.parse::<Axis>().is_err(), "{text}");
         }
-        for text in ["0.7", "0.1,0.2", "log:0.001..1000/7", "-1..1"] {
+        for text in ["0.7", "0.1,0.2", "log:0.001..1000/7", "-1..1", "1e300", "-1e-9..0.3333333333333333"] {
             assert_eq!(axis(text).to_string(), text);
         }
     }

@@ -36,7 +36,7 @@ fn physical_type(name: &str) -> &'static str {
 
 /// What a file says of itself: the version, and the options that make it again.
 fn metadata(rows: &Rows, [shard, of]: [u64; 2]) -> Vec<KeyValue> {
-    let seed = rows.space.sample.map(|(_, seed)| seed.to_string());
+    let seed = rows.motions.seed().map(|seed| seed.to_string());
     let entries = [
         ("toytop.version", Some(env!("CARGO_PKG_VERSION").to_owned())),
         ("toytop.seed", seed),

@@ -1,14 +1,14 @@
 //! What is said of each motion.
 
-use super::{Place, Space};
+use super::Motions;
 use crate::cli::Scalar;
 use crate::full_equations::solution;
-use crate::input::scenario::Scenario;
+use crate::input::scenario::{Scenario, Units};
 use crate::motion::ephemeris::{AnyScalar, approximate, smallest_with_period};
 use crate::motion::propagate::natural_time;
 use crate::output::names;
 use std::fmt::{self, Write as _};
-use toytop::{Complex, Motion, Orientation, ParameterError, PeriodAdvance, Regime};
+use toytop::{Complex, Motion, Orientation, PeriodAdvance, Regime};
 
 /// Truncation error of the table in `f64`, rad.
 const WITHIN: f64 = 1e-13;
@@ -17,7 +17,7 @@ const WITHIN: f64 = 1e-13;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 #[value(rename_all = "snake_case")]
 pub enum Column {
-    /// The kind of motion; refused: no motion, as e1 > e2
+    /// The kind of motion; refused: no motion, as e1 > e2, or a number that the scenario cannot have
     Regime,
     /// The kind of curve that the tip draws
     TipClass,
@@ -42,7 +42,7 @@ pub enum Column {
     /// Orientation (α and β) at every tick
     #[value(name = "phi", alias = "orientation")]
     Orientation,
-    /// Tip at every tick, in units of s
+    /// Tip at every tick, in units of s; of a scenario, in m
     Tip,
     /// Greatest error of the f32 ephemeris over the ticks, against that in f64, rad
     #[value(name = "error_f32")]
@@ -62,7 +62,7 @@ pub enum Column {
 }
 
 /// What is said where nothing else is asked for.
-pub const DEFAULT_COLUMNS: &str = "regime,tip_class,period,phi_per_period,min_normal_force,error_f32";
+pub const DEFAULT_COLUMNS: &str = "regime,tip_class,period,phi_per_period,min_normal_force";
 
 impl Column {
     /// Its names in the header.
@@ -112,7 +112,7 @@ impl Column {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rows {
     /// Which motions.
-    pub space: Space,
+    pub motions: Motions,
     /// What is said of each.
     pub columns: Vec<Column>,
     /// At how many moments it is evaluated.
@@ -121,29 +121,25 @@ pub struct Rows {
     pub periods: f64,
 }
 
-/// Columns that every table has.
-const KEYS: &str = "index,version,seed,e1,e2,e3,a_over_ps,c_over_a,sign_l_plus_n,sign_l_minus_n";
+/// Columns that every table begins with.
+const KEYS: &str = "index,version,seed";
 
 impl Rows {
     /// The names of the columns, with a line break.
     #[must_use]
     pub fn header(&self) -> String {
         let names = self.columns.iter().flat_map(|column| column.header(self.ticks));
-        names.fold(KEYS.to_owned(), |line, name| line + "," + &name) + "\n"
+        names.fold(format!("{KEYS},{}", self.motions.keys()), |line, name| line + "," + &name) + "\n"
     }
 
     /// The row of a number, with a line break. Numbers have as many digits as tell them from every other `f64`; no field
     /// needs quotes.
     #[must_use]
     pub fn row(&self, number: u64) -> String {
-        let place = self.space.place(number);
-        let Place { e: [e1, e2, e3], a, c_over_a, signs } = place;
-        let seed = self.space.sample.map(|(_, seed)| seed.to_string()).unwrap_or_default();
-        let [plus, minus] = [signs.l_plus_n, signs.l_minus_n].map(|sign| sign.factor());
-        let version = env!("CARGO_PKG_VERSION");
-        let mut row =
-            format!("{number},{version},{seed},{e1:?},{e2:?},{e3:?},{a:?},{c_over_a:?},{plus},{minus}");
-        let measured = place.motion().map(|motion| self.measure(motion));
+        let (fields, motion) = self.motions.at(number);
+        let seed = self.motions.seed().map(|seed| seed.to_string()).unwrap_or_default();
+        let mut row = format!("{number},{},{seed},{fields}", env!("CARGO_PKG_VERSION"));
+        let measured = motion.map(|motion| self.measure(motion));
         for &column in &self.columns {
             put(&mut row, column, self.ticks, &measured);
         }
@@ -167,7 +163,7 @@ impl Rows {
             measured.single = table.map(|table| Run::of(&*table, &times));
         }
         if wants(Column::of_the_full_solver) {
-            let scenario = Scenario { name: String::new(), motion, state: None };
+            let scenario = Scenario { name: String::new(), motion, state: None, units: Units::None };
             let states = solution::states(&scenario, &times).ok();
             measured.full = states.map(|states| states.iter().map(solution::phi).collect());
         }
@@ -178,7 +174,7 @@ impl Rows {
 /// The options of `toytop sweep` that make this table.
 impl fmt::Display for Rows {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} --ticks {} --periods {:?} --columns ", self.space, self.ticks, self.periods)?;
+        write!(f, "{} --ticks {} --periods {:?} --columns ", self.motions, self.ticks, self.periods)?;
         let names: Vec<_> = self.columns.iter().map(|column| column.name()).collect();
         f.write_str(&names.join(","))
     }
@@ -225,8 +221,8 @@ impl Run {
 }
 
 /// What is absent is an empty field.
-fn put(row: &mut String, column: Column, ticks: u32, measured: &Result<Measured, ParameterError>) {
-    let Ok(measured) = measured else {
+fn put(row: &mut String, column: Column, ticks: u32, measured: &Option<Measured>) {
+    let Some(measured) = measured else {
         let refused = if column == Column::Regime { "refused" } else { "" };
         row.push(',');
         row.push_str(refused);

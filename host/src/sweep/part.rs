@@ -71,7 +71,7 @@ impl Part {
     /// Number of rows of a shard.
     #[must_use]
     pub fn rows_of(rows: &Rows, [shard, of]: [u64; 2]) -> u64 {
-        (rows.space.len() + of - shard) / of
+        (rows.motions.len() + of - shard) / of
     }
 
     /// Number, in the whole sweep, of a row of a shard.

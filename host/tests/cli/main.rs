@@ -1,5 +1,6 @@
 //! The command line as other programs see it: exit codes, stdout, stderr, JSON.
 
+mod animate;
 mod bake;
 mod bench;
 mod budget;
@@ -10,7 +11,9 @@ mod plot;
 mod program;
 mod refusals;
 mod robustness;
+mod samples;
 mod scalars;
+mod score;
 mod scratch;
 mod state;
 mod sweep;
@@ -27,7 +30,7 @@ use std::process::Command;
 const PROGRAM: &str = env!("CARGO_BIN_EXE_toytop");
 
 /// What `state` says of a scenario file at these times.
-fn samples(file: &str, times: &str, more: &[&str]) -> Vec<Value> {
+pub(crate) fn samples(file: &str, times: &str, more: &[&str]) -> Vec<Value> {
     let times = format!("--times={times}");
     let mut arguments = vec!["state", file, &times, "--format", "json"];
     arguments.extend(more);
@@ -38,18 +41,20 @@ fn samples(file: &str, times: &str, more: &[&str]) -> Vec<Value> {
 fn constants_have_the_keys_of_the_contract() {
     let keys = [
         "l n h e1 e2 e3 e4 one_plus_e1 one_minus_e2 e2_minus_e1 e3_minus_e2 e3_minus_one regime period",
-        "alpha_turns beta_turns phi_per_period tip_class min_normal_force",
+        "alpha_turns beta_turns phi_per_period tip_class min_normal_force min_tilt_deg max_tilt_deg nutation_hz",
+        "mean_precession_deg_per_s mean_precession_rpm spin_deg_per_s spin_rpm critical_spin_deg_per_s critical_spin_rpm",
     ];
     let keys: Vec<_> = keys.iter().flat_map(|line| line.split(' ')).collect();
     // file, regime, tip class, keys that are null
     let hanging = RELEASE.replace("40", "180").replace("precession = 0.3", "");
-    let rest = ["period", "alpha_turns", "beta_turns", "phi_per_period"];
+    let upright = ["phi_per_period", "mean_precession_deg_per_s", "mean_precession_rpm"];
+    let rest = [&["period", "alpha_turns", "beta_turns", "nutation_hz"], &upright[..]].concat();
     let cases: [(String, &str, &str, &[&str]); 9] = [
         (sample("toy_top"), "nutating", "cusp", &[]),
         (sample("figure_3_cusp"), "nutating", "cusp", &[]),
         (sample("lagrange"), "nutating", "loops", &["e4", "min_normal_force"]),
-        (sample("sleeping"), "sleeping_stable", "point", &["phi_per_period"]),
-        (scenario("c1", &format!("{TOP}{hanging}")), "hanging", "point", &["phi_per_period"]),
+        (sample("sleeping"), "sleeping_stable", "point", &upright),
+        (scenario("c1", &format!("{TOP}{hanging}")), "hanging", "point", &upright),
         (scenario("c2", &branch_points([0.2, 1.0, 1.0], 1)), "aperiodic", "spiral", &rest),
         (scenario("c3", &branch_points([0.5, 0.5, 1.7], -1)), "regular_precession", "circle", &[]),
         (scenario("c4", &branch_points([-1.0, 0.6, 1.4], 1)), "nutating", "through_origin", &[]),
@@ -87,6 +92,59 @@ fn constants_have_the_keys_of_the_contract() {
         let table = run(&["constants", &file]);
         assert!(keys.iter().zip(stdout(&table).lines()).all(|(key, line)| line.starts_with(key)), "{file}");
     }
+}
+
+/// The toy top is let go at 20 degrees with 150 rad/s; upright it sleeps above 2 sqrt(A p g)/C.
+#[test]
+fn constants_in_degrees_and_turns() {
+    let constants = json(&["constants", &sample("toy_top"), "--format", "json"]);
+    let value = |key: &str| constants[key].as_f64().unwrap_or_else(|| panic!("{key}: {constants}"));
+    let near = |key: &str, expected: f64| {
+        let found = value(key);
+        assert!((found / expected - 1.0).abs() < 1e-12, "{key}: {found} {expected}");
+    };
+    near("min_tilt_deg", 20.0);
+    near("max_tilt_deg", value("e1").acos().to_degrees());
+    near("nutation_hz", 1.0 / value("period"));
+    near("mean_precession_deg_per_s", value("phi_per_period").to_degrees() / value("period"));
+    near("mean_precession_rpm", value("mean_precession_deg_per_s") / 6.0);
+    near("spin_deg_per_s", 150_f64.to_degrees());
+    near("spin_rpm", 150.0 * 30.0 / std::f64::consts::PI);
+    near("critical_spin_deg_per_s", (2.0 * (3e-5 * 0.0015 * 9.81_f64).sqrt() / 2e-5).to_degrees());
+    near("critical_spin_rpm", value("critical_spin_deg_per_s") / 6.0);
+    // on either side of it
+    let text = std::fs::read_to_string(sample("sleeping")).expect("a scenario");
+    let own = json(&["constants", &sample("sleeping"), "--format", "json"]);
+    let critical = own["critical_spin_deg_per_s"].as_f64().expect("a number").to_radians();
+    let line = text.lines().find(|line| line.starts_with("spin")).expect("a spin");
+    for (factor, regime) in [(1.001, "sleeping_stable"), (0.999, "sleeping_unstable")] {
+        let spun = scenario("critical", &text.replace(line, &format!("spin = {}", factor * critical)));
+        assert_eq!(json(&["constants", &spun, "--format", "json"])["regime"], regime);
+    }
+}
+
+/// A scenario without units prints none.
+#[test]
+fn units_are_named_only_where_there_are_any() {
+    let text = std::fs::read_to_string(sample("toy_top")).expect("a scenario");
+    let none = scenario("no_units", &format!("units = \"none\"\n{text}"));
+    let si = scenario("si_units", &format!("units = \"SI\"\n{text}"));
+    for command in
+        [&["constants"][..], &["state", "--times=0,1"], &["state", "--times=0", "--units", "--format", "csv"]]
+    {
+        let [named, bare] = [&si, &none].map(|file| {
+            let output = run(&[command, &[file]].concat());
+            stdout(&output).to_owned()
+        });
+        let unit = |text: &str| {
+            let words = text.split(|c: char| c.is_whitespace() || "[],^2/".contains(c));
+            words.filter(|word| ["kg", "m", "s"].contains(word)).count()
+        };
+        assert!(unit(&named) > 1 && unit(&bare) == 0, "{command:?}: {named} {bare}");
+    }
+    let wrong = scenario("wrong_units", &format!("units = \"feet\"\n{text}"));
+    let refused = run(&["constants", &wrong]);
+    assert!(stderr(&refused).contains("units: must be one of \"SI\", \"none\""), "{}", stderr(&refused));
 }
 
 /// Values against what they are defined by: e4² - 1 = A/(ps).

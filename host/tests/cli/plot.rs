@@ -108,6 +108,85 @@ fn png_and_what_stands_still() {
     assert!(resting.contains(">l + n &gt; 0, l - n = 0,") && held.contains(">l + n &gt; 0, l - n &lt; 0,"));
 }
 
+/// Every kind of picture: names and units of its axes, in SI and without units.
+#[test]
+fn every_kind_names_its_axes() {
+    let folder = folder("plot_kinds");
+    let to = folder.join("kind.svg");
+    let drawn = |name: &str, more: &[&str]| {
+        let file = sample(name);
+        let output = run(&[&["plot", &file, "-o", to.to_str().expect("UTF-8")], more].concat());
+        assert_eq!(output.status.code(), Some(0), "{name} {more:?}: {}", stderr(&output));
+        std::fs::read_to_string(&to).expect("the picture")
+    };
+    let cases: [(&str, &[&str], &[&str]); 9] = [
+        ("toy_top", &[], &["x, mm", "y, mm", "t = 0 to 1.215 s", "start, direction"]),
+        ("figure_3_loops", &[], &["x in units of s", "y in units of s", "t = 0 to 17.41<"]),
+        ("toy_top", &["--times", "0.5..0.75"], &["t = 0.5 to 0.75 s"]),
+        ("lagrange", &["--kind", "axis"], &["the axis on the unit sphere", "tilt at u = e₁: 27.55°", "up"]),
+        ("toy_top", &["--kind", "tilt"], &["t, s", "tilt, degrees", "at u = e₂: 20.00 degrees"]),
+        ("figure_3_loops", &["--kind", "tilt"], &[">t<", "tilt, degrees"]),
+        (
+            "toy_top",
+            &["--kind", "precession"],
+            &["azimuth of the axis, degrees", "its mean: 296.3 degrees/s"],
+        ),
+        (
+            "toy_top",
+            &["--kind", "potential"],
+            &["effective potential less the energy h, mJ", "turning points"],
+        ),
+        ("sleeping", &["--kind", "potential"], &["tilt, degrees", "effective potential"]),
+    ];
+    for (name, more, parts) in cases {
+        let svg = drawn(name, more);
+        for part in parts {
+            assert!(svg.contains(part), "{name} {more:?}: {part}");
+        }
+    }
+    // so many pixels wide, with the same layout
+    let svg = drawn("toy_top", &["--size", "1304"]);
+    assert!(
+        svg.starts_with("<svg") && svg.contains("width=\"1304\" height=\"1420\" viewBox=\"0 0 652 710\""),
+        "{}",
+        &svg[..200]
+    );
+    let png = folder.join("small.png");
+    let output = run(&["plot", &sample("toy_top"), "--size", "163", "-o", png.to_str().expect("UTF-8")]);
+    let bytes = std::fs::read(&png).expect("the picture");
+    assert_eq!((output.status.code(), &bytes[16..20]), (Some(0), &163_u32.to_be_bytes()[..]));
+    for (more, code, part) in [
+        (&["--kind", "precession"][..], 3, "sleeping: the axis is vertical for ever"),
+        (&["--times", "2..1"], 2, "must be LOW..HIGH"),
+        (&["--kind", "tilt", "--times", "0..1e300"], 2, "--times: 1e300 must be within"),
+        (&["--size", "5"], 2, "--size"),
+        (&["--kind", "top"], 2, "tip, axis, tilt, precession, potential"),
+    ] {
+        let output = run(&[&["plot", &sample("sleeping"), "-o", to.to_str().expect("UTF-8")], more].concat());
+        assert_eq!(output.status.code(), Some(code), "{more:?}: {}", stderr(&output));
+        assert!(stderr(&output).contains(part), "{}", stderr(&output));
+    }
+}
+
+/// The arrow stands on the curve, on the side that the tip goes to.
+#[test]
+fn the_arrow_points_along_the_curve() {
+    let folder = folder("plot_arrow");
+    for name in ["toy_top", "figure_3_loops", "lagrange"] {
+        let picture = svg(&sample(name), &folder.join(format!("{name}.svg")));
+        let curve = lines(&picture, "#1f4e8c").remove(0);
+        let [arrow] = &lines(&picture, "#c0392b")[..] else { panic!("{name}: one arrow") };
+        let [left, tip, right] = arrow[..] else { panic!("{name}: two arms") };
+        let away = |p: &[f64; 2], q: &[f64; 2]| (p[0] - q[0]).hypot(p[1] - q[1]);
+        let at = curve.iter().position(|point| away(point, &tip) < 0.05).expect("the arrow is on the curve");
+        let behind = [0.5 * (left[0] + right[0]) - tip[0], 0.5 * (left[1] + right[1]) - tip[1]];
+        let came = [curve[at - 1][0] - tip[0], curve[at - 1][1] - tip[1]];
+        let cosine = (behind[0] * came[0] + behind[1] * came[1])
+            / (behind[0].hypot(behind[1]) * came[0].hypot(came[1]));
+        assert!(cosine > 0.99, "{name}: {cosine}");
+    }
+}
+
 #[test]
 fn a_picture_is_there_as_a_whole_or_not_at_all() {
     let folder = folder("plot_refused");

@@ -65,6 +65,39 @@ fn arguments() {
     }
 }
 
+/// Messages stay short whatever they were given, and name what is wrong with it.
+#[test]
+fn long_input_makes_no_long_message() {
+    let long = "k".repeat(100_000);
+    let text = format!("{TOP}{RELEASE}");
+    let key = scenario("long_key", &format!("{text}{long} = 1\n"));
+    let value = scenario("long_value", &text.replace("\"release\"", &format!("\"{long}\"")));
+    let table = scenario("long_table", &format!("{text}[{long}]\n"));
+    let cases: &[(&[&str], &[&str])] = &[
+        (&["constants", &key], &["motion.kkkk", "unknown or unneeded key; allowed"]),
+        (&["constants", &value], &["motion.kind", "must be one of"]),
+        (&["constants", &table], &["kkkk", "unknown key; allowed"]),
+        (&["state", &key, "--times", &long], &["kkk"]),
+        (&["constants", &long], &["kkk"]),
+        (&["sweep", "-o", "x.csv", "--e1", "1e300"], &["--e1: 1e300: must be within [-1, 1]"]),
+        (&["sweep", "-o", "x.csv", "--shard", "1/99999999999"], &["--shard", "N must be at most 4294967296"]),
+        (&["sweep", "-o", "x.csv", "--shard", "3/2"], &["--shard", "must be I/N with I from 1 to N"]),
+        (&["sweep", "-o", "x.csv", "--shard", &long], &["--shard"]),
+    ];
+    for (arguments, parts) in cases {
+        assert_refused(arguments, 2, parts);
+        assert!(stderr(&run(arguments)).len() < 1200, "{}", stderr(&run(arguments)).len());
+    }
+}
+
+/// Exit code 3: the method, not another option, is what cannot go so far.
+#[test]
+fn the_full_solver_gives_up_by_its_own_name() {
+    let file = sample("toy_top");
+    let arguments = ["state", &file, "--times", "1e6", "--method", "full"];
+    assert_refused(&arguments, 3, &["toy_top: full solver: gives up at t = 3.59e3", "ask for earlier times"]);
+}
+
 /// Exit code 3: in fixed point only the ephemeris exists, and the message names it.
 #[test]
 fn a_stepper_in_fixed_point() {

@@ -23,11 +23,12 @@ pub(crate) struct Run {
     pub(crate) exit_code: i32,
 }
 
-/// Runs an ELF to its end. One instruction takes one virtual nanosecond, so that a run is repeatable.
+/// Runs an ELF to its end. One instruction takes one virtual nanosecond, and a processor that sleeps goes on at once at its
+/// next interrupt, so that a run is repeatable.
 pub(crate) fn run(chip: &Chip, elf: &Path, decoder: &Path, show: bool) -> Result<Run> {
     let mut qemu = chip
         .qemu(elf)
-        .args(["-icount", "shift=0"])
+        .args(["-icount", "shift=0,sleep=off"])
         .spawn()
         .with_context(|| format!("cannot run {}", chip.emulator))?;
     let frames = qemu.stdout.take().expect("piped");

@@ -6,7 +6,7 @@ use crate::Failure;
 use crate::full_equations::baseline::{EqualSteps, RungeKutta};
 use crate::full_equations::full_solver::{FullSolver, FullState};
 use crate::full_equations::solution::{self, phi};
-use crate::input::scenario::Scenario;
+use crate::input::scenario::{Scenario, Units};
 use crate::output::progress::Progress;
 use toytop::{
     EphemerisF64, Motion, Orientation, ParameterError, Sign, Signs, Start, Tick, Top, TopParameters,
@@ -42,7 +42,7 @@ pub(super) fn scenario() -> Result<Scenario, Failure> {
         Motion::from_branch_points(&top, [0.7, 0.9, 1.85], signs, &Start::default())
     };
     let motion = motion().map_err(impossible)?;
-    Ok(Scenario { name: "bench".to_owned(), motion, state: None })
+    Ok(Scenario { name: "bench".to_owned(), motion, state: None, units: Units::None })
 }
 
 /// The motion is valid.

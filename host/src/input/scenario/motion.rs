@@ -27,6 +27,15 @@ pub(super) fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Option<S
     }
 }
 
+/// Keys of a kind that hold one number each.
+pub(super) fn numbers(kind: &str) -> &'static [Key] {
+    match kind {
+        "release" => &RELEASE,
+        "branch_points" => &BRANCH_POINTS,
+        _ => &[],
+    }
+}
+
 fn launch(
     section: &Section<'_>,
     top: &Top,
@@ -41,7 +50,7 @@ const RATE: &str = "a number of rad/s, at most 1e11 in size";
 const SPIN: &str = "a number of rad/s, at most 1e11 in size: the whole component of omega along the axis";
 const DEGREES: &str = "a finite number of degrees";
 
-const RELEASE: [Key; 6] = [
+static RELEASE: [Key; 6] = [
     Key::required("tilt_deg", "a number in [0, 180]"),
     Key::required("spin", SPIN),
     Key::optional("precession", 0.0, RATE),
@@ -95,7 +104,7 @@ fn state(section: &Section<'_>) -> Result<State, Failure> {
 const SIGN: &str = "1 or -1";
 const ANGLE: &str = "a number between -1e6 and 1e6 rad";
 
-const BRANCH_POINTS: [Key; 8] = [
+static BRANCH_POINTS: [Key; 8] = [
     Key::required("e1", "a number in [-1, e2]"),
     Key::required("e2", "a number in [e1, 1]"),
     Key::required("e3", "a number in [1, 1e14]"),

@@ -1,6 +1,7 @@
 //! One table of the file, and the table-driven way to read it: a [`Key`] says what it may hold, once.
 
 use crate::Failure;
+use crate::output::shown;
 use toml::{Table, Value};
 use toytop::ParameterError;
 
@@ -37,7 +38,7 @@ impl<'a> Section<'a> {
 
     /// The refusal of a key.
     pub(super) fn refuse(&self, key: &str, reason: &str) -> Failure {
-        Failure::Input(format!("{}: {}.{key}: {reason}", self.file, self.name))
+        Failure::Input(format!("{}: {}.{}: {reason}", self.file, self.name, shown(key)))
     }
 
     /// A refusal by the core, whose parameters mostly have the names of the keys; `renamed` lists the others.
@@ -58,7 +59,8 @@ impl<'a> Section<'a> {
         match self.table.keys().find(|key| !names.contains(&key.as_str())) {
             Some(key) => {
                 let selected = self.table.get(choice).and_then(Value::as_str);
-                let place = selected.map_or(String::new(), |value| format!(" with {choice} = {value:?}"));
+                let place =
+                    selected.map_or(String::new(), |value| format!(" with {choice} = {:?}", shown(value)));
                 Err(self
                     .refuse(key, &format!("unknown or unneeded key; allowed{place}: {}", names.join(", "))))
             }

@@ -6,7 +6,7 @@ use toytop::{ParameterError, Support, Top, TopParameters};
 
 const MAGNITUDE: &str = "a number between 1e-12 and 1e12";
 
-const KEYS: [Key; 6] = [
+pub(super) const KEYS: [Key; 6] = [
     Key::required("transverse_inertia", MAGNITUDE),
     Key::required("axial_inertia", "a number between 1e-12 and 1e12, at most twice transverse_inertia"),
     Key::optional("gravity", 9.80665, MAGNITUDE),

@@ -1,6 +1,6 @@
 //! Lines over axes that count powers of ten, if wanted. (kuva's own logarithmic axes have no ticks below 1e-10.)
 
-use kuva::plot::scatter::ScatterPlot;
+use kuva::plot::scatter::{MarkerShape, ScatterPlot};
 use kuva::plot::{LegendPosition, LinePlot};
 use kuva::render::color::Color;
 use kuva::render::layout::{Layout, TickFormat};
@@ -34,6 +34,15 @@ pub struct Chart<'a> {
 const COLORS: [&str; 9] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#999933", "#882255"];
 
+/// Marks that tell the curves apart without their colours.
+const MARKS: [MarkerShape; 5] = [
+    MarkerShape::Circle,
+    MarkerShape::Square,
+    MarkerShape::Triangle,
+    MarkerShape::Diamond,
+    MarkerShape::TriangleDown,
+];
+
 impl Chart<'_> {
     /// Chart of these curves.
     #[must_use]
@@ -48,13 +57,14 @@ impl Chart<'_> {
         for (i, line) in lines.iter().enumerate() {
             let color = COLORS[i % COLORS.len()];
             let points = places(line);
+            let drawn = LinePlot::new().with_data(points.clone()).with_color(color).with_stroke_width(1.8);
             if line.marked {
-                plots.push(
-                    ScatterPlot::new().with_data(points.clone()).with_color(color).with_size(3.5).into(),
-                );
+                let marks = ScatterPlot::new().with_data(points).with_color(color).with_size(4.5);
+                let marks = marks.with_marker(MARKS[i % MARKS.len()]).with_legend(&*line.name);
+                plots.extend([drawn.into(), marks.into()]);
+            } else {
+                plots.push(drawn.with_legend(&*line.name).into());
             }
-            let drawn = LinePlot::new().with_data(points).with_color(color).with_stroke_width(1.8);
-            plots.push(drawn.with_legend(&*line.name).into());
         }
         let [x_label, y_label] = self.labels;
         let mut layout = Layout::auto_from_plots(&plots)

@@ -26,7 +26,7 @@ pub(super) fn picture() -> Result<Scene, Failure> {
     }
     let chart = Chart {
         title: "Nutation of figure 3: u swings between e₁ = 0.7 and e₂ = 0.9",
-        labels: ["t / √(s/g)", "u = cos(tilt)"],
+        labels: ["t in units of √(s/g)", "u = cos(tilt)"],
         powers: [false; 2],
     };
     Ok(chart.draw(&lines))

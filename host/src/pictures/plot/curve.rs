@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::cli::Scalar;
 use crate::motion::ephemeris::{AnyScalar, smallest};
-use crate::motion::propagate::natural_time;
+use crate::motion::propagate::{natural_time, period};
 use std::f64::consts::PI;
 use toytop::{Motion, PeriodAdvance, Regime, Support};
 
@@ -14,9 +14,11 @@ pub struct Curve {
     pub points: Vec<[f64; 2]>,
     /// Of e₁ and e₂, and of u = 0 if that is between; none where the tip rests at the centre.
     pub circles: Vec<Circle>,
+    /// Time of its first point, s.
+    pub start: f64,
     /// How long it is followed, s.
     pub time: f64,
-    /// How far it is followed, in nutation periods; `None` where there is none.
+    /// How far it is followed, in nutation periods; `None` where there is none, or other times were asked for.
     pub periods: Option<u32>,
 }
 
@@ -39,6 +41,14 @@ impl Curve {
     /// # Errors
     /// [`Failure::Method`]: no table fits, even in f32, which is enough for a picture.
     pub fn of(motion: &Motion) -> Result<Self, Failure> {
+        Self::between(motion, None)
+    }
+
+    /// Between two times, s, if they are given; otherwise as [`Curve::of`].
+    ///
+    /// # Errors
+    /// As [`Curve::of`].
+    pub fn between(motion: &Motion, asked: Option<[f64; 2]>) -> Result<Self, Failure> {
         let table = smallest(Scalar::F32, motion)?;
         let circles = circles(motion);
         let largest = circles.iter().map(|circle| circle.radius).fold(0.0, f64::max);
@@ -49,6 +59,10 @@ impl Curve {
             _ if motion.regime() == Regime::Aperiodic => rise(motion, &*table, largest),
             _ => (once_round(motion), 1),
         };
+        let (span, parts, periods) = match asked {
+            Some(span) => (span, parts_between(motion, span), None),
+            None => ([0.0, time], parts, periods),
+        };
         // where the tip is held, what moves is the axis: -2αβ
         let sense = if motion.top().support() == Support::Fixed { -1.0 } else { 1.0 };
         let tip = |t: f64| {
@@ -57,8 +71,9 @@ impl Curve {
         };
         let tracer = Tracer { tip: &tip, tolerance: TOLERANCE * largest };
         // the rounding of a table is no curve
-        let points = if largest > 0.0 { tracer.trace(time, parts * PARTS) } else { vec![[0.0; 2]] };
-        Ok(Self { points, circles, time, periods })
+        let points = if largest > 0.0 { tracer.trace(span, parts * PARTS) } else { vec![[0.0; 2]] };
+        let [start, end] = span;
+        Ok(Self { points, circles, start, time: end - start, periods })
     }
 }
 
@@ -96,6 +111,12 @@ fn once_round(motion: &Motion) -> f64 {
     }
 }
 
+/// Periods that times asked for go through, within what a picture can show.
+fn parts_between(motion: &Motion, [from, until]: [f64; 2]) -> u32 {
+    const MOST: f64 = 1000.0;
+    ((until - from) / period(motion)).ceil().clamp(1.0, MOST) as u32
+}
+
 /// How long until the tip has come to the centre for good, and in how many parts to go there.
 fn rise(motion: &Motion, table: &dyn AnyScalar, largest: f64) -> (f64, u32) {
     const AT_THE_CENTRE: f64 = 4e-3;
@@ -122,11 +143,11 @@ struct Tracer<'a> {
 }
 
 impl Tracer<'_> {
-    fn trace(&self, time: f64, parts: u32) -> Vec<[f64; 2]> {
-        let mut points = vec![(self.tip)(0.0)];
-        let part = time / f64::from(parts);
+    fn trace(&self, [begin, end]: [f64; 2], parts: u32) -> Vec<[f64; 2]> {
+        let mut points = vec![(self.tip)(begin)];
+        let part = (end - begin) / f64::from(parts);
         for i in 0..parts {
-            let from = part * f64::from(i);
+            let from = begin + part * f64::from(i);
             let last = points.last().copied().unwrap_or_default();
             self.refine([from, from + part], [last, (self.tip)(from + part)], DEEPEST, &mut points);
         }

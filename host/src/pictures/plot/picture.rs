@@ -2,7 +2,8 @@
 
 use super::Curve;
 use crate::Failure;
-use crate::input::scenario::Scenario;
+use crate::input::scenario::{Scenario, Units};
+use crate::output::short;
 use kuva::backend::raster::RasterBackend;
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::scatter::ScatterPlot;
@@ -55,16 +56,16 @@ const ABOVE: f64 = 92.0;
 const BELOW: f64 = 58.0;
 
 /// Draws it; the lines of the caption go below the title.
-///
-/// # Errors
-/// [`Failure::Output`]: the picture cannot be encoded.
-pub fn draw(scenario: &Scenario, curve: &Curve, caption: &[String], form: Form) -> Result<Vec<u8>, Failure> {
-    let scale = scenario.motion.top().tip_scale();
-    let extent = extent(curve, scale);
-    let (name, unit) = match scenario.motion.top().support() {
-        Support::Sliding => ("tip", " / s"),
-        Support::Fixed => ("axis, −2αβ", ""),
+#[must_use]
+pub fn draw(scenario: &Scenario, curve: &Curve, caption: &[String]) -> Scene {
+    let s = scenario.motion.top().tip_scale();
+    // in mm, or where no units are named in units of s
+    let (name, unit, scale) = match (scenario.motion.top().support(), scenario.units) {
+        (Support::Sliding, Units::Si) => ("tip", ", mm", 1e-3),
+        (Support::Sliding, Units::None) => ("tip", " in units of s", s),
+        (Support::Fixed, _) => ("axis, −2αβ", " of the axis (length 1)", 1.0),
     };
+    let extent = extent(curve, scale);
     let mut plots = legend(curve, name);
     plots.extend(lines(curve, scale));
     let layout = square(&plots, extent)
@@ -77,20 +78,46 @@ pub fn draw(scenario: &Scenario, curve: &Curve, caption: &[String], form: Form) 
         .with_legend_position(LegendPosition::InsideTopRight)
         .with_legend_box(false);
     let mut scene = render_multiple(plots, layout);
-    for (line, y) in caption.iter().zip([56.0, 74.0]) {
+    for (line, y) in caption.iter().zip([51.0, 67.0]) {
         scene.add(text(line, [LEFT + 0.5 * SIDE, y], 12, CAPTION));
     }
-    scene.add(text(&format!("y{unit}"), [0.28 * LEFT, ABOVE + 0.5 * SIDE + 5.0], 14, "black"));
-    encode(&scene, form)
+    let [from, until] = [curve.start, curve.start + curve.time].map(|t| short(t, 4));
+    let shown = format!("t = {from} to {until}{}", scenario.units.name(" s"));
+    scene.add(text(&shown, [LEFT + 0.88 * SIDE, ABOVE + SIDE + BELOW - 12.0], 12, CAPTION));
+    scene.add(Primitive::Text {
+        x: 12.0,
+        y: ABOVE - 8.0,
+        content: format!("y{unit}"),
+        size: 14,
+        anchor: TextAnchor::Start,
+        rotate: None,
+        bold: false,
+        color: Some(Color::from("black")),
+    });
+    scene
 }
 
 /// # Errors
 /// [`Failure::Output`]: the picture cannot be encoded.
 pub(crate) fn encode(scene: &Scene, form: Form) -> Result<Vec<u8>, Failure> {
+    encode_at(scene, form, None)
+}
+
+/// The same, so many pixels wide.
+pub(crate) fn encode_at(scene: &Scene, form: Form, width: Option<u32>) -> Result<Vec<u8>, Failure> {
+    let scale = width.map(|width| f64::from(width) / scene.width);
     match form {
-        Form::Svg => Ok(SvgBackend::default().render_scene(scene).into_bytes()),
+        Form::Svg => {
+            let svg = SvgBackend::default().render_scene(scene);
+            let Some(scale) = scale else { return Ok(svg.into_bytes()) };
+            let (head, rest) = svg.split_once('>').unwrap_or((&svg, ""));
+            let [from, to] = [1.0, scale]
+                .map(|by| format!("width=\"{}\" height=\"{}\"", by * scene.width, by * scene.height));
+            let view = format!("{to} viewBox=\"0 0 {} {}\"", scene.width, scene.height);
+            Ok(format!("{}>{rest}", head.replace(&from, &view)).into_bytes())
+        }
         Form::Png => RasterBackend::new()
-            .with_scale(2.0)
+            .with_scale(scale.unwrap_or(2.0) as f32)
             .render_scene(scene)
             .map_err(|error| Failure::Output(io::Error::other(error))),
     }
@@ -120,8 +147,27 @@ fn legend(curve: &Curve, name: &str) -> Vec<Plot> {
         let named = bound().with_legend(format!("ρ at {}", circle.name));
         plots.push(named.with_line_style(dash.style.clone()).into());
     }
-    plots.push(start().with_legend("t = 0").into());
+    plots.push(start().with_legend("start, direction").into());
     plots
+}
+
+/// Head of an arrow on the curve, a little way from its start; none where the curve is a point.
+fn arrow(curve: &Curve, scale: f64) -> Option<Plot> {
+    let size = 0.035 * extent(curve, scale);
+    let places: Vec<[f64; 2]> = curve.points.iter().map(|point| point.map(|x| x / scale)).collect();
+    let first = places.first()?;
+    let away = |place: &[f64; 2]| (place[0] - first[0]).hypot(place[1] - first[1]) > 2.5 * size;
+    let tip = places.iter().position(away)?;
+    let ([x, y], [from_x, from_y]) = (places[tip], places[tip - 1]);
+    let angle = (y - from_y).atan2(x - from_x);
+    let arm = |turn: f64| (x + size * (angle + turn).cos(), y + size * (angle + turn).sin());
+    Some(
+        LinePlot::new()
+            .with_color(START)
+            .with_stroke_width(1.7)
+            .with_data([arm(2.7), (x, y), arm(-2.7)])
+            .into(),
+    )
 }
 
 /// The circles, the curve above them, and the start above that; lengths in units of `scale`.
@@ -133,6 +179,7 @@ pub(crate) fn lines(curve: &Curve, scale: f64) -> Vec<Plot> {
     }
     plots.push(tip().with_data(curve.points.iter().map(place)).into());
     plots.push(start().with_data(curve.points.first().map(place)).into());
+    plots.extend(arrow(curve, scale));
     plots
 }
 

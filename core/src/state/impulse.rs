@@ -1,0 +1,132 @@
+//! Impulse: a force so short that the top does not move while it acts. It changes ω and leaves Φ as it is.
+//!
+//! The impulse J acts at a point with the position d from the centre of mass, and the support answers with an impulse R
+//! at the tip, whose position from there is -s r. With the moments of inertia about the centre of mass and M s = p,
+//!
+//! ```text
+//! M Δv = J + R        A Δω + (C - A) ⟨Δω, r⟩ r = d × J - s r × R
+//! ```
+//!
+//! *Sliding tip.* The plane has no friction, R = R k, and the tip stays on it: ⟨Δv - s Δω × r, k⟩ = 0. With q = r × k
+//! and |q|² = 1 - u², which is orthogonal to r, that is (J₃ + R)/M = s ⟨Δω, q⟩ = s (⟨d × J, q⟩ - s R |q|²)/A, so that
+//!
+//! ```text
+//! R = (p ⟨d × J, q⟩ - A J₃) / (A + p s |q|²)
+//! ```
+//!
+//! *Held tip.* A and C are about the tip, where R has no moment: the right-hand side is d × J with d from the tip. This
+//! is the case s = 0 of the same formulas.
+
+use super::{FASTEST, State};
+use crate::error::{ParameterError, finite, require};
+use crate::scalar::Float;
+use crate::su2::{Vector, bracket, dot};
+use crate::top::{Support, Top};
+
+impl State {
+    /// State after an impulse J, N s in the fixed frame, at a point X of the body, m in the body frame *from the tip*.
+    ///
+    /// The tip is the origin because it is the one point that both kinds of top know: a top that is held by its tip need
+    /// not know the distance of its centre of mass, which is at [0, 0, s] here. The point may lie outside the body, as
+    /// the end of a lever does. The orientation does not change. The support answers with an impulse of its own,
+    /// [`State::reaction_impulse`]: a held tip stays where it is, and a sliding tip keeps its height, without friction.
+    /// A horizontal impulse on a sliding top also changes the horizontal velocity of the centre of mass by J/M, which is
+    /// not part of a state: the motion of this crate is relative to the centre of mass, whose horizontal velocity stays
+    /// constant between impulses.
+    ///
+    /// An angular impulse, N m s, is a pair of opposite impulses: J at X + D and -J at X give D × J, whatever X is, with D in
+    /// the fixed frame.
+    ///
+    /// ```
+    /// use toytop::{Release, State, Top, TopParameters};
+    /// let top = Top::sliding(&TopParameters {
+    ///     transverse_inertia: 3.0e-5,
+    ///     axial_inertia: 2.0e-5,
+    ///     com_height: 0.03,
+    ///     mass: 0.05,
+    ///     ..TopParameters::default()
+    /// })?;
+    /// let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
+    /// // a tangential stroke of 2 mN s on the rim, 25 mm from the axis, at the height of the centre of mass
+    /// let struck = state.with_impulse(&top, [0.0, 2.0e-3, 0.0], [0.025, 0.0, 0.03])?;
+    /// assert!(struck.omega() != state.omega() && struck.orientation() == state.orientation());
+    /// # Ok::<(), toytop::ParameterError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `impulse`: a component is not finite, is above 1e12 N s, or makes a component of ω exceed 1e12 rad/s; `point`: a
+    /// component is not finite or is above 1e12 m.
+    pub fn with_impulse(
+        &self,
+        top: &Top,
+        impulse: Vector<f64>,
+        point: Vector<f64>,
+    ) -> Result<Self, ParameterError> {
+        let mut omega = self.omega_change(top, impulse, point)?;
+        for (component, before) in omega.iter_mut().zip(self.omega) {
+            *component += before;
+            require(
+                Float::abs(*component) <= FASTEST,
+                "impulse",
+                "such that no component of omega exceeds 1e12 rad/s",
+            )?;
+        }
+        Ok(Self { omega, ..*self })
+    }
+
+    /// Impulse, N s in the fixed frame, with which the support answers an impulse at the tip: p Δω × r - J. The plane under
+    /// a sliding tip gives the vertical part only.
+    ///
+    /// Where the third component is negative the plane would have to pull: a real top then leaves it, and does not follow
+    /// the motion from [`State::with_impulse`]. The weight does not count, because the force of an impulse has no bound.
+    ///
+    /// * `impulse`, `point`: the arguments of [`State::with_impulse`]
+    ///
+    /// # Errors
+    /// `impulse`, `point`: a component is not finite or is above 1e12.
+    pub fn reaction_impulse(
+        &self,
+        top: &Top,
+        impulse: Vector<f64>,
+        point: Vector<f64>,
+    ) -> Result<Vector<f64>, ParameterError> {
+        let change = self.omega_change(top, impulse, point)?;
+        let mut reaction = bracket(change, self.orientation.normalised().axis());
+        for (component, given) in reaction.iter_mut().zip(impulse) {
+            *component = top.mass_moment() * *component - given;
+        }
+        let [.., vertical] = reaction;
+        Ok(match top.support() {
+            Support::Sliding => [0.0, 0.0, vertical],
+            Support::Fixed => reaction,
+        })
+    }
+
+    /// Change Δω of the angular velocity by an impulse, rad/s.
+    fn omega_change(
+        &self,
+        top: &Top,
+        impulse: Vector<f64>,
+        point: Vector<f64>,
+    ) -> Result<Vector<f64>, ParameterError> {
+        for (name, vector) in [("impulse", impulse), ("point", point)] {
+            for component in vector {
+                finite(name, component)?;
+                require(Float::abs(component) <= 1e12, name, "between -1e12 and 1e12 in every component")?;
+            }
+        }
+        let (a, c, s) = (top.transverse_inertia(), top.axial_inertia(), top.com_height());
+        let phi = self.orientation.normalised();
+        let (r, [x, y, z], [.., lift]) = (phi.axis(), point, impulse);
+        let given = bracket(phi.adjoint([x, y, z - s]), impulse);
+        let q = bracket(r, [0.0, 0.0, 1.0]);
+        let p = top.mass_moment();
+        let reaction = (p * dot(given, q) - a * lift) / (a + p * s * dot(q, q));
+        let axial = dot(given, r);
+        let mut change = given;
+        for ((component, r), q) in change.iter_mut().zip(r).zip(q) {
+            *component = (*component - s * reaction * q - axial * r) / a + axial / c * r;
+        }
+        Ok(change)
+    }
+}

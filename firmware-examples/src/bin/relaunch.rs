@@ -1,0 +1,198 @@
+//! Relaunch while an interrupt goes on sampling: after each kick the main loop sets up a new table and hands it over, and
+//! the interrupt gives the old one back. Two tables go round through two lock-free queues, which need neither `unsafe` nor
+//! a compare-and-swap. A stepper, which is ready sooner than the table, bridges the time between.
+//!
+//! QEMU executes 10⁹ instructions a second. A chip of 100 MHz needs some fifteen times as many ticks as the log says.
+
+#![no_std]
+#![no_main]
+
+use core::cell::Cell;
+
+use cortex_m::{asm, singleton};
+use cortex_m_rt::exception;
+use critical_section::Mutex;
+use heapless::spsc::{Consumer, Producer, Queue};
+use toytop::{
+    AttitudeState, Ephemeris, EphemerisView, Motion, Orientation, ParameterError, Sampler, Stepper, Tick, Top,
+};
+use toytop_firmware::{entry, exit, start_systick, toy_top};
+
+/// Clock of the processor, Hz. The emulated Cortex-M4F has 25 MHz; the Cortex-M0, which has no compare-and-swap, 16 MHz.
+const CLOCK: u32 = if cfg!(target_has_atomic = "ptr") { 25_000_000 } else { 16_000_000 };
+/// Ticks a second.
+const TICK_RATE: u32 = 1000;
+/// Length of a tick, s.
+const TICK_LENGTH: f32 = 1.0 / TICK_RATE as f32;
+/// Ticks of the simulated kicks.
+const KICKS: [i64; 3] = [100, 300, 500];
+/// Impulse of a kick, N s: a stroke along the second fixed axis that presses down a little.
+const IMPULSE: [f64; 3] = [0.0, 3.0e-3, -1.0e-3];
+/// Point that a kick meets, m from the tip: on the axis, 30 mm above the centre of mass.
+const POINT: [f64; 3] = [0.0, 0.0, 0.06];
+
+/// Table of 16 segments, which are enough for this top and leave room for the stack in 16 KiB of RAM.
+type SmallTable = Ephemeris<f32, 16>;
+/// Table in memory of its own, which has one owner at a time.
+type Table = &'static mut EphemerisView<f32>;
+
+/// Kick, as the interrupt notices it: the tick, and the state without the kick.
+struct Kick {
+    tick: i64,
+    state: AttitudeState<f32>,
+}
+
+/// Take-over by the stepper or by the new table.
+struct TakeOver {
+    by: &'static str,
+    tick: i64,
+    /// Jump of the orientation, rad: from what the interrupt used so far, and from the old table.
+    jumps: [f32; 2],
+}
+
+/// Everything that the interrupt owns.
+struct Source {
+    sampler: Sampler<'static, f32>,
+    stepper: Option<Stepper<f32>>,
+    kicks: Producer<'static, Kick>,
+    bridges: Consumer<'static, (i64, Stepper<f32>)>,
+    fresh: Consumer<'static, Table>,
+    used: Producer<'static, Table>,
+    log: Producer<'static, TakeOver>,
+}
+
+impl Source {
+    /// Orientation at the next tick.
+    fn next(&mut self) -> Orientation<f32> {
+        let old = self.sampler.next().orientation();
+        let tick = self.sampler.tick();
+        let mut now = old;
+        if let Some(stepper) = &mut self.stepper {
+            stepper.step(TICK_LENGTH);
+            now = stepper.orientation();
+        }
+        if let Some((kick, mut stepper)) = self.bridges.dequeue() {
+            (kick..tick).for_each(|_| stepper.step(TICK_LENGTH));
+            now = self.take_over("stepper", [now, old], stepper.orientation());
+            self.stepper = Some(stepper);
+        }
+        if let Some(table) = self.fresh.dequeue() {
+            now = self.take_over("table", [now, old], table.at_tick(tick).orientation());
+            self.stepper = None;
+            let old = self.sampler.exchange(table);
+            assert!(self.used.enqueue(old).is_ok(), "there are but two tables");
+        }
+        if KICKS.contains(&tick) {
+            let state = self.sampler.table().at_tick(tick).attitude_state();
+            assert!(self.kicks.enqueue(Kick { tick, state }).is_ok(), "kicks come too fast");
+        }
+        now
+    }
+
+    fn take_over(
+        &mut self,
+        by: &'static str,
+        before: [Orientation<f32>; 2],
+        now: Orientation<f32>,
+    ) -> Orientation<f32> {
+        let jumps = before.map(|before| before.distance(&now));
+        let _ = self.log.enqueue(TakeOver { by, tick: self.sampler.tick(), jumps });
+        now
+    }
+}
+
+/// Source on its way to the interrupt.
+static SOURCE: Mutex<Cell<Option<Source>>> = Mutex::new(Cell::new(None));
+
+#[exception]
+fn SysTick() {
+    static mut OWN: Option<Source> = None;
+    if OWN.is_none() {
+        *OWN = critical_section::with(|cs| SOURCE.borrow(cs).take());
+    }
+    if let Some(source) = OWN {
+        let _orientation = source.next(); // what the tick is for
+    }
+}
+
+#[entry]
+fn main() -> ! {
+    let [first, second] = [
+        singleton!(: SmallTable = SmallTable::EMPTY).expect("taken once"),
+        singleton!(: SmallTable = SmallTable::EMPTY).expect("taken once"),
+    ];
+    let (kicks, mut kicks_taken) = singleton!(: Queue<Kick, 4> = Queue::new()).expect("taken once").split();
+    let (mut bridge, bridges) =
+        singleton!(: Queue<(i64, Stepper<f32>), 2> = Queue::new()).expect("taken once").split();
+    let (mut ready, fresh) = singleton!(: Queue<Table, 2> = Queue::new()).expect("taken once").split();
+    let (mut used, mut spare) = singleton!(: Queue<Table, 2> = Queue::new()).expect("taken once").split();
+    let (log, mut logged) = singleton!(: Queue<TakeOver, 4> = Queue::new()).expect("taken once").split();
+
+    let top = throw(first).expect("a possible throw");
+    assert!(used.enqueue(second).is_ok(), "the queue is empty");
+    let sampler = Sampler::new(first, 1);
+    let source = Source { sampler, stepper: None, kicks, bridges, fresh, used, log };
+    critical_section::with(|cs| SOURCE.borrow(cs).set(Some(source)));
+    start_systick(CLOCK, TICK_RATE);
+
+    for kick in KICKS {
+        let Kick { tick: at, state } = wait(&mut kicks_taken);
+        let table = wait(&mut spare);
+        relaunch(&top, &state, table, |stepper| {
+            assert!(bridge.enqueue((at, stepper)).is_ok(), "the last one is taken");
+        })
+        .expect("a possible kick");
+        table.delay(at as f64); // its tick 0 is the tick of the kick
+        assert!(ready.enqueue(table).is_ok(), "the last one is taken");
+        let [stale, without] = [(); 2].map(|()| {
+            let TakeOver { by, tick, jumps: [jump, unbridged] } = wait(&mut logged);
+            defmt::info!(
+                "{=i64} ms: the {=str} takes over; a jump of {=f32} rad, from the old table {=f32} rad",
+                tick,
+                by,
+                jump,
+                unbridged
+            );
+            tick - at - 1 // at the tick of the kick itself the orientation is right
+        });
+        defmt::info!(
+            "kick at {=i64} ms: {=i64} stale ticks; without the stepper {=i64}",
+            kick,
+            stale,
+            without
+        );
+    }
+    exit()
+}
+
+/// Next item of a queue; the processor sleeps until there is one.
+fn wait<T>(queue: &mut Consumer<'static, T>) -> T {
+    loop {
+        if let Some(item) = queue.dequeue() {
+            return item;
+        }
+        asm::wfi();
+    }
+}
+
+/// Sets up the table of the first throw, and returns its top.
+#[inline(never)] // its motion does not remain on the stack
+fn throw(table: &mut EphemerisView<f32>) -> Result<Top, ParameterError> {
+    let motion = toy_top()?;
+    table.set_up(&motion, Tick::hertz(TICK_RATE)?, 1e-6).expect("an ordinary motion");
+    Ok(*motion.top())
+}
+
+/// Launches the motion after a kick, passes its stepper on, and sets up its table.
+#[inline(never)]
+fn relaunch(
+    top: &Top,
+    before: &AttitudeState<f32>,
+    table: &mut EphemerisView<f32>,
+    bridge: impl FnOnce(Stepper<f32>),
+) -> Result<(), ParameterError> {
+    let motion = Motion::launch(top, &before.state()?.with_impulse(top, IMPULSE, POINT)?)?;
+    bridge(Stepper::new(&motion));
+    table.set_up(&motion, Tick::hertz(TICK_RATE)?, 1e-6).expect("an ordinary motion");
+    Ok(())
+}

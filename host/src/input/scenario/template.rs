@@ -1,0 +1,74 @@
+//! A scenario with some of its numbers left open.
+
+use super::{LARGEST_FILE, Scenario, motion, table, top};
+use crate::Failure;
+use crate::output::{shown, whole_file};
+use std::path::Path;
+use toml::{Table, Value};
+
+/// A scenario file whose numbers can be exchanged.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Template {
+    file: String,
+    root: Table,
+}
+
+/// A key that holds one number: its table and its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Key {
+    table: &'static str,
+    /// Name of the key.
+    pub name: &'static str,
+}
+
+impl Template {
+    /// Reads a scenario file. Keys that will be filled in may be missing.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: as [`Scenario::read`], but for what only a whole scenario shows.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let file = path.display().to_string();
+        let root = table(&file, &whole_file::read(&file, path, LARGEST_FILE)?)?;
+        Ok(Self { file, root })
+    }
+
+    /// Name of the file.
+    #[must_use]
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// The key of this name.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: the scenario has no such number; the message lists those it has.
+    pub fn key(&self, name: &str) -> Result<Key, Failure> {
+        let kind = self.root.get("motion").and_then(|motion| motion.get("kind")).and_then(Value::as_str);
+        let of_motion = motion::numbers(kind.unwrap_or_default()).iter().map(|key| ("motion", key.name));
+        let keys: Vec<_> = top::KEYS.iter().map(|key| ("top", key.name)).chain(of_motion).collect();
+        let found = keys.iter().find(|(_, key)| *key == name).map(|&(table, name)| Key { table, name });
+        found.ok_or_else(|| {
+            let allowed: Vec<_> = keys.iter().map(|(_, key)| *key).collect();
+            let name = shown(name);
+            Failure::Input(format!(
+                "{}: {name}: no number of this scenario; allowed: {}",
+                self.file,
+                allowed.join(", ")
+            ))
+        })
+    }
+
+    /// The scenario with these numbers.
+    ///
+    /// # Errors
+    /// As [`Scenario::parse`].
+    pub fn with(&self, numbers: &[(Key, f64)]) -> Result<Scenario, Failure> {
+        let mut root = self.root.clone();
+        for (key, number) in numbers {
+            if let Some(Value::Table(table)) = root.get_mut(key.table) {
+                table.insert(key.name.to_owned(), Value::Float(*number));
+            }
+        }
+        Scenario::of_table(&self.file, &root)
+    }
+}

@@ -1,0 +1,153 @@
+//! The top in motion: frames at exact times, as a GIF or as pictures for a program that makes films.
+
+use super::camera::{Camera, circle, text};
+use super::span::Span;
+use crate::input::scenario::Scenario;
+use kuva::backend::raster::RasterBackend;
+use kuva::render::color::Color;
+use kuva::render::render::{Primitive, Scene, TextAnchor};
+use std::f64::consts::PI;
+use std::io::{self, Write};
+use toytop::Support;
+
+/// Side of a frame's layout, pixels.
+const SIDE: f64 = 480.0;
+/// Radius of the disc and length of the axis, in units of the height of the centre of mass.
+const DISC: f64 = 0.75;
+const AXIS: f64 = 1.45;
+/// Points of the path of the tip (of the axis, if the tip is held).
+const PATH: u64 = 1500;
+
+/// Frames of a motion over a span of time.
+pub struct Film<'a> {
+    scenario: &'a Scenario,
+    span: &'a Span<'a>,
+    frames: u64,
+    camera: Camera,
+    /// Pixels of a frame's side.
+    size: u32,
+    /// Places of the path, in units of the height of the centre of mass.
+    path: Vec<[f64; 3]>,
+}
+
+impl<'a> Film<'a> {
+    /// Film of so many frames, evenly spread over the span, `size` pixels wide and high.
+    #[must_use]
+    pub fn new(scenario: &'a Scenario, span: &'a Span<'a>, frames: u64, size: u32) -> Self {
+        let camera = Camera::new(-1.05, 0.38, [0.5 * SIDE, 0.72 * SIDE], 0.27 * SIDE);
+        let mut film = Self { scenario, span, frames, camera, size, path: Vec::new() };
+        film.path = span.times(PATH).map(|t| film.traced(t)).collect();
+        film
+    }
+
+    /// How many frames there are.
+    #[must_use]
+    pub fn frames(&self) -> u64 {
+        self.frames
+    }
+
+    /// Lower and upper end of the axis.
+    fn ends(&self, t: f64) -> [[f64; 3]; 2] {
+        let [x, y, z] = self.span.at(t).orientation().axis();
+        let tip = match self.scenario.motion.top().support() {
+            // the centre of mass stays above one point of the plane
+            Support::Sliding => [-x, -y, 0.0],
+            Support::Fixed => [0.0; 3],
+        };
+        [tip, [tip[0] + AXIS * x, tip[1] + AXIS * y, tip[2] + AXIS * z]]
+    }
+
+    /// What leaves a trace: the tip that slides, or the upper end of the axis.
+    fn traced(&self, t: f64) -> [f64; 3] {
+        let [tip, end] = self.ends(t);
+        if self.scenario.motion.top().support() == Support::Sliding { tip } else { end }
+    }
+
+    /// Picture of one frame.
+    #[must_use]
+    pub fn scene(&self, frame: u64) -> Scene {
+        let t = self.span.times(self.frames).nth(frame as usize).unwrap_or_default();
+        let phi = self.span.at(t).orientation();
+        let [tip, end] = self.ends(t);
+        let mut scene = Scene::new(SIDE, SIDE);
+        let camera = &self.camera;
+        for radius in [0.5, 1.0] {
+            camera.line(&mut scene, &circle(radius, 0.0), "#dedede", 1.0);
+        }
+        let share = frame as f64 / (self.frames.max(2) - 1) as f64;
+        let traced = ((share * PATH as f64) as usize).clamp(1, self.path.len());
+        camera.line(&mut scene, &self.path[..traced], "#1f4e8c", 1.6);
+        camera.line(&mut scene, &[tip, end], "#555555", 4.0);
+        // the disc about the centre of mass, with spokes that turn with the body
+        let rim = |angle: f64, radius: f64| {
+            let [x, y, z] = phi.adjoint([radius * angle.cos(), radius * angle.sin(), 1.0]);
+            [tip[0] + x, tip[1] + y, tip[2] + z]
+        };
+        let around: Vec<_> = (0..=96).map(|i| rim(2.0 * PI * f64::from(i) / 96.0, DISC)).collect();
+        camera.line(&mut scene, &around, "#333333", 3.0);
+        for spoke in 0..6 {
+            let angle = PI * f64::from(spoke) / 3.0;
+            // one of them is marked
+            let (color, width) = if spoke == 0 { ("#c0392b", 4.0) } else { ("#9a9a9a", 1.4) };
+            camera.line(&mut scene, &[rim(angle, 0.0), rim(angle, DISC)], color, width);
+        }
+        let (cx, cy) = camera.place(rim(0.0, DISC));
+        let fill = Color::from("#c0392b");
+        scene.add(Primitive::Circle {
+            cx,
+            cy,
+            r: 5.0,
+            fill,
+            fill_opacity: None,
+            stroke: None,
+            stroke_width: None,
+        });
+        text(&mut scene, &self.scenario.name, [14.0, 26.0], 15, TextAnchor::Start, "black");
+        let time = format!("t = {t:.3}{}", self.scenario.units.name(" s"));
+        text(&mut scene, &time, [SIDE - 14.0, 26.0], 15, TextAnchor::End, "black");
+        scene
+    }
+
+    /// One frame as a PNG file.
+    ///
+    /// # Errors
+    /// The frame cannot be encoded.
+    pub fn png(&self, frame: u64) -> io::Result<Vec<u8>> {
+        let scale = f64::from(self.size) / SIDE;
+        RasterBackend::new()
+            .with_scale(scale as f32)
+            .render_scene(&self.scene(frame))
+            .map_err(io::Error::other)
+    }
+
+    /// All frames as a GIF that repeats for ever, `delay` hundredths of a second each; `done` is told of each.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn gif(&self, delay: u16, out: impl Write, mut done: impl FnMut()) -> io::Result<()> {
+        let side = u16::try_from(self.size).map_err(io::Error::other)?;
+        let mut encoder = gif::Encoder::new(out, side, side, &[]).map_err(io::Error::other)?;
+        encoder.set_repeat(gif::Repeat::Infinite).map_err(io::Error::other)?;
+        for frame in 0..self.frames {
+            let (width, height, mut pixels) = pixels(&self.png(frame)?)?;
+            let mut picture = gif::Frame::from_rgba_speed(width, height, &mut pixels, 10);
+            picture.delay = delay;
+            encoder.write_frame(&picture).map_err(io::Error::other)?;
+            done();
+        }
+        Ok(())
+    }
+}
+
+/// Width, height and pixels of a PNG file, four bytes each.
+fn pixels(png: &[u8]) -> io::Result<(u16, u16, Vec<u8>)> {
+    let mut decoder = png::Decoder::new(io::Cursor::new(png));
+    decoder.set_transformations(png::Transformations::ALPHA | png::Transformations::STRIP_16);
+    let mut reader = decoder.read_info().map_err(io::Error::other)?;
+    let size = reader.output_buffer_size().ok_or_else(|| io::Error::other("a frame is too large"))?;
+    let mut bytes = vec![0; size];
+    let info = reader.next_frame(&mut bytes).map_err(io::Error::other)?;
+    bytes.truncate(info.buffer_size());
+    let narrow = |x: u32| u16::try_from(x).map_err(io::Error::other);
+    Ok((narrow(info.width)?, narrow(info.height)?, bytes))
+}

@@ -1,0 +1,18 @@
+//! Samples of a motion as tables of chosen columns, written as they are computed.
+//!
+//! | module | contents |
+//! |---|---|
+//! | [`column`] | what may be said of a sample |
+//! | [`angles`] | Euler angles of an orientation |
+//! | [`sheet`] | rows as CSV, JSON or a table for reading |
+//! | [`npy`] | rows as a NumPy array |
+//! | [`parquet`] | rows as Parquet (with the feature) |
+//! | [`stream`] | blocks of rows, computed on all cores and written in order |
+
+pub mod angles;
+pub mod column;
+pub mod npy;
+#[cfg(feature = "parquet")]
+pub mod parquet;
+pub mod sheet;
+pub mod stream;

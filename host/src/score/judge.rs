@@ -1,0 +1,108 @@
+//! Errors of a trajectory.
+
+use super::drift::{self, Drift};
+use super::phases::{Fit, PhaseErrors};
+use super::trajectory::{Row, Trajectory};
+use crate::Failure;
+use crate::cli::Scalar;
+use crate::input::scenario::Scenario;
+use crate::motion::ephemeris::{AnyScalar, furthest_time, smallest, ticks_per_time};
+use toytop::{Motion, Orientation};
+
+/// The exact motion that trajectories are compared with.
+pub struct Judge<'a> {
+    motion: &'a Motion,
+    table: Box<dyn AnyScalar>,
+}
+
+/// Errors of one trajectory.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Score {
+    /// Greatest error of the orientation, 2 √(|Δα|² + |Δβ|²) with the nearer sign, rad.
+    pub max_error: f64,
+    /// Root of the mean square of the same, rad.
+    pub rms_error: f64,
+    /// Error of the orientation in the last row, rad.
+    pub final_error: f64,
+    /// Greatest error of u.
+    pub max_u_error: f64,
+    /// Phase errors over the last nutation period.
+    pub phases: PhaseErrors,
+    /// Drift of l, n and h.
+    pub drift: Drift,
+    /// Greatest distance of the file's orientations from unit norm.
+    pub norm_error: f64,
+    /// Upper bound on the error of the exact motion itself, rad.
+    pub truth_bound: f64,
+    /// What is wrong with the first row, if it is far from the motion.
+    pub doubt: Option<String>,
+}
+
+impl<'a> Judge<'a> {
+    /// Judge by the motion of a scenario: its ephemeris in `f64`.
+    ///
+    /// # Errors
+    /// [`Failure::Method`]: no ephemeris is large enough.
+    pub fn new(scenario: &'a Scenario) -> Result<Self, Failure> {
+        let motion = &scenario.motion;
+        let table = smallest(Scalar::F64, motion).map_err(|failure| failure.of(&scenario.name))?;
+        Ok(Self { motion, table })
+    }
+
+    /// Errors of a trajectory.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: a time beyond the reach of the ephemeris.
+    pub fn score(&self, trajectory: &Trajectory) -> Result<Score, Failure> {
+        let rows = &trajectory.rows;
+        let furthest = rows.iter().map(|row| row.t.abs()).fold(0.0, f64::max);
+        let reach = furthest_time(self.motion);
+        if furthest > reach {
+            let reason = format!("t: {furthest:e} must be within ±{reach:.1e} s");
+            return Err(Failure::Input(format!("{}: {reason}", trajectory.name)));
+        }
+        let (mut max_error, mut max_u_error, mut squares, mut final_error) = (0.0_f64, 0.0_f64, 0.0, 0.0);
+        for row in rows {
+            let exact = self.table.at(row.t).sample.orientation();
+            final_error = distance(&exact, &row.orientation);
+            max_error = max_error.max(final_error);
+            squares += final_error * final_error;
+            max_u_error = max_u_error.max((row.orientation.u() - exact.u()).abs());
+        }
+        let fit = Fit::new(self.motion, &*self.table);
+        Ok(Score {
+            max_error,
+            rms_error: (squares / rows.len() as f64).sqrt(),
+            final_error,
+            max_u_error,
+            phases: fit.map(|fit| fit.last(rows)).unwrap_or_default(),
+            drift: drift::along(rows, self.motion, &*self.table),
+            norm_error: rows.iter().map(|row| row.norm_error).fold(0.0, f64::max),
+            truth_bound: self.table.error_bound().after(furthest * ticks_per_time(self.motion)),
+            doubt: rows.first().and_then(|row| self.doubt(row)),
+        })
+    }
+
+    /// A first row that is far from the motion was most often written by another convention.
+    fn doubt(&self, first: &Row) -> Option<String> {
+        const FAR: f64 = 0.01;
+        let exact = self.table.at(first.t).sample.orientation();
+        let error = distance(&exact, &first.orientation);
+        if error < FAR {
+            return None;
+        }
+        let inverse = distance(&exact, &first.orientation.inverse());
+        let question = if inverse < FAR {
+            format!("and its inverse {inverse:.1e} rad: are the columns from fixed to body coordinates?")
+        } else {
+            "does the run start from the state of this scenario (toytop state --times 0)?".to_owned()
+        };
+        Some(format!("the first row is {error:.1e} rad from the motion; {question}"))
+    }
+}
+
+/// Error of the orientation with the nearer of the two signs, rad.
+fn distance(exact: &Orientation<f64>, found: &Orientation<f64>) -> f64 {
+    let negative = Orientation { alpha: -found.alpha, beta: -found.beta };
+    exact.distance(found).min(exact.distance(&negative))
+}

@@ -1,0 +1,150 @@
+//! Phase errors of a trajectory, for nutation, precession and spin apart.
+//!
+//! An exact motion goes round a torus with three angles that advance at constant rates: the nutation phase θ (one turn a nutation
+//! period), the mean azimuth ψ of the axis and the mean rotation φ of the body about it. The orientation at other angles is
+//!
+//! ```text
+//! Φ(θ + Δθ, ψ + Δψ, φ + Δφ):   α(t + τ) exp(i(Δψ + Δφ)/2 - i A' τ),   β(t + τ) exp(i(Δψ - Δφ)/2 - i B' τ),   τ = Δθ T/2π
+//! ```
+//!
+//! with the mean rates A' and B' of arg α and arg β. The phase errors are the Δθ, Δψ and Δφ that bring this closest to a trajectory,
+//! in the least squares of the rows of one nutation period. What distance then remains no phase explains: the trajectory is on another
+//! torus, with other values of l, n, h.
+
+use super::rotation_between;
+use super::trajectory::Row;
+use crate::motion::ephemeris::AnyScalar;
+use crate::motion::propagate::period;
+use nalgebra::{Matrix3, Vector3};
+use std::f64::consts::PI;
+use toytop::{Complex, Motion, Orientation, Regime};
+
+/// Phase errors of a trajectory over some rows, above 0 where it is ahead of the motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PhaseErrors {
+    /// Nutation phase error Δθ, rad; `None` where the axis does not nutate.
+    pub nutation: Option<f64>,
+    /// Precession phase error Δψ, rad; `None` where the axis is vertical.
+    pub precession: Option<f64>,
+    /// Spin phase error Δφ, rad; where the axis is vertical, that of the whole rotation.
+    pub spin: Option<f64>,
+    /// Root of the mean square of the rotation that no phase error explains, rad.
+    pub residual: Option<f64>,
+}
+
+/// Fit of phase errors to rows.
+pub struct Fit<'a> {
+    table: &'a dyn AnyScalar,
+    /// Time that a fit covers, s.
+    period: f64,
+    /// Mean rates of arg α, arg β and the nutation phase, rad/s.
+    rates: [f64; 3],
+    /// Whether θ, ψ and φ exist.
+    exist: [bool; 3],
+}
+
+/// Rows of a fit at least.
+const LEAST_ROWS: usize = 8;
+
+impl<'a> Fit<'a> {
+    /// Fit for a motion with its ephemeris; `None` for an aperiodic motion, which has no such phases.
+    #[must_use]
+    pub fn new(motion: &Motion, table: &'a dyn AnyScalar) -> Option<Self> {
+        let exist = match motion.regime() {
+            Regime::Nutating => [true; 3],
+            Regime::Aperiodic => return None,
+            regime if regime.is_vertical() => [false, false, true],
+            _ => [false, true, true],
+        };
+        let period = period(motion);
+        let rates = motion.period_advance().map_or([0.0; 3], |advance| {
+            [advance.alpha_turns, advance.beta_turns, 1.0].map(|turns| 2.0 * PI * turns / period)
+        });
+        Some(Self { table, period, rates, exist })
+    }
+
+    /// Phase errors over the last nutation period of the rows (the last eight rows, if these take longer). The fit goes through the
+    /// periods before it one by one, so that errors of more than half a turn are followed.
+    #[must_use]
+    pub fn last(&self, rows: &[Row]) -> PhaseErrors {
+        let mut angles = Vector3::zeros();
+        let mut residual = None;
+        for window in self.windows(rows) {
+            (angles, residual) = self.fitted(window, angles);
+        }
+        let angle = |i: usize| Some(angles[i]).filter(|_| self.exist[i] && residual.is_some());
+        PhaseErrors { nutation: angle(0), precession: angle(1), spin: angle(2), residual }
+    }
+
+    /// Consecutive windows, counted from the last row.
+    fn windows<'r>(&self, rows: &'r [Row]) -> Vec<&'r [Row]> {
+        let mut windows = Vec::new();
+        let mut rest = rows;
+        while rest.len() >= LEAST_ROWS {
+            let last = rest[rest.len() - 1].t;
+            let inside = rest.iter().rev().take_while(|row| (row.t - last).abs() <= self.period).count();
+            let (before, window) = rest.split_at(rest.len() - inside.max(LEAST_ROWS));
+            windows.push(window);
+            rest = before;
+        }
+        windows.reverse();
+        windows
+    }
+
+    /// Gauss-Newton iteration from a first guess: the angles, and the root of the mean square of what they leave.
+    fn fitted(&self, rows: &[Row], mut angles: Vector3<f64>) -> (Vector3<f64>, Option<f64>) {
+        const MOST: usize = 20;
+        const ENOUGH: f64 = 1e-3;
+        for _ in 0..MOST {
+            let (mut gram, mut right) = (Matrix3::zeros(), Vector3::zeros());
+            for row in rows {
+                let (slopes, left) = self.linearised(row, &angles);
+                gram += slopes.transpose() * slopes;
+                right += slopes.transpose() * left;
+            }
+            for i in (0..3).filter(|&i| !self.exist[i]) {
+                gram[(i, i)] = 1.0;
+            }
+            let Some(factors) = gram.cholesky() else { return (angles, None) };
+            let step = factors.solve(&right);
+            angles += step;
+            // what is left after a small step is left to first order
+            if step.amax() < ENOUGH {
+                break;
+            }
+        }
+        let squares = rows.iter().map(|row| self.linearised(row, &angles).1.norm_squared()).sum::<f64>();
+        (angles, Some((squares / rows.len() as f64).sqrt()).filter(|x| x.is_finite()))
+    }
+
+    /// Rotation that each angle adds, rad per rad, as columns, and the rotation that the angles leave, rad.
+    fn linearised(&self, row: &Row, angles: &Vector3<f64>) -> (Matrix3<f64>, Vector3<f64>) {
+        let [a_rate, b_rate, theta_rate] = self.rates;
+        // t + τ is rounded; what is left of Δθ is taken to first order
+        let t = if angles[0] == 0.0 { row.t } else { row.t + angles[0] / theta_rate };
+        let shift = t - row.t;
+        let exact = self.table.at(t);
+        let turned = |z: Complex<f64>, angle: f64| z * Complex::new(angle.cos(), angle.sin());
+        let phi = exact.sample.orientation();
+        let azimuth = angles[1] - (a_rate + b_rate) * shift;
+        let roll = angles[2] - (a_rate - b_rate) * shift;
+        let there = Orientation {
+            alpha: turned(phi.alpha, 0.5 * (azimuth + roll)),
+            beta: turned(phi.beta, 0.5 * (azimuth - roll)),
+        };
+        let (axis, up, zero) = (Vector3::from(there.axis()), Vector3::z(), Vector3::zeros());
+        let nutation = if self.exist[0] {
+            // ω of the motion, turned by the azimuth, without what the mean rotations contribute
+            let [x, y, z] = exact.sample.omega;
+            let across = turned(Complex::new(x, y), azimuth);
+            let omega = Vector3::new(across.re, across.im, z);
+            (omega - up * (a_rate + b_rate) - axis * (a_rate - b_rate)) / theta_rate
+        } else {
+            zero
+        };
+        let slopes = Matrix3::from_columns(&[nutation, if self.exist[1] { up } else { zero }, axis]);
+        let left = Vector3::from(rotation_between(&there, &row.orientation));
+        let rounded = if self.exist[0] { angles[0] - shift * theta_rate } else { 0.0 };
+        (slopes, left - nutation * rounded)
+    }
+}
