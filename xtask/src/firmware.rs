@@ -43,7 +43,7 @@ pub(crate) const PROGRAMS: &[Program] = &[
     Program {
         name: "relaunch",
         folder: PROGRAM_FOLDER,
-        chips: &[&chip::M4F, &chip::M0],
+        chips: &[&chip::M4F, &chip::M0PLUS],
         exit_code: 0,
         on_host: false,
     },
@@ -243,10 +243,14 @@ pub(crate) fn build(chip: &Chip, what: &str) -> Result<PathBuf> {
 /// The command that builds for a chip, and the folder in which the ELF will be.
 pub(crate) fn build_command(chip: &Chip, what: &str) -> Result<(Command, PathBuf)> {
     let toolchain = tools::toolchain()?;
-    let dir = target_dir(toolchain, if chip.rustflags.is_empty() { "" } else { chip.name });
+    // another memory map than that of the target
+    let memory = (chip.name == chip::M0PLUS.name).then_some("memory/mps2.x");
+    let own = if chip.rustflags.is_empty() && memory.is_none() { "" } else { chip.name };
+    let dir = target_dir(toolchain, own);
     let words = format!("build --release --target {} {what}", chip.target);
     let mut command = toolchain.cargo("firmware-examples", &words);
     command.arg("--target-dir").arg(&dir);
+    command.envs(memory.map(|memory| ("MEMORY_X", memory)));
     if !chip.rustflags.is_empty() {
         let flags = std::env::var("RUSTFLAGS").unwrap_or_default();
         command.env("RUSTFLAGS", format!("{flags} {}", chip.rustflags).trim_start());

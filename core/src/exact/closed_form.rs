@@ -12,6 +12,7 @@ use core::fmt;
 
 /// Motion that elementary or elliptic functions express.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant)] // without allocation the largest cannot be boxed
 pub enum ClosedForm {
     /// Trigonometric functions: e₁ = e₂, or the axis is upright.
     RegularPrecession(RegularPrecession),

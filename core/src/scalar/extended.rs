@@ -111,6 +111,7 @@ impl Extended {
 }
 
 impl From<f64> for Extended {
+    #[inline(never)]
     fn from(x: f64) -> Self {
         let (mantissa, exponent) = integer_parts(x);
         Self::normalised(mantissa.into(), exponent)
@@ -136,6 +137,7 @@ impl Add for Extended {
 
 impl Neg for Extended {
     type Output = Self;
+    #[inline(never)]
     fn neg(self) -> Self {
         Self::normalised(-self.significand, self.exponent)
     }
@@ -143,6 +145,7 @@ impl Neg for Extended {
 
 impl Sub for Extended {
     type Output = Self;
+    #[inline(never)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -209,6 +212,7 @@ fn inverse_root(number: u128) -> u128 {
 }
 
 impl PartialOrd for Extended {
+    #[inline(never)]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         let sign = |number: &Self| number.significand.signum();
         let magnitudes = || (self.exponent, self.significand).cmp(&(other.exponent, other.significand));
@@ -294,7 +298,7 @@ mod tests {
             bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
             let number = f64::from_bits((bits >> 1) % (0x7fe << 52));
             let number = if k % 3 == 0 { libm::round((bits >> 50) as f64 / 7.0) } else { number };
-            let number = if number > 1e150 || number < 1e-150 { number * 0.0 + 0.375 } else { number };
+            let number = if (1e-150..=1e150).contains(&number) { number } else { 0.375 };
             if bits & 1 == 1 { -number } else { number }
         })
     }

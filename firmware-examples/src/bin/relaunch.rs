@@ -14,12 +14,13 @@ use cortex_m_rt::exception;
 use critical_section::Mutex;
 use heapless::spsc::{Consumer, Producer, Queue};
 use toytop::{
-    AttitudeState, Ephemeris, EphemerisView, Motion, Orientation, ParameterError, Sampler, Stepper, Tick, Top,
+    AttitudeState, EphemerisF32, EphemerisView, Motion, Orientation, ParameterError, Sampler, Stepper, Tick,
+    Top,
 };
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
-/// Clock of the processor, Hz. The emulated Cortex-M4F has 25 MHz; the Cortex-M0, which has no compare-and-swap, 16 MHz.
-const CLOCK: u32 = if cfg!(target_has_atomic = "ptr") { 25_000_000 } else { 16_000_000 };
+/// Clock of the processor, Hz. The emulated boards have 25 MHz.
+const CLOCK: u32 = 25_000_000;
 /// Ticks a second.
 const TICK_RATE: u32 = 1000;
 /// Length of a tick, s.
@@ -31,8 +32,6 @@ const IMPULSE: [f64; 3] = [0.0, 3.0e-3, -1.0e-3];
 /// Point that a kick meets, m from the tip: on the axis, 30 mm above the centre of mass.
 const POINT: [f64; 3] = [0.0, 0.0, 0.06];
 
-/// Table of 16 segments, which are enough for this top and leave room for the stack in 16 KiB of RAM.
-type SmallTable = Ephemeris<f32, 16>;
 /// Table in memory of its own, which has one owner at a time.
 type Table = &'static mut EphemerisView<f32>;
 
@@ -118,8 +117,8 @@ fn SysTick() {
 #[entry]
 fn main() -> ! {
     let [first, second] = [
-        singleton!(: SmallTable = SmallTable::EMPTY).expect("taken once"),
-        singleton!(: SmallTable = SmallTable::EMPTY).expect("taken once"),
+        singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once"),
+        singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once"),
     ];
     let (kicks, mut kicks_taken) = singleton!(: Queue<Kick, 4> = Queue::new()).expect("taken once").split();
     let (mut bridge, bridges) =
@@ -178,8 +177,9 @@ fn wait<T>(queue: &mut Consumer<'static, T>) -> T {
 /// Sets up the table of the first throw, and returns its top.
 #[inline(never)] // its motion does not remain on the stack
 fn throw(table: &mut EphemerisView<f32>) -> Result<Top, ParameterError> {
-    let motion = toy_top()?;
-    table.set_up(&motion, Tick::hertz(TICK_RATE)?, 1e-6).expect("an ordinary motion");
+    let launched = toy_top(); // by reference from here on: a motion is large
+    let motion = launched.as_ref().map_err(|error| *error)?;
+    table.set_up(motion, Tick::hertz(TICK_RATE)?, 1e-6).expect("an ordinary motion");
     Ok(*motion.top())
 }
 
@@ -191,8 +191,9 @@ fn relaunch(
     table: &mut EphemerisView<f32>,
     bridge: impl FnOnce(Stepper<f32>),
 ) -> Result<(), ParameterError> {
-    let motion = Motion::launch(top, &before.state()?.with_impulse(top, IMPULSE, POINT)?)?;
-    bridge(Stepper::new(&motion));
-    table.set_up(&motion, Tick::hertz(TICK_RATE)?, 1e-6).expect("an ordinary motion");
+    let launched = Motion::launch(top, &before.state()?.with_impulse(top, IMPULSE, POINT)?);
+    let motion = launched.as_ref().map_err(|error| *error)?;
+    bridge(Stepper::new(motion));
+    table.set_up(motion, Tick::hertz(TICK_RATE)?, 1e-6).expect("an ordinary motion");
     Ok(())
 }
