@@ -1,6 +1,7 @@
 //! Functions that JavaScript calls. Numbers go both ways through one array, words come back through another.
 //!
-//! A result stays there until the next call, so that JavaScript copies what it wants to keep.
+//! A result stays there until the next call, so that JavaScript copies what it wants to keep. Only WebAssembly exports the
+//! functions by their bare names, which a program could have for something else.
 
 use crate::constants::CONSTANTS;
 use crate::ghost::Ghost;
@@ -25,13 +26,13 @@ static TABLE: Mutex<Table> = Mutex::new(Table::EMPTY);
 static GHOST: Mutex<Option<Ghost>> = Mutex::new(None);
 
 /// Address of the numbers, each an `f64` by its bits.
-#[unsafe(no_mangle)]
+#[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn numbers() -> *const AtomicU64 {
     NUMBERS.as_ptr()
 }
 
 /// Address of the words, in UTF-8.
-#[unsafe(no_mangle)]
+#[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn words() -> *const AtomicU8 {
     WORDS.as_ptr()
 }
@@ -42,7 +43,7 @@ pub extern "C" fn words() -> *const AtomicU8 {
 /// The result is the length of the words. It is positive if all is well: the words are regime and class of the tip curve,
 /// and the numbers are the constants in the order of [`CONSTANTS`], then the bound on the orientation error at t = 0, rad,
 /// and its growth, rad/s. It is negative after a refusal: the words are the parameter and what is allowed.
-#[unsafe(no_mangle)]
+#[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn launch(kind: u32) -> i32 {
     let top: TopNumbers = from_fn(number);
     let motion: MotionNumbers = from_fn(|i| number(top.len() + i));
@@ -66,13 +67,13 @@ fn launched(top: &TopNumbers, kind: Kind, numbers: &MotionNumbers) -> Result<Mot
 }
 
 /// Puts the moment t after t = 0 into the numbers.
-#[unsafe(no_mangle)]
+#[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn moment(t: f64) {
     put(moment_at(&TABLE.lock(), t));
 }
 
 /// Puts axis and tip at `count` times into the numbers, the first at `from`, `step` apart.
-#[unsafe(no_mangle)]
+#[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn curve(from: f64, step: f64, count: u32) {
     let table = TABLE.lock();
     put((0..count).flat_map(|i| {
@@ -82,7 +83,7 @@ pub extern "C" fn curve(from: f64, step: f64, count: u32) {
 }
 
 /// Starts a ghost of the motion with this step, s; a step that is not positive ends it.
-#[unsafe(no_mangle)]
+#[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn ghost(step: f64) {
     let motion = *MOTION.lock();
     *GHOST.lock() = motion.filter(|_| step > 0.0).map(|motion| Ghost::new(&motion, step));
@@ -90,7 +91,7 @@ pub extern "C" fn ghost(step: f64) {
 
 /// Puts the ghost's moment into the numbers, then the time that it has reached on its way to t, and its distance from the
 /// exact orientation, rad. The result is 1, or 0 without a ghost.
-#[unsafe(no_mangle)]
+#[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn ghost_moment(t: f64) -> u32 {
     let Some(ghost) = &mut *GHOST.lock() else { return 0 };
     let (reached, orientation, tip) = ghost.go(t);

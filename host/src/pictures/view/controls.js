@@ -18,7 +18,7 @@ const bothWays = (least) => (home, shown) => {
 const ofTop = (key, label, unit, define) => ({
   key, label, unit, define, group: "top", scale: LOGARITHMIC, range: aroundHome,
   read: ({ top }) => top[key] ?? DEFAULTS[key],
-  write: ({ top, motion }, x) => ({ top: { ...top, [key]: x }, motion }),
+  write: (scenario, x) => ({ ...scenario, top: { ...scenario.top, [key]: x } }),
 });
 
 /** A number of the throw. */
@@ -26,8 +26,8 @@ const ofThrow = (key, label, unit, define, range, read) => ({
   key, label, unit, define, group: "throw", scale: LINEAR, range,
   read: ({ motion }, shown) => (motion.kind === "release" ? (motion[key] ?? 0) : read(shown)),
   write: (scenario, x, shown) => {
-    const { top, motion } = asRelease(scenario, shown);
-    return { top, motion: { ...motion, [key]: x } };
+    const released = asRelease(scenario, shown);
+    return { ...released, motion: { ...released.motion, [key]: x } };
   },
 });
 
@@ -39,12 +39,12 @@ const ofRoot = (key, label, define, scale, range) => ({
 });
 
 function withRoot(scenario, key, x, shown) {
-  const { top, motion } = asBranchPoints(scenario, shown);
+  const { motion } = asBranchPoints(scenario, shown);
   const changed = { ...motion, [key]: x };
   if (key === "e1") Object.assign(changed, { e1: Math.max(-1, x), e2: Math.max(motion.e2, x) });
   if (key === "e2") Object.assign(changed, { e1: Math.min(motion.e1, x), e2: Math.min(1, x) });
   if (key === "e3") changed.e3 = Math.max(1, x);
-  return { top, motion: changed };
+  return { ...scenario, motion: changed };
 }
 
 const perNutation = ({ period, natural_time }) => 3 / (period > 0 ? period : natural_time);
@@ -111,6 +111,7 @@ function showControls({ scenario, shown, settle }) {
     if (settle || !(x >= low && x <= high)) control.limits = control.range(x, shown);
     control.slider.value = String(control.scale.place(x, control.limits));
     const text = typed(x);
+    control.row.querySelector(".unit").textContent = unitName(control.unit, scenario);
     control.slider.setAttribute("aria-valuetext", `${text} ${control.unit}`);
     if (document.activeElement !== control.field) control.field.value = text;
     mark(control.field, false);

@@ -63,20 +63,20 @@ function curveReason(shown) {
 }
 
 /** Names, values, units and definitions for a teacher. */
-function teachersFacts(shown) {
+function teachersFacts(shown, { units }) {
   const { e1, e2, period, phi_per_period, spin, min_normal_force, held } = shown;
   const rate = phi_per_period / period;
   const critical = criticalSpin(shown);
-  const both = (x) => `${short(x, 4)} rad/s = ${short(perMinute(x), 4)}`;
+  const both = (x) => (units === "none" ? short(x, 4) : `${short(x, 4)} rad/s = ${short(perMinute(x), 4)}`);
   const lift = held ? null : liftOff(shown);
   return [
     ["tilt", `${decimals(tiltAt(e2), 2)}° … ${decimals(tiltAt(e1), 2)}`, "°", "Angle between the axis and the vertical: the least and the greatest that it takes."],
     ["nutation period", short(period), "s", "Time from one lowest place of the axis to the next. Nutation is the nodding of the axis."],
     ["nutation frequency", short(1 / period), "Hz", "Number of nods in a second."],
-    ["mean precession", short(degrees(rate)), "°/s", "Rate at which the axis goes round the vertical, averaged over a nutation period."],
-    ["the same", short(perMinute(rate)), "rpm", "Mean precession in revolutions per minute."],
-    ["spin", both(spin), "rpm", "Component of the angular velocity along the axis. It never changes."],
-    ["critical spin", both(critical), "rpm", "An upright top sleeps, that is, it stays upright after a small push, if it spins faster than 2√(A p g)/C."],
+    ["mean precession", short(degrees(rate)), units === "none" ? "°" : "°/s", "Rate at which the axis goes round the vertical, averaged over a nutation period."],
+    ...(units === "none" ? [] : [["the same", short(perMinute(rate)), "rpm", "Mean precession in revolutions per minute."]]),
+    ["spin", both(spin), units === "none" ? "" : "rpm", "Component of the angular velocity along the axis. It never changes."],
+    ["critical spin", both(critical), units === "none" ? "" : "rpm", "An upright top sleeps, that is, it stays upright after a small push, if it spins faster than 2√(A p g)/C."],
     ["upright it would", Math.abs(spin) > critical ? "sleep" : "fall", "", "Whether the spin is above the critical spin."],
     ...(held
       ? []
@@ -124,9 +124,9 @@ function momentFacts({ alpha, beta, u, axis }, t, shown) {
 }
 
 /** Fills a table; rows that are there keep their place, so that a tooltip stays open. */
-function fillTable(table, facts) {
+function fillTable(table, facts, scenario) {
   while (table.rows.length > facts.length) table.deleteRow(-1);
-  facts.forEach(([name, value, unit, definition], i) => {
+  facts.forEach(([name, value, si, definition], i) => {
     const row = table.rows[i] ?? newRow(table);
     const [label, cell] = row.children;
     const [term] = label.children;
@@ -135,6 +135,7 @@ function fillTable(table, facts) {
       term.dataset.define = definition;
       term.setAttribute("aria-description", definition);
     }
+    const unit = unitName(si, scenario);
     const text = value === "–" ? value : `${value}${unit && unit !== "°" ? " " : ""}${unit}`;
     if (cell.textContent !== text) cell.textContent = text;
   });

@@ -68,8 +68,9 @@ function listenToMotion() {
   }
   for (const sign of ["sign_l_plus_n", "sign_l_minus_n"]) {
     element(sign).addEventListener("change", ({ target }) => {
-      const { top, motion } = asBranchPoints(state.scenario, scene.shown);
-      setScenario({ top, motion: { ...motion, [sign]: Number(target.value) } }, { name: "Your top" });
+      const scenario = asBranchPoints(state.scenario, scene.shown);
+      const motion = { ...scenario.motion, [sign]: Number(target.value) };
+      setScenario({ ...scenario, motion }, { name: "Your top" });
       remember();
     });
   }

@@ -34,7 +34,7 @@ const CHARTS = {
   },
 };
 
-function drawChart({ pen, size: [width, height] }, { scene, stretch, t, colours }, kind) {
+function drawChart({ pen, size: [width, height] }, { scene, scenario, stretch, t, colours }, kind) {
   if (kind === "precession" && isVertical(scene.shown.regime)) {
     write(pen, colours.faint, "center");
     pen.fillText("The axis is vertical: it has no azimuth.", 0.5 * width, 0.5 * height);
@@ -64,7 +64,8 @@ function drawChart({ pen, size: [width, height] }, { scene, stretch, t, colours 
     stroke(pen, colours.faint, 1);
     pen.fillText(short(time, 6), x(time + origin), bottom + 16);
   }
-  pen.fillText(far ? `t − ${short(from, 10)} s, in s` : "t in s", 0.5 * (left + right), height - 4);
+  const unit = scenario.units === "none" ? "" : " in s";
+  pen.fillText(far ? `t − ${short(from, 10)}${unit}` : `t${unit}`, 0.5 * (left + right), height - 4);
   bounds.forEach((bound, i) => {
     trace(pen, [[left, y(bound)], [right, y(bound)]]);
     stroke(pen, colours.bound, 1.2, DASHES[i]);

@@ -1,6 +1,6 @@
 // The plane from above: the curve between its bounds, with their names and a scale.
 
-function drawPlan({ pen, size: [width, height] }, { scene, now, past, colours, ghost }) {
+function drawPlan({ pen, size: [width, height] }, { scene, scenario, now, past, colours, ghost }) {
   const most = widest(scene) || 1;
   const scale = (0.5 * Math.min(width, height) - 26) / most;
   const place = ([x, y]) => [0.5 * width + scale * x, 0.5 * height - 6 - scale * y];
@@ -21,7 +21,7 @@ function drawPlan({ pen, size: [width, height] }, { scene, now, past, colours, g
   drawDirection(pen, past.map(({ foot }) => place(foot)), colours.tip);
   if (ghost) disc(pen, place(ghost.foot), 4, colours.ghost);
   disc(pen, place(now.foot), 4, colours.tip);
-  drawScale(pen, scene, scale, height, colours);
+  drawScale(pen, { scene, scenario, scale, height, colours });
 }
 
 function write(pen, style, align, size = 12) {
@@ -41,7 +41,7 @@ function drawDirection(pen, places, style) {
 }
 
 /** A bar of a round length; the axis of a held top has no unit. */
-function drawScale(pen, scene, scale, height, colours) {
+function drawScale(pen, { scene, scenario, scale, height, colours }) {
   const most = (90 / scale) * scene.scale;
   if (!(most > 0)) return;
   const length = roundBelow(most);
@@ -49,5 +49,5 @@ function drawScale(pen, scene, scale, height, colours) {
   trace(pen, [[12, height - 16], [12, height - 10], [12 + pixels, height - 10], [12 + pixels, height - 16]]);
   stroke(pen, colours.ink, 1.2);
   write(pen, colours.ink, "left", 11);
-  pen.fillText(scene.held ? short(length) : lengthText(length), 12 + pixels + 6, height - 10);
+  pen.fillText(scene.held ? short(length) : lengthText(length, scenario), 12 + pixels + 6, height - 10);
 }

@@ -4,7 +4,7 @@
 const PAPERS_TOP = { support: "sliding", transverse_inertia: 1, axial_inertia: 1, com_height: 1, mass_moment: 1, gravity: 1 };
 
 function branchPoints(top, [e1, e2, e3], minus) {
-  return { top, motion: { kind: "branch_points", e1, e2, e3, sign_l_plus_n: 1, sign_l_minus_n: minus } };
+  return { units: "none", top, motion: { kind: "branch_points", e1, e2, e3, sign_l_plus_n: 1, sign_l_minus_n: minus } };
 }
 
 /** Groups of presets: each has a name, and presets by their names. */

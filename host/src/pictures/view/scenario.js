@@ -13,8 +13,8 @@ function inOrder(table) {
 }
 
 /** `#mass=0.05&...&kind=release&tilt_deg=20&spin=150&t=3`: a scenario, and settings by name that may be undefined. */
-function toFragment({ top, motion }, settings) {
-  const others = Object.entries(settings).filter(([, value]) => value !== undefined);
+function toFragment({ units, top, motion }, settings) {
+  const others = Object.entries({ units, ...settings }).filter(([, value]) => value !== undefined);
   const pairs = [...inOrder({ support: "sliding", ...top }), ...inOrder(motion), ...others];
   return `#${pairs.map(([key, value]) => `${key}=${value}`).join("&")}`;
 }
@@ -42,15 +42,17 @@ function fromFragment(fragment) {
       }),
     );
   const support = values.get("support") === "fixed" ? "fixed" : "sliding";
-  return { t, speed, ghost, scenario: { top: { support, ...read(TOP_KEYS) }, motion: { kind, ...read(MOTION_KEYS[kind]) } } };
+  const units = values.get("units") === "none" ? { units: "none" } : {};
+  return { t, speed, ghost, scenario: { ...units, top: { support, ...read(TOP_KEYS) }, motion: { kind, ...read(MOTION_KEYS[kind]) } } };
 }
 
 /** The text of a scenario file, which `toytop` reads. */
-function toToml({ top, motion }, name) {
+function toToml({ units, top, motion }, name) {
   const value = (x) => (Array.isArray(x) ? `[${x.map(value).join(", ")}]` : typeof x === "string" ? `"${x}"` : String(x));
   const table = (title, entries) =>
     [`[${title}]`, ...inOrder(entries).map(([key, x]) => `${key} = ${value(x)}`), ""].join("\n");
-  return `# ${name.replace(/\s+/g, " ")}\n\n${table("top", top)}\n${table("motion", motion)}`;
+  const head = units === undefined ? "" : `units = "${units}"\n\n`;
+  return `# ${name.replace(/\s+/g, " ")}\n\n${head}${table("top", top)}\n${table("motion", motion)}`;
 }
 
 /** The same motion as a release, as far as angles and rates at t = 0 tell it. */
@@ -69,15 +71,17 @@ function asBranchPoints(scenario, shown) {
 }
 
 /** The same body with its tip held or let go: the transverse inertia is about the tip, or about the centre of mass. */
-function withSupport({ top, motion }, support) {
+function withSupport(scenario, support) {
+  const { top } = scenario;
   const { mass, mass_moment, transverse_inertia: a, axial_inertia: c } = top;
-  if ((top.support ?? "sliding") === support) return { top, motion };
+  if ((top.support ?? "sliding") === support) return scenario;
   // a held top need not say where its centre of mass is: halfway to where the body would be a disc
   const s = top.com_height ?? (0.5 * (a - 0.5 * c)) / mass_moment;
   const m = mass ?? mass_moment / s;
   const about = support === "fixed" ? a + m * s * s : a - m * s * s;
   const { gravity } = top;
-  return { top: { support, transverse_inertia: about, axial_inertia: c, com_height: s, mass: m, ...(gravity === undefined ? {} : { gravity }) }, motion };
+  const given = gravity === undefined ? {} : { gravity };
+  return { ...scenario, top: { support, transverse_inertia: about, axial_inertia: c, com_height: s, mass: m, ...given } };
 }
 
 const degrees = (radians) => (radians * 180) / Math.PI;

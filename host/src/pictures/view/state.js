@@ -63,7 +63,7 @@ function show() {
   trail.forget(t);
   if (stretch?.page !== page) stretch = { page, ...stretchOf(trail, scene, page) };
   const ghost = ghostNow(t);
-  const frame = { scene, now, past: [...trail.before(t), now], stretch, t, view, colours, ghost };
+  const frame = { scene, scenario: state.scenario, now, past: [...trail.before(t), now], stretch, t, view, colours, ghost };
   shown = { ...now, t, frame };
   drawScene(element("scene-picture"), frame);
   drawSphere(element("sphere-picture"), frame);
@@ -92,13 +92,13 @@ function tellMotion(launched) {
   element("curve-reason").textContent = curveReason(launched);
   element("plan-title").textContent = launched.held ? "Axis from above" : "Tip from above";
   element("tip-legend").textContent = launched.held ? "foot of the axis, −2αβ" : "tip on the plane";
-  fillTable(element("teachers-facts"), teachersFacts(launched));
-  fillTable(element("papers-facts"), paperFacts(launched));
+  fillTable(element("teachers-facts"), teachersFacts(launched, state.scenario), state.scenario);
+  fillTable(element("papers-facts"), paperFacts(launched), state.scenario);
 }
 
 function tellMoment({ moment }) {
   const { t, page } = state;
-  fillTable(element("moment-facts"), momentFacts(moment, t, scene.shown));
+  fillTable(element("moment-facts"), momentFacts(moment, t, scene.shown), state.scenario);
   const time = element("time");
   if (document.activeElement !== time) time.value = String(Number(t.toPrecision(Math.abs(t) > 1e4 ? 12 : 5)));
   const slider = element("position");

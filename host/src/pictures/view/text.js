@@ -22,8 +22,15 @@ const complexText = ([re, im]) => {
   return `${decimals(re)} ${minus ? "−" : "+"} ${size} i`;
 };
 
+/** Units that a scenario without units has, too. */
+const PURE = ["", "°", "turns", "weights", "rad"];
+
+/** A unit's name, where the scenario has units. */
+const unitName = (unit, { units }) => (units === "none" && !PURE.includes(unit) ? "" : unit);
+
 /** A length in m, with the unit in which it is a number of few digits. */
-function lengthText(metres) {
+function lengthText(metres, scenario) {
+  if (scenario.units === "none") return short(metres, 3);
   const [scale, unit] = Math.abs(metres) < 1 ? [1e3, "mm"] : [1, "m"];
   return `${short(metres * scale, 3)} ${unit}`;
 }
