@@ -15,6 +15,8 @@
 
 mod block;
 
+mod turning;
+
 pub(crate) mod series;
 
 mod expand;

@@ -67,6 +67,11 @@ pub(crate) fn rounded(sum: i128, shift: i32) -> i64 {
     }
 }
 
+/// Product of two integers divided by 2^shift, rounded to the nearest.
+pub(crate) fn scaled_product(a: Split, b: Split, shift: i32) -> i64 {
+    rounded(inner([(&a, &b)].into_iter()), shift)
+}
+
 /// The number itself; `None` if it is too large for a coefficient, so that the series does not converge.
 pub(crate) fn in_range(value: i64) -> Option<i64> {
     (value.abs() <= LIMIT).then_some(value)
@@ -96,6 +101,24 @@ impl Factor {
     pub(crate) fn times(&self, value: i64) -> i64 {
         rounded(inner([(&self.mantissa, &Split::of(value))].into_iter()), self.shift)
     }
+}
+
+/// Integral of a term c y^k: the quotient c/(k + 1), rounded to the nearest. A product costs much less than a division
+/// on a chip without a divider.
+pub(crate) fn integrated(c: i64, k: usize) -> i64 {
+    #[allow(clippy::indexing_slicing)]
+    static INVERSES: [Factor; TERMS] = {
+        let mut inverses = [Factor::of_parts(0, 0); TERMS];
+        let mut k = 0;
+        while k < TERMS {
+            // 1/(k + 1), rounded
+            let divisor = k as i64 + 1;
+            inverses[k] = Factor::of_parts(((1 << BITS) + divisor / 2) / divisor, BITS);
+            k += 1;
+        }
+        inverses
+    };
+    INVERSES.get(k).map_or(0, |inverse| inverse.times(c))
 }
 
 /// Least e with |x| <= 2^e; very small for 0.

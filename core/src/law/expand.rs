@@ -1,8 +1,8 @@
 //! Expansion of the law around a point: the recurrence of the coefficients.
 
 use crate::law::Law;
-use crate::law::block::{BITS, Block, Factor, TERMS, in_range, power_of_two, rounded, scaled};
-use crate::law::series::{Expansion, PhasePoint, Rate, Slopes, integrated, larger_or_nan, negligible};
+use crate::law::block::{BITS, Block, Factor, TERMS, in_range, integrated, power_of_two, rounded, scaled};
+use crate::law::series::{Expansion, PhasePoint, Rate, Slopes, is_negligible, larger_or_nan, negligible};
 use crate::scalar::Float;
 
 /// Constants of one expansion, from the values at its point.
@@ -62,7 +62,7 @@ impl<'a> SlowPhase<'a> {
         let known = rounded(self.divisor.product(self.variation, 1, k - 1, k), -self.divisor.exponent);
         let rate = self.from_square.times(square) - self.from_divisor.times(divisor) - known;
         let in_range = self.divisor.put(k, divisor) & self.variation.put(k, rate);
-        in_range.then_some(rate.abs() >> k <= self.negligible)
+        in_range.then_some(is_negligible(rate, k, self.negligible))
     }
 }
 
@@ -131,7 +131,7 @@ impl Recurrence<'_> {
             .then_some(())
             .and_then(|()| alpha.advance(k, square, delta, drive).zip(beta.advance(k, square, delta, drive)));
         let [.., of_xi] = self.negligible;
-        slow.map(|(alpha, beta)| alpha && beta && xi.abs() >> k <= of_xi)
+        slow.map(|(alpha, beta)| alpha && beta && is_negligible(xi, k, of_xi))
     }
 
     /// Computes coefficient k + 1 of sin χ and of cos χ. Returns whether both are negligible.
@@ -141,7 +141,7 @@ impl Recurrence<'_> {
         let cosine = integrated(in_range(self.to_cosine.times(rate(self.sine)))?, k);
         let in_range = self.sine.put(k + 1, sine) & self.cosine.put(k + 1, cosine);
         let [of_sine, of_cosine, _] = self.negligible;
-        in_range.then_some(sine.abs() >> k <= of_sine && cosine.abs() >> k <= of_cosine)
+        in_range.then_some(is_negligible(sine, k, of_sine) && is_negligible(cosine, k, of_cosine))
     }
 }
 

@@ -7,11 +7,12 @@
 //! linear equations.
 
 use crate::law::PhaseRates;
-use crate::law::block::{BITS, Block, Factor, in_range, inner, power_of_two, rounded, scaled};
+use crate::law::block::{BITS, Block, Factor, in_range, integrated, power_of_two, rounded, scaled};
+use crate::law::turning::{FRACTION, sine_cosine};
 use crate::phase::Phase;
 use crate::scalar::{Float, Scalar};
 
-pub(crate) use crate::law::block::{Split, TERMS};
+pub(crate) use crate::law::block::{Split, TERMS, scaled_product};
 
 /// Unit of the coefficients of α and β, 2^-62.
 pub(crate) const UNIT: f64 = power_of_two(-UNIT_BITS);
@@ -25,32 +26,18 @@ fn of_x(coefficient: i64, k: usize) -> i64 {
     }
 }
 
+/// Largest rounding error of a coefficient, in units of its series: the sum of some roundings of half a unit.
+const NOISE: i64 = 4;
+
+/// Whether the k-th coefficient is a rounding error, or its term at y = 1/2 is below `least` units.
+pub(crate) fn is_negligible(coefficient: i64, k: usize, least: i64) -> bool {
+    let size = coefficient.abs();
+    size <= NOISE || size >> k < least
+}
+
 /// Magnitude below which a term of a series is negligible, in its units.
 pub(crate) fn negligible(least: f64, unit: f64) -> i64 {
     libm::round(least / unit).clamp(0.0, (1_i64 << 62) as f64) as i64
-}
-
-/// Product of two integers divided by 2^shift, rounded to the nearest.
-pub(crate) fn scaled_product(a: Split, b: Split, shift: i32) -> i64 {
-    rounded(inner([(&a, &b)].into_iter()), shift)
-}
-
-/// Integral of a term c y^k: the quotient c/(k + 1), rounded to the nearest. A product costs much less than a division
-/// on a chip without a divider.
-pub(crate) fn integrated(c: i64, k: usize) -> i64 {
-    #[allow(clippy::indexing_slicing)]
-    static INVERSES: [Factor; TERMS] = {
-        let mut inverses = [Factor::of_parts(0, 0); TERMS];
-        let mut k = 0;
-        while k < TERMS {
-            // 1/(k + 1), rounded
-            let divisor = k as i64 + 1;
-            inverses[k] = Factor::of_parts(((1 << BITS) + divisor / 2) / divisor, BITS);
-            k += 1;
-        }
-        inverses
-    };
-    INVERSES.get(k).map_or(0, |inverse| inverse.times(c))
 }
 
 /// Phases of a point of the motion. They are integers, so that the steps from point to point add without rounding,
@@ -145,9 +132,13 @@ impl Rate {
         (self.slope + y * value, y * (self.slope + y * integral))
     }
 
-    /// Magnitude of the k-th coefficient.
+    /// Magnitude of the k-th coefficient; 0 where it is a rounding error.
     fn term(&self, k: usize) -> f64 {
-        Float::abs(if k == 0 { self.slope } else { self.variation.number(k) * self.scale })
+        match k {
+            0 => Float::abs(self.slope),
+            _ if self.variation.get(k).abs() <= NOISE => 0.0,
+            _ => Float::abs(self.variation.number(k) * self.scale),
+        }
     }
 }
 
@@ -239,8 +230,10 @@ impl Expansion {
                 let sum = from_chi.times(self.chi.variation.get(k)) + from_slow.times(slow.variation.get(k));
                 converges &= rate.put(k, sum);
             }
-            let (sine, cosine) = f64::sine_cosine(theta + chi);
-            let start = [scale * cosine, scale * sine];
+            let (sine, cosine) = sine_cosine(theta + chi);
+            let scale = Split::of(scaled(scale, -FRACTION));
+            let part = |part: i64| scaled_product(Split::of(part), scale, 2 * FRACTION - BITS);
+            let start = [part(cosine), part(sine)];
             let terms = exponential(rate, start, least, [re, im])?;
             for (k, (sum_re, sum_im)) in sum_re.iter_mut().zip(sum_im.iter_mut()).enumerate().take(terms) {
                 *sum_re += of_x(re.get(k), k);
@@ -272,13 +265,17 @@ impl Expansion {
     }
 }
 
-/// Series of start · e^{i ∫ rate}, the solution of z' = i z rate, in units of 2^-56. Returns the number of its terms,
+/// Series of start · e^{i ∫ rate}, the solution of z' = i z rate, in units of 2^-56 like the start. Returns the number of its terms,
 /// or `None` where it does not converge.
 #[inline(never)]
-fn exponential(rate: &Block, start: [f64; 2], least: f64, [re, im]: [&mut Block; 2]) -> Option<usize> {
+fn exponential(
+    rate: &Block,
+    [start_re, start_im]: [i64; 2],
+    least: f64,
+    [re, im]: [&mut Block; 2],
+) -> Option<usize> {
     (*re, *im) = (Block::ZERO, Block::ZERO);
-    let least = negligible(least, power_of_two(-BITS));
-    let [start_re, start_im] = start.map(|part| scaled(part, -BITS));
+    let least = negligible(least, UNIT);
     let mut converges = re.put(0, start_re) & im.put(0, start_im);
     let mut before = i64::MAX;
     for k in 0..TERMS - 1 {
@@ -290,8 +287,7 @@ fn exponential(rate: &Block, start: [f64; 2], least: f64, [re, im]: [&mut Block;
         if !converges {
             return None;
         }
-        // in powers of x
-        let size = next_re.abs().max(next_im.abs()) >> (2 * k + 2);
+        let size = of_x(next_re.abs().max(next_im.abs()), k + 1);
         if size.max(before) <= least {
             return Some(k + 2);
         }

@@ -229,7 +229,9 @@ fn fixed_point_is_fixed_point() {
             assert!(error > least && error < most, "{scalar}: {error:e}");
             let whole = |x: &f64| (x * 2_f64.powi(unit)).fract() == 0.0;
             assert!(numbers(b, &["alpha", "beta", "u"]).iter().all(whole), "{scalar}: {b}");
-            assert!(distance(a, b, &["omega", "tip", "udot"]) < 20.0 * most);
+            let slower = distance(a, b, &["omega", "tip", "udot"]);
+            // the rates are rounded to f32
+            assert!(slower < 25.0 * most, "{scalar}: {slower:e}");
         }
     }
 }
