@@ -162,7 +162,7 @@ fn exact_inputs_at_any_distance() {
 
 /// On the orientation, and on φ: it is as good as the argument of the scalar's tip where that is the better one.
 const BOUNDS: [(&str, f64, f64); 5] = [
-    // the axis of the aperiodic motion is 1e-3 rad from the vertical, where the tip angle magnifies an error
+    // near the vertical the tip angle magnifies an error of the orientation
     ("f64", 1e-13, 5e-13),
     ("f32", 5e-7, 1e-5),
     ("q31", 1.2e-8, 1e-6),
