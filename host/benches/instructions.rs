@@ -16,9 +16,9 @@ use toytop_host::full_equations::full_solver::FullSolver;
 use toytop_host::full_equations::solution;
 use toytop_host::measure::benchmark::{Benchmark, NUMBERS};
 
-/// Of a batch.
+/// Number of ticks in a batch.
 const TICKS: usize = 1024;
-/// The first of them.
+/// First tick of a batch.
 const FIRST: i64 = 1 << 40;
 
 // Each sets up what a call needs and returns the call, which alone is counted; what it returns is dropped behind it.

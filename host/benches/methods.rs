@@ -1,4 +1,4 @@
-//! The same work by every method: 10 nutation periods, an orientation at 16 moments in each. The efforts are those that reach
+//! Time of every method for 10 nutation periods with an orientation at 16 times in each. The efforts are those that reach
 //! some 1e-9 rad there, or the least of which a method is worth its name; the errors are printed first.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};

@@ -7,9 +7,9 @@ use toytop::scalar::Real;
 use toytop::{Ephemeris, EphemerisScalar, Motion, Stepper, Tick};
 use toytop_host::measure::benchmark::NUMBERS;
 
-/// Of a batch: enough to time, few enough to stay in the cache.
+/// Number of ticks in a batch: enough to time, few enough to stay in the cache.
 const TICKS: usize = 4096;
-/// The first of them.
+/// First tick of a batch.
 const FIRST: i64 = 1 << 40;
 
 fn ephemeris<R: EphemerisScalar, const SEGMENTS: usize>(c: &mut Criterion, name: &str, motion: &Motion) {

@@ -19,7 +19,7 @@ pub use score::ScoreArgs;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
-/// The motion of a spinning top whose tip slides on a plane, or is fixed.
+/// Motion of a spinning top whose tip slides on a plane, or is fixed.
 #[derive(Debug, Parser)]
 #[command(name = "toytop", version, help_template = "{about}\n{usage-heading} {usage}\n\n{all-args}\n")]
 pub struct Cli {

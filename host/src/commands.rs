@@ -21,7 +21,7 @@ use crate::input::scenario::Scenario;
 use crate::motion::physical_limits;
 use toytop::Motion;
 
-/// What a command has to say.
+/// Report of a command.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
     /// For stdout.
@@ -74,7 +74,7 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
     }
 }
 
-/// What a real top on a plane would do otherwise: a line a kind, with the motions it is true of.
+/// Warnings that a real top on a plane would move differently: a line a kind, with the motions concerned.
 fn unreal(scenarios: &[Scenario]) -> Vec<String> {
     let line = |what: &str, number: fn(&Motion) -> Option<f64>, digits: usize| {
         let of = |scenario: &Scenario| {
@@ -97,7 +97,7 @@ fn unreal(scenarios: &[Scenario]) -> Vec<String> {
     [pulled, fallen, unstable].into_iter().flatten().collect()
 }
 
-/// So many digits after the point, or in scientific notation where these are all 0.
+/// Number with this many digits after the point, or in scientific notation where these are all 0.
 fn rounded(number: f64, digits: usize) -> String {
     let text = format!("{number:.digits$}");
     if text.bytes().any(|byte| (b'1'..=b'9').contains(&byte)) { text } else { format!("{number:.1e}") }

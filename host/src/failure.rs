@@ -27,7 +27,7 @@ impl Failure {
         }
     }
 
-    /// The same, with the name of what it is about in front.
+    /// Failure with the name of its object in front.
     #[must_use]
     pub fn of(self, name: &str) -> Self {
         match self {

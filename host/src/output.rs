@@ -24,7 +24,7 @@ pub enum Cell {
     Count(u64),
     /// A number.
     Number(f64),
-    /// What does not exist here: `null` in JSON, empty in CSV.
+    /// Absent value: `null` in JSON, empty in CSV.
     Absent,
     /// Several numbers with the suffixes of their CSV columns: an array in JSON.
     Numbers(Vec<(&'static str, f64)>),
@@ -46,7 +46,7 @@ pub fn number(x: f64) -> String {
     format!("{:.16e}", x + 0.0)
 }
 
-/// So many significant digits, and no more than it needs.
+/// Number with this many significant digits, without trailing zeros.
 #[must_use]
 pub fn short(x: f64, digits: usize) -> String {
     let rounded: f64 = format!("{x:.*e}", digits.saturating_sub(1)).parse().unwrap_or(x);

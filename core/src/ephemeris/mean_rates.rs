@@ -147,3 +147,35 @@ pub(crate) fn rise_time(law: &Law<f64>, v: f64) -> f64 {
     });
     sum * step / 3.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Signs, Start, Top, TopParameters};
+
+    /// A large error of the trapezoid rule: the errors of all three rates contain it.
+    #[test]
+    fn the_error_of_the_quadrature_is_in_every_rate() {
+        let parameters = TopParameters {
+            transverse_inertia: 1.0,
+            axial_inertia: 0.7,
+            com_height: 1.0,
+            mass_moment: 1.0,
+            ..TopParameters::default()
+        };
+        let top = Top::sliding(&parameters).unwrap();
+        let motion =
+            Motion::from_branch_points(&top, [-0.5, 0.5, 1.5], Signs::default(), &Start::default()).unwrap();
+        let exact = *motion.mean_motion().unwrap();
+        let rough = MeanMotion { relative_error: 1e-3, ..exact };
+        let frequency = 1.0 / exact.advance.period.to_f64();
+        let psi: f64 = exact.psi.iter().map(|angle| Float::abs(angle.in_turns().to_f64())).sum();
+        for (rate, (small, large)) in
+            errors(&motion, &exact).into_iter().zip(errors(&motion, &rough)).enumerate()
+        {
+            assert!(small < 1e-25, "{rate}: {small:e}");
+            let least = if rate == 0 { frequency } else { frequency * psi };
+            assert!((1e-3..1e-2).contains(&(large / least)), "{rate}: {large:e}");
+        }
+    }
+}

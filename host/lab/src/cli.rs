@@ -8,7 +8,7 @@ use toytop_host::cli::Format;
 #[derive(Debug, Parser)]
 #[command(name = "toytop-lab", version)]
 pub struct Cli {
-    /// What to do.
+    /// Command of the program.
     #[command(subcommand)]
     pub command: Command,
 }
@@ -42,7 +42,7 @@ pub enum Command {
 /// `toytop-lab overflow`
 #[derive(Args, Debug)]
 pub struct OverflowArgs {
-    /// How many motions
+    /// Number of motions
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     pub motions: u64,
     /// Ticks of each, in 32 and in 16 bits
@@ -68,7 +68,7 @@ pub struct StudyArgs {
     /// Launches towards every degenerate corner, of branch points and of states, in four scalars
     #[arg(long)]
     pub corners: bool,
-    /// How many of the launches of each seed are held against the truth
+    /// Number of launches of each seed that are compared with the truth
     #[arg(long, value_name = "N", default_value_t = 10_000, requires = "corners", value_parser = clap::value_parser!(u64).range(1..))]
     pub truths: u64,
     /// Markdown page whose table to write
@@ -80,7 +80,7 @@ pub struct StudyArgs {
 }
 
 impl StudyArgs {
-    /// How many motions.
+    /// Number of motions
     #[must_use]
     pub fn count(&self) -> u64 {
         self.motions.unwrap_or(if self.corners { 1_000_000 } else { 100_000 })
@@ -90,7 +90,7 @@ impl StudyArgs {
 /// `toytop-lab longrun`
 #[derive(Args, Debug)]
 pub struct LongrunArgs {
-    /// How many ticks
+    /// Number of ticks
     #[arg(long, value_name = "N", default_value_t = 1_000_000_000, value_parser = clap::value_parser!(u64).range(1000..=1_000_000_000_000))]
     pub ticks: u64,
     /// Markdown page whose table to write

@@ -110,7 +110,7 @@ pub fn swept(every: u32) -> Result<[Worst; ROUTINES.len()], Failure> {
     Ok(thread_pool::of_all_cores()?.install(|| blocks.map(of_block).reduce(nothing, greater)))
 }
 
-/// How many phases that is.
+/// Number of phases.
 #[must_use]
 pub fn phases(every: u32) -> u64 {
     (1_u64 << 32).div_ceil(every.into())

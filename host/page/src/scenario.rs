@@ -11,7 +11,7 @@ pub type TopNumbers = [f64; 7];
 /// Numbers of a motion, by its [`Kind`]; what a kind does not need is ignored.
 pub type MotionNumbers = [f64; 8];
 
-/// How a motion is given, as the key `kind` of a scenario.
+/// Kind of a scenario's motion: the key `kind`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Tilt (degrees), spin, precession, nutation, azimuth and roll (degrees).

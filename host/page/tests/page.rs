@@ -101,7 +101,7 @@ fn a_moment_is_the_cores() {
     });
 }
 
-/// Of fourth order, forwards and backwards; and a call never takes long.
+/// The ghost's method is of fourth order, forwards and backwards, and a call has bounded work.
 #[test]
 fn the_ghost_drifts_as_its_step_says() {
     let motion = thrown();

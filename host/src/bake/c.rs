@@ -11,9 +11,9 @@ use toytop::{Clock, ErrorBound};
 
 /// Phases: the same for every scalar.
 const CLOCK: &str = include_str!("clock.h");
-/// How a table is asked, whatever it evaluates by.
+/// Functions that read a table, common to all scalars.
 const ACCESSORS: &str = include_str!("accessors.h");
-/// The checksum of integers.
+/// Checksum of integers.
 const INTACT: &str = include_str!("intact.h");
 
 /// The text of a header. Several may be included in one file: what they share is there once.
@@ -83,7 +83,7 @@ fn name(label: &Label) -> String {
     if name.contains('_') && !name.ends_with("_t") { name } else { format!("top_{name}") }
 }
 
-/// What evaluates the tables of a scalar: its own arithmetic, and two templates. Several headers share it.
+/// Evaluator of the tables of a scalar: its own arithmetic, and two templates. Several headers share it.
 fn evaluator(scalar: &str, arithmetic: &str, intact: &str) -> String {
     let (name, bits) = (scalar.to_uppercase(), &scalar[1..]);
     let asked = [ACCESSORS, intact].concat().replace("SCALAR", scalar).replace("BITS", bits);

@@ -10,7 +10,7 @@ use std::path::Path;
 pub struct Function {
     /// As linked.
     pub name: String,
-    /// Of its first instruction.
+    /// Address of its first instruction.
     pub address: u64,
     /// Bytes, literals after the code included.
     pub size: u64,

@@ -42,7 +42,7 @@ impl Registers {
     }
 }
 
-/// How an instruction is priced.
+/// Class of an instruction by its price.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Data processing, multiplication included.
@@ -57,7 +57,7 @@ pub enum Kind {
     Load { indexed: bool },
     /// One word or less; `indexed` by a register.
     Store { indexed: bool },
-    /// So many words: LDM, STM, LDRD, STRD, PUSH, POP, VLDM, VSTM.
+    /// Transfer of this many words: LDM, STM, LDRD, STRD, PUSH, POP, VLDM, VSTM.
     Several { words: u32 },
     /// VADD, VMUL, VCVT ...: a result that the next instruction has to wait for.
     Float,
@@ -88,13 +88,13 @@ pub enum Kind {
 pub struct Instruction {
     /// Its price.
     pub kind: Kind,
-    /// What it reads.
+    /// Registers that it reads.
     pub reads: Registers,
-    /// What it writes.
+    /// Registers that it writes.
     pub writes: Registers,
-    /// What it computes an address of.
+    /// Registers that it computes an address from.
     pub addressing: Registers,
-    /// Of four bytes, and not at a multiple of four: slow to jump to.
+    /// Whether it has four bytes and is not at a multiple of four, which makes a jump to it slow.
     pub straddles: bool,
 }
 

@@ -86,7 +86,7 @@ impl Limits {
         Ok(Self(table.iter().map(chip).collect::<Result<_, Failure>>()?))
     }
 
-    /// What is allowed to a call on a chip.
+    /// Limits of a call on a chip.
     #[must_use]
     pub fn of(&self, chip: &str, call: &str) -> Option<&Cost> {
         let (_, costs) = self.0.iter().find(|(name, _)| name == chip)?;

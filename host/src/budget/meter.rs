@@ -8,20 +8,20 @@ use crate::Failure;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::Path;
 
-/// What the costliest of several calls took.
+/// Cost of the costliest of several calls.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
-    /// Of the function, without `bench_`.
+    /// Name of the function, without `bench_`.
     pub call: String,
-    /// Executed, from the first instruction to the return; exact.
+    /// Instructions executed from the first to the return; exact.
     pub instructions: u64,
     /// By the model of the chip.
     pub cycles: Option<u64>,
     /// Below the stack pointer at the call, bytes: what the firmware saw touched.
     pub stack: Option<u64>,
-    /// Of all functions that it ran through, bytes, the literals among their code included.
+    /// Flash of all functions that it ran through, bytes, the literals among their code included.
     pub flash: u64,
-    /// To be kept between calls, bytes: as the firmware says.
+    /// RAM kept between calls, bytes, as the firmware states it.
     pub ram: Option<u64>,
 }
 

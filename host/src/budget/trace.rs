@@ -13,7 +13,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
-/// What takes longer does not end: the firmware of this repository takes a second.
+/// Longest run of a program; the firmware of this repository takes a second.
 const LONGEST_RUN: Duration = Duration::from_secs(120);
 
 /// Instructions that follow one another.

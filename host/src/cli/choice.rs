@@ -14,7 +14,7 @@ pub enum Format {
     Json,
 }
 
-/// How `state` gets to a time.
+/// Method by which `state` reaches a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Method {
     /// The core's ephemeris: any time at the same cost

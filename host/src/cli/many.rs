@@ -56,7 +56,7 @@ pub struct SweepArgs {
     /// Another seed, other motions
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
-    /// What to say of each
+    /// Columns of each motion
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS)]
     pub columns: Vec<Column>,
     /// Evaluate each at so many moments

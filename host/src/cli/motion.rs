@@ -13,7 +13,7 @@ pub struct StateArgs {
     #[expect(missing_docs, reason = "a comment would head the help text of the whole command")]
     #[command(flatten)]
     pub times: TimesArgs,
-    /// How to get there
+    /// Method that reaches the times
     #[arg(long, value_enum, default_value_t = Method::Ephemeris)]
     pub method: Method,
     /// Scalar type of the core
@@ -28,7 +28,7 @@ pub struct StateArgs {
     /// A ticks in B seconds, for --ticks
     #[arg(long, value_name = "A/B", value_parser = ratio)]
     pub tick: Option<[u32; 2]>,
-    /// What to say of each instant, in this order
+    /// Columns of each time, in this order
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS)]
     pub columns: Vec<Column>,
     /// Name the units in the header of CSV, Parquet excepted: omega_x [rad/s]
@@ -37,7 +37,7 @@ pub struct StateArgs {
     /// Form of the output
     #[arg(long, value_enum, default_value_t = SampleFormat::Table)]
     pub format: SampleFormat,
-    /// Where to; without it, to stdout
+    /// Output file; without it, stdout
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }
@@ -113,7 +113,7 @@ pub(super) fn span(text: &str) -> Result<[f64; 2], &'static str> {
 pub struct PlotArgs {
     /// Scenario file
     pub scenario: PathBuf,
-    /// What to draw
+    /// Kind of picture
     #[arg(long, value_enum, default_value_t = PlotKind::Tip)]
     pub kind: PlotKind,
     /// Times to draw, s; without it, until the curve of the tip has gone round
@@ -122,7 +122,7 @@ pub struct PlotArgs {
     /// Width of the picture, pixels
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(100..=10_000))]
     pub size: Option<u32>,
-    /// Where to: a file that ends in .svg or .png
+    /// Output file, which ends in .svg or .png
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
 }
@@ -141,7 +141,7 @@ pub struct AnimateArgs {
     /// Width and height of the film, pixels
     #[arg(long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u32).range(64..=2160))]
     pub size: u32,
-    /// Where to: a file that ends in .gif, or by ffmpeg .webm or .mp4
+    /// Output file, which ends in .gif, or by ffmpeg in .webm or .mp4
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
 }
@@ -155,7 +155,7 @@ fn length(text: &str) -> Result<f64, &'static str> {
 pub struct ViewArgs {
     /// Scenario file to start with; without it, a toy top
     pub scenario: Option<PathBuf>,
-    /// Where to: a file that ends in .html
+    /// Output file, which ends in .html
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
 }
@@ -168,7 +168,7 @@ pub struct BakeArgs {
     /// Scalar type of the results
     #[arg(long, value_enum, default_value_t = Scalar::F32)]
     pub scalar: Scalar,
-    /// What to write
+    /// Language of the table
     #[arg(long, value_enum, default_value_t = Language::Rust)]
     pub lang: Language,
     /// Room for so many segments: a power of two from 16 to 4096, 25 in f32, or 48 in f64; without it the crate's default, or the
@@ -182,12 +182,12 @@ pub struct BakeArgs {
     /// A ticks in B seconds
     #[arg(long, value_name = "A/B", value_parser = ratio)]
     pub tick: Option<[u32; 2]>,
-    /// Where to; without it, to stdout
+    /// Output file; without it, stdout
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }
 
-/// What `bake` writes.
+/// Language that `bake` writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Language {
     /// A module with one static

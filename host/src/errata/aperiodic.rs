@@ -67,7 +67,7 @@ struct Case {
     b: C,
     w_minus: f64,
     w_plus: C,
-    /// Where on the way of the motion the formulas are evaluated.
+    /// Point of the motion at which the formulas are evaluated.
     x: C,
     /// log(-σ(x-b)/σ(x+b)), 0 at x = 0.
     log: C,

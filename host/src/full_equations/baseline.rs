@@ -23,7 +23,7 @@ impl Scheme for RungeKutta {
     }
 }
 
-/// The same method from the crate multicalc.
+/// Runge-Kutta method of the crate multicalc.
 #[derive(Clone, Copy, Debug)]
 pub struct Multicalc;
 

@@ -41,7 +41,7 @@ impl Units {
 /// One top and one motion.
 #[derive(Clone, Debug)]
 pub struct Scenario {
-    /// What reports call it.
+    /// Name in reports.
     pub name: String,
     /// The motion, with its top.
     pub motion: Motion,

@@ -33,7 +33,7 @@ enum Numbers {
 }
 
 impl Instants {
-    /// How many there are.
+    /// Number of times.
     #[must_use]
     pub fn count(&self) -> u64 {
         match self {

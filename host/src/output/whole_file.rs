@@ -17,7 +17,7 @@ pub fn write(option: &str, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     write_by(option, path, |file| file.write_all(bytes))
 }
 
-/// The same for what is not held in memory as a whole.
+/// Writes a file from a function, for content that is not held in memory as a whole.
 ///
 /// # Errors
 /// As [`write()`], and what `fill` returns.
@@ -55,7 +55,7 @@ fn write_whole(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> i
     written
 }
 
-/// Where a path leads, also to what is not there yet.
+/// Target of a path, also where it does not exist yet.
 fn followed(path: &Path) -> PathBuf {
     fs::canonicalize(path).unwrap_or_else(|_| match fs::read_link(path) {
         Ok(target) => path.with_file_name(".").join(target),

@@ -40,7 +40,7 @@ impl<'a> Film<'a> {
         film
     }
 
-    /// How many frames there are.
+    /// Number of frames.
     #[must_use]
     pub fn frames(&self) -> u64 {
         self.frames

@@ -16,7 +16,7 @@ pub use errors::measured as measured_errors;
 /// A picture.
 #[derive(Debug)]
 pub struct Picture {
-    /// Of the file, without an ending.
+    /// Name of the file, without an ending.
     pub name: &'static str,
     /// For a page that shows it.
     pub title: &'static str,

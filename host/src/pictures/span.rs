@@ -44,7 +44,7 @@ impl<'a> Span<'a> {
         self.table.at(t).sample
     }
 
-    /// So many times, evenly spread with both ends.
+    /// This many times, evenly spread, both ends included.
     pub fn times(&self, count: u64) -> impl Iterator<Item = f64> {
         let [from, until] = self.ends;
         (0..count).map(move |i| from + (until - from) * i as f64 / (count.max(2) - 1) as f64)

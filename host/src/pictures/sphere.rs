@@ -11,7 +11,7 @@ const WIDTH: f64 = 720.0;
 const HEIGHT: f64 = 700.0;
 const MIDDLE: [f64; 2] = [320.0, 385.0];
 const RADIUS: f64 = 265.0;
-/// Where the names of the parallels begin.
+/// Horizontal position at which the names of the parallels begin, pixels.
 const LABELS: f64 = 572.0;
 const POINTS: u64 = 6000;
 

@@ -21,7 +21,7 @@ pub const EVALUATOR: &str = include_str!("view/evaluator.js");
 /// The core as WebAssembly; empty in a program that was compiled without that target.
 pub const CORE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/core.wasm"));
 
-/// What a program says whose pages play one motion only.
+/// Message of a program whose pages play one motion only.
 pub const NOT_LIVE: &str = "view: the page plays this motion only; for one with sliders: rustup target add \
                             wasm32-unknown-unknown, then install toytop again";
 
@@ -59,7 +59,7 @@ const RECORDED: [&str; 2] = [EVALUATOR, include_str!("view/recorded.js")];
 pub struct Start {
     /// Keys and values of its scenario.
     pub keys: Table,
-    /// The same, read.
+    /// Scenario read from that text.
     pub scenario: Scenario,
 }
 
@@ -125,7 +125,7 @@ fn frequency(motion: &Motion) -> f64 {
     (FINER * ticks_per_time(motion)).min(31_f64.exp2())
 }
 
-/// What the core would say of the motion.
+/// Constants of the motion as the core would state them.
 fn shown(motion: &Motion) -> Value {
     let numbers = constants::CONSTANTS.iter().map(|(name, value)| ((*name).to_owned(), value(motion).into()));
     let words =

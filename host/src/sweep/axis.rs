@@ -12,7 +12,7 @@ pub enum Axis {
     List(Vec<f64>),
     /// All numbers of a range: for a random sample only.
     Range(Range),
-    /// So many places of a range, both ends included, evenly spread.
+    /// Range with this many values, evenly spread, both ends included.
     Grid(Range, u32),
 }
 
@@ -36,7 +36,7 @@ impl Range {
 }
 
 impl Axis {
-    /// How many numbers there are; `None` of a range.
+    /// Number of values; `None` for a range.
     pub(super) fn len(&self) -> Option<u64> {
         match self {
             Self::List(numbers) => Some(numbers.len() as u64),

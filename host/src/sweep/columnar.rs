@@ -34,7 +34,7 @@ fn physical_type(name: &str) -> &'static str {
     }
 }
 
-/// What a file says of itself: the version, and the options that make it again.
+/// Metadata of a file: the version, and the options that make it again.
 fn metadata(rows: &Rows, [shard, of]: [u64; 2]) -> Vec<KeyValue> {
     let seed = rows.motions.seed().map(|seed| seed.to_string());
     let entries = [
@@ -46,7 +46,7 @@ fn metadata(rows: &Rows, [shard, of]: [u64; 2]) -> Vec<KeyValue> {
     entries.into_iter().filter_map(entry).collect()
 }
 
-/// How many rows the file has, if it is there; then it has to be this sweep's.
+/// Number of rows of the file, if it exists; then it has to be this sweep's.
 ///
 /// # Errors
 /// [`Failure::Input`]: it is something else, or not to be resumed.
@@ -78,7 +78,7 @@ pub fn write(csv: &Path, path: &Path, rows: &Rows, shard: [u64; 2], len: u64) ->
     })
 }
 
-/// What the system said of it, if that is what went wrong.
+/// Error of the operating system, if that is the cause.
 fn of_system(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(cause) => match cause.downcast::<io::Error>() {

@@ -47,7 +47,7 @@ pub enum Column {
     /// Greatest error of the f32 ephemeris over the ticks, against that in f64, rad
     #[value(name = "error_f32")]
     ErrorF32,
-    /// What the f32 ephemeris states as the bound of its error, rad
+    /// Error bound that the f32 ephemeris states, rad
     #[value(name = "bound_f32")]
     BoundF32,
     /// Segments of the f32 table
@@ -61,7 +61,7 @@ pub enum Column {
     FullErrorF32,
 }
 
-/// What is said where nothing else is asked for.
+/// Columns without the option.
 pub const DEFAULT_COLUMNS: &str = "regime,tip_class,period,phi_per_period,min_normal_force";
 
 impl Column {
@@ -111,11 +111,11 @@ impl Column {
 /// The table of a sweep: a header, and a row for every number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rows {
-    /// Which motions.
+    /// Motions of the sweep.
     pub motions: Motions,
-    /// What is said of each.
+    /// Columns of each motion.
     pub columns: Vec<Column>,
-    /// At how many moments it is evaluated.
+    /// Number of times at which each motion is evaluated.
     pub ticks: u32,
     /// Over how many nutation periods.
     pub periods: f64,
@@ -187,7 +187,7 @@ fn times(whole: f64, count: u32) -> Vec<f64> {
     (0..count).map(|i| part * (f64::from(i) + (f64::from(i + 1) * GOLDEN_SECTION).fract())).collect()
 }
 
-/// What is known of one motion.
+/// Quantities of one motion from which the columns follow.
 struct Measured {
     motion: Motion,
     averages: Option<PeriodAdvance>,
@@ -220,7 +220,7 @@ impl Run {
     }
 }
 
-/// What is absent is an empty field.
+/// Appends a column to a row; an absent value is an empty field.
 fn put(row: &mut String, column: Column, ticks: u32, measured: &Option<Measured>) {
     let Some(measured) = measured else {
         let refused = if column == Column::Regime { "refused" } else { "" };

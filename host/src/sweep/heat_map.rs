@@ -11,7 +11,7 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, TextAnchor, render_multiple};
 use std::sync::Arc;
 
-/// Which heat map: the key along x, the key along y, and the column that is shown.
+/// Choice of a heat map: the key along x, the key along y, and the column shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeatMap {
     names: [String; 3],

@@ -12,7 +12,7 @@ use toytop::Motion;
 pub struct Launches {
     template: Template,
     axes: Vec<(Key, Axis)>,
-    /// How many to draw, and by which seed; `None`: the grid of all combinations.
+    /// Number of motions to draw, and the seed; `None` for the grid of all combinations.
     pub(super) sample: Option<(u64, u64)>,
 }
 
@@ -77,7 +77,7 @@ impl Launches {
         )
     }
 
-    /// How many motions there are.
+    /// Number of motions.
     pub(super) fn len(&self) -> u64 {
         self.checked_len().unwrap_or(u64::MAX)
     }

@@ -4,7 +4,7 @@ use super::{Launches, Place, Space};
 use std::fmt;
 use toytop::Motion;
 
-/// Which motions a sweep goes through.
+/// Motions of a sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Motions {
     /// The paper's constants, without units.
@@ -14,7 +14,7 @@ pub enum Motions {
 }
 
 impl Motions {
-    /// How many there are.
+    /// Number of motions.
     #[must_use]
     pub fn len(&self) -> u64 {
         match self {

@@ -136,14 +136,14 @@ fn lock(file: &File) -> Result<(), TryLockError> {
     }
 }
 
-/// What of a file ends with a line break.
+/// Complete lines of a file.
 #[derive(Default)]
 struct Whole {
     lines: u64,
     bytes: u64,
     first: String,
     last: String,
-    /// What follows.
+    /// Text after the last line break.
     rest: String,
 }
 

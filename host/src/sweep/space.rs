@@ -24,7 +24,7 @@ pub struct Space {
     pub axes: [Axis; 5],
     /// Signs of l + n and l - n.
     pub signs: SignChoice,
-    /// How many to draw, and by which seed; `None`: the grid of all combinations.
+    /// Number of motions to draw, and the seed; `None` for the grid of all combinations.
     pub sample: Option<(u64, u64)>,
 }
 
@@ -37,7 +37,7 @@ pub struct Place {
     pub a: f64,
     /// C/A.
     pub c_over_a: f64,
-    /// Of l + n and l - n.
+    /// Signs of l + n and l - n.
     pub signs: Signs,
 }
 
@@ -52,7 +52,7 @@ const LIMITS: [(&str, [f64; 2]); 5] = [
 
 /// Draws until e₁ <= e₂, at most.
 const DRAWS: u32 = 1000;
-/// Of the draws so many in a hundred must have it: then 1000 in a row without are not to be expected in any sweep.
+/// Least percentage of the draws that must be in order: then 1000 in a row without one are not to be expected in any sweep.
 const LEAST_SHARE: u64 = 5;
 
 /// The options of `toytop sweep` that say which motions.
@@ -104,7 +104,7 @@ impl Space {
         Ok(())
     }
 
-    /// How many motions there are.
+    /// Number of motions.
     #[must_use]
     pub fn len(&self) -> u64 {
         self.sample.map_or_else(|| self.sizes().iter().product(), |(motions, _)| motions)
@@ -160,7 +160,7 @@ impl Space {
         }
     }
 
-    /// Of the signs and the axes.
+    /// Numbers of values of the signs and of the axes.
     fn sizes(&self) -> [u64; 6] {
         let mut sizes = [if self.signs == SignChoice::Both { 2 } else { 1 }; 6];
         for (size, axis) in sizes.iter_mut().skip(1).zip(&self.axes) {

@@ -61,7 +61,7 @@ struct Place {
     beyond: Precise,
 }
 
-/// What u does.
+/// Behaviour of u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Course {
     /// It is constant.
@@ -125,7 +125,7 @@ impl Exact {
             .with_passage(0)
     }
 
-    /// The same with its integrals; panels are `finer` times as short beside the turning points, in powers of 4.
+    /// Motion with its integrals; panels are shorter beside the turning points by 4 to the power `finer`.
     fn with_passage(mut self, finer: usize) -> Self {
         self.passage = None;
         if self.course() == Course::Steady {
@@ -141,7 +141,7 @@ impl Exact {
         self
     }
 
-    /// What kind of motion it is, by the truth's own numbers.
+    /// Kind of motion by the truth's own numbers.
     #[must_use]
     pub fn course(&self) -> Course {
         let Law { one_minus_e2, e2_minus_e1, e3_minus_e2, .. } = &self.law;

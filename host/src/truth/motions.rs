@@ -20,9 +20,9 @@ pub struct Numbers {
     pub g: f64,
     /// Branch points.
     pub e: [f64; 3],
-    /// Of l + n and l - n.
+    /// Signs of l + n and l - n.
     pub signs: Signs,
-    /// Where it starts.
+    /// Phases at t = 0.
     pub start: Start,
 }
 

@@ -17,7 +17,7 @@ const SAME: f64 = 1e-60;
 /// A double root is approached by halves.
 const MOST_STEPS: u32 = 4000;
 
-/// What of a state the truth starts from.
+/// Constants of a motion from a state, from which the truth starts.
 #[derive(Clone, Debug)]
 pub struct Launched {
     pub(super) law: Law,

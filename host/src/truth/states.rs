@@ -15,7 +15,7 @@ pub struct StateNumbers {
 }
 
 impl StateNumbers {
-    /// Of a state.
+    /// Truth of a launch from a state.
     #[must_use]
     pub fn of(top: [f64; 5], state: &State) -> Self {
         let Orientation { alpha, beta } = state.orientation();

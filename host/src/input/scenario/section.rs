@@ -8,9 +8,9 @@ use toytop::ParameterError;
 /// A key that holds a number or several.
 pub(super) struct Key {
     pub(super) name: &'static str,
-    /// What it may hold, in words.
+    /// Allowed values, in words.
     allowed: &'static str,
-    /// What a missing key means; `None` where it must not be missing.
+    /// Value of a missing key; `None` where it must not be missing.
     default: Option<f64>,
 }
 

@@ -7,7 +7,7 @@ use crate::input::builtin;
 use crate::motion::ephemeris::smallest;
 use kuva::render::render::Scene;
 
-/// Of the longest period here, two.
+/// Time shown: two of the longest periods here.
 const TIME: f64 = 16.0;
 const POINTS: u32 = 800;
 

@@ -12,13 +12,13 @@ use toytop::{Motion, PeriodAdvance, Regime, Support};
 pub struct Curve {
     /// x and y, in m (without unit for a fixed tip).
     pub points: Vec<[f64; 2]>,
-    /// Of e₁ and e₂, and of u = 0 if that is between; none where the tip rests at the centre.
+    /// Circles at e₁ and e₂, and at u = 0 if that is between; none where the tip rests at the centre.
     pub circles: Vec<Circle>,
     /// Time of its first point, s.
     pub start: f64,
-    /// How long it is followed, s.
+    /// Time for which the curve is followed, s.
     pub time: f64,
-    /// How far it is followed, in nutation periods; `None` where there is none, or other times were asked for.
+    /// Number of nutation periods for which the curve is followed; `None` without a period, or where other times were asked for.
     pub periods: Option<u32>,
 }
 
@@ -27,7 +27,7 @@ pub struct Curve {
 pub struct Circle {
     /// Its radius, in the unit of the curve.
     pub radius: f64,
-    /// Which bound it is.
+    /// Name of the bound.
     pub name: &'static str,
 }
 
@@ -117,7 +117,7 @@ fn parts_between(motion: &Motion, [from, until]: [f64; 2]) -> u32 {
     ((until - from) / period(motion)).ceil().clamp(1.0, MOST) as u32
 }
 
-/// How long until the tip has come to the centre for good, and in how many parts to go there.
+/// Time until the tip stays at the centre, s, and the number of parts in which that time is drawn.
 fn rise(motion: &Motion, table: &dyn AnyScalar, largest: f64) -> (f64, u32) {
     const AT_THE_CENTRE: f64 = 4e-3;
     const MOST: u32 = 4096;

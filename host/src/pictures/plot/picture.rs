@@ -17,7 +17,7 @@ use std::io;
 use std::path::Path;
 use toytop::Support;
 
-/// What a picture is written as.
+/// File format of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// Scalable.
@@ -140,7 +140,7 @@ pub(crate) fn square(plots: &[Plot], extent: f64) -> Layout {
         .with_show_grid(false)
 }
 
-/// What the legend names, in its order; no lines.
+/// Entries of the legend, in its order, without their lines.
 fn legend(curve: &Curve, name: &str) -> Vec<Plot> {
     let mut plots: Vec<Plot> = vec![tip().with_legend(name).into()];
     for (circle, dash) in curve.circles.iter().zip(&DASHES) {
@@ -195,11 +195,11 @@ fn bound() -> LinePlot {
     LinePlot::new().with_color(BOUND).with_stroke_width(1.1)
 }
 
-/// How a circle is drawn: in one, or in arcs with gaps between (the raster knows no dashes along a curve).
+/// Style of a circle: drawn whole, or in arcs with gaps between (the raster knows no dashes along a curve).
 struct Dash {
     style: LineStyle,
     arcs: u32,
-    /// What an arc and the gap behind it have of arc.
+    /// Share of the arc in an arc and the gap behind it.
     share: f64,
 }
 
@@ -222,7 +222,7 @@ fn arcs(radius: f64, dash: &Dash) -> impl Iterator<Item = Vec<(f64, f64)>> {
     })
 }
 
-/// What has to be seen on each side of the centre, and some room, in units of `scale`.
+/// Half the width of the picture: all points and circles and a margin, in units of `scale`.
 pub(crate) fn extent(curve: &Curve, scale: f64) -> f64 {
     let points = curve.points.iter().map(|[x, y]| x.hypot(*y));
     let largest = curve.circles.iter().map(|circle| circle.radius).chain(points).fold(0.0, f64::max);

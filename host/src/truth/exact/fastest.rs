@@ -8,7 +8,7 @@ use crate::truth::precise::{Precise, precise, to_f64};
 const PER_OCTAVE: f64 = 4.0;
 
 impl Exact {
-    /// How long after the start Φ changes fastest, its mean rotation taken off, in one of the periods; 0 for any other motion.
+    /// Time after the start at which Φ without its mean rotation changes fastest, in one of the periods; 0 for any other motion.
     #[must_use]
     pub fn fastest(&self) -> Precise {
         let Some(passage) = &self.passage else { return precise(0.0) };

@@ -65,7 +65,7 @@ impl Law {
         [slowness, alpha, beta]
     }
 
-    /// The same constants in `f64`.
+    /// Constants in `f64`.
     pub(super) fn in_f64(&self) -> LawInF64 {
         let Self { s, g, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, a_over_p, momenta } = self;
         let [s, g, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, a_over_p] =
@@ -121,7 +121,7 @@ impl LawInF64 {
         tilting + turning(alpha, one_plus_u, alpha_mean) + turning(beta, one_minus_u, beta_mean)
     }
 
-    /// How far from the turning point the nearest singularity is, as the sine of an imaginary angle; `None` for the pole of
+    /// Distance of the nearest singularity from the turning point, as the sine of an imaginary angle; `None` for the pole of
     /// an aperiodic motion.
     pub(super) fn depth(&self, end: End) -> Option<f64> {
         // e₄² - 1 = A/(ps)

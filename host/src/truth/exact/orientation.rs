@@ -35,7 +35,7 @@ impl PreciseOrientation {
         2.0 * (squares(&self.alpha, &other.alpha) + squares(&self.beta, &other.beta)).sqrt()
     }
 
-    /// The same to the rounding of `f64`.
+    /// Orientation rounded to `f64`.
     #[must_use]
     pub fn to_f64(&self) -> Orientation<f64> {
         let narrow = |[re, im]: &[Precise; 2]| Complex::new(to_f64(re), to_f64(im));

@@ -16,7 +16,7 @@ pub(super) struct Side {
     end: End,
     /// Ends of the panels as sines, from √½ down.
     edges: Vec<Precise>,
-    /// What passes from the turning point to each edge; if it is never reached, from √½, backwards and negative.
+    /// Time and phases that pass from the turning point to each edge; if it is never reached, from √½, backwards and negative.
     passed: Vec<Passed>,
     /// Whether the turning point is reached.
     reached: bool,
@@ -55,7 +55,7 @@ impl Side {
         self.reached
     }
 
-    /// What passes from the turning point to halfway; nothing if it is never reached.
+    /// Time and phases that pass from the turning point to halfway; 0 if it is never reached.
     pub(super) fn whole(&self) -> &Passed {
         &self.passed[0]
     }
@@ -66,7 +66,7 @@ impl Side {
         (&self.edges[last], &self.passed[last])
     }
 
-    /// What passes from the turning point to a sine that is not negative.
+    /// Time and phases that pass from the turning point to a sine that is not negative.
     pub(super) fn passed(&self, law: &Law, beyond: &Precise) -> Passed {
         let (low, base) = self.below(self.panel_of(|i| self.edges[i] >= *beyond));
         sum(&base, &self.panel(law, [&low, beyond]))

@@ -13,7 +13,7 @@ impl Exact {
         Some(passage.half[0].clone() << 1)
     }
 
-    /// How long after the start χ is this many rad; 0 for a steady motion.
+    /// Time after the start at which χ has this value, rad; 0 for a steady motion.
     #[must_use]
     pub fn time_of(&self, half_phase: f64) -> Precise {
         self.time_of_place(&Place::near(half_phase))
@@ -28,7 +28,7 @@ impl Exact {
 }
 
 impl Passage {
-    /// What passes from χ = 0 to a place.
+    /// Time and phases that pass from χ = 0 to a place.
     pub(super) fn passed(&self, law: &Law, place: &Place) -> Passed {
         let Place { quarter, beyond } = place;
         let side = self.side(*quarter);
@@ -64,7 +64,7 @@ impl Passage {
         (Place { quarter, beyond: -beyond }, difference(&self.quarters(quarter), &passed))
     }
 
-    /// The same of an aperiodic motion. Where β is below 1e-24, α turns at a constant rate.
+    /// Place of an aperiodic motion at a time, and what passes until then. Where β is below 1e-24, α turns at a constant rate.
     fn on_the_way_up_or_down(&self, law: &Law, coarse: &LawInF64, time: &Precise) -> (Place, Passed) {
         let falls = is_positive(&-time);
         let distance = if falls { -time } else { time.clone() };
