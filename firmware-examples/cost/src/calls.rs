@@ -3,8 +3,9 @@
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::{Real, Ring, Scalar};
 use toytop::{
-    Complex, Cursor, EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, EphemerisScalar, Motion,
-    Orientation, ParameterError, Release, Sample, State, Stepper, Tick, Top, TopParameters,
+    Complex, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, EphemerisScalar,
+    EphemerisView, Motion, Orientation, ParameterError, Release, Sample, State, Stepper, Tick, Top,
+    TopParameters,
 };
 
 /// Ticks a second.
@@ -39,7 +40,23 @@ pub(crate) struct Measured {
 impl Default for Measured {
     /// 50 g, let go at 0.35 rad with 150 rad/s.
     fn default() -> Self {
-        let release = Release { tilt: 0.35, spin: 150.0, ..Release::default() };
+        Self::thrown(0.35, 150.0)
+    }
+}
+
+impl Measured {
+    /// The same top at 5 rad/s: gravity, not spin, determines its nutation.
+    pub(crate) fn slow() -> Self {
+        Self::thrown(0.35, 5.0)
+    }
+
+    /// The same top almost upright, with too little spin to stay so.
+    pub(crate) fn falling() -> Self {
+        Self::thrown(1e-3, 30.0)
+    }
+
+    fn thrown(tilt: f64, spin: f64) -> Self {
+        let release = Release { tilt, spin, ..Release::default() };
         Self { inertia: [3.0e-5, 2.0e-5], com_height: 0.03, mass: 0.05, release }
     }
 }
@@ -68,12 +85,34 @@ pub(crate) fn truncation<R: Scalar>() -> f64 {
     4.0 * R::ROUNDING
 }
 
+#[inline(never)]
+fn set_up(ephemeris: &mut EphemerisView<f32>, measured: &Measured) -> bool {
+    let (Ok(motion), Ok(tick)) = (measured.motion(), Tick::hertz(TICK_RATE)) else { return false };
+    ephemeris.set_up(&motion, tick, truncation::<f32>()).is_ok()
+}
+
 /// Set-up, from measured numbers to a table ready to tick. Once per throw.
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_launch(ephemeris: &mut EphemerisF32, measured: &Measured) -> bool {
-    let (Ok(motion), Ok(tick)) = (measured.motion(), Tick::hertz(TICK_RATE)) else { return false };
-    ephemeris.set_up(&motion, tick, truncation::<f32>()).is_ok()
+    set_up(ephemeris, measured)
+}
+
+/// Set-up of [`Measured::slow`].
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_launch_slow(ephemeris: &mut Ephemeris<f32, 64>, measured: &Measured) -> bool {
+    set_up(ephemeris, measured)
+}
+
+/// Set-up of [`Measured::falling`].
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_launch_falling(
+    ephemeris: &mut Ephemeris<f32, 128>,
+    measured: &Measured,
+) -> bool {
+    set_up(ephemeris, measured)
 }
 
 #[inline(never)]

@@ -24,7 +24,8 @@ use rivals::EphemerisMicromath;
 use semihosting::process;
 use toytop::scalar::{Float, Real};
 use toytop::{
-    EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, Micromath, Motion, Orientation, Phase, Tick,
+    Ephemeris, EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, Micromath, Motion, Orientation, Phase,
+    Tick,
 };
 
 #[cfg(target_arch = "arm")]
@@ -51,6 +52,7 @@ fn main() -> ! {
     meter.measure("bench_launch", ram, 1, |_| {
         assert!(calls::bench_launch(&mut single, black_box(&measured)), "the motion fits");
     });
+    other_launches(&mut meter);
     let motion = measured.motion().expect("a possible top");
     let mut double = EphemerisF64::EMPTY;
     let tick = Tick::hertz(calls::TICK_RATE).expect("positive");
@@ -64,6 +66,20 @@ fn main() -> ! {
     runge_kutta(&mut meter, &measured, &motion, &single);
     sines(&mut meter);
     process::exit(0)
+}
+
+/// Set-ups that cost more than that of a fast top.
+#[inline(never)] // its table must not stay on the stack
+fn other_launches(meter: &mut Meter) {
+    let (slow, falling) = (Measured::slow(), Measured::falling());
+    let mut table = Ephemeris::<f32, 64>::EMPTY;
+    meter.measure("bench_launch_slow", size_of_val(&table), 1, |_| {
+        assert!(calls::bench_launch_slow(&mut table, black_box(&slow)), "the motion fits");
+    });
+    let mut table = Ephemeris::<f32, 128>::EMPTY;
+    meter.measure("bench_launch_falling", size_of_val(&table), 1, |_| {
+        assert!(calls::bench_launch_falling(&mut table, black_box(&falling)), "the motion fits");
+    });
 }
 
 fn ephemerides(meter: &mut Meter, single: &EphemerisF32, double: &EphemerisF64) {

@@ -6,7 +6,7 @@ const BEGIN: &str = "<!-- budget: written by `toytop budget --accept` -->\n";
 const END: &str = "<!-- budget: end -->";
 
 /// Calls and what they are called on the page.
-const ROWS: [(&str, &str); 17] = [
+const ROWS: [(&str, &str); 19] = [
     ("ephemeris_f32", "**ephemeris**, any tick, `f32`"),
     ("cursor_f32", "**ephemeris**, the next tick, `f32`"),
     ("omega_f32", "**ephemeris**, any tick, `f32`: α, β and Ω in the body frame"),
@@ -25,23 +25,23 @@ const ROWS: [(&str, &str); 17] = [
     ("rk4_f64", "a Runge-Kutta step of the full equations, `f64`"),
     (
         "launch",
-        "set-up, once a throw, `f32`: from measured numbers to the ephemeris, of a 50 g top at 150 rad/s; other motions cost up to ten times as much",
+        "set-up, once a throw, `f32`: from measured numbers to the ephemeris, of a 50 g top at 150 rad/s",
     ),
+    ("launch_slow", "set-up of the same top at 5 rad/s"),
+    ("launch_falling", "set-up of the same top almost upright, at 30 rad/s, which is too slow to sleep"),
 ];
 
 const FRONT_BEGIN: &str = "<!-- budget: front page, written by `toytop budget --accept` -->\n";
 const FRONT_END: &str = "<!-- budget: end of front page -->";
 
 /// Rows of the front page: chip, call, and what they are called there.
-const FRONT_ROWS: [(&str, &str, &str); 4] = [
+const FRONT_ROWS: [(&str, &str, &str); 6] = [
     ("m4f", "cursor_f32", "the next tick in `f32`, Cortex-M4F"),
     ("m0plus", "cursor_q31", "the next tick in 32-bit fixed point, Cortex-M0+"),
     ("m0plus", "cursor_q15", "the next tick in 16-bit fixed point, Cortex-M0+"),
-    (
-        "m4f",
-        "launch",
-        "set-up of this motion, once a throw, Cortex-M4F; other motions cost up to ten times as much",
-    ),
+    ("m4f", "launch", "set-up of this motion, once a throw, Cortex-M4F"),
+    ("m4f", "launch_slow", "set-up of the same top at 5 rad/s"),
+    ("m4f", "launch_falling", "set-up of the same top almost upright, falling"),
 ];
 
 /// Front page with its table as the limits say; `None` if it has no place for one.
