@@ -189,7 +189,8 @@ impl Div for Extended {
 /// Reciprocal 2^251/d of a divisor in [2^124, 2^125], a few units off, by Newton's method from its first 31 bits.
 fn reciprocal(divisor: u128) -> u128 {
     let leading = u32::try_from(divisor >> 93).unwrap_or(u32::MAX);
-    let first = (1 << 63) / u64::from(leading);
+    // the leading bit is set; said again, so that the compiler knows that the divisor is not 0
+    let first = (1 << 63) / u64::from(leading | (1 << 31));
     (0..3).fold(u128::from(first) << 95, |inverse, _| {
         // 2^125 times the product of divisor and inverse, which is nearly 1
         let [product, _] = wide_product(divisor << 2, inverse);
@@ -201,7 +202,7 @@ fn reciprocal(divisor: u128) -> u128 {
 /// Inverse root 2^189/√x of a number in [2^126, 2^128), with 120 correct bits, by Newton's method from its first 31.
 fn inverse_root(number: u128) -> u128 {
     let root = ((number >> 64) as u64).isqrt();
-    let first = (1 << 63) / root;
+    let first = (1 << 63) / (root | (1 << 31)); // the leading bit again
     (0..2).fold(u128::from(first) << 94, |inverse, _| {
         // 2^124 times the product of the number and the square of the inverse, which is nearly 1
         let [scaled, _] = wide_product(number, inverse);
