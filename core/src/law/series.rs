@@ -122,7 +122,10 @@ impl Rate {
     fn size(&self, quarters: i64, terms: usize) -> f64 {
         let varied = self.integral.at_quarters(quarters, terms, i64::abs).unwrap_or(i64::MAX);
         let y = 0.25 * quarters as f64;
-        y * (Float::abs(self.slope) + y * (varied as f64 * self.integral.unit() * Float::abs(self.scale)))
+        // a rounding error of the coefficients counts as the term of which it would be the rounding in f64
+        let noise = NOISE as f64 / f64::ROUNDING;
+        y * (Float::abs(self.slope)
+            + y * ((varied as f64 + noise) * self.integral.unit() * Float::abs(self.scale)))
     }
 
     /// Value, and integral from 0, at a fractional y.
