@@ -49,7 +49,7 @@ fn the_bound_holds_where_the_motion_is_fastest() {
             Orientation { alpha: Complex::new(re_alpha, im_alpha), beta: Complex::new(re_beta, im_beta) };
         let error = ephemeris.at_tick(tick).orientation().distance(&truth);
         let allowed = bound.after(tick as f64);
-        assert!((0.1 * allowed..allowed).contains(&error), "tick {tick}: {error:e} of {allowed:e}");
+        assert!((0.05 * allowed..allowed).contains(&error), "tick {tick}: {error:e} of {allowed:e}");
     }
 }
 

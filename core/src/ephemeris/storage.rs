@@ -52,7 +52,7 @@ pub struct EphemerisStorage<R: EphemerisScalar, S: ?Sized> {
 /// Ephemeris in `f32`, 2 KiB. It is large enough for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.25.
 pub type EphemerisF32 = Ephemeris<f32, 25>;
 
-/// Ephemeris in `f64`, 17 KiB, for the motions of [`EphemerisF32`]. Where A/(ps) >= 1, `Ephemeris<f64, 32>` (11 KiB)
+/// Ephemeris in `f64`, 17 KiB, for the motions of [`EphemerisF32`] with A/(ps) >= 0.4. Where A/(ps) >= 1, `Ephemeris<f64, 32>` (11 KiB)
 /// is large enough.
 pub type EphemerisF64 = Ephemeris<f64, 48>;
 
