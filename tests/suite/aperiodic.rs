@@ -4,9 +4,9 @@
 use std::f64::consts::FRAC_PI_2;
 use toytop::elliptic::{Weierstrass, carlson_rf};
 use toytop::exact::Aperiodic;
-use toytop::{Complex, Motion, Orientation, Sign, Signs, Start, Top, TopParameters};
+use toytop::{Complex, Motion, Orientation, Sign, Signs, Start, Top};
 use toytop_tests::complex::{C, I, from, to};
-use toytop_tests::{greater, tolerance};
+use toytop_tests::{greater, tolerance, top_of};
 
 const E4: f64 = 1.5;
 
@@ -29,15 +29,7 @@ fn motion(top: &Top, e1: f64, sign: Sign) -> Motion {
 }
 
 fn sliding() -> Top {
-    Top::sliding(&TopParameters {
-        transverse_inertia: 1.25,
-        axial_inertia: 1.25,
-        com_height: 1.0,
-        mass_moment: 1.0,
-        gravity: 1.0,
-        ..TopParameters::default()
-    })
-    .unwrap()
+    top_of([1.25, 1.25, 1.0, 1.0], 1.0)
 }
 
 impl Paper {
@@ -153,23 +145,8 @@ fn eqn_tpolydiv_eqn_aperform() {
 /// u = e₁ + (1 - e₁) tanh² v, |β| = √((1 - e₁)/2) sech v, dt/dv = √(2D/(g (1 - e₁))).
 #[test]
 fn the_elementary_form() {
-    let fixed = Top::fixed(&TopParameters {
-        transverse_inertia: 1.25,
-        axial_inertia: 0.75,
-        mass_moment: 1.5,
-        gravity: 3.0,
-        ..TopParameters::default()
-    })
-    .unwrap();
-    let slid = Top::sliding(&TopParameters {
-        transverse_inertia: 1.25,
-        axial_inertia: 0.75,
-        com_height: 0.5,
-        mass_moment: 1.5,
-        gravity: 3.0,
-        ..TopParameters::default()
-    })
-    .unwrap();
+    let fixed = top_of([1.25, 0.75, 0.0, 1.5], 3.0);
+    let slid = top_of([1.25, 0.75, 0.5, 1.5], 3.0);
     for (top, e1) in [(fixed, -0.4), (fixed, 0.9), (slid, -0.4), (slid, 0.9)] {
         let form = Aperiodic::new(&motion(&top, e1, Sign::Minus)).unwrap();
         for t in [-6.0, -1.5, 0.0, 0.25, 3.0, 9.0] {
@@ -193,27 +170,8 @@ fn the_elementary_form() {
 /// τ)/2 = n/(2C).
 #[test]
 fn upright_to_rounding_at_any_time() {
-    let slid = Top::sliding(&TopParameters {
-        transverse_inertia: 1.25,
-        axial_inertia: 0.75,
-        com_height: 0.5,
-        mass_moment: 1.5,
-        gravity: 3.0,
-        ..TopParameters::default()
-    })
-    .unwrap();
-    for top in [
-        Top::fixed(&TopParameters {
-            transverse_inertia: 1.25,
-            axial_inertia: 0.75,
-            mass_moment: 1.5,
-            gravity: 3.0,
-            ..TopParameters::default()
-        })
-        .unwrap(),
-        slid,
-        sliding(),
-    ] {
+    let slid = top_of([1.25, 0.75, 0.5, 1.5], 3.0);
+    for top in [top_of([1.25, 0.75, 0.0, 1.5], 3.0), slid, sliding()] {
         for (e1, sign) in [(-0.4, Sign::Plus), (0.8, Sign::Minus), (-1.0, Sign::Plus)] {
             let motion = motion(&top, e1, sign);
             let form = Aperiodic::new(&motion).unwrap();

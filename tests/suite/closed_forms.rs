@@ -2,11 +2,9 @@
 
 use std::f64::consts::TAU;
 use toytop::exact::ClosedForm;
-use toytop::{
-    AttitudeState, Ephemeris, FirstIntegrals, Motion, Sign, Signs, Start, Stepper, Tick, Top, TopParameters,
-};
+use toytop::{AttitudeState, Ephemeris, FirstIntegrals, Motion, Sign, Signs, Start, Stepper, Tick};
 use toytop_tests::vectors::{self, Vector};
-use toytop_tests::{greater, tolerance, worst};
+use toytop_tests::{greater, tolerance, top_of, worst};
 
 fn with_closed_form() -> impl Iterator<Item = (Vector, Motion, ClosedForm)> {
     vectors::all().into_iter().filter_map(|vector| {
@@ -74,24 +72,7 @@ fn motions() -> Vec<Motion> {
     let (spread, mass_moment) = (1.25, 0.75); // e₄ = 3/2
     for (s, c) in [(0.5, 1.0), (0.5, 1.7), (0.0, 0.6)] {
         let a = if s > 0.0 { spread * mass_moment * s } else { 1.25 };
-        let top = if s > 0.0 {
-            Top::sliding(&TopParameters {
-                transverse_inertia: a,
-                axial_inertia: c * a,
-                com_height: s,
-                mass_moment,
-                gravity: 2.0,
-                ..TopParameters::default()
-            })
-        } else {
-            Top::fixed(&TopParameters {
-                transverse_inertia: a,
-                axial_inertia: c * a,
-                mass_moment,
-                gravity: 2.0,
-                ..TopParameters::default()
-            })
-        };
+        let top = top_of([a, c * a, s, mass_moment], 2.0);
         let roots = [
             [-0.4, 0.6, 1.5],
             [-1.0, 0.3, 1.5],
@@ -112,7 +93,7 @@ fn motions() -> Vec<Motion> {
                 for theta in [0.0, 1.9, -2.5] {
                     let signs = Signs { l_plus_n: plus, l_minus_n: minus };
                     let start = Start { theta, arg_alpha: 0.7, arg_beta: -2.1 };
-                    motions.push(Motion::from_branch_points(&top.unwrap(), e, signs, &start).unwrap());
+                    motions.push(Motion::from_branch_points(&top, e, signs, &start).unwrap());
                 }
             }
         }
@@ -236,28 +217,11 @@ fn worst_towards_corners() -> (f64, [u32; 2]) {
     for (s, a, e) in
         gaps.into_iter().flat_map(|gap| gaps.into_iter().flat_map(move |other| corners(gap, other)))
     {
-        let top = if s > 0.0 {
-            Top::sliding(&TopParameters {
-                transverse_inertia: a,
-                axial_inertia: 0.8 * a,
-                com_height: s,
-                mass_moment: 1.0,
-                gravity: 1.0,
-                ..TopParameters::default()
-            })
-        } else {
-            Top::fixed(&TopParameters {
-                transverse_inertia: a,
-                axial_inertia: 0.8 * a,
-                mass_moment: 1.0,
-                gravity: 1.0,
-                ..TopParameters::default()
-            })
-        };
+        let top = top_of([a, 0.8 * a, s, 1.0], 1.0);
         for l_minus_n in [Sign::Plus, Sign::Minus] {
             let signs = Signs { l_plus_n: Sign::Plus, l_minus_n };
             let start = Start { theta: 0.9, arg_alpha: 0.7, arg_beta: -2.1 };
-            let motion = Motion::from_branch_points(&top.unwrap(), e, signs, &start).unwrap();
+            let motion = Motion::from_branch_points(&top, e, signs, &start).unwrap();
             match off_from_ephemeris(&motion, &[0.0, 0.17, 0.49, 1.3, -0.9, 1e6 + 0.3]) {
                 Some(error) => {
                     worst = greater(worst, error);

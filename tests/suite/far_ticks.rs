@@ -2,7 +2,7 @@
 //! counted.
 
 use toytop::{Complex, Ephemeris, Motion, Orientation, Sign, Signs, Start, Tick, Top, TopParameters};
-use toytop_tests::boxed;
+use toytop_tests::{boxed, top_of};
 
 /// Motion with A/(ps) = 1/4096, whose nutation near the vertical is sixty times as fast as on average.
 fn slender() -> Motion {
@@ -79,15 +79,7 @@ fn time_goes_on_beyond_the_ticks_that_are_counted() {
 /// A motion that has risen stays upright, and its body continues to rotate.
 #[test]
 fn a_rise_stays_over_beyond_the_ticks_that_are_counted() {
-    let top = Top::sliding(&TopParameters {
-        transverse_inertia: 1.25,
-        axial_inertia: 0.75,
-        com_height: 0.5,
-        mass_moment: 1.5,
-        gravity: 3.0,
-        ..TopParameters::default()
-    })
-    .unwrap();
+    let top = top_of([1.25, 0.75, 0.5, 1.5], 3.0);
     let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Plus };
     let motion = Motion::from_branch_points(&top, [0.5, 1.0, 1.0], signs, &Start::default()).unwrap();
     let ephemeris = Ephemeris::<f64, 512>::new(&motion, Tick::hertz(1000).unwrap()).unwrap();

@@ -2,19 +2,11 @@
 
 use std::f64::consts::PI;
 use toytop::exact::Aperiodic;
-use toytop::{Ephemeris, EphemerisScalar, Motion, Sign, Signs, Start, Stepper, Tick, Top, TopParameters};
-use toytop_tests::widened;
+use toytop::{Ephemeris, EphemerisScalar, Motion, Sign, Signs, Start, Stepper, Tick};
+use toytop_tests::{top_of, widened};
 
 fn rising(theta: f64) -> Motion {
-    let top = Top::sliding(&TopParameters {
-        transverse_inertia: 1.25,
-        axial_inertia: 0.75,
-        com_height: 0.5,
-        mass_moment: 1.5,
-        gravity: 3.0,
-        ..TopParameters::default()
-    })
-    .unwrap();
+    let top = top_of([1.25, 0.75, 0.5, 1.5], 3.0);
     let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Plus };
     let start = Start { theta, arg_alpha: 0.3, arg_beta: 1.0 };
     Motion::from_branch_points(&top, [0.5, 1.0, 1.0], signs, &start).unwrap()
@@ -56,15 +48,7 @@ fn a_rise_between_ticks() {
 /// the distant future.
 #[test]
 fn a_step_longer_than_all_time() {
-    let top = Top::sliding(&TopParameters {
-        transverse_inertia: 1.25,
-        axial_inertia: 0.75,
-        com_height: 0.5,
-        mass_moment: 1.5,
-        gravity: 3.0,
-        ..TopParameters::default()
-    })
-    .unwrap();
+    let top = top_of([1.25, 0.75, 0.5, 1.5], 3.0);
     let motion =
         Motion::from_branch_points(&top, [-1.0, 1.0, 1.0], Signs::default(), &Start::default()).unwrap();
     let mut stepper = Stepper::<f64>::new(&motion);

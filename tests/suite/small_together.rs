@@ -3,8 +3,8 @@
 
 use serde_json::Value;
 use toytop::exact::{ClosedForm, E3EqualsE4};
-use toytop::{Complex, Ephemeris, Motion, Orientation, Sign, Signs, Start, Tick, Top, TopParameters};
-use toytop_tests::{greater, tolerance, vectors};
+use toytop::{Complex, Ephemeris, Motion, Orientation, Sign, Signs, Start, Tick};
+use toytop_tests::{greater, tolerance, top_of, vectors};
 
 fn number(json: &Value) -> f64 {
     vectors::number(json).unwrap()
@@ -15,30 +15,12 @@ fn sign(positive: bool) -> Sign {
 }
 
 fn motion(case: &Value) -> Motion {
-    let [a, c, s, p] = ["A", "C", "s", "p"].map(|key| number(&case[key]));
-    let top = if s > 0.0 {
-        Top::sliding(&TopParameters {
-            transverse_inertia: a,
-            axial_inertia: c,
-            com_height: s,
-            mass_moment: p,
-            gravity: 1.0,
-            ..TopParameters::default()
-        })
-    } else {
-        Top::fixed(&TopParameters {
-            transverse_inertia: a,
-            axial_inertia: c,
-            mass_moment: p,
-            gravity: 1.0,
-            ..TopParameters::default()
-        })
-    };
+    let top = top_of(["A", "C", "s", "p"].map(|key| number(&case[key])), 1.0);
     let [e1, e2, e3] = [0, 1, 2].map(|i| number(&case["e"][i]));
     let [l_plus_n, l_minus_n] = [0, 1].map(|i| sign(number(&case["signs"][i]) > 0.0));
     let [theta, arg_alpha, arg_beta] = ["theta", "arg_alpha", "arg_beta"].map(|key| number(&case[key]));
     let start = Start { theta, arg_alpha, arg_beta };
-    Motion::from_branch_points(&top.unwrap(), [e1, e2, e3], Signs { l_plus_n, l_minus_n }, &start).unwrap()
+    Motion::from_branch_points(&top, [e1, e2, e3], Signs { l_plus_n, l_minus_n }, &start).unwrap()
 }
 
 /// At every time of the reference, up to 1e7 s, the orientation has an error of a few roundings, for any small
@@ -89,15 +71,7 @@ fn the_error_of_nearly_equal_e3_and_e4_is_bounded() {
         }) {
             // changes of A by units in the last place of A/(ps)
             let a = f64::from_bits((spread.to_bits() as i64 + units) as u64);
-            let top = Top::sliding(&TopParameters {
-                transverse_inertia: a,
-                axial_inertia: 0.8 * a,
-                com_height: 1.0,
-                mass_moment: 1.0,
-                gravity: 1.0,
-                ..TopParameters::default()
-            })
-            .unwrap();
+            let top = top_of([a, 0.8 * a, 1.0, 1.0], 1.0);
             for l_minus_n in [Sign::Plus, Sign::Minus] {
                 let signs = Signs { l_plus_n: Sign::Plus, l_minus_n };
                 let start = Start { theta: 0.9, arg_alpha: 0.7, arg_beta: -2.1 };

@@ -5,7 +5,7 @@ pub mod hostile;
 pub mod tolerance;
 pub mod vectors;
 
-use toytop::{Complex, Ephemeris, EphemerisScalar, Motion, Orientation, Tick};
+use toytop::{Complex, Ephemeris, EphemerisScalar, Motion, Orientation, Tick, Top, TopParameters};
 
 /// Larger of two errors. NaN counts as larger than any number, so that it cannot pass a bound; `f64::max` would drop
 /// it.
@@ -22,6 +22,22 @@ pub fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
 pub fn widened<R: Into<f64>>(phi: Orientation<R>) -> Orientation<f64> {
     let widen = |z: Complex<R>| Complex::new(z.re.into(), z.im.into());
     Orientation { alpha: widen(phi.alpha), beta: widen(phi.beta) }
+}
+
+/// Top with A, C, s and p in a gravity g; s = 0 means a fixed tip.
+///
+/// # Panics
+/// If there is no such top.
+pub fn top_of([a, c, s, p]: [f64; 4], gravity: f64) -> Top {
+    let parameters = TopParameters {
+        transverse_inertia: a,
+        axial_inertia: c,
+        com_height: s,
+        mass_moment: p,
+        gravity,
+        ..TopParameters::default()
+    };
+    if s > 0.0 { Top::sliding(&parameters) } else { Top::fixed(&parameters) }.unwrap()
 }
 
 /// Ephemeris on the heap: a large one, by value, is too much for the stack of a test.

@@ -3,7 +3,7 @@
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use toytop::scalar::{Extended, Ring};
-use toytop::{Complex, Motion, Orientation, ParameterError, Sign, Signs, Start, State, Top, TopParameters};
+use toytop::{Complex, Motion, Orientation, ParameterError, Sign, Signs, Start, State, Top};
 
 /// Reference vector: one motion with its exact values. Units: g = 1.
 pub struct Vector {
@@ -105,26 +105,7 @@ impl Vector {
 
     /// Top of the motion; s = 0 means a fixed tip.
     pub fn top(&self) -> Top {
-        let [a, c, s, p] = ["A", "C", "s", "p"].map(|key| self.parameter(key).unwrap());
-        let top = if s > 0.0 {
-            Top::sliding(&TopParameters {
-                transverse_inertia: a,
-                axial_inertia: c,
-                com_height: s,
-                mass_moment: p,
-                gravity: 1.0,
-                ..TopParameters::default()
-            })
-        } else {
-            Top::fixed(&TopParameters {
-                transverse_inertia: a,
-                axial_inertia: c,
-                mass_moment: p,
-                gravity: 1.0,
-                ..TopParameters::default()
-            })
-        };
-        top.unwrap()
+        crate::top_of(["A", "C", "s", "p"].map(|key| self.parameter(key).unwrap()), 1.0)
     }
 
     /// Signs of l + n and l - n.

@@ -5,7 +5,7 @@ use toytop::{
     BranchPoints, Complex, Ephemeris, Motion, Orientation, Regime, Signs, Start, State, Stepper, Tick,
     TipClass, Top, TopParameters,
 };
-use toytop_tests::{greater, tolerance, vectors};
+use toytop_tests::{greater, tolerance, top_of, vectors};
 
 /// Upright axis: stable above the border n² = 4 A p g, unstable below it.
 #[test]
@@ -64,29 +64,9 @@ fn the_border_of_sleep_is_exact_in_small_numbers() {
                 continue;
             }
             let [a, c, p, g, spin] = [a, c, p, g, spin].map(|whole| whole as f64);
-            has_its_border_at(
-                &Top::sliding(&TopParameters {
-                    transverse_inertia: a,
-                    axial_inertia: c,
-                    com_height: 1.0,
-                    mass_moment: p,
-                    gravity: g,
-                    ..TopParameters::default()
-                })
-                .unwrap(),
-                spin,
-            );
-            has_its_border_at(
-                &Top::fixed(&TopParameters {
-                    transverse_inertia: a,
-                    axial_inertia: c,
-                    mass_moment: p,
-                    gravity: g,
-                    ..TopParameters::default()
-                })
-                .unwrap(),
-                spin,
-            );
+            for s in [1.0, 0.0] {
+                has_its_border_at(&top_of([a, c, s, p], g), spin);
+            }
             borders += 1;
         }
     }
