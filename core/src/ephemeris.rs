@@ -19,6 +19,8 @@ mod seek;
 
 mod speeds;
 
+mod tabulated;
+
 mod tabulate;
 
 mod evaluation;

@@ -6,6 +6,7 @@
 
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
+use core::ops::Neg;
 
 /// Constant ln 2.
 fn ln_two() -> Extended {
@@ -72,7 +73,7 @@ pub(crate) fn of_turns(phase: Phase) -> (Extended, Extended) {
 }
 
 /// Sine and cosine, a number of quarter turns on.
-fn in_quadrant(quadrant: u32, (sine, cosine): (Extended, Extended)) -> (Extended, Extended) {
+pub(crate) fn in_quadrant<F: Neg<Output = F>>(quadrant: u32, (sine, cosine): (F, F)) -> (F, F) {
     match quadrant % 4 {
         0 => (sine, cosine),
         1 => (cosine, -sine),

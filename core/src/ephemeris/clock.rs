@@ -4,7 +4,7 @@ use crate::constants::Regime;
 use crate::ephemeris::cell::CELLS;
 use crate::ephemeris::error_bound::missed_by;
 use crate::ephemeris::mean_rates::MeanRates;
-use crate::ephemeris::tabulate::Tabulated;
+use crate::ephemeris::tabulated::Tabulated;
 use crate::ephemeris::tick::Tick;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction, whole_number};

@@ -66,6 +66,22 @@ pub(crate) fn economise(parts: Polynomial<'_>, terms: usize) -> [f64; 2] {
     [[re, im], [re_slope, im_slope]].map(|[re, im]| Float::sqrt(re * re + im * im))
 }
 
+/// Estimated sum of the omitted terms of a series: its last four terms are continued as a geometric series. The
+/// result is infinite where these terms do not decrease.
+pub(crate) fn beyond_the_last(part: &[i64; TERMS]) -> f64 {
+    /// Magnitude below which terms are rounding errors and need not decrease: 3e-17 in units of 2^-62.
+    const NEGLIGIBLE: i64 = 138;
+    let [.., c12, c13, c14, c15] = part.map(i64::abs);
+    // in pairs, because a series may be even or odd
+    let (before, last) = (c12 + c13, c14 + c15);
+    if last <= NEGLIGIBLE {
+        return 0.0;
+    }
+    let (before, last) = (before as f64 * UNIT, last as f64 * UNIT);
+    let ratio = last / before;
+    if ratio < 1.0 { last * ratio / (1.0 - ratio) } else { f64::INFINITY }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

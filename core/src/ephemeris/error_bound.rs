@@ -4,7 +4,7 @@ use crate::ephemeris::cell::CELLS;
 use crate::ephemeris::evaluation::EphemerisScalar;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::speeds::Speeds;
-use crate::ephemeris::tabulate::Tabulated;
+use crate::ephemeris::tabulated::Tabulated;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Scalar};
 

@@ -2,7 +2,7 @@
 
 use crate::ephemeris::error_bound::{COEFFICIENTS, ErrorBound, delays};
 use crate::ephemeris::evaluation::EphemerisScalar;
-use crate::ephemeris::tabulate::Tabulated;
+use crate::ephemeris::tabulated::Tabulated;
 use crate::scalar::Float;
 
 /// Rates of a motion, rad per unit time.

@@ -13,65 +13,16 @@
 
 use crate::cayley_klein::Brackets;
 use crate::ephemeris::cell::{CELL_BITS, CELLS, Cell};
-use crate::ephemeris::economise::{Polynomial, economise};
+use crate::ephemeris::economise::{Polynomial, beyond_the_last, economise};
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::seek::StartSearch;
 use crate::ephemeris::speeds::{SegmentSpeeds, Speeds, greatest_slopes};
+use crate::ephemeris::tabulated::{Requirements, Tabulated};
 use crate::law::series::{Expansion, PhasePoint, Slopes, TERMS, UNIT, larger_or_nan};
 use crate::law::{Law, PhaseRates};
 use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Scalar};
-
-/// Requirements on a tabulation.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Requirements {
-    /// Number of coefficients of a polynomial.
-    pub(crate) terms: usize,
-    /// Largest truncation error allowed, as an orientation error in rad.
-    pub(crate) allowed: f64,
-    /// Largest number of segments.
-    pub(crate) most: usize,
-}
-
-/// Result of a tabulation besides its polynomials.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Tabulated {
-    /// Cells with their segments.
-    pub(crate) cells: [Cell; CELLS],
-    /// Number of segments.
-    pub(crate) segments: usize,
-    /// Nutation phase at t = 0 (one turn a period, 0 at u = e₁), and the mean slow phases of α and β at t = 0.
-    pub(crate) start: [Phase; 3],
-    /// Estimated truncation error, as an orientation error in rad: of the reduced polynomials and of the series of
-    /// sixteen terms.
-    pub(crate) truncation: f64,
-    /// Part of the truncation error that the stepping causes, rad.
-    pub(crate) stepping: f64,
-    /// Distance of the last point from the upper turning point, at which it must be, as an orientation error in rad.
-    pub(crate) defect: f64,
-    /// Upper bounds on the speeds.
-    pub(crate) speeds: Speeds,
-    /// Delay by a relative rounding of the start's χ, over that rounding, in units of half a period.
-    pub(crate) start_share: f64,
-    /// Sums of the squares of the terms that the steps add up: of χ as delays, in units of half a period, and of θ,
-    /// rad.
-    pub(crate) squares: [f64; 2],
-}
-
-impl Tabulated {
-    pub(crate) const EMPTY: Self = Self {
-        cells: [Cell::new(0, 0); CELLS],
-        segments: 1,
-        start: [Phase::ZERO; 3],
-        truncation: 0.0,
-        stepping: 0.0,
-        defect: 0.0,
-        speeds: Speeds::ZERO,
-        start_share: 0.0,
-        squares: [0.0; 2],
-    };
-}
 
 /// Receiver of polynomials: see [`tabulate`]. A reference, so that set-up is compiled once for all scalars.
 pub(crate) type Store<'a> = dyn FnMut(usize, usize, Polynomial<'_>) -> [f64; 2] + 'a;
@@ -295,12 +246,14 @@ impl Tabulation<'_> {
     /// from its mean.
     #[inline(never)]
     fn slopes(&self, unit: Extended) -> Slopes {
-        let (sine, cosine) = self.current.point.sine_cosine();
+        let sine_cosine = self.current.point.sine_cosine();
+        let (sine, cosine) = sine_cosine;
         let rates = self.law.rates(sine.into(), cosine.into());
         let [alpha_offset, beta_offset] = self.rates.theta_offset;
         let slope = |rate: Extended| (unit * rate).to_f64();
         let weight = self.fastest * unit.to_f64() / Float::abs(slope(rates.nutation));
         Slopes {
+            sine_cosine,
             psi: PhaseRates {
                 nutation: slope(rates.nutation),
                 alpha: slope(rates.alpha),
@@ -361,16 +314,15 @@ impl Tabulation<'_> {
     #[inline(never)]
     fn after(&self, x: i64, share: f64) -> Option<Position> {
         let left_out = self.expansion.left_out(x);
-        if left_out > share {
-            return None;
-        }
-        let [chi, theta] = self.expansion.sizes(x);
-        let delay = self.part * chi / self.expansion.chi_slope(x);
-        let [delays, angles] = self.current.squares;
-        (left_out <= share).then(|| Position {
-            point: self.expansion.point(x),
-            remainder: self.current.remainder + left_out,
-            squares: [delays + delay * delay, angles + theta * theta],
+        (left_out <= share).then(|| {
+            let [chi, theta] = self.expansion.sizes(x);
+            let delay = self.part * chi / self.expansion.chi_slope(x);
+            let [delays, angles] = self.current.squares;
+            Position {
+                point: self.expansion.point(x),
+                remainder: self.current.remainder + left_out,
+                squares: [delays + delay * delay, angles + theta * theta],
+            }
         })
     }
 
@@ -383,20 +335,4 @@ impl Tabulation<'_> {
         let at_the_end = self.law.cast::<f64>().rates(1.0, 0.0).nutation * self.rates.half_period.to_f64();
         self.speeds.delay(miss(chi) / at_the_end) + 2.0 * alpha.max(beta)
     }
-}
-
-/// Estimated sum of the omitted terms of a series: its last four terms are continued as a geometric series. The
-/// result is infinite where these terms do not decrease.
-fn beyond_the_last(part: &[i64; TERMS]) -> f64 {
-    /// Magnitude below which terms are rounding errors and need not decrease: 3e-17 in units of 2^-62.
-    const NEGLIGIBLE: i64 = 138;
-    let [.., c12, c13, c14, c15] = part.map(i64::abs);
-    // in pairs, because a series may be even or odd
-    let (before, last) = (c12 + c13, c14 + c15);
-    if last <= NEGLIGIBLE {
-        return 0.0;
-    }
-    let (before, last) = (before as f64 * UNIT, last as f64 * UNIT);
-    let ratio = last / before;
-    if ratio < 1.0 { last * ratio / (1.0 - ratio) } else { f64::INFINITY }
 }

@@ -99,7 +99,7 @@ impl Factor {
     }
 
     pub(crate) fn times(&self, value: i64) -> i64 {
-        rounded(inner([(&self.mantissa, &Split::of(value))].into_iter()), self.shift)
+        scaled_product(self.mantissa, Split::of(value), self.shift)
     }
 }
 
@@ -186,8 +186,8 @@ impl Block {
         power_of_two(self.exponent)
     }
 
-    /// Exact coefficient of x^k of a product of two series, from the terms `first` to k - `first` of the first one,
-    /// in units of 2^(sum of both exponents).
+    /// Exact coefficient of x^k of a product of two series, from the terms `first` to `last` of the first one, in units
+    /// of 2^(sum of both exponents).
     #[inline(never)] // a call: set-up multiplies series in a dozen places
     pub(crate) fn product(&self, other: &Self, first: usize, last: usize, k: usize) -> i128 {
         let ours = self.coefficients.get(first..=last).unwrap_or_default();

@@ -183,7 +183,7 @@ impl Law<f64> {
         // the series are in y = x/4
         let (unit, chi_slope) = (4.0 * unit, 4.0 * slopes.psi.nutation);
         (to.origin, to.weight, to.terms) = (*point, slopes.weight, 0);
-        let (point_sine, point_cosine) = point.sine_cosine();
+        let (point_sine, point_cosine) = slopes.sine_cosine;
         let values = self.values(point_sine, point_cosine, chi_slope, unit);
         // sin χ and cos χ, and the variations of cos²χ, of D and of D dχ/dx
         let Expansion { chi, theta: [alpha, beta], scratch: [sine, cosine, square, delta, drive], .. } =
@@ -309,6 +309,7 @@ mod tests {
                 let [chi, alpha, beta] =
                     [rates.nutation, rates.alpha, rates.beta].map(|rate| (rate * unit.into()).to_f64());
                 let slopes = Slopes {
+                    sine_cosine: (sine, cosine),
                     psi: crate::law::PhaseRates { nutation: chi, alpha, beta },
                     theta: [alpha, beta],
                     weight: (alpha.abs().max(beta.abs()) / chi).max(1.0),

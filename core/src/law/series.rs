@@ -52,6 +52,8 @@ pub(crate) struct PhasePoint {
 /// Derivatives of χ, ψ_A and ψ_B, and θ_A and θ_B with respect to x, at a point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slopes {
+    /// sin χ and cos χ at the point.
+    pub(crate) sine_cosine: (f64, f64),
     pub(crate) psi: PhaseRates<f64>,
     /// Derivatives ψ' minus their mean. They are stored separately, because the difference may be small.
     pub(crate) theta: [f64; 2],

@@ -1,5 +1,6 @@
 //! Sine and cosine in the integers of the series.
 
+use crate::elliptic::transcendental::in_quadrant;
 use crate::law::block::{Split, scaled_product};
 use crate::phase::Phase;
 
@@ -48,12 +49,7 @@ pub(crate) fn sine_cosine(phase: Phase) -> (i64, i64) {
     };
     let sine = scaled_product(Split::of(sum(&SINE)), angle, 59);
     let cosine = (sum(&COSINE) + 1) >> 1;
-    match quadrant & 3 {
-        0 => (sine, cosine),
-        1 => (cosine, -sine),
-        2 => (-sine, -cosine),
-        _ => (-cosine, sine),
-    }
+    in_quadrant(quadrant, (sine, cosine))
 }
 
 #[cfg(test)]
