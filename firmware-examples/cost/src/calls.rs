@@ -45,12 +45,12 @@ impl Default for Measured {
 }
 
 impl Measured {
-    /// The same top at 5 rad/s: gravity, not spin, determines its nutation.
+    /// Numbers of this top at 5 rad/s, where gravity and not the spin determines the nutation.
     pub(crate) fn slow() -> Self {
         Self::thrown(0.35, 5.0)
     }
 
-    /// The same top almost upright, with too little spin to stay so.
+    /// Numbers of this top almost upright, with too little spin to stay upright.
     pub(crate) fn falling() -> Self {
         Self::thrown(1e-3, 30.0)
     }

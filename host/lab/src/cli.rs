@@ -114,10 +114,10 @@ pub struct ReportArgs {
     /// Change nothing; exit code 1 if a table is stale
     #[arg(long, requires = "readme")]
     pub check: bool,
-    /// What `toytop budget --format json` wrote, for the page; without it, what the calls are allowed
+    /// Output of `toytop budget --format json`, for the page; without it, the limits of the calls are shown
     #[arg(long, value_name = "FILE", requires = "output")]
     pub budget: Option<PathBuf>,
-    /// What host/benches/by_heyoka.py --json wrote, for the page
+    /// Output of host/benches/by_heyoka.py --json, for the page
     #[arg(long, value_name = "FILE", requires = "output")]
     pub others: Option<PathBuf>,
 }

@@ -56,7 +56,7 @@ impl Reading {
         self.table.rate_error_bound().after(tick as f64)
     }
 
-    /// How far Φ of a tick can be from the truth, rad.
+    /// Upper bound on the distance of Φ at a tick from the truth, rad.
     #[must_use]
     pub fn bound_at(&self, tick: i64) -> f64 {
         self.bound.after(tick as f64)

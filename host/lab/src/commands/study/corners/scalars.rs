@@ -4,7 +4,7 @@ use crate::study::corners::reading::SCALARS;
 use crate::study::corners::tally::{Side, Tally};
 use toytop_host::output::{Cell, Record};
 
-/// What the seeds and regimes add up to in each scalar.
+/// Totals of all seeds and regimes in each scalar.
 pub(super) fn records(tally: &Tally) -> Vec<Record> {
     let record = |(scalar, (name, _)): (usize, (&str, f64))| {
         let side = tally.of_scalar(scalar);

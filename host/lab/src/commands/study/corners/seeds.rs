@@ -8,7 +8,7 @@ use toytop_host::output::{Cell, Record};
 const OF_BOUND: [&str; SCALARS.len()] =
     ["f64_error_of_bound", "f32_error_of_bound", "q31_error_of_bound", "q15_error_of_bound"];
 
-/// What a seed adds up to.
+/// Totals of a seed.
 pub(super) fn record(seed: u64, tally: &Tally) -> Record {
     let sides: Vec<_> = (0..SCALARS.len()).map(|scalar| tally.of_scalar(scalar)).collect();
     let refused = tally.refused.values().sum();
