@@ -33,6 +33,10 @@ pub(crate) struct PhaseDirections<R> {
 }
 
 impl<R: Float> Brackets<R> {
+    /// Brackets before they are computed.
+    pub(crate) const ZERO: Self =
+        Self { alpha: Bracket { x: R::ZERO, y: R::ZERO }, beta: Bracket { x: R::ZERO, y: R::ZERO } };
+
     /// Brackets of a motion whose u oscillates between e₁ and e₂, or rises from e₁ to 1.
     pub(crate) fn swinging<F: Float>(e: &BranchPoints<F>, signs: Signs) -> Self {
         let root = |x: F| R::from_f64(x.halved().sqrt().to_f64());

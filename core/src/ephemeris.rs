@@ -21,6 +21,8 @@ mod speeds;
 
 mod tabulated;
 
+mod half_period;
+
 mod tabulate;
 
 mod evaluation;
@@ -65,6 +67,7 @@ pub use evaluation::Micromath;
 pub use evaluation::{EphemerisScalar, SegmentPoint};
 pub use sample::Sample;
 pub use sampler::Sampler;
+pub use set_up::SetUp;
 pub use storage::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisStorage, EphemerisView};
 #[cfg(feature = "fixed")]
 pub use storage::{EphemerisQ15, EphemerisQ31};

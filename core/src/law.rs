@@ -17,6 +17,8 @@ mod block;
 
 mod turning;
 
+mod recurrence;
+
 pub(crate) mod series;
 
 mod expand;
@@ -106,6 +108,25 @@ impl Law<Extended> {
 }
 
 impl<F: Float> Law<F> {
+    /// Law before its constants are computed.
+    pub(crate) const ZERO: Self = Self {
+        one_plus_e1: F::ZERO,
+        one_minus_e2: F::ZERO,
+        e2_minus_e1: F::ZERO,
+        e3_minus_e2: F::ZERO,
+        e3_minus_e1: F::ZERO,
+        a_over_p: F::ZERO,
+        a_over_p_e3: F::ZERO,
+        s: F::ZERO,
+        s_e3: F::ZERO,
+        half_g: F::ZERO,
+        alpha_scale: F::ZERO,
+        alpha_smoothing: F::ZERO,
+        beta_scale: F::ZERO,
+        root_e3: F::ZERO,
+        beta_smoothing: F::ZERO,
+    };
+
     pub(crate) fn new(top: &Top, e: &BranchPoints<F>, integrals: &FirstIntegrals<F>, signs: Signs) -> Self {
         let Quantities { a, s, p, g, .. } = Quantities::<F>::of(top);
         let a_over_p = a / p;

@@ -68,7 +68,7 @@ pub use constants::{BranchPoints, FirstIntegrals, Regime, Sign, Signs, TipClass}
 pub use ephemeris::Micromath;
 pub use ephemeris::{
     Baked, BakedError, Clock, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisScalar,
-    EphemerisStorage, EphemerisView, ErrorBound, Sample, Sampler, Samples, SegmentPoint, TableData,
+    EphemerisStorage, EphemerisView, ErrorBound, Sample, Sampler, Samples, SegmentPoint, SetUp, TableData,
     TableTooSmall, Tick, TipClock, TurningPoint,
 };
 #[cfg(feature = "fixed")]

@@ -46,12 +46,27 @@ pub(crate) const fn long_product(a: u32, b: u32) -> u64 {
     if BY_HALVES { long_product_by_halves(a, b) } else { a as u64 * b as u64 }
 }
 
+/// Complete 64-bit product of two signed numbers.
+#[inline(always)]
+pub(crate) const fn signed_product(a: i32, b: i32) -> i64 {
+    if BY_HALVES { signed_product_by_halves(a, b) } else { a as i64 * b as i64 }
+}
+
 /// Product modulo 2^64.
 #[inline(always)]
 pub(crate) const fn wrapping_product(a: u64, b: u64) -> u64 {
     let ((a_low, a_high), (b_low, b_high)) = ((a as u32, (a >> 32) as u32), (b as u32, (b >> 32) as u32));
     let across = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_high));
     long_product(a_low, b_low).wrapping_add((across as u64) << 32)
+}
+
+/// Upper 64 bits of the product of two unsigned numbers.
+#[inline(never)]
+pub(crate) fn high_product_of_long(a: u64, b: u64) -> u64 {
+    let ((a_low, a_high), (b_low, b_high)) = ((a as u32, (a >> 32) as u32), (b as u32, (b >> 32) as u32));
+    let across = long_product(a_high, b_low) + (long_product(a_low, b_low) >> 32);
+    let back = long_product(a_low, b_high) + u64::from(across as u32);
+    long_product(a_high, b_high) + (across >> 32) + (back >> 32)
 }
 
 /// Complete 256-bit product of two unsigned numbers: upper and lower half.
@@ -129,6 +144,13 @@ const fn long_product_by_halves(a: u32, b: u32) -> u64 {
     ((high as u64) << 32) | a.wrapping_mul(b) as u64
 }
 
+/// [`signed_product`] from the unsigned product: a negative factor stands for one that is 2^32 larger.
+#[inline(always)]
+const fn signed_product_by_halves(a: i32, b: i32) -> i64 {
+    let excess = (b & (a >> 31)).wrapping_add(a & (b >> 31));
+    (long_product_by_halves(a as u32, b as u32) as i64).wrapping_sub((excess as i64) << 32)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -147,6 +169,7 @@ mod tests {
             assert_eq!(product_of_halves(halves(a), halves(b)), high, "{a} {b}");
             let short = ((i64::from(a) * i64::from(b & !0xffff)) >> 32) as i32;
             assert_eq!([short_product_by_halves(a, b), short_product(a, b)], [short; 2], "{a} {b}");
+            assert_eq!(signed_product_by_halves(a, b), i64::from(a) * i64::from(b), "{a} {b}");
             let wide = (a as u64, !(b as u64));
             assert_eq!(wrapping_product(wide.0, wide.1), wide.0.wrapping_mul(wide.1), "{a} {b}");
             let [x, y] = [(a, b), (b, !a)].map(|(high, low)| {
@@ -154,6 +177,9 @@ mod tests {
             });
             assert_eq!(wide_product_of_words(x, y), wide_product_of_long_words(x, y), "{x} {y}");
             assert_eq!(wide_product(x, y)[1], x.wrapping_mul(y), "{x} {y}");
+            let (long_x, long_y) = ((x >> 64) as u64, y as u64);
+            let upper = ((u128::from(long_x) * u128::from(long_y)) >> 64) as u64;
+            assert_eq!(high_product_of_long(long_x, long_y), upper, "{x} {y}");
             let (a, b) = (a as u32, b as u32);
             assert_eq!(long_product_by_halves(a, b), u64::from(a) * u64::from(b), "{a} {b}");
         }

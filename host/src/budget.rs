@@ -6,6 +6,7 @@
 //! the same figures. What a call may cost is in a file (`limits`), and on the front page (`readme`).
 
 mod chip;
+mod corpus;
 mod image;
 mod instruction;
 mod limits;
@@ -15,6 +16,7 @@ mod readme;
 mod trace;
 
 pub use chip::{CHIPS, Chip};
+pub use corpus::{CorpusCost, corpus};
 pub use image::Image;
 pub use limits::Limits;
 pub use meter::{Cost, measure};

@@ -88,7 +88,7 @@ pub fn csv(records: &[Record]) -> io::Result<String> {
 }
 
 /// Column names and values of a record.
-fn flat(record: &Record) -> Vec<(String, String)> {
+pub(crate) fn flat(record: &Record) -> Vec<(String, String)> {
     let columns = |(name, cell): &(&'static str, Cell)| match cell {
         Cell::Text(text) => vec![((*name).to_owned(), text.clone())],
         Cell::Count(count) => vec![((*name).to_owned(), count.to_string())],

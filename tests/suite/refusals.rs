@@ -124,10 +124,8 @@ fn messages_name_the_parameter_and_what_is_allowed() {
 
 #[test]
 fn what_a_table_misses_is_said() {
-    let says = |truncation, segments| TableTooSmall { truncation, segments }.to_string();
-    let misses = "the table cannot follow the motion to within 2.5e-3 rad; ";
-    assert_eq!(says(0.0025, Some(64)), format!("{misses}64 segments of this degree would fit"));
-    assert_eq!(says(0.0025, None), format!("{misses}not even 4096 segments of this degree would fit"));
+    let refusal = TableTooSmall { truncation: 0.0025, segments: 64 };
+    assert_eq!(refusal.to_string(), "a table of 64 segments cannot follow the motion to within 2.5e-3 rad");
 }
 
 #[test]

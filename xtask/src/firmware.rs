@@ -70,8 +70,8 @@ pub(crate) fn target_dir(toolchain: Toolchain, own: &str) -> PathBuf {
 }
 
 fn find(name: &str) -> Result<&'static Program> {
-    if name == COST {
-        bail!("{COST} has no log: see its figures by `toytop budget`");
+    if COSTS.contains(&name) {
+        bail!("{name} has no log: see its figures by `toytop budget`");
     }
     let names = || PROGRAMS.iter().map(|program| program.name).collect::<Vec<_>>().join(" ");
     PROGRAMS
@@ -107,13 +107,18 @@ pub(crate) fn show(name: &str, chip: Option<&str>) -> Result<ExitCode> {
 
 /// Builds a program and prints where it is, nothing else.
 pub(crate) fn elf(name: &str, chip: &Chip) -> Result<()> {
-    let what = if name == COST { "--package toytop-cost".to_owned() } else { find(name)?.selection() };
+    let what = if COSTS.contains(&name) {
+        format!("--package toytop-cost --bin {name}")
+    } else {
+        find(name)?.selection()
+    };
     println!("{}", build(chip, &what)?.join(name).display());
     Ok(())
 }
 
-/// Has a symbol for each call; `toytop budget` runs it, under a trace. No log, and so none of [`PROGRAMS`].
-const COST: &str = "cost";
+/// Programs that `toytop budget` runs: with a symbol for each call, under a trace, and with 200 launches. They have no log
+/// to compare, and so are none of [`PROGRAMS`].
+const COSTS: [&str; 2] = ["cost", "corpus"];
 
 /// Runs an ELF on a chip and shows its log.
 pub(crate) fn qemu(chip: &str, elf: &str) -> Result<ExitCode> {

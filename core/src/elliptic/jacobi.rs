@@ -100,17 +100,19 @@ impl<F: Float> Landen<F> {
     pub(crate) fn of(m: F, m1: F) -> Self {
         let mut complement = m1.sqrt();
         let mut modulus_squared = m;
-        let steps = core::array::from_fn(|_| {
+        let mut steps = [(F::ZERO, F::ONE); LANDEN_STEPS];
+        for step in &mut steps {
             // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
             let per_sum = F::ONE / (F::ONE + complement);
             let modulus = modulus_squared * per_sum.squared();
-            // a modulus below the resolution of every number type changes nothing and becomes 0
-            let modulus = if modulus > F::from_f64(1e-33) { modulus } else { F::ZERO };
-            let rest = complement.doubled() * per_sum;
+            // a modulus below the resolution of every number type changes nothing, nor do those after it
+            if modulus <= F::from_f64(1e-33) {
+                break;
+            }
+            *step = (modulus, complement.doubled() * per_sum);
             complement = complement.sqrt().doubled() * per_sum;
             modulus_squared = modulus.squared();
-            (modulus, rest)
-        });
+        }
         Self { steps }
     }
 
@@ -118,7 +120,8 @@ impl<F: Float> Landen<F> {
     pub(crate) fn quarter_period(&self) -> F {
         // π/2 to 32 digits in extended precision; in smaller types the second term has no effect
         let half_pi = F::from_f64(core::f64::consts::FRAC_PI_2) + F::from_f64(6.123233995736766e-17);
-        self.steps.iter().fold(half_pi, |product, &(modulus, _)| product * (F::ONE + modulus))
+        let changing = self.steps.iter().take_while(|(modulus, _)| *modulus > F::ZERO);
+        changing.fold(half_pi, |product, &(modulus, _)| product * (F::ONE + modulus))
     }
 
     /// (sn u, cn u, dn u) at u = 2 K φ/π, from sin φ and cos φ. No transcendental function is needed, so any

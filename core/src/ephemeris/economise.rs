@@ -36,7 +36,7 @@ static CHEBYSHEV: [[Split; HALF]; TERMS] = {
 };
 
 /// Fraction bits of [`CHEBYSHEV`].
-const SCALE: i32 = 54;
+const SCALE: u32 = 54;
 
 /// Reduces both parts to `terms` coefficients by subtracting multiples of Chebyshev polynomials. Returns upper
 /// bounds on the changes of |α|, or |β|, and of its derivative on [-1, 1]: the change of each part is at most the sum of
@@ -52,7 +52,7 @@ pub(crate) fn economise(parts: Polynomial<'_>, terms: usize) -> [f64; 2] {
             let leading_parts = Split::of(leading);
             for (j, coefficient) in polynomial.iter().enumerate().take(degree / 2 + 1) {
                 if let Some(entry) = part.get_mut(degree - 2 * j) {
-                    *entry -= scaled_product(leading_parts, *coefficient, SCALE);
+                    *entry -= scaled_product::<SCALE>(leading_parts, *coefficient);
                 }
             }
             // rounded up

@@ -85,13 +85,13 @@ pub trait EphemerisScalar: Scalar {
     #[doc(hidden)]
     const RATE_ROUNDING: f64;
 
-    /// Coefficient of x^power nearest to a value.
+    /// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units.
     #[doc(hidden)]
-    fn coefficient(value: f64, power: usize) -> Self::Coefficient;
-    /// Error of a polynomial caused by its coefficients; infinite where a sum could overflow, and 0 in floating
-    /// point.
+    fn coefficient(value: i64, power: usize) -> (Self::Coefficient, i64);
+    /// Error of a polynomial, in units of 2^-62, caused by its coefficients; infinite where a sum could overflow, and 0
+    /// in floating point.
     #[doc(hidden)]
-    fn coefficient_error(polynomial: &[f64]) -> f64;
+    fn coefficient_error(polynomial: &[i64]) -> f64;
     /// Value of a coefficient of x^power.
     #[doc(hidden)]
     fn number(coefficient: Self::Coefficient, power: usize) -> Self::Wide;

@@ -33,6 +33,16 @@ const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
 const OPERATIONS_PER_NODE: f64 = 2.0;
 
 impl MeanRates {
+    /// Rates before they are computed.
+    pub(crate) const ZERO: Self = Self {
+        half_period: Extended::ZERO,
+        returns: true,
+        theta_offset: [Extended::ZERO; 2],
+        turns: [Extended::ZERO; 3],
+        errors: [0.0; 3],
+        rounding: 0.0,
+    };
+
     /// Mean rates of a motion; an aperiodic one is followed until 1 - u is below `rounding`².
     #[inline(never)]
     pub(crate) fn of(motion: &Motion, rounding: f64) -> Self {
@@ -86,7 +96,7 @@ impl MeanRates {
     fn rising(motion: &Motion, rounding: f64) -> Self {
         let law = motion.law();
         // cos χ = sech v ≈ 2 e^{-v}
-        let half_period = Extended::from(rise_time(&law.cast(), libm::log(4.0 / rounding)));
+        let half_period = Extended::from(LONGER * rise_time(&law.cast(), rise(rounding), 64));
         let at_the_top = law.aperiodic_rates(Extended::ONE, Extended::ZERO);
         let half_tau = motion.half_tau();
         let frequency = Extended::ONE / half_period.doubled();
@@ -130,12 +140,19 @@ fn errors(motion: &Motion, mean: &MeanMotion) -> [f64; 3] {
     [frequency * (rule + arithmetic), alpha, beta]
 }
 
-/// Time from v = 0 to v by Simpson's rule; it only has to be long enough for the rise.
-pub(crate) fn rise_time(law: &Law<f64>, v: f64) -> f64 {
-    const INTERVALS: u32 = 1024;
-    let step = v / f64::from(INTERVALS);
-    let sum = (0..=INTERVALS).fold(0.0, |sum, i| {
-        let weight = if i == 0 || i == INTERVALS {
+/// Factor of the rise time, so that the interval is long enough in spite of the quadrature's error.
+const LONGER: f64 = 1.02;
+
+/// Variable v at which 1 - u is below `rounding`².
+pub(crate) fn rise(rounding: f64) -> f64 {
+    libm::log(4.0 / rounding)
+}
+
+/// Time from v = 0 to v by Simpson's rule with an even number of intervals.
+pub(crate) fn rise_time(law: &Law<f64>, v: f64, intervals: u32) -> f64 {
+    let step = v / f64::from(intervals);
+    let sum = (0..=intervals).fold(0.0, |sum, i| {
+        let weight = if i == 0 || i == intervals {
             1.0
         } else if i % 2 == 1 {
             4.0

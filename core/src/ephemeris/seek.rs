@@ -1,15 +1,16 @@
 //! Start of a motion on the half period that an ephemeris tabulates.
 
-use crate::ephemeris::mean_rates::rise_time;
+use crate::ephemeris::mean_rates::{MeanRates, rise, rise_time};
 use crate::law::series::Expansion;
 use crate::law::{Law, gudermannian};
 use crate::motion::Motion;
 use crate::motion::NutationVariable;
 use crate::motion::start::chi;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float};
+use crate::scalar::{Extended, Float, Scalar};
 
 /// Data for finding the start of a motion while its half period is tabulated.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct StartSearch {
     /// Half phase of the start, folded into [0, 1/4] turn.
     chi: Phase,
@@ -25,12 +26,20 @@ pub(crate) struct StartSearch {
 }
 
 impl StartSearch {
-    pub(crate) fn new(motion: &Motion, law: &Law<Extended>, half_period: f64) -> Self {
+    /// Search of a motion that starts at u = e₁.
+    pub(crate) const EMPTY: Self =
+        Self { chi: Phase::ZERO, mirrored: false, folded: 0, per_rounding: 0.0, beyond: None };
+
+    pub(crate) fn new(motion: &Motion, law: &Law<Extended>, rates: &MeanRates) -> Self {
         match motion.nutation() {
             NutationVariable::Aperiodic(v) => {
                 let (sine, cosine) = gudermannian(Float::abs(v));
-                let phase = rise_time(&law.cast(), Float::abs(v)) / (2.0 * half_period);
-                let beyond = (phase > 0.5).then_some(Phase::new(phase));
+                // most starts are found on the way, which costs less than a precise quadrature
+                let beyond = (Float::abs(v) > rise(rates.rounding)).then(|| {
+                    let time = rise_time(&law.cast(), Float::abs(v), 1024);
+                    Phase::new(time / (2.0 * rates.half_period.to_f64()))
+                });
+                let beyond = beyond.filter(|phase| *phase > Phase::HALF);
                 let per_rounding = Float::abs(v) * cosine;
                 Self { chi: chi(sine, cosine), mirrored: v < 0.0, folded: 0, per_rounding, beyond }
             }
@@ -42,9 +51,7 @@ impl StartSearch {
                 let per_rounding = (if rest < chi { rest } else { chi }).to_radians();
                 Self { chi, mirrored, folded, per_rounding, beyond: None }
             }
-            NutationVariable::Steady(_) => {
-                Self { chi: Phase::ZERO, mirrored: false, folded: 0, per_rounding: 0.0, beyond: None }
-            }
+            NutationVariable::Steady(_) => Self::EMPTY,
         }
     }
 
@@ -54,11 +61,18 @@ impl StartSearch {
             return None;
         }
         const NEWTON_STEPS: usize = 8;
-        Some((0..NEWTON_STEPS).fold(0.0, |x: f64, _| {
+        let mut x: f64 = 0.0;
+        for _ in 0..NEWTON_STEPS {
             let (chi, slope) = expansion.chi_and_slope(x);
             let miss = (chi - self.chi).to_radians();
-            if slope > 0.0 { (x - miss / slope).clamp(-1.0, 1.0) } else { x }
-        }))
+            let next = if slope > 0.0 { (x - miss / slope).clamp(-1.0, 1.0) } else { x };
+            let change = Float::abs(next - x);
+            x = next;
+            if change <= f64::ROUNDING {
+                break;
+            }
+        }
+        Some(x)
     }
 
     /// Change of x at the start over a relative change of the number that its χ was rounded as.

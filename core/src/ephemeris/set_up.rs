@@ -1,24 +1,205 @@
 //! Set-up of an ephemeris: from a motion to the table and the clock.
 
+use core::task::Poll;
+
+use crate::ephemeris::cell::Cell;
 use crate::ephemeris::clock::Clock;
+use crate::ephemeris::economise::Polynomial;
 use crate::ephemeris::error_bound::ErrorBound;
 use crate::ephemeris::evaluation::EphemerisScalar;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::rate_error::{MotionRates, rate_error};
 use crate::ephemeris::storage::{EphemerisStorage, EphemerisView};
-use crate::ephemeris::table::{TableTooSmall, fill};
+use crate::ephemeris::table::{TableTooSmall, put};
+use crate::ephemeris::tabulate::{Tabulation, constant};
+use crate::ephemeris::tabulated::{Requirements, Tabulated};
 use crate::ephemeris::tick::Tick;
 use crate::motion::Motion;
 use crate::scalar::Float;
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisStorage<R, [R::Segment; SEGMENTS]> {
-    /// Ephemeris of a motion. Cost: a series of 16 terms for each segment, of which there are at most `SEGMENTS` (a
-    /// segment that is halved is computed again). If the table is too small, up to 4096 more series are computed to
-    /// find the sufficient number.
+/// Set-up of an ephemeris in slices of bounded work, for a program that must do something else in between: feed a watchdog,
+/// answer a bus, or step other motions. Its memory, some 5 KiB, is needed until the ephemeris is ready.
+///
+/// ```
+/// use toytop::{EphemerisF32, Motion, Release, SetUp, State, Tick, Top};
+/// # let top = Top::default();
+/// # let release = Release { tilt: 0.35, spin: 150.0, ..Release::default() };
+/// let motion = Motion::launch(&top, &State::release(&release)?)?;
+/// let mut ephemeris = EphemerisF32::EMPTY;
+/// let mut set_up = SetUp::new(&motion, Tick::hertz(1000)?);
+/// while set_up.poll(&mut ephemeris)?.is_pending() {
+///     // feed the watchdog
+/// }
+/// assert_eq!(ephemeris, EphemerisF32::new(&motion, Tick::hertz(1000)?)?);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct SetUp {
+    motion: Motion,
+    tick: Tick,
+    /// Truncation error allowed, rad; `None` for that of [`EphemerisStorage::new`].
+    truncation: Option<f64>,
+    rates: MeanRates,
+    tabulation: Tabulation,
+    /// Result of the tabulation.
+    tabulated: Tabulated,
+    stage: Stage,
+}
+
+/// Stage of a set-up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Stage {
+    /// Mean rates.
+    Rates,
+    /// Table with a quarter of the allowed error.
+    Fine,
+    /// Table with the allowed error, where the capacity is too small for a quarter of it.
+    Coarse,
+    /// Beginning of the table.
+    Begin,
+    /// Clock of the completed table.
+    Clock,
+    /// Mean tip angle.
+    TipAngle,
+    /// Error bounds.
+    Bounds,
+    /// Nothing, because the result is known.
+    Ended(Result<(), TableTooSmall>),
+}
+
+/// Share of the allowed truncation error that the first attempt at a table may have.
+const FINE: f64 = 0.25;
+
+impl SetUp {
+    /// Set-up with the truncation error of [`Ephemeris::new`](crate::Ephemeris::new), four roundings of the scalar.
+    #[must_use]
+    pub fn new(motion: &Motion, tick: Tick) -> Self {
+        Self {
+            motion: *motion,
+            tick,
+            truncation: None,
+            rates: MeanRates::ZERO,
+            tabulation: Tabulation::EMPTY,
+            tabulated: Tabulated::EMPTY,
+            stage: Stage::Rates,
+        }
+    }
+
+    /// Set-up with a given truncation error, rad: a smaller table for a larger error.
+    #[must_use]
+    pub fn within(motion: &Motion, tick: Tick, truncation: f64) -> Self {
+        Self { truncation: Some(truncation), ..Self::new(motion, tick) }
+    }
+
+    /// Motion of the ephemeris.
+    #[must_use]
+    pub fn motion(&self) -> &Motion {
+        &self.motion
+    }
+
+    /// Does the next slice of the work; the ephemeris must be the same at each call. Until the result is
+    /// [`Poll::Ready`] it must not be used, and its error bounds are infinite. Calls after that return the same
+    /// result and change nothing.
     ///
     /// # Errors
-    /// [`TableTooSmall`]: the truncation error would exceed four roundings of the scalar. It states how many segments
-    /// are enough.
+    /// [`TableTooSmall`]: the truncation error would exceed the allowed one; the ephemeris must then not be used.
+    #[inline(never)]
+    pub fn poll<R: EphemerisScalar>(
+        &mut self,
+        ephemeris: &mut EphemerisView<R>,
+    ) -> Poll<Result<(), TableTooSmall>> {
+        let requirements = self.requirements(ephemeris);
+        match self.stage {
+            Stage::Ended(result) => return Poll::Ready(result),
+            Stage::Rates => {
+                let infinite = ErrorBound::INFINITE;
+                (ephemeris.error_bound, ephemeris.rate_error_bound) = (infinite, infinite);
+                self.rates = MeanRates::of(&self.motion, R::ROUNDING);
+                if self.motion.is_steady() {
+                    self.tabulated = constant(&self.motion, &mut store(ephemeris));
+                    self.stage = Stage::Clock;
+                    return Poll::Pending;
+                }
+                self.stage = Stage::Begin;
+            }
+            Stage::Begin => {
+                let fine = Requirements { allowed: FINE * requirements.allowed, ..requirements };
+                self.tabulation.begin(&self.motion, &self.rates, fine);
+                self.stage = Stage::Fine;
+            }
+            Stage::Clock => {
+                self.start_clock(ephemeris);
+                self.stage = Stage::TipAngle;
+            }
+            Stage::TipAngle => {
+                ephemeris.start_tip_angle(&self.motion, self.tabulated.start);
+                self.stage = Stage::Bounds;
+            }
+            Stage::Bounds => {
+                self.state_bounds(ephemeris);
+                self.stage = Stage::Ended(Ok(()));
+            }
+            Stage::Fine | Stage::Coarse => {
+                let outcome = self.tabulation.advance(&self.motion, &mut store(ephemeris));
+                match outcome {
+                    Ok(None) => {}
+                    Ok(Some(tabulated)) => (self.tabulated, self.stage) = (tabulated, Stage::Clock),
+                    Err(()) if self.stage == Stage::Fine => {
+                        self.tabulation.again(requirements);
+                        self.stage = Stage::Coarse;
+                    }
+                    Err(()) => {
+                        let refusal = TableTooSmall {
+                            truncation: requirements.allowed,
+                            segments: requirements.most as u32,
+                        };
+                        self.stage = Stage::Ended(Err(refusal));
+                        return Poll::Ready(Err(refusal));
+                    }
+                }
+            }
+        }
+        Poll::Pending
+    }
+
+    fn requirements<R: EphemerisScalar>(&self, ephemeris: &EphemerisView<R>) -> Requirements {
+        let allowed = self.truncation.unwrap_or(4.0 * R::ROUNDING);
+        Requirements { terms: R::TERMS, allowed, most: ephemeris.segments.len() }
+    }
+
+    #[inline(never)]
+    fn start_clock<R: EphemerisScalar>(&self, ephemeris: &mut EphemerisView<R>) {
+        let Self { motion, tick, rates, tabulated, .. } = self;
+        ephemeris.cells = tabulated.cells.map(Cell::to_bits);
+        ephemeris.segments.get_mut(tabulated.segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
+        ephemeris.clock = Clock::new(motion, *tick, rates, tabulated);
+    }
+
+    #[inline(never)]
+    fn state_bounds<R: EphemerisScalar>(&self, ephemeris: &mut EphemerisView<R>) {
+        let Self { tick, rates, tabulated, .. } = self;
+        let missed = ephemeris.clock.missed();
+        let error_bound = ErrorBound::of::<R>(rates, tabulated, tick.length().to_f64(), missed);
+        let [_, mean, axial] = ephemeris.clock.rates.map(Float::to_f64);
+        let of_motion = MotionRates { half_period: rates.half_period.to_f64(), mean, axial };
+        ephemeris.rate_error_bound = rate_error::<R>(&error_bound, &of_motion, tabulated);
+        ephemeris.error_bound = error_bound;
+    }
+}
+
+/// Receiver of the polynomials of an ephemeris.
+fn store<R: EphemerisScalar>(
+    ephemeris: &mut EphemerisView<R>,
+) -> impl FnMut(usize, usize, Polynomial<'_>) -> [f64; 2] {
+    |segment, which, parts| put::<R>(&mut ephemeris.segments, segment, which, parts)
+}
+
+impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisStorage<R, [R::Segment; SEGMENTS]> {
+    /// Ephemeris of a motion. Cost: a series of 16 terms for each segment, of which there are at most `SEGMENTS` (a
+    /// segment that is halved is computed again).
+    ///
+    /// # Errors
+    /// [`TableTooSmall`]: the truncation error would exceed four roundings of the scalar.
     pub fn new(motion: &Motion, tick: Tick) -> Result<Self, TableTooSmall> {
         Self::within(motion, tick, 4.0 * R::ROUNDING)
     }
@@ -35,22 +216,38 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisStorage<R, [R::Segment;
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Sets up this ephemeris in its own memory, for a chip whose stack is too small for a table.
+    /// Sets up this ephemeris in its own memory, for a chip whose stack is too small for a table. [`SetUp`] does the
+    /// same in slices.
     ///
     /// # Errors
     /// [`TableTooSmall`]; the table must then not be used, and its error bound is infinite.
     #[inline(never)]
     pub fn set_up(&mut self, motion: &Motion, tick: Tick, truncation: f64) -> Result<(), TableTooSmall> {
-        (self.error_bound, self.rate_error_bound) = (ErrorBound::INFINITE, ErrorBound::INFINITE);
+        let mut set_up = SetUp::within(motion, tick, truncation);
+        loop {
+            if let Poll::Ready(result) = set_up.poll(self) {
+                return result;
+            }
+        }
+    }
+
+    /// Number of segments that is enough for a motion with a given truncation error, rad; `None` if 4096, the
+    /// largest number there is, are not. Cost: up to that many series, far more than a set-up: a question for a PC.
+    #[must_use]
+    pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
+        if motion.is_steady() {
+            return Some(1);
+        }
         let rates = MeanRates::of(motion, R::ROUNDING);
-        let tabulated = fill::<R>(&mut self.cells, &mut self.segments, motion, &rates, truncation)?;
-        self.clock = Clock::new(motion, tick, &rates, &tabulated);
-        self.start_tip_angle(motion, tabulated.start);
-        self.error_bound =
-            ErrorBound::of::<R>(&rates, &tabulated, tick.length().to_f64(), self.clock.missed());
-        let [_, mean, axial] = self.clock.rates.map(Float::to_f64);
-        let of_motion = MotionRates { half_period: rates.half_period.to_f64(), mean, axial };
-        self.rate_error_bound = rate_error::<R>(&self.error_bound, &of_motion, &tabulated);
-        Ok(())
+        let requirements = Requirements { terms: R::TERMS, allowed: truncation, most: Cell::MOST_SEGMENTS };
+        let mut tabulation = Tabulation::EMPTY;
+        tabulation.begin(motion, &rates, requirements);
+        loop {
+            match tabulation.advance(motion, &mut |_, _, parts| put::<R>(&mut [], 0, 0, parts)) {
+                Ok(None) => {}
+                Ok(Some(tabulated)) => return Some(tabulated.segments as u32),
+                Err(()) => return None,
+            }
+        }
     }
 }

@@ -3,11 +3,7 @@
 use crate::ephemeris::EphemerisScalar;
 use crate::ephemeris::cell::{CELL_BITS, CELLS, Cell};
 use crate::ephemeris::economise::Polynomial;
-use crate::ephemeris::mean_rates::MeanRates;
-use crate::ephemeris::tabulate::tabulate;
-use crate::ephemeris::tabulated::{Requirements, Tabulated};
-use crate::law::series::{TERMS, UNIT};
-use crate::motion::Motion;
+use crate::law::series::UNIT;
 use crate::scalar::Float;
 use core::fmt;
 
@@ -53,43 +49,10 @@ pub(crate) fn locate<'a, R: EphemerisScalar>(
     }
 }
 
-/// Fills `cells` and `segments` for a motion.
-///
-/// # Errors
-/// [`TableTooSmall`]: the segments are not enough for the allowed error.
-pub(crate) fn fill<R: EphemerisScalar>(
-    cells: &mut [u16; CELLS],
-    segments: &mut [R::Segment],
-    motion: &Motion,
-    rates: &MeanRates,
-    allowed: f64,
-) -> Result<Tabulated, TableTooSmall> {
-    let capacity = segments.len();
-    // the first attempt has a quarter of the error, if the capacity is enough for it
-    for (allowed, most) in [(0.25 * allowed, capacity), (allowed, Cell::MOST_SEGMENTS)] {
-        let requirements = Requirements { terms: R::TERMS, allowed, most };
-        let tabulated = tabulate(motion, rates, requirements, &mut |segment, which, part| {
-            put::<R>(segments, segment, which, part)
-        });
-        match tabulated {
-            Some(tabulated) if tabulated.segments <= capacity => {
-                *cells = tabulated.cells.map(Cell::to_bits);
-                segments.get_mut(tabulated.segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
-                return Ok(tabulated);
-            }
-            Some(Tabulated { segments, .. }) => {
-                return Err(TableTooSmall { truncation: allowed, segments: Some(segments as u32) });
-            }
-            None => {}
-        }
-    }
-    Err(TableTooSmall { truncation: allowed, segments: None })
-}
-
 /// Stores the polynomial of α (`which` = 0) or of β (1) on a segment, if the table contains that segment. Returns the
 /// orientation error that coefficients out of range cause, and the error of the derivative that the rounding of its
 /// coefficients causes.
-fn put<R: EphemerisScalar>(
+pub(crate) fn put<R: EphemerisScalar>(
     segments: &mut [R::Segment],
     segment: usize,
     which: usize,
@@ -98,21 +61,22 @@ fn put<R: EphemerisScalar>(
     let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
     let (mut largest, mut slope_squares) = (0.0, 0.0);
     for (column, part) in (2 * which..).zip(parts) {
-        let (mut numbers, mut slope_error) = ([0.0; TERMS], 0.0);
-        for (number, part) in numbers.iter_mut().zip(part.iter()).take(R::TERMS) {
-            *number = *part as f64 * UNIT;
-        }
-        for (power, (four, &value)) in place.iter_mut().zip(&numbers).enumerate() {
-            if let Some(coefficient) = four.get_mut(column) {
-                *coefficient = R::coefficient(value, power);
-                slope_error += power as f64 * Float::abs(R::number(*coefficient, power).to_f64() - value);
+        let part = part.get(..R::TERMS).unwrap_or(part);
+        let mut slope_error = 0_i64;
+        for (power, (four, &value)) in place.iter_mut().zip(part).enumerate() {
+            if let Some(held) = four.get_mut(column) {
+                let (coefficient, error) = R::coefficient(value, power);
+                *held = coefficient;
+                slope_error =
+                    slope_error.saturating_add((power as i64).saturating_mul(error.saturating_abs()));
             }
         }
-        let error = R::coefficient_error(numbers.get(..R::TERMS).unwrap_or(&numbers));
+        let error = R::coefficient_error(part);
         largest = if error > largest { error } else { largest };
+        let slope_error = slope_error as f64;
         slope_squares += slope_error * slope_error;
     }
-    [4.0 * largest, Float::sqrt(slope_squares)]
+    [4.0 * largest, UNIT * Float::sqrt(slope_squares)]
 }
 
 /// Error of set-up: the table has too few segments for the allowed truncation error.
@@ -121,17 +85,14 @@ fn put<R: EphemerisScalar>(
 pub struct TableTooSmall {
     /// Allowed truncation error, rad.
     pub truncation: f64,
-    /// Number of segments that is enough; `None` if 4096 are not.
-    pub segments: Option<u32>,
+    /// Number of segments of the table, which is not enough. [`EphemerisView::segments_needed`](crate::EphemerisView::segments_needed) finds a number that is.
+    pub segments: u32,
 }
 
 impl fmt::Display for TableTooSmall {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the table cannot follow the motion to within {:.1e} rad; ", self.truncation)?;
-        match self.segments {
-            Some(segments) => write!(f, "{segments} segments of this degree would fit"),
-            None => write!(f, "not even {} segments of this degree would fit", Cell::MOST_SEGMENTS),
-        }
+        let Self { truncation, segments } = self;
+        write!(f, "a table of {segments} segments cannot follow the motion to within {truncation:.1e} rad")
     }
 }
 

@@ -10,108 +10,24 @@
 //!
 //! An aperiodic motion is tabulated in the same way, from its lowest point until 1 - u is below the rounding; a
 //! steady motion is a single constant.
+//!
+//! The work is done in pieces of bounded length, so that a chip can do something else between them.
 
 use crate::cayley_klein::Brackets;
 use crate::ephemeris::cell::{CELL_BITS, CELLS, Cell};
 use crate::ephemeris::economise::{Polynomial, beyond_the_last, economise};
+use crate::ephemeris::half_period::{HalfPeriod, Position};
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::seek::StartSearch;
 use crate::ephemeris::speeds::{SegmentSpeeds, Speeds, greatest_slopes};
 use crate::ephemeris::tabulated::{Requirements, Tabulated};
-use crate::law::series::{Expansion, PhasePoint, Slopes, TERMS, UNIT, larger_or_nan};
-use crate::law::{Law, PhaseRates};
+use crate::law::series::{TERMS, UNIT, larger_or_nan};
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Scalar};
+use crate::scalar::{Extended, Float, Ring};
 
-/// Receiver of polynomials: see [`tabulate`]. A reference, so that set-up is compiled once for all scalars.
+/// Receiver of polynomials: see [`Tabulation::advance`]. A reference, so that set-up is compiled once for all scalars.
 pub(crate) type Store<'a> = dyn FnMut(usize, usize, Polynomial<'_>) -> [f64; 2] + 'a;
-
-/// Tabulates a motion. It passes the polynomials of each segment to `store`: the index of the segment, 0 for α or 1
-/// for β, and the coefficients, of which the first `terms` are used. `store` returns the orientation error and the
-/// error of the derivative from rounding them. A segment may be passed more than once, and the last time is valid.
-/// The result is `None` where the segments would exceed the largest number allowed.
-#[inline(never)]
-pub(crate) fn tabulate(
-    motion: &Motion,
-    rates: &MeanRates,
-    requirements: Requirements,
-    store: &mut Store<'_>,
-) -> Option<Tabulated> {
-    if motion.is_steady() {
-        return Some(constant(motion, store));
-    }
-    let law = motion.law();
-    let seek = StartSearch::new(motion, &law, rates.half_period.to_f64());
-    let mut expansion = Expansion::EMPTY;
-    let mut tabulation = Tabulation {
-        law: &law,
-        brackets: &motion.brackets(),
-        rates,
-        seek: &seek,
-        requirements,
-        allowed: (1.0 - STEPPING_SHARE) * requirements.allowed,
-        half_cell: rates.half_period / Extended::from((2 * CELLS) as f64),
-        least: rates.rounding / (16 * requirements.most.min(16 * CELLS)) as f64,
-        expansion: &mut expansion,
-        part: 0.0,
-        current: Position::default(),
-        border: Position::default(),
-        found_start: None,
-        fastest: 0.0,
-        speeds: Speeds::ZERO,
-    };
-    tabulation.fastest = larger_or_nan(tabulation.speed(0.0, 1.0), tabulation.speed(1.0, 0.0));
-    let mut tabulated = Tabulated { segments: 0, ..Tabulated::EMPTY };
-    let (mut level, mut at_centre) = (0, false);
-    for (number, cell) in tabulated.cells.iter_mut().enumerate() {
-        let (found_before, speeds) = (tabulation.found_start.is_some(), tabulation.speeds);
-        let error = loop {
-            *cell = Cell::new(tabulated.segments, level);
-            if level > Cell::DEEPEST || tabulated.segments + (1 << level) > requirements.most {
-                return None;
-            }
-            if let Some(error) = tabulation.through(number, *cell, at_centre, store) {
-                break error;
-            }
-            (level, at_centre) = (level + 1, false);
-            tabulation.current = tabulation.border;
-            tabulation.found_start = tabulation.found_start.filter(|_| found_before);
-            tabulation.speeds = speeds;
-        };
-        tabulated.truncation = larger_or_nan(tabulated.truncation, error);
-        tabulated.segments += 1 << level;
-        // segments of twice the length would have about 2^terms times the error
-        let coarser =
-            level > 0 && error * f64::from(1_u32 << requirements.terms) < COARSENING * tabulation.allowed;
-        at_centre = tabulation.cross(level, coarser);
-        level -= u32::from(coarser);
-    }
-    let TabulatedStart { phase, theta, share } = tabulation.found_start.unwrap_or_default();
-    tabulated.start = seek.start(motion, phase, theta);
-    tabulated.start_share = share;
-    tabulated.speeds = tabulation.speeds;
-    tabulated.squares = tabulation.border.squares;
-    let fastest = tabulation.fastest * rates.half_period.to_f64();
-    tabulated.stepping = tabulation.speeds.left_out(tabulation.border.remainder, fastest);
-    tabulated.truncation += tabulated.stepping;
-    tabulated.defect = if rates.returns { tabulation.defect() } else { 0.0 };
-    Some(tabulated)
-}
-
-/// Tabulation of a steady motion: α and β at χ = 0, which are constant.
-#[inline(never)]
-fn constant(motion: &Motion, store: &mut Store<'_>) -> Tabulated {
-    let brackets: Brackets<f64> = motion.brackets();
-    for (which, bracket) in [&brackets.alpha, &brackets.beta].into_iter().enumerate() {
-        let [plus, minus] = bracket.exponentials();
-        let mut re = [0; TERMS];
-        re[0] = libm::round((plus + minus) / UNIT) as i64;
-        store(0, which, [&mut re, &mut [0; TERMS]]);
-    }
-    let [alpha, beta] = motion.phases();
-    Tabulated { start: [Phase::ZERO, alpha, beta], ..Tabulated::EMPTY }
-}
 
 /// Factor by which the expected error of longer segments may exceed the allowed error and they are still tried in the
 /// next cell. A failed trial costs one series; an unnecessary segment takes memory in the table.
@@ -119,34 +35,6 @@ const COARSENING: f64 = 4.0;
 
 /// Fraction of the allowed error that the steps from segment to segment may use.
 const STEPPING_SHARE: f64 = 0.125;
-
-/// State of the steps through the segments of the half period.
-struct Tabulation<'a> {
-    law: &'a Law<Extended>,
-    brackets: &'a Brackets<f64>,
-    rates: &'a MeanRates,
-    seek: &'a StartSearch,
-    requirements: Requirements,
-    /// Truncation error that the reduction of a segment's series may cause.
-    allowed: f64,
-    /// Half the length of a cell, in extended precision because its error would accumulate over the cells.
-    half_cell: Extended,
-    /// Magnitude below which a term of the series is negligible.
-    least: f64,
-    /// Expansion around the border of a cell or the centre of a segment.
-    expansion: &'a mut Expansion,
-    /// Unit of x in the expansion, in units of half a period.
-    part: f64,
-    current: Position,
-    /// Position at the beginning of the cell.
-    border: Position,
-    /// Sum of the rates of χ, θ_A and θ_B at the turning point where it is greater; the weight of an error of χ.
-    fastest: f64,
-    /// Upper bounds on the speeds up to this position.
-    speeds: Speeds,
-    /// Start of the motion, once it has been passed.
-    found_start: Option<TabulatedStart>,
-}
 
 /// Start of the motion on the half period.
 #[derive(Clone, Copy, Debug, Default)]
@@ -157,182 +45,337 @@ struct TabulatedStart {
     share: f64,
 }
 
-/// Position reached by the steps, with the errors so far.
-#[derive(Clone, Copy, Debug, Default)]
-struct Position {
-    point: PhasePoint,
-    /// Truncation error of the series so far, estimated from their last terms.
-    remainder: f64,
-    /// Sums of the squares of the terms that the steps add up: of χ as delays, in units of half a period, and of θ,
-    /// rad.
-    squares: [f64; 2],
+/// Next piece of the work.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Piece {
+    /// Number of halvings of a cell, or the end.
+    Cell,
+    /// Rates at the border of the cell or of two segments (false), or at the centre of a segment (true).
+    Rates(bool),
+    /// Beginning of the expansion around it.
+    Expansion(bool),
+    /// Rest of the expansion.
+    Terms(bool),
+    /// Step from the border to the next centre.
+    Border,
+    /// Series of α (0) or of β (1) on the segment.
+    Series(usize),
+    /// Polynomial made from that series.
+    Polynomial(usize),
+    /// Start of the motion, if it is on the segment.
+    Start,
+    /// Step to the next centre or border.
+    Step,
+    /// Result.
+    Result,
 }
 
-impl Tabulation<'_> {
-    /// Steps through a cell, from its border or its first centre to its last centre and border. Returns the
-    /// truncation error of its segments, or `None` where it exceeds the allowed error.
-    fn through(&mut self, number: usize, cell: Cell, at_centre: bool, store: &mut Store<'_>) -> Option<f64> {
-        let (level, count) = (cell.level(), 1_usize << cell.level());
-        let unit = self.half_cell * Extended::from(1.0 / count as f64);
-        let share = self.share(level);
-        let mut error = 0.0;
-        if !at_centre {
-            self.expand(unit);
-            self.to(1, share)?;
-        }
-        for place in 0..count {
-            self.expand(unit);
-            let segment = cell.first() + place;
-            error = larger_or_nan(error, self.shorten(segment, store));
-            if !error.is_finite() || error > self.allowed {
-                return None;
-            }
-            let last = place + 1 == count;
-            let centre = 2 * (number * count + place) + 1;
-            let end = last && number + 1 == CELLS;
-            if self.found_start.is_none()
-                && let Some(x) = self.seek.within(self.expansion, end)
-            {
-                // half a turn of the nutation phase over all cells
-                let halvings = 2 + CELL_BITS + level;
-                let phase = Phase::from_bits(centre as i128 * (Phase::ONE.to_bits() >> halvings))
-                    + Phase::new(x / (1_u64 << halvings) as f64);
-                let share = self.seek.per_rounding(self.expansion, x) * self.part;
-                self.found_start = Some(TabulatedStart { phase, theta: self.expansion.theta_at(x), share });
-            }
-            if last {
-                self.border = self.after(1, share)?;
-            } else if self.to(2, 2.0 * share).is_none() {
-                // by way of the border
-                self.to(1, share)?;
-                self.expand(unit);
-                self.to(1, share)?;
-            }
-        }
-        Some(error)
+/// What is known about a segment from its polynomial of α.
+#[derive(Clone, Copy, Debug, Default)]
+struct SegmentErrors {
+    /// Sum of the squares of the truncation errors.
+    squares: f64,
+    /// Greatest error of the stored coefficients.
+    stored: f64,
+    /// Sums of the squares of the slopes, of their errors and of the curvatures.
+    slopes: [f64; 3],
+}
+
+/// State of the tabulation between two pieces of work.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tabulation {
+    /// Steps along the half period.
+    path: HalfPeriod,
+    brackets: Brackets<f64>,
+    seek: StartSearch,
+    requirements: Requirements,
+    /// Truncation error that the reduction of a segment's series may cause.
+    allowed: f64,
+    /// Half the length of a cell, in extended precision because its error would accumulate over the cells.
+    half_cell: Extended,
+    /// Start of the motion, once it has been passed.
+    found_start: Option<TabulatedStart>,
+    /// Result so far; its speeds and its start at the beginning of the cell.
+    tabulated: Tabulated,
+    /// Upper bounds on the speeds up to this position.
+    speeds: Speeds,
+    piece: Piece,
+    /// Index of the cell, and of the segment in it.
+    number: usize,
+    place: usize,
+    /// Number of halvings of the cell.
+    level: u32,
+    /// Whether the start had been found before this cell.
+    found_before: bool,
+    /// Whether the position is the first centre of the cell, not its border.
+    at_centre: bool,
+    /// Greatest truncation error of the cell's segments.
+    error: f64,
+    segment: SegmentErrors,
+    /// Real and imaginary part of the series of α or β, in units of 2^-62.
+    series: [[i64; TERMS]; 2],
+}
+
+impl Tabulation {
+    /// Tabulation that has not begun.
+    pub(crate) const EMPTY: Self = Self {
+        path: HalfPeriod::EMPTY,
+        brackets: Brackets::ZERO,
+        seek: StartSearch::EMPTY,
+        requirements: Requirements { terms: 0, allowed: 0.0, most: 0 },
+        allowed: 0.0,
+        half_cell: Extended::ZERO,
+        found_start: None,
+        tabulated: Tabulated::EMPTY,
+        speeds: Speeds::ZERO,
+        piece: Piece::Result,
+        number: 0,
+        place: 0,
+        level: 0,
+        found_before: false,
+        at_centre: false,
+        error: 0.0,
+        segment: SegmentErrors { squares: 0.0, stored: 0.0, slopes: [0.0; 3] },
+        series: [[0; TERMS]; 2],
+    };
+
+    /// Begins the tabulation of a motion that is not steady.
+    #[inline(never)]
+    pub(crate) fn begin(&mut self, motion: &Motion, rates: &MeanRates, requirements: Requirements) {
+        let least = rates.rounding / (16 * requirements.most.min(16 * CELLS)) as f64;
+        self.path.begin(motion, rates, least);
+        self.brackets = motion.brackets();
+        self.seek = StartSearch::new(motion, self.path.law(), rates);
+        self.half_cell = rates.half_period / Extended::from((2 * CELLS) as f64);
+        self.again(requirements);
     }
 
-    /// Steps from the last centre of a cell to the first centre of the next, whose segments have the same or twice
-    /// the length, if the series is accurate so far, otherwise to the border. Returns whether it reached the centre.
-    fn cross(&mut self, level: u32, coarser: bool) -> bool {
-        let x = if coarser { 3 } else { 2 };
-        let carries = self.to(x, x as f64 * self.share(level)).is_some();
-        if !carries {
-            self.current = self.border;
+    /// Begins again with other requirements on the table.
+    pub(crate) fn again(&mut self, requirements: Requirements) {
+        self.path.restart();
+        self.requirements = requirements;
+        self.allowed = (1.0 - STEPPING_SHARE) * requirements.allowed;
+        self.found_start = None;
+        self.tabulated = Tabulated { segments: 0, ..Tabulated::EMPTY };
+        self.speeds = Speeds::ZERO;
+        (self.number, self.level, self.at_centre) = (0, 0, false);
+        self.begin_cell();
+    }
+
+    fn begin_cell(&mut self) {
+        self.piece = Piece::Cell;
+        self.found_before = self.found_start.is_some();
+        self.tabulated.speeds = self.speeds;
+    }
+
+    /// Does the next piece of work. It passes the polynomials of each segment to `store`: the index of the segment, 0
+    /// for α or 1 for β, and the coefficients, of which the first `terms` are used. `store` returns the orientation
+    /// error and the error of the derivative from rounding them. A segment may be passed more than once, and the last
+    /// time is valid. The result is the tabulation's, once it is complete.
+    ///
+    /// # Errors
+    /// The segments would exceed the largest number allowed.
+    pub(crate) fn advance(
+        &mut self,
+        motion: &Motion,
+        store: &mut Store<'_>,
+    ) -> Result<Option<Tabulated>, ()> {
+        let next = match self.piece {
+            Piece::Cell => Some(self.divide()?),
+            Piece::Rates(at_centre) => {
+                self.path.prepare(self.unit());
+                Some(Piece::Expansion(at_centre))
+            }
+            Piece::Expansion(at_centre) => {
+                self.path.begin_expansion();
+                Some(Piece::Terms(at_centre))
+            }
+            Piece::Terms(at_centre) => Some(match (self.path.proceed(), at_centre) {
+                (false, _) => Piece::Terms(at_centre),
+                (true, false) => Piece::Border,
+                (true, true) => Piece::Series(0),
+            }),
+            Piece::Border => self.path.to(1, self.share()).map(|()| Piece::Rates(true)),
+            Piece::Series(which) => self.turn(which),
+            Piece::Polynomial(which) => self.shorten(which, store),
+            Piece::Start => {
+                self.note_start();
+                Some(Piece::Step)
+            }
+            Piece::Step => self.step(),
+            Piece::Result => return Ok(Some(self.result(motion))),
+        };
+        match next {
+            Some(next) => self.piece = next,
+            None => self.refine(),
         }
-        carries
+        Ok(None)
+    }
+
+    /// Divides the cell into segments.
+    fn divide(&mut self) -> Result<Piece, ()> {
+        let segments = self.tabulated.segments;
+        if self.level > Cell::DEEPEST || segments + (1 << self.level) > self.requirements.most {
+            return Err(());
+        }
+        if let Some(cell) = self.tabulated.cells.get_mut(self.number) {
+            *cell = Cell::new(segments, self.level);
+        }
+        (self.place, self.error) = (0, 0.0);
+        Ok(Piece::Rates(self.at_centre))
+    }
+
+    /// Begins the cell again with segments of half the length.
+    fn refine(&mut self) {
+        (self.level, self.at_centre) = (self.level + 1, false);
+        self.path.return_to_border();
+        self.found_start = self.found_start.filter(|_| self.found_before);
+        self.speeds = self.tabulated.speeds;
+        self.piece = Piece::Cell;
+    }
+
+    /// Half the length of a segment.
+    fn unit(&self) -> Extended {
+        self.half_cell * Extended::from(1.0 / f64::from(1_u32 << self.level))
     }
 
     /// Truncation error allowed for a step over half a segment, so that the sum over all steps is within their
     /// fraction of the allowed error.
-    fn share(&self, level: u32) -> f64 {
-        STEPPING_SHARE * self.requirements.allowed / ((2 * CELLS) << level) as f64
+    fn share(&self) -> f64 {
+        STEPPING_SHARE * self.requirements.allowed / ((2 * CELLS) << self.level) as f64
     }
 
-    /// Expands the law around the position reached.
-    fn expand(&mut self, unit: Extended) {
-        self.part = unit.to_f64() / self.rates.half_period.to_f64();
-        let slopes = self.slopes(unit);
-        self.expand_along(&slopes, unit);
+    /// Series of α or of β from those of the phases.
+    fn turn(&mut self, which: usize) -> Option<Piece> {
+        let bracket = if which == 0 { &self.brackets.alpha } else { &self.brackets.beta };
+        let [re, im] = &mut self.series;
+        self.path.turned(which, bracket.exponentials(), [re, im])?;
+        Some(Piece::Polynomial(which))
     }
 
-    #[inline(never)] // the frame with the law in f64 must not remain on the stack below the following calls
-    fn expand_along(&mut self, slopes: &Slopes, unit: Extended) {
-        let Self { law, expansion, current, least, .. } = self;
-        law.cast().expand(&current.point, slopes, unit.to_f64(), *least, expansion);
-    }
-
-    /// Derivatives of the phases, in extended precision: a slow phase may turn by thousands of radians and hardly differ
-    /// from its mean.
+    /// Stores the series of α or of β as a polynomial of reduced degree.
     #[inline(never)]
-    fn slopes(&self, unit: Extended) -> Slopes {
-        let sine_cosine = self.current.point.sine_cosine();
-        let (sine, cosine) = sine_cosine;
-        let rates = self.law.rates(sine.into(), cosine.into());
-        let [alpha_offset, beta_offset] = self.rates.theta_offset;
-        let slope = |rate: Extended| (unit * rate).to_f64();
-        let weight = self.fastest * unit.to_f64() / Float::abs(slope(rates.nutation));
-        Slopes {
-            sine_cosine,
-            psi: PhaseRates {
-                nutation: slope(rates.nutation),
-                alpha: slope(rates.alpha),
-                beta: slope(rates.beta),
-            },
-            theta: [slope(rates.alpha + alpha_offset), slope(rates.beta + beta_offset)],
-            weight: if weight > 1.0 { weight } else { 1.0 },
+    fn shorten(&mut self, which: usize, store: &mut Store<'_>) -> Option<Piece> {
+        let [mut re, mut im] = self.series;
+        let beyond = [&re, &im].map(beyond_the_last).into_iter().fold(0.0, larger_or_nan);
+        let [dropped, dropped_slope] = economise([&mut re, &mut im], self.requirements.terms);
+        let dropped = dropped + 2.0 * beyond;
+        let [[re_slope, re_curvature], [im_slope, im_curvature]] = [&re, &im].map(greatest_slopes);
+        let [stored, rounded_slope] = store(self.tabulated.segments + self.place, which, [&mut re, &mut im]);
+        let slope_error = dropped_slope + 2.0 * TERMS as f64 * beyond + rounded_slope;
+        if which == 0 {
+            self.segment = SegmentErrors::default();
         }
+        let SegmentErrors { squares, stored: largest, slopes } = &mut self.segment;
+        *squares += dropped * dropped;
+        *largest = larger_or_nan(*largest, stored);
+        let each = [[re_slope, im_slope], [slope_error, 0.0], [re_curvature, im_curvature]];
+        slopes.iter_mut().zip(each).for_each(|(sum, [x, y])| *sum += x * x + y * y);
+        if which == 0 { Some(Piece::Series(1)) } else { self.judge() }
     }
 
-    /// Speed of α and β at given sin χ and cos χ, rad per unit time.
-    #[inline(never)] // the stack frames of set-up must not add up
-    fn speed(&self, sine: f64, cosine: f64) -> f64 {
-        let rates = self.law.cast().rates(sine, cosine);
-        let [alpha_offset, beta_offset] = self.rates.theta_offset.map(Float::to_f64);
-        let slow = Float::abs(rates.alpha + alpha_offset) + Float::abs(rates.beta + beta_offset);
-        Float::abs(rates.nutation) + slow
-    }
-
-    /// Stores the expansion as polynomials of reduced degree. Returns the truncation and rounding error, as an
-    /// orientation error in rad.
-    #[inline(never)]
-    fn shorten(&mut self, segment: usize, store: &mut Store<'_>) -> f64 {
-        let brackets = [&self.brackets.alpha, &self.brackets.beta];
-        let (mut squares, mut stored_error) = (0.0, 0.0);
-        let mut slopes = [0.0; 3];
-        for (which, bracket) in brackets.into_iter().enumerate() {
-            let (mut re, mut im) = ([0; TERMS], [0; TERMS]);
-            let converges =
-                self.expansion.turned(which, bracket.exponentials(), self.least, [&mut re, &mut im]);
-            if converges.is_none() {
-                return f64::INFINITY;
-            }
-            let beyond = [&re, &im].map(beyond_the_last).into_iter().fold(0.0, larger_or_nan);
-            let [dropped, dropped_slope] = economise([&mut re, &mut im], self.requirements.terms);
-            let dropped = dropped + 2.0 * beyond;
-            squares += dropped * dropped;
-            let [[re_slope, re_curvature], [im_slope, im_curvature]] = [&re, &im].map(greatest_slopes);
-            let of_beyond = 2.0 * TERMS as f64 * beyond;
-            let [error, rounded_slope] = store(segment, which, [&mut re, &mut im]);
-            stored_error = larger_or_nan(stored_error, error);
-            let slope_error = dropped_slope + of_beyond + rounded_slope;
-            let each = [[re_slope, im_slope], [slope_error, 0.0], [re_curvature, im_curvature]];
-            slopes.iter_mut().zip(each).for_each(|(sum, [x, y])| *sum += x * x + y * y);
-        }
+    /// Truncation and rounding error of a segment, as an orientation error; `None` where it is too large.
+    fn judge(&mut self) -> Option<Piece> {
+        let SegmentErrors { squares, stored, slopes } = self.segment;
         let [slope, slope_error, curvature] = slopes.map(|squares| 2.0 * Float::sqrt(squares));
-        let speeds = SegmentSpeeds { slope, slope_error, curvature };
-        self.speeds.note(speeds, self.expansion.greatest_theta_slope(), self.part);
-        larger_or_nan(2.0 * Float::sqrt(squares), stored_error)
+        self.speeds.note(
+            SegmentSpeeds { slope, slope_error, curvature },
+            self.path.expansion().greatest_theta_slope(),
+            self.path.part(),
+        );
+        let error = larger_or_nan(2.0 * Float::sqrt(squares), stored);
+        self.error = larger_or_nan(self.error, error);
+        let piece = if self.found_start.is_none() { Piece::Start } else { Piece::Step };
+        (self.error <= self.allowed).then_some(piece)
     }
 
-    /// Moves to x; `None` where the truncation error there exceeds `share`.
-    fn to(&mut self, x: i64, share: f64) -> Option<()> {
-        self.current = self.after(x, share)?;
-        Some(())
+    fn is_last(&self) -> bool {
+        self.place + 1 == 1 << self.level
+    }
+
+    /// Notes the start of the motion, if it is on this segment.
+    fn note_start(&mut self) {
+        let end = self.is_last() && self.number + 1 == CELLS;
+        let expansion = self.path.expansion();
+        if let Some(x) = self.seek.within(expansion, end) {
+            // half a turn of the nutation phase over all cells
+            let halvings = 2 + CELL_BITS + self.level;
+            let centre = 2 * ((self.number << self.level) + self.place) + 1;
+            let phase = Phase::from_bits(centre as i128 * (Phase::ONE.to_bits() >> halvings))
+                + Phase::new(x / (1_u64 << halvings) as f64);
+            let share = self.seek.per_rounding(expansion, x) * self.path.part();
+            self.found_start = Some(TabulatedStart { phase, theta: expansion.theta_at(x), share });
+        }
+    }
+
+    /// Steps to the centre of the next segment, or to the end of the cell.
+    fn step(&mut self) -> Option<Piece> {
+        let share = self.share();
+        if self.is_last() {
+            self.path.move_border(share)?;
+            return Some(self.leave());
+        }
+        self.place += 1;
+        if self.path.to(2, 2.0 * share).is_some() {
+            return Some(Piece::Rates(true));
+        }
+        // by way of the border between the two segments
+        self.path.to(1, share)?;
+        Some(Piece::Rates(false))
+    }
+
+    /// Leaves a complete cell: to the first centre of the next, whose segments have the same or twice the length, if
+    /// the series is accurate so far, otherwise to the border.
+    fn leave(&mut self) -> Piece {
+        let (level, allowed) = (self.level, self.allowed);
+        self.tabulated.truncation = larger_or_nan(self.tabulated.truncation, self.error);
+        self.tabulated.segments += 1 << level;
+        self.number += 1;
+        if self.number == CELLS {
+            self.path.return_to_border();
+            return Piece::Result;
+        }
+        // segments of twice the length would have about 2^terms times the error
+        let coarser =
+            level > 0 && self.error * f64::from(1_u32 << self.requirements.terms) < COARSENING * allowed;
+        let x = if coarser { 3 } else { 2 };
+        self.at_centre = self.path.to(x, x as f64 * self.share()).is_some();
+        if !self.at_centre {
+            self.path.return_to_border();
+        }
+        self.level -= u32::from(coarser);
+        self.begin_cell();
+        Piece::Cell
     }
 
     #[inline(never)]
-    fn after(&self, x: i64, share: f64) -> Option<Position> {
-        let left_out = self.expansion.left_out(x);
-        (left_out <= share).then(|| {
-            let [chi, theta] = self.expansion.sizes(x);
-            let delay = self.part * chi / self.expansion.chi_slope(x);
-            let [delays, angles] = self.current.squares;
-            Position {
-                point: self.expansion.point(x),
-                remainder: self.current.remainder + left_out,
-                squares: [delays + delay * delay, angles + theta * theta],
-            }
-        })
+    fn result(&self, motion: &Motion) -> Tabulated {
+        let TabulatedStart { phase, theta, share } = self.found_start.unwrap_or_default();
+        let Position { remainder, squares, .. } = *self.path.position();
+        let stepping = self.speeds.left_out(remainder, self.path.fastest_per_half_period());
+        Tabulated {
+            start: self.seek.start(motion, phase, theta),
+            start_share: share,
+            speeds: self.speeds,
+            squares,
+            stepping,
+            truncation: self.tabulated.truncation + stepping,
+            defect: self.path.defect(&self.speeds),
+            ..self.tabulated
+        }
     }
+}
 
-    /// Error at the upper turning point, as an orientation error in rad. There cos χ = 0, and α and β without their
-    /// mean rotation are real, so cos θ = 0. An error of χ is a delay, which is multiplied by the greatest speed.
-    fn defect(&self) -> f64 {
-        let miss = |angle: Phase| Float::abs(f64::sine_cosine(angle).1);
-        let PhasePoint { chi, theta } = self.border.point;
-        let [alpha, beta] = theta.map(miss);
-        let at_the_end = self.law.cast::<f64>().rates(1.0, 0.0).nutation * self.rates.half_period.to_f64();
-        self.speeds.delay(miss(chi) / at_the_end) + 2.0 * alpha.max(beta)
+/// Tabulation of a steady motion: α and β at χ = 0, which are constant.
+#[inline(never)]
+pub(crate) fn constant(motion: &Motion, store: &mut Store<'_>) -> Tabulated {
+    let brackets: Brackets<f64> = motion.brackets();
+    for (which, bracket) in [&brackets.alpha, &brackets.beta].into_iter().enumerate() {
+        let [plus, minus] = bracket.exponentials();
+        let mut re = [0; TERMS];
+        re[0] = libm::round((plus + minus) / UNIT) as i64;
+        store(0, which, [&mut re, &mut [0; TERMS]]);
     }
+    let [alpha, beta] = motion.phases();
+    Tabulated { start: [Phase::ZERO, alpha, beta], ..Tabulated::EMPTY }
 }

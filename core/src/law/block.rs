@@ -4,6 +4,11 @@
 //! emulated `f64` arithmetic costs 150 instructions. The coefficients of a converging series do not grow, so that all
 //! of them share the exponent of the first ones.
 
+use core::ops::RangeInclusive;
+
+use crate::phase::integer_parts;
+use crate::product::signed_product;
+
 /// Largest number of terms of a series; fewer are computed where the terms fall below the resolution of the scalar.
 /// The segments of a table are short compared with the radius of convergence: where degree 5 leaves an error of 3e-8,
 /// sixteen terms leave 1e-10; where degree 9 or more leaves 1e-16, they leave only rounding.
@@ -39,37 +44,66 @@ impl Split {
     }
 }
 
-/// Exact sum of the products of pairs, at most 16 of them.
+/// Sum of the products of pairs, at most 16 of them, divided by 2^shift and rounded to the nearest. The sum is exact; a
+/// quotient beyond the range becomes the largest that is not a coefficient.
 #[inline(always)]
-pub(crate) fn inner<'a>(pairs: impl Iterator<Item = (&'a Split, &'a Split)>) -> i128 {
+fn inner<'a>(pairs: impl Iterator<Item = (&'a Split, &'a Split)>, shift: i32) -> i64 {
     if cfg!(target_pointer_width = "64") {
-        return pairs.fold(0, |sum, (a, b)| sum + i128::from(a.value()) * i128::from(b.value()));
+        let sum = pairs.fold(0, |sum, (a, b)| sum + i128::from(a.value()) * i128::from(b.value()));
+        return rounded(sum, shift);
     }
-    let long = |a: i32, b: i32| i64::from(a) * i64::from(b);
     let (upper, across, lower) = pairs.fold((0_i64, 0_i64, 0_u64), |(upper, across, lower), (a, b)| {
         (
-            upper + long(a.high, b.high),
-            across + long(a.high, b.low) + long(a.low, b.high),
-            lower + long(a.low, b.low) as u64,
+            upper + signed_product(a.high, b.high),
+            across + signed_product(a.high, b.low) + signed_product(a.low, b.high),
+            lower + signed_product(a.low, b.low) as u64,
         )
     });
-    (i128::from(upper) << (2 * LOW_BITS)) + (i128::from(across) << LOW_BITS) + i128::from(lower)
+    rounded_parts(upper, across + (lower >> LOW_BITS) as i64, shift)
 }
 
-/// Sum divided by 2^shift, rounded to the nearest; a quotient beyond the range becomes the largest that is not a
-/// coefficient.
-pub(crate) fn rounded(sum: i128, shift: i32) -> i64 {
-    const BEYOND: i128 = 2 * LIMIT as i128;
-    match shift {
-        127.. => 0,
-        1.. => (((sum >> (shift - 1)) + 1) >> 1).clamp(-BEYOND, BEYOND) as i64,
-        _ => (sum.signum() * BEYOND) as i64,
+/// Least shift of a quotient in range; a smaller one is of a series that does not converge.
+const LEAST_SHIFT: i32 = 33;
+/// Quotient that is not in range.
+const BEYOND: i64 = 2 * LIMIT;
+
+/// Sum divided by 2^shift, rounded to the nearest.
+fn rounded(sum: i128, shift: i32) -> i64 {
+    if shift < LEAST_SHIFT {
+        return if sum >> LOW_BITS == 0 { 0 } else { BEYOND };
     }
+    let twice = sum >> (shift - 1).min(127);
+    ((twice + 1) >> 1).clamp((-BEYOND).into(), BEYOND.into()) as i64
 }
 
-/// Product of two integers divided by 2^shift, rounded to the nearest.
-pub(crate) fn scaled_product(a: Split, b: Split, shift: i32) -> i64 {
-    rounded(inner([(&a, &b)].into_iter()), shift)
+/// [`rounded`] of upper · 2^60 + across · 2^30 and 30 lower bits, in words of 64 bits: shifts of 128 bits would cost a
+/// chip more than the products.
+#[inline(never)] // a call: set-up rounds in some thirty places
+fn rounded_parts(upper: i64, across: i64, shift: i32) -> i64 {
+    let twice = match shift {
+        61.. => (upper + (across >> LOW_BITS)) >> (shift - 61).min(63),
+        LEAST_SHIFT.. if matches!(upper >> (shift + 1), 0 | -1) => {
+            // the lower word ends above the bits that are dropped
+            (upper << (61 - shift)).saturating_add(across >> (shift - 31))
+        }
+        LEAST_SHIFT.. => upper.signum() * 2 * BEYOND,
+        _ => return if (upper << LOW_BITS) + across == 0 { 0 } else { BEYOND },
+    };
+    ((twice >> 1) + (twice & 1)).clamp(-BEYOND, BEYOND)
+}
+
+/// Product of two integers divided by 2^SHIFT, for a SHIFT of 54 to 60, rounded to the nearest. Shifts by a constant cost a
+/// chip a third of the others.
+#[inline(never)] // a call: set-up multiplies in some thirty places
+pub(crate) fn scaled_product<const SHIFT: u32>(a: Split, b: Split) -> i64 {
+    if cfg!(target_pointer_width = "64") {
+        let product = i128::from(a.value()) * i128::from(b.value());
+        return (((product >> (SHIFT - 1)) + 1) >> 1) as i64;
+    }
+    let lower = signed_product(a.low, b.low) >> LOW_BITS;
+    let across = signed_product(a.high, b.low) + signed_product(a.low, b.high) + lower;
+    let half = 1 << (SHIFT - LOW_BITS - 1);
+    (signed_product(a.high, b.high) << (2 * LOW_BITS - SHIFT)) + ((across + half) >> (SHIFT - LOW_BITS))
 }
 
 /// The number itself; `None` if it is too large for a coefficient, so that the series does not converge.
@@ -77,48 +111,62 @@ pub(crate) fn in_range(value: i64) -> Option<i64> {
     (value.abs() <= LIMIT).then_some(value)
 }
 
-/// Constant factor between two series, as an integer and a number of bits to drop from the product.
-#[derive(Clone, Copy, Debug)]
+/// Constant factor between two series.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Factor {
+    /// Factor in units of 2^(`doublings` - 60).
     mantissa: Split,
-    shift: i32,
+    doublings: u32,
 }
 
+/// Fraction bits of the mantissa of a [`Factor`].
+const FACTOR_BITS: i32 = 60;
+
 impl Factor {
+    pub(crate) const ZERO: Self = Self { mantissa: Split::ZERO, doublings: 0 };
+
     /// Factor from a series with the exponent `from` to one with the exponent `to`. The expected magnitude of the
-    /// second is at least that of the product.
+    /// second is at least that of the product, so that the factor is at most about 1 and has 60 bits after the point.
     pub(crate) fn new(factor: f64, from: i32, to: i32) -> Self {
-        let exponent = exponent(factor) - BITS;
-        let mantissa = Split::of(scaled(factor, exponent));
-        Self { mantissa, shift: to - from - exponent }
+        let (mantissa, exponent) = integer_parts(factor);
+        let shift = exponent + from - to + FACTOR_BITS;
+        // 53 bits become 60 at most
+        let doublings = (shift - (FACTOR_BITS - 53)).clamp(0, 62);
+        let mantissa = match shift - doublings {
+            shift @ 0.. => mantissa << shift.min(FACTOR_BITS - 53),
+            shift @ -62.. => ((mantissa >> (-shift - 1)) + 1) >> 1,
+            _ => 0,
+        };
+        Self { mantissa: Split::of(mantissa), doublings: doublings as u32 }
     }
 
-    /// Factor mantissa/2^shift.
-    pub(crate) const fn of_parts(mantissa: i64, shift: i32) -> Self {
-        Self { mantissa: Split::of(mantissa), shift }
-    }
-
+    /// Product, rounded to the nearest; beyond the range it becomes the largest that is not a coefficient.
     pub(crate) fn times(&self, value: i64) -> i64 {
-        scaled_product(self.mantissa, Split::of(value), self.shift)
+        let product = scaled_product::<{ FACTOR_BITS as u32 }>(self.mantissa, Split::of(value));
+        if self.doublings == 0 {
+            return product;
+        }
+        let limit = BEYOND >> self.doublings;
+        product.clamp(-limit - 1, limit + 1).saturating_mul(1 << self.doublings).clamp(-BEYOND, BEYOND)
     }
 }
 
 /// Integral of a term c y^k: the quotient c/(k + 1), rounded to the nearest. A product costs much less than a division
 /// on a chip without a divider.
 pub(crate) fn integrated(c: i64, k: usize) -> i64 {
+    /// 1/(k + 1), rounded, in units of 2^-60.
     #[allow(clippy::indexing_slicing)]
-    static INVERSES: [Factor; TERMS] = {
-        let mut inverses = [Factor::of_parts(0, 0); TERMS];
+    static INVERSES: [Split; TERMS] = {
+        let mut inverses = [Split::ZERO; TERMS];
         let mut k = 0;
         while k < TERMS {
-            // 1/(k + 1), rounded
             let divisor = k as i64 + 1;
-            inverses[k] = Factor::of_parts(((1 << BITS) + divisor / 2) / divisor, BITS);
+            inverses[k] = Split::of(((1 << 60) + divisor / 2) / divisor);
             k += 1;
         }
         inverses
     };
-    INVERSES.get(k).map_or(0, |inverse| inverse.times(c))
+    INVERSES.get(k).map_or(0, |inverse| scaled_product::<60>(*inverse, Split::of(c)))
 }
 
 /// Least e with |x| <= 2^e; very small for 0.
@@ -137,10 +185,23 @@ pub(crate) const fn power_of_two(exponent: i32) -> f64 {
 }
 
 /// Integer nearest to x / 2^exponent, for a quotient below 2^62.
+#[inline(never)]
 pub(crate) fn scaled(x: f64, exponent: i32) -> i64 {
-    // in two steps, because 2^-exponent may be beyond the range of f64
-    let first = -exponent / 2;
-    libm::round(x * power_of_two(first) * power_of_two(-exponent - first)) as i64
+    let (mantissa, own) = integer_parts(x);
+    match own.saturating_sub(exponent) {
+        10.. => {
+            if mantissa < 0 {
+                -(1 << 62)
+            } else if mantissa > 0 {
+                1 << 62
+            } else {
+                0
+            }
+        }
+        shift @ 0.. => mantissa << shift,
+        shift @ -62.. => ((mantissa >> (-shift - 1)) + 1) >> 1,
+        _ => 0,
+    }
 }
 
 /// Coefficients of 1, x, x², ..., in units of 2^exponent.
@@ -160,7 +221,8 @@ impl Block {
 
     /// Removes all coefficients and sets the exponent of those to come.
     pub(crate) fn clear_to(&mut self, exponent: i32) {
-        *self = Self { exponent, ..Self::ZERO };
+        self.exponent = exponent;
+        self.coefficients.fill(Split::ZERO);
     }
 
     pub(crate) fn get(&self, k: usize) -> i64 {
@@ -186,14 +248,14 @@ impl Block {
         power_of_two(self.exponent)
     }
 
-    /// Exact coefficient of x^k of a product of two series, from the terms `first` to `last` of the first one, in units
-    /// of 2^(sum of both exponents).
+    /// Coefficient of x^k of a product of two series, from these terms of the first one, divided by 2^shift.
     #[inline(never)] // a call: set-up multiplies series in a dozen places
-    pub(crate) fn product(&self, other: &Self, first: usize, last: usize, k: usize) -> i128 {
+    pub(crate) fn product(&self, other: &Self, terms: RangeInclusive<usize>, k: usize, shift: i32) -> i64 {
+        let (first, last) = terms.into_inner();
         let ours = self.coefficients.get(first..=last).unwrap_or_default();
         let theirs =
             other.coefficients.get(k.saturating_sub(last)..=k.saturating_sub(first)).unwrap_or_default();
-        inner(ours.iter().zip(theirs.iter().rev()))
+        inner(ours.iter().zip(theirs.iter().rev()), shift)
     }
 
     /// Sum Σ c yʲ⁻¹ over the coefficients j from 1 to `terms` - 1, for y = `quarters`/4, or of their magnitudes; `None`
@@ -204,5 +266,34 @@ impl Block {
             let next = ((sum * quarters + 2) >> 2) + part(c.value());
             (next.abs() <= LIMIT).then_some(next)
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The words of a chip round like the wide integers of a PC, also where a quotient leaves the range.
+    #[test]
+    fn sums_round_in_parts_as_a_whole() {
+        let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut seen = [0; 3];
+        for _ in 0..if cfg!(miri) { 300 } else { 100_000 } {
+            bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+            let number = |bits: u64| bits as i64 >> (7 + bits % 50);
+            let (a, b) = (Split::of(number(bits)), Split::of(number(bits.rotate_left(32))));
+            let shift = 30 + (bits >> 40) as i32 % 100;
+            let (mut upper, mut across) = (signed_product(a.high, b.high), signed_product(a.high, b.low));
+            across += signed_product(a.low, b.high) + (signed_product(a.low, b.low) >> LOW_BITS);
+            // also as a sum that nearly cancels
+            if bits & 4 == 0 {
+                (upper, across) = (upper - 1, across + (1 << LOW_BITS));
+            }
+            let sum = (i128::from(upper) << (2 * LOW_BITS)) + (i128::from(across) << LOW_BITS);
+            let found = rounded_parts(upper, across, shift);
+            assert_eq!(found, rounded(sum, shift), "{upper} {across} {shift}");
+            seen[usize::from(found != 0) + usize::from(found.abs() >= BEYOND)] += 1;
+        }
+        assert!(seen.iter().all(|count| *count > 10), "{seen:?}");
     }
 }

@@ -1,7 +1,8 @@
 //! Expansion of the law around a point: the recurrence of the coefficients.
 
 use crate::law::Law;
-use crate::law::block::{BITS, Block, Factor, TERMS, in_range, integrated, power_of_two, rounded, scaled};
+use crate::law::block::{BITS, Block, Factor, TERMS, in_range, integrated, power_of_two, scaled};
+use crate::law::recurrence::{Recurrence, SlowFactors};
 use crate::law::series::{Expansion, PhasePoint, Rate, Slopes, is_negligible, larger_or_nan, negligible};
 use crate::scalar::Float;
 
@@ -17,21 +18,11 @@ struct Values {
     shares: [[f64; 2]; 2],
 }
 
-/// Variation of the rate of one slow phase, and of its denominator.
-struct SlowPhase<'a> {
-    variation: &'a mut Block,
-    divisor: &'a mut Block,
-    from_square: Factor,
-    from_divisor: Factor,
-    /// Factors of δ and of the variation of D dχ/dx in that of the denominator.
-    shares: [Factor; 2],
-    negligible: i64,
-}
-
-impl<'a> SlowPhase<'a> {
-    /// Slow phase with a rate of `slope`; `delta` and `drive` have their exponents already.
+impl SlowFactors {
+    /// Factors for a rate of `slope`; `delta` and `drive` have their exponents already, the series of the rate get
+    /// theirs.
     fn new(
-        rate: &'a mut Rate,
+        rate: &mut Rate,
         slope: f64,
         (scale, [constant, smoothing]): (f64, [f64; 2]),
         [square, delta, drive]: [&Block; 3],
@@ -50,98 +41,103 @@ impl<'a> SlowPhase<'a> {
                 Factor::new(smoothing, drive.exponent, divisor.exponent),
             ],
             negligible: negligible(least, variation.unit()),
-            variation,
-            divisor,
         }
     }
 
     /// Computes the k-th coefficients. Returns whether the rate's is negligible, or `None` where one is out of range.
-    fn advance(&mut self, k: usize, square: i64, delta: i64, drive: i64) -> Option<bool> {
+    fn advance(&self, rate: &mut Rate, k: usize, [square, delta, drive]: [i64; 3]) -> Option<bool> {
+        let Rate { variation, integral: divisor, .. } = rate;
         let [constant, smoothing] = &self.shares;
-        let divisor = constant.times(delta) + smoothing.times(drive);
-        let known = rounded(self.divisor.product(self.variation, 1, k - 1, k), -self.divisor.exponent);
-        let rate = self.from_square.times(square) - self.from_divisor.times(divisor) - known;
-        let in_range = self.divisor.put(k, divisor) & self.variation.put(k, rate);
-        in_range.then_some(is_negligible(rate, k, self.negligible))
+        let of_divisor = constant.times(delta) + smoothing.times(drive);
+        let known = divisor.product(variation, 1..=k - 1, k, -divisor.exponent);
+        let of_rate = self.from_square.times(square) - self.from_divisor.times(of_divisor) - known;
+        let in_range = divisor.put(k, of_divisor) & variation.put(k, of_rate);
+        in_range.then_some(is_negligible(of_rate, k, self.negligible))
     }
 }
 
-/// Series of the recurrence, with the constant factors between them.
-struct Recurrence<'a> {
-    sine: &'a mut Block,
-    cosine: &'a mut Block,
-    /// Variation of cos²χ.
-    square: &'a mut Block,
-    /// Variation δ of D.
-    delta: &'a mut Block,
-    /// Variation of D dχ/dx.
-    drive: &'a mut Block,
-    /// Variation ξ of dχ/dx.
-    xi: &'a mut Block,
-    slow: [SlowPhase<'a>; 2],
-    /// Factor of cos²χ in η, and factors of cos²χ and of its square in δ.
-    from_square: [Factor; 3],
-    /// Factor from the units of δ to those of ξ.
-    to_drive: Factor,
-    to_sine: Factor,
-    to_cosine: Factor,
-    /// Magnitudes below which a term of sin χ, cos χ and ξ is negligible.
-    negligible: [i64; 3],
-}
+/// Largest number of coefficients that one call of [`Expansion::proceed`] computes.
+const COEFFICIENTS_PER_CALL: usize = 9;
 
-impl Recurrence<'_> {
-    /// Stores sin χ and cos χ at the point. Returns whether they are in range.
-    fn start(&mut self, sine: f64, cosine: f64) -> bool {
-        let sine = self.sine.put(0, scaled(sine, self.sine.exponent));
-        sine & self.cosine.put(0, scaled(cosine, self.cosine.exponent))
-    }
-
-    /// Computes the coefficients until two in succession are negligible. Returns their number, or `None` where the
-    /// series do not converge.
-    fn run(&mut self) -> Option<usize> {
-        let mut before = false;
-        for k in 0..TERMS {
-            let rates = if k == 0 { false } else { self.advance(k)? };
-            let negligible = self.turn(k)? && rates;
-            if negligible && before {
-                return Some(k + 1);
-            }
-            before = negligible;
+impl Expansion {
+    /// Computes more coefficients, until two in succession are negligible or all sixteen are known. Returns whether the
+    /// expansion is complete; it has no terms where the series do not converge.
+    #[inline(never)]
+    pub(crate) fn proceed(&mut self) -> bool {
+        let first = self.recurrence.next;
+        for k in first..TERMS.min(first + COEFFICIENTS_PER_CALL) {
+            self.recurrence.next = k + 1;
+            let rates = if k == 0 { Some(false) } else { self.advance(k) };
+            let negligible = rates.and_then(|rates| Some(self.turn(k)? && rates));
+            let terms = match negligible {
+                Some(true) if self.recurrence.before => k + 1,
+                Some(_) if k + 1 == TERMS => TERMS,
+                Some(negligible) => {
+                    self.recurrence.before = negligible;
+                    continue;
+                }
+                None => 0,
+            };
+            self.recurrence.next = TERMS;
+            self.complete(terms);
+            return true;
         }
-        Some(TERMS)
+        self.recurrence.next >= TERMS
     }
 
     /// Computes the k-th coefficients of the rates: (1 + ξ)² (1 + δ) = 1 + η.
     fn advance(&mut self, k: usize) -> Option<bool> {
-        let [eta, linear, quadratic] = &self.from_square;
-        let square = rounded(self.cosine.product(self.cosine, 0, k, k), BITS);
-        let twice = rounded(self.square.product(self.square, 1, k - 1, k), BITS);
+        let Self { chi, theta, scratch: [_, cosine, square_series, delta_series, drive_series], .. } = self;
+        let (constants, xi_series) = (&self.recurrence, &mut chi.variation);
+        let [eta, linear, quadratic] = &constants.from_square;
+        let square = cosine.product(cosine, 0..=k, k, BITS);
+        let twice = square_series.product(square_series, 1..=k - 1, k, BITS);
         let delta = linear.times(square) + quadratic.times(twice);
-        let across = |series: &Block| rounded(series.product(self.xi, 1, k - 1, k), -series.exponent);
+        let across = |series: &Block| series.product(xi_series, 1..=k - 1, k, -series.exponent);
         // coefficient of (1 + ξ)(1 + δ) without the unknown ξ
-        let known = self.to_drive.times(delta) + across(self.delta);
-        let xi = (eta.times(square) - known - across(self.drive)) >> 1;
+        let known = constants.to_drive.times(delta) + across(delta_series);
+        let xi = (eta.times(square) - known - across(drive_series)) >> 1;
         let drive = known + xi;
-        let in_range = self.square.put(k, square)
-            & self.delta.put(k, delta)
-            & self.xi.put(k, xi)
-            & self.drive.put(k, drive);
-        let [alpha, beta] = &mut self.slow;
-        let slow = in_range
-            .then_some(())
-            .and_then(|()| alpha.advance(k, square, delta, drive).zip(beta.advance(k, square, delta, drive)));
-        let [.., of_xi] = self.negligible;
-        slow.map(|(alpha, beta)| alpha && beta && is_negligible(xi, k, of_xi))
+        let in_range = square_series.put(k, square)
+            & delta_series.put(k, delta)
+            & xi_series.put(k, xi)
+            & drive_series.put(k, drive);
+        in_range.then_some(())?;
+        let ([alpha, beta], [alpha_factors, beta_factors]) = (theta, &constants.slow);
+        let alpha = alpha_factors.advance(alpha, k, [square, delta, drive])?;
+        let beta = beta_factors.advance(beta, k, [square, delta, drive])?;
+        let [.., of_xi] = constants.negligible;
+        Some(alpha && beta && is_negligible(xi, k, of_xi))
     }
 
     /// Computes coefficient k + 1 of sin χ and of cos χ. Returns whether both are negligible.
     fn turn(&mut self, k: usize) -> Option<bool> {
-        let rate = |part: &Block| part.get(k) + rounded(self.xi.product(part, 1, k, k), -self.xi.exponent);
-        let sine = integrated(in_range(self.to_sine.times(rate(self.cosine)))?, k);
-        let cosine = integrated(in_range(self.to_cosine.times(rate(self.sine)))?, k);
-        let in_range = self.sine.put(k + 1, sine) & self.cosine.put(k + 1, cosine);
-        let [of_sine, of_cosine, _] = self.negligible;
+        let Self { chi, scratch: [sine_series, cosine_series, ..], recurrence, .. } = self;
+        let xi = &chi.variation;
+        let rate = |part: &Block| part.get(k) + xi.product(part, 1..=k, k, -xi.exponent);
+        let sine = integrated(in_range(recurrence.to_sine.times(rate(cosine_series)))?, k);
+        let cosine = integrated(in_range(recurrence.to_cosine.times(rate(sine_series)))?, k);
+        let in_range = sine_series.put(k + 1, sine) & cosine_series.put(k + 1, cosine);
+        let [of_sine, of_cosine, _] = recurrence.negligible;
         in_range.then_some(is_negligible(sine, k, of_sine) && is_negligible(cosine, k, of_cosine))
+    }
+
+    /// Integrates the rates term by term, after the recurrence has used the integrals' memory.
+    #[inline(never)]
+    fn complete(&mut self, terms: usize) {
+        self.terms = terms;
+        let [.., delta, _] = &self.scratch;
+        let varying = delta.at_quarters(3, terms, i64::abs).unwrap_or(i64::MAX);
+        self.variation_size = self.recurrence.psi * (varying as f64 * delta.unit());
+        let [alpha, beta] = &mut self.theta;
+        [alpha.slope, beta.slope] = self.recurrence.theta;
+        for rate in [&mut self.chi, alpha, beta] {
+            rate.integral.clear_to(rate.variation.exponent);
+            for k in 1..terms {
+                // not larger than the coefficient, which is in range
+                let _ = rate.integral.put(k, integrated(rate.variation.get(k), k));
+            }
+        }
     }
 }
 
@@ -169,10 +165,11 @@ impl Law<f64> {
         }
     }
 
-    /// Expands the law around `point` with the given derivatives, where `unit` is the time that corresponds to x = 1.
-    /// Terms are computed until two in succession are below `least` at x = 2, y = 1/2.
+    /// Begins the expansion of the law around `point` with the given derivatives, where `unit` is the time that
+    /// corresponds to x = 1; [`Expansion::proceed`] completes it. Terms are computed until two in succession are below
+    /// `least` at x = 2, y = 1/2.
     #[inline(never)]
-    pub(crate) fn expand(
+    pub(crate) fn begin_expansion(
         &self,
         point: &PhasePoint,
         slopes: &Slopes,
@@ -202,11 +199,15 @@ impl Law<f64> {
         (chi.slope, chi.scale) = (chi_slope, chi_slope);
         let ([alpha_scale, beta_scale], [alpha_shares, beta_shares]) = (values.psi, values.shares);
         let series = [&*square, &*delta, &*drive];
+        let psi = [slopes.psi.alpha, slopes.psi.beta].map(|slope| 4.0 * slope);
         let slow = [
-            SlowPhase::new(alpha, 4.0 * slopes.psi.alpha, (alpha_scale, alpha_shares), series, least),
-            SlowPhase::new(beta, 4.0 * slopes.psi.beta, (beta_scale, beta_shares), series, least),
+            SlowFactors::new(alpha, psi[0], (alpha_scale, alpha_shares), series, least),
+            SlowFactors::new(beta, psi[1], (beta_scale, beta_shares), series, least),
         ];
-        let mut recurrence = Recurrence {
+        let in_range = sine.put(0, scaled(point_sine, sine.exponent))
+            & cosine.put(0, scaled(point_cosine, cosine.exponent));
+        to.recurrence = Recurrence {
+            slow,
             from_square: [
                 Factor::new(values.eta, square.exponent, drive.exponent),
                 Factor::new(linear, square.exponent, delta.exponent),
@@ -220,45 +221,16 @@ impl Law<f64> {
                 negligible(least, cosine.unit()),
                 negligible(least / Float::abs(slopes.weight * chi_slope), drive.unit()),
             ],
-            sine,
-            cosine,
-            square,
-            delta,
-            drive,
-            xi: &mut chi.variation,
-            slow,
+            theta: slopes.theta.map(|slope| 4.0 * slope),
+            psi: larger_or_nan(Float::abs(psi[0]), Float::abs(psi[1])),
+            next: if chi_slope <= STEEPEST && in_range { 0 } else { TERMS },
+            before: false,
         };
-        let converges = chi_slope <= STEEPEST && recurrence.start(point_sine, point_cosine);
-        let Some(terms) = (if converges { recurrence.run() } else { None }) else { return };
-        to.terms = terms;
-        to.complete(slopes);
     }
 }
 
 /// Largest dχ/dy at which series may converge fast enough to be used.
 const STEEPEST: f64 = 4.0;
-
-impl Expansion {
-    /// Integrates the rates term by term, after the recurrence has used the integrals' memory.
-    #[inline(never)]
-    fn complete(&mut self, slopes: &Slopes) {
-        let terms = self.terms;
-        let [.., delta, _] = &self.scratch;
-        let psi = larger_or_nan(Float::abs(slopes.psi.alpha), Float::abs(slopes.psi.beta));
-        let varying = delta.at_quarters(3, terms, i64::abs).unwrap_or(i64::MAX);
-        // the rate is four times as great in y
-        self.variation_size = 4.0 * psi * (varying as f64 * delta.unit());
-        let [alpha, beta] = &mut self.theta;
-        [alpha.slope, beta.slope] = slopes.theta.map(|slope| 4.0 * slope);
-        for rate in [&mut self.chi, alpha, beta] {
-            rate.integral.clear_to(rate.variation.exponent);
-            for k in 1..terms {
-                // not larger than the coefficient, which is in range
-                let _ = rate.integral.put(k, integrated(rate.variation.get(k), k));
-            }
-        }
-    }
-}
 
 #[cfg(test)]
 mod tests {
@@ -315,7 +287,8 @@ mod tests {
                     weight: (alpha.abs().max(beta.abs()) / chi).max(1.0),
                 };
                 let mut expansion = Expansion::EMPTY;
-                rounded.expand(&point, &slopes, unit, 1e-18, &mut expansion);
+                rounded.begin_expansion(&point, &slopes, unit, 1e-18, &mut expansion);
+                while !expansion.proceed() {}
                 assert!(expansion.terms > 2, "{spread} {e:?} {turns}");
                 for x in [-1.0, 0.5, 1.0] {
                     let (at, slope) = expansion.chi_and_slope(x);

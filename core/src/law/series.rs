@@ -7,7 +7,8 @@
 //! linear equations.
 
 use crate::law::PhaseRates;
-use crate::law::block::{BITS, Block, Factor, in_range, integrated, power_of_two, rounded, scaled};
+use crate::law::block::{BITS, Block, Factor, in_range, integrated, power_of_two, scaled};
+use crate::law::recurrence::Recurrence;
 use crate::law::turning::{FRACTION, sine_cosine};
 use crate::phase::Phase;
 use crate::scalar::{Float, Scalar};
@@ -88,6 +89,8 @@ pub(crate) struct Expansion {
     pub(super) variation_size: f64,
     /// Number of terms computed, at most [`TERMS`]; 0 where the series do not converge.
     pub(super) terms: usize,
+    /// Recurrence that computes the coefficients.
+    pub(super) recurrence: Recurrence,
     /// Scratch series for intermediate results, stored here once so that the stack stays small.
     pub(super) scratch: [Block; 5],
 }
@@ -95,6 +98,16 @@ pub(crate) struct Expansion {
 /// Larger of two numbers, or NaN if one of them is NaN.
 pub(crate) fn larger_or_nan(a: f64, b: f64) -> f64 {
     if b <= a || a.is_nan() { a } else { b }
+}
+
+impl Slopes {
+    /// Slopes before they are computed.
+    pub(crate) const ZERO: Self = Self {
+        sine_cosine: (0.0, 1.0),
+        psi: PhaseRates { nutation: 0.0, alpha: 0.0, beta: 0.0 },
+        theta: [0.0; 2],
+        weight: 1.0,
+    };
 }
 
 impl PhasePoint {
@@ -130,10 +143,17 @@ impl Rate {
             + y * ((varied as f64 + noise) * self.integral.unit() * Float::abs(self.scale)))
     }
 
-    /// Value, and integral from 0, at a fractional y.
+    /// Value, and integral from 0, at a fractional y in [-1, 1].
     pub(super) fn between(&self, y: f64, terms: usize) -> (f64, f64) {
-        let sum = |series: &Block| (1..terms).rev().fold(0.0, |sum, k| sum * y + series.number(k));
-        let [value, integral] = [&self.variation, &self.integral].map(|series| sum(series) * self.scale);
+        let place = Split::of(scaled(y, -60));
+        let sum = |series: &Block| {
+            let sum = (1..terms).rev().fold(0, |sum, k| {
+                // beyond the range only where the series does not converge
+                scaled_product::<60>(Split::of(sum), place) + series.get(k)
+            });
+            sum as f64 * series.unit() * self.scale
+        };
+        let [value, integral] = [&self.variation, &self.integral].map(sum);
         (self.slope + y * value, y * (self.slope + y * integral))
     }
 
@@ -156,6 +176,7 @@ impl Expansion {
         weight: 1.0,
         variation_size: 0.0,
         terms: 0,
+        recurrence: Recurrence::ENDED,
         scratch: [Block::ZERO; 5],
     };
 
@@ -237,7 +258,7 @@ impl Expansion {
             }
             let (sine, cosine) = sine_cosine(theta + chi);
             let scale = Split::of(scaled(scale, -FRACTION));
-            let part = |part: i64| scaled_product(Split::of(part), scale, 2 * FRACTION - BITS);
+            let part = |part: i64| scaled_product::<{ (2 * FRACTION - BITS) as u32 }>(Split::of(part), scale);
             let start = [part(cosine), part(sine)];
             let terms = exponential(rate, start, least, [re, im])?;
             for (k, (sum_re, sum_im)) in sum_re.iter_mut().zip(sum_im.iter_mut()).enumerate().take(terms) {
@@ -279,13 +300,14 @@ fn exponential(
     least: f64,
     [re, im]: [&mut Block; 2],
 ) -> Option<usize> {
-    (*re, *im) = (Block::ZERO, Block::ZERO);
+    re.clear_to(-BITS);
+    im.clear_to(-BITS);
     let least = negligible(least, UNIT);
     let mut converges = re.put(0, start_re) & im.put(0, start_im);
     let mut before = i64::MAX;
     for k in 0..TERMS - 1 {
         let next = |part: &Block| {
-            in_range(rounded(rate.product(part, 0, k, k), -rate.exponent)).map(|next| integrated(next, k))
+            in_range(rate.product(part, 0..=k, k, -rate.exponent)).map(|next| integrated(next, k))
         };
         let (next_re, next_im) = (-next(im)?, next(re)?);
         converges &= re.put(k + 1, next_re) & im.put(k + 1, next_im);

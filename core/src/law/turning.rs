@@ -42,12 +42,12 @@ pub(crate) fn sine_cosine(phase: Phase) -> (i64, i64) {
     const QUARTER_TURN: Split = Split::of(226375608064910089);
     let (quadrant, rest) = phase.quadrant();
     // from units of 2^-62 turns to rad in units of 2^-58
-    let angle = Split::of(scaled_product(Split::of((rest.to_bits() >> 34) as i64), QUARTER_TURN, 59));
-    let square = Split::of(scaled_product(angle, angle, 58));
+    let angle = Split::of(scaled_product::<59>(Split::of((rest.to_bits() >> 34) as i64), QUARTER_TURN));
+    let square = Split::of(scaled_product::<58>(angle, angle));
     let sum = |series: &[i64; 10]| {
-        series.iter().rev().fold(0, |sum, c| c + scaled_product(Split::of(sum), square, 58))
+        series.iter().rev().fold(0, |sum, c| c + scaled_product::<58>(Split::of(sum), square))
     };
-    let sine = scaled_product(Split::of(sum(&SINE)), angle, 59);
+    let sine = scaled_product::<59>(Split::of(sum(&SINE)), angle);
     let cosine = (sum(&COSINE) + 1) >> 1;
     in_quadrant(quadrant, (sine, cosine))
 }

@@ -61,6 +61,9 @@ pub struct BudgetArgs {
     /// Rewrite both, with all chips
     #[arg(long, conflicts_with = "chip")]
     pub accept: bool,
+    /// Set-up of 200 different launches instead: median and greatest of each chip with a model of its cycles
+    #[arg(long, conflicts_with_all = ["elf", "check", "accept"])]
+    pub corpus: bool,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,

@@ -2,7 +2,7 @@
 
 use super::Report;
 use crate::Failure;
-use crate::budget::{CHIPS, Chip, Cost, Limits, measure, with_front_table, with_table};
+use crate::budget::{CHIPS, Chip, CorpusCost, Cost, Limits, corpus, measure, with_front_table, with_table};
 use crate::cli::{BudgetArgs, Format};
 use crate::output::progress::Progress;
 use crate::output::whole_file;
@@ -23,10 +23,13 @@ pub(super) fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         return shown(arguments, &[(chip, measure(chip, elf)?)]);
     }
     let root = repository()?;
+    if arguments.corpus {
+        return launches(arguments, &root, &chips);
+    }
     let mut progress = Progress::new(chips.len() as u64, "chips");
     let mut measured = Vec::new();
     for chip in chips {
-        measured.push((chip, measure(chip, &build(&root, chip)?)?));
+        measured.push((chip, measure(chip, &build(&root, chip, "cost")?)?));
         progress.add(1);
     }
     drop(progress);
@@ -71,14 +74,45 @@ fn repository() -> Result<PathBuf, Failure> {
     here.ancestors().find(holds).map(Path::to_owned).ok_or_else(missing)
 }
 
+/// Set-up of many launches on each chip.
+fn launches(arguments: &BudgetArgs, root: &Path, chips: &[&'static Chip]) -> Result<Report, Failure> {
+    let limits = Limits::parse(&text_of(&root.join(LIMITS))?)?;
+    let mut progress = Progress::new(chips.len() as u64, "chips");
+    let mut records = Vec::new();
+    for chip in chips {
+        let costs = corpus(chip, &build(root, chip, "corpus")?, &limits)?;
+        records.extend(costs.iter().map(CorpusCost::record));
+        progress.add(1);
+    }
+    drop(progress);
+    let text = match arguments.format {
+        Format::Csv => output::csv(&records).map_err(Failure::Output)?,
+        Format::Json => output::json_list("rows", &records).map_err(Failure::Output)?,
+        Format::Table => format!(
+            "{}\nMotion and table of 200 launches: tilt 0 to 180 degrees, spin 0 to 1000 rad/s, A/(ps) 0.01 to 1000, both \
+             supports, corners; at most 64 segments. Instructions are exact to 40; cycles are those of bench_launch in \
+             proportion (model). A slice is one poll of SetUp.\n",
+            corpus_table(&records)
+        ),
+    };
+    Ok(Report { text, ..Report::default() })
+}
+
+fn corpus_table(records: &[Record]) -> String {
+    let words = |record: &Record| output::flat(record).into_iter();
+    let header = records.iter().take(1).map(|record| words(record).map(|(name, _)| name).collect());
+    let rows = records.iter().map(|record| words(record).map(|(_, value)| value).collect());
+    output::columns(header.chain(rows).collect(), 3)
+}
+
 /// Builds the firmware; what the build says goes to stderr.
-fn build(root: &Path, chip: &Chip) -> Result<PathBuf, Failure> {
+fn build(root: &Path, chip: &Chip, program: &str) -> Result<PathBuf, Failure> {
     let fail = |what: String| {
-        Failure::Tool(format!("budget: cargo xtask firmware cost --chip {} --elf: {what}", chip.name))
+        Failure::Tool(format!("budget: cargo xtask firmware {program} --chip {} --elf: {what}", chip.name))
     };
     let built = Command::new("cargo")
         .current_dir(root)
-        .args(["xtask", "firmware", "cost", "--chip", chip.name, "--elf"])
+        .args(["xtask", "firmware", program, "--chip", chip.name, "--elf"])
         .stderr(Stdio::inherit())
         .output()
         .map_err(|error| fail(error.to_string()))?;

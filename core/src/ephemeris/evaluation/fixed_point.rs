@@ -26,12 +26,12 @@ impl EphemerisScalar for I2F30 {
     const RATE_ERROR: f64 = integer::RATE_ERROR;
     const RATE_ROUNDING: f64 = RATE_ROUNDING;
 
-    fn coefficient(value: f64, power: usize) -> i32 {
+    fn coefficient(value: i64, power: usize) -> (i32, i64) {
         integer::coefficient(value, power)
     }
 
-    fn coefficient_error(polynomial: &[f64]) -> f64 {
-        integer::overflow(polynomial, integer::MARGIN) + integer::shortfall(polynomial)
+    fn coefficient_error(polynomial: &[i64]) -> f64 {
+        integer::overflow(polynomial, integer::OVERFLOW) + integer::shortfall(polynomial)
     }
 
     fn number(coefficient: i32, power: usize) -> f32 {
@@ -87,12 +87,12 @@ impl EphemerisScalar for I2F14 {
     const RATE_ERROR: f64 = narrow::RATE_ERROR;
     const RATE_ROUNDING: f64 = RATE_ROUNDING;
 
-    fn coefficient(value: f64, power: usize) -> i16 {
+    fn coefficient(value: i64, power: usize) -> (i16, i64) {
         narrow::coefficient(value, power)
     }
 
-    fn coefficient_error(polynomial: &[f64]) -> f64 {
-        integer::overflow(polynomial, narrow::MARGIN)
+    fn coefficient_error(polynomial: &[i64]) -> f64 {
+        integer::overflow(polynomial, narrow::OVERFLOW)
     }
 
     fn number(coefficient: i16, power: usize) -> f32 {

@@ -3,6 +3,7 @@
 use crate::complex::Complex;
 use crate::ephemeris::evaluation::rates::ValuesAndSlopes;
 use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint};
+use crate::law::series::UNIT;
 use crate::scalar::{Scalar, sine_cosine_f64};
 use crate::su2::Vector;
 
@@ -32,11 +33,12 @@ impl EphemerisScalar for f64 {
     /// Five standard deviations of one rounding.
     const RATE_ROUNDING: f64 = 5.0 * ROUNDING;
 
-    fn coefficient(value: f64, _: usize) -> Self {
-        value
+    fn coefficient(value: i64, _: usize) -> (Self, i64) {
+        let nearest = value as f64;
+        (nearest * UNIT, (nearest as i64).saturating_sub(value))
     }
 
-    fn coefficient_error(_: &[f64]) -> f64 {
+    fn coefficient_error(_: &[i64]) -> f64 {
         0.0
     }
 

@@ -12,6 +12,7 @@
 use crate::complex::Complex;
 use crate::ephemeris::evaluation::rates::{IntegerRates, ValuesAndSlopes, rate_in};
 use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint};
+use crate::law::series;
 use crate::product::{high_product, high_product_of_less, short_product};
 use crate::scalar::{Scalar, sine_cosine_q26};
 use crate::su2::Vector;
@@ -45,15 +46,21 @@ pub(crate) const PLACE_ROUNDING: f64 = 1.0 / (1_u64 << 32) as f64;
 /// Error of a polynomial from short products that set-up accepts without counting it as an error of the table.
 const SHORT_ERROR: f64 = 0.5 * UNIT;
 
-/// Margin of 2^-15 plus some thousand roundings of a coefficient.
-pub(crate) const MARGIN: f64 = 3.2e-5;
+/// Least sum that could overflow, with a margin of 2^-15 plus some thousand roundings of a coefficient.
+pub(crate) const OVERFLOW: i64 = overflow_limit(3.2e-5);
 
-/// Nearest coefficient of x^power, plus half a unit to compensate for the product that is rounded down and added. The
+/// Fraction bits of the values that coefficients are made from.
+pub(crate) const TABLE_BITS: u32 = 62;
+
+/// Coefficient of x^power nearest to a value, with its error in the units of the value, plus half a unit to compensate for the product that is rounded down and added. The
 /// constant coefficient has no such half unit: [`alpha_beta`] can mirror a last sum that is half a unit low without a
 /// carry.
-pub(crate) fn coefficient(value: f64, power: usize) -> i32 {
-    let rounding = if power == 0 { 0.5 } else { 1.0 };
-    libm::floor(value * (1_u64 << (31 + power)) as f64 + rounding) as i32
+pub(crate) fn coefficient(value: i64, power: usize) -> (i32, i64) {
+    let dropped = TABLE_BITS - 31 - power as u32;
+    let nearest =
+        if power == 0 { (value >> (dropped - 1)).saturating_add(1) >> 1 } else { (value >> dropped) + 1 };
+    let held = nearest.clamp(i32::MIN.into(), i32::MAX.into());
+    (held as i32, (held << dropped).saturating_sub(value))
 }
 
 /// Value of a [`coefficient`].
@@ -69,28 +76,35 @@ const fn is_short(power: usize, terms: usize) -> bool {
 
 /// Amount by which a polynomial's error from short products can exceed [`SHORT_ERROR`]; x is truncated by up to
 /// 2^-15.
-pub(crate) fn shortfall(polynomial: &[f64]) -> f64 {
-    let mut sum = 0.0;
-    let mut sums = 0.0;
+pub(crate) fn shortfall(polynomial: &[i64]) -> f64 {
+    let (mut sum, mut sums) = (0, 0);
     for (power, value) in polynomial.iter().enumerate().rev() {
-        sum += libm::fabs(*value);
+        // a sum of 136 values needs eight bits more than i64 has; rounded up
+        sum += (value.unsigned_abs() >> 8) + 1;
         if is_short(power, polynomial.len()) {
             sums += sum;
         }
     }
-    (sums / 32768.0 - SHORT_ERROR).max(0.0)
+    let error = sums as f64 * (256.0 / 32768.0 * series::UNIT);
+    if error > SHORT_ERROR { error - SHORT_ERROR } else { 0.0 }
+}
+
+/// Least sum that could overflow, for a margin: 1 less the margin, in units of 2^-62.
+pub(crate) const fn overflow_limit(margin: f64) -> i64 {
+    ((1.0 - margin) * (1_i64 << TABLE_BITS) as f64) as i64
 }
 
 /// Infinite where a sum of the polynomial could overflow, with a margin for the rounding of the coefficients, because
 /// the error after an overflow is unbounded; otherwise 0.
-pub(crate) fn overflow(polynomial: &[f64], margin: f64) -> f64 {
-    let mut sum = 0.0;
-    let mut excess = 0.0_f64;
+pub(crate) fn overflow(polynomial: &[i64], limit: i64) -> f64 {
+    let mut sum = 0_i64;
     for (power, value) in polynomial.iter().enumerate().skip(1).rev() {
-        sum += libm::fabs(*value);
-        excess = excess.max(sum - (1.0 - margin) / (1_u64 << power) as f64);
+        sum = sum.saturating_add(value.saturating_abs());
+        if sum > limit >> power {
+            return f64::INFINITY;
+        }
     }
-    if excess > 0.0 { f64::INFINITY } else { 0.0 }
+    0.0
 }
 
 /// Re α, Im α, Re β and Im β in units of 2^-30, with sines in units of 2^-31.
@@ -209,12 +223,12 @@ impl EphemerisScalar for f32 {
     /// One rounding for the constants, and up to five for the sums of products of the rotation to the fixed frame.
     const RATE_ROUNDING: f64 = 6.0 * Self::ROUNDING;
 
-    fn coefficient(value: f64, power: usize) -> i32 {
+    fn coefficient(value: i64, power: usize) -> (i32, i64) {
         coefficient(value, power)
     }
 
-    fn coefficient_error(polynomial: &[f64]) -> f64 {
-        overflow(polynomial, MARGIN) + shortfall(polynomial)
+    fn coefficient_error(polynomial: &[i64]) -> f64 {
+        overflow(polynomial, OVERFLOW) + shortfall(polynomial)
     }
 
     fn number(held: i32, power: usize) -> Self {
@@ -264,17 +278,38 @@ mod tests {
     /// contains both.
     #[test]
     fn what_short_products_lose() {
-        assert_eq!(shortfall(&[9.0, 9.0, 9.0, 9.0, -300.0, 500.0]), 1300.0 / 32768.0 - SHORT_ERROR);
-        assert_eq!(shortfall(&[1.0, 0.5, 0.25, 0.1, 0.0, 1e-9]), 0.0);
+        let near =
+            |found: f64, expected: f64| assert!((found - expected).abs() < 1e-14, "{found:e} {expected:e}");
+        near(shortfall(&polynomial([0.9, 0.9, 0.9, 0.9, -0.3, 0.5])), 1.3 / 32768.0 - SHORT_ERROR);
+        near(shortfall(&polynomial([1.0, 0.5, 0.25, 0.1, 0.0, 1e-9])), 0.0);
         // in range, but the short products are not accurate enough
-        let steep = [0.0, 0.0, 0.0, 0.0, 0.02, 0.01];
-        assert_eq!(<f32 as EphemerisScalar>::coefficient_error(&steep), 0.04 / 32768.0 - SHORT_ERROR);
+        let steep = polynomial([0.0, 0.0, 0.0, 0.0, 0.02, 0.01]);
+        near(<f32 as EphemerisScalar>::coefficient_error(&steep), 0.04 / 32768.0 - SHORT_ERROR);
     }
 
     #[test]
     fn sums_stay_below_their_powers_by_a_margin() {
-        assert_eq!(overflow(&[9.0, 0.4994, 0.0], 1e-3), 0.0);
-        assert_eq!(overflow(&[9.0, 0.4996, 0.0], 1e-3), f64::INFINITY);
-        assert_eq!(overflow(&[9.0, 0.2, -0.2499, 0.0], 1e-3), f64::INFINITY);
+        let limit = overflow_limit(1e-3);
+        assert_eq!(overflow(&polynomial([0.9, 0.4994, 0.0]), limit), 0.0);
+        assert_eq!(overflow(&polynomial([0.9, 0.4996, 0.0]), limit), f64::INFINITY);
+        assert_eq!(overflow(&polynomial([0.9, 0.2, -0.2499, 0.0]), limit), f64::INFINITY);
+    }
+
+    #[test]
+    fn a_coefficient_knows_its_error() {
+        for power in 0..16 {
+            for value in [0.2, -0.2, 1e-9, 0.0].map(|value| value * 0.5_f64.powi(power)) {
+                let [value] = polynomial([value]);
+                let (held, error) = coefficient(value, power as usize);
+                let truth = number(held, power as usize) - value as f64 * 2_f64.powi(-62);
+                assert!((error as f64 * 2_f64.powi(-62) - truth).abs() < 1e-16, "{power} {value}");
+                assert!(truth.abs() <= 2_f64.powi(-31 - power));
+            }
+        }
+        assert_eq!(coefficient(i64::MAX, 1).0, i32::MAX);
+    }
+
+    fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {
+        values.map(|value| (value * 2_f64.powi(62)) as i64)
     }
 }

@@ -8,6 +8,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use super::rates::ValuesAndSlopes;
 use super::{EphemerisScalar, SegmentPoint};
 use crate::complex::Complex;
+use crate::law::series::UNIT;
 use crate::phase::Phase;
 use crate::scalar::{Float, Real, Ring, Scalar, sealed};
 use crate::su2::Vector;
@@ -133,11 +134,12 @@ impl EphemerisScalar for Micromath {
     const RATE_ERROR: f64 = 4.0 * f32::EPSILON as f64;
     const RATE_ROUNDING: f64 = 16.0 * f32::EPSILON as f64;
 
-    fn coefficient(value: f64, _: usize) -> Self {
-        Self::from_f64(value)
+    fn coefficient(value: i64, _: usize) -> (Self, i64) {
+        let nearest = value as f32;
+        (Self::from_f64(f64::from(nearest) * UNIT), (nearest as i64).saturating_sub(value))
     }
 
-    fn coefficient_error(_: &[f64]) -> f64 {
+    fn coefficient_error(_: &[i64]) -> f64 {
         0.0
     }
 

@@ -4,6 +4,7 @@
 //! which the upper 16 are multiplied.
 
 use crate::ephemeris::evaluation::SegmentPoint;
+use crate::ephemeris::evaluation::integer::{TABLE_BITS, overflow_limit};
 use crate::ephemeris::evaluation::rates::{IntegerRates, ValuesAndSlopes};
 use crate::scalar::sine_cosine_q15;
 
@@ -24,15 +25,20 @@ pub(crate) const RATE_ERROR: f64 = 2.001 * UNIT;
 /// Rounding of the local coordinate to 2^-15.
 pub(crate) const SLOPE_ROUNDING: f64 = 0.5 * UNIT;
 
-/// Margin of about thirty roundings of a coefficient.
-pub(crate) const MARGIN: f64 = 1e-3;
+/// Least sum that could overflow, with a margin of about thirty roundings of a coefficient.
+pub(crate) const OVERFLOW: i64 = overflow_limit(1e-3);
 
-/// Factor of the coefficients that compensates for half of the range 1 to 1 + 1.9e-5 of the sines' common factor.
-const SHRINK: f64 = 1.0 - 9.4e-6;
+/// Factor of the coefficients, in units of 2^-30, that compensates for half of the range 1 to 1 + 1.9e-5 of the sines'
+/// common factor: 1 - 9.4e-6.
+const SHRINK: i64 = (1 << 30) - 10093;
 
-/// Nearest coefficient of x^power.
-pub(crate) fn coefficient(value: f64, power: usize) -> i16 {
-    libm::floor(value * SHRINK * (1_u64 << (15 + power)) as f64 + 0.5) as i16
+/// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units.
+pub(crate) fn coefficient(value: i64, power: usize) -> (i16, i64) {
+    let dropped = TABLE_BITS - 15 - power as u32;
+    // 2^-30 of the value's unit is far below the rounding
+    let shrunk = (value >> 30) * SHRINK;
+    let held = ((shrunk >> (dropped - 1)).saturating_add(1) >> 1).clamp(i16::MIN.into(), i16::MAX.into());
+    (held as i16, (held << dropped).saturating_sub(value))
 }
 
 /// Value of a [`coefficient`].

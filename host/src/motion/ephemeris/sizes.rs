@@ -20,6 +20,7 @@ struct Sizes {
     /// Coefficients of a polynomial.
     terms: usize,
     set_up: SetUp,
+    needed: fn(&Motion, f64) -> Option<u32>,
 }
 
 impl Sizes {
@@ -33,8 +34,23 @@ impl Sizes {
         }
     }
 
+    /// What a refusal misses, and what would fit.
+    fn explain(&self, refusal: &TableTooSmall, motion: &Motion) -> String {
+        let fit = match (self.needed)(motion, self.truncation) {
+            Some(segments) => format!("{segments} segments of this degree would fit"),
+            None => format!("not even {LARGEST} segments of this degree would fit"),
+        };
+        format!("{refusal}; {fit}")
+    }
+
     fn with<R: BoxedScalar>(default: u32) -> Self {
-        Self { default, truncation: 4.0 * R::ROUNDING, terms: R::TERMS, set_up: set_up::<R> }
+        Self {
+            default,
+            truncation: 4.0 * R::ROUNDING,
+            terms: R::TERMS,
+            set_up: set_up::<R>,
+            needed: EphemerisView::<R>::segments_needed,
+        }
     }
 }
 
@@ -71,7 +87,7 @@ fn set_up<R: BoxedScalar>(
     tick: Tick,
     truncation: f64,
 ) -> Result<Box<dyn AnyScalar>, TableTooSmall> {
-    let mut table = empty::<R>(segments).ok_or(TableTooSmall { truncation, segments: Some(segments) })?;
+    let mut table = empty::<R>(segments).ok_or(TableTooSmall { truncation, segments })?;
     table.set_up(motion, tick, truncation)?;
     Ok(Box::new(Boxed(table)))
 }
@@ -112,13 +128,15 @@ fn first_that_fits(sizes: &Sizes, motion: &Motion, tick: Tick) -> Result<Box<dyn
             match (sizes.set_up)(segments, motion, tick, sizes.truncation) {
                 Ok(table) => return Ok(table),
                 Err(refusal) if segments == LARGEST => {
-                    let terms = sizes.terms;
+                    let (terms, reason) = (sizes.terms, sizes.explain(&refusal, motion));
                     return Err(Failure::Method(format!(
-                        "no ephemeris: a table of {LARGEST}x{terms} is the largest there is; {refusal}"
+                        "no ephemeris: a table of {LARGEST}x{terms} is the largest there is; {reason}"
                     )));
                 }
-                // a refusal says how many segments of this degree would do
-                Err(refusal) => needed = refusal.segments.unwrap_or(LARGEST),
+                Err(_) if needed == 0 => {
+                    needed = (sizes.needed)(motion, sizes.truncation).unwrap_or(LARGEST);
+                }
+                Err(_) => {}
             }
         }
     }
@@ -159,7 +177,7 @@ pub fn of_size(
         return Err(Failure::Input(format!("--size: {segments}: must be one of {}", names.join(", "))));
     }
     (sizes.set_up)(segments, motion, tick, sizes.truncation)
-        .map_err(|refusal| Failure::Method(format!("no ephemeris of {segments} segments: {refusal}")))
+        .map_err(|refusal| Failure::Method(format!("no ephemeris: {}", sizes.explain(&refusal, motion))))
 }
 
 #[cfg(test)]

@@ -1,0 +1,146 @@
+//! What 200 launches cost on a chip, slow, fast, upright, hanging and slender tops among them.
+//!
+//! QEMU runs with one nanosecond an instruction, so that a timer counts instructions (a Cortex-M's SysTick in units of 40
+//! at 25 MHz, RISC-V's counter each one). One line a launch: `SCALAR NUMBER RESULT motion INSTRUCTIONS table INSTRUCTIONS slice
+//! GREATEST`, where RESULT is `ready` or `refused`.
+
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+use core::task::Poll;
+
+use fixed::types::I2F30;
+use semihosting::{println, process};
+use toytop::{
+    Ephemeris, EphemerisScalar, EphemerisView, Motion, ParameterError, Release, SetUp, State, Tick, Top,
+    TopParameters,
+};
+
+#[cfg(target_arch = "arm")]
+use cortex_m_rt::entry;
+#[cfg(target_arch = "riscv32")]
+use riscv as _; // critical section
+#[cfg(target_arch = "riscv32")]
+use riscv_rt::entry;
+
+const LAUNCHES: u32 = 200;
+
+#[entry]
+fn main() -> ! {
+    let counter = Counter::start();
+    let (mut single, mut fixed) = (Ephemeris::<f32, 64>::EMPTY, Ephemeris::<I2F30, 64>::EMPTY);
+    for number in 0..LAUNCHES {
+        run("f32", number, &mut single, &counter);
+        run("q31", number, &mut fixed, &counter);
+    }
+    process::exit(0)
+}
+
+#[inline(never)]
+fn run<R: EphemerisScalar>(scalar: &str, number: u32, ephemeris: &mut EphemerisView<R>, counter: &Counter) {
+    let (top, state) = launch(number).expect("a possible launch");
+    let begin = counter.now();
+    let launched = Motion::launch(black_box(&top), black_box(&state));
+    let of_motion = counter.since(begin);
+    let Ok(motion) = launched else {
+        println!("{scalar} {number} refused motion {of_motion} table 0 slice 0");
+        return;
+    };
+    let mut set_up = SetUp::new(&motion, Tick::hertz(1000).expect("positive"));
+    let (mut of_table, mut greatest) = (0, 0);
+    let result = loop {
+        let begin = counter.now();
+        let progress = set_up.poll(ephemeris);
+        let slice = counter.since(begin);
+        (of_table, greatest) = (of_table + slice, greatest.max(slice));
+        if let Poll::Ready(result) = progress {
+            break result;
+        }
+    };
+    let result = if result.is_ok() { "ready" } else { "refused" };
+    println!("{scalar} {number} {result} motion {of_motion} table {of_table} slice {greatest}");
+}
+
+/// Launch of this number. Tilt, spin and A/(ps) are spread evenly (a sequence of low discrepancy), the last two over
+/// powers of ten; every eighth launch is a corner.
+fn launch(number: u32) -> Result<(Top, State), ParameterError> {
+    let [first, second, third] = [3_518_319_155_u32, 2_882_110_345, 2_360_945_575]
+        .map(|step| f64::from(number.wrapping_add(1).wrapping_mul(step)) / f64::from(u32::MAX));
+    // s = 30 mm, p = 1.5e-3 kg m; A/(ps) from 0.01 to 1000
+    let (com_height, mass) = (0.03, 0.05);
+    let sliding = number % 2 == 0;
+    let about_the_centre = mass * com_height * com_height * libm::exp10(5.0 * third - 2.0);
+    let of_the_height = if sliding { 0.0 } else { mass * com_height * com_height };
+    let parameters = TopParameters {
+        transverse_inertia: about_the_centre + of_the_height,
+        axial_inertia: 0.67 * about_the_centre,
+        com_height,
+        mass,
+        gravity: 9.81,
+        ..TopParameters::default()
+    };
+    let top = if sliding { Top::sliding(&parameters)? } else { Top::fixed(&parameters)? };
+    // up to 1000 rad/s, a tenth of them below 10
+    let spin = 1000.0 * second * second;
+    let critical =
+        libm::sqrt(4.0 * top.transverse_inertia() * top.mass_moment() * 9.81) / top.axial_inertia();
+    let tilt = core::f64::consts::PI * first;
+    let (tilt, spin) = match number % 64 {
+        7 => (0.0, spin),
+        15 => (1e-6, 0.999 * critical),
+        23 => (1e-3, 1.001 * critical),
+        31 => (core::f64::consts::PI - 1e-6, spin),
+        39 => (tilt, 0.0),
+        47 => (1e-9, 0.5 * critical),
+        55 => (0.5 * core::f64::consts::PI, 1000.0),
+        63 => (0.0, 0.5 * critical),
+        _ => (tilt, spin),
+    };
+    Ok((top, State::release(&Release { tilt, spin, ..Release::default() })?))
+}
+
+/// Counter of instructions.
+struct Counter {
+    #[cfg(target_arch = "arm")]
+    systick: cortex_m::peripheral::SYST,
+}
+
+#[cfg(target_arch = "arm")]
+impl Counter {
+    const RANGE: u32 = 1 << 24;
+
+    fn start() -> Self {
+        let mut systick = cortex_m::Peripherals::take().expect("taken once").SYST;
+        systick.set_clock_source(cortex_m::peripheral::syst::SystClkSource::Core);
+        systick.set_reload(Self::RANGE - 1);
+        systick.clear_current();
+        systick.enable_counter();
+        Self { systick }
+    }
+
+    fn now(&self) -> u32 {
+        let _ = &self.systick;
+        cortex_m::peripheral::SYST::get_current()
+    }
+
+    /// Instructions since then, at most 671 million.
+    fn since(&self, begin: u32) -> u64 {
+        40 * u64::from(begin.wrapping_sub(self.now()) % Self::RANGE)
+    }
+}
+
+#[cfg(target_arch = "riscv32")]
+impl Counter {
+    fn start() -> Self {
+        Self {}
+    }
+
+    fn now(&self) -> u32 {
+        riscv::register::mcycle::read() as u32
+    }
+
+    fn since(&self, begin: u32) -> u64 {
+        self.now().wrapping_sub(begin).into()
+    }
+}
