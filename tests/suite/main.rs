@@ -39,6 +39,7 @@ mod properties;
 mod rates;
 mod refusals;
 mod regimes;
+mod set_up;
 mod small_together;
 mod stages;
 mod tip;

@@ -21,8 +21,14 @@ use crate::scalar::Float;
 /// answer a bus, or step other motions. Its memory, some 5 KiB, is needed until the ephemeris is ready.
 ///
 /// ```
-/// use toytop::{EphemerisF32, Motion, Release, SetUp, State, Tick, Top};
-/// # let top = Top::default();
+/// use toytop::{EphemerisF32, Motion, Release, SetUp, State, Tick, Top, TopParameters};
+/// # let top = Top::sliding(&TopParameters {
+/// #     transverse_inertia: 3.0e-5,
+/// #     axial_inertia: 2.0e-5,
+/// #     com_height: 0.03,
+/// #     mass: 0.05,
+/// #     ..TopParameters::default()
+/// # })?;
 /// # let release = Release { tilt: 0.35, spin: 150.0, ..Release::default() };
 /// let motion = Motion::launch(&top, &State::release(&release)?)?;
 /// let mut ephemeris = EphemerisF32::EMPTY;
@@ -138,6 +144,7 @@ impl SetUp {
             Stage::Bounds => {
                 self.state_bounds(ephemeris);
                 self.stage = Stage::Ended(Ok(()));
+                return Poll::Ready(Ok(()));
             }
             Stage::Fine | Stage::Coarse => {
                 let outcome = self.tabulation.advance(&self.motion, &mut store(ephemeris));
