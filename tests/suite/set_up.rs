@@ -48,8 +48,8 @@ fn slices_give_the_table_of_one_call() {
 #[test]
 fn a_refusal_takes_no_more_than_two_tables() {
     let motion = vectors::named("exact_near_separatrix_straddle").motion().unwrap();
-    let refused = polled(&motion, &mut Ephemeris::<f32, 16>::EMPTY);
-    let ready = polled(&motion, &mut Ephemeris::<f32, 32>::EMPTY);
+    let (mut small, mut large) = (Ephemeris::<f32, 16>::EMPTY, Ephemeris::<f32, 32>::EMPTY);
+    let (refused, ready) = (polled(&motion, &mut small), polled(&motion, &mut large));
     let truncation = 2.0 * f64::from(f32::EPSILON);
     assert_eq!(refused.0, Err(TableTooSmall { truncation, segments: 16 }));
     assert_eq!(ready.0, Ok(()));
