@@ -76,8 +76,8 @@ pub const EVENTS_F64: [Budget; 3] = [Budget::of(6e-15), Budget::of(6e-15), Budge
 pub const EVENTS_F32: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(1e-14)];
 /// The same in fixed point of 32 bits.
 pub const EVENTS_Q31: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(1e-14)];
-/// The same in fixed point of 16 bits.
-pub const EVENTS_Q15: [Budget; 3] = [Budget::of(3e-4), Budget::of(3e-4), Budget::of(1e-14)];
+/// The same in fixed point of 16 bits; the period of a rise to the vertical, which has none, is chosen by the rounding.
+pub const EVENTS_Q15: [Budget; 3] = [Budget::of(3e-4), Budget::of(3e-3), Budget::of(1e-11)];
 
 /// The ephemeris in f64 at any time, inputs exact in f64 (the start's own rounding is in it).
 pub const EPHEMERIS_F64: Budget = Budget::of(1e-14);
