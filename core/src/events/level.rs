@@ -61,11 +61,11 @@ impl Level {
     /// Level at which the normal force N is 0: N > 0 below it and N < 0 above it, so that a real top lifts off where u rises
     /// through it. Where the computed u falls through it, the plane would have to pull no longer.
     ///
-    /// `None` for a fixed tip, whose support can also pull, and where N has one sign throughout the motion
+    /// `None` unless the tip slides (a fixed support can also pull), and where N has one sign throughout the motion
     /// ([`Motion::min_normal_force`] tells which).
     #[must_use]
     pub fn of_lift_off(motion: &Motion) -> Option<Self> {
-        if motion.top().support() == Support::Fixed || motion.is_steady() {
+        if motion.top().support() != Support::Sliding || motion.is_steady() {
             return None;
         }
         let (e, one) = (motion.exact_branch_points(), Extended::ONE);

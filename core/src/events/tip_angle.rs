@@ -58,7 +58,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             from: start,
             bounds: Recurring::new(self, phases, from),
         }
-        .from_the_start()
+        .started()
     }
 
     /// Tip angle after a number of ticks.
@@ -95,7 +95,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
 impl<R: EphemerisScalar> TipAngles<'_, R> {
     /// Sets the angle at the start back by a rounding, so that an event at the start is one.
-    fn from_the_start(mut self) -> Self {
+    fn started(mut self) -> Self {
         for _ in 0..PIECES {
             if self.bounds.peek().is_some_and(|(_, end)| end <= self.at) {
                 self.bounds.pop();

@@ -60,8 +60,10 @@ fn sought(kind: &Kind, motion: &Motion) -> Result<Vec<Sought>, Failure> {
             })?;
             levels.map(Sought::Crossing).to_vec()
         }
-        What::LiftOff if top.support() == Support::Fixed => {
-            return Err(Failure::Method("lift-off: none, because the tip is held".to_owned()));
+        What::LiftOff if top.support() != Support::Sliding => {
+            return Err(Failure::Method(
+                "lift-off: none, because the tip does not slide on a plane".to_owned(),
+            ));
         }
         What::LiftOff => Level::of_lift_off(motion).map(Sought::Crossing).into_iter().collect(),
     })
