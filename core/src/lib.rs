@@ -43,6 +43,8 @@ mod stepper;
 
 mod ephemeris;
 
+mod events;
+
 // Closed forms of the paper, for comparison.
 pub mod exact;
 
@@ -74,6 +76,7 @@ pub use ephemeris::{
 #[cfg(feature = "fixed")]
 pub use ephemeris::{EphemerisQ15, EphemerisQ31};
 pub use error::ParameterError;
+pub use events::{Crossings, Event, Level, TipAngles};
 #[cfg(feature = "fixed")]
 pub use fixed;
 pub use mean_motion::PeriodAdvance;

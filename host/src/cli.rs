@@ -1,12 +1,16 @@
 //! The command line: what can be asked, and how a wrong question is answered in one line.
 
+mod benchmark;
 mod choice;
+mod events;
 mod many;
 mod measure;
 mod motion;
 mod score;
 
+pub use benchmark::BenchmarkArgs;
 pub use choice::{Format, Method, Scalar, ScalarChoice};
+pub use events::{EventsArgs, Kind, What};
 pub use many::{Shard, SweepArgs};
 pub use measure::{AccuracyArgs, BenchArgs, BudgetArgs, CompareArgs, ErrataArgs, FiguresArgs};
 pub use motion::{
@@ -21,7 +25,11 @@ use clap_complete::Shell;
 
 /// Motion of a spinning top whose tip slides on a plane, or is fixed.
 #[derive(Debug, Parser)]
-#[command(name = "toytop", version, help_template = "{about}\n{usage-heading} {usage}\n\n{all-args}\n")]
+#[command(
+    name = "toytop",
+    version,
+    help_template = "{about}\n{usage-heading} {usage}; each has --help, and --version is that of the program\n\nCommands:\n{subcommands}\n"
+)]
 pub struct Cli {
     /// What to do.
     #[command(subcommand)]
@@ -53,6 +61,14 @@ pub enum Command {
             Example: toytop constants host/scenarios/figure_3_loops.toml"
     )]
     Constants(ConstantsArgs),
+    /// Times of turning points, tilts, circles, tip angles and lift-off
+    #[command(
+        after_help = "The tilt is that from the upward vertical; up means that the axis rises. circle=R: |c| = R (for a held tip the sine of the tilt).\n\
+            The tip angle counts modulo 360 degrees. lift-off: the normal force is 0, up where a real top leaves the plane.\n\n\
+            Example: toytop events host/scenarios/figure_3_loops.toml --kind turning,tilt=40:up,tip-angle=90 --count 20\n         \
+            toytop events host/scenarios/toy_top.toml --kind tilt=22 --from 1e6 --format json"
+    )]
+    Events(EventsArgs),
     /// Picture of a motion: curve of the tip or axis, tilt, precession, potential
     ///
     /// For a held tip the curve from above is that of the axis, -2 alpha beta.
@@ -95,6 +111,13 @@ pub enum Command {
             toytop state TOP.toml --times 0..1/1001 --method stepper --format csv > s.csv && toytop score TOP.toml s.csv"
     )]
     Score(ScoreArgs),
+    /// Reference values of the heavy tops that integrators are tested with
+    #[command(
+        after_help = "The values have 30 digits, each confirmed by two integrations; the conventions are those of the source.\n\n\
+            Example: toytop benchmark bruls_cardona --format json\n         \
+            toytop benchmark bruls_cardona --times 0..2/2001 --format csv > run.csv && toytop score --benchmark bruls_cardona run.csv"
+    )]
+    Benchmark(BenchmarkArgs),
     /// Time for a state on this machine: ephemeris, stepper, full solver
     #[command(after_help = "Example: toytop bench --format json")]
     Bench(BenchArgs),

@@ -4,10 +4,12 @@ pub mod accuracy;
 mod animate;
 mod bake;
 mod bench;
+mod benchmark;
 mod budget;
 pub mod compare;
 mod constants;
 mod errata;
+mod events;
 mod figures;
 mod plot;
 mod score;
@@ -56,12 +58,14 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Compare(arguments) => compare::run(arguments),
         Command::State(arguments) => state::run(arguments),
         Command::Constants(arguments) => constants::run(arguments),
+        Command::Events(arguments) => events::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
         Command::Animate(arguments) => animate::run(arguments),
         Command::View(arguments) => view::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
         Command::Figures(arguments) => figures::run(arguments),
         Command::Score(arguments) => score::run(arguments),
+        Command::Benchmark(arguments) => benchmark::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
         Command::Budget(arguments) => budget::run(arguments),
         Command::Errata(arguments) => errata::run(arguments),

@@ -7,6 +7,7 @@
 //! | [`full_equations`] | the full 3-D equations, integrated |
 //! | [`truth`] | the paper's integrals to more than thirty digits |
 //! | [`measure`] | errors and times of the core against the truth |
+//! | [`benchmarks`] | catalogue of problems that integrators are tested with |
 //! | [`budget`] | cost of a call on an emulated chip |
 //! | [`errata`] | slips of the printed paper: both versions against the full equations |
 //! | [`samples`] | samples of a motion as tables of chosen columns |
@@ -21,6 +22,7 @@
 //! `toytop-lab` (the folder `lab`) is built on this library: the studies that check the core itself.
 
 pub mod bake;
+pub mod benchmarks;
 pub mod budget;
 pub mod cli;
 pub mod commands;

@@ -12,6 +12,7 @@ mod dependencies;
 mod e3_equals_e4;
 mod elliptic;
 mod ephemeris;
+mod events;
 mod far_ticks;
 mod fixed_point;
 mod found;

@@ -70,6 +70,15 @@ pub const TIP_ANGLE_F64: Budget = Budget::of(3e-13);
 /// The tip angle of an ephemeris, as the distance that its error moves the tip by, in units of s: f64, f32, q31, q15.
 pub const TIP_ANGLE: [Budget; 4] = [Budget::of(1e-14), Budget::of(3e-7), Budget::of(3e-7), Budget::of(3e-4)];
 
+/// Events: error of u at a crossing, of the tip angle as a distance in units of s, and of a turning point's time in periods.
+pub const EVENTS_F64: [Budget; 3] = [Budget::of(6e-15), Budget::of(6e-15), Budget::of(1e-14)];
+/// The same in f32.
+pub const EVENTS_F32: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(1e-14)];
+/// The same in fixed point of 32 bits.
+pub const EVENTS_Q31: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(1e-14)];
+/// The same in fixed point of 16 bits; the period of a rise to the vertical, which has none, is chosen by the rounding.
+pub const EVENTS_Q15: [Budget; 3] = [Budget::of(3e-4), Budget::of(3e-3), Budget::of(1e-11)];
+
 /// The ephemeris in f64 at any time, inputs exact in f64 (the start's own rounding is in it).
 pub const EPHEMERIS_F64: Budget = Budget::of(1e-14);
 /// Orientation error of the ephemeris in f32 at any time.

@@ -120,7 +120,7 @@ const RATIO_ERROR: f64 = 4.0 * Extended::ROUNDING;
 
 impl<W> Clock<W> {
     /// Ticks, fractional, between which the phase of an aperiodic motion changes; `None` for other motions.
-    fn rise(&self) -> Option<[Extended; 2]> {
+    pub(crate) fn rise(&self) -> Option<[Extended; 2]> {
         let [first, _] = self.horizon?;
         let ([phase, ..], [step, ..]) = (self.at(first), self.exact_steps());
         // a whole number of 63 bits is the sum of two f64

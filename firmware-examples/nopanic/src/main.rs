@@ -11,8 +11,8 @@ use toytop::fixed::types::{I2F14, I2F30};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 use toytop::{
-    BranchPoints, Complex, Ephemeris, EphemerisScalar, FirstIntegrals, Motion, ParameterError, Release,
-    Sampler, Sign, Signs, Start, State, Stepper, Tick, Top, TopParameters,
+    BranchPoints, Complex, Ephemeris, EphemerisScalar, EphemerisView, FirstIntegrals, Level, Motion,
+    ParameterError, Phase, Release, Sampler, Sign, Signs, Start, State, Stepper, Tick, Top, TopParameters,
 };
 
 #[cfg(target_arch = "arm")]
@@ -129,6 +129,19 @@ fn planted() -> u8 {
     table[black_box(3)]
 }
 
+/// Events of every kind.
+fn events<R: EphemerisScalar>(table: &EphemerisView<R>, motion: &Motion) {
+    let event = table.turning_points(black_box(3)).only(black_box(true)).next();
+    black_box(event.map(|event| (table.time_of(&event), table.at_event(&event).orientation())));
+    black_box(table.tip_angles(Phase::new(unknown()), black_box(3)).next());
+    let circle = Level::of_circle(motion.top(), unknown()).ok().map(|[upper, _]| upper);
+    let levels =
+        [Level::of_u(unknown()).ok(), Level::of_tilt(unknown()).ok(), circle, Level::of_lift_off(motion)];
+    for level in levels.into_iter().flatten() {
+        black_box((table.crossings(level, black_box(3)).next(), level.u()));
+    }
+}
+
 /// Ephemeris: its set-up, changes of its clock, every way to read it, its turning points, and its exchange.
 fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let Ok(tick) = Tick::hertz(black_box(1000)) else { return };
@@ -145,6 +158,7 @@ fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let mut cursor = ephemeris.cursor(black_box(3));
     black_box((cursor.next(&ephemeris).orientation(), cursor.tick()));
     black_box(ephemeris.next_turning_point(black_box(3)));
+    events(&ephemeris, motion);
     black_box((ephemeris.error_bound(), ephemeris.capacity()));
     let mut out = [Orientation::<R>::IDENTITY; 4];
     ephemeris.fill(black_box(0), &mut out);

@@ -12,4 +12,4 @@ system = list(zip(symbols, top.equations(None, list(symbols))))
 for tolerance in (1e-6, 1e-9, 1e-15):
     integrator = heyoka.taylor_adaptive(system, top.start, tol=tolerance)
     _, _, _, steps, _, states = integrator.propagate_grid(grid)
-    top.write(f"{folder}/heyoka_{tolerance:.0e}.csv", grid, states, method="heyoka", step=seconds / steps)
+    top.write(f"{folder}/heyoka_{tolerance:.0e}.csv", grid, states, method="heyoka", step=seconds / steps, evaluations=steps * integrator.order)

@@ -2,6 +2,7 @@
 
 use super::Report;
 use crate::Failure;
+use crate::benchmarks;
 use crate::cli::{Format, ScoreArgs};
 use crate::input::scenario::Scenario;
 use crate::motion::propagate::period;
@@ -12,18 +13,20 @@ use crate::score::judge::{Judge, Score};
 use crate::score::order;
 use crate::score::picture::{MethodRuns, work_precision};
 use crate::score::trajectory::Trajectory;
+use std::path::PathBuf;
+use toytop::Orientation;
 
 pub(super) fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let form = arguments.plot.as_deref().map(|path| Form::of(path, "--plot")).transpose()?;
-    let (steps, files) = (&arguments.steps, arguments.results.len());
+    let Task { scenario, results, body } = Task::of(arguments)?;
+    let (steps, files) = (&arguments.steps, results.len());
     if !steps.is_empty() && steps.len() != files {
         return Err(Failure::Input(format!("--steps: must be {files} numbers, one for each file")));
     }
-    let scenario = Scenario::read(&arguments.scenario)?;
     let judge = Judge::new(&scenario)?;
     let mut runs = Vec::new();
-    for (index, path) in arguments.results.iter().enumerate() {
-        let trajectory = Trajectory::read(path)?;
+    for (index, path) in results.iter().enumerate() {
+        let trajectory = Trajectory::read(path)?.in_body_axes(&body);
         let score = judge.score(&trajectory)?;
         runs.push(Run::new(trajectory, score, steps.get(index).copied()));
     }
@@ -43,6 +46,27 @@ pub(super) fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
         .iter()
         .filter_map(|run| run.score.doubt.as_ref().map(|doubt| format!("warning: {}: {doubt}", run.name)));
     Ok(Report { text, ..Report::default() }.with_remarks(doubts, arguments.format == Format::Table))
+}
+
+/// What is judged by what.
+struct Task<'a> {
+    scenario: Scenario,
+    results: Vec<&'a PathBuf>,
+    /// Rotation from the body axes of the files to those of the core.
+    body: Orientation<f64>,
+}
+
+impl<'a> Task<'a> {
+    fn of(arguments: &'a ScoreArgs) -> Result<Self, Failure> {
+        let results = arguments.results.iter();
+        let Some(name) = &arguments.benchmark else {
+            let scenario = Scenario::read(&arguments.scenario)?;
+            return Ok(Self { scenario, results: results.collect(), body: Orientation::IDENTITY });
+        };
+        let problem = benchmarks::named(name).map_err(|failure| failure.of("--benchmark"))?;
+        let results = std::iter::once(&arguments.scenario).chain(results).collect();
+        Ok(Self { body: problem.conventions.to_core(), scenario: problem.scenario, results })
+    }
 }
 
 /// One file with its score.

@@ -1,9 +1,11 @@
 //! The core's ephemeris with as many segments as a motion needs: what a command holds does not know the capacity.
 
+mod events;
 mod rates;
 mod sizes;
 mod ticks;
 
+pub use events::{FoundEvent, Sought};
 pub use rates::RateSample;
 pub use sizes::{approximate, default_or_smallest, of_size, smallest, smallest_with_period};
 pub(crate) use ticks::tick;
@@ -39,6 +41,15 @@ pub trait AnyScalar: Send + Sync {
 
     /// Rates at tick n.
     fn rates_at_tick(&self, n: i64) -> RateSample;
+
+    /// Events at tick `from` or later, at most so many, whose time and sense are wanted.
+    fn events(
+        &self,
+        sought: Sought,
+        from: i64,
+        wanted: &dyn Fn(f64, bool) -> bool,
+        most: usize,
+    ) -> Vec<FoundEvent>;
 
     /// Numbers of the table; `None` for a scalar that no other program reads.
     fn parts(&self) -> Option<Parts>;
@@ -120,6 +131,16 @@ impl<R: BoxedScalar> AnyScalar for Boxed<R> {
 
     fn sample_at_tick(&self, n: i64, t: f64) -> TimedSample {
         self.timed(t, self.0.at_tick(n))
+    }
+
+    fn events(
+        &self,
+        sought: Sought,
+        from: i64,
+        wanted: &dyn Fn(f64, bool) -> bool,
+        most: usize,
+    ) -> Vec<FoundEvent> {
+        events::found(&self.0, sought, from, wanted, most, |event, t| self.timed(t, self.0.at_event(event)))
     }
 
     fn parts(&self) -> Option<Parts> {

@@ -91,6 +91,16 @@ impl Trajectory {
         Ok(Self { name: name.to_owned(), method: stated("method"), step, evaluations, rows })
     }
 
+    /// The trajectory of other body axes: `body` takes the file's body coordinates to the new ones.
+    #[must_use]
+    pub fn in_body_axes(mut self, body: &Orientation<f64>) -> Self {
+        let inverse = body.inverse();
+        for row in &mut self.rows {
+            row.orientation = row.orientation.compose(&inverse);
+        }
+        self
+    }
+
     /// Spacing of the rows, s, if it is the same everywhere to a part in a million.
     #[must_use]
     pub fn spacing(&self) -> Option<f64> {

@@ -3,8 +3,10 @@
 mod animate;
 mod bake;
 mod bench;
+mod benchmark;
 mod budget;
 mod errata;
+mod events;
 mod figures;
 mod killed;
 mod plot;

@@ -39,6 +39,13 @@ pub(super) fn scenario(name: &str, content: &str) -> String {
     path.to_str().expect("the path is UTF-8").to_owned()
 }
 
+/// A file of this name and content.
+pub(super) fn file(name: &str, content: &str) -> String {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::write(&path, content).expect("the file is written");
+    path.to_str().expect("the path is UTF-8").to_owned()
+}
+
 /// A scenario file of a motion that no table follows: A/(ps) = 1e-6 near both verticals.
 pub(super) fn needle(name: &str) -> String {
     scenario(name, &slender([-0.999_999, 0.999_999, 1.18], ["6e-7", "5.5e-7"]))

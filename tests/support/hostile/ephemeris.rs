@@ -2,7 +2,7 @@
 
 use super::input::Input;
 use super::sound;
-use toytop::{Complex, Ephemeris, EphemerisScalar, Phase};
+use toytop::{Complex, Ephemeris, EphemerisScalar, EphemerisView, Level, Phase};
 
 pub(super) fn run(bytes: &[u8]) {
     let mut input = Input::new(bytes);
@@ -58,6 +58,29 @@ where
         }
         if let Some(point) = ephemeris.next_turning_point(n) {
             assert!(point.tick >= n || n == i64::MIN, "{point:?} from {n}");
+        }
+        events(&ephemeris, n, t);
+    }
+}
+
+/// Events of every kind come in order, from the tick on that was asked for.
+fn events<R: EphemerisScalar>(ephemeris: &EphemerisView<R>, n: i64, t: f64) {
+    let level = Level::of_u(t - t.round());
+    let crossings = level.map(|level| ephemeris.crossings(level, n).take(3).collect::<Vec<_>>());
+    let found = [
+        ephemeris.turning_points(n).take(3).collect(),
+        crossings.unwrap_or_default(),
+        ephemeris.tip_angles(Phase::new(t), n).take(3).collect(),
+    ];
+    for events in found {
+        let mut before = (n, 0.0);
+        for event in events {
+            assert!(
+                (0.0..1.0).contains(&event.share) && (event.tick, event.share) >= before,
+                "{event:?} after {before:?}"
+            );
+            sound::finite("time", [ephemeris.time_of(&event)]);
+            before = (event.tick, event.share);
         }
     }
 }

@@ -1,0 +1,126 @@
+//! Values of u at which something happens.
+
+use crate::ephemeris::{EphemerisScalar, EphemerisView, Sample};
+use crate::error::{ParameterError, finite, require};
+use crate::events::first_that;
+use crate::motion::Motion;
+use crate::phase::{Phase, PhaseFraction};
+use crate::scalar::{Extended, Float, Ring};
+use crate::top::{Quantities, Support, Top};
+
+/// Value of u, the cosine of the tilt, that a motion may reach. It is stored as 1 - u and 1 + u, so that a tilt close to the
+/// vertical keeps its digits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Level {
+    one_minus_u: f64,
+    one_plus_u: f64,
+}
+
+impl Level {
+    /// Level of a value of u.
+    ///
+    /// # Errors
+    /// `u`: not finite or not in [-1, 1].
+    pub fn of_u(u: f64) -> Result<Self, ParameterError> {
+        finite("u", u)?;
+        require((-1.0..=1.0).contains(&u), "u", "in [-1, 1]")?;
+        Ok(Self { one_minus_u: 1.0 - u, one_plus_u: 1.0 + u })
+    }
+
+    /// Level of a tilt, the angle between the axis and the upward vertical, rad.
+    ///
+    /// # Errors
+    /// `tilt`: not finite or not in [0, π].
+    pub fn of_tilt(tilt: f64) -> Result<Self, ParameterError> {
+        finite("tilt", tilt)?;
+        require((0.0..=core::f64::consts::PI).contains(&tilt), "tilt", "in [0, pi] rad")?;
+        let (sine, cosine) = (libm::sin(0.5 * tilt), libm::cos(0.5 * tilt));
+        Ok(Self { one_minus_u: 2.0 * sine * sine, one_plus_u: 2.0 * cosine * cosine })
+    }
+
+    /// Levels at which the tip is on the circle |c| = `radius` about the centre: that with the centre of mass above the tip, and
+    /// that with it below. The radius is in m; for a fixed tip, whose c = 2αβ is without unit, it is the sine of the tilt.
+    ///
+    /// # Errors
+    /// `radius`: not finite, or not in (0, s) (for a fixed tip in (0, 1)).
+    pub fn of_circle(top: &Top, radius: f64) -> Result<[Self; 2], ParameterError> {
+        finite("radius", radius)?;
+        let scale = top.tip_scale();
+        require(radius > 0.0 && radius < scale, "radius", "above 0 and below the greatest |c|")?;
+        let (radius, scale) = (Extended::from(radius), Extended::from(scale));
+        // 1 - √(1 - x²) = x²/(1 + √(1 - x²)) with x = radius/s
+        let root = ((scale - radius) * (scale + radius)).sqrt() / scale;
+        let large = Extended::ONE + root;
+        let small = (radius / scale).squared() / large;
+        let [small, large] = [small, large].map(Float::to_f64);
+        let upper = Self { one_minus_u: small, one_plus_u: large };
+        Ok([upper, Self { one_minus_u: large, one_plus_u: small }])
+    }
+
+    /// Level at which the normal force N is 0: N > 0 below it and N < 0 above it, so that a real top lifts off where u rises
+    /// through it. Where the computed u falls through it, the plane would have to pull no longer.
+    ///
+    /// `None` unless the tip slides (a fixed support can also pull), and where N has one sign throughout the motion
+    /// ([`Motion::min_normal_force`] tells which).
+    #[must_use]
+    pub fn of_lift_off(motion: &Motion) -> Option<Self> {
+        if motion.top().support() != Support::Sliding || motion.is_steady() {
+            return None;
+        }
+        let (e, one) = (motion.exact_branch_points(), Extended::ONE);
+        let Quantities { a, p, s, .. } = Quantities::<Extended>::of(motion.top());
+        // N = (F₊/(e₄ - u)² + F₋/(e₄ + u)²)/2e₄ with F₋ > 0, see constants/normal_force.rs: it is 0 where (e₄ - u)/(e₄ + u) = q
+        let spread = a / (p * s);
+        let e4 = (one + spread).sqrt();
+        let e4_minus_one = spread / (one + e4);
+        let upper = (e4_minus_one + e.one_minus_e1())
+            * (e4_minus_one + e.one_minus_e2)
+            * (e.e3_minus_one - e4_minus_one);
+        let lower = (e4_minus_one + e.one_plus_e1)
+            * (e4_minus_one + e.one_plus_e2())
+            * (e4_minus_one + e.one_plus_e3());
+        if upper <= Extended::ZERO {
+            return None;
+        }
+        let q = (upper / lower).sqrt();
+        let one_minus_u = (q * (one + e4) - e4_minus_one) / (one + q);
+        let one_plus_u = (one + e4 - q * e4_minus_one) / (one + q);
+        let reached = one_minus_u > e.one_minus_e2 && one_plus_u > e.one_plus_e1;
+        reached.then_some(Self { one_minus_u: one_minus_u.to_f64(), one_plus_u: one_plus_u.to_f64() })
+    }
+
+    /// Cosine of the tilt u.
+    #[must_use]
+    pub fn u(&self) -> f64 {
+        if self.one_minus_u < 1.0 { 1.0 - self.one_minus_u } else { self.one_plus_u - 1.0 }
+    }
+
+    /// Nutation phase in (0, 1/2) turn at which u rises to the level; `None` where the motion does not reach it.
+    pub(super) fn phase<R: EphemerisScalar>(&self, view: &EphemerisView<R>) -> Option<Phase> {
+        const LAST: u64 = (1 << 63) - 1;
+        let reached = self.is_reached(view, LAST) && !self.is_reached(view, 0);
+        reached.then(|| phase(first_that(0, LAST, |nutation| self.is_reached(view, nutation))))
+    }
+
+    /// Whether u of the table is at the level or above it at a nutation phase, given by its 64 leading bits.
+    fn is_reached<R: EphemerisScalar>(&self, view: &EphemerisView<R>, nutation: u64) -> bool {
+        let orientation = Sample::new(view, at_phase(nutation), Phase::ZERO).orientation();
+        let norm = |re: R, im: R| (re.widened().squared() + im.widened().squared()).doubled().to_f64();
+        if self.one_minus_u < 1.0 {
+            norm(orientation.beta.re, orientation.beta.im) <= self.one_minus_u
+        } else {
+            norm(orientation.alpha.re, orientation.alpha.im) >= self.one_plus_u
+        }
+    }
+}
+
+/// Phase from the 64 leading bits of its fraction of a turn.
+pub(super) fn phase(leading: u64) -> Phase {
+    Phase::from_bits(i128::from(leading) << 32)
+}
+
+/// Phases of a sample at a nutation phase, with both slow phases 0.
+pub(super) fn at_phase(nutation: u64) -> [PhaseFraction; 3] {
+    [phase(nutation), Phase::ZERO, Phase::ZERO].map(PhaseFraction::of)
+}

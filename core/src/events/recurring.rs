@@ -1,0 +1,96 @@
+//! Instants at which the nutation phase has one of several values.
+
+use crate::ephemeris::{EphemerisScalar, EphemerisView};
+use crate::events::whole;
+use crate::phase::{Phase, PhaseFraction};
+use crate::scalar::{Extended, Float, Ring};
+
+/// Phase difference below which an instant counts as that of the event: 2^-50 turns, the rounding of a start.
+const AT_THE_POINT: Phase = Phase::from_bits(1 << 46);
+
+/// Next instants of N nutation phases, in ticks.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Recurring<const N: usize> {
+    next: [Option<Extended>; N],
+    /// Nutation period, in ticks; `None` where each phase is passed once.
+    period: Option<Extended>,
+}
+
+impl<const N: usize> Recurring<N> {
+    /// Instants at tick `from` or later. There are none where u is constant.
+    pub(super) fn new<R: EphemerisScalar>(
+        view: &EphemerisView<R>,
+        phases: [Option<Phase>; N],
+        from: i64,
+    ) -> Self {
+        let nowhere = Self { next: [None; N], period: None };
+        let [step, ..] = view.clock.exact_steps();
+        if !(view.clock.turns && step > Extended::ZERO) {
+            return nowhere;
+        }
+        let start = whole(from);
+        let not_before = |ticks: Extended| if ticks < start { start } else { ticks };
+        if let Some([first, last]) = view.clock.rise() {
+            // an aperiodic motion passes each phase once, on either side of its lowest point
+            let lowest = (first + last).halved();
+            let margin = turns(AT_THE_POINT) / step;
+            let at = |phase: Phase| lowest + turns(phase.principal()) / step;
+            let next = phases.map(|phase| phase.map(at).filter(|t| *t + margin > start).map(not_before));
+            return Self { next, period: None };
+        }
+        let [now, ..] = view.clock.unstopped(from.into(), Extended::ZERO).map(PhaseFraction::to_phase);
+        let ahead = |phase: Phase| {
+            // a phase next to that of the event counts as the event's own
+            let ahead = PhaseFraction::of(phase - now + AT_THE_POINT).to_phase() - AT_THE_POINT;
+            if ahead <= AT_THE_POINT { start } else { start + turns(ahead) / step }
+        };
+        Self { next: phases.map(|phase| phase.map(ahead)), period: Some(Extended::ONE / step) }
+    }
+
+    /// Nutation period, in ticks.
+    pub(super) fn period(&self) -> Option<Extended> {
+        self.period
+    }
+
+    /// Next instant, with the index of its phase.
+    pub(super) fn peek(&self) -> Option<(usize, Extended)> {
+        let mut earliest: Option<(usize, Extended)> = None;
+        for (index, next) in self.next.iter().enumerate() {
+            if let Some(ticks) = *next
+                && earliest.is_none_or(|(_, before)| ticks < before)
+            {
+                earliest = Some((index, ticks));
+            }
+        }
+        earliest
+    }
+
+    /// Next instant, with the index of its phase, which then waits for its next passage.
+    pub(super) fn pop(&mut self) -> Option<(usize, Extended)> {
+        let (index, ticks) = self.peek()?;
+        if let Some(next) = self.next.get_mut(index) {
+            *next = self.period.map(|period| ticks + period);
+        }
+        Some((index, ticks))
+    }
+
+    /// Forgets the phase with an index.
+    pub(super) fn drop(&mut self, index: usize) {
+        if let Some(next) = self.next.get_mut(index) {
+            *next = None;
+        }
+    }
+
+    /// Passes over so many ticks, which are whole periods.
+    pub(super) fn skip(&mut self, ticks: Extended) {
+        self.next = self.next.map(|next| next.map(|next| next + ticks));
+    }
+}
+
+/// Number of turns of a phase.
+pub(super) fn turns(phase: Phase) -> Extended {
+    let bits = phase.to_bits();
+    let leading = bits as f64;
+    let rest = bits.wrapping_sub(leading as i128) as f64;
+    Extended::sum(leading * Phase::RESOLUTION, rest * Phase::RESOLUTION)
+}

@@ -1,0 +1,202 @@
+//! Instants at which the tip is in a given direction.
+//!
+//! Between two instants at which the tip angle can change direction it is monotone. These are the turning points of u, and where the
+//! curve has loops the phases at which u = l/n. On such a piece a bisection finds the instant. Where the pieces of a whole period
+//! do not contain the direction, as many periods are skipped as the mean rotation needs to come near it.
+
+use crate::ephemeris::{EphemerisScalar, EphemerisView, Sample};
+use crate::events::level::{at_phase, phase};
+use crate::events::recurring::{Recurring, turns};
+use crate::events::{Event, first_that, whole};
+use crate::phase::{Phase, PhaseFraction};
+use crate::scalar::{Extended, Float, Ring, Scalar};
+
+/// Iterator over the instants at which the tip angle φ is a given angle, whole turns aside, in the order of time.
+///
+/// φ is that of [`Sample::tip_angle`]: where the curve passes through the centre, φ is smooth there and the radius changes its sign.
+#[derive(Debug)]
+pub struct TipAngles<'a, R: EphemerisScalar> {
+    view: &'a EphemerisView<R>,
+    /// Angle looked for; whole turns do not matter.
+    target: Phase,
+    /// Instant up to which the motion has been searched, in ticks.
+    at: Extended,
+    /// Tip angle there; after an event the angle looked for, without rounding.
+    angle: Phase,
+    /// First instant that counts, in ticks.
+    from: Extended,
+    /// Instants at which φ may change direction.
+    bounds: Recurring<4>,
+}
+
+/// Phase difference below which the start counts as an event: 2^-48 turns, the rounding of a tip angle.
+const AT_THE_START: Phase = Phase::from_bits(1 << 48);
+/// Number of consecutive pieces that contain a whole period.
+const PIECES: usize = 5;
+/// Largest number of times that periods are skipped.
+const MOST_SKIPS: usize = 8;
+/// Largest number of doublings of an interval without end.
+const MOST_DOUBLINGS: usize = 32;
+
+impl<R: EphemerisScalar> EphemerisView<R> {
+    /// Instants at tick `from` or later at which the tip angle is `angle`, whole turns aside. There are none where the axis is
+    /// vertical at all times.
+    ///
+    /// Error of the time: that of the tip angle, the error bound of the orientation over 2|αβ|, over |φ'|.
+    ///
+    /// Cost of an event: up to 64 evaluations of the tip angle, and up to 40 more where periods are skipped.
+    #[must_use]
+    pub fn tip_angles(&self, angle: Phase, from: i64) -> TipAngles<'_, R> {
+        let start = whole(from);
+        let reversal = self.reversal();
+        let phases = [Some(Phase::ZERO), Some(Phase::HALF), reversal, reversal.map(|phase| -phase)];
+        TipAngles {
+            view: self,
+            target: angle,
+            at: start,
+            angle: self.tip_angle_after(start),
+            from: start,
+            bounds: Recurring::new(self, phases, from),
+        }
+        .started()
+    }
+
+    /// Tip angle after a number of ticks.
+    fn tip_angle_after(&self, ticks: Extended) -> Phase {
+        let (whole, share) = ticks.floor_and_rest();
+        let [nutation, ..] = self.clock.between(whole, share);
+        self.clock.tip.between(whole, share) + self.periodic_tip_angle(nutation.leading())
+    }
+
+    /// Nutation phase in (0, 1/2) turn at which φ' changes its sign; `None` where it does not. |c|² φ' is s² (l - n u)/A, so that
+    /// it changes at most once while u rises.
+    fn reversal(&self) -> Option<Phase> {
+        const LAST: u64 = (1 << 63) - 1;
+        /// Share of the greatest |c| |c'| that counts as 0, in roundings of the scalar.
+        const NOISE: f64 = 64.0;
+        let [(lowest, least), (_, middle), (highest, greatest)] =
+            [0, LAST / 2, LAST].map(|n| self.turning(n));
+        let size = if least > greatest { least } else { greatest };
+        let size = if middle > size { middle } else { size };
+        let noise = NOISE * (R::ROUNDING + R::Wide::ROUNDING) * size;
+        let changes = lowest * highest < 0.0 && Float::abs(lowest) > noise && Float::abs(highest) > noise;
+        let changed = |nutation: u64| self.turning(nutation).0 * lowest <= 0.0;
+        changes.then(|| phase(first_that(0, LAST, changed)))
+    }
+
+    /// |c|² φ' and |c| |c'| at a nutation phase.
+    fn turning(&self, nutation: u64) -> (f64, f64) {
+        let sample = Sample::new(self, at_phase(nutation), Phase::ZERO);
+        let (tip, velocity) = (sample.tip(), sample.tip_velocity());
+        let size = tip.norm_squared().to_f64() * velocity.norm_squared().to_f64();
+        ((tip.re * velocity.im - tip.im * velocity.re).to_f64(), Float::sqrt(size))
+    }
+}
+
+impl<R: EphemerisScalar> TipAngles<'_, R> {
+    /// Sets the angle at the start back by a rounding, so that an event at the start is one.
+    fn started(mut self) -> Self {
+        for _ in 0..PIECES {
+            if self.bounds.peek().is_some_and(|(_, end)| end <= self.at) {
+                self.bounds.pop();
+            }
+        }
+        let after = match (self.bounds.period(), self.bounds.peek()) {
+            (Some(_), Some((_, end))) => self.view.tip_angle_after(end) - self.angle,
+            _ => Phase::from_words(self.view.clock.tip.step),
+        };
+        self.angle = self.angle - if after < Phase::ZERO { -AT_THE_START } else { AT_THE_START };
+        self
+    }
+
+    /// Rotation from the current angle to the next one looked for, in (0, 1] turn or in [-1, 0).
+    fn ahead(&self, upward: bool) -> Phase {
+        let distance = if upward { self.target - self.angle } else { self.angle - self.target };
+        let distance = PhaseFraction::of(distance).to_phase();
+        let distance = if distance == Phase::ZERO { Phase::ONE } else { distance };
+        if upward { distance } else { -distance }
+    }
+
+    /// Event on the piece until `end`, on which φ is monotone and reaches `after`.
+    fn on_piece(&mut self, end: Extended, after: Phase) -> Option<Event> {
+        let turned = after - self.angle;
+        let upward = turned > Phase::ZERO;
+        let ahead = self.ahead(upward);
+        let passed = |turned: Phase| if upward { turned >= ahead } else { turned <= ahead };
+        if turned == Phase::ZERO || !passed(turned) {
+            return None;
+        }
+        let (start, mut low, mut high) = (self.angle, self.at, end);
+        for _ in 0..u64::BITS {
+            let middle = (low + high).halved();
+            if passed(self.view.tip_angle_after(middle) - start) { high = middle } else { low = middle }
+        }
+        (self.at, self.angle) = (high, start + ahead);
+        Event::at(if high < self.from { self.from } else { high }, upward)
+    }
+
+    /// Event of a motion without bounds, whose φ is monotone for ever.
+    fn without_bounds(&mut self) -> Option<Event> {
+        let rate = turns(Phase::from_words(self.view.clock.tip.step));
+        let mut length = Extended::ONE / rate.abs();
+        for _ in 0..MOST_DOUBLINGS {
+            let end = self.at + length;
+            Event::at(end, true)?;
+            let after = self.view.tip_angle_after(end);
+            if let Some(event) = self.on_piece(end, after) {
+                return Some(event);
+            }
+            length = length.doubled();
+        }
+        None
+    }
+
+    /// Passes over the periods in which the mean rotation is still short of the angle looked for. `extent` is the least and the greatest
+    /// angle, relative to the current one, over the last period.
+    fn skip(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
+        /// Share of the periods that is skipped at once, so that rounding does not skip one too many.
+        const CAUTION: f64 = 1.0 - 1e-9;
+        let drift = turns(Phase::from_words(self.view.clock.tip.step)) * period;
+        let upward = drift > Extended::ZERO;
+        let edge = Self { angle: self.angle + if upward { greatest } else { least }, ..*self };
+        let periods = turns(edge.ahead(upward)) / drift * Extended::from(CAUTION);
+        let ([whole, rest], _) = periods.floor_and_rest();
+        let periods = Extended::sum(whole, rest) - Extended::ONE;
+        if periods > Extended::ZERO {
+            let ticks = periods * period;
+            Event::at(self.at + ticks, true)?;
+            self.bounds.skip(ticks);
+            self.at = self.at + ticks;
+            self.angle = self.view.tip_angle_after(self.at);
+        }
+        Some(())
+    }
+}
+
+impl<R: EphemerisScalar> Iterator for TipAngles<'_, R> {
+    type Item = Event;
+
+    fn next(&mut self) -> Option<Event> {
+        if !self.view.clock.tip.exists {
+            return None;
+        }
+        let Some(period) = self.bounds.period() else { return self.without_bounds() };
+        for _ in 0..MOST_SKIPS {
+            let start = self.angle;
+            let (mut least, mut greatest) = (start, start);
+            for _ in 0..PIECES {
+                let (_, end) = self.bounds.peek()?;
+                let after = self.view.tip_angle_after(end);
+                if let Some(event) = self.on_piece(end, after) {
+                    return Some(event);
+                }
+                self.bounds.pop();
+                (self.at, self.angle) = (end, after);
+                least = if after - start < least - start { after } else { least };
+                greatest = if after - start > greatest - start { after } else { greatest };
+            }
+            self.skip(period, [least - self.angle, greatest - self.angle])?;
+        }
+        None
+    }
+}

@@ -1,0 +1,93 @@
+//! Conventions of a source: which body axis is the axis of symmetry, and what is called position.
+
+use crate::motion::propagate::Sample;
+use toytop::Orientation;
+
+/// Body axes and length of a source. The third fixed axis points up in all of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Conventions {
+    /// Number of the body axis that points from the tip to the centre of mass: 2 or 3.
+    pub symmetry_axis: usize,
+    /// Distance from the tip to the centre of mass, which positions are given with.
+    pub length: f64,
+}
+
+/// Quantity with its name and components.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// Position of the centre of mass relative to the tip.
+    Position,
+    /// Unit quaternion w, x, y, z from body to fixed axes; both signs mean one rotation.
+    Quaternion,
+    /// Angular velocity along the body axes, rad per unit time.
+    OmegaBody,
+    /// Energy h.
+    Energy,
+    /// Cosine of the tilt.
+    U,
+}
+
+impl Quantity {
+    const ALL: [Self; 5] = [Self::Position, Self::Quaternion, Self::OmegaBody, Self::Energy, Self::U];
+
+    /// Name in files and output.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Position => "position",
+            Self::Quaternion => "quaternion",
+            Self::OmegaBody => "omega_body",
+            Self::Energy => "energy",
+            Self::U => "u",
+        }
+    }
+
+    pub(super) fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|quantity| quantity.name() == name)
+    }
+
+    /// Number of components.
+    #[must_use]
+    pub fn count(self) -> usize {
+        match self {
+            Self::Position | Self::OmegaBody => 3,
+            Self::Quaternion => 4,
+            Self::Energy | Self::U => 1,
+        }
+    }
+}
+
+/// Motion at one time, in a source's conventions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Values {
+    /// Position of the centre of mass relative to the tip.
+    pub position: [f64; 3],
+    /// Quaternion w, x, y, z from body to fixed axes.
+    pub quaternion: [f64; 4],
+    /// Angular velocity along the body axes.
+    pub omega_body: [f64; 3],
+}
+
+impl Conventions {
+    /// Rotation P that takes the source's body coordinates to those of the core, whose third axis is the axis of symmetry.
+    #[must_use]
+    pub fn to_core(&self) -> Orientation<f64> {
+        match self.symmetry_axis {
+            // a quarter turn about the first axis takes the second axis to the third
+            2 => Orientation::from_quaternion([1.0, 1.0, 0.0, 0.0]).normalised(),
+            _ => Orientation::IDENTITY,
+        }
+    }
+
+    /// A sample of the core in the source's conventions.
+    #[must_use]
+    pub fn values(&self, sample: &Sample) -> Values {
+        let core = sample.orientation();
+        let orientation = core.compose(&self.to_core());
+        Values {
+            position: core.axis().map(|x| self.length * x),
+            quaternion: orientation.quaternion(),
+            omega_body: orientation.inverse().adjoint(sample.omega),
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! A problem of the catalogue, from its three files.
+
+use super::conventions::{Conventions, Quantity};
+use crate::Failure;
+use crate::input::scenario::Scenario;
+use serde_json::Value as Json;
+use toml::{Table, Value};
+
+/// A motion with its source, conventions and reference values.
+#[derive(Clone, Debug)]
+pub struct Problem {
+    /// Its motion.
+    pub scenario: Scenario,
+    /// Heading.
+    pub title: String,
+    /// Paper or program that posed it.
+    pub source: String,
+    /// Body axes and length of its source.
+    pub conventions: Conventions,
+    /// Length of a run, in the unit of time.
+    pub seconds: f64,
+    /// Who uses it, a sentence each.
+    pub used_by: Vec<String>,
+    /// Values that others printed.
+    pub printed: Vec<Printed>,
+    /// Values to 30 digits, at the source's times.
+    pub references: Vec<Reference>,
+}
+
+/// Value that somebody printed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Printed {
+    /// Who, and by what method.
+    pub by: String,
+    /// Time, as text.
+    pub t: String,
+    /// What.
+    pub quantity: Quantity,
+    /// Numbers, in the source's conventions.
+    pub values: Vec<f64>,
+}
+
+/// Values to 30 digits at one time, in the source's conventions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reference {
+    /// Time, as text.
+    pub t: String,
+    /// Position of the centre of mass relative to the tip.
+    pub position: Vec<String>,
+    /// Quaternion w, x, y, z from body to fixed axes.
+    pub quaternion: Vec<String>,
+    /// Angular velocity along the body axes.
+    pub omega_body: Vec<String>,
+}
+
+impl Problem {
+    pub(super) fn read(name: &str, scenario: &str, about: &str, reference: &str) -> Result<Self, Failure> {
+        let broken = |what: String| Failure::Tool(format!("the catalogue's {name}: {what}"));
+        let scenario = Scenario::parse(name, scenario)?;
+        let about = about.parse::<Table>().map_err(|error| broken(error.to_string()))?;
+        let text = |table: &Table, key: &str| {
+            table
+                .get(key)
+                .and_then(Value::as_str)
+                .map(str::to_owned)
+                .ok_or_else(|| broken(format!("needs {key}")))
+        };
+        let number = |key: &str| about.get(key).and_then(float).ok_or_else(|| broken(format!("needs {key}")));
+        let list = |key: &str| about.get(key).and_then(Value::as_array).cloned().unwrap_or_default();
+        let mut printed = Vec::new();
+        for entry in list("printed") {
+            let entry = entry.as_table().ok_or_else(|| broken("printed: needs tables".to_owned()))?;
+            let values = entry
+                .get("values")
+                .and_then(Value::as_array)
+                .map_or(Vec::new(), |values| values.iter().filter_map(float).collect());
+            let quantity = text(entry, "quantity")?;
+            let quantity =
+                Quantity::named(&quantity).ok_or_else(|| broken(format!("unknown quantity {quantity}")))?;
+            printed.push(Printed { by: text(entry, "by")?, t: text(entry, "t")?, quantity, values });
+        }
+        let reference: Json = serde_json::from_str(reference).map_err(|error| broken(error.to_string()))?;
+        let samples = reference["samples"].as_array().ok_or_else(|| broken("needs samples".to_owned()))?;
+        let digits = |sample: &Json, key: &str| -> Vec<String> {
+            let numbers = sample[key].as_array().map_or(&[][..], Vec::as_slice);
+            numbers.iter().filter_map(Json::as_str).map(str::to_owned).collect()
+        };
+        let references = samples.iter().map(|sample| Reference {
+            t: sample["t"].as_str().unwrap_or_default().to_owned(),
+            position: digits(sample, "position"),
+            quaternion: digits(sample, "quaternion"),
+            omega_body: digits(sample, "omega_body"),
+        });
+        Ok(Self {
+            title: text(&about, "title")?,
+            source: text(&about, "source")?,
+            conventions: Conventions {
+                symmetry_axis: number("symmetry_axis")? as usize,
+                length: number("length")?,
+            },
+            seconds: number("seconds")?,
+            used_by: list("used_by").iter().filter_map(Value::as_str).map(str::to_owned).collect(),
+            printed,
+            references: references.collect(),
+            scenario,
+        })
+    }
+
+    /// Name, by which commands know it.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.scenario.name
+    }
+
+    /// Values to 30 digits at one of the source's times.
+    #[must_use]
+    pub fn reference(&self, t: &str) -> Option<&Reference> {
+        self.references.iter().find(|reference| reference.t == t)
+    }
+}
+
+fn float(value: &Value) -> Option<f64> {
+    value.as_float().or(value.as_integer().map(|n| n as f64))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::benchmarks;
+
+    #[test]
+    fn every_file_is_read_whole() {
+        for problem in benchmarks::all().unwrap() {
+            let name = problem.name();
+            assert!(!problem.references.is_empty() && !problem.used_by.is_empty(), "{name}");
+            for reference in &problem.references {
+                let counts =
+                    [&reference.position, &reference.quaternion, &reference.omega_body].map(Vec::len);
+                assert_eq!(counts, [3, 4, 3], "{name}");
+                let longest = reference
+                    .quaternion
+                    .iter()
+                    .map(|text| text.trim_start_matches(['-', '0', '.']).replace('.', "").len())
+                    .max();
+                assert_eq!(longest, Some(30), "{name}");
+            }
+            for printed in &problem.printed {
+                assert_eq!(printed.values.len(), printed.quantity.count(), "{name}");
+                assert!(printed.t == "0" || problem.reference(&printed.t).is_some(), "{name}: {}", printed.t);
+            }
+        }
+        assert!(benchmarks::named("nothing").is_err());
+    }
+}

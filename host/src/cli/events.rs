@@ -1,0 +1,106 @@
+//! The command that lists the events of a motion.
+
+use super::Format;
+use clap::Args;
+use std::path::PathBuf;
+
+/// `toytop events`
+#[derive(Args, Debug)]
+pub struct EventsArgs {
+    /// Scenario file
+    pub scenario: PathBuf,
+    /// Events to list, separated by commas: turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS, lift-off; with :up or
+    /// :down behind one, only while u (or the tip angle) rises or falls
+    #[arg(long = "kind", value_name = "KIND,...", value_delimiter = ',', default_value = "turning", allow_hyphen_values = true, value_parser = kind)]
+    pub kinds: Vec<Kind>,
+    /// Time, s, from which events count
+    #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true, value_parser = time)]
+    pub from: f64,
+    /// Number of events at most
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub count: u32,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// Kind of event, as it was asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Kind {
+    /// What happens.
+    pub what: What,
+    /// Only upward, or only downward; `None` for both.
+    pub upward: Option<bool>,
+    /// The words that asked for it.
+    pub text: String,
+}
+
+/// What happens at an event.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum What {
+    /// u turns.
+    Turning,
+    /// The tilt has this value, degrees.
+    Tilt(f64),
+    /// The tip angle has this value, degrees, whole turns aside.
+    TipAngle(f64),
+    /// The tip is at this distance from the centre, m.
+    Circle(f64),
+    /// The normal force is 0.
+    LiftOff,
+}
+
+fn kind(text: &str) -> Result<Kind, String> {
+    const ALLOWED: &str = "must be turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS or lift-off, with or without :up or :down";
+    let (rest, upward) = match text.rsplit_once(':') {
+        Some((rest, "up")) => (rest, Some(true)),
+        Some((rest, "down")) => (rest, Some(false)),
+        Some(_) => return Err(ALLOWED.to_owned()),
+        None => (text, None),
+    };
+    let number = |value: &str| value.parse::<f64>().ok().filter(|x| x.is_finite());
+    let what = match rest.split_once('=').map(|(name, value)| (name, number(value))) {
+        None if rest == "turning" => What::Turning,
+        None if rest == "lift-off" => What::LiftOff,
+        Some(("tilt", Some(degrees))) if (0.0..=180.0).contains(&degrees) => What::Tilt(degrees),
+        Some(("tilt", Some(_))) => return Err("tilt: must be in [0, 180] degrees".to_owned()),
+        Some(("tip-angle", Some(degrees))) if degrees.abs() <= 1e6 => What::TipAngle(degrees),
+        Some(("tip-angle", Some(_))) => return Err("tip-angle: must be within ±1e6 degrees".to_owned()),
+        Some(("circle", Some(radius))) if radius > 0.0 => What::Circle(radius),
+        Some(("circle", Some(_))) => return Err("circle: must be above 0".to_owned()),
+        _ => return Err(ALLOWED.to_owned()),
+    };
+    Ok(Kind { what, upward, text: text.to_owned() })
+}
+
+fn time(text: &str) -> Result<f64, &'static str> {
+    text.parse().ok().filter(|t: &f64| t.is_finite()).ok_or("must be a finite number")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kinds_are_read_and_refused() {
+        assert_eq!(kind("turning").map(|kind| (kind.what, kind.upward)), Ok((What::Turning, None)));
+        assert_eq!(
+            kind("tilt=30:up").map(|kind| (kind.what, kind.upward)),
+            Ok((What::Tilt(30.0), Some(true)))
+        );
+        assert_eq!(kind("tip-angle=-90").map(|kind| kind.what), Ok(What::TipAngle(-90.0)));
+        for bad in [
+            "",
+            "tilt",
+            "tilt=x",
+            "tilt=181",
+            "circle=0",
+            "circle=-1",
+            "tilt=nan",
+            "turning:left",
+            "lift-off=1",
+        ] {
+            assert!(kind(bad).is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,231 @@
+//! Events of an ephemeris against instants that a dense search at forty digits found (`tests/reference/events.py`).
+
+use fixed::types::{I2F14, I2F30};
+use toytop::scalar::Float;
+use toytop::{
+    Ephemeris, EphemerisF64, EphemerisScalar, EphemerisView, Event, Level, Motion, Phase, Release, State,
+    Tick, Top,
+};
+use toytop_tests::{boxed, greater, tolerance, top_of, vectors};
+
+/// One search: what for, from which tick, and the instants after it with the slopes of what is searched for.
+struct Case {
+    motion: String,
+    kind: String,
+    value: f64,
+    from: i64,
+    events: Vec<[f64; 2]>,
+}
+
+fn cases() -> Vec<Case> {
+    let json = vectors::json("events.json");
+    let number = |text: &serde_json::Value| text.as_str().unwrap().parse::<f64>().unwrap();
+    let case = |case: &serde_json::Value| Case {
+        motion: case["motion"].as_str().unwrap().to_owned(),
+        kind: case["kind"].as_str().unwrap().to_owned(),
+        value: case["value"].as_f64().unwrap_or(f64::NAN),
+        from: case["from_tick"].as_i64().unwrap(),
+        events: case["events"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|e| [number(&e["after"]), number(&e["slope"])])
+            .collect(),
+    };
+    json["cases"].as_array().unwrap().iter().map(case).collect()
+}
+
+/// Events of a case, as many as the truth has, in ticks after its first tick.
+fn found<R: EphemerisScalar>(view: &EphemerisView<R>, motion: &Motion, case: &Case) -> Vec<f64> {
+    let (from, most) = (case.from, case.events.len() + 1);
+    let mut events: Vec<Event> = match case.kind.as_str() {
+        "turning" => view.turning_points(from).take(most).collect(),
+        "level" => view.crossings(Level::of_u(case.value).unwrap(), from).take(most).collect(),
+        "circle" => {
+            let levels = Level::of_circle(motion.top(), case.value * motion.top().tip_scale()).unwrap();
+            levels.into_iter().flat_map(|level| view.crossings(level, from).take(most)).collect()
+        }
+        "tip_angle" => view.tip_angles(Phase::new(case.value), from).take(most).collect(),
+        _ => Level::of_lift_off(motion)
+            .map_or(Vec::new(), |level| view.crossings(level, from).take(most).collect()),
+    };
+    events.sort_by_key(|event| event.tick);
+    let after = |event: &Event| (event.tick - from) as f64 + event.share;
+    let mut ticks: Vec<f64> = events.iter().map(after).collect();
+    ticks.sort_by(f64::total_cmp);
+    ticks
+}
+
+/// Greatest errors: of u (or of the radius) at its crossings, of the tip angle times the radius, of the time of a turning point in
+/// periods.
+fn greatest_errors<R: EphemerisScalar, const SEGMENTS: usize>() -> [f64; 3] {
+    let tick = Tick::hertz(1024).unwrap();
+    let (mut errors, mut compared) = ([0.0; 3], 0);
+    for case in cases() {
+        let motion = vectors::named(&case.motion).motion().unwrap();
+        let mut view = Box::new(Ephemeris::<R, SEGMENTS>::EMPTY);
+        if view.set_up(&motion, tick, 4.0 * R::ROUNDING).is_err() {
+            continue;
+        }
+        let ticks = found(&view, &motion, &case);
+        let label = format!("{} {} {} from {}", case.motion, case.kind, case.value, case.from);
+        assert!(ticks.len() >= case.events.len(), "{label}: {ticks:?} for {:?}", case.events);
+        for (index, ([after, slope], ours)) in case.events.iter().zip(&ticks).enumerate() {
+            let off = (ours / 1024.0 - after).abs();
+            let (kind, error) = match case.kind.as_str() {
+                "turning" => (2, off / motion.period_advance().map_or(1.0, |advance| advance.period)),
+                "tip_angle" => {
+                    let event = view.tip_angles(Phase::new(case.value), case.from).nth(index).unwrap();
+                    let radius = view.at_event(&event).tip().modulus().to_f64() / motion.top().tip_scale();
+                    (1, off * slope.abs() * radius * std::f64::consts::TAU)
+                }
+                // the normal force falls steeply with u, so that its own error is many times that of u
+                "lift_off" => (
+                    0,
+                    off * view
+                        .at_event(
+                            &view
+                                .crossings(Level::of_lift_off(&motion).unwrap(), case.from)
+                                .nth(index)
+                                .unwrap(),
+                        )
+                        .udot()
+                        .to_f64()
+                        .abs(),
+                ),
+                _ => (0, off * slope.abs()),
+            };
+            assert!(error < 0.01, "{label}: event {index} at {ours} ticks, {} by truth", after * 1024.0);
+            errors[kind] = greater(errors[kind], error);
+            compared += 1;
+        }
+    }
+    assert!(compared > 150, "{compared}");
+    errors
+}
+
+#[test]
+fn events_are_where_a_dense_search_finds_them() {
+    let scalars = [
+        ("f64", tolerance::EVENTS_F64, greatest_errors::<f64, 1024>()),
+        ("f32", tolerance::EVENTS_F32, greatest_errors::<f32, 1024>()),
+        ("q31", tolerance::EVENTS_Q31, greatest_errors::<I2F30, 1024>()),
+        ("q15", tolerance::EVENTS_Q15, greatest_errors::<I2F14, 1024>()),
+    ];
+    for (name, _, [u, angle, time]) in scalars {
+        println!("{name}: u {u:.1e}, tip angle {angle:.1e}, turning points {time:.1e}");
+    }
+    for (name, budgets, errors) in scalars {
+        for (budget, (what, error)) in budgets.iter().zip(["u", "tip angle", "turning"].iter().zip(errors)) {
+            budget.check(&format!("{what}, {name}"), error);
+        }
+    }
+}
+
+fn kilohertz() -> Tick {
+    Tick::hertz(1000).unwrap()
+}
+
+fn released(top: &Top, tilt: f64, spin: f64) -> Box<Ephemeris<f64, 512>> {
+    let release = Release { tilt, spin, ..Release::default() };
+    boxed(&Motion::launch(top, &State::release(&release).unwrap()).unwrap(), kilohertz())
+}
+
+/// A top let go at rest turns at tick 0, has its release tilt there or at no time at all, and its tip points away from its lean.
+#[test]
+fn a_release_from_rest_is_an_event_at_tick_0() {
+    let top = *vectors::named("si_toytop_150").motion().unwrap().top();
+    for (tilt, spin) in [(0.35, 150.0), (1.1, 60.0), (0.01, 20.0)] {
+        let view = released(&top, tilt, spin);
+        let first = view.turning_points(0).next().unwrap();
+        assert_eq!((first.tick, first.share, first.upward), (0, 0.0, true), "{tilt}");
+        let angle = view.tip_angles(Phase::HALF, 0).next().unwrap();
+        assert!(view.time_of(&angle) < 1e-6, "{tilt}: {angle:?}");
+    }
+}
+
+/// Events go on for ever, alternate, and are as far apart after 2^40 ticks as at the start.
+#[test]
+fn events_go_on_for_ever() {
+    let top = *vectors::named("si_toytop_150").motion().unwrap().top();
+    let view = released(&top, 0.35, 150.0);
+    let level = Level::of_tilt(0.36).unwrap();
+    let gaps = |from: i64| -> Vec<f64> {
+        let events: Vec<_> = view.crossings(level, from).skip_while(|event| !event.upward).take(5).collect();
+        assert!(events.windows(2).all(|pair| pair[0].upward != pair[1].upward));
+        events
+            .windows(2)
+            .map(|pair| (pair[1].tick - pair[0].tick) as f64 + pair[1].share - pair[0].share)
+            .collect()
+    };
+    for (near, far) in gaps(0).into_iter().zip(gaps(1 << 40)) {
+        assert!((near - far).abs() < 1e-10, "{near} {far}");
+    }
+    assert!(view.crossings(level, 0).only(true).take(9).all(|event| event.upward));
+    assert!(view.crossings(level, 0).only(false).take(9).all(|event| !event.upward));
+    let last = view.turning_points(i64::MAX - 3).last();
+    assert!(last.is_none_or(|event| event.tick >= i64::MAX - 1024), "{last:?}");
+    assert_eq!(view.tip_angles(Phase::QUARTER, i64::MAX - 3).next(), None);
+}
+
+/// What does not happen has no event: a precession does not turn, a level above e₂ is not crossed, a vertical axis has no tip angle.
+#[test]
+fn what_does_not_happen_has_no_event() {
+    let steady = vectors::named("regular_precession").motion().unwrap();
+    let steady = EphemerisF64::new(&steady, kilohertz()).unwrap();
+    assert_eq!(steady.turning_points(0).next(), None);
+    assert_eq!(steady.crossings(Level::of_u(0.9).unwrap(), 0).next(), None);
+    let sleeping = vectors::named("sleeping_stable").motion().unwrap();
+    let sleeping = EphemerisF64::new(&sleeping, kilohertz()).unwrap();
+    assert_eq!(sleeping.tip_angles(Phase::ZERO, 0).next(), None);
+    let generic = vectors::named("exact_generic_pp").motion().unwrap();
+    let view = EphemerisF64::new(&generic, kilohertz()).unwrap();
+    for u in [0.626, 1.0, -0.344, -1.0] {
+        assert_eq!(view.crossings(Level::of_u(u).unwrap(), 0).next(), None, "{u}");
+    }
+    assert_eq!(Level::of_lift_off(&vectors::named("exact_lagrange").motion().unwrap()), None);
+    for bad in [Level::of_u(1.5), Level::of_tilt(-0.1), Level::of_tilt(f64::NAN)] {
+        assert!(bad.is_err());
+    }
+    assert!(Level::of_circle(generic.top(), 0.0).is_err() && Level::of_circle(generic.top(), 2.0).is_err());
+}
+
+/// A regular precession passes every tip angle at equal intervals.
+#[test]
+fn a_precession_passes_each_angle_once_a_turn() {
+    let motion = vectors::named("exact_regular_precession_pm").motion().unwrap();
+    let view = EphemerisF64::new(&motion, kilohertz()).unwrap();
+    let turn = 1000.0 / view.mean_tip_angle_rate().abs();
+    let times: Vec<_> = view.tip_angles(Phase::new(0.3), -5).take(6).collect();
+    for pair in times.windows(2) {
+        let gap = (pair[1].tick - pair[0].tick) as f64 + pair[1].share - pair[0].share;
+        assert!((gap / turn - 1.0).abs() < 1e-13, "{gap} {turn}");
+        let angle = view.at_event(&pair[1]).tip_angle().unwrap();
+        assert!((angle - Phase::new(0.3)).principal().to_f64().abs() < 1e-14);
+    }
+}
+
+/// A slow drift: the tip of a fast top needs hundreds of nutations for a turn, and no angle is missed or given twice.
+#[test]
+fn a_slow_drift_reaches_every_angle() {
+    let top = top_of([1.0, 0.5, 1.0, 1.0], 1.0);
+    let release = Release { tilt: 0.5, spin: 60.0, ..Release::default() };
+    let motion = Motion::launch(&top, &State::release(&release).unwrap()).unwrap();
+    let view = boxed::<f64, 512>(&motion, kilohertz());
+    let advance = motion.period_advance().unwrap();
+    assert!(advance.phi_per_period().abs() < 0.03);
+    let turn = std::f64::consts::TAU / advance.phi_per_period().abs() * advance.period;
+    let mut before = f64::NEG_INFINITY;
+    for event in view.tip_angles(Phase::new(0.2), 0).take(12) {
+        let t = view.time_of(&event);
+        let angle = view.at_event(&event).tip_angle().unwrap();
+        assert!((angle - Phase::new(0.2)).principal().to_f64().abs() < 1e-13, "{t}");
+        // a top let go at rest has cusps, so that its tip never goes back
+        assert!(
+            before.is_infinite() || (t - before - turn).abs() < 1.1 * advance.period,
+            "{t} after {before}"
+        );
+        before = t;
+    }
+    assert!(before > 10.0 * turn);
+}
