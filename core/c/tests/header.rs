@@ -1,5 +1,7 @@
 //! The committed header is that of the sources.
 
+#![allow(clippy::expect_used, reason = "a test may fail so")]
+
 use std::path::Path;
 
 /// Header that cbindgen makes of the sources. It needs the sources with their macros expanded, for which stable compilers want to be
