@@ -1,6 +1,7 @@
 //! `toytop bake`: what is in the files, how the size is chosen, and that a file is there as a whole or not at all.
 
 mod c;
+mod c_files;
 pub(crate) mod cases;
 mod compiled;
 

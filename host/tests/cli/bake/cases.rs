@@ -21,6 +21,14 @@ pub(crate) struct Case {
     pub(crate) rates: fn(&str, [u32; 2]) -> String,
 }
 
+/// What makes the cases of a scalar and a size.
+fn case<R: Bits, const S: usize>(
+    scalar: &'static str,
+    size: &'static str,
+) -> impl Fn(String, [u32; 2]) -> Case {
+    move |file, tick| Case { file, scalar, size, tick, truth: truth::<R, S>, rates: rates::<R, S> }
+}
+
 /// Nutating, steady, vertical, aperiodic, near the separatrix; with a sliding and with a fixed tip.
 pub(crate) fn cases() -> Vec<Case> {
     let vector = |name: &str| scenario_of(name, "bake");
@@ -31,70 +39,14 @@ pub(crate) fn cases() -> Vec<Case> {
             &text.replace("plus_n = 1", &format!("plus_n = {sign}")),
         )
     };
-    let f32_default = |file, tick| Case {
-        file,
-        scalar: "f32",
-        size: "25",
-        tick,
-        truth: truth::<f32, 25>,
-        rates: rates::<f32, 25>,
-    };
-    let f32_large = |file, tick| Case {
-        file,
-        scalar: "f32",
-        size: "128",
-        tick,
-        truth: truth::<f32, 128>,
-        rates: rates::<f32, 128>,
-    };
-    let f64_default = |file, tick| Case {
-        file,
-        scalar: "f64",
-        size: "48",
-        tick,
-        truth: truth::<f64, 48>,
-        rates: rates::<f64, 48>,
-    };
-    let f64_large = |file, tick| Case {
-        file,
-        scalar: "f64",
-        size: "512",
-        tick,
-        truth: truth::<f64, 512>,
-        rates: rates::<f64, 512>,
-    };
-    let q31 = |file, tick| Case {
-        file,
-        scalar: "q31",
-        size: "32",
-        tick,
-        truth: truth::<I2F30, 32>,
-        rates: rates::<I2F30, 32>,
-    };
-    let q31_large = |file, tick| Case {
-        file,
-        scalar: "q31",
-        size: "128",
-        tick,
-        truth: truth::<I2F30, 128>,
-        rates: rates::<I2F30, 128>,
-    };
-    let q31_largest = |file, tick| Case {
-        file,
-        scalar: "q31",
-        size: "256",
-        tick,
-        truth: truth::<I2F30, 256>,
-        rates: rates::<I2F30, 256>,
-    };
-    let q15 = |file, tick| Case {
-        file,
-        scalar: "q15",
-        size: "128",
-        tick,
-        truth: truth::<I2F14, 128>,
-        rates: rates::<I2F14, 128>,
-    };
+    let f32_default = case::<f32, 25>("f32", "25");
+    let f32_large = case::<f32, 128>("f32", "128");
+    let f64_default = case::<f64, 48>("f64", "48");
+    let f64_large = case::<f64, 512>("f64", "512");
+    let q31 = case::<I2F30, 32>("q31", "32");
+    let q31_large = case::<I2F30, 128>("q31", "128");
+    let q31_largest = case::<I2F30, 256>("q31", "256");
+    let q15 = case::<I2F14, 128>("q15", "128");
     vec![
         f32_default(sample("toy_top"), [1000, 1]),
         f32_default(sample("lagrange"), [44_100, 2]),
