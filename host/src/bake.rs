@@ -3,9 +3,8 @@
 //! All three hold the same numbers, the crate's [`Baked`](toytop::Baked), of any size, with its version and checksum. A Rust module with a
 //! changed number does not compile; the C header has a function that tells; both give the bits that the crate gives.
 //!
-//! C: fixed point is integers throughout, and `f32` is integers up to α and β, whose bits depend on nothing; u, c and `f64` need sums and products that are rounded
-//! one by one (`-ffp-contract=off`). GCC 12.2 fuses some of them in spite of that at `-O3` for a machine with a fused
-//! multiply-add; `-fno-tree-slp-vectorize` keeps it from doing so.
+//! C: fixed point is integers throughout, and `f32` is integers up to α and β, whose bits depend on nothing. In u, c and `f64` every
+//! product that goes into a sum passes a barrier, without which compilers would fuse the two by default.
 
 mod c;
 mod json;
@@ -15,7 +14,8 @@ use crate::cli::Scalar;
 use fixed::types::{I2F14, I2F30};
 use toytop::{Clock, EphemerisScalar, EphemerisView, ErrorBound};
 
-pub use self::{c::header, json::object, rust::module};
+pub use self::c::{arduino_files, header, split_files};
+pub use self::{json::object, rust::module};
 
 /// The numbers of a [`Baked`](toytop::Baked), whatever its size and scalar.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,12 +56,16 @@ impl Parts {
     #[must_use]
     pub fn table_bytes(&self) -> usize {
         let [segments, terms] = self.size;
-        let coefficient = match &self.coefficients {
+        4 * segments * terms * self.coefficient_bytes()
+    }
+
+    /// Bytes of a coefficient.
+    fn coefficient_bytes(&self) -> usize {
+        match &self.coefficients {
             Coefficients::Integers(_) => 4,
             Coefficients::Shorts(_) => 2,
             Coefficients::Doubles(_) => 8,
-        };
-        4 * segments * terms * coefficient
+        }
     }
 }
 
@@ -124,16 +128,34 @@ pub struct Label {
 }
 
 impl Label {
-    /// The name as an identifier in lower case: letters and digits of ASCII, anything else an underscore.
+    /// The name as an identifier in lower case: letters and digits of ASCII; `u` and four hexadecimal digits or more for any other letter or
+    /// digit; one underscore for everything between, and none at the ends.
     #[must_use]
     pub fn identifier(&self) -> String {
-        let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
-        let identifier: String = self.name.chars().map(letter).collect();
+        let mut identifier = String::new();
+        for c in self.name.chars() {
+            match c {
+                _ if c.is_ascii_alphanumeric() => identifier.push(c.to_ascii_lowercase()),
+                _ if c.is_alphanumeric() => identifier += &format!("u{:04x}", u32::from(c)),
+                _ if identifier.is_empty() || identifier.ends_with('_') => {}
+                _ => identifier.push('_'),
+            }
+        }
+        let identifier = identifier.trim_end_matches('_');
         if identifier.starts_with(|c: char| c.is_ascii_lowercase()) {
-            identifier
+            identifier.to_owned()
         } else {
             format!("top_{identifier}")
         }
+    }
+
+    /// The identifier as a name in C and C++, and of a file. One word may be the language's or a library's (`int`, `clock`); so may what
+    /// ends in `_t`; and what begins with `toytop_` may be this library's. Such a name has `top_` in front.
+    #[must_use]
+    pub fn c_name(&self) -> String {
+        let name = self.identifier();
+        let free = name.contains('_') && !name.ends_with("_t") && !name.starts_with("toytop_");
+        if free { name } else { format!("top_{name}") }
     }
 
     /// The name and what the table is, for a comment: without what could end one.
@@ -146,5 +168,31 @@ impl Label {
             self.tick,
             parts.scalar.name(),
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_becomes_one_that_is_free() {
+        let named = |name: &str| Label { name: name.to_owned(), tick: String::new() };
+        for (name, identifier, c_name) in [
+            ("int", "int", "top_int"),
+            ("Clock", "clock", "top_clock"),
+            ("time_t", "time_t", "top_time_t"),
+            ("toytop_f32", "toytop_f32", "top_toytop_f32"),
+            ("toy_top", "toy_top", "toy_top"),
+            ("2 tops", "top_2_tops", "top_2_tops"),
+            ("_a__b_", "a_b", "a_b"),
+            ("Kreisel ä", "kreisel_u00e4", "kreisel_u00e4"),
+            ("Kreisel ö", "kreisel_u00f6", "kreisel_u00f6"),
+            ("陀螺", "u9640u87ba", "top_u9640u87ba"),
+            ("...", "top_", "top_"),
+        ] {
+            let label = named(name);
+            assert_eq!([label.identifier(), label.c_name()], [identifier, c_name], "{name}");
+        }
     }
 }

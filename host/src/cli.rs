@@ -94,7 +94,7 @@ pub enum Command {
     ///
     /// C comes with its evaluator.
     #[command(
-        after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static, which a changed bit keeps from compiling\n         toytop bake top.toml --lang c --tick 44100/2 -o top.h   C99 or C++11, the same results to the bit"
+        after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static, which a changed bit keeps from compiling\n         toytop bake top.toml --lang c --tick 44100/2 -o top.h   C99 or C++11, the same results to the bit\n         toytop bake top.toml --lang c --split src --name throw   src/throw.h and .c, beside the code that all tables share"
     )]
     Bake(BakeArgs),
     /// Figures 2 and 3 of the paper, nutation and errors, as SVG and PNG

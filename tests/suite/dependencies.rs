@@ -3,8 +3,9 @@
 use std::fs;
 use std::path::Path;
 
-const MANIFESTS: [&str; 13] = [
+const MANIFESTS: [&str; 14] = [
     "core",
+    "core/c",
     "host",
     "host/chips",
     "host/lab",

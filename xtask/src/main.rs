@@ -1,5 +1,6 @@
 //! `cargo xtask`: everything that is checked, on a machine that has rustup and nothing else.
 
+mod c;
 mod coverage;
 mod deny;
 mod features;
@@ -34,6 +35,10 @@ usage: cargo xtask VERB
                                builds it, `cost` too, and prints the path of the ELF, nothing else
   firmware --list              programs and chips
   nopanic [--planted]          links core against a panic handler that does not exist; --planted: shows that it bites
+  c-archive --target NAME [--to FOLDER]
+                               archive, header and CMake files for programs in C; NAME is that of a folder, or all
+  c-archive --list             those folders, by processor core and float ABI
+  c-header --overwrite         makes core/c/include/toytop.h anew
   clippy-firmware              clippy over the firmware workspace, each package for its own targets
   qemu CHIP ELF                runs an ELF and shows its log (the runner of firmware-examples/.cargo/config.toml)
 
@@ -77,6 +82,10 @@ fn run(words: &[&str]) -> Result<ExitCode> {
         ["qemu", chip, elf] => return firmware::qemu(chip, elf),
         ["nopanic"] => println!("{}", nopanic::check()?),
         ["nopanic", "--planted"] => nopanic::show_planted()?,
+        ["c-archive", "--list"] => c::list(),
+        ["c-archive", "--target", target] => println!("{}", c::make(target, None)?),
+        ["c-archive", "--target", target, "--to", folder] => println!("{}", c::make(target, Some(folder))?),
+        ["c-header", "--overwrite"] => c::overwrite_header()?,
         ["fuzz", rest @ ..] => fuzz_with(rest)?,
         ["coverage"] => coverage::coverage(false)?,
         ["coverage", "--accept"] => coverage::coverage(true)?,

@@ -35,11 +35,12 @@ pub(crate) const BROWSER: Need = Need {
     is_there: || tools::any_chromium().is_some(),
     bring: || tools::chromium().map(drop),
 };
+pub(crate) const C: Need = Need { name: "tools for C", is_there: tools::c_is_there, bring: tools::c };
 const NIGHTLY: Need = Need { name: "nightly compiler", is_there: nightly_is_there, bring: bring_nightly };
 const FUZZER: Need = Need { name: "cargo-fuzz", is_there: || is_there("fuzz"), bring: || provide("fuzz") };
 
 /// Everything that a step of the tests uses; the last two only for the step `fuzz`, which runs nothing without them.
-const ALL: [Need; 7] = [LINTS, COMPILER, PAGE_COMPILER, EMULATOR, BROWSER, NIGHTLY, FUZZER];
+const ALL: [Need; 8] = [LINTS, COMPILER, PAGE_COMPILER, EMULATOR, BROWSER, C, NIGHTLY, FUZZER];
 
 impl Need {
     pub(crate) fn is_missing(&self) -> bool {

@@ -8,8 +8,8 @@ use anyhow::{Result, bail};
 
 use crate::firmware::{self, PROGRAMS, TARGETS};
 use crate::process::{cargo, in_ci, run};
-use crate::setup::{BROWSER, COMPILER, EMULATOR, Need, PAGE_COMPILER};
-use crate::{features, fuzz, nopanic, package, tools, web};
+use crate::setup::{BROWSER, C, COMPILER, EMULATOR, Need, PAGE_COMPILER};
+use crate::{c, features, fuzz, nopanic, package, tools, web};
 
 /// One step of the test command.
 struct Step {
@@ -40,6 +40,10 @@ fn steps() -> Vec<Step> {
         Step::new("benches", &[], benches),
         Step::new("fuzz", &[], fuzz::briefly),
         Step::new("no-panic", compiler, nopanic::check),
+        Step::new("c-header", &[C], c::check_header),
+        Step::new("c-host", &[C], c::check_on_host),
+        Step::new("c-chip", &[C, COMPILER, EMULATOR], c::check_on_chip),
+        Step::new("c-cmake", &[C], c::check_cmake),
         Step::new("browser", &[PAGE_COMPILER, BROWSER], browser),
     ];
     steps.extend(

@@ -5,7 +5,7 @@ use std::process::Command;
 use std::sync::OnceLock;
 use std::time::Duration;
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 
 use crate::firmware::TARGETS;
 use crate::process::{self, Ended, run_within};
@@ -24,6 +24,7 @@ pub(crate) const PAGE_TARGET: &str = "wasm32-unknown-unknown";
 
 const DEBIAN_PACKAGES: &str = "rustc-web cargo-web rust-web-src rust-web-llvm rust-web-clippy lld-22";
 const QEMU_PACKAGES: &str = "qemu-system-arm qemu-system-misc";
+const C_PACKAGES: &str = "gcc g++ clang lld cmake";
 const CHROMIUM_PACKAGE: &str = "chromium";
 
 impl Toolchain {
@@ -60,6 +61,11 @@ pub(crate) fn toolchain() -> Result<Toolchain> {
         Some(toolchain) => Ok(*toolchain),
         None => bail!("to build for the chips: rustup target add {}", TARGETS.join(" ")),
     }
+}
+
+/// A toolchain for one more target. Installs it where it is missing.
+pub(crate) fn toolchain_for(target: &'static str) -> Result<Toolchain> {
+    find_toolchain(&[target]).with_context(|| format!("to build for {target}: rustup target add {target}"))
 }
 
 /// A toolchain for the pages of `toytop view`. Installs what is missing, the first time it is asked.
@@ -144,6 +150,26 @@ pub(crate) fn qemu() -> Result<()> {
     });
     if !found {
         bail!("to emulate the chips: install QEMU (apt-get install {QEMU_PACKAGES}; brew install qemu)");
+    }
+    Ok(())
+}
+
+/// Compilers of C and C++, the linker for chips, and CMake.
+const C_PROGRAMS: [&str; 6] = ["gcc", "g++", "clang", "clang++", "ld.lld", "cmake"];
+
+/// Whether the tools for C are here.
+pub(crate) fn c_is_there() -> bool {
+    C_PROGRAMS.into_iter().all(works)
+}
+
+/// The tools for C. Installs them where it may.
+pub(crate) fn c() -> Result<()> {
+    if !c_is_there() {
+        apt_install(C_PACKAGES);
+    }
+    let missing: Vec<_> = C_PROGRAMS.into_iter().filter(|program| !works(program)).collect();
+    if !missing.is_empty() {
+        bail!("to test in C: {} missing (apt-get install {C_PACKAGES})", missing.join(", "));
     }
     Ok(())
 }

@@ -1,38 +1,90 @@
-//! A C header: the table and what evaluates it, in C99 and C++11 or later without a library, to the same bits as the crate.
+//! Tables in C: one header, or a header and a source beside the code that all tables share; C99 and C++11 or later without a
+//! library, to the same bits as the crate.
 //!
 //! Numbers are decimal, with as many digits as tell every one from its neighbours (9 in single, 17 in double precision): C++ has
 //! hexadecimal ones since C++17 only. The include guard of a table is defined as its checksum, so that another table of the
 //! same name is an error.
 
+mod files;
+mod shared;
+
 use super::{Coefficients, Label, Parts};
 use crate::cli::Scalar;
-use toytop::scalar::SINE_CONSTANTS;
 use toytop::{Clock, ErrorBound};
 
-/// Phases: the same for every scalar.
-const CLOCK: &str = include_str!("clock.h");
-/// Functions that read a table, common to all scalars.
-const ACCESSORS: &str = include_str!("accessors.h");
-/// Checksum of integers.
-const INTACT: &str = include_str!("intact.h");
+pub use files::{arduino_files, split_files};
+use shared::{SHARED_HEADER, SHARED_SOURCE, header as shared_header, source as shared_source};
 
-/// The text of a header. Several may be included in one file: what they share is there once.
+/// Text of a header that needs no other file. Several may be included in one file: what they share is there once.
 #[must_use]
 pub fn header(label: &Label, parts: &Parts) -> String {
-    let name = name(label);
-    let (scalar, guard) = (parts.scalar.name(), name.to_uppercase());
-    let evaluators = match parts.scalar {
-        Scalar::F64 => evaluator("f64", &(series() + include_str!("f64.h")), include_str!("intact_f64.h")),
-        // fixed point stands on the integers of f32
-        more => {
-            let base = evaluator("f32", &(points() + include_str!("f32.h")), INTACT);
-            match more {
-                Scalar::Q31 => base + &evaluator("q31", include_str!("q31.h"), INTACT),
-                Scalar::Q15 => base + &evaluator("q15", include_str!("q15.h"), INTACT),
-                _ => base,
-            }
-        }
-    };
+    let evaluators = shared::inlined(parts.scalar);
+    guarded(label, parts, &format!("{evaluators}\n{}", table(label, parts, "static const")))
+}
+
+/// Text of a header that declares the table of a [`source()`].
+fn declaration(label: &Label, parts: &Parts) -> String {
+    let (name, scalar) = (label.c_name(), parts.scalar.name());
+    let declared = format!(
+        "#include \"{SHARED_HEADER}\"\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\nextern const toytop_{scalar} {name};\n\
+         #ifdef __cplusplus\n}}\n#endif\n"
+    );
+    guarded(label, parts, &declared)
+}
+
+/// Text of the source of a table.
+fn source(label: &Label, parts: &Parts) -> String {
+    let name = label.c_name();
+    format!(
+        "/* {headline}. Written by `toytop bake`. */\n#include \"{name}.h\"\n\n#if TOYTOP_CLOCK != {format}\n\
+         #error {SHARED_HEADER} is of another version of toytop: bake this table again\n#endif\n\n{table}",
+        headline = label.headline(parts),
+        format = parts.format,
+        table = table(label, parts, "const"),
+    )
+}
+
+/// A header around its content: what it is, its guard, and its figures as macros.
+fn guarded(label: &Label, parts: &Parts, content: &str) -> String {
+    let name = label.c_name();
+    let (scalar, upper) = (parts.scalar.name(), name.to_uppercase());
+    let bounds = [parts.error_bound, parts.rate_error_bound];
+    let [[error, error_growth], [rate, rate_growth]] =
+        bounds.map(|ErrorBound { constant, per_tick }| [constant, per_tick].map(decimal));
+    let [segments, terms] = parts.size;
+    format!(
+        "/* {headline}
+ *
+ * Written by `toytop bake`. Call toytop_at_tick_{scalar}(&{name}, tick), or toytop_next_{scalar} with a cursor; toytop_quaternion_{scalar} and
+ * toytop_omega_{scalar} tell more, and toytop_intact_{scalar} whether a bit was changed.
+ * The same bits as the Rust crate, in every standard and with any flag but -ffast-math. */
+#ifdef {upper}_H
+#if {upper}_H != {crc32:#x}
+#error two different tables have the name {name}: give one of them another by --name
+#endif
+#else
+#define {upper}_H {crc32:#x}
+
+#define {upper}_RATE {ticks} /* ticks in a unit of time */
+#define {upper}_SEGMENTS {segments}
+#define {upper}_BYTES {bytes} /* of coefficients */
+#define {upper}_ERROR {error} /* at most, rad, at tick 0 */
+#define {upper}_ERROR_PER_TICK {error_growth} /* more for each tick from there */
+#define {upper}_RATE_ERROR {rate} /* of the angular velocity, rad in a unit of time */
+#define {upper}_RATE_ERROR_PER_TICK {rate_growth}
+
+{content}#endif
+",
+        headline = label.headline(parts),
+        crc32 = parts.crc32,
+        ticks = decimal(parts.clock.ticks_per_time[0]),
+        bytes = 4 * segments * terms * parts.coefficient_bytes(),
+    )
+}
+
+/// Definition of a table.
+fn table(label: &Label, parts: &Parts, linkage: &str) -> String {
+    let (name, scalar) = (label.c_name(), parts.scalar.name());
     let (ctype, rows) = match &parts.coefficients {
         Coefficients::Integers(rows) => ("int32_t", rows.iter().map(|row| line(row.map(integer))).collect()),
         Coefficients::Shorts(rows) => {
@@ -42,52 +94,22 @@ pub fn header(label: &Label, parts: &Parts) -> String {
     };
     let rows: String = rows;
     format!(
-        "/* {headline}
- *
- * Written by `toytop bake`. Call toytop_at_tick_{scalar}(&{name}, tick), or toytop_next_{scalar} with a cursor; toytop_intact_{scalar} tells
- * whether a bit was changed. As a quaternion the orientation is w = alpha[0], x = beta[1], y = -beta[0], z = alpha[1].
- * The same bits as the Rust crate: with contraction of floating point off (-std=c99 with GCC, otherwise -ffp-contract=off). */
-#ifdef {guard}_H
-#if {guard}_H != {crc32:#x}
-#error two different tables have the name {name}: rename one of the scenario files and bake it again
-#endif
-#else
-#define {guard}_H {crc32:#x}
-
-{CLOCK}
-{evaluators}
-static const {ctype} {name}_coefficients[{count}][4] = {{
+        "static const {ctype} {name}_coefficients[{count}][4] = {{
 {rows}}};
 
-static const toytop_{scalar} {name} = {{
+{linkage} toytop_{scalar} {name} = {{
     {{
 {clock}    }},
     {{{scales}}},
     {name}_coefficients,
 }};
-#endif
 ",
-        headline = label.headline(parts),
-        crc32 = parts.crc32,
         count = parts.size[0] * parts.size[1],
         clock = clock(parts),
         scales = scales(parts)
             .map(|x| if parts.scalar == Scalar::F64 { decimal(x) } else { format!("{:.8e}f", x as f32) })
             .join(", "),
     )
-}
-
-/// One word may be C's, or a library's (`int`, `clock`); so may what ends in `_t`.
-fn name(label: &Label) -> String {
-    let name = label.identifier();
-    if name.contains('_') && !name.ends_with("_t") { name } else { format!("top_{name}") }
-}
-
-/// Evaluator of the tables of a scalar: its own arithmetic, and two templates. Several headers share it.
-fn evaluator(scalar: &str, arithmetic: &str, intact: &str) -> String {
-    let (name, bits) = (scalar.to_uppercase(), &scalar[1..]);
-    let asked = [ACCESSORS, intact].concat().replace("SCALAR", scalar).replace("BITS", bits);
-    format!("#ifndef TOYTOP_{name}\n#define TOYTOP_{name}\n{arithmetic}{asked}#endif\n")
 }
 
 /// The initialisers of a `toytop_clock`.
@@ -124,33 +146,6 @@ fn scales(parts: &Parts) -> [f64; 4] {
     [tip_scale, x, mean, axial]
 }
 
-/// The points of the circle, and the coefficients of the rest.
-fn points() -> String {
-    let ([linear, cubic, versine], secant) = (SINE_CONSTANTS.turn, SINE_CONSTANTS.secant);
-    let rows = SINE_CONSTANTS.points.chunks(8);
-    let rows: String = rows
-        .map(|row| format!("    {},\n", row.iter().map(|&x| integer(x)).collect::<Vec<_>>().join(", ")))
-        .collect();
-    let count = SINE_CONSTANTS.points.len();
-    format!(
-        "#define TOYTOP_LINEAR {linear}\n#define TOYTOP_CUBIC {cubic}\n#define TOYTOP_VERSINE {versine}\n\
-         #define TOYTOP_SECANT {secant}\n\
-         /* 2^31 sin of 0, 1/512, ... turns, at most 2^31 - 1; a quarter turn on is the cosine. */\n\
-         static const int32_t toytop_sines[{count}] = {{\n{rows}}};\n"
-    )
-}
-
-/// sin 2 pi x = x S(x^2), cos 2 pi x = C(x^2).
-fn series() -> String {
-    let series = |name: &str, coefficients: &[f64]| {
-        let rows: String = coefficients.iter().map(|&x| format!("    {},\n", decimal(x))).collect();
-        format!("static const double toytop_{name}[{}] = {{\n{rows}}};\n", coefficients.len())
-    };
-    "/* sin 2 pi x = x S(x^2) and cos 2 pi x = C(x^2) for |x| <= 1/8. */\n".to_owned()
-        + &series("sine", SINE_CONSTANTS.sine)
-        + &series("cosine", SINE_CONSTANTS.cosine)
-}
-
 fn line(row: [String; 4]) -> String {
     format!("    {{{}}},\n", row.join(", "))
 }
@@ -179,12 +174,5 @@ mod tests {
             assert_eq!(decimal(x).parse::<f64>().map(f64::to_bits), Ok(x.to_bits()));
         }
         assert_eq!([1.0, -0.0].map(decimal), ["1.0000000000000000e0", "-0.0000000000000000e0"]);
-    }
-
-    #[test]
-    fn no_name_is_one_of_c() {
-        let named = |name: &str| super::name(&Label { name: name.to_owned(), tick: String::new() });
-        assert_eq!(["int", "Clock", "time_t"].map(named), ["top_int", "top_clock", "top_time_t"]);
-        assert_eq!(["toy_top", "2 tops"].map(named), ["toy_top", "top_2_tops"]);
     }
 }

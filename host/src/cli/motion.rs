@@ -182,9 +182,19 @@ pub struct BakeArgs {
     /// A ticks in B seconds
     #[arg(long, value_name = "A/B", value_parser = ratio)]
     pub tick: Option<[u32; 2]>,
+    /// Name of the table; without it, that of the scenario file
+    #[arg(long, value_name = "NAME")]
+    pub name: Option<String>,
     /// Output file; without it, stdout
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// In C: NAME.h and NAME.c in this folder, beside toytop_baked.h and .c, which all tables share; without it, a header that needs no
+    /// other file
+    #[arg(long, value_name = "FOLDER", conflicts_with = "output")]
+    pub split: Option<PathBuf>,
+    /// In C: the same as a library of Arduino and PlatformIO, in this folder
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["output", "split"])]
+    pub arduino: Option<PathBuf>,
 }
 
 /// Language that `bake` writes.

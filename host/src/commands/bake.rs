@@ -2,15 +2,17 @@
 
 use super::{Report, unreal};
 use crate::Failure;
-use crate::bake::{Label, Parts, header, module, object};
+use crate::bake::{Label, Parts, arduino_files, header, module, object, split_files};
 use crate::cli::{BakeArgs, Language};
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::{default_or_smallest, of_size};
 use crate::output::whole_file;
+use std::path::Path;
 use toytop::{ErrorBound, Tick};
 
 pub(super) fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
+    let folder = folder(arguments)?;
     let [ticks, seconds] = arguments.tick.unwrap_or([arguments.hertz, 1]);
     let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--tick: {error}")))?;
     let parts = parts(arguments, &scenario, tick).map_err(|failure| match failure {
@@ -18,21 +20,56 @@ pub(super) fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
         other => other,
     })?;
     let label = Label {
-        name: scenario.name.clone(),
+        name: arguments.name.clone().unwrap_or_else(|| scenario.name.clone()),
         tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },
     };
-    let text = match arguments.lang {
-        Language::Rust => module(&label, &parts),
-        Language::C => header(&label, &parts),
-        Language::Json => object(&label, &parts),
-    };
-    let remarks = std::iter::once(summary(&label, &parts)).chain(unreal(&[scenario]));
     let mut report = Report::default();
-    match &arguments.output {
-        None => report.text = text,
-        Some(path) => whole_file::write("--output", path, text.as_bytes())?,
+    match folder {
+        Some((option, folder, files)) => write_files(option, folder, &files(&label, &parts))?,
+        None => {
+            let text = match arguments.lang {
+                Language::Rust => module(&label, &parts),
+                Language::C => header(&label, &parts),
+                Language::Json => object(&label, &parts),
+            };
+            match &arguments.output {
+                None => report.text = text,
+                Some(path) => whole_file::write("--output", path, text.as_bytes())?,
+            }
+        }
     }
+    let remarks = std::iter::once(summary(&label, &parts)).chain(unreal(&[scenario]));
     Ok(report.with_remarks(remarks, false))
+}
+
+/// Function that makes the files of a folder, by their names in it.
+type Files = fn(&Label, &Parts) -> Vec<(String, String)>;
+
+/// Folder that several files go to, with its option and what makes them.
+fn folder(arguments: &BakeArgs) -> Result<Option<(&'static str, &Path, Files)>, Failure> {
+    let chosen = match (&arguments.split, &arguments.arduino) {
+        (Some(folder), _) => Some(("--split", folder.as_path(), split_files as Files)),
+        (None, Some(folder)) => Some(("--arduino", folder.as_path(), arduino_files as Files)),
+        (None, None) => None,
+    };
+    if let Some((option, ..)) = chosen
+        && arguments.lang != Language::C
+    {
+        return Err(Failure::Input(format!("{option}: needs --lang c")));
+    }
+    Ok(chosen)
+}
+
+/// Each file is there as a whole or not at all; what all tables share comes first.
+fn write_files(option: &str, folder: &Path, files: &[(String, String)]) -> Result<(), Failure> {
+    for (name, text) in files {
+        let path = folder.join(name);
+        if let Some(parent) = path.parent() {
+            std::fs::create_dir_all(parent).map_err(|error| whole_file::refused(option, parent, error))?;
+        }
+        whole_file::write(option, &path, text.as_bytes())?;
+    }
+    Ok(())
 }
 
 fn parts(arguments: &BakeArgs, scenario: &Scenario, tick: Tick) -> Result<Parts, Failure> {

@@ -1,5 +1,7 @@
 //! `toytop bake`: what is in the files, how the size is chosen, and that a file is there as a whole or not at all.
 
+mod c;
+mod c_files;
 pub(crate) mod cases;
 mod compiled;
 
@@ -131,7 +133,7 @@ fn what_cannot_be_baked_leaves_nothing_behind() {
 #[test]
 fn any_file_name_makes_an_identifier() {
     let text = format!("{TOP}{}", RELEASE);
-    for (name, identifier) in [("bake 1-é*", "BAKE_1___"), ("1st bake", "TOP_1ST_BAKE")] {
+    for (name, identifier) in [("bake 1-é*", "BAKE_1_U00E9"), ("1st bake", "TOP_1ST_BAKE")] {
         let file = scenario(name, &text);
         assert!(stdout(&run(&["bake", &file])).contains(&format!("pub static {identifier}: ")), "{name}");
     }

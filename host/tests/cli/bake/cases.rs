@@ -5,6 +5,7 @@ use crate::{branch_points, sample, scenario};
 use fixed::types::{I2F14, I2F30};
 use std::fmt::Write as _;
 use std::path::Path;
+use toytop::scalar::Float;
 use toytop::{Complex, Ephemeris, EphemerisScalar, EphemerisView, Sample, Tick};
 use toytop_host::input::scenario::Scenario;
 
@@ -16,6 +17,16 @@ pub(crate) struct Case {
     pub(crate) tick: [u32; 2],
     /// Every moment asked for, from the crate: a line of bits each.
     pub(crate) truth: fn(&str, [u32; 2]) -> String,
+    /// Quaternion and angular velocity at ticks, and the next turning point: a line of bits each.
+    pub(crate) rates: fn(&str, [u32; 2]) -> String,
+}
+
+/// What makes the cases of a scalar and a size.
+fn case<R: Bits, const S: usize>(
+    scalar: &'static str,
+    size: &'static str,
+) -> impl Fn(String, [u32; 2]) -> Case {
+    move |file, tick| Case { file, scalar, size, tick, truth: truth::<R, S>, rates: rates::<R, S> }
 }
 
 /// Nutating, steady, vertical, aperiodic, near the separatrix; with a sliding and with a fixed tip.
@@ -28,15 +39,14 @@ pub(crate) fn cases() -> Vec<Case> {
             &text.replace("plus_n = 1", &format!("plus_n = {sign}")),
         )
     };
-    let f32_default = |file, tick| Case { file, scalar: "f32", size: "25", tick, truth: truth::<f32, 25> };
-    let f32_large = |file, tick| Case { file, scalar: "f32", size: "128", tick, truth: truth::<f32, 128> };
-    let f64_default = |file, tick| Case { file, scalar: "f64", size: "48", tick, truth: truth::<f64, 48> };
-    let f64_large = |file, tick| Case { file, scalar: "f64", size: "512", tick, truth: truth::<f64, 512> };
-    let q31 = |file, tick| Case { file, scalar: "q31", size: "32", tick, truth: truth::<I2F30, 32> };
-    let q31_large = |file, tick| Case { file, scalar: "q31", size: "128", tick, truth: truth::<I2F30, 128> };
-    let q31_largest =
-        |file, tick| Case { file, scalar: "q31", size: "256", tick, truth: truth::<I2F30, 256> };
-    let q15 = |file, tick| Case { file, scalar: "q15", size: "128", tick, truth: truth::<I2F14, 128> };
+    let f32_default = case::<f32, 25>("f32", "25");
+    let f32_large = case::<f32, 128>("f32", "128");
+    let f64_default = case::<f64, 48>("f64", "48");
+    let f64_large = case::<f64, 512>("f64", "512");
+    let q31 = case::<I2F30, 32>("q31", "32");
+    let q31_large = case::<I2F30, 128>("q31", "128");
+    let q31_largest = case::<I2F30, 256>("q31", "256");
+    let q15 = case::<I2F14, 128>("q15", "128");
     vec![
         f32_default(sample("toy_top"), [1000, 1]),
         f32_default(sample("lagrange"), [44_100, 2]),
@@ -71,10 +81,42 @@ fn next_tick(state: &mut u64, k: u32) -> i64 {
     (*state as i64) >> (k % 61)
 }
 
-fn truth<R: Bits, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) -> String {
+fn table<R: Bits, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) -> Box<Ephemeris<R, S>> {
     let motion = Scenario::read(Path::new(file)).expect("a scenario").motion;
     let mut table = Box::new(Ephemeris::<R, S>::EMPTY);
     table.set_up(&motion, Tick::ratio(ticks, seconds).expect("a tick"), 4.0 * R::ROUNDING).expect("it fits");
+    table
+}
+
+/// How many ticks [`Case::rates`] has, and how many of them are about the ends of an aperiodic motion.
+pub(crate) const RATES: (u32, u32) = (500, 40);
+
+fn rates<R: Bits, const S: usize>(file: &str, tick: [u32; 2]) -> String {
+    let table = table::<R, S>(file, tick);
+    let [begin, end] = R::horizon(&table).unwrap_or_default();
+    let (count, about) = RATES;
+    let (mut state, mut text) = (1, String::new());
+    for k in 0..count {
+        let tick = match k {
+            _ if k < about / 2 => begin - 10 + i64::from(k),
+            _ if k < about => end - 30 + i64::from(k),
+            _ => next_tick(&mut state, k),
+        };
+        let now = table.at_tick(tick);
+        now.quaternion().into_iter().for_each(|x| text += &format!("{} ", x.hexadecimal()));
+        let rates = now.omega().into_iter().chain(now.omega_body());
+        rates.for_each(|x| text += &format!("{:x} ", x.to_f64().to_bits()));
+        match table.next_turning_point(tick) {
+            Some(point) => writeln!(text, "{} {}", point.tick, i32::from(point.upper)),
+            None => writeln!(text, "-"),
+        }
+        .expect("memory");
+    }
+    text
+}
+
+fn truth<R: Bits, const S: usize>(file: &str, tick: [u32; 2]) -> String {
+    let table = table::<R, S>(file, tick);
     let (singles, runs, length) = RUNS;
     let (mut state, mut text) = (1, String::new());
     for k in 0..singles {
@@ -167,9 +209,14 @@ fn line<R: Bits>(text: &mut String, moment: &Sample<'_, R>) {
 
 /// What a program printed, against the crate, case by case.
 pub(crate) fn assert_equal(printed: &str, cases: &[Case]) {
+    assert_lines(printed, cases, |case| (case.truth)(&case.file, case.tick));
+}
+
+/// What a program printed, against what is expected of each case.
+pub(crate) fn assert_lines(printed: &str, cases: &[Case], expected: impl Fn(&Case) -> String) {
     let mut printed = printed.lines();
     for case in cases {
-        for (index, line) in (case.truth)(&case.file, case.tick).lines().enumerate() {
+        for (index, line) in expected(case).lines().enumerate() {
             assert_eq!(printed.next(), Some(line), "{} {}: moment {index}", case.file, case.scalar);
         }
     }

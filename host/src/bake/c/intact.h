@@ -1,6 +1,6 @@
 
 /* Whether every bit of a table is what it was when it was written. */
-static inline int toytop_intact_SCALAR(const toytop_SCALAR *table) {
+TOYTOP_API int toytop_intact_SCALAR(const toytop_SCALAR *table) {
     uint32_t bits, sum = toytop_head(&table->clock, BITS);
     for (int i = 0; i < 4; i++) {
         memcpy(&bits, &table->scales[i], sizeof bits);

@@ -1,6 +1,6 @@
 
 /* Whether every bit of a table is what it was when it was written. */
-static inline int toytop_intact_f64(const toytop_f64 *table) {
+TOYTOP_API int toytop_intact_f64(const toytop_f64 *table) {
     uint64_t bits;
     uint32_t sum = toytop_head(&table->clock, 64);
     for (int i = 0; i < 4; i++) {

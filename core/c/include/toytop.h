@@ -1,0 +1,606 @@
+/* toytop: the exact motion of a spinning top, in C99 and C++11 or later. Written by cbindgen; do not edit.
+ *
+ * No function allocates or keeps anything: all memory is the caller's. A function returns TOYTOP_OK or why it did nothing. Units
+ * are SI or any consistent ones. The third fixed axis points up, the third body axis from the tip to the centre of mass. Numbers of
+ * type int32_t in results are in units of 2^-30. */
+
+#ifndef TOYTOP_H
+#define TOYTOP_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Bytes of a table with so many segments, from 16 to 4096. */
+#define TOYTOP_EPHEMERIS_F32_SIZE_OF(segments) (280 + 80 * (size_t)(segments))
+#define TOYTOP_EPHEMERIS_F64_SIZE_OF(segments) (296 + 352 * (size_t)(segments))
+#define TOYTOP_EPHEMERIS_Q31_SIZE_OF(segments) (280 + 64 * (size_t)(segments))
+
+// Bytes of the text of an error, the closing zero included.
+#define TOYTOP_TEXT_SIZE 192
+
+// Support of a tip that slides on a horizontal plane without friction: Springborn's toy top.
+#define TOYTOP_SLIDING 0
+
+// Support of a tip that is held at a point: the Lagrange top.
+#define TOYTOP_FIXED 1
+
+// Standard gravity, m/s^2.
+#define TOYTOP_STANDARD_GRAVITY 9.80665
+
+// Bytes of a motion.
+#define TOYTOP_MOTION_SIZE 1024
+
+// Bytes of a table in `f32` of the standard size, 25 segments.
+#define TOYTOP_EPHEMERIS_F32_SIZE 2280
+
+// Bytes of a table in `f64` of the standard size, 48 segments.
+#define TOYTOP_EPHEMERIS_F64_SIZE 17192
+
+// Bytes of a table in fixed point of the standard size, 32 segments.
+#define TOYTOP_EPHEMERIS_Q31_SIZE 2328
+
+// Alignment of the memory of a table, bytes.
+#define TOYTOP_EPHEMERIS_ALIGNMENT 8
+
+// Bytes of a cursor.
+#define TOYTOP_EPHEMERIS_CURSOR_SIZE 64
+
+// Bytes of a sample.
+#define TOYTOP_EPHEMERIS_SAMPLE_SIZE 96
+
+// Status of a call: `TOYTOP_OK`, or why the call did nothing.
+enum toytop_status
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  // The call has done its work.
+  TOYTOP_OK = 0,
+  // A pointer is null that must not be.
+  TOYTOP_NULL_POINTER = 1,
+  // A parameter is NaN or infinite; the text of the error names it.
+  TOYTOP_NOT_FINITE = 2,
+  // A parameter is finite but not allowed; the text of the error names it and the allowed range.
+  TOYTOP_OUT_OF_RANGE = 3,
+  // The memory of a table is too small for the motion; the error says how many segments are enough.
+  TOYTOP_TABLE_TOO_SMALL = 4,
+  // The memory of a table is not aligned, or is smaller than for 16 segments.
+  TOYTOP_BAD_MEMORY = 5,
+  // A table, motion, cursor or sample was not made by this library, or its set-up failed.
+  TOYTOP_NOT_SET_UP = 6,
+  // There is no such turning point or tip angle in this motion.
+  TOYTOP_NONE = 7,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum toytop_status toytop_status;
+#else
+typedef uint32_t toytop_status;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+// Regime of a motion.
+enum toytop_regime
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  // The axis rises and falls between e1 and e2.
+  TOYTOP_NUTATING = 0,
+  // The tilt is constant: the slower of the two regular precessions at this tilt and spin.
+  TOYTOP_SLOW_PRECESSION = 1,
+  // The tilt is constant: the faster of the two.
+  TOYTOP_FAST_PRECESSION = 2,
+  // The axis is upright, and a small push causes a small nutation.
+  TOYTOP_SLEEPING_STABLE = 3,
+  // The axis is upright, and any push makes the top fall.
+  TOYTOP_SLEEPING_UNSTABLE = 4,
+  // The centre of mass is straight below the tip.
+  TOYTOP_HANGING = 5,
+  // The axis rises to the vertical in infinite time.
+  TOYTOP_APERIODIC = 6,
+  // The regime has no name in this version.
+  TOYTOP_OTHER_REGIME = 7,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum toytop_regime toytop_regime;
+#else
+typedef uint32_t toytop_regime;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+// Release of a top by angles and rates.
+typedef struct toytop_release {
+  // Tilt of the axis from the upward vertical, rad, between 0 and pi.
+  double tilt;
+  // Direction in which the axis leans, rad, from the first fixed axis.
+  double azimuth;
+  // Rotation of the body about its axis, rad.
+  double roll;
+  // Whole axial component of the angular velocity, rad/s, precession included.
+  double spin;
+  // Rate of the azimuth, rad/s.
+  double precession;
+  // Rate of the tilt, rad/s.
+  double nutation;
+} toytop_release;
+
+// State: orientation and angular velocity at one instant.
+typedef struct toytop_state {
+  // Cayley-Klein parameter alpha, {re, im}.
+  double alpha[2];
+  // Cayley-Klein parameter beta, {re, im}; |alpha|^2 + |beta|^2 = 1 to within 1e-6.
+  double beta[2];
+  // Angular velocity in the fixed frame, rad/s.
+  double omega[3];
+} toytop_state;
+
+// Reason why a call was refused.
+typedef struct toytop_error {
+  // The status that the call returned.
+  uint32_t status;
+  // With `TOYTOP_TABLE_TOO_SMALL`: number of segments that is enough, or 0 where 4096 are not.
+  uint32_t segments;
+  // One line without its end, such as "tilt: must be between 0 and pi"; it closes with a zero.
+  char text[TOYTOP_TEXT_SIZE];
+} toytop_error;
+
+// Top, in SI or any consistent units. Exactly one of `mass` and `mass_moment` is given; the other is 0.
+typedef struct toytop_top {
+  // Support of the tip: `TOYTOP_SLIDING` or `TOYTOP_FIXED`.
+  uint32_t support;
+  // Transverse moment of inertia A, kg m^2: about the centre of mass for a sliding tip, about the tip for a fixed one.
+  double transverse_inertia;
+  // Axial moment of inertia C <= 2A, kg m^2.
+  double axial_inertia;
+  // Distance s of the centre of mass from the tip, m; for a fixed tip it is used only together with `mass`.
+  double com_height;
+  // Mass M, kg, or 0.
+  double mass;
+  // Mass moment p = M s, kg m, or 0.
+  double mass_moment;
+  // Gravity g > 0, m/s^2: `TOYTOP_STANDARD_GRAVITY`, or 1 in the units of the paper.
+  double gravity;
+} toytop_top;
+
+// Motion of one throw: what a table is set up from. It may be copied; its words mean nothing to a program.
+typedef struct toytop_motion {
+  uint64_t opaque[128];
+} toytop_motion;
+
+// Constants of a motion, by the paper's symbols.
+typedef struct toytop_constants {
+  // Regime, a `toytop_regime`.
+  uint32_t regime;
+  // Vertical angular momentum l, kg m^2/s.
+  double l;
+  // Axial angular momentum n, kg m^2/s.
+  double n;
+  // Energy h, J.
+  double h;
+  // Least cosine of the tilt, e1.
+  double e1;
+  // Greatest cosine of the tilt, e2.
+  double e2;
+  // Third branch point e3 >= 1.
+  double e3;
+  // Nutation period, s; NaN where there is none.
+  double period;
+  // Least force of the plane over the weight; NaN for a fixed tip. Below 0 a real top would leave the plane.
+  double min_normal_force;
+} toytop_constants;
+
+// Length of a tick, as an exact fraction of a second: `ticks` ticks in `seconds` seconds.
+typedef struct toytop_tick {
+  // Number of ticks, at least 1.
+  uint32_t ticks;
+  // Number of seconds, at least 1.
+  uint32_t seconds;
+} toytop_tick;
+
+// Phases of consecutive ticks of one table: what an interrupt keeps. It may be copied.
+//
+// A cursor belongs to the table that made it, and is to be made again after a set-up, a delay or a change of the tick.
+typedef struct toytop_ephemeris_cursor {
+  uint64_t opaque[8];
+} toytop_ephemeris_cursor;
+
+// Table of a motion in `f32`. Memory of `TOYTOP_EPHEMERIS_F32_SIZE_OF(segments)` bytes that is aligned like it may be used
+// as one, and is a larger or smaller table.
+typedef struct toytop_ephemeris_f32 {
+  uint64_t opaque[285];
+} toytop_ephemeris_f32;
+
+// Upper bounds on the errors of a table: at tick n each is its constant plus |n| times its growth.
+typedef struct toytop_error_bounds {
+  // Orientation error 2 sqrt(|d alpha|^2 + |d beta|^2) at tick 0, rad.
+  double orientation;
+  // Growth of the orientation error per tick, rad.
+  double orientation_per_tick;
+  // Error of the angular velocity, in either frame, at tick 0, rad/s.
+  double rate;
+  // Growth of that error per tick, rad/s.
+  double rate_per_tick;
+} toytop_error_bounds;
+
+// Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
+//
+// A sample refers to its table, and is void after a set-up, a delay or a change of the tick.
+typedef struct toytop_ephemeris_sample {
+  uint64_t opaque[12];
+} toytop_ephemeris_sample;
+
+// Turning point of the cosine of the tilt, u.
+typedef struct toytop_turning_point {
+  // First tick at or after the turning point.
+  int64_t tick;
+  // 1 where u = e2 is greatest, 0 where u = e1 is least.
+  uint32_t upper;
+} toytop_turning_point;
+
+// Table of a motion in `f64`; see `toytop_ephemeris_f32`.
+typedef struct toytop_ephemeris_f64 {
+  uint64_t opaque[2149];
+} toytop_ephemeris_f64;
+
+// Table of a motion in fixed point of 32 bits; see `toytop_ephemeris_f32`.
+typedef struct toytop_ephemeris_q31 {
+  uint64_t opaque[291];
+} toytop_ephemeris_q31;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+// Text of a status code, in one line; never null.
+const char *toytop_status_text(uint32_t status);
+
+// State of a release.
+//
+// Refusals name `tilt`, `azimuth`, `roll`, `spin`, `precession` or `nutation`. `error` may be null.
+toytop_status toytop_state_from_release(const struct toytop_release *release,
+                                        struct toytop_state *state,
+                                        struct toytop_error *error);
+
+// State from sensors.
+//
+// Refusals name `quaternion` or `gyro`. `error` may be null.
+//
+// * `quaternion`: four numbers w, x, y, z of unit norm to within 1e-6, from body to fixed coordinates
+// * `gyro`: three rates in the body frame, rad/s
+toytop_status toytop_state_from_quaternion_and_gyro(const double *quaternion,
+                                                    const double *gyro,
+                                                    struct toytop_state *state,
+                                                    struct toytop_error *error);
+
+// State after an impulse, to which the support of the tip answers. `before` and `after` may be the same object.
+//
+// Refusals name a parameter of the top or of the state, `impulse` or `point`. `error` may be null.
+//
+// * `impulse`: three components in the fixed frame, N s
+// * `point`: three body coordinates of the point that it meets, m from the tip
+toytop_status toytop_impulse(const struct toytop_top *top,
+                             const struct toytop_state *before,
+                             const double *impulse,
+                             const double *point,
+                             struct toytop_state *after,
+                             struct toytop_error *error);
+
+// Impulse with which the support answers, N s in the fixed frame. Where its vertical part is negative, a real top leaves
+// the plane.
+//
+// Arguments and refusals are those of `toytop_impulse`.
+//
+// * `reaction`: memory for three numbers
+toytop_status toytop_reaction_impulse(const struct toytop_top *top,
+                                      const struct toytop_state *before,
+                                      const double *impulse,
+                                      const double *point,
+                                      double *reaction,
+                                      struct toytop_error *error);
+
+// Motion of a top from a state at t = 0.
+//
+// Refusals name a parameter of the top or of the state. `error` may be null.
+toytop_status toytop_launch(const struct toytop_top *top,
+                            const struct toytop_state *state,
+                            struct toytop_motion *motion,
+                            struct toytop_error *error);
+
+// Constants of a motion.
+toytop_status toytop_motion_constants(const struct toytop_motion *motion, struct toytop_constants *constants);
+
+// Tick of a frequency in Hz.
+struct toytop_tick toytop_hertz(uint32_t frequency);
+
+// Tick of the last sample of a cursor; before the first sample, the tick before it.
+toytop_status toytop_ephemeris_cursor_tick(const struct toytop_ephemeris_cursor *place, int64_t *tick);
+
+// Sets up a table in memory of the caller, which need not be initialised. It takes milliseconds on a chip: not for an interrupt.
+//
+// Refusals name `tick` or `truncation`, or say how many segments are enough for this motion. After a refusal the
+// table must not be used, and every function that reads it says so. `error` may be null.
+//
+// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 16 to 4096)
+// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
+toytop_status toytop_f32_set_up(struct toytop_ephemeris_f32 *table,
+                                uintptr_t size,
+                                const struct toytop_motion *motion,
+                                struct toytop_tick tick,
+                                double truncation,
+                                struct toytop_error *error);
+
+// Error bounds of a table.
+toytop_status toytop_f32_error_bounds(const struct toytop_ephemeris_f32 *table,
+                                      struct toytop_error_bounds *bounds);
+
+// Delays the motion of a table by a number of ticks, fractional or not: what was tick 0 becomes tick `ticks`.
+toytop_status toytop_f32_delay(struct toytop_ephemeris_f32 *table, double ticks);
+
+// Changes the length of a tick of a table; tick 0 remains the same instant.
+toytop_status toytop_f32_set_tick(struct toytop_ephemeris_f32 *table, struct toytop_tick tick);
+
+// Sample at any tick, of either sign, always at the same cost.
+toytop_status toytop_f32_at_tick(const struct toytop_ephemeris_f32 *table,
+                                 int64_t tick,
+                                 struct toytop_ephemeris_sample *sample);
+
+// Sample at any time, s from tick 0.
+toytop_status toytop_f32_at(const struct toytop_ephemeris_f32 *table,
+                            double time,
+                            struct toytop_ephemeris_sample *sample);
+
+// Cursor whose first sample is that of tick `first`.
+toytop_status toytop_f32_cursor(const struct toytop_ephemeris_f32 *table,
+                                int64_t first,
+                                struct toytop_ephemeris_cursor *cursor);
+
+// Next sample of a cursor. The sequence has no end.
+toytop_status toytop_f32_next(const struct toytop_ephemeris_f32 *table,
+                              struct toytop_ephemeris_cursor *cursor,
+                              struct toytop_ephemeris_sample *sample);
+
+// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates: what most interrupts want, in one call.
+toytop_status toytop_f32_next_quaternion(const struct toytop_ephemeris_f32 *table,
+                                         struct toytop_ephemeris_cursor *cursor,
+                                         float *quaternion);
+
+// Next turning point of u at tick `from` or later. `TOYTOP_NONE` where there is none, or more than one in a tick.
+toytop_status toytop_f32_turning_point(const struct toytop_ephemeris_f32 *table,
+                                       int64_t from,
+                                       struct toytop_turning_point *point);
+
+// Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
+toytop_status toytop_f32_cayley_klein(const struct toytop_ephemeris_sample *sample,
+                                      float *parameters);
+
+// Unit quaternion w, x, y, z from body to fixed coordinates.
+toytop_status toytop_f32_quaternion(const struct toytop_ephemeris_sample *sample,
+                                    float *quaternion);
+
+// Unit vector of three components from the tip to the centre of mass, in the fixed frame. The third is u, the cosine of the
+// tilt, which a rounding can take past 1.
+toytop_status toytop_f32_axis(const struct toytop_ephemeris_sample *sample,
+                              float *axis);
+
+// Angular velocity of three components in the fixed frame, rad/s.
+toytop_status toytop_f32_omega(const struct toytop_ephemeris_sample *sample,
+                               float *omega);
+
+// Angular velocity of three components in the body frame, rad/s, as a gyroscope measures it.
+toytop_status toytop_f32_omega_body(const struct toytop_ephemeris_sample *sample,
+                                    float *omega);
+
+// Position x, y of the tip, m from the point of the plane below the centre of mass; for a fixed tip the horizontal part of the
+// axis with the opposite sign.
+toytop_status toytop_f32_tip(const struct toytop_ephemeris_sample *sample,
+                             float *tip);
+
+// Velocity x, y of the tip, m/s; 1/s for a fixed tip.
+toytop_status toytop_f32_tip_velocity(const struct toytop_ephemeris_sample *sample,
+                                      float *velocity);
+
+// Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` where the axis is vertical for ever.
+toytop_status toytop_f32_tip_angle(const struct toytop_ephemeris_sample *sample,
+                                   double *angle);
+
+// State of a sample: what a relaunch starts from.
+toytop_status toytop_f32_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
+
+// Sets up a table in memory of the caller, which need not be initialised. It takes milliseconds on a chip: not for an interrupt.
+//
+// Refusals name `tick` or `truncation`, or say how many segments are enough for this motion. After a refusal the
+// table must not be used, and every function that reads it says so. `error` may be null.
+//
+// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 16 to 4096)
+// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
+toytop_status toytop_f64_set_up(struct toytop_ephemeris_f64 *table,
+                                uintptr_t size,
+                                const struct toytop_motion *motion,
+                                struct toytop_tick tick,
+                                double truncation,
+                                struct toytop_error *error);
+
+// Error bounds of a table.
+toytop_status toytop_f64_error_bounds(const struct toytop_ephemeris_f64 *table,
+                                      struct toytop_error_bounds *bounds);
+
+// Delays the motion of a table by a number of ticks, fractional or not: what was tick 0 becomes tick `ticks`.
+toytop_status toytop_f64_delay(struct toytop_ephemeris_f64 *table, double ticks);
+
+// Changes the length of a tick of a table; tick 0 remains the same instant.
+toytop_status toytop_f64_set_tick(struct toytop_ephemeris_f64 *table, struct toytop_tick tick);
+
+// Sample at any tick, of either sign, always at the same cost.
+toytop_status toytop_f64_at_tick(const struct toytop_ephemeris_f64 *table,
+                                 int64_t tick,
+                                 struct toytop_ephemeris_sample *sample);
+
+// Sample at any time, s from tick 0.
+toytop_status toytop_f64_at(const struct toytop_ephemeris_f64 *table,
+                            double time,
+                            struct toytop_ephemeris_sample *sample);
+
+// Cursor whose first sample is that of tick `first`.
+toytop_status toytop_f64_cursor(const struct toytop_ephemeris_f64 *table,
+                                int64_t first,
+                                struct toytop_ephemeris_cursor *cursor);
+
+// Next sample of a cursor. The sequence has no end.
+toytop_status toytop_f64_next(const struct toytop_ephemeris_f64 *table,
+                              struct toytop_ephemeris_cursor *cursor,
+                              struct toytop_ephemeris_sample *sample);
+
+// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates: what most interrupts want, in one call.
+toytop_status toytop_f64_next_quaternion(const struct toytop_ephemeris_f64 *table,
+                                         struct toytop_ephemeris_cursor *cursor,
+                                         double *quaternion);
+
+// Next turning point of u at tick `from` or later. `TOYTOP_NONE` where there is none, or more than one in a tick.
+toytop_status toytop_f64_turning_point(const struct toytop_ephemeris_f64 *table,
+                                       int64_t from,
+                                       struct toytop_turning_point *point);
+
+// Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
+toytop_status toytop_f64_cayley_klein(const struct toytop_ephemeris_sample *sample,
+                                      double *parameters);
+
+// Unit quaternion w, x, y, z from body to fixed coordinates.
+toytop_status toytop_f64_quaternion(const struct toytop_ephemeris_sample *sample,
+                                    double *quaternion);
+
+// Unit vector of three components from the tip to the centre of mass, in the fixed frame. The third is u, the cosine of the
+// tilt, which a rounding can take past 1.
+toytop_status toytop_f64_axis(const struct toytop_ephemeris_sample *sample,
+                              double *axis);
+
+// Angular velocity of three components in the fixed frame, rad/s.
+toytop_status toytop_f64_omega(const struct toytop_ephemeris_sample *sample,
+                               double *omega);
+
+// Angular velocity of three components in the body frame, rad/s, as a gyroscope measures it.
+toytop_status toytop_f64_omega_body(const struct toytop_ephemeris_sample *sample,
+                                    double *omega);
+
+// Position x, y of the tip, m from the point of the plane below the centre of mass; for a fixed tip the horizontal part of the
+// axis with the opposite sign.
+toytop_status toytop_f64_tip(const struct toytop_ephemeris_sample *sample,
+                             double *tip);
+
+// Velocity x, y of the tip, m/s; 1/s for a fixed tip.
+toytop_status toytop_f64_tip_velocity(const struct toytop_ephemeris_sample *sample,
+                                      double *velocity);
+
+// Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` where the axis is vertical for ever.
+toytop_status toytop_f64_tip_angle(const struct toytop_ephemeris_sample *sample,
+                                   double *angle);
+
+// State of a sample: what a relaunch starts from.
+toytop_status toytop_f64_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
+
+// Sets up a table in memory of the caller, which need not be initialised. It takes milliseconds on a chip: not for an interrupt.
+//
+// Refusals name `tick` or `truncation`, or say how many segments are enough for this motion. After a refusal the
+// table must not be used, and every function that reads it says so. `error` may be null.
+//
+// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 16 to 4096)
+// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
+toytop_status toytop_q31_set_up(struct toytop_ephemeris_q31 *table,
+                                uintptr_t size,
+                                const struct toytop_motion *motion,
+                                struct toytop_tick tick,
+                                double truncation,
+                                struct toytop_error *error);
+
+// Error bounds of a table.
+toytop_status toytop_q31_error_bounds(const struct toytop_ephemeris_q31 *table,
+                                      struct toytop_error_bounds *bounds);
+
+// Delays the motion of a table by a number of ticks, fractional or not: what was tick 0 becomes tick `ticks`.
+toytop_status toytop_q31_delay(struct toytop_ephemeris_q31 *table, double ticks);
+
+// Changes the length of a tick of a table; tick 0 remains the same instant.
+toytop_status toytop_q31_set_tick(struct toytop_ephemeris_q31 *table, struct toytop_tick tick);
+
+// Sample at any tick, of either sign, always at the same cost.
+toytop_status toytop_q31_at_tick(const struct toytop_ephemeris_q31 *table,
+                                 int64_t tick,
+                                 struct toytop_ephemeris_sample *sample);
+
+// Sample at any time, s from tick 0.
+toytop_status toytop_q31_at(const struct toytop_ephemeris_q31 *table,
+                            double time,
+                            struct toytop_ephemeris_sample *sample);
+
+// Cursor whose first sample is that of tick `first`.
+toytop_status toytop_q31_cursor(const struct toytop_ephemeris_q31 *table,
+                                int64_t first,
+                                struct toytop_ephemeris_cursor *cursor);
+
+// Next sample of a cursor. The sequence has no end.
+toytop_status toytop_q31_next(const struct toytop_ephemeris_q31 *table,
+                              struct toytop_ephemeris_cursor *cursor,
+                              struct toytop_ephemeris_sample *sample);
+
+// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates: what most interrupts want, in one call.
+toytop_status toytop_q31_next_quaternion(const struct toytop_ephemeris_q31 *table,
+                                         struct toytop_ephemeris_cursor *cursor,
+                                         int32_t *quaternion);
+
+// Next turning point of u at tick `from` or later. `TOYTOP_NONE` where there is none, or more than one in a tick.
+toytop_status toytop_q31_turning_point(const struct toytop_ephemeris_q31 *table,
+                                       int64_t from,
+                                       struct toytop_turning_point *point);
+
+// Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
+toytop_status toytop_q31_cayley_klein(const struct toytop_ephemeris_sample *sample,
+                                      int32_t *parameters);
+
+// Unit quaternion w, x, y, z from body to fixed coordinates.
+toytop_status toytop_q31_quaternion(const struct toytop_ephemeris_sample *sample,
+                                    int32_t *quaternion);
+
+// Unit vector of three components from the tip to the centre of mass, in the fixed frame. The third is u, the cosine of the
+// tilt, which a rounding can take past 1.
+toytop_status toytop_q31_axis(const struct toytop_ephemeris_sample *sample,
+                              int32_t *axis);
+
+// Angular velocity of three components in the fixed frame, rad/s.
+toytop_status toytop_q31_omega(const struct toytop_ephemeris_sample *sample,
+                               float *omega);
+
+// Angular velocity of three components in the body frame, rad/s, as a gyroscope measures it.
+toytop_status toytop_q31_omega_body(const struct toytop_ephemeris_sample *sample,
+                                    float *omega);
+
+// Position x, y of the tip, m from the point of the plane below the centre of mass; for a fixed tip the horizontal part of the
+// axis with the opposite sign.
+toytop_status toytop_q31_tip(const struct toytop_ephemeris_sample *sample,
+                             float *tip);
+
+// Velocity x, y of the tip, m/s; 1/s for a fixed tip.
+toytop_status toytop_q31_tip_velocity(const struct toytop_ephemeris_sample *sample,
+                                      float *velocity);
+
+// Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` where the axis is vertical for ever.
+toytop_status toytop_q31_tip_angle(const struct toytop_ephemeris_sample *sample,
+                                   double *angle);
+
+// State of a sample: what a relaunch starts from.
+toytop_status toytop_q31_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* TOYTOP_H */
+
+#ifndef TOYTOP_SIZES
+#define TOYTOP_SIZES
+/* The sizes are those of the archive. */
+typedef char toytop_f32_has_its_size[sizeof(toytop_ephemeris_f32) == TOYTOP_EPHEMERIS_F32_SIZE_OF(25) ? 1 : -1];
+typedef char toytop_f64_has_its_size[sizeof(toytop_ephemeris_f64) == TOYTOP_EPHEMERIS_F64_SIZE_OF(48) ? 1 : -1];
+typedef char toytop_q31_has_its_size[sizeof(toytop_ephemeris_q31) == TOYTOP_EPHEMERIS_Q31_SIZE_OF(32) ? 1 : -1];
+typedef char toytop_state_has_its_size[sizeof(toytop_state) == 56 && sizeof(double) == 8 ? 1 : -1];
+#endif

@@ -1,0 +1,208 @@
+//! Top and state: what a launch starts from.
+
+use crate::memory::{read, write};
+use crate::status::{Refusal, answer, toytop_error, toytop_status};
+use toytop::{Complex, Orientation, ParameterError, Release, State, Top, TopParameters};
+
+/// Support of a tip that slides on a horizontal plane without friction: Springborn's toy top.
+pub const TOYTOP_SLIDING: u32 = 0;
+/// Support of a tip that is held at a point: the Lagrange top.
+pub const TOYTOP_FIXED: u32 = 1;
+
+/// Standard gravity, m/s^2.
+pub const TOYTOP_STANDARD_GRAVITY: f64 = 9.80665;
+
+/// Top, in SI or any consistent units. Exactly one of `mass` and `mass_moment` is given; the other is 0.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_top {
+    /// Support of the tip: `TOYTOP_SLIDING` or `TOYTOP_FIXED`.
+    pub support: u32,
+    /// Transverse moment of inertia A, kg m^2: about the centre of mass for a sliding tip, about the tip for a fixed one.
+    pub transverse_inertia: f64,
+    /// Axial moment of inertia C <= 2A, kg m^2.
+    pub axial_inertia: f64,
+    /// Distance s of the centre of mass from the tip, m; for a fixed tip it is used only together with `mass`.
+    pub com_height: f64,
+    /// Mass M, kg, or 0.
+    pub mass: f64,
+    /// Mass moment p = M s, kg m, or 0.
+    pub mass_moment: f64,
+    /// Gravity g > 0, m/s^2: `TOYTOP_STANDARD_GRAVITY`, or 1 in the units of the paper.
+    pub gravity: f64,
+}
+
+/// Release of a top by angles and rates.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_release {
+    /// Tilt of the axis from the upward vertical, rad, between 0 and pi.
+    pub tilt: f64,
+    /// Direction in which the axis leans, rad, from the first fixed axis.
+    pub azimuth: f64,
+    /// Rotation of the body about its axis, rad.
+    pub roll: f64,
+    /// Whole axial component of the angular velocity, rad/s, precession included.
+    pub spin: f64,
+    /// Rate of the azimuth, rad/s.
+    pub precession: f64,
+    /// Rate of the tilt, rad/s.
+    pub nutation: f64,
+}
+
+/// State: orientation and angular velocity at one instant.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_state {
+    /// Cayley-Klein parameter alpha, {re, im}.
+    pub alpha: [f64; 2],
+    /// Cayley-Klein parameter beta, {re, im}; |alpha|^2 + |beta|^2 = 1 to within 1e-6.
+    pub beta: [f64; 2],
+    /// Angular velocity in the fixed frame, rad/s.
+    pub omega: [f64; 3],
+}
+
+impl toytop_top {
+    pub(crate) fn checked(&self) -> Result<Top, Refusal> {
+        let parameters = TopParameters {
+            transverse_inertia: self.transverse_inertia,
+            axial_inertia: self.axial_inertia,
+            com_height: self.com_height,
+            mass: self.mass,
+            mass_moment: self.mass_moment,
+            gravity: self.gravity,
+        };
+        Ok(match self.support {
+            TOYTOP_SLIDING => Top::sliding(&parameters)?,
+            TOYTOP_FIXED => Top::fixed(&parameters)?,
+            _ => {
+                let allowed = "TOYTOP_SLIDING or TOYTOP_FIXED";
+                return Err(ParameterError::OutOfRange { parameter: "support", allowed }.into());
+            }
+        })
+    }
+}
+
+impl toytop_state {
+    pub(crate) fn checked(&self) -> Result<State, ParameterError> {
+        let complex = |[re, im]: [f64; 2]| Complex::new(re, im);
+        State::new(Orientation { alpha: complex(self.alpha), beta: complex(self.beta) }, self.omega)
+    }
+
+    pub(crate) fn of(state: &State) -> Self {
+        let (Orientation { alpha, beta }, omega) = (state.orientation(), state.omega());
+        Self { alpha: [alpha.re, alpha.im], beta: [beta.re, beta.im], omega }
+    }
+}
+
+/// State of a release.
+///
+/// Refusals name `tilt`, `azimuth`, `roll`, `spin`, `precession` or `nutation`. `error` may be null.
+///
+/// # Safety
+/// Each pointer is null or points to an object of its type.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn toytop_state_from_release(
+    release: *const toytop_release,
+    state: *mut toytop_state,
+    error: *mut toytop_error,
+) -> toytop_status {
+    let result = || -> Result<(), Refusal> {
+        // SAFETY: the caller vouches for the pointers, here and below.
+        let toytop_release { tilt, azimuth, roll, spin, precession, nutation } = unsafe { read(release)? };
+        let thrown = State::release(&Release { tilt, azimuth, roll, spin, precession, nutation })?;
+        // SAFETY: see above.
+        unsafe { write(state, toytop_state::of(&thrown)) }
+    };
+    // SAFETY: see above.
+    unsafe { answer(result(), error) }
+}
+
+/// State from sensors.
+///
+/// Refusals name `quaternion` or `gyro`. `error` may be null.
+///
+/// * `quaternion`: four numbers w, x, y, z of unit norm to within 1e-6, from body to fixed coordinates
+/// * `gyro`: three rates in the body frame, rad/s
+///
+/// # Safety
+/// Each pointer is null or points to as many objects of its type as are named.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn toytop_state_from_quaternion_and_gyro(
+    quaternion: *const f64,
+    gyro: *const f64,
+    state: *mut toytop_state,
+    error: *mut toytop_error,
+) -> toytop_status {
+    let result = || -> Result<(), Refusal> {
+        // SAFETY: the caller vouches for the pointers, here and below.
+        let (quaternion, gyro) = unsafe { (read(quaternion.cast())?, read(gyro.cast())?) };
+        let measured = State::from_quaternion_and_gyro(quaternion, gyro)?;
+        // SAFETY: see above.
+        unsafe { write(state, toytop_state::of(&measured)) }
+    };
+    // SAFETY: see above.
+    unsafe { answer(result(), error) }
+}
+
+/// State after an impulse, to which the support of the tip answers. `before` and `after` may be the same object.
+///
+/// Refusals name a parameter of the top or of the state, `impulse` or `point`. `error` may be null.
+///
+/// * `impulse`: three components in the fixed frame, N s
+/// * `point`: three body coordinates of the point that it meets, m from the tip
+///
+/// # Safety
+/// Each pointer is null or points to as many objects of its type as are named.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn toytop_impulse(
+    top: *const toytop_top,
+    before: *const toytop_state,
+    impulse: *const f64,
+    point: *const f64,
+    after: *mut toytop_state,
+    error: *mut toytop_error,
+) -> toytop_status {
+    let result = || -> Result<(), Refusal> {
+        // SAFETY: the caller vouches for the pointers, here and below.
+        let (top, before) = unsafe { (read(top)?.checked()?, read(before)?.checked()?) };
+        // SAFETY: see above.
+        let (impulse, point) = unsafe { (read(impulse.cast())?, read(point.cast())?) };
+        let struck = before.with_impulse(&top, impulse, point)?;
+        // SAFETY: see above.
+        unsafe { write(after, toytop_state::of(&struck)) }
+    };
+    // SAFETY: see above.
+    unsafe { answer(result(), error) }
+}
+
+/// Impulse with which the support answers, N s in the fixed frame. Where its vertical part is negative, a real top leaves
+/// the plane.
+///
+/// Arguments and refusals are those of `toytop_impulse`.
+///
+/// * `reaction`: memory for three numbers
+///
+/// # Safety
+/// Each pointer is null or points to as many objects of its type as are named.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn toytop_reaction_impulse(
+    top: *const toytop_top,
+    before: *const toytop_state,
+    impulse: *const f64,
+    point: *const f64,
+    reaction: *mut f64,
+    error: *mut toytop_error,
+) -> toytop_status {
+    let result = || -> Result<(), Refusal> {
+        // SAFETY: the caller vouches for the pointers, here and below.
+        let (top, before) = unsafe { (read(top)?.checked()?, read(before)?.checked()?) };
+        // SAFETY: see above.
+        let (impulse, point) = unsafe { (read(impulse.cast())?, read(point.cast())?) };
+        let answered = before.reaction_impulse(&top, impulse, point)?;
+        // SAFETY: see above.
+        unsafe { write(reaction.cast(), answered) }
+    };
+    // SAFETY: see above.
+    unsafe { answer(result(), error) }
+}

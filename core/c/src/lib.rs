@@ -1,0 +1,55 @@
+#![doc = include_str!("../README.md")]
+#![cfg_attr(not(test), no_std)]
+#![allow(non_camel_case_types, reason = "the names are those of the header")]
+
+// Modules in the order of dependence: each one uses only those above it.
+
+// Memory of the caller, and what is answered.
+mod status;
+
+mod memory;
+
+// Once a throw: may fail.
+mod launch;
+
+mod motion;
+
+// Every tick.
+mod table;
+
+mod sample;
+
+mod scalars;
+
+pub use launch::{
+    TOYTOP_FIXED, TOYTOP_SLIDING, TOYTOP_STANDARD_GRAVITY, toytop_impulse, toytop_reaction_impulse,
+    toytop_release, toytop_state, toytop_state_from_quaternion_and_gyro, toytop_state_from_release,
+    toytop_top,
+};
+pub use motion::{
+    TOYTOP_MOTION_SIZE, toytop_constants, toytop_launch, toytop_motion, toytop_motion_constants,
+    toytop_regime,
+};
+pub use sample::{
+    TOYTOP_EPHEMERIS_CURSOR_SIZE, TOYTOP_EPHEMERIS_SAMPLE_SIZE, toytop_ephemeris_cursor,
+    toytop_ephemeris_cursor_tick, toytop_ephemeris_sample, toytop_turning_point,
+};
+pub use scalars::*;
+pub use status::{TOYTOP_TEXT_SIZE, toytop_error, toytop_status, toytop_status_text};
+pub use table::{
+    TOYTOP_EPHEMERIS_ALIGNMENT, TOYTOP_EPHEMERIS_F32_SIZE, TOYTOP_EPHEMERIS_F64_SIZE,
+    TOYTOP_EPHEMERIS_Q31_SIZE, toytop_ephemeris_f32, toytop_ephemeris_f64, toytop_ephemeris_q31,
+    toytop_error_bounds, toytop_hertz, toytop_tick,
+};
+
+/// Panic handler of an archive, which the compiler demands. It refers to a function that does not exist: where no path reaches it, the
+/// archive has no trace of either, which `cargo xtask c-archive` checks.
+#[cfg(all(feature = "panic-handler", not(test), not(doc)))]
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    unsafe extern "C" {
+        fn toytop_can_panic() -> !;
+    }
+    // SAFETY: a program with a path to here cannot be linked.
+    unsafe { toytop_can_panic() }
+}

@@ -1,0 +1,70 @@
+//! Memory of the caller: plain values, and values of the crate that C holds as opaque words.
+
+use crate::status::{Refusal, toytop_status};
+use core::mem::MaybeUninit;
+
+/// Value behind a pointer.
+///
+/// # Safety
+/// The pointer is null or valid for reading, and any bits are a `T`.
+pub(crate) unsafe fn read<T: Copy>(pointer: *const T) -> Result<T, Refusal> {
+    if pointer.is_null() {
+        return Err(toytop_status::TOYTOP_NULL_POINTER.into());
+    }
+    // SAFETY: the caller vouches for a pointer that is not null. It need not be aligned.
+    Ok(unsafe { pointer.read_unaligned() })
+}
+
+/// Writes a value behind a pointer.
+///
+/// # Safety
+/// The pointer is null or valid for writing.
+pub(crate) unsafe fn write<T>(pointer: *mut T, value: T) -> Result<(), Refusal> {
+    if pointer.is_null() {
+        return Err(toytop_status::TOYTOP_NULL_POINTER.into());
+    }
+    // SAFETY: as in `read`.
+    unsafe { pointer.write_unaligned(value) };
+    Ok(())
+}
+
+/// Value of the crate as C keeps it: words with a tag that tells whether, and as what, they were written. Words that are
+/// all 0, or of another type, are refused.
+#[repr(C)]
+struct Tagged<T> {
+    tag: u32,
+    value: MaybeUninit<T>,
+}
+
+/// Value of type `T` in a C structure of at least its size, `P`.
+///
+/// # Safety
+/// The pointer is null or valid for reading a `P`, which is of plain words; and those are unchanged since [`keep`] wrote them, if
+/// their tag is that of `T`.
+pub(crate) unsafe fn kept<P, T: Kept>(place: *const P) -> Result<T, Refusal> {
+    const { assert!(size_of::<Tagged<T>>() <= size_of::<P>()) };
+    let words = place.cast::<Tagged<T>>();
+    // SAFETY: the tag is in the place, which is as large as the whole; any bits are a `u32`.
+    let tag = unsafe { read(words.cast::<u32>())? };
+    if tag != T::TAG {
+        return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
+    }
+    // SAFETY: the pointer was not null. By its tag `keep` wrote the value.
+    Ok(unsafe { words.read_unaligned().value.assume_init() })
+}
+
+/// Keeps a value in a C structure of at least its size.
+///
+/// # Safety
+/// The pointer is null or valid for writing a `P`.
+pub(crate) unsafe fn keep<P, T: Kept>(place: *mut P, value: T) -> Result<(), Refusal> {
+    const { assert!(size_of::<Tagged<T>>() <= size_of::<P>()) };
+    // SAFETY: the place is as large as the whole.
+    unsafe { write(place.cast(), Tagged { tag: T::TAG, value: MaybeUninit::new(value) }) }
+}
+
+/// Type whose values C keeps.
+pub(crate) trait Kept: Sized {
+    /// Number that no other type has, and that memory of another use is unlikely to begin with.
+    const TAG: u32;
+}

@@ -1,0 +1,282 @@
+//! Reading of a table: any tick, cursors, and what follows from a sample.
+
+use crate::memory::{Kept, keep, kept, write};
+use crate::status::{Refusal, toytop_status};
+use crate::table::{Tabulated, toytop_error_bounds, toytop_tick, view, view_mut};
+use crate::toytop_state;
+use toytop::{Complex, Cursor, EphemerisScalar, ErrorBound, ParameterError, Sample, Tick};
+
+/// Bytes of a cursor.
+pub const TOYTOP_EPHEMERIS_CURSOR_SIZE: usize = 64;
+/// Bytes of a sample.
+pub const TOYTOP_EPHEMERIS_SAMPLE_SIZE: usize = 96;
+
+/// Phases of consecutive ticks of one table: what an interrupt keeps. It may be copied.
+///
+/// A cursor belongs to the table that made it, and is to be made again after a set-up, a delay or a change of the tick.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_ephemeris_cursor {
+    opaque: [u64; 8],
+}
+
+/// Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
+///
+/// A sample refers to its table, and is void after a set-up, a delay or a change of the tick.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_ephemeris_sample {
+    opaque: [u64; 12],
+}
+
+/// Turning point of the cosine of the tilt, u.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_turning_point {
+    /// First tick at or after the turning point.
+    pub tick: i64,
+    /// 1 where u = e2 is greatest, 0 where u = e1 is least.
+    pub upper: u32,
+}
+
+// cbindgen takes no other length than a number
+const _: () = assert!(
+    size_of::<toytop_ephemeris_cursor>() == TOYTOP_EPHEMERIS_CURSOR_SIZE
+        && size_of::<toytop_ephemeris_sample>() == TOYTOP_EPHEMERIS_SAMPLE_SIZE
+);
+
+impl Kept for Cursor {
+    const TAG: u32 = 0x746f_7063;
+}
+
+impl<R: Tabulated> Kept for Sample<'static, R> {
+    const TAG: u32 = R::TAG | 0x7300;
+}
+
+/// Sample that the caller keeps.
+///
+/// # Safety
+/// The pointer is null or valid for reading; and a sample of this scalar still has its table.
+pub(crate) unsafe fn sample<R: Tabulated>(
+    place: *const toytop_ephemeris_sample,
+) -> Result<Sample<'static, R>, Refusal> {
+    // SAFETY: the caller vouches for it.
+    unsafe { kept(place) }
+}
+
+/// Quantity of a sample, written where the caller wants it.
+///
+/// # Safety
+/// As for [`sample`]; `place` is null or valid for writing a `T`.
+pub(crate) unsafe fn tell<R: Tabulated, T>(
+    from: *const toytop_ephemeris_sample,
+    place: *mut T,
+    quantity: impl FnOnce(Sample<'static, R>) -> T,
+) -> Result<(), Refusal> {
+    // SAFETY: the caller vouches for both.
+    unsafe { write(place, quantity(sample(from)?)) }
+}
+
+/// Sample at a tick.
+///
+/// # Safety
+/// The pointers are null or valid, and the table stays as long as the sample is used; here and below.
+pub(crate) unsafe fn at_tick<R: Tabulated>(
+    table: *const u8,
+    tick: i64,
+    place: *mut toytop_ephemeris_sample,
+) -> Result<(), Refusal> {
+    // SAFETY: the caller vouches for the pointers and the table.
+    unsafe { keep(place, view::<R>(table)?.at_tick(tick)) }
+}
+
+/// Sample at a time.
+///
+/// # Safety
+/// As for [`at_tick`].
+pub(crate) unsafe fn at<R: Tabulated>(
+    table: *const u8,
+    time: f64,
+    place: *mut toytop_ephemeris_sample,
+) -> Result<(), Refusal> {
+    if !time.is_finite() {
+        return Err(ParameterError::NotFinite { parameter: "time" }.into());
+    }
+    // SAFETY: the caller vouches for the pointers and the table.
+    unsafe { keep(place, view::<R>(table)?.at(time)) }
+}
+
+/// Cursor whose first sample is that of tick `first`.
+///
+/// # Safety
+/// As for [`at_tick`].
+pub(crate) unsafe fn cursor<R: Tabulated>(
+    table: *const u8,
+    first: i64,
+    place: *mut toytop_ephemeris_cursor,
+) -> Result<(), Refusal> {
+    // SAFETY: the caller vouches for the pointers and the table.
+    unsafe { keep(place, view::<R>(table)?.cursor(first)) }
+}
+
+/// What `quantity` takes from the next sample of a cursor.
+///
+/// # Safety
+/// As for [`at_tick`].
+unsafe fn advance<R: Tabulated, T>(
+    table: *const u8,
+    place: *mut toytop_ephemeris_cursor,
+    quantity: impl FnOnce(Sample<'static, R>) -> T,
+) -> Result<T, Refusal> {
+    // SAFETY: the caller vouches for the pointers and the table.
+    let (table, mut cursor): (_, Cursor) = unsafe { (view::<R>(table)?, kept(place)?) };
+    let found = quantity(cursor.next(table));
+    // SAFETY: see above.
+    unsafe { keep(place, cursor)? };
+    Ok(found)
+}
+
+/// Next sample of a cursor.
+///
+/// # Safety
+/// As for [`at_tick`].
+pub(crate) unsafe fn next<R: Tabulated>(
+    table: *const u8,
+    cursor: *mut toytop_ephemeris_cursor,
+    place: *mut toytop_ephemeris_sample,
+) -> Result<(), Refusal> {
+    // SAFETY: the caller vouches for the pointers and the table.
+    unsafe { keep(place, advance::<R, _>(table, cursor, |sample| sample)?) }
+}
+
+/// Quaternion at the next tick of a cursor.
+///
+/// # Safety
+/// As for [`at_tick`].
+pub(crate) unsafe fn next_quaternion<R: Tabulated>(
+    table: *const u8,
+    cursor: *mut toytop_ephemeris_cursor,
+    place: *mut [R::Held; 4],
+) -> Result<(), Refusal> {
+    // SAFETY: the caller vouches for the pointers and the table.
+    unsafe { write(place, advance::<R, _>(table, cursor, |sample| sample.quaternion().map(R::held))?) }
+}
+
+/// Tick of the last sample of a cursor; before the first sample, the tick before it.
+///
+/// # Safety
+/// Each pointer is null or points to an object of its type.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
+    place: *const toytop_ephemeris_cursor,
+    tick: *mut i64,
+) -> toytop_status {
+    // SAFETY: the caller vouches for the pointers.
+    let result = unsafe { kept(place).and_then(|cursor: Cursor| write(tick, cursor.tick())) };
+    // SAFETY: there is no memory for a reason.
+    unsafe { crate::status::answer(result, core::ptr::null_mut()) }
+}
+
+/// Next turning point.
+///
+/// # Safety
+/// As for [`at_tick`].
+pub(crate) unsafe fn turning_point<R: Tabulated>(
+    table: *const u8,
+    tick: i64,
+    place: *mut toytop_turning_point,
+) -> Result<(), Refusal> {
+    // SAFETY: the caller vouches for the pointers and the table.
+    let found = unsafe { view::<R>(table)? }.next_turning_point(tick).ok_or(toytop_status::TOYTOP_NONE)?;
+    // SAFETY: see above.
+    unsafe { write(place, toytop_turning_point { tick: found.tick, upper: found.upper.into() }) }
+}
+
+/// Tip angle of a sample, rad.
+///
+/// # Safety
+/// As for [`tell`].
+pub(crate) unsafe fn tip_angle<R: Tabulated>(
+    from: *const toytop_ephemeris_sample,
+    place: *mut f64,
+) -> Result<(), Refusal> {
+    // SAFETY: the caller vouches for both.
+    let angle = unsafe { sample::<R>(from)? }.tip_angle().ok_or(toytop_status::TOYTOP_NONE)?;
+    // SAFETY: see above.
+    unsafe { write(place, angle.to_radians()) }
+}
+
+/// State to launch from.
+///
+/// # Safety
+/// As for [`tell`].
+pub(crate) unsafe fn state<R: Tabulated>(
+    from: *const toytop_ephemeris_sample,
+    place: *mut toytop_state,
+) -> Result<(), Refusal> {
+    // SAFETY: the caller vouches for both.
+    let state = unsafe { sample::<R>(from)? }.attitude_state().state()?;
+    // SAFETY: see above.
+    unsafe { write(place, toytop_state::of(&state)) }
+}
+
+/// Error bounds of a table.
+///
+/// # Safety
+/// As for [`at_tick`].
+pub(crate) unsafe fn error_bounds<R: Tabulated>(
+    table: *const u8,
+    place: *mut toytop_error_bounds,
+) -> Result<(), Refusal> {
+    // SAFETY: the caller vouches for the pointers and the table.
+    let table = unsafe { view::<R>(table)? };
+    let [orientation, rate] = [table.error_bound(), table.rate_error_bound()];
+    let ErrorBound { constant, per_tick } = orientation;
+    let bounds = toytop_error_bounds {
+        orientation: constant,
+        orientation_per_tick: per_tick,
+        rate: rate.constant,
+        rate_per_tick: rate.per_tick,
+    };
+    // SAFETY: see above.
+    unsafe { write(place, bounds) }
+}
+
+/// Delay of a table.
+///
+/// # Safety
+/// The pointer is null or valid, and nobody reads the table meanwhile.
+pub(crate) unsafe fn delay<R: Tabulated>(table: *mut u8, ticks: f64) -> Result<(), Refusal> {
+    if !ticks.is_finite() {
+        return Err(ParameterError::NotFinite { parameter: "ticks" }.into());
+    }
+    // SAFETY: the caller vouches for the table.
+    unsafe { view_mut::<R>(table)? }.delay(ticks);
+    Ok(())
+}
+
+/// Change of the tick of a table.
+///
+/// # Safety
+/// As for [`delay`].
+pub(crate) unsafe fn set_tick<R: Tabulated>(table: *mut u8, tick: toytop_tick) -> Result<(), Refusal> {
+    let tick = Tick::ratio(tick.ticks, tick.seconds)?;
+    // SAFETY: the caller vouches for the table.
+    unsafe { view_mut::<R>(table)? }.set_tick(tick);
+    Ok(())
+}
+
+/// Parts of a complex number, {re, im}.
+pub(crate) fn parts<R>(z: Complex<R>) -> [R; 2] {
+    [z.re, z.im]
+}
+
+/// Orientation of a sample: parts of alpha, then of beta.
+pub(crate) fn cayley_klein<R: Tabulated>(sample: &Sample<'_, R>) -> [R::Held; 4] {
+    let orientation = sample.orientation();
+    let ([a, b], [c, d]) = (parts(orientation.alpha), parts(orientation.beta));
+    [a, b, c, d].map(R::held)
+}
+
+/// Type of lengths and rates of a scalar.
+pub(crate) type Wide<R> = <R as EphemerisScalar>::Wide;

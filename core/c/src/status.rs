@@ -1,0 +1,209 @@
+//! Status codes, and the text that says which parameter was refused and what is allowed.
+
+use core::ffi::{CStr, c_char};
+use toytop::{ParameterError, TableTooSmall};
+
+/// Status of a call: `TOYTOP_OK`, or why the call did nothing.
+#[repr(u32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(clippy::upper_case_acronyms, reason = "constants of C")]
+pub enum toytop_status {
+    /// The call has done its work.
+    TOYTOP_OK = 0,
+    /// A pointer is null that must not be.
+    TOYTOP_NULL_POINTER = 1,
+    /// A parameter is NaN or infinite; the text of the error names it.
+    TOYTOP_NOT_FINITE = 2,
+    /// A parameter is finite but not allowed; the text of the error names it and the allowed range.
+    TOYTOP_OUT_OF_RANGE = 3,
+    /// The memory of a table is too small for the motion; the error says how many segments are enough.
+    TOYTOP_TABLE_TOO_SMALL = 4,
+    /// The memory of a table is not aligned, or is smaller than for 16 segments.
+    TOYTOP_BAD_MEMORY = 5,
+    /// A table, motion, cursor or sample was not made by this library, or its set-up failed.
+    TOYTOP_NOT_SET_UP = 6,
+    /// There is no such turning point or tip angle in this motion.
+    TOYTOP_NONE = 7,
+}
+
+use toytop_status::{
+    TOYTOP_BAD_MEMORY, TOYTOP_NONE, TOYTOP_NOT_FINITE, TOYTOP_NOT_SET_UP, TOYTOP_NULL_POINTER, TOYTOP_OK,
+    TOYTOP_OUT_OF_RANGE, TOYTOP_TABLE_TOO_SMALL,
+};
+
+/// Bytes of the text of an error, the closing zero included.
+pub const TOYTOP_TEXT_SIZE: usize = 192;
+
+/// Reason why a call was refused.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_error {
+    /// The status that the call returned.
+    pub status: u32,
+    /// With `TOYTOP_TABLE_TOO_SMALL`: number of segments that is enough, or 0 where 4096 are not.
+    pub segments: u32,
+    /// One line without its end, such as "tilt: must be between 0 and pi"; it closes with a zero.
+    pub text: [c_char; TOYTOP_TEXT_SIZE],
+}
+
+/// Text of a status code, in one line; never null.
+#[unsafe(no_mangle)]
+pub extern "C" fn toytop_status_text(status: u32) -> *const c_char {
+    let known = [
+        TOYTOP_OK,
+        TOYTOP_NULL_POINTER,
+        TOYTOP_NOT_FINITE,
+        TOYTOP_OUT_OF_RANGE,
+        TOYTOP_TABLE_TOO_SMALL,
+        TOYTOP_BAD_MEMORY,
+        TOYTOP_NOT_SET_UP,
+        TOYTOP_NONE,
+    ];
+    let found = known.into_iter().find(|known| *known as u32 == status);
+    found.map_or(c"not a status of toytop", toytop_status::text).as_ptr()
+}
+
+impl toytop_status {
+    fn text(self) -> &'static CStr {
+        match self {
+            TOYTOP_OK => c"ok",
+            TOYTOP_NULL_POINTER => c"pointer: must not be null",
+            TOYTOP_NOT_FINITE => c"a parameter must be a finite number",
+            TOYTOP_OUT_OF_RANGE => c"a parameter is out of its allowed range",
+            TOYTOP_TABLE_TOO_SMALL => c"table: must have more segments for this motion",
+            TOYTOP_BAD_MEMORY => c"table: must be aligned to 8 bytes and hold at least 16 segments",
+            TOYTOP_NOT_SET_UP => c"table, motion, cursor or sample: must be set up first",
+            TOYTOP_NONE => c"the motion has no such point or angle",
+        }
+    }
+}
+
+/// Reason for a refusal, before it is written to the memory of the caller.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Refusal {
+    status: toytop_status,
+    segments: u32,
+    /// Name and allowed values of a parameter.
+    parameter: Option<[&'static str; 2]>,
+}
+
+impl From<toytop_status> for Refusal {
+    fn from(status: toytop_status) -> Self {
+        Self { status, segments: 0, parameter: None }
+    }
+}
+
+impl From<ParameterError> for Refusal {
+    fn from(error: ParameterError) -> Self {
+        let status = match error {
+            ParameterError::NotFinite { .. } => TOYTOP_NOT_FINITE,
+            _ => TOYTOP_OUT_OF_RANGE,
+        };
+        Self { status, segments: 0, parameter: Some([error.parameter(), error.allowed()]) }
+    }
+}
+
+impl From<TableTooSmall> for Refusal {
+    fn from(error: TableTooSmall) -> Self {
+        let segments = error.segments.unwrap_or_default();
+        Self { segments, ..Self::from(TOYTOP_TABLE_TOO_SMALL) }
+    }
+}
+
+/// Status of a result. The reason for a refusal goes to `error`, unless that is null.
+///
+/// # Safety
+/// `error` is null or valid for writing.
+pub(crate) unsafe fn answer(result: Result<(), Refusal>, error: *mut toytop_error) -> toytop_status {
+    let status = result.err().map_or(TOYTOP_OK, |refusal| refusal.status);
+    if !error.is_null() {
+        let refusal = result.err().unwrap_or(Refusal::from(TOYTOP_OK));
+        // SAFETY: the caller vouches for the pointer, which is not null.
+        unsafe { error.write_unaligned(refusal.described()) };
+    }
+    status
+}
+
+impl Refusal {
+    fn described(&self) -> toytop_error {
+        let mut text = Text { bytes: [0; TOYTOP_TEXT_SIZE], length: 0 };
+        match self.parameter {
+            Some([parameter, allowed]) => {
+                [parameter, ": must be ", allowed].into_iter().for_each(|part| text.push(part.as_bytes()));
+            }
+            None => text.push(self.status.text().to_bytes()),
+        }
+        if self.status == TOYTOP_TABLE_TOO_SMALL {
+            text.push(b": ");
+            match self.segments {
+                0 => text.push(b"4096 are not enough"),
+                enough => {
+                    text.push_number(enough);
+                    text.push(b" are enough");
+                }
+            }
+        }
+        toytop_error { status: self.status as u32, segments: self.segments, text: text.bytes }
+    }
+}
+
+/// Text that is cut off where its memory ends, and always closes with a zero.
+struct Text {
+    bytes: [c_char; TOYTOP_TEXT_SIZE],
+    length: usize,
+}
+
+impl Text {
+    fn push(&mut self, part: &[u8]) {
+        let room = self.bytes.get_mut(self.length..TOYTOP_TEXT_SIZE - 1).unwrap_or_default();
+        for (place, byte) in room.iter_mut().zip(part) {
+            *place = *byte as c_char;
+            self.length += 1;
+        }
+    }
+
+    fn push_number(&mut self, number: u32) {
+        let mut place = 1_000_000_000;
+        while place > 0 {
+            if number >= place || place == 1 {
+                self.push(&[b'0' + (number / place % 10) as u8]);
+            }
+            place /= 10;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toytop::{Release, State};
+
+    fn text(refusal: impl Into<Refusal>) -> String {
+        let described = refusal.into().described();
+        // SAFETY: the text closes with a zero.
+        unsafe { CStr::from_ptr(described.text.as_ptr()) }.to_str().map(str::to_owned).unwrap_or_default()
+    }
+
+    #[test]
+    fn a_refusal_names_the_parameter_and_what_is_allowed() {
+        let refused = |release| State::release(&release).err().map(text);
+        let tilt = refused(Release { tilt: 4.0, ..Release::default() });
+        assert_eq!(tilt.as_deref(), Some("tilt: must be between 0 and pi"));
+        let spin = refused(Release { spin: f64::NAN, ..Release::default() });
+        assert_eq!(spin.as_deref(), Some("spin: must be a finite number"));
+    }
+
+    #[test]
+    fn the_number_of_segments_is_in_the_text() {
+        let small = |segments| text(TableTooSmall { truncation: 1e-6, segments });
+        assert!(small(Some(1030)).ends_with(": 1030 are enough"), "{}", small(Some(1030)));
+        assert!(small(None).ends_with(": 4096 are not enough"));
+    }
+
+    #[test]
+    fn a_long_text_is_cut_before_its_zero() {
+        let mut text = Text { bytes: [0; TOYTOP_TEXT_SIZE], length: 0 };
+        (0..3).for_each(|_| text.push(&[b'x'; 100]));
+        assert_eq!((text.length, text.bytes[TOYTOP_TEXT_SIZE - 1]), (TOYTOP_TEXT_SIZE - 1, 0));
+    }
+}

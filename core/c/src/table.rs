@@ -1,0 +1,248 @@
+//! Tables in memory of the caller.
+
+use crate::memory::{kept, read};
+use crate::motion::toytop_motion;
+use crate::status::{Refusal, toytop_status};
+use core::ptr::slice_from_raw_parts_mut;
+use toytop::fixed::types::I2F30;
+use toytop::{Ephemeris, EphemerisScalar, EphemerisView, Motion, ParameterError, Tick};
+
+/// Bytes of a table in `f32` of the standard size, 25 segments.
+pub const TOYTOP_EPHEMERIS_F32_SIZE: usize = 2280;
+/// Bytes of a table in `f64` of the standard size, 48 segments.
+pub const TOYTOP_EPHEMERIS_F64_SIZE: usize = 17192;
+/// Bytes of a table in fixed point of the standard size, 32 segments.
+pub const TOYTOP_EPHEMERIS_Q31_SIZE: usize = 2328;
+/// Alignment of the memory of a table, bytes.
+pub const TOYTOP_EPHEMERIS_ALIGNMENT: usize = 8;
+
+/// Table of a motion in `f32`. Memory of `TOYTOP_EPHEMERIS_F32_SIZE_OF(segments)` bytes that is aligned like it may be used
+/// as one, and is a larger or smaller table.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_ephemeris_f32 {
+    opaque: [u64; 285],
+}
+
+/// Table of a motion in `f64`; see `toytop_ephemeris_f32`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_ephemeris_f64 {
+    opaque: [u64; 2149],
+}
+
+/// Table of a motion in fixed point of 32 bits; see `toytop_ephemeris_f32`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_ephemeris_q31 {
+    opaque: [u64; 291],
+}
+
+/// Length of a tick, as an exact fraction of a second: `ticks` ticks in `seconds` seconds.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_tick {
+    /// Number of ticks, at least 1.
+    pub ticks: u32,
+    /// Number of seconds, at least 1.
+    pub seconds: u32,
+}
+
+/// Upper bounds on the errors of a table: at tick n each is its constant plus |n| times its growth.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_error_bounds {
+    /// Orientation error 2 sqrt(|d alpha|^2 + |d beta|^2) at tick 0, rad.
+    pub orientation: f64,
+    /// Growth of the orientation error per tick, rad.
+    pub orientation_per_tick: f64,
+    /// Error of the angular velocity, in either frame, at tick 0, rad/s.
+    pub rate: f64,
+    /// Growth of that error per tick, rad/s.
+    pub rate_per_tick: f64,
+}
+
+/// Tick of a frequency in Hz.
+#[unsafe(no_mangle)]
+pub extern "C" fn toytop_hertz(frequency: u32) -> toytop_tick {
+    toytop_tick { ticks: frequency, seconds: 1 }
+}
+
+/// Scalar of a table that C can hold.
+pub(crate) trait Tabulated: EphemerisScalar + 'static {
+    /// Number that the memory of a table begins with once it is set up.
+    const TAG: u32;
+    /// Result as C has it.
+    type Held: Copy;
+
+    fn held(self) -> Self::Held;
+}
+
+impl Tabulated for f32 {
+    const TAG: u32 = 0x746f_7020;
+    type Held = Self;
+
+    fn held(self) -> Self {
+        self
+    }
+}
+
+impl Tabulated for f64 {
+    const TAG: u32 = 0x746f_7040;
+    type Held = Self;
+
+    fn held(self) -> Self {
+        self
+    }
+}
+
+impl Tabulated for I2F30 {
+    const TAG: u32 = 0x746f_701f;
+    type Held = i32;
+
+    fn held(self) -> i32 {
+        self.to_bits()
+    }
+}
+
+/// Head of the memory of a table; the table follows.
+#[repr(C)]
+#[derive(Clone, Copy)]
+struct Head {
+    tag: u32,
+    segments: u32,
+}
+
+/// Least number of segments of a table.
+const LEAST: usize = 16;
+
+/// Bytes of a table with so many segments.
+const fn size_of_table<R: Tabulated>(segments: usize) -> usize {
+    size_of::<Head>() + size_of::<Ephemeris<R, LEAST>>() - LEAST * size_of::<R::Segment>()
+        + segments * size_of::<R::Segment>()
+}
+
+// What the header states. The alignment is that of the words of a table; cbindgen takes no other length than a number.
+const _: () = {
+    assert!(size_of::<toytop_ephemeris_f32>() == TOYTOP_EPHEMERIS_F32_SIZE);
+    assert!(size_of::<toytop_ephemeris_f64>() == TOYTOP_EPHEMERIS_F64_SIZE);
+    assert!(size_of::<toytop_ephemeris_q31>() == TOYTOP_EPHEMERIS_Q31_SIZE);
+    assert!(
+        size_of_table::<f32>(25) == TOYTOP_EPHEMERIS_F32_SIZE
+            && size_of::<<f32 as EphemerisScalar>::Segment>() == 80
+    );
+    assert!(
+        size_of_table::<f64>(48) == TOYTOP_EPHEMERIS_F64_SIZE
+            && size_of::<<f64 as EphemerisScalar>::Segment>() == 352
+    );
+    assert!(
+        size_of_table::<I2F30>(32) == TOYTOP_EPHEMERIS_Q31_SIZE
+            && size_of::<<I2F30 as EphemerisScalar>::Segment>() == 64
+    );
+    assert!(align_of::<Ephemeris<f32, LEAST>>() <= TOYTOP_EPHEMERIS_ALIGNMENT);
+    assert!(align_of::<Ephemeris<f64, LEAST>>() <= TOYTOP_EPHEMERIS_ALIGNMENT);
+    assert!(align_of::<Ephemeris<I2F30, LEAST>>() <= TOYTOP_EPHEMERIS_ALIGNMENT);
+};
+
+/// Address of the head of a table; null and unaligned pointers are refused.
+fn checked_head(table: *const u8) -> Result<*const Head, Refusal> {
+    let head = table.cast::<Head>();
+    match head.addr() {
+        0 => Err(toytop_status::TOYTOP_NULL_POINTER.into()),
+        address if !address.is_multiple_of(TOYTOP_EPHEMERIS_ALIGNMENT) => {
+            Err(toytop_status::TOYTOP_BAD_MEMORY.into())
+        }
+        _ => Ok(head),
+    }
+}
+
+/// Table behind a head, with so many segments.
+fn behind<R: Tabulated>(head: *const Head, segments: usize) -> *mut EphemerisView<R> {
+    let first = head.wrapping_add(1).cast_mut().cast::<R::Segment>();
+    // the pointer to a table is that to its first byte, with the number of segments in place of the array's
+    slice_from_raw_parts_mut(first, segments) as *mut EphemerisView<R>
+}
+
+/// Table that was set up in memory of the caller.
+///
+/// # Safety
+/// The pointer is null or valid for reading a head; and if its tag is that of the scalar, [`set_up`] wrote what follows, which
+/// nobody changes as long as the reference lives.
+pub(crate) unsafe fn view<'a, R: Tabulated>(table: *const u8) -> Result<&'a EphemerisView<R>, Refusal> {
+    // SAFETY: the caller vouches for the memory; `set_up` wrote as many segments as it says.
+    unsafe { Ok(&*ready::<R>(table)?) }
+}
+
+/// As [`view`], to change it.
+///
+/// # Safety
+/// As for [`view`]; and nobody reads the table as long as the reference lives.
+pub(crate) unsafe fn view_mut<'a, R: Tabulated>(table: *mut u8) -> Result<&'a mut EphemerisView<R>, Refusal> {
+    // SAFETY: the caller vouches for the memory; `set_up` wrote as many segments as it says.
+    unsafe { Ok(&mut *ready::<R>(table)?) }
+}
+
+/// Address of a table that was set up.
+///
+/// # Safety
+/// The pointer is null or valid for reading a head.
+unsafe fn ready<R: Tabulated>(table: *const u8) -> Result<*mut EphemerisView<R>, Refusal> {
+    let head = checked_head(table)?;
+    // SAFETY: any bits are a head.
+    let Head { tag, segments } = unsafe { read(head)? };
+    if tag != R::TAG {
+        return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
+    }
+    Ok(behind(head, segments as usize))
+}
+
+/// Sets up a table in memory of the caller, which need not be initialised.
+///
+/// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
+///
+/// # Safety
+/// `table` is null or valid for writing `size` bytes, and nobody else uses them until this returns. `motion` is null or
+/// valid for reading.
+pub(crate) unsafe fn set_up<R: Tabulated>(
+    table: *mut u8,
+    size: usize,
+    motion: *const toytop_motion,
+    tick: toytop_tick,
+    truncation: f64,
+) -> Result<(), Refusal> {
+    let head = checked_head(table)?.cast_mut();
+    let most = size.saturating_sub(size_of_table::<R>(0)) / size_of::<R::Segment>();
+    let segments = most.min(MOST);
+    if segments < LEAST {
+        return Err(toytop_status::TOYTOP_BAD_MEMORY.into());
+    }
+    // SAFETY: the memory has room for a head. Nobody takes it for a table before the end of this function.
+    unsafe { head.write(Head { tag: 0, segments: 0 }) };
+    // SAFETY: the caller vouches for the pointer.
+    let motion: Motion = unsafe { kept(motion)? };
+    let tick = Tick::ratio(tick.ticks, tick.seconds)?;
+    let truncation = match truncation {
+        0.0 => 4.0 * R::ROUNDING,
+        given if given.is_finite() && given > 0.0 => given,
+        _ => {
+            let allowed = "positive, or 0 for four roundings of the scalar";
+            return Err(ParameterError::OutOfRange { parameter: "truncation", allowed }.into());
+        }
+    };
+    // SAFETY: behind the head there is room for a table of `segments` segments, at least 16. They are initialised before a
+    // reference to them is made.
+    let view = unsafe {
+        let least = head.wrapping_add(1).cast::<Ephemeris<R, LEAST>>();
+        least.write(Ephemeris::EMPTY);
+        let rest = least.wrapping_add(1).cast::<R::Segment>();
+        (LEAST..segments).zip(0..).for_each(|(_, place)| rest.add(place).write(R::ZERO_SEGMENT));
+        &mut *behind::<R>(head, segments)
+    };
+    view.set_up(&motion, tick, truncation)?;
+    // SAFETY: as for the first head.
+    unsafe { head.write(Head { tag: R::TAG, segments: segments as u32 }) };
+    Ok(())
+}
+
+/// Greatest number of segments that a table can use.
+const MOST: usize = 4096;

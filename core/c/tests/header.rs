@@ -1,0 +1,53 @@
+//! The committed header is that of the sources.
+
+#![allow(clippy::expect_used, reason = "a test may fail so")]
+
+use std::path::Path;
+
+/// Header that cbindgen makes of the sources. It needs the sources with their macros expanded, for which stable compilers want to be
+/// asked.
+fn made() -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let config = cbindgen::Config::from_file(folder.join("cbindgen.toml")).expect("a configuration");
+    // SAFETY: this program has one test, and so one thread that reads or changes the environment.
+    unsafe {
+        std::env::set_var("RUSTC_BOOTSTRAP", "1");
+        std::env::set_var("CARGO_EXPAND_TARGET_DIR", env!("CARGO_TARGET_TMPDIR"));
+    }
+    let bindings =
+        cbindgen::Builder::new().with_crate(folder).with_config(config).generate().expect("bindings");
+    let mut text = Vec::new();
+    bindings.write(&mut text);
+    plain(&String::from_utf8(text).expect("UTF-8"))
+}
+
+/// Without what only a Rust program must know: the end of a comment, from "# Safety" on.
+fn plain(header: &str) -> String {
+    let mut lines: Vec<&str> = Vec::new();
+    let mut safety = false;
+    for line in header.lines() {
+        let comment = line.trim_start();
+        safety = comment.starts_with("//") && (safety || comment == "// # Safety");
+        if comment == "// # Safety" {
+            // the empty line before it
+            while lines.last().is_some_and(|last| last.trim() == "//") {
+                lines.pop();
+            }
+        }
+        if !safety {
+            lines.push(line.trim_end());
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
+#[test]
+fn it_is_that_of_the_sources() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("include/toytop.h");
+    let made = made();
+    if std::env::var_os("TOYTOP_OVERWRITE").is_some() {
+        std::fs::write(&path, &made).expect("the header");
+    }
+    let committed = std::fs::read_to_string(&path).expect("the header");
+    assert!(committed == made, "not that of the sources; if it is meant: cargo xtask c-header --overwrite");
+}

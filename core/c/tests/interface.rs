@@ -1,0 +1,212 @@
+//! The functions as a program in C calls them: the bits of the crate, and a status for everything that is wrong.
+
+#![allow(clippy::expect_used, clippy::indexing_slicing, reason = "a test may fail so")]
+#![allow(
+    clippy::undocumented_unsafe_blocks,
+    reason = "every pointer is of a local value, or null on purpose"
+)]
+
+use core::ffi::CStr;
+use core::mem::{MaybeUninit, size_of};
+use core::ptr::{null, null_mut};
+use toytop::{Ephemeris, Motion, Release, State, Tick, Top, TopParameters};
+use toytop_c::toytop_status::*;
+use toytop_c::*;
+
+const TOP: toytop_top = toytop_top {
+    support: TOYTOP_SLIDING,
+    transverse_inertia: 3.0e-5,
+    axial_inertia: 2.0e-5,
+    com_height: 0.03,
+    mass: 0.05,
+    mass_moment: 0.0,
+    gravity: 9.81,
+};
+const RELEASE: toytop_release =
+    toytop_release { tilt: 0.35, azimuth: 0.1, roll: 0.0, spin: 150.0, precession: 2.0, nutation: 0.0 };
+
+fn motion() -> Motion {
+    let top = Top::sliding(&TopParameters {
+        transverse_inertia: 3.0e-5,
+        axial_inertia: 2.0e-5,
+        com_height: 0.03,
+        mass: 0.05,
+        gravity: 9.81,
+        ..TopParameters::default()
+    });
+    let release = Release { tilt: 0.35, azimuth: 0.1, spin: 150.0, precession: 2.0, ..Release::default() };
+    let state = State::release(&release).expect("a release");
+    Motion::launch(&top.expect("a top"), &state).expect("a motion")
+}
+
+fn launched() -> toytop_motion {
+    let (mut state, mut motion) = (MaybeUninit::uninit(), MaybeUninit::uninit());
+    unsafe {
+        assert_eq!(toytop_state_from_release(&RELEASE, state.as_mut_ptr(), null_mut()), TOYTOP_OK);
+        assert_eq!(toytop_launch(&TOP, state.as_ptr(), motion.as_mut_ptr(), null_mut()), TOYTOP_OK);
+        motion.assume_init()
+    }
+}
+
+fn text(error: &toytop_error) -> &str {
+    unsafe { CStr::from_ptr(error.text.as_ptr()) }.to_str().expect("ASCII")
+}
+
+/// What a function writes, and its status.
+fn told<T: Copy + Default>(call: impl FnOnce(*mut T) -> toytop_status) -> T {
+    let mut value = T::default();
+    assert_eq!(call(&raw mut value), TOYTOP_OK);
+    value
+}
+
+#[test]
+fn every_quantity_has_the_bits_of_the_crate() {
+    let expected = Ephemeris::<f64, 48>::new(&motion(), Tick::hertz(1000).expect("a tick")).expect("it fits");
+    let mut memory = MaybeUninit::<toytop_ephemeris_f64>::uninit();
+    let (table, size) = (memory.as_mut_ptr(), size_of::<toytop_ephemeris_f64>());
+    let (motion, tick) = (launched(), toytop_hertz(1000));
+    let mut place = MaybeUninit::<toytop_ephemeris_sample>::uninit();
+    unsafe {
+        assert_eq!(toytop_f64_set_up(table, size, &motion, tick, 0.0, null_mut()), TOYTOP_OK);
+        for n in [0, 1, -5000, 1 << 40, i64::MAX] {
+            let sample = expected.at_tick(n);
+            assert_eq!(toytop_f64_at_tick(table, n, place.as_mut_ptr()), TOYTOP_OK);
+            let now = place.as_ptr();
+            assert_eq!(told(|to: *mut [f64; 4]| toytop_f64_quaternion(now, to.cast())), sample.quaternion());
+            assert_eq!(told(|to: *mut [f64; 3]| toytop_f64_axis(now, to.cast())), sample.axis());
+            assert_eq!(told(|to: *mut [f64; 3]| toytop_f64_omega(now, to.cast())), sample.omega());
+            assert_eq!(told(|to: *mut [f64; 3]| toytop_f64_omega_body(now, to.cast())), sample.omega_body());
+            let (tip, velocity) = (sample.tip(), sample.tip_velocity());
+            assert_eq!(told(|to: *mut [f64; 2]| toytop_f64_tip(now, to.cast())), [tip.re, tip.im]);
+            let told_velocity = told(|to: *mut [f64; 2]| toytop_f64_tip_velocity(now, to.cast()));
+            assert_eq!(told_velocity, [velocity.re, velocity.im]);
+            let angle = sample.tip_angle().expect("an angle").to_radians();
+            assert_eq!(told(|to| toytop_f64_tip_angle(now, to)), angle);
+            let mut point = MaybeUninit::uninit();
+            let found = expected.next_turning_point(n).expect("a turning point");
+            assert_eq!(toytop_f64_turning_point(table, n, point.as_mut_ptr()), TOYTOP_OK);
+            let point: toytop_turning_point = point.assume_init();
+            assert_eq!((point.tick, point.upper), (found.tick, u32::from(found.upper)));
+        }
+        let mut bounds = MaybeUninit::uninit();
+        assert_eq!(toytop_f64_error_bounds(table, bounds.as_mut_ptr()), TOYTOP_OK);
+        let bounds: toytop_error_bounds = bounds.assume_init();
+        let (own, rate) = (expected.error_bound(), expected.rate_error_bound());
+        assert_eq!([bounds.orientation, bounds.orientation_per_tick], [own.constant, own.per_tick]);
+        assert_eq!([bounds.rate, bounds.rate_per_tick], [rate.constant, rate.per_tick]);
+    }
+}
+
+#[test]
+fn a_cursor_a_delay_and_a_time_agree() {
+    let mut memory = MaybeUninit::<toytop_ephemeris_q31>::uninit();
+    let (table, size) = (memory.as_mut_ptr(), size_of::<toytop_ephemeris_q31>());
+    let motion = launched();
+    let (mut cursor, mut place) = (MaybeUninit::uninit(), MaybeUninit::uninit());
+    unsafe {
+        assert_eq!(toytop_q31_set_up(table, size, &motion, toytop_hertz(1000), 0.0, null_mut()), TOYTOP_OK);
+        let at = |n, place: &mut MaybeUninit<toytop_ephemeris_sample>| {
+            assert_eq!(toytop_q31_at_tick(table, n, place.as_mut_ptr()), TOYTOP_OK);
+            told(|to: *mut [i32; 4]| toytop_q31_quaternion(place.as_ptr(), to.cast()))
+        };
+        let before = at(7, &mut place);
+        assert_eq!(toytop_q31_delay(table, 100.0), TOYTOP_OK);
+        let delayed = at(107, &mut place);
+        assert!(before.iter().zip(delayed).all(|(x, y)| x.abs_diff(y) < 8), "{before:?} {delayed:?}");
+        assert_eq!(toytop_q31_cursor(table, 107, cursor.as_mut_ptr()), TOYTOP_OK);
+        let next = |to: *mut [i32; 4]| toytop_q31_next_quaternion(table, cursor.as_mut_ptr(), to.cast());
+        assert_eq!(told(next), delayed);
+        assert_eq!(told(|to| toytop_ephemeris_cursor_tick(cursor.as_ptr(), to)), 107);
+        assert_eq!(toytop_q31_at(table, 0.107, place.as_mut_ptr()), TOYTOP_OK);
+        assert_eq!(told(|to: *mut [i32; 4]| toytop_q31_quaternion(place.as_ptr(), to.cast())), delayed);
+        assert_eq!(toytop_q31_at(table, f64::NAN, place.as_mut_ptr()), TOYTOP_NOT_FINITE);
+    }
+}
+
+#[test]
+fn what_is_wrong_is_told() {
+    let motion = launched();
+    let mut table = [0_u64; TOYTOP_EPHEMERIS_F32_SIZE / 8];
+    let table: *mut toytop_ephemeris_f32 = table.as_mut_ptr().cast();
+    let (size, tick) = (size_of::<toytop_ephemeris_f32>(), toytop_hertz(1000));
+    let mut place = MaybeUninit::<toytop_ephemeris_sample>::zeroed();
+    let mut why = MaybeUninit::uninit();
+    let mut q = [0_f32; 4];
+    unsafe {
+        assert_eq!(toytop_f32_at_tick(table, 0, place.as_mut_ptr()), TOYTOP_NOT_SET_UP);
+        assert_eq!(toytop_f32_quaternion(place.as_ptr(), q.as_mut_ptr()), TOYTOP_NOT_SET_UP);
+        let empty: toytop_motion = MaybeUninit::zeroed().assume_init();
+        assert_eq!(toytop_f32_set_up(table, size, &empty, tick, 0.0, null_mut()), TOYTOP_NOT_SET_UP);
+        assert_eq!(toytop_f32_set_up(null_mut(), size, &motion, tick, 0.0, null_mut()), TOYTOP_NULL_POINTER);
+        assert_eq!(toytop_f32_set_up(table, size, null(), tick, 0.0, null_mut()), TOYTOP_NULL_POINTER);
+        assert_eq!(toytop_f32_set_up(table, 1559, &motion, tick, 0.0, null_mut()), TOYTOP_BAD_MEMORY);
+        let odd = table.byte_add(4);
+        assert_eq!(toytop_f32_set_up(odd, size - 8, &motion, tick, 0.0, null_mut()), TOYTOP_BAD_MEMORY);
+        let never = toytop_tick { ticks: 0, seconds: 1 };
+        assert_eq!(
+            toytop_f32_set_up(table, size, &motion, never, 0.0, why.as_mut_ptr()),
+            TOYTOP_OUT_OF_RANGE
+        );
+        assert!(text(why.assume_init_ref()).starts_with("tick: must be a positive number"));
+        assert_eq!(
+            toytop_f32_set_up(table, 1560, &motion, tick, 1e-12, why.as_mut_ptr()),
+            TOYTOP_TABLE_TOO_SMALL
+        );
+        let small: toytop_error = why.assume_init();
+        assert!(
+            small.segments > 16 && text(&small).contains(&small.segments.to_string()),
+            "{}",
+            text(&small)
+        );
+        assert_eq!(toytop_f32_at_tick(table, 0, place.as_mut_ptr()), TOYTOP_NOT_SET_UP);
+
+        // as many segments as were said to be enough
+        let bytes = 280 + 80 * small.segments as usize;
+        let mut large = vec![0_u64; bytes / 8];
+        let large: *mut toytop_ephemeris_f32 = large.as_mut_ptr().cast();
+        assert_eq!(toytop_f32_set_up(large, bytes, &motion, tick, 1e-12, null_mut()), TOYTOP_OK);
+        assert_eq!(toytop_f32_at_tick(large, 0, place.as_mut_ptr()), TOYTOP_OK);
+        assert_eq!(toytop_f32_quaternion(place.as_ptr(), null_mut()), TOYTOP_NULL_POINTER);
+        // a table or sample of another scalar
+        assert_eq!(toytop_q31_at_tick(large.cast(), 0, place.as_mut_ptr()), TOYTOP_NOT_SET_UP);
+        assert_eq!(toytop_f64_quaternion(place.as_ptr(), q.as_mut_ptr().cast()), TOYTOP_NOT_SET_UP);
+        assert_eq!(
+            text(&refusal(toytop_top { support: 9, ..TOP })),
+            "support: must be TOYTOP_SLIDING or TOYTOP_FIXED"
+        );
+        assert!(text(&refusal(toytop_top { gravity: 0.0, ..TOP })).starts_with("gravity: must be positive"));
+    }
+    assert_eq!(unsafe { CStr::from_ptr(toytop_status_text(77)) }, c"not a status of toytop");
+}
+
+/// Reason for which a top is refused.
+fn refusal(top: toytop_top) -> toytop_error {
+    let (mut state, mut motion, mut why) =
+        (MaybeUninit::uninit(), MaybeUninit::uninit(), MaybeUninit::uninit());
+    unsafe {
+        assert_eq!(toytop_state_from_release(&RELEASE, state.as_mut_ptr(), why.as_mut_ptr()), TOYTOP_OK);
+        assert_ne!(toytop_launch(&top, state.as_ptr(), motion.as_mut_ptr(), why.as_mut_ptr()), TOYTOP_OK);
+        why.assume_init()
+    }
+}
+
+#[test]
+fn an_impulse_starts_another_motion() {
+    let state =
+        State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).expect("a release");
+    let struck = state.with_impulse(motion().top(), [0.0, 2e-3, 0.0], [0.025, 0.0, 0.03]).expect("a stroke");
+    let (mut before, mut after) = (MaybeUninit::uninit(), MaybeUninit::uninit());
+    let release = toytop_release { azimuth: 0.0, precession: 0.0, ..RELEASE };
+    let (impulse, point) = ([0.0, 2e-3, 0.0], [0.025, 0.0, 0.03]);
+    unsafe {
+        assert_eq!(toytop_state_from_release(&release, before.as_mut_ptr(), null_mut()), TOYTOP_OK);
+        let (from, to) = (before.as_ptr(), after.as_mut_ptr());
+        assert_eq!(toytop_impulse(&TOP, from, impulse.as_ptr(), point.as_ptr(), to, null_mut()), TOYTOP_OK);
+        let after: toytop_state = after.assume_init();
+        assert_eq!(after.omega, struck.omega());
+        let reaction = told(|to: *mut [f64; 3]| {
+            toytop_reaction_impulse(&TOP, from, impulse.as_ptr(), point.as_ptr(), to.cast(), null_mut())
+        });
+        assert_eq!(reaction, state.reaction_impulse(motion().top(), impulse, point).expect("an answer"));
+    }
+}

@@ -1,0 +1,168 @@
+//! What all tables in C share: types, and the functions that evaluate a table.
+
+use super::{decimal, integer};
+use crate::cli::Scalar;
+use toytop::scalar::SINE_CONSTANTS;
+
+/// Name of the header that declares it.
+pub(super) const SHARED_HEADER: &str = "toytop_baked.h";
+/// Name of the source that defines it.
+pub(super) const SHARED_SOURCE: &str = "toytop_baked.c";
+
+/// Part of the code: its types, and its functions, of which the public ones begin with [`API`].
+struct Part {
+    /// Macro that tells that it is there.
+    guard: &'static str,
+    types: String,
+    functions: String,
+}
+
+/// What a public function begins with.
+const API: &str = "TOYTOP_API ";
+
+/// Phases, the same for every scalar.
+fn clock() -> Part {
+    part("TOYTOP_CLOCK", include_str!("clock.h"), "", "")
+}
+
+/// Code of a scalar: its own arithmetic, and what is common to all.
+fn evaluator(scalar: Scalar) -> Part {
+    let accessors = include_str!("accessors.h");
+    let asked = |intact: &str, name: &str, number: &str| {
+        [accessors, intact]
+            .concat()
+            .replace("SCALAR", name)
+            .replace("BITS", &name[1..])
+            .replace("NUMBER", number)
+    };
+    let intact = include_str!("intact.h");
+    match scalar {
+        Scalar::F64 => {
+            let asked = asked(include_str!("intact_f64.h"), "f64", "double");
+            part("TOYTOP_F64", include_str!("f64.h"), &series(), &asked)
+        }
+        Scalar::Q31 => part("TOYTOP_Q31", include_str!("q31.h"), "", &asked(intact, "q31", "int32_t")),
+        Scalar::Q15 => part("TOYTOP_Q15", include_str!("q15.h"), "", &asked(intact, "q15", "int16_t")),
+        _ => part("TOYTOP_F32", include_str!("f32.h"), &points(), &asked(intact, "f32", "float")),
+    }
+}
+
+/// A part from its template, in which types and functions have a line between them.
+fn part(guard: &'static str, template: &str, constants: &str, more: &str) -> Part {
+    let (types, functions) = template.split_once("/* Functions. */\n").unwrap_or((template, ""));
+    Part { guard, types: types.to_owned(), functions: [constants, functions, more].concat() }
+}
+
+/// Parts that the tables of a scalar need: fixed point stands on the integers of `f32`, and 16 bits on the vectors of 32.
+fn parts(scalar: Scalar) -> Vec<Part> {
+    let evaluators: &[Scalar] = match scalar {
+        Scalar::F64 => &[Scalar::F64],
+        Scalar::Q31 => &[Scalar::F32, Scalar::Q31],
+        Scalar::Q15 => &[Scalar::F32, Scalar::Q31, Scalar::Q15],
+        _ => &[Scalar::F32],
+    };
+    std::iter::once(clock()).chain(evaluators.iter().map(|scalar| evaluator(*scalar))).collect()
+}
+
+/// All parts, which the shared files hold.
+fn all() -> Vec<Part> {
+    let evaluators = [Scalar::F32, Scalar::Q31, Scalar::Q15, Scalar::F64].map(evaluator);
+    std::iter::once(clock()).chain(evaluators).collect()
+}
+
+/// Version of the format, which is the value of the clock's macro.
+fn format() -> u32 {
+    toytop::Baked::<f32, 16>::FORMAT
+}
+
+/// Code for a header that needs no other file: every function is `static inline`, and there once.
+pub(super) fn inlined(scalar: Scalar) -> String {
+    let mut text = "#ifndef TOYTOP_API\n#define TOYTOP_API static inline\n#endif\n".to_owned();
+    for Part { guard, types, functions } in parts(scalar) {
+        let version = format();
+        text += &format!("#ifndef {guard}\n#define {guard} {version}\n{types}\n{functions}#endif\n");
+    }
+    text
+}
+
+/// Text of [`SHARED_HEADER`].
+pub(super) fn header() -> String {
+    let mut text = format!(
+        "/* What all tables of `toytop bake` share: types and functions, defined in {SHARED_SOURCE}. C99 and C++11 or later. */\n\
+         #ifndef TOYTOP_BAKED_H\n#define TOYTOP_BAKED_H\n"
+    );
+    let parts = all();
+    for Part { guard, types, .. } in &parts {
+        text += &format!("#define {guard} {}\n{types}", format());
+    }
+    text += "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
+    parts.iter().for_each(|part| text += &declarations(&part.functions));
+    text + "#ifdef __cplusplus\n}\n#endif\n#endif\n"
+}
+
+/// Text of [`SHARED_SOURCE`].
+pub(super) fn source() -> String {
+    let mut text = format!(
+        "/* What all tables of `toytop bake` share: the functions. C99. */\n#include \"{SHARED_HEADER}\"\n\n#define TOYTOP_API\n"
+    );
+    all().iter().for_each(|part| text += &format!("\n{}", part.functions));
+    text
+}
+
+/// Declarations of the public functions, each with its comment.
+fn declarations(functions: &str) -> String {
+    let mut text = String::new();
+    let mut comment = String::new();
+    for line in functions.lines() {
+        if line.starts_with("/*") {
+            comment.clear();
+        }
+        if line.starts_with("/*") || line.starts_with(" *") {
+            comment += &format!("{line}\n");
+        } else if let Some(signature) = line.strip_prefix(API) {
+            text += &format!("{comment}{};\n", signature.trim_end_matches([' ', '{']));
+        }
+    }
+    text
+}
+
+/// The points of the circle, and the coefficients of the rest.
+fn points() -> String {
+    let ([linear, cubic, versine], secant) = (SINE_CONSTANTS.turn, SINE_CONSTANTS.secant);
+    let rows = SINE_CONSTANTS.points.chunks(8);
+    let rows: String = rows
+        .map(|row| format!("    {},\n", row.iter().map(|&x| integer(x)).collect::<Vec<_>>().join(", ")))
+        .collect();
+    let count = SINE_CONSTANTS.points.len();
+    format!(
+        "#define TOYTOP_LINEAR {linear}\n#define TOYTOP_CUBIC {cubic}\n#define TOYTOP_VERSINE {versine}\n\
+         #define TOYTOP_SECANT {secant}\n\
+         /* 2^31 sin of 0, 1/512, ... turns, at most 2^31 - 1; a quarter turn on is the cosine. */\n\
+         static const int32_t toytop_sines[{count}] = {{\n{rows}}};\n"
+    )
+}
+
+/// sin 2 pi x = x S(x^2), cos 2 pi x = C(x^2).
+fn series() -> String {
+    let series = |name: &str, coefficients: &[f64]| {
+        let rows: String = coefficients.iter().map(|&x| format!("    {},\n", decimal(x))).collect();
+        format!("static const double toytop_{name}[{}] = {{\n{rows}}};\n", coefficients.len())
+    };
+    "/* sin 2 pi x = x S(x^2) and cos 2 pi x = C(x^2) for |x| <= 1/8. */\n".to_owned()
+        + &series("sine", SINE_CONSTANTS.sine)
+        + &series("cosine", SINE_CONSTANTS.cosine)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_public_function_is_declared_with_its_comment() {
+        let declared = header();
+        let defined = source().matches(&format!("\n{API}")).count();
+        assert_eq!(declared.matches(");\n").count(), defined);
+        assert_eq!(declared.matches("*/\nvoid toytop_omega_").count(), 4 * 2);
+        assert!(defined > 20 && !declared.contains("static inline"), "{defined}");
+    }
+}

@@ -1,0 +1,278 @@
+//! What `toytop bake` writes in C, compiled by the compilers that are here: it gives the bits of the crate, whatever the standard, and
+//! where a compiler would fuse products and sums.
+
+use super::cases::{Case, RATES, RUNS, assert_equal, assert_lines, cases};
+use super::compiled::{bake, name, succeed};
+use crate::{folder, run, sample, stderr, stdout};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Name of the table of a case: one word might be one of C's.
+fn table(case: &Case) -> String {
+    let name = name(case);
+    if name.contains('_') { name } else { format!("top_{name}") }
+}
+
+/// Compilers that are here, of C or of C++.
+fn there(names: &[&'static str]) -> Vec<&'static str> {
+    let works = |name: &&str| {
+        Command::new(name).arg("--version").output().is_ok_and(|output| output.status.success())
+    };
+    names.iter().copied().filter(works).collect()
+}
+
+pub(super) const WARNINGS: [&str; 6] =
+    ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"];
+
+/// Flags with which a compiler fuses products and sums where nothing keeps it from that; for a machine without fused
+/// multiply-add they change little.
+fn fusing() -> Vec<&'static str> {
+    let mut flags = vec!["-O3", "-ffp-contract=fast"];
+    #[cfg(target_arch = "x86_64")]
+    if std::is_x86_feature_detected!("fma") && std::is_x86_feature_detected!("avx2") {
+        flags.extend(["-mfma", "-mavx2"]);
+    }
+    flags
+}
+
+/// What a program prints, compiled by each C compiler in C99, and by default with fused products.
+fn printed(folder: &Path, source: &str, files: &[PathBuf]) -> Vec<String> {
+    let [code, program] = ["main.c", "main"].map(|name| folder.join(name));
+    std::fs::write(&code, source).expect("the source");
+    let compilers = there(&["gcc", "clang"]);
+    assert!(!compilers.is_empty(), "no C compiler");
+    let flags = [[vec!["-std=c99", "-O2"], WARNINGS.to_vec()].concat(), fusing()];
+    let built = compilers.iter().flat_map(|compiler| flags.iter().map(move |flags| (compiler, flags)));
+    built
+        .map(|(compiler, flags)| {
+            succeed(Command::new(compiler).args(flags).arg("-o").arg(&program).arg(&code).args(files));
+            stdout(&succeed(&mut Command::new(&program))).to_owned()
+        })
+        .collect()
+}
+
+#[test]
+fn c_gives_the_same_bits() {
+    let (folder, cases) = (folder("bake_c"), cases());
+    let (singles, runs, length) = RUNS;
+    let mut source = "#include <stdio.h>\n#include <stdint.h>\n".to_owned();
+    let mut main = String::new();
+    for case in &cases {
+        let (name, scalar) = (name(case), case.scalar);
+        bake(case, "c", &folder.join(format!("{name}.h")));
+        // twice: once is enough
+        source += &format!("#include \"{name}.h\"\n#include \"{name}.h\"\n");
+        let [word, format] = match scalar {
+            "f64" => ["uint64_t", "PRIx64"],
+            "q15" => ["uint16_t", "PRIx16"],
+            _ => ["uint32_t", "PRIx32"],
+        };
+        let table = table(case);
+        main += &format!(
+            "    if (!toytop_intact_{scalar}(&{table})) return 1;
+    state = 1;
+    for (uint32_t k = 0; k < {singles}; k++) {{
+        int64_t tick = next_tick(k);
+        toytop_sample_{scalar} m = toytop_at_tick_{scalar}(&{table}, tick);
+        PRINT({word}, {format}, toytop_at(&{table}.clock, tick), m);
+    }}
+    for (uint32_t k = 0; k < {runs}; k++) {{
+        int64_t first = k < 2 ? {table}.clock.horizon[k] - 9 : next_tick(k + 20);
+        toytop_cursor at = toytop_at(&{table}.clock, first);
+        for (int i = 0; i < {length}; i++) {{
+            toytop_cursor now = at;
+            toytop_sample_{scalar} m = toytop_next_{scalar}(&{table}, &at);
+            PRINT({word}, {format}, now, m);
+        }}
+    }}
+"
+        );
+    }
+    source += "#include <inttypes.h>
+#define PRINT(word, format, at, m) do { \\
+    word bits[7]; \\
+    memcpy(bits, &m, sizeof bits); \\
+    printf(\"%\" PRIx64 \" \", (at).phase[0].leading); \\
+    for (int j = 0; j < 7; j++) printf(\"%\" format \"%c\", bits[j], j < 6 ? ' ' : '\\n'); \\
+} while (0)
+static uint64_t state;
+static int64_t next_tick(uint32_t k) {
+    state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+    return (int64_t)state >> (k % 61);
+}
+int main(void) {
+";
+    source += &main;
+    source += "    return 0;\n}\n";
+    for printed in printed(&folder, &source, &[]) {
+        assert_equal(&printed, &cases);
+    }
+
+    // a bit changed in the table is told
+    let header = folder.join("toy_top.h");
+    let text = std::fs::read_to_string(&header).expect("the header");
+    let (head, rows) = text.split_once("toy_top_coefficients[125][4] = {").expect("the table");
+    let changed = format!("{head}toy_top_coefficients[125][4] = {{{}", rows.replacen(", ", ", 1", 1));
+    std::fs::write(&header, changed).expect("the header");
+    let [code, program] = ["main.c", "main"].map(|name| folder.join(name));
+    succeed(Command::new("cc").args(["-std=c99", "-o"]).arg(&program).arg(&code));
+    assert_eq!(Command::new(&program).output().expect("it runs").status.code(), Some(1));
+}
+
+/// Every table with the files that all share: quaternions, angular velocities and turning points.
+#[test]
+fn c_has_the_same_rates_and_turning_points() {
+    let (folder, cases) = (folder("bake_c_rates"), cases());
+    let (count, about) = RATES;
+    let mut source = "#include <inttypes.h>\n#include <stdio.h>\n".to_owned();
+    let mut main = String::new();
+    let mut files = vec![folder.join("toytop_baked.c")];
+    for case in &cases {
+        let (table, scalar) = (table(case), case.scalar);
+        let tick = format!("{}/{}", case.tick[0], case.tick[1]);
+        let arguments = ["bake", &case.file, "--scalar", scalar, "--size", case.size, "--tick", &tick];
+        let to = folder.to_str().expect("UTF-8");
+        let output = run(&[&arguments[..], &["--lang", "c", "--split", to]].concat());
+        assert!(output.status.success(), "{}", stderr(&output));
+        files.push(folder.join(format!("{table}.c")));
+        source += &format!("#include \"{table}.h\"\n");
+        let [number, word, rate] = match scalar {
+            "f64" => ["double", "uint64_t", "double"],
+            "f32" => ["float", "uint32_t", "float"],
+            "q15" => ["int16_t", "uint16_t", "float"],
+            _ => ["int32_t", "uint32_t", "float"],
+        };
+        main += &format!(
+            "    state = 1;
+    for (uint32_t k = 0; k < {count}; k++) {{
+        int64_t tick = k < {about} / 2 ? {table}.clock.horizon[0] - 10 + k : k < {about} ? {table}.clock.horizon[1] - 30 + k : next_tick(k);
+        toytop_cursor at = toytop_at(&{table}.clock, tick);
+        toytop_sample_{scalar} now = toytop_at_tick_{scalar}(&{table}, tick);
+        {number} q[4];
+        {rate} fixed[3], body[3];
+        toytop_quaternion_{scalar}(&now, q);
+        toytop_omega_{scalar}(&{table}, &at, fixed);
+        toytop_omega_body_{scalar}(&{table}, &at, body);
+        for (int i = 0; i < 4; i++) {{ {word} bits; memcpy(&bits, &q[i], sizeof bits); printf(\"%\" PRIx64 \" \", (uint64_t)bits); }}
+        for (int i = 0; i < 3; i++) print((double)fixed[i]);
+        for (int i = 0; i < 3; i++) print((double)body[i]);
+        turning_point(&{table}.clock, tick);
+    }}
+"
+        );
+    }
+    source += "#include <string.h>
+static uint64_t state;
+static int64_t next_tick(uint32_t k) {
+    state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+    return (int64_t)state >> (k % 61);
+}
+static void print(double number) {
+    uint64_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    printf(\"%\" PRIx64 \" \", bits);
+}
+static void turning_point(const toytop_clock *clock, int64_t tick) {
+    int upper;
+    if (toytop_next_turning_point(clock, tick, &tick, &upper)) printf(\"%\" PRId64 \" %d\\n\", tick, upper);
+    else printf(\"-\\n\");
+}
+int main(void) {
+";
+    source += &main;
+    source += "    return 0;\n}\n";
+    for printed in printed(&folder, &source, &files) {
+        assert_lines(&printed, &cases, |case| (case.rates)(&case.file, case.tick));
+    }
+}
+
+/// A compiler of C or C++ that is installed, and a standard.
+fn compilers() -> Vec<(&'static str, &'static str)> {
+    let c = there(&["cc", "clang"]).into_iter().flat_map(|name| ["c99", "c11", "c17"].map(|std| (name, std)));
+    let cpp = there(&["g++", "clang++"]).into_iter();
+    c.chain(cpp.flat_map(|name| ["c++11", "c++14", "c++17"].map(|std| (name, std)))).collect()
+}
+
+/// Every standard takes a header of every scalar without a warning, and reads the same numbers.
+#[test]
+fn c_and_cpp_of_every_standard_read_the_same_numbers() {
+    let folder = folder("bake_standards");
+    let (mut includes, mut checks) = (String::new(), String::new());
+    for (motion, scalar) in
+        [("toy_top", "f32"), ("figure_3_loops", "f64"), ("lagrange", "q31"), ("sleeping", "q15")]
+    {
+        let to = folder.join(format!("{motion}.h"));
+        let output = run(&[
+            "bake",
+            &sample(motion),
+            "--scalar",
+            scalar,
+            "--lang",
+            "c",
+            "-o",
+            to.to_str().expect("UTF-8"),
+        ]);
+        assert!(output.status.success(), "{}", stderr(&output));
+        includes += &format!("#include \"{motion}.h\"\n");
+        let name = if motion.contains('_') { motion.to_owned() } else { format!("top_{motion}") };
+        checks += &format!(
+            "    if (!toytop_intact_{scalar}(&{name})) return 1;
+    {{ toytop_cursor at = toytop_at(&{name}.clock, -3);
+      for (int i = 0; i < 9; i++) {{
+        toytop_sample_{scalar} m = toytop_next_{scalar}(&{name}, &at);
+        unsigned char bytes[sizeof m];
+        memcpy(bytes, &m, sizeof m);
+        for (unsigned j = 0; j < sizeof m; j++) printf(\"%02x\", bytes[j]);
+      }} }}\n"
+        );
+    }
+    let code = format!("#include <stdio.h>\n{includes}int main(void) {{\n{checks}    return 0;\n}}\n");
+    let mut printed = Vec::new();
+    let compilers = compilers();
+    assert!(compilers.iter().any(|(name, _)| *name == "cc"), "no C compiler");
+    for (compiler, standard) in compilers {
+        let source = folder.join(if standard.starts_with("c++") { "main.cpp" } else { "main.c" });
+        std::fs::write(&source, &code).expect("the source");
+        let program = folder.join(format!("{compiler}_{standard}"));
+        let mut command = Command::new(compiler);
+        command.arg(format!("-std={standard}")).args([
+            "-Wall",
+            "-Wextra",
+            "-Wpedantic",
+            "-Wconversion",
+            "-Wshadow",
+        ]);
+        command.args(["-Werror", "-O1", "-o"]).arg(&program).arg(&source);
+        succeed(&mut command);
+        printed.push(stdout(&succeed(&mut Command::new(&program))).to_owned());
+    }
+    assert!(printed[0].len() > 1000 && printed.iter().all(|text| *text == printed[0]));
+}
+
+/// Two motions from files of one name: the compiler refuses the second, instead of leaving it out.
+#[test]
+fn two_tables_of_one_name_do_not_compile() {
+    let folder = folder("bake_one_name");
+    for (place, other) in [("a", ["tilt_deg = 20.0", "tilt_deg = 21.0"]), ("b", ["", ""])] {
+        let text = std::fs::read_to_string(sample("lagrange")).expect("the sample");
+        std::fs::create_dir(folder.join(place)).expect("a folder");
+        let [file, header] = ["top.toml", "top.h"].map(|name| folder.join(place).join(name));
+        std::fs::write(&file, text.replace(other[0], other[1])).expect("the scenario");
+        let [file, header] = [&file, &header].map(|path| path.to_str().expect("UTF-8"));
+        assert!(run(&["bake", file, "--lang", "c", "-o", header]).status.success());
+    }
+    let source = folder.join("main.c");
+    let compiled = |includes: &str| {
+        std::fs::write(
+            &source,
+            format!("{includes}int main(void) {{ return toytop_intact_f32(&top_top) - 1; }}\n"),
+        )
+        .expect("the source");
+        let program = folder.join("main");
+        Command::new("cc").arg("-std=c99").arg("-o").arg(program).arg(&source).output().expect("it runs")
+    };
+    assert!(compiled("#include \"a/top.h\"\n#include \"a/top.h\"\n").status.success());
+    let refused = compiled("#include \"a/top.h\"\n#include \"b/top.h\"\n");
+    assert!(!refused.status.success());
+    assert!(stderr(&refused).contains("two different tables have the name top_top"), "{}", stderr(&refused));
+}

@@ -1,0 +1,75 @@
+//! The header: made from the sources by cbindgen, and taken by every compiler and standard without a warning.
+
+use std::fs;
+use std::process::Command;
+
+use anyhow::{Context, Result};
+
+use super::archive::target_dir;
+use crate::process::{cargo, root, run};
+
+const WARNINGS: [&str; 6] = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"];
+
+/// Includes the header twice, and uses what only a macro holds.
+const PROGRAM: &str = "#include <toytop.h>
+#include <toytop.h>
+static toytop_ephemeris_q31 table;
+static uint64_t larger[TOYTOP_EPHEMERIS_F32_SIZE_OF(128) / 8];
+int main(void) {
+    toytop_error error;
+    toytop_status status = toytop_q31_set_up(&table, sizeof table, 0, toytop_hertz(1000), 0.0, &error);
+    return status == TOYTOP_NULL_POINTER && larger[0] == 0 && sizeof larger == 10680 ? 0 : 1;
+}
+";
+
+/// Makes the committed header anew.
+pub(crate) fn overwrite() -> Result<()> {
+    run(cargo(".", "test --package toytop-c --test header").env("TOYTOP_OVERWRITE", "1"))?;
+    Ok(())
+}
+
+/// First program in C of a page.
+fn first_program(page: &str) -> Result<String> {
+    let text = fs::read_to_string(root().join(page))?;
+    let (_, rest) = text.split_once("```c\n").with_context(|| format!("{page}: no program in C"))?;
+    let (program, _) = rest.split_once("```").with_context(|| format!("{page}: a program without end"))?;
+    Ok(program.to_owned())
+}
+
+/// Compiles a program with each compiler in each standard.
+pub(crate) fn compile() -> Result<String> {
+    let folder = target_dir().join("header");
+    fs::create_dir_all(&folder)?;
+    let mut count = 0;
+    for page in ["README.md", "core/c/README.md"] {
+        let source = folder.join("page.c");
+        fs::write(&source, first_program(page)?)?;
+        let mut command = Command::new("gcc");
+        command
+            .args(["-std=c99", "-fsyntax-only"])
+            .args(WARNINGS)
+            .arg("-I")
+            .arg(root().join("core/c/include"));
+        run(command.arg(&source)).with_context(|| format!("{page}: its program in C"))?;
+    }
+    for (compilers, suffix, standards) in [
+        (["gcc", "clang"], "c", ["c99", "c11", "c17"]),
+        (["g++", "clang++"], "cpp", ["c++11", "c++14", "c++17"]),
+    ] {
+        let source = folder.join(format!("header.{suffix}"));
+        fs::write(&source, PROGRAM)?;
+        for compiler in compilers {
+            for standard in standards {
+                let mut command = Command::new(compiler);
+                command
+                    .arg(format!("-std={standard}"))
+                    .args(WARNINGS)
+                    .arg("-I")
+                    .arg(root().join("core/c/include"));
+                run(command.args(["-c", "-o"]).arg(folder.join("header.o")).arg(&source))?;
+                count += 1;
+            }
+        }
+    }
+    Ok(format!("{count} pairs of compiler and standard take the header; the pages' programs compile"))
+}
