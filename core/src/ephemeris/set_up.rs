@@ -49,7 +49,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.error_bound =
             ErrorBound::of::<R>(&rates, &tabulated, tick.length().to_f64(), self.clock.missed());
         let [_, mean, axial] = self.clock.rates.map(Float::to_f64);
-        let of_motion = MotionRates { half_period: rates.half_period.to_f64(), mean, axial };
+        let rotor = Float::abs(motion.top().rotor_momentum()) / motion.top().transverse_inertia();
+        let of_motion = MotionRates { half_period: rates.half_period.to_f64(), mean, axial, rotor };
         self.rate_error_bound = rate_error::<R>(&self.error_bound, &of_motion, &tabulated);
         Ok(())
     }
