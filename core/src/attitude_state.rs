@@ -8,7 +8,7 @@ use crate::su2::{Orientation, OrientationRate, Vector};
 
 /// Orientation and its rate at one instant. Every method computes its result on demand, by products, from α, β and
 /// their rates only. The rates of a stepper come from its phases, those of a sample from the table and from the constant
-/// n/C; in both, l and h recomputed from an attitude state are an independent check.
+/// ⟨ω, r⟩; in both, l and h recomputed from an attitude state are an independent check.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AttitudeState<R> {

@@ -12,6 +12,8 @@
 //!
 //! | motion | condition | functions | item |
 //! |---|---|---|---|
+//! | no torque | free body, or g = 0 | trigonometric | [`FreeBody`] |
+//! | planar pendulum | s = 0, l = n = 0 | Jacobi's | [`Pendulum`] |
 //! | constant tilt | e₁ = e₂, or upright | trigonometric | [`RegularPrecession`] |
 //! | aperiodic | e₂ = e₃ = 1 | hyperbolic, and Weierstrass's if the tip slides | [`Aperiodic`] |
 //! | toy top | e₃ = e₄ | Weierstrass's | [`E3EqualsE4`] |
@@ -44,6 +46,8 @@ mod orientation;
 mod periods;
 
 // The solutions, one for each kind of motion that has one.
+mod free_body;
+
 mod precession;
 
 mod aperiodic;
@@ -51,6 +55,8 @@ mod aperiodic;
 mod e3_equals_e4;
 
 mod lagrange;
+
+mod pendulum;
 
 mod closed_form;
 
@@ -66,5 +72,7 @@ pub mod tip_curve;
 pub use aperiodic::Aperiodic;
 pub use closed_form::{ClosedForm, NoClosedForm};
 pub use e3_equals_e4::E3EqualsE4;
+pub use free_body::FreeBody;
 pub use lagrange::Lagrange;
+pub use pendulum::Pendulum;
 pub use precession::{RegularPrecession, Stability, SteadyPrecession};

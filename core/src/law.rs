@@ -151,6 +151,29 @@ impl<F: Float> Law<F> {
         }
     }
 
+    /// Law of a body without torque, the limit e₃ → ∞ with p g e₃ finite: χ' is constant, and ψ_A and ψ_B are too.
+    ///
+    /// The limit of e₃ - u in units of e₃ does not depend on u; in its place stand e₃ - e₂ = 1 and e₂ - e₁ = 0.
+    pub(crate) fn uniform(chi_rate: F, e: &BranchPoints<F>) -> Self {
+        Self {
+            one_plus_e1: e.one_plus_e1,
+            one_minus_e2: e.one_minus_e2,
+            e2_minus_e1: F::ZERO,
+            e3_minus_e2: F::ONE,
+            e3_minus_e1: F::ONE,
+            a_over_p: F::ONE,
+            a_over_p_e3: F::ZERO,
+            s: F::ZERO,
+            s_e3: F::ZERO,
+            half_g: chi_rate.squared(),
+            alpha_scale: F::ZERO,
+            alpha_smoothing: F::ZERO,
+            beta_scale: F::ZERO,
+            root_e3: F::ONE,
+            beta_smoothing: F::ZERO,
+        }
+    }
+
     /// 1 - u and 1 + u from sin χ and cos χ, without cancellation near the vertical.
     fn complements(&self, sine: F, cosine: F) -> (F, F) {
         let one_minus_u = self.one_minus_e2 + self.e2_minus_e1 * cosine.squared();

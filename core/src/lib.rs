@@ -60,6 +60,9 @@ pub mod errata {}
 #[doc = include_str!("../docs/error_bound.md")]
 pub mod error_bound {}
 #[cfg(doc)]
+#[doc = include_str!("../docs/other_tops.md")]
+pub mod other_tops {}
+#[cfg(doc)]
 #[doc = include_str!("../docs/table_format.md")]
 pub mod table_format {}
 

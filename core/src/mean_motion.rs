@@ -5,7 +5,7 @@ mod quadrature;
 use crate::cayley_klein::Brackets;
 use crate::constants::{BranchPoints, Signs};
 use crate::law::Law;
-use crate::scalar::{Extended, Float};
+use crate::scalar::{Extended, Float, Ring};
 use quadrature::Quadrature;
 
 /// Nutation period, and advance of α and β over one period in turns, whole turns included.
@@ -68,7 +68,27 @@ impl MeanMotion {
         signs: Signs,
         half_tau: Extended,
     ) -> Self {
-        let quadrature = Quadrature::over_period(law, e);
+        Self::of_integrals(Quadrature::over_period(law, e), e, signs, half_tau)
+    }
+
+    /// Mean motion of a body without torque, whose χ has a constant rate.
+    pub(crate) fn uniform(
+        period: Extended,
+        e: &BranchPoints<Extended>,
+        signs: Signs,
+        half_tau: Extended,
+    ) -> Self {
+        let psi = Extended::ZERO;
+        let integrals = Quadrature { period, psi_alpha: psi, psi_beta: psi, relative_error: 0.0, nodes: 1 };
+        Self::of_integrals(integrals, e, signs, half_tau)
+    }
+
+    fn of_integrals(
+        quadrature: Quadrature<Extended>,
+        e: &BranchPoints<Extended>,
+        signs: Signs,
+        half_tau: Extended,
+    ) -> Self {
         let brackets = Brackets::<f64>::swinging(e, signs);
         let winding = [brackets.alpha.winding(), brackets.beta.winding()];
         let [alpha_winding, beta_winding] = winding.map(|sense| Extended::from(0.5 * f64::from(sense)));

@@ -74,15 +74,22 @@ impl Motion {
             conditioning: Conditioning::of_state(top, &integrals, &point, &e, state.speed()),
             mean: None,
         };
-        motion.mean = motion.computed_mean();
+        let momentum = point.momentum(motion.quantities().a, integrals.n);
+        motion.mean =
+            if top.is_torque_free() { motion.uniform_mean(momentum) } else { motion.computed_mean() };
         if motion.stands_still() {
             motion.nutation = motion.steady_nutation();
             motion.phases = [alpha, beta].map(|[z, _]| Phase::from_radians(z.arg()));
             return Ok(motion);
         }
-        let d = motion.a_over_p() + motion.quantities().s * point.one_minus_u * point.one_plus_u;
-        let g0 = d * point.udot.squared() / Extended::from(top.gravity()).doubled();
-        let (sine, cosine) = half_phase(&e, &point, g0, regime == Regime::Aperiodic);
+        let Quantities { a, s, p, g, .. } = motion.quantities();
+        let pair = if top.is_torque_free() {
+            [(a * point.udot / momentum).squared(), Extended::ONE]
+        } else {
+            let d = a / p + s * point.one_minus_u * point.one_plus_u;
+            [d * point.udot.squared() / g.doubled(), point.one_minus_u + e.e3_minus_one]
+        };
+        let (sine, cosine) = half_phase(&e, &point, pair, regime == Regime::Aperiodic);
         motion.nutation = if regime == Regime::Aperiodic {
             NutationVariable::Aperiodic(libm::asinh(sine / cosine))
         } else {
@@ -105,13 +112,19 @@ impl Motion {
     ///
     /// # Errors
     /// `e1`, `e2`, `e3`: not finite or not in this order; `nutation_phase`, `arg_alpha`, `arg_beta`: not finite or
-    /// beyond ±1e6 rad.
+    /// beyond ±1e6 rad; `e3` also where no torque acts, because branch points then tell no rate, and where the axial rate
+    /// (n - K)/C exceeds 1e24 per unit of time, or C = 0 and the branch points do not have n = K.
     pub fn from_branch_points(
         top: &Top,
         e: [f64; 3],
         signs: Signs,
         start: &Start,
     ) -> Result<Self, ParameterError> {
+        require(
+            !top.is_torque_free(),
+            "e3",
+            "left out without torque, where it is infinite and branch points tell no rate: give a state or a release",
+        )?;
         let [e1, e2, e3] = e;
         let e = BranchPoints::exact(e1, e2, e3)?;
         let Start { theta, arg_alpha, arg_beta } = *start;
@@ -120,6 +133,11 @@ impl Motion {
             require(Float::abs(angle) <= 1e6, name, "between -1e6 and 1e6 rad")?;
         }
         let integrals = e.integrals_in(top, signs);
+        require(
+            has_axial_rate(top, &integrals),
+            "e3",
+            "such that (n - rotor_momentum)/axial_inertia is at most 1e24 rad/s, and n = rotor_momentum for a rod",
+        )?;
         let chi = half_turns(theta);
         let upright = chi.halves().1 == Phase::QUARTER;
         let regime = Regime::of(&e, signs, upright);
@@ -173,7 +191,14 @@ impl Motion {
     /// First integrals l, n and h.
     #[must_use]
     pub fn first_integrals(&self) -> FirstIntegrals {
-        self.integrals.to_f64()
+        self.integrals.as_given(&self.top)
+    }
+
+    /// Axial rate ⟨ω, r⟩ of the body, rad per unit time. Without a rotor it is the quotient of the rounded n and C, so that
+    /// the rates from a table have the same bits as before there were rotors.
+    pub(crate) fn axial_rate(&self) -> f64 {
+        let (FirstIntegrals { n, spin, .. }, c) = (self.first_integrals(), self.top.axial_inertia());
+        if self.top.rotor_momentum() == 0.0 && c > 0.0 { n / c } else { spin }
     }
 
     /// Branch points e₁, e₂, e₃ and their differences.
@@ -196,6 +221,11 @@ impl Motion {
     #[must_use]
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
         self.mean.map(|mean| mean.advance.to_f64())
+    }
+
+    /// Nutation period in extended precision; `None` where there is none.
+    pub(crate) fn exact_period(&self) -> Option<Extended> {
+        self.mean.map(|mean| mean.advance.period)
     }
 
     /// Winding numbers of the brackets of α and β around 0: see [`MeanMotion::winding`]. They are 1 for a steady
@@ -225,17 +255,26 @@ impl Motion {
         has_period.then(|| MeanMotion::of(&self.law(), &self.e, self.signs, self.half_tau()))
     }
 
+    /// Mean motion without torque: the axis goes round the angular momentum, of this magnitude, at the rate |m|/A.
+    fn uniform_mean(&self, momentum: Extended) -> Option<MeanMotion> {
+        (momentum > Extended::ZERO).then(|| {
+            let period = Extended::TWO_PI * self.quantities().a / momentum;
+            MeanMotion::uniform(period, &self.e, self.signs, self.half_tau())
+        })
+    }
+
     /// Least normal force over the motion, N = 1 + s u''/g in units of the weight. Its relative error is one `f64`
     /// rounding, unless it is within 1e-14 of 0; a magnitude below 1e-20 counts as 0. Where it is negative, a real
     /// top leaves the plane and does not follow the computed motion. `None` for a fixed tip, whose support can also
-    /// pull.
+    /// pull, and for a free body.
     #[must_use]
     pub fn min_normal_force(&self) -> Option<f64> {
         (self.top.support() == Support::Sliding).then(|| {
             if self.is_steady() {
                 return 1.0;
             }
-            normal_force::minimum(&self.e, self.a_over_p() / self.top.com_height().into())
+            let Quantities { a, p, s, .. } = self.quantities();
+            normal_force::minimum(&self.e, a / p / s)
         })
     }
 
@@ -243,16 +282,10 @@ impl Motion {
         Quantities::of(&self.top)
     }
 
-    /// Length A/p, m.
-    fn a_over_p(&self) -> Extended {
-        let Quantities { a, p, .. } = self.quantities();
-        a / p
-    }
-
-    /// Half of τ = (1/C - 1/A) n, rad per unit time. The slow phases of a top with C ≠ A have the additional rates
-    /// ±τ/2, compared with C = A.
+    /// Half of τ = ⟨ω, r⟩ - n/A, rad per unit time; without a rotor τ = (1/C - 1/A) n. The slow phases have the additional
+    /// rates ±τ/2, compared with C = A and K = 0.
     pub(crate) fn half_tau(&self) -> Extended {
-        self.quantities().tau(self.integrals.n).halved()
+        self.quantities().tau(self.integrals.spin).halved()
     }
 
     /// Rate τ/2 for the slow phases: in turns, and in rad, per unit time.
@@ -261,6 +294,11 @@ impl Motion {
     }
 
     pub(crate) fn law(&self) -> Law<Extended> {
+        if self.top.is_torque_free() {
+            let period = self.mean.map(|mean| mean.advance.period);
+            let chi_rate = period.map_or(Extended::ZERO, |period| Extended::TWO_PI.halved() / period);
+            return Law::uniform(chi_rate, &self.e);
+        }
         Law::new(&self.top, &self.e, &self.integrals, self.signs)
     }
 
@@ -313,7 +351,7 @@ impl Motion {
     /// Rates of A and B where u is constant, rad per unit time: ((l ± n)/(A (1 ± u)) ± τ)/2, with the upper signs for
     /// A; 0 for a parameter that is 0.
     pub(crate) fn steady_rates(&self) -> [Extended; 2] {
-        let twice_a = Extended::from(self.top.transverse_inertia()).doubled();
+        let twice_a = self.quantities().a.doubled();
         let (one_plus_u, one_minus_u) = self.steady_tilt();
         let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {
             if complement > Extended::ZERO {
@@ -352,6 +390,17 @@ impl Motion {
         };
         PhaseDirections { sine, cosine, alpha: Complex::ONE, beta: Complex::ONE }
     }
+}
+
+/// Whether the axial rate (n - K)/C is a number: within 1e24 per unit of time, and n = K to the rounding of `f64` where C
+/// is 0.
+fn has_axial_rate(top: &Top, integrals: &FirstIntegrals<Extended>) -> bool {
+    const FASTEST: f64 = 1e24;
+    let (FirstIntegrals { n, spin, .. }, Quantities { c, k, .. }) =
+        (integrals, Quantities::<Extended>::of(top));
+    let size = integrals.l_plus_n.abs() + integrals.l_minus_n.abs() + k.abs();
+    let balanced = (*n - k).abs() <= size * Extended::from(f64::EPSILON);
+    if c > Extended::ZERO { spin.abs() <= Extended::from(FASTEST) } else { balanced }
 }
 
 fn rate_in_turns(radians: Extended) -> TurnRate {

@@ -29,7 +29,7 @@ pub struct Release {
     pub azimuth: f64,
     /// Roll: rotation of the body about its axis.
     pub roll: f64,
-    /// Spin: the whole axial component ω·r = n/C of the angular velocity.
+    /// Spin: the whole axial component ω·r = (n - K)/C of the angular velocity.
     pub spin: f64,
     /// Rate of the azimuth.
     pub precession: f64,

@@ -1,7 +1,10 @@
-//! Top: its moments of inertia A and C, the distance s, the mass moment p and the gravity g.
+//! Top: its moments of inertia A and C, the distance s, the mass moment p, the gravity g and the momentum K of a rotor inside.
+
+mod quantities;
 
 use crate::error::{ParameterError, finite, require};
 use crate::scalar::{Extended, Float, Ring};
+pub(crate) use quantities::{Quantities, Units};
 
 /// Parameters of a top by name, in SI or any consistent units.
 ///
@@ -12,7 +15,7 @@ pub struct TopParameters {
     /// Transverse moment of inertia A, kg m²: about the centre of mass for a sliding tip, about the tip for a fixed
     /// one.
     pub transverse_inertia: f64,
-    /// Axial moment of inertia C <= 2A, kg m².
+    /// Axial moment of inertia C <= 2A, kg m²; 0 for a thin rod or a point at its end.
     pub axial_inertia: f64,
     /// Distance s of the centre of mass from the tip, m; for a fixed tip it is used only together with `mass`.
     pub com_height: f64,
@@ -20,8 +23,12 @@ pub struct TopParameters {
     pub mass: f64,
     /// Mass moment p = M s, kg m.
     pub mass_moment: f64,
-    /// Gravity g, m/s²; by default 9.80665. The units of the paper have g = 1.
+    /// Gravity g, m/s²; by default 9.80665, and 0 only for a held tip. The units of the paper have g = 1.
     pub gravity: f64,
+    /// Angular momentum K of a rotor inside, relative to the body and along its axis, kg m²/s, of either sign; by default
+    /// 0. It is constant: the rotor keeps its rate relative to the body, without friction or by a motor. The rotor's
+    /// mass and inertia belong to those of the body.
+    pub rotor_momentum: f64,
 }
 
 impl Default for TopParameters {
@@ -33,6 +40,7 @@ impl Default for TopParameters {
             mass: 0.0,
             mass_moment: 0.0,
             gravity: 9.80665,
+            rotor_momentum: 0.0,
         }
     }
 }
@@ -45,6 +53,8 @@ pub enum Support {
     Sliding,
     /// Held at a fixed point: the Lagrange top, the limit s → 0 of the formulas at fixed p.
     Fixed,
+    /// None: a body that is thrown, floats or is in orbit. It turns about its centre of mass, without torque.
+    Free,
 }
 
 /// Symmetric top with valid parameters. It is immutable.
@@ -59,16 +69,22 @@ pub struct Top {
     s: f64,
     p: Extended,
     g: f64,
+    k: f64,
 }
 
-/// Allowed range of a parameter. Together with the ranges of A/(ps), A/p and √(pg/A) it excludes overflow and
-/// underflow, also in `f32`.
-const ALLOWED: &str = "between 1e-12 and 1e12";
+/// Allowed range of a parameter: from a molecule to a star. Only C/A, A/(ps), pg/A and K/A enter the motion, in units in
+/// which A and p are about 1.
+const ALLOWED: &str = "between 1e-60 and 1e60";
+
+/// Least C/A other than 0.
+const LEAST_SHARE: f64 = 1e-60;
+/// Largest |K|/A, rad per unit time.
+const FASTEST_ROTOR: f64 = 1e12;
 
 fn magnitude(parameter: &'static str, value: f64) -> Result<f64, ParameterError> {
     finite(parameter, value)?;
-    require(value > 0.0, parameter, "positive, between 1e-12 and 1e12")?;
-    require((1e-12..=1e12).contains(&value), parameter, ALLOWED)?;
+    require(value > 0.0, parameter, "positive, between 1e-60 and 1e60")?;
+    require((1e-60..=1e60).contains(&value), parameter, ALLOWED)?;
     Ok(value)
 }
 
@@ -90,11 +106,16 @@ impl Top {
     /// Top whose tip slides on a plane: Springborn's toy top.
     ///
     /// # Errors
-    /// [`ParameterError`] names the parameter that is wrong. Each must be finite and between 1e-12 and 1e12, C
-    /// between 1e-6 A and 2A, A/(ps) between 1e-6 and 1e12, A/p between 1e-12 and 1e12 m, and √(pg/A), the growth
-    /// rate of a fall from the vertical, between 1e-9 and 1e9 per second. Exactly one of `mass` and `mass_moment`
-    /// must be given.
+    /// [`ParameterError`] names the parameter that is wrong. Each must be finite and between 1e-60 and 1e60, C
+    /// between 0 and 2A, A/(ps) between 1e-6 and 1e30, √(pg/A), the growth rate of a fall from the vertical, between
+    /// 1e-9 and 1e9 per unit of time, and |K|/A at most 1e12 per unit of time. Exactly one of `mass` and `mass_moment`
+    /// must be given. `gravity` must not be 0: nothing but the weight keeps the tip on the plane.
     pub fn sliding(parameters: &TopParameters) -> Result<Self, ParameterError> {
+        require(
+            parameters.gravity != 0.0,
+            "gravity",
+            "positive: without weight nothing keeps the tip on the plane, and the body is free (support = \"free\")",
+        )?;
         let s = magnitude("com_height", parameters.com_height)?;
         let p = match parameters.given_mass()? {
             Some(mass) => Extended::product(mass, s),
@@ -103,15 +124,17 @@ impl Top {
         let top = Self::new(Support::Sliding, parameters, s, p)?;
         let spread = top.a / (top.p.to_f64() * s);
         require(
-            (1e-6..=1e12).contains(&spread),
+            (1e-6..=1e30).contains(&spread),
             "transverse_inertia",
-            "between 1e-6 and 1e12 times mass_moment x com_height",
+            "between 1e-6 (a body that is all but a point) and 1e30 times mass_moment x com_height",
         )?;
         Ok(top)
     }
 
     /// Top whose tip is held at a fixed point, the Lagrange top. Both moments of inertia are about the *tip*. Either
-    /// `mass_moment` is given, or `mass` together with `com_height`; only their product p = M s enters the motion.
+    /// `mass_moment` is given, or `mass` together with `com_height`; only their product p = M s enters the motion. Without
+    /// gravity, `gravity` = 0, no torque acts about the tip, and the motion is that of [`Top::free`] with these moments of
+    /// inertia.
     ///
     /// # Errors
     /// The errors of [`Top::sliding`]; also, with a mass, A below M s² + C/2. No body has such an A about its tip:
@@ -139,6 +162,25 @@ impl Top {
         Ok(top)
     }
 
+    /// Body without support: thrown, floating or in orbit. No torque acts about its centre of mass, to which A and C belong.
+    ///
+    /// Only A, C and `rotor_momentum` enter the motion; the other parameters may be given and have no effect. The motion is
+    /// the limit e₃ → ∞ of the paper's, in any fixed frame: see the page `docs/other_tops.md`.
+    ///
+    /// # Errors
+    /// [`ParameterError`] names the parameter: A not between 1e-60 and 1e60, C not between 0 and 2A, |K|/A above 1e12 per
+    /// unit of time, or another one not finite.
+    pub fn free(parameters: &TopParameters) -> Result<Self, ParameterError> {
+        let TopParameters { com_height, mass, mass_moment, gravity, .. } = *parameters;
+        for (name, value) in
+            [("com_height", com_height), ("mass", mass), ("mass_moment", mass_moment), ("gravity", gravity)]
+        {
+            finite(name, value)?;
+        }
+        let weightless = TopParameters { gravity: 0.0, ..*parameters };
+        Self::new(Support::Free, &weightless, 0.0, Extended::ZERO)
+    }
+
     fn new(
         support: Support,
         parameters: &TopParameters,
@@ -146,23 +188,32 @@ impl Top {
         p: Extended,
     ) -> Result<Self, ParameterError> {
         let a = magnitude("transverse_inertia", parameters.transverse_inertia)?;
-        let c = magnitude("axial_inertia", parameters.axial_inertia)?;
-        require(c <= 2.0 * a, "axial_inertia", "at most twice transverse_inertia (no body has C > 2A)")?;
-        require(c >= 1e-6 * a, "axial_inertia", "at least 1e-6 times transverse_inertia")?;
-        let g = magnitude("gravity", parameters.gravity)?;
-        let length = a / p.to_f64();
+        let c = finite("axial_inertia", parameters.axial_inertia)?;
         require(
-            (1e-12..=1e12).contains(&length),
-            "transverse_inertia",
-            "between 1e-12 and 1e12 times mass_moment x 1 m",
+            (0.0..=2.0 * a).contains(&c),
+            "axial_inertia",
+            "between 0 and twice transverse_inertia (no body has C > 2A)",
         )?;
-        let rate_squared = g / length;
         require(
-            (1e-18..=1e18).contains(&rate_squared),
+            c == 0.0 || c >= LEAST_SHARE * a,
+            "axial_inertia",
+            "0, or at least 1e-60 times transverse_inertia",
+        )?;
+        let g = if parameters.gravity == 0.0 { 0.0 } else { magnitude("gravity", parameters.gravity)? };
+        let rate_squared = g * (p.to_f64() / a);
+        require(
+            g == 0.0 || (1e-18..=1e18).contains(&rate_squared),
             "gravity",
-            "such that sqrt(mass_moment x gravity / transverse_inertia) is between 1e-9 and 1e9 per second",
+            "such that sqrt(mass_moment x gravity / transverse_inertia) is between 1e-9 and 1e9 per second (change the \
+             unit of time), or a free body instead",
         )?;
-        Ok(Self { support, a, c, s, p, g })
+        let k = finite("rotor_momentum", parameters.rotor_momentum)?;
+        require(
+            Float::abs(k) <= FASTEST_ROTOR * a,
+            "rotor_momentum",
+            "at most 1e12 per second times transverse_inertia in magnitude",
+        )?;
+        Ok(Self { support, a, c, s, p, g, k })
     }
 
     /// Support of the tip.
@@ -191,66 +242,48 @@ impl Top {
         self.s
     }
 
-    /// Length that scales the tip curve c = 2 s αβ, m: s, or 1 for a fixed tip, whose 2αβ is a direction without
-    /// unit.
+    /// Length that scales the tip curve c = 2 s αβ, m: s, or 1 for a fixed tip or a free body, whose 2αβ is a direction
+    /// without unit.
     #[must_use]
     pub fn tip_scale(&self) -> f64 {
         match self.support {
             Support::Sliding => self.s,
-            Support::Fixed => 1.0,
+            Support::Fixed | Support::Free => 1.0,
         }
     }
 
-    /// Mass moment p = M s, kg m.
+    /// Whether no torque acts: a free body, or a held tip without gravity.
+    #[must_use]
+    pub fn is_torque_free(&self) -> bool {
+        self.g == 0.0
+    }
+
+    /// Mass moment p = M s, kg m; 0 for a free body.
     #[must_use]
     pub fn mass_moment(&self) -> f64 {
         self.p.to_f64()
     }
 
-    /// Gravity g, m/s². The units of the paper have g = 1.
+    /// Gravity g, m/s²; 0 for a free body. The units of the paper have g = 1.
     #[must_use]
     pub fn gravity(&self) -> f64 {
         self.g
     }
 
+    /// Angular momentum K of the rotor inside, kg m²/s; 0 without one. n = C ⟨ω, r⟩ + K.
+    #[must_use]
+    pub fn rotor_momentum(&self) -> f64 {
+        self.k
+    }
+
     /// Branch point e₄ = √(1 + A/(ps)) (equation (3.5) of the paper), which u never reaches; `None` for a fixed tip,
-    /// whose e₄ is infinite.
+    /// and for a free body, whose e₄ is infinite.
     #[must_use]
     pub fn e4(&self) -> Option<f64> {
         (self.s > 0.0).then(|| {
             let quantities = Quantities::<Extended>::of(self);
             (Extended::ONE + quantities.a / (quantities.p * quantities.s)).sqrt().to_f64()
         })
-    }
-}
-
-/// Parameters of a top by the paper's symbols, in the number type of a set-up stage.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Quantities<F> {
-    pub(crate) a: F,
-    pub(crate) c: F,
-    pub(crate) s: F,
-    pub(crate) p: F,
-    pub(crate) g: F,
-}
-
-impl<F: Float> Quantities<F> {
-    pub(crate) fn of(top: &Top) -> Self {
-        let p = {
-            let [leading, rest] = top.p.parts();
-            F::from_f64(leading) + F::from_f64(rest)
-        };
-        Self { a: F::from_f64(top.a), c: F::from_f64(top.c), s: F::from_f64(top.s), p, g: F::from_f64(top.g) }
-    }
-
-    /// Factor κ = 1/(2 A p g), which makes κ l² a number without unit.
-    pub(crate) fn kappa(&self) -> F {
-        F::ONE / (self.a * self.p * self.g).doubled()
-    }
-
-    /// Rate τ = (1/C - 1/A) n, rad per unit time.
-    pub(crate) fn tau(&self, n: F) -> F {
-        (self.a - self.c) / (self.a * self.c) * n
     }
 }
 
@@ -265,6 +298,7 @@ mod tests {
         mass: 0.05,
         mass_moment: 0.0,
         gravity: 9.81,
+        rotor_momentum: 0.0,
     };
 
     fn refused(result: Result<Top, ParameterError>) -> Option<&'static str> {
@@ -282,6 +316,9 @@ mod tests {
         assert_eq!(sliding(|top| top.transverse_inertia = f64::NAN), Some("transverse_inertia"));
         assert_eq!(sliding(|top| top.axial_inertia = 6.1e-5), Some("axial_inertia"));
         assert_eq!(sliding(|top| top.axial_inertia = 6e-5), None);
+        assert_eq!(sliding(|top| top.axial_inertia = -1e-9), Some("axial_inertia"));
+        assert_eq!(sliding(|top| top.axial_inertia = 0.0), None);
+        assert_eq!(sliding(|top| top.gravity = 0.0), Some("gravity"));
         assert_eq!(sliding(|top| top.com_height = 0.0), Some("com_height"));
         assert_eq!(sliding(|top| top.mass = -1.0), Some("mass"));
         assert_eq!(sliding(|top| top.mass = 0.0), Some("mass"));
@@ -289,10 +326,14 @@ mod tests {
         assert_eq!(sliding(|top| (top.mass, top.mass_moment) = (0.0, -1.0)), Some("mass_moment"));
         assert_eq!(sliding(|top| (top.mass, top.mass_moment) = (0.0, 1.5e-3)), None);
         assert_eq!(sliding(|top| top.gravity = f64::INFINITY), Some("gravity"));
+        assert_eq!(sliding(|top| top.rotor_momentum = f64::NAN), Some("rotor_momentum"));
+        assert_eq!(sliding(|top| top.rotor_momentum = -3.1e7), Some("rotor_momentum"));
+        assert_eq!(sliding(|top| top.rotor_momentum = -3e7), None);
         assert_eq!(
-            sliding(|top| (top.transverse_inertia, top.axial_inertia) = (1e-11, 1e-11)),
+            sliding(|top| (top.transverse_inertia, top.axial_inertia) = (1e-12, 1e-12)),
             Some("transverse_inertia")
         );
+        assert_eq!(sliding(|top| top.gravity = 1e17), Some("gravity"));
     }
 
     #[test]
@@ -314,11 +355,26 @@ mod tests {
     }
 
     #[test]
+    fn a_free_body_takes_two_inertias() {
+        let body =
+            TopParameters { transverse_inertia: 3e-5, axial_inertia: 2e-5, ..TopParameters::default() };
+        let top = Top::free(&body).unwrap();
+        assert!(top.is_torque_free() && top.support() == Support::Free && top.e4().is_none());
+        assert_eq!(
+            top,
+            Top::free(&TopParameters { mass: 0.05, com_height: 0.03, gravity: 9.81, ..body }).unwrap()
+        );
+        assert_eq!(refused(Top::free(&TopParameters { mass: f64::NAN, ..body })), Some("mass"));
+        let weightless = TopParameters { mass_moment: 1e-3, gravity: 0.0, ..body };
+        assert!(Top::fixed(&weightless).unwrap().is_torque_free());
+    }
+
+    #[test]
     fn the_mass_moment_is_exact() {
         let top = Top::sliding(&TOP).unwrap();
         assert!(top.p.parts()[1] != 0.0);
         assert_eq!(top.mass_moment(), 0.05 * 0.03);
-        let p = Quantities::<Extended>::of(&top).p;
+        let p = Quantities::<Extended>::as_given(&top).p;
         assert_eq!(p, top.p);
     }
 }

@@ -169,7 +169,7 @@ impl Hash {
     }
 
     fn integrals(self, integrals: &FirstIntegrals) -> Self {
-        let FirstIntegrals { l, n, h, l_plus_n, l_minus_n } = *integrals;
+        let FirstIntegrals { l, n, h, l_plus_n, l_minus_n, .. } = *integrals;
         [l, n, h, l_plus_n, l_minus_n].into_iter().fold(self, Self::number)
     }
 

@@ -4,8 +4,8 @@ Nothing here knows the integrals of the motion, the reduction to u, or the close
 only input is Newton's law for the height of the centre of mass, Euler's law for the angular momentum
 about it, and the kinematics of the attitude. generate.py compares every vector it writes with this.
 
-    height   M s u'' = N - M                   u = <r,k>; g = 1, p = M s, N the force of the plane
-    spin     (A w + (C-A) <w,r> r)' = (-s r) x (N k)
+    height   M s u'' = N - M g                 u = <r,k>; p = M s, N the force of the plane
+    spin     (A w + ((C-A) <w,r> + K) r)' = (-s r) x (N k)      K: a rotor inside, 0 if nothing is said
     attitude Phi' = omega Phi                  Phi = [[al, be], [-conj(be), conj(al)]]
 
 The integrator is Gragg's midpoint rule, extrapolated (Bulirsch-Stoer) with the steps H/2, H/4, H/6, ...
@@ -15,19 +15,19 @@ from mpmath import mp, mpf
 COLUMNS = 18  # extrapolated order 36: at 50 digits a step is then about the natural time scale
 
 
-def right_hand_side(A, C, s, p):
+def right_hand_side(A, C, s, p, g=1, K=0):
     def f(y):
         a1, a2, b1, b2, w1, w2, w3 = y
         r1, r2 = 2 * (a2 * b2 - a1 * b1), -2 * (a1 * b2 + a2 * b1)
         r3 = a1 * a1 + a2 * a2 - b1 * b1 - b2 * b2
         d1, d2 = w2 * r3 - w3 * r2, w3 * r1 - w1 * r3  # r' = w x r
         d3 = w1 * r2 - w2 * r1
-        spin = (C - A) * (w1 * r1 + w2 * r2 + w3 * r3)
+        spin = (C - A) * (w1 * r1 + w2 * r2 + w3 * r3) + K
         # With F = s N and q = r x k = (r2, -r1, 0): the angular equation reads
-        #   A w' = -F q - (C-A) <w,r> r'   (the torque is normal to r, so <w,r>' = 0),
-        # and u'' = <w', q> + <w x r', k> is linear in F, as is the height equation F = p (1 + s u'').
+        #   A w' = -F q - ((C-A) <w,r> + K) r'   (the torque is normal to r, so <w,r>' = 0, also in the limit C = 0),
+        # and u'' = <w', q> + <w x r', k> is linear in F, as is the height equation F = p (g + s u'').
         free = w1 * d2 - w2 * d1 - spin * (d1 * r2 - d2 * r1) / A
-        F = p * (1 + s * free) / (1 + p * s * (r1 * r1 + r2 * r2) / A)
+        F = p * (g + s * free) / (1 + p * s * (r1 * r1 + r2 * r2) / A)
         return (
             (-w3 * a2 + w2 * b1 - w1 * b2) / 2, (w3 * a1 - w2 * b2 - w1 * b1) / 2,
             (-w3 * b2 - w2 * a1 + w1 * a2) / 2, (w3 * b1 + w2 * a2 + w1 * a1) / 2,
@@ -52,9 +52,9 @@ def extrapolated_step(f, y, H):
     return row[-1], max(abs(v - w) for v, w in zip(row[-1], row[-2]))
 
 
-def integrate(A, C, s, p, y, times, tolerance):
+def integrate(A, C, s, p, y, times, tolerance, g=1, K=0):
     """States (a1, a2, b1, b2, w1, w2, w3) at `times`, which all lie on one side of 0, from y at 0."""
-    f, t, y = right_hand_side(A, C, s, p), mpf(0), list(y)
+    f, t, y = right_hand_side(A, C, s, p, g, K), mpf(0), list(y)
     H, out = 1 / (1 + abs(y[4]) + abs(y[5]) + abs(y[6])), {}
     for end in sorted(times, key=abs):
         while t != end:

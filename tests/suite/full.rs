@@ -10,6 +10,7 @@ pub(crate) fn full_top(top: &Top) -> FullTop {
         s: top.com_height(),
         p: top.mass_moment(),
         g: top.gravity(),
+        k: top.rotor_momentum(),
     }
 }
 

@@ -23,6 +23,7 @@ fn top(support: Support) -> Top {
     };
     match support {
         Support::Sliding => Top::sliding(&parameters).unwrap(),
+        Support::Free => Top::free(&parameters).unwrap(),
         Support::Fixed => {
             let transverse_inertia = TRANSVERSE + MASS * HEIGHT * HEIGHT;
             Top::fixed(&TopParameters { transverse_inertia, ..parameters }).unwrap()
@@ -30,7 +31,7 @@ fn top(support: Support) -> Top {
     }
 }
 
-const SUPPORTS: [Support; 2] = [Support::Sliding, Support::Fixed];
+const SUPPORTS: [Support; 3] = [Support::Sliding, Support::Fixed, Support::Free];
 
 /// Numbers in [-1, 1) from a linear congruential generator.
 struct Draw(u64);
@@ -87,6 +88,7 @@ impl Push {
         let reaction = match self.support {
             Support::Fixed => response.try_inverse().unwrap() * -drift,
             Support::Sliding => V::new(0.0, 0.0, -drift.z / response[(2, 2)]),
+            Support::Free => V::zeros(),
         };
         Body {
             rotation: omega.cross_matrix() * body.rotation,
@@ -127,9 +129,12 @@ fn by_short_forces(support: Support, state: &State, impulse: V, point: V) -> [V;
     let velocity = match support {
         Support::Fixed => omega.cross(&(rotation * V::new(0.0, 0.0, HEIGHT))),
         Support::Sliding => V::new(0.0, 0.0, omega.cross(&(rotation * V::new(0.0, 0.0, HEIGHT))).z),
+        Support::Free => V::zeros(),
     };
+    // points of a free body are from the centre of mass
+    let below = if support == Support::Free { V::zeros() } else { V::new(0.0, 0.0, HEIGHT) };
     let body = Body { rotation, velocity, omega };
-    let push = Push { support, force: impulse, point: point - V::new(0.0, 0.0, HEIGHT) };
+    let push = Push { support, force: impulse, point: point - below };
     const TIME: f64 = 1e-9;
     let ([velocity, omega], [later_velocity, later_omega]) =
         (push.over(body, TIME / 2.0), push.over(body, TIME));
@@ -209,7 +214,7 @@ fn velocity(top: &Top, state: &State, point: Vector<f64>) -> V {
     let (phi, omega) = (state.orientation().normalised(), V::from(state.omega()));
     let from_tip = omega.cross(&V::from(phi.adjoint(point)));
     match top.support() {
-        Support::Fixed => from_tip,
+        Support::Fixed | Support::Free => from_tip,
         Support::Sliding => {
             let tip = omega.cross(&V::from(phi.adjoint([0.0, 0.0, HEIGHT])));
             from_tip - V::new(tip.x, tip.y, 0.0)

@@ -47,3 +47,4 @@ mod tip;
 mod tip_angle;
 #[cfg(feature = "host")]
 mod tip_curve;
+mod tops;

@@ -38,12 +38,36 @@ fn tops() {
     assert_eq!(top(1.0, 2.0, 1.0, 1.0, 1.0), None);
     assert_eq!(top(1.0, 2.0000001, 1.0, 1.0, 1.0), Some("axial_inertia"));
     assert_eq!(top(-1.0, 1.0, 1.0, 1.0, 1.0), Some("transverse_inertia"));
-    assert_eq!(top(1.0, 0.0, 1.0, 1.0, 1.0), Some("axial_inertia"));
+    assert_eq!(top(1.0, -1e-9, 1.0, 1.0, 1.0), Some("axial_inertia"));
+    assert_eq!(top(1.0, 0.0, 1.0, 1.0, 1.0), None);
+    assert_eq!(top(1.0, 1.0, 1.0, 1.0, 0.0), Some("gravity"));
     assert_eq!(top(1.0, 1.0, f64::NAN, 1.0, 1.0), Some("com_height"));
     assert_eq!(top(1.0, 1.0, 1.0, f64::INFINITY, 1.0), Some("mass_moment"));
     assert_eq!(top(1.0, 1.0, 1.0, 1.0, -9.81), Some("gravity"));
     assert_eq!(top(1e-7, 1e-7, 1.0, 1.0, 1.0), Some("transverse_inertia"));
     assert_eq!(top(1.1e-6, 1e-6, 1.0, 1.0, 1.0), None);
+}
+
+/// Branch points tell neither the rate of a body without torque nor the axial rate of a rod.
+#[test]
+fn branch_points_that_tell_too_little() {
+    let body =
+        TopParameters { transverse_inertia: 1.0, mass_moment: 1.0, gravity: 1.0, ..TopParameters::default() };
+    let motion =
+        |top: Top, e| parameter(Motion::from_branch_points(&top, e, Signs::default(), &Start::default()));
+    let (rod, free) = (Top::fixed(&body).unwrap(), Top::free(&body).unwrap());
+    assert_eq!(motion(rod, [-0.5, 0.5, 2.0]), Some("e3"));
+    assert_eq!(motion(rod, [-1.0, 0.5, 1.0]), None);
+    assert_eq!(motion(rod, [-1.0, 1.0, 1.5]), None);
+    assert_eq!(motion(free, [-0.5, 0.5, 2.0]), Some("e3"));
+    let thin = Top::fixed(&TopParameters { axial_inertia: 1e-50, ..body }).unwrap();
+    assert_eq!(motion(thin, [-0.5, 0.5, 2.0]), Some("e3"));
+    // too fast to feel the torque: the refusal says what to use instead
+    let state = State::release(&Release { tilt: 0.5, spin: 1e8, ..Release::default() }).unwrap();
+    let heavy = TopParameters { axial_inertia: 1.0, ..body };
+    let refusal = Motion::launch(&Top::fixed(&heavy).unwrap(), &state).unwrap_err();
+    assert!(refusal.parameter() == "omega" && refusal.allowed().contains("free"), "{refusal}");
+    assert!(Motion::launch(&Top::free(&heavy).unwrap(), &state).is_ok());
 }
 
 #[test]

@@ -167,3 +167,10 @@ pub const FULL_INTEGRALS: Budget = Budget::of(1e-13);
 pub const CURVE_ON_PATH: Budget = Budget::of(5e-14);
 /// Errors of contour integrals in f64, 512 nodes.
 pub const CONTOUR: Budget = Budget::of(1e-14);
+
+/// Tops that the paper does not have: a stepper in f64 and in f32 with 2048 steps in the unit of time, over 9 units:
+/// orientation (rad), and ω relative to its greatest length.
+pub const TOPS_STEPPER: [[Budget; 2]; 2] =
+    [[Budget::of(1e-14), Budget::of(1e-14)], [Budget::of(3e-6), Budget::of(3e-6)]];
+/// The same for closed forms.
+pub const TOPS_CLOSED_FORMS: [Budget; 2] = [Budget::of(2e-15), Budget::of(2e-15)];

@@ -6,6 +6,7 @@
 //! subtracting stored branch points.
 
 mod cubic;
+mod torque_free;
 mod upright;
 
 use crate::constants::first_integrals::ReducedPoint;
@@ -13,7 +14,7 @@ use crate::constants::{FirstIntegrals, Signs};
 use crate::error::{ParameterError, finite, require};
 use crate::scalar::{Extended, Float, Ring};
 use crate::state::State;
-use crate::top::{Quantities, Top};
+use crate::top::{Quantities, Top, Units};
 use cubic::{largest_root, polished};
 
 /// Branch points and their differences; none has a unit.
@@ -24,7 +25,7 @@ pub struct BranchPoints<F = f64> {
     pub e1: F,
     /// Greatest u of the motion, e₂ <= 1.
     pub e2: F,
-    /// Third branch point, e₃ >= 1.
+    /// Third branch point, e₃ >= 1; infinite without torque, like its differences.
     pub e3: F,
     /// 1 + e₁ >= 0.
     pub one_plus_e1: F,
@@ -38,9 +39,12 @@ pub struct BranchPoints<F = f64> {
     pub e3_minus_one: F,
 }
 
-/// Largest e₃ that is accepted. Beyond it gravity has no visible effect on the spinning body, and `f32` would
-/// overflow.
+/// Largest e₃ that is accepted. Beyond it the torque changes the motion by less than the rounding of a state, and `f32`
+/// would overflow.
 pub(crate) const LARGEST_E3: f64 = 1e14;
+
+/// What a body is told that turns too fast for [`LARGEST_E3`].
+pub(crate) const TOO_FAST: &str = "slow enough for e3 <= 1e14 (faster, a body feels no torque: support = \"free\", Top::free, is then exact)";
 
 impl BranchPoints {
     /// Branch points from three given numbers, which count as exact.
@@ -67,7 +71,12 @@ impl BranchPoints {
     /// `h`: no motion has these integrals, because the energy is too low; `l`, `n`, `h`: not finite, or e₃ above
     /// 1e14.
     pub fn from_integrals(top: &Top, l: f64, n: f64, h: f64) -> Result<Self, ParameterError> {
-        let integrals = exact_integrals(finite("l", l)?, finite("n", n)?, finite("h", h)?);
+        let unit = Units::of(top).inertia;
+        let [l, n, h] = [finite("l", l)?, finite("n", n)?, finite("h", h)?].map(|number| number / unit);
+        let integrals = exact_integrals(top, l, n, h);
+        if top.is_torque_free() {
+            return Ok(BranchPoints::torque_free_integrals(top, &integrals)?.to_f64());
+        }
         let point = highest_point(top, &integrals)?;
         let refused = |_| ParameterError::OutOfRange { parameter: "h", allowed: "such that e3 <= 1e14" };
         Ok(BranchPoints::of_point(top, &integrals, &point).map_err(refused)?.to_f64())
@@ -75,10 +84,12 @@ impl BranchPoints {
 
     /// First integrals of the motion with these branch points and signs (equation (3.6) of the paper). The four
     /// choices of signs have different integrals; where A and C differ, changing the sign of l - n also changes h.
+    ///
+    /// Without torque the branch points tell no rate, and no integrals: the result has l = n = 0.
     #[must_use]
     pub fn integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals {
         let lifted = self.lifted();
-        lifted.integrals_in(top, signs).to_f64()
+        lifted.integrals_in(top, signs).as_given(top)
     }
 
     fn lifted(&self) -> BranchPoints<Extended> {
@@ -103,7 +114,9 @@ impl BranchPoints<Extended> {
         integrals: &FirstIntegrals<Extended>,
         point: &ReducedPoint<Extended>,
     ) -> Result<Self, ParameterError> {
-        if point.rests_upright() {
+        if top.is_torque_free() {
+            Ok(Self::torque_free(top, integrals, point))
+        } else if point.rests_upright() {
             Self::upright(top, integrals.n)
         } else {
             Self::about(top, integrals, point)
@@ -147,7 +160,7 @@ impl<F: Float> BranchPoints<F> {
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
         let ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy } = *point;
         let limit = F::from_f64(LARGEST_E3);
-        require(kappa * n.squared() < limit && axis_energy < limit, "omega", "slow enough for e3 <= 1e14")?;
+        require(kappa * n.squared() < limit && axis_energy < limit, "omega", TOO_FAST)?;
 
         // l - n u, from the one of l ∓ n that causes no cancellation
         let l_minus_nu = if u > F::ZERO { l_minus_n + n * one_minus_u } else { l_plus_n - n * one_plus_u };
@@ -189,7 +202,7 @@ impl<F: Float> BranchPoints<F> {
             let root = (e2_minus_e1.squared() + quotient.doubled().doubled()).sqrt();
             if quotient > F::ZERO { quotient.doubled() / (e2_minus_e1 + root) } else { F::ZERO }
         };
-        require(e3_minus_one <= limit, "omega", "slow enough for e3 <= 1e14")?;
+        require(e3_minus_one <= limit, "omega", TOO_FAST)?;
         Ok(Self {
             e1: one_plus_e1 - F::ONE,
             e2: F::ONE - one_minus_e2,
@@ -223,15 +236,17 @@ impl<F: Float> BranchPoints<F> {
     }
 
     pub(crate) fn integrals_in(&self, top: &Top, signs: Signs) -> FirstIntegrals<F> {
-        let Quantities { a, c, p, g, .. } = Quantities::<F>::of(top);
+        let quantities = Quantities::<F>::of(top);
+        let Quantities { a, c, p, g, .. } = quantities;
         let scale = (a * p * g).doubled();
         let plus = (scale * self.one_plus_e1 * self.one_plus_e2() * self.one_plus_e3()).sqrt();
         let minus = (scale * self.one_minus_e1() * self.one_minus_e2 * self.e3_minus_one).sqrt();
         let (l_plus_n, l_minus_n) = (signs.l_plus_n.times(plus), signs.l_minus_n.times(minus));
         let n = (l_plus_n - l_minus_n).halved();
-        // h = p g (e₁ + e₂ + e₃) + n² (1/C - 1/A)/2
-        let h = p * g * (self.e1 + self.e2 + self.e3) + n.squared() * (a - c) / (a * c).doubled();
-        FirstIntegrals { l: (l_plus_n + l_minus_n).halved(), n, h, l_plus_n, l_minus_n }
+        let spin = quantities.spin(n);
+        // h = p g (e₁ + e₂ + e₃) + (C ⟨ω, r⟩² - n²/A)/2
+        let h = p * g * (self.e1 + self.e2 + self.e3) + (c * spin.squared() - n.squared() / a).halved();
+        FirstIntegrals { l: (l_plus_n + l_minus_n).halved(), n, h, spin, l_plus_n, l_minus_n }
     }
 
     pub(crate) fn to_f64(self) -> BranchPoints {
@@ -248,9 +263,10 @@ impl<F: Float> BranchPoints<F> {
     }
 }
 
-fn exact_integrals(l: f64, n: f64, h: f64) -> FirstIntegrals<Extended> {
+fn exact_integrals(top: &Top, l: f64, n: f64, h: f64) -> FirstIntegrals<Extended> {
     let [l, n, h] = [l, n, h].map(Extended::from);
-    FirstIntegrals { l, n, h, l_plus_n: l + n, l_minus_n: l - n }
+    let spin = Quantities::of(top).spin(n);
+    FirstIntegrals { l, n, h, spin, l_plus_n: l + n, l_minus_n: l - n }
 }
 
 /// Point of the reduced curve at which (e₄² - u²) u'² is greatest. The integrals alone determine it.
@@ -258,12 +274,12 @@ fn highest_point(
     top: &Top,
     integrals: &FirstIntegrals<Extended>,
 ) -> Result<ReducedPoint<Extended>, ParameterError> {
-    let Quantities { a, c, s, p, g } = Quantities::<Extended>::of(top);
+    let Quantities { a, c, s, p, g, .. } = Quantities::<Extended>::of(top);
     let kappa = Quantities::<Extended>::of(top).kappa();
-    let FirstIntegrals { l, n, h, .. } = *integrals;
+    let FirstIntegrals { l, n, h, spin, .. } = *integrals;
     let one = Extended::ONE;
     // f(u) = u³ - b u² + c₁ u + c₀
-    let energy = (h - n.squared() / c.doubled()) / (p * g);
+    let energy = (h - (c * spin.squared()).halved()) / (p * g);
     let b = energy + kappa * n.squared();
     let c1 = (kappa * l * n).doubled() - one;
     let c0 = energy - kappa * l.squared();

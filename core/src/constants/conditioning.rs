@@ -31,22 +31,27 @@ impl Conditioning {
         speed: f64,
     ) -> Self {
         let rounding = OPERATIONS * Extended::ROUNDING;
-        let Quantities { a, c, s, p, g } = Quantities::<f64>::of(top);
+        let Quantities { a, c, s, p, g, k } = Quantities::<f64>::of(top);
+        let turning = rounding * ((1.0 + Float::abs(c - a) / a) * speed + Float::abs(k) / a);
+        if top.is_torque_free() {
+            return Self { relative: rounding, turning };
+        }
         let kappa = 1.0 / (2.0 * a * p * g);
         let FirstIntegrals { n, l_minus_n, .. } = integrals.to_f64();
         let [u, one_minus_u, one_plus_u, axis_energy] =
             [point.u, point.one_minus_u, point.one_plus_u, point.axis_energy].map(Float::to_f64);
         let e = e.to_f64();
+        // magnitude of the terms that n is the sum of
+        let n = Float::abs(n) + Float::abs(k);
         // magnitude of the terms in the sum of 1 - e₂ and 1 - e₃
-        let upper_terms = 2.0 * (axis_energy + one_minus_u + kappa * Float::abs(l_minus_n * n));
+        let upper_terms = 2.0
+            * (axis_energy + one_minus_u + kappa * n * (Float::abs(l_minus_n) + Float::abs(k) * one_minus_u));
         let upper = upper_terms / e.one_minus_e1();
         // magnitude of the terms in the sum of e₁ - u and e₂ - u
-        let l_minus_nu = Float::abs(l_minus_n) + Float::abs(n) * one_minus_u;
-        let lower_terms =
-            2.0 * axis_energy + one_minus_u * one_plus_u + 2.0 * kappa * Float::abs(n) * l_minus_nu;
+        let l_minus_nu = Float::abs(l_minus_n) + n * one_minus_u;
+        let lower_terms = 2.0 * axis_energy + one_minus_u * one_plus_u + 2.0 * kappa * n * l_minus_nu;
         let lower = lower_terms / (e.e3_minus_one + one_minus_u);
         let felt = upper / e.e3_minus_e2 + lower * (1.0 / e.e3_minus_e1() + 2.0 * Float::abs(u) * p * s / a);
-        let turning = rounding * (1.0 + Float::abs(c - a) / a) * speed;
         Self { relative: if felt.is_finite() { rounding * felt } else { 0.0 }, turning }
     }
 }

@@ -3,7 +3,7 @@
 use crate::scalar::{Extended, Float, Ring};
 use crate::state::State;
 use crate::su2::{bracket, dot};
-use crate::top::{Quantities, Top};
+use crate::top::{Quantities, Top, Units};
 
 /// Sign, + or -.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -61,10 +61,13 @@ pub struct Signs {
 pub struct FirstIntegrals<F = f64> {
     /// Vertical angular momentum l = ⟨m, k⟩, kg m²/s.
     pub l: F,
-    /// Axial angular momentum n = ⟨m, r⟩ = C ⟨ω, r⟩, kg m²/s.
+    /// Axial angular momentum n = ⟨m, r⟩ = C ⟨ω, r⟩ + K, kg m²/s.
     pub n: F,
-    /// Energy h = T + V, J; V = 0 where the centre of mass is at the height of the tip.
+    /// Energy h = T + V, J; V = 0 where the centre of mass is at the height of the tip. T is that of the angular velocity
+    /// ω, without the energy of a rotor's motion relative to the body, which is constant.
     pub h: F,
+    /// Axial rate ⟨ω, r⟩ of the body, rad per unit time: (n - K)/C, and a constant of its own where C = 0.
+    pub spin: F,
     /// Sum l + n, kg m²/s.
     pub l_plus_n: F,
     /// Difference l - n, kg m²/s.
@@ -78,7 +81,8 @@ pub(crate) struct ReducedPoint<F> {
     pub(crate) one_minus_u: F,
     pub(crate) one_plus_u: F,
     pub(crate) udot: F,
-    /// Kinetic energy of the motion of the axis in units of p g: K = (A |ω × r|² + p s u'²)/(2 p g).
+    /// Kinetic energy of the motion of the axis in units of p g: (A |ω × r|² + p s u'²)/(2 p g). Without torque it is not
+    /// divided by p g.
     pub(crate) axis_energy: F,
 }
 
@@ -89,18 +93,25 @@ impl<F: Ring> ReducedPoint<F> {
     }
 }
 
+impl<F: Float> ReducedPoint<F> {
+    /// Magnitude |m| of the angular momentum of a body without torque: |m|² = n² + A²|ω × r|².
+    pub(crate) fn momentum(&self, a: F, n: F) -> F {
+        ((a * self.axis_energy).doubled() + n.squared()).sqrt()
+    }
+}
+
 impl FirstIntegrals {
     /// First integrals of a state, computed in extended precision. Error: one `f64` rounding of the result.
     #[must_use]
     pub fn of(top: &Top, state: &State) -> Self {
-        FirstIntegrals::<Extended>::with_point(top, state).0.to_f64()
+        FirstIntegrals::<Extended>::with_point(top, state).0.as_given(top)
     }
 }
 
 impl<F: Float> FirstIntegrals<F> {
-    /// First integrals of a state, and the point of the reduced curve that it is at.
+    /// First integrals of a state in the units of [`Units`], and the point of the reduced curve that it is at.
     pub(crate) fn with_point(top: &Top, state: &State) -> (Self, ReducedPoint<F>) {
-        let Quantities { a, c, s, p, g } = Quantities::<F>::of(top);
+        let Quantities { a, c, s, p, g, k } = Quantities::<F>::of(top);
         let (phi, omega) = state.exact::<F>();
         // Every component is quadratic in Φ and is divided by the squared norm: without a root, what is a simple
         // fraction remains exact.
@@ -121,31 +132,51 @@ impl<F: Float> FirstIntegrals<F> {
         let r = [r1, r2, u];
 
         let spin = dot(omega, r);
-        let n = c * spin;
-        // l ∓ n = A ⟨ω, k ∓ r⟩ ∓ (C - A) ⟨ω, r⟩ (1 ∓ u), without the cancellation of subtracting n from l
-        let l_minus_n = a * dot(omega, [-r1, -r2, one_minus_u]) - (c - a) * spin * one_minus_u;
-        let l_plus_n = a * dot(omega, [r1, r2, one_plus_u]) + (c - a) * spin * one_plus_u;
-
+        let n = c * spin + k;
         let [w1, w2, _] = omega;
         let udot = w1 * r2 - w2 * r1;
         let r_dot = bracket(omega, r);
-        let axis_energy = (a * dot(r_dot, r_dot) + p * s * udot.squared()) / (p * g).doubled();
-        let h = n.squared() / c.doubled() + p * g * (u + axis_energy);
+        let (l_minus_n, l_plus_n) = if c > F::ZERO {
+            // l ∓ n = A ⟨ω, k ∓ r⟩ ∓ ((C - A) ⟨ω, r⟩ + K) (1 ∓ u), without the cancellation of subtracting n from l
+            let beyond_sphere = (c - a) * spin + k;
+            (
+                a * dot(omega, [-r1, -r2, one_minus_u]) - beyond_sphere * one_minus_u,
+                a * dot(omega, [r1, r2, one_plus_u]) + beyond_sphere * one_plus_u,
+            )
+        } else {
+            // l ∓ n = A ⟨r × r', k⟩ ∓ K (1 ∓ u): the axial rate is no part of a rod's momentum, and may be far greater
+            let [x, y, _] = r_dot;
+            let about_k = a * (r1 * y - r2 * x);
+            (about_k - k * one_minus_u, about_k + k * one_plus_u)
+        };
 
-        let integrals = Self { l: (l_plus_n + l_minus_n).halved(), n, h, l_plus_n, l_minus_n };
+        let weight = p * g;
+        let unit = if top.is_torque_free() { F::ONE } else { weight };
+        let axis_energy = (a * dot(r_dot, r_dot) + p * s * udot.squared()) / unit.doubled();
+        let h = (c * spin.squared()).halved() + weight * u + unit * axis_energy;
+
+        let integrals = Self { l: (l_plus_n + l_minus_n).halved(), n, h, spin, l_plus_n, l_minus_n };
         (integrals, ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy })
     }
 
     /// First integrals rounded to `f64`, each field separately.
-    #[must_use]
-    pub fn to_f64(&self) -> FirstIntegrals {
+    pub(crate) fn to_f64(self) -> FirstIntegrals {
         FirstIntegrals {
             l: self.l.to_f64(),
             n: self.n.to_f64(),
             h: self.h.to_f64(),
+            spin: self.spin.to_f64(),
             l_plus_n: self.l_plus_n.to_f64(),
             l_minus_n: self.l_minus_n.to_f64(),
         }
+    }
+
+    /// First integrals in the units of the caller, rounded to `f64`.
+    pub(crate) fn as_given(self, top: &Top) -> FirstIntegrals {
+        let (unit, inside) = (Units::of(top).inertia, self.to_f64());
+        let FirstIntegrals { l, n, h, spin, l_plus_n, l_minus_n } = inside;
+        let [l, n, h, l_plus_n, l_minus_n] = [l, n, h, l_plus_n, l_minus_n].map(|number| number * unit);
+        FirstIntegrals { l, n, h, spin, l_plus_n, l_minus_n }
     }
 
     /// Signs of l + n and l - n; + where the number is 0.

@@ -40,6 +40,8 @@ impl TipClass {
             regime if regime.is_vertical() => Self::Point,
             _ if e.one_plus_e1 == zero || e.one_minus_e2 == zero => Self::ThroughOrigin,
             _ if e.e3_minus_one == zero || signs.l_plus_n == signs.l_minus_n => Self::Smooth,
+            // without torque φ' changes its sign where |l| < |n|
+            _ if !e.e3.to_f64().is_finite() => Self::Loops,
             _ => {
                 let margin = e.e3 * e.e2_minus_e1 - (Extended::ONE - e.e1 * e.e2);
                 let rounding = e.e3 * (e.e1.abs() + e.e2.abs()) + Extended::ONE + (e.e1 * e.e2).abs();

@@ -29,7 +29,7 @@ pub struct Clock<W> {
     pub exact_step: [[f64; 2]; 3],
     /// Number of ticks in a unit of time, as the sum of two `f64`.
     pub ticks_per_time: [f64; 2],
-    /// Rate dx/dt on a cell of one segment, per unit time; mean rate of A + B and axial component n/C of the angular
+    /// Rate dx/dt on a cell of one segment, per unit time; mean rate of A + B and axial component (n - K)/C of the angular
     /// velocity, rad per unit time.
     pub rates: [W; 3],
     /// Clock of the mean tip angle.
@@ -113,7 +113,7 @@ impl<W: Float> Clock<W> {
         let exact_step = rates.turns.map(|turns| turns * length);
         let [frequency, alpha, beta] = rates.turns;
         let mean = ((alpha + beta) * Extended::TWO_PI).to_f64();
-        let axial = motion.first_integrals().n / motion.top().axial_inertia();
+        let axial = motion.axial_rate();
         // half a period has CELLS cells, and x changes by 2 over a cell of one segment
         let x_rate = 4.0 * CELLS as f64 * frequency.to_f64();
         let [start, ..] = tabulated.start;

@@ -11,8 +11,11 @@ pub(crate) struct MotionRates {
     pub(crate) half_period: f64,
     /// Mean rate of A + B.
     pub(crate) mean: f64,
-    /// Axial component n/C of the angular velocity.
+    /// Axial component (n - K)/C of the angular velocity.
     pub(crate) axial: f64,
+    /// Rate |K|/A of a rotor's momentum. It is in the rates of χ and of the slow phases, and cancels in the angular velocity of
+    /// the body.
+    pub(crate) rotor: f64,
 }
 
 /// Upper bound on the error of the angular velocity in either frame, rad per unit time, from the error bound of the
@@ -22,7 +25,7 @@ pub(crate) fn rate_error<R: EphemerisScalar>(
     motion: &MotionRates,
     tabulated: &Tabulated,
 ) -> ErrorBound {
-    let MotionRates { half_period, mean, axial } = *motion;
+    let MotionRates { half_period, mean, axial, rotor } = *motion;
     let speeds = &tabulated.speeds;
     let per_time = if half_period > 0.0 { 1.0 / half_period } else { 0.0 };
     let mean = Float::abs(mean);
@@ -34,7 +37,8 @@ pub(crate) fn rate_error<R: EphemerisScalar>(
     let own = (speeds.sweep_error + truncated + rounded) * per_time
         + R::RATE_ERROR * (speeds.x_rate * per_time + mean)
         + R::SLOPE_ROUNDING * speeds.bend * per_time
-        + R::RATE_ROUNDING * whole;
+        + R::RATE_ROUNDING * whole
+        + COEFFICIENTS * rotor;
     // a delay changes the transverse part at this rate, over its share in the error of the orientation
     let delayed = if speeds.sweep > 0.0 { speeds.acceleration / speeds.sweep * per_time } else { 0.0 };
     let turned = mean + whole;

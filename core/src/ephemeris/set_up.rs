@@ -184,11 +184,12 @@ impl SetUp {
 
     #[inline(never)]
     fn state_bounds<R: EphemerisScalar>(&self, ephemeris: &mut EphemerisView<R>) {
-        let Self { tick, rates, tabulated, .. } = self;
+        let Self { motion, tick, rates, tabulated, .. } = self;
         let missed = ephemeris.clock.missed();
         let error_bound = ErrorBound::of::<R>(rates, tabulated, tick.length().to_f64(), missed);
         let [_, mean, axial] = ephemeris.clock.rates.map(Float::to_f64);
-        let of_motion = MotionRates { half_period: rates.half_period.to_f64(), mean, axial };
+        let rotor = Float::abs(motion.top().rotor_momentum()) / motion.top().transverse_inertia();
+        let of_motion = MotionRates { half_period: rates.half_period.to_f64(), mean, axial, rotor };
         ephemeris.rate_error_bound = rate_error::<R>(&error_bound, &of_motion, tabulated);
         ephemeris.error_bound = error_bound;
     }

@@ -135,7 +135,8 @@ impl Aperiodic {
         let point = Rise { e1: e.e1, one_plus_e1: e.one_plus_e1, one_minus_e1, a_over_p: a / p, s, g };
         let form = match motion.top().support() {
             Support::Sliding => Form::Sliding(Sliding::new(&point, motion.exact_integrals().l / a)),
-            Support::Fixed => Form::Fixed(Fixed::new(&point, motion.signs().l_plus_n)),
+            // the axis of a free body does not rise to the vertical
+            Support::Fixed | Support::Free => Form::Fixed(Fixed::new(&point, motion.signs().l_plus_n)),
         };
         let v = Extended::from(v);
         let start = point.at(v);

@@ -4,7 +4,9 @@ use crate::attitude_state::AttitudeState;
 use crate::exact::aperiodic::Aperiodic;
 use crate::exact::e3_equals_e4;
 use crate::exact::e3_equals_e4::E3EqualsE4;
+use crate::exact::free_body::FreeBody;
 use crate::exact::lagrange::Lagrange;
+use crate::exact::pendulum::Pendulum;
 use crate::exact::precession::RegularPrecession;
 use crate::motion::Motion;
 use crate::phase::Phase;
@@ -14,6 +16,10 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(clippy::large_enum_variant)] // without allocation the largest cannot be boxed
 pub enum ClosedForm {
+    /// Trigonometric functions: no torque acts.
+    FreeBody(FreeBody),
+    /// Jacobi's functions: a planar pendulum.
+    Pendulum(Pendulum),
     /// Trigonometric functions: e₁ = e₂, or the axis is upright.
     RegularPrecession(RegularPrecession),
     /// Weierstrass functions for a sliding tip, elementary functions for a fixed one: e₂ = e₃ = 1.
@@ -55,6 +61,8 @@ impl ClosedForm {
     /// # Errors
     /// [`NoClosedForm`]: the motion is that of a nutating toy top with e₃ ≠ e₄.
     pub fn of(motion: &Motion) -> Result<Self, NoClosedForm> {
+        let free = || FreeBody::new(motion).map(Self::FreeBody);
+        let planar = || Pendulum::new(motion).map(Self::Pendulum);
         let steady = || RegularPrecession::new(motion).map(Self::RegularPrecession);
         let rising = || Aperiodic::new(motion).map(Self::Aperiodic);
         let held = || Lagrange::new(motion).map(Self::Lagrange);
@@ -64,13 +72,21 @@ impl ClosedForm {
             e4: motion.top().e4().unwrap_or(f64::INFINITY),
             e3_minus_e4: e3_equals_e4::difference(motion),
         };
-        steady().or_else(rising).or_else(held).or_else(sliding).ok_or_else(refusal)
+        free()
+            .or_else(steady)
+            .or_else(rising)
+            .or_else(planar)
+            .or_else(held)
+            .or_else(sliding)
+            .ok_or_else(refusal)
     }
 
     /// Orientation Φ and rate Φ' at t. A t that is not finite counts as 0.
     #[must_use]
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
         match self {
+            Self::FreeBody(form) => form.at(t),
+            Self::Pendulum(form) => form.at(t),
             Self::RegularPrecession(form) => form.at(t),
             Self::Aperiodic(form) => form.at(t),
             Self::E3EqualsE4(form) => form.at(t),
@@ -82,6 +98,8 @@ impl ClosedForm {
     #[must_use]
     pub fn nutation_phase(&self, t: f64) -> Option<Phase> {
         match self {
+            Self::FreeBody(form) => form.nutation_phase(t),
+            Self::Pendulum(form) => Some(form.nutation_phase(t)),
             Self::RegularPrecession(_) | Self::Aperiodic(_) => None,
             Self::E3EqualsE4(form) => Some(form.nutation_phase(t)),
             Self::Lagrange(form) => Some(form.nutation_phase(t)),

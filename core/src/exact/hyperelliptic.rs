@@ -78,6 +78,8 @@ pub struct Curve {
 
 impl Curve {
     /// Curve of any motion: [`Form::General`], or [`Form::FixedTip`] for a fixed tip.
+    ///
+    /// A body without torque has no such curve, because e₃ is infinite; the numbers are then not finite.
     #[must_use]
     pub fn of(motion: &Motion) -> Self {
         match motion.top().e4() {
@@ -105,13 +107,7 @@ impl Curve {
 
     fn new(form: Form, motion: &Motion) -> Self {
         let (top, integrals) = (motion.top(), motion.first_integrals());
-        let (a, c, s, p, g) = (
-            top.transverse_inertia(),
-            top.axial_inertia(),
-            top.com_height(),
-            top.mass_moment(),
-            top.gravity(),
-        );
+        let (a, s, p, g) = (top.transverse_inertia(), top.com_height(), top.mass_moment(), top.gravity());
         let factor = match form {
             Form::General => Complex::new(0.0, -Float::sqrt(0.5 * s / g)),
             Form::E3EqualsE4 => Complex::new(0.0, -Float::sqrt(2.0 * s / g)),
@@ -125,7 +121,7 @@ impl Curve {
             e4_squared: 1.0 + a / (p * s),
             factor,
             turning: momenta.map(|momentum| Complex::new(0.0, momentum / a)),
-            tau: (a - c) / (a * c) * integrals.n,
+            tau: integrals.spin - integrals.n / a,
         }
     }
 
@@ -135,7 +131,7 @@ impl Curve {
         self.form
     }
 
-    /// Rate τ = (1/C - 1/A) n, rad per unit time: for C ≠ A add iτ/2 dt to dα/α and dγ/γ, and -iτ/2 dt to dβ/β and
+    /// Rate τ = ⟨ω, r⟩ - n/A, rad per unit time, without a rotor (1/C - 1/A) n: for C ≠ A add iτ/2 dt to dα/α and dγ/γ, and -iτ/2 dt to dβ/β and
     /// dδ/δ.
     #[must_use]
     pub fn tau(&self) -> f64 {
@@ -258,9 +254,9 @@ impl Curve {
 #[must_use]
 pub fn r_of_integrals(top: &Top, integrals: &FirstIntegrals, u: Complex<f64>) -> Option<Complex<f64>> {
     let e4 = top.e4()?;
-    let FirstIntegrals { l, n, h, .. } = *integrals;
+    let FirstIntegrals { l, n, h, spin, .. } = *integrals;
     let (square, pg) = (u * u, top.mass_moment() * top.gravity());
-    let energy = real(h - 0.5 * n * n / top.axial_inertia()) - u.scaled(pg);
+    let energy = real(h - 0.5 * top.axial_inertia() * spin * spin) - u.scaled(pg);
     let momentum = real(l) - u.scaled(n);
     let cubic = ((Complex::ONE - square) * energy).scaled(1.0 / pg)
         - (momentum * momentum).scaled(0.5 / (top.transverse_inertia() * pg));

@@ -12,7 +12,7 @@
 
 use crate::attitude_state::AttitudeState;
 use crate::complex::Complex;
-use crate::constants::Signs;
+use crate::constants::{BranchPoints, Signs};
 use crate::elliptic::agm::first_kind;
 use crate::elliptic::carlson_rf;
 use crate::elliptic::elementary::{imaginary, real};
@@ -57,7 +57,7 @@ impl Lagrange {
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
         let (e, chi) = (motion.exact_branch_points(), motion.nutation_start()?);
-        if motion.top().support() != Support::Fixed {
+        if motion.top().support() != Support::Fixed || motion.top().is_torque_free() {
             return None;
         }
         let (swing, gap) = (e.e2_minus_e1, e.e3_minus_e2);
@@ -94,15 +94,8 @@ impl Lagrange {
         let whole = real(half.doubled());
         let turns = [alpha.turns(&lattice, -highest, whole), beta.turns(&lattice, Complex::ZERO, whole)];
 
-        // z(0) within half a period of u = e₁: the elliptic integral of χ
-        let (_, rest) = chi.halves();
-        let rest = if rest > Phase::QUARTER { rest - Phase::HALF } else { rest };
-        let (sine, cosine) = of_turns(rest);
-        let squared = cosine * cosine;
-        let start = sine * carlson_rf(e.e3_minus_e1() * squared, gap + swing * squared, e.e3_minus_e1());
-
         let solution = Solution { lattice, z_rate, alpha, beta };
-        let origin = start / z_rate;
+        let origin = since_lowest(e, chi) / z_rate;
         let fit = Fit::new(motion, solution.parameters(origin));
         Some(Self { solution, period: half.doubled() / z_rate, turns, origin, fit })
     }
@@ -130,6 +123,15 @@ impl Lagrange {
         let (periods, rest) = split(self.origin, t, self.period);
         Phase::ONE.times(periods) + (rest / self.period).to_phase()
     }
+}
+
+/// z(0) within half a period of u = e₁: the elliptic integral of χ.
+pub(super) fn since_lowest(e: &BranchPoints<Extended>, chi: Phase) -> Extended {
+    let (_, rest) = chi.halves();
+    let rest = if rest > Phase::QUARTER { rest - Phase::HALF } else { rest };
+    let (sine, cosine) = of_turns(rest);
+    let (squared, length) = (cosine * cosine, e.e3_minus_e1());
+    sine * carlson_rf(length * squared, e.e3_minus_e2 + e.e2_minus_e1 * squared, length)
 }
 
 impl Solution {

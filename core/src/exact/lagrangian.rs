@@ -4,11 +4,14 @@
 //! r = ΦkΦ⁻¹ and q = [r, k]:
 //!
 //! ```text
-//! T  = A⟨ω, ω⟩/2 + (C - A)⟨ω, r⟩²/2 + ps⟨q, ω⟩²/2        V = pg⟨r, k⟩        L = T - V
-//! m  = Aω + (C - A)⟨ω, r⟩ r + ps⟨q, ω⟩ q
-//! DL = (C - A)⟨ω, r⟩ [r, ω] + ps⟨q, ω⟩ [r, [k, ω]] - pg q        (printed with + in front of the last term)
+//! T  = A⟨ω, ω⟩/2 + (C - A)⟨ω, r⟩²/2 + ps⟨q, ω⟩²/2        V = pg⟨r, k⟩        L = T + K⟨ω, r⟩ - V
+//! m  = Aω + ((C - A)⟨ω, r⟩ + K) r + ps⟨q, ω⟩ q
+//! DL = ((C - A)⟨ω, r⟩ + K) [r, ω] + ps⟨q, ω⟩ [r, [k, ω]] - pg q        (printed with + in front of the last term)
 //! m' = [ω, m] + DL                                               (equation (3.1))
 //! ```
+//!
+//! The momentum K of a rotor inside, which the paper does not have, adds K⟨ω, r⟩ to L (Routh's function of the rotor's
+//! angle).
 
 use crate::scalar::Float;
 use crate::su2::{Orientation, Vector, bracket, dot};
@@ -26,6 +29,7 @@ pub struct Lagrangian<F> {
     ps: F,
     /// Product p g, kg m²/s².
     pg: F,
+    k: F,
 }
 
 /// Upward vertical k = e₃.
@@ -46,8 +50,8 @@ impl<F: Float> Lagrangian<F> {
     /// Lagrangian of a top, whose parameters count as exact.
     #[must_use]
     pub fn new(top: &Top) -> Self {
-        let Quantities { a, c, s, p, g } = Quantities::of(top);
-        Self { a, c, ps: p * s, pg: p * g }
+        let Quantities { a, c, s, p, g, k } = Quantities::as_given(top);
+        Self { a, c, ps: p * s, pg: p * g, k }
     }
 
     /// Kinetic energy T(Φ, ω), J: the rotation about the centre of mass, and (last term) the vertical motion of the
@@ -67,10 +71,10 @@ impl<F: Float> Lagrangian<F> {
         self.pg * phi.u()
     }
 
-    /// Lagrangian L = T - V, J.
+    /// Lagrangian L = T + K⟨ω, r⟩ - V, J.
     #[must_use]
     pub fn value(&self, phi: &Orientation<F>, omega: Vector<F>) -> F {
-        self.kinetic(phi, omega) - self.potential(phi)
+        self.kinetic(phi, omega) + self.k * dot(omega, phi.axis()) - self.potential(phi)
     }
 
     /// Energy h = T + V, J.
@@ -84,17 +88,18 @@ impl<F: Float> Lagrangian<F> {
     #[must_use]
     pub fn momentum(&self, phi: &Orientation<F>, omega: Vector<F>) -> Vector<F> {
         let (r, q) = axis_and_normal(phi);
-        let axial = times((self.c - self.a) * dot(omega, r), r);
+        let axial = times(self.beyond_sphere(r, omega), r);
         let rising = times(self.ps * dot(q, omega), q);
         sum(times(self.a, omega), sum(axial, rising))
     }
 
     /// Angular velocity ω of a momentum: the inverse of [`Lagrangian::momentum`]. No matrix is inverted, because ⟨m,
-    /// r⟩ = C⟨ω, r⟩ and ⟨m, q⟩ = (A + ps|q|²)⟨ω, q⟩.
+    /// r⟩ = C⟨ω, r⟩ + K and ⟨m, q⟩ = (A + ps|q|²)⟨ω, q⟩. Where C = 0 the momentum tells nothing of ⟨ω, r⟩, which is then 0.
     #[must_use]
     pub fn omega(&self, phi: &Orientation<F>, m: Vector<F>) -> Vector<F> {
         let (r, q) = axis_and_normal(phi);
-        let axial = times(-((self.c - self.a) / self.c * dot(m, r)), r);
+        let spin = if self.c > F::ZERO { (dot(m, r) - self.k) / self.c } else { F::ZERO };
+        let axial = times(-((self.c - self.a) * spin + self.k), r);
         let rising = times(-(self.ps * dot(m, q) / (self.a + self.ps * dot(q, q))), q);
         times(F::ONE / self.a, sum(m, sum(axial, rising)))
     }
@@ -103,7 +108,7 @@ impl<F: Float> Lagrangian<F> {
     #[must_use]
     pub fn derivative(&self, phi: &Orientation<F>, omega: Vector<F>) -> Vector<F> {
         let (r, q) = axis_and_normal(phi);
-        let axial = times((self.c - self.a) * dot(omega, r), bracket(r, omega));
+        let axial = times(self.beyond_sphere(r, omega), bracket(r, omega));
         let rising = times(self.ps * dot(q, omega), bracket(r, bracket(up(), omega)));
         sum(sum(axial, rising), times(-self.pg, q))
     }
@@ -113,6 +118,11 @@ impl<F: Float> Lagrangian<F> {
     #[must_use]
     pub fn momentum_rate(&self, phi: &Orientation<F>, omega: Vector<F>) -> Vector<F> {
         sum(bracket(omega, self.momentum(phi, omega)), self.derivative(phi, omega))
+    }
+
+    /// Axial momentum beyond that of a sphere with the moment of inertia A: (C - A)⟨ω, r⟩ + K, kg m²/s.
+    fn beyond_sphere(&self, r: Vector<F>, omega: Vector<F>) -> F {
+        (self.c - self.a) * dot(omega, r) + self.k
     }
 }
 

@@ -1,7 +1,7 @@
 //! Motions at constant tilt (e₁ = e₂; section 5.2 of the paper): regular precession, sleeping and hanging, and the
 //! steady precessions of a given tilt and spin.
 //!
-//! At u = e the angular velocity is ω = ψ' r + φ' k, where A e φ'² - n φ' + p g = 0 and ψ' = n/C - e φ'. Therefore
+//! At u = e the angular velocity is ω = ψ' r + φ' k, where A e φ'² - n φ' + p g = 0 and ψ' = ⟨ω, r⟩ - e φ'. Therefore
 //!
 //! ```text
 //! φ' = √(pg/2A) [s₊ √(e₃ + 1) + s₋ √(e₃ - 1)]
@@ -53,14 +53,15 @@ pub enum Stability {
 }
 
 impl RegularPrecession {
-    /// Closed form of a motion; `None` unless u is constant (to 2^-49 rad of tilt).
+    /// Closed form of a motion; `None` unless u is constant (to 2^-49 rad of tilt), and without torque, for which there is
+    /// [`FreeBody`](crate::exact::FreeBody).
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
         let regime = motion.regime();
-        if matches!(regime, Regime::Nutating | Regime::Aperiodic) {
+        if matches!(regime, Regime::Nutating | Regime::Aperiodic) || motion.top().is_torque_free() {
             return None;
         }
-        let (e, Quantities { a, c, s, p, g }) = (motion.exact_branch_points(), motion.quantities());
+        let (e, Quantities { a, s, p, g, .. }) = (motion.exact_branch_points(), motion.quantities());
         let falls = regime == Regime::SleepingUnstable;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
         let swing = e.e2_minus_e1.halved();
@@ -68,9 +69,9 @@ impl RegularPrecession {
         let one_plus_u = if falls { one.doubled() } else { e.one_plus_e1 + swing };
 
         let precession = precession_of(p * g / a, e.e3_minus_one, motion.signs());
-        let axial = motion.exact_integrals().n / c;
+        let axial = motion.exact_integrals().spin;
         let u = if one_minus_u < one_plus_u { one - one_minus_u } else { one_plus_u - one };
-        // φ' ± ψ' with ψ' = n/C - u φ'
+        // φ' ± ψ' with ψ' = ⟨ω, r⟩ - u φ'
         let turning = [precession * one_minus_u + axial, precession * one_plus_u - axial].map(Float::halved);
 
         let stability = if falls {
@@ -135,10 +136,12 @@ pub enum SteadyPrecession {
     /// No steady precession: the spin is too slow for an axis above the horizontal, or 0 for a horizontal axis.
     None {
         /// Least |spin| with a steady precession, √(4 A e p g)/C, rad per unit time; 0 for a horizontal axis, which
-        /// needs any spin other than 0.
+        /// needs any spin other than 0. With a rotor: (√(4 A e p g) ∓ K)/C, the least spin in the direction of n;
+        /// infinite where C = 0.
         least_spin: f64,
     },
-    /// One steady precession: the axis is horizontal, with φ' = p g/n, or the spin is exactly the least one.
+    /// One steady precession: the axis is horizontal, with φ' = p g/n, or the spin is exactly the least one; or without
+    /// torque and without n the axis stays, φ' = 0.
     One {
         /// Rate φ', rad per unit time.
         rate: f64,
@@ -154,7 +157,7 @@ pub enum SteadyPrecession {
 
 impl SteadyPrecession {
     /// Steady precessions of a top at a tilt (rad from the upward vertical, strictly between 0 and π) and a spin ω·r
-    /// = n/C.
+    /// = (n - K)/C.
     ///
     /// A top released with this tilt and spin, the rate φ' as `precession`, and no nutation keeps its tilt. Relative
     /// error of a rate: a few roundings, except that the difference of the spin from the least spin loses digits
@@ -177,14 +180,18 @@ impl SteadyPrecession {
         finite("spin", spin)?;
         require(tilt > 0.0 && tilt < core::f64::consts::PI, "tilt", "strictly between 0 and pi")?;
         require(Float::abs(spin) <= 1e11, "spin", "between -1e11 and 1e11 rad/s")?;
-        let (a, n) = (top.transverse_inertia(), top.axial_inertia() * spin);
-        let weight = top.mass_moment() * top.gravity();
+        let Quantities { a, c, p, g, k, .. } = Quantities::<f64>::of(top);
+        let (n, weight) = (c * spin + k, p * g);
         // the f64 nearest to π/2 means a horizontal axis
         let e = if tilt == core::f64::consts::FRAC_PI_2 { 0.0 } else { libm::cos(tilt) };
         let least = Float::sqrt(4.0 * a * e * weight);
         let above_least = Float::abs(n) - least;
+        if weight == 0.0 && n == 0.0 {
+            return Ok(Self::One { rate: 0.0 });
+        }
         if e >= 0.0 && (above_least < 0.0 || n == 0.0) {
-            return Ok(Self::None { least_spin: least / top.axial_inertia() });
+            let opposite = if n < 0.0 { k } else { -k };
+            return Ok(Self::None { least_spin: (least + opposite) / c });
         }
         let root = if e > 0.0 {
             Float::sqrt(above_least * (Float::abs(n) + least))

@@ -24,16 +24,15 @@ pub struct Start {
 /// sin χ and cos χ of a point of the reduced curve: √(u - e₁) and ±√(e₂ - u), divided by √(e₂ - e₁). The sign is that
 /// of u'. An aperiodic motion has cos χ > 0, and its sin χ has the sign of u' instead.
 ///
-/// The smaller of the two differences is computed from g₀ = (u - e₁)(e₂ - u)(e₃ - u), without a subtraction.
+/// The smaller of the two differences is computed without a subtraction from (u - e₁)(e₂ - u) = g₀/(e₃ - u), given as a pair.
 pub(crate) fn half_phase(
     e: &BranchPoints<Extended>,
     point: &ReducedPoint<Extended>,
-    g0: Extended,
+    [g0, below_e3]: [Extended; 2],
     aperiodic: bool,
 ) -> (f64, f64) {
     let above_e1 = point.one_plus_u - e.one_plus_e1;
     let below_e2 = point.one_minus_u - e.one_minus_e2;
-    let below_e3 = point.one_minus_u + e.e3_minus_one;
     let (above_e1, below_e2) = if below_e2 < above_e1 {
         (above_e1, g0 / (below_e3 * above_e1))
     } else {

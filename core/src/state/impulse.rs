@@ -16,6 +16,9 @@
 //!
 //! *Held tip.* A and C are about the tip, where R has no moment: the right-hand side is d × J with d from the tip. This
 //! is the case s = 0 of the same formulas.
+//!
+//! *Free body.* A and C are about the centre of mass, R = 0, and d is from there: the case s = 0 once more. The momentum K
+//! of a rotor inside does not change. Where C = 0 nothing of the body is beside its axis, and J has no moment about it.
 
 use super::{FASTEST, State};
 use crate::error::{ParameterError, finite, require};
@@ -28,7 +31,7 @@ impl State {
     ///
     /// The tip is the origin because it is the one point that both kinds of top know: a top that is held by its tip need
     /// not know the distance of its centre of mass, which is at [0, 0, s] here. The point may lie outside the body, as
-    /// the end of a lever does. The orientation does not change. The support answers with an impulse of its own,
+    /// the end of a lever does. Of a free body the point is from the centre of mass. The orientation does not change. The support answers with an impulse of its own,
     /// [`State::reaction_impulse`]: a held tip stays where it is, and a sliding tip keeps its height, without friction.
     /// A horizontal impulse on a sliding top also changes the horizontal velocity of the centre of mass by J/M, which is
     /// not part of a state: the motion of this crate is relative to the centre of mass, whose horizontal velocity stays
@@ -99,6 +102,7 @@ impl State {
         Ok(match top.support() {
             Support::Sliding => [0.0, 0.0, vertical],
             Support::Fixed => reaction,
+            Support::Free => [0.0; 3],
         })
     }
 
@@ -123,9 +127,10 @@ impl State {
         let p = top.mass_moment();
         let reaction = (p * dot(given, q) - a * lift) / (a + p * s * dot(q, q));
         let axial = dot(given, r);
+        let spin_up = if c > 0.0 { axial / c } else { 0.0 };
         let mut change = given;
         for ((component, r), q) in change.iter_mut().zip(r).zip(q) {
-            *component = (*component - s * reaction * q - axial * r) / a + axial / c * r;
+            *component = (*component - s * reaction * q - axial * r) / a + spin_up * r;
         }
         Ok(change)
     }

@@ -2,14 +2,14 @@
 
 use core::f64::consts::PI;
 use toytop::scalar::{Float, Real, Ring};
-use toytop::{AttitudeState, Motion, PeriodAdvance, Regime, Stepper, Support, Top};
+use toytop::{AttitudeState, Motion, PeriodAdvance, Regime, Stepper, Support};
 
 /// Constant by its name and its function of the motion; NaN where it does not exist.
 pub type Constant = (&'static str, fn(&Motion) -> f64);
 
 /// All constants of a motion.
 pub const CONSTANTS: [Constant; 30] = [
-    ("held", |motion| f64::from(u8::from(motion.top().support() == Support::Fixed))),
+    ("held", |motion| support(motion.top().support())),
     ("A", |motion| motion.top().transverse_inertia()),
     ("C", |motion| motion.top().axial_inertia()),
     ("s", |motion| motion.top().com_height()),
@@ -33,10 +33,10 @@ pub const CONSTANTS: [Constant; 30] = [
     ("beta_turns", |motion| advance(motion, |of| of.beta_turns)),
     ("phi_per_period", |motion| advance(motion, PeriodAdvance::phi_per_period)),
     ("min_normal_force", |motion| motion.min_normal_force().unwrap_or(f64::NAN)),
-    ("natural_time", |motion| natural_time(motion.top())),
+    ("natural_time", |motion| natural_time(motion)),
     ("tilt", |motion| tilt(&at_start(motion))),
     ("azimuth", |motion| azimuth(&at_start(motion))),
-    ("spin", |motion| motion.first_integrals().n / motion.top().axial_inertia()),
+    ("spin", |motion| motion.first_integrals().spin),
     ("precession", |motion| precession(&at_start(motion))),
     ("nutation", |motion| nutation(&at_start(motion))),
 ];
@@ -51,9 +51,23 @@ fn advance(motion: &Motion, of: fn(&PeriodAdvance) -> f64) -> f64 {
     motion.period_advance().as_ref().map_or(f64::NAN, of)
 }
 
-/// T₀ = 2π √((A/p + s)/g), a time of the top's own for motions that have no period, s.
+/// Number of a support: 0 sliding, 1 held, 2 free.
+fn support(support: Support) -> f64 {
+    match support {
+        Support::Sliding => 0.0,
+        Support::Fixed => 1.0,
+        Support::Free => 2.0,
+    }
+}
+
+/// T₀ = 2π √((A/p + s)/g), a time of the top's own for motions that have no period, s. Without torque it is the time in which
+/// the axis goes round the angular momentum, and 1 for a body at rest.
 #[must_use]
-pub fn natural_time(top: &Top) -> f64 {
+pub fn natural_time(motion: &Motion) -> f64 {
+    let top = motion.top();
+    if top.is_torque_free() {
+        return motion.period_advance().map_or(1.0, |advance| advance.period);
+    }
     let length = top.transverse_inertia() / top.mass_moment() + top.com_height();
     2.0 * PI * Float::sqrt(length / top.gravity())
 }
@@ -62,7 +76,7 @@ pub fn natural_time(top: &Top) -> f64 {
 #[must_use]
 pub fn period(motion: &Motion) -> f64 {
     let nutation = motion.period_advance().filter(|_| motion.regime() == Regime::Nutating);
-    nutation.map_or_else(|| natural_time(motion.top()), |advance| advance.period)
+    nutation.map_or_else(|| natural_time(motion), |advance| advance.period)
 }
 
 fn at_start(motion: &Motion) -> AttitudeState<f64> {

@@ -1,6 +1,6 @@
 //! The same motion by the classical Runge-Kutta method in equal steps, for comparison with the exact one.
 
-use crate::equations::{Equations, FullState, Vector7};
+use crate::equations::{Equations, FullState, FullTop, Vector7};
 use toytop::scalar::Float;
 use toytop::{Complex, Motion, Orientation, Stepper};
 
@@ -27,14 +27,17 @@ impl Ghost {
     #[must_use]
     pub fn new(motion: &Motion, step: f64) -> Self {
         let (top, state) = (motion.top(), Stepper::<f64>::new(motion).attitude_state());
-        let (p, Orientation { alpha, beta }) = (top.mass_moment(), state.orientation);
-        let equations = Equations {
+        let Orientation { alpha, beta } = state.orientation;
+        let full = FullState { alpha: [alpha.re, alpha.im], beta: [beta.re, beta.im], omega: state.omega() };
+        let full_top = FullTop {
             a: top.transverse_inertia(),
             c: top.axial_inertia(),
-            ps: p * top.com_height(),
-            pg: p * top.gravity(),
+            s: top.com_height(),
+            p: top.mass_moment(),
+            g: top.gravity(),
+            k: top.rotor_momentum(),
         };
-        let full = FullState { alpha: [alpha.re, alpha.im], beta: [beta.re, beta.im], omega: state.omega() };
+        let equations = Equations::of(&full_top, &full);
         let [m1, m2, m3] = equations.momentum(&full);
         let start = [alpha.re, alpha.im, beta.re, beta.im, m1, m2, m3];
         Self { equations, com_height: top.com_height(), start, step, y: start, steps: 0.0, sense: 1.0 }

@@ -5,8 +5,8 @@ use toytop::{
     Complex, Motion, Orientation, ParameterError, Release, Sign, Signs, Start, State, Top, TopParameters,
 };
 
-/// Numbers of a top: 1 for a held tip and 0 for a sliding one, then A, C, s, M, p and g, with 0 for what is not given.
-pub type TopNumbers = [f64; 7];
+/// Numbers of a top: 1 for a held tip, 2 for a free body and 0 for a sliding tip, then A, C, s, M, p, g and K, with 0 for what is not given.
+pub type TopNumbers = [f64; 8];
 
 /// Numbers of a motion, by its [`Kind`]; what a kind does not need is ignored.
 pub type MotionNumbers = [f64; 8];
@@ -37,12 +37,24 @@ impl Kind {
 /// Top from its numbers.
 ///
 /// # Errors
-/// The errors of [`Top::sliding`] and [`Top::fixed`].
+/// The errors of [`Top::sliding`], [`Top::fixed`] and [`Top::free`].
 pub fn top(numbers: &TopNumbers) -> Result<Top, ParameterError> {
-    let [held, transverse_inertia, axial_inertia, com_height, mass, mass_moment, gravity] = *numbers;
-    let parameters =
-        TopParameters { transverse_inertia, axial_inertia, com_height, mass, mass_moment, gravity };
-    if held == 1.0 { Top::fixed(&parameters) } else { Top::sliding(&parameters) }
+    let [support, transverse_inertia, axial_inertia, com_height, mass, mass_moment, gravity, rotor_momentum] =
+        *numbers;
+    let parameters = TopParameters {
+        transverse_inertia,
+        axial_inertia,
+        com_height,
+        mass,
+        mass_moment,
+        gravity,
+        rotor_momentum,
+    };
+    match support {
+        1.0 => Top::fixed(&parameters),
+        2.0 => Top::free(&parameters),
+        _ => Top::sliding(&parameters),
+    }
 }
 
 /// Motion from its numbers.

@@ -8,7 +8,7 @@ use toytop_page::scenario::{self, Kind};
 use toytop_page::table::{Table, moment_at, set_up, tick};
 
 /// The toy top of the README: support, A, C, s, M, p, g.
-const TOY_TOP: [f64; 7] = [0.0, 3.0e-5, 2.0e-5, 0.03, 0.05, 0.0, 9.81];
+const TOY_TOP: [f64; 8] = [0.0, 3.0e-5, 2.0e-5, 0.03, 0.05, 0.0, 9.81, 0.0];
 /// Tilt, spin, precession, nutation, azimuth, roll.
 const THROW: [f64; 8] = [20.0, 150.0, 4.0, -3.0, 50.0, 70.0, 0.0, 0.0];
 
@@ -31,8 +31,8 @@ fn numbers_make_the_motion_that_names_make() {
     let top = scenario::top(&TOY_TOP).unwrap();
     assert_eq!([top.transverse_inertia(), top.axial_inertia(), top.com_height()], [3.0e-5, 2.0e-5, 0.03]);
     assert_eq!((top.support(), top.mass_moment(), top.gravity()), (Support::Sliding, 0.05 * 0.03, 9.81));
-    let held = scenario::top(&[1.0, 7.5e-5, 2.0e-5, 0.0, 0.0, 0.0015, 9.81]).unwrap();
-    assert_eq!((held.support(), held.mass_moment()), (Support::Fixed, 0.0015));
+    let held = scenario::top(&[1.0, 7.5e-5, 2.0e-5, 0.0, 0.0, 0.0015, 9.81, 0.25]).unwrap();
+    assert_eq!((held.support(), held.mass_moment(), held.rotor_momentum()), (Support::Fixed, 0.0015, 0.25));
     let release = Release {
         tilt: 20_f64.to_radians(),
         spin: 150.0,

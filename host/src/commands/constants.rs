@@ -35,13 +35,13 @@ fn constants(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)> {
         ("h", Cell::Number(integrals.h), "kg m^2/s^2"),
         ("e1", Cell::Number(e.e1), ""),
         ("e2", Cell::Number(e.e2), ""),
-        ("e3", Cell::Number(e.e3), ""),
+        ("e3", finite(e.e3), ""),
         ("e4", motion.top().e4().into(), ""),
         ("one_plus_e1", Cell::Number(e.one_plus_e1), ""),
         ("one_minus_e2", Cell::Number(e.one_minus_e2), ""),
         ("e2_minus_e1", Cell::Number(e.e2_minus_e1), ""),
-        ("e3_minus_e2", Cell::Number(e.e3_minus_e2), ""),
-        ("e3_minus_one", Cell::Number(e.e3_minus_one), ""),
+        ("e3_minus_e2", finite(e.e3_minus_e2), ""),
+        ("e3_minus_one", finite(e.e3_minus_one), ""),
         ("regime", Cell::Text(names::regime(motion.regime()).to_owned()), ""),
         ("period", average(|averages| averages.period).into(), "s"),
         ("alpha_turns", average(|averages| averages.alpha_turns).into(), "turns a period"),
@@ -50,6 +50,11 @@ fn constants(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)> {
         ("tip_class", Cell::Text(names::tip_class(motion.tip_class()).to_owned()), ""),
         ("min_normal_force", motion.min_normal_force().into(), "weights"),
     ]
+}
+
+/// A number, or nothing where it is infinite: e₃ without torque.
+fn finite(number: f64) -> Cell {
+    Some(number).filter(|number| number.is_finite()).into()
 }
 
 /// Constants in degrees and turns, for a lecture. Without units of time, a second is the scenario's unit.
@@ -67,13 +72,15 @@ fn in_everyday_units(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)>
     let precession =
         advance.as_ref().filter(|_| !vertical).map(|a| a.phi_per_period() / (2.0 * PI * a.period));
     let (a, c) = (top.transverse_inertia(), top.axial_inertia());
-    let spin = integrals.n / c / (2.0 * PI);
-    // upright, e3 > 1 if n² > 4 A p g
-    let critical = 2.0 * (a * top.mass_moment() * top.gravity()).sqrt() / c / (2.0 * PI);
+    let spin = integrals.spin / (2.0 * PI);
+    // upright, e3 > 1 if n² > 4 A p g, n = C spin + K
+    let critical_momentum = 2.0 * (a * top.mass_moment() * top.gravity()).sqrt();
+    let critical =
+        Some((critical_momentum - top.rotor_momentum()) / c / (2.0 * PI)).filter(|spin| spin.is_finite());
     let rates = |turns: Option<f64>| [360.0, 60.0].map(|unit| Cell::from(turns.map(|turns| turns * unit)));
     let [precession_deg, precession_rpm] = rates(precession);
     let [spin_deg, spin_rpm] = rates(Some(spin));
-    let [critical_deg, critical_rpm] = rates(Some(critical));
+    let [critical_deg, critical_rpm] = rates(critical);
     vec![
         ("min_tilt_deg", Cell::Number(least), "degrees"),
         ("max_tilt_deg", Cell::Number(greatest), "degrees"),

@@ -51,7 +51,8 @@ fn caption(scenario: &Scenario, curve: &Curve) -> [String; 2] {
     let (top, e, signs) = (motion.top(), motion.branch_points(), motion.signs());
     let class = tip_class(motion.tip_class()).replace('_', " ");
     let periods = curve.periods.map(|periods| format!(", {periods} periods")).unwrap_or_default();
-    let [e1, e2, e3] = [e.e1, e.e2, e.e3].map(|e| short(e, 4));
+    let shown = |e: f64| if e.is_finite() { short(e, 4) } else { "∞".to_owned() };
+    let [e1, e2, e3] = [e.e1, e.e2, e.e3].map(shown);
     // their squares are proportional to these
     let vanishes = [e.one_plus_e1 * (1.0 + e.e2), (1.0 - e.e1) * e.one_minus_e2 * e.e3_minus_one];
     let sign = |sign: Sign, vanishes: f64| match sign {
@@ -65,6 +66,7 @@ fn caption(scenario: &Scenario, curve: &Curve) -> [String; 2] {
             "A/(ps) = {}, C/A = ",
             short(top.transverse_inertia() / (top.mass_moment() * top.com_height()), 4)
         ),
+        Support::Free => "free body: the curve is minus the tip of toytop state, C/A = ".to_owned(),
         Support::Fixed => "tip held: the curve is minus the tip of toytop state, C/A = ".to_owned(),
     } + &short(top.axial_inertia() / top.transverse_inertia(), 4);
     [

@@ -189,9 +189,13 @@ fn write(
 /// Remark below a table with the tip of a top that is held.
 fn remark(sheet: &Sheet) -> &'static str {
     use crate::samples::column::Column;
-    if sheet.support == Support::Fixed && sheet.columns.contains(&Column::Tip) {
-        "\ntip: 2 alpha beta, minus the horizontal part of the axis (the tip is held)\n"
-    } else {
-        ""
+    match sheet.support {
+        Support::Fixed if sheet.columns.contains(&Column::Tip) => {
+            "\ntip: 2 alpha beta, minus the horizontal part of the axis (the tip is held)\n"
+        }
+        Support::Free if sheet.columns.contains(&Column::Tip) => {
+            "\ntip: 2 alpha beta, minus the horizontal part of the axis (the body is free)\n"
+        }
+        _ => "",
     }
 }

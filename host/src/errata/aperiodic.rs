@@ -56,7 +56,7 @@ pub(super) const SLIPS: [Slip; 6] = [
 ];
 
 /// A = C = s = g = 1, p = 0.8, so e₄² = 2.25; u = e₁ at t = 0, l = n > 0.
-const TOP: FullTop = FullTop { a: 1.0, c: 1.0, s: 1.0, p: 0.8, g: 1.0 };
+const TOP: FullTop = FullTop { a: 1.0, c: 1.0, s: 1.0, p: 0.8, g: 1.0, k: 0.0 };
 const E1: f64 = -0.2;
 const E4: f64 = 1.5;
 

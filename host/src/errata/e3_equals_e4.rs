@@ -32,7 +32,7 @@ pub(super) const SLIPS: [Slip; 3] = [
 ];
 
 /// A = C = s = p = g = 1, so e₄² = 2; u = e₂ at t = 0.
-const TOP: FullTop = FullTop { a: 1.0, c: 1.0, s: 1.0, p: 1.0, g: 1.0 };
+const TOP: FullTop = FullTop { a: 1.0, c: 1.0, s: 1.0, p: 1.0, g: 1.0, k: 0.0 };
 const E: [f64; 3] = [-0.3, 0.6, std::f64::consts::SQRT_2];
 
 struct Case {

@@ -5,7 +5,7 @@ use num_complex::Complex64 as C;
 use toytop::{Complex, Orientation};
 
 /// The top of sections 2 to 4: A, C, s, p; g = 1.
-pub(super) const TOP: FullTop = FullTop { a: 1.1, c: 0.8, s: 0.6, p: 0.9, g: 1.0 };
+pub(super) const TOP: FullTop = FullTop { a: 1.1, c: 0.8, s: 0.6, p: 0.9, g: 1.0, k: 0.0 };
 
 /// An instant. Φ' is the full equations'.
 pub(super) struct Instant {
@@ -37,7 +37,7 @@ impl Instant {
             beta: [-0.2, 0.5].map(|x| x / norm),
             omega: [0.4, -0.7, 1.3],
         };
-        let equations = Equations { a: TOP.a, c: TOP.c, ps: TOP.p * TOP.s, pg: TOP.p * TOP.g };
+        let equations = Equations::of(&TOP, &state);
         let [m1, m2, m3] = equations.momentum(&state);
         let ([a, b], [c, d]) = (state.alpha, state.beta);
         let slope = equations.derivative(&[a, b, c, d, m1, m2, m3]);

@@ -69,7 +69,7 @@ impl<S: Scheme> EqualSteps<S> {
     /// At t = 0, to go on in steps of `step` in s.
     #[must_use]
     pub fn new(top: &FullTop, state: &FullState, step: f64) -> Self {
-        let equations = Equations { a: top.a, c: top.c, ps: top.p * top.s, pg: top.p * top.g };
+        let equations = Equations::of(top, state);
         let ([a, b], [c, d], [l, m, n]) = (state.alpha, state.beta, equations.momentum(state));
         Self { equations, y: [a, b, c, d, l, m, n], step, scheme: PhantomData }
     }
@@ -94,7 +94,7 @@ mod tests {
     use crate::full_equations::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver};
 
     fn order<S: Scheme>() -> (f64, f64) {
-        let top = FullTop { a: 1.1, c: 0.8, s: 0.6, p: 0.9, g: 1.0 };
+        let top = FullTop { a: 1.1, c: 0.8, s: 0.6, p: 0.9, g: 1.0, k: 0.0 };
         let state = FullState { alpha: [0.6, 0.0], beta: [0.0, 0.8], omega: [0.3, -0.2, 2.5] };
         let truth = FullSolver::new(top, state, FULL_SOLVER_TOLERANCE).advance_to(2.0).unwrap();
         let error = |steps: u32| {

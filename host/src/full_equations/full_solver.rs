@@ -103,9 +103,14 @@ impl FullSolver {
     /// aperiodic: 3e-9 rad).
     #[must_use]
     pub fn new(top: FullTop, state: FullState, tolerance: f64) -> Self {
-        let rate = (top.p * top.g.abs() / top.a + dot(state.omega, state.omega)).sqrt();
-        let (rate_unit, inertia_unit) = (power_of_two(rate), power_of_two(top.a));
+        let rotor = top.k / top.a;
+        let rate = (top.p * top.g.abs() / top.a + dot(state.omega, state.omega) + rotor * rotor).sqrt();
+        // a body at rest without weight has no rate of its own
+        let rate_unit = if rate > 0.0 { power_of_two(rate) } else { 1.0 };
+        let inertia_unit = power_of_two(top.a);
         let equations = Equations {
+            k: top.k / inertia_unit / rate_unit,
+            spin: dot(state.omega, state.axis()) / rate_unit,
             a: top.a / inertia_unit,
             c: top.c / inertia_unit,
             ps: top.p * top.s / inertia_unit,
@@ -125,7 +130,8 @@ impl FullSolver {
         // Rounding m blurs the angular velocity by momentum / min(A, C): steps must not chase that. The
         // factor is 1 for ordinary tops; it matters for slender ones and for p s >> A. The quarter is
         // measured.
-        let blur = (0.25 * momentum / equations.a.min(equations.c)).max(1.0);
+        let thin = if equations.c > 0.0 { equations.c } else { equations.a };
+        let blur = (0.25 * momentum / equations.a.min(thin)).max(1.0);
         let fault = fault(&top, &state, tolerance, &[equations.c, equations.pg, rate_unit, momentum * blur]);
         let mut tolerances = [tolerance * blur; 7];
         tolerances[4..].fill(tolerance * blur * momentum);
@@ -274,13 +280,16 @@ impl ODE<f64, Vector7> for Change<'_> {
 
 /// What is wrong with the arguments of [`FullSolver::new`], if anything. `natural` is what came of them.
 fn fault(top: &FullTop, state: &FullState, tolerance: f64, natural: &[f64; 4]) -> Option<&'static str> {
-    let FullTop { a, c, s, p, g } = *top;
+    let FullTop { a, c, s, p, g, k } = *top;
     let ([ar, ai], [br, bi]) = (state.alpha, state.beta);
     let positive = |x: f64| x > 0.0 && x.is_finite();
     let checks = [
-        (positive(a) && positive(c), "the inertias have to be positive"),
+        (
+            positive(a) && c >= 0.0 && c.is_finite(),
+            "the inertias have to be positive, the axial one at least 0",
+        ),
         (s >= 0.0 && p >= 0.0, "the centre of mass' distance and the mass moment must not be negative"),
-        (s.is_finite() && p.is_finite() && g.is_finite(), "the top's numbers have to be finite"),
+        ([s, p, g, k].iter().all(|x| x.is_finite()), "the top's numbers have to be finite"),
         (state.omega.iter().all(|w| w.is_finite()), "the angular velocity has to be finite"),
         (
             (ar * ar + ai * ai + br * br + bi * bi - 1.0).abs() <= 1e-6,
@@ -288,7 +297,7 @@ fn fault(top: &FullTop, state: &FullState, tolerance: f64, natural: &[f64; 4]) -
         ),
         ((1e-17..=1e-2).contains(&tolerance), "the tolerance has to lie in [1e-17, 1e-2]"),
         (
-            natural.iter().all(|x| x.is_finite()) && positive(natural[0]) && positive(natural[3]),
+            natural.iter().all(|x| x.is_finite()) && positive(natural[3]),
             "the top's and the state's numbers are too far apart in size",
         ),
     ];

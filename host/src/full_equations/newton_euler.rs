@@ -2,7 +2,7 @@
 //! of the plane unknown. No Lagrangian, no momentum m: what is derived from those can be checked against this.
 //!
 //! ```text
-//! M s u'' = N - M g        d/dt (A ω + (C - A) ⟨ω, r⟩ r) = (-s r) × (N k) = -s N q        q = r × k
+//! M s u'' = N - M g        d/dt (A ω + ((C - A) ⟨ω, r⟩ + K) r) = (-s r) × (N k) = -s N q        q = r × k
 //! ```
 //!
 //! The axial part says ⟨ω, r⟩' = 0; the part along q, with u' = ⟨ω, q⟩, leaves one linear equation for u''.
@@ -23,10 +23,10 @@ pub struct Accelerations {
 /// The accelerations of a state of a top. `s` = 0: about the fixed tip.
 #[must_use]
 pub fn accelerations(top: &FullTop, state: &FullState) -> Accelerations {
-    let FullTop { a, c, s, p, g } = *top;
+    let FullTop { a, c, s, p, g, k } = *top;
     let (r, omega) = (state.axis(), state.omega);
     let (q, turn) = ([r[1], -r[0], 0.0], cross(omega, r));
-    let axial = (c - a) * dot(omega, r);
+    let axial = (c - a) * dot(omega, r) + k;
     // u'' = ⟨ω', q⟩ + ⟨ω, r' × k⟩ and A ω' = -p (g + s u'') q - axial r'
     let bend = a * dot(omega, [turn[1], -turn[0], 0.0]);
     let height = (bend - p * g * dot(q, q) - axial * dot(turn, q)) / (a + p * s * dot(q, q));
@@ -40,11 +40,11 @@ mod tests {
     use super::*;
     use crate::full_equations::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver};
 
-    /// Against differences of ω along the full solver's path, for both supports.
+    /// Against differences of ω along the full solver's path, for both supports, with and without a rotor.
     #[test]
     fn it_is_the_acceleration_of_the_full_solution() {
-        for s in [0.6, 0.0] {
-            let top = FullTop { a: 1.1, c: 0.8, s, p: 0.9, g: 1.3 };
+        for (s, k) in [(0.6, 0.0), (0.6, 1.7), (0.0, -2.3)] {
+            let top = FullTop { a: 1.1, c: 0.8, s, p: 0.9, g: 1.3, k };
             let state = FullState { alpha: [0.6, 0.0], beta: [0.0, 0.8], omega: [0.3, -0.2, 2.5] };
             let solver = FullSolver::new(top, state, FULL_SOLVER_TOLERANCE);
             let at = |t: f64| solver.clone().advance_to(t).unwrap();

@@ -30,6 +30,7 @@ pub fn start(scenario: &Scenario) -> (FullTop, FullState) {
             s: top.com_height(),
             p: top.mass_moment(),
             g: top.gravity(),
+            k: top.rotor_momentum(),
         },
         state,
     )

@@ -5,7 +5,7 @@ use crate::cli::Scalar;
 use crate::input::scenario::{Scenario, Units};
 use toytop::{Motion, ParameterError, Sign, Signs, Start, Top, TopParameters};
 
-/// The paper's figures 2 and 3, three tops in SI units, and two motions near the separatrix.
+/// The paper's figures 2 and 3, seven tops in SI units, and two motions near the separatrix.
 ///
 /// # Errors
 /// None: every one is valid, and a test runs them.
@@ -62,10 +62,14 @@ fn separatrix_name(gap: f64) -> String {
 pub const TOY_TOP: &str = include_str!("../../scenarios/toy_top.toml");
 
 /// The sample files that are no figure of the paper.
-const SAMPLES: [(&str, &str); 3] = [
+const SAMPLES: [(&str, &str); 7] = [
     ("toy top 150 rad/s", TOY_TOP),
     ("sleeping top", include_str!("../../scenarios/sleeping.toml")),
     ("Lagrange top", include_str!("../../scenarios/lagrange.toml")),
+    ("gyrostat", include_str!("../../scenarios/gyrostat.toml")),
+    ("free body", include_str!("../../scenarios/free_body.toml")),
+    ("pendulum", include_str!("../../scenarios/pendulum.toml")),
+    ("spherical pendulum", include_str!("../../scenarios/spherical_pendulum.toml")),
 ];
 
 /// l + n > 0 > l - n.

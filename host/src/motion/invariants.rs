@@ -3,10 +3,11 @@
 
 use toytop::{Complex, Motion, Top};
 
-/// (l, n, h): l = A ω₃ + (C - A) ⟨ω, r⟩ u and n = C ⟨ω, r⟩ in kg m²/s, h = T + V in kg m²/s².
+/// (l, n, h): l = A ω₃ + ((C - A) ⟨ω, r⟩ + K) u and n = C ⟨ω, r⟩ + K in kg m²/s, h = T + V in kg m²/s².
 #[must_use]
 pub fn first_integrals(top: &Top, alpha: Complex<f64>, beta: Complex<f64>, omega: [f64; 3]) -> [f64; 3] {
     let (a, c, p, g) = (top.transverse_inertia(), top.axial_inertia(), top.mass_moment(), top.gravity());
+    let k = top.rotor_momentum();
     let [w1, w2, w3] = omega;
     let horizontal = (alpha * beta).scaled(-2.0); // r₁ + i r₂
     let (r1, r2, u) = (horizontal.re, horizontal.im, alpha.norm_squared() - beta.norm_squared());
@@ -14,17 +15,21 @@ pub fn first_integrals(top: &Top, alpha: Complex<f64>, beta: Complex<f64>, omega
     let udot = w1 * r2 - w2 * r1;
     let kinetic = 0.5
         * (a * (w1 * w1 + w2 * w2 + w3 * w3) + (c - a) * axial * axial + p * top.com_height() * udot * udot);
-    [a * w3 + (c - a) * axial * u, c * axial, kinetic + p * g * u]
+    [a * w3 + ((c - a) * axial + k) * u, c * axial + k, kinetic + p * g * u]
 }
 
-/// Of l, n and h: the greater of the motion's own and of what the top's weight makes natural, √(2 A p g) and p g.
+/// Of l, n and h: the greatest of the motion's own, of what the top's weight makes natural, √(2 A p g) and p g, and of √(2 A h),
+/// the momentum of a body that has all its energy in a motion of the axis.
 #[must_use]
 pub fn natural_scales(motion: &Motion) -> [f64; 3] {
     let (top, constants) = (motion.top(), motion.first_integrals());
     let weight = top.mass_moment() * top.gravity();
-    let momentum =
-        (2.0 * top.transverse_inertia() * weight).sqrt().max(constants.l.abs()).max(constants.n.abs());
-    [momentum, momentum, weight.max(constants.h.abs())]
+    let a = top.transverse_inertia();
+    // a free body at rest has none of them
+    let energy = weight.max(constants.h.abs()).max(f64::MIN_POSITIVE);
+    let momentum = (2.0 * a * weight).sqrt().max(constants.l.abs()).max(constants.n.abs());
+    let momentum = if top.is_torque_free() { momentum.max((2.0 * a * energy).sqrt()) } else { momentum };
+    [momentum, momentum, energy]
 }
 
 #[cfg(test)]

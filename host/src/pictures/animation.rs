@@ -52,7 +52,7 @@ impl<'a> Film<'a> {
         let tip = match self.scenario.motion.top().support() {
             // the centre of mass stays above one point of the plane
             Support::Sliding => [-x, -y, 0.0],
-            Support::Fixed => [0.0; 3],
+            Support::Fixed | Support::Free => [0.0; 3],
         };
         [tip, [tip[0] + AXIS * x, tip[1] + AXIS * y, tip[2] + AXIS * z]]
     }

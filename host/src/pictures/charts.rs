@@ -78,7 +78,7 @@ pub fn precession(scenario: &Scenario, span: &Span<'_>) -> Result<Scene, Failure
 
 /// Effective potential less the energy, against the tilt: the axis moves where it is below 0.
 ///
-/// V = (l - n u)²/(2A (1 - u²)) + n²/(2C) + p g u, with u the cosine of the tilt.
+/// V = (l - n u)²/(2A (1 - u²)) + C ⟨ω, r⟩²/2 + p g u, with u the cosine of the tilt.
 #[must_use]
 pub fn potential(scenario: &Scenario) -> Scene {
     let (motion, h) = (&scenario.motion, scenario.motion.first_integrals().h);
@@ -117,7 +117,7 @@ fn effective_potential(motion: &Motion, u: f64) -> f64 {
     let swing =
         plus * plus * (1.0 - u) / (1.0 + u) + minus * minus * (1.0 + u) / (1.0 - u) + 2.0 * plus * minus;
     swing / (8.0 * top.transverse_inertia())
-        + constants.n * constants.n / (2.0 * top.axial_inertia())
+        + 0.5 * top.axial_inertia() * constants.spin * constants.spin
         + top.mass_moment() * top.gravity() * u
 }
 

@@ -155,7 +155,7 @@ impl Rows {
             return measured;
         }
         let nutation = averages.filter(|_| motion.regime() == Regime::Nutating);
-        let period = nutation.map_or_else(|| natural_time(motion.top()), |averages| averages.period);
+        let period = nutation.map_or_else(|| natural_time(&motion), |averages| averages.period);
         let times = times(self.periods * period, self.ticks);
         measured.double = approximate(&motion, period, WITHIN).ok().map(|table| Run::of(&*table, &times));
         if wants(Column::of_f32) {

@@ -94,6 +94,7 @@ impl Exact {
             one_minus_e2,
             e2_minus_e1: &e2 - &e1,
             e3_minus_e2: &e3 - &e2,
+            torque: true,
             a_over_p: &a / &p,
             momenta: [l_plus_n / &twice_a, l_minus_n / &twice_a],
             g,

@@ -31,7 +31,7 @@ impl Launched {
     /// The constants of this state.
     #[must_use]
     pub fn new(numbers: &StateNumbers) -> Self {
-        let [a, c, s, p, g] = numbers.top.map(of_512_bits);
+        let [a, c, s, p, g, k] = numbers.top.map(of_512_bits);
         let one = of_512_bits(1.0);
         let two = of_512_bits(2.0);
         let [alpha, beta] = numbers.phi.map(|[re, im]| [of_512_bits(re), of_512_bits(im)]);
@@ -42,14 +42,37 @@ impl Launched {
         let [re, im] = product(&alpha, &beta);
         let r = [-&two * re / &norm, -&two * im / &norm, u.clone()];
         let spin = dot(&omega, &r);
-        let l = &a * &omega[2] + (&c - &a) * &spin * &u;
-        let n = &c * &spin;
+        let l = &a * &omega[2] + ((&c - &a) * &spin + &k) * &u;
+        let n = &c * &spin + &k;
         let udot = &omega[0] * &r[1] - &omega[1] * &r[0];
         // A |ω × r|² + ps u'², and E
         let across = dot(&omega, &omega) - &spin * &spin;
-        let energy = &u + (&a * across + &p * &s * &udot * &udot) / (&two * &p * &g);
-        let kappa = &one / (&two * &a * &p * &g);
-        let [e1, e2, e3] = roots(&energy, &kappa, &l, &n);
+        let torque = to_f64(&(&p * &g)) > 0.0;
+        // without torque A² u'² = |m|² (u - e₁)(e₂ - u), which is the law with D = 1, e₃ - u = 1 and g = |m|²/2A²
+        let momentum_squared = &a * &a * &across + &n * &n;
+        let rests = to_f64(&momentum_squared) == 0.0;
+        let [e1, e2, e3] = if torque {
+            let energy = &u + (&a * across + &p * &s * &udot * &udot) / (&two * &p * &g);
+            let kappa = &one / (&two * &a * &p * &g);
+            roots(&energy, &kappa, &l, &n)
+        } else if rests {
+            [u.clone(), u.clone(), &u + &one]
+        } else {
+            let middle = &l * &n / &momentum_squared;
+            let horizontal = (&momentum_squared - &l * &l) * (&momentum_squared - &n * &n);
+            let half = if to_f64(&horizontal) > 0.0 {
+                root(&horizontal) / &momentum_squared
+            } else {
+                of_512_bits(0.0)
+            };
+            let e2 = &middle + &half;
+            [&middle - &half, e2.clone(), e2 + &one]
+        };
+        let (s, g, a_over_p) = if torque {
+            (s, g, &a / &p)
+        } else {
+            (of_512_bits(0.0), &momentum_squared / (&two * &a * &a), one.clone())
+        };
 
         let gap = |low: &Precise512, high: &Precise512| {
             let gap = high - low;
@@ -77,10 +100,11 @@ impl Launched {
             one_minus_e2: rounded(&one_minus_e2),
             e2_minus_e1: rounded(&e2_minus_e1),
             e3_minus_e2: rounded(&e3_minus_e2),
-            a_over_p: rounded(&(&a / &p)),
+            torque,
+            a_over_p: rounded(&a_over_p),
             momenta,
         };
-        let half_tau = rounded(&((&one / &c - &one / &a) * &n / &two));
+        let half_tau = rounded(&((&spin - &n / &a) / &two));
         Self { law, half_tau, half_phase, directions: directions(&alpha, &beta, &omega) }
     }
 }

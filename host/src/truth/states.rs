@@ -6,8 +6,8 @@ use toytop::{Complex, Motion, Orientation, ParameterError, State, Top, TopParame
 /// The numbers of a state and its top, all exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StateNumbers {
-    /// A, C, s, p, g.
-    pub top: [f64; 5],
+    /// A, C, s, p, g and K. The tip slides unless s = 0, and is held unless p = 0 too; then the body is free.
+    pub top: [f64; 6],
     /// α and β; what they mean is normalised.
     pub phi: [[f64; 2]; 2],
     /// ω in the fixed frame.
@@ -17,7 +17,7 @@ pub struct StateNumbers {
 impl StateNumbers {
     /// Truth of a launch from a state.
     #[must_use]
-    pub fn of(top: [f64; 5], state: &State) -> Self {
+    pub fn of(top: [f64; 6], state: &State) -> Self {
         let Orientation { alpha, beta } = state.orientation();
         Self { top, phi: [alpha, beta].map(|z| [z.re, z.im]), omega: state.omega() }
     }
@@ -27,15 +27,21 @@ impl StateNumbers {
     /// # Errors
     /// Those of a top, a state and a launch.
     pub fn motion(&self) -> Result<Motion, ParameterError> {
-        let [a, c, s, p, g] = self.top;
-        let top = Top::sliding(&TopParameters {
+        let [a, c, s, p, g, rotor_momentum] = self.top;
+        let parameters = TopParameters {
             transverse_inertia: a,
             axial_inertia: c,
             com_height: s,
             mass_moment: p,
             gravity: g,
+            rotor_momentum,
             ..TopParameters::default()
-        })?;
+        };
+        let top = match (s > 0.0, p > 0.0) {
+            (true, _) => Top::sliding(&parameters),
+            (false, true) => Top::fixed(&parameters),
+            (false, false) => Top::free(&parameters),
+        }?;
         let [alpha, beta] = self.phi.map(|[re, im]| Complex::new(re, im));
         Motion::launch(&top, &State::new(Orientation { alpha, beta }, self.omega)?)
     }
@@ -43,7 +49,10 @@ impl StateNumbers {
 
 impl fmt::Display for StateNumbers {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { top: [a, c, s, p, g], phi: [alpha, beta], omega } = self;
-        write!(f, "A={a:?} C={c:?} s={s:?} p={p:?} g={g:?} alpha={alpha:?} beta={beta:?} omega={omega:?}")
+        let Self { top: [a, c, s, p, g, k], phi: [alpha, beta], omega } = self;
+        write!(
+            f,
+            "A={a:?} C={c:?} s={s:?} p={p:?} g={g:?} K={k:?} alpha={alpha:?} beta={beta:?} omega={omega:?}"
+        )
     }
 }

@@ -74,9 +74,13 @@ impl<'a> Input<'a> {
 
     /// Top of either support; most are accepted.
     fn top(&mut self) -> Result<Top, ParameterError> {
-        let kind = self.byte() % 4;
+        let choice = self.byte();
+        let kind = choice % 4;
         let a = self.decade(-6.0, 4.0);
         let c = a * self.decade(-6.5, 0.5);
+        if choice >= 0xc0 {
+            return self.other_top(choice, a, c);
+        }
         let s = self.decade(-4.0, 2.0);
         let g = self.decade(-3.0, 3.0);
         // A/(ps) determines how difficult a top is
@@ -116,6 +120,25 @@ impl<'a> Input<'a> {
         }
     }
 
+    /// Top that the paper does not have: with a rotor, a rod, free, or held without gravity.
+    fn other_top(&mut self, choice: u8, a: f64, c: f64) -> Result<Top, ParameterError> {
+        let parameters = TopParameters {
+            transverse_inertia: a,
+            axial_inertia: if choice & 8 == 0 { c } else { 0.0 },
+            com_height: self.decade(-4.0, 2.0),
+            mass_moment: a / self.decade(-6.5, 6.5),
+            gravity: self.decade(-3.0, 3.0),
+            rotor_momentum: if choice & 4 == 0 { a * self.signed(-20.0, 13.0) } else { 0.0 },
+            ..TopParameters::default()
+        };
+        match choice % 4 {
+            0 => Top::sliding(&parameters),
+            1 => Top::fixed(&TopParameters { com_height: 0.0, ..parameters }),
+            2 => Top::fixed(&TopParameters { com_height: 0.0, gravity: 0.0, ..parameters }),
+            _ => Top::free(&parameters),
+        }
+    }
+
     /// Orientation and ω, with ω in units of the growth rate of a fall.
     fn state(&mut self, unit: f64) -> Result<State, ParameterError> {
         if self.byte().is_multiple_of(2) {
@@ -141,7 +164,10 @@ impl<'a> Input<'a> {
         if self.byte().is_multiple_of(2) {
             return Motion::launch(
                 &top,
-                &self.state((top.mass_moment() * top.gravity() / top.transverse_inertia()).sqrt())?,
+                &self.state(match top.is_torque_free() {
+                    true => 1.0,
+                    false => (top.mass_moment() * top.gravity() / top.transverse_inertia()).sqrt(),
+                })?,
             );
         }
         let e1 = self.place(2.0) - 1.0;

@@ -2,7 +2,7 @@
 //! falls.
 
 use crate::constants::BranchPoints;
-use crate::constants::branch_points::LARGEST_E3;
+use crate::constants::branch_points::{LARGEST_E3, TOO_FAST};
 use crate::error::{ParameterError, require};
 use crate::scalar::{Extended, Ring};
 use crate::top::{Quantities, Top};
@@ -15,7 +15,7 @@ impl BranchPoints<Extended> {
         let quantities = Quantities::<Extended>::of(top);
         let scale = (quantities.a * quantities.p * quantities.g).doubled();
         let gap = beyond_border(&quantities, n) / scale;
-        require(gap < Extended::from(LARGEST_E3), "omega", "slow enough for e3 <= 1e14")?;
+        require(gap < Extended::from(LARGEST_E3), "omega", TOO_FAST)?;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
         let upright = Self {
             e1: one,
@@ -57,7 +57,14 @@ mod tests {
     fn the_border_is_sharp() {
         let (factor, third) = (Extended::from(1.0 + f64::EPSILON), Extended::ONE / 3.0.into());
         let p = Extended::product(1.0 + f64::EPSILON, 0.1);
-        let quantities = |p| Quantities { a: factor * 0.25.into(), c: third, s: third, p, g: 0.1.into() };
+        let quantities = |p| Quantities {
+            a: factor * 0.25.into(),
+            c: third,
+            s: third,
+            p,
+            g: 0.1.into(),
+            k: Extended::ZERO,
+        };
         let n = factor * Extended::from(0.1);
         assert_eq!(beyond_border(&quantities(p), n), Extended::ZERO);
         let least = Extended::from(1e-36);

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! which is regular at both verticals and at the turning points. Where u falls, the tabulated values are mirrored, and
-//! N becomes -N̄. The axial part Ω₃ = n/C is constant.
+//! N becomes -N̄. The axial part Ω₃ = (n - K)/C is constant.
 
 use crate::complex::Complex;
 use crate::product::high_product;

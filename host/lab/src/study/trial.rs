@@ -84,7 +84,7 @@ pub fn run(random: &mut Random) -> Result<Trial, Failure> {
     let numbers = Numbers::random(random);
     let motion = numbers.motion().map_err(|error| Failure::Input(format!("{numbers}: {error}")))?;
     let exact = Exact::new(&numbers);
-    let natural_time = natural_time(motion.top());
+    let natural_time = natural_time(&motion);
     let ticks = Ticks { exact: &exact, rate: ticks_per_time(&motion), natural_time };
     let targets = targets(&ticks, random);
     let outcomes = [Scalar::F64, Scalar::F32].map(|scalar| outcome(scalar, &motion, &targets));

@@ -55,8 +55,10 @@ fn of_the_truth(motion: &Motion) -> f64 {
         _ => 0.0,
     };
     let top = motion.top();
-    (amplified + 1e-12) * (top.transverse_inertia() + top.mass_moment() * top.com_height())
-        / top.transverse_inertia().min(top.axial_inertia())
+    let (a, c) = (top.transverse_inertia(), top.axial_inertia());
+    // without axial inertia the axial rate is no result of the integration
+    let least = if c > 0.0 { a.min(c) } else { a };
+    (amplified + 1e-12) * (a + top.mass_moment() * top.com_height()) / least
 }
 
 /// No orientation is further from another.

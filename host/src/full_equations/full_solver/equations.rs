@@ -13,7 +13,7 @@ pub struct FullTop {
     /// Transverse moment of inertia A \[kg m^2\], > 0: about the centre of mass, or about the tip when `s` is
     /// 0.
     pub a: f64,
-    /// Axial moment of inertia C \[kg m^2\], > 0.
+    /// Axial moment of inertia C \[kg m^2\], >= 0.
     pub c: f64,
     /// Distance s from tip to centre of mass \[m\], >= 0; 0 means the top whose tip is fixed (Lagrange).
     pub s: f64,
@@ -21,6 +21,8 @@ pub struct FullTop {
     pub p: f64,
     /// Gravity g \[m/s^2\]; enters the weight only.
     pub g: f64,
+    /// Angular momentum K of a rotor inside \[kg m^2/s\], along the axis and constant relative to the body; 0 without one.
+    pub k: f64,
 }
 
 /// Orientation Phi = \[\[alpha, beta\], \[-conj beta, conj alpha\]\] and angular velocity.
@@ -61,13 +63,15 @@ impl FullTop {
     /// term.
     #[must_use]
     pub fn first_integrals(&self, state: &FullState) -> (f64, f64, f64) {
-        let equations = Equations { a: self.a, c: self.c, ps: self.p * self.s, pg: self.p * self.g };
+        let equations = Equations::of(self, state);
         let (r, m) = (state.axis(), equations.momentum(state));
-        (m[2], dot(m, r), 0.5 * dot(m, state.omega) + equations.pg * r[2])
+        // the rotor's own energy is constant and not counted
+        let twice_kinetic = dot(m, state.omega) - self.k * dot(state.omega, r);
+        (m[2], dot(m, r), 0.5 * twice_kinetic + equations.pg * r[2])
     }
 }
 
-/// What the motion depends on: A, C, p s and p g, here in whatever units of inertia and time the caller
+/// What the motion depends on: A, C, p s, p g and K, here in whatever units of inertia and time the caller
 /// chose.
 #[derive(Debug, Clone, Copy)]
 pub struct Equations {
@@ -75,22 +79,33 @@ pub struct Equations {
     pub(crate) c: f64,
     pub(crate) ps: f64,
     pub(crate) pg: f64,
+    pub(crate) k: f64,
+    /// <omega, r> at the start, which the momentum of a body with C = 0 does not tell; no torque changes it.
+    pub(crate) spin: f64,
 }
 
 impl Equations {
-    /// m = A omega + (C - A) <omega, r> r + p s u' q, where q = r x k and u' = <omega, q>.
+    /// Those of a top, in its own units, for a motion from this state.
+    #[must_use]
+    pub fn of(top: &FullTop, start: &FullState) -> Self {
+        let spin = dot(start.omega, start.axis());
+        Self { a: top.a, c: top.c, ps: top.p * top.s, pg: top.p * top.g, k: top.k, spin }
+    }
+
+    /// m = A omega + ((C - A) <omega, r> + K) r + p s u' q, where q = r x k and u' = <omega, q>.
     pub(crate) fn momentum(&self, state: &FullState) -> Vector {
         let (r, w) = (state.axis(), state.omega);
         let q = [r[1], -r[0], 0.0];
-        let (axial, rise) = ((self.c - self.a) * dot(w, r), self.ps * dot(w, q));
+        let (axial, rise) = ((self.c - self.a) * dot(w, r) + self.k, self.ps * dot(w, q));
         core::array::from_fn(|i| self.a * w[i] + axial * r[i] + rise * q[i])
     }
 
-    /// Undoes `momentum` and also returns p s u'. <m, r> = C <omega, r> and <m, q> = (A + p s |q|^2) u' need
+    /// Undoes `momentum` and also returns p s u'. <m, r> = C <omega, r> + K and <m, q> = (A + p s |q|^2) u' need
     /// no matrix inverse, and their divisors are never small.
     fn angular_velocity(&self, r: Vector, m: Vector) -> (Vector, f64) {
         let q = [r[1], -r[0], 0.0];
-        let axial = (self.c - self.a) * dot(m, r) / self.c;
+        let spin = if self.c > 0.0 { (dot(m, r) - self.k) / self.c } else { self.spin };
+        let axial = (self.c - self.a) * spin + self.k;
         let rise = self.ps * dot(m, q) / (self.a + self.ps * dot(q, q));
         (core::array::from_fn(|i| (m[i] - axial * r[i] - rise * q[i]) / self.a), rise)
     }
@@ -102,8 +117,8 @@ impl Equations {
         FullState { alpha, beta, omega }
     }
 
-    /// d/dt (Phi, m). Phi' = omega Phi. m' = omega x m + DL with DL = (C - A) <omega, r> r x omega + p s u' r
-    /// x (k x omega) - p g q; the two (C - A) terms cancel and Jacobi's identity leaves m' = p s u' (r' x k)
+    /// d/dt (Phi, m). Phi' = omega Phi. m' = omega x m + DL with DL = ((C - A) <omega, r> + K) r x omega + p s u' r
+    /// x (k x omega) - p g q; the terms along r cancel and Jacobi's identity leaves m' = p s u' (r' x k)
     /// - p g q, which is horizontal: l = m3 is conserved to the last bit.
     pub(crate) fn derivative(&self, y: &Vector7) -> Vector7 {
         let r = axis([y[0], y[1]], [y[2], y[3]]);

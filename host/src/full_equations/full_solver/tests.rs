@@ -1,7 +1,7 @@
 use super::equations::cross;
 use super::*;
 
-const TOP: FullTop = FullTop { a: 1.3, c: 0.7, s: 0.8, p: 1.1, g: 1.0 };
+const TOP: FullTop = FullTop { a: 1.3, c: 0.7, s: 0.8, p: 1.1, g: 1.0, k: 0.0 };
 const START: FullState = FullState { alpha: [0.48, 0.64], beta: [0.36, -0.48], omega: [0.4, -0.3, 2.1] };
 
 fn at(top: FullTop, state: FullState, t: f64) -> FullState {
@@ -39,7 +39,14 @@ fn regular_precession() {
 #[test]
 fn first_integrals_and_there_and_back() {
     // The second top is the first in other units (inertia 2.3e-5, time 1/9.7).
-    let toy = FullTop { a: TOP.a * 2.3e-5, c: TOP.c * 2.3e-5, s: TOP.s * 0.023, p: TOP.p * 1e-3, g: 2.16407 };
+    let toy = FullTop {
+        a: TOP.a * 2.3e-5,
+        c: TOP.c * 2.3e-5,
+        s: TOP.s * 0.023,
+        p: TOP.p * 1e-3,
+        g: 2.16407,
+        ..TOP
+    };
     for (top, rate) in [(TOP, 1.0), (toy, 9.7)] {
         let start = FullState { omega: START.omega.map(|w| w * rate), ..START };
         let mut solver = FullSolver::new(top, start, FULL_SOLVER_TOLERANCE);
@@ -54,7 +61,7 @@ fn first_integrals_and_there_and_back() {
 #[test]
 fn the_torque_is_the_lagrangians() {
     // omega x m + DL as the variational principle gives it, against the shortened form that is integrated.
-    let equations = Equations { a: TOP.a, c: TOP.c, ps: TOP.p * TOP.s, pg: TOP.p * TOP.g };
+    let equations = Equations::of(&TOP, &START);
     let (r, w, k) = (START.axis(), START.omega, [0.0, 0.0, 1.0]);
     let m = equations.momentum(&START);
     let (gyro, tip, rk) = (cross(r, w), cross(r, cross(k, w)), cross(r, k));

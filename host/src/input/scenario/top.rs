@@ -4,29 +4,44 @@ use super::section::{Key, Section};
 use crate::Failure;
 use toytop::{ParameterError, Support, Top, TopParameters};
 
-const MAGNITUDE: &str = "a number between 1e-12 and 1e12";
+const MAGNITUDE: &str = "a number between 1e-60 and 1e60";
 
-pub(super) const KEYS: [Key; 6] = [
+pub(super) const KEYS: [Key; 7] = [
     Key::required("transverse_inertia", MAGNITUDE),
-    Key::required("axial_inertia", "a number between 1e-12 and 1e12, at most twice transverse_inertia"),
+    Key::required("axial_inertia", "a number between 0 and twice transverse_inertia"),
     Key::optional("gravity", 9.80665, MAGNITUDE),
     Key::required("com_height", MAGNITUDE),
     Key::required("mass", MAGNITUDE),
     Key::required("mass_moment", MAGNITUDE),
+    Key::optional("rotor_momentum", 0.0, "a finite number of kg m^2/s"),
 ];
 
 pub(super) fn read(section: &Section<'_>) -> Result<Top, Failure> {
     section.only("support", &KEYS)?;
-    let supports = [("sliding", Support::Sliding), ("fixed", Support::Fixed)];
+    let supports = [("sliding", Support::Sliding), ("fixed", Support::Fixed), ("free", Support::Free)];
     let support = section.choice("support", &supports, Some(Support::Sliding))?;
 
-    let [transverse, axial, gravity, height, mass, moment] = &KEYS;
+    let [transverse, axial, gravity, height, mass, moment, rotor] = &KEYS;
     let mut parameters = TopParameters {
         transverse_inertia: section.number(transverse)?,
         axial_inertia: section.number(axial)?,
         gravity: section.number(gravity)?,
+        rotor_momentum: section.number(rotor)?,
         ..TopParameters::default()
     };
+    if support == Support::Free {
+        // allowed, and without effect
+        for (key, value) in [
+            (height, &mut parameters.com_height),
+            (mass, &mut parameters.mass),
+            (moment, &mut parameters.mass_moment),
+        ] {
+            if section.has(key) {
+                *value = section.number(key)?;
+            }
+        }
+        return Top::free(&parameters).map_err(|error| section.refused(&error, &[]));
+    }
     match (section.has(mass), section.has(moment)) {
         (true, false) => parameters.mass = section.number(mass)?,
         (false, true) => parameters.mass_moment = section.number(moment)?,
@@ -43,6 +58,7 @@ pub(super) fn read(section: &Section<'_>) -> Result<Top, Failure> {
     let top = match support {
         Support::Sliding => Top::sliding(&parameters),
         Support::Fixed => Top::fixed(&parameters),
+        Support::Free => Top::free(&parameters),
     };
     top.map_err(|error: ParameterError| section.refused(&error, &[]))
 }

@@ -63,8 +63,8 @@ impl Curve {
             Some(span) => (span, parts_between(motion, span), None),
             None => ([0.0, time], parts, periods),
         };
-        // where the tip is held, what moves is the axis: -2αβ
-        let sense = if motion.top().support() == Support::Fixed { -1.0 } else { 1.0 };
+        // where the tip does not slide, what moves is the axis: -2αβ
+        let sense = if motion.top().support() == Support::Sliding { 1.0 } else { -1.0 };
         let tip = |t: f64| {
             let c = table.at(t).sample.tip;
             [sense * c.re, sense * c.im]
@@ -107,7 +107,7 @@ fn once_round(motion: &Motion) -> f64 {
     let advance = motion.period_advance().map(|averages| averages.phi_per_period().abs() / averages.period);
     match advance {
         Some(rate) if rate > 0.0 && !motion.regime().is_vertical() => 2.0 * PI / rate,
-        _ => natural_time(motion.top()),
+        _ => natural_time(motion),
     }
 }
 
@@ -121,7 +121,7 @@ fn parts_between(motion: &Motion, [from, until]: [f64; 2]) -> u32 {
 fn rise(motion: &Motion, table: &dyn AnyScalar, largest: f64) -> (f64, u32) {
     const AT_THE_CENTRE: f64 = 4e-3;
     const MOST: u32 = 4096;
-    let step = 0.25 * natural_time(motion.top());
+    let step = 0.25 * natural_time(motion);
     let far = |n: &u32| {
         let c = table.at(step * f64::from(*n)).sample.tip;
         c.norm_squared().sqrt() > AT_THE_CENTRE * largest

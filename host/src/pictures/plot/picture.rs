@@ -63,7 +63,7 @@ pub fn draw(scenario: &Scenario, curve: &Curve, caption: &[String]) -> Scene {
     let (name, unit, scale) = match (scenario.motion.top().support(), scenario.units) {
         (Support::Sliding, Units::Si) => ("tip", ", mm", 1e-3),
         (Support::Sliding, Units::None) => ("tip", " in units of s", s),
-        (Support::Fixed, _) => ("axis, −2αβ", " of the axis (length 1)", 1.0),
+        (Support::Fixed | Support::Free, _) => ("axis, −2αβ", " of the axis (length 1)", 1.0),
     };
     let extent = extent(curve, scale);
     let mut plots = legend(curve, name);

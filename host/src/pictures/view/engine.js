@@ -3,7 +3,10 @@
 /** What the keys of a scenario mean where they are left out. */
 const DEFAULTS = { gravity: 9.80665, precession: 0, nutation: 0, azimuth_deg: 0, roll_deg: 0, nutation_phase: 0, arg_alpha: 0, arg_beta: 0 };
 
-const TOP_KEYS = ["transverse_inertia", "axial_inertia", "com_height", "mass", "mass_moment", "gravity"];
+/** Supports of the tip, in the order of the core's numbers. */
+const SUPPORTS = ["sliding", "fixed", "free"];
+
+const TOP_KEYS = ["transverse_inertia", "axial_inertia", "com_height", "mass", "mass_moment", "gravity", "rotor_momentum"];
 
 /** Keys of each kind of motion, in the order in which the core takes their numbers. */
 const MOTION_KEYS = {
@@ -17,7 +20,7 @@ const KINDS = Object.keys(MOTION_KEYS);
 function numbersOf({ top, motion }) {
   const value = (key, from) => from[key] ?? DEFAULTS[key] ?? 0;
   const ofTop = TOP_KEYS.map((key) => value(key, top));
-  return [top.support === "fixed" ? 1 : 0, ...ofTop, ...MOTION_KEYS[motion.kind].flatMap((key) => value(key, motion))];
+  return [SUPPORTS.indexOf(top.support ?? "sliding"), ...ofTop, ...MOTION_KEYS[motion.kind].flatMap((key) => value(key, motion))];
 }
 
 /** How many numbers a key holds, where that is not one. */

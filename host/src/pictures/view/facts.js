@@ -34,7 +34,7 @@ function summaryOf(shown) {
   const real = [];
   if (min_normal_force < 0) real.push("lift off the plane");
   if (!held && e1 < 0 && regime !== "sleeping_unstable") real.push("fall on its side");
-  const support = held ? "The tip is held." : "The tip slides without friction.";
+  const support = ["The tip slides without friction.", "The tip is held.", "The body is free: no torque acts."][held];
   return `${support} ${REGIMES[regime] ?? ""}${real.length ? ` A real top would ${real.join(" and ")}.` : ""}`;
 }
 

@@ -41,7 +41,7 @@ function fromFragment(fragment) {
         return [key, MOTION_KEYS.state.includes(key) ? numbers : numbers[0]];
       }),
     );
-  const support = values.get("support") === "fixed" ? "fixed" : "sliding";
+  const support = SUPPORTS.includes(values.get("support")) ? values.get("support") : "sliding";
   const units = values.get("units") === "none" ? { units: "none" } : {};
   return { t, speed, ghost, scenario: { ...units, top: { support, ...read(TOP_KEYS) }, motion: { kind, ...read(MOTION_KEYS[kind]) } } };
 }
@@ -79,8 +79,8 @@ function withSupport(scenario, support) {
   const s = top.com_height ?? (0.5 * (a - 0.5 * c)) / mass_moment;
   const m = mass ?? mass_moment / s;
   const about = support === "fixed" ? a + m * s * s : a - m * s * s;
-  const { gravity } = top;
-  const given = gravity === undefined ? {} : { gravity };
+  const { gravity, rotor_momentum } = top;
+  const given = { ...(gravity !== undefined && { gravity }), ...(rotor_momentum !== undefined && { rotor_momentum }) };
   return { ...scenario, top: { support, transverse_inertia: about, axial_inertia: c, com_height: s, mass: m, ...given } };
 }
 

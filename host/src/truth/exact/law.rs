@@ -27,6 +27,8 @@ pub struct Law {
     pub(in crate::truth) one_minus_e2: Precise,
     pub(in crate::truth) e2_minus_e1: Precise,
     pub(in crate::truth) e3_minus_e2: Precise,
+    /// Whether torque acts. Without, e₃ - u does not depend on u, in units in which it is 1.
+    pub(in crate::truth) torque: bool,
     pub(in crate::truth) a_over_p: Precise,
     /// (l ± n)/(2A).
     pub(in crate::truth) momenta: [Precise; 2],
@@ -40,7 +42,10 @@ impl Law {
             End::Top => [cosine, sine],
         };
         let fall = &self.e2_minus_e1 * below;
-        [&self.one_plus_e1 + &self.e2_minus_e1 * above, &self.one_minus_e2 + &fall, &self.e3_minus_e2 + &fall]
+        let (one_plus_u, one_minus_u) =
+            (&self.one_plus_e1 + &self.e2_minus_e1 * above, &self.one_minus_e2 + &fall);
+        let below_e3 = if self.torque { &self.e3_minus_e2 + &fall } else { self.e3_minus_e2.clone() };
+        [one_plus_u, one_minus_u, below_e3]
     }
 
     /// 1 + u and 1 - u.
@@ -67,11 +72,13 @@ impl Law {
 
     /// Constants in `f64`.
     pub(super) fn in_f64(&self) -> LawInF64 {
-        let Self { s, g, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, a_over_p, momenta } = self;
+        let Self { s, g, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, torque, a_over_p, momenta } =
+            self;
         let [s, g, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, a_over_p] =
             [s, g, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, a_over_p].map(to_f64);
         let momenta = momenta.each_ref().map(to_f64);
-        LawInF64 { s, g, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, a_over_p, momenta }
+        let torque = *torque;
+        LawInF64 { s, g, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, torque, a_over_p, momenta }
     }
 }
 
@@ -84,6 +91,7 @@ pub(super) struct LawInF64 {
     one_minus_e2: f64,
     e2_minus_e1: f64,
     e3_minus_e2: f64,
+    torque: bool,
     a_over_p: f64,
     momenta: [f64; 2],
 }
@@ -95,7 +103,8 @@ impl LawInF64 {
         let (above, below) = if end == End::Bottom { (sine, cosine) } else { (cosine, sine) };
         let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * above;
         let one_minus_u = self.one_minus_e2 + self.e2_minus_e1 * below;
-        let below_e3 = self.e3_minus_e2 + self.e2_minus_e1 * below;
+        let fall = if self.torque { self.e2_minus_e1 * below } else { 0.0 };
+        let below_e3 = self.e3_minus_e2 + fall;
         let d = self.a_over_p + self.s * one_plus_u * one_minus_u;
         [one_plus_u, one_minus_u, (2.0 * d / (self.g * below_e3 * cosine)).sqrt()]
     }

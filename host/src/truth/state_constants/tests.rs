@@ -13,7 +13,7 @@ fn vector(name: &str) -> (StateNumbers, Value) {
     let [a, c, s, p] = top;
     let z = |key: &str| [0, 1].map(|i| number(&params[key][i]));
     let omega = [0, 1, 2].map(|i| number(&params["omega0"][i]));
-    (StateNumbers { top: [a, c, s, p, 1.0], phi: [z("alpha0"), z("beta0")], omega }, json)
+    (StateNumbers { top: [a, c, s, p, 1.0, 0.0], phi: [z("alpha0"), z("beta0")], omega }, json)
 }
 
 #[test]
@@ -40,7 +40,7 @@ fn a_swing_of_the_last_place_is_known_to_all_digits() {
     // tilt 60°, precession 1, spin 3/2 would be steady; ω₃ is one unit in the last place too large
     let root = 0.75_f64.sqrt();
     let numbers = StateNumbers {
-        top: [1.0, 1.0, 1.0, 1.0, 1.0],
+        top: [1.0, 1.0, 1.0, 1.0, 1.0, 0.0],
         phi: [[root, 0.0], [-0.5, 0.0]],
         omega: [root, 0.0, 1.5_f64.next_up()],
     };

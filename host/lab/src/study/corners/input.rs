@@ -26,7 +26,8 @@ pub enum Input {
 impl Input {
     /// Log-uniform towards the corners: A/(ps) in \[1e-3, 1e6\], C/A in \[1e-3, 2\], 1 + e₁, e₂ - e₁, 1 - e₂ and e₃ - 1 down to
     /// 1e-12, and one in sixteen at 0. Half of them are branch points; a quarter are states on such motions, in `f64`; a
-    /// quarter are thrown: tilt down to 1e-6 from either vertical, spin from 1e-3 to 1e6 rad/s.
+    /// quarter are thrown: tilt down to 1e-6 from either vertical, spin from 1e-3 to 1e6 rad/s, every second of them with one
+    /// of the tops that the paper does not have.
     #[must_use]
     pub fn random(random: &mut Random) -> Self {
         let numbers = numbers(random);
@@ -39,7 +40,8 @@ impl Input {
         let Numbers { a, c, s, p, g, .. } = numbers;
         // a release in range is a state, and so is a point of a motion that stands
         state.map_or(Self::BranchPoints(numbers), |state| {
-            Self::State(StateNumbers::of([a, c, s, p, g], &state))
+            let top = if thrown { other_top(random, &numbers) } else { [a, c, s, p, g, 0.0] };
+            Self::State(StateNumbers::of(top, &state))
         })
     }
 
@@ -61,7 +63,9 @@ impl Input {
             (Self::State(numbers), 1) => numbers.top[1] = (2.0 + 1e-3 * far) * numbers.top[0],
             (Self::State(numbers), 2) => numbers.omega[2] = 1e10 * far,
             (Self::State(numbers), 3) => numbers.phi = numbers.phi.map(|z| z.map(|x| (1.0 + 1e-9 * far) * x)),
-            (Self::State(numbers), 4) => numbers.top[4] = -numbers.top[4],
+            (Self::State(numbers), 4) => {
+                numbers.top[4] = if numbers.top[4] > 0.0 { -numbers.top[4] } else { f64::NAN }
+            }
             (Self::State(numbers), _) => numbers.omega[0] = not_finite,
         }
         input
@@ -118,11 +122,32 @@ impl Input {
                 })
             }
             Self::State(numbers) => Self::State(StateNumbers {
-                top: numbers.top.map(|x| moved(x, &[])),
+                top: numbers.top.map(|x| moved(x, &[0.0])),
                 phi: numbers.phi.map(|z| z.map(|x| moved(x, &[0.0]))),
                 omega: numbers.omega.map(|x| moved(x, &[0.0])),
             }),
         }
+    }
+}
+
+/// A, C, s, p, g and K of one of the tops that the paper does not have, in every second draw: with a rotor inside, held, a rod, a
+/// ring, free, and what goes together of these.
+fn other_top(random: &mut Random, numbers: &Numbers) -> [f64; 6] {
+    let Numbers { a, c, s, p, g, .. } = *numbers;
+    if random.one_in(2) {
+        return [a, c, s, p, g, 0.0];
+    }
+    let c = match random.between(0.0, 4.0) as u32 {
+        0 => 0.0,
+        1 => 2.0 * a,
+        _ => c,
+    };
+    let rotor = random.scale(1e-6, 1e6) * a * if random.one_in(2) { 1.0 } else { -1.0 };
+    let k = if random.one_in(2) { rotor } else { 0.0 };
+    match random.between(0.0, 3.0) as u32 {
+        0 => [a, c, s, p, g, k],
+        1 => [a, c, 0.0, p, g, k],
+        _ => [a, c, 0.0, 0.0, 0.0, k],
     }
 }
 

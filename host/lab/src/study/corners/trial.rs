@@ -75,7 +75,7 @@ pub fn run(input: &Input, random: &mut Random, with_truth: bool) -> Outcome {
         Err(error) => return Outcome::Refused(error),
     };
     let averages = motion.period_advance().filter(|_| motion.regime() == Regime::Nutating);
-    let period = averages.map_or_else(|| natural_time(motion.top()), |averages| averages.period);
+    let period = averages.map_or_else(|| natural_time(&motion), |averages| averages.period);
     let readings = readings(&motion, period);
     let targets = with_truth.then(|| {
         let rate = ticks_for(&motion, period);
@@ -176,7 +176,8 @@ impl Checks {
             let now = first_integrals(&self.top, seen.phi.alpha, seen.phi.beta, omega);
             let then = *first.get_or_insert(now);
             let size = omega.iter().map(|x| x * x).sum::<f64>().sqrt();
-            let momentum = self.top.transverse_inertia().max(self.top.axial_inertia()) * size;
+            let momentum = self.top.transverse_inertia().max(self.top.axial_inertia()) * size
+                + self.top.rotor_momentum().abs();
             let energy = momentum * size + self.top.mass_moment() * self.top.gravity();
             let shares = [momentum, momentum, energy];
             for ((now, then), share) in now.iter().zip(then).zip(shares) {
@@ -195,7 +196,7 @@ const NEIGHBOURS: usize = 2;
 
 fn targets(input: &Input, motion: &Motion, rate: f64, doubtful: &[i64], random: &mut Random) -> Vec<Target> {
     let exact = input.exact();
-    let ticks = Ticks { exact: &exact, rate, natural_time: natural_time(motion.top()) };
+    let ticks = Ticks { exact: &exact, rate, natural_time: natural_time(motion) };
     let mut near = ticks.near(PLACES, random);
     near.extend(ticks.fast());
     let neighbours = [(); NEIGHBOURS].map(|()| input.neighbour(random).exact());

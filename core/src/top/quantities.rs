@@ -1,0 +1,95 @@
+//! Quantities of a top in the number type of a set-up stage, in units that keep every product in range.
+
+use crate::scalar::Float;
+use crate::top::Top;
+
+/// Units of inertia and length, powers of two, in which A and p are in [1, 2).
+///
+/// The unit of time is the caller's. In these units no product of parameters over- or underflows, whatever the caller's
+/// units are, and a change of units by powers of two changes no bit of a motion.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Units {
+    /// Unit of inertia, and so of angular momentum and of energy, in the caller's.
+    pub(crate) inertia: f64,
+    /// Unit of length, in the caller's.
+    length: f64,
+}
+
+impl Units {
+    pub(crate) fn of(top: &Top) -> Self {
+        // the largest power of two that is not above a positive number
+        let power = |x: f64| f64::from_bits(x.to_bits() & (0x7ff << 52));
+        let p = top.p.to_f64();
+        let (inertia, moment) = (power(top.a), if p > 0.0 { power(p) } else { 1.0 });
+        Self { inertia, length: inertia / moment }
+    }
+}
+
+/// Parameters of a top by the paper's symbols, in the number type of a set-up stage and in the units of [`Units`].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Quantities<F> {
+    pub(crate) a: F,
+    pub(crate) c: F,
+    pub(crate) s: F,
+    pub(crate) p: F,
+    pub(crate) g: F,
+    pub(crate) k: F,
+}
+
+impl<F: Float> Quantities<F> {
+    pub(crate) fn of(top: &Top) -> Self {
+        Self::in_units(top, &Units::of(top))
+    }
+
+    /// Parameters in the units of the caller.
+    pub(crate) fn as_given(top: &Top) -> Self {
+        Self::in_units(top, &Units { inertia: 1.0, length: 1.0 })
+    }
+
+    fn in_units(top: &Top, &Units { inertia, length }: &Units) -> Self {
+        let [leading, rest] = top.p.parts();
+        let moment = |p: f64| F::from_f64(p * (length / inertia));
+        let [a, c, k] = [top.a, top.c, top.k].map(|x| F::from_f64(x / inertia));
+        let [s, g] = [top.s, top.g].map(|x| F::from_f64(x / length));
+        Self { a, c, s, p: moment(leading) + moment(rest), g, k }
+    }
+
+    /// Factor κ = 1/(2 A p g), which makes κ l² a number without unit.
+    pub(crate) fn kappa(&self) -> F {
+        F::ONE / (self.a * self.p * self.g).doubled()
+    }
+
+    /// Axial rate ⟨ω, r⟩ = (n - K)/C of the body, rad per unit time; 0 where C = 0, because n tells nothing of it.
+    pub(crate) fn spin(&self, n: F) -> F {
+        if self.c > F::ZERO { (n - self.k) / self.c } else { F::ZERO }
+    }
+
+    /// Rate τ = ⟨ω, r⟩ - n/A of a body with this axial rate, rad per unit time; (1/C - 1/A) n without a rotor. The share
+    /// of n that the body itself contributes is subtracted from the rate first.
+    pub(crate) fn tau(&self, spin: F) -> F {
+        (self.a - self.c) / self.a * spin - self.k / self.a
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::TopParameters;
+
+    /// The units inside are powers of two: what is a quotient of given numbers keeps its bits.
+    #[test]
+    fn units_inside_make_inertia_and_moment_one() {
+        let top = TopParameters { com_height: 0.03, gravity: 9.81, ..TopParameters::default() };
+        for scale in [1e-40, 1.0, 3e30] {
+            let [transverse_inertia, axial_inertia] = [3e-5, 2e-5].map(|x| x * scale);
+            let top =
+                Top::sliding(&TopParameters { transverse_inertia, axial_inertia, mass: 0.05 * scale, ..top })
+                    .unwrap();
+            let (given, inside) = (Quantities::<f64>::as_given(&top), Quantities::<f64>::of(&top));
+            assert!((1.0..2.0).contains(&inside.a) && (1.0..2.0).contains(&inside.p));
+            assert_eq!(inside.c / inside.a, given.c / given.a);
+            assert_eq!(inside.p * inside.g / inside.a, given.p * given.g / given.a);
+            assert_eq!(inside.p * inside.s / inside.a, given.p * given.s / given.a);
+        }
+    }
+}
