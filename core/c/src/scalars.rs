@@ -19,7 +19,7 @@ macro_rules! functions {
 
 /// Sets up a table in memory of the caller, which need not be initialised. It takes milliseconds on a chip: not for an interrupt.
 ///
-/// Refusals name `tick` or `truncation`, or say how many segments are enough for this motion. After a refusal the
+/// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion. After a refusal the
 /// table must not be used, and every function that reads it says so. `error` may be null.
 ///
 /// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 16 to 4096)

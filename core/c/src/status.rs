@@ -16,7 +16,7 @@ pub enum toytop_status {
     TOYTOP_NOT_FINITE = 2,
     /// A parameter is finite but not allowed; the text of the error names it and the allowed range.
     TOYTOP_OUT_OF_RANGE = 3,
-    /// The memory of a table is too small for the motion; the error says how many segments are enough.
+    /// The memory of a table is too small for the motion; the error says how many segments are not enough.
     TOYTOP_TABLE_TOO_SMALL = 4,
     /// The memory of a table is not aligned, or is smaller than for 16 segments.
     TOYTOP_BAD_MEMORY = 5,
@@ -40,7 +40,7 @@ pub const TOYTOP_TEXT_SIZE: usize = 192;
 pub struct toytop_error {
     /// The status that the call returned.
     pub status: u32,
-    /// With `TOYTOP_TABLE_TOO_SMALL`: number of segments that is enough, or 0 where 4096 are not.
+    /// With `TOYTOP_TABLE_TOO_SMALL`: number of segments of the table, which is not enough.
     pub segments: u32,
     /// One line without its end, such as "tilt: must be between 0 and pi"; it closes with a zero.
     pub text: [c_char; TOYTOP_TEXT_SIZE],
@@ -105,8 +105,7 @@ impl From<ParameterError> for Refusal {
 
 impl From<TableTooSmall> for Refusal {
     fn from(error: TableTooSmall) -> Self {
-        let segments = error.segments.unwrap_or_default();
-        Self { segments, ..Self::from(TOYTOP_TABLE_TOO_SMALL) }
+        Self { segments: error.segments, ..Self::from(TOYTOP_TABLE_TOO_SMALL) }
     }
 }
 
@@ -135,13 +134,8 @@ impl Refusal {
         }
         if self.status == TOYTOP_TABLE_TOO_SMALL {
             text.push(b": ");
-            match self.segments {
-                0 => text.push(b"4096 are not enough"),
-                enough => {
-                    text.push_number(enough);
-                    text.push(b" are enough");
-                }
-            }
+            text.push_number(self.segments);
+            text.push(b" segments are not enough");
         }
         toytop_error { status: self.status as u32, segments: self.segments, text: text.bytes }
     }
@@ -195,9 +189,8 @@ mod tests {
 
     #[test]
     fn the_number_of_segments_is_in_the_text() {
-        let small = |segments| text(TableTooSmall { truncation: 1e-6, segments });
-        assert!(small(Some(1030)).ends_with(": 1030 are enough"), "{}", small(Some(1030)));
-        assert!(small(None).ends_with(": 4096 are not enough"));
+        let small = text(TableTooSmall { truncation: 1e-6, segments: 1030 });
+        assert!(small.ends_with(": 1030 segments are not enough"), "{small}");
     }
 
     #[test]
