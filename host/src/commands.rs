@@ -9,8 +9,10 @@ pub mod compare;
 mod constants;
 mod errata;
 mod figures;
+mod fit;
 mod plot;
 mod score;
+mod simulate;
 mod state;
 mod sweep;
 mod view;
@@ -62,6 +64,8 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Bake(arguments) => bake::run(arguments),
         Command::Figures(arguments) => figures::run(arguments),
         Command::Score(arguments) => score::run(arguments),
+        Command::Simulate(arguments) => simulate::run(arguments),
+        Command::Fit(arguments) => fit::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
         Command::Budget(arguments) => budget::run(arguments),
         Command::Errata(arguments) => errata::run(arguments),

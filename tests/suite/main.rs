@@ -13,6 +13,7 @@ mod e3_equals_e4;
 mod elliptic;
 mod ephemeris;
 mod far_ticks;
+mod fit;
 mod fixed_point;
 mod found;
 #[cfg(feature = "host")]
@@ -39,6 +40,8 @@ mod properties;
 mod rates;
 mod refusals;
 mod regimes;
+#[cfg(feature = "host")]
+mod sensitivity;
 mod small_together;
 mod stages;
 mod tip;

@@ -158,3 +158,6 @@ pub const FULL_INTEGRALS: Budget = Budget::of(1e-13);
 pub const CURVE_ON_PATH: Budget = Budget::of(5e-14);
 /// Errors of contour integrals in f64, 512 nodes.
 pub const CONTOUR: Budget = Budget::of(1e-14);
+
+/// Error of the derivatives of a motion by its launch and top, up to 10⁶ periods, relative to each derivative.
+pub const SENSITIVITY: Budget = Budget::of(1e-10);
