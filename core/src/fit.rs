@@ -4,19 +4,29 @@
 //! ([`triangle`]). After a pass the launch is corrected by the method of Levenberg and Marquardt, and the next pass
 //! begins. The derivation of the derivatives is in `docs/partials.md`.
 
-mod beginning;
-mod instruments;
-mod model;
-mod outcome;
-mod pass;
-mod sensor;
-mod tracking;
+// In the order of dependence.
 mod triangle;
+
+mod sensor;
+
+mod instruments;
+
+mod launch;
+
+mod outcome;
+
+mod model;
+
+mod pass;
+
+mod beginning;
+
+mod tracking;
 
 pub use instruments::{
     Accelerometer, AxisCamera, Gyroscope, Magnetometer, Mark, OrientationCamera, TipCamera,
 };
-pub use model::{FreeRatio, Launch};
+pub use launch::{FreeRatio, Launch};
 pub use outcome::{FitError, Fitted, Reason, Statistics, Unobservable};
 pub use sensor::{Hint, Measurement, Mounting, Noise, Prediction, Sensor};
 pub use tracking::Tracked;

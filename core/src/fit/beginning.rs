@@ -5,7 +5,7 @@
 //! orientations, from the circle that a direction draws in the body, or it is tried out.
 
 use crate::fit::instruments::rotation_vector;
-use crate::fit::model::Launch;
+use crate::fit::launch::Launch;
 use crate::fit::sensor::{Hint, Measurement};
 use crate::fit::{FIRST_WINDOW, Fit};
 use crate::sensitivity::total;

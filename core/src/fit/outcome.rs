@@ -1,7 +1,7 @@
 //! Result of a fit: the launch, its covariance, and how far both can be trusted.
 
 use crate::error::ParameterError;
-use crate::fit::model::Launch;
+use crate::fit::launch::Launch;
 use crate::fit::triangle::Symmetric;
 use crate::motion::Motion;
 use crate::sensitivity::Partials;
@@ -162,7 +162,8 @@ pub struct Fitted {
     pub covariance: Symmetric,
     /// Residuals.
     pub statistics: Statistics,
-    /// Directions that the measurements do not determine. Their entries in the covariance are large.
+    /// Directions that the measurements do not determine. Their standard deviations in the covariance are 10 rad, or ten
+    /// times ω.
     pub unobservable: Unobservable,
     /// Reason why the launch must not be trusted; `None` where it may be.
     pub reason: Option<Reason>,

@@ -1,7 +1,7 @@
 //! Passes over the measurements, and the correction of the launch after each.
 
 use crate::fit::Fit;
-use crate::fit::model::Launch;
+use crate::fit::launch::{LAUNCH, Launch};
 use crate::fit::outcome::{Fitted, Reason, Statistics};
 use crate::fit::sensor::{Hint, Measurement};
 use crate::fit::triangle::{MOST_UNKNOWNS, Triangle, Unknowns};
@@ -150,7 +150,14 @@ impl Fit<'_> {
     fn partials_at(&mut self, time: f64) -> Option<Partials> {
         let next = match &self.flow {
             Some((last, partials)) if *last == time => return Some(*partials),
-            Some((last, partials)) => carried(&self.equations, &partials.flow, time - last)?,
+            Some((last, partials)) if self.model.has_free_ratios() => {
+                carried(&self.equations, &partials.flow, time - last)?
+            }
+            Some((last, partials)) => {
+                // the columns of the ratios are not needed
+                let launch = partials.flow.resized::<LAUNCH>();
+                carried(&self.equations, &launch, time - last)?.resized()
+            }
             None => {
                 let Launch { orientation, omega, .. } = self.current.launch;
                 Flow::<f64, COLUMNS>::launched(&orientation, omega)
@@ -184,7 +191,7 @@ impl Fit<'_> {
             }
         }
         let information = self.best.information;
-        let deviations = self.model.damping(&self.best.launch, &information, self.damping);
+        let deviations = self.model.damping(&self.best.launch, &information, self.damping, 1000.0);
         let change = information.damped(&deviations).solution();
         if change.iter().any(|x| !x.is_finite()) {
             return Progress::Stuck;
@@ -212,7 +219,8 @@ impl Fit<'_> {
         } else {
             None
         };
-        let floor = self.model.damping(&launch, &information, 0.0);
+        // not larger, so that the covariance keeps the digits of what is determined
+        let floor = self.model.damping(&launch, &information, 0.0, 10.0);
         Fitted {
             epoch,
             launch,
@@ -228,10 +236,10 @@ impl Fit<'_> {
 }
 
 /// State and derivatives after a time.
-pub(super) fn carried(
+pub(super) fn carried<const N: usize>(
     equations: &Equations<f64>,
-    flow: &Flow<f64, COLUMNS>,
+    flow: &Flow<f64, N>,
     span: f64,
-) -> Option<Flow<f64, COLUMNS>> {
+) -> Option<Flow<f64, N>> {
     advance(equations, flow, span, TOLERANCE, MOST_STEPS)
 }

@@ -1,7 +1,7 @@
 //! Tracking: each block of measurements begins from what the last one left.
 
 use crate::fit::instruments::rotation_vector;
-use crate::fit::model::Launch;
+use crate::fit::launch::Launch;
 use crate::fit::outcome::{FitError, Fitted};
 use crate::fit::sensor::Measurement;
 use crate::fit::triangle::{MOST_UNKNOWNS, Symmetric, Triangle, Unknowns};

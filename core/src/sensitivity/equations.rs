@@ -218,6 +218,15 @@ impl<F: Float, const N: usize> Flow<F, N> {
         Self { axis, side, omega, tangents }
     }
 
+    /// Flow with another number of tangents: the first ones, or with 0 for those that are missing.
+    pub(crate) fn resized<const M: usize>(&self) -> Flow<F, M> {
+        let mut tangents = [Tangent::NONE; M];
+        for (slot, tangent) in tangents.iter_mut().zip(&self.tangents) {
+            *slot = *tangent;
+        }
+        Flow { axis: self.axis, side: self.side, omega: self.omega, tangents }
+    }
+
     /// Body coordinates of a vector of the fixed frame.
     pub(crate) fn in_body(&self, x: Vector<F>) -> Vector<F> {
         [dot(self.side, x), dot(bracket(self.axis, self.side), x), dot(self.axis, x)]

@@ -6,6 +6,7 @@ mod bench;
 mod budget;
 mod errata;
 mod figures;
+mod fit;
 mod killed;
 mod plot;
 mod program;
