@@ -30,7 +30,7 @@ const EVERY: usize = 10;
 
 struct Follower {
     ephemeris: &'static EphemerisF32,
-    cursor: Cursor<f32>,
+    cursor: Cursor,
     tick: u32,
 }
 

@@ -155,9 +155,15 @@ pub fn run(random: &mut Random, set: usize, seed: u64) -> Outcome {
 /// Square of the error of the launch in standard deviations.
 fn normalised_square(fitted: &Fitted, state: &State) -> f64 {
     let launch = &fitted.launch;
-    let turn = state.orientation().normalised().compose(&launch.orientation.inverse());
+    let whole = state.orientation().normalised().compose(&launch.orientation.inverse());
+    // a rotation about the vertical that is not determined is no error, and would not be small
+    let yaw = match whole.quaternion() {
+        [w, _, _, z] if fitted.unobservable.yaw => Orientation::exp([0.0, 0.0, -2.0 * z.atan2(w)]),
+        _ => Orientation::IDENTITY,
+    };
+    let turn = yaw.compose(&whole);
     let theta = rotation_vector(&turn);
-    let seen = turn.inverse().adjoint(state.omega());
+    let seen = turn.inverse().adjoint(yaw.adjoint(state.omega()));
     let eta = [0, 1, 2].map(|k| seen[k] - launch.omega[k]);
     let along = bracket(theta, launch.omega);
     let error = [theta[0], theta[1], theta[2], eta[0] + along[0], eta[1] + along[1], eta[2] + along[2]];
