@@ -44,6 +44,10 @@ mod stepper;
 mod ephemeris;
 
 mod events;
+// Partial derivatives, and a launch fitted to measurements.
+mod sensitivity;
+
+pub mod fit;
 
 // Closed forms of the paper, for comparison.
 pub mod exact;
@@ -65,6 +69,9 @@ pub mod other_tops {}
 #[cfg(doc)]
 #[doc = include_str!("../docs/table_format.md")]
 pub mod table_format {}
+#[cfg(doc)]
+#[doc = include_str!("../docs/partials.md")]
+pub mod partials {}
 
 pub use attitude_state::AttitudeState;
 pub use complex::Complex;
@@ -85,6 +92,7 @@ pub use fixed;
 pub use mean_motion::PeriodAdvance;
 pub use motion::{Motion, Start};
 pub use phase::Phase;
+pub use sensitivity::{Partials, Sensitivity, SensitivityCursor};
 pub use state::{Release, State};
 pub use stepper::Stepper;
 pub use su2::Orientation;

@@ -6,6 +6,8 @@
 #![cfg_attr(target_os = "none", no_std)]
 
 pub mod bits;
+#[path = "tables/imu.rs"]
+pub mod imu;
 mod throw;
 #[path = "tables/toy_top.rs"]
 mod toy_top_table;

@@ -3,6 +3,7 @@
 mod benchmark;
 mod choice;
 mod events;
+mod fit;
 mod many;
 mod measure;
 mod motion;
@@ -11,6 +12,7 @@ mod score;
 pub use benchmark::BenchmarkArgs;
 pub use choice::{Format, Method, Scalar, ScalarChoice};
 pub use events::{EventsArgs, Kind, What};
+pub use fit::{FitArgs, FreeKey, SimulateArgs};
 pub use many::{Shard, SweepArgs};
 pub use measure::{AccuracyArgs, BenchArgs, BudgetArgs, CompareArgs, ErrataArgs, FiguresArgs};
 pub use motion::{
@@ -118,6 +120,21 @@ pub enum Command {
             toytop benchmark bruls_cardona --times 0..2/2001 --format csv > run.csv && toytop score --benchmark bruls_cardona run.csv"
     )]
     Benchmark(BenchmarkArgs),
+    /// Samples of sensors on a top, with noise, bias and limited range
+    #[command(
+        after_help = "Example: toytop simulate host/scenarios/toy_top.toml --hertz 1000 --duration 1 --seed 7 -o samples.csv"
+    )]
+    Simulate(SimulateArgs),
+    /// Launch of a top from samples of sensors, with error bars
+    ///
+    /// The exit code is 1 if the fit has not converged; the reason is printed, and no scenario is written.
+    #[command(
+        after_help = "SAMPLES.csv has a column t (s), and those of its sensors: gyro_x,gyro_y,gyro_z (rad/s, body frame); accel_x,accel_y,accel_z (m/s^2);\n\
+            mag_x,mag_y,mag_z; w,x,y,z (unit quaternion from body to fixed coordinates); axis_x,axis_y,axis_z; tip_x,tip_y (m); mark (azimuth, rad).\n\
+            An empty field is no reading.\n\n\
+            Example: toytop fit samples.csv --top host/scenarios/toy_top.toml --free axial_inertia -o fitted.toml"
+    )]
+    Fit(FitArgs),
     /// Time for a state on this machine: ephemeris, stepper, full solver
     #[command(after_help = "Example: toytop bench --format json")]
     Bench(BenchArgs),

@@ -11,8 +11,10 @@ mod constants;
 mod errata;
 mod events;
 mod figures;
+mod fit;
 mod plot;
 mod score;
+mod simulate;
 mod state;
 mod sweep;
 mod view;
@@ -66,6 +68,8 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Figures(arguments) => figures::run(arguments),
         Command::Score(arguments) => score::run(arguments),
         Command::Benchmark(arguments) => benchmark::run(arguments),
+        Command::Simulate(arguments) => simulate::run(arguments),
+        Command::Fit(arguments) => fit::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
         Command::Budget(arguments) => budget::run(arguments),
         Command::Errata(arguments) => errata::run(arguments),

@@ -11,6 +11,7 @@
 //! | [`budget`] | cost of a call on an emulated chip |
 //! | [`errata`] | slips of the printed paper: both versions against the full equations |
 //! | [`samples`] | samples of a motion as tables of chosen columns |
+//! | [`fit`] | sensors, samples and a launch fitted to them |
 //! | [`score`] | output of an integrator, judged by the exact motion |
 //! | [`sweep`] | many motions, a row each |
 //! | [`bake`] | ephemeris as Rust, C or JSON |
@@ -28,6 +29,7 @@ pub mod cli;
 pub mod commands;
 pub mod errata;
 mod failure;
+pub mod fit;
 pub mod full_equations;
 pub mod input;
 pub mod measure;

@@ -14,6 +14,7 @@ mod elliptic;
 mod ephemeris;
 mod events;
 mod far_ticks;
+mod fit;
 mod fixed_point;
 mod found;
 #[cfg(feature = "host")]
@@ -41,6 +42,8 @@ mod rates;
 mod refusals;
 mod regimes;
 mod set_up;
+#[cfg(feature = "host")]
+mod sensitivity;
 mod small_together;
 mod stages;
 mod tip;

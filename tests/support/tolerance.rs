@@ -174,3 +174,5 @@ pub const TOPS_STEPPER: [[Budget; 2]; 2] =
     [[Budget::of(1e-14), Budget::of(1e-14)], [Budget::of(3e-6), Budget::of(3e-6)]];
 /// The same for closed forms.
 pub const TOPS_CLOSED_FORMS: [Budget; 2] = [Budget::of(2e-15), Budget::of(2e-15)];
+/// Error of the derivatives of a motion by its launch and top, up to 10⁶ periods, relative to each derivative.
+pub const SENSITIVITY: Budget = Budget::of(1e-10);

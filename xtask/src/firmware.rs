@@ -48,6 +48,7 @@ pub(crate) const PROGRAMS: &[Program] = &[
         on_host: false,
     },
     Program { name: "launch", folder: PROGRAM_FOLDER, chips: &[&chip::M4F], exit_code: 0, on_host: false },
+    Program { name: "fit", folder: PROGRAM_FOLDER, chips: &[&chip::M4F], exit_code: 0, on_host: false },
     Program { name: "bits", folder: PROGRAM_FOLDER, chips: chip::ALL, exit_code: 0, on_host: true },
     Program { name: "embassy", folder: "embassy/src", chips: &[&chip::M4F], exit_code: 0, on_host: false },
     Program {

@@ -10,9 +10,13 @@ use panic_never as _;
 use toytop::fixed::types::{I2F14, I2F30};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
+use toytop::fit::{
+    Accelerometer, AxisCamera, Fit, FreeRatio, Gyroscope, Magnetometer, Mark, Measurement, Mounting, Noise,
+    OrientationCamera, Sensor, TipCamera,
+};
 use toytop::{
     BranchPoints, Complex, Ephemeris, EphemerisScalar, EphemerisView, FirstIntegrals, Level, Motion,
-    ParameterError, Phase, Release, Sampler, Sign, Signs, Start, State, Stepper, Tick, Top, TopParameters,
+    ParameterError, Phase, Release, Sampler, Sensitivity, Sign, Signs, Start, State, Stepper, Tick, Top, TopParameters,
 };
 
 #[cfg(target_arch = "arm")]
@@ -64,7 +68,9 @@ fn set_up() -> Result<(), ParameterError> {
             black_box(FirstIntegrals::of(&top, &state).signs());
             black_box(BranchPoints::of(&top, &state)?);
             spin(&Motion::launch(&top, &state)?);
+            sensitivity(&Motion::launch(&top, &state)?);
         }
+        fit(&top);
         let sign = |x| Sign::of(x);
         let signs = Signs { l_plus_n: sign(unknown()), l_minus_n: sign(unknown()) };
         let e = BranchPoints::new(unknown(), unknown(), unknown())?;
@@ -112,6 +118,35 @@ fn spin(motion: &Motion) {
     table::<f64, 32>(motion);
     table::<I2F30, 32>(motion);
     table::<I2F14, 16>(motion);
+}
+
+fn sensitivity(motion: &Motion) {
+    let sensitivity = Sensitivity::of(motion);
+    let Some(partials) = sensitivity.at(unknown()) else { return };
+    black_box((partials.orientation(), partials.omega(), partials.omega_body(), partials.tip()));
+    black_box((partials.tip_angle(), partials.axis_change(), partials.orientation_now()));
+}
+
+/// Fits without a guess, and of a second block.
+fn fit(top: &Top) {
+    let noise = Noise { deviation: unknown(), bias: unknown() };
+    let mounting = Mounting { place: [unknown(); 3], ..Mounting::default() };
+    let gyroscope = Gyroscope { noise, mounting, range: unknown() };
+    let accelerometer = Accelerometer { noise, mounting, range: unknown() };
+    let magnetometer = Magnetometer { noise, mounting, field: [unknown(); 3] };
+    let mark = Mark { deviation: unknown(), place: [unknown(); 3] };
+    let (orientation, axis) = (OrientationCamera { deviation: unknown() }, AxisCamera { deviation: unknown() });
+    let tip = TipCamera { deviation: unknown(), tip_scale: unknown() };
+    let sensors: [[&dyn Sensor; 4]; 2] =
+        [[&gyroscope, &accelerometer, &magnetometer, &mark], [&orientation, &axis, &tip, &mark]];
+    for set in &sensors {
+        let Ok(mut fit) = Fit::new(top, set, &[FreeRatio::AXIAL_INERTIA]) else { continue };
+        let measurement =
+            |n: usize| Measurement { time: unknown(), sensor: black_box(n & 3), values: [unknown(); 4] };
+        let Ok(fitted) = fit.run((0..black_box(60_usize)).map(measurement)) else { continue };
+        black_box(fitted.motion(top).is_ok());
+        black_box(fit.track(&fitted, unknown(), (0..black_box(60_usize)).map(measurement)).is_ok());
+    }
 }
 
 fn tick<R: Real>(motion: &Motion) {

@@ -56,7 +56,7 @@ pub struct OverflowArgs {
 /// `toytop-lab study`
 #[derive(Args, Debug)]
 pub struct StudyArgs {
-    /// Motions to try, of each seed [default: 100000; with --corners 1000000]
+    /// Motions to try, of each seed [default: 100000; with --corners 1000000; with --fit 10000]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     pub motions: Option<u64>,
     /// Another seed, other motions
@@ -68,11 +68,15 @@ pub struct StudyArgs {
     /// Launches towards every degenerate corner, of branch points and of states, in four scalars
     #[arg(long)]
     pub corners: bool,
+    /// Simulated throws instead, whose launches are fitted to samples of three sets of sensors (exit code 1 if a wrong launch is
+    /// believed)
+    #[arg(long, conflicts_with = "corners")]
+    pub fit: bool,
     /// Number of launches of each seed that are compared with the truth
     #[arg(long, value_name = "N", default_value_t = 10_000, requires = "corners", value_parser = clap::value_parser!(u64).range(1..))]
     pub truths: u64,
-    /// Markdown page whose table to write
-    #[arg(long, value_name = "FILE", requires = "corners")]
+    /// Markdown page whose table to write, of --corners or --fit
+    #[arg(long, value_name = "FILE")]
     pub docs: Option<PathBuf>,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
@@ -83,7 +87,11 @@ impl StudyArgs {
     /// Number of motions
     #[must_use]
     pub fn count(&self) -> u64 {
-        self.motions.unwrap_or(if self.corners { 1_000_000 } else { 100_000 })
+        self.motions.unwrap_or(match (self.corners, self.fit) {
+            (true, _) => 1_000_000,
+            (false, true) => 10_000,
+            (false, false) => 100_000,
+        })
     }
 }
 

@@ -3,4 +3,5 @@
 pub mod corners;
 mod draw;
 pub mod tally;
+pub mod throws;
 pub mod trial;

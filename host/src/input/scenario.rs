@@ -15,7 +15,7 @@ use crate::output::{shown, whole_file};
 use section::Section;
 use std::path::Path;
 use toml::{Table, Value};
-use toytop::{Motion, State};
+use toytop::{Motion, State, Top};
 
 /// Units of a scenario's numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -76,6 +76,15 @@ impl Scenario {
     pub fn keys(path: &Path) -> Result<Table, Failure> {
         let file = path.display().to_string();
         table(&file, &whole_file::read(&file, path, LARGEST_FILE)?)
+    }
+
+    /// Top of a scenario file, whose motion is not read and may be missing.
+    ///
+    /// # Errors
+    /// As [`Scenario::keys`], and [`Failure::Input`]: not a table `[top]` with exactly the keys it needs, in range.
+    pub fn top(path: &Path) -> Result<Top, Failure> {
+        let file = path.display().to_string();
+        top::read(&section(&file, "top", &Self::keys(path)?)?)
     }
 
     /// Parses the text of a scenario file; `file` is its name in messages.

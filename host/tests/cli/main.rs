@@ -8,6 +8,7 @@ mod budget;
 mod errata;
 mod events;
 mod figures;
+mod fit;
 mod killed;
 mod plot;
 mod program;

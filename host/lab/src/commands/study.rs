@@ -1,6 +1,7 @@
 //! `toytop-lab study`: random motions of every regime, and how the ephemeris and its bound do on them.
 
 mod corners;
+mod fit;
 
 use crate::cli::StudyArgs;
 use crate::study::tally::{Case, Side, Spread, Tally};
@@ -18,6 +19,12 @@ use toytop_host::thread_pool;
 pub(super) fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
     if arguments.corners {
         return corners::run(arguments);
+    }
+    if arguments.fit {
+        return fit::run(arguments);
+    }
+    if arguments.docs.is_some() {
+        return Err(Failure::Input("--docs: needs --corners or --fit".to_owned()));
     }
     let started = Instant::now();
     let cores = thread_pool::of_all_cores()?;

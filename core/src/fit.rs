@@ -1,0 +1,250 @@
+//! Fit: the launch of a top from measurements, with its covariance.
+//!
+//! A pass takes one measurement after another and forgets it; what it leaves is a triangle of information
+//! ([`triangle`]). After a pass the launch is corrected by the method of Levenberg and Marquardt, and the next pass
+//! begins. The derivation of the derivatives is in `docs/partials.md`.
+
+// In the order of dependence.
+mod triangle;
+
+mod sensor;
+
+mod instruments;
+
+mod launch;
+
+mod outcome;
+
+mod model;
+
+mod pass;
+
+mod beginning;
+
+mod tracking;
+
+pub use instruments::{
+    Accelerometer, AxisCamera, Gyroscope, Magnetometer, Mark, OrientationCamera, TipCamera,
+};
+pub use launch::{FreeRatio, Launch};
+pub use outcome::{FitError, Fitted, Reason, Statistics, Unobservable};
+pub use sensor::{Hint, Measurement, Mounting, Noise, Prediction, Sensor};
+pub use tracking::Tracked;
+pub use triangle::{MOST_UNKNOWNS, Symmetric};
+
+use crate::fit::beginning::Beginning;
+use crate::fit::model::Model;
+use crate::fit::pass::{Pass, Progress};
+use crate::fit::tracking::Prior;
+use crate::sensitivity::{Equations, Partials};
+use crate::top::Top;
+
+/// Largest number of sensors.
+pub const MOST_SENSORS: usize = 4;
+/// Largest number of ratios that are unknowns.
+pub const MOST_RATIOS: usize = 4;
+/// Number of instants in the first window; the others are each four times as long.
+const FIRST_WINDOW: usize = 16;
+/// Fit of a launch to measurements.
+///
+/// The unknowns are the launch, the ratios that are free, and a constant bias of each component of the sensors that
+/// have one. The state of the fit takes less than 16 KiB and does not grow with the measurements.
+#[derive(Clone)]
+pub struct Fit<'a> {
+    sensors: &'a [&'a dyn Sensor],
+    model: Model,
+    /// Residual, in standard deviations, from which an observation counts linearly instead of quadratically.
+    huber: f64,
+    /// Best launch so far, with the information and the sum of squares of its pass.
+    best: Pass,
+    /// Launch of the pass that is under way.
+    current: Pass,
+    /// Marquardt's damping.
+    damping: f64,
+    /// Motion at the time of the last measurement.
+    flow: Option<(f64, Partials)>,
+    equations: Equations<f64>,
+    /// Factor of the readings of rate gyroscopes: another unit that is tried where the fit is bad.
+    rate_unit: f64,
+    prior: Option<Prior>,
+}
+
+impl<'a> Fit<'a> {
+    /// Fit of a launch of this top by these sensors.
+    ///
+    /// * `ratios`: unknown ratios of the top, at most four
+    ///
+    /// # Errors
+    /// [`FitError::TooManyUnknowns`]: more than four sensors or ratios.
+    pub fn new(top: &Top, sensors: &'a [&'a dyn Sensor], ratios: &[FreeRatio]) -> Result<Self, FitError> {
+        if sensors.len() > MOST_SENSORS || ratios.len() > MOST_RATIOS {
+            return Err(FitError::TooManyUnknowns);
+        }
+        let model = Model::new(top, sensors, ratios);
+        let pass = Pass::new(Launch::default(), model.count);
+        let equations = model.equations(&pass.launch);
+        Ok(Self {
+            sensors,
+            model,
+            huber: 3.0,
+            best: pass,
+            current: pass,
+            damping: 1e-3,
+            flow: None,
+            equations,
+            rate_unit: 1.0,
+            prior: None,
+        })
+    }
+
+    /// Sets the residual, in standard deviations, from which an observation counts linearly instead of quadratically
+    /// (Huber); infinite for least squares. It is 3 at first.
+    #[must_use]
+    pub fn with_huber(mut self, residual: f64) -> Self {
+        self.huber = residual;
+        self
+    }
+
+    /// Launch from all measurements, without a first guess. The launch is the state at the time of the first
+    /// measurement. The measurements are read several times.
+    ///
+    /// # Errors
+    /// [`FitError`]: a measurement that is not finite, that is earlier than the one before, or of a sensor that is not
+    /// in the list; no measurement at all.
+    pub fn run<I>(&mut self, measurements: I) -> Result<Fitted, FitError>
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
+        let fitted = self.run_in_unit(measurements.clone())?;
+        if matches!(fitted.reason, Some(Reason::Misfit | Reason::NotSettled))
+            && self.has_rates(measurements.clone())
+        {
+            let mut other = self.clone();
+            other.rate_unit = core::f64::consts::PI / 180.0;
+            let degrees = other.run_in_unit(measurements.clone())?;
+            if degrees.converged() || degrees.statistics.chi_squared < 0.1 * fitted.statistics.chi_squared {
+                return Ok(Fitted { reason: Some(Reason::RatesInDegrees), ..fitted });
+            }
+            if self.is_at_rest(measurements) {
+                return Ok(Fitted { reason: Some(Reason::AtRest), ..fitted });
+            }
+        }
+        Ok(fitted)
+    }
+
+    /// Launch from all measurements, from a first guess at the time of the first measurement.
+    ///
+    /// # Errors
+    /// As [`Fit::run`].
+    pub fn run_from<I>(&mut self, guess: Launch, measurements: I) -> Result<Fitted, FitError>
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
+        let epoch = self.checked(measurements.clone())?;
+        self.start(guess);
+        let progress = self.settle(measurements);
+        Ok(self.fitted(epoch, progress))
+    }
+
+    fn run_in_unit<I>(&mut self, measurements: I) -> Result<Fitted, FitError>
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
+        let epoch = self.checked(measurements.clone())?;
+        if measurements
+            .clone()
+            .map(|measurement| measurement.time)
+            .filter(|time| *time > epoch)
+            .take(2)
+            .count()
+            < 2
+        {
+            self.start(Launch::default());
+            return Ok(Fitted { reason: Some(Reason::TooFew), ..self.fitted(epoch, Progress::Stuck) });
+        }
+        let beginning = Beginning::of(self, measurements.clone());
+        if beginning.is_empty() {
+            self.start(Launch::default());
+            return Ok(Fitted { reason: Some(Reason::NoBeginning), ..self.fitted(epoch, Progress::Stuck) });
+        }
+        // the best of the guesses on a short window, where no phase can be off by a turn
+        let mut count = 4 * FIRST_WINDOW * self.sensors.len();
+        let mut best: Option<Pass> = None;
+        let mut rivals = 0;
+        for guess in beginning.guesses() {
+            self.start(*guess);
+            self.settle(measurements.clone().take(count / 4));
+            self.settle(measurements.clone().take(count));
+            let found = self.best;
+            if best.is_none_or(|best| found.cost < best.cost) {
+                best = Some(found);
+            }
+        }
+        if let Some(best) = best {
+            // another guess that led to another launch and fits as well
+            for guess in beginning.guesses().iter().filter(|_| beginning.guesses().len() > 1) {
+                self.start(*guess);
+                self.settle(measurements.clone().take(count));
+                let other = self.best;
+                if other.cost < best.cost + 9.0 && other.launch.distance(&best.launch) > 0.3 {
+                    rivals += 1;
+                }
+            }
+            self.best = best;
+        }
+        while measurements.clone().nth(count).is_some() {
+            self.settle(measurements.clone().take(count));
+            count = count.saturating_mul(4);
+        }
+        let progress = self.settle(measurements);
+        let mut fitted = self.fitted(epoch, progress);
+        fitted.rivals = rivals;
+        Ok(fitted)
+    }
+
+    /// Time of the first measurement, after a look at all of them.
+    fn checked(&self, measurements: impl Iterator<Item = Measurement>) -> Result<f64, FitError> {
+        let mut last: Option<f64> = None;
+        let mut first = None;
+        for (index, measurement) in measurements.enumerate() {
+            let Measurement { time, sensor, values } = measurement;
+            if !time.is_finite() || values.iter().any(|x| !x.is_finite()) {
+                return Err(FitError::NotFinite { index });
+            }
+            if last.is_some_and(|last| time < last) {
+                return Err(FitError::OutOfOrder { index });
+            }
+            if sensor >= self.sensors.len() {
+                return Err(FitError::UnknownSensor { index });
+            }
+            last = Some(time);
+            first = first.or(last);
+        }
+        first.ok_or(FitError::NoMeasurements)
+    }
+
+    fn has_rates(&self, measurements: impl Iterator<Item = Measurement>) -> bool {
+        measurements.take(64).any(|measurement| matches!(self.hint(&measurement), Hint::Rate { .. }))
+    }
+
+    /// Statement of a measurement, in the unit that is tried.
+    fn hint(&self, measurement: &Measurement) -> Hint {
+        let hint = |values: &[f64; 4]| {
+            self.sensors.get(measurement.sensor).map_or(Hint::None, |sensor| sensor.hint(values))
+        };
+        match hint(&measurement.values) {
+            Hint::Rate { .. } => hint(&measurement.values.map(|x| x * self.rate_unit)),
+            other => other,
+        }
+    }
+
+    /// Whether no rate is beyond what bias and noise explain.
+    fn is_at_rest(&self, mut measurements: impl Iterator<Item = Measurement>) -> bool {
+        measurements.all(|measurement| match self.hint(&measurement) {
+            Hint::Rate { omega, axial_is_saturated } => {
+                !axial_is_saturated && omega.iter().all(|x| libm::fabs(*x) < 0.1)
+            }
+            _ => true,
+        })
+    }
+}

@@ -1,0 +1,252 @@
+//! Unknowns of a fit: their order, their units, and how the derivatives of a motion belong to them.
+
+use crate::fit::launch::{FreeRatio, LAUNCH, Launch};
+use crate::fit::outcome::Unobservable;
+use crate::fit::sensor::Sensor;
+use crate::fit::triangle::{MOST_UNKNOWNS, Triangle, Unknowns, eigen};
+use crate::fit::{MOST_RATIOS, MOST_SENSORS};
+use crate::sensitivity::{Coefficients, Equations, total};
+use crate::su2::{Orientation, Vector, bracket, dot};
+use crate::top::{Support, Top};
+
+/// Order and units of the unknowns.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Model {
+    support: Support,
+    transverse_inertia: f64,
+    given: [f64; 4],
+    free: [FreeRatio; MOST_RATIOS],
+    free_count: usize,
+    /// First unknown of each sensor's bias, and its prior deviation.
+    biases: [Option<(usize, f64)>; MOST_SENSORS],
+    pub(crate) count: usize,
+    pub(crate) tip_scale: f64,
+}
+
+impl Model {
+    pub(crate) fn new(top: &Top, sensors: &[&dyn Sensor], ratios: &[FreeRatio]) -> Self {
+        let (a, p, s) = (top.transverse_inertia(), top.mass_moment(), top.com_height());
+        let lever = match top.support() {
+            Support::Sliding => a / (p * s),
+            Support::Fixed => a / p,
+        };
+        let mut free = [FreeRatio::of([0.0; 4]); MOST_RATIOS];
+        for (slot, ratio) in free.iter_mut().zip(ratios) {
+            *slot = *ratio;
+        }
+        let free_count = ratios.len().min(MOST_RATIOS);
+        let mut count = LAUNCH + free_count;
+        let mut biases = [None; MOST_SENSORS];
+        for (slot, sensor) in biases.iter_mut().zip(sensors) {
+            let deviation = sensor.bias_deviation();
+            if deviation > 0.0 {
+                *slot = Some((count, deviation));
+                count += 3;
+            }
+        }
+        Self {
+            support: top.support(),
+            transverse_inertia: a,
+            given: [a / top.axial_inertia(), lever, s, top.gravity()],
+            free,
+            free_count,
+            biases,
+            count,
+            tip_scale: top.tip_scale(),
+        }
+    }
+
+    /// Whether a ratio of the top is an unknown.
+    pub(crate) fn has_free_ratios(&self) -> bool {
+        self.free_count > 0
+    }
+
+    /// First unknown of a sensor's bias.
+    pub(crate) fn bias_of(&self, sensor: usize) -> Option<usize> {
+        self.biases.get(sensor).copied().flatten().map(|(first, _)| first)
+    }
+
+    /// Ratios A/C, A/(ps), s and g of a launch; A/p in the second place for a fixed tip.
+    pub(crate) fn ratios(&self, launch: &Launch) -> [f64; 4] {
+        let mut logarithms = [0.0; 4];
+        for (free, value) in self.free.iter().take(self.free_count).zip(launch.rest.iter().skip(LAUNCH)) {
+            for (slot, share) in logarithms.iter_mut().zip(free.direction) {
+                *slot += share * value;
+            }
+        }
+        let mut ratios = self.given;
+        for (ratio, logarithm) in ratios.iter_mut().zip(logarithms) {
+            if logarithm != 0.0 {
+                *ratio *= libm::exp(logarithm);
+            }
+        }
+        ratios
+    }
+
+    /// First integrals l, n and h of a launch, from A.
+    pub(crate) fn integrals(&self, launch: &Launch) -> Vector<f64> {
+        let Coefficients { inertia, moment, height, gravity } = self.equations(launch).coefficients;
+        let (axis, omega) = (launch.orientation.axis(), launch.omega);
+        let spin = dot(axis, omega);
+        let [.., u] = axis;
+        let [.., rise] = bracket(omega, axis);
+        let [.., vertical] = omega;
+        let l = vertical + (inertia - 1.0) * spin * u;
+        let energy = 0.5
+            * (dot(omega, omega) + (inertia - 1.0) * spin * spin + moment * height * rise * rise)
+            + moment * gravity * u;
+        [l, inertia * spin, energy].map(|x| x * self.transverse_inertia)
+    }
+
+    pub(crate) fn equations(&self, launch: &Launch) -> Equations<f64> {
+        let [inertia, lever, height, gravity] = self.ratios(launch);
+        let moment = match self.support {
+            Support::Sliding => 1.0 / (lever * height),
+            Support::Fixed => 1.0 / lever,
+        };
+        let coefficients = Coefficients { inertia: 1.0 / inertia, moment, height, gravity };
+        Equations { coefficients, changes: coefficients.derivatives(self.support) }
+    }
+
+    /// Fills a row from the derivatives by the launch and the four ratios.
+    pub(crate) fn fill(&self, row: &mut Unknowns, launch: &Launch, column: impl Fn(usize) -> f64) {
+        for (index, slot) in row.iter_mut().enumerate().take(LAUNCH) {
+            *slot = column(index);
+        }
+        if self.free_count == 0 {
+            return;
+        }
+        let ratios = self.ratios(launch);
+        for (slot, free) in row.iter_mut().skip(LAUNCH).zip(&self.free).take(self.free_count) {
+            *slot = free
+                .direction
+                .iter()
+                .zip(ratios)
+                .enumerate()
+                .map(|(index, (share, ratio))| share * ratio * column(LAUNCH + index))
+                .sum();
+        }
+    }
+
+    /// Information before any measurement, and the sum of squares of what it is contradicted by.
+    pub(crate) fn prior(&self, launch: &Launch) -> (Triangle, f64) {
+        let mut information = Triangle::new(self.count);
+        let mut cost = 0.0;
+        for (index, (value, deviation)) in launch.rest.iter().zip(self.prior_deviations()).enumerate() {
+            if deviation.is_finite() {
+                let mut row = [0.0; MOST_UNKNOWNS];
+                if let Some(slot) = row.get_mut(index) {
+                    *slot = 1.0 / deviation;
+                }
+                let residual = -value / deviation;
+                cost += residual * residual;
+                information.add(&row, residual);
+            }
+        }
+        (information, cost)
+    }
+
+    /// Standard deviations before any measurement; infinite for none.
+    fn prior_deviations(&self) -> Unknowns {
+        let mut deviations = [f64::INFINITY; MOST_UNKNOWNS];
+        for (slot, free) in deviations.iter_mut().skip(LAUNCH).zip(&self.free).take(self.free_count) {
+            *slot = free.deviation;
+        }
+        for (first, deviation) in self.biases.iter().flatten() {
+            for slot in deviations.iter_mut().skip(*first).take(3) {
+                *slot = *deviation;
+            }
+        }
+        deviations
+    }
+
+    /// Unit of each unknown: a radian, a change of ω by its own size, a ratio by its own size, a bias by its prior
+    /// deviation.
+    fn units(&self, launch: &Launch) -> Unknowns {
+        let Coefficients { moment, gravity, .. } = self.equations(launch).coefficients;
+        let rate = libm::sqrt(dot(launch.omega, launch.omega) + moment * gravity);
+        let mut units = [1.0; MOST_UNKNOWNS];
+        for slot in units.iter_mut().take(LAUNCH).skip(3) {
+            *slot = rate;
+        }
+        for (first, deviation) in self.biases.iter().flatten() {
+            for slot in units.iter_mut().skip(*first).take(3) {
+                *slot = *deviation;
+            }
+        }
+        units
+    }
+
+    /// Deviations that damp a correction: Marquardt's, and so many units for directions without information.
+    pub(crate) fn damping(
+        &self,
+        launch: &Launch,
+        information: &Triangle,
+        damping: f64,
+        units: f64,
+    ) -> Unknowns {
+        let mut deviations = self.units(launch);
+        for (slot, square) in deviations.iter_mut().zip(information.column_squares()) {
+            *slot = 1.0 / libm::sqrt(damping * square + 1.0 / (units * *slot * units * *slot));
+        }
+        deviations
+    }
+
+    /// Launch after a correction. ω is corrected in the frame that the rotation turns, so that a rotation about the
+    /// vertical, which may be poorly known, leaves the motion as it is however large it is.
+    pub(crate) fn moved(&self, launch: &Launch, change: &Unknowns) -> Launch {
+        let [t1, t2, t3, w1, w2, w3, ..] = *change;
+        let turn = Orientation::exp([t1, t2, t3]);
+        let eta = total([w1, w2, w3], bracket([t1, t2, t3], launch.omega), -1.0);
+        let mut rest = launch.rest;
+        for (slot, by) in rest.iter_mut().zip(change).skip(LAUNCH) {
+            *slot += by;
+        }
+        let mut directions = [[0.0; 4]; MOST_RATIOS];
+        for (slot, free) in directions.iter_mut().zip(&self.free) {
+            *slot = free.direction;
+        }
+        Launch {
+            orientation: turn.compose(&launch.orientation).normalised(),
+            omega: turn.adjoint(total(launch.omega, eta, 1.0)),
+            rest,
+            directions,
+            free: self.free_count,
+        }
+    }
+
+    /// Directions of the launch that the information does not determine to one unit.
+    pub(crate) fn unobservable(&self, launch: &Launch, information: &Triangle) -> Unobservable {
+        let units = self.units(launch);
+        let (values, vectors) = eigen(&information.normal(&units), self.count);
+        let count = values.iter().take(self.count).filter(|value| **value < 1.0).count();
+        let axis = launch.orientation.axis();
+        let up = [0.0, 0.0, 1.0];
+        let none = [0.0; 3];
+        // share of a direction that lies in the undetermined ones
+        let share = |theta: Vector<f64>, omega: Vector<f64>| {
+            let mut direction = [0.0; MOST_UNKNOWNS];
+            for ((slot, x), unit) in direction.iter_mut().zip(theta.into_iter().chain(omega)).zip(units) {
+                *slot = x / unit;
+            }
+            let size: f64 = direction.iter().map(|x| x * x).sum();
+            let inside: f64 = values
+                .iter()
+                .zip(&vectors)
+                .take(self.count)
+                .filter(|(value, _)| **value < 1.0)
+                .map(|(_, vector)| {
+                    let inner: f64 = vector.iter().zip(&direction).map(|(a, b)| a * b).sum();
+                    inner * inner
+                })
+                .sum();
+            inside / size
+        };
+        Unobservable {
+            yaw: share(up, bracket(up, launch.omega)) > 0.9,
+            roll: share(axis, none) > 0.9,
+            spin: share(none, axis) > 0.9,
+            count,
+        }
+    }
+}

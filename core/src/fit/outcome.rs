@@ -1,0 +1,255 @@
+//! Result of a fit: the launch, its covariance, and how far both can be trusted.
+
+use crate::error::ParameterError;
+use crate::fit::launch::Launch;
+use crate::fit::triangle::Symmetric;
+use crate::motion::Motion;
+use crate::sensitivity::Partials;
+use crate::state::State;
+use crate::su2::Vector;
+use crate::top::{Support, Top, TopParameters};
+use core::fmt;
+
+/// Input that a fit refuses. `index` counts the measurements from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FitError {
+    /// A time or a value is NaN or infinite.
+    NotFinite {
+        /// Index of the measurement.
+        index: usize,
+    },
+    /// A measurement is earlier than the one before.
+    OutOfOrder {
+        /// Index of the measurement.
+        index: usize,
+    },
+    /// A measurement names a sensor that is not in the list.
+    UnknownSensor {
+        /// Index of the measurement.
+        index: usize,
+    },
+    /// There is no measurement.
+    NoMeasurements,
+    /// There are more than four sensors, or more than four free ratios.
+    TooManyUnknowns,
+}
+
+impl fmt::Display for FitError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite { index } => write!(f, "measurement {index}: must be finite"),
+            Self::OutOfOrder { index } => {
+                write!(f, "measurement {index}: must not be earlier than the one before")
+            }
+            Self::UnknownSensor { index } => {
+                write!(f, "measurement {index}: must be of a sensor in the list")
+            }
+            Self::NoMeasurements => write!(f, "measurements: must not be empty"),
+            Self::TooManyUnknowns => write!(f, "sensors, ratios: must be at most four each"),
+        }
+    }
+}
+
+impl core::error::Error for FitError {}
+
+/// Reason why a launch must not be trusted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Reason {
+    /// The corrections did not become small.
+    NotSettled,
+    /// The residuals are far larger than the noise: the model, a unit or the noise is wrong, or the fit found a wrong
+    /// solution.
+    Misfit,
+    /// The residuals are far larger than the noise, and become small when the rates are read as degrees per second.
+    RatesInDegrees,
+    /// The residuals are far larger than the noise, and no rate differs from 0: the top does not move freely.
+    AtRest,
+    /// Every component of every measurement was at the end of its range.
+    AllSaturated,
+    /// Fewer observations than unknowns of a launch.
+    TooFew,
+    /// The measurements do not say where to begin: neither an orientation, nor the axis, nor a direction with rates.
+    NoBeginning,
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::NotSettled => "the corrections did not become small",
+            Self::Misfit => "the residuals are far larger than the noise",
+            Self::RatesInDegrees => "the rates seem to be in degrees per second: the residuals then are small",
+            Self::AtRest => "the top is at rest, held by something that the model does not know",
+            Self::AllSaturated => "every component is at the end of its range",
+            Self::TooFew => "there are fewer observations than unknowns",
+            Self::NoBeginning => {
+                "the measurements do not say where to begin: they need an orientation, an axis, or a direction and rates"
+            }
+        })
+    }
+}
+
+/// Residuals of a fit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Statistics {
+    /// Number of components that were used.
+    pub used: u32,
+    /// Number of components that say nothing, because they are at the end of their range.
+    pub unused: u32,
+    /// Number of components whose weight was reduced.
+    pub outliers: u32,
+    /// Sum of the squares of all residuals in standard deviations, those of outliers at the limit.
+    pub chi_squared: f64,
+    /// Largest residual in standard deviations.
+    pub largest: f64,
+    /// Sum of the squares of the differences from what was known before, as of biases, in standard deviations.
+    pub prior: f64,
+}
+
+impl Statistics {
+    pub(crate) fn add(&mut self, residual: f64, limit: f64) {
+        self.used = self.used.saturating_add(1);
+        let size = libm::fabs(residual).min(limit);
+        self.outliers = self.outliers.saturating_add(u32::from(size < libm::fabs(residual)));
+        self.chi_squared += size * size;
+        self.largest = self.largest.max(libm::fabs(residual));
+    }
+
+    /// Sum of squares by the number of observations in excess of the unknowns: about 1 where model and noise are right.
+    #[must_use]
+    pub fn reduced_chi_squared(&self, unknowns: usize) -> f64 {
+        let freedom = f64::from(self.used) - unknowns as f64;
+        self.chi_squared / freedom.max(1.0)
+    }
+
+    /// Whether the residuals that are no outliers are beyond their mean by so many standard deviations √(2 n), or more
+    /// than a fifth of all are outliers.
+    pub(crate) fn is_misfit(&self, unknowns: usize, deviations: f64, huber: f64) -> bool {
+        let (used, outliers) = (f64::from(self.used), f64::from(self.outliers));
+        let inliers =
+            if outliers > 0.0 { self.chi_squared - huber * huber * outliers } else { self.chi_squared };
+        let freedom = (used - outliers - unknowns as f64).max(1.0);
+        // a known bias may differ by some standard deviations, and there are at most a dozen
+        self.prior > 60.0
+            || inliers > freedom + deviations * libm::sqrt(2.0 * freedom)
+            || outliers > 0.2 * used + 10.0
+    }
+}
+
+/// Directions of the launch that the measurements do not determine to one unit: one radian, or a change of ω by its own
+/// size.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Unobservable {
+    /// Rotation of the whole motion about the vertical.
+    pub yaw: bool,
+    /// Rotation of the body about its axis.
+    pub roll: bool,
+    /// Angular velocity about the axis.
+    pub spin: bool,
+    /// Number of independent directions, those with a name included.
+    pub count: usize,
+}
+
+/// Result of a fit.
+#[derive(Clone, Copy, Debug)]
+pub struct Fitted {
+    /// Time of the launch: that of the first measurement.
+    pub epoch: f64,
+    /// Launch, biases and ratios.
+    pub launch: Launch,
+    /// Covariance of the unknowns: rotation vector of Φ (fixed frame), ω, logarithms of the free ratios, biases.
+    pub covariance: Symmetric,
+    /// Residuals.
+    pub statistics: Statistics,
+    /// Directions that the measurements do not determine. Their standard deviations in the covariance are 10 rad, or ten
+    /// times ω.
+    pub unobservable: Unobservable,
+    /// Reason why the launch must not be trusted; `None` where it may be.
+    pub reason: Option<Reason>,
+    /// Number of other launches, from other beginnings, that fit the first measurements as well.
+    pub rivals: usize,
+    /// Number of unknowns.
+    pub count: usize,
+    pub(crate) ratios: [f64; 4],
+}
+
+impl Fitted {
+    /// Whether the launch may be trusted.
+    #[must_use]
+    pub fn converged(&self) -> bool {
+        self.reason.is_none()
+    }
+
+    /// State of the launch.
+    ///
+    /// # Errors
+    /// As [`State::new`].
+    pub fn state(&self) -> Result<State, ParameterError> {
+        State::new(self.launch.orientation.normalised(), self.launch.omega)
+    }
+
+    /// Top with the fitted ratios, and with the A of the top that was given.
+    ///
+    /// # Errors
+    /// As [`Top::sliding`]; the name is that of the parameter which the fit took beyond its range.
+    pub fn top(&self, given: &Top) -> Result<Top, ParameterError> {
+        let [inertia, support, height, gravity] = self.ratios;
+        let a = given.transverse_inertia();
+        let parameters = TopParameters {
+            transverse_inertia: a,
+            axial_inertia: a / inertia,
+            gravity,
+            ..TopParameters::default()
+        };
+        match given.support() {
+            Support::Sliding => Top::sliding(&TopParameters {
+                com_height: height,
+                mass_moment: a / (support * height),
+                ..parameters
+            }),
+            Support::Fixed => Top::fixed(&TopParameters { mass_moment: a / support, ..parameters }),
+        }
+    }
+
+    /// Motion of the launch.
+    ///
+    /// # Errors
+    /// As [`Fitted::state`], [`Fitted::top`] and [`Motion::launch`].
+    pub fn motion(&self, given: &Top) -> Result<Motion, ParameterError> {
+        let top = if self.ratios_are_given() { *given } else { self.top(given)? };
+        Motion::launch(&top, &self.state()?)
+    }
+
+    fn ratios_are_given(&self) -> bool {
+        self.launch.free == 0
+    }
+
+    /// Standard deviations of the unknowns.
+    #[must_use]
+    pub fn deviations(&self) -> [f64; super::MOST_UNKNOWNS] {
+        let mut deviations = [0.0; super::MOST_UNKNOWNS];
+        for (index, (slot, row)) in deviations.iter_mut().zip(&self.covariance).enumerate() {
+            *slot = libm::sqrt(row.get(index).copied().unwrap_or(0.0));
+        }
+        deviations
+    }
+
+    /// Covariance of the rotation vector of the predicted orientation, from the uncertainty of the launch and of the
+    /// ratios.
+    #[must_use]
+    pub fn orientation_covariance(&self, at: &Partials) -> [Vector<f64>; 3] {
+        let columns = self.launch.columns(&at.orientation(), &self.ratios);
+        let mut covariance = [[0.0; 3]; 3];
+        for (row, a) in self.covariance.iter().zip(&columns) {
+            for (entry, b) in row.iter().zip(&columns) {
+                for (line, x) in covariance.iter_mut().zip(a) {
+                    for (slot, y) in line.iter_mut().zip(b) {
+                        *slot += entry * x * y;
+                    }
+                }
+            }
+        }
+        covariance
+    }
+}

@@ -1,0 +1,100 @@
+//! Sensors: what an instrument should read at a state, and how that changes with the launch.
+
+use crate::sensitivity::{COLUMNS, Partials};
+use crate::su2::{Orientation, Vector};
+
+/// One reading of a sensor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measurement {
+    /// Time, in the unit of time (s).
+    pub time: f64,
+    /// Index of the sensor in the list that the fit was given.
+    pub sensor: usize,
+    /// Values of the reading; a sensor with fewer leaves the rest 0.
+    pub values: [f64; 4],
+}
+
+/// Difference of a reading from what a state predicts, in up to three components.
+#[derive(Clone, Copy, Debug)]
+pub struct Prediction {
+    /// Measured minus predicted value, without bias.
+    pub difference: Vector<f64>,
+    /// Standard deviation of the noise; infinite for a component that says nothing.
+    pub deviation: Vector<f64>,
+    /// Derivatives of the predicted value, in the order of [`Sensitivity::NAMES`](crate::Sensitivity::NAMES).
+    pub columns: [Vector<f64>; COLUMNS],
+}
+
+/// Statement of one reading about the state, from which a fit begins without a guess.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Hint {
+    /// Nothing that a beginning can use.
+    None,
+    /// Angular velocity in the body frame; a component may be only a lower bound of the magnitude.
+    Rate {
+        /// Angular velocity Ω, rad per unit time.
+        omega: Vector<f64>,
+        /// Whether the component along the axis is beyond the range of the sensor.
+        axial_is_saturated: bool,
+    },
+    /// Direction that is known in the fixed frame, seen in the body frame.
+    Direction {
+        /// Unit vector in the fixed frame.
+        fixed: Vector<f64>,
+        /// Vector along the same direction in the body frame, of any length.
+        body: Vector<f64>,
+    },
+    /// Orientation Φ, of either sign.
+    Orientation(Orientation<f64>),
+    /// Axis r in the fixed frame.
+    Axis(Vector<f64>),
+}
+
+/// Sensor on the top or beside it. Implement it for an instrument of your own.
+pub trait Sensor {
+    /// Difference of a reading from the prediction at a state, with its derivatives.
+    fn predict(&self, at: &Partials, values: &[f64; 4]) -> Prediction;
+
+    /// Standard deviation of a constant bias of each component before the fit; 0 where there is no bias, which then is
+    /// not an unknown.
+    fn bias_deviation(&self) -> f64 {
+        0.0
+    }
+
+    /// Statement about the state from which a fit may begin.
+    fn hint(&self, values: &[f64; 4]) -> Hint {
+        let _ = values;
+        Hint::None
+    }
+}
+
+/// Noise and bias of a sensor with three equal components.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Noise {
+    /// Standard deviation of one reading.
+    pub deviation: f64,
+    /// Standard deviation of the constant bias; 0 for none.
+    pub bias: f64,
+}
+
+/// Mounting of a sensor in the body.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Mounting {
+    /// Rotation from sensor to body coordinates.
+    pub rotation: Orientation<f64>,
+    /// Body coordinates of its place, m: from the centre of mass of a sliding top, and from the tip of a held one.
+    pub place: Vector<f64>,
+}
+
+impl Mounting {
+    /// Sensor coordinates of a vector of the body.
+    pub(crate) fn in_sensor(&self, body: Vector<f64>) -> Vector<f64> {
+        self.rotation.inverse().adjoint(body)
+    }
+
+    /// Body coordinates of a vector of the sensor.
+    pub(crate) fn in_body(&self, sensor: Vector<f64>) -> Vector<f64> {
+        self.rotation.adjoint(sensor)
+    }
+}

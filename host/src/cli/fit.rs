@@ -1,0 +1,89 @@
+//! The commands between measurements and launches.
+
+use super::Format;
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// `toytop simulate`
+#[derive(Args, Debug)]
+pub struct SimulateArgs {
+    /// Scenario file
+    pub scenario: PathBuf,
+    /// Sensors; without it, a gyroscope, an accelerometer and a magnetometer of a telephone at the centre of mass
+    #[arg(long, value_name = "SENSORS.toml")]
+    pub sensors: Option<PathBuf>,
+    /// Samples a second
+    #[arg(long, value_name = "N", default_value_t = 1000.0, value_parser = super::measure::positive)]
+    pub hertz: f64,
+    /// Length of the recording, s
+    #[arg(long, value_name = "S", default_value_t = 1.0, value_parser = super::measure::positive)]
+    pub duration: f64,
+    /// Another seed, other noise
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+    /// Output file
+    #[arg(short, long, value_name = "SAMPLES.csv")]
+    pub output: PathBuf,
+}
+
+/// `toytop fit`
+#[derive(Args, Debug)]
+pub struct FitArgs {
+    /// Samples, as `toytop simulate` writes them
+    pub samples: PathBuf,
+    /// Scenario file with the top; its motion is not read
+    #[arg(long, value_name = "TOP.toml")]
+    pub top: PathBuf,
+    /// Sensors; without it, those of a telephone, as far as the samples have their columns
+    #[arg(long, value_name = "SENSORS.toml")]
+    pub sensors: Option<PathBuf>,
+    /// Keys of the top that are unknown too
+    #[arg(long, value_enum, value_name = "KEY,...", value_delimiter = ',')]
+    pub free: Vec<FreeKey>,
+    /// Residual, in standard deviations, from which a sample is an outlier; inf for least squares
+    #[arg(long, value_name = "X", default_value_t = 3.0, value_parser = huber)]
+    pub huber: f64,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+    /// Scenario file to write
+    #[arg(short, long, value_name = "FITTED.toml")]
+    pub output: Option<PathBuf>,
+}
+
+fn huber(text: &str) -> Result<f64, &'static str> {
+    text.parse().ok().filter(|x| *x >= 1.0).ok_or("must be a number from 1, or inf")
+}
+
+/// Key of a top that a fit may change.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[value(rename_all = "snake_case")]
+pub enum FreeKey {
+    /// A
+    TransverseInertia,
+    /// C
+    AxialInertia,
+    /// s
+    ComHeight,
+    /// M
+    Mass,
+    /// p
+    MassMoment,
+    /// g
+    Gravity,
+}
+
+impl FreeKey {
+    /// Name of the key in a scenario file.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::TransverseInertia => "transverse_inertia",
+            Self::AxialInertia => "axial_inertia",
+            Self::ComHeight => "com_height",
+            Self::Mass => "mass",
+            Self::MassMoment => "mass_moment",
+            Self::Gravity => "gravity",
+        }
+    }
+}

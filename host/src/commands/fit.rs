@@ -1,0 +1,99 @@
+//! `toytop fit`: the launch of a top from samples.
+
+use super::Report;
+use crate::Failure;
+use crate::cli::{FitArgs, Format};
+use crate::fit::report::{Told, ratios};
+use crate::fit::sensors::{Body, Sensors};
+use crate::fit::table;
+use crate::input::scenario::Scenario;
+use crate::output::{self, Cell, Record, whole_file};
+use toml::{Table, Value};
+use toytop::fit::{Fit, Sensor};
+use toytop::{Support, Top};
+
+pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
+    let file = arguments.top.display().to_string();
+    let keys = Scenario::keys(&arguments.top)?;
+    let top = Scenario::top(&arguments.top)?;
+    let body = body(&keys, &top);
+    let mut sensors = match &arguments.sensors {
+        Some(path) => Sensors::read(path, body)?,
+        None => Sensors::telephone(body),
+    };
+    let measurements = table::read(&arguments.samples, &mut sensors, arguments.sensors.is_some())?;
+    let own = Table::new();
+    let table = keys.get("top").and_then(Value::as_table).unwrap_or(&own);
+    let ratios = ratios(&file, table, &top, &arguments.free)?;
+
+    let samples = arguments.samples.display();
+    let refuse = |error: toytop::fit::FitError| Failure::Input(format!("{samples}: {error}"));
+    let listed: Vec<&dyn Sensor> =
+        sensors.instruments.iter().map(|instrument| &*instrument.sensor as &dyn Sensor).collect();
+    let mut fit = Fit::new(&top, &listed, &ratios).map_err(refuse)?.with_huber(arguments.huber);
+    let fitted = fit.run(measurements.iter().copied()).map_err(refuse)?;
+    let end = measurements.last().map_or(0.0, |last| last.time);
+    let told = Told { fitted: &fitted, top: &top, table, free: &arguments.free, sensors: &sensors, end };
+    let mut notes = Vec::new();
+    match (&arguments.output, fitted.converged()) {
+        (Some(path), true) => {
+            let units = keys.get("units").and_then(Value::as_str);
+            let (text, _) = told.scenario(units)?;
+            whole_file::write("-o", path, text.as_bytes())?;
+        }
+        (Some(path), false) => {
+            notes.push(format!("{}: not written, because the fit has not converged", path.display()));
+        }
+        (None, _) => {}
+    }
+    let text = match arguments.format {
+        Format::Table => told.table(),
+        Format::Json => format!("{}\n", told.json()),
+        Format::Csv => output::csv(&[record(&told)]).map_err(Failure::Output)?,
+    };
+    Ok(Report { text, notes, missed: !fitted.converged() })
+}
+
+/// Launch in one row.
+fn record(told: &Told<'_>) -> Record {
+    let fitted = told.fitted;
+    let deviations = fitted.deviations();
+    let [w, x, y, z] = fitted.launch.orientation.quaternion();
+    let [a, b, c] = fitted.launch.omega;
+    let reason = fitted.reason.map_or(Cell::Absent, |reason| Cell::Text(reason.to_string()));
+    let mut cells = vec![("reason", reason)];
+    for (name, value) in [
+        ("epoch", fitted.epoch),
+        ("w", w),
+        ("x", x),
+        ("y", y),
+        ("z", z),
+        ("omega_x", a),
+        ("omega_y", b),
+        ("omega_z", c),
+        ("theta_x_deviation", deviations[0]),
+        ("theta_y_deviation", deviations[1]),
+        ("theta_z_deviation", deviations[2]),
+        ("omega_x_deviation", deviations[3]),
+        ("omega_y_deviation", deviations[4]),
+        ("omega_z_deviation", deviations[5]),
+        ("reduced_chi_squared", fitted.statistics.reduced_chi_squared(fitted.count)),
+    ] {
+        cells.push((name, Cell::Number(value)));
+    }
+    Record(cells)
+}
+
+/// Lengths of the body that sensors need: the centre of mass is at the origin of a sliding top, and above the tip of a held
+/// one, as far as the file says where.
+pub(super) fn body(keys: &Table, top: &Top) -> Body {
+    let height = keys
+        .get("top")
+        .and_then(|top| top.get("com_height"))
+        .and_then(|value| value.as_float().or(value.as_integer().map(|x| x as f64)));
+    let com = match (top.support(), height) {
+        (Support::Fixed, Some(height)) => [0.0, 0.0, height],
+        _ => [0.0; 3],
+    };
+    Body { tip_scale: top.tip_scale(), com }
+}

@@ -1,0 +1,141 @@
+//! `toytop simulate` and `toytop fit`: from a scenario to samples and back.
+
+use super::{folder, json, run, sample, scenario, stderr, stdout};
+use serde_json::Value;
+use std::path::Path;
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("UTF-8")
+}
+
+/// Samples of a scenario, 0.3 s at 1 kHz.
+fn simulated(file: &str, to: &Path, more: &[&str]) {
+    let mut arguments =
+        vec!["simulate", file, "--hertz", "1000", "--duration", "0.3", "--seed", "7", "-o", text(to)];
+    arguments.extend(more);
+    let output = run(&arguments);
+    assert!(output.status.success(), "{}", stderr(&output));
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+#[test]
+fn a_fitted_scenario_predicts_what_the_true_one_does() {
+    let (file, folder) = (sample("toy_top"), folder("fit_round"));
+    let (samples, fitted) = (folder.join("samples.csv"), folder.join("fitted.toml"));
+    simulated(&file, &samples, &[]);
+    let found = json(&["fit", text(&samples), "--top", &file, "-o", text(&fitted), "--format", "json"]);
+    assert_eq!((&found["converged"], &found["reason"]), (&Value::Bool(true), &Value::Null), "{found}");
+    let error = (number(&found["spin"]) - 150.0) / number(&found["spin_deviation"]);
+    assert!(error.abs() < 4.5, "{found}");
+    assert!(number(&found["saturated"]) >= 300.0, "the gyroscope is blind along the axis: {found}");
+    // a second after the end, within what was announced
+    let [state, truth] = [text(&fitted), &file].map(|file| super::samples(file, "1.3", &[]).remove(0));
+    let announced = &found["prediction"][1];
+    assert!((number(&announced["t"]) - 1.299).abs() < 1e-9, "{announced}");
+    let part = |key: &str, k: usize| number(&state[key][k]) - number(&truth[key][k]);
+    let square: f64 =
+        ["alpha", "beta"].iter().flat_map(|key| [part(key, 0), part(key, 1)]).map(|x| x * x).sum();
+    let off = 2.0 * square.sqrt();
+    assert!(off < 4.0 * number(&announced["orientation_rad"]), "{off} {announced}");
+    let table = run(&["fit", text(&samples), "--top", &file]);
+    assert!(
+        stdout(&table).starts_with("converged\n") && stdout(&table).contains("spin "),
+        "{}",
+        stdout(&table)
+    );
+}
+
+#[test]
+fn a_wrong_inertia_is_corrected_where_it_is_free() {
+    let folder = folder("fit_free");
+    let (samples, fitted) = (folder.join("samples.csv"), folder.join("fitted.toml"));
+    let sensors = folder.join("sensors.toml");
+    std::fs::write(&sensors, "[orientation]\nnoise = 0.002\nevery = 2\n").expect("written");
+    simulated(&sample("toy_top"), &samples, &["--sensors", text(&sensors)]);
+    let own = std::fs::read_to_string(sample("toy_top")).expect("a scenario");
+    let wrong = scenario("fit_wrong", &own.replace("axial_inertia = 2.0e-5", "axial_inertia = 2.06e-5"));
+    let arguments =
+        ["fit", text(&samples), "--top", &wrong, "--sensors", text(&sensors), "-o", text(&fitted)];
+    let strict = run(&arguments);
+    assert_eq!(strict.status.code(), Some(1));
+    assert!(stdout(&strict).starts_with("NOT CONVERGED: "), "{}", stdout(&strict));
+    assert!(!fitted.exists(), "a launch that is not believed is not written");
+    let found = json(&[&arguments[..], &["--free", "axial_inertia", "--format", "json"]].concat());
+    let inertia = &found["free"]["axial_inertia"];
+    let error = (number(&inertia["value"]) - 2e-5) / number(&inertia["deviation"]);
+    assert!(error.abs() < 4.5, "{inertia}");
+    assert!(run(&["state", text(&fitted), "--times", "0"]).status.success());
+}
+
+#[test]
+fn bad_samples_are_refused_with_their_line() {
+    let folder = folder("fit_bad");
+    let header = "t,gyro_x,gyro_y,gyro_z,accel_x,accel_y,accel_z\n";
+    let cases = [
+        (
+            "nan",
+            format!("{header}0,1,2,3,0,0,9.8\n0.001,1,NaN,3,0,0,9.8\n"),
+            "line 3: gyro_y: must be a finite number",
+        ),
+        ("order", format!("{header}0,1,2,3,0,0,9.8\n-1,1,2,3,0,0,9.8\n"), "line 3: t: must not be earlier"),
+        ("short", format!("{header}0,1,2,3,0\n"), "line 2: must have as many fields"),
+        ("half", format!("{header}0,1,2,,0,0,9.8\n"), "line 2: gyro_z: must be a finite number"),
+        ("none", "t,a,b\n0,1,2\n".to_owned(), "line 1: must have the columns of a sensor"),
+        ("time", "gyro_x,gyro_y,gyro_z\n0,1,2\n".to_owned(), "line 1: must have a column t"),
+        ("empty", header.to_owned(), "must not be empty"),
+    ];
+    for (name, content, expected) in cases {
+        let path = folder.join(format!("{name}.csv"));
+        std::fs::write(&path, content).expect("written");
+        let output = run(&["fit", text(&path), "--top", &sample("toy_top")]);
+        assert_eq!(output.status.code(), Some(2), "{name}: {}", stderr(&output));
+        assert!(
+            stderr(&output).contains(expected) && stderr(&output).lines().count() == 1,
+            "{}",
+            stderr(&output)
+        );
+        assert_eq!(stdout(&output), "", "{name}");
+    }
+    let few = folder.join("few.csv");
+    std::fs::write(&few, format!("{header}0,1,2,3,0,0,9.8\n")).expect("written");
+    let output = run(&["fit", text(&few), "--top", &sample("toy_top")]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stdout(&output).contains("fewer observations than unknowns"), "{}", stdout(&output));
+}
+
+#[test]
+fn bad_sensors_and_keys_are_refused() {
+    let folder = folder("fit_sensors");
+    let samples = folder.join("samples.csv");
+    let top = sample("toy_top");
+    for (content, expected) in [
+        ("[gyroscop]\nnoise = 1\n", "gyroscop: unknown sensor; allowed: timing, gyroscope"),
+        ("[gyroscope]\nrange = 1\n", "gyroscope.noise: missing"),
+        ("[gyroscope]\nnoise = -1\n", "gyroscope.noise: must be a number from"),
+        ("[gyroscope]\nnoise = 1\nfield = [1, 2, 3]\n", "gyroscope.field: unknown key"),
+        (
+            "[magnetometer]\nnoise = 1\nrotation = [1, 1, 0, 0]\n",
+            "magnetometer.rotation: must be a unit quaternion",
+        ),
+        ("", "must have one to four sensors"),
+    ] {
+        let path = folder.join("sensors.toml");
+        std::fs::write(&path, content).expect("written");
+        let output = run(&["simulate", &top, "--sensors", text(&path), "-o", text(&samples)]);
+        assert_eq!(output.status.code(), Some(2), "{content}: {}", stderr(&output));
+        assert!(stderr(&output).contains(expected), "{}", stderr(&output));
+        assert!(!samples.exists());
+    }
+    simulated(&top, &samples, &[]);
+    for (free, expected) in [
+        ("mass_moment", "--free: mass_moment: must be a key of the top's file"),
+        ("mass,mass", "--free: mass: must be named once"),
+    ] {
+        let output = run(&["fit", text(&samples), "--top", &top, "--free", free]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(stderr(&output).contains(expected), "{}", stderr(&output));
+    }
+}

@@ -1,0 +1,233 @@
+//! Launches found from simulated measurements, and input that must not be believed.
+
+use toytop::fit::{
+    Accelerometer, AxisCamera, Fit, FitError, Fitted, FreeRatio, Gyroscope, Magnetometer, Measurement,
+    Mounting, Noise, OrientationCamera, Prediction, Reason, Sensor,
+};
+use toytop::{Motion, Orientation, Release, Sensitivity, State, Top, TopParameters};
+
+/// Numbers near a normal distribution.
+struct Random(u64);
+
+impl Random {
+    fn normal(&mut self) -> f64 {
+        let mut share = || {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        (0..12).map(|_| share()).sum::<f64>() - 6.0
+    }
+}
+
+const PARAMETERS: TopParameters = TopParameters {
+    transverse_inertia: 3e-5,
+    axial_inertia: 2e-5,
+    com_height: 0.03,
+    mass: 0.05,
+    mass_moment: 0.0,
+    gravity: 9.81,
+};
+
+fn sliding() -> Top {
+    Top::sliding(&PARAMETERS).unwrap()
+}
+
+fn held() -> Top {
+    Top::fixed(&TopParameters { transverse_inertia: 7.5e-5, ..PARAMETERS }).unwrap()
+}
+
+fn release(tilt: f64, spin: f64) -> State {
+    State::release(&Release { tilt, azimuth: 0.4, roll: -0.7, spin, precession: 2.0, nutation: 0.5 }).unwrap()
+}
+
+const GYROSCOPE: Gyroscope =
+    Gyroscope { noise: Noise { deviation: 2e-3, bias: 0.0175 }, mounting: mounting(), range: 34.9 };
+const ACCELEROMETER: Accelerometer =
+    Accelerometer { noise: Noise { deviation: 0.02, bias: 0.2 }, mounting: mounting(), range: 160.0 };
+const MAGNETOMETER: Magnetometer = Magnetometer {
+    noise: Noise { deviation: 0.6, bias: 0.0 },
+    mounting: mounting(),
+    field: [20.0, 0.0, -43.0],
+};
+
+const fn mounting() -> Mounting {
+    Mounting { rotation: Orientation::IDENTITY, place: [0.0; 3] }
+}
+
+/// Readings at 1 kHz with noise and biases; those of a camera get the noise in the fixed frame.
+fn readings(motion: &Motion, sensors: &[&dyn Sensor], count: u32, seed: u64) -> Vec<Measurement> {
+    let mut random = Random(seed);
+    let sensitivity = Sensitivity::of(motion);
+    let mut cursor = sensitivity.cursor();
+    let biases: Vec<[f64; 3]> =
+        sensors.iter().map(|sensor| [0; 3].map(|_| random.normal() * sensor.bias_deviation())).collect();
+    let mut found = Vec::new();
+    for n in 0..count {
+        let time = f64::from(n) * 1e-3;
+        let partials = cursor.at(time).unwrap();
+        for (index, sensor) in sensors.iter().enumerate() {
+            let Prediction { difference, deviation, .. } = sensor.predict(&partials, &[0.0; 4]);
+            let noise = deviation.map(|deviation| random.normal() * deviation);
+            let full_turn = partials.orientation_now();
+            let camera = matches!(sensor.hint(&[1.0, 0.0, 0.0, 0.0]), toytop::fit::Hint::Orientation(_));
+            let values = if camera {
+                Orientation::exp(noise).compose(&full_turn).quaternion()
+            } else {
+                let [x, y, z] = [0, 1, 2].map(|k| biases[index][k] + noise[k] - difference[k]);
+                let range = if index == 0 { GYROSCOPE.range } else { f64::INFINITY };
+                [x, y, z, 0.0].map(|x| x.clamp(-range, range))
+            };
+            found.push(Measurement { time, sensor: index, values });
+        }
+    }
+    found
+}
+
+fn fitted(top: &Top, sensors: &[&dyn Sensor], measurements: &[Measurement]) -> Fitted {
+    Fit::new(top, sensors, &[]).unwrap().run(measurements.iter().copied()).unwrap()
+}
+
+/// Errors of ω in standard deviations.
+fn errors(fitted: &Fitted, state: &State) -> [f64; 3] {
+    let deviations = fitted.deviations();
+    [0, 1, 2].map(|k| (fitted.launch.omega[k] - state.omega()[k]) / deviations[3 + k])
+}
+
+fn check(name: &str, fitted: &Fitted, state: &State) {
+    assert!(fitted.converged(), "{name}: {:?} {:?}", fitted.reason, fitted.statistics);
+    for error in errors(fitted, state) {
+        assert!(error.abs() < 4.5, "{name}: {:?}", errors(fitted, state));
+    }
+}
+
+#[test]
+fn a_launch_is_found_though_the_gyroscope_is_blind_along_the_axis() {
+    let sensors: [&dyn Sensor; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
+    for (name, top) in [("sliding", sliding()), ("held", held())] {
+        for (seed, (tilt, spin)) in
+            [(0.35, 150.0), (0.1, -220.0), (0.8, 60.0), (0.6, 20.0)].into_iter().enumerate()
+        {
+            let state = release(tilt, spin);
+            let motion = Motion::launch(&top, &state).unwrap();
+            let found = fitted(&top, &sensors, &readings(&motion, &sensors, 300, 7 + seed as u64));
+            check(&format!("{name} {tilt} {spin}"), &found, &state);
+            assert_eq!(found.unobservable.count, 0, "{name} {tilt} {spin}");
+        }
+    }
+}
+
+#[test]
+fn yaw_without_a_magnetometer_is_said_to_be_undetermined() {
+    let sensors: [&dyn Sensor; 2] = [&GYROSCOPE, &ACCELEROMETER];
+    let (top, state) = (sliding(), release(0.35, 150.0));
+    let motion = Motion::launch(&top, &state).unwrap();
+    let found = fitted(&top, &sensors, &readings(&motion, &sensors, 300, 3));
+    assert!(found.converged(), "{:?} {:?}", found.reason, found.statistics);
+    assert!(found.unobservable.yaw && found.unobservable.count == 1, "{:?}", found.unobservable);
+    // what does not depend on the yaw is known: the tilt
+    let tilt = |orientation: Orientation<f64>| orientation.u().acos();
+    let off = tilt(found.launch.orientation) - tilt(state.orientation());
+    assert!(off.abs() < 2e-3, "{off:e}");
+}
+
+#[test]
+fn a_camera_of_the_axis_leaves_the_roll_open() {
+    let camera = AxisCamera { deviation: 1e-3 };
+    let sensors: [&dyn Sensor; 1] = [&camera];
+    let (top, state) = (sliding(), release(0.35, 150.0));
+    let motion = Motion::launch(&top, &state).unwrap();
+    let found = fitted(&top, &sensors, &readings(&motion, &sensors, 500, 5));
+    check("axis", &found, &state);
+    assert!(found.unobservable.roll && found.unobservable.count == 1, "{:?}", found.unobservable);
+}
+
+#[test]
+fn a_camera_of_the_orientation_tells_the_axial_inertia() {
+    let camera = OrientationCamera { deviation: 2e-3 };
+    let sensors: [&dyn Sensor; 1] = [&camera];
+    let (top, state) = (sliding(), release(0.35, 150.0));
+    let motion = Motion::launch(&top, &state).unwrap();
+    let measurements = readings(&motion, &sensors, 500, 5);
+    // 3 % wrong
+    let wrong = Top::sliding(&TopParameters { axial_inertia: 2.06e-5, ..PARAMETERS }).unwrap();
+    let strict = fitted(&wrong, &sensors, &measurements);
+    assert_eq!(strict.reason, Some(Reason::Misfit), "{:?}", strict.statistics);
+    let mut fit = Fit::new(&wrong, &sensors, &[FreeRatio::AXIAL_INERTIA]).unwrap();
+    let found = fit.run(measurements.iter().copied()).unwrap();
+    check("orientation", &found, &state);
+    let inertia = found.top(&wrong).unwrap().axial_inertia();
+    let deviation = found.deviations()[6];
+    assert!(((inertia / 2e-5).ln() / deviation).abs() < 4.0 && deviation < 1e-3, "{inertia} {deviation}");
+}
+
+#[test]
+fn outliers_do_not_move_the_launch() {
+    let camera = OrientationCamera { deviation: 2e-3 };
+    let sensors: [&dyn Sensor; 1] = [&camera];
+    let (top, state) = (sliding(), release(0.35, 150.0));
+    let motion = Motion::launch(&top, &state).unwrap();
+    let mut measurements = readings(&motion, &sensors, 500, 9);
+    for measurement in measurements.iter_mut().skip(40).step_by(50) {
+        measurement.values = [0.5, -0.5, 0.5, 0.5];
+    }
+    let found = fitted(&top, &sensors, &measurements);
+    check("outliers", &found, &state);
+    assert!((9..40).contains(&found.statistics.outliers), "{:?}", found.statistics);
+}
+
+#[test]
+fn rates_in_degrees_are_recognised() {
+    let sensors: [&dyn Sensor; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
+    let (top, state) = (sliding(), release(0.6, 20.0));
+    let motion = Motion::launch(&top, &state).unwrap();
+    let mut measurements = readings(&motion, &sensors, 200, 11);
+    for measurement in measurements.iter_mut().filter(|measurement| measurement.sensor == 0) {
+        measurement.values = measurement.values.map(f64::to_degrees);
+    }
+    let found = fitted(&top, &sensors, &measurements);
+    assert_eq!(found.reason, Some(Reason::RatesInDegrees), "{:?}", found.statistics);
+}
+
+#[test]
+fn bad_measurements_are_refused_or_not_believed() {
+    let sensors: [&dyn Sensor; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
+    let (top, state) = (sliding(), release(0.35, 150.0));
+    let motion = Motion::launch(&top, &state).unwrap();
+    let good = readings(&motion, &sensors, 60, 13);
+    let run = |measurements: &[Measurement]| {
+        Fit::new(&top, &sensors, &[]).unwrap().run(measurements.iter().copied())
+    };
+    assert_eq!(run(&[]).err(), Some(FitError::NoMeasurements));
+    let changed = |change: fn(&mut Vec<Measurement>)| {
+        let mut measurements = good.clone();
+        change(&mut measurements);
+        run(&measurements)
+    };
+    assert_eq!(changed(|all| all[5].values[1] = f64::NAN).err(), Some(FitError::NotFinite { index: 5 }));
+    assert_eq!(changed(|all| all[6].time = f64::INFINITY).err(), Some(FitError::NotFinite { index: 6 }));
+    assert_eq!(changed(|all| all[8].time = 0.0).err(), Some(FitError::OutOfOrder { index: 8 }));
+    assert_eq!(changed(|all| all[9].sensor = 3).err(), Some(FitError::UnknownSensor { index: 9 }));
+    // one instant says nothing of the rate about the axis
+    let reason = |found: Result<Fitted, FitError>| found.unwrap().reason;
+    assert!(reason(changed(|all| all.truncate(1))).is_some());
+    assert!(reason(changed(|all| all.truncate(3))).is_some());
+    // saturated throughout
+    let all = changed(|all| {
+        all.retain(|measurement| measurement.sensor == 0);
+        all.iter_mut().for_each(|measurement| measurement.values = [34.9, -34.9, 34.9, 0.0]);
+    });
+    assert!(reason(all).is_some());
+    // a top that is held by hand
+    let mut still = good.clone();
+    let first: Vec<_> = still[..3].to_vec();
+    for (index, measurement) in still.iter_mut().enumerate() {
+        measurement.values = first[index % 3].values;
+        if measurement.sensor == 0 {
+            measurement.values = [0.0; 4];
+        }
+    }
+    let long: Vec<_> = (0..10)
+        .flat_map(|k| still.iter().map(move |m| Measurement { time: m.time + 0.06 * f64::from(k), ..*m }))
+        .collect();
+    assert_eq!(reason(run(&long)), Some(Reason::AtRest));
+}
