@@ -6,7 +6,8 @@ mod measure;
 mod motion;
 mod score;
 
-pub use choice::{Format, Method, Scalar, ScalarChoice};
+pub use crate::motion::Scalar;
+pub use choice::{Format, Method, ScalarChoice};
 pub use many::{Shard, SweepArgs};
 pub use measure::{AccuracyArgs, BenchArgs, BudgetArgs, CompareArgs, ErrataArgs, FiguresArgs};
 pub use motion::{

@@ -5,7 +5,7 @@
 //! same name is an error.
 
 use super::{Coefficients, Label, Parts};
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use toytop::scalar::SINE_CONSTANTS;
 use toytop::{Clock, ErrorBound};
 
