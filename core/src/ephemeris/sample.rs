@@ -33,6 +33,18 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// that tick are not resolved.
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {
+        match self.clock.instant(t) {
+            Some(instant) => {
+                Sample::new(self, self.clock.at_instant(instant), self.clock.tip.at_instant(instant))
+            }
+            None => self.far(t),
+        }
+    }
+
+    /// [`EphemerisView::at`] for a time whose ticks do not fit an integer of 64 bits.
+    #[cold]
+    #[inline(never)]
+    fn far(&self, t: f64) -> Sample<'_, R> {
         let (whole, share) = self.clock.ticks(t);
         let tip = self.clock.tip.between(whole, share);
         Sample::new(self, self.clock.between(whole, share), tip)

@@ -113,6 +113,18 @@ impl PhaseFraction {
         Self::new([low, sum as u32, (sum >> 32) as u32])
     }
 
+    /// Product of this fraction, as a signed phase in [-1/2, 1/2) turn, with a number in [0, 1) in units of 2^-64; rounded down.
+    #[inline]
+    #[must_use]
+    pub(crate) const fn signed_share(self, share: u64) -> Self {
+        let [low, _, upper] = self.words;
+        // in units of 2^-128 turns
+        let below = (low as u64 as u128 * share as u128) >> 32;
+        let product = self.leading() as u128 * share as u128 + below;
+        let product = if (upper as i32) < 0 { product.wrapping_sub((share as u128) << 64) } else { product };
+        Self::new([(product >> 32) as u32, (product >> 64) as u32, (product >> 96) as u32])
+    }
+
     /// 64 leading bits.
     #[inline(always)]
     #[must_use]
@@ -140,6 +152,22 @@ mod tests {
             // compare with 128-bit arithmetic
             let product = step.to_phase().to_bits().wrapping_mul(i128::from(n));
             assert_eq!(step.times(n), PhaseFraction::of(Phase::from_bits(product)), "{n}");
+        }
+    }
+
+    #[test]
+    fn a_share_of_a_signed_fraction_is_rounded_down() {
+        for turns in [0.3, -0.3, 1e-9, -0.499, 0.0, -1e-25] {
+            let step = PhaseFraction::of(Phase::new(turns));
+            for (share, factor) in [(0, 0.0), (1 << 63, 0.5), (3 << 62, 0.75), (1 << 40, 2_f64.powi(-24))] {
+                let found = step.signed_share(share).to_signed_phase();
+                let off = found.to_bits() - Phase::new(step.to_signed_phase().to_f64() * factor).to_bits();
+                assert!((-(1 << 44)..=1 << 44).contains(&off), "{turns} {factor}: {off}");
+                // halves and quarters are exact but for the last bit
+                let quarters = (share >> 62) as i128;
+                let exact = (step.to_signed_phase().to_bits() * quarters).div_euclid(4);
+                assert!(share == 1 << 40 || found.to_bits() == exact, "{turns} {factor}");
+            }
         }
     }
 

@@ -215,6 +215,11 @@ impl PyMotion {
         self.top == other.top && self.start == other.start
     }
 
+    fn __hash__(&self) -> u64 {
+        let integrals = self.motion.first_integrals();
+        [integrals.l, integrals.n, integrals.h].iter().fold(0, |hash, x| hash.rotate_left(9) ^ x.to_bits())
+    }
+
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (String,))> {
         Ok((py.get_type::<Self>().getattr("from_toml_text")?, (self.text(),)))
     }
