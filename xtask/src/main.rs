@@ -13,6 +13,7 @@ mod nopanic;
 mod package;
 mod page;
 mod process;
+mod python;
 mod setup;
 mod steps;
 mod subcommand;
@@ -36,6 +37,8 @@ usage: cargo xtask VERB
   nopanic [--planted]          links core against a panic handler that does not exist; --planted: shows that it bites
   clippy-firmware              clippy over the firmware workspace, each package for its own targets
   qemu CHIP ELF                runs an ELF and shows its log (the runner of firmware-examples/.cargo/config.toml)
+
+  python --full                the Python package as users get it: tests, size of the wheel, figures, notebooks; some minutes
 
 Studies, for a longer wait; each installs its cargo subcommand the first time:
 
@@ -77,6 +80,7 @@ fn run(words: &[&str]) -> Result<ExitCode> {
         ["qemu", chip, elf] => return firmware::qemu(chip, elf),
         ["nopanic"] => println!("{}", nopanic::check()?),
         ["nopanic", "--planted"] => nopanic::show_planted()?,
+        ["python", "--full"] => python::full()?,
         ["fuzz", rest @ ..] => fuzz_with(rest)?,
         ["coverage"] => coverage::coverage(false)?,
         ["coverage", "--accept"] => coverage::coverage(true)?,

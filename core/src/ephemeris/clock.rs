@@ -84,10 +84,9 @@ impl TipClock {
     }
 
     /// Mean tip angle at an instant.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn at_instant(&self, instant: Instant) -> Phase {
-        let share = instant.share as f64 * SHARE_UNIT;
-        self.at(instant.tick) + Phase::new(Phase::from_words(self.step).to_f64() * share)
+        self.at(instant.tick) + Phase::from_words(self.step).share(instant.share)
     }
 
     /// Mean tip angle after `whole` ticks, given as the sum of two numbers, and a fraction `share` in [0, 1) of the
@@ -188,7 +187,7 @@ impl<W> Clock<W> {
     }
 
     /// Instant of a time, rounded to 2^-64 ticks; `None` at 2^62 ticks and beyond. A time that is not finite counts as 0.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn instant(&self, t: f64) -> Option<Instant> {
         const MOST_TICKS: f64 = (1_u64 << 62) as f64;
         let [hi, lo] = self.ticks_per_time;
@@ -204,17 +203,20 @@ impl<W> Clock<W> {
         })
     }
 
-    /// Nutation phase, A and B at an instant, in integers where no increment exceeds half a turn.
-    #[inline]
-    pub(crate) fn at_instant(&self, instant: Instant) -> [PhaseFraction; 3] {
+    /// Leading 64 bits of nutation phase, A and B at an instant; by integers where no increment exceeds half a turn.
+    #[inline(always)]
+    pub(crate) fn at_instant(&self, instant: Instant) -> [u64; 3] {
         let small = |[leading, _]: [f64; 2]| Float::abs(leading) < 0.5;
         let [nutation_step, a_step, b_step] = self.exact_step;
         if self.horizon.is_some() || !(small(nutation_step) && small(a_step) && small(b_step)) {
-            return self.near(instant.tick, instant.exact_share());
+            return self.near(instant.tick, instant.exact_share()).map(PhaseFraction::leading);
         }
-        let [nutation_part, a_part, b_part] = self.steps().map(|step| step.signed_share(instant.share));
-        let [nutation, a, b] = self.at(instant.tick);
-        [nutation.plus(nutation_part), a.plus(a_part), b.plus(b_part)]
+        let Instant { tick, share } = instant;
+        let since_first = tick.wrapping_sub(i64::MIN) as u64;
+        let ([nutation, a, b], [nutation_step, a_step, b_step]) = (self.first, self.steps());
+        let after =
+            |first: u64, step: PhaseFraction| first.wrapping_add(step.leading_after(since_first, share));
+        [after(nutation, nutation_step), after(a, a_step), after(b, b_step)]
     }
 
     /// Nutation phase, A and B at tick n.

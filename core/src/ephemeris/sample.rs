@@ -31,12 +31,15 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// jump. The error bound keeps growing with the ticks, and exceeds a turn before the 96 bits of an increment are
     /// insufficient. The only exception is an aperiodic motion that rises within less than one tick: times within
     /// that tick are not resolved.
+    #[inline(always)] // the mean tip angle is not computed for who does not ask for it
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {
         match self.clock.instant(t) {
-            Some(instant) => {
-                Sample::new(self, self.clock.at_instant(instant), self.clock.tip.at_instant(instant))
-            }
+            Some(instant) => Sample {
+                ephemeris: self,
+                phases: self.clock.at_instant(instant),
+                mean_tip: self.clock.tip.at_instant(instant),
+            },
             None => self.far(t),
         }
     }

@@ -113,16 +113,19 @@ impl PhaseFraction {
         Self::new([low, sum as u32, (sum >> 32) as u32])
     }
 
-    /// Product of this fraction, as a signed phase in [-1/2, 1/2) turn, with a number in [0, 1) in units of 2^-64; rounded down.
-    #[inline]
+    /// 64 leading bits of n times the fraction, plus `share`, in [0, 1) in units of 2^-64, times the fraction as a signed phase
+    /// in [-1/2, 1/2) turn; the sum is rounded down, within 2^-95 turns.
+    #[inline(always)]
     #[must_use]
-    pub(crate) const fn signed_share(self, share: u64) -> Self {
-        let [low, _, upper] = self.words;
-        // in units of 2^-128 turns
-        let below = (low as u64 as u128 * share as u128) >> 32;
-        let product = self.leading() as u128 * share as u128 + below;
-        let product = if (upper as i32) < 0 { product.wrapping_sub((share as u128) << 64) } else { product };
-        Self::new([(product >> 32) as u32, (product >> 64) as u32, (product >> 96) as u32])
+    pub(crate) const fn leading_after(self, n: u64, share: u64) -> u64 {
+        let ([low, ..], leading) = (self.words, self.leading());
+        // below the product of the leading bits, in units of 2^-128 turns
+        let below = ((n as u128 * low as u128) << 32)
+            .wrapping_add(leading as u128 * share as u128)
+            .wrapping_add(((share >> 32) * low as u64) as u128);
+        // a negative phase is a turn less than its fraction
+        let turn_less = if (leading as i64) < 0 { share } else { 0 };
+        leading.wrapping_mul(n).wrapping_add((below >> 64) as u64).wrapping_sub(turn_less)
     }
 
     /// 64 leading bits.
@@ -155,18 +158,23 @@ mod tests {
         }
     }
 
+    /// Against the same in integers of 128 bits, which hold a small number of ticks with 20 bits behind the point.
     #[test]
-    fn a_share_of_a_signed_fraction_is_rounded_down() {
+    fn ticks_and_a_share_of_a_tick() {
         for turns in [0.3, -0.3, 1e-9, -0.499, 0.0, -1e-25] {
             let step = PhaseFraction::of(Phase::new(turns));
-            for (share, factor) in [(0, 0.0), (1 << 63, 0.5), (3 << 62, 0.75), (1 << 40, 2_f64.powi(-24))] {
-                let found = step.signed_share(share).to_signed_phase();
-                let off = found.to_bits() - Phase::new(step.to_signed_phase().to_f64() * factor).to_bits();
-                assert!((-(1 << 44)..=1 << 44).contains(&off), "{turns} {factor}: {off}");
-                // halves and quarters are exact but for the last bit
-                let quarters = (share >> 62) as i128;
-                let exact = (step.to_signed_phase().to_bits() * quarters).div_euclid(4);
-                assert!(share == 1 << 40 || found.to_bits() == exact, "{turns} {factor}");
+            for (n, share) in [(0, 0), (0, 0xfff), (7, 1), (1000, 1 << 11), (12, (1 << 12) - 1)] {
+                let ticks = (i128::from(n) << 12) + i128::from(share);
+                let exact = (step.to_signed_phase().to_bits() * ticks) >> 12;
+                let found = step.leading_after(n, (share as u64) << 52);
+                assert_eq!(
+                    found,
+                    PhaseFraction::of(Phase::from_bits(exact)).leading(),
+                    "{turns} {n} {share}"
+                );
+            }
+            for n in [u64::MAX, 1 << 63, 0x7fff_ffff_0000_0001] {
+                assert_eq!(step.leading_after(n, 0), step.times(n).leading());
             }
         }
     }

@@ -29,7 +29,7 @@ pub(crate) struct Many {
 ///
 /// Args:
 ///     tops: a Top for all, or a sequence of them.
-///     releases: a mapping from the arguments of Top.release to numbers or one-dimensional arrays (a dict or a DataFrame), or a
+///     releases: a mapping from the arguments of Top.release to numbers or one-dimensional arrays, such as a dict or a data frame, or a
 ///         sequence of mappings to numbers. Tops and releases are equal in number, or one of them is single.
 ///
 /// Raises:

@@ -16,7 +16,7 @@ use toytop::{Motion, Release, Sign, Signs, Start, State, Support, TopParameters}
 /// >>> top = toytop.Top.sliding(mass=0.05, com_height=0.03, transverse_inertia=3.0e-5, axial_inertia=2.0e-5)
 /// >>> motion = top.release(tilt=0.35, spin=150.0)
 /// >>> round(motion.period, 6)
-/// 0.051978
+/// 0.075985
 #[pyclass(name = "Top", module = "toytop", frozen, eq)]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct PyTop(pub(crate) TopDefinition);
@@ -128,7 +128,10 @@ impl PyTop {
                 (state_of_sensors(quaternion, vector("omega_body", omega)?)?, "omega_body")
             }
             _ => {
-                return Err(value_error("omega", "must be given if omega_body is not, and left out if it is"));
+                return Err(value_error(
+                    "omega",
+                    "must be given if omega_body is not, and left out if it is",
+                ));
             }
         };
         launched(&self.0, state, rate)

@@ -7,9 +7,10 @@ from typing import Any, Literal, TypeAlias, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+__all__ = ["ClosedForm", "Many", "Motion", "Page", "Samples", "Score", "Top", "many", "order", "score"]
+
 _Array: TypeAlias = NDArray[np.float64]
 _Scalar: TypeAlias = Literal["f64", "f32", "q31", "q15"]
-_Numbers: TypeAlias = Mapping[str, float] | Mapping[str, ArrayLike]
 
 @final
 class Top:
@@ -233,7 +234,7 @@ class Page:
     def save(self, path: str | PathLike[str]) -> None: ...
     def _repr_html_(self) -> str: ...
 
-def many(tops: Top | Iterable[Top], releases: _Numbers | Sequence[Mapping[str, float]]) -> Many: ...
+def many(tops: Top | Iterable[Top], releases: Mapping[str, Any] | Sequence[Mapping[str, float]]) -> Many: ...
 # quaternion: also a scipy Rotation, which is no dependency
 def score(
     motion: Motion,
