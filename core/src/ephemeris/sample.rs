@@ -24,7 +24,7 @@ pub struct Sample<'a, R: EphemerisScalar> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Sample of the motion t units of time after t = 0, with t taken as exact. A t that is not finite counts as 0.
+    /// Sample of the motion t units of time after t = 0, with t taken as exact (to 2^-64 ticks). A t that is not finite counts as 0.
     ///
     /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks (and the tick rate is a
     /// whole or half number). Beyond the 2^63 ticks of [`EphemerisView::at_tick`] the motion continues without a

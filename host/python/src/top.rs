@@ -222,10 +222,7 @@ impl PyTop {
         self.arguments().iter().fold(0, |hash, (_, x)| hash.rotate_left(9) ^ x.to_bits())
     }
 
-    fn __reduce__<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(Bound<'py, PyAny>, (&'static str, Bound<'py, PyDict>))> {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
         let arguments = PyDict::new(py);
         self.arguments().into_iter().try_for_each(|(name, x)| arguments.set_item(name, x))?;
         Ok((py.get_type::<Self>().getattr("_of")?, (self.support(), arguments)))
@@ -254,6 +251,9 @@ impl PyTop {
         all.into_iter().filter(|(_, x)| *x != 0.0).collect()
     }
 }
+
+/// What pickle keeps: a function, and its arguments.
+type Reduced<'py> = (Bound<'py, PyAny>, (&'static str, Bound<'py, PyDict>));
 
 fn sign(name: &str, number: f64) -> PyResult<Sign> {
     match number {
