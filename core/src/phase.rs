@@ -98,6 +98,14 @@ impl Phase {
         Self(self.0.wrapping_mul(n.into()))
     }
 
+    /// Product with a number in [0, 1) in units of 2^-64, rounded down.
+    #[inline]
+    pub(crate) fn share(self, share: u64) -> Self {
+        let (upper, lower) = ((self.0 >> 64) as i64, self.0 as u64);
+        let of_lower = (u128::from(lower) * u128::from(share)) >> 64;
+        Self(i128::from(upper) * i128::from(share) + of_lower as i128)
+    }
+
     /// Number of whole half turns, and the remainder in [0, 1/2) turn.
     pub(crate) fn halves(self) -> (i64, Self) {
         let halves = self.0 >> (FRACTION_BITS - 1);
@@ -192,6 +200,14 @@ mod tests {
         assert_eq!(Phase::new(f64::NAN), Phase::ZERO);
         assert_eq!(Phase::new(f64::INFINITY), Phase::ZERO);
         assert_eq!(Phase::new(0.5), Phase::HALF);
+    }
+
+    #[test]
+    fn a_share_is_rounded_down() {
+        for bits in [0, 7, -7, 3 << 95, -(5 << 95) + 1, i128::MAX, i128::MIN] {
+            let share = |share| Phase(bits).share(share).0;
+            assert_eq!([share(0), share(1 << 63), share(1 << 62)], [0, bits >> 1, bits >> 2]);
+        }
     }
 
     /// Conversion rounds to units of 2^-96 turns, halves upwards; a number far below the unit becomes 0.

@@ -10,7 +10,7 @@ mod c;
 mod json;
 mod rust;
 
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
 use toytop::{Clock, EphemerisScalar, EphemerisView, ErrorBound};
 

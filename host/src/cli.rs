@@ -9,8 +9,9 @@ mod measure;
 mod motion;
 mod score;
 
+pub use crate::motion::Scalar;
 pub use benchmark::BenchmarkArgs;
-pub use choice::{Format, Method, Scalar, ScalarChoice};
+pub use choice::{Format, Method, ScalarChoice};
 pub use events::{EventsArgs, Kind, What};
 pub use fit::{FitArgs, FreeKey, SimulateArgs};
 pub use many::{Shard, SweepArgs};

@@ -9,4 +9,5 @@
 pub mod builtin;
 pub mod random;
 pub mod scenario;
+#[cfg(feature = "program")]
 pub mod times;

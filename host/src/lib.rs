@@ -23,35 +23,48 @@
 //! `toytop-lab` (the folder `lab`) is built on this library: the studies that check the core itself.
 
 pub mod bake;
+#[cfg(feature = "program")]
 pub mod benchmarks;
+#[cfg(feature = "program")]
 pub mod budget;
+#[cfg(feature = "program")]
 pub mod cli;
+#[cfg(feature = "program")]
 pub mod commands;
+#[cfg(feature = "program")]
 pub mod errata;
 mod failure;
+#[cfg(feature = "program")]
 pub mod fit;
+#[cfg(feature = "program")]
 pub mod full_equations;
 pub mod input;
+#[cfg(feature = "program")]
 pub mod measure;
 pub mod motion;
 pub mod output;
 pub mod pictures;
+#[cfg(feature = "program")]
 pub mod program;
 pub mod samples;
 pub mod score;
+#[cfg(feature = "program")]
 pub mod sweep;
 pub mod thread_pool;
 pub mod truth;
 
+#[cfg(feature = "program")]
 pub use commands::Report;
 pub use failure::Failure;
 
+#[cfg(feature = "program")]
 use std::ffi::OsString;
 
 /// Runs one command line (with the program's name in front).
 ///
 /// # Errors
 /// See [`Failure`].
+#[cfg(feature = "program")]
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<Report, Failure> {
     match program::parse::<cli::Cli>(arguments)? {
         program::Request::Show(text) => Ok(Report { text, ..Report::default() }),

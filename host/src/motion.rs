@@ -7,6 +7,7 @@
 //! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
 //! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
 //! | [`cast`] | complex numbers and orientations of any scalar as `f64` |
+//! | [`Scalar`] | scalar types of the core |
 //! | [`physical_limits`] | what the equations allow and a top on a table does not do |
 
 pub mod cast;
@@ -14,4 +15,7 @@ pub mod ephemeris;
 pub mod invariants;
 pub mod physical_limits;
 pub mod propagate;
+mod scalar;
 pub mod tip_angle;
+
+pub use scalar::Scalar;

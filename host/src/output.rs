@@ -3,13 +3,16 @@
 mod base64;
 pub mod digits;
 pub mod doc_markers;
+#[cfg_attr(not(feature = "program"), path = "output/silent.rs")]
 pub mod progress;
 pub mod whole_file;
 
 pub use base64::base64;
 pub use toytop_page::names;
 
+#[cfg(feature = "program")]
 use comfy_table::presets::NOTHING;
+#[cfg(feature = "program")]
 use comfy_table::{CellAlignment, Row, Table};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::ser::Formatter;
@@ -166,6 +169,7 @@ impl Formatter for SeventeenDigits {
 }
 
 /// Aligned columns without lines: the first `left` to the left, the others to the right.
+#[cfg(feature = "program")]
 #[must_use]
 pub fn columns(rows: Vec<Vec<String>>, left: usize) -> String {
     let mut table = Table::new();

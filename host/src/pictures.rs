@@ -10,11 +10,17 @@
 //! | [`figures`] | figures of the paper, and charts |
 //! | [`view`] | page for a browser |
 
+#[cfg(feature = "program")]
 pub mod animation;
+#[cfg(feature = "program")]
 pub mod camera;
+#[cfg(feature = "program")]
 pub mod charts;
+#[cfg(feature = "program")]
 pub mod figures;
 pub mod plot;
+#[cfg(feature = "program")]
 pub mod span;
+#[cfg(feature = "program")]
 pub mod sphere;
 pub mod view;

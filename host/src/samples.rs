@@ -10,9 +10,13 @@
 //! | [`stream`] | blocks of rows, computed on all cores and written in order |
 
 pub mod angles;
+#[cfg(feature = "program")]
 pub mod column;
+#[cfg(feature = "program")]
 pub mod npy;
 #[cfg(feature = "parquet")]
 pub mod parquet;
+#[cfg(feature = "program")]
 pub mod sheet;
+#[cfg(feature = "program")]
 pub mod stream;

@@ -13,6 +13,7 @@ pub mod drift;
 pub mod judge;
 pub mod order;
 pub mod phases;
+#[cfg(feature = "program")]
 pub mod picture;
 pub mod trajectory;
 

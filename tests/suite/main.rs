@@ -41,9 +41,9 @@ mod properties;
 mod rates;
 mod refusals;
 mod regimes;
-mod set_up;
 #[cfg(feature = "host")]
 mod sensitivity;
+mod set_up;
 mod small_together;
 mod stages;
 mod tip;

@@ -14,6 +14,7 @@ mod nopanic;
 mod package;
 mod page;
 mod process;
+mod python;
 mod setup;
 mod steps;
 mod subcommand;
@@ -41,6 +42,8 @@ usage: cargo xtask VERB
   c-header --overwrite         makes core/c/include/toytop.h anew
   clippy-firmware              clippy over the firmware workspace, each package for its own targets
   qemu CHIP ELF                runs an ELF and shows its log (the runner of firmware-examples/.cargo/config.toml)
+
+  python --full                the Python package as users get it: tests, size of the wheel, figures, notebooks; some minutes
 
 Studies, for a longer wait; each installs its cargo subcommand the first time:
 
@@ -86,6 +89,7 @@ fn run(words: &[&str]) -> Result<ExitCode> {
         ["c-archive", "--target", target] => println!("{}", c::make(target, None)?),
         ["c-archive", "--target", target, "--to", folder] => println!("{}", c::make(target, Some(folder))?),
         ["c-header", "--overwrite"] => c::overwrite_header()?,
+        ["python", "--full"] => python::full()?,
         ["fuzz", rest @ ..] => fuzz_with(rest)?,
         ["coverage"] => coverage::coverage(false)?,
         ["coverage", "--accept"] => coverage::coverage(true)?,

@@ -9,7 +9,7 @@ use anyhow::{Result, bail};
 use crate::firmware::{self, PROGRAMS, TARGETS};
 use crate::process::{cargo, in_ci, run};
 use crate::setup::{BROWSER, C, COMPILER, EMULATOR, Need, PAGE_COMPILER};
-use crate::{c, features, fuzz, nopanic, package, tools, web};
+use crate::{c, features, fuzz, nopanic, package, python, tools, web};
 
 /// One step of the test command.
 struct Step {
@@ -39,6 +39,7 @@ fn steps() -> Vec<Step> {
         Step::new("docs", &[], docs),
         Step::new("benches", &[], benches),
         Step::new("fuzz", &[], fuzz::briefly),
+        Step::new("python", &[], python::check),
         Step::new("no-panic", compiler, nopanic::check),
         Step::new("c-header", &[C], c::check_header),
         Step::new("c-host", &[C], c::check_on_host),

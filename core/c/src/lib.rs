@@ -44,7 +44,7 @@ pub use table::{
 
 /// Panic handler of an archive, which the compiler demands. It refers to a function that does not exist: where no path reaches it, the
 /// archive has no trace of either, which `cargo xtask c-archive` checks.
-#[cfg(all(feature = "panic-handler", not(test), not(doc)))]
+#[cfg(toytop_archive)]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     unsafe extern "C" {

@@ -7,7 +7,7 @@ use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::tabulated::Tabulated;
 use crate::ephemeris::tick::Tick;
 use crate::motion::Motion;
-use crate::phase::{Phase, PhaseFraction, whole_number};
+use crate::phase::{Phase, PhaseFraction, integer_parts, shifted, whole_number};
 use crate::scalar::{Extended, Float, Ring};
 
 /// Phases at tick 0, their increments per tick, and the scales of lengths and rates, as plain numbers: see
@@ -56,6 +56,24 @@ pub struct TipClock {
     pub exists: bool,
 }
 
+/// Time between two ticks: the tick before it, and the time since that tick in units of 2^-64 ticks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Instant {
+    tick: i64,
+    share: u64,
+}
+
+/// 2^-64.
+const SHARE_UNIT: f64 = 0.5 / (1_u64 << 63) as f64;
+
+impl Instant {
+    /// Time since the tick, in ticks.
+    fn exact_share(self) -> Extended {
+        let (upper, lower) = ((self.share >> 32) as u32, self.share as u32);
+        Extended::sum(f64::from(upper) * (SHARE_UNIT * (1_u64 << 32) as f64), f64::from(lower) * SHARE_UNIT)
+    }
+}
+
 impl TipClock {
     const STOPPED: Self = Self { start: [0; 4], step: [0; 4], quarter: 0, passes: 0, exists: false };
 
@@ -63,6 +81,12 @@ impl TipClock {
     #[inline(always)]
     pub(crate) fn at(&self, n: i64) -> Phase {
         Phase::from_words(self.start) + Phase::from_words(self.step).times(n)
+    }
+
+    /// Mean tip angle at an instant.
+    #[inline(always)]
+    pub(crate) fn at_instant(&self, instant: Instant) -> Phase {
+        self.at(instant.tick) + Phase::from_words(self.step).share(instant.share)
     }
 
     /// Mean tip angle after `whole` ticks, given as the sum of two numbers, and a fraction `share` in [0, 1) of the
@@ -162,6 +186,39 @@ impl<W> Clock<W> {
         (Extended::sum(hi, lo) * time.into()).floor_and_rest()
     }
 
+    /// Instant of a time, rounded to 2^-64 ticks; `None` at 2^62 ticks and beyond. A time that is not finite counts as 0.
+    #[inline(always)]
+    pub(crate) fn instant(&self, t: f64) -> Option<Instant> {
+        const MOST_TICKS: f64 = (1_u64 << 62) as f64;
+        let [hi, lo] = self.ticks_per_time;
+        let (time, exponent) = integer_parts(t);
+        let near = Float::abs(t * hi) < MOST_TICKS || !t.is_finite();
+        near.then(|| {
+            let product = |rate: f64| {
+                let (rate, rate_exponent) = integer_parts(rate);
+                shifted(i128::from(time) * i128::from(rate), exponent + rate_exponent + 64)
+            };
+            let ticks = if lo == 0.0 { product(hi) } else { product(hi).wrapping_add(product(lo)) };
+            Instant { tick: (ticks >> 64) as i64, share: ticks as u64 }
+        })
+    }
+
+    /// Leading 64 bits of nutation phase, A and B at an instant; by integers where no increment exceeds half a turn.
+    #[inline(always)]
+    pub(crate) fn at_instant(&self, instant: Instant) -> [u64; 3] {
+        let small = |[leading, _]: [f64; 2]| Float::abs(leading) < 0.5;
+        let [nutation_step, a_step, b_step] = self.exact_step;
+        if self.horizon.is_some() || !(small(nutation_step) && small(a_step) && small(b_step)) {
+            return self.near(instant.tick, instant.exact_share()).map(PhaseFraction::leading);
+        }
+        let Instant { tick, share } = instant;
+        let since_first = tick.wrapping_sub(i64::MIN) as u64;
+        let ([nutation, a, b], [nutation_step, a_step, b_step]) = (self.first, self.steps());
+        let after =
+            |first: u64, step: PhaseFraction| first.wrapping_add(step.leading_after(since_first, share));
+        [after(nutation, nutation_step), after(a, a_step), after(b, b_step)]
+    }
+
     /// Nutation phase, A and B at tick n.
     #[inline(always)]
     pub(crate) fn at(&self, n: i64) -> [PhaseFraction; 3] {
@@ -217,6 +274,8 @@ impl<W> Clock<W> {
     }
 
     /// Phases at tick n plus a fraction `share` in [0, 1) of the next tick.
+    #[cold]
+    #[inline(never)]
     fn near(&self, n: i64, share: Extended) -> [PhaseFraction; 3] {
         let [nutation_part, a_part, b_part] = self.exact_steps().map(|step| (step * share).to_phase());
         let [nutation, a, b] = self.at(n);

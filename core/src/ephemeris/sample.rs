@@ -24,15 +24,30 @@ pub struct Sample<'a, R: EphemerisScalar> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Sample of the motion t units of time after t = 0, with t taken as exact. A t that is not finite counts as 0.
+    /// Sample of the motion t units of time after t = 0, with t taken as exact (to 2^-64 ticks). A t that is not finite counts as 0.
     ///
     /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks (and the tick rate is a
     /// whole or half number). Beyond the 2^63 ticks of [`EphemerisView::at_tick`] the motion continues without a
     /// jump. The error bound keeps growing with the ticks, and exceeds a turn before the 96 bits of an increment are
     /// insufficient. The only exception is an aperiodic motion that rises within less than one tick: times within
     /// that tick are not resolved.
+    #[inline(always)] // the mean tip angle is not computed for who does not ask for it
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {
+        match self.clock.instant(t) {
+            Some(instant) => Sample {
+                ephemeris: self,
+                phases: self.clock.at_instant(instant),
+                mean_tip: self.clock.tip.at_instant(instant),
+            },
+            None => self.far(t),
+        }
+    }
+
+    /// [`EphemerisView::at`] for a time whose ticks do not fit an integer of 64 bits.
+    #[cold]
+    #[inline(never)]
+    fn far(&self, t: f64) -> Sample<'_, R> {
         let (whole, share) = self.clock.ticks(t);
         let tip = self.clock.tip.between(whole, share);
         Sample::new(self, self.clock.between(whole, share), tip)

@@ -113,6 +113,21 @@ impl PhaseFraction {
         Self::new([low, sum as u32, (sum >> 32) as u32])
     }
 
+    /// 64 leading bits of n times the fraction, plus `share`, in [0, 1) in units of 2^-64, times the fraction as a signed phase
+    /// in [-1/2, 1/2) turn; the sum is rounded down, within 2^-95 turns.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) const fn leading_after(self, n: u64, share: u64) -> u64 {
+        let ([low, ..], leading) = (self.words, self.leading());
+        // below the product of the leading bits, in units of 2^-128 turns
+        let below = ((n as u128 * low as u128) << 32)
+            .wrapping_add(leading as u128 * share as u128)
+            .wrapping_add(((share >> 32) * low as u64) as u128);
+        // a negative phase is a turn less than its fraction
+        let turn_less = if (leading as i64) < 0 { share } else { 0 };
+        leading.wrapping_mul(n).wrapping_add((below >> 64) as u64).wrapping_sub(turn_less)
+    }
+
     /// 64 leading bits.
     #[inline(always)]
     #[must_use]
@@ -140,6 +155,27 @@ mod tests {
             // compare with 128-bit arithmetic
             let product = step.to_phase().to_bits().wrapping_mul(i128::from(n));
             assert_eq!(step.times(n), PhaseFraction::of(Phase::from_bits(product)), "{n}");
+        }
+    }
+
+    /// Against the same in integers of 128 bits, which hold a small number of ticks with 20 bits behind the point.
+    #[test]
+    fn ticks_and_a_share_of_a_tick() {
+        for turns in [0.3, -0.3, 1e-9, -0.499, 0.0, -1e-25] {
+            let step = PhaseFraction::of(Phase::new(turns));
+            for (n, share) in [(0, 0), (0, 0xfff), (7, 1), (1000, 1 << 11), (12, (1 << 12) - 1)] {
+                let ticks = (i128::from(n) << 12) + i128::from(share);
+                let exact = (step.to_signed_phase().to_bits() * ticks) >> 12;
+                let found = step.leading_after(n, (share as u64) << 52);
+                assert_eq!(
+                    found,
+                    PhaseFraction::of(Phase::from_bits(exact)).leading(),
+                    "{turns} {n} {share}"
+                );
+            }
+            for n in [u64::MAX, 1 << 63, 0x7fff_ffff_0000_0001] {
+                assert_eq!(step.leading_after(n, 0), step.times(n).leading());
+            }
         }
     }
 

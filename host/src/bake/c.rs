@@ -9,7 +9,7 @@ mod files;
 mod shared;
 
 use super::{Coefficients, Label, Parts};
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use toytop::{Clock, ErrorBound};
 
 pub use files::{arduino_files, split_files};

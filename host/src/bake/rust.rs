@@ -1,7 +1,7 @@
 //! A Rust module with one `static`, which does not compile if a bit of it is changed.
 
 use super::{Coefficients, Label, Parts};
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use toytop::{Clock, ErrorBound, TipClock};
 
 /// The module's text. Numbers as Rust prints them: it reads back the same bits.

@@ -1,5 +1,6 @@
 //! What several commands let choose: form, method, scalar.
 
+use crate::motion::Scalar;
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
@@ -36,38 +37,6 @@ impl Method {
             Self::Stepper => "stepper",
             Self::Full => "full",
             Self::ClosedForm => "closed-form",
-        }
-    }
-}
-
-/// Scalar types of the core, and the one with the sines of the crate micromath.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Scalar {
-    /// Double precision
-    F64,
-    /// Single precision
-    F32,
-    /// Fixed point of 32 bits
-    Q31,
-    /// Fixed point of 16 bits
-    Q15,
-    /// Single precision with the sines and roots of the crate micromath, to compare with
-    Micromath,
-}
-
-impl Scalar {
-    /// All there are.
-    pub const ALL: [Self; 5] = [Self::F64, Self::F32, Self::Q31, Self::Q15, Self::Micromath];
-
-    /// Its name on the command line.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::F64 => "f64",
-            Self::F32 => "f32",
-            Self::Q31 => "q31",
-            Self::Q15 => "q15",
-            Self::Micromath => "micromath",
         }
     }
 }

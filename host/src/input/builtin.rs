@@ -1,8 +1,8 @@
 //! The motions that need no file: what `compare` runs when it is given none.
 
 use crate::Failure;
-use crate::cli::Scalar;
 use crate::input::scenario::{Scenario, Units};
+use crate::motion::Scalar;
 use toytop::{Motion, ParameterError, Sign, Signs, Start, Top, TopParameters};
 
 /// The paper's figures 2 and 3, seven tops in SI units, and two motions near the separatrix.

@@ -1,10 +1,12 @@
 //! The core's ephemeris with as many segments as a motion needs: what a command holds does not know the capacity.
 
+mod batch;
 mod events;
 mod rates;
 mod sizes;
 mod ticks;
 
+pub use batch::Quantity;
 pub use events::{FoundEvent, Sought};
 pub use rates::RateSample;
 pub use sizes::{approximate, default_or_smallest, of_size, smallest, smallest_with_period};
@@ -32,6 +34,9 @@ pub trait AnyScalar: Send + Sync {
 
     /// Sample of the motion t units of time after t = 0, t taken as exact.
     fn at(&self, t: f64) -> TimedSample;
+
+    /// Fills `out` with the components of a quantity at these times, time after time.
+    fn fill(&self, quantity: Quantity, times: &[f64], out: &mut [f64]);
 
     /// Sample of the motion at tick n, as [`AnyScalar::at`] its time, which is `t`.
     fn sample_at_tick(&self, n: i64, t: f64) -> TimedSample;
@@ -127,6 +132,10 @@ impl<R: BoxedScalar> AnyScalar for Boxed<R> {
 
     fn at(&self, t: f64) -> TimedSample {
         self.timed(t, self.0.at(t))
+    }
+
+    fn fill(&self, quantity: Quantity, times: &[f64], out: &mut [f64]) {
+        self.fill_with(quantity, times, out);
     }
 
     fn sample_at_tick(&self, n: i64, t: f64) -> TimedSample {

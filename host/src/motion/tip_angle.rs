@@ -1,7 +1,7 @@
 //! Tip angle of methods that know only orientations: the argument of the tip, continued by the ephemeris' tip angle.
 
 use crate::Failure;
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyScalar, smallest};
 use std::f64::consts::PI;
 use toytop::{Complex, Motion, TipClass};

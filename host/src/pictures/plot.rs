@@ -1,8 +1,11 @@
 //! The curve that the tip draws, as a picture.
 
 mod curve;
+#[cfg(feature = "program")]
 mod picture;
 
 pub use curve::{Circle, Curve};
+#[cfg(feature = "program")]
 pub use picture::{Form, draw};
+#[cfg(feature = "program")]
 pub(crate) use picture::{encode, encode_at, extent, lines, square};

@@ -5,9 +5,9 @@
 
 use crate::Failure;
 use crate::bake::{Label, object};
-use crate::cli::Scalar;
 use crate::input::builtin::{FIGURES, TOY_TOP};
 use crate::input::scenario::Scenario;
+use crate::motion::Scalar;
 use crate::motion::ephemeris::{default_or_smallest, tick, ticks_per_time};
 use crate::output::{base64, html, names};
 use serde_json::{Map, Value, json};
@@ -64,14 +64,22 @@ pub struct Start {
 }
 
 impl Start {
+    /// Motion of a scenario file's text; `name` stands in the page and in messages.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: as [`Scenario::parse`].
+    pub fn parse(name: &str, text: &str) -> Result<Self, Failure> {
+        let scenario = Scenario::parse(name, text)?;
+        let keys = text.parse().map_err(|error| Failure::Input(format!("{name}: {error}")))?;
+        Ok(Self { keys, scenario })
+    }
+
     /// The toy top of the samples.
     ///
     /// # Errors
     /// None: the sample is valid.
     pub fn toy_top() -> Result<Self, Failure> {
-        let mut scenario = Scenario::parse("toy top", TOY_TOP)?;
-        scenario.name = "A spinning top".into();
-        Ok(Self { keys: keys_of_toy_top()?, scenario })
+        Self::parse("A spinning top", TOY_TOP)
     }
 }
 

@@ -4,8 +4,8 @@ use super::drift::{self, Drift};
 use super::phases::{Fit, PhaseErrors};
 use super::trajectory::{Row, Trajectory};
 use crate::Failure;
-use crate::cli::Scalar;
 use crate::input::scenario::Scenario;
+use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyScalar, furthest_time, smallest, ticks_per_time};
 use toytop::{Motion, Orientation};
 

@@ -76,12 +76,18 @@ impl Exact {
     /// The motion of these numbers.
     #[must_use]
     pub fn new(numbers: &Numbers) -> Self {
-        let Numbers { a, c, p, g, e, signs, start, .. } = *numbers;
+        Self::with_mass_moment(numbers, &precise(numbers.p))
+    }
+
+    /// The motion of these numbers, but with a mass moment that is no `f64`: a product of mass and height.
+    #[must_use]
+    pub fn with_mass_moment(numbers: &Numbers, p: &Precise) -> Self {
+        let Numbers { a, c, g, e, signs, start, .. } = *numbers;
         let [e1, e2, e3] = e.map(precise);
-        let [a, c, p, g, one] = [a, c, p, g, 1.0].map(precise);
+        let [a, c, g, one] = [a, c, g, 1.0].map(precise);
         let sign = |sign: Sign| precise(if sign == Sign::Plus { 1.0 } else { -1.0 });
         let (one_plus_e1, one_minus_e2) = (&one + &e1, &one - &e2);
-        let weight = (&a * &p * &g) << 1;
+        let weight = (&a * p * &g) << 1;
         let plus = &weight * &one_plus_e1 * (&one + &e2) * (&one + &e3);
         let minus = &weight * (&one - &e1) * &one_minus_e2 * (&e3 - &one);
         let l_plus_n = sign(signs.l_plus_n) * root(&plus);
@@ -95,7 +101,7 @@ impl Exact {
             e2_minus_e1: &e2 - &e1,
             e3_minus_e2: &e3 - &e2,
             torque: true,
-            a_over_p: &a / &p,
+            a_over_p: &a / p,
             momenta: [l_plus_n / &twice_a, l_minus_n / &twice_a],
             g,
         };

@@ -33,6 +33,13 @@ pub fn to_f64(x: &Precise) -> f64 {
     x.to_f64().value()
 }
 
+/// Decimal number with so many significant digits, rounded to nearest.
+#[must_use]
+pub fn decimal(x: &Precise, digits: usize) -> String {
+    let decimal = x.clone().with_rounding::<HalfEven>().with_base_and_precision::<10>(digits).value();
+    format!("{decimal:e}")
+}
+
 /// Nearest integer; `None` beyond 64 bits.
 #[must_use]
 pub fn to_nearest(x: &Precise) -> Option<i64> {

@@ -31,7 +31,15 @@ impl Launched {
     /// The constants of this state.
     #[must_use]
     pub fn new(numbers: &StateNumbers) -> Self {
-        let [a, c, s, p, g, k] = numbers.top.map(of_512_bits);
+        let [_, _, _, p, _, _] = numbers.top.map(precise);
+        Self::with_mass_moment(numbers, &p)
+    }
+
+    /// The constants of this state, but with a mass moment that is no `f64`: a product of mass and height.
+    #[must_use]
+    pub fn with_mass_moment(numbers: &StateNumbers, p: &Precise) -> Self {
+        let [a, c, s, _, g, k] = numbers.top.map(of_512_bits);
+        let p = p.clone().with_precision(BITS).value();
         let one = of_512_bits(1.0);
         let two = of_512_bits(2.0);
         let [alpha, beta] = numbers.phi.map(|[re, im]| [of_512_bits(re), of_512_bits(im)]);

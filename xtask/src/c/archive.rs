@@ -69,7 +69,7 @@ pub(crate) fn make(wanted: &str, to: Option<&str>) -> Result<String> {
 
 impl Archive {
     fn build(&self, to: &Path) -> Result<()> {
-        let words = "rustc --package toytop-c --lib --crate-type staticlib --features panic-handler --profile c-archive";
+        let words = "rustc --package toytop-c --lib --crate-type staticlib --profile c-archive";
         let mut command = match self.target {
             None => cargo(".", words),
             Some(target) => tools::toolchain_for(target)?.cargo(".", &format!("{words} --target {target}")),
@@ -79,7 +79,7 @@ impl Archive {
             command.env("RUSTFLAGS", format!("{flags} -C target-cpu={cpu}").trim_start());
         }
         let build = target_dir().join("build");
-        run(command.arg("--target-dir").arg(&build))?;
+        run(command.arg("--target-dir").arg(&build).args(["--", "--cfg", "toytop_archive"]))?;
         let built = build.join(self.target.unwrap_or_default()).join("c-archive/libtoytop_c.a");
         let bytes = fs::read(&built).with_context(|| format!("{}", built.display()))?;
         refuse_panics(&bytes)?;

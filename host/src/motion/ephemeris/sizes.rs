@@ -3,7 +3,7 @@
 use super::ticks::free_tick;
 use super::{AnyScalar, Boxed, BoxedScalar};
 use crate::Failure;
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use crate::motion::propagate::period;
 use fixed::types::{I2F14, I2F30};
 use toytop::{Ephemeris, EphemerisScalar, EphemerisView, Micromath, Motion, TableTooSmall, Tick};

@@ -1,7 +1,7 @@
 //! The points of the curve: as close as its bends need them.
 
 use crate::Failure;
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyScalar, smallest};
 use crate::motion::propagate::{natural_time, period};
 use std::f64::consts::PI;

@@ -1,0 +1,302 @@
+//! `Top`, and the ways to a motion.
+
+use crate::arrays::{quaternions, vector};
+use crate::definition::{StartDefinition, TopDefinition, support_name};
+use crate::error::{refused, value_error};
+use crate::motion::PyMotion;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use toytop::{Motion, Release, Sign, Signs, Start, State, Support, TopParameters};
+
+/// Symmetric top whose tip slides on a horizontal plane, or is held at a point.
+///
+/// It is made by Top.sliding or Top.fixed, in SI or any consistent units, and is immutable.
+///
+/// >>> import toytop
+/// >>> top = toytop.Top.sliding(mass=0.05, com_height=0.03, transverse_inertia=3.0e-5, axial_inertia=2.0e-5)
+/// >>> motion = top.release(tilt=0.35, spin=150.0)
+/// >>> round(motion.period, 6)
+/// 0.075985
+#[pyclass(name = "Top", module = "toytop", frozen, eq)]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct PyTop(pub(crate) TopDefinition);
+
+#[pymethods]
+impl PyTop {
+    /// Top whose tip slides without friction on a horizontal plane: Springborn's toy top.
+    ///
+    /// Args:
+    ///     mass: mass M, kg; either this or mass_moment.
+    ///     mass_moment: mass moment p = M s, kg m.
+    ///     com_height: distance s of the centre of mass from the tip, m.
+    ///     transverse_inertia: moment of inertia A about a transverse axis through the centre of mass, kg m².
+    ///     axial_inertia: moment of inertia C <= 2A about the axis of symmetry, kg m².
+    ///     gravity: gravity g, m/s².
+    ///
+    /// Raises:
+    ///     ValueError: a parameter is out of range; the message names it.
+    #[staticmethod]
+    #[pyo3(signature = (*, com_height, transverse_inertia, axial_inertia, mass=0.0, mass_moment=0.0, gravity=9.80665))]
+    fn sliding(
+        com_height: f64,
+        transverse_inertia: f64,
+        axial_inertia: f64,
+        mass: f64,
+        mass_moment: f64,
+        gravity: f64,
+    ) -> PyResult<Self> {
+        let parameters =
+            TopParameters { transverse_inertia, axial_inertia, com_height, mass, mass_moment, gravity };
+        TopDefinition::new(Support::Sliding, parameters).map(Self)
+    }
+
+    /// Top whose tip is held at a fixed point: the Lagrange top.
+    ///
+    /// Args:
+    ///     mass_moment: mass moment p = M s, kg m; either this, or mass and com_height.
+    ///     mass: mass M, kg.
+    ///     com_height: distance of the centre of mass from the tip, m; only together with mass.
+    ///     transverse_inertia: moment of inertia A about a transverse axis through the tip, kg m².
+    ///     axial_inertia: moment of inertia C about the axis of symmetry, kg m².
+    ///     gravity: gravity g, m/s².
+    ///
+    /// Raises:
+    ///     ValueError: a parameter is out of range; the message names it.
+    #[staticmethod]
+    #[pyo3(signature = (*, transverse_inertia, axial_inertia, mass_moment=0.0, mass=0.0, com_height=0.0, gravity=9.80665))]
+    fn fixed(
+        transverse_inertia: f64,
+        axial_inertia: f64,
+        mass_moment: f64,
+        mass: f64,
+        com_height: f64,
+        gravity: f64,
+    ) -> PyResult<Self> {
+        let parameters =
+            TopParameters { transverse_inertia, axial_inertia, com_height, mass, mass_moment, gravity };
+        TopDefinition::new(Support::Fixed, parameters).map(Self)
+    }
+
+    /// Motion of this top when it is released with these angles (rad) and rates (rad/s).
+    ///
+    /// Args:
+    ///     tilt: angle of the axis from the upward vertical, in [0, pi].
+    ///     spin: the whole component of the angular velocity along the axis, precession included.
+    ///     precession: rate of the azimuth.
+    ///     nutation: rate of the tilt.
+    ///     azimuth: horizontal direction in which the axis leans, from the first fixed axis.
+    ///     roll: rotation of the body about its axis.
+    ///
+    /// Raises:
+    ///     ValueError: a number is out of range; the message names it.
+    #[pyo3(signature = (*, tilt, spin, precession=0.0, nutation=0.0, azimuth=0.0, roll=0.0))]
+    fn release(
+        &self,
+        tilt: f64,
+        spin: f64,
+        precession: f64,
+        nutation: f64,
+        azimuth: f64,
+        roll: f64,
+    ) -> PyResult<PyMotion> {
+        released(&self.0, &Release { tilt, azimuth, roll, spin, precession, nutation })
+    }
+
+    /// Motion of this top from an orientation and an angular velocity, as sensors measure them.
+    ///
+    /// Args:
+    ///     quaternion: unit quaternion w, x, y, z from body to fixed coordinates, or a scipy Rotation. Its norm may differ from 1
+    ///         by 1e-6. The third body axis points from the tip to the centre of mass, the third fixed axis upward.
+    ///     omega: angular velocity in the fixed frame, rad/s; either this or omega_body.
+    ///     omega_body: angular velocity in the body frame, rad/s, as a gyroscope measures it.
+    ///
+    /// Raises:
+    ///     ValueError: a number is out of range; the message names it.
+    #[pyo3(signature = (quaternion, omega=None, *, omega_body=None))]
+    fn launch(
+        &self,
+        quaternion: &Bound<'_, PyAny>,
+        omega: Option<&Bound<'_, PyAny>>,
+        omega_body: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<PyMotion> {
+        let [quaternion] = quaternions("quaternion", quaternion)?[..] else {
+            return Err(value_error("quaternion", "must be 4 numbers w, x, y, z"));
+        };
+        let (state, rate) = match (omega, omega_body) {
+            (Some(omega), None) => (state(quaternion, vector("omega", omega)?)?, "omega"),
+            (None, Some(omega)) => {
+                (state_of_sensors(quaternion, vector("omega_body", omega)?)?, "omega_body")
+            }
+            _ => {
+                return Err(value_error(
+                    "omega",
+                    "must be given if omega_body is not, and left out if it is",
+                ));
+            }
+        };
+        launched(&self.0, state, rate)
+    }
+
+    /// Motion of this top with given branch points -1 <= e1 <= e2 <= 1 <= e3 of the paper: u, the cosine of the tilt, oscillates
+    /// between e1 and e2.
+    ///
+    /// Args:
+    ///     sign_l_plus_n, sign_l_minus_n: signs of l + n and of l - n, 1 or -1.
+    ///     nutation_phase: phase of the nutation at t = 0, rad: 0 at u = e1, pi at u = e2.
+    ///     arg_alpha, arg_beta: arguments of the Cayley-Klein parameters at t = 0, rad; of the derivative where a parameter is 0.
+    ///
+    /// Raises:
+    ///     ValueError: a number is out of range; the message names it.
+    #[pyo3(signature = (e1, e2, e3, *, sign_l_plus_n, sign_l_minus_n, nutation_phase=0.0, arg_alpha=0.0, arg_beta=0.0))]
+    #[expect(clippy::too_many_arguments, reason = "they are keywords of Python")]
+    fn branch_points(
+        &self,
+        e1: f64,
+        e2: f64,
+        e3: f64,
+        sign_l_plus_n: f64,
+        sign_l_minus_n: f64,
+        nutation_phase: f64,
+        arg_alpha: f64,
+        arg_beta: f64,
+    ) -> PyResult<PyMotion> {
+        let signs = Signs {
+            l_plus_n: sign("sign_l_plus_n", sign_l_plus_n)?,
+            l_minus_n: sign("sign_l_minus_n", sign_l_minus_n)?,
+        };
+        let (e, start) = ([e1, e2, e3], Start { theta: nutation_phase, arg_alpha, arg_beta });
+        let motion = Motion::from_branch_points(&self.0.top, e, signs, &start)
+            .map_err(|error| refused(&error, &[("theta", "nutation_phase")]))?;
+        Ok(PyMotion::new(self.0, StartDefinition::BranchPoints { e, signs, start }, motion))
+    }
+
+    /// Support of the tip: "sliding" or "fixed".
+    #[getter]
+    fn support(&self) -> &'static str {
+        support_name(self.0.top.support())
+    }
+
+    /// Transverse moment of inertia A, kg m²: about the centre of mass for a sliding tip, about the tip for a fixed one.
+    #[getter]
+    fn transverse_inertia(&self) -> f64 {
+        self.0.top.transverse_inertia()
+    }
+
+    /// Axial moment of inertia C, kg m².
+    #[getter]
+    fn axial_inertia(&self) -> f64 {
+        self.0.top.axial_inertia()
+    }
+
+    /// Distance s of the centre of mass from a sliding tip, m; 0 for a fixed tip, for which only the mass moment matters.
+    #[getter]
+    fn com_height(&self) -> f64 {
+        self.0.top.com_height()
+    }
+
+    /// Mass moment p = M s, kg m.
+    #[getter]
+    fn mass_moment(&self) -> f64 {
+        self.0.top.mass_moment()
+    }
+
+    /// Gravity g, m/s².
+    #[getter]
+    fn gravity(&self) -> f64 {
+        self.0.top.gravity()
+    }
+
+    /// Branch point e4 = sqrt(1 + A/(p s)); None for a fixed tip.
+    #[getter]
+    fn e4(&self) -> Option<f64> {
+        self.0.top.e4()
+    }
+
+    fn __repr__(&self) -> String {
+        let arguments: Vec<_> =
+            self.arguments().into_iter().map(|(name, x)| format!("{name}={x:?}")).collect();
+        format!("Top.{}({})", self.support(), arguments.join(", "))
+    }
+
+    fn __hash__(&self) -> u64 {
+        self.arguments().iter().fold(0, |hash, (_, x)| hash.rotate_left(9) ^ x.to_bits())
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        let arguments = PyDict::new(py);
+        self.arguments().into_iter().try_for_each(|(name, x)| arguments.set_item(name, x))?;
+        Ok((py.get_type::<Self>().getattr("_of")?, (self.support(), arguments)))
+    }
+
+    /// Top as pickle makes it again.
+    #[staticmethod]
+    fn _of(py: Python<'_>, support: &str, arguments: &Bound<'_, PyDict>) -> PyResult<Py<PyAny>> {
+        Ok(py.get_type::<Self>().call_method(support, (), Some(arguments))?.unbind())
+    }
+}
+
+impl PyTop {
+    /// Arguments that make this top.
+    fn arguments(&self) -> Vec<(&'static str, f64)> {
+        let TopParameters { transverse_inertia, axial_inertia, com_height, mass, mass_moment, gravity } =
+            self.0.parameters;
+        let all = [
+            ("mass", mass),
+            ("mass_moment", mass_moment),
+            ("com_height", com_height),
+            ("transverse_inertia", transverse_inertia),
+            ("axial_inertia", axial_inertia),
+            ("gravity", gravity),
+        ];
+        all.into_iter().filter(|(_, x)| *x != 0.0).collect()
+    }
+}
+
+/// What pickle keeps: a function, and its arguments.
+type Reduced<'py> = (Bound<'py, PyAny>, (&'static str, Bound<'py, PyDict>));
+
+fn sign(name: &str, number: f64) -> PyResult<Sign> {
+    match number {
+        1.0 => Ok(Sign::Plus),
+        -1.0 => Ok(Sign::Minus),
+        _ => Err(value_error(name, "must be 1 or -1")),
+    }
+}
+
+/// State of a quaternion and ω in the fixed frame.
+fn state(quaternion: [f64; 4], omega: [f64; 3]) -> PyResult<State> {
+    let orientation = toytop::Orientation::from_quaternion(quaternion);
+    let renamed = [("alpha", "quaternion"), ("beta", "quaternion")];
+    State::new(orientation, omega).map_err(|error| match error.parameter() {
+        "alpha" | "beta" => {
+            value_error("quaternion", "must be of unit norm: | w^2 + x^2 + y^2 + z^2 - 1 | <= 1e-6")
+        }
+        _ => refused(&error, &renamed),
+    })
+}
+
+/// State of a quaternion and ω in the body frame.
+fn state_of_sensors(quaternion: [f64; 4], omega_body: [f64; 3]) -> PyResult<State> {
+    State::from_quaternion_and_gyro(quaternion, omega_body)
+        .map_err(|error| refused(&error, &[("gyro", "omega_body")]))
+}
+
+/// Motion from a state whose rates were called by this name.
+fn launched(top: &TopDefinition, state: State, rate: &str) -> PyResult<PyMotion> {
+    let motion = Motion::launch(&top.top, &state).map_err(|error| refused(&error, &[("omega", rate)]))?;
+    Ok(PyMotion::new(*top, StartDefinition::State(state), motion))
+}
+
+/// Motion from a release.
+///
+/// # Errors
+/// `ValueError` that names the parameter.
+pub(crate) fn released(top: &TopDefinition, release: &Release) -> PyResult<PyMotion> {
+    let state = State::release(release).map_err(|error| refused(&error, &[]))?;
+    let rates = [("spin", release.spin), ("precession", release.precession), ("nutation", release.nutation)];
+    let greater = |most: (&'static str, f64), rate: (&'static str, f64)| {
+        if rate.1.abs() > most.1.abs() { rate } else { most }
+    };
+    let (fastest, _) = rates.into_iter().fold(rates[0], greater);
+    launched(top, state, fastest)
+}
