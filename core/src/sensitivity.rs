@@ -206,21 +206,23 @@ impl Coefficients<f64> {
         let a = top.transverse_inertia();
         Self {
             inertia: top.axial_inertia() / a,
-            moment: top.mass_moment() / a,
+            moment: if top.support() == Support::Free { 0.0 } else { top.mass_moment() / a },
             height: top.com_height(),
             gravity: top.gravity(),
+            rotor: top.rotor_momentum() / a,
         }
     }
 
-    /// Derivatives by A/C, A/(ps), s and g; for a fixed tip by A/C, A/p, s and g.
+    /// Derivatives by A/C, A/(ps), s and g; for a fixed tip by A/C, A/p, s and g. A free body depends on A/C only.
     pub(crate) fn derivatives(&self, support: Support) -> [Self; 4] {
         let Self { inertia: c, moment: b, height: s, .. } = *self;
-        let none = Self { inertia: 0.0, moment: 0.0, height: 0.0, gravity: 0.0 };
+        let none = Self { inertia: 0.0, moment: 0.0, height: 0.0, gravity: 0.0, rotor: 0.0 };
         let (by_ratio, by_height) = match support {
             Support::Sliding => {
                 (Self { moment: -b * b * s, ..none }, Self { moment: -b / s, height: 1.0, ..none })
             }
             Support::Fixed => (Self { moment: -b * b, ..none }, none),
+            Support::Free => (none, none),
         };
         [Self { inertia: -c * c, ..none }, by_ratio, by_height, Self { gravity: 1.0, ..none }]
     }

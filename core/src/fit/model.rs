@@ -14,6 +14,8 @@ use crate::top::{Support, Top};
 pub(crate) struct Model {
     support: Support,
     transverse_inertia: f64,
+    /// Rate K/A of a rotor's momentum, rad per unit time.
+    rotor: f64,
     given: [f64; 4],
     free: [FreeRatio; MOST_RATIOS],
     free_count: usize,
@@ -29,6 +31,7 @@ impl Model {
         let lever = match top.support() {
             Support::Sliding => a / (p * s),
             Support::Fixed => a / p,
+            Support::Free => f64::INFINITY,
         };
         let mut free = [FreeRatio::of([0.0; 4]); MOST_RATIOS];
         for (slot, ratio) in free.iter_mut().zip(ratios) {
@@ -47,6 +50,7 @@ impl Model {
         Self {
             support: top.support(),
             transverse_inertia: a,
+            rotor: top.rotor_momentum() / a,
             given: [a / top.axial_inertia(), lever, s, top.gravity()],
             free,
             free_count,
@@ -85,17 +89,17 @@ impl Model {
 
     /// First integrals l, n and h of a launch, from A.
     pub(crate) fn integrals(&self, launch: &Launch) -> Vector<f64> {
-        let Coefficients { inertia, moment, height, gravity } = self.equations(launch).coefficients;
+        let Coefficients { inertia, moment, height, gravity, rotor } = self.equations(launch).coefficients;
         let (axis, omega) = (launch.orientation.axis(), launch.omega);
         let spin = dot(axis, omega);
         let [.., u] = axis;
         let [.., rise] = bracket(omega, axis);
         let [.., vertical] = omega;
-        let l = vertical + (inertia - 1.0) * spin * u;
+        let l = vertical + ((inertia - 1.0) * spin + rotor) * u;
         let energy = 0.5
             * (dot(omega, omega) + (inertia - 1.0) * spin * spin + moment * height * rise * rise)
             + moment * gravity * u;
-        [l, inertia * spin, energy].map(|x| x * self.transverse_inertia)
+        [l, inertia * spin + rotor, energy].map(|x| x * self.transverse_inertia)
     }
 
     pub(crate) fn equations(&self, launch: &Launch) -> Equations<f64> {
@@ -103,8 +107,10 @@ impl Model {
         let moment = match self.support {
             Support::Sliding => 1.0 / (lever * height),
             Support::Fixed => 1.0 / lever,
+            Support::Free => 0.0,
         };
-        let coefficients = Coefficients { inertia: 1.0 / inertia, moment, height, gravity };
+        let coefficients =
+            Coefficients { inertia: 1.0 / inertia, moment, height, gravity, rotor: self.rotor };
         Equations { coefficients, changes: coefficients.derivatives(self.support) }
     }
 

@@ -200,6 +200,7 @@ impl Fitted {
             transverse_inertia: a,
             axial_inertia: a / inertia,
             gravity,
+            rotor_momentum: given.rotor_momentum(),
             ..TopParameters::default()
         };
         match given.support() {
@@ -209,6 +210,7 @@ impl Fitted {
                 ..parameters
             }),
             Support::Fixed => Top::fixed(&TopParameters { mass_moment: a / support, ..parameters }),
+            Support::Free => Top::free(&parameters),
         }
     }
 

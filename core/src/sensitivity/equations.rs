@@ -15,6 +15,8 @@ pub(crate) struct Coefficients<F> {
     pub(crate) height: F,
     /// Gravity g, m/s².
     pub(crate) gravity: F,
+    /// Rate K/A of a rotor's momentum, rad per unit time.
+    pub(crate) rotor: F,
 }
 
 /// Coefficients of a top, and the changes of them that belong to the columns from the seventh on.
@@ -88,22 +90,22 @@ impl Equations<f64> {
 impl<F: Float> Equations<F> {
     /// Accelerations at an axis and an angular velocity: the equations of Newton and Euler,
     ///
-    /// u'' (1 + (p/A) s |q|²) = ⟨ω, r' × k⟩ - (C/A - 1) S ⟨r', q⟩ - (p/A) g |q|²,
-    /// ω' = -(p/A)(g + s u'') q - (C/A - 1) S r'.
+    /// u'' (1 + (p/A) s |q|²) = ⟨ω, r' × k⟩ - ((C/A - 1) S + K/A) ⟨r', q⟩ - (p/A) g |q|²,
+    /// ω' = -(p/A)(g + s u'') q - ((C/A - 1) S + K/A) r'.
     pub(crate) fn acceleration(&self, axis: Vector<F>, omega: Vector<F>) -> Acceleration<F> {
-        let Coefficients { inertia, moment, height, gravity } = self.coefficients;
+        let Coefficients { inertia, moment, height, gravity, rotor } = self.coefficients;
         let axis_rate = bracket(omega, axis);
         let lever = cross_vertical(axis);
         let spin = dot(omega, axis);
-        let excess = inertia - F::ONE;
+        let gyroscopic = (inertia - F::ONE) * spin + rotor;
         let lever_squared = dot(lever, lever);
         let factor = F::ONE + moment * height * lever_squared;
         let u = (dot(omega, cross_vertical(axis_rate))
-            - excess * spin * dot(axis_rate, lever)
+            - gyroscopic * dot(axis_rate, lever)
             - moment * gravity * lever_squared)
             / factor;
         let support = gravity + height * u;
-        let omega = sum(lever.map(|x| -(moment * support) * x), axis_rate, -(excess * spin));
+        let omega = sum(lever.map(|x| -(moment * support) * x), axis_rate, -gyroscopic);
         Acceleration { axis_rate, lever, spin, u, factor, support, omega }
     }
 
@@ -119,8 +121,9 @@ impl<F: Float> Equations<F> {
         tangent: &Tangent<F>,
         change: Option<&Coefficients<F>>,
     ) -> (Tangent<F>, F) {
-        let Coefficients { inertia, moment, height, gravity } = self.coefficients;
+        let Coefficients { inertia, moment, height, gravity, rotor } = self.coefficients;
         let excess = inertia - F::ONE;
+        let gyroscopic = excess * at.spin + rotor;
         let eta = tangent.eta;
         let vertical = vertical_cross(tangent.theta); // δk = k × θ
         let axis_rate = bracket(eta, axis);
@@ -131,7 +134,8 @@ impl<F: Float> Equations<F> {
         let mut force = dot(eta, cross_vertical(at.axis_rate))
             + dot(omega, cross_vertical(axis_rate))
             + dot(omega, bracket(at.axis_rate, vertical))
-            - excess * (spin * gyration + at.spin * (dot(axis_rate, at.lever) + dot(at.axis_rate, lever)))
+            - excess * spin * gyration
+            - gyroscopic * (dot(axis_rate, at.lever) + dot(at.axis_rate, lever))
             - moment * gravity * lever_squared;
         let mut factor = moment * height * lever_squared;
         let mut support = F::ZERO;
@@ -151,7 +155,7 @@ impl<F: Float> Equations<F> {
         let rate = sum(torque, at.lever, -(moment * support));
         let rate = sum(rate, lever, -(moment * at.support));
         let rate = sum(rate, at.axis_rate, -(excess * spin));
-        let rate = sum(rate, axis_rate, -(excess * at.spin));
+        let rate = sum(rate, axis_rate, -gyroscopic);
         (Tangent { theta: eta, eta: sum(rate, bracket(eta, omega), -F::ONE) }, u)
     }
 
@@ -181,10 +185,10 @@ impl<F: Float> Equations<F> {
 
     /// Bound on the frequencies of the motion at a state, rad per unit time.
     pub(crate) fn frequency<const N: usize>(&self, flow: &Flow<F, N>) -> F {
-        let Coefficients { inertia, moment, gravity, .. } = self.coefficients;
+        let Coefficients { inertia, moment, gravity, rotor, .. } = self.coefficients;
         let across = bracket(flow.omega, flow.axis);
         let spin = dot(flow.omega, flow.axis);
-        dot(across, across).sqrt() + (inertia * spin).abs() + spin.abs() + (moment * gravity).sqrt()
+        dot(across, across).sqrt() + (inertia * spin + rotor).abs() + spin.abs() + (moment * gravity).sqrt()
     }
 }
 
