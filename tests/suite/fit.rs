@@ -26,6 +26,7 @@ const PARAMETERS: TopParameters = TopParameters {
     mass: 0.05,
     mass_moment: 0.0,
     gravity: 9.81,
+    rotor_momentum: 0.0,
 };
 
 fn sliding() -> Top {

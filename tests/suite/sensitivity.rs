@@ -21,12 +21,12 @@ struct Case {
     numbers: StateNumbers,
 }
 
-fn case(name: &'static str, held: bool, top: [f64; 5], phi: [[f64; 2]; 2], omega: [f64; 3]) -> Case {
+fn case(name: &'static str, held: bool, [a, c, s, p, g]: [f64; 5], phi: [[f64; 2]; 2], omega: [f64; 3]) -> Case {
     // of unit norm to 12 digits, and with few binary digits, so that changes are exact
     let norm = phi.iter().flatten().map(|x| x * x).sum::<f64>().sqrt();
     let few = (1_u64 << 40) as f64;
     let phi = phi.map(|pair| pair.map(|x| (x / norm * few).round() / few));
-    Case { name, held, numbers: StateNumbers { top, phi, omega } }
+    Case { name, held, numbers: StateNumbers { top: [a, c, s, p, g, 0.0], phi, omega } }
 }
 
 /// Numbers with few binary digits, so that their changes are exact.
@@ -47,13 +47,14 @@ fn cases() -> Vec<Case> {
 }
 
 impl Case {
-    fn top(&self, [a, c, s, p, g]: [f64; 5]) -> Top {
+    fn top(&self, [a, c, s, p, g, k]: [f64; 6]) -> Top {
         let parameters = TopParameters {
             transverse_inertia: a,
             axial_inertia: c,
             com_height: s,
             mass_moment: p,
             gravity: g,
+            rotor_momentum: k,
             ..TopParameters::default()
         };
         if self.held { Top::fixed(&parameters) } else { Top::sliding(&parameters) }.unwrap()
@@ -79,7 +80,7 @@ impl Case {
 
     /// Change of the four ratios by both inputs.
     fn ratios(&self, numbers: &StateNumbers) -> [Precise; 4] {
-        let [a, c, s, p, g] = numbers.top.map(precise);
+        let [a, c, s, p, g, _] = numbers.top.map(precise);
         let leverage = if self.held { &a / &p } else { &a / (&p * &s) };
         [a / c, leverage, s, g]
     }
