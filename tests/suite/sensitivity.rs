@@ -21,7 +21,13 @@ struct Case {
     numbers: StateNumbers,
 }
 
-fn case(name: &'static str, held: bool, [a, c, s, p, g]: [f64; 5], phi: [[f64; 2]; 2], omega: [f64; 3]) -> Case {
+fn case(
+    name: &'static str,
+    held: bool,
+    [a, c, s, p, g]: [f64; 5],
+    phi: [[f64; 2]; 2],
+    omega: [f64; 3],
+) -> Case {
     // of unit norm to 12 digits, and with few binary digits, so that changes are exact
     let norm = phi.iter().flatten().map(|x| x * x).sum::<f64>().sqrt();
     let few = (1_u64 << 40) as f64;

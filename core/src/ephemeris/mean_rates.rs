@@ -141,7 +141,7 @@ fn errors(motion: &Motion, mean: &MeanMotion) -> [f64; 3] {
 }
 
 /// Factor of the rise time, so that the interval is long enough in spite of the quadrature's error.
-const LONGER: f64 = 1.02;
+const LONGER: f64 = 1.005;
 
 /// Variable v at which 1 - u is below `rounding`².
 pub(crate) fn rise(rounding: f64) -> f64 {

@@ -48,7 +48,7 @@ mod tests {
             let state = FullState { alpha: [0.6, 0.0], beta: [0.0, 0.8], omega: [0.3, -0.2, 2.5] };
             let solver = FullSolver::new(top, state, FULL_SOLVER_TOLERANCE);
             let at = |t: f64| solver.clone().advance_to(t).unwrap();
-            let (found, step) = (accelerations(&top, &at(0.7)), 1e-4);
+            let (found, step) = (accelerations(&top, &at(0.7)), 3e-5);
             let (before, after) = (at(0.7 - step), at(0.7 + step));
             for i in 0..3 {
                 let difference = (after.omega[i] - before.omega[i]) / (2.0 * step);

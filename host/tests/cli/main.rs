@@ -189,7 +189,7 @@ fn numbers_have_seventeen_digits() {
 fn compare_holds_its_bounds() {
     let rows = json(&["compare", "--format", "json"]);
     let rows = rows["rows"].as_array().expect("rows");
-    assert_eq!(rows.len(), 14 * 8);
+    assert_eq!(rows.len(), 18 * 8);
     for row in rows {
         let error = row["max_orientation_error_rad"].as_f64().expect("a number");
         let unbounded = row["scalar"] == "micromath" && row["method"] == "stepper";
@@ -227,7 +227,7 @@ fn compare_fits_one_screen() {
     let text = stdout(&output);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     assert!(text.lines().count() <= 24 && text.lines().all(|line| line.chars().count() <= 100), "{text}");
-    assert_eq!(text.matches(" ok\n").count(), 14, "{text}");
+    assert_eq!(text.matches(" ok\n").count(), 18, "{text}");
     let header: Vec<_> = text.lines().next().expect("a header").split_whitespace().collect();
     assert_eq!(header, ["motion", "f64", "f32", "q31", "q15", "micromath", "ns"]);
     let row = text.lines().find(|line| line.starts_with("figure 2 e3=100")).expect("a row");

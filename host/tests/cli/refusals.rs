@@ -21,7 +21,7 @@ fn arguments() {
         (&[], &["--help"]),
         (&["plot"], &["--output", "SCENARIO"]),
         (&["draw"], &["draw"]),
-        (&["stat"], &["'stat'; a similar subcommand exists: 'state'"]),
+        (&["stat"], &["'stat'; some similar subcommands exist:", "'state'"]),
         (&["bench", "quickly"], &["quickly"]),
         (&["constants"], &["SCENARIO"]),
         (&["constants", &file, "--format", "xml"], &["--format", "table, csv, json"]),

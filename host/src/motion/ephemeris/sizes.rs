@@ -176,8 +176,10 @@ pub fn of_size(
         let names: Vec<_> = allowed.iter().map(u32::to_string).collect();
         return Err(Failure::Input(format!("--size: {segments}: must be one of {}", names.join(", "))));
     }
-    (sizes.set_up)(segments, motion, tick, sizes.truncation)
-        .map_err(|refusal| Failure::Method(format!("no ephemeris: {}", sizes.explain(&refusal, motion))))
+    (sizes.set_up)(segments, motion, tick, sizes.truncation).map_err(|refusal| {
+        let reason = sizes.explain(&refusal, motion);
+        Failure::Method(format!("no ephemeris of {segments} segments: {reason}"))
+    })
 }
 
 #[cfg(test)]
