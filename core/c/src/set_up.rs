@@ -96,14 +96,13 @@ pub(crate) unsafe fn poll<R: Tabulated>(
     if let Some(result) = slices.ended {
         return Ok(result?);
     }
-    let view = match slices.table.replace(claim) {
+    let begun = match slices.table.replace(claim) {
         // SAFETY: the caller vouches for the memory.
-        None => unsafe { memory.clear::<R>() },
+        None => Some(unsafe { memory.clear::<R>() }),
         // SAFETY: the first slice, of the same scalar, cleared the same memory.
-        Some(_) => {
-            unsafe { memory.begun::<R>() }.ok_or_else(|| refused("left alone until its set-up ends"))?
-        }
+        Some(_) => unsafe { memory.begun::<R>() },
     };
+    let view = begun.ok_or(refused("left alone until its set-up ends"))?;
     let Poll::Ready(result) = slices.set_up.poll(view) else {
         return Err(toytop_status::TOYTOP_PENDING.into());
     };
@@ -120,7 +119,8 @@ pub(crate) unsafe fn poll<R: Tabulated>(
 /// `motion` is null or valid for reading.
 pub(crate) unsafe fn segments_needed<R: Tabulated>(motion: *const toytop_motion, truncation: f64) -> u32 {
     // SAFETY: the caller vouches for the pointer.
-    let (Ok(motion), Ok(truncation)) = (unsafe { kept::<_, Motion>(motion) }, given(truncation)) else {
+    let motion: Result<Motion, Refusal> = unsafe { kept(motion) };
+    let (Ok(motion), Ok(truncation)) = (motion, given(truncation)) else {
         return 0;
     };
     let allowed = truncation.unwrap_or(4.0 * R::ROUNDING);
