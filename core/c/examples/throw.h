@@ -4,7 +4,7 @@
 #include "toytop.h"
 
 static const toytop_top top = {
-    TOYTOP_SLIDING, 3.0e-5 /* A, kg m^2 */, 2.0e-5 /* C, kg m^2 */, 0.03 /* s, m */, 0.05 /* M, kg */, 0.0, 9.81 /* m/s^2 */
+    TOYTOP_SLIDING, 3.0e-5 /* A, kg m^2 */, 2.0e-5 /* C, kg m^2 */, 0.03 /* s, m */, 0.05 /* M, kg */, 0.0, 9.81 /* m/s^2 */, 0.0
 };
 
 /* 20 degrees, as the scenario has them in rad; 150 rad/s about the axis. */

@@ -24,6 +24,9 @@
 // Support of a tip that is held at a point: the Lagrange top.
 #define TOYTOP_FIXED 1
 
+// No support: a body that is thrown, floats or is in orbit.
+#define TOYTOP_FREE 2
+
 // Standard gravity, m/s^2.
 #define TOYTOP_STANDARD_GRAVITY 9.80665
 
@@ -41,6 +44,9 @@
 
 // Alignment of the memory of a table, bytes.
 #define TOYTOP_EPHEMERIS_ALIGNMENT 8
+
+// Bytes of a set-up.
+#define TOYTOP_SET_UP_SIZE 5120
 
 // Bytes of a cursor.
 #define TOYTOP_EPHEMERIS_CURSOR_SIZE 64
@@ -62,14 +68,16 @@ enum toytop_status
   TOYTOP_NOT_FINITE = 2,
   // A parameter is finite but not allowed; the text of the error names it and the allowed range.
   TOYTOP_OUT_OF_RANGE = 3,
-  // The memory of a table is too small for the motion; the error says how many segments are enough.
+  // The memory of a table is too small for the motion; the error says how many segments are not enough.
   TOYTOP_TABLE_TOO_SMALL = 4,
-  // The memory of a table is not aligned, or is smaller than for 16 segments.
+  // The memory of a table or of a set-up is not aligned, or that of a table is smaller than for 16 segments.
   TOYTOP_BAD_MEMORY = 5,
-  // A table, motion, cursor or sample was not made by this library, or its set-up failed.
+  // A table, motion, set-up, cursor or sample was not made by this library, or its set-up failed or has not ended.
   TOYTOP_NOT_SET_UP = 6,
   // There is no such turning point or tip angle in this motion.
   TOYTOP_NONE = 7,
+  // The set-up of a table needs more slices: no refusal.
+  TOYTOP_PENDING = 8,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -140,17 +148,18 @@ typedef struct toytop_state {
 typedef struct toytop_error {
   // The status that the call returned.
   uint32_t status;
-  // With `TOYTOP_TABLE_TOO_SMALL`: number of segments that is enough, or 0 where 4096 are not.
+  // With `TOYTOP_TABLE_TOO_SMALL`: number of segments of the table, which is not enough.
   uint32_t segments;
   // One line without its end, such as "tilt: must be between 0 and pi"; it closes with a zero.
   char text[TOYTOP_TEXT_SIZE];
 } toytop_error;
 
-// Top, in SI or any consistent units. Exactly one of `mass` and `mass_moment` is given; the other is 0.
+// Top, in SI or any consistent units. Exactly one of `mass` and `mass_moment` is given; the other is 0. For a free body only the
+// two moments of inertia and the rotor enter the motion; the other fields must be finite, and have no effect.
 typedef struct toytop_top {
-  // Support of the tip: `TOYTOP_SLIDING` or `TOYTOP_FIXED`.
+  // Support of the tip: `TOYTOP_SLIDING`, `TOYTOP_FIXED` or `TOYTOP_FREE`.
   uint32_t support;
-  // Transverse moment of inertia A, kg m^2: about the centre of mass for a sliding tip, about the tip for a fixed one.
+  // Transverse moment of inertia A, kg m^2: about the tip for a fixed one, otherwise about the centre of mass.
   double transverse_inertia;
   // Axial moment of inertia C <= 2A, kg m^2.
   double axial_inertia;
@@ -160,8 +169,11 @@ typedef struct toytop_top {
   double mass;
   // Mass moment p = M s, kg m, or 0.
   double mass_moment;
-  // Gravity g > 0, m/s^2: `TOYTOP_STANDARD_GRAVITY`, or 1 in the units of the paper.
+  // Gravity g, m/s^2: `TOYTOP_STANDARD_GRAVITY`, or 1 in the units of the paper; 0 only for a fixed tip or a free body.
   double gravity;
+  // Angular momentum K of a rotor inside, relative to the body and along its axis, kg m^2/s, of either sign and constant; 0
+  // without one. The rotor's mass and inertia belong to those of the body.
+  double rotor_momentum;
 } toytop_top;
 
 // Motion of one throw: what a table is set up from. It may be copied; its words mean nothing to a program.
@@ -187,7 +199,7 @@ typedef struct toytop_constants {
   double e3;
   // Nutation period, s; NaN where there is none.
   double period;
-  // Least force of the plane over the weight; NaN for a fixed tip. Below 0 a real top would leave the plane.
+  // Least force of the plane over the weight; NaN for a fixed tip or a free body. Below 0 a real top would leave the plane.
   double min_normal_force;
 } toytop_constants;
 
@@ -198,6 +210,11 @@ typedef struct toytop_tick {
   // Number of seconds, at least 1.
   uint32_t seconds;
 } toytop_tick;
+
+// Set-up of one table in slices, which is needed until the table is ready. Its words mean nothing to a program.
+typedef struct toytop_set_up {
+  uint64_t opaque[640];
+} toytop_set_up;
 
 // Phases of consecutive ticks of one table: what an interrupt keeps. It may be copied.
 //
@@ -314,12 +331,24 @@ toytop_status toytop_motion_constants(const struct toytop_motion *motion, struct
 // Tick of a frequency in Hz.
 struct toytop_tick toytop_hertz(uint32_t frequency);
 
+// Begins a set-up in slices, for a program that must do something else in between, such as feed a watchdog. It computes
+// nothing yet: call `toytop_f32_set_up_poll`, or that of another scalar, until it no longer returns `TOYTOP_PENDING`.
+//
+// Refusals name `tick` or `truncation`. `error` may be null. The motion is copied.
+//
+// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
+toytop_status toytop_set_up_begin(struct toytop_set_up *set_up,
+                                  const struct toytop_motion *motion,
+                                  struct toytop_tick tick,
+                                  double truncation,
+                                  struct toytop_error *error);
+
 // Tick of the last sample of a cursor; before the first sample, the tick before it.
 toytop_status toytop_ephemeris_cursor_tick(const struct toytop_ephemeris_cursor *place, int64_t *tick);
 
 // Sets up a table in memory of the caller, which need not be initialised. It takes milliseconds on a chip: not for an interrupt.
 //
-// Refusals name `tick` or `truncation`, or say how many segments are enough for this motion. After a refusal the
+// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion. After a refusal the
 // table must not be used, and every function that reads it says so. `error` may be null.
 //
 // * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 16 to 4096)
@@ -330,6 +359,25 @@ toytop_status toytop_f32_set_up(struct toytop_ephemeris_f32 *table,
                                 struct toytop_tick tick,
                                 double truncation,
                                 struct toytop_error *error);
+
+// Does the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
+// calls after that return the same and change nothing.
+//
+// The first slice may be given any memory for a table, the others the same again. Refusals name `table` where it is another,
+// or was set up otherwise meanwhile, or say that the segments are not enough for this motion. `error` may be null.
+//
+// * `size`: bytes of the memory of the table
+toytop_status toytop_f32_set_up_poll(struct toytop_set_up *set_up,
+                                     struct toytop_ephemeris_f32 *table,
+                                     uintptr_t size,
+                                     struct toytop_error *error);
+
+// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
+// refused. A table has at least 16. It costs far more than a set-up: a question for a PC.
+//
+// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
+uint32_t toytop_f32_segments_needed(const struct toytop_motion *motion,
+                                    double truncation);
 
 // Error bounds of a table.
 toytop_status toytop_f32_error_bounds(const struct toytop_ephemeris_f32 *table,
@@ -410,7 +458,7 @@ toytop_status toytop_f32_state(const struct toytop_ephemeris_sample *sample, str
 
 // Sets up a table in memory of the caller, which need not be initialised. It takes milliseconds on a chip: not for an interrupt.
 //
-// Refusals name `tick` or `truncation`, or say how many segments are enough for this motion. After a refusal the
+// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion. After a refusal the
 // table must not be used, and every function that reads it says so. `error` may be null.
 //
 // * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 16 to 4096)
@@ -421,6 +469,25 @@ toytop_status toytop_f64_set_up(struct toytop_ephemeris_f64 *table,
                                 struct toytop_tick tick,
                                 double truncation,
                                 struct toytop_error *error);
+
+// Does the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
+// calls after that return the same and change nothing.
+//
+// The first slice may be given any memory for a table, the others the same again. Refusals name `table` where it is another,
+// or was set up otherwise meanwhile, or say that the segments are not enough for this motion. `error` may be null.
+//
+// * `size`: bytes of the memory of the table
+toytop_status toytop_f64_set_up_poll(struct toytop_set_up *set_up,
+                                     struct toytop_ephemeris_f64 *table,
+                                     uintptr_t size,
+                                     struct toytop_error *error);
+
+// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
+// refused. A table has at least 16. It costs far more than a set-up: a question for a PC.
+//
+// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
+uint32_t toytop_f64_segments_needed(const struct toytop_motion *motion,
+                                    double truncation);
 
 // Error bounds of a table.
 toytop_status toytop_f64_error_bounds(const struct toytop_ephemeris_f64 *table,
@@ -501,7 +568,7 @@ toytop_status toytop_f64_state(const struct toytop_ephemeris_sample *sample, str
 
 // Sets up a table in memory of the caller, which need not be initialised. It takes milliseconds on a chip: not for an interrupt.
 //
-// Refusals name `tick` or `truncation`, or say how many segments are enough for this motion. After a refusal the
+// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion. After a refusal the
 // table must not be used, and every function that reads it says so. `error` may be null.
 //
 // * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 16 to 4096)
@@ -512,6 +579,25 @@ toytop_status toytop_q31_set_up(struct toytop_ephemeris_q31 *table,
                                 struct toytop_tick tick,
                                 double truncation,
                                 struct toytop_error *error);
+
+// Does the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
+// calls after that return the same and change nothing.
+//
+// The first slice may be given any memory for a table, the others the same again. Refusals name `table` where it is another,
+// or was set up otherwise meanwhile, or say that the segments are not enough for this motion. `error` may be null.
+//
+// * `size`: bytes of the memory of the table
+toytop_status toytop_q31_set_up_poll(struct toytop_set_up *set_up,
+                                     struct toytop_ephemeris_q31 *table,
+                                     uintptr_t size,
+                                     struct toytop_error *error);
+
+// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
+// refused. A table has at least 16. It costs far more than a set-up: a question for a PC.
+//
+// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
+uint32_t toytop_q31_segments_needed(const struct toytop_motion *motion,
+                                    double truncation);
 
 // Error bounds of a table.
 toytop_status toytop_q31_error_bounds(const struct toytop_ephemeris_q31 *table,
@@ -602,5 +688,7 @@ toytop_status toytop_q31_state(const struct toytop_ephemeris_sample *sample, str
 typedef char toytop_f32_has_its_size[sizeof(toytop_ephemeris_f32) == TOYTOP_EPHEMERIS_F32_SIZE_OF(25) ? 1 : -1];
 typedef char toytop_f64_has_its_size[sizeof(toytop_ephemeris_f64) == TOYTOP_EPHEMERIS_F64_SIZE_OF(48) ? 1 : -1];
 typedef char toytop_q31_has_its_size[sizeof(toytop_ephemeris_q31) == TOYTOP_EPHEMERIS_Q31_SIZE_OF(32) ? 1 : -1];
+typedef char toytop_set_up_has_its_size[sizeof(toytop_set_up) == TOYTOP_SET_UP_SIZE ? 1 : -1];
+typedef char toytop_top_has_its_size[sizeof(toytop_top) == 64 ? 1 : -1];
 typedef char toytop_state_has_its_size[sizeof(toytop_state) == 56 && sizeof(double) == 8 ? 1 : -1];
 #endif

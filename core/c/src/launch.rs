@@ -9,16 +9,20 @@ pub const TOYTOP_SLIDING: u32 = 0;
 /// Support of a tip that is held at a point: the Lagrange top.
 pub const TOYTOP_FIXED: u32 = 1;
 
+/// No support: a body that is thrown, floats or is in orbit.
+pub const TOYTOP_FREE: u32 = 2;
+
 /// Standard gravity, m/s^2.
 pub const TOYTOP_STANDARD_GRAVITY: f64 = 9.80665;
 
-/// Top, in SI or any consistent units. Exactly one of `mass` and `mass_moment` is given; the other is 0.
+/// Top, in SI or any consistent units. Exactly one of `mass` and `mass_moment` is given; the other is 0. For a free body only the
+/// two moments of inertia and the rotor enter the motion; the other fields must be finite, and have no effect.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_top {
-    /// Support of the tip: `TOYTOP_SLIDING` or `TOYTOP_FIXED`.
+    /// Support of the tip: `TOYTOP_SLIDING`, `TOYTOP_FIXED` or `TOYTOP_FREE`.
     pub support: u32,
-    /// Transverse moment of inertia A, kg m^2: about the centre of mass for a sliding tip, about the tip for a fixed one.
+    /// Transverse moment of inertia A, kg m^2: about the tip for a fixed one, otherwise about the centre of mass.
     pub transverse_inertia: f64,
     /// Axial moment of inertia C <= 2A, kg m^2.
     pub axial_inertia: f64,
@@ -28,8 +32,11 @@ pub struct toytop_top {
     pub mass: f64,
     /// Mass moment p = M s, kg m, or 0.
     pub mass_moment: f64,
-    /// Gravity g > 0, m/s^2: `TOYTOP_STANDARD_GRAVITY`, or 1 in the units of the paper.
+    /// Gravity g, m/s^2: `TOYTOP_STANDARD_GRAVITY`, or 1 in the units of the paper; 0 only for a fixed tip or a free body.
     pub gravity: f64,
+    /// Angular momentum K of a rotor inside, relative to the body and along its axis, kg m^2/s, of either sign and constant; 0
+    /// without one. The rotor's mass and inertia belong to those of the body.
+    pub rotor_momentum: f64,
 }
 
 /// Release of a top by angles and rates.
@@ -71,12 +78,14 @@ impl toytop_top {
             mass: self.mass,
             mass_moment: self.mass_moment,
             gravity: self.gravity,
+            rotor_momentum: self.rotor_momentum,
         };
         Ok(match self.support {
             TOYTOP_SLIDING => Top::sliding(&parameters)?,
             TOYTOP_FIXED => Top::fixed(&parameters)?,
+            TOYTOP_FREE => Top::free(&parameters)?,
             _ => {
-                let allowed = "TOYTOP_SLIDING or TOYTOP_FIXED";
+                let allowed = "TOYTOP_SLIDING, TOYTOP_FIXED or TOYTOP_FREE";
                 return Err(ParameterError::OutOfRange { parameter: "support", allowed }.into());
             }
         })

@@ -17,14 +17,16 @@ mod motion;
 // Every tick.
 mod table;
 
+mod set_up;
+
 mod sample;
 
 mod scalars;
 
 pub use launch::{
-    TOYTOP_FIXED, TOYTOP_SLIDING, TOYTOP_STANDARD_GRAVITY, toytop_impulse, toytop_reaction_impulse,
-    toytop_release, toytop_state, toytop_state_from_quaternion_and_gyro, toytop_state_from_release,
-    toytop_top,
+    TOYTOP_FIXED, TOYTOP_FREE, TOYTOP_SLIDING, TOYTOP_STANDARD_GRAVITY, toytop_impulse,
+    toytop_reaction_impulse, toytop_release, toytop_state, toytop_state_from_quaternion_and_gyro,
+    toytop_state_from_release, toytop_top,
 };
 pub use motion::{
     TOYTOP_MOTION_SIZE, toytop_constants, toytop_launch, toytop_motion, toytop_motion_constants,
@@ -35,6 +37,7 @@ pub use sample::{
     toytop_ephemeris_cursor_tick, toytop_ephemeris_sample, toytop_turning_point,
 };
 pub use scalars::*;
+pub use set_up::{TOYTOP_SET_UP_SIZE, toytop_set_up, toytop_set_up_begin};
 pub use status::{TOYTOP_TEXT_SIZE, toytop_error, toytop_status, toytop_status_text};
 pub use table::{
     TOYTOP_EPHEMERIS_ALIGNMENT, TOYTOP_EPHEMERIS_F32_SIZE, TOYTOP_EPHEMERIS_F64_SIZE,

@@ -65,7 +65,7 @@ pub struct toytop_constants {
     pub e3: f64,
     /// Nutation period, s; NaN where there is none.
     pub period: f64,
-    /// Least force of the plane over the weight; NaN for a fixed tip. Below 0 a real top would leave the plane.
+    /// Least force of the plane over the weight; NaN for a fixed tip or a free body. Below 0 a real top would leave the plane.
     pub min_normal_force: f64,
 }
 

@@ -4,9 +4,10 @@ use crate::motion::toytop_motion;
 use crate::sample::{
     self, Wide, tell, toytop_ephemeris_cursor, toytop_ephemeris_sample, toytop_turning_point,
 };
+use crate::set_up::{self, toytop_set_up};
 use crate::status::{answer, toytop_error, toytop_status};
 use crate::table::{
-    self, Tabulated, toytop_ephemeris_f32, toytop_ephemeris_f64, toytop_ephemeris_q31, toytop_error_bounds,
+    Tabulated, toytop_ephemeris_f32, toytop_ephemeris_f64, toytop_ephemeris_q31, toytop_error_bounds,
     toytop_tick,
 };
 use crate::toytop_state;
@@ -37,7 +38,42 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up>](
     error: *mut toytop_error,
 ) -> toytop_status {
     // SAFETY: the caller vouches for the pointers.
-    unsafe { answer(table::set_up::<$scalar>(table.cast(), size, motion, tick, truncation), error) }
+    unsafe { answer(set_up::at_once::<$scalar>(table.cast(), size, motion, tick, truncation), error) }
+}
+
+/// Does the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
+/// calls after that return the same and change nothing.
+///
+/// The first slice may be given any memory for a table, the others the same again. Refusals name `table` where it is another,
+/// or was set up otherwise meanwhile, or say that the segments are not enough for this motion. `error` may be null.
+///
+/// * `size`: bytes of the memory of the table
+///
+/// # Safety
+/// Each pointer is null or points to an object of its type, `table` to `size` bytes, and nobody else uses them until the last slice
+/// returns.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn [<toytop_ $name _set_up_poll>](
+    set_up: *mut toytop_set_up,
+    table: *mut $table,
+    size: usize,
+    error: *mut toytop_error,
+) -> toytop_status {
+    // SAFETY: the caller vouches for the pointers.
+    unsafe { answer(set_up::poll::<$scalar>(set_up, table.cast(), size), error) }
+}
+
+/// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
+/// refused. A table has at least 16. It costs far more than a set-up: a question for a PC.
+///
+/// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
+///
+/// # Safety
+/// The pointer is null or points to an object of its type.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn [<toytop_ $name _segments_needed>](motion: *const toytop_motion, truncation: f64) -> u32 {
+    // SAFETY: the caller vouches for the pointer.
+    unsafe { set_up::segments_needed::<$scalar>(motion, truncation) }
 }
 
 /// Error bounds of a table.

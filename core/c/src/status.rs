@@ -18,17 +18,19 @@ pub enum toytop_status {
     TOYTOP_OUT_OF_RANGE = 3,
     /// The memory of a table is too small for the motion; the error says how many segments are not enough.
     TOYTOP_TABLE_TOO_SMALL = 4,
-    /// The memory of a table is not aligned, or is smaller than for 16 segments.
+    /// The memory of a table or of a set-up is not aligned, or that of a table is smaller than for 16 segments.
     TOYTOP_BAD_MEMORY = 5,
-    /// A table, motion, cursor or sample was not made by this library, or its set-up failed.
+    /// A table, motion, set-up, cursor or sample was not made by this library, or its set-up failed or has not ended.
     TOYTOP_NOT_SET_UP = 6,
     /// There is no such turning point or tip angle in this motion.
     TOYTOP_NONE = 7,
+    /// The set-up of a table needs more slices: no refusal.
+    TOYTOP_PENDING = 8,
 }
 
 use toytop_status::{
     TOYTOP_BAD_MEMORY, TOYTOP_NONE, TOYTOP_NOT_FINITE, TOYTOP_NOT_SET_UP, TOYTOP_NULL_POINTER, TOYTOP_OK,
-    TOYTOP_OUT_OF_RANGE, TOYTOP_TABLE_TOO_SMALL,
+    TOYTOP_OUT_OF_RANGE, TOYTOP_PENDING, TOYTOP_TABLE_TOO_SMALL,
 };
 
 /// Bytes of the text of an error, the closing zero included.
@@ -58,6 +60,7 @@ pub extern "C" fn toytop_status_text(status: u32) -> *const c_char {
         TOYTOP_BAD_MEMORY,
         TOYTOP_NOT_SET_UP,
         TOYTOP_NONE,
+        TOYTOP_PENDING,
     ];
     let found = known.into_iter().find(|known| *known as u32 == status);
     found.map_or(c"not a status of toytop", toytop_status::text).as_ptr()
@@ -71,9 +74,12 @@ impl toytop_status {
             TOYTOP_NOT_FINITE => c"a parameter must be a finite number",
             TOYTOP_OUT_OF_RANGE => c"a parameter is out of its allowed range",
             TOYTOP_TABLE_TOO_SMALL => c"table: must have more segments for this motion",
-            TOYTOP_BAD_MEMORY => c"table: must be aligned to 8 bytes and hold at least 16 segments",
-            TOYTOP_NOT_SET_UP => c"table, motion, cursor or sample: must be set up first",
+            TOYTOP_BAD_MEMORY => {
+                c"table or set-up: must be aligned to 8 bytes, and a table must hold at least 16 segments"
+            }
+            TOYTOP_NOT_SET_UP => c"table, motion, set-up, cursor or sample: must be made first",
             TOYTOP_NONE => c"the motion has no such point or angle",
+            TOYTOP_PENDING => c"the set-up needs more slices",
         }
     }
 }

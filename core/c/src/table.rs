@@ -1,11 +1,10 @@
 //! Tables in memory of the caller.
 
-use crate::memory::{kept, read};
-use crate::motion::toytop_motion;
+use crate::memory::read;
 use crate::status::{Refusal, toytop_status};
 use core::ptr::slice_from_raw_parts_mut;
 use toytop::fixed::types::I2F30;
-use toytop::{Ephemeris, EphemerisScalar, EphemerisView, Motion, ParameterError, Tick};
+use toytop::{Ephemeris, EphemerisScalar, EphemerisView};
 
 /// Bytes of a table in `f32` of the standard size, 25 segments.
 pub const TOYTOP_EPHEMERIS_F32_SIZE: usize = 2280;
@@ -107,7 +106,7 @@ impl Tabulated for I2F30 {
 
 /// Head of the memory of a table; the table follows.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 struct Head {
     tag: u32,
     segments: u32,
@@ -115,6 +114,8 @@ struct Head {
 
 /// Least number of segments of a table.
 const LEAST: usize = 16;
+/// Greatest number of segments that a table can use.
+const MOST: usize = 4096;
 
 /// Bytes of a table with so many segments.
 const fn size_of_table<R: Tabulated>(segments: usize) -> usize {
@@ -166,10 +167,10 @@ fn behind<R: Tabulated>(head: *const Head, segments: usize) -> *mut EphemerisVie
 /// Table that was set up in memory of the caller.
 ///
 /// # Safety
-/// The pointer is null or valid for reading a head; and if its tag is that of the scalar, [`set_up`] wrote what follows, which
+/// The pointer is null or valid for reading a head; and if its tag is that of the scalar, [`Memory::ready`] wrote what follows, which
 /// nobody changes as long as the reference lives.
 pub(crate) unsafe fn view<'a, R: Tabulated>(table: *const u8) -> Result<&'a EphemerisView<R>, Refusal> {
-    // SAFETY: the caller vouches for the memory; `set_up` wrote as many segments as it says.
+    // SAFETY: the caller vouches for the memory; `Memory::ready` wrote as many segments as it says.
     unsafe { Ok(&*ready::<R>(table)?) }
 }
 
@@ -178,7 +179,7 @@ pub(crate) unsafe fn view<'a, R: Tabulated>(table: *const u8) -> Result<&'a Ephe
 /// # Safety
 /// As for [`view`]; and nobody reads the table as long as the reference lives.
 pub(crate) unsafe fn view_mut<'a, R: Tabulated>(table: *mut u8) -> Result<&'a mut EphemerisView<R>, Refusal> {
-    // SAFETY: the caller vouches for the memory; `set_up` wrote as many segments as it says.
+    // SAFETY: the caller vouches for the memory; `Memory::ready` wrote as many segments as it says.
     unsafe { Ok(&mut *ready::<R>(table)?) }
 }
 
@@ -196,53 +197,64 @@ unsafe fn ready<R: Tabulated>(table: *const u8) -> Result<*mut EphemerisView<R>,
     Ok(behind(head, segments as usize))
 }
 
-/// Sets up a table in memory of the caller, which need not be initialised.
-///
-/// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
-///
-/// # Safety
-/// `table` is null or valid for writing `size` bytes, and nobody else uses them until this returns. `motion` is null or
-/// valid for reading.
-pub(crate) unsafe fn set_up<R: Tabulated>(
-    table: *mut u8,
-    size: usize,
-    motion: *const toytop_motion,
-    tick: toytop_tick,
-    truncation: f64,
-) -> Result<(), Refusal> {
-    let head = checked_head(table)?.cast_mut();
-    let most = size.saturating_sub(size_of_table::<R>(0)) / size_of::<R::Segment>();
-    let segments = most.min(MOST);
-    if segments < LEAST {
-        return Err(toytop_status::TOYTOP_BAD_MEMORY.into());
-    }
-    // SAFETY: the memory has room for a head. Nobody takes it for a table before the end of this function.
-    unsafe { head.write(Head { tag: 0, segments: 0 }) };
-    // SAFETY: the caller vouches for the pointer.
-    let motion: Motion = unsafe { kept(motion)? };
-    let tick = Tick::ratio(tick.ticks, tick.seconds)?;
-    let truncation = match truncation {
-        0.0 => 4.0 * R::ROUNDING,
-        given if given.is_finite() && given > 0.0 => given,
-        _ => {
-            let allowed = "positive, or 0 for four roundings of the scalar";
-            return Err(ParameterError::OutOfRange { parameter: "truncation", allowed }.into());
-        }
-    };
-    // SAFETY: behind the head there is room for a table of `segments` segments, at least 16. They are initialised before a
-    // reference to them is made.
-    let view = unsafe {
-        let least = head.wrapping_add(1).cast::<Ephemeris<R, LEAST>>();
-        least.write(Ephemeris::EMPTY);
-        let rest = least.wrapping_add(1).cast::<R::Segment>();
-        (LEAST..segments).zip(0..).for_each(|(_, place)| rest.add(place).write(R::ZERO_SEGMENT));
-        &mut *behind::<R>(head, segments)
-    };
-    view.set_up(&motion, tick, truncation)?;
-    // SAFETY: as for the first head.
-    unsafe { head.write(Head { tag: R::TAG, segments: segments as u32 }) };
-    Ok(())
+/// Memory of the caller that is, or becomes, a table: where its head is, and how many segments it has room for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Memory {
+    head: *mut Head,
+    segments: usize,
 }
 
-/// Greatest number of segments that a table can use.
-const MOST: usize = 4096;
+impl Memory {
+    /// Memory of `size` bytes for a table of a scalar. Null and unaligned pointers, and too few bytes, are refused.
+    pub(crate) fn of<R: Tabulated>(table: *mut u8, size: usize) -> Result<Self, Refusal> {
+        let head = checked_head(table)?.cast_mut();
+        let most = size.saturating_sub(size_of_table::<R>(0)) / size_of::<R::Segment>();
+        let segments = most.min(MOST);
+        if segments < LEAST {
+            return Err(toytop_status::TOYTOP_BAD_MEMORY.into());
+        }
+        Ok(Self { head, segments })
+    }
+
+    /// Head of a table of a scalar in this memory, between [`Self::clear`] and [`Self::ready`]: nobody takes it for a table.
+    fn pending<R: Tabulated>(&self) -> Head {
+        Head { tag: !R::TAG, segments: self.segments as u32 }
+    }
+
+    /// Empty table in this memory, which need not be initialised.
+    ///
+    /// # Safety
+    /// The memory is valid for writing, and nobody else uses it as long as the reference lives.
+    pub(crate) unsafe fn clear<'a, R: Tabulated>(self) -> &'a mut EphemerisView<R> {
+        // SAFETY: there is room for a head, and behind it for a table of `segments` segments, at least 16. They are initialised
+        // before a reference to them is made.
+        unsafe {
+            self.head.write(self.pending::<R>());
+            let least = self.head.wrapping_add(1).cast::<Ephemeris<R, LEAST>>();
+            least.write(Ephemeris::EMPTY);
+            let rest = least.wrapping_add(1).cast::<R::Segment>();
+            (LEAST..self.segments).zip(0..).for_each(|(_, place)| rest.add(place).write(R::ZERO_SEGMENT));
+            &mut *behind::<R>(self.head, self.segments)
+        }
+    }
+
+    /// Table that [`Self::clear`] began in this memory, or `None` where something else was done with its head since.
+    ///
+    /// # Safety
+    /// As for [`Self::clear`], which was called before.
+    pub(crate) unsafe fn begun<'a, R: Tabulated>(self) -> Option<&'a mut EphemerisView<R>> {
+        // SAFETY: the caller vouches for the memory; any bits are a head, and `clear` initialised the segments.
+        unsafe {
+            (self.head.read() == self.pending::<R>()).then(|| &mut *behind::<R>(self.head, self.segments))
+        }
+    }
+
+    /// Makes the table in this memory known as one that is set up.
+    ///
+    /// # Safety
+    /// As for [`Self::begun`].
+    pub(crate) unsafe fn ready<R: Tabulated>(self) {
+        // SAFETY: the caller vouches for the memory.
+        unsafe { self.head.write(Head { tag: R::TAG, ..self.pending::<R>() }) };
+    }
+}

@@ -21,6 +21,7 @@ const TOP: toytop_top = toytop_top {
     mass: 0.05,
     mass_moment: 0.0,
     gravity: 9.81,
+    rotor_momentum: 0.0,
 };
 const RELEASE: toytop_release =
     toytop_release { tilt: 0.35, azimuth: 0.1, roll: 0.0, spin: 150.0, precession: 2.0, nutation: 0.0 };
@@ -154,16 +155,23 @@ fn what_is_wrong_is_told() {
         );
         let small: toytop_error = why.assume_init();
         assert!(
-            small.segments > 16 && text(&small).contains(&small.segments.to_string()),
+            small.segments == 16 && text(&small).contains("16 segments are not enough"),
             "{}",
             text(&small)
         );
         assert_eq!(toytop_f32_at_tick(table, 0, place.as_mut_ptr()), TOYTOP_NOT_SET_UP);
 
-        // as many segments as were said to be enough
-        let bytes = 280 + 80 * small.segments as usize;
+        // as many segments as are said to be enough, and one fewer
+        let needed = toytop_f32_segments_needed(&motion, 1e-12) as usize;
+        assert!((17..=4096).contains(&needed), "{needed}");
+        assert_eq!(toytop_f32_segments_needed(null(), 1e-12), 0);
+        assert_eq!(toytop_f32_segments_needed(&motion, -1.0), 0);
+        assert_eq!(toytop_f32_segments_needed(&motion, 1e-300), 0);
+        let bytes = 280 + 80 * needed;
         let mut large = vec![0_u64; bytes / 8];
         let large: *mut toytop_ephemeris_f32 = large.as_mut_ptr().cast();
+        let fewer = toytop_f32_set_up(large, bytes - 80, &motion, tick, 1e-12, null_mut());
+        assert_eq!(fewer, TOYTOP_TABLE_TOO_SMALL);
         assert_eq!(toytop_f32_set_up(large, bytes, &motion, tick, 1e-12, null_mut()), TOYTOP_OK);
         assert_eq!(toytop_f32_at_tick(large, 0, place.as_mut_ptr()), TOYTOP_OK);
         assert_eq!(toytop_f32_quaternion(place.as_ptr(), null_mut()), TOYTOP_NULL_POINTER);
@@ -172,9 +180,13 @@ fn what_is_wrong_is_told() {
         assert_eq!(toytop_f64_quaternion(place.as_ptr(), q.as_mut_ptr().cast()), TOYTOP_NOT_SET_UP);
         assert_eq!(
             text(&refusal(toytop_top { support: 9, ..TOP })),
-            "support: must be TOYTOP_SLIDING or TOYTOP_FIXED"
+            "support: must be TOYTOP_SLIDING, TOYTOP_FIXED or TOYTOP_FREE"
         );
         assert!(text(&refusal(toytop_top { gravity: 0.0, ..TOP })).starts_with("gravity: must be positive"));
+        let fast = toytop_top { rotor_momentum: -1e9, ..TOP };
+        assert!(text(&refusal(fast)).starts_with("rotor_momentum: must be at most 1e12"));
+        let free = toytop_top { support: TOYTOP_FREE, gravity: f64::NAN, ..TOP };
+        assert_eq!(text(&refusal(free)), "gravity: must be a finite number");
     }
     assert_eq!(unsafe { CStr::from_ptr(toytop_status_text(77)) }, c"not a status of toytop");
 }

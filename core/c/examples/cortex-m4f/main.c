@@ -1,14 +1,15 @@
 /* A Cortex-M4F in C: an interrupt of 1 kHz follows a top, the main loop relaunches it after a stroke and hands a new table over.
  *
  * Two tables take turns. The interrupt reads the one that `current` points to; the main loop sets up the other one and then changes
- * `current`, which is one word. The interrupt makes its cursor again when it sees the change. */
+ * `current`, which is one word. The interrupt makes its cursor again when it sees the change. The set-up is done in slices, between
+ * which the main loop could feed a watchdog. */
 #include "../throw.h"
 #include "chip.h"
 
 static toytop_ephemeris_f32 tables[2];
 static const toytop_ephemeris_f32 *volatile current;
 static volatile int64_t ticks; /* of the interrupt, written by it alone */
-static volatile uint32_t changes, failures;
+static volatile uint32_t changes, failures, polls;
 static volatile float largest_jump;
 
 /* Called by the interrupt a thousand times a second. */
@@ -44,9 +45,13 @@ static void stop_if(toytop_status status, const toytop_error *error) {
 /* Sets up a table of the motion from a state, and prints the bits of three of its ticks. */
 static void set_up(toytop_ephemeris_f32 *table, const toytop_state *state) {
     static toytop_motion motion;
+    static toytop_set_up slices;
     static toytop_error error;
+    toytop_status status;
     stop_if(toytop_launch(&top, state, &motion, &error), &error);
-    stop_if(toytop_f32_set_up(table, sizeof *table, &motion, toytop_hertz(1000), 0.0, &error), &error);
+    stop_if(toytop_set_up_begin(&slices, &motion, toytop_hertz(1000), 0.0, &error), &error);
+    while ((status = toytop_f32_set_up_poll(&slices, table, sizeof *table, &error)) == TOYTOP_PENDING) polls++;
+    stop_if(status, &error);
     for (int64_t tick = 0; tick < 3; tick++) {
         toytop_ephemeris_sample now;
         float numbers[6];
@@ -82,6 +87,9 @@ int main(void) {
     current = &tables[1];
 
     while (ticks < 1000) wait_for_interrupt();
+    print("slices ");
+    print_number(polls);
+    print("\n");
     print("interrupts ");
     print_number((uint32_t)ticks);
     print(", exchanges ");
