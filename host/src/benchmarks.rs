@@ -24,8 +24,9 @@ macro_rules! files {
 }
 
 /// Name, scenario, description and reference values of each problem.
-const FILES: [(&str, &str, &str, &str); 8] = files! {
+const FILES: [(&str, &str, &str, &str); 9] = files! {
     "bruls_cardona" "simo_wong" "kinon_betsch" "diffman" "parker" "critical_spin" "springborn_cusp" "springborn_loops"
+    "drake_cylinder"
 };
 
 /// Names of all problems.

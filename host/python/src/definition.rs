@@ -34,21 +34,37 @@ impl TopDefinition {
         let top = match support {
             Support::Sliding => Top::sliding(&parameters),
             Support::Fixed => Top::fixed(&parameters),
+            Support::Free => Top::free(&parameters),
         };
         Ok(Self { parameters, top: top.map_err(|error| refused(&error, &[]))? })
     }
 
     /// Mass moment p = M s, whose product is not rounded to `f64`.
     fn mass_moment(&self) -> Precise {
+        if self.top.support() == Support::Free {
+            return precise(0.0);
+        }
         let TopParameters { mass, mass_moment, com_height, .. } = self.parameters;
         if mass == 0.0 { precise(mass_moment) } else { precise(mass) * precise(com_height) }
     }
 
     fn to_toml(self) -> String {
-        let TopParameters { transverse_inertia, axial_inertia, com_height, mass, mass_moment, gravity } =
-            self.parameters;
+        let TopParameters {
+            transverse_inertia,
+            axial_inertia,
+            com_height,
+            mass,
+            mass_moment,
+            gravity,
+            rotor_momentum,
+        } = self.parameters;
         let support = support_name(self.top.support());
-        let given = [("mass", mass), ("mass_moment", mass_moment), ("com_height", com_height)];
+        let given = [
+            ("mass", mass),
+            ("mass_moment", mass_moment),
+            ("com_height", com_height),
+            ("rotor_momentum", rotor_momentum),
+        ];
         let given = given.iter().filter(|(_, x)| *x != 0.0).map(|(key, x)| format!("{key} = {x:?}\n"));
         format!(
             "[top]\nsupport = \"{support}\"\n{}transverse_inertia = {transverse_inertia:?}\naxial_inertia = {axial_inertia:?}\n\
@@ -101,6 +117,7 @@ pub(crate) fn of_toml(file: &str, text: &str) -> PyResult<(TopDefinition, StartD
         mass: number(&top, "mass", 0.0),
         mass_moment: number(&top, "mass_moment", 0.0),
         gravity: number(&top, "gravity", default.gravity),
+        rotor_momentum: number(&top, "rotor_momentum", 0.0),
     };
     let sign = |key| Sign::of(number(&given, key, 1.0));
     let start = match state {
@@ -126,11 +143,12 @@ fn number(table: &Table, key: &str, default: f64) -> f64 {
     }
 }
 
-/// `sliding` or `fixed`.
+/// `sliding`, `fixed` or `free`.
 pub(crate) fn support_name(support: Support) -> &'static str {
     match support {
         Support::Sliding => "sliding",
         Support::Fixed => "fixed",
+        Support::Free => "free",
     }
 }
 
@@ -141,7 +159,7 @@ pub(crate) fn truth(definition: &TopDefinition, start: &StartDefinition) -> Exac
     let (p, mass_moment) = (top.mass_moment(), definition.mass_moment());
     match start {
         StartDefinition::State(state) => {
-            let numbers = StateNumbers::of([a, c, s, p, g], state);
+            let numbers = StateNumbers::of([a, c, s, p, g, top.rotor_momentum()], state);
             Exact::launched(&Launched::with_mass_moment(&numbers, &mass_moment))
         }
         StartDefinition::BranchPoints { e, signs, start } => {

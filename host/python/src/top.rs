@@ -8,9 +8,9 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use toytop::{Motion, Release, Sign, Signs, Start, State, Support, TopParameters};
 
-/// Symmetric top whose tip slides on a horizontal plane, or is held at a point.
+/// Symmetric top whose tip slides on a horizontal plane, or is held at a point, or a free symmetric body.
 ///
-/// It is made by Top.sliding or Top.fixed, in SI or any consistent units, and is immutable.
+/// It is made by Top.sliding, Top.fixed or Top.free, in SI or any consistent units, and is immutable.
 ///
 /// >>> import toytop
 /// >>> top = toytop.Top.sliding(mass=0.05, com_height=0.03, transverse_inertia=3.0e-5, axial_inertia=2.0e-5)
@@ -32,11 +32,13 @@ impl PyTop {
     ///     transverse_inertia: moment of inertia A about a transverse axis through the centre of mass, kg m².
     ///     axial_inertia: moment of inertia C <= 2A about the axis of symmetry, kg m².
     ///     gravity: gravity g, m/s².
+    ///     rotor_momentum: axial angular momentum K of a wheel inside, relative to the body, kg m²/s.
     ///
     /// Raises:
     ///     ValueError: a parameter is out of range; the message names it.
     #[staticmethod]
-    #[pyo3(signature = (*, com_height, transverse_inertia, axial_inertia, mass=0.0, mass_moment=0.0, gravity=9.80665))]
+    #[pyo3(signature = (*, com_height, transverse_inertia, axial_inertia, mass=0.0, mass_moment=0.0, gravity=9.80665, rotor_momentum=0.0))]
+    #[allow(clippy::too_many_arguments)] // keywords in Python
     fn sliding(
         com_height: f64,
         transverse_inertia: f64,
@@ -44,9 +46,17 @@ impl PyTop {
         mass: f64,
         mass_moment: f64,
         gravity: f64,
+        rotor_momentum: f64,
     ) -> PyResult<Self> {
-        let parameters =
-            TopParameters { transverse_inertia, axial_inertia, com_height, mass, mass_moment, gravity };
+        let parameters = TopParameters {
+            transverse_inertia,
+            axial_inertia,
+            com_height,
+            mass,
+            mass_moment,
+            gravity,
+            rotor_momentum,
+        };
         TopDefinition::new(Support::Sliding, parameters).map(Self)
     }
 
@@ -59,11 +69,13 @@ impl PyTop {
     ///     transverse_inertia: moment of inertia A about a transverse axis through the tip, kg m².
     ///     axial_inertia: moment of inertia C about the axis of symmetry, kg m².
     ///     gravity: gravity g, m/s².
+    ///     rotor_momentum: axial angular momentum K of a wheel inside, relative to the body, kg m²/s.
     ///
     /// Raises:
     ///     ValueError: a parameter is out of range; the message names it.
     #[staticmethod]
-    #[pyo3(signature = (*, transverse_inertia, axial_inertia, mass_moment=0.0, mass=0.0, com_height=0.0, gravity=9.80665))]
+    #[pyo3(signature = (*, transverse_inertia, axial_inertia, mass_moment=0.0, mass=0.0, com_height=0.0, gravity=9.80665, rotor_momentum=0.0))]
+    #[allow(clippy::too_many_arguments)] // keywords in Python
     fn fixed(
         transverse_inertia: f64,
         axial_inertia: f64,
@@ -71,10 +83,35 @@ impl PyTop {
         mass: f64,
         com_height: f64,
         gravity: f64,
+        rotor_momentum: f64,
     ) -> PyResult<Self> {
-        let parameters =
-            TopParameters { transverse_inertia, axial_inertia, com_height, mass, mass_moment, gravity };
+        let parameters = TopParameters {
+            transverse_inertia,
+            axial_inertia,
+            com_height,
+            mass,
+            mass_moment,
+            gravity,
+            rotor_momentum,
+        };
         TopDefinition::new(Support::Fixed, parameters).map(Self)
+    }
+
+    /// Body without torque: thrown, or in orbit. Its tip is 2 alpha beta, the axis as a complex number.
+    ///
+    /// Args:
+    ///     transverse_inertia: moment of inertia A about a transverse axis through the centre of mass, kg m².
+    ///     axial_inertia: moment of inertia C <= 2A about the axis of symmetry, kg m².
+    ///     rotor_momentum: axial angular momentum K of a wheel inside, relative to the body, kg m²/s.
+    ///
+    /// Raises:
+    ///     ValueError: a parameter is out of range; the message names it.
+    #[staticmethod]
+    #[pyo3(signature = (*, transverse_inertia, axial_inertia, rotor_momentum=0.0))]
+    fn free(transverse_inertia: f64, axial_inertia: f64, rotor_momentum: f64) -> PyResult<Self> {
+        let parameters =
+            TopParameters { transverse_inertia, axial_inertia, rotor_momentum, ..TopParameters::default() };
+        TopDefinition::new(Support::Free, parameters).map(Self)
     }
 
     /// Motion of this top when it is released with these angles (rad) and rates (rad/s).
@@ -200,6 +237,12 @@ impl PyTop {
         self.0.top.mass_moment()
     }
 
+    /// Axial angular momentum K of a wheel inside, relative to the body, kg m²/s.
+    #[getter]
+    fn rotor_momentum(&self) -> f64 {
+        self.0.top.rotor_momentum()
+    }
+
     /// Gravity g, m/s².
     #[getter]
     fn gravity(&self) -> f64 {
@@ -238,17 +281,21 @@ impl PyTop {
 impl PyTop {
     /// Arguments that make this top.
     fn arguments(&self) -> Vec<(&'static str, f64)> {
-        let TopParameters { transverse_inertia, axial_inertia, com_height, mass, mass_moment, gravity } =
-            self.0.parameters;
-        let all = [
-            ("mass", mass),
-            ("mass_moment", mass_moment),
-            ("com_height", com_height),
-            ("transverse_inertia", transverse_inertia),
-            ("axial_inertia", axial_inertia),
-            ("gravity", gravity),
+        let given = self.0.parameters;
+        let body = [
+            ("transverse_inertia", given.transverse_inertia),
+            ("axial_inertia", given.axial_inertia),
+            ("rotor_momentum", given.rotor_momentum),
         ];
-        all.into_iter().filter(|(_, x)| *x != 0.0).collect()
+        let weight = [
+            ("mass", given.mass),
+            ("mass_moment", given.mass_moment),
+            ("com_height", given.com_height),
+            ("gravity", given.gravity),
+        ];
+        let weight = weight.into_iter().filter(|_| self.0.top.support() != Support::Free);
+        let all = body.into_iter().chain(weight);
+        all.filter(|(_, x)| *x != 0.0).collect()
     }
 }
 

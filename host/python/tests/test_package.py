@@ -221,4 +221,17 @@ def test_pictures(motion: toytop.Motion, tmp_path: Path) -> None:
     assert page.html.startswith("<!") and "srcdoc=" in page._repr_html_()
     page.save(tmp_path / "top.html")
     assert (tmp_path / "top.html").read_text() == page.html
-    assert "nutating" in repr(motion) and repr(motion.top).startswith("Top.sliding(mass=0.05")
+    assert "nutating" in repr(motion) and repr(motion.top).startswith("Top.sliding(transverse_inertia=")
+
+
+def test_a_free_body_keeps_its_rate_and_a_rotor_its_momentum() -> None:
+    body = toytop.Top.free(transverse_inertia=1.1e-3, axial_inertia=2.0e-3)
+    motion = body.release(tilt=0.4, spin=20.0, precession=3.0, nutation=-4.0)
+    times = np.linspace(0.0, 5.0, 11)
+    rates = np.linalg.norm(motion.at(times).omega, axis=1)
+    assert body.support == "free" and np.ptp(rates) < 1e-13 * rates[0]
+    assert np.abs(motion.at(times).quaternion - motion.reference(times).quaternion).max() < 1e-13
+    wheel = toytop.Top.sliding(**TOP, rotor_momentum=0.01)
+    turned = wheel.release(tilt=0.35, spin=150.0)
+    assert wheel.rotor_momentum == 0.01
+    assert np.abs(turned.at(times).quaternion - turned.reference(times).quaternion).max() < 1e-13

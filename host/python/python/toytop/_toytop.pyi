@@ -23,6 +23,7 @@ class Top:
         mass: float = 0.0,
         mass_moment: float = 0.0,
         gravity: float = 9.80665,
+        rotor_momentum: float = 0.0,
     ) -> Top: ...
     @staticmethod
     def fixed(
@@ -33,6 +34,11 @@ class Top:
         mass: float = 0.0,
         com_height: float = 0.0,
         gravity: float = 9.80665,
+        rotor_momentum: float = 0.0,
+    ) -> Top: ...
+    @staticmethod
+    def free(
+        *, transverse_inertia: float, axial_inertia: float, rotor_momentum: float = 0.0
     ) -> Top: ...
     def release(
         self,
@@ -76,6 +82,8 @@ class Top:
     def com_height(self) -> float: ...
     @property
     def mass_moment(self) -> float: ...
+    @property
+    def rotor_momentum(self) -> float: ...
     @property
     def gravity(self) -> float: ...
     @property
