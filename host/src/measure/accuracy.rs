@@ -8,7 +8,7 @@ mod cost;
 mod picture;
 
 use crate::Failure;
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use crate::input::builtin;
 use crate::input::random::Random;
 use crate::motion::ephemeris::{AnyScalar, smallest, ticks_per_time};

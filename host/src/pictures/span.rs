@@ -1,7 +1,7 @@
 //! A motion over a span of time, as pictures need it.
 
 use crate::Failure;
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyScalar, furthest_time, smallest};
 use crate::motion::propagate::Sample;
 use crate::pictures::plot::Curve;

@@ -1,7 +1,7 @@
 //! What is said of each motion.
 
 use super::Motions;
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use crate::full_equations::solution;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::ephemeris::{AnyScalar, approximate, smallest_with_period};

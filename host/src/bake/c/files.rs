@@ -2,7 +2,7 @@
 
 use super::{SHARED_HEADER, SHARED_SOURCE, declaration, shared_header, shared_source, source};
 use crate::bake::{Label, Parts};
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 
 /// Header and source of a table, after those that all tables share: names and texts.
 #[must_use]

@@ -1,7 +1,7 @@
 //! What all tables in C share: types, and the functions that evaluate a table.
 
 use super::{decimal, integer};
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use toytop::scalar::SINE_CONSTANTS;
 
 /// Name of the header that declares it.

@@ -1,7 +1,7 @@
 //! One run of the core over a motion: by a stepper, or by an ephemeris.
 
 use crate::Failure;
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use crate::motion::cast;
 use crate::motion::ephemeris::smallest;
 use crate::motion::invariants::first_integrals;

@@ -3,7 +3,7 @@
 use super::bounds::{WORST, steps_per_period};
 use super::run::{Effort, SAMPLES};
 use super::{Measured, Row};
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use crate::output::{self, Cell, Record};
 
 pub(super) fn records(rows: &[Row]) -> Vec<Record> {

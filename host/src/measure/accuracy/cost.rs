@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::budget::{Cost, Limits};
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use toytop_chips::{M0PLUS, M4F, M7, M33, RISCV};
 
 const BUDGETS: &str = include_str!("../../../../firmware-examples/budgets.toml");

@@ -3,7 +3,7 @@
 
 use super::{Accuracy, CHIPS, Costs};
 use crate::Failure;
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use crate::pictures::figures::{Picture, power_of_ten};
 use kuva::plot::LinePlot;
 use kuva::plot::scatter::{MarkerShape, ScatterPlot};

@@ -2,7 +2,7 @@
 
 use super::chart::{Chart, Curve};
 use crate::Failure;
-use crate::cli::Scalar;
+use crate::motion::Scalar;
 use crate::input::builtin;
 use crate::motion::ephemeris::smallest;
 use kuva::render::render::Scene;
