@@ -35,10 +35,12 @@ const NOISE: f64 = 1e-11;
 
 #[pymethods]
 impl PyClosedForm {
-    /// Kind: "regular_precession", "aperiodic", "e3_equals_e4" or "lagrange".
+    /// Kind: "free_body", "pendulum", "regular_precession", "aperiodic", "e3_equals_e4" or "lagrange".
     #[getter]
     fn kind(&self) -> &'static str {
         match self.form {
+            ClosedForm::FreeBody(_) => "free_body",
+            ClosedForm::Pendulum(_) => "pendulum",
             ClosedForm::RegularPrecession(_) => "regular_precession",
             ClosedForm::Aperiodic(_) => "aperiodic",
             ClosedForm::E3EqualsE4(_) => "e3_equals_e4",
