@@ -8,9 +8,9 @@ mod cost;
 mod picture;
 
 use crate::Failure;
-use crate::motion::Scalar;
 use crate::input::builtin;
 use crate::input::random::Random;
+use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyScalar, smallest, ticks_per_time};
 use crate::motion::invariants::{first_integrals, natural_scales};
 use crate::output::progress::Progress;

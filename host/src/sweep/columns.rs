@@ -1,9 +1,9 @@
 //! What is said of each motion.
 
 use super::Motions;
-use crate::motion::Scalar;
 use crate::full_equations::solution;
 use crate::input::scenario::{Scenario, Units};
+use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyScalar, approximate, smallest_with_period};
 use crate::motion::propagate::natural_time;
 use crate::output::names;

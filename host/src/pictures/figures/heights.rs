@@ -2,8 +2,8 @@
 
 use super::chart::{Chart, Curve};
 use crate::Failure;
-use crate::motion::Scalar;
 use crate::input::builtin;
+use crate::motion::Scalar;
 use crate::motion::ephemeris::smallest;
 use kuva::render::render::Scene;
 
