@@ -26,6 +26,7 @@ const PARAMETERS: TopParameters = TopParameters {
     mass: 0.05,
     mass_moment: 0.0,
     gravity: 9.81,
+    rotor_momentum: 0.0,
 };
 
 fn sliding() -> Top {
@@ -128,6 +129,22 @@ fn yaw_without_a_magnetometer_is_said_to_be_undetermined() {
     let tilt = |orientation: Orientation<f64>| orientation.u().acos();
     let off = tilt(found.launch.orientation) - tilt(state.orientation());
     assert!(off.abs() < 2e-3, "{off:e}");
+}
+
+/// Nothing tells how fast an upright top turns if the gyroscope is blind along its axis; a magnetometer does.
+#[test]
+fn the_spin_of_an_upright_top_is_not_believed_without_a_magnetometer() {
+    let sensors: [&dyn Sensor; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
+    for (name, top) in [("sliding", sliding()), ("held", held())] {
+        for (seed, spin) in [-115.0, 180.0, 45.0].into_iter().enumerate() {
+            let state = State::release(&Release { spin, ..Release::default() }).unwrap();
+            let motion = Motion::launch(&top, &state).unwrap();
+            let samples = |count| readings(&motion, &sensors[..count], 300, 17 + seed as u64);
+            let found = fitted(&top, &sensors[..2], &samples(2));
+            assert_eq!(found.reason, Some(Reason::SpinUnknown), "{name} {spin}: {:?}", found.statistics);
+            check(&format!("{name} {spin}"), &fitted(&top, &sensors, &samples(3)), &state);
+        }
+    }
 }
 
 #[test]
