@@ -21,6 +21,8 @@ mod pass;
 
 mod beginning;
 
+mod upright;
+
 mod tracking;
 
 pub use instruments::{
@@ -142,7 +144,7 @@ impl<'a> Fit<'a> {
     {
         let epoch = self.checked(measurements.clone())?;
         self.start(guess);
-        let progress = self.settle(measurements);
+        let progress = self.settle_finally(measurements);
         Ok(self.fitted(epoch, progress))
     }
 
@@ -196,7 +198,7 @@ impl<'a> Fit<'a> {
             self.settle(measurements.clone().take(count));
             count = count.saturating_mul(4);
         }
-        let progress = self.settle(measurements);
+        let progress = self.settle_finally(measurements);
         let mut fitted = self.fitted(epoch, progress);
         fitted.rivals = rivals;
         Ok(fitted)

@@ -6,6 +6,7 @@
 
 mod equations;
 mod extrapolation;
+mod growth;
 mod partials;
 
 pub(crate) use equations::sum as total;
@@ -92,6 +93,7 @@ impl Sensitivity {
             for (grown, initial) in growth.iter_mut().zip(&start.tangents) {
                 *grown = grown.plus(initial, -1.0);
             }
+            let growth = growth::projected(&equations, &start, &growth);
             Some(Period { length, turns, growth })
         });
         sensitivity

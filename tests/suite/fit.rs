@@ -131,6 +131,22 @@ fn yaw_without_a_magnetometer_is_said_to_be_undetermined() {
     assert!(off.abs() < 2e-3, "{off:e}");
 }
 
+/// Nothing tells how fast an upright top turns if the gyroscope is blind along its axis; a magnetometer does.
+#[test]
+fn the_spin_of_an_upright_top_is_not_believed_without_a_magnetometer() {
+    let sensors: [&dyn Sensor; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
+    for (name, top) in [("sliding", sliding()), ("held", held())] {
+        for (seed, spin) in [-115.0, 180.0, 45.0].into_iter().enumerate() {
+            let state = State::release(&Release { spin, ..Release::default() }).unwrap();
+            let motion = Motion::launch(&top, &state).unwrap();
+            let samples = |count| readings(&motion, &sensors[..count], 300, 17 + seed as u64);
+            let found = fitted(&top, &sensors[..2], &samples(2));
+            assert_eq!(found.reason, Some(Reason::SpinUnknown), "{name} {spin}: {:?}", found.statistics);
+            check(&format!("{name} {spin}"), &fitted(&top, &sensors, &samples(3)), &state);
+        }
+    }
+}
+
 #[test]
 fn a_camera_of_the_axis_leaves_the_roll_open() {
     let camera = AxisCamera { deviation: 1e-3 };

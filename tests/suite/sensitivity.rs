@@ -1,7 +1,7 @@
 //! Partial derivatives against central differences of launches in 192 bits.
 
 use toytop::su2::Vector;
-use toytop::{Motion, Sensitivity, State, Top, TopParameters};
+use toytop::{Motion, Sensitivity};
 use toytop_host::truth::exact::{Exact, PreciseOrientation};
 use toytop_host::truth::precise::{Precise, precise, product, to_f64};
 use toytop_host::truth::state_constants::Launched;
@@ -11,65 +11,49 @@ use toytop_tests::tolerance;
 /// Relative change of an input: so small that its square is negligible after a million periods, and exact in `f64` for
 /// inputs with few digits.
 const CHANGE: f64 = 1.0 / (1_u64 << 46) as f64;
-/// Half the time between the two orientations that give a rate, as a share of the shortest time of the motion.
+/// Half the time between the two orientations that give a rate, as a share of the period. With 2⁻³² the errors are a hundred
+/// times as large: they are the truth's own, divided by this time.
 const INSTANT: f64 = 1.0 / (1_u64 << 24) as f64;
 
-/// Name, whether the tip is held, A, C, s, p, g, Φ and ω.
+/// Motion, and whether its tip is held.
 struct Case {
     name: &'static str,
     held: bool,
     numbers: StateNumbers,
 }
 
-fn case(
-    name: &'static str,
-    held: bool,
-    [a, c, s, p, g]: [f64; 5],
-    phi: [[f64; 2]; 2],
-    omega: [f64; 3],
-) -> Case {
+/// Case of A, C, s, p, g and K, of Φ and of ω; s = 0 for a held tip.
+fn case(name: &'static str, top: [f64; 6], phi: [[f64; 2]; 2], omega: [f64; 3]) -> Case {
     // of unit norm to 12 digits, and with few binary digits, so that changes are exact
     let norm = phi.iter().flatten().map(|x| x * x).sum::<f64>().sqrt();
     let few = (1_u64 << 40) as f64;
     let phi = phi.map(|pair| pair.map(|x| (x / norm * few).round() / few));
-    Case { name, held, numbers: StateNumbers { top: [a, c, s, p, g, 0.0], phi, omega } }
+    let [_, _, s, ..] = top;
+    Case { name, held: s == 0.0, numbers: StateNumbers { top, phi, omega } }
 }
 
 /// Numbers with few binary digits, so that their changes are exact.
 fn cases() -> Vec<Case> {
-    let toy = [3.0 / 131_072.0, 2.0 / 131_072.0, 0.03125, 3.0 / 2048.0, 9.8125];
-    let unit = [1.25, 0.75, 0.625, 1.0, 1.0];
+    let toy = [3.0 / 131_072.0, 2.0 / 131_072.0, 0.03125, 3.0 / 2048.0, 9.8125, 0.0];
+    let unit = [1.25, 0.75, 0.625, 1.0, 1.0, 0.0];
     let leaning = [[0.96875, 0.125], [-0.1875, 0.0625]];
     let upright = [[1.0, 0.0], [0.0, 0.0]];
     vec![
-        case("toy top", false, toy, leaning, [-22.5, 4.0, 149.5]),
-        case("slow", false, unit, leaning, [0.25, -0.5, 1.75]),
-        case("held", true, [1.25, 0.75, 0.0, 1.0, 1.0], leaning, [0.25, -0.5, 1.75]),
-        case("hanging low", false, unit, [[0.25, 0.125], [-0.9375, 0.1875]], [0.5, 0.25, -1.0]),
-        case("through the vertical", false, unit, upright, [0.5, 0.0, 4.0]),
-        case("sleeping", false, unit, upright, [0.0, 0.0, 4.0]),
-        case("short leg", false, [0.015625, 0.0234375, 1.0, 1.0, 1.0], leaning, [0.25, -0.5, 12.0]),
+        case("toy top", toy, leaning, [-22.5, 4.0, 149.5]),
+        case("slow", unit, leaning, [0.25, -0.5, 1.75]),
+        case("held", [1.25, 0.75, 0.0, 1.0, 1.0, 0.0], leaning, [0.25, -0.5, 1.75]),
+        case("rotor", [1.25, 0.75, 0.625, 1.0, 1.0, 1.5], leaning, [0.25, -0.5, 0.75]),
+        case("held rotor", [1.25, 0.75, 0.0, 1.0, 1.0, -2.5], leaning, [0.25, -0.5, 0.75]),
+        case("hanging low", unit, [[0.25, 0.125], [-0.9375, 0.1875]], [0.5, 0.25, -1.0]),
+        case("through the vertical", unit, upright, [0.5, 0.0, 4.0]),
+        case("sleeping", unit, upright, [0.0, 0.0, 4.0]),
+        case("short leg", [0.015625, 0.0234375, 1.0, 1.0, 1.0, 0.0], leaning, [0.25, -0.5, 12.0]),
     ]
 }
 
 impl Case {
-    fn top(&self, [a, c, s, p, g, k]: [f64; 6]) -> Top {
-        let parameters = TopParameters {
-            transverse_inertia: a,
-            axial_inertia: c,
-            com_height: s,
-            mass_moment: p,
-            gravity: g,
-            rotor_momentum: k,
-            ..TopParameters::default()
-        };
-        if self.held { Top::fixed(&parameters) } else { Top::sliding(&parameters) }.unwrap()
-    }
-
     fn motion(&self) -> Motion {
-        let [alpha, beta] = self.numbers.phi.map(|[re, im]| toytop::Complex::new(re, im));
-        let state = State::new(toytop::Orientation { alpha, beta }, self.numbers.omega).unwrap();
-        Motion::launch(&self.top(self.numbers.top), &state).unwrap()
+        self.numbers.motion().unwrap()
     }
 
     /// Inputs with one number changed, and the change as multiples of the ten columns: (input, index).
@@ -81,6 +65,9 @@ impl Case {
                 *slot += sign * CHANGE * if *slot == 0.0 { 0.25 } else { slot.abs() };
             }
         }
+        // K/A is no column
+        let [a, .., momentum] = &mut numbers.top;
+        *momentum *= *a / self.numbers.top[0];
         numbers
     }
 
@@ -116,12 +103,21 @@ fn apart(x: Vector<f64>, y: Vector<f64>) -> f64 {
     norm([x[0] - y[0], x[1] - y[1], x[2] - y[2]])
 }
 
-/// Greatest error of θ and η at some times, relative to the greatest of both.
-fn worst(case: &Case, periods: &[f64]) -> f64 {
+/// Greatest error of θ and η, relative to both, and where it is.
+#[derive(Clone, Copy, Debug, Default)]
+struct Worst {
+    error: f64,
+    /// Which of the numbers of Φ, of ω and of the top was changed.
+    input: usize,
+    periods: f64,
+}
+
+/// Greatest error at some times.
+fn worst(case: &Case, periods: &[f64]) -> Worst {
     let motion = case.motion();
     let sensitivity = Sensitivity::of(&motion);
     let period = motion.period_advance().unwrap().period;
-    let mut worst = 0.0_f64;
+    let mut worst = Worst::default();
     for input in 0..12 {
         if case.held && input == 9 {
             continue;
@@ -158,18 +154,14 @@ fn worst(case: &Case, periods: &[f64]) -> f64 {
             let true_theta = now.map(|x| to_f64(&x));
             let true_eta = [0, 1, 2].map(|k| to_f64(&((&after[k] - &before[k]) / (&dt + &dt))));
             let frequency = 2.0 * std::f64::consts::PI / period;
-            let size = norm(true_theta) + norm(true_eta) / frequency;
-            if size == 0.0 {
-                continue; // the orientation means its normalised numbers
-            }
+            // a change that does not move the body, as of A while it sleeps, has no size of its own
+            let size = (norm(true_theta) + norm(true_eta) / frequency).max(1e-9 * CHANGE);
             let error = apart(theta, true_theta) + apart(eta, true_eta) / frequency;
-            worst = worst.max(error / size);
-            assert!(
-                error < 1e-10 * size,
-                "{}, input {input}, {share} periods: {:e}: {theta:?} {true_theta:?} {eta:?} {true_eta:?}",
-                case.name,
-                error / size
-            );
+            // so that NaN counts
+            let is_less = error <= worst.error * size;
+            if !is_less {
+                worst = Worst { error: error / size, input, periods: *share };
+            }
         }
     }
     worst
@@ -177,14 +169,17 @@ fn worst(case: &Case, periods: &[f64]) -> f64 {
 
 #[test]
 fn derivatives_agree_with_differences_of_launches() {
-    let mut worst_of_all = 0.0_f64;
+    let mut worst_of_all = 0.0;
     for case in cases() {
-        // a motion that just misses the vertical depends on its launch so sharply that the difference after a million
-        // periods (4e-8) is not yet attributed to the derivative or to the quotient
-        let far: &[f64] = if case.name == "through the vertical" { &[] } else { &[1000.1, 1e6 + 0.4] };
-        let error = worst(&case, &[&[0.01, 0.3, -0.75, 2.4], far].concat());
-        println!("{}: {error:.1e}", case.name);
-        worst_of_all = worst_of_all.max(error);
+        let found = worst(&case, &[0.01, 0.3, -0.75, 2.4, 1000.1, 1e6 + 0.4]);
+        let Worst { error, input, periods } = found;
+        println!("{}: {error:.1e}, input {input}, {periods} periods", case.name);
+        // its nutation is fast beside its period, and the quotient of the truth is less accurate (see `INSTANT`)
+        if case.name == "short leg" {
+            assert!(error < 3e-10, "{error:e}");
+            continue;
+        }
+        worst_of_all = if found.error <= worst_of_all { worst_of_all } else { found.error };
     }
     tolerance::SENSITIVITY.check("derivatives", worst_of_all);
 }

@@ -96,7 +96,7 @@ impl MeanRates {
     fn rising(motion: &Motion, rounding: f64) -> Self {
         let law = motion.law();
         // cos χ = sech v ≈ 2 e^{-v}
-        let half_period = Extended::from(LONGER * rise_time(&law.cast(), rise(rounding), 64));
+        let half_period = Extended::from(rise_time(&law.cast(), rise(rounding), 256));
         let at_the_top = law.aperiodic_rates(Extended::ONE, Extended::ZERO);
         let half_tau = motion.half_tau();
         let frequency = Extended::ONE / half_period.doubled();
@@ -139,9 +139,6 @@ fn errors(motion: &Motion, mean: &MeanMotion) -> [f64; 3] {
     });
     [frequency * (rule + arithmetic), alpha, beta]
 }
-
-/// Factor of the rise time, so that the interval is long enough in spite of the quadrature's error.
-const LONGER: f64 = 1.005;
 
 /// Variable v at which 1 - u is below `rounding`².
 pub(crate) fn rise(rounding: f64) -> f64 {

@@ -173,7 +173,7 @@ fn from_frame(third: Vector<f64>, first: Vector<f64>) -> Orientation<f64> {
 }
 
 /// Smallest rotation that takes the vertical to this unit vector.
-fn upright_to([x, y, z]: Vector<f64>) -> Orientation<f64> {
+pub(super) fn upright_to([x, y, z]: Vector<f64>) -> Orientation<f64> {
     // below -1 + 1e-12 any horizontal axis serves
     if z < -1.0 + 1e-12 {
         return Orientation::from_quaternion([0.0, 1.0, 0.0, 0.0]);

@@ -70,6 +70,8 @@ pub enum Reason {
     AllSaturated,
     /// Fewer observations than unknowns of a launch.
     TooFew,
+    /// The top stands upright as far as the noise allows to say, and nothing tells its rate about the axis.
+    SpinUnknown,
     /// The measurements do not say where to begin: neither an orientation, nor the axis, nor a direction with rates.
     NoBeginning,
 }
@@ -83,6 +85,7 @@ impl fmt::Display for Reason {
             Self::AtRest => "the top is at rest, held by something that the model does not know",
             Self::AllSaturated => "every component is at the end of its range",
             Self::TooFew => "there are fewer observations than unknowns",
+            Self::SpinUnknown => "the top stands upright, and nothing tells its rate about the axis",
             Self::NoBeginning => {
                 "the measurements do not say where to begin: they need an orientation, an axis, or a direction and rates"
             }

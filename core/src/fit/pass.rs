@@ -35,6 +35,8 @@ pub(super) enum Progress {
     Again,
     Settled,
     Stuck,
+    /// The top stands upright, and its spin is not determined.
+    SpinUnknown,
 }
 
 impl Pass {
@@ -82,18 +84,28 @@ impl Fit<'_> {
     {
         self.restart();
         for _ in 0..MOST_PASSES {
-            for measurement in measurements.clone() {
-                self.add(&measurement);
-                if !self.current.cost.is_finite() {
-                    break;
-                }
-            }
+            self.pass_over(measurements.clone());
             match self.improve() {
                 Progress::Again => {}
                 done => return done,
             }
         }
         Progress::Stuck
+    }
+
+    /// One pass over the measurements with a launch.
+    pub(super) fn pass(&mut self, launch: Launch, measurements: impl Iterator<Item = Measurement>) {
+        self.begin_pass(launch);
+        self.pass_over(measurements);
+    }
+
+    fn pass_over(&mut self, measurements: impl Iterator<Item = Measurement>) {
+        for measurement in measurements {
+            self.add(&measurement);
+            if !self.current.cost.is_finite() {
+                return;
+            }
+        }
     }
 
     /// Adds one measurement to the pass that is under way.
@@ -214,6 +226,8 @@ impl Fit<'_> {
             Some(Reason::TooFew)
         } else if statistics.is_misfit(self.model.count, MISFIT, self.huber) {
             Some(Reason::Misfit)
+        } else if progress == Progress::SpinUnknown {
+            Some(Reason::SpinUnknown)
         } else if progress != Progress::Settled {
             Some(Reason::NotSettled)
         } else {

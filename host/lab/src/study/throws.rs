@@ -142,6 +142,9 @@ pub fn run(random: &mut Random, set: usize, seed: u64) -> Outcome {
         Ok(Fitted { reason: Some(reason), .. }) => Outcome::NotConverged(match reason {
             toytop::fit::Reason::NotSettled => "not settled",
             toytop::fit::Reason::Misfit => "misfit",
+            toytop::fit::Reason::SpinUnknown => "upright and of unknown spin",
+            toytop::fit::Reason::AtRest => "at rest",
+            toytop::fit::Reason::NoBeginning => "without beginning",
             _ => "other",
         }),
         Ok(fitted) => {

@@ -1,0 +1,75 @@
+//! Upright tops whose spin nothing tells.
+//!
+//! While a top stands upright, an accelerometer and a gyroscope do not feel how fast or how far it has turned, if the
+//! rate about the axis is beyond the gyroscope's range. A fit still finds a tilt as small as the noise, and a spin at
+//! which this tilt explains the noise best; the derivatives at that launch promise to determine the spin. So a launch
+//! that cannot be told from an upright one is judged by the derivatives of the upright one.
+
+use crate::fit::Fit;
+use crate::fit::beginning::upright_to;
+use crate::fit::launch::Launch;
+use crate::fit::pass::{Pass, Progress};
+use crate::fit::sensor::{Hint, Measurement};
+use crate::su2::{bracket, dot};
+
+/// Share of the end of the range that an angular velocity beyond it reaches at least: bias, noise and the mounting may
+/// shift it.
+const WITHIN: f64 = 0.9;
+/// Sine of the tilt, and share of ω across the axis, beyond which a launch is not compared with an upright one.
+const NEAR: f64 = 0.1;
+/// Increase of the sum of squares up to which the upright launch explains the measurements as well. It is the best of
+/// many spins that the upright launch is compared with: the largest of a hundred sums of four squares is about 20.
+const CHANCE: f64 = 40.0;
+
+impl Fit<'_> {
+    /// Passes over the measurements until the launch does not change any more, and then looks whether the spin is known.
+    pub(super) fn settle_finally<I>(&mut self, measurements: I) -> Progress
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
+        let progress = self.settle(measurements.clone());
+        let Launch { orientation, omega, .. } = self.best.launch;
+        let found = dot(omega, orientation.axis());
+        let least = measurements.clone().find_map(|measurement| self.least_spin(&measurement));
+        // the axial component of ω is constant, so that one reading at the end of the range bounds it
+        let spin = least.filter(|least| found / least < WITHIN).unwrap_or(found);
+        let unknown = self
+            .upright(spin, measurements)
+            .is_some_and(|pass| self.model.unobservable(&pass.launch, &pass.information).spin);
+        if unknown {
+            Progress::SpinUnknown
+        } else if spin == found {
+            progress
+        } else {
+            Progress::Stuck
+        }
+    }
+
+    /// Lower bound of the magnitude of the angular velocity about the axis, with its sign, that a reading at the end of
+    /// the range gives.
+    fn least_spin(&self, measurement: &Measurement) -> Option<f64> {
+        match self.hint(measurement) {
+            Hint::Rate { omega: [.., low], axial_is_saturated: true } if low != 0.0 => Some(low),
+            _ => None,
+        }
+    }
+
+    /// Pass of the upright launch with this angular velocity about the axis, if it explains the measurements as well as
+    /// the best launch.
+    fn upright(&mut self, spin: f64, measurements: impl Iterator<Item = Measurement>) -> Option<Pass> {
+        let found = self.best.launch;
+        let axis = found.orientation.axis();
+        let across = bracket(found.omega, axis);
+        let [x, y, z] = axis;
+        let near = NEAR * NEAR;
+        if x * x + y * y > near || dot(across, across) > near * dot(found.omega, found.omega) {
+            return None;
+        }
+        let sign = if z < 0.0 { -1.0 } else { 1.0 };
+        let tilt = upright_to(axis.map(|component| sign * component));
+        let orientation = tilt.inverse().compose(&found.orientation);
+        let omega = [0.0, 0.0, sign * spin];
+        self.pass(Launch { orientation, omega, ..found }, measurements);
+        (self.current.cost <= self.best.cost + CHANCE).then_some(self.current)
+    }
+}
