@@ -7,16 +7,17 @@
 use core::hint::black_box;
 
 use panic_never as _;
-use toytop::fixed::types::{I2F14, I2F30};
-use toytop::scalar::Real;
-use toytop::su2::Orientation;
 use toytop::fit::{
     Accelerometer, AxisCamera, Fit, FreeRatio, Gyroscope, Magnetometer, Mark, Measurement, Mounting, Noise,
     OrientationCamera, Sensor, TipCamera,
 };
+use toytop::fixed::types::{I2F14, I2F30};
+use toytop::scalar::Real;
+use toytop::su2::Orientation;
 use toytop::{
     BranchPoints, Complex, Ephemeris, EphemerisScalar, EphemerisView, FirstIntegrals, Level, Motion,
-    ParameterError, Phase, Release, Sampler, Sensitivity, Sign, Signs, Start, State, Stepper, Tick, Top, TopParameters,
+    ParameterError, Phase, Release, Sampler, Sensitivity, Sign, Signs, Start, State, Stepper, Tick, Top,
+    TopParameters,
 };
 
 #[cfg(target_arch = "arm")]
@@ -135,7 +136,8 @@ fn fit(top: &Top) {
     let accelerometer = Accelerometer { noise, mounting, range: unknown() };
     let magnetometer = Magnetometer { noise, mounting, field: [unknown(); 3] };
     let mark = Mark { deviation: unknown(), place: [unknown(); 3] };
-    let (orientation, axis) = (OrientationCamera { deviation: unknown() }, AxisCamera { deviation: unknown() });
+    let (orientation, axis) =
+        (OrientationCamera { deviation: unknown() }, AxisCamera { deviation: unknown() });
     let tip = TipCamera { deviation: unknown(), tip_scale: unknown() };
     let sensors: [[&dyn Sensor; 4]; 2] =
         [[&gyroscope, &accelerometer, &magnetometer, &mark], [&orientation, &axis, &tip, &mark]];

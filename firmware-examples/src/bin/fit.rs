@@ -39,8 +39,11 @@ static FOLLOWER: Mutex<RefCell<Option<Follower>>> = Mutex::new(RefCell::new(None
 #[entry]
 fn main() -> ! {
     let mounting = Mounting::default();
-    let gyroscope =
-        Gyroscope { noise: Noise { deviation: 0.002, bias: 0.0175 }, mounting, range: 0.999 * GYROSCOPE_RANGE };
+    let gyroscope = Gyroscope {
+        noise: Noise { deviation: 0.002, bias: 0.0175 },
+        mounting,
+        range: 0.999 * GYROSCOPE_RANGE,
+    };
     let accelerometer = Accelerometer {
         noise: Noise { deviation: 0.022, bias: 0.2 },
         mounting,
@@ -76,7 +79,9 @@ fn main() -> ! {
 
     let motion = fitted.motion(&top).expect("a possible launch");
     let ephemeris = singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once");
-    ephemeris.set_up(&motion, Tick::hertz(TICK_RATE).expect("a positive rate"), 1e-6).expect("an ordinary motion");
+    ephemeris
+        .set_up(&motion, Tick::hertz(TICK_RATE).expect("a positive rate"), 1e-6)
+        .expect("an ordinary motion");
     let cursor = ephemeris.cursor(0);
     let follower = Follower { ephemeris, cursor, tick: 0 };
     critical_section::with(|cs| FOLLOWER.replace(cs, Some(follower)));
