@@ -83,7 +83,7 @@ fn set_up() -> Result<(), ParameterError> {
     Ok(())
 }
 
-fn tops() -> [Result<Top, ParameterError>; 4] {
+fn tops() -> [Result<Top, ParameterError>; 5] {
     let parameters = || TopParameters {
         transverse_inertia: unknown(),
         axial_inertia: unknown(),
@@ -91,10 +91,17 @@ fn tops() -> [Result<Top, ParameterError>; 4] {
         mass: unknown(),
         mass_moment: unknown(),
         gravity: unknown(),
+        rotor_momentum: unknown(),
     };
     let by_mass = TopParameters { mass_moment: 0.0, ..parameters() };
     let by_moment = TopParameters { mass: 0.0, ..parameters() };
-    [Top::sliding(&by_mass), Top::sliding(&by_moment), Top::fixed(&by_mass), Top::fixed(&by_moment)]
+    [
+        Top::sliding(&by_mass),
+        Top::sliding(&by_moment),
+        Top::fixed(&by_mass),
+        Top::fixed(&by_moment),
+        Top::free(&by_mass),
+    ]
 }
 
 fn release() -> Release {

@@ -69,7 +69,7 @@ fn launch(number: u32) -> Result<(Top, State), ParameterError> {
         .map(|step| f64::from(number.wrapping_add(1).wrapping_mul(step)) / f64::from(u32::MAX));
     // s = 30 mm, p = 1.5e-3 kg m; A/(ps) from 0.01 to 1000
     let (com_height, mass) = (0.03, 0.05);
-    let sliding = number % 2 == 0;
+    let sliding = number.is_multiple_of(2);
     let about_the_centre = mass * com_height * com_height * libm::exp10(5.0 * third - 2.0);
     let of_the_height = if sliding { 0.0 } else { mass * com_height * com_height };
     let parameters = TopParameters {
