@@ -75,7 +75,7 @@ pub const EVENTS_F64: [Budget; 3] = [Budget::of(6e-15), Budget::of(6e-15), Budge
 /// The same in f32.
 pub const EVENTS_F32: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(1e-14)];
 /// The same in fixed point of 32 bits.
-pub const EVENTS_Q31: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(1e-15)];
+pub const EVENTS_Q31: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(1e-14)];
 /// The same in fixed point of 16 bits; the period of a rise to the vertical, which has none, is chosen by the rounding.
 pub const EVENTS_Q15: [Budget; 3] = [Budget::of(3e-4), Budget::of(3e-3), Budget::of(1e-11)];
 
