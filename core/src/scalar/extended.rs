@@ -5,12 +5,15 @@
 //! give the same bits on every processor, and on a chip without a floating-point unit for `f64` they cost a fraction
 //! of the pairs of `f64` that would have this precision: a product takes 16 products of 32-bit words.
 
+mod newton;
+
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::phase::{FRACTION_BITS, Phase, integer_parts, shifted};
-use crate::product::{high_product_of_long, long_product, wide_product};
+use crate::product::wide_product;
 use crate::scalar::{Float, Ring};
+use newton::{inverse_root, reciprocal};
 
 /// Number significand · 2^exponent. Relative error of one operation: below 2^-123.
 ///
@@ -186,64 +189,6 @@ impl Div for Extended {
     }
 }
 
-/// Reciprocal 2^251/d of a divisor in [2^124, 2^125], a few units off, by Newton's method.
-fn reciprocal(divisor: u128) -> u128 {
-    let inverse = u128::from(short_reciprocal(u64::try_from(divisor >> 61).unwrap_or(u64::MAX))) << 64;
-    // 2^125 times the product of divisor and inverse, which is nearly 1
-    let [product, _] = wide_product(divisor << 2, inverse);
-    let [corrected, _] = wide_product(inverse, ((1 << 126) - product) << 2);
-    corrected << 1
-}
-
-/// Reciprocal 2^126/d of a divisor in [2^63, 2^64), with 60 correct bits. Each step of Newton's method computes with as
-/// many bits as it makes correct, and only the first 15 bits come from a division, which is one of 32 bits.
-#[inline(never)]
-fn short_reciprocal(divisor: u64) -> u64 {
-    let word = (divisor >> 32) as u32;
-    // the leading bit is set; said again, so that the compiler knows that the divisor is not 0
-    let first = u32::MAX / ((word >> 16) | (1 << 15));
-    // 2^48 less the product of word and inverse, which is nearly 2^48
-    let rest = (1_i64 << 48) - long_product(word, first) as i64;
-    let second = (i64::from(first) << 15) + ((i64::from(first) * (rest >> 4)) >> 29);
-    let second = u32::try_from(second).unwrap_or(u32::MAX);
-    // 2^63 less the product, which is nearly 2^63
-    let product = long_product(word, second) + (long_product(divisor as u32, second) >> 32);
-    let rest = (1_u64 << 63).wrapping_sub(product) as i64;
-    let third = (u64::from(second) << 31).wrapping_add_signed((i64::from(second) * (rest >> 6)) >> 26);
-    // 2^62 less the product, which is a small number
-    let rest = (1_u64 << 62).wrapping_sub(high_product_of_long(divisor, third)) as i64;
-    third.wrapping_add_signed((rest * (third >> 54) as i64) >> 8)
-}
-
-/// Inverse root 2^189/√x of a number in [2^126, 2^128), with 104 correct bits.
-fn inverse_root(number: u128) -> u128 {
-    let inverse = u128::from(short_inverse_root((number >> 64) as u64)) << 63;
-    // 2^124 times the product of the number and the square of the inverse, which is nearly 1
-    let [scaled, _] = wide_product(number, inverse);
-    let [product, _] = wide_product(scaled << 2, inverse);
-    let [corrected, _] = wide_product(inverse, ((3 << 124) - product) << 2);
-    corrected << 1
-}
-
-/// Inverse root 2^94/√x of a number in [2^62, 2^64), with 52 correct bits, by Newton's method.
-#[inline(never)]
-fn short_inverse_root(number: u64) -> u64 {
-    let word = (number >> 32) as u32;
-    // 2^30 times 2.2 - 1.2 x, which is at most a seventh off
-    let line = 2_362_232_012 - (long_product(word, 1_288_490_189) >> 32) as u32;
-    let short = (0..4).fold(line, |inverse, _| {
-        let square = (long_product(inverse, inverse) >> 32) as u32;
-        // 2^28 times the product of number and square, which is nearly 1
-        let product = (long_product(word, square) >> 32) as u32;
-        (long_product(inverse, (3 << 28) - product) >> 29) as u32
-    });
-    let inverse = u64::from(short) << 32;
-    let square = high_product_of_long(inverse, inverse);
-    // 2^60 times the product, which is nearly 1
-    let product = high_product_of_long(number, square);
-    high_product_of_long(inverse, (3 << 60) - product) << 3
-}
-
 impl PartialOrd for Extended {
     #[inline(never)]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
@@ -377,26 +322,6 @@ mod tests {
             assert!(((root * root - x) / x).abs().to_f64() < TINY);
         }
         assert_eq!(Extended::from(-1e-300).sqrt(), Extended::ZERO);
-    }
-
-    /// The first approximations are as good as they say over their whole range.
-    #[test]
-    fn reciprocals_and_roots_begin_well() {
-        let whole = |number: u128| Extended::normalised(number as i128, 0);
-        let (mut worst, steps) = ([0.0_f64; 2], if cfg!(miri) { 300 } else { 100_000 });
-        for k in 0..=steps {
-            let divisor = (1 << 63) + k * ((u64::MAX >> 1) / steps);
-            let exact = whole(1 << 126) / whole(divisor.into());
-            let found = whole(short_reciprocal(divisor).into());
-            let number = (1 << 62) + k * ((u64::MAX - (1 << 62)) / steps);
-            let root = whole(short_inverse_root(number).into());
-            let square = root * root * whole(number.into()) / whole(1 << 126);
-            let errors =
-                [found / exact - Extended::ONE, square.halved().halved() - Extended::from(2_f64.powi(60))];
-            let [reciprocal, root] = errors.map(|error| error.abs().to_f64());
-            worst = [worst[0].max(reciprocal), worst[1].max(root * 2_f64.powi(-61))];
-        }
-        assert!((1e-20..8e-19).contains(&worst[0]) && (1e-18..3e-16).contains(&worst[1]), "{worst:?}");
     }
 
     #[test]
