@@ -168,7 +168,7 @@ fn events_go_on_for_ever() {
     assert_eq!(view.tip_angles(Phase::QUARTER, i64::MAX - 3).next(), None);
 }
 
-/// What does not happen has no event: a precession does not turn, a level above e₂ is not crossed, a vertical axis has no tip angle.
+/// An event that does not happen is not found: a precession does not turn, a level above e₂ is not crossed, a vertical axis has no tip angle.
 #[test]
 fn what_does_not_happen_has_no_event() {
     let steady = vectors::named("regular_precession").motion().unwrap();

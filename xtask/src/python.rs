@@ -11,9 +11,9 @@ use crate::process::{cargo, root, run, run_within};
 
 const FOLDER: &str = "host/python";
 
-/// What builds and tests the package.
+/// Python packages that build and test ours.
 const TOOLS: &[&str] = &["maturin>=1.9,<2", "numpy", "scipy>=1.12", "pytest>=8", "mypy>=1.15"];
-/// What the figures and the notebooks need besides.
+/// Python packages that the figures and the notebooks need besides.
 const MORE: &[&str] =
     &["heyoka>=7", "matplotlib", "dask[array]", "pyarrow", "ipykernel", "nbclient", "nbconvert"];
 

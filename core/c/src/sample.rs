@@ -119,7 +119,7 @@ pub(crate) unsafe fn cursor<R: Tabulated>(
     unsafe { keep(place, view::<R>(table)?.cursor(first)) }
 }
 
-/// What `quantity` takes from the next sample of a cursor.
+/// Numbers of `quantity` at the next sample of a cursor.
 ///
 /// # Safety
 /// As for [`at_tick`].

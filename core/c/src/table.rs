@@ -123,7 +123,7 @@ const fn size_of_table<R: Tabulated>(segments: usize) -> usize {
         + segments * size_of::<R::Segment>()
 }
 
-// What the header states. The alignment is that of the words of a table; cbindgen takes no other length than a number.
+// Assertions of the figures in the header. The alignment is that of the words of a table; cbindgen takes no other length than a number.
 const _: () = {
     assert!(size_of::<toytop_ephemeris_f32>() == TOYTOP_EPHEMERIS_F32_SIZE);
     assert!(size_of::<toytop_ephemeris_f64>() == TOYTOP_EPHEMERIS_F64_SIZE);

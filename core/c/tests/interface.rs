@@ -53,7 +53,7 @@ fn text(error: &toytop_error) -> &str {
     unsafe { CStr::from_ptr(error.text.as_ptr()) }.to_str().expect("ASCII")
 }
 
-/// What a function writes, and its status.
+/// Value that a function writes, and its status.
 fn told<T: Copy + Default>(call: impl FnOnce(*mut T) -> toytop_status) -> T {
     let mut value = T::default();
     assert_eq!(call(&raw mut value), TOYTOP_OK);

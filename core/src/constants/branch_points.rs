@@ -43,7 +43,7 @@ pub struct BranchPoints<F = f64> {
 /// would overflow.
 pub(crate) const LARGEST_E3: f64 = 1e14;
 
-/// What a body is told that turns too fast for [`LARGEST_E3`].
+/// Allowed range in the refusal of a body that turns too fast for [`LARGEST_E3`].
 pub(crate) const TOO_FAST: &str = "slow enough for e3 <= 1e14 (faster, a body feels no torque: support = \"free\", Top::free, is then exact)";
 
 impl BranchPoints {

@@ -70,7 +70,7 @@ enum Piece {
     Result,
 }
 
-/// What is known about a segment from its polynomial of α.
+/// Errors and slopes of a segment, from its polynomials of α and β so far.
 #[derive(Clone, Copy, Debug, Default)]
 struct SegmentErrors {
     /// Sum of the squares of the truncation errors.

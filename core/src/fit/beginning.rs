@@ -16,7 +16,7 @@ const MOST_GUESSES: usize = 24;
 /// Rates about the axis that are tried on each side of 0, where nothing tells it.
 const TRIED: usize = 12;
 
-/// What is known at one instant.
+/// State of the motion at one instant.
 #[derive(Clone, Copy, Debug, Default)]
 struct Instant {
     time: f64,

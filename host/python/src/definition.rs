@@ -1,4 +1,4 @@
-//! How a motion was given, to full precision.
+//! Numbers that a motion was made from, to full precision.
 
 use crate::error::{failed, refused};
 use pyo3::prelude::*;

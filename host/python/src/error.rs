@@ -1,4 +1,4 @@
-//! What is refused, as exceptions: `ValueError`, whose message begins with the parameter.
+//! Refusals as exceptions: `ValueError`, whose message begins with the parameter.
 
 use pyo3::PyErr;
 use pyo3::exceptions::{PyOSError, PyValueError};

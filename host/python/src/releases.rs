@@ -8,7 +8,7 @@ use toytop::Release;
 /// Numbers of a release by their names.
 const NAMES: [&str; 6] = ["tilt", "spin", "precession", "nutation", "azimuth", "roll"];
 
-/// How many of the names must be given: the first two.
+/// Number of the names, from the first, that must be given.
 const REQUIRED: usize = 2;
 
 /// Releases: a mapping from names to numbers or one-dimensional arrays, or a sequence of mappings to numbers.

@@ -23,7 +23,7 @@ pub(crate) struct Samples {
     kept: [PyOnceLock<Py<Numbers>>; Quantity::COUNT],
 }
 
-/// Where samples are from.
+/// Source of samples.
 pub(crate) enum Source {
     /// Table, which is evaluated on demand.
     Table(Arc<Table>),

@@ -299,7 +299,7 @@ impl PyTop {
     }
 }
 
-/// What pickle keeps: a function, and its arguments.
+/// Function and arguments by which pickle makes a top again.
 type Reduced<'py> = (Bound<'py, PyAny>, (&'static str, Bound<'py, PyDict>));
 
 fn sign(name: &str, number: f64) -> PyResult<Sign> {

@@ -1,4 +1,4 @@
-//! How far values that others printed are off the reference.
+//! Errors of values that others printed, against the reference.
 
 use super::conventions::Quantity;
 use super::{Printed, Problem};

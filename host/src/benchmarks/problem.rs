@@ -34,7 +34,7 @@ pub struct Printed {
     pub by: String,
     /// Time, as text.
     pub t: String,
-    /// What.
+    /// Quantity of these numbers.
     pub quantity: Quantity,
     /// Numbers, in the source's conventions.
     pub values: Vec<f64>,

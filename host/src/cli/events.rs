@@ -27,7 +27,7 @@ pub struct EventsArgs {
 /// Kind of event, as it was asked for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kind {
-    /// What happens.
+    /// Kind of the event.
     pub what: What,
     /// Only upward, or only downward; `None` for both.
     pub upward: Option<bool>,
@@ -35,7 +35,7 @@ pub struct Kind {
     pub text: String,
 }
 
-/// What happens at an event.
+/// Kinds of event.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum What {
     /// u turns.

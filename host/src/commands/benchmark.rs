@@ -143,7 +143,7 @@ fn shown(cell: &Cell) -> String {
     }
 }
 
-/// What others printed, and how far it is off.
+/// Values that others printed, and their errors.
 fn printed(problem: &Problem) -> String {
     let mut lines = vec![["printed by", "t", "quantity", "off by"].map(str::to_owned).to_vec()];
     for printed in &problem.printed {

@@ -48,7 +48,7 @@ pub(super) fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     Ok(Report { text, ..Report::default() }.with_remarks(doubts, arguments.format == Format::Table))
 }
 
-/// What is judged by what.
+/// Results, and the scenario that they are judged by.
 struct Task<'a> {
     scenario: Scenario,
     results: Vec<&'a PathBuf>,

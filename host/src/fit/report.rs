@@ -1,4 +1,4 @@
-//! What is said of a fitted launch, and the scenario that it becomes.
+//! Report of a fitted launch, and the scenario that it becomes.
 
 use super::sensors::Sensors;
 use crate::Failure;

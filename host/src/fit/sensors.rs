@@ -34,7 +34,7 @@ pub const KINDS: [Kind; 7] = [
 pub struct Instrument {
     /// Kind of the sensor.
     pub kind: Kind,
-    /// What the core fits by.
+    /// Sensor of the core.
     pub sensor: Box<dyn Sensor + Send + Sync>,
     /// Standard deviations of a simulated bias and of the noise of one reading.
     pub noise: Noise,

@@ -18,7 +18,7 @@ pub fn first_integrals(top: &Top, alpha: Complex<f64>, beta: Complex<f64>, omega
     [a * w3 + ((c - a) * axial + k) * u, c * axial + k, kinetic + p * g * u]
 }
 
-/// Of l, n and h: the greatest of the motion's own, of what the top's weight makes natural, √(2 A p g) and p g, and of √(2 A h),
+/// Scales of l, n and h: the greatest of the motion's own, of what the top's weight makes natural, √(2 A p g) and p g, and of √(2 A h),
 /// the momentum of a body that has all its energy in a motion of the axis.
 #[must_use]
 pub fn natural_scales(motion: &Motion) -> [f64; 3] {

@@ -32,7 +32,7 @@ fn turning_points_are_half_a_period_apart() {
     assert!(times[0] >= 1e6 && times[0] < 1e6 + 0.5 * period, "{times:?}");
 }
 
-/// What an event says is what `state` says of its time.
+/// The numbers of an event are those of `state` at its time.
 #[test]
 fn the_state_at_an_event_is_what_was_asked_for() {
     let file = sample("figure_3_loops");

@@ -1,4 +1,4 @@
-//! What 200 launches cost on a chip, slow, fast, upright, hanging and slender tops among them.
+//! Costs of 200 launches on a chip, slow, fast, upright, hanging and slender tops among them.
 //!
 //! QEMU runs with one nanosecond an instruction, so that a timer counts instructions (a Cortex-M's SysTick in units of 40
 //! at 25 MHz, RISC-V's counter each one). One line a launch: `SCALAR NUMBER RESULT motion INSTRUCTIONS table INSTRUCTIONS slice

@@ -16,7 +16,7 @@ pub fn split_files(label: &Label, parts: &Parts) -> Vec<(String, String)> {
     ]
 }
 
-/// The same as a library of Arduino and PlatformIO, with an example.
+/// Files of a library for Arduino and PlatformIO, with an example.
 #[must_use]
 pub fn arduino_files(label: &Label, parts: &Parts) -> Vec<(String, String)> {
     let name = label.c_name();

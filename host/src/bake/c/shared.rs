@@ -1,4 +1,4 @@
-//! What all tables in C share: types, and the functions that evaluate a table.
+//! Types and functions that all tables in C share, and that evaluate a table.
 
 use super::{decimal, integer};
 use crate::motion::Scalar;
@@ -17,7 +17,7 @@ struct Part {
     functions: String,
 }
 
-/// What a public function begins with.
+/// Beginning of a public function in the sources.
 const API: &str = "TOYTOP_API ";
 
 /// Phases, the same for every scalar.

@@ -71,7 +71,7 @@ impl FullTop {
     }
 }
 
-/// What the motion depends on: A, C, p s, p g and K, here in whatever units of inertia and time the caller
+/// Parameters of the motion: A, C, p s, p g and K, here in whatever units of inertia and time the caller
 /// chose.
 #[derive(Debug, Clone, Copy)]
 pub struct Equations {

@@ -3,7 +3,7 @@
 use super::TimedSample;
 use toytop::{EphemerisScalar, EphemerisView, Event, Level, Phase};
 
-/// What is searched for.
+/// Event that is searched for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sought {
     /// Turning points of u.

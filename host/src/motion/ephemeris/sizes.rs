@@ -34,7 +34,7 @@ impl Sizes {
         }
     }
 
-    /// What a refusal misses, and what would fit.
+    /// Text of a refusal, with the number of segments that would fit.
     fn explain(&self, refusal: &TableTooSmall, motion: &Motion) -> String {
         let fit = match (self.needed)(motion, self.truncation) {
             Some(segments) => format!("{segments} segments of this degree would fit"),

@@ -1,4 +1,4 @@
-//! What `toytop bake` writes in C, compiled by the compilers that are here: it gives the bits of the crate, whatever the standard, and
+//! Tables in C by `toytop bake`, compiled by the compilers that are here: they give the bits of the crate, whatever the standard, and
 //! where a compiler would fuse products and sums.
 
 use super::cases::{Case, RATES, RUNS, assert_equal, assert_lines, cases};
@@ -35,7 +35,7 @@ fn fusing() -> Vec<&'static str> {
     flags
 }
 
-/// What a program prints, compiled by each C compiler in C99, and by default with fused products.
+/// Output of a program, compiled by each C compiler in C99, and by default with fused products.
 fn printed(folder: &Path, source: &str, files: &[PathBuf]) -> Vec<String> {
     let [code, program] = ["main.c", "main"].map(|name| folder.join(name));
     std::fs::write(&code, source).expect("the source");

@@ -21,7 +21,7 @@ pub(crate) struct Case {
     pub(crate) rates: fn(&str, [u32; 2]) -> String,
 }
 
-/// What makes the cases of a scalar and a size.
+/// Function that makes the cases of a scalar and a size.
 fn case<R: Bits, const S: usize>(
     scalar: &'static str,
     size: &'static str,
@@ -88,7 +88,7 @@ fn table<R: Bits, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) -> Box
     table
 }
 
-/// How many ticks [`Case::rates`] has, and how many of them are about the ends of an aperiodic motion.
+/// Number of ticks in [`Case::rates`], and number of those about the ends of an aperiodic motion.
 pub(crate) const RATES: (u32, u32) = (500, 40);
 
 fn rates<R: Bits, const S: usize>(file: &str, tick: [u32; 2]) -> String {
@@ -212,7 +212,7 @@ pub(crate) fn assert_equal(printed: &str, cases: &[Case]) {
     assert_lines(printed, cases, |case| (case.truth)(&case.file, case.tick));
 }
 
-/// What a program printed, against what is expected of each case.
+/// Comparison of a program's output with the expected one of each case.
 pub(crate) fn assert_lines(printed: &str, cases: &[Case], expected: impl Fn(&Case) -> String) {
     let mut printed = printed.lines();
     for case in cases {

@@ -1,4 +1,4 @@
-//! What `toytop bake` writes in Rust, compiled by cargo: it gives the bits of the crate.
+//! Tables in Rust by `toytop bake`, compiled by cargo: they give the bits of the crate.
 
 use super::cases::{Case, RUNS, assert_equal, cases};
 use crate::{folder, run, stderr, stdout};
