@@ -26,7 +26,6 @@ pub(crate) fn check() -> Result<String> {
     let Some(environment) = Environment::provided(TOOLS)? else {
         return Ok("not here: it takes Python 3.10 with venv, and a package index that pip reaches".into());
     };
-    run(&mut cargo(FOLDER, "fmt --check"))?;
     run(cargo(FOLDER, "clippy --profile quick --all-targets")
         .args(["--", "-D", "warnings"])
         .env("CARGO_TARGET_DIR", target()))?;

@@ -50,7 +50,7 @@ await set('spin-field', 'NaN', 'change');
 facts['what is no spin is answered'] = message().includes('Spin') && Number.isFinite(scene.shown.spin);
 const inertia = scene.shown.C;
 await set('axial_inertia-field', '1e3', 'change');
-facts['what the core refuses is answered and changes nothing'] = message().startsWith('axial inertia: must be at most twice') && scene.shown.C === inertia;
+facts['what the core refuses is answered and changes nothing'] = message().startsWith('axial inertia: must be between 0 and twice') && scene.shown.C === inertia;
 await set('spin-field', '123', 'change');
 facts['a field sets the spin and clears the message'] = Math.abs(scene.shown.spin - 123) < 1e-12 && message() === '';
 await set('e1', '0.1', 'input');
