@@ -13,6 +13,8 @@
 //! neither 1 - u nor 1 + u in a denominator. Set-up integrates this law over a period, and the stepper integrates it
 //! over a time step.
 
+pub(crate) mod amplitude;
+
 mod block;
 
 mod turning;

@@ -6,7 +6,8 @@ use crate::cayley_klein::Brackets;
 use crate::constants::{BranchPoints, Signs};
 use crate::law::Law;
 use crate::scalar::{Extended, Float, Ring};
-use quadrature::Quadrature;
+pub(crate) use quadrature::Quadrature;
+use quadrature::Integrals;
 
 /// Nutation period, and advance of α and β over one period in turns, whole turns included.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +69,13 @@ impl MeanMotion {
         signs: Signs,
         half_tau: Extended,
     ) -> Self {
-        Self::of_integrals(Quadrature::over_period(law, e), e, signs, half_tau)
+        let mut quadrature = Quadrature::new(law, e);
+        let integrals = loop {
+            if let Some(integrals) = quadrature.proceed() {
+                break integrals;
+            }
+        };
+        Self::of_integrals(integrals, e, signs, half_tau)
     }
 
     /// Mean motion of a body without torque, whose χ has a constant rate.
@@ -79,12 +86,12 @@ impl MeanMotion {
         half_tau: Extended,
     ) -> Self {
         let psi = Extended::ZERO;
-        let integrals = Quadrature { period, psi_alpha: psi, psi_beta: psi, relative_error: 0.0, nodes: 1 };
+        let integrals = Integrals { period, psi_alpha: psi, psi_beta: psi, relative_error: 0.0, nodes: 1 };
         Self::of_integrals(integrals, e, signs, half_tau)
     }
 
     fn of_integrals(
-        quadrature: Quadrature<Extended>,
+        integrals: Integrals,
         e: &BranchPoints<Extended>,
         signs: Signs,
         half_tau: Extended,
@@ -92,17 +99,17 @@ impl MeanMotion {
         let brackets = Brackets::<f64>::swinging(e, signs);
         let winding = [brackets.alpha.winding(), brackets.beta.winding()];
         let [alpha_winding, beta_winding] = winding.map(|sense| Extended::from(0.5 * f64::from(sense)));
-        let slow = half_tau * quadrature.period;
+        let slow = half_tau * integrals.period;
         let advance = PeriodAdvance {
-            period: quadrature.period,
-            alpha_turns: (quadrature.psi_alpha + slow).in_turns() + alpha_winding,
-            beta_turns: (quadrature.psi_beta - slow).in_turns() + beta_winding,
+            period: integrals.period,
+            alpha_turns: (integrals.psi_alpha + slow).in_turns() + alpha_winding,
+            beta_turns: (integrals.psi_beta - slow).in_turns() + beta_winding,
             // the terms ±τT/2 of α and β cancel
-            phi: quadrature.psi_alpha
-                + quadrature.psi_beta
+            phi: integrals.psi_alpha
+                + integrals.psi_beta
                 + Extended::TWO_PI * (alpha_winding + beta_winding),
         };
-        let Quadrature { psi_alpha, psi_beta, relative_error, nodes, .. } = quadrature;
+        let Integrals { psi_alpha, psi_beta, relative_error, nodes, .. } = integrals;
         Self { advance, winding, psi: [psi_alpha, psi_beta], relative_error, nodes }
     }
 }

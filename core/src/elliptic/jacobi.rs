@@ -85,6 +85,14 @@ impl Jacobi {
     }
 }
 
+/// Squares sn² u and cn² u, and dn u.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct AmplitudeSquares<F> {
+    pub(crate) sn: F,
+    pub(crate) cn: F,
+    pub(crate) dn: F,
+}
+
 /// Sequence of Landen transformations of one parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Landen<F> {
@@ -122,6 +130,27 @@ impl<F: Float> Landen<F> {
         let half_pi = F::from_f64(core::f64::consts::FRAC_PI_2) + F::from_f64(6.123233995736766e-17);
         let changing = self.steps.iter().take_while(|(modulus, _)| *modulus > F::ZERO);
         changing.fold(half_pi, |product, &(modulus, _)| product * (F::ONE + modulus))
+    }
+
+    /// Squares at u = 2 K φ/π, from sin φ and cos φ, with one division: sn² and cn² are kept as fractions X/W and Y/W.
+    pub(crate) fn squares_at_angle(&self, sine: F, cosine: F) -> AmplitudeSquares<F> {
+        let (mut x, mut y, mut w) = (sine.squared(), cosine.squared(), F::ONE);
+        let (mut sum, mut difference) = (F::ONE, F::ONE);
+        for &(modulus, rest) in self.steps.iter().rev() {
+            if modulus == F::ZERO {
+                continue;
+            }
+            let share = modulus * x;
+            sum = w + share;
+            // W - k X = (1 - k) W + k Y, in the form with the smaller rounding error
+            difference = if rest > F::from_f64(0.125) { w - share } else { rest * w + modulus * y };
+            y = y * (difference + rest * share);
+            x = (F::ONE + modulus).squared() * x * w;
+            w = sum.squared();
+        }
+        let per_sum = F::ONE / sum;
+        let per_w = per_sum.squared();
+        AmplitudeSquares { sn: x * per_w, cn: y * per_w, dn: difference * per_sum }
     }
 
     /// (sn u, cn u, dn u) at u = 2 K φ/π, from sin φ and cos φ. No transcendental function is needed, so any

@@ -3,20 +3,20 @@
 //! With χ = am(v | m), m = (e₂ - e₁)/(e₃ - e₁), the integrands are smooth periodic functions of v without a boundary
 //! layer near the separatrix, so the trapezoid rule converges geometrically. sn and cn come from the descending
 //! Landen transformation, with the *complementary* parameter m₁ = (e₃ - e₂)/(e₃ - e₁) as an argument. At its lower
-//! end the nodes are equidistant angles, so no inverse function and no transcendental function is needed, and any
-//! [`Float`] can be used.
+//! end the nodes are equidistant angles, so no inverse function and no transcendental function is needed.
 
 use crate::constants::BranchPoints;
 use crate::elliptic::jacobi::Landen;
 use crate::law::Law;
-use crate::scalar::Float;
+use crate::law::amplitude::AmplitudeLaw;
+use crate::scalar::{Extended, Float, Ring};
 
 /// Integrals over one period: T, and ψ_A(T) and ψ_B(T) in rad.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Quadrature<F> {
-    pub(crate) period: F,
-    pub(crate) psi_alpha: F,
-    pub(crate) psi_beta: F,
+pub(crate) struct Integrals {
+    pub(crate) period: Extended,
+    pub(crate) psi_alpha: Extended,
+    pub(crate) psi_beta: Extended,
     /// Error of the trapezoid rule, estimated from its last change: relative to the period, and relative to |ψ_A| +
     /// |ψ_B|.
     pub(crate) relative_error: f64,
@@ -30,42 +30,97 @@ const MOST_NODES: u32 = 1 << 16;
 /// because 10⁹ periods multiply it by 10⁹.
 const SETTLED: f64 = 1e-15;
 
-impl<F: Float> Quadrature<F> {
-    /// Integrals of `law` over one period. Relative error: about 1e-30 in extended precision, about 1e-15 in `f64`, unless
-    /// A/(ps) < 1e-4 and the motion reaches the vertical, where the number of nodes is limited.
-    pub(crate) fn over_period(law: &Law<F>, e: &BranchPoints<F>) -> Self {
-        let jacobi = Landen::of(e.e2_minus_e1 / e.e3_minus_e1(), e.e3_minus_e2 / e.e3_minus_e1());
-        // The sums begin with the two ends of the half period, with half weight each; then the odd nodes between are
-        // added, with twice as many at each step.
-        let mut sums =
-            Sums::at(law, &jacobi, F::ZERO, F::ONE).plus(&Sums::at(law, &jacobi, F::ONE, F::ZERO)).halved();
-        let mut nodes = 1_u32;
-        let (mut step_sine, mut step_cosine) = (F::ONE, F::ZERO); // of π/2 over the number of nodes
-        let mut before = f64::INFINITY;
-        let relative_error = loop {
-            (step_sine, step_cosine) = half_angle(step_sine, step_cosine);
-            let odd = Sums::at_odd_nodes(law, &jacobi, nodes, step_sine, step_cosine);
-            // difference of the trapezoid sums with `nodes` and with twice as many nodes
-            let difference = odd.plus(&sums.negated());
-            sums = sums.plus(&odd);
-            nodes *= 2;
-            let change = difference.relative_to(&sums).to_f64();
-            if nodes >= MOST_NODES {
-                break change;
-            }
-            if nodes >= 8 && change <= SETTLED {
-                break remaining_error(change, before);
-            }
-            before = change;
+/// Trapezoid sums over half a period, to which one node is added at a time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Quadrature {
+    law: AmplitudeLaw<Extended>,
+    jacobi: Landen<Extended>,
+    /// Sums over `nodes` nodes; the ends of the half period have half weight.
+    sums: Sums,
+    nodes: u32,
+    /// Sums over the first `odd_nodes` nodes between them.
+    odd: Sums,
+    odd_nodes: u32,
+    /// Sine and cosine of the angle between two nodes, of half of it, and of the next node's angle.
+    step: [Extended; 2],
+    half_step: [Extended; 2],
+    angle: [Extended; 2],
+    /// Relative change by the doubling before the last one.
+    before: f64,
+}
+
+impl Quadrature {
+    /// Sums with the two ends of the half period.
+    pub(crate) fn new(law: &Law<Extended>, e: &BranchPoints<Extended>) -> Self {
+        let (zero, one) = (Extended::ZERO, Extended::ONE);
+        let mut quadrature = Self {
+            law: AmplitudeLaw::new(law),
+            jacobi: Landen::of(e.e2_minus_e1 / e.e3_minus_e1(), e.e3_minus_e2 / e.e3_minus_e1()),
+            sums: Sums::ZERO,
+            nodes: 1,
+            odd: Sums::ZERO,
+            odd_nodes: 0,
+            step: [zero, -one],
+            half_step: [one, zero],
+            angle: [zero, one],
+            before: f64::INFINITY,
         };
+        quadrature.sums = quadrature.at([zero, one]).plus(&quadrature.at([one, zero])).halved();
+        quadrature.begin_odd_nodes();
+        quadrature
+    }
+
+    /// Adds a node. Returns the integrals once the sums have settled. Relative error: about 1e-30, unless A/(ps) < 1e-4 and
+    /// the motion reaches the vertical, where the number of nodes is limited.
+    pub(crate) fn proceed(&mut self) -> Option<Integrals> {
+        let ([s, c], [step_sine, step_cosine]) = (self.angle, self.step);
+        self.odd = self.odd.plus(&self.at([s, c]));
+        self.odd_nodes += 1;
+        if self.odd_nodes < self.nodes {
+            self.angle = [s * step_cosine + c * step_sine, c * step_cosine - s * step_sine];
+            return None;
+        }
+        // difference of the trapezoid sums with `nodes` and with twice as many nodes
+        let difference = self.odd.plus(&self.sums.negated());
+        self.sums = self.sums.plus(&self.odd);
+        self.nodes *= 2;
+        let change = difference.relative_to(&self.sums, &self.law.factors()).to_f64();
+        if self.nodes >= MOST_NODES {
+            return Some(self.integrals(change));
+        }
+        if self.nodes >= 8 && change <= SETTLED {
+            return Some(self.integrals(remaining_error(change, self.before)));
+        }
+        self.before = change;
+        self.begin_odd_nodes();
+        None
+    }
+
+    fn begin_odd_nodes(&mut self) {
+        let [sine, cosine] = self.half_step;
+        let half_cosine = (Extended::ONE + cosine).halved().sqrt();
+        self.step = self.half_step;
+        self.half_step = [sine / half_cosine.doubled(), half_cosine];
+        self.angle = self.half_step;
+        (self.odd, self.odd_nodes) = (Sums::ZERO, 0);
+    }
+
+    /// Integrands at a node, of which sine and cosine are given.
+    #[inline(never)]
+    fn at(&self, [sine, cosine]: [Extended; 2]) -> Sums {
+        Sums(self.law.at(&self.jacobi.squares_at_angle(sine, cosine)))
+    }
+
+    fn integrals(&self, relative_error: f64) -> Integrals {
         // The two halves of the period are equal: 2 K over the number of nodes is twice the weight of half a period.
-        let weight = jacobi.quarter_period().doubled() / F::from_f64(f64::from(nodes));
-        Self {
-            period: sums.time * weight,
-            psi_alpha: sums.alpha * weight,
-            psi_beta: sums.beta * weight,
+        let weight = self.jacobi.quarter_period().doubled() / Extended::from(f64::from(self.nodes));
+        let (Sums([time, alpha, beta]), [of_time, of_alpha, of_beta]) = (self.sums, self.law.factors());
+        Integrals {
+            period: time * of_time * weight,
+            psi_alpha: alpha * of_alpha * weight,
+            psi_beta: beta * of_beta * weight,
             relative_error,
-            nodes,
+            nodes: self.nodes,
         }
     }
 }
@@ -80,59 +135,35 @@ fn remaining_error(change: f64, before: f64) -> f64 {
     change * (3.0 * change + 30.0 * ratio * ratio)
 }
 
-/// sin and cos of half an angle in the first quadrant.
-fn half_angle<F: Float>(sine: F, cosine: F) -> (F, F) {
-    let half_cosine = (F::ONE + cosine).halved().sqrt();
-    (sine / half_cosine.doubled(), half_cosine)
-}
+/// Sums of the integrands over a set of nodes: of t, ψ_A and ψ_B, without their constant factors.
+#[derive(Clone, Copy, Debug)]
+struct Sums([Extended; 3]);
 
-/// Sums of the integrands over a set of nodes.
-#[derive(Clone, Copy)]
-struct Sums<F> {
-    time: F,
-    alpha: F,
-    beta: F,
-}
-
-impl<F: Float> Sums<F> {
-    fn at(law: &Law<F>, jacobi: &Landen<F>, sine: F, cosine: F) -> Self {
-        let (sn, cn, _) = jacobi.at_angle(sine, cosine);
-        let time = law.time_per_amplitude(sn, cn);
-        let rates = law.rates(sn, cn);
-        Self { time, alpha: rates.alpha * time, beta: rates.beta * time }
-    }
-
-    /// Sums over the `nodes` angles (2j + 1) δ, given sin δ and cos δ.
-    fn at_odd_nodes(law: &Law<F>, jacobi: &Landen<F>, nodes: u32, sine: F, cosine: F) -> Self {
-        let double_sine = (sine * cosine).doubled();
-        let double_cosine = (cosine - sine) * (cosine + sine);
-        let (mut s, mut c) = (sine, cosine);
-        let mut sums = Self::at(law, jacobi, s, c);
-        for _ in 1..nodes {
-            (s, c) = (s * double_cosine + c * double_sine, c * double_cosine - s * double_sine);
-            sums = sums.plus(&Self::at(law, jacobi, s, c));
-        }
-        sums
-    }
+impl Sums {
+    const ZERO: Self = Self([Extended::ZERO; 3]);
 
     fn plus(&self, other: &Self) -> Self {
-        Self { time: self.time + other.time, alpha: self.alpha + other.alpha, beta: self.beta + other.beta }
+        let (Self([time, alpha, beta]), Self(others)) = (*self, *other);
+        let [other_time, other_alpha, other_beta] = others;
+        Self([time + other_time, alpha + other_alpha, beta + other_beta])
     }
 
     fn negated(&self) -> Self {
-        Self { time: -self.time, alpha: -self.alpha, beta: -self.beta }
+        Self(self.0.map(|sum| -sum))
     }
 
     fn halved(&self) -> Self {
-        Self { time: self.time.halved(), alpha: self.alpha.halved(), beta: self.beta.halved() }
+        Self(self.0.map(|sum| sum.halved()))
     }
 
     /// Largest change relative to a total. The slow phases are compared with the sum of their totals.
-    fn relative_to(&self, total: &Self) -> F {
-        let slow = total.alpha.abs() + total.beta.abs();
-        let time = self.time.abs() / total.time.abs();
-        let slow_change = self.alpha.abs() + self.beta.abs();
-        let slow = if slow > F::ZERO { slow_change / slow } else { F::ZERO };
+    fn relative_to(&self, total: &Self, [_, of_alpha, of_beta]: &[Extended; 3]) -> Extended {
+        let magnitudes = |Self([time, alpha, beta]): &Self| {
+            (time.abs(), (*alpha * *of_alpha).abs() + (*beta * *of_beta).abs())
+        };
+        let ((time_change, slow_change), (time, slow)) = (magnitudes(self), magnitudes(total));
+        let time = time_change / time;
+        let slow = if slow > Extended::ZERO { slow_change / slow } else { Extended::ZERO };
         if time > slow { time } else { slow }
     }
 }
