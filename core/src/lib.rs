@@ -90,7 +90,7 @@ pub use events::{Crossings, Event, Level, TipAngles};
 #[cfg(feature = "fixed")]
 pub use fixed;
 pub use mean_motion::PeriodAdvance;
-pub use motion::{Motion, Start};
+pub use motion::{Launch, Motion, Start};
 pub use phase::Phase;
 pub use sensitivity::{Partials, Sensitivity, SensitivityCursor};
 pub use state::{Release, State};

@@ -4,10 +4,8 @@ mod quadrature;
 
 use crate::cayley_klein::Brackets;
 use crate::constants::{BranchPoints, Signs};
-use crate::law::Law;
-use crate::scalar::{Extended, Float, Ring};
-pub(crate) use quadrature::Quadrature;
-use quadrature::Integrals;
+use crate::scalar::{Extended, Float};
+pub(crate) use quadrature::{Integrals, Quadrature};
 
 /// Nutation period, and advance of α and β over one period in turns, whole turns included.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,37 +59,10 @@ pub(crate) struct MeanMotion {
 }
 
 impl MeanMotion {
-    /// Mean motion of the law, for e₃ > e₂.
+    /// Mean motion with these integrals over one period.
     #[inline(never)]
     pub(crate) fn of(
-        law: &Law<Extended>,
-        e: &BranchPoints<Extended>,
-        signs: Signs,
-        half_tau: Extended,
-    ) -> Self {
-        let mut quadrature = Quadrature::new(law, e);
-        let integrals = loop {
-            if let Some(integrals) = quadrature.proceed() {
-                break integrals;
-            }
-        };
-        Self::of_integrals(integrals, e, signs, half_tau)
-    }
-
-    /// Mean motion of a body without torque, whose χ has a constant rate.
-    pub(crate) fn uniform(
-        period: Extended,
-        e: &BranchPoints<Extended>,
-        signs: Signs,
-        half_tau: Extended,
-    ) -> Self {
-        let psi = Extended::ZERO;
-        let integrals = Integrals { period, psi_alpha: psi, psi_beta: psi, relative_error: 0.0, nodes: 1 };
-        Self::of_integrals(integrals, e, signs, half_tau)
-    }
-
-    fn of_integrals(
-        integrals: Integrals,
+        integrals: &Integrals,
         e: &BranchPoints<Extended>,
         signs: Signs,
         half_tau: Extended,
@@ -105,11 +76,9 @@ impl MeanMotion {
             alpha_turns: (integrals.psi_alpha + slow).in_turns() + alpha_winding,
             beta_turns: (integrals.psi_beta - slow).in_turns() + beta_winding,
             // the terms ±τT/2 of α and β cancel
-            phi: integrals.psi_alpha
-                + integrals.psi_beta
-                + Extended::TWO_PI * (alpha_winding + beta_winding),
+            phi: integrals.psi_alpha + integrals.psi_beta + Extended::TWO_PI * (alpha_winding + beta_winding),
         };
-        let Integrals { psi_alpha, psi_beta, relative_error, nodes, .. } = integrals;
+        let Integrals { psi_alpha, psi_beta, relative_error, nodes, .. } = *integrals;
         Self { advance, winding, psi: [psi_alpha, psi_beta], relative_error, nodes }
     }
 }

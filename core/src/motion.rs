@@ -4,6 +4,7 @@ pub(crate) mod start;
 
 mod launch;
 
+pub use launch::Launch;
 pub use start::Start;
 
 use crate::cayley_klein::{Brackets, PhaseDirections};

@@ -1,7 +1,10 @@
 //! Set-up in slices: the same table as in one call, however often and long it is interrupted.
 
 use std::task::Poll;
-use toytop::{Ephemeris, EphemerisScalar, Motion, SetUp, TableTooSmall, Tick};
+use toytop::{
+    Ephemeris, EphemerisScalar, Launch, Motion, ParameterError, Release, SetUp, State, TableTooSmall, Tick,
+    Top, TopParameters,
+};
 use toytop_tests::vectors;
 
 /// Polls until the end; the result and the number of slices.
@@ -54,4 +57,58 @@ fn a_refusal_takes_no_more_than_two_tables() {
     assert_eq!(refused.0, Err(TableTooSmall { truncation, segments: 16 }));
     assert_eq!(ready.0, Ok(()));
     assert!((10..2 * ready.1).contains(&refused.1), "{} and {} slices", refused.1, ready.1);
+}
+
+/// Polls a launch until the end; the result and the number of slices.
+fn launched(top: &Top, release: &Release) -> (Result<Motion, ParameterError>, usize) {
+    let mut launch = Launch::new(top, &State::release(release).unwrap());
+    for slices in 1.. {
+        if let Poll::Ready(result) = launch.poll() {
+            assert_eq!(launch.poll(), Poll::Ready(result), "and so it stays");
+            return (result, slices);
+        }
+    }
+    unreachable!("a launch ends")
+}
+
+#[test]
+fn a_launch_takes_a_slice_for_each_node() {
+    let parameters = TopParameters {
+        transverse_inertia: 3e-5,
+        axial_inertia: 2e-5,
+        com_height: 0.03,
+        mass: 0.05,
+        ..TopParameters::default()
+    };
+    let top = Top::sliding(&parameters).unwrap();
+    let thrown = |tilt, spin| Release { tilt, spin, ..Release::default() };
+    // steady motions have the period of a small nutation; a top that rests upright below its critical spin has none
+    for (release, fewest, most) in [
+        (thrown(0.35, 150.0), 15, 16),
+        (thrown(1e-3, 30.0), 263, 264),
+        (thrown(0.0, 150.0), 10, 24),
+        (thrown(0.0, 1.0), 5, 6),
+    ] {
+        let (motion, slices) = launched(&top, &release);
+        assert!((fewest..=most).contains(&slices), "{release:?}: {slices} slices");
+        assert_eq!(motion, Motion::launch(&top, &State::release(&release).unwrap()));
+    }
+    let free = Top::free(&parameters).unwrap();
+    let (motion, slices) = launched(&free, &thrown(0.35, 150.0));
+    assert!(motion.unwrap().period_advance().is_some() && slices < 8, "{slices} slices without a torque");
+}
+
+#[test]
+fn a_launch_that_is_refused_ends_at_its_branch_points() {
+    let top = Top::sliding(&TopParameters {
+        transverse_inertia: 1.0,
+        axial_inertia: 1.0,
+        com_height: 1.0,
+        mass_moment: 1e-9,
+        ..TopParameters::default()
+    })
+    .unwrap();
+    let (refused, slices) = launched(&top, &Release { tilt: 0.3, spin: 1e6, ..Release::default() });
+    assert_eq!(refused.unwrap_err().parameter(), "omega");
+    assert_eq!(slices, 3);
 }

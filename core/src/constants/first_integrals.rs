@@ -86,7 +86,17 @@ pub(crate) struct ReducedPoint<F> {
     pub(crate) axis_energy: F,
 }
 
+impl<F: Ring> FirstIntegrals<F> {
+    /// First integrals before they are computed.
+    pub(crate) const ZERO: Self =
+        Self { l: F::ZERO, n: F::ZERO, h: F::ZERO, spin: F::ZERO, l_plus_n: F::ZERO, l_minus_n: F::ZERO };
+}
+
 impl<F: Ring> ReducedPoint<F> {
+    /// Point before it is computed.
+    pub(crate) const ZERO: Self =
+        Self { u: F::ZERO, one_minus_u: F::ZERO, one_plus_u: F::ZERO, udot: F::ZERO, axis_energy: F::ZERO };
+
     /// Whether the axis is upright and does not move.
     pub(crate) fn rests_upright(&self) -> bool {
         self.one_minus_u == F::ZERO && self.axis_energy == F::ZERO

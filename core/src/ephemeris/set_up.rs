@@ -74,7 +74,7 @@ enum Stage {
 }
 
 /// Share of the allowed truncation error that the first attempt at a table may have.
-const FINE: f64 = 0.25;
+const FINE: f64 = 1.0 / Tabulation::LARGER;
 
 impl SetUp {
     /// Set-up with the truncation error of [`Ephemeris::new`](crate::Ephemeris::new), four roundings of the scalar.
@@ -151,7 +151,7 @@ impl SetUp {
                 match outcome {
                     Ok(None) => {}
                     Ok(Some(tabulated)) => (self.tabulated, self.stage) = (tabulated, Stage::Clock),
-                    Err(()) if self.stage == Stage::Fine => {
+                    Err(()) if self.stage == Stage::Fine && self.tabulation.may_fit_with_larger_error() => {
                         self.tabulation.again(requirements);
                         self.stage = Stage::Coarse;
                     }

@@ -105,6 +105,10 @@ pub(crate) struct Tabulation {
     place: usize,
     /// Number of halvings of the cell.
     level: u32,
+    /// Number of halvings of the cell with which a larger error, [`Tabulation::LARGER`] times the allowed one, would do.
+    larger_level: Option<u32>,
+    /// Estimated number of segments with that error, of the cells so far.
+    larger_segments: usize,
     /// Whether the start had been found before this cell.
     found_before: bool,
     /// Whether the position is the first centre of the cell, not its border.
@@ -117,6 +121,9 @@ pub(crate) struct Tabulation {
 }
 
 impl Tabulation {
+    /// Factor of the larger error, for which [`Tabulation::may_fit_with_larger_error`] tells whether it is worth a try.
+    pub(crate) const LARGER: f64 = 4.0;
+
     /// Tabulation that has not begun.
     pub(crate) const EMPTY: Self = Self {
         path: HalfPeriod::EMPTY,
@@ -132,6 +139,8 @@ impl Tabulation {
         number: 0,
         place: 0,
         level: 0,
+        larger_level: None,
+        larger_segments: 0,
         found_before: false,
         at_centre: false,
         error: 0.0,
@@ -159,11 +168,13 @@ impl Tabulation {
         self.tabulated = Tabulated { segments: 0, ..Tabulated::EMPTY };
         self.speeds = Speeds::ZERO;
         (self.number, self.level, self.at_centre) = (0, 0, false);
+        self.larger_segments = 0;
         self.begin_cell();
     }
 
     fn begin_cell(&mut self) {
         self.piece = Piece::Cell;
+        self.larger_level = None;
         self.found_before = self.found_start.is_some();
         self.tabulated.speeds = self.speeds;
     }
@@ -215,7 +226,7 @@ impl Tabulation {
     /// Divides the cell into segments.
     fn divide(&mut self) -> Result<Piece, ()> {
         let segments = self.tabulated.segments;
-        if self.level > Cell::DEEPEST || segments + (1 << self.level) > self.requirements.most {
+        if self.level > Cell::DEEPEST || segments + self.least_rest(self.level) > self.requirements.most {
             return Err(());
         }
         if let Some(cell) = self.tabulated.cells.get_mut(self.number) {
@@ -223,6 +234,17 @@ impl Tabulation {
         }
         (self.place, self.error) = (0, 0.0);
         Ok(Piece::Rates(self.at_centre))
+    }
+
+    /// Least number of segments of the cell at a level and of those after it.
+    fn least_rest(&self, level: u32) -> usize {
+        (1 << level) + (CELLS - 1).saturating_sub(self.number)
+    }
+
+    /// Whether a refused table might have fitted with the larger error: an estimate from the errors of the cells so far.
+    pub(crate) fn may_fit_with_larger_error(&self) -> bool {
+        let level = self.larger_level.unwrap_or(self.level);
+        level <= Cell::DEEPEST && self.larger_segments + self.least_rest(level) <= self.requirements.most
     }
 
     /// Begins the cell again with segments of half the length.
@@ -285,6 +307,9 @@ impl Tabulation {
         );
         let error = larger_or_nan(2.0 * Float::sqrt(squares), stored);
         self.error = larger_or_nan(self.error, error);
+        if self.error <= Self::LARGER * self.allowed && self.larger_level.is_none() {
+            self.larger_level = Some(self.level);
+        }
         let piece = if self.found_start.is_none() { Piece::Start } else { Piece::Step };
         (self.error <= self.allowed).then_some(piece)
     }
@@ -328,16 +353,18 @@ impl Tabulation {
     /// the series is accurate so far, otherwise to the border.
     fn leave(&mut self) -> Piece {
         let (level, allowed) = (self.level, self.allowed);
+        // segments of twice the length would have about 2^terms times the error
+        let longer_error = self.error * f64::from(1_u32 << self.requirements.terms);
+        let coarser = level > 0 && longer_error < COARSENING * allowed;
         self.tabulated.truncation = larger_or_nan(self.tabulated.truncation, self.error);
         self.tabulated.segments += 1 << level;
+        let larger_level = self.larger_level.unwrap_or(level).min(level.saturating_sub(u32::from(coarser)));
+        self.larger_segments += 1 << larger_level;
         self.number += 1;
         if self.number == CELLS {
             self.path.return_to_border();
             return Piece::Result;
         }
-        // segments of twice the length would have about 2^terms times the error
-        let coarser =
-            level > 0 && self.error * f64::from(1_u32 << self.requirements.terms) < COARSENING * allowed;
         let x = if coarser { 3 } else { 2 };
         self.at_centre = self.path.to(x, x as f64 * self.share()).is_some();
         if !self.at_centre {

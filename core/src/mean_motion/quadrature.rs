@@ -12,7 +12,7 @@ use crate::law::amplitude::AmplitudeLaw;
 use crate::scalar::{Extended, Float, Ring};
 
 /// Integrals over one period: T, and ψ_A(T) and ψ_B(T) in rad.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Integrals {
     pub(crate) period: Extended,
     pub(crate) psi_alpha: Extended,
@@ -22,6 +22,13 @@ pub(crate) struct Integrals {
     pub(crate) relative_error: f64,
     /// Number of nodes on half a period.
     pub(crate) nodes: u32,
+}
+
+impl Integrals {
+    /// Integrals of a uniform rotation.
+    pub(crate) fn uniform(period: Extended) -> Self {
+        Self { period, psi_alpha: Extended::ZERO, psi_beta: Extended::ZERO, relative_error: 0.0, nodes: 1 }
+    }
 }
 
 /// Largest number of nodes on half a period. Only a very small A/(ps) needs more.
@@ -35,9 +42,11 @@ const SETTLED: f64 = 1e-15;
 pub(crate) struct Quadrature {
     law: AmplitudeLaw<Extended>,
     jacobi: Landen<Extended>,
-    /// Sums over `nodes` nodes; the ends of the half period have half weight.
+    /// Sums over `nodes` nodes; the ends of the half period have half weight, and are the first two nodes.
     sums: Sums,
     nodes: u32,
+    /// Whether the sums have both ends.
+    has_ends: bool,
     /// Sums over the first `odd_nodes` nodes between them.
     odd: Sums,
     odd_nodes: u32,
@@ -50,29 +59,31 @@ pub(crate) struct Quadrature {
 }
 
 impl Quadrature {
-    /// Sums with the two ends of the half period.
+    /// Quadrature without a node.
     pub(crate) fn new(law: &Law<Extended>, e: &BranchPoints<Extended>) -> Self {
         let (zero, one) = (Extended::ZERO, Extended::ONE);
-        let mut quadrature = Self {
+        Self {
             law: AmplitudeLaw::new(law),
             jacobi: Landen::of(e.e2_minus_e1 / e.e3_minus_e1(), e.e3_minus_e2 / e.e3_minus_e1()),
             sums: Sums::ZERO,
-            nodes: 1,
+            nodes: 0,
+            has_ends: false,
             odd: Sums::ZERO,
             odd_nodes: 0,
             step: [zero, -one],
             half_step: [one, zero],
             angle: [zero, one],
             before: f64::INFINITY,
-        };
-        quadrature.sums = quadrature.at([zero, one]).plus(&quadrature.at([one, zero])).halved();
-        quadrature.begin_odd_nodes();
-        quadrature
+        }
     }
 
     /// Adds a node. Returns the integrals once the sums have settled. Relative error: about 1e-30, unless A/(ps) < 1e-4 and
     /// the motion reaches the vertical, where the number of nodes is limited.
     pub(crate) fn proceed(&mut self) -> Option<Integrals> {
+        if !self.has_ends {
+            self.add_end();
+            return None;
+        }
         let ([s, c], [step_sine, step_cosine]) = (self.angle, self.step);
         self.odd = self.odd.plus(&self.at([s, c]));
         self.odd_nodes += 1;
@@ -94,6 +105,17 @@ impl Quadrature {
         self.before = change;
         self.begin_odd_nodes();
         None
+    }
+
+    fn add_end(&mut self) {
+        self.sums = self.sums.plus(&self.at(self.angle).halved());
+        if self.nodes == 0 {
+            self.nodes = 1;
+            self.angle = self.half_step;
+        } else {
+            self.has_ends = true;
+            self.begin_odd_nodes();
+        }
     }
 
     fn begin_odd_nodes(&mut self) {

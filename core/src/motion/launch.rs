@@ -1,9 +1,11 @@
 //! Launch of a motion: its constants and its start, from a state or from branch points.
 
+use core::task::Poll;
+
 use crate::complex::Complex;
-use crate::constants::{BranchPoints, Conditioning, FirstIntegrals, Regime, Signs};
+use crate::constants::{BranchPoints, Conditioning, FirstIntegrals, ReducedPoint, Regime, Signs};
 use crate::error::{ParameterError, finite, require};
-use crate::mean_motion::MeanMotion;
+use crate::mean_motion::{Integrals, MeanMotion, Quadrature};
 use crate::motion::start::{chi, half_phase, half_turns, slow_phase};
 use crate::motion::{Motion, NutationVariable, Start};
 use crate::phase::Phase;
@@ -12,65 +14,214 @@ use crate::state::State;
 use crate::su2::OrientationRate;
 use crate::top::{Quantities, Top};
 
+/// Launch of a motion from a state, in slices of bounded work: see [`SetUp`](crate::SetUp), which does the same for the
+/// ephemeris. [`Motion::launch`] is a loop over them. Most of the work is the quadrature of the period, whose number of slices
+/// depends on the motion: 9 nodes for a fast top, some hundreds close to the separatrix, at most 65 537.
+///
+/// ```
+/// use toytop::{Launch, Motion, Release, State, Top, TopParameters};
+/// # let top = Top::sliding(&TopParameters {
+/// #     transverse_inertia: 3.0e-5,
+/// #     axial_inertia: 2.0e-5,
+/// #     com_height: 0.03,
+/// #     mass: 0.05,
+/// #     ..TopParameters::default()
+/// # })?;
+/// # let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
+/// let mut launch = Launch::new(&top, &state);
+/// let motion = loop {
+///     if let core::task::Poll::Ready(motion) = launch.poll() {
+///         break motion?;
+///     }
+///     // feed the watchdog
+/// };
+/// assert_eq!(motion, Motion::launch(&top, &state)?);
+/// # Ok::<(), toytop::ParameterError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Launch {
+    top: Top,
+    state: State,
+    stage: Stage,
+    integrals: FirstIntegrals<Extended>,
+    point: ReducedPoint<Extended>,
+    quadrature: Option<Quadrature>,
+    /// Motion so far, once its branch points are known.
+    motion: Option<Motion>,
+}
+
+/// Stage of a launch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Stage {
+    /// First integrals, and the point of the reduced curve.
+    Integrals,
+    /// Branch points and regime.
+    BranchPoints,
+    /// Rounding errors of the constants, and the mean motion if it needs no quadrature.
+    Conditioning,
+    /// Beginning of the quadrature.
+    Quadrature,
+    /// Nodes of the quadrature.
+    Nodes,
+    /// Nutation variable at t = 0.
+    Nutation,
+    /// Slow phases at t = 0.
+    SlowPhases,
+    /// Nothing, because the state has no motion, or the motion is complete.
+    Ended(Result<(), ParameterError>),
+}
+
+impl Launch {
+    /// Launch of a motion from a state. The numbers of the state count as exact.
+    #[must_use]
+    pub fn new(top: &Top, state: &State) -> Self {
+        Self {
+            top: *top,
+            state: *state,
+            stage: Stage::Integrals,
+            integrals: FirstIntegrals::ZERO,
+            point: ReducedPoint::ZERO,
+            quadrature: None,
+            motion: None,
+        }
+    }
+
+    /// Does the next slice of the work. Calls after the result change nothing and return it again.
+    ///
+    /// # Errors
+    /// See [`Motion::launch`].
+    #[inline(never)]
+    pub fn poll(&mut self) -> Poll<Result<Motion, ParameterError>> {
+        match (self.stage, &mut self.motion) {
+            (Stage::Integrals, _) => {
+                (self.integrals, self.point) = FirstIntegrals::with_point(&self.top, &self.state);
+                self.stage = Stage::BranchPoints;
+            }
+            (Stage::BranchPoints, _) => match BranchPoints::of_point(&self.top, &self.integrals, &self.point)
+            {
+                Ok(e) => {
+                    self.motion = Some(Motion::with_constants(&self.top, &self.integrals, &self.point, e));
+                    self.stage = Stage::Conditioning;
+                }
+                Err(error) => self.stage = Stage::Ended(Err(error)),
+            },
+            (Stage::Conditioning, Some(motion)) => {
+                let Self { top, state, integrals, point, .. } = self;
+                motion.conditioning = Conditioning::of_state(top, integrals, point, &motion.e, state.speed());
+                motion.mean = motion.uniform_mean(point, integrals);
+                let needs_quadrature = motion.mean.is_none() && motion.has_period();
+                self.stage = if needs_quadrature { Stage::Quadrature } else { Stage::Nutation };
+            }
+            (Stage::Quadrature, Some(motion)) => {
+                self.quadrature = Some(Quadrature::new(&motion.law(), &motion.e));
+                self.stage = Stage::Nodes;
+            }
+            (Stage::Nodes, Some(motion)) => {
+                // without a quadrature the motion has no period
+                let integrals = self.quadrature.as_mut().map(Quadrature::proceed);
+                if integrals == Some(None) {
+                    return Poll::Pending;
+                }
+                motion.mean = integrals.flatten().map(|integrals| motion.mean_of(&integrals));
+                self.stage = Stage::Nutation;
+            }
+            (Stage::Nutation, Some(motion)) => {
+                motion.start_nutation(&self.point);
+                self.stage = Stage::SlowPhases;
+            }
+            (Stage::SlowPhases, Some(motion)) => {
+                motion.start_slow_phases(&self.state);
+                self.stage = Stage::Ended(Ok(()));
+            }
+            (Stage::Ended(Ok(())), Some(motion)) => return Poll::Ready(Ok(*motion)),
+            (Stage::Ended(Err(error)), _) => return Poll::Ready(Err(error)),
+            // no stage after the branch points is without a motion
+            (_, None) => self.stage = Stage::Integrals,
+        }
+        Poll::Pending
+    }
+}
+
 impl Motion {
     /// Motion from a state. The numbers of the state count as exact. Set-up computes in extended precision, so the stored
-    /// constants have the error of one `f64` rounding.
+    /// constants have the error of one `f64` rounding. [`Launch`] does the same in slices.
     ///
     /// # Errors
     /// `omega`: so large that e₃ would exceed 1e14.
     pub fn launch(top: &Top, state: &State) -> Result<Self, ParameterError> {
-        let (integrals, point) = FirstIntegrals::with_point(top, state);
-        let signs = integrals.signs();
-        let e = BranchPoints::of_point(top, &integrals, &point)?;
-        let regime = Regime::of(&e, signs, point.rests_upright());
+        let mut launch = Launch::new(top, state);
+        loop {
+            if let Poll::Ready(result) = launch.poll() {
+                return result;
+            }
+        }
+    }
 
+    /// Motion through a point of the reduced curve, without its mean motion and its start.
+    fn with_constants(
+        top: &Top,
+        integrals: &FirstIntegrals<Extended>,
+        point: &ReducedPoint<Extended>,
+        e: BranchPoints<Extended>,
+    ) -> Self {
+        let signs = integrals.signs();
+        Self {
+            top: *top,
+            signs,
+            e,
+            integrals: *integrals,
+            regime: Regime::of(&e, signs, point.rests_upright()),
+            nutation: NutationVariable::Nutating(Phase::ZERO),
+            phases: [Phase::ZERO; 2],
+            conditioning: Conditioning::default(),
+            mean: None,
+        }
+    }
+
+    /// Nutation variable at a point of the reduced curve.
+    #[inline(never)] // the stack frames of set-up must not add up
+    fn start_nutation(&mut self, point: &ReducedPoint<Extended>) {
+        if self.stands_still() {
+            self.nutation = self.steady_nutation();
+            return;
+        }
+        let Quantities { a, s, p, g, .. } = self.quantities();
+        let pair = if self.top.is_torque_free() {
+            let momentum = point.momentum(a, self.integrals.n);
+            [(a * point.udot / momentum).squared(), Extended::ONE]
+        } else {
+            let d = a / p + s * point.one_minus_u * point.one_plus_u;
+            [d * point.udot.squared() / g.doubled(), point.one_minus_u + self.e.e3_minus_one]
+        };
+        let (sine, cosine) = half_phase(&self.e, point, pair, self.regime == Regime::Aperiodic);
+        self.nutation = if self.regime == Regime::Aperiodic {
+            NutationVariable::Aperiodic(libm::asinh(sine / cosine))
+        } else {
+            NutationVariable::Nutating(chi(sine, cosine))
+        };
+    }
+
+    /// Slow phases at a state, whose nutation variable is known.
+    #[inline(never)]
+    fn start_slow_phases(&mut self, state: &State) {
         let (phi, omega) = state.exact::<Extended>();
         let phi = phi.normalised();
         let rate = OrientationRate::from_fixed(&phi, omega);
         let [alpha, beta] =
             [(phi.alpha, rate.alpha), (phi.beta, rate.beta)].map(|(z, z_dot)| [z, z_dot].map(to_f64));
-        let mut motion = Self {
-            top: *top,
-            signs,
-            e,
-            integrals,
-            regime,
-            nutation: NutationVariable::Nutating(Phase::ZERO),
-            phases: [Phase::ZERO; 2],
-            conditioning: Conditioning::of_state(top, &integrals, &point, &e, state.speed()),
-            mean: None,
-        };
-        let momentum = point.momentum(motion.quantities().a, integrals.n);
-        motion.mean =
-            if top.is_torque_free() { motion.uniform_mean(momentum) } else { motion.computed_mean() };
-        if motion.stands_still() {
-            motion.nutation = motion.steady_nutation();
-            motion.phases = [alpha, beta].map(|[z, _]| Phase::from_radians(z.arg()));
-            return Ok(motion);
+        if self.is_steady() {
+            self.phases = [alpha, beta].map(|[z, _]| Phase::from_radians(z.arg()));
+            return;
         }
-        let Quantities { a, s, p, g, .. } = motion.quantities();
-        let pair = if top.is_torque_free() {
-            [(a * point.udot / momentum).squared(), Extended::ONE]
-        } else {
-            let d = a / p + s * point.one_minus_u * point.one_plus_u;
-            [d * point.udot.squared() / g.doubled(), point.one_minus_u + e.e3_minus_one]
-        };
-        let (sine, cosine) = half_phase(&e, &point, pair, regime == Regime::Aperiodic);
-        motion.nutation = if regime == Regime::Aperiodic {
-            NutationVariable::Aperiodic(libm::asinh(sine / cosine))
-        } else {
-            NutationVariable::Nutating(chi(sine, cosine))
-        };
-        let directions = motion.directions_at_start();
-        let mut rates = motion.law().cast().rates(directions.sine, directions.cosine);
-        let half_tau = motion.half_tau().to_f64();
+        let directions = self.directions_at_start();
+        let mut rates = self.law().cast().rates(directions.sine, directions.cosine);
+        let half_tau = self.half_tau().to_f64();
         (rates.alpha, rates.beta) = (rates.alpha + half_tau, rates.beta - half_tau);
-        let brackets = motion.brackets();
-        motion.phases = [
+        let brackets = self.brackets();
+        self.phases = [
             slow_phase(&brackets.alpha, &directions, [rates.nutation, rates.alpha], alpha),
             slow_phase(&brackets.beta, &directions, [rates.nutation, rates.beta], beta),
         ];
-        Ok(motion)
     }
 
     /// Motion from branch points -1 <= e₁ <= e₂ <= 1 <= e₃ (which count as exact), the signs of l + n and l - n, and
@@ -136,17 +287,37 @@ impl Motion {
         Ok(motion)
     }
 
-    fn computed_mean(&self) -> Option<MeanMotion> {
-        let has_period = self.e.e3_minus_e2 > Extended::ZERO;
-        has_period.then(|| MeanMotion::of(&self.law(), &self.e, self.signs, self.half_tau()))
+    /// Whether the nutation has a period, which a quadrature tells.
+    fn has_period(&self) -> bool {
+        !self.top.is_torque_free() && self.e.e3_minus_e2 > Extended::ZERO
     }
 
-    /// Mean motion without torque: the axis goes round the angular momentum, of this magnitude, at the rate |m|/A.
-    fn uniform_mean(&self, momentum: Extended) -> Option<MeanMotion> {
-        (momentum > Extended::ZERO).then(|| {
-            let period = Extended::TWO_PI * self.quantities().a / momentum;
-            MeanMotion::uniform(period, &self.e, self.signs, self.half_tau())
+    fn computed_mean(&self) -> Option<MeanMotion> {
+        self.has_period().then(|| {
+            let mut quadrature = Quadrature::new(&self.law(), &self.e);
+            loop {
+                if let Some(integrals) = quadrature.proceed() {
+                    return self.mean_of(&integrals);
+                }
+            }
         })
+    }
+
+    fn mean_of(&self, integrals: &Integrals) -> MeanMotion {
+        MeanMotion::of(integrals, &self.e, self.signs, self.half_tau())
+    }
+
+    /// Mean motion without torque: the axis goes round the angular momentum m at the rate |m|/A. `None` with a torque, and for
+    /// m = 0.
+    fn uniform_mean(
+        &self,
+        point: &ReducedPoint<Extended>,
+        integrals: &FirstIntegrals<Extended>,
+    ) -> Option<MeanMotion> {
+        let a = self.quantities().a;
+        let momentum = point.momentum(a, integrals.n);
+        (self.top.is_torque_free() && momentum > Extended::ZERO)
+            .then(|| self.mean_of(&Integrals::uniform(Extended::TWO_PI * a / momentum)))
     }
 }
 

@@ -16,7 +16,7 @@ pub struct CorpusCost {
     result: String,
     /// Instructions of each launch, motion and table together, in ascending order.
     launches: Vec<u64>,
-    /// Instructions of the longest slice of the table's set-up.
+    /// Instructions of the longest slice of the launch or of the table's set-up.
     slice: u64,
     /// Modelled cycles of an instruction, as those of the call `launch` have; `None` where the chip has no model.
     cycles_per_instruction: Option<f64>,

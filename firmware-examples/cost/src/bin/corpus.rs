@@ -13,7 +13,7 @@ use core::task::Poll;
 use fixed::types::I2F30;
 use semihosting::{println, process};
 use toytop::{
-    Ephemeris, EphemerisScalar, EphemerisView, Motion, ParameterError, Release, SetUp, State, Tick, Top,
+    Ephemeris, EphemerisScalar, EphemerisView, Launch, ParameterError, Release, SetUp, State, Tick, Top,
     TopParameters,
 };
 
@@ -40,26 +40,31 @@ fn main() -> ! {
 #[inline(never)]
 fn run<R: EphemerisScalar>(scalar: &str, number: u32, ephemeris: &mut EphemerisView<R>, counter: &Counter) {
     let (top, state) = launch(number).expect("a possible launch");
-    let begin = counter.now();
-    let launched = Motion::launch(black_box(&top), black_box(&state));
-    let of_motion = counter.since(begin);
+    let mut launch = Launch::new(black_box(&top), black_box(&state));
+    let (launched, of_motion, longest_of_motion) = sliced(counter, || launch.poll());
     let Ok(motion) = launched else {
-        println!("{scalar} {number} refused motion {of_motion} table 0 slice 0");
+        println!("{scalar} {number} refused motion {of_motion} table 0 slice {longest_of_motion}");
         return;
     };
     let mut set_up = SetUp::new(&motion, Tick::hertz(1000).expect("positive"));
-    let (mut of_table, mut greatest) = (0, 0);
-    let result = loop {
-        let begin = counter.now();
-        let progress = set_up.poll(ephemeris);
-        let slice = counter.since(begin);
-        (of_table, greatest) = (of_table + slice, greatest.max(slice));
-        if let Poll::Ready(result) = progress {
-            break result;
-        }
-    };
+    let (result, of_table, longest_of_table) = sliced(counter, || set_up.poll(ephemeris));
+    let longest = longest_of_motion.max(longest_of_table);
     let result = if result.is_ok() { "ready" } else { "refused" };
-    println!("{scalar} {number} {result} motion {of_motion} table {of_table} slice {greatest}");
+    println!("{scalar} {number} {result} motion {of_motion} table {of_table} slice {longest}");
+}
+
+/// Result of a sliced computation, and the instructions of all slices and of the longest.
+fn sliced<T>(counter: &Counter, mut poll: impl FnMut() -> Poll<T>) -> (T, u64, u64) {
+    let (mut all, mut longest) = (0, 0);
+    loop {
+        let begin = counter.now();
+        let progress = poll();
+        let slice = counter.since(begin);
+        (all, longest) = (all + slice, longest.max(slice));
+        if let Poll::Ready(result) = progress {
+            return (result, all, longest);
+        }
+    }
 }
 
 /// Launch of this number. Tilt, spin and A/(ps) are spread evenly (a sequence of low discrepancy), the last two over
