@@ -4,11 +4,13 @@ The Weierstrass functions come from their Laurent series at 0 and the duplicatio
 the series converges, then doubled again. Jacobi's come from the theta series of mpmath at 60 digits, K from its AGM with the
 complementary parameter. The library uses neither: it has theta series for the first and Landen's chain for the second.
 
-Usage: python elliptic.py > elliptic.json      (mpmath, see requirements.txt)
+Usage: python elliptic.py > elliptic.json            (mpmath, see requirements.txt)
+       python elliptic.py sweep > elliptic_sweep.json    (quotients of the root differences and K, densely)
 """
 
 import json
 import random
+import sys
 from mpmath import mp, mpf, mpc, nstr, log, agm, pi, sqrt, nint, jtheta, exp
 
 mp.dps = 300
@@ -96,6 +98,28 @@ def jacobi(m1, generator):
     return {"m": float(m), "m1": m1, "quarter_period": digits(quarter), "points": points}
 
 
+def sweep():
+    """Four quotients of the root differences a decade from 1e-28 to 1e28, with two points each, and four K a decade."""
+    generator = random.Random(15)
+    lattices = []
+    for k in range(-112, 113):
+        upper, lower = (10 ** (k / 4), 1.0) if k < 0 else (1.0, 10 ** (-k / 4))
+        d1, d2 = mpf(upper), mpf(lower)
+        e = (2 * d1 + d2) / 3, (d2 - d1) / 3, -(d1 + 2 * d2) / 3
+        real, imaginary = half_periods(e)
+        c = laurent(2 * sum(x * x for x in e), 4 * e[0] * e[1] * e[2])
+        points = []
+        for _ in range(2):
+            z = float(real * generator.uniform(-1, 1)), float(imaginary * generator.uniform(-1, 1))
+            p, slope, zeta, _ = weierstrass(e, mpc(*z), c)
+            points.append({"z": z, "p": digits(p), "p_prime": digits(slope), "zeta": digits(zeta)})
+        lattices.append({"upper_gap": upper, "lower_gap": lower, "points": points})
+    mp.dps = 60
+    complements = [10 ** (-k / 4) for k in range(1, 1200)]
+    quarters = [{"m1": m1, "quarter_period": digits(pi / 2 / agm(1, sqrt(mpf(m1))))} for m1 in complements]
+    print(json.dumps({"lattices": lattices, "jacobi": quarters}, separators=(",", ":")).replace("},{", "},\n{"))
+
+
 def main():
     generator = random.Random(6)
     gaps = [(1.0, 1.0), (0.5, 2.0), (2.0, 0.5), (1.5, 1e-3), (1e-3, 1.5), (1e-9, 0.75), (0.75, 1e-9), (3e4, 7e3),
@@ -108,4 +132,4 @@ def main():
     print(json.dumps({"lattices": lattices, "jacobi": jacobis}, indent=1))
 
 
-main()
+sweep() if sys.argv[1:] == ["sweep"] else main()

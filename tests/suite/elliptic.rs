@@ -54,24 +54,32 @@ fn off_real(ours: f64, truth: &Value, z_slope: f64) -> f64 {
     if size == 0.0 { apart } else { apart / size }
 }
 
+/// Notes the errors of ℘, ℘' and ζ at a point.
+fn note(worst: &mut [f64; 3], lattice: &Weierstrass, point: &Value) {
+    let z = complex(&point["z"]);
+    let [p, slope] = ["p", "p_prime"].map(|key| complex(&point[key]));
+    let [g2, _] = lattice.invariants();
+    let curvature = (p * p).scaled(6.0) - Complex::new(0.5 * g2, 0.0);
+    let size = modulus(z);
+    let errors = [
+        off(lattice.p(z), &point["p"], size * modulus(slope)),
+        off(lattice.p_prime(z), &point["p_prime"], size * modulus(curvature)),
+        off(lattice.zeta(z), &point["zeta"], size * modulus(p)),
+    ];
+    for (worst, error) in worst.iter_mut().zip(errors) {
+        *worst = greater(*worst, error);
+    }
+}
+
 #[test]
 fn weierstrass_against_thirty_digits() {
     let (mut worst, mut logarithm, mut sigma) = ([0.0_f64; 3], 0.0_f64, 0.0_f64);
     for (lattice, json) in lattices() {
         for point in entries(&json["points"]) {
             let z = complex(&point["z"]);
-            let [p, slope, zeta, ln] = ["p", "p_prime", "zeta", "ln_sigma"].map(|key| complex(&point[key]));
-            let [g2, _] = lattice.invariants();
-            let curvature = (p * p).scaled(6.0) - Complex::new(0.5 * g2, 0.0);
+            let [zeta, ln] = ["zeta", "ln_sigma"].map(|key| complex(&point[key]));
             let size = modulus(z);
-            let errors = [
-                off(lattice.p(z), &point["p"], size * modulus(slope)),
-                off(lattice.p_prime(z), &point["p_prime"], size * modulus(curvature)),
-                off(lattice.zeta(z), &point["zeta"], size * modulus(p)),
-            ];
-            for (worst, error) in worst.iter_mut().zip(errors) {
-                *worst = greater(*worst, error);
-            }
+            note(&mut worst, &lattice, point);
             // ln σ is determined modulo 2πi
             let ours = lattice.ln_sigma(z);
             let mut apart = ours - ln;
@@ -116,6 +124,30 @@ fn half_periods_and_quasi_periods() {
     }
     tolerance::HALF_PERIODS.check("half periods", worst);
     tolerance::ROOTS_AGAIN.check("roots from rounded half periods", back);
+}
+
+/// Four quotients of the root differences a decade from 1e-28 to 1e28, and four complementary parameters a decade down to
+/// 1e-300: the errors that the documentation states hold everywhere between.
+#[test]
+fn a_dense_sweep_of_lattices_and_of_k() {
+    let (mut worst, mut quarter) = ([0.0_f64; 3], 0.0_f64);
+    let json = vectors::json("elliptic_sweep.json");
+    for entry in entries(&json["lattices"]) {
+        let [upper, lower] = ["upper_gap", "lower_gap"].map(|key| number(&entry[key]));
+        let lattice = Weierstrass::from_gaps(upper, lower).unwrap();
+        for point in entries(&entry["points"]) {
+            note(&mut worst, &lattice, point);
+        }
+    }
+    for entry in entries(&json["jacobi"]) {
+        let m1 = number(&entry["m1"]);
+        let jacobi = Jacobi::new(1.0 - m1, m1).unwrap();
+        quarter = greater(quarter, off_real(jacobi.quarter_period(), &entry["quarter_period"], 0.0));
+    }
+    for (what, error) in ["p", "p'", "zeta"].iter().zip(worst) {
+        tolerance::WEIERSTRASS.check(what, error);
+    }
+    tolerance::HALF_PERIODS.check("K", quarter);
 }
 
 /// ℘ has the values e₁, e₂, e₃ at the half periods, where each difference has a double zero.
