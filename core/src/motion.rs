@@ -126,6 +126,21 @@ impl Motion {
         self.mean.as_ref()
     }
 
+    /// Greatest transverse part of the angular velocity, rad per unit time, at u = e₁, where the kinetic energy is greatest:
+    /// √(p g/(2A)) |s₊ √((1 - e₁)(1 + e₂)(1 + e₃)) + s₋ √((1 + e₁)(1 - e₂)(e₃ - 1))|. Rounded up; infinite without torque.
+    pub(crate) fn greatest_transverse_rate(&self) -> f64 {
+        if self.top.is_torque_free() {
+            return f64::INFINITY;
+        }
+        let Quantities { a, p, g, .. } = Quantities::<f64>::of(&self.top);
+        let e = self.branch_points();
+        let plus = Float::sqrt(e.one_minus_e1() * e.one_plus_e2() * e.one_plus_e3());
+        let minus = Float::sqrt(e.one_plus_e1 * e.one_minus_e2 * e.e3_minus_one);
+        let Signs { l_plus_n, l_minus_n } = self.signs;
+        let sum = Float::abs(l_plus_n.times(plus) + l_minus_n.times(minus));
+        Float::sqrt(p * g / (a + a)) * (sum + 16.0 * f64::EPSILON * (plus + minus))
+    }
+
     /// Least normal force over the motion, N = 1 + s u''/g in units of the weight. Its relative error is one `f64`
     /// rounding, unless it is within 1e-14 of 0; a magnitude below 1e-20 counts as 0. Where it is negative, a real
     /// top leaves the plane and does not follow the computed motion. `None` for a fixed tip, whose support can also

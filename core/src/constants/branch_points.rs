@@ -92,6 +92,19 @@ impl BranchPoints {
         lifted.integrals_in(top, signs).as_given(top)
     }
 
+    /// Greatest sine of the tilt between u = e₁ and u = e₂.
+    pub(crate) fn greatest_sine(&self) -> f64 {
+        // sin² = (1 - u)(1 + u)
+        let squared = if self.e1 > 0.0 {
+            self.one_plus_e1 * (self.one_minus_e2 + self.e2_minus_e1)
+        } else if self.e2 < 0.0 {
+            self.one_minus_e2 * (self.one_plus_e1 + self.e2_minus_e1)
+        } else {
+            1.0
+        };
+        Float::sqrt(squared)
+    }
+
     fn lifted(&self) -> BranchPoints<Extended> {
         let Self { e1, e2, e3, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, e3_minus_one } = *self;
         BranchPoints {

@@ -7,8 +7,10 @@ use crate::ephemeris::cell::{CELLS, Cell};
 use crate::ephemeris::clock::{Clock, TipClock, first_phases, rise, whole_between, whole_ticks};
 use crate::ephemeris::error_bound::{ErrorBound, TRUNCATION};
 use crate::ephemeris::evaluation::EphemerisScalar;
+use crate::ephemeris::rate_error::{MotionRates, PhaseErrors};
 use crate::ephemeris::storage::EphemerisView;
 use crate::ephemeris::tick::Tick;
+use crate::law::series::larger_or_nan;
 use crate::phase::PhaseFraction;
 use crate::scalar::{Extended, Float, Ring};
 
@@ -35,15 +37,14 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             tip: TipClock { step: TipClock::increment(exact_step, clock.tip.passes), ..clock.tip },
             ..*clock
         };
-        let sweep = self.sweep();
         let mut missed = self.clock.missed();
         for (missed, step) in missed.iter_mut().zip(exact_step) {
             *missed = Float::abs(*missed) + RATIO_ERROR * Float::abs(step.to_f64());
         }
-        self.widen_bounds(
-            ErrorBound::of_phases(sweep, [TRUNCATION; 3]),
-            self.error_bound.per_tick * ratio.to_f64() + ErrorBound::of_phases(sweep, missed),
-        );
+        for bound in [&mut self.error_bound, &mut self.rate_error_bound] {
+            bound.per_tick *= ratio.to_f64();
+        }
+        self.widen_bounds([TRUNCATION; 3], missed);
     }
 
     /// Delays the motion by a number of ticks, which may be fractional and of either sign: the instant that was tick 0
@@ -84,30 +85,45 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             tip: TipClock { start: clock.tip.between(whole, share).words(), ..clock.tip },
             ..*clock
         };
-        let truncation = ErrorBound::of_phases(self.sweep(), [TRUNCATION; 3]);
-        let ErrorBound { per_tick, .. } = self.error_bound;
-        self.widen_bounds(per_tick * Float::abs(ticks) + truncation, per_tick);
+        for bound in [&mut self.error_bound, &mut self.rate_error_bound] {
+            bound.constant = bound.after(ticks);
+        }
+        self.widen_bounds([TRUNCATION; 3], [0.0; 3]);
     }
 
-    /// Adds `growth` to the error bound of the orientation at tick 0, and replaces its growth per tick. Both are caused by
-    /// errors of the phases, which change the bound of the angular velocity in a fixed proportion.
-    fn widen_bounds(&mut self, growth: f64, per_tick: f64) {
-        let (before, rate) = (self.error_bound, self.rate_error_bound);
-        let of_rate = if before.per_tick > 0.0 { rate.per_tick / before.per_tick } else { 0.0 };
-        self.error_bound = ErrorBound { constant: before.constant + growth, per_tick };
-        self.rate_error_bound =
-            ErrorBound { constant: rate.constant + of_rate * growth, per_tick: of_rate * per_tick };
+    /// Adds errors of the phases, in turns, at tick 0 and per tick, to both error bounds.
+    fn widen_bounds(&mut self, constant: [f64; 3], per_tick: [f64; 3]) {
+        let [sweep, acceleration] = self.greatest_speeds();
+        let [_, mean, axial] = self.clock.rates.map(Float::to_f64);
+        let half_periods = self.half_periods_per_time();
+        // of the motion only the table is known
+        let unknown =
+            MotionRates { half_periods, mean, axial, rotor: 0.0, transverse: f64::INFINITY, sine: 1.0 };
+        let of_rates = PhaseErrors::new(&unknown, sweep, acceleration);
+        self.error_bound.constant += ErrorBound::of_phases(sweep, constant);
+        self.error_bound.per_tick += ErrorBound::of_phases(sweep, per_tick);
+        self.rate_error_bound.constant += of_rates.of(constant);
+        self.rate_error_bound.per_tick += of_rates.of(per_tick);
     }
 
-    /// Upper bound on the angular velocity without the mean rotation, rad per half period, from the coefficients of the
-    /// table.
-    fn sweep(&self) -> f64 {
-        let mut greatest = 0.0;
+    /// Number of half nutation periods per unit of time; 0 where u is constant.
+    pub(crate) fn half_periods_per_time(&self) -> f64 {
+        // x changes by 2 over each of the cells
+        let [x_rate, ..] = self.clock.rates;
+        x_rate.to_f64() / (2 * CELLS) as f64
+    }
+
+    /// Upper bounds on the angular velocity and its change without the mean rotation, in rad per half period and per half
+    /// period squared, from the coefficients of the table.
+    fn greatest_speeds(&self) -> [f64; 2] {
+        let mut greatest = [0.0; 2];
         for cell in self.cells.map(Cell::from_bits) {
             let (first, number) = (cell.first(), 1 << cell.level());
+            let x_rate = (2 * CELLS * number) as f64;
             for segment in self.segments.get(first..first + number).unwrap_or_default() {
-                let slope = slope::<R>(segment.as_ref()) * (2 * CELLS * number) as f64;
-                greatest = if slope > greatest { slope } else { greatest };
+                let [slope, curvature] = derivatives::<R>(segment.as_ref());
+                let speeds = [slope * x_rate, curvature * x_rate * x_rate];
+                greatest.iter_mut().zip(speeds).for_each(|(most, speed)| *most = larger_or_nan(*most, speed));
             }
         }
         greatest
@@ -130,13 +146,21 @@ impl<W> Clock<W> {
     }
 }
 
-/// Upper bound on 2 √(|dα/dx|² + |dβ/dx|²) on a segment: on [-1, 1] a derivative is at most Σ k |c_k|.
-fn slope<R: EphemerisScalar>(terms: &[[R::Coefficient; 4]]) -> f64 {
-    let mut sums = [0.0; 4];
+/// Upper bounds on the first two derivatives of a segment by x, as 2 √(|α|² + |β|²): on [-1, 1] they are at most Σ k |c_k| and
+/// Σ k (k - 1) |c_k|.
+fn derivatives<R: EphemerisScalar>(terms: &[[R::Coefficient; 4]]) -> [f64; 2] {
+    let mut sums = [[0.0; 4]; 2];
     for (power, coefficients) in terms.iter().enumerate() {
-        for (sum, &c) in sums.iter_mut().zip(coefficients) {
-            *sum += power as f64 * Float::abs(R::number(c, power).to_f64());
+        let k = power as f64;
+        for (i, &c) in coefficients.iter().enumerate() {
+            let size = Float::abs(R::number(c, power).to_f64());
+            let [slope, curvature] = &mut sums;
+            for (sum, factor) in [(slope, k), (curvature, k * (k - 1.0))] {
+                if let Some(sum) = sum.get_mut(i) {
+                    *sum += factor * size;
+                }
+            }
         }
     }
-    2.0 * Float::sqrt(sums.iter().map(|sum| sum * sum).sum::<f64>())
+    sums.map(|sums| 2.0 * Float::sqrt(sums.iter().map(|sum| sum * sum).sum::<f64>()))
 }

@@ -25,7 +25,7 @@ pub struct ErrorBound {
 }
 
 /// One turn in rad.
-const TURN: f64 = 2.0 * core::f64::consts::PI;
+pub(crate) const TURN: f64 = 2.0 * core::f64::consts::PI;
 
 /// Variance of the orientation error from roundings of set-up that do not depend on the motion, in units of (2^-53
 /// rad)²: 24 roundings of numbers up to 1, each with a variance of 1/3.
@@ -58,12 +58,11 @@ impl ErrorBound {
         self.constant + self.per_tick * Float::abs(ticks)
     }
 
-    /// Error bound of a table with this tick length, whose increments differ by `missed` turns from the rates.
+    /// Error bound of a table whose phases have these errors per tick, in turns.
     pub(crate) fn of<R: EphemerisScalar>(
         rates: &MeanRates,
         tabulated: &Tabulated,
-        length: f64,
-        missed: [f64; 3],
+        per_tick: [f64; 3],
     ) -> Self {
         let Tabulated { truncation, speeds, .. } = *tabulated;
         let tick = R::TICK_ERROR + R::SLOPE_ROUNDING * speeds.steepness;
@@ -73,16 +72,8 @@ impl ErrorBound {
         let rounded = if rounded > tabulated.defect { rounded } else { tabulated.defect };
         Self {
             constant: truncation + tick + place + rise + rounded + Self::of_phases(speeds.sweep, [CLOCK; 3]),
-            per_tick: Self::per_tick(rates, tabulated, length, missed),
+            per_tick: Self::of_phases(speeds.sweep, per_tick),
         }
-    }
-
-    fn per_tick(rates: &MeanRates, tabulated: &Tabulated, length: f64, missed: [f64; 3]) -> f64 {
-        let mut errors = missed;
-        for (error, of_rate) in errors.iter_mut().zip(rates.errors) {
-            *error = Float::abs(*error) + of_rate * length;
-        }
-        Self::of_phases(tabulated.speeds.sweep, errors)
     }
 
     /// Orientation error, rad, caused by these errors of the three phases, in turns. The error of the nutation phase
@@ -91,6 +82,16 @@ impl ErrorBound {
         let slow = if alpha > beta { alpha } else { beta };
         2.0 * (sweep * nutation + TURN * slow)
     }
+}
+
+/// Errors of the phases per tick of a length, in turns: those of the rates, and `missed`, by which the increments differ from
+/// the rates.
+pub(crate) fn phase_errors(rates: &MeanRates, length: f64, missed: [f64; 3]) -> [f64; 3] {
+    let mut errors = missed;
+    for (error, of_rate) in errors.iter_mut().zip(rates.errors) {
+        *error = Float::abs(*error) + of_rate * length;
+    }
+    errors
 }
 
 /// Truncation of a phase to its 64 leading bits, in turns.
@@ -153,8 +154,10 @@ mod tests {
             errors,
             rounding: <f64 as Scalar>::ROUNDING,
         };
-        let per_tick =
-            |errors, missed| ErrorBound::of::<f64>(&rates(errors), &tabulated, 0.5, missed).per_tick;
+        let per_tick = |errors, missed| {
+            let rates = rates(errors);
+            ErrorBound::of::<f64>(&rates, &tabulated, phase_errors(&rates, 0.5, missed)).per_tick
+        };
         for (errors, allowed) in [
             ([1e-20, 0.0, 0.0], 5e-20),
             ([0.0, 1e-20, 0.0], TURN * 1e-20),

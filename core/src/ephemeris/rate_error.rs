@@ -1,14 +1,14 @@
 //! Error bound of the angular velocity; `core/docs/error_bound.md` derives it.
 
-use crate::ephemeris::error_bound::{COEFFICIENTS, ErrorBound, delays};
+use crate::ephemeris::error_bound::{COEFFICIENTS, ErrorBound, TURN, delays};
 use crate::ephemeris::evaluation::EphemerisScalar;
 use crate::ephemeris::tabulated::Tabulated;
 use crate::scalar::Float;
 
 /// Rates of a motion, rad per unit time.
 pub(crate) struct MotionRates {
-    /// Half a nutation period, in units of time; 0 where u is constant.
-    pub(crate) half_period: f64,
+    /// Number of half nutation periods per unit of time; 0 where u is constant.
+    pub(crate) half_periods: f64,
     /// Mean rate of A + B.
     pub(crate) mean: f64,
     /// Axial component (n - K)/C of the angular velocity.
@@ -16,21 +16,58 @@ pub(crate) struct MotionRates {
     /// Rate |K|/A of a rotor's momentum. It is in the rates of χ and of the slow phases, and cancels in the angular velocity of
     /// the body.
     pub(crate) rotor: f64,
+    /// Upper bound on the transverse part of the angular velocity; infinite where it is not known.
+    pub(crate) transverse: f64,
+    /// Upper bound on the sine of the tilt.
+    pub(crate) sine: f64,
 }
 
-/// Upper bound on the error of the angular velocity in either frame, rad per unit time, from the error bound of the
-/// orientation.
+impl MotionRates {
+    /// Upper bound on the transverse part of the angular velocity: the one that is known, or that from the table's greatest
+    /// `Speeds::sweep`, whichever is smaller.
+    fn transverse(&self, sweep: f64) -> f64 {
+        let of_table = sweep * self.half_periods + Float::abs(self.mean);
+        if self.transverse < of_table { self.transverse } else { of_table }
+    }
+}
+
+/// Error of the angular velocity in either frame from errors of the phases.
+pub(crate) struct PhaseErrors {
+    /// Error caused by a delay of half a period, rad per unit time.
+    delay: f64,
+    /// Greatest part of the angular velocity that errors of A and B turn, rad per unit time.
+    turned: f64,
+}
+
+impl PhaseErrors {
+    /// Errors with these greatest speeds of the table, [`Speeds::sweep`] and [`Speeds::acceleration`].
+    pub(crate) fn new(motion: &MotionRates, sweep: f64, acceleration: f64) -> Self {
+        let (mean, axial) = (Float::abs(motion.mean), Float::abs(motion.axial));
+        let transverse = motion.transverse(sweep);
+        Self {
+            // the derivative of N, and the rotation of Ω by the delay of a and b
+            delay: acceleration * motion.half_periods + sweep * (mean + transverse + axial),
+            turned: transverse + axial * motion.sine,
+        }
+    }
+
+    /// Error of the angular velocity, rad per unit time, caused by these errors of the three phases, in turns.
+    pub(crate) fn of(&self, [nutation, alpha, beta]: [f64; 3]) -> f64 {
+        2.0 * nutation * self.delay + TURN * (alpha + beta) * self.turned
+    }
+}
+
+/// Upper bound on the error of the angular velocity in either frame, rad per unit time, from the error of the
+/// orientation at tick 0, rad, and from the errors of the phases per tick, in turns.
 pub(crate) fn rate_error<R: EphemerisScalar>(
-    orientation: &ErrorBound,
+    orientation: f64,
+    per_tick: [f64; 3],
     motion: &MotionRates,
     tabulated: &Tabulated,
 ) -> ErrorBound {
-    let MotionRates { half_period, mean, axial, rotor } = *motion;
     let speeds = &tabulated.speeds;
-    let per_time = if half_period > 0.0 { 1.0 / half_period } else { 0.0 };
-    let mean = Float::abs(mean);
-    let transverse = speeds.sweep * per_time + mean;
-    let whole = transverse + Float::abs(axial);
+    let (per_time, mean) = (motion.half_periods, Float::abs(motion.mean));
+    let whole = motion.transverse(speeds.sweep) + Float::abs(motion.axial);
     let [truncated, random] = delays::<R>(tabulated).map(|delay| delay * speeds.acceleration);
     let coefficients = COEFFICIENTS * speeds.sweep;
     let rounded = Float::sqrt(coefficients * coefficients + random * random);
@@ -38,12 +75,9 @@ pub(crate) fn rate_error<R: EphemerisScalar>(
         + R::RATE_ERROR * (speeds.x_rate * per_time + mean)
         + R::SLOPE_ROUNDING * speeds.bend * per_time
         + R::RATE_ROUNDING * whole
-        + COEFFICIENTS * rotor;
-    // a delay changes the transverse part at this rate, over its share in the error of the orientation
-    let delayed = if speeds.sweep > 0.0 { speeds.acceleration / speeds.sweep * per_time } else { 0.0 };
-    let turned = mean + whole;
+        + COEFFICIENTS * motion.rotor;
     ErrorBound {
-        constant: own + turned * orientation.constant,
-        per_tick: (delayed + turned) * orientation.per_tick,
+        constant: own + (mean + whole) * orientation,
+        per_tick: PhaseErrors::new(motion, speeds.sweep, speeds.acceleration).of(per_tick),
     }
 }

@@ -5,7 +5,7 @@ use core::task::Poll;
 use crate::ephemeris::cell::Cell;
 use crate::ephemeris::clock::Clock;
 use crate::ephemeris::economise::Polynomial;
-use crate::ephemeris::error_bound::ErrorBound;
+use crate::ephemeris::error_bound::{ErrorBound, phase_errors};
 use crate::ephemeris::evaluation::EphemerisScalar;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::rate_error::{MotionRates, rate_error};
@@ -185,12 +185,18 @@ impl SetUp {
     #[inline(never)]
     fn state_bounds<R: EphemerisScalar>(&self, ephemeris: &mut EphemerisView<R>) {
         let Self { motion, tick, rates, tabulated, .. } = self;
-        let missed = ephemeris.clock.missed();
-        let error_bound = ErrorBound::of::<R>(rates, tabulated, tick.length().to_f64(), missed);
+        let per_tick = phase_errors(rates, tick.length().to_f64(), ephemeris.clock.missed());
+        let error_bound = ErrorBound::of::<R>(rates, tabulated, per_tick);
         let [_, mean, axial] = ephemeris.clock.rates.map(Float::to_f64);
-        let rotor = Float::abs(motion.top().rotor_momentum()) / motion.top().transverse_inertia();
-        let of_motion = MotionRates { half_period: rates.half_period.to_f64(), mean, axial, rotor };
-        ephemeris.rate_error_bound = rate_error::<R>(&error_bound, &of_motion, tabulated);
+        let of_motion = MotionRates {
+            half_periods: ephemeris.half_periods_per_time(),
+            mean,
+            axial,
+            rotor: Float::abs(motion.top().rotor_momentum()) / motion.top().transverse_inertia(),
+            transverse: motion.greatest_transverse_rate(),
+            sine: motion.branch_points().greatest_sine(),
+        };
+        ephemeris.rate_error_bound = rate_error::<R>(error_bound.constant, per_tick, &of_motion, tabulated);
         ephemeris.error_bound = error_bound;
     }
 }
