@@ -8,12 +8,23 @@ use crate::truth::precise::{Precise, precise, product, to_f64};
 /// the rates, which is its square times a third derivative, and large enough to leave as many digits of the difference.
 const SHARE: f64 = 1.0 / (1_u64 << 60) as f64;
 
+/// Greatest angle in the unit of time, rad.
+const GREATEST_TURN: f64 = 1e8;
+
 impl Exact {
     /// Rates at a time after the start, which is taken as exact.
     ///
-    /// * `unit`: a time in which the motion does not turn more than 10^8 rad
+    /// * `unit`: a time, such as the period; a shorter one is taken where the body turns by more than 10^8 rad in it
     #[must_use]
     pub fn rates(&self, t: &Precise, unit: f64) -> RateSample {
+        let rates = self.difference(t, unit);
+        // where the two orientations are far apart, the difference tells a speed that is too low, but above this limit
+        let shorter = GREATEST_TURN / rates.speed();
+        if shorter < 0.5 * unit { self.rates(t, shorter) } else { rates }
+    }
+
+    /// Quotient of the difference of two orientations by their distance in time.
+    fn difference(&self, t: &Precise, unit: f64) -> RateSample {
         let step = precise(unit) * precise(SHARE);
         let (before, after) = (self.at(&(t - &step)), self.at(&(t + &step)));
         let double_step = step << 1;
