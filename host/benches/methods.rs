@@ -3,7 +3,7 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::time::Duration;
-use toytop_host::measure::benchmark::{Benchmark, MOMENTS, Method};
+use toytop_host::measure::benchmark::{Benchmark, Method, SAMPLES};
 
 const PERIODS: u64 = 10;
 
@@ -20,18 +20,18 @@ const METHODS: [Method; 8] = [
 
 fn compared(c: &mut Criterion) {
     let benchmark = Benchmark::new().expect("a benchmark");
-    let moments: Vec<u64> = (1..=PERIODS * u64::from(MOMENTS)).collect();
-    let truth = benchmark.truth(&moments);
+    let samples: Vec<u64> = (1..=PERIODS * u64::from(SAMPLES)).collect();
+    let truth = benchmark.truth(&samples);
     let mut group = c.benchmark_group("methods, 160 orientations over 10 periods");
-    group.throughput(Throughput::Elements(moments.len() as u64));
+    group.throughput(Throughput::Elements(samples.len() as u64));
     for method in METHODS {
-        let (errors, _) = benchmark.errors(method, &moments, &truth).expect("errors");
+        let (errors, _) = benchmark.errors(method, &samples, &truth).expect("errors");
         let worst = errors.into_iter().fold(0.0, f64::max);
         let name = format!("{}, {}", method.name(), method.effort());
         println!("{name}: greatest error {worst:.1e} rad");
         // set-up is not in the time
         let timed = |runs: u64| -> Duration {
-            (0..runs).map(|_| benchmark.run(method, &moments).map_or(Duration::ZERO, |(_, time)| time)).sum()
+            (0..runs).map(|_| benchmark.run(method, &samples).map_or(Duration::ZERO, |(_, time)| time)).sum()
         };
         group.bench_function(name, |b| b.iter_custom(timed));
     }

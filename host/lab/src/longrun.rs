@@ -78,7 +78,7 @@ pub fn decades(ticks: u64) -> Vec<u64> {
 /// # Errors
 /// [`Failure::Method`]: the full solver gave up, which it should not.
 pub fn run(ticks: u64) -> Result<Vec<Row>, Failure> {
-    let benchmark = Benchmark::with_moments(TICKS_PER_PERIOD)?;
+    let benchmark = Benchmark::with_samples(TICKS_PER_PERIOD)?;
     let decades = decades(ticks);
     let truth = benchmark.truth(&decades);
     let progress = Mutex::new(Progress::new(METHODS.len() as u64 * ticks, "ticks"));

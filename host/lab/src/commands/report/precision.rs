@@ -4,7 +4,7 @@ use super::{Table, words};
 use serde_json::Value;
 use std::path::Path;
 use toytop_host::Failure;
-use toytop_host::measure::benchmark::{Benchmark, MOMENTS, Method};
+use toytop_host::measure::benchmark::{Benchmark, Method, SAMPLES};
 use toytop_host::output::progress::Progress;
 use toytop_host::pictures::figures::{Chart, Curve, Picture, measured_errors};
 
@@ -33,10 +33,10 @@ fn methods() -> Vec<Method> {
 
 pub(super) fn measured(benchmark: &Benchmark, others: Vec<Point>) -> Result<Vec<Point>, Failure> {
     const RUNS: usize = 2;
-    let per_period = u64::from(MOMENTS);
-    let moments: Vec<u64> = (1..=PERIODS * per_period).collect();
-    let last = moments.len() - MOMENTS as usize;
-    let truth = benchmark.truth(&moments[last..]);
+    let per_period = u64::from(SAMPLES);
+    let samples: Vec<u64> = (1..=PERIODS * per_period).collect();
+    let last = samples.len() - SAMPLES as usize;
+    let truth = benchmark.truth(&samples[last..]);
     let methods = methods();
     let mut progress = Progress::new(methods.len() as u64, "runs");
     let mut points = Vec::new();
@@ -44,7 +44,7 @@ pub(super) fn measured(benchmark: &Benchmark, others: Vec<Point>) -> Result<Vec<
         let mut time = f64::INFINITY;
         let mut error = 0.0;
         for _ in 0..RUNS {
-            let (phis, taken) = benchmark.run(method, &moments)?;
+            let (phis, taken) = benchmark.run(method, &samples)?;
             let errors = phis[last..].iter().zip(&truth).map(|(phi, truth)| phi.distance(truth));
             error = errors.fold(0.0, f64::max);
             time = taken.as_secs_f64().min(time);

@@ -166,8 +166,8 @@ fn numbers(random: &mut Random) -> Numbers {
 
 /// Where a motion starts, as a state in `f64`: no longer exactly on it, and a motion of its own.
 fn on_motion(numbers: &Numbers) -> Option<State> {
-    let pose = Stepper::<f64>::new(&numbers.motion().ok()?).attitude_state();
-    State::new(pose.orientation, pose.omega()).ok()
+    let attitude = Stepper::<f64>::new(&numbers.motion().ok()?).attitude_state();
+    State::new(attitude.orientation, attitude.omega()).ok()
 }
 
 fn release(random: &mut Random) -> Release {
