@@ -1,5 +1,5 @@
-//! Time of every method for 10 nutation periods with an orientation at 16 times in each. The efforts are those that reach
-//! some 1e-9 rad there, or the least of which a method is worth its name; the errors are printed first.
+//! Time of every method for 10 nutation periods with an orientation at 16 times in each. Tolerances and step sizes are those that give an
+//! error of some 1e-9 rad, or the largest that are useful for a method; the errors are printed first.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::time::Duration;
@@ -29,7 +29,7 @@ fn compared(c: &mut Criterion) {
         let worst = errors.into_iter().fold(0.0, f64::max);
         let name = format!("{}, {}", method.name(), method.effort());
         println!("{name}: greatest error {worst:.1e} rad");
-        // set-up is not in the time
+        // the time does not contain the set-up
         let timed = |runs: u64| -> Duration {
             (0..runs).map(|_| benchmark.run(method, &samples).map_or(Duration::ZERO, |(_, time)| time)).sum()
         };
