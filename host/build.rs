@@ -1,7 +1,7 @@
 //! Compiles the core to WebAssembly for the pages of `toytop view`, where the compiler has that target.
 //!
-//! `TOYTOP_PAGE_WASM` names a file to take instead, for a machine that compiles it with another toolchain. Without either, the
-//! program is built all the same, and its pages play one motion from a table.
+//! `TOYTOP_PAGE_WASM` names a file that replaces the result of the compiler, for a machine that compiles the core with another toolchain.
+//! Without either, the program is built without the core for pages, and each of its pages shows one motion from a table.
 
 use std::env::{self, var_os};
 use std::fs;
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const TARGET: &str = "wasm32-unknown-unknown";
-/// Settings of cargo that are meant for a program of another kind.
+/// Environment variables of cargo that are meant for the host's program and must not affect the page's.
 const NOT_OURS: [&str; 6] = [
     "RUSTFLAGS",
     "CARGO_ENCODED_RUSTFLAGS",
@@ -40,12 +40,12 @@ fn out_dir() -> PathBuf {
     var_os("OUT_DIR").expect("cargo sets OUT_DIR").into()
 }
 
-/// Whether the compiler's standard library is there for WebAssembly.
+/// Whether the compiler has its standard library for WebAssembly.
 fn has_target() -> bool {
     let rustc = var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let output = Command::new(rustc).args(["--print", "target-libdir", "--target", TARGET]).output();
     let text = output.map_or(String::new(), |output| String::from_utf8_lossy(&output.stdout).into_owned());
-    // lib/rustlib/TARGET/lib, and rustup's list beside the targets, which changes when one is added
+    // the folder lib/rustlib/TARGET/lib, and rustup's list of targets, which changes when one is added
     let folder = Path::new(text.trim());
     if let Some(list) = folder.ancestors().nth(2).map(|rustlib| rustlib.join("components"))
         && list.exists()
@@ -55,13 +55,13 @@ fn has_target() -> bool {
     folder.exists()
 }
 
-/// The compiled core, in a folder that all profiles share.
+/// Path of the compiled core, in a folder that all profiles share.
 fn compiled() -> PathBuf {
     // target/PROFILE/build/PACKAGE/out
     let out = out_dir();
     let target = out.ancestors().nth(4).map_or(out.join("page"), |target| target.join("page"));
     let mut cargo = Command::new(var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    // what is needed has been fetched for the program itself
+    // the dependencies have been fetched for the program itself
     cargo.args([
         "build",
         "--package",

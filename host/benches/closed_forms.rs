@@ -1,4 +1,4 @@
-//! What the paper's closed forms cost: each set up once, and asked for a moment; and the functions they are made of.
+//! Times of the paper's closed forms: set-up, evaluation at one time, and the elliptic functions that they use.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -6,9 +6,9 @@ use toytop::elliptic::{Jacobi, Weierstrass};
 use toytop::exact::ClosedForm;
 use toytop::{Complex, Motion, Signs, Start, Top, TopParameters};
 
-/// One motion of each kind that has a form.
+/// Motion of each kind that has a closed form.
 fn motions() -> [(&'static str, Motion); 4] {
-    // e4 = 2 exactly
+    // e4 is exactly 2
     let sliding = Top::sliding(&TopParameters {
         transverse_inertia: 3.0,
         axial_inertia: 2.0,

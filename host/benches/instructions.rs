@@ -1,4 +1,4 @@
-//! Instructions of one call each, counted by valgrind: the same numbers however busy the machine is.
+//! Number of instructions of one call of each kind, counted by valgrind, which does not depend on how busy the machine is.
 
 // the macros of gungraun write public items without documentation
 #![allow(missing_docs, unreachable_pub)]
@@ -21,7 +21,7 @@ const TICKS: usize = 1024;
 /// First tick of a batch.
 const FIRST: i64 = 1 << 40;
 
-// Each sets up what a call needs and returns the call, which alone is counted; what it returns is dropped behind it.
+// Each function prepares a call and returns it. Only the call is counted, not the drop of its result.
 
 fn launch() -> impl FnOnce() -> Result<Motion, ParameterError> {
     let top = Top::sliding(&TopParameters {
@@ -72,7 +72,7 @@ fn stepper<R: Real>() -> impl FnOnce() -> Stepper<R> {
     }
 }
 
-/// A sixteenth of a period.
+/// Call that integrates the full equations over a sixteenth of a period.
 fn full_solver() -> impl FnOnce() -> FullSolver {
     let benchmark = Benchmark::new().expect("a benchmark");
     let (top, state) = solution::start(benchmark.scenario());

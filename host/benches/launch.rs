@@ -1,4 +1,4 @@
-//! What a throw costs, once: the motion, its period, the tables.
+//! Times of a launch: the motion, its period, the tables.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;

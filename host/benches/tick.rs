@@ -1,4 +1,4 @@
-//! What a tick costs: by stepper, by cursor, at any tick, at any time, in a batch; floating and fixed point.
+//! Times of a tick: by stepper, by cursor, at any tick, at any time, in a batch, in floating and fixed point.
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use fixed::types::{I2F14, I2F30};
@@ -7,7 +7,7 @@ use toytop::scalar::Real;
 use toytop::{Ephemeris, EphemerisScalar, Motion, Stepper, Tick};
 use toytop_host::measure::benchmark::NUMBERS;
 
-/// Number of ticks in a batch: enough to time, few enough to stay in the cache.
+/// Number of ticks in a batch: enough for the clock, and few enough for the cache.
 const TICKS: usize = 4096;
 /// First tick of a batch.
 const FIRST: i64 = 1 << 40;

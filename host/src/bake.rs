@@ -1,10 +1,10 @@
 //! An ephemeris as a file for other programs: a Rust module, a C header with its evaluator, or JSON.
 //!
-//! All three hold the same numbers, the crate's [`Baked`](toytop::Baked), of any size, with its version and checksum. A Rust module with a
-//! changed number does not compile; the C header has a function that tells; both give the bits that the crate gives.
+//! All three contain the numbers of a [`Baked`](toytop::Baked) of any size, with format version and checksum. A Rust module in which a
+//! number was changed does not compile; the C header has a function that checks the numbers. Both give the bits of the crate.
 //!
-//! C: fixed point is integers throughout, and `f32` is integers up to α and β, whose bits depend on nothing. In u, c and `f64` every
-//! product that goes into a sum passes a barrier, without which compilers would fuse the two by default.
+//! In C, fixed point uses integers only, and `f32` uses integers up to α and β, so that these bits do not depend on the compiler. In u, c
+//! and `f64` every product that is added passes a barrier, without which compilers would fuse the product and the sum by default.
 
 mod c;
 mod json;
@@ -17,16 +17,16 @@ use toytop::{Clock, EphemerisScalar, EphemerisView, ErrorBound};
 pub use self::c::{arduino_files, header, split_files};
 pub use self::{json::object, rust::module};
 
-/// The numbers of a [`Baked`](toytop::Baked), whatever its size and scalar.
+/// Numbers of a [`Baked`](toytop::Baked) of any size and scalar.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parts {
-    /// The version of the format.
+    /// Version of the format.
     pub format: u32,
-    /// CRC-32 of all that follows.
+    /// CRC-32 of all other numbers.
     pub crc32: u32,
-    /// Scalar of the crate.
+    /// Scalar of the table.
     pub scalar: Scalar,
-    /// Segments and terms.
+    /// Number of segments, and of terms of a polynomial.
     pub size: [usize; 2],
     /// Phases and rates.
     pub clock: Clock<f64>,
@@ -34,32 +34,32 @@ pub struct Parts {
     pub error_bound: ErrorBound,
     /// Upper bound on the error of the angular velocity, rad per unit time.
     pub rate_error_bound: ErrorBound,
-    /// Of each cell of half a period: its first segment, times 16, and the binary logarithm of how many it has.
+    /// Cells of half a period: for each its first segment, times 16, plus the binary logarithm of its number of segments.
     pub cells: [u16; 16],
-    /// Those of Re α, Im α, Re β and Im β, by segment and power.
+    /// Coefficients of Re α, Im α, Re β and Im β, by segment and power.
     pub coefficients: Coefficients,
 }
 
-/// The coefficients of a table, in rows of four.
+/// Coefficients of a table, in rows of four.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Coefficients {
-    /// Integers; that of x^k in units of 2^-(31+k).
+    /// Integers of 32 bits; the coefficient of x^k is in units of 2^-(31+k).
     Integers(Vec<[i32; 4]>),
-    /// Short ones; that of x^k in units of 2^-(15+k).
+    /// Integers of 16 bits; the coefficient of x^k is in units of 2^-(15+k).
     Shorts(Vec<[i16; 4]>),
-    /// Floating point.
+    /// Numbers in `f64`.
     Doubles(Vec<[f64; 4]>),
 }
 
 impl Parts {
-    /// Bytes of the table, without the clock.
+    /// Size of the table in bytes, without the clock.
     #[must_use]
     pub fn table_bytes(&self) -> usize {
         let [segments, terms] = self.size;
         4 * segments * terms * self.coefficient_bytes()
     }
 
-    /// Bytes of a coefficient.
+    /// Size of a coefficient in bytes.
     fn coefficient_bytes(&self) -> usize {
         match &self.coefficients {
             Coefficients::Integers(_) => 4,
@@ -69,7 +69,7 @@ impl Parts {
     }
 }
 
-/// Scalar whose tables can be written.
+/// Scalar whose tables can be written to files.
 pub trait Bake: EphemerisScalar {
     /// Parts of a table.
     fn parts(table: &EphemerisView<Self>) -> Parts;
@@ -111,25 +111,25 @@ bake! {
     I2F14: Q15, Shorts;
 }
 
-/// The clock in `f64`.
+/// Clock with its lengths and rates in `f64`.
 fn wide<W: Into<f64>>(clock: Clock<W>) -> Clock<f64> {
     let Clock { step, tip_scale, first, horizon, exact_step, ticks_per_time, rates, tip, turns } = clock;
     let (tip_scale, rates) = (tip_scale.into(), rates.map(Into::into));
     Clock { step, tip_scale, first, horizon, exact_step, ticks_per_time, rates, tip, turns }
 }
 
-/// What a file says of the motion it holds.
+/// Description of the motion of a table, for the comment of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
-    /// Of the scenario.
+    /// Name of the scenario.
     pub name: String,
-    /// How long a tick is.
+    /// Length of a tick, as text.
     pub tick: String,
 }
 
 impl Label {
-    /// The name as an identifier in lower case: letters and digits of ASCII; `u` and four hexadecimal digits or more for any other letter or
-    /// digit; one underscore for everything between, and none at the ends.
+    /// Name as an identifier in lower case: letters and digits of ASCII are kept, any other letter or digit becomes `u` and at least four
+    /// hexadecimal digits, and everything between becomes one underscore, but not at the ends.
     #[must_use]
     pub fn identifier(&self) -> String {
         let mut identifier = String::new();
@@ -149,8 +149,8 @@ impl Label {
         }
     }
 
-    /// The identifier as a name in C and C++, and of a file. One word may be the language's or a library's (`int`, `clock`); so may what
-    /// ends in `_t`; and what begins with `toytop_` may be this library's. Such a name has `top_` in front.
+    /// Identifier as a name in C and C++, and of a file. A single word or a name that ends in `_t` may belong to the language or to a library
+    /// (`int`, `clock`), and a name that begins with `toytop_` may belong to this library. Such a name gets the prefix `top_`.
     #[must_use]
     pub fn c_name(&self) -> String {
         let name = self.identifier();
@@ -158,7 +158,7 @@ impl Label {
         if free { name } else { format!("top_{name}") }
     }
 
-    /// The name and what the table is, for a comment: without what could end one.
+    /// Name and properties of the table for a comment, without characters that could end the comment.
     fn headline(&self, parts: &Parts) -> String {
         let printable = |c: &char| !c.is_control() && !['*', '/', '\\'].contains(c);
         let name: String = self.name.chars().filter(printable).collect();
@@ -176,7 +176,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_name_becomes_one_that_is_free() {
+    fn every_name_becomes_an_unused_identifier() {
         let named = |name: &str| Label { name: name.to_owned(), tick: String::new() };
         for (name, identifier, c_name) in [
             ("int", "int", "top_int"),

@@ -2,9 +2,9 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`problem`] | a problem: its scenario, its source's conventions, reference values, what others printed |
-//! | [`conventions`] | the source's body axes and quantities |
-//! | [`compare`] | how far printed values are off |
+//! | [`problem`] | problem with scenario, conventions of its source, reference values, and values that others printed |
+//! | [`conventions`] | body axes and quantities of a source |
+//! | [`compare`] | errors of printed values |
 
 pub mod compare;
 pub mod conventions;
@@ -55,10 +55,10 @@ pub fn all() -> Result<Vec<Problem>, Failure> {
         .collect()
 }
 
-/// The problem of this name.
+/// Problem of this name.
 ///
 /// # Errors
-/// [`Failure::Input`]: there is none; the line lists the names.
+/// [`Failure::Input`]: there is no such problem; the message lists the names.
 pub fn named(name: &str) -> Result<Problem, Failure> {
     match FILES.iter().find(|(known, ..)| *known == name) {
         Some((name, scenario, about, reference)) => Problem::read(name, scenario, about, reference),

@@ -1,9 +1,9 @@
-//! What a call costs on a chip, by emulating it: exact instructions, and from published timings the cycles that they would take.
+//! Cost of a call on an emulated chip: the exact number of instructions, and a model of their cycles from published timings.
 //!
-//! The firmware `cost` gives every call a symbol of its own. QEMU runs it and says which blocks of code it executes
-//! (`trace`); those between a call's entry and its return are counted (`meter`). For chips whose timings are published
-//! each instruction is decoded (`instruction`) and priced (`model`). Nothing here depends on a clock: the same ELF gives
-//! the same figures. What a call may cost is in a file (`limits`), and on the front page (`readme`).
+//! The firmware `cost` gives every call a symbol of its own. QEMU runs it and logs which blocks of code it executes (`trace`); the blocks
+//! between the entry of a call and its return are counted (`meter`). For chips whose timings are published each instruction is decoded
+//! (`instruction`) and its cycles are computed (`model`). No clock is used: the same ELF gives the same figures. The allowed costs are in
+//! a file (`limits`) and in tables of pages (`readme`). The module `corpus` measures the set-up of many launches.
 
 mod chip;
 mod corpus;

@@ -1,4 +1,4 @@
-//! The command line: what can be asked, and how a wrong question is answered in one line.
+//! Command line of `toytop`: its commands, their help texts and their arguments.
 
 mod benchmark;
 mod choice;
@@ -26,20 +26,20 @@ pub use score::ScoreArgs;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
-/// Motion of a spinning top whose tip slides on a plane, or is fixed.
+/// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
 #[derive(Debug, Parser)]
 #[command(
     name = "toytop",
     version,
-    help_template = "{about}\n{usage-heading} {usage}; each has --help, and --version is that of the program\n\nCommands:\n{subcommands}\n"
+    help_template = "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\nCommands:\n{subcommands}\n"
 )]
 pub struct Cli {
-    /// What to do.
+    /// Command to run.
     #[command(subcommand)]
     pub command: Command,
 }
 
-/// A command with its arguments.
+/// Command with its arguments.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Errors of the core against an integration of the full 3-D equations
@@ -48,26 +48,30 @@ pub enum Command {
     #[command(after_help = "Example: toytop compare host/scenarios/toy_top.toml --periods 100 --format csv")]
     Compare(CompareArgs),
     /// Orientation, rates and tip at given times
-    #[command(after_help = "Units: t in s, udot in 1/s, omega in rad/s, tip in m, phi in rad and\n\
-            the other angles too, unless the scenario says units = \"none\"; u, alpha, beta,\n\
-            gamma, delta, quaternion and axis are pure numbers. The tip is c = 2 s alpha beta; with support = \"fixed\" it is 2 alpha beta, a pure number:\n\
-            minus the horizontal part of the axis. The CSV columns have the names of the JSON keys, except for quaternion (w,x,y,z), omega_body\n\
-            (wx,wy,wz), angles (tilt,azimuth,roll) and euler_zxz (euler_phi,euler_theta,euler_psi).\n\n\
+    #[command(
+        after_help = "Units: t in s, udot in 1/s, omega in rad/s, tip in m, phi in rad; the other angles are in rad too.\n\
+            With units = \"none\" in the scenario no units are named. u, alpha, beta, gamma, delta, quaternion and axis are pure numbers.\n\
+            The tip is c = 2 s alpha beta. With support = \"fixed\" or \"free\" it is 2 alpha beta, a pure number: minus the horizontal part of the axis.\n\
+            The CSV columns have the names of the JSON keys, except for quaternion (w,x,y,z), omega_body (wx,wy,wz), angles (tilt,azimuth,roll)\n\
+            and euler_zxz (euler_phi,euler_theta,euler_psi).\n\n\
             Example: toytop state host/scenarios/toy_top.toml --times 0,0.5,1e6 --format json\n         \
             toytop state host/scenarios/toy_top.toml --times 0..10/1000001 --columns t,quaternion,omega_body --format npy -o top.npy\n         \
-            toytop state host/scenarios/toy_top.toml --ticks 0..999 --hertz 8000 --scalar q15 --format csv")]
+            toytop state host/scenarios/toy_top.toml --ticks 0..999 --hertz 8000 --scalar q15 --format csv"
+    )]
     State(StateArgs),
     /// First integrals, branch points, period and mean rotations
     #[command(
-        after_help = "Tilts are those of the axis from the vertical. The precession is the mean rate of the axis about the vertical; the spin is omega . r,\n\
-            the whole component along the axis; above the critical spin the top sleeps upright. Without units of time a second is the scenario's.\n\n\
+        after_help = "A tilt is the angle of the axis from the upward vertical. The precession is the mean rate of the axis about the vertical. The spin is\n\
+            omega . r, the whole component of omega along the axis. Above the critical spin a top that spins upright is stable.\n\
+            With units = \"none\" a second stands for the unit of time of the scenario.\n\n\
             Example: toytop constants host/scenarios/figure_3_loops.toml"
     )]
     Constants(ConstantsArgs),
     /// Times of turning points, tilts, circles, tip angles and lift-off
     #[command(
-        after_help = "The tilt is that from the upward vertical; up means that the axis rises. circle=R: |c| = R (for a held tip the sine of the tilt).\n\
-            The tip angle counts modulo 360 degrees. lift-off: the normal force is 0, up where a real top leaves the plane.\n\n\
+        after_help = "tilt=X: the axis makes the angle X with the upward vertical; :up selects the times at which it rises. circle=R: the tip is at the\n\
+            distance R from the centre (for a held tip R is the sine of the tilt). tip-angle=X: the tip angle is X, whole turns aside. lift-off: the\n\
+            normal force is 0; :up selects the times at which a real top leaves the plane.\n\n\
             Example: toytop events host/scenarios/figure_3_loops.toml --kind turning,tilt=40:up,tip-angle=90 --count 20\n         \
             toytop events host/scenarios/toy_top.toml --kind tilt=22 --from 1e6 --format json"
     )]
@@ -79,44 +83,44 @@ pub enum Command {
         after_help = "Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg\n         toytop plot host/scenarios/toy_top.toml --kind tilt --times 0..0.5 --size 1200 -o tilt.png"
     )]
     Plot(PlotArgs),
-    /// Top in motion as a GIF, or as a film by ffmpeg
+    /// Animation of a motion: a GIF, or a film that ffmpeg makes
     #[command(
-        after_help = "The frames show exact times. A red spoke of the disc turns with the body; a fast spin is seen only in slow motion: --times 0..0.2\n\
-            spreads a fifth of a second over the whole film.\n\n\
+        after_help = "Each frame shows the top at one exact time. A red spoke of the disc turns with the body. A fast spin can be seen only in slow motion:\n\
+            --times 0..0.2 shows a fifth of a second over the whole film.\n\n\
             Example: toytop animate host/scenarios/toy_top.toml --times 0..0.2 -o top.gif"
     )]
     Animate(AnimateArgs),
-    /// Page for a browser, in which a top is thrown and watched
+    /// Page for a browser that shows a top, with sliders for its launch
     ///
-    /// The page needs nothing else: it contains the core, which computes any other motion that is set with its sliders.
+    /// The page needs no network and no other file. It contains the core, which computes the motion that the sliders set.
     #[command(
         after_help = "Example: toytop view host/scenarios/figure_3_loops.toml -o top.html\n         top.html#t=12.5 then shows that time\n         toytop view -o index.html   the page that introduces the project"
     )]
     View(ViewArgs),
     /// Table of a motion as a constant for firmware: Rust, C or JSON
     ///
-    /// C comes with its evaluator.
+    /// A table in C contains the code that evaluates it.
     #[command(
-        after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static, which a changed bit keeps from compiling\n         toytop bake top.toml --lang c --tick 44100/2 -o top.h   C99 or C++11, the same results to the bit\n         toytop bake top.toml --lang c --split src --name throw   src/throw.h and .c, beside the code that all tables share"
+        after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static; it does not compile if a bit was changed\n         toytop bake top.toml --lang c --tick 44100/2 -o top.h   C99 or C++11, with the same results to the bit\n         toytop bake top.toml --lang c --split src --name throw   src/throw.h and .c, beside the code that all tables share"
     )]
     Bake(BakeArgs),
-    /// Figures 2 and 3 of the paper, nutation and errors, as SVG and PNG
+    /// Figures 2 and 3 of the paper, u against time and errors against time, as SVG and PNG
     #[command(after_help = "Example: toytop figures -o figures")]
     Figures(FiguresArgs),
     /// Errors of your integrator's output against the exact motion
     #[command(
         after_help = "A RESULT has a header, and a row for each time: t in s, and w,x,y,z (unit quaternion from body to fixed coordinates), or\n\
-            alpha_re,alpha_im,beta_re,beta_im, or r11,r12,...,r33 (matrix by rows, body to fixed). For the drifts of h, l and n it may have wx,wy,wz\n\
-            (rad/s, body frame) or omega_x,omega_y,omega_z (fixed frame); without them they follow from differences. Other columns are ignored.\n\
-            Of the two signs of a quaternion the nearer one counts. Lines above the header may say: # method = RK4, # step = 0.001,\n\
-            # evaluations = 40000. Files of one method with different steps give its order of convergence.\n\n\
+            alpha_re,alpha_im,beta_re,beta_im, or r11,r12,...,r33 (matrix by rows, body to fixed). The drifts of h, l and n are computed from\n\
+            wx,wy,wz (rad/s, body frame) or omega_x,omega_y,omega_z (fixed frame), or without these columns from differences of the rows. Other\n\
+            columns are ignored. The two signs of a quaternion are one rotation. Lines above the header may state: # method = RK4,\n\
+            # step = 0.001, # evaluations = 40000. Files of one method with different steps give its order of convergence.\n\n\
             Example: toytop score host/scenarios/toy_top.toml rk4_*.csv --plot rk4.svg\n         \
             toytop state TOP.toml --times 0..1/1001 --method stepper --format csv > s.csv && toytop score TOP.toml s.csv"
     )]
     Score(ScoreArgs),
     /// Reference values of the heavy tops that integrators are tested with
     #[command(
-        after_help = "The values have 30 digits, each confirmed by two integrations; the conventions are those of the source.\n\n\
+        after_help = "The values have 30 digits, and two integrations confirm each of them. The conventions are those of the problem's source.\n\n\
             Example: toytop benchmark bruls_cardona --format json\n         \
             toytop benchmark bruls_cardona --times 0..2/2001 --format csv > run.csv && toytop score --benchmark bruls_cardona run.csv"
     )]
@@ -136,24 +140,24 @@ pub enum Command {
             Example: toytop fit samples.csv --top host/scenarios/toy_top.toml --free axial_inertia -o fitted.toml"
     )]
     Fit(FitArgs),
-    /// Time for a state on this machine: ephemeris, stepper, full solver
+    /// Computing times on this machine: ephemeris, stepper, full solver
     #[command(after_help = "Example: toytop bench --format json")]
     Bench(BenchArgs),
-    /// Cost of each call on emulated microcontrollers, and its budget
+    /// Cost of each call on emulated microcontrollers, beside its budget
     ///
     /// The exit code is 1 if a call is beyond its budget.
     Budget(BudgetArgs),
     #[command(after_help = "Example: toytop errata --format csv")]
-    /// Slips of the printed paper, both versions against the equations
+    /// Errors of the printed paper and their corrections, both evaluated
     ///
-    /// The exit code is 1 if a pair does not differ as stated.
+    /// The exit code is 1 if a printed formula is right, or a corrected one wrong.
     Errata(ErrataArgs),
-    /// Errors of each scalar up to tick 2^40, and cost on each chip
+    /// Errors of each scalar up to tick 2^40, beside its cost on each chip
     #[command(after_help = "Example: toytop accuracy --plot accuracy.svg")]
     Accuracy(AccuracyArgs),
     /// Constants and errors of many motions, a grid or a random sample
     ///
-    /// The motions are computed on all cores, in shards if wanted, and get a row each.
+    /// Each motion is one row. All processor cores are used, and a sweep can be divided into shards.
     #[command(
         after_help = "Example: toytop sweep host/scenarios/toy_top.toml --spin 90..300/200 --tilt 1..60/100 --plot spin,tilt,period -o grid.csv\n         toytop sweep --e1=-0.9..0.1/41 --e2 0.9 --e3 log:1.01..100/33 --a-over-ps 1 --c-over-a 0.5 -o grid.csv\n         toytop sweep --motions 1000000 --shard 3/100 --resume -o part_3.csv"
     )]
@@ -168,11 +172,11 @@ pub enum Command {
 /// `toytop completions`
 #[derive(Args, Debug)]
 pub struct CompletionsArgs {
-    /// Which shell
+    /// Shell that the completions are for
     pub shell: Shell,
 }
 
-/// The script that completes this program's commands, options and values.
+/// Script that completes this program's commands, options and values.
 #[must_use]
 pub fn completions(shell: Shell) -> Vec<u8> {
     let mut script = Vec::new();

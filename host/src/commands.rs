@@ -1,4 +1,4 @@
-//! One file a command. A command returns its whole output; nothing is printed before all of it is there.
+//! Commands of `toytop`, one file for each. A command returns its whole output, and nothing is printed before it is complete.
 
 pub mod accuracy;
 mod animate;
@@ -28,16 +28,16 @@ use toytop::Motion;
 /// Report of a command.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
-    /// For stdout.
+    /// Text for stdout.
     pub text: String,
     /// Lines for stderr.
     pub notes: Vec<String>,
-    /// A stated bound was missed.
+    /// Whether a stated bound was missed.
     pub missed: bool,
 }
 
 impl Report {
-    /// Adds remarks on the result: below a table, but beside what another program will read.
+    /// Report with remarks on the result: in the text below a table, but on stderr if another program will read the text.
     #[must_use]
     pub fn with_remarks(mut self, remarks: impl IntoIterator<Item = String>, below: bool) -> Self {
         for remark in remarks {
@@ -51,7 +51,7 @@ impl Report {
     }
 }
 
-/// Runs a command.
+/// Report of a command.
 ///
 /// # Errors
 /// See [`Failure`].
@@ -82,7 +82,7 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
     }
 }
 
-/// Warnings that a real top on a plane would move differently: a line a kind, with the motions concerned.
+/// Warnings that a real top on a plane would move differently, one line for each reason, with the names of the motions.
 fn unreal(scenarios: &[Scenario]) -> Vec<String> {
     let line = |what: &str, number: fn(&Motion) -> Option<f64>, digits: usize| {
         let of = |scenario: &Scenario| {
@@ -100,7 +100,7 @@ fn unreal(scenarios: &[Scenario]) -> Vec<String> {
         .collect();
     let unstable = (!upright.is_empty()).then(|| {
         let names = upright.join(", ");
-        format!("warning: upright for ever by the equations, but unstable (a real top would fall): {names}")
+        format!("warning: by the equations the axis stays upright, but the motion is unstable (a real top would fall): {names}")
     });
     [pulled, fallen, unstable].into_iter().flatten().collect()
 }

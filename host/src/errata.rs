@@ -1,7 +1,8 @@
-//! The slips of the printed paper: each formula as printed and as corrected, and how far either is from the truth.
+//! Errors of the printed paper: each formula as printed and as corrected, with the residuals of both.
 //!
-//! The truth is the full equations: [`crate::full_equations::newton_euler`] at one instant, [`crate::full_equations::full_solver`] along a motion. All
-//! tops and motions here are generic, with numbers near 1, so a residual near 1 is a formula that is wrong.
+//! Formulas are compared with the full equations: [`crate::full_equations::newton_euler`] at one time,
+//! [`crate::full_equations::full_solver`] along a motion. All tops and motions here are generic, with numbers near 1, so that a wrong formula
+//! has a residual near 1.
 
 mod aperiodic;
 pub mod contour;
@@ -14,30 +15,30 @@ mod weierstrass;
 
 use crate::full_equations::full_solver::{FullSolverError, FullState, FullTop};
 
-/// How far the printed and the corrected version are from the truth, both without unit.
+/// Residuals of the printed and of the corrected formula, without unit.
 pub type Residuals = Result<[f64; 2], FullSolverError>;
 
-/// One slip.
+/// Error of the paper.
 #[derive(Clone, Copy, Debug)]
 pub struct Slip {
-    /// Where it is: the paper's label or section.
+    /// Place in the paper: a label or a section.
     pub place: &'static str,
-    /// What the residuals are the largest difference between: the formula and this.
+    /// Quantity that the formula is compared with; a residual is their largest difference.
     pub against: &'static str,
-    /// As printed.
+    /// Formula as printed.
     pub printed: &'static str,
-    /// As it should be.
+    /// Corrected formula.
     pub corrected: &'static str,
-    /// Evaluates both.
+    /// Function that computes both residuals.
     pub residuals: fn() -> Residuals,
 }
 
-/// Above this a version fails, below the other it holds; nothing may be between.
+/// Least residual of a wrong formula. No residual may be between this and [`RIGHT`].
 pub const WRONG: f64 = 1e-2;
-/// What rounding may leave of a right formula.
+/// Greatest residual of a right formula.
 pub const RIGHT: f64 = 1e-11;
 
-/// All slips that can be evaluated, in the paper's order.
+/// All errors with a formula that can be evaluated, in the order of the paper.
 #[must_use]
 pub fn slips() -> Vec<Slip> {
     let sections: [&[Slip]; 5] =
@@ -45,12 +46,12 @@ pub fn slips() -> Vec<Slip> {
     sections.concat()
 }
 
-/// The largest difference of two lists of numbers.
+/// Largest difference of two lists of numbers.
 fn farthest(x: &[num_complex::Complex64], y: &[num_complex::Complex64]) -> f64 {
     x.iter().zip(y).map(|(x, y)| (x - y).norm()).fold(0.0, f64::max)
 }
 
-/// A state at a turning point u, with these l + n and l - n, α > 0 and β = i|β| (section 5's initial conditions).
+/// State at a turning point u, with these l + n and l - n, α > 0 and β = i|β| (the initial conditions of section 5).
 fn at_turning_point(top: &FullTop, u: f64, [plus, minus]: [f64; 2]) -> FullState {
     let (l, n) = (0.5 * (plus + minus), 0.5 * (plus - minus));
     let (alpha, beta) = ((0.5 * (1.0 + u)).sqrt(), (0.5 * (1.0 - u)).sqrt());

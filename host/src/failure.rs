@@ -1,23 +1,23 @@
-//! Why a command gives no result, and the exit code that says so.
+//! Failures of a command, with their exit codes.
 
 use std::fmt;
 use std::io;
 
-/// No result. Displayed as one line.
+/// Reason why a command has no result, which is displayed as one line.
 #[derive(Debug)]
 pub enum Failure {
-    /// Bad input: the line names file, key and what is allowed. Exit code 2.
+    /// Bad input: the line names the file, the key and the allowed values. Exit code 2.
     Input(String),
-    /// The method does not apply to this motion: the line says why. Exit code 3.
+    /// Method that does not apply to this motion, with the reason. Exit code 3.
     Method(String),
-    /// The result cannot be written. Exit code 1.
+    /// Result that cannot be written. Exit code 1.
     Output(io::Error),
-    /// Another program that this one needs (cargo, QEMU) is missing, or failed. Exit code 1.
+    /// Other program, such as cargo or QEMU, that is missing or failed. Exit code 1.
     Tool(String),
 }
 
 impl Failure {
-    /// The process's exit code.
+    /// Exit code of the process.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
@@ -51,7 +51,7 @@ impl fmt::Display for Failure {
 
 impl std::error::Error for Failure {}
 
-/// File names and TOML keys may hold line breaks, and 100 KB; a message may not.
+/// Message in one line of limited length, because file names and TOML keys may contain line breaks and be very long.
 fn one_line(message: &str) -> String {
     const ENDS: usize = 500;
     let escape = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.into() };

@@ -1,11 +1,11 @@
-//! The full 3-D equations of motion: the reference that shares no formula with the core, and the baselines.
+//! Full 3-D equations of motion: a reference that shares no formula with the core, and baselines.
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`newton_euler`] | equations with the force of the plane, at one instant |
+//! | [`newton_euler`] | equations with the force of the plane, at one time |
 //! | [`full_solver`] | integration with a tolerance |
-//! | [`solution`] | full solver taken from a scenario to given times |
-//! | [`baseline`] | integration in equal steps: what one would write without the core |
+//! | [`solution`] | full solver of a scenario at given times |
+//! | [`baseline`] | integration in equal steps, as programs do without the core |
 
 pub mod baseline;
 pub mod full_solver;

@@ -1,9 +1,9 @@
-//! What a computation starts from.
+//! Input of a computation.
 //!
 //! | module | contents |
 //! |---|---|
 //! | [`scenario`], [`builtin`] | motion from a TOML file; motions that need no file |
-//! | [`times`] | times asked for |
+//! | [`times`] | times at which a motion is computed |
 //! | [`random`] | random numbers fixed by a seed |
 
 pub mod builtin;

@@ -1,26 +1,26 @@
-//! The host side of `toytop`: scenario files in, tables and pictures out, and the core measured against the full 3-D equations.
+//! Library of the program `toytop`: it reads scenario files, writes tables and pictures, and compares the core with the full 3-D equations.
 //!
 //! | module | contents |
 //! |---|---|
 //! | [`input`] | scenario files, built-in motions, times, random numbers |
 //! | [`motion`] | the core's stepper and ephemeris at given times |
-//! | [`full_equations`] | the full 3-D equations, integrated |
+//! | [`full_equations`] | integration of the full 3-D equations |
 //! | [`truth`] | the paper's integrals to more than thirty digits |
 //! | [`measure`] | errors and times of the core against the truth |
 //! | [`benchmarks`] | catalogue of problems that integrators are tested with |
 //! | [`budget`] | cost of a call on an emulated chip |
-//! | [`errata`] | slips of the printed paper: both versions against the full equations |
+//! | [`errata`] | errors of the printed paper, and their corrections, against the full equations |
 //! | [`samples`] | samples of a motion as tables of chosen columns |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
-//! | [`score`] | output of an integrator, judged by the exact motion |
-//! | [`sweep`] | many motions, a row each |
+//! | [`score`] | output of an integrator against the exact motion |
+//! | [`sweep`] | many motions, one row for each |
 //! | [`bake`] | ephemeris as Rust, C or JSON |
 //! | [`pictures`] | curve of the tip, figures, page for a browser |
 //! | [`output`] | tables, CSV, JSON, files, progress |
-//! | [`cli`], [`commands`], [`program`] | command line, one file a command, exit codes |
+//! | [`cli`], [`commands`], [`program`] | command line, one file for each command, exit codes |
 //!
-//! A command computes everything that can fail before the first byte is printed, so a failure leaves nothing half-written.
-//! `toytop-lab` (the folder `lab`) is built on this library: the studies that check the core itself.
+//! A command computes everything that can fail before the first byte is printed, so a failure leaves no partial output.
+//! The program `toytop-lab` (the folder `lab`) uses this library for studies that check the core itself.
 
 pub mod bake;
 #[cfg(feature = "program")]
@@ -60,7 +60,7 @@ pub use failure::Failure;
 #[cfg(feature = "program")]
 use std::ffi::OsString;
 
-/// Runs one command line (with the program's name in front).
+/// Report of one command line, which begins with the program's name.
 ///
 /// # Errors
 /// See [`Failure`].

@@ -1,4 +1,4 @@
-//! `toytop`: parse, run, print, exit code.
+//! Program `toytop`: parses the command line, runs the command, prints its report and returns the exit code.
 
 use std::process::ExitCode;
 use toytop_host::{program, run};

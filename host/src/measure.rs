@@ -2,7 +2,7 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`accuracy`] | scalars side by side, error and cost |
+//! | [`accuracy`] | error and cost of each scalar |
 //! | [`benchmark`] | one motion by the core and by other methods |
 
 pub mod accuracy;

@@ -1,4 +1,4 @@
-//! Motion by the core: its propagators at given times, and what is read off a motion.
+//! Motion by the core: its propagators at given times, and quantities of a motion.
 //!
 //! | module | contents |
 //! |---|---|
@@ -8,7 +8,7 @@
 //! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
 //! | [`cast`] | complex numbers and orientations of any scalar as `f64` |
 //! | [`Scalar`] | scalar types of the core |
-//! | [`physical_limits`] | what the equations allow and a top on a table does not do |
+//! | [`physical_limits`] | motions of the equations that a top on a table cannot perform |
 
 pub mod cast;
 pub mod ephemeris;

@@ -1,4 +1,4 @@
-//! Records as CSV and JSON, numbers with 17 significant digits: what is read back is the number that was computed.
+//! Records as CSV and JSON. Numbers have 17 significant digits, from which a reader obtains the same `f64`.
 
 mod base64;
 pub mod digits;
@@ -18,14 +18,14 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::ser::Formatter;
 use std::io;
 
-/// One value of a record.
+/// Value of a record.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
-    /// A word or a name.
+    /// Word or name.
     Text(String),
-    /// A whole number.
+    /// Whole number.
     Count(u64),
-    /// A number.
+    /// Number, with 17 significant digits in the output.
     Number(f64),
     /// Absent value: `null` in JSON, empty in CSV.
     Absent,
@@ -43,7 +43,7 @@ impl From<Option<f64>> for Cell {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record(pub Vec<(&'static str, Cell)>);
 
-/// 17 significant digits; no -0.
+/// Number with 17 significant digits; -0 is written as 0.
 #[must_use]
 pub fn number(x: f64) -> String {
     format!("{:.16e}", x + 0.0)
@@ -60,7 +60,7 @@ pub fn short(x: f64, digits: usize) -> String {
     }
 }
 
-/// Somebody else's text, short enough for a message.
+/// Beginning of a text of the input, short enough for a message.
 #[must_use]
 pub fn shown(text: &str) -> String {
     const MOST: usize = 60;
@@ -74,7 +74,7 @@ pub fn html(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-/// The records as CSV, with a header line.
+/// Records as CSV, with a header line.
 ///
 /// # Errors
 /// None in memory; the writer's type has one.
@@ -104,7 +104,7 @@ pub(crate) fn flat(record: &Record) -> Vec<(String, String)> {
     record.0.iter().flat_map(columns).collect()
 }
 
-/// `{"key":[record, ...]}`, on one line.
+/// JSON object `{"key":[record, ...]}`, on one line.
 ///
 /// # Errors
 /// None in memory; the writer's type has one.
@@ -112,7 +112,7 @@ pub fn json_list(key: &'static str, records: &[Record]) -> io::Result<String> {
     json_lists(&[(key, records)], &Record(Vec::new()))
 }
 
-/// `{"key":[record, ...], ...}` with the entries of one more record behind the lists, on one line.
+/// JSON object `{"key":[record, ...], ...}` on one line, with the entries of another record after the lists.
 ///
 /// # Errors
 /// None in memory; the writer's type has one.
@@ -130,7 +130,7 @@ pub fn json_lists(lists: &[(&'static str, &[Record])], rest: &Record) -> io::Res
     json(&Lists(lists, rest))
 }
 
-/// Any value as JSON, on one line.
+/// Value as JSON, on one line.
 ///
 /// # Errors
 /// None in memory; the writer's type has one.
@@ -168,7 +168,7 @@ impl Formatter for SeventeenDigits {
     }
 }
 
-/// Aligned columns without lines: the first `left` to the left, the others to the right.
+/// Rows as aligned columns without rules, the first `left` columns aligned to the left and the others to the right.
 #[cfg(feature = "program")]
 #[must_use]
 pub fn columns(rows: Vec<Vec<String>>, left: usize) -> String {

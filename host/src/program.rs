@@ -1,4 +1,4 @@
-//! A program of commands from its arguments to its exit code.
+//! Frame of a program with commands, from its arguments to its exit code.
 
 use crate::{Failure, Report};
 use clap::Parser;
@@ -7,16 +7,16 @@ use std::ffi::OsString;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-/// What a command line asks for.
+/// Request of a command line.
 #[derive(Debug)]
 pub enum Request<C> {
-    /// Run a command.
+    /// Request to run a command.
     Run(Box<C>),
-    /// Print the help or the version.
+    /// Request to print the help or the version.
     Show(String),
 }
 
-/// Parses a command line, the program's name in front.
+/// Request of a command line that begins with the program's name.
 ///
 /// # Errors
 /// [`Failure::Input`] for everything that clap refuses.
@@ -35,8 +35,7 @@ pub fn parse<C: Parser>(arguments: impl IntoIterator<Item = OsString>) -> Result
     }
 }
 
-/// The first paragraph of clap's message, which says what is wrong and what is possible, and what may have been meant; the
-/// rest is usage.
+/// Message of clap in one line: its first paragraph, which names the error and the allowed values, and its suggestion.
 fn in_one_line(message: &str) -> String {
     let paragraph = message.lines().take_while(|line| !line.trim().is_empty());
     let line = paragraph.map(str::trim).collect::<Vec<_>>().join(" ");
@@ -50,20 +49,20 @@ fn in_one_line(message: &str) -> String {
 /// Exit code where a bound is missed or the output cannot be written.
 const NOT_GOOD: u8 = 1;
 
-/// Prints what a command found, or why it found nothing; returns the exit code.
+/// Exit code, after the report or the failure of a command is printed.
 #[must_use]
 pub fn finish(result: Result<Report, Failure>) -> ExitCode {
     match result.and_then(|report| print(&report)) {
         Ok(code) => code,
         Err(failure) => {
-            // stderr may be closed; there is nobody left to tell
+            // if stderr is closed, the message cannot be shown
             let _ = writeln!(io::stderr(), "error: {failure}");
             ExitCode::from(failure.exit_code())
         }
     }
 }
 
-/// Everything was computed before this: what is printed is whole.
+/// Exit code after the report is printed. Everything was computed before, so the output is complete.
 fn print(report: &Report) -> Result<ExitCode, Failure> {
     for note in &report.notes {
         let _ = writeln!(io::stderr(), "{note}");
@@ -71,7 +70,7 @@ fn print(report: &Report) -> Result<ExitCode, Failure> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(report.text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
-        // a reader that has seen enough (`| head`) is no failure
+        // a reader that closes the pipe (`| head`) is no failure
         _ => Ok(if report.missed { ExitCode::from(NOT_GOOD) } else { ExitCode::SUCCESS }),
     }
 }

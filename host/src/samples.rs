@@ -2,9 +2,9 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`mod@column`] | what may be said of a sample |
+//! | [`mod@column`] | quantities of a sample |
 //! | [`angles`] | Euler angles of an orientation |
-//! | [`sheet`] | rows as CSV, JSON or a table for reading |
+//! | [`sheet`] | rows as CSV, JSON or an aligned table |
 //! | [`npy`] | rows as a NumPy array |
 //! | `parquet` | rows as Parquet (with the feature) |
 //! | [`stream`] | blocks of rows, computed on all cores and written in order |

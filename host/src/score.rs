@@ -1,4 +1,4 @@
-//! Output of somebody's integrator, judged by the exact motion.
+//! Output of an integrator, compared with the exact motion.
 //!
 //! | module | contents |
 //! |---|---|

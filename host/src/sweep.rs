@@ -1,7 +1,7 @@
 //! Many motions at once, one row each: a grid or a random sample of (e₁, e₂, e₃, A/(ps), C/A), or of the numbers of a scenario.
 //!
-//! A row depends on the sweep and its own number only, not on who computes it: so parts computed anywhere fit together, and
-//! a part that was cut off can go on.
+//! A row depends only on the options of the sweep and on its own number, not on the machine or the thread that computes it. Therefore
+//! parts that were computed on different machines fit together, and an interrupted part can be continued.
 
 pub(crate) mod axis;
 #[cfg(feature = "parquet")]

@@ -1,4 +1,4 @@
-//! Threads of all cores, for what is done motion by motion.
+//! Threads on all processor cores, for computations that are independent for each motion.
 
 use crate::Failure;
 use crate::output::progress::Progress;
@@ -7,13 +7,13 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::io;
 use std::sync::Mutex;
 
-/// The largest table is a megabyte and a half, and is set up on the stack.
+/// Stack of a thread, bytes. The largest table has one and a half megabytes, and its set-up is on the stack.
 pub const STACK: usize = 1 << 25;
 
-/// Threads with such a stack.
+/// Thread pool with a thread for each processor core.
 ///
 /// # Errors
-/// [`Failure::Output`]: the system has none.
+/// [`Failure::Output`]: the system cannot start the threads.
 pub fn of_all_cores() -> Result<ThreadPool, Failure> {
     ThreadPoolBuilder::new()
         .stack_size(STACK)
@@ -21,7 +21,7 @@ pub fn of_all_cores() -> Result<ThreadPool, Failure> {
         .map_err(|error| Failure::Output(io::Error::other(error)))
 }
 
-/// What so many independent trials add up to, with a bar that counts them as `what`: `add` does one, by its number.
+/// Sum of the results of independent trials, with a progress bar that names them `what`. `add` performs the trial of a number.
 pub fn tally<T: Default + Send>(
     cores: &ThreadPool,
     (trials, what): (u64, &'static str),

@@ -135,8 +135,8 @@ fn eqn_tpolydiv_eqn_aperform() {
             let x = paper.b * share;
             let t = paper.t(x);
             assert!(t.im.abs() < 1e-13 && t.re * share >= 0.0, "{t}");
-            let pose = form.at(t.re);
-            worst = greater(worst, pose.orientation.distance(&paper.phi(x)));
+            let attitude = form.at(t.re);
+            worst = greater(worst, attitude.orientation.distance(&paper.phi(x)));
         }
     }
     tolerance::AS_THE_PAPER_HAS_IT.check("aperiodic", worst);
@@ -150,11 +150,11 @@ fn the_elementary_form() {
     for (top, e1) in [(fixed, -0.4), (fixed, 0.9), (slid, -0.4), (slid, 0.9)] {
         let form = Aperiodic::new(&motion(&top, e1, Sign::Minus)).unwrap();
         for t in [-6.0, -1.5, 0.0, 0.25, 3.0, 9.0] {
-            let (v, pose) = (form.v(t), form.at(t));
+            let (v, attitude) = (form.v(t), form.at(t));
             let u = e1 + (1.0 - e1) * v.tanh().powi(2);
             let beta = ((1.0 - e1) / 2.0).sqrt() / v.cosh();
-            assert!((pose.u() - u).abs() < 1e-14);
-            assert!((pose.orientation.beta.norm_squared().sqrt() / beta - 1.0).abs() < 1e-13);
+            assert!((attitude.u() - u).abs() < 1e-14);
+            assert!((attitude.orientation.beta.norm_squared().sqrt() / beta - 1.0).abs() < 1e-13);
             let h = 1e-4;
             let slope = 2.0 * h / (form.v(t + h) - form.v(t - h));
             let d = top.transverse_inertia() / top.mass_moment() + top.com_height() * (1.0 - u * u);
@@ -178,10 +178,10 @@ fn upright_to_rounding_at_any_time() {
             let rate = 0.5 * motion.first_integrals().n / top.axial_inertia();
             for sense in [1.0, -1.0] {
                 for t in [60.0, 1e3, 1e6, 1e12, 1e15, 1e300].map(|t| sense * t) {
-                    let pose = form.at(t);
-                    assert!((pose.orientation.norm_squared() - 1.0).abs() < 1e-13, "{e1} {t}");
-                    assert!((pose.u() - 1.0).abs() < 1e-13 && pose.udot().abs() < 1e-13, "{e1} {t}");
-                    assert!(pose.omega().iter().all(|w| w.is_finite()), "{e1} {t}");
+                    let attitude = form.at(t);
+                    assert!((attitude.orientation.norm_squared() - 1.0).abs() < 1e-13, "{e1} {t}");
+                    assert!((attitude.u() - 1.0).abs() < 1e-13 && attitude.udot().abs() < 1e-13, "{e1} {t}");
+                    assert!(attitude.omega().iter().all(|w| w.is_finite()), "{e1} {t}");
                 }
                 let turned = form.at(sense * 400.0).orientation.alpha
                     * form.at(sense * 300.0).orientation.alpha.conj();

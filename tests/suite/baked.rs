@@ -143,12 +143,12 @@ macro_rules! wild {
                 };
                 read += 1;
                 for n in (0..300).map(|n| n * 7).chain([i64::MIN, i64::MAX, draw() as i64]) {
-                    let moment = ephemeris.at_tick(n);
-                    let phi = moment.orientation();
+                    let sample = ephemeris.at_tick(n);
+                    let phi = sample.orientation();
                     let tip = phi.tip_over_s();
-                    let (pose, wide) = (moment.attitude_state(), moment.tip());
-                    let numbers = [wide.re, wide.im, pose.u(), pose.udot()].map(f64::from);
-                    let omega = pose.omega().map(f64::from);
+                    let (attitude, wide) = (sample.attitude_state(), sample.tip());
+                    let numbers = [wide.re, wide.im, attitude.u(), attitude.udot()].map(f64::from);
+                    let omega = attitude.omega().map(f64::from);
                     let of_scalar = [phi.alpha.re, phi.beta.im, tip.re, tip.im].map(f64::from);
                     assert!(
                         [numbers, of_scalar].iter().flatten().chain(&omega).all(|x| x.is_finite()),

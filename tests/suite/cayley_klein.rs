@@ -73,15 +73,15 @@ fn moving_points() {
         let place = std::array::from_fn(|k| point[k] + side * step * velocity[k]);
         (stepper.attitude_state(), stepper.orientation().adjoint(place))
     });
-    let ((_, before), (pose, x), (_, after)) = (at[0], at[1], at[2]);
+    let ((_, before), (attitude, x), (_, after)) = (at[0], at[1], at[2]);
     let difference: Vector<f64> = std::array::from_fn(|k| (after[k] - before[k]) / (2.0 * step));
-    let turned = bracket(pose.omega(), x);
-    let carried = pose.orientation.adjoint(velocity);
+    let turned = bracket(attitude.omega(), x);
+    let carried = attitude.orientation.adjoint(velocity);
     for k in 0..3 {
         assert!((difference[k] - carried[k] - turned[k]).abs() < 1e-8);
     }
-    let back = pose.orientation.inverse().adjoint(std::array::from_fn(|k| carried[k] + turned[k]));
-    let in_body = bracket(pose.omega_body(), point);
+    let back = attitude.orientation.inverse().adjoint(std::array::from_fn(|k| carried[k] + turned[k]));
+    let in_body = bracket(attitude.omega_body(), point);
     for k in 0..3 {
         assert!((back[k] - in_body[k] - velocity[k]).abs() < 1e-13);
     }

@@ -19,9 +19,9 @@ fn errors(vector: &Vector, form: &ClosedForm) -> [f64; 3] {
     let samples = vector.samples();
     let speed = samples.iter().fold(1.0_f64, |speed, sample| speed.max(sample.udot.abs()));
     samples.iter().fold([0.0_f64; 3], |[orientation, u, udot], sample| {
-        let pose = form.at(sample.t);
-        let rest = [(pose.u() - sample.u).abs(), (pose.udot() - sample.udot).abs() / speed];
-        let error = pose.orientation.distance(&sample.phi);
+        let attitude = form.at(sample.t);
+        let rest = [(attitude.u() - sample.u).abs(), (attitude.udot() - sample.udot).abs() / speed];
+        let error = attitude.orientation.distance(&sample.phi);
         [greater(orientation, error), greater(u, rest[0]), greater(udot, rest[1])]
     })
 }
@@ -105,9 +105,9 @@ fn motions() -> Vec<Motion> {
 }
 
 /// Errors of l, n and h recomputed from an attitude state, relative to their sizes.
-fn integrals_error(motion: &Motion, pose: &AttitudeState<f64>) -> f64 {
+fn integrals_error(motion: &Motion, attitude: &AttitudeState<f64>) -> f64 {
     let truth = motion.first_integrals();
-    let ours = FirstIntegrals::of(motion.top(), &pose.state().unwrap());
+    let ours = FirstIntegrals::of(motion.top(), &attitude.state().unwrap());
     let top = motion.top();
     let momentum =
         (top.transverse_inertia() * top.mass_moment() * top.gravity()).sqrt() + truth.l.abs() + truth.n.abs();
@@ -130,9 +130,9 @@ fn closed_form_ephemeris_and_stepper_agree() {
             (0..2048).for_each(|_| stepper.step(1.0 / 2048.0));
             from_steps = greater(from_steps, form.at(t).orientation.distance(&stepper.orientation()));
             for t in [t, -t, 7.3 * t] {
-                let pose = form.at(t);
-                from_table = greater(from_table, pose.orientation.distance(&table.at(t).orientation()));
-                integrals = greater(integrals, integrals_error(&motion, &pose));
+                let attitude = form.at(t);
+                from_table = greater(from_table, attitude.orientation.distance(&table.at(t).orientation()));
+                integrals = greater(integrals, integrals_error(&motion, &attitude));
             }
         }
         assert!(form.at(0.0).orientation.distance(&table.at_tick(0).orientation()) < 1e-14);

@@ -174,9 +174,9 @@ fn eqn_degabgd_eqn_ks_eqn_ls() {
             let x = -paper.omega1 * share;
             let t = paper.t(x);
             assert!(t.im.abs() < 1e-13 && t.re * share >= 0.0);
-            let pose = form.at(t.re);
-            assert!((pose.u() - paper.u(x).re).abs() < 1e-13 && paper.u(x).im.abs() < 1e-13);
-            worst = greater(worst, pose.orientation.distance(&paper.phi(x)));
+            let attitude = form.at(t.re);
+            assert!((attitude.u() - paper.u(x).re).abs() < 1e-13 && paper.u(x).im.abs() < 1e-13);
+            worst = greater(worst, attitude.orientation.distance(&paper.phi(x)));
         }
     }
     tolerance::AS_THE_PAPER_HAS_IT.check("e3 = e4", worst);

@@ -24,11 +24,11 @@ fn cursor_and_random_access_and_time_agree_to_the_bit() {
     let mut cursor = ephemeris.cursor(first);
     let mut sum = 0.0_f64;
     for n in first..first + 10_000_000 {
-        let moment = cursor.next(&ephemeris);
+        let sample = cursor.next(&ephemeris);
         if n % 97 == 0 {
-            assert_eq!(moment.orientation(), ephemeris.at_tick(n).orientation());
+            assert_eq!(sample.orientation(), ephemeris.at_tick(n).orientation());
         }
-        sum += f64::from(moment.orientation().alpha.re);
+        sum += f64::from(sample.orientation().alpha.re);
     }
     assert_eq!(
         cursor.next(&ephemeris).attitude_state(),
@@ -244,8 +244,8 @@ fn every_phase_wraps_and_nothing_overflows() {
         let motion = vector.motion().unwrap();
         let ephemeris = Ephemeris::<f32, 256>::new(&motion, Tick::ratio(1, 1000).unwrap()).unwrap();
         for n in [i64::MIN, i64::MIN + 1, -1, 0, 1, i64::MAX - 1, i64::MAX] {
-            let pose = ephemeris.at_tick(n).attitude_state();
-            assert!((pose.orientation.norm_squared() - 1.0).abs() < 1e-6, "{} tick {n}", vector.name);
+            let attitude = ephemeris.at_tick(n).attitude_state();
+            assert!((attitude.orientation.norm_squared() - 1.0).abs() < 1e-6, "{} tick {n}", vector.name);
         }
         assert!(ephemeris.at(1e300).orientation().norm_squared().is_finite());
     }

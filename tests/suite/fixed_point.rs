@@ -101,9 +101,9 @@ fn a_relaunch_from_sixteen_bits() {
             continue;
         };
         for n in [0, 12_345, 1 << 40] {
-            let moment = ephemeris.at_tick(n);
-            let state = moment.attitude_state().state().unwrap();
-            let error = state.orientation().distance(&widened(moment.orientation()));
+            let sample = ephemeris.at_tick(n);
+            let state = sample.attitude_state().state().unwrap();
+            let error = state.orientation().distance(&widened(sample.orientation()));
             assert!(
                 error < 1e-3 && (state.orientation().norm_squared() - 1.0).abs() < 1e-7,
                 "{}: {error:e}",

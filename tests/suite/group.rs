@@ -119,26 +119,26 @@ fn angular_velocities() {
         stepper.attitude_state()
     };
     let (time, step) = (1.3, 1e-4);
-    let (pose, before, after) = (at(time), at(time - step), at(time + step));
+    let (attitude, before, after) = (at(time), at(time - step), at(time + step));
     let difference = |a: Complex<f64>, b: Complex<f64>| (b - a).scaled(0.5 / step);
     let rate = OrientationRate {
         alpha: difference(before.orientation.alpha, after.orientation.alpha),
         beta: difference(before.orientation.beta, after.orientation.beta),
     };
-    assert!(distance(pose.omega(), rate.omega_fixed(&pose.orientation)) < 1e-7);
-    assert!(distance(pose.omega_body(), rate.omega_body(&pose.orientation)) < 1e-7);
-    assert!(distance(pose.omega(), pose.orientation.adjoint(pose.omega_body())) < 1e-14);
-    let again = OrientationRate::from_fixed(&pose.orientation, pose.omega());
-    assert!((again.alpha - pose.rate.alpha).norm_squared().sqrt() < 1e-14);
-    assert!((again.beta - pose.rate.beta).norm_squared().sqrt() < 1e-14);
-    let again = OrientationRate::from_body(&pose.orientation, pose.omega_body());
-    assert!((again.alpha - pose.rate.alpha).norm_squared().sqrt() < 1e-14);
-    assert!((again.beta - pose.rate.beta).norm_squared().sqrt() < 1e-14);
-    assert!(Float::abs(pose.udot() - (after.u() - before.u()) * 0.5 / step) < 1e-7);
-    let [x, y, z] = pose.orientation.axis_rate(pose.omega_body());
+    assert!(distance(attitude.omega(), rate.omega_fixed(&attitude.orientation)) < 1e-7);
+    assert!(distance(attitude.omega_body(), rate.omega_body(&attitude.orientation)) < 1e-7);
+    assert!(distance(attitude.omega(), attitude.orientation.adjoint(attitude.omega_body())) < 1e-14);
+    let again = OrientationRate::from_fixed(&attitude.orientation, attitude.omega());
+    assert!((again.alpha - attitude.rate.alpha).norm_squared().sqrt() < 1e-14);
+    assert!((again.beta - attitude.rate.beta).norm_squared().sqrt() < 1e-14);
+    let again = OrientationRate::from_body(&attitude.orientation, attitude.omega_body());
+    assert!((again.alpha - attitude.rate.alpha).norm_squared().sqrt() < 1e-14);
+    assert!((again.beta - attitude.rate.beta).norm_squared().sqrt() < 1e-14);
+    assert!(Float::abs(attitude.udot() - (after.u() - before.u()) * 0.5 / step) < 1e-7);
+    let [x, y, z] = attitude.orientation.axis_rate(attitude.omega_body());
     let [before, after] = [before.axis(), after.axis()];
     let differences = [0, 1, 2].map(|i| (after[i] - before[i]) * 0.5 / step);
-    assert!(distance([x, y, z], differences) < 1e-7 && Float::abs(z - pose.udot()) < 1e-14);
+    assert!(distance([x, y, z], differences) < 1e-7 && Float::abs(z - attitude.udot()) < 1e-14);
 }
 
 /// In a number type with the range ±2, the adjoint action of the third unit vector is the axis.

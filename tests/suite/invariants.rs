@@ -5,8 +5,11 @@ use toytop::{AttitudeState, FirstIntegrals, Motion, Orientation, Regime, State, 
 use toytop_tests::{greater, tolerance, vectors, widened, worst};
 
 /// First integrals from Φ and Φ' by the definitions of section 3.1, and the largest of them.
-fn recomputed<R: Real + Into<f64>>(top: &Top, pose: &AttitudeState<R>) -> FirstIntegrals {
-    FirstIntegrals::of(top, &State::new(widened(pose.orientation), pose.omega().map(R::into)).unwrap())
+fn recomputed<R: Real + Into<f64>>(top: &Top, attitude: &AttitudeState<R>) -> FirstIntegrals {
+    FirstIntegrals::of(
+        top,
+        &State::new(widened(attitude.orientation), attitude.omega().map(R::into)).unwrap(),
+    )
 }
 
 fn drift(now: &FirstIntegrals, then: &FirstIntegrals) -> f64 {
@@ -24,9 +27,9 @@ fn after_a_million_steps<R: Real + Into<f64>>(motion: &Motion) -> (f64, f64) {
     let (mut norm, mut invariants) = (0.0_f64, 0.0_f64);
     for _ in 0..1000 {
         (0..1000).for_each(|_| stepper.step(dt));
-        let pose = stepper.attitude_state();
-        norm = greater(norm, (pose.orientation.norm_squared().to_f64() - 1.0).abs());
-        invariants = greater(invariants, drift(&recomputed(motion.top(), &pose), &start));
+        let attitude = stepper.attitude_state();
+        norm = greater(norm, (attitude.orientation.norm_squared().to_f64() - 1.0).abs());
+        invariants = greater(invariants, drift(&recomputed(motion.top(), &attitude), &start));
     }
     (norm, invariants)
 }

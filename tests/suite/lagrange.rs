@@ -72,17 +72,17 @@ fn the_logarithmic_integrals() {
         let integrals = motion.first_integrals();
         let h = 1e-5;
         for t in [-3.0, 0.0, 0.4, 2.2] {
-            let [before, pose, after] = [-h, 0.0, h].map(|step| form.at(t + step));
-            let (u, udot) = (pose.u(), pose.udot());
+            let [before, attitude, after] = [-h, 0.0, h].map(|step| form.at(t + step));
+            let (u, udot) = (attitude.u(), attitude.udot());
             // z'/z = z' z̄/|z|², with z' from central differences
             let difference = (after.orientation.alpha - before.orientation.alpha).scaled(0.5 / h)
-                * pose.orientation.alpha.conj();
-            let alpha = difference.scaled(1.0 / pose.orientation.alpha.norm_squared());
+                * attitude.orientation.alpha.conj();
+            let alpha = difference.scaled(1.0 / attitude.orientation.alpha.norm_squared());
             let expected = [udot, integrals.l_plus_n / 1.1].map(|part| part / (2.0 * (1.0 + u)));
             assert!((alpha.re - expected[0]).abs() < 1e-8 && (alpha.im - expected[1]).abs() < 1e-8);
             let difference = (after.orientation.beta - before.orientation.beta).scaled(0.5 / h)
-                * pose.orientation.beta.conj();
-            let beta = difference.scaled(1.0 / pose.orientation.beta.norm_squared());
+                * attitude.orientation.beta.conj();
+            let beta = difference.scaled(1.0 / attitude.orientation.beta.norm_squared());
             let expected = [-udot, integrals.l_minus_n / 1.1].map(|part| part / (2.0 * (1.0 - u)));
             assert!((beta.re - expected[0]).abs() < 1e-8 && (beta.im - expected[1]).abs() < 1e-8);
         }

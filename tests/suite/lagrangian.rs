@@ -217,9 +217,9 @@ fn eqn_reduced2_at_a_turning_point() {
     let height_acceleration = |e: [f64; 3], theta: f64| {
         let start = Start { theta, ..Start::default() };
         let motion = toytop::Motion::from_branch_points(&top, e, signs, &start).unwrap();
-        let pose = Stepper::<f64>::new(&motion).attitude_state();
-        assert!(pose.udot().abs() < 1e-15, "the reduced equation lets it stay");
-        accelerations(&full_top(&top), &full_state(&pose.state().unwrap())).height
+        let attitude = Stepper::<f64>::new(&motion).attitude_state();
+        assert!(attitude.udot().abs() < 1e-15, "the reduced equation lets it stay");
+        accelerations(&full_top(&top), &full_state(&attitude.state().unwrap())).height
     };
     let pi = std::f64::consts::PI;
     assert!(height_acceleration([0.2, 0.7, 1.9], 0.0) > 0.1);

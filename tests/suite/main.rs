@@ -32,7 +32,6 @@ mod lagrangian;
 mod layout;
 mod long_ticks;
 mod moebius;
-mod moments;
 mod normal_force;
 mod order;
 mod paper;
@@ -41,6 +40,7 @@ mod properties;
 mod rates;
 mod refusals;
 mod regimes;
+mod samples;
 #[cfg(feature = "host")]
 mod sensitivity;
 mod set_up;

@@ -50,10 +50,10 @@ fn both_kinds_of_regular_precession() {
             );
             product *= precession;
             // ω = ψ' r + φ' k at any time
-            let pose = form.at(0.7);
-            let [r1, r2, r3] = pose.orientation.axis();
+            let attitude = form.at(0.7);
+            let [r1, r2, r3] = attitude.orientation.axis();
             let expected = [spin * r1, spin * r2, spin * r3 + precession];
-            for (ours, expected) in pose.omega().iter().zip(expected) {
+            for (ours, expected) in attitude.omega().iter().zip(expected) {
                 assert!((ours - expected).abs() < 1e-14 * (spin.abs() + precession.abs()));
             }
         }

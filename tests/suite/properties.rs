@@ -62,14 +62,14 @@ proptest! {
     fn state_to_constants_to_state((top, release) in releases()) {
         let state = State::release(&release).unwrap();
         let motion = Motion::launch(&top, &state).unwrap();
-        let pose = Stepper::<f64>::new(&motion).attitude_state();
-        let error = pose.orientation.distance(&state.orientation().normalised());
+        let attitude = Stepper::<f64>::new(&motion).attitude_state();
+        let error = attitude.orientation.distance(&state.orientation().normalised());
         prop_assert!(error < 1e-14, "orientation {error:e}");
         let size = state.omega().iter().fold(1e-300_f64, |size, w| size.max(w.abs()));
-        for (ours, given) in pose.omega().iter().zip(state.omega()) {
+        for (ours, given) in attitude.omega().iter().zip(state.omega()) {
             prop_assert!((ours - given).abs() / size < tolerance::ROUND_TRIP.most, "omega {ours} {given}");
         }
-        let again = FirstIntegrals::of(&top, &State::new(pose.orientation, pose.omega()).unwrap());
+        let again = FirstIntegrals::of(&top, &State::new(attitude.orientation, attitude.omega()).unwrap());
         let first = motion.first_integrals();
         let scale = first.l.abs().max(first.n.abs()).max(1e-300);
         prop_assert!((again.l - first.l).abs() / scale < tolerance::ROUND_TRIP.most);
@@ -178,9 +178,9 @@ proptest! {
         prop_assert!((e.one_plus_e1 + e.e2_minus_e1 + e.one_minus_e2 - 2.0).abs() < 1e-15);
         prop_assert!(motion.period_advance().is_none_or(|averages| averages.period.is_finite()));
         let mut stepper = Stepper::<f64>::new(&motion);
-        let pose = stepper.attitude_state();
-        prop_assert!(pose.orientation.distance(&state.orientation().normalised()) < 1e-14);
-        for (ours, given) in pose.omega().iter().zip(state.omega()) {
+        let attitude = stepper.attitude_state();
+        prop_assert!(attitude.orientation.distance(&state.orientation().normalised()) < 1e-14);
+        for (ours, given) in attitude.omega().iter().zip(state.omega()) {
             prop_assert!((ours - given).abs() < 1e-12 * unit * (1.0 + spin.abs()), "{ours:e} {given:e}");
         }
         for _ in 0..100 {
@@ -216,9 +216,9 @@ proptest! {
         let e3 = 1.0 + gap3;
         let start = Start { theta, ..Start::default() };
         let motion = Motion::from_branch_points(&top, [e1, e2, e3], Signs::default(), &start).unwrap();
-        let pose = Stepper::<f64>::new(&motion).attitude_state();
-        prop_assert!(pose.omega().iter().all(|w| w.is_finite()));
-        let again = BranchPoints::of(&top, &State::new(pose.orientation, pose.omega()).unwrap()).unwrap();
+        let attitude = Stepper::<f64>::new(&motion).attitude_state();
+        prop_assert!(attitude.omega().iter().all(|w| w.is_finite()));
+        let again = BranchPoints::of(&top, &State::new(attitude.orientation, attitude.omega()).unwrap()).unwrap();
         let given = motion.branch_points();
         // a rounding of the state changes e3 - e2 by a rounding over e3 - e2
         let gap = given.e3_minus_e2;

@@ -35,10 +35,10 @@ fn stays_finite<R: Real>(motion: &Motion) {
     for dt in [1e-3, 0.1, -0.3, 2.0, 50.0, -1e4, 1e9, -1e9, 0.0] {
         for _ in 0..20 {
             stepper.step(R::from_f64(dt));
-            let (pose, tip) = (stepper.attitude_state(), stepper.tip());
-            let norm = pose.orientation.norm_squared().to_f64();
+            let (attitude, tip) = (stepper.attitude_state(), stepper.tip());
+            let norm = attitude.orientation.norm_squared().to_f64();
             assert!((norm - 1.0).abs() < 1e-6, "{:?}: norm {norm}", motion.regime());
-            assert!(pose.omega().iter().all(|w| w.to_f64().is_finite()), "{:?}", motion.regime());
+            assert!(attitude.omega().iter().all(|w| w.to_f64().is_finite()), "{:?}", motion.regime());
             let speed = stepper.tip_velocity().modulus();
             assert!(speed.to_f64().is_finite() && tip.modulus().to_f64().is_finite());
             assert!(stepper.tip_angle_rate().to_f64().is_finite());
@@ -210,9 +210,14 @@ fn rounded_multiples_of_pi_are_turning_points() {
     for k in -4..5 {
         let start = Start { theta: f64::from(k) * std::f64::consts::PI, ..Start::default() };
         let motion = Motion::from_branch_points(&top(), [-0.25, 0.5, 2.0], Signs::default(), &start).unwrap();
-        let pose = Stepper::<f64>::new(&motion).attitude_state();
+        let attitude = Stepper::<f64>::new(&motion).attitude_state();
         let end = if k % 2 == 0 { -0.25 } else { 0.5 };
-        assert!(pose.udot() == 0.0 && (pose.u() - end).abs() < 1e-15, "{k}: {} {}", pose.u(), pose.udot());
+        assert!(
+            attitude.udot() == 0.0 && (attitude.u() - end).abs() < 1e-15,
+            "{k}: {} {}",
+            attitude.u(),
+            attitude.udot()
+        );
     }
 }
 

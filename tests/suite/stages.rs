@@ -156,9 +156,12 @@ fn stepper_reduced_motion_tip_and_angle() {
         let motion = vector.motion().unwrap();
         let speed = vector.samples().iter().fold(1.0_f64, |speed, sample| speed.max(sample.udot.abs()));
         follow::<f64>(&motion, &vector.samples(), 4096.0, |stepper, sample| {
-            let pose = stepper.attitude_state();
-            reduced =
-                worst([reduced, (pose.u() - sample.u).abs(), (pose.udot() - sample.udot).abs() / speed]);
+            let attitude = stepper.attitude_state();
+            reduced = worst([
+                reduced,
+                (attitude.u() - sample.u).abs(),
+                (attitude.udot() - sample.udot).abs() / speed,
+            ]);
             let place = stepper.tip();
             let distance = (place - sample.c).norm_squared().sqrt() / motion.top().tip_scale();
             tip = greater(tip, distance);

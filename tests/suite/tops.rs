@@ -112,9 +112,11 @@ fn of_steppers<R: Real + Into<f64>>() -> [f64; 2] {
             let mut stepper = Stepper::<R>::new(&case.motion);
             let steps = (t.abs() * 2048.0) as u32;
             (0..steps).for_each(|_| stepper.step(R::from_f64(t.signum() / 2048.0)));
-            let pose = stepper.attitude_state();
-            let errors =
-                [widened(pose.orientation).distance(&phi), apart(&case, pose.omega().map(Into::into), omega)];
+            let attitude = stepper.attitude_state();
+            let errors = [
+                widened(attitude.orientation).distance(&phi),
+                apart(&case, attitude.omega().map(Into::into), omega),
+            ];
             worst = std::array::from_fn(|i| greater(worst[i], errors[i]));
         }
     }
@@ -138,8 +140,8 @@ fn closed_forms_agree() {
         let Ok(form) = ClosedForm::of(&case.motion) else { continue };
         count += 1;
         for &(t, phi, omega) in &case.samples {
-            let pose = form.at(t);
-            let errors = [pose.orientation.distance(&phi), apart(&case, pose.omega(), omega)];
+            let attitude = form.at(t);
+            let errors = [attitude.orientation.distance(&phi), apart(&case, attitude.omega(), omega)];
             worst = std::array::from_fn(|i| greater(worst[i], errors[i]));
         }
     }

@@ -29,17 +29,17 @@ impl Budget {
     }
 }
 
-/// u, u', ω and the tip from a moment of an ephemeris in `f32`, as shares of the greatest rate and of the length: from the pose,
-/// the tip in `f32`, and the tip in the scalar itself.
-pub const MOMENT_F32: [Budget; 3] = [Budget::of(2.5e-6), Budget::of(3e-7), Budget::of(3e-7)];
-/// The same in fixed point of 32 bits.
-pub const MOMENT_Q31: [Budget; 3] = [Budget::of(6e-7), Budget::of(3e-7), Budget::of(4e-8)];
-/// The same in fixed point of 16 bits.
-pub const MOMENT_Q15: [Budget; 3] = [Budget::of(3e-3), Budget::of(1e-3), Budget::of(1e-3)];
+/// Errors of samples of an ephemeris in `f32`: of ω, u and u', relative to the greatest rate; of the tip in the type of lengths and
+/// rates, and of the tip in the scalar itself, relative to the length.
+pub const SAMPLE_F32: [Budget; 3] = [Budget::of(2.5e-6), Budget::of(3e-7), Budget::of(3e-7)];
+/// Errors of samples, as [`SAMPLE_F32`], in fixed point of 32 bits.
+pub const SAMPLE_Q31: [Budget; 3] = [Budget::of(6e-7), Budget::of(3e-7), Budget::of(4e-8)];
+/// Errors of samples, as [`SAMPLE_F32`], in fixed point of 16 bits.
+pub const SAMPLE_Q15: [Budget; 3] = [Budget::of(3e-3), Budget::of(1e-3), Budget::of(1e-3)];
 
 /// Errors of u, of u' relative to the greatest rate, and of the tip relative to its length, in f64 over three
 /// periods; error of ω at the start.
-pub const MOMENT_F64: [Budget; 4] =
+pub const ATTITUDE_F64: [Budget; 4] =
     [Budget::of(2e-15), Budget::of(1e-14), Budget::of(2e-15), Budget::of(2e-13)];
 
 /// Errors of l, n and h from branch points or a state, against 30 digits, relative to the largest of the three.

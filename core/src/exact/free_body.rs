@@ -41,8 +41,8 @@ impl FreeBody {
             return None;
         }
         let Quantities { a, c, k, .. } = Quantities::<f64>::of(motion.top());
-        let pose = Stepper::<f64>::new(motion).attitude_state();
-        let (r, omega) = (pose.axis(), pose.omega());
+        let attitude = Stepper::<f64>::new(motion).attitude_state();
+        let (r, omega) = (attitude.axis(), attitude.omega());
         let beyond_sphere = (c - a) * dot(omega, r) + k;
         let mut m = omega.map(|rate| a * rate);
         for (component, r) in m.iter_mut().zip(r) {
@@ -51,7 +51,7 @@ impl FreeBody {
         let length = Float::sqrt(dot(m, m));
         let period = motion.exact_period();
         Some(Self {
-            start: pose.orientation,
+            start: attitude.orientation,
             direction: if length > 0.0 { m.map(|component| component / length) } else { [0.0; 3] },
             precession: period.map_or(Extended::ZERO, |period| Extended::TWO_PI / period),
             half_tau: motion.half_tau(),

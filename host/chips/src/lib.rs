@@ -1,4 +1,4 @@
-//! The chips that toytop is tested on, and the QEMU machines that stand for them. Memory maps: firmware-examples/memory/.
+//! Chips that toytop is tested on, with the QEMU machines that emulate them. Their memory maps are in firmware-examples/memory/.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -8,11 +8,11 @@ use std::process::{Command, Stdio};
 pub struct Chip {
     /// Name on the command line and in `firmware-examples/budgets.toml`.
     pub name: &'static str,
-    /// Name for reading.
+    /// Name in tables.
     pub core: &'static str,
     /// Rust's target triple.
     pub target: &'static str,
-    /// Flags of the compiler; a chip that has some has a target folder of its own.
+    /// Flags of the compiler. A chip with flags has a target folder of its own.
     pub rustflags: &'static str,
     /// Program of QEMU.
     pub emulator: &'static str,
@@ -30,8 +30,8 @@ pub const M0: Chip = Chip {
     machine: &["-machine", "microbit"],
 };
 
-/// Chip with the instructions of [`M0`]. QEMU has none: a Cortex-M3 stands for it, which knows these instructions too and has
-/// memory for large tables.
+/// Chip with the instructions of [`M0`]. QEMU does not emulate it with memory for large tables, so a Cortex-M3 replaces it, which executes
+/// the same instructions.
 pub const M0PLUS: Chip =
     Chip { name: "m0plus", core: "Cortex-M0+", machine: &["-machine", "mps2-an385"], ..M0 };
 
@@ -45,7 +45,7 @@ pub const M4F: Chip = Chip {
     machine: &["-machine", "mps2-an386"],
 };
 
-/// Chip with an FPU for `f32` and `f64`. Its ELF hangs on an M4F without a message.
+/// Chip with an FPU for `f32` and `f64`. Its ELF does not run on an M4F, and gives no message there.
 pub const M7: Chip = Chip {
     name: "m7",
     core: "Cortex-M7",

@@ -1,10 +1,10 @@
-//! The command line of `toytop-lab`.
+//! Command line of `toytop-lab`.
 
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 use toytop_host::cli::Format;
 
-/// Studies that check toytop itself; each computes its truth, and writes the page that shows its result.
+/// Studies that check toytop itself, and write the pages that show the results.
 #[derive(Debug, Parser)]
 #[command(name = "toytop-lab", version)]
 pub struct Cli {
@@ -13,28 +13,28 @@ pub struct Cli {
     pub command: Command,
 }
 
-/// A command with its arguments.
+/// Command with its arguments.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Random motions of every regime: does the ephemeris keep its error bound? (exit code 1 if not)
+    /// Errors of the ephemeris for random motions of every regime, beside its error bounds (exit code 1 if one is exceeded)
     #[command(
         after_help = "Example: toytop-lab study --motions 5000 --seed 2\n         toytop-lab study --corners --seeds 20 --motions 20000 --truths 1000 --docs host/docs/study.md"
     )]
     Study(StudyArgs),
-    /// Steppers and ephemeris cursors over very many ticks against the truth, there and back, and the full solver against itself
+    /// Errors of steppers and cursors over 10^9 ticks, forward and back, and of the full solver
     #[command(after_help = "Example: toytop-lab longrun --ticks 10000000 --format csv")]
     Longrun(LongrunArgs),
-    /// Sines of an integer phase at all 2^32 phases
+    /// Greatest errors of the sines of an integer phase over all 2^32 phases
     #[command(
         after_help = "Example: toytop-lab sines --format json\n         toytop-lab sines --every 4099   a million phases, in less than a second"
     )]
     Sines(SinesArgs),
-    /// Fixed point on random motions, in a build that checks every sum (exit code 1 if one overflows)
+    /// Test that fixed point does not overflow for random motions, in a build that checks every sum (exit code 1 if one overflows)
     #[command(
         after_help = "Example: toytop-lab overflow --motions 100000\nSums are checked in a build of: cargo run --release --config profile.release.overflow-checks=true -p toytop-lab -- overflow"
     )]
     Overflow(OverflowArgs),
-    /// One page with accuracy, work and precision, figures; and the tables of the README
+    /// Page with accuracy, work against precision, and figures; or the tables of host/docs/accuracy.md
     #[command(after_help = "Example: toytop-lab report -o report")]
     Report(ReportArgs),
 }
@@ -45,7 +45,7 @@ pub struct OverflowArgs {
     /// Number of motions
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     pub motions: u64,
-    /// Ticks of each, in 32 and in 16 bits
+    /// Number of ticks of each motion, in 32 and in 16 bits
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub ticks: u32,
     /// Another seed, other motions
@@ -56,26 +56,25 @@ pub struct OverflowArgs {
 /// `toytop-lab study`
 #[derive(Args, Debug)]
 pub struct StudyArgs {
-    /// Motions to try, of each seed [default: 100000; with --corners 1000000; with --fit 10000]
+    /// Number of motions of each seed [default: 100000; with --corners 1000000; with --fit 10000]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     pub motions: Option<u64>,
     /// Another seed, other motions
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
-    /// This seed and those after it, so many in all, a row each
+    /// Number of consecutive seeds from this one, each with a row of its own
     #[arg(long, value_name = "N", default_value_t = 1, requires = "corners", value_parser = clap::value_parser!(u64).range(1..=10_000))]
     pub seeds: u64,
-    /// Launches towards every degenerate corner, of branch points and of states, in four scalars
+    /// Random launches near every degenerate case, from branch points and from states, in four scalars
     #[arg(long)]
     pub corners: bool,
-    /// Simulated throws instead, whose launches are fitted to samples of three sets of sensors (exit code 1 if a wrong launch is
-    /// believed)
+    /// Simulated throws, whose launches are fitted to samples of three sets of sensors (exit code 1 if a wrong launch is not refused)
     #[arg(long, conflicts_with = "corners")]
     pub fit: bool,
     /// Number of launches of each seed that are compared with the truth
     #[arg(long, value_name = "N", default_value_t = 10_000, requires = "corners", value_parser = clap::value_parser!(u64).range(1..))]
     pub truths: u64,
-    /// Markdown page whose table to write, of --corners or --fit
+    /// Markdown page whose tables are rewritten, with --corners or --fit
     #[arg(long, value_name = "FILE")]
     pub docs: Option<PathBuf>,
     /// Form of the output
@@ -101,7 +100,7 @@ pub struct LongrunArgs {
     /// Number of ticks
     #[arg(long, value_name = "N", default_value_t = 1_000_000_000, value_parser = clap::value_parser!(u64).range(1000..=1_000_000_000_000))]
     pub ticks: u64,
-    /// Markdown page whose table to write
+    /// Markdown page whose table is rewritten
     #[arg(long, value_name = "FILE")]
     pub docs: Option<PathBuf>,
     /// Form of the output
@@ -113,19 +112,19 @@ pub struct LongrunArgs {
 #[derive(Args, Debug)]
 #[command(group = clap::ArgGroup::new("what").required(true).multiple(true).args(["output", "readme"]))]
 pub struct ReportArgs {
-    /// Folder for index.html; made if it is not there
+    /// Folder for index.html, which is created if it does not exist
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Markdown file whose tables to bring up to date
+    /// Markdown file whose tables are rewritten
     #[arg(long, value_name = "FILE")]
     pub readme: Option<PathBuf>,
-    /// Change nothing; exit code 1 if a table is stale
+    /// Change nothing, and exit with 1 if a table is not up to date
     #[arg(long, requires = "readme")]
     pub check: bool,
-    /// Output of `toytop budget --format json`, for the page; without it, the limits of the calls are shown
+    /// Output of `toytop budget --format json` for the page; without it, the page shows the limits of the calls
     #[arg(long, value_name = "FILE", requires = "output")]
     pub budget: Option<PathBuf>,
-    /// Output of host/benches/by_heyoka.py --json, for the page
+    /// Output of host/benches/by_heyoka.py --json for the page
     #[arg(long, value_name = "FILE", requires = "output")]
     pub others: Option<PathBuf>,
 }
@@ -133,7 +132,7 @@ pub struct ReportArgs {
 /// `toytop-lab sines`
 #[derive(Args, Debug)]
 pub struct SinesArgs {
-    /// Only every N-th phase
+    /// Distance of the phases: every N-th one is computed
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pub every: u32,
     /// Form of the output

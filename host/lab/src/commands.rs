@@ -1,4 +1,4 @@
-//! One file a command. A command returns its whole output; nothing is printed before all of it is there.
+//! Commands of `toytop-lab`, one file for each. A command returns its whole output, and nothing is printed before it is complete.
 
 mod longrun;
 mod overflow;
@@ -9,7 +9,7 @@ mod study;
 use crate::cli::Command;
 use toytop_host::{Failure, Report};
 
-/// Runs a command.
+/// Report of a command.
 ///
 /// # Errors
 /// See [`Failure`].

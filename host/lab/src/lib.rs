@@ -4,9 +4,9 @@
 //! |---|---|
 //! | [`study`] | ephemerides of random motions against the truth and their bounds |
 //! | [`longrun`] | steppers and cursors over very many ticks |
-//! | [`sines`] | sines of an integer phase, at every phase |
-//! | [`overflow`] | fixed point on random motions in checked arithmetic |
-//! | [`cli`], [`commands`] | command line, one file a command |
+//! | [`sines`] | errors of the sines of an integer phase |
+//! | [`overflow`] | fixed point for random motions in checked arithmetic |
+//! | [`cli`], [`commands`] | command line, one file for each command |
 
 pub mod cli;
 pub mod commands;
@@ -19,7 +19,7 @@ use std::ffi::OsString;
 use toytop_host::program::{self, Request};
 use toytop_host::{Failure, Report};
 
-/// Runs one command line (with the program's name in front).
+/// Report of one command line, which begins with the program's name.
 ///
 /// # Errors
 /// See [`Failure`].

@@ -1,5 +1,5 @@
-//! Long runs: steppers and cursors tick by tick over millions of periods, against the truth to thirty digits at the powers of
-//! ten; there and back; and the full solver against itself.
+//! Long runs: steppers and cursors tick by tick over millions of periods, compared with the truth to thirty digits after each power of ten
+//! of ticks, and after a run forward and back; and the full solver, also against itself.
 
 use fixed::types::I2F30;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -14,7 +14,7 @@ use toytop_host::measure::benchmark::Benchmark;
 use toytop_host::motion::cast;
 use toytop_host::output::progress::Progress;
 
-/// Who runs.
+/// Method of a long run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Method {
     StepperF64,
@@ -32,39 +32,40 @@ const METHODS: [(&str, Method); 5] = [
     ("ephemeris cursor q31", Method::CursorQ31),
 ];
 
-/// Ticks in a period, nearly.
+/// Number of ticks in a period, approximately.
 pub const TICKS_PER_PERIOD: u32 = 1024;
 
-/// The first power of ten that is looked at.
+/// First power of ten at which errors are computed.
 const FIRST: u64 = 1000;
-/// Ticks forward, and as many back.
+/// Number of ticks forward, and of ticks back.
 const THERE: u64 = 1_000_000;
-/// The full solver's tolerances, and how far it is followed, ticks: its budget is some thirty thousand periods.
+/// Tolerances of the full solver.
 const TOLERANCES: [f64; 2] = [FULL_SOLVER_TOLERANCE, 1e-13];
+/// Number of ticks of the full solver, whose limit on evaluations is reached after some thirty thousand periods.
 const FURTHEST_SOLVED: u64 = 10_000_000;
 
-/// One line of the result.
+/// Row of the result.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Who, against what.
-    pub who: String,
-    /// Ticks, and the error after them, rad.
+    /// Method and reference.
+    pub name: String,
+    /// Numbers of ticks, each with the error after them, rad.
     pub errors: Vec<(u64, f64)>,
-    /// What is left after 10^6 ticks forward and as many back, rad.
+    /// Error after 10^6 ticks forward and 10^6 ticks back, rad.
     pub back: Option<f64>,
-    /// The greatest error as a share of the bound that the method states.
+    /// Greatest quotient of an error and the bound that the method states.
     pub of_bound: Option<f64>,
 }
 
-/// Where a method came to.
+/// Results of one method.
 struct Followed {
-    /// Φ at the decades.
+    /// Orientations Φ after each number of ticks.
     phi: Vec<Orientation<f64>>,
     back: Option<f64>,
     bound: Option<ErrorBound>,
 }
 
-/// The powers of ten from 10^3 to `ticks`, and `ticks` itself.
+/// Powers of ten from 10^3 to `ticks`, and `ticks` itself.
 #[must_use]
 pub fn decades(ticks: u64) -> Vec<u64> {
     let powers = std::iter::successors(Some(FIRST), |power| power.checked_mul(10));
@@ -73,28 +74,28 @@ pub fn decades(ticks: u64) -> Vec<u64> {
     decades
 }
 
-/// Runs all.
+/// Rows of all methods.
 ///
 /// # Errors
-/// [`Failure::Method`]: the full solver gave up, which it should not.
+/// [`Failure::Method`]: the full solver failed, which is not expected.
 pub fn run(ticks: u64) -> Result<Vec<Row>, Failure> {
-    let benchmark = Benchmark::with_moments(TICKS_PER_PERIOD)?;
+    let benchmark = Benchmark::with_samples(TICKS_PER_PERIOD)?;
     let decades = decades(ticks);
     let truth = benchmark.truth(&decades);
     let progress = Mutex::new(Progress::new(METHODS.len() as u64 * ticks, "ticks"));
-    let line = |(who, method): &(&str, Method)| {
+    let line = |(name, method): &(&str, Method)| {
         let track = Track { benchmark: &benchmark, decades: &decades, progress: &progress };
         let Followed { phi, back, bound } = track.run(*method)?;
         let errors = phi.iter().zip(&truth).map(|(found, truth)| found.distance(truth));
         let errors: Vec<_> = decades.iter().copied().zip(errors).collect();
         let of_bound = bound.map(|bound| {
-            // what is no number is beyond every bound
+            // an error that is no number exceeds every bound
             let share = |(tick, error): &(u64, f64)| {
                 if error.is_nan() { f64::INFINITY } else { error / bound.after(*tick as f64) }
             };
             errors.iter().map(share).fold(0.0, f64::max)
         });
-        Ok(Row { who: format!("{who}, against the truth"), errors, back, of_bound })
+        Ok(Row { name: format!("{name}, against the truth"), errors, back, of_bound })
     };
     let mut lines = METHODS.par_iter().map(line).collect::<Result<Vec<_>, Failure>>()?;
     drop(progress);
@@ -102,7 +103,7 @@ pub fn run(ticks: u64) -> Result<Vec<Row>, Failure> {
     Ok(lines)
 }
 
-/// One method's way.
+/// Run of one method.
 struct Track<'a> {
     benchmark: &'a Benchmark,
     decades: &'a [u64],
@@ -148,7 +149,7 @@ impl Track<'_> {
         let step = |cursor: &mut Cursor| {
             black_box(cursor.next(&table).orientation());
         };
-        // the cursor stands before the tick that it has counted to
+        // the next sample of the cursor is that of the next tick
         let phi = self.follow(table.cursor(0), step, |cursor| {
             cast::orientation(cursor.clone().next(&table).orientation(), widen)
         });
@@ -178,7 +179,7 @@ impl Track<'_> {
     }
 }
 
-/// At two tolerances: each against the truth, and one against the other.
+/// Rows of the full solver at two tolerances: each against the truth, and one against the other.
 fn full_solvers(
     benchmark: &Benchmark,
     decades: &[u64],
@@ -195,9 +196,9 @@ fn full_solvers(
         decades.iter().map(reach).collect()
     };
     let [fine, coarse] = [follow(TOLERANCES[0])?, follow(TOLERANCES[1])?];
-    let line = |who: String, a: &[Orientation<f64>], b: &[Orientation<f64>]| {
+    let line = |name: String, a: &[Orientation<f64>], b: &[Orientation<f64>]| {
         let errors = a.iter().zip(b).map(|(a, b)| a.distance(b));
-        Row { who, errors: decades.iter().copied().zip(errors).collect(), back: None, of_bound: None }
+        Row { name, errors: decades.iter().copied().zip(errors).collect(), back: None, of_bound: None }
     };
     let [fine_name, coarse_name] = TOLERANCES.map(|tolerance| format!("full solver at {tolerance:.0e}"));
     Ok(vec![
@@ -218,7 +219,7 @@ mod tests {
         assert_eq!(decades(2500), [1000, 2500]);
     }
 
-    /// Each method's error lies in its own range: a run that did not step, or a truth that is not one, would not.
+    /// The error of each method lies in its own range, which a run without steps, or with a wrong truth, would not.
     #[test]
     fn a_short_run() {
         let lines = run(10_000).unwrap();
@@ -233,13 +234,13 @@ mod tests {
             (1e-17, 1e-9),
         ];
         assert_eq!(lines.len(), ranges.len());
-        for (Row { who, errors, back, of_bound }, (least, most)) in lines.iter().zip(ranges) {
+        for (Row { name, errors, back, of_bound }, (least, most)) in lines.iter().zip(ranges) {
             let (ticks, last) = errors[1];
-            assert_eq!((ticks, errors.len()), (10_000, 2), "{who}");
-            assert!(last > least && last < most, "{who}: {last:e}");
-            assert_eq!(back.is_some(), who.contains("stepper"), "{who}");
-            assert_eq!(of_bound.is_some(), who.contains("cursor"), "{who}");
-            assert!(of_bound.is_none_or(|share| share > 0.003 && share <= 1.0), "{who}: {of_bound:?}");
+            assert_eq!((ticks, errors.len()), (10_000, 2), "{name}");
+            assert!(last > least && last < most, "{name}: {last:e}");
+            assert_eq!(back.is_some(), name.contains("stepper"), "{name}");
+            assert_eq!(of_bound.is_some(), name.contains("cursor"), "{name}");
+            assert!(of_bound.is_none_or(|share| share > 0.003 && share <= 1.0), "{name}: {of_bound:?}");
         }
     }
 }

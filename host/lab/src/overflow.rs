@@ -1,8 +1,7 @@
-//! Fixed point on random motions at random ticks, in arithmetic that tells: does a sum ever leave its range?
+//! Fixed point for random motions at random ticks, in arithmetic that detects overflows.
 //!
-//! In a build with overflow checks every sum, difference, product and shift of the core panics where it would leave its type.
-//! What such checks do not see, bits that a conversion or a shift drops, would show in the result: it is held against the
-//! table in `f64`, within the bounds that both state.
+//! In a build with overflow checks every sum, difference, product and shift of the core panics if it overflows. Such checks do not detect
+//! bits that a conversion or a shift drops. Therefore the result is also compared with the table in `f64`, within the bounds of both.
 
 use std::fmt::Write as _;
 use std::hint::black_box;
@@ -14,35 +13,38 @@ use toytop_host::input::random::Random;
 use toytop_host::motion::ephemeris::smallest;
 use toytop_host::truth::motions::Numbers;
 
-/// What was tried.
+/// Counts and greatest errors of all trials.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tally {
-    /// Motions, of every regime.
+    /// Number of motions, of every regime.
     pub motions: u64,
-    /// Tables that were refused, which is no failure.
+    /// Number of refused tables, which are no failures.
     pub refused: u64,
-    /// Ticks looked up in 32 and 16 bits.
+    /// Number of ticks that were evaluated in 32 and in 16 bits.
     pub ticks: u64,
     /// Greatest error as a share of its stated bound, of the ephemeris in 32 and in 16 bits.
-    pub strain: [f64; 2],
+    pub of_bound: [f64; 2],
     /// Panics and errors beyond their bounds, with the numbers of the motion.
     pub failures: Vec<String>,
 }
 
 impl Tally {
-    /// Both.
+    /// Sum of two tallies.
     #[must_use]
     pub fn and(mut self, other: Self) -> Self {
         self.motions += other.motions;
         self.refused += other.refused;
         self.ticks += other.ticks;
-        self.strain.iter_mut().zip(other.strain).for_each(|(strain, other)| *strain = strain.max(other));
+        self.of_bound
+            .iter_mut()
+            .zip(other.of_bound)
+            .for_each(|(of_bound, other)| *of_bound = of_bound.max(other));
         self.failures.extend(other.failures);
         self
     }
 }
 
-/// Whether a sum that leaves its type panics in this build.
+/// Whether an overflow panics in this build.
 #[must_use]
 pub fn is_checked() -> bool {
     let loud = panic::take_hook();
@@ -52,7 +54,7 @@ pub fn is_checked() -> bool {
     checked
 }
 
-/// Draws a motion and tries so many ticks of it in each way.
+/// Result for a random motion at this many random ticks in each scalar.
 #[must_use]
 pub fn tried(seed: u64, stream: u64, ticks: u32) -> Tally {
     let mut random = Random::new(seed, stream);
@@ -87,7 +89,7 @@ fn look_up(motion: &Motion, random: &mut Random, ticks: u32, tally: &mut Tally, 
             continue;
         };
         for _ in 0..ticks {
-            // of every size, either sign
+            // ticks of every size and both signs
             let n = ((2.0 * random.share() - 1.0) * 2_f64.powf(random.between(1.0, 62.0))) as i64;
             let found = table.at_tick(n);
             tally.ticks += 1;
@@ -99,17 +101,17 @@ fn look_up(motion: &Motion, random: &mut Random, ticks: u32, tally: &mut Tally, 
             let derived = derived.max((found.tip_over_s - exact.tip_over_s).norm_squared().sqrt());
             // a product in 32 bits is rounded down to 2^-28, and a part of the tip is twice the difference of two
             let more = bound + 24.0 * rounding;
-            note(&mut tally.strain[index], (error / bound).max(derived / more), scalar.name(), n, said);
+            note(&mut tally.of_bound[index], (error / bound).max(derived / more), scalar.name(), n, said);
         }
     }
 }
 
-/// The greatest strain so far; beyond 1, or no number, it is said.
-fn note(greatest: &mut f64, strain: f64, way: &str, n: i64, said: &mut String) {
-    *greatest = greatest.max(strain);
-    let held = strain <= 1.0;
+/// Updates the greatest quotient of error and bound, and reports one that exceeds 1 or is no number.
+fn note(greatest: &mut f64, of_bound: f64, way: &str, n: i64, said: &mut String) {
+    *greatest = greatest.max(of_bound);
+    let held = of_bound <= 1.0;
     if !held && said.len() < 200 {
-        // a String takes everything
-        let _ = write!(said, "{way}, tick {n}: {strain:.2} of its bound; ");
+        // writing to a String cannot fail
+        let _ = write!(said, "{way}, tick {n}: {of_bound:.2} of its bound; ");
     }
 }

@@ -1,7 +1,7 @@
-//! The core's sines of an integer phase, swept over every phase there is: 2^32.
+//! Errors of the core's sines of an integer phase over all 2^32 phases.
 //!
-//! The truth is `std`'s sine in `f64` of a phase that is reduced exactly, in integers: off by 1e-16, four million times less
-//! than what is looked for, and nothing of the core's.
+//! The reference is the sine of `std` in `f64` of a phase that is reduced exactly in integers, without code of the core. Its error of 1e-16
+//! is four million times smaller than the errors that are measured.
 
 use fixed::types::{I2F14, I2F30};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -13,20 +13,20 @@ use toytop_host::Failure;
 use toytop_host::output::progress::Progress;
 use toytop_host::thread_pool;
 
-/// 2^-31.
+/// Unit of the errors, 2^-31.
 pub const UNIT: f64 = 1.0 / (1_u64 << 31) as f64;
 
-/// A routine to a sine and a cosine.
+/// Routine that computes a sine and a cosine.
 #[derive(Clone, Copy, Debug)]
 pub struct Routine {
-    /// Its name.
+    /// Name of the routine.
     pub name: &'static str,
-    /// What it is for.
+    /// Use of the routine.
     pub what: &'static str,
     worst: fn(&[u32], &[[f64; 2]]) -> Worst,
 }
 
-/// All that the core has but `f64`, which no sweep can exhaust.
+/// All routines of the core except the one in `f64`, which has too many phases.
 pub const ROUTINES: [Routine; 6] = [
     Routine {
         name: "q31",
@@ -48,7 +48,7 @@ pub const ROUTINES: [Routine; 6] = [
     Routine { name: "I2F14", what: "q31, with 14 bits", worst: |p, t| greatest(p, t, scalar::<I2F14>) },
 ];
 
-/// The greatest errors of a sine and a cosine, and their phases, in units of 2^-32 turns.
+/// Greatest errors of a sine and a cosine, each with its phase in units of 2^-32 turns.
 pub type Worst = [(f64, u32); 2];
 
 fn whole((sine, cosine): (i32, i32), unit: f64) -> [f64; 2] {
@@ -74,7 +74,7 @@ fn greatest(phases: &[u32], truths: &[[f64; 2]], of: impl Fn(u32) -> [f64; 2]) -
     worst
 }
 
-/// (sin, cos) of so many units of 2^-32 turns.
+/// Sine and cosine of a phase in units of 2^-32 turns.
 fn truth(phase: u32) -> [f64; 2] {
     let quarter = phase.wrapping_add(1 << 29) >> 30;
     let rest = phase.wrapping_sub(quarter << 30) as i32;
@@ -87,14 +87,14 @@ fn truth(phase: u32) -> [f64; 2] {
     }
 }
 
-/// Phases of a block, and of what is held at a time.
+/// Number of phases in a block.
 const BLOCK: u64 = 1 << 20;
 const PART: usize = 1 << 12;
 
-/// Sweeps every `every`-th phase; in the order of [`ROUTINES`].
+/// Greatest errors over every `every`-th phase, in the order of [`ROUTINES`].
 ///
 /// # Errors
-/// [`Failure::Output`]: the system has no threads.
+/// [`Failure::Output`]: the system cannot start the threads.
 pub fn swept(every: u32) -> Result<[Worst; ROUTINES.len()], Failure> {
     let count = phases(every);
     let progress = Mutex::new(Progress::new(count, "phases"));
@@ -110,7 +110,7 @@ pub fn swept(every: u32) -> Result<[Worst; ROUTINES.len()], Failure> {
     Ok(thread_pool::of_all_cores()?.install(|| blocks.map(of_block).reduce(nothing, greater)))
 }
 
-/// Number of phases.
+/// Number of phases at a distance of `every`.
 #[must_use]
 pub fn phases(every: u32) -> u64 {
     (1_u64 << 32).div_ceil(every.into())
@@ -136,7 +136,8 @@ fn nothing() -> [Worst; ROUTINES.len()] {
     [[(0.0, 0); 2]; ROUTINES.len()]
 }
 
-/// Of two equal errors that of the smaller phase, so that the order of the blocks does not show.
+/// Greater errors of two blocks. Of two equal errors, the one at the smaller phase is taken, so that the result does not depend on the order
+/// of the blocks.
 fn greater(a: [Worst; ROUTINES.len()], b: [Worst; ROUTINES.len()]) -> [Worst; ROUTINES.len()] {
     let of = |a: (f64, u32), b: (f64, u32)| {
         if b.0 > a.0 || (b.0 == a.0 && b.1 < a.1) { b } else { a }

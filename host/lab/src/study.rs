@@ -1,4 +1,4 @@
-//! Random motions of every regime, and the core's ephemeris held against the truth ([`toytop_host::truth`]).
+//! Random motions of every regime, for which the core's ephemeris is compared with the truth ([`toytop_host::truth`]).
 
 pub mod corners;
 mod draw;

@@ -1,9 +1,8 @@
-//! Tables in C: one header, or a header and a source beside the code that all tables share; C99 and C++11 or later without a
-//! library, to the same bits as the crate.
+//! Tables in C99 or C++11: one header, or a header and a source beside the code that all tables share. The code needs no library, and
+//! gives the same bits as the crate.
 //!
-//! Numbers are decimal, with as many digits as tell every one from its neighbours (9 in single, 17 in double precision): C++ has
-//! hexadecimal ones since C++17 only. The include guard of a table is defined as its checksum, so that another table of the
-//! same name is an error.
+//! Numbers are decimal, because C++ has hexadecimal ones only since C++17, with enough digits to determine every number (9 in single, 17
+//! in double precision). The value of the include guard of a table is its checksum, so that another table of the same name is an error.
 
 mod files;
 mod shared;
@@ -15,7 +14,7 @@ use toytop::{Clock, ErrorBound};
 pub use files::{arduino_files, split_files};
 use shared::{SHARED_HEADER, SHARED_SOURCE, header as shared_header, source as shared_source};
 
-/// Text of a header that needs no other file. Several may be included in one file: what they share is there once.
+/// Text of a header that needs no other file. If one file includes several headers, the code that they share is compiled once.
 #[must_use]
 pub fn header(label: &Label, parts: &Parts) -> String {
     let evaluators = shared::inlined(parts.scalar);
@@ -44,7 +43,7 @@ fn source(label: &Label, parts: &Parts) -> String {
     )
 }
 
-/// A header around its content: what it is, its guard, and its figures as macros.
+/// Header around its content: a comment, the include guard, and size and error bounds as macros.
 fn guarded(label: &Label, parts: &Parts, content: &str) -> String {
     let name = label.c_name();
     let (scalar, upper) = (parts.scalar.name(), name.to_uppercase());
@@ -112,7 +111,7 @@ fn table(label: &Label, parts: &Parts, linkage: &str) -> String {
     )
 }
 
-/// The initialisers of a `toytop_clock`.
+/// Initialisers of a `toytop_clock`.
 fn clock(parts: &Parts) -> String {
     let [segments, terms] = parts.size;
     let wide = |bits: u64| format!("{bits:#x}u");
@@ -150,7 +149,7 @@ fn line(row: [String; 4]) -> String {
     format!("    {{{}}},\n", row.join(", "))
 }
 
-/// In C, -2147483648 is no constant of 32 bits but the negative of one that does not fit them.
+/// Constant of 32 bits in C, where -2147483648 would be the negative of a constant that does not fit 32 bits.
 fn integer(x: i32) -> String {
     if x == i32::MIN { "INT32_MIN".to_owned() } else { x.to_string() }
 }
@@ -159,7 +158,7 @@ fn tick(n: i64) -> String {
     if n == i64::MIN { "INT64_MIN".to_owned() } else { format!("INT64_C({n})") }
 }
 
-/// A number of double precision in 17 significant digits, which C and C++ read to the same bits.
+/// Number in double precision with 17 significant digits, from which C and C++ obtain the same bits.
 fn decimal(x: f64) -> String {
     format!("{x:.16e}")
 }
@@ -169,7 +168,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn decimal_numbers_are_read_as_they_were() {
+    fn decimal_numbers_are_read_back_to_the_same_bits() {
         for x in [1.0, -0.1, -0.0, f64::from_bits(1), f64::MAX, 1.0 / 3.0] {
             assert_eq!(decimal(x).parse::<f64>().map(f64::to_bits), Ok(x.to_bits()));
         }

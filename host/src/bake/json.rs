@@ -1,13 +1,13 @@
-//! The raw parts as one JSON object.
+//! Numbers of a table as one JSON object.
 
 use super::{Coefficients, Label, Parts};
 use serde_json::{Value, json};
 use toytop::Clock;
 use toytop::scalar::SINE_CONSTANTS;
 
-/// The object, on one line. Integers of more than 53 bits, which not every reader of JSON keeps, are words of 32 bits, the least
-/// significant first; floating point has the shortest digits that read back the same bits. `sine` is what the crate's sines
-/// are made of.
+/// JSON object on one line. Integers of more than 53 bits, which some readers of JSON round, are words of 32 bits, the least significant
+/// first. A floating-point number has the shortest decimal that reads back the same bits. `sine` contains the constants of the crate's
+/// sines.
 #[must_use]
 pub fn object(label: &Label, parts: &Parts) -> String {
     let words = |wide: u64| [wide as u32, (wide >> 32) as u32];

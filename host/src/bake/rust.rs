@@ -1,10 +1,10 @@
-//! A Rust module with one `static`, which does not compile if a bit of it is changed.
+//! Rust module with one `static`, which does not compile if one of its bits was changed.
 
 use super::{Coefficients, Label, Parts};
 use crate::motion::Scalar;
 use toytop::{Clock, ErrorBound, TipClock};
 
-/// The module's text. Numbers as Rust prints them: it reads back the same bits.
+/// Text of the module. Numbers are printed by Rust, which reads back the same bits.
 #[must_use]
 pub fn module(label: &Label, parts: &Parts) -> String {
     let name = label.identifier().to_uppercase();
@@ -17,7 +17,7 @@ pub fn module(label: &Label, parts: &Parts) -> String {
     let size = format!("<{scalar}, {segments}>");
     let scale = |x: f64| match parts.scalar {
         Scalar::F64 => format!("{x:?}"),
-        // the shortest that is read as this f32
+        // the shortest decimal that is read as this f32
         _ => format!("{:?}", x as f32),
     };
     let Clock { step, tip_scale, first, horizon, exact_step, ticks_per_time, rates, tip, turns } =
@@ -83,7 +83,7 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
     )
 }
 
-/// A row a line, a segment in brackets.
+/// Coefficients with one row in each line, and brackets around each segment.
 fn rows_of(rows: &[[impl std::fmt::Debug; 4]], terms: usize) -> String {
     let line = |row: &_| format!("            {row:?},\n");
     let segment =

@@ -1,4 +1,4 @@
-//! Conventions of a source: which body axis is the axis of symmetry, and what is called position.
+//! Conventions of a source: the body axis that is the axis of symmetry, and the quantity that is called position.
 
 use crate::motion::propagate::Sample;
 use toytop::Orientation;
@@ -8,7 +8,7 @@ use toytop::Orientation;
 pub struct Conventions {
     /// Number of the body axis that points from the tip to the centre of mass: 2 or 3.
     pub symmetry_axis: usize,
-    /// Distance from the tip to the centre of mass, which positions are given with.
+    /// Distance from the tip to the centre of mass, in which positions are computed.
     pub length: f64,
 }
 
@@ -79,7 +79,7 @@ impl Conventions {
         }
     }
 
-    /// A sample of the core in the source's conventions.
+    /// Values of a sample of the core in the source's conventions.
     #[must_use]
     pub fn values(&self, sample: &Sample) -> Values {
         let core = sample.orientation();

@@ -1,4 +1,4 @@
-//! A problem of the catalogue, from its three files.
+//! Problem of the catalogue, from its three files.
 
 use super::conventions::{Conventions, Quantity};
 use crate::Failure;
@@ -6,12 +6,12 @@ use crate::input::scenario::Scenario;
 use serde_json::Value as Json;
 use toml::{Table, Value};
 
-/// A motion with its source, conventions and reference values.
+/// Motion with its source, conventions and reference values.
 #[derive(Clone, Debug)]
 pub struct Problem {
-    /// Its motion.
+    /// Scenario of the motion.
     pub scenario: Scenario,
-    /// Heading.
+    /// Title of the problem.
     pub title: String,
     /// Paper or program that posed it.
     pub source: String,
@@ -19,7 +19,7 @@ pub struct Problem {
     pub conventions: Conventions,
     /// Length of a run, in the unit of time.
     pub seconds: f64,
-    /// Who uses it, a sentence each.
+    /// Programs that use the problem, one sentence for each.
     pub used_by: Vec<String>,
     /// Values that others printed.
     pub printed: Vec<Printed>,
@@ -27,10 +27,10 @@ pub struct Problem {
     pub references: Vec<Reference>,
 }
 
-/// Value that somebody printed.
+/// Value that another program or paper printed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Printed {
-    /// Who, and by what method.
+    /// Program or paper that printed it, and its method.
     pub by: String,
     /// Time, as text.
     pub t: String,

@@ -1,10 +1,10 @@
-//! The chips whose calls are measured, and those of them whose timing is published.
+//! Chips whose calls are measured, and models of those whose timings are published.
 
 use super::Model;
 pub use toytop_chips::Chip;
 use toytop_chips::{M0PLUS, M4F, M7, M33, RISCV};
 
-/// All of them.
+/// All chips whose calls are measured.
 pub const CHIPS: [Chip; 5] = [M0PLUS, M4F, M7, M33, RISCV];
 
 /// Model of a chip's cycles; `None` where no timings are published.

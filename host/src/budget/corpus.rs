@@ -7,30 +7,30 @@ use std::collections::BTreeMap;
 use std::io::Read as _;
 use std::path::Path;
 
-/// Cost of all launches of one scalar with one result, on one chip.
+/// Costs of all launches of one scalar with one result on one chip.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CorpusCost {
     chip: &'static str,
     scalar: String,
-    /// `ready` or `refused`.
+    /// Result of the launches, `ready` or `refused`.
     result: String,
     /// Instructions of each launch, motion and table together, in ascending order.
     launches: Vec<u64>,
     /// Instructions of the longest slice of the launch or of the table's set-up.
     slice: u64,
-    /// Modelled cycles of an instruction, as those of the call `launch` have; `None` where the chip has no model.
+    /// Modelled cycles of an instruction, as in the call `launch`; `None` where the chip has no model.
     cycles_per_instruction: Option<f64>,
 }
 
-/// Runs the ELF on an emulated chip.
+/// Costs of the launches of an ELF on an emulated chip.
 ///
 /// # Errors
-/// [`Failure::Tool`]: there is no QEMU, or the program did not end with exit code 0 and lines that are understood.
+/// [`Failure::Tool`]: there is no QEMU, the program did not end with exit code 0, or a line of its output cannot be read.
 pub fn corpus(chip: &'static Chip, elf: &Path, limits: &Limits) -> Result<Vec<CorpusCost>, Failure> {
     let fail = |what: String| Failure::Tool(format!("budget: {}: {what}", chip.name));
     let mut qemu = chip
         .qemu(elf)
-        // one nanosecond an instruction
+        // an instruction takes one nanosecond of virtual time
         .args(["-icount", "shift=0,sleep=off"])
         .spawn()
         .map_err(|error| fail(format!("cannot run {} ({error}); install QEMU", chip.emulator)))?;
@@ -57,7 +57,7 @@ pub fn corpus(chip: &'static Chip, elf: &Path, limits: &Limits) -> Result<Vec<Co
     Ok(groups.into_iter().map(cost).collect())
 }
 
-/// Scalar and result, and the instructions of the motion, of the table and of the longest slice.
+/// Scalar and result of a line, and the instructions of the motion, of the table and of the longest slice.
 fn parsed(line: &str) -> Option<((String, String), [u64; 3])> {
     let words: Vec<_> = line.split_whitespace().collect();
     let [scalar, _, result, "motion", motion, "table", table, "slice", slice] = words[..] else {

@@ -1,25 +1,25 @@
-//! An ELF: where its functions are, and the bytes of its code.
+//! ELF file: addresses of its functions, and the bytes of its code.
 
 use crate::Failure;
 use object::{Object, ObjectSection, ObjectSymbol, SectionKind, SymbolKind};
 use std::fs;
 use std::path::Path;
 
-/// A function's symbol.
+/// Symbol of a function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Function {
-    /// As linked.
+    /// Name of the symbol.
     pub name: String,
     /// Address of its first instruction.
     pub address: u64,
-    /// Bytes, literals after the code included.
+    /// Size in bytes, with the literals after the code.
     pub size: u64,
 }
 
 /// Functions and code of an ELF.
 #[derive(Clone, Debug)]
 pub struct Image {
-    /// By address; of several names for one place the first.
+    /// Functions in the order of their addresses; of several names for one address, the first.
     functions: Vec<Function>,
     code: Vec<(u64, Vec<u8>)>,
 }
@@ -33,7 +33,7 @@ impl Image {
         let refuse = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", path.display()));
         let bytes = fs::read(path).map_err(|error| refuse(&error))?;
         let file = object::File::parse(&*bytes).map_err(|error| refuse(&error))?;
-        // the lowest bit of an Arm function's address says Thumb
+        // the lowest bit of an Arm function's address marks Thumb code
         let thumb = u64::from(file.architecture() == object::Architecture::Arm);
         let mut functions: Vec<_> = file
             .symbols()
@@ -55,12 +55,12 @@ impl Image {
         Ok(Self { functions, code })
     }
 
-    /// The functions whose names begin so.
+    /// Functions whose names begin with `prefix`.
     pub fn named<'a>(&'a self, prefix: &'a str) -> impl Iterator<Item = &'a Function> {
         self.functions.iter().filter(move |function| function.name.starts_with(prefix))
     }
 
-    /// The function that holds an address.
+    /// Function that contains an address.
     #[must_use]
     pub fn around(&self, address: u64) -> Option<&Function> {
         let after = self.functions.partition_point(|function| function.address <= address);
@@ -68,7 +68,7 @@ impl Image {
         (address < function.address + function.size).then_some(function)
     }
 
-    /// The code of some addresses, if it is in the ELF.
+    /// Code between two addresses, if the ELF contains it.
     #[must_use]
     pub fn code(&self, from: u64, to: u64) -> Option<&[u8]> {
         self.code.iter().find_map(|(start, bytes)| {

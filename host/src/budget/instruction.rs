@@ -1,21 +1,21 @@
-//! What the timing of an Arm Thumb instruction depends on.
+//! Properties of an Arm Thumb instruction that determine its timing.
 
 use capstone::arch::ArchDetail;
 use capstone::arch::arm::{ArchMode, ArmOperandType};
 use capstone::prelude::*;
 
-/// A set of registers: r0 to r15 in the bits 0 to 15, s0 to s31 in the bits 16 to 47 (d0 is s0 and s1).
+/// Set of registers: r0 to r15 in the bits 0 to 15, s0 to s31 in the bits 16 to 47 (d0 is s0 and s1).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Registers(u64);
 
 impl Registers {
-    /// Whether the sets share a register.
+    /// Whether the two sets have a register in common.
     #[must_use]
     pub fn meet(self, other: Self) -> bool {
         self.0 & other.0 != 0
     }
 
-    /// A set of named registers; flags and the like are none.
+    /// Set of registers of these names; other names, such as flags, are ignored.
     #[must_use]
     pub fn named<'a>(names: impl IntoIterator<Item = &'a str>) -> Self {
         Self(names.into_iter().fold(0, |set, name| set | Self::bits(name)))
@@ -42,38 +42,38 @@ impl Registers {
     }
 }
 
-/// Class of an instruction by its price.
+/// Class of an instruction by its cycles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Data processing, multiplication included.
     Plain,
-    /// `it`
+    /// IT.
     IfThen,
     /// SDIV, UDIV.
     Divide,
-    /// Barriers and special registers.
+    /// Barrier, or access to a special register.
     System,
-    /// One word or less; `indexed` by a register.
+    /// Load of one word or less; `indexed` if a register is added to the address.
     Load { indexed: bool },
-    /// One word or less; `indexed` by a register.
+    /// Store of one word or less; `indexed` if a register is added to the address.
     Store { indexed: bool },
     /// Transfer of this many words: LDM, STM, LDRD, STRD, PUSH, POP, VLDM, VSTM.
     Several { words: u32 },
-    /// VADD, VMUL, VCVT ...: a result that the next instruction has to wait for.
+    /// VADD, VMUL, VCVT and others, whose result is not ready for the next instruction.
     Float,
-    /// VMLA, VFMA ...
+    /// VMLA, VFMA and others.
     FloatMultiplyAdd,
     /// VDIV, VSQRT.
     FloatDivide,
-    /// VMOV, VCMP, VNEG ...; of two core registers.
+    /// VMOV, VCMP, VNEG and others; `two` if two core registers are moved.
     FloatMove { two: bool },
     /// VLDR.
     FloatLoad { words: u32 },
     /// VSTR.
     FloatStore { words: u32 },
-    /// B, to an address in the instruction.
+    /// B to an address in the instruction.
     Branch,
-    /// BL, to an address in the instruction.
+    /// BL to an address in the instruction.
     Call,
     /// B with a condition, CBZ, CBNZ.
     Conditional,
@@ -83,10 +83,10 @@ pub enum Kind {
     Table,
 }
 
-/// One instruction.
+/// Decoded instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Instruction {
-    /// Its price.
+    /// Class by its cycles.
     pub kind: Kind,
     /// Registers that it reads.
     pub reads: Registers,
@@ -94,28 +94,28 @@ pub struct Instruction {
     pub writes: Registers,
     /// Registers that it computes an address from.
     pub addressing: Registers,
-    /// Whether it has four bytes and is not at a multiple of four, which makes a jump to it slow.
+    /// Whether it has four bytes at an address that is no multiple of four, which makes a jump to it slow.
     pub straddles: bool,
 }
 
-/// Decodes Thumb.
+/// Decoder of Thumb code.
 pub(super) struct Decoder(Capstone);
 
 impl Decoder {
-    /// For every Cortex-M.
+    /// Decoder for every Cortex-M.
     ///
     /// # Errors
-    /// Those of Capstone.
+    /// The errors of Capstone.
     pub(super) fn new() -> Result<Self, capstone::Error> {
         let builder = Capstone::new().arm().mode(ArchMode::Thumb);
         let extra = std::iter::once(capstone::arch::arm::ArchExtraMode::MClass);
         Ok(Self(builder.extra_mode(extra).detail(true).build()?))
     }
 
-    /// The instructions of a piece of code; as many as could be decoded.
+    /// Instructions of a piece of code, up to the first that cannot be decoded.
     ///
     /// # Errors
-    /// Those of Capstone.
+    /// The errors of Capstone.
     pub(super) fn decode(&self, code: &[u8], address: u64) -> Result<Vec<Instruction>, capstone::Error> {
         let decoded = self.0.disasm_all(code, address)?;
         decoded.iter().map(|instruction| self.facts(instruction)).collect()
@@ -152,7 +152,7 @@ impl Decoder {
     }
 }
 
-/// By the name, without width, condition and data types.
+/// Class of an instruction by its name without width, condition and data types.
 fn kind(mnemonic: &str, operands: &[String], indexed: bool) -> Kind {
     let name = mnemonic.split('.').next().unwrap_or_default();
     let of = |prefixes: &[&str]| prefixes.iter().any(|prefix| name.starts_with(prefix));

@@ -1,4 +1,4 @@
-//! What each call may cost: `firmware-examples/budgets.toml`.
+//! Allowed cost of each call: `firmware-examples/budgets.toml`.
 
 use super::Cost;
 use crate::Failure;
@@ -8,7 +8,7 @@ use toml::{Table, Value};
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Limits(pub Vec<(String, Vec<Cost>)>);
 
-/// Allowed beyond what was measured, so that another compiler is no failure: a twentieth.
+/// Reciprocal of the share by which a limit exceeds the measured cost, so that another compiler causes no failure.
 const SLACK: u64 = 20;
 
 const HEAD: &str = "\
@@ -24,7 +24,7 @@ const HEAD: &str = "\
 ";
 
 impl Limits {
-    /// Measured costs and a little more.
+    /// Limits that exceed the measured costs by a twentieth.
     #[must_use]
     pub fn around(measured: &[(String, Vec<Cost>)]) -> Self {
         let more = |figure: u64| figure + figure.div_ceil(SLACK);
@@ -34,14 +34,14 @@ impl Limits {
             cycles: cost.cycles.map(more),
             stack: cost.stack.map(more),
             flash: more(cost.flash),
-            // the size of a type
+            // RAM is the size of a type, which does not vary
             ram: cost.ram,
         };
         let chips = measured.iter().map(|(chip, costs)| (chip.clone(), costs.iter().map(widened).collect()));
         Self(chips.collect())
     }
 
-    /// As a file.
+    /// Text of the file.
     #[must_use]
     pub fn to_toml(&self) -> String {
         let mut text = HEAD.to_owned();
@@ -56,10 +56,10 @@ impl Limits {
         text
     }
 
-    /// From a file's text.
+    /// Limits of the text of a file.
     ///
     /// # Errors
-    /// [`Failure::Input`]: not of the form that [`Limits::to_toml`] writes.
+    /// [`Failure::Input`]: the text is not of the form that [`Limits::to_toml`] writes.
     pub fn parse(text: &str) -> Result<Self, Failure> {
         let refuse = |what: String| Failure::Input(format!("budgets.toml: {what}"));
         let table: Table =
@@ -86,14 +86,14 @@ impl Limits {
         Ok(Self(table.iter().map(chip).collect::<Result<_, Failure>>()?))
     }
 
-    /// Limits of a call on a chip.
+    /// Limit of a call on a chip.
     #[must_use]
     pub fn of(&self, chip: &str, call: &str) -> Option<&Cost> {
         let (_, costs) = self.0.iter().find(|(name, _)| name == chip)?;
         costs.iter().find(|cost| cost.call == call)
     }
 
-    /// One line for each figure that is not within its limit, and for each call that is on one side only.
+    /// Line for each figure that is not within its limit, and for each call that has a measurement or a limit but not both.
     #[must_use]
     pub fn complaints(&self, chip: &str, measured: &[Cost]) -> Vec<String> {
         let mut lines = Vec::new();
@@ -119,7 +119,9 @@ impl Limits {
                         "{chip}: {call}: {figure} {name}, {most} allowed: {over} too many ({percent:.1} %)"
                     ));
                 } else if figure < most - most / 4 {
-                    lines.push(format!("{chip}: {call}: {figure} {name}, {most} allowed: so much less that the budget is to be lowered"));
+                    lines.push(format!(
+                        "{chip}: {call}: {figure} {name}, {most} allowed: the budget must be lowered"
+                    ));
                 }
             }
         }
@@ -164,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_can_be_read() {
+    fn written_limits_can_be_read() {
         let limits = Limits::around(&[
             ("m4f".into(), vec![cost(300)]),
             ("riscv".into(), vec![Cost { cycles: None, ..cost(5) }]),
@@ -174,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn too_much_and_far_too_little_are_told() {
+    fn costs_above_and_far_below_the_limit_are_reported() {
         let limits = Limits::around(&[("m4f".into(), vec![cost(300)])]);
         let said = |measured: &[Cost]| limits.complaints("m4f", measured);
         assert_eq!(said(&[cost(315)]), Vec::<String>::new());

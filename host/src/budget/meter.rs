@@ -1,4 +1,4 @@
-//! From the record of a run to the cost of each call.
+//! Cost of each call, from the log of a run.
 
 use super::chip::model;
 use super::instruction::{Decoder, Instruction};
@@ -13,23 +13,23 @@ use std::path::Path;
 pub struct Cost {
     /// Name of the function, without `bench_`.
     pub call: String,
-    /// Instructions executed from the first to the return; exact.
+    /// Exact number of instructions, from the first to the return.
     pub instructions: u64,
-    /// By the model of the chip.
+    /// Cycles by the model of the chip.
     pub cycles: Option<u64>,
-    /// Below the stack pointer at the call, bytes: what the firmware saw touched.
+    /// Stack in bytes: memory below the stack pointer of the caller that the firmware found changed.
     pub stack: Option<u64>,
-    /// Flash of all functions that it ran through, bytes, the literals among their code included.
+    /// Flash in bytes: size of all functions that the call ran through, with the literals in their code.
     pub flash: u64,
-    /// RAM kept between calls, bytes, as the firmware states it.
+    /// RAM between calls in bytes, as the firmware states it.
     pub ram: Option<u64>,
 }
 
-/// Runs an ELF on an emulated chip: the costs of its functions named `bench_...`, in the order of their first calls.
+/// Costs of the functions of an ELF that are named `bench_...`, on an emulated chip, in the order of their first calls.
 ///
 /// # Errors
-/// [`Failure::Input`]: no ELF, or none of its functions is named so. [`Failure::Tool`]: there is no QEMU, the program did
-/// not end with exit code 0, or QEMU's log cannot be understood.
+/// [`Failure::Input`]: the file is no ELF, or has no such function. [`Failure::Tool`]: there is no QEMU, the program did not end with exit
+/// code 0, or QEMU's log cannot be read.
 pub fn measure(chip: &Chip, elf: &Path) -> Result<Vec<Cost>, Failure> {
     let image = Image::read(elf)?;
     let entries: HashMap<u64, &str> =
@@ -47,7 +47,7 @@ pub fn measure(chip: &Chip, elf: &Path) -> Result<Vec<Cost>, Failure> {
 
 const PREFIX: &str = "bench_";
 
-/// Adds what the firmware said: `bench_NAME stack BYTES ram BYTES`.
+/// Cost with stack and RAM from the output of the firmware, `bench_NAME stack BYTES ram BYTES`.
 fn with_report(mut cost: Cost, printed: &str) -> Cost {
     for line in printed.lines() {
         let mut words = line.split_whitespace();
@@ -65,7 +65,7 @@ fn with_report(mut cost: Cost, printed: &str) -> Cost {
     cost
 }
 
-/// Follows the run.
+/// State of the measurement during a run.
 struct Meter<'a> {
     image: &'a Image,
     entries: &'a HashMap<u64, &'a str>,
@@ -77,7 +77,7 @@ struct Meter<'a> {
     functions: BTreeMap<&'a str, BTreeSet<u64>>,
 }
 
-/// A call that has not returned.
+/// Call that has not returned.
 struct Running<'a> {
     call: &'a str,
     return_to: u64,
@@ -161,17 +161,17 @@ impl<'a> Meter<'a> {
     }
 }
 
-/// Cycles of blocks, each decoded once.
+/// Cycles of blocks; each block is decoded once.
 struct Prices {
     model: Model,
     decoder: Decoder,
     blocks: Vec<Option<Priced>>,
-    /// Between one block and the next.
+    /// Additional cycles between one block and the next.
     edges: HashMap<(usize, usize), i64>,
 }
 
 struct Priced {
-    /// Without what the block before and the block after add.
+    /// Cycles without those that depend on the block before and the block after.
     cycles: i64,
     first: Instruction,
     last: Instruction,
@@ -208,7 +208,7 @@ impl Prices {
         Ok(Priced { cycles: alone + after, first, last })
     }
 
-    /// A block, and the way to it from the one before.
+    /// Cycles of a block, and of the transition from the block before it.
     fn of(&mut self, blocks: &[Block], before: Option<usize>, number: usize) -> i64 {
         let priced = |number: usize| self.blocks.get(number).and_then(Option::as_ref);
         let Some(block) = priced(number) else { return 0 };
@@ -224,7 +224,7 @@ impl Prices {
         block.cycles + *edge
     }
 
-    /// The return from the last block.
+    /// Cycles of the return from the last block.
     fn leaving(&self, last: usize) -> i64 {
         let last = self.blocks.get(last).and_then(Option::as_ref);
         last.map_or(0, |block| self.model.jump(&block.last, None))

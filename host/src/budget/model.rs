@@ -1,17 +1,18 @@
-//! Cycles of an instruction: a *model* from published tables, never checked on silicon.
+//! Cycles of an instruction: a *model* from published tables, which has not been checked on silicon.
 //!
-//! Memory without wait states, no caches, no interrupts. The Cortex-M0+ (its Technical Reference Manual, table of
-//! instruction timings; the multiplier of one cycle) has a fixed price for everything. The Cortex-M4F's manual leaves choices:
+//! The model has memory without wait states, no caches and no interrupts. On the Cortex-M0+ (its Technical Reference Manual, table of
+//! instruction timings, with the multiplier of one cycle) every instruction has a fixed number of cycles. For the Cortex-M4F the manual
+//! states ranges, of which the model takes:
 //!
-//! * a taken branch refills the pipeline in 1 to 3 cycles: here 1 to an address in the instruction, 2 to one in a register or
-//!   by a condition, and 1 more, up to 3, where the target is a wide instruction across two words
-//! * loads of one word overlap when they follow one another and do not depend on each other
-//! * SDIV and UDIV take 2 to 12: always 12 here, the operands not being known
-//! * an instruction that a condition skips costs as if it ran
+//! * a taken branch refills the pipeline in 1 to 3 cycles: 1 for an address in the instruction, 2 for a register or a condition, and 1
+//!   more, up to 3, if the target is a wide instruction across two words
+//! * loads of one word overlap if they follow one another and do not depend on each other
+//! * SDIV and UDIV take 2 to 12 cycles: always 12, because the operands are not known
+//! * an instruction that a condition skips takes as many cycles as if it were executed
 
 use super::instruction::{Instruction, Kind, Registers};
 
-/// A processor with published timings.
+/// Processor with published timings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Model {
     /// Cortex-M0+ with the fast multiplier.
@@ -40,7 +41,7 @@ impl Model {
         cycles.into()
     }
 
-    /// Cycles more, or fewer, because of the instruction before it.
+    /// Additional cycles, which may be negative, because of the instruction before it.
     #[must_use]
     pub fn after(self, before: &Instruction, instruction: &Instruction) -> i64 {
         if self == Self::M0Plus {
@@ -58,7 +59,7 @@ impl Model {
         i64::from(waits_for_float) + i64::from(waits_for_address) - i64::from(overlaps)
     }
 
-    /// Cycles more for going elsewhere than to the next instruction.
+    /// Additional cycles of a jump to an instruction other than the next one.
     #[must_use]
     pub fn jump(self, instruction: &Instruction, target: Option<&Instruction>) -> i64 {
         match (self, instruction.kind) {
@@ -89,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn the_m0plus_has_a_price_for_everything() {
+    fn an_m0plus_has_fixed_cycles() {
         // push {r4, lr}; ldr r0, [r1]; muls r0, r2; str r0, [r1]; pop {r4, pc}
         assert_eq!(cycles(Model::M0Plus, &[0xb510, 0x6808, 0x4350, 0x6008, 0xbd10]), 3 + 2 + 1 + 2 + 5);
         // bx lr

@@ -1,11 +1,11 @@
-//! Tables of costs in pages, from the limits: no page promises what no test checks.
+//! Tables of costs in pages, written from the limits, so that a test checks every figure of a page.
 
 use super::{Cost, Limits};
 
 const BEGIN: &str = "<!-- budget: written by `toytop budget --accept` -->\n";
 const END: &str = "<!-- budget: end -->";
 
-/// Calls and what they are called on the page.
+/// Calls, each with its text on the page.
 const ROWS: [(&str, &str); 19] = [
     ("ephemeris_f32", "**ephemeris**, any tick, `f32`"),
     ("cursor_f32", "**ephemeris**, the next tick, `f32`"),
@@ -34,7 +34,7 @@ const ROWS: [(&str, &str); 19] = [
 const FRONT_BEGIN: &str = "<!-- budget: front page, written by `toytop budget --accept` -->\n";
 const FRONT_END: &str = "<!-- budget: end of front page -->";
 
-/// Rows of the front page: chip, call, and what they are called there.
+/// Rows of the front page: chip, call and text.
 const FRONT_ROWS: [(&str, &str, &str); 6] = [
     ("m4f", "cursor_f32", "the next tick in `f32`, Cortex-M4F"),
     ("m0plus", "cursor_q31", "the next tick in 32-bit fixed point, Cortex-M0+"),
@@ -44,7 +44,7 @@ const FRONT_ROWS: [(&str, &str, &str); 6] = [
     ("m4f", "launch_falling", "set-up of the same top almost upright, falling"),
 ];
 
-/// Front page with its table as the limits say; `None` if it has no place for one.
+/// Front page with the table of the limits; `None` if the page has no markers for it.
 #[must_use]
 pub fn with_front_table(page: &str, limits: &Limits) -> Option<String> {
     let (before, rest) = page.split_once(FRONT_BEGIN)?;
@@ -61,7 +61,7 @@ pub fn with_front_table(page: &str, limits: &Limits) -> Option<String> {
     Some(format!("{before}{FRONT_BEGIN}{text}{FRONT_END}{after}"))
 }
 
-/// The page with its table as the limits say; `None` if it has no place for one.
+/// Page with the table of the limits; `None` if the page has no markers for it.
 #[must_use]
 pub fn with_table(page: &str, limits: &Limits) -> Option<String> {
     let (before, rest) = page.split_once(BEGIN)?;
@@ -91,7 +91,7 @@ fn table(limits: &Limits) -> String {
     text
 }
 
-/// 12345 as "12 345".
+/// Number with spaces between groups of three digits: 12345 is "12 345".
 fn grouped(figure: u64) -> String {
     let digits = figure.to_string();
     let mut text = String::new();

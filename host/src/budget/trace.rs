@@ -1,7 +1,7 @@
-//! QEMU's record of a run: the blocks of code that it executed, in order.
+//! Log of a run by QEMU: the blocks of code that it executed, in order.
 //!
-//! Asked for by `-d in_asm,exec,nochain`: QEMU lists the instructions of a block when it translates it, and writes a line
-//! whenever a block begins. A block ends with a branch, or where QEMU chose to; it is known by the place of its translation.
+//! With `-d in_asm,exec,nochain` QEMU lists the instructions of a block when it translates it, and writes a line whenever a block begins.
+//! A block ends with a branch, or where QEMU ends it. The address of its translation identifies a block.
 
 use super::Chip;
 use crate::Failure;
@@ -13,31 +13,31 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
-/// Longest run of a program; the firmware of this repository takes a second.
+/// Longest time of a run; the firmware of this repository takes a second.
 const LONGEST_RUN: Duration = Duration::from_secs(120);
 
-/// Instructions that follow one another.
+/// Consecutive instructions.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Block {
     /// Addresses of the instructions.
     pub(super) addresses: Vec<u64>,
-    /// The address after the last.
+    /// Address after the last instruction.
     pub(super) end: u64,
 }
 
 impl Block {
-    /// The address of the first instruction.
+    /// Address of the first instruction.
     #[must_use]
     pub(super) fn start(&self) -> u64 {
         self.addresses.first().copied().unwrap_or_default()
     }
 }
 
-/// Runs an ELF; `executed` is called for every block, with all blocks known so far and the number of this one. Returns
-/// what the program printed.
+/// Output of an ELF that QEMU runs. `executed` is called for every executed block, with all blocks known so far and the number of this
+/// one.
 ///
 /// # Errors
-/// [`Failure::Tool`]: there is no QEMU, the program did not end in time and with exit code 0, or the record cannot be understood.
+/// [`Failure::Tool`]: there is no QEMU, the program did not end in time and with exit code 0, or the log cannot be read.
 pub(super) fn run(
     chip: &Chip,
     elf: &Path,
@@ -58,7 +58,7 @@ pub(super) fn run(
     let Some(log) = qemu.stderr.take() else { return Err(fail("no log".into())) };
     let mut reader = Reader::default();
     let qemu = Mutex::new(qemu);
-    // whatever it still does is of no use; it may have ended by itself
+    // the program may have ended before
     let kill = &|| qemu.lock().map(|mut qemu| qemu.kill());
     let (end, ended) = channel::<()>();
     let read = thread::scope(|scope| {
@@ -91,16 +91,16 @@ pub(super) fn run(
     Ok(printed)
 }
 
-/// Understands the log line by line.
+/// Reader of the log, line by line.
 #[derive(Debug, Default)]
 struct Reader {
     blocks: Vec<Block>,
-    /// Translated, not yet executed, by start address.
+    /// Blocks that were translated and not yet executed, by start address.
     fresh: HashMap<u64, Block>,
-    /// Blocks by the place of their translation in QEMU's memory.
+    /// Numbers of blocks, by the address of their translation in QEMU's memory.
     places: HashMap<u64, usize>,
     listed: Block,
-    /// Anything else: a panic's message, QEMU's complaints.
+    /// Other lines, such as the message of a panic or an error of QEMU.
     remarks: Vec<String>,
 }
 
@@ -111,7 +111,7 @@ impl Reader {
         mut executed: impl FnMut(&[Block], usize) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
         let mut line = Vec::with_capacity(256);
-        // counted when the next begins: QEMU may call it off
+        // a block is counted when the next begins, because QEMU may cancel it
         let mut begun = None;
         loop {
             line.clear();
@@ -137,7 +137,7 @@ impl Reader {
         }
     }
 
-    /// `0x00000404:  480e       ldr  r0, [pc, #0x38]`: one instruction of a block that is being translated.
+    /// Reads an instruction of a block that is being translated, `0x00000404:  480e       ldr  r0, [pc, #0x38]`.
     fn list(&mut self, line: &[u8]) -> Option<()> {
         let (address, rest) = hexadecimal(&line[2..]);
         let digits = rest.iter().skip(1).skip_while(|byte| **byte == b' ');
@@ -150,7 +150,8 @@ impl Reader {
         Some(())
     }
 
-    /// `Trace 0: 0x7fe810000100 [00800408/00000400/00000110/ff000200] Reset`: place of the translation, program counter.
+    /// Number of the block that begins, `Trace 0: 0x7fe810000100 [00800408/00000400/00000110/ff000200] Reset`: after the colon is the address
+    /// of the translation, and the second number in brackets is the program counter.
     fn begun(&mut self, line: &[u8]) -> Option<usize> {
         let at = line.iter().position(|&byte| byte == b'x')?;
         let (place, rest) = hexadecimal(&line[at + 1..]);
@@ -174,7 +175,7 @@ fn unknown(line: &[u8]) -> Failure {
     Failure::Tool(format!("budget: QEMU's log is not as expected: {}", line.trim()))
 }
 
-/// The number at the front, and the rest.
+/// Hexadecimal number at the beginning of a text, and the rest.
 fn hexadecimal(text: &[u8]) -> (u64, &[u8]) {
     let mut value = 0;
     for (index, &byte) in text.iter().enumerate() {
@@ -186,7 +187,7 @@ fn hexadecimal(text: &[u8]) -> (u64, &[u8]) {
     (value, &[])
 }
 
-/// Bytes of an instruction, listed in groups of hexadecimal digits: `f017 fa94  bl ...`.
+/// Length of an instruction in bytes, from its groups of hexadecimal digits: `f017 fa94  bl ...`.
 fn code_length(text: &[u8]) -> Option<u64> {
     let mut length = 0;
     for group in text.split(|&byte| byte == b' ') {
@@ -231,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn a_block_that_was_called_off_does_not_count() {
+    fn a_cancelled_block_does_not_count() {
         let stopped = "Stopped execution of TB chain before 0x7f00 [00000400] f\n";
         assert_eq!(executed(&format!("{LOG}{stopped}")).unwrap().len(), 2);
     }

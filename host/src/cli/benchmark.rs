@@ -7,15 +7,15 @@ use std::path::PathBuf;
 /// `toytop benchmark`
 #[derive(Args, Debug)]
 pub struct BenchmarkArgs {
-    /// Problem; without it, a list of all
+    /// Name of a problem; without it, all problems are listed
     pub name: Option<String>,
-    /// Times instead of the source's, to 17 digits: T1,T2,... or LOW..HIGH/PLACES
+    /// Times, s, in place of the source's, with 17 digits in place of 30: T1,T2,... or LOW..HIGH/PLACES
     #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true, requires = "name")]
     pub times: Option<String>,
-    /// Print the scenario file of the problem instead
+    /// Print the scenario file of the problem
     #[arg(long, requires = "name", conflicts_with_all = ["times", "format", "page"])]
     pub scenario: bool,
-    /// Page whose tables are written anew: that of the problem, or that of all
+    /// Page whose tables are rewritten: the page of the problem, or without NAME that of the catalogue
     #[arg(long, value_name = "FILE", conflicts_with_all = ["times", "format"])]
     pub page: Option<PathBuf>,
     /// Form of the output

@@ -1,4 +1,4 @@
-//! What several commands let choose: form, method, scalar.
+//! Arguments that several commands share: form of the output, method, scalar.
 
 use crate::motion::Scalar;
 use clap::ValueEnum;
@@ -7,9 +7,9 @@ use clap::builder::PossibleValue;
 /// Form of the output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
-    /// For reading
+    /// Aligned table
     Table,
-    /// Comma-separated, one line a record
+    /// Comma-separated values, one line for each record
     Csv,
     /// One JSON object
     Json,
@@ -18,18 +18,18 @@ pub enum Format {
 /// Method by which `state` reaches a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Method {
-    /// The core's ephemeris: any time at the same cost
+    /// Ephemeris of the core: any time at the same cost
     Ephemeris,
-    /// The core's stepper
+    /// Stepper of the core
     Stepper,
-    /// The full 3-D equations, integrated numerically
+    /// Numerical integration of the full 3-D equations
     Full,
-    /// The paper's elliptic and elementary solutions, for the motions that have one (exit code 3 for the others)
+    /// Elliptic or elementary solution of the paper, for a motion that has one (otherwise exit code 3)
     ClosedForm,
 }
 
 impl Method {
-    /// Its name on the command line.
+    /// Name on the command line.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -41,12 +41,12 @@ impl Method {
     }
 }
 
-/// A scalar type, or all there are.
+/// One scalar type, or all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ScalarChoice {
-    /// This one
+    /// One scalar type
     One(Scalar),
-    /// Every one
+    /// All scalar types
     All,
 }
 
@@ -66,13 +66,13 @@ impl ValueEnum for ScalarChoice {
     fn to_possible_value(&self) -> Option<PossibleValue> {
         match self {
             Self::One(scalar) => scalar.to_possible_value(),
-            Self::All => Some(PossibleValue::new("all").help("Every one")),
+            Self::All => Some(PossibleValue::new("all").help("All scalar types")),
         }
     }
 }
 
 impl ScalarChoice {
-    /// The types chosen, each once, in the order of their declaration.
+    /// Chosen types, each once, in the order of their declaration.
     #[must_use]
     pub fn chosen(choices: &[Self]) -> Vec<Scalar> {
         let wanted = |scalar: &Scalar| choices.contains(&Self::All) || choices.contains(&Self::One(*scalar));

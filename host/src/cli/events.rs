@@ -1,4 +1,4 @@
-//! The command that lists the events of a motion.
+//! Arguments of the command that lists the events of a motion.
 
 use super::Format;
 use clap::Args;
@@ -9,14 +9,14 @@ use std::path::PathBuf;
 pub struct EventsArgs {
     /// Scenario file
     pub scenario: PathBuf,
-    /// Events to list, separated by commas: turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS, lift-off; with :up or
-    /// :down behind one, only while u (or the tip angle) rises or falls
+    /// Events to list, separated by commas: turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS, lift-off. With :up or :down
+    /// after its name an event counts only where u (or the tip angle) rises or falls
     #[arg(long = "kind", value_name = "KIND,...", value_delimiter = ',', default_value = "turning", allow_hyphen_values = true, value_parser = kind)]
     pub kinds: Vec<Kind>,
-    /// Time, s, from which events count
+    /// Time of the earliest event to list, s
     #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true, value_parser = time)]
     pub from: f64,
-    /// Number of events at most
+    /// Greatest number of events
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub count: u32,
     /// Form of the output
@@ -24,29 +24,29 @@ pub struct EventsArgs {
     pub format: Format,
 }
 
-/// Kind of event, as it was asked for.
+/// Kind of event on the command line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kind {
     /// Kind of the event.
     pub what: What,
-    /// Only upward, or only downward; `None` for both.
+    /// Whether only upward (`true`) or only downward (`false`) events count; `None` for both.
     pub upward: Option<bool>,
-    /// The words that asked for it.
+    /// Text of the command line that names it.
     pub text: String,
 }
 
 /// Kinds of event.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum What {
-    /// u turns.
+    /// Turning point of u.
     Turning,
-    /// The tilt has this value, degrees.
+    /// Time at which the tilt has this value, degrees.
     Tilt(f64),
-    /// The tip angle has this value, degrees, whole turns aside.
+    /// Time at which the tip angle has this value, degrees, whole turns aside.
     TipAngle(f64),
-    /// The tip is at this distance from the centre, m.
+    /// Time at which the tip is at this distance from the centre, m.
     Circle(f64),
-    /// The normal force is 0.
+    /// Time at which the normal force is 0.
     LiftOff,
 }
 

@@ -1,4 +1,4 @@
-//! The command that goes through many motions.
+//! Arguments of the command that computes many motions.
 
 use crate::sweep::{Axis, Column, DEFAULT_COLUMNS, SignChoice};
 use clap::Args;
@@ -8,10 +8,10 @@ use std::str::FromStr;
 /// `toytop sweep`
 #[derive(Args, Debug)]
 pub struct SweepArgs {
-    /// CSV file to write (- is stdout), or Parquet if it ends in .parquet (in a build with that feature); it must not exist, unless --resume is given
+    /// CSV file to write (- is stdout), or Parquet file if its name ends in .parquet (in a build with the feature parquet). It must not exist, unless --resume is given
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    /// Scenario file whose numbers vary by the options below; without it, the paper's constants vary
+    /// Scenario file whose numbers vary; without it, the paper's constants e1, e2, e3, A/(ps) and C/A vary
     #[arg(conflicts_with_all = ["e1", "e2", "e3", "a_over_ps", "c_over_a", "signs"])]
     pub scenario: Option<PathBuf>,
     /// Spin of a release, rad/s, as an axis (see --e1)
@@ -32,46 +32,46 @@ pub struct SweepArgs {
     /// Heat map of a column over two keys of a grid, as an SVG file beside the output
     #[arg(long, value_name = "X,Y,COLUMN", requires = "scenario")]
     pub plot: Option<String>,
-    /// Draw so many motions by lot; without it, the grid of all combinations
+    /// Number of random motions; without it, the motions are the grid of all combinations
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000_000))]
     pub motions: Option<u64>,
-    /// e1: X,Y,... or LOW..HIGH (even in the logarithm: log:LOW..HIGH), in a grid LOW..HIGH/PLACES
+    /// Axis of e1: X,Y,... or LOW..HIGH, in a grid LOW..HIGH/PLACES; with log: in front it is even in the logarithm
     #[arg(long, value_name = "AXIS", default_value = "-1..1", allow_hyphen_values = true)]
     pub e1: Axis,
-    /// e2 >= e1
+    /// Axis of e2, which must not be less than e1
     #[arg(long, value_name = "AXIS", default_value = "-1..1", allow_hyphen_values = true)]
     pub e2: Axis,
-    /// e3 >= 1
+    /// Axis of e3, from 1
     #[arg(long, value_name = "AXIS", default_value = "log:1..100", allow_hyphen_values = true)]
     pub e3: Axis,
-    /// A/(ps), the transverse moment of inertia
+    /// Axis of A/(ps), the transverse moment of inertia
     #[arg(long, value_name = "AXIS", default_value = "log:0.1..10", allow_hyphen_values = true)]
     pub a_over_ps: Axis,
-    /// C/A, the axial moment of inertia
+    /// Axis of C/A, the axial moment of inertia
     #[arg(long, value_name = "AXIS", default_value = "0.1..2", allow_hyphen_values = true)]
     pub c_over_a: Axis,
     /// Signs of l + n and l - n (the two other pairs are mirror images)
     #[arg(long, value_enum, default_value_t = SignChoice::Both)]
     pub signs: SignChoice,
-    /// Another seed, other motions
+    /// Seed of the random motions
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
     /// Columns of each motion
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS)]
     pub columns: Vec<Column>,
-    /// Evaluate each at so many moments
+    /// Number of times at which each motion is evaluated
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
     pub ticks: u32,
-    /// ... spread over so many nutation periods (where there is no period: natural times of the top)
+    /// Nutation periods that these times are spread over (for a motion without a period: times of 2 pi sqrt((A/p + s)/g))
     #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = periods, allow_hyphen_values = true)]
     pub periods: f64,
-    /// Only every N-th motion, beginning with the I-th: 1/1 is all
+    /// Every N-th motion, beginning with the I-th; 1/1 selects all
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     pub shard: Shard,
-    /// Go on with the file, if it exists: a regular file, which no other process may be writing
+    /// Continue the output file if it exists. It must be a regular file that no other process writes
     #[arg(long)]
     pub resume: bool,
-    /// Compute every row of the CSV file that is there anew, and compare: a changed byte is named by its line. Nothing is written
+    /// Compute every row of the existing CSV file again, and name the first line that differs. Nothing is written
     #[arg(long, conflicts_with_all = ["resume", "plot"])]
     pub verify: bool,
 }
@@ -82,7 +82,7 @@ fn key_and_axis(text: &str) -> Result<(String, Axis), String> {
 }
 
 impl SweepArgs {
-    /// Keys of the scenario that vary, with their axes.
+    /// Keys of the scenario that vary, each with its axis.
     #[must_use]
     pub fn varied(&self) -> Vec<(String, Axis)> {
         let of_release = [
@@ -101,7 +101,7 @@ fn periods(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| "must be above 0 and at most 1e9".to_owned())
 }
 
-/// One part of a sweep: its number, from 1, and how many there are.
+/// Part of a sweep: its number, from 1, and the number of parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard(pub [u64; 2]);
 

@@ -1,4 +1,4 @@
-//! Commands that take one motion, from a scenario file.
+//! Arguments of the commands for one motion of a scenario file.
 
 use super::{Format, Method, Scalar};
 use crate::samples::column::{Column, DEFAULT_COLUMNS};
@@ -13,25 +13,25 @@ pub struct StateArgs {
     #[expect(missing_docs, reason = "a comment would head the help text of the whole command")]
     #[command(flatten)]
     pub times: TimesArgs,
-    /// Method that reaches the times
+    /// Method that computes the motion
     #[arg(long, value_enum, default_value_t = Method::Ephemeris)]
     pub method: Method,
     /// Scalar type of the core
     #[arg(long, value_enum, default_value_t = Scalar::F64)]
     pub scalar: Scalar,
-    /// Steps of the stepper in a nutation period (where there is none: in a natural time of the top)
+    /// Steps of the stepper in a nutation period (for a motion without a period: in a time of 2 pi sqrt((A/p + s)/g))
     #[arg(long, value_name = "N", default_value_t = DEFAULT_STEPS, value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
     pub steps_per_period: u32,
-    /// Ticks a second, for --ticks; 1000 if nothing is said
+    /// Ticks in a second, for --ticks; 1000 without this option and --tick
     #[arg(long, value_name = "N", conflicts_with = "tick", value_parser = clap::value_parser!(u32).range(1..))]
     pub hertz: Option<u32>,
-    /// A ticks in B seconds, for --ticks
+    /// Tick rate of A ticks in B seconds, for --ticks
     #[arg(long, value_name = "A/B", value_parser = ratio)]
     pub tick: Option<[u32; 2]>,
-    /// Columns of each time, in this order
+    /// Columns, in the order of the output
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS)]
     pub columns: Vec<Column>,
-    /// Name the units in the header of CSV, Parquet excepted: omega_x [rad/s]
+    /// Name the units in the header of CSV, NumPy and table, as in omega_x [rad/s], but not of Parquet
     #[arg(long)]
     pub units: bool,
     /// Form of the output
@@ -42,36 +42,36 @@ pub struct StateArgs {
     pub output: Option<PathBuf>,
 }
 
-/// Form of samples.
+/// Form of the output of samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum SampleFormat {
-    /// For reading
+    /// Aligned table
     Table,
-    /// Comma-separated, one line a record
+    /// Comma-separated values, one line for each record
     Csv,
     /// One JSON object
     Json,
     /// NumPy file: a structured array with the names of the CSV columns
     Npy,
-    /// Parquet file (in a build with that feature)
+    /// Parquet file (in a build with the feature parquet)
     Parquet,
 }
 
-/// Steps a period where nothing else is said.
+/// Steps in a period without `--steps-per-period`.
 pub const DEFAULT_STEPS: u32 = 4096;
 
-/// The instants of `toytop state`: exactly one of the three.
+/// Times of `toytop state`: exactly one of the three options.
 #[derive(Args, Debug)]
 #[group(required = true, multiple = false)]
 pub struct TimesArgs {
-    /// Times, separated by commas, in any order, negative ones too; or LOW..HIGH/PLACES, evenly spread with both ends, or
-    /// log:LOW..HIGH/PLACES, even in the logarithm
+    /// Times, s, separated by commas, in any order; they may be negative. LOW..HIGH/PLACES spreads times evenly, both ends included,
+    /// log:LOW..HIGH/PLACES evenly in the logarithm
     #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true)]
     pub times: Option<String>,
-    /// File with one time a line; # starts a comment
+    /// File with one time, s, in each line; # starts a comment
     #[arg(long, value_name = "FILE")]
     pub times_file: Option<PathBuf>,
-    /// Ticks of a clock, as an interrupt counts them: N1,N2,... or FIRST..LAST
+    /// Ticks of a clock, as an interrupt counts them, in place of times: N1,N2,... or FIRST..LAST
     #[arg(long, value_name = "N1,N2,...", allow_hyphen_values = true)]
     pub ticks: Option<String>,
 }
@@ -89,7 +89,7 @@ pub struct ConstantsArgs {
 /// Kind of picture that `plot` draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum PlotKind {
-    /// Curve of the tip between its circles, from above; of the axis, if the tip is held
+    /// Curve of the tip between its two bounding circles, from above; for a held tip, the curve of the axis
     Tip,
     /// Curve of the axis on the unit sphere
     Axis,
@@ -97,11 +97,11 @@ pub enum PlotKind {
     Tilt,
     /// Azimuth of the axis against time
     Precession,
-    /// Potential that the axis nutates in, against the tilt
+    /// Effective potential of the nutation against the tilt
     Potential,
 }
 
-/// Two times, LOW..HIGH.
+/// Two times, LOW..HIGH, s.
 pub(super) fn span(text: &str) -> Result<[f64; 2], &'static str> {
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
     let ends = text.split_once("..").and_then(|(from, until)| Some([number(from)?, number(until)?]));
@@ -116,13 +116,13 @@ pub struct PlotArgs {
     /// Kind of picture
     #[arg(long, value_enum, default_value_t = PlotKind::Tip)]
     pub kind: PlotKind,
-    /// Times to draw, s; without it, until the curve of the tip has gone round
+    /// Times to draw, s; without it, from 0 over about one turn of the tip around the centre
     #[arg(long, value_name = "LOW..HIGH", value_parser = span, allow_hyphen_values = true)]
     pub times: Option<[f64; 2]>,
     /// Width of the picture, pixels
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(100..=10_000))]
     pub size: Option<u32>,
-    /// Output file, which ends in .svg or .png
+    /// Output file, whose name ends in .svg or .png
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
 }
@@ -132,7 +132,7 @@ pub struct PlotArgs {
 pub struct AnimateArgs {
     /// Scenario file
     pub scenario: PathBuf,
-    /// Times to show, s; without it, until the curve of the tip has gone round
+    /// Times to show, s; without it, from 0 over about one turn of the tip around the centre
     #[arg(long, value_name = "LOW..HIGH", value_parser = span, allow_hyphen_values = true)]
     pub times: Option<[f64; 2]>,
     /// Length of the film, s
@@ -141,7 +141,7 @@ pub struct AnimateArgs {
     /// Width and height of the film, pixels
     #[arg(long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u32).range(64..=2160))]
     pub size: u32,
-    /// Output file, which ends in .gif, or by ffmpeg in .webm or .mp4
+    /// Output file, whose name ends in .gif, or in .webm or .mp4, which need ffmpeg
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
 }
@@ -153,9 +153,9 @@ fn length(text: &str) -> Result<f64, &'static str> {
 /// `toytop view`
 #[derive(Args, Debug)]
 pub struct ViewArgs {
-    /// Scenario file to start with; without it, a toy top
+    /// Scenario file of the motion that the page begins with; without it, the page begins with a toy top
     pub scenario: Option<PathBuf>,
-    /// Output file, which ends in .html
+    /// Output file, whose name ends in .html
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
 }
@@ -171,15 +171,15 @@ pub struct BakeArgs {
     /// Language of the table
     #[arg(long, value_enum, default_value_t = Language::Rust)]
     pub lang: Language,
-    /// Room for so many segments: a power of two from 16 to 4096, 25 in f32, or 48 in f64; without it the crate's default, or the
-    /// smallest that fits the motion
+    /// Number of segments that the table can hold: a power of two from 16 to 4096, 25 in f32, or 48 in f64. Without it, the default
+    /// of the crate, or if the motion needs more, the smallest size that is enough
     #[arg(long, value_name = "SEGMENTS")]
     pub size: Option<u32>,
-    /// Ticks a second
+    /// Ticks in a second
     #[arg(long, value_name = "N", default_value_t = 1000, conflicts_with = "tick",
         value_parser = clap::value_parser!(u32).range(1..))]
     pub hertz: u32,
-    /// A ticks in B seconds
+    /// Tick rate of A ticks in B seconds
     #[arg(long, value_name = "A/B", value_parser = ratio)]
     pub tick: Option<[u32; 2]>,
     /// Name of the table; without it, that of the scenario file
@@ -188,11 +188,11 @@ pub struct BakeArgs {
     /// Output file; without it, stdout
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// In C: NAME.h and NAME.c in this folder, beside toytop_baked.h and .c, which all tables share; without it, a header that needs no
-    /// other file
+    /// Folder for NAME.h and NAME.c in C, beside toytop_baked.h and toytop_baked.c, which all tables share. Without it, C is one
+    /// header that needs no other file
     #[arg(long, value_name = "FOLDER", conflicts_with = "output")]
     pub split: Option<PathBuf>,
-    /// In C: the same as a library of Arduino and PlatformIO, in this folder
+    /// Folder for the same files as a library of Arduino and PlatformIO
     #[arg(long, value_name = "FOLDER", conflicts_with_all = ["output", "split"])]
     pub arduino: Option<PathBuf>,
 }
@@ -200,11 +200,11 @@ pub struct BakeArgs {
 /// Language that `bake` writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Language {
-    /// A module with one static
+    /// Module with one static
     Rust,
-    /// A header with the table and what evaluates it
+    /// Header with the table and the code that evaluates it
     C,
-    /// One object with all numbers
+    /// One JSON object with all numbers
     Json,
 }
 

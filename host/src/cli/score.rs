@@ -1,4 +1,4 @@
-//! The command that judges an integrator.
+//! Arguments of the command that compares an integrator with the exact motion.
 
 use super::Format;
 use clap::Args;
@@ -7,18 +7,18 @@ use std::path::PathBuf;
 /// `toytop score`
 #[derive(Args, Debug)]
 pub struct ScoreArgs {
-    /// Scenario file; with --benchmark the first CSV file
+    /// Scenario file; with --benchmark, the first CSV file
     pub scenario: PathBuf,
-    /// CSV files with an integrator's output for this scenario; several are several step sizes, or several methods
+    /// CSV files with the output of integrators for this scenario: one file for each step size and method
     #[arg(value_name = "RESULT.csv", required_unless_present = "benchmark")]
     pub results: Vec<PathBuf>,
-    /// Problem of `toytop benchmark` instead of a scenario; the files are in the conventions of its source
+    /// Problem of `toytop benchmark` that replaces the scenario; the files are in the conventions of its source
     #[arg(long, value_name = "NAME")]
     pub benchmark: Option<String>,
-    /// Step size of each file, s; without it, what the file states, or the spacing of its rows
+    /// Step size of each file, s; without it, the step size that the file states, or the spacing of its rows
     #[arg(long, value_name = "H1,H2,...", value_delimiter = ',', allow_hyphen_values = true, value_parser = super::measure::positive)]
     pub steps: Vec<f64>,
-    /// Greatest error against work, as a picture: a file that ends in .svg or .png
+    /// Picture of the greatest error against the work, whose name ends in .svg or .png
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     /// Form of the output

@@ -1,4 +1,4 @@
-//! `toytop accuracy`: the scalars side by side, error and cost.
+//! `toytop accuracy`: error and cost of each scalar.
 
 use super::Report;
 use crate::Failure;
@@ -8,7 +8,7 @@ use crate::output::whole_file;
 use crate::output::{self, Cell, Record};
 use crate::pictures::plot::Form;
 
-/// What the errors over fewer ticks are shown for: up to 2 to these powers.
+/// Powers of two up to which ticks are counted, for the errors over fewer ticks.
 const SPANS: [u32; 4] = [10, 20, 30, 40];
 
 pub(super) fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
@@ -26,7 +26,7 @@ pub(super) fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     Ok(Report { text, ..Report::default() })
 }
 
-/// One line a scalar: errors with so many digits, and costs.
+/// Row for each scalar: errors with this many digits, and costs.
 #[must_use]
 pub fn rows(all: &[Accuracy], costs: &Costs, digits: usize) -> Vec<Vec<String>> {
     let head = ["", "greatest error, rad", "RMS error, rad", "tip, s", "norm", "energy"];

@@ -1,4 +1,4 @@
-//! `toytop animate`: the top in motion, as a GIF or a film.
+//! `toytop animate`: a motion as a GIF or a film.
 
 use super::{Report, unreal};
 use crate::Failure;
@@ -38,11 +38,11 @@ pub(super) fn run(arguments: &AnimateArgs) -> Result<Report, Failure> {
     Ok(Report::default().with_remarks(unreal(&[scenario]), false))
 }
 
-/// Frames a second; those of a GIF last whole hundredths of one.
+/// Frames of a GIF in a second. A frame lasts a whole number of hundredths of a second.
 const GIF_RATE: u32 = 25;
 const FILM_RATE: u32 = 30;
 
-/// Pictures into ffmpeg, whose own file becomes the output when it is whole.
+/// Film that ffmpeg makes of the frames in a temporary file, which becomes the output when it is complete.
 fn by_ffmpeg(film: &Film<'_>, path: &Path, mut done: impl FnMut()) -> Result<(), Failure> {
     let failed = |what: &str| Failure::Tool(format!("ffmpeg: {what}"));
     let ending = path.extension().unwrap_or_default();
@@ -70,10 +70,10 @@ fn by_ffmpeg(film: &Film<'_>, path: &Path, mut done: impl FnMut()) -> Result<(),
     drop(pipe);
     let good = ffmpeg.wait().is_ok_and(|status| status.success()) && written.is_ok();
     let bytes = std::fs::read(&beside);
-    // it may not be there
+    // the file may not exist
     let _ = std::fs::remove_file(&beside);
     match bytes {
         Ok(bytes) if good => whole_file::write("--output", path, &bytes),
-        _ => Err(failed("makes no film of the frames")),
+        _ => Err(failed("failed to make a film of the frames")),
     }
 }

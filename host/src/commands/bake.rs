@@ -45,7 +45,7 @@ pub(super) fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
 /// Function that makes the files of a folder, by their names in it.
 type Files = fn(&Label, &Parts) -> Vec<(String, String)>;
 
-/// Folder that several files go to, with its option and what makes them.
+/// Folder for several files, with its option and the function that makes them.
 fn folder(arguments: &BakeArgs) -> Result<Option<(&'static str, &Path, Files)>, Failure> {
     let chosen = match (&arguments.split, &arguments.arduino) {
         (Some(folder), _) => Some(("--split", folder.as_path(), split_files as Files)),
@@ -60,7 +60,7 @@ fn folder(arguments: &BakeArgs) -> Result<Option<(&'static str, &Path, Files)>, 
     Ok(chosen)
 }
 
-/// Each file is there as a whole or not at all; what all tables share comes first.
+/// Writes each file completely or not at all, and the files that all tables share first.
 fn write_files(option: &str, folder: &Path, files: &[(String, String)]) -> Result<(), Failure> {
     for (name, text) in files {
         let path = folder.join(name);
@@ -83,7 +83,7 @@ fn parts(arguments: &BakeArgs, scenario: &Scenario, tick: Tick) -> Result<Parts,
     })
 }
 
-/// What was written, in one line: nothing is chosen silently.
+/// Line that states the scalar, the size and the error bound of the table that was written.
 fn summary(label: &Label, parts: &Parts) -> String {
     let ([segments, terms], ErrorBound { constant, per_tick }) = (parts.size, parts.error_bound);
     format!(

@@ -1,4 +1,4 @@
-//! `toytop bench`: what a state of the top costs, and what it costs elsewhere. On this machine, of this build.
+//! `toytop bench`: computing times of states, by the core and by other methods, on this machine with this build.
 
 mod methods;
 mod ticks;
@@ -10,12 +10,12 @@ use crate::cli::{BenchArgs, Format};
 use crate::output::progress::Progress;
 use crate::output::{self, Cell, Record};
 
-/// One line of a table: what was timed, and the rest in cells.
+/// Row of a table: the task that was timed, its time and its other cells.
 struct Row {
     what: String,
-    /// Of the whole task, or of one tick, s.
+    /// Time of the whole task, or of one tick, s.
     seconds: f64,
-    /// Of the orientation, rad.
+    /// Error of the orientation, rad.
     error: Option<f64>,
     rest: Vec<String>,
 }

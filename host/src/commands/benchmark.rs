@@ -9,7 +9,7 @@ use crate::input::times;
 use crate::motion::ephemeris::{furthest_time, smallest};
 use crate::output::{self, Cell, Record, doc_markers};
 
-/// Line of a page above the tables that this command writes.
+/// Marker of a page above the tables that this command writes.
 fn mark(name: Option<&str>) -> String {
     format!("toytop benchmark: {}", name.unwrap_or("catalogue"))
 }
@@ -70,14 +70,14 @@ fn of_problem(problem: &Problem, arguments: &BenchmarkArgs) -> Result<String, Fa
     })
 }
 
-/// Names of the columns of a time, with those that `toytop score` reads for the orientation and the rates.
+/// Names of the columns of a time. `toytop score` reads the time, the orientation and the rates by these names.
 const COLUMNS: [&str; 11] = ["t", "x_com", "y_com", "z_com", "w", "x", "y", "z", "wx", "wy", "wz"];
 
 fn record(cells: impl Iterator<Item = Cell>) -> Record {
     Record(COLUMNS.into_iter().zip(cells).collect())
 }
 
-/// The 30 digits at the source's times.
+/// Reference values at the source's times, with 30 digits.
 fn references(problem: &Problem) -> Vec<Record> {
     let of = |reference: &benchmarks::Reference| {
         let values = [&reference.position[..], &reference.quaternion, &reference.omega_body].concat();
@@ -86,7 +86,7 @@ fn references(problem: &Problem) -> Vec<Record> {
     problem.references.iter().map(of).collect()
 }
 
-/// The numbers of the ephemeris at any times.
+/// Values of the ephemeris at any times, with 17 digits.
 fn computed(problem: &Problem, times: &str) -> Result<Vec<Record>, Failure> {
     let motion = &problem.scenario.motion;
     let arguments = TimesArgs { times: Some(times.to_owned()), times_file: None, ticks: None };
@@ -114,7 +114,7 @@ fn heading(problem: &Problem) -> String {
     )
 }
 
-/// A line a number.
+/// Table with one line for each number.
 fn rows(records: &[Record]) -> String {
     const NAMES: [(&str, usize); 3] = [("position", 3), ("quaternion", 4), ("omega_body", 3)];
     let mut lines = Vec::new();
@@ -143,7 +143,7 @@ fn shown(cell: &Cell) -> String {
     }
 }
 
-/// Values that others printed, and their errors.
+/// Table of the values that others printed, with their errors.
 fn printed(problem: &Problem) -> String {
     let mut lines = vec![["printed by", "t", "quantity", "off by"].map(str::to_owned).to_vec()];
     for printed in &problem.printed {

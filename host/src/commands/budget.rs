@@ -1,4 +1,4 @@
-//! `toytop budget`: what each call costs on each chip, and whether that is within its budget.
+//! `toytop budget`: cost of each call on each chip, compared with its budget.
 
 use super::Report;
 use crate::Failure;
@@ -56,13 +56,13 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Chip>, Failure> {
 }
 
 const LIMITS: &str = "firmware-examples/budgets.toml";
-/// Pages with a table, and what writes it.
+/// Pages with a table of costs, each with the function that writes the table.
 const PAGES: [(&str, WithTable); 2] = [("host/docs/costs.md", with_table), ("README.md", with_front_table)];
 
-/// Page with its table as the limits say; `None` if it has no place for one.
+/// Function that puts the table of the limits into a page; `None` if the page has no markers for it.
 type WithTable = fn(&str, &Limits) -> Option<String>;
 
-/// The folder that holds the firmware: the current one, or one above it.
+/// Root of the repository: the current folder, or one above it.
 fn repository() -> Result<PathBuf, Failure> {
     let here = std::env::current_dir().map_err(|error| Failure::Input(format!("current folder: {error}")))?;
     let holds = |folder: &&Path| folder.join("firmware-examples/cost").is_dir();
@@ -74,7 +74,7 @@ fn repository() -> Result<PathBuf, Failure> {
     here.ancestors().find(holds).map(Path::to_owned).ok_or_else(missing)
 }
 
-/// Set-up of many launches on each chip.
+/// Report on the set-up of many launches on each chip.
 fn launches(arguments: &BudgetArgs, root: &Path, chips: &[&'static Chip]) -> Result<Report, Failure> {
     let limits = Limits::parse(&text_of(&root.join(LIMITS))?)?;
     let mut progress = Progress::new(chips.len() as u64, "chips");
@@ -105,7 +105,7 @@ fn corpus_table(records: &[Record]) -> String {
     output::columns(header.chain(rows).collect(), 3)
 }
 
-/// Builds the firmware; what the build says goes to stderr.
+/// Path of the firmware after its build, whose messages go to stderr.
 fn build(root: &Path, chip: &Chip, program: &str) -> Result<PathBuf, Failure> {
     let fail = |what: String| {
         Failure::Tool(format!("budget: cargo xtask firmware {program} --chip {} --elf: {what}", chip.name))
@@ -152,7 +152,7 @@ fn accept(root: &Path, measured: &Measured) -> Result<Report, Failure> {
     let limits = Limits::around(&by_name(measured));
     let mut pages = Vec::new();
     for (name, with_table) in PAGES {
-        let no_place = || Failure::Input(format!("{name}: no place for the table"));
+        let no_place = || Failure::Input(format!("{name}: must contain the markers of the table"));
         let page = with_table(&text_of(&root.join(name))?, &limits).ok_or_else(no_place)?;
         pages.push((name, page));
     }
@@ -177,7 +177,7 @@ fn shown(arguments: &BudgetArgs, measured: &Measured) -> Result<Report, Failure>
     Ok(Report { text, ..Report::default() })
 }
 
-/// µs and the part of a tick in percent.
+/// Time in µs, and its share of a tick in percent.
 fn time(cycles: u64, megahertz: f64) -> [f64; 2] {
     let microseconds = cycles as f64 / megahertz;
     [microseconds, microseconds * 1e-6 * TICK_RATE * 100.0]

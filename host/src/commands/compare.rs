@@ -1,5 +1,4 @@
-//! `toytop compare`: how far the core is from the full 3-D equations, motion by motion, scalar by scalar, and for both of
-//! its propagators.
+//! `toytop compare`: errors of the core against the full 3-D equations, for each motion, each scalar and both propagators.
 
 mod bounds;
 mod measure;
@@ -18,7 +17,7 @@ use run::{Effort, Run, SAMPLES, look_up, sample_times, step_through};
 use std::time::Duration;
 use toytop::Micromath;
 
-/// One motion in one scalar by one method.
+/// Comparison of one motion in one scalar by one method.
 #[derive(Clone, Debug)]
 pub struct Row {
     /// Name of the motion.
@@ -27,13 +26,13 @@ pub struct Row {
     pub scalar: Scalar,
     /// Propagator of the core.
     pub method: Method,
-    /// `None` where the method does not apply.
+    /// Errors and cost; `None` where the method does not apply.
     measured: Option<Measured>,
-    /// On the error of the orientation, rad.
+    /// Upper bound on the error of the orientation, rad.
     bound: f64,
 }
 
-/// What a run gave and took.
+/// Errors and cost of a run.
 #[derive(Clone, Copy, Debug)]
 struct Measured {
     errors: Errors,
@@ -48,7 +47,7 @@ impl Row {
         self.measured.map(|measured| measured.errors.orientation)
     }
 
-    /// A NaN is a miss.
+    /// Whether the bound is missed; a NaN misses it.
     fn missed(&self) -> bool {
         let within = |measured: Measured| measured.errors.orientation <= self.bound;
         !self.measured.is_none_or(within)
@@ -58,14 +57,14 @@ impl Row {
         match self.measured {
             None => "no fit",
             Some(_) if self.missed() => "MISS",
-            // nothing could be further off
+            // no error of an orientation is larger
             Some(_) if self.bound >= WORST => "no bound",
             Some(_) => "ok",
         }
     }
 }
 
-/// The core's propagators.
+/// Propagators of the core.
 const METHODS: [Method; 2] = [Method::Stepper, Method::Ephemeris];
 
 /// Whether the core has the method in the scalar: in fixed point it has no stepper.
@@ -73,11 +72,11 @@ fn exists(method: Method, scalar: Scalar) -> bool {
     !(method == Method::Stepper && matches!(scalar, Scalar::Q31 | Scalar::Q15))
 }
 
-/// What was compared.
+/// Result of a comparison.
 #[derive(Debug)]
 pub struct Compared {
     scenarios: Vec<Scenario>,
-    /// One row a motion, scalar and method.
+    /// Row for each motion, scalar and method.
     pub rows: Vec<Row>,
     remarks: Vec<String>,
 }
@@ -98,7 +97,7 @@ pub(super) fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     Ok(Report { text, missed, ..Report::default() }.with_remarks(remarks, below))
 }
 
-/// Runs every motion in every scalar by every method.
+/// Comparison of every motion in every scalar by every method.
 ///
 /// # Errors
 /// [`Failure::Input`]: a scenario cannot be read; [`Failure::Method`]: the full solver gave up.
@@ -139,7 +138,7 @@ pub fn rows(arguments: &CompareArgs) -> Result<Compared, Failure> {
     Ok(Compared { scenarios, rows, remarks })
 }
 
-/// One run; fails only where no table fits.
+/// Row of one run. It fails only where no table is large enough.
 fn follow(
     scenario: &Scenario,
     method: Method,

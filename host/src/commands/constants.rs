@@ -1,4 +1,4 @@
-//! `toytop constants`: what does not change in a motion.
+//! `toytop constants`: first integrals, branch points, period and mean rotations of a motion.
 
 use super::{Report, unreal};
 use crate::Failure;
@@ -23,7 +23,7 @@ pub(super) fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
     Ok(report.with_remarks(unreal(&[scenario]), arguments.format == Format::Table))
 }
 
-/// Key, value, unit. The units are those of a scenario in SI.
+/// Key, value and unit of each constant, for a scenario in SI units.
 fn constants(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)> {
     let (integrals, e) = (motion.first_integrals(), motion.branch_points());
     let averages = motion.period_advance();
@@ -52,12 +52,12 @@ fn constants(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)> {
     ]
 }
 
-/// A number, or nothing where it is infinite: e₃ without torque.
+/// Number as a cell; the cell is empty where the number is infinite, as e₃ is without torque.
 fn finite(number: f64) -> Cell {
     Some(number).filter(|number| number.is_finite()).into()
 }
 
-/// Constants in degrees and turns, for a lecture. Without units of time, a second is the scenario's unit.
+/// Constants in degrees and turns. Without units, a second stands for the scenario's unit of time.
 fn in_everyday_units(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)> {
     let (top, e, integrals) = (motion.top(), motion.branch_points(), motion.first_integrals());
     let vertical = motion.regime().is_vertical();
@@ -73,7 +73,7 @@ fn in_everyday_units(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)>
         advance.as_ref().filter(|_| !vertical).map(|a| a.phi_per_period() / (2.0 * PI * a.period));
     let (a, c) = (top.transverse_inertia(), top.axial_inertia());
     let spin = integrals.spin / (2.0 * PI);
-    // upright, e3 > 1 if n² > 4 A p g, n = C spin + K
+    // for the upright axis, e3 > 1 if n² > 4 A p g, where n = C spin + K
     let critical_momentum = 2.0 * (a * top.mass_moment() * top.gravity()).sqrt();
     let critical =
         Some((critical_momentum - top.rotor_momentum()) / c / (2.0 * PI)).filter(|spin| spin.is_finite());

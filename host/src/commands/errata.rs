@@ -1,4 +1,4 @@
-//! `toytop errata`: the slips of the printed paper, both versions evaluated.
+//! `toytop errata`: errors of the printed paper; the printed and the corrected formulas are evaluated.
 
 use super::Report;
 use crate::Failure;
@@ -38,7 +38,7 @@ fn records(found: &[(Slip, [f64; 2])]) -> Vec<Record> {
     (1..).zip(found).map(record).collect()
 }
 
-/// Four lines a slip: where, against what, and the two versions with their residuals.
+/// Table with four lines for each slip: its place, the quantity that it is compared with, and the two versions with their residuals.
 fn table(found: &[(Slip, [f64; 2])]) -> String {
     let line = |cells: [&str; 4]| cells.map(str::to_owned).to_vec();
     let mut lines = vec![line(["", "", "", "residual"])];
@@ -51,7 +51,7 @@ fn table(found: &[(Slip, [f64; 2])]) -> String {
     output::columns(lines, 3)
 }
 
-/// A power of ten well above, from 1e-15: the digits of a rounding are those of a machine's own sine.
+/// Power of ten well above the residual, from 1e-15, because the digits of a rounding error depend on the machine's sine.
 fn bound(residual: f64) -> String {
     if residual == 0.0 {
         return "0".to_owned();

@@ -1,4 +1,4 @@
-//! `toytop events`: when a motion turns, reaches a tilt, a circle or a tip angle, or lifts off.
+//! `toytop events`: times of turning points, tilts, circles, tip angles and lift-off.
 
 use super::{Report, unreal};
 use crate::Failure;
@@ -39,13 +39,13 @@ pub(super) fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
         Format::Csv => output::csv(&records).map_err(Failure::Output)?,
         Format::Json => output::json_list("events", &records).map_err(Failure::Output)?,
     };
-    // that the top lifts off is what was asked
+    // no warning that the top leaves the plane if the command asks for these times
     let asked = arguments.kinds.iter().any(|kind| kind.what == What::LiftOff);
     let remarks = if asked { Vec::new() } else { unreal(&[scenario]) };
     Ok(Report { text, ..Report::default() }.with_remarks(remarks, arguments.format == Format::Table))
 }
 
-/// Searches for the events of a kind: several where a circle is met on two levels, none where a top does not lift off.
+/// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.
 fn sought(kind: &Kind, motion: &Motion) -> Result<Vec<Sought>, Failure> {
     let refused = |error: ParameterError| Failure::Input(format!("{}: {error}", kind.text));
     let top = motion.top();
@@ -79,7 +79,7 @@ fn record(
     let sample = &event.there.sample;
     let product = sample.alpha * sample.beta;
     let radius = 2.0 * product.modulus();
-    // error of u, or of the tip angle, over its rate
+    // error of u or of the tip angle, divided by its rate
     let bound = table.error_bound().after(event.t * ticks_per_time(motion)) + f64::EPSILON;
     let error = match sought {
         Sought::Turning => None,

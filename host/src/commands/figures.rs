@@ -1,4 +1,4 @@
-//! `toytop figures`: the paper's figures 2 and 3, u against time, and errors against time.
+//! `toytop figures`: figures 2 and 3 of the paper, u against time, and errors against time.
 
 use super::Report;
 use crate::Failure;

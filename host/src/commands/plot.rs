@@ -1,4 +1,4 @@
-//! `toytop plot`: the curve of the tip between its bounding circles, and other pictures of a motion.
+//! `toytop plot`: curve of the tip between its bounding circles, and other pictures of a motion.
 
 use super::{Report, unreal};
 use crate::Failure;
@@ -45,7 +45,7 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
     })
 }
 
-/// The class of the curve and the numbers of the scenario, in two lines.
+/// Class of the curve and numbers of the scenario, in two lines.
 fn caption(scenario: &Scenario, curve: &Curve) -> [String; 2] {
     let motion = &scenario.motion;
     let (top, e, signs) = (motion.top(), motion.branch_points(), motion.signs());
@@ -53,7 +53,7 @@ fn caption(scenario: &Scenario, curve: &Curve) -> [String; 2] {
     let periods = curve.periods.map(|periods| format!(", {periods} periods")).unwrap_or_default();
     let shown = |e: f64| if e.is_finite() { short(e, 4) } else { "∞".to_owned() };
     let [e1, e2, e3] = [e.e1, e.e2, e.e3].map(shown);
-    // their squares are proportional to these
+    // (l + n)² and (l - n)² are proportional to these
     let vanishes = [e.one_plus_e1 * (1.0 + e.e2), (1.0 - e.e1) * e.one_minus_e2 * e.e3_minus_one];
     let sign = |sign: Sign, vanishes: f64| match sign {
         _ if vanishes == 0.0 => '=',

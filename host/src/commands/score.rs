@@ -1,4 +1,4 @@
-//! `toytop score`: the output of somebody's integrator against the exact motion.
+//! `toytop score`: output of an integrator, compared with the exact motion.
 
 use super::Report;
 use crate::Failure;
@@ -48,7 +48,7 @@ pub(super) fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     Ok(Report { text, ..Report::default() }.with_remarks(doubts, arguments.format == Format::Table))
 }
 
-/// Results, and the scenario that they are judged by.
+/// Results, and the scenario that they are compared with.
 struct Task<'a> {
     scenario: Scenario,
     results: Vec<&'a PathBuf>,
@@ -74,7 +74,7 @@ struct Run {
     name: String,
     method: String,
     rows: usize,
-    /// Step size, s, and where it is from.
+    /// Step size, s, and its source.
     step: Option<(f64, &'static str)>,
     evaluations: Option<f64>,
     score: Score,
@@ -120,7 +120,8 @@ impl Method {
     }
 }
 
-/// Unit of the work, and the runs of each method: evaluations of the equations if every file states them, otherwise steps.
+/// Unit of the work, and the runs of each method. The work is the number of evaluations of the equations if every file states it,
+/// otherwise the number of steps.
 fn work(runs: &[Run], methods: &[Method], period: f64) -> Result<(&'static str, Vec<MethodRuns>), Failure> {
     let counted = runs.iter().all(|run| run.evaluations.is_some());
     let of = |run: &Run| match run.step {
@@ -202,7 +203,7 @@ fn source(source: RateSource) -> &'static str {
     }
 }
 
-/// Errors in one table, phases and drifts in another, and the orders below.
+/// Table of the errors, table of the phase errors and drifts, and the orders of convergence.
 fn tables(runs: &[Run], methods: &[Method]) -> String {
     let brief = |x: Option<f64>| x.map_or("-".to_owned(), |x| format!("{x:.1e}"));
     let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();

@@ -18,7 +18,7 @@ use toytop::exact::ClosedForm;
 use toytop::scalar::Real;
 use toytop::{Micromath, Motion, Support, Tick};
 
-/// Sample of one instant, by its place in the order asked.
+/// Sample at a time, by the index of the time in the request.
 type At = dyn Fn(u64) -> Sample + Sync;
 
 pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
@@ -40,13 +40,13 @@ pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     };
     let count = instants.count();
     let at = source(arguments, &scenario, instants)?;
-    // what can fail by the input has been done
+    // from here on the input cannot cause a failure
     stream::to(arguments.output.as_deref(), |out| write(arguments.format, &sheet, count, &*at, out))?;
     let table = arguments.format == SampleFormat::Table && arguments.output.is_none();
     Ok(Report::default().with_remarks(unreal(&[scenario]), table))
 }
 
-/// Samples of a method.
+/// Function that computes samples by a method.
 fn source(arguments: &StateArgs, scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
     let step = period(motion) / f64::from(arguments.steps_per_period);
@@ -69,7 +69,7 @@ fn source(arguments: &StateArgs, scenario: &Scenario, instants: Instants) -> Res
     Ok(Box::new(move |index| samples[index as usize]))
 }
 
-/// Those that a method exists in.
+/// Names of the scalars in which a method exists.
 fn scalars(method: Method) -> &'static str {
     match method {
         Method::Ephemeris => "f64, f32, q31, q15 or micromath",
@@ -78,13 +78,13 @@ fn scalars(method: Method) -> &'static str {
     }
 }
 
-/// The refusal of a stepper in fixed point, where only the ephemeris exists.
+/// Failure for a stepper in fixed point, where only the ephemeris exists.
 fn no_stepper(scalar: Scalar) -> Failure {
     let name = scalar.name();
     Failure::Method(format!("--method stepper: none in {name}: use --method ephemeris, which has {name}"))
 }
 
-/// Refuses times beyond the reach of a method.
+/// Failure for times that a method cannot compute.
 fn within(instants: &Instants, furthest: f64, method: Method) -> Result<(), Failure> {
     let t = instants.furthest();
     if t.abs() <= furthest {
@@ -110,7 +110,7 @@ fn tabulated(scalar: Scalar, scenario: &Scenario, instants: Instants) -> Result<
     Ok(Box::new(move |index| table.at(instants.time(index)).sample))
 }
 
-/// By the closed form, if the motion has one.
+/// Function that computes samples by the closed form, if the motion has one.
 fn closed(scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
     let form =
@@ -126,10 +126,11 @@ fn closed(scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
     }))
 }
 
-/// The form for e₃ = e₄ loses up to 5e-14 rad a period where that is true only to a rounding: beyond this nothing would be left.
+/// Greatest number of periods of a closed form. If e₃ = e₄ holds only up to rounding, the form loses up to 5e-14 rad in a period, and
+/// beyond this number no digit is correct.
 const MOST_PERIODS: f64 = 1e12;
 
-/// |αβ| of a tip whose angle the rounding of α and β blurs by more than 1e-5 rad.
+/// Least |αβ| at which the rounding of α and β changes the argument of αβ by less than 1e-5 rad.
 const NOISE: f64 = 1e-11;
 
 fn stepped<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sample>, Failure> {
@@ -144,7 +145,7 @@ fn stepped<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sam
     )
 }
 
-/// Writes all samples.
+/// Writes all samples to the output.
 fn write(
     format: SampleFormat,
     sheet: &Sheet,

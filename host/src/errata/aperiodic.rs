@@ -99,7 +99,7 @@ impl Case {
         case
     }
 
-    /// The branch that is 0 at x = 0, followed to x.
+    /// Value at x of the branch that is 0 at x = 0, continued from there.
     fn continued_log(&self) -> C {
         const STEPS: u32 = 64;
         let quotient = |share: u32| {
@@ -113,7 +113,7 @@ impl Case {
         self.lattice.p(x - self.omega3) + E1 / 3.0
     }
 
-    /// The proposition on t, with this sign in its last term.
+    /// Time by the proposition on t, with this sign in its last term.
     fn time(&self, sign: f64) -> C {
         let (x, zeta) = (self.x, |z: C| self.lattice.zeta(z));
         let second = -zeta(x - self.omega3) - zeta(self.omega3) + x * (1.0 + E1 / 3.0);
@@ -122,7 +122,7 @@ impl Case {
         C::new(0.0, (2.0 * TOP.s).sqrt()) * (second + third)
     }
 
-    /// α and δ by the proposition, with these signs of p and in l.
+    /// Parameters α and δ by the proposition, with these signs of p and in l.
     fn alpha_and_delta(&self, sign_p: f64, sign_l: f64) -> [C; 2] {
         let Self { lattice, omega3, a, b, w_minus, w_plus, x, log } = *self;
         let (sigma, zeta) = (|z: C| lattice.sigma(z), |z: C| lattice.zeta(z));
@@ -135,7 +135,7 @@ impl Case {
         [plus * sigma(x - a) / sigma(x - omega3), minus * sigma(x + a) / sigma(x + omega3)]
     }
 
-    /// The full solution when it is at u(x), and when that is: by Newton's iteration on its own u and u'.
+    /// Time at which the full solution is at u(x), by Newton's iteration with its u and u', and its state at this time.
     fn full(&self) -> Result<(f64, FullState), FullSolverError> {
         let momentum = (8.0 * TOP.a * TOP.p * (1.0 + E1)).sqrt();
         let state = super::at_turning_point(&TOP, E1, [momentum, 0.0]);

@@ -1,17 +1,17 @@
-//! Contour quadrature on the paper's curves: the trapezoid rule on circles, which converges geometrically.
+//! Contour quadrature on the paper's curves by the trapezoid rule on circles, which converges geometrically.
 
 use toytop::Complex;
 use toytop::exact::hyperelliptic::{Curve, Point};
 
-/// Nodes of a circle.
+/// Number of nodes on a circle.
 const NODES: u32 = 512;
 
-/// e^{iθ}.
+/// Unit complex number e^{iθ}.
 pub fn cis(angle: f64) -> Complex<f64> {
     Complex::new(angle.cos(), angle.sin())
 }
 
-/// (1/2πi) ∮ f du anticlockwise around a point that is no branch point, on a circle of this radius in u.
+/// Integral (1/2πi) ∮ f du anticlockwise around a point that is no branch point, on a circle of this radius in u.
 pub fn residue(
     curve: &Curve,
     centre: &Point,
@@ -23,7 +23,7 @@ pub fn residue(
     circle(curve, start, |angle| (centre.u + offset(angle), offset(angle)), f)
 }
 
-/// (1/2πi) ∮ f du anticlockwise around a branch point e in its local parameter ξ, u = e + ξ²: twice around in u.
+/// Integral (1/2πi) ∮ f du anticlockwise around a branch point e in its local parameter ξ, u = e + ξ²: twice around in u.
 pub fn residue_at_branch_point(
     curve: &Curve,
     e: f64,
@@ -38,7 +38,7 @@ pub fn residue_at_branch_point(
     circle(curve, curve.point(place(0.0).0), place, f)
 }
 
-/// (1/2πi) ∮ f(point, v) du anticlockwise around v = 0, u = 1/v²: twice around infinity.
+/// Integral (1/2πi) ∮ f(point, v) du anticlockwise around v = 0, u = 1/v²: twice around infinity.
 pub fn residue_at_infinity(
     curve: &Curve,
     radius: f64,
@@ -53,7 +53,7 @@ pub fn residue_at_infinity(
     })
 }
 
-/// (1/2πi) ∮ f du along a closed way u(θ), with u'(θ)/i given beside it.
+/// Integral (1/2πi) ∮ f du along a closed path u(θ), given with u'(θ)/i.
 fn circle(
     curve: &Curve,
     start: Point,
@@ -68,7 +68,7 @@ fn circle(
     })
 }
 
-/// (1/2πi) ∮ f du once around the ellipse with these half axes, from its right end, where w has Re w > 0.
+/// Integral (1/2πi) ∮ f du once around the ellipse with these half axes, from its right end, where w has Re w > 0.
 pub fn around_ellipse(
     curve: &Curve,
     centre: f64,

@@ -31,12 +31,12 @@ pub(super) const SLIPS: [Slip; 3] = [
     },
 ];
 
-/// On the motion w = i√(s/2) (e₄² - u²) u', so that eqn:t holds.
+/// Function w on the motion, w = i√(s/2) (e₄² - u²) u', for which eqn:t is true.
 fn w(instant: &Instant) -> C {
     C::new(0.0, (0.5 * TOP.s).sqrt() * (e4_squared() - instant.u * instant.u) * instant.udot)
 }
 
-/// w₋₁ and w₊₁ by the first display.
+/// Numbers w₋₁ and w₊₁ by the first display.
 fn first_display(instant: &Instant) -> [f64; 2] {
     let factor = (0.5 * TOP.s).sqrt() / (TOP.p * TOP.s);
     [factor * (instant.l + instant.n), factor * (instant.l - instant.n)]
@@ -67,7 +67,7 @@ fn sums_of_rates() -> Residuals {
     let (u, udot, w) = (instant.u, instant.udot, w(&instant));
     let truth = [instant.body[2] + instant.omega[2], instant.omega[2] - instant.body[2]];
     let truth = truth.map(|rate| C::new(0.0, rate));
-    // the corrected first display, so that this slip stands alone
+    // the corrected first display, so that only the error of this formula remains
     let [minus, plus] = first_display(&instant).map(|value| -value);
     Ok([u, u * u].map(|power| {
         let ratio = (power - e4_squared()) / (1.0 - e4_squared());

@@ -57,7 +57,7 @@ impl Case {
         self.lattice.p(x - shift) + self.centre
     }
 
-    /// t(x) as printed.
+    /// Time t(x) as printed.
     fn time(&self, x: C) -> f64 {
         let [e1, e2, e3] = E;
         let omega2 = self.half_periods()[1];
@@ -66,7 +66,7 @@ impl Case {
         (C::new(0.0, (2.0 * TOP.s).sqrt()) * bracket).re
     }
 
-    /// A place on the way of the motion, and the full solution there.
+    /// Point x on the path of the motion, with the full solution there.
     fn on_the_way(&self) -> Result<(C, FullState), FullSolverError> {
         let x = C::new(0.0, 0.7);
         let [e1, e2, e3] = E;

@@ -1,26 +1,26 @@
-//! One instant of a generic motion, with everything the formulas of sections 2 to 4 speak of.
+//! Generic motion at one time, with all quantities in the formulas of sections 2 to 4.
 
 use crate::full_equations::full_solver::{Equations, FullState, FullTop, cross, dot};
 use num_complex::Complex64 as C;
 use toytop::{Complex, Orientation};
 
-/// The top of sections 2 to 4: A, C, s, p; g = 1.
+/// Generic top for sections 2 to 4, with g = 1.
 pub(super) const TOP: FullTop = FullTop { a: 1.1, c: 0.8, s: 0.6, p: 0.9, g: 1.0, k: 0.0 };
 
-/// An instant. Φ' is the full equations'.
+/// Generic motion at one time. Φ' follows from the full equations.
 pub(super) struct Instant {
     pub(super) state: FullState,
-    /// α, β, γ, δ.
+    /// Parameters α, β, γ, δ.
     pub(super) phi: [C; 4],
-    /// α', β', γ', δ'.
+    /// Rates α', β', γ', δ'.
     pub(super) rate: [C; 4],
-    /// ω in the fixed frame.
+    /// Angular velocity ω in the fixed frame.
     pub(super) omega: [f64; 3],
-    /// Ω, ω in the body frame.
+    /// Angular velocity Ω in the body frame.
     pub(super) body: [f64; 3],
-    /// r.
+    /// Axis r.
     pub(super) axis: [f64; 3],
-    /// [r, k].
+    /// Vector [r, k].
     pub(super) normal: [f64; 3],
     pub(super) l: f64,
     pub(super) n: f64,
@@ -29,7 +29,7 @@ pub(super) struct Instant {
 }
 
 impl Instant {
-    /// The one that is used.
+    /// Instant that all formulas are evaluated at.
     pub(super) fn generic() -> Self {
         let norm = 0.74_f64.sqrt();
         let state = FullState {
@@ -63,18 +63,18 @@ impl Instant {
         }
     }
 
-    /// ⟨ω, r⟩.
+    /// Axial angular velocity ⟨ω, r⟩.
     pub(super) fn spin(&self) -> f64 {
         dot(self.omega, self.axis)
     }
 
-    /// τ = (1/C - 1/A) n.
+    /// Rate τ = (1/C - 1/A) n.
     pub(super) fn tau(&self) -> f64 {
         (1.0 / TOP.c - 1.0 / TOP.a) * self.n
     }
 }
 
-/// e₄².
+/// Square of the branch point e₄.
 pub(super) fn e4_squared() -> f64 {
     1.0 + TOP.a / (TOP.p * TOP.s)
 }

@@ -37,7 +37,7 @@ pub(super) const SLIPS: [Slip; 4] = [
     },
 ];
 
-/// The matrix of a vector, as printed and as it follows from section 2.1's own identification of R³ with su(2).
+/// Matrices of a vector: as printed, and as it follows from the identification of R³ with su(2) in section 2.1.
 fn matrices([x1, x2, x3]: [f64; 3]) -> [[C; 4]; 2] {
     let half = |re: f64, im: f64| C::new(0.5 * re, 0.5 * im);
     let printed = [half(0.0, x3), half(x2, x1), half(-x2, x1), half(0.0, x3)];
@@ -45,7 +45,7 @@ fn matrices([x1, x2, x3]: [f64; 3]) -> [[C; 4]; 2] {
     [printed, corrected]
 }
 
-/// The product of two matrices, row by row.
+/// Product of two matrices, given by rows.
 fn product([a, b, c, d]: [C; 4], [e, f, g, h]: [C; 4]) -> [C; 4] {
     [a * e + b * g, a * f + b * h, c * e + d * g, c * f + d * h]
 }
@@ -71,7 +71,7 @@ fn derivative() -> Residuals {
     let FullState { omega, .. } = instant.state;
     let (r, q, k) = (instant.axis, instant.normal, [0.0, 0.0, 1.0]);
     let (axial, ps) = ((TOP.c - TOP.a) * instant.spin(), TOP.p * TOP.s);
-    // m = Aω + axial r + ps u' q, differentiated with what Newton and Euler say of ω' and u''
+    // derivative of m = Aω + axial r + ps u' q, with ω' and u'' from Newton's and Euler's equations
     let found = accelerations(&TOP, &instant.state);
     let (r_dot, rise) = (cross(omega, r), instant.udot);
     let q_dot = cross(r_dot, k);

@@ -1,17 +1,17 @@
-//! Weierstrass's functions by theta series: just enough to evaluate the formulas of section 5, without core's.
+//! Weierstrass's functions by theta series, for the formulas of section 5, without the functions of core.
 
 use num_complex::Complex64 as C;
 use std::f64::consts::PI;
 
-/// ℘, ζ and σ of the lattice with real roots E₁ > E₂ > E₃. No argument reduction: for |Im z| up to a few half periods.
+/// Functions ℘, ζ and σ of the lattice with real roots E₁ > E₂ > E₃, for |Im z| up to a few half periods, because arguments are not reduced.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lattice {
-    /// The real half period, ℘ = E₁ there.
+    /// Real half period, where ℘ = E₁.
     pub(super) real: f64,
-    /// The modulus of the imaginary half period, ℘ = E₃ at i times it.
+    /// Modulus of the imaginary half period, where ℘ = E₃.
     pub(super) imaginary: f64,
     nome: f64,
-    /// ζ at the real half period.
+    /// Value of ζ at the real half period.
     eta: f64,
 }
 
@@ -27,7 +27,7 @@ impl Lattice {
         lattice
     }
 
-    /// θ₁ and its first three derivatives at πz/(2 real).
+    /// Function θ₁ and its first three derivatives at πz/(2 real).
     fn theta(&self, z: C) -> [C; 4] {
         let v = z * (0.5 * PI / self.real);
         let mut sums = [C::new(0.0, 0.0); 4];
@@ -69,7 +69,7 @@ impl Lattice {
     }
 }
 
-/// The arithmetic-geometric mean.
+/// Arithmetic-geometric mean of two numbers.
 fn mean(mut a: f64, mut b: f64) -> f64 {
     for _ in 0..8 {
         (a, b) = (0.5 * (a + b), (a * b).sqrt());
@@ -77,15 +77,15 @@ fn mean(mut a: f64, mut b: f64) -> f64 {
     a
 }
 
-/// One of the two integrals below, of (root, end, others).
+/// One of the two integrals below, as a function of (root, end, others).
 pub(super) type Integral = fn(f64, f64, [f64; 2]) -> f64;
 
-/// ∫ du/√|4 (u - root)(u - others)| from `root` to `end`, by u = root ± y², where the integrand is smooth.
+/// Integral ∫ du/√|4 (u - root)(u - others)| from `root` to `end`, by u = root ± y², where the integrand is smooth.
 pub(super) fn from_root(root: f64, end: f64, others: [f64; 2]) -> f64 {
     smooth_half(end, root, |u| others.iter().map(|other| (u - other).abs()).product::<f64>().sqrt().recip())
 }
 
-/// ∫ √|4 (u - root)(u - others)| du from `root` to `end`: what the paper prints in its place.
+/// Integral ∫ √|4 (u - root)(u - others)| du from `root` to `end`, which the paper prints in its place.
 pub(super) fn printed_from_root(root: f64, end: f64, others: [f64; 2]) -> f64 {
     smooth_half(end, root, |u| {
         let size: f64 = others.iter().map(|other| (u - other).abs()).product();
@@ -93,7 +93,8 @@ pub(super) fn printed_from_root(root: f64, end: f64, others: [f64; 2]) -> f64 {
     })
 }
 
-/// ∫ f(root ± y²) dy for y from 0 to √|end - root|, by the trapezoid rule in the variable that flattens both ends.
+/// Integral ∫ f(root ± y²) dy for y from 0 to √|end - root|, by the trapezoid rule in a variable in which the integrand vanishes fast at
+/// both ends.
 fn smooth_half(end: f64, root: f64, f: impl Fn(f64) -> f64) -> f64 {
     let length = (end - root).abs().sqrt();
     let node = |i: i32| {

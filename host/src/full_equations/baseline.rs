@@ -1,4 +1,4 @@
-//! What one would write without this library: the full equations in equal steps, by three methods.
+//! Baselines: the full equations in equal steps by three methods, as programs integrate them without this library.
 
 use crate::full_equations::full_solver::{Equations, Vector7};
 use crate::full_equations::full_solver::{FullState, FullTop};
@@ -7,13 +7,13 @@ use multicalc::ode::Rk4;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::marker::PhantomData;
 
-/// A way of going one step on.
+/// Integration method of one step.
 pub trait Scheme {
-    /// The state after `step`, in s; Φ need not be quite a unit.
+    /// State after `step`, s. The norm of Φ may differ slightly from 1.
     fn step(equations: &Equations, y: &Vector7, step: f64) -> Vector7;
 }
 
-/// The classical method of Runge and Kutta, written out.
+/// Classical Runge-Kutta method, written out.
 #[derive(Clone, Copy, Debug)]
 pub struct RungeKutta;
 
@@ -35,14 +35,14 @@ impl Scheme for Multicalc {
     }
 }
 
-/// What attitude filters do, with nalgebra: the quaternion turned by the exponential of ω at the middle of the step, the
-/// momenta by the midpoint rule; second order.
+/// Method of attitude filters, with nalgebra: the quaternion is rotated by the exponential of ω at the middle of the step, and the momenta
+/// follow from the midpoint rule; second order.
 #[derive(Clone, Copy, Debug)]
 pub struct Exponential;
 
 impl Scheme for Exponential {
     fn step(equations: &Equations, y: &Vector7, step: f64) -> Vector7 {
-        // from y, with the rates at another place
+        // state y plus the change by the rates of another state
         let turned = |at: &Vector7, time: f64| -> Vector7 {
             let [w1, w2, w3] = equations.state(at).omega;
             let turn = UnitQuaternion::from_scaled_axis(Vector3::new(w1, w2, w3) * time);
@@ -55,18 +55,18 @@ impl Scheme for Exponential {
     }
 }
 
-/// A motion followed in equal steps.
+/// Motion that is integrated in equal steps.
 #[derive(Clone, Debug)]
 pub struct EqualSteps<S> {
     equations: Equations,
     y: Vector7,
-    /// s.
+    /// Length of a step, s.
     step: f64,
     scheme: PhantomData<S>,
 }
 
 impl<S: Scheme> EqualSteps<S> {
-    /// At t = 0, to go on in steps of `step` in s.
+    /// Integration from t = 0 in steps of `step`, s.
     #[must_use]
     pub fn new(top: &FullTop, state: &FullState, step: f64) -> Self {
         let equations = Equations::of(top, state);
@@ -74,14 +74,14 @@ impl<S: Scheme> EqualSteps<S> {
         Self { equations, y: [a, b, c, d, l, m, n], step, scheme: PhantomData }
     }
 
-    /// One step, and Φ back onto the unit sphere.
+    /// Performs one step, and normalises Φ.
     pub fn step(&mut self) {
         self.y = S::step(&self.equations, &self.y, self.step);
         let norm = self.y[..4].iter().map(|x| x * x).sum::<f64>().sqrt();
         self.y[..4].iter_mut().for_each(|x| *x /= norm);
     }
 
-    /// Where it is.
+    /// State at the time that is reached.
     #[must_use]
     pub fn state(&self) -> FullState {
         self.equations.state(&self.y)

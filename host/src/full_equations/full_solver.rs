@@ -1,14 +1,13 @@
-//! The full solver: the three-dimensional equations of motion, integrated step by step. It shares no code and
-//! no formula with the closed form, so that agreement of the two means something.
+//! Full solver: step by step integration of the three-dimensional equations of motion. It shares no code and no formula with the core, so
+//! that it is an independent reference.
 //!
-//! The integrator is Verner's 9(8) pair from `differential-equations`, driven one step at a time so that
-//! every call ends exactly on the time asked for: no dense output is used. Three things keep rounding at the
-//! level of a single operation per step instead of letting it set the accuracy:
+//! The integrator is Verner's 9(8) pair from `differential-equations`, called for one step at a time, so that the last step ends exactly at
+//! the requested time without dense output. Three measures limit the rounding to that of a single operation per step:
 //! - units of inertia and time are powers of two near A and the fastest rate, so that changing units is exact
 //!   and one tolerance suits every top;
-//! - each step integrates the *change* of the state, starting from zero, and the changes are added with
-//!   compensation (the integrator's own sums and its error estimate would round at the size of the state);
-//! - after each step the orientation is put back on the unit sphere, moving it along itself only.
+//! - each step integrates the *change* of the state from zero, and the changes are added with
+//!   compensation (the integrator's own sums and its error estimate would be rounded relative to the state);
+//! - after each step the orientation is normalised, by a change of its length only.
 
 mod equations;
 mod rounding;
@@ -23,31 +22,30 @@ pub use equations::{Equations, FullState, FullTop, Vector7};
 pub(crate) use equations::{cross, dot};
 use rounding::{power_of_two, project, two_sum};
 
-/// Default tolerance per step. Measured: smaller ones buy no accuracy, only evaluations.
+/// Default tolerance per step. By measurement, smaller ones increase the number of evaluations, but not the accuracy.
 pub const FULL_SOLVER_TOLERANCE: f64 = 3e-16;
-/// Default limit on evaluations of the equations, about five seconds' work and some thirty thousand
-/// nutations.
+/// Default limit on evaluations of the equations, which takes about five seconds, for some thirty thousand nutations.
 pub const FULL_SOLVER_EVALUATIONS: u64 = 100_000_000;
 
-/// Why [`FullSolver::advance_to`] gave up. Times are in the caller's units \[s\].
+/// Reason why [`FullSolver::advance_to`] failed. Times are in the caller's units, s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum FullSolverError {
-    /// The top, the state, the tolerance or the time is not usable; the text names which.
+    /// Invalid top, state, tolerance or time, which the text names.
     BadInput(&'static str),
-    /// The limit on evaluations was reached at `time`.
+    /// Limit on evaluations, which was reached at `time`.
     EvaluationLimit {
-        /// The limit.
+        /// Greatest number of evaluations.
         limit: u64,
         /// How far the motion had been followed.
         time: f64,
     },
-    /// No step, however short, meets the tolerance at `time`.
+    /// Tolerance that no step meets at `time`.
     StepFailed {
         /// How far the motion had been followed.
         time: f64,
     },
-    /// The state stopped being finite after `time`.
+    /// State that is not finite after `time`.
     NotFinite {
         /// How far the motion had been followed.
         time: f64,
@@ -74,18 +72,18 @@ impl fmt::Display for FullSolverError {
 
 impl core::error::Error for FullSolverError {}
 
-/// A motion followed by numerical integration from t = 0.
+/// Numerical integration of a motion from t = 0.
 #[derive(Debug, Clone)]
 pub struct FullSolver {
     top: FullTop,
     equations: Equations,
-    /// The natural unit of angular rates \[rad/s\].
+    /// Natural unit of angular rates, rad/s.
     rate_unit: f64,
     tolerances: Vector7,
     limit: u64,
     fault: Option<&'static str>,
     time: f64,
-    /// The state is `y + low`, `low` being what `y` cannot hold.
+    /// State, as the sum of `y` and the smaller part `low`.
     y: Vector7,
     low: Vector7,
     step: f64,
@@ -94,9 +92,9 @@ pub struct FullSolver {
 }
 
 impl FullSolver {
-    /// Starts at t = 0 from `state`, whose orientation is normalised. `tolerance` bounds the error of a step
-    /// in alpha, beta (absolutely) and m (relative to the momenta of the motion); it has to lie in \[1e-17,
-    /// 1e-2\]. Unusable arguments are reported by the first [`advance_to`](Self::advance_to).
+    /// Integration from `state` at t = 0, whose orientation is normalised. `tolerance`, in \[1e-17, 1e-2\], bounds the error of a step
+    /// in alpha and beta (absolute) and m (relative to the momenta of the motion). The first [`advance_to`](Self::advance_to) reports
+    /// invalid arguments.
     ///
     /// Measured at the default tolerance, over three nutations and the project's reference motions:
     /// orientation within 5e-14 rad, except where the motion itself amplifies rounding (separatrix,
@@ -105,7 +103,7 @@ impl FullSolver {
     pub fn new(top: FullTop, state: FullState, tolerance: f64) -> Self {
         let rotor = top.k / top.a;
         let rate = (top.p * top.g.abs() / top.a + dot(state.omega, state.omega) + rotor * rotor).sqrt();
-        // a body at rest without weight has no rate of its own
+        // a body at rest without weight has no natural rate
         let rate_unit = if rate > 0.0 { power_of_two(rate) } else { 1.0 };
         let inertia_unit = power_of_two(top.a);
         let equations = Equations {
@@ -118,18 +116,18 @@ impl FullSolver {
         };
         let ([a, b], [c, d]) = (state.alpha, state.beta);
         let norm = (a * a + b * b + c * c + d * d).sqrt();
-        // Within rounding of 1 the numbers are kept and `project` finds what they lack.
+        // If the norm is 1 up to rounding, the numbers are kept, and `project` computes their deviation.
         let scale = if (norm - 1.0).abs() > 1e-14 { norm } else { 1.0 };
         let (alpha, beta) = ([a / scale, b / scale], [c / scale, d / scale]);
         let m = equations.momentum(&FullState { alpha, beta, omega: state.omega.map(|w| w / rate_unit) });
         let y = [alpha[0], alpha[1], beta[0], beta[1], m[0], m[1], m[2]];
         let mut low = [0.0; 7];
         project(&y, &mut low);
-        // A top with its height to spend reaches the first of these momenta even if it starts at rest.
+        // A top that falls reaches the first of these momenta even if it starts at rest.
         let momentum = (equations.a * (equations.a + equations.ps)).sqrt().max(dot(m, m).sqrt());
-        // Rounding m blurs the angular velocity by momentum / min(A, C): steps must not chase that. The
-        // factor is 1 for ordinary tops; it matters for slender ones and for p s >> A. The quarter is
-        // measured.
+        // A rounding of m changes the angular velocity by momentum / min(A, C), to which the step control must not
+        // react. The factor is 1 for ordinary tops, and larger for slender ones and for p s >> A. The quarter is
+        // an empirical value.
         let thin = if equations.c > 0.0 { equations.c } else { equations.a };
         let blur = (0.25 * momentum / equations.a.min(thin)).max(1.0);
         let fault = fault(&top, &state, tolerance, &[equations.c, equations.pg, rate_unit, momentum * blur]);
@@ -151,20 +149,18 @@ impl FullSolver {
         }
     }
 
-    /// Sets the limit on evaluations of the equations over the solver's life, so that no input can make it
-    /// hang.
+    /// Solver with this limit on the total number of evaluations of the equations, so that its time is limited for every input.
     #[must_use]
     pub fn with_evaluation_limit(mut self, limit: u64) -> Self {
         self.limit = limit;
         self
     }
 
-    /// Follows the motion, forwards or backwards, to exactly `t` \[s\]. After an error the solver still
-    /// stands where it stood before the call. Cost: about 2700 evaluations (0.05 microseconds each) per
-    /// nutation.
+    /// State at exactly the time `t`, s, after an integration forward or backward. After an error the solver is in the state before the
+    /// call. Cost: about 2700 evaluations (0.05 microseconds each) per nutation.
     ///
     /// # Errors
-    /// [`FullSolverError`]; a result that is not finite is never returned.
+    /// [`FullSolverError`]. A returned state is finite.
     pub fn advance_to(&mut self, t: f64) -> Result<FullState, FullSolverError> {
         if let Some(what) = self.fault {
             return Err(FullSolverError::BadInput(what));
@@ -186,46 +182,46 @@ impl FullSolver {
         reached
     }
 
-    /// The state at [`time`](Self::time).
+    /// State at [`time`](Self::time).
     #[must_use]
     pub fn state(&self) -> FullState {
         let state = self.equations.state(&self.y);
         FullState { omega: state.omega.map(|w| w * self.rate_unit), ..state }
     }
 
-    /// The time reached \[s\].
+    /// Time that is reached, s.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.time
     }
 
-    /// (l, n, h) of the present state, see [`FullTop::first_integrals`].
+    /// First integrals (l, n, h) of the state, see [`FullTop::first_integrals`].
     #[must_use]
     pub fn first_integrals(&self) -> (f64, f64, f64) {
         self.top.first_integrals(&self.state())
     }
 
-    /// Evaluations of the equations so far.
+    /// Number of evaluations of the equations so far.
     #[must_use]
     pub fn evaluations(&self) -> u64 {
         self.evaluations
     }
 
-    /// Steps so far, rejected ones included.
+    /// Number of steps so far, with the rejected ones.
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// Moves the state by `span` in natural time.
+    /// Integrates over `span` in natural time.
     fn integrate(&mut self, span: f64) -> Result<(), FullSolverError> {
-        // A new method per span: the old one would refuse a span much shorter than its last step.
+        // A new method for each span, because the old one would refuse a span much shorter than its last step.
         let mut method = ExplicitRungeKutta::rkv988e().rtol(0.0).atol(self.tolerances).max_steps(usize::MAX);
         let mut done = 0.0;
         while done != span {
             let time = self.time + done / self.rate_unit;
             let rest = span - done;
-            // Two equal last steps rather than a long one and a scrap.
+            // Two equal last steps replace a long one and a very short one.
             let planned = match self.step / rest.abs() {
                 x if x >= 1.0 => rest,
                 x if x > 0.5 => 0.5 * rest,
@@ -240,7 +236,7 @@ impl FullSolver {
                 let cost = method.step(&change).map_err(|_| FullSolverError::StepFailed { time })?;
                 self.evaluations += cost.function as u64;
                 self.steps += 1;
-                // The integrator accepts a step whose error is not a number, hence the look at the state.
+                // The integrator accepts a step whose error is not a number, so the state is checked.
                 if !method.y().iter().all(|x| x.is_finite()) {
                     return Err(FullSolverError::NotFinite { time });
                 }
@@ -256,7 +252,7 @@ impl FullSolver {
                 (self.y[i], self.low[i]) = two_sum(self.y[i], method.y()[i]);
             }
             project(&self.y, &mut self.low);
-            // A step cut short to end the span says little about the next one.
+            // A step that was shortened to end the span is no measure for the next one.
             let proposed = method.h().abs();
             let cut_short = taken == planned && taken.abs() < self.step;
             self.step = if cut_short { proposed.max(self.step) } else { proposed };
@@ -266,7 +262,7 @@ impl FullSolver {
     }
 }
 
-/// The equations for what is to be added to `from`.
+/// Equations for the change that is added to `from`.
 struct Change<'a> {
     equations: &'a Equations,
     from: &'a Vector7,
@@ -278,7 +274,7 @@ impl ODE<f64, Vector7> for Change<'_> {
     }
 }
 
-/// What is wrong with the arguments of [`FullSolver::new`], if anything. `natural` is what came of them.
+/// Error of the arguments of [`FullSolver::new`], if there is one. `natural` are the natural units that were computed from them.
 fn fault(top: &FullTop, state: &FullState, tolerance: f64, natural: &[f64; 4]) -> Option<&'static str> {
     let FullTop { a, c, s, p, g, k } = *top;
     let ([ar, ai], [br, bi]) = (state.alpha, state.beta);

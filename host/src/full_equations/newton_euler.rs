@@ -1,26 +1,26 @@
-//! The full equations in their first form: Newton's for the centre of mass, Euler's for the rotation about it, the force
-//! of the plane unknown. No Lagrangian, no momentum m: what is derived from those can be checked against this.
+//! Full equations in their original form: Newton's equation for the centre of mass, Euler's for the rotation about it, with the unknown force
+//! of the plane. They use neither the Lagrangian nor the momentum m, so that formulas derived from these can be checked.
 //!
 //! ```text
 //! M s u'' = N - M g        d/dt (A ω + ((C - A) ⟨ω, r⟩ + K) r) = (-s r) × (N k) = -s N q        q = r × k
 //! ```
 //!
-//! The axial part says ⟨ω, r⟩' = 0; the part along q, with u' = ⟨ω, q⟩, leaves one linear equation for u''.
+//! The axial part is ⟨ω, r⟩' = 0; the part along q, with u' = ⟨ω, q⟩, is one linear equation for u''.
 
 use crate::full_equations::full_solver::{FullState, FullTop, cross, dot};
 
-/// What the equations say of a state.
+/// Accelerations and normal force of a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accelerations {
-    /// ω', rad/s².
+    /// Angular acceleration ω', rad/s².
     pub omega: [f64; 3],
-    /// u'', 1/s².
+    /// Second derivative u'' of the cosine of the tilt, 1/s².
     pub height: f64,
-    /// The force of the plane in units of the weight (without meaning for a fixed tip).
+    /// Force of the plane in units of the weight (without meaning for a fixed tip).
     pub normal_force: f64,
 }
 
-/// The accelerations of a state of a top. `s` = 0: about the fixed tip.
+/// Accelerations of a state of a top; for `s` = 0, about the fixed tip.
 #[must_use]
 pub fn accelerations(top: &FullTop, state: &FullState) -> Accelerations {
     let FullTop { a, c, s, p, g, k } = *top;
@@ -40,7 +40,7 @@ mod tests {
     use super::*;
     use crate::full_equations::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver};
 
-    /// Against differences of ω along the full solver's path, for both supports, with and without a rotor.
+    /// Comparison with differences of ω along the full solution, for both supports, with and without a rotor.
     #[test]
     fn it_is_the_acceleration_of_the_full_solution() {
         for (s, k) in [(0.6, 0.0), (0.6, 1.7), (0.0, -2.3)] {

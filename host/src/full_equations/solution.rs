@@ -1,4 +1,4 @@
-//! The full solver, started from the same motion as the core and taken to the same times.
+//! Full solver of a scenario's motion at given times.
 
 use crate::Failure;
 use crate::full_equations::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState, FullTop};
@@ -7,10 +7,10 @@ use crate::motion::propagate::{Sample, visit_times};
 use crate::motion::tip_angle::TipAngle;
 use toytop::{Complex, Orientation, Stepper, Top};
 
-/// Where the full equations start from.
+/// Top and initial state of the full equations.
 ///
-/// A state goes over as it was given. A motion given by branch points has none, so it is read off the core's stepper at
-/// t = 0: that hands over initial conditions (α, β, ω), no physics; what follows from them is the full solver's own.
+/// The state of a scenario is used without change. For a motion given by branch points, the state is that of the core's stepper at t = 0:
+/// only the initial conditions (α, β, ω) come from the core, and the motion from the full solver.
 #[must_use]
 pub fn start(scenario: &Scenario) -> (FullTop, FullState) {
     let top = scenario.motion.top();
@@ -36,24 +36,24 @@ pub fn start(scenario: &Scenario) -> (FullTop, FullState) {
     )
 }
 
-/// The orientation of a state of the full solver.
+/// Orientation of a state of the full solver.
 #[must_use]
 pub fn phi(state: &FullState) -> Orientation<f64> {
     let complex = |[re, im]: [f64; 2]| Complex::new(re, im);
     Orientation { alpha: complex(state.alpha), beta: complex(state.beta) }
 }
 
-/// The full solver at the start of a scenario.
+/// Full solver at t = 0 of a scenario.
 #[must_use]
 pub fn solver(scenario: &Scenario) -> FullSolver {
     let (top, state) = start(scenario);
     FullSolver::new(top, state, FULL_SOLVER_TOLERANCE)
 }
 
-/// The full solver's state at every time, in the order given.
+/// State of the full solver at each time, in the order of the times.
 ///
 /// # Errors
-/// [`Failure::Method`]: it cannot follow the motion that far.
+/// [`Failure::Method`]: the solver cannot integrate that far.
 pub fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<FullState>, Failure> {
     let start = || solver(scenario);
     visit_times(times, start, |solver, t| {
@@ -61,20 +61,20 @@ pub fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<FullState>, Fail
     })
 }
 
-/// Samples at the given times.
+/// Samples of the full solver at the given times.
 ///
 /// # Errors
 /// As [`states`] and [`TipAngle::of`].
 pub fn samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
     let states = states(scenario, times)?;
-    // An orientation knows its tip angle up to whole turns only. How often the tip has gone round is taken from the
-    // core's ephemeris; the angle itself is the full solver's.
+    // An orientation determines its tip angle up to whole turns. The number of whole turns is that of the core's ephemeris; the angle
+    // itself is the full solver's.
     let angle = TipAngle::of(&scenario.motion)?;
     let top = scenario.motion.top();
     Ok(times.iter().zip(&states).map(|(&t, state)| sample(top, &angle, t, state)).collect())
 }
 
-/// |αβ| of a tip whose angle the full solver's rounding (some 1e-14) blurs by more than 1e-5 rad.
+/// Least |αβ| at which the rounding of the full solver (some 1e-14) changes the argument of αβ by less than 1e-5 rad.
 const NO_ARGUMENT: f64 = 1e-9;
 
 fn sample(top: &Top, angle: &TipAngle, t: f64, state: &FullState) -> Sample {

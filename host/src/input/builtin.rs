@@ -1,11 +1,11 @@
-//! The motions that need no file: what `compare` runs when it is given none.
+//! Built-in motions, which `compare` runs without a scenario file.
 
 use crate::Failure;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::Scalar;
 use toytop::{Motion, ParameterError, Sign, Signs, Start, Top, TopParameters};
 
-/// The paper's figures 2 and 3, seven tops in SI units, and two motions near the separatrix.
+/// Scenarios of the paper's figures 2 and 3, of seven tops in SI units, and of two motions near the separatrix.
 ///
 /// # Errors
 /// None: every one is valid, and a test runs them.
@@ -21,17 +21,18 @@ pub fn scenarios() -> Result<Vec<Scenario>, Failure> {
     Ok(scenarios)
 }
 
-/// The bounds of a built-in motion that has bounds of its own, rad over ten periods.
+/// Bounds on the errors of a built-in motion over ten periods, rad, in place of those of any motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OwnBounds {
-    /// On the full solver.
+    /// Bound on the error of the full solver.
     pub truth: f64,
-    /// On the stepper in f32; in f64 the truth's is the greater, and in other types it is that of any motion.
+    /// Bound on the error of the stepper in f32. In f64 the bound of the full solver is larger, and in other types the bound of any
+    /// motion holds.
     pub stepper_f32: f64,
 }
 
 impl OwnBounds {
-    /// On the stepper alone.
+    /// Bound on the error of the stepper alone, rad.
     #[must_use]
     pub fn stepper(&self, scalar: Scalar) -> f64 {
         match scalar {
@@ -42,13 +43,14 @@ impl OwnBounds {
     }
 }
 
-/// e₃ - e₂ of the two near the separatrix, and their bounds. Measured: 1.7e-11 and 5e-6; 4.1e-9 and 1.6e-5.
+/// e₃ - e₂ of the two motions near the separatrix, and their bounds. The measured errors are 1.7e-11 and 5e-6 rad for the first, 4.1e-9
+/// and 1.6e-5 rad for the second.
 const SEPARATRIX: [(f64, OwnBounds); 2] = [
     (1e-3, OwnBounds { truth: 1e-10, stepper_f32: 2e-5 }),
     (1e-6, OwnBounds { truth: 1e-8, stepper_f32: 5e-5 }),
 ];
 
-/// The bounds of a built-in motion that has bounds of its own.
+/// Own bounds of a built-in motion; `None` for every other motion.
 #[must_use]
 pub fn own_bounds(scenario: &Scenario) -> Option<OwnBounds> {
     SEPARATRIX.iter().find(|(gap, _)| scenario.name == separatrix_name(*gap)).map(|(_, bounds)| *bounds)
@@ -58,10 +60,10 @@ fn separatrix_name(gap: f64) -> String {
     format!("near separatrix {gap:e}")
 }
 
-/// The scenario file of the toy top.
+/// Scenario file of the toy top.
 pub const TOY_TOP: &str = include_str!("../../scenarios/toy_top.toml");
 
-/// The sample files that are no figure of the paper.
+/// Scenario files that are not figures of the paper.
 const SAMPLES: [(&str, &str); 7] = [
     ("toy top 150 rad/s", TOY_TOP),
     ("sleeping top", include_str!("../../scenarios/sleeping.toml")),
@@ -72,16 +74,16 @@ const SAMPLES: [(&str, &str); 7] = [
     ("spherical pendulum", include_str!("../../scenarios/spherical_pendulum.toml")),
 ];
 
-/// l + n > 0 > l - n.
+/// Signs l + n > 0 > l - n.
 const DIFFERENT: Signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
-/// l + n > 0, l - n > 0.
+/// Signs l + n > 0, l - n > 0.
 const SAME: Signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Plus };
 
-/// e₁ = 0.7, e₂ = 0.9 and these e₃, for a sphere (A = C = s = p = g = 1).
+/// Values of e₃ in figures 2 and 3, where e₁ = 0.7, e₂ = 0.9 and A = C = s = p = g = 1.
 pub const FIGURES: [(&str, Signs, &[f64]); 2] =
     [("figure 2", SAME, &[1.0, 2.0, 100.0]), ("figure 3", DIFFERENT, &[1.0, 1.1, 1.3, 1.85, 2.5, 3.0])];
 
-/// The curves of the paper's figures 2 and 3.
+/// Curves of the paper's figures 2 and 3.
 ///
 /// # Errors
 /// None: every one is valid, and a test runs them.
@@ -101,7 +103,8 @@ pub fn figures() -> Result<[Vec<Scenario>; 2], ParameterError> {
     Ok([second?, third?])
 }
 
-/// e₂ and e₃ on both sides of 1, so close that the axis pauses near the vertical in every period; A and C differ.
+/// Motion with e₂ and e₃ on both sides of 1 and so close that the axis stays near the vertical for a long part of every period; A and C
+/// differ.
 fn near_the_separatrix(gap: f64) -> Result<Scenario, ParameterError> {
     let top = Top::sliding(&TopParameters {
         transverse_inertia: 1.1,

@@ -1,11 +1,11 @@
-//! A generator of random numbers whose every stream is fixed by a seed and a number (SplitMix64).
+//! Generator of random numbers (SplitMix64). A seed and a number determine each stream.
 
-/// One stream.
+/// Stream of random numbers.
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 
 impl Random {
-    /// The stream of this number: motions are the same whatever thread draws them, and in whatever order.
+    /// Stream of this number. The numbers do not depend on the thread or on the order in which threads compute.
     #[must_use]
     pub fn new(seed: u64, stream: u64) -> Self {
         let mut random = Self(seed);
@@ -20,22 +20,22 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// In [0, 1).
+    /// Uniform number in [0, 1).
     pub fn share(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Uniform.
+    /// Uniform number in [low, high).
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.share()
     }
 
-    /// Log-uniform.
+    /// Log-uniform number in [low, high).
     pub fn scale(&mut self, low: f64, high: f64) -> f64 {
         self.between(low.ln(), high.ln()).exp()
     }
 
-    /// One in `n`.
+    /// Whether an event of probability 1/n occurs.
     pub fn one_in(&mut self, n: u64) -> bool {
         self.bits().is_multiple_of(n)
     }

@@ -1,4 +1,4 @@
-//! A scenario: one top and one motion, from a TOML file.
+//! Scenario: one top and one motion, from a TOML file.
 //!
 //! Reading is strict. A key that is unknown, missing, of the wrong type, out of range or not needed is refused with one
 //! line that names file, key and what is allowed.
@@ -23,12 +23,12 @@ pub enum Units {
     /// SI: kg, m, s.
     #[default]
     Si,
-    /// None are named: any consistent ones, or the paper's, with p = s = g = 1.
+    /// No names: any consistent units, or those of the paper, with p = s = g = 1.
     None,
 }
 
 impl Units {
-    /// A unit's name, where units are named.
+    /// Name of a unit; empty where units have no names.
     #[must_use]
     pub fn name(self, si: &'static str) -> &'static str {
         match self {
@@ -38,24 +38,24 @@ impl Units {
     }
 }
 
-/// One top and one motion.
+/// One top with one motion.
 #[derive(Clone, Debug)]
 pub struct Scenario {
     /// Name in reports.
     pub name: String,
-    /// The motion, with its top.
+    /// Motion, with its top.
     pub motion: Motion,
-    /// The state at t = 0, where the scenario gives one.
+    /// State at t = 0, where the scenario gives one.
     pub state: Option<State>,
-    /// Units of its numbers.
+    /// Units of the numbers.
     pub units: Units,
 }
 
-/// A scenario file is a dozen lines; something larger, MiB, is something else.
+/// Size of the largest scenario file, MiB; a usual one has a dozen lines.
 const LARGEST_FILE: u64 = 1;
 
 impl Scenario {
-    /// Reads a scenario file and names the scenario by it.
+    /// Scenario of a file, with the name of the file.
     ///
     /// # Errors
     /// [`Failure::Input`]: the file cannot be read, is larger than 1 MiB or not UTF-8, or as [`Scenario::parse`].
@@ -69,7 +69,7 @@ impl Scenario {
         Ok(scenario)
     }
 
-    /// Keys and values of a scenario file, as they stand there.
+    /// Keys and values of a scenario file.
     ///
     /// # Errors
     /// [`Failure::Input`]: the file cannot be read, is larger than 1 MiB or not UTF-8, or no TOML.
@@ -87,7 +87,7 @@ impl Scenario {
         top::read(&section(&file, "top", &Self::keys(path)?)?)
     }
 
-    /// Parses the text of a scenario file; `file` is its name in messages.
+    /// Scenario of the text of a file; `file` is its name in messages.
     ///
     /// # Errors
     /// [`Failure::Input`]: no TOML, or not the tables `[top]` and `[motion]` with exactly the keys they need, in range.

@@ -1,4 +1,4 @@
-//! The instants asked for: times or ticks on the command line, or a file of times.
+//! Times at which a motion is computed: times or ticks on the command line, or a file of times.
 
 use crate::Failure;
 use crate::cli::TimesArgs;
@@ -6,12 +6,12 @@ use crate::output::{shown, whole_file};
 use crate::sweep::axis::Axis;
 use std::path::Path;
 
-/// Instants in the order asked, at least one.
+/// Times in the order of the request, at least one.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Instants {
-    /// These times, s.
+    /// List of times, s.
     Times(Vec<f64>),
-    /// Times spread over a range, s, and how many.
+    /// Range over which times are spread, s, and their number.
     Spread(Axis, u64),
     /// Ticks of a clock.
     Ticks(Ticks),
@@ -21,14 +21,14 @@ pub enum Instants {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ticks {
     numbers: Numbers,
-    /// A ticks in B seconds.
+    /// Tick rate of A ticks in B seconds.
     pub rate: [u32; 2],
 }
 
 #[derive(Clone, Debug, PartialEq)]
 enum Numbers {
     List(Vec<i64>),
-    /// All from the first to the last.
+    /// All ticks from the first to the last.
     Run(i64, i64),
 }
 
@@ -46,7 +46,7 @@ impl Instants {
         }
     }
 
-    /// Time of one of them, s.
+    /// Time of this index, s.
     #[must_use]
     pub fn time(&self, index: u64) -> f64 {
         match self {
@@ -59,7 +59,7 @@ impl Instants {
         }
     }
 
-    /// All times, s.
+    /// List of all times, s.
     ///
     /// # Errors
     /// [`Failure::Input`]: too many to be held at once.
@@ -93,7 +93,7 @@ impl Instants {
 }
 
 impl Ticks {
-    /// Number of one of them.
+    /// Number of the tick of this index.
     #[must_use]
     pub fn number(&self, index: u64) -> i64 {
         match &self.numbers {
@@ -103,7 +103,7 @@ impl Ticks {
     }
 }
 
-/// The instants that are asked for.
+/// Times of the command line.
 ///
 /// # Errors
 /// [`Failure::Input`]: an unreadable file, an entry that is no finite number, or no tick.
@@ -119,7 +119,7 @@ pub fn read(arguments: &TimesArgs, rate: [u32; 2]) -> Result<Instants, Failure> 
     }
 }
 
-/// `LOW..HIGH/PLACES`.
+/// Times of a text `LOW..HIGH/PLACES`.
 fn evenly(spread: &str) -> Result<Instants, Failure> {
     const MOST: u32 = 1_000_000_000;
     let refused = |reason: &str| Failure::Input(format!("--times: {}: {reason}", shown(spread)));
@@ -130,7 +130,7 @@ fn evenly(spread: &str) -> Result<Instants, Failure> {
     }
 }
 
-/// `N1,N2,...` or `FIRST..LAST`.
+/// Tick numbers of a text `N1,N2,...` or `FIRST..LAST`.
 fn numbers(text: &str) -> Result<Numbers, Failure> {
     let refused = || {
         let allowed = "must be N1,N2,... or FIRST..LAST, whole numbers of 64 bits";
@@ -147,7 +147,7 @@ fn numbers(text: &str) -> Result<Numbers, Failure> {
     }
 }
 
-/// Some five million times, MiB.
+/// Size of the largest file of times, MiB: some five million times.
 const LARGEST_FILE: u64 = 64;
 
 fn from_file(path: &Path) -> Result<Vec<f64>, Failure> {

@@ -1,8 +1,8 @@
-//! What a tick in each scalar is worth, from the first to the 2^40th, and what it costs: the ephemeris against the truth to
-//! thirty digits.
+//! Errors of the ephemeris in each scalar at ticks 1 to 2^40, against the truth to thirty digits, and the cost of a tick.
 //!
-//! The motions are the built-in ones that nutate and whose tip slides, started at u = e₁, their numbers taken as exact. Ticks
-//! are a power of two a unit of time, at least a thousand a period and one a radian: tick 2^40 is some 10^9 periods on.
+//! The motions are the built-in ones that nutate and whose tip slides, launched at u = e₁ from numbers that are taken as exact. The number
+//! of ticks in a unit of time is a power of two, with at least a thousand ticks in a period and one in a radian, so that tick 2^40 comes
+//! after some 10^9 periods.
 
 mod cost;
 mod picture;
@@ -25,29 +25,29 @@ use toytop::{Motion, Regime, Start, Support};
 pub use cost::{CHIPS, Chip, Costs};
 pub use picture::picture;
 
-/// Ticks go up to 2 to this power.
+/// Binary logarithm of the last tick.
 pub const OCTAVES: u32 = 40;
 
-/// Ticks of each octave that are looked at, motion by motion.
+/// Number of ticks in each octave that are evaluated for each motion.
 const SAMPLES: u64 = 16;
 
 /// Errors over many ticks.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Errors {
-    /// The greatest 2 √(|Δα|² + |Δβ|²), rad.
+    /// Greatest orientation error 2 √(|Δα|² + |Δβ|²), rad.
     pub angle: f64,
-    /// The sum of the squares of the same, rad², and how many.
+    /// Sum of the squares of the orientation errors, rad², and their number.
     squares: (f64, u64),
-    /// The greatest |Δc|/s.
+    /// Greatest error of the tip, |Δc|/s.
     pub tip: f64,
-    /// The greatest ||α|² + |β|² - 1|.
+    /// Greatest error of the norm, ||α|² + |β|² - 1|.
     pub norm: f64,
-    /// The greatest error of h, from α, β and their rates, in units of its natural scale.
+    /// Greatest error of h as computed from α, β and their rates, in units of its natural scale.
     pub energy: f64,
 }
 
 impl Errors {
-    /// The root of the mean square of the orientation error, rad.
+    /// Root of the mean square of the orientation errors, rad.
     #[must_use]
     pub fn rms(&self) -> f64 {
         let (sum, count) = self.squares;
@@ -68,33 +68,33 @@ impl Errors {
     }
 }
 
-/// One scalar.
+/// Errors of one scalar.
 #[derive(Clone, Debug)]
 pub struct Accuracy {
-    /// Which.
+    /// Scalar of the ephemeris.
     pub scalar: Scalar,
-    /// Over ticks from 2^k to 2^(k+1) - 1 for k below [`OCTAVES`], and for tick 2^40.
+    /// Errors over the ticks from 2^k to 2^(k+1) - 1 for each k below [`OCTAVES`], and at tick 2^40.
     pub octaves: Vec<Errors>,
 }
 
 impl Accuracy {
-    /// Over all ticks.
+    /// Errors over all ticks.
     #[must_use]
     pub fn all(&self) -> Errors {
         self.up_to(OCTAVES)
     }
 
-    /// Over the ticks up to 2^k.
+    /// Errors over the ticks up to 2^k.
     #[must_use]
     pub fn up_to(&self, k: u32) -> Errors {
         self.octaves.iter().take(k as usize + 1).fold(Errors::default(), |all, &octave| all.and(octave))
     }
 }
 
-/// Measures each of the scalars on every motion.
+/// Errors of each of the scalars over all motions.
 ///
 /// # Errors
-/// None: the motions are valid, and fit.
+/// None: the motions are valid, and their tables are large enough.
 pub fn measured(scalars: &[Scalar]) -> Result<Vec<Accuracy>, Failure> {
     let motions = motions()?;
     let progress = Mutex::new(Progress::new(motions.len() as u64, "motions"));
@@ -105,7 +105,7 @@ pub fn measured(scalars: &[Scalar]) -> Result<Vec<Accuracy>, Failure> {
         }
         found
     };
-    // in the order of the motions, so that sums do not depend on who is ready first
+    // in the order of the motions, so that sums do not depend on the order in which threads finish
     let found: Vec<Vec<Vec<Errors>>> = thread_pool::of_all_cores()?
         .install(|| motions.par_iter().map(of_motion).collect::<Result<_, Failure>>())?;
     let nothing = || vec![Errors::default(); OCTAVES as usize + 1];
@@ -119,7 +119,7 @@ pub fn measured(scalars: &[Scalar]) -> Result<Vec<Accuracy>, Failure> {
     Ok(scalars.iter().enumerate().map(together).collect())
 }
 
-/// The numbers of the built-in motions that [`Exact`] knows how to follow.
+/// Numbers of the built-in motions that [`Exact`] can compute.
 fn motions() -> Result<Vec<Numbers>, Failure> {
     let numbers = |motion: Motion| {
         let (top, e) = (motion.top(), motion.branch_points());
@@ -138,7 +138,7 @@ fn motions() -> Result<Vec<Numbers>, Failure> {
     Ok(builtin::scenarios()?.into_iter().filter_map(|scenario| numbers(scenario.motion)).collect())
 }
 
-/// The errors of each scalar on a motion, octave by octave.
+/// Errors of each scalar on a motion, by octave.
 fn on(numbers: &Numbers, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motion = numbers.motion().map_err(|error| Failure::Input(format!("{numbers}: {error}")))?;
     let tables = scalars.iter().map(|&scalar| smallest(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
@@ -151,7 +151,7 @@ fn on(numbers: &Numbers, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure
         let mut tick = |_| {
             let more = if octave < OCTAVES { random.share() * first as f64 } else { 0.0 };
             let n = first + more as u64;
-            // exact: the rate is a power of two
+            // this quotient is exact, because the rate is a power of two
             let t = n as f64 / rate;
             (n as i64, t, truth.at(&(whole(n as i64) / precise(rate))))
         };

@@ -1,4 +1,4 @@
-//! The core's ephemeris with as many segments as a motion needs: what a command holds does not know the capacity.
+//! Ephemeris of the core with as many segments as a motion needs, behind a trait that hides scalar and capacity.
 
 mod batch;
 mod events;
@@ -21,9 +21,9 @@ use toytop::scalar::Float;
 use toytop::su2::OrientationRate;
 use toytop::{Complex, EphemerisScalar, EphemerisView, ErrorBound, Micromath, Orientation, Phase};
 
-/// An ephemeris of any scalar.
+/// Ephemeris of any scalar.
 pub trait AnyScalar: Send + Sync {
-    /// Segments, and coefficients of each polynomial.
+    /// Number of segments, and of coefficients of each polynomial.
     fn size(&self) -> [usize; 2];
 
     /// Upper bound on the orientation error, rad.
@@ -35,19 +35,19 @@ pub trait AnyScalar: Send + Sync {
     /// Sample of the motion t units of time after t = 0, t taken as exact.
     fn at(&self, t: f64) -> TimedSample;
 
-    /// Fills `out` with the components of a quantity at these times, time after time.
+    /// Writes the components of a quantity at each of these times to `out`.
     fn fill(&self, quantity: Quantity, times: &[f64], out: &mut [f64]);
 
-    /// Sample of the motion at tick n, as [`AnyScalar::at`] its time, which is `t`.
+    /// Sample of the motion at tick n, whose time is `t`.
     fn sample_at_tick(&self, n: i64, t: f64) -> TimedSample;
 
-    /// Orientation, u and tip at tick n, as an interrupt computes them: in the scalar's own arithmetic.
+    /// Orientation, u and tip at tick n in the arithmetic of the scalar, as an interrupt computes them.
     fn at_tick(&self, n: i64) -> TickSample;
 
     /// Rates at tick n.
     fn rates_at_tick(&self, n: i64) -> RateSample;
 
-    /// Events at tick `from` or later, at most so many, whose time and sense are wanted.
+    /// Events at tick `from` or later that `wanted` accepts by their time and sense, at most `count`.
     fn events(
         &self,
         sought: Sought,
@@ -56,7 +56,7 @@ pub trait AnyScalar: Send + Sync {
         most: usize,
     ) -> Vec<FoundEvent>;
 
-    /// Numbers of the table; `None` for a scalar that no other program reads.
+    /// Numbers of the table; `None` for a scalar whose tables cannot be written to a file.
     fn parts(&self) -> Option<Parts>;
 }
 
@@ -67,26 +67,27 @@ pub struct TickSample {
     pub orientation: Orientation<f64>,
     /// Cosine of the tilt.
     pub u: f64,
-    /// c/s = 2αβ.
+    /// Position of the tip in units of s, c/s = 2αβ.
     pub tip_over_s: Complex<f64>,
 }
 
-/// Everything that an ephemeris says of a time.
+/// Sample of an ephemeris at a time, with its phase and the rate of the orientation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimedSample {
-    /// α, β and u as the scalar has them; rates, tip and tip angle as its wide companion has them (`f32` beside fixed point).
+    /// α, β and u in the precision of the scalar; rates, tip and tip angle in that of its type for lengths and rates (`f32` for fixed
+    /// point).
     pub sample: Sample,
-    /// Φ', per unit time.
+    /// Rate Φ' of the orientation, per unit time.
     pub rate: OrientationRate<f64>,
     /// Nutation phase: one turn a nutation period, 0 at u = e₁.
     pub nutation_phase: Phase,
 }
 
-/// An ephemeris on the heap.
+/// Ephemeris on the heap.
 struct Boxed<R: EphemerisScalar>(Box<EphemerisView<R>>);
 
 impl<R: BoxedScalar> Boxed<R> {
-    /// Everything that is said of the sample at time t.
+    /// Sample at time t, with its phase and the rate of the orientation.
     fn timed(&self, t: f64, now: toytop::Sample<'_, R>) -> TimedSample {
         let (orientation, state) = (now.orientation(), now.attitude_state());
         let wide = |z: Complex<R::Wide>| cast::complex(z, |x| x.to_f64());
@@ -157,7 +158,7 @@ impl<R: BoxedScalar> AnyScalar for Boxed<R> {
     }
 }
 
-/// Angle in radians of a phase known modulo 2^32 turns, `near` a number of turns.
+/// Angle in radians of a phase known modulo 2^32 turns, nearest to `near`, a number of turns.
 fn unwrapped(phase: Phase, near: f64) -> f64 {
     const MODULUS: f64 = (1_u64 << 32) as f64;
     let turns = phase.to_f64();
@@ -168,11 +169,11 @@ fn exact<R: Into<f64>>(z: Complex<R>) -> Complex<f64> {
     cast::complex(z, Into::into)
 }
 
-/// Scalar that an ephemeris is made in here.
+/// Scalar of an ephemeris on the heap.
 trait BoxedScalar:
     EphemerisScalar<Segment: Send + Sync, Wide: Send + Sync> + Into<f64> + Send + Sync + 'static
 {
-    /// Numbers of a table; `None` for a scalar that no other program reads.
+    /// Numbers of a table; `None` for a scalar whose tables cannot be written to a file.
     fn parts(_: &EphemerisView<Self>) -> Option<Parts> {
         None
     }

@@ -1,9 +1,9 @@
-//! l, n and h from one orientation and one angular velocity, by the definitions of mechanics: none of the core's
-//! formulas, none of a motion's constants.
+//! First integrals l, n and h from one orientation and one angular velocity, by the definitions of mechanics, without formulas of the
+//! core and without constants of a motion.
 
 use toytop::{Complex, Motion, Top};
 
-/// (l, n, h): l = A ω₃ + ((C - A) ⟨ω, r⟩ + K) u and n = C ⟨ω, r⟩ + K in kg m²/s, h = T + V in kg m²/s².
+/// First integrals (l, n, h): l = A ω₃ + ((C - A) ⟨ω, r⟩ + K) u and n = C ⟨ω, r⟩ + K in kg m²/s, h = T + V in kg m²/s².
 #[must_use]
 pub fn first_integrals(top: &Top, alpha: Complex<f64>, beta: Complex<f64>, omega: [f64; 3]) -> [f64; 3] {
     let (a, c, p, g) = (top.transverse_inertia(), top.axial_inertia(), top.mass_moment(), top.gravity());
@@ -18,14 +18,14 @@ pub fn first_integrals(top: &Top, alpha: Complex<f64>, beta: Complex<f64>, omega
     [a * w3 + ((c - a) * axial + k) * u, c * axial + k, kinetic + p * g * u]
 }
 
-/// Scales of l, n and h: the greatest of the motion's own, of what the top's weight makes natural, √(2 A p g) and p g, and of √(2 A h),
-/// the momentum of a body that has all its energy in a motion of the axis.
+/// Scales of l, n and h: the greatest of the motion's own values, of the values √(2 A p g) and p g that belong to the top's weight, and
+/// of √(2 A h), the momentum of a body that has all its energy in a motion of the axis.
 #[must_use]
 pub fn natural_scales(motion: &Motion) -> [f64; 3] {
     let (top, constants) = (motion.top(), motion.first_integrals());
     let weight = top.mass_moment() * top.gravity();
     let a = top.transverse_inertia();
-    // a free body at rest has none of them
+    // for a free body at rest all of them are 0
     let energy = weight.max(constants.h.abs()).max(f64::MIN_POSITIVE);
     let momentum = (2.0 * a * weight).sqrt().max(constants.l.abs()).max(constants.n.abs());
     let momentum = if top.is_torque_free() { momentum.max((2.0 * a * energy).sqrt()) } else { momentum };

@@ -1,4 +1,4 @@
-//! The core's stepper taken to given times: in equal steps, with one shorter last step onto each time.
+//! Stepper of the core at given times: equal steps, and one shorter last step to each time.
 
 use crate::Failure;
 use crate::motion::cast;
@@ -9,51 +9,51 @@ use toytop::{AttitudeState, Complex, Motion, Orientation, Phase, Stepper};
 
 pub use toytop_page::constants::{natural_time, period};
 
-/// Everything `state` says about one instant, in `f64` whatever computed it.
+/// Motion at one time in `f64`, by any method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// The time, s.
+    /// Time, s.
     pub t: f64,
-    /// u, the cosine of the tilt.
+    /// Cosine u of the tilt.
     pub u: f64,
-    /// u', 1/s.
+    /// Rate u' of the cosine of the tilt, 1/s.
     pub udot: f64,
-    /// α.
+    /// Cayley-Klein parameter α.
     pub alpha: Complex<f64>,
-    /// β.
+    /// Cayley-Klein parameter β.
     pub beta: Complex<f64>,
-    /// ω in the fixed frame, rad/s.
+    /// Angular velocity ω in the fixed frame, rad/s.
     pub omega: [f64; 3],
-    /// c = 2 s αβ, m; 2 αβ for a fixed tip.
+    /// Position of the tip c = 2 s αβ, m; 2 αβ for a fixed tip.
     pub tip: Complex<f64>,
-    /// The tip angle continued from t = 0, rad; `None` where the axis is vertical for ever.
+    /// Tip angle continued from t = 0, rad; `None` where the axis is vertical at all times.
     pub phi: Option<f64>,
 }
 
 impl Sample {
-    /// A moment of the core.
+    /// Sample of an attitude state of the core at time t.
     #[must_use]
-    pub fn of<R: Real>(t: f64, pose: &AttitudeState<R>, tip: Complex<R>, phi: Option<f64>) -> Self {
+    pub fn of<R: Real>(t: f64, state: &AttitudeState<R>, tip: Complex<R>, phi: Option<f64>) -> Self {
         let widen = |z: Complex<R>| cast::complex(z, R::to_f64);
         Self {
             t,
-            u: pose.u().to_f64(),
-            udot: pose.udot().to_f64(),
-            alpha: widen(pose.orientation.alpha),
-            beta: widen(pose.orientation.beta),
-            omega: pose.omega().map(R::to_f64),
+            u: state.u().to_f64(),
+            udot: state.udot().to_f64(),
+            alpha: widen(state.orientation.alpha),
+            beta: widen(state.orientation.beta),
+            omega: state.omega().map(R::to_f64),
             tip: widen(tip),
             phi,
         }
     }
 
-    /// Φ.
+    /// Orientation Φ.
     #[must_use]
     pub fn orientation(&self) -> Orientation<f64> {
         Orientation { alpha: self.alpha, beta: self.beta }
     }
 
-    /// Where a stepper is.
+    /// Sample of a stepper at time t.
     #[must_use]
     pub fn stepped<R: Real>(t: f64, stepper: &Stepper<R>) -> Self {
         let phi = stepper.tip_angle().map(Phase::to_radians);
@@ -61,13 +61,13 @@ impl Sample {
     }
 }
 
-/// More than this is no answer in any useful time.
+/// Greatest number of steps that is computed.
 const MOST_STEPS: f64 = 1e10;
 
-/// How many steps of size `step` it takes to reach all of `times`.
+/// Number of steps of size `step`, s, that reach all of `times`.
 ///
 /// # Errors
-/// [`Failure::Input`]: more than 10^10.
+/// [`Failure::Input`]: there would be more than 10^10 steps.
 pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
     let furthest = |sign: f64| times.iter().fold(0.0_f64, |most, t| most.max(sign * t));
     let steps = (furthest(1.0) + furthest(-1.0)) / step + times.len() as f64;
@@ -80,11 +80,11 @@ pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
     }
 }
 
-/// Goes through `times` in two sweeps away from t = 0, one forwards and one backwards, each from `start`; the results
-/// are in the order of `times`.
+/// Results of `reach` at `times`, in their order. The times are visited in two passes away from t = 0, one forward and one backward,
+/// each beginning with `start`.
 ///
 /// # Errors
-/// The first that `reach` returns.
+/// The first error that `reach` returns.
 pub fn visit_times<S, T>(
     times: &[f64],
     start: impl Fn() -> S,
@@ -104,22 +104,22 @@ pub fn visit_times<S, T>(
     Ok(results.into_iter().map(|(_, result)| result).collect())
 }
 
-/// A stepper that knows the time it has truly gone through: every dt as rounded to its scalar, summed exactly enough
-/// that no digit of a time in `f64` is lost.
+/// Stepper with the elapsed time, the sum of all time steps as rounded to its scalar. The sum is exact enough to keep every digit of a
+/// time in `f64`.
 #[derive(Debug)]
 pub struct TimedStepper<R> {
     stepper: Stepper<R>,
-    /// h > 0 as the scalar has it.
+    /// Step size h > 0, rounded to the scalar.
     step: R,
     elapsed: Extended,
-    /// The last time asked for.
+    /// Last requested time, s.
     target: f64,
     steps: u64,
     stepping: Duration,
 }
 
 impl<R: Real> TimedStepper<R> {
-    /// At t = 0, to go on in steps of h = `step` in s.
+    /// Stepper at t = 0 with steps of h = `step`, s.
     #[must_use]
     pub fn new(motion: &Motion, step: f64) -> Self {
         let stepper = Stepper::new(motion);
@@ -127,8 +127,8 @@ impl<R: Real> TimedStepper<R> {
         Self { stepper, step: R::from_f64(step), elapsed, target: 0.0, steps: 0, stepping }
     }
 
-    /// Steps to `t` in s, in either direction: whole steps counted from where it is, then one shorter one that lands.
-    /// What the landing step's own rounding leaves over is part of [`Self::elapsed`], and the next landing makes it good.
+    /// Steps to the time `t`, s, in either direction: whole steps, then one shorter last step. [`Self::elapsed`] contains the rounding
+    /// of the last step, and the next last step corrects it.
     pub fn reach(&mut self, t: f64, progress: &mut Progress) {
         if t == self.target {
             return;
@@ -143,7 +143,7 @@ impl<R: Real> TimedStepper<R> {
             for _ in 0..batch {
                 self.stepper.step(step);
             }
-            // batch x step is exact in extended precision
+            // the product of batch and step is exact in extended precision
             self.elapsed = self.elapsed + Extended::product(batch as f64, step.to_f64());
             self.steps += batch;
             left -= batch;
@@ -158,32 +158,32 @@ impl<R: Real> TimedStepper<R> {
         self.stepping += started.elapsed();
     }
 
-    /// The stepper.
+    /// Stepper at the elapsed time.
     #[must_use]
     pub fn stepper(&self) -> &Stepper<R> {
         &self.stepper
     }
 
-    /// The time gone through, s.
+    /// Elapsed time, s.
     #[must_use]
     pub fn elapsed(&self) -> f64 {
         self.elapsed.to_f64()
     }
 
-    /// Steps made.
+    /// Number of steps.
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// Wall time spent in them.
+    /// Wall time of the steps.
     #[must_use]
     pub fn stepping(&self) -> Duration {
         self.stepping
     }
 }
 
-/// Steps between two looks at the clock.
+/// Steps between two readings of the clock.
 const BATCH: u64 = 1 << 16;
 
 #[cfg(test)]
@@ -204,8 +204,7 @@ mod tests {
         Motion::from_branch_points(&top, [0.2, 0.8, 1.5], Signs::default(), &Start::default()).unwrap()
     }
 
-    /// After a million landings the elapsed time is still the time asked for: to the last bit in f64, to the rounding of
-    /// one landing step in f32.
+    /// Greatest difference of elapsed and requested time over a million requests, s: 0 in f64, the rounding of one last step in f32.
     fn greatest_gap<R: Real>() -> f64 {
         let step = period(&motion()) / 4096.0;
         let mut stepper = TimedStepper::<R>::new(&motion(), step);
@@ -219,14 +218,14 @@ mod tests {
     }
 
     #[test]
-    fn landings_lose_no_time() {
+    fn elapsed_time_is_the_requested_time() {
         assert_eq!(greatest_gap::<f64>(), 0.0);
         let single = greatest_gap::<f32>();
         assert!(single > 1e-9 && single < 1e-7, "{single:e}");
     }
 
     #[test]
-    fn a_time_asked_twice_is_one_place() {
+    fn a_time_requested_twice_is_reached_once() {
         let mut stepper = TimedStepper::<f32>::new(&motion(), 0.01);
         let mut progress = Progress::new(0, "steps");
         for i in 1..100 {
@@ -246,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sweep_goes_outwards_and_answers_in_the_order_asked() {
+    fn times_are_visited_outwards_and_returned_in_the_order_of_the_request() {
         let mut visited = Vec::new();
         let results = visit_times(
             &[2.0, -1.0, 0.5, -3.0, 2.0],

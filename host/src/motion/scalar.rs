@@ -12,15 +12,15 @@ pub enum Scalar {
     Q31,
     /// Fixed point of 16 bits
     Q15,
-    /// Single precision with the sines and roots of the crate micromath, to compare with
+    /// Single precision with the sines and roots of the crate micromath, for comparison
     Micromath,
 }
 
 impl Scalar {
-    /// All there are.
+    /// All scalar types.
     pub const ALL: [Self; 5] = [Self::F64, Self::F32, Self::Q31, Self::Q15, Self::Micromath];
 
-    /// Its name on the command line.
+    /// Name on the command line.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

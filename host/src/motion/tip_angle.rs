@@ -1,4 +1,4 @@
-//! Tip angle of methods that know only orientations: the argument of the tip, continued by the ephemeris' tip angle.
+//! Tip angle of methods that compute only orientations: the argument of the tip, continued by means of the ephemeris.
 
 use crate::Failure;
 use crate::motion::Scalar;
@@ -8,7 +8,7 @@ use toytop::{Complex, Motion, TipClass};
 
 /// Tip angle of a motion at any time, to a few roundings of `f64`.
 pub struct TipAngle {
-    /// `None` where the axis is vertical for ever.
+    /// Ephemeris of the motion; `None` where the axis is vertical at all times.
     ephemeris: Option<Box<dyn AnyScalar>>,
     /// Angle by which the argument of αβ is ambiguous: half a turn where the curve reaches the centre, whose radius is signed.
     unit: f64,
@@ -37,7 +37,7 @@ impl TipAngle {
     }
 }
 
-/// x less the nearest multiple of `unit`.
+/// Difference of x and the nearest multiple of `unit`.
 fn remainder(x: f64, unit: f64) -> f64 {
     x - unit * (x / unit).round()
 }

@@ -1,6 +1,6 @@
-//! Bytes as text: base 64 (RFC 4648).
+//! Base 64 (RFC 4648): bytes as text.
 
-/// Digits by their value.
+/// Digits, in the order of their values.
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 /// Bytes in base 64, padded.

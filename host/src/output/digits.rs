@@ -1,6 +1,6 @@
-//! A number with 17 significant digits, as `{:.16e}` writes it, several times as fast.
+//! Numbers with 17 significant digits, as `{:.16e}` writes them, but several times as fast.
 
-/// Powers of five of which a product with 53 bits fits into 128: 5⁰ to 5³².
+/// Powers 5⁰ to 5³² of five, whose products with a number of 53 bits have at most 128 bits.
 const POWERS_OF_5: [u128; 33] = {
     let mut powers = [1; 33];
     let mut k = 1;
@@ -11,7 +11,7 @@ const POWERS_OF_5: [u128; 33] = {
     powers
 };
 
-/// Appends a number with 17 significant digits; no -0.
+/// Appends a number with 17 significant digits; -0 is written as 0.
 pub fn push(text: &mut Vec<u8>, x: f64) {
     match digits(x.abs()) {
         Some((digits, exponent)) => {
@@ -44,7 +44,7 @@ fn push_digits(text: &mut Vec<u8>, mut digits: u64, exponent: i32) {
     text.push(b'0' + size % 10);
 }
 
-/// The 17 digits of a number from 1e-16 to 2^53 as a whole number, correctly rounded, and the decimal exponent of the first.
+/// Digits of a number from 1e-16 to 2^53, correctly rounded, as a whole number of 17 digits, and the decimal exponent of the first digit.
 fn digits(x: f64) -> Option<(u64, i32)> {
     const LEAST: u64 = 10_u64.pow(16);
     if !(1e-16..9e15).contains(&x) {

@@ -1,21 +1,21 @@
-//! What a command writes into a page: between the lines `<!-- toytop COMMAND: NAME -->` and `<!-- end of NAME -->`, the rest
-//! of the page untouched.
+//! Parts of a page that a command writes, between the lines `<!-- toytop COMMAND: NAME -->` and `<!-- end of NAME -->`. The rest of the
+//! page does not change.
 
 use crate::Failure;
 
 use crate::output::whole_file;
 use std::path::Path;
 
-/// The two lines of a mark, `toytop COMMAND: NAME`.
+/// Lines of a mark `toytop COMMAND: NAME`, which begin and end the part.
 fn lines(mark: &str) -> [String; 2] {
     let name = mark.split_once(": ").map_or(mark, |(_, name)| name);
     [format!("<!-- {mark} -->\n"), format!("<!-- end of {name} -->\n")]
 }
 
-/// The text with this body at its place.
+/// Text with this body between the lines of the mark.
 ///
 /// # Errors
-/// [`Failure::Input`]: it has no such place.
+/// [`Failure::Input`]: the text does not contain the lines.
 pub fn with(text: &str, mark: &str, body: &str) -> Result<String, Failure> {
     let [begin, end] = lines(mark);
     let parts = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
@@ -25,7 +25,7 @@ pub fn with(text: &str, mark: &str, body: &str) -> Result<String, Failure> {
     Ok(format!("{before}{begin}\n{body}\n{end}{after}"))
 }
 
-/// Whether the page can be written: before hours of work, not after.
+/// Check that the page can be written, before a computation that takes long.
 ///
 /// # Errors
 /// As [`write()`].
@@ -33,16 +33,16 @@ pub fn check(path: &Path, option: &str, mark: &str) -> Result<(), Failure> {
     with(&read(path, option)?, mark, "").map(|_| ()).map_err(|error| named(error, option, path))
 }
 
-/// Writes this body into a page.
+/// Writes this body into a page, between the lines of the mark.
 ///
 /// # Errors
-/// [`Failure::Input`], with the option that named the page: it cannot be read or written, or has no place for it.
+/// [`Failure::Input`], with the option that named the page: it cannot be read or written, or does not contain the lines.
 pub fn write(path: &Path, option: &str, mark: &str, body: &str) -> Result<(), Failure> {
     let page = with(&read(path, option)?, mark, body).map_err(|error| named(error, option, path))?;
     whole_file::write(option, path, page.as_bytes())
 }
 
-/// MiB.
+/// Size of the largest page, MiB.
 const LARGEST_PAGE: u64 = 16;
 
 fn read(path: &Path, option: &str) -> Result<String, Failure> {
@@ -53,7 +53,7 @@ fn named(error: Failure, option: &str, path: &Path) -> Failure {
     error.of(&format!("{option}: {}", path.display()))
 }
 
-/// A header and rows as Markdown.
+/// Table in Markdown, whose first row is the header.
 pub fn table(rows: &[Vec<String>]) -> String {
     let line = |cells: &Vec<String>| format!("| {} |\n", cells.join(" | "));
     let Some((header, rows)) = rows.split_first() else { return String::new() };

@@ -1,28 +1,28 @@
-//! A bar on stderr for what takes over a second; nothing where stderr is no terminal.
+//! Progress bar on stderr for work that takes more than a second; there is none where stderr is no terminal.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, Write, stderr};
 use std::time::{Duration, Instant};
 
-/// Work done, out of a known total.
+/// Progress of work with a known total.
 #[derive(Debug)]
 pub struct Progress {
     bar: ProgressBar,
     started: Instant,
     possible: bool,
-    /// Where stderr is no terminal and a log is wanted: the time of the last line.
+    /// Time of the last line; `None` where stderr is a terminal, or no lines are wanted.
     lines: Option<Instant>,
     unit: &'static str,
 }
 
-/// Time between two lines.
+/// Time between two lines of a log.
 const BETWEEN_LINES: Duration = Duration::from_secs(30);
 
-/// Work that is done sooner shows no bar.
+/// Time before the bar is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 impl Progress {
-    /// `total` units of work ahead, named by `unit`. Nothing is drawn yet.
+    /// Progress of `total` units of work, named `unit`.
     #[must_use]
     pub fn new(total: u64, unit: &'static str) -> Self {
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
@@ -34,7 +34,7 @@ impl Progress {
         Self { bar, started: Instant::now(), possible: stderr().is_terminal(), lines: None, unit }
     }
 
-    /// Progress as of [`Progress::new`]; where stderr is no terminal, it writes a line every half minute, for a log.
+    /// Progress as from [`Progress::new`], which writes a line every half minute where stderr is no terminal.
     #[must_use]
     pub fn logged(total: u64, unit: &'static str) -> Self {
         let mut progress = Self::new(total, unit);
@@ -42,7 +42,7 @@ impl Progress {
         progress
     }
 
-    /// So much more is done.
+    /// Adds units of finished work.
     pub fn add(&mut self, units: u64) {
         self.bar.inc(units);
         if let Some(last) = &mut self.lines

@@ -1,6 +1,6 @@
-//! Progress that nobody sees, for a library that is built without the command line.
+//! Progress without a display, for a library that is built without the command line.
 
-/// Work done, which is not counted.
+/// Progress that is not shown.
 #[derive(Clone, Copy, Debug)]
 pub struct Progress;
 
@@ -11,6 +11,6 @@ impl Progress {
         Self
     }
 
-    /// So much more is done.
+    /// Adds units of finished work.
     pub fn add(&mut self, _units: u64) {}
 }

@@ -1,4 +1,4 @@
-//! A file that is either there as a whole or not at all, and one that is not read without end.
+//! Files that are written completely or not at all, and files that are read up to a limit.
 
 use crate::Failure;
 use std::ffi::{OsStr, OsString};
@@ -7,20 +7,20 @@ use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// Writes beside the file, then renames: who reads it never sees a half. What is no file (a device, a pipe) is written to as
-/// it is, and stays; a link is followed.
+/// Writes a file under a hidden name and then renames it, so that no reader sees half a file. A device or a pipe is written to directly.
+/// A link is followed.
 ///
 /// # Errors
-/// [`refused`], with `option` and the file in front; nothing is left behind. Who is killed on the way leaves a hidden file, which
-/// the next to write the same file removes.
+/// The failures of [`refused`], which name `option` and the file; the hidden file is then removed. A process that is killed leaves the
+/// hidden file, which the next process that writes the same file removes.
 pub fn write(option: &str, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     write_by(option, path, |file| file.write_all(bytes))
 }
 
-/// Writes a file from a function, for content that is not held in memory as a whole.
+/// Writes a file by a function, for content that is not completely in memory.
 ///
 /// # Errors
-/// As [`write()`], and what `fill` returns.
+/// The failures of [`write()`], and those that `fill` returns.
 pub fn write_by(
     option: &str,
     path: &Path,
@@ -44,18 +44,18 @@ fn write_whole(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> i
     let beside = path.with_file_name(hidden);
     let written = File::create(&beside).and_then(|mut file| {
         fill(&mut file)?;
-        // who may read and write the new file is who might the old one
+        // the new file has the permissions of the old one
         there.map_or(Ok(()), |there| fs::set_permissions(&beside, there.permissions()))?;
         fs::rename(&beside, &path)
     });
     if written.is_err() {
-        // it may not exist at all
+        // the old file may not exist
         let _ = fs::remove_file(&beside);
     }
     written
 }
 
-/// Target of a path, also where it does not exist yet.
+/// Target of a path, which may not exist yet.
 fn followed(path: &Path) -> PathBuf {
     fs::canonicalize(path).unwrap_or_else(|_| match fs::read_link(path) {
         Ok(target) => path.with_file_name(".").join(target),
@@ -63,8 +63,8 @@ fn followed(path: &Path) -> PathBuf {
     })
 }
 
-/// What others have begun and not ended: such a file lives for as long as its bytes take to be written. Who cannot remove it, or
-/// look, can still write.
+/// Removes hidden files that other processes have begun and not finished. A failure to do so is ignored, because the file can be written
+/// all the same.
 fn remove_leftovers(path: &Path, hidden: &OsStr) {
     let beside = fs::read_dir(path.with_file_name(".")).into_iter().flatten().flatten();
     for entry in beside {
@@ -79,10 +79,10 @@ fn remove_leftovers(path: &Path, hidden: &OsStr) {
     }
 }
 
-/// No writer takes as long between two of its bytes.
+/// Longest time between two writes of a process that is still running.
 const LONGEST_WRITE: Duration = Duration::from_secs(60);
 
-/// A path that is wrong is bad input; a disk that is full, or fails, is not.
+/// Failure for an error of a file: bad input for a wrong path, otherwise an output that cannot be written, such as a full disk.
 pub fn refused(option: &str, path: &Path, error: io::Error) -> Failure {
     let message = format!("{option}: {}: {error}", path.display());
     match error.kind() {
@@ -96,10 +96,10 @@ pub fn refused(option: &str, path: &Path, error: io::Error) -> Failure {
     }
 }
 
-/// The device failed.
+/// Error number of a device that failed.
 const EIO: i32 = 5;
 
-/// The text of a file of at most so many MiB.
+/// Text of a file of at most `most_mebibytes` MiB.
 ///
 /// # Errors
 /// [`Failure::Input`] with `name` in front: it cannot be read, is larger, or is not UTF-8.
@@ -121,7 +121,7 @@ mod tests {
     use super::*;
     use std::os::unix::fs::{PermissionsExt, symlink};
 
-    /// A link to nothing gets its target; a file that only its owner may read stays so.
+    /// A link to a missing file creates its target, and the permissions of a file are kept.
     #[test]
     fn links_and_modes_are_kept() {
         let folder = std::env::temp_dir().join(format!("toytop_whole_file_{}", std::process::id()));

@@ -5,7 +5,7 @@ use crate::input::scenario::Units;
 use crate::motion::propagate::Sample;
 use toytop::Support;
 
-/// A group of columns.
+/// Quantity of a sample: a group of columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 #[value(rename_all = "snake_case")]
 pub enum Column {
@@ -15,13 +15,13 @@ pub enum Column {
     U,
     /// Rate of u
     Udot,
-    /// α
+    /// Cayley-Klein parameter α
     Alpha,
-    /// β
+    /// Cayley-Klein parameter β
     Beta,
-    /// γ = -β̄
+    /// Cayley-Klein parameter γ = -β̄
     Gamma,
-    /// δ = ᾱ
+    /// Cayley-Klein parameter δ = ᾱ
     Delta,
     /// Angular velocity in the fixed frame
     Omega,
@@ -29,19 +29,19 @@ pub enum Column {
     Tip,
     /// Tip angle, continued from t = 0
     Phi,
-    /// w,x,y,z: unit quaternion from body to fixed coordinates
+    /// Unit quaternion w,x,y,z from body to fixed coordinates
     Quaternion,
-    /// Unit vector along the axis, upwards from the tip
+    /// Unit vector along the axis, from the tip to the centre of mass
     Axis,
     /// Angular velocity in the body frame
     OmegaBody,
-    /// tilt,azimuth,roll: those of a scenario's release, rad
+    /// Angles tilt,azimuth,roll of a release, rad
     Angles,
     /// Euler angles of the sequence z-x-z, rad
     EulerZxz,
 }
 
-/// The columns where nothing else is asked for.
+/// Columns without `--columns`.
 pub const DEFAULT_COLUMNS: &str = "t,u,udot,alpha,beta,gamma,delta,omega,tip,phi";
 
 impl Column {

@@ -1,9 +1,9 @@
-//! Rows as a NumPy file: a structured array of one dimension, `numpy.load(FILE)["omega_x"]`.
+//! Rows as a NumPy file: a structured array of one dimension, read by `numpy.load(FILE)["omega_x"]`.
 
 use super::sheet::Sheet;
 use crate::motion::propagate::Sample;
 
-/// Beginning of a file with so many rows (format 1.0: magic, length, and a Python literal that ends at a multiple of 64 bytes).
+/// Header of a file with this many rows (format 1.0: magic, length, and a Python literal that ends at a multiple of 64 bytes).
 #[must_use]
 pub fn header(sheet: &Sheet, rows: u64) -> Vec<u8> {
     const BEFORE: usize = 10;
@@ -14,7 +14,7 @@ pub fn header(sheet: &Sheet, rows: u64) -> Vec<u8> {
     }
     text.push('\n');
     let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
-    // some hundred bytes
+    // the header has some hundred bytes, so its length fits 16 bits
     bytes.extend_from_slice(&(text.len() as u16).to_le_bytes());
     bytes.extend_from_slice(text.as_bytes());
     bytes

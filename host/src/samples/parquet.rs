@@ -1,4 +1,4 @@
-//! Rows as Parquet: a column of doubles for each number, null for what does not exist.
+//! Rows as Parquet: a column of doubles for each number, with null where the number does not exist.
 
 use super::sheet::Sheet;
 use crate::motion::propagate::Sample;
@@ -11,13 +11,13 @@ use parquet::schema::parser::parse_message_type;
 use std::io::{self, Write};
 use std::sync::Arc;
 
-/// Numbers of a group of rows: what is held in memory, some 32 MB.
+/// Numbers in a group of rows, which is in memory at once: some 32 MB.
 const NUMBERS: u64 = 1 << 22;
 
-/// Writes so many rows.
+/// Writes this many rows.
 ///
 /// # Errors
-/// Those of the writer.
+/// The errors of the writer.
 pub fn write(
     sheet: &Sheet,
     count: u64,

@@ -1,4 +1,4 @@
-//! Rows of chosen columns as CSV, JSON, or a table for reading.
+//! Rows of chosen columns as CSV, JSON or an aligned table.
 
 use super::column::Column;
 use crate::input::scenario::Units;
@@ -6,7 +6,7 @@ use crate::motion::propagate::Sample;
 use crate::output::{self, digits, number};
 use toytop::Support;
 
-/// Which columns rows have, and what their numbers mean.
+/// Columns of the rows, and the units of their numbers.
 #[derive(Clone, Debug)]
 pub struct Sheet {
     /// Columns in their order.
@@ -32,7 +32,7 @@ impl Sheet {
         self.columns.iter().flat_map(of_column).collect()
     }
 
-    /// Numbers of a row; NaN stands for what does not exist.
+    /// Numbers of a row; NaN stands for a number that does not exist.
     pub fn numbers(&self, sample: &Sample, numbers: &mut Vec<f64>) {
         numbers.clear();
         self.columns.iter().for_each(|column| column.push(sample, numbers));
@@ -84,7 +84,7 @@ impl Sheet {
         text.push(b'}');
     }
 
-    /// A block of lines for reading: with all digits, one line would not fit any screen.
+    /// Sample as a block of lines, because one line with all digits would be too long for a screen.
     #[must_use]
     pub fn block(&self, sample: &Sample) -> String {
         let most = self.columns.iter().map(|column| column.names().len()).max().unwrap_or(0);

@@ -1,4 +1,4 @@
-//! Rows written as they are computed: block after block, each on all cores, so that memory does not grow with their number.
+//! Rows that are written while they are computed, block after block on all cores, so that memory does not grow with their number.
 
 use crate::Failure;
 use crate::output::progress::Progress;
@@ -8,7 +8,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 
-/// Rows of a block, which one core encodes.
+/// Rows of a block, which one thread encodes.
 const BLOCK: u64 = 1024;
 /// Blocks between two writes.
 const BLOCKS: u64 = 32;
@@ -16,10 +16,10 @@ const BLOCKS: u64 = 32;
 /// Encoder of a row, from the row's number, numbers to work with, and the bytes to append to.
 pub type Encode<'a> = dyn Fn(u64, &mut Vec<f64>, &mut Vec<u8>) + Sync + 'a;
 
-/// Writes so many rows in order.
+/// Writes this many rows in order.
 ///
 /// # Errors
-/// Those of the writer.
+/// The errors of the writer.
 pub fn rows(cores: &ThreadPool, count: u64, encode: &Encode<'_>, out: &mut dyn Write) -> io::Result<()> {
     let mut progress = Progress::new(count, "rows");
     for first in (0..count).step_by((BLOCK * BLOCKS) as usize) {
@@ -38,10 +38,10 @@ pub fn rows(cores: &ThreadPool, count: u64, encode: &Encode<'_>, out: &mut dyn W
     out.flush()
 }
 
-/// Lets `fill` write a file as a whole, or stdout. A reader of stdout that has seen enough (`| head`) is no failure.
+/// Output that `fill` writes: a complete file, or stdout. A reader that closes stdout early (`| head`) is no failure.
 ///
 /// # Errors
-/// As [`whole_file::write_by`], or [`Failure::Output`] of stdout.
+/// The failures of [`whole_file::write_by`], or [`Failure::Output`] for stdout.
 pub fn to(
     path: Option<&Path>,
     fill: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,

@@ -1,6 +1,6 @@
 //! Drift of l, n and h along a trajectory.
 //!
-//! They need the angular velocity. A file that has it is taken at its word. From orientations alone it follows by differences of
+//! They need the angular velocity. If a file has it, it is used without a check. From orientations alone it follows by differences of
 //! the error, not of the motion: with Φ = exp(ε) Φ₀, where Φ₀ is the exact motion,
 //!
 //! ```text
@@ -21,7 +21,7 @@ use toytop::{Motion, Orientation};
 pub struct Drift {
     /// Drift of l and n in units of the greatest of |l|, |n| and √(2 A p g), and of h in units of the greater of |h| and p g.
     pub integrals: Option<[f64; 3]>,
-    /// Where the angular velocity is from.
+    /// Source of the angular velocity.
     pub from: Option<RateSource>,
     /// Greatest change of the drifts if five rows are used for differences instead of seven.
     pub uncertainty: Option<f64>,
@@ -86,7 +86,7 @@ struct ErrorAt {
     t: f64,
     orientation: Orientation<f64>,
     epsilon: Vector3<f64>,
-    /// exp(ε) ω₀.
+    /// Rotated angular velocity exp(ε) ω₀.
     carried: Vector3<f64>,
 }
 
@@ -98,7 +98,7 @@ impl ErrorAt {
         Self { t: row.t, orientation: row.orientation, epsilon: epsilon.into(), carried }
     }
 
-    /// ω in the fixed frame, given ε'.
+    /// Angular velocity ω in the fixed frame for this ε'.
     fn omega(&self, slope: Vector3<f64>) -> Vector3<f64> {
         let (angle, once) = (self.epsilon.norm(), self.epsilon.cross(&slope));
         let [first, second] = if angle < 1e-2 {
@@ -111,7 +111,7 @@ impl ErrorAt {
     }
 }
 
-/// ε' in the middle of an odd number of rows: the slope of the polynomial through them.
+/// Derivative ε' in the middle of an odd number of rows, by the polynomial through them.
 fn slope(window: &[ErrorAt]) -> Vector3<f64> {
     let m = window.len() / 2;
     let t = |i: usize| window[i].t - window[m].t;
@@ -129,7 +129,7 @@ fn slope(window: &[ErrorAt]) -> Vector3<f64> {
 mod tests {
     use super::*;
 
-    /// ε(t) = a t + b t³ on uneven rows, and Φ₀ = 1: ω against a difference quotient of Φ itself.
+    /// For ε(t) = a t + b t³ on uneven rows and Φ₀ = 1, ω agrees with a difference quotient of Φ.
     #[test]
     fn the_angular_velocity_of_a_known_error() {
         let (a, b) = (Vector3::new(0.4, -0.7, 0.2), Vector3::new(-0.3, 0.1, 0.9));

@@ -9,7 +9,7 @@ use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyScalar, furthest_time, smallest, ticks_per_time};
 use toytop::{Motion, Orientation};
 
-/// The exact motion that trajectories are compared with.
+/// Exact motion that trajectories are compared with.
 pub struct Judge<'a> {
     motion: &'a Motion,
     table: Box<dyn AnyScalar>,
@@ -20,7 +20,7 @@ pub struct Judge<'a> {
 pub struct Score {
     /// Greatest error of the orientation, 2 √(|Δα|² + |Δβ|²) with the nearer sign, rad.
     pub max_error: f64,
-    /// Root of the mean square of the same, rad.
+    /// Root of the mean square of the orientation errors, rad.
     pub rms_error: f64,
     /// Error of the orientation in the last row, rad.
     pub final_error: f64,
@@ -39,7 +39,7 @@ pub struct Score {
 }
 
 impl<'a> Judge<'a> {
-    /// Judge by the motion of a scenario: its ephemeris in `f64`.
+    /// Exact motion of a scenario, by its ephemeris in `f64`.
     ///
     /// # Errors
     /// [`Failure::Method`]: no ephemeris is large enough.
@@ -52,7 +52,7 @@ impl<'a> Judge<'a> {
     /// Errors of a trajectory.
     ///
     /// # Errors
-    /// [`Failure::Input`]: a time beyond the reach of the ephemeris.
+    /// [`Failure::Input`]: a time at which the ephemeris cannot be evaluated.
     pub fn score(&self, trajectory: &Trajectory) -> Result<Score, Failure> {
         let rows = &trajectory.rows;
         let furthest = rows.iter().map(|row| row.t.abs()).fold(0.0, f64::max);
@@ -83,7 +83,7 @@ impl<'a> Judge<'a> {
         })
     }
 
-    /// A first row that is far from the motion was most often written by another convention.
+    /// Likely reason why the first row is far from the motion, most often another convention; `None` if it is near.
     fn doubt(&self, first: &Row) -> Option<String> {
         const FAR: f64 = 0.01;
         let exact = self.table.at(first.t).sample.orientation();

@@ -10,8 +10,8 @@ pub fn between([coarse_step, coarse_error]: [f64; 2], [fine_step, fine_error]: [
 
 /// Order fitted by least squares to runs \[step, error\].
 ///
-/// A run with an error above half a radian has lost the motion. Towards small steps the fit ends where rounding begins: where the
-/// order between two runs falls below seven tenths of the order before, or below 1/2. `None` if fewer than two runs are left.
+/// Runs with an error above half a radian are left out. Towards small steps the fit ends where rounding dominates: where the
+/// order between two runs is below seven tenths of the order before, or below 1/2. `None` if fewer than two runs remain.
 #[must_use]
 pub fn fitted(runs: &[[f64; 2]]) -> Option<f64> {
     const LOST: f64 = 0.5;

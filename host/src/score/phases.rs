@@ -1,6 +1,6 @@
-//! Phase errors of a trajectory, for nutation, precession and spin apart.
+//! Phase errors of a trajectory for nutation, precession and spin.
 //!
-//! An exact motion goes round a torus with three angles that advance at constant rates: the nutation phase θ (one turn a nutation
+//! An exact motion is a function of three angles on a torus, which advance at constant rates: the nutation phase θ (one turn in a nutation
 //! period), the mean azimuth ψ of the axis and the mean rotation φ of the body about it. The orientation at other angles is
 //!
 //! ```text
@@ -8,7 +8,7 @@
 //! ```
 //!
 //! with the mean rates A' and B' of arg α and arg β. The phase errors are the Δθ, Δψ and Δφ that bring this closest to a trajectory,
-//! in the least squares of the rows of one nutation period. What distance then remains no phase explains: the trajectory is on another
+//! by least squares over the rows of one nutation period. The distance that remains is not a phase error: the trajectory is on another
 //! torus, with other values of l, n, h.
 
 use super::rotation_between;
@@ -28,7 +28,7 @@ pub struct PhaseErrors {
     pub precession: Option<f64>,
     /// Spin phase error Δφ, rad; where the axis is vertical, that of the whole rotation.
     pub spin: Option<f64>,
-    /// Root of the mean square of the rotation that no phase error explains, rad.
+    /// Root of the mean square of the rotation that remains after the phase errors are removed, rad.
     pub residual: Option<f64>,
 }
 
@@ -43,7 +43,7 @@ pub struct Fit<'a> {
     exist: [bool; 3],
 }
 
-/// Rows of a fit at least.
+/// Least number of rows of a fit.
 const LEAST_ROWS: usize = 8;
 
 impl<'a> Fit<'a> {
@@ -64,7 +64,7 @@ impl<'a> Fit<'a> {
     }
 
     /// Phase errors over the last nutation period of the rows (the last eight rows, if these take longer). The fit goes through the
-    /// periods before it one by one, so that errors of more than half a turn are followed.
+    /// periods before it one by one, so that errors of more than half a turn are recognised.
     #[must_use]
     pub fn last(&self, rows: &[Row]) -> PhaseErrors {
         let mut angles = Vector3::zeros();
@@ -91,7 +91,7 @@ impl<'a> Fit<'a> {
         windows
     }
 
-    /// Gauss-Newton iteration from a first guess: the angles, and the root of the mean square of what they leave.
+    /// Angles by Gauss-Newton iteration from a first guess, and the root of the mean square of the remaining rotation.
     fn fitted(&self, rows: &[Row], mut angles: Vector3<f64>) -> (Vector3<f64>, Option<f64>) {
         const MOST: usize = 20;
         const ENOUGH: f64 = 1e-3;
@@ -108,7 +108,7 @@ impl<'a> Fit<'a> {
             let Some(factors) = gram.cholesky() else { return (angles, None) };
             let step = factors.solve(&right);
             angles += step;
-            // what is left after a small step is left to first order
+            // after a small step, the remaining rotation is known to first order
             if step.amax() < ENOUGH {
                 break;
             }
@@ -117,10 +117,10 @@ impl<'a> Fit<'a> {
         (angles, Some((squares / rows.len() as f64).sqrt()).filter(|x| x.is_finite()))
     }
 
-    /// Rotation that each angle adds, rad per rad, as columns, and the rotation that the angles leave, rad.
+    /// Rotation that each angle adds, rad per rad, as columns, and the rotation that remains, rad.
     fn linearised(&self, row: &Row, angles: &Vector3<f64>) -> (Matrix3<f64>, Vector3<f64>) {
         let [a_rate, b_rate, theta_rate] = self.rates;
-        // t + τ is rounded; what is left of Δθ is taken to first order
+        // t + τ is rounded; the rest of Δθ is taken into account to first order
         let t = if angles[0] == 0.0 { row.t } else { row.t + angles[0] / theta_rate };
         let shift = t - row.t;
         let exact = self.table.at(t);
@@ -134,7 +134,7 @@ impl<'a> Fit<'a> {
         };
         let (axis, up, zero) = (Vector3::from(there.axis()), Vector3::z(), Vector3::zeros());
         let nutation = if self.exist[0] {
-            // ω of the motion, turned by the azimuth, without what the mean rotations contribute
+            // ω of the motion, turned by the azimuth, minus the contribution of the mean rotations
             let [x, y, z] = exact.sample.omega;
             let across = turned(Complex::new(x, y), azimuth);
             let omega = Vector3::new(across.re, across.im, z);

@@ -2,7 +2,7 @@
 
 use crate::pictures::figures::{Chart, Curve, Picture};
 
-/// One method's runs, \[work, error\].
+/// Name of a method and its runs, \[work, error\].
 pub type MethodRuns = (String, Vec<[f64; 2]>);
 
 /// Picture of runs whose work is counted in this unit.

@@ -1,4 +1,4 @@
-//! A trajectory from a CSV file: columns by name, and what comment lines above the header say of the run.
+//! Trajectory of a CSV file: columns by name, and statements about the run in comment lines above the header.
 
 use crate::Failure;
 use crate::output::{shown, whole_file};
@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use std::path::Path;
 use toytop::{Complex, Orientation};
 
-/// One instant of a trajectory.
+/// Row of a trajectory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
     /// Time, s.
@@ -47,10 +47,11 @@ const ORIENTATIONS: [&[&str]; 3] = [
 const RATES: [&[&str]; 2] = [&["wx", "wy", "wz"], &["omega_x", "omega_y", "omega_z"]];
 
 impl Trajectory {
-    /// Reads a file.
+    /// Trajectory of a file.
     ///
     /// # Errors
-    /// [`Failure::Input`] with the file and the line: a missing column, what is no finite number, no rotation, or a time out of order.
+    /// [`Failure::Input`] with the file and the line: a column is missing, a value is not a finite number or no rotation, or a time is out
+    /// of order.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
         Self::parse(&name, &whole_file::read(&name, path, LARGEST_FILE)?)
@@ -91,7 +92,7 @@ impl Trajectory {
         Ok(Self { name: name.to_owned(), method: stated("method"), step, evaluations, rows })
     }
 
-    /// The trajectory of other body axes: `body` takes the file's body coordinates to the new ones.
+    /// Trajectory in other body axes, where `body` takes the file's body coordinates to the new ones.
     #[must_use]
     pub fn in_body_axes(mut self, body: &Orientation<f64>) -> Self {
         let inverse = body.inverse();
@@ -101,7 +102,7 @@ impl Trajectory {
         self
     }
 
-    /// Spacing of the rows, s, if it is the same everywhere to a part in a million.
+    /// Spacing of the rows, s, if it is constant to a millionth; `None` otherwise.
     #[must_use]
     pub fn spacing(&self) -> Option<f64> {
         let [first, .., last] = &self.rows[..] else { return None };
@@ -132,12 +133,12 @@ fn goes_on(rows: &[Row], t: f64) -> bool {
     }
 }
 
-/// Places of the columns that are read.
+/// Indices of the columns that are read.
 struct Columns {
     t: usize,
-    /// Which of [`ORIENTATIONS`], and where.
+    /// Index into [`ORIENTATIONS`], and indices of its columns.
     orientation: (usize, Vec<usize>),
-    /// Which of [`RATES`], and where.
+    /// Index into [`RATES`], and indices of its columns.
     rates: Option<(usize, Vec<usize>)>,
 }
 
@@ -184,7 +185,7 @@ impl Columns {
     }
 }
 
-/// Orientation from the columns of one of [`ORIENTATIONS`], and how far they are from a rotation.
+/// Orientation from the columns of one of [`ORIENTATIONS`], and their distance from a rotation.
 fn orientation(which: usize, numbers: &[f64]) -> Result<(Orientation<f64>, f64), String> {
     let raw = match (which, numbers) {
         (0, &[w, x, y, z]) => Orientation::from_quaternion([w, x, y, z]),

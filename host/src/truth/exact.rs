@@ -1,4 +1,4 @@
-//! One motion to more than thirty digits at any time: time and arguments as integrals over the half phase χ.
+//! Motion to more than thirty digits at any time: time and arguments as integrals over the half phase χ.
 //!
 //! ```text
 //! dt/dχ = √(2 D/(g (e₃ - u))),    D = A/p + s (1 - u²),    u = e₁ cos²χ + e₂ sin²χ
@@ -7,8 +7,8 @@
 //!
 //! |α|² = (1 + u)/2 and |β|² = (1 - u)/2; where e₁ = -1 (e₂ = 1) α (β) changes sign instead of turning.
 //!
-//! A place is told by its turning point, the nearest, and the sine of what χ is beyond it. In that sine the integrands are
-//! algebraic, no trigonometry is needed, and no digits are lost where the nearest singularity is a millionth away.
+//! A place is given by the nearest turning point and the sine of the difference of χ from it. In this sine the integrands are
+//! algebraic, so that no trigonometry is needed and no digits are lost where the nearest singularity is at a distance of a millionth.
 
 mod fastest;
 mod law;
@@ -28,13 +28,13 @@ use side::{Passed, Side};
 use std::f64::consts::PI;
 use toytop::Sign;
 
-/// A motion with its integrals from turning point to turning point.
+/// Motion with its integrals from turning point to turning point.
 #[derive(Clone, Debug)]
 pub struct Exact {
     law: Law,
     coarse: LawInF64,
     half_tau: Precise,
-    /// α/|α| and β/|β| at t = 0; of the derivative where the parameter is 0.
+    /// Directions α/|α| and β/|β| at t = 0, or those of the derivative where the parameter is 0.
     directions: [[Precise; 2]; 2],
     /// Place at t = 0.
     start: Place,
@@ -44,42 +44,42 @@ pub struct Exact {
 /// Integrals of a motion in which u is not constant.
 #[derive(Clone, Debug)]
 struct Passage {
-    /// Around u = e₁ and around u = e₂.
+    /// Integrals near u = e₁ and near u = e₂.
     sides: [Side; 2],
-    /// From one turning point to the next; for an aperiodic motion, from u = e₁ to halfway.
+    /// Integrals from one turning point to the next; for an aperiodic motion, from u = e₁ to halfway.
     half: Passed,
-    /// From χ = 0 to the start.
+    /// Integrals from χ = 0 to the start.
     start: Passed,
 }
 
-/// A half phase χ.
+/// Value of the half phase χ.
 #[derive(Clone, Debug)]
 struct Place {
-    /// Quarter turns.
+    /// Number of quarter turns.
     quarter: i64,
-    /// Sine of what χ is beyond them, within ±√½.
+    /// Sine of the difference of χ from them, within ±√½.
     beyond: Precise,
 }
 
 /// Behaviour of u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Course {
-    /// It is constant.
+    /// Constant u.
     Steady,
-    /// It swings.
+    /// Oscillation of u between e₁ and e₂.
     Nutating,
-    /// It tends to 1.
+    /// Convergence of u to 1.
     Aperiodic,
 }
 
 impl Exact {
-    /// The motion of these numbers.
+    /// Motion of these numbers.
     #[must_use]
     pub fn new(numbers: &Numbers) -> Self {
         Self::with_mass_moment(numbers, &precise(numbers.p))
     }
 
-    /// The motion of these numbers, but with a mass moment that is no `f64`: a product of mass and height.
+    /// Motion of these numbers with another mass moment, which as a product of mass and height need not be an `f64`.
     #[must_use]
     pub fn with_mass_moment(numbers: &Numbers, p: &Precise) -> Self {
         let Numbers { a, c, g, e, signs, start, .. } = *numbers;
@@ -107,7 +107,7 @@ impl Exact {
         };
         let half_tau = ((&one / &c - &one / &a) * n) >> 1;
         let half_phase = if start.theta.abs() == PI {
-            // the f64 nearest to π means π
+            // the f64 nearest to π stands for π
             [precise(0.0), precise(start.theta.signum())]
         } else {
             cis(&(precise(start.theta) >> 1))
@@ -116,12 +116,12 @@ impl Exact {
         Self::with(law, half_tau, directions, half_phase)
     }
 
-    /// The motion of a state.
+    /// Motion of a state.
     #[must_use]
     pub fn launched(launched: &Launched) -> Self {
         let Launched { law, half_tau, half_phase, directions } = launched.clone();
         let [cosine, sine] = half_phase;
-        // an aperiodic motion falls from χ = -π/2, not on from π/2
+        // an aperiodic motion that falls begins at χ = -π/2, not at π/2
         let falls = is_zero(&law.e3_minus_e2) && is_positive(&-&cosine);
         let half_phase = if falls { [-cosine, -sine] } else { [cosine, sine] };
         Self::with(law, half_tau, directions, half_phase)
@@ -132,13 +132,13 @@ impl Exact {
             .with_passage(0)
     }
 
-    /// Motion with its integrals; panels are shorter beside the turning points by 4 to the power `finer`.
+    /// Motion with its integrals; the panels at the turning points are shorter by the factor 4 to the power `finer`.
     fn with_passage(mut self, finer: usize) -> Self {
         self.passage = None;
         if self.course() == Course::Steady {
             return self;
         }
-        let ends = [End::Bottom, End::Top];
+        let ends = [End::Lower, End::Upper];
         let sides = ends.map(|end| Side::new(&self.law, end, self.coarse.depth(end), finer));
         let half = side::sum(sides[0].whole(), sides[1].whole());
         let zero = || precise(0.0);
@@ -148,7 +148,7 @@ impl Exact {
         self
     }
 
-    /// Kind of motion by the truth's own numbers.
+    /// Kind of motion, by the branch points of the truth.
     #[must_use]
     pub fn course(&self) -> Course {
         let Law { one_minus_e2, e2_minus_e1, e3_minus_e2, .. } = &self.law;
@@ -165,7 +165,7 @@ impl Exact {
 }
 
 impl Place {
-    /// The place of cos χ and sin χ.
+    /// Place with this cos χ and sin χ.
     fn of([cosine, sine]: [Precise; 2]) -> Self {
         let negative = |x: &Precise| is_positive(&-x);
         if cosine.sqr() >= sine.sqr() {
@@ -181,13 +181,13 @@ impl Place {
         }
     }
 
-    /// The place of a half phase, rad, to the rounding of `f64`.
+    /// Place of a half phase, rad, to the rounding of `f64`.
     fn near(half_phase: f64) -> Self {
         let quarter = (half_phase / (0.5 * PI)).round();
         Self { quarter: quarter as i64, beyond: precise((half_phase - 0.5 * PI * quarter).sin()) }
     }
 
-    /// sin χ and cos χ up to a positive factor each.
+    /// Values of sin χ and cos χ, each up to a positive factor.
     fn signs(&self) -> [f64; 2] {
         let beyond = if is_zero(&self.beyond) {
             0.0

@@ -1,21 +1,21 @@
-//! Gauss and Legendre's rule in numbers of 192 bits.
+//! Gauss-Legendre quadrature in numbers of 192 bits.
 
 use super::precise::{Precise, precise, to_f64, whole};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-/// Nodes of the rule: where the nearest singularity is as far from a panel's end as a quarter of the panel's length at
-/// least, what is left is below 3^-80, 38 digits.
+/// Number of nodes. If the distance of the nearest singularity from the end of a panel is at least a quarter of the panel's length, the
+/// relative error is below 3^-80, 38 digits.
 const NODES: usize = 40;
 
-/// Nodes in [-1, 1] with their weights.
+/// Quadrature rule: nodes in [-1, 1] with their weights.
 #[derive(Clone, Debug)]
 pub struct Rule {
     nodes: Vec<(Precise, Precise)>,
     coarse: Vec<(f64, f64)>,
 }
 
-/// The rule, computed at its first use.
+/// Quadrature rule, computed at its first use.
 pub static RULE: LazyLock<Rule> = LazyLock::new(Rule::new);
 
 impl Rule {
@@ -37,7 +37,7 @@ impl Rule {
         Self { nodes, coarse }
     }
 
-    /// The integrals of `f` from a to b.
+    /// Integrals of `f` from a to b.
     pub fn integrate<const N: usize>(
         &self,
         [a, b]: [&Precise; 2],
@@ -52,14 +52,14 @@ impl Rule {
         sums.map(|sum| sum * &half)
     }
 
-    /// The integral of `f` from a to b in `f64`.
+    /// Integral of `f` from a to b in `f64`.
     pub fn integrate_in_f64(&self, [a, b]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
         let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
         half * self.coarse.iter().map(|(x, weight)| weight * f(middle + half * x)).sum::<f64>()
     }
 }
 
-/// P_n and its derivative.
+/// Legendre polynomial P_n and its derivative.
 fn legendre(x: &Precise) -> (Precise, Precise) {
     let (mut before, mut last) = (precise(1.0), x.clone());
     for k in 2..=NODES as i64 {

@@ -1,18 +1,18 @@
-//! A random motion: every regime, every corner.
+//! Random motions of every regime, also near degenerate cases.
 
 use crate::input::random::Random;
 use std::f64::consts::PI;
 use std::fmt;
 use toytop::{Motion, ParameterError, Sign, Signs, Start, Top, TopParameters};
 
-/// The numbers of one motion, all exact.
+/// Numbers of a motion, taken as exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Numbers {
     /// Transverse moment of inertia.
     pub a: f64,
     /// Axial moment of inertia.
     pub c: f64,
-    /// From the tip to the centre of mass.
+    /// Distance from the tip to the centre of mass.
     pub s: f64,
     /// Mass moment.
     pub p: f64,
@@ -26,13 +26,13 @@ pub struct Numbers {
     pub start: Start,
 }
 
-/// The least difference of branch points that is not 0.
+/// Least difference of branch points that is not 0.
 const LEAST: f64 = 1e-9;
 
 impl Numbers {
-    /// Log-uniform: A/(ps) in \[1e-2, 1e3\], C/A in \[0.02, 2\], and the differences of the branch points down to 1e-9 and e₃
-    /// up to 1e4; one in sixteen at each of the corners e₁ = -1, e₂ = 1, e₃ = 1 and e₁ = e₂, which together make the
-    /// aperiodic motions, those that sleep, and those that hang.
+    /// Random motion, log-uniform: A/(ps) in \[1e-2, 1e3\], C/A in \[0.02, 2\], differences of the branch points down to 1e-9, and e₃ up to
+    /// 1e4. Each of e₁ = -1, e₂ = 1, e₃ = 1 and e₁ = e₂ is exact in one of sixteen motions, so that aperiodic, sleeping and hanging motions
+    /// occur.
     #[must_use]
     pub fn random(random: &mut Random) -> Self {
         let (s, p, g) = (random.scale(0.1, 10.0), random.scale(0.1, 10.0), random.scale(0.1, 10.0));
@@ -48,7 +48,7 @@ impl Numbers {
         Self { a, c, s, p, g, e, signs, start }
     }
 
-    /// The motion.
+    /// Motion of the core.
     ///
     /// # Errors
     /// None is expected.
@@ -68,7 +68,7 @@ impl Numbers {
 /// Random branch points: differences down to `least`, e₃ - 1 up to `most`.
 #[must_use]
 pub fn branch_points(random: &mut Random, least: f64, most: f64) -> [f64; 3] {
-    // 1 + e₁, e₂ - e₁ and 1 - e₂ add to 2: one of them, drawn by lot, is what the other two leave
+    // 1 + e₁, e₂ - e₁ and 1 - e₂ add up to 2: a random one of them follows from the other two
     let parts = [(); 2].map(|()| random.scale(least, 0.999));
     let rotation = random.between(0.0, 3.0) as u32;
     let [below, above] = match rotation {

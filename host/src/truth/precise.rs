@@ -1,12 +1,12 @@
-//! Numbers of 192 bits, the arithmetic of the truth: none of it is core's.
+//! Arithmetic of the truth, in numbers of 192 bits, independent of core.
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 
-/// Number of 192 bits where it comes from [`precise`] or [`whole`], and whatever follows from such numbers.
+/// Number of 192 bits, if it comes from [`precise`] or [`whole`] or is computed from such numbers.
 pub type Precise = FBig<HalfEven>;
 
-/// Bits of a [`Precise`]: 57 digits. An argument of 2^62 turns keeps 38 digits after the point.
+/// Number of bits of a [`Precise`], 57 digits. An argument of 2^62 turns has 38 digits after the point.
 pub const BITS: usize = 192;
 
 /// Number that equals a finite `f64`; 0 for any other, which every constructor of core refuses.
@@ -21,7 +21,7 @@ pub fn whole(n: i64) -> Precise {
     rounded(&Precise::from(n))
 }
 
-/// Number of more or fewer bits, rounded to [`BITS`].
+/// Number of any precision, rounded to [`BITS`].
 #[must_use]
 pub fn rounded(x: &Precise) -> Precise {
     x.clone().with_precision(BITS).value()
@@ -33,7 +33,7 @@ pub fn to_f64(x: &Precise) -> f64 {
     x.to_f64().value()
 }
 
-/// Decimal number with so many significant digits, rounded to nearest.
+/// Decimal number with this many significant digits, rounded to nearest.
 #[must_use]
 pub fn decimal(x: &Precise, digits: usize) -> String {
     let decimal = x.clone().with_rounding::<HalfEven>().with_base_and_precision::<10>(digits).value();
@@ -46,7 +46,7 @@ pub fn to_nearest(x: &Precise) -> Option<i64> {
     i64::try_from(x.round().to_int().value()).ok()
 }
 
-/// Greatest integer that is not greater; `None` beyond 64 bits.
+/// Greatest integer that is at most x; `None` beyond 64 bits.
 #[must_use]
 pub fn to_floor(x: &Precise) -> Option<i64> {
     i64::try_from(x.floor().to_int().value()).ok()

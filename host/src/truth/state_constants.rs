@@ -1,20 +1,21 @@
-//! The constants of the motion of a state, by their definitions in numbers of 512 bits, where no cancellation matters: the
-//! core finds them by rearranging the formulas so that nothing cancels.
+//! Constants of the motion of a state, by their definitions in numbers of 512 bits, whose precision makes cancellation harmless. The core
+//! computes them by formulas without cancellation.
 //!
 //! (u - e₁)(u - e₂)(u - e₃) = u³ - E u² - u + E - κ (l - nu)² with κ = 1/(2Apg) and E = (h - n²/2C)/(pg). Newton's method
-//! from beyond the roots tends to e₁ and e₃ without ever passing them.
+//! from beyond the roots converges to e₁ and e₃ without passing them.
 
 use super::exact::Law;
 use super::precise::{Precise, precise, product, root, rounded, to_f64};
 use super::states::StateNumbers;
 
-/// A number of 512 bits.
+/// Number of 512 bits.
 type Precise512 = Precise;
 
 const BITS: usize = 512;
-/// Roots that are closer are one: twice the digits that are left of a double root, and no state in `f64` comes near it.
+/// Distance below which two roots are equal. A double root is known to twice this number of digits, and no state in `f64` has roots at
+/// such a small distance.
 const SAME: f64 = 1e-60;
-/// A double root is approached by halves.
+/// Greatest number of Newton steps, which halve the distance to a double root.
 const MOST_STEPS: u32 = 4000;
 
 /// Constants of a motion from a state, from which the truth starts.
@@ -22,20 +23,20 @@ const MOST_STEPS: u32 = 4000;
 pub struct Launched {
     pub(super) law: Law,
     pub(super) half_tau: Precise,
-    /// cos χ and sin χ.
+    /// Values of cos χ and sin χ.
     pub(super) half_phase: [Precise; 2],
     pub(super) directions: [[Precise; 2]; 2],
 }
 
 impl Launched {
-    /// The constants of this state.
+    /// Constants of this state.
     #[must_use]
     pub fn new(numbers: &StateNumbers) -> Self {
         let [_, _, _, p, _, _] = numbers.top.map(precise);
         Self::with_mass_moment(numbers, &p)
     }
 
-    /// The constants of this state, but with a mass moment that is no `f64`: a product of mass and height.
+    /// Constants of this state with another mass moment, which as a product of mass and height need not be an `f64`.
     #[must_use]
     pub fn with_mass_moment(numbers: &StateNumbers, p: &Precise) -> Self {
         let [a, c, s, _, g, k] = numbers.top.map(of_512_bits);
@@ -53,7 +54,7 @@ impl Launched {
         let l = &a * &omega[2] + ((&c - &a) * &spin + &k) * &u;
         let n = &c * &spin + &k;
         let udot = &omega[0] * &r[1] - &omega[1] * &r[0];
-        // A |ω × r|² + ps u'², and E
+        // the numbers A |ω × r|² + ps u'² and E
         let across = dot(&omega, &omega) - &spin * &spin;
         let torque = to_f64(&(&p * &g)) > 0.0;
         // without torque A² u'² = |m|² (u - e₁)(e₂ - u), which is the law with D = 1, e₃ - u = 1 and g = |m|²/2A²
@@ -117,7 +118,7 @@ impl Launched {
     }
 }
 
-/// e₁ <= e₂ <= e₃.
+/// Roots e₁ <= e₂ <= e₃.
 fn roots(energy: &Precise512, kappa: &Precise512, l: &Precise512, n: &Precise512) -> [Precise512; 3] {
     let one = of_512_bits(1.0);
     let value_and_slope = |u: &Precise512| {
@@ -136,7 +137,7 @@ fn roots(energy: &Precise512, kappa: &Precise512, l: &Precise512, n: &Precise512
             }
             let step = value / slope;
             let size = to_f64(&step).abs();
-            // monotone until rounding takes over
+            // the steps are monotone until rounding dominates
             if size == 0.0 || (size < 1e-70 && size >= before) {
                 break;
             }
@@ -146,7 +147,7 @@ fn roots(energy: &Precise512, kappa: &Precise512, l: &Precise512, n: &Precise512
         u
     };
     let sum = energy + kappa * n * n;
-    // the sum of the roots, and two of them at least -1
+    // e₂ from the sum of the roots, of which two are at least -1
     let high = &sum + of_512_bits(2.0);
     let e3 = newton(if to_f64(&high) < 2.0 { of_512_bits(2.0) } else { high });
     let e1 = newton(of_512_bits(-1.0));
@@ -154,7 +155,7 @@ fn roots(energy: &Precise512, kappa: &Precise512, l: &Precise512, n: &Precise512
     [e1, e2, e3]
 }
 
-/// α/|α| and β/|β|; where one is 0, of its derivative: there 2α' = (ω₂ - iω₁) β̄ and 2β' = -(ω₂ - iω₁) ᾱ.
+/// Directions α/|α| and β/|β|, or those of the derivative of a parameter that is 0: there 2α' = (ω₂ - iω₁) β̄ and 2β' = -(ω₂ - iω₁) ᾱ.
 fn directions(alpha: &[Precise512; 2], beta: &[Precise512; 2], omega: &[Precise512; 3]) -> [[Precise; 2]; 2] {
     let [w1, w2, _] = omega;
     let conjugate = |z: &[Precise512; 2]| [z[0].clone(), -&z[1]];
@@ -171,7 +172,7 @@ fn directions(alpha: &[Precise512; 2], beta: &[Precise512; 2], omega: &[Precise5
 }
 
 fn of_512_bits(x: f64) -> Precise512 {
-    // a number that is not finite is refused by every constructor before it gets here
+    // every constructor has refused numbers that are not finite
     Precise512::try_from(x).unwrap_or(Precise512::ZERO).with_precision(BITS).value()
 }
 

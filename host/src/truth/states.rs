@@ -1,31 +1,31 @@
-//! A motion given by its state, as a launch takes it.
+//! Motion given by a state.
 
 use std::fmt;
 use toytop::{Complex, Motion, Orientation, ParameterError, State, Top, TopParameters};
 
-/// The numbers of a state and its top, all exact.
+/// Numbers of a state and its top, taken as exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StateNumbers {
-    /// A, C, s, p, g and K. The tip slides unless s = 0, and is held unless p = 0 too; then the body is free.
+    /// Numbers A, C, s, p, g and K. The tip slides if s > 0, and is held if s = 0 and p > 0; for p = 0 the body is free.
     pub top: [f64; 6],
-    /// α and β; what they mean is normalised.
+    /// Parameters α and β, whose norm need not be 1; they stand for the normalised pair.
     pub phi: [[f64; 2]; 2],
-    /// ω in the fixed frame.
+    /// Angular velocity ω in the fixed frame.
     pub omega: [f64; 3],
 }
 
 impl StateNumbers {
-    /// Truth of a launch from a state.
+    /// Numbers of a top and a state of the core.
     #[must_use]
     pub fn of(top: [f64; 6], state: &State) -> Self {
         let Orientation { alpha, beta } = state.orientation();
         Self { top, phi: [alpha, beta].map(|z| [z.re, z.im]), omega: state.omega() }
     }
 
-    /// The motion.
+    /// Motion of the core.
     ///
     /// # Errors
-    /// Those of a top, a state and a launch.
+    /// The errors of a top, a state and a launch.
     pub fn motion(&self) -> Result<Motion, ParameterError> {
         let [a, c, s, p, g, rotor_momentum] = self.top;
         let parameters = TopParameters {

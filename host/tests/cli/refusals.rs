@@ -277,6 +277,10 @@ fn a_method_that_does_not_apply_exits_with_3() {
     for (scalar, size) in [("f64", "4096x11"), ("f32", "4096x5"), ("q31", "4096x4"), ("micromath", "4096x5")]
     {
         let arguments = ["state", &file, "--times", "1", "--scalar", scalar];
-        assert_refused(&arguments, 3, &["needle", "no ephemeris", size, "segments of this degree would fit"]);
+        assert_refused(
+            &arguments,
+            3,
+            &["needle", "no ephemeris", size, "segments of this degree would be enough"],
+        );
     }
 }

@@ -82,12 +82,13 @@ fn what_follows_from_a_moment() {
         let motion = vector.motion().unwrap();
         let ephemeris = Ephemeris::<f64, 512>::new(&motion, kilohertz()).unwrap();
         for sample in vector.samples() {
-            let moment = ephemeris.at(sample.t);
-            let pose = moment.attitude_state();
-            let scale = pose.omega().iter().fold(1.0_f64, |scale, w| scale.max(w.abs()));
-            assert_eq!(pose.orientation, moment.orientation());
-            let tip = (moment.tip() - sample.c).norm_squared().sqrt() / motion.top().tip_scale();
-            let errors = [(pose.u() - sample.u).abs(), (pose.udot() - sample.udot).abs() / scale, tip];
+            let ours = ephemeris.at(sample.t);
+            let attitude = ours.attitude_state();
+            let scale = attitude.omega().iter().fold(1.0_f64, |scale, w| scale.max(w.abs()));
+            assert_eq!(attitude.orientation, ours.orientation());
+            let tip = (ours.tip() - sample.c).norm_squared().sqrt() / motion.top().tip_scale();
+            let errors =
+                [(attitude.u() - sample.u).abs(), (attitude.udot() - sample.udot).abs() / scale, tip];
             worst.iter_mut().zip(errors).for_each(|(worst, error)| *worst = greater(*worst, error));
         }
         let (start, state) =
@@ -96,7 +97,8 @@ fn what_follows_from_a_moment() {
             worst[3] = greater(worst[3], (ours - stepped).abs());
         }
     }
-    for ((what, allowed), error) in ["u", "u'", "tip", "omega"].iter().zip(tolerance::MOMENT_F64).zip(worst) {
+    for ((what, allowed), error) in ["u", "u'", "tip", "omega"].iter().zip(tolerance::ATTITUDE_F64).zip(worst)
+    {
         allowed.check(what, error);
     }
 }

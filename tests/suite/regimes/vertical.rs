@@ -105,9 +105,9 @@ fn a_vertical_start_leaves_in_the_direction_it_moves() {
     for motion in [upright([0.0, 0.5, 3.0]), downward([0.0, 0.5, 3.0])] {
         assert_eq!((motion.regime(), motion.tip_class()), (Regime::Nutating, TipClass::ThroughOrigin));
         let mut stepper = Stepper::<f64>::new(&motion);
-        let pose = stepper.attitude_state();
-        assert!(pose.u().abs() == 1.0);
-        for (ours, given) in pose.omega().iter().zip([0.0, 0.5, 3.0]) {
+        let attitude = stepper.attitude_state();
+        assert!(attitude.u().abs() == 1.0);
+        for (ours, given) in attitude.omega().iter().zip([0.0, 0.5, 3.0]) {
             assert!((ours - given).abs() < 1e-15);
         }
         // r' = ω × r = ±(0.5, 0, 0); the tip is at -s r
@@ -187,12 +187,12 @@ fn an_aperiodic_launch_from_half_way() {
         let motion = Motion::launch(&top, &state).unwrap();
         assert_eq!(motion.regime(), Regime::Aperiodic);
         let mut stepper = Stepper::<f64>::new(&motion);
-        let pose = stepper.attitude_state();
+        let attitude = stepper.attitude_state();
         assert!(
-            pose.u().abs() < 1e-15 && (pose.udot() - rising).abs() < 1e-15,
+            attitude.u().abs() < 1e-15 && (attitude.udot() - rising).abs() < 1e-15,
             "{} {}",
-            pose.u(),
-            pose.udot()
+            attitude.u(),
+            attitude.udot()
         );
         (0..1000).for_each(|_| stepper.step(0.02));
         assert!(1.0 - stepper.attitude_state().u() < 1e-3, "{}", stepper.attitude_state().u());

@@ -36,25 +36,25 @@ where
     for _ in 0..4 {
         let (n, t) = (input.wide(), input.signed(-12.0, 20.0));
         let mut cursor = ephemeris.cursor(n);
-        let moments = [
+        let samples = [
             ephemeris.at_tick(n),
             cursor.next(&ephemeris),
             cursor.next(&ephemeris),
             ephemeris.at(t),
             ephemeris.at(n as f64),
         ];
-        let [now, same, next, ..] = moments;
+        let [now, same, next, ..] = samples;
         assert_eq!(now.orientation(), same.orientation());
         assert_eq!(ephemeris.at_tick(n.wrapping_add(1)).orientation(), next.orientation());
-        for moment in moments {
-            sound::orientation("moment", moment.orientation(), error);
-            sound::pose("pose", &moment.attitude_state(), error);
-            sound::finite("tip", number(moment.tip()));
-            sound::finite("tip velocity", number(moment.tip_velocity()));
-            let tip = moment.orientation().tip_over_s();
+        for sample in samples {
+            sound::orientation("sample", sample.orientation(), error);
+            sound::attitude("attitude", &sample.attitude_state(), error);
+            sound::finite("tip", number(sample.tip()));
+            sound::finite("tip velocity", number(sample.tip_velocity()));
+            let tip = sample.orientation().tip_over_s();
             sound::finite("tip", [tip.re.into(), tip.im.into()]);
-            assert_eq!(moment.tip_angle().is_none(), motion.regime().is_vertical());
-            assert!(moment.nutation_phase() >= Phase::ZERO);
+            assert_eq!(sample.tip_angle().is_none(), motion.regime().is_vertical());
+            assert!(sample.nutation_phase() >= Phase::ZERO);
         }
         if let Some(point) = ephemeris.next_turning_point(n) {
             assert!(point.tick >= n || n == i64::MIN, "{point:?} from {n}");

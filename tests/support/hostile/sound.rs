@@ -19,12 +19,13 @@ pub(super) fn orientation<R: Into<f64>>(what: &str, phi: Orientation<R>, error: 
 }
 
 /// Asserts that orientation and rates are finite, and the norm is 1 within an error.
-pub(super) fn pose<R: Float + Into<f64>>(what: &str, pose: &AttitudeState<R>, error: f64) {
-    orientation(what, pose.orientation, error);
-    let rates = [pose.rate.alpha.re, pose.rate.alpha.im, pose.rate.beta.re, pose.rate.beta.im];
+pub(super) fn attitude<R: Float + Into<f64>>(what: &str, attitude: &AttitudeState<R>, error: f64) {
+    orientation(what, attitude.orientation, error);
+    let rates =
+        [attitude.rate.alpha.re, attitude.rate.alpha.im, attitude.rate.beta.re, attitude.rate.beta.im];
     finite(what, rates.map(Into::into));
-    finite(what, pose.omega().map(Into::into));
-    finite(what, [pose.u().into(), pose.udot().into()]);
+    finite(what, attitude.omega().map(Into::into));
+    finite(what, [attitude.u().into(), attitude.udot().into()]);
 }
 
 /// Checks the constants of a motion, and a stepper of each scalar over some steps.
@@ -52,7 +53,7 @@ fn stepper<R: Real + Into<f64>>(motion: &Motion, steps: &[f64], error: f64) {
     let mut stepper = Stepper::<R>::new(motion);
     for &dt in [0.0].iter().chain(steps) {
         stepper.step(R::from_f64(dt));
-        pose(&format!("stepper of {motion:?}"), &stepper.attitude_state(), error);
+        attitude(&format!("stepper of {motion:?}"), &stepper.attitude_state(), error);
         let (tip, velocity) = (stepper.tip(), stepper.tip_velocity());
         finite("tip", [tip.re, tip.im, velocity.re, velocity.im].map(Into::into));
         finite("rate of the tip angle", [stepper.tip_angle_rate().into()]);

@@ -1,5 +1,5 @@
-//! `toytop-lab longrun`: steppers and cursors over very many ticks, there and back, and the full solver against itself; exit code 1
-//! if one leaves the bound it states.
+//! `toytop-lab longrun`: errors of steppers and cursors over very many ticks, forward and back, and of the full solver. The exit code is 1
+//! if an error exceeds a stated bound.
 
 use crate::cli::LongrunArgs;
 use crate::longrun::{self, Row, TICKS_PER_PERIOD, decades};
@@ -13,7 +13,7 @@ const MARK: &str = "toytop-lab longrun: errors";
 
 pub(super) fn run(arguments: &LongrunArgs) -> Result<Report, Failure> {
     if let Some(path) = &arguments.docs {
-        // a place that is not there is told before the work, not after
+        // a missing place in the page is reported before the computation
         doc_markers::check(path, "--docs", MARK)?;
     }
     let lines = longrun::run(arguments.ticks)?;
@@ -36,7 +36,7 @@ pub(super) fn run(arguments: &LongrunArgs) -> Result<Report, Failure> {
     Ok(Report { text, missed, ..Report::default() })
 }
 
-/// One line a method, one column a decade.
+/// Row for each method, with a column for each power of ten of ticks.
 fn rows(lines: &[Row], ticks: u64) -> Vec<Vec<String>> {
     let decades = decades(ticks);
     let mut header = vec!["error after ... ticks, rad".to_owned()];
@@ -52,7 +52,7 @@ fn rows(lines: &[Row], ticks: u64) -> Vec<Vec<String>> {
     let show = |error: Option<f64>| error.map_or("-".to_owned(), |error| format!("{error:.0e}"));
     let row = |line: &Row| {
         let at = |ticks: &u64| line.errors.iter().find(|(at, _)| at == ticks).map(|(_, error)| *error);
-        let mut row = vec![line.who.clone()];
+        let mut row = vec![line.name.clone()];
         row.extend(decades.iter().map(|ticks| show(at(ticks))));
         row.push(show(line.back));
         row.push(line.of_bound.map_or("-".to_owned(), |share| format!("{share:.2}")));
@@ -64,7 +64,7 @@ fn rows(lines: &[Row], ticks: u64) -> Vec<Vec<String>> {
 fn records(line: &Row) -> Vec<Record> {
     let record = |&(ticks, error): &(u64, f64)| {
         Record(vec![
-            ("who", Cell::Text(line.who.clone())),
+            ("who", Cell::Text(line.name.clone())),
             ("ticks", Cell::Count(ticks)),
             ("error_rad", Cell::Number(error)),
             ("left_there_and_back_rad", line.back.into()),

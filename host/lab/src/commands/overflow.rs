@@ -1,4 +1,4 @@
-//! `toytop-lab overflow`: fixed point on random motions in checked arithmetic.
+//! `toytop-lab overflow`: fixed point for random motions in checked arithmetic.
 
 use crate::cli::OverflowArgs;
 use crate::overflow::{Tally, is_checked, tried};
@@ -27,7 +27,7 @@ pub(super) fn run(arguments: &OverflowArgs) -> Result<Report, Failure> {
     let motions = (0..arguments.motions).into_par_iter();
     let tally = thread_pool::of_all_cores()?.install(|| motions.map(one).reduce(Tally::default, Tally::and));
     drop(progress);
-    let Tally { motions, refused, ticks, strain: [q31, q15], failures } = tally;
+    let Tally { motions, refused, ticks, of_bound: [q31, q15], failures } = tally;
     let mut text = format!(
         "{motions} motions, seed {}: {ticks} ticks looked up, {refused} tables refused\n\
          error over stated bound, greatest: q31 {q31:.2}, q15 {q15:.2}\n\

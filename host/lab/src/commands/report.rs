@@ -1,5 +1,5 @@
-//! `toytop-lab report`: everything that is measured, on one page; and the README's tables, which only hold what every machine
-//! finds alike.
+//! `toytop-lab report`: a page with all measurements, and the tables of `host/docs/accuracy.md`, which contain only results that do not
+//! depend on the machine.
 
 mod accuracy;
 mod budget;
@@ -18,10 +18,10 @@ use toytop_host::output::whole_file;
 use toytop_host::pictures::figures;
 use toytop_host::pictures::plot::Form;
 
-/// Of a page or of other programs' results, MiB.
+/// Size of the largest page, or of the largest file with results of other programs, MiB.
 const LARGEST_FILE: u64 = 16;
 
-/// A table as text: what a page and a README show.
+/// Table as text, for a page.
 struct Table {
     header: Vec<String>,
     rows: Vec<Vec<String>>,
@@ -29,7 +29,7 @@ struct Table {
 
 pub(super) fn run(arguments: &ReportArgs) -> Result<Report, Failure> {
     let mut report = Report::default();
-    // what is refused is refused before anything is written
+    // bad input is refused before anything is written
     let budget = match &arguments.budget {
         Some(path) => budget::records(&read(path, "--budget")?, path)?,
         None => budget::allowed()?,
@@ -51,7 +51,7 @@ pub(super) fn run(arguments: &ReportArgs) -> Result<Report, Failure> {
             let name = path.display();
             report
                 .notes
-                .push(format!("{name}: a table is stale; toytop-lab report --readme {name} writes it anew"));
+                .push(format!("{name}: a table is stale; toytop-lab report --readme {name} rewrites it"));
         } else if new != old {
             whole_file::write("--readme", path, new.as_bytes())?;
         }
@@ -77,7 +77,7 @@ pub(super) fn run(arguments: &ReportArgs) -> Result<Report, Failure> {
     Ok(report)
 }
 
-/// What `toytop accuracy` says of every scalar, with one digit.
+/// Results of `toytop accuracy` for every scalar, with one digit.
 fn scalars() -> Result<Table, Failure> {
     let mut rows = toytop_host::commands::accuracy::rows(&measured(&Scalar::ALL)?, &Costs::known()?, 0);
     let header = rows.remove(0);

@@ -1,4 +1,4 @@
-//! `toytop-lab sines`: how exact the sines of an integer phase are, at every phase.
+//! `toytop-lab sines`: greatest errors of the sines of an integer phase.
 
 use crate::cli::SinesArgs;
 use crate::sines::{ROUTINES, Routine, UNIT, Worst, phases, swept};
@@ -24,7 +24,7 @@ pub(super) fn run(arguments: &SinesArgs) -> Result<Report, Failure> {
     Ok(Report { text, ..Report::default() })
 }
 
-/// As a number of bits after the point.
+/// Error as a number of bits after the binary point.
 fn bits(error: f64) -> f64 {
     -error.log2()
 }

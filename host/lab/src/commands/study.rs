@@ -1,4 +1,4 @@
-//! `toytop-lab study`: random motions of every regime, and how the ephemeris and its bound do on them.
+//! `toytop-lab study`: errors and bounds of the ephemeris for random motions of every regime.
 
 mod corners;
 mod fit;
@@ -57,7 +57,7 @@ fn add(tally: &mut Tally, arguments: &StudyArgs, stream: u64) {
     }
 }
 
-/// What is said of a scalar.
+/// Value in the table.
 #[derive(Clone, Copy)]
 enum Value {
     Count(u64),
@@ -84,7 +84,7 @@ impl Value {
     }
 }
 
-/// The lines of the table.
+/// Records of the table.
 fn records(tally: &Tally) -> Vec<Record> {
     let record = |(name, values): (String, [Value; 2])| {
         let values = NAMES.into_iter().zip(values.map(Value::cell));
@@ -116,7 +116,7 @@ fn rows(tally: &Tally) -> Vec<Vec<String>> {
     std::iter::once(header).chain(lines(tally).into_iter().map(row)).collect()
 }
 
-/// A name, and what is said of f64 and of f32.
+/// Name of each row, with the values for f64 and f32.
 fn lines(tally: &Tally) -> Vec<(String, [Value; 2])> {
     let sides = &tally.scalars;
     let mut lines = Vec::new();
@@ -155,7 +155,7 @@ fn lines(tally: &Tally) -> Vec<(String, [Value; 2])> {
     lines
 }
 
-/// Which of the ratios of all motions are told.
+/// Quantiles of the ratios of all motions in the table.
 const RATIOS: [(&str, f64); 7] = [
     ("least", 0.0),
     ("1 %", 0.01),
@@ -178,5 +178,5 @@ fn worst(side: &Side) -> String {
     side.worst.iter().map(line).collect()
 }
 
-/// One of the spreads of a side.
+/// Function that selects a spread of a side.
 type Part = fn(&Side) -> &Spread;

@@ -1,5 +1,5 @@
-//! Launches towards every degenerate corner: does each keep its bound or get a typed refusal, and how large is its error
-//! beside what the last place of its own input does?
+//! Random launches near every degenerate case: each must keep its error bound or be refused with a typed error. The error is also compared
+//! with the change of the motion by a change of the input in its last place.
 
 pub mod input;
 pub mod reading;

@@ -1,4 +1,4 @@
-//! Ticks of a motion at which it is held against the truth.
+//! Ticks of a motion at which it is compared with the truth.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use toytop_host::input::random::Random;
@@ -6,23 +6,23 @@ use toytop_host::motion::ephemeris::RateSample;
 use toytop_host::truth::exact::{Course, Exact};
 use toytop_host::truth::precise::{Precise, precise, to_f64, to_floor, to_nearest, whole};
 
-/// A motion with ticks: a power of two of them in a unit of time, so that the time of a tick is exact.
+/// Motion with ticks, whose number in a unit of time is a power of two, so that the time of a tick is exact.
 pub(super) struct Ticks<'a> {
     pub(super) exact: &'a Exact,
     /// Ticks in a unit of time.
     pub(super) rate: f64,
-    /// The time in which an axis of this top falls; stands for the period of a motion that has none.
+    /// Natural time of the top, which replaces the period of a motion that has none.
     pub(super) natural_time: f64,
 }
 
-/// Powers of two of the far ticks that are moved to the fast part of their period.
-const AIMED: [u32; 3] = [40, 50, 62];
+/// Binary logarithms of the distant ticks that are moved to the fastest part of a period.
+const FAST_POWERS: [u32; 3] = [40, 50, 62];
 
-/// Periods that are searched for one in which a tick falls right on the fast part.
+/// Number of periods that are searched for the tick closest to the fastest part.
 const SEARCHED: i64 = 64;
 
 impl Ticks<'_> {
-    /// The time of a tick.
+    /// Time of a tick.
     pub(super) fn time(&self, tick: i64) -> Precise {
         whole(tick) / precise(self.rate)
     }
@@ -32,8 +32,8 @@ impl Ticks<'_> {
         self.exact.rates(&self.time(tick), self.period())
     }
 
-    /// Ticks of the first period: so many anywhere, and as many close to a turning point, where things go fastest or slowest.
-    /// Of an aperiodic motion, so many on the way up or down; of a steady one, in the natural time.
+    /// Ticks of the first period: `count` random ones, and as many close to a turning point, where the motion is fastest or slowest. For an
+    /// aperiodic motion, ticks on the way up or down; for a motion with constant u, ticks in the natural time.
     pub(super) fn near(&self, count: usize, random: &mut Random) -> Vec<i64> {
         let mut ticks = Vec::new();
         for _ in 0..count {
@@ -53,7 +53,7 @@ impl Ticks<'_> {
         ticks
     }
 
-    /// Ticks up to so many periods away, each so many periods after one of these.
+    /// Ticks that follow each of these by a random whole number of periods, at most `most`.
     pub(super) fn periods_after(&self, ticks: &[i64], most: f64, random: &mut Random) -> Vec<i64> {
         let later = |&tick: &i64| {
             let periods = random.scale(1.0, most).round();
@@ -62,8 +62,8 @@ impl Ticks<'_> {
         ticks.iter().map(later).collect()
     }
 
-    /// Ticks where the error per tick has added up: so many anywhere from ±2^40 to ±2^62, and the tick nearest to the fast part
-    /// of a period at ±2^40, ±2^50 and ±2^62, if there is one.
+    /// Distant ticks: `count` random ones from ±2^40 to ±2^62, and near ±2^40, ±2^50 and ±2^62 the tick closest to the fastest part of a
+    /// period, if there is one.
     pub(super) fn far(&self, count: usize, random: &mut Random) -> Vec<i64> {
         let mut ticks: Vec<i64> = (0..count)
             .map(|_| {
@@ -72,13 +72,13 @@ impl Ticks<'_> {
             })
             .collect();
         let fast = self.exact.fastest();
-        for power in AIMED {
-            ticks.extend([1, -1].map(|sign| self.aimed(&fast, sign * (1_i64 << power))));
+        for power in FAST_POWERS {
+            ticks.extend([1, -1].map(|sign| self.nearest_to_fast(&fast, sign * (1_i64 << power))));
         }
         ticks
     }
 
-    /// The tick nearest to the fast part of the first period.
+    /// Tick nearest to the fastest part of the first period.
     pub(super) fn fast(&self) -> Vec<i64> {
         let is_nutating = self.exact.course() == Course::Nutating;
         is_nutating
@@ -88,8 +88,8 @@ impl Ticks<'_> {
             .collect()
     }
 
-    /// Among the ticks nearest to the fast part of one of the periods that follow a tick, the one that is closest to it.
-    fn aimed(&self, fast: &Precise, tick: i64) -> i64 {
+    /// Tick that is closest to the fastest part of a period, among the periods after a tick.
+    fn nearest_to_fast(&self, fast: &Precise, tick: i64) -> i64 {
         let Some(period) = self.exact.period() else { return tick };
         let rate = precise(self.rate);
         let (fast, period) = (fast * &rate, period * rate);
@@ -111,7 +111,7 @@ impl Ticks<'_> {
         (random.share() * time * self.rate) as i64
     }
 
-    /// The tick nearest to a half phase, rad.
+    /// Tick nearest to a half phase, rad.
     fn at(&self, half_phase: f64) -> Option<i64> {
         to_nearest(&(self.exact.time_of(half_phase) * precise(self.rate)))
     }

@@ -1,59 +1,59 @@
-//! What many trials add up to.
+//! Counts and quantiles over many trials.
 
 use super::trial::{Outcome, Trial, Worst};
 use std::collections::BTreeMap;
 use toytop_host::output::names::regime;
 
-/// Worst cases that are kept.
+/// Number of worst cases that are kept.
 const KEPT: usize = 5;
 
 /// Counts and quantiles of both scalars.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
-    /// Motions by regime.
+    /// Number of motions by regime.
     pub regimes: BTreeMap<&'static str, u64>,
-    /// What must not happen: refused, or panicked, with the numbers or the stream of the motion.
+    /// Failures, which must not happen: refusals and panics, with the numbers or the stream of the motion.
     pub failures: Vec<String>,
-    /// Of f64 and of f32.
+    /// Results of f64 and f32.
     pub scalars: [Side; 2],
 }
 
-/// One scalar.
+/// Results of one scalar.
 #[derive(Clone, Debug, Default)]
 pub struct Side {
-    /// Fits, by segments.
+    /// Number of tables by their number of segments.
     pub fits: BTreeMap<usize, u64>,
-    /// Typed refusals.
+    /// Number of motions for which no table is large enough.
     pub no_fit: u64,
-    /// An error beyond its bound, near or far, of the orientation or of the rates.
+    /// Number of motions with an error of the orientation or of the rates beyond its bound.
     pub violated: u64,
-    /// The first period.
+    /// Errors in the first period.
     pub near: Spread,
-    /// Far away.
+    /// Errors at distant times.
     pub far: Spread,
-    /// Rates, near and far.
+    /// Errors of the rates at all times.
     pub rates: Spread,
-    /// The greatest errors over bound, with their motions.
+    /// Cases with the greatest quotients of error and bound.
     pub worst: Vec<Case>,
 }
 
-/// A case that is worth a look.
+/// Case with a large quotient of error and bound.
 #[derive(Clone, Copy, Debug)]
 pub struct Case {
-    /// Error and bound.
+    /// Error and bound of the case.
     pub worst: Worst,
-    /// Of its table.
+    /// Number of segments of its table.
     pub segments: usize,
-    /// Its motion.
+    /// Motion of the case.
     pub trial: Trial,
 }
 
-/// Of one kind of times.
+/// Errors and ratios of all motions at one kind of times.
 #[derive(Clone, Debug, Default)]
 pub struct Spread {
-    /// Bound over error, motion by motion.
+    /// Quotient of bound and error of each motion.
     ratios: Vec<f64>,
-    /// rad; for rates, shares of the greatest angular speed.
+    /// Errors in rad; for rates, relative to the greatest angular speed.
     errors: Vec<f64>,
 }
 
@@ -66,7 +66,7 @@ impl Tally {
         }
     }
 
-    /// With what another thread has.
+    /// Sum with the tally of another thread.
     #[must_use]
     pub fn merged(mut self, other: Self) -> Self {
         for (regime, count) in other.regimes {
@@ -79,7 +79,7 @@ impl Tally {
         self
     }
 
-    /// Puts numbers in order; before that there are no quantiles.
+    /// Sorts the numbers, which quantiles need.
     pub fn finish(&mut self) {
         for side in &mut self.scalars {
             for spread in [&mut side.near, &mut side.far, &mut side.rates] {
@@ -100,14 +100,14 @@ impl Side {
         self.near.add(near);
         self.far.add(far);
         self.rates.add(rates);
-        let worse = if far.strain() > near.strain() { far } else { near };
-        self.violated += u64::from(worse.strain() > 1.0 || rates.strain() > 1.0);
+        let worse = if far.of_bound() > near.of_bound() { far } else { near };
+        self.violated += u64::from(worse.of_bound() > 1.0 || rates.of_bound() > 1.0);
         self.keep(Case { worst: *worse, segments: *segments, trial: *trial });
     }
 
     fn keep(&mut self, case: Case) {
         self.worst.push(case);
-        self.worst.sort_by(|a, b| b.worst.strain().total_cmp(&a.worst.strain()));
+        self.worst.sort_by(|a, b| b.worst.of_bound().total_cmp(&a.worst.of_bound()));
         self.worst.truncate(KEPT);
     }
 
@@ -127,7 +127,7 @@ impl Side {
 impl Spread {
     fn add(&mut self, worst: &Worst) {
         if worst.bound > 0.0 {
-            self.ratios.push(1.0 / worst.strain());
+            self.ratios.push(1.0 / worst.of_bound());
             self.errors.push(worst.error);
         }
     }
@@ -137,19 +137,19 @@ impl Spread {
         self.errors.extend(other.errors);
     }
 
-    /// Bound over error, of which this share of the motions has less.
+    /// Quantile of the quotient of bound and error: this share of the motions has a smaller one.
     #[must_use]
     pub fn ratio(&self, share: f64) -> f64 {
         quantile(&self.ratios, share)
     }
 
-    /// Error, in its unit.
+    /// Quantile of the error.
     #[must_use]
     pub fn error(&self, share: f64) -> f64 {
         quantile(&self.errors, share)
     }
 
-    /// The share of motions whose bound is at most so many times the error.
+    /// Share of the motions whose bound is at most `ratio` times the error.
     #[must_use]
     pub fn within(&self, ratio: f64) -> f64 {
         self.ratios.partition_point(|x| *x <= ratio) as f64 / self.ratios.len().max(1) as f64

@@ -1,4 +1,4 @@
-//! One motion put to the test: both scalars, at random times in the first period and at one far away.
+//! Trial of one motion: both scalars, at random times in the first period and at distant times.
 
 use super::draw::Ticks;
 use toytop::{Motion, Regime};
@@ -10,7 +10,7 @@ use toytop_host::motion::propagate::natural_time;
 use toytop_host::truth::exact::{Course, Exact, PreciseOrientation};
 use toytop_host::truth::motions::Numbers;
 
-/// A tick, and the truth there.
+/// Tick with the truth.
 struct Target {
     tick: i64,
     phi: PreciseOrientation,
@@ -18,68 +18,69 @@ struct Target {
     far: bool,
 }
 
-/// What one scalar made of a motion.
+/// Outcome of one scalar for a motion.
 #[derive(Clone, Copy, Debug)]
 pub enum Outcome {
-    /// Typed: no table of the list fits.
+    /// Refusal, because no table is large enough.
     TableTooSmall,
-    /// A table of so many segments.
+    /// Table with its greatest errors.
     Fits {
-        /// Its segments.
+        /// Number of segments.
         segments: usize,
-        /// In the first period.
+        /// Error in the first period.
         near: Worst,
-        /// Up to 10^9 periods away; the least there is where the motion does not return.
+        /// Error at times up to 10^9 periods away; 0 where the motion does not return.
         far: Worst,
-        /// Rates in both, as shares of the greatest angular speed.
+        /// Error of the rates at all these times, relative to the greatest angular speed.
         rates: Worst,
     },
 }
 
-/// The error that came closest to its bound, or furthest beyond.
+/// Error with the greatest quotient of error and bound.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Worst {
-    /// rad; for rates, a share of the greatest angular speed.
+    /// Error in rad; for rates, relative to the greatest angular speed.
     pub error: f64,
-    /// In the same unit.
+    /// Bound in the same unit.
     pub bound: f64,
-    /// At this time; in the first period, or after many.
+    /// Time of the error.
     pub t: f64,
 }
 
 impl Worst {
-    /// The one that comes closest to its bound.
+    /// Error with the greatest quotient of error and bound among these.
     fn of(measured: impl Iterator<Item = Self>) -> Self {
-        measured.fold(Self::default(), |a, b| if b.strain() > a.strain() || a.bound == 0.0 { b } else { a })
+        measured
+            .fold(Self::default(), |a, b| if b.of_bound() > a.of_bound() || a.bound == 0.0 { b } else { a })
     }
 
-    /// Error over bound; infinite for what is no number.
+    /// Quotient of error and bound; infinite if the error is no number.
     #[must_use]
-    pub fn strain(&self) -> f64 {
-        let strain = self.error / self.bound;
+    pub fn of_bound(&self) -> f64 {
+        let of_bound = self.error / self.bound;
         match self.bound {
             0.0 => 0.0,
-            _ if strain.is_nan() => f64::INFINITY,
-            _ => strain,
+            _ if of_bound.is_nan() => f64::INFINITY,
+            _ => of_bound,
         }
     }
 }
 
-/// A motion and its two outcomes, f64 and f32.
+/// Motion with its outcomes in f64 and f32.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial {
-    /// The motion.
+    /// Numbers of the motion.
     pub numbers: Numbers,
-    /// Its regime.
+    /// Regime of the motion.
     pub regime: Regime,
-    /// In f64 and in f32.
+    /// Outcomes in f64 and in f32.
     pub outcomes: [Outcome; 2],
 }
 
-/// Draws a motion and tries it.
+/// Trial of a random motion.
 ///
 /// # Errors
-/// [`Failure`]: the motion was refused, which none should be.
+/// [`Failure`]: the motion was refused, which is not expected.
 pub fn run(random: &mut Random) -> Result<Trial, Failure> {
     let numbers = Numbers::random(random);
     let motion = numbers.motion().map_err(|error| Failure::Input(format!("{numbers}: {error}")))?;
@@ -116,9 +117,9 @@ fn measure(table: &dyn AnyScalar, target: &Target, ticks_per_time: f64) -> Worst
     Worst { error, bound: table.error_bound().after(tick), t: tick / ticks_per_time }
 }
 
-/// Places of each kind.
+/// Number of places of each kind.
 const PLACES: usize = 8;
-/// Periods, or natural times, to the furthest.
+/// Number of periods, or natural times, to the most distant place.
 const FURTHEST: f64 = 1e9;
 
 /// Ticks of the first period, and some of them again after up to 10^9 periods.

@@ -25,7 +25,7 @@ fn sines_are_as_exact_as_their_documentation_says() {
     assert!(stdout(&table).contains("over 65536 phases"), "{}", stdout(&table));
 }
 
-/// A build that would not notice says so; one that would finds nothing.
+/// A build without overflow checks is refused, and one with them finds no overflow.
 #[test]
 fn nothing_overflows() {
     let output = run(&["overflow", "--motions", "40", "--ticks", "200"]);
@@ -38,8 +38,8 @@ fn nothing_overflows() {
     }
 }
 
-/// Overflow would panic here, where sums are checked (`toytop-lab overflow` does the same at length), and a bit that a conversion
-/// drops would be an error beyond its bound.
+/// The test build checks sums, so that an overflow would panic, as in `toytop-lab overflow` with more motions. A bit lost in a conversion
+/// would be an error beyond its bound.
 #[test]
 fn random_motions_stay_in_range() {
     let tally = (0..150)
@@ -47,6 +47,6 @@ fn random_motions_stay_in_range() {
         .fold(toytop_lab::overflow::Tally::default(), toytop_lab::overflow::Tally::and);
     assert_eq!(tally.failures, [""; 0]);
     assert!(tally.ticks > 50_000, "{tally:?}");
-    assert!(tally.strain.iter().all(|strain| (0.3..1.0).contains(strain)), "{tally:?}");
+    assert!(tally.of_bound.iter().all(|of_bound| (0.3..1.0).contains(of_bound)), "{tally:?}");
     assert!(toytop_lab::overflow::is_checked() == cfg!(debug_assertions));
 }

@@ -1,4 +1,4 @@
-//! The command line of `toytop-lab` as other programs see it.
+//! Tests of the program `toytop-lab` by its command line.
 
 mod fixed_point;
 #[path = "../../../tests/cli/killed.rs"]

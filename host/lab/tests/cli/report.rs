@@ -1,4 +1,4 @@
-//! `toytop-lab report`: a page that needs nothing else, and the tables of `host/docs/accuracy.md`, which must not be stale.
+//! Tests of `toytop-lab report`: the page needs no other file, and the tables of `host/docs/accuracy.md` are up to date.
 
 use super::killed::{files, is_whole, killed};
 use super::{folder, run, stderr, stdout};
@@ -84,7 +84,7 @@ fn what_is_no_report_is_refused() {
     assert!(!to.exists(), "not even a folder");
 }
 
-/// It takes long, and its page comes last: killed on the way, the page of before is there.
+/// The page is written last. If the program is killed before, the old page remains.
 #[test]
 fn a_killed_report_leaves_the_old_page_or_the_new() {
     let folder = folder("robust_report");

@@ -1,4 +1,4 @@
-//! `toytop-lab study --corners` and `toytop-lab longrun`: rows, pages, and what they refuse.
+//! Tests of `toytop-lab study --corners` and `toytop-lab longrun`: rows, pages and refusals.
 
 use super::{json, run, stderr, stdout};
 use std::path::Path;
@@ -25,7 +25,7 @@ fn corners_keep_their_bounds_and_fill_their_page() {
         }
         assert_eq!(row["beyond_bound"], 0, "{row}");
     }
-    // at far ticks their number dominates the bound, and the bound is not far above the errors
+    // at distant ticks their number dominates the bound, and the bound is not far above the errors
     for scalar in study["scalars"].as_array().expect("scalars") {
         let count = |key: &str| scalar[key].as_u64().expect("a count");
         assert!(
@@ -58,7 +58,7 @@ fn a_page_without_a_place_is_refused_before_the_work() {
     assert_eq!(run(&["study", "--docs", page]).status.code(), Some(2));
 }
 
-/// The cells of the line that starts with this.
+/// Cells of the line that starts with this text.
 fn cells(text: &str, start: &str) -> Vec<String> {
     let line = text.lines().find(|line| line.trim_start().starts_with(start));
     let line = line.unwrap_or_else(|| panic!("no line {start:?} in {text}"));
@@ -93,7 +93,7 @@ fn a_study_is_fixed_by_its_seed_and_adds_up() {
         let fits: u64 = fits.map(|words| count(words[3 + side])).sum();
         assert_eq!(fits + count(&cells(&text, "do not fit")[side]), 150, "{text}");
     }
-    // the errors are those of the scalars
+    // the errors are of the size of the scalar's rounding
     let number = |start: &str, side: usize| cells(&text, start)[side].parse::<f64>().expect("a number");
     for (side, rounding) in [(0, f64::EPSILON), (1, f64::from(f32::EPSILON))] {
         for kind in ["near", "far"] {

@@ -1,10 +1,10 @@
-//! Tables in C as several files: what is shared, and what is not.
+//! Tables in C as several files: those of one table, and those that all tables share.
 
 use super::{SHARED_HEADER, SHARED_SOURCE, declaration, shared_header, shared_source, source};
 use crate::bake::{Label, Parts};
 use crate::motion::Scalar;
 
-/// Header and source of a table, after those that all tables share: names and texts.
+/// Names and texts of the files that all tables share, and of the header and the source of a table.
 #[must_use]
 pub fn split_files(label: &Label, parts: &Parts) -> Vec<(String, String)> {
     let name = label.c_name();

@@ -1,31 +1,31 @@
-//! Types and functions that all tables in C share, and that evaluate a table.
+//! Types and functions in C that evaluate a table, and that all tables share.
 
 use super::{decimal, integer};
 use crate::motion::Scalar;
 use toytop::scalar::SINE_CONSTANTS;
 
-/// Name of the header that declares it.
+/// Name of the header that declares the shared code.
 pub(super) const SHARED_HEADER: &str = "toytop_baked.h";
-/// Name of the source that defines it.
+/// Name of the source that defines the shared code.
 pub(super) const SHARED_SOURCE: &str = "toytop_baked.c";
 
-/// Part of the code: its types, and its functions, of which the public ones begin with [`API`].
+/// Part of the code: its types and its functions, of which the public ones begin with [`API`].
 struct Part {
-    /// Macro that tells that it is there.
+    /// Macro that is defined if the part is included.
     guard: &'static str,
     types: String,
     functions: String,
 }
 
-/// Beginning of a public function in the sources.
+/// Text before a public function in the sources.
 const API: &str = "TOYTOP_API ";
 
-/// Phases, the same for every scalar.
+/// Part for phases, which every scalar uses.
 fn clock() -> Part {
     part("TOYTOP_CLOCK", include_str!("clock.h"), "", "")
 }
 
-/// Code of a scalar: its own arithmetic, and what is common to all.
+/// Part for a scalar: its arithmetic, and the functions that are written for all scalars.
 fn evaluator(scalar: Scalar) -> Part {
     let accessors = include_str!("accessors.h");
     let asked = |intact: &str, name: &str, number: &str| {
@@ -47,13 +47,13 @@ fn evaluator(scalar: Scalar) -> Part {
     }
 }
 
-/// A part from its template, in which types and functions have a line between them.
+/// Part from its template, in which a line separates types and functions.
 fn part(guard: &'static str, template: &str, constants: &str, more: &str) -> Part {
     let (types, functions) = template.split_once("/* Functions. */\n").unwrap_or((template, ""));
     Part { guard, types: types.to_owned(), functions: [constants, functions, more].concat() }
 }
 
-/// Parts that the tables of a scalar need: fixed point stands on the integers of `f32`, and 16 bits on the vectors of 32.
+/// Parts that the tables of a scalar need: fixed point uses the integers of `f32`, and 16 bits the vectors of 32 bits.
 fn parts(scalar: Scalar) -> Vec<Part> {
     let evaluators: &[Scalar] = match scalar {
         Scalar::F64 => &[Scalar::F64],
@@ -64,18 +64,18 @@ fn parts(scalar: Scalar) -> Vec<Part> {
     std::iter::once(clock()).chain(evaluators.iter().map(|scalar| evaluator(*scalar))).collect()
 }
 
-/// All parts, which the shared files hold.
+/// All parts, which the shared files contain.
 fn all() -> Vec<Part> {
     let evaluators = [Scalar::F32, Scalar::Q31, Scalar::Q15, Scalar::F64].map(evaluator);
     std::iter::once(clock()).chain(evaluators).collect()
 }
 
-/// Version of the format, which is the value of the clock's macro.
+/// Version of the format, the value of the clock's macro.
 fn format() -> u32 {
     toytop::Baked::<f32, 16>::FORMAT
 }
 
-/// Code for a header that needs no other file: every function is `static inline`, and there once.
+/// Code for a header that needs no other file: every function is `static inline`, and included once.
 pub(super) fn inlined(scalar: Scalar) -> String {
     let mut text = "#ifndef TOYTOP_API\n#define TOYTOP_API static inline\n#endif\n".to_owned();
     for Part { guard, types, functions } in parts(scalar) {
@@ -126,7 +126,7 @@ fn declarations(functions: &str) -> String {
     text
 }
 
-/// The points of the circle, and the coefficients of the rest.
+/// Table of sines in C, and the coefficients of the interpolation.
 fn points() -> String {
     let ([linear, cubic, versine], secant) = (SINE_CONSTANTS.turn, SINE_CONSTANTS.secant);
     let rows = SINE_CONSTANTS.points.chunks(8);
@@ -142,7 +142,7 @@ fn points() -> String {
     )
 }
 
-/// sin 2 pi x = x S(x^2), cos 2 pi x = C(x^2).
+/// Coefficients in C of the series sin 2 pi x = x S(x^2), cos 2 pi x = C(x^2).
 fn series() -> String {
     let series = |name: &str, coefficients: &[f64]| {
         let rows: String = coefficients.iter().map(|&x| format!("    {},\n", decimal(x))).collect();

@@ -1,4 +1,4 @@
-//! The same samples by the full solver, by Runge and Kutta's method and by an ephemeris.
+//! Time for the same samples by the full solver, by the Runge-Kutta method and by an ephemeris.
 
 use super::Row;
 use super::timing::{least, least_in_parts};
@@ -14,20 +14,20 @@ use toytop::{
 
 pub(super) const SAMPLES: u32 = 1000;
 pub(super) const PERIODS: u32 = 100;
-/// Of the orientation, rad.
+/// Greatest allowed error of the orientation, rad.
 pub(super) const ACCURACY: f64 = 1e-9;
-/// What is timed here.
+/// Number of tasks that are timed here.
 pub(super) const TASKS: u64 = 6;
-/// A long task is timed in so many parts.
+/// Number of parts in which a long task is timed.
 const PARTS: usize = 50;
 const SAMPLES_OF_PART: usize = SAMPLES as usize / PARTS;
-/// Ticks a second.
+/// Ticks in a second.
 const HERTZ: u32 = 1024;
-/// Steps of the baseline between samples.
+/// Least number of steps of the baseline between two samples.
 const FEWEST_STEPS: u32 = 20;
 const MOST_STEPS: u32 = 2560;
 
-/// A toy top that draws cusps.
+/// Motion of a toy top whose tip curve has cusps.
 pub(super) fn scenario() -> Result<Scenario, Failure> {
     let motion = || -> Result<Motion, ParameterError> {
         let top = Top::sliding(&TopParameters {
@@ -45,7 +45,7 @@ pub(super) fn scenario() -> Result<Scenario, Failure> {
     Ok(Scenario { name: "bench".to_owned(), motion, state: None, units: Units::None })
 }
 
-/// The motion is valid.
+/// Failure for an error that cannot occur, because the motion is valid.
 fn impossible(error: ParameterError) -> Failure {
     Failure::Input(format!("bench: {error}"))
 }
@@ -53,7 +53,7 @@ fn impossible(error: ParameterError) -> Failure {
 pub(super) fn run(scenario: &Scenario, progress: &mut Progress) -> Result<Vec<Row>, Failure> {
     let motion = &scenario.motion;
     let period = motion.period_advance().map_or(1.0, |averages| averages.period);
-    // on whole ticks, and these exact in f64: every way of asking is asked for the same moments
+    // whole ticks whose times are exact in f64, so that all methods compute the same times
     let apart = (f64::from(PERIODS) * period / f64::from(SAMPLES) * f64::from(HERTZ)).round() as i64;
     let ticks: Vec<i64> = (1..=i64::from(SAMPLES)).map(|i| i * apart).collect();
     let times: Vec<f64> = ticks.iter().map(|&n| n as f64 / f64::from(HERTZ)).collect();
@@ -66,11 +66,11 @@ pub(super) fn run(scenario: &Scenario, progress: &mut Progress) -> Result<Vec<Ro
         least(progress, || ticks.iter().map(|&n| ephemeris.at_tick(n).orientation()).collect::<Vec<_>>());
     let (orienting, phis) = least(progress, || times.iter().map(|t| at(t).orientation()).collect::<Vec<_>>());
     let (turning, _) = least(progress, || {
-        let pose = |t: &f64| {
+        let attitude = |t: &f64| {
             let now = at(t);
             (now.orientation(), now.omega())
         };
-        times.iter().map(pose).collect::<Vec<_>>()
+        times.iter().map(attitude).collect::<Vec<_>>()
     });
     let truth = solution::states(scenario, &times)?;
     let error = |found: &[Orientation<f64>]| {
@@ -88,7 +88,7 @@ pub(super) fn run(scenario: &Scenario, progress: &mut Progress) -> Result<Vec<Ro
         || solver(scenario, tolerance),
         |solver, part| {
             for &t in times.iter().skip(part * SAMPLES_OF_PART).take(SAMPLES_OF_PART) {
-                // it has been there before without an error
+                // the solver has reached this time before without an error
                 let _ = std::hint::black_box(solver.advance_to(t));
             }
         },
@@ -130,7 +130,7 @@ pub(super) fn run(scenario: &Scenario, progress: &mut Progress) -> Result<Vec<Ro
     ])
 }
 
-/// The first effort that is accurate enough, and the states that it gives.
+/// First of the efforts that is accurate enough, with its states.
 fn least_effort<E: Copy>(
     first: E,
     more: impl Fn(E) -> Option<E>,
@@ -156,7 +156,7 @@ fn solver(scenario: &Scenario, tolerance: f64) -> FullSolver {
     FullSolver::new(top, state, tolerance)
 }
 
-/// In so many steps from sample to sample; samples are `apart`, in s.
+/// Baseline with this many steps between two samples, whose distance is `apart`, s.
 fn baseline(scenario: &Scenario, apart: f64, steps: u32) -> EqualSteps<RungeKutta> {
     let (top, state) = solution::start(scenario);
     EqualSteps::new(&top, &state, apart / f64::from(steps))

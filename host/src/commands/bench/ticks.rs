@@ -1,4 +1,4 @@
-//! One tick of each propagator.
+//! Time of one tick of each propagator.
 
 use super::Row;
 use super::timing::least;
@@ -11,12 +11,12 @@ use toytop::{
     Tick,
 };
 
-/// What is timed here.
+/// Number of tasks that are timed here.
 pub(super) const TASKS: u64 = 8;
 
-/// Ticks of a run: enough to time, few enough to stay in the cache.
+/// Ticks of a run: enough for the clock, and few enough for the cache.
 const TICKS: u32 = 4096;
-/// The first of them.
+/// First tick of a run.
 const FIRST: i64 = 1 << 40;
 
 pub(super) fn run(motion: &Motion, progress: &mut Progress) -> Result<Vec<Row>, Failure> {

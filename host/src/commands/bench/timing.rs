@@ -1,12 +1,12 @@
-//! Time, taken as the least of several runs: whatever else the machine does only adds.
+//! Time of a task as the least of several runs, because other processes can only make a run longer.
 
 use crate::output::progress::Progress;
 use std::time::Instant;
 
-/// Runs of a task.
+/// Number of runs of a task.
 pub(super) const RUNS: u32 = 9;
 
-/// The least time of several runs in s, and what the last gave.
+/// Least time of several runs, s, and the result of the last run.
 pub(super) fn least<T>(progress: &mut Progress, mut task: impl FnMut() -> T) -> (f64, T) {
     let mut timed = || {
         let started = Instant::now();
@@ -19,8 +19,8 @@ pub(super) fn least<T>(progress: &mut Progress, mut task: impl FnMut() -> T) -> 
     best
 }
 
-/// As [`least`] for a long task, which would never run undisturbed: the sum of the least times of each of its parts. `start`
-/// begins a run, `go_on` does one part of it.
+/// Time of a long task, s, which would never run undisturbed: the sum of the least times of its parts. `start` begins a run, `go_on`
+/// does one part of it.
 pub(super) fn least_in_parts<S>(
     progress: &mut Progress,
     parts: usize,
@@ -41,7 +41,7 @@ pub(super) fn least_in_parts<S>(
     best.iter().sum()
 }
 
-/// Three digits and a unit.
+/// Time as text: three digits and a unit.
 pub(super) fn in_words(seconds: f64) -> String {
     let (scale, unit) = match seconds {
         x if x < 1e-6 => (1e9, "ns"),

@@ -1,13 +1,13 @@
-//! What the core is held to, and over how long: one table.
+//! Bounds on the errors of the core, and the times over which it is compared, in one place.
 
 use crate::cli::{Method, Scalar};
 use crate::input::builtin::OwnBounds;
 use crate::motion::propagate::period;
 use toytop::{Motion, Regime};
 
-/// Steps a period, in f64 and in every other type. In f64, truncation and rounding of the fourth-order step are equal near 2048
-/// (smooth motions) to 8192 (near the separatrix). In f32, rounding alone is left from 512 on, also near the separatrix; as the
-/// phases are integers it does not grow with more steps, which only cost time.
+/// Steps in a period, in f64 and in every other type. In f64, truncation and rounding of the fourth-order step are equal at about
+/// 2048 steps (smooth motions) to 8192 steps (near the separatrix). In f32, the error from 512 steps on is rounding alone, also near
+/// the separatrix; because the phases are integers, it does not grow with more steps, which only take time.
 pub(super) fn steps_per_period(scalar: Scalar) -> u32 {
     match scalar {
         Scalar::F64 => 4096,
@@ -15,9 +15,9 @@ pub(super) fn steps_per_period(scalar: Scalar) -> u32 {
     }
 }
 
-/// Of the stepper over ten periods, rad. In f32 near the separatrix: 180 motions with e₃ - e₂ from 1e-3 to 1e-12, at most
-/// 1.1e-4 rad above what is the truth's. Of micromath, whose square root is 6 % off, nothing can be promised;
-/// in fixed point there is no stepper.
+/// Bound on the error of the stepper over ten periods, rad. In f32 near the separatrix, 180 motions with e₃ - e₂ from 1e-3 to 1e-12
+/// have errors of at most 1.1e-4 rad beyond the bound of the reference. With micromath, whose square root has an error of 6 %, there is
+/// no bound; in fixed point there is no stepper.
 fn of_the_stepper(motion: &Motion, scalar: Scalar) -> f64 {
     /// Below this e₃ - e₂ a motion counts as near the separatrix.
     const NEAR: f64 = 1e-2;
@@ -30,9 +30,9 @@ fn of_the_stepper(motion: &Motion, scalar: Scalar) -> f64 {
     }
 }
 
-/// Of an ephemeris at any time, rad. In f64 it is some 1e-15 (measured against vectors of 30 digits), so that the truth,
-/// up to 3e-13 over ten periods of the motions here, sets the bound; in f32 up to 4e-7, in
-/// fixed point 9e-9 and 3e-4, with micromath's sines 2.2e-3.
+/// Bound on the error of an ephemeris at any time, rad. In f64 the error is some 1e-15 (measured against vectors of 30 digits), so that
+/// the error of the reference, up to 3e-13 over ten periods of the motions here, determines the bound. In f32 the error is up to 4e-7, in
+/// fixed point 9e-9 and 3e-4, and with the sines of micromath 2.2e-3.
 fn of_the_ephemeris(scalar: Scalar) -> f64 {
     match scalar {
         Scalar::F64 => 0.0,
@@ -43,31 +43,31 @@ fn of_the_ephemeris(scalar: Scalar) -> f64 {
     }
 }
 
-/// How far the full solver may be off over ten periods, rad. The full equations amplify their own rounding, and that of
-/// their start, by 1/(e₃ - e₂), and by the ratio of the greatest to the least inertia. Measured: over the same 180 motions
-/// 4e-15 to 6e-14 over e₃ - e₂; with A/(ps) from 100 to 1e-4 up to 3e-13 times the ratio, against the core's stepper at
-/// a million steps a period.
+/// Bound on the error of the full solver over ten periods, rad. The full equations amplify their own rounding, and that of their
+/// initial state, by 1/(e₃ - e₂) and by the ratio of the greatest to the least inertia. Measured against the core's stepper at a million
+/// steps in a period, the error of the same 180 motions is 4e-15/(e₃ - e₂) to 6e-14/(e₃ - e₂); with A/(ps) from 100 to 1e-4 it is up to
+/// 3e-13 times the ratio.
 fn of_the_truth(motion: &Motion) -> f64 {
     let amplified = match motion.regime() {
         Regime::Nutating => 1e-13 / motion.branch_points().e3_minus_e2,
-        // followed until it has grown this much
+        // the motion is followed until the error has grown by this factor
         Regime::Aperiodic => MOST_AMPLIFIED * f64::EPSILON,
         _ => 0.0,
     };
     let top = motion.top();
     let (a, c) = (top.transverse_inertia(), top.axial_inertia());
-    // without axial inertia the axial rate is no result of the integration
+    // without axial inertia the integration does not compute the axial rate
     let least = if c > 0.0 { a.min(c) } else { a };
     (amplified + 1e-12) * (a + top.mass_moment() * top.com_height()) / least
 }
 
-/// No orientation is further from another.
+/// Upper bound on the distance of two orientations, rad.
 pub(super) const WORST: f64 = 4.0;
 
-/// What the error of the orientation may be, rad. `own` are the bounds of a motion that has bounds of its own.
+/// Bound on the error of the orientation, rad. `own` contains the bounds of a motion that has its own.
 ///
-/// Beyond ten periods the stepper's share grows like the time; the truth's, whose energy drifts, like its square (measured:
-/// over 1000 periods 10^3 to 10^4 times as much).
+/// Beyond ten periods the bound of the stepper grows in proportion to time, and that of the reference, whose energy drifts, with the
+/// square of time (measured: over 1000 periods the error is 10^3 to 10^4 times as large).
 pub(super) fn bound(
     motion: &Motion,
     (method, scalar): (Method, Scalar),
@@ -83,21 +83,22 @@ pub(super) fn bound(
     (core + truth).min(WORST)
 }
 
-/// How long a motion is followed.
+/// Time over which a motion is compared.
 pub(super) struct Span {
     /// The nutation period or, where there is none, a natural time of the top, s.
     pub(super) period: f64,
-    /// s.
+    /// Time over which the motion is compared, s.
     pub(super) time: f64,
-    /// Why it is shorter than what was asked for.
+    /// Reason why the time is shorter than requested.
     pub(super) remark: Option<String>,
 }
 
-/// The upright position repels the full equations' rounding errors like e^{λt}; they are followed until this factor.
+/// Greatest growth of rounding errors. Near the upright position the errors of the full equations grow like e^{λt}; the comparison ends
+/// when they have grown by this factor.
 const MOST_AMPLIFIED: f64 = 1e4;
 
-/// `periods` periods. An aperiodic motion is followed until the axis has all but reached the vertical: from there on the
-/// full equations, unlike the core, fall back.
+/// Time of `periods` periods. For an aperiodic motion the time ends shortly before the axis reaches the vertical, because from there the
+/// solution of the full equations, unlike that of the core, falls again.
 pub(super) fn horizon(motion: &Motion, periods: u32) -> Span {
     let period = period(motion);
     let time = period * f64::from(periods);

@@ -1,4 +1,4 @@
-//! How far a run of the core is from the full solver, at the samples that the run has gone through.
+//! Errors of a run of the core against the full solver, at the times of the run's samples.
 
 use super::run::{CoreSample, Run};
 use crate::Failure;
@@ -8,19 +8,19 @@ use crate::input::scenario::Scenario;
 use crate::motion::invariants::natural_scales;
 use toytop::{Motion, Orientation};
 
-/// The greatest errors over all samples.
+/// Greatest errors over all samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Errors {
-    /// 2 √(|Δα|² + |Δβ|²), rad.
+    /// Error of the orientation, 2 √(|Δα|² + |Δβ|²), rad.
     pub(super) orientation: f64,
     pub(super) u: f64,
-    /// Of the tip, in units of s.
+    /// Error of the tip, in units of s.
     pub(super) tip: f64,
-    /// Of l, n and h as recomputed from α, β and their rates, in units of [`natural_scales`].
+    /// Errors of l, n and h as recomputed from α, β and their rates, in units of [`natural_scales`].
     pub(super) integrals: [f64; 3],
 }
 
-/// The full solver at the times of the last run: most runs go through the same.
+/// States of the full solver at the times of the last run, which most other runs share.
 #[derive(Default)]
 pub(super) struct Truth {
     times: Vec<f64>,
@@ -28,8 +28,8 @@ pub(super) struct Truth {
 }
 
 impl Truth {
-    /// Compares a run with the full solver at the times the run has truly gone through: an f32 step lands next to the time
-    /// asked for.
+    /// Errors of a run against the full solver at the times that the run has reached, because an f32 step ends near the requested
+    /// time, not at it.
     pub(super) fn measure(&mut self, scenario: &Scenario, run: &Run) -> Result<Errors, Failure> {
         let times: Vec<f64> = run.samples.iter().map(|sample| sample.sample.t).collect();
         if times != self.times {
@@ -63,7 +63,7 @@ impl Errors {
     }
 }
 
-/// The greatest so far; a NaN stays.
+/// Replaces the worst error by a larger one; a NaN stays.
 fn worsen(worst: &mut f64, error: f64) {
     if error > *worst || error.is_nan() {
         *worst = error;

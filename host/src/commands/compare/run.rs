@@ -1,4 +1,4 @@
-//! One run of the core over a motion: by a stepper, or by an ephemeris.
+//! One run of the core over a motion, by a stepper or by an ephemeris.
 
 use crate::Failure;
 use crate::motion::Scalar;
@@ -12,7 +12,7 @@ use toytop::scalar::Real;
 use toytop::su2::OrientationRate;
 use toytop::{Complex, Motion, Top};
 
-/// What a run gave and took.
+/// Samples and cost of a run.
 pub(super) struct Run {
     pub(super) samples: Vec<CoreSample>,
     pub(super) effort: Effort,
@@ -20,17 +20,17 @@ pub(super) struct Run {
     pub(super) wall: Duration,
 }
 
-/// What it took to get there.
+/// Number of operations of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Effort {
-    /// So many steps.
+    /// Number of steps of a stepper.
     Steps(u64),
-    /// A table of so many segments and terms, and so many look-ups in it.
+    /// Segments and terms of a table, and the number of look-ups in it.
     Table { size: [usize; 2], look_ups: u64 },
 }
 
 impl Effort {
-    /// Steps or look-ups.
+    /// Number of steps or look-ups.
     pub(super) fn calls(self) -> u64 {
         match self {
             Self::Steps(calls) | Self::Table { look_ups: calls, .. } => calls,
@@ -44,18 +44,18 @@ pub(super) struct CoreSample {
     pub(super) integrals: [f64; 3],
 }
 
-/// Samples a period.
+/// Samples in a period.
 pub(super) const SAMPLES: u32 = 64;
 
-/// `count` times over the horizon, evenly spread but at incommensurate places: one in each of `count` equal parts, moved
-/// on by multiples of the golden section.
+/// `count` times from 0 to `horizon`, s: one in each of `count` equal parts, at a place in its part that is a multiple of the golden
+/// section modulo 1.
 pub(super) fn sample_times(horizon: f64, count: u32) -> impl Iterator<Item = f64> {
     const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
     let part = horizon / f64::from(count);
     (0..count).map(move |i| part * (f64::from(i) + (f64::from(i) * GOLDEN_SECTION).fract()))
 }
 
-/// Runs the stepper in steps of `step`, in s, through the times.
+/// Run of the stepper through the times, in steps of `step`, s.
 pub(super) fn step_through<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Run {
     let horizon = times.last().copied().unwrap_or_default();
     let mut progress = Progress::new((horizon / step) as u64, "steps");
@@ -75,7 +75,7 @@ pub(super) fn step_through<R: Real>(motion: &Motion, times: &[f64], step: f64) -
     Run { samples, effort: Effort::Steps(timed.steps()), wall: timed.stepping() }
 }
 
-/// Looks the times up in an ephemeris.
+/// Run of an ephemeris at the times.
 pub(super) fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
     let ephemeris = smallest(scalar, motion)?;
     let started = Instant::now();
@@ -87,7 +87,7 @@ pub(super) fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<
     Ok(Run { samples, effort, wall })
 }
 
-/// ω once more, in f64 from the core's α, β and rates: what is measured is those, not the rounding of a product.
+/// Sample with ω recomputed in f64 from the core's α, β and their rates, so that the errors do not contain the rounding of a product.
 fn core_sample<R: Real>(top: &Top, sample: Sample, rate: &OrientationRate<R>) -> CoreSample {
     let widen = |z: Complex<R>| cast::complex(z, R::to_f64);
     let phi = sample.orientation();

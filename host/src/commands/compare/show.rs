@@ -1,4 +1,4 @@
-//! The rows of `compare` as a table to read and as records.
+//! Rows of `compare` as a table and as records.
 
 use super::bounds::{WORST, steps_per_period};
 use super::run::{Effort, SAMPLES};
@@ -42,7 +42,7 @@ pub(super) fn table(rows: &[Row], periods: u32) -> String {
     let header = HEADER.iter().map(|&name| name.to_owned()).collect();
     let lines = std::iter::once(header).chain(rows.iter().map(line)).collect();
     format!(
-        "{}\nThe core against the full 3-D equations: greatest differences at {SAMPLES} moments a period over {periods} periods.\n\
+        "{}\nThe core against the full 3-D equations: greatest differences at {SAMPLES} times in a period over {periods} periods.\n\
          angle: 2 sqrt(|d alpha|^2 + |d beta|^2) in rad, not to exceed the bound; tip: in units of s; h, l, n: as recomputed\n\
          from alpha, beta and their rates, against their constants, relative. Steps a period: {} in f64,\n\
          {} in other types; of an ephemeris the segments x terms of its table. Each: a step or a look-up.\n",
@@ -52,7 +52,7 @@ pub(super) fn table(rows: &[Row], periods: u32) -> String {
     )
 }
 
-/// A row a motion: of each scalar the error that is nearest to its bound, the cost, and whether every bound is kept.
+/// Table with one row for each motion: for each scalar the error that is nearest to its bound, the cost, and whether all bounds are kept.
 pub(super) fn summary(rows: &[Row], periods: u32) -> String {
     let scalars: Vec<Scalar> =
         Scalar::ALL.into_iter().filter(|scalar| rows.iter().any(|row| row.scalar == *scalar)).collect();
@@ -116,7 +116,7 @@ fn by([segments, terms]: [usize; 2]) -> String {
     format!("{segments}x{terms}")
 }
 
-/// A name that keeps the table within 120 columns.
+/// Name short enough for a table of 120 columns.
 fn shortened(name: &str) -> String {
     const LONGEST: usize = 20;
     if name.chars().count() <= LONGEST {

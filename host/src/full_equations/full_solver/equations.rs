@@ -1,13 +1,13 @@
-//! The Euler-Poisson equations of the toy top for (Phi, m), in the fixed frame and without coordinates of any
-//! special axis: no angles, no division by 1 - u^2, nothing that knows the motion is integrable.
+//! Euler-Poisson equations of the toy top for (Phi, m) in the fixed frame. They use no angles, do not divide by 1 - u^2, and do not use
+//! that the motion is integrable.
 
-/// A vector of the fixed frame; k = (0, 0, 1) points up.
+/// Vector of the fixed frame, in which k = (0, 0, 1) points up.
 type Vector = [f64; 3];
 
-/// alpha re, im, beta re, im, m1, m2, m3.
+/// State of the integration: re alpha, im alpha, re beta, im beta, m1, m2, m3.
 pub type Vector7 = [f64; 7];
 
-/// The body: inertias, where its centre of mass is, and gravity. Any consistent units; the ones named are SI.
+/// Body: moments of inertia, position of the centre of mass, and gravity. Units are SI or any consistent ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FullTop {
     /// Transverse moment of inertia A \[kg m^2\], > 0: about the centre of mass, or about the tip when `s` is
@@ -19,7 +19,7 @@ pub struct FullTop {
     pub s: f64,
     /// Mass moment p = mass x distance from tip to centre of mass \[kg m\], >= 0.
     pub p: f64,
-    /// Gravity g \[m/s^2\]; enters the weight only.
+    /// Gravity g \[m/s^2\], which determines only the weight.
     pub g: f64,
     /// Angular momentum K of a rotor inside \[kg m^2/s\], along the axis and constant relative to the body; 0 without one.
     pub k: f64,
@@ -28,9 +28,9 @@ pub struct FullTop {
 /// Orientation Phi = \[\[alpha, beta\], \[-conj beta, conj alpha\]\] and angular velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FullState {
-    /// alpha as (re, im).
+    /// Parameter alpha as (re, im).
     pub alpha: [f64; 2],
-    /// beta as (re, im); |alpha|^2 + |beta|^2 = 1.
+    /// Parameter beta as (re, im); |alpha|^2 + |beta|^2 = 1.
     pub beta: [f64; 2],
     /// Angular velocity \[rad/s\], components in the fixed frame.
     pub omega: [f64; 3],
@@ -58,21 +58,19 @@ impl FullState {
 }
 
 impl FullTop {
-    /// (l, n, h): the angular momenta about the vertical and about the axis \[kg m^2/s\] and the energy
-    /// \[J\], with the potential energy p g u. Rounding only: a few units in the last place of their largest
-    /// term.
+    /// First integrals (l, n, h): the angular momenta about the vertical and about the axis \[kg m^2/s\] and the energy \[J\], with the
+    /// potential energy p g u. Error: a few units in the last place of their largest term.
     #[must_use]
     pub fn first_integrals(&self, state: &FullState) -> (f64, f64, f64) {
         let equations = Equations::of(self, state);
         let (r, m) = (state.axis(), equations.momentum(state));
-        // the rotor's own energy is constant and not counted
+        // the energy of the rotor relative to the body is constant and not counted
         let twice_kinetic = dot(m, state.omega) - self.k * dot(state.omega, r);
         (m[2], dot(m, r), 0.5 * twice_kinetic + equations.pg * r[2])
     }
 }
 
-/// Parameters of the motion: A, C, p s, p g and K, here in whatever units of inertia and time the caller
-/// chose.
+/// Parameters of the motion: A, C, p s, p g and K, in any units of inertia and time.
 #[derive(Debug, Clone, Copy)]
 pub struct Equations {
     pub(crate) a: f64,
@@ -80,19 +78,19 @@ pub struct Equations {
     pub(crate) ps: f64,
     pub(crate) pg: f64,
     pub(crate) k: f64,
-    /// <omega, r> at the start, which the momentum of a body with C = 0 does not tell; no torque changes it.
+    /// Constant axial rate <omega, r>, which the momentum of a body with C = 0 does not determine.
     pub(crate) spin: f64,
 }
 
 impl Equations {
-    /// Those of a top, in its own units, for a motion from this state.
+    /// Parameters of a top, in its units, for a motion from this state.
     #[must_use]
     pub fn of(top: &FullTop, start: &FullState) -> Self {
         let spin = dot(start.omega, start.axis());
         Self { a: top.a, c: top.c, ps: top.p * top.s, pg: top.p * top.g, k: top.k, spin }
     }
 
-    /// m = A omega + ((C - A) <omega, r> + K) r + p s u' q, where q = r x k and u' = <omega, q>.
+    /// Momentum m = A omega + ((C - A) <omega, r> + K) r + p s u' q, where q = r x k and u' = <omega, q>.
     pub(crate) fn momentum(&self, state: &FullState) -> Vector {
         let (r, w) = (state.axis(), state.omega);
         let q = [r[1], -r[0], 0.0];
@@ -100,8 +98,8 @@ impl Equations {
         core::array::from_fn(|i| self.a * w[i] + axial * r[i] + rise * q[i])
     }
 
-    /// Undoes `momentum` and also returns p s u'. <m, r> = C <omega, r> + K and <m, q> = (A + p s |q|^2) u' need
-    /// no matrix inverse, and their divisors are never small.
+    /// Angular velocity of a momentum, and p s u'. The equations <m, r> = C <omega, r> + K and <m, q> = (A + p s |q|^2) u' need no matrix
+    /// inverse, and their divisors are not small.
     fn angular_velocity(&self, r: Vector, m: Vector) -> (Vector, f64) {
         let q = [r[1], -r[0], 0.0];
         let spin = if self.c > 0.0 { (dot(m, r) - self.k) / self.c } else { self.spin };
@@ -110,14 +108,14 @@ impl Equations {
         (core::array::from_fn(|i| (m[i] - axial * r[i] - rise * q[i]) / self.a), rise)
     }
 
-    /// The state with its angular velocity, from (Phi, m).
+    /// State with its angular velocity, from (Phi, m).
     pub(crate) fn state(&self, y: &Vector7) -> FullState {
         let (alpha, beta) = ([y[0], y[1]], [y[2], y[3]]);
         let omega = self.angular_velocity(axis(alpha, beta), [y[4], y[5], y[6]]).0;
         FullState { alpha, beta, omega }
     }
 
-    /// d/dt (Phi, m). Phi' = omega Phi. m' = omega x m + DL with DL = ((C - A) <omega, r> + K) r x omega + p s u' r
+    /// Derivative d/dt (Phi, m). Phi' = omega Phi. m' = omega x m + DL with DL = ((C - A) <omega, r> + K) r x omega + p s u' r
     /// x (k x omega) - p g q; the terms along r cancel and Jacobi's identity leaves m' = p s u' (r' x k)
     /// - p g q, which is horizontal: l = m3 is conserved to the last bit.
     pub(crate) fn derivative(&self, y: &Vector7) -> Vector7 {
@@ -135,7 +133,7 @@ impl Equations {
         ]
     }
 
-    /// One step of the classical method of Runge and Kutta.
+    /// State after one step of the classical Runge-Kutta method.
     #[must_use]
     pub fn runge_kutta(&self, y: &Vector7, step: f64) -> Vector7 {
         let ahead =

@@ -8,13 +8,13 @@ fn at(top: FullTop, state: FullState, t: f64) -> FullState {
     FullSolver::new(top, state, FULL_SOLVER_TOLERANCE).advance_to(t).unwrap()
 }
 
-/// 2 sqrt(|d alpha|^2 + |d beta|^2).
+/// Distance of two orientations, 2 sqrt(|d alpha|^2 + |d beta|^2), rad.
 fn angle(x: FullState, y: FullState) -> f64 {
     let gap = |x: [f64; 2], y: [f64; 2]| (x[0] - y[0]).hypot(x[1] - y[1]);
     2.0 * gap(x.alpha, y.alpha).hypot(gap(x.beta, y.beta))
 }
 
-/// The state with the given tilt, azimuth and roll, and omega = precession k + spin r.
+/// State with this tilt, azimuth and roll, and omega = precession k + spin r.
 fn precessing(tilt: f64, azimuth: f64, roll: f64, precession: f64, spin: f64) -> FullState {
     let polar = |size: f64, angle: f64| [size * angle.cos(), size * angle.sin()];
     let alpha = polar((tilt / 2.0).cos(), (azimuth + roll) / 2.0);
@@ -60,7 +60,7 @@ fn first_integrals_and_there_and_back() {
 
 #[test]
 fn the_torque_is_the_lagrangians() {
-    // omega x m + DL as the variational principle gives it, against the shortened form that is integrated.
+    // omega x m + DL by the variational principle, against the simplified form that is integrated.
     let equations = Equations::of(&TOP, &START);
     let (r, w, k) = (START.axis(), START.omega, [0.0, 0.0, 1.0]);
     let m = equations.momentum(&START);

@@ -1,4 +1,4 @@
-//! `[motion]`: exactly one of three kinds.
+//! Table `[motion]`: exactly one of three kinds.
 
 use super::section::{Key, Section};
 use crate::Failure;
@@ -15,7 +15,7 @@ enum Kind {
 const KINDS: [(&str, Kind); 3] =
     [("release", Kind::Release), ("state", Kind::State), ("branch_points", Kind::BranchPoints)];
 
-/// The motion, and its state at t = 0 if that is how it is given.
+/// Motion, and its state at t = 0 if the scenario gives a state.
 pub(super) fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Option<State>), Failure> {
     match section.choice("kind", &KINDS, None)? {
         Kind::Release => {
@@ -59,11 +59,11 @@ static RELEASE: [Key; 6] = [
     Key::optional("roll_deg", 0.0, DEGREES),
 ];
 
-/// The core's names of what is called differently here.
+/// Parameter names of the core that differ from the keys of the file, each with its key.
 const RELEASE_NAMES: [(&str, &str); 3] =
     [("tilt", "tilt_deg"), ("azimuth", "azimuth_deg"), ("roll", "roll_deg")];
 
-/// The state, and the key of the greatest rate.
+/// State, and the key of the greatest rate.
 fn release(section: &Section<'_>) -> Result<(State, &'static str), Failure> {
     let [tilt_deg, spin, precession, nutation, azimuth_deg, roll_deg] = section.numbers("kind", &RELEASE)?;
     let [tilt_key, ..] = &RELEASE;

@@ -1,11 +1,11 @@
-//! One table of the file, and the table-driven way to read it: a [`Key`] says what it may hold, once.
+//! One table of a scenario file. Each [`Key`] states its allowed values, by which the table is read.
 
 use crate::Failure;
 use crate::output::shown;
 use toml::{Table, Value};
 use toytop::ParameterError;
 
-/// A key that holds a number or several.
+/// Key whose value is a number or an array of numbers.
 pub(super) struct Key {
     pub(super) name: &'static str,
     /// Allowed values, in words.
@@ -24,7 +24,7 @@ impl Key {
     }
 }
 
-/// `[top]` or `[motion]`.
+/// Table `[top]` or `[motion]`.
 pub(super) struct Section<'a> {
     file: &'a str,
     name: &'static str,
@@ -36,12 +36,12 @@ impl<'a> Section<'a> {
         Self { file, name, table }
     }
 
-    /// The refusal of a key.
+    /// Failure that names a key and the reason.
     pub(super) fn refuse(&self, key: &str, reason: &str) -> Failure {
         Failure::Input(format!("{}: {}.{}: {reason}", self.file, self.name, shown(key)))
     }
 
-    /// A refusal by the core, whose parameters mostly have the names of the keys; `renamed` lists the others.
+    /// Failure for an error of the core, whose parameters have the names of the keys, except for those that `renamed` lists.
     pub(super) fn refused(&self, error: &ParameterError, renamed: &[(&str, &str)]) -> Failure {
         let parameter = error.parameter();
         let key = renamed.iter().find(|(name, _)| *name == parameter).map_or(parameter, |(_, key)| key);
@@ -52,7 +52,7 @@ impl<'a> Section<'a> {
         self.table.contains_key(key.name)
     }
 
-    /// Refuses every key but `choice` (which selects among tables of keys) and those listed.
+    /// Failure if there is a key other than `choice`, which selects among the kinds of a table, and those listed.
     pub(super) fn only(&self, choice: &str, keys: &[Key]) -> Result<(), Failure> {
         let mut names = vec![choice];
         names.extend(keys.iter().map(|key| key.name));
@@ -68,7 +68,7 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// One of several words; the first is the default if there is one.
+    /// Value of a key that is one of several words, with an optional default.
     pub(super) fn choice<T: Copy>(
         &self,
         key: &str,
@@ -86,7 +86,7 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// A finite number.
+    /// Value of a key that is a finite number.
     pub(super) fn number(&self, key: &Key) -> Result<f64, Failure> {
         match (self.table.get(key.name), key.default) {
             (Some(value), _) => number(value).ok_or_else(|| self.not_allowed(key)),
@@ -95,7 +95,7 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// Exactly these keys beside `choice`, each a finite number.
+    /// Values of exactly these keys besides `choice`, each a finite number.
     pub(super) fn numbers<const N: usize>(&self, choice: &str, keys: &[Key; N]) -> Result<[f64; N], Failure> {
         self.only(choice, keys)?;
         let mut numbers = [0.0; N];
@@ -105,7 +105,7 @@ impl<'a> Section<'a> {
         Ok(numbers)
     }
 
-    /// An array of N finite numbers.
+    /// Value of a key that is an array of N finite numbers.
     pub(super) fn array<const N: usize>(&self, key: &Key) -> Result<[f64; N], Failure> {
         let value = self.table.get(key.name).ok_or_else(|| self.missing(key))?;
         value
@@ -124,7 +124,7 @@ impl<'a> Section<'a> {
     }
 }
 
-/// A finite number; integers are numbers too.
+/// Finite number of a value; an integer is allowed.
 fn number(value: &Value) -> Option<f64> {
     match value {
         Value::Float(number) => Some(*number),

@@ -1,4 +1,4 @@
-//! A scenario with some of its numbers left open.
+//! Scenario file in which some numbers vary.
 
 use super::{LARGEST_FILE, Scenario, motion, table, top};
 use crate::Failure;
@@ -6,14 +6,14 @@ use crate::output::{shown, whole_file};
 use std::path::Path;
 use toml::{Table, Value};
 
-/// A scenario file whose numbers can be exchanged.
+/// Scenario file whose numbers can be replaced.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Template {
     file: String,
     root: Table,
 }
 
-/// A key that holds one number: its table and its name.
+/// Key whose value is one number: its table and its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Key {
     table: &'static str,
@@ -22,23 +22,23 @@ pub struct Key {
 }
 
 impl Template {
-    /// Reads a scenario file. Keys that will be filled in may be missing.
+    /// Template of a scenario file, in which the keys that vary may be missing.
     ///
     /// # Errors
-    /// [`Failure::Input`]: as [`Scenario::read`], but for what only a whole scenario shows.
+    /// [`Failure::Input`]: as [`Scenario::keys`].
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let file = path.display().to_string();
         let root = table(&file, &whole_file::read(&file, path, LARGEST_FILE)?)?;
         Ok(Self { file, root })
     }
 
-    /// Name of the file.
+    /// Name of the scenario file.
     #[must_use]
     pub fn file(&self) -> &str {
         &self.file
     }
 
-    /// The key of this name.
+    /// Key of this name.
     ///
     /// # Errors
     /// [`Failure::Input`]: the scenario has no such number; the message lists those it has.
@@ -58,7 +58,7 @@ impl Template {
         })
     }
 
-    /// The scenario with these numbers.
+    /// Scenario with these numbers.
     ///
     /// # Errors
     /// As [`Scenario::parse`].

@@ -1,4 +1,4 @@
-//! `[top]`: support, inertias, mass, gravity.
+//! Table `[top]`: support, inertias, mass, gravity.
 
 use super::section::{Key, Section};
 use crate::Failure;
@@ -30,7 +30,7 @@ pub(super) fn read(section: &Section<'_>) -> Result<Top, Failure> {
         ..TopParameters::default()
     };
     if support == Support::Free {
-        // allowed, and without effect
+        // these keys are allowed and have no effect
         for (key, value) in [
             (height, &mut parameters.com_height),
             (mass, &mut parameters.mass),

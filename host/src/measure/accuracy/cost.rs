@@ -1,4 +1,4 @@
-//! What a tick costs on the chips: `firmware-examples/budgets.toml` as it was when this program was built.
+//! Cost of a tick on the chips, from `firmware-examples/budgets.toml` at the time of the build.
 
 use crate::Failure;
 use crate::budget::{Cost, Limits};
@@ -7,20 +7,20 @@ use toytop_chips::{M0PLUS, M4F, M7, M33, RISCV};
 
 const BUDGETS: &str = include_str!("../../../../firmware-examples/budgets.toml");
 
-/// A chip, and what is counted on it.
+/// Chip with the quantity that is counted on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Chip {
-    /// The chip itself.
+    /// Chip on which the costs are.
     pub chip: toytop_chips::Chip,
-    /// Of a record.
+    /// Name of the column in a record.
     pub column: &'static str,
-    /// At the head of a table.
+    /// Heading of the column in a table.
     pub heading: &'static str,
-    /// Modelled cycles; otherwise instructions.
+    /// Whether cycles are modelled; otherwise instructions are counted.
     pub cycles: bool,
 }
 
-/// Those that `toytop budget` measures.
+/// Chips that `toytop budget` measures.
 pub const CHIPS: [Chip; 5] = [
     Chip { chip: M0PLUS, column: "m0plus_cycles", heading: "M0+ cycles", cycles: true },
     Chip { chip: M4F, column: "m4f_cycles", heading: "M4F cycles", cycles: true },
@@ -29,20 +29,20 @@ pub const CHIPS: [Chip; 5] = [
     Chip { chip: RISCV, column: "riscv_instructions", heading: "RISC-V instr.", cycles: false },
 ];
 
-/// Of every scalar.
+/// Costs of every scalar on every chip.
 #[derive(Debug)]
 pub struct Costs(Limits);
 
 impl Costs {
-    /// As the file says.
+    /// Costs of the file.
     ///
     /// # Errors
-    /// [`Failure::Input`]: it is no file of budgets, which a test would tell.
+    /// [`Failure::Input`]: the file is not a file of budgets, which a test excludes.
     pub fn known() -> Result<Self, Failure> {
         Limits::parse(BUDGETS).map(Self)
     }
 
-    /// At most, of the next tick: from a cursor to α, β, u and the tip in memory. `None` where it was not measured.
+    /// Greatest cost of the next tick, from a cursor to α, β, u and the tip in memory; `None` where it was not measured.
     #[must_use]
     pub fn next_tick(&self, scalar: Scalar, chip: &Chip) -> Option<u64> {
         let cost: &Cost = self.0.of(chip.chip.name, &format!("cursor_{}", scalar.name()))?;

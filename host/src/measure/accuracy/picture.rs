@@ -1,5 +1,5 @@
-//! Error against cost: a point for every scalar and chip. The error does not depend on the chip, so the points of a scalar lie
-//! on a level, which has its name.
+//! Picture of error against cost: a point for every scalar and chip. The error does not depend on the chip, so the points of a scalar lie
+//! on a horizontal line, which has the name of the scalar.
 
 use super::{Accuracy, CHIPS, Costs};
 use crate::Failure;
@@ -13,7 +13,7 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, TextAnchor, render_multiple};
 use std::sync::Arc;
 
-/// Colours that the colour-blind tell apart, and a shape for each chip.
+/// Colour and shape for each chip; the colours can be distinguished by colour-blind readers.
 const MARKS: [(&str, MarkerShape); CHIPS.len()] = [
     ("#d55e00", MarkerShape::Circle),
     ("#0072b2", MarkerShape::Square),
@@ -24,20 +24,20 @@ const MARKS: [(&str, MarkerShape); CHIPS.len()] = [
 
 const WIDTH: f64 = 960.0;
 const HEIGHT: f64 = 560.0;
-/// Left, right, above, below.
+/// Margins on the left, on the right, above and below, in pixels.
 const MARGINS: [f64; 4] = [70.0, 230.0, 96.0, 62.0];
-/// The top of the legend: below the 32 bits of q31, above the 64 of f64, where nothing is.
+/// Vertical position of the legend, in pixels: between the points of q31 and those of f64.
 const LEGEND: f64 = 300.0;
 const LEVEL: &str = "#c8c8c8";
 const REMARK: &str = "#555555";
 
-/// Draws it.
+/// Picture of all scalars.
 ///
 /// # Errors
-/// [`Failure::Input`]: as [`Costs::known`].
+/// The failures of [`Costs::known`].
 pub fn picture(all: &[Accuracy]) -> Result<Picture, Failure> {
     let costs = Costs::known()?;
-    // places in powers of ten
+    // positions in powers of ten
     let point = |accuracy: &Accuracy, chip| {
         let cost = costs.next_tick(accuracy.scalar, chip)?;
         Some(((cost as f64).log10(), accuracy.all().angle.log10()))
@@ -51,7 +51,7 @@ pub fn picture(all: &[Accuracy]) -> Result<Picture, Failure> {
     };
     let [left, right] = ends(points.iter().flatten().map(|(cost, _)| *cost).collect());
     let [low, high] = ends(all.iter().map(|accuracy| accuracy.all().angle.log10()).collect());
-    // whole powers of ten, with room for the marks
+    // whole powers of ten, with space for the marks
     let [left, right, low, high] = [left.floor(), right.ceil(), (low - 0.2).floor(), (high + 0.2).ceil()];
 
     let mut plots: Vec<Plot> = Vec::new();
@@ -98,7 +98,7 @@ pub fn picture(all: &[Accuracy]) -> Result<Picture, Failure> {
         let (rotate, bold, color) = (None, false, Some(Color::from(color)));
         scene.add(Primitive::Text { x, y, content, size, anchor, rotate, bold, color });
     };
-    // upright, above its axis: turned text is smeared in the raster
+    // horizontal text above the axis, because rotated text is not sharp in the raster picture
     let head = "greatest error of the orientation over ticks 1 to 2⁴⁰, rad";
     text(head.to_owned(), [14.0, above - 30.0], 14, TextAnchor::Start, "black");
     let better = "down: more exact; left: faster";

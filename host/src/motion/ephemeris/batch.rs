@@ -28,7 +28,7 @@ impl Quantity {
     /// Number of quantities.
     pub const COUNT: usize = 8;
 
-    /// Number of its components.
+    /// Number of components.
     #[must_use]
     pub const fn width(self) -> usize {
         match self {
@@ -41,7 +41,7 @@ impl Quantity {
 }
 
 impl<R: BoxedScalar> Boxed<R> {
-    /// Fills `out` with the components of a quantity, time after time.
+    /// Writes the components of a quantity at each of these times to `out`.
     pub(super) fn fill_with(&self, quantity: Quantity, times: &[f64], out: &mut [f64]) {
         let table = &*self.0;
         let wide = <R::Wide as Float>::to_f64;
@@ -64,7 +64,7 @@ impl<R: BoxedScalar> Boxed<R> {
     }
 }
 
-/// Fills rows of N numbers, one for each time.
+/// Writes a row of N numbers for each time.
 fn rows<const N: usize>(times: &[f64], out: &mut [f64], row: impl Fn(f64) -> [f64; N]) {
     for (t, out) in times.iter().zip(out.as_chunks_mut().0) {
         *out = row(*t);
@@ -96,12 +96,12 @@ mod tests {
             exact(Quantity::U, &|now| vec![now.u]);
             exact(Quantity::Tip, &|now| vec![now.tip.re, now.tip.im]);
             exact(Quantity::TipAngle, &|now| now.phi.into_iter().collect());
-            // the others are computed on another way, and differ by roundings
+            // the others are computed in another way, and differ by rounding errors
             let close = |quantity, of: &dyn Fn(&crate::motion::propagate::Sample) -> Vec<f64>| {
                 let expected: Vec<f64> = samples.iter().flat_map(of).collect();
                 let off =
                     filled(quantity).iter().zip(&expected).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
-                // the sines of micromath and of 16 bits are good to a thousandth
+                // the sines of micromath and of 16 bits have errors of about a thousandth
                 let allowed = match scalar {
                     Scalar::Q15 => 2e-3,
                     Scalar::Micromath => 1e-2,

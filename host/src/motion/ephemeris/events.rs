@@ -1,4 +1,4 @@
-//! Events of an ephemeris whose scalar and capacity are not known.
+//! Events of an ephemeris of any scalar and capacity.
 
 use super::TimedSample;
 use toytop::{EphemerisScalar, EphemerisView, Event, Level, Phase};
@@ -10,7 +10,7 @@ pub enum Sought {
     Turning,
     /// Crossings of a level.
     Crossing(Level),
-    /// Instants at which the tip angle is this, whole turns aside.
+    /// Times at which the tip angle has this value, whole turns aside.
     TipAngle(Phase),
 }
 

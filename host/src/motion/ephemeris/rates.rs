@@ -1,4 +1,4 @@
-//! Rates of a motion at one time, and how far two of them are apart.
+//! Rates of a motion at one time, and the distance of two of them.
 
 /// Rates at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -34,11 +34,11 @@ impl Sizes {
         }
     }
 
-    /// Text of a refusal, with the number of segments that would fit.
+    /// Text of a refusal, with the number of segments that would be enough.
     fn explain(&self, refusal: &TableTooSmall, motion: &Motion) -> String {
         let fit = match (self.needed)(motion, self.truncation) {
-            Some(segments) => format!("{segments} segments of this degree would fit"),
-            None => format!("not even {LARGEST} segments of this degree would fit"),
+            Some(segments) => format!("{segments} segments of this degree would be enough"),
+            None => format!("not even {LARGEST} segments of this degree would be enough"),
         };
         format!("{refusal}; {fit}")
     }
@@ -54,13 +54,13 @@ impl Sizes {
     }
 }
 
-/// Capacities besides the defaults, the smallest first: each is twice the one before.
+/// Capacities besides the defaults, in ascending order; each is twice the one before.
 const CAPACITIES: [u32; 9] = [16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
 
-/// The largest capacity.
+/// Largest capacity.
 const LARGEST: u32 = CAPACITIES[CAPACITIES.len() - 1];
 
-/// An empty table of this many segments, one of the defaults or of [`CAPACITIES`].
+/// Empty table of this many segments, one of the defaults or of [`CAPACITIES`].
 fn empty<R: EphemerisScalar>(segments: u32) -> Option<Box<EphemerisView<R>>> {
     fn boxed<R: EphemerisScalar, const N: usize>() -> Box<EphemerisView<R>> {
         Box::new(Ephemeris::<R, N>::EMPTY)
@@ -92,15 +92,15 @@ fn set_up<R: BoxedScalar>(
     Ok(Box::new(Boxed(table)))
 }
 
-/// The smallest table that fits, at the rounding of the scalar.
+/// Smallest table whose truncation error is within the rounding of the scalar.
 ///
 /// # Errors
-/// [`Failure::Method`]: none does; the message says which would.
+/// [`Failure::Method`]: no table is large enough; the message states the size that would be.
 pub fn smallest(scalar: Scalar, motion: &Motion) -> Result<Box<dyn AnyScalar>, Failure> {
     smallest_with_period(scalar, motion, period(motion))
 }
 
-/// The smallest table that fits, where the period (or the natural time, where there is none) is known.
+/// Smallest table, as [`smallest`], for a motion whose period (or natural time, if it has no period) is known.
 ///
 /// # Errors
 /// As [`smallest`].
@@ -112,7 +112,7 @@ pub fn smallest_with_period(
     first_that_fits(&Sizes::of(scalar), motion, free_tick(motion, period)?)
 }
 
-/// The smallest table in `f64` with a truncation error of at most so many rad; the period (or the natural time) is known.
+/// Smallest table in `f64` with a truncation error of at most `truncation`, rad, for a motion whose period (or natural time) is known.
 ///
 /// # Errors
 /// As [`smallest`].
@@ -130,7 +130,7 @@ fn first_that_fits(sizes: &Sizes, motion: &Motion, tick: Tick) -> Result<Box<dyn
                 Err(refusal) if segments == LARGEST => {
                     let (terms, reason) = (sizes.terms, sizes.explain(&refusal, motion));
                     return Err(Failure::Method(format!(
-                        "no ephemeris: a table of {LARGEST}x{terms} is the largest there is; {reason}"
+                        "no ephemeris: a table of {LARGEST}x{terms} is the largest one; {reason}"
                     )));
                 }
                 Err(_) if needed == 0 => {
@@ -143,10 +143,10 @@ fn first_that_fits(sizes: &Sizes, motion: &Motion, tick: Tick) -> Result<Box<dyn
     Err(Failure::Method("no ephemeris: no table is large enough".into()))
 }
 
-/// The crate's default size if the motion fits, otherwise the smallest that does.
+/// Table of the crate's default size if that is enough, otherwise the smallest that is.
 ///
 /// # Errors
-/// [`Failure::Method`]: none does; the message says which would.
+/// [`Failure::Method`]: no table is large enough; the message states the size that would be.
 pub fn default_or_smallest(
     scalar: Scalar,
     motion: &Motion,
@@ -157,10 +157,10 @@ pub fn default_or_smallest(
         .or_else(|_| first_that_fits(&sizes, motion, tick))
 }
 
-/// The table of this capacity.
+/// Table of this capacity.
 ///
 /// # Errors
-/// [`Failure::Input`]: no such capacity. [`Failure::Method`]: the motion does not fit it.
+/// [`Failure::Input`]: there is no such capacity. [`Failure::Method`]: it is not enough for the motion.
 pub fn of_size(
     scalar: Scalar,
     segments: u32,
@@ -187,7 +187,7 @@ mod tests {
     use super::*;
     use crate::motion::ephemeris::tests::motion;
 
-    /// Every smaller size refuses; and the motions here need every size there is.
+    /// Sizes that are chosen. Every smaller size is refused, and the motions of the test need every size.
     fn sizes_chosen(scalar: Scalar, motions: &[Motion]) -> Vec<usize> {
         let sizes = Sizes::of(scalar);
         let chosen = |motion: &Motion| {

@@ -2,7 +2,7 @@
 
 use super::chart::{Chart, Curve};
 use crate::Failure;
-use crate::measure::benchmark::{Benchmark, MOMENTS, Method};
+use crate::measure::benchmark::{Benchmark, Method, SAMPLES};
 use crate::output::progress::Progress;
 use kuva::render::render::Scene;
 
@@ -21,13 +21,13 @@ const PERIODS: [u64; 13] = [1, 2, 4, 8, 16, 32, 64, 128, 256, 400, 512, 800, 100
 
 /// Periods, and the greatest error in the period that follows, rad.
 pub fn measured(benchmark: &Benchmark, method: Method) -> Result<Vec<[f64; 2]>, Failure> {
-    let per_period = u64::from(MOMENTS);
-    let moments: Vec<u64> = PERIODS.iter().flat_map(|n| (n - 1) * per_period + 1..=n * per_period).collect();
-    let (errors, _) = benchmark.errors(method, &moments, &benchmark.truth(&moments))?;
-    let worst = errors.chunks(MOMENTS as usize).map(|part| part.iter().copied().fold(0.0, f64::max));
+    let per_period = u64::from(SAMPLES);
+    let samples: Vec<u64> = PERIODS.iter().flat_map(|n| (n - 1) * per_period + 1..=n * per_period).collect();
+    let (errors, _) = benchmark.errors(method, &samples, &benchmark.truth(&samples))?;
+    let worst = errors.chunks(SAMPLES as usize).map(|part| part.iter().copied().fold(0.0, f64::max));
     Ok(PERIODS
         .iter()
-        .map(|&n| n as f64 * f64::from(MOMENTS) * benchmark.share())
+        .map(|&n| n as f64 * f64::from(SAMPLES) * benchmark.share())
         .zip(worst)
         .map(|(n, error)| [n, error])
         .collect())

@@ -1,24 +1,24 @@
-//! The integrands beside a turning point, in both arithmetics.
+//! Integrands near a turning point, in 192 bits and in `f64`.
 
 use crate::truth::precise::{Precise, is_zero, precise, root, to_f64};
 
-/// A turning point.
+/// Turning point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
-    /// u = e₁.
-    Bottom,
-    /// u = e₂.
-    Top,
+    /// Turning point u = e₁.
+    Lower,
+    /// Turning point u = e₂.
+    Upper,
 }
 
 impl End {
     /// Turning point of a number of quarter turns.
     pub(super) fn of(quarter: i64) -> Self {
-        if quarter % 2 == 0 { Self::Bottom } else { Self::Top }
+        if quarter % 2 == 0 { Self::Lower } else { Self::Upper }
     }
 }
 
-/// Constants of a motion, differences of the branch points each for itself.
+/// Constants of a motion; differences of the branch points are separate constants.
 #[derive(Clone, Debug)]
 pub struct Law {
     pub(in crate::truth) s: Precise,
@@ -27,19 +27,19 @@ pub struct Law {
     pub(in crate::truth) one_minus_e2: Precise,
     pub(in crate::truth) e2_minus_e1: Precise,
     pub(in crate::truth) e3_minus_e2: Precise,
-    /// Whether torque acts. Without, e₃ - u does not depend on u, in units in which it is 1.
+    /// Whether torque acts. Without torque e₃ - u does not depend on u, and is 1 in the units of this module.
     pub(in crate::truth) torque: bool,
     pub(in crate::truth) a_over_p: Precise,
-    /// (l ± n)/(2A).
+    /// Rates (l ± n)/(2A).
     pub(in crate::truth) momenta: [Precise; 2],
 }
 
 impl Law {
-    /// 1 + u, 1 - u and e₃ - u, from the square of the sine of what χ is beyond a turning point, and of the cosine.
+    /// Values of 1 + u, 1 - u and e₃ - u, from the squares of sine and cosine of the difference of χ from a turning point.
     fn heights(&self, end: End, [sine, cosine]: [&Precise; 2]) -> [Precise; 3] {
         let [above, below] = match end {
-            End::Bottom => [sine, cosine],
-            End::Top => [cosine, sine],
+            End::Lower => [sine, cosine],
+            End::Upper => [cosine, sine],
         };
         let fall = &self.e2_minus_e1 * below;
         let (one_plus_u, one_minus_u) =
@@ -48,14 +48,14 @@ impl Law {
         [one_plus_u, one_minus_u, below_e3]
     }
 
-    /// 1 + u and 1 - u.
+    /// Values of 1 + u and 1 - u.
     pub(super) fn complements(&self, end: End, beyond: &Precise) -> [Precise; 2] {
         let square = beyond.sqr();
         let [one_plus_u, one_minus_u, _] = self.heights(end, [&square, &(precise(1.0) - &square)]);
         [one_plus_u, one_minus_u]
     }
 
-    /// d(t, arg α, arg β) by the sine of what χ is beyond a turning point, without the drift ±τ/2.
+    /// Derivatives of t, arg α and arg β with respect to the sine of the difference of χ from a turning point, without the rate ±τ/2.
     pub(super) fn rates(&self, end: End, beyond: &Precise) -> [Precise; 3] {
         let sine = beyond.sqr();
         let cosine = precise(1.0) - &sine;
@@ -82,7 +82,7 @@ impl Law {
     }
 }
 
-/// Constants of a motion in `f64`: enough for a first guess, and for choosing places.
+/// Constants of a motion in `f64`, for first guesses and for the choice of places.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LawInF64 {
     s: f64,
@@ -97,10 +97,10 @@ pub(super) struct LawInF64 {
 }
 
 impl LawInF64 {
-    /// 1 + u, 1 - u and dt by the sine of what χ is beyond a turning point.
+    /// Values of 1 + u and 1 - u, and the derivative of t with respect to the sine of the difference of χ from a turning point.
     fn heights_and_slowness(&self, end: End, beyond: f64) -> [f64; 3] {
         let (sine, cosine) = (beyond * beyond, (1.0 - beyond) * (1.0 + beyond));
-        let (above, below) = if end == End::Bottom { (sine, cosine) } else { (cosine, sine) };
+        let (above, below) = if end == End::Lower { (sine, cosine) } else { (cosine, sine) };
         let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * above;
         let one_minus_u = self.one_minus_e2 + self.e2_minus_e1 * below;
         let fall = if self.torque { self.e2_minus_e1 * below } else { 0.0 };
@@ -109,14 +109,14 @@ impl LawInF64 {
         [one_plus_u, one_minus_u, (2.0 * d / (self.g * below_e3 * cosine)).sqrt()]
     }
 
-    /// dt by the sine of what χ is beyond a turning point.
+    /// Derivative of t with respect to the sine of the difference of χ from a turning point.
     pub(super) fn slowness(&self, end: End, beyond: f64) -> f64 {
         self.heights_and_slowness(end, beyond)[2]
     }
 
-    /// Square of the rate of Φ with the mean rates of arg α and arg β taken off: |α|'² + |β|'² and |α|² and |β|² times the
-    /// squares of what is left of the rates of their arguments.
-    pub(super) fn unrest(&self, end: End, beyond: f64, mean_rates: [f64; 2]) -> f64 {
+    /// Square of the rate of Φ without its mean rotation: |α|'² + |β|'² plus |α|² and |β|² times the squared deviations of the rates of arg α
+    /// and arg β from their mean rates.
+    pub(super) fn relative_speed_squared(&self, end: End, beyond: f64, mean_rates: [f64; 2]) -> f64 {
         let [one_plus_u, one_minus_u, slowness] = self.heights_and_slowness(end, beyond);
         let rise = 2.0 * self.e2_minus_e1 * beyond / slowness;
         let turning = |momentum: f64, complement: f64, mean: f64| {
@@ -138,9 +138,9 @@ impl LawInF64 {
         let beyond_e4 = spread / ((1.0 + spread).sqrt() + 1.0);
         let (below, above) = (self.one_plus_e1, self.one_minus_e2);
         let gaps = match end {
-            End::Bottom => [below, below + beyond_e4, f64::INFINITY],
-            End::Top if self.e3_minus_e2 == 0.0 => return None,
-            End::Top => [above, above + beyond_e4, self.e3_minus_e2],
+            End::Lower => [below, below + beyond_e4, f64::INFINITY],
+            End::Upper if self.e3_minus_e2 == 0.0 => return None,
+            End::Upper => [above, above + beyond_e4, self.e3_minus_e2],
         };
         let least = gaps.into_iter().filter(|gap| *gap > 0.0).fold(f64::INFINITY, f64::min);
         Some((least / self.e2_minus_e1).sqrt())

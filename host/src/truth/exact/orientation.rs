@@ -1,25 +1,25 @@
-//! Φ at a time.
+//! Orientation Φ at a time.
 
 use super::law::End;
 use super::{Exact, Place};
 use crate::truth::precise::{Precise, cis, is_zero, precise, product, root, to_f64};
 use toytop::{Complex, Orientation};
 
-/// α and β, each as its real and imaginary part.
+/// Orientation: α and β, each as its real and imaginary part.
 #[derive(Clone, Debug)]
 pub struct PreciseOrientation {
-    /// α.
+    /// Cayley-Klein parameter α.
     pub alpha: [Precise; 2],
-    /// β.
+    /// Cayley-Klein parameter β.
     pub beta: [Precise; 2],
 }
 
 impl PreciseOrientation {
-    /// 2 √(|Δα|² + |Δβ|²), rad; `found` is taken as exact.
+    /// Distance 2 √(|Δα|² + |Δβ|²) from an orientation whose numbers are taken as exact, rad.
     #[must_use]
     pub fn distance(&self, found: &Orientation<f64>) -> f64 {
         let Orientation { alpha, beta } = found;
-        // a number that is not finite is as wrong as can be
+        // for a number that is not finite, the distance is the greatest one
         if ![alpha.re, alpha.im, beta.re, beta.im].iter().all(|x| x.is_finite()) {
             return f64::INFINITY;
         }
@@ -27,7 +27,7 @@ impl PreciseOrientation {
         self.apart(&Self { alpha: lift(alpha), beta: lift(beta) })
     }
 
-    /// 2 √(|Δα|² + |Δβ|²) of two truths, rad.
+    /// Distance 2 √(|Δα|² + |Δβ|²) of two orientations, rad.
     #[must_use]
     pub fn apart(&self, other: &Self) -> f64 {
         let square = |a: &Precise, b: &Precise| to_f64(&(a - b)).powi(2);
@@ -44,13 +44,13 @@ impl PreciseOrientation {
 }
 
 impl Exact {
-    /// Φ at a time after the start, which is taken as exact.
+    /// Orientation Φ at a time after the start, which is taken as exact.
     #[must_use]
     pub fn at(&self, t: &Precise) -> PreciseOrientation {
         let (complements, turned, signs) = match &self.passage {
             None => {
-                // u is e₂, be it constant or the upright top's
-                let complements = self.law.complements(End::Top, &precise(0.0));
+                // u is e₂, both if u is constant and for the upright top
+                let complements = self.law.complements(End::Upper, &precise(0.0));
                 let turned = [0, 1].map(|i| match &self.law.momenta[i] {
                     momentum if is_zero(momentum) || is_zero(&complements[i]) => precise(0.0),
                     momentum => momentum / &complements[i] * t,
@@ -76,11 +76,11 @@ impl Exact {
         }
     }
 
-    /// -1 for a parameter that has passed through 0 an odd number of times since the start.
+    /// Signs of α and β: -1 for a parameter that has passed through 0 an odd number of times since the start, otherwise 1.
     fn passes(&self, now: &Place) -> [f64; 2] {
         let ([sine, cosine], [sine_then, cosine_then]) = (now.signs(), self.start.signs());
         let sign = |x: f64| if x < 0.0 { -1.0 } else { 1.0 };
-        // a parameter that is 0 at the start has its direction from its derivative
+        // the direction of a parameter that is 0 at the start is that of its derivative
         let alpha = if sine_then == 0.0 { cosine_then } else { sine_then };
         let beta = if cosine_then == 0.0 { -sine_then } else { cosine_then };
         let passes = |passes: bool, now: f64, then: f64| if passes { sign(now) * sign(then) } else { 1.0 };

@@ -1,11 +1,11 @@
-//! Φ' at a time, by central differences of Φ: no formula of the rates is used.
+//! Rate Φ' at a time by central differences of Φ, without a formula of the rates.
 
 use super::{Exact, PreciseOrientation};
 use crate::motion::ephemeris::RateSample;
 use crate::truth::precise::{Precise, precise, product, to_f64};
 
-/// Half the distance of the two orientations, as a share of the unit of time: small enough for an error below 1e-20 of
-/// the rates, which is its square times a third derivative, and large enough to leave as many digits of the difference.
+/// Half the time between the two orientations, as a share of the unit of time. The relative error of the rates, its square times a third
+/// derivative, is below 1e-20, and as many digits of the difference remain.
 const SHARE: f64 = 1.0 / (1_u64 << 60) as f64;
 
 /// Greatest angle in the unit of time, rad.
@@ -14,7 +14,7 @@ const GREATEST_TURN: f64 = 1e8;
 impl Exact {
     /// Rates at a time after the start, which is taken as exact.
     ///
-    /// * `unit`: a time, such as the period; a shorter one is taken where the body turns by more than 10^8 rad in it
+    /// * `unit`: a time, such as the period; a shorter one is taken where the body rotates by more than 10^8 rad in it
     #[must_use]
     pub fn rates(&self, t: &Precise, unit: f64) -> RateSample {
         let rates = self.difference(t, unit);
@@ -30,7 +30,7 @@ impl Exact {
         let double_step = step << 1;
         let rate = |x: &[Precise; 2], y: &[Precise; 2]| [0, 1].map(|i| (&y[i] - &x[i]) / &double_step);
         let rates = [rate(&before.alpha, &after.alpha), rate(&before.beta, &after.beta)];
-        // the mean of both ends is Φ to the square of the step, and saves a third evaluation
+        // the mean of both orientations is Φ to second order in the step, which saves a third evaluation
         let mean = |x: &[Precise; 2], y: &[Precise; 2]| [0, 1].map(|i| (&x[i] + &y[i]) >> 1);
         let phi = PreciseOrientation {
             alpha: mean(&before.alpha, &after.alpha),
@@ -40,7 +40,7 @@ impl Exact {
     }
 }
 
-/// ω = Φ'Φ⁻¹ and Ω = Φ⁻¹Φ', of which the components are twice the parts of the diagonal and of the upper entry, and
+/// Rates ω = Φ'Φ⁻¹ and Ω = Φ⁻¹Φ', whose components are twice the parts of the diagonal and of the upper entry of the matrix, and
 /// u' = 2 Re(ᾱα' - β̄β').
 fn of_rates(phi: &PreciseOrientation, [alpha_rate, beta_rate]: &[[Precise; 2]; 2]) -> RateSample {
     let PreciseOrientation { alpha, beta } = phi;

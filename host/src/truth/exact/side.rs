@@ -1,29 +1,29 @@
-//! The integrals beside one turning point, on panels whose lengths grow by factors of 4 with the distance from it.
+//! Integrals near one turning point, on panels whose lengths grow by factors of 4 with the distance from it.
 
 use super::law::{End, Law, LawInF64};
 use crate::truth::gauss::RULE;
 use crate::truth::precise::{Precise, precise, to_f64};
 
-/// Time, and how far arg α and arg β have advanced, the drift ±τt/2 apart.
+/// Time, and the advances of arg α and arg β without ±τt/2.
 pub(super) type Passed = [Precise; 3];
 
-/// Panels of an aperiodic motion, which tends to its turning point: down to a sine of 4^-40, 8e-25.
+/// Number of panels of an aperiodic motion towards its turning point: down to a sine of 4^-40, 8e-25.
 const TOWARDS_THE_POLE: usize = 40;
 
-/// One side.
+/// Integrals near one turning point.
 #[derive(Clone, Debug)]
 pub(super) struct Side {
     end: End,
-    /// Ends of the panels as sines, from √½ down.
+    /// Ends of the panels as sines, in descending order from √½.
     edges: Vec<Precise>,
-    /// Time and phases that pass from the turning point to each edge; if it is never reached, from √½, backwards and negative.
+    /// Advances from the turning point to each edge, or, if the turning point is never reached, negative advances backward from √½.
     passed: Vec<Passed>,
     /// Whether the turning point is reached.
     reached: bool,
 }
 
 impl Side {
-    /// Side whose nearest singularity is at this distance; `None`: at the turning point itself.
+    /// Integrals with the nearest singularity at this distance; `None` if it is the turning point itself.
     pub(super) fn new(law: &Law, end: End, depth: Option<f64>, finer: usize) -> Self {
         let outermost = precise(0.5).sqrt();
         let panels = depth.map_or(TOWARDS_THE_POLE, |depth| {
@@ -55,27 +55,27 @@ impl Side {
         self.reached
     }
 
-    /// Time and phases that pass from the turning point to halfway; 0 if it is never reached.
+    /// Advances from the turning point to halfway; 0 if it is never reached.
     pub(super) fn whole(&self) -> &Passed {
         &self.passed[0]
     }
 
-    /// Sine and what has passed at the last edge before a turning point that is never reached.
+    /// Sine and advances at the last edge before a turning point that is never reached.
     pub(super) fn last(&self) -> (&Precise, &Passed) {
         let last = self.edges.len() - 1;
         (&self.edges[last], &self.passed[last])
     }
 
-    /// Time and phases that pass from the turning point to a sine that is not negative.
+    /// Advances from the turning point to a sine that is not negative.
     pub(super) fn passed(&self, law: &Law, beyond: &Precise) -> Passed {
         let (low, base) = self.below(self.panel_of(|i| self.edges[i] >= *beyond));
         sum(&base, &self.panel(law, [&low, beyond]))
     }
 
-    /// Sine of a time after the turning point (a negative one if that is never reached), and what has passed.
+    /// Sine at a time after the turning point (a negative time if that is never reached), and the advances there.
     pub(super) fn at(&self, law: &Law, coarse: &LawInF64, time: &Precise) -> (Precise, Passed) {
         const NEWTON_STEPS: u32 = 4;
-        /// The square of it is far below what the truth is for.
+        /// Difference whose square is far below the errors that the truth is compared with.
         const NEAR: f64 = 1e-12;
         let outer = self.panel_of(|i| self.passed[i][0] >= *time);
         let (low, base) = self.below(outer);
@@ -87,7 +87,7 @@ impl Side {
             let [slowness, alpha_rate, beta_rate] = law.rates(self.end, &beyond);
             let step = (time - there) / slowness;
             steps += 1;
-            // what is left is so short that everything is linear on it
+            // the rest is so short that the integrals are linear on it
             if to_f64(&step).abs() <= NEAR * to_f64(&beyond) || steps == NEWTON_STEPS {
                 let passed = [time.clone(), alpha + alpha_rate * &step, beta + beta_rate * &step];
                 return (beyond + step, passed);
@@ -96,12 +96,12 @@ impl Side {
         }
     }
 
-    /// The innermost panel whose outer edge has this property, which those further out have too.
+    /// Innermost panel whose outer edge has a property, which all edges further out have too.
     fn panel_of(&self, encloses: impl Fn(usize) -> bool) -> usize {
         (0..self.edges.len()).rev().find(|i| encloses(*i)).unwrap_or(0)
     }
 
-    /// Inner edge of a panel, and what passes up to it.
+    /// Inner edge of a panel, and the advances there.
     fn below(&self, outer: usize) -> (Precise, Passed) {
         match (self.edges.get(outer + 1), self.passed.get(outer + 1)) {
             (Some(edge), Some(passed)) => (edge.clone(), passed.clone()),
@@ -116,7 +116,7 @@ impl Side {
 }
 
 impl LawInF64 {
-    /// The sine up to which this time passes from `low`: Newton's steps, halved where they leave the bracket.
+    /// Sine at which this time has passed from `low`, by Newton's method, with bisection where a step leaves the bracket.
     fn reach(&self, end: End, [low, high]: [f64; 2], time: f64) -> f64 {
         const STEPS: u32 = 100;
         let (mut least, mut most) = (low, high);
@@ -140,12 +140,12 @@ impl LawInF64 {
     }
 }
 
-/// a + b.
+/// Sum of advances a + b.
 pub(super) fn sum(a: &Passed, b: &Passed) -> Passed {
     [0, 1, 2].map(|i| &a[i] + &b[i])
 }
 
-/// a - b.
+/// Difference of advances a - b.
 pub(super) fn difference(a: &Passed, b: &Passed) -> Passed {
     [0, 1, 2].map(|i| &a[i] - &b[i])
 }

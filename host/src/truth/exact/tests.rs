@@ -1,4 +1,4 @@
-//! The truth against motions known to 30 digits, and against itself on other panels.
+//! Tests of the truth against motions known to 30 digits, and against itself with other panels.
 
 use super::*;
 use crate::input::random::Random;
@@ -7,7 +7,7 @@ use crate::truth::vectors::{self, digits, error, number, relative, samples};
 use serde_json::Value;
 use toytop::{Signs, Start};
 
-/// A vector that is given by branch points, all exact in f64.
+/// Reference vector that is given by branch points, all exact in f64.
 fn vector(name: &str) -> (Numbers, Value) {
     let json = vectors::read(name);
     let params = |key: &str| number(&json["params"][key]);
@@ -65,7 +65,7 @@ fn samples_known_to_thirty_digits() {
     assert!(checked > 300);
 }
 
-/// With other panels what changes is the error of the quadrature: at tick 2^62 it is still below 1e-15 rad.
+/// With other panels only the error of the quadrature changes; at tick 2^62 it is still below 1e-15 rad.
 #[test]
 fn other_panels_the_same_truth() {
     let mut worst = 0.0_f64;
@@ -85,7 +85,7 @@ fn other_panels_the_same_truth() {
     assert!(worst < 1e-35 && worst > 0.0, "{worst:e}");
 }
 
-/// A time leads to its place and back, far away too.
+/// The time of the place at a time is this time, also at large times.
 #[test]
 fn a_place_and_its_time() {
     let mut worst = 0.0_f64;

@@ -1,4 +1,4 @@
-//! From a place to its time, and from a time to its place.
+//! Time of a place, and place at a time.
 
 use super::law::{End, Law, LawInF64};
 use super::side::{Passed, Side, difference, sum};
@@ -6,7 +6,7 @@ use super::{Exact, Passage, Place};
 use crate::truth::precise::{Precise, is_positive, precise, to_floor, whole};
 
 impl Exact {
-    /// Nutation period; `None` for any motion that does not nutate.
+    /// Nutation period; `None` for a motion that does not nutate.
     #[must_use]
     pub fn period(&self) -> Option<Precise> {
         let passage = self.passage.as_ref().filter(|passage| passage.sides[1].is_reached())?;
@@ -28,7 +28,7 @@ impl Exact {
 }
 
 impl Passage {
-    /// Time and phases that pass from χ = 0 to a place.
+    /// Advances from χ = 0 to a place.
     pub(super) fn passed(&self, law: &Law, place: &Place) -> Passed {
         let Place { quarter, beyond } = place;
         let side = self.side(*quarter);
@@ -39,12 +39,12 @@ impl Passage {
         }
     }
 
-    /// The place at a time after χ = 0, and what has passed.
+    /// Place at a time after χ = 0, and the advances there.
     pub(super) fn at(&self, law: &Law, coarse: &LawInF64, time: &Precise) -> (Place, Passed) {
         if !self.sides[1].is_reached() {
             return self.on_the_way_up_or_down(law, coarse, time);
         }
-        // times are less than 2^63 ticks, of which there are many in a period
+        // times are less than 2^63 ticks, and a period contains many ticks
         let quarter = to_floor(&(time / &self.half[0])).unwrap_or(i64::MAX - 1);
         let beyond = time - whole(quarter) * &self.half[0];
         if beyond <= self.side(quarter).whole()[0] {
@@ -64,7 +64,7 @@ impl Passage {
         (Place { quarter, beyond: -beyond }, difference(&self.quarters(quarter), &passed))
     }
 
-    /// Place of an aperiodic motion at a time, and what passes until then. Where β is below 1e-24, α turns at a constant rate.
+    /// Place of an aperiodic motion at a time, and the advances there. Where |β| is below 1e-24, α turns at a constant rate.
     fn on_the_way_up_or_down(&self, law: &Law, coarse: &LawInF64, time: &Precise) -> (Place, Passed) {
         let falls = is_positive(&-time);
         let distance = if falls { -time } else { time.clone() };
@@ -94,8 +94,8 @@ impl Passage {
 
     fn side(&self, quarter: i64) -> &Side {
         match End::of(quarter) {
-            End::Bottom => &self.sides[0],
-            End::Top => &self.sides[1],
+            End::Lower => &self.sides[0],
+            End::Upper => &self.sides[1],
         }
     }
 }

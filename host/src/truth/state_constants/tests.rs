@@ -1,11 +1,11 @@
-//! The truth of states against motions known to 30 digits.
+//! Tests of the truth of states against motions known to 30 digits.
 
 use super::*;
 use crate::truth::exact::Exact;
 use crate::truth::vectors::{self, digits, error, number, relative, samples};
 use serde_json::Value;
 
-/// A vector that is given by a state, all exact in f64.
+/// Reference vector that is given by a state, all exact in f64.
 fn vector(name: &str) -> (StateNumbers, Value) {
     let json = vectors::read(name);
     let params = &json["params"];
@@ -33,8 +33,8 @@ fn states_known_to_thirty_digits() {
     assert!(checked > 60);
 }
 
-/// e₂ - e₁ of a state that all but precesses steadily: half its digits are cancelled in a cubic, so 512 bits must leave more
-/// than 57 digits. u - e₁ and e₂ - u make up the whole.
+/// Difference e₂ - e₁ of a state that is close to a regular precession: half of its digits cancel in a cubic, so that of 512 bits more than
+/// 57 digits must remain. u - e₁ and e₂ - u add up to it.
 #[test]
 fn a_swing_of_the_last_place_is_known_to_all_digits() {
     // tilt 60°, precession 1, spin 3/2 would be steady; ω₃ is one unit in the last place too large

@@ -15,7 +15,7 @@ pub(crate) struct Case {
     pub(crate) scalar: &'static str,
     pub(crate) size: &'static str,
     pub(crate) tick: [u32; 2],
-    /// Every moment asked for, from the crate: a line of bits each.
+    /// Every sample asked for, from the crate: a line of bits each.
     pub(crate) truth: fn(&str, [u32; 2]) -> String,
     /// Quaternion and angular velocity at ticks, and the next turning point: a line of bits each.
     pub(crate) rates: fn(&str, [u32; 2]) -> String,
@@ -197,13 +197,13 @@ impl Bits for f64 {
     }
 }
 
-fn line<R: Bits>(text: &mut String, moment: &Sample<'_, R>) {
-    let (phi, tip) = (moment.orientation(), R::tip(moment));
+fn line<R: Bits>(text: &mut String, sample: &Sample<'_, R>) {
+    let (phi, tip) = (sample.orientation(), R::tip(sample));
     let parts = |z: Complex<R>| [z.re, z.im];
     let [alpha, beta, tip] = [phi.alpha, phi.beta, tip].map(parts);
     let numbers = [&alpha[..], &beta, &[phi.u()], &tip].concat();
     let words: Vec<_> = numbers.into_iter().map(R::hexadecimal).collect();
-    let nutation = moment.nutation_phase().to_bits() >> 32;
+    let nutation = sample.nutation_phase().to_bits() >> 32;
     writeln!(text, "{nutation:x} {}", words.join(" ")).expect("memory");
 }
 
@@ -217,7 +217,7 @@ pub(crate) fn assert_lines(printed: &str, cases: &[Case], expected: impl Fn(&Cas
     let mut printed = printed.lines();
     for case in cases {
         for (index, line) in expected(case).lines().enumerate() {
-            assert_eq!(printed.next(), Some(line), "{} {}: moment {index}", case.file, case.scalar);
+            assert_eq!(printed.next(), Some(line), "{} {}: sample {index}", case.file, case.scalar);
         }
     }
     assert_eq!(printed.next(), None);

@@ -44,11 +44,11 @@ fn rust_gives_the_same_bits_and_a_changed_number_does_not_compile() {
     .expect("the manifest");
     // the versions that this workspace has already
     std::fs::copy(root.join("Cargo.lock"), folder.join("Cargo.lock")).expect("the lock file");
-    let mut main = "macro_rules! print { ($moment:expr, $($tip:tt)*) => {{
-    let moment = $moment;
-    let (phi, c) = (moment.orientation(), moment.$($tip)*);
+    let mut main = "macro_rules! print { ($sample:expr, $($tip:tt)*) => {{
+    let sample = $sample;
+    let (phi, c) = (sample.orientation(), sample.$($tip)*);
     let numbers = [phi.alpha.re, phi.alpha.im, phi.beta.re, phi.beta.im, phi.u(), c.re, c.im];
-    println!(\"{:x} {}\", moment.nutation_phase().to_bits() >> 32, numbers.map(|x| format!(\"{:x}\", x.to_bits())).join(\" \"));
+    println!(\"{:x} {}\", sample.nutation_phase().to_bits() >> 32, numbers.map(|x| format!(\"{:x}\", x.to_bits())).join(\" \"));
 }} }
 fn next_tick(state: &mut u64, k: u32) -> i64 {
     *state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);

@@ -1,4 +1,4 @@
-//! What `compare` finds over ten periods, with one digit: motion by motion, and the worst of each kind.
+//! Results of `compare` over ten periods, with one digit: for each motion, and the greatest error of each group of motions.
 
 use super::{Table, words};
 use toytop_host::Failure;
@@ -14,7 +14,7 @@ const KINDS: [(Method, Scalar, &str); 6] = [
     (Method::Stepper, Scalar::F32, "f32"),
 ];
 
-/// The built-in motions by the beginning of their names, and what they are called together.
+/// Groups of built-in motions: beginning of their names, and name of the group.
 const GROUPS: [(&str, &str); 5] = [
     ("figure", "the paper's nine curves"),
     ("toy top", "a toy top at 150 rad/s"),
@@ -58,7 +58,7 @@ pub(super) fn all() -> Result<Table, Failure> {
     let rows = rows()?;
     let mut names: Vec<_> = rows.iter().map(|row| (row.motion.clone(), row.motion.clone())).collect();
     names.dedup();
-    // "e3=1" begins "e3=1.1" and "e3=100", too
+    // "e3=1.1" and "e3=100" begin with "e3=1" too
     let mut exact = Table { header: Vec::new(), rows: Vec::new() };
     for name in names {
         let of_motion: Vec<_> = rows.iter().filter(|row| row.motion == name.0).cloned().collect();

@@ -1,4 +1,4 @@
-//! What a call costs on the chips: as measured just now, or at most, as the tests hold it.
+//! Costs of the calls on the chips: measured ones, or the limits that the tests check.
 
 use super::{Table, words};
 use serde_json::Value;
@@ -6,7 +6,7 @@ use std::path::Path;
 use toytop_host::Failure;
 use toytop_host::budget::{Cost, Limits};
 
-/// What each call may take on each chip: `firmware-examples/budgets.toml`.
+/// Limits of each call on each chip, from `firmware-examples/budgets.toml`.
 pub(super) fn allowed() -> Result<Table, Failure> {
     let limits = Limits::parse(include_str!("../../../../../firmware-examples/budgets.toml"))?;
     let header =
@@ -32,7 +32,7 @@ pub(super) fn records(text: &str, path: &Path) -> Result<Table, Failure> {
     let rows = json["rows"].as_array().ok_or_else(refused)?;
     let first = rows.first().and_then(Value::as_object).ok_or_else(refused)?;
     let mut header: Vec<String> = first.keys().cloned().collect();
-    // in the order of the file
+    // the order of the columns is that of the file
     header.sort_by_key(|key| text.find(&format!("\"{key}\"")));
     let cell = |value: &Value| match value {
         Value::String(text) => text.clone(),

@@ -1,17 +1,17 @@
-//! The page: HTML without anything from elsewhere.
+//! Page in HTML, which needs no other file.
 
 use super::Table;
 use std::fmt::Write as _;
 use toytop_host::output;
 
-/// All that is on it.
+/// Contents of the page.
 pub(super) struct Page {
     pub(super) accuracy: Table,
     pub(super) precision: Table,
     pub(super) budget: Table,
-    /// Whether the budget is what was measured, or what is allowed.
+    /// Whether the budget contains measured costs (`true`) or limits.
     pub(super) measured: bool,
-    /// Title and SVG.
+    /// Title and SVG of each picture.
     pub(super) pictures: Vec<(&'static str, Vec<u8>)>,
 }
 
@@ -32,7 +32,7 @@ impl Page {
         );
         let (mut figures, mut pictures) = (String::new(), self.pictures.iter());
         let section = |html: &mut String, title: &str, text: &str, table: &Table| {
-            // a String takes everything
+            // writing to a String cannot fail
             let id = title.to_lowercase().replace(' ', "-");
             let markup = markup(table);
             let _ =
@@ -79,7 +79,7 @@ fn markup(table: &Table) -> String {
     format!("<div class=\"scroll\"><table>\n{}{rows}</table></div>\n", line(&table.header, "th"))
 }
 
-/// What it runs on, as far as it says.
+/// Processor, system and build, as far as they are known.
 fn machine() -> String {
     let information = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = information.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));

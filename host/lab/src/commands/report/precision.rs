@@ -1,22 +1,22 @@
-//! Error after 1000 periods against time a period: every method at several efforts.
+//! Error after 1000 periods against computing time for a period, for every method with several tolerances or step sizes.
 
 use super::{Table, words};
 use serde_json::Value;
 use std::path::Path;
 use toytop_host::Failure;
-use toytop_host::measure::benchmark::{Benchmark, MOMENTS, Method};
+use toytop_host::measure::benchmark::{Benchmark, Method, SAMPLES};
 use toytop_host::output::progress::Progress;
 use toytop_host::pictures::figures::{Chart, Curve, Picture, measured_errors};
 
 const PERIODS: u64 = 1000;
 
-/// One method with one effort.
+/// Result of one method with one tolerance or step size.
 pub(super) struct Point {
     name: String,
     effort: String,
-    /// In the last period, rad.
+    /// Greatest error in the last period, rad.
     error: f64,
-    /// s.
+    /// Computing time for a period, s.
     time: f64,
 }
 
@@ -33,10 +33,10 @@ fn methods() -> Vec<Method> {
 
 pub(super) fn measured(benchmark: &Benchmark, others: Vec<Point>) -> Result<Vec<Point>, Failure> {
     const RUNS: usize = 2;
-    let per_period = u64::from(MOMENTS);
-    let moments: Vec<u64> = (1..=PERIODS * per_period).collect();
-    let last = moments.len() - MOMENTS as usize;
-    let truth = benchmark.truth(&moments[last..]);
+    let per_period = u64::from(SAMPLES);
+    let samples: Vec<u64> = (1..=PERIODS * per_period).collect();
+    let last = samples.len() - SAMPLES as usize;
+    let truth = benchmark.truth(&samples[last..]);
     let methods = methods();
     let mut progress = Progress::new(methods.len() as u64, "runs");
     let mut points = Vec::new();
@@ -44,7 +44,7 @@ pub(super) fn measured(benchmark: &Benchmark, others: Vec<Point>) -> Result<Vec<
         let mut time = f64::INFINITY;
         let mut error = 0.0;
         for _ in 0..RUNS {
-            let (phis, taken) = benchmark.run(method, &moments)?;
+            let (phis, taken) = benchmark.run(method, &samples)?;
             let errors = phis[last..].iter().zip(&truth).map(|(phi, truth)| phi.distance(truth));
             error = errors.fold(0.0, f64::max);
             time = taken.as_secs_f64().min(time);
@@ -57,7 +57,7 @@ pub(super) fn measured(benchmark: &Benchmark, others: Vec<Point>) -> Result<Vec<
     Ok(points)
 }
 
-/// Other programs, from JSON: `{"rows":[{"name":..,"effort":..,"error_rad":..,"us_per_period":..}]}`.
+/// Results of other programs, from JSON: `{"rows":[{"name":..,"effort":..,"error_rad":..,"us_per_period":..}]}`.
 pub(super) fn others(text: &str, path: &Path) -> Result<Vec<Point>, Failure> {
     let refused = || {
         Failure::Input(format!(
@@ -109,7 +109,7 @@ pub(super) fn picture(points: &[Point]) -> Picture {
     Picture::new("work_precision", "Work and precision", chart.draw(&lines))
 }
 
-/// What every machine finds alike: errors after 1, 8, 64 and 512 periods.
+/// Errors after 1, 8, 64 and 512 periods, which do not depend on the machine.
 pub(super) fn against_time() -> Result<Table, Failure> {
     const SHOWN: [f64; 4] = [1.0, 8.0, 64.0, 512.0];
     let benchmark = Benchmark::new()?;

@@ -1,4 +1,4 @@
-//! `toytop-lab study --corners`: launches towards every degenerate corner.
+//! `toytop-lab study --corners`: random launches near every degenerate case.
 
 mod scalars;
 mod seeds;
@@ -18,12 +18,12 @@ use toytop_host::output::doc_markers;
 use toytop_host::output::{self, Cell, Record};
 use toytop_host::thread_pool;
 
-/// One input in so many is beyond the range.
+/// Reciprocal of the share of inputs outside the allowed range.
 const ONE_BEYOND_IN: u64 = 64;
 
 pub(super) fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
     if let Some(path) = &arguments.docs {
-        // a place that is not there is told before the work, not after
+        // a missing place in the page is reported before the computation
         doc_markers::check(path, "--docs", MARK)?;
     }
     let cores = thread_pool::of_all_cores()?;
@@ -62,7 +62,7 @@ pub(super) fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
     }
     let missed = !tally.failures.is_empty();
     let below = arguments.format == Format::Table;
-    Ok(Report { text, missed, ..Report::default() }.with_remarks(tally.told(), below))
+    Ok(Report { text, missed, ..Report::default() }.with_remarks(tally.report(), below))
 }
 
 const MARK: &str = "toytop-lab study: corners";
@@ -80,7 +80,7 @@ fn add(tally: &mut Tally, arguments: &StudyArgs, seed: u64, stream: u64) {
         return;
     }
     let input = Input::random(&mut random);
-    // launches are independent: every so many is as good as any
+    // launches are independent, so that those with the truth may be spread evenly
     let with_truth = stream.is_multiple_of((arguments.count() / arguments.truths).max(1));
     let trial = || trial::run(&input, &mut random, with_truth);
     match catch_unwind(AssertUnwindSafe(trial)) {
@@ -116,7 +116,7 @@ fn records(name: &'static str, regime: &Regime) -> Vec<Record> {
             ("scalar", Cell::Text(scalar.to_owned())),
             ("motions", Cell::Count(regime.motions)),
             ("no_table", Cell::Count(side.no_fit)),
-            ("checks_of_bound", Cell::Number(side.strain)),
+            ("checks_of_bound", Cell::Number(side.checks_of_bound)),
             ("drift", side_drift(scalar, side)),
             ("truths", Cell::Count(regime.with_truth)),
             ("error_rad", truth(side.error).into()),
@@ -131,12 +131,12 @@ fn records(name: &'static str, regime: &Regime) -> Vec<Record> {
     SCALARS.into_iter().zip(&regime.scalars).map(record).collect()
 }
 
-/// Fixed point does not hold ω.
+/// Drift of the first integrals; absent in fixed point, which cannot represent ω.
 fn side_drift(scalar: &str, side: &Side) -> Cell {
     if scalar.starts_with('q') { Cell::Absent } else { Cell::Number(side.drift) }
 }
 
-/// For reading, what the keys of the records mean.
+/// Headings of the table, for the keys of the records.
 const HEADER: [&str; 14] = [
     "regime",
     "scalar",
@@ -154,12 +154,12 @@ const HEADER: [&str; 14] = [
     "beyond bound",
 ];
 
-/// Header and cells, for reading.
+/// Header and rows of the table.
 fn rows(records: &[Record]) -> Vec<Vec<String>> {
     text(&HEADER, records)
 }
 
-/// Header and cells, for reading: shares to two places, other numbers to one digit.
+/// Header and rows of a table, with shares to two places and other numbers to one digit.
 fn text(header: &[&str], records: &[Record]) -> Vec<Vec<String>> {
     let cell = |(name, cell): &(&str, Cell)| match cell {
         Cell::Text(text) => text.replace('_', " "),

@@ -1,4 +1,4 @@
-//! What is launched: branch points or a state, in range or on purpose beyond it.
+//! Input of a launch: branch points or a state, in the allowed range or outside of it.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt;
@@ -9,25 +9,25 @@ use toytop_host::truth::motions::{Numbers, branch_points};
 use toytop_host::truth::state_constants::Launched;
 use toytop_host::truth::states::StateNumbers;
 
-/// The least difference of branch points that is not 0, and of a tilt from the vertical half as many digits.
+/// Least difference of branch points that is not 0; its root is the least tilt from the vertical.
 const LEAST: f64 = 1e-12;
-/// The greatest e₃ - 1: some 10^6 turns of the body in the time in which the axis would fall.
+/// Greatest e₃ - 1, at which the body makes some 10^6 turns in the time in which the axis would fall.
 const MOST: f64 = 1e12;
 
-/// An input, all numbers exact.
+/// Input of a launch, whose numbers are taken as exact.
 #[derive(Clone, Copy, Debug)]
 pub enum Input {
-    /// e₁, e₂, e₃, the signs, and where it starts.
+    /// Branch points e₁, e₂, e₃, the signs, and the phases at t = 0.
     BranchPoints(Numbers),
     /// Orientation and angular velocity.
     State(StateNumbers),
 }
 
 impl Input {
-    /// Log-uniform towards the corners: A/(ps) in \[1e-3, 1e6\], C/A in \[1e-3, 2\], 1 + e₁, e₂ - e₁, 1 - e₂ and e₃ - 1 down to
+    /// Random input, log-uniform near the degenerate cases: A/(ps) in \[1e-3, 1e6\], C/A in \[1e-3, 2\], 1 + e₁, e₂ - e₁, 1 - e₂ and e₃ - 1 down to
     /// 1e-12, and one in sixteen at 0. Half of them are branch points; a quarter are states on such motions, in `f64`; a
-    /// quarter are thrown: tilt down to 1e-6 from either vertical, spin from 1e-3 to 1e6 rad/s, every second of them with one
-    /// of the tops that the paper does not have.
+    /// quarter are releases: tilts down to 1e-6 from either vertical, spins from 1e-3 to 1e6 rad/s, and in every second one a top that
+    /// the paper does not contain.
     #[must_use]
     pub fn random(random: &mut Random) -> Self {
         let numbers = numbers(random);
@@ -38,14 +38,14 @@ impl Input {
         let release = release(random);
         let state = if thrown { State::release(&release).ok() } else { on_motion(&numbers) };
         let Numbers { a, c, s, p, g, .. } = numbers;
-        // a release in range is a state, and so is a point of a motion that stands
+        // a release in range, and a point of a motion with valid constants, give a state
         state.map_or(Self::BranchPoints(numbers), |state| {
             let top = if thrown { other_top(random, &numbers) } else { [a, c, s, p, g, 0.0] };
             Self::State(StateNumbers::of(top, &state))
         })
     }
 
-    /// The same with one number where none is allowed.
+    /// Random input with one number outside the allowed range.
     #[must_use]
     pub fn beyond(random: &mut Random) -> Self {
         let mut input = Self::random(random);
@@ -71,10 +71,10 @@ impl Input {
         input
     }
 
-    /// The motion.
+    /// Motion of the core.
     ///
     /// # Errors
-    /// Those of a launch.
+    /// The errors of a launch.
     pub fn motion(&self) -> Result<Motion, ParameterError> {
         match self {
             Self::BranchPoints(numbers) => numbers.motion(),
@@ -82,7 +82,7 @@ impl Input {
         }
     }
 
-    /// The truth of it.
+    /// Truth of the motion.
     #[must_use]
     pub fn exact(&self) -> Exact {
         match self {
@@ -91,8 +91,8 @@ impl Input {
         }
     }
 
-    /// The same with every number moved by one unit in its last place, up or down by lot. A number that stands right at a
-    /// corner stays there, and so do two branch points that are one.
+    /// Input in which every number is changed by one unit in its last place, in a random direction. A number of a degenerate case is not
+    /// changed, and two equal branch points stay equal.
     #[must_use]
     pub fn neighbour(&self, random: &mut Random) -> Self {
         let mut moved = |x: f64, corners: &[f64]| match random.one_in(2) {
@@ -130,8 +130,8 @@ impl Input {
     }
 }
 
-/// A, C, s, p, g and K of one of the tops that the paper does not have, in every second draw: with a rotor inside, held, a rod, a
-/// ring, free, and what goes together of these.
+/// Numbers A, C, s, p, g and K of a top, which in every second draw is one that the paper does not contain: with a rotor inside, held, a
+/// rod, a ring, free, or a combination of these.
 fn other_top(random: &mut Random, numbers: &Numbers) -> [f64; 6] {
     let Numbers { a, c, s, p, g, .. } = *numbers;
     if random.one_in(2) {
@@ -164,10 +164,10 @@ fn numbers(random: &mut Random) -> Numbers {
     Numbers { a, c, s, p, g, e, signs, start }
 }
 
-/// Where a motion starts, as a state in `f64`: no longer exactly on it, and a motion of its own.
+/// State at t = 0 of a motion, rounded to `f64`, which is a state of a slightly different motion.
 fn on_motion(numbers: &Numbers) -> Option<State> {
-    let pose = Stepper::<f64>::new(&numbers.motion().ok()?).attitude_state();
-    State::new(pose.orientation, pose.omega()).ok()
+    let attitude = Stepper::<f64>::new(&numbers.motion().ok()?).attitude_state();
+    State::new(attitude.orientation, attitude.omega()).ok()
 }
 
 fn release(random: &mut Random) -> Release {

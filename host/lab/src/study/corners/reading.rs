@@ -1,4 +1,4 @@
-//! The smallest table that fits, of any scalar, read in `f64`.
+//! Smallest table of a motion in any scalar, evaluated as `f64`.
 
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::Scalar as _;
@@ -6,39 +6,39 @@ use toytop::{ErrorBound, Motion, Orientation};
 use toytop_host::cli::Scalar;
 use toytop_host::motion::ephemeris::{AnyScalar, RateSample, approximate, smallest_with_period, ticks_for};
 
-/// Scalars, by name and the rounding of each.
+/// Scalars, each with its name and its rounding.
 pub const SCALARS: [(&str, f64); 4] =
     [("f64", f64::ROUNDING), ("f32", f32::ROUNDING), ("q31", I2F30::ROUNDING), ("q15", I2F14::ROUNDING)];
 
-/// A moment.
+/// Motion at one time.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
-    /// Φ.
+    /// Orientation Φ.
     pub phi: Orientation<f64>,
-    /// ω in the fixed frame, where the scalar can hold it.
+    /// Angular velocity ω in the fixed frame; `None` in fixed point, which cannot represent it.
     pub omega: Option<[f64; 3]>,
 }
 
-/// A table of any size and scalar.
+/// Table of any size and scalar.
 pub struct Reading {
     table: Box<dyn AnyScalar>,
     bound: ErrorBound,
     ticks_per_time: f64,
-    /// At t = 0, in turns.
+    /// Nutation phase at t = 0, in turns.
     phase: f64,
-    /// Whether the scalar can hold ω.
+    /// Whether the scalar can represent ω.
     floating: bool,
 }
 
 impl Reading {
-    /// The moment t.
+    /// Motion at time t.
     #[must_use]
     pub fn at(&self, t: f64) -> Seen {
         let sample = self.table.at(t).sample;
         Seen { phi: sample.orientation(), omega: self.floating.then_some(sample.omega) }
     }
 
-    /// Φ of a tick, in the scalar's own arithmetic.
+    /// Orientation Φ at a tick, in the arithmetic of the scalar.
     #[must_use]
     pub fn at_tick(&self, tick: i64) -> Orientation<f64> {
         self.table.at_tick(tick).orientation
@@ -62,32 +62,32 @@ impl Reading {
         self.bound.after(tick as f64)
     }
 
-    /// Whether more than half of that bound comes from the number of ticks.
+    /// Whether more than half of the bound at a tick comes from the number of ticks.
     #[must_use]
     pub fn counts_ticks(&self, tick: i64) -> bool {
         self.bound_at(tick) > 2.0 * self.bound_at(0)
     }
 
-    /// The nutation phase at t = 0, in turns.
+    /// Nutation phase at t = 0, in turns.
     #[must_use]
     pub fn phase(&self) -> f64 {
         self.phase
     }
 
-    /// How far Φ can be from the truth then, rad.
+    /// Upper bound on the distance of Φ at time t from the truth, rad.
     #[must_use]
     pub fn bound(&self, t: f64) -> f64 {
         self.bound.after(t * self.ticks_per_time)
     }
 }
 
-/// The readings of a motion, in the order of [`SCALARS`]; `None`: a typed refusal, no table fits.
+/// Tables of a motion, in the order of [`SCALARS`]; `None` where no table is large enough.
 #[must_use]
 pub fn readings(motion: &Motion, period: f64) -> [Option<Reading>; 4] {
     [Scalar::F64, Scalar::F32, Scalar::Q31, Scalar::Q15].map(|scalar| reading(scalar, motion, period))
 }
 
-/// A table in `f64` whose truncation error is far below the rounding; `None` where none fits.
+/// Table in `f64` whose truncation error is far below the rounding; `None` where no table is large enough.
 #[must_use]
 pub fn finer(motion: &Motion, period: f64) -> Option<Box<dyn AnyScalar>> {
     const TRUNCATION: f64 = 1e-18;

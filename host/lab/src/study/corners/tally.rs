@@ -1,4 +1,4 @@
-//! What many trials add up to.
+//! Sums and greatest values over many trials.
 
 use super::reading::SCALARS;
 use super::trial::{Kept, Outcome};
@@ -8,71 +8,71 @@ use toytop_host::output::names::regime;
 /// Counts and greatest errors.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
-    /// Inputs in range: how many move, and how many are refused, by the name of the parameter.
+    /// Number of inputs in range that were launched.
     pub moving: u64,
-    /// Refused by a launch, by parameter.
+    /// Number of inputs in range that were refused, by the name of the parameter.
     pub refused: BTreeMap<&'static str, u64>,
-    /// Inputs beyond the range, all refused.
+    /// Number of inputs outside the range, which were all refused.
     pub beyond: u64,
-    /// By regime.
+    /// Results by regime.
     pub regimes: BTreeMap<&'static str, Regime>,
-    /// What must not happen.
+    /// Failures, which must not happen.
     pub failures: Vec<String>,
 }
 
-/// One regime.
+/// Results of one regime.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Regime {
-    /// Motions.
+    /// Number of motions.
     pub motions: u64,
-    /// Of which the truth was asked.
+    /// Number of motions that were compared with the truth.
     pub with_truth: u64,
-    /// The greatest change of Φ by the last place of the input, rad.
+    /// Greatest change of Φ by the last place of the input, rad.
     pub sensitivity: f64,
-    /// By scalar.
+    /// Results by scalar.
     pub scalars: [Side; 4],
 }
 
-/// One scalar.
+/// Results of one scalar.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Side {
-    /// Typed: no table fits.
+    /// Number of motions for which no table is large enough.
     pub no_fit: u64,
-    /// Norm or turning points beyond the bound.
-    pub astray: u64,
-    /// An error beyond the bound.
+    /// Number of motions with a norm or a turning point beyond the bound.
+    pub checks_violated: u64,
+    /// Number of motions with an error beyond the bound.
     pub violated: u64,
-    /// Norm and turning points, as a share of the bound.
-    pub strain: f64,
-    /// Of energy and momenta.
+    /// Greatest error of norm and turning points, as a share of the bound.
+    pub checks_of_bound: f64,
+    /// Greatest drift of energy and momenta.
     pub drift: f64,
-    /// rad.
+    /// Greatest error, rad.
     pub error: f64,
-    /// As a share of the bound.
+    /// Greatest error as a share of the bound.
     pub of_bound: f64,
-    /// In units of a rounding of the scalar and what one of the input does.
+    /// Greatest error in units of a rounding of the scalar plus the change by the last place of the input.
     pub of_condition: f64,
-    /// Error of the rates, as a share of the greatest angular speed.
+    /// Greatest error of the rates, as a share of the greatest angular speed.
     pub rates: f64,
-    /// Error of the rates, as a share of their bound.
+    /// Greatest error of the rates, as a share of their bound.
     pub rates_of_bound: f64,
-    /// Errors of the rates beyond their bound.
+    /// Number of motions with an error of the rates beyond their bound.
     pub rates_violated: u64,
-    /// Motions held against the truth, those of them whose bound is at most ten times their greatest error, and those
-    /// whose bound on the rates is.
+    /// Number of motions that were compared with the truth, of those whose bound is at most ten times their greatest error, and of those
+    /// whose bound on the rates is at most ten times the error of the rates.
     pub judged: [u64; 3],
-    /// Places of those motions, and those of them at which more than half of the bound comes from the number of ticks.
+    /// Number of places of these motions, and of those at which more than half of the bound comes from the number of ticks.
     pub places: [u64; 2],
 }
 
-/// Errors of at least this share of the bound are close to it.
+/// Least share of the bound for an error that counts as close to it.
 const CLOSE: f64 = 0.1;
 
-/// Failures that are told one by one.
-const TOLD: usize = 20;
+/// Greatest number of failures in a report.
+const REPORTED: usize = 20;
 
 impl Tally {
-    /// Adds what became of an input in range.
+    /// Adds the outcome of an input in range.
     pub fn add(&mut self, name: &dyn std::fmt::Display, outcome: &Outcome) {
         let (kind, kept, sensitivity) = match outcome {
             Outcome::Refused(error) => {
@@ -90,17 +90,17 @@ impl Tally {
             let before = side.beyond_bound();
             side.add(kept);
             if side.beyond_bound() > before {
-                let strain = kept.map_or(0.0, |kept| kept.strain);
+                let checks_of_bound = kept.map_or(0.0, |kept| kept.checks_of_bound);
                 let error = kept.and_then(|kept| kept.error).unwrap_or_default();
                 self.failures.push(format!(
-                    "{scalar}, {kind}: norm and turning points at {strain:.2}, error at {:.2} of the bound at tick {} (greatest {:.1e} rad), rates at {:.2} of theirs at tick {}: {name}",
+                    "{scalar}, {kind}: norm and turning points at {checks_of_bound:.2}, error at {:.2} of the bound at tick {} (greatest {:.1e} rad), rates at {:.2} of theirs at tick {}: {name}",
                     error.of_bound, error.tick, error.error, error.rates_of_bound, error.rates_tick
                 ));
             }
         }
     }
 
-    /// Adds what another thread has.
+    /// Sum with the tally of another thread.
     #[must_use]
     pub fn merged(mut self, other: Self) -> Self {
         self.moving += other.moving;
@@ -115,7 +115,7 @@ impl Tally {
         self
     }
 
-    /// All regimes of one scalar, by its place in [`SCALARS`].
+    /// Sum over all regimes of the scalar with this index in [`SCALARS`].
     #[must_use]
     pub fn of_scalar(&self, scalar: usize) -> Side {
         let mut side = Side::default();
@@ -123,18 +123,18 @@ impl Tally {
         side
     }
 
-    /// Motions held against the truth.
+    /// Number of motions that were compared with the truth.
     #[must_use]
     pub fn truths(&self) -> u64 {
         self.regimes.values().map(|regime| regime.with_truth).sum()
     }
 
-    /// What must not happen, so many of them in words.
+    /// Lines for the first failures, and one with the number of the others.
     #[must_use]
-    pub fn told(&self) -> Vec<String> {
-        let more = self.failures.len().saturating_sub(TOLD);
+    pub fn report(&self) -> Vec<String> {
+        let more = self.failures.len().saturating_sub(REPORTED);
         let rest = (more > 0).then(|| format!("and {more} more"));
-        self.failures.iter().take(TOLD).map(|failure| format!("FAILURE: {failure}")).chain(rest).collect()
+        self.failures.iter().take(REPORTED).map(|failure| format!("FAILURE: {failure}")).chain(rest).collect()
     }
 }
 
@@ -149,7 +149,7 @@ impl Regime {
 
 impl Side {
     fn add(&mut self, kept: &Option<Kept>) {
-        let Some(Kept { strain, drift, error }) = *kept else {
+        let Some(Kept { checks_of_bound, drift, error }) = *kept else {
             self.no_fit += 1;
             return;
         };
@@ -157,9 +157,9 @@ impl Side {
         let error = error.unwrap_or_default();
         self.merge(&Self {
             no_fit: 0,
-            astray: u64::from(strain > 1.0),
+            checks_violated: u64::from(checks_of_bound > 1.0),
             violated: u64::from(error.of_bound > 1.0),
-            strain,
+            checks_of_bound,
             drift,
             error: error.error,
             of_bound: error.of_bound,
@@ -172,13 +172,13 @@ impl Side {
         });
     }
 
-    /// Motions of which an error, of the orientation or of the rates, or a check is beyond its bound.
+    /// Number of motions with an error of the orientation or of the rates, or of norm or turning points, beyond its bound.
     #[must_use]
     pub fn beyond_bound(&self) -> u64 {
-        self.astray + self.violated + self.rates_violated
+        self.checks_violated + self.violated + self.rates_violated
     }
 
-    /// Adds what another regime or seed has.
+    /// Adds the results of another regime or seed.
     pub fn merge(&mut self, other: &Self) {
         self.judged.iter_mut().zip(other.judged).for_each(|(sum, more)| *sum += more);
         self.places.iter_mut().zip(other.places).for_each(|(sum, more)| *sum += more);
@@ -186,9 +186,9 @@ impl Side {
         self.rates = self.rates.max(other.rates);
         self.rates_of_bound = self.rates_of_bound.max(other.rates_of_bound);
         self.no_fit += other.no_fit;
-        self.astray += other.astray;
+        self.checks_violated += other.checks_violated;
         self.violated += other.violated;
-        self.strain = self.strain.max(other.strain);
+        self.checks_of_bound = self.checks_of_bound.max(other.checks_of_bound);
         self.drift = self.drift.max(other.drift);
         self.error = self.error.max(other.error);
         self.of_bound = self.of_bound.max(other.of_bound);

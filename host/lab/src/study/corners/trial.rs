@@ -1,4 +1,4 @@
-//! One input put to the test.
+//! Trial of one input.
 
 use super::input::Input;
 use super::reading::{Reading, SCALARS, finer, readings};
@@ -10,64 +10,64 @@ use toytop_host::motion::invariants::first_integrals;
 use toytop_host::motion::propagate::natural_time;
 use toytop_host::truth::exact::PreciseOrientation;
 
-/// A tick, and the truth there.
+/// Tick with the truth.
 struct Target {
     tick: i64,
     phi: PreciseOrientation,
     rates: RateSample,
-    /// What the last place of the input does to Φ, rad; only asked for in the first period.
+    /// Change of Φ by the last place of the input, rad; only computed in the first period.
     sensitivity: Option<f64>,
 }
 
-/// What one scalar made of an input.
+/// Results of one scalar for an input.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Kept {
-    /// What of Φ's norm and of u at its turning points is beyond the bound, as a share of it.
-    pub strain: f64,
-    /// The greatest change of l and n as a share of what they are made of, and of h.
+    /// Greatest error of Φ's norm, and of u at its turning points, as a share of the bound.
+    pub checks_of_bound: f64,
+    /// Greatest change of l, n and h relative to the magnitudes of their terms.
     pub drift: f64,
-    /// Against the truth, where it was asked.
+    /// Errors against the truth, where it was computed.
     pub error: Option<Error>,
 }
 
-/// The greatest of each over the places.
+/// Greatest errors over all places.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Error {
-    /// rad.
+    /// Greatest error, rad.
     pub error: f64,
-    /// In units of the bound.
+    /// Greatest error in units of the bound.
     pub of_bound: f64,
-    /// The tick at which it is greatest in units of the bound.
+    /// Tick at which the error is greatest in units of the bound.
     pub tick: i64,
-    /// In units of a rounding of the scalar and what one of the input does, in the first period.
+    /// Greatest error in the first period, in units of a rounding of the scalar plus the change by the last place of the input.
     pub of_condition: f64,
-    /// Error of the rates, as a share of the greatest angular speed.
+    /// Greatest error of the rates, as a share of the greatest angular speed.
     pub rates: f64,
-    /// Error of the rates, in units of their bound.
+    /// Greatest error of the rates, in units of their bound.
     pub rates_of_bound: f64,
     /// Tick at which the error of the rates is greatest in units of their bound.
     pub rates_tick: i64,
-    /// Places, and those of them at which more than half of the bound comes from the number of ticks.
+    /// Number of places, and of those at which more than half of the bound comes from the number of ticks.
     pub places: [u64; 2],
 }
 
-/// What became of an input.
+/// Outcome of an input.
 #[derive(Clone, Debug)]
 pub enum Outcome {
-    /// No motion.
+    /// Refusal of a launch.
     Refused(ParameterError),
-    /// A motion, and what each scalar made of it; `None`: no table fits.
+    /// Motion with the results of each scalar; `None` where no table is large enough.
     Moves {
-        /// Its regime.
+        /// Regime of the motion.
         regime: Regime,
-        /// By scalar, in the order of [`SCALARS`].
+        /// Results in the order of [`SCALARS`].
         kept: Box<[Option<Kept>; 4]>,
-        /// The greatest change of Φ that the last place of the input makes, rad, where it was asked.
+        /// Greatest change of Φ by the last place of the input, rad, where it was computed.
         sensitivity: Option<f64>,
     },
 }
 
-/// Tries an input, against the truth if that is wanted.
+/// Outcome of an input, compared with the truth if `with_truth`.
 #[must_use]
 pub fn run(input: &Input, random: &mut Random, with_truth: bool) -> Outcome {
     let motion = match input.motion() {
@@ -85,7 +85,7 @@ pub fn run(input: &Input, random: &mut Random, with_truth: bool) -> Outcome {
     let checks = Checks::new(&motion, period, averages.is_some(), random);
     let kept = |(reading, (_, rounding)): (&Option<Reading>, (&str, f64))| {
         reading.as_ref().map(|reading| Kept {
-            strain: checks.strain(reading),
+            checks_of_bound: checks.checks_of_bound(reading),
             drift: checks.drift(reading),
             error: targets.as_ref().map(|targets| error(reading, targets, rounding)),
         })
@@ -121,7 +121,7 @@ fn error(reading: &Reading, targets: &[Target], rounding: f64) -> Error {
         let rates = target.rates.distance(&reading.rates_at_tick(target.tick));
         let rates_of_bound = rates / reading.rate_bound_at(target.tick);
         let error = target.phi.distance(&reading.at_tick(target.tick));
-        // what is no number is beyond every bound
+        // an error that is no number exceeds every bound
         let error = if error.is_nan() { f64::INFINITY } else { error };
         let condition = target.sensitivity.map_or(0.0, |sensitivity| error / (rounding + sensitivity));
         let [places, by_ticks] = worst.places;
@@ -139,12 +139,12 @@ fn error(reading: &Reading, targets: &[Target], rounding: f64) -> Error {
     })
 }
 
-/// What needs no truth: unit norm, u at the turning points, energy and momenta.
+/// Checks without the truth: unit norm, u at the turning points, energy and momenta.
 struct Checks {
     top: Top,
-    /// Anywhere in the first period.
+    /// Random times in the first period.
     times: Vec<f64>,
-    /// The nutation period with e₁ and e₂, where there is one.
+    /// Nutation period with e₁ and e₂; `None` where there is no period.
     turning: Option<(f64, [f64; 2])>,
 }
 
@@ -155,15 +155,15 @@ impl Checks {
         Self { top: *motion.top(), times, turning: turns.then_some((period, [e.e1, e.e2])) }
     }
 
-    fn strain(&self, reading: &Reading) -> f64 {
+    fn checks_of_bound(&self, reading: &Reading) -> f64 {
         let norms = self.times.iter().map(|&t| (t, reading.at(t).phi.norm_squared() - 1.0));
         let ends = self.turning.into_iter().flat_map(|(period, [e1, e2])| {
             [(1.0, e1), (0.5, e2)].map(|(phase, u)| ((phase - reading.phase()) * period, u))
         });
         let heights = ends.map(|(t, u)| (t, reading.at(t).phi.u() - u));
         norms.chain(heights).fold(0.0, |worst, (t, off)| {
-            let strain = off.abs() / reading.bound(t);
-            if strain.is_nan() { f64::INFINITY } else { strain.max(worst) }
+            let checks_of_bound = off.abs() / reading.bound(t);
+            if checks_of_bound.is_nan() { f64::INFINITY } else { checks_of_bound.max(worst) }
         })
     }
 
@@ -189,9 +189,9 @@ impl Checks {
     }
 }
 
-/// Near places anywhere, as many beside a turning point, and as many far ones anywhere.
+/// Number of random places in the first period, of places near a turning point, and of random distant places.
 const PLACES: usize = 4;
-/// Neighbours that the sensitivity is the greatest of.
+/// Number of changed inputs, of which the greatest change counts.
 const NEIGHBOURS: usize = 2;
 
 fn targets(input: &Input, motion: &Motion, rate: f64, doubtful: &[i64], random: &mut Random) -> Vec<Target> {

@@ -1,4 +1,4 @@
-//! A row of each scalar, all regimes together.
+//! Row of each scalar for all regimes together.
 
 use crate::study::corners::reading::SCALARS;
 use crate::study::corners::tally::{Side, Tally};
@@ -25,7 +25,7 @@ pub(super) fn records(tally: &Tally) -> Vec<Record> {
     SCALARS.into_iter().enumerate().map(record).collect()
 }
 
-/// For reading, what the keys mean.
+/// Headings of the table, for the keys of the records.
 const HEADER: [&str; 9] = [
     "scalar",
     "motions judged",
@@ -38,7 +38,7 @@ const HEADER: [&str; 9] = [
     "beyond bound",
 ];
 
-/// Header and cells, for reading.
+/// Header and rows of the table.
 pub(super) fn rows(records: &[Record]) -> Vec<Vec<String>> {
     super::text(&HEADER, records)
 }

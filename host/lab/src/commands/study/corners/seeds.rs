@@ -1,4 +1,4 @@
-//! A row of each seed.
+//! Row of each seed.
 
 use crate::study::corners::reading::SCALARS;
 use crate::study::corners::tally::{Side, Tally};
@@ -22,14 +22,14 @@ pub(super) fn record(seed: u64, tally: &Tally) -> Record {
         ("places_by_ticks", Cell::Count(sides.iter().map(|side| side.places[1]).sum())),
     ];
     cells.extend(OF_BOUND.into_iter().zip(&sides).map(|(key, side)| (key, Cell::Number(side.of_bound))));
-    let strain = sides.iter().map(|side| side.strain).fold(0.0, f64::max);
-    cells.push(("checks_of_bound", Cell::Number(strain)));
+    let checks_of_bound = sides.iter().map(|side| side.checks_of_bound).fold(0.0, f64::max);
+    cells.push(("checks_of_bound", Cell::Number(checks_of_bound)));
     cells.push(("beyond_bound", Cell::Count(sides.iter().map(Side::beyond_bound).sum())));
     cells.push(("failures", Cell::Count(tally.failures.len() as u64)));
     Record(cells)
 }
 
-/// For reading, what the keys mean.
+/// Headings of the table, for the keys of the records.
 const HEADER: [&str; 14] = [
     "seed",
     "move",
@@ -47,7 +47,7 @@ const HEADER: [&str; 14] = [
     "failures",
 ];
 
-/// Header and cells, for reading.
+/// Header and rows of the table.
 pub(super) fn rows(records: &[Record]) -> Vec<Vec<String>> {
     super::text(&HEADER, records)
 }

@@ -6,7 +6,7 @@ use toytop_tests::{greater, tolerance, vectors, worst};
 
 /// Largest errors of the attitude state, of the tip in the wide type, and of the tip in the scalar, near and far,
 /// relative to the greatest rate and to the length.
-fn moments<R: EphemerisScalar + Into<f64>, const S: usize>() -> [f64; 3]
+fn greatest_errors<R: EphemerisScalar + Into<f64>, const S: usize>() -> [f64; 3]
 where
     R::Wide: Into<f64>,
 {
@@ -18,14 +18,16 @@ where
     let mut greatest = [0.0_f64; 3];
     for n in (-5000..5000).step_by(7).chain([1 << 40, -(1 << 40)]) {
         let (ours, truth) = (ephemeris.at_tick(n), double.at_tick(n));
-        let (pose, exact) = (ours.attitude_state(), truth.attitude_state());
+        let (attitude, exact) = (ours.attitude_state(), truth.attitude_state());
         let wide = ours.tip();
         let wide = Complex::new(wide.re.into(), wide.im.into());
         let tip = ours.orientation().tip_over_s();
         let tip = Complex::new(tip.re.into(), tip.im.into());
         let rate = exact.omega().iter().fold(1.0_f64, |rate, w| rate.max(w.abs()));
-        let misses = pose.omega().into_iter().zip(exact.omega()).map(|(w, exact)| (w.into() - exact) / rate);
-        let misses = misses.chain([pose.u().into() - exact.u(), (pose.udot().into() - exact.udot()) / rate]);
+        let misses =
+            attitude.omega().into_iter().zip(exact.omega()).map(|(w, exact)| (w.into() - exact) / rate);
+        let misses =
+            misses.chain([attitude.u().into() - exact.u(), (attitude.udot().into() - exact.udot()) / rate]);
         let off = |tip: Complex<f64>| (tip - truth.tip()).norm_squared().sqrt() / length;
         let now = [worst(misses.map(f64::abs)), off(wide), off(tip.scaled(length))];
         greatest.iter_mut().zip(now).for_each(|(greatest, now)| *greatest = greater(*greatest, now));
@@ -34,14 +36,14 @@ where
 }
 
 #[test]
-fn what_follows_from_a_moment_in_every_scalar() {
+fn samples_in_every_scalar() {
     for (errors, allowed) in [
-        (moments::<f32, 64>(), tolerance::MOMENT_F32),
-        (moments::<I2F30, 512>(), tolerance::MOMENT_Q31),
-        (moments::<I2F14, 256>(), tolerance::MOMENT_Q15),
+        (greatest_errors::<f32, 64>(), tolerance::SAMPLE_F32),
+        (greatest_errors::<I2F30, 512>(), tolerance::SAMPLE_Q31),
+        (greatest_errors::<I2F14, 256>(), tolerance::SAMPLE_Q15),
     ] {
         for (what, (error, allowed)) in
-            ["pose", "wide tip", "tip"].iter().zip(errors.into_iter().zip(allowed))
+            ["attitude", "wide tip", "tip"].iter().zip(errors.into_iter().zip(allowed))
         {
             allowed.check(what, error);
         }
