@@ -8,8 +8,6 @@ const OUTLINE = [
 /** The stem above, with radii in units of s. */
 const STEM = [[1.36, 0.085], [1.5, 0.065], [1.68, 0.062], [1.74, 0.085], [1.79, 0.09], [1.83, 0.075], [1.85, 0]];
 const STEM_FROM = 1.3;
-/** Where the axis of the top is drawn to. */
-const END = 2.1;
 
 const SECTORS = 48;
 const PAINT = { red: [196, 58, 43], cream: [246, 232, 202], wood: [205, 152, 92], metal: [150, 158, 168], mark: [38, 84, 160] };
@@ -67,6 +65,29 @@ function bodyOf(outline, paint) {
 function turnOnLathe(breadth) {
   const outline = smooth([...OUTLINE.map(([z, r]) => [z, Math.max(r * breadth, z > 1 ? 0.09 : 0)]), ...STEM], 0.085);
   return bodyOf(outline, paint);
+}
+
+/** A rod with a ball at its end: what a body without an axial moment of inertia looks like. */
+function pendulum() {
+  const ball = Array.from({ length: 15 }, (_, i) => (Math.PI * (i / 14 - 0.5))).map((t) => [1 + 0.2 * Math.sin(t), Math.max(0.03, 0.2 * Math.cos(t))]);
+  return bodyOf([[0, 0], [0.02, 0.03], [0.4, 0.03], ...ball, [1.2, 0]], (height, sector) => {
+    if (height < 0.81) return PAINT.metal;
+    return sector < SECTORS / 12 ? PAINT.mark : PAINT.red;
+  });
+}
+
+/** Half the height and the radius of a spheroid by their quotient; the larger is 1. */
+const spheroidSize = (slenderness) => [Math.max(0.05, Math.min(1, slenderness)), Math.max(0.05, Math.min(1, 1 / slenderness))];
+
+/** A free body around its centre of mass: the homogeneous spheroid with these moments of inertia. */
+function spheroid(slenderness) {
+  const [half, radius] = spheroidSize(slenderness);
+  const outline = Array.from({ length: 25 }, (_, i) => Math.PI * (i / 24 - 0.5)).map((t) => [half * Math.sin(t), radius * Math.cos(t)]);
+  return bodyOf(outline, (height, sector, r) => {
+    if (sector < SECTORS / 12) return PAINT.mark;
+    const isOdd = (sector % (SECTORS / 4) < SECTORS / 8) !== height < 0;
+    return r < 0.25 * radius ? PAINT.wood : isOdd ? PAINT.cream : PAINT.red;
+  });
 }
 
 /** Light from above, a little from the left of who looks. */
