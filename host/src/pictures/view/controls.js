@@ -89,7 +89,7 @@ function buildControls(change) {
       <input type="text" id="${key}-field" inputmode="text" autocomplete="off" spellcheck="false" aria-label="${label}, ${unit || "number"}" aria-description="${define}">
       <span class="unit">${unit}</span>`;
     element(`${group}-controls`).append(row);
-    Object.assign(control, { row, slider: element(key), field: element(`${key}-field`), home: NaN });
+    Object.assign(control, { row, slider: element(key), field: element(`${key}-field`), unitElement: row.lastElementChild });
     control.slider.addEventListener("input", ({ target }) => {
       const x = control.scale.value(Number(target.value), control.limits);
       change(control, control.scale === LOGARITHMIC ? Number(x.toPrecision(4)) : rounded(x, control.limits));
@@ -116,12 +116,16 @@ function showControls({ scenario, shown, settle }) {
     if (x === undefined) continue;
     const [low, high] = control.limits ?? [NaN, NaN];
     if (settle || !(x >= low && x <= high)) control.limits = control.range(x, shown);
-    control.slider.value = String(control.scale.place(x, control.limits));
     const text = typed(x);
-    control.row.querySelector(".unit").textContent = unitName(control.unit, scenario);
-    control.slider.setAttribute("aria-valuetext", `${text} ${control.unit}`);
-    if (document.activeElement !== control.field) control.field.value = text;
+    const unit = unitName(control.unit, scenario);
+    control.slider.value = String(control.scale.place(x, control.limits));
     mark(control.field, false);
+    if (document.activeElement !== control.field) control.field.value = text;
+    const said = `${text} ${unit}`;
+    if (control.said === said) continue;
+    control.said = said;
+    control.unitElement.textContent = unit;
+    control.slider.setAttribute("aria-valuetext", said);
   }
   const { kind } = scenario.motion;
   element("throw-controls").classList.toggle("given", kind !== "branch_points");

@@ -123,6 +123,7 @@ function listenToPictures() {
 }
 
 function recolour() {
+  for (const canvas of document.querySelectorAll("canvas")) sizes.delete(canvas);
   state.colours = palette();
   show();
 }
