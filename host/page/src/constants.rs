@@ -8,13 +8,14 @@ use toytop::{AttitudeState, Motion, PeriodAdvance, Regime, Stepper, Support};
 pub type Constant = (&'static str, fn(&Motion) -> f64);
 
 /// All constants of a motion.
-pub const CONSTANTS: [Constant; 30] = [
-    ("held", |motion| support(motion.top().support())),
+pub const CONSTANTS: [Constant; 34] = [
+    ("support", |motion| support(motion.top().support())),
     ("A", |motion| motion.top().transverse_inertia()),
     ("C", |motion| motion.top().axial_inertia()),
     ("s", |motion| motion.top().com_height()),
     ("p", |motion| motion.top().mass_moment()),
     ("g", |motion| motion.top().gravity()),
+    ("K", |motion| motion.top().rotor_momentum()),
     ("e1", |motion| motion.branch_points().e1),
     ("e2", |motion| motion.branch_points().e2),
     ("e3", |motion| motion.branch_points().e3),
@@ -39,6 +40,9 @@ pub const CONSTANTS: [Constant; 30] = [
     ("spin", |motion| motion.first_integrals().spin),
     ("precession", |motion| precession(&at_start(motion))),
     ("nutation", |motion| nutation(&at_start(motion))),
+    ("m_x", |motion| momentum(motion)[0]),
+    ("m_y", |motion| momentum(motion)[1]),
+    ("m_z", |motion| momentum(motion)[2]),
 ];
 
 /// Names of all that [`launch`](crate::exports::launch) puts into the numbers: the constants, the bound on the orientation
@@ -120,4 +124,15 @@ fn nutation(state: &AttitudeState<f64>) -> f64 {
 fn axis_rate(state: &AttitudeState<f64>) -> [f64; 3] {
     let ([wx, wy, wz], [x, y, z]) = (state.omega(), state.axis());
     [wy * z - wz * y, wz * x - wx * z, wx * y - wy * x]
+}
+
+/// Angular momentum m = A r × r' + n r of a body on which no torque acts, kg m²/s; NaN where one does.
+fn momentum(motion: &Motion) -> [f64; 3] {
+    if !motion.top().is_torque_free() {
+        return [f64::NAN; 3];
+    }
+    let state = at_start(motion);
+    let ([x, y, z], [rx, ry, rz]) = (state.axis(), axis_rate(&state));
+    let (a, n) = (motion.top().transverse_inertia(), motion.first_integrals().n);
+    [a * (y * rz - z * ry) + n * x, a * (z * rx - x * rz) + n * y, a * (x * ry - y * rx) + n * z]
 }

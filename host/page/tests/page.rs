@@ -1,7 +1,7 @@
 //! What JavaScript receives, against the core as a program calls it.
 
 use toytop::scalar::Float;
-use toytop::{EphemerisF64, Motion, Release, State, Support};
+use toytop::{EphemerisF64, Motion, Release, State, Stepper, Support};
 use toytop_page::constants::{self, CONSTANTS};
 use toytop_page::ghost::{Ghost, MOST_STEPS};
 use toytop_page::scenario::{self, Kind};
@@ -67,6 +67,22 @@ fn angles_and_rates_at_the_start_are_those_of_the_throw() {
         assert!((found / given - 1.0).abs() < 1e-12, "{name}: {found} for {given}");
     }
     assert_eq!(constants::names().count(), CONSTANTS.len() + 2);
+}
+
+/// Where no torque acts the angular momentum stands still, Aω + ((C - A)⟨ω, r⟩ + K) r; elsewhere it does not.
+#[test]
+fn a_free_body_has_its_angular_momentum() {
+    let top = scenario::top(&[2.0, 3.0e-5, 2.0e-5, 0.0, 0.0, 0.0, 9.81, 1.0e-3]).unwrap();
+    let motion = scenario::motion(&top, Kind::Release, &THROW).unwrap();
+    let state = Stepper::<f64>::new(&motion).attitude_state();
+    let (r, omega) = (state.axis(), state.omega());
+    let axial = -1.0e-5 * 150.0 + 1.0e-3;
+    for (i, name) in ["m_x", "m_y", "m_z"].into_iter().enumerate() {
+        let (found, expected) = (constant(&motion, name), 3.0e-5 * omega[i] + axial * r[i]);
+        assert!((found - expected).abs() < 1e-17, "{name}: {found:e} for {expected:e}");
+        assert!(constant(&thrown(), name).is_nan());
+    }
+    assert_eq!(constant(&motion, "support"), 2.0);
 }
 
 #[test]

@@ -8,10 +8,10 @@ const OUTLINE = [
 /** The stem above, with radii in units of s. */
 const STEM = [[1.36, 0.085], [1.5, 0.065], [1.68, 0.062], [1.74, 0.085], [1.79, 0.09], [1.83, 0.075], [1.85, 0]];
 const STEM_FROM = 1.3;
-/** Where the axis of the top is drawn to. */
-const END = 2.1;
 
 const SECTORS = 48;
+/** Radius of a part that is drawn with a quarter of the faces. */
+const THIN = 0.14;
 const PAINT = { red: [196, 58, 43], cream: [246, 232, 202], wood: [205, 152, 92], metal: [150, 158, 168], mark: [38, 84, 160] };
 
 /** What is painted at a height and a sector: rings that stay, and petals and a stripe that turn. */
@@ -53,10 +53,13 @@ function bodyOf(outline, paint) {
   for (let i = 0; i + 1 < rings.length; i++) {
     const [[z0, r0], [z1, r1]] = [outline[i], outline[i + 1]];
     if (z1 === z0 && r1 === r0) continue;
-    for (let j = 0; j < SECTORS; j++) {
-      const middle = angle(j + 0.5);
+    // a thin part needs fewer faces
+    const width = Math.max(r0, r1) < THIN ? 4 : 1;
+    for (let j = 0; j < SECTORS; j += width) {
+      const middle = angle(j + 0.5 * width);
       const normal = unit([(z1 - z0) * Math.cos(middle), (z1 - z0) * Math.sin(middle), r0 - r1]);
-      const corners = [[i, j], [i, (j + 1) % SECTORS], [i + 1, (j + 1) % SECTORS], [i + 1, j]];
+      const next = (j + width) % SECTORS;
+      const corners = [[i, j], [i, next], [i + 1, next], [i + 1, j]];
       faces.push({ corners, normal, colour: paint((z0 + z1) / 2, j, (r0 + r1) / 2) });
     }
   }
@@ -67,6 +70,29 @@ function bodyOf(outline, paint) {
 function turnOnLathe(breadth) {
   const outline = smooth([...OUTLINE.map(([z, r]) => [z, Math.max(r * breadth, z > 1 ? 0.09 : 0)]), ...STEM], 0.085);
   return bodyOf(outline, paint);
+}
+
+/** A rod with a ball at its end: what a body without an axial moment of inertia looks like. */
+function pendulum() {
+  const ball = Array.from({ length: 15 }, (_, i) => (Math.PI * (i / 14 - 0.5))).map((t) => [1 + 0.2 * Math.sin(t), Math.max(0.03, 0.2 * Math.cos(t))]);
+  return bodyOf([[0, 0], [0.02, 0.03], [0.4, 0.03], ...ball, [1.2, 0]], (height, sector) => {
+    if (height < 0.81) return PAINT.metal;
+    return sector < SECTORS / 12 ? PAINT.mark : PAINT.red;
+  });
+}
+
+/** Half the height and the radius of a spheroid by their quotient; the larger is 1. */
+const spheroidSize = (slenderness) => [Math.max(0.05, Math.min(1, slenderness)), Math.max(0.05, Math.min(1, 1 / slenderness))];
+
+/** A free body around its centre of mass: the homogeneous spheroid with these moments of inertia. */
+function spheroid(slenderness) {
+  const [half, radius] = spheroidSize(slenderness);
+  const outline = Array.from({ length: 25 }, (_, i) => Math.PI * (i / 24 - 0.5)).map((t) => [half * Math.sin(t), radius * Math.cos(t)]);
+  return bodyOf(outline, (height, sector, r) => {
+    if (sector < SECTORS / 12) return PAINT.mark;
+    const isOdd = (sector % (SECTORS / 4) < SECTORS / 8) !== height < 0;
+    return r < 0.25 * radius ? PAINT.wood : isOdd ? PAINT.cream : PAINT.red;
+  });
 }
 
 /** Light from above, a little from the left of who looks. */
@@ -99,25 +125,25 @@ function cut(points, side) {
 
 /** Places on the sheet of what of a face is to be drawn; side 0 is all of it. */
 function outlineOf(camera, { space, pixels }, { corners }, side) {
-  if (side === 0 || corners.every(([i, j]) => side * space[i][j][2] >= 0)) return corners.map(([i, j]) => pixels[i][j]);
+  const within = ([i, j]) => side * space[i][j][2] >= 0;
+  if (side === 0 || corners.every(within)) return corners.map(([i, j]) => pixels[i][j]);
+  if (!corners.some(within)) return [];
   const part = cut(corners.map(([i, j]) => space[i][j]), side);
   return part.map((point) => camera.project(point));
 }
 
-/** Path of a face whose edges are a little longer than they are: the background would show between two otherwise. */
+/** Path of a face, each corner of which is a little further out: the background would show between two faces otherwise. */
 function traceFace(pen, outline) {
-  const last = outline.length - 1;
+  let [middleX, middleY] = [0, 0];
+  for (const [x, y] of outline) {
+    middleX += x / outline.length;
+    middleY += y / outline.length;
+  }
   pen.beginPath();
-  for (let i = 0; i <= last; i++) {
-    const [x, y] = outline[i];
-    let [u, v] = [x, y];
-    for (const [otherX, otherY] of [outline[i ? i - 1 : last], outline[i < last ? i + 1 : 0]]) {
-      const [dx, dy] = [x - otherX, y - otherY];
-      const share = 0.6 / Math.max(0.1, Math.sqrt(dx * dx + dy * dy));
-      u += share * dx;
-      v += share * dy;
-    }
-    pen.lineTo(u, v);
+  for (const [x, y] of outline) {
+    const [dx, dy] = [x - middleX, y - middleY];
+    const share = 1 + 0.8 / Math.max(0.2, Math.sqrt(dx * dx + dy * dy));
+    pen.lineTo(middleX + share * dx, middleY + share * dy);
   }
   pen.closePath();
 }
@@ -130,8 +156,9 @@ function drawFaces(pen, camera, faces, side) {
     if (outline.length < 3) continue;
     const diffuse = 0.42 + 0.46 * Math.max(0, dot(n, lamp)) + 0.12 * Math.max(0, dot(n, camera.back));
     const gloss = 46 * Math.max(0, dot(n, half)) ** 22;
-    const [r, g, b] = face.colour.map((part) => Math.round(Math.min(255, part * diffuse + gloss)));
-    pen.fillStyle = `rgb(${r},${g},${b})`;
+    const [r, g, b] = face.colour;
+    const shade = (part) => Math.min(255, part * diffuse + gloss);
+    pen.fillStyle = `#${(0x1000000 + (shade(r) << 16) + (shade(g) << 8) + (shade(b) | 0)).toString(16).slice(1)}`;
     traceFace(pen, outline);
     pen.fill();
   }

@@ -9,15 +9,19 @@ const LOGARITHMIC = {
 const CUBIC = { place: (x, [low, high]) => Math.cbrt((x - low) / (high - low)), value: (place, [low, high]) => low + place ** 3 * (high - low) };
 
 const aroundHome = (home) => [home / 8, home * 8];
+const upTo = (most) => (home, shown) => [0, Math.max(home, most(home, shown))];
 const bothWays = (least) => (home, shown) => {
   const reach = 2 * Math.max(Math.abs(home), least(shown));
   return [-reach, reach];
 };
 
+/** What has no effect on a free body. */
+const OF_WEIGHT = ["mass", "mass_moment", "com_height", "gravity"];
+
 /** A number of the top, by the key that a scenario has for it. */
-const ofTop = (key, label, unit, define) => ({
-  key, label, unit, define, group: "top", scale: LOGARITHMIC, range: aroundHome,
-  read: ({ top }) => top[key] ?? DEFAULTS[key],
+const ofTop = (key, label, unit, define, scale = LOGARITHMIC, range = aroundHome) => ({
+  key, label, unit, define, group: "top", scale, range,
+  read: ({ top }) => (top.support === "free" && OF_WEIGHT.includes(key) ? undefined : (top[key] ?? DEFAULTS[key])),
   write: (scenario, x) => ({ ...scenario, top: { ...scenario.top, [key]: x } }),
 });
 
@@ -34,7 +38,7 @@ const ofThrow = (key, label, unit, define, range, read) => ({
 /** A branch point; those that would stand in the wrong order give way. */
 const ofRoot = (key, label, define, scale, range) => ({
   key, label, unit: "", define, group: "roots", scale, range,
-  read: (_, shown) => shown[key],
+  read: (_, shown) => (isTorqueFree(shown) ? undefined : shown[key]),
   write: (scenario, x, shown) => withRoot(scenario, key, x, shown),
 });
 
@@ -48,18 +52,21 @@ function withRoot(scenario, key, x, shown) {
 }
 
 const perNutation = ({ period, natural_time }) => 3 / (period > 0 ? period : natural_time);
+/** A spin that is fast for this body. */
+const fastSpin = (shown) => Math.max(perNutation(shown), shown.C > 0 ? criticalSpin({ ...shown, K: 0 }) : 0);
 
 const CONTROLS = [
   ofThrow("tilt_deg", "Tilt", "°", "Angle of the axis from the upward vertical at t = 0.", () => [0, 180], ({ tilt }) => degrees(tilt)),
-  ofThrow("spin", "Spin", "rad/s", "Component of the angular velocity along the axis; it never changes.", bothWays(criticalSpin), ({ spin }) => spin),
+  ofThrow("spin", "Spin", "rad/s", "Component of the angular velocity along the axis; it never changes.", bothWays(fastSpin), ({ spin }) => spin),
   ofThrow("precession", "Precession", "rad/s", "Rate at which the axis goes round the vertical at t = 0.", bothWays(perNutation), ({ precession }) => precession),
   ofThrow("nutation", "Nutation", "rad/s", "Rate at which the tilt grows at t = 0.", bothWays(perNutation), ({ nutation }) => nutation),
   ofTop("mass", "Mass", "kg", "Mass M."),
   ofTop("mass_moment", "Moment p", "kg m", "Mass times distance from the tip to the centre of mass."),
-  ofTop("transverse_inertia", "Inertia A", "kg m²", "Transverse moment of inertia: about the centre of mass for a sliding tip, about the tip for a held one."),
-  ofTop("axial_inertia", "Inertia C", "kg m²", "Moment of inertia about the axis of the top; at most 2A."),
+  ofTop("transverse_inertia", "Inertia A", "kg m²", "Transverse moment of inertia: about the tip where that is held, about the centre of mass of any other body."),
+  ofTop("axial_inertia", "Inertia C", "kg m²", "Moment of inertia about the axis of the top; at most 2A, and 0 for a pendulum.", LINEAR, upTo((_, { A }) => 2 * A)),
+  ofTop("rotor_momentum", "Rotor K", "kg m²/s", "Angular momentum of a wheel that turns inside about the same axis, relative to the body; 0 without one.", LINEAR, bothWays((shown) => shown.A * fastSpin(shown))),
   ofTop("com_height", "Height s", "m", "Distance from the tip to the centre of mass."),
-  ofTop("gravity", "Gravity", "m/s²", "Gravity g: 9.81 on Earth, 1.62 on the Moon."),
+  ofTop("gravity", "Gravity", "m/s²", "Gravity g: 9.81 on Earth, 1.62 on the Moon; 0 only where the tip is held.", LINEAR, upTo((home) => 3 * (home || DEFAULTS.gravity))),
   ofRoot("e1", "e₁", "Least u, the cosine of the tilt.", LINEAR, () => [-1, 1]),
   ofRoot("e2", "e₂", "Greatest u.", LINEAR, () => [-1, 1]),
   ofRoot("e3", "e₃", "Third root of the cubic, at least 1.", CUBIC, (home) => [1, Math.max(20, 1 + 4 * (home - 1))]),
@@ -82,7 +89,7 @@ function buildControls(change) {
       <input type="text" id="${key}-field" inputmode="text" autocomplete="off" spellcheck="false" aria-label="${label}, ${unit || "number"}" aria-description="${define}">
       <span class="unit">${unit}</span>`;
     element(`${group}-controls`).append(row);
-    Object.assign(control, { row, slider: element(key), field: element(`${key}-field`), home: NaN });
+    Object.assign(control, { row, slider: element(key), field: element(`${key}-field`), unitElement: row.lastElementChild });
     control.slider.addEventListener("input", ({ target }) => {
       const x = control.scale.value(Number(target.value), control.limits);
       change(control, control.scale === LOGARITHMIC ? Number(x.toPrecision(4)) : rounded(x, control.limits));
@@ -109,16 +116,21 @@ function showControls({ scenario, shown, settle }) {
     if (x === undefined) continue;
     const [low, high] = control.limits ?? [NaN, NaN];
     if (settle || !(x >= low && x <= high)) control.limits = control.range(x, shown);
-    control.slider.value = String(control.scale.place(x, control.limits));
     const text = typed(x);
-    control.row.querySelector(".unit").textContent = unitName(control.unit, scenario);
-    control.slider.setAttribute("aria-valuetext", `${text} ${control.unit}`);
-    if (document.activeElement !== control.field) control.field.value = text;
+    const unit = unitName(control.unit, scenario);
+    control.slider.value = String(control.scale.place(x, control.limits));
     mark(control.field, false);
+    if (document.activeElement !== control.field) control.field.value = text;
+    const said = `${text} ${unit}`;
+    if (control.said === said) continue;
+    control.said = said;
+    control.unitElement.textContent = unit;
+    control.slider.setAttribute("aria-valuetext", said);
   }
   const { kind } = scenario.motion;
   element("throw-controls").classList.toggle("given", kind !== "branch_points");
   element("roots-controls").classList.toggle("given", kind === "branch_points");
   for (const sign of ["sign_l_plus_n", "sign_l_minus_n"]) element(sign).value = String(shown[sign]);
-  element(shown.held ? "held" : "sliding").checked = true;
+  element("roots").hidden = isTorqueFree(shown);
+  element(SUPPORTS[shown.support]).checked = true;
 }

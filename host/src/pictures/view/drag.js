@@ -15,6 +15,8 @@ function listenToRoots(canvas, roots, set, release) {
   const layout = () => heldLayout ?? potentialLayout(sizeOf(canvas), roots());
   let held = null;
   const nearest = (x) => {
+    // without torque the roots do not tell the motion
+    if (roots().length < 3) return null;
     const at = roots().map((root) => Math.abs(layout().x(root) - x));
     const least = Math.min(...at);
     // where two lie together, the one that has room on the side of the pointer

@@ -1,7 +1,7 @@
 // The core, compiled to WebAssembly: a scenario in, constants and moments out, in the crate's own numbers.
 
 /** What the keys of a scenario mean where they are left out. */
-const DEFAULTS = { gravity: 9.80665, precession: 0, nutation: 0, azimuth_deg: 0, roll_deg: 0, nutation_phase: 0, arg_alpha: 0, arg_beta: 0 };
+const DEFAULTS = { gravity: 9.80665, rotor_momentum: 0, precession: 0, nutation: 0, azimuth_deg: 0, roll_deg: 0, nutation_phase: 0, arg_alpha: 0, arg_beta: 0 };
 
 /** Supports of the tip, in the order of the core's numbers. */
 const SUPPORTS = ["sliding", "fixed", "free"];

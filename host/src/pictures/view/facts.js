@@ -1,7 +1,13 @@
 // What is said of a motion and of the moment: names, numbers, units, and what each means.
 
-/** Spin above which an upright top sleeps, rad/s: n² = 4 A p g. */
-const criticalSpin = ({ A, C, p, g }) => (2 * Math.sqrt(A * p * g)) / C;
+/** Spin above which an upright top sleeps, rad/s: n = C spin + K with n² = 4 A p g. */
+const criticalSpin = ({ A, C, p, g, K = 0 }) => (2 * Math.sqrt(A * p * g) - K) / C;
+
+/** Whether no torque acts: e₃ is infinite then, and the angular momentum stands still. */
+const isTorqueFree = ({ g }) => g === 0;
+
+/** Angle between the axis and the angular momentum, in degrees. */
+const coneAngle = ({ n, m_x, m_y, m_z }) => degrees(Math.acos(Math.max(-1, Math.min(1, n / Math.hypot(m_x, m_y, m_z)))));
 
 /** Angle of the axis from the vertical where its cosine is u, in degrees. */
 const tiltAt = (u) => degrees(Math.acos(Math.max(-1, Math.min(1, u))));
@@ -28,14 +34,30 @@ const REGIMES = {
   aperiodic: "The axis rises to the vertical and needs for ever to reach it.",
 };
 
+/** What a motion without torque is: the axis rests, or it goes round the angular momentum. */
+function torqueFree(shown) {
+  const angle = coneAngle(shown);
+  if (Number.isNaN(angle)) return "The body rests.";
+  if (angle < 1e-3 || angle > 180 - 1e-3) return "No torque acts, and the axis stands still: it is that of the angular momentum.";
+  return `No torque acts: the axis goes round the angular momentum, which stands still, at a constant angle of ${decimals(angle, 1)}°.`;
+}
+
+/** What a motion is: where l = n = 0 exactly, it stays in a plane. */
+function motionOf(shown) {
+  const { regime, l, n, e2, e3 } = shown;
+  if (isTorqueFree(shown)) return torqueFree(shown);
+  if (regime === "nutating" && l === 0 && n === 0) return e2 === 1 && e3 > 1 ? "It goes round in a vertical plane, over the top." : "It swings in a vertical plane.";
+  return REGIMES[regime] ?? "";
+}
+
 /** The kind of motion in a sentence, and what a real top would do. */
 function summaryOf(shown) {
-  const { regime, held, min_normal_force, e1 } = shown;
+  const { regime, support, min_normal_force, e1 } = shown;
   const real = [];
   if (min_normal_force < 0) real.push("lift off the plane");
-  if (!held && e1 < 0 && regime !== "sleeping_unstable") real.push("fall on its side");
-  const support = ["The tip slides without friction.", "The tip is held.", "The body is free: no torque acts."][held];
-  return `${support} ${REGIMES[regime] ?? ""}${real.length ? ` A real top would ${real.join(" and ")}.` : ""}`;
+  if (support === 0 && e1 < 0 && regime !== "sleeping_unstable") real.push("fall on its side");
+  const begin = ["The tip slides without friction.", "The tip is held.", "The body is free."][support];
+  return `${begin} ${motionOf(shown)}${real.length ? ` A real top would ${real.join(" and ")}.` : ""}`;
 }
 
 /** Why the curve is as it is (Proposition 6 of the paper). */
@@ -43,6 +65,9 @@ function curveReason(shown) {
   const { tipClass, e1, e2, e3, sign_l_plus_n, sign_l_minus_n } = shown;
   const [left, right] = [short(e3 * (e2 - e1), 4), short(1 - e1 * e2, 4)];
   const signs = sign_l_plus_n === sign_l_minus_n ? "the same sign" : "different signs";
+  if (isTorqueFree(shown) && ["loops", "smooth"].includes(tipClass)) {
+    return tipClass === "loops" ? "Loops: |l| < |n|, so that the axis goes backwards on a part of its way." : "Smooth: |l| ≥ |n|, so that the axis never turns back.";
+  }
   const compared = (sign) => `l + n and l − n have ${signs}, and e₃(e₂ − e₁) = ${left} ${sign} 1 − e₁e₂ = ${right}`;
   switch (tipClass) {
     case "loops":
@@ -64,21 +89,26 @@ function curveReason(shown) {
 
 /** Names, values, units and definitions for a teacher. */
 function teachersFacts(shown, { units }) {
-  const { e1, e2, period, phi_per_period, spin, min_normal_force, held } = shown;
+  const { A, p, g, n, e1, e2, period, phi_per_period, spin, min_normal_force, support } = shown;
   const rate = phi_per_period / period;
   const critical = criticalSpin(shown);
   const both = (x) => (units === "none" ? short(x, 4) : `${short(x, 4)} rad/s = ${short(perMinute(x), 4)}`);
-  const lift = held ? null : liftOff(shown);
+  const lift = support === 0 ? liftOff(shown) : null;
+  const weightless = isTorqueFree(shown);
   return [
     ["tilt", `${decimals(tiltAt(e2), 2)}° … ${decimals(tiltAt(e1), 2)}`, "°", "Angle between the axis and the vertical: the least and the greatest that it takes."],
-    ["nutation period", short(period), "s", "Time from one lowest place of the axis to the next. Nutation is the nodding of the axis."],
+    ["nutation period", short(period), "s", weightless ? "Time in which the axis goes once round the angular momentum." : "Time from one lowest place of the axis to the next. Nutation is the nodding of the axis."],
     ["nutation frequency", short(1 / period), "Hz", "Number of nods in a second."],
     ["mean precession", short(degrees(rate)), units === "none" ? "°" : "°/s", "Rate at which the axis goes round the vertical, averaged over a nutation period."],
     ...(units === "none" ? [] : [["the same", short(perMinute(rate)), "rpm", "Mean precession in revolutions per minute."]]),
     ["spin", both(spin), units === "none" ? "" : "rpm", "Component of the angular velocity along the axis. It never changes."],
-    ["critical spin", both(critical), units === "none" ? "" : "rpm", "An upright top sleeps, that is, it stays upright after a small push, if it spins faster than 2√(A p g)/C."],
-    ["upright it would", Math.abs(spin) > critical ? "sleep" : "fall", "", "Whether the spin is above the critical spin."],
-    ...(held
+    ...(weightless
+      ? [["angle to the momentum", decimals(coneAngle(shown), 2), "°", "Angle between the axis and the angular momentum. Without torque it never changes."]]
+      : [
+          ["critical spin", Number.isFinite(critical) ? both(critical) : "–", units === "none" ? "" : "rpm", "An upright top sleeps, that is, it stays upright after a small push, if it spins faster than (2√(A p g) − K)/C."],
+          ["upright it would", n * n > 4 * A * p * g ? "sleep" : "fall", "", "Whether the spin is above the critical spin."],
+        ]),
+    ...(support !== 0
       ? []
       : [
           ["least normal force", short(min_normal_force), "weights", "Least force with which the plane pushes the tip up. Where it would be negative, a real top leaves the plane."],
@@ -89,22 +119,28 @@ function teachersFacts(shown, { units }) {
 
 /** The paper's constants. */
 function paperFacts(shown) {
-  const { e1, e2, e3, e4, l, n, h, A, C, s, p, g, held, alpha_turns, beta_turns } = shown;
+  const { e1, e2, e3, e4, l, n, h, A, C, s, p, g, K, support, alpha_turns, beta_turns } = shown;
+  const [slides, weight] = [support === 0, !isTorqueFree(shown)];
   return [
     ["e₁", short(e1, 8), "", "Least u, the cosine of the tilt. The three branch points are the roots of the cubic that governs u."],
     ["e₂", short(e2, 8), "", "Greatest u."],
-    ["e₃", short(e3, 8), "", "Third root, above 1, which u never reaches: large for a fast spin."],
-    ...(held ? [] : [["e₄", short(e4, 8), "", "√(1 + A/(p s)): how much the sliding of the tip matters; infinite for a held tip."]]),
+    ...(weight ? [["e₃", short(e3, 8), "", "Third root, above 1, which u never reaches: large for a fast spin."]] : []),
+    ...(slides ? [["e₄", short(e4, 8), "", "√(1 + A/(p s)): how much the sliding of the tip matters; infinite for a held tip."]] : []),
     ["l", short(l), "kg m²/s", "Angular momentum about the vertical. It never changes."],
     ["n", short(n), "kg m²/s", "Angular momentum about the axis of the top. It never changes."],
-    ["h", short(h), "J", "Energy; potential energy is 0 where the centre of mass is at the height of the tip."],
+    ["h", short(h), "J", weight ? "Energy; potential energy is 0 where the centre of mass is at the height of the tip." : "Energy."],
     ["α in a period", short(alpha_turns), "turns", "Advance of the argument of the Cayley-Klein parameter α in a nutation period."],
     ["β in a period", short(beta_turns), "turns", "The same of β. The axis goes round by the sum of the two."],
-    ["A", short(A), "kg m²", held ? "Transverse moment of inertia about the tip." : "Transverse moment of inertia about the centre of mass."],
+    ["A", short(A), "kg m²", support === 1 ? "Transverse moment of inertia about the tip." : "Transverse moment of inertia about the centre of mass."],
     ["C", short(C), "kg m²", "Moment of inertia about the axis of the top."],
-    ...(held ? [] : [["s", short(s), "m", "Distance from the tip to the centre of mass."]]),
-    ["p", short(p), "kg m", "Mass moment: mass times distance from the tip to the centre of mass."],
-    ["g", short(g), "m/s²", "Gravity."],
+    ...(K ? [["K", short(K), "kg m²/s", "Angular momentum of the rotor inside, relative to the body: n = C spin + K."]] : []),
+    ...(slides ? [["s", short(s), "m", "Distance from the tip to the centre of mass."]] : []),
+    ...(weight
+      ? [
+          ["p", short(p), "kg m", "Mass moment: mass times distance from the tip to the centre of mass."],
+          ["g", short(g), "m/s²", "Gravity."],
+        ]
+      : []),
   ];
 }
 
@@ -115,7 +151,7 @@ function momentFacts({ alpha, beta, u, axis }, t, shown) {
     ["tilt", decimals(tiltOf(axis), 3), "°", "Angle between the axis and the vertical, now."],
     ["azimuth", decimals(degrees(azimuthOf(axis)), 2), "°", "Direction in which the axis leans, seen from above."],
     ["u", decimals(u, 6), "", "Cosine of the tilt."],
-    ["axis", axis.map((x) => decimals(x, 3)).join(", "), "", "Unit vector from the tip to the centre of mass; its third component points up."],
+    ["axis", axis.map((x) => decimals(x, 3)).join(", "), "", "Unit vector along the axis, from the tip to the centre of mass; its third component points up."],
     ["α", complexText(alpha), "", "First Cayley-Klein parameter of the orientation; as a quaternion w + z i."],
     ["β", complexText(beta), "", "Second Cayley-Klein parameter of the orientation; as a quaternion −y + x i."],
     ["periods", period > 0 ? decimals(t / period, 2) : "–", "", "Nutation periods since t = 0."],

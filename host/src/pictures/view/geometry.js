@@ -1,4 +1,4 @@
-// Rotations, the camera, colours and lines: what every picture of the page needs.
+// Rotations, the camera, sizes, colours and lines: what every picture of the page needs.
 
 /** x = Φ X Φ⁻¹ as a function from body to fixed coordinates; the third body axis is the top's own. */
 function rotation({ alpha: [a, b], beta: [c, d], u }) {
@@ -54,13 +54,30 @@ function palette() {
 /** CSS pixels of a unit of length of the pictures, which grow with the page's letters. */
 const unitOf = () => parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
 
-/** Width and height of a canvas in units of the pictures. */
-const sizeOf = (canvas) => [canvas.clientWidth, canvas.clientHeight].map((length) => length / unitOf());
+/** Width and height of a canvas in units of the pictures, and that unit. */
+function measured(canvas) {
+  const unit = unitOf();
+  return { size: [canvas.clientWidth, canvas.clientHeight].map((length) => length / unit), unit };
+}
+
+/** What was measured when the canvas was laid out last: to ask anew for each picture would lay out the page for each. */
+const sizes = new WeakMap();
+
+const sizeOf = (canvas) => (sizes.get(canvas) ?? measured(canvas)).size;
+
+/** Measures the canvases whenever they are laid out, and lets them be drawn. */
+function listenToSizes(canvases, redraw) {
+  const observer = new ResizeObserver((entries) => {
+    for (const { target } of entries) sizes.set(target, measured(target));
+    redraw();
+  });
+  for (const canvas of canvases) observer.observe(canvas);
+}
 
 /** A canvas made as fine as the screen and cleared; its size, and what draws on it. */
 function sheet(canvas, ground) {
-  const ratio = (window.devicePixelRatio || 1) * unitOf();
-  const size = sizeOf(canvas);
+  const { size, unit } = sizes.get(canvas) ?? measured(canvas);
+  const ratio = (window.devicePixelRatio || 1) * unit;
   const [width, height] = size.map((length) => Math.max(1, Math.round(length * ratio)));
   if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
   const pen = canvas.getContext("2d");

@@ -29,23 +29,34 @@ const TABLE_BELOW = -1.45;
 /** Height of the arm from which a body hangs that never rises far. */
 const ARM_ABOVE = 1.35;
 
-/** Whether the body hangs from an arm: its axis is mostly below the level. */
-const hangs = ({ e: [low, high] }) => low + high < -0.6;
+/** What holds the tip: an arm above a body that hangs, a bracket behind one that passes its lowest place and rises, else a post. */
+function standOf({ e: [low, high] }) {
+  if (low + high < -0.6) return "arm";
+  return low < -0.75 ? "bracket" : "post";
+}
 
-/** The stand: a foot, a post, and a pin at the pivot. */
+/** The stand, and a pin at the pivot. */
 function drawStand(pen, camera, scene, colours) {
   const project = (point) => camera.project(point);
   const line = (points, width, style) => {
     trace(pen, points.map(project));
     stroke(pen, style, width * camera.scaleAt([0, 0, 0]));
   };
-  if (hangs(scene)) {
-    const [x, y] = [-camera.right[0] * 1.8, -camera.right[1] * 1.8];
-    trace(pen, circle(0.4, -2.1).map(([u, v, z]) => project([x + u, y + v, z])), true);
+  const stand = standOf(scene);
+  if (stand === "bracket") {
+    const [x, y] = unit([camera.back[0], camera.back[1], 0]).map((part) => -1.3 * part);
+    trace(pen, [[-0.25, -0.35], [0.25, -0.35], [0.25, 0.35], [-0.25, 0.35]].map(([u, z]) => project([x + u * camera.right[0], y + u * camera.right[1], z])), true);
+    pen.fillStyle = colours.stand;
+    pen.fill();
+    for (const [width, style] of [[0.09, colours.stand], [0.03, colours.shine]]) line([[x, y, 0], [0, 0, 0]], width, style);
+  } else if (stand === "arm") {
+    const { reach } = scene.shape;
+    const [x, y, foot] = [-0.8 * reach * camera.right[0], -0.8 * reach * camera.right[1], -0.95 * reach];
+    trace(pen, circle(0.18 * reach, foot).map(([u, v, z]) => project([x + u, y + v, z])), true);
     pen.fillStyle = colours.stand;
     pen.fill();
     for (const [width, style] of [[0.09, colours.stand], [0.03, colours.shine]]) {
-      line([[x, y, -2.1], [x, y, ARM_ABOVE], [0, 0, ARM_ABOVE], [0, 0, 0]], width, style);
+      line([[x, y, foot], [x, y, ARM_ABOVE], [0, 0, ARM_ABOVE], [0, 0, 0]], width, style);
     }
   } else {
     for (const [radius, height] of [[0.62, TABLE_BELOW], [0.55, TABLE_BELOW + 0.08], [0.16, TABLE_BELOW + 0.16]]) {

@@ -60,9 +60,9 @@ function listenToTime() {
 }
 
 function listenToMotion() {
-  for (const support of ["sliding", "held"]) {
+  for (const support of SUPPORTS) {
     element(support).addEventListener("change", () => {
-      setScenario(withSupport(state.scenario, support === "held" ? "fixed" : support), { settle: true, name: "Your top" });
+      setScenario(withSupport(state.scenario, support, scene.shown), { settle: true, name: "Your top" });
       remember();
     });
   }
@@ -123,6 +123,7 @@ function listenToPictures() {
 }
 
 function recolour() {
+  for (const canvas of document.querySelectorAll("canvas")) sizes.delete(canvas);
   state.colours = palette();
   show();
 }

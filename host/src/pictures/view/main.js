@@ -11,7 +11,7 @@ async function begin() {
   listenToPictures();
   document.addEventListener("keydown", onKey);
   window.addEventListener("hashchange", fromAddress);
-  new ResizeObserver(redraw).observe(element("scene-picture"));
+  listenToSizes(document.querySelectorAll("canvas"), redraw);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", recolour);
   for (const event of ["beforeprint", "afterprint"]) window.addEventListener(event, recolour);
   matchMedia("print").addEventListener("change", recolour);

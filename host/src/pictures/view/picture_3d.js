@@ -1,18 +1,20 @@
-// The top on its plane, or the gyroscope on its stand.
+// The top on its plane, the gyroscope on its stand, or the free body.
 
 /** What all pictures draw the bounds with: whole, dashed, dotted. */
 const DASHES = [[], [5, 4], [1, 4]];
 
-/** Where the tip is in units of s; the tip of a held top stays. */
-const baseOf = (scene, { foot: [x, y] }) => (scene.held ? [0, 0, 0] : [x, y, 0]);
-const endOf = (scene, place) => sum(baseOf(scene, place), place.axis, END);
+/** Where the tip is in units of s; the tip of a held top stays, and so does the centre of a free body. */
+const baseOf = (scene, { foot: [x, y] }) => (scene.slides ? [x, y, 0] : [0, 0, 0]);
+const endOf = (scene, place) => sum(baseOf(scene, place), place.axis, scene.shape.stick[1]);
 /** How far out the plane has to be seen. */
 const widest = ({ circles }) => circles.reduce((most, { radius }) => Math.max(most, radius), circles.length ? 0 : 0.25);
 
 function cameraOf({ scene, view }, size) {
   const [low, high] = scene.e;
   const gap = 0.25 * (high - low);
-  if (scene.held) return new Camera(view, [0, 0, hangs(scene) ? -0.3 : 0.2], 2.2, size);
+  const { reach } = scene.shape;
+  if (scene.support === "free") return new Camera(view, [0, 0, 0], reach, size);
+  if (!scene.slides) return new Camera(view, [0, 0, { arm: -0.3, bracket: 0, post: 0.2 }[standOf(scene)]], reach, size);
   return new Camera(view, [0, 0, 0.46 * (low + high)], 1.42 + gap, size);
 }
 
@@ -46,8 +48,8 @@ function drawScene(canvas, frame) {
   const camera = cameraOf(frame, size);
   const place = (point) => sum(baseOf(scene, now), now.rotate(point));
   const faces = seenFaces(camera, scene.body, { place, rotate: now.rotate });
-  if (scene.held) drawHeld(pen, size, camera, frame, faces);
-  else drawSliding(pen, size, camera, frame, faces, place);
+  if (scene.slides) drawSliding(pen, size, camera, frame, faces, place);
+  else drawAround(pen, size, camera, frame, faces);
   if (frame.ghost) {
     const { ghost } = frame;
     drawGhost(pen, camera, scene.body, (point) => sum(baseOf(scene, ghost), ghost.rotate(point)), colours.ghost);
@@ -58,7 +60,7 @@ function drawSliding(pen, size, camera, frame, faces, place) {
   const { scene, now, past, colours } = frame;
   const project = (point) => camera.project(point);
   const onPlane = ([x, y]) => camera.project([x, y, 0]);
-  const radius = Math.max(1.28 * widest(scene), 1.15 * scene.breadth, 0.9);
+  const radius = Math.max(1.28 * widest(scene), 1.15 * scene.shape.size, 0.9);
   // what is below the plane is seen through it
   drawFaces(pen, camera, faces, -1);
   drawPlane(pen, project, size, colours, radius, 0);
@@ -67,9 +69,9 @@ function drawSliding(pen, size, camera, frame, faces, place) {
   pen.clip();
   if (now.axis[2] > 0.15) drawShadow(pen, camera, scene.body, place, "rgb(0 0 0 / 0.1)");
   pen.restore();
-  scene.circles.forEach((bound, i) => {
-    trace(pen, circle(bound.radius, 0).map(project));
-    stroke(pen, colours.bound, 1.4, DASHES[i]);
+  scene.circles.forEach(({ radius, dash }) => {
+    trace(pen, circle(radius, 0).map(project));
+    stroke(pen, colours.bound, 1.4, dash);
   });
   fading(pen, past.map(({ foot }) => onPlane(foot)), colours.tip, 2.6);
   disc(pen, onPlane(now.foot), 3.2, colours.tip);
@@ -84,20 +86,30 @@ function drawSliding(pen, size, camera, frame, faces, place) {
   pen.globalAlpha = 1;
 }
 
-function drawHeld(pen, size, camera, frame, faces) {
+/** A body that moves around a point: its tip on a stand, or its centre of mass in the air. */
+function drawAround(pen, size, camera, frame, faces) {
   const { scene, now, colours } = frame;
   const project = (point) => camera.project(point);
-  const standsOnTable = !hangs(scene);
-  if (standsOnTable) drawPlane(pen, project, size, colours, 1.1, TABLE_BELOW);
+  const end = scene.shape.stick[1];
+  const stand = scene.support === "free" ? null : standOf(scene);
+  if (stand === "post") drawPlane(pen, project, size, colours, 1.1, TABLE_BELOW);
   scene.e.slice(0, 2).forEach((u, i) => {
-    trace(pen, circle(END * Math.sqrt(Math.max(0, 1 - u * u)), END * u).map(project));
+    trace(pen, circle(end * Math.sqrt(Math.max(0, 1 - u * u)), end * u).map(project));
     stroke(pen, colours.bound, 1.2, DASHES[i]);
   });
-  // the stand is behind a body that leans to the onlooker
-  const leansForward = dot(now.axis, camera.back) > 0;
-  if (leansForward) drawStand(pen, camera, scene, colours);
+  const momentum = (from, to) => {
+    if (!scene.momentum) return;
+    trace(pen, [from, to].map((length) => project(scene.momentum.map((part) => length * part))));
+    stroke(pen, colours.pin, 2, [1, 5]);
+  };
+  // the stand is behind a body that leans to the onlooker, and a bracket always is
+  const isBehind = stand === "bracket" || dot(now.axis, camera.back) > 0;
+  const [near, far] = scene.momentum && dot(scene.momentum, camera.back) > 0 ? [end, -end] : [-end, end];
+  momentum(0, far);
+  if (stand && isBehind) drawStand(pen, camera, scene, colours);
   drawBody(pen, camera, frame, faces, 0);
-  if (!leansForward) drawStand(pen, camera, scene, colours);
+  if (stand && !isBehind) drawStand(pen, camera, scene, colours);
+  momentum(0, near);
 }
 
 /** The body with its axis, between the parts of the axis' trail behind it and before it. Side 1 is above the plane. */
@@ -105,9 +117,10 @@ function drawBody(pen, camera, { scene, now, past, colours }, faces, side) {
   const project = (point) => camera.project(point);
   const place = (point) => sum(baseOf(scene, now), now.rotate(point));
   const ends = past.map((moment) => project(endOf(scene, moment)));
-  const depth = project(place([0, 0, 1.2]))[2];
+  const { stick: [from], middle } = scene.shape;
+  const depth = project(place([0, 0, middle]))[2];
   fading(pen, ends, colours.axis, 1.8, ([, , far]) => (far >= depth ? 0.9 : 0));
-  const axis = [place([0, 0, 1.7]), endOf(scene, now)].map(project);
+  const axis = [place([0, 0, from]), endOf(scene, now)].map(project);
   const stick = () => {
     trace(pen, axis);
     stroke(pen, colours.ink, 1.6);

@@ -10,9 +10,9 @@ function drawPlan({ pen, size: [width, height] }, { scene, scenario, now, past, 
     stroke(pen, colours.faint, 1);
   }
   write(pen, colours.faint, "center");
-  scene.circles.forEach(({ radius, name }, i) => {
+  scene.circles.forEach(({ radius, name, dash }, i) => {
     trace(pen, circle(radius, 0).map(place), true);
-    stroke(pen, colours.bound, 1.2, DASHES[i]);
+    stroke(pen, colours.bound, 1.2, dash);
     // outside the largest; inside the others, where the curve is not, above or below
     if (radius >= most) pen.fillText(name, cx, cy - scale * radius - 6);
     else if (scale * radius > 34) pen.fillText(name, cx, i ? cy - scale * radius + 15 : cy + scale * radius - 7);
@@ -40,7 +40,7 @@ function drawDirection(pen, places, style) {
   pen.fill();
 }
 
-/** A bar of a round length; the axis of a held top has no unit. */
+/** A bar of a round length; the axis has no unit. */
 function drawScale(pen, { scene, scenario, scale, height, colours }) {
   const most = (90 / scale) * scene.scale;
   if (!(most > 0)) return;
@@ -49,5 +49,5 @@ function drawScale(pen, { scene, scenario, scale, height, colours }) {
   trace(pen, [[12, height - 16], [12, height - 10], [12 + pixels, height - 10], [12 + pixels, height - 16]]);
   stroke(pen, colours.ink, 1.2);
   write(pen, colours.ink, "left", 11);
-  pen.fillText(scene.held ? short(length) : lengthText(length, scenario), 12 + pixels + 6, height - 10);
+  pen.fillText(scene.slides ? lengthText(length, scenario) : short(length), 12 + pixels + 6, height - 10);
 }

@@ -1,7 +1,10 @@
-// The reduced motion: a ball of energy 0 in the potential -f(u) = -(u - e₁)(u - e₂)(u - e₃), and the roots to drag.
+// The reduced motion: a ball of energy 0 in the potential -f(u) = -(u - e₁)(u - e₂)(u - e₃), and the roots to drag. Without
+// torque there is no e₃, and the potential is (u - e₁)(u - e₂).
 
 /** Share of the width in which the well and its surroundings are drawn to scale. */
 const TO_SCALE = 0.74;
+
+const potentialAt = (u, [e1, e2, e3]) => (u - e1) * (u - e2) * (e3 === undefined ? 1 : e3 - u);
 
 /**
  * Where u and its potential are on the paper: to scale around the well; beyond, where e₃ is, the rest of the line in a short
@@ -11,11 +14,12 @@ function potentialLayout([width, height], [e1, e2, e3]) {
   const [left, right, top, bottom] = [14, width - 14, 22, height - 34];
   const room = 0.7 * Math.max(e2 - e1, 0.04);
   const [from, to] = [Math.max(-1.03, e1 - room), Math.min(1.03, e2 + room)];
-  const [scale, short] = [(TO_SCALE * (right - left)) / (to - from), ((1 - TO_SCALE) / TO_SCALE) * (to - from)];
+  const share = e3 === undefined ? 1 : TO_SCALE;
+  const [scale, short] = [(share * (right - left)) / (to - from), ((1 - share) / share) * (to - from)];
   const squeezed = (u) => (u <= to ? u : to + (short * (u - to)) / (u - to + short));
   const unsqueezed = (x) => (x <= to ? x : to + (short * (x - to)) / Math.max(1e-9, short - (x - to)));
-  const depth = (u) => -(u - e1) * (u - e2) * (u - e3);
-  const size = Math.max(Math.abs(depth(0.5 * (e1 + e2))), 0.06 * room * room * Math.abs(e3 - e2), 1e-12);
+  const depth = (u) => potentialAt(u, [e1, e2, e3]);
+  const size = Math.max(Math.abs(depth(0.5 * (e1 + e2))), 0.06 * room * room * (e3 === undefined ? 1 : e3 - e2), 1e-12);
   const zero = top + 0.45 * (bottom - top);
   return {
     x: (u) => left + (squeezed(u) - from) * scale,
@@ -36,7 +40,7 @@ function drawPotential({ pen, size }, { scene, now, colours }) {
   const depths = potentialLayout(size, scene.e);
   const y = (at) => depths.y(at);
   write(pen, colours.faint, "left");
-  pen.fillText("−(u − e₁)(u − e₂)(u − e₃)", 6, 13);
+  pen.fillText(scene.e.length > 2 ? "−(u − e₁)(u − e₂)(u − e₃)" : "(u − e₁)(u − e₂)", 6, 13);
   // the walls: the axis straight down and upright
   for (const wall of [-1, 1].filter((at) => at >= range[0])) {
     trace(pen, [[x(wall), top], [x(wall), bottom]]);
@@ -71,7 +75,7 @@ function drawPotential({ pen, size }, { scene, now, colours }) {
     pen.fillText(short(at, 4), x(at), bottom + 16);
   }
   pen.fillText("u = cos(tilt)", 0.5 * (left + x(range[1])), size[1] - 4);
-  pen.fillText("not to scale", 0.5 * (x(range[1]) + right), size[1] - 4);
+  if (scene.e.length > 2) pen.fillText("not to scale", 0.5 * (x(range[1]) + right), size[1] - 4);
   scene.e.forEach((root, i) => {
     const close = i && Math.abs(x(root) - x(scene.e[i - 1])) < 17;
     disc(pen, [x(root), zero], 6.5, colours.card);

@@ -6,7 +6,7 @@ const FURTHEST = 1e12;
 /** Moments of a motion with the rotation that everything is drawn with. Lengths are in units of s. */
 function place(scene, moment) {
   const rotate = rotation(moment);
-  const foot = scene.held ? moment.axis.slice(0, 2) : moment.tip.map((x) => x / scene.scale);
+  const foot = scene.slides ? moment.tip.map((x) => x / scene.scale) : moment.axis.slice(0, 2);
   return { moment, rotate, axis: moment.axis, foot };
 }
 
@@ -50,7 +50,7 @@ class Trail {
 function pointOf(scene, numbers, i) {
   const at = COORDINATES * i;
   const [x, y] = [numbers[at], numbers[at + 1]];
-  const foot = scene.held ? [x, y] : [numbers[at + 3] / scene.scale, numbers[at + 4] / scene.scale];
+  const foot = scene.slides ? [numbers[at + 3] / scene.scale, numbers[at + 4] / scene.scale] : [x, y];
   return { axis: [x, y, numbers[at + 2]], foot };
 }
 

@@ -16,6 +16,9 @@ function presetsOf({ name, scenario, figures, toy_top: toyTop }) {
   const spin = (share) => Number((share * critical).toPrecision(4));
   const wheel = { support: "fixed", mass: 0.2, com_height: 0.06, transverse_inertia: 9.5e-4, axial_inertia: 4e-4, gravity: 9.81 };
   const tall = { support: "sliding", transverse_inertia: 1.1, axial_inertia: 0.8, com_height: 0.6, mass_moment: 0.9, gravity: 1 };
+  const rod = { support: "fixed", mass: 0.3, com_height: 0.5, transverse_inertia: 0.075, axial_inertia: 0, gravity: 9.81 };
+  const swung = (changes) => ({ top: rod, motion: { kind: "release", spin: 0, ...changes } });
+  const thrownUp = (body, changes) => ({ top: { support: "free", ...body }, motion: { kind: "release", ...changes } });
   const released = (changes) => ({ top: wheel, motion: { kind: "release", tilt_deg: 70, spin: 250, ...changes } });
   return {
     "This page": { [name.replaceAll("_", " ")]: scenario },
@@ -27,12 +30,19 @@ function presetsOf({ name, scenario, figures, toy_top: toyTop }) {
       "Waking, just below the critical spin": thrown({ tilt_deg: 1, spin: spin(0.97) }),
       "Gyroscope, let go": released({ precession: 0 }),
       "Gyroscope, steady": released({ precession: 1.2 }),
+      "Gyroscope in a frame that hardly turns": { top: { ...wheel, rotor_momentum: 0.1 }, motion: { kind: "release", tilt_deg: 70, spin: 0.5 } },
     },
     "The paper": Object.fromEntries(
       figures.flatMap(([figure, minus, e3s]) =>
         e3s.map((e3) => [`${figure[0].toUpperCase()}${figure.slice(1)}, e₃ = ${e3}`, branchPoints(PAPERS_TOP, [0.7, 0.9, e3], minus)]),
       ),
     ),
+    "Pendulums and free bodies": {
+      "Pendulum, in a plane": swung({ precession: 0, tilt_deg: 20 }),
+      "Pendulum, round": swung({ precession: 2.5, tilt_deg: 130, spin: -1.607 }),
+      "Thrown plate": thrownUp({ transverse_inertia: 1.1e-3, axial_inertia: 2e-3 }, { tilt_deg: 25, spin: 20, precession: 3, nutation: -4 }),
+      "Thrown stick": thrownUp({ transverse_inertia: 1.1e-3, axial_inertia: 5e-5 }, { tilt_deg: 75, spin: 6, precession: 5 }),
+    },
     Corners: {
       "Near the separatrix": branchPoints(tall, [0.2, 1 - 5e-7, 1 + 5e-7], 1),
       "Rising for ever": branchPoints(tall, [0.2, 1, 1], 1),

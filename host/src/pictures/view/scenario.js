@@ -70,18 +70,32 @@ function asBranchPoints(scenario, shown) {
   return { ...scenario, motion: { kind: "branch_points", e1, e2, e3, sign_l_plus_n, sign_l_minus_n } };
 }
 
-/** The same body with its tip held or let go: the transverse inertia is about the tip, or about the centre of mass. */
-function withSupport(scenario, support) {
-  const { top } = scenario;
-  const { mass, mass_moment, transverse_inertia: a, axial_inertia: c } = top;
-  if ((top.support ?? "sliding") === support) return scenario;
-  // a held top need not say where its centre of mass is: halfway to where the body would be a disc
-  const s = top.com_height ?? (0.5 * (a - 0.5 * c)) / mass_moment;
-  const m = mass ?? mass_moment / s;
-  const about = support === "fixed" ? a + m * s * s : a - m * s * s;
-  const { gravity, rotor_momentum } = top;
-  const given = { ...(gravity !== undefined && { gravity }), ...(rotor_momentum !== undefined && { rotor_momentum }) };
-  return { ...scenario, top: { support, transverse_inertia: about, axial_inertia: c, com_height: s, mass: m, ...given } };
+/** Mass and distance s of a top's centre of mass from its tip, which not every support has to say. */
+function leverOf({ mass, mass_moment, com_height, transverse_inertia: a, axial_inertia: c }) {
+  if (mass_moment !== undefined) {
+    // halfway to where the body would be a disc
+    const s = com_height ?? (0.5 * (a - 0.5 * c)) / mass_moment;
+    return [mass_moment / s, s];
+  }
+  // a free body of any mass: as slim as the toy top
+  const m = mass ?? 1;
+  return [m, com_height ?? Math.sqrt((1.5 * a) / m)];
+}
+
+/**
+ * The same body with another support: the transverse inertia is about the tip where that is held, else about the centre of
+ * mass. A free body keeps mass, height and gravity, which have no effect, until it has a support again.
+ */
+function withSupport(scenario, support, shown) {
+  const before = scenario.top.support ?? "sliding";
+  if (before === support) return scenario;
+  const { transverse_inertia: a, axial_inertia, gravity, rotor_momentum } = scenario.top;
+  const [mass, com_height] = leverOf(scenario.top);
+  const about = mass * com_height ** 2 * ((support === "fixed") - (before === "fixed"));
+  const given = { ...(gravity && { gravity }), ...(rotor_momentum && { rotor_momentum }) };
+  const top = { support, transverse_inertia: a + about, axial_inertia, com_height, mass, ...given };
+  // what is thrown has no branch points of its own
+  return { ...(support === "free" ? asRelease(scenario, shown) : scenario), top };
 }
 
 const degrees = (radians) => (radians * 180) / Math.PI;

@@ -3,11 +3,11 @@
 /** Bounding circles of the tip curve in units of s, by name; none where the tip rests. */
 function circlesOf({ regime, e1, e2, one_plus_e1, one_minus_e2 }) {
   const radius = (plus, minus) => Math.sqrt(Math.max(0, plus * minus));
-  const lower = { radius: radius(one_plus_e1, 2 - one_plus_e1), name: "u = e₁" };
-  const upper = { radius: radius(2 - one_minus_e2, one_minus_e2), name: "u = e₂" };
+  const lower = { radius: radius(one_plus_e1, 2 - one_plus_e1), name: "u = e₁", dash: DASHES[0] };
+  const upper = { radius: radius(2 - one_minus_e2, one_minus_e2), name: "u = e₂", dash: DASHES[1] };
   if (isVertical(regime)) return [];
   if (regime === "regular_precession") return [{ ...upper, name: "u = e₁ = e₂" }];
-  const circles = e1 < 0 && e2 > 0 ? [lower, upper, { radius: 1, name: "u = 0" }] : [lower, upper];
+  const circles = e1 < 0 && e2 > 0 ? [lower, upper, { radius: 1, name: "u = 0", dash: DASHES[2] }] : [lower, upper];
   return circles.filter(({ radius }) => radius > 0);
 }
 
@@ -42,8 +42,8 @@ function speedOf({ spin, precession }, span) {
 }
 
 /** The greatest radius of the body that is drawn, in units of s: that of a disc with this C/A, where there is room. */
-function breadthOf({ held, A, C, s, p, e1 }) {
-  if (held) return Math.max(0.45, Math.min(0.8, Math.sqrt((4 * C) / Math.max(1e-3 * A, 2 * A - C))));
+function breadthOf({ support, A, C, s, p, e1 }) {
+  if (support === 1) return Math.max(0.45, Math.min(0.8, Math.sqrt((4 * C) / Math.max(1e-3 * A, 2 * A - C))));
   const disc = Math.sqrt((2 * C) / (p * s));
   // no point of the outline is wider, seen from the tip, than its greatest radius at the height 1
   const room = (0.93 * e1) / Math.sqrt(Math.max(1e-9, 1 - e1 * e1));
@@ -51,28 +51,50 @@ function breadthOf({ held, A, C, s, p, e1 }) {
   return Math.max(0.45, Math.min(most, disc));
 }
 
+/**
+ * What the body is drawn as: how it is made, of what; from where to where its axis is seen beyond it; how far out its middle
+ * is; and how much room it needs. Lengths are in units of s, or of a free body's size.
+ */
+function shapeOf(shown) {
+  const { support, A, C } = shown;
+  if (support === 2) {
+    const slenderness = Math.sqrt(Math.max(0, 2 * A - C) / Math.max(C, 1e-6 * A));
+    return { make: spheroid, size: slenderness, stick: [spheroidSize(slenderness)[0], 1.4], middle: 0, reach: 1.5 };
+  }
+  if (C === 0) return { make: pendulum, size: 0.2, stick: [1.2, 1.4], middle: 0.9, reach: 1.55 };
+  return { make: support === 1 ? gyroscope : turnOnLathe, size: breadthOf(shown), stick: [1.7, 2.1], middle: 1.2, reach: 2.2 };
+}
+
 /** The body that was made last: most changes keep it. */
 let lastBody = {};
 
-function bodyFor(isHeld, breadth) {
-  if (lastBody.isHeld !== isHeld || lastBody.breadth !== breadth) {
-    lastBody = { isHeld, breadth, body: isHeld ? gyroscope(breadth) : turnOnLathe(breadth) };
-  }
+function bodyFor({ make, size }) {
+  if (lastBody.make !== make || lastBody.size !== size) lastBody = { make, size, body: make(size) };
   return lastBody.body;
 }
 
+/** Direction of the angular momentum where it stands still, and is not zero. */
+function momentumOf({ m_x, m_y, m_z }) {
+  const size = Math.hypot(m_x, m_y, m_z);
+  return size > 0 ? [m_x / size, m_y / size, m_z / size] : null;
+}
+
 function sceneOf(shown, core) {
-  const { held, s, e1, e2, e3 } = shown;
-  const [breadth, stretch] = [breadthOf(shown), spanOf(shown, core)];
+  const { s, e1, e2, e3 } = shown;
+  const support = SUPPORTS[shown.support];
+  const slides = support === "sliding";
+  const [shape, stretch] = [shapeOf(shown), spanOf(shown, core)];
   return {
     shown,
-    held: held === 1,
-    scale: held === 1 ? 1 : s,
-    e: [e1, e2, e3],
+    support,
+    slides,
+    scale: slides ? s : 1,
+    e: isTorqueFree(shown) ? [e1, e2] : [e1, e2, e3],
+    momentum: momentumOf(shown),
     circles: circlesOf(shown),
     ...stretch,
     speed: speedOf(shown, stretch.span),
-    breadth,
-    body: bodyFor(held === 1, breadth),
+    shape,
+    body: bodyFor(shape),
   };
 }

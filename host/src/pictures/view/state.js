@@ -90,8 +90,10 @@ function tellMotion(launched) {
   element("name").textContent = state.name;
   element("summary").textContent = summaryOf(launched);
   element("curve-reason").textContent = curveReason(launched);
-  element("plan-title").textContent = launched.held ? "Axis from above" : "Tip from above";
-  element("tip-legend").textContent = launched.held ? "foot of the axis, −2αβ" : "tip on the plane";
+  element("plan-title").textContent = scene.slides ? "Tip from above" : "Axis from above";
+  element("tip-legend").parentElement.hidden = scene.support === "free";
+  element("tip-legend").textContent = scene.slides ? "tip on the plane" : "foot of the axis, −2αβ";
+  element("momentum-legend").hidden = !scene.momentum;
   fillTable(element("teachers-facts"), teachersFacts(launched, state.scenario), state.scenario);
   fillTable(element("papers-facts"), paperFacts(launched), state.scenario);
 }

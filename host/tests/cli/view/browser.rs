@@ -177,7 +177,7 @@ fn assert_core(shown: &Value, core: &EphemerisF64, t: f64) -> Orientation<f64> {
     let (phi, tip) = core.at(t).orientation_and_tip();
     let [x, y, z] = phi.axis();
     assert_eq!([complex(&shown["alpha"]), complex(&shown["beta"])], [phi.alpha, phi.beta], "{t}");
-    assert_eq!(shown["axis"], serde_json::json!([x, y, z]), "{t}");
+    assert_eq!([0, 1, 2].map(|i| shown["axis"][i].as_f64()), [x, y, z].map(Some), "{t}");
     assert_eq!((shown["u"].as_f64(), complex(&shown["tip"])), (Some(phi.clamped_u()), tip), "{t}");
     phi
 }

@@ -4,8 +4,8 @@ use super::probed;
 use crate::sample;
 use crate::view::{folder, view};
 
-/// Moves sliders one after the other and draws at once; the median of the times, ms. It runs before the page counts as
-/// loaded, because Chromium's time passes as usual then.
+/// Moves sliders one after the other and draws at once; the median and the least of the times, ms. It runs before the page
+/// counts as loaded, because Chromium's time passes as usual then.
 const TIMED: &str = "
 ready.then(() => {
   const times = [];
@@ -15,13 +15,14 @@ ready.then(() => {
     element(id).value = String(value);
     const before = performance.now();
     element(id).dispatchEvent(new Event('input', { bubbles: true }));
-    // a picture is there when its pixels are
+    // a picture is there when its pixels are, and what stands beside it when it has a place
+    document.body.getBoundingClientRect();
     for (const canvas of document.querySelectorAll('canvas')) reader.drawImage(canvas, 0, 0, 1, 1);
     reader.getImageData(0, 0, 1, 1);
     times.push(performance.now() - before);
   }
   times.sort((a, b) => a - b);
-  element('result').textContent = times[30].toFixed(1);
+  element('result').textContent = JSON.stringify([times[30], times[0]]);
   element('result').id = 'probe';
 });
 ";
@@ -33,7 +34,8 @@ fn a_slider_is_followed_by_its_picture() {
     let html = view(&[&sample("toy_top")], &page);
     let probe = format!("<pre id=\"result\"></pre><script>{TIMED}</script></body>");
     std::fs::write(&page, html.replace("</body>", &probe)).expect("writable");
-    let median: f64 = probed(&page, 1400, "", "--disable-sync").parse().expect("a time");
-    assert!(median > 0.0);
-    println!("from slider to picture in {median} ms");
+    let times = probed(&page, 1400, "", "--disable-sync");
+    let [median, least]: [f64; 2] = serde_json::from_str(&times).expect("two times");
+    assert!(median >= least && least > 0.0);
+    println!("from slider to picture in {median:.1} ms, at best {least:.1} ms");
 }
