@@ -5,6 +5,7 @@ mod quadrature;
 use crate::cayley_klein::Brackets;
 use crate::constants::{BranchPoints, Signs};
 use crate::law::Law;
+use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 use quadrature::Quadrature;
 
@@ -81,6 +82,14 @@ impl MeanMotion {
         let psi = Extended::ZERO;
         let integrals = Quadrature { period, psi_alpha: psi, psi_beta: psi, relative_error: 0.0, nodes: 1 };
         Self::of_integrals(integrals, e, signs, half_tau)
+    }
+
+    /// Rotations in a period about the vertical, ψ_A(T) + ψ_B(T), and of the body about its axis,
+    /// ψ_A(T) - ψ_B(T) + τT; whole turns do not count.
+    pub(crate) fn turns(&self, half_tau: Extended) -> [Phase; 2] {
+        let [psi_a, psi_b] = self.psi;
+        let slow = half_tau.doubled() * self.advance.period;
+        [psi_a + psi_b, psi_a - psi_b + slow].map(|angle| angle.in_turns().to_phase())
     }
 
     fn of_integrals(
