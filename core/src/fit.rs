@@ -15,6 +15,10 @@ mod launch;
 
 mod outcome;
 
+mod path;
+
+mod rows;
+
 mod model;
 
 mod pass;
@@ -36,9 +40,12 @@ pub use triangle::{MOST_UNKNOWNS, Symmetric};
 
 use crate::fit::beginning::Beginning;
 use crate::fit::model::Model;
-use crate::fit::pass::{Pass, Progress};
+use crate::fit::pass::{Pass, Progress, SETTLED};
+use crate::fit::path::Path;
+use crate::fit::rows::Rows;
 use crate::fit::tracking::Prior;
-use crate::sensitivity::{Equations, Partials};
+use crate::scalar::Real;
+use crate::sensitivity::Partials;
 use crate::top::Top;
 
 /// Largest number of sensors.
@@ -47,44 +54,52 @@ pub const MOST_SENSORS: usize = 4;
 pub const MOST_RATIOS: usize = 4;
 /// Number of instants in the first window; the others are each four times as long.
 const FIRST_WINDOW: usize = 16;
+/// Size of a correction, in standard deviations, with which a window is done.
+const NEAR: f64 = 0.5;
 /// Fit of a launch to measurements.
 ///
 /// The unknowns are the launch, the ratios that are free, and a constant bias of each component of the sensors that
-/// have one. The state of the fit takes less than 16 KiB and does not grow with the measurements.
+/// have one. The measurements are compared with the motion in the scalar `F`: `f32` suffices for sensors whose noise is
+/// 1e-4 or more of what they read. The state of the fit then takes less than 16 KiB; it does not grow with the
+/// measurements.
 #[derive(Clone)]
-pub struct Fit<'a> {
-    sensors: &'a [&'a dyn Sensor],
+pub struct Fit<'a, F = f64> {
+    sensors: &'a [&'a dyn Sensor<F>],
     model: Model,
     /// Residual, in standard deviations, from which an observation counts linearly instead of quadratically.
     huber: f64,
     /// Best launch so far, with the information and the sum of squares of its pass.
-    best: Pass,
+    best: Pass<F>,
     /// Launch of the pass that is under way.
-    current: Pass,
+    current: Pass<F>,
     /// Marquardt's damping.
     damping: f64,
+    path: Path<F>,
+    rows: Rows<F>,
+    /// Derivatives of the ratios by the unknowns.
+    shares: [[F; 4]; MOST_RATIOS],
+    /// Time of the launch: that of the first measurement of the pass.
+    epoch: Option<f64>,
     /// Motion at the time of the last measurement.
-    flow: Option<(f64, Partials)>,
-    equations: Equations<f64>,
+    now: Option<(f64, Partials<F>)>,
     /// Factor of the readings of rate gyroscopes: another unit that is tried where the fit is bad.
     rate_unit: f64,
     prior: Option<Prior>,
 }
 
-impl<'a> Fit<'a> {
+impl<'a, F: Real> Fit<'a, F> {
     /// Fit of a launch of this top by these sensors.
     ///
     /// * `ratios`: unknown ratios of the top, at most four
     ///
     /// # Errors
     /// [`FitError::TooManyUnknowns`]: more than four sensors or ratios.
-    pub fn new(top: &Top, sensors: &'a [&'a dyn Sensor], ratios: &[FreeRatio]) -> Result<Self, FitError> {
+    pub fn new(top: &Top, sensors: &'a [&'a dyn Sensor<F>], ratios: &[FreeRatio]) -> Result<Self, FitError> {
         if sensors.len() > MOST_SENSORS || ratios.len() > MOST_RATIOS {
             return Err(FitError::TooManyUnknowns);
         }
         let model = Model::new(top, sensors, ratios);
         let pass = Pass::new(Launch::default(), model.count);
-        let equations = model.equations(&pass.launch);
         Ok(Self {
             sensors,
             model,
@@ -92,8 +107,11 @@ impl<'a> Fit<'a> {
             best: pass,
             current: pass,
             damping: 1e-3,
-            flow: None,
-            equations,
+            path: model.path(&pass.launch),
+            rows: Rows::new(model.common()),
+            shares: model.shares(&pass.launch),
+            epoch: None,
+            now: None,
             rate_unit: 1.0,
             prior: None,
         })
@@ -142,7 +160,7 @@ impl<'a> Fit<'a> {
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        let epoch = self.checked(measurements.clone())?;
+        let (epoch, _) = self.checked(measurements.clone())?;
         self.start(guess);
         let progress = self.settle_finally(measurements);
         Ok(self.fitted(epoch, progress))
@@ -152,7 +170,7 @@ impl<'a> Fit<'a> {
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        let epoch = self.checked(measurements.clone())?;
+        let (epoch, total) = self.checked(measurements.clone())?;
         if measurements
             .clone()
             .map(|measurement| measurement.time)
@@ -169,14 +187,14 @@ impl<'a> Fit<'a> {
             self.start(Launch::default());
             return Ok(Fitted { reason: Some(Reason::NoBeginning), ..self.fitted(epoch, Progress::Stuck) });
         }
-        // the best of the guesses on a short window, where no phase can be off by a turn
+        // the best of the guesses on short windows, where no phase can be off by a turn
         let mut count = 4 * FIRST_WINDOW * self.sensors.len();
-        let mut best: Option<Pass> = None;
+        let mut best: Option<Pass<F>> = None;
         let mut rivals = 0;
         for guess in beginning.guesses() {
             self.start(*guess);
-            self.settle(measurements.clone().take(count / 4));
-            self.settle(measurements.clone().take(count));
+            self.settle(measurements.clone().take(count / 4), SETTLED);
+            self.settle(measurements.clone().take(count), SETTLED);
             let found = self.best;
             if best.is_none_or(|best| found.cost < best.cost) {
                 best = Some(found);
@@ -186,7 +204,7 @@ impl<'a> Fit<'a> {
             // another guess that led to another launch and fits as well
             for guess in beginning.guesses().iter().filter(|_| beginning.guesses().len() > 1) {
                 self.start(*guess);
-                self.settle(measurements.clone().take(count));
+                self.settle(measurements.clone().take(count), SETTLED);
                 let other = self.best;
                 if other.cost < best.cost + 9.0 && other.launch.distance(&best.launch) > 0.3 {
                     rivals += 1;
@@ -194,9 +212,10 @@ impl<'a> Fit<'a> {
             }
             self.best = best;
         }
-        while measurements.clone().nth(count).is_some() {
-            self.settle(measurements.clone().take(count));
+        // each window begins from a launch that is good enough for it
+        while count.saturating_mul(8) < total {
             count = count.saturating_mul(4);
+            self.settle(measurements.clone().take(count), NEAR);
         }
         let progress = self.settle_finally(measurements);
         let mut fitted = self.fitted(epoch, progress);
@@ -204,8 +223,9 @@ impl<'a> Fit<'a> {
         Ok(fitted)
     }
 
-    /// Time of the first measurement, after a look at all of them.
-    fn checked(&self, measurements: impl Iterator<Item = Measurement>) -> Result<f64, FitError> {
+    /// Time of the first measurement, and the number of all, after a look at them.
+    fn checked(&self, measurements: impl Iterator<Item = Measurement>) -> Result<(f64, usize), FitError> {
+        let mut total = 0;
         let mut last: Option<f64> = None;
         let mut first = None;
         for (index, measurement) in measurements.enumerate() {
@@ -221,8 +241,9 @@ impl<'a> Fit<'a> {
             }
             last = Some(time);
             first = first.or(last);
+            total = index + 1;
         }
-        first.ok_or(FitError::NoMeasurements)
+        first.map(|first| (first, total)).ok_or(FitError::NoMeasurements)
     }
 
     fn has_rates(&self, measurements: impl Iterator<Item = Measurement>) -> bool {

@@ -4,7 +4,8 @@ mod quadrature;
 
 use crate::cayley_klein::Brackets;
 use crate::constants::{BranchPoints, Signs};
-use crate::scalar::{Extended, Float};
+use crate::phase::Phase;
+use crate::scalar::{Extended, Float, Ring};
 pub(crate) use quadrature::{Integrals, Quadrature};
 
 /// Nutation period, and advance of α and β over one period in turns, whole turns included.
@@ -59,6 +60,14 @@ pub(crate) struct MeanMotion {
 }
 
 impl MeanMotion {
+    /// Rotations in a period about the vertical, ψ_A(T) + ψ_B(T), and of the body about its axis,
+    /// ψ_A(T) - ψ_B(T) + τT; whole turns do not count.
+    pub(crate) fn turns(&self, half_tau: Extended) -> [Phase; 2] {
+        let [psi_a, psi_b] = self.psi;
+        let slow = half_tau.doubled() * self.advance.period;
+        [psi_a + psi_b, psi_a - psi_b + slow].map(|angle| angle.in_turns().to_phase())
+    }
+
     /// Mean motion with these integrals over one period.
     #[inline(never)]
     pub(crate) fn of(

@@ -13,12 +13,13 @@ pub(crate) use equations::sum as total;
 pub(crate) use equations::{Coefficients, Equations, Flow, Tangent};
 pub(crate) use extrapolation::advance;
 pub use partials::Partials;
+pub(crate) use partials::along;
 
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, Scalar};
+use crate::scalar::{Extended, Float, Real};
 use crate::stepper::Stepper;
-use crate::su2::Vector;
+use crate::su2::{Vector, dot};
 use crate::top::{Support, Top};
 
 /// Number of columns: derivatives by the rotation vector of Φ at t = 0, by ω at t = 0, and by four ratios.
@@ -79,14 +80,14 @@ impl Sensitivity {
     #[must_use]
     pub fn of(motion: &Motion) -> Self {
         let state = Stepper::<f64>::new(motion).attitude_state();
-        let equations = Equations::of(motion.top());
-        let start = Flow::launched(&state.orientation, state.omega());
-        let mut sensitivity = Self { equations, start, period: None, tip_scale: motion.top().tip_scale() };
+        let (orientation, omega) = (state.orientation, state.omega());
+        let equations = Equations::of(motion.top(), dot(omega, orientation.axis()));
+        let start = Flow::launched(&orientation, omega);
+        let tip_scale = motion.top().tip_scale();
+        let mut sensitivity = Self { equations, start, period: None, tip_scale };
         sensitivity.period = motion.mean_motion().and_then(|mean| {
-            let [psi_a, psi_b] = mean.psi;
             let length = mean.advance.period;
-            let slow = motion.half_tau().doubled() * length;
-            let turns = [psi_a + psi_b, psi_a - psi_b + slow].map(|angle| angle.in_turns().to_phase());
+            let turns = mean.turns(motion.half_tau());
             let [about_vertical, _] = turns;
             let end = advance(&equations, &start, length.to_f64(), TOLERANCE, MOST_STEPS)?;
             let mut growth = end.turned(-about_vertical).tangents;
@@ -158,7 +159,8 @@ impl SensitivityCursor<'_> {
             let [about_vertical, _] = period.turns;
             about_vertical.times(count)
         });
-        Some(Partials::new(equations, self.flow.turned(precessed), *tip_scale))
+        let flow = self.flow.turned(precessed).rolled(Phase::from_radians(equations.spin * rest));
+        Some(Partials::new(equations, flow, *tip_scale, COLUMNS))
     }
 }
 
@@ -175,15 +177,15 @@ impl Period {
 }
 
 /// Vector turned about the vertical.
-fn about_vertical([x, y, z]: Vector<f64>, (sine, cosine): (f64, f64)) -> Vector<f64> {
+fn about_vertical<F: Float>([x, y, z]: Vector<F>, (sine, cosine): (F, F)) -> Vector<F> {
     [x * cosine - y * sine, x * sine + y * cosine, z]
 }
 
-impl Flow<f64, COLUMNS> {
+impl<F: Real> Flow<F, COLUMNS> {
     /// Everything turned about the vertical.
-    fn turned(mut self, phase: Phase) -> Self {
-        let turn = f64::sine_cosine(phase);
-        for vector in [&mut self.axis, &mut self.side, &mut self.omega] {
+    pub(crate) fn turned(mut self, phase: Phase) -> Self {
+        let turn = F::sine_cosine(phase);
+        for vector in [&mut self.axis, &mut self.side, &mut self.across] {
             *vector = about_vertical(*vector, turn);
         }
         for tangent in &mut self.tangents {
@@ -194,8 +196,8 @@ impl Flow<f64, COLUMNS> {
     }
 
     /// Body turned about its axis.
-    fn rolled(mut self, phase: Phase) -> Self {
-        let (sine, cosine) = f64::sine_cosine(phase);
+    pub(crate) fn rolled(mut self, phase: Phase) -> Self {
+        let (sine, cosine) = F::sine_cosine(phase);
         let across = crate::su2::bracket(self.axis, self.side);
         self.side = equations::sum(self.side.map(|x| x * cosine), across, sine);
         self

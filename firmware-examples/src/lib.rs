@@ -6,7 +6,6 @@
 #![cfg_attr(target_os = "none", no_std)]
 
 pub mod bits;
-#[path = "tables/imu.rs"]
 pub mod imu;
 mod throw;
 #[path = "tables/toy_top.rs"]

@@ -117,9 +117,9 @@ pub(crate) fn elf(name: &str, chip: &Chip) -> Result<()> {
     Ok(())
 }
 
-/// Programs that `toytop budget` runs: with a symbol for each call, under a trace, and with 200 launches. They have no log
-/// to compare, and so are none of [`PROGRAMS`].
-const COSTS: [&str; 2] = ["cost", "corpus"];
+/// Programs that `toytop budget` runs: with a symbol for each call, under a trace, with 200 launches, and with a fit. They
+/// have no log to compare, and so are none of [`PROGRAMS`].
+const COSTS: [&str; 3] = ["cost", "corpus", "fit_cost"];
 
 /// Runs an ELF on a chip and shows its log.
 pub(crate) fn qemu(chip: &str, elf: &str) -> Result<ExitCode> {

@@ -8,6 +8,7 @@ use crate::fit::instruments::rotation_vector;
 use crate::fit::launch::Launch;
 use crate::fit::sensor::{Hint, Measurement};
 use crate::fit::{FIRST_WINDOW, Fit};
+use crate::scalar::Real;
 use crate::sensitivity::total;
 use crate::su2::{Orientation, Vector, bracket, dot};
 
@@ -36,7 +37,7 @@ pub(super) struct Beginning {
 
 impl Beginning {
     /// Guesses from the first instants.
-    pub(super) fn of(fit: &Fit<'_>, measurements: impl Iterator<Item = Measurement>) -> Self {
+    pub(super) fn of<F: Real>(fit: &Fit<'_, F>, measurements: impl Iterator<Item = Measurement>) -> Self {
         let mut instants = [Instant::default(); FIRST_WINDOW];
         let mut count = 0_usize;
         for measurement in measurements {

@@ -1,7 +1,9 @@
 //! Instruments: gyroscope, accelerometer, magnetometer, and optical ones.
 
 use crate::fit::sensor::{Hint, Mounting, Noise, Prediction, Sensor};
-use crate::sensitivity::{COLUMNS, Partials, total};
+use crate::phase::Phase;
+use crate::scalar::Real;
+use crate::sensitivity::{Partials, along, total};
 use crate::su2::{Orientation, Vector, bracket, dot};
 
 /// Rate gyroscope with three axes. It reads Ω, in rad per unit time.
@@ -71,8 +73,8 @@ pub struct Mark {
     pub place: Vector<f64>,
 }
 
-fn minus([x1, x2, x3]: Vector<f64>, [y1, y2, y3]: Vector<f64>) -> Vector<f64> {
-    [x1 - y1, x2 - y2, x3 - y3]
+fn minus<F: Real>(x: Vector<F>, y: Vector<F>) -> Vector<F> {
+    total(x, y, -F::ONE)
 }
 
 /// First three values of a reading.
@@ -80,19 +82,29 @@ fn three([x, y, z, _]: &[f64; 4]) -> Vector<f64> {
     [*x, *y, *z]
 }
 
-/// Standard deviations: infinite where the reading is at the end of the range.
-fn within(range: f64, reading: Vector<f64>, deviation: f64) -> Vector<f64> {
-    reading.map(|x| if libm::fabs(x) < range { deviation } else { f64::INFINITY })
+fn cast<F: Real>(x: Vector<f64>) -> Vector<F> {
+    x.map(F::from_f64)
 }
 
-impl Sensor for Gyroscope {
-    fn predict(&self, at: &Partials, values: &[f64; 4]) -> Prediction {
+/// Deviation of a component that says nothing.
+fn unused<F: Real>() -> F {
+    F::from_f64(f64::INFINITY)
+}
+
+/// Standard deviations: infinite where the reading is at the end of the range.
+fn within<F: Real>(range: f64, reading: Vector<f64>, deviation: f64) -> Vector<F> {
+    let deviation = F::from_f64(deviation);
+    reading.map(|x| if libm::fabs(x) < range { deviation } else { unused() })
+}
+
+impl<F: Real> Sensor<F> for Gyroscope {
+    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
         let reading = three(values);
-        let omega = self.mounting.in_sensor(at.in_body(at.angular_velocity()));
+        let axes = self.mounting.axes(at);
         Prediction {
-            difference: minus(reading, omega),
+            difference: minus(cast(reading), at.omega_in(&axes, self.mounting.axis())),
             deviation: within(self.range, reading, self.noise.deviation),
-            columns: at.omega_body().map(|column| self.mounting.in_sensor(column)),
+            columns: at.each(|tangent| along(&axes, tangent.eta)),
         }
     }
 
@@ -110,14 +122,14 @@ impl Sensor for Gyroscope {
     }
 }
 
-impl Sensor for Accelerometer {
-    fn predict(&self, at: &Partials, values: &[f64; 4]) -> Prediction {
+impl<F: Real> Sensor<F> for Accelerometer {
+    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
         let reading = three(values);
-        let (force, columns) = at.specific_force(self.mounting.place);
+        let (force, columns) = at.force_in(&self.mounting.axes(at), cast(self.mounting.place));
         Prediction {
-            difference: minus(reading, self.mounting.in_sensor(force)),
+            difference: minus(cast(reading), force),
             deviation: within(self.range, reading, self.noise.deviation),
-            columns: columns.map(|column| self.mounting.in_sensor(column)),
+            columns,
         }
     }
 
@@ -134,13 +146,13 @@ impl Sensor for Accelerometer {
     }
 }
 
-impl Sensor for Magnetometer {
-    fn predict(&self, at: &Partials, values: &[f64; 4]) -> Prediction {
-        let (field, columns) = at.direction(self.field);
+impl<F: Real> Sensor<F> for Magnetometer {
+    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
+        let (field, columns) = at.direction_in(&self.mounting.axes(at), cast(self.field));
         Prediction {
-            difference: minus(three(values), self.mounting.in_sensor(field)),
-            deviation: [self.noise.deviation; 3],
-            columns: columns.map(|column| self.mounting.in_sensor(column)),
+            difference: minus(cast(three(values)), field),
+            deviation: [F::from_f64(self.noise.deviation); 3],
+            columns,
         }
     }
 
@@ -154,12 +166,12 @@ impl Sensor for Magnetometer {
     }
 }
 
-impl Sensor for OrientationCamera {
-    fn predict(&self, at: &Partials, values: &[f64; 4]) -> Prediction {
-        let measured = Orientation::from_quaternion(*values).normalised();
+impl<F: Real> Sensor<F> for OrientationCamera {
+    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
+        let measured = Orientation::from_quaternion(values.map(F::from_f64)).normalised();
         Prediction {
             difference: rotation_vector(&measured.compose(&at.orientation_now().inverse())),
-            deviation: [self.deviation; 3],
+            deviation: [F::from_f64(self.deviation); 3],
             columns: at.orientation(),
         }
     }
@@ -169,11 +181,11 @@ impl Sensor for OrientationCamera {
     }
 }
 
-impl Sensor for AxisCamera {
-    fn predict(&self, at: &Partials, values: &[f64; 4]) -> Prediction {
+impl<F: Real> Sensor<F> for AxisCamera {
+    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
         Prediction {
-            difference: minus(three(values), at.axis()),
-            deviation: [self.deviation; 3],
+            difference: minus(cast(three(values)), at.axis()),
+            deviation: [F::from_f64(self.deviation); 3],
             columns: at.axis_change(),
         }
     }
@@ -185,14 +197,15 @@ impl Sensor for AxisCamera {
     }
 }
 
-impl Sensor for TipCamera {
-    fn predict(&self, at: &Partials, values: &[f64; 4]) -> Prediction {
-        let [x, y, ..] = *values;
+impl<F: Real> Sensor<F> for TipCamera {
+    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
+        let [x, y, _]: Vector<F> = cast(three(values));
         let [r1, r2, _] = at.axis();
+        let [scale, deviation] = [self.tip_scale, self.deviation].map(F::from_f64);
         Prediction {
-            difference: [x + self.tip_scale * r1, y + self.tip_scale * r2, 0.0],
-            deviation: [self.deviation, self.deviation, f64::INFINITY],
-            columns: at.tip().map(|c| [c.re, c.im, 0.0]),
+            difference: [x + scale * r1, y + scale * r2, F::ZERO],
+            deviation: [deviation, deviation, unused()],
+            columns: at.tip().map(|c| [c.re, c.im, F::ZERO]),
         }
     }
 
@@ -204,33 +217,29 @@ impl Sensor for TipCamera {
     }
 }
 
-impl Sensor for Mark {
-    fn predict(&self, at: &Partials, values: &[f64; 4]) -> Prediction {
+impl<F: Real> Sensor<F> for Mark {
+    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
         let [azimuth, ..] = *values;
-        let place = at.in_fixed(self.place);
+        let place = at.in_fixed(cast(self.place));
         let [x, y, _] = place;
         let square = x * x + y * y;
-        let turned = |[dx, dy, _]: Vector<f64>| (x * dy - y * dx) / square;
-        let (sine, cosine) = libm::sincos(azimuth);
+        let turned = |[dx, dy, _]: Vector<F>| (x * dy - y * dx) / square;
+        let (sine, cosine) = F::sine_cosine(Phase::from_radians(azimuth));
         let rate = turned(bracket(at.angular_velocity(), place));
-        let mut columns = [[0.0; 3]; COLUMNS];
-        for (column, theta) in columns.iter_mut().zip(at.orientation()) {
-            *column = [turned(bracket(theta, place)), 0.0, 0.0];
-        }
         Prediction {
-            difference: [libm::atan2(sine * x - cosine * y, cosine * x + sine * y), 0.0, 0.0],
-            deviation: [self.deviation * libm::fabs(rate), f64::INFINITY, f64::INFINITY],
-            columns,
+            difference: [F::atan2(sine * x - cosine * y, cosine * x + sine * y), F::ZERO, F::ZERO],
+            deviation: [F::from_f64(self.deviation) * rate.abs(), unused(), unused()],
+            columns: at.each(|tangent| [turned(bracket(tangent.theta, place)), F::ZERO, F::ZERO]),
         }
     }
 }
 
 /// Rotation vector of an orientation of either sign, of magnitude up to π.
-pub(crate) fn rotation_vector(phi: &Orientation<f64>) -> Vector<f64> {
+pub(crate) fn rotation_vector<F: Real>(phi: &Orientation<F>) -> Vector<F> {
     let [w, x, y, z] = phi.quaternion();
-    let sign = if w < 0.0 { -1.0 } else { 1.0 };
-    let sine = libm::sqrt(x * x + y * y + z * z);
-    let angle = 2.0 * libm::atan2(sine, sign * w);
-    let scale = if sine > 1e-12 { sign * angle / sine } else { 2.0 * sign };
-    total([0.0; 3], [x, y, z], scale)
+    let sign = if w < F::ZERO { -F::ONE } else { F::ONE };
+    let sine = (x * x + y * y + z * z).sqrt();
+    let angle = F::atan2(sine, sign * w).doubled();
+    let scale = if sine > F::from_f64(1e-12) { sign * angle / sine } else { sign.doubled() };
+    [x, y, z].map(|component| scale * component)
 }

@@ -1,32 +1,32 @@
 //! Unknowns of a fit: their order, their units, and how the derivatives of a motion belong to them.
 
 use crate::fit::launch::{FreeRatio, LAUNCH, Launch};
-use crate::fit::outcome::Unobservable;
+use crate::fit::outcome::{Unobservable, with_ratios};
+use crate::fit::path::Path;
 use crate::fit::sensor::Sensor;
-use crate::fit::triangle::{MOST_UNKNOWNS, Triangle, Unknowns, eigen};
+use crate::fit::triangle::{MOST_UNKNOWNS, Triangle, Unknowns};
 use crate::fit::{MOST_RATIOS, MOST_SENSORS};
-use crate::sensitivity::{Coefficients, Equations, total};
+use crate::motion::Motion;
+use crate::scalar::Real;
+use crate::sensitivity::{COLUMNS, Coefficients, Equations, total};
+use crate::state::State;
 use crate::su2::{Orientation, Vector, bracket, dot};
 use crate::top::{Support, Top};
 
 /// Order and units of the unknowns.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Model {
-    support: Support,
-    transverse_inertia: f64,
-    /// Rate K/A of a rotor's momentum, rad per unit time.
-    rotor: f64,
+    top: Top,
     given: [f64; 4],
     free: [FreeRatio; MOST_RATIOS],
     free_count: usize,
     /// First unknown of each sensor's bias, and its prior deviation.
     biases: [Option<(usize, f64)>; MOST_SENSORS],
     pub(crate) count: usize,
-    pub(crate) tip_scale: f64,
 }
 
 impl Model {
-    pub(crate) fn new(top: &Top, sensors: &[&dyn Sensor], ratios: &[FreeRatio]) -> Self {
+    pub(crate) fn new<F>(top: &Top, sensors: &[&dyn Sensor<F>], ratios: &[FreeRatio]) -> Self {
         let (a, p, s) = (top.transverse_inertia(), top.mass_moment(), top.com_height());
         let lever = match top.support() {
             Support::Sliding => a / (p * s),
@@ -48,21 +48,34 @@ impl Model {
             }
         }
         Self {
-            support: top.support(),
-            transverse_inertia: a,
-            rotor: top.rotor_momentum() / a,
+            top: *top,
             given: [a / top.axial_inertia(), lever, s, top.gravity()],
             free,
             free_count,
             biases,
             count,
-            tip_scale: top.tip_scale(),
         }
     }
 
-    /// Whether a ratio of the top is an unknown.
-    pub(crate) fn has_free_ratios(&self) -> bool {
-        self.free_count > 0
+    /// Number of unknowns that are no biases.
+    pub(crate) fn common(&self) -> usize {
+        LAUNCH + self.free_count
+    }
+
+    /// Path of a launch.
+    pub(crate) fn path<F: Real>(&self, launch: &Launch) -> Path<F> {
+        let known = if self.free_count > 0 { COLUMNS } else { LAUNCH };
+        Path::new(&self.equations(launch), launch, self.top.tip_scale(), known)
+    }
+
+    /// Motion of a launch.
+    pub(crate) fn motion(&self, launch: &Launch) -> Option<Motion> {
+        let top = if self.free_count == 0 {
+            self.top
+        } else {
+            with_ratios(&self.top, &self.ratios(launch)).ok()?
+        };
+        Motion::launch(&top, &State::new(launch.orientation, launch.omega).ok()?).ok()
     }
 
     /// First unknown of a sensor's bias.
@@ -99,54 +112,64 @@ impl Model {
         let energy = 0.5
             * (dot(omega, omega) + (inertia - 1.0) * spin * spin + moment * height * rise * rise)
             + moment * gravity * u;
-        [l, inertia * spin + rotor, energy].map(|x| x * self.transverse_inertia)
+        [l, inertia * spin + rotor, energy].map(|x| x * self.top.transverse_inertia())
     }
 
     pub(crate) fn equations(&self, launch: &Launch) -> Equations<f64> {
         let [inertia, lever, height, gravity] = self.ratios(launch);
-        let moment = match self.support {
+        let support = self.top.support();
+        let moment = match support {
             Support::Sliding => 1.0 / (lever * height),
             Support::Fixed => 1.0 / lever,
             Support::Free => 0.0,
         };
-        let coefficients =
-            Coefficients { inertia: 1.0 / inertia, moment, height, gravity, rotor: self.rotor };
-        Equations { coefficients, changes: coefficients.derivatives(self.support) }
+        let rotor = self.top.rotor_momentum() / self.top.transverse_inertia();
+        let coefficients = Coefficients { inertia: 1.0 / inertia, moment, height, gravity, rotor };
+        let spin = dot(launch.omega, launch.orientation.axis());
+        Equations { coefficients, changes: coefficients.derivatives(support), spin }
+    }
+
+    /// Derivatives of the four ratios by each unknown that is a direction of them.
+    pub(crate) fn shares<F: Real>(&self, launch: &Launch) -> [[F; 4]; MOST_RATIOS] {
+        let ratios = self.ratios(launch);
+        self.free.map(|free| {
+            let mut shares = free.direction;
+            for (share, ratio) in shares.iter_mut().zip(ratios) {
+                *share *= ratio;
+            }
+            shares.map(F::from_f64)
+        })
     }
 
     /// Fills a row from the derivatives by the launch and the four ratios.
-    pub(crate) fn fill(&self, row: &mut Unknowns, launch: &Launch, column: impl Fn(usize) -> f64) {
-        for (index, slot) in row.iter_mut().enumerate().take(LAUNCH) {
-            *slot = column(index);
+    pub(crate) fn fill<F: Real>(
+        &self,
+        row: &mut [F],
+        shares: &[[F; 4]; MOST_RATIOS],
+        columns: &[F; COLUMNS],
+    ) {
+        let (launch, ratios) = columns.split_at(LAUNCH);
+        for (slot, column) in row.iter_mut().zip(launch) {
+            *slot = *column;
         }
-        if self.free_count == 0 {
-            return;
-        }
-        let ratios = self.ratios(launch);
-        for (slot, free) in row.iter_mut().skip(LAUNCH).zip(&self.free).take(self.free_count) {
-            *slot = free
-                .direction
-                .iter()
-                .zip(ratios)
-                .enumerate()
-                .map(|(index, (share, ratio))| share * ratio * column(LAUNCH + index))
-                .sum();
+        for (slot, shares) in row.iter_mut().skip(LAUNCH).zip(shares).take(self.free_count) {
+            *slot = shares.iter().zip(ratios).fold(F::ZERO, |sum, (share, column)| sum + *share * *column);
         }
     }
 
     /// Information before any measurement, and the sum of squares of what it is contradicted by.
-    pub(crate) fn prior(&self, launch: &Launch) -> (Triangle, f64) {
+    pub(crate) fn prior<F: Real>(&self, launch: &Launch) -> (Triangle<F>, f64) {
         let mut information = Triangle::new(self.count);
         let mut cost = 0.0;
         for (index, (value, deviation)) in launch.rest.iter().zip(self.prior_deviations()).enumerate() {
             if deviation.is_finite() {
-                let mut row = [0.0; MOST_UNKNOWNS];
+                let mut row = [F::ZERO; MOST_UNKNOWNS];
                 if let Some(slot) = row.get_mut(index) {
-                    *slot = 1.0 / deviation;
+                    *slot = F::from_f64(1.0 / deviation);
                 }
                 let residual = -value / deviation;
                 cost += residual * residual;
-                information.add(&row, residual);
+                information.add(&row, F::from_f64(residual));
             }
         }
         (information, cost)
@@ -184,24 +207,26 @@ impl Model {
     }
 
     /// Deviations that damp a correction: Marquardt's, and so many units for directions without information.
-    pub(crate) fn damping(
+    pub(crate) fn damping<F: Real>(
         &self,
         launch: &Launch,
-        information: &Triangle,
+        information: &Triangle<F>,
         damping: f64,
         units: f64,
-    ) -> Unknowns {
-        let mut deviations = self.units(launch);
+    ) -> Unknowns<F> {
+        let mut deviations = self.units(launch).map(|unit| F::from_f64(units * unit));
+        let damping = F::from_f64(damping);
         for (slot, square) in deviations.iter_mut().zip(information.column_squares()) {
-            *slot = 1.0 / libm::sqrt(damping * square + 1.0 / (units * *slot * units * *slot));
+            *slot = F::ONE / (damping * square + F::ONE / slot.squared()).sqrt();
         }
         deviations
     }
 
     /// Launch after a correction. ω is corrected in the frame that the rotation turns, so that a rotation about the
     /// vertical, which may be poorly known, leaves the motion as it is however large it is.
-    pub(crate) fn moved(&self, launch: &Launch, change: &Unknowns) -> Launch {
-        let [t1, t2, t3, w1, w2, w3, ..] = *change;
+    pub(crate) fn moved<F: Real>(&self, launch: &Launch, change: &Unknowns<F>) -> Launch {
+        let change = change.map(F::to_f64);
+        let [t1, t2, t3, w1, w2, w3, ..] = change;
         let turn = Orientation::exp([t1, t2, t3]);
         let eta = total([w1, w2, w3], bracket([t1, t2, t3], launch.omega), -1.0);
         let mut rest = launch.rest;
@@ -222,10 +247,10 @@ impl Model {
     }
 
     /// Directions of the launch that the information does not determine to one unit.
-    pub(crate) fn unobservable(&self, launch: &Launch, information: &Triangle) -> Unobservable {
+    pub(crate) fn unobservable<F: Real>(&self, launch: &Launch, information: &Triangle<F>) -> Unobservable {
         let units = self.units(launch);
-        let (values, vectors) = eigen(&information.normal(&units), self.count);
-        let count = values.iter().take(self.count).filter(|value| **value < 1.0).count();
+        let (values, vectors) = information.singular(&units.map(F::from_f64));
+        let count = values.iter().take(self.count).filter(|value| **value < F::ONE).count();
         let axis = launch.orientation.axis();
         let up = [0.0, 0.0, 1.0];
         let none = [0.0; 3];
@@ -240,9 +265,9 @@ impl Model {
                 .iter()
                 .zip(&vectors)
                 .take(self.count)
-                .filter(|(value, _)| **value < 1.0)
+                .filter(|(value, _)| **value < F::ONE)
                 .map(|(_, vector)| {
-                    let inner: f64 = vector.iter().zip(&direction).map(|(a, b)| a * b).sum();
+                    let inner: f64 = vector.iter().zip(&direction).map(|(a, b)| a.to_f64() * b).sum();
                     inner * inner
                 })
                 .sum();

@@ -111,14 +111,6 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    pub(crate) fn add(&mut self, residual: f64, limit: f64) {
-        self.used = self.used.saturating_add(1);
-        let size = libm::fabs(residual).min(limit);
-        self.outliers = self.outliers.saturating_add(u32::from(size < libm::fabs(residual)));
-        self.chi_squared += size * size;
-        self.largest = self.largest.max(libm::fabs(residual));
-    }
-
     /// Sum of squares by the number of observations in excess of the unknowns: about 1 where model and noise are right.
     #[must_use]
     pub fn reduced_chi_squared(&self, unknowns: usize) -> f64 {
@@ -197,24 +189,7 @@ impl Fitted {
     /// # Errors
     /// As [`Top::sliding`]; the name is that of the parameter which the fit took beyond its range.
     pub fn top(&self, given: &Top) -> Result<Top, ParameterError> {
-        let [inertia, support, height, gravity] = self.ratios;
-        let a = given.transverse_inertia();
-        let parameters = TopParameters {
-            transverse_inertia: a,
-            axial_inertia: a / inertia,
-            gravity,
-            rotor_momentum: given.rotor_momentum(),
-            ..TopParameters::default()
-        };
-        match given.support() {
-            Support::Sliding => Top::sliding(&TopParameters {
-                com_height: height,
-                mass_moment: a / (support * height),
-                ..parameters
-            }),
-            Support::Fixed => Top::fixed(&TopParameters { mass_moment: a / support, ..parameters }),
-            Support::Free => Top::free(&parameters),
-        }
+        if self.launch.free == 0 { Ok(*given) } else { with_ratios(given, &self.ratios) }
     }
 
     /// Motion of the launch.
@@ -222,12 +197,7 @@ impl Fitted {
     /// # Errors
     /// As [`Fitted::state`], [`Fitted::top`] and [`Motion::launch`].
     pub fn motion(&self, given: &Top) -> Result<Motion, ParameterError> {
-        let top = if self.ratios_are_given() { *given } else { self.top(given)? };
-        Motion::launch(&top, &self.state()?)
-    }
-
-    fn ratios_are_given(&self) -> bool {
-        self.launch.free == 0
+        Motion::launch(&self.top(given)?, &self.state()?)
     }
 
     /// Standard deviations of the unknowns.
@@ -256,5 +226,27 @@ impl Fitted {
             }
         }
         covariance
+    }
+}
+
+/// Top with other ratios, and with the same A.
+pub(super) fn with_ratios(given: &Top, ratios: &[f64; 4]) -> Result<Top, ParameterError> {
+    let [inertia, support, height, gravity] = *ratios;
+    let a = given.transverse_inertia();
+    let parameters = TopParameters {
+        transverse_inertia: a,
+        axial_inertia: a / inertia,
+        gravity,
+        rotor_momentum: given.rotor_momentum(),
+        ..TopParameters::default()
+    };
+    match given.support() {
+        Support::Sliding => Top::sliding(&TopParameters {
+            com_height: height,
+            mass_moment: a / (support * height),
+            ..parameters
+        }),
+        Support::Fixed => Top::fixed(&TopParameters { mass_moment: a / support, ..parameters }),
+        Support::Free => Top::free(&parameters),
     }
 }

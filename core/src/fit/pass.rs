@@ -1,18 +1,16 @@
 //! Passes over the measurements, and the correction of the launch after each.
 
 use crate::fit::Fit;
-use crate::fit::launch::{LAUNCH, Launch};
+use crate::fit::launch::Launch;
 use crate::fit::outcome::{Fitted, Reason, Statistics};
+use crate::fit::rows::{Row, Rows};
 use crate::fit::sensor::{Hint, Measurement};
-use crate::fit::triangle::{MOST_UNKNOWNS, Triangle, Unknowns};
-use crate::sensitivity::{COLUMNS, Equations, Flow, Partials, advance};
+use crate::fit::triangle::{MOST_UNKNOWNS, Triangle};
+use crate::scalar::Real;
 
-/// Error of a step of the integration from one measurement to the next.
-const TOLERANCE: f64 = 1e-9;
-/// Largest number of steps between two measurements.
-const MOST_STEPS: u32 = 500;
-/// Size of a correction, in standard deviations, below which the fit has converged.
-const SETTLED: f64 = 0.01;
+/// Size of a correction, in standard deviations, below which the fit has converged. The next one would be about its
+/// square.
+pub(super) const SETTLED: f64 = 0.05;
 /// Change of the sum of squares that may come from the error of the integration.
 const ROUNDING: f64 = 0.05;
 /// Passes that one window of measurements may take.
@@ -22,9 +20,9 @@ const MISFIT: f64 = 5.0;
 
 /// One pass over the measurements.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pass {
+pub(super) struct Pass<F> {
     pub(super) launch: Launch,
-    pub(super) information: Triangle,
+    pub(super) information: Triangle<F>,
     pub(super) statistics: Statistics,
     pub(super) cost: f64,
 }
@@ -39,7 +37,7 @@ pub(super) enum Progress {
     SpinUnknown,
 }
 
-impl Pass {
+impl<F: Real> Pass<F> {
     /// Pass from a launch, without measurements.
     pub(super) fn new(launch: Launch, count: usize) -> Self {
         Self {
@@ -51,18 +49,18 @@ impl Pass {
     }
 }
 
-impl Fit<'_> {
+impl<F: Real> Fit<'_, F> {
     /// Begins from a guess, with nothing known.
     pub(super) fn start(&mut self, guess: Launch) {
-        let launch = self.model.moved(&guess, &[0.0; MOST_UNKNOWNS]);
+        let launch = self.model.moved(&guess, &[F::ZERO; MOST_UNKNOWNS]);
         self.best = Pass { launch, cost: f64::INFINITY, ..self.best };
+        self.damping = 1e-3;
         self.restart();
     }
 
     /// Begins anew from the best launch, on another set of measurements.
     fn restart(&mut self) {
         self.best.cost = f64::INFINITY;
-        self.damping = 1e-3;
         self.begin_pass(self.best.launch);
     }
 
@@ -73,19 +71,24 @@ impl Fit<'_> {
         };
         self.current = Pass { information, cost, ..Pass::new(launch, self.model.count) };
         self.current.statistics.prior = cost;
-        self.equations = self.model.equations(&launch);
-        self.flow = None;
+        self.path = self.model.path(&launch);
+        self.rows = Rows::new(self.model.common());
+        self.shares = self.model.shares(&launch);
+        self.epoch = None;
+        self.now = None;
     }
 
     /// Passes over the measurements until the launch does not change any more.
-    pub(super) fn settle<I>(&mut self, measurements: I) -> Progress
+    ///
+    /// * `settled`: size of a correction, in standard deviations, below which this is so
+    pub(super) fn settle<I>(&mut self, measurements: I, settled: f64) -> Progress
     where
         I: Iterator<Item = Measurement> + Clone,
     {
         self.restart();
         for _ in 0..MOST_PASSES {
             self.pass_over(measurements.clone());
-            match self.improve() {
+            match self.improve(settled) {
                 Progress::Again => {}
                 done => return done,
             }
@@ -106,82 +109,75 @@ impl Fit<'_> {
                 return;
             }
         }
+        self.rows.add_to(&mut self.current.information);
     }
 
     /// Adds one measurement to the pass that is under way.
     fn add(&mut self, measurement: &Measurement) {
         let Measurement { time, sensor: index, mut values } = *measurement;
         let Some(sensor) = self.sensors.get(index) else { return };
-        let Some(partials) = self.partials_at(time) else {
+        self.move_to(time);
+        let Some((_, partials)) = &self.now else {
             self.current.cost = f64::INFINITY;
             return;
         };
         if self.rate_unit != 1.0 && matches!(sensor.hint(&values), Hint::Rate { .. }) {
             values = values.map(|x| x * self.rate_unit);
         }
-        let prediction = sensor.predict(&partials, &values);
+        let prediction = sensor.predict(partials, &values);
         let bias = self.model.bias_of(index);
-        for component in 0..3 {
-            let [difference, deviation] = [prediction.difference, prediction.deviation]
-                .map(|vector| vector.get(component).copied().unwrap_or(0.0));
-            if !deviation.is_finite() {
-                self.current.statistics.unused += 1;
+        let huber = F::from_f64(self.huber);
+        let statistics = &mut self.current.statistics;
+        let [mut cost, mut squares, mut largest] = [F::ZERO; 3];
+        let components = prediction.difference.into_iter().zip(prediction.deviation).enumerate();
+        for (component, (difference, deviation)) in components {
+            let per_deviation = F::ONE / deviation;
+            if per_deviation == F::ZERO {
+                statistics.unused += 1;
                 continue;
             }
-            let mut row = [0.0; MOST_UNKNOWNS];
-            let mut difference = difference;
-            let column = |k: usize| {
-                prediction.columns.get(k).and_then(|column| column.get(component)).copied().unwrap_or(0.0)
-            };
-            self.model.fill(&mut row, &self.current.launch, column);
+            let mut row = Row::ZERO;
+            let mut residual = difference * per_deviation;
             if let Some(place) = bias.map(|first| first + component)
-                && let (Some(slot), Some(known)) = (row.get_mut(place), self.current.launch.rest.get(place))
+                && let Some(known) = self.current.launch.rest.get(place)
             {
-                *slot = 1.0;
-                difference -= known;
+                row.bias = place.checked_sub(self.model.common());
+                residual = residual - F::from_f64(*known) * per_deviation;
             }
-            self.weigh(&mut row, difference / deviation, 1.0 / deviation);
+            let size = residual.abs();
+            let outlier = size > huber;
+            // square root of the weight
+            let weight = if outlier { (huber / size).sqrt() } else { F::ONE };
+            let limited = if outlier { huber } else { size };
+            cost = cost + limited * (size.doubled() - limited);
+            squares = squares + limited.squared();
+            largest = if size > largest { size } else { largest };
+            statistics.used += 1;
+            statistics.outliers += u32::from(outlier);
+            let scale = weight * per_deviation;
+            row.by_bias = scale;
+            let columns =
+                prediction.columns.map(|column| scale * column.get(component).copied().unwrap_or(F::ZERO));
+            self.model.fill(&mut row.entries, &self.shares, &columns);
+            self.rows.add(row, weight * residual);
         }
+        statistics.chi_squared += squares.to_f64();
+        statistics.largest = statistics.largest.max(largest.to_f64());
+        self.current.cost += cost.to_f64();
     }
 
-    /// Adds a row, with the weight that its residual allows.
-    fn weigh(&mut self, row: &mut Unknowns, residual: f64, per_deviation: f64) {
-        let size = libm::fabs(residual);
-        let weight = if size > self.huber { libm::sqrt(self.huber / size) } else { 1.0 };
-        for slot in row.iter_mut() {
-            *slot *= weight * per_deviation;
+    /// Computes the state and the derivatives at a time.
+    fn move_to(&mut self, time: f64) {
+        if self.now.as_ref().is_some_and(|(last, _)| *last == time) {
+            return;
         }
-        let cost =
-            if size > self.huber { self.huber * (2.0 * size - self.huber) } else { residual * residual };
-        self.current.cost += cost;
-        self.current.statistics.add(residual, self.huber);
-        self.current.information.add(row, weight * residual);
-    }
-
-    /// State and derivatives at a time.
-    fn partials_at(&mut self, time: f64) -> Option<Partials> {
-        let next = match &self.flow {
-            Some((last, partials)) if *last == time => return Some(*partials),
-            Some((last, partials)) if self.model.has_free_ratios() => {
-                carried(&self.equations, &partials.flow, time - last)?
-            }
-            Some((last, partials)) => {
-                // the columns of the ratios are not needed
-                let launch = partials.flow.resized::<LAUNCH>();
-                carried(&self.equations, &launch, time - last)?.resized()
-            }
-            None => {
-                let Launch { orientation, omega, .. } = self.current.launch;
-                Flow::<f64, COLUMNS>::launched(&orientation, omega)
-            }
-        };
-        let partials = Partials::new(&self.equations, next, self.model.tip_scale);
-        self.flow = Some((time, partials));
-        Some(partials)
+        let epoch = *self.epoch.get_or_insert(time);
+        let (model, launch) = (&self.model, &self.current.launch);
+        self.now = self.path.at(time - epoch, || model.motion(launch)).map(|partials| (time, partials));
     }
 
     /// Corrects the launch after a pass.
-    fn improve(&mut self) -> Progress {
+    fn improve(&mut self, settled: f64) -> Progress {
         let previous = self.best.cost;
         let improved = self.current.cost <= previous && self.current.cost.is_finite();
         if !improved && self.current.cost - previous < ROUNDING {
@@ -205,11 +201,11 @@ impl Fit<'_> {
         let information = self.best.information;
         let deviations = self.model.damping(&self.best.launch, &information, self.damping, 1000.0);
         let change = information.damped(&deviations).solution();
-        if change.iter().any(|x| !x.is_finite()) {
+        if change.iter().any(|x| !x.to_f64().is_finite()) {
             return Progress::Stuck;
         }
         let next = self.model.moved(&self.best.launch, &change);
-        if information.size(&change) < SETTLED {
+        if information.size(&change).to_f64() < settled {
             self.best.launch = next;
             return Progress::Settled;
         }
@@ -238,7 +234,7 @@ impl Fit<'_> {
         Fitted {
             epoch,
             launch,
-            covariance: information.damped(&floor).covariance(),
+            covariance: information.damped(&floor).covariance().map(|row| row.map(F::to_f64)),
             statistics,
             unobservable,
             reason,
@@ -247,13 +243,4 @@ impl Fit<'_> {
             ratios: self.model.ratios(&launch),
         }
     }
-}
-
-/// State and derivatives after a time.
-pub(super) fn carried<const N: usize>(
-    equations: &Equations<f64>,
-    flow: &Flow<f64, N>,
-    span: f64,
-) -> Option<Flow<f64, N>> {
-    advance(equations, flow, span, TOLERANCE, MOST_STEPS)
 }

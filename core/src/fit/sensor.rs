@@ -1,5 +1,7 @@
 //! Sensors: what an instrument should read at a state, and how that changes with the launch.
 
+use crate::complex::Complex;
+use crate::scalar::Real;
 use crate::sensitivity::{COLUMNS, Partials};
 use crate::su2::{Orientation, Vector};
 
@@ -16,13 +18,13 @@ pub struct Measurement {
 
 /// Difference of a reading from what a state predicts, in up to three components.
 #[derive(Clone, Copy, Debug)]
-pub struct Prediction {
+pub struct Prediction<F = f64> {
     /// Measured minus predicted value, without bias.
-    pub difference: Vector<f64>,
+    pub difference: Vector<F>,
     /// Standard deviation of the noise; infinite for a component that says nothing.
-    pub deviation: Vector<f64>,
+    pub deviation: Vector<F>,
     /// Derivatives of the predicted value, in the order of [`Sensitivity::NAMES`](crate::Sensitivity::NAMES).
-    pub columns: [Vector<f64>; COLUMNS],
+    pub columns: [Vector<F>; COLUMNS],
 }
 
 /// Statement of one reading about the state, from which a fit begins without a guess.
@@ -51,10 +53,11 @@ pub enum Hint {
     Axis(Vector<f64>),
 }
 
-/// Sensor on the top or beside it. Implement it for an instrument of your own.
-pub trait Sensor {
+/// Sensor on the top or beside it. Implement it for an instrument of your own, for the scalar `F` in which your fits
+/// compute.
+pub trait Sensor<F = f64> {
     /// Difference of a reading from the prediction at a state, with its derivatives.
-    fn predict(&self, at: &Partials, values: &[f64; 4]) -> Prediction;
+    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F>;
 
     /// Standard deviation of a constant bias of each component before the fit; 0 where there is no bias, which then is
     /// not an unknown.
@@ -88,9 +91,20 @@ pub struct Mounting {
 }
 
 impl Mounting {
-    /// Sensor coordinates of a vector of the body.
-    pub(crate) fn in_sensor(&self, body: Vector<f64>) -> Vector<f64> {
-        self.rotation.inverse().adjoint(body)
+    /// Axes of the sensor in the fixed frame.
+    pub(crate) fn axes<F: Real>(&self, at: &Partials<F>) -> [Vector<F>; 3] {
+        at.axes(&self.rotation())
+    }
+
+    /// Axis of the top in the coordinates of the sensor.
+    pub(crate) fn axis<F: Real>(&self) -> Vector<F> {
+        self.rotation().inverse().axis()
+    }
+
+    fn rotation<F: Real>(&self) -> Orientation<F> {
+        let Orientation { alpha, beta } = self.rotation;
+        let of = |z: Complex<f64>| Complex::new(F::from_f64(z.re), F::from_f64(z.im));
+        Orientation { alpha: of(alpha), beta: of(beta) }
     }
 
     /// Body coordinates of a vector of the sensor.

@@ -1,12 +1,14 @@
 //! Tracking: each block of measurements begins from what the last one left.
 
+use crate::fit::Fit;
 use crate::fit::instruments::rotation_vector;
 use crate::fit::launch::Launch;
 use crate::fit::outcome::{FitError, Fitted};
+use crate::fit::pass::SETTLED;
 use crate::fit::sensor::Measurement;
 use crate::fit::triangle::{MOST_UNKNOWNS, Symmetric, Triangle, Unknowns};
-use crate::fit::{Fit, pass};
-use crate::sensitivity::{COLUMNS, Flow, Partials, total};
+use crate::scalar::Real;
+use crate::sensitivity::{Partials, Sensitivity, total};
 use crate::su2::{Vector, bracket, dot};
 
 /// Knowledge of a launch before its measurements.
@@ -29,7 +31,7 @@ pub struct Tracked {
     pub drift: Vector<f64>,
 }
 
-impl Fit<'_> {
+impl<F: Real> Fit<'_, F> {
     /// Fits the next block of measurements from the fit of the last one, which is carried to the first time of the
     /// block together with its covariance.
     ///
@@ -42,22 +44,20 @@ impl Fit<'_> {
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        let epoch = self.checked(measurements.clone())?;
+        let (epoch, _) = self.checked(measurements.clone())?;
         let span = epoch - last.epoch;
-        let equations = self.model.equations(&last.launch);
-        let start = Flow::<f64, COLUMNS>::launched(&last.launch.orientation, last.launch.omega);
-        let carried = (span >= 0.0)
-            .then(|| pass::carried(&equations, &start, span))
+        let motion = self.model.motion(&last.launch).ok_or(FitError::OutOfOrder { index: 0 })?;
+        let partials = (span >= 0.0)
+            .then(|| Sensitivity::of(&motion).at(span))
             .flatten()
             .ok_or(FitError::OutOfOrder { index: 0 })?;
-        let partials = Partials::new(&equations, carried, self.model.tip_scale);
         let mut predicted = last.launch;
         predicted.orientation = partials.orientation_now();
         predicted.omega = partials.angular_velocity();
         let covariance = carried_covariance(last, &partials, drift, span);
         self.prior = Some(Prior { launch: predicted, rows: inverse_factor(&covariance, last.count) });
         self.start(predicted);
-        let progress = self.settle(measurements);
+        let progress = self.settle(measurements, SETTLED);
         let fitted = self.fitted(epoch, progress);
         self.prior = None;
         let turn = fitted.launch.orientation.compose(&predicted.orientation.inverse());
@@ -70,7 +70,7 @@ impl Fit<'_> {
 
 impl Prior {
     /// Information of the prior about changes of a launch, and the sum of squares by which the launch contradicts it.
-    pub(super) fn information(&self, launch: &Launch, count: usize) -> (Triangle, f64) {
+    pub(super) fn information<F: Real>(&self, launch: &Launch, count: usize) -> (Triangle<F>, f64) {
         let turn = launch.orientation.compose(&self.launch.orientation.inverse());
         let theta = rotation_vector(&turn);
         let eta = total(turn.inverse().adjoint(launch.omega), self.launch.omega, -1.0);
@@ -87,7 +87,7 @@ impl Prior {
         for row in self.rows.iter().take(count) {
             let residual: f64 = -row.iter().zip(&change).map(|(a, b)| a * b).sum::<f64>();
             cost += residual * residual;
-            information.add(row, residual);
+            information.add(&row.map(F::from_f64), F::from_f64(residual));
         }
         (information, cost)
     }

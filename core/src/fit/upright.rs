@@ -8,8 +8,10 @@
 use crate::fit::Fit;
 use crate::fit::beginning::upright_to;
 use crate::fit::launch::Launch;
-use crate::fit::pass::{Pass, Progress};
+use crate::fit::pass::{Pass, Progress, SETTLED};
 use crate::fit::sensor::{Hint, Measurement};
+use crate::fit::triangle::MOST_UNKNOWNS;
+use crate::scalar::Real;
 use crate::su2::{bracket, dot};
 
 /// Share of the end of the range that an angular velocity beyond it reaches at least: bias, noise and the mounting may
@@ -21,13 +23,13 @@ const NEAR: f64 = 0.1;
 /// many spins that the upright launch is compared with: the largest of a hundred sums of four squares is about 20.
 const CHANCE: f64 = 40.0;
 
-impl Fit<'_> {
+impl<F: Real> Fit<'_, F> {
     /// Passes over the measurements until the launch does not change any more, and then looks whether the spin is known.
     pub(super) fn settle_finally<I>(&mut self, measurements: I) -> Progress
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        let progress = self.settle(measurements.clone());
+        let progress = self.settle(measurements.clone(), SETTLED);
         let Launch { orientation, omega, .. } = self.best.launch;
         let found = dot(omega, orientation.axis());
         let least = measurements.clone().find_map(|measurement| self.least_spin(&measurement));
@@ -56,7 +58,10 @@ impl Fit<'_> {
 
     /// Pass of the upright launch with this angular velocity about the axis, if it explains the measurements as well as
     /// the best launch.
-    fn upright(&mut self, spin: f64, measurements: impl Iterator<Item = Measurement>) -> Option<Pass> {
+    fn upright<I>(&mut self, spin: f64, measurements: I) -> Option<Pass<F>>
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
         let found = self.best.launch;
         let axis = found.orientation.axis();
         let across = bracket(found.omega, axis);
@@ -69,7 +74,14 @@ impl Fit<'_> {
         let tilt = upright_to(axis.map(|component| sign * component));
         let orientation = tilt.inverse().compose(&found.orientation);
         let omega = [0.0, 0.0, sign * spin];
-        self.pass(Launch { orientation, omega, ..found }, measurements);
+        self.pass(Launch { orientation, omega, ..found }, measurements.clone());
+        // the biases that suit it, while the launch stays
+        let mut deviations = [F::from_f64(1e6); MOST_UNKNOWNS];
+        for slot in deviations.iter_mut().take(self.model.common()) {
+            *slot = F::from_f64(1e-9);
+        }
+        let change = self.current.information.damped(&deviations).solution();
+        self.pass(self.model.moved(&self.current.launch, &change), measurements);
         (self.current.cost <= self.best.cost + CHANCE).then_some(self.current)
     }
 }

@@ -24,6 +24,8 @@ pub(crate) struct Coefficients<F> {
 pub(crate) struct Equations<F> {
     pub(crate) coefficients: Coefficients<F>,
     pub(crate) changes: [Coefficients<F>; 4],
+    /// Axial component S = ⟨ω, r⟩ of the angular velocity, which is constant.
+    pub(crate) spin: F,
 }
 
 /// Small change of a motion: rotation vector θ of the orientation, and its rate η = θ', which is the change of ω seen
@@ -39,30 +41,34 @@ pub(crate) struct Tangent<F> {
 pub(crate) struct Flow<F, const N: usize> {
     /// Axis r, the third body axis.
     pub(crate) axis: Vector<F>,
-    /// First body axis.
+    /// First body axis, turned back by the angle of the axial rate ω·r, which is constant: its rotation about r has
+    /// no rate.
     pub(crate) side: Vector<F>,
-    /// Angular velocity ω.
-    pub(crate) omega: Vector<F>,
+    /// Part w = ω - S r of the angular velocity across the axis. It keeps its digits where S is much larger.
+    pub(crate) across: Vector<F>,
     pub(crate) tangents: [Tangent<F>; N],
 }
 
-/// Vertical acceleration of the axis, and the rates that lead to it.
+/// Vertical acceleration of the axis, its derivatives, and the rates that lead to it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Acceleration<F> {
     /// Rate r' of the axis.
     axis_rate: Vector<F>,
     /// Vector q = r × k.
     lever: Vector<F>,
-    /// Axial component S = ω·r.
-    spin: F,
+    /// Rate n/A = (C/A) S + K/A of the gyroscopic torque.
+    gyroscopic: F,
     /// Acceleration u''.
     pub(crate) u: F,
     /// Factor 1 + (p/A) s |q|² of u''.
     factor: F,
+    /// Derivatives of `factor` · u'' by ω and by the vertical k, where the frame is turned with the change.
+    by_omega: Vector<F>,
+    by_vertical: Vector<F>,
     /// Acceleration g + s u'' of the support, which is the normal force by the mass.
     pub(crate) support: F,
-    /// Rate ω'.
-    pub(crate) omega: Vector<F>,
+    /// Rate w'.
+    pub(crate) across: Vector<F>,
 }
 
 /// x + f y.
@@ -81,93 +87,143 @@ fn cross_vertical<F: Float>([x, y, _]: Vector<F>) -> Vector<F> {
 }
 
 impl Equations<f64> {
-    pub(crate) fn of(top: &Top) -> Self {
+    pub(crate) fn of(top: &Top, spin: f64) -> Self {
         let coefficients = Coefficients::of(top);
-        Self { coefficients, changes: coefficients.derivatives(top.support()) }
+        Self { coefficients, changes: coefficients.derivatives(top.support()), spin }
+    }
+
+    /// Bound on the frequencies of the motion from a state on, rad per unit time: that of the gyroscopic torque, and
+    /// that of the axis, which gravity drives until it hangs, or until the gyroscopic torque has turned it. A short leg
+    /// makes the axis faster near the vertical.
+    pub(crate) fn fastest<const N: usize>(&self, flow: &Flow<f64, N>) -> f64 {
+        let Coefficients { moment, height, gravity, .. } = self.coefficients;
+        let rate = bracket(flow.across, flow.axis);
+        let ([.., rise], [.., u], gyroscopic) = (rate, flow.axis, Float::abs(self.gyroscopic()));
+        let square = dot(rate, rate) + moment * height * rise * rise;
+        let hanging = libm::sqrt(square + 2.0 * moment * gravity * (1.0 + u));
+        let driven = libm::sqrt(square) + 2.0 * moment * gravity / gyroscopic;
+        libm::sqrt(gyroscopic * gyroscopic + moment * gravity)
+            + hanging.min(driven) * (1.0 + libm::sqrt(moment * height))
+    }
+
+    /// Equations in another scalar.
+    pub(crate) fn cast<F: Float>(&self) -> Equations<F> {
+        Equations {
+            coefficients: self.coefficients.cast(),
+            changes: self.changes.map(|change| change.cast()),
+            spin: F::from_f64(self.spin),
+        }
+    }
+}
+
+impl Coefficients<f64> {
+    fn cast<F: Float>(&self) -> Coefficients<F> {
+        let Self { inertia, moment, height, gravity, rotor } = *self;
+        let [inertia, moment, height, gravity, rotor] =
+            [inertia, moment, height, gravity, rotor].map(F::from_f64);
+        Coefficients { inertia, moment, height, gravity, rotor }
     }
 }
 
 impl<F: Float> Equations<F> {
-    /// Accelerations at an axis and an angular velocity: the equations of Newton and Euler,
-    ///
-    /// u'' (1 + (p/A) s |q|²) = ⟨ω, r' × k⟩ - ((C/A - 1) S + K/A) ⟨r', q⟩ - (p/A) g |q|²,
-    /// ω' = -(p/A)(g + s u'') q - ((C/A - 1) S + K/A) r'.
-    pub(crate) fn acceleration(&self, axis: Vector<F>, omega: Vector<F>) -> Acceleration<F> {
-        let Coefficients { inertia, moment, height, gravity, rotor } = self.coefficients;
-        let axis_rate = bracket(omega, axis);
-        let lever = cross_vertical(axis);
-        let spin = dot(omega, axis);
-        let gyroscopic = (inertia - F::ONE) * spin + rotor;
-        let lever_squared = dot(lever, lever);
-        let factor = F::ONE + moment * height * lever_squared;
-        let u = (dot(omega, cross_vertical(axis_rate))
-            - gyroscopic * dot(axis_rate, lever)
-            - moment * gravity * lever_squared)
-            / factor;
-        let support = gravity + height * u;
-        let omega = sum(lever.map(|x| -(moment * support) * x), axis_rate, -gyroscopic);
-        Acceleration { axis_rate, lever, spin, u, factor, support, omega }
+    /// Rate n/A = (C/A) S + K/A.
+    fn gyroscopic(&self) -> F {
+        self.coefficients.inertia * self.spin + self.coefficients.rotor
     }
 
-    /// Rate of a tangent, in which η' is the last entry, and the change of u''. `change` is that of the coefficients.
+    /// Angular velocity ω = w + S r.
+    pub(crate) fn omega(&self, axis: Vector<F>, across: Vector<F>) -> Vector<F> {
+        sum(across, axis, self.spin)
+    }
+
+    /// Accelerations at an axis r and a part w of ω: the equations of Newton and Euler,
+    ///
+    /// u'' (1 + (p/A) s |q|²) = ⟨w, r' × k⟩ - (n/A) ⟨r', q⟩ - (p/A) g |q|²,
+    /// w' = -(p/A)(g + s u'') q - (n/A) r'.
+    pub(crate) fn acceleration(&self, axis: Vector<F>, across: Vector<F>) -> Acceleration<F> {
+        let Coefficients { inertia, moment, height, gravity, .. } = self.coefficients;
+        let axis_rate = bracket(across, axis);
+        let lever = cross_vertical(axis);
+        let gyroscopic = self.gyroscopic();
+        let lever_squared = dot(lever, lever);
+        let gyration = dot(axis_rate, lever);
+        let factor = F::ONE + moment * height * lever_squared;
+        let inward = cross_vertical(axis_rate);
+        let u = (dot(across, inward) - gyroscopic * gyration - moment * gravity * lever_squared) / factor;
+        let support = gravity + height * u;
+        // with dr' = dω × r, dq = r × dk, and d(n/A) = (C/A) ⟨dω, r⟩; the term ⟨S r, r' × k⟩ is -S ⟨r', q⟩
+        let by_omega = sum(inward, bracket(axis, vertical_cross(across)), F::ONE);
+        let by_omega = sum(by_omega, axis, (F::ONE - inertia) * gyration);
+        let by_omega = sum(by_omega, bracket(axis, lever), -gyroscopic);
+        let by_vertical = sum(bracket(across, axis_rate), bracket(axis, axis_rate), gyroscopic);
+        let by_vertical = sum(by_vertical, bracket(lever, axis), -(moment * support).doubled());
+        let across = sum(lever.map(|x| -(moment * support) * x), axis_rate, -gyroscopic);
+        Acceleration { axis_rate, lever, gyroscopic, u, factor, by_omega, by_vertical, support, across }
+    }
+
+    /// Change of the support's acceleration g + s u'' by a tangent. `change` is that of the coefficients.
     ///
     /// A rotation of everything but gravity by θ leaves the equations as they are. So the change is that of the
     /// equations with the vertical turned by -θ and ω changed by η, in the frame that θ turns.
-    pub(crate) fn tangent_rate(
+    pub(crate) fn support_change(
         &self,
-        axis: Vector<F>,
-        omega: Vector<F>,
         at: &Acceleration<F>,
         tangent: &Tangent<F>,
         change: Option<&Coefficients<F>>,
-    ) -> (Tangent<F>, F) {
-        let Coefficients { inertia, moment, height, gravity, rotor } = self.coefficients;
-        let excess = inertia - F::ONE;
-        let gyroscopic = excess * at.spin + rotor;
-        let eta = tangent.eta;
+    ) -> F {
+        let Coefficients { moment, height, .. } = self.coefficients;
         let vertical = vertical_cross(tangent.theta); // δk = k × θ
-        let axis_rate = bracket(eta, axis);
-        let lever = bracket(axis, vertical);
-        let spin = dot(eta, axis);
-        let lever_squared = dot(at.lever, lever).doubled();
-        let gyration = dot(at.axis_rate, at.lever);
-        let mut force = dot(eta, cross_vertical(at.axis_rate))
-            + dot(omega, cross_vertical(axis_rate))
-            + dot(omega, bracket(at.axis_rate, vertical))
-            - excess * spin * gyration
-            - gyroscopic * (dot(axis_rate, at.lever) + dot(at.axis_rate, lever))
-            - moment * gravity * lever_squared;
-        let mut factor = moment * height * lever_squared;
-        let mut support = F::ZERO;
-        let mut torque = [F::ZERO; 3];
+        let mut force = dot(tangent.eta, at.by_omega) + dot(vertical, at.by_vertical);
+        let mut direct = F::ZERO;
         if let Some(by) = change {
             let square = dot(at.lever, at.lever);
+            direct = by.gravity + at.u * by.height;
             force = force
-                - by.inertia * at.spin * gyration
-                - (by.moment * gravity + moment * by.gravity) * square;
-            factor = factor + (by.moment * height + moment * by.height) * square;
-            support = by.gravity + at.u * by.height;
-            torque =
-                sum(at.lever.map(|x| -(by.moment * at.support) * x), at.axis_rate, -(by.inertia * at.spin));
+                - by.inertia * self.spin * dot(at.axis_rate, at.lever)
+                - (by.moment * at.support + moment * direct) * square;
         }
-        let u = (force - at.u * factor) / at.factor;
-        support = support + height * u;
-        let rate = sum(torque, at.lever, -(moment * support));
-        let rate = sum(rate, lever, -(moment * at.support));
-        let rate = sum(rate, at.axis_rate, -(excess * spin));
-        let rate = sum(rate, axis_rate, -gyroscopic);
-        (Tangent { theta: eta, eta: sum(rate, bracket(eta, omega), -F::ONE) }, u)
+        direct + height * (force / at.factor)
+    }
+
+    /// Rate of a tangent: η and η'.
+    pub(crate) fn tangent_rate(
+        &self,
+        axis: Vector<F>,
+        across: Vector<F>,
+        at: &Acceleration<F>,
+        tangent: &Tangent<F>,
+        change: Option<&Coefficients<F>>,
+    ) -> Tangent<F> {
+        let Coefficients { inertia, moment, .. } = self.coefficients;
+        let eta = tangent.eta;
+        let lever = bracket(axis, vertical_cross(tangent.theta));
+        let spin = dot(eta, axis);
+        let mut push = moment * self.support_change(at, tangent, change);
+        let mut gyroscopic = (inertia - F::ONE) * spin;
+        if let Some(by) = change {
+            push = push + by.moment * at.support;
+            gyroscopic = gyroscopic + by.inertia * self.spin;
+        }
+        let rate = sum(lever.map(|x| -(moment * at.support) * x), at.lever, -push);
+        let rate = sum(rate, at.axis_rate, -gyroscopic);
+        let rate = sum(rate, bracket(eta, axis), -at.gyroscopic);
+        Tangent { theta: eta, eta: sum(rate, bracket(eta, across), -F::ONE) }
+    }
+
+    /// Rate of a state and its first `known` tangents.
+    pub(crate) fn rate_of<const N: usize>(&self, flow: &Flow<F, N>, known: usize) -> Flow<F, N> {
+        let at = self.acceleration(flow.axis, flow.across);
+        let mut tangents = flow.tangents;
+        for (index, tangent) in tangents.iter_mut().enumerate().take(known) {
+            let change = self.changes.get(index.wrapping_sub(6));
+            *tangent = self.tangent_rate(flow.axis, flow.across, &at, tangent, change);
+        }
+        Flow { axis: at.axis_rate, side: bracket(flow.across, flow.side), across: at.across, tangents }
     }
 
     /// Rate of a state and its tangents.
     pub(crate) fn rate<const N: usize>(&self, flow: &Flow<F, N>) -> Flow<F, N> {
-        let at = self.acceleration(flow.axis, flow.omega);
-        let mut tangents = flow.tangents;
-        for (index, tangent) in tangents.iter_mut().enumerate() {
-            let change = self.changes.get(index.wrapping_sub(6));
-            (*tangent, _) = self.tangent_rate(flow.axis, flow.omega, &at, tangent, change);
-        }
-        Flow { axis: at.axis_rate, side: bracket(flow.omega, flow.side), omega: at.omega, tangents }
+        self.rate_of(flow, N)
     }
 
     /// Size of θ below which a column needs no relative accuracy: that at which a change of its ratio by the ratio itself
@@ -185,10 +241,8 @@ impl<F: Float> Equations<F> {
 
     /// Bound on the frequencies of the motion at a state, rad per unit time.
     pub(crate) fn frequency<const N: usize>(&self, flow: &Flow<F, N>) -> F {
-        let Coefficients { inertia, moment, gravity, rotor, .. } = self.coefficients;
-        let across = bracket(flow.omega, flow.axis);
-        let spin = dot(flow.omega, flow.axis);
-        dot(across, across).sqrt() + (inertia * spin + rotor).abs() + spin.abs() + (moment * gravity).sqrt()
+        let Coefficients { moment, gravity, .. } = self.coefficients;
+        dot(flow.across, flow.across).sqrt() + self.gyroscopic().abs() + (moment * gravity).sqrt()
     }
 }
 
@@ -206,7 +260,24 @@ impl<F: Float> Tangent<F> {
     }
 }
 
+impl<const N: usize> Flow<f64, N> {
+    /// Flow in another scalar.
+    pub(crate) fn cast<F: Float>(&self) -> Flow<F, N> {
+        let of = |x: Vector<f64>| x.map(F::from_f64);
+        Flow {
+            axis: of(self.axis),
+            side: of(self.side),
+            across: of(self.across),
+            tangents: self.tangents.map(|Tangent { theta, eta }| Tangent { theta: of(theta), eta: of(eta) }),
+        }
+    }
+}
+
 impl<F: Float, const N: usize> Flow<F, N> {
+    /// Flow of zeros.
+    pub(crate) const ZERO: Self =
+        Self { axis: [F::ZERO; 3], side: [F::ZERO; 3], across: [F::ZERO; 3], tangents: [Tangent::NONE; N] };
+
     /// Flow at the launch: the first six tangents are the unit changes of Φ and ω, the others are 0.
     pub(crate) fn launched(phi: &Orientation<F>, omega: Vector<F>) -> Self {
         let [zero, one] = [F::ZERO, F::ONE];
@@ -219,16 +290,8 @@ impl<F: Float, const N: usize> Flow<F, N> {
             *tangent = Tangent::of_change(unit(0), unit(3), omega);
         }
         let [axis, side] = [[zero, zero, one], [one, zero, zero]].map(|body| phi.adjoint(body));
-        Self { axis, side, omega, tangents }
-    }
-
-    /// Flow with another number of tangents: the first ones, or with 0 for those that are missing.
-    pub(crate) fn resized<const M: usize>(&self) -> Flow<F, M> {
-        let mut tangents = [Tangent::NONE; M];
-        for (slot, tangent) in tangents.iter_mut().zip(&self.tangents) {
-            *slot = *tangent;
-        }
-        Flow { axis: self.axis, side: self.side, omega: self.omega, tangents }
+        let across = sum(omega, axis, -dot(omega, axis));
+        Self { axis, side, across, tangents }
     }
 
     /// Body coordinates of a vector of the fixed frame.
@@ -242,18 +305,21 @@ impl<F: Float, const N: usize> Flow<F, N> {
         sum(sum(self.side.map(|c| c * x), across, y), self.axis, z)
     }
 
-    /// Sum of this flow and f times another.
-    pub(crate) fn plus(&self, other: &Self, f: F) -> Self {
-        let mut tangents = self.tangents;
-        for (tangent, rate) in tangents.iter_mut().zip(&other.tangents) {
+    /// Adds f times another flow to the state and to the first `known` tangents.
+    pub(crate) fn add(&mut self, other: &Self, f: F, known: usize) {
+        self.axis = sum(self.axis, other.axis, f);
+        self.side = sum(self.side, other.side, f);
+        self.across = sum(self.across, other.across, f);
+        for (tangent, rate) in self.tangents.iter_mut().zip(&other.tangents).take(known) {
             *tangent = tangent.plus(rate, f);
         }
-        Self {
-            axis: sum(self.axis, other.axis, f),
-            side: sum(self.side, other.side, f),
-            omega: sum(self.omega, other.omega, f),
-            tangents,
-        }
+    }
+
+    /// Sum of this flow and f times another.
+    pub(crate) fn plus(&self, other: &Self, f: F) -> Self {
+        let mut flow = *self;
+        flow.add(other, f, N);
+        flow
     }
 
     /// Largest difference from another flow, each part relative to its size. Rates are compared in units of
@@ -263,7 +329,7 @@ impl<F: Float, const N: usize> Flow<F, N> {
         let apart = |x: Vector<F>, y: Vector<F>| size(sum(x, y, -F::ONE));
         let mut worst = apart(self.axis, other.axis)
             + apart(self.side, other.side)
-            + apart(self.omega, other.omega) / frequency;
+            + apart(self.across, other.across) / frequency;
         for (index, (a, b)) in self.tangents.iter().zip(&other.tangents).enumerate() {
             let scale = equations.least_size(index) + size(a.theta) + size(a.eta) / frequency;
             let error = apart(a.theta, b.theta) + apart(a.eta, b.eta) / frequency;

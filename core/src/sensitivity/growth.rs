@@ -43,9 +43,9 @@ pub(super) fn projected(
 fn gradients(equations: &Equations<f64>, start: &Flow<f64, COLUMNS>, units: &[f64; LAUNCH]) -> Gradients {
     let of = &equations.coefficients;
     let excess = of.inertia - 1.0;
-    let (axis, omega) = (start.axis, start.omega);
+    let (axis, spin) = (start.axis, equations.spin);
+    let omega = equations.omega(axis, start.across);
     let up = [0.0, 0.0, 1.0];
-    let spin = dot(omega, axis);
     let axis_rate = bracket(omega, axis);
     let momentum = super::total(omega, axis, excess * spin + of.rotor);
     let [.., rise] = axis_rate;

@@ -1,69 +1,61 @@
 //! Partial derivatives of what a sample says, at one time.
 
 use crate::complex::Complex;
+use crate::scalar::Float;
 use crate::sensitivity::equations::{Equations, Flow, sum};
 use crate::sensitivity::{COLUMNS, Tangent};
-use crate::su2::{Orientation, Vector, bracket};
+use crate::su2::{Orientation, Vector, bracket, dot};
 
 /// State at one time with its partial derivatives, in the order of [`Sensitivity::NAMES`](crate::Sensitivity::NAMES).
 #[derive(Clone, Copy, Debug)]
-pub struct Partials {
-    pub(crate) flow: Flow<f64, COLUMNS>,
-    /// Rates of the tangents: η and η'.
-    rates: [Tangent<f64>; COLUMNS],
-    /// Changes of the support's acceleration g + s u''.
-    supports: [f64; COLUMNS],
-    omega_rate: Vector<f64>,
-    support: f64,
-    tip_scale: f64,
-    /// Whether the tip slides, so that s is a length of the tip's curve.
-    sliding: bool,
+pub struct Partials<F = f64> {
+    pub(crate) flow: Flow<F, COLUMNS>,
+    equations: Equations<F>,
+    tip_scale: F,
+    /// Number of columns that are known; the others are 0.
+    known: usize,
 }
 
-impl Partials {
-    pub(crate) fn new(equations: &Equations<f64>, flow: Flow<f64, COLUMNS>, tip_scale: f64) -> Self {
-        let at = equations.acceleration(flow.axis, flow.omega);
-        let height = equations.coefficients.height;
-        let mut rates = flow.tangents;
-        let mut supports = [0.0; COLUMNS];
-        for (index, (rate, support)) in rates.iter_mut().zip(&mut supports).enumerate() {
-            let change = equations.changes.get(index.wrapping_sub(6));
-            let tangent = *rate;
-            let (next, u) = equations.tangent_rate(flow.axis, flow.omega, &at, &tangent, change);
-            *rate = next;
-            *support = height * u + change.map_or(0.0, |by| by.gravity + at.u * by.height);
+impl<F: Float> Partials<F> {
+    pub(crate) fn new(
+        equations: &Equations<F>,
+        flow: Flow<F, COLUMNS>,
+        tip_scale: f64,
+        known: usize,
+    ) -> Self {
+        Self { flow, equations: *equations, tip_scale: F::from_f64(tip_scale), known }
+    }
+
+    /// Image of each known column; 0 for the others.
+    pub(crate) fn each(&self, of: impl Fn(&Tangent<F>) -> Vector<F>) -> [Vector<F>; COLUMNS] {
+        let mut columns = [[F::ZERO; 3]; COLUMNS];
+        for (column, tangent) in columns.iter_mut().zip(&self.flow.tangents).take(self.known) {
+            *column = of(tangent);
         }
-        Self {
-            flow,
-            rates,
-            supports,
-            omega_rate: at.omega,
-            support: at.support,
-            tip_scale,
-            sliding: height > 0.0,
-        }
+        columns
     }
 
     /// Symmetry axis r.
     #[must_use]
-    pub fn axis(&self) -> Vector<f64> {
+    pub fn axis(&self) -> Vector<F> {
         self.flow.axis
     }
 
     /// Orientation Φ, of either sign.
     #[must_use]
-    pub fn orientation_now(&self) -> Orientation<f64> {
+    pub fn orientation_now(&self) -> Orientation<F> {
         let Flow { axis: [x3, y3, z3], side: [x1, y1, z1], .. } = self.flow;
         let [x2, y2, z2] = bracket(self.flow.axis, self.flow.side);
         // four times a component of the quaternion times the others: the row with the largest component is used
+        let one = F::ONE;
         let rows = [
-            [1.0 + x1 + y2 + z3, z2 - y3, x3 - z1, y1 - x2],
-            [z2 - y3, 1.0 + x1 - y2 - z3, y1 + x2, x3 + z1],
-            [x3 - z1, y1 + x2, 1.0 - x1 + y2 - z3, z2 + y3],
-            [y1 - x2, x3 + z1, z2 + y3, 1.0 - x1 - y2 + z3],
+            [one + x1 + y2 + z3, z2 - y3, x3 - z1, y1 - x2],
+            [z2 - y3, one + x1 - y2 - z3, y1 + x2, x3 + z1],
+            [x3 - z1, y1 + x2, one - x1 + y2 - z3, z2 + y3],
+            [y1 - x2, x3 + z1, z2 + y3, one - x1 - y2 + z3],
         ];
-        let size = |row: &[f64; 4]| row.iter().map(|x| x * x).sum::<f64>();
-        let first = [1.0, 0.0, 0.0, 0.0];
+        let size = |row: &[F; 4]| row.iter().fold(F::ZERO, |sum, x| sum + *x * *x);
+        let first = [one, F::ZERO, F::ZERO, F::ZERO];
         let largest =
             rows.into_iter().fold(first, |best, row| if size(&row) > size(&best) { row } else { best });
         Orientation::from_quaternion(largest).normalised()
@@ -71,53 +63,54 @@ impl Partials {
 
     /// Angular velocity ω in the fixed frame, rad per unit time.
     #[must_use]
-    pub fn angular_velocity(&self) -> Vector<f64> {
-        self.flow.omega
+    pub fn angular_velocity(&self) -> Vector<F> {
+        self.equations.omega(self.flow.axis, self.flow.across)
     }
 
     /// Body coordinates of a vector given in the fixed frame.
     #[must_use]
-    pub fn in_body(&self, fixed: Vector<f64>) -> Vector<f64> {
+    pub fn in_body(&self, fixed: Vector<F>) -> Vector<F> {
         self.flow.in_body(fixed)
     }
 
     /// Fixed coordinates of a vector given in the body frame.
     #[must_use]
-    pub fn in_fixed(&self, body: Vector<f64>) -> Vector<f64> {
+    pub fn in_fixed(&self, body: Vector<F>) -> Vector<F> {
         self.flow.in_fixed(body)
     }
 
     /// Derivatives of the orientation: rotation vectors θ in the fixed frame, with dΦ = θ Φ.
     #[must_use]
-    pub fn orientation(&self) -> [Vector<f64>; COLUMNS] {
-        self.flow.tangents.map(|tangent| tangent.theta)
+    pub fn orientation(&self) -> [Vector<F>; COLUMNS] {
+        self.each(|tangent| tangent.theta)
     }
 
     /// Derivatives of ω in the fixed frame.
     #[must_use]
-    pub fn omega(&self) -> [Vector<f64>; COLUMNS] {
-        self.flow.tangents.map(|Tangent { theta, eta }| sum(eta, bracket(theta, self.flow.omega), 1.0))
+    pub fn omega(&self) -> [Vector<F>; COLUMNS] {
+        let omega = self.angular_velocity();
+        self.each(|Tangent { theta, eta }| sum(*eta, bracket(*theta, omega), F::ONE))
     }
 
     /// Derivatives of Ω in the body frame.
     #[must_use]
-    pub fn omega_body(&self) -> [Vector<f64>; COLUMNS] {
-        self.flow.tangents.map(|tangent| self.flow.in_body(tangent.eta))
+    pub fn omega_body(&self) -> [Vector<F>; COLUMNS] {
+        self.each(|tangent| self.flow.in_body(tangent.eta))
     }
 
     /// Derivatives of the axis r.
     #[must_use]
-    pub fn axis_change(&self) -> [Vector<f64>; COLUMNS] {
-        self.flow.tangents.map(|tangent| bracket(tangent.theta, self.flow.axis))
+    pub fn axis_change(&self) -> [Vector<F>; COLUMNS] {
+        self.each(|tangent| bracket(tangent.theta, self.flow.axis))
     }
 
     /// Derivatives of the tip c = -s (r₁ + i r₂), m; of -(r₁ + i r₂) for a fixed tip.
     #[must_use]
-    pub fn tip(&self) -> [Complex<f64>; COLUMNS] {
+    pub fn tip(&self) -> [Complex<F>; COLUMNS] {
         let mut change = self.axis_change().map(|[x, y, _]| Complex::new(x, y).scaled(-self.tip_scale));
         let [x, y, _] = self.flow.axis;
         if let Some(by_height) = change.get_mut(8)
-            && self.sliding
+            && self.equations.coefficients.height > F::ZERO
         {
             *by_height = *by_height - Complex::new(x, y);
         }
@@ -126,10 +119,10 @@ impl Partials {
 
     /// Derivatives of the tip angle φ = arg c, rad; `None` where the tip is at the centre.
     #[must_use]
-    pub fn tip_angle(&self) -> Option<[f64; COLUMNS]> {
+    pub fn tip_angle(&self) -> Option<[F; COLUMNS]> {
         let [x, y, _] = self.flow.axis;
         let square = x * x + y * y;
-        (square > 0.0).then(|| self.axis_change().map(|[dx, dy, _]| (x * dy - y * dx) / square))
+        (square > F::ZERO).then(|| self.axis_change().map(|[dx, dy, _]| (x * dy - y * dx) / square))
     }
 
     /// Specific force in the body frame at a point of the body, as an accelerometer there measures it, and its
@@ -138,33 +131,80 @@ impl Partials {
     /// * `place`: body coordinates of the point, m, from the centre of mass of a sliding top, and from the tip of a held
     ///   one: the point to which the moments of inertia belong
     #[must_use]
-    pub fn specific_force(&self, place: Vector<f64>) -> (Vector<f64>, [Vector<f64>; COLUMNS]) {
-        let flow = &self.flow;
-        let omega = flow.in_body(flow.omega);
-        let omega_rate = flow.in_body(self.omega_rate);
-        let up = flow.in_body([0.0, 0.0, 1.0]);
-        let turning = sum(bracket(omega_rate, place), bracket(omega, bracket(omega, place)), 1.0);
-        let force = sum(turning, up, self.support);
-        let mut changes = [[0.0; 3]; COLUMNS];
-        for (((change, tangent), rate), support) in
-            changes.iter_mut().zip(&flow.tangents).zip(&self.rates).zip(&self.supports)
-        {
-            let d_omega = flow.in_body(tangent.eta);
-            // Ω' = Φ⁻¹ ω', whose change is that of ω' in the turned frame
-            let d_rate = flow.in_body(sum(rate.eta, bracket(tangent.eta, flow.omega), 1.0));
-            let d_up = flow.in_body(bracket([0.0, 0.0, 1.0], tangent.theta));
-            let turned =
-                sum(bracket(d_omega, bracket(omega, place)), bracket(omega, bracket(d_omega, place)), 1.0);
-            let total = sum(sum(bracket(d_rate, place), turned, 1.0), up, *support);
-            *change = sum(total, d_up, self.support);
-        }
-        (force, changes)
+    pub fn specific_force(&self, place: Vector<F>) -> (Vector<F>, [Vector<F>; COLUMNS]) {
+        self.force_in(&self.axes(&Orientation::IDENTITY), place)
     }
 
     /// Body coordinates of a fixed direction, as a magnetometer sees the field, and their derivatives.
     #[must_use]
-    pub fn direction(&self, fixed: Vector<f64>) -> (Vector<f64>, [Vector<f64>; COLUMNS]) {
-        let changes = self.flow.tangents.map(|tangent| self.flow.in_body(bracket(fixed, tangent.theta)));
-        (self.flow.in_body(fixed), changes)
+    pub fn direction(&self, fixed: Vector<F>) -> (Vector<F>, [Vector<F>; COLUMNS]) {
+        self.direction_in(&self.axes(&Orientation::IDENTITY), fixed)
     }
+
+    /// Axes of an instrument in the fixed frame, from its rotation in the body.
+    pub(crate) fn axes(&self, rotation: &Orientation<F>) -> [Vector<F>; 3] {
+        let Flow { axis, side, .. } = self.flow;
+        let [zero, one] = [F::ZERO, F::ONE];
+        if *rotation == Orientation::IDENTITY {
+            return [side, bracket(axis, side), axis];
+        }
+        [[one, zero, zero], [zero, one, zero], [zero, zero, one]]
+            .map(|direction| self.in_fixed(rotation.adjoint(direction)))
+    }
+
+    /// ω in the coordinates of an instrument, from the coordinates of the axis there.
+    pub(crate) fn omega_in(&self, axes: &[Vector<F>; 3], axis: Vector<F>) -> Vector<F> {
+        sum(along(axes, self.flow.across), axis, self.equations.spin)
+    }
+
+    /// [`Self::direction`] in the coordinates of an instrument.
+    pub(crate) fn direction_in(
+        &self,
+        axes: &[Vector<F>; 3],
+        fixed: Vector<F>,
+    ) -> (Vector<F>, [Vector<F>; COLUMNS]) {
+        (along(axes, fixed), self.each(|tangent| along(axes, bracket(fixed, tangent.theta))))
+    }
+
+    /// [`Self::specific_force`] in the coordinates of an instrument.
+    pub(crate) fn force_in(
+        &self,
+        axes: &[Vector<F>; 3],
+        place: Vector<F>,
+    ) -> (Vector<F>, [Vector<F>; COLUMNS]) {
+        let Flow { axis, across, .. } = self.flow;
+        let omega = self.angular_velocity();
+        let up = [F::ZERO, F::ZERO, F::ONE];
+        let at = self.equations.acceleration(axis, across);
+        let off_centre = place != [F::ZERO; 3];
+        let arm = self.in_fixed(place);
+        let swing = bracket(omega, arm);
+        let mut force = up.map(|x| x * at.support);
+        if off_centre {
+            let rate = sum(at.across, bracket(across, axis), self.equations.spin);
+            force = sum(sum(force, bracket(rate, arm), F::ONE), bracket(omega, swing), F::ONE);
+        }
+        let mut changes = [[F::ZERO; 3]; COLUMNS];
+        let tangents = self.flow.tangents.iter().take(self.known).enumerate();
+        for (change, (index, tangent)) in changes.iter_mut().zip(tangents) {
+            let by = self.equations.changes.get(index.wrapping_sub(6));
+            let support = self.equations.support_change(&at, tangent, by);
+            // in the frame that turns by θ, the vertical turns by -θ and the arm stays
+            let mut total = sum(up.map(|x| x * support), bracket(up, tangent.theta), at.support);
+            if off_centre {
+                let rate = self.equations.tangent_rate(axis, across, &at, tangent, by).eta;
+                let turning = sum(rate, bracket(tangent.eta, omega), F::ONE);
+                total = sum(total, bracket(turning, arm), F::ONE);
+                total = sum(total, bracket(tangent.eta, swing), F::ONE);
+                total = sum(total, bracket(omega, bracket(tangent.eta, arm)), F::ONE);
+            }
+            *change = along(axes, total);
+        }
+        (along(axes, force), changes)
+    }
+}
+
+/// Coordinates of a vector along three axes.
+pub(crate) fn along<F: Float>(axes: &[Vector<F>; 3], x: Vector<F>) -> Vector<F> {
+    axes.map(|axis| dot(axis, x))
 }

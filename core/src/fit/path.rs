@@ -1,0 +1,357 @@
+//! State and derivatives along the motion of a pass, interpolated between nodes.
+//!
+//! The nodes are equally spaced in time, and computed when a measurement needs them. They cover one nutation period;
+//! all other periods follow from it (`docs/partials.md`). A motion without a period, or with one that is too long,
+//! is followed from node to node instead, and the earlier nodes are given up; its state is then corrected from
+//! time to time by an integration of the state alone in `f64`, so that rounding does not add up.
+
+use crate::fit::launch::{LAUNCH, Launch};
+use crate::motion::Motion;
+use crate::phase::Phase;
+use crate::scalar::{Float, Real, Ring};
+use crate::sensitivity::{COLUMNS, Equations, Flow, Partials, Tangent, advance, total};
+use crate::su2::{Vector, bracket};
+
+/// Largest number of nodes.
+const NODES: usize = 24;
+/// Distance of the nodes times the bound on the frequencies. The error of a step of the integration, and that of
+/// the interpolation, are then below 1e-6.
+const SPACING: f64 = 0.5;
+/// Error of a step of the integration of the state alone, and the largest number of steps between two corrections.
+const TOLERANCE: f64 = 1e-10;
+const MOST_STEPS: u32 = 1000;
+
+/// Method of order 6 with seven stages (Butcher): weights of the stages before each stage, and those of the result.
+const STAGES: [[f64; 6]; 6] = [
+    [1.0 / 3.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+    [0.0, 2.0 / 3.0, 0.0, 0.0, 0.0, 0.0],
+    [1.0 / 12.0, 1.0 / 3.0, -1.0 / 12.0, 0.0, 0.0, 0.0],
+    [25.0 / 48.0, -55.0 / 24.0, 35.0 / 48.0, 15.0 / 8.0, 0.0, 0.0],
+    [3.0 / 20.0, -11.0 / 24.0, -1.0 / 8.0, 1.0 / 2.0, 1.0 / 10.0, 0.0],
+    [-261.0 / 260.0, 33.0 / 13.0, 43.0 / 156.0, -118.0 / 39.0, 32.0 / 195.0, 80.0 / 39.0],
+];
+const RESULT: [f64; 7] = [13.0 / 200.0, 0.0, 11.0 / 40.0, 11.0 / 40.0, 4.0 / 25.0, 4.0 / 25.0, 13.0 / 200.0];
+
+/// State and derivatives at one time, with the rates of the state and of η; that of θ is η.
+#[derive(Clone, Copy, Debug)]
+struct Node<F> {
+    flow: Flow<F, COLUMNS>,
+    axis_rate: Vector<F>,
+    side_rate: Vector<F>,
+    across_rate: Vector<F>,
+    eta_rates: [Vector<F>; COLUMNS],
+}
+
+/// Effect of one nutation period.
+#[derive(Clone, Copy, Debug)]
+struct Period<F> {
+    length: f64,
+    /// Rotations about the vertical and about the axis.
+    turns: [Phase; 2],
+    /// Changes of the launch whose effect is what a period adds to the columns.
+    growth: [[F; LAUNCH]; COLUMNS],
+}
+
+/// Motion of a launch with its derivatives.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Path<F> {
+    exact: Equations<f64>,
+    equations: Equations<F>,
+    launch: Flow<f64, 0>,
+    tip_scale: f64,
+    /// Number of columns that are computed.
+    known: usize,
+    /// Time between two nodes.
+    spacing: f64,
+    nodes: [Node<F>; NODES],
+    /// Number of the nodes, and of those before them that were given up.
+    count: usize,
+    given_up: usize,
+    beyond: Beyond<F>,
+}
+
+/// Motion beyond the time that the nodes cover.
+#[derive(Clone, Copy, Debug)]
+enum Beyond<F> {
+    /// Not asked for so far.
+    Unknown,
+    /// Repetition of the first period.
+    Repeated(Period<F>),
+    /// Integration of the state alone, at the last node that it corrected.
+    Followed(usize, Flow<f64, 0>),
+}
+
+impl<F: Real> Path<F> {
+    /// Path of a launch.
+    ///
+    /// * `known`: number of columns that are needed
+    pub(super) fn new(equations: &Equations<f64>, launch: &Launch, tip_scale: f64, known: usize) -> Self {
+        let flow = Flow::<f64, COLUMNS>::launched(&launch.orientation, launch.omega);
+        let spacing = SPACING / equations.fastest(&flow);
+        let (exact, equations) = (*equations, equations.cast());
+        Self {
+            exact,
+            equations,
+            launch: Flow::launched(&launch.orientation, launch.omega),
+            tip_scale,
+            known,
+            spacing,
+            nodes: [Node::of(&equations, flow.cast(), known); NODES],
+            count: 1,
+            given_up: 0,
+            beyond: Beyond::Unknown,
+        }
+    }
+
+    /// State and derivatives at a time after the launch, later than that of the last call. `None` where it is not
+    /// within some periods of the last node.
+    ///
+    /// * `motion`: motion of the launch, which is asked for where the nodes do not reach the time
+    pub(super) fn at(&mut self, t: f64, motion: impl FnOnce() -> Option<Motion>) -> Option<Partials<F>> {
+        if matches!(self.beyond, Beyond::Unknown) && t > self.reach() {
+            self.beyond = match motion().and_then(|motion| self.period_of(&motion)) {
+                Some(period) => Beyond::Repeated(period),
+                None => Beyond::Followed(0, self.launch),
+            };
+        }
+        let Beyond::Repeated(period) = self.beyond else {
+            let flow = self.interpolated(t)?;
+            return Some(self.partials(flow, Phase::ZERO, t));
+        };
+        let count = libm::floor(t / period.length);
+        let rest = t - count * period.length;
+        let mut flow = self.interpolated(rest)?;
+        let launch = flow.tangents;
+        let times = F::from_f64(count);
+        for (tangent, growth) in flow.tangents.iter_mut().zip(&period.growth).take(self.known) {
+            for (by, share) in launch.iter().zip(growth) {
+                *tangent = tangent.plus(by, times * *share);
+            }
+        }
+        let [about_vertical, about_axis] = period.turns.map(|turn| turn.times(count as i64));
+        Some(self.partials(flow.turned(about_vertical), about_axis, rest))
+    }
+
+    fn partials(&self, flow: Flow<F, COLUMNS>, rolled: Phase, rest: f64) -> Partials<F> {
+        let roll = rolled + Phase::from_radians(self.exact.spin * rest);
+        Partials::new(&self.equations, flow.rolled(roll), self.tip_scale, self.known)
+    }
+
+    /// Time that the nodes can cover without giving any up.
+    fn reach(&self) -> f64 {
+        self.spacing * (NODES - 2) as f64
+    }
+
+    /// Effect of a period, if there is one that the nodes can cover.
+    fn period_of(&mut self, motion: &Motion) -> Option<Period<F>> {
+        let (length, turns) = turns_in_period(motion)?;
+        if length > self.reach() {
+            return None;
+        }
+        let first = self.nodes.first()?.flow;
+        let omega = self.equations.omega(first.axis, first.across);
+        let [about_vertical, _] = turns;
+        let end = self.interpolated(length)?.turned(-about_vertical);
+        let mut growth = [[F::ZERO; LAUNCH]; COLUMNS];
+        for (index, (shares, tangent)) in growth.iter_mut().zip(&end.tangents).take(self.known).enumerate() {
+            let change = total(tangent.eta, bracket(tangent.theta, omega), F::ONE);
+            for (place, (slot, share)) in
+                shares.iter_mut().zip(tangent.theta.into_iter().chain(change)).enumerate()
+            {
+                *slot = if place == index { share - F::ONE } else { share };
+            }
+        }
+        Some(Period { length, turns, growth })
+    }
+
+    /// Flow at a time that the nodes reach, or can reach.
+    fn interpolated(&mut self, t: f64) -> Option<Flow<F, COLUMNS>> {
+        const FURTHEST: f64 = 1e5;
+        let place = t / self.spacing - self.given_up as f64;
+        if !(0.0..FURTHEST).contains(&(place + 1.0)) {
+            return None;
+        }
+        let mut middle = libm::round(place).max(1.0) as usize;
+        let x = place - middle as f64;
+        while self.count < middle + 2 {
+            middle -= self.extend()?;
+        }
+        self.blended(middle.checked_sub(1)?, F::from_f64(x))
+    }
+
+    /// Adds a node; the number of nodes that were given up for it.
+    fn extend(&mut self) -> Option<usize> {
+        let last = self.count.checked_sub(1)?;
+        let mut node = *self.nodes.get(last)?;
+        // the three last ones are kept
+        let given_up = if self.count == NODES { NODES - 3 } else { 0 };
+        if given_up > 0 {
+            node = self.corrected(&node, self.given_up + last)?;
+            *self.nodes.get_mut(last)? = node;
+        }
+        self.nodes.rotate_left(given_up);
+        self.count -= given_up;
+        self.given_up += given_up;
+        *self.nodes.get_mut(self.count)? = node.after(&self.equations, F::from_f64(self.spacing), self.known);
+        self.count += 1;
+        Some(given_up)
+    }
+
+    /// Node of this index with a state whose error is that of `f64` and of a small tolerance.
+    fn corrected(&mut self, node: &Node<F>, index: usize) -> Option<Node<F>> {
+        let Beyond::Followed(last, flow) = &mut self.beyond else { return Some(*node) };
+        let span = self.spacing * (index - *last) as f64;
+        *flow = advance(&self.exact, flow, span, TOLERANCE, MOST_STEPS)?;
+        *last = index;
+        let Flow { axis, side, across, .. } = flow.cast();
+        Some(Node::of(&self.equations, Flow { axis, side, across, tangents: node.flow.tangents }, self.known))
+    }
+
+    /// Sum of three nodes by Hermite's interpolation at x spacings from the second.
+    fn blended(&self, first: usize, x: F) -> Option<Flow<F, COLUMNS>> {
+        let (h, half, three) = (F::from_f64(self.spacing), F::ONE.halved(), F::from_f64(3.0));
+        let (left, right) = (x + F::ONE, x - F::ONE);
+        let [before, at, after] = [half * x * right, -left * right, half * x * left].map(Ring::squared);
+        let weights = [
+            [(F::ONE + three * left) * before, h * left * before],
+            [at, h * x * at],
+            [(F::ONE - three * right) * after, h * right * after],
+        ];
+        let mut sum = Flow::ZERO;
+        for (node, [value, slope]) in self.nodes.get(first..first + 3)?.iter().zip(weights) {
+            let add = |slot: &mut Vector<F>, of: &Vector<F>, rate: &Vector<F>| {
+                *slot = total(total(*slot, *of, value), *rate, slope);
+            };
+            let flow = &node.flow;
+            add(&mut sum.axis, &flow.axis, &node.axis_rate);
+            add(&mut sum.side, &flow.side, &node.side_rate);
+            add(&mut sum.across, &flow.across, &node.across_rate);
+            let columns = flow.tangents.iter().zip(&node.eta_rates).take(self.known);
+            for (slot, (tangent, rate)) in sum.tangents.iter_mut().zip(columns) {
+                add(&mut slot.theta, &tangent.theta, &tangent.eta);
+                add(&mut slot.eta, &tangent.eta, rate);
+            }
+        }
+        Some(sum)
+    }
+}
+
+impl<F: Real> Node<F> {
+    fn of(equations: &Equations<F>, flow: Flow<F, COLUMNS>, known: usize) -> Self {
+        let rate = equations.rate_of(&flow, known);
+        Self {
+            flow,
+            axis_rate: rate.axis,
+            side_rate: rate.side,
+            across_rate: rate.across,
+            eta_rates: rate.tangents.map(|tangent| tangent.eta),
+        }
+    }
+
+    /// Rate of the flow.
+    fn rate(&self) -> Flow<F, COLUMNS> {
+        let mut tangents = self.flow.tangents;
+        for (tangent, rate) in tangents.iter_mut().zip(self.eta_rates) {
+            *tangent = Tangent { theta: tangent.eta, eta: rate };
+        }
+        Flow { axis: self.axis_rate, side: self.side_rate, across: self.across_rate, tangents }
+    }
+
+    /// Node after a time h, by one step.
+    fn after(&self, equations: &Equations<F>, h: F, known: usize) -> Self {
+        let mut rates = [self.rate(); STAGES.len() + 1];
+        let sum = |rates: &[Flow<F, COLUMNS>], weights: &[f64]| {
+            let mut flow = self.flow;
+            for (rate, weight) in rates.iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
+                flow.add(rate, h * F::from_f64(*weight), known);
+            }
+            flow
+        };
+        for (stage, weights) in STAGES.iter().enumerate() {
+            let rate = equations.rate_of(&sum(rates.get(..=stage).unwrap_or(&[]), weights), known);
+            if let Some(slot) = rates.get_mut(stage + 1) {
+                *slot = rate;
+            }
+        }
+        Self::of(equations, sum(&rates, &RESULT), known)
+    }
+}
+
+/// Nutation period of a motion, and the rotations about the vertical and about the axis in it.
+fn turns_in_period(motion: &Motion) -> Option<(f64, [Phase; 2])> {
+    let mean = motion.mean_motion()?;
+    Some((mean.advance.period.to_f64(), mean.turns(motion.half_tau())))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sensitivity::Sensitivity;
+    use crate::state::{Release, State};
+    use crate::su2::dot;
+    use crate::top::{Top, TopParameters};
+
+    /// Tops by A, C, s, M and K, sliding or held, and their throws by tilt, spin, precession and nutation rate.
+    const CASES: [([f64; 5], bool, [f64; 4]); 9] = [
+        ([3e-5, 2e-5, 0.03, 0.05, 0.0], false, [0.35, 150.0, 2.0, 0.5]),
+        ([3e-5, 2e-5, 0.03, 0.05, 0.0], false, [0.1, -220.0, 2.0, 0.5]),
+        ([3e-5, 2e-5, 0.03, 0.05, 0.0], false, [0.6, 20.0, 2.0, 0.5]),
+        ([3e-5, 2e-5, 0.03, 0.05, 0.0], false, [0.05, 45.0, -1.0, 0.5]),
+        ([3e-5, 2e-5, 0.03, 0.05, 0.0], false, [0.7, 0.0, 9.0, 3.0]),
+        ([7.5e-5, 2e-5, 0.03, 0.05, 0.0], true, [0.35, 150.0, 2.0, 0.5]),
+        ([7.5e-5, 2e-5, 0.03, 0.05, 0.0], true, [2.5, -12.0, 2.0, 0.5]),
+        ([3e-5, 2e-5, 0.03, 0.05, 1e-3], false, [0.5, 10.0, 1.0, 0.0]),
+        ([1e-5, 1.5e-5, 0.03, 0.05, 0.0], false, [0.0, 40.0, 0.0, 5.0]),
+    ];
+
+    /// Largest error of the state and of the columns of the launch within a second, relative to their size, and
+    /// whether the motion was repeated.
+    fn worst<F: Real>(case: &([f64; 5], bool, [f64; 4])) -> ([f64; 2], bool) {
+        let ([a, c, s, mass, momentum], held, [tilt, spin, precession, nutation]) = *case;
+        let parameters = TopParameters {
+            transverse_inertia: a,
+            axial_inertia: c,
+            com_height: s,
+            mass,
+            gravity: 9.81,
+            rotor_momentum: momentum,
+            ..TopParameters::default()
+        };
+        let top = if held { Top::fixed(&parameters) } else { Top::sliding(&parameters) }.unwrap();
+        let release = Release { tilt, spin, precession, nutation, azimuth: 0.4, roll: -0.7 };
+        let state = State::release(&release).unwrap();
+        let motion = Motion::launch(&top, &state).unwrap();
+        let launch = Launch::new(state.orientation(), state.omega());
+        let equations = Equations::of(&top, dot(launch.omega, launch.orientation.axis()));
+        let mut path = Path::<F>::new(&equations, &launch, top.tip_scale(), LAUNCH);
+        let sensitivity = Sensitivity::of(&motion);
+        let mut cursor = sensitivity.cursor();
+        let frequency = equations.fastest(&Flow::<f64, COLUMNS>::launched(&launch.orientation, launch.omega));
+        let [mut off, mut changed] = [0.0_f64; 2];
+        let size = |x: Vector<f64>| libm::sqrt(dot(x, x));
+        let apart = |x: Vector<F>, y: Vector<f64>| size(total(x.map(F::to_f64), y, -1.0));
+        for n in 0..700 {
+            let t = f64::from(n) / 699.0;
+            let (found, truth) = (path.at(t, || Some(motion)).unwrap().flow, cursor.at(t).unwrap().flow);
+            off = off.max(apart(found.axis, truth.axis)).max(apart(found.side, truth.side));
+            off = off.max(apart(found.across, truth.across) / frequency);
+            for (x, y) in found.tangents.iter().zip(&truth.tangents).take(LAUNCH) {
+                let error = apart(x.theta, y.theta) + apart(x.eta, y.eta) / frequency;
+                changed = changed.max(error / (size(y.theta) + size(y.eta) / frequency));
+            }
+        }
+        ([off, changed], matches!(path.beyond, Beyond::Repeated(_)))
+    }
+
+    #[test]
+    fn the_path_is_the_motion_of_the_launch() {
+        for (index, case) in CASES.iter().enumerate() {
+            let (double, repeated) = worst::<f64>(case);
+            let (single, _) = worst::<f32>(case);
+            assert_eq!(repeated, [0, 1, 6].contains(&index), "{index}");
+            for [state, columns] in [double, single] {
+                assert!(state < 6e-6 && columns < 1e-3, "{index}: {double:?} {single:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! Cost of a fit on a chip: 1000 samples of a gyroscope and an accelerometer and 100 of a magnetometer, from the samples to
+//! the launch, for `toytop budget --elf`.
+
+#![no_std]
+#![no_main]
+
+#[path = "../../../src/imu.rs"]
+mod imu;
+#[path = "../measure.rs"]
+mod measure;
+
+use core::hint::black_box;
+
+use semihosting::process;
+use toytop::fit::{Fit, Sensor};
+use toytop::{Top, TopParameters};
+
+#[cfg(target_arch = "arm")]
+use cortex_m as _; // critical section
+#[cfg(target_arch = "arm")]
+use cortex_m_rt::entry;
+#[cfg(target_arch = "riscv32")]
+use riscv as _; // critical section
+#[cfg(target_arch = "riscv32")]
+use riscv_rt::entry;
+
+#[entry]
+fn main() -> ! {
+    let top = Top::sliding(&TopParameters {
+        transverse_inertia: 3.0e-5,
+        axial_inertia: 2.0e-5,
+        com_height: 0.03,
+        mass: 0.05,
+        gravity: 9.81,
+        ..TopParameters::default()
+    })
+    .expect("a possible top");
+    let sensors: [&dyn Sensor<f32>; 3] = [&imu::GYROSCOPE, &imu::ACCELEROMETER, &imu::MAGNETOMETER];
+    let mut fit = Fit::new(&top, &sensors, &[]).expect("three sensors");
+    let mut meter = measure::Meter::new();
+    meter.measure("bench_fit", size_of_val(&fit), 1, |_| {
+        assert!(bench_fit(black_box(&mut fit)), "the fit converges");
+    });
+    process::exit(0)
+}
+
+#[inline(never)]
+#[unsafe(no_mangle)]
+extern "C" fn bench_fit(fit: &mut Fit<'_, f32>) -> bool {
+    fit.run(imu::measurements()).is_ok_and(|fitted| fitted.converged())
+}

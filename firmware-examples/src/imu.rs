@@ -1,0 +1,63 @@
+//! A recording of three sensors on a top, and what their data sheets say. One of your own replaces it.
+
+#[path = "tables/imu.rs"]
+mod table;
+
+use toytop::fit::{Accelerometer, Gyroscope, Magnetometer, Measurement, Mounting, Noise};
+use toytop::{Complex, Orientation};
+
+/// Samples a second.
+pub const SAMPLE_RATE: u32 = 1000;
+/// Range of the gyroscope, rad/s: 2000 degrees per second.
+const GYROSCOPE_RANGE: f64 = 34.906_585_039_886_59;
+/// Range of the accelerometer, m/s^2: 16 g.
+const ACCELEROMETER_RANGE: f64 = 157.0;
+/// Unit of the magnetometer, microtesla.
+const MAGNETIC_UNIT: f64 = 0.15;
+/// Magnetometer readings are one in so many samples.
+const EVERY: usize = 10;
+/// At the centre of mass, along the axes of the body.
+const MOUNTING: Mounting = Mounting {
+    rotation: Orientation { alpha: Complex { re: 1.0, im: 0.0 }, beta: Complex { re: 0.0, im: 0.0 } },
+    place: [0.0; 3],
+};
+
+pub const GYROSCOPE: Gyroscope = Gyroscope {
+    noise: Noise { deviation: 0.002, bias: 0.0175 },
+    mounting: MOUNTING,
+    range: 0.999 * GYROSCOPE_RANGE,
+};
+pub const ACCELEROMETER: Accelerometer = Accelerometer {
+    noise: Noise { deviation: 0.022, bias: 0.2 },
+    mounting: MOUNTING,
+    range: 0.999 * ACCELEROMETER_RANGE,
+};
+pub const MAGNETOMETER: Magnetometer = Magnetometer {
+    noise: Noise { deviation: 0.6, bias: 0.0 },
+    mounting: MOUNTING,
+    field: [20.0, 0.0, -43.0],
+};
+
+/// Measurements of the gyroscope (0), the accelerometer (1) and the magnetometer (2), in SI units and microtesla.
+pub fn measurements() -> impl Iterator<Item = Measurement> + Clone {
+    table::INERTIAL.iter().enumerate().flat_map(|(n, registers)| {
+        let time = n as f64 / f64::from(SAMPLE_RATE);
+        let three = |registers: &[i16], unit: f64| {
+            let mut values = [0.0; 4];
+            for (value, register) in values.iter_mut().zip(registers) {
+                *value = f64::from(*register) * unit;
+            }
+            values
+        };
+        let (gyroscope, accelerometer) = registers.split_at(3);
+        let magnetic = table::MAGNETIC.get(n / EVERY).filter(|_| n % EVERY == 0);
+        [
+            Some((0, three(gyroscope, GYROSCOPE_RANGE / 32768.0))),
+            Some((1, three(accelerometer, ACCELEROMETER_RANGE / 32768.0))),
+            magnetic.map(|registers| (2, three(registers, MAGNETIC_UNIT))),
+        ]
+        .into_iter()
+        .flatten()
+        .map(move |(sensor, values)| Measurement { time, sensor, values })
+    })
+}
