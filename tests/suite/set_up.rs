@@ -98,6 +98,23 @@ fn a_launch_takes_a_slice_for_each_node() {
     assert!(motion.unwrap().period_advance().is_some() && slices < 8, "{slices} slices without a torque");
 }
 
+/// The most slender top that is accepted, A/(ps) = 1e-6, through the lower vertical and close to the upper one.
+#[test]
+fn a_launch_has_at_most_65_537_nodes() {
+    let slender = Top::sliding(&TopParameters {
+        transverse_inertia: 1.01e-6,
+        axial_inertia: 1e-6,
+        com_height: 1.0,
+        mass: 1.0,
+        gravity: 1.0,
+        ..TopParameters::default()
+    });
+    let (motion, slices) =
+        launched(&slender.unwrap(), &Release { tilt: 1e-3, spin: 1e-3, ..Release::default() });
+    assert!(motion.unwrap().period_advance().is_some());
+    assert!((4000..=65_544).contains(&slices), "{slices} slices");
+}
+
 #[test]
 fn a_launch_that_is_refused_ends_at_its_branch_points() {
     let top = Top::sliding(&TopParameters {
