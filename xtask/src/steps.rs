@@ -1,7 +1,9 @@
-//! `cargo xtask test`: the steps, in the order in which a failure is cheapest.
+//! `cargo xtask test`: the steps, in the order in which a failure is cheapest. Those of the chips, which wait for an emulator on one
+//! core, run beside those of the host.
 
-use std::io::{Write, stdout};
 use std::process::{Command, ExitCode};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
 use std::time::Instant;
 
 use anyhow::{Result, bail};
@@ -17,13 +19,53 @@ struct Step {
     /// Things that it needs besides cargo.
     needs: &'static [Need],
     /// Returns a remark.
-    run: Box<dyn Fn() -> Result<String>>,
+    run: Box<dyn Fn() -> Result<String> + Send>,
 }
 
 impl Step {
-    fn new(name: &'static str, needs: &'static [Need], run: impl Fn() -> Result<String> + 'static) -> Self {
+    fn new(
+        name: &'static str,
+        needs: &'static [Need],
+        run: impl Fn() -> Result<String> + Send + 'static,
+    ) -> Self {
         Self { name, needs, run: Box::new(run) }
     }
+
+    fn is_of_chips(&self) -> bool {
+        self.needs.iter().any(|need| need.name == COMPILER.name)
+    }
+
+    /// Runs the step if what it needs is there, and prints its result.
+    fn result(&self, provided: &Result<()>) -> Outcome {
+        let Self { name, run, .. } = self;
+        let begin = Instant::now();
+        let seconds = || begin.elapsed().as_secs_f64();
+        match provided.as_ref().map(|()| run()) {
+            Ok(Ok(remark)) => {
+                println!("{name:10} ok       {:6.1} s   {remark}", seconds());
+                Outcome::Passed
+            }
+            Ok(Err(error)) => {
+                println!("{name:10} FAILED   {:6.1} s\n{error:#}\n", seconds());
+                Outcome::Failed
+            }
+            Err(missing) if in_ci() => {
+                println!("{name:10} FAILED   {missing:#}");
+                Outcome::Failed
+            }
+            Err(missing) => {
+                println!("{name:10} SKIPPED  {missing:#}");
+                Outcome::Skipped
+            }
+        }
+    }
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Outcome {
+    Passed,
+    Failed,
+    Skipped,
 }
 
 fn steps() -> Vec<Step> {
@@ -70,31 +112,29 @@ pub(crate) fn test(only: Option<&str>) -> Result<ExitCode> {
         println!("missing: {}; `cargo xtask setup` brings it, as is tried now", missing.join(", "));
     }
     let start = Instant::now();
-    let (mut failed, mut skipped) = (Vec::new(), Vec::new());
-    for Step { name, needs, run } in &steps {
-        let provided = needs.iter().try_for_each(Need::provide);
-        print!("{name:10} ");
-        stdout().flush()?;
-        let begin = Instant::now();
-        match provided.map(|()| run()) {
-            Ok(Ok(remark)) => println!("ok       {:6.1} s   {remark}", begin.elapsed().as_secs_f64()),
-            Ok(Err(error)) => {
-                println!("FAILED   {:6.1} s\n{error:#}\n", begin.elapsed().as_secs_f64());
-                failed.push(*name);
-            }
-            Err(missing) if in_ci() => {
-                println!("FAILED   {missing:#}");
-                failed.push(*name);
-            }
-            Err(missing) => {
-                println!("SKIPPED  {missing:#}");
-                skipped.push(*name);
-            }
+    // one after the other, because two installations would wait for each other's lock
+    let count = steps.len();
+    let provided = steps.into_iter().map(|step| (step.needs.iter().try_for_each(Need::provide), step));
+    let (chips, host): (Vec<_>, Vec<_>) = provided.partition(|(_, step)| step.is_of_chips());
+    let outcomes = Mutex::new(Vec::new());
+    let run_all = |steps: Vec<(Result<()>, Step)>| {
+        for (provided, step) in steps {
+            let outcome = step.result(&provided);
+            outcomes.lock().unwrap_or_else(PoisonError::into_inner).push((step.name, outcome));
         }
-    }
+    };
+    thread::scope(|scope| {
+        scope.spawn(|| run_all(chips));
+        run_all(host);
+    });
 
-    let passed = steps.len() - failed.len() - skipped.len();
-    print!("\n{passed} of {} steps passed in {:.0} s", steps.len(), start.elapsed().as_secs_f64());
+    let outcomes = outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let names = |of: Outcome| -> Vec<&str> {
+        outcomes.iter().filter(|(_, outcome)| *outcome == of).map(|(name, _)| *name).collect()
+    };
+    let (passed, failed, skipped) =
+        (names(Outcome::Passed).len(), names(Outcome::Failed), names(Outcome::Skipped));
+    print!("\n{passed} of {} steps passed in {:.0} s", count, start.elapsed().as_secs_f64());
     for (what, names) in [("failed", &failed), ("skipped", &skipped)] {
         if !names.is_empty() {
             print!("; {what}: {}", names.join(" "));
