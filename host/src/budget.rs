@@ -21,4 +21,4 @@ pub use image::Image;
 pub use limits::Limits;
 pub use meter::{Cost, measure};
 pub use model::Model;
-pub use readme::{with_front_table, with_table};
+pub use readme::{with_corpus, with_front_table, with_table};

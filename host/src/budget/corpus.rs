@@ -10,12 +10,12 @@ use std::path::Path;
 /// Costs of all launches of one scalar with one result on one chip.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CorpusCost {
-    chip: &'static str,
-    scalar: String,
+    pub(super) chip: &'static str,
+    pub(super) scalar: String,
     /// Result of the launches, `ready` or `refused`.
-    result: String,
+    pub(super) result: String,
     /// Instructions of each launch, motion and table together, in ascending order.
-    launches: Vec<u64>,
+    pub(super) launches: Vec<u64>,
     /// Instructions of the longest slice of the launch or of the table's set-up.
     slice: u64,
     /// Modelled cycles of an instruction, as in the call `launch`; `None` where the chip has no model.
@@ -72,11 +72,22 @@ impl CorpusCost {
         self.cycles_per_instruction.map(|cycles| (cycles * instructions as f64).round() as u64)
     }
 
+    /// Median and greatest number of instructions of a launch.
+    fn median_and_greatest(&self) -> [u64; 2] {
+        let median = self.launches.get(self.launches.len() / 2).copied().unwrap_or_default();
+        [median, self.launches.last().copied().unwrap_or_default()]
+    }
+
+    /// Modelled cycles of the median and of the greatest launch, and of the longest slice; `None` without a model of the chip.
+    pub(super) fn modelled_cycles(&self) -> [Option<u64>; 3] {
+        let [median, greatest] = self.median_and_greatest();
+        [median, greatest, self.slice].map(|instructions| self.cycles(instructions))
+    }
+
     /// Median and greatest, as a row of output.
     #[must_use]
     pub fn record(&self) -> Record {
-        let median = self.launches.get(self.launches.len() / 2).copied().unwrap_or_default();
-        let greatest = self.launches.last().copied().unwrap_or_default();
+        let ([median, greatest], cycles) = (self.median_and_greatest(), self.modelled_cycles());
         let cell = |cycles: Option<u64>| cycles.map_or(Cell::Absent, Cell::Count);
         Record(vec![
             ("chip", Cell::Text(self.chip.to_owned())),
@@ -85,9 +96,9 @@ impl CorpusCost {
             ("launches", Cell::Count(self.launches.len() as u64)),
             ("median_instructions", Cell::Count(median)),
             ("greatest_instructions", Cell::Count(greatest)),
-            ("median_cycles_model", cell(self.cycles(median))),
-            ("greatest_cycles_model", cell(self.cycles(greatest))),
-            ("slice_cycles_model", cell(self.cycles(self.slice))),
+            ("median_cycles_model", cell(cycles[0])),
+            ("greatest_cycles_model", cell(cycles[1])),
+            ("slice_cycles_model", cell(cycles[2])),
         ])
     }
 }

@@ -1,6 +1,6 @@
 //! Tables of costs in pages, written from the limits, so that a test checks every figure of a page.
 
-use super::{Cost, Limits};
+use super::{CorpusCost, Cost, Limits};
 
 const BEGIN: &str = "<!-- budget: written by `toytop budget --accept` -->\n";
 const END: &str = "<!-- budget: end -->";
@@ -59,6 +59,30 @@ pub fn with_front_table(page: &str, limits: &Limits) -> Option<String> {
         text += &format!("| {what} | {cycles} | {ram} | {flash} |\n");
     }
     Some(format!("{before}{FRONT_BEGIN}{text}{FRONT_END}{after}"))
+}
+
+const CORPUS_BEGIN: &str = "<!-- budget: corpus, written by `toytop budget --corpus --accept` -->\n";
+const CORPUS_END: &str = "<!-- budget: end of corpus -->";
+
+/// Page with the table of the 200 launches; `None` if the page has no markers for it.
+#[must_use]
+pub fn with_corpus(page: &str, costs: &[CorpusCost]) -> Option<String> {
+    let (before, rest) = page.split_once(CORPUS_BEGIN)?;
+    let (_, after) = rest.split_once(CORPUS_END)?;
+    let mut text = "\
+        | chip | scalar | result | launches | median cycles | greatest cycles | cycles of the longest slice |\n\
+        |---|---|---|--:|--:|--:|--:|\n"
+        .to_owned();
+    for cost in costs {
+        let [median, greatest, slice] =
+            cost.modelled_cycles().map(|cycles| cycles.map_or("-".to_owned(), grouped));
+        let CorpusCost { chip, scalar, result, launches, .. } = cost;
+        text += &format!(
+            "| {chip} | {scalar} | {result} | {} | {median} | {greatest} | {slice} |\n",
+            launches.len()
+        );
+    }
+    Some(format!("{before}{CORPUS_BEGIN}{text}{CORPUS_END}{after}"))
 }
 
 /// Page with the table of the limits; `None` if the page has no markers for it.

@@ -61,8 +61,9 @@ pub struct BudgetArgs {
     /// Measure all chips, and rewrite these files
     #[arg(long, conflicts_with = "chip")]
     pub accept: bool,
-    /// Measure the set-up of 200 different launches: median and greatest cost on each chip with a model of its cycles
-    #[arg(long, conflicts_with_all = ["elf", "check", "accept"])]
+    /// Measure the set-up of 200 different launches: median and greatest cost on each chip; with --accept, on those with a model
+    /// of their cycles, for the table in host/docs/costs.md
+    #[arg(long, conflicts_with_all = ["elf", "check"])]
     pub corpus: bool,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]

@@ -2,7 +2,9 @@
 
 use super::Report;
 use crate::Failure;
-use crate::budget::{CHIPS, Chip, CorpusCost, Cost, Limits, corpus, measure, with_front_table, with_table};
+use crate::budget::{
+    CHIPS, Chip, CorpusCost, Cost, Limits, corpus, measure, with_corpus, with_front_table, with_table,
+};
 use crate::cli::{BudgetArgs, Format};
 use crate::output::progress::Progress;
 use crate::output::whole_file;
@@ -56,8 +58,9 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Chip>, Failure> {
 }
 
 const LIMITS: &str = "firmware-examples/budgets.toml";
+const COSTS: &str = "host/docs/costs.md";
 /// Pages with a table of costs, each with the function that writes the table.
-const PAGES: [(&str, WithTable); 2] = [("host/docs/costs.md", with_table), ("README.md", with_front_table)];
+const PAGES: [(&str, WithTable); 2] = [(COSTS, with_table), ("README.md", with_front_table)];
 
 /// Function that puts the table of the limits into a page; `None` if the page has no markers for it.
 type WithTable = fn(&str, &Limits) -> Option<String>;
@@ -78,20 +81,31 @@ fn repository() -> Result<PathBuf, Failure> {
 fn launches(arguments: &BudgetArgs, root: &Path, chips: &[&'static Chip]) -> Result<Report, Failure> {
     let limits = Limits::parse(&text_of(&root.join(LIMITS))?)?;
     let mut progress = Progress::new(chips.len() as u64, "chips");
-    let mut records = Vec::new();
+    let mut costs = Vec::new();
     for chip in chips {
-        let costs = corpus(chip, &build(root, chip, "corpus")?, &limits)?;
-        records.extend(costs.iter().map(CorpusCost::record));
+        if !arguments.accept || limits.of(chip.name, "launch").is_some_and(|cost| cost.cycles.is_some()) {
+            costs.extend(corpus(chip, &build(root, chip, "corpus")?, &limits)?);
+        }
         progress.add(1);
     }
     drop(progress);
+    if arguments.accept {
+        let no_place = || Failure::Input(format!("{COSTS}: must contain the markers of the corpus"));
+        let page = with_corpus(&text_of(&root.join(COSTS))?, &costs).ok_or_else(no_place)?;
+        whole_file::write("--accept", &root.join(COSTS), page.as_bytes())?;
+        return Ok(Report {
+            text: format!("written: the table of launches in {COSTS}\n"),
+            ..Report::default()
+        });
+    }
+    let records: Vec<_> = costs.iter().map(CorpusCost::record).collect();
     let text = match arguments.format {
         Format::Csv => output::csv(&records).map_err(Failure::Output)?,
         Format::Json => output::json_list("rows", &records).map_err(Failure::Output)?,
         Format::Table => format!(
             "{}\nMotion and table of 200 launches: tilt 0 to 180 degrees, spin 0 to 1000 rad/s, A/(ps) 0.01 to 1000, both \
              supports, corners; at most 64 segments. Instructions are exact to 40; cycles are those of bench_launch in \
-             proportion (model). A slice is one poll of SetUp.\n",
+             proportion (model). A slice is one poll of Launch or SetUp.\n",
             corpus_table(&records)
         ),
     };
