@@ -45,7 +45,7 @@ fn apart<A: EphemerisScalar + Into<f64>, B: EphemerisScalar + Into<f64>>(
     worst([distance / bound, change / rate_bound])
 }
 
-/// Both tables keep their bounds, and the bound of the changed one is not far above that of the other.
+/// Both tables keep their bounds, and the bound of the changed table is not far above that of the other.
 fn new_ticks_agree<R: EphemerisScalar + Into<f64>>() {
     for name in NAMES {
         let errors = [(700, 3), (1, 1), (16_000, 1)].map(|(hertz, seconds)| {
@@ -66,7 +66,7 @@ fn new_ticks_agree<R: EphemerisScalar + Into<f64>>() {
                 "{name}"
             );
             assert!((rate.per_tick / bound.per_tick / rate_due.per_tick * due.per_tick - 1.0).abs() < 1e-9);
-            // times are those of before, and the tip angle counts its turns as before
+            // times do not change, and the tip angle counts its turns as before
             for t in [0.0, 0.37, -211.3, 1.0e4] {
                 let (a, b) = (changed.at(t), original.at(t));
                 let distance = widened(a.orientation()).distance(&widened(b.orientation()));
@@ -87,8 +87,8 @@ fn a_table_with_new_ticks_is_as_one_that_was_set_up_with_them() {
     new_ticks_agree::<fixed::types::I2F30>();
 }
 
-/// The bound holds where the rounding of the increments is all that differs, and is not so wide that it would hide a
-/// wrong increment: eight ticks of before are one of now.
+/// The bound holds where only the rounding of the increments differs, and is tight enough to detect a
+/// wrong increment: eight old ticks are one new tick.
 #[test]
 fn the_bound_far_away_is_near_the_error() {
     let errors = NAMES.map(|name| {
@@ -104,7 +104,7 @@ fn the_bound_far_away_is_near_the_error() {
     tolerance::OF_THE_BOUND.check("after a change of the tick", worst(errors));
 }
 
-/// A delay by ticks and parts of a tick: the same instants under other numbers.
+/// After a delay by ticks and parts of a tick, the same instants have other tick numbers.
 fn delays_agree<R: EphemerisScalar + Into<f64>>() {
     for name in NAMES {
         let original = table::<R>(name, tick(16, 1));
@@ -116,7 +116,7 @@ fn delays_agree<R: EphemerisScalar + Into<f64>>() {
                 (after.constant - before.constant, before.after(delay) - before.constant);
             assert!(after.per_tick == before.per_tick && constant >= of_ticks);
             assert!(constant <= of_ticks + 1e-3 * before.constant, "{name}, {delay}: {constant:e}");
-            // a unit of a phase may carry into the bits that are used
+            // a difference of one unit of a phase may carry into the bits that are used
             let rounding = before.constant;
             let growth = changed.rate_error_bound().constant - original.rate_error_bound().constant;
             let factor = original.rate_error_bound().per_tick / before.per_tick;
@@ -171,7 +171,7 @@ fn a_delay_that_is_no_number_changes_nothing_but_a_rounding() {
     }
 }
 
-/// An aperiodic motion rises once, wherever the clock puts it: against its closed form.
+/// An aperiodic motion agrees with its closed form for any position of the rise on the clock.
 #[test]
 fn a_rise_is_moved_with_its_ticks() {
     let motion: Motion = vectors::named("aperiodic_AneC").motion().unwrap();
@@ -193,7 +193,7 @@ fn a_rise_is_moved_with_its_ticks() {
         for far in [centre - 100_000, centre + 100_000] {
             assert!(changed.at_tick(far).u() > 1.0 - 1e-14);
         }
-        // the cursor stops and starts where the ticks do
+        // the phases of the cursor stop and start at the same ticks
         let mut cursor = changed.cursor(centre - 400);
         for n in -400..400 {
             assert_eq!(cursor.next(&changed).orientation(), changed.at_tick(centre + n).orientation());
@@ -201,7 +201,7 @@ fn a_rise_is_moved_with_its_ticks() {
     }
 }
 
-/// Two tables go round between two threads: one samples every tick, as an interrupt does, and the other sets up.
+/// Two threads exchange two tables: one samples every tick, as an interrupt does, and the other sets tables up.
 #[test]
 fn tables_are_handed_over_while_they_are_sampled() {
     const EXCHANGES: i64 = 5;
