@@ -1,4 +1,4 @@
-//! Hands the linker the chip's memory map: `MEMORY_X`, if set, or the one of the machine that QEMU emulates.
+//! Passes the chip's memory map to the linker: `MEMORY_X`, if it is set, or that of the machine that QEMU emulates.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -13,7 +13,7 @@ fn main() {
         _ => return, // the host
     };
     println!("cargo:rerun-if-env-changed=MEMORY_X");
-    // beside this script; a package in a folder of its own uses it, too
+    // the memory maps are beside this script; packages in folders of their own use them too
     let here = if Path::new("memory").is_dir() { Path::new(".") } else { Path::new("..") };
     let memory =
         here.join(env::var_os("MEMORY_X").map_or_else(|| Path::new("memory").join(machine), PathBuf::from));

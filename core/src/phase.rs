@@ -24,7 +24,7 @@ pub(crate) const FRACTION_BITS: i32 = 96;
 
 impl Phase {
     /// Smallest difference of two phases, in turns.
-    pub const RESOLUTION: f64 = 1.0 / (1_u128 << FRACTION_BITS) as f64;
+    pub(crate) const RESOLUTION: f64 = 1.0 / (1_u128 << FRACTION_BITS) as f64;
     /// Zero phase.
     pub const ZERO: Self = Self(0);
     /// Quarter of a turn, π/2 rad.

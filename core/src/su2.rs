@@ -7,9 +7,12 @@
 //!
 //! Φ and -Φ are the same rotation. Every function of this crate returns the sign that makes Φ continuous in time.
 
+mod rate;
+
 use crate::complex::Complex;
 use crate::phase::Phase;
 use crate::scalar::{Float, Real, Ring};
+pub use rate::OrientationRate;
 
 /// Vector of R³, identified with an element of su(2).
 pub type Vector<R> = [R; 3];
@@ -257,69 +260,6 @@ fn small_half_angle<R: Real>(square: R) -> (R, R) {
     };
     let (sine, cosine) = (series([72.0, 42.0, 20.0, 6.0]), series([56.0, 30.0, 12.0, 2.0]));
     (sine * R::from_f64(0.5), cosine)
-}
-
-/// Rate of change Φ' of an orientation. Φ and Φ' together determine every quantity of one instant by products only.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct OrientationRate<R> {
-    /// Rate α', per unit time.
-    pub alpha: Complex<R>,
-    /// Rate β', per unit time.
-    pub beta: Complex<R>,
-}
-
-impl<R: Ring> OrientationRate<R> {
-    /// Rate Φ' = ω Φ, with ω in the fixed frame.
-    #[must_use]
-    pub fn from_fixed(phi: &Orientation<R>, omega: Vector<R>) -> Self
-    where
-        R: Float,
-    {
-        let [w1, w2, w3] = omega.map(Float::halved);
-        let (diagonal, upper) = (Complex::new(R::ZERO, w3), Complex::new(-w2, w1));
-        Self {
-            alpha: diagonal * phi.alpha + upper * phi.gamma(),
-            beta: diagonal * phi.beta + upper * phi.delta(),
-        }
-    }
-
-    /// Rate Φ' = Φ Ω, with Ω in the body frame.
-    #[must_use]
-    pub fn from_body(phi: &Orientation<R>, omega: Vector<R>) -> Self
-    where
-        R: Float,
-    {
-        let [x1, x2, x3] = omega.map(Float::halved);
-        let (diagonal, transverse) = (Complex::new(R::ZERO, x3), Complex::new(x1, x2));
-        Self {
-            alpha: phi.alpha * diagonal + (phi.beta * transverse.conj()).times_i(),
-            beta: (phi.alpha * transverse).times_i() - phi.beta * diagonal,
-        }
-    }
-
-    /// Angular velocity ω = Φ' Φ⁻¹ in the fixed frame: equation (2.2) of the paper, erratum 1 corrected.
-    #[must_use]
-    pub fn omega_fixed(&self, phi: &Orientation<R>) -> Vector<R> {
-        let diagonal = self.alpha * phi.delta() - self.beta * phi.gamma();
-        let upper = self.beta * phi.alpha - self.alpha * phi.beta;
-        [upper.im.doubled(), -upper.re.doubled(), diagonal.im.doubled()]
-    }
-
-    /// Angular velocity Ω = Φ⁻¹ Φ' in the body frame: equation (2.3) of the paper, erratum 2 corrected.
-    #[must_use]
-    pub fn omega_body(&self, phi: &Orientation<R>) -> Vector<R> {
-        let (gamma, delta) = (-self.beta.conj(), self.alpha.conj());
-        let diagonal = phi.delta() * self.alpha - phi.beta * gamma;
-        let upper = phi.delta() * self.beta - phi.beta * delta;
-        [upper.im.doubled(), -upper.re.doubled(), diagonal.im.doubled()]
-    }
-
-    /// Rate of the cosine of the tilt, u' = d(|α|² - |β|²)/dt.
-    #[must_use]
-    pub fn udot(&self, phi: &Orientation<R>) -> R {
-        ((phi.alpha.conj() * self.alpha).re - (phi.beta.conj() * self.beta).re).doubled()
-    }
 }
 
 /// Stereographic projection from the north pole, z = (ξ + iη)/(1 - ζ); `None` is the point at infinity.

@@ -1,4 +1,4 @@
-//! As the build script one folder up, without the log. The program is linked, never run: any memory map will do.
+//! Build script like that of the parent folder, without the log. The program is linked and not run, so any memory map is sufficient.
 
 use std::path::PathBuf;
 use std::{env, fs};

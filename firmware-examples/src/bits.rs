@@ -1,4 +1,4 @@
-//! One hash for every stage of core, over several motions: equal hashes mean equal results, to the last bit.
+//! Hash of the results of every stage of core, over several motions. Equal hashes mean equal results, to the last bit.
 //!
 //! Core uses neither `std` maths nor a fused multiply-add, so a chip, with or without a floating-point unit, must give
 //! what the host gives.
@@ -14,10 +14,10 @@ use toytop::{
 /// Steps of each motion.
 const TICKS: usize = 2000;
 
-/// Calls `report` with the name of a motion, the name of a stage, and the hash of all that the stage says.
+/// Calls `report` with the name of a motion, the name of a stage, and the hash of the results of the stage.
 ///
 /// # Errors
-/// None: the motions are possible.
+/// None: the motions are valid.
 pub fn of_every_stage(mut report: impl FnMut(&str, &str, u64)) -> Result<(), ParameterError> {
     // one motion at a time, because the stack of the smallest chip is short
     let motions: [(_, fn() -> _, _); 3] = [
@@ -57,7 +57,7 @@ pub fn of_every_stage(mut report: impl FnMut(&str, &str, u64)) -> Result<(), Par
     Ok(())
 }
 
-/// A real toy top in SI units, thrown from all six numbers of a release.
+/// Motion of a toy top in SI units, with all six numbers of a release.
 fn toy_top() -> Result<Motion, ParameterError> {
     let top = Top::sliding(&TopParameters {
         transverse_inertia: 3.0e-5,
@@ -72,7 +72,7 @@ fn toy_top() -> Result<Motion, ParameterError> {
     Motion::launch(&top, &State::release(&release)?)
 }
 
-/// e₃ - e₂ = 1e-3, falling, loops, C > A; from branch points, in the paper's units.
+/// Motion with e₃ - e₂ = 1e-3, falling, with loops, C > A; from branch points, in the paper's units.
 fn near_separatrix() -> Result<Motion, ParameterError> {
     let top = Top::sliding(&TopParameters {
         transverse_inertia: 1.0,
@@ -87,7 +87,7 @@ fn near_separatrix() -> Result<Motion, ParameterError> {
     Motion::from_branch_points(&top, [-0.5, 0.9995, 1.0005], signs, &start)
 }
 
-/// A tip that is held, and an axis that passes just by the vertical; from α, β and ω.
+/// Motion with a held tip, whose axis passes the vertical at a small distance; from α, β and ω.
 fn lagrange() -> Result<Motion, ParameterError> {
     let top = Top::fixed(&TopParameters {
         transverse_inertia: 1.0,
@@ -100,7 +100,7 @@ fn lagrange() -> Result<Motion, ParameterError> {
     Motion::launch(&top, &State::new(phi, [0.1, -1.3, 0.9])?)
 }
 
-/// Φ, tip and ω of every tick; dt changes from one to the next, in sign too.
+/// Hashes of Φ, tip and ω at every step; dt changes from step to step, also in sign.
 fn ticks<R: Real + Into<f64>>(motion: &Motion, dt: f64) -> [Hash; 3] {
     let mut stepper = Stepper::<R>::new(motion);
     let mut hashes = [Hash::default(); 3];
@@ -120,8 +120,8 @@ fn ticks<R: Real + Into<f64>>(motion: &Motion, dt: f64) -> [Hash; 3] {
     hashes
 }
 
-/// Orientation, tip and ω of samples at ticks far apart, and orientation and tip at consecutive ticks. The tables are small enough for 16 KiB of RAM,
-/// whether or not the motion would need more segments.
+/// Hashes of orientation, tip and ω of samples at distant ticks, and of orientation and tip at consecutive ticks. The tables are small enough
+/// for 16 KiB of RAM, even if the motion needs more segments.
 #[inline(never)] // one table at a time, too
 fn table<R: EphemerisScalar<Wide: Into<f64>> + Into<f64>, const SEGMENTS: usize>(
     motion: &Motion,
@@ -144,7 +144,7 @@ fn table<R: EphemerisScalar<Wide: Into<f64>> + Into<f64>, const SEGMENTS: usize>
     hashes
 }
 
-/// FNV-1a, 64 bits.
+/// Hash FNV-1a of 64 bits.
 #[derive(Clone, Copy)]
 struct Hash(u64);
 

@@ -1,6 +1,6 @@
-//! The ground under every program: start-up code, the transport of the `defmt` log, and a way out.
+//! Basis of every program: start-up code, the transport of the `defmt` log, and the end of the program.
 //!
-//! Whatever goes wrong ends the program with an exit code that is not 0, never in a silent loop: a panic with 101 (the
+//! Every error ends the program with an exit code that is not 0, never in an endless loop: a panic with 101 (the
 //! panic handler of `semihosting`, which prints the message), a fault with 102.
 
 #[cfg(target_arch = "arm")]
@@ -18,13 +18,14 @@ pub use cortex_m_rt::entry;
 #[cfg(target_arch = "riscv32")]
 pub use riscv_rt::entry;
 
-/// Ends the program, successfully.
+/// Ends the program with success.
 pub fn exit() -> ! {
     defmt::flush();
     process::exit(0)
 }
 
-/// Starts SysTick: an interrupt `rate` times a second, by a processor of `clock` Hz. `bin/spin.rs` shows it in place.
+/// Starts SysTick, an interrupt with the frequency `rate`, Hz, of a processor with the clock `clock`, Hz. `bin/spin.rs` shows the code
+/// without this function.
 #[cfg(target_arch = "arm")]
 pub fn start_systick(clock: u32, rate: u32) {
     let mut systick = cortex_m::Peripherals::take().expect("taken once").SYST;

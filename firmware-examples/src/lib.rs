@@ -1,4 +1,4 @@
-//! What the programs in `bin/` share.
+//! Code that the programs in `bin/` share.
 //!
 //! * on a chip: the entry point, log transport and panic handler of the target ([`entry`], [`exit`]);
 //! * anywhere: [`toy_top`], a motion, and [`TOY_TOP`], its table; [`bits`], the hashes that a chip and the host must agree on.

@@ -1,4 +1,4 @@
-//! The top that most programs spin. How to launch one is shown in `bin/spin.rs` and `bin/launch.rs`.
+//! Top of most programs. `bin/spin.rs` and `bin/launch.rs` show how to launch one.
 
 use toytop::{Motion, ParameterError, Release, State, Top, TopParameters};
 

@@ -5,7 +5,7 @@ use toytop::{Baked, BakedError, Ephemeris, Tick};
 use toytop_tests::vectors;
 
 #[test]
-fn there_and_back_to_the_bit() {
+fn conversion_there_and_back_keeps_every_bit() {
     let (mut fitting, mut fitting_fixed, mut aperiodic) = (0, 0, 0);
     for vector in vectors::all() {
         let (name, motion) = (&vector.name, vector.motion().unwrap());
@@ -100,7 +100,7 @@ fn a_bit_flipped_anywhere_is_refused() {
 }
 
 #[test]
-fn what_is_wrong_is_said() {
+fn errors_state_the_reason() {
     let checksum = BakedError::Checksum { stated: 0xab, computed: 0x1234_5678 };
     assert_eq!(checksum.to_string(), "crc32: must be 0x12345678, not 0x000000ab: the data were changed");
     assert_eq!(BakedError::Format { found: 7 }.to_string(), "format: must be 4, not 7");

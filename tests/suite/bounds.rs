@@ -11,7 +11,7 @@ fn of_an_ephemeris<R: EphemerisScalar, const SEGMENTS: usize>() -> ErrorBound {
 }
 
 #[test]
-fn as_they_were_found() {
+fn bounds_have_their_stated_values() {
     let found = [
         ("f64", of_an_ephemeris::<f64, 48>(), [3.188e-15, 8.059e-29]),
         ("f64, 256 segments", of_an_ephemeris::<f64, 256>(), [3.188e-15, 8.059e-29]),

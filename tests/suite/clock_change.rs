@@ -77,7 +77,7 @@ fn new_ticks_agree<R: EphemerisScalar + Into<f64>>() {
                 (0.9 * rate_due.per_tick..most).contains(&rate.per_tick),
                 "{name}: {rate:?} {rate_due:?}"
             );
-            // times are those of before, and the tip angle counts its turns as before
+            // times do not change, and the tip angle counts its turns as before
             for t in [0.0, 0.37, -211.3, 1.0e4] {
                 let (a, b) = (changed.at(t), original.at(t));
                 let distance = widened(a.orientation()).distance(&widened(b.orientation()));
@@ -98,8 +98,8 @@ fn a_table_with_new_ticks_is_as_one_that_was_set_up_with_them() {
     new_ticks_agree::<fixed::types::I2F30>();
 }
 
-/// The bound holds where the rounding of the increments is all that differs, and is not so wide that it would hide a
-/// wrong increment: eight ticks of before are one of now.
+/// The bound holds where only the rounding of the increments differs, and is tight enough to detect a
+/// wrong increment: eight old ticks are one new tick.
 #[test]
 fn the_bound_far_away_is_near_the_error() {
     let errors = NAMES.map(|name| {
@@ -115,7 +115,7 @@ fn the_bound_far_away_is_near_the_error() {
     tolerance::OF_THE_BOUND.check("after a change of the tick", worst(errors));
 }
 
-/// A delay by ticks and parts of a tick: the same instants under other numbers.
+/// After a delay by ticks and parts of a tick, the same instants have other tick numbers.
 fn delays_agree<R: EphemerisScalar + Into<f64>>() {
     for name in NAMES {
         let original = table::<R>(name, tick(16, 1));
@@ -127,7 +127,7 @@ fn delays_agree<R: EphemerisScalar + Into<f64>>() {
                 (after.constant - before.constant, before.after(delay) - before.constant);
             assert!(after.per_tick == before.per_tick && constant >= of_ticks);
             assert!(constant <= of_ticks + 1e-3 * before.constant, "{name}, {delay}: {constant:e}");
-            // a unit of a phase may carry into the bits that are used
+            // a difference of one unit of a phase may carry into the bits that are used
             let rounding = before.constant;
             let [rate, rate_now] = [original.rate_error_bound(), changed.rate_error_bound()];
             assert!(rate_now.per_tick == rate.per_tick && rate_now.constant >= rate.after(delay));
@@ -182,7 +182,7 @@ fn a_delay_that_is_no_number_changes_nothing_but_a_rounding() {
     }
 }
 
-/// An aperiodic motion rises once, wherever the clock puts it: against its closed form.
+/// An aperiodic motion agrees with its closed form for any position of the rise on the clock.
 #[test]
 fn a_rise_is_moved_with_its_ticks() {
     let motion: Motion = vectors::named("aperiodic_AneC").motion().unwrap();
@@ -204,7 +204,7 @@ fn a_rise_is_moved_with_its_ticks() {
         for far in [centre - 100_000, centre + 100_000] {
             assert!(changed.at_tick(far).u() > 1.0 - 1e-14);
         }
-        // the cursor stops and starts where the ticks do
+        // the phases of the cursor stop and start at the same ticks
         let mut cursor = changed.cursor(centre - 400);
         for n in -400..400 {
             assert_eq!(cursor.next(&changed).orientation(), changed.at_tick(centre + n).orientation());
@@ -212,7 +212,7 @@ fn a_rise_is_moved_with_its_ticks() {
     }
 }
 
-/// Two tables go round between two threads: one samples every tick, as an interrupt does, and the other sets up.
+/// Two threads exchange two tables: one samples every tick, as an interrupt does, and the other sets tables up.
 #[test]
 fn tables_are_handed_over_while_they_are_sampled() {
     const EXCHANGES: i64 = 5;

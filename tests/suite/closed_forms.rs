@@ -27,7 +27,7 @@ fn errors(vector: &Vector, form: &ClosedForm) -> [f64; 3] {
 }
 
 #[test]
-fn every_vector_that_has_a_form_is_hit() {
+fn closed_forms_agree_with_the_vectors() {
     let (mut worst, mut rounded) = ([0.0_f64; 4], 0.0_f64);
     let mut count = [0; 4];
     for (vector, _, form) in with_closed_form() {
@@ -148,7 +148,7 @@ fn closed_form_ephemeris_and_stepper_agree() {
 
 /// Motions without a closed form return the condition that fails, and every nutating Lagrange top has a closed form.
 #[test]
-fn where_there_is_no_form_the_refusal_says_why() {
+fn motions_without_a_closed_form_are_refused_with_the_reason() {
     let motion = vectors::named("generic_AneC").motion().unwrap();
     let refusal = ClosedForm::of(&motion).unwrap_err();
     assert_eq!(refusal.e3, motion.branch_points().e3);

@@ -103,7 +103,7 @@ fn weierstrass_against_thirty_digits() {
 
 #[test]
 fn half_periods_and_quasi_periods() {
-    let (mut worst, mut back) = (0.0_f64, 0.0_f64);
+    let mut worst = 0.0_f64;
     for (lattice, json) in lattices() {
         for (values, key) in
             [(lattice.half_periods(), "half_periods"), (lattice.quasi_periods(), "quasi_periods")]
@@ -112,18 +112,8 @@ fn half_periods_and_quasi_periods() {
                 worst = greater(worst, off_real(ours, truth, 0.0));
             }
         }
-        // the roots from the half periods
-        let [real, imaginary] = lattice.half_periods();
-        if real.max(imaginary) < 4.0 * real.min(imaginary) {
-            let again = Weierstrass::from_half_periods(real, imaginary).unwrap();
-            let scale = lattice.roots()[0] - lattice.roots()[2];
-            for (ours, given) in again.roots().iter().zip(lattice.roots()) {
-                back = greater(back, (ours - given).abs() / scale);
-            }
-        }
     }
     tolerance::HALF_PERIODS.check("half periods", worst);
-    tolerance::ROOTS_AGAIN.check("roots from rounded half periods", back);
 }
 
 /// Four quotients of the root differences a decade from 1e-28 to 1e28, and four complementary parameters a decade down to
@@ -212,13 +202,11 @@ fn weierstrass_and_jacobi_agree() {
 }
 
 #[test]
-fn what_is_no_lattice_is_refused() {
+fn invalid_lattices_are_refused() {
     let parameter = |result: Result<Weierstrass, toytop::ParameterError>| result.unwrap_err().parameter();
     assert_eq!(parameter(Weierstrass::from_gaps(0.0, 1.0)), "upper_gap");
     assert_eq!(parameter(Weierstrass::from_gaps(1.0, f64::NAN)), "lower_gap");
     assert_eq!(parameter(Weierstrass::from_roots([0.0, 1.0, -1.0])), "upper_gap");
-    assert_eq!(parameter(Weierstrass::from_half_periods(1.0, 201.0)), "imaginary_half_period");
-    assert_eq!(parameter(Weierstrass::from_half_periods(-1.0, 1.0)), "real_half_period");
     assert_eq!(Jacobi::new(0.5, 0.6).unwrap_err().parameter(), "m1");
     assert_eq!(Jacobi::new(1.0, 0.0).unwrap_err().parameter(), "m1");
     // at the limits of the domain the values are finite

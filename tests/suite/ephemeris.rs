@@ -152,7 +152,7 @@ fn turning_points_are_where_u_turns() {
     assert_eq!(rising.next_turning_point(lowest.tick + 1), None);
     let steady = vectors::named("regular_precession").motion().unwrap();
     assert!(EphemerisF64::new(&steady, kilohertz()).unwrap().next_turning_point(0).is_none());
-    // a swing of 5e-17 is the rounding of a state: a regular precession, whose u does not turn
+    // an amplitude of 5e-17 is the rounding of a state: a regular precession, whose u has no turning points
     let almost = Motion::from_branch_points(
         vectors::named("generic_AneC").motion().unwrap().top(),
         [0.0, 5e-17, 3.0],
@@ -164,7 +164,7 @@ fn turning_points_are_where_u_turns() {
     assert_eq!(EphemerisF64::new(&almost, kilohertz()).unwrap().next_turning_point(0), None);
 }
 
-/// A top let go at rest starts at its upper turning point, and one that starts at either says tick 0.
+/// A top released from rest starts at its upper turning point, and the first turning point of a motion that starts at either is tick 0.
 #[test]
 fn a_start_at_a_turning_point_is_at_tick_0() {
     let top = *vectors::named("si_toytop_150").motion().unwrap().top();
@@ -234,7 +234,7 @@ fn a_table_too_small_is_refused() {
     assert_eq!(EphemerisView::<f32>::segments_needed(&motion, truncation), Some(26));
     assert!(Ephemeris::<f32, 25>::new(&motion, kilohertz()).is_err());
     Ephemeris::<f32, 26>::new(&motion, kilohertz()).unwrap();
-    // or a larger error is allowed
+    // the table is also large enough if a larger error is allowed
     Ephemeris::<f32, 16>::within(&motion, kilohertz(), 1e-4).unwrap();
 }
 

@@ -8,7 +8,7 @@ use toytop::{
 };
 use toytop_tests::{boxed, greater, tolerance, top_of, vectors};
 
-/// One search: what for, from which tick, and the instants after it with the slopes of what is searched for.
+/// Search for an event from a tick, with the expected instants and the slopes of the searched quantity there.
 struct Case {
     motion: String,
     kind: String,
@@ -35,7 +35,7 @@ fn cases() -> Vec<Case> {
     json["cases"].as_array().unwrap().iter().map(case).collect()
 }
 
-/// Events of a case, as many as the truth has, in ticks after its first tick.
+/// Events of a case, as many as expected, in ticks after its first tick.
 fn found<R: EphemerisScalar>(view: &EphemerisView<R>, motion: &Motion, case: &Case) -> Vec<f64> {
     let (from, most) = (case.from, case.events.len() + 1);
     let mut events: Vec<Event> = match case.kind.as_str() {
@@ -131,7 +131,8 @@ fn released(top: &Top, tilt: f64, spin: f64) -> Box<Ephemeris<f64, 512>> {
     boxed(&Motion::launch(top, &State::release(&release).unwrap()).unwrap(), kilohertz())
 }
 
-/// A top let go at rest turns at tick 0, has its release tilt there or at no time at all, and its tip points away from its lean.
+/// For a top released from rest, tick 0 is a turning point, the tilt of the release is reached there or at no time, and the tip is opposite
+/// to the direction in which the axis leans.
 #[test]
 fn a_release_from_rest_is_an_event_at_tick_0() {
     let top = *vectors::named("si_toytop_150").motion().unwrap().top();
@@ -144,7 +145,7 @@ fn a_release_from_rest_is_an_event_at_tick_0() {
     }
 }
 
-/// Events go on for ever, alternate, and are as far apart after 2^40 ticks as at the start.
+/// Events continue without end, alternate, and have the same distances after 2^40 ticks as at the start.
 #[test]
 fn events_go_on_for_ever() {
     let top = *vectors::named("si_toytop_150").motion().unwrap().top();
@@ -168,9 +169,10 @@ fn events_go_on_for_ever() {
     assert_eq!(view.tip_angles(Phase::QUARTER, i64::MAX - 3).next(), None);
 }
 
-/// An event that does not happen is not found: a precession does not turn, a level above e₂ is not crossed, a vertical axis has no tip angle.
+/// Events that do not occur are not found: u of a precession has no turning points, a level above e₂ is not crossed, and a vertical axis
+/// has no tip angle.
 #[test]
-fn what_does_not_happen_has_no_event() {
+fn events_that_do_not_occur_are_not_found() {
     let steady = vectors::named("regular_precession").motion().unwrap();
     let steady = EphemerisF64::new(&steady, kilohertz()).unwrap();
     assert_eq!(steady.turning_points(0).next(), None);
@@ -205,7 +207,7 @@ fn a_precession_passes_each_angle_once_a_turn() {
     }
 }
 
-/// A slow drift: the tip of a fast top needs hundreds of nutations for a turn, and no angle is missed or given twice.
+/// The tip of a fast top needs hundreds of nutations for a turn, and no angle is missed or found twice.
 #[test]
 fn a_slow_drift_reaches_every_angle() {
     let top = top_of([1.0, 0.5, 1.0, 1.0], 1.0);
@@ -220,7 +222,7 @@ fn a_slow_drift_reaches_every_angle() {
         let t = view.time_of(&event);
         let angle = view.at_event(&event).tip_angle().unwrap();
         assert!((angle - Phase::new(0.2)).principal().to_f64().abs() < 1e-13, "{t}");
-        // a top let go at rest has cusps, so that its tip never goes back
+        // a top released from rest has cusps, so that its tip angle is monotone
         assert!(
             before.is_infinite() || (t - before - turn).abs() < 1.1 * advance.period,
             "{t} after {before}"

@@ -171,10 +171,10 @@ fn effect(top: &Top, state: &State, impulse: Vector<f64>, point: Vector<f64>) ->
     change(point) / change([0.03, 0.02, HEIGHT])
 }
 
-/// The pivot takes any impulse at the tip of a held top, and the plane a vertical one at a sliding tip; a horizontal one
-/// there moves the top.
+/// The support compensates any impulse at the tip of a held top, and a vertical impulse at a sliding tip. A horizontal impulse
+/// at a sliding tip moves the top.
 #[test]
-fn the_support_takes_what_meets_it() {
+fn impulses_along_the_reaction_have_no_effect() {
     let mut draw = Draw(3);
     for _ in 0..100 {
         let (state, impulse, _) = draw.stroke();
@@ -222,9 +222,9 @@ fn velocity(top: &Top, state: &State, point: Vector<f64>) -> V {
     }
 }
 
-/// The energy changes by the work of the impulse, J times the mean of the velocities of its point before and after; what
-/// a sliding top's centre of mass gains along the plane, |J|²/2M, is not part of the state. The momenta change by the
-/// moment of the impulse: n about the axis, and l about the vertical through the centre of mass (through a held tip).
+/// The energy changes by the work of the impulse, J times the mean of the velocities of its point before and after. The energy |J|²/2M of
+/// a sliding top's centre of mass along the plane is not part of the state. The momenta change by the moment of the impulse: n about the
+/// axis, and l about the vertical through the centre of mass (through a held tip).
 #[test]
 fn energy_and_momenta_change_by_the_work_and_the_moments() {
     let mut draw = Draw(11);
@@ -251,7 +251,7 @@ fn energy_and_momenta_change_by_the_work_and_the_moments() {
 }
 
 #[test]
-fn what_is_refused_has_a_name() {
+fn refusals_name_the_parameter() {
     let (state, impulse, point) = Draw(1).stroke();
     let top = top(Support::Sliding);
     let name = |impulse, point| {
@@ -280,7 +280,7 @@ fn what_is_refused_has_a_name() {
     assert_eq!(state([1.0, 0.0, 0.0, 0.0], [1e300, 0.0, 0.0]), Err("gyro"));
 }
 
-/// The gyroscope's reading comes back from the motion, whatever the norm of the quaternion within its limits.
+/// A motion launched from a gyroscope's reading has this reading at t = 0, for any norm of the quaternion within its limits.
 #[test]
 fn a_gyroscope_reads_what_the_state_has() {
     let gyro = [0.4, -0.2, 150.0];

@@ -1,17 +1,17 @@
-//! The reading order of core: its modules are declared in the order of dependence, and none uses a later one.
+//! Reading order of core: its modules are declared in the order of dependence, and none uses a later one.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A file of core: the modules it declares in order, the names it passes on from them, and its code without tests.
+/// File of core: the modules that it declares, in order, the names that it re-exports from them, and its code without tests.
 struct Module {
     children: Vec<String>,
     passes_on: BTreeMap<String, String>,
     code: String,
 }
 
-/// Every module by its path from the crate, as ["ephemeris", "cell"].
+/// All modules by their paths from the crate, such as ["ephemeris", "cell"].
 fn modules() -> BTreeMap<Vec<String>, Module> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../core/src");
     let mut found = BTreeMap::new();
@@ -50,7 +50,7 @@ fn modules() -> BTreeMap<Vec<String>, Module> {
     found
 }
 
-/// The modules that a file's code names by `crate::` or `super::`, each followed to where it is defined.
+/// Modules that the code of a file names by `crate::` or `super::`; a re-exported name counts for the module that defines it.
 fn used(path: &[String], modules: &BTreeMap<Vec<String>, Module>) -> Vec<Vec<String>> {
     let code = &modules[path].code;
     let mut found = Vec::new();
@@ -93,7 +93,7 @@ fn no_module_uses_a_later_one() {
     for path in modules.keys() {
         for other in used(path, &modules) {
             let common = path.iter().zip(&other).take_while(|(a, b)| a == b).count();
-            // a folder and a file in it are one thing
+            // a module and its submodules may use each other
             let (Some(mine), Some(theirs)) = (path.get(common), other.get(common)) else { continue };
             let order = &modules[&path[..common]].children;
             let place = |name: &String| order.iter().position(|child| child == name);
@@ -107,7 +107,7 @@ fn no_module_uses_a_later_one() {
     assert!(compared > 300, "{compared} uses");
 }
 
-/// Nothing in core may round otherwise on another machine.
+/// No operation of core may be rounded differently on another machine.
 #[test]
 fn core_uses_neither_std_nor_fused_products() {
     for (path, module) in modules() {

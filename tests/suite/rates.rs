@@ -61,7 +61,7 @@ fn errors_over_bounds<R: EphemerisScalar, const SEGMENTS: usize>() -> Vec<f64> {
         .collect()
 }
 
-/// No error is beyond its bound, and most come near it.
+/// No error exceeds its bound, and most errors are near it.
 fn check(name: &str, mut ratios: Vec<f64>) {
     ratios.sort_by(f64::total_cmp);
     assert!(ratios.len() > 8, "{name}: {} motions", ratios.len());
@@ -77,8 +77,7 @@ fn rates_are_within_their_bound() {
     check("q15", errors_over_bounds::<I2F14, 128>());
 }
 
-/// The axial component is the constant n/C in every scalar, and what follows from one evaluation agrees with what
-/// follows from another.
+/// The axial component is the constant n/C in every scalar, and the rates of two ways of evaluation agree.
 fn consistent<R: EphemerisScalar, const SEGMENTS: usize>(rounding: f64) {
     let motion = vectors::named("generic_AneC").motion().unwrap();
     let ephemeris = Ephemeris::<R, SEGMENTS>::new(&motion, Tick::hertz(RATE).unwrap()).unwrap();

@@ -1,5 +1,4 @@
-//! Every refusal, by the name of its parameter. Values just inside the border are accepted, which shows where the
-//! border is.
+//! Refusals, by the name of the parameter. Values just inside the allowed range are accepted.
 
 use toytop::{
     BranchPoints, Complex, Ephemeris, Motion, Orientation, ParameterError, Release, Sign, Signs, Start,
@@ -48,9 +47,9 @@ fn tops() {
     assert_eq!(top(1.1e-6, 1e-6, 1.0, 1.0, 1.0), None);
 }
 
-/// Branch points tell neither the rate of a body without torque nor the axial rate of a rod.
+/// Branch points determine neither the rate of a body without torque nor the axial rate of a rod.
 #[test]
-fn branch_points_that_tell_too_little() {
+fn branch_points_that_do_not_determine_the_motion() {
     let body =
         TopParameters { transverse_inertia: 1.0, mass_moment: 1.0, gravity: 1.0, ..TopParameters::default() };
     let motion =
@@ -62,7 +61,7 @@ fn branch_points_that_tell_too_little() {
     assert_eq!(motion(free, [-0.5, 0.5, 2.0]), Some("e3"));
     let thin = Top::fixed(&TopParameters { axial_inertia: 1e-50, ..body }).unwrap();
     assert_eq!(motion(thin, [-0.5, 0.5, 2.0]), Some("e3"));
-    // too fast to feel the torque: the refusal says what to use instead
+    // at so high a rate the torque has no effect: the refusal names the constructor to use
     let state = State::release(&Release { tilt: 0.5, spin: 1e8, ..Release::default() }).unwrap();
     let heavy = TopParameters { axial_inertia: 1.0, ..body };
     let refusal = Motion::launch(&Top::fixed(&heavy).unwrap(), &state).unwrap_err();
@@ -147,7 +146,7 @@ fn messages_name_the_parameter_and_what_is_allowed() {
 }
 
 #[test]
-fn what_a_table_misses_is_said() {
+fn a_small_table_states_the_needed_size() {
     let refusal = TableTooSmall { truncation: 0.0025, segments: 64 };
     assert_eq!(refusal.to_string(), "a table of 64 segments cannot follow the motion to within 2.5e-3 rad");
 }

@@ -221,7 +221,7 @@ fn rounded_multiples_of_pi_are_turning_points() {
     }
 }
 
-/// A top released from rest has cusps, at any tilt and spin, in SI units, for any rounding of its state.
+/// A top released from rest has cusps, at any tilt and spin, in SI units, with any rounding of its state.
 #[test]
 fn a_top_let_go_has_cusps() {
     let top = Top::sliding(&TopParameters {

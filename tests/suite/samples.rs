@@ -4,8 +4,8 @@ use fixed::types::{I2F14, I2F30};
 use toytop::{Complex, Ephemeris, EphemerisF64, EphemerisScalar, Tick};
 use toytop_tests::{greater, tolerance, vectors, worst};
 
-/// Largest errors of the attitude state, of the tip in the wide type, and of the tip in the scalar, near and far,
-/// relative to the greatest rate and to the length.
+/// Largest errors of the attitude state, of the tip in the type of lengths and rates, and of the tip in the scalar, at near and distant
+/// ticks, relative to the greatest rate and to the length.
 fn greatest_errors<R: EphemerisScalar + Into<f64>, const S: usize>() -> [f64; 3]
 where
     R::Wide: Into<f64>,
@@ -43,7 +43,7 @@ fn samples_in_every_scalar() {
         (greatest_errors::<I2F14, 256>(), tolerance::SAMPLE_Q15),
     ] {
         for (what, (error, allowed)) in
-            ["attitude", "wide tip", "tip"].iter().zip(errors.into_iter().zip(allowed))
+            ["attitude", "tip", "tip in the scalar"].iter().zip(errors.into_iter().zip(allowed))
         {
             allowed.check(what, error);
         }

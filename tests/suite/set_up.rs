@@ -1,4 +1,4 @@
-//! Set-up in slices: the same table as in one call, however often and long it is interrupted.
+//! Set-up in slices gives the same table as one call, for any interruptions.
 
 use std::task::Poll;
 use toytop::{
@@ -7,7 +7,7 @@ use toytop::{
 };
 use toytop_tests::vectors;
 
-/// Polls until the end; the result and the number of slices.
+/// Result of a set-up in slices, and the number of slices.
 fn polled<R: EphemerisScalar, const S: usize>(
     motion: &Motion,
     table: &mut Ephemeris<R, S>,
@@ -36,7 +36,7 @@ fn equal_the_blocking_ones<R: EphemerisScalar + PartialEq + std::fmt::Debug>() {
             (Ok(()), Ok(blocking)) => assert!(table == blocking, "{}", vector.name),
             (refusal, blocking) => assert_eq!(refusal.err(), blocking.err(), "{}", vector.name),
         }
-        // fifteen pieces a segment, in two attempts, each of which may halve a cell several times
+        // fifteen slices for each segment, in two attempts, each of which may halve a cell several times
         assert!(slices < 40 * SEGMENTS, "{}: {slices} slices", vector.name);
     }
 }

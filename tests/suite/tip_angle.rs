@@ -4,8 +4,8 @@ use fixed::types::{I2F14, I2F30};
 use toytop::{Ephemeris, EphemerisScalar, Motion, Sign, Signs, Start, Stepper, Tick, Top, TopParameters};
 use toytop_tests::{boxed, greater, tolerance, vectors};
 
-/// Greatest error of the tip angle over the samples of all exact vectors, near and after 10⁹ periods, as the distance that it moves
-/// the tip by, in units of s. The angle itself must never be off by a quarter turn.
+/// Greatest error of the tip angle over the samples of all exact vectors, near 0 and after 10⁹ periods, as a distance of the tip, in units
+/// of s. The error of the angle itself must be less than a quarter turn.
 fn greatest_error<R: EphemerisScalar, const SEGMENTS: usize>() -> f64 {
     let tick = Tick::hertz(1000).unwrap();
     let (mut greatest, mut through_the_centre) = (0.0, 0);
@@ -34,7 +34,7 @@ fn against_thirty_digits_in_every_scalar() {
     tolerance::TIP_ANGLE[3].check("q15", greatest_error::<I2F14, 256>());
 }
 
-/// An axis that is vertical for ever has no tip angle.
+/// An axis that is always vertical has no tip angle.
 #[test]
 fn a_vertical_axis_has_none() {
     for name in ["sleeping_stable", "sleeping_unstable", "hanging"] {
@@ -44,7 +44,7 @@ fn a_vertical_axis_has_none() {
     }
 }
 
-/// Whole turns are counted, however far: after 10⁹ periods the angle is that of so many periods, to the rounding of `f64`.
+/// Whole turns are counted: after 10⁹ periods the angle is 10⁹ times the advance of a period, to the rounding of `f64`.
 #[test]
 fn whole_turns_are_counted_however_far() {
     let tick = Tick::hertz(1000).unwrap();
@@ -56,7 +56,7 @@ fn whole_turns_are_counted_however_far() {
         for periods in [1.0, -1.0, 3.0, 1e6, -1e9] {
             let after = ephemeris.at(periods * advance.period).tip_angle().unwrap();
             let (ours, truth) = ((after - start).to_radians(), periods * advance.phi_per_period());
-            // the period, as rounded, is off by so much
+            // error by the rounding of the period
             let allowed = 1e-9 + 1e-15 * periods.abs() * (1.0 + advance.period);
             assert!((ours - truth).abs() < allowed, "{name}, {periods} periods: {ours} for {truth}");
         }
@@ -103,7 +103,7 @@ fn a_slender_top_turns_many_times_a_period() {
     assert!(most_turns > std::f64::consts::PI, "{most_turns}");
 }
 
-/// A cursor says the angle of its tick, to the bit; of an aperiodic motion, too.
+/// A sample of a cursor has the same tip angle, to the bit, as the sample of its tick, also for an aperiodic motion.
 #[test]
 fn a_cursor_has_the_angle_of_its_tick() {
     for name in ["exact_generic_pm", "exact_aperiodic", "exact_e2_1"] {

@@ -1,4 +1,4 @@
-//! Tops that the paper does not have: with a rotor inside, without torque, without axial moment of inertia; against two
+//! Tops that the paper does not contain: with a rotor inside, without torque, without axial moment of inertia. They are compared with two
 //! integrations to 30 digits (`tests/reference/tops.json`).
 
 use fixed::types::{I2F14, I2F30};
@@ -10,7 +10,7 @@ use toytop::{
 };
 use toytop_tests::{boxed, greater, tolerance, vectors, widened};
 
-/// Motion of the file, with its exact orientation and angular velocity at some times.
+/// Motion of the file, with exact orientations and angular velocities at some times.
 struct Case {
     name: String,
     motion: Motion,
@@ -104,7 +104,7 @@ fn every_table_keeps_its_bounds() {
     }
 }
 
-/// Greatest errors of a stepper with steps of 1/2048: orientation, and angular velocity.
+/// Greatest errors of a stepper with steps of 1/2048: of the orientation, and of the angular velocity.
 fn of_steppers<R: Real + Into<f64>>() -> [f64; 2] {
     let mut worst = [0.0; 2];
     for case in cases() {
@@ -151,10 +151,10 @@ fn closed_forms_agree() {
     }
 }
 
-/// Motions of the file with a closed form: all whose tip does not slide.
+/// Number of motions of the file with a closed form, which are those whose tip does not slide.
 const CLOSED_FORMS: u32 = 15;
 
-/// The rotor changes n = C spin + K only: a top with C' = n/spin and without one moves its axis in the same way.
+/// A rotor changes only n = C spin + K: a top without a rotor and with C' = n/spin has the same motion of the axis.
 #[test]
 fn a_rotor_is_worth_its_momentum() {
     let parameters = TopParameters {
@@ -171,7 +171,7 @@ fn a_rotor_is_worth_its_momentum() {
         State::release(&toytop::Release { tilt: 0.5, spin: 2.0, precession: 0.25, ..Default::default() })
             .unwrap();
     let [plain, with] = [plain, with].map(|top| Motion::launch(&top, &state).unwrap());
-    // ω·r of the state is 2 but for its rounding, and so is the momentum that the rotor replaces
+    // ω·r of the state, and the momentum that the rotor replaces, are 2 except for rounding
     let near = |x: f64, y: f64| assert!((x - y).abs() < 4e-15 * (1.0 + y.abs()), "{x} {y}");
     let (e, other_e) = (plain.branch_points(), with.branch_points());
     near(e.e1, other_e.e1);
@@ -182,13 +182,13 @@ fn a_rotor_is_worth_its_momentum() {
     near(one.l, other.l);
     near(one.n, other.n);
     near(one.spin, other.spin);
-    // the rotor's energy is not counted
+    // h does not contain the energy of the rotor
     near(one.h, other.h + 0.5 * 0.75 * 4.0);
     let phi = |motion: &Motion| motion.period_advance().unwrap().phi_per_period();
     near(phi(&plain), phi(&with));
 }
 
-/// The law knows quotients only: a change of the units of mass and length by powers of two changes no bit of a motion.
+/// A motion depends on quotients only: a change of the units of mass and length by powers of two changes no bit.
 #[test]
 fn a_change_of_units_changes_no_bit() {
     let unit = |power: i32| 2.0_f64.powi(power);
@@ -208,7 +208,7 @@ fn a_change_of_units_changes_no_bit() {
     let release = toytop::Release { tilt: 0.5, spin: 3.0, precession: 0.25, ..Default::default() };
     let state = State::release(&release).unwrap();
     let motion = Motion::launch(&top(1.0, 1.0), &state).unwrap();
-    // a molecule, a planet, and a star in units of its own
+    // units in which the numbers are those of a molecule, a planet or a star
     for (mass, length) in [(unit(-85), unit(-33)), (unit(80), unit(23)), (unit(100), unit(-40))] {
         let other = Motion::launch(&top(mass, length), &state).unwrap();
         assert_eq!(motion.branch_points(), other.branch_points());
@@ -229,7 +229,7 @@ fn a_change_of_units_changes_no_bit() {
     }
 }
 
-/// A free body is the limit of ever weaker gravity: half the gravity, half the difference.
+/// A free body is the limit of weak gravity: with half the gravity the difference is half as large.
 #[test]
 fn a_free_body_is_the_limit_of_weak_gravity() {
     let body = TopParameters {
@@ -252,7 +252,7 @@ fn a_free_body_is_the_limit_of_weak_gravity() {
     assert_eq!(at_two(Top::fixed(&TopParameters { gravity: 0.0, ..body }).unwrap()), free);
 }
 
-/// Stepper that goes there in small steps.
+/// Stepper at a later time, reached in small steps.
 trait After {
     fn after(self, t: f64) -> Orientation<f64>;
 }

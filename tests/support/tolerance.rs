@@ -67,19 +67,20 @@ pub const TIP_F64: Budget = Budget::of(3e-13);
 /// Error of the continued tip angle over three periods in f64.
 pub const TIP_ANGLE_F64: Budget = Budget::of(3e-13);
 
-/// The tip angle of an ephemeris, as the distance that its error moves the tip by, in units of s: f64, f32, q31, q15.
+/// Error of the tip angle of an ephemeris as a distance of the tip, in units of s: f64, f32, q31, q15.
 pub const TIP_ANGLE: [Budget; 4] = [Budget::of(1e-14), Budget::of(3e-7), Budget::of(3e-7), Budget::of(3e-4)];
 
-/// Events: error of u at a crossing, of the tip angle as a distance in units of s, and of a turning point's time in periods.
+/// Errors of events in f64: of u at a crossing, of the tip angle as a distance in units of s, and of a turning point's time in periods.
 pub const EVENTS_F64: [Budget; 3] = [Budget::of(6e-15), Budget::of(6e-15), Budget::of(1e-14)];
-/// The same in f32.
+/// Errors of events in f32, as [`EVENTS_F64`].
 pub const EVENTS_F32: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(1e-14)];
-/// The same in fixed point of 32 bits.
+/// Errors of events in fixed point of 32 bits, as [`EVENTS_F64`].
 pub const EVENTS_Q31: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(1e-14)];
-/// The same in fixed point of 16 bits; the period of a rise to the vertical, which has none, is chosen by the rounding.
+/// Errors of events in fixed point of 16 bits, as [`EVENTS_F64`]. An aperiodic motion has no period; the time that replaces it depends on the
+/// rounding.
 pub const EVENTS_Q15: [Budget; 3] = [Budget::of(3e-4), Budget::of(3e-3), Budget::of(1e-11)];
 
-/// The ephemeris in f64 at any time, inputs exact in f64 (the start's own rounding is in it).
+/// Orientation error of the ephemeris in f64 at any time, for inputs exact in f64, with the rounding of the phases at the start.
 pub const EPHEMERIS_F64: Budget = Budget::of(1e-14);
 /// Orientation error of the ephemeris in f32 at any time.
 pub const EPHEMERIS_F32: Budget = Budget::of(2.5e-7);
@@ -89,7 +90,7 @@ pub const CONTINUITY: Budget = Budget::of(2e-11);
 pub const CONTINUITY_OF_RATES: Budget = Budget::of(2e-11);
 /// Error of the ephemeris in f64 of a motion launched again from the attitude state of a sample, over 10 000 ticks.
 pub const RELAUNCH: Budget = Budget::of(5e-14);
-/// Difference of a table with a changed tick and the same table as it was, over the sum of their bounds.
+/// Difference of a table with a changed tick and the unchanged table, divided by the sum of their bounds.
 pub const OF_THE_BOUND: Budget = Budget::of(1.0);
 /// Change of ω by an impulse, and the reaction to it, relative, against forces that act for 1e-9 s and for half of that,
 /// extrapolated.
@@ -127,8 +128,6 @@ pub const LN_SIGMA: Budget = Budget::of(4e-16);
 pub const JACOBI: Budget = Budget::of(1.2e-16);
 /// Relative errors of ω, |ω'|, η, η' and K against 30 digits.
 pub const HALF_PERIODS: Budget = Budget::of(1.2e-16);
-/// Errors of the roots from half periods rounded to `f64`, relative to the differences of the roots.
-pub const ROOTS_AGAIN: Budget = Budget::of(2e-15);
 
 /// Errors of the closed forms against the reference vectors with exact inputs: orientation in rad, u, u' relative to
 /// its size. In this order: constant tilt, aperiodic, e₃ = e₄, Lagrange.
@@ -168,11 +167,11 @@ pub const CURVE_ON_PATH: Budget = Budget::of(5e-14);
 /// Errors of contour integrals in f64, 512 nodes.
 pub const CONTOUR: Budget = Budget::of(1e-14);
 
-/// Tops that the paper does not have: a stepper in f64 and in f32 with 2048 steps in the unit of time, over 9 units:
-/// orientation (rad), and ω relative to its greatest length.
+/// Errors of the stepper in f64 and in f32 for tops that the paper does not contain, with 2048 steps in the unit of time, over 9 units:
+/// of the orientation (rad), and of ω relative to its greatest length.
 pub const TOPS_STEPPER: [[Budget; 2]; 2] =
     [[Budget::of(1e-14), Budget::of(1e-14)], [Budget::of(3e-6), Budget::of(3e-6)]];
-/// The same for closed forms.
+/// Errors of closed forms for tops that the paper does not contain: of the orientation (rad), and of ω relative to its greatest length.
 pub const TOPS_CLOSED_FORMS: [Budget; 2] = [Budget::of(2e-15), Budget::of(2e-15)];
 /// Error of the derivatives of a motion by its launch and top, up to 10⁶ periods, relative to each derivative.
 pub const SENSITIVITY: Budget = Budget::of(1e-10);

@@ -1,4 +1,4 @@
-//! The crate for programs in C, `core/c`: its archives, its header, and its examples.
+//! Crate for programs in C, `core/c`: its archives, its header, and its examples.
 
 mod archive;
 mod examples;

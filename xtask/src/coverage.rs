@@ -1,4 +1,4 @@
-//! `cargo xtask coverage`: which lines of core its tests run, file by file, by cargo-llvm-cov.
+//! `cargo xtask coverage`: lines of core that its tests execute, by file, measured by cargo-llvm-cov.
 
 use std::process::Command;
 
@@ -8,17 +8,17 @@ use crate::page::rewrite;
 use crate::process::{root, run};
 use crate::subcommand::provide;
 
-/// Per cent of a file's lines below which a reason is asked for.
+/// Share of a file's lines in percent, below which a reason is required.
 const ENOUGH: f64 = 95.0;
 
-/// Files of core with fewer lines run, and why.
+/// Files of core below this share, each with the reason.
 const REASONS: &[(&str, &str)] = &[];
 
 const PAGE: &str = "host/docs/coverage.md";
 const MARKS: [&str; 2] =
     ["<!-- coverage: written by `cargo xtask coverage --accept` -->\n", "<!-- coverage: end -->"];
 
-/// A file of core, below core/src.
+/// File of core, below core/src.
 struct File {
     name: String,
     lines: u32,
@@ -35,17 +35,17 @@ impl File {
     }
 }
 
-/// Prints the table and refuses a file with too few lines run and no reason for it; writes the page if so asked.
+/// Prints the table, and writes the page if `accept`. A file below the share without a reason is an error.
 pub(crate) fn coverage(accept: bool) -> Result<()> {
     provide("llvm-cov")?;
     let mut command = Command::new("cargo");
     command.args(["llvm-cov", "--package", "toytop", "--package", "toytop-tests"]);
     command.args(["--features", "toytop/fixed,toytop/nalgebra", "--lib", "--test", "suite"]);
     command.args(["--lcov", "--quiet"]).current_dir(root());
-    // the compiler's own LLVM is fetched by cargo-llvm-cov, or given by LLVM_COV and LLVM_PROFDATA
+    // cargo-llvm-cov fetches the compiler's LLVM tools, unless LLVM_COV and LLVM_PROFDATA are set
     let files = files(&run(command.env("CARGO_TERM_COLOR", "never"))?);
     if files.is_empty() {
-        bail!("no file of core was run");
+        bail!("no line of core was executed");
     }
     let table = table(&files);
     println!("{table}");
@@ -60,12 +60,12 @@ pub(crate) fn coverage(accept: bool) -> Result<()> {
     }
     let idle = |name: &str| files.iter().all(|file| file.name != name || file.share() >= ENOUGH);
     if let Some((name, _)) = REASONS.iter().find(|(name, _)| idle(name)) {
-        bail!("{name} needs its reason in xtask/src/coverage.rs no more");
+        bail!("{name} no longer needs a reason in xtask/src/coverage.rs");
     }
     Ok(())
 }
 
-/// From lcov's format: a record for each file, with LF lines of which LH were run.
+/// Files of a report in lcov's format: a record for each file, with LF lines of which LH were executed.
 fn files(lcov: &str) -> Vec<File> {
     let mut files = Vec::new();
     for record in lcov.split("end_of_record") {

@@ -7,17 +7,17 @@ use anyhow::Result;
 use crate::process::root;
 use crate::subcommand::{provide, show, succeeds};
 
-/// Each with its own lock file.
+/// Workspaces, each with a lock file of its own.
 const WORKSPACES: [&str; 3] = [".", "firmware-examples", "tests/fuzz"];
 
-/// Checks them all. Advisories only where their list can be fetched, which is said.
+/// Checks all workspaces. Advisories are checked if their list can be fetched, otherwise a message is printed.
 pub(crate) fn check() -> Result<()> {
     provide("deny")?;
     let advisories = succeeds(deny(".").args(["fetch", "db"]));
     for workspace in WORKSPACES {
         println!("{workspace}:");
         let mut command = deny(workspace);
-        // one configuration for three workspaces: what one has no use for, another has
+        // one configuration for three workspaces, of which none uses all entries
         command.args(["check", "--allow=unmatched-skip", "--allow=unnecessary-skip"]);
         command.args(["--allow=license-exception-not-encountered", "licenses", "bans", "sources"]);
         if advisories {

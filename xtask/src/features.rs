@@ -1,5 +1,5 @@
-//! Core with every set of its features, on the smallest chip, and the suite without its own: features only add, so each set
-//! must build.
+//! Builds of core with every set of its features for the smallest chip, and of the suite without its features. A feature only adds items,
+//! so that each set must build.
 
 use std::fs;
 
@@ -11,7 +11,7 @@ use crate::tools;
 
 const TARGET: &str = "thumbv6m-none-eabi";
 
-/// Checks them all, as code that was never compiled for a target with `std`.
+/// Checks all sets, for a target without `std`.
 pub(crate) fn check() -> Result<String> {
     let manifest = fs::read_to_string(root().join("core/Cargo.toml"))?;
     let features = features(&manifest);
@@ -28,14 +28,14 @@ pub(crate) fn check() -> Result<String> {
         command.arg("--target-dir").arg(firmware::target_dir(toolchain, "core"));
         run(&mut command)?;
     }
-    // what mutants and the fuzzer build
+    // this is the build of `mutants` and of the fuzzer
     run(&mut cargo(".", "check --package toytop-tests --no-default-features --tests"))?;
     Ok(format!("{} sets of {} on {TARGET}; Rust {msrv} or later", sets.len(), features.join(", ")))
 }
 
-/// The oldest compiler that will do. A workspace states it once, and there are two.
+/// Version of the oldest supported compiler, which each of two workspaces states once.
 ///
-/// That the code keeps to it is clippy's to see (`incompatible_msrv`): where only one compiler is, none can try.
+/// Clippy checks that the code is compatible with it (`incompatible_msrv`), because the compiler itself may not be installed.
 fn msrv() -> Result<String> {
     let stated = |workspace: &str| -> Result<String> {
         let manifest = fs::read_to_string(root().join(workspace).join("Cargo.toml"))?;
@@ -49,7 +49,7 @@ fn msrv() -> Result<String> {
     Ok(ours)
 }
 
-/// The names below `[features]`, but for `default`.
+/// Names in the table `[features]`, except `default`.
 fn features(manifest: &str) -> Vec<&str> {
     let lines = manifest.lines().skip_while(|line| line.trim() != "[features]").skip(1);
     let section = lines.take_while(|line| !line.starts_with('['));

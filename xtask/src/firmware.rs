@@ -1,4 +1,4 @@
-//! The programs of `firmware-examples/`: built for their chips, run under QEMU, their logs compared with what is expected.
+//! Programs of `firmware-examples/`, which are built for their chips and run under QEMU, and whose logs are compared with the expected ones.
 
 mod chip;
 mod emulator;
@@ -15,14 +15,14 @@ use crate::process::{cargo, firmware_target_dir, root, run};
 use crate::tools::{self, Toolchain};
 use emulator::Run;
 
-/// A program, the folder of its source, the chips it runs on (the first is the one it is shown on), and the exit code it must end with.
+/// Program with the folder of its source, the chips that it runs on (`show` uses the first one), and its expected exit code.
 pub(crate) struct Program {
     pub(crate) name: &'static str,
-    /// Of firmware-examples; another than `src/bin` is that of a package of its own.
+    /// Folder of the source in firmware-examples; a folder other than `src/bin` belongs to a package of its own.
     folder: &'static str,
     chips: &'static [&'static Chip],
     exit_code: i32,
-    /// Also runs on the host, and must say the same there.
+    /// Whether the program also runs on the host, with the same log.
     on_host: bool,
 }
 
@@ -60,12 +60,12 @@ pub(crate) const PROGRAMS: &[Program] = &[
     },
 ];
 
-/// The programs that some chip with this target runs.
+/// Programs that run on a chip with this target.
 pub(crate) fn programs_of(target: &str) -> impl Iterator<Item = &'static Program> {
     PROGRAMS.iter().filter(move |program| program.chips.iter().any(|chip| chip.target == target))
 }
 
-/// A target folder for what must not share one.
+/// Target folder for a build that must not share one.
 pub(crate) fn target_dir(toolchain: Toolchain, own: &str) -> PathBuf {
     firmware_target_dir().join(toolchain.subfolder()).join(own)
 }
@@ -106,7 +106,7 @@ pub(crate) fn show(name: &str, chip: Option<&str>) -> Result<ExitCode> {
     ended(&run_on(program, chip, true)?)
 }
 
-/// Builds a program and prints where it is, nothing else.
+/// Builds a program and prints only its path.
 pub(crate) fn elf(name: &str, chip: &Chip) -> Result<()> {
     let what = if COSTS.contains(&name) {
         format!("--package toytop-cost --bin {name}")
@@ -117,8 +117,8 @@ pub(crate) fn elf(name: &str, chip: &Chip) -> Result<()> {
     Ok(())
 }
 
-/// Programs that `toytop budget` runs: with a symbol for each call, under a trace, with 200 launches, and with a fit. They
-/// have no log to compare, and so are none of [`PROGRAMS`].
+/// Programs that `toytop budget` runs: one with a symbol for each call, one with 200 launches, and one with a fit. They have no log to
+/// compare, and so are not among [`PROGRAMS`].
 const COSTS: [&str; 3] = ["cost", "corpus", "fit_cost"];
 
 /// Runs an ELF on a chip and shows its log.
@@ -132,8 +132,7 @@ fn ended(run: &Run) -> Result<ExitCode> {
     Ok(u8::try_from(run.exit_code).map_or(ExitCode::FAILURE, ExitCode::from))
 }
 
-/// Runs a program on its first chip, and on each chip with an expected log of its own, and takes the logs for the expected
-/// ones.
+/// Runs a program on its first chip, and on each chip with an expected log of its own, and writes the logs as the expected ones.
 pub(crate) fn overwrite(name: &str) -> Result<()> {
     let program = find(name)?;
     let common = program.expected(program.chips[0]);
@@ -153,13 +152,13 @@ pub(crate) fn overwrite(name: &str) -> Result<()> {
 }
 
 impl Program {
-    /// What cargo is to build.
+    /// Arguments of cargo that select the program.
     pub(crate) fn selection(&self) -> String {
         let Self { name, folder, .. } = self;
         if *folder == PROGRAM_FOLDER { format!("--bin {name}") } else { format!("--package toytop-{name}") }
     }
 
-    /// The log that is expected on a chip: one of its own, where the log depends on how fast the chip is, or that of all.
+    /// File with the expected log on a chip: one of its own, if the log depends on the speed of the chip, or that of all chips.
     fn expected(&self, chip: &Chip) -> PathBuf {
         let folder = root().join("firmware-examples").join(self.folder);
         let own = folder.join(format!("{}.{}.out", self.name, chip.name));
@@ -171,7 +170,7 @@ impl Program {
 pub(crate) fn check(program: &Program) -> Result<String> {
     let Program { name, chips, exit_code, on_host, .. } = program;
     let read = |path: &Path| fs::read_to_string(path).with_context(|| format!("{}", path.display()));
-    let accept = format!("if it is meant to change: cargo xtask firmware {name} --overwrite");
+    let accept = format!("after an intended change: cargo xtask firmware {name} --overwrite");
     let host_log = on_host.then(|| {
         let mut host = cargo("firmware-examples", &format!("run --quiet --release --bin {name}"));
         run(host.arg("--target-dir").arg(firmware_target_dir()))
@@ -194,7 +193,7 @@ pub(crate) fn check(program: &Program) -> Result<String> {
     }
     match &host_log {
         _ if different.is_empty() => {}
-        Some(_) => bail!("not what the host says, bit for bit: {}", different.concat()),
+        Some(_) => bail!("the bits differ from those of the host: {}", different.concat()),
         None => bail!("{}{accept}", different.concat()),
     }
     if let Some(host) = &host_log {
@@ -209,7 +208,7 @@ pub(crate) fn check(program: &Program) -> Result<String> {
     Ok(places.join(" "))
 }
 
-/// What cargo is to build for all programs of the main package on a chip: at once, so that all processor cores link.
+/// Arguments of cargo that select all programs of the main package on a chip. One build of all uses all processor cores for linking.
 fn bins_on(chip: &Chip) -> String {
     let here = |program: &&Program| {
         program.folder == PROGRAM_FOLDER && program.chips.iter().any(|other| other.name == chip.name)
@@ -217,7 +216,7 @@ fn bins_on(chip: &Chip) -> String {
     PROGRAMS.iter().filter(here).map(Program::selection).collect::<Vec<_>>().join(" ")
 }
 
-/// The lines in which two logs differ.
+/// Lines in which two logs differ.
 fn difference(expected: &str, log: &str) -> String {
     let (mut old, mut new) = (expected.lines(), log.lines());
     let mut text = String::new();
@@ -246,10 +245,10 @@ pub(crate) fn build(chip: &Chip, what: &str) -> Result<PathBuf> {
     Ok(folder)
 }
 
-/// The command that builds for a chip, and the folder in which the ELF will be.
+/// Command that builds for a chip, and the folder of the ELF.
 pub(crate) fn build_command(chip: &Chip, what: &str) -> Result<(Command, PathBuf)> {
     let toolchain = tools::toolchain()?;
-    // another memory map than that of the target
+    // the memory map is not that of the target
     let memory = (chip.name == chip::M0PLUS.name).then_some("memory/mps2.x");
     let own = if chip.rustflags.is_empty() && memory.is_none() { "" } else { chip.name };
     let dir = target_dir(toolchain, own);
@@ -264,7 +263,7 @@ pub(crate) fn build_command(chip: &Chip, what: &str) -> Result<(Command, PathBuf
     Ok((command, dir.join(chip.target).join("release")))
 }
 
-/// The decoder of the log, for the host.
+/// Path of the decoder of the log, a program of the host.
 fn decoder() -> Result<PathBuf> {
     let dir = firmware_target_dir();
     let mut command = cargo("firmware-examples", "build --package toytop-firmware-decoder");

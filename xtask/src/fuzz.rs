@@ -1,4 +1,4 @@
-//! `cargo xtask fuzz`: the targets of tests/support/hostile under libFuzzer, by cargo-fuzz and a nightly compiler.
+//! `cargo xtask fuzz`: runs of the targets of tests/support/hostile under libFuzzer, by cargo-fuzz and a nightly compiler.
 
 use std::fs;
 use std::process::Command;
@@ -9,16 +9,16 @@ use anyhow::{Result, bail};
 use crate::process::{in_ci, root, run, run_within};
 use crate::subcommand::{is_there, nightly_is_there, provide, show, succeeds};
 
-/// Of core: built in a minute or two, and part of the tests where a nightly compiler is.
+/// Targets of core, which are built in a minute or two, and are part of the tests if a nightly compiler is installed.
 const CORE: [&str; 4] = ["launch", "ephemeris", "fixed", "bake"];
-/// Of the host, with all of its crates to build.
+/// Target of the host, whose build needs all of its crates.
 const SCENARIO: &str = "scenario";
 
 const FOLDER: &str = "tests/fuzz";
-/// No input may take longer, seconds: a table that does not fit is tried in ever finer sizes.
+/// Longest time of an input, s, in which tables of increasing sizes may be tried.
 const LONGEST: u32 = 60;
 
-/// Looks for so many seconds at each target, or at one, and keeps what it learns in tests/fuzz/corpus.
+/// Searches with each target, or with one, for this many seconds, and keeps new inputs in tests/fuzz/corpus.
 pub(crate) fn fuzz(seconds: u32, only: Option<&str>) -> Result<()> {
     let all: Vec<_> = CORE.into_iter().chain([SCENARIO]).collect();
     let chosen = match only {
@@ -38,15 +38,13 @@ pub(crate) fn fuzz(seconds: u32, only: Option<&str>) -> Result<()> {
     Ok(())
 }
 
-/// A short search of core's targets from the seeds, for the test command; only said where it cannot be.
+/// Short search with core's targets from the seeds, for the test command; without the tools only a remark.
 pub(crate) fn briefly() -> Result<String> {
     const SECONDS: u32 = 10;
     let fetch = format!("+nightly fetch --quiet --manifest-path {FOLDER}/Cargo.toml");
     let fetched = || succeeds(&mut cargo(&fetch));
     if !nightly_is_there() || !is_there("fuzz") || !fetched() {
-        return Ok(
-            "not here: it takes cargo-fuzz and a nightly compiler; the seeds are among the tests".into()
-        );
+        return Ok("not run: needs cargo-fuzz and a nightly compiler; the tests run the seeds".into());
     }
     let build = format!("+nightly fuzz build --sanitizer none --fuzz-dir {FOLDER}");
     run(&mut cargo(&build))?;
@@ -57,14 +55,13 @@ pub(crate) fn briefly() -> Result<String> {
             ended.output.lines().find_map(|line| line.strip_prefix("stat::number_of_executed_units:"));
         match executed.and_then(|number| number.trim().parse::<u64>().ok()) {
             Some(executed) if ended.success => inputs += executed,
-            _ => bail!("{}\n{target}: repeat it by the file named above", ended.output.trim_end()),
+            _ => bail!("{}\n{target}: the file named above repeats it", ended.output.trim_end()),
         }
     }
     Ok(format!("{} targets, {inputs} inputs, {SECONDS} s each", CORE.len()))
 }
 
-/// libFuzzer's program for a target: from its seeds, and from what it has learned so far, which it keeps in a folder of
-/// tests/fuzz.
+/// Command that runs libFuzzer with a target, from its seeds and from the inputs of earlier runs in a folder of tests/fuzz.
 fn search(target: &str, seconds: u32, learned: &str) -> Result<Command> {
     let learned = root().join(FOLDER).join(learned).join(target);
     fs::create_dir_all(&learned)?;

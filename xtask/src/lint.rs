@@ -1,4 +1,4 @@
-//! Clippy, with warnings as errors, over the firmware workspace: every package for the targets it is made for.
+//! Runs of clippy on the firmware workspace with warnings as errors, for every package and its targets.
 
 use anyhow::Result;
 
@@ -14,7 +14,7 @@ pub(crate) fn firmware() -> Result<()> {
     }
     println!("clippy: firmware, host side");
     let toolchain = tools::toolchain()?;
-    // all programs, and those that are not for Cortex-M only
+    // all programs on Cortex-M, and those that are not for Cortex-M only on RISC-V
     for chip in ["m4f", "riscv"] {
         let target = named(chip)?.target;
         let (bins, packages): (Vec<_>, Vec<_>) = firmware::programs_of(target)
@@ -25,7 +25,7 @@ pub(crate) fn firmware() -> Result<()> {
         all.extend(packages);
         all.extend(["--package toytop-nopanic", "--package toytop-cost"].map(str::to_owned));
         if chip != "riscv" {
-            all.push("--package toytop-cost --features dwt".to_owned()); // a counter of Arm's
+            all.push("--package toytop-cost --features dwt".to_owned()); // the counter exists on Arm only
         }
         for what in all {
             let words = format!("clippy --release --target {target} {what}");

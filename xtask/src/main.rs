@@ -1,4 +1,4 @@
-//! `cargo xtask`: everything that is checked, on a machine that has rustup and nothing else.
+//! `cargo xtask`: all checks of the repository, on a machine that needs only rustup.
 
 mod c;
 mod coverage;
@@ -28,34 +28,34 @@ use anyhow::{Result, bail};
 const USAGE: &str = "\
 usage: cargo xtask VERB
 
-  setup                        installs what the tests need: a line for each thing, and what was done about it
-  test [--only STEP]           all tests; says in one line what is missing, and installs it as `setup` does where it can
+  setup                        installs the tools of the tests, and prints the result for each of them
+  test [--only STEP]           runs all tests; names missing tools in one line, and installs them as `setup` does if it can
   firmware NAME [--chip CHIP]  runs a program under QEMU and shows its log
-  firmware NAME --overwrite    the same, and accepts the log as the expected one
+  firmware NAME --overwrite    runs a program and writes its log as the expected one
   firmware NAME --chip CHIP --elf, firmware NAME --target TRIPLE --elf
-                               builds it, `cost` too, and prints the path of the ELF, nothing else
-  firmware --list              programs and chips
-  nopanic [--planted]          links core against a panic handler that does not exist; --planted: shows that it bites
+                               builds a program, also `cost`, and prints only the path of the ELF
+  firmware --list              lists programs and chips
+  nopanic [--planted]          links core with a panic handler that does not exist; --planted: shows that a panic does not link
   c-archive --target NAME [--to FOLDER]
-                               archive, header and CMake files for programs in C; NAME is that of a folder, or all
-  c-archive --list             those folders, by processor core and float ABI
-  c-header --overwrite         makes core/c/include/toytop.h anew
-  clippy-firmware              clippy over the firmware workspace, each package for its own targets
+                               writes archive, header and CMake files for programs in C; NAME is that of a folder, or all
+  c-archive --list             lists these folders, by processor core and float ABI
+  c-header --overwrite         writes core/c/include/toytop.h from the sources
+  clippy-firmware              runs clippy on the firmware workspace, each package for its own targets
   qemu CHIP ELF                runs an ELF and shows its log (the runner of firmware-examples/.cargo/config.toml)
 
-  python --full                the Python package as users get it: tests, size of the wheel, figures, notebooks; some minutes
+  python --full                tests the release build of the Python package, with size of the wheel, figures and notebooks; some minutes
 
-Studies, for a longer wait; each installs its cargo subcommand the first time:
+Long tests; each installs its cargo subcommand the first time:
 
-  fuzz [--seconds N] [TARGET]  looks for input that breaks core or the scenario parser: N seconds (600) each
-  coverage [--accept]          the lines of core that its tests run; --accept writes host/docs/coverage.md
-  mutants --shard I/N [FILTER] cargo-mutants on part I of N (from 0) of core's mutants: which ones no test notices;
-                               of those only whose names match FILTER, a regular expression
-  mutants FILTER               all that match, such as regime.rs
-  miri [--target TRIPLE]       core's unit tests in Miri, as a big-endian machine of 32 bits runs them; not x86-64
-  narrow                       core's unit tests and the suite as a program of 32 bits
-  features                     core with every set of its features, on the smallest chip
-  deny                         licences, duplicates, sources and advisories of the dependencies";
+  fuzz [--seconds N] [TARGET]  searches for failures of core and the scenario parser, N seconds (600) for each target
+  coverage [--accept]          measures the lines of core that its tests execute; --accept writes host/docs/coverage.md
+  mutants --shard I/N [FILTER] runs cargo-mutants on part I of N (from 0) of core's mutants, and lists those that no test detects;
+                               with FILTER only mutants whose names match this regular expression
+  mutants FILTER               runs cargo-mutants on all mutants that match, such as regime.rs
+  miri [--target TRIPLE]       runs core's unit tests in Miri, as on a big-endian machine of 32 bits; not x86-64
+  narrow                       runs core's unit tests and the suite as a program of 32 bits
+  features                     builds core with every set of its features, for the smallest chip
+  deny                         checks licences, duplicates, sources and advisories of the dependencies";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

@@ -1,4 +1,4 @@
-//! `cargo xtask miri`: core's unit tests in Miri, on a machine of the other byte order and of 32 bits.
+//! `cargo xtask miri`: core's unit tests in Miri, on a big-endian machine of 32 bits.
 
 use std::process::Command;
 
@@ -7,10 +7,10 @@ use anyhow::{Result, bail};
 use crate::process::{root, run};
 use crate::subcommand::{nightly_is_there, show, succeeds};
 
-/// Big-endian, 32 bits; and libm has no assembly for it, which Miri refuses: on x86-64 it takes square roots so.
+/// Target with 32 bits in big-endian order. libm has no assembly for it, which Miri refuses, while on x86-64 its square root has.
 const TARGET: &str = "powerpc-unknown-linux-gnu";
 
-/// Core's unit tests under Miri, for a target that it emulates.
+/// Runs core's unit tests in Miri, for a target that it emulates.
 pub(crate) fn miri(target: Option<&str>) -> Result<()> {
     if !nightly_is_there() {
         bail!("Miri needs a nightly compiler: rustup toolchain install nightly");

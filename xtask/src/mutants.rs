@@ -1,4 +1,4 @@
-//! `cargo xtask mutants`: plain cargo-mutants, with the files that it changes and the tests that judge.
+//! `cargo xtask mutants`: cargo-mutants with the files that it changes and the tests that it runs.
 
 use std::process::{Command, ExitCode};
 
@@ -7,17 +7,16 @@ use anyhow::{Context, Result};
 use crate::process::root;
 use crate::subcommand::provide;
 
-/// Parts of core that are changed: all but the closed forms of `exact`, the elliptic functions that only they use, and `interop`.
+/// Folders of core that are changed: all except the closed forms of `exact`, the elliptic functions that only they use, and `interop`.
 const PARTS: [&str; 7] = ["constants", "ephemeris", "law", "mean_motion", "motion", "phase", "scalar"];
 
-/// Core's mutants and the tests that judge them: core's unit tests and the suite, without what needs the host's crate.
+/// Arguments that select core's mutants, and core's unit tests and the suite without the host's crate as their tests.
 ///
-/// cargo-mutants takes the time that a mutant may need from core's unit tests alone, which is too little for the suite: the time limit,
-/// s, is stated.
+/// The time limit, s, is stated, because cargo-mutants would take it from core's unit tests alone, which is too short for the suite.
 const SCOPE: &str = "--package toytop --test-package toytop,toytop-tests --no-default-features \
     --features toytop/fixed,toytop/nalgebra --timeout 600";
 
-/// Tries part I of N of the mutants, from 0, or all of them; with a filter, those whose names match the regular expression.
+/// Runs part I of N of the mutants, from 0, or all of them; with a filter, those whose names match the regular expression.
 pub(crate) fn mutants(shard: Option<&str>, filter: Option<&str>) -> Result<ExitCode> {
     provide("mutants")?;
     let mut command = Command::new("cargo");
@@ -26,7 +25,7 @@ pub(crate) fn mutants(shard: Option<&str>, filter: Option<&str>) -> Result<ExitC
     for part in PARTS {
         command.args(["--file", &format!("core/src/{part}/**")]);
     }
-    // every N-th mutant, which is a sample of all files
+    // a part contains every N-th mutant, and so mutants of all files
     command.args(shard.iter().flat_map(|shard| ["--sharding", "round-robin", "--shard", shard]));
     command.args(filter.iter().flat_map(|filter| ["--re", filter]));
     let status = command.args(["--", "--tests"]).status().context("cannot run cargo mutants")?;

@@ -1,4 +1,4 @@
-//! `cargo xtask narrow`: core's unit tests and the suite as a program of 32 bits, which an x86-64 machine runs as it is.
+//! `cargo xtask narrow`: core's unit tests and the suite as a program of 32 bits, which an x86-64 machine can execute.
 
 use std::process::Command;
 
@@ -9,7 +9,7 @@ use crate::subcommand::{show, succeeds};
 
 const TARGET: &str = "i686-unknown-linux-gnu";
 
-/// Without what needs the host's crate.
+/// Runs the tests, without those that need the host's crate.
 pub(crate) fn narrow() -> Result<()> {
     run(Command::new("rustup").args(["target", "add", TARGET]))?;
     if !succeeds(Command::new("sh").args(["-c", "echo 'int main;' | cc -m32 -xc - -o /dev/null"])) {

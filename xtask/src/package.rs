@@ -1,4 +1,4 @@
-//! Core as its users get it: its examples, and its package as a crate that stands alone.
+//! Tests of core's examples, and of its package as a crate outside of the repository.
 
 use std::env;
 use std::fs;
@@ -9,7 +9,7 @@ use anyhow::{Context, Result, bail};
 
 use crate::process::{cargo, root, run};
 
-/// Runs each example of core: an example ends with checks of its own, so that its exit code says whether it is right.
+/// Runs each example of core, which ends with assertions, so that its exit code shows whether it is right.
 pub(crate) fn examples() -> Result<String> {
     let mut names = Vec::new();
     for entry in fs::read_dir(root().join("core/examples"))? {
@@ -33,7 +33,7 @@ fn target_dir() -> PathBuf {
     root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }
 
-/// Packages core, unpacks the package, and tests it there, without the rest of the repository.
+/// Packages core, unpacks the package, and runs its tests without the rest of the repository.
 pub(crate) fn check() -> Result<String> {
     let folder = target_dir().join("package");
     run(&mut cargo(".", "package --package toytop --no-verify --allow-dirty"))?;
@@ -48,7 +48,7 @@ pub(crate) fn check() -> Result<String> {
             bail!("the package of core lacks {file}");
         }
     }
-    // a workspace of its own, although it lies in a folder of ours
+    // the package is a workspace of its own, although it is in a folder of this one
     let manifest = unpacked.join("Cargo.toml");
     let text = fs::read_to_string(&manifest).with_context(|| format!("{}", manifest.display()))?;
     fs::write(&manifest, text + "\n[workspace]\n")?;

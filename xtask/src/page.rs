@@ -1,4 +1,4 @@
-//! Pages of host/docs, whose figures a command writes between two marks.
+//! Pages of host/docs with figures that a command writes between two marks.
 
 use std::fs;
 
@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 
 use crate::process::root;
 
-/// What stands between a page's marks, by a function of what stood there.
+/// Rewrites the text between the marks of a page, by a function of the old text.
 pub(crate) fn rewrite(page: &str, [begin, end]: [&str; 2], new: impl FnOnce(&str) -> String) -> Result<()> {
     let path = root().join(page);
     let text = fs::read_to_string(&path)?;

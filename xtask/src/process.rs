@@ -1,4 +1,4 @@
-//! Other programs: no input, a time limit, and their output kept until it is known to be wanted.
+//! Runs of other programs, without input, with a time limit, and with their output in memory.
 
 use std::io::{Read, pipe};
 use std::path::{Path, PathBuf};
@@ -13,14 +13,14 @@ pub(crate) fn in_ci() -> bool {
     env::var("CI").is_ok_and(|value| !value.is_empty() && value != "false")
 }
 
-/// The root of the repository, from what `cargo run` says at run time: a binary may be older than its folder's name.
+/// Root of the repository, from the environment of `cargo run`, because a binary may be older than the name of its folder.
 pub(crate) fn root() -> PathBuf {
     let xtask =
         env::var_os("CARGO_MANIFEST_DIR").map_or_else(|| env!("CARGO_MANIFEST_DIR").into(), PathBuf::from);
     xtask.parent().map(Path::to_owned).expect("xtask is a folder of the repository")
 }
 
-/// Where the firmware workspace builds: beside its sources, or below `CARGO_TARGET_DIR`.
+/// Target folder of the firmware workspace: beside its sources, or below `CARGO_TARGET_DIR`.
 pub(crate) fn firmware_target_dir() -> PathBuf {
     match env::var_os("CARGO_TARGET_DIR") {
         Some(dir) => root().join(dir).join("firmware"),
@@ -28,7 +28,7 @@ pub(crate) fn firmware_target_dir() -> PathBuf {
     }
 }
 
-/// cargo in a folder of the repository.
+/// Command that runs cargo in a folder of the repository.
 pub(crate) fn cargo(folder: &str, words: &str) -> Command {
     let mut command = Command::new("cargo");
     command.current_dir(root().join(folder)).args(words.split_whitespace());
@@ -38,25 +38,25 @@ pub(crate) fn cargo(folder: &str, words: &str) -> Command {
     command
 }
 
-/// The command, as one would type it.
+/// Command as text.
 fn typed(command: &Command) -> String {
     let words = std::iter::once(command.get_program()).chain(command.get_args());
     words.map(|word| word.to_string_lossy()).collect::<Vec<_>>().join(" ")
 }
 
-/// How a command ended and what it wrote, to both streams in order.
+/// Result of a command: its exit status, and its output to both streams in order.
 pub(crate) struct Ended {
     pub(crate) success: bool,
     pub(crate) output: String,
 }
 
-/// Runs a command to its end, or to the limit.
+/// Result of a command, which may take at most `limit`.
 pub(crate) fn run_within(command: &mut Command, limit: Duration) -> Result<Ended> {
     let name = typed(command);
     let (mut reader, writer) = pipe()?;
     command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
     let mut child = command.spawn().with_context(|| format!("cannot run {name}"))?;
-    command.stdout(Stdio::null()).stderr(Stdio::null()); // drops our ends of the pipe
+    command.stdout(Stdio::null()).stderr(Stdio::null()); // drops this process's ends of the pipe
     let collector = thread::spawn(move || {
         let mut bytes = Vec::new();
         reader.read_to_end(&mut bytes).map(|_| String::from_utf8_lossy(&bytes).into_owned())
@@ -68,7 +68,7 @@ pub(crate) fn run_within(command: &mut Command, limit: Duration) -> Result<Ended
     Ok(Ended { success: status.success(), output })
 }
 
-/// Runs a command that must succeed; its output otherwise is the error.
+/// Output of a command that must succeed; if it fails, its output is the error.
 pub(crate) fn run(command: &mut Command) -> Result<String> {
     let ended = run_within(command, Duration::from_secs(1200))?;
     if !ended.success {
@@ -77,7 +77,7 @@ pub(crate) fn run(command: &mut Command) -> Result<String> {
     Ok(ended.output)
 }
 
-/// Waits for the end of a child; kills it at the limit and returns `None`.
+/// Exit status of a child; `None` if it was killed at the limit.
 pub(crate) fn wait(child: &mut Child, limit: Duration) -> Result<Option<ExitStatus>> {
     let start = Instant::now();
     loop {

@@ -1,4 +1,4 @@
-//! `cargo xtask python`: the Python package, built by maturin and tested in a virtual environment below `target`.
+//! `cargo xtask python`: build of the Python package by maturin, and its tests in a virtual environment below `target`.
 
 use std::fs;
 use std::path::PathBuf;
@@ -11,20 +11,20 @@ use crate::process::{cargo, root, run, run_within};
 
 const FOLDER: &str = "host/python";
 
-/// Python packages that build and test ours.
+/// Python packages that build and test the package.
 const TOOLS: &[&str] = &["maturin>=1.9,<2", "numpy", "scipy>=1.12", "pytest>=8", "mypy>=1.15"];
-/// Python packages that the figures and the notebooks need besides.
+/// Further Python packages of the figures and the notebooks.
 const MORE: &[&str] =
     &["heyoka>=7", "matplotlib", "dask[array]", "pyarrow", "ipykernel", "nbclient", "nbconvert"];
 
 /// Largest wheel, bytes.
 const LARGEST_WHEEL: u64 = 1_500_000;
 
-/// Builds the package without link-time optimisation, which takes a third of the time, and runs everything that is not timed; only
-/// said where there is no Python, or no package index.
+/// Builds the package without link-time optimisation, which takes a third of the time, and runs all tests except those of times. Without
+/// Python or a package index, the result is only a remark.
 pub(crate) fn check() -> Result<String> {
     let Some(environment) = Environment::provided(TOOLS)? else {
-        return Ok("not here: it takes Python 3.10 with venv, and a package index that pip reaches".into());
+        return Ok("not run: needs Python 3.10 with venv, and a package index that pip can reach".into());
     };
     run(cargo(FOLDER, "clippy --profile quick --all-targets")
         .args(["--", "-D", "warnings"])
@@ -33,10 +33,10 @@ pub(crate) fn check() -> Result<String> {
     environment.tested()
 }
 
-/// Everything of [`check`] with the wheel that users get; its size, the figures, and the notebooks.
+/// Runs the tests of [`check`] with the release build of the wheel, and checks its size, the figures and the notebooks.
 pub(crate) fn full() -> Result<()> {
     let Some(environment) = Environment::provided(TOOLS)? else {
-        bail!("it takes Python 3.10 with venv, and a package index that pip reaches");
+        bail!("needs Python 3.10 with venv, and a package index that pip can reach");
     };
     environment.pip(MORE)?;
     let wheel = environment.install("release")?;
@@ -60,7 +60,7 @@ pub(crate) fn full() -> Result<()> {
     Ok(())
 }
 
-/// Folder of everything that is built here.
+/// Folder of the environment and the builds.
 fn target() -> PathBuf {
     root().join("target/python")
 }
@@ -84,7 +84,7 @@ impl Environment {
         Ok(succeeds(&mut environment.pip_install(packages)).then_some(environment))
     }
 
-    /// Python of this environment.
+    /// Command that runs the Python of this environment.
     fn python(&self, words: &[&str]) -> Command {
         let folder = if cfg!(windows) { "Scripts" } else { "bin" };
         let mut command = Command::new(self.0.join(folder).join("python"));
@@ -116,13 +116,13 @@ impl Environment {
         Ok(wheel)
     }
 
-    /// Tests, types and stubs.
+    /// Runs the tests, and checks types and stubs.
     fn tested(&self) -> Result<String> {
         let folder = root().join(FOLDER);
         let output = run(self.python(&["-m", "pytest"]).current_dir(&folder))?;
         let passed = output.lines().rfind(|line| line.contains(" passed")).unwrap_or_default().to_owned();
         run(self.python(&["-m", "mypy"]).current_dir(&folder))?;
-        // away from the sources, so that the installed package is what is checked
+        // in another folder than the sources, so that the installed package is tested
         run(self.python(&["-m", "mypy.stubtest", "toytop"]).current_dir(target()))?;
         if passed.is_empty() {
             bail!("{output}\nno test ran");

@@ -1,4 +1,4 @@
-//! `cargo xtask setup`: installs what the tests need, and says of each thing what was done about it.
+//! `cargo xtask setup`: installs the tools of the tests, and prints the result for each of them.
 
 use std::process::{Command, ExitCode};
 use std::time::Duration;
@@ -9,11 +9,11 @@ use crate::process::run_within;
 use crate::subcommand::{is_there, nightly_is_there, provide};
 use crate::tools;
 
-/// A thing that some test needs besides cargo.
+/// Tool that some test needs besides cargo.
 pub(crate) struct Need {
     pub(crate) name: &'static str,
     is_there: fn() -> bool,
-    /// Installs it where this machine allows that; the error says how to install it by hand.
+    /// Installs the tool if this machine allows it; the error states how to install it by hand.
     bring: fn() -> Result<()>,
 }
 
@@ -39,7 +39,7 @@ pub(crate) const C: Need = Need { name: "tools for C", is_there: tools::c_is_the
 const NIGHTLY: Need = Need { name: "nightly compiler", is_there: nightly_is_there, bring: bring_nightly };
 const FUZZER: Need = Need { name: "cargo-fuzz", is_there: || is_there("fuzz"), bring: || provide("fuzz") };
 
-/// Everything that a step of the tests uses; the last two only for the step `fuzz`, which runs nothing without them.
+/// All tools of the tests. Only the step `fuzz` uses the last two, and runs nothing without them.
 const ALL: [Need; 8] = [LINTS, COMPILER, PAGE_COMPILER, EMULATOR, BROWSER, C, NIGHTLY, FUZZER];
 
 impl Need {
@@ -47,13 +47,13 @@ impl Need {
         !(self.is_there)()
     }
 
-    /// Makes it available, or says in one line that it is missing and how it is installed.
+    /// Installs the tool if it is missing; the error states in one line how it is installed.
     pub(crate) fn provide(&self) -> Result<()> {
         (self.bring)()
     }
 }
 
-/// Installs what is missing, a line each.
+/// Installs all missing tools, and prints a line for each tool.
 pub(crate) fn setup() -> Result<ExitCode> {
     let mut code = ExitCode::SUCCESS;
     for need in &ALL {
@@ -92,7 +92,7 @@ fn bring_nightly() -> Result<()> {
     Ok(())
 }
 
-/// Runs rustup; whether that helped is seen by what it brings.
+/// Runs rustup. Its success is checked by the presence of the tool.
 fn rustup(words: &[&str]) {
     let _ = run_within(Command::new("rustup").args(words), Duration::from_secs(600));
 }

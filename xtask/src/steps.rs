@@ -16,9 +16,9 @@ use crate::{c, features, fuzz, nopanic, package, python, tools, web};
 /// One step of the test command.
 struct Step {
     name: &'static str,
-    /// Things that it needs besides cargo.
+    /// Tools that it needs besides cargo.
     needs: &'static [Need],
-    /// Returns a remark.
+    /// Function that runs the step and returns a remark.
     run: Box<dyn Fn() -> Result<String> + Send>,
 }
 
@@ -96,7 +96,7 @@ fn steps() -> Vec<Step> {
     steps
 }
 
-/// Runs all steps, or the one named. What a machine lacks is named; in CI that is a failure.
+/// Runs all steps, or one. Missing tools are named; in CI they are a failure.
 pub(crate) fn test(only: Option<&str>) -> Result<ExitCode> {
     let mut steps = steps();
     if let Some(name) = only {
@@ -109,7 +109,7 @@ pub(crate) fn test(only: Option<&str>) -> Result<ExitCode> {
 
     let missing = missing(&steps);
     if !missing.is_empty() {
-        println!("missing: {}; `cargo xtask setup` brings it, as is tried now", missing.join(", "));
+        println!("missing: {}; trying to install, as `cargo xtask setup` does", missing.join(", "));
     }
     let start = Instant::now();
     // one after the other, because two installations would wait for each other's lock
@@ -144,7 +144,7 @@ pub(crate) fn test(only: Option<&str>) -> Result<ExitCode> {
     Ok(if failed.is_empty() && passed > 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// The names of what some of the steps need and this machine lacks.
+/// Names of the tools that some of the steps need and this machine does not have.
 fn missing(steps: &[Step]) -> Vec<&'static str> {
     let mut needs: Vec<&Need> = steps.iter().flat_map(|step| step.needs).collect();
     needs.sort_by_key(|need| need.name);
@@ -152,7 +152,7 @@ fn missing(steps: &[Step]) -> Vec<&'static str> {
     needs.into_iter().filter(|need| need.is_missing()).map(|need| need.name).collect()
 }
 
-/// Core for every chip, with no feature and with all: targets that have no `std`. (The programs link it, too.)
+/// Builds core for every chip, without features and with all, on targets without `std`.
 fn no_std() -> Result<String> {
     let toolchain = tools::toolchain()?;
     for target in TARGETS {
@@ -166,13 +166,12 @@ fn no_std() -> Result<String> {
     Ok(format!("{} targets, without features and with all", TARGETS.len()))
 }
 
-/// Tests of all crates, and of what the program can do beyond its default features: the same in every step, which then
-/// share one build.
+/// Command that tests all crates, with the program's feature `parquet`. All steps use the same build.
 fn tests(words: &str) -> Command {
     web::with_core(cargo(".", &format!("test --workspace --features toytop-host/parquet {words}")))
 }
 
-/// The closing lines of every test binary are shown.
+/// Runs tests, and returns the closing lines of every test binary.
 fn cargo_test(words: &str) -> Result<String> {
     let output = run(&mut tests(words))?;
     let closing: Vec<_> = output.lines().filter(|line| line.starts_with("test result:")).collect();
@@ -187,8 +186,7 @@ fn cargo_test(words: &str) -> Result<String> {
     Ok(format!("{passed} passed, {} ignored\n{}", count(" ignored"), closing.join("\n")))
 }
 
-/// Every bench once, so that none rots; times are not looked at. In the profile of the tests, whose build it shares: a build of
-/// everything for release would serve nothing else.
+/// Runs every bench once, without regard to times, so that none fails to build. The profile is that of the tests, whose build is shared.
 fn benches() -> Result<String> {
     let output = run(&mut tests("--benches"))?;
     let ran = output.matches("\nSuccess").count();
@@ -198,7 +196,7 @@ fn benches() -> Result<String> {
     Ok(format!("{ran} ran once each"))
 }
 
-/// Pages of `toytop view` in Chromium, by the binary that the tests have built.
+/// Tests the pages of `toytop view` in Chromium, by the binary that the tests have built.
 fn browser() -> Result<String> {
     let mut command = tests("--test cli");
     command.args(["--", "--ignored", "--nocapture", "view::browser::"]).env("CHROMIUM", tools::chromium()?);
@@ -212,7 +210,7 @@ fn browser() -> Result<String> {
     }
 }
 
-/// `toytop budget --check`, by the binary that the tests have built.
+/// Runs `toytop budget --check`, by the binary that the tests have built.
 fn budget() -> Result<String> {
     let mut command = tests("--test cli");
     command.args(["--", "--ignored", "--exact", "budget::every_call_is_within_its_budget"]);

@@ -1,5 +1,4 @@
-//! Tools that come as subcommands of cargo: found, or installed by cargo itself the first time a command asks for them.
-//! `cargo xtask test` needs none of them.
+//! Subcommands of cargo, which are installed by cargo at the first use. `cargo xtask test` does not need them.
 
 use std::process::Command;
 use std::time::Duration;
@@ -14,7 +13,7 @@ pub(crate) fn provide(name: &str) -> Result<()> {
         let crate_name = format!("cargo-{name}");
         eprintln!("installing {crate_name}: some minutes, once");
         show(Command::new("cargo").args(["install", "--locked", &crate_name]))
-            .with_context(|| format!("needed here: cargo install --locked {crate_name}"))?;
+            .with_context(|| format!("install it: cargo install --locked {crate_name}"))?;
     }
     Ok(())
 }
@@ -24,17 +23,17 @@ pub(crate) fn is_there(name: &str) -> bool {
     succeeds(Command::new("cargo").args([name, "--version"]))
 }
 
-/// Whether a nightly compiler is installed; rustup is not asked to fetch one.
+/// Whether a nightly compiler is installed; rustup does not fetch one.
 pub(crate) fn nightly_is_there() -> bool {
     succeeds(Command::new("rustup").args(["run", "nightly", "rustc", "--version"]))
 }
 
-/// Whether a command ends well within a minute.
+/// Whether a command succeeds within a minute.
 pub(crate) fn succeeds(command: &mut Command) -> bool {
     run_within(command, Duration::from_secs(60)).is_ok_and(|ended| ended.success)
 }
 
-/// Runs a command that may take hours, its output where the reader sees it.
+/// Runs a command that may take hours, with visible output.
 pub(crate) fn show(command: &mut Command) -> Result<()> {
     let name = command.get_program().to_string_lossy().into_owned();
     let status = command.current_dir(root()).status().with_context(|| format!("cannot run {name}"))?;

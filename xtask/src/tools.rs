@@ -1,4 +1,4 @@
-//! What cross compiling, emulating and browsing need: found, installed, or named in one line.
+//! Tools for cross compilation, emulation and browsers, which are found, installed, or named in one line.
 
 use std::path::Path;
 use std::process::Command;
@@ -10,12 +10,12 @@ use anyhow::{Context, Result, bail};
 use crate::firmware::TARGETS;
 use crate::process::{self, Ended, run_within};
 
-/// A compiler that can build for the chips, or for a page.
+/// Compiler that can build for the chips, or for a page.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Toolchain {
-    /// The one that runs this, with the targets added.
+    /// Compiler of this program, with the added targets.
     Own,
-    /// Debian's packages, which bring the sources of the standard library: for where rustup cannot reach its server.
+    /// Compiler of Debian's packages, which contain the sources of the standard library, for machines where rustup cannot reach its server.
     Debian,
 }
 
@@ -28,7 +28,7 @@ const C_PACKAGES: &str = "gcc g++ clang lld cmake";
 const CHROMIUM_PACKAGE: &str = "chromium";
 
 impl Toolchain {
-    /// cargo for a target without `std`, in a folder of the repository.
+    /// Command that runs cargo for a target without `std`, in a folder of the repository.
     pub(crate) fn cargo(self, folder: &str, words: &str) -> Command {
         let mut command = process::cargo(folder, words);
         if self == Self::Debian {
@@ -45,7 +45,7 @@ impl Toolchain {
         command
     }
 
-    /// Compilers do not share a target folder.
+    /// Target folder, which two compilers must not share.
     pub(crate) fn subfolder(self) -> &'static str {
         match self {
             Self::Own => "",
@@ -54,7 +54,7 @@ impl Toolchain {
     }
 }
 
-/// A toolchain for all [`TARGETS`]. Installs what is missing, the first time it is asked.
+/// Toolchain for all [`TARGETS`]. The first call installs it if it is missing.
 pub(crate) fn toolchain() -> Result<Toolchain> {
     static FOUND: OnceLock<Option<Toolchain>> = OnceLock::new();
     match FOUND.get_or_init(|| find_toolchain(TARGETS)) {
@@ -63,12 +63,12 @@ pub(crate) fn toolchain() -> Result<Toolchain> {
     }
 }
 
-/// A toolchain for one more target. Installs it where it is missing.
+/// Toolchain for another target, which is installed if it is missing.
 pub(crate) fn toolchain_for(target: &'static str) -> Result<Toolchain> {
     find_toolchain(&[target]).with_context(|| format!("to build for {target}: rustup target add {target}"))
 }
 
-/// A toolchain for the pages of `toytop view`. Installs what is missing, the first time it is asked.
+/// Toolchain for the pages of `toytop view`. The first call installs it if it is missing.
 pub(crate) fn page_toolchain() -> Result<Toolchain> {
     static FOUND: OnceLock<Option<Toolchain>> = OnceLock::new();
     match FOUND.get_or_init(|| find_toolchain(&[PAGE_TARGET])) {
@@ -77,12 +77,12 @@ pub(crate) fn page_toolchain() -> Result<Toolchain> {
     }
 }
 
-/// Whether something here can build for all [`TARGETS`]; installs nothing.
+/// Whether an installed toolchain can build for all [`TARGETS`].
 pub(crate) fn toolchain_is_there() -> bool {
     can_build(TARGETS)
 }
 
-/// Whether something here can build the pages of `toytop view`; installs nothing.
+/// Whether an installed toolchain can build the pages of `toytop view`.
 pub(crate) fn page_toolchain_is_there() -> bool {
     can_build(&[PAGE_TARGET])
 }
@@ -122,7 +122,7 @@ fn missing<'a>(targets: &[&'a str]) -> Vec<&'a str> {
     targets.iter().copied().filter(|target| !installed(target)).collect()
 }
 
-/// Whether Debian's packages are there: compiler and clippy, linker, and the sources of `core`.
+/// Whether Debian's packages are installed: compiler and clippy, linker, and the sources of `core`.
 fn debian_is_complete() -> bool {
     let mut rustc = Command::new("/usr/bin/rustc");
     rustc.args(["--print", "sysroot"]).env_remove("LD_LIBRARY_PATH");
@@ -134,12 +134,12 @@ fn debian_is_complete() -> bool {
         && attempt(&mut rustc, 60).is_some_and(|ended| sources(&ended.output))
 }
 
-/// Whether QEMU is here for both architectures.
+/// Whether QEMU is installed for both architectures.
 pub(crate) fn qemu_is_there() -> bool {
     works("qemu-system-arm") && works("qemu-system-riscv32")
 }
 
-/// QEMU for both architectures. Installs it where it may.
+/// Installs QEMU for both architectures if it is missing.
 pub(crate) fn qemu() -> Result<()> {
     static FOUND: OnceLock<bool> = OnceLock::new();
     let found = *FOUND.get_or_init(|| {
@@ -154,15 +154,15 @@ pub(crate) fn qemu() -> Result<()> {
     Ok(())
 }
 
-/// Compilers of C and C++, the linker for chips, and CMake.
+/// Programs for C: compilers of C and C++, the linker for chips, and CMake.
 const C_PROGRAMS: [&str; 6] = ["gcc", "g++", "clang", "clang++", "ld.lld", "cmake"];
 
-/// Whether the tools for C are here.
+/// Whether the tools for C are installed.
 pub(crate) fn c_is_there() -> bool {
     C_PROGRAMS.into_iter().all(works)
 }
 
-/// The tools for C. Installs them where it may.
+/// Installs the tools for C if they are missing.
 pub(crate) fn c() -> Result<()> {
     if !c_is_there() {
         apt_install(C_PACKAGES);
@@ -174,12 +174,12 @@ pub(crate) fn c() -> Result<()> {
     Ok(())
 }
 
-/// The Chromium that is here, by the name of its program.
+/// Name of an installed Chromium.
 pub(crate) fn any_chromium() -> Option<&'static str> {
     ["chromium", "chromium-browser", "google-chrome"].into_iter().find(|program| works(program))
 }
 
-/// A Chromium. Installs it where it may.
+/// Name of a Chromium, which is installed if it is missing.
 pub(crate) fn chromium() -> Result<&'static str> {
     static FOUND: OnceLock<Option<&'static str>> = OnceLock::new();
     let found = FOUND.get_or_init(|| {
@@ -196,7 +196,7 @@ pub(crate) fn chromium() -> Result<&'static str> {
     }
 }
 
-/// Installs Debian packages, for root only; whether that helped is seen by what they bring.
+/// Installs Debian packages, for root only. Success is checked by the presence of the programs.
 fn apt_install(packages: &str) {
     let root = attempt(Command::new("id").arg("-u"), 30).is_some_and(|ended| ended.output.trim() == "0");
     if !root || attempt(Command::new("apt-get").arg("--version"), 30).is_none() {
@@ -212,12 +212,12 @@ fn apt_install(packages: &str) {
     }
 }
 
-/// Whether a program is here and says its version.
+/// Whether a program is installed and prints its version.
 fn works(program: &str) -> bool {
     attempt(Command::new(program).arg("--version"), 60).is_some_and(|ended| ended.success)
 }
 
-/// The end of a command that may be missing or hang.
+/// Result of a command; `None` if it is missing or exceeds the time limit.
 fn attempt(command: &mut Command, seconds: u64) -> Option<Ended> {
     run_within(command, Duration::from_secs(seconds)).ok()
 }

@@ -1,4 +1,4 @@
-//! The core as WebAssembly, which `host/build.rs` puts into every page of `toytop view`.
+//! Build of the core as WebAssembly, which `host/build.rs` puts into every page of `toytop view`.
 
 use std::fs;
 use std::path::PathBuf;
@@ -9,10 +9,10 @@ use anyhow::{Result, bail};
 use crate::process::{root, run};
 use crate::tools::{self, PAGE_TARGET, Toolchain};
 
-/// Bytes that it may have: a page of 400 KB holds it in base 64, beside the scripts.
+/// Greatest size, bytes: a page of 400 KB contains it in base 64, beside the scripts.
 const MOST: u64 = 200_000;
 
-/// Builds it, and says how large it is.
+/// Builds the core, and returns its size as text.
 pub(crate) fn check() -> Result<String> {
     let toolchain = tools::page_toolchain()?;
     let file = file_of(toolchain);
@@ -26,7 +26,7 @@ pub(crate) fn check() -> Result<String> {
     Ok(format!("{bytes} bytes of WebAssembly"))
 }
 
-/// A command that builds the host, with the file if the compiler that builds the host cannot make it.
+/// Command that builds the host, with the path of the core if the compiler of the host cannot build it.
 pub(crate) fn with_core(mut command: Command) -> Command {
     let file = file_of(Toolchain::Debian);
     if file.exists() && matches!(tools::page_toolchain(), Ok(Toolchain::Debian)) {

@@ -54,15 +54,15 @@
 // Bytes of a sample.
 #define TOYTOP_EPHEMERIS_SAMPLE_SIZE 96
 
-// Status of a call: `TOYTOP_OK`, or why the call did nothing.
+// Status of a call: `TOYTOP_OK`, or the reason for which the call did nothing.
 enum toytop_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : uint32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
-  // The call has done its work.
+  // The call was successful.
   TOYTOP_OK = 0,
-  // A pointer is null that must not be.
+  // A pointer is null that must not be null.
   TOYTOP_NULL_POINTER = 1,
   // A parameter is NaN or infinite; the text of the error names it.
   TOYTOP_NOT_FINITE = 2,
@@ -76,7 +76,7 @@ enum toytop_status
   TOYTOP_NOT_SET_UP = 6,
   // There is no such turning point or tip angle in this motion.
   TOYTOP_NONE = 7,
-  // The set-up of a table needs more slices: no refusal.
+  // The set-up of a table needs more slices, which is no error.
   TOYTOP_PENDING = 8,
 };
 #ifndef __cplusplus
@@ -176,7 +176,7 @@ typedef struct toytop_top {
   double rotor_momentum;
 } toytop_top;
 
-// Motion of one throw: what a table is set up from. It may be copied; its words mean nothing to a program.
+// Motion of one launch, from which a table is set up. It may be copied; a program must not use its words.
 typedef struct toytop_motion {
   uint64_t opaque[128];
 } toytop_motion;
@@ -211,20 +211,20 @@ typedef struct toytop_tick {
   uint32_t seconds;
 } toytop_tick;
 
-// Set-up of one table in slices, which is needed until the table is ready. Its words mean nothing to a program.
+// Set-up of one table in slices, which is needed until the table is ready. A program must not use its words.
 typedef struct toytop_set_up {
   uint64_t opaque[640];
 } toytop_set_up;
 
-// Phases of consecutive ticks of one table: what an interrupt keeps. It may be copied.
+// Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.
 //
-// A cursor belongs to the table that made it, and is to be made again after a set-up, a delay or a change of the tick.
+// A cursor belongs to the table that made it, and must be made again after a set-up, a delay or a change of the tick.
 typedef struct toytop_ephemeris_cursor {
   uint64_t opaque[8];
 } toytop_ephemeris_cursor;
 
-// Table of a motion in `f32`. Memory of `TOYTOP_EPHEMERIS_F32_SIZE_OF(segments)` bytes that is aligned like it may be used
-// as one, and is a larger or smaller table.
+// Table of a motion in `f32`. Memory of `TOYTOP_EPHEMERIS_F32_SIZE_OF(segments)` bytes with the same alignment may be used
+// as a larger or smaller table.
 typedef struct toytop_ephemeris_f32 {
   uint64_t opaque[285];
 } toytop_ephemeris_f32;
@@ -291,12 +291,12 @@ toytop_status toytop_state_from_quaternion_and_gyro(const double *quaternion,
                                                     struct toytop_state *state,
                                                     struct toytop_error *error);
 
-// State after an impulse, to which the support of the tip answers. `before` and `after` may be the same object.
+// State after an impulse and the reaction of the support. `before` and `after` may be the same object.
 //
 // Refusals name a parameter of the top or of the state, `impulse` or `point`. `error` may be null.
 //
 // * `impulse`: three components in the fixed frame, N s
-// * `point`: three body coordinates of the point that it meets, m from the tip
+// * `point`: three body coordinates of the point at which it acts, m from the tip
 toytop_status toytop_impulse(const struct toytop_top *top,
                              const struct toytop_state *before,
                              const double *impulse,
@@ -304,7 +304,7 @@ toytop_status toytop_impulse(const struct toytop_top *top,
                              struct toytop_state *after,
                              struct toytop_error *error);
 
-// Impulse with which the support answers, N s in the fixed frame. Where its vertical part is negative, a real top leaves
+// Reaction impulse of the support, N s in the fixed frame. If its vertical part is negative, a real top leaves
 // the plane.
 //
 // Arguments and refusals are those of `toytop_impulse`.
@@ -331,8 +331,8 @@ toytop_status toytop_motion_constants(const struct toytop_motion *motion, struct
 // Tick of a frequency in Hz.
 struct toytop_tick toytop_hertz(uint32_t frequency);
 
-// Begins a set-up in slices, for a program that must do something else in between, such as feed a watchdog. It computes
-// nothing yet: call `toytop_f32_set_up_poll`, or that of another scalar, until it no longer returns `TOYTOP_PENDING`.
+// Begins a set-up in slices, for a program that has other work in between, such as feeding a watchdog. The slices are computed by
+// `toytop_f32_set_up_poll`, or the function of another scalar, which must be called until it no longer returns `TOYTOP_PENDING`.
 //
 // Refusals name `tick` or `truncation`. `error` may be null. The motion is copied.
 //
@@ -346,10 +346,10 @@ toytop_status toytop_set_up_begin(struct toytop_set_up *set_up,
 // Tick of the last sample of a cursor; before the first sample, the tick before it.
 toytop_status toytop_ephemeris_cursor_tick(const struct toytop_ephemeris_cursor *place, int64_t *tick);
 
-// Sets up a table in memory of the caller, which need not be initialised. It takes milliseconds on a chip: not for an interrupt.
+// Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
 //
 // Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion. After a refusal the
-// table must not be used, and every function that reads it says so. `error` may be null.
+// table must not be used, and every function that reads it returns `TOYTOP_NOT_SET_UP`. `error` may be null.
 //
 // * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 16 to 4096)
 // * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
@@ -360,11 +360,11 @@ toytop_status toytop_f32_set_up(struct toytop_ephemeris_f32 *table,
                                 double truncation,
                                 struct toytop_error *error);
 
-// Does the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
-// calls after that return the same and change nothing.
+// Performs the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
+// later calls return the same status and change nothing.
 //
-// The first slice may be given any memory for a table, the others the same again. Refusals name `table` where it is another,
-// or was set up otherwise meanwhile, or say that the segments are not enough for this motion. `error` may be null.
+// The first slice may have any memory for a table, and the others must have the same memory. Refusals name `table` if it is another one
+// or was set up in another way meanwhile, or say that the segments are not enough for this motion. `error` may be null.
 //
 // * `size`: bytes of the memory of the table
 toytop_status toytop_f32_set_up_poll(struct toytop_set_up *set_up,
@@ -373,7 +373,7 @@ toytop_status toytop_f32_set_up_poll(struct toytop_set_up *set_up,
                                      struct toytop_error *error);
 
 // Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
-// refused. A table has at least 16. It costs far more than a set-up: a question for a PC.
+// refused. A table has at least 16. The call takes much longer than a set-up, and is meant for a PC.
 //
 // * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
 uint32_t toytop_f32_segments_needed(const struct toytop_motion *motion,
@@ -383,8 +383,9 @@ uint32_t toytop_f32_segments_needed(const struct toytop_motion *motion,
 toytop_status toytop_f32_error_bounds(const struct toytop_ephemeris_f32 *table,
                                       struct toytop_error_bounds *bounds);
 
-// Delays the motion of a table by a number of ticks, fractional or not: what was tick 0 becomes tick `ticks`.
-toytop_status toytop_f32_delay(struct toytop_ephemeris_f32 *table, double ticks);
+// Delays the motion of a table by a number of ticks, which may be fractional: the instant of tick 0 becomes that of tick `ticks`.
+toytop_status toytop_f32_delay(struct toytop_ephemeris_f32 *table,
+                               double ticks);
 
 // Changes the length of a tick of a table; tick 0 remains the same instant.
 toytop_status toytop_f32_set_tick(struct toytop_ephemeris_f32 *table, struct toytop_tick tick);
@@ -409,7 +410,7 @@ toytop_status toytop_f32_next(const struct toytop_ephemeris_f32 *table,
                               struct toytop_ephemeris_cursor *cursor,
                               struct toytop_ephemeris_sample *sample);
 
-// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates: what most interrupts want, in one call.
+// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates, without a sample.
 toytop_status toytop_f32_next_quaternion(const struct toytop_ephemeris_f32 *table,
                                          struct toytop_ephemeris_cursor *cursor,
                                          float *quaternion);
@@ -449,17 +450,17 @@ toytop_status toytop_f32_tip(const struct toytop_ephemeris_sample *sample,
 toytop_status toytop_f32_tip_velocity(const struct toytop_ephemeris_sample *sample,
                                       float *velocity);
 
-// Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` where the axis is vertical for ever.
+// Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` if the axis is always vertical.
 toytop_status toytop_f32_tip_angle(const struct toytop_ephemeris_sample *sample,
                                    double *angle);
 
-// State of a sample: what a relaunch starts from.
+// State of a sample, from which another motion can be launched.
 toytop_status toytop_f32_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
 
-// Sets up a table in memory of the caller, which need not be initialised. It takes milliseconds on a chip: not for an interrupt.
+// Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
 //
 // Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion. After a refusal the
-// table must not be used, and every function that reads it says so. `error` may be null.
+// table must not be used, and every function that reads it returns `TOYTOP_NOT_SET_UP`. `error` may be null.
 //
 // * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 16 to 4096)
 // * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
@@ -470,11 +471,11 @@ toytop_status toytop_f64_set_up(struct toytop_ephemeris_f64 *table,
                                 double truncation,
                                 struct toytop_error *error);
 
-// Does the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
-// calls after that return the same and change nothing.
+// Performs the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
+// later calls return the same status and change nothing.
 //
-// The first slice may be given any memory for a table, the others the same again. Refusals name `table` where it is another,
-// or was set up otherwise meanwhile, or say that the segments are not enough for this motion. `error` may be null.
+// The first slice may have any memory for a table, and the others must have the same memory. Refusals name `table` if it is another one
+// or was set up in another way meanwhile, or say that the segments are not enough for this motion. `error` may be null.
 //
 // * `size`: bytes of the memory of the table
 toytop_status toytop_f64_set_up_poll(struct toytop_set_up *set_up,
@@ -483,7 +484,7 @@ toytop_status toytop_f64_set_up_poll(struct toytop_set_up *set_up,
                                      struct toytop_error *error);
 
 // Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
-// refused. A table has at least 16. It costs far more than a set-up: a question for a PC.
+// refused. A table has at least 16. The call takes much longer than a set-up, and is meant for a PC.
 //
 // * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
 uint32_t toytop_f64_segments_needed(const struct toytop_motion *motion,
@@ -493,8 +494,9 @@ uint32_t toytop_f64_segments_needed(const struct toytop_motion *motion,
 toytop_status toytop_f64_error_bounds(const struct toytop_ephemeris_f64 *table,
                                       struct toytop_error_bounds *bounds);
 
-// Delays the motion of a table by a number of ticks, fractional or not: what was tick 0 becomes tick `ticks`.
-toytop_status toytop_f64_delay(struct toytop_ephemeris_f64 *table, double ticks);
+// Delays the motion of a table by a number of ticks, which may be fractional: the instant of tick 0 becomes that of tick `ticks`.
+toytop_status toytop_f64_delay(struct toytop_ephemeris_f64 *table,
+                               double ticks);
 
 // Changes the length of a tick of a table; tick 0 remains the same instant.
 toytop_status toytop_f64_set_tick(struct toytop_ephemeris_f64 *table, struct toytop_tick tick);
@@ -519,7 +521,7 @@ toytop_status toytop_f64_next(const struct toytop_ephemeris_f64 *table,
                               struct toytop_ephemeris_cursor *cursor,
                               struct toytop_ephemeris_sample *sample);
 
-// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates: what most interrupts want, in one call.
+// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates, without a sample.
 toytop_status toytop_f64_next_quaternion(const struct toytop_ephemeris_f64 *table,
                                          struct toytop_ephemeris_cursor *cursor,
                                          double *quaternion);
@@ -559,17 +561,17 @@ toytop_status toytop_f64_tip(const struct toytop_ephemeris_sample *sample,
 toytop_status toytop_f64_tip_velocity(const struct toytop_ephemeris_sample *sample,
                                       double *velocity);
 
-// Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` where the axis is vertical for ever.
+// Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` if the axis is always vertical.
 toytop_status toytop_f64_tip_angle(const struct toytop_ephemeris_sample *sample,
                                    double *angle);
 
-// State of a sample: what a relaunch starts from.
+// State of a sample, from which another motion can be launched.
 toytop_status toytop_f64_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
 
-// Sets up a table in memory of the caller, which need not be initialised. It takes milliseconds on a chip: not for an interrupt.
+// Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
 //
 // Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion. After a refusal the
-// table must not be used, and every function that reads it says so. `error` may be null.
+// table must not be used, and every function that reads it returns `TOYTOP_NOT_SET_UP`. `error` may be null.
 //
 // * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 16 to 4096)
 // * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
@@ -580,11 +582,11 @@ toytop_status toytop_q31_set_up(struct toytop_ephemeris_q31 *table,
                                 double truncation,
                                 struct toytop_error *error);
 
-// Does the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
-// calls after that return the same and change nothing.
+// Performs the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
+// later calls return the same status and change nothing.
 //
-// The first slice may be given any memory for a table, the others the same again. Refusals name `table` where it is another,
-// or was set up otherwise meanwhile, or say that the segments are not enough for this motion. `error` may be null.
+// The first slice may have any memory for a table, and the others must have the same memory. Refusals name `table` if it is another one
+// or was set up in another way meanwhile, or say that the segments are not enough for this motion. `error` may be null.
 //
 // * `size`: bytes of the memory of the table
 toytop_status toytop_q31_set_up_poll(struct toytop_set_up *set_up,
@@ -593,7 +595,7 @@ toytop_status toytop_q31_set_up_poll(struct toytop_set_up *set_up,
                                      struct toytop_error *error);
 
 // Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
-// refused. A table has at least 16. It costs far more than a set-up: a question for a PC.
+// refused. A table has at least 16. The call takes much longer than a set-up, and is meant for a PC.
 //
 // * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
 uint32_t toytop_q31_segments_needed(const struct toytop_motion *motion,
@@ -603,8 +605,9 @@ uint32_t toytop_q31_segments_needed(const struct toytop_motion *motion,
 toytop_status toytop_q31_error_bounds(const struct toytop_ephemeris_q31 *table,
                                       struct toytop_error_bounds *bounds);
 
-// Delays the motion of a table by a number of ticks, fractional or not: what was tick 0 becomes tick `ticks`.
-toytop_status toytop_q31_delay(struct toytop_ephemeris_q31 *table, double ticks);
+// Delays the motion of a table by a number of ticks, which may be fractional: the instant of tick 0 becomes that of tick `ticks`.
+toytop_status toytop_q31_delay(struct toytop_ephemeris_q31 *table,
+                               double ticks);
 
 // Changes the length of a tick of a table; tick 0 remains the same instant.
 toytop_status toytop_q31_set_tick(struct toytop_ephemeris_q31 *table, struct toytop_tick tick);
@@ -629,7 +632,7 @@ toytop_status toytop_q31_next(const struct toytop_ephemeris_q31 *table,
                               struct toytop_ephemeris_cursor *cursor,
                               struct toytop_ephemeris_sample *sample);
 
-// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates: what most interrupts want, in one call.
+// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates, without a sample.
 toytop_status toytop_q31_next_quaternion(const struct toytop_ephemeris_q31 *table,
                                          struct toytop_ephemeris_cursor *cursor,
                                          int32_t *quaternion);
@@ -669,11 +672,11 @@ toytop_status toytop_q31_tip(const struct toytop_ephemeris_sample *sample,
 toytop_status toytop_q31_tip_velocity(const struct toytop_ephemeris_sample *sample,
                                       float *velocity);
 
-// Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` where the axis is vertical for ever.
+// Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` if the axis is always vertical.
 toytop_status toytop_q31_tip_angle(const struct toytop_ephemeris_sample *sample,
                                    double *angle);
 
-// State of a sample: what a relaunch starts from.
+// State of a sample, from which another motion can be launched.
 toytop_status toytop_q31_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
 
 #ifdef __cplusplus

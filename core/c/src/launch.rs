@@ -1,4 +1,4 @@
-//! Top and state: what a launch starts from.
+//! Top and state, the input of a launch.
 
 use crate::memory::{read, write};
 use crate::status::{Refusal, answer, toytop_error, toytop_status};
@@ -154,12 +154,12 @@ pub unsafe extern "C" fn toytop_state_from_quaternion_and_gyro(
     unsafe { answer(result(), error) }
 }
 
-/// State after an impulse, to which the support of the tip answers. `before` and `after` may be the same object.
+/// State after an impulse and the reaction of the support. `before` and `after` may be the same object.
 ///
 /// Refusals name a parameter of the top or of the state, `impulse` or `point`. `error` may be null.
 ///
 /// * `impulse`: three components in the fixed frame, N s
-/// * `point`: three body coordinates of the point that it meets, m from the tip
+/// * `point`: three body coordinates of the point at which it acts, m from the tip
 ///
 /// # Safety
 /// Each pointer is null or points to as many objects of its type as are named.
@@ -185,7 +185,7 @@ pub unsafe extern "C" fn toytop_impulse(
     unsafe { answer(result(), error) }
 }
 
-/// Impulse with which the support answers, N s in the fixed frame. Where its vertical part is negative, a real top leaves
+/// Reaction impulse of the support, N s in the fixed frame. If its vertical part is negative, a real top leaves
 /// the plane.
 ///
 /// Arguments and refusals are those of `toytop_impulse`.

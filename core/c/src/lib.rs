@@ -4,17 +4,17 @@
 
 // Modules in the order of dependence: each one uses only those above it.
 
-// Memory of the caller, and what is answered.
+// Memory of the caller, and status codes.
 mod status;
 
 mod memory;
 
-// Once a throw: may fail.
+// Functions that run once per launch and can fail.
 mod launch;
 
 mod motion;
 
-// Every tick.
+// Functions that run at every tick.
 mod table;
 
 mod set_up;
@@ -45,8 +45,8 @@ pub use table::{
     toytop_error_bounds, toytop_hertz, toytop_tick,
 };
 
-/// Panic handler of an archive, which the compiler demands. It refers to a function that does not exist: where no path reaches it, the
-/// archive has no trace of either, which `cargo xtask c-archive` checks.
+/// Panic handler, which the compiler requires in an archive. It calls a function that does not exist. If no code can panic, the archive
+/// contains neither of them, which `cargo xtask c-archive` checks.
 #[cfg(toytop_archive)]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {

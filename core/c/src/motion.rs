@@ -1,4 +1,4 @@
-//! Motion of one throw, and its constants.
+//! Motion of one launch, and its constants.
 
 use crate::launch::{toytop_state, toytop_top};
 use crate::memory::{Kept, keep, kept, read, write};
@@ -8,14 +8,14 @@ use toytop::{Motion, Regime};
 /// Bytes of a motion.
 pub const TOYTOP_MOTION_SIZE: usize = 1024;
 
-/// Motion of one throw: what a table is set up from. It may be copied; its words mean nothing to a program.
+/// Motion of one launch, from which a table is set up. It may be copied; a program must not use its words.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_motion {
     opaque: [u64; 128],
 }
 
-// cbindgen takes no other length than a number
+// cbindgen accepts only a number as a length
 const _: () = assert!(size_of::<toytop_motion>() == TOYTOP_MOTION_SIZE);
 
 impl Kept for Motion {

@@ -1,4 +1,4 @@
-//! Reading of a table: any tick, cursors, and what follows from a sample.
+//! Reading of a table: any tick, cursors, and the quantities of a sample.
 
 use crate::memory::{Kept, keep, kept, write};
 use crate::status::{Refusal, toytop_status};
@@ -11,9 +11,9 @@ pub const TOYTOP_EPHEMERIS_CURSOR_SIZE: usize = 64;
 /// Bytes of a sample.
 pub const TOYTOP_EPHEMERIS_SAMPLE_SIZE: usize = 96;
 
-/// Phases of consecutive ticks of one table: what an interrupt keeps. It may be copied.
+/// Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.
 ///
-/// A cursor belongs to the table that made it, and is to be made again after a set-up, a delay or a change of the tick.
+/// A cursor belongs to the table that made it, and must be made again after a set-up, a delay or a change of the tick.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_ephemeris_cursor {
@@ -39,7 +39,7 @@ pub struct toytop_turning_point {
     pub upper: u32,
 }
 
-// cbindgen takes no other length than a number
+// cbindgen accepts only a number as a length
 const _: () = assert!(
     size_of::<toytop_ephemeris_cursor>() == TOYTOP_EPHEMERIS_CURSOR_SIZE
         && size_of::<toytop_ephemeris_sample>() == TOYTOP_EPHEMERIS_SAMPLE_SIZE
@@ -64,7 +64,7 @@ pub(crate) unsafe fn sample<R: Tabulated>(
     unsafe { kept(place) }
 }
 
-/// Quantity of a sample, written where the caller wants it.
+/// Writes a quantity of a sample to memory of the caller.
 ///
 /// # Safety
 /// As for [`sample`]; `place` is null or valid for writing a `T`.

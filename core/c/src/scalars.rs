@@ -18,10 +18,10 @@ use toytop::fixed::types::I2F30;
 macro_rules! functions {
     ($name:ident, $scalar:ty, $table:ty, $output:ty, $wide:ty) => { pastey::paste! {
 
-/// Sets up a table in memory of the caller, which need not be initialised. It takes milliseconds on a chip: not for an interrupt.
+/// Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
 ///
 /// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion. After a refusal the
-/// table must not be used, and every function that reads it says so. `error` may be null.
+/// table must not be used, and every function that reads it returns `TOYTOP_NOT_SET_UP`. `error` may be null.
 ///
 /// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 16 to 4096)
 /// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
@@ -41,11 +41,11 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up>](
     unsafe { answer(set_up::at_once::<$scalar>(table.cast(), size, motion, tick, truncation), error) }
 }
 
-/// Does the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
-/// calls after that return the same and change nothing.
+/// Performs the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
+/// later calls return the same status and change nothing.
 ///
-/// The first slice may be given any memory for a table, the others the same again. Refusals name `table` where it is another,
-/// or was set up otherwise meanwhile, or say that the segments are not enough for this motion. `error` may be null.
+/// The first slice may have any memory for a table, and the others must have the same memory. Refusals name `table` if it is another one
+/// or was set up in another way meanwhile, or say that the segments are not enough for this motion. `error` may be null.
 ///
 /// * `size`: bytes of the memory of the table
 ///
@@ -64,7 +64,7 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up_poll>](
 }
 
 /// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
-/// refused. A table has at least 16. It costs far more than a set-up: a question for a PC.
+/// refused. A table has at least 16. The call takes much longer than a set-up, and is meant for a PC.
 ///
 /// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
 ///
@@ -89,7 +89,7 @@ pub unsafe extern "C" fn [<toytop_ $name _error_bounds>](
     unsafe { answer(sample::error_bounds::<$scalar>(table.cast(), bounds), null_mut()) }
 }
 
-/// Delays the motion of a table by a number of ticks, fractional or not: what was tick 0 becomes tick `ticks`.
+/// Delays the motion of a table by a number of ticks, which may be fractional: the instant of tick 0 becomes that of tick `ticks`.
 ///
 /// # Safety
 /// The pointer is null or points to a table that nobody reads meanwhile.
@@ -166,7 +166,7 @@ pub unsafe extern "C" fn [<toytop_ $name _next>](
     unsafe { answer(sample::next::<$scalar>(table.cast(), cursor, sample), null_mut()) }
 }
 
-/// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates: what most interrupts want, in one call.
+/// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates, without a sample.
 ///
 /// # Safety
 /// Each pointer is null or points to an object of its type, `quaternion` to four. The table made the cursor.
@@ -294,7 +294,7 @@ pub unsafe extern "C" fn [<toytop_ $name _tip_velocity>](
     unsafe { answer(tell(sample, velocity.cast(), told), null_mut()) }
 }
 
-/// Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` where the axis is vertical for ever.
+/// Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` if the axis is always vertical.
 ///
 /// # Safety
 /// Each pointer is null or points to an object of its type; the table of the sample is unchanged.
@@ -307,7 +307,7 @@ pub unsafe extern "C" fn [<toytop_ $name _tip_angle>](
     unsafe { answer(sample::tip_angle::<$scalar>(sample, angle), null_mut()) }
 }
 
-/// State of a sample: what a relaunch starts from.
+/// State of a sample, from which another motion can be launched.
 ///
 /// # Safety
 /// Each pointer is null or points to an object of its type; the table of the sample is unchanged.

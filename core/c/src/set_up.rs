@@ -10,20 +10,20 @@ use toytop::{EphemerisView, Motion, ParameterError, SetUp, TableTooSmall, Tick};
 /// Bytes of a set-up.
 pub const TOYTOP_SET_UP_SIZE: usize = 5120;
 
-/// Set-up of one table in slices, which is needed until the table is ready. Its words mean nothing to a program.
+/// Set-up of one table in slices, which is needed until the table is ready. A program must not use its words.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_set_up {
     opaque: [u64; 640],
 }
 
-// cbindgen takes no other length than a number
+// cbindgen accepts only a number as a length
 const _: () = assert!(
     size_of::<toytop_set_up>() == TOYTOP_SET_UP_SIZE
         && align_of::<toytop_set_up>() == TOYTOP_EPHEMERIS_ALIGNMENT
 );
 
-/// Set-up, and the table that it is for.
+/// Set-up with the table that it belongs to.
 struct Slices {
     set_up: SetUp,
     table: Option<Claim>,
@@ -76,7 +76,7 @@ pub(crate) unsafe fn at_once<R: Tabulated>(
     Ok(())
 }
 
-/// Does the next slice of a set-up.
+/// Performs the next slice of a set-up.
 ///
 /// # Safety
 /// `set_up` is null or valid for reading and writing; `table` is as for [`at_once`], until the last slice returns.
@@ -127,8 +127,8 @@ pub(crate) unsafe fn segments_needed<R: Tabulated>(motion: *const toytop_motion,
     EphemerisView::<R>::segments_needed(&motion, allowed).unwrap_or_default()
 }
 
-/// Begins a set-up in slices, for a program that must do something else in between, such as feed a watchdog. It computes
-/// nothing yet: call `toytop_f32_set_up_poll`, or that of another scalar, until it no longer returns `TOYTOP_PENDING`.
+/// Begins a set-up in slices, for a program that has other work in between, such as feeding a watchdog. The slices are computed by
+/// `toytop_f32_set_up_poll`, or the function of another scalar, which must be called until it no longer returns `TOYTOP_PENDING`.
 ///
 /// Refusals name `tick` or `truncation`. `error` may be null. The motion is copied.
 ///

@@ -1,16 +1,16 @@
-//! Status codes, and the text that says which parameter was refused and what is allowed.
+//! Status codes, and the text with the refused parameter and its allowed values.
 
 use core::ffi::{CStr, c_char};
 use toytop::{ParameterError, TableTooSmall};
 
-/// Status of a call: `TOYTOP_OK`, or why the call did nothing.
+/// Status of a call: `TOYTOP_OK`, or the reason for which the call did nothing.
 #[repr(u32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(clippy::upper_case_acronyms, reason = "constants of C")]
 pub enum toytop_status {
-    /// The call has done its work.
+    /// The call was successful.
     TOYTOP_OK = 0,
-    /// A pointer is null that must not be.
+    /// A pointer is null that must not be null.
     TOYTOP_NULL_POINTER = 1,
     /// A parameter is NaN or infinite; the text of the error names it.
     TOYTOP_NOT_FINITE = 2,
@@ -24,7 +24,7 @@ pub enum toytop_status {
     TOYTOP_NOT_SET_UP = 6,
     /// There is no such turning point or tip angle in this motion.
     TOYTOP_NONE = 7,
-    /// The set-up of a table needs more slices: no refusal.
+    /// The set-up of a table needs more slices, which is no error.
     TOYTOP_PENDING = 8,
 }
 

@@ -15,8 +15,8 @@ pub const TOYTOP_EPHEMERIS_Q31_SIZE: usize = 2328;
 /// Alignment of the memory of a table, bytes.
 pub const TOYTOP_EPHEMERIS_ALIGNMENT: usize = 8;
 
-/// Table of a motion in `f32`. Memory of `TOYTOP_EPHEMERIS_F32_SIZE_OF(segments)` bytes that is aligned like it may be used
-/// as one, and is a larger or smaller table.
+/// Table of a motion in `f32`. Memory of `TOYTOP_EPHEMERIS_F32_SIZE_OF(segments)` bytes with the same alignment may be used
+/// as a larger or smaller table.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_ephemeris_f32 {
@@ -117,13 +117,13 @@ const LEAST: usize = 16;
 /// Greatest number of segments that a table can use.
 const MOST: usize = 4096;
 
-/// Bytes of a table with so many segments.
+/// Bytes of a table with this many segments.
 const fn size_of_table<R: Tabulated>(segments: usize) -> usize {
     size_of::<Head>() + size_of::<Ephemeris<R, LEAST>>() - LEAST * size_of::<R::Segment>()
         + segments * size_of::<R::Segment>()
 }
 
-// Assertions of the figures in the header. The alignment is that of the words of a table; cbindgen takes no other length than a number.
+// Assertions of the numbers in the header. The alignment is that of the words of a table; cbindgen accepts only a number as a length.
 const _: () = {
     assert!(size_of::<toytop_ephemeris_f32>() == TOYTOP_EPHEMERIS_F32_SIZE);
     assert!(size_of::<toytop_ephemeris_f64>() == TOYTOP_EPHEMERIS_F64_SIZE);
@@ -157,7 +157,7 @@ fn checked_head(table: *const u8) -> Result<*const Head, Refusal> {
     }
 }
 
-/// Table behind a head, with so many segments.
+/// Table after a head, with this many segments.
 fn behind<R: Tabulated>(head: *const Head, segments: usize) -> *mut EphemerisView<R> {
     let first = head.wrapping_add(1).cast_mut().cast::<R::Segment>();
     // the pointer to a table is that to its first byte, with the number of segments in place of the array's
@@ -197,7 +197,7 @@ unsafe fn ready<R: Tabulated>(table: *const u8) -> Result<*mut EphemerisView<R>,
     Ok(behind(head, segments as usize))
 }
 
-/// Memory of the caller that is, or becomes, a table: where its head is, and how many segments it has room for.
+/// Memory of the caller for a table: address of its head, and number of segments.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Memory {
     head: *mut Head,

@@ -1,11 +1,11 @@
-//! The committed header is that of the sources.
+//! Test that the committed header agrees with the sources.
 
 #![allow(clippy::expect_used, reason = "a test may fail so")]
 
 use std::path::Path;
 
-/// Header that cbindgen makes of the sources. It needs the sources with their macros expanded, for which stable compilers want to be
-/// asked.
+/// Header that cbindgen makes of the sources. It needs the sources with their macros expanded, which a stable compiler does only with
+/// `RUSTC_BOOTSTRAP`.
 fn made() -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     let config = cbindgen::Config::from_file(folder.join("cbindgen.toml")).expect("a configuration");
@@ -21,7 +21,7 @@ fn made() -> String {
     plain(&String::from_utf8(text).expect("UTF-8"))
 }
 
-/// Without what only a Rust program must know: the end of a comment, from "# Safety" on.
+/// Header without the parts of comments that are for Rust programs, from "# Safety" to the end.
 fn plain(header: &str) -> String {
     let mut lines: Vec<&str> = Vec::new();
     let mut safety = false;

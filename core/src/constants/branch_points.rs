@@ -85,7 +85,7 @@ impl BranchPoints {
     /// First integrals of the motion with these branch points and signs (equation (3.6) of the paper). The four
     /// choices of signs have different integrals; where A and C differ, changing the sign of l - n also changes h.
     ///
-    /// Without torque the branch points tell no rate, and no integrals: the result has l = n = 0.
+    /// Without torque the branch points determine neither a rate nor the integrals, and the result has l = n = 0.
     #[must_use]
     pub fn integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals {
         let lifted = self.lifted();

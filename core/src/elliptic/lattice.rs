@@ -26,16 +26,6 @@ impl Lattice {
         Self::new(half_periods, roots_from_gaps(upper_gap, lower_gap))
     }
 
-    /// Lattice from its half periods ω and |ω'|.
-    pub(crate) fn of_half_periods(real: Extended, imaginary: Extended) -> Self {
-        let roots = if real <= imaginary {
-            TallLattice::roots_of(real, imaginary)
-        } else {
-            turned_roots(TallLattice::roots_of(imaginary, real))
-        };
-        Self::new([real, imaginary], roots)
-    }
-
     fn new([real, imaginary]: [Extended; 2], roots: [Extended; 3]) -> Self {
         let turned = real > imaginary;
         let tall = if turned {

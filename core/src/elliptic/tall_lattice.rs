@@ -68,17 +68,6 @@ impl TallLattice {
         Self { width, height, roots, theta, constants, origin_slope: one_slope.re, kappa }
     }
 
-    /// Roots of the lattice with these half periods.
-    pub(crate) fn roots_of(width: Extended, height: Extended) -> [Extended; 3] {
-        let nome = nome(width, height);
-        let Values { two, four, .. } = Theta::new(nome).at(Complex::ZERO);
-        let fourth = |x: Extended| x.squared().squared();
-        let square = (half_pi() / width).squared();
-        // e₁ - e₂ = (π/2W)² ϑ₄⁴, e₂ - e₃ = (π/2W)² ϑ₂⁴
-        let (upper, lower) = (square * fourth(four.re), nome * square * fourth(two.re) * 16.0.into());
-        roots_from_gaps(upper, lower)
-    }
-
     pub(crate) fn kappa(&self) -> Extended {
         self.kappa
     }

@@ -58,22 +58,6 @@ impl Weierstrass {
         Self::from_gaps(e1 - e2, e2 - e3)
     }
 
-    /// Lattice from ω > 0 and |ω'| > 0.
-    ///
-    /// # Errors
-    /// `real_half_period`, `imaginary_half_period`: not between 1e-40 and 1e40, or one more than 200 times the other.
-    pub fn from_half_periods(real: f64, imaginary: f64) -> Result<Self, ParameterError> {
-        finite("real_half_period", real)?;
-        finite("imaginary_half_period", imaginary)?;
-        for (name, half, other) in
-            [("real_half_period", real, imaginary), ("imaginary_half_period", imaginary, real)]
-        {
-            require((1e-40..=1e40).contains(&half), name, "between 1e-40 and 1e40")?;
-            require(half <= 200.0 * other, name, "at most 200 times the other half period")?;
-        }
-        Ok(Self { lattice: Lattice::of_half_periods(real.into(), imaginary.into()) })
-    }
-
     /// Roots e₁, e₂, e₃, with sum 0.
     #[must_use]
     pub fn roots(&self) -> [f64; 3] {

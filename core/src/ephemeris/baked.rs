@@ -136,7 +136,7 @@ impl<R: EphemerisScalar> TableData<'_, R> {
 macro_rules! baked {
     ($scalar:ty, $wide:ident, $coefficient:ident, $terms:ident) => {
         impl TableData<'_, $scalar> {
-            /// Checksum of the data, whatever the field `crc32` says.
+            /// Checksum of the data, which may differ from the field `crc32`.
             #[must_use]
             pub const fn computed_crc32(&self) -> u32 {
                 let [x, mean, axial] = self.clock.rates;
@@ -178,7 +178,7 @@ macro_rules! baked {
         }
 
         impl<const SEGMENTS: usize> Baked<$scalar, SEGMENTS> {
-            /// Checksum of the data, whatever the field `crc32` says.
+            /// Checksum of the data, which may differ from the field `crc32`.
             #[must_use]
             pub const fn computed_crc32(&self) -> u32 {
                 self.data().computed_crc32()

@@ -1,5 +1,7 @@
 //! Clock of an ephemeris: the phases at any tick, and at any time between two ticks.
 
+mod tip;
+
 use crate::constants::Regime;
 use crate::ephemeris::cell::CELLS;
 use crate::ephemeris::error_bound::missed_by;
@@ -9,6 +11,7 @@ use crate::ephemeris::tick::Tick;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction, integer_parts, shifted, whole_number};
 use crate::scalar::{Extended, Float, Ring};
+pub use tip::TipClock;
 
 /// Phases at tick 0, their increments per tick, and the scales of lengths and rates, as plain numbers: see
 /// `docs/table_format.md`.
@@ -38,24 +41,6 @@ pub struct Clock<W> {
     pub turns: bool,
 }
 
-/// Mean tip angle at any tick, whole turns included, as plain numbers: see `docs/table_format.md`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(C)]
-pub struct TipClock {
-    /// Mean tip angle at tick 0, in units of 2^-96 turns: words of 32 bits, the least significant first.
-    pub start: [u32; 4],
-    /// Increment of the mean tip angle per tick, in units of 2^-96 turns: words of 32 bits, the least significant
-    /// first.
-    pub step: [u32; 4],
-    /// Quarter turns of the argument of the tabulated αβ at u = e₁: 0, or 1 or -1 where α passes through 0 there (e₁
-    /// = -1).
-    pub quarter: i8,
-    /// Number of parameters that pass through 0 instead of winding around it: 0, 1 or 2.
-    pub passes: u8,
-    /// Whether the tip angle exists; false where the axis is vertical at all times.
-    pub exists: bool,
-}
-
 /// Time between two ticks: the tick before it, and the time since that tick in units of 2^-64 ticks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Instant {
@@ -71,50 +56,6 @@ impl Instant {
     fn exact_share(self) -> Extended {
         let (upper, lower) = ((self.share >> 32) as u32, self.share as u32);
         Extended::sum(f64::from(upper) * (SHARE_UNIT * (1_u64 << 32) as f64), f64::from(lower) * SHARE_UNIT)
-    }
-}
-
-impl TipClock {
-    const STOPPED: Self = Self { start: [0; 4], step: [0; 4], quarter: 0, passes: 0, exists: false };
-
-    /// Mean tip angle at tick n.
-    #[inline(always)]
-    pub(crate) fn at(&self, n: i64) -> Phase {
-        Phase::from_words(self.start) + Phase::from_words(self.step).times(n)
-    }
-
-    /// Mean tip angle at an instant.
-    #[inline(always)]
-    pub(crate) fn at_instant(&self, instant: Instant) -> Phase {
-        self.at(instant.tick) + Phase::from_words(self.step).share(instant.share)
-    }
-
-    /// Mean tip angle after `whole` ticks, given as the sum of two numbers, and a fraction `share` in [0, 1) of the
-    /// next tick.
-    pub(crate) fn between(&self, whole: [f64; 2], share: Extended) -> Phase {
-        let turned = Phase::from_words(self.step).to_bits().wrapping_mul(whole_ticks(whole));
-        Phase::from_words(self.start)
-            + Phase::from_bits(turned)
-            + Phase::new(Phase::from_words(self.step).to_f64() * share.to_f64())
-    }
-
-    fn new(motion: &Motion, rates: &MeanRates, exact_step: [Extended; 3]) -> Self {
-        let [alpha, beta] = motion.windings();
-        let passes = if rates.returns { u8::from(alpha == 0) + u8::from(beta == 0) } else { 0 };
-        Self {
-            start: [0; 4],
-            step: Self::increment(exact_step, passes),
-            quarter: if alpha == 0 { motion.signs().l_plus_n.factor() as i8 } else { 0 },
-            passes,
-            exists: !motion.regime().is_vertical(),
-        }
-    }
-
-    /// Increment of the mean tip angle per tick. The mean rates of A and B include half a turn per period for a parameter
-    /// that passes through 0; the tip angle does not.
-    pub(crate) fn increment([nutation, a, b]: [Extended; 3], passes: u8) -> [u32; 4] {
-        let halves = nutation * Extended::from(0.5 * f64::from(passes));
-        (a + b - halves).to_phase().words()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Change of the clock of an ephemeris: another tick length, or another instant as tick 0, with the same table.
 //!
-//! The table is a function of phases, and only the clock knows the ticks. A change therefore costs some divisions instead
-//! of a set-up. The error bound stays an upper bound; `core/docs/error_bound.md` says by how much it grows.
+//! The table is a function of phases, and only the clock depends on the ticks. Therefore a change takes some divisions in place
+//! of a set-up. The error bound remains an upper bound; `core/docs/error_bound.md` states its growth.
 
 use crate::ephemeris::cell::{CELLS, Cell};
 use crate::ephemeris::clock::{Clock, TipClock, first_phases, rise, whole_between, whole_ticks};

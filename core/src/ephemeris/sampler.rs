@@ -9,8 +9,8 @@ use crate::ephemeris::storage::EphemerisView;
 /// together, so that a cursor is never used with another table than its own.
 ///
 /// It serves an interrupt whose table is replaced while it runs. The table is an exclusive reference, so that the old one
-/// comes back and can be set up anew: two tables, and two single-producer single-consumer queues of references to them,
-/// hand over without a lock, without copying a table and without `unsafe`, also on a chip that has no compare-and-swap.
+/// is returned and can be set up again. With two tables, and two single-producer single-consumer queues of references to them, the
+/// exchange needs no lock, no copy of a table and no `unsafe`, also on a chip that has no compare-and-swap.
 /// The firmware example `relaunch` does so. Count the ticks of all tables by one counter, with [`EphemerisView::delay`].
 ///
 /// ```

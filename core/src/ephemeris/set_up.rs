@@ -17,8 +17,8 @@ use crate::ephemeris::tick::Tick;
 use crate::motion::Motion;
 use crate::scalar::Float;
 
-/// Set-up of an ephemeris in slices of bounded work, for a program that must do something else in between: feed a watchdog,
-/// answer a bus, or step other motions. Its memory, some 5 KiB, is needed until the ephemeris is ready.
+/// Set-up of an ephemeris in slices of bounded work, for a program that has other work in between, such as feeding a watchdog,
+/// serving a bus, or stepping other motions. Its memory, some 5 KiB, is needed until the ephemeris is ready.
 ///
 /// ```
 /// use toytop::{EphemerisF32, Motion, Release, SetUp, State, Tick, Top, TopParameters};
@@ -103,7 +103,7 @@ impl SetUp {
         &self.motion
     }
 
-    /// Does the next slice of the work; the ephemeris must be the same at each call. Until the result is
+    /// Performs the next slice of the work; the ephemeris must be the same at each call. Until the result is
     /// [`Poll::Ready`] it must not be used, and its error bounds are infinite. Calls after that return the same
     /// result and change nothing.
     ///
@@ -246,7 +246,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 
     /// Number of segments that is enough for a motion with a given truncation error, rad; `None` if 4096, the
-    /// largest number there is, are not. Cost: up to that many series, far more than a set-up: a question for a PC.
+    /// largest number, are not. Cost: up to that many series, far more than a set-up, so it is meant for a PC.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         if motion.is_steady() {

@@ -15,7 +15,7 @@ use crate::scalar::{Float, Real, Ring, Scalar};
 
 impl<R: EphemerisScalar> EphemerisView<R> {
     /// Mean rate of the tip angle in turns per unit time; 0 where the axis is vertical at all times. The rate times t
-    /// tells how often a tip angle, which is known modulo 2^32 turns, has passed that number.
+    /// determines how often a tip angle, which is known modulo 2^32 turns, has passed that number.
     #[must_use]
     pub fn mean_tip_angle_rate(&self) -> f64 {
         let [ticks_per_time, _] = self.clock.ticks_per_time;
@@ -35,7 +35,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let nutation = nutation.fraction();
         let quarter_turn = Phase::QUARTER.times(self.clock.tip.quarter.into());
         let tabulated = self.tabulated_angle(nutation);
-        // the table tells the whole turns, the motion's own phases the rest: near the centre the table's angle is blurred
+        // the whole turns are those of the table, and the rest is that of the motion's phases, because near the centre the table's angle is inexact
         let argument = motion.tip_angle_at_start();
         let exact = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
         let TipClock { quarter, passes, .. } = self.clock.tip;
@@ -81,8 +81,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.clock.horizon.is_some() && product.norm_squared() < R::Wide::from_f64(limit)
     }
 
-    /// αβ turned as by [`EphemerisView::turned_back`]; so near 0 that rounding blurs it, the direction in which it moves away from 0, or
-    /// from which it comes.
+    /// Direction of αβ, turned as by [`EphemerisView::turned_back`]. Where αβ is so near 0 that it has no correct digit, it is the direction
+    /// in which αβ moves away from 0, or from which it moves to 0.
     fn direction(&self, value: [R::Wide; 4], slope: [R::Wide; 4], x: R::Wide) -> Complex<R::Wide> {
         let product = self.turned_back(value);
         let ([alpha, beta], [alpha_slope, beta_slope]) = (complex(value), complex(slope));

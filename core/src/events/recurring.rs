@@ -81,7 +81,7 @@ impl<const N: usize> Recurring<N> {
         }
     }
 
-    /// Passes over so many ticks, which are whole periods.
+    /// Advances by this many ticks, which are whole periods.
     pub(super) fn skip(&mut self, ticks: Extended) {
         self.next = self.next.map(|next| next.map(|next| next + ticks));
     }

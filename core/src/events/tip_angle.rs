@@ -135,7 +135,7 @@ impl<R: EphemerisScalar> TipAngles<'_, R> {
         Event::at(if high < self.from { self.from } else { high }, upward)
     }
 
-    /// Event of a motion without bounds, whose φ is monotone for ever.
+    /// Event of a motion without bounds, whose φ is monotone at all times.
     fn without_bounds(&mut self) -> Option<Event> {
         let rate = turns(Phase::from_words(self.view.clock.tip.step));
         let mut length = Extended::ONE / rate.abs();

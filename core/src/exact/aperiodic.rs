@@ -16,7 +16,7 @@ mod sliding;
 use crate::attitude_state::AttitudeState;
 use crate::elliptic::elementary::real;
 use crate::elliptic::transcendental::tanh_sech;
-use crate::exact::orientation::Fit;
+use crate::exact::orientation::ConstantArguments;
 use crate::exact::periods::solve_rising;
 use crate::exact::sigma_quotient::ValueAndSlope;
 use crate::motion::{Motion, NutationVariable};
@@ -38,7 +38,7 @@ pub struct Aperiodic {
     form: Form,
     /// Variable v at t = 0, and t(v) there.
     start: [Extended; 2],
-    fit: Fit,
+    arguments: ConstantArguments,
 }
 
 /// Solution for t and arg α, by support of the tip.
@@ -140,15 +140,15 @@ impl Aperiodic {
         };
         let v = Extended::from(v);
         let start = point.at(v);
-        let fit = Fit::new(motion, [form.alpha(&start), point.beta(&start)]);
-        Some(Self { point, form, start: [v, form.time(&start)], fit })
+        let arguments = ConstantArguments::new(motion, [form.alpha(&start), point.beta(&start)]);
+        Some(Self { point, form, start: [v, form.time(&start)], arguments })
     }
 
     /// Orientation Φ and rate Φ' at t.
     #[must_use]
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
         let point = self.point.at(self.exact_v(t));
-        self.fit.attitude_state(t, [self.form.alpha(&point), self.point.beta(&point)], [Phase::ZERO; 2])
+        self.arguments.attitude_state(t, [self.form.alpha(&point), self.point.beta(&point)], [Phase::ZERO; 2])
     }
 
     /// Variable v at t, with u = e₁ + (1 - e₁) tanh² v.

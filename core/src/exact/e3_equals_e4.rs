@@ -20,8 +20,8 @@ use crate::elliptic::carlson_rf;
 use crate::elliptic::elementary::{imaginary, real};
 use crate::elliptic::lattice::Lattice;
 use crate::elliptic::transcendental::of_turns;
-use crate::exact::orientation::Fit;
-use crate::exact::periods::{solve_rising, split};
+use crate::exact::orientation::ConstantArguments;
+use crate::exact::periods::{Periods, solve_rising};
 use crate::exact::sigma_quotient::{SigmaQuotient, ValueAndSlope};
 use crate::motion::Motion;
 use crate::phase::Phase;
@@ -37,12 +37,7 @@ use crate::top::{Quantities, Support};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct E3EqualsE4 {
     solution: Solution,
-    period: Extended,
-    /// Rotation of α and β over one period, for C = A.
-    turns: [Phase; 2],
-    /// Time t(x) at t = 0 of the motion.
-    origin: Extended,
-    fit: Fit,
+    periods: Periods,
 }
 
 /// Solution for t, α and β as functions of x = iy.
@@ -122,28 +117,28 @@ impl E3EqualsE4 {
         let linear = (e.e1 + e.e2 + e.e3.doubled()) / 3.0.into();
         let solution = Solution { lattice, time_scale, linear, alpha, beta };
         let (period, origin) = (solution.time(half).0.doubled(), solution.time(start).0);
-        Some(Self { solution, period, turns, origin, fit: Fit::new(motion, solution.parameters(start)) })
+        let arguments = ConstantArguments::new(motion, solution.parameters(start));
+        Some(Self { solution, periods: Periods { period, turns, origin, arguments } })
     }
 
     /// Nutation period, |t(2ω₁)|.
     #[must_use]
     pub fn period(&self) -> f64 {
-        self.period.to_f64()
+        self.periods.period.to_f64()
     }
 
     /// Orientation Φ and rate Φ' at t.
     #[must_use]
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
-        let (periods, rest) = split(self.origin, t, self.period);
-        let y = self.solution.y_at(rest, self.period);
-        self.fit.attitude_state(t, self.solution.parameters(y), self.turns.map(|turns| turns.times(periods)))
+        let y = |time| self.solution.y_at(time, self.periods.period);
+        self.periods.attitude_state(t, |time| self.solution.parameters(y(time)))
     }
 
     /// Nutation phase at t, whole periods included: 0 at u = e₁, half a turn at u = e₂.
     #[must_use]
     pub fn nutation_phase(&self, t: f64) -> Phase {
-        let (periods, rest) = split(self.origin, t, self.period);
-        Phase::ONE.times(periods) + Phase::HALF + (rest / self.period).to_phase()
+        // the time of the solution is 0 at u = e₂
+        self.periods.phase(t) + Phase::HALF
     }
 }
 

@@ -1,6 +1,6 @@
 //! Body without torque (e₃ → ∞): two rotations, about the angular momentum and about the axis.
 //!
-//! The angular momentum m is constant in the fixed frame. The axis goes round it at the rate |m|/A, and relative to that the
+//! The angular momentum m is constant in the fixed frame. The axis rotates about it at the rate |m|/A, and relative to that the
 //! body turns about its axis at the rate τ = ⟨ω, r⟩ - n/A:
 //!
 //! ```text

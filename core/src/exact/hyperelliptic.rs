@@ -153,8 +153,7 @@ impl Curve {
     }
 
     /// Density of time T(u).
-    #[must_use]
-    pub fn density(&self, u: Complex<f64>) -> Complex<f64> {
+    fn density(&self, u: Complex<f64>) -> Complex<f64> {
         let outer = u * u - real(self.e4_squared);
         match self.form {
             Form::General => outer,

@@ -18,8 +18,8 @@ use crate::elliptic::carlson_rf;
 use crate::elliptic::elementary::{imaginary, real};
 use crate::elliptic::lattice::Lattice;
 use crate::elliptic::transcendental::of_turns;
-use crate::exact::orientation::Fit;
-use crate::exact::periods::split;
+use crate::exact::orientation::ConstantArguments;
+use crate::exact::periods::Periods;
 use crate::exact::sigma_quotient::{SigmaQuotient, ValueAndSlope};
 use crate::motion::Motion;
 use crate::phase::Phase;
@@ -34,12 +34,7 @@ use crate::top::{Quantities, Support};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lagrange {
     solution: Solution,
-    period: Extended,
-    /// Rotation of α and β over one period, for C = A.
-    turns: [Phase; 2],
-    /// Time at t = 0 of the motion, counted from u = e₁.
-    origin: Extended,
-    fit: Fit,
+    periods: Periods,
 }
 
 /// Solution for α and β within a period.
@@ -96,32 +91,27 @@ impl Lagrange {
 
         let solution = Solution { lattice, z_rate, alpha, beta };
         let origin = since_lowest(e, chi) / z_rate;
-        let fit = Fit::new(motion, solution.parameters(origin));
-        Some(Self { solution, period: half.doubled() / z_rate, turns, origin, fit })
+        let (period, arguments) =
+            (half.doubled() / z_rate, ConstantArguments::new(motion, solution.parameters(origin)));
+        Some(Self { solution, periods: Periods { period, turns, origin, arguments } })
     }
 
     /// Nutation period, 2ω √(2A/(pg)).
     #[must_use]
     pub fn period(&self) -> f64 {
-        self.period.to_f64()
+        self.periods.period.to_f64()
     }
 
     /// Orientation Φ and rate Φ' at t.
     #[must_use]
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
-        let (periods, rest) = split(self.origin, t, self.period);
-        self.fit.attitude_state(
-            t,
-            self.solution.parameters(rest),
-            self.turns.map(|turns| turns.times(periods)),
-        )
+        self.periods.attitude_state(t, |time| self.solution.parameters(time))
     }
 
     /// Nutation phase at t, whole periods included: 0 at u = e₁, half a turn at u = e₂.
     #[must_use]
     pub fn nutation_phase(&self, t: f64) -> Phase {
-        let (periods, rest) = split(self.origin, t, self.period);
-        Phase::ONE.times(periods) + (rest / self.period).to_phase()
+        self.periods.phase(t)
     }
 }
 

@@ -94,7 +94,7 @@ impl<F: Float> Lagrangian<F> {
     }
 
     /// Angular velocity ω of a momentum: the inverse of [`Lagrangian::momentum`]. No matrix is inverted, because ⟨m,
-    /// r⟩ = C⟨ω, r⟩ + K and ⟨m, q⟩ = (A + ps|q|²)⟨ω, q⟩. Where C = 0 the momentum tells nothing of ⟨ω, r⟩, which is then 0.
+    /// r⟩ = C⟨ω, r⟩ + K and ⟨m, q⟩ = (A + ps|q|²)⟨ω, q⟩. Where C = 0 the momentum does not determine ⟨ω, r⟩, which is then 0.
     #[must_use]
     pub fn omega(&self, phi: &Orientation<F>, m: Vector<F>) -> Vector<F> {
         let (r, q) = axis_and_normal(phi);

@@ -7,7 +7,7 @@
 
 use crate::complex::Complex;
 use crate::scalar::Float;
-use crate::su2::{Orientation, dot, quotient, sphere_point};
+use crate::su2::{Orientation, quotient};
 
 /// Transformation z ↦ (αz + β)/(γz + δ) with αδ - βγ = 1 (equation (2.5) of the paper). `None` stands for the point
 /// at infinity.
@@ -57,12 +57,6 @@ impl<R: Float> Moebius<R> {
         let denominator = self.gamma * z + self.delta;
         quotient(self.determinant(), denominator * denominator)
     }
-
-    /// Distance from a rotation, |δ - ᾱ|² + |γ + β̄|²: 0 exactly for a rotation.
-    #[must_use]
-    pub fn distance_from_rotation(&self) -> R {
-        (self.delta - self.alpha.conj()).norm_squared() + (self.gamma + self.beta.conj()).norm_squared()
-    }
 }
 
 impl<R: Float> From<Orientation<R>> for Moebius<R> {
@@ -70,11 +64,4 @@ impl<R: Float> From<Orientation<R>> for Moebius<R> {
         let Orientation { alpha, beta } = orientation;
         Self { alpha, beta, gamma: orientation.gamma(), delta: orientation.delta() }
     }
-}
-
-/// Euclidean distance of the points of the unit sphere over z and w (equation (2.4) of the paper), in [0, 2].
-pub fn chordal_distance<R: Float>(z: Option<Complex<R>>, w: Option<Complex<R>>) -> R {
-    let ([x1, x2, x3], [y1, y2, y3]) = (sphere_point(z), sphere_point(w));
-    let chord = [x1 - y1, x2 - y2, x3 - y3];
-    dot(chord, chord).sqrt()
 }

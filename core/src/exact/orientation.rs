@@ -3,8 +3,7 @@
 use crate::attitude_state::AttitudeState;
 use crate::complex::Complex;
 use crate::elliptic::elementary::{Wide, real, rounded};
-use crate::elliptic::transcendental::angle;
-use crate::elliptic::transcendental::{of_turns, tanh_sech};
+use crate::elliptic::transcendental::{angle, of_turns, tanh_sech};
 use crate::exact::sigma_quotient::ValueAndSlope;
 use crate::law::PhaseRates;
 use crate::motion::{Motion, NutationVariable};
@@ -17,13 +16,13 @@ use crate::su2::{Orientation, OrientationRate};
 /// The orientation is Φ(t) = diag(e^{ia}, e^{ib}) Φ_closed(t) diag(e^{iτt/2}, e^{-iτt/2}), with Φ_closed that of a
 /// top with A = C.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Fit {
+pub(super) struct ConstantArguments {
     /// Angles a and b.
-    arguments: [Phase; 2],
+    angles: [Phase; 2],
     half_tau: Extended,
 }
 
-impl Fit {
+impl ConstantArguments {
     /// Arguments from α, β and their time derivatives in the closed form at t = 0, for C = A.
     ///
     /// Value and derivative are averaged with weights, so that the argument is well defined also where a parameter is
@@ -50,11 +49,11 @@ impl Fit {
         let [alpha_phase, beta_phase] = motion.phases();
         let PhaseRates { alpha: alpha_rate, beta: beta_rate, nutation } = rates;
         let argument = |axes, turning, closed| argument(axes, [sine, cosine], [nutation, turning], closed);
-        let arguments = [
+        let angles = [
             alpha_phase + argument(alpha_axes, alpha_rate, alpha),
             beta_phase + argument(beta_axes, beta_rate, beta),
         ];
-        Self { arguments, half_tau: motion.half_tau() }
+        Self { angles, half_tau: motion.half_tau() }
     }
 
     /// Attitude state at t, from α, β and their time derivatives in the closed form, and the rotation of α and β over
@@ -72,7 +71,7 @@ impl Fit {
             let value = rounded(closed.value) * factor;
             (value, rounded(closed.slope) * factor + value.times_i().scaled(tau))
         };
-        let [a, b] = self.arguments;
+        let [a, b] = self.angles;
         let alpha = placed(alpha, a + alpha_turns + half_tau_phase, half_tau);
         let beta = placed(beta, b + beta_turns - half_tau_phase, -half_tau);
         AttitudeState {

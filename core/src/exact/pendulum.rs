@@ -14,8 +14,8 @@ use crate::attitude_state::AttitudeState;
 use crate::elliptic::elementary::real;
 use crate::elliptic::jacobi::{Jacobi, JacobiValues};
 use crate::exact::lagrange::since_lowest;
-use crate::exact::orientation::Fit;
-use crate::exact::periods::split;
+use crate::exact::orientation::ConstantArguments;
+use crate::exact::periods::Periods;
 use crate::exact::sigma_quotient::ValueAndSlope;
 use crate::motion::Motion;
 use crate::phase::Phase;
@@ -28,12 +28,7 @@ use crate::top::{Quantities, Support};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pendulum {
     solution: Solution,
-    period: Extended,
-    /// Rotation of α and β over one period.
-    turns: [Phase; 2],
-    /// Time at t = 0 of the motion, counted from the lowest place.
-    origin: Extended,
-    fit: Fit,
+    periods: Periods,
 }
 
 /// Solution for α and β within a period.
@@ -48,8 +43,7 @@ struct Solution {
 }
 
 impl Pendulum {
-    /// Closed form of a motion; `None` unless the tip is held, gravity acts, and the axis swings in a vertical plane or goes
-    /// round in it.
+    /// Closed form of a motion; `None` unless the tip is held, gravity acts, and the axis moves in a vertical plane.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
         let (e, chi) = (motion.exact_branch_points(), motion.nutation_start()?);
@@ -67,30 +61,28 @@ impl Pendulum {
         let z_rate = (length.sqrt() * weierstrass_rate).to_f64();
         let solution = Solution { jacobi, z_rate, parameter, goes_over };
         let origin = since_lowest(e, chi) / weierstrass_rate;
-        let fit = Fit::new(motion, solution.parameters(origin.to_f64()));
+        let arguments = ConstantArguments::new(motion, solution.parameters(origin.to_f64()));
         let turns = [Phase::HALF, if goes_over { Phase::HALF } else { Phase::ZERO }];
-        Some(Self { solution, period: motion.exact_period()?, turns, origin, fit })
+        let period = motion.exact_period()?;
+        Some(Self { solution, periods: Periods { period, turns, origin, arguments } })
     }
 
     /// Time between two passages through the lowest place.
     #[must_use]
     pub fn period(&self) -> f64 {
-        self.period.to_f64()
+        self.periods.period.to_f64()
     }
 
     /// Orientation Φ and rate Φ' at t.
     #[must_use]
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
-        let (periods, rest) = split(self.origin, t, self.period);
-        let turns = self.turns.map(|turns| turns.times(periods));
-        self.fit.attitude_state(t, self.solution.parameters(rest.to_f64()), turns)
+        self.periods.attitude_state(t, |time| self.solution.parameters(time.to_f64()))
     }
 
     /// Nutation phase at t, whole periods included: 0 at u = e₁, half a turn at u = e₂.
     #[must_use]
     pub fn nutation_phase(&self, t: f64) -> Phase {
-        let (periods, rest) = split(self.origin, t, self.period);
-        Phase::ONE.times(periods) + (rest / self.period).to_phase()
+        self.periods.phase(t)
     }
 }
 

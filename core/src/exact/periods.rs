@@ -1,10 +1,44 @@
 //! Time as whole periods and a remainder, and the inverse of an increasing function.
 
+use crate::attitude_state::AttitudeState;
+use crate::exact::orientation::ConstantArguments;
+use crate::exact::sigma_quotient::ValueAndSlope;
+use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
+
+/// Periods of a closed form, which reduce any time to a time of its solution, within half a period of 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Periods {
+    /// Nutation period.
+    pub(super) period: Extended,
+    /// Rotation of α and β over one period, for C = A.
+    pub(super) turns: [Phase; 2],
+    /// Time of the solution at t = 0 of the motion.
+    pub(super) origin: Extended,
+    pub(super) arguments: ConstantArguments,
+}
+
+impl Periods {
+    /// Attitude state at t, from α, β and their derivatives at a time of the solution.
+    pub(super) fn attitude_state(
+        &self,
+        t: f64,
+        parameters: impl Fn(Extended) -> [ValueAndSlope; 2],
+    ) -> AttitudeState<f64> {
+        let (periods, rest) = split(self.origin, t, self.period);
+        self.arguments.attitude_state(t, parameters(rest), self.turns.map(|turns| turns.times(periods)))
+    }
+
+    /// Number of periods from time 0 of the solution until t, as a phase of one turn for each period.
+    pub(super) fn phase(&self, t: f64) -> Phase {
+        let (periods, rest) = split(self.origin, t, self.period);
+        Phase::ONE.times(periods) + (rest / self.period).to_phase()
+    }
+}
 
 /// Nearest whole number of periods in origin + t, and the remainder, which is 0 beyond 9e15 periods. A t that is not
 /// finite counts as 0.
-pub(super) fn split(origin: Extended, t: f64, period: Extended) -> (i64, Extended) {
+fn split(origin: Extended, t: f64, period: Extended) -> (i64, Extended) {
     let t = if t.is_finite() { t } else { 0.0 };
     let time = origin + t.into();
     let periods = libm::round(time.to_f64() / period.to_f64());

@@ -29,15 +29,15 @@ use crate::top::{Support, Top};
 impl State {
     /// State after an impulse J, N s in the fixed frame, at a point X of the body, m in the body frame *from the tip*.
     ///
-    /// The tip is the origin because it is the one point that both kinds of top know: a top that is held by its tip need
-    /// not know the distance of its centre of mass, which is at [0, 0, s] here. The point may lie outside the body, as
-    /// the end of a lever does. Of a free body the point is from the centre of mass. The orientation does not change. The support answers with an impulse of its own,
-    /// [`State::reaction_impulse`]: a held tip stays where it is, and a sliding tip keeps its height, without friction.
+    /// The point is relative to the tip, because the distance of the centre of mass, which is at [0, 0, s], need not be given for a held
+    /// top. For a free body it is relative to the centre of mass. It may lie outside the body, as the end of a lever does. The orientation
+    /// does not change. The reaction of the support is [`State::reaction_impulse`]: a held tip does not move, and a sliding tip keeps its
+    /// height, without friction.
     /// A horizontal impulse on a sliding top also changes the horizontal velocity of the centre of mass by J/M, which is
     /// not part of a state: the motion of this crate is relative to the centre of mass, whose horizontal velocity stays
     /// constant between impulses.
     ///
-    /// An angular impulse, N m s, is a pair of opposite impulses: J at X + D and -J at X give D × J, whatever X is, with D in
+    /// An angular impulse, N m s, is a pair of opposite impulses: J at X + D and -J at X give D × J for any X, with D in
     /// the fixed frame.
     ///
     /// ```
@@ -77,7 +77,7 @@ impl State {
         Ok(Self { omega, ..*self })
     }
 
-    /// Impulse, N s in the fixed frame, with which the support answers an impulse at the tip: p Δω × r - J. The plane under
+    /// Reaction impulse of the support, N s in the fixed frame: p Δω × r - J. The plane under
     /// a sliding tip gives the vertical part only.
     ///
     /// Where the third component is negative the plane would have to pull: a real top then leaves it, and does not follow

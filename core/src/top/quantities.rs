@@ -59,7 +59,7 @@ impl<F: Float> Quantities<F> {
         F::ONE / (self.a * self.p * self.g).doubled()
     }
 
-    /// Axial rate ⟨ω, r⟩ = (n - K)/C of the body, rad per unit time; 0 where C = 0, because n tells nothing of it.
+    /// Axial rate ⟨ω, r⟩ = (n - K)/C of the body, rad per unit time; 0 where C = 0, because n does not determine it.
     pub(crate) fn spin(&self, n: F) -> F {
         if self.c > F::ZERO { (n - self.k) / self.c } else { F::ZERO }
     }

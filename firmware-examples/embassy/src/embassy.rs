@@ -1,4 +1,4 @@
-//! The top as a task: it waits for the tick that an interrupt signals, beside a task that waits for turning points.
+//! Top as a task of the Embassy executor, which waits for the tick of an interrupt, beside a task that waits for turning points.
 
 #![no_std]
 #![no_main]
@@ -11,9 +11,9 @@ use embassy_sync::signal::Signal;
 use toytop::{EphemerisF32, Tick, TurningPoint};
 use toytop_firmware::{exit, start_systick, toy_top};
 
-/// Of the processor, Hz. The emulated board has 25 MHz.
+/// Clock of the processor, Hz. The emulated board has 25 MHz.
 const CLOCK: u32 = 25_000_000;
-/// Ticks a second.
+/// Ticks in a second.
 const TICK_RATE: u32 = 1000;
 
 static TICK: Signal<CriticalSectionRawMutex, ()> = Signal::new();

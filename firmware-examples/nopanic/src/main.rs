@@ -1,5 +1,5 @@
-//! Links only if no panic path is left in core's set-up and stepper: the panic handler calls a function that does not
-//! exist. Linked in release, where overflow checks are off; never run.
+//! Program that links only if core's set-up, stepper, ephemeris and fit have no panic path, because its panic handler calls a function that
+//! does not exist. It is linked in release, without overflow checks, and not run.
 
 #![no_std]
 #![no_main]
@@ -28,14 +28,14 @@ use riscv_rt::entry;
 #[entry]
 fn main() -> ! {
     loop {
-        // An error is a value here, like any other.
+        // An error is a value.
         let _ = black_box(set_up());
         #[cfg(feature = "planted")]
         black_box(planted());
     }
 }
 
-/// A number that the compiler knows nothing of.
+/// Number that is unknown to the compiler.
 fn unknown() -> f64 {
     black_box(0.0)
 }
@@ -173,7 +173,7 @@ fn planted() -> u8 {
     table[black_box(3)]
 }
 
-/// Events of every kind.
+/// Calls of the events of every kind.
 fn events<R: EphemerisScalar>(table: &EphemerisView<R>, motion: &Motion) {
     let event = table.turning_points(black_box(3)).only(black_box(true)).next();
     black_box(event.map(|event| (table.time_of(&event), table.at_event(&event).orientation())));
@@ -186,7 +186,7 @@ fn events<R: EphemerisScalar>(table: &EphemerisView<R>, motion: &Motion) {
     }
 }
 
-/// Ephemeris: its set-up, changes of its clock, every way to read it, its turning points, and its exchange.
+/// Calls of an ephemeris: set-up, changes of the clock, all ways to read it, turning points, and exchange.
 fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let Ok(tick) = Tick::hertz(black_box(1000)) else { return };
     let Ok(mut ephemeris) = Ephemeris::<R, SEGMENTS>::within(motion, tick, unknown()) else { return };

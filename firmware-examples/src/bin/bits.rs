@@ -1,4 +1,4 @@
-//! The hashes of every stage, on a chip or on the host: they must be the same everywhere.
+//! Hashes of the results of every stage, on a chip or on the host, which must be the same on every machine.
 
 #![cfg_attr(target_os = "none", no_std, no_main)]
 

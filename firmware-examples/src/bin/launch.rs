@@ -1,4 +1,4 @@
-//! Set-up on the chip: a motion from measured initial conditions, and what happens when the numbers cannot be true.
+//! Set-up on the chip: a motion from measured initial conditions, and the refusal of impossible numbers.
 
 #![no_std]
 #![no_main]
@@ -6,24 +6,24 @@
 use toytop::{Motion, ParameterError, Release, State, Top, TopParameters};
 use toytop_firmware::{entry, exit};
 
-/// What the release sensor measures, in its own units.
+/// Measurement of a release, in the units of the sensor.
 struct Measured {
-    /// Tenths of a degree from the vertical.
+    /// Tilt from the vertical, tenths of a degree.
     tilt: u16,
-    /// Revolutions a minute.
+    /// Spin, revolutions in a minute.
     spin: i16,
-    /// Milliradians a second.
+    /// Rate of precession, mrad/s.
     precession: i16,
 }
 
 #[entry]
 fn main() -> ! {
     let measured = Measured { tilt: 203, spin: 1432, precession: 850 };
-    // A flat disc has C = 2A and no body more: the second one is a slip of the pen for 3.7e-5.
+    // No body has more than C = 2A, that of a flat disc: the second C is a typing error for 3.7e-5.
     for axial_inertia in [2.0e-5, 7.3e-5, 3.7e-5] {
         match throw(axial_inertia, &measured) {
             Ok(motion) => log(&motion),
-            // Refused, with the reason; the program goes on.
+            // The top is refused with the reason, and the program continues.
             Err(error) => defmt::warn!("refused: {}", error),
         }
     }

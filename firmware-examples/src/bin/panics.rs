@@ -1,4 +1,4 @@
-//! Goes wrong on purpose, to see that the test command notices.
+//! Program that panics on purpose, which the test command must detect.
 
 #![no_std]
 #![no_main]

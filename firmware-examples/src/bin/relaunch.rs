@@ -1,8 +1,8 @@
-//! Relaunch while an interrupt goes on sampling: after each kick the main loop sets up a new table and hands it over, and
-//! the interrupt gives the old one back. Two tables go round through two lock-free queues, which need neither `unsafe` nor
-//! a compare-and-swap. A stepper, which is ready sooner than the table, bridges the time between.
+//! Relaunch while an interrupt continues to sample: after each kick the main loop sets up a new table and passes it to the interrupt, which
+//! returns the old one. Two lock-free queues carry the two tables, and need neither `unsafe` nor a compare-and-swap. Until the table is
+//! ready, the interrupt uses a stepper.
 //!
-//! QEMU executes 10⁹ instructions a second. A chip of 100 MHz needs some fifteen times as many ticks as the log says.
+//! QEMU executes 10⁹ instructions a second. A chip of 100 MHz needs some fifteen times as many ticks as the log states.
 
 #![no_std]
 #![no_main]
@@ -21,7 +21,7 @@ use toytop_firmware::{entry, exit, start_systick, toy_top};
 
 /// Clock of the processor, Hz. The emulated boards have 25 MHz.
 const CLOCK: u32 = 25_000_000;
-/// Ticks a second.
+/// Ticks in a second.
 const TICK_RATE: u32 = 1000;
 /// Length of a tick, s.
 const TICK_LENGTH: f32 = 1.0 / TICK_RATE as f32;
@@ -29,19 +29,19 @@ const TICK_LENGTH: f32 = 1.0 / TICK_RATE as f32;
 const KICKS: [i64; 3] = [100, 300, 500];
 /// Impulse of a kick, N s: a stroke along the second fixed axis that presses down a little.
 const IMPULSE: [f64; 3] = [0.0, 3.0e-3, -1.0e-3];
-/// Point that a kick meets, m from the tip: on the axis, 30 mm above the centre of mass.
+/// Point at which a kick acts, m from the tip: on the axis, 30 mm above the centre of mass.
 const POINT: [f64; 3] = [0.0, 0.0, 0.06];
 
-/// Table in memory of its own, which has one owner at a time.
+/// Table in static memory, which has one owner at a time.
 type Table = &'static mut EphemerisView<f32>;
 
-/// Kick, as the interrupt notices it: the tick, and the state without the kick.
+/// Kick that the interrupt reports: the tick, and the state without the kick.
 struct Kick {
     tick: i64,
     state: AttitudeState<f32>,
 }
 
-/// Take-over by the stepper or by the new table.
+/// Change of the interrupt to the stepper or to the new table.
 struct TakeOver {
     by: &'static str,
     tick: i64,
@@ -49,7 +49,7 @@ struct TakeOver {
     jumps: [f32; 2],
 }
 
-/// Everything that the interrupt owns.
+/// Data that the interrupt owns.
 struct Source {
     sampler: Sampler<'static, f32>,
     stepper: Option<Stepper<f32>>,
@@ -100,7 +100,7 @@ impl Source {
     }
 }
 
-/// Source on its way to the interrupt.
+/// Source that the main loop passes to the interrupt.
 static SOURCE: Mutex<Cell<Option<Source>>> = Mutex::new(Cell::new(None));
 
 #[exception]
@@ -110,7 +110,7 @@ fn SysTick() {
         *OWN = critical_section::with(|cs| SOURCE.borrow(cs).take());
     }
     if let Some(source) = OWN {
-        let _orientation = source.next(); // what the tick is for
+        let _orientation = source.next(); // a program uses the orientation here
     }
 }
 

@@ -1,4 +1,4 @@
-//! The smallest useful program: throw a top, ask for its orientation in a 1 kHz interrupt, log it every 100 ms.
+//! Smallest useful program: it launches a top, computes its orientation in a 1 kHz interrupt, and logs it every 100 ms.
 
 #![no_std]
 #![no_main]
@@ -14,16 +14,16 @@ use toytop::{
 };
 use toytop_firmware::{entry, exit};
 
-/// Of the processor, Hz. The emulated board has 25 MHz.
+/// Clock of the processor, Hz. The emulated board has 25 MHz.
 const CLOCK: u32 = 25_000_000;
-/// Ticks a second.
+/// Ticks in a second.
 const TICK_RATE: u32 = 1000;
 /// Ticks between two lines of the log.
 const LOG_EVERY: i64 = 100;
 
-/// The motion, for the interrupt.
+/// Table of the motion, for the interrupt.
 static EPHEMERIS: Mutex<Cell<Option<&EphemerisF32>>> = Mutex::new(Cell::new(None));
-/// What the interrupt last left for the log.
+/// Last data of the interrupt for the log.
 static SNAPSHOT: Mutex<Cell<Option<Snapshot>>> = Mutex::new(Cell::new(None));
 
 struct Snapshot {
@@ -34,10 +34,10 @@ struct Snapshot {
 
 #[entry]
 fn main() -> ! {
-    // Fallible, in f64, once.
+    // Set-up in f64, which runs once and can fail.
     let motion = launch().expect("a possible top");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    // 2 KiB, filled in place: not on the stack.
+    // The table of 2 KiB is set up in static memory, not on the stack.
     let ephemeris = singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once");
     ephemeris.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
     critical_section::with(|cs| EPHEMERIS.borrow(cs).set(Some(ephemeris)));
@@ -64,7 +64,7 @@ fn main() -> ! {
     }
 }
 
-/// A 50 g top with its centre of mass 30 mm above the tip, let go at 20 degrees with 150 rad/s.
+/// Motion of a 50 g top with its centre of mass 30 mm above the tip, released at 20 degrees with 150 rad/s.
 fn launch() -> Result<Motion, ParameterError> {
     let top = Top::sliding(&TopParameters {
         transverse_inertia: 3.0e-5,
@@ -78,7 +78,7 @@ fn launch() -> Result<Motion, ParameterError> {
     Motion::launch(&top, &State::release(&release)?)
 }
 
-/// Infallible, in f32, every millisecond.
+/// Interrupt in every millisecond. It computes in f32 and cannot fail.
 #[exception]
 fn SysTick() {
     static mut TICK: i64 = 0;

@@ -1,5 +1,5 @@
-//! Cortex-M0: no FPU, no division, 16 KiB of RAM. The table is in flash, so that nothing is set up, and in fixed point, so that
-//! a tick is sums and products of integers: made by
+//! Program for a Cortex-M0 without FPU and division, with 16 KiB of RAM. The table is in flash, so that there is no set-up, and in fixed point,
+//! so that a tick uses sums and products of integers. It was made by
 //! `toytop bake host/scenarios/toy_top.toml --scalar q31 -o firmware-examples/src/tables/toy_top.rs`.
 
 #![no_std]
@@ -10,9 +10,9 @@ use cortex_m::{asm, interrupt};
 use toytop::fixed::types::I2F30;
 use toytop_firmware::{TOY_TOP, entry, exit, start_systick};
 
-/// Of the processor, Hz. The emulated chip has 16 MHz (and a SysTick, which a real nRF51 lacks).
+/// Clock of the processor, Hz. The emulated chip has 16 MHz (and a SysTick, which a real nRF51 does not have).
 const CLOCK: u32 = 16_000_000;
-/// Ticks a second, as the table has it.
+/// Ticks in a second, for which the table was made.
 const TICK_RATE: u32 = 1000;
 
 #[entry]
@@ -26,7 +26,7 @@ fn main() -> ! {
         asm::wfi();
         SCB::clear_pendst();
         let now = cursor.next(&TOY_TOP);
-        // what the tick is for: integers, the axis in units of 2^-30
+        // a program uses the axis here, integers in units of 2^-30
         let axis = now.orientation().axis();
         if tick % 100 == 0 {
             let [x, y, height] = axis.map(I2F30::to_num::<f32>);

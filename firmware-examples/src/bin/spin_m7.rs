@@ -1,4 +1,4 @@
-//! Double precision in hardware: a cursor goes from tick to tick in the main loop, which sleeps in between.
+//! Program in double precision in hardware: the main loop sleeps between ticks and advances a cursor at each tick.
 
 #![no_std]
 #![no_main]
@@ -8,9 +8,9 @@ use cortex_m::{asm, interrupt, singleton};
 use toytop::{EphemerisF64, Tick};
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
-/// Of the processor, Hz. The emulated board has 25 MHz.
+/// Clock of the processor, Hz. The emulated board has 25 MHz.
 const CLOCK: u32 = 25_000_000;
-/// Ticks a second.
+/// Ticks in a second.
 const TICK_RATE: u32 = 1000;
 
 #[entry]

@@ -1,4 +1,4 @@
-//! RISC-V without an FPU: the machine's timer ends the sleep between two ticks.
+//! Program for RISC-V without an FPU: the machine's timer ends the sleep between two ticks.
 
 #![no_std]
 #![no_main]
@@ -8,12 +8,13 @@ use riscv::register::mie;
 use toytop::{EphemerisF32, Tick};
 use toytop_firmware::{entry, exit, toy_top};
 
-/// Of the timer of QEMU's "virt" machine, Hz.
+/// Frequency of the timer of QEMU's "virt" machine, Hz.
 const TIMER: u64 = 10_000_000;
-/// Its count, and the count at which it asks for an interrupt (CLINT).
+/// Address of the count of the timer (CLINT).
 const MTIME: *const u64 = 0x0200_bff8 as *const u64;
+/// Address of the count at which the timer requests an interrupt.
 const MTIMECMP: *mut u64 = 0x0200_4000 as *mut u64;
-/// Ticks a second.
+/// Ticks in a second.
 const TICK_RATE: u32 = 1000;
 
 #[entry]
@@ -24,7 +25,7 @@ fn main() -> ! {
     ephemeris.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
 
     // An interrupt that is masked (mstatus.MIE is off) still ends the sleep.
-    // SAFETY: no handler can run, so none can see anything half-done
+    // SAFETY: no handler can run, so none can see incomplete data
     unsafe { mie::set_mtimer() };
     // SAFETY: the timer's registers on this machine
     let mut due = unsafe { MTIME.read_volatile() };

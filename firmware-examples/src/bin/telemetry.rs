@@ -1,5 +1,5 @@
-//! States out of an interrupt: it puts them into a lock-free queue, the main loop takes them out when it can. Nothing is
-//! lost, and the log says how full the queue got.
+//! States from an interrupt to the main loop by a lock-free queue. The log shows that no state is lost, and the greatest length of the
+//! queue.
 
 #![no_std]
 #![no_main]
@@ -14,22 +14,22 @@ use heapless::spsc::{Producer, Queue};
 use toytop::{EphemerisF32, Orientation, Tick};
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
-/// Of the processor, Hz. The emulated board has 25 MHz.
+/// Clock of the processor, Hz. The emulated board has 25 MHz.
 const CLOCK: u32 = 25_000_000;
-/// Ticks a second.
+/// Ticks in a second.
 const TICK_RATE: u32 = 1000;
-/// The main loop is away for so many ticks at a time ...
+/// Number of ticks in which the main loop does not read the queue.
 const AWAY: u32 = 40;
-/// ... for which there must be room: a queue holds one state fewer than its size.
+/// Size of the queue, which holds one state fewer than its size.
 const SIZE: usize = 64;
 
-/// What goes through the queue.
+/// Item of the queue.
 struct Sample {
     tick: u32,
     orientation: Orientation<f32>,
 }
 
-/// What the interrupt holds.
+/// Data that the interrupt owns.
 struct Source {
     ephemeris: &'static EphemerisF32,
     queue: Producer<'static, Sample>,
@@ -37,7 +37,7 @@ struct Source {
 }
 
 static SOURCE: Mutex<RefCell<Option<Source>>> = Mutex::new(RefCell::new(None));
-/// States that found the queue full.
+/// Number of states that were lost because the queue was full.
 static LOST: AtomicU32 = AtomicU32::new(0);
 
 #[entry]
@@ -56,7 +56,7 @@ fn main() -> ! {
     let (mut taken, mut missing, mut fullest) = (0, 0, 0);
     while taken < TICK_RATE {
         for _ in 0..AWAY {
-            asm::wfi(); // anything else the program has to do
+            asm::wfi(); // other work of the program
         }
         fullest = fullest.max(consumer.len());
         let (mut lowest, mut highest) = (1.0_f32, -1.0_f32);

@@ -64,8 +64,8 @@ fn support(support: Support) -> f64 {
     }
 }
 
-/// T₀ = 2π √((A/p + s)/g), a time of the top's own for motions that have no period, s. Without torque it is the time in which
-/// the axis goes round the angular momentum, and 1 for a body at rest.
+/// Natural time T₀ = 2π √((A/p + s)/g) of the top for motions that have no period, s. Without torque it is the time in which
+/// the axis turns once about the angular momentum, and 1 for a body at rest.
 #[must_use]
 pub fn natural_time(motion: &Motion) -> f64 {
     let top = motion.top();
@@ -76,7 +76,7 @@ pub fn natural_time(motion: &Motion) -> f64 {
     2.0 * PI * Float::sqrt(length / top.gravity())
 }
 
-/// The nutation period of a motion that nutates, T₀ of any other, s.
+/// Nutation period of a motion that nutates, T₀ of any other, s.
 #[must_use]
 pub fn period(motion: &Motion) -> f64 {
     let nutation = motion.period_advance().filter(|_| motion.regime() == Regime::Nutating);
@@ -120,7 +120,7 @@ fn nutation(state: &AttitudeState<f64>) -> f64 {
     }
 }
 
-/// r' = ω × r, per s.
+/// Rate of the axis r' = ω × r, 1/s.
 fn axis_rate(state: &AttitudeState<f64>) -> [f64; 3] {
     let ([wx, wy, wz], [x, y, z]) = (state.omega(), state.axis());
     [wy * z - wz * y, wz * x - wx * z, wx * y - wy * x]

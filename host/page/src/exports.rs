@@ -1,7 +1,7 @@
-//! Functions that JavaScript calls. Numbers go both ways through one array, words come back through another.
+//! Functions that JavaScript calls. Numbers are passed in both directions in one array, and words are returned in another.
 //!
-//! A result stays there until the next call, so that JavaScript copies what it wants to keep. Only WebAssembly exports the
-//! functions by their bare names, which a program could have for something else.
+//! A result stays there until the next call, and JavaScript copies the data that it keeps. The functions are exported by their
+//! unmangled names only on WebAssembly, because elsewhere another function could have the same name.
 
 use crate::constants::CONSTANTS;
 use crate::ghost::Ghost;
@@ -21,7 +21,7 @@ const COORDINATES: usize = 5;
 static NUMBERS: [AtomicU64; POINTS * COORDINATES] = [const { AtomicU64::new(0) }; POINTS * COORDINATES];
 static WORDS: [AtomicU8; 256] = [const { AtomicU8::new(0) }; 256];
 static MOTION: Mutex<Option<Motion>> = Mutex::new(None);
-/// All its bits are 0 at first, so that it takes no room in the file.
+/// Table of the motion. All its bits are 0 at first, so that it takes no space in the file.
 static TABLE: Mutex<Table> = Mutex::new(Table::EMPTY);
 static GHOST: Mutex<Option<Ghost>> = Mutex::new(None);
 
@@ -110,7 +110,7 @@ fn put(values: impl IntoIterator<Item = f64>) {
     }
 }
 
-/// Two words with a line feed between; their length.
+/// Writes two words with a line feed between them; the result is their length.
 fn say([first, second]: [&str; 2]) -> i32 {
     let mut length = 0;
     for (place, byte) in WORDS.iter().zip(first.bytes().chain([b'\n']).chain(second.bytes())) {

@@ -1,4 +1,4 @@
-//! The core as the page of `toytop view` calls it.
+//! Core for the page of `toytop view`.
 //!
 //! | module | content |
 //! |---|---|

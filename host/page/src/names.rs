@@ -1,8 +1,8 @@
-//! The words for regimes and curves, as programs read them.
+//! Words for regimes and tip curves in the output.
 
 use toytop::{Regime, TipClass};
 
-/// `nutating`, `regular_precession`, ...
+/// Word for a regime: `nutating`, `regular_precession`, ...
 #[must_use]
 pub fn regime(regime: Regime) -> &'static str {
     match regime {
@@ -16,7 +16,7 @@ pub fn regime(regime: Regime) -> &'static str {
     }
 }
 
-/// `smooth`, `cusp`, `loops`, ...
+/// Word for a class of tip curve: `smooth`, `cusp`, `loops`, ...
 #[must_use]
 pub fn tip_class(class: TipClass) -> &'static str {
     match class {

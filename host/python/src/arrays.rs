@@ -1,4 +1,4 @@
-//! Numbers in from Python, and out.
+//! Conversion of arrays of NumPy to and from numbers.
 
 use crate::error::value_error;
 use numpy::ndarray::{ArrayD, IxDyn};
@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyFloat, PyInt};
 
-/// Array of numbers as it is handed to Python.
+/// Array of numbers for Python.
 pub(crate) type Numbers = PyArrayDyn<f64>;
 
 /// Numbers in row-major order with their shape; a single number has an empty shape.

@@ -21,16 +21,16 @@ impl PyClosedForm {
     /// Closed form of a motion.
     ///
     /// # Errors
-    /// `ValueError`: it has none.
+    /// `ValueError`: there is none.
     pub(crate) fn of(motion: &Motion) -> PyResult<Self> {
         let form = ClosedForm::of(motion).map_err(|none| value_error("closed_form", &none.to_string()))?;
         Ok(Self { motion: *motion, form })
     }
 }
 
-/// Nutation periods of the furthest time: the form for e₃ = e₄ loses up to 5e-14 rad a period where that is true only to a rounding.
+/// Greatest number of nutation periods. If e₃ = e₄ holds only up to rounding, the form loses up to 5e-14 rad in a period.
 const MOST_PERIODS: f64 = 1e12;
-/// |αβ| of a tip whose angle the rounding of α and β blurs by more than 1e-5 rad.
+/// Least |αβ| at which the rounding of α and β changes the argument of αβ by less than 1e-5 rad.
 const NOISE: f64 = 1e-11;
 
 #[pymethods]

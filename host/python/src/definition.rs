@@ -1,4 +1,4 @@
-//! Numbers that a motion was made from, to full precision.
+//! Input of a motion, to full precision.
 
 use crate::error::{failed, refused};
 use pyo3::prelude::*;
@@ -11,14 +11,14 @@ use toytop_host::truth::precise::{Precise, precise};
 use toytop_host::truth::state_constants::Launched;
 use toytop_host::truth::states::StateNumbers;
 
-/// Top with the numbers that it was made from.
+/// Top with the numbers of its input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TopDefinition {
     pub(crate) parameters: TopParameters,
     pub(crate) top: Top,
 }
 
-/// State or branch points that a motion was made from.
+/// State or branch points of the input of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum StartDefinition {
     State(State),
@@ -105,7 +105,7 @@ pub(crate) fn to_toml(top: &TopDefinition, start: &StartDefinition) -> String {
 /// `ValueError` that names the key.
 pub(crate) fn of_toml(file: &str, text: &str) -> PyResult<(TopDefinition, StartDefinition, Motion)> {
     let Scenario { motion, state, .. } = Scenario::parse(file, text).map_err(|failure| failed(&failure))?;
-    // the scenario is valid, so that what is missing may be
+    // the scenario is valid, so missing keys may be missing
     let root: Table = text.parse().unwrap_or_default();
     let section = |name: &str| root.get(name).and_then(Value::as_table).cloned().unwrap_or_default();
     let (top, given) = (section("top"), section("motion"));
@@ -143,7 +143,7 @@ fn number(table: &Table, key: &str, default: f64) -> f64 {
     }
 }
 
-/// `sliding`, `fixed` or `free`.
+/// Name of a support: `sliding`, `fixed` or `free`.
 pub(crate) fn support_name(support: Support) -> &'static str {
     match support {
         Support::Sliding => "sliding",
@@ -152,7 +152,7 @@ pub(crate) fn support_name(support: Support) -> &'static str {
     }
 }
 
-/// The motion in numbers of 192 bits.
+/// Motion in numbers of 192 bits.
 pub(crate) fn truth(definition: &TopDefinition, start: &StartDefinition) -> Exact {
     let top = &definition.top;
     let (a, c, s, g) = (top.transverse_inertia(), top.axial_inertia(), top.com_height(), top.gravity());

@@ -2,19 +2,19 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`error`] | what is refused, as exceptions |
-//! | [`arrays`] | numbers in from Python, and out |
-//! | [`top`] | `Top`, and the ways to a motion |
-//! | [`definition`] | how a motion was given, to full precision, and as a scenario file |
-//! | [`motion`], [`constants`] | `Motion`: at any time, and what does not change |
+//! | [`error`] | refusals as exceptions |
+//! | [`arrays`] | arrays of NumPy to and from numbers |
+//! | [`top`] | `Top`, and its launches |
+//! | [`definition`] | input of a motion, to full precision, and as a scenario file |
+//! | [`motion`], [`constants`] | `Motion`: at any time, and its constants |
 //! | [`samples`] | `Samples`: a motion at given times |
-//! | [`point`] | one instant that no table holds |
-//! | [`closed_form`], [`reference`] | other ways to an instant |
+//! | [`point`] | motion at one time, without a table |
+//! | [`closed_form`], [`reference`] | other methods for a motion at a time |
 //! | [`many`], [`releases`] | `many`: motions on all cores |
 //! | [`score`] | `score`: errors of an integrator |
 //! | [`page`] | pictures for a notebook |
 //!
-//! Everything that computes does so without the interpreter's lock, and every class is immutable: threads share them freely.
+//! Computations run without the interpreter's lock, and every class is immutable, so that threads can share objects.
 
 mod arrays;
 mod closed_form;

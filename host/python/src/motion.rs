@@ -1,4 +1,4 @@
-//! `Motion`: at any time.
+//! Class `Motion`, which computes a motion at any time.
 
 use crate::arrays::Given;
 use crate::closed_form::PyClosedForm;
@@ -64,7 +64,7 @@ impl PyMotion {
         Ok(Self::new(top, start, motion))
     }
 
-    /// Table in a scalar, set up where it is first asked for.
+    /// Table in a scalar, set up at its first use.
     pub(crate) fn table(&self, scalar: &str) -> PyResult<Arc<Table>> {
         let place = SCALARS.iter().position(|(name, _)| *name == scalar);
         let Some(place) = place else {
@@ -87,7 +87,7 @@ impl PyMotion {
         definition::to_toml(&self.top, &self.start)
     }
 
-    /// Refuses a time that a table cannot count to.
+    /// Error for a time that is beyond the ticks of a table.
     pub(crate) fn within_reach(&self, times: &Given, ticks: f64) -> PyResult<()> {
         let reach = MOST_TICKS / ticks;
         match times.numbers.iter().find(|t| t.abs() > reach) {

@@ -1,4 +1,4 @@
-//! One instant that no table holds: everything follows from orientation and angular velocity.
+//! Motion at one time without a table: all quantities follow from orientation and angular velocity.
 
 use toytop::su2::OrientationRate;
 use toytop::{AttitudeState, Orientation};

@@ -15,7 +15,7 @@ use toytop_host::truth::precise::{decimal, precise};
 
 /// Bound on the rounding of α and β to `f64`: 2 √4 2^-54 rad.
 const ROUNDING: f64 = 0.25 * f64::EPSILON * 4.0;
-/// |αβ| of a tip whose angle rounding blurs.
+/// Least |αβ| at which rounding does not change the argument of αβ noticeably.
 const NOISE: f64 = 1e-11;
 
 /// Truth at given times, rounded to `f64`.

@@ -1,4 +1,4 @@
-//! `Samples`: a motion at given times.
+//! Class `Samples`, a motion at given times.
 
 use crate::arrays::{Given, Numbers, array};
 use crate::error::value_error;
@@ -41,7 +41,7 @@ impl Samples {
         let kept = &self.kept[quantity as usize];
         let computed = || {
             let numbers = match self.times.numbers.len() {
-                // giving up the lock takes longer than a few samples
+                // releasing the lock takes longer than a few samples
                 ..16 => self.computed(quantity),
                 _ => py.detach(|| self.computed(quantity)),
             };

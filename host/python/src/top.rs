@@ -1,4 +1,4 @@
-//! `Top`, and the ways to a motion.
+//! Class `Top`, and its launches.
 
 use crate::arrays::{quaternions, vector};
 use crate::definition::{StartDefinition, TopDefinition, support_name};
@@ -271,7 +271,7 @@ impl PyTop {
         Ok((py.get_type::<Self>().getattr("_of")?, (self.support(), arguments)))
     }
 
-    /// Top as pickle makes it again.
+    /// Top from the arguments that pickle has stored.
     #[staticmethod]
     fn _of(py: Python<'_>, support: &str, arguments: &Bound<'_, PyDict>) -> PyResult<Py<PyAny>> {
         Ok(py.get_type::<Self>().call_method(support, (), Some(arguments))?.unbind())
@@ -299,7 +299,7 @@ impl PyTop {
     }
 }
 
-/// Function and arguments by which pickle makes a top again.
+/// Function and arguments by which pickle restores a top.
 type Reduced<'py> = (Bound<'py, PyAny>, (&'static str, Bound<'py, PyDict>));
 
 fn sign(name: &str, number: f64) -> PyResult<Sign> {
@@ -328,7 +328,7 @@ fn state_of_sensors(quaternion: [f64; 4], omega_body: [f64; 3]) -> PyResult<Stat
         .map_err(|error| refused(&error, &[("gyro", "omega_body")]))
 }
 
-/// Motion from a state whose rates were called by this name.
+/// Motion from a state, with this name of the rates in error messages.
 fn launched(top: &TopDefinition, state: State, rate: &str) -> PyResult<PyMotion> {
     let motion = Motion::launch(&top.top, &state).map_err(|error| refused(&error, &[("omega", rate)]))?;
     Ok(PyMotion::new(*top, StartDefinition::State(state), motion))

@@ -256,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_trajectory_is_refused_with_its_line() {
+    fn invalid_trajectories_are_refused_with_the_line() {
         for (text, part) in [
             ("", "columns: must have t with w,x,y,z"),
             ("t,w,x,y\n0,1,0,0\n", "has t,w,x,y"),

@@ -1,4 +1,4 @@
-//! `toytop animate`: a GIF, and pictures into ffmpeg.
+//! Tests of `toytop animate`: a GIF, and films by ffmpeg.
 
 use super::{folder, run, sample, stderr, stdout};
 use std::process::Command;
@@ -39,7 +39,7 @@ fn a_gif_shows_the_top_in_motion() {
 }
 
 #[test]
-fn what_is_no_film_is_refused() {
+fn invalid_film_arguments_are_refused() {
     let folder = folder("animate_refused");
     for (name, more, part) in [
         ("top.avi", &[][..], "must end in .gif, .webm or .mp4"),
@@ -60,7 +60,7 @@ fn what_is_no_film_is_refused() {
     assert_eq!(std::fs::read_dir(&folder).expect("a folder").count(), 0);
 }
 
-/// A program of ffmpeg's name that keeps what it is given, and one that fails.
+/// A program with the name of ffmpeg keeps its input, and another one fails.
 #[cfg(unix)]
 #[test]
 fn films_are_made_by_ffmpeg() {

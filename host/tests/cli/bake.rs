@@ -1,4 +1,4 @@
-//! `toytop bake`: what is in the files, how the size is chosen, and that a file is there as a whole or not at all.
+//! Tests of `toytop bake`: contents of the files, choice of the size, and complete files.
 
 mod c;
 mod c_files;
@@ -11,7 +11,7 @@ use std::path::Path;
 use toytop::{Baked, Clock, Ephemeris, ErrorBound, Tick, TipClock};
 use toytop_host::input::scenario::Scenario;
 
-/// The table that `spin_m0` has in flash is what this program would write today.
+/// The table that `spin_m0` has in flash is the one that this program writes.
 #[test]
 fn the_firmware_has_todays_table() {
     let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("../firmware-examples/src/tables/toy_top.rs");
@@ -97,7 +97,7 @@ fn the_size_is_chosen_and_said() {
 }
 
 #[test]
-fn what_cannot_be_baked_leaves_nothing_behind() {
+fn a_failed_bake_writes_nothing() {
     let (folder, good) = (folder("bake_refused"), sample("toy_top"));
     let needle = needle("bake_needle");
     let broken = scenario("bake_broken", TOP);

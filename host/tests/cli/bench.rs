@@ -1,8 +1,8 @@
-//! `toytop bench`: what it prints, never how long it took.
+//! Tests of `toytop bench`: its output, without the times.
 
 use super::{run, stderr, stdout};
 
-/// The cells of the line that starts with this.
+/// Cells of the line that starts with this text.
 fn cells(text: &str, start: &str) -> Vec<String> {
     let line = text.lines().find(|line| line.trim_start().starts_with(start));
     let line = line.unwrap_or_else(|| panic!("no line {start:?} in {text}"));
@@ -10,7 +10,7 @@ fn cells(text: &str, start: &str) -> Vec<String> {
 }
 
 #[test]
-fn bench_says_what_each_way_costs_and_how_wrong_it_is() {
+fn bench_prints_time_and_error_of_each_method() {
     let output = run(&["bench"]);
     let text = stdout(&output);
     assert_eq!((output.status.code(), stderr(&output)), (Some(0), ""));
@@ -38,7 +38,7 @@ fn bench_says_what_each_way_costs_and_how_wrong_it_is() {
 }
 
 #[test]
-fn what_is_a_table_is_also_records() {
+fn tables_are_also_records() {
     let json = super::json(&["bench", "--format", "json"]);
     let records = json["rows"].as_array().expect("rows");
     assert!(records.len() >= 14, "{}", records.len());

@@ -1,4 +1,4 @@
-//! `toytop benchmark`: reference values of the problems that integrators are tested with, and `score --benchmark`.
+//! Tests of `toytop benchmark` and `score --benchmark`.
 
 use crate::program::{json, run, stderr, stdout};
 use crate::scratch::file;
@@ -11,7 +11,7 @@ fn names() -> Vec<String> {
     list["problems"].as_array().expect("problems").iter().map(name).collect()
 }
 
-/// Decimal value of the digits, and what they are to 30 digits of Brüls and Cardona's top at 1 s.
+/// Values of the top of Brüls and Cardona at 1 s, with 30 digits.
 #[test]
 fn the_heavy_top_of_bruls_and_cardona() {
     let answer = json(&["benchmark", "bruls_cardona", "--format", "json"]);
@@ -25,7 +25,7 @@ fn the_heavy_top_of_bruls_and_cardona() {
 
 /// The ephemeris of the scenario reaches the 30 digits of every problem, in the axes of the source.
 #[test]
-fn the_scenario_moves_as_the_digits_say() {
+fn the_scenario_agrees_with_the_reference_digits() {
     for name in names() {
         let digits = json(&["benchmark", &name, "--format", "json"]);
         for sample in digits["samples"].as_array().expect("samples") {
@@ -55,7 +55,7 @@ fn the_scenario_moves_as_the_digits_say() {
     }
 }
 
-/// A run in the source's axes has no error; one in axes that are off has.
+/// A run in the source's axes has no error, and one in other axes has a large error.
 #[test]
 fn a_run_is_judged_in_the_axes_of_its_source() {
     for name in names() {
@@ -66,14 +66,14 @@ fn a_run_is_judged_in_the_axes_of_its_source() {
         assert!(run["max_error_rad"].as_f64().is_some_and(|error| error < 1e-11), "{name}: {run}");
         assert_eq!(score["scenario"], name.as_str());
     }
-    // the rows of one problem are no run of another
+    // the rows of one problem are not a run of another
     let rows = run(&["benchmark", "parker", "--times=0..0.4/41", "--format", "csv"]);
     let other = file("parker_as_bruls.csv", stdout(&rows));
     let score = json(&["score", "--benchmark", "bruls_cardona", &other, "--format", "json"]);
     assert!(score["files"][0]["max_error_rad"].as_f64().is_some_and(|error| error > 0.1));
 }
 
-/// The scenario that is printed is one, and moves as the problem.
+/// The printed scenario can be read, and has the motion of the problem.
 #[test]
 fn the_scenario_is_a_scenario() {
     for name in names() {
@@ -83,7 +83,7 @@ fn the_scenario_is_a_scenario() {
     }
 }
 
-/// The pages hold what the command writes.
+/// The pages contain the tables that the command writes.
 #[test]
 fn the_pages_are_up_to_date() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("benchmarks");

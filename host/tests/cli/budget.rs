@@ -1,10 +1,10 @@
-//! `toytop budget`.
+//! Tests of `toytop budget`.
 
 use super::{run, stderr, stdout};
 use std::path::Path;
 use toytop_host::budget::{Limits, with_front_table, with_table};
 
-/// Run by `cargo xtask test --only budget`, which provides compilers and QEMU.
+/// `cargo xtask test --only budget` runs this test, and provides compilers and QEMU.
 #[test]
 #[ignore = "minutes of emulation: cargo xtask test --only budget"]
 fn every_call_is_within_its_budget() {

@@ -1,4 +1,4 @@
-//! `toytop errata`: every slip as printed fails, every correction holds, and the document says what the program says.
+//! Tests of `toytop errata`: every printed formula is wrong, every correction is right, and the page agrees with the program.
 
 use super::{json, run, stdout};
 
@@ -18,7 +18,7 @@ fn printed_versions_fail_and_corrected_ones_hold() {
     assert_eq!(stdout(&csv).lines().count(), 19);
 }
 
-/// core/docs/errata.md holds what `toytop errata` prints; if this fails and the change is meant, paste the new table there.
+/// The page core/docs/errata.md contains the output of `toytop errata`; after an intended change, copy the new table into it.
 #[test]
 fn the_document_holds_the_table() {
     let output = run(&["errata"]);

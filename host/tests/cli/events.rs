@@ -1,4 +1,4 @@
-//! `toytop events`: when a motion turns, reaches a tilt, a circle or a tip angle, or lifts off.
+//! Tests of `toytop events`.
 
 use crate::program::{json, run, stderr, stdout};
 use crate::scratch::{sample, scenario};
@@ -13,7 +13,7 @@ fn numbers(events: &[Value], key: &str) -> Vec<f64> {
     events.iter().map(|event| event[key].as_f64().unwrap_or_else(|| panic!("{key}: {event}"))).collect()
 }
 
-/// The toy top is let go at 20 degrees: it turns at t = 0, and then every half period.
+/// The toy top is released from rest at 20 degrees: its tilt turns at t = 0, and then every half period.
 #[test]
 fn turning_points_are_half_a_period_apart() {
     let file = sample("toy_top");
@@ -26,13 +26,13 @@ fn turning_points_are_half_a_period_apart() {
         assert_eq!(event["sense"], if index % 2 == 0 { "upper" } else { "lower" });
     }
     assert!((numbers(&found, "tilt_deg")[0] - 20.0).abs() < 1e-12);
-    // a million seconds later too, and not before the time that was asked
+    // the same is true a million seconds later, and no event is before the requested time
     let late = events(&[&file, "--from", "1e6", "--count", "3"]);
     let times = numbers(&late, "t");
     assert!(times[0] >= 1e6 && times[0] < 1e6 + 0.5 * period, "{times:?}");
 }
 
-/// The numbers of an event are those of `state` at its time.
+/// The numbers of an event agree with those of `state` at its time.
 #[test]
 fn the_state_at_an_event_is_what_was_asked_for() {
     let file = sample("figure_3_loops");
@@ -67,7 +67,7 @@ const LIFTING: &str = "units = \"none\"\n[top]\nmass_moment = 1\ncom_height = 1\
                        gravity = 1\n[motion]\nkind = \"branch_points\"\ne1 = 0.5\ne2 = 0.8\ne3 = 10.4\n\
                        sign_l_plus_n = 1\nsign_l_minus_n = 1\n";
 
-/// A real top lifts off while it rises; one with a lower e3 never does; a held one cannot.
+/// A real top leaves the plane while it rises; one with a lower e3 never does; a held one cannot.
 #[test]
 fn a_top_lifts_off_where_the_force_is_zero() {
     let lifts = scenario("lifts", LIFTING);
@@ -75,7 +75,7 @@ fn a_top_lifts_off_where_the_force_is_zero() {
     assert!(up.len() == 3 && up.iter().all(|event| event["sense"] == "up"));
     let u = numbers(&up, "u")[0];
     assert!(u > 0.5 && u < 0.8, "{u}");
-    // N = 1 + s u'' with u'' by a difference of u'
+    // N = 1 + s u'', where u'' is a difference quotient of u'
     let t = numbers(&up, "t")[0];
     let times = format!("--times={:e},{:e}", t - 1e-5, t + 1e-5);
     let states = json(&["state", &lifts, &times, "--format", "json"]);
@@ -88,9 +88,9 @@ fn a_top_lifts_off_where_the_force_is_zero() {
     assert!(stderr(&held).contains("does not slide on a plane"), "{}", stderr(&held));
 }
 
-/// Nothing turns in a regular precession, and a table says so.
+/// A regular precession has no turning points, which the table states.
 #[test]
-fn what_does_not_happen_is_an_empty_list() {
+fn events_that_do_not_occur_give_an_empty_list() {
     let asleep = sample("sleeping");
     assert!(events(&[&asleep]).is_empty());
     assert!(stdout(&run(&["events", &asleep])).starts_with("no such event\n"));

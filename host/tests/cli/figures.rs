@@ -1,4 +1,4 @@
-//! `toytop figures`: all pictures, and in them what the paper's captions say.
+//! Tests of `toytop figures`: all pictures, and the numbers of the paper's captions in them.
 
 use super::{run, stderr, stdout};
 use std::path::PathBuf;
@@ -6,7 +6,7 @@ use std::path::PathBuf;
 #[test]
 fn the_papers_figures_and_two_more() {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("figures/new");
-    // left over from an earlier run, or never there
+    // the folder may exist from an earlier run
     let _ = std::fs::remove_dir_all(&folder);
     let output = run(&["figures", "-o", folder.to_str().expect("UTF-8")]);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));

@@ -1,4 +1,4 @@
-//! The program killed on its way, and what it left.
+//! Processes of the program that are killed, and the files that they leave.
 
 use super::PROGRAM;
 use std::fs;
@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// Files by name, without those still being written, whose names begin with a dot.
+/// Files of a folder with their names, without hidden files, which are not complete.
 pub(super) fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let entries = fs::read_dir(folder).expect("the folder").map(|entry| entry.expect("an entry"));
     let mut files: Vec<_> = entries
@@ -19,7 +19,7 @@ pub(super) fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     files
 }
 
-/// Starts a command and kills it after a while, looking all the time at what is there; whether it was still running.
+/// Whether a command was still running when it was killed after a time. `look` is called repeatedly before.
 pub(super) fn killed(arguments: &[&str], after: Duration, look: impl Fn()) -> bool {
     let started = Instant::now();
     let mut child = Command::new(PROGRAM)
@@ -38,7 +38,7 @@ pub(super) fn killed(arguments: &[&str], after: Duration, look: impl Fn()) -> bo
     !whole
 }
 
-/// What a picture or a page ends with.
+/// Whether a picture or a page has its end.
 pub(super) fn is_whole(name: &str, bytes: &[u8]) -> bool {
     let end: &[u8] = match name.rsplit('.').next() {
         Some("svg") => b"</svg>",

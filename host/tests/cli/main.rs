@@ -1,4 +1,4 @@
-//! The command line as other programs see it: exit codes, stdout, stderr, JSON.
+//! Tests of the command line: exit codes, stdout, stderr, JSON.
 
 mod animate;
 mod bake;
@@ -32,7 +32,7 @@ use std::process::Command;
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_toytop");
 
-/// What `state` says of a scenario file at these times.
+/// Samples of `state` for a scenario file at these times.
 pub(crate) fn samples(file: &str, times: &str, more: &[&str]) -> Vec<Value> {
     let times = format!("--times={times}");
     let mut arguments = vec!["state", file, &times, "--format", "json"];
@@ -73,7 +73,7 @@ fn constants_have_the_keys_of_the_contract() {
         let constants: Value = serde_json::from_slice(&output.stdout).expect("JSON");
         let object = constants.as_object().expect("an object");
         assert_eq!(object.len(), keys.len(), "{file}");
-        // serde_json sorts what it parses: the order is checked in the text
+        // serde_json sorts keys, so the order is checked in the text
         let places: Vec<_> = keys.iter().map(|key| stdout(&output).find(&format!("\"{key}\":"))).collect();
         assert!(places.iter().all(Option::is_some) && places.is_sorted(), "{file}: {places:?}");
         assert_eq!(constants["regime"], regime, "{file}");
@@ -97,7 +97,7 @@ fn constants_have_the_keys_of_the_contract() {
     }
 }
 
-/// The toy top is let go at 20 degrees with 150 rad/s; upright it sleeps above 2 sqrt(A p g)/C.
+/// The toy top is released at 20 degrees with 150 rad/s; the upright top is stable above 2 sqrt(A p g)/C.
 #[test]
 fn constants_in_degrees_and_turns() {
     let constants = json(&["constants", &sample("toy_top"), "--format", "json"]);
@@ -115,7 +115,7 @@ fn constants_in_degrees_and_turns() {
     near("spin_rpm", 150.0 * 30.0 / std::f64::consts::PI);
     near("critical_spin_deg_per_s", (2.0 * (3e-5 * 0.0015 * 9.81_f64).sqrt() / 2e-5).to_degrees());
     near("critical_spin_rpm", value("critical_spin_deg_per_s") / 6.0);
-    // on either side of it
+    // spins on both sides of the critical one
     let text = std::fs::read_to_string(sample("sleeping")).expect("a scenario");
     let own = json(&["constants", &sample("sleeping"), "--format", "json"]);
     let critical = own["critical_spin_deg_per_s"].as_f64().expect("a number").to_radians();
@@ -150,7 +150,7 @@ fn units_are_named_only_where_there_are_any() {
     assert!(stderr(&refused).contains("units: must be one of \"SI\", \"none\""), "{}", stderr(&refused));
 }
 
-/// Values against what they are defined by: e4² - 1 = A/(ps).
+/// Values satisfy their definitions, such as e4² - 1 = A/(ps).
 #[test]
 fn constants_are_what_their_keys_say() {
     let constants =
@@ -158,7 +158,7 @@ fn constants_are_what_their_keys_say() {
     let e4 = constants["e4"].as_f64().expect("a number");
     let spread = 1.1 / (0.9 * 0.6);
     assert!((e4 * e4 - 1.0 - spread).abs() < 1e-15 * spread, "{e4}");
-    // the turns of alpha and beta cancel to one part in 1e8, those of the tip angle do not
+    // the sum of the turns of alpha and beta cancels to a share of 1e-8, the advance of the tip angle does not
     let e2 = 0.5 + 13.0 * f64::EPSILON;
     let fast = branch_points([0.5, e2, 1e8], -1);
     let unit = ["mass_moment = 0.9", "com_height = 0.6", "inertia = 1.1", "inertia = 0.8"];
@@ -202,7 +202,7 @@ fn compare_holds_its_bounds() {
             "q15" => 3e-3,
             _ => 0.1,
         };
-        // a pendulum has no spin, so that its energy is all in the swing, which is fast where it passes the lowest point
+        // a pendulum has no spin, so that all its energy is in the motion of the axis, which is fast at the lowest point
         let drift_limit = if row["motion"] == "pendulum" { 5.0 * drift_limit } else { drift_limit };
         let [by_steps, by_table] = ["steps", "table"].map(|key| !row[key].is_null());
         assert_eq!([by_steps, by_table], [row["method"] == "stepper", row["method"] == "ephemeris"], "{row}");
@@ -222,7 +222,7 @@ fn compare_holds_its_bounds() {
     assert!(stdout(&table).contains("figure 2 e3=100 (-15.65"), "the warning is below the table");
 }
 
-/// Without arguments, a row a motion and a screen in all.
+/// Without arguments there is one row for each motion, and the output fits one screen.
 #[test]
 fn compare_fits_one_screen() {
     let output = run(&["compare"]);
@@ -245,7 +245,7 @@ fn compare_fits_one_screen() {
 }
 
 #[test]
-fn compare_reads_scenarios_and_tells_a_miss() {
+fn compare_reads_scenarios_and_reports_a_missed_bound() {
     let all = json(&["compare", &sample("toy_top"), "--scalar", "all", "--periods", "2", "--format", "json"]);
     let names = |row: &Value| format!("{} {} {}", row["motion"], row["scalar"], row["method"]);
     let rows: Vec<_> = all["rows"].as_array().expect("rows").iter().map(names).collect();
@@ -269,20 +269,20 @@ fn compare_reads_scenarios_and_tells_a_miss() {
     let of_the_ephemeris = |line: &&str| line.contains(" ephemeris ") && line.ends_with(" ok");
     assert_eq!(stdout(&output).lines().filter(of_the_ephemeris).count(), 2, "{}", stdout(&output));
 
-    // at 1e-6 no table fits: said, not missed
+    // at 1e-6 no table is large enough, which is stated and no missed bound
     let output = run(&["compare", &needle("needle_compared"), "--scalar", "f32", "--periods", "1"]);
     assert!(stdout(&output).contains("needle_compared f32: no ephemeris"), "{}", stdout(&output));
     assert!(stdout(&output).lines().any(|line| line.contains(" ephemeris ") && line.ends_with(" no fit")));
 }
 
 #[test]
-fn what_a_real_top_would_not_do_is_told_in_one_line() {
+fn each_warning_about_real_tops_is_one_line() {
     let lifts = scenario("lift_off", &branch_points([0.7, 0.9, 100.0], 1));
     let falls = scenario("fall", &branch_points([-0.5, 0.9, 1.1], 1));
     warned(&lifts, "warning: a real top would leave the plane (least normal force / weight): lift_off (-");
     warned(&falls, "warning: a real top would fall on its side (greatest tilt, degrees): fall (120.0)");
     assert_eq!(stderr(&run(&["constants", &sample("toy_top"), "--format", "json"])), "");
-    // a force just below 0 is one, however many digits it takes to show; one just above is none
+    // a force just below 0 gives a warning, with any number of digits; one just above gives none
     let mild = scenario("mild", &branch_points([0.5, 0.8, 10.4], 1));
     warned(&mild, "warning: a real top would leave the plane (least normal force / weight): mild (-0.201)");
     for (name, e3, warning) in [("just_on", 8.790_123, ""), ("just_off", 8.790_124_5, "just_off (-1.3e-7)")] {
@@ -304,7 +304,7 @@ fn what_a_real_top_would_not_do_is_told_in_one_line() {
     let unstable =
         "warning: upright for ever by the equations, but unstable (a real top would fall): unstable\n";
     warned(&asleep, unstable);
-    // what is held does not fall
+    // a held top does not fall
     let held = std::fs::read_to_string(sample("lagrange")).expect("the sample");
     let held = scenario("hanging", &held.replace("tilt_deg = 20.0", "tilt_deg = 120.0"));
     assert_eq!(stderr(&run(&["constants", &held, "--format", "json"])), "");

@@ -1,4 +1,4 @@
-//! `toytop plot`: what is in the picture, and that it is there as a whole or not at all.
+//! Tests of `toytop plot`: contents of the picture, and complete files.
 
 use super::{RELEASE, TOP, branch_points, folder, needle, run, sample, scenario, stderr, stdout};
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ fn svg(file: &str, to: &Path) -> String {
     std::fs::read_to_string(to).expect("the picture")
 }
 
-/// The points of every line of this colour, in pixels from the middle of the frame.
+/// Points of every line of this colour, in pixels from the middle of the frame.
 fn lines(svg: &str, color: &str) -> Vec<Vec<[f64; 2]>> {
     const MIDDLE: [f64; 2] = [352.0, 372.0];
     let points = |path: &str| -> Vec<[f64; 2]> {
@@ -38,7 +38,7 @@ fn radii(points: &[[f64; 2]]) -> impl Iterator<Item = f64> {
     points.iter().map(|[x, y]| x.hypot(*y))
 }
 
-/// Scenario, parts of the caption, radii of the circles over s, whether the curve comes back to the first.
+/// Each case is a scenario, parts of the caption, radii of the circles over s, and whether the curve returns to the first circle.
 #[test]
 fn the_curve_lies_between_its_circles() {
     let rho = |e: f64| (1.0 - e * e).sqrt();
@@ -59,7 +59,7 @@ fn the_curve_lies_between_its_circles() {
         let picture = svg(file, &folder.join(format!("{index}.svg")));
         assert!(picture.contains(&format!(">{caption}<")), "{caption} is not in {picture}");
         let most = circles.iter().fold(0.0_f64, |most, radius| most.max(*radius));
-        // pixels: the frame is 560 wide and 1.18 times as far from the middle as anything drawn
+        // the frame is 560 pixels wide, and 1.18 times as far from the middle as the largest radius
         let scale = 280.0 / (1.18 * most);
         let mut bounds: Vec<f64> =
             lines(&picture, "#8a8a8a").iter().flat_map(|line| radii(line).collect::<Vec<_>>()).collect();
@@ -84,7 +84,7 @@ fn the_curve_lies_between_its_circles() {
 }
 
 #[test]
-fn png_and_what_stands_still() {
+fn png_and_constant_motions() {
     let folder = folder("plot_png");
     for name in ["sleeping", "lagrange", "toy_top"] {
         let to = folder.join(format!("{name}.PNG"));
@@ -108,7 +108,7 @@ fn png_and_what_stands_still() {
     assert!(resting.contains(">l + n &gt; 0, l - n = 0,") && held.contains(">l + n &gt; 0, l - n &lt; 0,"));
 }
 
-/// Every kind of picture: names and units of its axes, in SI and without units.
+/// Every kind of picture has names and units at its axes, in SI and without units.
 #[test]
 fn every_kind_names_its_axes() {
     let folder = folder("plot_kinds");
@@ -144,7 +144,7 @@ fn every_kind_names_its_axes() {
             assert!(svg.contains(part), "{name} {more:?}: {part}");
         }
     }
-    // so many pixels wide, with the same layout
+    // a picture of another width has the same layout
     let svg = drawn("toy_top", &["--size", "1304"]);
     assert!(
         svg.starts_with("<svg") && svg.contains("width=\"1304\" height=\"1420\" viewBox=\"0 0 652 710\""),
@@ -168,7 +168,7 @@ fn every_kind_names_its_axes() {
     }
 }
 
-/// The arrow stands on the curve, on the side that the tip goes to.
+/// The arrow is on the curve and points in the direction of the tip's motion.
 #[test]
 fn the_arrow_points_along_the_curve() {
     let folder = folder("plot_arrow");
@@ -188,7 +188,7 @@ fn the_arrow_points_along_the_curve() {
 }
 
 #[test]
-fn a_picture_is_there_as_a_whole_or_not_at_all() {
+fn a_picture_is_written_completely_or_not_at_all() {
     let folder = folder("plot_refused");
     let good = sample("toy_top");
     let missing = sample("no_such_file");

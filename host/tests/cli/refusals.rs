@@ -1,4 +1,4 @@
-//! Bad input: exit code 2, nothing on stdout, one line on stderr that names file, key and what is allowed.
+//! Tests of bad input: exit code 2, nothing on stdout, one line on stderr that names the file, the key and the allowed values.
 
 use super::{RELEASE, TOP, branch_points, needle, run, sample, scenario, stderr, stdout};
 
@@ -65,7 +65,7 @@ fn arguments() {
     }
 }
 
-/// Messages stay short whatever they were given, and name what is wrong with it.
+/// Messages are short for any input, and state the error.
 #[test]
 fn long_input_makes_no_long_message() {
     let long = "k".repeat(100_000);
@@ -90,7 +90,7 @@ fn long_input_makes_no_long_message() {
     }
 }
 
-/// Exit code 3: the method, not another option, is what cannot go so far.
+/// The full solver fails with exit code 3 and a message that names it, not another option.
 #[test]
 fn the_full_solver_gives_up_by_its_own_name() {
     let file = sample("toy_top");
@@ -98,7 +98,7 @@ fn the_full_solver_gives_up_by_its_own_name() {
     assert_refused(&arguments, 3, &["toy_top: full solver: gives up at t = 3.59e3", "ask for earlier times"]);
 }
 
-/// Exit code 3: in fixed point only the ephemeris exists, and the message names it.
+/// A stepper in fixed point fails with exit code 3 and a message that names the ephemeris, which exists there.
 #[test]
 fn a_stepper_in_fixed_point() {
     let file = sample("toy_top");
@@ -108,7 +108,7 @@ fn a_stepper_in_fixed_point() {
     }
 }
 
-/// Exit code 3: nothing is wrong with the file, but this motion is hyperelliptic.
+/// A closed form fails with exit code 3 if the motion is hyperelliptic.
 #[test]
 fn a_motion_without_a_closed_form() {
     let file = sample("toy_top");
@@ -147,7 +147,7 @@ fn files() {
     );
 }
 
-/// Each case is one change of a good file: what is replaced, by what, and what the message must hold.
+/// Change of a valid file: the replaced text, the new text, and parts of the message.
 type Change = (&'static str, &'static str, &'static [&'static str]);
 
 fn assert_changes_refused(kind: &str, good: &str, changes: &[Change]) {
@@ -268,11 +268,11 @@ fn branch_points_out_of_order() {
 
 #[test]
 fn a_method_that_does_not_apply_exits_with_3() {
-    // A million seconds are more than the full solver's budget, and fewer than 1e10 steps of 1/1024 period.
+    // A million seconds exceed the limit of the full solver, and are fewer than 1e10 steps of 1/1024 period.
     let file = scenario("too_far", &format!("{TOP}{RELEASE}"));
     let far = ["state", &file, "--times", "1e6", "--method", "full", "--steps-per-period", "64"];
     assert_refused(&far, 3, &["too_far", "full solver", "evaluations"]);
-    // no table of the list fits
+    // no table is large enough
     let file = needle("needle");
     for (scalar, size) in [("f64", "4096x11"), ("f32", "4096x5"), ("q31", "4096x4"), ("micromath", "4096x5")]
     {

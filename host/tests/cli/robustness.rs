@@ -1,4 +1,5 @@
-//! Killed, without room, without a reader, with a file that is none: whole files or none, one line, the right exit code.
+//! Tests with killed processes, full disks, closed pipes and special files: files are complete or missing, and failures are one line with
+//! the right exit code.
 
 use super::killed::{files, is_whole, killed};
 use super::{PROGRAM, folder, run, sample, scenario, stderr, stdout};
@@ -7,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant, SystemTime};
 
-/// Bytes that Linux keeps for a reader.
+/// Size of the buffer of a pipe in Linux, bytes.
 const PIPE: usize = 65_536;
 
 fn text(path: &Path) -> &str {
@@ -36,7 +37,7 @@ fn a_killed_bake_leaves_the_old_table_or_the_new() {
 }
 
 #[test]
-fn what_a_killed_one_left_is_gone_after_the_next() {
+fn hidden_files_of_a_killed_process_are_removed() {
     let folder = folder("robust_leftovers");
     let long_ago = SystemTime::now() - Duration::from_secs(3600);
     let leave = |name: &str, time: SystemTime| {
@@ -44,7 +45,7 @@ fn what_a_killed_one_left_is_gone_after_the_next() {
         file.set_modified(time).expect("its time");
     };
     leave(".top.rs.12345", long_ago);
-    // another is at it now; and these only look alike
+    // a file that another process is writing, and files with similar names
     let kept = [".top.rs.54321", ".top.rs.orig", ".top.c.12345", "top.rs.12345"];
     leave(kept[0], SystemTime::now());
     kept[1..].iter().for_each(|name| leave(name, long_ago));
@@ -72,20 +73,20 @@ fn killed_figures_are_whole_or_not_there() {
     }
 }
 
-/// Bash, because a limit and a pipe's exit code are its.
+/// Output of a script in Bash, which has limits on file sizes and exit codes of pipes.
 fn bash(script: &str, arguments: &[&str]) -> std::process::Output {
     Command::new("bash").args(["-c", script, PROGRAM]).args(arguments).output().expect("bash runs")
 }
 
 #[test]
-fn without_room_nothing_is_left_and_the_exit_code_is_1() {
+fn a_full_disk_leaves_no_file_and_exits_with_1() {
     let toy_top = sample("toy_top");
     let output = bash("\"$0\" \"$@\" > /dev/full", &["state", &toy_top, "--times", "1"]);
     let message = stderr(&output).to_owned();
     assert_eq!(output.status.code(), Some(1), "{message}");
     assert!(message.contains("No space left") && message.matches('\n').count() == 1, "{message}");
 
-    // as a full disk does, a limit on the size of files lets a part be written
+    // like a full disk, a limit on the size of files allows a part of the file
     let limited = "trap '' XFSZ; ulimit -f 4; exec \"$0\" \"$@\"";
     let folder = folder("robust_full");
     let path = folder.join("top.rs");
@@ -103,7 +104,7 @@ fn without_room_nothing_is_left_and_the_exit_code_is_1() {
         assert!(message.contains(text(path)) && message.contains("too large"), "{message}");
         assert_eq!(message.matches('\n').count(), 1, "{message}");
     }
-    // a sweep keeps what it has: it can be gone on with
+    // a sweep keeps its rows, because it can be continued
     let left = fs::read_dir(&folder).expect("the folder").map(|entry| entry.expect("an entry").file_name());
     assert_eq!(left.collect::<Vec<_>>(), ["rows.csv"]);
     let output = run(&["sweep", "--motions", "100", "-o", text(&rows), "--resume"]);
@@ -113,7 +114,7 @@ fn without_room_nothing_is_left_and_the_exit_code_is_1() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn what_is_no_file_stays_what_it_is() {
+fn devices_and_pipes_are_not_replaced() {
     let folder = folder("robust_device");
     let toy_top = sample("toy_top");
     let full = folder.join("full.rs");
@@ -155,7 +156,7 @@ fn a_place_that_cannot_be_written_exits_with_2() {
 }
 
 #[test]
-fn a_reader_that_has_seen_enough_is_no_failure() {
+fn a_reader_that_closes_the_pipe_is_no_failure() {
     let toy_top = sample("toy_top");
     let times = vec!["0.5"; 2000].join(",");
     for (arguments, is_long) in [
@@ -166,17 +167,17 @@ fn a_reader_that_has_seen_enough_is_no_failure() {
         (vec!["completions", "bash"], false),
         (vec!["--help"], false),
     ] {
-        // what a pipe holds is written whether or not it is read
+        // a pipe accepts as many bytes as its buffer even if they are not read
         assert_eq!(run(&arguments).stdout.len() > 2 * PIPE, is_long, "{arguments:?}");
         let output = bash("\"$0\" \"$@\" | head -c 1; exit ${PIPESTATUS[0]}", &arguments);
         assert_eq!((output.status.code(), stdout(&output).len()), (Some(0), 1), "{arguments:?}");
-        // `bake` says there what it has made
+        // `bake` prints its summary to stderr
         assert!(!stderr(&output).contains("error"), "{arguments:?}: {}", stderr(&output));
     }
 }
 
 #[test]
-fn a_scenario_that_is_none_is_refused_at_once() {
+fn invalid_scenario_files_are_refused_at_once() {
     let sparse = scenario("robust_100_mb", "");
     fs::File::options().write(true).open(&sparse).and_then(|file| file.set_len(100_000_000)).expect("a hole");
     let directory = folder("robust_scenario");

@@ -1,4 +1,4 @@
-//! `toytop state`: chosen columns, ticks, forms for programs, and many rows.
+//! Tests of `toytop state`: chosen columns, ticks, formats for programs, and many rows.
 
 use super::{folder, run, sample, samples, stderr, stdout};
 use serde_json::Value;
@@ -64,7 +64,7 @@ fn columns_follow_from_each_other() {
     assert_eq!(header, "t [s],u,omega_x [rad/s],omega_y [rad/s],omega_z [rad/s],tip_x,tip_y,phi [rad]");
 }
 
-/// Ticks are where the clock of the program on a chip is, to the bit.
+/// Ticks give the same bits as the clock of a program on a chip.
 #[test]
 fn ticks_are_times_of_a_clock() {
     let file = sample("toy_top");
@@ -124,7 +124,7 @@ fn a_numpy_file_has_the_numbers_of_csv() {
     assert!(numbers[4].is_nan(), "a vertical axis has no tip angle");
 }
 
-/// More rows than are held at once come in order, and the end of the reader is no failure.
+/// More rows than are in memory at once come in order, and a closed pipe is no failure.
 #[test]
 fn many_rows_come_in_order() {
     let file = sample("toy_top");
@@ -150,7 +150,7 @@ fn without_parquet_it_is_refused() {
     assert!(stderr(&output).contains("--features parquet"), "{}", stderr(&output));
 }
 
-/// The numbers of a Parquet file are those of CSV, and what does not exist is null.
+/// The numbers of a Parquet file are those of CSV, with null where a number does not exist.
 #[cfg(feature = "parquet")]
 #[test]
 fn a_parquet_file_has_the_numbers_of_csv() {

@@ -1,10 +1,10 @@
-//! `toytop accuracy`: the scalars side by side.
+//! Tests of `toytop accuracy`.
 
 use super::{json, run, stderr, stdout};
 use serde_json::Value;
 use std::path::Path;
 
-/// The greatest orientation error of a scalar over all ticks.
+/// Greatest error of a scalar over all ticks, by the key of the error.
 fn greatest(rows: &[Value], scalar: &str, key: &str) -> f64 {
     let of_scalar = rows.iter().filter(|row| row["scalar"] == scalar);
     of_scalar.map(|row| row[key].as_f64().expect("a number")).fold(0.0, f64::max)
@@ -17,7 +17,7 @@ fn each_scalar_is_as_exact_as_it_says_at_every_tick() {
     let rows = object["rows"].as_array().expect("rows");
     assert_eq!(rows.len(), 5 * 41);
     assert!(rows.iter().any(|row| row["last_tick"] == 1_u64 << 40));
-    // orientation, tip, norm: between these
+    // limits of the errors of orientation, tip and norm
     for (scalar, [least, most]) in [
         ("f64", [1e-16, 1e-13]),
         ("f32", [2e-8, 5e-7]),
@@ -27,14 +27,14 @@ fn each_scalar_is_as_exact_as_it_says_at_every_tick() {
     ] {
         for key in ["max_orientation_error_rad", "max_tip_error_per_s", "max_norm_defect"] {
             let error = greatest(rows, scalar, key);
-            // u and the tip of fixed point round off once more
+            // in fixed point u and the tip have one more rounding
             let most = if key.contains("orientation") { most } else { 2.5 * most };
             assert!(error > 0.2 * least && error < most, "{scalar}, {key}: {error:e}");
         }
         let [rms, most] =
             ["rms_orientation_error_rad", "max_orientation_error_rad"].map(|key| greatest(rows, scalar, key));
         assert!(rms > 0.1 * most && rms < most, "{scalar}: {rms:e} {most:e}");
-        // no worse after 10^9 periods than after one
+        // the error after 10^9 periods is not larger than after one
         let of_half = |late: bool| {
             let half = rows.iter().filter(|row| (row["first_tick"].as_u64() >= Some(1 << 20)) == late);
             greatest(&half.cloned().collect::<Vec<_>>(), scalar, "max_orientation_error_rad")
@@ -53,7 +53,7 @@ fn each_scalar_is_as_exact_as_it_says_at_every_tick() {
 }
 
 #[test]
-fn what_is_asked_wrongly_is_refused() {
+fn wrong_arguments_are_refused() {
     for (arguments, part) in [
         (&["accuracy", "--plot", "top.gif"][..], "--plot: top.gif: must end in .svg or .png"),
         (&["accuracy", "--scalar", "q7"], "q31, q15, micromath, all"),

@@ -1,4 +1,4 @@
-//! `toytop score`: trajectories with known errors, and integrators with a known order.
+//! Tests of `toytop score`: trajectories with known errors, and integrators with a known order.
 
 mod integrators;
 
@@ -20,7 +20,7 @@ fn number(value: &Value, key: &str) -> f64 {
     value[key].as_f64().unwrap_or_else(|| panic!("{key} is no number in {value}"))
 }
 
-/// A sample of `toytop state`: time, quaternion, ω in the fixed frame.
+/// Sample of `toytop state`: time, quaternion, ω in the fixed frame.
 type Sample = (f64, [f64; 4], [f64; 3]);
 
 fn samples(scenario: &str, times: &[f64]) -> Vec<Sample> {
@@ -78,14 +78,14 @@ fn exact_rows_have_no_error_whatever_their_signs() {
     );
 }
 
-/// A motion that is late by τ is behind by known angles, and nothing else is wrong with it.
+/// A motion that is delayed by τ has known phase errors and no other error.
 #[test]
 fn a_delay_is_three_phase_errors() {
     let (file, folder) = (sample("figure_3_loops"), folder("score_delay"));
     let constants = json(&["constants", &file, "--format", "json"]);
     let [period, a, b] = ["period", "alpha_turns", "beta_turns"].map(|key| number(&constants, key));
     let times = evenly(6.0 * period, 301);
-    // a constant delay, and one that grows to a nutation period and more
+    // a constant delay, and a delay that grows to more than a nutation period
     for (index, delay) in [|_: f64| 1e-6, |t: f64| 0.21 * t].into_iter().enumerate() {
         let late: Vec<_> = times.iter().map(|t| t - delay(*t)).collect();
         let mut rows = samples(&file, &late);
@@ -94,7 +94,7 @@ fn a_delay_is_three_phase_errors() {
         write(&to, &rows, false);
         let found = score(&file, &[to], &[]);
         let scored = &found["files"][0];
-        // the mean over the last period
+        // mean delay over the last period
         let mean = delay(5.5 * period);
         for (key, turns) in
             [("nutation_error_rad", 1.0), ("precession_error_rad", a + b), ("spin_error_rad", a - b)]
@@ -109,7 +109,7 @@ fn a_delay_is_three_phase_errors() {
     }
 }
 
-/// A motion about another azimuth has a precession error alone.
+/// A motion that is turned about the vertical has only a precession error.
 #[test]
 fn a_turn_about_the_vertical_is_precession() {
     let (file, folder) = (sample("lagrange"), folder("score_turned"));
@@ -131,7 +131,7 @@ fn a_turn_about_the_vertical_is_precession() {
     }
 }
 
-/// The motion of a top that spins faster by a millionth has another n, by as much, whether ω is given or not.
+/// For a top that spins faster by a millionth, the drift of n is a millionth, with and without given ω.
 #[test]
 fn drift_of_n_by_columns_and_by_differences() {
     let (file, folder) = (sample("toy_top"), folder("score_drift"));
@@ -146,7 +146,7 @@ fn drift_of_n_by_columns_and_by_differences() {
         let scored = &found["files"][0];
         assert_eq!(scored["drift_from"], name);
         for key in ["l", "n"] {
-            // n is above l and above the weight's scale
+            // n is the greatest of the three scales
             let expected = (number(&other, key) - number(&own, key)).abs() / number(&own, "n");
             let drift = number(scored, &format!("drift_{key}"));
             assert!((drift / expected - 1.0).abs() < 1e-5, "{name}: {key}: {drift} {expected}");
@@ -164,7 +164,7 @@ fn drift_of_n_by_columns_and_by_differences() {
     );
 }
 
-/// `toytop state` writes what `toytop score` reads: the stepper is of fourth order.
+/// `toytop score` reads the output of `toytop state`, and finds that the stepper is of fourth order.
 #[test]
 fn the_steppers_order_is_measured() {
     let (file, folder) = (sample("figure_3_loops"), folder("score_stepper"));
@@ -217,7 +217,7 @@ fn another_convention_is_noticed() {
 }
 
 #[test]
-fn what_cannot_be_judged_is_refused_in_one_line() {
+fn invalid_results_are_refused_in_one_line() {
     let (file, folder) = (sample("toy_top"), folder("score_refused"));
     let [good, uneven, far] = ["good", "uneven", "far"].map(|name| folder.join(format!("{name}.csv")));
     write(&good, &samples(&file, &[0.0, 0.1, 0.2]), false);

@@ -1,8 +1,8 @@
-//! What a test gives the program to read, and where it lets it write; every test has names of its own.
+//! Files that tests give to the program; every test uses names of its own.
 
 use std::path::{Path, PathBuf};
 
-/// A top and a motion that every case starts from.
+/// Text of a top, from which the cases start.
 pub(super) const TOP: &str = "[top]
 mass_moment = 0.9
 com_height = 0.6
@@ -17,7 +17,7 @@ spin = 3.5
 precession = 0.3
 ";
 
-/// [motion] by branch points, signs (+, `minus`).
+/// Text of a scenario with these branch points, and the signs 1 of l + n and `minus` of l - n.
 pub(super) fn branch_points([e1, e2, e3]: [f64; 3], minus: i32) -> String {
     format!(
         "{TOP}[motion]\nkind = \"branch_points\"\ne1 = {e1}\ne2 = {e2}\ne3 = {e3}\n\
@@ -25,33 +25,33 @@ pub(super) fn branch_points([e1, e2, e3]: [f64; 3], minus: i32) -> String {
     )
 }
 
-/// The same of a top of these moments of inertia, transverse and axial.
+/// Text of a scenario with these branch points, and a top with these moments of inertia, transverse and axial.
 pub(super) fn slender(e: [f64; 3], [transverse, axial]: [&str; 2]) -> String {
     branch_points(e, -1)
         .replace("inertia = 1.1", &format!("inertia = {transverse}"))
         .replace("inertia = 0.8", &format!("inertia = {axial}"))
 }
 
-/// A scenario file of this content.
+/// Scenario file with this content.
 pub(super) fn scenario(name: &str, content: &str) -> String {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.toml"));
     std::fs::write(&path, content).expect("the file is written");
     path.to_str().expect("the path is UTF-8").to_owned()
 }
 
-/// A file of this name and content.
+/// File of this name and content.
 pub(super) fn file(name: &str, content: &str) -> String {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::write(&path, content).expect("the file is written");
     path.to_str().expect("the path is UTF-8").to_owned()
 }
 
-/// A scenario file of a motion that no table follows: A/(ps) = 1e-6 near both verticals.
+/// Scenario file of a motion for which no table is large enough: A/(ps) = 1e-6 near both verticals.
 pub(super) fn needle(name: &str) -> String {
     scenario(name, &slender([-0.999_999, 0.999_999, 1.18], ["6e-7", "5.5e-7"]))
 }
 
-/// A scenario file of the repository.
+/// Scenario file of the repository.
 pub(super) fn sample(name: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios").join(format!("{name}.toml"));
     path.to_str().expect("the path is UTF-8").to_owned()

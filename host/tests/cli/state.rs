@@ -1,4 +1,4 @@
-//! `toytop state`: samples in the order asked, continuous, in both directions and by both methods.
+//! Tests of `toytop state`: order of the samples, continuity, both directions of time, and all methods.
 
 use super::{RELEASE, TOP, branch_points, json, run, sample, samples, scenario, stdout};
 use serde_json::Value;
@@ -59,7 +59,7 @@ fn a_sample_has_the_shape_of_the_contract() {
 fn the_start_is_the_release_of_the_contract() {
     let release = "tilt_deg = 40\nspin = 3.5\nprecession = 0.3\nnutation = -0.2\nazimuth_deg = 720000000430\nroll_deg = -25\n";
     let file = scenario("release", &format!("{TOP}[motion]\nkind = \"release\"\n{release}"));
-    // whole turns, of which two make no difference, cost no digits
+    // two whole turns, which change nothing, lose no digits
     let (tilt, azimuth, roll) = (40_f64.to_radians(), 430_f64.to_radians(), -25_f64.to_radians());
     let (half_sum, half_difference) = ((azimuth + roll) / 2.0, (azimuth - roll) / 2.0);
     let (cosine, sine) = ((tilt / 2.0).cos(), (tilt / 2.0).sin());
@@ -78,10 +78,10 @@ fn the_start_is_the_release_of_the_contract() {
         let start = &samples(&file, "0", &["--method", method])[0];
         let found = numbers(start, &["alpha", "beta", "omega"]);
         assert!(found.iter().zip(expected).all(|(x, y)| (x - y).abs() < 3e-15), "{found:?} {expected:?}");
-        // the tip is opposite to where the axis leans: -110 degrees
+        // the tip is opposite to the direction in which the axis leans: -110 degrees
         assert!((numbers(start, &["phi"])[0] + 110_f64.to_radians()).abs() < 1e-14);
     }
-    // exactly downward, exactly upright
+    // exactly downward and exactly upright
     for (degrees, u) in [("180", -1.0), ("180.0", -1.0), ("0", 1.0)] {
         let file = scenario("vertical", &format!("{TOP}{}", RELEASE.replace("40", degrees)));
         let start = &samples(&file, "0", &[])[0];
@@ -91,14 +91,14 @@ fn the_start_is_the_release_of_the_contract() {
 }
 
 #[test]
-fn times_come_in_the_order_asked() {
+fn times_come_in_the_order_of_the_request() {
     let file = sample("toy_top");
     let asked = [0.31, -0.2, 0.0, 0.31, 1.0, -1.5, 1e-9];
     let list = asked.map(|t| t.to_string()).join(",");
     let together = samples(&file, &list, &[]);
     for (t, sample) in asked.iter().zip(&together) {
         assert_eq!(sample["t"].as_f64(), Some(*t));
-        // one time on its own goes by other steps to the same place
+        // a single time is reached by other steps, with the same result
         let alone = &samples(&file, &t.to_string(), &[])[0];
         assert!(distance(sample, alone, &["alpha", "beta", "phi"]) < 1e-12, "t = {t}");
     }
@@ -115,7 +115,7 @@ fn times_come_in_the_order_asked() {
 
 #[test]
 fn the_methods_agree_and_phi_is_continued_from_zero() {
-    // e1, e2, e3, sign of l - n: smooth, loops, through the centre at the bottom, at the top, near the separatrix
+    // each case is e1, e2, e3, sign of l - n: smooth, loops, through the centre at the bottom, at the top, near the separatrix
     let cases = [
         ([0.2, 0.8, 1.5], 1),
         ([0.2, 0.8, 3.0], -1),
@@ -143,7 +143,7 @@ fn the_methods_agree_and_phi_is_continued_from_zero() {
         }
         for (a, b) in stepper.iter().zip(&full).chain(ephemeris.iter().zip(&full)) {
             let [x, y] = numbers(a, &["tip"])[..] else { panic!("two numbers") };
-            // noise over |c|
+            // rounding error divided by |c|
             assert!((phi(a) - phi(b)).abs() < 1e-9 / x.hypot(y).min(1.0), "{e:?}: {a} {b}");
             let radius =
                 if e[0] == -1.0 || e[1] == 1.0 { x * phi(a).cos() + y * phi(a).sin() } else { x.hypot(y) };
@@ -152,7 +152,7 @@ fn the_methods_agree_and_phi_is_continued_from_zero() {
     }
 }
 
-/// Every kind of motion that has a closed form, by four methods: the full solver shares nothing with the other three.
+/// For every kind of motion with a closed form, four methods agree; the full solver shares no code with the other three.
 #[test]
 fn closed_form_ephemeris_stepper_and_full_solver_agree() {
     let e4 = (1.0 + 1.1 / (0.9 * 0.6_f64)).sqrt();
@@ -179,14 +179,14 @@ fn closed_form_ephemeris_stepper_and_full_solver_agree() {
                 let error = distance(ours, &theirs, &EVERYTHING[..8]);
                 assert!(error < 1e-12, "{name}, {method}: {error:e} at {}", ours["t"]);
                 worst = worst.max(error);
-                // the angle is known to the rounding of c over its size
+                // the angle is known to the rounding of c divided by |c|
                 let [x, y] = numbers(ours, &["tip"])[..] else { panic!("two numbers") };
                 assert!(distance(ours, &theirs, &["phi"]) < 1e-12 / x.hypot(y).min(1.0), "{name}, {method}");
             }
         }
     }
     assert!(worst > 1e-15, "{worst:e}: four methods, not one");
-    // the vertical has no tip angle
+    // a vertical axis has no tip angle
     let upright = samples(&sample("sleeping"), "0.5", &["--method", "closed-form"]);
     assert!(upright[0]["phi"].is_null());
 }
@@ -215,7 +215,7 @@ fn single_precision_is_single_precision() {
     }
 }
 
-/// α, β and u are printed as they are, not rounded to the `f32` of the rates.
+/// α, β and u are printed with all bits, not rounded to the `f32` of the rates.
 #[test]
 fn fixed_point_is_fixed_point() {
     let file = scenario("fixed_point", &format!("{TOP}{RELEASE}"));
@@ -289,7 +289,7 @@ fn a_table_says_its_units() {
     }
 }
 
-/// The stepper in `f32` computes in `f32`: its numbers are of that type, and as far from those of `f64` as its rounding makes them.
+/// The stepper in `f32` computes in `f32`: its numbers are of that type, and differ from those in `f64` by rounding errors.
 #[test]
 fn the_stepper_in_f32_is_one() {
     let file = sample("toy_top");
@@ -304,7 +304,7 @@ fn the_stepper_in_f32_is_one() {
     }
 }
 
-/// A rounding of α and β must not make an arc cosine of u a NaN.
+/// Rounding of α and β must not give |u| > 1, for which the arc cosine is NaN.
 #[test]
 fn the_cosine_of_the_tilt_is_one() {
     let sleeping = sample("sleeping");
@@ -327,7 +327,7 @@ fn the_cosine_of_the_tilt_is_one() {
     assert!(vertical > 0);
 }
 
-/// The axis of a held top leans to the other side of the tip that `state` prints; help says so, with the units.
+/// The tip of a held top in `state` is minus the horizontal part of the axis, which the help text states with the units.
 #[test]
 fn a_held_tip_is_minus_the_horizontal_part_of_the_axis() {
     for sample in samples(&sample("lagrange"), "0,0.3,7", &[]) {
@@ -347,7 +347,7 @@ fn a_held_tip_is_minus_the_horizontal_part_of_the_axis() {
     assert!(!stdout(&sliding).contains("minus the horizontal"), "{}", stdout(&sliding));
 }
 
-/// A free body keeps its angular momentum; what a free body does not need is allowed and changes nothing.
+/// A free body keeps its angular momentum. Keys that a free body does not need are allowed and have no effect.
 #[test]
 fn a_free_body_keeps_its_angular_momentum() {
     let free = "[top]\nsupport = \"free\"\ntransverse_inertia = 7.5e-5\naxial_inertia = 2.0e-5\n\
@@ -362,7 +362,7 @@ fn a_free_body_keeps_its_angular_momentum() {
             let tip = [0, 1].map(|i| state["tip"][i].as_f64().expect("a number"));
             let axis = [-tip[0], -tip[1], state["u"].as_f64().expect("a number")];
             let along = x * axis[0] + y * axis[1] + z * axis[2];
-            // A ω + (C - A) ⟨ω, r⟩ r: the angular momentum, which nothing changes
+            // the angular momentum A ω + (C - A) ⟨ω, r⟩ r, which is constant
             let momentum = [0, 1, 2].map(|i| 7.5e-5 * [x, y, z][i] - (7.5e-5 - 2.0e-5) * along * axis[i]);
             (along, momentum)
         })

@@ -1,4 +1,4 @@
-//! The times that `toytop state` is asked for.
+//! Tests of the times of `toytop state`.
 
 use super::{run, sample, stderr, stdout};
 

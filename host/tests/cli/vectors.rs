@@ -1,18 +1,18 @@
-//! `toytop state` against motions known to 30 digits, from the first moments to 10^9 periods.
+//! Tests of `toytop state` against motions known to 30 digits, from the first period to 10^9 periods.
 
 use super::{json, scenario};
 use serde_json::Value;
 use std::path::Path;
 
-/// A reference vector as a scenario file and its samples.
+/// Reference vector as a scenario file, with its samples.
 struct Vector {
     name: String,
-    /// The inputs are exact in f64, so the truth belongs to the very numbers read.
+    /// Whether the inputs are exact in f64, so that the truth belongs to the numbers that are read.
     exact: bool,
-    /// e3 - e2: how much a rounding of inputs that are not exact is amplified.
+    /// Difference e3 - e2, by whose inverse the rounding of inexact inputs is amplified.
     gap: f64,
     scenario: String,
-    /// Number of periods (0: the first few), sample.
+    /// Number of periods (0 for the first ones) and sample.
     samples: Vec<(u64, Value)>,
 }
 
@@ -65,7 +65,7 @@ fn motion(vector: &Value) -> String {
     )
 }
 
-/// The scenario file of one vector, under a name of its own for a test.
+/// Scenario file of a vector, with a name of its own for each test.
 pub(super) fn scenario_of(name: &str, test: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../tests/reference/vectors/{name}.json"));
     let vector: Value =
@@ -97,7 +97,7 @@ fn vectors() -> Vec<Vector> {
     paths.iter().map(read).collect()
 }
 
-/// What `state` says at the times of a vector's samples.
+/// Output of `state` at the times of a vector's samples.
 fn found(vector: &Vector, scalar: &str) -> Vec<Value> {
     let times: Vec<_> = vector.samples.iter().map(|(_, sample)| text(sample, "t")).collect();
     let file = scenario(&format!("times_{scalar}_{}", vector.name), &times.join("\n"));
@@ -106,9 +106,9 @@ fn found(vector: &Vector, scalar: &str) -> Vec<Value> {
     json(&arguments)["samples"].as_array().expect("samples").clone()
 }
 
-/// The error of the orientation, and of the tip angle less what the rounding of a number of its size explains.
+/// Error of the orientation, and error of the tip angle minus the rounding of a number of its size.
 ///
-/// * `near_centre`: |αβ| below which the scalar no longer tells on which side of the centre the tip passes
+/// * `near_centre`: |αβ| below which the scalar does not determine on which side of the centre the tip passes
 fn errors(found: &Value, truth: &Value, near_centre: f64) -> [f64; 2] {
     let part =
         |key: &str, i: usize| (found[key][i].as_f64().expect("a number") - number(&truth[key][i])).powi(2);
@@ -123,7 +123,7 @@ fn errors(found: &Value, truth: &Value, near_centre: f64) -> [f64; 2] {
     [orientation, angle.filter(|_| product[0] * product[1] >= near_centre).unwrap_or(0.0)]
 }
 
-/// The greatest errors up to 10 periods, 10^3, 10^6 and 10^9.
+/// Greatest errors up to 10, 10^3, 10^6 and 10^9 periods.
 fn greatest(vector: &Vector, scalar: &str) -> [[f64; 2]; 4] {
     // 64 roundings
     let near_centre = if scalar == "q15" { 64.0 / 32768.0 } else { 0.0 };
@@ -138,7 +138,7 @@ fn greatest(vector: &Vector, scalar: &str) -> [[f64; 2]; 4] {
     greatest
 }
 
-/// Inputs exact in f64: at any distance the orientation and the tip angle are as good as f64, or f32, can say.
+/// For inputs exact in f64, orientation and tip angle have errors of a few roundings of f64, or f32, at any time.
 #[test]
 fn exact_inputs_at_any_distance() {
     for (scalar, orientation_bound, angle_bound) in BOUNDS {
@@ -151,7 +151,7 @@ fn exact_inputs_at_any_distance() {
                     "{scalar} {}, {decade}: {orientation:e}",
                     vector.name
                 );
-                // the turns are counted by what is the same in all scalars
+                // the turns are counted by integers that are the same in all scalars
                 assert!(angle <= angle_bound, "{scalar} {}, {decade}: phi {angle:e}", vector.name);
                 worst = [worst[0].max(orientation), worst[1].max(angle)];
             }
@@ -160,7 +160,7 @@ fn exact_inputs_at_any_distance() {
     }
 }
 
-/// On the orientation, and on φ: it is as good as the argument of the scalar's tip where that is the better one.
+/// Bounds on the errors of the orientation and of φ, rad, for each scalar.
 const BOUNDS: [(&str, f64, f64); 5] = [
     // aperiodic motions end at the vertical, where an error of 1e-16 rad in β is one of 1e-16/|β| in the tip angle
     ("f64", 1e-13, 2e-12),
@@ -170,8 +170,7 @@ const BOUNDS: [(&str, f64, f64); 5] = [
     ("micromath", 4e-3, 1e-1),
 ];
 
-/// Decimal inputs: what their rounding to f64 can do is the conditioning of the motion; the branch of φ is right in
-/// any case.
+/// For decimal inputs the error is that of their rounding to f64, by the conditioning of the motion; the branch of φ is right for all.
 #[test]
 fn every_motion_over_its_first_periods() {
     for vector in vectors().iter().filter(|vector| !vector.exact) {

@@ -76,7 +76,7 @@ fn truth_on_every_vector() {
 
 /// The attitude state of a sample agrees with that of the stepper: u, u', ω, and the tip.
 #[test]
-fn what_follows_from_a_moment() {
+fn attitude_states_agree_with_the_vectors() {
     let mut worst = [0.0_f64; 4];
     for vector in exact().filter(|vector| vector.gap() == 0.0 || vector.gap() > 1e-3) {
         let motion = vector.motion().unwrap();

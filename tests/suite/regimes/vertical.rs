@@ -150,7 +150,7 @@ fn the_sleeping_top_by_branch_points() {
     tolerance::RISE_STEPPER.check("table against stepper", worst);
 }
 
-/// The aperiodic motion rises to the vertical and comes from it, at any time.
+/// The aperiodic motion comes from the vertical and rises to it, at any time.
 #[test]
 fn aperiodic_for_ever() {
     let motion = vectors::named("aperiodic_AneC").motion().unwrap();

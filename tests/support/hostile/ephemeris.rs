@@ -63,7 +63,7 @@ where
     }
 }
 
-/// Events of every kind come in order, from the tick on that was asked for.
+/// Checks that events of every kind are in order and not before the requested tick.
 fn events<R: EphemerisScalar>(ephemeris: &EphemerisView<R>, n: i64, t: f64) {
     let level = Level::of_u(t - t.round());
     let crossings = level.map(|level| ephemeris.crossings(level, n).take(3).collect::<Vec<_>>());

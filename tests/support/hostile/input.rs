@@ -120,7 +120,7 @@ impl<'a> Input<'a> {
         }
     }
 
-    /// Top that the paper does not have: with a rotor, a rod, free, or held without gravity.
+    /// Top that the paper does not contain: with a rotor, a rod, free, or held without gravity.
     fn other_top(&mut self, choice: u8, a: f64, c: f64) -> Result<Top, ParameterError> {
         let parameters = TopParameters {
             transverse_inertia: a,

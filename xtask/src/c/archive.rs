@@ -8,7 +8,7 @@ use anyhow::{Context, Result, bail};
 use crate::process::{cargo, root, run};
 use crate::tools;
 
-/// Folder of an archive, and how the compiler makes it.
+/// Folder of an archive, with the settings of the compiler.
 struct Archive {
     folder: &'static str,
     /// Target triple; none for the host.
@@ -21,7 +21,7 @@ const fn archive(folder: &'static str, target: &'static str, cpu: Option<&'stati
     Archive { folder, target: Some(target), cpu }
 }
 
-/// The float ABI is in the name where a processor core has two. A core with an FPU whose ABI is soft does not use it.
+/// All archives. The name contains the float ABI where a processor core has two. With the soft ABI a core does not use its FPU.
 const ARCHIVES: &[Archive] = &[
     Archive { folder: "host", target: None, cpu: None },
     archive("cortex-m0plus", "thumbv6m-none-eabi", None),
@@ -46,7 +46,7 @@ pub(crate) fn list() {
     }
 }
 
-/// Makes archives, by their folders or by a target triple, with header and CMake files, and says where they are.
+/// Makes archives, by their folders or by a target triple, with header and CMake files, and returns their paths.
 pub(crate) fn make(wanted: &str, to: Option<&str>) -> Result<String> {
     let chosen: Vec<_> = ARCHIVES
         .iter()
@@ -90,14 +90,15 @@ impl Archive {
     }
 }
 
-/// Refuses an archive in which a function can reach the panic handler: the name of what the handler calls is left then.
+/// Error for an archive in which a function can reach the panic handler, which then contains the name of the function that the handler
+/// calls.
 fn refuse_panics(archive: &[u8]) -> Result<()> {
     let has = |name: &[u8]| archive.windows(name.len()).any(|bytes| bytes == name);
     if has(b"toytop_can_panic") {
-        bail!("a function of the archive can panic: its panic handler is left");
+        bail!("a function of the archive can panic: the archive contains its panic handler");
     }
     if has(b"rust_begin_unwind") || !has(b"toytop_launch") {
-        bail!("the archive is not as it must be: a panic handler, or no toytop_launch");
+        bail!("the archive contains a panic handler, or no toytop_launch");
     }
     Ok(())
 }

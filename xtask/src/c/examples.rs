@@ -1,4 +1,4 @@
-//! The examples in C: built, run, and their bits compared with those of `toytop state`.
+//! Examples in C, which are built and run, and whose bits are compared with those of `toytop state`.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -15,20 +15,20 @@ use crate::tools;
 
 const WARNINGS: [&str; 6] = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"];
 
-/// Folder of the archives, with that of the wanted one in it.
+/// Folder of the archives, after the requested one is made.
 fn archives(wanted: &str) -> Result<PathBuf> {
     make(wanted, None)?;
     Ok(target_dir())
 }
 
-/// Folder of the sources, and one for what is made of them.
+/// Folder of the sources, and folder of the programs.
 fn folders() -> Result<[PathBuf; 2]> {
     let made = target_dir().join("examples");
     fs::create_dir_all(&made)?;
     Ok([root().join("core/c/examples"), made])
 }
 
-/// The host example, by gcc and by clang.
+/// Test of the host example by gcc and by clang.
 pub(crate) fn on_host() -> Result<String> {
     let (archives, [sources, made]) = (archives("host")?, folders()?);
     let mut lines = 0;
@@ -43,7 +43,7 @@ pub(crate) fn on_host() -> Result<String> {
     Ok(format!("gcc and clang: {lines} lines have the bits of `toytop state`"))
 }
 
-/// The example of the Cortex-M4F, without any library, under QEMU.
+/// Test of the example for the Cortex-M4F, without any library, under QEMU.
 pub(crate) fn on_chip() -> Result<String> {
     tools::qemu()?;
     let (archives, [sources, made]) = (archives("cortex-m4-hard")?, folders()?);
@@ -67,13 +67,13 @@ pub(crate) fn on_chip() -> Result<String> {
     }
     let said = ended.output.lines().last().unwrap_or_default().to_owned();
     if said != "interrupts 1000, exchanges 1, failures 0, no jump" {
-        bail!("{}\nthe last line is not as it must be", ended.output.trim_end());
+        bail!("{}\nthe last line is not as expected", ended.output.trim_end());
     }
     let lines = compare(&ended.output)?;
     Ok(format!("{lines} lines have the bits of `toytop state`; {said}"))
 }
 
-/// The host example by CMake, in both ways.
+/// Test of the host example by CMake, in both ways.
 pub(crate) fn cmake() -> Result<String> {
     let (archives, [sources, made]) = (archives("host")?, folders()?);
     for way in ["find_package", "add_subdirectory"] {
@@ -87,7 +87,7 @@ pub(crate) fn cmake() -> Result<String> {
     Ok("find_package and add_subdirectory".into())
 }
 
-/// Compares what an example printed with `toytop state`, and returns the number of its lines. A line is a scalar, a tick,
+/// Number of lines of an example's output, which are compared with `toytop state`. A line is a scalar, a tick,
 /// and bits of alpha, beta and the tip; after a line "state", the motion is that from this state.
 fn compare(printed: &str) -> Result<usize> {
     let mut scenario = root().join("host/scenarios/toy_top.toml");
@@ -126,14 +126,14 @@ fn compare_part(scenario: &Path, part: &[Line<'_>]) -> Result<usize> {
         for ((_, tick, bits), expected) in lines.iter().zip(&expected) {
             if bits != expected {
                 let (bits, expected) = (bits.join(" "), expected.join(" "));
-                bail!("{scalar} at tick {tick}: {bits}, but `toytop state` says {expected}");
+                bail!("{scalar} at tick {tick}: {bits}, but `toytop state` prints {expected}");
             }
         }
     }
     Ok(part.len())
 }
 
-/// Bits of alpha, beta and the tip by `toytop state`, at ticks with commas between.
+/// Bits of alpha, beta and the tip by `toytop state`, at ticks separated by commas.
 fn state(scenario: &Path, scalar: &str, ticks: &str) -> Result<Vec<Vec<String>>> {
     let words = format!(
         "run --quiet --release --bin toytop -- state {} --ticks={ticks} --hertz 1000 --scalar {scalar} \
@@ -155,7 +155,7 @@ fn state(scenario: &Path, scalar: &str, ticks: &str) -> Result<Vec<Vec<String>>>
     Ok(rows)
 }
 
-/// Scenario of the same top from a state, given by the bits of its numbers.
+/// Scenario of the same top with a state, given by the bits of its numbers.
 fn scenario_from(before: &Path, bits: &[&str]) -> Result<PathBuf> {
     let numbers: Vec<f64> = bits
         .iter()

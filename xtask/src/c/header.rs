@@ -1,4 +1,4 @@
-//! The header: made from the sources by cbindgen, and taken by every compiler and standard without a warning.
+//! Header for C, which cbindgen makes from the sources, and which every compiler and standard accepts without a warning.
 
 use std::fs;
 use std::process::Command;
@@ -10,7 +10,7 @@ use crate::process::{cargo, root, run};
 
 const WARNINGS: [&str; 6] = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"];
 
-/// Includes the header twice, and uses what only a macro holds.
+/// Program that includes the header twice and uses its macros.
 const PROGRAM: &str = "#include <toytop.h>
 #include <toytop.h>
 static toytop_ephemeris_q31 table;
@@ -22,7 +22,7 @@ int main(void) {
 }
 ";
 
-/// Makes the committed header anew.
+/// Writes the committed header from the sources.
 pub(crate) fn overwrite() -> Result<()> {
     run(cargo(".", "test --package toytop-c --test header").env("TOYTOP_OVERWRITE", "1"))?;
     Ok(())
@@ -71,5 +71,5 @@ pub(crate) fn compile() -> Result<String> {
             }
         }
     }
-    Ok(format!("{count} pairs of compiler and standard take the header; the pages' programs compile"))
+    Ok(format!("{count} pairs of compiler and standard accept the header; the programs of the pages compile"))
 }

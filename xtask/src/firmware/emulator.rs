@@ -1,4 +1,4 @@
-//! QEMU and, behind it, the decoder of the log.
+//! Runs of QEMU, whose log is decoded.
 
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
@@ -11,20 +11,20 @@ use anyhow::{Context, Result, bail};
 use super::Chip;
 use crate::process::wait;
 
-/// A program that takes longer hangs.
+/// Longest time of a run; a program that takes longer is killed.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// What a run left.
+/// Result of a run.
 pub(crate) struct Run {
-    /// The decoded log.
+    /// Decoded log.
     pub(crate) log: String,
-    /// Plain text: a panic's message, QEMU's own complaints.
+    /// Other text, such as the message of a panic or an error of QEMU.
     pub(crate) errors: String,
     pub(crate) exit_code: i32,
 }
 
-/// Runs an ELF to its end. One instruction takes one virtual nanosecond, and a processor that sleeps goes on at once at its
-/// next interrupt, so that a run is repeatable.
+/// Result of the run of an ELF. One instruction takes one virtual nanosecond, and a sleeping processor continues immediately at its next
+/// interrupt, so that a run is repeatable.
 pub(crate) fn run(chip: &Chip, elf: &Path, decoder: &Path, show: bool) -> Result<Run> {
     let mut qemu = chip
         .qemu(elf)

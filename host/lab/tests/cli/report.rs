@@ -63,7 +63,7 @@ fn one_page_with_everything() {
 }
 
 #[test]
-fn what_is_no_report_is_refused() {
+fn invalid_report_arguments_are_refused() {
     let folder = folder("report_refused");
     let bad = folder.join("bad.json");
     std::fs::write(&bad, r#"{"rows":[{"chip":1},{"core":2}]}"#).expect("writable");

@@ -108,7 +108,7 @@ fn a_study_is_fixed_by_its_seed_and_adds_up() {
 }
 
 #[test]
-fn what_is_a_table_is_also_records() {
+fn tables_are_also_records() {
     let words = ["study", "--motions", "20"];
     let json = super::json(&[&words[..], &["--format", "json"]].concat());
     let records = json["rows"].as_array().expect("rows");
@@ -119,7 +119,7 @@ fn what_is_a_table_is_also_records() {
 }
 
 #[test]
-fn what_is_asked_wrongly_is_refused() {
+fn wrong_arguments_are_refused() {
     let svg = "/proc/toytop.svg";
     for (arguments, part) in [
         (&[][..], "see toytop-lab --help"),

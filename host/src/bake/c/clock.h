@@ -8,24 +8,24 @@
 #error "-ffast-math may change every bit: compile without it"
 #endif
 
-/* A share of a turn in 96 bits, the whole turns dropped. */
+/* Fraction of a turn in 96 bits, without whole turns. */
 typedef struct { uint64_t leading; uint32_t low; } toytop_phase;
 
-/* What every table has. Phases: nutation, A, B. */
+/* Clock of a table. The order of phases is nutation, A, B. */
 typedef struct {
     uint32_t format, crc32, segments, terms;
-    uint64_t first[3];         /* at tick INT64_MIN, from where ticks count up without a sign */
-    toytop_phase step[3];      /* what a tick adds */
+    uint64_t first[3];         /* phases at tick INT64_MIN, from which ticks are unsigned numbers */
+    toytop_phase step[3];      /* increments in a tick */
     uint64_t numbers[12];      /* bits of doubles: exact steps, ticks in a unit of time, error bounds of orientation and rates */
-    uint32_t stops;            /* whether the motion is aperiodic, and then */
-    int64_t horizon[2];        /* the first and the last tick at which it still moves */
+    uint32_t stops;            /* whether the motion is aperiodic */
+    int64_t horizon[2];        /* first and last tick at which the nutation phase of an aperiodic motion changes */
     uint32_t tip_start[4];     /* mean tip angle at tick 0, in units of 2^-96 turns, the least significant word first */
-    uint32_t tip_step[4];      /* what a tick adds to it */
+    uint32_t tip_step[4];      /* increment of the mean tip angle in a tick */
     uint8_t flags[4];          /* quarter turns of alpha beta at u = e1, parameters that pass 0, tip angle exists, u turns */
-    uint16_t cells[16];        /* of each cell of half a period: first segment, 4 bits; it has 2^those segments */
+    uint16_t cells[16];        /* for each cell of half a period: first segment times 16, plus the binary logarithm of the number of segments */
 } toytop_clock;
 
-/* Goes through consecutive ticks by additions: what an interrupt holds. */
+/* Phases of consecutive ticks, advanced by additions, which an interrupt keeps. */
 typedef struct { toytop_phase phase[3]; int64_t tick; } toytop_cursor;
 
 /* Functions. */
@@ -35,7 +35,7 @@ static inline toytop_phase toytop_sum(toytop_phase a, toytop_phase b) {
     return sum;
 }
 
-/* The cursor that begins at a tick. */
+/* Cursor at a tick. */
 TOYTOP_API toytop_cursor toytop_at(const toytop_clock *clock, int64_t tick) {
     toytop_cursor at = {{{0, 0}, {0, 0}, {0, 0}}, tick};
     uint64_t n = (uint64_t)tick ^ (uint64_t)1 << 63; /* ticks since INT64_MIN */
@@ -50,15 +50,15 @@ TOYTOP_API toytop_cursor toytop_at(const toytop_clock *clock, int64_t tick) {
     return at;
 }
 
-/* Moves a cursor on to the next tick. */
+/* Moves a cursor to the next tick. */
 TOYTOP_API void toytop_move_on(const toytop_clock *clock, toytop_cursor *at) {
     for (int i = 0; i < 3; i++) at->phase[i] = toytop_sum(at->phase[i], clock->step[i]);
     at->tick = (int64_t)((uint64_t)at->tick + 1);
     if (clock->stops) *at = toytop_at(clock, at->tick);
 }
 
-/* Segment and place in it, x 2^63 with x in [-1, 1), of which so many bits are from what is behind of the cell; the falling
- * half is the mirror image of the rising one. */
+/* Segment of a phase, and the local coordinate x 2^63 on it, with x in [-1, 1), from `kept` bits of the place in a cell. The falling
+ * half of a period is the mirror image of the rising one. */
 static inline int64_t toytop_find(const toytop_clock *clock, uint64_t nutation, int kept, uint32_t *segment, uint32_t *level_of) {
     uint64_t share = (nutation ^ (0 - (nutation >> 63))) << 1;
     const int bits = 4; /* 16 cells */
@@ -69,7 +69,7 @@ static inline int64_t toytop_find(const toytop_clock *clock, uint64_t nutation, 
     return (int64_t)(share >> (64 - kept) << (64 - kept) << level ^ (uint64_t)1 << 63);
 }
 
-/* CRC-32 of ISO-HDLC, continued over the lowest `bytes` bytes of a number, the least significant first. */
+/* CRC-32 (ISO-HDLC) after the lowest `bytes` bytes of a number, the least significant first. */
 static inline uint32_t toytop_crc(uint32_t sum, uint64_t number, int bytes) {
     for (int i = 0; i < bytes; i++) {
         sum ^= (uint32_t)(number >> 8 * i) & 255u;
@@ -78,7 +78,7 @@ static inline uint32_t toytop_crc(uint32_t sum, uint64_t number, int bytes) {
     return sum;
 }
 
-/* The checksum of a clock, with which that of a table begins. */
+/* Checksum of a clock, with which the checksum of a table begins. */
 static inline uint32_t toytop_head(const toytop_clock *clock, uint32_t scalar) {
     uint32_t sum = toytop_crc(toytop_crc(UINT32_MAX, clock->format, 4), scalar, 4);
     sum = toytop_crc(toytop_crc(sum, clock->segments, 4), clock->terms, 4);
@@ -95,15 +95,14 @@ static inline uint32_t toytop_head(const toytop_clock *clock, uint32_t scalar) {
     return sum;
 }
 
-/* A number of type double from its bits. */
+/* Number of type double with these bits. */
 static inline double toytop_number(uint64_t bits) {
     double number;
     memcpy(&number, &bits, sizeof number);
     return number;
 }
 
-/* How many steps take a phase at least as far as `ahead`, at most INT64_MAX: a division of 96 bits, of which the steps of a long
- * division are 96. */
+/* Least number of steps by which a phase advances by `ahead`, at most INT64_MAX: a long division of 96 bits. */
 static inline int64_t toytop_steps_to(toytop_phase ahead, toytop_phase step) {
     toytop_phase rest = {0, 0};
     uint64_t quotient = 0;
@@ -131,19 +130,19 @@ static inline int64_t toytop_later(int64_t tick, int64_t steps) {
     return tick > INT64_MAX - steps ? INT64_MAX : tick + steps;
 }
 
-/* The next turning point of u at tick n or later: 1 and its first tick, and whether u is greatest there; 0 where there is none, or
+/* Next turning point of u at tick n or later: 1 with its first tick, and whether u is greatest there; 0 if there is none, or
  * more than one in a tick. */
 TOYTOP_API int toytop_next_turning_point(const toytop_clock *clock, int64_t n, int64_t *tick, int *upper) {
-    const uint64_t close = (uint64_t)1 << 14; /* 2^-50 turns: so close to the point it counts as the point */
+    const uint64_t close = (uint64_t)1 << 14; /* 2^-50 turns: a phase within this distance counts as the point */
     const uint64_t half = (uint64_t)1 << 63;
     double turns = toytop_number(clock->numbers[0]) + toytop_number(clock->numbers[1]);
     int64_t from = n == INT64_MIN ? n : n - 1;
     toytop_phase ahead, now;
     if (!(clock->flags[3] && turns > 0.0 && turns < 0.5)) return 0;
-    if (clock->stops) { /* one point, the lowest, where u stops falling */
+    if (clock->stops) { /* an aperiodic motion has one turning point, the lowest */
         int early = from < clock->horizon[0];
         now = toytop_at(clock, early ? clock->horizon[0] : from).phase[0];
-        /* the phase below 0 as a number above it */
+        /* distance of the phase below 0, as a positive number */
         ahead.low = 0u - now.low;
         ahead.leading = 0u - now.leading - (now.low != 0);
         int below = now.leading >> 63 && (ahead.leading > close || (ahead.leading == close && ahead.low > 0));
@@ -164,7 +163,7 @@ TOYTOP_API int toytop_next_turning_point(const toytop_clock *clock, int64_t n, i
     return 1;
 }
 
-/* Numbers rounded to their type: this keeps a compiler from fusing a product with a sum, whatever its standard and its flags are. */
+/* Barriers that round numbers to their type, so that no compiler fuses a product with a sum, in any standard and with any flags. */
 static inline float toytop_rounded_f32(float x) {
 #if defined(__GNUC__) && defined(__SSE2__)
     __asm__("" : "+x"(x));
@@ -175,7 +174,7 @@ static inline float toytop_rounded_f32(float x) {
 #elif defined(__GNUC__) && defined(__riscv_flen)
     __asm__("" : "+f"(x));
 #elif defined(__GNUC__) && (defined(__arm__) || defined(__riscv))
-    /* no unit to fuse with */
+    /* this target has no fused operations */
 #else
     volatile float kept = x;
     x = kept;
@@ -193,7 +192,7 @@ static inline double toytop_rounded_f64(double x) {
 #elif defined(__GNUC__) && defined(__riscv_flen) && __riscv_flen >= 64
     __asm__("" : "+f"(x));
 #elif defined(__GNUC__) && (defined(__arm__) || (defined(__riscv) && !defined(__riscv_flen)))
-    /* no unit to fuse with */
+    /* this target has no fused operations */
 #else
     volatile double kept = x;
     x = kept;

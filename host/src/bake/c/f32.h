@@ -4,20 +4,20 @@ typedef struct {
     const int32_t (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
 } toytop_f32;
 
-/* The orientation; u, the cosine of the tilt (a rounding can take it past 1: clamp before acosf); the tip c = 2 s alpha beta (without s where it is held). {re, im}. */
+/* Sample: alpha and beta as {re, im}; the cosine u of the tilt, which may exceed 1 by rounding, so limit it before acosf; the tip c = 2 s alpha beta (2 alpha beta if it is held). */
 typedef struct { float alpha[2], beta[2], u, c[2]; } toytop_sample_f32;
 
 /* Functions. */
-/* a b 2^-32, rounded down: needs a compiler that shifts signed numbers arithmetically, as all do. */
+/* Product a b 2^-32, rounded down. The compiler must shift signed numbers arithmetically. */
 static inline int32_t toytop_high(int32_t a, int32_t b) { return (int32_t)(((int64_t)a * b) >> 32); }
 
-/* The same with the 16 upper bits of b alone. */
+/* Product with the 16 upper bits of b. */
 static inline int32_t toytop_short(int32_t a, int32_t b) { return (int32_t)(((int64_t)a * (b >> 16)) >> 16); }
 
-/* The nearest of 512 points of the circle: 2^31 times its sine and, 128 numbers on, its cosine. */
+/* Entry for the nearest of 512 points of the circle: 2^31 times its sine and, 128 entries later, its cosine. */
 static inline const int32_t *toytop_point(uint32_t phase) { return toytop_sines + ((uint32_t)(phase + 0x400000) >> 23); }
 
-/* 2^31 times sine and cosine of a phase, to 26 bits: those of the nearest point, and the rest by a series. */
+/* 2^31 times sine and cosine of a phase, to 26 bits: those of the nearest point, corrected by a series. */
 static inline void toytop_sincos_q26(uint32_t phase, int32_t of[2]) {
     const int32_t *point = toytop_point(phase);
     int32_t small = toytop_high((int32_t)(phase << 9), TOYTOP_SECANT), versine = toytop_high(small, small >> 1);
@@ -25,7 +25,7 @@ static inline void toytop_sincos_q26(uint32_t phase, int32_t of[2]) {
     of[1] = point[128] - toytop_high(point[128], versine) - toytop_high(point[0], small);
 }
 
-/* From units of 2^-31 to 2^-30, turned. */
+/* Rotation of a number in units of 2^-31; the result is in units of 2^-30. */
 static inline void toytop_turn(int32_t re, int32_t im, const int32_t by[2], int32_t turned[2]) {
     turned[0] = toytop_high(re, by[1]) + toytop_high(~im, by[0]);
     turned[1] = toytop_high(re, by[0]) + toytop_high(im, by[1]);
@@ -45,7 +45,7 @@ static inline toytop_sums toytop_sums_at(const toytop_clock *clock, const int32_
     c += segment * terms;
     for (int i = 0; i < 4; i++) {
         int32_t sum = c[terms - 1][i], slope = 0;
-        for (uint32_t k = terms - 1; k-- > 1;) { /* for the upper half of the powers 16 bits of x will do */
+        for (uint32_t k = terms - 1; k-- > 1;) { /* for the upper half of the powers 16 bits of x are sufficient */
             int few = 2 * (k + 1) > terms;
             if (slopes) slope = (sum >> 1) + (few ? toytop_short(slope, x) : toytop_high(slope, x));
             sum = c[k][i] + (few ? toytop_short(sum, x) : toytop_high(sum, x));
@@ -69,12 +69,12 @@ static inline void toytop_alpha_beta(const toytop_sums *sums, const toytop_curso
     }
 }
 
-/* Sums and shifts that wrap, as those of a processor do. */
+/* Sums and shifts modulo 2^32. */
 static inline int32_t toytop_plus(int32_t a, int32_t b) { return (int32_t)((uint32_t)a + (uint32_t)b); }
 static inline int32_t toytop_minus(int32_t a, int32_t b) { return (int32_t)((uint32_t)a - (uint32_t)b); }
 static inline int32_t toytop_shifted(int32_t a, uint32_t by) { return (int32_t)((uint32_t)a << by); }
 
-/* A number of type float as an integer times 2^(exponent - 157). */
+/* Number of type float as an integer times 2^(exponent - 157). */
 typedef struct { int32_t digits, exponent; } toytop_significand;
 
 static inline toytop_significand toytop_significand_of(float number) {
@@ -94,7 +94,7 @@ static inline int32_t toytop_scaled(toytop_significand s, int32_t integer, int32
     return toytop_high(s.digits, integer) >> toytop_least(exponent - s.exponent, 31);
 }
 
-/* A number in units of 2^(exponent - 157) as a float. */
+/* Number in units of 2^(exponent - 157) as a float. */
 static inline float toytop_rate_in(int32_t number, int32_t exponent) {
     float rate = (float)number;
     uint32_t bits;
@@ -105,13 +105,13 @@ static inline float toytop_rate_in(int32_t number, int32_t exponent) {
     return rate;
 }
 
-/* x y* of complex numbers, to units of 2^-30. */
+/* Product x y* of complex numbers, in units of 2^-30. */
 static inline void toytop_times_conj(const int32_t x[2], const int32_t y[2], int32_t product[2]) {
     product[0] = toytop_plus(toytop_high(x[0], y[0]), toytop_high(x[1], y[1]));
     product[1] = toytop_minus(toytop_high(x[1], y[0]), toytop_high(x[0], y[1]));
 }
 
-/* The angular velocity in the body frame, in units of 2^(exponent - 157) of a unit of time; turn = e^{i(B - A)} in units of 2^-30. The
+/* Angular velocity in the body frame, in units of 2^(exponent - 157) per unit of time; turn = e^{i(B - A)} in units of 2^-30. The
  * exponent is returned. */
 static inline int32_t toytop_integer_rates(const toytop_sums *sums, int falling, const int32_t turn[2], const float scales[4],
                                            int32_t omega[3]) {
@@ -129,7 +129,7 @@ static inline int32_t toytop_integer_rates(const toytop_sums *sums, int falling,
     n[1] = toytop_plus(toytop_scaled(x, toytop_minus(forth[1], back[1]), exponent),
                        toytop_scaled(mean, product[0], exponent));
     if (falling) n[0] = toytop_minus(0, n[0]);
-    /* as many leading bits as two products leave room for */
+    /* as many leading bits as the sum of two products can have */
     used = (uint32_t)((n[0] ^ n[0] >> 31) | (n[1] ^ n[1] >> 31));
     while (spare < 30 && !(used << spare >> 29)) spare++;
     n[0] = toytop_shifted(n[0], spare);
@@ -143,7 +143,7 @@ static inline int32_t toytop_integer_rates(const toytop_sums *sums, int falling,
     return exponent;
 }
 
-/* alpha and beta, and the angular velocity in the body frame as of toytop_integer_rates. */
+/* Parameters alpha and beta, and the angular velocity in the body frame as from toytop_integer_rates. */
 static inline int32_t toytop_rates_at(const toytop_clock *clock, const float scales[4], const int32_t (*c)[4], const toytop_cursor *at,
                                       void (*sincos)(uint32_t, int32_t[2]), int32_t four[4], int32_t omega[3]) {
     toytop_sums sums = toytop_sums_at(clock, c, at->phase[0].leading, 1);
@@ -156,7 +156,7 @@ static inline int32_t toytop_rates_at(const toytop_clock *clock, const float sca
     return toytop_integer_rates(&sums, (int)(at->phase[0].leading >> 63), turn, scales, omega);
 }
 
-/* a b + c d */
+/* Sum a b + c d, with a barrier after each product. */
 static inline float toytop_inner_f32(float a, float b, float c, float d) {
     return toytop_rounded_f32(a * b) + toytop_rounded_f32(c * d);
 }
@@ -174,7 +174,7 @@ static inline toytop_sample_f32 toytop_sample_of_f32(const toytop_f32 *table, co
     return m;
 }
 
-/* A vector in body coordinates, in fixed ones. */
+/* Fixed coordinates of a vector in body coordinates. */
 static inline void toytop_adjoint_f32(const float alpha[2], const float beta[2], const float v[3], float fixed[3]) {
     float p[2], q[2];
     p[0] = toytop_inner_f32(alpha[0], v[0], -alpha[1], v[1]) - toytop_rounded_f32(beta[0] * v[2]);
@@ -186,7 +186,7 @@ static inline void toytop_adjoint_f32(const float alpha[2], const float beta[2],
     fixed[2] = toytop_inner_f32(alpha[0], q[0], alpha[1], q[1]) + toytop_inner_f32(beta[0], p[0], beta[1], p[1]);
 }
 
-/* The angular velocity at the tick of a cursor, in the body frame, rad in a unit of time. */
+/* Angular velocity at the tick of a cursor in the body frame, rad per unit of time. */
 TOYTOP_API void toytop_omega_body_f32(const toytop_f32 *table, const toytop_cursor *at, float omega[3]) {
     int32_t four[4], rates[3];
     int32_t exponent = toytop_rates_at(&table->clock, table->scales, table->coefficients, at, toytop_sincos_q26, four, rates);
@@ -194,7 +194,7 @@ TOYTOP_API void toytop_omega_body_f32(const toytop_f32 *table, const toytop_curs
     omega[2] = table->scales[3];
 }
 
-/* The same in the fixed frame. */
+/* Angular velocity at the tick of a cursor in the fixed frame, rad per unit of time. */
 TOYTOP_API void toytop_omega_f32(const toytop_f32 *table, const toytop_cursor *at, float omega[3]) {
     int32_t four[4], rates[3];
     float alpha[2], beta[2], body[3];

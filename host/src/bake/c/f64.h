@@ -4,7 +4,7 @@ typedef struct {
     const double (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
 } toytop_f64;
 
-/* The orientation; u, the cosine of the tilt (a rounding can take it past 1: clamp before acos); the tip c = 2 s alpha beta (without s where it is held). {re, im}. */
+/* Sample: alpha and beta as {re, im}; the cosine u of the tilt, which may exceed 1 by rounding, so limit it before acos; the tip c = 2 s alpha beta (2 alpha beta if it is held). */
 typedef struct { double alpha[2], beta[2], u, c[2]; } toytop_sample_f64;
 
 /* Functions. */
@@ -14,12 +14,12 @@ static inline double toytop_series(const double *coefficients, int count, double
     return sum;
 }
 
-/* a b + c d */
+/* Sum a b + c d, with a barrier after each product. */
 static inline double toytop_inner_f64(double a, double b, double c, double d) {
     return toytop_rounded_f64(a * b) + toytop_rounded_f64(c * d);
 }
 
-/* Sine and cosine of a phase: the nearest quarter turn, and the rest by two series. */
+/* Sine and cosine of a phase, from the nearest quarter turn by two series. */
 static inline void toytop_sincos_f64(uint64_t phase, double of[2]) {
     uint64_t quadrant = (phase + ((uint64_t)1 << 61)) >> 62, rest = phase - (quadrant << 62);
     double low = toytop_rounded_f64((double)(uint32_t)rest * (1.0 / 4294967296.0));
@@ -50,13 +50,13 @@ static inline toytop_sums_f64 toytop_sums_at_f64(const toytop_f64 *table, uint64
     return sums;
 }
 
-/* (re + i im) e^{i phase}, from the sine and the cosine of the phase. */
+/* Product (re + i im) e^{i phase}, with sine and cosine of the phase. */
 static inline void toytop_turn_f64(double re, double im, const double by[2], double turned[2]) {
     turned[0] = toytop_inner_f64(re, by[1], -im, by[0]);
     turned[1] = toytop_inner_f64(re, by[0], im, by[1]);
 }
 
-/* alpha and beta, and sine and cosine of A and of B. */
+/* Parameters alpha and beta, and sine and cosine of A and of B. */
 static inline void toytop_alpha_beta_f64(const toytop_sums_f64 *sums, const toytop_cursor *at, double four[4], double of[2][2]) {
     int falling = (int)(at->phase[0].leading >> 63);
     for (int i = 0; i < 2; i++) {
@@ -78,7 +78,7 @@ static inline toytop_sample_f64 toytop_sample_of_f64(const toytop_f64 *table, co
     return m;
 }
 
-/* A vector in body coordinates, in fixed ones. */
+/* Fixed coordinates of a vector in body coordinates. */
 static inline void toytop_adjoint_f64(const double alpha[2], const double beta[2], const double v[3], double fixed[3]) {
     double p[2], q[2];
     p[0] = toytop_inner_f64(alpha[0], v[0], -alpha[1], v[1]) - toytop_rounded_f64(beta[0] * v[2]);
@@ -90,7 +90,7 @@ static inline void toytop_adjoint_f64(const double alpha[2], const double beta[2
     fixed[2] = toytop_inner_f64(alpha[0], q[0], alpha[1], q[1]) + toytop_inner_f64(beta[0], p[0], beta[1], p[1]);
 }
 
-/* alpha and beta, and the angular velocity in the body frame. */
+/* Parameters alpha and beta, and the angular velocity in the body frame. */
 static inline void toytop_rates_at_f64(const toytop_f64 *table, const toytop_cursor *at, double four[4], double omega[3]) {
     toytop_sums_f64 sums = toytop_sums_at_f64(table, at->phase[0].leading, 1);
     const double *a = sums.value, *b = sums.value + 2, *da = sums.slope, *db = sums.slope + 2;
@@ -108,13 +108,13 @@ static inline void toytop_rates_at_f64(const toytop_f64 *table, const toytop_cur
     omega[2] = table->scales[3];
 }
 
-/* The angular velocity at the tick of a cursor, in the body frame, rad in a unit of time. */
+/* Angular velocity at the tick of a cursor in the body frame, rad per unit of time. */
 TOYTOP_API void toytop_omega_body_f64(const toytop_f64 *table, const toytop_cursor *at, double omega[3]) {
     double four[4];
     toytop_rates_at_f64(table, at, four, omega);
 }
 
-/* The same in the fixed frame. */
+/* Angular velocity at the tick of a cursor in the fixed frame, rad per unit of time. */
 TOYTOP_API void toytop_omega_f64(const toytop_f64 *table, const toytop_cursor *at, double omega[3]) {
     double four[4], body[3];
     toytop_rates_at_f64(table, at, four, body);

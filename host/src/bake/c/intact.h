@@ -1,5 +1,5 @@
 
-/* Whether every bit of a table is what it was when it was written. */
+/* Whether no bit of a table has changed since it was written. */
 TOYTOP_API int toytop_intact_SCALAR(const toytop_SCALAR *table) {
     uint32_t bits, sum = toytop_head(&table->clock, BITS);
     for (int i = 0; i < 4; i++) {

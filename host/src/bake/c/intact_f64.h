@@ -1,5 +1,5 @@
 
-/* Whether every bit of a table is what it was when it was written. */
+/* Whether no bit of a table has changed since it was written. */
 TOYTOP_API int toytop_intact_f64(const toytop_f64 *table) {
     uint64_t bits;
     uint32_t sum = toytop_head(&table->clock, 64);

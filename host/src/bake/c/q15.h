@@ -4,7 +4,7 @@ typedef struct {
     const int16_t (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
 } toytop_q15;
 
-/* In units of 2^-14: the orientation; u, the cosine of the tilt (a rounding can take it past 2^14); the tip over s, 2 alpha beta. {re, im}. */
+/* Sample in units of 2^-14: alpha and beta as {re, im}; the cosine u of the tilt, which may exceed 2^14 by rounding; the tip divided by s, 2 alpha beta. */
 typedef struct { int16_t alpha[2], beta[2], u, c[2]; } toytop_sample_q15;
 
 /* Functions. */
@@ -78,7 +78,7 @@ static inline int32_t toytop_rates_at_q15(const toytop_q15 *table, const toytop_
     return toytop_integer_rates(&sums, (int)(at->phase[0].leading >> 63), turn, table->scales, omega);
 }
 
-/* The angular velocity at the tick of a cursor, in the body frame, rad in a unit of time. */
+/* Angular velocity at the tick of a cursor in the body frame, rad per unit of time. */
 TOYTOP_API void toytop_omega_body_q15(const toytop_q15 *table, const toytop_cursor *at, float omega[3]) {
     int32_t four[4], rates[3];
     int32_t exponent = toytop_rates_at_q15(table, at, four, rates);
@@ -86,7 +86,7 @@ TOYTOP_API void toytop_omega_body_q15(const toytop_q15 *table, const toytop_curs
     omega[2] = table->scales[3];
 }
 
-/* The same in the fixed frame. */
+/* Angular velocity at the tick of a cursor in the fixed frame, rad per unit of time. */
 TOYTOP_API void toytop_omega_q15(const toytop_q15 *table, const toytop_cursor *at, float omega[3]) {
     int32_t four[4], rates[3], fixed[3];
     int32_t exponent = toytop_rates_at_q15(table, at, four, rates);

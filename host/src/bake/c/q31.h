@@ -4,7 +4,7 @@ typedef struct {
     const int32_t (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
 } toytop_q31;
 
-/* In units of 2^-30: the orientation; u, the cosine of the tilt (a rounding can take it past 2^30); the tip over s, 2 alpha beta. {re, im}. */
+/* Sample in units of 2^-30: alpha and beta as {re, im}; the cosine u of the tilt, which may exceed 2^30 by rounding; the tip divided by s, 2 alpha beta. */
 typedef struct { int32_t alpha[2], beta[2], u, c[2]; } toytop_sample_q31;
 
 /* Functions. */
@@ -58,7 +58,7 @@ static inline void toytop_adjoint_q31(const int32_t four[4], const int32_t v[3],
     fixed[2] = toytop_plus(toytop_plus_q31(a[0], q[0], a[1], q[1]), toytop_plus_q31(b[0], p[0], b[1], p[1]));
 }
 
-/* The angular velocity at the tick of a cursor, in the body frame, rad in a unit of time. */
+/* Angular velocity at the tick of a cursor in the body frame, rad per unit of time. */
 TOYTOP_API void toytop_omega_body_q31(const toytop_q31 *table, const toytop_cursor *at, float omega[3]) {
     int32_t four[4], rates[3];
     int32_t exponent = toytop_rates_at(&table->clock, table->scales, table->coefficients, at, toytop_sincos_q31, four, rates);
@@ -66,7 +66,7 @@ TOYTOP_API void toytop_omega_body_q31(const toytop_q31 *table, const toytop_curs
     omega[2] = table->scales[3];
 }
 
-/* The same in the fixed frame. */
+/* Angular velocity at the tick of a cursor in the fixed frame, rad per unit of time. */
 TOYTOP_API void toytop_omega_q31(const toytop_q31 *table, const toytop_cursor *at, float omega[3]) {
     int32_t four[4], rates[3], fixed[3];
     int32_t exponent = toytop_rates_at(&table->clock, table->scales, table->coefficients, at, toytop_sincos_q31, four, rates);

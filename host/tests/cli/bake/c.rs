@@ -1,4 +1,4 @@
-//! Tables in C by `toytop bake`, compiled by the compilers that are here: they give the bits of the crate, whatever the standard, and
+//! Tests of tables in C by `toytop bake`, compiled by all installed compilers: they give the bits of the crate in every standard, also
 //! where a compiler would fuse products and sums.
 
 use super::cases::{Case, RATES, RUNS, assert_equal, assert_lines, cases};
@@ -7,13 +7,13 @@ use crate::{folder, run, sample, stderr, stdout};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Name of the table of a case: one word might be one of C's.
+/// Name of the table of a case, of two words, because a single word could belong to C.
 fn table(case: &Case) -> String {
     let name = name(case);
     if name.contains('_') { name } else { format!("top_{name}") }
 }
 
-/// Compilers that are here, of C or of C++.
+/// Installed compilers of these names.
 fn there(names: &[&'static str]) -> Vec<&'static str> {
     let works = |name: &&str| {
         Command::new(name).arg("--version").output().is_ok_and(|output| output.status.success())
@@ -24,8 +24,8 @@ fn there(names: &[&'static str]) -> Vec<&'static str> {
 pub(super) const WARNINGS: [&str; 6] =
     ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"];
 
-/// Flags with which a compiler fuses products and sums where nothing keeps it from that; for a machine without fused
-/// multiply-add they change little.
+/// Flags with which a compiler fuses products and sums unless the source prevents it; on a machine without fused multiply-add they have
+/// little effect.
 fn fusing() -> Vec<&'static str> {
     let mut flags = vec!["-O3", "-ffp-contract=fast"];
     #[cfg(target_arch = "x86_64")]
@@ -60,7 +60,7 @@ fn c_gives_the_same_bits() {
     for case in &cases {
         let (name, scalar) = (name(case), case.scalar);
         bake(case, "c", &folder.join(format!("{name}.h")));
-        // twice: once is enough
+        // a second inclusion has no effect
         source += &format!("#include \"{name}.h\"\n#include \"{name}.h\"\n");
         let [word, format] = match scalar {
             "f64" => ["uint64_t", "PRIx64"],
@@ -108,7 +108,7 @@ int main(void) {
         assert_equal(&printed, &cases);
     }
 
-    // a bit changed in the table is told
+    // a changed bit of the table is detected
     let header = folder.join("toy_top.h");
     let text = std::fs::read_to_string(&header).expect("the header");
     let (head, rows) = text.split_once("toy_top_coefficients[125][4] = {").expect("the table");
@@ -119,7 +119,7 @@ int main(void) {
     assert_eq!(Command::new(&program).output().expect("it runs").status.code(), Some(1));
 }
 
-/// Every table with the files that all share: quaternions, angular velocities and turning points.
+/// Tables beside the shared files give the crate's quaternions, angular velocities and turning points.
 #[test]
 fn c_has_the_same_rates_and_turning_points() {
     let (folder, cases) = (folder("bake_c_rates"), cases());
@@ -186,14 +186,14 @@ int main(void) {
     }
 }
 
-/// A compiler of C or C++ that is installed, and a standard.
+/// Installed compilers of C and C++, each with a standard.
 fn compilers() -> Vec<(&'static str, &'static str)> {
     let c = there(&["cc", "clang"]).into_iter().flat_map(|name| ["c99", "c11", "c17"].map(|std| (name, std)));
     let cpp = there(&["g++", "clang++"]).into_iter();
     c.chain(cpp.flat_map(|name| ["c++11", "c++14", "c++17"].map(|std| (name, std)))).collect()
 }
 
-/// Every standard takes a header of every scalar without a warning, and reads the same numbers.
+/// In every standard a header of every scalar compiles without a warning, and has the same numbers.
 #[test]
 fn c_and_cpp_of_every_standard_read_the_same_numbers() {
     let folder = folder("bake_standards");
@@ -249,7 +249,7 @@ fn c_and_cpp_of_every_standard_read_the_same_numbers() {
     assert!(printed[0].len() > 1000 && printed.iter().all(|text| *text == printed[0]));
 }
 
-/// Two motions from files of one name: the compiler refuses the second, instead of leaving it out.
+/// The compiler refuses the second of two motions from files of one name.
 #[test]
 fn two_tables_of_one_name_do_not_compile() {
     let folder = folder("bake_one_name");

@@ -1,4 +1,4 @@
-//! The files of `toytop bake --lang c --split` and `--arduino`: what they share, and that they compile.
+//! Tests of the files of `toytop bake --lang c --split` and `--arduino`: shared code, and compilation.
 
 use super::c::WARNINGS;
 use super::compiled::succeed;
@@ -6,10 +6,9 @@ use crate::{folder, run, sample, stderr};
 use std::path::Path;
 use std::process::Command;
 
-/// The code and the sines are in one object, however many motions and users there are; and a header that needs no other file can stand
-/// beside them.
+/// Code and sines are in one object for any number of motions and users, and a header that needs no other file can be used beside them.
 #[test]
-fn what_tables_share_is_there_once() {
+fn shared_code_is_linked_once() {
     let folder = folder("bake_shared");
     let to = folder.to_str().expect("UTF-8");
     for (motion, name) in [("toy_top", "first_throw"), ("lagrange", "second_throw")] {
@@ -46,7 +45,7 @@ float other(void) {{ return toytop_at_tick_f32(&toy_top, 1).u + toytop_at_tick_f
     assert_eq!(copies, 1, "copies of the sines");
 }
 
-/// A library of Arduino is plain C99, with the same files.
+/// A library of Arduino is C99, with the same files.
 #[test]
 fn an_arduino_library_compiles() {
     let folder = folder("bake_arduino");
@@ -66,7 +65,7 @@ fn an_arduino_library_compiles() {
     assert!(properties.contains("name=ToytopBaked\n") && properties.contains("architectures=*"));
     let sketch = folder.join("examples/toy_top/toy_top.ino");
     let sketch = std::fs::read_to_string(sketch).expect("the sketch");
-    // what Arduino offers, as far as the example needs it
+    // the part of Arduino's interface that the example needs
     let program = format!(
         "#include <cstdint>\nextern \"C\" unsigned long millis(void);\nvoid delay(int);\n\
          struct {{ void begin(long) {{}} void print(float) {{}} }} Serial;\n{sketch}"

@@ -1,4 +1,4 @@
-//! The motions and sizes whose tables are compiled and run in every language, and the bits that they must give.
+//! Motions and sizes whose tables are compiled and run in every language, with the expected bits.
 
 use crate::vectors::scenario_of;
 use crate::{branch_points, sample, scenario};
@@ -9,15 +9,15 @@ use toytop::scalar::Float;
 use toytop::{Complex, Ephemeris, EphemerisScalar, EphemerisView, Sample, Tick};
 use toytop_host::input::scenario::Scenario;
 
-/// A motion, and the size in which both sides hold it.
+/// Motion with the size of its table.
 pub(crate) struct Case {
     pub(crate) file: String,
     pub(crate) scalar: &'static str,
     pub(crate) size: &'static str,
     pub(crate) tick: [u32; 2],
-    /// Every sample asked for, from the crate: a line of bits each.
+    /// Function that computes the samples by the crate, one line of bits for each.
     pub(crate) truth: fn(&str, [u32; 2]) -> String,
-    /// Quaternion and angular velocity at ticks, and the next turning point: a line of bits each.
+    /// Function that computes quaternion, angular velocity and next turning point at ticks, one line of bits for each.
     pub(crate) rates: fn(&str, [u32; 2]) -> String,
 }
 
@@ -29,7 +29,7 @@ fn case<R: Bits, const S: usize>(
     move |file, tick| Case { file, scalar, size, tick, truth: truth::<R, S>, rates: rates::<R, S> }
 }
 
-/// Nutating, steady, vertical, aperiodic, near the separatrix; with a sliding and with a fixed tip.
+/// Cases of nutating, steady, vertical and aperiodic motions, and motions near the separatrix, with sliding and fixed tips.
 pub(crate) fn cases() -> Vec<Case> {
     let vector = |name: &str| scenario_of(name, "bake");
     let upright = |sign: i32| {
@@ -56,7 +56,7 @@ pub(crate) fn cases() -> Vec<Case> {
         f32_large(vector("exact_aperiodic"), [1000, 1]),
         f32_large(vector("exact_near_separatrix_e2_1"), [8000, 1]),
         f32_large(vector("exact_e1_m1"), [1000, 1]),
-        // upright at tick 0, where |Re alpha| = 1 is one more than an integer of 32 bits holds
+        // upright at tick 0, where |Re alpha| = 1 exceeds the greatest integer of 32 bits by 1
         f32_default(upright(1), [1000, 1]),
         f32_default(upright(-1), [1000, 1]),
         q31(vector("exact_fast_spin"), [44_100, 2]),
@@ -72,7 +72,7 @@ pub(crate) fn cases() -> Vec<Case> {
     ]
 }
 
-/// The same ticks in every language: 2000 of all sizes and signs, and 40 runs of 50 ticks, of which the first two pass the
+/// Ticks in every language: 2000 of all sizes and signs, and 40 runs of 50 ticks, of which the first two pass the
 /// ends of an aperiodic motion.
 pub(crate) const RUNS: (u32, u32, u32) = (2000, 40, 50);
 
@@ -136,7 +136,7 @@ fn truth<R: Bits, const S: usize>(file: &str, tick: [u32; 2]) -> String {
 /// Scalars whose bits can be printed.
 trait Bits: EphemerisScalar {
     fn hexadecimal(self) -> String;
-    /// Tip as the C evaluator has it: in units of length in floating point, of s in fixed point.
+    /// Tip as in the C evaluator: in units of length in floating point, of s in fixed point.
     fn tip(sample: &Sample<'_, Self>) -> Complex<Self>;
     fn horizon(table: &EphemerisView<Self>) -> Option<[i64; 2]>;
 }
@@ -207,7 +207,7 @@ fn line<R: Bits>(text: &mut String, sample: &Sample<'_, R>) {
     writeln!(text, "{nutation:x} {}", words.join(" ")).expect("memory");
 }
 
-/// What a program printed, against the crate, case by case.
+/// Comparison of the output of a program with the samples of the crate.
 pub(crate) fn assert_equal(printed: &str, cases: &[Case]) {
     assert_lines(printed, cases, |case| (case.truth)(&case.file, case.tick));
 }

@@ -1,4 +1,4 @@
-//! Tables in Rust by `toytop bake`, compiled by cargo: they give the bits of the crate.
+//! Tests of tables in Rust by `toytop bake`, compiled by cargo: they give the bits of the crate.
 
 use super::cases::{Case, RUNS, assert_equal, cases};
 use crate::{folder, run, stderr, stdout};
@@ -42,7 +42,7 @@ fn rust_gives_the_same_bits_and_a_changed_number_does_not_compile() {
         ),
     )
     .expect("the manifest");
-    // the versions that this workspace has already
+    // the versions of dependencies that this workspace uses
     std::fs::copy(root.join("Cargo.lock"), folder.join("Cargo.lock")).expect("the lock file");
     let mut main = "macro_rules! print { ($sample:expr, $($tip:tt)*) => {{
     let sample = $sample;
@@ -97,7 +97,7 @@ fn main() {
     std::fs::write(&module, format!("{head}segments: [{}", rows.replacen(", ", ", 1", 1)))
         .expect("the module");
     let refused = cargo("check").output().expect("cargo runs");
-    // a static is evaluated by `build`, and by `check` too where its type is checked
+    // `build` evaluates a static, and so does `check` where the type depends on it
     let refused =
         if refused.status.success() { cargo("build").output().expect("cargo runs") } else { refused };
     assert!(!refused.status.success());

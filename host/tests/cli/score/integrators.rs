@@ -1,16 +1,16 @@
-//! The integrators of `host/docs/score`, run and judged where Python and their libraries are there.
+//! Tests of the integrators of `host/docs/score`, which need Python and their libraries.
 
 use super::{number, score};
 use crate::{PROGRAM, folder, sample};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The interpreter: that of `PYTHON`, or `python3`.
+/// Interpreter of the environment variable `PYTHON`, or `python3`.
 fn python() -> Command {
     Command::new(std::env::var_os("PYTHON").unwrap_or_else(|| "python3".into()))
 }
 
-/// Runs one script and returns its files in the order of their names; `None` if a module is missing, which is printed.
+/// Files that a script writes, in the order of their names; `None` if a module is missing, which is printed.
 fn integrated(script: &str, modules: &str) -> Option<Vec<PathBuf>> {
     let there = python().args(["-c", &format!("import {modules}")]).output();
     if !there.is_ok_and(|output| output.status.success()) {
@@ -33,7 +33,7 @@ fn integrated(script: &str, modules: &str) -> Option<Vec<PathBuf>> {
     Some(files)
 }
 
-/// Script, modules, greatest error of its best file, rad, and range of its order.
+/// Each case is a script, its modules, the greatest error of its best file, rad, and the range of its order.
 #[test]
 fn integrators_are_as_good_as_their_order() {
     let cases = [

@@ -1,56 +1,15 @@
-//! The functions as a program in C calls them: the bits of the crate, and a status for everything that is wrong.
+//! Tests of the functions as a program in C calls them: they give the bits of the crate, and a status for each error.
 
-#![allow(clippy::expect_used, clippy::indexing_slicing, reason = "a test may fail so")]
-#![allow(
-    clippy::undocumented_unsafe_blocks,
-    reason = "every pointer is of a local value, or null on purpose"
-)]
-
+use crate::top::{RELEASE, TOP, launched, parameters, state, text};
 use core::ffi::CStr;
 use core::mem::{MaybeUninit, size_of};
 use core::ptr::{null, null_mut};
-use toytop::{Ephemeris, Motion, Release, State, Tick, Top, TopParameters};
+use toytop::{Ephemeris, Motion, Release, State, Tick, Top};
 use toytop_c::toytop_status::*;
 use toytop_c::*;
 
-const TOP: toytop_top = toytop_top {
-    support: TOYTOP_SLIDING,
-    transverse_inertia: 3.0e-5,
-    axial_inertia: 2.0e-5,
-    com_height: 0.03,
-    mass: 0.05,
-    mass_moment: 0.0,
-    gravity: 9.81,
-    rotor_momentum: 0.0,
-};
-const RELEASE: toytop_release =
-    toytop_release { tilt: 0.35, azimuth: 0.1, roll: 0.0, spin: 150.0, precession: 2.0, nutation: 0.0 };
-
 fn motion() -> Motion {
-    let top = Top::sliding(&TopParameters {
-        transverse_inertia: 3.0e-5,
-        axial_inertia: 2.0e-5,
-        com_height: 0.03,
-        mass: 0.05,
-        gravity: 9.81,
-        ..TopParameters::default()
-    });
-    let release = Release { tilt: 0.35, azimuth: 0.1, spin: 150.0, precession: 2.0, ..Release::default() };
-    let state = State::release(&release).expect("a release");
-    Motion::launch(&top.expect("a top"), &state).expect("a motion")
-}
-
-fn launched() -> toytop_motion {
-    let (mut state, mut motion) = (MaybeUninit::uninit(), MaybeUninit::uninit());
-    unsafe {
-        assert_eq!(toytop_state_from_release(&RELEASE, state.as_mut_ptr(), null_mut()), TOYTOP_OK);
-        assert_eq!(toytop_launch(&TOP, state.as_ptr(), motion.as_mut_ptr(), null_mut()), TOYTOP_OK);
-        motion.assume_init()
-    }
-}
-
-fn text(error: &toytop_error) -> &str {
-    unsafe { CStr::from_ptr(error.text.as_ptr()) }.to_str().expect("ASCII")
+    Motion::launch(&Top::sliding(&parameters()).expect("a top"), &state()).expect("a motion")
 }
 
 /// Value that a function writes, and its status.
@@ -65,7 +24,7 @@ fn every_quantity_has_the_bits_of_the_crate() {
     let expected = Ephemeris::<f64, 48>::new(&motion(), Tick::hertz(1000).expect("a tick")).expect("it fits");
     let mut memory = MaybeUninit::<toytop_ephemeris_f64>::uninit();
     let (table, size) = (memory.as_mut_ptr(), size_of::<toytop_ephemeris_f64>());
-    let (motion, tick) = (launched(), toytop_hertz(1000));
+    let (motion, tick) = (launched(&TOP), toytop_hertz(1000));
     let mut place = MaybeUninit::<toytop_ephemeris_sample>::uninit();
     unsafe {
         assert_eq!(toytop_f64_set_up(table, size, &motion, tick, 0.0, null_mut()), TOYTOP_OK);
@@ -102,7 +61,7 @@ fn every_quantity_has_the_bits_of_the_crate() {
 fn a_cursor_a_delay_and_a_time_agree() {
     let mut memory = MaybeUninit::<toytop_ephemeris_q31>::uninit();
     let (table, size) = (memory.as_mut_ptr(), size_of::<toytop_ephemeris_q31>());
-    let motion = launched();
+    let motion = launched(&TOP);
     let (mut cursor, mut place) = (MaybeUninit::uninit(), MaybeUninit::uninit());
     unsafe {
         assert_eq!(toytop_q31_set_up(table, size, &motion, toytop_hertz(1000), 0.0, null_mut()), TOYTOP_OK);
@@ -126,7 +85,7 @@ fn a_cursor_a_delay_and_a_time_agree() {
 
 #[test]
 fn what_is_wrong_is_told() {
-    let motion = launched();
+    let motion = launched(&TOP);
     let mut table = [0_u64; TOYTOP_EPHEMERIS_F32_SIZE / 8];
     let table: *mut toytop_ephemeris_f32 = table.as_mut_ptr().cast();
     let (size, tick) = (size_of::<toytop_ephemeris_f32>(), toytop_hertz(1000));
@@ -161,7 +120,7 @@ fn what_is_wrong_is_told() {
         );
         assert_eq!(toytop_f32_at_tick(table, 0, place.as_mut_ptr()), TOYTOP_NOT_SET_UP);
 
-        // as many segments as are said to be enough, and one fewer
+        // the number of segments that is stated to be enough, and one fewer
         let needed = toytop_f32_segments_needed(&motion, 1e-12) as usize;
         assert!((17..=4096).contains(&needed), "{needed}");
         assert_eq!(toytop_f32_segments_needed(null(), 1e-12), 0);

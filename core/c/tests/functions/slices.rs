@@ -1,41 +1,15 @@
-//! Set-up in slices: the table of a set-up at once, and a status for every misuse. Free bodies and rotors inside.
+//! Tests of set-ups in slices, which give the table of a set-up at once, with a status for every misuse; and of free bodies and rotors.
 
-#![allow(clippy::expect_used, clippy::indexing_slicing, reason = "a test may fail so")]
-#![allow(
-    clippy::undocumented_unsafe_blocks,
-    reason = "every pointer is of a local value, or null on purpose"
-)]
-
+use crate::top::{TOP, launched, parameters, state};
 use core::ffi::CStr;
 use core::mem::{MaybeUninit, size_of};
 use core::ptr::{null, null_mut};
 use toytop::fixed::types::I2F30;
-use toytop::{Ephemeris, Motion, Release, State, Tick, Top, TopParameters};
+use toytop::{Ephemeris, Motion, Tick, Top, TopParameters};
 use toytop_c::toytop_status::*;
 use toytop_c::*;
 
-const TOP: toytop_top = toytop_top {
-    support: TOYTOP_SLIDING,
-    transverse_inertia: 3.0e-5,
-    axial_inertia: 2.0e-5,
-    com_height: 0.03,
-    mass: 0.05,
-    mass_moment: 0.0,
-    gravity: 9.81,
-    rotor_momentum: 0.0,
-};
 const TICK: toytop_tick = toytop_tick { ticks: 1000, seconds: 1 };
-
-fn launched(top: &toytop_top) -> toytop_motion {
-    let release =
-        toytop_release { tilt: 0.35, azimuth: 0.0, roll: 0.0, spin: 150.0, precession: 0.0, nutation: 0.0 };
-    let (mut state, mut motion) = (MaybeUninit::uninit(), MaybeUninit::uninit());
-    unsafe {
-        assert_eq!(toytop_state_from_release(&release, state.as_mut_ptr(), null_mut()), TOYTOP_OK);
-        assert_eq!(toytop_launch(top, state.as_ptr(), motion.as_mut_ptr(), null_mut()), TOYTOP_OK);
-        motion.assume_init()
-    }
-}
 
 fn begun(motion: &toytop_motion, truncation: f64) -> Box<toytop_set_up> {
     let mut set_up = Box::<toytop_set_up>::new_uninit();
@@ -46,7 +20,7 @@ fn begun(motion: &toytop_motion, truncation: f64) -> Box<toytop_set_up> {
     }
 }
 
-/// Memory of a table, of which every word is known.
+/// Memory of a table, all of whose words are initialised.
 fn memory<T>() -> Vec<u64> {
     vec![0x5555_5555_5555_5555; size_of::<T>() / 8]
 }
@@ -154,20 +128,10 @@ fn the_result_of_a_set_up_stays() {
 
 #[test]
 fn free_bodies_and_rotors_are_those_of_the_crate() {
-    let parameters = TopParameters {
-        transverse_inertia: 3.0e-5,
-        axial_inertia: 2.0e-5,
-        com_height: 0.03,
-        mass: 0.05,
-        gravity: 9.81,
-        rotor_momentum: -1.5e-3,
-        ..TopParameters::default()
-    };
-    let state =
-        State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).expect("a release");
+    let parameters = TopParameters { rotor_momentum: -1.5e-3, ..parameters() };
     for (support, top) in [(TOYTOP_FREE, Top::free(&parameters)), (TOYTOP_SLIDING, Top::sliding(&parameters))]
     {
-        let motion = Motion::launch(&top.expect("a top"), &state).expect("a motion");
+        let motion = Motion::launch(&top.expect("a top"), &state()).expect("a motion");
         let expected =
             Ephemeris::<f32, 25>::new(&motion, Tick::hertz(1000).expect("a tick")).expect("it fits");
         let motion = launched(&toytop_top { support, rotor_momentum: -1.5e-3, ..TOP });

@@ -1,0 +1,54 @@
+//! Top, release and motion of the tests.
+
+use core::ffi::CStr;
+use core::mem::MaybeUninit;
+use core::ptr::null_mut;
+use toytop::{Release, State, TopParameters};
+use toytop_c::toytop_status::*;
+use toytop_c::*;
+
+pub(crate) const TOP: toytop_top = toytop_top {
+    support: TOYTOP_SLIDING,
+    transverse_inertia: 3.0e-5,
+    axial_inertia: 2.0e-5,
+    com_height: 0.03,
+    mass: 0.05,
+    mass_moment: 0.0,
+    gravity: 9.81,
+    rotor_momentum: 0.0,
+};
+pub(crate) const RELEASE: toytop_release =
+    toytop_release { tilt: 0.35, azimuth: 0.1, roll: 0.0, spin: 150.0, precession: 2.0, nutation: 0.0 };
+
+/// Parameters of the same top for the crate.
+pub(crate) fn parameters() -> TopParameters {
+    TopParameters {
+        transverse_inertia: 3.0e-5,
+        axial_inertia: 2.0e-5,
+        com_height: 0.03,
+        mass: 0.05,
+        gravity: 9.81,
+        ..TopParameters::default()
+    }
+}
+
+/// State of the same release by the crate.
+pub(crate) fn state() -> State {
+    let release = Release { tilt: 0.35, azimuth: 0.1, spin: 150.0, precession: 2.0, ..Release::default() };
+    State::release(&release).expect("a release")
+}
+
+/// Motion of a top with this release.
+pub(crate) fn launched(top: &toytop_top) -> toytop_motion {
+    let (mut state, mut motion) = (MaybeUninit::uninit(), MaybeUninit::uninit());
+    unsafe {
+        assert_eq!(toytop_state_from_release(&RELEASE, state.as_mut_ptr(), null_mut()), TOYTOP_OK);
+        assert_eq!(toytop_launch(top, state.as_ptr(), motion.as_mut_ptr(), null_mut()), TOYTOP_OK);
+        motion.assume_init()
+    }
+}
+
+/// Text of an error.
+pub(crate) fn text(error: &toytop_error) -> &str {
+    unsafe { CStr::from_ptr(error.text.as_ptr()) }.to_str().expect("ASCII")
+}
