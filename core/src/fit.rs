@@ -45,7 +45,6 @@ use crate::fit::path::Path;
 use crate::fit::rows::Rows;
 use crate::fit::tracking::Prior;
 use crate::scalar::Real;
-use crate::sensitivity::Partials;
 use crate::top::Top;
 
 /// Largest number of sensors.
@@ -80,11 +79,19 @@ pub struct Fit<'a, F = f64> {
     shares: [[F; 4]; MOST_RATIOS],
     /// Time of the launch: that of the first measurement of the pass.
     epoch: Option<f64>,
-    /// Motion at the time of the last measurement.
-    now: Option<(f64, Partials<F>)>,
+    /// Time to which the path was moved: that of the last measurement.
+    now: Option<f64>,
     /// Factor of the readings of rate gyroscopes: another unit that is tried where the fit is bad.
     rate_unit: f64,
-    prior: Option<Prior>,
+    prior: Option<Prior<F>>,
+}
+
+/// Result of a search: the time of the launch, how it ended, and the number of other launches that fit as well.
+#[derive(Clone, Copy, Debug)]
+struct Found {
+    epoch: f64,
+    progress: Progress,
+    rivals: usize,
 }
 
 impl<'a, F: Real> Fit<'a, F> {
@@ -107,7 +114,7 @@ impl<'a, F: Real> Fit<'a, F> {
             best: pass,
             current: pass,
             damping: 1e-3,
-            path: model.path(&pass.launch),
+            path: model.path(),
             rows: Rows::new(model.common()),
             shares: model.shares(&pass.launch),
             epoch: None,
@@ -135,21 +142,19 @@ impl<'a, F: Real> Fit<'a, F> {
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        let fitted = self.run_in_unit(measurements.clone())?;
-        if matches!(fitted.reason, Some(Reason::Misfit | Reason::NotSettled))
-            && self.has_rates(measurements.clone())
+        let found = self.search(measurements.clone())?;
+        let mut reason = self.reason(found.progress);
+        if matches!(reason, Some(Reason::Misfit | Reason::NotSettled)) && self.has_rates(measurements.clone())
         {
-            let mut other = self.clone();
-            other.rate_unit = core::f64::consts::PI / 180.0;
-            let degrees = other.run_in_unit(measurements.clone())?;
-            if degrees.converged() || degrees.statistics.chi_squared < 0.1 * fitted.statistics.chi_squared {
-                return Ok(Fitted { reason: Some(Reason::RatesInDegrees), ..fitted });
+            let best = self.best;
+            if self.fits_in_degrees(measurements.clone(), best.statistics.chi_squared)? {
+                reason = Some(Reason::RatesInDegrees);
+            } else if self.is_at_rest(measurements) {
+                reason = Some(Reason::AtRest);
             }
-            if self.is_at_rest(measurements) {
-                return Ok(Fitted { reason: Some(Reason::AtRest), ..fitted });
-            }
+            self.best = best;
         }
-        Ok(fitted)
+        Ok(Fitted { rivals: found.rivals, ..self.fitted(found.epoch, reason) })
     }
 
     /// Launch from all measurements, from a first guess at the time of the first measurement.
@@ -163,36 +168,43 @@ impl<'a, F: Real> Fit<'a, F> {
         let (epoch, _) = self.checked(measurements.clone())?;
         self.start(guess);
         let progress = self.settle_finally(measurements);
-        Ok(self.fitted(epoch, progress))
+        Ok(self.fitted(epoch, self.reason(progress)))
     }
 
-    fn run_in_unit<I>(&mut self, measurements: I) -> Result<Fitted, FitError>
+    /// Whether the measurements fit better by far when the rates are read as degrees per unit time.
+    fn fits_in_degrees<I>(&mut self, measurements: I, chi_squared: f64) -> Result<bool, FitError>
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
+        self.rate_unit = core::f64::consts::PI / 180.0;
+        let degrees = self.search(measurements);
+        self.rate_unit = 1.0;
+        let converged = self.reason(degrees?.progress).is_none();
+        Ok(converged || self.best.statistics.chi_squared < 0.1 * chi_squared)
+    }
+
+    /// Launch from the measurements in the unit that is tried, without a first guess.
+    #[inline(never)] // two copies of it would take more stack
+    fn search<I>(&mut self, measurements: I) -> Result<Found, FitError>
     where
         I: Iterator<Item = Measurement> + Clone,
     {
         let (epoch, total) = self.checked(measurements.clone())?;
-        if measurements
-            .clone()
-            .map(|measurement| measurement.time)
-            .filter(|time| *time > epoch)
-            .take(2)
-            .count()
-            < 2
-        {
-            self.start(Launch::default());
-            return Ok(Fitted { reason: Some(Reason::TooFew), ..self.fitted(epoch, Progress::Stuck) });
+        self.start(Launch::default());
+        let later = measurements.clone().map(|measurement| measurement.time).filter(|time| *time > epoch);
+        if later.take(2).count() < 2 {
+            return Ok(Found { epoch, progress: Progress::TooFew, rivals: 0 });
         }
         let beginning = Beginning::of(self, measurements.clone());
         if beginning.is_empty() {
-            self.start(Launch::default());
-            return Ok(Fitted { reason: Some(Reason::NoBeginning), ..self.fitted(epoch, Progress::Stuck) });
+            return Ok(Found { epoch, progress: Progress::NoBeginning, rivals: 0 });
         }
         // the best of the guesses on short windows, where no phase can be off by a turn
         let mut count = 4 * FIRST_WINDOW * self.sensors.len();
         let mut best: Option<Pass<F>> = None;
         let mut rivals = 0;
         for guess in beginning.guesses() {
-            self.start(*guess);
+            self.start(guess);
             self.settle(measurements.clone().take(count / 4), SETTLED);
             self.settle(measurements.clone().take(count), SETTLED);
             let found = self.best;
@@ -202,8 +214,8 @@ impl<'a, F: Real> Fit<'a, F> {
         }
         if let Some(best) = best {
             // another guess that led to another launch and fits as well
-            for guess in beginning.guesses().iter().filter(|_| beginning.guesses().len() > 1) {
-                self.start(*guess);
+            for guess in beginning.guesses().filter(|_| beginning.is_ambiguous()) {
+                self.start(guess);
                 self.settle(measurements.clone().take(count), SETTLED);
                 let other = self.best;
                 if other.cost < best.cost + 9.0 && other.launch.distance(&best.launch) > 0.3 {
@@ -218,9 +230,7 @@ impl<'a, F: Real> Fit<'a, F> {
             self.settle(measurements.clone().take(count), NEAR);
         }
         let progress = self.settle_finally(measurements);
-        let mut fitted = self.fitted(epoch, progress);
-        fitted.rivals = rivals;
-        Ok(fitted)
+        Ok(Found { epoch, progress, rivals })
     }
 
     /// Time of the first measurement, and the number of all, after a look at them.

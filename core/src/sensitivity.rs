@@ -89,8 +89,9 @@ impl Sensitivity {
             let length = mean.advance.period;
             let turns = mean.turns(motion.half_tau());
             let [about_vertical, _] = turns;
-            let end = advance(&equations, &start, length.to_f64(), TOLERANCE, MOST_STEPS)?;
-            let mut growth = end.turned(-about_vertical).tangents;
+            let mut end = advance(&equations, &start, length.to_f64(), TOLERANCE, MOST_STEPS)?;
+            end.turn(-about_vertical);
+            let mut growth = end.tangents;
             for (grown, initial) in growth.iter_mut().zip(&start.tangents) {
                 *grown = grown.plus(initial, -1.0);
             }
@@ -116,7 +117,8 @@ impl Sensitivity {
     /// State and tangents after this number of periods, in a frame that turned with the mean precession.
     fn after_periods(&self, period: &Period, count: i64) -> Flow<f64, COLUMNS> {
         let [_, about_axis] = period.turns;
-        let mut flow = self.start.rolled(about_axis.times(count));
+        let mut flow = self.start;
+        flow.roll(about_axis.times(count));
         for (tangent, growth) in flow.tangents.iter_mut().zip(&period.growth) {
             *tangent = tangent.plus(growth, count as f64);
         }
@@ -159,8 +161,10 @@ impl SensitivityCursor<'_> {
             let [about_vertical, _] = period.turns;
             about_vertical.times(count)
         });
-        let flow = self.flow.turned(precessed).rolled(Phase::from_radians(equations.spin * rest));
-        Some(Partials::new(equations, flow, *tip_scale, COLUMNS))
+        let mut partials = Partials::new(equations, self.flow, *tip_scale, COLUMNS);
+        partials.flow.turn(precessed);
+        partials.flow.roll(Phase::from_radians(equations.spin * rest));
+        Some(partials)
     }
 }
 
@@ -182,8 +186,8 @@ fn about_vertical<F: Float>([x, y, z]: Vector<F>, (sine, cosine): (F, F)) -> Vec
 }
 
 impl<F: Real> Flow<F, COLUMNS> {
-    /// Everything turned about the vertical.
-    pub(crate) fn turned(mut self, phase: Phase) -> Self {
+    /// Turns everything about the vertical.
+    pub(crate) fn turn(&mut self, phase: Phase) {
         let turn = F::sine_cosine(phase);
         for vector in [&mut self.axis, &mut self.side, &mut self.across] {
             *vector = about_vertical(*vector, turn);
@@ -192,15 +196,13 @@ impl<F: Real> Flow<F, COLUMNS> {
             tangent.theta = about_vertical(tangent.theta, turn);
             tangent.eta = about_vertical(tangent.eta, turn);
         }
-        self
     }
 
-    /// Body turned about its axis.
-    pub(crate) fn rolled(mut self, phase: Phase) -> Self {
+    /// Turns the body about its axis.
+    pub(crate) fn roll(&mut self, phase: Phase) {
         let (sine, cosine) = F::sine_cosine(phase);
         let across = crate::su2::bracket(self.axis, self.side);
         self.side = equations::sum(self.side.map(|x| x * cosine), across, sine);
-        self
     }
 }
 

@@ -31,7 +31,7 @@ struct Instant {
 /// First guesses.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Beginning {
-    guesses: [Launch; MOST_GUESSES],
+    guesses: [(Orientation<f64>, Vector<f64>); MOST_GUESSES],
     count: usize,
 }
 
@@ -53,7 +53,7 @@ impl Beginning {
                 instant.learn(fit.hint(&measurement));
             }
         }
-        let mut beginning = Self { guesses: [Launch::default(); MOST_GUESSES], count: 0 };
+        let mut beginning = Self { guesses: [(Orientation::IDENTITY, [0.0; 3]); MOST_GUESSES], count: 0 };
         beginning.guess(instants.get(..count).unwrap_or(&[]));
         beginning
     }
@@ -62,13 +62,17 @@ impl Beginning {
         self.count == 0
     }
 
-    pub(super) fn guesses(&self) -> &[Launch] {
-        self.guesses.get(..self.count).unwrap_or(&[])
+    pub(super) fn is_ambiguous(&self) -> bool {
+        self.count > 1
+    }
+
+    pub(super) fn guesses(&self) -> impl Iterator<Item = Launch> {
+        self.guesses.iter().take(self.count).map(|(orientation, omega)| Launch::new(*orientation, *omega))
     }
 
     fn add(&mut self, orientation: Orientation<f64>, omega: Vector<f64>) {
         if let Some(slot) = self.guesses.get_mut(self.count) {
-            *slot = Launch::new(orientation, omega);
+            *slot = (orientation, omega);
             self.count += 1;
         }
     }

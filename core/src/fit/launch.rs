@@ -1,8 +1,7 @@
 //! Launch with the other unknowns of a fit.
 
-use crate::fit::MOST_RATIOS;
 use crate::fit::triangle::{MOST_UNKNOWNS, Unknowns};
-use crate::sensitivity::{COLUMNS, total};
+use crate::sensitivity::total;
 use crate::su2::{Orientation, Vector, dot};
 
 /// Number of unknowns of a launch.
@@ -47,8 +46,6 @@ pub struct Launch {
     /// Values of the other unknowns, in the places from the seventh on: changes of the logarithms of the free ratios, and
     /// biases.
     pub(crate) rest: Unknowns,
-    pub(crate) directions: [[f64; 4]; MOST_RATIOS],
-    pub(crate) free: usize,
 }
 
 impl Default for Launch {
@@ -61,7 +58,7 @@ impl Launch {
     /// Launch without biases, and with the ratios of the top.
     #[must_use]
     pub fn new(orientation: Orientation<f64>, omega: Vector<f64>) -> Self {
-        Self { orientation, omega, rest: [0.0; MOST_UNKNOWNS], directions: [[0.0; 4]; MOST_RATIOS], free: 0 }
+        Self { orientation, omega, rest: [0.0; MOST_UNKNOWNS] }
     }
 
     /// Values of the unknowns behind the launch: changes of the logarithms of the free ratios, then the biases of the
@@ -80,23 +77,5 @@ impl Launch {
             dot(off, off) / (dot(self.omega, self.omega) + dot(other.omega, other.omega) + 1e-300),
         );
         angle.min(self.orientation.distance(&minus)).max(rate)
-    }
-
-    /// Derivatives by the unknowns from derivatives by the launch and the four ratios.
-    pub(crate) fn columns(
-        &self,
-        by: &[Vector<f64>; COLUMNS],
-        ratios: &[f64; 4],
-    ) -> [Vector<f64>; MOST_UNKNOWNS] {
-        let mut columns = [[0.0; 3]; MOST_UNKNOWNS];
-        for (slot, column) in columns.iter_mut().zip(by).take(LAUNCH) {
-            *slot = *column;
-        }
-        for (slot, direction) in columns.iter_mut().skip(LAUNCH).zip(&self.directions).take(self.free) {
-            for ((column, share), ratio) in by.iter().skip(LAUNCH).zip(direction).zip(ratios) {
-                *slot = total(*slot, *column, share * ratio);
-            }
-        }
-        columns
     }
 }

@@ -62,10 +62,15 @@ impl Model {
         LAUNCH + self.free_count
     }
 
-    /// Path of a launch.
-    pub(crate) fn path<F: Real>(&self, launch: &Launch) -> Path<F> {
+    /// Directions of the free ratios; 0 for the others.
+    pub(crate) fn directions(&self) -> [[f64; 4]; MOST_RATIOS] {
+        self.free.map(|free| free.direction)
+    }
+
+    /// Path to begin with.
+    pub(crate) fn path<F: Real>(&self) -> Path<F> {
         let known = if self.free_count > 0 { COLUMNS } else { LAUNCH };
-        Path::new(&self.equations(launch), launch, self.top.tip_scale(), known)
+        Path::new(self.top.tip_scale(), &self.equations(&Launch::default()), known)
     }
 
     /// Motion of a launch.
@@ -146,14 +151,14 @@ impl Model {
         &self,
         row: &mut [F],
         shares: &[[F; 4]; MOST_RATIOS],
-        columns: &[F; COLUMNS],
+        column: impl Fn(usize) -> F,
     ) {
-        let (launch, ratios) = columns.split_at(LAUNCH);
-        for (slot, column) in row.iter_mut().zip(launch) {
-            *slot = *column;
+        for (index, slot) in row.iter_mut().enumerate().take(LAUNCH) {
+            *slot = column(index);
         }
         for (slot, shares) in row.iter_mut().skip(LAUNCH).zip(shares).take(self.free_count) {
-            *slot = shares.iter().zip(ratios).fold(F::ZERO, |sum, (share, column)| sum + *share * *column);
+            let terms = shares.iter().enumerate();
+            *slot = terms.fold(F::ZERO, |sum, (index, share)| sum + *share * column(LAUNCH + index));
         }
     }
 
@@ -233,16 +238,10 @@ impl Model {
         for (slot, by) in rest.iter_mut().zip(change).skip(LAUNCH) {
             *slot += by;
         }
-        let mut directions = [[0.0; 4]; MOST_RATIOS];
-        for (slot, free) in directions.iter_mut().zip(&self.free) {
-            *slot = free.direction;
-        }
         Launch {
             orientation: turn.compose(&launch.orientation).normalised(),
             omega: turn.adjoint(total(launch.omega, eta, 1.0)),
             rest,
-            directions,
-            free: self.free_count,
         }
     }
 

@@ -1,10 +1,11 @@
 //! Result of a fit: the launch, its covariance, and how far both can be trusted.
 
 use crate::error::ParameterError;
-use crate::fit::launch::Launch;
-use crate::fit::triangle::Symmetric;
+use crate::fit::MOST_RATIOS;
+use crate::fit::launch::{LAUNCH, Launch};
+use crate::fit::triangle::{MOST_UNKNOWNS, Symmetric};
 use crate::motion::Motion;
-use crate::sensitivity::Partials;
+use crate::sensitivity::{COLUMNS, Partials, total};
 use crate::state::State;
 use crate::su2::Vector;
 use crate::top::{Support, Top, TopParameters};
@@ -167,6 +168,8 @@ pub struct Fitted {
     /// Number of unknowns.
     pub count: usize,
     pub(crate) ratios: [f64; 4],
+    /// Directions of the free ratios; 0 for the others.
+    pub(crate) directions: [[f64; 4]; MOST_RATIOS],
 }
 
 impl Fitted {
@@ -189,7 +192,7 @@ impl Fitted {
     /// # Errors
     /// As [`Top::sliding`]; the name is that of the parameter which the fit took beyond its range.
     pub fn top(&self, given: &Top) -> Result<Top, ParameterError> {
-        if self.launch.free == 0 { Ok(*given) } else { with_ratios(given, &self.ratios) }
+        if self.directions == [[0.0; 4]; MOST_RATIOS] { Ok(*given) } else { with_ratios(given, &self.ratios) }
     }
 
     /// Motion of the launch.
@@ -202,19 +205,34 @@ impl Fitted {
 
     /// Standard deviations of the unknowns.
     #[must_use]
-    pub fn deviations(&self) -> [f64; super::MOST_UNKNOWNS] {
-        let mut deviations = [0.0; super::MOST_UNKNOWNS];
+    pub fn deviations(&self) -> [f64; MOST_UNKNOWNS] {
+        let mut deviations = [0.0; MOST_UNKNOWNS];
         for (index, (slot, row)) in deviations.iter_mut().zip(&self.covariance).enumerate() {
             *slot = libm::sqrt(row.get(index).copied().unwrap_or(0.0));
         }
         deviations
     }
 
+    /// Derivatives by the unknowns from derivatives by the launch and the four ratios.
+    pub(crate) fn columns(&self, by: &[Vector<f64>; COLUMNS]) -> [Vector<f64>; MOST_UNKNOWNS] {
+        let (launch, ratios) = by.split_at(LAUNCH);
+        let mut columns = [[0.0; 3]; MOST_UNKNOWNS];
+        for (slot, column) in columns.iter_mut().zip(launch) {
+            *slot = *column;
+        }
+        for (slot, direction) in columns.iter_mut().skip(LAUNCH).zip(&self.directions) {
+            for ((column, share), ratio) in ratios.iter().zip(direction).zip(&self.ratios) {
+                *slot = total(*slot, *column, share * ratio);
+            }
+        }
+        columns
+    }
+
     /// Covariance of the rotation vector of the predicted orientation, from the uncertainty of the launch and of the
     /// ratios.
     #[must_use]
     pub fn orientation_covariance(&self, at: &Partials) -> [Vector<f64>; 3] {
-        let columns = self.launch.columns(&at.orientation(), &self.ratios);
+        let columns = self.columns(&at.orientation());
         let mut covariance = [[0.0; 3]; 3];
         for (row, a) in self.covariance.iter().zip(&columns) {
             for (entry, b) in row.iter().zip(&columns) {

@@ -3,7 +3,6 @@
 use crate::fit::Fit;
 use crate::fit::launch::Launch;
 use crate::fit::outcome::{Fitted, Reason, Statistics};
-use crate::fit::rows::{Row, Rows};
 use crate::fit::sensor::{Hint, Measurement};
 use crate::fit::triangle::{MOST_UNKNOWNS, Triangle};
 use crate::scalar::Real;
@@ -35,6 +34,10 @@ pub(super) enum Progress {
     Stuck,
     /// The top stands upright, and its spin is not determined.
     SpinUnknown,
+    /// There are fewer than three instants.
+    TooFew,
+    /// There is no first guess.
+    NoBeginning,
 }
 
 impl<F: Real> Pass<F> {
@@ -66,13 +69,13 @@ impl<F: Real> Fit<'_, F> {
 
     fn begin_pass(&mut self, launch: Launch) {
         let (information, cost) = match &self.prior {
-            Some(prior) => prior.information(&launch, self.model.count),
+            Some(prior) => prior.information(&launch),
             None => self.model.prior(&launch),
         };
         self.current = Pass { information, cost, ..Pass::new(launch, self.model.count) };
         self.current.statistics.prior = cost;
-        self.path = self.model.path(&launch);
-        self.rows = Rows::new(self.model.common());
+        self.path.begin(&self.model.equations(&launch), &launch);
+        self.rows.clear();
         self.shares = self.model.shares(&launch);
         self.epoch = None;
         self.now = None;
@@ -81,6 +84,7 @@ impl<F: Real> Fit<'_, F> {
     /// Passes over the measurements until the launch does not change any more.
     ///
     /// * `settled`: size of a correction, in standard deviations, below which this is so
+    #[inline(never)] // its copies would take more stack
     pub(super) fn settle<I>(&mut self, measurements: I, settled: f64) -> Progress
     where
         I: Iterator<Item = Measurement> + Clone,
@@ -116,15 +120,14 @@ impl<F: Real> Fit<'_, F> {
     fn add(&mut self, measurement: &Measurement) {
         let Measurement { time, sensor: index, mut values } = *measurement;
         let Some(sensor) = self.sensors.get(index) else { return };
-        self.move_to(time);
-        let Some((_, partials)) = &self.now else {
+        if self.move_to(time).is_none() {
             self.current.cost = f64::INFINITY;
             return;
-        };
+        }
         if self.rate_unit != 1.0 && matches!(sensor.hint(&values), Hint::Rate { .. }) {
             values = values.map(|x| x * self.rate_unit);
         }
-        let prediction = sensor.predict(partials, &values);
+        let prediction = sensor.predict(self.path.now(), &values);
         let bias = self.model.bias_of(index);
         let huber = F::from_f64(self.huber);
         let statistics = &mut self.current.statistics;
@@ -136,12 +139,9 @@ impl<F: Real> Fit<'_, F> {
                 statistics.unused += 1;
                 continue;
             }
-            let mut row = Row::ZERO;
             let mut residual = difference * per_deviation;
-            if let Some(place) = bias.map(|first| first + component)
-                && let Some(known) = self.current.launch.rest.get(place)
-            {
-                row.bias = place.checked_sub(self.model.common());
+            let place = bias.map(|first| first + component);
+            if let Some(known) = place.and_then(|place| self.current.launch.rest.get(place)) {
                 residual = residual - F::from_f64(*known) * per_deviation;
             }
             let size = residual.abs();
@@ -155,11 +155,13 @@ impl<F: Real> Fit<'_, F> {
             statistics.used += 1;
             statistics.outliers += u32::from(outlier);
             let scale = weight * per_deviation;
-            row.by_bias = scale;
-            let columns =
-                prediction.columns.map(|column| scale * column.get(component).copied().unwrap_or(F::ZERO));
-            self.model.fill(&mut row.entries, &self.shares, &columns);
-            self.rows.add(row, weight * residual);
+            let bias = place.and_then(|place| place.checked_sub(self.model.common()));
+            let Some(row) = self.rows.next(bias, scale, weight * residual) else { continue };
+            let column = |k: usize| {
+                let entry = prediction.columns.get(k).and_then(|column| column.get(component));
+                scale * entry.copied().unwrap_or(F::ZERO)
+            };
+            self.model.fill(row, &self.shares, column);
         }
         statistics.chi_squared += squares.to_f64();
         statistics.largest = statistics.largest.max(largest.to_f64());
@@ -167,13 +169,15 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Computes the state and the derivatives at a time.
-    fn move_to(&mut self, time: f64) {
-        if self.now.as_ref().is_some_and(|(last, _)| *last == time) {
-            return;
+    fn move_to(&mut self, time: f64) -> Option<()> {
+        if self.now == Some(time) {
+            return Some(());
         }
         let epoch = *self.epoch.get_or_insert(time);
         let (model, launch) = (&self.model, &self.current.launch);
-        self.now = self.path.at(time - epoch, || model.motion(launch)).map(|partials| (time, partials));
+        self.path.move_to(time - epoch, || model.motion(launch))?;
+        self.now = Some(time);
+        Some(())
     }
 
     /// Corrects the launch after a pass.
@@ -213,24 +217,28 @@ impl<F: Real> Fit<'_, F> {
         Progress::Again
     }
 
-    pub(super) fn fitted(&self, epoch: f64, progress: Progress) -> Fitted {
-        let Pass { launch, information, statistics, .. } = self.best;
-        let unobservable = self.model.unobservable(&launch, &information);
-        let reason = if statistics.used == 0 && statistics.unused > 0 {
-            Some(Reason::AllSaturated)
-        } else if statistics.used < 6 {
-            Some(Reason::TooFew)
-        } else if statistics.is_misfit(self.model.count, MISFIT, self.huber) {
-            Some(Reason::Misfit)
-        } else if progress == Progress::SpinUnknown {
-            Some(Reason::SpinUnknown)
-        } else if progress != Progress::Settled {
-            Some(Reason::NotSettled)
-        } else {
-            None
-        };
+    /// Reason why the best launch must not be trusted.
+    pub(super) fn reason(&self, progress: Progress) -> Option<Reason> {
+        let statistics = &self.best.statistics;
+        match progress {
+            Progress::TooFew => Some(Reason::TooFew),
+            Progress::NoBeginning => Some(Reason::NoBeginning),
+            _ if statistics.used == 0 && statistics.unused > 0 => Some(Reason::AllSaturated),
+            _ if statistics.used < 6 => Some(Reason::TooFew),
+            _ if statistics.is_misfit(self.model.count, MISFIT, self.huber) => Some(Reason::Misfit),
+            Progress::SpinUnknown => Some(Reason::SpinUnknown),
+            Progress::Settled => None,
+            Progress::Again | Progress::Stuck => Some(Reason::NotSettled),
+        }
+    }
+
+    #[inline(never)] // its matrices are on the stack at the end only
+    pub(super) fn fitted(&self, epoch: f64, reason: Option<Reason>) -> Fitted {
+        let Pass { launch, information, statistics, .. } = &self.best;
+        let (launch, statistics) = (*launch, *statistics);
+        let unobservable = self.model.unobservable(&launch, information);
         // not larger, so that the covariance keeps the digits of what is determined
-        let floor = self.model.damping(&launch, &information, 0.0, 10.0);
+        let floor = self.model.damping(&launch, information, 0.0, 10.0);
         Fitted {
             epoch,
             launch,
@@ -241,6 +249,7 @@ impl<F: Real> Fit<'_, F> {
             rivals: 0,
             count: self.model.count,
             ratios: self.model.ratios(&launch),
+            directions: self.model.directions(),
         }
     }
 }

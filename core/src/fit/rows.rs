@@ -12,7 +12,7 @@ use crate::scalar::Real;
 /// Most unknowns that are no biases, with the right-hand side.
 const WIDTH: usize = LAUNCH + MOST_RATIOS + 1;
 /// Rows that are collected.
-const BLOCK: usize = 24;
+const BLOCK: usize = 12;
 
 /// Row of the derivatives by the launch and the ratios, with the right-hand side behind them.
 type Entries<F> = [F; WIDTH];
@@ -30,16 +30,16 @@ pub(super) struct Rows<F> {
 
 /// Derivative by one bias, and the others.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Row<F> {
+struct Row<F> {
     /// Bias, counted from 0, and the derivative by it.
-    pub(super) bias: Option<usize>,
-    pub(super) by_bias: F,
+    bias: Option<usize>,
+    by_bias: F,
     /// Derivatives by the launch and the ratios.
-    pub(super) entries: Entries<F>,
+    entries: Entries<F>,
 }
 
 impl<F: Real> Row<F> {
-    pub(super) const ZERO: Self = Self { bias: None, by_bias: F::ZERO, entries: [F::ZERO; WIDTH] };
+    const ZERO: Self = Self { bias: None, by_bias: F::ZERO, entries: [F::ZERO; WIDTH] };
 }
 
 impl<F: Real> Rows<F> {
@@ -54,18 +54,28 @@ impl<F: Real> Rows<F> {
         }
     }
 
-    /// Adds a row with its right-hand side.
-    pub(super) fn add(&mut self, mut row: Row<F>, value: F) {
-        if let Some(slot) = row.entries.get_mut(self.common) {
-            *slot = value;
-        }
-        if let Some(slot) = self.block.get_mut(self.filled) {
-            *slot = row;
-            self.filled += 1;
-        }
+    /// Takes all rows away.
+    pub(super) fn clear(&mut self) {
+        self.filled = 0;
+        self.by_bias = [Row::ZERO; 3 * MOST_SENSORS];
+        self.others = [[F::ZERO; WIDTH]; WIDTH - 1];
+    }
+
+    /// Place for the derivatives of the next row.
+    ///
+    /// * `bias`: bias of the row, counted from 0
+    /// * `by_bias`: derivative by it
+    /// * `value`: right-hand side
+    pub(super) fn next(&mut self, bias: Option<usize>, by_bias: F, value: F) -> Option<&mut [F]> {
         if self.filled == BLOCK {
             self.reflect();
         }
+        let row = self.block.get_mut(self.filled)?;
+        self.filled += 1;
+        (row.bias, row.by_bias) = (bias, by_bias);
+        let (entries, rest) = row.entries.split_at_mut_checked(self.common)?;
+        *rest.first_mut()? = value;
+        Some(entries)
     }
 
     /// Brings the collected rows into the shape of an arrow.

@@ -13,10 +13,9 @@ use crate::su2::{Vector, bracket, dot};
 
 /// Knowledge of a launch before its measurements.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Prior {
+pub(super) struct Prior<F> {
     launch: Launch,
-    /// Rows W of the inverse of a factor of the covariance: |W δ|² is the square of a change in standard deviations.
-    rows: Symmetric,
+    information: Triangle<F>,
 }
 
 /// Fit of a block, and how it differs from what the last block predicted.
@@ -55,10 +54,14 @@ impl<F: Real> Fit<'_, F> {
         predicted.orientation = partials.orientation_now();
         predicted.omega = partials.angular_velocity();
         let covariance = carried_covariance(last, &partials, drift, span);
-        self.prior = Some(Prior { launch: predicted, rows: inverse_factor(&covariance, last.count) });
+        let mut information = Triangle::new(last.count);
+        for row in inverse_factor(&covariance, last.count).iter().take(last.count) {
+            information.add(&row.map(F::from_f64), F::ZERO);
+        }
+        self.prior = Some(Prior { launch: predicted, information });
         self.start(predicted);
         let progress = self.settle(measurements, SETTLED);
-        let fitted = self.fitted(epoch, progress);
+        let fitted = self.fitted(epoch, self.reason(progress));
         self.prior = None;
         let turn = fitted.launch.orientation.compose(&predicted.orientation.inverse());
         let [before, after] = [&last.launch, &fitted.launch].map(|launch| self.model.integrals(launch));
@@ -68,9 +71,9 @@ impl<F: Real> Fit<'_, F> {
     }
 }
 
-impl Prior {
+impl<F: Real> Prior<F> {
     /// Information of the prior about changes of a launch, and the sum of squares by which the launch contradicts it.
-    pub(super) fn information<F: Real>(&self, launch: &Launch, count: usize) -> (Triangle<F>, f64) {
+    pub(super) fn information(&self, launch: &Launch) -> (Triangle<F>, f64) {
         let turn = launch.orientation.compose(&self.launch.orientation.inverse());
         let theta = rotation_vector(&turn);
         let eta = total(turn.inverse().adjoint(launch.omega), self.launch.omega, -1.0);
@@ -82,21 +85,14 @@ impl Prior {
         for (slot, by) in change.iter_mut().zip(moved) {
             *slot = by;
         }
-        let mut information = Triangle::new(count);
-        let mut cost = 0.0;
-        for row in self.rows.iter().take(count) {
-            let residual: f64 = -row.iter().zip(&change).map(|(a, b)| a * b).sum::<f64>();
-            cost += residual * residual;
-            information.add(&row.map(F::from_f64), F::from_f64(residual));
-        }
-        (information, cost)
+        let (information, size) = self.information.towards(&change.map(|x| F::from_f64(-x)));
+        (information, size.to_f64() * size.to_f64())
     }
 }
 
 /// Covariance of the launch at a later time, with the drift of ω.
 fn carried_covariance(last: &Fitted, at: &Partials, drift: f64, span: f64) -> Symmetric {
-    let [theta, omega] =
-        [at.orientation(), at.omega()].map(|columns| last.launch.columns(&columns, &last.ratios));
+    let [theta, omega] = [at.orientation(), at.omega()].map(|columns| last.columns(&columns));
     let mut map = [[0.0; MOST_UNKNOWNS]; MOST_UNKNOWNS];
     for (index, row) in map.iter_mut().enumerate() {
         let columns = if index < 3 { &theta } else { &omega };

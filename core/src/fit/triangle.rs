@@ -97,6 +97,20 @@ impl<F: Real> Triangle<F> {
         self.back_substituted(&self.side())
     }
 
+    /// This information about the distance from another point, and the distance in standard deviations.
+    pub(crate) fn towards(&self, point: &Unknowns<F>) -> (Self, F) {
+        let mut moved = *self;
+        let mut rest = &mut moved.entries[..];
+        for index in 0..self.count {
+            let Some((line, tail)) = rest.split_at_mut_checked(self.count - index + 1) else { break };
+            rest = tail;
+            if let Some((side, row)) = line.split_last_mut() {
+                *side = inner(row, point.iter().skip(index));
+            }
+        }
+        (moved, self.size(point))
+    }
+
     /// This information and more: each unknown is 0 with this standard deviation, a positive number.
     pub(crate) fn damped(&self, deviations: &Unknowns<F>) -> Self {
         let mut damped = *self;

@@ -93,8 +93,8 @@ impl Equations<f64> {
     }
 
     /// Bound on the frequencies of the motion from a state on, rad per unit time: that of the gyroscopic torque, and
-    /// that of the axis, which gravity drives until it hangs, or until the gyroscopic torque has turned it. A short leg
-    /// makes the axis faster near the vertical.
+    /// twice that of the axis, which gravity drives until it hangs, or until the gyroscopic torque has turned it. A short
+    /// leg makes the axis faster near the vertical.
     pub(crate) fn fastest<const N: usize>(&self, flow: &Flow<f64, N>) -> f64 {
         let Coefficients { moment, height, gravity, .. } = self.coefficients;
         let rate = bracket(flow.across, flow.axis);
@@ -103,7 +103,7 @@ impl Equations<f64> {
         let hanging = libm::sqrt(square + 2.0 * moment * gravity * (1.0 + u));
         let driven = libm::sqrt(square) + 2.0 * moment * gravity / gyroscopic;
         libm::sqrt(gyroscopic * gyroscopic + moment * gravity)
-            + hanging.min(driven) * (1.0 + libm::sqrt(moment * height))
+            + hanging.min(driven) * (2.0 + libm::sqrt(moment * height))
     }
 
     /// Equations in another scalar.

@@ -10,7 +10,7 @@ use crate::su2::{Orientation, Vector, bracket, dot};
 #[derive(Clone, Copy, Debug)]
 pub struct Partials<F = f64> {
     pub(crate) flow: Flow<F, COLUMNS>,
-    equations: Equations<F>,
+    pub(crate) equations: Equations<F>,
     tip_scale: F,
     /// Number of columns that are known; the others are 0.
     known: usize,
