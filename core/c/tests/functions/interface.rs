@@ -84,7 +84,7 @@ fn a_cursor_a_delay_and_a_time_agree() {
 }
 
 #[test]
-fn what_is_wrong_is_told() {
+fn each_error_has_a_status() {
     let motion = launched(&TOP);
     let mut table = [0_u64; TOYTOP_EPHEMERIS_F32_SIZE / 8];
     let table: *mut toytop_ephemeris_f32 = table.as_mut_ptr().cast();

@@ -24,7 +24,7 @@ struct Target {
 pub struct Kept {
     /// Greatest error of Φ's norm, and of u at its turning points, as a share of the bound.
     pub checks_of_bound: f64,
-    /// Greatest change of l, n and h relative to the magnitudes of their terms.
+    /// Greatest change of l and n in units of max(A, C) |ω| + |K|, and of h in units of this times |ω|, plus p g.
     pub drift: f64,
     /// Errors against the truth, where it was computed.
     pub error: Option<Error>,
