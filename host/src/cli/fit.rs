@@ -46,6 +46,12 @@ pub struct FitArgs {
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,
+    /// Residuals against time, as a picture: a file that ends in .svg or .png
+    #[arg(long, value_name = "FILE")]
+    pub plot_residuals: Option<PathBuf>,
+    /// Error of the prediction against time, as a picture
+    #[arg(long, value_name = "FILE")]
+    pub plot_prediction: Option<PathBuf>,
     /// Scenario file to write
     #[arg(short, long, value_name = "FITTED.toml")]
     pub output: Option<PathBuf>,

@@ -3,16 +3,23 @@
 use super::Report;
 use crate::Failure;
 use crate::cli::{FitArgs, Format};
+use crate::fit::pictures;
 use crate::fit::report::{Told, ratios};
 use crate::fit::sensors::{Body, Sensors};
 use crate::fit::table;
 use crate::input::scenario::Scenario;
 use crate::output::{self, Cell, Record, whole_file};
+use crate::pictures::plot::Form;
 use toml::{Table, Value};
 use toytop::fit::{Fit, Sensor};
 use toytop::{Support, Top};
 
 pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
+    let plots =
+        [("--plot-residuals", &arguments.plot_residuals), ("--plot-prediction", &arguments.plot_prediction)];
+    for (option, path) in plots {
+        path.as_deref().map(|path| Form::of(path, option)).transpose()?;
+    }
     let file = arguments.top.display().to_string();
     let keys = Scenario::keys(&arguments.top)?;
     let top = Scenario::top(&arguments.top)?;
@@ -45,6 +52,18 @@ pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
             notes.push(format!("{}: not written, because the fit has not converged", path.display()));
         }
         (None, _) => {}
+    }
+    for (option, path) in plots {
+        let Some(path) = path else { continue };
+        let Ok(motion) = fitted.motion(&top) else {
+            notes.push(format!("{}: not written, because no top has the fitted numbers", path.display()));
+            continue;
+        };
+        let picture = match option {
+            "--plot-residuals" => pictures::residuals(&told, &motion, &measurements),
+            _ => pictures::prediction(&told, &motion),
+        };
+        whole_file::write(option, path, &picture.encoded(Form::of(path, option)?)?)?;
     }
     let text = match arguments.format {
         Format::Table => told.table(),

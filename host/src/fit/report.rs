@@ -88,7 +88,7 @@ impl Told<'_> {
     }
 
     /// Biases by sensor, with their standard deviations.
-    fn biases(&self) -> Vec<(&'static str, [f64; 3], [f64; 3])> {
+    pub(super) fn biases(&self) -> Vec<(&'static str, [f64; 3], [f64; 3])> {
         let deviations = self.fitted.deviations();
         let values = self.fitted.launch.other_unknowns();
         let mut place = self.free.len();
