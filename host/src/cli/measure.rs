@@ -88,7 +88,7 @@ pub struct AccuracyArgs {
     /// Scalar types
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]
     pub scalar: Vec<ScalarChoice>,
-    /// Error against cost, as a picture: a file that ends in .svg or .png
+    /// Error against cost, as a picture: a file that ends in .svg, .png or (in a build with that feature) .pdf
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     /// Form of the output

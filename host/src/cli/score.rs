@@ -18,7 +18,7 @@ pub struct ScoreArgs {
     /// Step size of each file, s; without it, what the file states, or the spacing of its rows
     #[arg(long, value_name = "H1,H2,...", value_delimiter = ',', allow_hyphen_values = true, value_parser = super::measure::positive)]
     pub steps: Vec<f64>,
-    /// Greatest error against work, as a picture: a file that ends in .svg or .png
+    /// Greatest error against work, as a picture: a file that ends in .svg, .png or (in a build with that feature) .pdf
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     /// Form of the output
