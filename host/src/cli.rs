@@ -14,7 +14,7 @@ pub use benchmark::BenchmarkArgs;
 pub use choice::{Format, Method, ScalarChoice};
 pub use events::{EventsArgs, Kind, What};
 pub use fit::{FitArgs, FreeKey, SimulateArgs};
-pub use many::{Shard, SweepArgs};
+pub use many::{Shard, SweepArgs, SweepFiles};
 pub use measure::{AccuracyArgs, BenchArgs, BudgetArgs, CompareArgs, ErrataArgs, FiguresArgs};
 pub use motion::{
     AnimateArgs, BakeArgs, ConstantsArgs, DEFAULT_STEPS, Language, PlotArgs, PlotKind, SampleFormat,

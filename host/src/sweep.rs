@@ -11,6 +11,8 @@ mod heat_map;
 mod launches;
 mod motions;
 mod part;
+pub mod parts;
+mod sealed;
 mod space;
 
 pub use axis::Axis;

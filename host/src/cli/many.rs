@@ -1,16 +1,40 @@
 //! Arguments of the command that computes many motions.
 
 use crate::sweep::{Axis, Column, DEFAULT_COLUMNS, SignChoice};
-use clap::Args;
-use std::path::PathBuf;
+use clap::{Args, Subcommand};
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
+
+/// What to do with files that are there.
+#[derive(Debug, Subcommand)]
+pub enum SweepFiles {
+    /// Compare every row of CSV files with its checksum, and see that none is missing
+    Verify {
+        /// CSV files that `toytop sweep` wrote
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+    },
+    /// Make one file, in the order of the sweep, of all its shards
+    Join {
+        /// CSV files of the shards, in any order
+        #[arg(required = true, value_name = "PART")]
+        parts: Vec<PathBuf>,
+        /// CSV file to write, or Parquet if it ends in .parquet (in a build with that feature)
+        #[arg(short, long, value_name = "FILE")]
+        output: PathBuf,
+    },
+}
 
 /// `toytop sweep`
 #[derive(Args, Debug)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct SweepArgs {
+    /// Work on existing files
+    #[command(subcommand)]
+    pub files: Option<SweepFiles>,
     /// CSV file to write (- is stdout), or Parquet file if its name ends in .parquet (in a build with the feature parquet). It must not exist, unless --resume is given
-    #[arg(short, long, value_name = "FILE")]
-    pub output: PathBuf,
+    #[arg(short, long, value_name = "FILE", required = true)]
+    output: Option<PathBuf>,
     /// Scenario file whose numbers vary; without it, the paper's constants e1, e2, e3, A/(ps) and C/A vary
     #[arg(conflicts_with_all = ["e1", "e2", "e3", "a_over_ps", "c_over_a", "signs"])]
     pub scenario: Option<PathBuf>,
@@ -73,7 +97,7 @@ pub struct SweepArgs {
     pub resume: bool,
     /// Compute every row of the existing CSV file again, and name the first line that differs. Nothing is written
     #[arg(long, conflicts_with_all = ["resume", "plot"])]
-    pub verify: bool,
+    pub recompute: bool,
 }
 
 fn key_and_axis(text: &str) -> Result<(String, Axis), String> {
@@ -82,6 +106,13 @@ fn key_and_axis(text: &str) -> Result<(String, Axis), String> {
 }
 
 impl SweepArgs {
+    /// File to write.
+    #[must_use]
+    pub fn output(&self) -> &Path {
+        // clap asks for it where there is no subcommand
+        self.output.as_deref().unwrap_or(Path::new("-"))
+    }
+
     /// Keys of the scenario that vary, each with its axis.
     #[must_use]
     pub fn varied(&self) -> Vec<(String, Axis)> {

@@ -89,7 +89,7 @@ pub struct AccuracyArgs {
     /// Scalar types
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]
     pub scalar: Vec<ScalarChoice>,
-    /// Picture of error against cost, whose name ends in .svg or .png
+    /// Picture of error against cost, whose name ends in .svg, .png or, with the feature pdf, .pdf
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     /// Form of the output

@@ -122,7 +122,7 @@ pub struct PlotArgs {
     /// Width of the picture, pixels
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(100..=10_000))]
     pub size: Option<u32>,
-    /// Output file, whose name ends in .svg or .png
+    /// Output file, whose name ends in .svg, .png or, with the feature pdf, .pdf
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
 }

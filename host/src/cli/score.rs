@@ -18,7 +18,7 @@ pub struct ScoreArgs {
     /// Step size of each file, s; without it, the step size that the file states, or the spacing of its rows
     #[arg(long, value_name = "H1,H2,...", value_delimiter = ',', allow_hyphen_values = true, value_parser = super::measure::positive)]
     pub steps: Vec<f64>,
-    /// Picture of the greatest error against the work, whose name ends in .svg or .png
+    /// Picture of the greatest error against the work, whose name ends in .svg, .png or, with the feature pdf, .pdf
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     /// Form of the output

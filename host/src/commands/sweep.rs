@@ -2,11 +2,12 @@
 
 use super::Report;
 use crate::Failure;
-use crate::cli::SweepArgs;
+use crate::cli::{SweepArgs, SweepFiles};
 use crate::input::scenario::Template;
 use crate::output::progress::Progress;
 use crate::output::whole_file;
 use crate::pictures::plot::Form;
+use crate::sweep::parts::{self, Found};
 use crate::sweep::{HeatMap, Launches, Motions, Part, Rows, Space};
 use crate::thread_pool;
 use rayon::ThreadPool;
@@ -14,21 +15,26 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, ErrorKind, Write};
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Rows of a block: what is lost at most when the program is killed.
 const BLOCK: u64 = 1024;
 
 pub(super) fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
+    match &arguments.files {
+        Some(SweepFiles::Verify { files }) => return verify(files),
+        Some(SweepFiles::Join { parts, output }) => return join(parts, output),
+        None => {}
+    }
     let started = Instant::now();
     let rows = rows(arguments)?;
     let cores = thread_pool::of_all_cores()?;
-    let output = &arguments.output;
-    if arguments.verify {
-        return verify(output, &rows, &cores, arguments.shard.0);
+    let output = arguments.output();
+    if arguments.recompute {
+        return recompute(output, &rows, &cores, arguments.shard.0);
     }
-    let in_columns = output.extension().is_some_and(|ending| ending == "parquet");
+    let in_columns = is_parquet(output);
     let to_stdout = output.as_os_str() == "-";
     let map = match &arguments.plot {
         Some(_) if to_stdout || in_columns || arguments.shard.0 != [1, 1] => {
@@ -92,8 +98,49 @@ fn compute(
     Ok(())
 }
 
+/// Compares the rows of each file with their checksums.
+fn verify(files: &[PathBuf]) -> Result<Report, Failure> {
+    let mut text = String::new();
+    for path in files {
+        let Found { rows, motions } = parts::verify(path)?;
+        text +=
+            &format!("{}: {rows} rows of a sweep of {motions}, all as they were written\n", path.display());
+    }
+    Ok(Report { text, ..Report::default() })
+}
+
+/// Makes one file of shards.
+fn join(files: &[PathBuf], output: &Path) -> Result<Report, Failure> {
+    let Found { rows, .. } =
+        if is_parquet(output) { join_parquet(files, output)? } else { parts::join(files, output)? };
+    Ok(Report {
+        text: format!("{}: {rows} rows of {} files\n", output.display(), files.len()),
+        ..Report::default()
+    })
+}
+
+/// By way of a CSV file beside it.
+#[cfg(feature = "parquet")]
+fn join_parquet(files: &[PathBuf], output: &Path) -> Result<Found, Failure> {
+    use crate::sweep::columnar;
+    let csv = output.with_extension("parquet.csv");
+    let found = parts::join(files, &csv)?;
+    columnar::write(&csv, output, columnar::version(), found.rows)?;
+    std::fs::remove_file(&csv).map_err(|error| whole_file::refused("--output", &csv, error))?;
+    Ok(found)
+}
+
+#[cfg(not(feature = "parquet"))]
+fn join_parquet(_: &[PathBuf], output: &Path) -> Result<Found, Failure> {
+    Err(without_parquet(output))
+}
+
+fn is_parquet(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending == "parquet")
+}
+
 /// Compares every line of a CSV file with what the sweep gives.
-fn verify(path: &Path, rows: &Rows, cores: &ThreadPool, shard: [u64; 2]) -> Result<Report, Failure> {
+fn recompute(path: &Path, rows: &Rows, cores: &ThreadPool, shard: [u64; 2]) -> Result<Report, Failure> {
     let name = path.display().to_string();
     let refuse = |reason: String| Failure::Input(format!("{name}: {reason}"));
     let open = |path| File::open(path).and_then(|file| Ok((file.metadata()?.is_file(), file)));
@@ -164,7 +211,7 @@ fn print(rows: &Rows, cores: &ThreadPool, arguments: &SweepArgs) -> Result<Added
 #[cfg(feature = "parquet")]
 fn parquet(rows: &Rows, cores: &ThreadPool, arguments: &SweepArgs) -> Result<Added, Failure> {
     use crate::sweep::columnar;
-    let (output, shard) = (&arguments.output, arguments.shard.0);
+    let (output, shard) = (arguments.output(), arguments.shard.0);
     let csv = output.with_extension("parquet.csv");
     if let Some(len) = columnar::rows_there(output, rows, shard, arguments.resume)?
         && !csv.exists()
@@ -173,7 +220,7 @@ fn parquet(rows: &Rows, cores: &ThreadPool, arguments: &SweepArgs) -> Result<Add
     }
     // locked until the Parquet file is there
     let (added, _part) = append(&csv, rows, cores, arguments)?;
-    columnar::write(&csv, output, rows, shard, added.len)?;
+    columnar::write(&csv, output, columnar::metadata(rows, shard), added.len)?;
     std::fs::remove_file(&csv)
         .map_err(|error| crate::output::whole_file::refused("--output", &csv, error))?;
     Ok(added)
@@ -181,10 +228,15 @@ fn parquet(rows: &Rows, cores: &ThreadPool, arguments: &SweepArgs) -> Result<Add
 
 #[cfg(not(feature = "parquet"))]
 fn parquet(_: &Rows, _: &ThreadPool, arguments: &SweepArgs) -> Result<Added, Failure> {
-    Err(Failure::Input(format!(
+    Err(without_parquet(arguments.output()))
+}
+
+#[cfg(not(feature = "parquet"))]
+fn without_parquet(output: &Path) -> Failure {
+    Failure::Input(format!(
         "--output: {}: this program was built without Parquet (cargo build --features parquet); name a .csv file",
-        arguments.output.display()
-    )))
+        output.display()
+    ))
 }
 
 fn rows(arguments: &SweepArgs) -> Result<Rows, Failure> {

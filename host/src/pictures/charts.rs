@@ -98,7 +98,7 @@ pub fn potential(scenario: &Scenario) -> Scene {
         curve("effective potential", tilts.map(|degrees| [degrees, above(degrees)]).collect()),
         curve("energy", vec![[from, 0.0], [until, 0.0]]),
     ];
-    let marks: Vec<_> = bounds(motion).into_iter().map(|(_, tilt)| [tilt, 0.0]).collect();
+    let marks: Vec<_> = bounds(motion).into_iter().rev().map(|(_, tilt)| [tilt, 0.0]).collect();
     if !marks.is_empty() {
         curves.push(Curve { name: "turning points".to_owned(), points: marks, marked: true });
     }

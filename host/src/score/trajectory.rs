@@ -1,8 +1,10 @@
 //! Trajectory of a CSV file: columns by name, and statements about the run in comment lines above the header.
 
 use crate::Failure;
-use crate::output::{shown, whole_file};
+use crate::output::shown;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Cursor, Read};
 use std::path::Path;
 use toytop::{Complex, Orientation};
 
@@ -34,8 +36,8 @@ pub struct Trajectory {
     pub rows: Vec<Row>,
 }
 
-/// Size of the largest file, MiB: some four million rows.
-const LARGEST_FILE: u64 = 1024;
+/// Bytes of a line above the header, at most.
+const LONGEST_COMMENT: u64 = 1 << 16;
 
 /// Columns of the orientation in a file, one of three sets; the first that is complete counts.
 const ORIENTATIONS: [&[&str]; 3] = [
@@ -47,19 +49,21 @@ const ORIENTATIONS: [&[&str]; 3] = [
 const RATES: [&[&str]; 2] = [&["wx", "wy", "wz"], &["omega_x", "omega_y", "omega_z"]];
 
 impl Trajectory {
-    /// Trajectory of a file.
+    /// Trajectory of a file, which is read row by row.
     ///
     /// # Errors
     /// [`Failure::Input`] with the file and the line: a column is missing, a value is not a finite number or no rotation, or a time is out
     /// of order.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
-        Self::parse(&name, &whole_file::read(&name, path, LARGEST_FILE)?)
+        let file = File::open(path).map_err(|error| Failure::Input(format!("{name}: {error}")))?;
+        Self::parse(&name, BufReader::new(file))
     }
 
-    fn parse(name: &str, text: &str) -> Result<Self, Failure> {
+    fn parse(name: &str, mut text: impl BufRead) -> Result<Self, Failure> {
         let refuse = |reason: String| Failure::Input(format!("{name}: {reason}"));
-        let stated = |key: &str| stated(text, key);
+        let (comments, header) = head(&mut text).map_err(|error| refuse(error.to_string()))?;
+        let stated = |key: &str| stated(&comments, key);
         let positive = |key: &str| match stated(key) {
             None => Ok(None),
             Some(value) => value
@@ -73,7 +77,7 @@ impl Trajectory {
         let mut reader = csv::ReaderBuilder::new()
             .comment(Some(b'#'))
             .trim(csv::Trim::All)
-            .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
+            .from_reader(header.chain(text));
         let columns =
             Columns::of(reader.headers().map_err(|error| refuse(error.to_string()))?).map_err(&refuse)?;
         let mut rows: Vec<Row> = Vec::new();
@@ -112,11 +116,26 @@ impl Trajectory {
     }
 }
 
+/// Lines above the header that begin with #, and what a reader of CSV has to read before the rest.
+fn head(text: &mut impl BufRead) -> io::Result<(Vec<String>, Cursor<Vec<u8>>)> {
+    let mut comments = Vec::new();
+    loop {
+        let mut line = Vec::new();
+        text.by_ref().take(LONGEST_COMMENT).read_until(b'\n', &mut line)?;
+        let line = line.strip_prefix("\u{feff}".as_bytes()).map_or(line.clone(), <[u8]>::to_vec);
+        if !line.starts_with(b"#") {
+            // with a line for each comment, so that lines are counted as they stand in the file
+            let before = "\n".repeat(comments.len()).into_bytes();
+            return Ok((comments, Cursor::new([before, line].concat())));
+        }
+        comments.push(String::from_utf8_lossy(&line).into_owned());
+    }
+}
+
 /// Value of `# key = value` above the header.
-fn stated(text: &str, key: &str) -> Option<String> {
-    let comments = text.trim_start_matches('\u{feff}').lines().map_while(|line| line.strip_prefix('#'));
-    let mut values = comments.filter_map(|line| {
-        let (name, value) = line.split_once('=')?;
+fn stated(comments: &[String], key: &str) -> Option<String> {
+    let mut values = comments.iter().filter_map(|line| {
+        let (name, value) = line.strip_prefix('#')?.split_once('=')?;
         (name.trim() == key).then(|| value.trim().to_owned())
     });
     values.next()
@@ -240,7 +259,7 @@ mod tests {
                 "\u{feff}# method = Euler\n#evaluations= 7\nt,r11,r12,r13,r21,r22,r23,r31,r32,r33\n1,{m}\n"
             ),
         ];
-        let read = texts.map(|text| Trajectory::parse("a.csv", &text).unwrap());
+        let read = texts.map(|text| Trajectory::parse("a.csv", text.as_bytes()).unwrap());
         for (trajectory, has_omega) in read.iter().zip([true, true, false]) {
             let [row] = trajectory.rows[..] else { panic!("one row") };
             assert!(row.t == 1.0 && row.norm_error < 1e-15);
@@ -272,7 +291,7 @@ mod tests {
                 "line 2: r11..r33: must be a rotation",
             ),
         ] {
-            let message = Trajectory::parse("a.csv", text).unwrap_err().to_string();
+            let message = Trajectory::parse("a.csv", text.as_bytes()).unwrap_err().to_string();
             assert!(message.starts_with("a.csv: ") && message.contains(part), "{text:?}: {message}");
         }
     }

@@ -7,11 +7,12 @@ use super::Rows;
 use crate::Failure;
 use crate::output::progress::Progress;
 use crate::output::whole_file::write_by;
+use parquet::basic::{Compression, ZstdLevel};
 use parquet::column::writer::ColumnWriter;
 use parquet::data_type::ByteArray;
 use parquet::errors::{ParquetError, Result as Written};
 use parquet::file::metadata::KeyValue;
-use parquet::file::properties::WriterProperties;
+use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::parser::parse_message_type;
@@ -27,15 +28,22 @@ const FIELDS: usize = 1 << 22;
 /// Parquet's type of a column. What is absent is null.
 fn physical_type(name: &str) -> &'static str {
     match name {
-        "version" | "regime" | "tip_class" => "binary {} (string)",
-        "index" | "seed" => "int64 {} (integer(64,false))",
+        "version" | "regime" | "tip_class" | "crc32" => "binary {} (string)",
+        "index" | "motions" | "seed" => "int64 {} (integer(64,false))",
         "sign_l_plus_n" | "sign_l_minus_n" | "segments_f32" => "int32 {}",
         _ => "double {}",
     }
 }
 
+/// Metadata of a file of which no more is known: the version.
+#[must_use]
+pub fn version() -> Vec<KeyValue> {
+    vec![KeyValue::new("toytop.version".to_owned(), env!("CARGO_PKG_VERSION").to_owned())]
+}
+
 /// Metadata of a file: the version, and the options that make it again.
-fn metadata(rows: &Rows, [shard, of]: [u64; 2]) -> Vec<KeyValue> {
+#[must_use]
+pub fn metadata(rows: &Rows, [shard, of]: [u64; 2]) -> Vec<KeyValue> {
     let seed = rows.motions.seed().map(|seed| seed.to_string());
     let entries = [
         ("toytop.version", Some(env!("CARGO_PKG_VERSION").to_owned())),
@@ -70,10 +78,10 @@ pub fn rows_there(path: &Path, rows: &Rows, shard: [u64; 2], resume: bool) -> Re
 ///
 /// # Errors
 /// One of the two cannot be read or written; no half of a file is left behind.
-pub fn write(csv: &Path, path: &Path, rows: &Rows, shard: [u64; 2], len: u64) -> Result<(), Failure> {
+pub fn write(csv: &Path, path: &Path, metadata: Vec<KeyValue>, len: u64) -> Result<(), Failure> {
     let mut progress = Progress::new(len, "rows written as Parquet");
     write_by("--output", path, |file| {
-        transcribe(csv, file, metadata(rows, shard), &mut progress).map_err(of_system)?;
+        transcribe(csv, file, metadata, &mut progress).map_err(of_system)?;
         file.sync_all()
     })
 }
@@ -95,7 +103,11 @@ fn transcribe(csv: &Path, file: &mut File, metadata: Vec<KeyValue>, progress: &m
     let names: Vec<String> = csv.headers().map_err(of_csv)?.iter().map(str::to_owned).collect();
     let fields = names.iter().map(|name| format!("optional {};", physical_type(name).replace("{}", name)));
     let schema = parse_message_type(&format!("message sweep {{ {} }}", fields.collect::<String>()))?;
-    let properties = WriterProperties::builder().set_key_value_metadata(Some(metadata)).build();
+    let properties = WriterProperties::builder()
+        .set_compression(Compression::ZSTD(ZstdLevel::default()))
+        .set_statistics_enabled(EnabledStatistics::Chunk)
+        .set_key_value_metadata(Some(metadata))
+        .build();
     let mut writer = SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties))?;
     let most = (FIELDS / names.len()).max(1);
     let mut records = csv.records();

@@ -1,6 +1,7 @@
 //! What is said of each motion.
 
 use super::Motions;
+use super::sealed::{CHECKSUM, sealed};
 use crate::full_equations::solution;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::Scalar;
@@ -122,14 +123,15 @@ pub struct Rows {
 }
 
 /// Columns that every table begins with.
-const KEYS: &str = "index,version,seed";
+const KEYS: &str = "index,motions,version,seed";
 
 impl Rows {
     /// The names of the columns, with a line break.
     #[must_use]
     pub fn header(&self) -> String {
         let names = self.columns.iter().flat_map(|column| column.header(self.ticks));
-        names.fold(format!("{KEYS},{}", self.motions.keys()), |line, name| line + "," + &name) + "\n"
+        names.fold(format!("{KEYS},{}", self.motions.keys()), |line, name| line + "," + &name)
+            + &format!(",{CHECKSUM}\n")
     }
 
     /// The row of a number, with a line break. Numbers have as many digits as tell them from every other `f64`; no field
@@ -138,13 +140,13 @@ impl Rows {
     pub fn row(&self, number: u64) -> String {
         let (fields, motion) = self.motions.at(number);
         let seed = self.motions.seed().map(|seed| seed.to_string()).unwrap_or_default();
-        let mut row = format!("{number},{},{seed},{fields}", env!("CARGO_PKG_VERSION"));
+        let (motions, version) = (self.motions.len(), env!("CARGO_PKG_VERSION"));
+        let mut row = format!("{number},{motions},{version},{seed},{fields}");
         let measured = motion.map(|motion| self.measure(motion));
         for &column in &self.columns {
             put(&mut row, column, self.ticks, &measured);
         }
-        row.push('\n');
-        row
+        sealed(&row)
     }
 
     fn measure(&self, motion: Motion) -> Measured {

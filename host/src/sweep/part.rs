@@ -1,6 +1,7 @@
 //! The file of a sweep, or of a shard of it: only ever appended to, so that what is there stays good whatever happens.
 
 use super::Rows;
+use super::sealed::unsealed;
 use crate::Failure;
 use crate::output::whole_file::refused;
 use std::fs::{File, OpenOptions, TryLockError};
@@ -21,8 +22,8 @@ pub struct Part {
 }
 
 impl Part {
-    /// Begins a file, or goes on with one (`resume`): a line that was cut off goes, and the last whole row has to be what the
-    /// sweep gives for it. The file is locked until this is dropped.
+    /// Begins a file, or goes on with one (`resume`): a line that was cut off goes, every row has to fit its checksum, and the
+    /// last one has to be what the sweep gives for it. The file is locked until this is dropped.
     ///
     /// # Errors
     /// [`Failure::Input`]: the file exists and is not to be resumed, is no regular file, is locked by another process, belongs to
@@ -50,13 +51,19 @@ impl Part {
         if !path.exists() {
             return Err(wrong("another toytop has just finished it; nothing was changed"));
         }
-        let Whole { lines, bytes, first, last, rest } = whole_lines(&file).map_err(of_system)?;
+        let Whole { lines, bytes, first, last, rest, broken } = whole_lines(&file).map_err(of_system)?;
         let header = rows.header();
         let done = lines.saturating_sub(1);
         let mut part =
             Self { path: path.to_owned(), file: file.try_clone().map_err(of_system)?, shard, of, done, len };
-        let same_header = if lines > 0 { first == header } else { header.starts_with(&rest) };
-        let same_row = done == 0 || (done <= len && last == rows.row(part.index(done - 1)));
+        let same_header =
+            if lines > 0 { first == header.as_bytes() } else { header.as_bytes().starts_with(&rest) };
+        if let Some(line) = broken.filter(|_| same_header) {
+            return Err(wrong(&format!(
+                "line {line}: is not what its checksum says: it was changed; nothing was changed now"
+            )));
+        }
+        let same_row = done == 0 || (done <= len && last == rows.row(part.index(done - 1)).as_bytes());
         if !same_header || !same_row {
             return Err(wrong("is of another sweep, shard or version; nothing was changed"));
         }
@@ -141,21 +148,25 @@ fn lock(file: &File) -> Result<(), TryLockError> {
 struct Whole {
     lines: u64,
     bytes: u64,
-    first: String,
-    last: String,
-    /// Text after the last line break.
-    rest: String,
+    first: Vec<u8>,
+    last: Vec<u8>,
+    /// Bytes after the last line break.
+    rest: Vec<u8>,
+    /// Number of the first row that its checksum does not fit.
+    broken: Option<u64>,
 }
 
 fn whole_lines(file: &File) -> std::io::Result<Whole> {
     let mut whole = Whole::default();
     let mut reader = BufReader::new(file);
-    let mut line = String::new();
-    while reader.read_line(&mut line)? > 0 && line.ends_with('\n') {
+    let mut line = Vec::new();
+    while reader.read_until(b'\n', &mut line)? > 0 && line.ends_with(b"\n") {
         whole.lines += 1;
         whole.bytes += line.len() as u64;
         if whole.lines == 1 {
             whole.first.clone_from(&line);
+        } else if whole.broken.is_none() && unsealed(&line[..line.len() - 1]).is_none() {
+            whole.broken = Some(whole.lines);
         }
         std::mem::swap(&mut whole.last, &mut line);
         line.clear();

@@ -194,8 +194,8 @@ fn a_picture_is_written_completely_or_not_at_all() {
     let missing = sample("no_such_file");
     let needle = needle("plot_needle");
     let cases = [
-        (&good, "tip.pdf", 2, ".svg or .png"),
-        (&good, "tip", 2, ".svg or .png"),
+        (&good, "tip.jpg", 2, ".svg, .png, .pdf"),
+        (&good, "tip", 2, ".svg, .png, .pdf"),
         (&good, "no/such/folder/tip.svg", 2, "no/such/folder/tip.svg"),
         (&missing, "tip.svg", 2, "no_such_file.toml"),
         (&needle, "tip.svg", 3, "plot_needle: no ephemeris"),
@@ -214,6 +214,57 @@ fn a_picture_is_written_completely_or_not_at_all() {
     let lift_off = scenario("plot_lift_off", &(TOP.to_owned() + RELEASE).replace("spin = 3.5", "spin = 35"));
     assert_eq!(plot(&lift_off, &to).status.code(), Some(0));
     assert_eq!(entries(&folder), 1);
+}
+
+/// One page, as large as the layout or so many points wide; a program without the feature says how to get it.
+#[test]
+fn a_picture_is_a_page_of_pdf() {
+    let folder = folder("plot_pdf");
+    let to = folder.join("tip.pdf");
+    for (size, width) in [(None, "652 710]"), (Some("326"), "326 355]")] {
+        let size = size.map_or(Vec::new(), |size| vec!["--size", size]);
+        let file = sample("toy_top");
+        let output = run(&[&["plot", &file, "-o", to.to_str().expect("UTF-8")][..], &size].concat());
+        if cfg!(feature = "pdf") {
+            assert_eq!((output.status.code(), stderr(&output)), (Some(0), ""));
+            let bytes = std::fs::read(&to).expect("the page");
+            let text = String::from_utf8_lossy(&bytes);
+            assert!(text.starts_with("%PDF-") && text.trim_end().ends_with("%%EOF"));
+            assert!(
+                text.contains("/Count 1") && text.contains(&format!("/MediaBox [0 0 {width}")),
+                "{width}"
+            );
+        } else {
+            assert_eq!(output.status.code(), Some(2));
+            assert!(stderr(&output).contains("--features pdf") && !to.exists());
+        }
+    }
+}
+
+/// Without a legend: the names stand to the right of the frame, each at the height at which its curve ends, apart from each other.
+#[test]
+fn curves_end_in_their_names() {
+    let to = folder("plot_ends").join("tilt.svg");
+    let file = sample("toy_top");
+    let output = run(&["plot", &file, "--kind", "tilt", "-o", to.to_str().expect("UTF-8")]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let svg = std::fs::read_to_string(&to).expect("the picture");
+    let place = |name: &str| -> [f64; 2] {
+        let (before, _) = svg.split_once(&format!(">{name}")).expect("the name");
+        let (_, tag) = before.rsplit_once("<text ").expect("its element");
+        ["x=\"", "y=\""].map(|key| {
+            let (_, rest) = tag.split_once(key).expect("a place");
+            rest.split_once('"').expect("its end").0.parse().expect("a number")
+        })
+    };
+    let [greatest, tilt, least] = ["at u = e₁", "tilt<", "at u = e₂"].map(place);
+    assert!(
+        greatest[0] == tilt[0] && tilt[0] == least[0] && tilt[0] > 500.0,
+        "{greatest:?} {tilt:?} {least:?}"
+    );
+    // after whole periods the tilt ends at its least
+    assert!(greatest[1] < 110.0 && tilt[1] - greatest[1] > 250.0);
+    assert!((15.5..18.0).contains(&(least[1] - tilt[1]).abs()), "{tilt:?} {least:?}");
 }
 
 #[test]

@@ -55,7 +55,7 @@ fn each_scalar_is_as_exact_as_it_says_at_every_tick() {
 #[test]
 fn wrong_arguments_are_refused() {
     for (arguments, part) in [
-        (&["accuracy", "--plot", "top.gif"][..], "--plot: top.gif: must end in .svg or .png"),
+        (&["accuracy", "--plot", "top.gif"][..], "--plot: top.gif: must end in one of .svg, .png, .pdf"),
         (&["accuracy", "--scalar", "q7"], "q31, q15, micromath, all"),
         (&["accuracy", "--scalar", "q15", "--plot", "no/such/folder/a.svg"], "no/such/folder/a.svg"),
     ] {

@@ -231,7 +231,7 @@ fn invalid_results_are_refused_in_one_line() {
         (&[&far], "far.csv: t: 1e300 must be within ±"),
         (&[&good, "--steps", "0.1,0.2"], "--steps: must be 1 numbers, one for each file"),
         (&[&good, "--steps", "-1"], "--steps"),
-        (&[&good, "--plot", "work.pdf"], "--plot: work.pdf: must end in"),
+        (&[&good, "--plot", "work.jpg"], "--plot: work.jpg: must end in"),
         (&[&uneven, "--plot", &picture], "# evaluations = N in every file, or --steps"),
     ];
     for (arguments, part) in cases {

@@ -56,6 +56,17 @@ fn one_page_with_everything() {
         assert!(page.contains(part), "{part}");
     }
     assert_eq!(page.matches("<svg ").count(), 5);
+    let place = |part: &str| page.find(part).unwrap_or_else(|| panic!("{part}"));
+    assert!(place("<svg ") < place("<table>"), "figures first");
+    assert!(place("<details id=\"budget\"><summary>") < place("<th>chip</th>"), "the budget is folded");
+    let (_, date) = page.split_once("</h1>\n<p>").expect("the date");
+    let date: Vec<_> = date[..10].split('-').map(|part| part.parse::<u32>().expect("a number")).collect();
+    assert!(date[0] >= 2026 && (1..=12).contains(&date[1]) && (1..=31).contains(&date[2]), "{date:?}");
+    assert!(page.contains("prefers-color-scheme:dark"));
+    assert_eq!(
+        page.contains(", revision "),
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../.git").exists()
+    );
     let elsewhere = page.replace("http://www.w3.org/2000/svg", "");
     for part in ["http", "src=", "@import", "url(http"] {
         assert!(!elsewhere.contains(part), "{part}: nothing comes from elsewhere");

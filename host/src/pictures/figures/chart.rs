@@ -19,7 +19,7 @@ pub struct Curve {
     pub marked: bool,
 }
 
-/// A chart with a legend on its right.
+/// A chart whose curves end in their names, or where they end here and there, with a legend on its right.
 #[derive(Clone, Debug)]
 pub struct Chart<'a> {
     /// Title above the axes.
@@ -43,71 +43,157 @@ const MARKS: [MarkerShape; 5] = [
     MarkerShape::TriangleDown,
 ];
 
+/// Pixels of the chart, and around its frame.
+const SIZE: [f64; 2] = [920.0, 520.0];
+const LEFT: f64 = 78.0;
+const ABOVE: f64 = 84.0;
+const BELOW: f64 = 62.0;
+
 impl Chart<'_> {
     /// Chart of these curves.
     #[must_use]
     pub fn draw(&self, lines: &[Curve]) -> Scene {
         let places = |line: &Curve| -> Vec<(f64, f64)> {
-            line.points
-                .iter()
-                .filter_map(|&[x, y]| Some((place(x, self.powers[0])?, place(y, self.powers[1])?)))
-                .collect()
+            let place = |&[x, y]: &[f64; 2]| Some((place(x, self.powers[0])?, place(y, self.powers[1])?));
+            line.points.iter().filter_map(place).collect()
         };
+        let curves: Vec<Vec<(f64, f64)>> = lines.iter().map(places).collect();
+        let [x_range, y_range] = self.ranges(&curves.concat());
+        let ends = ends_of(&curves, x_range);
         let mut plots: Vec<Plot> = Vec::new();
-        for (i, line) in lines.iter().enumerate() {
+        for (i, (line, points)) in lines.iter().zip(&curves).enumerate() {
             let color = COLORS[i % COLORS.len()];
-            let points = places(line);
-            let drawn = LinePlot::new().with_data(points.clone()).with_color(color).with_stroke_width(1.8);
+            let name = if ends.is_some() { "" } else { &*line.name };
+            let mut drawn =
+                LinePlot::new().with_data(points.clone()).with_color(color).with_stroke_width(1.8);
             if line.marked {
-                let marks = ScatterPlot::new().with_data(points).with_color(color).with_size(4.5);
-                let marks = marks.with_marker(MARKS[i % MARKS.len()]).with_legend(&*line.name);
+                let mut marks = ScatterPlot::new().with_data(points.clone()).with_color(color).with_size(4.5);
+                marks = marks.with_marker(MARKS[i % MARKS.len()]);
+                if !name.is_empty() {
+                    marks = marks.with_legend(name);
+                }
                 plots.extend([drawn.into(), marks.into()]);
             } else {
-                plots.push(drawn.with_legend(&*line.name).into());
+                if !name.is_empty() {
+                    drawn = drawn.with_legend(name);
+                }
+                plots.push(drawn.into());
             }
         }
-        let [x_label, y_label] = self.labels;
-        let mut layout = Layout::auto_from_plots(&plots)
-            .with_width(920.0)
-            .with_height(520.0)
-            .with_title(self.title)
-            .with_title_size(18)
-            .with_x_label(x_label)
-            .with_force_margins_y(84.0, 62.0)
-            .with_box_axes()
-            .with_legend_position(LegendPosition::OutsideRightTop)
-            .with_legend_box(false);
-        let all: Vec<(f64, f64)> = lines.iter().flat_map(places).collect();
-        let power = || TickFormat::Custom(Arc::new(power_of_ten));
-        let [x_ends, y_ends] = [ends(all.iter().map(|(x, _)| *x)), ends(all.iter().map(|(_, y)| *y))];
-        if self.powers[0] {
-            layout = layout.with_x_tick_step(1.0).with_x_tick_format(power());
-        }
-        let [low, high] = if self.powers[0] { whole(x_ends) } else { x_ends };
-        layout = layout.with_x_axis_min(low).with_x_axis_max(high);
-        if self.powers[1] {
-            // with room for the marks
-            let [low, high] = whole([y_ends[0] - 0.1, y_ends[1] + 0.1]);
-            let step = if high - low > 9.0 { 2.0 } else { 1.0 };
-            let layout_of_powers = layout.with_y_axis_min(low).with_y_axis_max(high).with_y_tick_step(step);
-            layout = layout_of_powers.with_y_tick_format(power());
+        let mut layout = self.layout(&plots, [x_range, y_range]);
+        let right = 24.0
+            + WIDTH_OF_LETTER * lines.iter().map(|line| line.name.chars().count()).max().unwrap_or(0) as f64;
+        if ends.is_some() {
+            layout = layout.with_force_margins(LEFT, right);
         }
         let mut scene = render_multiple(plots, layout);
         // upright, above its axis: turned text is smeared in the raster
-        let (anchor, color) = (TextAnchor::Start, Some(Color::from("black")));
-        let content = y_label.to_owned();
-        scene.add(Primitive::Text {
-            x: 16.0,
-            y: 66.0,
-            content,
-            size: 14,
-            anchor,
-            rotate: None,
-            bold: false,
-            color,
-        });
+        scene.add(text(self.labels[1], [16.0, 66.0], 14, "black"));
+        if let Some(ends) = ends {
+            let frame = [SIZE[0] - LEFT - right, SIZE[1] - ABOVE - BELOW];
+            let pixels = |(x, y): (f64, f64)| {
+                let share = |at: f64, [low, high]: [f64; 2]| (at - low) / (high - low);
+                [LEFT + frame[0] * share(x, x_range), ABOVE + frame[1] * (1.0 - share(y, y_range))]
+            };
+            name_ends(&mut scene, lines, &ends.into_iter().map(pixels).collect::<Vec<_>>(), SIZE[0] - right);
+        }
         scene
     }
+
+    /// Ends of both axes: whole powers of ten, or what is drawn with some room above and below.
+    fn ranges(&self, points: &[(f64, f64)]) -> [[f64; 2]; 2] {
+        let [x, y] = [ends(points.iter().map(|(x, _)| *x)), ends(points.iter().map(|(_, y)| *y))];
+        // what is constant but for rounding stands in the middle
+        let room = if y[1] - y[0] > 1e-9 * y[1].abs() { 0.06 * (y[1] - y[0]) } else { 1.0 };
+        [
+            if self.powers[0] { whole(x) } else { x },
+            // with room for the marks
+            if self.powers[1] { whole([y[0] - 0.1, y[1] + 0.1]) } else { [y[0] - room, y[1] + room] },
+        ]
+    }
+
+    fn layout(&self, plots: &[Plot], [x, y]: [[f64; 2]; 2]) -> Layout {
+        let mut layout = Layout::auto_from_plots(plots)
+            .with_width(SIZE[0])
+            .with_height(SIZE[1])
+            .with_title(self.title)
+            .with_title_size(18)
+            .with_x_label(self.labels[0])
+            .with_force_margins_y(ABOVE, BELOW)
+            .with_box_axes()
+            .with_legend_position(LegendPosition::OutsideRightTop)
+            .with_legend_box(false)
+            .with_x_axis_min(x[0])
+            .with_x_axis_max(x[1])
+            .with_y_axis_min(y[0])
+            .with_y_axis_max(y[1]);
+        let power = || TickFormat::Custom(Arc::new(power_of_ten));
+        if self.powers[0] {
+            layout = layout.with_x_tick_step(1.0).with_x_tick_format(power());
+        }
+        if self.powers[1] {
+            let step = if y[1] - y[0] > 9.0 { 2.0 } else { 1.0 };
+            layout = layout.with_y_tick_step(step).with_y_tick_format(power());
+        }
+        layout
+    }
+}
+
+/// Last points of the curves if all of them but one at most end at the right edge, where their names have room.
+fn ends_of(curves: &[Vec<(f64, f64)>], [low, high]: [f64; 2]) -> Option<Vec<(f64, f64)>> {
+    let ends: Option<Vec<_>> = curves.iter().map(|points| points.last().copied()).collect();
+    let inside = |ends: &[(f64, f64)]| ends.iter().filter(|(x, _)| *x < high - 0.02 * (high - low)).count();
+    ends.filter(|ends| inside(ends) <= 1)
+}
+
+/// Pixels of a letter, at most on average.
+const WIDTH_OF_LETTER: f64 = 7.4;
+/// Pixels between two names.
+const LINE: f64 = 16.0;
+
+/// Names beside the ends of curves, in pixels: right of the frame in the order of the ends, none on another; what ends inside
+/// has its name there.
+fn name_ends(scene: &mut Scene, lines: &[Curve], ends: &[[f64; 2]], edge: f64) {
+    let mut order: Vec<usize> = (0..lines.len()).collect();
+    order.sort_by(|&a, &b| ends[a][1].total_cmp(&ends[b][1]));
+    let (outside, inside): (Vec<usize>, Vec<usize>) =
+        order.into_iter().partition(|&i| ends[i][0] > edge - 0.02 * SIZE[0]);
+    for i in inside {
+        scene.add(text(&lines[i].name, [ends[i][0] + 9.0, ends[i][1] + 17.0], 13, "#222222"));
+    }
+    let mut heights: Vec<f64> = outside.iter().map(|&i| ends[i][1]).collect();
+    spread(&mut heights);
+    for (&i, y) in outside.iter().zip(heights) {
+        let [end_x, end_y] = ends[i];
+        scene.add(Primitive::Line {
+            x1: end_x,
+            y1: end_y,
+            x2: edge + 13.0,
+            y2: y,
+            stroke: Color::from(COLORS[i % COLORS.len()]),
+            stroke_width: 1.0,
+            stroke_dasharray: None,
+        });
+        scene.add(text(&lines[i].name, [edge + 17.0, y + 4.5], 13, "#222222"));
+    }
+}
+
+/// Moves heights in their order apart, to a line's distance at least, each group around its middle.
+fn spread(heights: &mut [f64]) {
+    for _ in 0..100 {
+        for i in 1..heights.len() {
+            let overlap = LINE - (heights[i] - heights[i - 1]);
+            if overlap > 0.0 {
+                heights[i - 1] -= 0.5 * overlap;
+                heights[i] += 0.5 * overlap;
+            }
+        }
+    }
+}
+
+fn text(content: &str, [x, y]: [f64; 2], size: u32, color: &str) -> Primitive {
+    let (content, color) = (content.to_owned(), Some(Color::from(color)));
+    Primitive::Text { x, y, content, size, anchor: TextAnchor::Start, rotate: None, bold: false, color }
 }
 
 fn place(x: f64, power: bool) -> Option<f64> {
@@ -131,4 +217,18 @@ pub fn power_of_ten(exponent: f64) -> String {
         |c: char| c.to_digit(10).and_then(|digit| DIGITS.get(digit as usize)).copied().unwrap_or('⁻');
     let exponent = exponent.round() as i64;
     std::iter::once("10".to_owned()).chain([exponent.to_string().chars().map(raised).collect()]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_keep_their_order_and_a_lines_distance() {
+        let mut heights = [100.0, 101.0, 101.0, 140.0, 300.0];
+        spread(&mut heights);
+        assert!(heights.windows(2).all(|pair| pair[1] - pair[0] > LINE - 0.01), "{heights:?}");
+        assert_eq!(heights[4], 300.0);
+        assert!((heights[..4].iter().sum::<f64>() - 442.0).abs() < 1e-9, "{heights:?}");
+    }
 }

@@ -24,10 +24,12 @@ pub enum Form {
     Svg,
     /// Pixels, two for each unit of the layout.
     Png,
+    /// Scalable, on a page as large as the layout; needs the feature `pdf`.
+    Pdf,
 }
 
 /// The endings of a file, and what is written.
-const FORMS: [(&str, Form); 2] = [("svg", Form::Svg), ("png", Form::Png)];
+const FORMS: [(&str, Form); 3] = [("svg", Form::Svg), ("png", Form::Png), ("pdf", Form::Pdf)];
 
 impl Form {
     /// By the ending of a file that was named by this option.
@@ -37,8 +39,8 @@ impl Form {
     pub fn of(path: &Path, option: &str) -> Result<Self, Failure> {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         FORMS.iter().find(|(name, _)| *name == ending).map(|(_, form)| *form).ok_or_else(|| {
-            let allowed = FORMS.map(|(name, _)| format!(".{name}")).join(" or ");
-            Failure::Input(format!("{option}: {}: must end in {allowed}", path.display()))
+            let allowed = FORMS.map(|(name, _)| format!(".{name}")).join(", ");
+            Failure::Input(format!("{option}: {}: must end in one of {allowed}", path.display()))
         })
     }
 }
@@ -120,7 +122,24 @@ pub(crate) fn encode_at(scene: &Scene, form: Form, width: Option<u32>) -> Result
             .with_scale(scale.unwrap_or(2.0) as f32)
             .render_scene(scene)
             .map_err(|error| Failure::Output(io::Error::other(error))),
+        Form::Pdf => pdf(scene, scale.unwrap_or(1.0)),
     }
+}
+
+/// A page on which a unit of the layout is so many points.
+#[cfg(feature = "pdf")]
+fn pdf(scene: &Scene, scale: f64) -> Result<Vec<u8>, Failure> {
+    use kuva::backend::pdf::{PageSize, PdfBackend};
+    let page = PageSize::Fixed { width: scale * scene.width, height: scale * scene.height };
+    let encoded = PdfBackend::new().with_page_size(page).render_scenes(std::slice::from_ref(scene));
+    encoded.map_err(|error| Failure::Output(io::Error::other(error)))
+}
+
+#[cfg(not(feature = "pdf"))]
+fn pdf(_: &Scene, _: f64) -> Result<Vec<u8>, Failure> {
+    let message =
+        "pdf: this program was built without it (cargo build --features pdf); name a .svg or .png file";
+    Err(Failure::Input(message.to_owned()))
 }
 
 fn text(content: &str, [x, y]: [f64; 2], size: u32, color: &str) -> Primitive {

@@ -10,7 +10,7 @@ fn a_row_is_the_scenario_with_its_numbers() {
     let axes = ["--spin", "120..180/3", "--tilt", "0,20", "--axis", "com_height=0.02,0.03"];
     let columns = "regime,tip_class,period,phi_per_period,min_normal_force,h";
     let table = sweep(&no_file("launches"), &[&[&file, "--columns", columns][..], &axes].concat());
-    assert!(table.starts_with("index,version,seed,spin,tilt_deg,com_height,regime,"), "{table}");
+    assert!(table.starts_with("index,motions,version,seed,spin,tilt_deg,com_height,regime,"), "{table}");
     assert_eq!(table.lines().count(), 13);
     let text = std::fs::read_to_string(&file).expect("a scenario");
     for row in 0..12 {

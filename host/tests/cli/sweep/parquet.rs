@@ -2,6 +2,7 @@
 
 use super::{GRID, KILLED, killed, no_file, refused, sweep, words};
 use crate::{run, stderr};
+use parquet::basic::Compression;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 use std::fs::{self, File};
@@ -82,6 +83,36 @@ fn the_table_of_the_csv_file() {
         let again = no_parquet(&format!("again_{name}"));
         sweep_to(&again, &options);
         assert!(fs::read(again).expect("a file") == fs::read(path).expect("a file"), "{options:?}");
+    }
+}
+
+/// Each column of each group of rows, also of joined shards, whose table is that of the whole.
+#[test]
+fn columns_are_compressed_and_have_statistics() {
+    let whole = no_parquet("statistics");
+    sweep_to(&whole, &GRID);
+    let parts: Vec<String> = (1..=2)
+        .map(|shard| {
+            let path = no_file(&format!("parquet_part_{shard}"));
+            sweep(&path, &[&GRID[..], &["--shard", &format!("{shard}/2")]].concat());
+            path.to_str().expect("UTF-8").to_owned()
+        })
+        .collect();
+    let joined = no_parquet("joined");
+    let output = run(&["sweep", "join", &parts[1], &parts[0], "-o", joined.to_str().expect("UTF-8")]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let rows =
+        |path| -> Vec<_> { open(path).into_iter().map(|row| row.expect("a row").to_string()).collect() };
+    assert!(rows(&whole) == rows(&joined) && !joined.with_extension("parquet.csv").exists());
+    for group in open(&whole).metadata().row_groups() {
+        for column in group.columns() {
+            assert!(matches!(column.compression(), Compression::ZSTD(_)), "{}", column.column_path());
+            assert!(
+                column.statistics().is_some_and(|of| of.null_count_opt().is_some()),
+                "{}",
+                column.column_path()
+            );
+        }
     }
 }
 
