@@ -301,8 +301,7 @@ fn each_warning_about_real_tops_is_one_line() {
     // an unstable sleeping top stays upright, although its e1 is below 0
     let still = RELEASE.replace("40", "0").replace("3.5", "0.5").replace("precession = 0.3", "");
     let asleep = scenario("unstable", &format!("{TOP}{still}"));
-    let unstable =
-        "warning: upright for ever by the equations, but unstable (a real top would fall): unstable\n";
+    let unstable = "warning: by the equations the axis stays upright, but the motion is unstable (a real top would fall): unstable\n";
     warned(&asleep, unstable);
     // a held top does not fall
     let held = std::fs::read_to_string(sample("lagrange")).expect("the sample");

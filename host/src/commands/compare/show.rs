@@ -61,7 +61,7 @@ pub(super) fn summary(rows: &[Row], periods: u32) -> String {
     let motions = rows.chunk_by(|a, b| a.motion == b.motion).map(|runs| summary_line(runs, &scalars));
     let lines = std::iter::once(header).chain(motions).collect();
     format!(
-        "{}\nThe core against the full 3-D equations, at {SAMPLES} moments a period over {periods} periods: greatest\n\
+        "{}\nThe core against the full 3-D equations, at {SAMPLES} times in a period over {periods} periods: greatest\n\
          error of the orientation / its bound, rad, by stepper or ephemeris, whichever is nearer to its\n\
          bound. ns: a look-up in the ephemeris of the slowest type, on this machine. Every run: --all.\n",
         output::columns(lines, 1),
