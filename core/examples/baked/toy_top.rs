@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25> {
     format: 4,
-    crc32: 0x7a6b7685,
+    crc32: 0x9a3cea77,
     clock: toytop::Clock {
         step: [[2824891389, 588342322, 56542227], [1544111065, 672778249, 51392304], [1794140112, 2227764775, 4247109518]],
         tip_scale: 0.06,
@@ -26,7 +26,7 @@ pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25>
         turns: true,
     },
     error_bound: toytop::ErrorBound { constant: 1.6830551394414893e-7, per_tick: 7.620636338108259e-29 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00011708312387783402, per_tick: 4.09628637308313e-27 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00011915705868967433, per_tick: 4.09628637308313e-27 },
     cells: [0, 16, 32, 48, 64, 80, 96, 112, 128, 144, 160, 176, 192, 208, 224, 240],
     segments: [
         [

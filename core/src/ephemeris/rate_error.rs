@@ -23,11 +23,9 @@ pub(crate) struct MotionRates {
 }
 
 impl MotionRates {
-    /// Upper bound on the transverse part of the angular velocity: the one that is known, or that from the table's greatest
-    /// `Speeds::sweep`, whichever is smaller.
-    fn transverse(&self, sweep: f64) -> f64 {
-        let of_table = sweep * self.half_periods + Float::abs(self.mean);
-        if self.transverse < of_table { self.transverse } else { of_table }
+    /// Sum of the magnitudes of the terms of the transverse part, from the table's greatest `Speeds::sweep`.
+    fn terms(&self, sweep: f64) -> f64 {
+        sweep * self.half_periods + Float::abs(self.mean)
     }
 }
 
@@ -43,7 +41,8 @@ impl PhaseErrors {
     /// Errors with these greatest speeds of the table, [`Speeds::sweep`] and [`Speeds::acceleration`].
     pub(crate) fn new(motion: &MotionRates, sweep: f64, acceleration: f64) -> Self {
         let (mean, axial) = (Float::abs(motion.mean), Float::abs(motion.axial));
-        let transverse = motion.transverse(sweep);
+        let terms = motion.terms(sweep);
+        let transverse = if motion.transverse < terms { motion.transverse } else { terms };
         Self {
             // the derivative of N, and the rotation of Ω by the delay of a and b
             delay: acceleration * motion.half_periods + sweep * (mean + transverse + axial),
@@ -67,7 +66,9 @@ pub(crate) fn rate_error<R: EphemerisScalar>(
 ) -> ErrorBound {
     let speeds = &tabulated.speeds;
     let (per_time, mean) = (motion.half_periods, Float::abs(motion.mean));
-    let whole = motion.transverse(speeds.sweep) + Float::abs(motion.axial);
+    // errors are relative to the terms, which may cancel
+    let terms = motion.terms(speeds.sweep);
+    let whole = terms + Float::abs(motion.axial);
     let [truncated, random] = delays::<R>(tabulated).map(|delay| delay * speeds.acceleration);
     let coefficients = COEFFICIENTS * speeds.sweep;
     let rounded = Float::sqrt(coefficients * coefficients + random * random);
@@ -77,7 +78,8 @@ pub(crate) fn rate_error<R: EphemerisScalar>(
         + R::RATE_ROUNDING * whole
         + COEFFICIENTS * motion.rotor;
     ErrorBound {
-        constant: own + (mean + whole) * orientation,
+        // errors of a and b in N, and of the rotation of N and Ω
+        constant: own + (terms + whole) * orientation,
         per_tick: PhaseErrors::new(motion, speeds.sweep, speeds.acceleration).of(per_tick),
     }
 }
