@@ -72,7 +72,6 @@ fn steps() -> Vec<Step> {
     let (compiler, emulator) = (&[COMPILER], &[COMPILER, EMULATOR]);
     let mut steps = vec![
         Step::new("no-std", compiler, no_std),
-        Step::new("features", compiler, features::check),
         Step::new("page", &[PAGE_COMPILER], web::check),
         Step::new("tests", &[], || cargo_test("--lib --bins --tests --examples")),
         Step::new("doctests", &[], || cargo_test("--doc")),
@@ -92,6 +91,8 @@ fn steps() -> Vec<Step> {
     steps.extend(
         PROGRAMS.iter().map(|program| Step::new(program.name, emulator, || firmware::check(program))),
     );
+    // these two wait for builds of the host's steps
+    steps.push(Step::new("features", compiler, features::check));
     steps.push(Step::new("budget", emulator, budget));
     steps
 }
