@@ -40,8 +40,7 @@ const START: f64 = 1.0;
 const COEFFICIENT: f64 = 1.0;
 /// Relative error of the `f64` nearest to 1/2π, in units of 2^-53. It is common to all conversions from rad to turns.
 const PER_TURN: f64 = 0.56;
-/// Number of standard deviations in the bound. One of 5e8 normal sums exceeds six; five, which one of 2e6 exceeds, were too few for
-/// a study of 2e5 places.
+/// Number of standard deviations in the bound. One of 5e8 normal sums exceeds six.
 const DEVIATIONS: f64 = 6.0;
 
 /// Upper bound on the relative rounding error of the coefficients other than the first in set-up.
