@@ -1,4 +1,4 @@
-//! A recording of three sensors on a top, and what their data sheets say. One of your own replaces it.
+//! Recording of three sensors on a top, and the numbers of their data sheets. A recording of your own replaces it.
 
 #[path = "tables/imu.rs"]
 mod table;
@@ -14,9 +14,9 @@ const GYROSCOPE_RANGE: f64 = 34.906_585_039_886_59;
 const ACCELEROMETER_RANGE: f64 = 157.0;
 /// Unit of the magnetometer, microtesla.
 const MAGNETIC_UNIT: f64 = 0.15;
-/// Magnetometer readings are one in so many samples.
+/// Number of samples for each reading of the magnetometer.
 const EVERY: usize = 10;
-/// At the centre of mass, along the axes of the body.
+/// Mounting at the centre of mass, along the axes of the body.
 const MOUNTING: Mounting = Mounting {
     rotation: Orientation { alpha: Complex { re: 1.0, im: 0.0 }, beta: Complex { re: 0.0, im: 0.0 } },
     place: [0.0; 3],

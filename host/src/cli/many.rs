@@ -5,16 +5,16 @@ use clap::{Args, Subcommand};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-/// What to do with files that are there.
+/// Work on existing files of a sweep.
 #[derive(Debug, Subcommand)]
 pub enum SweepFiles {
-    /// Compare every row of CSV files with its checksum, and see that none is missing
+    /// Compare every row of CSV files with its checksum, and check that none is missing
     Verify {
         /// CSV files that `toytop sweep` wrote
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
     },
-    /// Make one file, in the order of the sweep, of all its shards
+    /// Join all shards of a sweep in one file, in the order of the sweep
     Join {
         /// CSV files of the shards, in any order
         #[arg(required = true, value_name = "PART")]

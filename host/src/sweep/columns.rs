@@ -123,7 +123,7 @@ pub struct Rows {
 }
 
 /// Columns that every table begins with.
-const KEYS: &str = "index,motions,version,seed";
+pub(super) const KEYS: &str = "index,motions,version,seed";
 
 impl Rows {
     /// The names of the columns, with a line break.

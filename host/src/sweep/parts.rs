@@ -1,6 +1,7 @@
-//! Files of sweeps that are there: whether they are as they were written, and parts made one.
+//! Existing files of sweeps: a check that their rows are unchanged and complete, and the join of shards in one file.
 
-use super::sealed::unsealed;
+use super::columns::KEYS;
+use super::sealed::{CHECKSUM, unsealed};
 use crate::Failure;
 use crate::output::whole_file::write_by;
 use std::collections::BTreeMap;
@@ -40,7 +41,7 @@ impl Part {
         let mut part =
             Self { name, lines: BufReader::new(file).split(b'\n'), header: String::new(), number: 0 };
         let header = part.line()?.and_then(|header| String::from_utf8(header).ok()).unwrap_or_default();
-        if !header.starts_with("index,motions,version,seed,") || !header.ends_with(",crc32") {
+        if !header.starts_with(&format!("{KEYS},")) || !header.ends_with(&format!(",{CHECKSUM}")) {
             return Err(part.refusal("is not the header of a sweep of this version"));
         }
         part.header = header;
@@ -75,10 +76,10 @@ impl Part {
     }
 }
 
-/// What a file of a sweep has.
+/// Numbers of rows of a file and of its sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Found {
-    /// Its rows.
+    /// Rows of the file.
     pub rows: u64,
     /// Rows of the whole sweep.
     pub motions: u64,
