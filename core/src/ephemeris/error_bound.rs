@@ -69,7 +69,7 @@ impl ErrorBound {
         let place = R::PLACE_ROUNDING * speeds.sweep / CELLS as f64;
         let rise = if rates.returns { 0.0 } else { rates.rounding };
         let rounded = rounded::<R>(tabulated);
-        let rounded = if rounded > tabulated.defect { rounded } else { tabulated.defect };
+        let rounded = if rounded > tabulated.defect { rounded } else { rounded + tabulated.defect };
         Self {
             constant: truncation + tick + place + rise + rounded + Self::of_phases(speeds.sweep, [CLOCK; 3]),
             per_tick: Self::of_phases(speeds.sweep, per_tick),

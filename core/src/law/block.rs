@@ -111,6 +111,15 @@ pub(crate) fn in_range(value: i64) -> Option<i64> {
     (value.abs() <= LIMIT).then_some(value)
 }
 
+/// Sum of quotients; `None` where one of them has left the range, so that the series does not converge. Without this check two
+/// quotients beyond the range could cancel.
+#[inline(always)]
+pub(crate) fn total<const N: usize>(quotients: [i64; N]) -> Option<i64> {
+    // the limit is a power of two
+    let bits = quotients.iter().fold(0, |bits, quotient| bits | quotient.abs());
+    (bits < BEYOND).then(|| quotients.iter().sum())
+}
+
 /// Constant factor between two series.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Factor {

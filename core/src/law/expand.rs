@@ -1,7 +1,7 @@
 //! Expansion of the law around a point: the recurrence of the coefficients.
 
 use crate::law::Law;
-use crate::law::block::{BITS, Block, Factor, TERMS, in_range, integrated, power_of_two, scaled};
+use crate::law::block::{BITS, Block, Factor, TERMS, in_range, integrated, power_of_two, scaled, total};
 use crate::law::recurrence::{Recurrence, SlowFactors};
 use crate::law::series::{Expansion, PhasePoint, Rate, Slopes, is_negligible, larger_or_nan, negligible};
 use crate::scalar::Float;
@@ -48,9 +48,9 @@ impl SlowFactors {
     fn advance(&self, rate: &mut Rate, k: usize, [square, delta, drive]: [i64; 3]) -> Option<bool> {
         let Rate { variation, integral: divisor, .. } = rate;
         let [constant, smoothing] = &self.shares;
-        let of_divisor = constant.times(delta) + smoothing.times(drive);
+        let of_divisor = total([constant.times(delta), smoothing.times(drive)])?;
         let known = divisor.product(variation, 1..=k - 1, k, -divisor.exponent);
-        let of_rate = self.from_square.times(square) - self.from_divisor.times(of_divisor) - known;
+        let of_rate = total([self.from_square.times(square), -self.from_divisor.times(of_divisor), -known])?;
         let in_range = divisor.put(k, of_divisor) & variation.put(k, of_rate);
         in_range.then_some(is_negligible(of_rate, k, self.negligible))
     }
@@ -91,12 +91,12 @@ impl Expansion {
         let (constants, xi_series) = (&self.recurrence, &mut chi.variation);
         let [eta, linear, quadratic] = &constants.from_square;
         let square = cosine.product(cosine, 0..=k, k, BITS);
-        let twice = square_series.product(square_series, 1..=k - 1, k, BITS);
-        let delta = linear.times(square) + quadratic.times(twice);
+        let twice = total([square_series.product(square_series, 1..=k - 1, k, BITS)])?;
+        let delta = total([linear.times(square), quadratic.times(twice)])?;
         let across = |series: &Block| series.product(xi_series, 1..=k - 1, k, -series.exponent);
         // coefficient of (1 + ξ)(1 + δ) without the unknown ξ
-        let known = constants.to_drive.times(delta) + across(delta_series);
-        let xi = (eta.times(square) - known - across(drive_series)) >> 1;
+        let known = total([constants.to_drive.times(delta), across(delta_series)])?;
+        let xi = total([eta.times(square), -known, -across(drive_series)])? >> 1;
         let drive = known + xi;
         let in_range = square_series.put(k, square)
             & delta_series.put(k, delta)
@@ -114,9 +114,9 @@ impl Expansion {
     fn turn(&mut self, k: usize) -> Option<bool> {
         let Self { chi, scratch: [sine_series, cosine_series, ..], recurrence, .. } = self;
         let xi = &chi.variation;
-        let rate = |part: &Block| part.get(k) + xi.product(part, 1..=k, k, -xi.exponent);
-        let sine = integrated(in_range(recurrence.to_sine.times(rate(cosine_series)))?, k);
-        let cosine = integrated(in_range(recurrence.to_cosine.times(rate(sine_series)))?, k);
+        let rate = |part: &Block| total([part.get(k), xi.product(part, 1..=k, k, -xi.exponent)]);
+        let sine = integrated(in_range(recurrence.to_sine.times(rate(cosine_series)?))?, k);
+        let cosine = integrated(in_range(recurrence.to_cosine.times(rate(sine_series)?))?, k);
         let in_range = sine_series.put(k + 1, sine) & cosine_series.put(k + 1, cosine);
         let [of_sine, of_cosine, _] = recurrence.negligible;
         in_range.then_some(is_negligible(sine, k, of_sine) && is_negligible(cosine, k, of_cosine))

@@ -7,7 +7,7 @@
 //! linear equations.
 
 use crate::law::PhaseRates;
-use crate::law::block::{BITS, Block, Factor, in_range, integrated, power_of_two, scaled};
+use crate::law::block::{BITS, Block, Factor, in_range, integrated, power_of_two, scaled, total};
 use crate::law::recurrence::Recurrence;
 use crate::law::turning::{FRACTION, sine_cosine};
 use crate::phase::Phase;
@@ -253,8 +253,8 @@ impl Expansion {
             let from_slow = Factor::new(slow.scale, slow.variation.exponent, rate.exponent);
             let mut converges = rate.put(0, scaled(slopes, rate.exponent));
             for k in 1..self.terms {
-                let sum = from_chi.times(self.chi.variation.get(k)) + from_slow.times(slow.variation.get(k));
-                converges &= rate.put(k, sum);
+                let [chi, slow] = [&self.chi, slow].map(|rate| rate.variation.get(k));
+                converges &= rate.put(k, total([from_chi.times(chi), from_slow.times(slow)])?);
             }
             let (sine, cosine) = sine_cosine(theta + chi);
             let scale = Split::of(scaled(scale, -FRACTION));
