@@ -19,11 +19,17 @@ mod seek;
 
 mod speeds;
 
+mod segment_errors;
+
+mod larger_error;
+
 mod tabulated;
 
 mod half_period;
 
 mod tabulate;
+
+mod steady;
 
 mod evaluation;
 

@@ -88,7 +88,7 @@ fn a_bit_flipped_anywhere_is_refused() {
     for (index, change) in changes.into_iter().enumerate() {
         assert!(matches!(refused(&baked, change), Some(BakedError::Checksum { .. })), "{index}");
     }
-    assert_eq!(refused(&baked, |baked| baked.format += 1), Some(BakedError::Format { found: 5 }));
+    assert_eq!(refused(&baked, |baked| baked.format += 1), Some(BakedError::Format { found: 6 }));
     // every bit of every coefficient
     for segment in 0..25 {
         for bit in 0..5 * 4 * 32 {
@@ -103,7 +103,7 @@ fn a_bit_flipped_anywhere_is_refused() {
 fn errors_state_the_reason() {
     let checksum = BakedError::Checksum { stated: 0xab, computed: 0x1234_5678 };
     assert_eq!(checksum.to_string(), "crc32: must be 0x12345678, not 0x000000ab: the data were changed");
-    assert_eq!(BakedError::Format { found: 7 }.to_string(), "format: must be 4, not 7");
+    assert_eq!(BakedError::Format { found: 7 }.to_string(), "format: must be 5, not 7");
     let range = BakedError::OutOfRange { field: "rates" };
     assert_eq!(range.to_string(), "rates: must contain only finite numbers that cannot overflow in a tick");
 }

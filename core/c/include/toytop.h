@@ -10,7 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Bytes of a table with so many segments, from 16 to 4096. */
+/* Bytes of a table of this many segments, from 8 to 4096. */
 #define TOYTOP_EPHEMERIS_F32_SIZE_OF(segments) (280 + 80 * (size_t)(segments))
 #define TOYTOP_EPHEMERIS_F64_SIZE_OF(segments) (296 + 352 * (size_t)(segments))
 #define TOYTOP_EPHEMERIS_Q31_SIZE_OF(segments) (280 + 64 * (size_t)(segments))
@@ -70,7 +70,7 @@ enum toytop_status
   TOYTOP_OUT_OF_RANGE = 3,
   // The memory of a table is too small for the motion; the error says how many segments are not enough.
   TOYTOP_TABLE_TOO_SMALL = 4,
-  // The memory of a table or of a set-up is not aligned, or that of a table is smaller than for 16 segments.
+  // The memory of a table or of a set-up is not aligned, or that of a table is smaller than for 8 segments.
   TOYTOP_BAD_MEMORY = 5,
   // A table, motion, set-up, cursor or sample was not made by this library, or its set-up failed or has not ended.
   TOYTOP_NOT_SET_UP = 6,
@@ -351,7 +351,7 @@ toytop_status toytop_ephemeris_cursor_tick(const struct toytop_ephemeris_cursor 
 // Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion. After a refusal the
 // table must not be used, and every function that reads it returns `TOYTOP_NOT_SET_UP`. `error` may be null.
 //
-// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 16 to 4096)
+// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
 // * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
 toytop_status toytop_f32_set_up(struct toytop_ephemeris_f32 *table,
                                 uintptr_t size,
@@ -373,7 +373,7 @@ toytop_status toytop_f32_set_up_poll(struct toytop_set_up *set_up,
                                      struct toytop_error *error);
 
 // Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
-// refused. A table has at least 16. The call takes much longer than a set-up, and is meant for a PC.
+// refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.
 //
 // * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
 uint32_t toytop_f32_segments_needed(const struct toytop_motion *motion,
@@ -462,7 +462,7 @@ toytop_status toytop_f32_state(const struct toytop_ephemeris_sample *sample, str
 // Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion. After a refusal the
 // table must not be used, and every function that reads it returns `TOYTOP_NOT_SET_UP`. `error` may be null.
 //
-// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 16 to 4096)
+// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
 // * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
 toytop_status toytop_f64_set_up(struct toytop_ephemeris_f64 *table,
                                 uintptr_t size,
@@ -484,7 +484,7 @@ toytop_status toytop_f64_set_up_poll(struct toytop_set_up *set_up,
                                      struct toytop_error *error);
 
 // Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
-// refused. A table has at least 16. The call takes much longer than a set-up, and is meant for a PC.
+// refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.
 //
 // * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
 uint32_t toytop_f64_segments_needed(const struct toytop_motion *motion,
@@ -573,7 +573,7 @@ toytop_status toytop_f64_state(const struct toytop_ephemeris_sample *sample, str
 // Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion. After a refusal the
 // table must not be used, and every function that reads it returns `TOYTOP_NOT_SET_UP`. `error` may be null.
 //
-// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 16 to 4096)
+// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
 // * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
 toytop_status toytop_q31_set_up(struct toytop_ephemeris_q31 *table,
                                 uintptr_t size,
@@ -595,7 +595,7 @@ toytop_status toytop_q31_set_up_poll(struct toytop_set_up *set_up,
                                      struct toytop_error *error);
 
 // Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
-// refused. A table has at least 16. The call takes much longer than a set-up, and is meant for a PC.
+// refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.
 //
 // * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
 uint32_t toytop_q31_segments_needed(const struct toytop_motion *motion,

@@ -23,7 +23,7 @@ macro_rules! functions {
 /// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion. After a refusal the
 /// table must not be used, and every function that reads it returns `TOYTOP_NOT_SET_UP`. `error` may be null.
 ///
-/// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 16 to 4096)
+/// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
 /// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
 ///
 /// # Safety
@@ -64,7 +64,7 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up_poll>](
 }
 
 /// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
-/// refused. A table has at least 16. The call takes much longer than a set-up, and is meant for a PC.
+/// refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.
 ///
 /// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
 ///

@@ -18,7 +18,7 @@ pub enum toytop_status {
     TOYTOP_OUT_OF_RANGE = 3,
     /// The memory of a table is too small for the motion; the error says how many segments are not enough.
     TOYTOP_TABLE_TOO_SMALL = 4,
-    /// The memory of a table or of a set-up is not aligned, or that of a table is smaller than for 16 segments.
+    /// The memory of a table or of a set-up is not aligned, or that of a table is smaller than for 8 segments.
     TOYTOP_BAD_MEMORY = 5,
     /// A table, motion, set-up, cursor or sample was not made by this library, or its set-up failed or has not ended.
     TOYTOP_NOT_SET_UP = 6,
@@ -75,7 +75,7 @@ impl toytop_status {
             TOYTOP_OUT_OF_RANGE => c"a parameter is out of its allowed range",
             TOYTOP_TABLE_TOO_SMALL => c"table: must have more segments for this motion",
             TOYTOP_BAD_MEMORY => {
-                c"table or set-up: must be aligned to 8 bytes, and a table must hold at least 16 segments"
+                c"table or set-up: must be aligned to 8 bytes, and a table must hold at least 8 segments"
             }
             TOYTOP_NOT_SET_UP => c"table, motion, set-up, cursor or sample: must be made first",
             TOYTOP_NONE => c"the motion has no such point or angle",

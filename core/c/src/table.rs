@@ -226,7 +226,7 @@ impl Memory {
     /// # Safety
     /// The memory is valid for writing, and nobody else uses it as long as the reference lives.
     pub(crate) unsafe fn clear<'a, R: Tabulated>(self) -> &'a mut EphemerisView<R> {
-        // SAFETY: there is room for a head, and behind it for a table of `segments` segments, at least 16. They are initialised
+        // SAFETY: there is room for a head, and behind it for a table of `segments` segments, at least 8. They are initialised
         // before a reference to them is made.
         unsafe {
             self.head.write(self.pending::<R>());

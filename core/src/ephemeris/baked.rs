@@ -29,8 +29,8 @@ pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     pub error_bound: ErrorBound,
     /// Error bound of the angular velocity, rad per unit time.
     pub rate_error_bound: ErrorBound,
-    /// Cells: half a period consists of sixteen cells of equal length, with u rising. Each number is 16 times the
-    /// index of the cell's first segment, plus the base-2 logarithm of the cell's number of segments.
+    /// Cells: half a period consists of sixteen cells of equal length, with u rising, and each number tells the segments of
+    /// a cell. `docs/table_format.md` specifies it.
     pub cells: [u16; CELLS],
     /// Segments: coefficients of Re α, Im α, Re β and Im β, lowest power first.
     pub segments: [R::Segment; SEGMENTS],
@@ -38,7 +38,7 @@ pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Baked<R, SEGMENTS> {
     /// Version of the format that this version of the crate reads.
-    pub const FORMAT: u32 = 4;
+    pub const FORMAT: u32 = 5;
 
     const fn data(&self) -> TableData<'_, R> {
         TableData {

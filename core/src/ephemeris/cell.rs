@@ -1,12 +1,21 @@
-//! Division of half a nutation period into cells, and of each cell into segments.
+//! Division of half a nutation period into cells, and of the cells into segments.
+//!
+//! Two cells are a pair, and have one segment together or each its own. A motion that is smooth then needs half as many
+//! segments as cells, and one that is fast in a part of the period has short segments only there.
+
+use core::ops::Range;
 
 /// Number of cells in half a period; all have the same length.
-pub(crate) const CELLS: usize = 1 << CELL_BITS;
+pub(crate) const CELLS: usize = 2 * PAIRS;
 
-/// Base-2 logarithm of [`CELLS`].
-pub(crate) const CELL_BITS: u32 = 4;
+/// Number of pairs of cells in half a period.
+pub(crate) const PAIRS: usize = 1 << PAIR_BITS;
 
-/// Cell: the index of its first segment, and the number of halvings that divide it into segments of equal length.
+/// Base-2 logarithm of [`PAIRS`].
+pub(crate) const PAIR_BITS: u32 = 3;
+
+/// Segments of a cell: the number of halvings that divide a pair into segments of the length of this cell's, and the index that the
+/// first segment of the pair would have if the whole pair had segments of this length, modulo 4096.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Cell(u16);
 
@@ -14,15 +23,16 @@ impl Cell {
     const LEVEL_BITS: u32 = 4;
     /// Largest number of segments of a table.
     pub(crate) const MOST_SEGMENTS: usize = 1 << (u16::BITS - Self::LEVEL_BITS);
-    /// Largest number of halvings of a cell; it could then contain all segments.
-    pub(crate) const DEEPEST: u32 = Self::MOST_SEGMENTS.ilog2();
+    /// Largest number of halvings of a pair; one of its cells could then contain all segments.
+    pub(crate) const DEEPEST: u32 = Self::MOST_SEGMENTS.ilog2() + 1;
 
-    /// Cell with this first segment and number of halvings, both within the limits.
-    pub(crate) const fn new(first: usize, level: u32) -> Self {
-        Self((first as u16) << Self::LEVEL_BITS | level as u16)
+    /// Cell with this number, first segment and number of halvings of the pair, all within the limits.
+    pub(crate) const fn new(number: usize, first: usize, level: u32) -> Self {
+        let before = (number % 2) << level >> 1;
+        Self((first.wrapping_sub(before) as u16) << Self::LEVEL_BITS | level as u16)
     }
 
-    /// Cell as one number: first · 16 + level.
+    /// Cell as one number of 16 bits.
     pub(crate) const fn to_bits(self) -> u16 {
         self.0
     }
@@ -32,17 +42,34 @@ impl Cell {
         Self(bits)
     }
 
-    /// Index of the first segment.
+    /// Index of the segment that is `place` segments behind the beginning of the pair.
     #[inline(always)]
-    pub(crate) const fn first(self) -> usize {
-        (self.0 >> Self::LEVEL_BITS) as usize
+    pub(crate) const fn segment(self, place: u32) -> usize {
+        ((self.0 as u32 >> Self::LEVEL_BITS) + place) as usize % Self::MOST_SEGMENTS
     }
 
-    /// Number of halvings, below 16: the cell has 2^level segments.
+    /// Number of halvings, below 16: the pair would have 2^level segments.
     #[inline(always)]
     pub(crate) const fn level(self) -> u32 {
         (self.0 & ((1 << Self::LEVEL_BITS) - 1)) as u32
     }
+
+    /// Indices of the segments of the cell, if this is its number. Both cells of a pair with one segment have that one.
+    pub(crate) fn segments(self, number: usize) -> Range<usize> {
+        let level = self.level();
+        let first = self.segment((number % 2) as u32 * (1 << level >> 1));
+        first..first + segments_per_cell(level)
+    }
+}
+
+/// Number of segments of a cell whose pair is halved this often; 1 for the two cells of a pair that is not.
+pub(crate) const fn segments_per_cell(level: u32) -> usize {
+    if level == 0 { 1 } else { 1 << (level - 1) }
+}
+
+/// Number of cells that the segments of a cell cover: two for a pair that is not halved.
+pub(crate) const fn cells_covered(level: u32) -> usize {
+    if level == 0 { 2 } else { 1 }
 }
 
 #[cfg(test)]
@@ -50,10 +77,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn both_numbers_come_back_to_the_last() {
-        for (first, level) in [(0, 0), (1, 3), (Cell::MOST_SEGMENTS - 1, 0), (2048, Cell::DEEPEST)] {
-            let cell = Cell::from_bits(Cell::new(first, level).to_bits());
-            assert_eq!((cell.first(), cell.level()), (first, level));
+    fn a_cell_finds_its_segments() {
+        let deepest = Cell::DEEPEST;
+        for (number, first, level) in [
+            (0, 0, 0),
+            (3, 1, 0),
+            (2, 5, 1),
+            (3, 6, 1),
+            (1, 1, 5),
+            (15, Cell::MOST_SEGMENTS - 1, 1),
+            (1, 0, deepest),
+        ] {
+            let cell = Cell::from_bits(Cell::new(number, first, level).to_bits());
+            let count = [1, 1, 2, 4, 8, 16].get(level as usize).copied().unwrap_or(Cell::MOST_SEGMENTS);
+            assert_eq!((cell.segments(number), cell.level()), (first..first + count, level));
+            let before = if number % 2 == 0 || level == 0 { 0 } else { count };
+            assert_eq!(cell.segment(before as u32), first);
         }
     }
 }

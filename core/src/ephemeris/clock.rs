@@ -3,7 +3,7 @@
 mod tip;
 
 use crate::constants::Regime;
-use crate::ephemeris::cell::CELLS;
+use crate::ephemeris::cell::PAIRS;
 use crate::ephemeris::error_bound::missed_by;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::tabulated::Tabulated;
@@ -79,8 +79,8 @@ impl<W: Float> Clock<W> {
         let [frequency, alpha, beta] = rates.turns;
         let mean = ((alpha + beta) * Extended::TWO_PI).to_f64();
         let axial = motion.axial_rate();
-        // half a period has CELLS cells, and x changes by 2 over a cell of one segment
-        let x_rate = 4.0 * CELLS as f64 * frequency.to_f64();
+        // half a period has PAIRS pairs of cells, and x changes by 2 over a pair of one segment
+        let x_rate = 4.0 * PAIRS as f64 * frequency.to_f64();
         let [start, ..] = tabulated.start;
         let [nutation_step, ..] = exact_step;
         Self {

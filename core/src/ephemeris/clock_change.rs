@@ -3,7 +3,7 @@
 //! The table is a function of phases, and only the clock depends on the ticks. Therefore a change takes some divisions in place
 //! of a set-up. The error bound remains an upper bound; `core/docs/error_bound.md` states its growth.
 
-use crate::ephemeris::cell::{CELLS, Cell};
+use crate::ephemeris::cell::{Cell, PAIRS};
 use crate::ephemeris::clock::{Clock, TipClock, first_phases, rise, whole_between, whole_ticks};
 use crate::ephemeris::error_bound::{ErrorBound, TRUNCATION};
 use crate::ephemeris::evaluation::EphemerisScalar;
@@ -108,19 +108,18 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Number of half nutation periods per unit of time; 0 where u is constant.
     pub(crate) fn half_periods_per_time(&self) -> f64 {
-        // x changes by 2 over each of the cells
+        // x changes by 2 over each pair of cells
         let [x_rate, ..] = self.clock.rates;
-        x_rate.to_f64() / (2 * CELLS) as f64
+        x_rate.to_f64() / (2 * PAIRS) as f64
     }
 
     /// Upper bounds on the angular velocity and its change without the mean rotation, in rad per half period and per half
     /// period squared, from the coefficients of the table.
     fn greatest_speeds(&self) -> [f64; 2] {
         let mut greatest = [0.0; 2];
-        for cell in self.cells.map(Cell::from_bits) {
-            let (first, number) = (cell.first(), 1 << cell.level());
-            let x_rate = (2 * CELLS * number) as f64;
-            for segment in self.segments.get(first..first + number).unwrap_or_default() {
+        for (number, cell) in self.cells.map(Cell::from_bits).into_iter().enumerate() {
+            let x_rate = ((2 * PAIRS) << cell.level()) as f64;
+            for segment in self.segments.get(cell.segments(number)).unwrap_or_default() {
                 let [slope, curvature] = derivatives::<R>(segment.as_ref());
                 let speeds = [slope * x_rate, curvature * x_rate * x_rate];
                 greatest.iter_mut().zip(speeds).for_each(|(most, speed)| *most = larger_or_nan(*most, speed));

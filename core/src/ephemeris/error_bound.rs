@@ -1,6 +1,6 @@
 //! Error bound of an ephemeris; `core/docs/error_bound.md` derives every term.
 
-use crate::ephemeris::cell::CELLS;
+use crate::ephemeris::cell::PAIRS;
 use crate::ephemeris::evaluation::EphemerisScalar;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::speeds::Speeds;
@@ -66,7 +66,7 @@ impl ErrorBound {
     ) -> Self {
         let Tabulated { truncation, speeds, .. } = *tabulated;
         let tick = R::TICK_ERROR + R::SLOPE_ROUNDING * speeds.steepness;
-        let place = R::PLACE_ROUNDING * speeds.sweep / CELLS as f64;
+        let place = R::PLACE_ROUNDING * speeds.sweep / PAIRS as f64;
         let rise = if rates.returns { 0.0 } else { rates.rounding };
         let rounded = rounded::<R>(tabulated);
         let rounded = if rounded > tabulated.defect { rounded } else { rounded + tabulated.defect };
@@ -120,7 +120,7 @@ pub(crate) fn delays<R: EphemerisScalar>(tabulated: &Tabulated) -> [f64; 2] {
     let Tabulated { squares: [delays, _], start_share, defect, stepping, speeds, .. } = *tabulated;
     let variance = STEP * STEP * delays + START * START * start_share * start_share;
     let missed = if speeds.sweep > 0.0 { (defect + stepping) / speeds.sweep } else { 0.0 };
-    let truncated = R::PLACE_ROUNDING / CELLS as f64 + 2.0 * CLOCK + missed;
+    let truncated = R::PLACE_ROUNDING / PAIRS as f64 + 2.0 * CLOCK + missed;
     [truncated, DEVIATIONS * Float::sqrt(variance) * <f64 as Scalar>::ROUNDING]
 }
 

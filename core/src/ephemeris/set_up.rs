@@ -7,11 +7,13 @@ use crate::ephemeris::clock::Clock;
 use crate::ephemeris::economise::Polynomial;
 use crate::ephemeris::error_bound::{ErrorBound, phase_errors};
 use crate::ephemeris::evaluation::EphemerisScalar;
+use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::rate_error::{MotionRates, rate_error};
+use crate::ephemeris::steady::constant;
 use crate::ephemeris::storage::{EphemerisStorage, EphemerisView};
 use crate::ephemeris::table::{TableTooSmall, put};
-use crate::ephemeris::tabulate::{Tabulation, constant};
+use crate::ephemeris::tabulate::Tabulation;
 use crate::ephemeris::tabulated::{Requirements, Tabulated};
 use crate::ephemeris::tick::Tick;
 use crate::motion::Motion;
@@ -74,7 +76,7 @@ enum Stage {
 }
 
 /// Share of the allowed truncation error that the first attempt at a table may have.
-const FINE: f64 = 1.0 / Tabulation::LARGER;
+const FINE: f64 = 1.0 / LargerError::FACTOR;
 
 impl SetUp {
     /// Set-up with the truncation error of [`Ephemeris::new`](crate::Ephemeris::new), four roundings of the scalar.

@@ -1,12 +1,12 @@
 //! Ephemeris of one motion: clock, error bound, cells and segments.
 
-use crate::ephemeris::cell::{CELLS, Cell};
+use crate::ephemeris::cell::{CELLS, Cell, PAIRS};
 use crate::ephemeris::clock::Clock;
 use crate::ephemeris::error_bound::ErrorBound;
 use crate::ephemeris::evaluation::EphemerisScalar;
 use core::ops::{Deref, DerefMut};
 
-/// Ephemeris of one motion with a capacity of `SEGMENTS` segments, at least 16 and at most 4096.
+/// Ephemeris of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
 ///
 /// It is immutable after set-up, so any number of readers may share it without locks. Readers take an
 /// [`EphemerisView`], to which it dereferences. Half a nutation period is divided into segments, which are short
@@ -68,7 +68,7 @@ pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisStorage<R, [R::Segment; SEGMENTS]> {
     /// Assertion on the capacity, evaluated by the compiler when the type is used.
-    const SIZE_IS_VALID: () = assert!(SEGMENTS >= CELLS && SEGMENTS <= Cell::MOST_SEGMENTS);
+    const SIZE_IS_VALID: () = assert!(SEGMENTS >= PAIRS && SEGMENTS <= Cell::MOST_SEGMENTS);
 
     /// Ephemeris before its set-up, for a `static` that [`EphemerisView::set_up`] fills. All its bits are 0,
     /// so that it takes no flash.

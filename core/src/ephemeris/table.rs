@@ -1,7 +1,7 @@
 //! Table of an ephemeris: cells and segments, and their computation from a motion.
 
 use crate::ephemeris::EphemerisScalar;
-use crate::ephemeris::cell::{CELL_BITS, CELLS, Cell};
+use crate::ephemeris::cell::{CELLS, Cell, PAIR_BITS};
 use crate::ephemeris::economise::Polynomial;
 use crate::law::series::UNIT;
 use crate::scalar::Float;
@@ -13,11 +13,11 @@ pub(crate) struct LocatedSegment<'a, R: EphemerisScalar> {
     pub(crate) terms: &'a [[R::Coefficient; 4]],
     /// Local coordinate x·2^63 with x in [-1, 1).
     pub(crate) x: i64,
-    /// Local coordinate times 2^31, from 32 bits of the fraction of the cell: a multiple of 2^level, rounded down.
+    /// Local coordinate times 2^31, from 32 bits of the fraction of the pair of cells: a multiple of 2^level, rounded down.
     pub(crate) short_x: i32,
     /// Index of the segment.
     pub(crate) number: usize,
-    /// Base-2 logarithm of the number of segments in the cell.
+    /// Number of halvings of the pair of cells.
     pub(crate) level: u32,
 }
 
@@ -28,14 +28,14 @@ pub(crate) fn locate<'a, R: EphemerisScalar>(
     segments: &'a [R::Segment],
     share: u64,
 ) -> LocatedSegment<'a, R> {
-    let number = (share >> (u64::BITS - CELL_BITS)) as usize;
+    let number = (share >> (u64::BITS - PAIR_BITS - 1)) as usize;
     let cell = Cell::from_bits(cells.get(number).copied().unwrap_or_default());
     let level = cell.level();
-    // the fraction of the cell, and its 32 leading bits
-    let (share, short) = (share << CELL_BITS, (share >> (32 - CELL_BITS)) as u32);
-    // the upper `level` bits are the index of the segment in the cell; two shifts, because a shift by 32 is not
+    // the fraction of the pair, and its 32 leading bits
+    let (share, short) = (share << PAIR_BITS, (share >> (32 - PAIR_BITS)) as u32);
+    // the upper `level` bits are the place of the segment in the pair; two shifts, because a shift by 32 is not
     // allowed
-    let number = cell.first() + (short >> 1 >> (31 - level)) as usize;
+    let number = cell.segment(short >> 1 >> (31 - level));
     // no cell refers to a segment beyond the last; the fallback to the first segment avoids a branch for a panic
     let segment = segments.get(number).or(segments.first());
     // the range [0, 1) becomes [-1, 1) by flipping the upper bit

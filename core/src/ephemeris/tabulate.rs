@@ -14,17 +14,19 @@
 //! The work is done in pieces of bounded length, so that a chip can do something else between them.
 
 use crate::cayley_klein::Brackets;
-use crate::ephemeris::cell::{CELL_BITS, CELLS, Cell};
-use crate::ephemeris::economise::{Polynomial, beyond_the_last, economise};
+use crate::ephemeris::cell::{CELLS, Cell, PAIR_BITS, PAIRS, cells_covered, segments_per_cell};
+use crate::ephemeris::economise::Polynomial;
 use crate::ephemeris::half_period::{HalfPeriod, Position};
+use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::seek::StartSearch;
-use crate::ephemeris::speeds::{SegmentSpeeds, Speeds, greatest_slopes};
+use crate::ephemeris::segment_errors::SegmentErrors;
+use crate::ephemeris::speeds::Speeds;
 use crate::ephemeris::tabulated::{Requirements, Tabulated};
-use crate::law::series::{TERMS, UNIT, larger_or_nan};
+use crate::law::series::{TERMS, larger_or_nan};
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring};
+use crate::scalar::{Extended, Ring};
 
 /// Receiver of polynomials: see [`Tabulation::advance`]. A reference, so that set-up is compiled once for all scalars.
 pub(crate) type Store<'a> = dyn FnMut(usize, usize, Polynomial<'_>) -> [f64; 2] + 'a;
@@ -32,6 +34,10 @@ pub(crate) type Store<'a> = dyn FnMut(usize, usize, Polynomial<'_>) -> [f64; 2] 
 /// Factor by which the expected error of longer segments may exceed the allowed error and they are still tried in the
 /// next cell. A failed trial costs one series; an unnecessary segment takes memory in the table.
 const COARSENING: f64 = 4.0;
+
+/// Fraction of the allowed error that a segment of two cells may have. Its derivative, from which the angular velocity is
+/// computed, is then no worse than on the shorter segments of other motions.
+const PAIR_SHARE: f64 = 0.125;
 
 /// Fraction of the allowed error that the steps from segment to segment may use.
 const STEPPING_SHARE: f64 = 0.125;
@@ -70,17 +76,6 @@ enum Piece {
     Result,
 }
 
-/// Errors and slopes of a segment, from its polynomials of α and β so far.
-#[derive(Clone, Copy, Debug, Default)]
-struct SegmentErrors {
-    /// Sum of the squares of the truncation errors.
-    squares: f64,
-    /// Greatest error of the stored coefficients.
-    stored: f64,
-    /// Sums of the squares of the slopes, of their errors and of the curvatures.
-    slopes: [f64; 3],
-}
-
 /// State of the tabulation between two pieces of work.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tabulation {
@@ -91,8 +86,8 @@ pub(crate) struct Tabulation {
     requirements: Requirements,
     /// Truncation error that the reduction of a segment's series may cause.
     allowed: f64,
-    /// Half the length of a cell, in extended precision because its error would accumulate over the cells.
-    half_cell: Extended,
+    /// Half the length of a pair of cells, in extended precision because its error would accumulate.
+    half_pair: Extended,
     /// Start of the motion, once it has been passed.
     found_start: Option<TabulatedStart>,
     /// Result so far; its speeds and its start at the beginning of the cell.
@@ -103,12 +98,9 @@ pub(crate) struct Tabulation {
     /// Index of the cell, and of the segment in it.
     number: usize,
     place: usize,
-    /// Number of halvings of the cell.
+    /// Number of halvings of the pair of cells: [`Cell::level`].
     level: u32,
-    /// Number of halvings of the cell with which a larger error, [`Tabulation::LARGER`] times the allowed one, would do.
-    larger_level: Option<u32>,
-    /// Estimated number of segments with that error, of the cells so far.
-    larger_segments: usize,
+    larger: LargerError,
     /// Whether the start had been found before this cell.
     found_before: bool,
     /// Whether the position is the first centre of the cell, not its border.
@@ -121,9 +113,6 @@ pub(crate) struct Tabulation {
 }
 
 impl Tabulation {
-    /// Factor of the larger error, for which [`Tabulation::may_fit_with_larger_error`] tells whether it is worth a try.
-    pub(crate) const LARGER: f64 = 4.0;
-
     /// Tabulation that has not begun.
     pub(crate) const EMPTY: Self = Self {
         path: HalfPeriod::EMPTY,
@@ -131,7 +120,7 @@ impl Tabulation {
         seek: StartSearch::EMPTY,
         requirements: Requirements { terms: 0, allowed: 0.0, most: 0 },
         allowed: 0.0,
-        half_cell: Extended::ZERO,
+        half_pair: Extended::ZERO,
         found_start: None,
         tabulated: Tabulated::EMPTY,
         speeds: Speeds::ZERO,
@@ -139,12 +128,11 @@ impl Tabulation {
         number: 0,
         place: 0,
         level: 0,
-        larger_level: None,
-        larger_segments: 0,
+        larger: LargerError::NONE,
         found_before: false,
         at_centre: false,
         error: 0.0,
-        segment: SegmentErrors { squares: 0.0, stored: 0.0, slopes: [0.0; 3] },
+        segment: SegmentErrors::NONE,
         series: [[0; TERMS]; 2],
     };
 
@@ -155,7 +143,7 @@ impl Tabulation {
         self.path.begin(motion, rates, least);
         self.brackets = motion.brackets();
         self.seek = StartSearch::new(motion, self.path.law(), rates);
-        self.half_cell = rates.half_period / Extended::from((2 * CELLS) as f64);
+        self.half_pair = rates.half_period / Extended::from((2 * PAIRS) as f64);
         self.again(requirements);
     }
 
@@ -168,13 +156,12 @@ impl Tabulation {
         self.tabulated = Tabulated { segments: 0, ..Tabulated::EMPTY };
         self.speeds = Speeds::ZERO;
         (self.number, self.level, self.at_centre) = (0, 0, false);
-        self.larger_segments = 0;
+        self.larger = LargerError::NONE;
         self.begin_cell();
     }
 
     fn begin_cell(&mut self) {
         self.piece = Piece::Cell;
-        self.larger_level = None;
         self.found_before = self.found_start.is_some();
         self.tabulated.speeds = self.speeds;
     }
@@ -229,8 +216,10 @@ impl Tabulation {
         if self.level > Cell::DEEPEST || segments + self.least_rest(self.level) > self.requirements.most {
             return Err(());
         }
-        if let Some(cell) = self.tabulated.cells.get_mut(self.number) {
-            *cell = Cell::new(segments, self.level);
+        let covered = self.number..self.number + cells_covered(self.level);
+        for (number, cell) in self.tabulated.cells.iter_mut().enumerate().filter(|(i, _)| covered.contains(i))
+        {
+            *cell = Cell::new(number, segments, self.level);
         }
         (self.place, self.error) = (0, 0.0);
         Ok(Piece::Rates(self.at_centre))
@@ -238,13 +227,13 @@ impl Tabulation {
 
     /// Least number of segments of the cell at a level and of those after it.
     fn least_rest(&self, level: u32) -> usize {
-        (1 << level) + (CELLS - 1).saturating_sub(self.number)
+        let rest = CELLS.saturating_sub(self.number + cells_covered(level));
+        segments_per_cell(level) + rest.div_ceil(2)
     }
 
     /// Whether a refused table might have fitted with the larger error: an estimate from the errors of the cells so far.
     pub(crate) fn may_fit_with_larger_error(&self) -> bool {
-        let level = self.larger_level.unwrap_or(self.level);
-        level <= Cell::DEEPEST && self.larger_segments + self.least_rest(level) <= self.requirements.most
+        self.larger.may_fit(self.level, |level| self.least_rest(level), self.requirements.most)
     }
 
     /// Begins the cell again with segments of half the length.
@@ -256,15 +245,20 @@ impl Tabulation {
         self.piece = Piece::Cell;
     }
 
+    /// Truncation error that a segment may have.
+    fn allowed(&self, level: u32) -> f64 {
+        if level == 0 { PAIR_SHARE * self.allowed } else { self.allowed }
+    }
+
     /// Half the length of a segment.
     fn unit(&self) -> Extended {
-        self.half_cell * Extended::from(1.0 / f64::from(1_u32 << self.level))
+        self.half_pair * Extended::from(1.0 / f64::from(1_u32 << self.level))
     }
 
     /// Truncation error allowed for a step over half a segment, so that the sum over all steps is within their
     /// fraction of the allowed error.
     fn share(&self) -> f64 {
-        STEPPING_SHARE * self.requirements.allowed / ((2 * CELLS) << self.level) as f64
+        STEPPING_SHARE * self.requirements.allowed / ((2 * PAIRS) << self.level) as f64
     }
 
     /// Series of α or of β from those of the phases.
@@ -278,54 +272,37 @@ impl Tabulation {
     /// Stores the series of α or of β as a polynomial of reduced degree.
     #[inline(never)]
     fn shorten(&mut self, which: usize, store: &mut Store<'_>) -> Option<Piece> {
-        let [mut re, mut im] = self.series;
-        let beyond = [&re, &im].map(beyond_the_last).into_iter().fold(0.0, larger_or_nan);
-        let [dropped, dropped_slope] = economise([&mut re, &mut im], self.requirements.terms);
-        let dropped = dropped + 2.0 * beyond;
-        let [[re_slope, re_curvature], [im_slope, im_curvature]] = [&re, &im].map(greatest_slopes);
-        let [stored, rounded_slope] = store(self.tabulated.segments + self.place, which, [&mut re, &mut im]);
-        let slope_error = dropped_slope + 2.0 * TERMS as f64 * beyond + rounded_slope;
+        let ([mut re, mut im], segment) = (self.series, self.tabulated.segments + self.place);
         if which == 0 {
-            self.segment = SegmentErrors::default();
+            self.segment = SegmentErrors::NONE;
         }
-        let SegmentErrors { squares, stored: largest, slopes } = &mut self.segment;
-        *squares += dropped * dropped;
-        *largest = larger_or_nan(*largest, stored);
-        let each = [[re_slope, im_slope], [slope_error, 0.0], [re_curvature, im_curvature]];
-        slopes.iter_mut().zip(each).for_each(|(sum, [x, y])| *sum += x * x + y * y);
+        let store = |parts: Polynomial<'_>| store(segment, which, parts);
+        self.segment.shorten([&mut re, &mut im], self.requirements.terms, store);
         if which == 0 { Some(Piece::Series(1)) } else { self.judge() }
     }
 
-    /// Truncation and rounding error of a segment, as an orientation error; `None` where it is too large.
+    /// Next piece after a segment; `None` where its error is too large.
     fn judge(&mut self) -> Option<Piece> {
-        let SegmentErrors { squares, stored, slopes } = self.segment;
-        let [slope, slope_error, curvature] = slopes.map(|squares| 2.0 * Float::sqrt(squares));
-        self.speeds.note(
-            SegmentSpeeds { slope, slope_error, curvature },
-            self.path.expansion().greatest_theta_slope(),
-            self.path.part(),
-        );
-        let error = larger_or_nan(2.0 * Float::sqrt(squares), stored);
-        self.error = larger_or_nan(self.error, error);
-        if self.error <= Self::LARGER * self.allowed && self.larger_level.is_none() {
-            self.larger_level = Some(self.level);
-        }
+        let theta_slope = self.path.expansion().greatest_theta_slope();
+        self.speeds.note(self.segment.speeds(), theta_slope, self.path.part());
+        self.error = larger_or_nan(self.error, self.segment.error());
+        self.larger.note(self.error <= LargerError::FACTOR * self.allowed(self.level), self.level);
         let piece = if self.found_start.is_none() { Piece::Start } else { Piece::Step };
-        (self.error <= self.allowed).then_some(piece)
+        (self.error <= self.allowed(self.level)).then_some(piece)
     }
 
     fn is_last(&self) -> bool {
-        self.place + 1 == 1 << self.level
+        self.place + 1 == segments_per_cell(self.level)
     }
 
     /// Notes the start of the motion, if it is on this segment.
     fn note_start(&mut self) {
-        let end = self.is_last() && self.number + 1 == CELLS;
+        let end = self.is_last() && self.number + cells_covered(self.level) == CELLS;
         let expansion = self.path.expansion();
         if let Some(x) = self.seek.within(expansion, end) {
-            // half a turn of the nutation phase over all cells
-            let halvings = 2 + CELL_BITS + self.level;
-            let centre = 2 * ((self.number << self.level) + self.place) + 1;
+            // half a turn of the nutation phase over all pairs
+            let halvings = 2 + PAIR_BITS + self.level;
+            let centre = 2 * (((self.number << self.level) >> 1) + self.place) + 1;
             let phase = Phase::from_bits(centre as i128 * (Phase::ONE.to_bits() >> halvings))
                 + Phase::new(x / (1_u64 << halvings) as f64);
             let share = self.seek.per_rounding(expansion, x) * self.path.part();
@@ -352,15 +329,16 @@ impl Tabulation {
     /// Leaves a complete cell: to the first centre of the next, whose segments have the same or twice the length, if
     /// the series is accurate so far, otherwise to the border.
     fn leave(&mut self) -> Piece {
-        let (level, allowed) = (self.level, self.allowed);
+        let level = self.level;
         // segments of twice the length would have about 2^terms times the error
         let longer_error = self.error * f64::from(1_u32 << self.requirements.terms);
-        let coarser = level > 0 && longer_error < COARSENING * allowed;
+        let next = self.number + cells_covered(level);
+        let longest = u32::from(next % 2 == 1);
+        let coarser = level > longest && longer_error < COARSENING * self.allowed(level - 1);
         self.tabulated.truncation = larger_or_nan(self.tabulated.truncation, self.error);
-        self.tabulated.segments += 1 << level;
-        let larger_level = self.larger_level.unwrap_or(level).min(level.saturating_sub(u32::from(coarser)));
-        self.larger_segments += 1 << larger_level;
-        self.number += 1;
+        self.tabulated.segments += segments_per_cell(level);
+        self.larger.leave(level, coarser);
+        self.number = next;
         if self.number == CELLS {
             self.path.return_to_border();
             return Piece::Result;
@@ -391,18 +369,4 @@ impl Tabulation {
             ..self.tabulated
         }
     }
-}
-
-/// Tabulation of a steady motion: α and β at χ = 0, which are constant.
-#[inline(never)]
-pub(crate) fn constant(motion: &Motion, store: &mut Store<'_>) -> Tabulated {
-    let brackets: Brackets<f64> = motion.brackets();
-    for (which, bracket) in [&brackets.alpha, &brackets.beta].into_iter().enumerate() {
-        let [plus, minus] = bracket.exponentials();
-        let mut re = [0; TERMS];
-        re[0] = libm::round((plus + minus) / UNIT) as i64;
-        store(0, which, [&mut re, &mut [0; TERMS]]);
-    }
-    let [alpha, beta] = motion.phases();
-    Tabulated { start: [Phase::ZERO, alpha, beta], ..Tabulated::EMPTY }
 }

@@ -42,7 +42,7 @@ pub(crate) struct Tabulated {
 
 impl Tabulated {
     pub(crate) const EMPTY: Self = Self {
-        cells: [Cell::new(0, 0); CELLS],
+        cells: [Cell::new(0, 0, 0); CELLS],
         segments: 1,
         start: [Phase::ZERO; 3],
         truncation: 0.0,

@@ -171,7 +171,7 @@ pub struct BakeArgs {
     /// Language of the table
     #[arg(long, value_enum, default_value_t = Language::Rust)]
     pub lang: Language,
-    /// Number of segments that the table can hold: a power of two from 16 to 4096, 25 in f32, or 48 in f64. Without it, the default
+    /// Number of segments that the table can hold: a power of two from 8 to 4096, 25 in f32, or 48 in f64. Without it, the default
     /// of the crate, or if the motion needs more, the smallest size that is enough
     #[arg(long, value_name = "SEGMENTS")]
     pub size: Option<u32>,

@@ -22,7 +22,7 @@ typedef struct {
     uint32_t tip_start[4];     /* mean tip angle at tick 0, in units of 2^-96 turns, the least significant word first */
     uint32_t tip_step[4];      /* increment of the mean tip angle in a tick */
     uint8_t flags[4];          /* quarter turns of alpha beta at u = e1, parameters that pass 0, tip angle exists, u turns */
-    uint16_t cells[16];        /* for each cell of half a period: first segment times 16, plus the binary logarithm of the number of segments */
+    uint16_t cells[16];        /* for each cell of half a period: its segments */
 } toytop_clock;
 
 /* Phases of consecutive ticks, advanced by additions, which an interrupt keeps. */
@@ -57,15 +57,14 @@ TOYTOP_API void toytop_move_on(const toytop_clock *clock, toytop_cursor *at) {
     if (clock->stops) *at = toytop_at(clock, at->tick);
 }
 
-/* Segment of a phase, and the local coordinate x 2^63 on it, with x in [-1, 1), from `kept` bits of the place in a cell. The falling
+/* Segment of a phase, and the local coordinate x 2^63 on it, with x in [-1, 1), from `kept` bits of the place in a pair of cells. The falling
  * half of a period is the mirror image of the rising one. */
 static inline int64_t toytop_find(const toytop_clock *clock, uint64_t nutation, int kept, uint32_t *segment, uint32_t *level_of) {
     uint64_t share = (nutation ^ (0 - (nutation >> 63))) << 1;
-    const int bits = 4; /* 16 cells */
-    uint32_t cell = clock->cells[share >> (64 - bits)], level = cell & 15;
-    share <<= bits;
+    uint32_t cell = clock->cells[share >> 60], level = cell & 15;
+    share <<= 3; /* place in a pair of cells */
     *level_of = level;
-    *segment = (cell >> 4) + ((uint32_t)(share >> 33) >> (31 - level));
+    *segment = ((cell >> 4) + ((uint32_t)(share >> 33) >> (31 - level))) & 4095;
     return (int64_t)(share >> (64 - kept) << (64 - kept) << level ^ (uint64_t)1 << 63);
 }
 

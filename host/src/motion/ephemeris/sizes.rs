@@ -55,7 +55,7 @@ impl Sizes {
 }
 
 /// Capacities besides the defaults, in ascending order; each is twice the one before.
-const CAPACITIES: [u32; 9] = [16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
+const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
 
 /// Largest capacity.
 const LARGEST: u32 = CAPACITIES[CAPACITIES.len() - 1];
@@ -66,6 +66,7 @@ fn empty<R: EphemerisScalar>(segments: u32) -> Option<Box<EphemerisView<R>>> {
         Box::new(Ephemeris::<R, N>::EMPTY)
     }
     Some(match segments {
+        8 => boxed::<R, 8>(),
         16 => boxed::<R, 16>(),
         25 => boxed::<R, 25>(),
         32 => boxed::<R, 32>(),
@@ -213,7 +214,7 @@ mod tests {
             motions.push(motion(1.0, [-0.5, 1.0 - 0.2 * small, 1.0 + 0.2 * small * small]));
             motions.push(motion(small, [-0.99, 0.999, 1.02]));
         }
-        assert_eq!(sizes_chosen(Scalar::F64, &motions).first(), Some(&16));
+        assert_eq!(sizes_chosen(Scalar::F64, &motions).first(), Some(&8));
         assert!(sizes_chosen(Scalar::F32, &motions).len() > 4);
     }
 }

@@ -9,7 +9,7 @@ function wide(words) {
 
 /** A table from its JSON. */
 function readTable(json) {
-  if (json.format !== 4 || json.scalar !== "f32") throw new Error("not a table of format 4 in f32");
+  if (json.format !== 5 || json.scalar !== "f32") throw new Error("not a table of format 5 in f32");
   return {
     ...json,
     first: json.first.map(wide),
@@ -32,11 +32,10 @@ function phasesAt(table, tick) {
 function find(table, nutation) {
   const falling = nutation >> 63n === 1n;
   const share = BigInt.asUintN(64, (falling ? ~nutation : nutation) << 1n);
-  const bits = 4n; // 16 cells
-  const cell = table.cells[Number(share >> (64n - bits))];
+  const cell = table.cells[Number(share >> 60n)];
   const level = cell & 15;
-  const rest = Number(BigInt.asUintN(32, share >> (32n - bits)));
-  const segment = (cell >> 4) + (rest >>> 1 >>> (31 - level));
+  const rest = Number(BigInt.asUintN(32, share >> 29n)); // place in a pair of cells
+  const segment = ((cell >> 4) + (rest >>> 1 >>> (31 - level))) & 4095;
   return { falling, segment, x: (rest << level) ^ 0x80000000 };
 }
 

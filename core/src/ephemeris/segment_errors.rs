@@ -1,0 +1,53 @@
+//! Errors of one segment, from its two polynomials.
+
+use crate::ephemeris::economise::{Polynomial, beyond_the_last, economise};
+use crate::ephemeris::speeds::{SegmentSpeeds, greatest_slopes};
+use crate::law::series::{TERMS, larger_or_nan};
+use crate::scalar::Float;
+
+/// Errors and slopes of a segment, from its polynomials of α and β so far.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct SegmentErrors {
+    /// Sum of the squares of the truncation errors.
+    squares: f64,
+    /// Greatest error of the stored coefficients.
+    stored: f64,
+    /// Sums of the squares of the slopes, of their errors and of the curvatures.
+    slopes: [f64; 3],
+}
+
+impl SegmentErrors {
+    /// Errors before the first polynomial.
+    pub(crate) const NONE: Self = Self { squares: 0.0, stored: 0.0, slopes: [0.0; 3] };
+
+    /// Reduces the series of α or of β to a polynomial of `terms` coefficients, passes it to `store`, and includes its errors:
+    /// those of the reduction, and those that `store` returns, of the value and of the derivative.
+    pub(crate) fn shorten(
+        &mut self,
+        [re, im]: Polynomial<'_>,
+        terms: usize,
+        store: impl FnOnce(Polynomial<'_>) -> [f64; 2],
+    ) {
+        let beyond = [&*re, &*im].map(beyond_the_last).into_iter().fold(0.0, larger_or_nan);
+        let [dropped, dropped_slope] = economise([&mut *re, &mut *im], terms);
+        let dropped = dropped + 2.0 * beyond;
+        let [[re_slope, re_curvature], [im_slope, im_curvature]] = [&*re, &*im].map(greatest_slopes);
+        let [stored, rounded_slope] = store([re, im]);
+        let slope_error = dropped_slope + 2.0 * TERMS as f64 * beyond + rounded_slope;
+        self.squares += dropped * dropped;
+        self.stored = larger_or_nan(self.stored, stored);
+        let each = [[re_slope, im_slope], [slope_error, 0.0], [re_curvature, im_curvature]];
+        self.slopes.iter_mut().zip(each).for_each(|(sum, [x, y])| *sum += x * x + y * y);
+    }
+
+    /// Truncation and rounding error of the segment, as an orientation error, rad.
+    pub(crate) fn error(&self) -> f64 {
+        larger_or_nan(2.0 * Float::sqrt(self.squares), self.stored)
+    }
+
+    /// Derivatives on the segment.
+    pub(crate) fn speeds(&self) -> SegmentSpeeds {
+        let [slope, slope_error, curvature] = self.slopes.map(|squares| 2.0 * Float::sqrt(squares));
+        SegmentSpeeds { slope, slope_error, curvature }
+    }
+}
