@@ -1,8 +1,8 @@
 //! Sensitivity: partial derivatives of a motion by its launch and by the ratios of its top, at any time.
 //!
 //! The derivation is in `docs/partials.md`. The derivatives obey linear differential equations with the frequency of
-//! the nutation, which are integrated over at most half a period. Whole periods are added exactly: they change the
-//! derivatives by the same amount each, that of the mean rates.
+//! the nutation, which are integrated over at most half a period. Whole periods are added exactly: each changes the
+//! derivatives by the same amount, which follows from the derivatives of the mean rates.
 
 mod equations;
 mod extrapolation;
@@ -186,7 +186,7 @@ fn about_vertical<F: Float>([x, y, z]: Vector<F>, (sine, cosine): (F, F)) -> Vec
 }
 
 impl<F: Real> Flow<F, COLUMNS> {
-    /// Turns everything about the vertical.
+    /// Turns the motion and its tangents about the vertical.
     pub(crate) fn turn(&mut self, phase: Phase) {
         let turn = F::sine_cosine(phase);
         for vector in [&mut self.axis, &mut self.side, &mut self.across] {

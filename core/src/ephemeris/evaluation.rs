@@ -42,8 +42,9 @@ pub struct SegmentPoint {
 
 /// Scalar of an ephemeris: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
 ///
-/// `f64` is evaluated in floating point. `f32` and fixed point are evaluated in 32-bit integers. Their error is a
-/// quarter of that of `f32` arithmetic; they are as fast as an `f32` unit and several times as fast as its emulation.
+/// `f64` is evaluated in floating point. `f32` and fixed point are evaluated in 32-bit integers. The error is then a
+/// quarter of that of `f32` arithmetic, and the evaluation is as fast as with a unit for `f32` and several times as
+/// fast as with emulated `f32`.
 pub trait EphemerisScalar: Scalar {
     /// Coefficient as the table holds it.
     type Coefficient: Copy + Debug + PartialEq;

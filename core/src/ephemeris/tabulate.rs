@@ -15,7 +15,7 @@
 
 use crate::cayley_klein::Brackets;
 use crate::ephemeris::cell::{CELL_BITS, CELLS, Cell};
-use crate::ephemeris::economise::{Polynomial, beyond_the_last, economise};
+use crate::ephemeris::economise::{Polynomial, economise, omitted_terms};
 use crate::ephemeris::half_period::{HalfPeriod, Position};
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::seek::StartSearch;
@@ -279,7 +279,7 @@ impl Tabulation {
     #[inline(never)]
     fn shorten(&mut self, which: usize, store: &mut Store<'_>) -> Option<Piece> {
         let [mut re, mut im] = self.series;
-        let beyond = [&re, &im].map(beyond_the_last).into_iter().fold(0.0, larger_or_nan);
+        let beyond = [&re, &im].map(omitted_terms).into_iter().fold(0.0, larger_or_nan);
         let [dropped, dropped_slope] = economise([&mut re, &mut im], self.requirements.terms);
         let dropped = dropped + 2.0 * beyond;
         let [[re_slope, re_curvature], [im_slope, im_curvature]] = [&re, &im].map(greatest_slopes);
@@ -379,7 +379,7 @@ impl Tabulation {
     fn result(&self, motion: &Motion) -> Tabulated {
         let TabulatedStart { phase, theta, share } = self.found_start.unwrap_or_default();
         let Position { remainder, squares, .. } = *self.path.position();
-        let stepping = self.speeds.left_out(remainder, self.path.fastest_per_half_period());
+        let stepping = self.speeds.truncation_error(remainder, self.path.fastest_per_half_period());
         Tabulated {
             start: self.seek.start(motion, phase, theta),
             start_share: share,

@@ -273,7 +273,7 @@ impl Expansion {
     /// Estimate of the truncation error of the phases at a whole x > 0, rad. It is made from the larger of the last
     /// two terms of their rates, and assumes that each further term is at most a quarter of the one before. Where
     /// sixteen terms leave a small error, the terms decrease by a factor of ten.
-    pub(crate) fn left_out(&self, x: i64) -> f64 {
+    pub(crate) fn truncation_error(&self, x: i64) -> f64 {
         if self.terms == 0 {
             return f64::INFINITY;
         }

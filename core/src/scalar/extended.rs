@@ -43,9 +43,9 @@ impl Extended {
     pub(crate) const TWO_PI: Self =
         Self { significand: 0x1921_fb54_442d_1846_9898_cc51_701b_839a, exponent: 3 - BITS };
 
-    /// Normalised number `significand` · 2^`exponent`.
+    /// Number `significand` · 2^`exponent`, exact for a significand of up to 125 bits.
     #[inline(never)] // called from every operation
-    fn normalised(significand: i128, exponent: i32) -> Self {
+    pub(crate) fn normalised(significand: i128, exponent: i32) -> Self {
         if significand == 0 {
             return Self::ZERO;
         }
@@ -118,6 +118,13 @@ impl From<f64> for Extended {
     fn from(x: f64) -> Self {
         let (mantissa, exponent) = integer_parts(x);
         Self::normalised(mantissa.into(), exponent)
+    }
+}
+
+impl From<Phase> for Extended {
+    /// Number of turns, whole turns included; exact below 2^28 turns.
+    fn from(phase: Phase) -> Self {
+        Self::normalised(phase.to_bits(), -FRACTION_BITS)
     }
 }
 

@@ -92,9 +92,10 @@ impl Equations<f64> {
         Self { coefficients, changes: coefficients.derivatives(top.support()), spin }
     }
 
-    /// Bound on the frequencies of the motion from a state on, rad per unit time: that of the gyroscopic torque, and
-    /// twice that of the axis, which gravity drives until it hangs, or until the gyroscopic torque has turned it. A short
-    /// leg makes the axis faster near the vertical.
+    /// Upper bound on the frequencies of the motion after a state, rad per unit time: the frequency of the gyroscopic
+    /// torque, plus twice the greatest rate of the axis. Gravity accelerates the axis until it points down, or until
+    /// the gyroscopic torque has turned it. A factor of √(ps/A) contains that the axis of a sliding top is faster near
+    /// the vertical.
     pub(crate) fn fastest<const N: usize>(&self, flow: &Flow<f64, N>) -> f64 {
         let Coefficients { moment, height, gravity, .. } = self.coefficients;
         let rate = bracket(flow.across, flow.axis);
@@ -239,7 +240,7 @@ impl<F: Float> Equations<F> {
         relative * F::from_f64(1e-3)
     }
 
-    /// Bound on the frequencies of the motion at a state, rad per unit time.
+    /// Upper bound on the frequencies of the motion at a state, rad per unit time.
     pub(crate) fn frequency<const N: usize>(&self, flow: &Flow<F, N>) -> F {
         let Coefficients { moment, gravity, .. } = self.coefficients;
         dot(flow.across, flow.across).sqrt() + self.gyroscopic().abs() + (moment * gravity).sqrt()

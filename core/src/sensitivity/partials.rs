@@ -1,4 +1,4 @@
-//! Partial derivatives of what a sample says, at one time.
+//! Partial derivatives of the quantities of a sample, at one time.
 
 use crate::complex::Complex;
 use crate::scalar::Float;

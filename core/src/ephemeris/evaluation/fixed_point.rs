@@ -31,7 +31,7 @@ impl EphemerisScalar for I2F30 {
     }
 
     fn coefficient_error(polynomial: &[i64]) -> f64 {
-        integer::overflow(polynomial, integer::OVERFLOW) + integer::shortfall(polynomial)
+        integer::overflow(polynomial, integer::OVERFLOW) + integer::short_product_error(polynomial)
     }
 
     fn number(coefficient: i32, power: usize) -> f32 {

@@ -76,7 +76,7 @@ const fn is_short(power: usize, terms: usize) -> bool {
 
 /// Amount by which a polynomial's error from short products can exceed [`SHORT_ERROR`]; x is truncated by up to
 /// 2^-15.
-pub(crate) fn shortfall(polynomial: &[i64]) -> f64 {
+pub(crate) fn short_product_error(polynomial: &[i64]) -> f64 {
     let (mut sum, mut sums) = (0, 0);
     for (power, value) in polynomial.iter().enumerate().rev() {
         // a sum of 136 values needs eight bits more than i64 has; rounded up
@@ -228,7 +228,7 @@ impl EphemerisScalar for f32 {
     }
 
     fn coefficient_error(polynomial: &[i64]) -> f64 {
-        overflow(polynomial, OVERFLOW) + shortfall(polynomial)
+        overflow(polynomial, OVERFLOW) + short_product_error(polynomial)
     }
 
     fn number(held: i32, power: usize) -> Self {
@@ -280,8 +280,8 @@ mod tests {
     fn what_short_products_lose() {
         let near =
             |found: f64, expected: f64| assert!((found - expected).abs() < 1e-14, "{found:e} {expected:e}");
-        near(shortfall(&polynomial([0.9, 0.9, 0.9, 0.9, -0.3, 0.5])), 1.3 / 32768.0 - SHORT_ERROR);
-        near(shortfall(&polynomial([1.0, 0.5, 0.25, 0.1, 0.0, 1e-9])), 0.0);
+        near(short_product_error(&polynomial([0.9, 0.9, 0.9, 0.9, -0.3, 0.5])), 1.3 / 32768.0 - SHORT_ERROR);
+        near(short_product_error(&polynomial([1.0, 0.5, 0.25, 0.1, 0.0, 1e-9])), 0.0);
         // in range, but the short products are not accurate enough
         let steep = polynomial([0.0, 0.0, 0.0, 0.0, 0.02, 0.01]);
         near(<f32 as EphemerisScalar>::coefficient_error(&steep), 0.04 / 32768.0 - SHORT_ERROR);
