@@ -2,6 +2,8 @@
 
 mod rates;
 
+mod coefficient;
+
 mod float;
 
 mod integer;
@@ -89,8 +91,8 @@ pub trait EphemerisScalar: Scalar {
     /// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units.
     #[doc(hidden)]
     fn coefficient(value: i64, power: usize) -> (Self::Coefficient, i64);
-    /// Error of a polynomial, in units of 2^-62, caused by its coefficients; infinite where a sum could overflow, and 0
-    /// in floating point.
+    /// Error of a polynomial, given in units of 2^-62, that its coefficients cause; infinite where a sum could overflow,
+    /// and 0 in floating point.
     #[doc(hidden)]
     fn coefficient_error(polynomial: &[i64]) -> f64;
     /// Value of a coefficient of x^power.

@@ -22,13 +22,12 @@ pub(super) fn projected(
 ) -> [Tangent<f64>; COLUMNS] {
     let rate = equations.frequency(start);
     let units = [1.0, 1.0, 1.0, rate, rate, rate];
-    let none = Tangent { theta: [0.0; 3], eta: [0.0; 3] };
     let mut projected = *growth;
     for slot in projected.iter_mut().take(LAUNCH) {
-        *slot = none;
+        *slot = Tangent::NONE;
     }
     for direction in orthonormal(gradients(equations, start, &units)) {
-        let mut along = none;
+        let mut along = Tangent::NONE;
         for ((column, unit), share) in growth.iter().zip(units).zip(direction) {
             along = along.plus(column, share * unit);
         }

@@ -2,7 +2,8 @@
 
 use crate::complex::Complex;
 use crate::scalar::Float;
-use crate::sensitivity::equations::{Equations, Flow, sum};
+use crate::sensitivity::equations::Equations;
+use crate::sensitivity::flow::{Flow, sum};
 use crate::sensitivity::{COLUMNS, Tangent};
 use crate::su2::{Orientation, Vector, bracket, dot};
 
