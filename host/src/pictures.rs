@@ -5,8 +5,8 @@
 //! | [`plot`] | curve of the tip |
 //! | [`span`] | motion over a span of time |
 //! | [`charts`] | tilt and precession against time, potential |
-//! | [`animation`] | the top in motion, frame by frame |
-//! | [`camera`], [`sphere`] | space on paper; the axis on its sphere |
+//! | [`animation`] | animation of the top, frame by frame |
+//! | [`camera`], [`sphere`] | projection of space; the axis on its sphere |
 //! | [`figures`] | figures of the paper, and charts |
 //! | [`view`] | page for a browser |
 

@@ -15,7 +15,7 @@ const SIDE: f64 = 480.0;
 /// Radius of the disc and length of the axis, in units of the height of the centre of mass.
 const DISC: f64 = 0.75;
 const AXIS: f64 = 1.45;
-/// Points of the path of the tip (of the axis, if the tip is held).
+/// Number of points of the path of the tip, or of the axis if the tip is held.
 const PATH: u64 = 1500;
 
 /// Frames of a motion over a span of time.
@@ -24,14 +24,14 @@ pub struct Film<'a> {
     span: &'a Span<'a>,
     frames: u64,
     camera: Camera,
-    /// Pixels of a frame's side.
+    /// Width and height of a frame, pixels.
     size: u32,
-    /// Places of the path, in units of the height of the centre of mass.
+    /// Points of the path, in units of the height of the centre of mass.
     path: Vec<[f64; 3]>,
 }
 
 impl<'a> Film<'a> {
-    /// Film of so many frames, evenly spread over the span, `size` pixels wide and high.
+    /// Film of this many frames, evenly spread over the span, each `size` pixels wide and high.
     #[must_use]
     pub fn new(scenario: &'a Scenario, span: &'a Span<'a>, frames: u64, size: u32) -> Self {
         let camera = Camera::new(-1.05, 0.38, [0.5 * SIDE, 0.72 * SIDE], 0.27 * SIDE);
@@ -78,7 +78,7 @@ impl<'a> Film<'a> {
         let traced = ((share * PATH as f64) as usize).clamp(1, self.path.len());
         camera.line(&mut scene, &self.path[..traced], "#1f4e8c", 1.6);
         camera.line(&mut scene, &[tip, end], "#555555", 4.0);
-        // the disc about the centre of mass, with spokes that turn with the body
+        // disc about the centre of mass, with spokes that turn with the body
         let rim = |angle: f64, radius: f64| {
             let [x, y, z] = phi.adjoint([radius * angle.cos(), radius * angle.sin(), 1.0]);
             [tip[0] + x, tip[1] + y, tip[2] + z]
@@ -87,7 +87,7 @@ impl<'a> Film<'a> {
         camera.line(&mut scene, &around, "#333333", 3.0);
         for spoke in 0..6 {
             let angle = PI * f64::from(spoke) / 3.0;
-            // one of them is marked
+            // one spoke has another colour, so that the rotation can be seen
             let (color, width) = if spoke == 0 { ("#c0392b", 4.0) } else { ("#9a9a9a", 1.4) };
             camera.line(&mut scene, &[rim(angle, 0.0), rim(angle, DISC)], color, width);
         }
@@ -120,10 +120,11 @@ impl<'a> Film<'a> {
             .map_err(io::Error::other)
     }
 
-    /// All frames as a GIF that repeats for ever, `delay` hundredths of a second each; `done` is told of each.
+    /// All frames as a GIF that repeats without end. Each frame lasts `delay` hundredths of a second; `done` is called
+    /// after each.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// The errors of the writer.
     pub fn gif(&self, delay: u16, out: impl Write, mut done: impl FnMut()) -> io::Result<()> {
         let side = u16::try_from(self.size).map_err(io::Error::other)?;
         let mut encoder = gif::Encoder::new(out, side, side, &[]).map_err(io::Error::other)?;

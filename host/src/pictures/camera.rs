@@ -1,9 +1,9 @@
-//! View of space on paper, without perspective, and lines drawn in it.
+//! Parallel projection of space on paper, and lines drawn in it.
 
 use kuva::render::color::Color;
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 
-/// View from above the horizon: where it looks from, its middle and its scale on paper.
+/// Parallel projection from a direction above the horizon, with its middle and its scale on paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     right: [f64; 3],
@@ -16,7 +16,7 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// View from an azimuth and a height above the horizon, rad.
+    /// Projection from the direction with this azimuth and elevation above the horizon, rad.
     #[must_use]
     pub fn new(azimuth: f64, elevation: f64, middle: [f64; 2], scale: f64) -> Self {
         let (s, c) = azimuth.sin_cos();
@@ -50,7 +50,7 @@ impl Camera {
         scene.add(Primitive::PolyLine { points, stroke, stroke_width, stroke_dasharray: None });
     }
 
-    /// Adds a line on a sphere about the origin: what is behind is thinner, and pale.
+    /// Adds a line on a sphere about the origin. Its part on the far side is thinner and pale.
     pub fn line_on_sphere(
         &self,
         scene: &mut Scene,

@@ -1,4 +1,4 @@
-//! A motion over a span of time, as pictures need it.
+//! Motion over a span of time, for pictures.
 
 use crate::Failure;
 use crate::motion::Scalar;
@@ -9,14 +9,14 @@ use toytop::Motion;
 
 /// Motion between two times.
 pub struct Span<'a> {
-    /// The motion.
+    /// Motion.
     pub motion: &'a Motion,
     table: Box<dyn AnyScalar>,
     ends: [f64; 2],
 }
 
 impl<'a> Span<'a> {
-    /// Span between two times, s; without them, as long as the curve of the tip is followed.
+    /// Span between two times, s; without them, the time of [`Curve::of`](crate::pictures::plot::Curve::of).
     ///
     /// # Errors
     /// [`Failure::Input`]: times beyond the reach of the ephemeris. [`Failure::Method`]: no ephemeris is large enough.
@@ -44,7 +44,7 @@ impl<'a> Span<'a> {
         self.table.at(t).sample
     }
 
-    /// This many times, evenly spread, both ends included.
+    /// Times of this number, evenly spread, both ends included.
     pub fn times(&self, count: u64) -> impl Iterator<Item = f64> {
         let [from, until] = self.ends;
         (0..count).map(move |i| from + (until - from) * i as f64 / (count.max(2) - 1) as f64)

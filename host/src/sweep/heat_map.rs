@@ -25,7 +25,7 @@ impl HeatMap {
     /// Heat map of `X,Y,COLUMN` over the grid of a scenario.
     ///
     /// # Errors
-    /// [`Failure::Input`]: no such key or column, or no grid of even steps along both keys.
+    /// [`Failure::Input`]: there is no such key or column, or one of the keys has no grid of even steps.
     pub fn new(text: &str, motions: &Motions, columns: &str) -> Result<Self, Failure> {
         let refuse = |reason: &str| Failure::Input(format!("--plot: {text}: {reason}"));
         let Motions::Scenario(launches) = motions else {
@@ -45,10 +45,10 @@ impl HeatMap {
         Ok(Self { names: [x, y, column].map(str::to_owned), axes })
     }
 
-    /// Draws the rows of a table. Of several rows with the same X and Y the first counts.
+    /// Draws the rows of a table. Of several rows with the same X and Y, the first is drawn.
     ///
     /// # Errors
-    /// [`Failure::Input`]: the column holds no numbers.
+    /// [`Failure::Input`]: the column contains no numbers.
     pub fn draw(&self, csv: &str) -> Result<Picture, Failure> {
         let [x_name, y_name, column] = &self.names;
         let refuse = |reason: &str| Failure::Input(format!("--plot: {column}: {reason}"));

@@ -1,4 +1,4 @@
-//! The motions of a sweep, of either kind.
+//! Motions of a sweep, of either kind.
 
 use super::{Launches, Place, Space};
 use std::fmt;
@@ -7,9 +7,9 @@ use toytop::Motion;
 /// Motions of a sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Motions {
-    /// The paper's constants, without units.
+    /// Motions of the paper's constants, without units.
     BranchPoints(Space),
-    /// A scenario with some of its numbers varied.
+    /// Motions of a scenario, some of whose numbers vary.
     Scenario(Launches),
 }
 
@@ -23,7 +23,7 @@ impl Motions {
         }
     }
 
-    /// Whether there is none.
+    /// Whether the sweep has no motion.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -39,7 +39,7 @@ impl Motions {
         sample.map(|(_, seed)| seed)
     }
 
-    /// Names of what tells a motion from the others, as columns.
+    /// Names of the columns with the numbers that vary.
     #[must_use]
     pub fn keys(&self) -> String {
         match self {
@@ -48,7 +48,7 @@ impl Motions {
         }
     }
 
-    /// Fields of these columns, and the motion; `None` where there is none with these numbers.
+    /// Fields of these columns, and the motion; `None` where no motion has these numbers.
     #[must_use]
     pub fn at(&self, number: u64) -> (String, Option<Motion>) {
         match self {
@@ -67,7 +67,7 @@ impl Motions {
     }
 }
 
-/// The options of `toytop sweep` that say which motions.
+/// Options of `toytop sweep` that select the motions.
 impl fmt::Display for Motions {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

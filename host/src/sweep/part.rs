@@ -1,4 +1,5 @@
-//! The file of a sweep, or of a shard of it: only ever appended to, so that what is there stays good whatever happens.
+//! File of a sweep, or of a shard of it. Rows are only appended, so that the existing rows remain valid if the program
+//! is killed.
 
 use super::Rows;
 use super::sealed::unsealed;
@@ -8,7 +9,8 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufRead, BufReader, ErrorKind, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-/// The rows of shard `shard` of `of` (from 1): every `of`-th row of the sweep, so that shards take equally long.
+/// File with the rows of shard `shard` of `of` (from 1): every `of`-th row of the sweep, so that shards take equal
+/// times.
 #[derive(Debug)]
 pub struct Part {
     path: PathBuf,
@@ -22,8 +24,9 @@ pub struct Part {
 }
 
 impl Part {
-    /// Begins a file, or goes on with one (`resume`): a line that was cut off goes, every row has to fit its checksum, and the
-    /// last one has to be what the sweep gives for it. The file is locked until this is dropped.
+    /// Creates a file, or with `resume` continues one: an incomplete last line is removed, every row must match its
+    /// checksum, and the last one must equal the row that the sweep computes. The file is locked until the part is
+    /// dropped.
     ///
     /// # Errors
     /// [`Failure::Input`]: the file exists and is not to be resumed, is no regular file, is locked by another process, belongs to
@@ -41,7 +44,7 @@ impl Part {
             options.create_new(true);
         }
         let file = options.open(path).map_err(|error| match error.kind() {
-            std::io::ErrorKind::AlreadyExists => wrong("exists; --resume goes on with it"),
+            std::io::ErrorKind::AlreadyExists => wrong("exists; --resume continues it"),
             _ => of_system(error),
         })?;
         lock(&file).map_err(|error| match error {
@@ -60,7 +63,7 @@ impl Part {
             if lines > 0 { first == header.as_bytes() } else { header.as_bytes().starts_with(&rest) };
         if let Some(line) = broken.filter(|_| same_header) {
             return Err(wrong(&format!(
-                "line {line}: is not what its checksum says: it was changed; nothing was changed now"
+                "line {line}: does not match its checksum, because it was changed; the file is left as it is"
             )));
         }
         let same_row = done == 0 || (done <= len && last == rows.row(part.index(done - 1)).as_bytes());
@@ -105,16 +108,16 @@ impl Part {
         self.len
     }
 
-    /// Whether there are none.
+    /// Whether the part has no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }
 
-    /// Appends a block of rows: with the system when this returns.
+    /// Appends a block of rows. The operating system has them when the function returns.
     ///
     /// # Errors
-    /// It cannot be written; what was there before stays good.
+    /// The block cannot be written; the existing rows remain valid.
     pub fn append(&mut self, block: &str, rows: u64) -> Result<(), Failure> {
         let written = self.file.write_all(block.as_bytes());
         written.map_err(|error| refused("--output", &self.path, error))?;
@@ -123,7 +126,7 @@ impl Part {
     }
 }
 
-/// Refuses a path that leads to a pipe, a device or a folder: reading one could wait for ever.
+/// Refuses the path of a pipe, a device or a folder, from which a read could wait without end.
 ///
 /// # Errors
 /// [`Failure::Input`].
@@ -152,7 +155,7 @@ struct Whole {
     last: Vec<u8>,
     /// Bytes after the last line break.
     rest: Vec<u8>,
-    /// Number of the first row that its checksum does not fit.
+    /// Number of the first row that does not match its checksum.
     broken: Option<u64>,
 }
 

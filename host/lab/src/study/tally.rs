@@ -100,9 +100,9 @@ impl Side {
         self.near.add(near);
         self.far.add(far);
         self.rates.add(rates);
-        let worse = if far.of_bound() > near.of_bound() { far } else { near };
-        self.violated += u64::from(worse.of_bound() > 1.0 || rates.of_bound() > 1.0);
-        self.keep(Case { worst: *worse, segments: *segments, trial: *trial });
+        let closer = if far.of_bound() > near.of_bound() { far } else { near };
+        self.violated += u64::from(closer.of_bound() > 1.0 || rates.of_bound() > 1.0);
+        self.keep(Case { worst: *closer, segments: *segments, trial: *trial });
     }
 
     fn keep(&mut self, case: Case) {
