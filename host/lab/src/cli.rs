@@ -48,7 +48,7 @@ pub struct OverflowArgs {
     /// Number of ticks of each motion, in 32 and in 16 bits
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub ticks: u32,
-    /// Another seed, other motions
+    /// Seed of the random motions
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
 }
@@ -59,7 +59,7 @@ pub struct StudyArgs {
     /// Number of motions of each seed [default: 100000; with --corners 1000000; with --fit 10000]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     pub motions: Option<u64>,
-    /// Another seed, other motions
+    /// Seed of the random motions
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
     /// Number of consecutive seeds from this one, each with a row of its own

@@ -66,7 +66,7 @@ const CORPUS_END: &str = "<!-- budget: end of corpus -->";
 
 /// Page with the table of the 200 launches; `None` if the page has no markers for it.
 #[must_use]
-pub fn with_corpus(page: &str, costs: &[CorpusCost]) -> Option<String> {
+pub(crate) fn with_corpus(page: &str, costs: &[CorpusCost]) -> Option<String> {
     let (before, rest) = page.split_once(CORPUS_BEGIN)?;
     let (_, after) = rest.split_once(CORPUS_END)?;
     let mut text = "\

@@ -59,7 +59,12 @@ pub fn metadata(rows: &Rows, [shard, of]: [u64; 2]) -> Vec<KeyValue> {
 ///
 /// # Errors
 /// [`Failure::Input`]: the file is not one of this sweep, or must not be resumed.
-pub fn rows_there(path: &Path, rows: &Rows, shard: [u64; 2], resume: bool) -> Result<Option<u64>, Failure> {
+pub(crate) fn rows_there(
+    path: &Path,
+    rows: &Rows,
+    shard: [u64; 2],
+    resume: bool,
+) -> Result<Option<u64>, Failure> {
     let wrong = |reason: &str| Failure::Input(format!("--output: {}: {reason}", path.display()));
     super::part::must_be_regular(path)?;
     let Ok(file) = File::open(path) else { return Ok(None) };

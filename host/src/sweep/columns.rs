@@ -17,7 +17,7 @@ const WITHIN: f64 = 1e-13;
 /// Quantity of a motion, which is one column, or one or more columns for each tick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 #[value(rename_all = "snake_case")]
-pub enum Column {
+pub(crate) enum Column {
     /// Kind of motion; refused where no motion has these numbers, such as e1 > e2
     Regime,
     /// Class of the curve that the tip draws
@@ -63,7 +63,7 @@ pub enum Column {
 }
 
 /// Columns without the option.
-pub const DEFAULT_COLUMNS: &str = "regime,tip_class,period,phi_per_period,min_normal_force";
+pub(crate) const DEFAULT_COLUMNS: &str = "regime,tip_class,period,phi_per_period,min_normal_force";
 
 impl Column {
     /// Names in the header.
@@ -111,7 +111,7 @@ impl Column {
 
 /// Table of a sweep: a header, and a row for every motion.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Rows {
+pub(crate) struct Rows {
     /// Motions of the sweep.
     pub motions: Motions,
     /// Columns of each motion.
@@ -128,7 +128,7 @@ pub(super) const KEYS: &str = "index,motions,version,seed";
 impl Rows {
     /// Names of the columns, with a line break.
     #[must_use]
-    pub fn header(&self) -> String {
+    pub(crate) fn header(&self) -> String {
         let names = self.columns.iter().flat_map(|column| column.header(self.ticks));
         names.fold(format!("{KEYS},{}", self.motions.keys()), |line, name| line + "," + &name)
             + &format!(",{CHECKSUM}\n")
@@ -137,7 +137,7 @@ impl Rows {
     /// Row with this index, with a line break. A number has the shortest decimal that reads back the same `f64`; no
     /// field needs quotes.
     #[must_use]
-    pub fn row(&self, number: u64) -> String {
+    pub(crate) fn row(&self, number: u64) -> String {
         let (fields, motion) = self.motions.at(number);
         let seed = self.motions.seed().map(|seed| seed.to_string()).unwrap_or_default();
         let (motions, version) = (self.motions.len(), env!("CARGO_PKG_VERSION"));

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 /// Choice of a heat map: the key along x, the key along y, and the column shown.
 #[derive(Clone, Debug, PartialEq)]
-pub struct HeatMap {
+pub(crate) struct HeatMap {
     names: [String; 3],
     axes: [Axis; 2],
 }
@@ -26,7 +26,7 @@ impl HeatMap {
     ///
     /// # Errors
     /// [`Failure::Input`]: there is no such key or column, or one of the keys has no grid of even steps.
-    pub fn new(text: &str, motions: &Motions, columns: &str) -> Result<Self, Failure> {
+    pub(crate) fn new(text: &str, motions: &Motions, columns: &str) -> Result<Self, Failure> {
         let refuse = |reason: &str| Failure::Input(format!("--plot: {text}: {reason}"));
         let Motions::Scenario(launches) = motions else {
             return Err(refuse("needs a SCENARIO whose keys vary"));
@@ -49,7 +49,7 @@ impl HeatMap {
     ///
     /// # Errors
     /// [`Failure::Input`]: the column contains no numbers.
-    pub fn draw(&self, csv: &str) -> Result<Picture, Failure> {
+    pub(crate) fn draw(&self, csv: &str) -> Result<Picture, Failure> {
         let [x_name, y_name, column] = &self.names;
         let refuse = |reason: &str| Failure::Input(format!("--plot: {column}: {reason}"));
         let mut reader = csv::Reader::from_reader(csv.as_bytes());

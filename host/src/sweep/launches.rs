@@ -9,7 +9,7 @@ use toytop::Motion;
 
 /// Scenario with the numbers that vary, each over an axis in the unit of its key.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Launches {
+pub(crate) struct Launches {
     template: Template,
     axes: Vec<(Key, Axis)>,
     /// Number of motions to draw, and the seed; `None` for the grid of all combinations.
@@ -22,7 +22,7 @@ impl Launches {
     /// # Errors
     /// [`Failure::Input`]: no axis, a key that the scenario does not have or that is given twice, a range in a grid, or
     /// a scenario whose first motion is refused for a key that does not vary.
-    pub fn new(
+    pub(crate) fn new(
         template: Template,
         axes: &[(String, Axis)],
         sample: Option<(u64, u64)>,

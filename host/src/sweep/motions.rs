@@ -6,7 +6,7 @@ use toytop::Motion;
 
 /// Motions of a sweep.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Motions {
+pub(crate) enum Motions {
     /// Motions of the paper's constants, without units.
     BranchPoints(Space),
     /// Motions of a scenario, some of whose numbers vary.
@@ -16,22 +16,16 @@ pub enum Motions {
 impl Motions {
     /// Number of motions.
     #[must_use]
-    pub fn len(&self) -> u64 {
+    pub(crate) fn len(&self) -> u64 {
         match self {
             Self::BranchPoints(space) => space.len(),
             Self::Scenario(launches) => launches.len(),
         }
     }
 
-    /// Whether the sweep has no motion.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
     /// Seed of a random sample.
     #[must_use]
-    pub fn seed(&self) -> Option<u64> {
+    pub(crate) fn seed(&self) -> Option<u64> {
         let sample = match self {
             Self::BranchPoints(space) => space.sample,
             Self::Scenario(launches) => launches.sample,
@@ -41,7 +35,7 @@ impl Motions {
 
     /// Names of the columns with the numbers that vary.
     #[must_use]
-    pub fn keys(&self) -> String {
+    pub(crate) fn keys(&self) -> String {
         match self {
             Self::BranchPoints(_) => "e1,e2,e3,a_over_ps,c_over_a,sign_l_plus_n,sign_l_minus_n".to_owned(),
             Self::Scenario(launches) => launches.keys().collect::<Vec<_>>().join(","),
@@ -50,7 +44,7 @@ impl Motions {
 
     /// Fields of these columns, and the motion; `None` where no motion has these numbers.
     #[must_use]
-    pub fn at(&self, number: u64) -> (String, Option<Motion>) {
+    pub(crate) fn at(&self, number: u64) -> (String, Option<Motion>) {
         match self {
             Self::BranchPoints(space) => {
                 let place = space.place(number);

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 /// File with the rows of shard `shard` of `of` (from 1): every `of`-th row of the sweep, so that shards take equal
 /// times.
 #[derive(Debug)]
-pub struct Part {
+pub(crate) struct Part {
     path: PathBuf,
     file: File,
     shard: u64,
@@ -31,7 +31,12 @@ impl Part {
     /// # Errors
     /// [`Failure::Input`]: the file exists and is not to be resumed, is no regular file, is locked by another process, belongs to
     /// another sweep, or cannot be written.
-    pub fn open(path: &Path, rows: &Rows, [shard, of]: [u64; 2], resume: bool) -> Result<Self, Failure> {
+    pub(crate) fn open(
+        path: &Path,
+        rows: &Rows,
+        [shard, of]: [u64; 2],
+        resume: bool,
+    ) -> Result<Self, Failure> {
         let wrong = |reason: &str| Failure::Input(format!("--output: {}: {reason}", path.display()));
         let of_system = |error: std::io::Error| refused("--output", path, error);
         must_be_regular(path)?;
@@ -80,45 +85,39 @@ impl Part {
 
     /// Number of rows of a shard.
     #[must_use]
-    pub fn rows_of(rows: &Rows, [shard, of]: [u64; 2]) -> u64 {
+    pub(crate) fn rows_of(rows: &Rows, [shard, of]: [u64; 2]) -> u64 {
         (rows.motions.len() + of - shard) / of
     }
 
     /// Number, in the whole sweep, of a row of a shard.
     #[must_use]
-    pub fn index_in(row: u64, [shard, of]: [u64; 2]) -> u64 {
+    pub(crate) fn index_in(row: u64, [shard, of]: [u64; 2]) -> u64 {
         row * of + shard - 1
     }
 
     /// Number, in the whole sweep, of a row of this part.
     #[must_use]
-    pub fn index(&self, row: u64) -> u64 {
+    pub(crate) fn index(&self, row: u64) -> u64 {
         Self::index_in(row, [self.shard, self.of])
     }
 
     /// Rows there already.
     #[must_use]
-    pub fn done(&self) -> u64 {
+    pub(crate) fn done(&self) -> u64 {
         self.done
     }
 
     /// Rows there will be.
     #[must_use]
-    pub fn len(&self) -> u64 {
+    pub(crate) fn len(&self) -> u64 {
         self.len
-    }
-
-    /// Whether the part has no rows.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len == 0
     }
 
     /// Appends a block of rows. The operating system has them when the function returns.
     ///
     /// # Errors
     /// The block cannot be written; the existing rows remain valid.
-    pub fn append(&mut self, block: &str, rows: u64) -> Result<(), Failure> {
+    pub(crate) fn append(&mut self, block: &str, rows: u64) -> Result<(), Failure> {
         let written = self.file.write_all(block.as_bytes());
         written.map_err(|error| refused("--output", &self.path, error))?;
         self.done += rows;

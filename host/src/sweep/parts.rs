@@ -78,7 +78,7 @@ impl Part {
 
 /// Numbers of rows of a file and of its sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Found {
+pub(crate) struct Found {
     /// Rows of the file.
     pub rows: u64,
     /// Rows of the whole sweep.
@@ -90,7 +90,7 @@ pub struct Found {
 ///
 /// # Errors
 /// [`Failure::Input`]: the reason, with the line.
-pub fn verify(path: &Path) -> Result<Found, Failure> {
+pub(crate) fn verify(path: &Path) -> Result<Found, Failure> {
     let mut part = Part::open(path)?;
     let (mut first, mut step, mut rows) = (None, None, 0);
     while let Some(Row { index, motions, made_by, .. }) = part.row()? {
@@ -121,7 +121,7 @@ pub fn verify(path: &Path) -> Result<Found, Failure> {
 ///
 /// # Errors
 /// [`Failure::Input`]: the reason; then nothing is written.
-pub fn join(paths: &[PathBuf], output: &Path) -> Result<Found, Failure> {
+pub(crate) fn join(paths: &[PathBuf], output: &Path) -> Result<Found, Failure> {
     let mut parts = paths.iter().map(|path| Part::open(path)).collect::<Result<Vec<_>, _>>()?;
     let header = parts.first().map(|part| part.header.clone()).unwrap_or_default();
     let mut failure = None;

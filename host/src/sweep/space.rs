@@ -8,7 +8,7 @@ use toytop::{Motion, ParameterError, Sign, Signs, Start, Top, TopParameters};
 
 /// Signs of l + n and l - n. The two other pairs are mirror images.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum SignChoice {
+pub(crate) enum SignChoice {
     /// l + n > 0, l - n > 0
     Same,
     /// l + n > 0 > l - n
@@ -19,18 +19,18 @@ pub enum SignChoice {
 
 /// Axes, signs and sample that determine all motions of a sweep.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Space {
+pub(crate) struct Space {
     /// e₁, e₂, e₃, A/(ps) and C/A.
-    pub axes: [Axis; 5],
+    pub(crate) axes: [Axis; 5],
     /// Signs of l + n and l - n.
-    pub signs: SignChoice,
+    pub(crate) signs: SignChoice,
     /// Number of motions to draw, and the seed; `None` for the grid of all combinations.
-    pub sample: Option<(u64, u64)>,
+    pub(crate) sample: Option<(u64, u64)>,
 }
 
 /// Numbers of one motion of a sweep, in units with p = s = g = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub(crate) struct Place {
     /// Branch points.
     pub e: [f64; 3],
     /// A/(ps).
@@ -76,7 +76,7 @@ impl Space {
     ///
     /// # Errors
     /// [`Failure::Input`]: numbers out of their limits, a range in a grid, or too few pairs with e₁ <= e₂.
-    pub fn check(&self) -> Result<(), Failure> {
+    pub(crate) fn check(&self) -> Result<(), Failure> {
         for (axis, (name, [low, high])) in self.axes.iter().zip(LIMITS) {
             let [least, greatest] = axis.ends();
             if least < low || greatest > high {
@@ -107,20 +107,14 @@ impl Space {
 
     /// Number of motions.
     #[must_use]
-    pub fn len(&self) -> u64 {
+    pub(crate) fn len(&self) -> u64 {
         self.sample.map_or_else(|| self.sizes().iter().product(), |(motions, _)| motions)
-    }
-
-    /// Whether the sweep has no motion.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// Numbers of the motion with this index. In a grid C/A changes fastest, then the other axes from the last to e₁,
     /// and the signs slowest.
     #[must_use]
-    pub fn place(&self, number: u64) -> Place {
+    pub(crate) fn place(&self, number: u64) -> Place {
         let Some((_, seed)) = self.sample else { return self.on_the_grid(number) };
         let mut random = Random::new(seed, number);
         let mut pair = self.draw_pair(&mut random);
@@ -186,7 +180,7 @@ impl Place {
     ///
     /// # Errors
     /// `e2`: e₁ > e₂, which occurs in a grid.
-    pub fn motion(&self) -> Result<Motion, ParameterError> {
+    pub(crate) fn motion(&self) -> Result<Motion, ParameterError> {
         let top = Top::sliding(&TopParameters {
             transverse_inertia: self.a,
             axial_inertia: self.c_over_a * self.a,

@@ -134,7 +134,7 @@ fn every_kind_names_its_axes() {
         (
             "toy_top",
             &["--kind", "potential"],
-            &["effective potential less the energy h, mJ", "turning points"],
+            &["effective potential minus the energy h, mJ", "turning points"],
         ),
         ("sleeping", &["--kind", "potential"], &["tilt, degrees", "effective potential"]),
     ];

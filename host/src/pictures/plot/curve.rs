@@ -36,7 +36,7 @@ const PERIODS: [f64; 2] = [3.0, 24.0];
 
 impl Curve {
     /// Curve over the number of nutation periods in which the tip goes round the centre once, within the limits of
-    /// [`PERIODS`]; over one turn where u is constant; until the tip reaches the centre where the motion is aperiodic.
+    /// `PERIODS`; over one turn where u is constant; until the tip reaches the centre where the motion is aperiodic.
     ///
     /// # Errors
     /// [`Failure::Method`]: no table fits, even in f32, which is enough for a picture.
