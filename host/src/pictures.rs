@@ -11,16 +11,16 @@
 //! | [`view`] | page for a browser |
 
 #[cfg(feature = "program")]
-pub mod animation;
+pub(crate) mod animation;
 #[cfg(feature = "program")]
-pub mod camera;
+mod camera;
 #[cfg(feature = "program")]
-pub mod charts;
+pub(crate) mod charts;
 #[cfg(feature = "program")]
 pub mod figures;
 pub mod plot;
 #[cfg(feature = "program")]
-pub mod span;
+pub(crate) mod span;
 #[cfg(feature = "program")]
-pub mod sphere;
+pub(crate) mod sphere;
 pub mod view;

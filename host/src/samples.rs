@@ -11,12 +11,12 @@
 
 pub mod angles;
 #[cfg(feature = "program")]
-pub mod column;
+pub(crate) mod column;
 #[cfg(feature = "program")]
-pub mod npy;
+pub(crate) mod npy;
 #[cfg(feature = "parquet")]
-pub mod parquet;
+pub(crate) mod parquet;
 #[cfg(feature = "program")]
-pub mod sheet;
+pub(crate) mod sheet;
 #[cfg(feature = "program")]
-pub mod stream;
+pub(crate) mod stream;

@@ -9,12 +9,12 @@
 //! | [`order`] | order of convergence of several step sizes |
 //! | [`picture`] | error against work |
 
-pub mod drift;
+pub(crate) mod drift;
 pub mod judge;
 pub mod order;
-pub mod phases;
+mod phases;
 #[cfg(feature = "program")]
-pub mod picture;
+pub(crate) mod picture;
 pub mod trajectory;
 
 use toytop::Orientation;

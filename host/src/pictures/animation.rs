@@ -19,9 +19,9 @@ const AXIS: f64 = 1.45;
 const PATH: u64 = 1500;
 
 /// Frames of a motion over a span of time.
-pub struct Film<'a> {
+pub(crate) struct Film<'a> {
     scenario: &'a Scenario,
-    span: &'a Span<'a>,
+    span: &'a Span,
     frames: u64,
     camera: Camera,
     /// Width and height of a frame, pixels.
@@ -33,7 +33,7 @@ pub struct Film<'a> {
 impl<'a> Film<'a> {
     /// Film of this many frames, evenly spread over the span, each `size` pixels wide and high.
     #[must_use]
-    pub fn new(scenario: &'a Scenario, span: &'a Span<'a>, frames: u64, size: u32) -> Self {
+    pub(crate) fn new(scenario: &'a Scenario, span: &'a Span, frames: u64, size: u32) -> Self {
         let camera = Camera::new(-1.05, 0.38, [0.5 * SIDE, 0.72 * SIDE], 0.27 * SIDE);
         let mut film = Self { scenario, span, frames, camera, size, path: Vec::new() };
         film.path = span.times(PATH).map(|t| film.traced(t)).collect();
@@ -42,7 +42,7 @@ impl<'a> Film<'a> {
 
     /// Number of frames.
     #[must_use]
-    pub fn frames(&self) -> u64 {
+    pub(crate) fn frames(&self) -> u64 {
         self.frames
     }
 
@@ -65,7 +65,7 @@ impl<'a> Film<'a> {
 
     /// Picture of one frame.
     #[must_use]
-    pub fn scene(&self, frame: u64) -> Scene {
+    pub(crate) fn scene(&self, frame: u64) -> Scene {
         let t = self.span.times(self.frames).nth(frame as usize).unwrap_or_default();
         let phi = self.span.at(t).orientation();
         let [tip, end] = self.ends(t);
@@ -112,7 +112,7 @@ impl<'a> Film<'a> {
     ///
     /// # Errors
     /// The frame cannot be encoded.
-    pub fn png(&self, frame: u64) -> io::Result<Vec<u8>> {
+    pub(crate) fn png(&self, frame: u64) -> io::Result<Vec<u8>> {
         let scale = f64::from(self.size) / SIDE;
         RasterBackend::new()
             .with_scale(scale as f32)
@@ -125,7 +125,7 @@ impl<'a> Film<'a> {
     ///
     /// # Errors
     /// The errors of the writer.
-    pub fn gif(&self, delay: u16, out: impl Write, mut done: impl FnMut()) -> io::Result<()> {
+    pub(crate) fn gif(&self, delay: u16, out: impl Write, mut done: impl FnMut()) -> io::Result<()> {
         let side = u16::try_from(self.size).map_err(io::Error::other)?;
         let mut encoder = gif::Encoder::new(out, side, side, &[]).map_err(io::Error::other)?;
         encoder.set_repeat(gif::Repeat::Infinite).map_err(io::Error::other)?;

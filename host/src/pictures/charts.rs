@@ -20,7 +20,7 @@ fn curve(name: &str, points: Vec<[f64; 2]>) -> Curve {
 
 /// Tilt between its bounds, against time.
 #[must_use]
-pub fn tilt(scenario: &Scenario, span: &Span<'_>) -> Scene {
+pub(crate) fn tilt(scenario: &Scenario, span: &Span) -> Scene {
     let degrees = |t: f64| {
         let phi = span.at(t).orientation();
         [t, crate::samples::angles::tilt_azimuth_roll(&phi)[0].to_degrees()]
@@ -52,7 +52,7 @@ fn bounds(motion: &Motion) -> Vec<(&'static str, f64)> {
 ///
 /// # Errors
 /// [`Failure::Method`]: the axis is vertical at all times.
-pub fn precession(scenario: &Scenario, span: &Span<'_>) -> Result<Scene, Failure> {
+pub(crate) fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Failure> {
     // the axis leans away from the tip
     let start = span.at(0.0).phi.ok_or_else(|| {
         Failure::Method("the axis is vertical at all times, so that it has no azimuth".to_owned())
@@ -80,7 +80,7 @@ pub fn precession(scenario: &Scenario, span: &Span<'_>) -> Result<Scene, Failure
 ///
 /// V = (l - n u)²/(2A (1 - u²)) + C ⟨ω, r⟩²/2 + p g u, with u the cosine of the tilt.
 #[must_use]
-pub fn potential(scenario: &Scenario) -> Scene {
+pub(crate) fn potential(scenario: &Scenario) -> Scene {
     let (motion, h) = (&scenario.motion, scenario.motion.first_integrals().h);
     let e = motion.branch_points();
     let [least, greatest] = if motion.regime().is_vertical() {
