@@ -3,10 +3,10 @@
 //! | module | contents |
 //! |---|---|
 //! | [`plot`] | curve of the tip |
-//! | [`span`] | motion over a span of time |
-//! | [`charts`] | tilt and precession against time, potential |
-//! | [`animation`] | animation of the top, frame by frame |
-//! | [`camera`], [`sphere`] | projection of space; the axis on its sphere |
+//! | `span` | motion over a span of time |
+//! | `charts` | tilt and precession against time, potential |
+//! | `animation` | animation of the top, frame by frame |
+//! | `camera`, `sphere` | projection of space; the axis on its sphere |
 //! | [`figures`] | figures of the paper, and charts |
 //! | [`view`] | page for a browser |
 

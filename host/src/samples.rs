@@ -2,12 +2,12 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`mod@column`] | quantities of a sample |
+//! | `column` | quantities of a sample |
 //! | [`angles`] | Euler angles of an orientation |
-//! | [`sheet`] | rows as CSV, JSON or an aligned table |
-//! | [`npy`] | rows as a NumPy array |
+//! | `sheet` | rows as CSV, JSON or an aligned table |
+//! | `npy` | rows as a NumPy array |
 //! | `parquet` | rows as Parquet (with the feature) |
-//! | [`stream`] | blocks of rows, computed on all cores and written in order |
+//! | `stream` | blocks of rows, computed on all cores and written in order |
 
 pub mod angles;
 #[cfg(feature = "program")]

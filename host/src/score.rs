@@ -4,10 +4,10 @@
 //! |---|---|
 //! | [`trajectory`] | times and orientations from a file |
 //! | [`judge`] | errors of a trajectory |
-//! | [`phases`] | phase errors of nutation, precession and spin |
-//! | [`drift`] | drift of l, n and h |
+//! | `phases` | phase errors of nutation, precession and spin |
+//! | `drift` | drift of l, n and h |
 //! | [`order`] | order of convergence of several step sizes |
-//! | [`picture`] | error against work |
+//! | `picture` | error against work |
 
 pub(crate) mod drift;
 pub mod judge;
