@@ -5,7 +5,7 @@
 
 pub(crate) mod axis;
 #[cfg(feature = "parquet")]
-pub mod columnar;
+pub(crate) mod columnar;
 mod columns;
 mod heat_map;
 mod launches;

@@ -38,13 +38,13 @@ fn physical_type(name: &str) -> &'static str {
 
 /// Metadata of a file of joined shards: the version only.
 #[must_use]
-pub fn version() -> Vec<KeyValue> {
+pub(crate) fn version() -> Vec<KeyValue> {
     vec![KeyValue::new("toytop.version".to_owned(), env!("CARGO_PKG_VERSION").to_owned())]
 }
 
 /// Metadata of a file: the version, and the options of the command that writes it.
 #[must_use]
-pub fn metadata(rows: &Rows, [shard, of]: [u64; 2]) -> Vec<KeyValue> {
+pub(crate) fn metadata(rows: &Rows, [shard, of]: [u64; 2]) -> Vec<KeyValue> {
     let seed = rows.motions.seed().map(|seed| seed.to_string());
     let entries = [
         ("toytop.version", Some(env!("CARGO_PKG_VERSION").to_owned())),
@@ -85,7 +85,7 @@ pub(crate) fn rows_there(
 ///
 /// # Errors
 /// One of the two files cannot be read or written; no incomplete file remains.
-pub fn write(csv: &Path, path: &Path, metadata: Vec<KeyValue>, len: u64) -> Result<(), Failure> {
+pub(crate) fn write(csv: &Path, path: &Path, metadata: Vec<KeyValue>, len: u64) -> Result<(), Failure> {
     let mut progress = Progress::new(len, "rows written as Parquet");
     write_by("--output", path, |file| {
         transcribe(csv, file, metadata, &mut progress).map_err(of_system)?;
