@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
         ..TopParameters::default()
     })?;
 
-    // Before the throw, at rest in the hand: an accelerometer reads the reaction to gravity, which points up.
+    // Before the release the top is held at rest: an accelerometer reads the reaction to gravity, which points up.
     let orientation = levelled([1.96, 0.98, 9.56]);
     // At the release: the gyroscope, rad/s in the body frame. Its third component is the spin ω·r.
     let gyro = [0.4, -0.2, 150.0];

@@ -1,6 +1,6 @@
 //! Launch of a top, and its orientation at the ticks of an interrupt.
 //!
-//! Set-up runs once a throw and may refuse its input; what an interrupt calls cannot fail.
+//! Set-up runs once per launch and may refuse its input; what an interrupt calls cannot fail.
 
 use toytop::{EphemerisF32, Motion, Release, State, Tick, Top, TopParameters};
 

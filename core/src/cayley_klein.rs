@@ -15,8 +15,8 @@ pub(crate) struct Brackets<R> {
     pub(crate) beta: Bracket<R>,
 }
 
-/// Bracket x cos χ + i y sin χ of a Cayley-Klein parameter: the parameter divided by e^{i slow phase}. It runs
-/// through an ellipse.
+/// Bracket x cos χ + i y sin χ of a Cayley-Klein parameter: the parameter divided by e^{i slow phase}. Its values form
+/// an ellipse in the complex plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bracket<R> {
     x: R,

@@ -79,4 +79,5 @@ pub use storage::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisStorage, Ephem
 pub use storage::{EphemerisQ15, EphemerisQ31};
 pub use table::TableTooSmall;
 pub use tick::Tick;
+pub(crate) use turning_point::AT_THE_POINT;
 pub use turning_point::TurningPoint;

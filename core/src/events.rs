@@ -1,9 +1,10 @@
 //! Events: instants at which a motion turns, reaches a tilt, a circle or a tip angle, or lifts off.
 //!
-//! u is a function of the nutation phase alone, and so is everything that depends on u: the tilt, the distance of the tip from
-//! the centre, the normal force. Such an event has one phase while u rises and its mirror image while u falls. A bisection
-//! of the table finds the phase once, and a division turns phases into times. The tip angle has a mean that is linear in
-//! time besides; it is bisected in time, between instants where it can change direction.
+//! u is a function of the nutation phase alone, and so is everything that depends on u: the tilt, the distance of the
+//! tip from the centre, the normal force. Such an event has one phase while u rises and its mirror image while u falls.
+//! A bisection of the table finds the phase once, and a division turns phases into times. The tip angle is the sum of a
+//! periodic part and of a mean that is linear in time. Its bisection is in time, between instants at which it can
+//! change direction.
 //!
 //! All work is bounded: at most 64 evaluations for a phase, and some hundred for a tip angle.
 
@@ -50,7 +51,7 @@ impl Event {
 
     /// Number of ticks from tick 0.
     fn ticks(&self) -> Extended {
-        whole(self.tick) + self.share.into()
+        Extended::normalised(self.tick.into(), 0) + self.share.into()
     }
 }
 
@@ -71,14 +72,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 }
 
-/// A whole number, exact.
-fn whole(n: i64) -> Extended {
-    let leading = n as f64;
-    Extended::sum(leading, i128::from(n).wrapping_sub(leading as i128) as f64)
-}
-
-/// Least number above `low` for which a condition holds that holds at `high` and, once it holds, above. Cost: the condition
-/// 64 times at most.
+/// Least number above `low` for which a condition holds. The condition holds at `high`, and if it holds for a number,
+/// it holds for every larger one. Cost: at most 64 evaluations of the condition.
 fn first_that(mut low: u64, mut high: u64, holds: impl Fn(u64) -> bool) -> u64 {
     for _ in 0..u64::BITS {
         let middle = low + (high - low) / 2;

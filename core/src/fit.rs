@@ -1,8 +1,9 @@
 //! Fit: the launch of a top from measurements, with its covariance.
 //!
-//! A pass takes one measurement after another and forgets it; what it leaves is a triangle of information
-//! (`triangle`). After a pass the launch is corrected by the method of Levenberg and Marquardt, and the next pass
-//! begins. The derivation of the derivatives is in `docs/partials.md`.
+//! A pass reads one measurement after another and
+//! stores none of them; its result is a triangular matrix (`triangle`). After a pass the launch is corrected by the
+//! method of Levenberg and Marquardt, and the next pass begins. The derivation of the derivatives is in
+//! `docs/partials.md`.
 
 // In the order of dependence.
 mod triangle;

@@ -21,7 +21,11 @@ mod turning;
 
 mod recurrence;
 
+mod rate;
+
 pub(crate) mod series;
+
+mod coefficients;
 
 mod expand;
 

@@ -1,4 +1,4 @@
-//! Motion: regime, constants and start of one throw, independent of time.
+//! Motion: regime, constants and start of one launch, independent of time.
 
 pub(crate) mod start;
 
@@ -16,7 +16,7 @@ use crate::phase::{Phase, TurnRate};
 use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::top::{Quantities, Support, Top};
 
-/// Motion of one throw: regime, constants and state at t = 0. It is immutable; any number of steppers and ephemerides
+/// Motion of one launch: regime, constants and state at t = 0. It is immutable; any number of steppers and ephemerides
 /// can be made from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
@@ -70,8 +70,8 @@ impl Motion {
         self.integrals.as_given(&self.top)
     }
 
-    /// Axial rate ⟨ω, r⟩ of the body, rad per unit time. Without a rotor it is the quotient of the rounded n and C, so that
-    /// the rates from a table have the same bits as before there were rotors.
+    /// Axial rate ⟨ω, r⟩ of the body, rad per unit time. Without a rotor it is the quotient of the rounded n and C, on
+    /// which the bits of the rates from a table depend.
     pub(crate) fn axial_rate(&self) -> f64 {
         let (FirstIntegrals { n, spin, .. }, c) = (self.first_integrals(), self.top.axial_inertia());
         if self.top.rotor_momentum() == 0.0 && c > 0.0 { n / c } else { spin }

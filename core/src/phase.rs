@@ -54,6 +54,11 @@ impl Phase {
         Self(bits)
     }
 
+    /// Phase in [0, 1) turn from the 64 leading bits of its fraction, the inverse of [`Phase::fraction`].
+    pub(crate) fn from_fraction(leading: u64) -> Self {
+        Self(i128::from(leading) << (FRACTION_BITS - 64))
+    }
+
     /// Phase as an integer, in units of 2^-96 turns.
     #[must_use]
     pub const fn to_bits(self) -> i128 {

@@ -1,26 +1,29 @@
 //! Sensitivity: partial derivatives of a motion by its launch and by the ratios of its top, at any time.
 //!
 //! The derivation is in `docs/partials.md`. The derivatives obey linear differential equations with the frequency of
-//! the nutation, which are integrated over at most half a period. Whole periods are added exactly: they change the
-//! derivatives by the same amount each, that of the mean rates.
+//! the nutation, which are integrated over at most half a period. Whole periods are added exactly: each changes the
+//! derivatives by the same amount, which follows from the derivatives of the mean rates.
+
+mod coefficients;
+mod flow;
 
 mod equations;
 mod extrapolation;
 mod growth;
 mod partials;
 
-pub(crate) use equations::sum as total;
-pub(crate) use equations::{Coefficients, Equations, Flow, Tangent};
+pub(crate) use coefficients::Coefficients;
+pub(crate) use equations::Equations;
 pub(crate) use extrapolation::advance;
+pub(crate) use flow::{Flow, Tangent, sum as total};
 pub use partials::Partials;
 pub(crate) use partials::along;
 
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Real};
+use crate::scalar::{Extended, Float};
 use crate::stepper::Stepper;
-use crate::su2::{Vector, dot};
-use crate::top::{Support, Top};
+use crate::su2::dot;
 
 /// Number of columns: derivatives by the rotation vector of Φ at t = 0, by ω at t = 0, and by four ratios.
 pub(crate) const COLUMNS: usize = 10;
@@ -177,59 +180,5 @@ impl Period {
         }
         let rest = Extended::from(t) - self.length * Extended::from(count);
         Some((count as i64, rest.to_f64()))
-    }
-}
-
-/// Vector turned about the vertical.
-fn about_vertical<F: Float>([x, y, z]: Vector<F>, (sine, cosine): (F, F)) -> Vector<F> {
-    [x * cosine - y * sine, x * sine + y * cosine, z]
-}
-
-impl<F: Real> Flow<F, COLUMNS> {
-    /// Turns everything about the vertical.
-    pub(crate) fn turn(&mut self, phase: Phase) {
-        let turn = F::sine_cosine(phase);
-        for vector in [&mut self.axis, &mut self.side, &mut self.across] {
-            *vector = about_vertical(*vector, turn);
-        }
-        for tangent in &mut self.tangents {
-            tangent.theta = about_vertical(tangent.theta, turn);
-            tangent.eta = about_vertical(tangent.eta, turn);
-        }
-    }
-
-    /// Turns the body about its axis.
-    pub(crate) fn roll(&mut self, phase: Phase) {
-        let (sine, cosine) = F::sine_cosine(phase);
-        let across = crate::su2::bracket(self.axis, self.side);
-        self.side = equations::sum(self.side.map(|x| x * cosine), across, sine);
-    }
-}
-
-impl Coefficients<f64> {
-    /// Coefficients of a top.
-    pub(crate) fn of(top: &Top) -> Self {
-        let a = top.transverse_inertia();
-        Self {
-            inertia: top.axial_inertia() / a,
-            moment: if top.support() == Support::Free { 0.0 } else { top.mass_moment() / a },
-            height: top.com_height(),
-            gravity: top.gravity(),
-            rotor: top.rotor_momentum() / a,
-        }
-    }
-
-    /// Derivatives by A/C, A/(ps), s and g; for a fixed tip by A/C, A/p, s and g. A free body depends on A/C only.
-    pub(crate) fn derivatives(&self, support: Support) -> [Self; 4] {
-        let Self { inertia: c, moment: b, height: s, .. } = *self;
-        let none = Self { inertia: 0.0, moment: 0.0, height: 0.0, gravity: 0.0, rotor: 0.0 };
-        let (by_ratio, by_height) = match support {
-            Support::Sliding => {
-                (Self { moment: -b * b * s, ..none }, Self { moment: -b / s, height: 1.0, ..none })
-            }
-            Support::Fixed => (Self { moment: -b * b, ..none }, none),
-            Support::Free => (none, none),
-        };
-        [Self { inertia: -c * c, ..none }, by_ratio, by_height, Self { gravity: 1.0, ..none }]
     }
 }

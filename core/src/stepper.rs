@@ -128,7 +128,7 @@ impl<R: Real> Stepper<R> {
             CurrentNutation::Nutating(chi) => {
                 let change = runge_kutta(dt, |delta| self.nutating_rates(chi + turns(delta)));
                 self.nutation = CurrentNutation::Nutating(chi + turns(change.nutation));
-                self.drift_on(dt, &change);
+                self.advance_slow_phases(dt, &change);
             }
             CurrentNutation::Aperiodic(v) => {
                 let change = runge_kutta(dt, |delta| {
@@ -136,12 +136,12 @@ impl<R: Real> Stepper<R> {
                     self.law.aperiodic_rates(tanh, sech)
                 });
                 self.nutation = CurrentNutation::Aperiodic(v.plus(change.nutation).bounded());
-                self.drift_on(dt, &change);
+                self.advance_slow_phases(dt, &change);
             }
         }
     }
 
-    fn drift_on(&mut self, dt: R, change: &PhaseRates<R>) {
+    fn advance_slow_phases(&mut self, dt: R, change: &PhaseRates<R>) {
         let half_tau = self.half_tau.0.over(dt.to_f64());
         let [alpha, beta] = &mut self.phases;
         *alpha += turns(change.alpha) + half_tau;

@@ -1,4 +1,5 @@
-//! Hands the linker a memory map with room for every table: `MEMORY_X`, if set, or that of the machine that QEMU emulates.
+//! Passes a memory map with space for every table to the linker: `MEMORY_X`, if set, or that of the machine that
+//! QEMU emulates.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};

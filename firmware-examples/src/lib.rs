@@ -7,11 +7,11 @@
 
 pub mod bits;
 pub mod imu;
-mod throw;
+mod top;
 #[path = "tables/toy_top.rs"]
 mod toy_top_table;
 
-pub use throw::toy_top;
+pub use top::toy_top;
 pub use toy_top_table::TOY_TOP;
 
 #[cfg(target_os = "none")]

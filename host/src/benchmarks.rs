@@ -6,11 +6,11 @@
 //! | [`conventions`] | body axes and quantities of a source |
 //! | [`compare`] | errors of printed values |
 
-pub mod compare;
-pub mod conventions;
-pub mod problem;
+pub(crate) mod compare;
+pub(crate) mod conventions;
+pub(crate) mod problem;
 
-pub use problem::{Printed, Problem, Reference};
+pub(crate) use problem::{Printed, Problem, Reference};
 
 use crate::Failure;
 
@@ -31,7 +31,7 @@ const FILES: [(&str, &str, &str, &str); 9] = files! {
 
 /// Names of all problems.
 #[must_use]
-pub fn names() -> Vec<&'static str> {
+pub(crate) fn names() -> Vec<&'static str> {
     FILES.iter().map(|(name, ..)| *name).collect()
 }
 
@@ -39,7 +39,7 @@ pub fn names() -> Vec<&'static str> {
 ///
 /// # Errors
 /// [`Failure::Input`]: there is no problem of this name.
-pub fn scenario(name: &str) -> Result<&'static str, Failure> {
+pub(crate) fn scenario(name: &str) -> Result<&'static str, Failure> {
     let found = FILES.iter().find(|(known, ..)| *known == name);
     found.map(|(_, scenario, ..)| *scenario).ok_or_else(|| unknown(name))
 }
@@ -48,7 +48,7 @@ pub fn scenario(name: &str) -> Result<&'static str, Failure> {
 ///
 /// # Errors
 /// None: a test reads every file.
-pub fn all() -> Result<Vec<Problem>, Failure> {
+pub(crate) fn all() -> Result<Vec<Problem>, Failure> {
     FILES
         .iter()
         .map(|(name, scenario, about, reference)| Problem::read(name, scenario, about, reference))
@@ -59,7 +59,7 @@ pub fn all() -> Result<Vec<Problem>, Failure> {
 ///
 /// # Errors
 /// [`Failure::Input`]: there is no such problem; the message lists the names.
-pub fn named(name: &str) -> Result<Problem, Failure> {
+pub(crate) fn named(name: &str) -> Result<Problem, Failure> {
     match FILES.iter().find(|(known, ..)| *known == name) {
         Some((name, scenario, about, reference)) => Problem::read(name, scenario, about, reference),
         None => Err(unknown(name)),

@@ -16,9 +16,10 @@ mod readme;
 mod trace;
 
 pub use chip::{CHIPS, Chip};
-pub use corpus::{CorpusCost, corpus};
+pub(crate) use corpus::{CorpusCost, corpus};
 pub use image::Image;
 pub use limits::Limits;
 pub use meter::{Cost, measure};
 pub use model::Model;
-pub use readme::{with_corpus, with_front_table, with_table};
+pub(crate) use readme::with_corpus;
+pub use readme::{with_front_table, with_table};

@@ -10,18 +10,19 @@ mod motion;
 mod score;
 
 pub use crate::motion::Scalar;
-pub use benchmark::BenchmarkArgs;
 pub use choice::{Format, Method, ScalarChoice};
-pub use events::{EventsArgs, Kind, What};
-pub use fit::{FitArgs, FreeKey, SimulateArgs};
-pub use many::{Shard, SweepArgs, SweepFiles};
-pub use measure::{AccuracyArgs, BenchArgs, BudgetArgs, CompareArgs, ErrataArgs, FiguresArgs};
-pub use motion::{
-    AnimateArgs, BakeArgs, ConstantsArgs, DEFAULT_STEPS, Language, PlotArgs, PlotKind, SampleFormat,
-    StateArgs, TimesArgs, ViewArgs,
-};
+pub use measure::CompareArgs;
 
-pub use score::ScoreArgs;
+pub(crate) use benchmark::BenchmarkArgs;
+pub(crate) use events::{EventsArgs, Kind, What};
+pub(crate) use fit::{FitArgs, FreeKey, SimulateArgs};
+pub(crate) use many::{SweepArgs, SweepFiles};
+pub(crate) use measure::{AccuracyArgs, BenchArgs, BudgetArgs, ErrataArgs, FiguresArgs};
+pub(crate) use motion::{
+    AnimateArgs, BakeArgs, ConstantsArgs, Language, PlotArgs, PlotKind, SampleFormat, StateArgs, TimesArgs,
+    ViewArgs,
+};
+pub(crate) use score::ScoreArgs;
 
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
@@ -33,15 +34,15 @@ use clap_complete::Shell;
     version,
     help_template = "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\nCommands:\n{subcommands}\n"
 )]
-pub struct Cli {
+pub(crate) struct Cli {
     /// Command to run.
     #[command(subcommand)]
-    pub command: Command,
+    pub(crate) command: Command,
 }
 
 /// Command with its arguments.
 #[derive(Debug, Subcommand)]
-pub enum Command {
+pub(crate) enum Command {
     /// Errors of the core against an integration of the full 3-D equations
     ///
     /// The exit code is 1 if a bound is missed.
@@ -101,7 +102,7 @@ pub enum Command {
     ///
     /// A table in C contains the code that evaluates it.
     #[command(
-        after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static; it does not compile if a bit was changed\n         toytop bake top.toml --lang c --tick 44100/2 -o top.h   C99 or C++11, with the same results to the bit\n         toytop bake top.toml --lang c --split src --name throw   src/throw.h and .c, beside the code that all tables share"
+        after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static; it does not compile if a bit was changed\n         toytop bake top.toml --lang c --tick 44100/2 -o top.h   C99 or C++11, with the same results to the bit\n         toytop bake top.toml --lang c --split src --name toy_1   src/toy_1.h and .c, beside the code that all tables share"
     )]
     Bake(BakeArgs),
     /// Figures 2 and 3 of the paper, u against time and errors against time, as SVG and PNG
@@ -171,9 +172,9 @@ pub enum Command {
 
 /// `toytop completions`
 #[derive(Args, Debug)]
-pub struct CompletionsArgs {
+pub(crate) struct CompletionsArgs {
     /// Shell that the completions are for
-    pub shell: Shell,
+    pub(crate) shell: Shell,
 }
 
 /// Script that completes this program's commands, options and values.

@@ -55,7 +55,7 @@ impl Report {
 ///
 /// # Errors
 /// See [`Failure`].
-pub fn run(command: &Command) -> Result<Report, Failure> {
+pub(crate) fn run(command: &Command) -> Result<Report, Failure> {
     match command {
         Command::Compare(arguments) => compare::run(arguments),
         Command::State(arguments) => state::run(arguments),

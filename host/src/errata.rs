@@ -18,36 +18,36 @@ use crate::full_equations::full_solver::{FullSolverError, FullState, FullTop};
 /// Residuals of the printed and of the corrected formula, without unit.
 pub type Residuals = Result<[f64; 2], FullSolverError>;
 
-/// Error of the paper.
+/// Wrong formula of the paper with its correction.
 #[derive(Clone, Copy, Debug)]
-pub struct Slip {
+pub(crate) struct Erratum {
     /// Place in the paper: a label or a section.
-    pub place: &'static str,
+    pub(crate) place: &'static str,
     /// Quantity that the formula is compared with; a residual is their largest difference.
-    pub against: &'static str,
+    pub(crate) against: &'static str,
     /// Formula as printed.
-    pub printed: &'static str,
+    pub(crate) printed: &'static str,
     /// Corrected formula.
-    pub corrected: &'static str,
+    pub(crate) corrected: &'static str,
     /// Function that computes both residuals.
-    pub residuals: fn() -> Residuals,
+    pub(crate) residuals: fn() -> Residuals,
 }
 
 /// Least residual of a wrong formula. No residual may be between this and [`RIGHT`].
-pub const WRONG: f64 = 1e-2;
+pub(crate) const WRONG: f64 = 1e-2;
 /// Greatest residual of a right formula.
-pub const RIGHT: f64 = 1e-11;
+pub(crate) const RIGHT: f64 = 1e-11;
 
 /// All errors with a formula that can be evaluated, in the order of the paper.
 #[must_use]
-pub fn slips() -> Vec<Slip> {
-    let sections: [&[Slip]; 5] =
-        [&kinematics::SLIPS, &curve::SLIPS, &tip::SLIPS, &e3_equals_e4::SLIPS, &aperiodic::SLIPS];
+pub(crate) fn errata() -> Vec<Erratum> {
+    let sections: [&[Erratum]; 5] =
+        [&kinematics::ERRATA, &curve::ERRATA, &tip::ERRATA, &e3_equals_e4::ERRATA, &aperiodic::ERRATA];
     sections.concat()
 }
 
-/// Largest difference of two lists of numbers.
-fn farthest(x: &[num_complex::Complex64], y: &[num_complex::Complex64]) -> f64 {
+/// Largest difference between two lists of numbers.
+fn greatest_difference(x: &[num_complex::Complex64], y: &[num_complex::Complex64]) -> f64 {
     x.iter().zip(y).map(|(x, y)| (x - y).norm()).fold(0.0, f64::max)
 }
 

@@ -7,13 +7,13 @@
 //! | [`full_equations`] | integration of the full 3-D equations |
 //! | [`truth`] | the paper's integrals to more than thirty digits |
 //! | [`measure`] | errors and times of the core against the truth |
-//! | [`benchmarks`] | catalogue of problems that integrators are tested with |
+//! | `benchmarks` | catalogue of problems that integrators are tested with |
 //! | [`budget`] | cost of a call on an emulated chip |
 //! | [`errata`] | errors of the printed paper, and their corrections, against the full equations |
 //! | [`samples`] | samples of a motion as tables of chosen columns |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
 //! | [`score`] | output of an integrator against the exact motion |
-//! | [`sweep`] | many motions, one row for each |
+//! | `sweep` | many motions, one row for each |
 //! | [`bake`] | ephemeris as Rust, C or JSON |
 //! | [`pictures`] | curve of the tip, figures, page for a browser |
 //! | [`output`] | tables, CSV, JSON, files, progress |
@@ -24,7 +24,7 @@
 
 pub mod bake;
 #[cfg(feature = "program")]
-pub mod benchmarks;
+mod benchmarks;
 #[cfg(feature = "program")]
 pub mod budget;
 #[cfg(feature = "program")]
@@ -49,7 +49,7 @@ pub mod program;
 pub mod samples;
 pub mod score;
 #[cfg(feature = "program")]
-pub mod sweep;
+mod sweep;
 pub mod thread_pool;
 pub mod truth;
 

@@ -1,7 +1,8 @@
 //! Records as CSV and JSON. Numbers have 17 significant digits, from which a reader obtains the same `f64`.
 
 mod base64;
-pub mod digits;
+#[cfg(feature = "program")]
+pub(crate) mod digits;
 pub mod doc_markers;
 #[cfg_attr(not(feature = "program"), path = "output/silent.rs")]
 pub mod progress;

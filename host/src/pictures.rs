@@ -3,24 +3,24 @@
 //! | module | contents |
 //! |---|---|
 //! | [`plot`] | curve of the tip |
-//! | [`span`] | motion over a span of time |
-//! | [`charts`] | tilt and precession against time, potential |
-//! | [`animation`] | the top in motion, frame by frame |
-//! | [`camera`], [`sphere`] | space on paper; the axis on its sphere |
+//! | `span` | motion over a span of time |
+//! | `charts` | tilt and precession against time, potential |
+//! | `animation` | animation of the top, frame by frame |
+//! | `camera`, `sphere` | projection of space; the axis on its sphere |
 //! | [`figures`] | figures of the paper, and charts |
 //! | [`view`] | page for a browser |
 
 #[cfg(feature = "program")]
-pub mod animation;
+pub(crate) mod animation;
 #[cfg(feature = "program")]
-pub mod camera;
+mod camera;
 #[cfg(feature = "program")]
-pub mod charts;
+pub(crate) mod charts;
 #[cfg(feature = "program")]
 pub mod figures;
 pub mod plot;
 #[cfg(feature = "program")]
-pub mod span;
+pub(crate) mod span;
 #[cfg(feature = "program")]
-pub mod sphere;
+pub(crate) mod sphere;
 pub mod view;

@@ -2,21 +2,21 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`mod@column`] | quantities of a sample |
+//! | `column` | quantities of a sample |
 //! | [`angles`] | Euler angles of an orientation |
-//! | [`sheet`] | rows as CSV, JSON or an aligned table |
-//! | [`npy`] | rows as a NumPy array |
+//! | `sheet` | rows as CSV, JSON or an aligned table |
+//! | `npy` | rows as a NumPy array |
 //! | `parquet` | rows as Parquet (with the feature) |
-//! | [`stream`] | blocks of rows, computed on all cores and written in order |
+//! | `stream` | blocks of rows, computed on all cores and written in order |
 
 pub mod angles;
 #[cfg(feature = "program")]
-pub mod column;
+pub(crate) mod column;
 #[cfg(feature = "program")]
-pub mod npy;
+pub(crate) mod npy;
 #[cfg(feature = "parquet")]
-pub mod parquet;
+pub(crate) mod parquet;
 #[cfg(feature = "program")]
-pub mod sheet;
+pub(crate) mod sheet;
 #[cfg(feature = "program")]
-pub mod stream;
+pub(crate) mod stream;

@@ -4,17 +4,17 @@
 //! |---|---|
 //! | [`trajectory`] | times and orientations from a file |
 //! | [`judge`] | errors of a trajectory |
-//! | [`phases`] | phase errors of nutation, precession and spin |
-//! | [`drift`] | drift of l, n and h |
+//! | `phases` | phase errors of nutation, precession and spin |
+//! | `drift` | drift of l, n and h |
 //! | [`order`] | order of convergence of several step sizes |
-//! | [`picture`] | error against work |
+//! | `picture` | error against work |
 
-pub mod drift;
+pub(crate) mod drift;
 pub mod judge;
 pub mod order;
-pub mod phases;
+mod phases;
 #[cfg(feature = "program")]
-pub mod picture;
+pub(crate) mod picture;
 pub mod trajectory;
 
 use toytop::Orientation;

@@ -5,20 +5,20 @@
 
 pub(crate) mod axis;
 #[cfg(feature = "parquet")]
-pub mod columnar;
+pub(crate) mod columnar;
 mod columns;
 mod heat_map;
 mod launches;
 mod motions;
 mod part;
-pub mod parts;
+pub(crate) mod parts;
 mod sealed;
 mod space;
 
-pub use axis::Axis;
-pub use columns::{Column, DEFAULT_COLUMNS, Rows};
-pub use heat_map::HeatMap;
-pub use launches::Launches;
-pub use motions::Motions;
-pub use part::Part;
-pub use space::{Place, SignChoice, Space};
+pub(crate) use axis::Axis;
+pub(crate) use columns::{Column, DEFAULT_COLUMNS, Rows};
+pub(crate) use heat_map::HeatMap;
+pub(crate) use launches::Launches;
+pub(crate) use motions::Motions;
+pub(crate) use part::Part;
+pub(crate) use space::{Place, SignChoice, Space};

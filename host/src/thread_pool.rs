@@ -8,7 +8,7 @@ use std::io;
 use std::sync::Mutex;
 
 /// Stack of a thread, bytes. The largest table has one and a half megabytes, and its set-up is on the stack.
-pub const STACK: usize = 1 << 25;
+pub(crate) const STACK: usize = 1 << 25;
 
 /// Thread pool with a thread for each processor core.
 ///

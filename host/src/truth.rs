@@ -5,7 +5,7 @@
 //! panels, and against vectors of 30 digits), which at tick 2^62 is still below 1e-17 rad; times are exact.
 
 pub mod exact;
-pub mod gauss;
+pub(crate) mod gauss;
 pub mod motions;
 pub mod precise;
 pub mod state_constants;

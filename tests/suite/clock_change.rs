@@ -68,7 +68,7 @@ fn new_ticks_agree<R: EphemerisScalar + Into<f64>>() {
                 rate.constant >= rate_due.constant && rate.constant < rate_due.constant * 1.001,
                 "{name}"
             );
-            // what only the motion tells is not known to the changed table: its tilt, and the speed of its axis
+            // the changed table does not contain the tilt and the speed of the axis, which only the motion has
             let speed =
                 changed.at_tick(0).omega().map(|part| part.to_f64().powi(2)).iter().sum::<f64>().sqrt();
             let most = original.rate_error_bound().per_tick * (ratio + 3.0)

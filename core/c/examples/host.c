@@ -1,4 +1,4 @@
-/* A throw, its orientation at some ticks, and a relaunch after a stroke: on a PC, in C99.
+/* A launch, the orientation at some ticks, and a relaunch after a stroke: on a PC, in C99.
  *
  * Prints bits, which `toytop state` has too: a line for each tick with alpha, beta and tip, and the state after the stroke. */
 #include <inttypes.h>

@@ -1,6 +1,6 @@
 /* toytop: the exact motion of a spinning top, in C99 and C++11 or later. Written by cbindgen; do not edit.
  *
- * No function allocates or keeps anything: all memory is the caller's. A function returns TOYTOP_OK or why it did nothing. Units
+ * No function allocates or keeps anything: all memory is the caller's. A function returns TOYTOP_OK or the reason for a refusal. Units
  * are SI or any consistent ones. The third fixed axis points up, the third body axis from the tip to the centre of mass. Numbers of
  * type int32_t in results are in units of 2^-30. */
 
@@ -10,7 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Bytes of a table of this many segments, from 8 to 4096. */
+/* Size in bytes of a table with the given number of segments, from 8 to 4096. */
 #define TOYTOP_EPHEMERIS_F32_SIZE_OF(segments) (280 + 80 * (size_t)(segments))
 #define TOYTOP_EPHEMERIS_F64_SIZE_OF(segments) (296 + 352 * (size_t)(segments))
 #define TOYTOP_EPHEMERIS_Q31_SIZE_OF(segments) (280 + 64 * (size_t)(segments))
@@ -687,7 +687,7 @@ toytop_status toytop_q31_state(const struct toytop_ephemeris_sample *sample, str
 
 #ifndef TOYTOP_SIZES
 #define TOYTOP_SIZES
-/* The sizes are those of the archive. */
+/* The compiler stops here if a type has another size than in the archive. */
 typedef char toytop_f32_has_its_size[sizeof(toytop_ephemeris_f32) == TOYTOP_EPHEMERIS_F32_SIZE_OF(25) ? 1 : -1];
 typedef char toytop_f64_has_its_size[sizeof(toytop_ephemeris_f64) == TOYTOP_EPHEMERIS_F64_SIZE_OF(48) ? 1 : -1];
 typedef char toytop_q31_has_its_size[sizeof(toytop_ephemeris_q31) == TOYTOP_EPHEMERIS_Q31_SIZE_OF(32) ? 1 : -1];

@@ -1,7 +1,7 @@
 //! Top and state, the input of a launch.
 
 use crate::memory::{read, write};
-use crate::status::{Refusal, answer, toytop_error, toytop_status};
+use crate::status::{Refusal, status_of, toytop_error, toytop_status};
 use toytop::{Complex, Orientation, ParameterError, Release, State, Top, TopParameters};
 
 /// Support of a tip that slides on a horizontal plane without friction: Springborn's toy top.
@@ -117,14 +117,14 @@ pub unsafe extern "C" fn toytop_state_from_release(
     error: *mut toytop_error,
 ) -> toytop_status {
     let result = || -> Result<(), Refusal> {
-        // SAFETY: the caller vouches for the pointers, here and below.
+        // SAFETY: the caller guarantees valid pointers, here and below.
         let toytop_release { tilt, azimuth, roll, spin, precession, nutation } = unsafe { read(release)? };
         let thrown = State::release(&Release { tilt, azimuth, roll, spin, precession, nutation })?;
         // SAFETY: see above.
         unsafe { write(state, toytop_state::of(&thrown)) }
     };
     // SAFETY: see above.
-    unsafe { answer(result(), error) }
+    unsafe { status_of(result(), error) }
 }
 
 /// State from sensors.
@@ -144,14 +144,14 @@ pub unsafe extern "C" fn toytop_state_from_quaternion_and_gyro(
     error: *mut toytop_error,
 ) -> toytop_status {
     let result = || -> Result<(), Refusal> {
-        // SAFETY: the caller vouches for the pointers, here and below.
+        // SAFETY: the caller guarantees valid pointers, here and below.
         let (quaternion, gyro) = unsafe { (read(quaternion.cast())?, read(gyro.cast())?) };
         let measured = State::from_quaternion_and_gyro(quaternion, gyro)?;
         // SAFETY: see above.
         unsafe { write(state, toytop_state::of(&measured)) }
     };
     // SAFETY: see above.
-    unsafe { answer(result(), error) }
+    unsafe { status_of(result(), error) }
 }
 
 /// State after an impulse and the reaction of the support. `before` and `after` may be the same object.
@@ -173,7 +173,7 @@ pub unsafe extern "C" fn toytop_impulse(
     error: *mut toytop_error,
 ) -> toytop_status {
     let result = || -> Result<(), Refusal> {
-        // SAFETY: the caller vouches for the pointers, here and below.
+        // SAFETY: the caller guarantees valid pointers, here and below.
         let (top, before) = unsafe { (read(top)?.checked()?, read(before)?.checked()?) };
         // SAFETY: see above.
         let (impulse, point) = unsafe { (read(impulse.cast())?, read(point.cast())?) };
@@ -182,7 +182,7 @@ pub unsafe extern "C" fn toytop_impulse(
         unsafe { write(after, toytop_state::of(&struck)) }
     };
     // SAFETY: see above.
-    unsafe { answer(result(), error) }
+    unsafe { status_of(result(), error) }
 }
 
 /// Reaction impulse of the support, N s in the fixed frame. If its vertical part is negative, a real top leaves
@@ -204,7 +204,7 @@ pub unsafe extern "C" fn toytop_reaction_impulse(
     error: *mut toytop_error,
 ) -> toytop_status {
     let result = || -> Result<(), Refusal> {
-        // SAFETY: the caller vouches for the pointers, here and below.
+        // SAFETY: the caller guarantees valid pointers, here and below.
         let (top, before) = unsafe { (read(top)?.checked()?, read(before)?.checked()?) };
         // SAFETY: see above.
         let (impulse, point) = unsafe { (read(impulse.cast())?, read(point.cast())?) };
@@ -213,5 +213,5 @@ pub unsafe extern "C" fn toytop_reaction_impulse(
         unsafe { write(reaction.cast(), answered) }
     };
     // SAFETY: see above.
-    unsafe { answer(result(), error) }
+    unsafe { status_of(result(), error) }
 }

@@ -11,7 +11,7 @@ pub(crate) unsafe fn read<T: Copy>(pointer: *const T) -> Result<T, Refusal> {
     if pointer.is_null() {
         return Err(toytop_status::TOYTOP_NULL_POINTER.into());
     }
-    // SAFETY: the caller vouches for a pointer that is not null. It need not be aligned.
+    // SAFETY: the caller passes a valid pointer that is not null. It need not be aligned.
     Ok(unsafe { pointer.read_unaligned() })
 }
 

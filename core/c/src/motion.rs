@@ -2,7 +2,7 @@
 
 use crate::launch::{toytop_state, toytop_top};
 use crate::memory::{Kept, keep, kept, read, write};
-use crate::status::{Refusal, answer, toytop_error, toytop_status};
+use crate::status::{Refusal, status_of, toytop_error, toytop_status};
 use toytop::{Motion, Regime};
 
 /// Bytes of a motion.
@@ -83,14 +83,14 @@ pub unsafe extern "C" fn toytop_launch(
     error: *mut toytop_error,
 ) -> toytop_status {
     let result = || -> Result<(), Refusal> {
-        // SAFETY: the caller vouches for the pointers, here and below.
+        // SAFETY: the caller guarantees valid pointers, here and below.
         let (top, state) = unsafe { (read(top)?.checked()?, read(state)?.checked()?) };
         let launched = Motion::launch(&top, &state)?;
         // SAFETY: see above.
         unsafe { keep(motion, launched) }
     };
     // SAFETY: see above.
-    unsafe { answer(result(), error) }
+    unsafe { status_of(result(), error) }
 }
 
 /// Constants of a motion.
@@ -103,7 +103,7 @@ pub unsafe extern "C" fn toytop_motion_constants(
     constants: *mut toytop_constants,
 ) -> toytop_status {
     let result = || -> Result<(), Refusal> {
-        // SAFETY: the caller vouches for the pointers, here and below.
+        // SAFETY: the caller guarantees valid pointers, here and below.
         let motion: Motion = unsafe { kept(motion)? };
         let (integrals, e) = (motion.first_integrals(), motion.branch_points());
         let found = toytop_constants {
@@ -121,7 +121,7 @@ pub unsafe extern "C" fn toytop_motion_constants(
         unsafe { write(constants, found) }
     };
     // SAFETY: there is no memory for a reason.
-    unsafe { answer(result(), core::ptr::null_mut()) }
+    unsafe { status_of(result(), core::ptr::null_mut()) }
 }
 
 fn regime(regime: Regime) -> toytop_regime {

@@ -60,7 +60,7 @@ impl<R: Tabulated> Kept for Sample<'static, R> {
 pub(crate) unsafe fn sample<R: Tabulated>(
     place: *const toytop_ephemeris_sample,
 ) -> Result<Sample<'static, R>, Refusal> {
-    // SAFETY: the caller vouches for it.
+    // SAFETY: the caller guarantees that the pointer is valid.
     unsafe { kept(place) }
 }
 
@@ -68,12 +68,12 @@ pub(crate) unsafe fn sample<R: Tabulated>(
 ///
 /// # Safety
 /// As for [`sample`]; `place` is null or valid for writing a `T`.
-pub(crate) unsafe fn tell<R: Tabulated, T>(
+pub(crate) unsafe fn write_quantity<R: Tabulated, T>(
     from: *const toytop_ephemeris_sample,
     place: *mut T,
     quantity: impl FnOnce(Sample<'static, R>) -> T,
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for both.
+    // SAFETY: the caller guarantees that both pointers are valid.
     unsafe { write(place, quantity(sample(from)?)) }
 }
 
@@ -86,7 +86,7 @@ pub(crate) unsafe fn at_tick<R: Tabulated>(
     tick: i64,
     place: *mut toytop_ephemeris_sample,
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for the pointers and the table.
+    // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe { keep(place, view::<R>(table)?.at_tick(tick)) }
 }
 
@@ -102,7 +102,7 @@ pub(crate) unsafe fn at<R: Tabulated>(
     if !time.is_finite() {
         return Err(ParameterError::NotFinite { parameter: "time" }.into());
     }
-    // SAFETY: the caller vouches for the pointers and the table.
+    // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe { keep(place, view::<R>(table)?.at(time)) }
 }
 
@@ -115,7 +115,7 @@ pub(crate) unsafe fn cursor<R: Tabulated>(
     first: i64,
     place: *mut toytop_ephemeris_cursor,
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for the pointers and the table.
+    // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe { keep(place, view::<R>(table)?.cursor(first)) }
 }
 
@@ -128,7 +128,7 @@ unsafe fn advance<R: Tabulated, T>(
     place: *mut toytop_ephemeris_cursor,
     quantity: impl FnOnce(Sample<'static, R>) -> T,
 ) -> Result<T, Refusal> {
-    // SAFETY: the caller vouches for the pointers and the table.
+    // SAFETY: the caller guarantees valid pointers and a valid table.
     let (table, mut cursor): (_, Cursor) = unsafe { (view::<R>(table)?, kept(place)?) };
     let found = quantity(cursor.next(table));
     // SAFETY: see above.
@@ -145,7 +145,7 @@ pub(crate) unsafe fn next<R: Tabulated>(
     cursor: *mut toytop_ephemeris_cursor,
     place: *mut toytop_ephemeris_sample,
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for the pointers and the table.
+    // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe { keep(place, advance::<R, _>(table, cursor, |sample| sample)?) }
 }
 
@@ -158,7 +158,7 @@ pub(crate) unsafe fn next_quaternion<R: Tabulated>(
     cursor: *mut toytop_ephemeris_cursor,
     place: *mut [R::Held; 4],
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for the pointers and the table.
+    // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe { write(place, advance::<R, _>(table, cursor, |sample| sample.quaternion().map(R::held))?) }
 }
 
@@ -171,10 +171,10 @@ pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
     place: *const toytop_ephemeris_cursor,
     tick: *mut i64,
 ) -> toytop_status {
-    // SAFETY: the caller vouches for the pointers.
+    // SAFETY: the caller guarantees valid pointers.
     let result = unsafe { kept(place).and_then(|cursor: Cursor| write(tick, cursor.tick())) };
     // SAFETY: there is no memory for a reason.
-    unsafe { crate::status::answer(result, core::ptr::null_mut()) }
+    unsafe { crate::status::status_of(result, core::ptr::null_mut()) }
 }
 
 /// Next turning point.
@@ -186,7 +186,7 @@ pub(crate) unsafe fn turning_point<R: Tabulated>(
     tick: i64,
     place: *mut toytop_turning_point,
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for the pointers and the table.
+    // SAFETY: the caller guarantees valid pointers and a valid table.
     let found = unsafe { view::<R>(table)? }.next_turning_point(tick).ok_or(toytop_status::TOYTOP_NONE)?;
     // SAFETY: see above.
     unsafe { write(place, toytop_turning_point { tick: found.tick, upper: found.upper.into() }) }
@@ -195,12 +195,12 @@ pub(crate) unsafe fn turning_point<R: Tabulated>(
 /// Tip angle of a sample, rad.
 ///
 /// # Safety
-/// As for [`tell`].
+/// As for [`write_quantity`].
 pub(crate) unsafe fn tip_angle<R: Tabulated>(
     from: *const toytop_ephemeris_sample,
     place: *mut f64,
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for both.
+    // SAFETY: the caller guarantees that both pointers are valid.
     let angle = unsafe { sample::<R>(from)? }.tip_angle().ok_or(toytop_status::TOYTOP_NONE)?;
     // SAFETY: see above.
     unsafe { write(place, angle.to_radians()) }
@@ -209,12 +209,12 @@ pub(crate) unsafe fn tip_angle<R: Tabulated>(
 /// State to launch from.
 ///
 /// # Safety
-/// As for [`tell`].
+/// As for [`write_quantity`].
 pub(crate) unsafe fn state<R: Tabulated>(
     from: *const toytop_ephemeris_sample,
     place: *mut toytop_state,
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for both.
+    // SAFETY: the caller guarantees that both pointers are valid.
     let state = unsafe { sample::<R>(from)? }.attitude_state().state()?;
     // SAFETY: see above.
     unsafe { write(place, toytop_state::of(&state)) }
@@ -228,7 +228,7 @@ pub(crate) unsafe fn error_bounds<R: Tabulated>(
     table: *const u8,
     place: *mut toytop_error_bounds,
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for the pointers and the table.
+    // SAFETY: the caller guarantees valid pointers and a valid table.
     let table = unsafe { view::<R>(table)? };
     let [orientation, rate] = [table.error_bound(), table.rate_error_bound()];
     let ErrorBound { constant, per_tick } = orientation;
@@ -250,7 +250,7 @@ pub(crate) unsafe fn delay<R: Tabulated>(table: *mut u8, ticks: f64) -> Result<(
     if !ticks.is_finite() {
         return Err(ParameterError::NotFinite { parameter: "ticks" }.into());
     }
-    // SAFETY: the caller vouches for the table.
+    // SAFETY: the caller guarantees a valid table.
     unsafe { view_mut::<R>(table)? }.delay(ticks);
     Ok(())
 }
@@ -261,7 +261,7 @@ pub(crate) unsafe fn delay<R: Tabulated>(table: *mut u8, ticks: f64) -> Result<(
 /// As for [`delay`].
 pub(crate) unsafe fn set_tick<R: Tabulated>(table: *mut u8, tick: toytop_tick) -> Result<(), Refusal> {
     let tick = Tick::ratio(tick.ticks, tick.seconds)?;
-    // SAFETY: the caller vouches for the table.
+    // SAFETY: the caller guarantees a valid table.
     unsafe { view_mut::<R>(table)? }.set_tick(tick);
     Ok(())
 }

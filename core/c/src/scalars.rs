@@ -2,10 +2,10 @@
 
 use crate::motion::toytop_motion;
 use crate::sample::{
-    self, Wide, tell, toytop_ephemeris_cursor, toytop_ephemeris_sample, toytop_turning_point,
+    self, Wide, toytop_ephemeris_cursor, toytop_ephemeris_sample, toytop_turning_point, write_quantity,
 };
 use crate::set_up::{self, toytop_set_up};
-use crate::status::{answer, toytop_error, toytop_status};
+use crate::status::{status_of, toytop_error, toytop_status};
 use crate::table::{
     Tabulated, toytop_ephemeris_f32, toytop_ephemeris_f64, toytop_ephemeris_q31, toytop_error_bounds,
     toytop_tick,
@@ -37,8 +37,8 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up>](
     truncation: f64,
     error: *mut toytop_error,
 ) -> toytop_status {
-    // SAFETY: the caller vouches for the pointers.
-    unsafe { answer(set_up::at_once::<$scalar>(table.cast(), size, motion, tick, truncation), error) }
+    // SAFETY: the caller guarantees valid pointers.
+    unsafe { status_of(set_up::at_once::<$scalar>(table.cast(), size, motion, tick, truncation), error) }
 }
 
 /// Performs the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
@@ -59,8 +59,8 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up_poll>](
     size: usize,
     error: *mut toytop_error,
 ) -> toytop_status {
-    // SAFETY: the caller vouches for the pointers.
-    unsafe { answer(set_up::poll::<$scalar>(set_up, table.cast(), size), error) }
+    // SAFETY: the caller guarantees valid pointers.
+    unsafe { status_of(set_up::poll::<$scalar>(set_up, table.cast(), size), error) }
 }
 
 /// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
@@ -72,7 +72,7 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up_poll>](
 /// The pointer is null or points to an object of its type.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn [<toytop_ $name _segments_needed>](motion: *const toytop_motion, truncation: f64) -> u32 {
-    // SAFETY: the caller vouches for the pointer.
+    // SAFETY: the caller guarantees a valid pointer.
     unsafe { set_up::segments_needed::<$scalar>(motion, truncation) }
 }
 
@@ -85,8 +85,8 @@ pub unsafe extern "C" fn [<toytop_ $name _error_bounds>](
     table: *const $table,
     bounds: *mut toytop_error_bounds,
 ) -> toytop_status {
-    // SAFETY: the caller vouches for the pointers.
-    unsafe { answer(sample::error_bounds::<$scalar>(table.cast(), bounds), null_mut()) }
+    // SAFETY: the caller guarantees valid pointers.
+    unsafe { status_of(sample::error_bounds::<$scalar>(table.cast(), bounds), null_mut()) }
 }
 
 /// Delays the motion of a table by a number of ticks, which may be fractional: the instant of tick 0 becomes that of tick `ticks`.
@@ -95,8 +95,8 @@ pub unsafe extern "C" fn [<toytop_ $name _error_bounds>](
 /// The pointer is null or points to a table that nobody reads meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn [<toytop_ $name _delay>](table: *mut $table, ticks: f64) -> toytop_status {
-    // SAFETY: the caller vouches for the pointer.
-    unsafe { answer(sample::delay::<$scalar>(table.cast(), ticks), null_mut()) }
+    // SAFETY: the caller guarantees a valid pointer.
+    unsafe { status_of(sample::delay::<$scalar>(table.cast(), ticks), null_mut()) }
 }
 
 /// Changes the length of a tick of a table; tick 0 remains the same instant.
@@ -105,8 +105,8 @@ pub unsafe extern "C" fn [<toytop_ $name _delay>](table: *mut $table, ticks: f64
 /// The pointer is null or points to a table that nobody reads meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn [<toytop_ $name _set_tick>](table: *mut $table, tick: toytop_tick) -> toytop_status {
-    // SAFETY: the caller vouches for the pointer.
-    unsafe { answer(sample::set_tick::<$scalar>(table.cast(), tick), null_mut()) }
+    // SAFETY: the caller guarantees a valid pointer.
+    unsafe { status_of(sample::set_tick::<$scalar>(table.cast(), tick), null_mut()) }
 }
 
 /// Sample at any tick, of either sign, always at the same cost.
@@ -119,8 +119,8 @@ pub unsafe extern "C" fn [<toytop_ $name _at_tick>](
     tick: i64,
     sample: *mut toytop_ephemeris_sample,
 ) -> toytop_status {
-    // SAFETY: the caller vouches for the pointers and the table.
-    unsafe { answer(sample::at_tick::<$scalar>(table.cast(), tick, sample), null_mut()) }
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { status_of(sample::at_tick::<$scalar>(table.cast(), tick, sample), null_mut()) }
 }
 
 /// Sample at any time, s from tick 0.
@@ -133,8 +133,8 @@ pub unsafe extern "C" fn [<toytop_ $name _at>](
     time: f64,
     sample: *mut toytop_ephemeris_sample,
 ) -> toytop_status {
-    // SAFETY: the caller vouches for the pointers and the table.
-    unsafe { answer(sample::at::<$scalar>(table.cast(), time, sample), null_mut()) }
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { status_of(sample::at::<$scalar>(table.cast(), time, sample), null_mut()) }
 }
 
 /// Cursor whose first sample is that of tick `first`.
@@ -147,8 +147,8 @@ pub unsafe extern "C" fn [<toytop_ $name _cursor>](
     first: i64,
     cursor: *mut toytop_ephemeris_cursor,
 ) -> toytop_status {
-    // SAFETY: the caller vouches for the pointers and the table.
-    unsafe { answer(sample::cursor::<$scalar>(table.cast(), first, cursor), null_mut()) }
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { status_of(sample::cursor::<$scalar>(table.cast(), first, cursor), null_mut()) }
 }
 
 /// Next sample of a cursor. The sequence has no end.
@@ -162,8 +162,8 @@ pub unsafe extern "C" fn [<toytop_ $name _next>](
     cursor: *mut toytop_ephemeris_cursor,
     sample: *mut toytop_ephemeris_sample,
 ) -> toytop_status {
-    // SAFETY: the caller vouches for the pointers and the table.
-    unsafe { answer(sample::next::<$scalar>(table.cast(), cursor, sample), null_mut()) }
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { status_of(sample::next::<$scalar>(table.cast(), cursor, sample), null_mut()) }
 }
 
 /// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates, without a sample.
@@ -176,8 +176,8 @@ pub unsafe extern "C" fn [<toytop_ $name _next_quaternion>](
     cursor: *mut toytop_ephemeris_cursor,
     quaternion: *mut $output,
 ) -> toytop_status {
-    // SAFETY: the caller vouches for the pointers and the table.
-    unsafe { answer(sample::next_quaternion::<$scalar>(table.cast(), cursor, quaternion.cast()), null_mut()) }
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { status_of(sample::next_quaternion::<$scalar>(table.cast(), cursor, quaternion.cast()), null_mut()) }
 }
 
 /// Next turning point of u at tick `from` or later. `TOYTOP_NONE` where there is none, or more than one in a tick.
@@ -190,8 +190,8 @@ pub unsafe extern "C" fn [<toytop_ $name _turning_point>](
     from: i64,
     point: *mut toytop_turning_point,
 ) -> toytop_status {
-    // SAFETY: the caller vouches for the pointers and the table.
-    unsafe { answer(sample::turning_point::<$scalar>(table.cast(), from, point), null_mut()) }
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { status_of(sample::turning_point::<$scalar>(table.cast(), from, point), null_mut()) }
 }
 
 /// Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
@@ -203,9 +203,9 @@ pub unsafe extern "C" fn [<toytop_ $name _cayley_klein>](
     sample: *const toytop_ephemeris_sample,
     parameters: *mut $output,
 ) -> toytop_status {
-    let told = |sample: Sample<'_, $scalar>| sample::cayley_klein(&sample);
-    // SAFETY: the caller vouches for the pointers and the table.
-    unsafe { answer(tell(sample, parameters.cast(), told), null_mut()) }
+    let quantity = |sample: Sample<'_, $scalar>| sample::cayley_klein(&sample);
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { status_of(write_quantity(sample, parameters.cast(), quantity), null_mut()) }
 }
 
 /// Unit quaternion w, x, y, z from body to fixed coordinates.
@@ -217,9 +217,9 @@ pub unsafe extern "C" fn [<toytop_ $name _quaternion>](
     sample: *const toytop_ephemeris_sample,
     quaternion: *mut $output,
 ) -> toytop_status {
-    let told = |sample: Sample<'_, $scalar>| sample.quaternion().map(Tabulated::held);
-    // SAFETY: the caller vouches for the pointers and the table.
-    unsafe { answer(tell(sample, quaternion.cast(), told), null_mut()) }
+    let quantity = |sample: Sample<'_, $scalar>| sample.quaternion().map(Tabulated::held);
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { status_of(write_quantity(sample, quaternion.cast(), quantity), null_mut()) }
 }
 
 /// Unit vector of three components from the tip to the centre of mass, in the fixed frame. The third is u, the cosine of the
@@ -232,9 +232,9 @@ pub unsafe extern "C" fn [<toytop_ $name _axis>](
     sample: *const toytop_ephemeris_sample,
     axis: *mut $output,
 ) -> toytop_status {
-    let told = |sample: Sample<'_, $scalar>| sample.axis().map(Tabulated::held);
-    // SAFETY: the caller vouches for the pointers and the table.
-    unsafe { answer(tell(sample, axis.cast(), told), null_mut()) }
+    let quantity = |sample: Sample<'_, $scalar>| sample.axis().map(Tabulated::held);
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { status_of(write_quantity(sample, axis.cast(), quantity), null_mut()) }
 }
 
 /// Angular velocity of three components in the fixed frame, rad/s.
@@ -246,9 +246,9 @@ pub unsafe extern "C" fn [<toytop_ $name _omega>](
     sample: *const toytop_ephemeris_sample,
     omega: *mut $wide,
 ) -> toytop_status {
-    let told = |sample: Sample<'_, $scalar>| -> [Wide<$scalar>; 3] { sample.omega() };
-    // SAFETY: the caller vouches for the pointers and the table.
-    unsafe { answer(tell(sample, omega.cast(), told), null_mut()) }
+    let quantity = |sample: Sample<'_, $scalar>| -> [Wide<$scalar>; 3] { sample.omega() };
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { status_of(write_quantity(sample, omega.cast(), quantity), null_mut()) }
 }
 
 /// Angular velocity of three components in the body frame, rad/s, as a gyroscope measures it.
@@ -260,9 +260,9 @@ pub unsafe extern "C" fn [<toytop_ $name _omega_body>](
     sample: *const toytop_ephemeris_sample,
     omega: *mut $wide,
 ) -> toytop_status {
-    let told = |sample: Sample<'_, $scalar>| -> [Wide<$scalar>; 3] { sample.omega_body() };
-    // SAFETY: the caller vouches for the pointers and the table.
-    unsafe { answer(tell(sample, omega.cast(), told), null_mut()) }
+    let quantity = |sample: Sample<'_, $scalar>| -> [Wide<$scalar>; 3] { sample.omega_body() };
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { status_of(write_quantity(sample, omega.cast(), quantity), null_mut()) }
 }
 
 /// Position x, y of the tip, m from the point of the plane below the centre of mass; for a fixed tip the horizontal part of the
@@ -275,9 +275,9 @@ pub unsafe extern "C" fn [<toytop_ $name _tip>](
     sample: *const toytop_ephemeris_sample,
     tip: *mut $wide,
 ) -> toytop_status {
-    let told = |sample: Sample<'_, $scalar>| -> [Wide<$scalar>; 2] { sample::parts(sample.tip()) };
-    // SAFETY: the caller vouches for the pointers and the table.
-    unsafe { answer(tell(sample, tip.cast(), told), null_mut()) }
+    let quantity = |sample: Sample<'_, $scalar>| -> [Wide<$scalar>; 2] { sample::parts(sample.tip()) };
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { status_of(write_quantity(sample, tip.cast(), quantity), null_mut()) }
 }
 
 /// Velocity x, y of the tip, m/s; 1/s for a fixed tip.
@@ -289,9 +289,9 @@ pub unsafe extern "C" fn [<toytop_ $name _tip_velocity>](
     sample: *const toytop_ephemeris_sample,
     velocity: *mut $wide,
 ) -> toytop_status {
-    let told = |sample: Sample<'_, $scalar>| -> [Wide<$scalar>; 2] { sample::parts(sample.tip_velocity()) };
-    // SAFETY: the caller vouches for the pointers and the table.
-    unsafe { answer(tell(sample, velocity.cast(), told), null_mut()) }
+    let quantity = |sample: Sample<'_, $scalar>| -> [Wide<$scalar>; 2] { sample::parts(sample.tip_velocity()) };
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { status_of(write_quantity(sample, velocity.cast(), quantity), null_mut()) }
 }
 
 /// Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` if the axis is always vertical.
@@ -303,8 +303,8 @@ pub unsafe extern "C" fn [<toytop_ $name _tip_angle>](
     sample: *const toytop_ephemeris_sample,
     angle: *mut f64,
 ) -> toytop_status {
-    // SAFETY: the caller vouches for the pointers and the table.
-    unsafe { answer(sample::tip_angle::<$scalar>(sample, angle), null_mut()) }
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { status_of(sample::tip_angle::<$scalar>(sample, angle), null_mut()) }
 }
 
 /// State of a sample, from which another motion can be launched.
@@ -316,8 +316,8 @@ pub unsafe extern "C" fn [<toytop_ $name _state>](
     sample: *const toytop_ephemeris_sample,
     state: *mut toytop_state,
 ) -> toytop_status {
-    // SAFETY: the caller vouches for the pointers and the table.
-    unsafe { answer(sample::state::<$scalar>(sample, state), null_mut()) }
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { status_of(sample::state::<$scalar>(sample, state), null_mut()) }
 }
 
     } };

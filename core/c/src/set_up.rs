@@ -2,7 +2,7 @@
 
 use crate::memory::{Kept, keep, kept, kept_mut};
 use crate::motion::toytop_motion;
-use crate::status::{Refusal, answer, toytop_error, toytop_status};
+use crate::status::{Refusal, status_of, toytop_error, toytop_status};
 use crate::table::{Memory, TOYTOP_EPHEMERIS_ALIGNMENT, Tabulated, toytop_tick};
 use core::task::Poll;
 use toytop::{EphemerisView, Motion, ParameterError, SetUp, TableTooSmall, Tick};
@@ -65,9 +65,9 @@ pub(crate) unsafe fn at_once<R: Tabulated>(
     truncation: f64,
 ) -> Result<(), Refusal> {
     let memory = Memory::of::<R>(table, size)?;
-    // SAFETY: the caller vouches for the memory.
+    // SAFETY: the caller guarantees valid memory.
     let view = unsafe { memory.clear::<R>() };
-    // SAFETY: the caller vouches for the pointer.
+    // SAFETY: the caller guarantees a valid pointer.
     let motion: Motion = unsafe { kept(motion)? };
     let tick = Tick::ratio(tick.ticks, tick.seconds)?;
     view.set_up(&motion, tick, given(truncation)?.unwrap_or(4.0 * R::ROUNDING))?;
@@ -86,7 +86,7 @@ pub(crate) unsafe fn poll<R: Tabulated>(
     size: usize,
 ) -> Result<(), Refusal> {
     let refused = |allowed| ParameterError::OutOfRange { parameter: "table", allowed };
-    // SAFETY: the caller vouches for the pointer.
+    // SAFETY: the caller guarantees a valid pointer.
     let slices: &mut Slices = unsafe { kept_mut(set_up)? };
     let memory = Memory::of::<R>(table, size)?;
     let claim = (memory, R::TAG);
@@ -97,7 +97,7 @@ pub(crate) unsafe fn poll<R: Tabulated>(
         return Ok(result?);
     }
     let begun = match slices.table.replace(claim) {
-        // SAFETY: the caller vouches for the memory.
+        // SAFETY: the caller guarantees valid memory.
         None => Some(unsafe { memory.clear::<R>() }),
         // SAFETY: the first slice, of the same scalar, cleared the same memory.
         Some(_) => unsafe { memory.begun::<R>() },
@@ -118,7 +118,7 @@ pub(crate) unsafe fn poll<R: Tabulated>(
 /// # Safety
 /// `motion` is null or valid for reading.
 pub(crate) unsafe fn segments_needed<R: Tabulated>(motion: *const toytop_motion, truncation: f64) -> u32 {
-    // SAFETY: the caller vouches for the pointer.
+    // SAFETY: the caller guarantees a valid pointer.
     let motion: Result<Motion, Refusal> = unsafe { kept(motion) };
     let (Ok(motion), Ok(truncation)) = (motion, given(truncation)) else {
         return 0;
@@ -148,7 +148,7 @@ pub unsafe extern "C" fn toytop_set_up_begin(
         if !set_up.is_aligned() {
             return Err(toytop_status::TOYTOP_BAD_MEMORY.into());
         }
-        // SAFETY: the caller vouches for the pointers, here and below.
+        // SAFETY: the caller guarantees valid pointers, here and below.
         let motion: Motion = unsafe { kept(motion)? };
         let tick = Tick::ratio(tick.ticks, tick.seconds)?;
         let begun = match given(truncation)? {
@@ -159,5 +159,5 @@ pub unsafe extern "C" fn toytop_set_up_begin(
         unsafe { keep(set_up, Slices { set_up: begun, table: None, ended: None }) }
     };
     // SAFETY: see above.
-    unsafe { answer(result(), error) }
+    unsafe { status_of(result(), error) }
 }

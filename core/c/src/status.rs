@@ -119,11 +119,11 @@ impl From<TableTooSmall> for Refusal {
 ///
 /// # Safety
 /// `error` is null or valid for writing.
-pub(crate) unsafe fn answer(result: Result<(), Refusal>, error: *mut toytop_error) -> toytop_status {
+pub(crate) unsafe fn status_of(result: Result<(), Refusal>, error: *mut toytop_error) -> toytop_status {
     let status = result.err().map_or(TOYTOP_OK, |refusal| refusal.status);
     if !error.is_null() {
         let refusal = result.err().unwrap_or(Refusal::from(TOYTOP_OK));
-        // SAFETY: the caller vouches for the pointer, which is not null.
+        // SAFETY: the caller guarantees that the pointer, which is not null, is valid.
         unsafe { error.write_unaligned(refusal.described()) };
     }
     status

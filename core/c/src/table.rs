@@ -170,7 +170,7 @@ fn behind<R: Tabulated>(head: *const Head, segments: usize) -> *mut EphemerisVie
 /// The pointer is null or valid for reading a head; and if its tag is that of the scalar, [`Memory::ready`] wrote what follows, which
 /// nobody changes as long as the reference lives.
 pub(crate) unsafe fn view<'a, R: Tabulated>(table: *const u8) -> Result<&'a EphemerisView<R>, Refusal> {
-    // SAFETY: the caller vouches for the memory; `Memory::ready` wrote as many segments as it says.
+    // SAFETY: the caller guarantees valid memory; `Memory::ready` wrote as many segments as it says.
     unsafe { Ok(&*ready::<R>(table)?) }
 }
 
@@ -179,7 +179,7 @@ pub(crate) unsafe fn view<'a, R: Tabulated>(table: *const u8) -> Result<&'a Ephe
 /// # Safety
 /// As for [`view`]; and nobody reads the table as long as the reference lives.
 pub(crate) unsafe fn view_mut<'a, R: Tabulated>(table: *mut u8) -> Result<&'a mut EphemerisView<R>, Refusal> {
-    // SAFETY: the caller vouches for the memory; `Memory::ready` wrote as many segments as it says.
+    // SAFETY: the caller guarantees valid memory; `Memory::ready` wrote as many segments as it says.
     unsafe { Ok(&mut *ready::<R>(table)?) }
 }
 
@@ -243,7 +243,7 @@ impl Memory {
     /// # Safety
     /// As for [`Self::clear`], which was called before.
     pub(crate) unsafe fn begun<'a, R: Tabulated>(self) -> Option<&'a mut EphemerisView<R>> {
-        // SAFETY: the caller vouches for the memory; any bits are a head, and `clear` initialised the segments.
+        // SAFETY: the caller guarantees valid memory; any bits are a head, and `clear` initialised the segments.
         unsafe {
             (self.head.read() == self.pending::<R>()).then(|| &mut *behind::<R>(self.head, self.segments))
         }
@@ -254,7 +254,7 @@ impl Memory {
     /// # Safety
     /// As for [`Self::begun`].
     pub(crate) unsafe fn ready<R: Tabulated>(self) {
-        // SAFETY: the caller vouches for the memory.
+        // SAFETY: the caller guarantees valid memory.
         unsafe { self.head.write(Head { tag: R::TAG, ..self.pending::<R>() }) };
     }
 }

@@ -18,15 +18,15 @@ pub(crate) fn half_pi() -> Extended {
     Extended::TWO_PI * Extended::from(0.25)
 }
 
-/// Exponential function eˣ; 0 below x = -650, below the range in which `f64` has its precision, and e^650
-/// above x = 650.
+/// Exponential function eˣ. It is 0 below x = -650, where an `f64` result would lose precision, and e^650 above x =
+/// 650.
 pub(crate) fn exp(x: Extended) -> Extended {
-    const FURTHEST: f64 = 650.0;
+    const LARGEST: f64 = 650.0;
     const TERMS: u32 = 28;
-    if x.to_f64() < -FURTHEST {
+    if x.to_f64() < -LARGEST {
         return Extended::ZERO;
     }
-    let x = if x.to_f64() > FURTHEST { Extended::from(FURTHEST) } else { x };
+    let x = if x.to_f64() > LARGEST { Extended::from(LARGEST) } else { x };
     let twos = libm::round(x.to_f64() / core::f64::consts::LN_2);
     let rest = x - ln_two() * twos.into();
     let series = (1..=TERMS)
@@ -72,7 +72,7 @@ pub(crate) fn of_turns(phase: Phase) -> (Extended, Extended) {
     in_quadrant(quadrant, series(in_radians(rest), -1.0))
 }
 
-/// Sine and cosine, a number of quarter turns on.
+/// Sine and cosine of an angle after a number of quarter turns is added to it.
 pub(crate) fn in_quadrant<F: Neg<Output = F>>(quadrant: u32, (sine, cosine): (F, F)) -> (F, F) {
     match quadrant % 4 {
         0 => (sine, cosine),
@@ -84,9 +84,7 @@ pub(crate) fn in_quadrant<F: Neg<Output = F>>(quadrant: u32, (sine, cosine): (F,
 
 /// Phase in rad, to all bits of extended precision.
 fn in_radians(phase: Phase) -> Extended {
-    let leading = phase.to_f64();
-    let rest = (phase - Phase::new(leading)).to_f64();
-    Extended::sum(leading, rest) * Extended::TWO_PI
+    Extended::from(phase) * Extended::TWO_PI
 }
 
 /// (sinh x, cosh x).

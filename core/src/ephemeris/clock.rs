@@ -4,7 +4,7 @@ mod tip;
 
 use crate::constants::Regime;
 use crate::ephemeris::cell::PAIRS;
-use crate::ephemeris::error_bound::missed_by;
+use crate::ephemeris::error_bound::increment_error;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::tabulated::Tabulated;
 use crate::ephemeris::tick::Tick;
@@ -48,14 +48,10 @@ pub(crate) struct Instant {
     share: u64,
 }
 
-/// 2^-64.
-const SHARE_UNIT: f64 = 0.5 / (1_u64 << 63) as f64;
-
 impl Instant {
     /// Time since the tick, in ticks.
     fn exact_share(self) -> Extended {
-        let (upper, lower) = ((self.share >> 32) as u32, self.share as u32);
-        Extended::sum(f64::from(upper) * (SHARE_UNIT * (1_u64 << 32) as f64), f64::from(lower) * SHARE_UNIT)
+        Extended::normalised(self.share.into(), -64)
     }
 }
 
@@ -88,7 +84,7 @@ impl<W: Float> Clock<W> {
             step: exact_step.map(|step| PhaseFraction::of(step.to_phase()).words()),
             exact_step: exact_step.map(Extended::parts),
             ticks_per_time: tick.rate().parts(),
-            horizon: (!rates.returns).then(|| horizon(start, nutation_step)),
+            horizon: (!rates.is_periodic).then(|| horizon(start, nutation_step)),
             tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
             rates: [x_rate, mean, axial].map(W::from_f64),
             tip: TipClock::new(motion, rates, exact_step),
@@ -110,8 +106,8 @@ impl<W> Clock<W> {
     }
 
     /// Rounding errors of the increments, in turns: exact minus rounded.
-    pub(crate) fn missed(&self) -> [f64; 3] {
-        self.exact_steps().map(|exact| missed_by(exact.to_phase(), exact))
+    pub(crate) fn increment_errors(&self) -> [f64; 3] {
+        self.exact_steps().map(|exact| increment_error(exact.to_phase(), exact))
     }
 
     /// Increments per tick of nutation phase, A and B in turns, rounded to `f64`.
@@ -259,13 +255,14 @@ pub(crate) fn first_phases(start: [Phase; 3], exact_step: [Extended; 3]) -> [u64
 
 /// First and last tick at which a nutation phase that does not wrap is within half a turn of 0.
 #[cold]
-#[inline(never)] // no stack for it where the motion is another
+#[inline(never)] // a call, so that only aperiodic motions need stack for it
 fn horizon(start: Phase, step: Extended) -> [i64; 2] {
-    whole_between(rise(start, step))
+    whole_between(interval_of_half_turns(start, step))
 }
 
-/// Time, in ticks since a nutation phase that does not wrap, at which it leaves -1/2 turn and reaches 1/2.
-pub(crate) fn rise(phase: Phase, step: Extended) -> [Extended; 2] {
+/// Instants at which a nutation phase that does not wrap leaves -1/2 turn and reaches 1/2 turn, in ticks after the
+/// instant at which it is `phase`.
+pub(crate) fn interval_of_half_turns(phase: Phase, step: Extended) -> [Extended; 2] {
     /// Half a turn, less a margin for the rounding of the quotient; a phase within the margin may count as the end.
     const HALF: f64 = 0.5 - 1e-15;
     [-HALF, HALF].map(|turns| Extended::from(turns - phase.to_f64()) / step)

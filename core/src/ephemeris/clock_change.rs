@@ -4,7 +4,9 @@
 //! of a set-up. The error bound remains an upper bound; `core/docs/error_bound.md` states its growth.
 
 use crate::ephemeris::cell::{Cell, PAIRS};
-use crate::ephemeris::clock::{Clock, TipClock, first_phases, rise, whole_between, whole_ticks};
+use crate::ephemeris::clock::{
+    Clock, TipClock, first_phases, interval_of_half_turns, whole_between, whole_ticks,
+};
 use crate::ephemeris::error_bound::{ErrorBound, TRUNCATION};
 use crate::ephemeris::evaluation::EphemerisScalar;
 use crate::ephemeris::rate_error::{MotionRates, PhaseErrors};
@@ -33,23 +35,23 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             step: exact_step.map(|step| PhaseFraction::of(step.to_phase()).words()),
             exact_step: exact_step.map(Extended::parts),
             ticks_per_time: tick.rate().parts(),
-            horizon: clock.rise().map(|rise| whole_between(rise.map(|end| end / ratio))),
+            horizon: clock.nutation_interval().map(|ends| whole_between(ends.map(|end| end / ratio))),
             tip: TipClock { step: TipClock::increment(exact_step, clock.tip.passes), ..clock.tip },
             ..*clock
         };
-        let mut missed = self.clock.missed();
-        for (missed, step) in missed.iter_mut().zip(exact_step) {
-            *missed = Float::abs(*missed) + RATIO_ERROR * Float::abs(step.to_f64());
+        let mut increment_errors = self.clock.increment_errors();
+        for (error, step) in increment_errors.iter_mut().zip(exact_step) {
+            *error = Float::abs(*error) + RATIO_ERROR * Float::abs(step.to_f64());
         }
         for bound in [&mut self.error_bound, &mut self.rate_error_bound] {
             bound.per_tick *= ratio.to_f64();
         }
-        self.widen_bounds([TRUNCATION; 3], missed);
+        self.widen_bounds([TRUNCATION; 3], increment_errors);
     }
 
     /// Delays the motion by a number of ticks, which may be fractional and of either sign: the instant that was tick 0
-    /// becomes tick `ticks`, and t = 0 moves with tick 0. A number that is not finite counts as 0. A cursor from before
-    /// the change must be replaced.
+    /// becomes tick `ticks`, and t = 0 is the instant of the new tick 0. A number that is not finite counts as 0. A
+    /// cursor from before the change must be replaced.
     ///
     /// With it a table that is launched at tick n of a running counter, or between two of its ticks, is read by that
     /// counter: `table.delay(n)`. The tip angle keeps its whole turns. The error bound at tick 0 grows by the bound's
@@ -81,7 +83,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let start = clock.unstopped(whole_ticks(whole), share).map(PhaseFraction::to_phase);
         self.clock = Clock {
             first: first_phases(start, clock.exact_steps()),
-            horizon: clock.rise().map(|rise| whole_between(rise.map(|end| end + ticks.into()))),
+            horizon: clock.nutation_interval().map(|ends| whole_between(ends.map(|end| end + ticks.into()))),
             tip: TipClock { start: clock.tip.between(whole, share).words(), ..clock.tip },
             ..*clock
         };
@@ -96,7 +98,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let [sweep, acceleration] = self.greatest_speeds();
         let [_, mean, axial] = self.clock.rates.map(Float::to_f64);
         let half_periods = self.half_periods_per_time();
-        // of the motion only the table is known
+        // the table is known, but not the motion
         let unknown =
             MotionRates { half_periods, mean, axial, rotor: 0.0, transverse: f64::INFINITY, sine: 1.0 };
         let of_rates = PhaseErrors::new(&unknown, sweep, acceleration);
@@ -135,13 +137,11 @@ const RATIO_ERROR: f64 = 4.0 * Extended::ROUNDING;
 
 impl<W> Clock<W> {
     /// Ticks, fractional, between which the phase of an aperiodic motion changes; `None` for other motions.
-    pub(crate) fn rise(&self) -> Option<[Extended; 2]> {
+    pub(crate) fn nutation_interval(&self) -> Option<[Extended; 2]> {
         let [first, _] = self.horizon?;
         let ([phase, ..], [step, ..]) = (self.at(first), self.exact_steps());
-        // a whole number of 63 bits is the sum of two f64
-        let leading = first as f64;
-        let tick = Extended::sum(leading, i128::from(first).wrapping_sub(leading as i128) as f64);
-        Some(rise(phase.to_signed_phase(), step).map(|end| end + tick))
+        let tick = Extended::normalised(first.into(), 0);
+        Some(interval_of_half_turns(phase.to_signed_phase(), step).map(|end| end + tick))
     }
 }
 

@@ -68,7 +68,7 @@ pub(crate) fn economise(parts: Polynomial<'_>, terms: usize) -> [f64; 2] {
 
 /// Estimated sum of the omitted terms of a series: its last four terms are continued as a geometric series. The
 /// result is infinite where these terms do not decrease.
-pub(crate) fn beyond_the_last(part: &[i64; TERMS]) -> f64 {
+pub(crate) fn omitted_terms(part: &[i64; TERMS]) -> f64 {
     /// Magnitude below which terms are rounding errors and need not decrease: 3e-17 in units of 2^-62.
     const NEGLIGIBLE: i64 = 138;
     let [.., c12, c13, c14, c15] = part.map(i64::abs);

@@ -8,13 +8,13 @@ use crate::ephemeris::tabulated::Tabulated;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Scalar};
 
-/// Upper bound on the orientation error 2 √(|Δα|² + |Δβ|²), rad, against the truth of the very numbers of the launch: at tick n
-/// `constant + |n| per_tick`, [`ErrorBound::after`].
+/// Upper bound on the orientation error 2 √(|Δα|² + |Δβ|²), rad, relative to the exact motion of the numbers that it
+/// was launched from. At tick n it is `constant + |n| per_tick`, [`ErrorBound::after`].
 ///
-/// The increments, and the ticks of `f32` and of fixed point, are bounded by the worst case of every rounding. The roundings of
-/// set-up, and of the tick in `f64`, are bounded by six standard deviations of a sum of independent roundings, the remainders of
-/// series and quadratures by their last terms: these are estimates. The page `docs/error_bound.md` derives the terms one by
-/// one and says which of them are proved.
+/// The increments, and the ticks of `f32` and of fixed point, are bounded by the worst case of every rounding. The
+/// roundings of set-up, and of the tick in `f64`, are bounded by six standard deviations of a sum of independent
+/// roundings. The remainders of series and quadratures are estimated from their last terms. The page
+/// `docs/error_bound.md` derives the terms one by one and says which of them are proved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ErrorBound {
@@ -30,13 +30,13 @@ pub(crate) const TURN: f64 = 2.0 * core::f64::consts::PI;
 /// Variance of the orientation error from roundings of set-up that do not depend on the motion, in units of (2^-53
 /// rad)²: 24 roundings of numbers up to 1, each with a variance of 1/3.
 const FIXED_VARIANCE: f64 = 8.0;
-/// Standard deviation of the delay or of the error of θ that a step through the segments makes, over the sum of the
-/// sizes of its terms, in units of 2^-53: the root of thirteen roundings, each with a variance of 1/3.
+/// Standard deviation of the delay or of the error of θ that a step through the segments causes, over the sum of the
+/// magnitudes of its terms, in units of 2^-53: the root of the sum of thirteen variances of 1/3.
 const STEP: f64 = 2.1;
 /// Standard deviation of the relative rounding error of the half phase at the start, in units of 2^-53.
 const START: f64 = 1.0;
-/// Standard deviation of the relative rounding error of a coefficient other than the first, in units of 2^-53: the
-/// root of the roundings of the coefficient, of the product with x and of the sum, each with a variance of 1/3.
+/// Standard deviation of the relative rounding error of a coefficient other than the first, in units of 2^-53: the root
+/// of the sum of three variances of 1/3, of the coefficient, of the product with x and of the sum.
 const COEFFICIENT: f64 = 1.0;
 /// Relative error of the `f64` nearest to 1/2π, in units of 2^-53. It is common to all conversions from rad to turns.
 const PER_TURN: f64 = 0.56;
@@ -67,11 +67,11 @@ impl ErrorBound {
         let Tabulated { truncation, speeds, .. } = *tabulated;
         let tick = R::TICK_ERROR + R::SLOPE_ROUNDING * speeds.steepness;
         let place = R::PLACE_ROUNDING * speeds.sweep / PAIRS as f64;
-        let rise = if rates.returns { 0.0 } else { rates.rounding };
+        let end = if rates.is_periodic { 0.0 } else { rates.rounding };
         let rounded = rounded::<R>(tabulated);
         let rounded = if rounded > tabulated.defect { rounded } else { rounded + tabulated.defect };
         Self {
-            constant: truncation + tick + place + rise + rounded + Self::of_phases(speeds.sweep, [CLOCK; 3]),
+            constant: truncation + tick + place + end + rounded + Self::of_phases(speeds.sweep, [CLOCK; 3]),
             per_tick: Self::of_phases(speeds.sweep, per_tick),
         }
     }
@@ -84,10 +84,10 @@ impl ErrorBound {
     }
 }
 
-/// Errors of the phases per tick of a length, in turns: those of the rates, and `missed`, by which the increments differ from
-/// the rates.
-pub(crate) fn phase_errors(rates: &MeanRates, length: f64, missed: [f64; 3]) -> [f64; 3] {
-    let mut errors = missed;
+/// Errors of the phases per tick of a length, in turns: those of the rates, and `increment_errors`, by which the
+/// increments differ from the rates.
+pub(crate) fn phase_errors(rates: &MeanRates, length: f64, increment_errors: [f64; 3]) -> [f64; 3] {
+    let mut errors = increment_errors;
     for (error, of_rate) in errors.iter_mut().zip(rates.errors) {
         *error = Float::abs(*error) + of_rate * length;
     }
@@ -119,19 +119,15 @@ fn rounded<R: EphemerisScalar>(tabulated: &Tabulated) -> f64 {
 pub(crate) fn delays<R: EphemerisScalar>(tabulated: &Tabulated) -> [f64; 2] {
     let Tabulated { squares: [delays, _], start_share, defect, stepping, speeds, .. } = *tabulated;
     let variance = STEP * STEP * delays + START * START * start_share * start_share;
-    let missed = if speeds.sweep > 0.0 { (defect + stepping) / speeds.sweep } else { 0.0 };
-    let truncated = R::PLACE_ROUNDING / PAIRS as f64 + 2.0 * CLOCK + missed;
+    let stepping_delay = if speeds.sweep > 0.0 { (defect + stepping) / speeds.sweep } else { 0.0 };
+    let truncated = R::PLACE_ROUNDING / PAIRS as f64 + 2.0 * CLOCK + stepping_delay;
     [truncated, DEVIATIONS * Float::sqrt(variance) * <f64 as Scalar>::ROUNDING]
 }
 
 /// Exact step minus increment, in turns; whole turns are ignored.
-pub(crate) fn missed_by(increment: Phase, exact: Extended) -> f64 {
-    let bits = increment.to_bits();
-    let leading = bits as f64;
-    let rest = bits.wrapping_sub(leading as i128) as f64;
-    let held = Extended::sum(leading * Phase::RESOLUTION, rest * Phase::RESOLUTION);
-    let missed = (exact - held).to_f64();
-    missed - libm::round(missed)
+pub(crate) fn increment_error(increment: Phase, exact: Extended) -> f64 {
+    let difference = (exact - increment.into()).to_f64();
+    difference - libm::round(difference)
 }
 
 #[cfg(test)]
@@ -148,15 +144,15 @@ mod tests {
         let nothing = Extended::ZERO;
         let rates = |errors| MeanRates {
             half_period: Extended::ONE,
-            returns: true,
+            is_periodic: true,
             theta_offset: [nothing; 2],
             turns: [Extended::ONE; 3],
             errors,
             rounding: <f64 as Scalar>::ROUNDING,
         };
-        let per_tick = |errors, missed| {
+        let per_tick = |errors, increment_errors| {
             let rates = rates(errors);
-            ErrorBound::of::<f64>(&rates, &tabulated, phase_errors(&rates, 0.5, missed)).per_tick
+            ErrorBound::of::<f64>(&rates, &tabulated, phase_errors(&rates, 0.5, increment_errors)).per_tick
         };
         for (errors, allowed) in [
             ([1e-20, 0.0, 0.0], 5e-20),
@@ -171,12 +167,12 @@ mod tests {
     }
 
     #[test]
-    fn what_an_increment_misses_is_known_to_the_last_place() {
+    fn an_increment_error_is_known_to_the_last_place() {
         let third = Extended::ONE / Extended::from(3.0);
-        let missed = missed_by(third.to_phase(), third) / Phase::RESOLUTION;
-        assert!((missed - 1.0 / 3.0).abs() < 1e-3, "{missed}");
+        let error = increment_error(third.to_phase(), third) / Phase::RESOLUTION;
+        assert!((error - 1.0 / 3.0).abs() < 1e-3, "{error}");
         // whole turns beyond 2^32 do not matter
         let far = third + Extended::from(2_f64.powi(40));
-        assert!(missed_by(far.to_phase(), far).abs() < 1e-18);
+        assert!(increment_error(far.to_phase(), far).abs() < 1e-18);
     }
 }

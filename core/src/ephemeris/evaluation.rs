@@ -2,6 +2,8 @@
 
 mod rates;
 
+mod coefficient;
+
 mod float;
 
 mod integer;
@@ -42,8 +44,9 @@ pub struct SegmentPoint {
 
 /// Scalar of an ephemeris: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
 ///
-/// `f64` is evaluated in floating point. `f32` and fixed point are evaluated in 32-bit integers. Their error is a
-/// quarter of that of `f32` arithmetic; they are as fast as an `f32` unit and several times as fast as its emulation.
+/// `f64` is evaluated in floating point. `f32` and fixed point are evaluated in 32-bit integers. The error is then a
+/// quarter of that of `f32` arithmetic, and the evaluation is as fast as with a unit for `f32` and several times as
+/// fast as with emulated `f32`.
 pub trait EphemerisScalar: Scalar {
     /// Coefficient as the table holds it.
     type Coefficient: Copy + Debug + PartialEq;
@@ -88,8 +91,8 @@ pub trait EphemerisScalar: Scalar {
     /// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units.
     #[doc(hidden)]
     fn coefficient(value: i64, power: usize) -> (Self::Coefficient, i64);
-    /// Error of a polynomial, in units of 2^-62, caused by its coefficients; infinite where a sum could overflow, and 0
-    /// in floating point.
+    /// Error of a polynomial, given in units of 2^-62, that its coefficients cause; infinite where a sum could overflow,
+    /// and 0 in floating point.
     #[doc(hidden)]
     fn coefficient_error(polynomial: &[i64]) -> f64;
     /// Value of a coefficient of x^power.

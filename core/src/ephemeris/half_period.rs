@@ -26,7 +26,7 @@ pub(crate) struct HalfPeriod {
     /// Length of the half period.
     length: f64,
     /// Whether the nutation is periodic.
-    returns: bool,
+    is_periodic: bool,
     /// Constant rates of θ_A and θ_B besides ψ_A' and ψ_B', rad per unit time.
     theta_offset: [Extended; 2],
     /// Magnitude below which a term of the series is negligible.
@@ -51,7 +51,7 @@ impl HalfPeriod {
     pub(crate) const EMPTY: Self = Self {
         law: Law::ZERO,
         length: 0.0,
-        returns: true,
+        is_periodic: true,
         theta_offset: [Extended::ZERO; 2],
         least: 0.0,
         expansion: Expansion::EMPTY,
@@ -67,7 +67,7 @@ impl HalfPeriod {
     pub(crate) fn begin(&mut self, motion: &Motion, rates: &MeanRates, least: f64) {
         self.law = motion.law();
         self.length = rates.half_period.to_f64();
-        (self.returns, self.theta_offset, self.least) = (rates.returns, rates.theta_offset, least);
+        (self.is_periodic, self.theta_offset, self.least) = (rates.is_periodic, rates.theta_offset, least);
         self.fastest = larger_or_nan(self.speed(0.0, 1.0), self.speed(1.0, 0.0));
     }
 
@@ -177,14 +177,14 @@ impl HalfPeriod {
 
     #[inline(never)]
     fn after(&self, x: i64, share: f64) -> Option<Position> {
-        let left_out = self.expansion.left_out(x);
-        (left_out <= share).then(|| {
+        let truncation_error = self.expansion.truncation_error(x);
+        (truncation_error <= share).then(|| {
             let [chi, theta] = self.expansion.sizes(x);
             let delay = self.part * chi / self.expansion.chi_slope(x);
             let [delays, angles] = self.current.squares;
             Position {
                 point: self.expansion.point(x),
-                remainder: self.current.remainder + left_out,
+                remainder: self.current.remainder + truncation_error,
                 squares: [delays + delay * delay, angles + theta * theta],
             }
         })
@@ -194,7 +194,7 @@ impl HalfPeriod {
     /// α and β without their mean rotation are real, so cos θ = 0. An error of χ is a delay, which is multiplied by the
     /// greatest speed.
     pub(crate) fn defect(&self, speeds: &Speeds) -> f64 {
-        if !self.returns {
+        if !self.is_periodic {
             return 0.0;
         }
         let miss = |angle: Phase| Float::abs(f64::sine_cosine(angle).1);

@@ -12,7 +12,7 @@ pub(crate) struct MeanRates {
     /// Half period T/2; for an aperiodic motion the time from its lowest point to u = 1; 0 where u is constant.
     pub(crate) half_period: Extended,
     /// Whether the nutation is periodic; false for an aperiodic motion, whose nutation phase stops at half a turn.
-    pub(crate) returns: bool,
+    pub(crate) is_periodic: bool,
     /// Constant rates of θ_A and θ_B besides ψ_A' and ψ_B': ±τ/2 minus the mean rate, rad per unit time.
     pub(crate) theta_offset: [Extended; 2],
     /// Nutation frequency 1/T, and the mean rates of α and β, in turns per unit time.
@@ -36,7 +36,7 @@ impl MeanRates {
     /// Rates before they are computed.
     pub(crate) const ZERO: Self = Self {
         half_period: Extended::ZERO,
-        returns: true,
+        is_periodic: true,
         theta_offset: [Extended::ZERO; 2],
         turns: [Extended::ZERO; 3],
         errors: [0.0; 3],
@@ -64,7 +64,7 @@ impl MeanRates {
         let error = |rate: Extended| (Float::abs(rate.to_f64()) + 2.0 * half_tau) * relative + slow;
         Self {
             half_period: Extended::ZERO,
-            returns: true,
+            is_periodic: true,
             theta_offset: [Extended::ZERO; 2],
             turns: [Extended::ZERO, alpha, beta],
             errors: [0.0, error(alpha), error(beta)],
@@ -84,7 +84,7 @@ impl MeanRates {
         let half_tau = motion.half_tau();
         Self {
             half_period: advance.period.halved(),
-            returns: true,
+            is_periodic: true,
             theta_offset: [half_tau - Extended::TWO_PI * alpha, -half_tau - Extended::TWO_PI * beta],
             turns: [frequency, alpha, beta],
             errors: errors(motion, mean),
@@ -96,7 +96,7 @@ impl MeanRates {
     fn rising(motion: &Motion, rounding: f64) -> Self {
         let law = motion.law();
         // cos χ = sech v ≈ 2 e^{-v}
-        let half_period = Extended::from(rise_time(&law.cast(), rise(rounding), 256));
+        let half_period = Extended::from(rise_time(&law.cast(), last_v(rounding), 256));
         let at_the_top = law.aperiodic_rates(Extended::ONE, Extended::ZERO);
         let half_tau = motion.half_tau();
         let frequency = Extended::ONE / half_period.doubled();
@@ -106,7 +106,7 @@ impl MeanRates {
         let error = Extended::from(slow * relative + turning).in_turns().to_f64();
         Self {
             half_period,
-            returns: false,
+            is_periodic: false,
             theta_offset: [-at_the_top.alpha, Extended::ZERO],
             turns: [frequency, (at_the_top.alpha + half_tau).in_turns(), (-half_tau).in_turns()],
             // the frequency can be chosen freely, so only the increments contain its rounding error
@@ -141,7 +141,7 @@ fn errors(motion: &Motion, mean: &MeanMotion) -> [f64; 3] {
 }
 
 /// Variable v at which 1 - u is below `rounding`².
-pub(crate) fn rise(rounding: f64) -> f64 {
+pub(crate) fn last_v(rounding: f64) -> f64 {
     libm::log(4.0 / rounding)
 }
 

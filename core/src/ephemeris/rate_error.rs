@@ -74,7 +74,7 @@ pub(crate) fn rate_error<R: EphemerisScalar>(
     let rounded = Float::sqrt(coefficients * coefficients + random * random);
     let own = (speeds.sweep_error + truncated + rounded) * per_time
         + R::RATE_ERROR * (speeds.x_rate * per_time + mean)
-        + R::SLOPE_ROUNDING * speeds.bend * per_time
+        + R::SLOPE_ROUNDING * speeds.velocity_change * per_time
         + R::RATE_ROUNDING * whole
         + COEFFICIENTS * motion.rotor;
     ErrorBound {

@@ -31,7 +31,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// jump. The error bound keeps growing with the ticks, and exceeds a turn before the 96 bits of an increment are
     /// insufficient. The only exception is an aperiodic motion that rises within less than one tick: times within
     /// that tick are not resolved.
-    #[inline(always)] // the mean tip angle is not computed for who does not ask for it
+    #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {
         match self.clock.instant(t) {
@@ -80,7 +80,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[must_use]
     pub fn nutation_phase(&self) -> Phase {
         let [nutation, ..] = self.phases;
-        phase(nutation)
+        Phase::from_fraction(nutation)
     }
 
     /// Orientation Φ, from which γ, δ and u follow.
@@ -196,8 +196,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         AttitudeState { orientation, rate: OrientationRate::from_body(&orientation, omega_body) }
     }
 
-    /// Orientation, and angular velocity Ω in the body frame in some unit, whose exponent is the last
-    /// result.
+    /// Orientation, angular velocity Ω in the body frame in some unit, and the exponent of that unit.
     #[inline(always)]
     fn rates(&self) -> (Orientation<R>, Vector<R::Rate>, i32) {
         let (found, point) = self.locate();
@@ -230,9 +229,4 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
 fn widened<R: EphemerisScalar>(orientation: &Orientation<R>) -> Orientation<R::Wide> {
     let wide = |number: Complex<R>| Complex::new(number.re.widened(), number.im.widened());
     Orientation { alpha: wide(orientation.alpha), beta: wide(orientation.beta) }
-}
-
-/// Phase from the 64 leading bits of its fraction of a turn.
-fn phase(leading: u64) -> Phase {
-    Phase::from_bits(i128::from(leading) << 32)
 }

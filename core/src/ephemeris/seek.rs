@@ -1,6 +1,6 @@
 //! Start of a motion on the half period that an ephemeris tabulates.
 
-use crate::ephemeris::mean_rates::{MeanRates, rise, rise_time};
+use crate::ephemeris::mean_rates::{MeanRates, last_v, rise_time};
 use crate::law::series::Expansion;
 use crate::law::{Law, gudermannian};
 use crate::motion::Motion;
@@ -35,7 +35,7 @@ impl StartSearch {
             NutationVariable::Aperiodic(v) => {
                 let (sine, cosine) = gudermannian(Float::abs(v));
                 // most starts are found on the way, which costs less than a precise quadrature
-                let beyond = (Float::abs(v) > rise(rates.rounding)).then(|| {
+                let beyond = (Float::abs(v) > last_v(rates.rounding)).then(|| {
                     let time = rise_time(&law.cast(), Float::abs(v), 1024);
                     Phase::new(time / (2.0 * rates.half_period.to_f64()))
                 });

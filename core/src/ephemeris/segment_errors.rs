@@ -1,6 +1,6 @@
 //! Errors of one segment, from its two polynomials.
 
-use crate::ephemeris::economise::{Polynomial, beyond_the_last, economise};
+use crate::ephemeris::economise::{Polynomial, economise, omitted_terms};
 use crate::ephemeris::speeds::{SegmentSpeeds, greatest_slopes};
 use crate::law::series::{TERMS, larger_or_nan};
 use crate::scalar::Float;
@@ -28,7 +28,7 @@ impl SegmentErrors {
         terms: usize,
         store: impl FnOnce(Polynomial<'_>) -> [f64; 2],
     ) {
-        let beyond = [&*re, &*im].map(beyond_the_last).into_iter().fold(0.0, larger_or_nan);
+        let beyond = [&*re, &*im].map(omitted_terms).into_iter().fold(0.0, larger_or_nan);
         let [dropped, dropped_slope] = economise([&mut *re, &mut *im], terms);
         let dropped = dropped + 2.0 * beyond;
         let [[re_slope, re_curvature], [im_slope, im_curvature]] = [&*re, &*im].map(greatest_slopes);

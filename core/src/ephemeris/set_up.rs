@@ -187,7 +187,7 @@ impl SetUp {
     #[inline(never)]
     fn state_bounds<R: EphemerisScalar>(&self, ephemeris: &mut EphemerisView<R>) {
         let Self { motion, tick, rates, tabulated, .. } = self;
-        let per_tick = phase_errors(rates, tick.length().to_f64(), ephemeris.clock.missed());
+        let per_tick = phase_errors(rates, tick.length().to_f64(), ephemeris.clock.increment_errors());
         let error_bound = ErrorBound::of::<R>(rates, tabulated, per_tick);
         let [_, mean, axial] = ephemeris.clock.rates.map(Float::to_f64);
         let of_motion = MotionRates {

@@ -15,7 +15,7 @@ pub(crate) struct Speeds {
     /// Greatest acceleration 2 √(|d²α/dt²|² + |d²β/dt²|²), in rad per half period squared.
     pub(crate) acceleration: f64,
     /// Greatest change of the angular velocity on half a segment, in rad per half period.
-    pub(crate) bend: f64,
+    pub(crate) velocity_change: f64,
     /// Truncation error of the angular velocity 2 √(|dα/dt|² + |dβ/dt|²), in rad per half period.
     pub(crate) sweep_error: f64,
     /// Greatest rate dx/dt of the local coordinate, per half period.
@@ -39,7 +39,7 @@ impl Speeds {
         turning: 0.0,
         steepness: 0.0,
         acceleration: 0.0,
-        bend: 0.0,
+        velocity_change: 0.0,
         sweep_error: 0.0,
         x_rate: 0.0,
     };
@@ -53,7 +53,7 @@ impl Speeds {
             turning: larger_or_nan(self.turning, 2.0 * theta_slope * x_rate),
             steepness: larger_or_nan(self.steepness, slope),
             acceleration: larger_or_nan(self.acceleration, curvature * x_rate * x_rate),
-            bend: larger_or_nan(self.bend, curvature * x_rate),
+            velocity_change: larger_or_nan(self.velocity_change, curvature * x_rate),
             sweep_error: larger_or_nan(self.sweep_error, slope_error * x_rate),
             x_rate: larger_or_nan(self.x_rate, x_rate),
         };
@@ -67,7 +67,7 @@ impl Speeds {
 
     /// Orientation error, rad, of a `remainder` that is the sum of the errors of θ and of the errors of χ multiplied
     /// by `fastest` over the local rate of χ, both rates per half period.
-    pub(crate) fn left_out(&self, remainder: f64, fastest: f64) -> f64 {
+    pub(crate) fn truncation_error(&self, remainder: f64, fastest: f64) -> f64 {
         self.delay(remainder / fastest) + 2.0 * remainder
     }
 }

@@ -357,7 +357,7 @@ impl Tabulation {
     fn result(&self, motion: &Motion) -> Tabulated {
         let TabulatedStart { phase, theta, share } = self.found_start.unwrap_or_default();
         let Position { remainder, squares, .. } = *self.path.position();
-        let stepping = self.speeds.left_out(remainder, self.path.fastest_per_half_period());
+        let stepping = self.speeds.truncation_error(remainder, self.path.fastest_per_half_period());
         Tabulated {
             start: self.seek.start(motion, phase, theta),
             start_share: share,

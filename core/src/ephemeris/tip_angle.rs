@@ -35,7 +35,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let nutation = nutation.fraction();
         let quarter_turn = Phase::QUARTER.times(self.clock.tip.quarter.into());
         let tabulated = self.tabulated_angle(nutation);
-        // the whole turns are those of the table, and the rest is that of the motion's phases, because near the centre the table's angle is inexact
+        // the whole turns come from the table, and the rest from the motion's phases, because near the centre the
+        // table's angle is inexact
         let argument = motion.tip_angle_at_start();
         let exact = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
         let TipClock { quarter, passes, .. } = self.clock.tip;
@@ -46,7 +47,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.clock.tip.start = (argument - self.signed_part(nutation) - tabulated).words();
     }
 
-    /// Half a turn a period for each parameter that passes through 0, which A and B have and the tip angle has not.
+    /// Half a turn per period for each parameter that passes through 0. The slow phases contain it, and the tip angle
+    /// does not.
     fn signed_part(&self, nutation: u64) -> Phase {
         Phase::from_bits(i128::from(nutation as i64) << 31).times(self.clock.tip.passes.into())
     }
@@ -60,23 +62,23 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         for segment in self.segments.iter().take(found.number + 1) {
             let [centre, ..] = segment.as_ref() else { continue };
             let product = self.turned_back(centre.map(|coefficient| R::number(coefficient, 0)));
-            if !self.has_faded(product) {
+            if !self.is_at_limit(product) {
                 winding.reach(product);
             }
         }
         let numbers = |(power, row): (usize, &[R::Coefficient; 4])| row.map(|c| R::number(c, power));
         let ValuesAndSlopes(value, slope) =
             ValuesAndSlopes::at(found.terms.iter().enumerate().rev().map(numbers), x);
-        if !self.has_faded(self.turned_back(value)) {
+        if !self.is_at_limit(self.turned_back(value)) {
             winding.reach(self.direction(value, slope, x));
         }
         let angle = winding.angle();
         if is_falling(nutation) { -angle } else { angle }
     }
 
-    /// Whether αβ of an aperiodic motion is so close to its limit 0 that its argument is the limit's: the two differ
-    /// by about |αβ|², the rounding of the table changes the argument by more.
-    fn has_faded(&self, product: Complex<R::Wide>) -> bool {
+    /// Whether αβ of an aperiodic motion is so close to its limit 0 that its argument counts as that of the limit. The
+    /// two differ by about |αβ|², and the rounding of the table changes the argument by more.
+    fn is_at_limit(&self, product: Complex<R::Wide>) -> bool {
         let limit = R::ROUNDING + R::Wide::ROUNDING;
         self.clock.horizon.is_some() && product.norm_squared() < R::Wide::from_f64(limit)
     }
@@ -87,8 +89,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let product = self.turned_back(value);
         let ([alpha, beta], [alpha_slope, beta_slope]) = (complex(value), complex(slope));
         let change = self.rotated_back(alpha_slope * beta + alpha * beta_slope);
-        let blurred = BLURRED * (R::ROUNDING + R::Wide::ROUNDING);
-        if product.norm_squared() > R::Wide::from_f64(blurred * blurred) {
+        let least_modulus = LEAST_MODULUS * (R::ROUNDING + R::Wide::ROUNDING);
+        if product.norm_squared() > R::Wide::from_f64(least_modulus * least_modulus) {
             product
         } else if x < R::Wide::ZERO {
             change
@@ -117,15 +119,17 @@ fn complex<R>([re_alpha, im_alpha, re_beta, im_beta]: [R; 4]) -> [Complex<R>; 2]
     [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)]
 }
 
-/// |αβ| in roundings of the scalar, below which its argument counts as blurred: a table is within four of them.
-const BLURRED: f64 = 64.0;
+/// Value of |αβ|, in roundings of the scalar, below which its argument counts as unknown. The error of a table is at
+/// most four roundings.
+const LEAST_MODULUS: f64 = 64.0;
 
-/// A phase less the nearest multiple of half a turn.
+/// Difference of a phase and the nearest multiple of half a turn.
 fn half_turn_remainder(phase: Phase) -> Phase {
     Phase::from_bits(phase.times(2).principal().to_bits() >> 1)
 }
 
-/// Whether u falls at a nutation phase: α and β, their mean rotation taken off, are then the conjugates of the tabulated ones.
+/// Whether u falls at a nutation phase. Without their mean rotation α and β are then the conjugates of the tabulated
+/// values.
 fn is_falling(nutation: u64) -> bool {
     (nutation as i64) < 0
 }

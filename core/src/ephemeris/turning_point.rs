@@ -14,8 +14,9 @@ pub struct TurningPoint {
     pub upper: bool,
 }
 
-/// Phase difference below which a phase counts as the turning point: 2^-50 turns, the rounding of a start.
-const AT_THE_POINT: Phase = Phase::from_bits(1 << 46);
+/// Phase difference below which a phase counts as that of an event, such as a turning point: 2^-50 turns, the rounding
+/// of a start.
+pub(crate) const AT_THE_POINT: Phase = Phase::from_bits(1 << 46);
 
 impl<R: EphemerisScalar> EphemerisView<R> {
     /// Next turning point of u at tick n or later; `None` where u has no further turning point, is constant, or has

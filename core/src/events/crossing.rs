@@ -43,8 +43,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         Crossings { instants: Recurring::new(self, [Some(Phase::HALF), Some(Phase::ZERO)], from) }
     }
 
-    /// Instants at tick `from` or later at which u crosses a level. There are none where the motion does not reach it; whether
-    /// it reaches a level within the error bound of e₁ or e₂ is left to the rounding.
+    /// Instants at tick `from` or later at which u crosses a level. There are none where the motion does not reach it;
+    /// for a level within the error bound of e₁ or e₂ the result depends on rounding.
     ///
     /// Error of the time: that of u, the error bound of the orientation, over |u'| at the crossing.
     ///

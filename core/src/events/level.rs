@@ -58,8 +58,8 @@ impl Level {
         Ok([upper, Self { one_minus_u: large, one_plus_u: small }])
     }
 
-    /// Level at which the normal force N is 0: N > 0 below it and N < 0 above it, so that a real top lifts off where u rises
-    /// through it. Where the computed u falls through it, the plane would have to pull no longer.
+    /// Level at which the normal force N is 0: N > 0 below it and N < 0 above it, so that a real top lifts off where u
+    /// rises through it. Where the computed u falls through it, N becomes positive again.
     ///
     /// `None` unless the tip slides (a fixed support can also pull), and where N has one sign throughout the motion
     /// ([`Motion::min_normal_force`] tells which).
@@ -100,7 +100,7 @@ impl Level {
     pub(super) fn phase<R: EphemerisScalar>(&self, view: &EphemerisView<R>) -> Option<Phase> {
         const LAST: u64 = (1 << 63) - 1;
         let reached = self.is_reached(view, LAST) && !self.is_reached(view, 0);
-        reached.then(|| phase(first_that(0, LAST, |nutation| self.is_reached(view, nutation))))
+        reached.then(|| Phase::from_fraction(first_that(0, LAST, |nutation| self.is_reached(view, nutation))))
     }
 
     /// Whether u of the table is at the level or above it at a nutation phase, given by its 64 leading bits.
@@ -115,12 +115,7 @@ impl Level {
     }
 }
 
-/// Phase from the 64 leading bits of its fraction of a turn.
-pub(super) fn phase(leading: u64) -> Phase {
-    Phase::from_bits(i128::from(leading) << 32)
-}
-
 /// Phases of a sample at a nutation phase, with both slow phases 0.
 pub(super) fn at_phase(nutation: u64) -> [PhaseFraction; 3] {
-    [phase(nutation), Phase::ZERO, Phase::ZERO].map(PhaseFraction::of)
+    [Phase::from_fraction(nutation), Phase::ZERO, Phase::ZERO].map(PhaseFraction::of)
 }

@@ -1,12 +1,8 @@
 //! Instants at which the nutation phase has one of several values.
 
-use crate::ephemeris::{EphemerisScalar, EphemerisView};
-use crate::events::whole;
+use crate::ephemeris::{AT_THE_POINT, EphemerisScalar, EphemerisView};
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float, Ring};
-
-/// Phase difference below which an instant counts as that of the event: 2^-50 turns, the rounding of a start.
-const AT_THE_POINT: Phase = Phase::from_bits(1 << 46);
 
 /// Next instants of N nutation phases, in ticks.
 #[derive(Clone, Copy, Debug)]
@@ -28,13 +24,13 @@ impl<const N: usize> Recurring<N> {
         if !(view.clock.turns && step > Extended::ZERO) {
             return nowhere;
         }
-        let start = whole(from);
+        let start = Extended::normalised(from.into(), 0);
         let not_before = |ticks: Extended| if ticks < start { start } else { ticks };
-        if let Some([first, last]) = view.clock.rise() {
+        if let Some([first, last]) = view.clock.nutation_interval() {
             // an aperiodic motion passes each phase once, on either side of its lowest point
             let lowest = (first + last).halved();
-            let margin = turns(AT_THE_POINT) / step;
-            let at = |phase: Phase| lowest + turns(phase.principal()) / step;
+            let margin = Extended::from(AT_THE_POINT) / step;
+            let at = |phase: Phase| lowest + Extended::from(phase.principal()) / step;
             let next = phases.map(|phase| phase.map(at).filter(|t| *t + margin > start).map(not_before));
             return Self { next, period: None };
         }
@@ -42,7 +38,7 @@ impl<const N: usize> Recurring<N> {
         let ahead = |phase: Phase| {
             // a phase next to that of the event counts as the event's own
             let ahead = PhaseFraction::of(phase - now + AT_THE_POINT).to_phase() - AT_THE_POINT;
-            if ahead <= AT_THE_POINT { start } else { start + turns(ahead) / step }
+            if ahead <= AT_THE_POINT { start } else { start + Extended::from(ahead) / step }
         };
         Self { next: phases.map(|phase| phase.map(ahead)), period: Some(Extended::ONE / step) }
     }
@@ -65,7 +61,8 @@ impl<const N: usize> Recurring<N> {
         earliest
     }
 
-    /// Next instant, with the index of its phase, which then waits for its next passage.
+    /// Next instant, with the index of its phase. It is replaced by the instant one period later, or removed if each
+    /// phase is passed once.
     pub(super) fn pop(&mut self) -> Option<(usize, Extended)> {
         let (index, ticks) = self.peek()?;
         if let Some(next) = self.next.get_mut(index) {
@@ -74,7 +71,7 @@ impl<const N: usize> Recurring<N> {
         Some((index, ticks))
     }
 
-    /// Forgets the phase with an index.
+    /// Removes the instants of the phase with this index.
     pub(super) fn drop(&mut self, index: usize) {
         if let Some(next) = self.next.get_mut(index) {
             *next = None;
@@ -85,12 +82,4 @@ impl<const N: usize> Recurring<N> {
     pub(super) fn skip(&mut self, ticks: Extended) {
         self.next = self.next.map(|next| next.map(|next| next + ticks));
     }
-}
-
-/// Number of turns of a phase.
-pub(super) fn turns(phase: Phase) -> Extended {
-    let bits = phase.to_bits();
-    let leading = bits as f64;
-    let rest = bits.wrapping_sub(leading as i128) as f64;
-    Extended::sum(leading * Phase::RESOLUTION, rest * Phase::RESOLUTION)
 }

@@ -5,9 +5,9 @@
 //! do not contain the direction, as many periods are skipped as the mean rotation needs to come near it.
 
 use crate::ephemeris::{EphemerisScalar, EphemerisView, Sample};
-use crate::events::level::{at_phase, phase};
-use crate::events::recurring::{Recurring, turns};
-use crate::events::{Event, first_that, whole};
+use crate::events::level::at_phase;
+use crate::events::recurring::Recurring;
+use crate::events::{Event, first_that};
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float, Ring, Scalar};
 
@@ -47,7 +47,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Cost of an event: up to 64 evaluations of the tip angle, and up to 40 more where periods are skipped.
     #[must_use]
     pub fn tip_angles(&self, angle: Phase, from: i64) -> TipAngles<'_, R> {
-        let start = whole(from);
+        let start = Extended::normalised(from.into(), 0);
         let reversal = self.reversal();
         let phases = [Some(Phase::ZERO), Some(Phase::HALF), reversal, reversal.map(|phase| -phase)];
         TipAngles {
@@ -81,7 +81,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let noise = NOISE * (R::ROUNDING + R::Wide::ROUNDING) * size;
         let changes = lowest * highest < 0.0 && Float::abs(lowest) > noise && Float::abs(highest) > noise;
         let changed = |nutation: u64| self.turning(nutation).0 * lowest <= 0.0;
-        changes.then(|| phase(first_that(0, LAST, changed)))
+        changes.then(|| Phase::from_fraction(first_that(0, LAST, changed)))
     }
 
     /// |c|² φ' and |c| |c'| at a nutation phase.
@@ -94,7 +94,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 }
 
 impl<R: EphemerisScalar> TipAngles<'_, R> {
-    /// Sets the angle at the start back by a rounding, so that an event at the start is one.
+    /// Moves the angle at the start back by a rounding, so that an event at the start is found.
     fn started(mut self) -> Self {
         for _ in 0..PIECES {
             if self.bounds.peek().is_some_and(|(_, end)| end <= self.at) {
@@ -137,7 +137,7 @@ impl<R: EphemerisScalar> TipAngles<'_, R> {
 
     /// Event of a motion without bounds, whose φ is monotone at all times.
     fn without_bounds(&mut self) -> Option<Event> {
-        let rate = turns(Phase::from_words(self.view.clock.tip.step));
+        let rate = Extended::from(Phase::from_words(self.view.clock.tip.step));
         let mut length = Extended::ONE / rate.abs();
         for _ in 0..MOST_DOUBLINGS {
             let end = self.at + length;
@@ -151,15 +151,15 @@ impl<R: EphemerisScalar> TipAngles<'_, R> {
         None
     }
 
-    /// Passes over the periods in which the mean rotation is still short of the angle looked for. `extent` is the least and the greatest
-    /// angle, relative to the current one, over the last period.
+    /// Skips the periods in which the mean rotation is too small to reach the angle looked for. `extent` is the least
+    /// and the greatest angle, relative to the current one, over the last period.
     fn skip(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
         /// Share of the periods that is skipped at once, so that rounding does not skip one too many.
         const CAUTION: f64 = 1.0 - 1e-9;
-        let drift = turns(Phase::from_words(self.view.clock.tip.step)) * period;
-        let upward = drift > Extended::ZERO;
+        let per_period = Extended::from(Phase::from_words(self.view.clock.tip.step)) * period;
+        let upward = per_period > Extended::ZERO;
         let edge = Self { angle: self.angle + if upward { greatest } else { least }, ..*self };
-        let periods = turns(edge.ahead(upward)) / drift * Extended::from(CAUTION);
+        let periods = Extended::from(edge.ahead(upward)) / per_period * Extended::from(CAUTION);
         let ([whole, rest], _) = periods.floor_and_rest();
         let periods = Extended::sum(whole, rest) - Extended::ONE;
         if periods > Extended::ZERO {

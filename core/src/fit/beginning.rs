@@ -2,7 +2,7 @@
 //!
 //! Two directions, or a camera, give the orientation at each instant; a single direction leaves the yaw open, and the
 //! axis alone the roll. The rate about the axis is beyond the range of most gyroscopes. It then follows from two
-//! orientations, from the circle that a direction draws in the body, or it is tried out.
+//! orientations or from the circle that a direction draws in the body; otherwise several rates are tried.
 
 use crate::fit::instruments::rotation_vector;
 use crate::fit::launch::Launch;
@@ -14,7 +14,7 @@ use crate::su2::{Orientation, Vector, bracket, dot};
 
 /// Largest number of guesses.
 const MOST_GUESSES: usize = 24;
-/// Rates about the axis that are tried on each side of 0, where nothing tells it.
+/// Number of rates about the axis that are tried on each side of 0, where the measurements do not determine the rate.
 const TRIED: usize = 12;
 
 /// State of the motion at one instant.

@@ -86,7 +86,7 @@ fn cast<F: Real>(x: Vector<f64>) -> Vector<F> {
     x.map(F::from_f64)
 }
 
-/// Deviation of a component that says nothing.
+/// Deviation of a component without information.
 fn unused<F: Real>() -> F {
     F::from_f64(f64::INFINITY)
 }

@@ -162,7 +162,7 @@ impl Model {
         }
     }
 
-    /// Information before any measurement, and the sum of squares of what it is contradicted by.
+    /// Information before any measurement, and the sum of squares of the differences of the launch from it.
     pub(crate) fn prior<F: Real>(&self, launch: &Launch) -> (Triangle<F>, f64) {
         let mut information = Triangle::new(self.count);
         let mut cost = 0.0;

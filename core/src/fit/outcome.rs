@@ -71,9 +71,10 @@ pub enum Reason {
     AllSaturated,
     /// Fewer observations than unknowns of a launch.
     TooFew,
-    /// The top stands upright as far as the noise allows to say, and nothing tells its rate about the axis.
+    /// The top is upright to within the noise, and no measurement determines its rate about the axis.
     SpinUnknown,
-    /// The measurements do not say where to begin: neither an orientation, nor the axis, nor a direction with rates.
+    /// The measurements determine no first guess: they contain neither an orientation, nor the axis, nor a direction
+    /// with rates.
     NoBeginning,
 }
 
@@ -99,7 +100,7 @@ impl fmt::Display for Reason {
 pub struct Statistics {
     /// Number of components that were used.
     pub used: u32,
-    /// Number of components that say nothing, because they are at the end of their range.
+    /// Number of components that are not used, because they are at the end of their range.
     pub unused: u32,
     /// Number of components whose weight was reduced.
     pub outliers: u32,
@@ -107,12 +108,13 @@ pub struct Statistics {
     pub chi_squared: f64,
     /// Largest residual in standard deviations.
     pub largest: f64,
-    /// Sum of the squares of the differences from what was known before, as of biases, in standard deviations.
+    /// Sum of the squares of the differences from prior values, such as those of biases, in standard deviations.
     pub prior: f64,
 }
 
 impl Statistics {
-    /// Sum of squares by the number of observations in excess of the unknowns: about 1 where model and noise are right.
+    /// Sum of squares over the number of degrees of freedom, observations minus unknowns: about 1 where model and noise
+    /// are right.
     #[must_use]
     pub fn reduced_chi_squared(&self, unknowns: usize) -> f64 {
         let freedom = f64::from(self.used) - unknowns as f64;

@@ -1,8 +1,8 @@
 //! Rows of the least-squares problem on their way into a triangle, by reflections of Householder.
 //!
-//! A row has one bias at most. So the triangle of the measurements has the shape of an arrow: the biases come first, and
-//! the row of each has no entry for another one. Rows are collected and reflected many at a time, which needs a
-//! square root for an unknown and not for each row.
+//! A row has one bias at most. So the triangle of the measurements is an arrowhead matrix: the biases come first, and
+//! the row of each has no entry for another one. Rows are collected and reflected many at a time, which needs a square
+//! root for an unknown and not for each row.
 
 use crate::fit::launch::LAUNCH;
 use crate::fit::triangle::{MOST_UNKNOWNS, Triangle};

@@ -21,7 +21,7 @@ pub struct Measurement {
 pub struct Prediction<F = f64> {
     /// Measured minus predicted value, without bias.
     pub difference: Vector<F>,
-    /// Standard deviation of the noise; infinite for a component that says nothing.
+    /// Standard deviation of the noise; infinite for a component without information.
     pub deviation: Vector<F>,
     /// Derivatives of the predicted value, in the order of [`Sensitivity::NAMES`](crate::Sensitivity::NAMES).
     pub columns: [Vector<F>; COLUMNS],
@@ -31,7 +31,7 @@ pub struct Prediction<F = f64> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Hint {
-    /// Nothing that a beginning can use.
+    /// No information that a first guess can use.
     None,
     /// Angular velocity in the body frame; a component may be only a lower bound of the magnitude.
     Rate {

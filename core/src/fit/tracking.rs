@@ -1,4 +1,4 @@
-//! Tracking: each block of measurements begins from what the last one left.
+//! Tracking: the fit of each block of measurements begins from the result of the previous block.
 
 use crate::fit::Fit;
 use crate::fit::instruments::rotation_vector;

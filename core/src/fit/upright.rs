@@ -1,9 +1,10 @@
-//! Upright tops whose spin nothing tells.
+//! Upright tops whose spin the measurements do not determine.
 //!
-//! While a top stands upright, an accelerometer and a gyroscope do not feel how fast or how far it has turned, if the
-//! rate about the axis is beyond the gyroscope's range. A fit still finds a tilt as small as the noise, and a spin at
-//! which this tilt explains the noise best; the derivatives at that launch promise to determine the spin. So a launch
-//! that cannot be told from an upright one is judged by the derivatives of the upright one.
+//! While a top stands upright, the readings of an
+//! accelerometer and of a gyroscope do not depend on its spin and roll, if the spin is beyond the gyroscope's range. A
+//! fit still finds a tilt as small as the noise, and a spin at which this tilt explains the noise best; by the
+//! derivatives at that launch, the spin would be determined. Therefore a launch that cannot be distinguished from an
+//! upright one is evaluated with the derivatives of the upright one.
 
 use crate::fit::Fit;
 use crate::fit::beginning::upright_to;

@@ -1,23 +1,10 @@
 //! Equations of motion in the fixed frame, and the linear equations of a small change of the motion.
 
 use crate::scalar::Float;
-use crate::su2::{Orientation, Vector, bracket, dot};
+use crate::sensitivity::coefficients::Coefficients;
+use crate::sensitivity::flow::{Flow, Tangent, sum};
+use crate::su2::{Vector, bracket, dot};
 use crate::top::Top;
-
-/// Coefficients of the equations of motion, or a change of them.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Coefficients<F> {
-    /// Ratio C/A.
-    pub(crate) inertia: F,
-    /// Quotient p/A, 1/m.
-    pub(crate) moment: F,
-    /// Length s, m; 0 for a fixed tip.
-    pub(crate) height: F,
-    /// Gravity g, m/s².
-    pub(crate) gravity: F,
-    /// Rate K/A of a rotor's momentum, rad per unit time.
-    pub(crate) rotor: F,
-}
 
 /// Coefficients of a top, and the changes of them that belong to the columns from the seventh on.
 #[derive(Clone, Copy, Debug)]
@@ -26,27 +13,6 @@ pub(crate) struct Equations<F> {
     pub(crate) changes: [Coefficients<F>; 4],
     /// Axial component S = ⟨ω, r⟩ of the angular velocity, which is constant.
     pub(crate) spin: F,
-}
-
-/// Small change of a motion: rotation vector θ of the orientation, and its rate η = θ', which is the change of ω seen
-/// by an observer who turns by θ. Both are in the fixed frame.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Tangent<F> {
-    pub(crate) theta: Vector<F>,
-    pub(crate) eta: Vector<F>,
-}
-
-/// State of the motion with N changes of it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Flow<F, const N: usize> {
-    /// Axis r, the third body axis.
-    pub(crate) axis: Vector<F>,
-    /// First body axis, turned back by the angle of the axial rate ω·r, which is constant: its rotation about r has
-    /// no rate.
-    pub(crate) side: Vector<F>,
-    /// Part w = ω - S r of the angular velocity across the axis. It keeps its digits where S is much larger.
-    pub(crate) across: Vector<F>,
-    pub(crate) tangents: [Tangent<F>; N],
 }
 
 /// Vertical acceleration of the axis, its derivatives, and the rates that lead to it.
@@ -71,11 +37,6 @@ pub(crate) struct Acceleration<F> {
     pub(crate) across: Vector<F>,
 }
 
-/// x + f y.
-pub(crate) fn sum<F: Float>([x1, x2, x3]: Vector<F>, [y1, y2, y3]: Vector<F>, f: F) -> Vector<F> {
-    [x1 + f * y1, x2 + f * y2, x3 + f * y3]
-}
-
 /// k × x of the vertical k.
 fn vertical_cross<F: Float>([x, y, _]: Vector<F>) -> Vector<F> {
     [-y, x, F::ZERO]
@@ -92,9 +53,10 @@ impl Equations<f64> {
         Self { coefficients, changes: coefficients.derivatives(top.support()), spin }
     }
 
-    /// Bound on the frequencies of the motion from a state on, rad per unit time: that of the gyroscopic torque, and
-    /// twice that of the axis, which gravity drives until it hangs, or until the gyroscopic torque has turned it. A short
-    /// leg makes the axis faster near the vertical.
+    /// Upper bound on the frequencies of the motion after a state, rad per unit time: the frequency of the gyroscopic
+    /// torque, plus twice the greatest rate of the axis. Gravity accelerates the axis until it points down, or until
+    /// the gyroscopic torque has turned it. A factor of √(ps/A) contains that the axis of a sliding top is faster near
+    /// the vertical.
     pub(crate) fn fastest<const N: usize>(&self, flow: &Flow<f64, N>) -> f64 {
         let Coefficients { moment, height, gravity, .. } = self.coefficients;
         let rate = bracket(flow.across, flow.axis);
@@ -113,15 +75,6 @@ impl Equations<f64> {
             changes: self.changes.map(|change| change.cast()),
             spin: F::from_f64(self.spin),
         }
-    }
-}
-
-impl Coefficients<f64> {
-    fn cast<F: Float>(&self) -> Coefficients<F> {
-        let Self { inertia, moment, height, gravity, rotor } = *self;
-        let [inertia, moment, height, gravity, rotor] =
-            [inertia, moment, height, gravity, rotor].map(F::from_f64);
-        Coefficients { inertia, moment, height, gravity, rotor }
     }
 }
 
@@ -239,99 +192,21 @@ impl<F: Float> Equations<F> {
         relative * F::from_f64(1e-3)
     }
 
-    /// Bound on the frequencies of the motion at a state, rad per unit time.
+    /// Upper bound on the frequencies of the motion at a state, rad per unit time.
     pub(crate) fn frequency<const N: usize>(&self, flow: &Flow<F, N>) -> F {
         let Coefficients { moment, gravity, .. } = self.coefficients;
         dot(flow.across, flow.across).sqrt() + self.gyroscopic().abs() + (moment * gravity).sqrt()
     }
-}
 
-impl<F: Float> Tangent<F> {
-    const NONE: Self = Self { theta: [F::ZERO; 3], eta: [F::ZERO; 3] };
-
-    /// Sum of this tangent and f times another.
-    pub(crate) fn plus(&self, other: &Self, f: F) -> Self {
-        Self { theta: sum(self.theta, other.theta, f), eta: sum(self.eta, other.eta, f) }
-    }
-
-    /// Tangent of a change of Φ and of ω in the fixed frame.
-    fn of_change(theta: Vector<F>, change: Vector<F>, omega: Vector<F>) -> Self {
-        Self { theta, eta: sum(change, bracket(theta, omega), -F::ONE) }
-    }
-}
-
-impl<const N: usize> Flow<f64, N> {
-    /// Flow in another scalar.
-    pub(crate) fn cast<F: Float>(&self) -> Flow<F, N> {
-        let of = |x: Vector<f64>| x.map(F::from_f64);
-        Flow {
-            axis: of(self.axis),
-            side: of(self.side),
-            across: of(self.across),
-            tangents: self.tangents.map(|Tangent { theta, eta }| Tangent { theta: of(theta), eta: of(eta) }),
-        }
-    }
-}
-
-impl<F: Float, const N: usize> Flow<F, N> {
-    /// Flow of zeros.
-    pub(crate) const ZERO: Self =
-        Self { axis: [F::ZERO; 3], side: [F::ZERO; 3], across: [F::ZERO; 3], tangents: [Tangent::NONE; N] };
-
-    /// Flow at the launch: the first six tangents are the unit changes of Φ and ω, the others are 0.
-    pub(crate) fn launched(phi: &Orientation<F>, omega: Vector<F>) -> Self {
-        let [zero, one] = [F::ZERO, F::ONE];
-        let mut tangents = [Tangent::NONE; N];
-        for (index, tangent) in tangents.iter_mut().enumerate() {
-            let unit = |first: usize| {
-                let is = |k: usize| if index == first + k { one } else { zero };
-                [is(0), is(1), is(2)]
-            };
-            *tangent = Tangent::of_change(unit(0), unit(3), omega);
-        }
-        let [axis, side] = [[zero, zero, one], [one, zero, zero]].map(|body| phi.adjoint(body));
-        let across = sum(omega, axis, -dot(omega, axis));
-        Self { axis, side, across, tangents }
-    }
-
-    /// Body coordinates of a vector of the fixed frame.
-    pub(crate) fn in_body(&self, x: Vector<F>) -> Vector<F> {
-        [dot(self.side, x), dot(bracket(self.axis, self.side), x), dot(self.axis, x)]
-    }
-
-    /// Fixed coordinates of a vector of the body frame.
-    pub(crate) fn in_fixed(&self, [x, y, z]: Vector<F>) -> Vector<F> {
-        let across = bracket(self.axis, self.side);
-        sum(sum(self.side.map(|c| c * x), across, y), self.axis, z)
-    }
-
-    /// Adds f times another flow to the state and to the first `known` tangents.
-    pub(crate) fn add(&mut self, other: &Self, f: F, known: usize) {
-        self.axis = sum(self.axis, other.axis, f);
-        self.side = sum(self.side, other.side, f);
-        self.across = sum(self.across, other.across, f);
-        for (tangent, rate) in self.tangents.iter_mut().zip(&other.tangents).take(known) {
-            *tangent = tangent.plus(rate, f);
-        }
-    }
-
-    /// Sum of this flow and f times another.
-    pub(crate) fn plus(&self, other: &Self, f: F) -> Self {
-        let mut flow = *self;
-        flow.add(other, f, N);
-        flow
-    }
-
-    /// Largest difference from another flow, each part relative to its size. Rates are compared in units of
-    /// `frequency`.
-    pub(crate) fn difference(&self, other: &Self, equations: &Equations<F>, frequency: F) -> F {
+    /// Largest difference of two flows, each part relative to its size. Rates are compared in units of `frequency`.
+    pub(crate) fn difference<const N: usize>(&self, one: &Flow<F, N>, other: &Flow<F, N>, frequency: F) -> F {
         let size = |x: Vector<F>| dot(x, x).sqrt();
         let apart = |x: Vector<F>, y: Vector<F>| size(sum(x, y, -F::ONE));
-        let mut worst = apart(self.axis, other.axis)
-            + apart(self.side, other.side)
-            + apart(self.across, other.across) / frequency;
-        for (index, (a, b)) in self.tangents.iter().zip(&other.tangents).enumerate() {
-            let scale = equations.least_size(index) + size(a.theta) + size(a.eta) / frequency;
+        let mut worst = apart(one.axis, other.axis)
+            + apart(one.side, other.side)
+            + apart(one.across, other.across) / frequency;
+        for (index, (a, b)) in one.tangents.iter().zip(&other.tangents).enumerate() {
+            let scale = self.least_size(index) + size(a.theta) + size(a.eta) / frequency;
             let error = apart(a.theta, b.theta) + apart(a.eta, b.eta) / frequency;
             if error > worst * scale {
                 worst = error / scale;

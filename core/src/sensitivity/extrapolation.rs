@@ -1,7 +1,8 @@
 //! Integration by the modified midpoint rule with extrapolation (Gragg, Bulirsch and Stoer).
 
 use crate::scalar::Float;
-use crate::sensitivity::equations::{Equations, Flow};
+use crate::sensitivity::equations::Equations;
+use crate::sensitivity::flow::Flow;
 
 /// Largest number of midpoint sums of a step. The order is twice as large.
 const MOST_SUMS: usize = 7;
@@ -68,7 +69,7 @@ fn extrapolated<F: Float, const N: usize>(
                 let ratio = F::from_f64(sums as f64 / (sums - 1 - k) as f64);
                 let weight = F::ONE / (ratio.squared() - F::ONE);
                 let better = next.plus(&next.plus(&previous, -F::ONE), weight);
-                change = better.difference(&next, equations, frequency);
+                change = equations.difference(&better, &next, frequency);
                 next = better;
             }
         }

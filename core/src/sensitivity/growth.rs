@@ -1,4 +1,4 @@
-//! Growth of the derivatives in a period, freed from what the first integrals forbid.
+//! Growth of the derivatives in a period, projected onto the changes of the first integrals.
 //!
 //! A change of the launch that keeps l, n and h does not grow. The integration over a period makes it grow by its
 //! error, which a million periods would multiply. So the growth is projected onto the changes of l, n and h.
@@ -8,7 +8,7 @@ use crate::su2::{bracket, dot};
 
 /// Number of columns of the launch.
 const LAUNCH: usize = 6;
-/// Length, relative to a gradient, below which what the others leave of it is rounding.
+/// Length, relative to a gradient, below which its component orthogonal to the other gradients is a rounding error.
 const ROUNDING: f64 = 1e-14;
 
 /// Changes of l, n and h by the six numbers of a launch, of which those of ω are in units of a frequency.
@@ -22,13 +22,12 @@ pub(super) fn projected(
 ) -> [Tangent<f64>; COLUMNS] {
     let rate = equations.frequency(start);
     let units = [1.0, 1.0, 1.0, rate, rate, rate];
-    let none = Tangent { theta: [0.0; 3], eta: [0.0; 3] };
     let mut projected = *growth;
     for slot in projected.iter_mut().take(LAUNCH) {
-        *slot = none;
+        *slot = Tangent::NONE;
     }
     for direction in orthonormal(gradients(equations, start, &units)) {
-        let mut along = none;
+        let mut along = Tangent::NONE;
         for ((column, unit), share) in growth.iter().zip(units).zip(direction) {
             along = along.plus(column, share * unit);
         }
@@ -42,19 +41,19 @@ pub(super) fn projected(
 /// Gradients of l/A, n/A and h/A.
 fn gradients(equations: &Equations<f64>, start: &Flow<f64, COLUMNS>, units: &[f64; LAUNCH]) -> Gradients {
     let of = &equations.coefficients;
-    let excess = of.inertia - 1.0;
+    let inertia_difference = of.inertia - 1.0;
     let (axis, spin) = (start.axis, equations.spin);
     let omega = equations.omega(axis, start.across);
     let up = [0.0, 0.0, 1.0];
     let axis_rate = bracket(omega, axis);
-    let momentum = super::total(omega, axis, excess * spin + of.rotor);
+    let momentum = super::total(omega, axis, inertia_difference * spin + of.rotor);
     let [.., rise] = axis_rate;
     let mut gradients = [[0.0; LAUNCH]; 3];
     for (column, (tangent, unit)) in start.tangents.iter().zip(units).enumerate() {
         // the change of the vertical as seen in the frame that the rotation turns
         let vertical = bracket(up, tangent.theta);
         let spin_change = dot(tangent.eta, axis);
-        let momentum_change = super::total(tangent.eta, axis, excess * spin_change);
+        let momentum_change = super::total(tangent.eta, axis, inertia_difference * spin_change);
         let [.., risen] = bracket(tangent.eta, axis);
         let rise_change = risen + dot(axis_rate, vertical);
         let [.., raised] = momentum_change;
@@ -62,7 +61,7 @@ fn gradients(equations: &Equations<f64>, start: &Flow<f64, COLUMNS>, units: &[f6
             raised + dot(momentum, vertical),
             of.inertia * spin_change,
             dot(omega, tangent.eta)
-                + excess * spin * spin_change
+                + inertia_difference * spin * spin_change
                 + of.moment * of.height * rise * rise_change
                 + of.moment * of.gravity * dot(axis, vertical),
         ];
@@ -81,7 +80,7 @@ fn orthonormal(gradients: Gradients) -> Gradients {
     let mut found = [[0.0; LAUNCH]; 3];
     for (index, gradient) in gradients.into_iter().enumerate() {
         let mut rest = gradient;
-        // twice, since the first time leaves the rounding of what it takes away
+        // twice, because the first subtraction leaves rounding errors of what it subtracts
         for _ in 0..2 {
             for direction in &found {
                 let along = inner(&rest, direction);

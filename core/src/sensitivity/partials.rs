@@ -1,8 +1,9 @@
-//! Partial derivatives of what a sample says, at one time.
+//! Partial derivatives of the quantities of a sample, at one time.
 
 use crate::complex::Complex;
 use crate::scalar::Float;
-use crate::sensitivity::equations::{Equations, Flow, sum};
+use crate::sensitivity::equations::Equations;
+use crate::sensitivity::flow::{Flow, sum};
 use crate::sensitivity::{COLUMNS, Tangent};
 use crate::su2::{Orientation, Vector, bracket, dot};
 

@@ -1,4 +1,4 @@
-//! Core's calls.
+//! Calls of core.
 
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::{Real, Ring, Scalar};
@@ -8,10 +8,10 @@ use toytop::{
     TopParameters,
 };
 
-/// Ticks a second.
+/// Number of ticks per second.
 pub(crate) const TICK_RATE: u32 = 1000;
 
-/// What every tick must leave in memory.
+/// Result of a tick, which it writes to memory.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Output<R> {
     pub(crate) orientation: Orientation<R>,
@@ -26,36 +26,36 @@ impl<R: Ring> Default for Output<R> {
     }
 }
 
-/// Measured numbers, before anything is computed from them.
+/// Measured numbers, the input of a launch.
 pub(crate) struct Measured {
-    /// A and C, kg m².
+    /// Moments of inertia A and C, kg m².
     inertia: [f64; 2],
-    /// s, m.
+    /// Distance s of the centre of mass from the tip, m.
     com_height: f64,
-    /// kg.
+    /// Mass, kg.
     mass: f64,
     release: Release,
 }
 
 impl Default for Measured {
-    /// 50 g, let go at 0.35 rad with 150 rad/s.
+    /// Numbers of a 50 g top that is released at a tilt of 0.35 rad with 150 rad/s.
     fn default() -> Self {
-        Self::thrown(0.35, 150.0)
+        Self::released(0.35, 150.0)
     }
 }
 
 impl Measured {
     /// Numbers of this top at 5 rad/s, where gravity and not the spin determines the nutation.
     pub(crate) fn slow() -> Self {
-        Self::thrown(0.35, 5.0)
+        Self::released(0.35, 5.0)
     }
 
     /// Numbers of this top almost upright, with too little spin to stay upright.
     pub(crate) fn falling() -> Self {
-        Self::thrown(1e-3, 30.0)
+        Self::released(1e-3, 30.0)
     }
 
-    fn thrown(tilt: f64, spin: f64) -> Self {
+    fn released(tilt: f64, spin: f64) -> Self {
         let release = Release { tilt, spin, ..Release::default() };
         Self { inertia: [3.0e-5, 2.0e-5], com_height: 0.03, mass: 0.05, release }
     }
@@ -80,7 +80,7 @@ impl Measured {
     }
 }
 
-/// What `Ephemeris::new` allows.
+/// Truncation error that `Ephemeris::new` allows, rad.
 pub(crate) fn truncation<R: Scalar>() -> f64 {
     4.0 * R::ROUNDING
 }
@@ -91,7 +91,7 @@ fn set_up(ephemeris: &mut EphemerisView<f32>, measured: &Measured) -> bool {
     ephemeris.set_up(&motion, tick, truncation::<f32>()).is_ok()
 }
 
-/// Set-up, from measured numbers to a table ready to tick. Once per throw.
+/// Set-up from measured numbers to a complete table, once per launch.
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_launch(ephemeris: &mut EphemerisF32, measured: &Measured) -> bool {
@@ -183,7 +183,7 @@ pub(crate) extern "C" fn bench_cursor_q15(
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rates<R> {
     pub(crate) orientation: Orientation<R>,
-    /// rad/s.
+    /// Angular velocity Ω in the body frame, rad/s.
     pub(crate) omega_body: [f32; 3],
 }
 
@@ -209,7 +209,7 @@ pub(crate) extern "C" fn bench_omega_q31(ephemeris: &EphemerisQ31, tick: i64, ou
     *out = Rates::of(ephemeris.at_tick(tick));
 }
 
-/// A stepper, and 2 s for the tip.
+/// Stepper with the scale 2 s of the tip.
 pub(crate) struct Stepping<R> {
     stepper: Stepper<R>,
     tip_scale: R,

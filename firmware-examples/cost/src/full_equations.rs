@@ -1,29 +1,29 @@
-//! The rival: the full equations of motion for (Φ, m), and one step of the classical Runge-Kutta method.
+//! Baseline: the full equations of motion for (Φ, m), and one step of the classical Runge-Kutta method.
 //!
-//! As fast as we know to write it: m' = p s u' (r' × k) - p g (r × k), which is horizontal, so that m₃ is a constant and
-//! six equations are left; every constant factor is folded in beforehand; Φ is brought back to unit norm by one
-//! Newton step of 1/√x, which needs neither root nor division.
+//! The code is optimised for speed. m' = p s u' (r' × k) - p g (r × k) is horizontal, so that m₃ is a constant and
+//! six equations remain; constant factors are combined before the first step; Φ is normalised by one Newton step of
+//! 1/√x, which needs neither root nor division.
 
 use toytop::scalar::Float;
 use toytop::su2::dot;
 use toytop::{Complex, Motion, Orientation, State};
 
-/// Re α, Im α, Re β, Im β, m₁, m₂.
+/// State: Re α, Im α, Re β, Im β, m₁, m₂.
 pub(crate) type Point<R> = [R; 6];
 
-/// Folded constants of a top and a step.
+/// Constants of a top and a step, with their common factors combined.
 pub(crate) struct Constants<R> {
-    /// m₃.
+    /// Vertical angular momentum m₃, kg m²/s.
     pub(crate) m3: R,
-    /// 1/A.
+    /// Reciprocal 1/A.
     per_a: R,
-    /// (C - A)/C.
+    /// Quotient (C - A)/C.
     axial: R,
-    /// A/(p s).
+    /// Quotient A/(p s).
     a_per_ps: R,
-    /// p g.
+    /// Product p g, kg m²/s².
     pg: R,
-    /// 2 s.
+    /// Length 2 s, m.
     pub(crate) tip_scale: R,
     /// Length of a step, and parts of it.
     pub(crate) dt: R,
@@ -45,7 +45,7 @@ impl<R: Float> Constants<R> {
         Self { m3, per_a, axial, a_per_ps, pg, tip_scale, dt, half, third, sixth }
     }
 
-    /// Φ' and m'.
+    /// Rates Φ' and m'.
     #[inline(always)]
     pub(crate) fn rates(&self, [a, b, c, d, m1, m2]: Point<R>) -> Point<R> {
         let r = [-(a * c - b * d).doubled(), -(a * d + b * c).doubled(), a * a + b * b - c * c - d * d];
@@ -68,7 +68,7 @@ impl<R: Float> Constants<R> {
         ]
     }
 
-    /// One step.
+    /// Performs one step.
     #[inline(always)]
     pub(crate) fn step(&self, y: &mut Point<R>) {
         let ahead = |y: &Point<R>, k: &Point<R>, dt: R| -> Point<R> {
@@ -89,7 +89,7 @@ impl<R: Float> Constants<R> {
     }
 }
 
-/// Φ is off unit norm by what one step leaves: (3 - x)/2 is 1/√x there.
+/// State with Φ normalised. After one step the squared norm x is so close to 1 that (3 - x)/2 equals 1/√x.
 #[inline(always)]
 pub(crate) fn renormalised<R: Float>([a, b, c, d, m1, m2]: Point<R>) -> Point<R> {
     let norm_squared = a * a + b * b + c * c + d * d;
@@ -97,7 +97,7 @@ pub(crate) fn renormalised<R: Float>([a, b, c, d, m1, m2]: Point<R>) -> Point<R>
     [a * scale, b * scale, c * scale, d * scale, m1, m2]
 }
 
-/// Where a state stands: m = A ω + (C - A) <ω, r> r + p s u' q.
+/// Point of a state: Φ, and m = A ω + (C - A) <ω, r> r + p s u' q.
 pub(crate) fn start<R: Float>(motion: &Motion, state: &State) -> Point<R> {
     let (top, orientation, omega) = (motion.top(), state.orientation(), state.omega());
     let r = orientation.axis();

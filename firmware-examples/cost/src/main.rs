@@ -1,26 +1,26 @@
-//! What each call costs on a chip: core's, and what one would write or take instead.
+//! Cost of each call on a chip: the calls of core, and those of the baselines.
 //!
-//! Every call is a function with a symbol, `bench_...`, which `toytop budget` looks for in QEMU's trace. Each is measured
-//! from where a tick number, a cursor or a state is at hand until α, β, u and c are in memory; `bench_omega_...` until α, β and the
-//! angular velocity in the body frame are. The program itself says what the trace does
-//! not show: one line a call, `NAME stack BYTES ram BYTES`; with the feature `dwt`, on a board, `cycles COUNT` too.
+//! Every call is a function with a symbol, `bench_...`, which `toytop budget` looks for in QEMU's trace. A call starts
+//! from a tick number, a cursor or a state and ends when α, β, u and c are in memory, `bench_omega_...` when α, β and
+//! the angular velocity in the body frame are. The program prints the costs that a trace does not show, in one line per
+//! call, `NAME stack BYTES ram BYTES`; with the feature `dwt`, on a board, also `cycles COUNT`.
 
 #![no_std]
 #![no_main]
 
+mod baselines;
 mod calls;
 mod full_equations;
 mod measure;
-mod rivals;
 
 use core::hint::black_box;
 use core::mem::size_of_val;
 
+use baselines::EphemerisMicromath;
 use calls::{Measured, Output, Rates, Stepping};
 use fixed::types::{I2F14, I2F30};
 use full_equations::{Constants, start};
 use measure::Meter;
-use rivals::EphemerisMicromath;
 use semihosting::process;
 use toytop::scalar::{Float, Real};
 use toytop::{
@@ -37,9 +37,9 @@ use riscv as _; // critical section
 #[cfg(target_arch = "riscv32")]
 use riscv_rt::entry;
 
-/// Calls of each kind; the costliest counts.
+/// Number of calls of each kind, of which the costliest counts.
 const CALLS: usize = 8;
-/// Between the ticks asked for: a prime, so that they fall on segments of every kind.
+/// Distance of the ticks of two calls: a prime, so that the ticks are in segments of every kind.
 const STRIDE: i64 = 1_000_003;
 
 #[entry]
@@ -150,20 +150,20 @@ fn stepper<R: Real + Default>(
     black_box(out);
 }
 
-/// What micromath makes of the same algorithms.
+/// Measures the same algorithms with the functions of micromath.
 fn with_micromath(meter: &mut Meter, motion: &Motion, tick: Tick) {
     let mut ephemeris = EphemerisMicromath::EMPTY;
     ephemeris.set_up(motion, tick, calls::truncation::<Micromath>()).expect("the motion fits");
     let (ram, mut out) = (size_of_val(&ephemeris), Output::default());
     meter.measure("bench_ephemeris_micromath", ram, CALLS, |call| {
-        rivals::bench_ephemeris_micromath(&ephemeris, black_box(call as i64 * STRIDE), &mut out);
+        baselines::bench_ephemeris_micromath(&ephemeris, black_box(call as i64 * STRIDE), &mut out);
     });
     let mut cursor = ephemeris.cursor(STRIDE);
     let ram = ram + size_of_val(&cursor);
     meter.measure("bench_cursor_micromath", ram, CALLS, |_| {
-        rivals::bench_cursor_micromath(&ephemeris, &mut cursor, &mut out);
+        baselines::bench_cursor_micromath(&ephemeris, &mut cursor, &mut out);
     });
-    stepper(meter, motion, "bench_stepper_micromath", rivals::bench_stepper_micromath);
+    stepper(meter, motion, "bench_stepper_micromath", baselines::bench_stepper_micromath);
     black_box(out);
 }
 
@@ -173,53 +173,53 @@ fn runge_kutta(meter: &mut Meter, measured: &Measured, motion: &Motion, truth: &
     let (mut point, mut out) = (start(motion, &state), Output::default());
     let ram = size_of_val(&constants) + size_of_val(&point);
     meter.measure("bench_rk4_f32", ram, CALLS, |_| {
-        rivals::bench_rk4_f32(&constants, &mut point, &mut out);
+        baselines::bench_rk4_f32(&constants, &mut point, &mut out);
     });
     same_motion(&out, truth);
     let mut point = start(motion, &state);
     meter.measure("bench_multicalc_rk4_f32", ram, CALLS, |_| {
-        rivals::bench_multicalc_rk4_f32(&constants, &mut point, &mut out);
+        baselines::bench_multicalc_rk4_f32(&constants, &mut point, &mut out);
     });
     same_motion(&out, truth);
     let constants = Constants::<f64>::of(motion, calls::TICK_RATE);
     let (mut point, mut wide) = (start(motion, &state), Output::default());
     let ram = size_of_val(&constants) + size_of_val(&point);
     meter.measure("bench_rk4_f64", ram, CALLS, |_| {
-        rivals::bench_rk4_f64(&constants, &mut point, &mut wide);
+        baselines::bench_rk4_f64(&constants, &mut point, &mut wide);
     });
     same_motion(&wide, truth);
 }
 
-/// The angles are within one turn: a large one costs the others more.
+/// Measures sines of angles within one turn, because the baselines take longer for large angles.
 fn sines(meter: &mut Meter) {
-    // prepared beforehand, on stack that is not watched
+    // computed before, so that their stack is not measured
     let turns: [Phase; CALLS] = black_box(core::array::from_fn(|call| Phase::new(call as f64 * 0.119)));
     let angles: [f64; CALLS] = black_box(core::array::from_fn(|call| call as f64 * 0.75));
     let single = black_box(angles.map(|angle| angle as f32));
     let (mut pair, mut wide) = ([0.0; 2], [0.0; 2]);
     meter.measure("bench_sincos_ours_f32", 0, CALLS, |call| {
-        rivals::bench_sincos_ours_f32(&turns[call], &mut pair);
+        baselines::bench_sincos_ours_f32(&turns[call], &mut pair);
     });
     let mut fixed = [I2F30::ZERO; 2];
     meter.measure("bench_sincos_ours_q31", 0, CALLS, |call| {
-        rivals::bench_sincos_ours_q31(&turns[call], &mut fixed);
+        baselines::bench_sincos_ours_q31(&turns[call], &mut fixed);
     });
     meter.measure("bench_sincos_libm_f32", 0, CALLS, |call| {
-        rivals::bench_sincos_libm_f32(single[call], &mut pair);
+        baselines::bench_sincos_libm_f32(single[call], &mut pair);
     });
     meter.measure("bench_sincos_micromath_f32", 0, CALLS, |call| {
-        rivals::bench_sincos_micromath_f32(single[call], &mut pair);
+        baselines::bench_sincos_micromath_f32(single[call], &mut pair);
     });
     meter.measure("bench_sincos_ours_f64", 0, CALLS, |call| {
-        rivals::bench_sincos_ours_f64(&turns[call], &mut wide);
+        baselines::bench_sincos_ours_f64(&turns[call], &mut wide);
     });
     meter.measure("bench_sincos_libm_f64", 0, CALLS, |call| {
-        rivals::bench_sincos_libm_f64(angles[call], &mut wide);
+        baselines::bench_sincos_libm_f64(angles[call], &mut wide);
     });
     black_box((pair, fixed, wide));
 }
 
-/// After as many ticks, a rival must be where the ephemeris is.
+/// Asserts that a baseline has the orientation and tip of the ephemeris after the same number of ticks.
 fn same_motion<R: Float>(out: &Output<R>, truth: &EphemerisF32) {
     let (orientation, tip) = truth.at_tick(CALLS as i64).orientation_and_tip();
     let near = |found: R, there: f32| (found.to_f64() - f64::from(there)).abs() < 1e-5;

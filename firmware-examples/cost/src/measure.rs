@@ -1,16 +1,16 @@
-//! What a trace does not show: the stack that a call uses, and on a board its cycles.
+//! Costs of a call that a trace does not show: its stack, and on a board its cycles.
 
 use core::arch::asm;
 use core::hint::black_box;
 
 use semihosting::println;
 
-/// Watched below the stack pointer, bytes.
+/// Size of the memory below the stack pointer that is painted, bytes.
 const DEPTH: usize = 32 * 1024;
-/// No call leaves this by chance in every word of a frame.
+/// Word with which the stack is painted. No call leaves it by chance in every word of a frame.
 const PAINT: u32 = 0x5afe_c0de;
 
-/// Measures calls, one kind after another.
+/// Meter of the calls of one kind after another.
 pub(crate) struct Meter {
     #[cfg(feature = "dwt")]
     cycles: cycles::Counter,
@@ -24,7 +24,8 @@ impl Meter {
         }
     }
 
-    /// Runs `call` several times and says what the costliest used. `ram`: what has to be kept between the calls, bytes.
+    /// Runs `call` several times and prints the costs of the costliest one. `ram` is the memory that is kept
+    /// between the calls, bytes.
     #[inline(never)]
     pub(crate) fn measure(&mut self, name: &str, ram: usize, calls: usize, mut call: impl FnMut(usize)) {
         let top = stack_pointer();
@@ -36,7 +37,7 @@ impl Meter {
             call(number);
         }
         let stack = top - lowest_touched(top);
-        assert!(stack < DEPTH, "more stack than was watched");
+        assert!(stack < DEPTH, "more stack than was painted");
         #[cfg(feature = "dwt")]
         println!("{name} stack {stack} ram {ram} cycles {cycles}");
         #[cfg(not(feature = "dwt"))]
@@ -57,7 +58,7 @@ fn stack_pointer() -> usize {
     pointer
 }
 
-/// Inlined: a call would stand on what is painted.
+/// Paints the stack. The function is inlined, because the frame of a call would be in the painted memory.
 #[inline(always)]
 fn paint(top: usize) {
     let mut address = top - DEPTH;
@@ -78,14 +79,14 @@ fn lowest_touched(top: usize) -> usize {
     address
 }
 
-/// A Cortex-M's cycle counter. QEMU's stands at 0.
+/// Cycle counter of a Cortex-M. In QEMU it is always 0.
 #[cfg(feature = "dwt")]
 mod cycles {
     use cortex_m::Peripherals;
     use cortex_m::peripheral::DWT;
 
     pub(super) struct Counter {
-        /// Cycles of nothing.
+        /// Cycles of an empty call.
         overhead: u32,
     }
 

@@ -1,6 +1,7 @@
 //! `toytop-firmware-decoder ELF`: defmt frames on standard input become lines on standard output, as they come.
 //!
-//! Here and not in xtask: its dependencies switch on features of `serde_json` that the root workspace must not have.
+//! The program is not part of xtask, because its dependencies switch on features of `serde_json` that the root
+//! workspace must not have.
 
 use std::io::{Read, Write, stdin, stdout};
 use std::{env, fs};

@@ -1,7 +1,8 @@
 //! From sensors to an ephemeris: a recording in flash is fitted, and a cursor of the fitted launch runs in an interrupt.
 //!
-//! The gyroscope is blind along the axis, where the top turns four times as fast as it can read; its biases are found with the launch.
-//! The fit computes in `f32`. A recording of your own replaces [`imu`], which also has the numbers of the sensors' data sheets.
+//! The gyroscope is saturated along the axis, where the top turns at four times its range; its biases are found with
+//! the launch. The fit computes in `f32`. A recording of your own replaces [`imu`], which also has the numbers of the
+//! sensors' data sheets.
 
 #![no_std]
 #![no_main]
@@ -29,7 +30,7 @@ static FOLLOWER: Mutex<RefCell<Option<Follower>>> = Mutex::new(RefCell::new(None
 fn main() -> ! {
     let sensors: [&dyn Sensor<f32>; 3] = [&imu::GYROSCOPE, &imu::ACCELEROMETER, &imu::MAGNETOMETER];
 
-    // the top is known, its throw is not
+    // the top is known, and its launch is not
     let top = *toy_top().expect("a possible top").top();
     let mut fit = Fit::new(&top, &sensors, &[]).expect("three sensors");
     let fitted = fit.run(imu::measurements()).expect("finite readings in order");

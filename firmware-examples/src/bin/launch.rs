@@ -21,7 +21,7 @@ fn main() -> ! {
     let measured = Measured { tilt: 203, spin: 1432, precession: 850 };
     // No body has more than C = 2A, that of a flat disc: the second C is a typing error for 3.7e-5.
     for axial_inertia in [2.0e-5, 7.3e-5, 3.7e-5] {
-        match throw(axial_inertia, &measured) {
+        match launch(axial_inertia, &measured) {
             Ok(motion) => log(&motion),
             // The top is refused with the reason, and the program continues.
             Err(error) => defmt::warn!("refused: {}", error),
@@ -30,7 +30,7 @@ fn main() -> ! {
     exit()
 }
 
-fn throw(axial_inertia: f64, measured: &Measured) -> Result<Motion, ParameterError> {
+fn launch(axial_inertia: f64, measured: &Measured) -> Result<Motion, ParameterError> {
     let top = Top::sliding(&TopParameters {
         transverse_inertia: 3.0e-5,
         axial_inertia,

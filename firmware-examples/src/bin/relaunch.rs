@@ -127,7 +127,7 @@ fn main() -> ! {
     let (mut used, mut spare) = singleton!(: Queue<Table, 2> = Queue::new()).expect("taken once").split();
     let (log, mut logged) = singleton!(: Queue<TakeOver, 4> = Queue::new()).expect("taken once").split();
 
-    let top = throw(first).expect("a possible throw");
+    let top = launch(first).expect("a possible launch");
     assert!(used.enqueue(second).is_ok(), "the queue is empty");
     let sampler = Sampler::new(first, 1);
     let source = Source { sampler, stepper: None, kicks, bridges, fresh, used, log };
@@ -174,9 +174,9 @@ fn wait<T>(queue: &mut Consumer<'static, T>) -> T {
     }
 }
 
-/// Sets up the table of the first throw, and returns its top.
+/// Sets up the table of the first launch, and returns its top.
 #[inline(never)] // its motion does not remain on the stack
-fn throw(table: &mut EphemerisView<f32>) -> Result<Top, ParameterError> {
+fn launch(table: &mut EphemerisView<f32>) -> Result<Top, ParameterError> {
     let launched = toy_top(); // by reference from here on: a motion is large
     let motion = launched.as_ref().map_err(|error| *error)?;
     table.set_up(motion, Tick::hertz(TICK_RATE)?, 1e-6).expect("an ordinary motion");

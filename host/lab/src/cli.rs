@@ -7,7 +7,7 @@ use toytop_host::cli::Format;
 /// Studies that check toytop itself, and write the pages that show the results.
 #[derive(Debug, Parser)]
 #[command(name = "toytop-lab", version)]
-pub struct Cli {
+pub(crate) struct Cli {
     /// Command of the program.
     #[command(subcommand)]
     pub command: Command,
@@ -15,7 +15,7 @@ pub struct Cli {
 
 /// Command with its arguments.
 #[derive(Debug, Subcommand)]
-pub enum Command {
+pub(crate) enum Command {
     /// Errors of the ephemeris for random motions of every regime, beside its error bounds (exit code 1 if one is exceeded)
     #[command(
         after_help = "Example: toytop-lab study --motions 5000 --seed 2\n         toytop-lab study --corners --seeds 20 --motions 20000 --truths 1000 --docs host/docs/study.md"
@@ -41,25 +41,25 @@ pub enum Command {
 
 /// `toytop-lab overflow`
 #[derive(Args, Debug)]
-pub struct OverflowArgs {
+pub(crate) struct OverflowArgs {
     /// Number of motions
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     pub motions: u64,
     /// Number of ticks of each motion, in 32 and in 16 bits
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub ticks: u32,
-    /// Another seed, other motions
+    /// Seed of the random motions
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
 }
 
 /// `toytop-lab study`
 #[derive(Args, Debug)]
-pub struct StudyArgs {
+pub(crate) struct StudyArgs {
     /// Number of motions of each seed [default: 100000; with --corners 1000000; with --fit 10000]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     pub motions: Option<u64>,
-    /// Another seed, other motions
+    /// Seed of the random motions
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
     /// Number of consecutive seeds from this one, each with a row of its own
@@ -85,7 +85,7 @@ pub struct StudyArgs {
 impl StudyArgs {
     /// Number of motions
     #[must_use]
-    pub fn count(&self) -> u64 {
+    pub(crate) fn count(&self) -> u64 {
         self.motions.unwrap_or(match (self.corners, self.fit) {
             (true, _) => 1_000_000,
             (false, true) => 10_000,
@@ -96,7 +96,7 @@ impl StudyArgs {
 
 /// `toytop-lab longrun`
 #[derive(Args, Debug)]
-pub struct LongrunArgs {
+pub(crate) struct LongrunArgs {
     /// Number of ticks
     #[arg(long, value_name = "N", default_value_t = 1_000_000_000, value_parser = clap::value_parser!(u64).range(1000..=1_000_000_000_000))]
     pub ticks: u64,
@@ -111,7 +111,7 @@ pub struct LongrunArgs {
 /// `toytop-lab report`
 #[derive(Args, Debug)]
 #[command(group = clap::ArgGroup::new("what").required(true).multiple(true).args(["output", "readme"]))]
-pub struct ReportArgs {
+pub(crate) struct ReportArgs {
     /// Folder for index.html, which is created if it does not exist
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
@@ -131,7 +131,7 @@ pub struct ReportArgs {
 
 /// `toytop-lab sines`
 #[derive(Args, Debug)]
-pub struct SinesArgs {
+pub(crate) struct SinesArgs {
     /// Distance of the phases: every N-th one is computed
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pub every: u32,

@@ -13,7 +13,7 @@ use toytop_host::{Failure, Report};
 ///
 /// # Errors
 /// See [`Failure`].
-pub fn run(command: &Command) -> Result<Report, Failure> {
+pub(crate) fn run(command: &Command) -> Result<Report, Failure> {
     match command {
         Command::Study(arguments) => study::run(arguments),
         Command::Longrun(arguments) => longrun::run(arguments),

@@ -2,18 +2,18 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`study`] | ephemerides of random motions against the truth and their bounds |
-//! | [`longrun`] | steppers and cursors over very many ticks |
-//! | [`sines`] | errors of the sines of an integer phase |
+//! | `study` | ephemerides of random motions against the truth and their bounds |
+//! | `longrun` | steppers and cursors over very many ticks |
+//! | `sines` | errors of the sines of an integer phase |
 //! | [`overflow`] | fixed point for random motions in checked arithmetic |
-//! | [`cli`], [`commands`] | command line, one file for each command |
+//! | `cli`, `commands` | command line, one file for each command |
 
-pub mod cli;
-pub mod commands;
-pub mod longrun;
+mod cli;
+mod commands;
+mod longrun;
 pub mod overflow;
-pub mod sines;
-pub mod study;
+mod sines;
+mod study;
 
 use std::ffi::OsString;
 use toytop_host::program::{self, Request};

@@ -33,7 +33,7 @@ const METHODS: [(&str, Method); 5] = [
 ];
 
 /// Number of ticks in a period, approximately.
-pub const TICKS_PER_PERIOD: u32 = 1024;
+pub(crate) const TICKS_PER_PERIOD: u32 = 1024;
 
 /// First power of ten at which errors are computed.
 const FIRST: u64 = 1000;
@@ -46,7 +46,7 @@ const FURTHEST_SOLVED: u64 = 10_000_000;
 
 /// Row of the result.
 #[derive(Clone, Debug)]
-pub struct Row {
+pub(crate) struct Row {
     /// Method and reference.
     pub name: String,
     /// Numbers of ticks, each with the error after them, rad.
@@ -67,7 +67,7 @@ struct Followed {
 
 /// Powers of ten from 10^3 to `ticks`, and `ticks` itself.
 #[must_use]
-pub fn decades(ticks: u64) -> Vec<u64> {
+pub(crate) fn decades(ticks: u64) -> Vec<u64> {
     let powers = std::iter::successors(Some(FIRST), |power| power.checked_mul(10));
     let mut decades: Vec<_> = powers.take_while(|power| *power < ticks).collect();
     decades.push(ticks);
@@ -78,7 +78,7 @@ pub fn decades(ticks: u64) -> Vec<u64> {
 ///
 /// # Errors
 /// [`Failure::Method`]: the full solver failed, which is not expected.
-pub fn run(ticks: u64) -> Result<Vec<Row>, Failure> {
+pub(crate) fn run(ticks: u64) -> Result<Vec<Row>, Failure> {
     let benchmark = Benchmark::with_samples(TICKS_PER_PERIOD)?;
     let decades = decades(ticks);
     let truth = benchmark.truth(&decades);

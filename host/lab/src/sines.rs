@@ -14,11 +14,11 @@ use toytop_host::output::progress::Progress;
 use toytop_host::thread_pool;
 
 /// Unit of the errors, 2^-31.
-pub const UNIT: f64 = 1.0 / (1_u64 << 31) as f64;
+pub(crate) const UNIT: f64 = 1.0 / (1_u64 << 31) as f64;
 
 /// Routine that computes a sine and a cosine.
 #[derive(Clone, Copy, Debug)]
-pub struct Routine {
+pub(crate) struct Routine {
     /// Name of the routine.
     pub name: &'static str,
     /// Use of the routine.
@@ -27,7 +27,7 @@ pub struct Routine {
 }
 
 /// All routines of the core except the one in `f64`, which has too many phases.
-pub const ROUTINES: [Routine; 6] = [
+pub(crate) const ROUTINES: [Routine; 6] = [
     Routine {
         name: "q31",
         what: "integers of 32 bits",
@@ -49,7 +49,7 @@ pub const ROUTINES: [Routine; 6] = [
 ];
 
 /// Greatest errors of a sine and a cosine, each with its phase in units of 2^-32 turns.
-pub type Worst = [(f64, u32); 2];
+pub(crate) type Worst = [(f64, u32); 2];
 
 fn whole((sine, cosine): (i32, i32), unit: f64) -> [f64; 2] {
     [sine, cosine].map(|x| f64::from(x) * unit)
@@ -95,7 +95,7 @@ const PART: usize = 1 << 12;
 ///
 /// # Errors
 /// [`Failure::Output`]: the system cannot start the threads.
-pub fn swept(every: u32) -> Result<[Worst; ROUTINES.len()], Failure> {
+pub(crate) fn swept(every: u32) -> Result<[Worst; ROUTINES.len()], Failure> {
     let count = phases(every);
     let progress = Mutex::new(Progress::new(count, "phases"));
     let of_block = |block: u64| {
@@ -112,7 +112,7 @@ pub fn swept(every: u32) -> Result<[Worst; ROUTINES.len()], Failure> {
 
 /// Number of phases at a distance of `every`.
 #[must_use]
-pub fn phases(every: u32) -> u64 {
+pub(crate) fn phases(every: u32) -> u64 {
     (1_u64 << 32).div_ceil(every.into())
 }
 

@@ -1,7 +1,7 @@
 //! Random motions of every regime, for which the core's ephemeris is compared with the truth ([`toytop_host::truth`]).
 
-pub mod corners;
+pub(crate) mod corners;
 mod draw;
-pub mod tally;
-pub mod throws;
-pub mod trial;
+pub(crate) mod tally;
+pub(crate) mod throws;
+pub(crate) mod trial;

@@ -23,7 +23,7 @@ pub struct Ghost {
 pub const MOST_STEPS: u32 = 40_000;
 
 impl Ghost {
-    /// Ghost of a motion at t = 0.
+    /// Integration of a motion, at t = 0.
     #[must_use]
     pub fn new(motion: &Motion, step: f64) -> Self {
         let (top, state) = (motion.top(), Stepper::<f64>::new(motion).attitude_state());
@@ -43,7 +43,7 @@ impl Ghost {
         Self { equations, com_height: top.com_height(), start, step, y: start, steps: 0.0, sense: 1.0 }
     }
 
-    /// Goes towards a time by whole steps, at most [`MOST_STEPS`] of them; a time on the other side of the last one is
+    /// Integrates towards a time by whole steps, at most [`MOST_STEPS`] of them; a time on the other side of the last one is
     /// approached from t = 0 again. The result is the time that is reached, and the orientation and the tip then. Where that
     /// is within a step of t, the last part of the way is a shorter step, which is not kept.
     pub fn go(&mut self, t: f64) -> (f64, Orientation<f64>, Complex<f64>) {
@@ -73,7 +73,7 @@ impl Ghost {
     }
 }
 
-/// Φ back on the unit sphere.
+/// State with Φ normalised.
 fn normalised(y: Vector7) -> Vector7 {
     let [a, b, c, d, m1, m2, m3] = y;
     let norm = Float::sqrt(a * a + b * b + c * c + d * d);

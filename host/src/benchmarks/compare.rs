@@ -7,7 +7,7 @@ use toytop::Stepper;
 /// Greatest difference of the components of a printed value from the reference, a quaternion with the nearer sign; `None` if the
 /// catalogue has no reference for it.
 #[must_use]
-pub fn off(problem: &Problem, printed: &Printed) -> Option<f64> {
+pub(crate) fn off(problem: &Problem, printed: &Printed) -> Option<f64> {
     let motion = &problem.scenario.motion;
     let reference = match printed.quantity {
         Quantity::Energy => vec![motion.first_integrals().h],

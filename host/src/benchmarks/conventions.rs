@@ -5,7 +5,7 @@ use toytop::Orientation;
 
 /// Body axes and length of a source. The third fixed axis points up in all of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Conventions {
+pub(crate) struct Conventions {
     /// Number of the body axis that points from the tip to the centre of mass: 2 or 3.
     pub symmetry_axis: usize,
     /// Distance from the tip to the centre of mass, in which positions are computed.
@@ -14,7 +14,7 @@ pub struct Conventions {
 
 /// Quantity with its name and components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
+pub(crate) enum Quantity {
     /// Position of the centre of mass relative to the tip.
     Position,
     /// Unit quaternion w, x, y, z from body to fixed axes; both signs mean one rotation.
@@ -32,7 +32,7 @@ impl Quantity {
 
     /// Name in files and output.
     #[must_use]
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Position => "position",
             Self::Quaternion => "quaternion",
@@ -45,21 +45,11 @@ impl Quantity {
     pub(super) fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|quantity| quantity.name() == name)
     }
-
-    /// Number of components.
-    #[must_use]
-    pub fn count(self) -> usize {
-        match self {
-            Self::Position | Self::OmegaBody => 3,
-            Self::Quaternion => 4,
-            Self::Energy | Self::U => 1,
-        }
-    }
 }
 
 /// Motion at one time, in a source's conventions.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Values {
+pub(crate) struct Values {
     /// Position of the centre of mass relative to the tip.
     pub position: [f64; 3],
     /// Quaternion w, x, y, z from body to fixed axes.
@@ -71,7 +61,7 @@ pub struct Values {
 impl Conventions {
     /// Rotation P that takes the source's body coordinates to those of the core, whose third axis is the axis of symmetry.
     #[must_use]
-    pub fn to_core(&self) -> Orientation<f64> {
+    pub(crate) fn to_core(self) -> Orientation<f64> {
         match self.symmetry_axis {
             // a quarter turn about the first axis takes the second axis to the third
             2 => Orientation::from_quaternion([1.0, 1.0, 0.0, 0.0]).normalised(),
@@ -81,7 +71,7 @@ impl Conventions {
 
     /// Values of a sample of the core in the source's conventions.
     #[must_use]
-    pub fn values(&self, sample: &Sample) -> Values {
+    pub(crate) fn values(&self, sample: &Sample) -> Values {
         let core = sample.orientation();
         let orientation = core.compose(&self.to_core());
         Values {

@@ -9,7 +9,7 @@ use std::path::Path;
 
 /// Costs of all launches of one scalar with one result on one chip.
 #[derive(Clone, Debug, PartialEq)]
-pub struct CorpusCost {
+pub(crate) struct CorpusCost {
     pub(super) chip: &'static str,
     pub(super) scalar: String,
     /// Result of the launches, `ready` or `refused`.
@@ -26,7 +26,7 @@ pub struct CorpusCost {
 ///
 /// # Errors
 /// [`Failure::Tool`]: there is no QEMU, the program did not end with exit code 0, or a line of its output cannot be read.
-pub fn corpus(chip: &'static Chip, elf: &Path, limits: &Limits) -> Result<Vec<CorpusCost>, Failure> {
+pub(crate) fn corpus(chip: &'static Chip, elf: &Path, limits: &Limits) -> Result<Vec<CorpusCost>, Failure> {
     let fail = |what: String| Failure::Tool(format!("budget: {}: {what}", chip.name));
     let mut qemu = chip
         .qemu(elf)
@@ -86,7 +86,7 @@ impl CorpusCost {
 
     /// Median and greatest, as a row of output.
     #[must_use]
-    pub fn record(&self) -> Record {
+    pub(crate) fn record(&self) -> Record {
         let ([median, greatest], cycles) = (self.median_and_greatest(), self.modelled_cycles());
         let cell = |cycles: Option<u64>| cycles.map_or(Cell::Absent, Cell::Count);
         Record(vec![

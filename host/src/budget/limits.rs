@@ -12,15 +12,15 @@ pub struct Limits(pub Vec<(String, Vec<Cost>)>);
 const SLACK: u64 = 20;
 
 const HEAD: &str = "\
-# What each call may cost on each chip. `cargo xtask test` measures all of it and fails where more is taken, or where so much
-# less is that the figure says nothing (a quarter). Measured figures plus 5 %.
+# Limits of what each call costs on each chip: the measured figures plus 5 %. `cargo xtask test` measures every call and fails where
+# one exceeds its limit, or is so far below it (a quarter) that the limit is out of date.
 #
-# To change: see what costs more and why (`cargo run --release --bin toytop -- budget`), then
+# To change them: see what costs more and why (`cargo run --release --bin toytop -- budget`), then
 #     cargo run --release --bin toytop -- budget --accept
-# which rewrites this file and the tables in host/docs/costs.md and README.md, and say in the commit what made the difference worth it.
+# which rewrites this file and the tables in host/docs/costs.md and README.md; justify the difference in the commit message.
 #
-# instructions: executed. cycles: of a model, zero wait states. stack, flash (code of all it runs through), ram (kept between
-# calls): bytes. The costliest of several calls.
+# instructions: those executed. cycles: by a model without wait states. stack, flash (code of every function it calls), ram (kept
+# between calls): bytes. Each figure is that of the costliest of several calls.
 ";
 
 impl Limits {
@@ -95,7 +95,7 @@ impl Limits {
 
     /// Line for each figure that is not within its limit, and for each call that has a measurement or a limit but not both.
     #[must_use]
-    pub fn complaints(&self, chip: &str, measured: &[Cost]) -> Vec<String> {
+    pub(crate) fn complaints(&self, chip: &str, measured: &[Cost]) -> Vec<String> {
         let mut lines = Vec::new();
         for cost in measured {
             let call = &cost.call;

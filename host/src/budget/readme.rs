@@ -25,7 +25,7 @@ const ROWS: [(&str, &str); 19] = [
     ("rk4_f64", "a Runge-Kutta step of the full equations, `f64`"),
     (
         "launch",
-        "set-up, once a throw, `f32`: from measured numbers to the ephemeris, of a 50 g top at 150 rad/s",
+        "set-up, once per launch, `f32`: from measured numbers to the ephemeris, of a 50 g top at 150 rad/s",
     ),
     ("launch_slow", "set-up of the same top at 5 rad/s"),
     ("launch_falling", "set-up of the same top almost upright, at 30 rad/s, which is too slow to sleep"),
@@ -39,7 +39,7 @@ const FRONT_ROWS: [(&str, &str, &str); 6] = [
     ("m4f", "cursor_f32", "the next tick in `f32`, Cortex-M4F"),
     ("m0plus", "cursor_q31", "the next tick in 32-bit fixed point, Cortex-M0+"),
     ("m0plus", "cursor_q15", "the next tick in 16-bit fixed point, Cortex-M0+"),
-    ("m4f", "launch", "set-up of this motion, once a throw, Cortex-M4F"),
+    ("m4f", "launch", "set-up of this motion, once per launch, Cortex-M4F"),
     ("m4f", "launch_slow", "set-up of the same top at 5 rad/s"),
     ("m4f", "launch_falling", "set-up of the same top almost upright, falling"),
 ];
@@ -66,7 +66,7 @@ const CORPUS_END: &str = "<!-- budget: end of corpus -->";
 
 /// Page with the table of the 200 launches; `None` if the page has no markers for it.
 #[must_use]
-pub fn with_corpus(page: &str, costs: &[CorpusCost]) -> Option<String> {
+pub(crate) fn with_corpus(page: &str, costs: &[CorpusCost]) -> Option<String> {
     let (before, rest) = page.split_once(CORPUS_BEGIN)?;
     let (_, after) = rest.split_once(CORPUS_END)?;
     let mut text = "\

@@ -6,27 +6,27 @@ use std::path::PathBuf;
 
 /// `toytop events`
 #[derive(Args, Debug)]
-pub struct EventsArgs {
+pub(crate) struct EventsArgs {
     /// Scenario file
-    pub scenario: PathBuf,
+    pub(crate) scenario: PathBuf,
     /// Events to list, separated by commas: turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS, lift-off. With :up or :down
     /// after its name an event counts only where u (or the tip angle) rises or falls
     #[arg(long = "kind", value_name = "KIND,...", value_delimiter = ',', default_value = "turning", allow_hyphen_values = true, value_parser = kind)]
-    pub kinds: Vec<Kind>,
+    pub(crate) kinds: Vec<Kind>,
     /// Time of the earliest event to list, s
     #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true, value_parser = time)]
-    pub from: f64,
+    pub(crate) from: f64,
     /// Greatest number of events
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
-    pub count: u32,
+    pub(crate) count: u32,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
-    pub format: Format,
+    pub(crate) format: Format,
 }
 
 /// Kind of event on the command line.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Kind {
+pub(crate) struct Kind {
     /// Kind of the event.
     pub what: What,
     /// Whether only upward (`true`) or only downward (`false`) events count; `None` for both.
@@ -37,7 +37,7 @@ pub struct Kind {
 
 /// Kinds of event.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum What {
+pub(crate) enum What {
     /// Turning point of u.
     Turning,
     /// Time at which the tilt has this value, degrees.

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 /// `toytop simulate`
 #[derive(Args, Debug)]
-pub struct SimulateArgs {
+pub(crate) struct SimulateArgs {
     /// Scenario file
     pub scenario: PathBuf,
     /// Sensors; without it, a gyroscope, an accelerometer and a magnetometer of a telephone at the centre of mass
@@ -18,7 +18,7 @@ pub struct SimulateArgs {
     /// Length of the recording, s
     #[arg(long, value_name = "S", default_value_t = 1.0, value_parser = super::measure::positive)]
     pub duration: f64,
-    /// Another seed, other noise
+    /// Seed of the noise
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
     /// Output file
@@ -28,7 +28,7 @@ pub struct SimulateArgs {
 
 /// `toytop fit`
 #[derive(Args, Debug)]
-pub struct FitArgs {
+pub(crate) struct FitArgs {
     /// Samples, as `toytop simulate` writes them
     pub samples: PathBuf,
     /// Scenario file with the top; its motion is not read

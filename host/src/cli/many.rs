@@ -7,7 +7,7 @@ use std::str::FromStr;
 
 /// Work on existing files of a sweep.
 #[derive(Debug, Subcommand)]
-pub enum SweepFiles {
+pub(crate) enum SweepFiles {
     /// Compare every row of CSV files with its checksum, and check that none is missing
     Verify {
         /// CSV files that `toytop sweep` wrote
@@ -28,76 +28,76 @@ pub enum SweepFiles {
 /// `toytop sweep`
 #[derive(Args, Debug)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
-pub struct SweepArgs {
+pub(crate) struct SweepArgs {
     /// Work on existing files
     #[command(subcommand)]
-    pub files: Option<SweepFiles>,
+    pub(crate) files: Option<SweepFiles>,
     /// CSV file to write (- is stdout), or Parquet file if its name ends in .parquet (in a build with the feature parquet). It must not exist, unless --resume is given
     #[arg(short, long, value_name = "FILE", required = true)]
     output: Option<PathBuf>,
     /// Scenario file whose numbers vary; without it, the paper's constants e1, e2, e3, A/(ps) and C/A vary
     #[arg(conflicts_with_all = ["e1", "e2", "e3", "a_over_ps", "c_over_a", "signs"])]
-    pub scenario: Option<PathBuf>,
+    pub(crate) scenario: Option<PathBuf>,
     /// Spin of a release, rad/s, as an axis (see --e1)
     #[arg(long, value_name = "AXIS", requires = "scenario", allow_hyphen_values = true)]
-    pub spin: Option<Axis>,
+    pub(crate) spin: Option<Axis>,
     /// Tilt of a release, degrees
     #[arg(long, value_name = "AXIS", requires = "scenario", allow_hyphen_values = true)]
-    pub tilt: Option<Axis>,
+    pub(crate) tilt: Option<Axis>,
     /// Precession of a release, rad/s
     #[arg(long, value_name = "AXIS", requires = "scenario", allow_hyphen_values = true)]
-    pub precession: Option<Axis>,
+    pub(crate) precession: Option<Axis>,
     /// Nutation of a release, rad/s
     #[arg(long, value_name = "AXIS", requires = "scenario", allow_hyphen_values = true)]
-    pub nutation: Option<Axis>,
+    pub(crate) nutation: Option<Axis>,
     /// Any other number of the scenario, in the key's unit: --axis com_height=0.02..0.04/21
     #[arg(long, value_name = "KEY=AXIS", requires = "scenario", value_parser = key_and_axis)]
-    pub axis: Vec<(String, Axis)>,
+    pub(crate) axis: Vec<(String, Axis)>,
     /// Heat map of a column over two keys of a grid, as an SVG file beside the output
     #[arg(long, value_name = "X,Y,COLUMN", requires = "scenario")]
-    pub plot: Option<String>,
+    pub(crate) plot: Option<String>,
     /// Number of random motions; without it, the motions are the grid of all combinations
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000_000))]
-    pub motions: Option<u64>,
+    pub(crate) motions: Option<u64>,
     /// Axis of e1: X,Y,... or LOW..HIGH, in a grid LOW..HIGH/PLACES; with log: in front it is even in the logarithm
     #[arg(long, value_name = "AXIS", default_value = "-1..1", allow_hyphen_values = true)]
-    pub e1: Axis,
+    pub(crate) e1: Axis,
     /// Axis of e2, which must not be less than e1
     #[arg(long, value_name = "AXIS", default_value = "-1..1", allow_hyphen_values = true)]
-    pub e2: Axis,
+    pub(crate) e2: Axis,
     /// Axis of e3, from 1
     #[arg(long, value_name = "AXIS", default_value = "log:1..100", allow_hyphen_values = true)]
-    pub e3: Axis,
+    pub(crate) e3: Axis,
     /// Axis of A/(ps), the transverse moment of inertia
     #[arg(long, value_name = "AXIS", default_value = "log:0.1..10", allow_hyphen_values = true)]
-    pub a_over_ps: Axis,
+    pub(crate) a_over_ps: Axis,
     /// Axis of C/A, the axial moment of inertia
     #[arg(long, value_name = "AXIS", default_value = "0.1..2", allow_hyphen_values = true)]
-    pub c_over_a: Axis,
+    pub(crate) c_over_a: Axis,
     /// Signs of l + n and l - n (the two other pairs are mirror images)
     #[arg(long, value_enum, default_value_t = SignChoice::Both)]
-    pub signs: SignChoice,
+    pub(crate) signs: SignChoice,
     /// Seed of the random motions
     #[arg(long, value_name = "S", default_value_t = 1)]
-    pub seed: u64,
+    pub(crate) seed: u64,
     /// Columns of each motion
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS)]
-    pub columns: Vec<Column>,
+    pub(crate) columns: Vec<Column>,
     /// Number of times at which each motion is evaluated
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
-    pub ticks: u32,
+    pub(crate) ticks: u32,
     /// Nutation periods that these times are spread over (for a motion without a period: times of 2 pi sqrt((A/p + s)/g))
     #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = periods, allow_hyphen_values = true)]
-    pub periods: f64,
+    pub(crate) periods: f64,
     /// Every N-th motion, beginning with the I-th; 1/1 selects all
     #[arg(long, value_name = "I/N", default_value = "1/1")]
-    pub shard: Shard,
+    pub(crate) shard: Shard,
     /// Continue the output file if it exists. It must be a regular file that no other process writes
     #[arg(long)]
-    pub resume: bool,
+    pub(crate) resume: bool,
     /// Compute every row of the existing CSV file again, and name the first line that differs. Nothing is written
     #[arg(long, conflicts_with_all = ["resume", "plot"])]
-    pub recompute: bool,
+    pub(crate) recompute: bool,
 }
 
 fn key_and_axis(text: &str) -> Result<(String, Axis), String> {
@@ -108,14 +108,14 @@ fn key_and_axis(text: &str) -> Result<(String, Axis), String> {
 impl SweepArgs {
     /// File to write.
     #[must_use]
-    pub fn output(&self) -> &Path {
+    pub(crate) fn output(&self) -> &Path {
         // clap asks for it where there is no subcommand
         self.output.as_deref().unwrap_or(Path::new("-"))
     }
 
     /// Keys of the scenario that vary, each with its axis.
     #[must_use]
-    pub fn varied(&self) -> Vec<(String, Axis)> {
+    pub(crate) fn varied(&self) -> Vec<(String, Axis)> {
         let of_release = [
             ("spin", &self.spin),
             ("tilt_deg", &self.tilt),
@@ -134,7 +134,7 @@ fn periods(text: &str) -> Result<f64, String> {
 
 /// Part of a sweep: its number, from 1, and the number of parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Shard(pub [u64; 2]);
+pub(crate) struct Shard(pub [u64; 2]);
 
 impl FromStr for Shard {
     type Err = String;

@@ -26,18 +26,18 @@ pub struct CompareArgs {
 
 /// `toytop figures`
 #[derive(Args, Debug)]
-pub struct FiguresArgs {
+pub(crate) struct FiguresArgs {
     /// Folder to write to, which is created if it does not exist
     #[arg(short, long, value_name = "DIR")]
-    pub output: PathBuf,
+    pub(crate) output: PathBuf,
 }
 
 /// `toytop bench`
 #[derive(Args, Debug)]
-pub struct BenchArgs {
+pub(crate) struct BenchArgs {
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
-    pub format: Format,
+    pub(crate) format: Format,
 }
 
 /// `toytop budget`
@@ -45,29 +45,29 @@ pub struct BenchArgs {
 #[command(
     after_help = "Example: toytop budget --chip m4f,m0plus --clock 48\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
 )]
-pub struct BudgetArgs {
+pub(crate) struct BudgetArgs {
     /// Chips, separated by commas: m0plus, m4f, m7, m33, riscv; without it, all
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    pub chip: Vec<String>,
+    pub(crate) chip: Vec<String>,
     /// Clock of the chip, MHz, from which times follow
     #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive)]
-    pub clock: f64,
+    pub(crate) clock: f64,
     /// ELF file of your own, whose functions named bench_... are measured
     #[arg(long, value_name = "FILE", conflicts_with_all = ["check", "accept"])]
-    pub elf: Option<PathBuf>,
+    pub(crate) elf: Option<PathBuf>,
     /// Compare with firmware-examples/budgets.toml, and that file with the tables of host/docs/costs.md and README.md
     #[arg(long, conflicts_with = "accept")]
-    pub check: bool,
+    pub(crate) check: bool,
     /// Measure all chips, and rewrite these files
     #[arg(long, conflicts_with = "chip")]
-    pub accept: bool,
+    pub(crate) accept: bool,
     /// Measure the set-up of 200 different launches: median and greatest cost on each chip; with --accept, on those with a model
     /// of their cycles, for the table in host/docs/costs.md
     #[arg(long, conflicts_with_all = ["elf", "check"])]
-    pub corpus: bool,
+    pub(crate) corpus: bool,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
-    pub format: Format,
+    pub(crate) format: Format,
 }
 
 /// Number above 0.
@@ -77,22 +77,22 @@ pub(super) fn positive(text: &str) -> Result<f64, String> {
 
 /// `toytop errata`
 #[derive(Args, Debug)]
-pub struct ErrataArgs {
+pub(crate) struct ErrataArgs {
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
-    pub format: Format,
+    pub(crate) format: Format,
 }
 
 /// `toytop accuracy`
 #[derive(Args, Debug)]
-pub struct AccuracyArgs {
+pub(crate) struct AccuracyArgs {
     /// Scalar types
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]
-    pub scalar: Vec<ScalarChoice>,
+    pub(crate) scalar: Vec<ScalarChoice>,
     /// Picture of error against cost, whose name ends in .svg, .png or, with the feature pdf, .pdf
     #[arg(long, value_name = "FILE")]
-    pub plot: Option<PathBuf>,
+    pub(crate) plot: Option<PathBuf>,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
-    pub format: Format,
+    pub(crate) format: Format,
 }

@@ -7,44 +7,44 @@ use std::path::PathBuf;
 
 /// `toytop state`
 #[derive(Args, Debug)]
-pub struct StateArgs {
+pub(crate) struct StateArgs {
     /// Scenario file
-    pub scenario: PathBuf,
-    #[expect(missing_docs, reason = "a comment would head the help text of the whole command")]
+    pub(crate) scenario: PathBuf,
+    // without a doc comment, which would replace the help text of the whole command
     #[command(flatten)]
-    pub times: TimesArgs,
+    pub(crate) times: TimesArgs,
     /// Method that computes the motion
     #[arg(long, value_enum, default_value_t = Method::Ephemeris)]
-    pub method: Method,
+    pub(crate) method: Method,
     /// Scalar type of the core
     #[arg(long, value_enum, default_value_t = Scalar::F64)]
-    pub scalar: Scalar,
+    pub(crate) scalar: Scalar,
     /// Steps of the stepper in a nutation period (for a motion without a period: in a time of 2 pi sqrt((A/p + s)/g))
     #[arg(long, value_name = "N", default_value_t = DEFAULT_STEPS, value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
-    pub steps_per_period: u32,
+    pub(crate) steps_per_period: u32,
     /// Ticks in a second, for --ticks; 1000 without this option and --tick
     #[arg(long, value_name = "N", conflicts_with = "tick", value_parser = clap::value_parser!(u32).range(1..))]
-    pub hertz: Option<u32>,
+    pub(crate) hertz: Option<u32>,
     /// Tick rate of A ticks in B seconds, for --ticks
     #[arg(long, value_name = "A/B", value_parser = ratio)]
-    pub tick: Option<[u32; 2]>,
+    pub(crate) tick: Option<[u32; 2]>,
     /// Columns, in the order of the output
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS)]
-    pub columns: Vec<Column>,
+    pub(crate) columns: Vec<Column>,
     /// Name the units in the header of CSV, NumPy and table, as in omega_x [rad/s], but not of Parquet
     #[arg(long)]
-    pub units: bool,
+    pub(crate) units: bool,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = SampleFormat::Table)]
-    pub format: SampleFormat,
+    pub(crate) format: SampleFormat,
     /// Output file; without it, stdout
     #[arg(short, long, value_name = "FILE")]
-    pub output: Option<PathBuf>,
+    pub(crate) output: Option<PathBuf>,
 }
 
 /// Form of the output of samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum SampleFormat {
+pub(crate) enum SampleFormat {
     /// Aligned table
     Table,
     /// Comma-separated values, one line for each record
@@ -58,37 +58,37 @@ pub enum SampleFormat {
 }
 
 /// Steps in a period without `--steps-per-period`.
-pub const DEFAULT_STEPS: u32 = 4096;
+pub(crate) const DEFAULT_STEPS: u32 = 4096;
 
 /// Times of `toytop state`: exactly one of the three options.
 #[derive(Args, Debug)]
 #[group(required = true, multiple = false)]
-pub struct TimesArgs {
+pub(crate) struct TimesArgs {
     /// Times, s, separated by commas, in any order; they may be negative. LOW..HIGH/PLACES spreads times evenly, both ends included,
     /// log:LOW..HIGH/PLACES evenly in the logarithm
     #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true)]
-    pub times: Option<String>,
+    pub(crate) times: Option<String>,
     /// File with one time, s, in each line; # starts a comment
     #[arg(long, value_name = "FILE")]
-    pub times_file: Option<PathBuf>,
+    pub(crate) times_file: Option<PathBuf>,
     /// Ticks of a clock, as an interrupt counts them, in place of times: N1,N2,... or FIRST..LAST
     #[arg(long, value_name = "N1,N2,...", allow_hyphen_values = true)]
-    pub ticks: Option<String>,
+    pub(crate) ticks: Option<String>,
 }
 
 /// `toytop constants`
 #[derive(Args, Debug)]
-pub struct ConstantsArgs {
+pub(crate) struct ConstantsArgs {
     /// Scenario file
-    pub scenario: PathBuf,
+    pub(crate) scenario: PathBuf,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
-    pub format: Format,
+    pub(crate) format: Format,
 }
 
 /// Kind of picture that `plot` draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum PlotKind {
+pub(crate) enum PlotKind {
     /// Curve of the tip between its two bounding circles, from above; for a held tip, the curve of the axis
     Tip,
     /// Curve of the axis on the unit sphere
@@ -110,40 +110,40 @@ pub(super) fn span(text: &str) -> Result<[f64; 2], &'static str> {
 
 /// `toytop plot`
 #[derive(Args, Debug)]
-pub struct PlotArgs {
+pub(crate) struct PlotArgs {
     /// Scenario file
-    pub scenario: PathBuf,
+    pub(crate) scenario: PathBuf,
     /// Kind of picture
     #[arg(long, value_enum, default_value_t = PlotKind::Tip)]
-    pub kind: PlotKind,
+    pub(crate) kind: PlotKind,
     /// Times to draw, s; without it, from 0 over about one turn of the tip around the centre
     #[arg(long, value_name = "LOW..HIGH", value_parser = span, allow_hyphen_values = true)]
-    pub times: Option<[f64; 2]>,
+    pub(crate) times: Option<[f64; 2]>,
     /// Width of the picture, pixels
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(100..=10_000))]
-    pub size: Option<u32>,
+    pub(crate) size: Option<u32>,
     /// Output file, whose name ends in .svg, .png or, with the feature pdf, .pdf
     #[arg(short, long, value_name = "FILE")]
-    pub output: PathBuf,
+    pub(crate) output: PathBuf,
 }
 
 /// `toytop animate`
 #[derive(Args, Debug)]
-pub struct AnimateArgs {
+pub(crate) struct AnimateArgs {
     /// Scenario file
-    pub scenario: PathBuf,
+    pub(crate) scenario: PathBuf,
     /// Times to show, s; without it, from 0 over about one turn of the tip around the centre
     #[arg(long, value_name = "LOW..HIGH", value_parser = span, allow_hyphen_values = true)]
-    pub times: Option<[f64; 2]>,
+    pub(crate) times: Option<[f64; 2]>,
     /// Length of the film, s
     #[arg(long, value_name = "S", default_value_t = 6.0, value_parser = length)]
-    pub seconds: f64,
+    pub(crate) seconds: f64,
     /// Width and height of the film, pixels
     #[arg(long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u32).range(64..=2160))]
-    pub size: u32,
+    pub(crate) size: u32,
     /// Output file, whose name ends in .gif, or in .webm or .mp4, which need ffmpeg
     #[arg(short, long, value_name = "FILE")]
-    pub output: PathBuf,
+    pub(crate) output: PathBuf,
 }
 
 fn length(text: &str) -> Result<f64, &'static str> {
@@ -152,54 +152,54 @@ fn length(text: &str) -> Result<f64, &'static str> {
 
 /// `toytop view`
 #[derive(Args, Debug)]
-pub struct ViewArgs {
+pub(crate) struct ViewArgs {
     /// Scenario file of the motion that the page begins with; without it, the page begins with a toy top
-    pub scenario: Option<PathBuf>,
+    pub(crate) scenario: Option<PathBuf>,
     /// Output file, whose name ends in .html
     #[arg(short, long, value_name = "FILE")]
-    pub output: PathBuf,
+    pub(crate) output: PathBuf,
 }
 
 /// `toytop bake`
 #[derive(Args, Debug)]
-pub struct BakeArgs {
+pub(crate) struct BakeArgs {
     /// Scenario file
-    pub scenario: PathBuf,
+    pub(crate) scenario: PathBuf,
     /// Scalar type of the results
     #[arg(long, value_enum, default_value_t = Scalar::F32)]
-    pub scalar: Scalar,
+    pub(crate) scalar: Scalar,
     /// Language of the table
     #[arg(long, value_enum, default_value_t = Language::Rust)]
-    pub lang: Language,
+    pub(crate) lang: Language,
     /// Number of segments that the table can hold: a power of two from 8 to 4096, 25 in f32, or 48 in f64. Without it, the default
     /// of the crate, or if the motion needs more, the smallest size that is enough
     #[arg(long, value_name = "SEGMENTS")]
-    pub size: Option<u32>,
+    pub(crate) size: Option<u32>,
     /// Ticks in a second
     #[arg(long, value_name = "N", default_value_t = 1000, conflicts_with = "tick",
         value_parser = clap::value_parser!(u32).range(1..))]
-    pub hertz: u32,
+    pub(crate) hertz: u32,
     /// Tick rate of A ticks in B seconds
     #[arg(long, value_name = "A/B", value_parser = ratio)]
-    pub tick: Option<[u32; 2]>,
+    pub(crate) tick: Option<[u32; 2]>,
     /// Name of the table; without it, that of the scenario file
     #[arg(long, value_name = "NAME")]
-    pub name: Option<String>,
+    pub(crate) name: Option<String>,
     /// Output file; without it, stdout
     #[arg(short, long, value_name = "FILE")]
-    pub output: Option<PathBuf>,
+    pub(crate) output: Option<PathBuf>,
     /// Folder for NAME.h and NAME.c in C, beside toytop_baked.h and toytop_baked.c, which all tables share. Without it, C is one
     /// header that needs no other file
     #[arg(long, value_name = "FOLDER", conflicts_with = "output")]
-    pub split: Option<PathBuf>,
+    pub(crate) split: Option<PathBuf>,
     /// Folder for the same files as a library of Arduino and PlatformIO
     #[arg(long, value_name = "FOLDER", conflicts_with_all = ["output", "split"])]
-    pub arduino: Option<PathBuf>,
+    pub(crate) arduino: Option<PathBuf>,
 }
 
 /// Language that `bake` writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Language {
+pub(crate) enum Language {
     /// Module with one static
     Rust,
     /// Header with the table and the code that evaluates it

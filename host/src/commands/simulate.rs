@@ -1,4 +1,4 @@
-//! `toytop simulate`: what sensors on a top would say.
+//! `toytop simulate`: simulated readings of sensors on a top.
 
 use super::Report;
 use crate::Failure;

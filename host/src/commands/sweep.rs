@@ -1,4 +1,4 @@
-//! `toytop sweep`: many motions, a row each, on all cores, in a file that can be gone on with.
+//! `toytop sweep`: many motions, one row for each, computed on all cores, in a file that can be continued.
 
 use super::Report;
 use crate::Failure;
@@ -18,7 +18,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// Rows of a block: what is lost at most when the program is killed.
+/// Number of rows of a block. If the program is killed, at most one block is lost.
 const BLOCK: u64 = 1024;
 
 pub(super) fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
@@ -56,7 +56,7 @@ pub(super) fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
         whole_file::write("--plot", &output.with_extension("svg"), &map.draw(&csv)?.encoded(Form::Svg)?)?;
     }
     let (seconds, motions) = (started.elapsed().as_secs_f64(), len - before);
-    let already = if before > 0 { format!(" ({before} were there)") } else { String::new() };
+    let already = if before > 0 { format!(" ({before} existed)") } else { String::new() };
     let text = format!(
         "{}: {motions} motions{already} in {seconds:.1} s on {} cores, {:.0} a minute\n",
         if to_stdout { "stdout".into() } else { output.to_string_lossy() },
@@ -72,19 +72,19 @@ pub(super) fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
 /// Size of the largest file that is drawn, MiB.
 const LARGEST_PLOTTED: u64 = 4096;
 
-/// How many rows a file has, and how many it had.
+/// Number of rows of a file after a run, and before it.
 struct Added {
     len: u64,
     before: u64,
 }
 
-/// Computes rows of a shard, block by block and in order, and hands on the lines of each block and how many there are.
+/// Computes rows of a shard, block by block and in order. `take` receives the lines of each block and their number.
 fn compute(
     rows: &Rows,
     cores: &ThreadPool,
     shard: [u64; 2],
     range: Range<u64>,
-    mut hand_on: impl FnMut(&str, u64) -> Result<(), Failure>,
+    mut take: impl FnMut(&str, u64) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let mut progress = Progress::logged(range.end - range.start, "motions");
     for start in range.clone().step_by(BLOCK as usize) {
@@ -92,7 +92,7 @@ fn compute(
         let count = block.end - block.start;
         let line = |row| rows.row(Part::index_in(row, shard));
         let lines: Vec<String> = cores.install(|| block.into_par_iter().map(line).collect());
-        hand_on(&lines.concat(), count)?;
+        take(&lines.concat(), count)?;
         progress.add(count);
     }
     Ok(())
@@ -104,12 +104,12 @@ fn verify(files: &[PathBuf]) -> Result<Report, Failure> {
     for path in files {
         let Found { rows, motions } = parts::verify(path)?;
         text +=
-            &format!("{}: {rows} rows of a sweep of {motions}, all as they were written\n", path.display());
+            &format!("{}: {rows} rows of a sweep of {motions}, all match their checksums\n", path.display());
     }
     Ok(Report { text, ..Report::default() })
 }
 
-/// Makes one file of shards.
+/// Joins shards in one file.
 fn join(files: &[PathBuf], output: &Path) -> Result<Report, Failure> {
     let Found { rows, .. } =
         if is_parquet(output) { join_parquet(files, output)? } else { parts::join(files, output)? };
@@ -119,7 +119,7 @@ fn join(files: &[PathBuf], output: &Path) -> Result<Report, Failure> {
     })
 }
 
-/// By way of a CSV file beside it.
+/// Joins shards in a Parquet file, by a temporary CSV file beside it.
 #[cfg(feature = "parquet")]
 fn join_parquet(files: &[PathBuf], output: &Path) -> Result<Found, Failure> {
     use crate::sweep::columnar;
@@ -139,7 +139,7 @@ fn is_parquet(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending == "parquet")
 }
 
-/// Compares every line of a CSV file with what the sweep gives.
+/// Compares every line of a CSV file with the row that the sweep computes.
 fn recompute(path: &Path, rows: &Rows, cores: &ThreadPool, shard: [u64; 2]) -> Result<Report, Failure> {
     let name = path.display().to_string();
     let refuse = |reason: String| Failure::Input(format!("{name}: {reason}"));
@@ -155,8 +155,8 @@ fn recompute(path: &Path, rows: &Rows, cores: &ThreadPool, shard: [u64; 2]) -> R
         let found = lines.next().transpose().map_err(|error| refuse(error.to_string()))?;
         let reason = match found {
             Some(found) if found == expected.as_bytes() => return Ok(()),
-            Some(_) => "is not what the sweep gives",
-            None => "missing: the file ends here; --resume goes on with it",
+            Some(_) => "differs from the computed row",
+            None => "missing: the file ends here; --resume continues it",
         };
         Err(refuse(format!("line {number}: {reason}")))
     };
@@ -166,10 +166,10 @@ fn recompute(path: &Path, rows: &Rows, cores: &ThreadPool, shard: [u64; 2]) -> R
     if lines.next().is_some() {
         return Err(refuse(format!("line {}: must be the end of the file", len + 2)));
     }
-    Ok(Report { text: format!("{name}: {len} rows, all as the sweep gives them\n"), ..Report::default() })
+    Ok(Report { text: format!("{name}: {len} rows, all equal to the computed ones\n"), ..Report::default() })
 }
 
-/// Adds the rows that a CSV file lacks. The file stays locked for as long as the part is kept.
+/// Appends the rows that a CSV file lacks. The file is locked until the returned part is dropped.
 fn append(
     path: &Path,
     rows: &Rows,
@@ -183,10 +183,11 @@ fn append(
     Ok((Added { len, before }, part))
 }
 
-/// Prints a header and the rows as they come. A reader that has seen enough (`| head`) is no failure.
+/// Prints the header and each block of rows when it is computed. A reader that closes the pipe (`| head`) is no
+/// failure.
 fn print(rows: &Rows, cores: &ThreadPool, arguments: &SweepArgs) -> Result<Added, Failure> {
     if arguments.resume {
-        return Err(Failure::Input("--resume: needs a file to go on with; --output is stdout".into()));
+        return Err(Failure::Input("--resume: needs a file to continue; --output is stdout".into()));
     }
     let shard = arguments.shard.0;
     let len = Part::rows_of(rows, shard);
@@ -207,7 +208,7 @@ fn print(rows: &Rows, cores: &ThreadPool, arguments: &SweepArgs) -> Result<Added
     Ok(Added { len: done, before: 0 })
 }
 
-/// The same by way of a CSV file beside it, which alone can be gone on with.
+/// Writes the rows as Parquet, by a CSV file beside it. An interrupted run continues the CSV file.
 #[cfg(feature = "parquet")]
 fn parquet(rows: &Rows, cores: &ThreadPool, arguments: &SweepArgs) -> Result<Added, Failure> {
     use crate::sweep::columnar;
@@ -218,7 +219,7 @@ fn parquet(rows: &Rows, cores: &ThreadPool, arguments: &SweepArgs) -> Result<Add
     {
         return Ok(Added { len, before: len });
     }
-    // locked until the Parquet file is there
+    // the CSV file is locked until the Parquet file is complete
     let (added, _part) = append(&csv, rows, cores, arguments)?;
     columnar::write(&csv, output, columnar::metadata(rows, shard), added.len)?;
     std::fs::remove_file(&csv)

@@ -1,7 +1,7 @@
 //! Section 5.3, e₂ = e₃ = 1: the uniformisation, time, and the Cayley-Klein parameters.
 
 use super::weierstrass::{Integral, Lattice, from_root, printed_from_root};
-use super::{Residuals, Slip};
+use super::{Erratum, Residuals};
 use crate::errata::contour::residue;
 use crate::full_equations::full_solver::{
     FULL_SOLVER_TOLERANCE, FullSolver, FullSolverError, FullState, FullTop,
@@ -10,43 +10,43 @@ use num_complex::Complex64 as C;
 use toytop::exact::hyperelliptic::Curve;
 use toytop::{Motion, Signs, Start, Top, TopParameters};
 
-pub(super) const SLIPS: [Slip; 6] = [
-    Slip {
+pub(super) const ERRATA: [Erratum; 6] = [
+    Erratum {
         place: "section 5.3.1, a and b",
         against: "u(a) = -1 and u(b) = 1",
         printed: "a = ±∫ √R(u) du from -1 to e₁, b = ±i ∫ √(-R(u)) du from e₁ to 1",
         corrected: "a = ±∫ du/√R(u) from -1 to e₁, b = ±i ∫ du/√(-R(u)) from e₁ to 1",
         residuals: ends,
     },
-    Slip {
+    Erratum {
         place: "section 5.3.2, proposition on t, last term",
         against: "the time at which the full solution is at u(x)",
         printed: "2 (ζ(ω₃) - ζ(b - ω₃)) x",
         corrected: "2 (ζ(ω₃) + ζ(b - ω₃)) x",
         residuals: time,
     },
-    Slip {
+    Erratum {
         place: "section 5.3.3, proposition, p (with l corrected)",
         against: "α of the full solution",
         printed: "p = -w₋₁/(2w₊₁)",
         corrected: "p = w₋₁/(2w₊₁)",
         residuals: exponent,
     },
-    Slip {
+    Erratum {
         place: "section 5.3.3, proposition, l (with p corrected)",
         against: "α of the full solution",
         printed: "l = w₋₁/4 - w₋₁/(1 - e₄²) + ζ(a - ω₃) - p (ζ(a + b) + ζ(a - b))",
         corrected: "l = w₋₁/4 - w₋₁/(1 - e₄²) + ζ(a - ω₃) - p (ζ(a + b) - ζ(a - b))",
         residuals: slope,
     },
-    Slip {
+    Erratum {
         place: "section 5.3.3, proof: what the lower half of Table 2 lists",
         against: "its first entry, residue 1 at (-1, -w₋₁), by contour quadrature",
         printed: "the poles of the logarithmic differential of β",
         corrected: "the poles of the logarithmic differential of δ",
         residuals: table,
     },
-    Slip {
+    Erratum {
         place: "section 5.3.3, eqn:aperform, second line",
         against: "the parameter of the full solution that it names",
         printed: "β = k₂ exp(l₂x) σ(x + a)/σ(x + ω₃) (σ(x - b)/σ(x + b))^p",

@@ -1,28 +1,28 @@
 //! Section 3.4: the integrals for the Cayley-Klein parameters.
 
 use super::instant::{Instant, TOP, e4_squared};
-use super::{Residuals, Slip, farthest};
+use super::{Erratum, Residuals, greatest_difference};
 use crate::errata::contour::residue_at_infinity;
 use num_complex::Complex64 as C;
 use toytop::exact::hyperelliptic::Curve;
 use toytop::{Motion, Signs, Start, Top, TopParameters};
 
-pub(super) const SLIPS: [Slip; 3] = [
-    Slip {
+pub(super) const ERRATA: [Erratum; 3] = [
+    Erratum {
         place: "section 3.4, proof, first display of w±1 (the second, √(s/2) (1 - e₄²)(l ∓ n)/A, is right)",
         against: "α'/α, β'/β, γ'/γ, δ'/δ, with eqn:abgdints",
         printed: "w±1 = √(s/2) (l ∓ n)/(ps)",
         corrected: "w±1 = -√(s/2) (l ∓ n)/(ps)",
         residuals: logarithmic_rates,
     },
-    Slip {
+    Erratum {
         place: "section 3.4, proof, both lines for ±i (Ω₃ ± ω₃) dt",
         against: "±i (Ω₃ ± ω₃)",
         printed: "(u - e₄²)/(1 - e₄²) w∓1 du/w + i (u ± 1)(1/C - 1/A) n dt",
         corrected: "(u² - e₄²)/(1 - e₄²) w∓1 du/w + i (u ± 1)(1/C - 1/A) n dt",
         residuals: sums_of_rates,
     },
-    Slip {
+    Erratum {
         place: "section 3.4, end of the proof: dα/α at infinity",
         against: "its residue, by contour quadrature (Table 1 has -1)",
         printed: "the singular part is dξ/ξ",
@@ -58,7 +58,7 @@ fn logarithmic_rates() -> Residuals {
             below(1.0 + plus) + drift,
             above(1.0 - minus) - drift,
         ];
-        farthest(&ours, &truth)
+        greatest_difference(&ours, &truth)
     }))
 }
 
@@ -72,7 +72,7 @@ fn sums_of_rates() -> Residuals {
     Ok([u, u * u].map(|power| {
         let ratio = (power - e4_squared()) / (1.0 - e4_squared());
         let line = |value: f64, factor: f64| ratio * value * udot / w + C::new(0.0, factor * instant.tau());
-        farthest(&[line(minus, u + 1.0), line(plus, u - 1.0)], &truth)
+        greatest_difference(&[line(minus, u + 1.0), line(plus, u - 1.0)], &truth)
     }))
 }
 

@@ -1,28 +1,28 @@
 //! Section 5.1, e₃ = e₄: the uniformisation and the direction in which x moves.
 
 use super::weierstrass::{Integral, Lattice, from_root, printed_from_root};
-use super::{Residuals, Slip};
+use super::{Erratum, Residuals};
 use crate::full_equations::full_solver::{
     FULL_SOLVER_TOLERANCE, FullSolver, FullSolverError, FullState, FullTop,
 };
 use num_complex::Complex64 as C;
 
-pub(super) const SLIPS: [Slip; 3] = [
-    Slip {
+pub(super) const ERRATA: [Erratum; 3] = [
+    Erratum {
         place: "section 5.1.1, text after eqn:wofx",
         against: "u of the full solution at t(x)",
         printed: "the ℘-function is shifted by ω₁",
         corrected: "the ℘-function is shifted by ω₂",
         residuals: shift,
     },
-    Slip {
+    Erratum {
         place: "section 5.1.1, a and b",
         against: "u(a) = -1 and u(b) = 1",
         printed: "a = ±(ω₁ + ∫ √R(u) du from -1 to e₁), b = ±∫ √R(u) du from e₂ to 1",
         corrected: "a = ±(ω₁ + ∫ du/√R(u) from -1 to e₁), b = ±∫ du/√R(u) from e₂ to 1",
         residuals: ends,
     },
-    Slip {
+    Erratum {
         place: "section 5.1.1, last sentence, with eqn:degtint and t(x) as printed",
         against: "the direction of x' = u'/w, u' of the full solution at t(x)",
         printed: "x moves on the imaginary axis in the negative direction: x' = -i|x'|",

@@ -1,34 +1,34 @@
 //! Sections 2.1 and 3.1: the angular velocity as a matrix, DL, and ω in terms of the integrals.
 
 use super::instant::{Instant, TOP};
-use super::{Residuals, Slip, farthest};
+use super::{Erratum, Residuals, greatest_difference};
 use crate::full_equations::full_solver::{FullState, cross, dot};
 use crate::full_equations::newton_euler::accelerations;
 use num_complex::Complex64 as C;
 
-pub(super) const SLIPS: [Slip; 4] = [
-    Slip {
+pub(super) const ERRATA: [Erratum; 4] = [
+    Erratum {
         place: "section 2.1, eqn:omega, matrix in the middle",
         against: "Φ'Φ⁻¹",
         printed: "1/2 ((iω₃, ω₂ + iω₁), (-ω₂ + iω₁, iω₃))",
         corrected: "1/2 ((iω₃, -ω₂ + iω₁), (ω₂ + iω₁, -iω₃))",
         residuals: omega,
     },
-    Slip {
+    Erratum {
         place: "section 2.1, eqn:Omega, matrix in the middle",
         against: "Φ⁻¹Φ'",
         printed: "1/2 ((iΩ₃, Ω₂ + iΩ₁), (-Ω₂ + iΩ₁, iΩ₃))",
         corrected: "1/2 ((iΩ₃, -Ω₂ + iΩ₁), (Ω₂ + iΩ₁, -iΩ₃))",
         residuals: body_omega,
     },
-    Slip {
+    Erratum {
         place: "section 3.1, DL",
         against: "m' - [ω, m], by Newton's and Euler's equations",
         printed: "DL = (C - A)⟨ω, r⟩ [r, ω] + ps⟨[r, k], ω⟩ [r, [k, ω]] + p [r, k]",
         corrected: "DL = (C - A)⟨ω, r⟩ [r, ω] + ps⟨[r, k], ω⟩ [r, [k, ω]] - p [r, k]",
         residuals: derivative,
     },
-    Slip {
+    Erratum {
         place: "section 3.1, proof of the proposition on the equations of motion",
         against: "ω₃",
         printed: "⟨ω, k⟩ = l/A + (1/A - 1/C) n u",
@@ -57,13 +57,13 @@ fn inverse([a, b, c, d]: [C; 4]) -> [C; 4] {
 fn omega() -> Residuals {
     let instant = Instant::generic();
     let truth = product(instant.rate, inverse(instant.phi));
-    Ok(matrices(instant.omega).map(|matrix| farthest(&matrix, &truth)))
+    Ok(matrices(instant.omega).map(|matrix| greatest_difference(&matrix, &truth)))
 }
 
 fn body_omega() -> Residuals {
     let instant = Instant::generic();
     let truth = product(inverse(instant.phi), instant.rate);
-    Ok(matrices(instant.body).map(|matrix| farthest(&matrix, &truth)))
+    Ok(matrices(instant.body).map(|matrix| greatest_difference(&matrix, &truth)))
 }
 
 fn derivative() -> Residuals {

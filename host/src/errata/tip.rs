@@ -1,19 +1,19 @@
 //! Section 4: the curve of the tip and the condition for loops.
 
 use super::instant::{Instant, TOP};
-use super::{Residuals, Slip};
+use super::{Erratum, Residuals};
 use crate::input::random::Random;
 use num_complex::Complex64 as C;
 
-pub(super) const SLIPS: [Slip; 2] = [
-    Slip {
+pub(super) const ERRATA: [Erratum; 2] = [
+    Erratum {
         place: "section 4.1, proof of the proposition on dφ",
         against: "z = β/δ and c = -s (r₁ + ir₂), as section 4.1 has named them",
         printed: "the curve z = 2sαβ",
         corrected: "the curve c = 2sαβ",
         residuals: name_of_the_curve,
     },
-    Slip {
+    Erratum {
         place: "section 4.2, proof, second chain, X = (1 + e₁)(1 - e₂)/((1 - e₁)(1 + e₂))",
         against: "the sign of φ' at u = e₁ and u = e₂: share of 1000 random motions told wrongly",
         printed: "loops: -(1 - e₃)/(1 + e₃) < X < -(1 + e₃)/(1 - e₃)",

@@ -260,7 +260,7 @@ impl Told<'_> {
             "outliers": statistics.outliers,
             "largest_residual": statistics.largest,
             "undetermined": self.undetermined(),
-            "rivals": self.fitted.rivals,
+                        "alternatives": self.fitted.rivals,
             "prediction": predictions,
         })
     }

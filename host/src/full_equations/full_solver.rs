@@ -37,17 +37,17 @@ pub enum FullSolverError {
     EvaluationLimit {
         /// Greatest number of evaluations.
         limit: u64,
-        /// How far the motion had been followed.
+        /// Time that the integration reached.
         time: f64,
     },
     /// Tolerance that no step meets at `time`.
     StepFailed {
-        /// How far the motion had been followed.
+        /// Time that the integration reached.
         time: f64,
     },
     /// State that is not finite after `time`.
     NotFinite {
-        /// How far the motion had been followed.
+        /// Time that the integration reached.
         time: f64,
     },
 }

@@ -107,7 +107,7 @@ impl Ticks {
 ///
 /// # Errors
 /// [`Failure::Input`]: an unreadable file, an entry that is no finite number, or no tick.
-pub fn read(arguments: &TimesArgs, rate: [u32; 2]) -> Result<Instants, Failure> {
+pub(crate) fn read(arguments: &TimesArgs, rate: [u32; 2]) -> Result<Instants, Failure> {
     match (&arguments.times, &arguments.times_file, &arguments.ticks) {
         (Some(spread), ..) if spread.contains("..") => evenly(spread),
         (Some(list), ..) => {

@@ -26,7 +26,7 @@ pub use cost::{CHIPS, Chip, Costs};
 pub use picture::picture;
 
 /// Binary logarithm of the last tick.
-pub const OCTAVES: u32 = 40;
+pub(crate) const OCTAVES: u32 = 40;
 
 /// Number of ticks in each octave that are evaluated for each motion.
 const SAMPLES: u64 = 16;
@@ -73,7 +73,7 @@ impl Errors {
 pub struct Accuracy {
     /// Scalar of the ephemeris.
     pub scalar: Scalar,
-    /// Errors over the ticks from 2^k to 2^(k+1) - 1 for each k below [`OCTAVES`], and at tick 2^40.
+    /// Errors over the ticks from 2^k to 2^(k+1) - 1 for each k below `OCTAVES`, and at tick 2^40.
     pub octaves: Vec<Errors>,
 }
 
@@ -86,7 +86,7 @@ impl Accuracy {
 
     /// Errors over the ticks up to 2^k.
     #[must_use]
-    pub fn up_to(&self, k: u32) -> Errors {
+    pub(crate) fn up_to(&self, k: u32) -> Errors {
         self.octaves.iter().take(k as usize + 1).fold(Errors::default(), |all, &octave| all.and(octave))
     }
 }

@@ -12,7 +12,7 @@ const POWERS_OF_5: [u128; 33] = {
 };
 
 /// Appends a number with 17 significant digits; -0 is written as 0.
-pub fn push(text: &mut Vec<u8>, x: f64) {
+pub(crate) fn push(text: &mut Vec<u8>, x: f64) {
     match digits(x.abs()) {
         Some((digits, exponent)) => {
             if x < 0.0 {

@@ -15,25 +15,25 @@ const SIDE: f64 = 480.0;
 /// Radius of the disc and length of the axis, in units of the height of the centre of mass.
 const DISC: f64 = 0.75;
 const AXIS: f64 = 1.45;
-/// Points of the path of the tip (of the axis, if the tip is held).
+/// Number of points of the path of the tip, or of the axis if the tip is held.
 const PATH: u64 = 1500;
 
 /// Frames of a motion over a span of time.
-pub struct Film<'a> {
+pub(crate) struct Film<'a> {
     scenario: &'a Scenario,
-    span: &'a Span<'a>,
+    span: &'a Span,
     frames: u64,
     camera: Camera,
-    /// Pixels of a frame's side.
+    /// Width and height of a frame, pixels.
     size: u32,
-    /// Places of the path, in units of the height of the centre of mass.
+    /// Points of the path, in units of the height of the centre of mass.
     path: Vec<[f64; 3]>,
 }
 
 impl<'a> Film<'a> {
-    /// Film of so many frames, evenly spread over the span, `size` pixels wide and high.
+    /// Film of this many frames, evenly spread over the span, each `size` pixels wide and high.
     #[must_use]
-    pub fn new(scenario: &'a Scenario, span: &'a Span<'a>, frames: u64, size: u32) -> Self {
+    pub(crate) fn new(scenario: &'a Scenario, span: &'a Span, frames: u64, size: u32) -> Self {
         let camera = Camera::new(-1.05, 0.38, [0.5 * SIDE, 0.72 * SIDE], 0.27 * SIDE);
         let mut film = Self { scenario, span, frames, camera, size, path: Vec::new() };
         film.path = span.times(PATH).map(|t| film.traced(t)).collect();
@@ -42,7 +42,7 @@ impl<'a> Film<'a> {
 
     /// Number of frames.
     #[must_use]
-    pub fn frames(&self) -> u64 {
+    pub(crate) fn frames(&self) -> u64 {
         self.frames
     }
 
@@ -65,7 +65,7 @@ impl<'a> Film<'a> {
 
     /// Picture of one frame.
     #[must_use]
-    pub fn scene(&self, frame: u64) -> Scene {
+    pub(crate) fn scene(&self, frame: u64) -> Scene {
         let t = self.span.times(self.frames).nth(frame as usize).unwrap_or_default();
         let phi = self.span.at(t).orientation();
         let [tip, end] = self.ends(t);
@@ -78,7 +78,7 @@ impl<'a> Film<'a> {
         let traced = ((share * PATH as f64) as usize).clamp(1, self.path.len());
         camera.line(&mut scene, &self.path[..traced], "#1f4e8c", 1.6);
         camera.line(&mut scene, &[tip, end], "#555555", 4.0);
-        // the disc about the centre of mass, with spokes that turn with the body
+        // disc about the centre of mass, with spokes that turn with the body
         let rim = |angle: f64, radius: f64| {
             let [x, y, z] = phi.adjoint([radius * angle.cos(), radius * angle.sin(), 1.0]);
             [tip[0] + x, tip[1] + y, tip[2] + z]
@@ -87,7 +87,7 @@ impl<'a> Film<'a> {
         camera.line(&mut scene, &around, "#333333", 3.0);
         for spoke in 0..6 {
             let angle = PI * f64::from(spoke) / 3.0;
-            // one of them is marked
+            // one spoke has another colour, so that the rotation can be seen
             let (color, width) = if spoke == 0 { ("#c0392b", 4.0) } else { ("#9a9a9a", 1.4) };
             camera.line(&mut scene, &[rim(angle, 0.0), rim(angle, DISC)], color, width);
         }
@@ -112,7 +112,7 @@ impl<'a> Film<'a> {
     ///
     /// # Errors
     /// The frame cannot be encoded.
-    pub fn png(&self, frame: u64) -> io::Result<Vec<u8>> {
+    pub(crate) fn png(&self, frame: u64) -> io::Result<Vec<u8>> {
         let scale = f64::from(self.size) / SIDE;
         RasterBackend::new()
             .with_scale(scale as f32)
@@ -120,11 +120,12 @@ impl<'a> Film<'a> {
             .map_err(io::Error::other)
     }
 
-    /// All frames as a GIF that repeats for ever, `delay` hundredths of a second each; `done` is told of each.
+    /// All frames as a GIF that repeats without end. Each frame lasts `delay` hundredths of a second; `done` is called
+    /// after each.
     ///
     /// # Errors
-    /// Those of the writer.
-    pub fn gif(&self, delay: u16, out: impl Write, mut done: impl FnMut()) -> io::Result<()> {
+    /// The errors of the writer.
+    pub(crate) fn gif(&self, delay: u16, out: impl Write, mut done: impl FnMut()) -> io::Result<()> {
         let side = u16::try_from(self.size).map_err(io::Error::other)?;
         let mut encoder = gif::Encoder::new(out, side, side, &[]).map_err(io::Error::other)?;
         encoder.set_repeat(gif::Repeat::Infinite).map_err(io::Error::other)?;

@@ -1,11 +1,11 @@
-//! View of space on paper, without perspective, and lines drawn in it.
+//! Parallel projection of space on paper, and lines drawn in it.
 
 use kuva::render::color::Color;
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 
-/// View from above the horizon: where it looks from, its middle and its scale on paper.
+/// Parallel projection from a direction above the horizon, with its middle and its scale on paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Camera {
+pub(super) struct Camera {
     right: [f64; 3],
     up: [f64; 3],
     towards: [f64; 3],
@@ -16,9 +16,9 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// View from an azimuth and a height above the horizon, rad.
+    /// Projection from the direction with this azimuth and elevation above the horizon, rad.
     #[must_use]
-    pub fn new(azimuth: f64, elevation: f64, middle: [f64; 2], scale: f64) -> Self {
+    pub(super) fn new(azimuth: f64, elevation: f64, middle: [f64; 2], scale: f64) -> Self {
         let (s, c) = azimuth.sin_cos();
         let (rise, level) = elevation.sin_cos();
         Self {
@@ -32,26 +32,26 @@ impl Camera {
 
     /// Place on paper, pixels.
     #[must_use]
-    pub fn place(&self, point: [f64; 3]) -> (f64, f64) {
+    pub(super) fn place(&self, point: [f64; 3]) -> (f64, f64) {
         let [x, y] = [self.right, self.up].map(|axis| self.scale * dot(axis, point));
         (self.middle[0] + x, self.middle[1] - y)
     }
 
     /// Whether a point of a sphere about the origin is on its near side.
     #[must_use]
-    pub fn sees(&self, point: [f64; 3]) -> bool {
+    pub(super) fn sees(&self, point: [f64; 3]) -> bool {
         dot(self.towards, point) >= 0.0
     }
 
     /// Adds a line through points of space.
-    pub fn line(&self, scene: &mut Scene, points: &[[f64; 3]], color: &str, stroke_width: f64) {
+    pub(super) fn line(&self, scene: &mut Scene, points: &[[f64; 3]], color: &str, stroke_width: f64) {
         let points = points.iter().map(|point| self.place(*point)).collect();
         let stroke = Color::from(color);
         scene.add(Primitive::PolyLine { points, stroke, stroke_width, stroke_dasharray: None });
     }
 
-    /// Adds a line on a sphere about the origin: what is behind is thinner, and pale.
-    pub fn line_on_sphere(
+    /// Adds a line on a sphere about the origin. Its part on the far side is thinner and pale.
+    pub(super) fn line_on_sphere(
         &self,
         scene: &mut Scene,
         points: &[[f64; 3]],
@@ -75,14 +75,21 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 /// Adds a line of text.
-pub fn text(scene: &mut Scene, content: &str, [x, y]: [f64; 2], size: u32, anchor: TextAnchor, color: &str) {
+pub(super) fn text(
+    scene: &mut Scene,
+    content: &str,
+    [x, y]: [f64; 2],
+    size: u32,
+    anchor: TextAnchor,
+    color: &str,
+) {
     let (content, color) = (content.to_owned(), Some(Color::from(color)));
     scene.add(Primitive::Text { x, y, content, size, anchor, rotate: None, bold: false, color });
 }
 
 /// Points of a horizontal circle about the vertical axis.
 #[must_use]
-pub fn circle(radius: f64, height: f64) -> Vec<[f64; 3]> {
+pub(super) fn circle(radius: f64, height: f64) -> Vec<[f64; 3]> {
     const CORNERS: u32 = 180;
     let corner = |i: u32| {
         let angle = 2.0 * std::f64::consts::PI * f64::from(i) / f64::from(CORNERS);

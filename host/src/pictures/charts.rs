@@ -1,4 +1,4 @@
-//! Tilt and precession against time, and the potential that the axis nutates in.
+//! Tilt and precession against time, and the effective potential of the nutation.
 
 use super::figures::{Chart, Curve};
 use super::span::Span;
@@ -20,7 +20,7 @@ fn curve(name: &str, points: Vec<[f64; 2]>) -> Curve {
 
 /// Tilt between its bounds, against time.
 #[must_use]
-pub fn tilt(scenario: &Scenario, span: &Span<'_>) -> Scene {
+pub(crate) fn tilt(scenario: &Scenario, span: &Span) -> Scene {
     let degrees = |t: f64| {
         let phi = span.at(t).orientation();
         [t, crate::samples::angles::tilt_azimuth_roll(&phi)[0].to_degrees()]
@@ -37,7 +37,7 @@ pub fn tilt(scenario: &Scenario, span: &Span<'_>) -> Scene {
     .draw(&curves)
 }
 
-/// Bounds of the tilt, degrees; none where the axis is vertical for ever.
+/// Bounds of the tilt, degrees; none where the axis is vertical at all times.
 fn bounds(motion: &Motion) -> Vec<(&'static str, f64)> {
     let e = motion.branch_points();
     let degrees = |u: f64| u.clamp(-1.0, 1.0).acos().to_degrees();
@@ -51,11 +51,11 @@ fn bounds(motion: &Motion) -> Vec<(&'static str, f64)> {
 /// Azimuth of the axis, continued, against time, and its mean motion.
 ///
 /// # Errors
-/// [`Failure::Method`]: the axis is vertical for ever.
-pub fn precession(scenario: &Scenario, span: &Span<'_>) -> Result<Scene, Failure> {
-    // the axis leans to the other side of the tip
+/// [`Failure::Method`]: the axis is vertical at all times.
+pub(crate) fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Failure> {
+    // the axis leans away from the tip
     let start = span.at(0.0).phi.ok_or_else(|| {
-        Failure::Method("the axis is vertical for ever, so that it has no azimuth".to_owned())
+        Failure::Method("the axis is vertical at all times, so that it has no azimuth".to_owned())
     })?;
     let turn = if start > 0.0 { -PI } else { PI };
     let degrees = |t: f64| [t, (span.at(t).phi.unwrap_or(f64::NAN) + turn).to_degrees()];
@@ -76,11 +76,11 @@ pub fn precession(scenario: &Scenario, span: &Span<'_>) -> Result<Scene, Failure
     Ok(chart.draw(&curves))
 }
 
-/// Effective potential less the energy, against the tilt: the axis moves where it is below 0.
+/// Effective potential minus the energy, against the tilt: the axis moves where it is negative.
 ///
 /// V = (l - n u)²/(2A (1 - u²)) + C ⟨ω, r⟩²/2 + p g u, with u the cosine of the tilt.
 #[must_use]
-pub fn potential(scenario: &Scenario) -> Scene {
+pub(crate) fn potential(scenario: &Scenario) -> Scene {
     let (motion, h) = (&scenario.motion, scenario.motion.first_integrals().h);
     let e = motion.branch_points();
     let [least, greatest] = if motion.regime().is_vertical() {
@@ -91,7 +91,7 @@ pub fn potential(scenario: &Scenario) -> Scene {
     let room = (0.45 * (greatest - least)).max(1.5);
     let [from, until] = [(least - room).max(0.05), (greatest + room).min(179.95)];
     let tilts = (0..=POINTS).map(|i| from + (until - from) * i as f64 / POINTS as f64);
-    // the differences are small, and h is not
+    // the differences are small compared with h
     let (unit, scale) = if scenario.units == Units::Si { ("mJ", 1e3) } else { ("", 1.0) };
     let above = |degrees: f64| scale * (effective_potential(motion, degrees.to_radians().cos()) - h);
     let mut curves = vec![
@@ -103,8 +103,8 @@ pub fn potential(scenario: &Scenario) -> Scene {
         curves.push(Curve { name: "turning points".to_owned(), points: marks, marked: true });
     }
     Chart {
-        title: &format!("{}: the potential that the axis nutates in", scenario.name),
-        labels: ["tilt, degrees", &label("effective potential less the energy h", unit)],
+        title: &format!("{}: effective potential of the nutation", scenario.name),
+        labels: ["tilt, degrees", &label("effective potential minus the energy h", unit)],
         powers: [false; 2],
     }
     .draw(&curves)
@@ -126,7 +126,7 @@ mod tests {
     use super::*;
     use crate::input::builtin;
 
-    /// At the turning points nothing is left of the energy for nutation; between them something is.
+    /// At the turning points the effective potential equals the energy; between them it is smaller.
     #[test]
     fn the_potential_is_the_energy_at_the_turning_points() {
         for scenario in builtin::figures().unwrap().concat() {

@@ -1,4 +1,4 @@
-//! The pictures of `toytop figures`: the paper's two, and two that it has no room for.
+//! Pictures of `toytop figures`: figures 2 and 3 of the paper, u against time, and errors against time.
 
 mod chart;
 mod curves;
@@ -13,12 +13,12 @@ use kuva::render::render::Scene;
 pub use chart::{Chart, Curve, power_of_ten};
 pub use errors::measured as measured_errors;
 
-/// A picture.
+/// Picture with its file name and title.
 #[derive(Debug)]
 pub struct Picture {
-    /// Name of the file, without an ending.
+    /// Name of the file without its extension.
     pub name: &'static str,
-    /// For a page that shows it.
+    /// Title on a page.
     pub title: &'static str,
     scene: Scene,
 }
@@ -30,16 +30,16 @@ impl Picture {
         Self { name, title, scene }
     }
 
-    /// As SVG or PNG.
+    /// Picture as SVG or PNG.
     ///
     /// # Errors
-    /// [`Failure::Output`]: it cannot be encoded.
+    /// [`Failure::Output`]: the picture cannot be encoded.
     pub fn encoded(&self, form: Form) -> Result<Vec<u8>, Failure> {
         encode(&self.scene, form)
     }
 }
 
-/// All of them.
+/// All pictures.
 ///
 /// # Errors
 /// None: the motions are valid.

@@ -1,4 +1,4 @@
-//! The curve that the tip draws, as a picture.
+//! Picture of the curve that the tip draws.
 
 mod curve;
 #[cfg(feature = "program")]

@@ -15,9 +15,9 @@ const RADIUS: f64 = 265.0;
 const LABELS: f64 = 572.0;
 const POINTS: u64 = 6000;
 
-/// Draws the axis over a span of time; the lines of the caption go below the title.
+/// Draws the curve of the axis over a span of time; the lines of the caption are below the title.
 #[must_use]
-pub fn draw(scenario: &Scenario, span: &Span<'_>, caption: &[String]) -> Scene {
+pub(crate) fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scene {
     let mut scene = Scene::new(WIDTH, HEIGHT);
     let camera = Camera::new(-1.05, 0.42, MIDDLE, RADIUS);
     let (motion, units) = (&scenario.motion, scenario.units);

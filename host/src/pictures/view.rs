@@ -1,4 +1,5 @@
-//! A page for a browser that needs nothing else: the core as WebAssembly, and what draws the motions that it computes.
+//! Page for a browser that needs no other file: the core as WebAssembly, and scripts that draw the motions that it
+//! computes.
 //!
 //! A program that was compiled without the target for WebAssembly has no such core. Its pages play one motion from the table of
 //! `toytop bake --lang json`, which [`EVALUATOR`] evaluates with the bits of the crate.
@@ -15,7 +16,8 @@ use toml::Table;
 use toytop::Motion;
 use toytop_page::constants;
 
-/// JavaScript: `readTable` makes a table of the JSON in `f32`, and `momentAt(table, tick)` is what it says.
+/// JavaScript with two functions: `readTable` reads a table from the JSON in `f32`, and `momentAt(table, tick)`
+/// evaluates it.
 pub const EVALUATOR: &str = include_str!("view/evaluator.js");
 
 /// The core as WebAssembly; empty in a program that was compiled without that target.
@@ -25,7 +27,7 @@ pub const CORE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/core.wasm"));
 pub const NOT_LIVE: &str = "view: the page plays this motion only; for one with sliders: rustup target add \
                             wasm32-unknown-unknown, then install toytop again";
 
-/// Scripts of every page, in the order in which each needs those before.
+/// Scripts of every page, in the order of dependence.
 const SCRIPTS: [&str; 22] = [
     include_str!("view/engine.js"),
     include_str!("view/scenario.js"),
@@ -51,7 +53,7 @@ const SCRIPTS: [&str; 22] = [
     include_str!("view/main.js"),
 ];
 
-/// Scripts that a page without the core needs besides.
+/// Additional scripts of a page without the core.
 const RECORDED: [&str; 2] = [EVALUATOR, include_str!("view/recorded.js")];
 
 /// Motion that a page starts with.
@@ -64,7 +66,7 @@ pub struct Start {
 }
 
 impl Start {
-    /// Motion of a scenario file's text; `name` stands in the page and in messages.
+    /// Motion of a scenario file's text; `name` is the name on the page and in messages.
     ///
     /// # Errors
     /// [`Failure::Input`]: as [`Scenario::parse`].
@@ -74,7 +76,7 @@ impl Start {
         Ok(Self { keys, scenario })
     }
 
-    /// The toy top of the samples.
+    /// Toy top of the sample scenarios.
     ///
     /// # Errors
     /// None: the sample is valid.
@@ -87,7 +89,8 @@ fn keys_of_toy_top() -> Result<Table, Failure> {
     TOY_TOP.parse().map_err(|error| Failure::Input(format!("toy top: {error}")))
 }
 
-/// The page that starts with a motion, with the core as WebAssembly; where that is empty, a page that plays this motion only.
+/// Page that starts with a motion, with the core as WebAssembly; where `core` is empty, a page that plays this motion
+/// only.
 ///
 /// # Errors
 /// [`Failure::Method`]: no table fits the motion, even in `f32`.
@@ -116,7 +119,8 @@ pub fn page(start: &Start, core: &[u8]) -> Result<String, Failure> {
     Ok(filled(include_str!("view/page.html"), &values))
 }
 
-/// Table of the motion in `f32`, which the page without the core plays; that it exists is asked of every motion.
+/// Table of the motion in `f32`, which the page without the core plays. It is computed for every page, so that a motion
+/// without a table is always refused.
 fn table(scenario: &Scenario) -> Result<Value, Failure> {
     let motion = &scenario.motion;
     let frequency = frequency(motion);
@@ -127,13 +131,13 @@ fn table(scenario: &Scenario) -> Result<Value, Failure> {
     serde_json::from_str(&object(&label, &parts)).map_err(|error| Failure::Method(format!("view: {error}")))
 }
 
-/// Ticks in a unit of time: so many that the slowest motion is smooth.
+/// Number of ticks in a unit of time, which makes the slowest motion look smooth.
 fn frequency(motion: &Motion) -> f64 {
     const FINER: f64 = 256.0;
     (FINER * ticks_per_time(motion)).min(31_f64.exp2())
 }
 
-/// Constants of the motion as the core would state them.
+/// Constants of the motion, with the names that the core gives to the page.
 fn shown(motion: &Motion) -> Value {
     let numbers = constants::CONSTANTS.iter().map(|(name, value)| ((*name).to_owned(), value(motion).into()));
     let words =
@@ -142,12 +146,12 @@ fn shown(motion: &Motion) -> Value {
     Value::Object(numbers.chain(words).collect::<Map<_, _>>())
 }
 
-/// The text of a script element: JSON in which nothing ends it.
+/// Text of a script element: JSON without characters that could end the element.
 fn in_script(json: &str) -> String {
     json.replace('<', "\\u003c")
 }
 
-/// The template with every {{name}} replaced, once: what is put in is not looked at again.
+/// Template with every {{name}} replaced. Names in the replacement texts are not replaced.
 fn filled(template: &str, values: &[(&str, String)]) -> String {
     let mut parts = template.split("{{");
     let mut page = parts.next().unwrap_or_default().to_owned();

@@ -8,7 +8,7 @@ use toytop::Support;
 /// Quantity of a sample: a group of columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 #[value(rename_all = "snake_case")]
-pub enum Column {
+pub(crate) enum Column {
     /// Time
     T,
     /// Cosine of the tilt
@@ -42,12 +42,12 @@ pub enum Column {
 }
 
 /// Columns without `--columns`.
-pub const DEFAULT_COLUMNS: &str = "t,u,udot,alpha,beta,gamma,delta,omega,tip,phi";
+pub(crate) const DEFAULT_COLUMNS: &str = "t,u,udot,alpha,beta,gamma,delta,omega,tip,phi";
 
 impl Column {
     /// Name, as a key of JSON.
     #[must_use]
-    pub fn key(self) -> &'static str {
+    pub(crate) fn key(self) -> &'static str {
         match self {
             Self::T => "t",
             Self::U => "u",
@@ -69,7 +69,7 @@ impl Column {
 
     /// Names of its numbers, as columns of CSV.
     #[must_use]
-    pub fn names(self) -> &'static [&'static str] {
+    pub(crate) fn names(self) -> &'static [&'static str] {
         match self {
             Self::T => &["t"],
             Self::U => &["u"],
@@ -91,7 +91,7 @@ impl Column {
 
     /// Unit of its numbers; empty where there is none.
     #[must_use]
-    pub fn unit(self, units: Units, support: Support) -> &'static str {
+    pub(crate) fn unit(self, units: Units, support: Support) -> &'static str {
         match (self, support) {
             (Self::T, _) => units.name("s"),
             (Self::Udot, _) => units.name("1/s"),
@@ -103,7 +103,7 @@ impl Column {
     }
 
     /// Appends its numbers; NaN stands for what does not exist.
-    pub fn push(self, sample: &Sample, numbers: &mut Vec<f64>) {
+    pub(crate) fn push(self, sample: &Sample, numbers: &mut Vec<f64>) {
         let phi = sample.orientation();
         let mut pair = |z: toytop::Complex<f64>| numbers.extend([z.re, z.im]);
         match self {

@@ -5,7 +5,7 @@ use crate::motion::propagate::Sample;
 
 /// Header of a file with this many rows (format 1.0: magic, length, and a Python literal that ends at a multiple of 64 bytes).
 #[must_use]
-pub fn header(sheet: &Sheet, rows: u64) -> Vec<u8> {
+pub(crate) fn header(sheet: &Sheet, rows: u64) -> Vec<u8> {
     const BEFORE: usize = 10;
     let fields: String = sheet.names().iter().map(|name| format!("('{name}', '<f8'), ")).collect();
     let mut text = format!("{{'descr': [{fields}], 'fortran_order': False, 'shape': ({rows},), }}");
@@ -21,7 +21,7 @@ pub fn header(sheet: &Sheet, rows: u64) -> Vec<u8> {
 }
 
 /// Appends a row.
-pub fn row(sheet: &Sheet, sample: &Sample, numbers: &mut Vec<f64>, bytes: &mut Vec<u8>) {
+pub(crate) fn row(sheet: &Sheet, sample: &Sample, numbers: &mut Vec<f64>, bytes: &mut Vec<u8>) {
     sheet.numbers(sample, numbers);
     numbers.iter().for_each(|x| bytes.extend_from_slice(&(x + 0.0).to_le_bytes()));
 }

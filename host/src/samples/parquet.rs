@@ -18,7 +18,7 @@ const NUMBERS: u64 = 1 << 22;
 ///
 /// # Errors
 /// The errors of the writer.
-pub fn write(
+pub(crate) fn write(
     sheet: &Sheet,
     count: u64,
     at: &dyn Fn(u64) -> Sample,

@@ -8,7 +8,7 @@ use toytop::Support;
 
 /// Columns of the rows, and the units of their numbers.
 #[derive(Clone, Debug)]
-pub struct Sheet {
+pub(crate) struct Sheet {
     /// Columns in their order.
     pub columns: Vec<Column>,
     /// Units of the scenario.
@@ -22,7 +22,7 @@ pub struct Sheet {
 impl Sheet {
     /// Names of all numbers of a row.
     #[must_use]
-    pub fn names(&self) -> Vec<String> {
+    pub(crate) fn names(&self) -> Vec<String> {
         let name = |column: &Column, name: &&str| match column.unit(self.units, self.support) {
             unit if self.named_units && !unit.is_empty() => format!("{name} [{unit}]"),
             _ => (*name).to_owned(),
@@ -33,19 +33,19 @@ impl Sheet {
     }
 
     /// Numbers of a row; NaN stands for a number that does not exist.
-    pub fn numbers(&self, sample: &Sample, numbers: &mut Vec<f64>) {
+    pub(crate) fn numbers(&self, sample: &Sample, numbers: &mut Vec<f64>) {
         numbers.clear();
         self.columns.iter().for_each(|column| column.push(sample, numbers));
     }
 
     /// Header of CSV.
     #[must_use]
-    pub fn csv_header(&self) -> String {
+    pub(crate) fn csv_header(&self) -> String {
         self.names().join(",") + "\n"
     }
 
     /// Appends a line of CSV.
-    pub fn csv(&self, sample: &Sample, numbers: &mut Vec<f64>, text: &mut Vec<u8>) {
+    pub(crate) fn csv(&self, sample: &Sample, numbers: &mut Vec<f64>, text: &mut Vec<u8>) {
         self.numbers(sample, numbers);
         for (index, x) in numbers.iter().enumerate() {
             if index > 0 {
@@ -59,7 +59,7 @@ impl Sheet {
     }
 
     /// Appends an object of JSON.
-    pub fn json(&self, sample: &Sample, numbers: &mut Vec<f64>, text: &mut Vec<u8>) {
+    pub(crate) fn json(&self, sample: &Sample, numbers: &mut Vec<f64>, text: &mut Vec<u8>) {
         for (index, column) in self.columns.iter().enumerate() {
             text.extend_from_slice(if index == 0 { b"{\"" } else { b",\"" });
             text.extend_from_slice(column.key().as_bytes());
@@ -86,7 +86,7 @@ impl Sheet {
 
     /// Sample as a block of lines, because one line with all digits would be too long for a screen.
     #[must_use]
-    pub fn block(&self, sample: &Sample) -> String {
+    pub(crate) fn block(&self, sample: &Sample) -> String {
         let most = self.columns.iter().map(|column| column.names().len()).max().unwrap_or(0);
         let line = |column: &Column| {
             let mut numbers = Vec::new();

@@ -14,13 +14,18 @@ const BLOCK: u64 = 1024;
 const BLOCKS: u64 = 32;
 
 /// Encoder of a row, from the row's number, numbers to work with, and the bytes to append to.
-pub type Encode<'a> = dyn Fn(u64, &mut Vec<f64>, &mut Vec<u8>) + Sync + 'a;
+pub(crate) type Encode<'a> = dyn Fn(u64, &mut Vec<f64>, &mut Vec<u8>) + Sync + 'a;
 
 /// Writes this many rows in order.
 ///
 /// # Errors
 /// The errors of the writer.
-pub fn rows(cores: &ThreadPool, count: u64, encode: &Encode<'_>, out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn rows(
+    cores: &ThreadPool,
+    count: u64,
+    encode: &Encode<'_>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let mut progress = Progress::new(count, "rows");
     for first in (0..count).step_by((BLOCK * BLOCKS) as usize) {
         let last = count.min(first + BLOCK * BLOCKS);
@@ -42,7 +47,7 @@ pub fn rows(cores: &ThreadPool, count: u64, encode: &Encode<'_>, out: &mut dyn W
 ///
 /// # Errors
 /// The failures of [`whole_file::write_by`], or [`Failure::Output`] for stdout.
-pub fn to(
+pub(crate) fn to(
     path: Option<&Path>,
     fill: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
 ) -> Result<(), Failure> {

@@ -39,7 +39,7 @@ pub enum RateSource {
 /// Drift along the rows. It stays unknown where the file has no angular velocity and fewer than seven rows, or errors of more than two
 /// radians, which cannot be followed from row to row.
 #[must_use]
-pub fn along(rows: &[Row], motion: &Motion, table: &dyn AnyScalar) -> Drift {
+pub(crate) fn along(rows: &[Row], motion: &Motion, table: &dyn AnyScalar) -> Drift {
     let greatest = |states: &mut dyn Iterator<Item = (Orientation<f64>, [f64; 3])>| {
         let mut most = [0.0_f64; 3];
         for (orientation, omega) in states {

@@ -33,7 +33,7 @@ pub struct PhaseErrors {
 }
 
 /// Fit of phase errors to rows.
-pub struct Fit<'a> {
+pub(super) struct Fit<'a> {
     table: &'a dyn AnyScalar,
     /// Time that a fit covers, s.
     period: f64,
@@ -49,7 +49,7 @@ const LEAST_ROWS: usize = 8;
 impl<'a> Fit<'a> {
     /// Fit for a motion with its ephemeris; `None` for an aperiodic motion, which has no such phases.
     #[must_use]
-    pub fn new(motion: &Motion, table: &'a dyn AnyScalar) -> Option<Self> {
+    pub(super) fn new(motion: &Motion, table: &'a dyn AnyScalar) -> Option<Self> {
         let exist = match motion.regime() {
             Regime::Nutating => [true; 3],
             Regime::Aperiodic => return None,
@@ -66,7 +66,7 @@ impl<'a> Fit<'a> {
     /// Phase errors over the last nutation period of the rows (the last eight rows, if these take longer). The fit goes through the
     /// periods before it one by one, so that errors of more than half a turn are recognised.
     #[must_use]
-    pub fn last(&self, rows: &[Row]) -> PhaseErrors {
+    pub(super) fn last(&self, rows: &[Row]) -> PhaseErrors {
         let mut angles = Vector3::zeros();
         let mut residual = None;
         for window in self.windows(rows) {

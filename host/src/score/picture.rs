@@ -3,11 +3,11 @@
 use crate::pictures::figures::{Chart, Curve, Picture};
 
 /// Name of a method and its runs, \[work, error\].
-pub type MethodRuns = (String, Vec<[f64; 2]>);
+pub(crate) type MethodRuns = (String, Vec<[f64; 2]>);
 
 /// Picture of runs whose work is counted in this unit.
 #[must_use]
-pub fn work_precision(scenario: &str, unit: &str, methods: Vec<MethodRuns>) -> Picture {
+pub(crate) fn work_precision(scenario: &str, unit: &str, methods: Vec<MethodRuns>) -> Picture {
     let line = |(name, mut points): MethodRuns| {
         points.sort_by(|[a, _], [b, _]| a.total_cmp(b));
         Curve { name, points, marked: true }

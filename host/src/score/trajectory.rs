@@ -164,8 +164,8 @@ struct Columns {
 impl Columns {
     fn of(header: &csv::StringRecord) -> Result<Self, String> {
         // a unit in brackets is no part of the name
-        let bare = |name: &str| name.split(['[', '(']).next().unwrap_or_default().trim().to_owned();
-        let names: Vec<_> = header.iter().map(bare).collect();
+        let without_unit = |name: &str| name.split(['[', '(']).next().unwrap_or_default().trim().to_owned();
+        let names: Vec<_> = header.iter().map(without_unit).collect();
         let place = |name: &&str| names.iter().position(|found| found == name);
         let first = |sets: &[&[&str]]| {
             let places = |set: &[&str]| set.iter().map(place).collect::<Option<Vec<_>>>();

@@ -1,27 +1,27 @@
-//! What one number of a sweep may be: listed, or spread over a range.
+//! Values of one number of a sweep: a list, or a range.
 
 use crate::input::random::Random;
 use crate::output::short;
 use std::fmt;
 use std::str::FromStr;
 
-/// `0.7`, `0.7,0.8,0.9`, `0.1..0.9`, `0.1..0.9/17`, `log:1e-3..1e3/7`.
+/// Values of one number, from a text such as `0.7`, `0.7,0.8,0.9`, `0.1..0.9`, `0.1..0.9/17` or `log:1e-3..1e3/7`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Axis {
-    /// These numbers.
+    /// List of numbers.
     List(Vec<f64>),
-    /// All numbers of a range: for a random sample only.
+    /// All numbers of a range, for a random sample only.
     Range(Range),
     /// Range with this many values, evenly spread, both ends included.
     Grid(Range, u32),
 }
 
-/// From `low` to `high`.
+/// Range from `low` to `high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
     low: f64,
     high: f64,
-    /// Even in the logarithm.
+    /// Whether values are spread evenly in the logarithm.
     log: bool,
 }
 
@@ -30,7 +30,7 @@ impl Range {
         let Self { low, high, log } = *self;
         let between = |low: f64, high: f64| low + (high - low) * share;
         let x = if log { between(low.ln(), high.ln()).exp() } else { between(low, high) };
-        // the ends exactly, and nothing beyond
+        // rounding must neither change the ends nor pass them
         if share == 0.0 { low } else { x.clamp(low, high) }
     }
 }
@@ -45,7 +45,7 @@ impl Axis {
         }
     }
 
-    /// The number at a place of the grid. A range has none but its lower end.
+    /// Value with this index. A range has only one, its lower end.
     pub(crate) fn at(&self, place: u64) -> f64 {
         match self {
             Self::List(numbers) => numbers.get(place as usize).copied().unwrap_or(f64::NAN),
@@ -55,7 +55,7 @@ impl Axis {
         }
     }
 
-    /// A number drawn by lot.
+    /// Random number.
     pub(super) fn draw(&self, random: &mut Random) -> f64 {
         let share = random.share();
         match (self, self.len()) {
@@ -64,7 +64,7 @@ impl Axis {
         }
     }
 
-    /// Place of a number on a grid, if it is the one nearest to it.
+    /// Index of the value of a grid that is nearest to a number; `None` for a number outside the cells of the grid.
     pub(super) fn place_of(&self, number: f64) -> Option<u64> {
         let [low, high] = self.drawn_ends();
         let share = (self.drawn(number) - low) / (high - low);
@@ -72,7 +72,8 @@ impl Axis {
         (0.0..1.0).contains(&share).then_some((share * places as f64) as u64)
     }
 
-    /// Ends of the cells of a grid, half a step beyond its numbers, in logarithms where it is even in these.
+    /// Ends of the cells of a grid, half a step beyond its values, as logarithms where the values are spread evenly in
+    /// the logarithm.
     pub(super) fn drawn_ends(&self) -> [f64; 2] {
         let [low, high] = self.ends().map(|end| self.drawn(end));
         let half = 0.5 * (high - low) / (self.len().unwrap_or(2) as f64 - 1.0).max(1.0);
@@ -83,12 +84,12 @@ impl Axis {
         if self.is_log() { number.log10() } else { number }
     }
 
-    /// Whether it is even in the logarithm.
+    /// Whether the values are spread evenly in the logarithm.
     pub(super) fn is_log(&self) -> bool {
         matches!(self, Self::Range(range) | Self::Grid(range, _) if range.log)
     }
 
-    /// The least and the greatest.
+    /// Least and greatest value.
     pub(super) fn ends(&self) -> [f64; 2] {
         match self {
             Self::List(numbers) => [
@@ -128,7 +129,7 @@ impl FromStr for Axis {
     }
 }
 
-/// A number that is read back as the same, without hundreds of zeros.
+/// Number with 17 significant digits, which are read back as the same number, without trailing zeros.
 fn exact(x: f64) -> String {
     short(x, 17)
 }

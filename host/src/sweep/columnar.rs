@@ -1,7 +1,8 @@
-//! A finished sweep as Parquet: the rows of its CSV file, with types, in groups.
+//! Parquet file of a complete sweep: the rows of its CSV file, with types, in groups.
 //!
-//! Parquet ends with an index of the whole file, so one that is under way cannot be appended to, nor read when it was cut
-//! off. A CSV file can; hence rows are made there, and only what is whole becomes Parquet.
+//! A Parquet file ends with an index of the whole file, so that rows cannot be appended to it, and an incomplete file
+//! cannot be read. Both are possible with a CSV file. Therefore rows are first written as CSV, and a complete CSV file
+//! is converted.
 
 use super::Rows;
 use crate::Failure;
@@ -22,10 +23,10 @@ use std::path::Path;
 use std::str::FromStr;
 use std::sync::Arc;
 
-/// Fields of a group of rows: what is held in memory, some 40 MB.
+/// Number of fields of a group of rows, which is in memory at once: some 40 MB.
 const FIELDS: usize = 1 << 22;
 
-/// Parquet's type of a column. What is absent is null.
+/// Parquet type of a column. An absent value is null.
 fn physical_type(name: &str) -> &'static str {
     match name {
         "version" | "regime" | "tip_class" | "crc32" => "binary {} (string)",
@@ -35,15 +36,15 @@ fn physical_type(name: &str) -> &'static str {
     }
 }
 
-/// Metadata of a file of which no more is known: the version.
+/// Metadata of a file of joined shards: the version only.
 #[must_use]
-pub fn version() -> Vec<KeyValue> {
+pub(crate) fn version() -> Vec<KeyValue> {
     vec![KeyValue::new("toytop.version".to_owned(), env!("CARGO_PKG_VERSION").to_owned())]
 }
 
-/// Metadata of a file: the version, and the options that make it again.
+/// Metadata of a file: the version, and the options of the command that writes it.
 #[must_use]
-pub fn metadata(rows: &Rows, [shard, of]: [u64; 2]) -> Vec<KeyValue> {
+pub(crate) fn metadata(rows: &Rows, [shard, of]: [u64; 2]) -> Vec<KeyValue> {
     let seed = rows.motions.seed().map(|seed| seed.to_string());
     let entries = [
         ("toytop.version", Some(env!("CARGO_PKG_VERSION").to_owned())),
@@ -54,16 +55,21 @@ pub fn metadata(rows: &Rows, [shard, of]: [u64; 2]) -> Vec<KeyValue> {
     entries.into_iter().filter_map(entry).collect()
 }
 
-/// Number of rows of the file, if it exists; then it has to be this sweep's.
+/// Number of rows of the file; `None` if it does not exist.
 ///
 /// # Errors
-/// [`Failure::Input`]: it is something else, or not to be resumed.
-pub fn rows_there(path: &Path, rows: &Rows, shard: [u64; 2], resume: bool) -> Result<Option<u64>, Failure> {
+/// [`Failure::Input`]: the file is not one of this sweep, or must not be resumed.
+pub(crate) fn rows_there(
+    path: &Path,
+    rows: &Rows,
+    shard: [u64; 2],
+    resume: bool,
+) -> Result<Option<u64>, Failure> {
     let wrong = |reason: &str| Failure::Input(format!("--output: {}: {reason}", path.display()));
     super::part::must_be_regular(path)?;
     let Ok(file) = File::open(path) else { return Ok(None) };
     if !resume {
-        return Err(wrong("exists; --resume goes on with it"));
+        return Err(wrong("exists; --resume continues it"));
     }
     let reader = SerializedFileReader::new(file).map_err(|_| wrong("is no Parquet; nothing was changed"))?;
     let said = reader.metadata().file_metadata();
@@ -74,11 +80,12 @@ pub fn rows_there(path: &Path, rows: &Rows, shard: [u64; 2], resume: bool) -> Re
     Ok(Some(said.num_rows().unsigned_abs()))
 }
 
-/// Writes the rows of a CSV file that is whole, of so many rows; with the disk when this returns, as the CSV file may go then.
+/// Converts a complete CSV file with `len` rows. The Parquet file is on the disk when the function returns, so that the
+/// CSV file can be removed.
 ///
 /// # Errors
-/// One of the two cannot be read or written; no half of a file is left behind.
-pub fn write(csv: &Path, path: &Path, metadata: Vec<KeyValue>, len: u64) -> Result<(), Failure> {
+/// One of the two files cannot be read or written; no incomplete file remains.
+pub(crate) fn write(csv: &Path, path: &Path, metadata: Vec<KeyValue>, len: u64) -> Result<(), Failure> {
     let mut progress = Progress::new(len, "rows written as Parquet");
     write_by("--output", path, |file| {
         transcribe(csv, file, metadata, &mut progress).map_err(of_system)?;
@@ -86,7 +93,7 @@ pub fn write(csv: &Path, path: &Path, metadata: Vec<KeyValue>, len: u64) -> Resu
     })
 }
 
-/// Error of the operating system, if that is the cause.
+/// Error of the operating system, if it is the cause of the error of Parquet.
 fn of_system(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(cause) => match cause.downcast::<io::Error>() {
@@ -137,7 +144,7 @@ fn write_group<W: io::Write + Send>(
         match column.untyped() {
             ColumnWriter::Int32ColumnWriter(writer) => writer.write_batch(&read(texts())?, present, None)?,
             ColumnWriter::Int64ColumnWriter(writer) => {
-                // an unsigned number is kept by its bits
+                // an unsigned number is stored by its bits
                 let numbers: Vec<u64> = read(texts())?;
                 let bits: Vec<i64> = numbers.into_iter().map(u64::cast_signed).collect();
                 writer.write_batch(&bits, present, None)?
@@ -153,7 +160,7 @@ fn write_group<W: io::Write + Send>(
     Ok(())
 }
 
-/// Each as a number.
+/// Numbers of these texts.
 fn read<'a, T: FromStr>(texts: impl Iterator<Item = &'a str>) -> Written<Vec<T>> {
     let number = |text: &str| text.parse().map_err(|_| ParquetError::General(format!("{text}: no number")));
     texts.map(number).collect()

@@ -1,4 +1,4 @@
-//! What is said of each motion.
+//! Columns of a sweep, and the row of a motion.
 
 use super::Motions;
 use super::sealed::{CHECKSUM, sealed};
@@ -14,13 +14,13 @@ use toytop::{Complex, Motion, Orientation, PeriodAdvance, Regime};
 /// Truncation error of the table in `f64`, rad.
 const WITHIN: f64 = 1e-13;
 
-/// One or, of what is said at every tick, several columns.
+/// Quantity of a motion, which is one column, or one or more columns for each tick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 #[value(rename_all = "snake_case")]
-pub enum Column {
-    /// The kind of motion; refused: no motion, as e1 > e2, or a number that the scenario cannot have
+pub(crate) enum Column {
+    /// Kind of motion; refused where no motion has these numbers, such as e1 > e2
     Regime,
-    /// The kind of curve that the tip draws
+    /// Class of the curve that the tip draws
     TipClass,
     /// First integral l
     L,
@@ -36,16 +36,16 @@ pub enum Column {
     BetaTurns,
     /// Advance of the tip angle in a period, rad
     PhiPerPeriod,
-    /// Least normal force, in weights
+    /// Least normal force, in units of the weight
     MinNormalForce,
-    /// cos of the tilt at every tick
+    /// Cosine of the tilt at every tick
     U,
     /// Orientation (α and β) at every tick
     #[value(name = "phi", alias = "orientation")]
     Orientation,
-    /// Tip at every tick, in units of s; of a scenario, in m
+    /// Tip at every tick, in units of s, or with a scenario in m
     Tip,
-    /// Greatest error of the f32 ephemeris over the ticks, against that in f64, rad
+    /// Greatest error of the f32 ephemeris over the ticks, against the f64 ephemeris, rad
     #[value(name = "error_f32")]
     ErrorF32,
     /// Error bound that the f32 ephemeris states, rad
@@ -63,10 +63,10 @@ pub enum Column {
 }
 
 /// Columns without the option.
-pub const DEFAULT_COLUMNS: &str = "regime,tip_class,period,phi_per_period,min_normal_force";
+pub(crate) const DEFAULT_COLUMNS: &str = "regime,tip_class,period,phi_per_period,min_normal_force";
 
 impl Column {
-    /// Its names in the header.
+    /// Names in the header.
     fn header(self, ticks: u32) -> Vec<String> {
         let parts: &[&str] = match self {
             Self::U => &["u"],
@@ -78,7 +78,7 @@ impl Column {
         (1..=ticks).flat_map(of_tick).collect()
     }
 
-    /// Its name on the command line.
+    /// Name on the command line.
     fn name(self) -> String {
         let value = clap::ValueEnum::to_possible_value(&self);
         value.map(|value| value.get_name().to_owned()).unwrap_or_default()
@@ -109,35 +109,35 @@ impl Column {
     }
 }
 
-/// The table of a sweep: a header, and a row for every number.
+/// Table of a sweep: a header, and a row for every motion.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Rows {
+pub(crate) struct Rows {
     /// Motions of the sweep.
     pub motions: Motions,
     /// Columns of each motion.
     pub columns: Vec<Column>,
     /// Number of times at which each motion is evaluated.
     pub ticks: u32,
-    /// Over how many nutation periods.
+    /// Number of nutation periods over which these times are spread.
     pub periods: f64,
 }
 
-/// Columns that every table begins with.
+/// First columns of every table.
 pub(super) const KEYS: &str = "index,motions,version,seed";
 
 impl Rows {
-    /// The names of the columns, with a line break.
+    /// Names of the columns, with a line break.
     #[must_use]
-    pub fn header(&self) -> String {
+    pub(crate) fn header(&self) -> String {
         let names = self.columns.iter().flat_map(|column| column.header(self.ticks));
         names.fold(format!("{KEYS},{}", self.motions.keys()), |line, name| line + "," + &name)
             + &format!(",{CHECKSUM}\n")
     }
 
-    /// The row of a number, with a line break. Numbers have as many digits as tell them from every other `f64`; no field
-    /// needs quotes.
+    /// Row with this index, with a line break. A number has the shortest decimal that reads back the same `f64`; no
+    /// field needs quotes.
     #[must_use]
-    pub fn row(&self, number: u64) -> String {
+    pub(crate) fn row(&self, number: u64) -> String {
         let (fields, motion) = self.motions.at(number);
         let seed = self.motions.seed().map(|seed| seed.to_string()).unwrap_or_default();
         let (motions, version) = (self.motions.len(), env!("CARGO_PKG_VERSION"));
@@ -173,7 +173,7 @@ impl Rows {
     }
 }
 
-/// The options of `toytop sweep` that make this table.
+/// Options of `toytop sweep` that write this table.
 impl fmt::Display for Rows {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} --ticks {} --periods {:?} --columns ", self.motions, self.ticks, self.periods)?;
@@ -182,7 +182,8 @@ impl fmt::Display for Rows {
     }
 }
 
-/// One in each of equal parts of the time, moved on by multiples of the golden section.
+/// `count` times from 0 to `whole`: one in each of `count` equal parts, at a place in its part that is a multiple of
+/// the golden section modulo 1.
 fn times(whole: f64, count: u32) -> Vec<f64> {
     const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
     let part = whole / f64::from(count);
@@ -198,12 +199,12 @@ struct Measured {
     full: Option<Vec<Orientation<f64>>>,
 }
 
-/// An ephemeris at the ticks.
+/// Values of an ephemeris at the ticks.
 struct Run {
     phis: Vec<Orientation<f64>>,
     tips: Vec<Complex<f64>>,
     segments: usize,
-    /// The constant part of it, rad: the rest only counts after millions of periods.
+    /// Constant part of the error bound, rad. The part per tick is negligible below millions of periods.
     bound: f64,
 }
 
@@ -215,7 +216,7 @@ impl Run {
         Self { phis, tips, segments: table.size()[0], bound }
     }
 
-    /// The greatest distance from the truth, rad.
+    /// Greatest distance from the truth, rad.
     fn error(&self, truth: &[Orientation<f64>]) -> f64 {
         let pairs = self.phis.iter().zip(truth);
         pairs.map(|(phi, truth_phi)| phi.distance(truth_phi)).fold(0.0, f64::max)
@@ -238,7 +239,7 @@ fn put(row: &mut String, column: Column, ticks: u32, measured: &Option<Measured>
     let mut number = |x: Option<f64>| {
         row.push(',');
         if let Some(x) = x {
-            // a String takes everything
+            // writing to a String cannot fail
             let _ = write!(row, "{x:?}");
         }
     };

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 /// Choice of a heat map: the key along x, the key along y, and the column shown.
 #[derive(Clone, Debug, PartialEq)]
-pub struct HeatMap {
+pub(crate) struct HeatMap {
     names: [String; 3],
     axes: [Axis; 2],
 }
@@ -25,8 +25,8 @@ impl HeatMap {
     /// Heat map of `X,Y,COLUMN` over the grid of a scenario.
     ///
     /// # Errors
-    /// [`Failure::Input`]: no such key or column, or no grid of even steps along both keys.
-    pub fn new(text: &str, motions: &Motions, columns: &str) -> Result<Self, Failure> {
+    /// [`Failure::Input`]: there is no such key or column, or one of the keys has no grid of even steps.
+    pub(crate) fn new(text: &str, motions: &Motions, columns: &str) -> Result<Self, Failure> {
         let refuse = |reason: &str| Failure::Input(format!("--plot: {text}: {reason}"));
         let Motions::Scenario(launches) = motions else {
             return Err(refuse("needs a SCENARIO whose keys vary"));
@@ -45,11 +45,11 @@ impl HeatMap {
         Ok(Self { names: [x, y, column].map(str::to_owned), axes })
     }
 
-    /// Draws the rows of a table. Of several rows with the same X and Y the first counts.
+    /// Draws the rows of a table. Of several rows with the same X and Y, the first is drawn.
     ///
     /// # Errors
-    /// [`Failure::Input`]: the column holds no numbers.
-    pub fn draw(&self, csv: &str) -> Result<Picture, Failure> {
+    /// [`Failure::Input`]: the column contains no numbers.
+    pub(crate) fn draw(&self, csv: &str) -> Result<Picture, Failure> {
         let [x_name, y_name, column] = &self.names;
         let refuse = |reason: &str| Failure::Input(format!("--plot: {column}: {reason}"));
         let mut reader = csv::Reader::from_reader(csv.as_bytes());

@@ -7,9 +7,9 @@ use crate::input::scenario::{Key, Template};
 use std::fmt;
 use toytop::Motion;
 
-/// A scenario and the numbers of it that vary, each over an axis in the key's own unit.
+/// Scenario with the numbers that vary, each over an axis in the unit of its key.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Launches {
+pub(crate) struct Launches {
     template: Template,
     axes: Vec<(Key, Axis)>,
     /// Number of motions to draw, and the seed; `None` for the grid of all combinations.
@@ -20,9 +20,9 @@ impl Launches {
     /// Launches over these axes.
     ///
     /// # Errors
-    /// [`Failure::Input`]: no axis, a key that the scenario does not have or that comes twice, a range in a grid, or a scenario whose
-    /// first place is refused for another key than those that vary.
-    pub fn new(
+    /// [`Failure::Input`]: no axis, a key that the scenario does not have or that is given twice, a range in a grid, or
+    /// a scenario whose first motion is refused for a key that does not vary.
+    pub(crate) fn new(
         template: Template,
         axes: &[(String, Axis)],
         sample: Option<(u64, u64)>,
@@ -82,7 +82,7 @@ impl Launches {
         self.checked_len().unwrap_or(u64::MAX)
     }
 
-    /// The numbers of a place; in a grid the last key changes fastest.
+    /// Numbers of the motion with this index; in a grid the last key changes fastest.
     pub(super) fn numbers(&self, number: u64) -> Vec<(Key, f64)> {
         if let Some((_, seed)) = self.sample {
             let mut random = Random::new(seed, number);
@@ -104,13 +104,13 @@ impl Launches {
         numbers
     }
 
-    /// The motion of a place; `None` where the scenario refuses its numbers.
+    /// Motion with this index; `None` where the scenario refuses its numbers.
     pub(super) fn motion(&self, number: u64) -> Option<Motion> {
         self.template.with(&self.numbers(number)).ok().map(|scenario| scenario.motion)
     }
 }
 
-/// The options of `toytop sweep` that say which motions.
+/// Options of `toytop sweep` that select the motions.
 impl fmt::Display for Launches {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.template.file())?;

@@ -1,4 +1,4 @@
-//! The motions of a sweep, of either kind.
+//! Motions of a sweep, of either kind.
 
 use super::{Launches, Place, Space};
 use std::fmt;
@@ -6,32 +6,26 @@ use toytop::Motion;
 
 /// Motions of a sweep.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Motions {
-    /// The paper's constants, without units.
+pub(crate) enum Motions {
+    /// Motions of the paper's constants, without units.
     BranchPoints(Space),
-    /// A scenario with some of its numbers varied.
+    /// Motions of a scenario, some of whose numbers vary.
     Scenario(Launches),
 }
 
 impl Motions {
     /// Number of motions.
     #[must_use]
-    pub fn len(&self) -> u64 {
+    pub(crate) fn len(&self) -> u64 {
         match self {
             Self::BranchPoints(space) => space.len(),
             Self::Scenario(launches) => launches.len(),
         }
     }
 
-    /// Whether there is none.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
     /// Seed of a random sample.
     #[must_use]
-    pub fn seed(&self) -> Option<u64> {
+    pub(crate) fn seed(&self) -> Option<u64> {
         let sample = match self {
             Self::BranchPoints(space) => space.sample,
             Self::Scenario(launches) => launches.sample,
@@ -39,18 +33,18 @@ impl Motions {
         sample.map(|(_, seed)| seed)
     }
 
-    /// Names of what tells a motion from the others, as columns.
+    /// Names of the columns with the numbers that vary.
     #[must_use]
-    pub fn keys(&self) -> String {
+    pub(crate) fn keys(&self) -> String {
         match self {
             Self::BranchPoints(_) => "e1,e2,e3,a_over_ps,c_over_a,sign_l_plus_n,sign_l_minus_n".to_owned(),
             Self::Scenario(launches) => launches.keys().collect::<Vec<_>>().join(","),
         }
     }
 
-    /// Fields of these columns, and the motion; `None` where there is none with these numbers.
+    /// Fields of these columns, and the motion; `None` where no motion has these numbers.
     #[must_use]
-    pub fn at(&self, number: u64) -> (String, Option<Motion>) {
+    pub(crate) fn at(&self, number: u64) -> (String, Option<Motion>) {
         match self {
             Self::BranchPoints(space) => {
                 let place = space.place(number);
@@ -67,7 +61,7 @@ impl Motions {
     }
 }
 
-/// The options of `toytop sweep` that say which motions.
+/// Options of `toytop sweep` that select the motions.
 impl fmt::Display for Motions {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

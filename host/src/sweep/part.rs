@@ -1,4 +1,5 @@
-//! The file of a sweep, or of a shard of it: only ever appended to, so that what is there stays good whatever happens.
+//! File of a sweep, or of a shard of it. Rows are only appended, so that the existing rows remain valid if the program
+//! is killed.
 
 use super::Rows;
 use super::sealed::unsealed;
@@ -8,9 +9,10 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufRead, BufReader, ErrorKind, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-/// The rows of shard `shard` of `of` (from 1): every `of`-th row of the sweep, so that shards take equally long.
+/// File with the rows of shard `shard` of `of` (from 1): every `of`-th row of the sweep, so that shards take equal
+/// times.
 #[derive(Debug)]
-pub struct Part {
+pub(crate) struct Part {
     path: PathBuf,
     file: File,
     shard: u64,
@@ -22,13 +24,19 @@ pub struct Part {
 }
 
 impl Part {
-    /// Begins a file, or goes on with one (`resume`): a line that was cut off goes, every row has to fit its checksum, and the
-    /// last one has to be what the sweep gives for it. The file is locked until this is dropped.
+    /// Creates a file, or with `resume` continues one: an incomplete last line is removed, every row must match its
+    /// checksum, and the last one must equal the row that the sweep computes. The file is locked until the part is
+    /// dropped.
     ///
     /// # Errors
     /// [`Failure::Input`]: the file exists and is not to be resumed, is no regular file, is locked by another process, belongs to
     /// another sweep, or cannot be written.
-    pub fn open(path: &Path, rows: &Rows, [shard, of]: [u64; 2], resume: bool) -> Result<Self, Failure> {
+    pub(crate) fn open(
+        path: &Path,
+        rows: &Rows,
+        [shard, of]: [u64; 2],
+        resume: bool,
+    ) -> Result<Self, Failure> {
         let wrong = |reason: &str| Failure::Input(format!("--output: {}: {reason}", path.display()));
         let of_system = |error: std::io::Error| refused("--output", path, error);
         must_be_regular(path)?;
@@ -41,7 +49,7 @@ impl Part {
             options.create_new(true);
         }
         let file = options.open(path).map_err(|error| match error.kind() {
-            std::io::ErrorKind::AlreadyExists => wrong("exists; --resume goes on with it"),
+            std::io::ErrorKind::AlreadyExists => wrong("exists; --resume continues it"),
             _ => of_system(error),
         })?;
         lock(&file).map_err(|error| match error {
@@ -60,7 +68,7 @@ impl Part {
             if lines > 0 { first == header.as_bytes() } else { header.as_bytes().starts_with(&rest) };
         if let Some(line) = broken.filter(|_| same_header) {
             return Err(wrong(&format!(
-                "line {line}: is not what its checksum says: it was changed; nothing was changed now"
+                "line {line}: does not match its checksum, because it was changed; the file is left as it is"
             )));
         }
         let same_row = done == 0 || (done <= len && last == rows.row(part.index(done - 1)).as_bytes());
@@ -77,45 +85,39 @@ impl Part {
 
     /// Number of rows of a shard.
     #[must_use]
-    pub fn rows_of(rows: &Rows, [shard, of]: [u64; 2]) -> u64 {
+    pub(crate) fn rows_of(rows: &Rows, [shard, of]: [u64; 2]) -> u64 {
         (rows.motions.len() + of - shard) / of
     }
 
     /// Number, in the whole sweep, of a row of a shard.
     #[must_use]
-    pub fn index_in(row: u64, [shard, of]: [u64; 2]) -> u64 {
+    pub(crate) fn index_in(row: u64, [shard, of]: [u64; 2]) -> u64 {
         row * of + shard - 1
     }
 
     /// Number, in the whole sweep, of a row of this part.
     #[must_use]
-    pub fn index(&self, row: u64) -> u64 {
+    pub(crate) fn index(&self, row: u64) -> u64 {
         Self::index_in(row, [self.shard, self.of])
     }
 
     /// Rows there already.
     #[must_use]
-    pub fn done(&self) -> u64 {
+    pub(crate) fn done(&self) -> u64 {
         self.done
     }
 
     /// Rows there will be.
     #[must_use]
-    pub fn len(&self) -> u64 {
+    pub(crate) fn len(&self) -> u64 {
         self.len
     }
 
-    /// Whether there are none.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len == 0
-    }
-
-    /// Appends a block of rows: with the system when this returns.
+    /// Appends a block of rows. The operating system has them when the function returns.
     ///
     /// # Errors
-    /// It cannot be written; what was there before stays good.
-    pub fn append(&mut self, block: &str, rows: u64) -> Result<(), Failure> {
+    /// The block cannot be written; the existing rows remain valid.
+    pub(crate) fn append(&mut self, block: &str, rows: u64) -> Result<(), Failure> {
         let written = self.file.write_all(block.as_bytes());
         written.map_err(|error| refused("--output", &self.path, error))?;
         self.done += rows;
@@ -123,7 +125,7 @@ impl Part {
     }
 }
 
-/// Refuses a path that leads to a pipe, a device or a folder: reading one could wait for ever.
+/// Refuses the path of a pipe, a device or a folder, from which a read could wait without end.
 ///
 /// # Errors
 /// [`Failure::Input`].
@@ -152,7 +154,7 @@ struct Whole {
     last: Vec<u8>,
     /// Bytes after the last line break.
     rest: Vec<u8>,
-    /// Number of the first row that its checksum does not fit.
+    /// Number of the first row that does not match its checksum.
     broken: Option<u64>,
 }
 

@@ -9,20 +9,20 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, BufWriter, Split, Write};
 use std::path::{Path, PathBuf};
 
-/// A file whose rows are read one after the other, each compared with its checksum.
+/// File whose rows are read one after another, each compared with its checksum.
 struct Part {
     name: String,
     lines: Split<BufReader<File>>,
     header: String,
-    /// Lines read.
+    /// Number of lines that were read.
     number: u64,
 }
 
-/// A row of a part.
+/// Row of a file.
 struct Row {
-    /// Number in the whole sweep, from 0.
+    /// Index in the whole sweep, from 0.
     index: u64,
-    /// Rows of the whole sweep.
+    /// Number of rows of the whole sweep.
     motions: u64,
     /// Version and seed.
     made_by: String,
@@ -71,25 +71,26 @@ impl Part {
             Some((index, motions, made_by)) if index < motions => {
                 Ok(Some(Row { index, motions, made_by, line }))
             }
-            _ => Err(self.refusal("is not what its checksum says: cut off, or changed after it was written")),
+            _ => Err(self.refusal("does not match its checksum: cut off, or changed after it was written")),
         }
     }
 }
 
 /// Numbers of rows of a file and of its sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Found {
+pub(crate) struct Found {
     /// Rows of the file.
     pub rows: u64,
     /// Rows of the whole sweep.
     pub motions: u64,
 }
 
-/// Compares every row of a file with its checksum, and that none is missing: a whole sweep, or every N-th row of one to its end.
+/// Compares every row of a file with its checksum, and checks that no row is missing: the file must have all rows of a
+/// sweep, or every N-th one up to its end.
 ///
 /// # Errors
-/// [`Failure::Input`]: what is wrong, with its line.
-pub fn verify(path: &Path) -> Result<Found, Failure> {
+/// [`Failure::Input`]: the reason, with the line.
+pub(crate) fn verify(path: &Path) -> Result<Found, Failure> {
     let mut part = Part::open(path)?;
     let (mut first, mut step, mut rows) = (None, None, 0);
     while let Some(Row { index, motions, made_by, .. }) = part.row()? {
@@ -100,27 +101,27 @@ pub fn verify(path: &Path) -> Result<Found, Failure> {
         }
         let expected = *begin + (rows - 1) * step.unwrap_or(0);
         if (motions, index, &made_by) != (*of, expected, maker) {
-            return Err(
-                part.refusal("is not the row that follows: rows are missing, double or of another sweep")
-            );
+            return Err(part.refusal(
+                "does not follow the row before it: rows are missing, repeated or of another sweep",
+            ));
         }
     }
     let (begin, motions, _) = first.ok_or_else(|| part.refusal("missing: there is no row"))?;
-    // a single row tells no step: of a sweep of more rows it may be all that its shard has
+    // a single row determines no step: it may be the only row of its shard
     let complete = step.is_none_or(|step| begin + rows * step >= motions);
     if complete {
         Ok(Found { rows, motions })
     } else {
-        Err(part.refusal("missing: the sweep has more rows; --resume goes on"))
+        Err(part.refusal("missing: the sweep has more rows; --resume continues it"))
     }
 }
 
-/// Makes one file of parts, in any order, that have every row of a sweep once between them: in the order of the sweep, each row
-/// compared with its checksum.
+/// Joins files, given in any order, that together have every row of a sweep once. The rows are written in the order of
+/// the sweep, each compared with its checksum.
 ///
 /// # Errors
-/// [`Failure::Input`]: what is wrong; then nothing is written.
-pub fn join(paths: &[PathBuf], output: &Path) -> Result<Found, Failure> {
+/// [`Failure::Input`]: the reason; then nothing is written.
+pub(crate) fn join(paths: &[PathBuf], output: &Path) -> Result<Found, Failure> {
     let mut parts = paths.iter().map(|path| Part::open(path)).collect::<Result<Vec<_>, _>>()?;
     let header = parts.first().map(|part| part.header.clone()).unwrap_or_default();
     let mut failure = None;
@@ -152,18 +153,18 @@ fn merge(
     mut put: impl FnMut(&[u8]) -> Result<(), Failure>,
 ) -> Result<Found, Failure> {
     put(header.as_bytes())?;
-    // the next row of each part, by its index
+    // the next row of each file, by its index
     let mut next: BTreeMap<u64, (usize, Row)> = BTreeMap::new();
     let advance = |next: &mut BTreeMap<u64, (usize, Row)>, parts: &mut [Part], i: usize| {
         let Some(row) = parts[i].row()? else { return Ok(()) };
         match next.insert(row.index, (i, row)) {
-            Some((_, row)) => Err(parts[i].refusal(&format!("row {} is in another part, too", row.index))),
+            Some((_, row)) => Err(parts[i].refusal(&format!("row {} is in another file, too", row.index))),
             None => Ok(()),
         }
     };
     for i in 0..parts.len() {
         if parts[i].header != header {
-            return Err(parts[i].refusal("is another header than that of the first part"));
+            return Err(parts[i].refusal("differs from the header of the first file"));
         }
         advance(&mut next, parts, i)?;
     }
@@ -188,5 +189,5 @@ fn merge(
 }
 
 fn missing(row: u64) -> Failure {
-    Failure::Input(format!("row {row} is in no part, or twice in one: is a shard absent or unfinished?"))
+    Failure::Input(format!("row {row} is in no file, or twice in one: is a shard absent or incomplete?"))
 }

@@ -1,6 +1,6 @@
-//! Rows that show a changed byte: each ends in a checksum of what stands before it.
+//! Rows with a checksum: each ends in a checksum of the text before it, which detects a changed byte.
 
-/// Column that every table ends with.
+/// Last column of every table.
 pub(super) const CHECKSUM: &str = "crc32";
 
 /// Row with its checksum, eight hexadecimal digits, and a line break.
@@ -8,7 +8,7 @@ pub(super) fn sealed(row: &str) -> String {
     format!("{row},{:08x}\n", crc32fast::hash(row.as_bytes()))
 }
 
-/// Row of a line without its line break; `None` where the two do not fit together.
+/// Row of a line without its line break; `None` where it does not match its checksum.
 pub(super) fn unsealed(line: &[u8]) -> Option<&str> {
     let comma = line.iter().rposition(|byte| *byte == b',')?;
     let (row, checksum) = line.split_at(comma);
@@ -33,7 +33,7 @@ mod tests {
             }
         }
         assert_eq!([unsealed(b""), unsealed(b"17,30"), unsealed(&line[..line.len() - 1])], [None; 3]);
-        // the checksum of zip and PNG, by its usual test
+        // check value of the checksum of zip and PNG
         assert_eq!(sealed("123456789"), "123456789,cbf43926\n");
     }
 }

@@ -1,4 +1,4 @@
-//! Which motion has which number.
+//! Motions of a sweep of the paper's constants, by their index.
 
 use super::Axis;
 use crate::Failure;
@@ -8,7 +8,7 @@ use toytop::{Motion, ParameterError, Sign, Signs, Start, Top, TopParameters};
 
 /// Signs of l + n and l - n. The two other pairs are mirror images.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum SignChoice {
+pub(crate) enum SignChoice {
     /// l + n > 0, l - n > 0
     Same,
     /// l + n > 0 > l - n
@@ -17,20 +17,20 @@ pub enum SignChoice {
     Both,
 }
 
-/// All motions of a sweep.
+/// Axes, signs and sample that determine all motions of a sweep.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Space {
+pub(crate) struct Space {
     /// e₁, e₂, e₃, A/(ps) and C/A.
-    pub axes: [Axis; 5],
+    pub(crate) axes: [Axis; 5],
     /// Signs of l + n and l - n.
-    pub signs: SignChoice,
+    pub(crate) signs: SignChoice,
     /// Number of motions to draw, and the seed; `None` for the grid of all combinations.
-    pub sample: Option<(u64, u64)>,
+    pub(crate) sample: Option<(u64, u64)>,
 }
 
-/// One motion of a sweep, in units with p = s = g = 1.
+/// Numbers of one motion of a sweep, in units with p = s = g = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub(crate) struct Place {
     /// Branch points.
     pub e: [f64; 3],
     /// A/(ps).
@@ -41,7 +41,7 @@ pub struct Place {
     pub signs: Signs,
 }
 
-/// The options, in the order of the axes, and what their numbers must be within.
+/// Options in the order of the axes, each with the allowed range of its numbers.
 const LIMITS: [(&str, [f64; 2]); 5] = [
     ("--e1", [-1.0, 1.0]),
     ("--e2", [-1.0, 1.0]),
@@ -50,12 +50,13 @@ const LIMITS: [(&str, [f64; 2]); 5] = [
     ("--c-over-a", [1e-6, 2.0]),
 ];
 
-/// Draws until e₁ <= e₂, at most.
+/// Greatest number of draws until e₁ <= e₂.
 const DRAWS: u32 = 1000;
-/// Least percentage of the draws that must be in order: then 1000 in a row without one are not to be expected in any sweep.
+/// Least percentage of the draws that must be in order, so that [`DRAWS`] consecutive draws out of order are
+/// practically impossible.
 const LEAST_SHARE: u64 = 5;
 
-/// The options of `toytop sweep` that say which motions.
+/// Options of `toytop sweep` that select the motions.
 impl fmt::Display for Space {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (axis, (name, _)) in self.axes.iter().zip(LIMITS) {
@@ -74,8 +75,8 @@ impl Space {
     /// Checks the axes.
     ///
     /// # Errors
-    /// [`Failure::Input`]: numbers out of their limits, a range in a grid, or hardly a pair with e₁ <= e₂.
-    pub fn check(&self) -> Result<(), Failure> {
+    /// [`Failure::Input`]: numbers out of their limits, a range in a grid, or too few pairs with e₁ <= e₂.
+    pub(crate) fn check(&self) -> Result<(), Failure> {
         for (axis, (name, [low, high])) in self.axes.iter().zip(LIMITS) {
             let [least, greatest] = axis.ends();
             if least < low || greatest > high {
@@ -106,19 +107,14 @@ impl Space {
 
     /// Number of motions.
     #[must_use]
-    pub fn len(&self) -> u64 {
+    pub(crate) fn len(&self) -> u64 {
         self.sample.map_or_else(|| self.sizes().iter().product(), |(motions, _)| motions)
     }
 
-    /// Whether there is none.
+    /// Numbers of the motion with this index. In a grid C/A changes fastest, then the other axes from the last to e₁,
+    /// and the signs slowest.
     #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    /// The motion of this number; in a grid C/A changes fastest, e₁ slowest but for the signs.
-    #[must_use]
-    pub fn place(&self, number: u64) -> Place {
+    pub(crate) fn place(&self, number: u64) -> Place {
         let Some((_, seed)) = self.sample else { return self.on_the_grid(number) };
         let mut random = Random::new(seed, number);
         let mut pair = self.draw_pair(&mut random);
@@ -180,11 +176,11 @@ impl Space {
 }
 
 impl Place {
-    /// The motion, from u = e₁.
+    /// Motion of these numbers, which starts at u = e₁.
     ///
     /// # Errors
-    /// `e2`: a place of a grid with e₁ > e₂.
-    pub fn motion(&self) -> Result<Motion, ParameterError> {
+    /// `e2`: e₁ > e₂, which occurs in a grid.
+    pub(crate) fn motion(&self) -> Result<Motion, ParameterError> {
         let top = Top::sliding(&TopParameters {
             transverse_inertia: self.a,
             axial_inertia: self.c_over_a * self.a,

@@ -10,13 +10,13 @@ const NODES: usize = 40;
 
 /// Quadrature rule: nodes in [-1, 1] with their weights.
 #[derive(Clone, Debug)]
-pub struct Rule {
+pub(crate) struct Rule {
     nodes: Vec<(Precise, Precise)>,
     coarse: Vec<(f64, f64)>,
 }
 
 /// Quadrature rule, computed at its first use.
-pub static RULE: LazyLock<Rule> = LazyLock::new(Rule::new);
+pub(crate) static RULE: LazyLock<Rule> = LazyLock::new(Rule::new);
 
 impl Rule {
     /// Rule whose nodes are found by Newton's method on the Legendre polynomial.
@@ -38,7 +38,7 @@ impl Rule {
     }
 
     /// Integrals of `f` from a to b.
-    pub fn integrate<const N: usize>(
+    pub(crate) fn integrate<const N: usize>(
         &self,
         [a, b]: [&Precise; 2],
         mut f: impl FnMut(&Precise) -> [Precise; N],
@@ -53,7 +53,7 @@ impl Rule {
     }
 
     /// Integral of `f` from a to b in `f64`.
-    pub fn integrate_in_f64(&self, [a, b]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
+    pub(crate) fn integrate_in_f64(&self, [a, b]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
         let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
         half * self.coarse.iter().map(|(x, weight)| weight * f(middle + half * x)).sum::<f64>()
     }

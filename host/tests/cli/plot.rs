@@ -134,7 +134,7 @@ fn every_kind_names_its_axes() {
         (
             "toy_top",
             &["--kind", "potential"],
-            &["effective potential less the energy h, mJ", "turning points"],
+            &["effective potential minus the energy h, mJ", "turning points"],
         ),
         ("sleeping", &["--kind", "potential"], &["tilt, degrees", "effective potential"]),
     ];
@@ -156,7 +156,7 @@ fn every_kind_names_its_axes() {
     let bytes = std::fs::read(&png).expect("the picture");
     assert_eq!((output.status.code(), &bytes[16..20]), (Some(0), &163_u32.to_be_bytes()[..]));
     for (more, code, part) in [
-        (&["--kind", "precession"][..], 3, "sleeping: the axis is vertical for ever"),
+        (&["--kind", "precession"][..], 3, "sleeping: the axis is vertical at all times"),
         (&["--times", "2..1"], 2, "must be LOW..HIGH"),
         (&["--kind", "tilt", "--times", "0..1e300"], 2, "--times: 1e300 must be within"),
         (&["--size", "5"], 2, "--size"),

@@ -212,14 +212,14 @@ fn what_is_no_sweep_is_refused() {
     }
     refused(&path, &["--motions", "29", "--resume"], "another sweep");
     std::fs::write(&path, text.replacen("\n12,30,0.1", "\n12,30,9.1", 1)).expect("writable");
-    refused(&path, &["--motions", "30", "--resume"], "line 14: is not what its checksum says");
+    refused(&path, &["--motions", "30", "--resume"], "line 14: does not match its checksum");
     std::fs::write(&path, "something else").expect("writable");
     refused(&path, &["--motions", "30", "--resume"], "another sweep");
     let folder = path.join("file.csv");
     refused(&folder, &["--motions", "3"], "--output");
 }
 
-/// Two that go on with one file: one of them does, the other says why not, and no row is lost or doubled.
+/// Of two processes that continue one file, one does so and the other is refused; no row is lost or repeated.
 #[test]
 fn one_file_has_one_writer() {
     let whole = sweep(&no_file("one_writer_whole"), &KILLED);

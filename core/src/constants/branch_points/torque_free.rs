@@ -1,6 +1,6 @@
 //! Branch points of a body without torque: the limit e₃ → ∞ with p g e₃ = |m|²/2A.
 //!
-//! The angular momentum m is constant, and the axis turns about it. Of the reduced equation remains
+//! The angular momentum m is constant, and the axis turns about it. The reduced equation becomes
 //!
 //! ```text
 //! A² u'² = (|m|² - n²)(1 - u²) - (l - n u)² = |m|² (u - e₁)(e₂ - u)
@@ -27,14 +27,14 @@ impl BranchPoints<Extended> {
         if momentum == Extended::ZERO {
             return Self::without_weight(point.one_plus_u, point.one_minus_u, Extended::ZERO);
         }
-        let shares = [l_plus_n, l_minus_n].map(|sum| (sum / momentum).squared());
+        let products = [l_plus_n, l_minus_n].map(|sum| (sum / momentum).squared());
         // (e₁ - u) + (e₂ - u) = 2 (l n/|m|² - u), and (e₁ - u)(e₂ - u) = -(A u'/|m|)²
         let ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy } = *point;
         let l_minus_nu =
             if u > Extended::ZERO { l_minus_n + n * one_minus_u } else { l_plus_n - n * one_plus_u };
         let half_sum = (n * l_minus_nu - u * (a * axis_energy).doubled()) / momentum.squared();
         let half_difference = (half_sum.squared() + (a * udot / momentum).squared()).sqrt();
-        Self::of_shares(shares, half_difference.doubled())
+        Self::of_products(products, half_difference.doubled())
     }
 
     /// Branch points of given integrals, with |m|² = n² + 2A (h - C ⟨ω, r⟩²/2) and e₂ - e₁ = 2 √((|m|² - l²)(|m|² -
@@ -52,14 +52,14 @@ impl BranchPoints<Extended> {
         let possible = across >= -noise && horizontal >= -noise && square > Extended::ZERO;
         require(possible, "h", "the energy of some motion with these l and n (it is too low)")?;
         let momentum = square.sqrt();
-        let shares = [l_plus_n, l_minus_n].map(|sum| (sum / momentum).squared());
+        let products = [l_plus_n, l_minus_n].map(|sum| (sum / momentum).squared());
         let at_least_0 = |x: Extended| if x > Extended::ZERO { x } else { Extended::ZERO };
         let product = at_least_0(horizontal) * at_least_0(across);
-        Ok(Self::of_shares(shares, (product.sqrt() / square).doubled()))
+        Ok(Self::of_products(products, (product.sqrt() / square).doubled()))
     }
 
     /// Branch points from (1 + e₁)(1 + e₂), (1 - e₁)(1 - e₂) and e₂ - e₁.
-    fn of_shares([above, below]: [Extended; 2], e2_minus_e1: Extended) -> Self {
+    fn of_products([above, below]: [Extended; 2], e2_minus_e1: Extended) -> Self {
         // the smaller of two positive numbers with this product and difference
         let smaller = |product: Extended| {
             let sum = (e2_minus_e1.squared() + product.doubled().doubled()).sqrt();

@@ -36,8 +36,8 @@ impl BranchPoints<Extended> {
     }
 }
 
-/// n² - 4 A p g. Where the two cancel, every step is exact: the factors are multiplied by halves, and the leading
-/// parts are subtracted first.
+/// Difference n² - 4 A p g from the border of stability. Where its terms cancel, every step is exact: the factors are
+/// multiplied by halves, and the leading parts are subtracted first.
 fn beyond_border(quantities: &Quantities<Extended>, n: Extended) -> Extended {
     let Quantities { a, p, g, .. } = *quantities;
     let ([n_upper, n_lower], [p_upper, p_lower]) = (n.halves(), p.halves());

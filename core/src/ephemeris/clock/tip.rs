@@ -53,7 +53,7 @@ impl TipClock {
     /// Mean tip angle of a motion that starts at angle 0.
     pub(super) fn new(motion: &Motion, rates: &MeanRates, exact_step: [Extended; 3]) -> Self {
         let [alpha, beta] = motion.windings();
-        let passes = if rates.returns { u8::from(alpha == 0) + u8::from(beta == 0) } else { 0 };
+        let passes = if rates.is_periodic { u8::from(alpha == 0) + u8::from(beta == 0) } else { 0 };
         Self {
             start: [0; 4],
             step: Self::increment(exact_step, passes),

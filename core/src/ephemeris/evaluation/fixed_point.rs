@@ -1,7 +1,7 @@
 //! [`I2F30`] and [`I2F14`]: their integer representations are evaluated directly.
 
 use crate::complex::Complex;
-use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint, integer, narrow, rates};
+use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint, coefficient, integer, narrow, rates};
 use crate::scalar::{Scalar, sine_cosine_q31};
 use crate::su2::Vector;
 use fixed::types::{I2F14, I2F30};
@@ -27,15 +27,15 @@ impl EphemerisScalar for I2F30 {
     const RATE_ROUNDING: f64 = RATE_ROUNDING;
 
     fn coefficient(value: i64, power: usize) -> (i32, i64) {
-        integer::coefficient(value, power)
+        coefficient::nearest(value, power)
     }
 
     fn coefficient_error(polynomial: &[i64]) -> f64 {
-        integer::overflow(polynomial, integer::OVERFLOW) + integer::shortfall(polynomial)
+        coefficient::error(polynomial)
     }
 
-    fn number(coefficient: i32, power: usize) -> f32 {
-        integer::number(coefficient, power) as f32
+    fn number(held: i32, power: usize) -> f32 {
+        coefficient::number(held, power) as f32
     }
 
     fn widened(self) -> f32 {
@@ -92,7 +92,7 @@ impl EphemerisScalar for I2F14 {
     }
 
     fn coefficient_error(polynomial: &[i64]) -> f64 {
-        integer::overflow(polynomial, narrow::OVERFLOW)
+        coefficient::overflow(polynomial, narrow::OVERFLOW)
     }
 
     fn number(coefficient: i16, power: usize) -> f32 {

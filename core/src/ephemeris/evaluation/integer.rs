@@ -1,9 +1,9 @@
 //! `f32` and 32-bit fixed point: sums and rotations in integers, with the same bits on every chip.
 //!
-//! A coefficient of x^k is stored as c·2^(31+k). The upper word of its product with x·2^31 has half the scale, which
-//! is the scale of the next lower coefficient, so a step of Horner's rule is one product and one sum. No step
-//! overflows if the sum of the |c_j| for j >= k is below 2^-k for all k >= 1; set-up counts an excess as an error of
-//! the table. The last sum, |α| <= 1, saturates, because a polynomial may exceed 1 by its error.
+//! A coefficient of x^k is stored as c·2^(31+k). The upper word of its product with x·2^31 has half the scale, which is
+//! the scale of the next lower coefficient, so a step of Horner's rule is one product and one sum. No step overflows if
+//! the sum of the |c_j| for j >= k is below 2^-k for all k >= 1; if a sum is larger, set-up refuses the segment. The
+//! last sum, |α| <= 1, saturates, because a polynomial may exceed 1 by its error.
 //!
 //! The coefficients of the upper half of the powers are so small, where the error of a table is 2^-31, that 16 bits
 //! of x are enough for them, which takes less than half the time on the smallest chip. Set-up verifies this for every
@@ -11,8 +11,7 @@
 
 use crate::complex::Complex;
 use crate::ephemeris::evaluation::rates::{IntegerRates, ValuesAndSlopes, rate_in};
-use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint};
-use crate::law::series;
+use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint, coefficient};
 use crate::product::{high_product, high_product_of_less, short_product};
 use crate::scalar::{Scalar, sine_cosine_q26};
 use crate::su2::Vector;
@@ -42,70 +41,6 @@ pub(crate) const RATE_ERROR: f64 = 40.0 * UNIT;
 
 /// Truncation of [`SegmentPoint::short_x`].
 pub(crate) const PLACE_ROUNDING: f64 = 1.0 / (1_u64 << 32) as f64;
-
-/// Error of a polynomial from short products that set-up accepts without counting it as an error of the table.
-const SHORT_ERROR: f64 = 0.5 * UNIT;
-
-/// Least sum that could overflow, with a margin of 2^-15 plus some thousand roundings of a coefficient.
-pub(crate) const OVERFLOW: i64 = overflow_limit(3.2e-5);
-
-/// Fraction bits of the values that coefficients are made from.
-pub(crate) const TABLE_BITS: u32 = 62;
-
-/// Coefficient of x^power nearest to a value, with its error in the units of the value, plus half a unit to compensate for the product that is rounded down and added. The
-/// constant coefficient has no such half unit: [`alpha_beta`] can mirror a last sum that is half a unit low without a
-/// carry.
-pub(crate) fn coefficient(value: i64, power: usize) -> (i32, i64) {
-    let dropped = TABLE_BITS - 31 - power as u32;
-    let nearest =
-        if power == 0 { (value >> (dropped - 1)).saturating_add(1) >> 1 } else { (value >> dropped) + 1 };
-    let held = nearest.clamp(i32::MIN.into(), i32::MAX.into());
-    (held as i32, (held << dropped).saturating_sub(value))
-}
-
-/// Value of a [`coefficient`].
-pub(crate) fn number(coefficient: i32, power: usize) -> f64 {
-    f64::from(coefficient) / (1_u64 << (31 + power)) as f64
-}
-
-/// Whether 16 bits of x are enough for a sum that is multiplied by this power of x.
-#[inline(always)]
-const fn is_short(power: usize, terms: usize) -> bool {
-    2 * power > terms
-}
-
-/// Amount by which a polynomial's error from short products can exceed [`SHORT_ERROR`]; x is truncated by up to
-/// 2^-15.
-pub(crate) fn shortfall(polynomial: &[i64]) -> f64 {
-    let (mut sum, mut sums) = (0, 0);
-    for (power, value) in polynomial.iter().enumerate().rev() {
-        // a sum of 136 values needs eight bits more than i64 has; rounded up
-        sum += (value.unsigned_abs() >> 8) + 1;
-        if is_short(power, polynomial.len()) {
-            sums += sum;
-        }
-    }
-    let error = sums as f64 * (256.0 / 32768.0 * series::UNIT);
-    if error > SHORT_ERROR { error - SHORT_ERROR } else { 0.0 }
-}
-
-/// Least sum that could overflow, for a margin: 1 less the margin, in units of 2^-62.
-pub(crate) const fn overflow_limit(margin: f64) -> i64 {
-    ((1.0 - margin) * (1_i64 << TABLE_BITS) as f64) as i64
-}
-
-/// Infinite where a sum of the polynomial could overflow, with a margin for the rounding of the coefficients, because
-/// the error after an overflow is unbounded; otherwise 0.
-pub(crate) fn overflow(polynomial: &[i64], limit: i64) -> f64 {
-    let mut sum = 0_i64;
-    for (power, value) in polynomial.iter().enumerate().skip(1).rev() {
-        sum = sum.saturating_add(value.saturating_abs());
-        if sum > limit >> power {
-            return f64::INFINITY;
-        }
-    }
-    0.0
-}
 
 /// Re α, Im α, Re β and Im β in units of 2^-30, with sines in units of 2^-31.
 #[inline(always)]
@@ -179,7 +114,7 @@ fn sums_and_slopes<const N: usize, const SLOPES: bool>(
     let [constant, higher @ ..] = terms else { return [[0; N]; 2] };
     let (mut sums, mut slopes) = ([0; N], [0; N]);
     for (power, coefficients) in higher.iter().enumerate().map(|(below, four)| (below + 2, four)).rev() {
-        let short = is_short(power, terms.len());
+        let short = coefficient::is_short(power, terms.len());
         for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(&of(coefficients)) {
             let product = |sum| if short { short_product(sum, x) } else { high_product_of_less(sum, x) };
             if SLOPES {
@@ -224,15 +159,15 @@ impl EphemerisScalar for f32 {
     const RATE_ROUNDING: f64 = 6.0 * Self::ROUNDING;
 
     fn coefficient(value: i64, power: usize) -> (i32, i64) {
-        coefficient(value, power)
+        coefficient::nearest(value, power)
     }
 
     fn coefficient_error(polynomial: &[i64]) -> f64 {
-        overflow(polynomial, OVERFLOW) + shortfall(polynomial)
+        coefficient::error(polynomial)
     }
 
     fn number(held: i32, power: usize) -> Self {
-        number(held, power) as Self
+        coefficient::number(held, power) as Self
     }
 
     fn widened(self) -> Self {
@@ -267,49 +202,5 @@ impl EphemerisScalar for f32 {
 
     fn rate_in(rate: Self, _: i32) -> Self {
         rate
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// With six terms the products with the fourth and the fifth power are short, and the sum of the lower one
-    /// contains both.
-    #[test]
-    fn what_short_products_lose() {
-        let near =
-            |found: f64, expected: f64| assert!((found - expected).abs() < 1e-14, "{found:e} {expected:e}");
-        near(shortfall(&polynomial([0.9, 0.9, 0.9, 0.9, -0.3, 0.5])), 1.3 / 32768.0 - SHORT_ERROR);
-        near(shortfall(&polynomial([1.0, 0.5, 0.25, 0.1, 0.0, 1e-9])), 0.0);
-        // in range, but the short products are not accurate enough
-        let steep = polynomial([0.0, 0.0, 0.0, 0.0, 0.02, 0.01]);
-        near(<f32 as EphemerisScalar>::coefficient_error(&steep), 0.04 / 32768.0 - SHORT_ERROR);
-    }
-
-    #[test]
-    fn sums_stay_below_their_powers_by_a_margin() {
-        let limit = overflow_limit(1e-3);
-        assert_eq!(overflow(&polynomial([0.9, 0.4994, 0.0]), limit), 0.0);
-        assert_eq!(overflow(&polynomial([0.9, 0.4996, 0.0]), limit), f64::INFINITY);
-        assert_eq!(overflow(&polynomial([0.9, 0.2, -0.2499, 0.0]), limit), f64::INFINITY);
-    }
-
-    #[test]
-    fn a_coefficient_knows_its_error() {
-        for power in 0..16 {
-            for value in [0.2, -0.2, 1e-9, 0.0].map(|value| value * 0.5_f64.powi(power)) {
-                let [value] = polynomial([value]);
-                let (held, error) = coefficient(value, power as usize);
-                let truth = number(held, power as usize) - value as f64 * 2_f64.powi(-62);
-                assert!((error as f64 * 2_f64.powi(-62) - truth).abs() < 1e-16, "{power} {value}");
-                assert!(truth.abs() <= 2_f64.powi(-31 - power));
-            }
-        }
-        assert_eq!(coefficient(i64::MAX, 1).0, i32::MAX);
-    }
-
-    fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {
-        values.map(|value| (value * 2_f64.powi(62)) as i64)
     }
 }

@@ -182,7 +182,7 @@ impl EphemerisScalar for Micromath {
 /// e^{iA} from the leading bits of A.
 #[inline]
 fn direction(phase: u64) -> Complex<Micromath> {
-    Complex::cis(Phase::from_bits(i128::from(phase) << 32))
+    Complex::cis(Phase::from_fraction(phase))
 }
 
 /// Polynomials and their derivatives at x·2^31.

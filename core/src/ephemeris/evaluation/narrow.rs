@@ -4,7 +4,7 @@
 //! which the upper 16 are multiplied.
 
 use crate::ephemeris::evaluation::SegmentPoint;
-use crate::ephemeris::evaluation::integer::{TABLE_BITS, overflow_limit};
+use crate::ephemeris::evaluation::coefficient::{TABLE_BITS, overflow_limit};
 use crate::ephemeris::evaluation::rates::{IntegerRates, ValuesAndSlopes};
 use crate::scalar::sine_cosine_q15;
 

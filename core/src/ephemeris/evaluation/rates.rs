@@ -100,7 +100,7 @@ impl ValuesAndSlopes<i32> {
             |change: i32, turned: i32| x.times(change, exponent).wrapping_add(mean.times(turned, exponent));
         let re = sum(forth.wrapping_sub(back), iproduct.wrapping_neg());
         let n = [if mirrored { re.wrapping_neg() } else { re }, sum(iforth.wrapping_sub(iback), product)];
-        // as many leading bits as the sum of two products can have
+        // shifted left as far as the sum of two products allows
         let [size, isize] = n.map(|part| part ^ (part >> 31));
         let spare = (size | isize).leading_zeros().saturating_sub(2);
         let [re, im] = n.map(|part| part << spare);

@@ -16,7 +16,7 @@ pub(super) fn reciprocal(divisor: u128) -> u128 {
 #[inline(never)]
 fn short_reciprocal(divisor: u64) -> u64 {
     let word = (divisor >> 32) as u32;
-    // the leading bit is set; said again, so that the compiler knows that the divisor is not 0
+    // the leading bit is set already; setting it again shows the compiler that the divisor is not 0
     let first = u32::MAX / ((word >> 16) | (1 << 15));
     // 2^48 less the product of word and inverse, which is nearly 2^48
     let rest = (1_i64 << 48) - long_product(word, first) as i64;
@@ -65,7 +65,7 @@ mod tests {
     use super::*;
     use crate::scalar::{Extended, Float, Ring};
 
-    /// The first approximations are as good as they say over their whole range.
+    /// The first approximations have the stated accuracy over their whole range.
     #[test]
     fn reciprocals_and_roots_begin_well() {
         let whole = |number: u128| Extended::normalised(number as i128, 0);

@@ -1,8 +1,8 @@
 //! Costs of 200 launches on a chip, slow, fast, upright, hanging and slender tops among them.
 //!
-//! QEMU runs with one nanosecond an instruction, so that a timer counts instructions (a Cortex-M's SysTick in units of 40
-//! at 25 MHz, RISC-V's counter each one). One line a launch: `SCALAR NUMBER RESULT motion INSTRUCTIONS table INSTRUCTIONS slice
-//! GREATEST`, where RESULT is `ready` or `refused`.
+//! QEMU runs with one nanosecond per instruction, so that a timer counts instructions (the SysTick of a Cortex-M in
+//! units of 40 at 25 MHz, the counter of RISC-V in units of 1). The program prints one line per launch: `SCALAR NUMBER
+//! RESULT motion INSTRUCTIONS table INSTRUCTIONS slice GREATEST`, where RESULT is `ready` or `refused`.
 
 #![no_std]
 #![no_main]
@@ -129,7 +129,7 @@ impl Counter {
         cortex_m::peripheral::SYST::get_current()
     }
 
-    /// Instructions since then, at most 671 million.
+    /// Number of instructions since `begin`, at most 671 million.
     fn since(&self, begin: u32) -> u64 {
         40 * u64::from(begin.wrapping_sub(self.now()) % Self::RANGE)
     }

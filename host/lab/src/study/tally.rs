@@ -9,7 +9,7 @@ const KEPT: usize = 5;
 
 /// Counts and quantiles of both scalars.
 #[derive(Clone, Debug, Default)]
-pub struct Tally {
+pub(crate) struct Tally {
     /// Number of motions by regime.
     pub regimes: BTreeMap<&'static str, u64>,
     /// Failures, which must not happen: refusals and panics, with the numbers or the stream of the motion.
@@ -20,7 +20,7 @@ pub struct Tally {
 
 /// Results of one scalar.
 #[derive(Clone, Debug, Default)]
-pub struct Side {
+pub(crate) struct Side {
     /// Number of tables by their number of segments.
     pub fits: BTreeMap<usize, u64>,
     /// Number of motions for which no table is large enough.
@@ -39,7 +39,7 @@ pub struct Side {
 
 /// Case with a large quotient of error and bound.
 #[derive(Clone, Copy, Debug)]
-pub struct Case {
+pub(crate) struct Case {
     /// Error and bound of the case.
     pub worst: Worst,
     /// Number of segments of its table.
@@ -50,7 +50,7 @@ pub struct Case {
 
 /// Errors and ratios of all motions at one kind of times.
 #[derive(Clone, Debug, Default)]
-pub struct Spread {
+pub(crate) struct Spread {
     /// Quotient of bound and error of each motion.
     ratios: Vec<f64>,
     /// Errors in rad; for rates, relative to the greatest angular speed.
@@ -59,7 +59,7 @@ pub struct Spread {
 
 impl Tally {
     /// Adds a trial.
-    pub fn add(&mut self, trial: &Trial) {
+    pub(crate) fn add(&mut self, trial: &Trial) {
         *self.regimes.entry(regime(trial.regime)).or_default() += 1;
         for (side, outcome) in self.scalars.iter_mut().zip(&trial.outcomes) {
             side.add(outcome, trial);
@@ -68,7 +68,7 @@ impl Tally {
 
     /// Sum with the tally of another thread.
     #[must_use]
-    pub fn merged(mut self, other: Self) -> Self {
+    pub(crate) fn merged(mut self, other: Self) -> Self {
         for (regime, count) in other.regimes {
             *self.regimes.entry(regime).or_default() += count;
         }
@@ -80,7 +80,7 @@ impl Tally {
     }
 
     /// Sorts the numbers, which quantiles need.
-    pub fn finish(&mut self) {
+    pub(crate) fn finish(&mut self) {
         for side in &mut self.scalars {
             for spread in [&mut side.near, &mut side.far, &mut side.rates] {
                 spread.ratios.sort_by(f64::total_cmp);
@@ -100,9 +100,9 @@ impl Side {
         self.near.add(near);
         self.far.add(far);
         self.rates.add(rates);
-        let worse = if far.of_bound() > near.of_bound() { far } else { near };
-        self.violated += u64::from(worse.of_bound() > 1.0 || rates.of_bound() > 1.0);
-        self.keep(Case { worst: *worse, segments: *segments, trial: *trial });
+        let closer = if far.of_bound() > near.of_bound() { far } else { near };
+        self.violated += u64::from(closer.of_bound() > 1.0 || rates.of_bound() > 1.0);
+        self.keep(Case { worst: *closer, segments: *segments, trial: *trial });
     }
 
     fn keep(&mut self, case: Case) {
@@ -139,19 +139,19 @@ impl Spread {
 
     /// Quantile of the quotient of bound and error: this share of the motions has a smaller one.
     #[must_use]
-    pub fn ratio(&self, share: f64) -> f64 {
+    pub(crate) fn ratio(&self, share: f64) -> f64 {
         quantile(&self.ratios, share)
     }
 
     /// Quantile of the error.
     #[must_use]
-    pub fn error(&self, share: f64) -> f64 {
+    pub(crate) fn error(&self, share: f64) -> f64 {
         quantile(&self.errors, share)
     }
 
     /// Share of the motions whose bound is at most `ratio` times the error.
     #[must_use]
-    pub fn within(&self, ratio: f64) -> f64 {
+    pub(crate) fn within(&self, ratio: f64) -> f64 {
         self.ratios.partition_point(|x| *x <= ratio) as f64 / self.ratios.len().max(1) as f64
     }
 }

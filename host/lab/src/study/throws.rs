@@ -8,7 +8,8 @@ use toytop_host::fit::simulated::{Recording, measurements};
 use toytop_host::input::random::Random;
 
 /// Sets of sensors that are tried.
-pub const SETS: [&str; 3] = ["gyroscope, accelerometer, magnetometer", "gyroscope, accelerometer", "camera"];
+pub(crate) const SETS: [&str; 3] =
+    ["gyroscope, accelerometer, magnetometer", "gyroscope, accelerometer", "camera"];
 
 /// Samples of a throw, and their rate, Hz.
 const SAMPLES: u64 = 300;
@@ -21,7 +22,7 @@ const QUANTILES: [f64; 6] = [3.841, 5.991, 7.815, 9.488, 11.070, 12.592];
 
 /// Result of one throw with one set of sensors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Outcome {
+pub(crate) enum Outcome {
     /// The fit said that it must not be trusted.
     NotConverged(&'static str),
     /// The launch is far from the truth, and the fit did not say so.
@@ -38,14 +39,14 @@ pub enum Outcome {
 impl Outcome {
     /// Whether the truth is in the ellipsoid of 95 %.
     #[must_use]
-    pub fn is_covered(self) -> bool {
+    pub(crate) fn is_covered(self) -> bool {
         matches!(self, Self::Good { square, freedom } if square <= QUANTILES[freedom.clamp(1, 6) - 1])
     }
 }
 
 /// A random throw whose tip stays on the plane.
 #[must_use]
-pub fn throw(random: &mut Random) -> (Top, State, Motion) {
+pub(crate) fn throw(random: &mut Random) -> (Top, State, Motion) {
     loop {
         if let Some(found) = draw(random) {
             return found;
@@ -100,7 +101,7 @@ fn draw(random: &mut Random) -> Option<(Top, State, Motion)> {
 
 /// Sensors of a set.
 #[must_use]
-pub fn sensors(set: usize, top: &Top) -> Sensors {
+pub(crate) fn sensors(set: usize, top: &Top) -> Sensors {
     let body = Body { tip_scale: top.tip_scale(), com: [0.0; 3] };
     let mut sensors = Sensors::telephone(body);
     match set {
@@ -127,7 +128,7 @@ pub fn sensors(set: usize, top: &Top) -> Sensors {
 
 /// Simulates a throw and fits its launch.
 #[must_use]
-pub fn run(random: &mut Random, set: usize, seed: u64) -> Outcome {
+pub(crate) fn run(random: &mut Random, set: usize, seed: u64) -> Outcome {
     let (top, state, motion) = throw(random);
     let sensors = sensors(set, &top);
     let recording = Recording { hertz: HERTZ, count: SAMPLES, seed };

@@ -20,7 +20,7 @@ struct Target {
 
 /// Outcome of one scalar for a motion.
 #[derive(Clone, Copy, Debug)]
-pub enum Outcome {
+pub(crate) enum Outcome {
     /// Refusal, because no table is large enough.
     TableTooSmall,
     /// Table with its greatest errors.
@@ -38,7 +38,7 @@ pub enum Outcome {
 
 /// Error with the greatest quotient of error and bound.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Worst {
+pub(crate) struct Worst {
     /// Error in rad; for rates, relative to the greatest angular speed.
     pub error: f64,
     /// Bound in the same unit.
@@ -56,7 +56,7 @@ impl Worst {
 
     /// Quotient of error and bound; infinite if the error is no number.
     #[must_use]
-    pub fn of_bound(&self) -> f64 {
+    pub(crate) fn of_bound(&self) -> f64 {
         let of_bound = self.error / self.bound;
         match self.bound {
             0.0 => 0.0,
@@ -68,7 +68,7 @@ impl Worst {
 
 /// Motion with its outcomes in f64 and f32.
 #[derive(Clone, Copy, Debug)]
-pub struct Trial {
+pub(crate) struct Trial {
     /// Numbers of the motion.
     pub numbers: Numbers,
     /// Regime of the motion.
@@ -81,7 +81,7 @@ pub struct Trial {
 ///
 /// # Errors
 /// [`Failure`]: the motion was refused, which is not expected.
-pub fn run(random: &mut Random) -> Result<Trial, Failure> {
+pub(crate) fn run(random: &mut Random) -> Result<Trial, Failure> {
     let numbers = Numbers::random(random);
     let motion = numbers.motion().map_err(|error| Failure::Input(format!("{numbers}: {error}")))?;
     let exact = Exact::new(&numbers);

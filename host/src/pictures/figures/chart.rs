@@ -1,4 +1,4 @@
-//! Lines over axes that count powers of ten, if wanted. (kuva's own logarithmic axes have no ticks below 1e-10.)
+//! Chart of curves over linear or logarithmic axes. (The logarithmic axes of kuva have no ticks below 1e-10.)
 
 use kuva::plot::scatter::{MarkerShape, ScatterPlot};
 use kuva::plot::{LegendPosition, LinePlot};
@@ -8,33 +8,33 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 use std::sync::Arc;
 
-/// One line of a chart.
+/// Curve of a chart.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// For the legend.
+    /// Name in the legend.
     pub name: String,
     /// Points \[x, y\].
     pub points: Vec<[f64; 2]>,
-    /// With a mark on every point.
+    /// Whether every point has a mark.
     pub marked: bool,
 }
 
-/// A chart whose curves end in their names, or where they end here and there, with a legend on its right.
+/// Chart with the names of its curves at their right ends, or in a legend if several curves end elsewhere.
 #[derive(Clone, Debug)]
 pub struct Chart<'a> {
     /// Title above the axes.
     pub title: &'a str,
     /// Labels of x and y.
     pub labels: [&'a str; 2],
-    /// Whether x, and y, are powers of ten; numbers that are not above 0 are left out.
+    /// Whether the axes of x and of y are logarithmic; numbers that are not above 0 are then left out.
     pub powers: [bool; 2],
 }
 
-/// Apart from each other also to the colour-blind (Okabe and Ito's).
+/// Colours of the curves, which colour-blind readers can distinguish (the palette of Okabe and Ito).
 const COLORS: [&str; 9] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#999933", "#882255"];
 
-/// Marks that tell the curves apart without their colours.
+/// Marks that distinguish the curves without their colours.
 const MARKS: [MarkerShape; 5] = [
     MarkerShape::Circle,
     MarkerShape::Square,
@@ -43,7 +43,7 @@ const MARKS: [MarkerShape; 5] = [
     MarkerShape::TriangleDown,
 ];
 
-/// Pixels of the chart, and around its frame.
+/// Size of the chart, and margins of its frame, pixels.
 const SIZE: [f64; 2] = [920.0, 520.0];
 const LEFT: f64 = 78.0;
 const ABOVE: f64 = 84.0;
@@ -87,7 +87,7 @@ impl Chart<'_> {
             layout = layout.with_force_margins(LEFT, right);
         }
         let mut scene = render_multiple(plots, layout);
-        // upright, above its axis: turned text is smeared in the raster
+        // horizontal text above the axis, because rotated text is not sharp in the raster picture
         scene.add(text(self.labels[1], [16.0, 66.0], 14, "black"));
         if let Some(ends) = ends {
             let frame = [SIZE[0] - LEFT - right, SIZE[1] - ABOVE - BELOW];
@@ -100,15 +100,15 @@ impl Chart<'_> {
         scene
     }
 
-    /// Ends of both axes: whole powers of ten, or what is drawn with some room above and below.
+    /// Ends of both axes: whole powers of ten, or the range of the points with a margin above and below.
     fn ranges(&self, points: &[(f64, f64)]) -> [[f64; 2]; 2] {
         let [x, y] = [ends(points.iter().map(|(x, _)| *x)), ends(points.iter().map(|(_, y)| *y))];
-        // what is constant but for rounding stands in the middle
-        let room = if y[1] - y[0] > 1e-9 * y[1].abs() { 0.06 * (y[1] - y[0]) } else { 1.0 };
+        // a curve that is constant to rounding is drawn in the middle
+        let margin = if y[1] - y[0] > 1e-9 * y[1].abs() { 0.06 * (y[1] - y[0]) } else { 1.0 };
         [
             if self.powers[0] { whole(x) } else { x },
-            // with room for the marks
-            if self.powers[1] { whole([y[0] - 0.1, y[1] + 0.1]) } else { [y[0] - room, y[1] + room] },
+            // with a margin for the marks
+            if self.powers[1] { whole([y[0] - 0.1, y[1] + 0.1]) } else { [y[0] - margin, y[1] + margin] },
         ]
     }
 
@@ -139,20 +139,20 @@ impl Chart<'_> {
     }
 }
 
-/// Last points of the curves if all of them but one at most end at the right edge, where their names have room.
+/// Last points of the curves, if at most one of them does not end at the right edge, where the names are written.
 fn ends_of(curves: &[Vec<(f64, f64)>], [low, high]: [f64; 2]) -> Option<Vec<(f64, f64)>> {
     let ends: Option<Vec<_>> = curves.iter().map(|points| points.last().copied()).collect();
     let inside = |ends: &[(f64, f64)]| ends.iter().filter(|(x, _)| *x < high - 0.02 * (high - low)).count();
     ends.filter(|ends| inside(ends) <= 1)
 }
 
-/// Pixels of a letter, at most on average.
+/// Upper bound on the mean width of a letter, pixels.
 const WIDTH_OF_LETTER: f64 = 7.4;
-/// Pixels between two names.
+/// Least vertical distance of two names, pixels.
 const LINE: f64 = 16.0;
 
-/// Names beside the ends of curves, in pixels: right of the frame in the order of the ends, none on another; what ends inside
-/// has its name there.
+/// Adds the names of the curves beside their ends, given in pixels: right of the frame in the order of the ends,
+/// without overlap. A curve that ends inside the frame has its name there.
 fn name_ends(scene: &mut Scene, lines: &[Curve], ends: &[[f64; 2]], edge: f64) {
     let mut order: Vec<usize> = (0..lines.len()).collect();
     order.sort_by(|&a, &b| ends[a][1].total_cmp(&ends[b][1]));
@@ -178,7 +178,8 @@ fn name_ends(scene: &mut Scene, lines: &[Curve], ends: &[[f64; 2]], edge: f64) {
     }
 }
 
-/// Moves heights in their order apart, to a line's distance at least, each group around its middle.
+/// Increases the distances of ordered vertical positions to at least [`LINE`]; the middle of each group of moved
+/// positions is kept.
 fn spread(heights: &mut [f64]) {
     for _ in 0..100 {
         for i in 1..heights.len() {
@@ -204,13 +205,13 @@ fn ends(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
     numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
 }
 
-/// The whole numbers around them; what is all but whole counts as such.
+/// Next whole numbers below and above; a number that is almost whole counts as whole.
 fn whole([low, high]: [f64; 2]) -> [f64; 2] {
     const NEARLY: f64 = 2e-3;
     [(low + NEARLY).floor(), (high - NEARLY).ceil()]
 }
 
-/// 10⁻⁹.
+/// Power of ten as text, such as 10⁻⁹.
 pub fn power_of_ten(exponent: f64) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let raised =

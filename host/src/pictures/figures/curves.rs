@@ -1,4 +1,4 @@
-//! The curves of the tip, as the paper shows them: figure 2 with three, figure 3 with six.
+//! Curves of the tip in the paper's figures: three in figure 2, six in figure 3.
 
 use crate::Failure;
 use crate::input::builtin;
@@ -8,7 +8,7 @@ use crate::pictures::plot::{Curve, extent, lines, square};
 use kuva::render::figure::Figure;
 use kuva::render::render::Scene;
 
-/// Pixels of a panel, its title included.
+/// Size of a panel with its title, pixels.
 const PANEL: [f64; 2] = [340.0, 372.0];
 const COLUMNS: usize = 3;
 const TITLES: [&str; 2] = [

@@ -1,4 +1,4 @@
-//! Error of the orientation against time: that of the core, which does not grow, and those of other methods.
+//! Error of the orientation against time, of the core and of other methods.
 
 use super::chart::{Chart, Curve};
 use crate::Failure;
@@ -16,10 +16,10 @@ pub(super) const METHODS: [Method; 7] = [
     Method::StepperF32(64),
 ];
 
-/// Periods at which is looked, through one period each.
+/// Numbers of periods after which the errors are computed, over one period each.
 const PERIODS: [u64; 13] = [1, 2, 4, 8, 16, 32, 64, 128, 256, 400, 512, 800, 1000];
 
-/// Periods, and the greatest error in the period that follows, rad.
+/// Numbers of periods, each with the greatest error in the next period, rad.
 pub fn measured(benchmark: &Benchmark, method: Method) -> Result<Vec<[f64; 2]>, Failure> {
     let per_period = u64::from(SAMPLES);
     let samples: Vec<u64> = PERIODS.iter().flat_map(|n| (n - 1) * per_period + 1..=n * per_period).collect();

@@ -1,4 +1,4 @@
-//! u, the cosine of the tilt, against time.
+//! Cosine of the tilt, u, against time.
 
 use super::chart::{Chart, Curve};
 use crate::Failure;
@@ -7,7 +7,7 @@ use crate::motion::Scalar;
 use crate::motion::ephemeris::smallest;
 use kuva::render::render::Scene;
 
-/// Time shown: two of the longest periods here.
+/// Time of the picture: two of the longest periods.
 const TIME: f64 = 16.0;
 const POINTS: u32 = 800;
 

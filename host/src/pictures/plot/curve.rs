@@ -1,4 +1,4 @@
-//! The points of the curve: as close as its bends need them.
+//! Points of the curve of the tip, closer where its curvature is greater.
 
 use crate::Failure;
 use crate::motion::Scalar;
@@ -7,36 +7,36 @@ use crate::motion::propagate::{natural_time, period};
 use std::f64::consts::PI;
 use toytop::{Motion, PeriodAdvance, Regime, Support};
 
-/// The curve of the tip (of the axis, if the tip is held) from t = 0, and the circles it keeps between.
+/// Curve of the tip (of the axis, if the tip is held) and the circles between which it stays.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// x and y, in m (without unit for a fixed tip).
+    /// Points (x, y), m (without unit for a fixed tip).
     pub points: Vec<[f64; 2]>,
-    /// Circles at e₁ and e₂, and at u = 0 if that is between; none where the tip rests at the centre.
+    /// Circles at e₁ and e₂, and at u = 0 if that is between them; none where the tip stays at the centre.
     pub circles: Vec<Circle>,
-    /// Time of its first point, s.
+    /// Time of the first point, s.
     pub start: f64,
     /// Time for which the curve is followed, s.
     pub time: f64,
-    /// Number of nutation periods for which the curve is followed; `None` without a period, or where other times were asked for.
+    /// Number of nutation periods for which the curve is followed; `None` without a period, or for given times.
     pub periods: Option<u32>,
 }
 
-/// ρ(e) = s √(1 - e²), a bound of the distance from the centre.
+/// Circle of radius ρ(e) = s √(1 - e²), a bound on the distance from the centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circle {
-    /// Its radius, in the unit of the curve.
+    /// Radius, in the unit of the curve.
     pub radius: f64,
     /// Name of the bound.
     pub name: &'static str,
 }
 
-/// Nutation periods at least and at most.
+/// Least and greatest number of nutation periods of a curve.
 const PERIODS: [f64; 2] = [3.0, 24.0];
 
 impl Curve {
-    /// Over so many nutation periods that the tip goes round the centre once, within bounds; once round where u is
-    /// constant; until the tip is at the centre where the motion is aperiodic.
+    /// Curve over the number of nutation periods in which the tip goes round the centre once, within the limits of
+    /// `PERIODS`; over one turn where u is constant; until the tip reaches the centre where the motion is aperiodic.
     ///
     /// # Errors
     /// [`Failure::Method`]: no table fits, even in f32, which is enough for a picture.
@@ -44,7 +44,7 @@ impl Curve {
         Self::between(motion, None)
     }
 
-    /// Between two times, s, if they are given; otherwise as [`Curve::of`].
+    /// Curve between two times, s, if they are given; otherwise as [`Curve::of`].
     ///
     /// # Errors
     /// As [`Curve::of`].
@@ -63,14 +63,14 @@ impl Curve {
             Some(span) => (span, parts_between(motion, span), None),
             None => ([0.0, time], parts, periods),
         };
-        // where the tip does not slide, what moves is the axis: -2αβ
+        // where the tip does not slide, the curve of the axis is drawn: -2αβ
         let sense = if motion.top().support() == Support::Sliding { 1.0 } else { -1.0 };
         let tip = |t: f64| {
             let c = table.at(t).sample.tip;
             [sense * c.re, sense * c.im]
         };
         let tracer = Tracer { tip: &tip, tolerance: TOLERANCE * largest };
-        // the rounding of a table is no curve
+        // rounding errors of a table are not drawn
         let points = if largest > 0.0 { tracer.trace(span, parts * PARTS) } else { vec![[0.0; 2]] };
         let [start, end] = span;
         Ok(Self { points, circles, start, time: end - start, periods })
@@ -89,7 +89,7 @@ fn circles(motion: &Motion) -> Vec<Circle> {
     let circles = match motion.regime() {
         regime if regime.is_vertical() => Vec::new(),
         regime if regime.is_regular_precession() => vec![Circle { name: "u = e₁ = e₂", ..upper }],
-        // between e₁ and e₂ the axis is level: no bound is further out
+        // between e₁ and e₂ the axis is horizontal, which is the largest circle
         _ if e.e1 < 0.0 && e.e2 > 0.0 => vec![lower, upper, equator],
         _ => vec![lower, upper],
     };
@@ -99,7 +99,7 @@ fn circles(motion: &Motion) -> Vec<Circle> {
 fn periods(averages: &PeriodAdvance) -> u32 {
     let [least, most] = PERIODS;
     let once_round = (2.0 * PI / averages.phi_per_period().abs()).ceil();
-    // so slow that a part of the way shows no more than a few periods
+    // the precession is so slow that a part of a turn has the least number of periods
     if once_round > 4.0 * most { least as u32 } else { once_round.clamp(least, most) as u32 }
 }
 
@@ -111,7 +111,7 @@ fn once_round(motion: &Motion) -> f64 {
     }
 }
 
-/// Periods that times asked for go through, within what a picture can show.
+/// Number of periods between two given times, limited to what a picture can show.
 fn parts_between(motion: &Motion, [from, until]: [f64; 2]) -> u32 {
     const MOST: f64 = 1000.0;
     ((until - from) / period(motion)).ceil().clamp(1.0, MOST) as u32
@@ -130,11 +130,11 @@ fn rise(motion: &Motion, table: &dyn AnyScalar, largest: f64) -> (f64, u32) {
     (step * f64::from(steps), steps)
 }
 
-/// Equal parts of a nutation period, before any is halved.
+/// Number of equal parts of a nutation period, before any is halved.
 const PARTS: u32 = 64;
-/// A chord may be this far from the curve, in units of the largest radius.
+/// Greatest distance of a chord from the curve, in units of the largest radius.
 const TOLERANCE: f64 = 2e-4;
-/// Halvings of a part at most.
+/// Greatest number of halvings of a part.
 const DEEPEST: u32 = 10;
 
 struct Tracer<'a> {
@@ -154,7 +154,7 @@ impl Tracer<'_> {
         points
     }
 
-    /// Adds the points after the first, up to the second.
+    /// Adds the points after the first end, up to the second.
     fn refine(&self, [t0, t1]: [f64; 2], [p0, p1]: [[f64; 2]; 2], depth: u32, points: &mut Vec<[f64; 2]>) {
         let t = 0.5 * (t0 + t1);
         let p = (self.tip)(t);
@@ -173,7 +173,8 @@ mod tests {
     use super::*;
     use toytop::{Release, State, Top, TopParameters};
 
-    /// At t = 0: the tip of a top that slides is opposite its axis, of one that is held the axis is drawn.
+    /// At t = 0 the curve of a sliding top starts opposite to the direction of its axis, and that of a held top starts
+    /// at its axis.
     #[test]
     fn tip_and_axis_begin_where_they_are() {
         let release = Release { tilt: 0.4, azimuth: 0.7, spin: 150.0, ..Release::default() };

@@ -1,4 +1,4 @@
-//! A curve as SVG or PNG, for a page that is white.
+//! Picture of a curve as SVG or PNG, for a white page.
 
 use super::Curve;
 use crate::Failure;
@@ -20,22 +20,22 @@ use toytop::Support;
 /// File format of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// Scalable.
+    /// SVG.
     Svg,
-    /// Pixels, two for each unit of the layout.
+    /// PNG with two pixels for each unit of the layout.
     Png,
-    /// Scalable, on a page as large as the layout; needs the feature `pdf`.
+    /// PDF with a page as large as the layout; needs the feature `pdf`.
     Pdf,
 }
 
-/// The endings of a file, and what is written.
+/// Extensions of files, each with its form.
 const FORMS: [(&str, Form); 3] = [("svg", Form::Svg), ("png", Form::Png), ("pdf", Form::Pdf)];
 
 impl Form {
-    /// By the ending of a file that was named by this option.
+    /// Form by the extension of a file; `option` is the option that named the file.
     ///
     /// # Errors
-    /// [`Failure::Input`]: another ending.
+    /// [`Failure::Input`]: the extension is another one.
     pub fn of(path: &Path, option: &str) -> Result<Self, Failure> {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         FORMS.iter().find(|(name, _)| *name == ending).map(|(_, form)| *form).ok_or_else(|| {
@@ -50,18 +50,18 @@ const BOUND: &str = "#8a8a8a";
 const START: &str = "#c0392b";
 const CAPTION: &str = "#555555";
 
-/// Pixels of the layout: the square that is drawn in, and what is around it.
+/// Sizes of the layout in pixels: side of the square for the curve, and margins around it.
 const SIDE: f64 = 560.0;
 const LEFT: f64 = 72.0;
 const RIGHT: f64 = 20.0;
 const ABOVE: f64 = 92.0;
 const BELOW: f64 = 58.0;
 
-/// Draws it; the lines of the caption go below the title.
+/// Draws a curve; the lines of the caption are below the title.
 #[must_use]
 pub fn draw(scenario: &Scenario, curve: &Curve, caption: &[String]) -> Scene {
     let s = scenario.motion.top().tip_scale();
-    // in mm, or where no units are named in units of s
+    // in mm, or in units of s where the scenario names no units
     let (name, unit, scale) = match (scenario.motion.top().support(), scenario.units) {
         (Support::Sliding, Units::Si) => ("tip", ", mm", 1e-3),
         (Support::Sliding, Units::None) => ("tip", " in units of s", s),
@@ -105,7 +105,7 @@ pub(crate) fn encode(scene: &Scene, form: Form) -> Result<Vec<u8>, Failure> {
     encode_at(scene, form, None)
 }
 
-/// Picture in a form, so many pixels wide; without a width, in the size of its layout.
+/// Picture in a form with this width in pixels, or without a width in the size of its layout.
 pub(crate) fn encode_at(scene: &Scene, form: Form, width: Option<u32>) -> Result<Vec<u8>, Failure> {
     let scale = width.map(|width| f64::from(width) / scene.width);
     match form {
@@ -126,7 +126,7 @@ pub(crate) fn encode_at(scene: &Scene, form: Form, width: Option<u32>) -> Result
     }
 }
 
-/// A page on which a unit of the layout is so many points.
+/// PDF with a page on which a unit of the layout is `scale` points.
 #[cfg(feature = "pdf")]
 fn pdf(scene: &Scene, scale: f64) -> Result<Vec<u8>, Failure> {
     use kuva::backend::pdf::{PageSize, PdfBackend};
@@ -159,7 +159,7 @@ pub(crate) fn square(plots: &[Plot], extent: f64) -> Layout {
         .with_show_grid(false)
 }
 
-/// Entries of the legend, in its order, without their lines.
+/// Entries of the legend in order, without the points of their lines.
 fn legend(curve: &Curve, name: &str) -> Vec<Plot> {
     let mut plots: Vec<Plot> = vec![tip().with_legend(name).into()];
     for (circle, dash) in curve.circles.iter().zip(&DASHES) {
@@ -170,7 +170,7 @@ fn legend(curve: &Curve, name: &str) -> Vec<Plot> {
     plots
 }
 
-/// Head of an arrow on the curve, a little way from its start; none where the curve is a point.
+/// Head of an arrow on the curve, near its start; none where the curve is a point.
 fn arrow(curve: &Curve, scale: f64) -> Option<Plot> {
     let size = 0.035 * extent(curve, scale);
     let places: Vec<[f64; 2]> = curve.points.iter().map(|point| point.map(|x| x / scale)).collect();
@@ -189,7 +189,7 @@ fn arrow(curve: &Curve, scale: f64) -> Option<Plot> {
     )
 }
 
-/// The circles, the curve above them, and the start above that; lengths in units of `scale`.
+/// Circles, then the curve, then its start, each drawn over the one before; lengths in units of `scale`.
 pub(crate) fn lines(curve: &Curve, scale: f64) -> Vec<Plot> {
     let place = |&[x, y]: &[f64; 2]| (x / scale, y / scale);
     let mut plots: Vec<Plot> = Vec::new();
@@ -214,11 +214,11 @@ fn bound() -> LinePlot {
     LinePlot::new().with_color(BOUND).with_stroke_width(1.1)
 }
 
-/// Style of a circle: drawn whole, or in arcs with gaps between (the raster knows no dashes along a curve).
+/// Style of a circle: a complete line, or arcs with gaps between them (the raster output has no dashes along a curve).
 struct Dash {
     style: LineStyle,
     arcs: u32,
-    /// Share of the arc in an arc and the gap behind it.
+    /// Share of the arc in an arc and the gap after it.
     share: f64,
 }
 
@@ -241,7 +241,7 @@ fn arcs(radius: f64, dash: &Dash) -> impl Iterator<Item = Vec<(f64, f64)>> {
     })
 }
 
-/// Half the width of the picture: all points and circles and a margin, in units of `scale`.
+/// Half the width of the picture, which contains all points, circles and a margin, in units of `scale`.
 pub(crate) fn extent(curve: &Curve, scale: f64) -> f64 {
     let points = curve.points.iter().map(|[x, y]| x.hypot(*y));
     let largest = curve.circles.iter().map(|circle| circle.radius).chain(points).fold(0.0, f64::max);

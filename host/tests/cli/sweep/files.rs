@@ -24,18 +24,20 @@ fn checksums_tell_what_was_changed() {
     let path = no_file("sealed");
     let name = path.to_str().expect("UTF-8");
     let text = sweep(&path, &["--motions", "90", "--shard", "2/3"]);
-    assert!(files(&["verify", name], "30 rows of a sweep of 90, all as they were written").starts_with(name));
+    assert!(
+        files(&["verify", name], "30 rows of a sweep of 90, all match their checksums").starts_with(name)
+    );
     let line = |i: usize| text.lines().nth(i).expect("a line").to_owned() + "\n";
     let other = sweep(&no_file("sealed_other"), &["--motions", "90", "--shard", "2/3", "--seed", "2"]);
     for (content, part) in [
-        (text.replacen(&line(20), &line(20).replace('4', "5"), 1), "line 21: is not what its checksum says"),
-        (text[..text.len() - 9].to_owned(), "line 31: is not what its checksum says: cut off"),
-        (text.replacen(&line(20), "", 1), "line 21: is not the row that follows"),
-        (text.replacen(&line(20), &line(19), 1), "line 21: is not the row that follows"),
+        (text.replacen(&line(20), &line(20).replace('4', "5"), 1), "line 21: does not match its checksum"),
+        (text[..text.len() - 9].to_owned(), "line 31: does not match its checksum: cut off"),
+        (text.replacen(&line(20), "", 1), "line 21: does not follow the row before it"),
+        (text.replacen(&line(20), &line(19), 1), "line 21: does not follow the row before it"),
         (text.replacen(&line(30), "", 1), "line 31: missing: the sweep has more rows"),
         (
             text.replacen(&line(30), other.lines().nth(30).expect("a row"), 1) + "\n",
-            "line 31: is not the row that follows",
+            "line 31: does not follow the row before it",
         ),
         (line(0), "line 2: missing"),
         (text.replacen("index", "Index", 1), "line 1: is not the header"),
@@ -70,9 +72,9 @@ fn joined_shards_are_the_whole() {
     let other = no_file("join_other");
     sweep(&other, &["--motions", "36", "--shard", "2/5"]);
     for (parts, part) in [
-        (vec![a, b, c, e], "row 3 is in no part"),
-        (vec![a, b, c, d, d], "row 3 is in another part, too"),
-        (vec![a], "row 1 is in no part"),
+        (vec![a, b, c, e], "row 3 is in no file"),
+        (vec![a, b, c, d, d], "row 3 is in another file, too"),
+        (vec![a], "row 1 is in no file"),
     ] {
         files(
             &[&["join"], &parts.iter().map(|part| part.as_str()).collect::<Vec<_>>()[..], &["-o", name]]
@@ -95,23 +97,23 @@ fn a_file_is_verified_row_by_row() {
     let text = sweep(&path, &more);
     let output = run(&words(&path, &verify));
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
-    assert!(stdout(&output).contains("1500 rows, all as the sweep gives them"), "{}", stdout(&output));
+    assert!(stdout(&output).contains("1500 rows, all equal to the computed ones"), "{}", stdout(&output));
     let line = text.lines().nth(1200).expect("a row");
     let digit = line.rfind(|c: char| c.is_ascii_digit()).expect("a digit");
     let other = if line.as_bytes()[digit] == b'1' { "2" } else { "1" };
     let changed = format!("{}{other}{}", &line[..digit], &line[digit + 1..]);
     let last = text[..text.len() - 1].rfind('\n').expect("rows") + 1;
     for (content, part) in [
-        (text.replacen(line, &changed, 1), "line 1201: is not what the sweep gives"),
+        (text.replacen(line, &changed, 1), "line 1201: differs from the computed row"),
         (text[..last].to_owned(), "line 1501: missing"),
         (text.clone() + "1500,\n", "line 1502: must be the end of the file"),
-        (text.replacen("index", "Index", 1), "line 1: is not what the sweep gives"),
+        (text.replacen("index", "Index", 1), "line 1: differs from the computed row"),
         (String::new(), "line 1: missing"),
     ] {
         std::fs::write(&path, content).expect("writable");
         refused(&path, &verify, part);
     }
     std::fs::write(&path, &text).expect("writable");
-    refused(&path, &[&verify[..], &["--seed", "2"]].concat(), "line 2: is not what the sweep gives");
+    refused(&path, &[&verify[..], &["--seed", "2"]].concat(), "line 2: differs from the computed row");
     refused(Path::new("/dev/null"), &verify, "must be a regular file");
 }

@@ -99,7 +99,7 @@ fn headline(arguments: &StudyArgs, tally: &Tally) -> String {
         _ => format!("seeds {} to {last}: {} launches each", arguments.seed, arguments.count()),
     };
     format!(
-        "toytop {}, {seeds}; {} move, {truths} of them held against the truth; refused in range: {refused}; \
+        "toytop {}, {seeds}; {} move, {truths} of them compared with the truth; refused in range: {refused}; \
          beyond the range: {}, all refused; failures: {}.",
         env!("CARGO_PKG_VERSION"),
         tally.moving,

@@ -16,7 +16,7 @@ const MOST: f64 = 1e12;
 
 /// Input of a launch, whose numbers are taken as exact.
 #[derive(Clone, Copy, Debug)]
-pub enum Input {
+pub(crate) enum Input {
     /// Branch points e₁, e₂, e₃, the signs, and the phases at t = 0.
     BranchPoints(Numbers),
     /// Orientation and angular velocity.
@@ -29,7 +29,7 @@ impl Input {
     /// quarter are releases: tilts down to 1e-6 from either vertical, spins from 1e-3 to 1e6 rad/s, and in every second one a top that
     /// the paper does not contain.
     #[must_use]
-    pub fn random(random: &mut Random) -> Self {
+    pub(crate) fn random(random: &mut Random) -> Self {
         let numbers = numbers(random);
         if random.one_in(2) {
             return Self::BranchPoints(numbers);
@@ -47,7 +47,7 @@ impl Input {
 
     /// Random input with one number outside the allowed range.
     #[must_use]
-    pub fn beyond(random: &mut Random) -> Self {
+    pub(crate) fn beyond(random: &mut Random) -> Self {
         let mut input = Self::random(random);
         let far = random.scale(1e3, 1e12);
         let not_finite = if random.one_in(2) { f64::NAN } else { f64::INFINITY };
@@ -75,7 +75,7 @@ impl Input {
     ///
     /// # Errors
     /// The errors of a launch.
-    pub fn motion(&self) -> Result<Motion, ParameterError> {
+    pub(crate) fn motion(&self) -> Result<Motion, ParameterError> {
         match self {
             Self::BranchPoints(numbers) => numbers.motion(),
             Self::State(numbers) => numbers.motion(),
@@ -84,7 +84,7 @@ impl Input {
 
     /// Truth of the motion.
     #[must_use]
-    pub fn exact(&self) -> Exact {
+    pub(crate) fn exact(&self) -> Exact {
         match self {
             Self::BranchPoints(numbers) => Exact::new(numbers),
             Self::State(numbers) => Exact::launched(&Launched::new(numbers)),
@@ -94,7 +94,7 @@ impl Input {
     /// Input in which every number is changed by one unit in its last place, in a random direction. A number of a degenerate case is not
     /// changed, and two equal branch points stay equal.
     #[must_use]
-    pub fn neighbour(&self, random: &mut Random) -> Self {
+    pub(crate) fn neighbour(&self, random: &mut Random) -> Self {
         let mut moved = |x: f64, corners: &[f64]| match random.one_in(2) {
             _ if corners.contains(&x.abs()) => x,
             true => x.next_up(),

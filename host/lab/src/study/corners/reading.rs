@@ -7,12 +7,12 @@ use toytop_host::cli::Scalar;
 use toytop_host::motion::ephemeris::{AnyScalar, RateSample, approximate, smallest_with_period, ticks_for};
 
 /// Scalars, each with its name and its rounding.
-pub const SCALARS: [(&str, f64); 4] =
+pub(crate) const SCALARS: [(&str, f64); 4] =
     [("f64", f64::ROUNDING), ("f32", f32::ROUNDING), ("q31", I2F30::ROUNDING), ("q15", I2F14::ROUNDING)];
 
 /// Motion at one time.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen {
+pub(crate) struct Seen {
     /// Orientation Φ.
     pub phi: Orientation<f64>,
     /// Angular velocity ω in the fixed frame; `None` in fixed point, which cannot represent it.
@@ -20,7 +20,7 @@ pub struct Seen {
 }
 
 /// Table of any size and scalar.
-pub struct Reading {
+pub(crate) struct Reading {
     table: Box<dyn AnyScalar>,
     bound: ErrorBound,
     ticks_per_time: f64,
@@ -33,63 +33,63 @@ pub struct Reading {
 impl Reading {
     /// Motion at time t.
     #[must_use]
-    pub fn at(&self, t: f64) -> Seen {
+    pub(crate) fn at(&self, t: f64) -> Seen {
         let sample = self.table.at(t).sample;
         Seen { phi: sample.orientation(), omega: self.floating.then_some(sample.omega) }
     }
 
     /// Orientation Φ at a tick, in the arithmetic of the scalar.
     #[must_use]
-    pub fn at_tick(&self, tick: i64) -> Orientation<f64> {
+    pub(crate) fn at_tick(&self, tick: i64) -> Orientation<f64> {
         self.table.at_tick(tick).orientation
     }
 
     /// Rates at a tick.
     #[must_use]
-    pub fn rates_at_tick(&self, tick: i64) -> RateSample {
+    pub(crate) fn rates_at_tick(&self, tick: i64) -> RateSample {
         self.table.rates_at_tick(tick)
     }
 
     /// Upper bound on the error of the rates at a tick, rad per unit time.
     #[must_use]
-    pub fn rate_bound_at(&self, tick: i64) -> f64 {
+    pub(crate) fn rate_bound_at(&self, tick: i64) -> f64 {
         self.table.rate_error_bound().after(tick as f64)
     }
 
     /// Upper bound on the distance of Φ at a tick from the truth, rad.
     #[must_use]
-    pub fn bound_at(&self, tick: i64) -> f64 {
+    pub(crate) fn bound_at(&self, tick: i64) -> f64 {
         self.bound.after(tick as f64)
     }
 
     /// Whether more than half of the bound at a tick comes from the number of ticks.
     #[must_use]
-    pub fn counts_ticks(&self, tick: i64) -> bool {
+    pub(crate) fn counts_ticks(&self, tick: i64) -> bool {
         self.bound_at(tick) > 2.0 * self.bound_at(0)
     }
 
     /// Nutation phase at t = 0, in turns.
     #[must_use]
-    pub fn phase(&self) -> f64 {
+    pub(crate) fn phase(&self) -> f64 {
         self.phase
     }
 
     /// Upper bound on the distance of Φ at time t from the truth, rad.
     #[must_use]
-    pub fn bound(&self, t: f64) -> f64 {
+    pub(crate) fn bound(&self, t: f64) -> f64 {
         self.bound.after(t * self.ticks_per_time)
     }
 }
 
 /// Tables of a motion, in the order of [`SCALARS`]; `None` where no table is large enough.
 #[must_use]
-pub fn readings(motion: &Motion, period: f64) -> [Option<Reading>; 4] {
+pub(crate) fn readings(motion: &Motion, period: f64) -> [Option<Reading>; 4] {
     [Scalar::F64, Scalar::F32, Scalar::Q31, Scalar::Q15].map(|scalar| reading(scalar, motion, period))
 }
 
 /// Table in `f64` whose truncation error is far below the rounding; `None` where no table is large enough.
 #[must_use]
-pub fn finer(motion: &Motion, period: f64) -> Option<Box<dyn AnyScalar>> {
+pub(crate) fn finer(motion: &Motion, period: f64) -> Option<Box<dyn AnyScalar>> {
     const TRUNCATION: f64 = 1e-18;
     approximate(motion, period, TRUNCATION).ok()
 }

@@ -7,7 +7,7 @@ use toytop_host::output::names::regime;
 
 /// Counts and greatest errors.
 #[derive(Clone, Debug, Default)]
-pub struct Tally {
+pub(crate) struct Tally {
     /// Number of inputs in range that were launched.
     pub moving: u64,
     /// Number of inputs in range that were refused, by the name of the parameter.
@@ -22,7 +22,7 @@ pub struct Tally {
 
 /// Results of one regime.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Regime {
+pub(crate) struct Regime {
     /// Number of motions.
     pub motions: u64,
     /// Number of motions that were compared with the truth.
@@ -35,7 +35,7 @@ pub struct Regime {
 
 /// Results of one scalar.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Side {
+pub(crate) struct Side {
     /// Number of motions for which no table is large enough.
     pub no_fit: u64,
     /// Number of motions with a norm or a turning point beyond the bound.
@@ -73,7 +73,7 @@ const REPORTED: usize = 20;
 
 impl Tally {
     /// Adds the outcome of an input in range.
-    pub fn add(&mut self, name: &dyn std::fmt::Display, outcome: &Outcome) {
+    pub(crate) fn add(&mut self, name: &dyn std::fmt::Display, outcome: &Outcome) {
         let (kind, kept, sensitivity) = match outcome {
             Outcome::Refused(error) => {
                 *self.refused.entry(error.parameter()).or_default() += 1;
@@ -102,7 +102,7 @@ impl Tally {
 
     /// Sum with the tally of another thread.
     #[must_use]
-    pub fn merged(mut self, other: Self) -> Self {
+    pub(crate) fn merged(mut self, other: Self) -> Self {
         self.moving += other.moving;
         self.beyond += other.beyond;
         for (parameter, count) in other.refused {
@@ -117,7 +117,7 @@ impl Tally {
 
     /// Sum over all regimes of the scalar with this index in [`SCALARS`].
     #[must_use]
-    pub fn of_scalar(&self, scalar: usize) -> Side {
+    pub(crate) fn of_scalar(&self, scalar: usize) -> Side {
         let mut side = Side::default();
         self.regimes.values().for_each(|regime| side.merge(&regime.scalars[scalar]));
         side
@@ -125,13 +125,13 @@ impl Tally {
 
     /// Number of motions that were compared with the truth.
     #[must_use]
-    pub fn truths(&self) -> u64 {
+    pub(crate) fn truths(&self) -> u64 {
         self.regimes.values().map(|regime| regime.with_truth).sum()
     }
 
     /// Lines for the first failures, and one with the number of the others.
     #[must_use]
-    pub fn report(&self) -> Vec<String> {
+    pub(crate) fn report(&self) -> Vec<String> {
         let more = self.failures.len().saturating_sub(REPORTED);
         let rest = (more > 0).then(|| format!("and {more} more"));
         self.failures.iter().take(REPORTED).map(|failure| format!("FAILURE: {failure}")).chain(rest).collect()
@@ -174,12 +174,12 @@ impl Side {
 
     /// Number of motions with an error of the orientation or of the rates, or of norm or turning points, beyond its bound.
     #[must_use]
-    pub fn beyond_bound(&self) -> u64 {
+    pub(crate) fn beyond_bound(&self) -> u64 {
         self.checks_violated + self.violated + self.rates_violated
     }
 
     /// Adds the results of another regime or seed.
-    pub fn merge(&mut self, other: &Self) {
+    pub(crate) fn merge(&mut self, other: &Self) {
         self.judged.iter_mut().zip(other.judged).for_each(|(sum, more)| *sum += more);
         self.places.iter_mut().zip(other.places).for_each(|(sum, more)| *sum += more);
         self.rates_violated += other.rates_violated;

@@ -21,7 +21,7 @@ struct Target {
 
 /// Results of one scalar for an input.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Kept {
+pub(crate) struct Kept {
     /// Greatest error of Φ's norm, and of u at its turning points, as a share of the bound.
     pub checks_of_bound: f64,
     /// Greatest change of l and n in units of max(A, C) |ω| + |K|, and of h in units of this times |ω|, plus p g.
@@ -32,7 +32,7 @@ pub struct Kept {
 
 /// Greatest errors over all places.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Error {
+pub(crate) struct Error {
     /// Greatest error, rad.
     pub error: f64,
     /// Greatest error in units of the bound.
@@ -53,7 +53,7 @@ pub struct Error {
 
 /// Outcome of an input.
 #[derive(Clone, Debug)]
-pub enum Outcome {
+pub(crate) enum Outcome {
     /// Refusal of a launch.
     Refused(ParameterError),
     /// Motion with the results of each scalar; `None` where no table is large enough.
@@ -69,7 +69,7 @@ pub enum Outcome {
 
 /// Outcome of an input, compared with the truth if `with_truth`.
 #[must_use]
-pub fn run(input: &Input, random: &mut Random, with_truth: bool) -> Outcome {
+pub(crate) fn run(input: &Input, random: &mut Random, with_truth: bool) -> Outcome {
     let motion = match input.motion() {
         Ok(motion) => motion,
         Err(error) => return Outcome::Refused(error),

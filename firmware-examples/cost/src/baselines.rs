@@ -1,4 +1,4 @@
-//! What one would write or take instead of core.
+//! Baselines: calls of other code for the tasks of core's calls.
 
 use fixed::types::I2F30;
 use micromath::F32Ext;
@@ -36,7 +36,7 @@ fn step<R: Float>(constants: &Constants<R>, y: &mut Point<R>, out: &mut Output<R
     *out = Output::of(orientation(*y), constants.tip_scale);
 }
 
-/// The same equations, stepped by a library.
+/// Step of the same equations by the Runge-Kutta method of the crate multicalc.
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_multicalc_rk4_f32(
@@ -49,7 +49,7 @@ pub(crate) extern "C" fn bench_multicalc_rk4_f32(
     *out = Output::of(orientation(*y), constants.tip_scale);
 }
 
-/// The integer phase that a tick has at hand.
+/// Sine and cosine of an integer phase, which is the argument in a tick.
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_sincos_ours_f32(phase: &Phase, out: &mut [f32; 2]) {
@@ -80,14 +80,14 @@ pub(crate) extern "C" fn bench_sincos_libm_f64(angle: f64, out: &mut [f64; 2]) {
     *out = libm::sincos(angle).into();
 }
 
-/// Good to 1e-3.
+/// Sine and cosine with an error of 1e-3.
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_sincos_micromath_f32(angle: f32, out: &mut [f32; 2]) {
     *out = angle.sin_cos().into();
 }
 
-/// Core's table read with micromath's sines.
+/// Core's table, evaluated with micromath's sines.
 pub(crate) type EphemerisMicromath = Ephemeris<Micromath, 25>;
 
 #[inline(never)]

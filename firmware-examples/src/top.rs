@@ -2,7 +2,7 @@
 
 use toytop::{Motion, ParameterError, Release, State, Top, TopParameters};
 
-/// A 50 g top with its centre of mass 30 mm above the tip, let go at 20 degrees with 150 rad/s.
+/// Motion of a 50 g top with its centre of mass 30 mm above the tip, released at 20 degrees with 150 rad/s.
 ///
 /// # Errors
 /// None: it is possible.

@@ -1,0 +1,117 @@
+//! Integer coefficients of `f32` and of 32-bit fixed point, and the errors that they cause.
+//!
+//! A coefficient of x^k is stored as c·2^(31+k): see [`super::integer`].
+
+use crate::law::series::UNIT;
+
+/// Error of a polynomial from short products that set-up accepts without counting it as an error of the table.
+const SHORT_ERROR: f64 = 0.5 / (1_u64 << 30) as f64;
+
+/// Least sum that could overflow, with a margin of 2^-15 plus some thousand roundings of a coefficient.
+const OVERFLOW: i64 = overflow_limit(3.2e-5);
+
+/// Fraction bits of the values that coefficients are made from.
+pub(crate) const TABLE_BITS: u32 = 62;
+
+/// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units. It contains half a unit
+/// that compensates for the product that is rounded down and added. The constant coefficient has no such half unit:
+/// [`super::integer::alpha_beta`] can mirror a last sum that is half a unit low without a carry.
+pub(crate) fn nearest(value: i64, power: usize) -> (i32, i64) {
+    let dropped = TABLE_BITS - 31 - power as u32;
+    let rounded =
+        if power == 0 { (value >> (dropped - 1)).saturating_add(1) >> 1 } else { (value >> dropped) + 1 };
+    let held = rounded.clamp(i32::MIN.into(), i32::MAX.into());
+    (held as i32, (held << dropped).saturating_sub(value))
+}
+
+/// Value of a coefficient that [`nearest`] returned.
+pub(crate) fn number(coefficient: i32, power: usize) -> f64 {
+    f64::from(coefficient) / (1_u64 << (31 + power)) as f64
+}
+
+/// Whether 16 bits of x are enough for a sum that is multiplied by this power of x.
+#[inline(always)]
+pub(crate) const fn is_short(power: usize, terms: usize) -> bool {
+    2 * power > terms
+}
+
+/// Part of a polynomial's error bound from short products that is above [`SHORT_ERROR`]; x is truncated by up to 2^-15.
+fn short_product_error(polynomial: &[i64]) -> f64 {
+    let (mut sum, mut sums) = (0, 0);
+    for (power, value) in polynomial.iter().enumerate().rev() {
+        // a sum of 136 values needs eight bits more than i64 has; rounded up
+        sum += (value.unsigned_abs() >> 8) + 1;
+        if is_short(power, polynomial.len()) {
+            sums += sum;
+        }
+    }
+    let error = sums as f64 * (256.0 / 32768.0 * UNIT);
+    if error > SHORT_ERROR { error - SHORT_ERROR } else { 0.0 }
+}
+
+/// Least sum that could overflow, for a margin: 1 less the margin, in units of 2^-62.
+pub(crate) const fn overflow_limit(margin: f64) -> i64 {
+    ((1.0 - margin) * (1_i64 << TABLE_BITS) as f64) as i64
+}
+
+/// Error of a polynomial, given in units of 2^-62, that its coefficients cause; infinite where a sum could overflow.
+pub(crate) fn error(polynomial: &[i64]) -> f64 {
+    overflow(polynomial, OVERFLOW) + short_product_error(polynomial)
+}
+
+/// Infinite where a sum of the polynomial could overflow, with a margin for the rounding of the coefficients, because
+/// the error after an overflow is unbounded; otherwise 0.
+pub(crate) fn overflow(polynomial: &[i64], limit: i64) -> f64 {
+    let mut sum = 0_i64;
+    for (power, value) in polynomial.iter().enumerate().skip(1).rev() {
+        sum = sum.saturating_add(value.saturating_abs());
+        if sum > limit >> power {
+            return f64::INFINITY;
+        }
+    }
+    0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// With six terms the products with the fourth and the fifth power are short, and the sum of the lower one
+    /// contains both.
+    #[test]
+    fn what_short_products_lose() {
+        let near =
+            |found: f64, expected: f64| assert!((found - expected).abs() < 1e-14, "{found:e} {expected:e}");
+        near(short_product_error(&polynomial([0.9, 0.9, 0.9, 0.9, -0.3, 0.5])), 1.3 / 32768.0 - SHORT_ERROR);
+        near(short_product_error(&polynomial([1.0, 0.5, 0.25, 0.1, 0.0, 1e-9])), 0.0);
+        // in range, but the short products are not accurate enough
+        let steep = polynomial([0.0, 0.0, 0.0, 0.0, 0.02, 0.01]);
+        near(error(&steep), 0.04 / 32768.0 - SHORT_ERROR);
+    }
+
+    #[test]
+    fn sums_stay_below_their_powers_by_a_margin() {
+        let limit = overflow_limit(1e-3);
+        assert_eq!(overflow(&polynomial([0.9, 0.4994, 0.0]), limit), 0.0);
+        assert_eq!(overflow(&polynomial([0.9, 0.4996, 0.0]), limit), f64::INFINITY);
+        assert_eq!(overflow(&polynomial([0.9, 0.2, -0.2499, 0.0]), limit), f64::INFINITY);
+    }
+
+    #[test]
+    fn a_coefficient_knows_its_error() {
+        for power in 0..16 {
+            for value in [0.2, -0.2, 1e-9, 0.0].map(|value| value * 0.5_f64.powi(power)) {
+                let [value] = polynomial([value]);
+                let (held, error) = nearest(value, power as usize);
+                let truth = number(held, power as usize) - value as f64 * 2_f64.powi(-62);
+                assert!((error as f64 * 2_f64.powi(-62) - truth).abs() < 1e-16, "{power} {value}");
+                assert!(truth.abs() <= 2_f64.powi(-31 - power));
+            }
+        }
+        assert_eq!(nearest(i64::MAX, 1).0, i32::MAX);
+    }
+
+    fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {
+        values.map(|value| (value * 2_f64.powi(62)) as i64)
+    }
+}

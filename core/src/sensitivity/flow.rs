@@ -1,0 +1,135 @@
+//! State of a motion with small changes of it.
+
+use crate::phase::Phase;
+use crate::scalar::{Float, Real};
+use crate::su2::{Orientation, Vector, bracket, dot};
+
+/// Small change of a motion: rotation vector θ of the orientation, and its rate η = θ', which is the change of ω seen
+/// by an observer who turns by θ. Both are in the fixed frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tangent<F> {
+    pub(crate) theta: Vector<F>,
+    pub(crate) eta: Vector<F>,
+}
+
+/// State of the motion with N changes of it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Flow<F, const N: usize> {
+    /// Axis r, the third body axis.
+    pub(crate) axis: Vector<F>,
+    /// First body axis, turned back by the angle of the axial rate ω·r, which is constant: its rotation about r has
+    /// no rate.
+    pub(crate) side: Vector<F>,
+    /// Part w = ω - S r of the angular velocity across the axis. It keeps its digits where S is much larger.
+    pub(crate) across: Vector<F>,
+    pub(crate) tangents: [Tangent<F>; N],
+}
+
+/// x + f y.
+pub(crate) fn sum<F: Float>([x1, x2, x3]: Vector<F>, [y1, y2, y3]: Vector<F>, f: F) -> Vector<F> {
+    [x1 + f * y1, x2 + f * y2, x3 + f * y3]
+}
+
+impl<F: Float> Tangent<F> {
+    /// Tangent that changes nothing.
+    pub(crate) const NONE: Self = Self { theta: [F::ZERO; 3], eta: [F::ZERO; 3] };
+
+    /// Sum of this tangent and f times another.
+    pub(crate) fn plus(&self, other: &Self, f: F) -> Self {
+        Self { theta: sum(self.theta, other.theta, f), eta: sum(self.eta, other.eta, f) }
+    }
+
+    /// Tangent of a change of Φ and of ω in the fixed frame.
+    fn of_change(theta: Vector<F>, change: Vector<F>, omega: Vector<F>) -> Self {
+        Self { theta, eta: sum(change, bracket(theta, omega), -F::ONE) }
+    }
+}
+
+impl<const N: usize> Flow<f64, N> {
+    /// Flow in another scalar.
+    pub(crate) fn cast<F: Float>(&self) -> Flow<F, N> {
+        let of = |x: Vector<f64>| x.map(F::from_f64);
+        Flow {
+            axis: of(self.axis),
+            side: of(self.side),
+            across: of(self.across),
+            tangents: self.tangents.map(|Tangent { theta, eta }| Tangent { theta: of(theta), eta: of(eta) }),
+        }
+    }
+}
+
+impl<F: Float, const N: usize> Flow<F, N> {
+    /// Flow of zeros.
+    pub(crate) const ZERO: Self =
+        Self { axis: [F::ZERO; 3], side: [F::ZERO; 3], across: [F::ZERO; 3], tangents: [Tangent::NONE; N] };
+
+    /// Flow at the launch: the first six tangents are the unit changes of Φ and ω, the others are 0.
+    pub(crate) fn launched(phi: &Orientation<F>, omega: Vector<F>) -> Self {
+        let [zero, one] = [F::ZERO, F::ONE];
+        let mut tangents = [Tangent::NONE; N];
+        for (index, tangent) in tangents.iter_mut().enumerate() {
+            let unit = |first: usize| {
+                let is = |k: usize| if index == first + k { one } else { zero };
+                [is(0), is(1), is(2)]
+            };
+            *tangent = Tangent::of_change(unit(0), unit(3), omega);
+        }
+        let [axis, side] = [[zero, zero, one], [one, zero, zero]].map(|body| phi.adjoint(body));
+        let across = sum(omega, axis, -dot(omega, axis));
+        Self { axis, side, across, tangents }
+    }
+
+    /// Body coordinates of a vector of the fixed frame.
+    pub(crate) fn in_body(&self, x: Vector<F>) -> Vector<F> {
+        [dot(self.side, x), dot(bracket(self.axis, self.side), x), dot(self.axis, x)]
+    }
+
+    /// Fixed coordinates of a vector of the body frame.
+    pub(crate) fn in_fixed(&self, [x, y, z]: Vector<F>) -> Vector<F> {
+        let across = bracket(self.axis, self.side);
+        sum(sum(self.side.map(|c| c * x), across, y), self.axis, z)
+    }
+
+    /// Adds f times another flow to the state and to the first `known` tangents.
+    pub(crate) fn add(&mut self, other: &Self, f: F, known: usize) {
+        self.axis = sum(self.axis, other.axis, f);
+        self.side = sum(self.side, other.side, f);
+        self.across = sum(self.across, other.across, f);
+        for (tangent, rate) in self.tangents.iter_mut().zip(&other.tangents).take(known) {
+            *tangent = tangent.plus(rate, f);
+        }
+    }
+
+    /// Sum of this flow and f times another.
+    pub(crate) fn plus(&self, other: &Self, f: F) -> Self {
+        let mut flow = *self;
+        flow.add(other, f, N);
+        flow
+    }
+}
+
+/// Vector turned about the vertical.
+fn about_vertical<F: Float>([x, y, z]: Vector<F>, (sine, cosine): (F, F)) -> Vector<F> {
+    [x * cosine - y * sine, x * sine + y * cosine, z]
+}
+
+impl<F: Real, const N: usize> Flow<F, N> {
+    /// Turns the motion and its tangents about the vertical.
+    pub(crate) fn turn(&mut self, phase: Phase) {
+        let turn = F::sine_cosine(phase);
+        for vector in [&mut self.axis, &mut self.side, &mut self.across] {
+            *vector = about_vertical(*vector, turn);
+        }
+        for tangent in &mut self.tangents {
+            tangent.theta = about_vertical(tangent.theta, turn);
+            tangent.eta = about_vertical(tangent.eta, turn);
+        }
+    }
+
+    /// Turns the body about its axis.
+    pub(crate) fn roll(&mut self, phase: Phase) {
+        let (sine, cosine) = F::sine_cosine(phase);
+        let across = bracket(self.axis, self.side);
+        self.side = sum(self.side.map(|x| x * cosine), across, sine);
+    }
+}
