@@ -106,7 +106,7 @@ pub(crate) fn to_toml(top: &TopDefinition, start: &StartDefinition) -> String {
 pub(crate) fn of_toml(file: &str, text: &str) -> PyResult<(TopDefinition, StartDefinition, Motion)> {
     let Scenario { motion, state, .. } = Scenario::parse(file, text).map_err(|failure| failed(&failure))?;
     // the scenario is valid, so missing keys may be missing
-    let root: Table = text.parse().unwrap_or_default();
+    let root = Scenario::keys_of(file, text).unwrap_or_default();
     let section = |name: &str| root.get(name).and_then(Value::as_table).cloned().unwrap_or_default();
     let (top, given) = (section("top"), section("motion"));
     let default = TopParameters::default();

@@ -7,6 +7,7 @@ mod motion;
 mod section;
 mod template;
 mod top;
+mod units;
 
 pub use template::{Key, Template};
 
@@ -69,13 +70,21 @@ impl Scenario {
         Ok(scenario)
     }
 
-    /// Keys and values of a scenario file.
+    /// Keys and values of a scenario file, with numbers in the units of the keys.
     ///
     /// # Errors
-    /// [`Failure::Input`]: the file cannot be read, is larger than 1 MiB or not UTF-8, or no TOML.
+    /// [`Failure::Input`]: the file cannot be read, is larger than 1 MiB or not UTF-8, or as [`Scenario::keys_of`].
     pub fn keys(path: &Path) -> Result<Table, Failure> {
         let file = path.display().to_string();
-        table(&file, &whole_file::read(&file, path, LARGEST_FILE)?)
+        Self::keys_of(&file, &whole_file::read(&file, path, LARGEST_FILE)?)
+    }
+
+    /// Keys and values of the text of a scenario file, with numbers in the units of the keys; `file` is its name in messages.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: no TOML, or a text in place of a number that is not a number with a unit of its key.
+    pub fn keys_of(file: &str, text: &str) -> Result<Table, Failure> {
+        units::in_units_of_keys(file, table(file, text)?)
     }
 
     /// Top of a scenario file, whose motion is not read and may be missing.
@@ -92,7 +101,7 @@ impl Scenario {
     /// # Errors
     /// [`Failure::Input`]: no TOML, or not the tables `[top]` and `[motion]` with exactly the keys they need, in range.
     pub fn parse(file: &str, text: &str) -> Result<Self, Failure> {
-        let root = table(file, text)?;
+        let root = Self::keys_of(file, text)?;
         Self::of_table(file, &root)
     }
 

@@ -72,8 +72,7 @@ impl Start {
     /// [`Failure::Input`]: as [`Scenario::parse`].
     pub fn parse(name: &str, text: &str) -> Result<Self, Failure> {
         let scenario = Scenario::parse(name, text)?;
-        let keys = text.parse().map_err(|error| Failure::Input(format!("{name}: {error}")))?;
-        Ok(Self { keys, scenario })
+        Ok(Self { keys: Scenario::keys_of(name, text)?, scenario })
     }
 
     /// Toy top of the sample scenarios.

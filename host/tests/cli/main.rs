@@ -22,6 +22,7 @@ mod state;
 mod sweep;
 mod times;
 mod tip_angle;
+mod units;
 mod vectors;
 mod view;
 

@@ -1,6 +1,7 @@
 //! Table `[motion]`: exactly one of three kinds.
 
 use super::section::{Key, Section};
+use super::units::ANGLES;
 use crate::Failure;
 use toytop::{Complex, Motion, Orientation, ParameterError, Release, Sign, Signs, Start, State, Top};
 use toytop_page::scenario::{angle, tilt};
@@ -59,10 +60,6 @@ static RELEASE: [Key; 6] = [
     Key::optional("roll_deg", 0.0, DEGREES),
 ];
 
-/// Parameter names of the core that differ from the keys of the file, each with its key.
-const RELEASE_NAMES: [(&str, &str); 3] =
-    [("tilt", "tilt_deg"), ("azimuth", "azimuth_deg"), ("roll", "roll_deg")];
-
 /// State, and the key of the greatest rate.
 fn release(section: &Section<'_>) -> Result<(State, &'static str), Failure> {
     let [tilt_deg, spin, precession, nutation, azimuth_deg, roll_deg] = section.numbers("kind", &RELEASE)?;
@@ -81,7 +78,7 @@ fn release(section: &Section<'_>) -> Result<(State, &'static str), Failure> {
     let rates = [("spin", spin), ("precession", precession), ("nutation", nutation)];
     let (fastest, _) =
         rates.into_iter().fold(rates[0], |most, rate| if rate.1.abs() > most.1.abs() { rate } else { most });
-    let state = State::release(&release).map_err(|error| section.refused(&error, &RELEASE_NAMES))?;
+    let state = State::release(&release).map_err(|error| section.refused(&error, &ANGLES))?;
     Ok((state, fastest))
 }
 

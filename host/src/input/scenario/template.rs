@@ -1,8 +1,8 @@
 //! Scenario file in which some numbers vary.
 
-use super::{LARGEST_FILE, Scenario, motion, table, top};
+use super::{Scenario, motion, top};
 use crate::Failure;
-use crate::output::{shown, whole_file};
+use crate::output::shown;
 use std::path::Path;
 use toml::{Table, Value};
 
@@ -28,8 +28,7 @@ impl Template {
     /// [`Failure::Input`]: as [`Scenario::keys`].
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let file = path.display().to_string();
-        let root = table(&file, &whole_file::read(&file, path, LARGEST_FILE)?)?;
-        Ok(Self { file, root })
+        Ok(Self { root: Scenario::keys(path)?, file })
     }
 
     /// Name of the scenario file.

@@ -1,0 +1,150 @@
+//! Tests of scenarios whose numbers have units, as `"30 g"`.
+
+use super::{branch_points, json, run, scenario, stderr};
+use serde_json::Value;
+
+/// The same motion three times: in the units of the keys, in decimal units, and in units with a factor of π.
+const PLAIN: &str = r#"[top]
+transverse_inertia = 3.0e-5
+axial_inertia = 2.0e-5
+com_height = 0.03
+mass = 0.05
+gravity = 9.81
+rotor_momentum = 1e-4
+[motion]
+kind = "release"
+tilt_deg = 20.0
+azimuth_deg = 45.0
+spin = 150.0
+precession = 3.0
+"#;
+const DECIMAL: &str = r#"[top]
+transverse_inertia = "300 g cm^2"
+axial_inertia = " 20000  g mm² "
+com_height = "3 cm"
+mass = "50 g"
+gravity = "981 cm/s^2"
+rotor_momentum = "1000 g cm^2/s"
+[motion]
+kind = "release"
+tilt = "20 deg"
+azimuth = "0.125 turns"
+spin = "150 rad/s"
+precession = "3e0 rad/s"
+"#;
+const CIRCULAR: &str = r#"[top]
+transverse_inertia = 3.0e-5
+axial_inertia = 2.0e-5
+mass = 0.05
+com_height = "30 mm"
+gravity = 9.81
+rotor_momentum = 1e-4
+[motion]
+kind = "release"
+tilt = "0.3490658503988659 rad"
+azimuth_deg = 45
+spin = "1432.3944878270581 rpm"
+precession = "171.88733853924697 deg/s"
+"#;
+
+fn state(name: &str, text: &str) -> Value {
+    json(&["state", &scenario(name, text), "--times=0,1.5", "--format", "json"])["samples"].clone()
+}
+
+/// Largest difference of two samples, relative where a number exceeds 1.
+fn difference(a: &Value, b: &Value) -> f64 {
+    match (a, b) {
+        (Value::Array(a), Value::Array(b)) => {
+            a.iter().zip(b).map(|(a, b)| difference(a, b)).fold(0.0, f64::max)
+        }
+        (Value::Object(a), Value::Object(b)) => {
+            a.iter().map(|(key, value)| difference(value, &b[key])).fold(0.0, f64::max)
+        }
+        _ => match (a.as_f64(), b.as_f64()) {
+            (Some(a), Some(b)) => (a - b).abs() / a.abs().max(1.0),
+            _ => f64::from(u8::from(a != b)),
+        },
+    }
+}
+
+#[test]
+fn units_give_the_motion_of_the_numbers() {
+    let plain = state("units_plain", PLAIN);
+    assert_eq!(state("units_decimal", DECIMAL), plain);
+    let circular = difference(&state("units_circular", CIRCULAR), &plain);
+    assert!(circular < 1e-12, "{circular:e}");
+    // rates in an array, and angles where there are no units
+    let by_state = |omega: &str| {
+        let top = PLAIN.split("[motion]").next().expect("a top");
+        format!("{top}[motion]\nkind = \"state\"\nalpha = [1, 0]\nbeta = [0, 0]\nomega = {omega}\n")
+    };
+    let written = state("units_omega", &by_state("[\"360 deg/s\", 1, \"1 turns/s\"]"));
+    let turns = std::f64::consts::TAU;
+    assert_eq!(written, state("units_no_omega", &by_state(&format!("[{turns:?}, 1, {turns:?}]"))));
+    let angle = |angle: &str| {
+        format!("units = \"none\"\n{}nutation_phase = {angle}\n", branch_points([0.2, 0.8, 1.5], 1))
+    };
+    let half = state("units_phase", &angle("\"90 deg\""));
+    assert_eq!(half, state("units_no_phase", &angle("1.5707963267948966")));
+    assert!(difference(&half, &state("units_other_phase", &angle("1.57"))) > 1e-4);
+}
+
+/// A sweep replaces a number with a unit, and every other command reads the same keys.
+#[test]
+fn every_command_reads_units() {
+    let [plain, decimal] =
+        [("units_a", PLAIN), ("units_b", DECIMAL)].map(|(name, text)| scenario(name, text));
+    for command in [
+        &["sweep", "--axis", "tilt_deg=10,30", "--axis", "mass=0.04..0.06/3", "-o", "-"][..],
+        &["bake", "--name", "top"],
+        &["events", "--kind", "turning"],
+    ] {
+        let [plain, decimal] = [&plain, &decimal].map(|file| {
+            let output = run(&[&command[..1], &[file], &command[1..]].concat());
+            assert_eq!(output.status.code(), Some(0), "{command:?}: {}", stderr(&output));
+            String::from_utf8(output.stdout).expect("text").replace("units_b", "units_a")
+        });
+        assert!(plain.lines().count() > 1 && decimal == plain, "{command:?}:\n{plain}\n{decimal}");
+    }
+    let views = [&plain, &decimal].map(|file| {
+        let page = format!("{file}.html");
+        assert_eq!(run(&["view", file, "-o", &page]).status.code(), Some(0));
+        std::fs::read_to_string(page).expect("a page").replace("units_b", "units_a")
+    });
+    assert!(views[0] == views[1], "the pages of two scenarios of one motion differ");
+}
+
+/// A message names the file, the key and the units.
+#[test]
+fn wrong_units_are_refused() {
+    let cases = [
+        (DECIMAL, "\"50 g\"", "\"50 g/s\"", "top.mass: \"50 g/s\": must be a number, a space and a unit"),
+        (DECIMAL, "\"50 g\"", "\"50g\"", "as \"2.5 kg\"; units: kg, g, mg"),
+        (DECIMAL, "\"50 g\"", "\"g\"", "top.mass"),
+        (DECIMAL, "\"50 g\"", "\"1e999 g\"", "top.mass"),
+        (DECIMAL, "\"50 g\"", "\"-50 g\"", "top.mass: must be"),
+        (DECIMAL, "\"150 rad/s\"", "\"150 kg\"", "motion.spin: \"150 kg\""),
+        (DECIMAL, "\"150 rad/s\"", "\"150\"", "units: rad/s, deg/s, rpm, turns/s"),
+        (
+            DECIMAL,
+            "\"20 deg\"",
+            "20",
+            "motion.tilt: must be a text with a unit, as \"20 deg\", or tilt_deg a number",
+        ),
+        (DECIMAL, "\"20 deg\"", "\"20 m\"", "units: deg, rad, turns"),
+        (DECIMAL, "\"20 deg\"", "\"180.5 deg\"", "motion.tilt: must be from 0 to 180 deg"),
+        (DECIMAL, "tilt =", "tilt_deg = 20\ntilt =", "motion.tilt: allowed only without tilt_deg"),
+        (DECIMAL, "tilt =", "tilt_deg =", "motion.tilt_deg: must be"),
+        (DECIMAL, "[top]", "units = \"none\"\n[top]", "must be a number, because of units = \"none\""),
+        (PLAIN, "kind = \"release\"\ntilt_deg", "kind = \"state\"\ntilt", "motion.azimuth_deg: unknown"),
+    ];
+    for (index, (text, from, to, message)) in cases.iter().enumerate() {
+        assert!(text.contains(from), "{from}");
+        let file = scenario(&format!("units_wrong_{index}"), &text.replacen(from, to, 1));
+        let output = run(&["constants", &file]);
+        let error = stderr(&output);
+        assert_eq!(output.status.code(), Some(2), "{from} {to}: {error}");
+        assert!(error.contains(message) && error.contains(&file), "{error}");
+        assert_eq!(error.matches('\n').count(), 1, "{error}");
+    }
+}
