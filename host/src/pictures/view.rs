@@ -28,7 +28,7 @@ pub const NOT_LIVE: &str = "view: the page plays this motion only; for one with 
                             wasm32-unknown-unknown, then install toytop again";
 
 /// Scripts of every page, in the order of dependence.
-const SCRIPTS: [&str; 22] = [
+const SCRIPTS: [&str; 25] = [
     include_str!("view/engine.js"),
     include_str!("view/scenario.js"),
     include_str!("view/geometry.js"),
@@ -47,7 +47,10 @@ const SCRIPTS: [&str; 22] = [
     include_str!("view/controls.js"),
     include_str!("view/drag.js"),
     include_str!("view/player.js"),
+    include_str!("view/median_cut.js"),
+    include_str!("view/gif.js"),
     include_str!("view/save.js"),
+    include_str!("view/film.js"),
     include_str!("view/state.js"),
     include_str!("view/listen.js"),
     include_str!("view/main.js"),

@@ -56,14 +56,20 @@ function setScenario(scenario, { settle = false, name } = {}) {
   return true;
 }
 
+/** What is drawn of a time. */
+function frameAt(t) {
+  const now = place(scene, core.at(t));
+  const { view, colours, scenario } = state;
+  return { scene, scenario, now, past: [...trail.before(t), now], t, view, colours, ghost: ghostNow(t) };
+}
+
 function show() {
   pending = false;
-  const { t, view, colours, page } = state;
-  const now = place(scene, core.at(t));
+  const { t, page } = state;
   trail.forget(t);
   if (stretch?.page !== page) stretch = { page, ...stretchOf(trail, scene, page) };
-  const ghost = ghostNow(t);
-  const frame = { scene, scenario: state.scenario, now, past: [...trail.before(t), now], stretch, t, view, colours, ghost };
+  const frame = { ...frameAt(t), stretch };
+  const { now, colours } = frame;
   shown = { ...now, t, frame };
   drawScene(element("scene-picture"), frame);
   drawSphere(element("sphere-picture"), frame);

@@ -3,6 +3,7 @@
 //! Run by `cargo xtask test --only browser`, which provides Chromium and names it in `CHROMIUM`.
 
 mod controls;
+mod film;
 mod speed;
 
 use super::{element, folder, view};
