@@ -10,8 +10,8 @@ const STEM = [[1.36, 0.085], [1.5, 0.065], [1.68, 0.062], [1.74, 0.085], [1.79, 
 const STEM_FROM = 1.3;
 
 const SECTORS = 48;
-/** Radius of a part that is drawn with a quarter of the faces. */
-const THIN = 0.14;
+/** How many sectors a face covers, by its radius: so many that an edge is nowhere more than a hundredth of a unit off the circle. */
+const sectorsAt = (radius) => (radius < 0.14 ? 4 : radius < 0.5 ? 2 : 1);
 const PAINT = { red: [196, 58, 43], cream: [246, 232, 202], wood: [205, 152, 92], metal: [150, 158, 168], mark: [38, 84, 160] };
 
 /** What is painted at a height and a sector: rings that stay, and petals and a stripe that turn. */
@@ -44,7 +44,7 @@ function smooth(points, length) {
   return [...stretches.flat(), points[points.length - 1]];
 }
 
-/** A body of revolution in its own coordinates: rings of corners, and the faces between them with their colours. */
+/** A body of revolution in its own coordinates: rings of points, all points, and the faces between them by the points' numbers. */
 function bodyOf(outline, paint) {
   const angle = (sector) => (2 * Math.PI * (sector - SECTORS / 24)) / SECTORS;
   const ring = ([z, r]) => Array.from({ length: SECTORS }, (_, i) => [r * Math.cos(angle(i)), r * Math.sin(angle(i)), z]);
@@ -53,17 +53,16 @@ function bodyOf(outline, paint) {
   for (let i = 0; i + 1 < rings.length; i++) {
     const [[z0, r0], [z1, r1]] = [outline[i], outline[i + 1]];
     if (z1 === z0 && r1 === r0) continue;
-    // a thin part needs fewer faces
-    const width = Math.max(r0, r1) < THIN ? 4 : 1;
+    const width = sectorsAt(Math.max(r0, r1));
     for (let j = 0; j < SECTORS; j += width) {
       const middle = angle(j + 0.5 * width);
       const normal = unit([(z1 - z0) * Math.cos(middle), (z1 - z0) * Math.sin(middle), r0 - r1]);
       const next = (j + width) % SECTORS;
-      const corners = [[i, j], [i, next], [i + 1, next], [i + 1, j]];
+      const corners = [[i, j], [i, next], [i + 1, next], [i + 1, j]].map(([ring, sector]) => SECTORS * ring + sector);
       faces.push({ corners, normal, colour: paint((z0 + z1) / 2, j, (r0 + r1) / 2) });
     }
   }
-  return { rings, faces };
+  return { rings, points: rings.flat(), faces };
 }
 
 /** The top, for a greatest radius in units of s. */
@@ -100,16 +99,19 @@ function light(camera) {
   return unit(sum(sum([0, 0, 0.9], camera.back, 0.55), camera.right, -0.6));
 }
 
-/** The faces that are seen, the farthest first. `place` takes body coordinates to space, `rotate` directions. */
+/**
+ * The faces that are seen, the farthest first. `place` takes body coordinates to space, `rotate` directions. The loops of this file
+ * go over hundreds of faces for each picture, and make no arrays that they can do without.
+ */
 function seenFaces(camera, body, { place, rotate }) {
-  const space = body.rings.map((ring) => ring.map(place));
-  const pixels = space.map((ring) => ring.map((point) => camera.project(point)));
+  const space = body.points.map(place);
+  const pixels = space.map((point) => camera.project(point));
   const seen = [];
   for (const face of body.faces) {
-    const [[i, j], , [k, l]] = face.corners;
-    const [p, q] = [space[i][j], space[k][l]];
+    const [first, , third] = face.corners;
+    const [p, q] = [space[first], space[third]];
     const n = rotate(face.normal);
-    if (dot(n, camera.position) > 0.5 * (dot(n, p) + dot(n, q))) seen.push({ face, n, depth: pixels[i][j][2] + pixels[k][l][2] });
+    if (dot(n, camera.position) > 0.5 * (dot(n, p) + dot(n, q))) seen.push({ face, n, depth: pixels[first][2] + pixels[third][2] });
   }
   return { space, pixels, seen: seen.sort((a, b) => b.depth - a.depth) };
 }
@@ -125,23 +127,27 @@ function cut(points, side) {
 
 /** Places on the sheet of what of a face is to be drawn; side 0 is all of it. */
 function outlineOf(camera, { space, pixels }, { corners }, side) {
-  const within = ([i, j]) => side * space[i][j][2] >= 0;
-  if (side === 0 || corners.every(within)) return corners.map(([i, j]) => pixels[i][j]);
-  if (!corners.some(within)) return [];
-  const part = cut(corners.map(([i, j]) => space[i][j]), side);
+  let within = 0;
+  for (const corner of corners) {
+    if (side * space[corner][2] >= 0) within++;
+  }
+  if (within === corners.length) return corners.map((corner) => pixels[corner]);
+  if (within === 0) return [];
+  const part = cut(corners.map((corner) => space[corner]), side);
   return part.map((point) => camera.project(point));
 }
 
 /** Path of a face, each corner of which is a little further out: the background would show between two faces otherwise. */
 function traceFace(pen, outline) {
   let [middleX, middleY] = [0, 0];
-  for (const [x, y] of outline) {
-    middleX += x / outline.length;
-    middleY += y / outline.length;
+  for (const place of outline) {
+    middleX += place[0] / outline.length;
+    middleY += place[1] / outline.length;
   }
   pen.beginPath();
-  for (const [x, y] of outline) {
-    const [dx, dy] = [x - middleX, y - middleY];
+  for (const place of outline) {
+    const dx = place[0] - middleX;
+    const dy = place[1] - middleY;
     const share = 1 + 0.8 / Math.max(0.2, Math.sqrt(dx * dx + dy * dy));
     pen.lineTo(middleX + share * dx, middleY + share * dy);
   }

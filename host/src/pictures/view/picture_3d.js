@@ -46,7 +46,8 @@ function drawScene(canvas, frame) {
   const { scene, now, colours } = frame;
   const { pen, size } = sheet(canvas, colours.card);
   const camera = cameraOf(frame, size);
-  const place = (point) => sum(baseOf(scene, now), now.rotate(point));
+  const base = baseOf(scene, now);
+  const place = (point) => sum(base, now.rotate(point));
   const faces = seenFaces(camera, scene.body, { place, rotate: now.rotate });
   if (scene.slides) drawSliding(pen, size, camera, frame, faces, place);
   else drawAround(pen, size, camera, frame, faces);

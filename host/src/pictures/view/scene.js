@@ -13,13 +13,16 @@ function circlesOf({ regime, e1, e2, one_plus_e1, one_minus_e2 }) {
 
 const isVertical = (regime) => regime.startsWith("sleeping") || regime === "hanging";
 
+/** In how many parts a period is drawn: more where the axis rests for the most of it, near the separatrix, and falls in the rest. */
+const partsOf = ({ period, natural_time }) => Math.round(Math.max(48, Math.min(160, (48 * period) / natural_time)));
+
 /** How long a curve is followed, s, and in how many parts: once round the centre, within bounds. */
 function spanOf(shown, core) {
   const { regime, period, phi_per_period, natural_time } = shown;
   const round = (2 * Math.PI) / Math.abs(phi_per_period);
   if (regime === "nutating") {
     const periods = round > 96 ? 3 : Math.max(3, Math.min(24, Math.ceil(round)));
-    return { span: periods * period, parts: Math.min(MOST_POINTS - 1, periods * 80) };
+    return { span: periods * period, parts: periods * partsOf(shown) };
   }
   if (regime === "aperiodic") return { span: riseOf(core, natural_time), parts: 1600 };
   const once = round * period;

@@ -11,6 +11,8 @@ play(false);
 go(0.5);
 await settled();
 let file;
+// reading a real one waits for another process, and Chromium's time does not wait for that
+window.Blob = class { constructor([bytes], { type }) { Object.assign(this, { bytes, type }); } };
 window.download = (name, blob) => { file = { name, blob }; };
 const digits = Array.from({ length: 256 }, (_, byte) => byte.toString(16).padStart(2, '0'));
 const hexadecimal = (bytes) => Array.from(bytes, (byte) => digits[byte]).join('');
@@ -18,7 +20,7 @@ const button = element('gif');
 button.click();
 await new Promise((done) => setTimeout(done, 0));
 const progress = button.textContent;
-for (let waited = 0; waited < 400 && !file; waited++) await settled();
+for (let waited = 0; waited < 150 && !file; waited++) await settled();
 const canvas = filmCanvas(element('scene-picture'), FILM.width);
 const drawn = [0, 1, 50, 99].map((i) => pixelsOf(canvas, frameAt(0.5 + 0.06 * i * state.speed)).slice());
 const whole = file;
@@ -29,7 +31,7 @@ await set('spin-field', '123', 'change');
 await settled();
 return {
   progress, name: whole.name, type: whole.blob.type, label: button.textContent, isSaved: file !== undefined,
-  size: [canvas.width, canvas.height], bytes: hexadecimal(new Uint8Array(await whole.blob.arrayBuffer())), drawn: drawn.map(hexadecimal),
+  size: [canvas.width, canvas.height], bytes: hexadecimal(whole.blob.bytes), drawn: drawn.map(hexadecimal),
 };
 ";
 
