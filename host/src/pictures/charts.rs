@@ -48,6 +48,11 @@ fn bounds(motion: &Motion) -> Vec<(&'static str, f64)> {
     }
 }
 
+/// Angle in degrees to nine decimals: an axis that stays in a plane has an azimuth that is constant but for roundings; the sum has no -0.
+fn without_rounding(degrees: f64) -> f64 {
+    (degrees * 1e9).round() / 1e9 + 0.0
+}
+
 /// Azimuth of the axis, continued, against time, and its mean motion.
 ///
 /// # Errors
@@ -58,10 +63,10 @@ pub(crate) fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Fail
         Failure::Method("the axis is vertical at all times, so that it has no azimuth".to_owned())
     })?;
     let turn = if start > 0.0 { -PI } else { PI };
-    let degrees = |t: f64| [t, (span.at(t).phi.unwrap_or(f64::NAN) + turn).to_degrees()];
+    let degrees = |t: f64| [t, without_rounding((span.at(t).phi.unwrap_or(f64::NAN) + turn).to_degrees())];
     let mut curves = vec![curve("azimuth of the axis", span.times(POINTS).map(degrees).collect())];
     if let Some(advance) = scenario.motion.period_advance() {
-        let rate = (advance.phi_per_period() / advance.period).to_degrees();
+        let rate = without_rounding(advance.phi_per_period().to_degrees()) / advance.period;
         let [from, until] = span.ends();
         let [_, first] = degrees(from);
         let mean = vec![[from, first], [until, first + rate * (until - from)]];

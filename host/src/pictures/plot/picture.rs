@@ -83,6 +83,11 @@ pub fn draw(scenario: &Scenario, curve: &Curve, caption: &[String]) -> Scene {
     for (line, y) in caption.iter().zip([51.0, 67.0]) {
         scene.add(text(line, [LEFT + 0.5 * SIDE, y], 12, CAPTION));
     }
+    if curve.circles.is_empty() {
+        let rests =
+            format!("The axis is vertical for ever: the {} rests.", name.split(',').next().unwrap_or(name));
+        scene.add(text(&rests, [LEFT + 0.5 * SIDE, ABOVE + 0.5 * SIDE + 30.0], 14, CAPTION));
+    }
     let [from, until] = [curve.start, curve.start + curve.time].map(|t| short(t, 4));
     let shown = format!("t = {from} to {until}{}", scenario.units.name(" s"));
     scene.add(text(&shown, [LEFT + 0.88 * SIDE, ABOVE + SIDE + BELOW - 12.0], 12, CAPTION));
@@ -166,7 +171,8 @@ fn legend(curve: &Curve, name: &str) -> Vec<Plot> {
         let named = bound().with_legend(format!("ρ at {}", circle.name));
         plots.push(named.with_line_style(dash.style.clone()).into());
     }
-    plots.push(start().with_legend("start, direction").into());
+    let start_name = if curve.circles.is_empty() { "start" } else { "start, direction" };
+    plots.push(start().with_legend(start_name).into());
     plots
 }
 

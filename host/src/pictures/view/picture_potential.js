@@ -78,12 +78,14 @@ function drawPotential({ pen, size }, { scene, now, colours }) {
   if (scene.e.length > 2) pen.fillText("not to scale", 0.5 * (x(range[1]) + right), size[1] - 4);
   scene.e.forEach((root, i) => {
     const close = i && Math.abs(x(root) - x(scene.e[i - 1])) < 17;
+    // beside the curve, where there is room between two roots
+    const aside = x(scene.e[1]) - x(scene.e[0]) > 44 ? [9, -9, 9][i] : 0;
     disc(pen, [x(root), zero], 6.5, colours.card);
     pen.beginPath();
     pen.arc(x(root), zero, 6.5, 0, 2 * Math.PI);
     stroke(pen, colours.tip, 2);
     write(pen, colours.ink, "center", 12);
-    pen.fillText(`e${"₁₂₃"[i]}`, x(root), close ? zero + 22 : zero - 11);
+    pen.fillText(`e${"₁₂₃"[i]}`, x(root) + (close ? 0 : aside), close ? zero + 22 : zero - 11);
   });
   disc(pen, [x(now.axis[2]), y(now.axis[2])], 5, colours.axis);
 }

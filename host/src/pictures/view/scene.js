@@ -13,8 +13,11 @@ function circlesOf({ regime, e1, e2, one_plus_e1, one_minus_e2 }) {
 
 const isVertical = (regime) => regime.startsWith("sleeping") || regime === "hanging";
 
-/** In how many parts a period is drawn: more where the axis rests for the most of it, near the separatrix, and falls in the rest. */
-const partsOf = ({ period, natural_time }) => Math.round(Math.max(48, Math.min(160, (48 * period) / natural_time)));
+/**
+ * In how many parts a period is drawn: more where the axis rests for the most of it, near the separatrix, and falls in the rest. The
+ * number is even, so that a motion that begins at one turning point has a point at the other.
+ */
+const partsOf = ({ period, natural_time }) => 2 * Math.round(Math.max(24, Math.min(80, (30 * period) / natural_time)));
 
 /** How long a curve is followed, s, and in how many parts: once round the centre, within bounds. */
 function spanOf(shown, core) {
