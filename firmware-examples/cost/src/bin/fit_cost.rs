@@ -8,8 +8,8 @@
 mod imu;
 #[path = "../measure.rs"]
 mod measure;
-#[path = "../../../src/throw.rs"]
-mod throw;
+#[path = "../../../src/top.rs"]
+mod top;
 
 use core::hint::black_box;
 
@@ -27,7 +27,7 @@ use riscv_rt::entry;
 
 #[entry]
 fn main() -> ! {
-    let motion = throw::toy_top().expect("a possible top");
+    let motion = top::toy_top().expect("a possible top");
     let sensors: [&dyn Sensor<f32>; 3] = [&imu::GYROSCOPE, &imu::ACCELEROMETER, &imu::MAGNETOMETER];
     let mut fit = Fit::new(motion.top(), &sensors, &[]).expect("three sensors");
     let mut meter = measure::Meter::new();
