@@ -22,6 +22,8 @@ mod rows;
 
 mod model;
 
+mod window;
+
 mod pass;
 
 mod beginning;
@@ -45,6 +47,7 @@ use crate::fit::pass::{Pass, Progress, SETTLED};
 use crate::fit::path::Path;
 use crate::fit::rows::Rows;
 use crate::fit::tracking::Prior;
+use crate::fit::window::Window;
 use crate::scalar::Real;
 use crate::top::Top;
 
@@ -56,6 +59,10 @@ pub const MOST_RATIOS: usize = 4;
 const FIRST_WINDOW: usize = 16;
 /// Size of a correction, in standard deviations, with which a window is done.
 const NEAR: f64 = 0.5;
+/// Number of measurements to which the windows behind the first two are thinned, and to which all are before the last
+/// passes. The launch is then some standard deviations from the best one, and one pass over all corrects it.
+const THINNED: usize = 192;
+const LAST_THINNED: usize = 512;
 /// Fit of a launch to measurements.
 ///
 /// The unknowns are the launch, the ratios that are free, and a constant bias of each component of the sensors that
@@ -74,6 +81,9 @@ pub struct Fit<'a, F = f64> {
     current: Pass<F>,
     /// Marquardt's damping.
     damping: f64,
+    /// Size of the last correction on the same measurements, and that of a correction by the square of the one before.
+    last_change: Option<f64>,
+    curvature: f64,
     path: Path<F>,
     rows: Rows<F>,
     /// Derivatives of the ratios by the unknowns.
@@ -115,6 +125,8 @@ impl<'a, F: Real> Fit<'a, F> {
             best: pass,
             current: pass,
             damping: 1e-3,
+            last_change: None,
+            curvature: f64::INFINITY,
             path: model.path(),
             rows: Rows::new(model.common()),
             shares: model.shares(&pass.launch),
@@ -147,15 +159,25 @@ impl<'a, F: Real> Fit<'a, F> {
         let mut reason = self.reason(found.progress);
         if matches!(reason, Some(Reason::Misfit | Reason::NotSettled)) && self.has_rates(measurements.clone())
         {
-            let best = self.best;
-            if self.fits_in_degrees(measurements.clone(), best.statistics.chi_squared)? {
-                reason = Some(Reason::RatesInDegrees);
-            } else if self.is_at_rest(measurements) {
-                reason = Some(Reason::AtRest);
-            }
-            self.best = best;
+            reason = self.cause(measurements)?.or(reason);
         }
-        Ok(Fitted { rivals: found.rivals, ..self.fitted(found.epoch, reason) })
+        Ok(self.fitted(found.epoch, reason, found.rivals))
+    }
+
+    /// Cause of residuals that are too large, if it is one that can be told. The best launch stays.
+    #[inline(never)] // the copy of a pass is on the stack while it works only
+    fn cause<I>(&mut self, measurements: I) -> Result<Option<Reason>, FitError>
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
+        let best = self.best;
+        let cause = if self.fits_in_degrees(measurements.clone(), best.statistics.chi_squared)? {
+            Some(Reason::RatesInDegrees)
+        } else {
+            self.is_at_rest(measurements).then_some(Reason::AtRest)
+        };
+        self.best = best;
+        Ok(cause)
     }
 
     /// Launch from all measurements, from a first guess at the time of the first measurement.
@@ -169,7 +191,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let (epoch, _) = self.checked(measurements.clone())?;
         self.start(guess);
         let progress = self.settle_finally(measurements);
-        Ok(self.fitted(epoch, self.reason(progress)))
+        Ok(self.fitted(epoch, self.reason(progress), 0))
     }
 
     /// Whether the measurements fit better by far when the rates are read as degrees per unit time.
@@ -202,33 +224,38 @@ impl<'a, F: Real> Fit<'a, F> {
         }
         // the best of the guesses on short windows, where no phase can be off by a turn
         let mut count = 4 * FIRST_WINDOW * self.sensors.len();
-        let mut best: Option<Pass<F>> = None;
+        let mut best: Option<(Launch, f64)> = None;
         let mut rivals = 0;
         for guess in beginning.guesses() {
             self.start(guess);
-            self.settle(measurements.clone().take(count / 4), SETTLED);
-            self.settle(measurements.clone().take(count), SETTLED);
-            let found = self.best;
-            if best.is_none_or(|best| found.cost < best.cost) {
+            self.settle(Window::first(measurements.clone(), count / 4, 1), NEAR);
+            self.settle(Window::first(measurements.clone(), count, 1), SETTLED);
+            let found = (self.best.launch, self.best.cost);
+            if best.is_none_or(|(_, least)| found.1 < least) {
                 best = Some(found);
             }
         }
-        if let Some(best) = best {
+        if let Some((launch, cost)) = best {
             // another guess that led to another launch and fits as well
             for guess in beginning.guesses().filter(|_| beginning.is_ambiguous()) {
                 self.start(guess);
-                self.settle(measurements.clone().take(count), SETTLED);
-                let other = self.best;
-                if other.cost < best.cost + 9.0 && other.launch.distance(&best.launch) > 0.3 {
+                self.settle(Window::first(measurements.clone(), count, 1), SETTLED);
+                let other = &self.best;
+                if other.cost < cost + 9.0 && other.launch.distance(&launch) > 0.3 {
                     rivals += 1;
                 }
             }
-            self.best = best;
+            self.best.launch = launch;
         }
         // each window begins from a launch that is good enough for it
         while count.saturating_mul(8) < total {
             count = count.saturating_mul(4);
-            self.settle(measurements.clone().take(count), NEAR);
+            self.settle(Window::first(measurements.clone(), count, count / THINNED), NEAR);
+        }
+        // that of a shorter window does not say how far the equations are linear over all measurements
+        self.curvature = f64::INFINITY;
+        if total / LAST_THINNED > 1 {
+            self.settle(Window::first(measurements.clone(), total, total / LAST_THINNED), NEAR);
         }
         let progress = self.settle_finally(measurements);
         Ok(Found { epoch, progress, rivals })

@@ -8,12 +8,16 @@ use toytop::{Complex, Orientation};
 
 /// Samples a second.
 pub const SAMPLE_RATE: u32 = 1000;
+/// Time between two samples, s.
+const SAMPLE_TIME: f64 = 1.0 / SAMPLE_RATE as f64;
 /// Range of the gyroscope, rad/s: 2000 degrees per second.
 const GYROSCOPE_RANGE: f64 = 34.906_585_039_886_59;
 /// Range of the accelerometer, m/s^2: 16 g.
 const ACCELEROMETER_RANGE: f64 = 157.0;
-/// Unit of the magnetometer, microtesla.
-const MAGNETIC_UNIT: f64 = 0.15;
+/// Units of the registers: rad/s, m/s^2 and microtesla.
+const GYROSCOPE_UNIT: f32 = (GYROSCOPE_RANGE / 32768.0) as f32;
+const ACCELEROMETER_UNIT: f32 = (ACCELEROMETER_RANGE / 32768.0) as f32;
+const MAGNETIC_UNIT: f32 = 0.15;
 /// Number of samples for each reading of the magnetometer.
 const EVERY: usize = 10;
 /// Mounting at the centre of mass, along the axes of the body.
@@ -41,19 +45,20 @@ pub const MAGNETOMETER: Magnetometer = Magnetometer {
 /// Measurements of the gyroscope (0), the accelerometer (1) and the magnetometer (2), in SI units and microtesla.
 pub fn measurements() -> impl Iterator<Item = Measurement> + Clone {
     table::INERTIAL.iter().enumerate().flat_map(|(n, registers)| {
-        let time = n as f64 / f64::from(SAMPLE_RATE);
-        let three = |registers: &[i16], unit: f64| {
+        let time = n as f64 * SAMPLE_TIME;
+        // a product in f32 keeps the digits of a register, and is an instruction of a Cortex-M4F
+        let three = |registers: &[i16], unit: f32| {
             let mut values = [0.0; 4];
             for (value, register) in values.iter_mut().zip(registers) {
-                *value = f64::from(*register) * unit;
+                *value = f64::from(f32::from(*register) * unit);
             }
             values
         };
         let (gyroscope, accelerometer) = registers.split_at(3);
         let magnetic = table::MAGNETIC.get(n / EVERY).filter(|_| n % EVERY == 0);
         [
-            Some((0, three(gyroscope, GYROSCOPE_RANGE / 32768.0))),
-            Some((1, three(accelerometer, ACCELEROMETER_RANGE / 32768.0))),
+            Some((0, three(gyroscope, GYROSCOPE_UNIT))),
+            Some((1, three(accelerometer, ACCELEROMETER_UNIT))),
             magnetic.map(|registers| (2, three(registers, MAGNETIC_UNIT))),
         ]
         .into_iter()

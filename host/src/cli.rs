@@ -15,7 +15,7 @@ pub use measure::CompareArgs;
 
 pub(crate) use benchmark::BenchmarkArgs;
 pub(crate) use events::{EventsArgs, Kind, What};
-pub(crate) use fit::{FitArgs, FreeKey, SimulateArgs};
+pub(crate) use fit::{FitArgs, SimulateArgs};
 pub(crate) use many::{SweepArgs, SweepFiles};
 pub(crate) use measure::{AccuracyArgs, BenchArgs, BudgetArgs, ErrataArgs, FiguresArgs};
 pub(crate) use motion::{

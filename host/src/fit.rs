@@ -1,7 +1,11 @@
-//! Measurements of a top: sensors from a file, samples as CSV, simulated samples.
+//! Measurements of a top: sensors from a file, samples as columns, simulated samples, and the launch that is fitted to them.
 
+pub mod columns;
+pub mod free;
+#[cfg(feature = "program")]
 pub mod pictures;
 pub mod report;
+pub mod residuals;
 pub mod sensors;
 pub mod simulated;
 pub mod table;

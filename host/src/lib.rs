@@ -34,7 +34,6 @@ pub mod commands;
 #[cfg(feature = "program")]
 pub mod errata;
 mod failure;
-#[cfg(feature = "program")]
 pub mod fit;
 #[cfg(feature = "program")]
 pub mod full_equations;

@@ -117,6 +117,33 @@ fn a_launch_is_found_though_the_gyroscope_is_blind_along_the_axis() {
     }
 }
 
+/// One pass over all measurements may be enough: its launch, its error bars and its sum of squares are those of more passes.
+#[test]
+fn the_error_bars_are_those_of_the_launch() {
+    let sensors: [&dyn Sensor; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
+    // the y component of ω is about 0, so that the error of the x component by that of the yaw depends on the launch
+    let top = sliding();
+    let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).unwrap();
+    let motion = Motion::launch(&top, &state).unwrap();
+    for seed in 0..8 {
+        let measurements = readings(&motion, &sensors, 1000, 31 + seed);
+        let found = fitted(&top, &sensors, &measurements);
+        let mut fit = Fit::new(&top, &sensors, &[]).unwrap();
+        let again = fit.run_from(found.launch, measurements.iter().copied()).unwrap();
+        assert!(found.converged() && again.converged(), "{seed}: {:?} {:?}", found.reason, again.reason);
+        for k in 0..6 {
+            let ratio = found.deviations()[k] / again.deviations()[k];
+            assert!((ratio - 1.0).abs() < 0.1, "{seed}: unknown {k}: {ratio}");
+        }
+        for k in 0..3 {
+            let off = (found.launch.omega[k] - again.launch.omega[k]) / again.deviations()[3 + k];
+            assert!(off.abs() < 0.1, "{seed}: omega {k}: {off}");
+        }
+        let off = found.statistics.chi_squared - again.statistics.chi_squared;
+        assert!(off.abs() < 10.0, "{seed}: {off}");
+    }
+}
+
 #[test]
 fn yaw_without_a_magnetometer_is_said_to_be_undetermined() {
     let sensors: [&dyn Sensor; 2] = [&GYROSCOPE, &ACCELEROMETER];

@@ -37,6 +37,7 @@ pub(super) struct Beginning {
 
 impl Beginning {
     /// Guesses from the first instants.
+    #[inline(never)] // the instants are on the stack while it works only
     pub(super) fn of<F: Real>(fit: &Fit<'_, F>, measurements: impl Iterator<Item = Measurement>) -> Self {
         let mut instants = [Instant::default(); FIRST_WINDOW];
         let mut count = 0_usize;

@@ -92,17 +92,17 @@ fn unused<F: Real>() -> F {
 }
 
 /// Standard deviations: infinite where the reading is at the end of the range.
-fn within<F: Real>(range: f64, reading: Vector<f64>, deviation: f64) -> Vector<F> {
-    let deviation = F::from_f64(deviation);
-    reading.map(|x| if libm::fabs(x) < range { deviation } else { unused() })
+fn within<F: Real>(range: f64, reading: Vector<F>, deviation: f64) -> Vector<F> {
+    let [range, deviation] = [range, deviation].map(F::from_f64);
+    reading.map(|x| if x.abs() < range { deviation } else { unused() })
 }
 
 impl<F: Real> Sensor<F> for Gyroscope {
     fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
-        let reading = three(values);
+        let reading = cast(three(values));
         let axes = self.mounting.axes(at);
         Prediction {
-            difference: minus(cast(reading), at.omega_in(&axes, self.mounting.axis())),
+            difference: minus(reading, at.omega_in(&axes, self.mounting.axis())),
             deviation: within(self.range, reading, self.noise.deviation),
             columns: at.each(|tangent| along(&axes, tangent.eta)),
         }
@@ -124,10 +124,10 @@ impl<F: Real> Sensor<F> for Gyroscope {
 
 impl<F: Real> Sensor<F> for Accelerometer {
     fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
-        let reading = three(values);
+        let reading = cast(three(values));
         let (force, columns) = at.force_in(&self.mounting.axes(at), cast(self.mounting.place));
         Prediction {
-            difference: minus(cast(reading), force),
+            difference: minus(reading, force),
             deviation: within(self.range, reading, self.noise.deviation),
             columns,
         }

@@ -74,6 +74,7 @@ impl Model {
     }
 
     /// Motion of a launch.
+    #[inline(never)]
     pub(crate) fn motion(&self, launch: &Launch) -> Option<Motion> {
         let top = if self.free_count == 0 {
             self.top
@@ -243,6 +244,34 @@ impl Model {
             omega: turn.adjoint(total(launch.omega, eta, 1.0)),
             rest,
         }
+    }
+
+    /// Information about changes of the launch after a correction, from that about changes of the launch before it.
+    ///
+    /// A rotation of everything by θ changes ω by θ × ω: with ω the row of a measurement by θ changes, which matters
+    /// where the rotation is poorly known. What stays is the row by θ and by the change of ω that an observer sees who
+    /// turns with θ, in the frame that the correction turned.
+    pub(crate) fn carried<F: Real>(
+        &self,
+        information: &Triangle<F>,
+        before: &Launch,
+        change: &Unknowns<F>,
+        after: &Launch,
+    ) -> Triangle<F> {
+        let [t1, t2, t3, ..] = change.map(F::to_f64);
+        let turn = Orientation::exp([t1, t2, t3]);
+        information.mapped(|row| {
+            let [x, y, z, p, q, r, ..] = row.map(F::to_f64);
+            let by_omega = [p, q, r];
+            let by_theta = turn.adjoint(total([x, y, z], bracket(before.omega, by_omega), 1.0));
+            let by_omega = turn.adjoint(by_omega);
+            let by_theta = total(by_theta, bracket(after.omega, by_omega), -1.0);
+            let mut carried = row;
+            for (slot, entry) in carried.iter_mut().zip(by_theta.into_iter().chain(by_omega)) {
+                *slot = F::from_f64(entry);
+            }
+            carried
+        })
     }
 
     /// Directions of the launch that the information does not determine to one unit.

@@ -5,11 +5,18 @@ use crate::fit::launch::Launch;
 use crate::fit::outcome::{Fitted, Reason, Statistics};
 use crate::fit::sensor::{Hint, Measurement};
 use crate::fit::triangle::{MOST_UNKNOWNS, Triangle};
+use crate::fit::window::Window;
 use crate::scalar::Real;
 
 /// Size of a correction, in standard deviations, below which the fit has converged. The next one would be about its
 /// square.
 pub(super) const SETTLED: f64 = 0.05;
+/// Estimate of the next correction, in standard deviations, which a fit that has converged does without, and the largest
+/// correction after which it may.
+const LEFT: f64 = 0.1;
+const MOST_UNSEEN: f64 = 10.0;
+/// Sine of the tilt from which this holds.
+const LEANING: f64 = 0.1;
 /// Change of the sum of squares that may come from the error of the integration.
 const ROUNDING: f64 = 0.05;
 /// Passes that one window of measurements may take.
@@ -24,6 +31,43 @@ pub(super) struct Pass<F> {
     pub(super) information: Triangle<F>,
     pub(super) statistics: Statistics,
     pub(super) cost: f64,
+}
+
+/// Sums over the residuals of a pass.
+#[derive(Clone, Copy)]
+struct Sums<F> {
+    cost: Sum<F>,
+    squares: Sum<F>,
+    largest: F,
+}
+
+impl<F: Real> Default for Sums<F> {
+    fn default() -> Self {
+        let zero = Sum { high: F::ZERO, low: F::ZERO };
+        Self { cost: zero, squares: zero, largest: F::ZERO }
+    }
+}
+
+/// Sum of many numbers in two parts, so that it keeps the digits of each: a chip without `f64` takes longer for an
+/// addition in it.
+#[derive(Clone, Copy)]
+struct Sum<F> {
+    high: F,
+    low: F,
+}
+
+impl<F: Real> Sum<F> {
+    /// Adds a number, which is not negative; the rounding error of the high part goes to the low one.
+    fn add(&mut self, x: F) {
+        let high = self.high + x;
+        let taken = high - self.high;
+        self.low = self.low + ((self.high - (high - taken)) + (x - taken));
+        self.high = high;
+    }
+
+    fn to_f64(self) -> f64 {
+        self.high.to_f64() + self.low.to_f64()
+    }
 }
 
 /// Result of a correction.
@@ -56,14 +100,16 @@ impl<F: Real> Fit<'_, F> {
     /// Begins from a guess, with nothing known.
     pub(super) fn start(&mut self, guess: Launch) {
         let launch = self.model.moved(&guess, &[F::ZERO; MOST_UNKNOWNS]);
-        self.best = Pass { launch, cost: f64::INFINITY, ..self.best };
+        self.best.launch = launch;
         self.damping = 1e-3;
+        self.curvature = f64::INFINITY;
         self.restart();
     }
 
     /// Begins anew from the best launch, on another set of measurements.
     fn restart(&mut self) {
         self.best.cost = f64::INFINITY;
+        self.last_change = None;
         self.begin_pass(self.best.launch);
     }
 
@@ -85,13 +131,13 @@ impl<F: Real> Fit<'_, F> {
     ///
     /// * `settled`: size of a correction, in standard deviations, below which this is so
     #[inline(never)] // its copies would take more stack
-    pub(super) fn settle<I>(&mut self, measurements: I, settled: f64) -> Progress
+    pub(super) fn settle<I>(&mut self, window: Window<I>, settled: f64) -> Progress
     where
         I: Iterator<Item = Measurement> + Clone,
     {
         self.restart();
         for _ in 0..MOST_PASSES {
-            self.pass_over(measurements.clone());
+            self.pass_over(window.clone());
             match self.improve(settled) {
                 Progress::Again => {}
                 done => return done,
@@ -101,29 +147,30 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// One pass over the measurements with a launch.
-    pub(super) fn pass(&mut self, launch: Launch, measurements: impl Iterator<Item = Measurement>) {
+    pub(super) fn pass<I: Iterator<Item = Measurement>>(&mut self, launch: Launch, window: Window<I>) {
         self.begin_pass(launch);
-        self.pass_over(measurements);
+        self.pass_over(window);
     }
 
-    fn pass_over(&mut self, measurements: impl Iterator<Item = Measurement>) {
-        for measurement in measurements {
-            self.add(&measurement);
-            if !self.current.cost.is_finite() {
+    fn pass_over<I: Iterator<Item = Measurement>>(&mut self, window: Window<I>) {
+        let mut sums = Sums::default();
+        for measurement in window {
+            if self.add(&measurement, &mut sums).is_none() {
+                self.current.cost = f64::INFINITY;
                 return;
             }
         }
+        self.current.cost += sums.cost.to_f64();
+        self.current.statistics.chi_squared += sums.squares.to_f64();
+        self.current.statistics.largest = sums.largest.to_f64();
         self.rows.add_to(&mut self.current.information);
     }
 
-    /// Adds one measurement to the pass that is under way.
-    fn add(&mut self, measurement: &Measurement) {
+    /// Adds one measurement to the pass that is under way. `None` where its time cannot be reached.
+    fn add(&mut self, measurement: &Measurement, sums: &mut Sums<F>) -> Option<()> {
         let Measurement { time, sensor: index, mut values } = *measurement;
-        let Some(sensor) = self.sensors.get(index) else { return };
-        if self.move_to(time).is_none() {
-            self.current.cost = f64::INFINITY;
-            return;
-        }
+        let sensor = self.sensors.get(index)?;
+        self.move_to(time)?;
         if self.rate_unit != 1.0 && matches!(sensor.hint(&values), Hint::Rate { .. }) {
             values = values.map(|x| x * self.rate_unit);
         }
@@ -131,7 +178,6 @@ impl<F: Real> Fit<'_, F> {
         let bias = self.model.bias_of(index);
         let huber = F::from_f64(self.huber);
         let statistics = &mut self.current.statistics;
-        let [mut cost, mut squares, mut largest] = [F::ZERO; 3];
         let components = prediction.difference.into_iter().zip(prediction.deviation).enumerate();
         for (component, (difference, deviation)) in components {
             let per_deviation = F::ONE / deviation;
@@ -149,9 +195,9 @@ impl<F: Real> Fit<'_, F> {
             // square root of the weight
             let weight = if outlier { (huber / size).sqrt() } else { F::ONE };
             let limited = if outlier { huber } else { size };
-            cost = cost + limited * (size.doubled() - limited);
-            squares = squares + limited.squared();
-            largest = if size > largest { size } else { largest };
+            sums.cost.add(limited * (size.doubled() - limited));
+            sums.squares.add(limited.squared());
+            sums.largest = if size > sums.largest { size } else { sums.largest };
             statistics.used += 1;
             statistics.outliers += u32::from(outlier);
             let scale = weight * per_deviation;
@@ -163,9 +209,7 @@ impl<F: Real> Fit<'_, F> {
             };
             self.model.fill(row, &self.shares, column);
         }
-        statistics.chi_squared += squares.to_f64();
-        statistics.largest = statistics.largest.max(largest.to_f64());
-        self.current.cost += cost.to_f64();
+        Some(())
     }
 
     /// Computes the state and the derivatives at a time.
@@ -181,6 +225,7 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Corrects the launch after a pass.
+    #[inline(never)] // its triangles are on the stack between passes only
     fn improve(&mut self, settled: f64) -> Progress {
         let previous = self.best.cost;
         let improved = self.current.cost <= previous && self.current.cost.is_finite();
@@ -209,8 +254,22 @@ impl<F: Real> Fit<'_, F> {
             return Progress::Stuck;
         }
         let next = self.model.moved(&self.best.launch, &change);
-        if information.size(&change).to_f64() < settled {
+        let size = information.size(&change).to_f64();
+        let last_change = self.last_change.replace(size).filter(|_| improved);
+        if let Some(last) = last_change {
+            self.curvature = size / (last * last);
+        }
+        // near the vertical the derivatives themselves depend on the launch
+        let [x, y, _] = next.orientation.axis();
+        let near =
+            x * x + y * y > LEANING * LEANING && size < MOST_UNSEEN && self.curvature * size * size < LEFT;
+        if size < settled || near {
+            self.best.information = self.model.carried(&information, &self.best.launch, &change, &next);
             self.best.launch = next;
+            // by so much the correction lowers the sum of squares, as far as the equations are linear
+            self.best.cost -= size * size;
+            let statistics = &mut self.best.statistics;
+            statistics.chi_squared = (statistics.chi_squared - size * size).max(0.0);
             return Progress::Settled;
         }
         self.begin_pass(next);
@@ -233,7 +292,7 @@ impl<F: Real> Fit<'_, F> {
     }
 
     #[inline(never)] // its matrices are on the stack at the end only
-    pub(super) fn fitted(&self, epoch: f64, reason: Option<Reason>) -> Fitted {
+    pub(super) fn fitted(&self, epoch: f64, reason: Option<Reason>, rivals: usize) -> Fitted {
         let Pass { launch, information, statistics, .. } = &self.best;
         let (launch, statistics) = (*launch, *statistics);
         let unobservable = self.model.unobservable(&launch, information);
@@ -246,7 +305,7 @@ impl<F: Real> Fit<'_, F> {
             statistics,
             unobservable,
             reason,
-            rivals: 0,
+            rivals,
             count: self.model.count,
             ratios: self.model.ratios(&launch),
             directions: self.model.directions(),

@@ -137,7 +137,7 @@ impl<F: Real> Path<F> {
         if let Beyond::Repeated(period) = &self.beyond
             && count > 0.0
         {
-            let launch = flow.tangents;
+            let launch = *flow.tangents.first_chunk::<LAUNCH>()?;
             let times = F::from_f64(count);
             for (tangent, growth) in flow.tangents.iter_mut().zip(&period.growth).take(self.known) {
                 for (by, share) in launch.iter().zip(growth) {
@@ -162,6 +162,7 @@ impl<F: Real> Path<F> {
     }
 
     /// Effect of a period, if there is one that the nodes can cover.
+    #[inline(never)]
     fn period_of(&mut self, motion: &Motion) -> Option<Period<F>> {
         let (length, turns) = turns_in_period(motion)?;
         if length > self.reach() {
@@ -201,6 +202,7 @@ impl<F: Real> Path<F> {
     }
 
     /// Adds a node; the number of nodes that were given up for it.
+    #[inline(never)] // its stages would be on the stack at every time
     fn extend(&mut self) -> Option<usize> {
         let last = self.count.checked_sub(1)?;
         let mut node = *self.nodes.get(last)?;
@@ -238,24 +240,37 @@ impl<F: Real> Path<F> {
             [at, h * x * at],
             [(F::ONE - three * right) * after, h * right * after],
         ];
+        let nodes = self.nodes.get(first..)?.first_chunk::<3>()?.each_ref();
         let sum = &mut self.now.flow;
-        *sum = Flow::ZERO;
-        for (node, [value, slope]) in self.nodes.get(first..first + 3)?.iter().zip(weights) {
-            let add = |slot: &mut Vector<F>, of: &Vector<F>, rate: &Vector<F>| {
-                *slot = total(total(*slot, *of, value), *rate, slope);
-            };
-            let flow = &node.flow;
-            add(&mut sum.axis, &flow.axis, &node.axis_rate);
-            add(&mut sum.side, &flow.side, &node.side_rate);
-            add(&mut sum.across, &flow.across, &node.across_rate);
-            let columns = flow.tangents.iter().zip(&node.eta_rates).take(self.known);
-            for (slot, (tangent, rate)) in sum.tangents.iter_mut().zip(columns) {
-                add(&mut slot.theta, &tangent.theta, &tangent.eta);
-                add(&mut slot.eta, &tangent.eta, rate);
-            }
+        sum.axis = mixed(&weights, nodes.map(|node| (&node.flow.axis, &node.axis_rate)));
+        sum.side = mixed(&weights, nodes.map(|node| (&node.flow.side, &node.side_rate)));
+        sum.across = mixed(&weights, nodes.map(|node| (&node.flow.across, &node.across_rate)));
+        let [before, at, after] = nodes.map(|node| node.flow.tangents.iter().zip(&node.eta_rates));
+        // the columns that are not known stay 0
+        let columns = sum.tangents.iter_mut().zip(before.zip(at.zip(after))).take(self.known);
+        for (slot, (first, (second, third))) in columns {
+            let of = [first, second, third];
+            slot.theta = mixed(&weights, of.map(|(tangent, _)| (&tangent.theta, &tangent.eta)));
+            slot.eta = mixed(&weights, of.map(|(tangent, rate)| (&tangent.eta, rate)));
         }
         Some(())
     }
+}
+
+/// Sum of three vectors and of their rates with these weights.
+fn mixed<F: Real>(weights: &[[F; 2]; 3], of: [(&Vector<F>, &Vector<F>); 3]) -> Vector<F> {
+    let [[before, before_rate], [at, at_rate], [after, after_rate]] = *weights;
+    let [(u, du), (v, dv), (w, dw)] = of;
+    let [u, v, w] = [
+        total(scaled(u, before), *du, before_rate),
+        total(scaled(v, at), *dv, at_rate),
+        total(scaled(w, after), *dw, after_rate),
+    ];
+    total(total(u, v, F::ONE), w, F::ONE)
+}
+
+fn scaled<F: Real>(x: &Vector<F>, f: F) -> Vector<F> {
+    x.map(|component| f * component)
 }
 
 impl<F: Real> Node<F> {

@@ -81,52 +81,16 @@ impl<F: Real> Rows<F> {
     /// Brings the collected rows into the shape of an arrow.
     fn reflect(&mut self) {
         const NARROW: usize = LAUNCH + 1;
+        let (block, others) = (self.block.get_mut(..self.filled), self.others.get_mut(..self.common));
+        let (Some(block), Some(others)) = (block, others) else { return };
         if self.common < NARROW {
-            self.reflect_width::<NARROW>()
+            reflect_biases::<F, NARROW>(&mut self.by_bias, block);
+            reflect_others::<F, NARROW>(others, block);
         } else {
-            self.reflect_width::<WIDTH>()
+            reflect_biases::<F, WIDTH>(&mut self.by_bias, block);
+            reflect_others::<F, WIDTH>(others, block);
         }
         self.filled = 0;
-    }
-
-    /// Reflection of rows with this number of entries, the right-hand side included.
-    fn reflect_width<const W: usize>(&mut self) {
-        let Some(block) = self.block.get_mut(..self.filled) else { return };
-        for (index, pivot) in self.by_bias.iter_mut().enumerate() {
-            let own = |row: &&mut Row<F>| row.bias == Some(index);
-            let square = block.iter_mut().filter(own).fold(F::ZERO, |sum, row| sum + row.by_bias.squared());
-            let Some((next, lead, scale)) = reflection(pivot.by_bias, square) else { continue };
-            let mut sums = [F::ZERO; W];
-            add(&mut sums, &pivot.entries, lead);
-            for row in block.iter_mut().filter(own) {
-                add(&mut sums, &row.entries, row.by_bias);
-            }
-            let sums = sums.map(|x| -(scale * x));
-            pivot.by_bias = next;
-            add(&mut pivot.entries, &sums, lead);
-            for row in block.iter_mut().filter(own) {
-                add(&mut row.entries, &sums, row.by_bias);
-            }
-        }
-        for (index, pivot) in self.others.iter_mut().enumerate().take(self.common) {
-            let entry = |entries: &Entries<F>| entries.get(index).copied().unwrap_or(F::ZERO);
-            let square = block.iter().fold(F::ZERO, |sum, row| sum + entry(&row.entries).squared());
-            let Some((next, lead, scale)) = reflection(entry(pivot), square) else { continue };
-            let mut sums = [F::ZERO; W];
-            add(&mut sums, pivot, lead);
-            for row in block.iter() {
-                add(&mut sums, &row.entries, entry(&row.entries));
-            }
-            let sums = sums.map(|x| -(scale * x));
-            add(pivot, &sums, lead);
-            if let Some(slot) = pivot.get_mut(index) {
-                *slot = next;
-            }
-            for row in block.iter_mut() {
-                let by = entry(&row.entries);
-                add(&mut row.entries, &sums, by);
-            }
-        }
     }
 
     /// Adds all rows to a triangle, whose unknowns are the launch, the ratios and the biases.
@@ -154,10 +118,93 @@ impl<F: Real> Rows<F> {
     }
 }
 
+/// Reflects the rows of each bias, which have W entries with the right-hand side.
+fn reflect_biases<F: Real, const W: usize>(pivots: &mut [Row<F>], block: &mut [Row<F>]) {
+    let bit = |index: usize| 1_u32.wrapping_shl(index as u32);
+    let present = block.iter().filter_map(|row| row.bias).fold(0, |found, index| found | bit(index));
+    for (index, pivot) in pivots.iter_mut().enumerate().filter(|(index, _)| present & bit(*index) != 0) {
+        let own = |row: &&mut Row<F>| row.bias == Some(index);
+        let mut square = F::ZERO;
+        let mut sums = [F::ZERO; W];
+        for row in block.iter_mut().filter(own) {
+            square = square + row.by_bias.squared();
+            add(&mut sums, &row.entries, row.by_bias);
+        }
+        let Some((next, lead, scale)) = reflection(pivot.by_bias, square) else { continue };
+        add(&mut sums, &pivot.entries, lead);
+        let sums = sums.map(|x| -(scale * x));
+        pivot.by_bias = next;
+        add(&mut pivot.entries, &sums, lead);
+        for row in block.iter_mut().filter(own) {
+            add(&mut row.entries, &sums, row.by_bias);
+        }
+    }
+}
+
+/// Reflects the columns of the launch and the ratios one after another, in rows with W entries.
+fn reflect_others<F: Real, const W: usize>(pivots: &mut [Entries<F>], block: &mut [Row<F>]) {
+    // each number is a constant in its own copy, so that the entries before the column take no time
+    reflect_column::<F, 0, W>(pivots, block);
+    reflect_column::<F, 1, W>(pivots, block);
+    reflect_column::<F, 2, W>(pivots, block);
+    reflect_column::<F, 3, W>(pivots, block);
+    reflect_column::<F, 4, W>(pivots, block);
+    reflect_column::<F, 5, W>(pivots, block);
+    if W > LAUNCH + 1 {
+        reflect_column::<F, 6, W>(pivots, block);
+        reflect_column::<F, 7, W>(pivots, block);
+        reflect_column::<F, 8, W>(pivots, block);
+        reflect_column::<F, 9, W>(pivots, block);
+    }
+}
+
+/// Reflects one column. Its entries in the block become 0; they are not used any more, and stay as they are.
+#[inline(always)]
+fn reflect_column<F: Real, const COLUMN: usize, const W: usize>(
+    pivots: &mut [Entries<F>],
+    block: &mut [Row<F>],
+) {
+    let Some(pivot) = pivots.get_mut(COLUMN) else { return };
+    let mut sums = [F::ZERO; WIDTH];
+    for row in block.iter() {
+        let by = at::<F, COLUMN>(&row.entries);
+        add_from::<F, COLUMN, W>(&mut sums, &row.entries, by);
+    }
+    let Some((next, lead, scale)) = reflection(at::<F, COLUMN>(pivot), at::<F, COLUMN>(&sums)) else {
+        return;
+    };
+    add_from::<F, COLUMN, W>(&mut sums, pivot, lead);
+    let sums = sums.map(|x| -(scale * x));
+    add_from::<F, COLUMN, W>(pivot, &sums, lead);
+    if let Some(slot) = pivot.get_mut(COLUMN) {
+        *slot = next;
+    }
+    for row in block.iter_mut() {
+        let by = at::<F, COLUMN>(&row.entries);
+        add_from::<F, COLUMN, W>(&mut row.entries, &sums, by);
+    }
+}
+
+/// Entry of a row.
+#[inline(always)]
+fn at<F: Real, const COLUMN: usize>(entries: &Entries<F>) -> F {
+    entries.get(COLUMN).copied().unwrap_or(F::ZERO)
+}
+
 /// Adds f times some numbers to others, as far as both go.
 fn add<F: Real, const A: usize, const B: usize>(to: &mut [F; A], from: &[F; B], f: F) {
     for (slot, x) in to.iter_mut().zip(from) {
         *slot = *slot + f * *x;
+    }
+}
+
+/// Adds f times the entries from a column up to W to others.
+#[inline(always)] // the bounds are constants, so that no loop is left
+fn add_from<F: Real, const COLUMN: usize, const W: usize>(to: &mut Entries<F>, from: &Entries<F>, f: F) {
+    for index in COLUMN..W {
+        if let (Some(slot), Some(x)) = (to.get_mut(index), from.get(index)) {
+            *slot = *slot + f * *x;
+        }
     }
 }
 

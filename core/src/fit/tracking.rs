@@ -7,6 +7,7 @@ use crate::fit::outcome::{FitError, Fitted};
 use crate::fit::pass::SETTLED;
 use crate::fit::sensor::Measurement;
 use crate::fit::triangle::{MOST_UNKNOWNS, Symmetric, Triangle, Unknowns};
+use crate::fit::window::Window;
 use crate::scalar::Real;
 use crate::sensitivity::{Partials, Sensitivity, total};
 use crate::su2::{Vector, bracket, dot};
@@ -60,8 +61,8 @@ impl<F: Real> Fit<'_, F> {
         }
         self.prior = Some(Prior { launch: predicted, information });
         self.start(predicted);
-        let progress = self.settle(measurements, SETTLED);
-        let fitted = self.fitted(epoch, self.reason(progress));
+        let progress = self.settle(Window::all(measurements), SETTLED);
+        let fitted = self.fitted(epoch, self.reason(progress), 0);
         self.prior = None;
         let turn = fitted.launch.orientation.compose(&predicted.orientation.inverse());
         let [before, after] = [&last.launch, &fitted.launch].map(|launch| self.model.integrals(launch));

@@ -111,6 +111,21 @@ impl<F: Real> Triangle<F> {
         (moved, self.size(point))
     }
 
+    /// Information of the same rows after a change of their entries; the right-hand sides stay.
+    #[inline(never)]
+    pub(crate) fn mapped(&self, of: impl Fn(Unknowns<F>) -> Unknowns<F>) -> Self {
+        let mut mapped = Self::new(self.count);
+        for (index, row) in self.rows().iter().enumerate().take(self.count) {
+            let Some((side, entries)) = row.split_last() else { continue };
+            let mut wide = [F::ZERO; MOST_UNKNOWNS];
+            for (slot, entry) in wide.iter_mut().skip(index).zip(entries) {
+                *slot = *entry;
+            }
+            mapped.add(&of(wide), *side);
+        }
+        mapped
+    }
+
     /// This information and more: each unknown is 0 with this standard deviation, a positive number.
     pub(crate) fn damped(&self, deviations: &Unknowns<F>) -> Self {
         let mut damped = *self;
@@ -278,6 +293,24 @@ mod tests {
                 let product: f64 = (0..3).map(|k| row[k] * normal(k, j)).sum();
                 assert!((product - f64::from(u8::from(i == j))).abs() < 1e-13, "{product}");
             }
+        }
+    }
+
+    #[test]
+    fn a_change_of_the_rows_gives_the_triangle_of_the_changed_rows() {
+        let change = |mut row: Unknowns| {
+            (row[0], row[2]) = (row[0] + 0.5 * row[2], row[2] - 2.0 * row[1]);
+            row
+        };
+        let mut direct = Triangle::new(3);
+        for (row, value) in ROWS {
+            let mut wide = [0.0; MOST_UNKNOWNS];
+            wide[..3].copy_from_slice(&row);
+            direct.add(&change(wide), value);
+        }
+        let (mapped, expected) = (triangle().mapped(change).solution(), direct.solution());
+        for k in 0..3 {
+            assert!((mapped[k] - expected[k]).abs() < 1e-14, "{mapped:?} {expected:?}");
         }
     }
 

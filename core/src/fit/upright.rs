@@ -12,6 +12,7 @@ use crate::fit::launch::Launch;
 use crate::fit::pass::{Pass, Progress, SETTLED};
 use crate::fit::sensor::{Hint, Measurement};
 use crate::fit::triangle::MOST_UNKNOWNS;
+use crate::fit::window::Window;
 use crate::scalar::Real;
 use crate::su2::{bracket, dot};
 
@@ -30,7 +31,7 @@ impl<F: Real> Fit<'_, F> {
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        let progress = self.settle(measurements.clone(), SETTLED);
+        let progress = self.settle(Window::all(measurements.clone()), SETTLED);
         let Launch { orientation, omega, .. } = self.best.launch;
         let found = dot(omega, orientation.axis());
         let least = measurements.clone().find_map(|measurement| self.least_spin(&measurement));
@@ -75,14 +76,14 @@ impl<F: Real> Fit<'_, F> {
         let tilt = upright_to(axis.map(|component| sign * component));
         let orientation = tilt.inverse().compose(&found.orientation);
         let omega = [0.0, 0.0, sign * spin];
-        self.pass(Launch { orientation, omega, ..found }, measurements.clone());
+        self.pass(Launch { orientation, omega, ..found }, Window::all(measurements.clone()));
         // the biases that suit it, while the launch stays
         let mut deviations = [F::from_f64(1e6); MOST_UNKNOWNS];
         for slot in deviations.iter_mut().take(self.model.common()) {
             *slot = F::from_f64(1e-9);
         }
         let change = self.current.information.damped(&deviations).solution();
-        self.pass(self.model.moved(&self.current.launch, &change), measurements);
+        self.pass(self.model.moved(&self.current.launch, &change), Window::all(measurements));
         (self.current.cost <= self.best.cost + CHANCE).then_some(self.current)
     }
 }

@@ -24,17 +24,25 @@ impl Given {
     /// # Errors
     /// `ValueError` that names the parameter: no numbers, or a number that is not finite.
     pub(crate) fn read(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let given = if object.is_instance_of::<PyFloat>() || object.is_instance_of::<PyInt>() {
+        let given = Self::read_any(name, object)?;
+        match given.numbers.iter().all(|x| x.is_finite()) {
+            true => Ok(given),
+            false => Err(value_error(name, "must be finite")),
+        }
+    }
+
+    /// Numbers, finite or not, of anything that `numpy.asarray` makes an array of.
+    ///
+    /// # Errors
+    /// `ValueError` that names the parameter: no numbers.
+    pub(crate) fn read_any(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Self> {
+        Ok(if object.is_instance_of::<PyFloat>() || object.is_instance_of::<PyInt>() {
             Self { numbers: vec![object.extract()?], shape: Vec::new() }
         } else {
             let array = as_array(name, object)?;
             let view = array.as_array();
             Self { numbers: view.iter().copied().collect(), shape: view.shape().to_vec() }
-        };
-        match given.numbers.iter().all(|x| x.is_finite()) {
-            true => Ok(given),
-            false => Err(value_error(name, "must be finite")),
-        }
+        })
     }
 
     /// Numbers in rows of N, for an array whose last axis has that length.

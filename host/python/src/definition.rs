@@ -48,7 +48,7 @@ impl TopDefinition {
         if mass == 0.0 { precise(mass_moment) } else { precise(mass) * precise(com_height) }
     }
 
-    fn to_toml(self) -> String {
+    pub(crate) fn to_toml(self) -> String {
         let TopParameters {
             transverse_inertia,
             axial_inertia,

@@ -10,6 +10,7 @@
 //! | [`samples`] | `Samples`: a motion at given times |
 //! | [`point`] | motion at one time, without a table |
 //! | [`closed_form`], [`reference`] | other methods for a motion at a time |
+//! | [`fit`], [`fitted`], [`sensors`] | `fit` and `simulate`: from samples of sensors to a launch, and back |
 //! | [`many`], [`releases`] | `many`: motions on all cores |
 //! | [`score`] | `score`: errors of an integrator |
 //! | [`page`] | pictures for a notebook |
@@ -21,6 +22,8 @@ mod closed_form;
 mod constants;
 mod definition;
 mod error;
+mod fit;
+mod fitted;
 mod many;
 mod motion;
 mod page;
@@ -29,6 +32,7 @@ mod reference;
 mod releases;
 mod samples;
 mod score;
+mod sensors;
 mod top;
 
 use pyo3::prelude::*;
@@ -38,6 +42,10 @@ use pyo3::prelude::*;
 mod _toytop {
     #[pymodule_export]
     use super::closed_form::PyClosedForm;
+    #[pymodule_export]
+    use super::fit::{fit, simulate};
+    #[pymodule_export]
+    use super::fitted::Fitted;
     #[pymodule_export]
     use super::many::{Many, many};
     #[pymodule_export]

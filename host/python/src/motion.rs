@@ -59,7 +59,7 @@ impl PyMotion {
     }
 
     /// Motion of a scenario file's text.
-    fn parsed(file: &str, text: &str) -> PyResult<Self> {
+    pub(crate) fn parsed(file: &str, text: &str) -> PyResult<Self> {
         let (top, start, motion) = definition::of_toml(file, text)?;
         Ok(Self::new(top, start, motion))
     }

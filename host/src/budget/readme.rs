@@ -6,7 +6,7 @@ const BEGIN: &str = "<!-- budget: written by `toytop budget --accept` -->\n";
 const END: &str = "<!-- budget: end -->";
 
 /// Calls, each with its text on the page.
-const ROWS: [(&str, &str); 19] = [
+const ROWS: [(&str, &str); 20] = [
     ("ephemeris_f32", "**ephemeris**, any tick, `f32`"),
     ("cursor_f32", "**ephemeris**, the next tick, `f32`"),
     ("omega_f32", "**ephemeris**, any tick, `f32`: α, β and Ω in the body frame"),
@@ -29,6 +29,10 @@ const ROWS: [(&str, &str); 19] = [
     ),
     ("launch_slow", "set-up of the same top at 5 rad/s"),
     ("launch_falling", "set-up of the same top almost upright, at 30 rad/s, which is too slow to sleep"),
+    (
+        "fit",
+        "fit of a launch, `f32`, to a second of samples: 1000 of a gyroscope and an accelerometer, 100 of a magnetometer",
+    ),
 ];
 
 const FRONT_BEGIN: &str = "<!-- budget: front page, written by `toytop budget --accept` -->\n";

@@ -1,7 +1,8 @@
 //! The commands between measurements and launches.
 
 use super::Format;
-use clap::{Args, ValueEnum};
+use crate::fit::free::FreeKey;
+use clap::Args;
 use std::path::PathBuf;
 
 /// `toytop simulate`
@@ -59,37 +60,4 @@ pub(crate) struct FitArgs {
 
 fn huber(text: &str) -> Result<f64, &'static str> {
     text.parse().ok().filter(|x| *x >= 1.0).ok_or("must be a number from 1, or inf")
-}
-
-/// Key of a top that a fit may change.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-#[value(rename_all = "snake_case")]
-pub enum FreeKey {
-    /// A
-    TransverseInertia,
-    /// C
-    AxialInertia,
-    /// s
-    ComHeight,
-    /// M
-    Mass,
-    /// p
-    MassMoment,
-    /// g
-    Gravity,
-}
-
-impl FreeKey {
-    /// Name of the key in a scenario file.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::TransverseInertia => "transverse_inertia",
-            Self::AxialInertia => "axial_inertia",
-            Self::ComHeight => "com_height",
-            Self::Mass => "mass",
-            Self::MassMoment => "mass_moment",
-            Self::Gravity => "gravity",
-        }
-    }
 }

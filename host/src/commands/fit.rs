@@ -3,16 +3,17 @@
 use super::Report;
 use crate::Failure;
 use crate::cli::{FitArgs, Format};
+use crate::fit::free;
 use crate::fit::pictures;
-use crate::fit::report::{Told, ratios};
+use crate::fit::report::Told;
 use crate::fit::sensors::{Body, Sensors};
 use crate::fit::table;
 use crate::input::scenario::Scenario;
 use crate::output::{self, Cell, Record, whole_file};
 use crate::pictures::plot::Form;
 use toml::{Table, Value};
+use toytop::Top;
 use toytop::fit::{Fit, Sensor};
-use toytop::{Support, Top};
 
 pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let plots =
@@ -31,7 +32,8 @@ pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let measurements = table::read(&arguments.samples, &mut sensors, arguments.sensors.is_some())?;
     let own = Table::new();
     let table = keys.get("top").and_then(Value::as_table).unwrap_or(&own);
-    let ratios = ratios(&file, table, &top, &arguments.free)?;
+    let ratios = free::ratios(table, &top, &arguments.free)
+        .map_err(|reason| Failure::Input(format!("--free: {reason} ({file})")))?;
 
     let samples = arguments.samples.display();
     let refuse = |error: toytop::fit::FitError| Failure::Input(format!("{samples}: {error}"));
@@ -103,16 +105,11 @@ fn record(told: &Told<'_>) -> Record {
     Record(cells)
 }
 
-/// Lengths of the body that sensors need: the centre of mass is at the origin of a sliding top, and above the tip of a held
-/// one, as far as the file says where.
+/// Lengths of the body that sensors need, from the keys of a scenario file.
 pub(super) fn body(keys: &Table, top: &Top) -> Body {
     let height = keys
         .get("top")
         .and_then(|top| top.get("com_height"))
         .and_then(|value| value.as_float().or(value.as_integer().map(|x| x as f64)));
-    let com = match (top.support(), height) {
-        (Support::Fixed, Some(height)) => [0.0, 0.0, height],
-        _ => [0.0; 3],
-    };
-    Body { tip_scale: top.tip_scale(), com }
+    Body::of(top, height)
 }

@@ -1,6 +1,7 @@
 //! Pictures of a fit: its residuals, and how the error of its prediction grows.
 
 use super::report::Told;
+use super::residuals;
 use crate::pictures::figures::{Chart, Curve, Picture};
 use toytop::fit::Measurement;
 use toytop::su2::Vector;
@@ -13,27 +14,19 @@ const AHEAD: [f64; 2] = [0.01, 100.0];
 /// Residuals in standard deviations, a curve for each column of the samples; those at the end of the range are left out.
 #[must_use]
 pub fn residuals(told: &Told<'_>, motion: &Motion, measurements: &[Measurement]) -> Picture {
-    let sensitivity = Sensitivity::of(motion);
-    let mut cursor = sensitivity.cursor();
-    let biases = told.biases();
     let instruments = &told.sensors.instruments;
     let mut curves: Vec<Vec<Curve>> = instruments
         .iter()
         .map(|one| {
-            let names = one.kind.columns.iter().take(3);
+            let names = one.kind.residuals().iter();
             names.map(|name| Curve { name: (*name).to_owned(), points: Vec::new(), marked: false }).collect()
         })
         .collect();
-    for Measurement { time, sensor, values } in measurements {
-        let Some(partials) = cursor.at(time - told.fitted.epoch) else { continue };
-        let instrument = &instruments[*sensor];
-        let bias = biases.iter().find(|(name, ..)| *name == instrument.kind.name);
-        let bias = bias.map_or([0.0; 3], |(_, bias, _)| *bias);
-        let predicted = instrument.sensor.predict(&partials, values);
-        for (k, curve) in curves[*sensor].iter_mut().enumerate() {
-            let deviation = predicted.deviation[k];
-            if deviation.is_finite() {
-                curve.points.push([*time, (predicted.difference[k] - bias[k]) / deviation]);
+    let found = residuals::residuals(told, motion, measurements);
+    for (Measurement { time, sensor, .. }, residual) in measurements.iter().zip(found) {
+        for (curve, value) in curves[*sensor].iter_mut().zip(residual) {
+            if value.is_finite() {
+                curve.points.push([*time, value]);
             }
         }
     }

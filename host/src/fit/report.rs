@@ -1,56 +1,18 @@
 //! Report of a fitted launch, and the scenario that it becomes.
 
+use super::free::FreeKey;
 use super::sensors::Sensors;
 use crate::Failure;
-use crate::cli::FreeKey;
-use crate::output::{columns, number, short};
+use crate::output::number;
+#[cfg(feature = "program")]
+use crate::output::{columns, short};
 use serde_json::json;
 use toml::{Table, Value};
-use toytop::fit::{Fitted, FreeRatio};
-use toytop::{Motion, Sensitivity, Support, Top};
+use toytop::fit::Fitted;
+use toytop::{Motion, Sensitivity, Top};
 
 /// Times after the end of the samples at which the error of the prediction is stated, s.
 const AHEAD: [f64; 5] = [0.0, 1.0, 2.0, 5.0, 10.0];
-
-/// Free keys of a top, and the directions of its ratios that belong to them.
-///
-/// # Errors
-/// [`Failure::Input`]: the file does not have the key, or has it in vain; too many keys.
-pub fn ratios(file: &str, table: &Table, top: &Top, keys: &[FreeKey]) -> Result<Vec<FreeRatio>, Failure> {
-    let held = top.support() == Support::Fixed;
-    let has = |key: FreeKey| table.contains_key(key.name());
-    let mut ratios = Vec::new();
-    for (place, key) in keys.iter().enumerate() {
-        let refuse = |reason: &str| Err(Failure::Input(format!("--free: {}: {reason} ({file})", key.name())));
-        if keys[..place].contains(key) {
-            return refuse("must be named once");
-        }
-        if !has(*key) && *key != FreeKey::Gravity {
-            return refuse("must be a key of the top's file");
-        }
-        ratios.push(match key {
-            FreeKey::AxialInertia => FreeRatio::AXIAL_INERTIA,
-            FreeKey::TransverseInertia => FreeRatio::TRANSVERSE_INERTIA,
-            FreeKey::Mass | FreeKey::MassMoment => FreeRatio::MASS_MOMENT,
-            FreeKey::Gravity => FreeRatio::GRAVITY,
-            // p = M s changes too where the mass is given
-            FreeKey::ComHeight if held => FreeRatio::MASS_MOMENT,
-            FreeKey::ComHeight if has(FreeKey::Mass) => FreeRatio::of([0.0, -2.0, 1.0, 0.0]),
-            FreeKey::ComHeight => FreeRatio::COM_HEIGHT,
-        });
-    }
-    if ratios.len() > toytop::fit::MOST_RATIOS {
-        return Err(Failure::Input("--free: must be at most four keys".to_owned()));
-    }
-    Ok(ratios)
-}
-
-/// Value of a free key: the given one times e to the power of its unknown.
-fn given(table: &Table, key: FreeKey, top: &Top) -> f64 {
-    let value = table.get(key.name());
-    let number = value.and_then(|value| value.as_float().or(value.as_integer().map(|x| x as f64)));
-    number.unwrap_or(top.gravity())
-}
 
 /// Fitted launch with what is needed to tell of it.
 pub struct Told<'a> {
@@ -77,18 +39,20 @@ struct Prediction {
 
 impl Told<'_> {
     /// Values of the free keys with their standard deviations.
-    fn freed(&self) -> Vec<(FreeKey, f64, f64)> {
+    #[must_use]
+    pub fn freed(&self) -> Vec<(FreeKey, f64, f64)> {
         let deviations = self.fitted.deviations();
         let values = self.fitted.launch.other_unknowns().iter().zip(&deviations[6..]);
         let of = |(key, (value, deviation)): (&FreeKey, (&f64, &f64))| {
-            let fitted = given(self.table, *key, self.top) * value.exp();
+            let fitted = key.given(self.table, self.top) * value.exp();
             (*key, fitted, fitted * deviation)
         };
         self.free.iter().zip(values).map(of).collect()
     }
 
     /// Biases by sensor, with their standard deviations.
-    pub(super) fn biases(&self) -> Vec<(&'static str, [f64; 3], [f64; 3])> {
+    #[must_use]
+    pub fn biases(&self) -> Vec<(&'static str, [f64; 3], [f64; 3])> {
         let deviations = self.fitted.deviations();
         let values = self.fitted.launch.other_unknowns();
         let mut place = self.free.len();
@@ -120,7 +84,8 @@ impl Told<'_> {
     }
 
     /// Spin ω·r and tilt (rad), each with its standard deviation.
-    fn spin_and_tilt(&self) -> [(f64, f64); 2] {
+    #[must_use]
+    pub fn spin_and_tilt(&self) -> [(f64, f64); 2] {
         let launch = &self.fitted.launch;
         let (r, w) = (launch.orientation.axis(), launch.omega);
         let cross = |x: [f64; 3], y: [f64; 3]| {
@@ -141,7 +106,9 @@ impl Told<'_> {
         [(dot(w, r), spin), (level.atan2(r[2]), tilt)]
     }
 
-    fn undetermined(&self) -> Vec<&'static str> {
+    /// Names of the directions of the launch that the samples do not determine.
+    #[must_use]
+    pub fn undetermined(&self) -> Vec<&'static str> {
         let found = self.fitted.unobservable;
         let mut names: Vec<&'static str> = [(found.yaw, "yaw"), (found.roll, "roll"), (found.spin, "spin")]
             .into_iter()
@@ -154,6 +121,7 @@ impl Told<'_> {
     }
 
     /// Report for reading.
+    #[cfg(feature = "program")]
     #[must_use]
     pub fn table(&self) -> String {
         let Fitted { launch, statistics, .. } = self.fitted;

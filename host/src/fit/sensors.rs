@@ -4,11 +4,11 @@ use crate::Failure;
 use crate::output::{shown, whole_file};
 use std::path::Path;
 use toml::{Table, Value};
-use toytop::Orientation;
 use toytop::fit::{
     Accelerometer, AxisCamera, Gyroscope, Magnetometer, Mark, Mounting, Noise, OrientationCamera, Sensor,
     TipCamera,
 };
+use toytop::{Orientation, Support, Top};
 
 /// Kind of a sensor: its table in the file, and its columns in the samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,6 +17,14 @@ pub struct Kind {
     pub name: &'static str,
     /// Columns of the samples.
     pub columns: &'static [&'static str],
+}
+
+impl Kind {
+    /// Names of the residuals: the columns, and for an orientation x, y, z of the rotation vector.
+    #[must_use]
+    pub fn residuals(&self) -> &'static [&'static str] {
+        &self.columns[self.columns.len().saturating_sub(3)..]
+    }
 }
 
 /// All kinds.
@@ -59,6 +67,11 @@ pub struct Sensors {
 /// Range of a consumer gyroscope, 2000 degrees per second, rad/s.
 const GYROSCOPE_RANGE: f64 = 2000.0 * std::f64::consts::PI / 180.0;
 
+/// Range of a consumer accelerometer, 16 g, m/s².
+const ACCELEROMETER_RANGE: f64 = 157.0;
+/// Share of the range from which a reading counts as at its end: data sheets round the range.
+const REACHED: f64 = 0.999;
+
 /// Length and place that some sensors need to know of their top.
 #[derive(Clone, Copy, Debug)]
 pub struct Body {
@@ -68,6 +81,21 @@ pub struct Body {
     pub com: [f64; 3],
 }
 
+impl Body {
+    /// Lengths of a top's body: the centre of mass is at the origin of a sliding top, and above the tip of a held one, as far as
+    /// is known where.
+    ///
+    /// * `com_height`: distance of the centre of mass from the tip, m
+    #[must_use]
+    pub fn of(top: &Top, com_height: Option<f64>) -> Self {
+        let com = match (top.support(), com_height) {
+            (Support::Fixed, Some(height)) => [0.0, 0.0, height],
+            _ => [0.0; 3],
+        };
+        Self { tip_scale: top.tip_scale(), com }
+    }
+}
+
 impl Sensors {
     /// A consumer MEMS gyroscope (2000 degrees per second, noise 0.005 degrees per second and root hertz in 500 Hz, bias 1
     /// degree per second), accelerometer (16 g, 100 micro-g per root hertz, bias 20 milli-g) and magnetometer (0.6 microtesla, one
@@ -75,10 +103,16 @@ impl Sensors {
     #[must_use]
     pub fn telephone(body: Body) -> Self {
         let mounting = Mounting { place: body.com, ..Mounting::default() };
-        let gyroscope =
-            Gyroscope { noise: Noise { deviation: 0.002, bias: 0.0175 }, mounting, range: GYROSCOPE_RANGE };
-        let accelerometer =
-            Accelerometer { noise: Noise { deviation: 0.022, bias: 0.2 }, mounting, range: 157.0 };
+        let gyroscope = Gyroscope {
+            noise: Noise { deviation: 0.002, bias: 0.0175 },
+            mounting,
+            range: REACHED * GYROSCOPE_RANGE,
+        };
+        let accelerometer = Accelerometer {
+            noise: Noise { deviation: 0.022, bias: 0.2 },
+            mounting,
+            range: REACHED * ACCELEROMETER_RANGE,
+        };
         let magnetometer =
             Magnetometer { noise: Noise { deviation: 0.6, bias: 0.0 }, mounting, field: [20.0, 0.0, -43.0] };
         let [gyro, accel, mag, ..] = KINDS;
@@ -86,7 +120,7 @@ impl Sensors {
             Instrument {
                 kind: gyro,
                 noise: gyroscope.noise,
-                range: gyroscope.range,
+                range: GYROSCOPE_RANGE,
                 quantum: GYROSCOPE_RANGE / 32768.0,
                 every: 1,
                 sensor: Box::new(gyroscope),
@@ -94,8 +128,8 @@ impl Sensors {
             Instrument {
                 kind: accel,
                 noise: accelerometer.noise,
-                range: accelerometer.range,
-                quantum: 157.0 / 32768.0,
+                range: ACCELEROMETER_RANGE,
+                quantum: ACCELEROMETER_RANGE / 32768.0,
                 every: 1,
                 sensor: Box::new(accelerometer),
             },
@@ -117,17 +151,32 @@ impl Sensors {
     /// [`Failure::Input`]: the file cannot be read, is no TOML, or has a key that is unknown, missing or out of range.
     pub fn read(path: &Path, body: Body) -> Result<Self, Failure> {
         let file = path.display().to_string();
-        let text = whole_file::read(&file, path, 1)?;
+        Self::parse(&file, &whole_file::read(&file, path, 1)?, body)
+    }
+
+    /// Sensors of the text of a file; `file` is its name in messages.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: no TOML, or a key that is unknown, missing or out of range.
+    pub fn parse(file: &str, text: &str, body: Body) -> Result<Self, Failure> {
         let root = text.parse::<Table>().map_err(|error| {
             let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
             Failure::Input(format!("{file}: line {line}: must be TOML: {}", error.message()))
         })?;
+        Self::of_table(file, &root, body)
+    }
+
+    /// Sensors of the tables of a file; `file` is its name in messages.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: a key is unknown, missing or out of range.
+    pub fn of_table(file: &str, root: &Table, body: Body) -> Result<Self, Failure> {
         let mut sensors = Self { instruments: Vec::new(), jitter: 0.0, dropped: 0.0 };
-        for (name, value) in &root {
+        for (name, value) in root {
             let Value::Table(table) = value else {
                 return Err(Failure::Input(format!("{file}: {}: must be a table", shown(name))));
             };
-            let keys = Keys { file: &file, name, table };
+            let keys = Keys { file, name, table };
             if name == "timing" {
                 keys.only(&["jitter", "dropped"])?;
                 sensors.jitter = keys.number("jitter", Some(0.0), [0.0, 1e6])?;
@@ -180,8 +229,8 @@ fn instrument(keys: &Keys<'_>, kind: Kind, body: Body) -> Result<Instrument, Fai
     let rotation = Orientation::from_quaternion(rotation).normalised();
     let mounting = Mounting { rotation, place: keys.array("position", Some(body.com))? };
     let sensor: Box<dyn Sensor + Send + Sync> = match kind.name {
-        "gyroscope" => Box::new(Gyroscope { noise, mounting, range }),
-        "accelerometer" => Box::new(Accelerometer { noise, mounting, range }),
+        "gyroscope" => Box::new(Gyroscope { noise, mounting, range: REACHED * range }),
+        "accelerometer" => Box::new(Accelerometer { noise, mounting, range: REACHED * range }),
         "magnetometer" => {
             let field = keys.array("field", Some([20.0, 0.0, -43.0]))?;
             if field == [0.0; 3] {

@@ -16,6 +16,19 @@ pub struct Recording {
     pub seed: u64,
 }
 
+/// Largest number of samples.
+pub const MOST_SAMPLES: f64 = 1e7;
+
+impl Recording {
+    /// Times of a recording of this duration, s; `None` where this is not from 1 to [`MOST_SAMPLES`] samples.
+    #[must_use]
+    pub fn new(hertz: f64, duration: f64, seed: u64) -> Option<Self> {
+        let count = (hertz * duration).round();
+        let possible = hertz > 0.0 && (1.0..=MOST_SAMPLES).contains(&count);
+        possible.then_some(Self { hertz, count: count as u64, seed })
+    }
+}
+
 /// Measurements of a motion; `None` where the derivatives of the motion, from which the readings follow, cannot be
 /// computed at one of the times.
 #[must_use]

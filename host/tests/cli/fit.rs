@@ -80,6 +80,11 @@ fn bad_samples_are_refused_with_their_line() {
             format!("{header}0,1,2,3,0,0,9.8\n0.001,1,NaN,3,0,0,9.8\n"),
             "line 3: gyro_y: must be a finite number",
         ),
+        (
+            "degrees",
+            format!("{header}0,100,2,3,0,0,9.8\n"),
+            "line 2: gyro_x: must be at most the range of the sensor: another unit?",
+        ),
         ("order", format!("{header}0,1,2,3,0,0,9.8\n-1,1,2,3,0,0,9.8\n"), "line 3: t: must not be earlier"),
         ("short", format!("{header}0,1,2,3,0\n"), "line 2: must have as many fields"),
         ("half", format!("{header}0,1,2,,0,0,9.8\n"), "line 2: gyro_z: must be a finite number"),
@@ -131,7 +136,7 @@ fn bad_sensors_and_keys_are_refused() {
     }
     simulated(&top, &samples, &[]);
     for (free, expected) in [
-        ("mass_moment", "--free: mass_moment: must be a key of the top's file"),
+        ("mass_moment", "--free: mass_moment: must be one of the numbers that describe the top"),
         ("mass,mass", "--free: mass: must be named once"),
     ] {
         let output = run(&["fit", text(&samples), "--top", &top, "--free", free]);

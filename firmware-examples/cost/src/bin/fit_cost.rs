@@ -8,12 +8,13 @@
 mod imu;
 #[path = "../measure.rs"]
 mod measure;
+#[path = "../../../src/top.rs"]
+mod top;
 
 use core::hint::black_box;
 
 use semihosting::process;
 use toytop::fit::{Fit, Sensor};
-use toytop::{Top, TopParameters};
 
 #[cfg(target_arch = "arm")]
 use cortex_m as _; // critical section
@@ -26,17 +27,9 @@ use riscv_rt::entry;
 
 #[entry]
 fn main() -> ! {
-    let top = Top::sliding(&TopParameters {
-        transverse_inertia: 3.0e-5,
-        axial_inertia: 2.0e-5,
-        com_height: 0.03,
-        mass: 0.05,
-        gravity: 9.81,
-        ..TopParameters::default()
-    })
-    .expect("a possible top");
+    let motion = top::toy_top().expect("a possible top");
     let sensors: [&dyn Sensor<f32>; 3] = [&imu::GYROSCOPE, &imu::ACCELEROMETER, &imu::MAGNETOMETER];
-    let mut fit = Fit::new(&top, &sensors, &[]).expect("three sensors");
+    let mut fit = Fit::new(motion.top(), &sensors, &[]).expect("three sensors");
     let mut meter = measure::Meter::new();
     meter.measure("bench_fit", size_of_val(&fit), 1, |_| {
         assert!(bench_fit(black_box(&mut fit)), "the fit converges");

@@ -14,6 +14,34 @@ Units are SI, or any consistent ones. Quaternions are w, x, y, z (scalar first) 
 points upward, the third body axis from the tip to the centre of mass. All classes are immutable.
 """
 
-from ._toytop import ClosedForm, Many, Motion, Page, Samples, Score, Top, many, order, score
+from ._toytop import (
+    ClosedForm,
+    Fitted,
+    Many,
+    Motion,
+    Page,
+    Samples,
+    Score,
+    Top,
+    fit,
+    many,
+    order,
+    score,
+    simulate,
+)
 
-__all__ = ["ClosedForm", "Many", "Motion", "Page", "Samples", "Score", "Top", "many", "order", "score"]
+__all__ = [
+    "ClosedForm",
+    "Fitted",
+    "Many",
+    "Motion",
+    "Page",
+    "Samples",
+    "Score",
+    "Top",
+    "fit",
+    "many",
+    "order",
+    "score",
+    "simulate",
+]

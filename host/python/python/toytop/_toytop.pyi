@@ -7,10 +7,27 @@ from typing import Any, Literal, TypeAlias, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["ClosedForm", "Many", "Motion", "Page", "Samples", "Score", "Top", "many", "order", "score"]
+__all__ = [
+    "ClosedForm",
+    "Fitted",
+    "Many",
+    "Motion",
+    "Page",
+    "Samples",
+    "Score",
+    "Top",
+    "fit",
+    "many",
+    "order",
+    "score",
+    "simulate",
+]
 
 _Array: TypeAlias = NDArray[np.float64]
 _Scalar: TypeAlias = Literal["f64", "f32", "q31", "q15"]
+_Free: TypeAlias = Literal[
+    "transverse_inertia", "axial_inertia", "com_height", "mass", "mass_moment", "gravity"
+]
 
 @final
 class Top:
@@ -236,6 +253,52 @@ class Score:
     def doubt(self) -> str | None: ...
 
 @final
+class Fitted:
+    @property
+    def converged(self) -> bool: ...
+    @property
+    def reason(self) -> str | None: ...
+    @property
+    def motion(self) -> Motion: ...
+    @property
+    def epoch(self) -> float: ...
+    @property
+    def quaternion(self) -> _Array: ...
+    @property
+    def omega(self) -> _Array: ...
+    @property
+    def spin(self) -> tuple[float, float]: ...
+    @property
+    def tilt(self) -> tuple[float, float]: ...
+    @property
+    def unknowns(self) -> list[str]: ...
+    @property
+    def covariance(self) -> _Array: ...
+    @property
+    def deviations(self) -> _Array: ...
+    @property
+    def free(self) -> dict[str, tuple[float, float]]: ...
+    @property
+    def biases(self) -> dict[str, tuple[_Array, _Array]]: ...
+    @property
+    def undetermined(self) -> list[Literal["yaw", "roll", "spin", "other"]]: ...
+    @property
+    def rivals(self) -> int: ...
+    @property
+    def chi_squared(self) -> float: ...
+    @property
+    def reduced_chi_squared(self) -> float: ...
+    @property
+    def used(self) -> int: ...
+    @property
+    def saturated(self) -> int: ...
+    @property
+    def outliers(self) -> int: ...
+    @property
+    def residuals(self) -> dict[str, _Array]: ...
+    def orientation_covariance(self, t: ArrayLike) -> _Array: ...
+
+@final
 class Page:
     @property
     def html(self) -> str: ...
@@ -252,4 +315,21 @@ def score(
     omega: ArrayLike | None = None,
     omega_body: ArrayLike | None = None,
 ) -> Score: ...
+# samples: a mapping, a structured array or a data frame, which is no dependency
+def fit(
+    samples: Any,
+    top: Top,
+    sensors: Mapping[str, Any] | str | PathLike[str] | None = None,
+    *,
+    free: Sequence[_Free] = ...,
+    huber: float = 3.0,
+) -> Fitted: ...
+def simulate(
+    motion: Motion,
+    sensors: Mapping[str, Any] | str | PathLike[str] | None = None,
+    *,
+    hertz: float = 1000.0,
+    duration: float = 1.0,
+    seed: int = 1,
+) -> dict[str, _Array]: ...
 def order(steps: ArrayLike, errors: ArrayLike) -> float | None: ...

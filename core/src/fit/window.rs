@@ -1,0 +1,83 @@
+//! Part of the measurements that a pass goes over.
+
+use crate::fit::sensor::Measurement;
+use core::iter::Take;
+
+/// Golden ratio times 2³². Its multiples modulo 2³² are spread evenly, whatever the period of the sensors' readings.
+const GOLDEN: u32 = 0x9e37_79b9;
+
+/// First measurements, all of them or those of one instant in so many.
+#[derive(Clone, Debug)]
+pub(super) struct Window<I> {
+    measurements: Take<I>,
+    /// Instants whose multiple of the golden ratio is at most this are kept.
+    limit: u32,
+    /// Multiple of the golden ratio of the instant, and its time.
+    multiple: u32,
+    time: Option<f64>,
+}
+
+impl<I: Iterator<Item = Measurement>> Window<I> {
+    /// All measurements.
+    pub(super) fn all(measurements: I) -> Self {
+        Self::first(measurements, usize::MAX, 1)
+    }
+
+    /// First `count` measurements, those of one instant in `thinning`, which is at least 1.
+    pub(super) fn first(measurements: I, count: usize, thinning: usize) -> Self {
+        let thinning = u32::try_from(thinning).unwrap_or(u32::MAX);
+        let limit = u32::MAX.checked_div(thinning).unwrap_or(u32::MAX);
+        // the multiple of the first instant becomes 0
+        let multiple = 0_u32.wrapping_sub(GOLDEN);
+        Self { measurements: measurements.take(count), limit, multiple, time: None }
+    }
+}
+
+impl<I: Iterator<Item = Measurement>> Iterator for Window<I> {
+    type Item = Measurement;
+
+    fn next(&mut self) -> Option<Measurement> {
+        loop {
+            let measurement = self.measurements.next()?;
+            if self.time != Some(measurement.time) {
+                self.time = Some(measurement.time);
+                self.multiple = self.multiple.wrapping_add(GOLDEN);
+            }
+            if self.multiple <= self.limit {
+                return Some(measurement);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn readings() -> impl Iterator<Item = Measurement> + Clone {
+        // a second sensor reads at every tenth instant only
+        (0..1000).flat_map(|n| {
+            let of = move |sensor| Measurement { time: f64::from(n), sensor, values: [0.0; 4] };
+            [Some(of(0)), (n % 10 == 0).then(|| of(1))].into_iter().flatten()
+        })
+    }
+
+    #[test]
+    fn a_thinned_window_keeps_its_share_of_each_sensor() {
+        for thinning in [2, 3, 5, 10] {
+            let count =
+                |sensor| Window::first(readings(), 1100, thinning).filter(|m| m.sensor == sensor).count();
+            let off = |count: usize, all: usize| count.abs_diff(all / thinning);
+            assert!(
+                off(count(0), 1000) <= 3 && off(count(1), 100) <= 3,
+                "{thinning}: {} {}",
+                count(0),
+                count(1)
+            );
+            let first = Window::first(readings(), 1100, thinning).next();
+            assert_eq!(first.map(|m| m.time), Some(0.0), "the epoch stays");
+        }
+        assert_eq!(Window::all(readings()).count(), 1100);
+        assert_eq!(Window::first(readings(), 7, 1).count(), 7);
+    }
+}

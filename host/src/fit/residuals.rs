@@ -1,0 +1,27 @@
+//! Residuals of a fit.
+
+use super::report::Told;
+use toytop::fit::Measurement;
+use toytop::{Motion, Sensitivity};
+
+/// Residuals of each measurement in standard deviations of the noise, with the fitted bias taken away. NaN stands for a
+/// component that the sensor does not have or that is at the end of its range, and for a measurement at a time at which
+/// the derivatives of the motion cannot be computed.
+#[must_use]
+pub fn residuals(told: &Told<'_>, motion: &Motion, measurements: &[Measurement]) -> Vec<[f64; 3]> {
+    let sensitivity = Sensitivity::of(motion);
+    let mut cursor = sensitivity.cursor();
+    let biases = told.biases();
+    let of = |Measurement { time, sensor, values }: &Measurement| {
+        let Some(partials) = cursor.at(time - told.fitted.epoch) else { return [f64::NAN; 3] };
+        let instrument = &told.sensors.instruments[*sensor];
+        let bias = biases.iter().find(|(name, ..)| *name == instrument.kind.name);
+        let bias = bias.map_or([0.0; 3], |(_, bias, _)| *bias);
+        let predicted = instrument.sensor.predict(&partials, values);
+        [0, 1, 2].map(|k| {
+            let deviation = predicted.deviation[k];
+            if deviation.is_finite() { (predicted.difference[k] - bias[k]) / deviation } else { f64::NAN }
+        })
+    };
+    measurements.iter().map(of).collect()
+}
