@@ -102,7 +102,7 @@ pub struct Fit<'a, F = f64> {
 struct Found {
     epoch: f64,
     progress: Progress,
-    rivals: usize,
+    alternatives: usize,
 }
 
 impl<'a, F: Real> Fit<'a, F> {
@@ -161,7 +161,7 @@ impl<'a, F: Real> Fit<'a, F> {
         {
             reason = self.cause(measurements)?.or(reason);
         }
-        Ok(self.fitted(found.epoch, reason, found.rivals))
+        Ok(self.fitted(found.epoch, reason, found.alternatives))
     }
 
     /// Cause of residuals that are too large, if it is one that can be told. The best launch stays.
@@ -216,16 +216,16 @@ impl<'a, F: Real> Fit<'a, F> {
         self.start(Launch::default());
         let later = measurements.clone().map(|measurement| measurement.time).filter(|time| *time > epoch);
         if later.take(2).count() < 2 {
-            return Ok(Found { epoch, progress: Progress::TooFew, rivals: 0 });
+            return Ok(Found { epoch, progress: Progress::TooFew, alternatives: 0 });
         }
         let beginning = Beginning::of(self, measurements.clone());
         if beginning.is_empty() {
-            return Ok(Found { epoch, progress: Progress::NoBeginning, rivals: 0 });
+            return Ok(Found { epoch, progress: Progress::NoBeginning, alternatives: 0 });
         }
         // the best of the guesses on short windows, where no phase can be off by a turn
         let mut count = 4 * FIRST_WINDOW * self.sensors.len();
         let mut best: Option<(Launch, f64)> = None;
-        let mut rivals = 0;
+        let mut alternatives = 0;
         for guess in beginning.guesses() {
             self.start(guess);
             self.settle(Window::first(measurements.clone(), count / 4, 1), NEAR);
@@ -242,7 +242,7 @@ impl<'a, F: Real> Fit<'a, F> {
                 self.settle(Window::first(measurements.clone(), count, 1), SETTLED);
                 let other = &self.best;
                 if other.cost < cost + 9.0 && other.launch.distance(&launch) > 0.3 {
-                    rivals += 1;
+                    alternatives += 1;
                 }
             }
             self.best.launch = launch;
@@ -258,7 +258,7 @@ impl<'a, F: Real> Fit<'a, F> {
             self.settle(Window::first(measurements.clone(), total, total / LAST_THINNED), NEAR);
         }
         let progress = self.settle_finally(measurements);
-        Ok(Found { epoch, progress, rivals })
+        Ok(Found { epoch, progress, alternatives })
     }
 
     /// Time of the first measurement, and the number of all, after a look at them.

@@ -166,7 +166,7 @@ pub struct Fitted {
     /// Reason why the launch must not be trusted; `None` where it may be.
     pub reason: Option<Reason>,
     /// Number of other launches, from other beginnings, that fit the first measurements as well.
-    pub rivals: usize,
+    pub alternatives: usize,
     /// Number of unknowns.
     pub count: usize,
     pub(crate) ratios: [f64; 4],

@@ -292,7 +292,7 @@ impl<F: Real> Fit<'_, F> {
     }
 
     #[inline(never)] // its matrices are on the stack at the end only
-    pub(super) fn fitted(&self, epoch: f64, reason: Option<Reason>, rivals: usize) -> Fitted {
+    pub(super) fn fitted(&self, epoch: f64, reason: Option<Reason>, alternatives: usize) -> Fitted {
         let Pass { launch, information, statistics, .. } = &self.best;
         let (launch, statistics) = (*launch, *statistics);
         let unobservable = self.model.unobservable(&launch, information);
@@ -305,7 +305,7 @@ impl<F: Real> Fit<'_, F> {
             statistics,
             unobservable,
             reason,
-            rivals,
+            alternatives,
             count: self.model.count,
             ratios: self.model.ratios(&launch),
             directions: self.model.directions(),

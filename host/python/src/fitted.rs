@@ -167,8 +167,8 @@ impl Fitted {
 
     /// Number of other launches that fit the first samples as well.
     #[getter]
-    fn rivals(&self) -> usize {
-        self.core.rivals
+    fn alternatives(&self) -> usize {
+        self.core.alternatives
     }
 
     /// Sum of the squares of the residuals in standard deviations, those of outliers at the limit.

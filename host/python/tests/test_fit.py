@@ -37,7 +37,7 @@ def same(a: toytop.Fitted, b: toytop.Fitted) -> bool:
 
 def test_the_truth_is_within_the_error_bars(truth: toytop.Motion, samples: dict[str, Any]) -> None:
     fitted = toytop.fit(samples, truth.top)
-    assert fitted.converged and fitted.reason is None and fitted.undetermined == [] and fitted.rivals == 0
+    assert fitted.converged and fitted.reason is None and fitted.undetermined == [] and fitted.alternatives == 0
     start = truth.at(fitted.epoch)
     off = np.abs(fitted.omega - start.omega) / fitted.deviations[3:6]
     assert 0.01 < off.max() < MOST_DEVIATIONS

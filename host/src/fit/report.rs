@@ -170,8 +170,8 @@ impl Told<'_> {
         if !undetermined.is_empty() {
             text += &format!("not determined by these samples: {}\n", undetermined.join(", "));
         }
-        if self.fitted.rivals > 0 {
-            text += &format!("{} other launches fit the first samples as well\n", self.fitted.rivals);
+        if self.fitted.alternatives > 0 {
+            text += &format!("{} other launches fit the first samples as well\n", self.fitted.alternatives);
         }
         let mut ahead = vec![["t, s", "orientation +-, rad", "axis +-, rad"].map(str::to_owned).to_vec()];
         for Prediction { t, orientation, axis } in self.predictions() {
@@ -228,7 +228,7 @@ impl Told<'_> {
             "outliers": statistics.outliers,
             "largest_residual": statistics.largest,
             "undetermined": self.undetermined(),
-                        "alternatives": self.fitted.rivals,
+                        "alternatives": self.fitted.alternatives,
             "prediction": predictions,
         })
     }
