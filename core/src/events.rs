@@ -51,7 +51,7 @@ impl Event {
 
     /// Number of ticks from tick 0.
     fn ticks(&self) -> Extended {
-        Extended::normalised(self.tick.into(), 0) + self.share.into()
+        Extended::from(self.tick) + self.share.into()
     }
 }
 

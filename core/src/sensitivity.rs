@@ -15,7 +15,7 @@ mod partials;
 pub(crate) use coefficients::Coefficients;
 pub(crate) use equations::Equations;
 pub(crate) use extrapolation::advance;
-pub(crate) use flow::{Flow, Tangent, sum as total};
+pub(crate) use flow::{Flow, Tangent, total};
 pub use partials::Partials;
 pub(crate) use partials::along;
 

@@ -28,8 +28,12 @@ impl Cell {
 
     /// Cell with this number, first segment and number of halvings of the pair, all within the limits.
     pub(crate) const fn new(number: usize, first: usize, level: u32) -> Self {
-        let before = (number % 2) << level >> 1;
-        Self((first.wrapping_sub(before) as u16) << Self::LEVEL_BITS | level as u16)
+        Self((first.wrapping_sub(Self::place(number, level)) as u16) << Self::LEVEL_BITS | level as u16)
+    }
+
+    /// Number of segments between the beginning of the pair and this cell, if the whole pair had segments of this length.
+    const fn place(number: usize, level: u32) -> usize {
+        (number % 2) << level >> 1
     }
 
     /// Cell as one number of 16 bits.
@@ -57,7 +61,7 @@ impl Cell {
     /// Indices of the segments of the cell, if this is its number. Both cells of a pair with one segment have that one.
     pub(crate) fn segments(self, number: usize) -> Range<usize> {
         let level = self.level();
-        let first = self.segment((number % 2) as u32 * (1 << level >> 1));
+        let first = self.segment(Self::place(number, level) as u32);
         first..first + segments_per_cell(level)
     }
 }

@@ -140,8 +140,7 @@ impl<W> Clock<W> {
     pub(crate) fn nutation_interval(&self) -> Option<[Extended; 2]> {
         let [first, _] = self.horizon?;
         let ([phase, ..], [step, ..]) = (self.at(first), self.exact_steps());
-        let tick = Extended::normalised(first.into(), 0);
-        Some(interval_of_half_turns(phase.to_signed_phase(), step).map(|end| end + tick))
+        Some(interval_of_half_turns(phase.to_signed_phase(), step).map(|end| end + first.into()))
     }
 }
 

@@ -216,9 +216,8 @@ impl Tabulation {
         if self.level > Cell::DEEPEST || segments + self.least_rest(self.level) > self.requirements.most {
             return Err(());
         }
-        let covered = self.number..self.number + cells_covered(self.level);
-        for (number, cell) in self.tabulated.cells.iter_mut().enumerate().filter(|(i, _)| covered.contains(i))
-        {
+        let cells = self.tabulated.cells.iter_mut().enumerate();
+        for (number, cell) in cells.skip(self.number).take(cells_covered(self.level)) {
             *cell = Cell::new(number, segments, self.level);
         }
         (self.place, self.error) = (0, 0.0);

@@ -24,7 +24,7 @@ impl<const N: usize> Recurring<N> {
         if !(view.clock.turns && step > Extended::ZERO) {
             return nowhere;
         }
-        let start = Extended::normalised(from.into(), 0);
+        let start = Extended::from(from);
         let not_before = |ticks: Extended| if ticks < start { start } else { ticks };
         if let Some([first, last]) = view.clock.nutation_interval() {
             // an aperiodic motion passes each phase once, on either side of its lowest point

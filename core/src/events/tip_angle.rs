@@ -47,7 +47,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Cost of an event: up to 64 evaluations of the tip angle, and up to 40 more where periods are skipped.
     #[must_use]
     pub fn tip_angles(&self, angle: Phase, from: i64) -> TipAngles<'_, R> {
-        let start = Extended::normalised(from.into(), 0);
+        let start = Extended::from(from);
         let reversal = self.reversal();
         let phases = [Some(Phase::ZERO), Some(Phase::HALF), reversal, reversal.map(|phase| -phase)];
         TipAngles {

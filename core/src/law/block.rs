@@ -114,7 +114,7 @@ pub(crate) fn in_range(value: i64) -> Option<i64> {
 /// Sum of quotients; `None` where one of them has left the range, so that the series does not converge. Without this check two
 /// quotients beyond the range could cancel.
 #[inline(always)]
-pub(crate) fn total<const N: usize>(quotients: [i64; N]) -> Option<i64> {
+pub(crate) fn sum_in_range<const N: usize>(quotients: [i64; N]) -> Option<i64> {
     // the limit is a power of two
     let bits = quotients.iter().fold(0, |bits, quotient| bits | quotient.abs());
     (bits < BEYOND).then(|| quotients.iter().sum())

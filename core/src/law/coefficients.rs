@@ -1,6 +1,6 @@
 //! Coefficients of an expansion, computed one after another.
 
-use crate::law::block::{BITS, Block, TERMS, in_range, integrated, total};
+use crate::law::block::{BITS, Block, TERMS, in_range, integrated, sum_in_range};
 use crate::law::rate::{Rate, is_negligible};
 use crate::law::recurrence::SlowFactors;
 use crate::law::series::Expansion;
@@ -10,9 +10,10 @@ impl SlowFactors {
     fn advance(&self, rate: &mut Rate, k: usize, [square, delta, drive]: [i64; 3]) -> Option<bool> {
         let Rate { variation, integral: divisor, .. } = rate;
         let [constant, smoothing] = &self.shares;
-        let of_divisor = total([constant.times(delta), smoothing.times(drive)])?;
+        let of_divisor = sum_in_range([constant.times(delta), smoothing.times(drive)])?;
         let known = divisor.product(variation, 1..=k - 1, k, -divisor.exponent);
-        let of_rate = total([self.from_square.times(square), -self.from_divisor.times(of_divisor), -known])?;
+        let of_rate =
+            sum_in_range([self.from_square.times(square), -self.from_divisor.times(of_divisor), -known])?;
         let in_range = divisor.put(k, of_divisor) & variation.put(k, of_rate);
         in_range.then_some(is_negligible(of_rate, k, self.negligible))
     }
@@ -53,12 +54,12 @@ impl Expansion {
         let (constants, xi_series) = (&self.recurrence, &mut chi.variation);
         let [eta, linear, quadratic] = &constants.from_square;
         let square = cosine.product(cosine, 0..=k, k, BITS);
-        let twice = total([square_series.product(square_series, 1..=k - 1, k, BITS)])?;
-        let delta = total([linear.times(square), quadratic.times(twice)])?;
+        let twice = sum_in_range([square_series.product(square_series, 1..=k - 1, k, BITS)])?;
+        let delta = sum_in_range([linear.times(square), quadratic.times(twice)])?;
         let across = |series: &Block| series.product(xi_series, 1..=k - 1, k, -series.exponent);
         // coefficient of (1 + ξ)(1 + δ) without the unknown ξ
-        let known = total([constants.to_drive.times(delta), across(delta_series)])?;
-        let xi = total([eta.times(square), -known, -across(drive_series)])? >> 1;
+        let known = sum_in_range([constants.to_drive.times(delta), across(delta_series)])?;
+        let xi = sum_in_range([eta.times(square), -known, -across(drive_series)])? >> 1;
         let drive = known + xi;
         let in_range = square_series.put(k, square)
             & delta_series.put(k, delta)
@@ -76,7 +77,7 @@ impl Expansion {
     fn turn(&mut self, k: usize) -> Option<bool> {
         let Self { chi, scratch: [sine_series, cosine_series, ..], recurrence, .. } = self;
         let xi = &chi.variation;
-        let rate = |part: &Block| total([part.get(k), xi.product(part, 1..=k, k, -xi.exponent)]);
+        let rate = |part: &Block| sum_in_range([part.get(k), xi.product(part, 1..=k, k, -xi.exponent)]);
         let sine = integrated(in_range(recurrence.to_sine.times(rate(cosine_series)?))?, k);
         let cosine = integrated(in_range(recurrence.to_cosine.times(rate(sine_series)?))?, k);
         let in_range = sine_series.put(k + 1, sine) & cosine_series.put(k + 1, cosine);

@@ -7,7 +7,7 @@
 //! linear equations.
 
 use crate::law::PhaseRates;
-use crate::law::block::{BITS, Block, Factor, in_range, integrated, power_of_two, scaled, total};
+use crate::law::block::{BITS, Block, Factor, in_range, integrated, power_of_two, scaled, sum_in_range};
 use crate::law::rate::{Rate, negligible};
 use crate::law::recurrence::Recurrence;
 use crate::law::turning::{FRACTION, sine_cosine};
@@ -178,7 +178,7 @@ impl Expansion {
             let mut converges = rate.put(0, scaled(slopes, rate.exponent));
             for k in 1..self.terms {
                 let [chi, slow] = [&self.chi, slow].map(|rate| rate.variation.get(k));
-                converges &= rate.put(k, total([from_chi.times(chi), from_slow.times(slow)])?);
+                converges &= rate.put(k, sum_in_range([from_chi.times(chi), from_slow.times(slow)])?);
             }
             let (sine, cosine) = sine_cosine(theta + chi);
             let scale = Split::of(scaled(scale, -FRACTION));

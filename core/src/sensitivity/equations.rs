@@ -2,7 +2,7 @@
 
 use crate::scalar::Float;
 use crate::sensitivity::coefficients::Coefficients;
-use crate::sensitivity::flow::{Flow, Tangent, sum};
+use crate::sensitivity::flow::{Flow, Tangent, total};
 use crate::su2::{Vector, bracket, dot};
 use crate::top::Top;
 
@@ -86,7 +86,7 @@ impl<F: Float> Equations<F> {
 
     /// Angular velocity ω = w + S r.
     pub(crate) fn omega(&self, axis: Vector<F>, across: Vector<F>) -> Vector<F> {
-        sum(across, axis, self.spin)
+        total(across, axis, self.spin)
     }
 
     /// Accelerations at an axis r and a part w of ω: the equations of Newton and Euler,
@@ -105,12 +105,12 @@ impl<F: Float> Equations<F> {
         let u = (dot(across, inward) - gyroscopic * gyration - moment * gravity * lever_squared) / factor;
         let support = gravity + height * u;
         // with dr' = dω × r, dq = r × dk, and d(n/A) = (C/A) ⟨dω, r⟩; the term ⟨S r, r' × k⟩ is -S ⟨r', q⟩
-        let by_omega = sum(inward, bracket(axis, vertical_cross(across)), F::ONE);
-        let by_omega = sum(by_omega, axis, (F::ONE - inertia) * gyration);
-        let by_omega = sum(by_omega, bracket(axis, lever), -gyroscopic);
-        let by_vertical = sum(bracket(across, axis_rate), bracket(axis, axis_rate), gyroscopic);
-        let by_vertical = sum(by_vertical, bracket(lever, axis), -(moment * support).doubled());
-        let across = sum(lever.map(|x| -(moment * support) * x), axis_rate, -gyroscopic);
+        let by_omega = total(inward, bracket(axis, vertical_cross(across)), F::ONE);
+        let by_omega = total(by_omega, axis, (F::ONE - inertia) * gyration);
+        let by_omega = total(by_omega, bracket(axis, lever), -gyroscopic);
+        let by_vertical = total(bracket(across, axis_rate), bracket(axis, axis_rate), gyroscopic);
+        let by_vertical = total(by_vertical, bracket(lever, axis), -(moment * support).doubled());
+        let across = total(lever.map(|x| -(moment * support) * x), axis_rate, -gyroscopic);
         Acceleration { axis_rate, lever, gyroscopic, u, factor, by_omega, by_vertical, support, across }
     }
 
@@ -157,10 +157,10 @@ impl<F: Float> Equations<F> {
             push = push + by.moment * at.support;
             gyroscopic = gyroscopic + by.inertia * self.spin;
         }
-        let rate = sum(lever.map(|x| -(moment * at.support) * x), at.lever, -push);
-        let rate = sum(rate, at.axis_rate, -gyroscopic);
-        let rate = sum(rate, bracket(eta, axis), -at.gyroscopic);
-        Tangent { theta: eta, eta: sum(rate, bracket(eta, across), -F::ONE) }
+        let rate = total(lever.map(|x| -(moment * at.support) * x), at.lever, -push);
+        let rate = total(rate, at.axis_rate, -gyroscopic);
+        let rate = total(rate, bracket(eta, axis), -at.gyroscopic);
+        Tangent { theta: eta, eta: total(rate, bracket(eta, across), -F::ONE) }
     }
 
     /// Rate of a state and its first `known` tangents.
@@ -201,7 +201,7 @@ impl<F: Float> Equations<F> {
     /// Largest difference of two flows, each part relative to its size. Rates are compared in units of `frequency`.
     pub(crate) fn difference<const N: usize>(&self, one: &Flow<F, N>, other: &Flow<F, N>, frequency: F) -> F {
         let size = |x: Vector<F>| dot(x, x).sqrt();
-        let apart = |x: Vector<F>, y: Vector<F>| size(sum(x, y, -F::ONE));
+        let apart = |x: Vector<F>, y: Vector<F>| size(total(x, y, -F::ONE));
         let mut worst = apart(one.axis, other.axis)
             + apart(one.side, other.side)
             + apart(one.across, other.across) / frequency;

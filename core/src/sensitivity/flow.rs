@@ -26,7 +26,7 @@ pub(crate) struct Flow<F, const N: usize> {
 }
 
 /// x + f y.
-pub(crate) fn sum<F: Float>([x1, x2, x3]: Vector<F>, [y1, y2, y3]: Vector<F>, f: F) -> Vector<F> {
+pub(crate) fn total<F: Float>([x1, x2, x3]: Vector<F>, [y1, y2, y3]: Vector<F>, f: F) -> Vector<F> {
     [x1 + f * y1, x2 + f * y2, x3 + f * y3]
 }
 
@@ -36,12 +36,12 @@ impl<F: Float> Tangent<F> {
 
     /// Sum of this tangent and f times another.
     pub(crate) fn plus(&self, other: &Self, f: F) -> Self {
-        Self { theta: sum(self.theta, other.theta, f), eta: sum(self.eta, other.eta, f) }
+        Self { theta: total(self.theta, other.theta, f), eta: total(self.eta, other.eta, f) }
     }
 
     /// Tangent of a change of Φ and of ω in the fixed frame.
     fn of_change(theta: Vector<F>, change: Vector<F>, omega: Vector<F>) -> Self {
-        Self { theta, eta: sum(change, bracket(theta, omega), -F::ONE) }
+        Self { theta, eta: total(change, bracket(theta, omega), -F::ONE) }
     }
 }
 
@@ -75,7 +75,7 @@ impl<F: Float, const N: usize> Flow<F, N> {
             *tangent = Tangent::of_change(unit(0), unit(3), omega);
         }
         let [axis, side] = [[zero, zero, one], [one, zero, zero]].map(|body| phi.adjoint(body));
-        let across = sum(omega, axis, -dot(omega, axis));
+        let across = total(omega, axis, -dot(omega, axis));
         Self { axis, side, across, tangents }
     }
 
@@ -87,14 +87,14 @@ impl<F: Float, const N: usize> Flow<F, N> {
     /// Fixed coordinates of a vector of the body frame.
     pub(crate) fn in_fixed(&self, [x, y, z]: Vector<F>) -> Vector<F> {
         let across = bracket(self.axis, self.side);
-        sum(sum(self.side.map(|c| c * x), across, y), self.axis, z)
+        total(total(self.side.map(|c| c * x), across, y), self.axis, z)
     }
 
     /// Adds f times another flow to the state and to the first `known` tangents.
     pub(crate) fn add(&mut self, other: &Self, f: F, known: usize) {
-        self.axis = sum(self.axis, other.axis, f);
-        self.side = sum(self.side, other.side, f);
-        self.across = sum(self.across, other.across, f);
+        self.axis = total(self.axis, other.axis, f);
+        self.side = total(self.side, other.side, f);
+        self.across = total(self.across, other.across, f);
         for (tangent, rate) in self.tangents.iter_mut().zip(&other.tangents).take(known) {
             *tangent = tangent.plus(rate, f);
         }
@@ -130,6 +130,6 @@ impl<F: Real, const N: usize> Flow<F, N> {
     pub(crate) fn roll(&mut self, phase: Phase) {
         let (sine, cosine) = F::sine_cosine(phase);
         let across = bracket(self.axis, self.side);
-        self.side = sum(self.side.map(|x| x * cosine), across, sine);
+        self.side = total(self.side.map(|x| x * cosine), across, sine);
     }
 }

@@ -3,7 +3,7 @@
 use crate::complex::Complex;
 use crate::scalar::Float;
 use crate::sensitivity::equations::Equations;
-use crate::sensitivity::flow::{Flow, sum};
+use crate::sensitivity::flow::{Flow, total};
 use crate::sensitivity::{COLUMNS, Tangent};
 use crate::su2::{Orientation, Vector, bracket, dot};
 
@@ -90,7 +90,7 @@ impl<F: Float> Partials<F> {
     #[must_use]
     pub fn omega(&self) -> [Vector<F>; COLUMNS] {
         let omega = self.angular_velocity();
-        self.each(|Tangent { theta, eta }| sum(*eta, bracket(*theta, omega), F::ONE))
+        self.each(|Tangent { theta, eta }| total(*eta, bracket(*theta, omega), F::ONE))
     }
 
     /// Derivatives of Ω in the body frame.
@@ -155,7 +155,7 @@ impl<F: Float> Partials<F> {
 
     /// ω in the coordinates of an instrument, from the coordinates of the axis there.
     pub(crate) fn omega_in(&self, axes: &[Vector<F>; 3], axis: Vector<F>) -> Vector<F> {
-        sum(along(axes, self.flow.across), axis, self.equations.spin)
+        total(along(axes, self.flow.across), axis, self.equations.spin)
     }
 
     /// [`Self::direction`] in the coordinates of an instrument.
@@ -182,8 +182,8 @@ impl<F: Float> Partials<F> {
         let swing = bracket(omega, arm);
         let mut force = up.map(|x| x * at.support);
         if off_centre {
-            let rate = sum(at.across, bracket(across, axis), self.equations.spin);
-            force = sum(sum(force, bracket(rate, arm), F::ONE), bracket(omega, swing), F::ONE);
+            let rate = total(at.across, bracket(across, axis), self.equations.spin);
+            force = total(total(force, bracket(rate, arm), F::ONE), bracket(omega, swing), F::ONE);
         }
         let mut changes = [[F::ZERO; 3]; COLUMNS];
         let tangents = self.flow.tangents.iter().take(self.known).enumerate();
@@ -191,15 +191,15 @@ impl<F: Float> Partials<F> {
             let by = self.equations.changes.get(index.wrapping_sub(6));
             let support = self.equations.support_change(&at, tangent, by);
             // in the frame that turns by θ, the vertical turns by -θ and the arm stays
-            let mut total = sum(up.map(|x| x * support), bracket(up, tangent.theta), at.support);
+            let mut force_change = total(up.map(|x| x * support), bracket(up, tangent.theta), at.support);
             if off_centre {
                 let rate = self.equations.tangent_rate(axis, across, &at, tangent, by).eta;
-                let turning = sum(rate, bracket(tangent.eta, omega), F::ONE);
-                total = sum(total, bracket(turning, arm), F::ONE);
-                total = sum(total, bracket(tangent.eta, swing), F::ONE);
-                total = sum(total, bracket(omega, bracket(tangent.eta, arm)), F::ONE);
+                let turning = total(rate, bracket(tangent.eta, omega), F::ONE);
+                force_change = total(force_change, bracket(turning, arm), F::ONE);
+                force_change = total(force_change, bracket(tangent.eta, swing), F::ONE);
+                force_change = total(force_change, bracket(omega, bracket(tangent.eta, arm)), F::ONE);
             }
-            *change = along(axes, total);
+            *change = along(axes, force_change);
         }
         (along(axes, force), changes)
     }

@@ -66,6 +66,13 @@ impl From<f64> for Extended {
     }
 }
 
+impl From<i64> for Extended {
+    /// Whole number, exact.
+    fn from(number: i64) -> Self {
+        Self::normalised(number.into(), 0)
+    }
+}
+
 impl From<Phase> for Extended {
     /// Number of turns, whole turns included; exact below 2^28 turns.
     fn from(phase: Phase) -> Self {
