@@ -59,9 +59,10 @@ pub const MOST_RATIOS: usize = 4;
 const FIRST_WINDOW: usize = 16;
 /// Size of a correction, in standard deviations, with which a window is done.
 const NEAR: f64 = 0.5;
-/// Number of measurements to which the windows behind the first two are thinned, and to which all are before the last
-/// passes. The launch is then some standard deviations from the best one, and one pass over all corrects it.
+/// Number of measurements to which the windows after the first two are thinned.
 const THINNED: usize = 192;
+/// Number of measurements to which all of them are thinned before the last passes. The launch is then within some standard
+/// deviations of the best one, and one pass over all measurements corrects it.
 const LAST_THINNED: usize = 512;
 /// Fit of a launch to measurements.
 ///
@@ -81,8 +82,9 @@ pub struct Fit<'a, F = f64> {
     current: Pass<F>,
     /// Marquardt's damping.
     damping: f64,
-    /// Size of the last correction on the same measurements, and that of a correction by the square of the one before.
+    /// Size of the last correction from the same measurements, in standard deviations.
     last_change: Option<f64>,
+    /// Size of a correction over the square of the size of the one before it.
     curvature: f64,
     path: Path<F>,
     rows: Rows<F>,
@@ -164,7 +166,7 @@ impl<'a, F: Real> Fit<'a, F> {
         Ok(self.fitted(found.epoch, reason, found.alternatives))
     }
 
-    /// Cause of residuals that are too large, if it is one that can be told. The best launch stays.
+    /// Cause of residuals that are too large, if it can be determined. The best launch stays.
     #[inline(never)] // the copy of a pass is on the stack while it works only
     fn cause<I>(&mut self, measurements: I) -> Result<Option<Reason>, FitError>
     where
@@ -252,7 +254,7 @@ impl<'a, F: Real> Fit<'a, F> {
             count = count.saturating_mul(4);
             self.settle(Window::first(measurements.clone(), count, count / THINNED), NEAR);
         }
-        // that of a shorter window does not say how far the equations are linear over all measurements
+        // a shorter window does not show how far the equations are linear over all measurements
         self.curvature = f64::INFINITY;
         if total / LAST_THINNED > 1 {
             self.settle(Window::first(measurements.clone(), total, total / LAST_THINNED), NEAR);

@@ -11,12 +11,13 @@ use crate::scalar::Real;
 /// Size of a correction, in standard deviations, below which the fit has converged. The next one would be about its
 /// square.
 pub(super) const SETTLED: f64 = 0.05;
-/// Estimate of the next correction, in standard deviations, which a fit that has converged does without, and the largest
-/// correction after which it may.
-const LEFT: f64 = 0.1;
-const MOST_UNSEEN: f64 = 10.0;
-/// Sine of the tilt from which this holds.
-const LEANING: f64 = 0.1;
+/// Estimated size of the next correction, in standard deviations, below which the fit has converged without a pass that
+/// confirms it.
+const NEXT_SETTLED: f64 = 0.1;
+/// Largest correction, in standard deviations, after which the fit converges without such a pass.
+const MOST_UNCONFIRMED: f64 = 10.0;
+/// Least sine of the tilt at which the fit converges without such a pass.
+const LEAST_TILT: f64 = 0.1;
 /// Change of the sum of squares that may come from the error of the integration.
 const ROUNDING: f64 = 0.05;
 /// Passes that one window of measurements may take.
@@ -261,12 +262,13 @@ impl<F: Real> Fit<'_, F> {
         }
         // near the vertical the derivatives themselves depend on the launch
         let [x, y, _] = next.orientation.axis();
-        let near =
-            x * x + y * y > LEANING * LEANING && size < MOST_UNSEEN && self.curvature * size * size < LEFT;
+        let near = x * x + y * y > LEAST_TILT * LEAST_TILT
+            && size < MOST_UNCONFIRMED
+            && self.curvature * size * size < NEXT_SETTLED;
         if size < settled || near {
             self.best.information = self.model.carried(&information, &self.best.launch, &change, &next);
             self.best.launch = next;
-            // by so much the correction lowers the sum of squares, as far as the equations are linear
+            // the correction lowers the sum of squares by this amount, as far as the equations are linear
             self.best.cost -= size * size;
             let statistics = &mut self.best.statistics;
             statistics.chi_squared = (statistics.chi_squared - size * size).max(0.0);

@@ -11,7 +11,7 @@ use toml::{Table, Value};
 use toytop::fit::{Fit, FitError, Measurement, Sensor};
 use toytop_host::fit::columns::Columns;
 use toytop_host::fit::free::{FreeKey, ratios};
-use toytop_host::fit::report::Told;
+use toytop_host::fit::report::FitReport;
 use toytop_host::fit::residuals::residuals;
 use toytop_host::fit::simulated::{MOST_SAMPLES, Recording, measurements};
 
@@ -62,7 +62,7 @@ pub(crate) fn fit(
     });
     let fitted = fitted.map_err(|error: FitError| value_error("samples", &error.to_string()))?;
     let end = readings.last().map_or(0.0, |last| last.time);
-    let told = Told {
+    let report = FitReport {
         fitted: &fitted,
         top: &definition.top,
         table: &table,
@@ -72,7 +72,7 @@ pub(crate) fn fit(
     };
     // without a motion there is nothing to compare with
     let left =
-        fitted.motion(&definition.top).map(|motion| py.detach(|| residuals(&told, &motion, &readings)));
+        fitted.motion(&definition.top).map(|motion| py.detach(|| residuals(&report, &motion, &readings)));
     let mut by_column = Columns { t: given.t, readings: Vec::new() };
     for (sensor, instrument) in instruments.instruments.iter().enumerate() {
         for (component, name) in instrument.kind.residuals().iter().enumerate() {
@@ -85,7 +85,7 @@ pub(crate) fn fit(
             by_column.readings.push((*name, column));
         }
     }
-    Fitted::new(py, &told, by_column)
+    Fitted::new(py, &report, by_column)
 }
 
 /// Free key of a name.

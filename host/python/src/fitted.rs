@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use toytop::Sensitivity;
 use toytop_host::fit::columns::Columns;
-use toytop_host::fit::report::Told;
+use toytop_host::fit::report::FitReport;
 
 /// Launch of a top fitted to samples, with its error bars. It is made by toytop.fit.
 #[pyclass(module = "toytop", frozen)]
@@ -24,19 +24,19 @@ pub(crate) struct Fitted {
 }
 
 impl Fitted {
-    pub(crate) fn new(py: Python<'_>, told: &Told<'_>, residuals: Columns) -> PyResult<Self> {
-        let core = *told.fitted;
-        let motion = match (core.reason, told.scenario(None)) {
+    pub(crate) fn new(py: Python<'_>, report: &FitReport<'_>, residuals: Columns) -> PyResult<Self> {
+        let core = *report.fitted;
+        let motion = match (core.reason, report.scenario(None)) {
             (Some(reason), _) => Err(format!("must be that of a fit that has converged: {reason}")),
             (None, Err(failure)) => Err(failure.to_string()),
             (None, Ok((text, _))) => Ok(Py::new(py, PyMotion::parsed("fitted", &text)?)?),
         };
-        let free: Vec<_> = told
+        let free: Vec<_> = report
             .freed()
             .into_iter()
             .map(|(key, value, deviation)| (key.name(), [value, deviation]))
             .collect();
-        let biases: Vec<_> = told
+        let biases: Vec<_> = report
             .biases()
             .into_iter()
             .map(|(name, values, deviations)| (name, [values, deviations]))
@@ -52,8 +52,8 @@ impl Fitted {
             unknowns,
             free,
             biases,
-            undetermined: told.undetermined(),
-            spin_and_tilt: told.spin_and_tilt(),
+            undetermined: report.undetermined(),
+            spin_and_tilt: report.spin_and_tilt(),
             residuals,
         })
     }

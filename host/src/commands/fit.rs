@@ -5,7 +5,7 @@ use crate::Failure;
 use crate::cli::{FitArgs, Format};
 use crate::fit::free;
 use crate::fit::pictures;
-use crate::fit::report::Told;
+use crate::fit::report::FitReport;
 use crate::fit::sensors::{Body, Sensors};
 use crate::fit::table;
 use crate::input::scenario::Scenario;
@@ -42,12 +42,13 @@ pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let mut fit = Fit::new(&top, &listed, &ratios).map_err(refuse)?.with_huber(arguments.huber);
     let fitted = fit.run(measurements.iter().copied()).map_err(refuse)?;
     let end = measurements.last().map_or(0.0, |last| last.time);
-    let told = Told { fitted: &fitted, top: &top, table, free: &arguments.free, sensors: &sensors, end };
+    let report =
+        FitReport { fitted: &fitted, top: &top, table, free: &arguments.free, sensors: &sensors, end };
     let mut notes = Vec::new();
     match (&arguments.output, fitted.converged()) {
         (Some(path), true) => {
             let units = keys.get("units").and_then(Value::as_str);
-            let (text, _) = told.scenario(units)?;
+            let (text, _) = report.scenario(units)?;
             whole_file::write("-o", path, text.as_bytes())?;
         }
         (Some(path), false) => {
@@ -62,22 +63,22 @@ pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
             continue;
         };
         let picture = match option {
-            "--plot-residuals" => pictures::residuals(&told, &motion, &measurements),
-            _ => pictures::prediction(&told, &motion),
+            "--plot-residuals" => pictures::residuals(&report, &motion, &measurements),
+            _ => pictures::prediction(&report, &motion),
         };
         whole_file::write(option, path, &picture.encoded(Form::of(path, option)?)?)?;
     }
     let text = match arguments.format {
-        Format::Table => told.table(),
-        Format::Json => format!("{}\n", told.json()),
-        Format::Csv => output::csv(&[record(&told)]).map_err(Failure::Output)?,
+        Format::Table => report.table(),
+        Format::Json => format!("{}\n", report.json()),
+        Format::Csv => output::csv(&[record(&report)]).map_err(Failure::Output)?,
     };
     Ok(Report { text, notes, missed: !fitted.converged() })
 }
 
 /// Launch in one row.
-fn record(told: &Told<'_>) -> Record {
-    let fitted = told.fitted;
+fn record(report: &FitReport<'_>) -> Record {
+    let fitted = report.fitted;
     let deviations = fitted.deviations();
     let [w, x, y, z] = fitted.launch.orientation.quaternion();
     let [a, b, c] = fitted.launch.omega;

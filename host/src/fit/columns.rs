@@ -15,14 +15,14 @@ pub struct Columns {
     pub readings: Vec<(&'static str, Vec<f64>)>,
 }
 
-/// Row that no measurements can be made of.
+/// Row from which no measurements can be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RefusedRow {
     /// Row, from 0.
     pub row: usize,
     /// Name of the column.
     pub column: &'static str,
-    /// What must be.
+    /// Requirement that the value does not meet.
     pub reason: &'static str,
 }
 
@@ -98,7 +98,7 @@ impl Columns {
 /// * `all`: whether every sensor must have its columns
 ///
 /// # Errors
-/// What must be: no sensor has all its columns, or one does not.
+/// Requirement on the columns that is not met: no sensor has all its columns, or one of those that must does not.
 pub fn keep_present(sensors: &mut Sensors, has: impl Fn(&str) -> bool, all: bool) -> Result<(), String> {
     let present = |columns: &[&'static str]| columns.iter().all(|name| has(name));
     if all && let Some(missing) = sensors.instruments.iter().find(|one| !present(one.kind.columns)) {

@@ -1,6 +1,6 @@
 //! Pictures of a fit: its residuals, and how the error of its prediction grows.
 
-use super::report::Told;
+use super::report::FitReport;
 use super::residuals;
 use crate::pictures::figures::{Chart, Curve, Picture};
 use toytop::fit::Measurement;
@@ -13,8 +13,8 @@ const AHEAD: [f64; 2] = [0.01, 100.0];
 
 /// Residuals in standard deviations, a curve for each column of the samples; those at the end of the range are left out.
 #[must_use]
-pub fn residuals(told: &Told<'_>, motion: &Motion, measurements: &[Measurement]) -> Picture {
-    let instruments = &told.sensors.instruments;
+pub fn residuals(report: &FitReport<'_>, motion: &Motion, measurements: &[Measurement]) -> Picture {
+    let instruments = &report.sensors.instruments;
     let mut curves: Vec<Vec<Curve>> = instruments
         .iter()
         .map(|one| {
@@ -22,7 +22,7 @@ pub fn residuals(told: &Told<'_>, motion: &Motion, measurements: &[Measurement])
             names.map(|name| Curve { name: (*name).to_owned(), points: Vec::new(), marked: false }).collect()
         })
         .collect();
-    let found = residuals::residuals(told, motion, measurements);
+    let found = residuals::residuals(report, motion, measurements);
     for (Measurement { time, sensor, .. }, residual) in measurements.iter().zip(found) {
         for (curve, value) in curves[*sensor].iter_mut().zip(residual) {
             if value.is_finite() {
@@ -42,14 +42,14 @@ pub fn residuals(told: &Told<'_>, motion: &Motion, measurements: &[Measurement])
 /// Standard deviation of the predicted orientation, and the half axes of the error ellipse of the predicted axis, against the
 /// time after the last sample.
 #[must_use]
-pub fn prediction(told: &Told<'_>, motion: &Motion) -> Picture {
+pub fn prediction(report: &FitReport<'_>, motion: &Motion) -> Picture {
     let sensitivity = Sensitivity::of(motion);
     let names = ["orientation", "axis: long half axis", "axis: short half axis"];
     let mut curves = names.map(|name| Curve { name: name.to_owned(), points: Vec::new(), marked: false });
     for point in 0..POINTS {
         let ahead = AHEAD[0] * (AHEAD[1] / AHEAD[0]).powf(f64::from(point) / f64::from(POINTS - 1));
-        let Some(partials) = sensitivity.at(told.end + ahead - told.fitted.epoch) else { break };
-        let covariance = told.fitted.orientation_covariance(&partials);
+        let Some(partials) = sensitivity.at(report.end + ahead - report.fitted.epoch) else { break };
+        let covariance = report.fitted.orientation_covariance(&partials);
         let trace: f64 = (0..3).map(|k| covariance[k][k]).sum();
         let [long, short] = ellipse(&covariance, partials.axis());
         for (curve, value) in curves.iter_mut().zip([trace.max(0.0).sqrt(), long, short]) {

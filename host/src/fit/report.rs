@@ -14,8 +14,8 @@ use toytop::{Motion, Sensitivity, Top};
 /// Times after the end of the samples at which the error of the prediction is stated, s.
 const AHEAD: [f64; 5] = [0.0, 1.0, 2.0, 5.0, 10.0];
 
-/// Fitted launch with what is needed to tell of it.
-pub struct Told<'a> {
+/// Fitted launch with the data of its report.
+pub struct FitReport<'a> {
     /// Result of the fit.
     pub fitted: &'a Fitted,
     /// Top of the file.
@@ -37,7 +37,7 @@ struct Prediction {
     axis: f64,
 }
 
-impl Told<'_> {
+impl FitReport<'_> {
     /// Values of the free keys with their standard deviations.
     #[must_use]
     pub fn freed(&self) -> Vec<(FreeKey, f64, f64)> {

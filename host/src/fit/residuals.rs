@@ -1,6 +1,6 @@
 //! Residuals of a fit.
 
-use super::report::Told;
+use super::report::FitReport;
 use toytop::fit::Measurement;
 use toytop::{Motion, Sensitivity};
 
@@ -8,13 +8,13 @@ use toytop::{Motion, Sensitivity};
 /// component that the sensor does not have or that is at the end of its range, and for a measurement at a time at which
 /// the derivatives of the motion cannot be computed.
 #[must_use]
-pub fn residuals(told: &Told<'_>, motion: &Motion, measurements: &[Measurement]) -> Vec<[f64; 3]> {
+pub fn residuals(report: &FitReport<'_>, motion: &Motion, measurements: &[Measurement]) -> Vec<[f64; 3]> {
     let sensitivity = Sensitivity::of(motion);
     let mut cursor = sensitivity.cursor();
-    let biases = told.biases();
+    let biases = report.biases();
     let of = |Measurement { time, sensor, values }: &Measurement| {
-        let Some(partials) = cursor.at(time - told.fitted.epoch) else { return [f64::NAN; 3] };
-        let instrument = &told.sensors.instruments[*sensor];
+        let Some(partials) = cursor.at(time - report.fitted.epoch) else { return [f64::NAN; 3] };
+        let instrument = &report.sensors.instruments[*sensor];
         let bias = biases.iter().find(|(name, ..)| *name == instrument.kind.name);
         let bias = bias.map_or([0.0; 3], |(_, bias, _)| *bias);
         let predicted = instrument.sensor.predict(&partials, values);

@@ -219,7 +219,7 @@ fn what_is_no_sweep_is_refused() {
     refused(&folder, &["--motions", "3"], "--output");
 }
 
-/// Of two processes that continue one file, one does so and the other is refused; no row is lost or repeated.
+/// One process continues a file while another that tries to is refused; no row is lost or repeated.
 #[test]
 fn one_file_has_one_writer() {
     let whole = sweep(&no_file("one_writer_whole"), &KILLED);

@@ -3,7 +3,7 @@
 use super::{branch_points, json, run, scenario, stderr};
 use serde_json::Value;
 
-/// The same motion three times: in the units of the keys, in decimal units, and in units with a factor of π.
+/// Scenario in the units of the keys. Below it are two of the same motion, in decimal units and in units with a factor of π.
 const PLAIN: &str = r#"[top]
 transverse_inertia = 3.0e-5
 axial_inertia = 2.0e-5

@@ -10,7 +10,7 @@ const STEM = [[1.36, 0.085], [1.5, 0.065], [1.68, 0.062], [1.74, 0.085], [1.79, 
 const STEM_FROM = 1.3;
 
 const SECTORS = 48;
-/** How many sectors a face covers, by its radius: so many that an edge is nowhere more than a hundredth of a unit off the circle. */
+/** Number of sectors that a face covers, by its radius: its edge stays within a hundredth of a unit of the circle. */
 const sectorsAt = (radius) => (radius < 0.14 ? 4 : radius < 0.5 ? 2 : 1);
 const PAINT = { red: [196, 58, 43], cream: [246, 232, 202], wood: [205, 152, 92], metal: [150, 158, 168], mark: [38, 84, 160] };
 
@@ -101,7 +101,7 @@ function light(camera) {
 
 /**
  * The faces that are seen, the farthest first. `place` takes body coordinates to space, `rotate` directions. The loops of this file
- * go over hundreds of faces for each picture, and make no arrays that they can do without.
+ * visit hundreds of faces for each picture, so they make few temporary arrays.
  */
 function seenFaces(camera, body, { place, rotate }) {
   const space = body.points.map(place);

@@ -3,7 +3,7 @@
 /** Width of a film, pixels; time between its frames, hundredths of a second; and number of its frames. */
 const FILM = { width: 480, hundredths: 6, frames: 100 };
 
-/** Lets the browser do what waits: a click, or the picture that is played. */
+/** Lets the browser handle waiting events, such as a click, and draw the picture that is played. */
 const pause = () => new Promise((done) => setTimeout(done, 0));
 
 /** Pixels of the 3-D picture of a frame, in RGBA. */
@@ -22,8 +22,8 @@ function filmCanvas(shown, width) {
 }
 
 /**
- * Bytes of a film from the frames that `frameAt` makes for their numbers. `goesOn` hears what share is done, and ends the film
- * by false; there are no bytes then.
+ * Bytes of a film from the frames that `frameAt` makes for their numbers. `goesOn` is called with the share that is done; if it
+ * returns false, the film ends without bytes.
  */
 async function filmAsGif(shown, frameAt, { width, hundredths, frames }, goesOn) {
   const canvas = filmCanvas(shown, width);
@@ -50,7 +50,7 @@ function listenToGif(button) {
     button.setAttribute("aria-pressed", "true");
     const [filmed, begin, speed] = [scene, state.t, state.speed];
     const frameOf = (i) => frameAt(begin + (i * FILM.hundredths * speed) / 100);
-    // a motion that has been changed would end another film than it began
+    // after a change of the motion the rest of the film would show another one
     const goesOn = (share) => {
       button.textContent = `${Math.round(100 * share)} %`;
       return isFilming && scene === filmed;

@@ -1,4 +1,4 @@
-// GIF 89a: pictures of one palette, of which each is told by what has changed since the one before.
+// GIF 89a: pictures with one palette. Each picture contains only the pixels that differ from the one before.
 
 /** Place in the palette of a pixel that has not changed. */
 const UNCHANGED = 255;
@@ -69,7 +69,7 @@ class CodeWriter {
 /** Compression by Lempel, Ziv and Welch, in codes of at least 9 bits. */
 class Compressor {
   constructor() {
-    // the code of each code followed by a byte, above 12 bits with the number of the table that it belongs to
+    // for each code followed by a byte: the code of both in the lower 12 bits, and the number of its table above
     Object.assign(this, { followers: new Uint32Array(MOST_CODES * 256), tables: 0 });
   }
 

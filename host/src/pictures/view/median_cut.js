@@ -43,7 +43,7 @@ function meanOf({ colours, pixels }, counts) {
   return sums.map((x) => Math.round((x / pixels) * (255 / 63)));
 }
 
-/** A palette of at most so many colours for pictures in RGBA bytes, and the place in it of every colour's number. */
+/** Palette of at most `most` colours for pictures in RGBA bytes, with the place in it of each colour that was looked up. */
 class Palette {
   constructor(pictures, most) {
     const counts = new Uint32Array(COLOURS);
@@ -54,7 +54,7 @@ class Palette {
     counts.forEach((count, colour) => count && present.push(colour));
     const boxes = [boxOf(present, counts)];
     while (boxes.length < most) {
-      // a large box of few pixels is seen, as a small one of many
+      // the error of a large box of few pixels is as visible as that of a small box of many
       const error = ({ side, pixels }) => side * Math.sqrt(pixels);
       const worst = boxes.reduce((most, box) => (error(box) > error(most) ? box : most));
       if (worst.side === 0) break;
