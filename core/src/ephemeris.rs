@@ -17,6 +17,8 @@ mod economise;
 
 mod seek;
 
+mod span;
+
 mod speeds;
 
 mod segment_errors;

@@ -13,8 +13,6 @@
 //! neither 1 - u nor 1 + u in a denominator. Set-up integrates this law over a period, and the stepper integrates it
 //! over a time step.
 
-pub(crate) mod amplitude;
-
 mod block;
 
 mod turning;
@@ -24,6 +22,8 @@ mod recurrence;
 mod rate;
 
 pub(crate) mod series;
+
+pub(crate) mod elliptic;
 
 mod coefficients;
 

@@ -84,8 +84,8 @@ fn a_launch_takes_a_slice_for_each_node() {
     let thrown = |tilt, spin| Release { tilt, spin, ..Release::default() };
     // steady motions have the period of a small nutation; a top that rests upright below its critical spin has none
     for (release, fewest, most) in [
-        (thrown(0.35, 150.0), 15, 16),
-        (thrown(1e-3, 30.0), 263, 264),
+        (thrown(0.35, 150.0), 11, 16),
+        (thrown(1e-3, 30.0), 86, 90),
         (thrown(0.0, 150.0), 10, 24),
         (thrown(0.0, 1.0), 5, 6),
     ] {
@@ -98,9 +98,10 @@ fn a_launch_takes_a_slice_for_each_node() {
     assert!(motion.unwrap().period_advance().is_some() && slices < 8, "{slices} slices without a torque");
 }
 
-/// The most slender top that is accepted, A/(ps) = 1e-6, through the lower vertical and close to the upper one.
+/// The most slender top that is accepted, A/(ps) = 1e-6, through the lower vertical and close to the upper one. The number of nodes depends
+/// on K/K' alone; with the nutation angle as the variable it was 65 537.
 #[test]
-fn a_launch_has_at_most_65_537_nodes() {
+fn a_slender_top_needs_few_nodes() {
     let slender = Top::sliding(&TopParameters {
         transverse_inertia: 1.01e-6,
         axial_inertia: 1e-6,
@@ -112,7 +113,7 @@ fn a_launch_has_at_most_65_537_nodes() {
     let (motion, slices) =
         launched(&slender.unwrap(), &Release { tilt: 1e-3, spin: 1e-3, ..Release::default() });
     assert!(motion.unwrap().period_advance().is_some());
-    assert!((4000..=65_544).contains(&slices), "{slices} slices");
+    assert!((60..=140).contains(&slices), "{slices} slices");
 }
 
 #[test]

@@ -72,13 +72,14 @@ pub const TIP_ANGLE: [Budget; 4] = [Budget::of(1e-14), Budget::of(3e-7), Budget:
 
 /// Errors of events in f64: of u at a crossing, of the tip angle as a distance in units of s, and of a turning point's time in periods.
 pub const EVENTS_F64: [Budget; 3] = [Budget::of(6e-15), Budget::of(6e-15), Budget::of(1e-14)];
-/// Errors of events in f32, as [`EVENTS_F64`].
-pub const EVENTS_F32: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(1e-14)];
+/// Errors of events in f32, as [`EVENTS_F64`]. Set-up follows the motion to a fraction of the error that the scalar allows, so that a
+/// turning point is less exact than in f64.
+pub const EVENTS_F32: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(2e-11)];
 /// Errors of events in fixed point of 32 bits, as [`EVENTS_F64`].
-pub const EVENTS_Q31: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(1e-14)];
+pub const EVENTS_Q31: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(4e-14)];
 /// Errors of events in fixed point of 16 bits, as [`EVENTS_F64`]. An aperiodic motion has no period; the time that replaces it depends on the
 /// rounding.
-pub const EVENTS_Q15: [Budget; 3] = [Budget::of(3e-4), Budget::of(3e-3), Budget::of(1e-11)];
+pub const EVENTS_Q15: [Budget; 3] = [Budget::of(3e-4), Budget::of(3e-3), Budget::of(4e-8)];
 
 /// Orientation error of the ephemeris in f64 at any time, for inputs exact in f64, with the rounding of the phases at the start.
 pub const EPHEMERIS_F64: Budget = Budget::of(1e-14);

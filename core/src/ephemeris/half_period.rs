@@ -2,7 +2,7 @@
 
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::speeds::Speeds;
-use crate::law::series::{Expansion, PhasePoint, Slopes, TERMS, larger_or_nan};
+use crate::law::series::{Expansion, PhasePoint, Slopes, TERMS, UNIT, larger_or_nan};
 use crate::law::{Law, PhaseRates};
 use crate::motion::Motion;
 use crate::phase::Phase;
@@ -31,7 +31,7 @@ pub(crate) struct HalfPeriod {
     theta_offset: [Extended; 2],
     /// Magnitude below which a term of the series is negligible.
     least: f64,
-    /// Expansion around the border of a cell or the centre of a segment.
+    /// Expansion around the border or the centre of a span.
     expansion: Expansion,
     /// Rates at the point of the expansion.
     slopes: Slopes,
@@ -39,8 +39,11 @@ pub(crate) struct HalfPeriod {
     unit: f64,
     part: f64,
     current: Position,
-    /// Position at the beginning of the cell.
+    /// Positions at the beginning and at the end of the span.
     border: Position,
+    end: Position,
+    /// Position at the beginning of a cell: see [`HalfPeriod::mark`].
+    marked: Position,
     /// Sum of the rates of χ, θ_A and θ_B at the turning point where it is greater, rad per unit time; the weight of
     /// an error of χ.
     fastest: f64,
@@ -60,6 +63,8 @@ impl HalfPeriod {
         part: 0.0,
         current: Position::BEGINNING,
         border: Position::BEGINNING,
+        end: Position::BEGINNING,
+        marked: Position::BEGINNING,
         fastest: 0.0,
     };
 
@@ -75,12 +80,18 @@ impl HalfPeriod {
         &self.law
     }
 
-    pub(crate) fn position(&self) -> &Position {
-        &self.current
+    /// Position at the end of the last span.
+    pub(crate) fn end(&self) -> &Position {
+        &self.end
     }
 
     pub(crate) fn expansion(&self) -> &Expansion {
         &self.expansion
+    }
+
+    /// Magnitude below which a term of the series of α or β is negligible, in their units.
+    pub(crate) fn least(&self) -> i64 {
+        (self.least / UNIT) as i64
     }
 
     /// Unit of x in the expansion, in units of half a period.
@@ -153,26 +164,69 @@ impl HalfPeriod {
         self.expansion.turned(which, exponentials, self.least, parts)
     }
 
-    /// Moves to x; `None` where the truncation error there exceeds `share`.
-    pub(crate) fn to(&mut self, x: i64, share: f64) -> Option<()> {
-        self.current = self.after(x, share)?;
+    /// Steps from the border to the centre; `None` where the truncation error there exceeds `share`.
+    pub(crate) fn step_to_centre(&mut self, share: f64) -> Option<()> {
+        self.current = self.after(1, share)?;
         Some(())
     }
 
-    /// Makes x = 1 the border of the next cell; `None` where the truncation error there exceeds `share`.
-    pub(crate) fn move_border(&mut self, share: f64) -> Option<()> {
-        self.border = self.after(1, share)?;
+    /// Computes the end of the span from its centre; `None` where the truncation error there exceeds `share`.
+    pub(crate) fn reach_end(&mut self, share: f64) -> Option<()> {
+        self.end = self.after(1, share)?;
         Some(())
     }
 
-    /// Moves to the border of the cell.
+    /// Half phase χ at the end of the span.
+    pub(crate) fn end_chi(&self) -> Phase {
+        self.end.point.chi
+    }
+
+    /// Whether the series are accurate at x = 2, so that spans of twice the length may do.
+    pub(crate) fn reaches_twice_as_far(&self, share: f64) -> bool {
+        self.expansion.truncation_error(2) <= share
+    }
+
+    /// Number of halvings of the span, from one to four, after which the truncation error at its end should be at most `share`;
+    /// one where the series do not converge.
+    pub(crate) fn halvings(&self, share: f64) -> u32 {
+        // the last of sixteen terms over half the distance
+        const PER_HALVING: f64 = 1.0 / (1_u32 << (TERMS - 1)) as f64;
+        const MOST: u32 = 4;
+        let (mut error, mut halvings) = (PER_HALVING * self.expansion.truncation_error(1), 1);
+        while error > share && error < f64::INFINITY && halvings < MOST {
+            (error, halvings) = (PER_HALVING * error, halvings + 1);
+        }
+        halvings
+    }
+
+    /// Goes on to the next span, whose centre is at `x`, or to its border where the truncation error at the centre would exceed
+    /// `share`. Returns whether the position is the centre.
+    pub(crate) fn leave(&mut self, x: i64, share: f64) -> bool {
+        self.border = self.end;
+        let centre = self.after(x, share);
+        self.current = centre.unwrap_or(self.border);
+        centre.is_some()
+    }
+
+    /// Returns to the border of the span.
     pub(crate) fn return_to_border(&mut self) {
         self.current = self.border;
     }
 
+    /// Marks the border of the span, where a cell begins.
+    pub(crate) fn mark(&mut self) {
+        self.marked = self.border;
+    }
+
+    /// Returns to the position marked.
+    pub(crate) fn return_to_mark(&mut self) {
+        (self.current, self.border) = (self.marked, self.marked);
+    }
+
     /// Moves to u = e₁.
     pub(crate) fn restart(&mut self) {
-        (self.current, self.border) = (Position::BEGINNING, Position::BEGINNING);
+        (self.current, self.border, self.marked) =
+            (Position::BEGINNING, Position::BEGINNING, Position::BEGINNING);
     }
 
     #[inline(never)]
@@ -198,7 +252,7 @@ impl HalfPeriod {
             return 0.0;
         }
         let miss = |angle: Phase| Float::abs(f64::sine_cosine(angle).1);
-        let PhasePoint { chi, theta } = self.border.point;
+        let PhasePoint { chi, theta } = self.end.point;
         let [alpha, beta] = theta.map(miss);
         let at_the_end = self.law.cast::<f64>().rates(1.0, 0.0).nutation * self.length;
         speeds.delay(miss(chi) / at_the_end) + 2.0 * alpha.max(beta)

@@ -55,9 +55,9 @@ impl StartSearch {
         }
     }
 
-    /// Coordinate x of the start, if it lies in this segment (or the segment is the last).
-    pub(crate) fn within(&self, expansion: &Expansion, last: bool) -> Option<f64> {
-        if (expansion.point(1).chi - self.chi).to_radians() < 0.0 && !last {
+    /// Coordinate x of the start, if it lies in this span, which ends at χ = `end` (or if the span is the last).
+    pub(crate) fn within(&self, expansion: &Expansion, end: Phase, last: bool) -> Option<f64> {
+        if (end - self.chi).to_radians() < 0.0 && !last {
             return None;
         }
         const NEWTON_STEPS: usize = 8;

@@ -1,8 +1,8 @@
 //! Errors of one segment, from its two polynomials.
 
-use crate::ephemeris::economise::{Polynomial, economise, omitted_terms};
+use crate::ephemeris::economise::{Polynomial, economise};
 use crate::ephemeris::speeds::{SegmentSpeeds, greatest_slopes};
-use crate::law::series::{TERMS, larger_or_nan};
+use crate::law::series::larger_or_nan;
 use crate::scalar::Float;
 
 /// Errors and slopes of a segment, from its polynomials of α and β so far.
@@ -21,19 +21,20 @@ impl SegmentErrors {
     pub(crate) const NONE: Self = Self { squares: 0.0, stored: 0.0, slopes: [0.0; 3] };
 
     /// Reduces the series of α or of β to a polynomial of `terms` coefficients, passes it to `store`, and includes its errors:
-    /// those of the reduction, and those that `store` returns, of the value and of the derivative.
+    /// those of the reduction, those that `store` returns, of the value and of the derivative, and those of the series itself,
+    /// `beyond`.
     pub(crate) fn shorten(
         &mut self,
         [re, im]: Polynomial<'_>,
+        [beyond, slope_beyond]: [f64; 2],
         terms: usize,
         store: impl FnOnce(Polynomial<'_>) -> [f64; 2],
     ) {
-        let beyond = [&*re, &*im].map(omitted_terms).into_iter().fold(0.0, larger_or_nan);
         let [dropped, dropped_slope] = economise([&mut *re, &mut *im], terms);
-        let dropped = dropped + 2.0 * beyond;
+        let dropped = dropped + beyond;
         let [[re_slope, re_curvature], [im_slope, im_curvature]] = [&*re, &*im].map(greatest_slopes);
         let [stored, rounded_slope] = store([re, im]);
-        let slope_error = dropped_slope + 2.0 * TERMS as f64 * beyond + rounded_slope;
+        let slope_error = dropped_slope + slope_beyond + rounded_slope;
         self.squares += dropped * dropped;
         self.stored = larger_or_nan(self.stored, stored);
         let each = [[re_slope, im_slope], [slope_error, 0.0], [re_curvature, im_curvature]];

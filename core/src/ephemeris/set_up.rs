@@ -211,8 +211,8 @@ fn store<R: EphemerisScalar>(
 }
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisStorage<R, [R::Segment; SEGMENTS]> {
-    /// Ephemeris of a motion. Cost: a series of 16 terms for each segment, of which there are at most `SEGMENTS` (a
-    /// segment that is halved is computed again).
+    /// Ephemeris of a motion. Cost: a series of 16 terms for each span, which has one to eight segments, and two
+    /// polynomials for each segment, of which there are at most `SEGMENTS`; a span or segment that is halved is computed again.
     ///
     /// # Errors
     /// [`TableTooSmall`]: the truncation error would exceed four roundings of the scalar.

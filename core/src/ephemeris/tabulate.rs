@@ -2,11 +2,11 @@
 //!
 //! Without their mean rotation, α and β are periodic analytic functions of time, and complex conjugates on the two
 //! sides of a turning point. Therefore only half a period, from u = e₁ to u = e₂, is divided into segments. The law
-//! is expanded around the centre of each segment ([`crate::law::series`]), and the expansion is reduced to the degree
-//! of the table.
+//! is expanded around the centre of a span ([`crate::law::series`]); the expansion is restricted to each segment of the
+//! span and reduced to the degree of the table.
 //!
-//! A motion may be fast in one part of the period and slow in another, most of all where e₄ is close to 1. Segments
-//! therefore differ in length: those of a [`Cell`] are halved until the error is small enough.
+//! A motion may be fast in one part of the period and slow in another, most of all where e₄ is close to 1. Spans are
+//! therefore halved until their series are accurate, and the segments of a [`Cell`] until their polynomials are.
 //!
 //! An aperiodic motion is tabulated in the same way, from its lowest point until 1 - u is below the rounding; a
 //! steady motion is a single constant.
@@ -14,16 +14,17 @@
 //! The work is done in pieces of bounded length, so that a chip can do something else between them.
 
 use crate::cayley_klein::Brackets;
-use crate::ephemeris::cell::{CELLS, Cell, PAIR_BITS, PAIRS, cells_covered, segments_per_cell};
-use crate::ephemeris::economise::Polynomial;
+use crate::ephemeris::cell::{CELLS, Cell, cells_covered, segments_per_cell};
+use crate::ephemeris::economise::{Polynomial, omitted_terms};
 use crate::ephemeris::half_period::{HalfPeriod, Position};
 use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::seek::StartSearch;
 use crate::ephemeris::segment_errors::SegmentErrors;
+use crate::ephemeris::span::{HALF_PERIOD, Span, restrict};
 use crate::ephemeris::speeds::Speeds;
 use crate::ephemeris::tabulated::{Requirements, Tabulated};
-use crate::law::series::{TERMS, larger_or_nan};
+use crate::law::series::{TERMS, UNIT, larger_or_nan};
 use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Ring};
@@ -31,16 +32,23 @@ use crate::scalar::{Extended, Ring};
 /// Receiver of polynomials: see [`Tabulation::advance`]. A reference, so that set-up is compiled once for all scalars.
 pub(crate) type Store<'a> = dyn FnMut(usize, usize, Polynomial<'_>) -> [f64; 2] + 'a;
 
-/// Factor by which the expected error of longer segments may exceed the allowed error and they are still tried in the
-/// next cell. A failed trial costs one series; an unnecessary segment takes memory in the table.
+/// Factor by which the expected error of longer segments may exceed the allowed error and they are still tried. A failed
+/// trial costs two polynomials; an unnecessary segment takes memory in the table.
 const COARSENING: f64 = 4.0;
 
 /// Fraction of the allowed error that a segment of two cells may have. Its derivative, from which the angular velocity is
 /// computed, is then no worse than on the shorter segments of other motions.
 const PAIR_SHARE: f64 = 0.125;
 
-/// Fraction of the allowed error that the steps from segment to segment may use.
+/// Upper bound on the error of a segment from the rounding of the coefficients of its series.
+const ROUNDED: f64 = 16.0 * UNIT;
+
+/// Fraction of the allowed error that the steps from span to span may use.
 const STEPPING_SHARE: f64 = 0.125;
+
+/// Fraction of the allowed error that the omitted terms of a span's series may cause. It is small, because these terms are
+/// estimated.
+const OMITTED_SHARE: f64 = 1.0 / 32.0;
 
 /// Start of the motion on the half period.
 #[derive(Clone, Copy, Debug, Default)]
@@ -54,23 +62,23 @@ struct TabulatedStart {
 /// Next piece of the work.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Piece {
-    /// Number of halvings of a cell, or the end.
-    Cell,
-    /// Rates at the border of the cell or of two segments (false), or at the centre of a segment (true).
+    /// Rates at the border of the span (false), or at its centre (true).
     Rates(bool),
     /// Beginning of the expansion around it.
     Expansion(bool),
     /// Rest of the expansion.
     Terms(bool),
-    /// Step from the border to the next centre.
+    /// Step from the border to the centre.
     Border,
-    /// Series of α (0) or of β (1) on the segment.
+    /// Step from the centre to the end.
+    End,
+    /// Series of α (0) or of β (1) on the span.
     Series(usize),
-    /// Polynomial made from that series.
-    Polynomial(usize),
-    /// Start of the motion, if it is on the segment.
+    /// Start of the motion, if it is on the span.
     Start,
-    /// Step to the next centre or border.
+    /// Polynomial of α (0) or of β (1) on a segment.
+    Polynomial(usize),
+    /// Step to the next span.
     Step,
     /// Result.
     Result,
@@ -84,32 +92,32 @@ pub(crate) struct Tabulation {
     brackets: Brackets<f64>,
     seek: StartSearch,
     requirements: Requirements,
-    /// Truncation error that the reduction of a segment's series may cause.
+    /// Truncation error that the segments' polynomials may have.
     allowed: f64,
-    /// Half the length of a pair of cells, in extended precision because its error would accumulate.
-    half_pair: Extended,
+    /// Length of the half period, in extended precision because the error of a span would accumulate.
+    half_period: Extended,
     /// Start of the motion, once it has been passed.
     found_start: Option<TabulatedStart>,
-    /// Result so far; its speeds and its start at the beginning of the cell.
+    /// Result so far; its speeds at the beginning of the cell.
     tabulated: Tabulated,
-    /// Upper bounds on the speeds up to this position.
+    /// Upper bounds on the speeds up to this segment.
     speeds: Speeds,
     piece: Piece,
+    span: Span,
     /// Index of the cell, and of the segment in it.
     number: usize,
     place: usize,
     /// Number of halvings of the pair of cells: [`Cell::level`].
     level: u32,
     larger: LargerError,
-    /// Whether the start had been found before this cell.
+    /// Whether the start had been found before the position marked.
     found_before: bool,
-    /// Whether the position is the first centre of the cell, not its border.
-    at_centre: bool,
     /// Greatest truncation error of the cell's segments.
     error: f64,
     segment: SegmentErrors,
-    /// Real and imaginary part of the series of α or β, in units of 2^-62.
-    series: [[i64; TERMS]; 2],
+    /// Real and imaginary part of the series of α and of β on the span, in units of 2^-62, and their omitted terms.
+    series: [[[i64; TERMS]; 2]; 2],
+    omitted: [f64; 2],
 }
 
 impl Tabulation {
@@ -120,20 +128,21 @@ impl Tabulation {
         seek: StartSearch::EMPTY,
         requirements: Requirements { terms: 0, allowed: 0.0, most: 0 },
         allowed: 0.0,
-        half_pair: Extended::ZERO,
+        half_period: Extended::ZERO,
         found_start: None,
         tabulated: Tabulated::EMPTY,
         speeds: Speeds::ZERO,
         piece: Piece::Result,
+        span: Span::FIRST,
         number: 0,
         place: 0,
         level: 0,
         larger: LargerError::NONE,
         found_before: false,
-        at_centre: false,
         error: 0.0,
         segment: SegmentErrors::NONE,
-        series: [[0; TERMS]; 2],
+        series: [[[0; TERMS]; 2]; 2],
+        omitted: [0.0; 2],
     };
 
     /// Begins the tabulation of a motion that is not steady.
@@ -143,7 +152,7 @@ impl Tabulation {
         self.path.begin(motion, rates, least);
         self.brackets = motion.brackets();
         self.seek = StartSearch::new(motion, self.path.law(), rates);
-        self.half_pair = rates.half_period / Extended::from((2 * PAIRS) as f64);
+        self.half_period = rates.half_period;
         self.again(requirements);
     }
 
@@ -153,17 +162,13 @@ impl Tabulation {
         self.requirements = requirements;
         self.allowed = (1.0 - STEPPING_SHARE) * requirements.allowed;
         self.found_start = None;
+        self.found_before = false;
         self.tabulated = Tabulated { segments: 0, ..Tabulated::EMPTY };
         self.speeds = Speeds::ZERO;
-        (self.number, self.level, self.at_centre) = (0, 0, false);
+        (self.number, self.level, self.place, self.error) = (0, 0, 0, 0.0);
         self.larger = LargerError::NONE;
-        self.begin_cell();
-    }
-
-    fn begin_cell(&mut self) {
-        self.piece = Piece::Cell;
-        self.found_before = self.found_start.is_some();
-        self.tabulated.speeds = self.speeds;
+        self.span = Span::FIRST;
+        self.piece = Piece::Rates(false);
     }
 
     /// Does the next piece of work. It passes the polynomials of each segment to `store`: the index of the segment, 0
@@ -179,7 +184,6 @@ impl Tabulation {
         store: &mut Store<'_>,
     ) -> Result<Option<Tabulated>, ()> {
         let next = match self.piece {
-            Piece::Cell => Some(self.divide()?),
             Piece::Rates(at_centre) => {
                 self.path.prepare(self.unit());
                 Some(Piece::Expansion(at_centre))
@@ -191,43 +195,82 @@ impl Tabulation {
             Piece::Terms(at_centre) => Some(match (self.path.proceed(), at_centre) {
                 (false, _) => Piece::Terms(at_centre),
                 (true, false) => Piece::Border,
-                (true, true) => Piece::Series(0),
+                (true, true) => Piece::End,
             }),
-            Piece::Border => self.path.to(1, self.share()).map(|()| Piece::Rates(true)),
+            Piece::Border => self.path.step_to_centre(self.share()).map(|()| Piece::Rates(true)),
+            Piece::End => self.path.reach_end(self.share()).map(|()| Piece::Series(0)),
             Piece::Series(which) => self.turn(which),
-            Piece::Polynomial(which) => self.shorten(which, store),
             Piece::Start => {
                 self.note_start();
-                Some(Piece::Step)
+                Some(self.enter()?)
             }
-            Piece::Step => self.step(),
+            Piece::Polynomial(which) => Some(self.shorten(which, store)?),
+            Piece::Step => Some(self.step()),
             Piece::Result => return Ok(Some(self.result(motion))),
         };
-        match next {
-            Some(next) => self.piece = next,
-            None => self.refine(),
-        }
+        self.piece = match next {
+            Some(next) => next,
+            None => self.halve_span()?,
+        };
         Ok(None)
     }
 
-    /// Divides the cell into segments.
-    fn divide(&mut self) -> Result<Piece, ()> {
-        let segments = self.tabulated.segments;
-        if self.level > Cell::DEEPEST || segments + self.least_rest(self.level) > self.requirements.most {
-            return Err(());
+    /// Begins the span again with one of half the length, or less.
+    fn halve_span(&mut self) -> Result<Piece, ()> {
+        for _ in 0..self.path.halvings(self.share()) {
+            self.span = self.span.first_half().ok_or(())?;
+            // a span shorter than the segments makes them shorter
+            if self.level < self.span.least_level() {
+                break;
+            }
         }
+        self.path.return_to_border();
+        if self.place > 0 && self.level < self.span.least_level() {
+            return self.divide(self.span.least_level());
+        }
+        // a cell in which it is has at least this number of segments
+        self.check_capacity(self.level.max(self.span.least_level()))?;
+        Ok(Piece::Rates(false))
+    }
+
+    /// Enters the cell in which the span begins, or which begins in the span.
+    fn enter(&mut self) -> Result<Piece, ()> {
+        let least = self.span.least_level();
+        if self.place > 0 && least <= self.level {
+            return Ok(Piece::Polynomial(0));
+        }
+        // both cells of a pair share a segment, or neither does
+        self.divide(self.level.max(least).max((self.number % 2) as u32))
+    }
+
+    /// Divides the cell into segments of a level, and begins with the first of them.
+    fn divide(&mut self, level: u32) -> Result<Piece, ()> {
+        self.level = level;
+        self.check_capacity(level)?;
         let cells = self.tabulated.cells.iter_mut().enumerate();
-        for (number, cell) in cells.skip(self.number).take(cells_covered(self.level)) {
-            *cell = Cell::new(number, segments, self.level);
+        for (number, cell) in cells.skip(self.number).take(cells_covered(level)) {
+            *cell = Cell::new(number, self.tabulated.segments, level);
         }
-        (self.place, self.error) = (0, 0.0);
-        Ok(Piece::Rates(self.at_centre))
+        (self.place, self.error, self.speeds) = (0, 0.0, self.tabulated.speeds);
+        let begin = self.segment_begin();
+        if self.span.begin() <= begin {
+            return Ok(Piece::Polynomial(0));
+        }
+        self.span = self.span.at(begin);
+        self.path.return_to_mark();
+        self.found_start = self.found_start.filter(|_| self.found_before);
+        Ok(Piece::Rates(false))
+    }
+
+    fn check_capacity(&self, level: u32) -> Result<(), ()> {
+        let fits = self.tabulated.segments + self.least_rest(level) <= self.requirements.most;
+        (level <= Cell::DEEPEST && fits).then_some(()).ok_or(())
     }
 
     /// Least number of segments of the cell at a level and of those after it.
     fn least_rest(&self, level: u32) -> usize {
         let rest = CELLS.saturating_sub(self.number + cells_covered(level));
-        segments_per_cell(level) + rest.div_ceil(2)
+        segments_per_cell(level.min(Cell::DEEPEST)) + rest.div_ceil(2)
     }
 
     /// Whether a refused table might have fitted with the larger error: an estimate from the errors of the cells so far.
@@ -235,127 +278,150 @@ impl Tabulation {
         self.larger.may_fit(self.level, |level| self.least_rest(level), self.requirements.most)
     }
 
-    /// Begins the cell again with segments of half the length.
-    fn refine(&mut self) {
-        (self.level, self.at_centre) = (self.level + 1, false);
-        self.path.return_to_border();
-        self.found_start = self.found_start.filter(|_| self.found_before);
-        self.speeds = self.tabulated.speeds;
-        self.piece = Piece::Cell;
-    }
-
     /// Truncation error that a segment may have.
     fn allowed(&self, level: u32) -> f64 {
         if level == 0 { PAIR_SHARE * self.allowed } else { self.allowed }
     }
 
-    /// Half the length of a segment.
+    /// Half the length of a span, as a time.
     fn unit(&self) -> Extended {
-        self.half_pair * Extended::from(1.0 / f64::from(1_u32 << self.level))
+        self.half_period * Extended::from(1.0 / f64::from(2_u32 << self.span.depth()))
     }
 
-    /// Truncation error allowed for a step over half a segment, so that the sum over all steps is within their
-    /// fraction of the allowed error.
+    /// Truncation error allowed for a step over half a span, so that the sum over all steps is within their fraction of
+    /// the allowed error.
     fn share(&self) -> f64 {
-        STEPPING_SHARE * self.requirements.allowed / ((2 * PAIRS) << self.level) as f64
+        STEPPING_SHARE * self.requirements.allowed / f64::from(2_u32 << self.span.depth())
     }
 
-    /// Series of α or of β from those of the phases.
+    /// Number of the segment among all of this length, and its beginning in units of the shortest segment.
+    fn segment_number(&self) -> usize {
+        ((self.number << self.level) >> 1) + self.place
+    }
+
+    fn segment_begin(&self) -> usize {
+        self.segment_number() << (Cell::DEEPEST - self.level)
+    }
+
+    /// Series of α or of β on the span from those of the phases; `None` where it is not accurate.
     fn turn(&mut self, which: usize) -> Option<Piece> {
         let bracket = if which == 0 { &self.brackets.alpha } else { &self.brackets.beta };
-        let [re, im] = &mut self.series;
-        self.path.turned(which, bracket.exponentials(), [re, im])?;
-        Some(Piece::Polynomial(which))
+        let ([re, im], omitted) = (self.series.get_mut(which)?, self.omitted.get_mut(which)?);
+        self.path.turned(which, bracket.exponentials(), [&mut *re, &mut *im])?;
+        // both parts; as an orientation error twice as much
+        *omitted = 2.0 * larger_or_nan(omitted_terms(re), omitted_terms(im));
+        (2.0 * *omitted <= OMITTED_SHARE * self.allowed).then_some(match which {
+            0 => Piece::Series(1),
+            _ => Piece::Start,
+        })
     }
 
-    /// Stores the series of α or of β as a polynomial of reduced degree.
+    /// Stores the series of α or of β on a segment as a polynomial of reduced degree.
     #[inline(never)]
-    fn shorten(&mut self, which: usize, store: &mut Store<'_>) -> Option<Piece> {
-        let ([mut re, mut im], segment) = (self.series, self.tabulated.segments + self.place);
+    fn shorten(&mut self, which: usize, store: &mut Store<'_>) -> Result<Piece, ()> {
+        let halvings = self.span.halvings(self.level);
+        let number = self.segment_number();
+        let mut series = self.series.get(which).copied().unwrap_or_default();
+        let least = self.path.least();
+        let removed = series.iter_mut().fold(0, |sum, part| sum + restrict(part, number, halvings, least));
         if which == 0 {
             self.segment = SegmentErrors::NONE;
         }
-        let store = |parts: Polynomial<'_>| store(segment, which, parts);
-        self.segment.shorten([&mut re, &mut im], self.requirements.terms, store);
-        if which == 0 { Some(Piece::Series(1)) } else { self.judge() }
+        let (removed, omitted) =
+            (removed as f64 * UNIT, self.omitted.get(which).copied().unwrap_or_default());
+        // the derivative by the coordinate of the segment
+        let slope = TERMS as f64 * (omitted / f64::from(1_u32 << halvings) + removed);
+        let (index, [re, im]) = (self.tabulated.segments + self.place, &mut series);
+        let store = |parts: Polynomial<'_>| store(index, which, parts);
+        self.segment.shorten([re, im], [omitted + removed, slope], self.requirements.terms, store);
+        if which == 0 { Ok(Piece::Polynomial(1)) } else { self.judge() }
     }
 
-    /// Next piece after a segment; `None` where its error is too large.
-    fn judge(&mut self) -> Option<Piece> {
-        let theta_slope = self.path.expansion().greatest_theta_slope();
-        self.speeds.note(self.segment.speeds(), theta_slope, self.path.part());
+    /// Next piece after a segment.
+    fn judge(&mut self) -> Result<Piece, ()> {
+        let parts = f64::from(1_u32 << self.span.halvings(self.level));
+        let theta_slope = self.path.expansion().greatest_theta_slope() / parts;
+        self.speeds.note(self.segment.speeds(), theta_slope, self.path.part() / parts);
         self.error = larger_or_nan(self.error, self.segment.error());
         self.larger.note(self.error <= LargerError::FACTOR * self.allowed(self.level), self.level);
-        let piece = if self.found_start.is_none() { Piece::Start } else { Piece::Step };
-        (self.error <= self.allowed(self.level)).then_some(piece)
+        if self.error <= self.allowed(self.level) { self.accept() } else { self.divide(self.finer_level()) }
     }
 
-    fn is_last(&self) -> bool {
-        self.place + 1 == segments_per_cell(self.level)
-    }
-
-    /// Notes the start of the motion, if it is on this segment.
-    fn note_start(&mut self) {
-        let end = self.is_last() && self.number + cells_covered(self.level) == CELLS;
-        let expansion = self.path.expansion();
-        if let Some(x) = self.seek.within(expansion, end) {
-            // half a turn of the nutation phase over all pairs
-            let halvings = 2 + PAIR_BITS + self.level;
-            let centre = 2 * (((self.number << self.level) >> 1) + self.place) + 1;
-            let phase = Phase::from_bits(centre as i128 * (Phase::ONE.to_bits() >> halvings))
-                + Phase::new(x / (1_u64 << halvings) as f64);
-            let share = self.seek.per_rounding(expansion, x) * self.path.part();
-            self.found_start = Some(TabulatedStart { phase, theta: expansion.theta_at(x), share });
+    /// Number of halvings with which the segments of the cell may have the allowed error, or the larger one.
+    fn finer_level(&self) -> u32 {
+        // no term decreases faster than the last, and segments that are too short would take memory
+        const GREATEST_DECREASE: f64 = 1.0 / (1_u32 << TERMS) as f64;
+        let (mut level, mut error) = (self.level + 1, self.error * GREATEST_DECREASE);
+        while error > LargerError::FACTOR * self.allowed(level) && level < Cell::DEEPEST {
+            (level, error) = (level + 1, error * GREATEST_DECREASE);
         }
+        level
     }
 
-    /// Steps to the centre of the next segment, or to the end of the cell.
-    fn step(&mut self) -> Option<Piece> {
-        let share = self.share();
-        if self.is_last() {
-            self.path.move_border(share)?;
-            return Some(self.leave());
-        }
+    /// Goes on to the next segment.
+    fn accept(&mut self) -> Result<Piece, ()> {
         self.place += 1;
-        if self.path.to(2, 2.0 * share).is_some() {
-            return Some(Piece::Rates(true));
+        let position = self.segment_begin();
+        if self.place == segments_per_cell(self.level) {
+            self.leave();
         }
-        // by way of the border between the two segments
-        self.path.to(1, share)?;
-        Some(Piece::Rates(false))
+        if position >= self.span.end() { Ok(Piece::Step) } else { self.enter() }
     }
 
-    /// Leaves a complete cell: to the first centre of the next, whose segments have the same or twice the length, if
-    /// the series is accurate so far, otherwise to the border.
-    fn leave(&mut self) -> Piece {
+    /// Leaves a complete cell. The segments of the next have the same or twice the length.
+    fn leave(&mut self) {
         let level = self.level;
-        // segments of twice the length would have about 2^terms times the error
-        let longer_error = self.error * f64::from(1_u32 << self.requirements.terms);
-        let next = self.number + cells_covered(level);
-        let longest = u32::from(next % 2 == 1);
-        let coarser = level > longest && longer_error < COARSENING * self.allowed(level - 1);
+        // roundings of the coefficients are no errors of the length
+        let longer_error = (self.error - ROUNDED) * f64::from(1_u32 << self.requirements.terms);
         self.tabulated.truncation = larger_or_nan(self.tabulated.truncation, self.error);
         self.tabulated.segments += segments_per_cell(level);
+        self.tabulated.speeds = self.speeds;
+        self.number += cells_covered(level);
+        let longest = (self.number % 2) as u32;
+        let coarser = level > longest && longer_error < COARSENING * self.allowed(level - 1);
         self.larger.leave(level, coarser);
-        self.number = next;
+        self.level -= u32::from(coarser);
+        (self.place, self.error) = (0, 0.0);
+    }
+
+    /// Notes the start of the motion, if it is on this span.
+    fn note_start(&mut self) {
+        let (expansion, end) = (self.path.expansion(), self.path.end_chi());
+        if self.found_start.is_some() {
+            return;
+        }
+        if let Some(x) = self.seek.within(expansion, end, self.span.next().begin() == HALF_PERIOD) {
+            let share = self.seek.per_rounding(expansion, x) * self.path.part();
+            let theta = expansion.theta_at(x);
+            self.found_start = Some(TabulatedStart { phase: self.span.phase(x), theta, share });
+        }
+    }
+
+    /// Steps to the centre of the next span, which has the same or twice the length, if the series is accurate so far,
+    /// otherwise to its border.
+    fn step(&mut self) -> Piece {
         if self.number == CELLS {
-            self.path.return_to_border();
             return Piece::Result;
         }
-        let x = if coarser { 3 } else { 2 };
-        self.at_centre = self.path.to(x, x as f64 * self.share()).is_some();
-        if !self.at_centre {
-            self.path.return_to_border();
+        let share = self.share();
+        let next = self.span.next();
+        // the expected segments of the next cell may be longer than the span
+        let is_short = self.level < next.least_level();
+        let doubled = next.doubled().filter(|_| is_short || self.path.reaches_twice_as_far(share));
+        let x = if doubled.is_some() { 3 } else { 2 };
+        let at_centre = self.path.leave(x, x as f64 * share);
+        self.span = doubled.unwrap_or(next);
+        if self.place == 0 {
+            self.path.mark();
+            self.found_before = self.found_start.is_some();
         }
-        self.level -= u32::from(coarser);
-        self.begin_cell();
-        Piece::Cell
+        Piece::Rates(at_centre)
     }
 
     #[inline(never)]
     fn result(&self, motion: &Motion) -> Tabulated {
         let TabulatedStart { phase, theta, share } = self.found_start.unwrap_or_default();
-        let Position { remainder, squares, .. } = *self.path.position();
+        let Position { remainder, squares, .. } = *self.path.end();
         let stepping = self.speeds.truncation_error(remainder, self.path.fastest_per_half_period());
         Tabulated {
             start: self.seek.start(motion, phase, theta),

@@ -1,14 +1,12 @@
-//! Trapezoid rule over a nutation period, in the variable of Jacobi's amplitude.
+//! Trapezoid rule over a nutation period, in the elliptic argument of [`EllipticLaw`].
 //!
-//! With χ = am(v | m), m = (e₂ - e₁)/(e₃ - e₁), the integrands are smooth periodic functions of v without a boundary
-//! layer near the separatrix, so the trapezoid rule converges geometrically. sn and cn come from the descending
-//! Landen transformation, with the *complementary* parameter m₁ = (e₃ - e₂)/(e₃ - e₁) as an argument. At its lower
-//! end the nodes are equidistant angles, so no inverse function and no transcendental function is needed.
+//! The integrands are smooth periodic functions of this argument v, so the trapezoid rule converges geometrically, at a rate that
+//! is known beforehand. sn and cn come from the descending Landen transformation, with the *complementary* parameter m₁ as an
+//! argument. At its lower end the nodes are equidistant angles, so no inverse function and no transcendental function is needed.
 
-use crate::constants::BranchPoints;
 use crate::elliptic::jacobi::Landen;
 use crate::law::Law;
-use crate::law::amplitude::AmplitudeLaw;
+use crate::law::elliptic::EllipticLaw;
 use crate::scalar::{Extended, Float, Ring};
 
 /// Integrals over one period: T, and ψ_A(T) and ψ_B(T) in rad.
@@ -31,22 +29,27 @@ impl Integrals {
     }
 }
 
-/// Largest number of nodes on half a period. Only a very small A/(ps) needs more.
-const MOST_NODES: u32 = 1 << 16;
-/// Estimated relative error at which the doubling of the nodes stops: 2^62 ticks with a thousand ticks a period multiply it by
+/// Largest number of nodes on half a period. A motion with e₃ - e₂ = 1e-300 needs 3000.
+const MOST_NODES: u32 = 1 << 13;
+/// Estimated relative error at which no more nodes are added: 2^62 ticks with a thousand ticks a period multiply it by
 /// 3e16, which is then below the effect of the increments' rounding.
 const SETTLED: f64 = 1e-28;
+/// Number of bits by which the nodes must decrease the error of the rule. Then its estimate is below [`SETTLED`] for 19 of 20
+/// motions; the others need a doubling, and so cost more than a few more nodes for all.
+const BITS: f64 = 105.0;
 
 /// Trapezoid sums over half a period, to which one node is added at a time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quadrature {
-    law: AmplitudeLaw<Extended>,
+    law: EllipticLaw<Extended>,
     jacobi: Landen<Extended>,
     /// Sums over `nodes` nodes; the ends of the half period have half weight, and are the first two nodes.
     sums: Sums,
     nodes: u32,
-    /// Whether the sums have both ends.
-    has_ends: bool,
+    /// Number of nodes that the rate of convergence calls for.
+    needed: u32,
+    /// Number of ends and of other nodes of the first division that are not yet in the sums.
+    first_nodes: u32,
     /// Sums over the first `odd_nodes` nodes between them.
     odd: Sums,
     odd_nodes: u32,
@@ -60,35 +63,36 @@ pub(crate) struct Quadrature {
 
 impl Quadrature {
     /// Quadrature without a node.
-    pub(crate) fn new(law: &Law<Extended>, e: &BranchPoints<Extended>) -> Self {
-        let (zero, one) = (Extended::ZERO, Extended::ONE);
+    pub(crate) fn new(law: &Law<Extended>) -> Self {
+        let law = EllipticLaw::new(law);
+        let jacobi = law.landen();
+        let (division, needed) = division(BITS / jacobi.bits_per_node());
         Self {
-            law: AmplitudeLaw::new(law),
-            jacobi: Landen::of(e.e2_minus_e1 / e.e3_minus_e1(), e.e3_minus_e2 / e.e3_minus_e1()),
+            law,
+            jacobi,
             sums: Sums::ZERO,
-            nodes: 0,
-            has_ends: false,
+            nodes: division,
+            needed,
+            first_nodes: division + 1,
             odd: Sums::ZERO,
             odd_nodes: 0,
-            step: [zero, -one],
-            half_step: [one, zero],
-            angle: [zero, one],
+            step: part_of_right_angle(division),
+            half_step: part_of_right_angle(division),
+            angle: [Extended::ZERO, Extended::ONE],
             before: [f64::INFINITY; 2],
         }
     }
 
-    /// Adds a node. Returns the integrals once the sums have settled. Relative error: about 1e-30, unless A/(ps) < 1e-4 and
-    /// the motion reaches the vertical, where the number of nodes is limited.
+    /// Adds a node. Returns the integrals once the sums have settled. Relative error: about 1e-30.
     pub(crate) fn proceed(&mut self) -> Option<Integrals> {
-        if !self.has_ends {
-            self.add_end();
+        if self.first_nodes > 0 {
+            self.add_first_node();
             return None;
         }
-        let ([s, c], [step_sine, step_cosine]) = (self.angle, self.step);
-        self.odd = self.odd.plus(&self.at([s, c]));
+        self.odd = self.odd.plus(&self.at(self.angle));
         self.odd_nodes += 1;
         if self.odd_nodes < self.nodes {
-            self.angle = [s * step_cosine + c * step_sine, c * step_cosine - s * step_sine];
+            self.angle = sum_of_angles(self.angle, self.step);
             return None;
         }
         // difference of the trapezoid sums with `nodes` and with twice as many nodes
@@ -98,7 +102,7 @@ impl Quadrature {
         let changes = difference.relative_to(&self.sums, &self.law.factors());
         let ([time, slow], [time_before, slow_before]) = (changes, self.before);
         let error = remaining_error(time, time_before).max(remaining_error(slow, slow_before));
-        if self.nodes >= 8 && error <= SETTLED || self.nodes >= MOST_NODES {
+        if self.nodes >= self.needed && error <= SETTLED || self.nodes >= MOST_NODES {
             return Some(self.integrals(error));
         }
         self.before = changes;
@@ -106,13 +110,14 @@ impl Quadrature {
         None
     }
 
-    fn add_end(&mut self) {
-        self.sums = self.sums.plus(&self.at(self.angle).halved());
-        if self.nodes == 0 {
-            self.nodes = 1;
-            self.angle = self.half_step;
-        } else {
-            self.has_ends = true;
+    /// Adds a node of the first division. The first and the last are the ends, whose weight is half.
+    fn add_first_node(&mut self) {
+        let node = self.at(self.angle);
+        let is_end = self.first_nodes == 1 || self.first_nodes > self.nodes;
+        self.sums = self.sums.plus(&if is_end { node.halved() } else { node });
+        self.first_nodes -= 1;
+        self.angle = sum_of_angles(self.angle, self.step);
+        if self.first_nodes == 0 {
             self.begin_odd_nodes();
         }
     }
@@ -144,6 +149,34 @@ impl Quadrature {
             nodes: self.nodes,
         }
     }
+}
+
+/// First division of the half period, into 1, 3 or 5 parts, and the number of nodes, which is the least number of doublings, but
+/// at least two, that makes at least `nodes` of it. The estimate of the error needs two doublings.
+fn division(nodes: f64) -> (u32, u32) {
+    let doubled = |division: u32| {
+        let mut count = 4 * division;
+        while f64::from(count) < nodes && count < MOST_NODES {
+            count *= 2;
+        }
+        (division, count)
+    };
+    let fewer = |a: (u32, u32), b: (u32, u32)| if b.1 < a.1 { b } else { a };
+    fewer(fewer(doubled(1), doubled(3)), doubled(5))
+}
+
+/// Sine and cosine of a right angle divided by 1, 3 or 5.
+fn part_of_right_angle(division: u32) -> [Extended; 2] {
+    let sine = match division {
+        3 => Extended::ONE.halved(),
+        5 => (Extended::from(5.0).sqrt() - Extended::ONE).halved().halved(),
+        _ => return [Extended::ONE, Extended::ZERO],
+    };
+    [sine, (Extended::ONE - sine * sine).sqrt()]
+}
+
+fn sum_of_angles([sine, cosine]: [Extended; 2], [other_sine, other_cosine]: [Extended; 2]) -> [Extended; 2] {
+    [sine * other_cosine + cosine * other_sine, cosine * other_cosine - sine * other_sine]
 }
 
 /// Estimated error of a trapezoid sum, from the changes of the last two doublings of its nodes. Convergence is
@@ -218,7 +251,7 @@ mod tests {
         let omega = [0.003_448_181_221_981_053, 5.756_927_032_555_872e-5, -0.005_529_380_379_944_812];
         let state = State::new(Orientation { alpha, beta }, omega).unwrap();
         let motion = Motion::launch(&top, &state).unwrap();
-        let mut quadrature = Quadrature::new(&motion.law(), motion.exact_branch_points());
+        let mut quadrature = Quadrature::new(&motion.law());
         let first = settled(&mut quadrature);
         quadrature.begin_odd_nodes();
         let finer = settled(&mut quadrature);

@@ -16,7 +16,8 @@ use crate::top::{Quantities, Top};
 
 /// Launch of a motion from a state, in slices of bounded work: see [`SetUp`](crate::SetUp), which does the same for the
 /// ephemeris. [`Motion::launch`] is a loop over them. Most of the work is the quadrature of the period, whose number of slices
-/// depends on the motion: 9 nodes for a fast top, some hundreds close to the separatrix, at most 65 537.
+/// depends on the motion: 9 nodes for a fast top, 33 for a slow one, some 160 where e₃ - e₂ is 1e-15. It grows with the logarithm of
+/// e₃ - e₂ alone.
 ///
 /// ```
 /// use toytop::{Launch, Motion, Release, State, Top, TopParameters};
@@ -113,7 +114,7 @@ impl Launch {
                 self.stage = if needs_quadrature { Stage::Quadrature } else { Stage::Nutation };
             }
             (Stage::Quadrature, Some(motion)) => {
-                self.quadrature = Some(Quadrature::new(&motion.law(), &motion.e));
+                self.quadrature = Some(Quadrature::new(&motion.law()));
                 self.stage = Stage::Nodes;
             }
             (Stage::Nodes, Some(motion)) => {
@@ -294,7 +295,7 @@ impl Motion {
 
     fn computed_mean(&self) -> Option<MeanMotion> {
         self.has_period().then(|| {
-            let mut quadrature = Quadrature::new(&self.law(), &self.e);
+            let mut quadrature = Quadrature::new(&self.law());
             loop {
                 if let Some(integrals) = quadrature.proceed() {
                     return self.mean_of(&integrals);
