@@ -19,7 +19,7 @@ pub(crate) const HALF_PERIOD: usize = 1 << Span::DEEPEST;
 
 impl Span {
     /// Base-2 logarithm of the number of spans in half a period, at least.
-    const SHALLOWEST: u32 = 1;
+    const SHALLOWEST: u32 = 2;
     /// Base-2 logarithm of the number of spans in half a period, at most: a span has at least one segment.
     const DEEPEST: u32 = PAIR_BITS + Cell::DEEPEST;
 
@@ -168,7 +168,7 @@ mod tests {
 
     #[test]
     fn spans_divide_the_half_period() {
-        let mut span = Span::FIRST.first_half().unwrap().first_half().unwrap();
+        let mut span = Span::FIRST.first_half().unwrap();
         let (mut reached, mut count) = (0, 0);
         while span.begin() < HALF_PERIOD {
             assert_eq!((span.begin(), span.at(reached)), (reached, span));
@@ -183,9 +183,9 @@ mod tests {
         }
         assert_eq!(reached, HALF_PERIOD);
         assert!(count > 5, "{count}");
-        let shortest = (0..15).fold(Span::FIRST, |span, _| span.first_half().unwrap());
+        let shortest = (0..14).fold(Span::FIRST, |span, _| span.first_half().unwrap());
         assert_eq!((shortest.end(), shortest.first_half()), (1, None));
-        assert_eq!(Span::FIRST.phase(1.0), Phase::QUARTER);
-        assert_eq!(Span::FIRST.next().phase(1.0), Phase::HALF);
+        assert_eq!(Span::FIRST.next().phase(1.0), Phase::QUARTER);
+        assert_eq!(Span::FIRST.at(HALF_PERIOD - 1).phase(1.0), Phase::HALF);
     }
 }
