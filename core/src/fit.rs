@@ -32,6 +32,11 @@ mod upright;
 
 mod tracking;
 
+mod carrying;
+
+mod drift;
+
+pub use drift::Drift;
 pub use instruments::{
     Accelerometer, AxisCamera, Gyroscope, Magnetometer, Mark, OrientationCamera, TipCamera,
 };
@@ -99,10 +104,10 @@ pub struct Fit<'a, F = f64> {
     prior: Option<Prior<F>>,
 }
 
-/// Result of a search: the time of the launch, how it ended, and the number of other launches that fit as well.
+/// Result of a search: the times of the first and the last measurement, how it ended, and the number of other launches that fit as well.
 #[derive(Clone, Copy, Debug)]
 struct Found {
-    epoch: f64,
+    times: [f64; 2],
     progress: Progress,
     alternatives: usize,
 }
@@ -118,9 +123,13 @@ impl<'a, F: Real> Fit<'a, F> {
         if sensors.len() > MOST_SENSORS || ratios.len() > MOST_RATIOS {
             return Err(FitError::TooManyUnknowns);
         }
-        let model = Model::new(top, sensors, ratios);
+        Ok(Self::of(sensors, Model::new(top, sensors, ratios)))
+    }
+
+    /// Fit of these unknowns.
+    fn of(sensors: &'a [&'a dyn Sensor<F>], model: Model) -> Self {
         let pass = Pass::new(Launch::default(), model.count);
-        Ok(Self {
+        Self {
             sensors,
             model,
             huber: 3.0,
@@ -136,7 +145,7 @@ impl<'a, F: Real> Fit<'a, F> {
             now: None,
             rate_unit: 1.0,
             prior: None,
-        })
+        }
     }
 
     /// Sets the residual, in standard deviations, from which an observation counts linearly instead of quadratically
@@ -147,8 +156,24 @@ impl<'a, F: Real> Fit<'a, F> {
         self
     }
 
+    /// Adds a drift of the first integrals to the unknowns: three losses of rotation, about the axis, across it and about
+    /// the vertical. There may be one free ratio then.
+    ///
+    /// * `deviation`: standard deviation of each loss before the fit, in units of the rotation itself per unit time:
+    ///   1/60 where the spin may be lost in a minute
+    ///
+    /// # Errors
+    /// [`FitError::TooManyUnknowns`]: more than one free ratio. [`FitError::DriftDeviation`]: not a positive number.
+    pub fn with_drift(self, deviation: f64) -> Result<Self, FitError> {
+        if !(deviation.is_finite() && deviation > 0.0) {
+            return Err(FitError::DriftDeviation);
+        }
+        let model = self.model.with_losses(deviation).ok_or(FitError::TooManyUnknowns)?;
+        Ok(Self::of(self.sensors, model).with_huber(self.huber))
+    }
+
     /// Launch from all measurements, without a first guess. The launch is the state at the time of the first
-    /// measurement. The measurements are read several times.
+    /// measurement; with a drift, at that of the last one. The measurements are read several times.
     ///
     /// # Errors
     /// [`FitError`]: a measurement that is not finite, that is earlier than the one before, or of a sensor that is not
@@ -163,7 +188,7 @@ impl<'a, F: Real> Fit<'a, F> {
         {
             reason = self.cause(measurements)?.or(reason);
         }
-        Ok(self.fitted(found.epoch, reason, found.alternatives))
+        Ok(self.fitted(found.times, reason, found.alternatives))
     }
 
     /// Cause of residuals that are too large, if it can be determined. The best launch stays.
@@ -190,10 +215,10 @@ impl<'a, F: Real> Fit<'a, F> {
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        let (epoch, _) = self.checked(measurements.clone())?;
+        let (times, _) = self.checked(measurements.clone())?;
         self.start(guess);
         let progress = self.settle_finally(measurements);
-        Ok(self.fitted(epoch, self.reason(progress), 0))
+        Ok(self.fitted(times, self.reason(progress), 0))
     }
 
     /// Whether the measurements fit better by far when the rates are read as degrees per unit time.
@@ -214,15 +239,16 @@ impl<'a, F: Real> Fit<'a, F> {
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        let (epoch, total) = self.checked(measurements.clone())?;
+        let (times, total) = self.checked(measurements.clone())?;
+        let [epoch, _] = times;
         self.start(Launch::default());
         let later = measurements.clone().map(|measurement| measurement.time).filter(|time| *time > epoch);
         if later.take(2).count() < 2 {
-            return Ok(Found { epoch, progress: Progress::TooFew, alternatives: 0 });
+            return Ok(Found { times, progress: Progress::TooFew, alternatives: 0 });
         }
         let beginning = Beginning::of(self, measurements.clone());
         if beginning.is_empty() {
-            return Ok(Found { epoch, progress: Progress::NoBeginning, alternatives: 0 });
+            return Ok(Found { times, progress: Progress::NoBeginning, alternatives: 0 });
         }
         // the best of the guesses on short windows, where no phase can be off by a turn
         let mut count = 4 * FIRST_WINDOW * self.sensors.len();
@@ -260,11 +286,14 @@ impl<'a, F: Real> Fit<'a, F> {
             self.settle(Window::first(measurements.clone(), total, total / LAST_THINNED), NEAR);
         }
         let progress = self.settle_finally(measurements);
-        Ok(Found { epoch, progress, alternatives })
+        Ok(Found { times, progress, alternatives })
     }
 
-    /// Time of the first measurement, and the number of all, after a look at them.
-    fn checked(&self, measurements: impl Iterator<Item = Measurement>) -> Result<(f64, usize), FitError> {
+    /// Times of the first and the last measurement, and the number of all, after a look at them.
+    fn checked(
+        &self,
+        measurements: impl Iterator<Item = Measurement>,
+    ) -> Result<([f64; 2], usize), FitError> {
         let mut total = 0;
         let mut last: Option<f64> = None;
         let mut first = None;
@@ -283,7 +312,7 @@ impl<'a, F: Real> Fit<'a, F> {
             first = first.or(last);
             total = index + 1;
         }
-        first.map(|first| (first, total)).ok_or(FitError::NoMeasurements)
+        first.zip(last).map(|(first, last)| ([first, last], total)).ok_or(FitError::NoMeasurements)
     }
 
     fn has_rates(&self, measurements: impl Iterator<Item = Measurement>) -> bool {

@@ -10,9 +10,10 @@ mod flow;
 mod equations;
 mod extrapolation;
 mod growth;
+mod losses;
 mod partials;
 
-pub(crate) use coefficients::Coefficients;
+pub(crate) use coefficients::{Coefficients, LOSSES};
 pub(crate) use equations::Equations;
 pub(crate) use extrapolation::advance;
 pub(crate) use flow::{Flow, Tangent, total};
@@ -23,8 +24,9 @@ use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float};
 use crate::stepper::Stepper;
-use crate::su2::dot;
 
+/// Number of columns of the launch.
+pub(crate) const LAUNCH: usize = 6;
 /// Number of columns: derivatives by the rotation vector of Φ at t = 0, by ω at t = 0, and by four ratios.
 pub(crate) const COLUMNS: usize = 10;
 
@@ -84,7 +86,7 @@ impl Sensitivity {
     pub fn of(motion: &Motion) -> Self {
         let state = Stepper::<f64>::new(motion).attitude_state();
         let (orientation, omega) = (state.orientation, state.omega());
-        let equations = Equations::of(motion.top(), dot(omega, orientation.axis()));
+        let equations = Equations::of(motion.top());
         let start = Flow::launched(&orientation, omega);
         let tip_scale = motion.top().tip_scale();
         let mut sensitivity = Self { equations, start, period: None, tip_scale };
@@ -102,6 +104,11 @@ impl Sensitivity {
             Some(Period { length, turns, growth })
         });
         sensitivity
+    }
+
+    /// Sensitivity of a launch whose motion loses rotation by the coefficients of these equations.
+    pub(crate) fn losing(equations: &Equations<f64>, start: Flow<f64, COLUMNS>, tip_scale: f64) -> Self {
+        Self { equations: *equations, start, period: None, tip_scale }
     }
 
     /// Derivatives at time t after the launch; t may be negative. `None` where the integration would take more than
@@ -166,7 +173,7 @@ impl SensitivityCursor<'_> {
         });
         let mut partials = Partials::new(equations, self.flow, *tip_scale, COLUMNS);
         partials.flow.turn(precessed);
-        partials.flow.roll(Phase::from_radians(equations.spin * rest));
+        partials.flow.roll(equations.rolled(self.sensitivity.start.spin, rest));
         Some(partials)
     }
 }

@@ -15,6 +15,7 @@ mod ephemeris;
 mod events;
 mod far_ticks;
 mod fit;
+mod fit_drift;
 mod fixed_point;
 mod found;
 #[cfg(feature = "host")]

@@ -43,8 +43,8 @@ pub struct Launch {
     pub orientation: Orientation<f64>,
     /// Angular velocity ω at the epoch in the fixed frame.
     pub omega: Vector<f64>,
-    /// Values of the other unknowns, in the places from the seventh on: changes of the logarithms of the free ratios, and
-    /// biases.
+    /// Values of the other unknowns, in the places from the seventh on: changes of the logarithms of the free ratios, losses,
+    /// and biases.
     pub(crate) rest: Unknowns,
 }
 
@@ -61,8 +61,8 @@ impl Launch {
         Self { orientation, omega, rest: [0.0; MOST_UNKNOWNS] }
     }
 
-    /// Values of the unknowns behind the launch: changes of the logarithms of the free ratios, then the biases of the
-    /// sensors that have one, in the order of the sensors.
+    /// Values of the unknowns behind the launch: changes of the logarithms of the free ratios, then the three losses if there
+    /// is a drift, then the biases of the sensors that have one, in the order of the sensors.
     #[must_use]
     pub fn other_unknowns(&self) -> &[f64] {
         self.rest.get(LAUNCH..).unwrap_or(&[])

@@ -8,10 +8,11 @@ use crate::fit::triangle::{MOST_UNKNOWNS, Triangle, Unknowns};
 use crate::fit::{MOST_RATIOS, MOST_SENSORS};
 use crate::motion::Motion;
 use crate::scalar::Real;
-use crate::sensitivity::{COLUMNS, Coefficients, Equations, total};
+use crate::sensitivity::{COLUMNS, Coefficients, Equations, LOSSES, total};
 use crate::state::State;
 use crate::su2::{Orientation, Vector, bracket, dot};
 use crate::top::{Support, Top};
+use core::ops::Range;
 
 /// Order and units of the unknowns.
 #[derive(Clone, Copy, Debug)]
@@ -20,6 +21,8 @@ pub(crate) struct Model {
     given: [f64; 4],
     free: [FreeRatio; MOST_RATIOS],
     free_count: usize,
+    /// Prior deviation of the losses, which are unknowns if there is one.
+    drift: Option<f64>,
     /// First unknown of each sensor's bias, and its prior deviation.
     biases: [Option<(usize, f64)>; MOST_SENSORS],
     pub(crate) count: usize,
@@ -52,14 +55,47 @@ impl Model {
             given: [a / top.axial_inertia(), lever, s, top.gravity()],
             free,
             free_count,
+            drift: None,
             biases,
             count,
         }
     }
 
+    /// The same unknowns and the losses, which come before the biases. `None` where there are too many.
+    ///
+    /// * `deviation`: prior deviation of the losses
+    pub(crate) fn with_losses(mut self, deviation: f64) -> Option<Self> {
+        if self.drift.is_none() {
+            self.count += LOSSES;
+            for (first, _) in self.biases.iter_mut().flatten() {
+                *first += LOSSES;
+            }
+        }
+        self.drift = Some(deviation);
+        (self.common() <= LAUNCH + MOST_RATIOS && self.count <= MOST_UNKNOWNS).then_some(self)
+    }
+
+    /// Variance of a loss before any measurement.
+    pub(crate) fn loss_variance(&self) -> f64 {
+        self.drift.map_or(0.0, |deviation| deviation * deviation)
+    }
+
+    pub(crate) fn transverse_inertia(&self) -> f64 {
+        self.top.transverse_inertia()
+    }
+
+    pub(crate) fn has_losses(&self) -> bool {
+        self.drift.is_some()
+    }
+
     /// Number of unknowns that are no biases.
     pub(crate) fn common(&self) -> usize {
-        LAUNCH + self.free_count
+        LAUNCH + self.free_count + if self.drift.is_some() { LOSSES } else { 0 }
+    }
+
+    /// Places of the losses among the unknowns.
+    pub(crate) fn loss_places(&self) -> Range<usize> {
+        LAUNCH + self.free_count..self.common()
     }
 
     /// Directions of the free ratios; 0 for the others.
@@ -69,7 +105,11 @@ impl Model {
 
     /// Path to begin with.
     pub(crate) fn path<F: Real>(&self) -> Path<F> {
-        let known = if self.free_count > 0 { COLUMNS } else { LAUNCH };
+        let known = match (self.drift, self.free_count) {
+            (Some(_), 0) => LAUNCH + LOSSES,
+            (None, 0) => LAUNCH,
+            _ => COLUMNS,
+        };
         Path::new(self.top.tip_scale(), &self.equations(&Launch::default()), known)
     }
 
@@ -108,7 +148,8 @@ impl Model {
 
     /// First integrals l, n and h of a launch, from A.
     pub(crate) fn integrals(&self, launch: &Launch) -> Vector<f64> {
-        let Coefficients { inertia, moment, height, gravity, rotor } = self.equations(launch).coefficients;
+        let Coefficients { inertia, moment, height, gravity, rotor, .. } =
+            self.equations(launch).coefficients;
         let (axis, omega) = (launch.orientation.axis(), launch.omega);
         let spin = dot(axis, omega);
         let [.., u] = axis;
@@ -130,21 +171,52 @@ impl Model {
             Support::Free => 0.0,
         };
         let rotor = self.top.rotor_momentum() / self.top.transverse_inertia();
-        let coefficients = Coefficients { inertia: 1.0 / inertia, moment, height, gravity, rotor };
-        let spin = dot(launch.omega, launch.orientation.axis());
-        Equations { coefficients, changes: coefficients.derivatives(support), spin }
+        let losses = self.losses(launch);
+        let coefficients = Coefficients { inertia: 1.0 / inertia, moment, height, gravity, rotor, losses };
+        let mut changes = coefficients.derivatives(support);
+        if self.drift.is_some() {
+            // the free ratio, if there is one, takes the place behind the losses
+            let [ratio, ..] = self.ratio_shares(launch);
+            let [axial, across, vertical] = Coefficients::by_losses();
+            changes = [axial, across, vertical, Coefficients::combined(&changes, &ratio)];
+        }
+        Equations { coefficients, changes, lossy: self.drift.is_some() }
+    }
+
+    /// Losses of a launch.
+    pub(crate) fn losses(&self, launch: &Launch) -> [f64; LOSSES] {
+        let mut losses = [0.0; LOSSES];
+        for (slot, value) in losses.iter_mut().zip(launch.rest.get(self.loss_places()).unwrap_or(&[])) {
+            *slot = *value;
+        }
+        losses
     }
 
     /// Derivatives of the four ratios by each unknown that is a direction of them.
-    pub(crate) fn shares<F: Real>(&self, launch: &Launch) -> [[F; 4]; MOST_RATIOS] {
+    fn ratio_shares(&self, launch: &Launch) -> [[f64; 4]; MOST_RATIOS] {
         let ratios = self.ratios(launch);
         self.free.map(|free| {
             let mut shares = free.direction;
             for (share, ratio) in shares.iter_mut().zip(ratios) {
                 *share *= ratio;
             }
-            shares.map(F::from_f64)
+            shares
         })
+    }
+
+    /// Shares of the columns behind those of the launch in each unknown that is no bias.
+    pub(crate) fn shares<F: Real>(&self, launch: &Launch) -> [[F; 4]; MOST_RATIOS] {
+        if self.drift.is_none() {
+            return self.ratio_shares(launch).map(|shares| shares.map(F::from_f64));
+        }
+        let [zero, one] = [F::ZERO, F::ONE];
+        let losses = [[one, zero, zero, zero], [zero, one, zero, zero], [zero, zero, one, zero]];
+        let [axial, across, vertical] = losses;
+        if self.free_count > 0 {
+            [[zero, zero, zero, one], axial, across, vertical]
+        } else {
+            [axial, across, vertical, [zero; 4]]
+        }
     }
 
     /// Fills a row from the derivatives by the launch and the four ratios.
@@ -157,7 +229,7 @@ impl Model {
         for (index, slot) in row.iter_mut().enumerate().take(LAUNCH) {
             *slot = column(index);
         }
-        for (slot, shares) in row.iter_mut().skip(LAUNCH).zip(shares).take(self.free_count) {
+        for (slot, shares) in row.iter_mut().skip(LAUNCH).zip(shares).take(self.common() - LAUNCH) {
             let terms = shares.iter().enumerate();
             *slot = terms.fold(F::ZERO, |sum, (index, share)| sum + *share * column(LAUNCH + index));
         }
@@ -187,6 +259,9 @@ impl Model {
         for (slot, free) in deviations.iter_mut().skip(LAUNCH).zip(&self.free).take(self.free_count) {
             *slot = free.deviation;
         }
+        if let (Some(drift), Some(losses)) = (self.drift, deviations.get_mut(self.loss_places())) {
+            losses.fill(drift);
+        }
         for (first, deviation) in self.biases.iter().flatten() {
             for slot in deviations.iter_mut().skip(*first).take(3) {
                 *slot = *deviation;
@@ -196,13 +271,16 @@ impl Model {
     }
 
     /// Unit of each unknown: a radian, a change of ω by its own size, a ratio by its own size, a bias by its prior
-    /// deviation.
+    /// deviation, a loss by ten times its own, so that rounding does not make one undetermined that has its prior only.
     fn units(&self, launch: &Launch) -> Unknowns {
         let Coefficients { moment, gravity, .. } = self.equations(launch).coefficients;
         let rate = libm::sqrt(dot(launch.omega, launch.omega) + moment * gravity);
         let mut units = [1.0; MOST_UNKNOWNS];
         for slot in units.iter_mut().take(LAUNCH).skip(3) {
             *slot = rate;
+        }
+        if let (Some(drift), Some(losses)) = (self.drift, units.get_mut(self.loss_places())) {
+            losses.fill(10.0 * drift);
         }
         for (first, deviation) in self.biases.iter().flatten() {
             for slot in units.iter_mut().skip(*first).take(3) {

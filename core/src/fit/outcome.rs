@@ -2,10 +2,11 @@
 
 use crate::error::ParameterError;
 use crate::fit::MOST_RATIOS;
+use crate::fit::drift::Drift;
 use crate::fit::launch::{LAUNCH, Launch};
 use crate::fit::triangle::{MOST_UNKNOWNS, Symmetric};
 use crate::motion::Motion;
-use crate::sensitivity::{COLUMNS, Partials, total};
+use crate::sensitivity::{COLUMNS, Equations, Flow, Partials, Sensitivity, total};
 use crate::state::State;
 use crate::su2::Vector;
 use crate::top::{Support, Top, TopParameters};
@@ -32,8 +33,10 @@ pub enum FitError {
     },
     /// There is no measurement.
     NoMeasurements,
-    /// There are more than four sensors, or more than four free ratios.
+    /// There are more than four sensors, or more than four free ratios, or more than one with a drift.
     TooManyUnknowns,
+    /// The deviation of a drift is not a positive number.
+    DriftDeviation,
 }
 
 impl fmt::Display for FitError {
@@ -47,7 +50,10 @@ impl fmt::Display for FitError {
                 write!(f, "measurement {index}: must be of a sensor in the list")
             }
             Self::NoMeasurements => write!(f, "measurements: must not be empty"),
-            Self::TooManyUnknowns => write!(f, "sensors, ratios: must be at most four each"),
+            Self::TooManyUnknowns => {
+                write!(f, "sensors, ratios: must be at most four each, and one ratio with a drift")
+            }
+            Self::DriftDeviation => write!(f, "drift: must be a positive number"),
         }
     }
 }
@@ -152,11 +158,13 @@ pub struct Unobservable {
 /// Result of a fit.
 #[derive(Clone, Copy, Debug)]
 pub struct Fitted {
-    /// Time of the launch: that of the first measurement.
+    /// Time of the launch: that of the first measurement. With a drift it is that of the last one, because the exact
+    /// motion from there on is the best prediction.
     pub epoch: f64,
     /// Launch, biases and ratios.
     pub launch: Launch,
-    /// Covariance of the unknowns: rotation vector of Φ (fixed frame), ω, logarithms of the free ratios, biases.
+    /// Covariance of the unknowns: rotation vector of Φ (fixed frame), ω, logarithms of the free ratios, losses of
+    /// rotation if there is a drift, biases.
     pub covariance: Symmetric,
     /// Residuals.
     pub statistics: Statistics,
@@ -169,6 +177,8 @@ pub struct Fitted {
     pub alternatives: usize,
     /// Number of unknowns.
     pub count: usize,
+    /// Drift of the first integrals, if it was fitted.
+    pub drift: Option<Drift>,
     pub(crate) ratios: [f64; 4],
     /// Directions of the free ratios; 0 for the others.
     pub(crate) directions: [[f64; 4]; MOST_RATIOS],
@@ -195,6 +205,19 @@ impl Fitted {
     /// As [`Top::sliding`]; the name is that of the parameter which the fit took beyond its range.
     pub fn top(&self, given: &Top) -> Result<Top, ParameterError> {
         if self.directions == [[0.0; 4]; MOST_RATIOS] { Ok(*given) } else { with_ratios(given, &self.ratios) }
+    }
+
+    /// Derivatives of the fitted motion, whose t = 0 is the epoch. With a drift the motion contains it, and its earlier
+    /// times are those of the measurements.
+    ///
+    /// # Errors
+    /// As [`Fitted::motion`].
+    pub fn sensitivity(&self, given: &Top) -> Result<Sensitivity, ParameterError> {
+        let Some(drift) = &self.drift else { return Ok(Sensitivity::of(&self.motion(given)?)) };
+        let (top, state) = (self.top(given)?, self.state()?);
+        let equations = Equations::of(&top).with_losses(drift.losses);
+        let start = Flow::launched(&state.orientation(), state.omega());
+        Ok(Sensitivity::losing(&equations, start, top.tip_scale()))
     }
 
     /// Motion of the launch.

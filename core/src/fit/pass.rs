@@ -294,13 +294,14 @@ impl<F: Real> Fit<'_, F> {
     }
 
     #[inline(never)] // its matrices are on the stack at the end only
-    pub(super) fn fitted(&self, epoch: f64, reason: Option<Reason>, alternatives: usize) -> Fitted {
+    pub(super) fn fitted(&self, times: [f64; 2], reason: Option<Reason>, alternatives: usize) -> Fitted {
         let Pass { launch, information, statistics, .. } = &self.best;
         let (launch, statistics) = (*launch, *statistics);
         let unobservable = self.model.unobservable(&launch, information);
         // not larger, so that the covariance keeps the digits of what is determined
         let floor = self.model.damping(&launch, information, 0.0, 10.0);
-        Fitted {
+        let [epoch, end] = times;
+        let mut fitted = Fitted {
             epoch,
             launch,
             covariance: information.damped(&floor).covariance().map(|row| row.map(F::to_f64)),
@@ -311,6 +312,11 @@ impl<F: Real> Fit<'_, F> {
             count: self.model.count,
             ratios: self.model.ratios(&launch),
             directions: self.model.directions(),
+            drift: None,
+        };
+        if self.model.has_losses() && self.carry_to_end(&mut fitted, end).is_none() {
+            fitted.reason = fitted.reason.or(Some(Reason::NotSettled));
         }
+        fitted
     }
 }

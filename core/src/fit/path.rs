@@ -39,6 +39,7 @@ struct Node<F> {
     axis_rate: Vector<F>,
     side_rate: Vector<F>,
     across_rate: Vector<F>,
+    spin_rate: F,
     eta_rates: [Vector<F>; COLUMNS],
 }
 
@@ -120,14 +121,20 @@ impl<F: Real> Path<F> {
     /// * `motion`: motion of the launch, which is asked for where the nodes do not reach the time
     pub(super) fn move_to(&mut self, t: f64, motion: impl FnOnce() -> Option<Motion>) -> Option<()> {
         if matches!(self.beyond, Beyond::Unknown) && t > self.reach() {
-            self.beyond = match motion().and_then(|motion| self.period_of(&motion)) {
+            self.beyond = match self
+                .exact
+                .repeats()
+                .then(motion)
+                .flatten()
+                .and_then(|motion| self.period_of(&motion))
+            {
                 Some(period) => Beyond::Repeated(period),
                 None => Beyond::Followed(0, self.launch),
             };
         }
         let Beyond::Repeated(Period { length, turns, .. }) = self.beyond else {
             self.interpolate(t)?;
-            self.now.flow.roll(Phase::from_radians(self.exact.spin * t));
+            self.now.flow.roll(self.exact.rolled(self.launch.spin, t));
             return Some(());
         };
         let count = libm::floor(t / length);
@@ -147,7 +154,7 @@ impl<F: Real> Path<F> {
         }
         let [about_vertical, about_axis] = turns.map(|turn| turn.times(count as i64));
         flow.turn(about_vertical);
-        flow.roll(about_axis + Phase::from_radians(self.exact.spin * rest));
+        flow.roll(about_axis + self.exact.rolled(self.launch.spin, rest));
         Some(())
     }
 
@@ -169,7 +176,7 @@ impl<F: Real> Path<F> {
             return None;
         }
         let first = self.nodes.first()?.flow;
-        let omega = self.equations.omega(first.axis, first.across);
+        let omega = first.omega();
         let [about_vertical, _] = turns;
         self.interpolate(length)?;
         let end = &mut self.now.flow;
@@ -226,8 +233,15 @@ impl<F: Real> Path<F> {
         let span = self.spacing * (index - *last) as f64;
         *flow = advance(&self.exact, flow, span, TOLERANCE, MOST_STEPS)?;
         *last = index;
-        let Flow { axis, side, across, .. } = flow.cast();
-        Some(Node::of(&self.equations, Flow { axis, side, across, tangents: node.flow.tangents }, self.known))
+        let state = flow.cast();
+        let flow = Flow {
+            axis: state.axis,
+            side: state.side,
+            across: state.across,
+            spin: state.spin,
+            tangents: node.flow.tangents,
+        };
+        Some(Node::of(&self.equations, flow, self.known))
     }
 
     /// Sum of three nodes by Hermite's interpolation at x spacings from the second.
@@ -245,6 +259,9 @@ impl<F: Real> Path<F> {
         sum.axis = mixed(&weights, nodes.map(|node| (&node.flow.axis, &node.axis_rate)));
         sum.side = mixed(&weights, nodes.map(|node| (&node.flow.side, &node.side_rate)));
         sum.across = mixed(&weights, nodes.map(|node| (&node.flow.across, &node.across_rate)));
+        // the loss of S between two nodes is nearly linear
+        let [_, at, _] = nodes;
+        sum.spin = at.flow.spin + x * h * at.spin_rate;
         let [before, at, after] = nodes.map(|node| node.flow.tangents.iter().zip(&node.eta_rates));
         // the columns that are not known stay 0
         let columns = sum.tangents.iter_mut().zip(before.zip(at.zip(after))).take(self.known);
@@ -281,6 +298,7 @@ impl<F: Real> Node<F> {
             axis_rate: rate.axis,
             side_rate: rate.side,
             across_rate: rate.across,
+            spin_rate: rate.spin,
             eta_rates: rate.tangents.map(|tangent| tangent.eta),
         }
     }
@@ -291,7 +309,13 @@ impl<F: Real> Node<F> {
         for (tangent, rate) in tangents.iter_mut().zip(self.eta_rates) {
             *tangent = Tangent { theta: tangent.eta, eta: rate };
         }
-        Flow { axis: self.axis_rate, side: self.side_rate, across: self.across_rate, tangents }
+        Flow {
+            axis: self.axis_rate,
+            side: self.side_rate,
+            across: self.across_rate,
+            spin: self.spin_rate,
+            tangents,
+        }
     }
 
     /// Node after a time h, by one step.
@@ -359,7 +383,7 @@ mod tests {
         let state = State::release(&release).unwrap();
         let motion = Motion::launch(&top, &state).unwrap();
         let launch = Launch::new(state.orientation(), state.omega());
-        let equations = Equations::of(&top, dot(launch.omega, launch.orientation.axis()));
+        let equations = Equations::of(&top);
         let mut path = Path::<F>::new(top.tip_scale(), &equations, LAUNCH);
         path.begin(&equations, &launch);
         let sensitivity = Sensitivity::of(&motion);

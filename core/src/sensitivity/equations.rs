@@ -1,6 +1,7 @@
 //! Equations of motion in the fixed frame, and the linear equations of a small change of the motion.
 
 use crate::scalar::Float;
+use crate::sensitivity::LAUNCH;
 use crate::sensitivity::coefficients::Coefficients;
 use crate::sensitivity::flow::{Flow, Tangent, total};
 use crate::su2::{Vector, bracket, dot};
@@ -11,34 +12,36 @@ use crate::top::Top;
 pub(crate) struct Equations<F> {
     pub(crate) coefficients: Coefficients<F>,
     pub(crate) changes: [Coefficients<F>; 4],
-    /// Axial component S = ⟨ω, r⟩ of the angular velocity, which is constant.
-    pub(crate) spin: F,
+    /// Whether there are losses, or columns that are derivatives by them.
+    pub(crate) lossy: bool,
 }
 
 /// Vertical acceleration of the axis, its derivatives, and the rates that lead to it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Acceleration<F> {
     /// Rate r' of the axis.
-    axis_rate: Vector<F>,
+    pub(super) axis_rate: Vector<F>,
     /// Vector q = r × k.
-    lever: Vector<F>,
+    pub(super) lever: Vector<F>,
     /// Rate n/A = (C/A) S + K/A of the gyroscopic torque.
     gyroscopic: F,
     /// Acceleration u''.
     pub(crate) u: F,
     /// Factor 1 + (p/A) s |q|² of u''.
-    factor: F,
+    pub(super) factor: F,
     /// Derivatives of `factor` · u'' by ω and by the vertical k, where the frame is turned with the change.
-    by_omega: Vector<F>,
-    by_vertical: Vector<F>,
+    pub(super) by_omega: Vector<F>,
+    pub(super) by_vertical: Vector<F>,
     /// Acceleration g + s u'' of the support, which is the normal force by the mass.
     pub(crate) support: F,
     /// Rate w'.
     pub(crate) across: Vector<F>,
+    /// Rate S', which only a loss makes differ from 0.
+    pub(crate) spin: F,
 }
 
 /// k × x of the vertical k.
-fn vertical_cross<F: Float>([x, y, _]: Vector<F>) -> Vector<F> {
+pub(super) fn vertical_cross<F: Float>([x, y, _]: Vector<F>) -> Vector<F> {
     [-y, x, F::ZERO]
 }
 
@@ -48,9 +51,9 @@ fn cross_vertical<F: Float>([x, y, _]: Vector<F>) -> Vector<F> {
 }
 
 impl Equations<f64> {
-    pub(crate) fn of(top: &Top, spin: f64) -> Self {
+    pub(crate) fn of(top: &Top) -> Self {
         let coefficients = Coefficients::of(top);
-        Self { coefficients, changes: coefficients.derivatives(top.support()), spin }
+        Self { coefficients, changes: coefficients.derivatives(top.support()), lossy: false }
     }
 
     /// Upper bound on the frequencies of the motion after a state, rad per unit time: the frequency of the gyroscopic
@@ -60,7 +63,7 @@ impl Equations<f64> {
     pub(crate) fn fastest<const N: usize>(&self, flow: &Flow<f64, N>) -> f64 {
         let Coefficients { moment, height, gravity, .. } = self.coefficients;
         let rate = bracket(flow.across, flow.axis);
-        let ([.., rise], [.., u], gyroscopic) = (rate, flow.axis, Float::abs(self.gyroscopic()));
+        let ([.., rise], [.., u], gyroscopic) = (rate, flow.axis, Float::abs(self.gyroscopic(flow.spin)));
         let square = dot(rate, rate) + moment * height * rise * rise;
         let hanging = libm::sqrt(square + 2.0 * moment * gravity * (1.0 + u));
         let driven = libm::sqrt(square) + 2.0 * moment * gravity / gyroscopic;
@@ -73,31 +76,29 @@ impl Equations<f64> {
         Equations {
             coefficients: self.coefficients.cast(),
             changes: self.changes.map(|change| change.cast()),
-            spin: F::from_f64(self.spin),
+            lossy: self.lossy,
         }
     }
 }
 
 impl<F: Float> Equations<F> {
     /// Rate n/A = (C/A) S + K/A.
-    fn gyroscopic(&self) -> F {
-        self.coefficients.inertia * self.spin + self.coefficients.rotor
+    fn gyroscopic(&self, spin: F) -> F {
+        self.coefficients.inertia * spin + self.coefficients.rotor
     }
 
-    /// Angular velocity ω = w + S r.
-    pub(crate) fn omega(&self, axis: Vector<F>, across: Vector<F>) -> Vector<F> {
-        total(across, axis, self.spin)
-    }
-
-    /// Accelerations at an axis r and a part w of ω: the equations of Newton and Euler,
+    /// Accelerations at an axis r, a part w of ω, and an S: the equations of Newton and Euler,
     ///
     /// u'' (1 + (p/A) s |q|²) = ⟨w, r' × k⟩ - (n/A) ⟨r', q⟩ - (p/A) g |q|²,
-    /// w' = -(p/A)(g + s u'') q - (n/A) r'.
-    pub(crate) fn acceleration(&self, axis: Vector<F>, across: Vector<F>) -> Acceleration<F> {
+    /// w' = -(p/A)(g + s u'') q - (n/A) r',
+    ///
+    /// with the torques of the losses.
+    pub(crate) fn acceleration<const N: usize>(&self, flow: &Flow<F, N>) -> Acceleration<F> {
         let Coefficients { inertia, moment, height, gravity, .. } = self.coefficients;
+        let Flow { axis, across, spin, .. } = *flow;
         let axis_rate = bracket(across, axis);
         let lever = cross_vertical(axis);
-        let gyroscopic = self.gyroscopic();
+        let gyroscopic = self.gyroscopic(spin);
         let lever_squared = dot(lever, lever);
         let gyration = dot(axis_rate, lever);
         let factor = F::ONE + moment * height * lever_squared;
@@ -110,8 +111,23 @@ impl<F: Float> Equations<F> {
         let by_omega = total(by_omega, bracket(axis, lever), -gyroscopic);
         let by_vertical = total(bracket(across, axis_rate), bracket(axis, axis_rate), gyroscopic);
         let by_vertical = total(by_vertical, bracket(lever, axis), -(moment * support).doubled());
-        let across = total(lever.map(|x| -(moment * support) * x), axis_rate, -gyroscopic);
-        Acceleration { axis_rate, lever, gyroscopic, u, factor, by_omega, by_vertical, support, across }
+        let rate = total(lever.map(|x| -(moment * support) * x), axis_rate, -gyroscopic);
+        let mut at = Acceleration {
+            axis_rate,
+            lever,
+            gyroscopic,
+            u,
+            factor,
+            by_omega,
+            by_vertical,
+            support,
+            across: rate,
+            spin: F::ZERO,
+        };
+        if self.lossy {
+            self.lose(&mut at, flow);
+        }
+        at
     }
 
     /// Change of the support's acceleration g + s u'' by a tangent. `change` is that of the coefficients.
@@ -120,6 +136,7 @@ impl<F: Float> Equations<F> {
     /// equations with the vertical turned by -θ and ω changed by η, in the frame that θ turns.
     pub(crate) fn support_change(
         &self,
+        spin: F,
         at: &Acceleration<F>,
         tangent: &Tangent<F>,
         change: Option<&Coefficients<F>>,
@@ -132,46 +149,61 @@ impl<F: Float> Equations<F> {
             let square = dot(at.lever, at.lever);
             direct = by.gravity + at.u * by.height;
             force = force
-                - by.inertia * self.spin * dot(at.axis_rate, at.lever)
+                - by.inertia * spin * dot(at.axis_rate, at.lever)
                 - (by.moment * at.support + moment * direct) * square;
+            if self.lossy {
+                force = force - Self::lost_lift(by, at);
+            }
         }
         direct + height * (force / at.factor)
     }
 
     /// Rate of a tangent: η and η'.
-    pub(crate) fn tangent_rate(
+    pub(crate) fn tangent_rate<const N: usize>(
         &self,
-        axis: Vector<F>,
-        across: Vector<F>,
+        flow: &Flow<F, N>,
         at: &Acceleration<F>,
         tangent: &Tangent<F>,
         change: Option<&Coefficients<F>>,
     ) -> Tangent<F> {
         let Coefficients { inertia, moment, .. } = self.coefficients;
-        let eta = tangent.eta;
+        let (axis, eta) = (flow.axis, tangent.eta);
         let lever = bracket(axis, vertical_cross(tangent.theta));
         let spin = dot(eta, axis);
-        let mut push = moment * self.support_change(at, tangent, change);
+        let mut push = moment * self.support_change(flow.spin, at, tangent, change);
         let mut gyroscopic = (inertia - F::ONE) * spin;
         if let Some(by) = change {
             push = push + by.moment * at.support;
-            gyroscopic = gyroscopic + by.inertia * self.spin;
+            gyroscopic = gyroscopic + by.inertia * flow.spin;
         }
         let rate = total(lever.map(|x| -(moment * at.support) * x), at.lever, -push);
         let rate = total(rate, at.axis_rate, -gyroscopic);
         let rate = total(rate, bracket(eta, axis), -at.gyroscopic);
-        Tangent { theta: eta, eta: total(rate, bracket(eta, across), -F::ONE) }
+        let rate = total(rate, bracket(eta, flow.across), -F::ONE);
+        if self.lossy {
+            return Tangent {
+                theta: eta,
+                eta: total(rate, self.lost_change(flow, tangent, change), -F::ONE),
+            };
+        }
+        Tangent { theta: eta, eta: rate }
     }
 
     /// Rate of a state and its first `known` tangents.
     pub(crate) fn rate_of<const N: usize>(&self, flow: &Flow<F, N>, known: usize) -> Flow<F, N> {
-        let at = self.acceleration(flow.axis, flow.across);
+        let at = self.acceleration(flow);
         let mut tangents = flow.tangents;
         for (index, tangent) in tangents.iter_mut().enumerate().take(known) {
-            let change = self.changes.get(index.wrapping_sub(6));
-            *tangent = self.tangent_rate(flow.axis, flow.across, &at, tangent, change);
+            let change = self.changes.get(index.wrapping_sub(LAUNCH));
+            *tangent = self.tangent_rate(flow, &at, tangent, change);
         }
-        Flow { axis: at.axis_rate, side: bracket(flow.across, flow.side), across: at.across, tangents }
+        Flow {
+            axis: at.axis_rate,
+            side: bracket(flow.across, flow.side),
+            across: at.across,
+            spin: at.spin,
+            tangents,
+        }
     }
 
     /// Rate of a state and its tangents.
@@ -182,7 +214,7 @@ impl<F: Float> Equations<F> {
     /// Size of θ below which a column needs no relative accuracy: that at which a change of its ratio by the ratio itself
     /// turns the body by a thousandth of a radian. It is 0 for the columns of the launch, which are never small.
     fn least_size(&self, index: usize) -> F {
-        let Some(by) = self.changes.get(index.wrapping_sub(6)) else { return F::ZERO };
+        let Some(by) = self.changes.get(index.wrapping_sub(LAUNCH)) else { return F::ZERO };
         let of = &self.coefficients;
         let share = |change: F, value: F| if value > F::ZERO { change.abs() / value } else { F::ZERO };
         let relative = share(by.inertia, of.inertia)
@@ -195,7 +227,7 @@ impl<F: Float> Equations<F> {
     /// Upper bound on the frequencies of the motion at a state, rad per unit time.
     pub(crate) fn frequency<const N: usize>(&self, flow: &Flow<F, N>) -> F {
         let Coefficients { moment, gravity, .. } = self.coefficients;
-        dot(flow.across, flow.across).sqrt() + self.gyroscopic().abs() + (moment * gravity).sqrt()
+        dot(flow.across, flow.across).sqrt() + self.gyroscopic(flow.spin).abs() + (moment * gravity).sqrt()
     }
 
     /// Largest difference of two flows, each part relative to its size. Rates are compared in units of `frequency`.

@@ -22,6 +22,8 @@ pub(crate) struct Flow<F, const N: usize> {
     pub(crate) side: Vector<F>,
     /// Part w = ω - S r of the angular velocity across the axis. It keeps its digits where S is much larger.
     pub(crate) across: Vector<F>,
+    /// Axial component S = ⟨ω, r⟩ of the angular velocity. It is constant without losses.
+    pub(crate) spin: F,
     pub(crate) tangents: [Tangent<F>; N],
 }
 
@@ -53,6 +55,7 @@ impl<const N: usize> Flow<f64, N> {
             axis: of(self.axis),
             side: of(self.side),
             across: of(self.across),
+            spin: F::from_f64(self.spin),
             tangents: self.tangents.map(|Tangent { theta, eta }| Tangent { theta: of(theta), eta: of(eta) }),
         }
     }
@@ -60,8 +63,13 @@ impl<const N: usize> Flow<f64, N> {
 
 impl<F: Float, const N: usize> Flow<F, N> {
     /// Flow of zeros.
-    pub(crate) const ZERO: Self =
-        Self { axis: [F::ZERO; 3], side: [F::ZERO; 3], across: [F::ZERO; 3], tangents: [Tangent::NONE; N] };
+    pub(crate) const ZERO: Self = Self {
+        axis: [F::ZERO; 3],
+        side: [F::ZERO; 3],
+        across: [F::ZERO; 3],
+        spin: F::ZERO,
+        tangents: [Tangent::NONE; N],
+    };
 
     /// Flow at the launch: the first six tangents are the unit changes of Φ and ω, the others are 0.
     pub(crate) fn launched(phi: &Orientation<F>, omega: Vector<F>) -> Self {
@@ -75,8 +83,13 @@ impl<F: Float, const N: usize> Flow<F, N> {
             *tangent = Tangent::of_change(unit(0), unit(3), omega);
         }
         let [axis, side] = [[zero, zero, one], [one, zero, zero]].map(|body| phi.adjoint(body));
-        let across = total(omega, axis, -dot(omega, axis));
-        Self { axis, side, across, tangents }
+        let spin = dot(omega, axis);
+        Self { axis, side, across: total(omega, axis, -spin), spin, tangents }
+    }
+
+    /// Angular velocity ω = w + S r.
+    pub(crate) fn omega(&self) -> Vector<F> {
+        total(self.across, self.axis, self.spin)
     }
 
     /// Body coordinates of a vector of the fixed frame.
@@ -95,6 +108,7 @@ impl<F: Float, const N: usize> Flow<F, N> {
         self.axis = total(self.axis, other.axis, f);
         self.side = total(self.side, other.side, f);
         self.across = total(self.across, other.across, f);
+        self.spin = self.spin + f * other.spin;
         for (tangent, rate) in self.tangents.iter_mut().zip(&other.tangents).take(known) {
             *tangent = tangent.plus(rate, f);
         }

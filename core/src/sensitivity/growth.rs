@@ -3,11 +3,9 @@
 //! A change of the launch that keeps l, n and h does not grow. The integration over a period makes it grow by its
 //! error, which a million periods would multiply. So the growth is projected onto the changes of l, n and h.
 
-use crate::sensitivity::{COLUMNS, Equations, Flow, Tangent};
+use crate::sensitivity::{COLUMNS, Equations, Flow, LAUNCH, Tangent};
 use crate::su2::{bracket, dot};
 
-/// Number of columns of the launch.
-const LAUNCH: usize = 6;
 /// Length, relative to a gradient, below which its component orthogonal to the other gradients is a rounding error.
 const ROUNDING: f64 = 1e-14;
 
@@ -42,8 +40,8 @@ pub(super) fn projected(
 fn gradients(equations: &Equations<f64>, start: &Flow<f64, COLUMNS>, units: &[f64; LAUNCH]) -> Gradients {
     let of = &equations.coefficients;
     let inertia_difference = of.inertia - 1.0;
-    let (axis, spin) = (start.axis, equations.spin);
-    let omega = equations.omega(axis, start.across);
+    let (axis, spin) = (start.axis, start.spin);
+    let omega = start.omega();
     let up = [0.0, 0.0, 1.0];
     let axis_rate = bracket(omega, axis);
     let momentum = super::total(omega, axis, inertia_difference * spin + of.rotor);

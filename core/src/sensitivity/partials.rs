@@ -4,7 +4,7 @@ use crate::complex::Complex;
 use crate::scalar::Float;
 use crate::sensitivity::equations::Equations;
 use crate::sensitivity::flow::{Flow, total};
-use crate::sensitivity::{COLUMNS, Tangent};
+use crate::sensitivity::{COLUMNS, LAUNCH, Tangent};
 use crate::su2::{Orientation, Vector, bracket, dot};
 
 /// State at one time with its partial derivatives, in the order of [`Sensitivity::NAMES`](crate::Sensitivity::NAMES).
@@ -65,7 +65,7 @@ impl<F: Float> Partials<F> {
     /// Angular velocity ω in the fixed frame, rad per unit time.
     #[must_use]
     pub fn angular_velocity(&self) -> Vector<F> {
-        self.equations.omega(self.flow.axis, self.flow.across)
+        self.flow.omega()
     }
 
     /// Body coordinates of a vector given in the fixed frame.
@@ -108,14 +108,12 @@ impl<F: Float> Partials<F> {
     /// Derivatives of the tip c = -s (r₁ + i r₂), m; of -(r₁ + i r₂) for a fixed tip.
     #[must_use]
     pub fn tip(&self) -> [Complex<F>; COLUMNS] {
-        let mut change = self.axis_change().map(|[x, y, _]| Complex::new(x, y).scaled(-self.tip_scale));
+        let mut changes = self.axis_change().map(|[x, y, _]| Complex::new(x, y).scaled(-self.tip_scale));
         let [x, y, _] = self.flow.axis;
-        if let Some(by_height) = change.get_mut(8)
-            && self.equations.coefficients.height > F::ZERO
-        {
-            *by_height = *by_height - Complex::new(x, y);
+        for (change, by) in changes.iter_mut().skip(LAUNCH).zip(&self.equations.changes) {
+            *change = *change - Complex::new(x, y).scaled(by.height);
         }
-        change
+        changes
     }
 
     /// Derivatives of the tip angle φ = arg c, rad; `None` where the tip is at the centre.
@@ -155,7 +153,7 @@ impl<F: Float> Partials<F> {
 
     /// ω in the coordinates of an instrument, from the coordinates of the axis there.
     pub(crate) fn omega_in(&self, axes: &[Vector<F>; 3], axis: Vector<F>) -> Vector<F> {
-        total(along(axes, self.flow.across), axis, self.equations.spin)
+        total(along(axes, self.flow.across), axis, self.flow.spin)
     }
 
     /// [`Self::direction`] in the coordinates of an instrument.
@@ -173,27 +171,28 @@ impl<F: Float> Partials<F> {
         axes: &[Vector<F>; 3],
         place: Vector<F>,
     ) -> (Vector<F>, [Vector<F>; COLUMNS]) {
-        let Flow { axis, across, .. } = self.flow;
+        let Flow { axis, across, spin, .. } = self.flow;
         let omega = self.angular_velocity();
         let up = [F::ZERO, F::ZERO, F::ONE];
-        let at = self.equations.acceleration(axis, across);
+        let at = self.equations.acceleration(&self.flow);
         let off_centre = place != [F::ZERO; 3];
         let arm = self.in_fixed(place);
         let swing = bracket(omega, arm);
         let mut force = up.map(|x| x * at.support);
         if off_centre {
-            let rate = total(at.across, bracket(across, axis), self.equations.spin);
+            let rate = total(at.across, bracket(across, axis), spin);
+            let rate = total(rate, axis, at.spin);
             force = total(total(force, bracket(rate, arm), F::ONE), bracket(omega, swing), F::ONE);
         }
         let mut changes = [[F::ZERO; 3]; COLUMNS];
         let tangents = self.flow.tangents.iter().take(self.known).enumerate();
         for (change, (index, tangent)) in changes.iter_mut().zip(tangents) {
-            let by = self.equations.changes.get(index.wrapping_sub(6));
-            let support = self.equations.support_change(&at, tangent, by);
+            let by = self.equations.changes.get(index.wrapping_sub(LAUNCH));
+            let support = self.equations.support_change(spin, &at, tangent, by);
             // in the frame that turns by θ, the vertical turns by -θ and the arm stays
             let mut force_change = total(up.map(|x| x * support), bracket(up, tangent.theta), at.support);
             if off_centre {
-                let rate = self.equations.tangent_rate(axis, across, &at, tangent, by).eta;
+                let rate = self.equations.tangent_rate(&self.flow, &at, tangent, by).eta;
                 let turning = total(rate, bracket(tangent.eta, omega), F::ONE);
                 force_change = total(force_change, bracket(turning, arm), F::ONE);
                 force_change = total(force_change, bracket(tangent.eta, swing), F::ONE);

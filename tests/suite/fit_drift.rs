@@ -1,0 +1,339 @@
+//! Drift of l, n and h within the measurements: tops that lose rotation slowly.
+//!
+//! The lossy motion is made of exact motions: every half millisecond, angular impulses on the body take rotation away.
+
+use toytop::fit::{
+    Accelerometer, Fit, FitError, Fitted, FreeRatio, Gyroscope, Magnetometer, Measurement, Mounting, Noise,
+    Reason, Sensor,
+};
+use toytop::{Motion, Orientation, Release, Sensitivity, State, Stepper, Top, TopParameters};
+
+/// Time between two samples, s.
+const STEP: f64 = 1e-3;
+/// Loss of rotation in a minute.
+const LOSS: f64 = 1.0 / 60.0;
+
+const PARAMETERS: TopParameters = TopParameters {
+    transverse_inertia: 3e-5,
+    axial_inertia: 2e-5,
+    com_height: 0.03,
+    mass: 0.05,
+    mass_moment: 0.0,
+    gravity: 9.81,
+    rotor_momentum: 0.0,
+};
+const MOUNTING: Mounting = Mounting { rotation: Orientation::IDENTITY, place: [0.0; 3] };
+const GYROSCOPE: Gyroscope =
+    Gyroscope { noise: Noise { deviation: 2e-3, bias: 0.0175 }, mounting: MOUNTING, range: 34.9 };
+const ACCELEROMETER: Accelerometer =
+    Accelerometer { noise: Noise { deviation: 0.022, bias: 0.2 }, mounting: MOUNTING, range: 157.0 };
+const MAGNETOMETER: Magnetometer = Magnetometer {
+    noise: Noise { deviation: 0.6, bias: 0.0 },
+    mounting: MOUNTING,
+    field: [20.0, 0.0, -43.0],
+};
+const SENSORS: [&dyn Sensor; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
+
+fn sliding() -> Top {
+    Top::sliding(&PARAMETERS).unwrap()
+}
+
+fn held() -> Top {
+    Top::fixed(&TopParameters { transverse_inertia: 7.5e-5, ..PARAMETERS }).unwrap()
+}
+
+fn thrown() -> State {
+    let release =
+        Release { tilt: 0.35, azimuth: 0.4, roll: -0.7, spin: 150.0, precession: 2.0, nutation: 0.5 };
+    State::release(&release).unwrap()
+}
+
+/// Numbers near a normal distribution.
+struct Random(u64);
+
+impl Random {
+    fn normal(&mut self) -> f64 {
+        let mut share = || {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        (0..12).map(|_| share()).sum::<f64>() - 6.0
+    }
+}
+
+fn dot(x: [f64; 3], y: [f64; 3]) -> f64 {
+    x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
+}
+
+fn cross(x: [f64; 3], y: [f64; 3]) -> [f64; 3] {
+    [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
+}
+
+/// State after an angular impulse: two opposite impulses on the body.
+fn twisted(top: &Top, state: &State, impulse: [f64; 3]) -> State {
+    let size = dot(impulse, impulse).sqrt();
+    if size == 0.0 {
+        return *state;
+    }
+    let least = (0..3).min_by(|i, j| impulse[*i].abs().total_cmp(&impulse[*j].abs())).unwrap();
+    let mut other = [0.0; 3];
+    other[least] = 1.0;
+    let arm = cross(impulse, other);
+    let arm = arm.map(|x| x / dot(arm, arm).sqrt());
+    let force = cross(impulse, arm);
+    let place = state.orientation().inverse().adjoint(arm);
+    let once = state.with_impulse(top, force, place).unwrap();
+    once.with_impulse(top, force.map(|x| -x), [0.0; 3]).unwrap()
+}
+
+/// State after losses of rotation about the axis, across it and about the vertical have acted for a short time.
+fn slowed(top: &Top, state: &State, [axial, across, vertical]: [f64; 3], time: f64) -> State {
+    let (axis, omega) = (state.orientation().axis(), state.omega());
+    let spin = dot(omega, axis);
+    let torque = [0, 1, 2].map(|k| {
+        let level = f64::from(u8::from(k == 2)) - axis[2] * axis[k];
+        let w = omega[k] - spin * axis[k];
+        -top.axial_inertia() * axial * spin * axis[k]
+            - top.transverse_inertia() * (across * w + vertical * omega[2] * level)
+    });
+    twisted(top, state, torque.map(|x| x * time))
+}
+
+/// States at the times of the samples, of a top that loses rotation.
+fn lossy(top: &Top, losses: [f64; 3], count: usize) -> Vec<State> {
+    let mut states = vec![thrown()];
+    while states.len() < count {
+        let mut state = states[states.len() - 1];
+        for _ in 0..2 {
+            let before = slowed(top, &state, losses, STEP / 4.0);
+            let mut stepper = Stepper::<f64>::new(&Motion::launch(top, &before).unwrap());
+            stepper.step(STEP / 2.0);
+            let later = State::new(stepper.orientation(), stepper.omega()).unwrap();
+            state = slowed(top, &later, losses, STEP / 4.0);
+        }
+        states.push(state);
+    }
+    states
+}
+
+/// What the sensors read at states, without noise.
+fn clean(top: &Top, states: &[State]) -> Vec<Measurement> {
+    let mut found = Vec::new();
+    for (n, state) in states.iter().enumerate() {
+        let partials = Sensitivity::of(&Motion::launch(top, state).unwrap()).at(0.0).unwrap();
+        for (sensor, one) in SENSORS.iter().enumerate() {
+            if sensor < 2 || n % 10 == 0 {
+                let [x, y, z] = one.predict(&partials, &[0.0; 4]).difference.map(|x| -x);
+                found.push(Measurement { time: n as f64 * STEP, sensor, values: [x, y, z, 0.0] });
+            }
+        }
+    }
+    found
+}
+
+/// Readings with noise and biases.
+fn noisy(clean: &[Measurement], random: &mut Random) -> Vec<Measurement> {
+    let deviations = [GYROSCOPE.noise, ACCELEROMETER.noise, MAGNETOMETER.noise];
+    let biases = deviations.map(|noise| [0; 3].map(|_| noise.bias * random.normal()));
+    let of = |one: &Measurement| {
+        let mut values = one.values;
+        for (value, bias) in values.iter_mut().zip(biases[one.sensor]) {
+            *value += bias + deviations[one.sensor].deviation * random.normal();
+            if one.sensor == 0 {
+                *value = value.clamp(-GYROSCOPE.range, GYROSCOPE.range);
+            }
+        }
+        Measurement { values, ..*one }
+    };
+    clean.iter().map(of).collect()
+}
+
+/// Mean rates of l, n and h.
+fn drift_of(top: &Top, states: &[State]) -> [f64; 3] {
+    let integrals = |state: &State| {
+        let found = Motion::launch(top, state).unwrap().first_integrals();
+        [found.l, found.n, found.h]
+    };
+    let span = STEP * (states.len() - 1) as f64;
+    let (start, end) = (integrals(&states[0]), integrals(&states[states.len() - 1]));
+    [0, 1, 2].map(|k| (end[k] - start[k]) / span)
+}
+
+fn with_drift(top: &Top, measurements: &[Measurement]) -> Fitted {
+    let fit = Fit::new(top, &SENSORS, &[]).unwrap();
+    fit.with_drift(LOSS).unwrap().run(measurements.iter().copied()).unwrap()
+}
+
+/// Square of the error of the launch in standard deviations: χ² of six degrees of freedom.
+fn square(fitted: &Fitted, state: &State) -> f64 {
+    let turn = state.orientation().compose(&fitted.launch.orientation.inverse());
+    let [w, x, y, z] = turn.quaternion();
+    let mut error = [0.0; 6];
+    for (slot, x) in error.iter_mut().zip([x, y, z]) {
+        *slot = 2.0 * x * w.signum();
+    }
+    // ω as seen by an observer who turns with the error: that of the yaw may be large
+    let (found, truth) = (fitted.launch.omega, turn.inverse().adjoint(state.omega()));
+    let turned = cross([error[0], error[1], error[2]], found);
+    for k in 0..3 {
+        error[3 + k] = truth[k] - found[k] + turned[k];
+    }
+    // Cholesky's factor of the covariance of the launch
+    let mut sum = 0.0;
+    let mut factor = [[0.0_f64; 6]; 6];
+    let mut solved = [0.0; 6];
+    for i in 0..6 {
+        for j in 0..=i {
+            let known: f64 = (0..j).map(|k| factor[i][k] * factor[j][k]).sum();
+            let rest = fitted.covariance[i][j] - known;
+            factor[i][j] = if i == j { rest.sqrt() } else { rest / factor[j][j] };
+        }
+        let known: f64 = (0..i).map(|k| factor[i][k] * solved[k]).sum();
+        solved[i] = (error[i] - known) / factor[i][i];
+        sum += solved[i] * solved[i];
+    }
+    sum
+}
+
+/// Without the drift the residuals are too large; with it the launch of the last sample is right, and so are the rates.
+#[test]
+fn a_loss_of_spin_is_found_with_its_error_bars() {
+    const SEEDS: u32 = 40;
+    for (name, top) in [("sliding", sliding()), ("held", held())] {
+        let states = lossy(&top, [LOSS, 0.0, 0.0], 300);
+        let truth = drift_of(&top, &states);
+        let samples = clean(&top, &states);
+        let mut random = Random(5);
+        let [mut inside, mut launches, mut spread] = [0_u32, 0, 0].map(f64::from);
+        for seed in 0..SEEDS {
+            let measurements = noisy(&samples, &mut random);
+            let found = with_drift(&top, &measurements);
+            assert!(found.converged(), "{name} {seed}: {:?} {:?}", found.reason, found.statistics);
+            let drift = found.drift.unwrap();
+            let deviation = drift.deviations()[1];
+            assert!(deviation < 0.02 * truth[1].abs(), "{name} {seed}: {deviation:e} of {:e}", truth[1]);
+            let off = (drift.rates[1] - truth[1]) / deviation;
+            spread += off * off / f64::from(SEEDS);
+            inside += f64::from(u8::from(off.abs() < 1.96)) / f64::from(SEEDS);
+            launches += square(&found, &states[states.len() - 1]) / f64::from(SEEDS);
+            if seed == 0 {
+                let exact = Fit::new(&top, &SENSORS, &[]).unwrap().run(measurements.iter().copied()).unwrap();
+                assert_eq!(exact.reason, Some(Reason::Misfit), "{name}: {:?}", exact.statistics);
+                assert!(exact.drift.is_none());
+            }
+        }
+        println!("{name}: {inside} {spread} {launches}");
+        // 40 draws: the mean of squares of a normal number is 1 ± 0.22, that of six is 6 ± 0.55
+        assert!(inside >= 0.85 && (0.4..1.7).contains(&spread), "{name}: {inside} {spread}");
+        assert!((4.3..7.7).contains(&launches), "{name}: {launches}");
+    }
+}
+
+/// Losses of all three kinds, of either sign.
+#[test]
+fn losses_of_every_kind_are_found() {
+    const CASES: u32 = 24;
+    let mut random = Random(11);
+    let mut squares = [0.0; 3];
+    let mut launches = 0.0;
+    for case in 0..CASES {
+        let top = if case % 2 == 0 { sliding() } else { held() };
+        let losses = [0; 3].map(|_| LOSS * random.normal());
+        let states = lossy(&top, losses, 250);
+        let truth = drift_of(&top, &states);
+        let found = with_drift(&top, &noisy(&clean(&top, &states), &mut random));
+        assert!(found.converged(), "{case}: {:?} {:?}", found.reason, found.statistics);
+        let drift = found.drift.unwrap();
+        for k in 0..3 {
+            let off = (drift.rates[k] - truth[k]) / drift.deviations()[k];
+            assert!(off.abs() < 4.0, "{case} {k}: {off} {losses:?} {:?}", drift.losses);
+            squares[k] += off * off / f64::from(CASES);
+        }
+        launches += square(&found, &states[states.len() - 1]) / f64::from(CASES);
+    }
+    println!("{squares:?} {launches}");
+    for mean in squares {
+        assert!((0.3..2.0).contains(&mean), "{squares:?}");
+    }
+    assert!((3.9..8.1).contains(&launches), "{launches}");
+}
+
+/// The motion with the drift reaches back to the first sample, and explains every reading.
+#[test]
+fn the_motion_with_the_drift_is_that_of_the_measurements() {
+    let top = sliding();
+    let states = lossy(&top, [LOSS, 0.5 * LOSS, 0.0], 300);
+    let samples = clean(&top, &states);
+    let found = with_drift(&top, &noisy(&samples, &mut Random(3)));
+    assert_eq!(found.epoch, samples[samples.len() - 1].time);
+    let sensitivity = found.sensitivity(&top).unwrap();
+    let exact = Sensitivity::of(&found.motion(&top).unwrap());
+    let apart = |sensitivity: &Sensitivity, index: usize| {
+        let at = sensitivity.at(index as f64 * STEP - found.epoch).unwrap();
+        let turn = at.orientation_now().compose(&states[index].orientation().inverse());
+        2.0 * turn.quaternion()[0].abs().min(1.0).acos()
+    };
+    for index in [0, 80, 150, 299] {
+        assert!(apart(&sensitivity, index) < 0.02, "{index}: {}", apart(&sensitivity, index));
+    }
+    assert!(apart(&exact, 0) > 0.05, "{}", apart(&exact, 0));
+}
+
+/// The next block begins from the end of the last one, and fits its own drift.
+#[test]
+fn blocks_with_a_drift_are_tracked() {
+    let top = sliding();
+    let states = lossy(&top, [LOSS, 0.0, 0.0], 600);
+    let measurements = noisy(&clean(&top, &states), &mut Random(9));
+    let (first, second) = measurements.split_at(measurements.partition_point(|one| one.time < 300.0 * STEP));
+    let mut fit = Fit::new(&top, &SENSORS, &[]).unwrap().with_drift(LOSS).unwrap();
+    let last = fit.run(first.iter().copied()).unwrap();
+    let tracked = fit.track(&last, LOSS, second.iter().copied()).unwrap();
+    assert!(tracked.fitted.converged(), "{:?} {:?}", tracked.fitted.reason, tracked.fitted.statistics);
+    assert_eq!(tracked.fitted.epoch, measurements[measurements.len() - 1].time);
+    let truth = drift_of(&top, &states[300..]);
+    let drift = tracked.fitted.drift.unwrap();
+    let off = (drift.rates[1] - truth[1]) / drift.deviations()[1];
+    assert!(off.abs() < 4.0, "{off}");
+    assert!((tracked.drift[1] / truth[1] - 1.0).abs() < 0.05, "{:?} {truth:?}", tracked.drift);
+    let jump = dot(tracked.jump, tracked.jump).sqrt();
+    assert!(jump > 0.0 && jump < 0.02, "{jump}");
+    assert!(square(&tracked.fitted, &states[599]) < 25.0, "{}", square(&tracked.fitted, &states[599]));
+}
+
+#[test]
+fn single_precision_finds_the_drift_of_double_precision() {
+    let single: [&dyn Sensor<f32>; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
+    let top = sliding();
+    let states = lossy(&top, [LOSS, 0.0, 0.0], 300);
+    let measurements = noisy(&clean(&top, &states), &mut Random(21));
+    let wide = with_drift(&top, &measurements).drift.unwrap();
+    let mut fit = Fit::new(&top, &single, &[]).unwrap().with_drift(LOSS).unwrap();
+    let narrow = fit.run(measurements.iter().copied()).unwrap();
+    assert!(narrow.converged(), "{:?} {:?}", narrow.reason, narrow.statistics);
+    let off = (narrow.drift.unwrap().rates[1] - wide.rates[1]) / wide.deviations()[1];
+    assert!(off.abs() < 0.2, "{off}");
+}
+
+/// The axial inertia may be free with the drift, and no second ratio.
+#[test]
+fn one_ratio_may_be_free_with_a_drift() {
+    let top = sliding();
+    let states = lossy(&top, [LOSS, 0.0, 0.0], 300);
+    let measurements = noisy(&clean(&top, &states), &mut Random(27));
+    let wrong = Top::sliding(&TopParameters { axial_inertia: 2.02e-5, ..PARAMETERS }).unwrap();
+    let fit = |ratios: &[FreeRatio]| Fit::new(&wrong, &SENSORS, ratios).unwrap().with_drift(LOSS);
+    let found = fit(&[FreeRatio::AXIAL_INERTIA]).unwrap().run(measurements.iter().copied()).unwrap();
+    assert!(found.converged(), "{:?} {:?}", found.reason, found.statistics);
+    let off = (found.top(&wrong).unwrap().axial_inertia() / 2e-5).ln() / found.deviations()[6];
+    assert!(off.abs() < 4.0, "{off}");
+    let loss = found.drift.unwrap().losses[0];
+    assert!((loss / LOSS - 1.0).abs() < 0.05, "{loss}");
+
+    let two = fit(&[FreeRatio::AXIAL_INERTIA, FreeRatio::GRAVITY]);
+    assert_eq!(two.err(), Some(FitError::TooManyUnknowns));
+    for deviation in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let refused = Fit::new(&top, &SENSORS, &[]).unwrap().with_drift(deviation);
+        assert_eq!(refused.err(), Some(FitError::DriftDeviation), "{deviation}");
+    }
+}
