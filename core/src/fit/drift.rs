@@ -27,6 +27,9 @@ pub struct Drift {
 }
 
 impl Drift {
+    /// Names of the losses, in order.
+    pub const LOSSES: [&'static str; LOSSES] = ["loss_axial", "loss_across", "loss_vertical"];
+
     /// Standard deviations of the rates.
     #[must_use]
     pub fn deviations(&self) -> Vector<f64> {

@@ -26,13 +26,15 @@ use toytop_host::fit::simulated::{MOST_SAMPLES, Recording, measurements};
 ///         have their columns.
 ///     free: names of numbers of the top that are unknown too, at most four, such as ["axial_inertia"].
 ///     huber: residual, in standard deviations, from which a sample is an outlier, at least 1; inf for least squares.
+///     drift: standard deviation of a slow loss of rotation, in units of the rotation itself, 1/s, such as 1/60 where the spin may be
+///         lost in a minute. The loss is then unknown too, and the launch is that of the last sample.
 ///
 /// A launch that must not be trusted has converged = False and a reason; this is no exception.
 ///
 /// Raises:
 ///     ValueError: a column, a sensor, a key or a row is wrong; the message names it.
 #[pyfunction]
-#[pyo3(signature = (samples, top, sensors=None, *, free=Vec::new(), huber=3.0))]
+#[pyo3(signature = (samples, top, sensors=None, *, free=Vec::new(), huber=3.0, drift=None))]
 pub(crate) fn fit(
     py: Python<'_>,
     samples: &Bound<'_, PyAny>,
@@ -40,6 +42,7 @@ pub(crate) fn fit(
     sensors: Option<&Bound<'_, PyAny>>,
     free: Vec<String>,
     huber: f64,
+    drift: Option<f64>,
 ) -> PyResult<Fitted> {
     let definition = top.0;
     if huber.is_nan() || huber < 1.0 {
@@ -58,9 +61,20 @@ pub(crate) fn fit(
     let fitted = py.detach(|| {
         let listed: Vec<&dyn Sensor> =
             instruments.instruments.iter().map(|instrument| &*instrument.sensor as &dyn Sensor).collect();
-        Fit::new(&definition.top, &listed, &ratios)?.with_huber(huber).run(readings.iter().copied())
+        let fit = Fit::new(&definition.top, &listed, &ratios)?.with_huber(huber);
+        let mut fit = match drift {
+            Some(deviation) => fit.with_drift(deviation)?,
+            None => fit,
+        };
+        fit.run(readings.iter().copied())
     });
-    let fitted = fitted.map_err(|error: FitError| value_error("samples", &error.to_string()))?;
+    let fitted = fitted.map_err(|error: FitError| match error {
+        FitError::DriftDeviation => value_error("drift", "must be a positive number"),
+        FitError::TooManyUnknowns if drift.is_some() => {
+            value_error("free", "must have at most one name with a drift")
+        }
+        _ => value_error("samples", &error.to_string()),
+    })?;
     let end = readings.last().map_or(0.0, |last| last.time);
     let report = FitReport {
         fitted: &fitted,
@@ -71,8 +85,7 @@ pub(crate) fn fit(
         end,
     };
     // without a motion there is nothing to compare with
-    let left =
-        fitted.motion(&definition.top).map(|motion| py.detach(|| residuals(&report, &motion, &readings)));
+    let left = fitted.motion(&definition.top).map(|_| py.detach(|| residuals(&report, &readings)));
     let mut by_column = Columns { t: given.t, readings: Vec::new() };
     for (sensor, instrument) in instruments.instruments.iter().enumerate() {
         for (component, name) in instrument.kind.residuals().iter().enumerate() {

@@ -7,6 +7,7 @@ use crate::sensors::dictionary;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use toytop::Sensitivity;
+use toytop::fit::Drift;
 use toytop_host::fit::columns::Columns;
 use toytop_host::fit::report::FitReport;
 
@@ -43,9 +44,10 @@ impl Fitted {
             .collect();
         let launch = Sensitivity::NAMES.iter().take(6).map(|name| (*name).to_owned());
         let numbers = free.iter().map(|(name, _)| (*name).to_owned());
+        let losses = core.drift.iter().flat_map(|_| Drift::LOSSES.map(str::to_owned));
         let axes = ["x", "y", "z"];
         let components = biases.iter().flat_map(|(name, _)| axes.map(|axis| format!("{name}_bias_{axis}")));
-        let unknowns = launch.chain(numbers).chain(components).collect();
+        let unknowns = launch.chain(numbers).chain(losses).chain(components).collect();
         Ok(Self {
             core,
             motion,
@@ -86,7 +88,7 @@ impl Fitted {
         Ok(self.believed()?.clone_ref(py))
     }
 
-    /// Time of the launch among the samples: that of the first one, s.
+    /// Time of the launch among the samples, s: that of the first one; with a drift, that of the last one.
     #[getter]
     fn epoch(&self) -> f64 {
         self.core.epoch
@@ -117,7 +119,7 @@ impl Fitted {
     }
 
     /// Names of the rows and columns of the covariance: the rotation vector of the orientation in the fixed frame (rad), omega (rad/s), the
-    /// logarithms of the free numbers of the top, and the biases in the units of their sensors.
+    /// logarithms of the free numbers of the top, the losses of rotation (1/s) if there is a drift, and the biases in the units of their sensors.
     #[getter]
     fn unknowns(&self) -> Vec<String> {
         self.unknowns.clone()
@@ -136,6 +138,15 @@ impl Fitted {
     fn deviations<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
         let count = self.core.count;
         array(py, self.core.deviations()[..count].to_vec(), &[count], 1)
+    }
+
+    /// Mean rates of change of the first integrals l, n (N m) and h (W) during the samples, and their standard deviations; None where no
+    /// drift was fitted.
+    #[getter]
+    fn drift<'py>(&self, py: Python<'py>) -> PyResult<Option<(Bound<'py, Numbers>, Bound<'py, Numbers>)>> {
+        let Some(drift) = &self.core.drift else { return Ok(None) };
+        let [rates, deviations] = [drift.rates, drift.deviations()].map(|x| array(py, x.to_vec(), &[3], 1));
+        Ok(Some((rates?, deviations?)))
     }
 
     /// Free numbers of the top by name, each with its standard deviation.

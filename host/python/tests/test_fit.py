@@ -54,6 +54,20 @@ def test_the_truth_is_within_the_error_bars(truth: toytop.Motion, samples: dict[
     assert repr(fitted).startswith("<Fitted: tilt 0.3")
 
 
+def test_a_drift_is_fitted(truth: toytop.Motion, samples: dict[str, Any]) -> None:
+    fitted = toytop.fit(samples, truth.top, drift=0.02)
+    assert fitted.converged and fitted.epoch == pytest.approx(0.299)
+    assert fitted.drift is not None
+    rates, deviations = fitted.drift
+    assert (deviations > 0.0).all() and (np.abs(rates) < MOST_DEVIATIONS * deviations).all() and (rates != 0.0).all()
+    assert fitted.unknowns[6:9] == ["loss_axial", "loss_across", "loss_vertical"]
+    assert np.nanstd(fitted.residuals["accel_x"]) == pytest.approx(1.0, abs=0.2)
+    assert toytop.fit(samples, truth.top).drift is None
+    for wrong in [{"drift": 0.0}, {"drift": 0.02, "free": ["axial_inertia", "gravity"]}]:
+        with pytest.raises(ValueError, match=next(reversed(wrong))):
+            toytop.fit(samples, truth.top, **wrong)
+
+
 def test_the_motion_predicts(truth: toytop.Motion, samples: dict[str, Any]) -> None:
     fitted = toytop.fit(samples, truth.top)
     times = np.array([[0.0, 0.3], [2.0, 10.0]])

@@ -44,6 +44,10 @@ pub(crate) struct FitArgs {
     /// Residual, in standard deviations, from which a sample is an outlier; inf for least squares
     #[arg(long, value_name = "X", default_value_t = 3.0, value_parser = huber)]
     pub huber: f64,
+    /// Fits a slow loss of rotation too, and reports the drift of l, n and h: standard deviation of the loss in units of the rotation
+    /// itself, 1/s, such as 0.017 where the spin may be lost in a minute
+    #[arg(long, value_name = "X", value_parser = super::measure::positive)]
+    pub drift: Option<f64>,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,

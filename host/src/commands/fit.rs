@@ -40,6 +40,11 @@ pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let listed: Vec<&dyn Sensor> =
         sensors.instruments.iter().map(|instrument| &*instrument.sensor as &dyn Sensor).collect();
     let mut fit = Fit::new(&top, &listed, &ratios).map_err(refuse)?.with_huber(arguments.huber);
+    if let Some(deviation) = arguments.drift {
+        fit = fit
+            .with_drift(deviation)
+            .map_err(|_| Failure::Input("--drift: --free must name at most one key with it".to_owned()))?;
+    }
     let fitted = fit.run(measurements.iter().copied()).map_err(refuse)?;
     let end = measurements.last().map_or(0.0, |last| last.time);
     let report =
@@ -63,7 +68,7 @@ pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
             continue;
         };
         let picture = match option {
-            "--plot-residuals" => pictures::residuals(&report, &motion, &measurements),
+            "--plot-residuals" => pictures::residuals(&report, &measurements),
             _ => pictures::prediction(&report, &motion),
         };
         whole_file::write(option, path, &picture.encoded(Form::of(path, option)?)?)?;

@@ -13,7 +13,7 @@ const AHEAD: [f64; 2] = [0.01, 100.0];
 
 /// Residuals in standard deviations, a curve for each column of the samples; those at the end of the range are left out.
 #[must_use]
-pub fn residuals(report: &FitReport<'_>, motion: &Motion, measurements: &[Measurement]) -> Picture {
+pub fn residuals(report: &FitReport<'_>, measurements: &[Measurement]) -> Picture {
     let instruments = &report.sensors.instruments;
     let mut curves: Vec<Vec<Curve>> = instruments
         .iter()
@@ -22,7 +22,7 @@ pub fn residuals(report: &FitReport<'_>, motion: &Motion, measurements: &[Measur
             names.map(|name| Curve { name: (*name).to_owned(), points: Vec::new(), marked: false }).collect()
         })
         .collect();
-    let found = residuals::residuals(report, motion, measurements);
+    let found = residuals::residuals(report, measurements);
     for (Measurement { time, sensor, .. }, residual) in measurements.iter().zip(found) {
         for (curve, value) in curves[*sensor].iter_mut().zip(residual) {
             if value.is_finite() {

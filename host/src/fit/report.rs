@@ -3,16 +3,20 @@
 use super::free::FreeKey;
 use super::sensors::Sensors;
 use crate::Failure;
-use crate::output::number;
 #[cfg(feature = "program")]
-use crate::output::{columns, short};
+use crate::output::columns;
+use crate::output::number;
+use crate::output::short;
 use serde_json::json;
 use toml::{Table, Value};
-use toytop::fit::Fitted;
+use toytop::fit::{Drift, Fitted};
 use toytop::{Motion, Sensitivity, Top};
 
 /// Times after the end of the samples at which the error of the prediction is stated, s.
 const AHEAD: [f64; 5] = [0.0, 1.0, 2.0, 5.0, 10.0];
+
+/// First integrals, and the units of their rates.
+const RATES: [(&str, &str); 3] = [("l", "N m"), ("n", "N m"), ("h", "W")];
 
 /// Fitted launch with the data of its report.
 pub struct FitReport<'a> {
@@ -55,7 +59,8 @@ impl FitReport<'_> {
     pub fn biases(&self) -> Vec<(&'static str, [f64; 3], [f64; 3])> {
         let deviations = self.fitted.deviations();
         let values = self.fitted.launch.other_unknowns();
-        let mut place = self.free.len();
+        let losses = if self.fitted.drift.is_some() { Drift::LOSSES.len() } else { 0 };
+        let mut place = self.free.len() + losses;
         let mut found = Vec::new();
         for instrument in &self.sensors.instruments {
             if instrument.sensor.bias_deviation() > 0.0 {
@@ -151,6 +156,12 @@ impl FitReport<'_> {
                 line(&format!("bias of {name} {axis}"), plus(values[k], errors[k], ""));
             }
         }
+        if let Some(drift) = &self.fitted.drift {
+            let errors = drift.deviations();
+            for (k, (name, unit)) in RATES.into_iter().enumerate() {
+                line(&format!("d{name}/dt"), plus(drift.rates[k], errors[k], unit));
+            }
+        }
         let reduced = statistics.reduced_chi_squared(self.fitted.count);
         let state = match self.fitted.reason {
             None => "converged".to_owned(),
@@ -220,6 +231,11 @@ impl FitReport<'_> {
             "tilt_deviation_deg": tilt_deviation.to_degrees(),
             "free": free,
             "biases": biases,
+            "drift": self.fitted.drift.map(|drift| json!({
+                "rates": drift.rates,
+                "deviation": drift.deviations(),
+                "losses": drift.losses,
+            })),
             "covariance": covariance,
             "reduced_chi_squared": statistics.reduced_chi_squared(count),
             "chi_squared": statistics.chi_squared,
@@ -228,7 +244,7 @@ impl FitReport<'_> {
             "outliers": statistics.outliers,
             "largest_residual": statistics.largest,
             "undetermined": self.undetermined(),
-                        "alternatives": self.fitted.alternatives,
+            "alternatives": self.fitted.alternatives,
             "prediction": predictions,
         })
     }
@@ -241,10 +257,18 @@ impl FitReport<'_> {
         let refuse = |error: toytop::ParameterError| Failure::Input(format!("the fitted top: {error}"));
         let motion = self.fitted.motion(self.top).map_err(refuse)?;
         let state = self.fitted.state().map_err(refuse)?;
-        let mut text = format!(
-            "# Fitted by `toytop fit`; t = 0 is t = {} of the samples.\n\n",
-            number(self.fitted.epoch)
-        );
+        let mut text =
+            format!("# Fitted by `toytop fit`; t = 0 is t = {} of the samples.\n", number(self.fitted.epoch));
+        if let Some(drift) = &self.fitted.drift {
+            text += "# Drift during the samples, which the motion below does not contain:";
+            let errors = drift.deviations();
+            for (k, (name, unit)) in RATES.into_iter().enumerate() {
+                text +=
+                    &format!(" d{name}/dt = {} +- {} {unit}", short(drift.rates[k], 4), short(errors[k], 2));
+                text += if k < 2 { "," } else { "\n" };
+            }
+        }
+        text += "\n";
         if let Some(units) = units {
             text += &format!("units = {units:?}\n\n");
         }

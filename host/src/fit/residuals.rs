@@ -2,14 +2,15 @@
 
 use super::report::FitReport;
 use toytop::fit::Measurement;
-use toytop::{Motion, Sensitivity};
 
 /// Residuals of each measurement in standard deviations of the noise, with the fitted bias taken away. NaN stands for a
 /// component that the sensor does not have or that is at the end of its range, and for a measurement at a time at which
-/// the derivatives of the motion cannot be computed.
+/// the derivatives of the motion cannot be computed: all of them where no top has the fitted numbers.
 #[must_use]
-pub fn residuals(report: &FitReport<'_>, motion: &Motion, measurements: &[Measurement]) -> Vec<[f64; 3]> {
-    let sensitivity = Sensitivity::of(motion);
+pub fn residuals(report: &FitReport<'_>, measurements: &[Measurement]) -> Vec<[f64; 3]> {
+    let Ok(sensitivity) = report.fitted.sensitivity(report.top) else {
+        return vec![[f64::NAN; 3]; measurements.len()];
+    };
     let mut cursor = sensitivity.cursor();
     let biases = report.biases();
     let of = |Measurement { time, sensor, values }: &Measurement| {

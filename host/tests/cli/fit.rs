@@ -70,6 +70,37 @@ fn a_wrong_inertia_is_corrected_where_it_is_free() {
     assert!(run(&["state", text(&fitted), "--times", "0"]).status.success());
 }
 
+/// A top that loses nothing: its drift is 0 within the error bars, and its launch is that of the last sample.
+#[test]
+fn a_drift_is_reported_with_its_error_bars() {
+    let (file, folder) = (sample("toy_top"), folder("fit_drift"));
+    let (samples, fitted) = (folder.join("samples.csv"), folder.join("fitted.toml"));
+    simulated(&file, &samples, &[]);
+    let arguments = ["fit", text(&samples), "--top", &file, "--drift", "0.02"];
+    let found = json(&[&arguments[..], &["-o", text(&fitted), "--format", "json"]].concat());
+    assert_eq!(found["converged"], true, "{found}");
+    assert!((number(&found["epoch"]) - 0.299).abs() < 1e-9, "{found}");
+    for k in 0..3 {
+        let [rate, deviation] = ["rates", "deviation"].map(|key| number(&found["drift"][key][k]));
+        assert!(deviation > 0.0 && (rate / deviation).abs() < 4.5 && rate != 0.0, "{found}");
+    }
+    let written = std::fs::read_to_string(&fitted).expect("written");
+    let comment = written.lines().nth(1).expect("a comment");
+    assert!(comment.starts_with("# Drift during the samples") && comment.contains("dh/dt = "), "{comment}");
+    assert!(run(&["state", text(&fitted), "--times", "0"]).status.success());
+    let table = run(&arguments);
+    assert!(stdout(&table).contains("dn/dt ") && stdout(&table).contains(" N m"), "{}", stdout(&table));
+    for (more, expected) in [
+        (&["--free", "axial_inertia,gravity"][..], "--drift: --free must name at most one key with it"),
+        (&["--drift", "0"], "--drift"),
+    ] {
+        let start = if more[0] == "--drift" { &arguments[..4] } else { &arguments[..] };
+        let output = run(&[start, more].concat());
+        assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+        assert!(stderr(&output).contains(expected), "{}", stderr(&output));
+    }
+}
+
 #[test]
 fn bad_samples_are_refused_with_their_line() {
     let folder = folder("fit_bad");

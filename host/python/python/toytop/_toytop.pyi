@@ -277,6 +277,8 @@ class Fitted:
     @property
     def deviations(self) -> _Array: ...
     @property
+    def drift(self) -> tuple[_Array, _Array] | None: ...
+    @property
     def free(self) -> dict[str, tuple[float, float]]: ...
     @property
     def biases(self) -> dict[str, tuple[_Array, _Array]]: ...
@@ -323,6 +325,7 @@ def fit(
     *,
     free: Sequence[_Free] = ...,
     huber: float = 3.0,
+    drift: float | None = None,
 ) -> Fitted: ...
 def simulate(
     motion: Motion,
