@@ -16,6 +16,8 @@ mod launch;
 
 mod outcome;
 
+mod node;
+
 mod path;
 
 mod rows;
@@ -52,7 +54,7 @@ use crate::fit::pass::{Pass, Progress, SETTLED};
 use crate::fit::path::Path;
 use crate::fit::rows::Rows;
 use crate::fit::tracking::Prior;
-use crate::fit::window::Window;
+use crate::fit::window::Part;
 use crate::scalar::Real;
 use crate::top::Top;
 
@@ -182,26 +184,26 @@ impl<'a, F: Real> Fit<'a, F> {
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        let found = self.search(measurements.clone())?;
+        let found = self.search(&measurements)?;
         let mut reason = self.reason(found.progress);
         if matches!(reason, Some(Reason::Misfit | Reason::NotSettled)) && self.has_rates(measurements.clone())
         {
-            reason = self.cause(measurements)?.or(reason);
+            reason = self.cause(&measurements)?.or(reason);
         }
         Ok(self.fitted(found.times, reason, found.alternatives))
     }
 
     /// Cause of residuals that are too large, if it can be determined. The best launch stays.
     #[inline(never)] // the copy of a pass is on the stack while it works only
-    fn cause<I>(&mut self, measurements: I) -> Result<Option<Reason>, FitError>
+    fn cause<I>(&mut self, measurements: &I) -> Result<Option<Reason>, FitError>
     where
         I: Iterator<Item = Measurement> + Clone,
     {
         let best = self.best;
-        let cause = if self.fits_in_degrees(measurements.clone(), best.statistics.chi_squared)? {
+        let cause = if self.fits_in_degrees(measurements, best.statistics.chi_squared)? {
             Some(Reason::RatesInDegrees)
         } else {
-            self.is_at_rest(measurements).then_some(Reason::AtRest)
+            self.is_at_rest(measurements.clone()).then_some(Reason::AtRest)
         };
         self.best = best;
         Ok(cause)
@@ -217,12 +219,12 @@ impl<'a, F: Real> Fit<'a, F> {
     {
         let (times, _) = self.checked(measurements.clone())?;
         self.start(guess);
-        let progress = self.settle_finally(measurements);
+        let progress = self.settle_finally(&measurements);
         Ok(self.fitted(times, self.reason(progress), 0))
     }
 
     /// Whether the measurements fit better by far when the rates are read as degrees per unit time.
-    fn fits_in_degrees<I>(&mut self, measurements: I, chi_squared: f64) -> Result<bool, FitError>
+    fn fits_in_degrees<I>(&mut self, measurements: &I, chi_squared: f64) -> Result<bool, FitError>
     where
         I: Iterator<Item = Measurement> + Clone,
     {
@@ -235,7 +237,7 @@ impl<'a, F: Real> Fit<'a, F> {
 
     /// Launch from the measurements in the unit that is tried, without a first guess.
     #[inline(never)] // two copies of it would take more stack
-    fn search<I>(&mut self, measurements: I) -> Result<Found, FitError>
+    fn search<I>(&mut self, measurements: &I) -> Result<Found, FitError>
     where
         I: Iterator<Item = Measurement> + Clone,
     {
@@ -256,8 +258,8 @@ impl<'a, F: Real> Fit<'a, F> {
         let mut alternatives = 0;
         for guess in beginning.guesses() {
             self.start(guess);
-            self.settle(Window::first(measurements.clone(), count / 4, 1), NEAR);
-            self.settle(Window::first(measurements.clone(), count, 1), SETTLED);
+            self.settle(measurements, Part::first(count / 4), NEAR);
+            self.settle(measurements, Part::first(count), SETTLED);
             let found = (self.best.launch, self.best.cost);
             if best.is_none_or(|(_, least)| found.1 < least) {
                 best = Some(found);
@@ -267,7 +269,7 @@ impl<'a, F: Real> Fit<'a, F> {
             // another guess that led to another launch and fits as well
             for guess in beginning.guesses().filter(|_| beginning.is_ambiguous()) {
                 self.start(guess);
-                self.settle(Window::first(measurements.clone(), count, 1), SETTLED);
+                self.settle(measurements, Part::first(count), SETTLED);
                 let other = &self.best;
                 if other.cost < cost + 9.0 && other.launch.distance(&launch) > 0.3 {
                     alternatives += 1;
@@ -278,12 +280,12 @@ impl<'a, F: Real> Fit<'a, F> {
         // each window begins from a launch that is good enough for it
         while count.saturating_mul(8) < total {
             count = count.saturating_mul(4);
-            self.settle(Window::first(measurements.clone(), count, count / THINNED), NEAR);
+            self.settle(measurements, Part { count, thinning: count / THINNED }, NEAR);
         }
         // a shorter window does not show how far the equations are linear over all measurements
         self.curvature = f64::INFINITY;
         if total / LAST_THINNED > 1 {
-            self.settle(Window::first(measurements.clone(), total, total / LAST_THINNED), NEAR);
+            self.settle(measurements, Part { count: total, thinning: total / LAST_THINNED }, NEAR);
         }
         let progress = self.settle_finally(measurements);
         Ok(Found { times, progress, alternatives })

@@ -14,7 +14,7 @@ mod losses;
 mod partials;
 
 pub(crate) use coefficients::{Coefficients, LOSSES};
-pub(crate) use equations::Equations;
+pub(crate) use equations::{Acceleration, Equations};
 pub(crate) use extrapolation::advance;
 pub(crate) use flow::{Flow, Tangent, total};
 pub use partials::Partials;
@@ -173,7 +173,7 @@ impl SensitivityCursor<'_> {
         });
         let mut partials = Partials::new(equations, self.flow, *tip_scale, COLUMNS);
         partials.flow.turn(precessed);
-        partials.flow.roll(equations.rolled(self.sensitivity.start.spin, rest));
+        partials.flow.roll(equations.coefficients.rolled(self.sensitivity.start.spin, rest));
         Some(partials)
     }
 }

@@ -2,11 +2,12 @@
 
 use crate::fit::launch::{FreeRatio, LAUNCH, Launch};
 use crate::fit::outcome::{Unobservable, with_ratios};
-use crate::fit::path::Path;
+use crate::fit::path::{Path, turns_in_period};
 use crate::fit::sensor::Sensor;
 use crate::fit::triangle::{MOST_UNKNOWNS, Triangle, Unknowns};
 use crate::fit::{MOST_RATIOS, MOST_SENSORS};
 use crate::motion::Motion;
+use crate::phase::Phase;
 use crate::scalar::Real;
 use crate::sensitivity::{COLUMNS, Coefficients, Equations, LOSSES, total};
 use crate::state::State;
@@ -113,8 +114,13 @@ impl Model {
         Path::new(self.top.tip_scale(), &self.equations(&Launch::default()), known)
     }
 
+    /// Nutation period of a launch, and the rotations about the vertical and about the axis in it.
+    #[inline(never)] // the motion is on the stack only here
+    pub(crate) fn turns_in_period(&self, launch: &Launch) -> Option<(f64, [Phase; 2])> {
+        turns_in_period(&self.motion(launch)?)
+    }
+
     /// Motion of a launch.
-    #[inline(never)]
     pub(crate) fn motion(&self, launch: &Launch) -> Option<Motion> {
         let top = if self.free_count == 0 {
             self.top
@@ -235,9 +241,8 @@ impl Model {
         }
     }
 
-    /// Information before any measurement, and the sum of squares of the differences of the launch from it.
-    pub(crate) fn prior<F: Real>(&self, launch: &Launch) -> (Triangle<F>, f64) {
-        let mut information = Triangle::new(self.count);
+    /// Adds the information before any measurement; returns the sum of squares of the differences of the launch from it.
+    pub(crate) fn add_prior<F: Real>(&self, launch: &Launch, information: &mut Triangle<F>) -> f64 {
         let mut cost = 0.0;
         for (index, (value, deviation)) in launch.rest.iter().zip(self.prior_deviations()).enumerate() {
             if deviation.is_finite() {
@@ -250,7 +255,7 @@ impl Model {
                 information.add(&row, F::from_f64(residual));
             }
         }
-        (information, cost)
+        cost
     }
 
     /// Standard deviations before any measurement; infinite for none.
@@ -324,32 +329,30 @@ impl Model {
         }
     }
 
-    /// Information about changes of the launch after a correction, from that about changes of the launch before it.
+    /// Adds the information about changes of the launch after a correction, from that about changes of the launch before it.
     ///
     /// A rotation of everything by θ changes ω by θ × ω: with ω the row of a measurement by θ changes, which matters
     /// where the rotation is poorly known. What stays is the row by θ and by the change of ω that an observer sees who
     /// turns with θ, in the frame that the correction turned.
-    pub(crate) fn carried<F: Real>(
-        &self,
+    pub(crate) fn carry<F: Real>(
         information: &Triangle<F>,
         before: &Launch,
         change: &Unknowns<F>,
         after: &Launch,
-    ) -> Triangle<F> {
-        let [t1, t2, t3, ..] = change.map(F::to_f64);
-        let turn = Orientation::exp([t1, t2, t3]);
-        information.mapped(|row| {
-            let [x, y, z, p, q, r, ..] = row.map(F::to_f64);
-            let by_omega = [p, q, r];
+        to: &mut Triangle<F>,
+    ) {
+        let [t1, t2, t3, ..] = *change;
+        let turn = Orientation::exp([t1, t2, t3].map(F::to_f64));
+        to.add_mapped(information, |row| {
+            let [x, y, z, p, q, r, ..] = *row;
+            let ([x, y, z], by_omega) = ([x, y, z].map(F::to_f64), [p, q, r].map(F::to_f64));
             let by_theta = turn.adjoint(total([x, y, z], bracket(before.omega, by_omega), 1.0));
             let by_omega = turn.adjoint(by_omega);
             let by_theta = total(by_theta, bracket(after.omega, by_omega), -1.0);
-            let mut carried = row;
-            for (slot, entry) in carried.iter_mut().zip(by_theta.into_iter().chain(by_omega)) {
+            for (slot, entry) in row.iter_mut().zip(by_theta.into_iter().chain(by_omega)) {
                 *slot = F::from_f64(entry);
             }
-            carried
-        })
+        });
     }
 
     /// Directions of the launch that the information does not determine to one unit.

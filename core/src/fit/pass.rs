@@ -2,10 +2,11 @@
 
 use crate::fit::Fit;
 use crate::fit::launch::Launch;
+use crate::fit::model::Model;
 use crate::fit::outcome::{Fitted, Reason, Statistics};
 use crate::fit::sensor::{Hint, Measurement};
 use crate::fit::triangle::{MOST_UNKNOWNS, Triangle};
-use crate::fit::window::Window;
+use crate::fit::window::{Part, Window};
 use crate::scalar::Real;
 
 /// Size of a correction, in standard deviations, below which the fit has converged. The next one would be about its
@@ -111,19 +112,23 @@ impl<F: Real> Fit<'_, F> {
     fn restart(&mut self) {
         self.best.cost = f64::INFINITY;
         self.last_change = None;
-        self.begin_pass(self.best.launch);
+        let launch = self.best.launch;
+        self.begin_pass(&launch);
     }
 
-    fn begin_pass(&mut self, launch: Launch) {
-        let (information, cost) = match &self.prior {
-            Some(prior) => prior.information(&launch),
-            None => self.model.prior(&launch),
+    #[inline(never)] // its matrices are on the stack between passes only
+    fn begin_pass(&mut self, launch: &Launch) {
+        let Pass { information, statistics, cost, .. } = &mut self.current;
+        information.clear();
+        *cost = match &self.prior {
+            Some(prior) => prior.add_to(launch, information),
+            None => self.model.add_prior(launch, information),
         };
-        self.current = Pass { information, cost, ..Pass::new(launch, self.model.count) };
-        self.current.statistics.prior = cost;
-        self.path.begin(&self.model.equations(&launch), &launch);
+        *statistics = Statistics { prior: *cost, ..Statistics::default() };
+        self.current.launch = *launch;
+        self.path.begin(&self.model.equations(launch), launch);
         self.rows.clear();
-        self.shares = self.model.shares(&launch);
+        self.shares = self.model.shares(launch);
         self.epoch = None;
         self.now = None;
     }
@@ -132,13 +137,13 @@ impl<F: Real> Fit<'_, F> {
     ///
     /// * `settled`: size of a correction, in standard deviations, below which this is so
     #[inline(never)] // its copies would take more stack
-    pub(super) fn settle<I>(&mut self, window: Window<I>, settled: f64) -> Progress
+    pub(super) fn settle<I>(&mut self, measurements: &I, part: Part, settled: f64) -> Progress
     where
         I: Iterator<Item = Measurement> + Clone,
     {
         self.restart();
         for _ in 0..MOST_PASSES {
-            self.pass_over(window.clone());
+            self.pass_over(part.of(measurements.clone()));
             match self.improve(settled) {
                 Progress::Again => {}
                 done => return done,
@@ -148,11 +153,15 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// One pass over the measurements with a launch.
-    pub(super) fn pass<I: Iterator<Item = Measurement>>(&mut self, launch: Launch, window: Window<I>) {
+    pub(super) fn pass<I>(&mut self, launch: &Launch, measurements: &I, part: Part)
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
         self.begin_pass(launch);
-        self.pass_over(window);
+        self.pass_over(part.of(measurements.clone()));
     }
 
+    #[inline(never)] // its measurement and prediction are on the stack during a pass only
     fn pass_over<I: Iterator<Item = Measurement>>(&mut self, window: Window<I>) {
         let mut sums = Sums::default();
         for measurement in window {
@@ -220,7 +229,7 @@ impl<F: Real> Fit<'_, F> {
         }
         let epoch = *self.epoch.get_or_insert(time);
         let (model, launch) = (&self.model, &self.current.launch);
-        self.path.move_to(time - epoch, || model.motion(launch))?;
+        self.path.move_to(time - epoch, || model.turns_in_period(launch))?;
         self.now = Some(time);
         Some(())
     }
@@ -248,9 +257,12 @@ impl<F: Real> Fit<'_, F> {
                 return Progress::Stuck;
             }
         }
-        let information = self.best.information;
-        let deviations = self.model.damping(&self.best.launch, &information, self.damping, 1000.0);
-        let change = information.damped(&deviations).solution();
+        // the information of the current pass is not needed any more
+        let (information, scratch) = (&self.best.information, &mut self.current.information);
+        let deviations = self.model.damping(&self.best.launch, information, self.damping, 1000.0);
+        scratch.clone_from(information);
+        scratch.damp(&deviations);
+        let change = scratch.solution();
         if change.iter().any(|x| !x.to_f64().is_finite()) {
             return Progress::Stuck;
         }
@@ -266,7 +278,9 @@ impl<F: Real> Fit<'_, F> {
             && size < MOST_UNCONFIRMED
             && self.curvature * size * size < NEXT_SETTLED;
         if size < settled || near {
-            self.best.information = self.model.carried(&information, &self.best.launch, &change, &next);
+            scratch.clear();
+            Model::carry(information, &self.best.launch, &change, &next, scratch);
+            self.best.information.clone_from(scratch);
             self.best.launch = next;
             // the correction lowers the sum of squares by this amount, as far as the equations are linear
             self.best.cost -= size * size;
@@ -274,7 +288,7 @@ impl<F: Real> Fit<'_, F> {
             statistics.chi_squared = (statistics.chi_squared - size * size).max(0.0);
             return Progress::Settled;
         }
-        self.begin_pass(next);
+        self.begin_pass(&next);
         Progress::Again
     }
 
@@ -294,17 +308,20 @@ impl<F: Real> Fit<'_, F> {
     }
 
     #[inline(never)] // its matrices are on the stack at the end only
-    pub(super) fn fitted(&self, times: [f64; 2], reason: Option<Reason>, alternatives: usize) -> Fitted {
+    pub(super) fn fitted(&mut self, times: [f64; 2], reason: Option<Reason>, alternatives: usize) -> Fitted {
         let Pass { launch, information, statistics, .. } = &self.best;
         let (launch, statistics) = (*launch, *statistics);
         let unobservable = self.model.unobservable(&launch, information);
         // not larger, so that the covariance keeps the digits of what is determined
         let floor = self.model.damping(&launch, information, 0.0, 10.0);
         let [epoch, end] = times;
+        let scratch = &mut self.current.information;
+        scratch.clone_from(information);
+        scratch.damp(&floor);
         let mut fitted = Fitted {
             epoch,
             launch,
-            covariance: information.damped(&floor).covariance().map(|row| row.map(F::to_f64)),
+            covariance: [[0.0; MOST_UNKNOWNS]; MOST_UNKNOWNS],
             statistics,
             unobservable,
             reason,
@@ -314,6 +331,7 @@ impl<F: Real> Fit<'_, F> {
             directions: self.model.directions(),
             drift: None,
         };
+        scratch.covariance(&mut fitted.covariance);
         if self.model.has_losses() && self.carry_to_end(&mut fitted, end).is_none() {
             fitted.reason = fitted.reason.or(Some(Reason::NotSettled));
         }

@@ -6,11 +6,12 @@
 //! time to time by an integration of the state alone in `f64`, so that rounding does not add up.
 
 use crate::fit::launch::{LAUNCH, Launch};
+use crate::fit::node::{self, Node};
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{Float, Real, Ring};
-use crate::sensitivity::{COLUMNS, Equations, Flow, Partials, Tangent, advance, total};
-use crate::su2::{Orientation, Vector, bracket};
+use crate::scalar::{Float, Real};
+use crate::sensitivity::{COLUMNS, Coefficients, Equations, Flow, Partials, advance, total};
+use crate::su2::{Orientation, bracket};
 
 /// Largest number of nodes.
 const NODES: usize = 20;
@@ -20,28 +21,6 @@ const SPACING: f64 = 0.6;
 /// Error of a step of the integration of the state alone, and the largest number of steps between two corrections.
 const TOLERANCE: f64 = 1e-10;
 const MOST_STEPS: u32 = 1000;
-
-/// Method of order 6 with seven stages (Butcher): weights of the stages before each stage, and those of the result.
-const STAGES: [[f64; 6]; 6] = [
-    [1.0 / 3.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-    [0.0, 2.0 / 3.0, 0.0, 0.0, 0.0, 0.0],
-    [1.0 / 12.0, 1.0 / 3.0, -1.0 / 12.0, 0.0, 0.0, 0.0],
-    [25.0 / 48.0, -55.0 / 24.0, 35.0 / 48.0, 15.0 / 8.0, 0.0, 0.0],
-    [3.0 / 20.0, -11.0 / 24.0, -1.0 / 8.0, 1.0 / 2.0, 1.0 / 10.0, 0.0],
-    [-261.0 / 260.0, 33.0 / 13.0, 43.0 / 156.0, -118.0 / 39.0, 32.0 / 195.0, 80.0 / 39.0],
-];
-const RESULT: [f64; 7] = [13.0 / 200.0, 0.0, 11.0 / 40.0, 11.0 / 40.0, 4.0 / 25.0, 4.0 / 25.0, 13.0 / 200.0];
-
-/// State and derivatives at one time, with the rates of the state and of η; that of θ is η.
-#[derive(Clone, Copy, Debug)]
-struct Node<F> {
-    flow: Flow<F, COLUMNS>,
-    axis_rate: Vector<F>,
-    side_rate: Vector<F>,
-    across_rate: Vector<F>,
-    spin_rate: F,
-    eta_rates: [Vector<F>; COLUMNS],
-}
 
 /// Effect of one nutation period.
 #[derive(Clone, Copy, Debug)]
@@ -56,8 +35,7 @@ struct Period<F> {
 /// Motion of a launch with its derivatives.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Path<F> {
-    exact: Equations<f64>,
-    equations: Equations<F>,
+    exact: Coefficients<f64>,
     launch: Flow<f64, 0>,
     now: Partials<F>,
     /// Number of columns that are computed.
@@ -86,15 +64,14 @@ impl<F: Real> Path<F> {
     /// Path of a top at rest, to begin with.
     pub(super) fn new(tip_scale: f64, equations: &Equations<f64>, known: usize) -> Self {
         let flow = Flow::<f64, COLUMNS>::launched(&Orientation::IDENTITY, [0.0; 3]);
-        let (exact, equations) = (*equations, equations.cast());
+        let (exact, equations) = (equations.coefficients, equations.cast());
         Self {
             exact,
-            equations,
             launch: Flow::ZERO,
             now: Partials::new(&equations, flow.cast(), tip_scale, known),
             known,
             spacing: 0.0,
-            nodes: [Node::of(&equations, flow.cast(), known); NODES],
+            nodes: [Node::ZERO; NODES],
             count: 0,
             given_up: 0,
             beyond: Beyond::Unknown,
@@ -104,13 +81,13 @@ impl<F: Real> Path<F> {
     /// Begins with a launch.
     pub(super) fn begin(&mut self, equations: &Equations<f64>, launch: &Launch) {
         let flow = Flow::<f64, COLUMNS>::launched(&launch.orientation, launch.omega);
-        self.exact = *equations;
-        self.equations = equations.cast();
-        self.now.equations = self.equations;
+        self.exact = equations.coefficients;
+        self.now.equations = equations.cast();
         self.launch = Flow::launched(&launch.orientation, launch.omega);
         self.spacing = SPACING / equations.fastest(&flow);
         if let Some(first) = self.nodes.first_mut() {
-            *first = Node::of(&self.equations, flow.cast(), self.known);
+            first.flow = flow.cast();
+            first.find_rates(&self.now.equations, self.known);
         }
         (self.count, self.given_up, self.beyond) = (1, 0, Beyond::Unknown);
     }
@@ -118,15 +95,17 @@ impl<F: Real> Path<F> {
     /// Moves to a time after the launch, later than that of the last call: the state and the derivatives there. `None` where
     /// it is not within some periods of the last node.
     ///
-    /// * `motion`: motion of the launch, which is asked for where the nodes do not reach the time
-    pub(super) fn move_to(&mut self, t: f64, motion: impl FnOnce() -> Option<Motion>) -> Option<()> {
+    /// * `turns`: as [`turns_in_period`] of the launch, which is asked for where the nodes do not reach the time
+    pub(super) fn move_to(
+        &mut self,
+        t: f64,
+        turns: impl FnOnce() -> Option<(f64, [Phase; 2])>,
+    ) -> Option<()> {
         if matches!(self.beyond, Beyond::Unknown) && t > self.reach() {
-            self.beyond = match self
-                .exact
-                .repeats()
-                .then(motion)
+            self.beyond = match (!self.now.equations.lossy)
+                .then(turns)
                 .flatten()
-                .and_then(|motion| self.period_of(&motion))
+                .and_then(|turns| self.period_of(turns))
             {
                 Some(period) => Beyond::Repeated(period),
                 None => Beyond::Followed(0, self.launch),
@@ -170,8 +149,7 @@ impl<F: Real> Path<F> {
 
     /// Effect of a period, if there is one that the nodes can cover.
     #[inline(never)]
-    fn period_of(&mut self, motion: &Motion) -> Option<Period<F>> {
-        let (length, turns) = turns_in_period(motion)?;
+    fn period_of(&mut self, (length, turns): (f64, [Phase; 2])) -> Option<Period<F>> {
         if length > self.reach() {
             return None;
         }
@@ -205,141 +183,48 @@ impl<F: Real> Path<F> {
         while self.count < middle + 2 {
             middle -= self.extend()?;
         }
-        self.blend(middle.checked_sub(1)?, F::from_f64(x))
+        let nodes = self.nodes.get(middle.checked_sub(1)?..)?.first_chunk()?;
+        let h = F::from_f64(self.spacing);
+        node::blend(nodes, F::from_f64(x), h, self.known, &mut self.now.flow);
+        Some(())
     }
 
     /// Adds a node; the number of nodes that were given up for it.
     #[inline(never)] // its stages would be on the stack at every time
     fn extend(&mut self) -> Option<usize> {
-        let last = self.count.checked_sub(1)?;
-        let mut node = *self.nodes.get(last)?;
         // the three last ones are kept
         let given_up = if self.count == NODES { NODES - 3 } else { 0 };
         if given_up > 0 {
-            node = self.corrected(&node, self.given_up + last)?;
-            *self.nodes.get_mut(last)? = node;
+            self.correct_last()?;
         }
         self.nodes.rotate_left(given_up);
         self.count -= given_up;
         self.given_up += given_up;
-        *self.nodes.get_mut(self.count)? = node.after(&self.equations, F::from_f64(self.spacing), self.known);
+        let (reached, ahead) = self.nodes.split_at_mut_checked(self.count)?;
+        let h = F::from_f64(self.spacing);
+        reached.last()?.step(&self.now.equations, h, self.known, ahead.first_mut()?);
         self.count += 1;
         Some(given_up)
     }
 
-    /// Node of this index with a state whose error is that of `f64` and of a small tolerance.
-    fn corrected(&mut self, node: &Node<F>, index: usize) -> Option<Node<F>> {
-        let Beyond::Followed(last, flow) = &mut self.beyond else { return Some(*node) };
-        let span = self.spacing * (index - *last) as f64;
-        *flow = advance(&self.exact, flow, span, TOLERANCE, MOST_STEPS)?;
-        *last = index;
-        let state = flow.cast();
-        let flow = Flow {
-            axis: state.axis,
-            side: state.side,
-            across: state.across,
-            spin: state.spin,
-            tangents: node.flow.tangents,
-        };
-        Some(Node::of(&self.equations, flow, self.known))
-    }
-
-    /// Sum of three nodes by Hermite's interpolation at x spacings from the second.
-    fn blend(&mut self, first: usize, x: F) -> Option<()> {
-        let (h, half, three) = (F::from_f64(self.spacing), F::ONE.halved(), F::from_f64(3.0));
-        let (left, right) = (x + F::ONE, x - F::ONE);
-        let [before, at, after] = [half * x * right, -left * right, half * x * left].map(Ring::squared);
-        let weights = [
-            [(F::ONE + three * left) * before, h * left * before],
-            [at, h * x * at],
-            [(F::ONE - three * right) * after, h * right * after],
-        ];
-        let nodes = self.nodes.get(first..)?.first_chunk::<3>()?.each_ref();
-        let sum = &mut self.now.flow;
-        sum.axis = mixed(&weights, nodes.map(|node| (&node.flow.axis, &node.axis_rate)));
-        sum.side = mixed(&weights, nodes.map(|node| (&node.flow.side, &node.side_rate)));
-        sum.across = mixed(&weights, nodes.map(|node| (&node.flow.across, &node.across_rate)));
-        // the loss of S between two nodes is nearly linear
-        let [_, at, _] = nodes;
-        sum.spin = at.flow.spin + x * h * at.spin_rate;
-        let [before, at, after] = nodes.map(|node| node.flow.tangents.iter().zip(&node.eta_rates));
-        // the columns that are not known stay 0
-        let columns = sum.tangents.iter_mut().zip(before.zip(at.zip(after))).take(self.known);
-        for (slot, (first, (second, third))) in columns {
-            let of = [first, second, third];
-            slot.theta = mixed(&weights, of.map(|(tangent, _)| (&tangent.theta, &tangent.eta)));
-            slot.eta = mixed(&weights, of.map(|(tangent, rate)| (&tangent.eta, rate)));
-        }
+    /// Gives the last node a state whose error is that of `f64` and of a small tolerance.
+    #[inline(never)] // the stages of the integration are on the stack only here
+    fn correct_last(&mut self) -> Option<()> {
+        let index = self.count.checked_sub(1)?;
+        let node = self.nodes.get_mut(index)?;
+        let Beyond::Followed(last, state) = &mut self.beyond else { return Some(()) };
+        let now = index + self.given_up;
+        let span = self.spacing * (now - *last) as f64;
+        *state = advance(&Equations::of_state(&self.exact), state, span, TOLERANCE, MOST_STEPS)?;
+        *last = now;
+        node.flow.set_state(&state.cast());
+        node.find_rates(&self.now.equations, self.known);
         Some(())
     }
 }
 
-/// Sum of three vectors and of their rates with these weights.
-fn mixed<F: Real>(weights: &[[F; 2]; 3], of: [(&Vector<F>, &Vector<F>); 3]) -> Vector<F> {
-    let [[before, before_rate], [at, at_rate], [after, after_rate]] = *weights;
-    let [(u, du), (v, dv), (w, dw)] = of;
-    let [u, v, w] = [
-        total(scaled(u, before), *du, before_rate),
-        total(scaled(v, at), *dv, at_rate),
-        total(scaled(w, after), *dw, after_rate),
-    ];
-    total(total(u, v, F::ONE), w, F::ONE)
-}
-
-fn scaled<F: Real>(x: &Vector<F>, f: F) -> Vector<F> {
-    x.map(|component| f * component)
-}
-
-impl<F: Real> Node<F> {
-    fn of(equations: &Equations<F>, flow: Flow<F, COLUMNS>, known: usize) -> Self {
-        let rate = equations.rate_of(&flow, known);
-        Self {
-            flow,
-            axis_rate: rate.axis,
-            side_rate: rate.side,
-            across_rate: rate.across,
-            spin_rate: rate.spin,
-            eta_rates: rate.tangents.map(|tangent| tangent.eta),
-        }
-    }
-
-    /// Rate of the flow.
-    fn rate(&self) -> Flow<F, COLUMNS> {
-        let mut tangents = self.flow.tangents;
-        for (tangent, rate) in tangents.iter_mut().zip(self.eta_rates) {
-            *tangent = Tangent { theta: tangent.eta, eta: rate };
-        }
-        Flow {
-            axis: self.axis_rate,
-            side: self.side_rate,
-            across: self.across_rate,
-            spin: self.spin_rate,
-            tangents,
-        }
-    }
-
-    /// Node after a time h, by one step.
-    fn after(&self, equations: &Equations<F>, h: F, known: usize) -> Self {
-        let mut rates = [self.rate(); STAGES.len() + 1];
-        let sum = |rates: &[Flow<F, COLUMNS>], weights: &[f64]| {
-            let mut flow = self.flow;
-            for (rate, weight) in rates.iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
-                flow.add(rate, h * F::from_f64(*weight), known);
-            }
-            flow
-        };
-        for (stage, weights) in STAGES.iter().enumerate() {
-            let rate = equations.rate_of(&sum(rates.get(..=stage).unwrap_or(&[]), weights), known);
-            if let Some(slot) = rates.get_mut(stage + 1) {
-                *slot = rate;
-            }
-        }
-        Self::of(equations, sum(&rates, &RESULT), known)
-    }
-}
-
 /// Nutation period of a motion, and the rotations about the vertical and about the axis in it.
-fn turns_in_period(motion: &Motion) -> Option<(f64, [Phase; 2])> {
+pub(super) fn turns_in_period(motion: &Motion) -> Option<(f64, [Phase; 2])> {
     let mean = motion.mean_motion()?;
     Some((mean.advance.period.to_f64(), mean.turns(motion.half_tau())))
 }
@@ -349,7 +234,7 @@ mod tests {
     use super::*;
     use crate::sensitivity::Sensitivity;
     use crate::state::{Release, State};
-    use crate::su2::dot;
+    use crate::su2::{Vector, dot};
     use crate::top::{Top, TopParameters};
 
     /// Tops by A, C, s, M and K, sliding or held, and their throws by tilt, spin, precession and nutation rate.
@@ -394,7 +279,7 @@ mod tests {
         let apart = |x: Vector<F>, y: Vector<f64>| size(total(x.map(F::to_f64), y, -1.0));
         for n in 0..700 {
             let t = f64::from(n) / 699.0;
-            path.move_to(t, || Some(motion)).unwrap();
+            path.move_to(t, || turns_in_period(&motion)).unwrap();
             let (found, truth) = (path.now().flow, cursor.at(t).unwrap().flow);
             off = off.max(apart(found.axis, truth.axis)).max(apart(found.side, truth.side));
             off = off.max(apart(found.across, truth.across) / frequency);

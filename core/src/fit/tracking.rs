@@ -8,7 +8,7 @@ use crate::fit::outcome::{FitError, Fitted};
 use crate::fit::pass::SETTLED;
 use crate::fit::sensor::Measurement;
 use crate::fit::triangle::{MOST_UNKNOWNS, Triangle};
-use crate::fit::window::Window;
+use crate::fit::window::Part;
 use crate::scalar::Real;
 use crate::sensitivity::{Sensitivity, total};
 use crate::su2::{Vector, bracket, dot};
@@ -72,7 +72,7 @@ impl<F: Real> Fit<'_, F> {
         }
         self.prior = Some(Prior { launch: predicted, information });
         self.start(predicted);
-        let progress = self.settle(Window::all(measurements), SETTLED);
+        let progress = self.settle(&measurements, Part::ALL, SETTLED);
         let fitted = self.fitted(times, self.reason(progress), 0);
         self.prior = None;
         let turn = self.best.launch.orientation.compose(&predicted.orientation.inverse());
@@ -85,8 +85,9 @@ impl<F: Real> Fit<'_, F> {
 }
 
 impl<F: Real> Prior<F> {
-    /// Information of the prior about changes of a launch, and the sum of squares by which the launch contradicts it.
-    pub(super) fn information(&self, launch: &Launch) -> (Triangle<F>, f64) {
+    /// Puts the information of the prior about changes of a launch into an empty triangle; returns the sum of squares by
+    /// which the launch contradicts it.
+    pub(super) fn add_to(&self, launch: &Launch, information: &mut Triangle<F>) -> f64 {
         let turn = launch.orientation.compose(&self.launch.orientation.inverse());
         let theta = rotation_vector(&turn);
         let eta = total(turn.inverse().adjoint(launch.omega), self.launch.omega, -1.0);
@@ -98,8 +99,9 @@ impl<F: Real> Prior<F> {
         for (slot, by) in change.iter_mut().zip(moved) {
             *slot = by;
         }
-        let (information, size) = self.information.towards(&change.map(|x| F::from_f64(-x)));
-        (information, size.to_f64() * size.to_f64())
+        information.clone_from(&self.information);
+        let size = information.point_to(&change.map(|x| F::from_f64(-x))).to_f64();
+        size * size
     }
 }
 

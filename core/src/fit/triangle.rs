@@ -97,10 +97,15 @@ impl<F: Real> Triangle<F> {
         self.back_substituted(&self.side())
     }
 
-    /// This information about the distance from another point, and the distance in standard deviations.
-    pub(crate) fn towards(&self, point: &Unknowns<F>) -> (Self, F) {
-        let mut moved = *self;
-        let mut rest = &mut moved.entries[..];
+    /// Takes all information away.
+    pub(crate) fn clear(&mut self) {
+        self.entries.fill(F::ZERO);
+    }
+
+    /// Turns this into information about the distance from another point; returns the distance in standard deviations.
+    pub(crate) fn point_to(&mut self, point: &Unknowns<F>) -> F {
+        let size = self.size(point);
+        let mut rest = &mut self.entries[..];
         for index in 0..self.count {
             let Some((line, tail)) = rest.split_at_mut_checked(self.count - index + 1) else { break };
             rest = tail;
@@ -108,35 +113,32 @@ impl<F: Real> Triangle<F> {
                 *side = inner(row, point.iter().skip(index));
             }
         }
-        (moved, self.size(point))
+        size
     }
 
-    /// Information of the same rows after a change of their entries; the right-hand sides stay.
+    /// Adds the rows of other information after a change of their entries; the right-hand sides stay.
     #[inline(never)]
-    pub(crate) fn mapped(&self, of: impl Fn(Unknowns<F>) -> Unknowns<F>) -> Self {
-        let mut mapped = Self::new(self.count);
-        for (index, row) in self.rows().iter().enumerate().take(self.count) {
+    pub(crate) fn add_mapped(&mut self, other: &Self, of: impl Fn(&mut Unknowns<F>)) {
+        for (index, row) in other.rows().iter().enumerate().take(other.count) {
             let Some((side, entries)) = row.split_last() else { continue };
             let mut wide = [F::ZERO; MOST_UNKNOWNS];
             for (slot, entry) in wide.iter_mut().skip(index).zip(entries) {
                 *slot = *entry;
             }
-            mapped.add(&of(wide), *side);
+            of(&mut wide);
+            self.add(&wide, *side);
         }
-        mapped
     }
 
-    /// This information and more: each unknown is 0 with this standard deviation, a positive number.
-    pub(crate) fn damped(&self, deviations: &Unknowns<F>) -> Self {
-        let mut damped = *self;
+    /// Adds that each unknown is 0 with this standard deviation, a positive number.
+    pub(crate) fn damp(&mut self, deviations: &Unknowns<F>) {
         for (index, deviation) in deviations.iter().enumerate().take(self.count) {
             let mut row = [F::ZERO; MOST_UNKNOWNS];
             if let Some(slot) = row.get_mut(index) {
                 *slot = F::ONE / *deviation;
             }
-            damped.add(&row, F::ZERO);
+            self.add(&row, F::ZERO);
         }
-        damped
     }
 
     /// Sums of the squares of the columns of R: the diagonal of RᵀR.
@@ -161,25 +163,22 @@ impl<F: Real> Triangle<F> {
     }
 
     /// Covariance (RᵀR)⁻¹. An unknown without any information gets the variance 0.
-    pub(crate) fn covariance(&self) -> Symmetric<F> {
-        let mut covariance = [[F::ZERO; MOST_UNKNOWNS]; MOST_UNKNOWNS];
-        // the columns of R⁻¹
-        let mut inverse = covariance;
-        for (index, column) in inverse.iter_mut().enumerate().take(self.count) {
+    #[inline(never)]
+    pub(crate) fn covariance(&self, covariance: &mut Symmetric) {
+        *covariance = [[0.0; MOST_UNKNOWNS]; MOST_UNKNOWNS];
+        // one column of R⁻¹ at a time: all of them would take as much memory as the covariance
+        for index in 0..self.count {
             let mut unit = [F::ZERO; MOST_UNKNOWNS];
             if let Some(slot) = unit.get_mut(index) {
                 *slot = F::ONE;
             }
-            *column = self.back_substituted(&unit);
-        }
-        for column in inverse.iter().take(self.count) {
-            for (line, a) in covariance.iter_mut().zip(column) {
-                for (slot, b) in line.iter_mut().zip(column) {
-                    *slot = *slot + *a * *b;
+            let column = self.back_substituted(&unit);
+            for (line, a) in covariance.iter_mut().zip(&column).take(index + 1) {
+                for (slot, b) in line.iter_mut().zip(&column).take(index + 1) {
+                    *slot += (*a * *b).to_f64();
                 }
             }
         }
-        covariance
     }
 
     /// Singular values of R with unknown i in units of `units[i]`, and the directions that belong to them, by Jacobi's
@@ -287,7 +286,8 @@ mod tests {
 
     #[test]
     fn the_covariance_is_the_inverse_of_the_normal_matrix() {
-        let covariance = triangle().covariance();
+        let mut covariance = [[0.0; MOST_UNKNOWNS]; MOST_UNKNOWNS];
+        triangle().covariance(&mut covariance);
         for (i, row) in covariance.iter().enumerate().take(3) {
             for j in 0..3 {
                 let product: f64 = (0..3).map(|k| row[k] * normal(k, j)).sum();
@@ -298,17 +298,19 @@ mod tests {
 
     #[test]
     fn a_change_of_the_rows_gives_the_triangle_of_the_changed_rows() {
-        let change = |mut row: Unknowns| {
+        let change = |row: &mut Unknowns| {
             (row[0], row[2]) = (row[0] + 0.5 * row[2], row[2] - 2.0 * row[1]);
-            row
         };
         let mut direct = Triangle::new(3);
         for (row, value) in ROWS {
             let mut wide = [0.0; MOST_UNKNOWNS];
             wide[..3].copy_from_slice(&row);
-            direct.add(&change(wide), value);
+            change(&mut wide);
+            direct.add(&wide, value);
         }
-        let (mapped, expected) = (triangle().mapped(change).solution(), direct.solution());
+        let mut mapped = Triangle::new(3);
+        mapped.add_mapped(&triangle(), change);
+        let (mapped, expected) = (mapped.solution(), direct.solution());
         for k in 0..3 {
             assert!((mapped[k] - expected[k]).abs() < 1e-14, "{mapped:?} {expected:?}");
         }

@@ -9,10 +9,10 @@
 use crate::fit::Fit;
 use crate::fit::beginning::upright_to;
 use crate::fit::launch::Launch;
-use crate::fit::pass::{Pass, Progress, SETTLED};
+use crate::fit::pass::{Progress, SETTLED};
 use crate::fit::sensor::{Hint, Measurement};
 use crate::fit::triangle::MOST_UNKNOWNS;
-use crate::fit::window::Window;
+use crate::fit::window::Part;
 use crate::scalar::Real;
 use crate::su2::{bracket, dot};
 
@@ -27,19 +27,18 @@ const CHANCE: f64 = 40.0;
 
 impl<F: Real> Fit<'_, F> {
     /// Passes over the measurements until the launch does not change any more, and then looks whether the spin is known.
-    pub(super) fn settle_finally<I>(&mut self, measurements: I) -> Progress
+    pub(super) fn settle_finally<I>(&mut self, measurements: &I) -> Progress
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        let progress = self.settle(Window::all(measurements.clone()), SETTLED);
+        let progress = self.settle(measurements, Part::ALL, SETTLED);
         let Launch { orientation, omega, .. } = self.best.launch;
         let found = dot(omega, orientation.axis());
         let least = measurements.clone().find_map(|measurement| self.least_spin(&measurement));
         // the axial component of ω is constant, so that one reading at the end of the range bounds it
         let spin = least.filter(|least| found / least < WITHIN).unwrap_or(found);
-        let unknown = self
-            .upright(spin, measurements)
-            .is_some_and(|pass| self.model.unobservable(&pass.launch, &pass.information).spin);
+        let unknown = self.explains_upright(spin, measurements)
+            && self.model.unobservable(&self.current.launch, &self.current.information).spin;
         if unknown {
             Progress::SpinUnknown
         } else if spin == found {
@@ -58,9 +57,9 @@ impl<F: Real> Fit<'_, F> {
         }
     }
 
-    /// Pass of the upright launch with this angular velocity about the axis, if it explains the measurements as well as
-    /// the best launch.
-    fn upright<I>(&mut self, spin: f64, measurements: I) -> Option<Pass<F>>
+    /// Whether the upright launch with this angular velocity about the axis explains the measurements as well as the best
+    /// launch; it then is the current pass.
+    fn explains_upright<I>(&mut self, spin: f64, measurements: &I) -> bool
     where
         I: Iterator<Item = Measurement> + Clone,
     {
@@ -70,20 +69,22 @@ impl<F: Real> Fit<'_, F> {
         let [x, y, z] = axis;
         let near = NEAR * NEAR;
         if x * x + y * y > near || dot(across, across) > near * dot(found.omega, found.omega) {
-            return None;
+            return false;
         }
         let sign = if z < 0.0 { -1.0 } else { 1.0 };
         let tilt = upright_to(axis.map(|component| sign * component));
         let orientation = tilt.inverse().compose(&found.orientation);
         let omega = [0.0, 0.0, sign * spin];
-        self.pass(Launch { orientation, omega, ..found }, Window::all(measurements.clone()));
+        self.pass(&Launch { orientation, omega, ..found }, measurements, Part::ALL);
         // the biases that suit it, while the launch stays
         let mut deviations = [F::from_f64(1e6); MOST_UNKNOWNS];
         for slot in deviations.iter_mut().take(self.model.common()) {
             *slot = F::from_f64(1e-9);
         }
-        let change = self.current.information.damped(&deviations).solution();
-        self.pass(self.model.moved(&self.current.launch, &change), Window::all(measurements));
-        (self.current.cost <= self.best.cost + CHANCE).then_some(self.current)
+        self.current.information.damp(&deviations);
+        let change = self.current.information.solution();
+        let launch = self.model.moved(&self.current.launch, &change);
+        self.pass(&launch, measurements, Part::ALL);
+        self.current.cost <= self.best.cost + CHANCE
     }
 }

@@ -6,6 +6,32 @@ use core::iter::Take;
 /// Golden ratio times 2³². Its multiples modulo 2³² are spread evenly, whatever the period of the sensors' readings.
 const GOLDEN: u32 = 0x9e37_79b9;
 
+/// Choice of measurements: the first `count`, those of one instant in `thinning`, which is at least 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Part {
+    pub(super) count: usize,
+    pub(super) thinning: usize,
+}
+
+impl Part {
+    /// All measurements.
+    pub(super) const ALL: Self = Self::first(usize::MAX);
+
+    /// First measurements.
+    pub(super) const fn first(count: usize) -> Self {
+        Self { count, thinning: 1 }
+    }
+
+    /// Measurements of this part.
+    pub(super) fn of<I: Iterator<Item = Measurement>>(self, measurements: I) -> Window<I> {
+        let thinning = u32::try_from(self.thinning).unwrap_or(u32::MAX);
+        let limit = u32::MAX.checked_div(thinning).unwrap_or(u32::MAX);
+        // the multiple of the first instant becomes 0
+        let multiple = 0_u32.wrapping_sub(GOLDEN);
+        Window { measurements: measurements.take(self.count), limit, multiple, time: None }
+    }
+}
+
 /// First measurements, all of them or those of one instant in so many.
 #[derive(Clone, Debug)]
 pub(super) struct Window<I> {
@@ -15,22 +41,6 @@ pub(super) struct Window<I> {
     /// Multiple of the golden ratio of the instant, and its time.
     multiple: u32,
     time: Option<f64>,
-}
-
-impl<I: Iterator<Item = Measurement>> Window<I> {
-    /// All measurements.
-    pub(super) fn all(measurements: I) -> Self {
-        Self::first(measurements, usize::MAX, 1)
-    }
-
-    /// First `count` measurements, those of one instant in `thinning`, which is at least 1.
-    pub(super) fn first(measurements: I, count: usize, thinning: usize) -> Self {
-        let thinning = u32::try_from(thinning).unwrap_or(u32::MAX);
-        let limit = u32::MAX.checked_div(thinning).unwrap_or(u32::MAX);
-        // the multiple of the first instant becomes 0
-        let multiple = 0_u32.wrapping_sub(GOLDEN);
-        Self { measurements: measurements.take(count), limit, multiple, time: None }
-    }
 }
 
 impl<I: Iterator<Item = Measurement>> Iterator for Window<I> {
@@ -64,9 +74,9 @@ mod tests {
 
     #[test]
     fn a_thinned_window_keeps_its_share_of_each_sensor() {
+        let part = |count, thinning| Part { count, thinning }.of(readings());
         for thinning in [2, 3, 5, 10] {
-            let count =
-                |sensor| Window::first(readings(), 1100, thinning).filter(|m| m.sensor == sensor).count();
+            let count = |sensor| part(1100, thinning).filter(|m| m.sensor == sensor).count();
             let off = |count: usize, all: usize| count.abs_diff(all / thinning);
             assert!(
                 off(count(0), 1000) <= 3 && off(count(1), 100) <= 3,
@@ -74,10 +84,10 @@ mod tests {
                 count(0),
                 count(1)
             );
-            let first = Window::first(readings(), 1100, thinning).next();
+            let first = part(1100, thinning).next();
             assert_eq!(first.map(|m| m.time), Some(0.0), "the epoch stays");
         }
-        assert_eq!(Window::all(readings()).count(), 1100);
-        assert_eq!(Window::first(readings(), 7, 1).count(), 7);
+        assert_eq!(Part::ALL.of(readings()).count(), 1100);
+        assert_eq!(part(7, 1).count(), 7);
     }
 }

@@ -25,7 +25,7 @@ pub(crate) struct Coefficients<F> {
 
 impl Coefficients<f64> {
     /// Change of nothing.
-    const NONE: Self =
+    pub(super) const NONE: Self =
         Self { inertia: 0.0, moment: 0.0, height: 0.0, gravity: 0.0, rotor: 0.0, losses: [0.0; LOSSES] };
 
     /// Coefficients of a top.

@@ -50,10 +50,29 @@ fn cross_vertical<F: Float>([x, y, _]: Vector<F>) -> Vector<F> {
     [y, -x, F::ZERO]
 }
 
+impl<F: Float> Flow<F, 0> {
+    /// Rate of a state with these accelerations.
+    pub(crate) fn rate(&self, at: &Acceleration<F>) -> Self {
+        Self {
+            axis: at.axis_rate,
+            side: bracket(self.across, self.side),
+            across: at.across,
+            spin: at.spin,
+            tangents: [],
+        }
+    }
+}
+
 impl Equations<f64> {
     pub(crate) fn of(top: &Top) -> Self {
         let coefficients = Coefficients::of(top);
         Self { coefficients, changes: coefficients.derivatives(top.support()), lossy: false }
+    }
+
+    /// Equations of the state alone.
+    pub(crate) fn of_state(coefficients: &Coefficients<f64>) -> Self {
+        let lossy = coefficients.losses.iter().any(|loss| *loss != 0.0);
+        Self { coefficients: *coefficients, changes: [Coefficients::NONE; 4], lossy }
     }
 
     /// Upper bound on the frequencies of the motion after a state, rad per unit time: the frequency of the gyroscopic
@@ -189,26 +208,16 @@ impl<F: Float> Equations<F> {
         Tangent { theta: eta, eta: rate }
     }
 
-    /// Rate of a state and its first `known` tangents.
-    pub(crate) fn rate_of<const N: usize>(&self, flow: &Flow<F, N>, known: usize) -> Flow<F, N> {
+    /// Rate of a state and its tangents.
+    pub(crate) fn rate<const N: usize>(&self, flow: &Flow<F, N>) -> Flow<F, N> {
         let at = self.acceleration(flow);
         let mut tangents = flow.tangents;
-        for (index, tangent) in tangents.iter_mut().enumerate().take(known) {
+        for (index, tangent) in tangents.iter_mut().enumerate() {
             let change = self.changes.get(index.wrapping_sub(LAUNCH));
             *tangent = self.tangent_rate(flow, &at, tangent, change);
         }
-        Flow {
-            axis: at.axis_rate,
-            side: bracket(flow.across, flow.side),
-            across: at.across,
-            spin: at.spin,
-            tangents,
-        }
-    }
-
-    /// Rate of a state and its tangents.
-    pub(crate) fn rate<const N: usize>(&self, flow: &Flow<F, N>) -> Flow<F, N> {
-        self.rate_of(flow, N)
+        let Flow { axis, side, across, spin, .. } = flow.state().rate(&at);
+        Flow { axis, side, across, spin, tangents }
     }
 
     /// Size of θ below which a column needs no relative accuracy: that at which a change of its ratio by the ratio itself

@@ -92,6 +92,18 @@ impl<F: Float, const N: usize> Flow<F, N> {
         total(self.across, self.axis, self.spin)
     }
 
+    /// State without tangents.
+    pub(crate) fn state(&self) -> Flow<F, 0> {
+        let Self { axis, side, across, spin, .. } = *self;
+        Flow { axis, side, across, spin, tangents: [] }
+    }
+
+    /// Takes over a state; the tangents stay.
+    pub(crate) fn set_state(&mut self, state: &Flow<F, 0>) {
+        (self.axis, self.side) = (state.axis, state.side);
+        (self.across, self.spin) = (state.across, state.spin);
+    }
+
     /// Body coordinates of a vector of the fixed frame.
     pub(crate) fn in_body(&self, x: Vector<F>) -> Vector<F> {
         [dot(self.side, x), dot(bracket(self.axis, self.side), x), dot(self.axis, x)]

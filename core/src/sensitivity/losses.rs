@@ -73,25 +73,11 @@ impl<F: Float> Equations<F> {
 }
 
 impl Equations<f64> {
-    /// Whether the motion repeats itself: without losses.
-    pub(crate) fn repeats(&self) -> bool {
-        !self.lossy
-    }
-
     /// The same equations with losses.
     pub(crate) fn with_losses(mut self, losses: [f64; LOSSES]) -> Self {
         self.coefficients.losses = losses;
         self.lossy = true;
         self
-    }
-
-    /// Angle by which the body has turned about its axis at a time, from S at the start.
-    pub(crate) fn rolled(&self, spin: f64, t: f64) -> Phase {
-        let Coefficients { losses: [axial, ..], .. } = self.coefficients;
-        let lost = axial * t;
-        // (1 - e⁻ˣ)/x
-        let mean = if lost == 0.0 { 1.0 } else { -libm::expm1(-lost) / lost };
-        Phase::from_radians(spin * t * mean)
     }
 
     /// Rates of l, n and h, from A, by each loss.
@@ -106,5 +92,16 @@ impl Equations<f64> {
         let by_across = [vertical, 0.0, dot(across, across)];
         let by_vertical = [turning * slope, 0.0, turning * vertical];
         [by_axial, by_across, by_vertical].map(|by| by.map(|x| -x))
+    }
+}
+
+impl Coefficients<f64> {
+    /// Angle by which the body has turned about its axis at a time, from S at the start.
+    pub(crate) fn rolled(&self, spin: f64, t: f64) -> Phase {
+        let [axial, ..] = self.losses;
+        let lost = axial * t;
+        // (1 - e⁻ˣ)/x
+        let mean = if lost == 0.0 { 1.0 } else { -libm::expm1(-lost) / lost };
+        Phase::from_radians(spin * t * mean)
     }
 }
