@@ -190,7 +190,8 @@ impl<'a, F: Real> Fit<'a, F> {
         {
             reason = self.cause(&measurements)?.or(reason);
         }
-        Ok(self.fitted(found.times, reason, found.alternatives))
+        let unobservable = self.unobservable();
+        Ok(self.fitted(found.times, reason, found.alternatives, unobservable))
     }
 
     /// Cause of residuals that are too large, if it can be determined. The best launch stays.
@@ -218,9 +219,10 @@ impl<'a, F: Real> Fit<'a, F> {
         I: Iterator<Item = Measurement> + Clone,
     {
         let (times, _) = self.checked(measurements.clone())?;
-        self.start(guess);
+        self.start(&guess);
         let progress = self.settle_finally(&measurements);
-        Ok(self.fitted(times, self.reason(progress), 0))
+        let unobservable = self.unobservable();
+        Ok(self.fitted(times, self.reason(progress), 0, unobservable))
     }
 
     /// Whether the measurements fit better by far when the rates are read as degrees per unit time.
@@ -243,7 +245,7 @@ impl<'a, F: Real> Fit<'a, F> {
     {
         let (times, total) = self.checked(measurements.clone())?;
         let [epoch, _] = times;
-        self.start(Launch::default());
+        self.start(&Launch::default());
         let later = measurements.clone().map(|measurement| measurement.time).filter(|time| *time > epoch);
         if later.take(2).count() < 2 {
             return Ok(Found { times, progress: Progress::TooFew, alternatives: 0 });
@@ -257,7 +259,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let mut best: Option<(Launch, f64)> = None;
         let mut alternatives = 0;
         for guess in beginning.guesses() {
-            self.start(guess);
+            self.start(&guess);
             self.settle(measurements, Part::first(count / 4), NEAR);
             self.settle(measurements, Part::first(count), SETTLED);
             let found = (self.best.launch, self.best.cost);
@@ -268,7 +270,7 @@ impl<'a, F: Real> Fit<'a, F> {
         if let Some((launch, cost)) = best {
             // another guess that led to another launch and fits as well
             for guess in beginning.guesses().filter(|_| beginning.is_ambiguous()) {
-                self.start(guess);
+                self.start(&guess);
                 self.settle(measurements, Part::first(count), SETTLED);
                 let other = &self.best;
                 if other.cost < cost + 9.0 && other.launch.distance(&launch) > 0.3 {

@@ -4,6 +4,7 @@
 //! axis alone the roll. The rate about the axis is beyond the range of most gyroscopes. It then follows from two
 //! orientations or from the circle that a direction draws in the body; otherwise several rates are tried.
 
+use crate::complex::Complex;
 use crate::fit::instruments::rotation_vector;
 use crate::fit::launch::Launch;
 use crate::fit::sensor::{Hint, Measurement};
@@ -31,7 +32,8 @@ struct Instant {
 /// First guesses.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Beginning {
-    guesses: [(Orientation<f64>, Vector<f64>); MOST_GUESSES],
+    /// Orientation and ω of each, in a scalar that takes less of the stack.
+    guesses: [(Orientation<f32>, Vector<f32>); MOST_GUESSES],
     count: usize,
 }
 
@@ -68,12 +70,18 @@ impl Beginning {
     }
 
     pub(super) fn guesses(&self) -> impl Iterator<Item = Launch> {
-        self.guesses.iter().take(self.count).map(|(orientation, omega)| Launch::new(*orientation, *omega))
+        let wide = |z: Complex<f32>| Complex::new(f64::from(z.re), f64::from(z.im));
+        self.guesses.iter().take(self.count).map(move |(Orientation { alpha, beta }, omega)| {
+            let orientation = Orientation { alpha: wide(*alpha), beta: wide(*beta) };
+            Launch::new(orientation.normalised(), omega.map(f64::from))
+        })
     }
 
     fn add(&mut self, orientation: Orientation<f64>, omega: Vector<f64>) {
         if let Some(slot) = self.guesses.get_mut(self.count) {
-            *slot = (orientation, omega);
+            let narrow = |z: Complex<f64>| Complex::new(z.re as f32, z.im as f32);
+            let Orientation { alpha, beta } = orientation;
+            *slot = (Orientation { alpha: narrow(alpha), beta: narrow(beta) }, omega.map(|x| x as f32));
             self.count += 1;
         }
     }

@@ -2,11 +2,11 @@
 
 use crate::fit::launch::{FreeRatio, LAUNCH, Launch};
 use crate::fit::outcome::{Unobservable, with_ratios};
-use crate::fit::path::{Path, turns_in_period};
+use crate::fit::path::Path;
 use crate::fit::sensor::Sensor;
 use crate::fit::triangle::{MOST_UNKNOWNS, Triangle, Unknowns};
 use crate::fit::{MOST_RATIOS, MOST_SENSORS};
-use crate::motion::Motion;
+use crate::motion::{self, Motion};
 use crate::phase::Phase;
 use crate::scalar::Real;
 use crate::sensitivity::{COLUMNS, Coefficients, Equations, LOSSES, total};
@@ -117,17 +117,23 @@ impl Model {
     /// Nutation period of a launch, and the rotations about the vertical and about the axis in it.
     #[inline(never)] // the motion is on the stack only here
     pub(crate) fn turns_in_period(&self, launch: &Launch) -> Option<(f64, [Phase; 2])> {
-        turns_in_period(&self.motion(launch)?)
+        let (top, state) = self.top_and_state(launch)?;
+        motion::Launch::new(&top, &state).turns_in_period()
     }
 
     /// Motion of a launch.
     pub(crate) fn motion(&self, launch: &Launch) -> Option<Motion> {
+        let (top, state) = self.top_and_state(launch)?;
+        Motion::launch(&top, &state).ok()
+    }
+
+    fn top_and_state(&self, launch: &Launch) -> Option<(Top, State)> {
         let top = if self.free_count == 0 {
             self.top
         } else {
             with_ratios(&self.top, &self.ratios(launch)).ok()?
         };
-        Motion::launch(&top, &State::new(launch.orientation, launch.omega).ok()?).ok()
+        Some((top, State::new(launch.orientation, launch.omega).ok()?))
     }
 
     /// First unknown of a sensor's bias.

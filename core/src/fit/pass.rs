@@ -3,7 +3,7 @@
 use crate::fit::Fit;
 use crate::fit::launch::Launch;
 use crate::fit::model::Model;
-use crate::fit::outcome::{Fitted, Reason, Statistics};
+use crate::fit::outcome::{Fitted, Reason, Statistics, Unobservable};
 use crate::fit::sensor::{Hint, Measurement};
 use crate::fit::triangle::{MOST_UNKNOWNS, Triangle};
 use crate::fit::window::{Part, Window};
@@ -100,9 +100,10 @@ impl<F: Real> Pass<F> {
 
 impl<F: Real> Fit<'_, F> {
     /// Begins from a guess, with nothing known.
-    pub(super) fn start(&mut self, guess: Launch) {
-        let launch = self.model.moved(&guess, &[F::ZERO; MOST_UNKNOWNS]);
-        self.best.launch = launch;
+    #[inline(never)]
+    pub(super) fn start(&mut self, guess: &Launch) {
+        self.best.launch = *guess;
+        self.best.launch.orientation = guess.orientation.normalised();
         self.damping = 1e-3;
         self.curvature = f64::INFINITY;
         self.restart();
@@ -307,11 +308,22 @@ impl<F: Real> Fit<'_, F> {
         }
     }
 
+    /// Directions that the measurements do not determine.
+    #[inline(never)] // its matrices are on the stack without those of the result
+    pub(super) fn unobservable(&self) -> Unobservable {
+        self.model.unobservable(&self.best.launch, &self.best.information)
+    }
+
     #[inline(never)] // its matrices are on the stack at the end only
-    pub(super) fn fitted(&mut self, times: [f64; 2], reason: Option<Reason>, alternatives: usize) -> Fitted {
+    pub(super) fn fitted(
+        &mut self,
+        times: [f64; 2],
+        reason: Option<Reason>,
+        alternatives: usize,
+        unobservable: Unobservable,
+    ) -> Fitted {
         let Pass { launch, information, statistics, .. } = &self.best;
         let (launch, statistics) = (*launch, *statistics);
-        let unobservable = self.model.unobservable(&launch, information);
         // not larger, so that the covariance keeps the digits of what is determined
         let floor = self.model.damping(&launch, information, 0.0, 10.0);
         let [epoch, end] = times;

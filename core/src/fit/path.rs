@@ -7,9 +7,8 @@
 
 use crate::fit::launch::{LAUNCH, Launch};
 use crate::fit::node::{self, Node};
-use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{Float, Real};
+use crate::scalar::Real;
 use crate::sensitivity::{COLUMNS, Coefficients, Equations, Flow, Partials, advance, total};
 use crate::su2::{Orientation, bracket};
 
@@ -95,7 +94,7 @@ impl<F: Real> Path<F> {
     /// Moves to a time after the launch, later than that of the last call: the state and the derivatives there. `None` where
     /// it is not within some periods of the last node.
     ///
-    /// * `turns`: as [`turns_in_period`] of the launch, which is asked for where the nodes do not reach the time
+    /// * `turns`: as [`Motion::turns_in_period`](crate::Motion) of the launch, which is asked for where the nodes do not reach the time
     pub(super) fn move_to(
         &mut self,
         t: f64,
@@ -223,15 +222,10 @@ impl<F: Real> Path<F> {
     }
 }
 
-/// Nutation period of a motion, and the rotations about the vertical and about the axis in it.
-pub(super) fn turns_in_period(motion: &Motion) -> Option<(f64, [Phase; 2])> {
-    let mean = motion.mean_motion()?;
-    Some((mean.advance.period.to_f64(), mean.turns(motion.half_tau())))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::motion::Motion;
     use crate::sensitivity::Sensitivity;
     use crate::state::{Release, State};
     use crate::su2::{Vector, dot};
@@ -279,7 +273,7 @@ mod tests {
         let apart = |x: Vector<F>, y: Vector<f64>| size(total(x.map(F::to_f64), y, -1.0));
         for n in 0..700 {
             let t = f64::from(n) / 699.0;
-            path.move_to(t, || turns_in_period(&motion)).unwrap();
+            path.move_to(t, || motion.turns_in_period()).unwrap();
             let (found, truth) = (path.now().flow, cursor.at(t).unwrap().flow);
             off = off.max(apart(found.axis, truth.axis)).max(apart(found.side, truth.side));
             off = off.max(apart(found.across, truth.across) / frequency);

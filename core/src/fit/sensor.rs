@@ -93,12 +93,20 @@ pub struct Mounting {
 impl Mounting {
     /// Axes of the sensor in the fixed frame.
     pub(crate) fn axes<F: Real>(&self, at: &Partials<F>) -> [Vector<F>; 3] {
-        at.axes(&self.rotation())
+        if self.is_along_body() { at.body_axes() } else { at.axes(&self.rotation()) }
     }
 
     /// Axis of the top in the coordinates of the sensor.
     pub(crate) fn axis<F: Real>(&self) -> Vector<F> {
-        self.rotation().inverse().axis()
+        if self.is_along_body() { [F::ZERO, F::ZERO, F::ONE] } else { self.rotation().inverse().axis() }
+    }
+
+    /// Whether the sensor is mounted along the axes of the body. The bits are compared, which a chip without `f64` does
+    /// faster.
+    fn is_along_body(&self) -> bool {
+        let Orientation { alpha, beta } = self.rotation;
+        alpha.re.to_bits() == 1.0_f64.to_bits()
+            && [alpha.im, beta.re, beta.im].iter().all(|x| x.to_bits() == 0)
     }
 
     fn rotation<F: Real>(&self) -> Orientation<F> {

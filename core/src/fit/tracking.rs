@@ -71,9 +71,10 @@ impl<F: Real> Fit<'_, F> {
             information.add(&row.map(F::from_f64), F::ZERO);
         }
         self.prior = Some(Prior { launch: predicted, information });
-        self.start(predicted);
+        self.start(&predicted);
         let progress = self.settle(&measurements, Part::ALL, SETTLED);
-        let fitted = self.fitted(times, self.reason(progress), 0);
+        let unobservable = self.unobservable();
+        let fitted = self.fitted(times, self.reason(progress), 0, unobservable);
         self.prior = None;
         let turn = self.best.launch.orientation.compose(&predicted.orientation.inverse());
         let [before, after] = [&last.launch, &fitted.launch].map(|launch| self.model.integrals(launch));

@@ -93,35 +93,38 @@ impl Launch {
     /// See [`Motion::launch`].
     #[inline(never)]
     pub fn poll(&mut self) -> Poll<Result<Motion, ParameterError>> {
+        match (self.stage, &self.motion) {
+            (Stage::Ended(Ok(())), Some(motion)) => return Poll::Ready(Ok(*motion)),
+            (Stage::Ended(Err(error)), _) => return Poll::Ready(Err(error)),
+            _ => self.proceed(),
+        }
+        Poll::Pending
+    }
+
+    /// Nutation period, and the rotations about the vertical and about the axis in it, without the start of the motion.
+    pub(crate) fn turns_in_period(&mut self) -> Option<(f64, [Phase; 2])> {
+        while !matches!(self.stage, Stage::Nutation | Stage::Ended(_)) {
+            self.proceed();
+        }
+        self.motion.as_ref().and_then(Motion::turns_in_period)
+    }
+
+    /// Does the next slice of the work, if there is one left.
+    #[inline(never)]
+    fn proceed(&mut self) {
         match (self.stage, &mut self.motion) {
             (Stage::Integrals, _) => {
                 (self.integrals, self.point) = FirstIntegrals::with_point(&self.top, &self.state);
                 self.stage = Stage::BranchPoints;
             }
-            (Stage::BranchPoints, _) => match BranchPoints::of_point(&self.top, &self.integrals, &self.point)
-            {
-                Ok(e) => {
-                    self.motion = Some(Motion::with_constants(&self.top, &self.integrals, &self.point, e));
-                    self.stage = Stage::Conditioning;
-                }
-                Err(error) => self.stage = Stage::Ended(Err(error)),
-            },
-            (Stage::Conditioning, Some(motion)) => {
-                let Self { top, state, integrals, point, .. } = self;
-                motion.conditioning = Conditioning::of_state(top, integrals, point, &motion.e, state.speed());
-                motion.mean = motion.uniform_mean(point, integrals);
-                let needs_quadrature = motion.mean.is_none() && motion.has_period();
-                self.stage = if needs_quadrature { Stage::Quadrature } else { Stage::Nutation };
-            }
-            (Stage::Quadrature, Some(motion)) => {
-                self.quadrature = Some(Quadrature::new(&motion.law()));
-                self.stage = Stage::Nodes;
-            }
+            (Stage::BranchPoints, _) => self.find_branch_points(),
+            (Stage::Conditioning, Some(_)) => self.find_conditioning(),
+            (Stage::Quadrature, Some(_)) => self.begin_quadrature(),
             (Stage::Nodes, Some(motion)) => {
                 // without a quadrature the motion has no period
                 let integrals = self.quadrature.as_mut().map(Quadrature::proceed);
                 if integrals == Some(None) {
-                    return Poll::Pending;
+                    return;
                 }
                 motion.mean = integrals.flatten().map(|integrals| motion.mean_of(&integrals));
                 self.stage = Stage::Nutation;
@@ -134,12 +137,37 @@ impl Launch {
                 motion.start_slow_phases(&self.state);
                 self.stage = Stage::Ended(Ok(()));
             }
-            (Stage::Ended(Ok(())), Some(motion)) => return Poll::Ready(Ok(*motion)),
-            (Stage::Ended(Err(error)), _) => return Poll::Ready(Err(error)),
+            (Stage::Ended(_), _) => {}
             // no stage after the branch points is without a motion
             (_, None) => self.stage = Stage::Integrals,
         }
-        Poll::Pending
+    }
+
+    #[inline(never)] // the stack frames of the stages must not add up
+    fn find_branch_points(&mut self) {
+        match BranchPoints::of_point(&self.top, &self.integrals, &self.point) {
+            Ok(e) => {
+                self.motion = Some(Motion::with_constants(&self.top, &self.integrals, &self.point, e));
+                self.stage = Stage::Conditioning;
+            }
+            Err(error) => self.stage = Stage::Ended(Err(error)),
+        }
+    }
+
+    #[inline(never)]
+    fn find_conditioning(&mut self) {
+        let Self { top, state, integrals, point, motion: Some(motion), .. } = self else { return };
+        motion.conditioning = Conditioning::of_state(top, integrals, point, &motion.e, state.speed());
+        motion.mean = motion.uniform_mean(point, integrals);
+        let needs_quadrature = motion.mean.is_none() && motion.has_period();
+        self.stage = if needs_quadrature { Stage::Quadrature } else { Stage::Nutation };
+    }
+
+    #[inline(never)]
+    fn begin_quadrature(&mut self) {
+        let Some(motion) = &self.motion else { return };
+        self.quadrature = Some(Quadrature::new(&motion.law()));
+        self.stage = Stage::Nodes;
     }
 }
 
@@ -156,6 +184,12 @@ impl Motion {
                 return result;
             }
         }
+    }
+
+    /// Nutation period, and the rotations about the vertical and about the axis in it.
+    pub(crate) fn turns_in_period(&self) -> Option<(f64, [Phase; 2])> {
+        let mean = self.mean_motion()?;
+        Some((mean.advance.period.to_f64(), mean.turns(self.half_tau())))
     }
 
     /// Motion through a point of the reduced curve, without its mean motion and its start.

@@ -131,22 +131,24 @@ impl<F: Float> Partials<F> {
     ///   one: the point to which the moments of inertia belong
     #[must_use]
     pub fn specific_force(&self, place: Vector<F>) -> (Vector<F>, [Vector<F>; COLUMNS]) {
-        self.force_in(&self.axes(&Orientation::IDENTITY), place)
+        self.force_in(&self.body_axes(), place)
     }
 
     /// Body coordinates of a fixed direction, as a magnetometer sees the field, and their derivatives.
     #[must_use]
     pub fn direction(&self, fixed: Vector<F>) -> (Vector<F>, [Vector<F>; COLUMNS]) {
-        self.direction_in(&self.axes(&Orientation::IDENTITY), fixed)
+        self.direction_in(&self.body_axes(), fixed)
+    }
+
+    /// Axes of the body in the fixed frame.
+    pub(crate) fn body_axes(&self) -> [Vector<F>; 3] {
+        let Flow { axis, side, .. } = self.flow;
+        [side, bracket(axis, side), axis]
     }
 
     /// Axes of an instrument in the fixed frame, from its rotation in the body.
     pub(crate) fn axes(&self, rotation: &Orientation<F>) -> [Vector<F>; 3] {
-        let Flow { axis, side, .. } = self.flow;
         let [zero, one] = [F::ZERO, F::ONE];
-        if *rotation == Orientation::IDENTITY {
-            return [side, bracket(axis, side), axis];
-        }
         [[one, zero, zero], [zero, one, zero], [zero, zero, one]]
             .map(|direction| self.in_fixed(rotation.adjoint(direction)))
     }
