@@ -97,12 +97,14 @@ pub struct Fit<'a, F = f64> {
     rows: Rows<F>,
     /// Derivatives of the ratios by the unknowns.
     shares: [[F; 4]; MOST_RATIOS],
+    /// Biases of the launch of the pass, in the scalar of the measurements.
+    biases: [F; 3 * MOST_SENSORS],
     /// Time of the launch: that of the first measurement of the pass.
     epoch: Option<f64>,
     /// Time to which the path was moved: that of the last measurement.
     now: Option<f64>,
     /// Factor of the readings of rate gyroscopes: another unit that is tried where the fit is bad.
-    rate_unit: f64,
+    rate_unit: Option<f64>,
     prior: Option<Prior<F>>,
 }
 
@@ -143,9 +145,10 @@ impl<'a, F: Real> Fit<'a, F> {
             path: model.path(),
             rows: Rows::new(model.common()),
             shares: model.shares(&pass.launch),
+            biases: [F::ZERO; 3 * MOST_SENSORS],
             epoch: None,
             now: None,
-            rate_unit: 1.0,
+            rate_unit: None,
             prior: None,
         }
     }
@@ -218,7 +221,7 @@ impl<'a, F: Real> Fit<'a, F> {
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        let (times, _) = self.checked(measurements.clone())?;
+        let (times, _) = self.checked(&measurements)?;
         self.start(&guess);
         let progress = self.settle_finally(&measurements);
         let unobservable = self.unobservable();
@@ -230,9 +233,9 @@ impl<'a, F: Real> Fit<'a, F> {
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        self.rate_unit = core::f64::consts::PI / 180.0;
+        self.rate_unit = Some(core::f64::consts::PI / 180.0);
         let degrees = self.search(measurements);
-        self.rate_unit = 1.0;
+        self.rate_unit = None;
         let converged = self.reason(degrees?.progress).is_none();
         Ok(converged || self.best.statistics.chi_squared < 0.1 * chi_squared)
     }
@@ -243,14 +246,13 @@ impl<'a, F: Real> Fit<'a, F> {
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        let (times, total) = self.checked(measurements.clone())?;
+        let (times, total) = self.checked(measurements)?;
         let [epoch, _] = times;
         self.start(&Launch::default());
-        let later = measurements.clone().map(|measurement| measurement.time).filter(|time| *time > epoch);
-        if later.take(2).count() < 2 {
+        if instants_after(measurements, epoch) < 2 {
             return Ok(Found { times, progress: Progress::TooFew, alternatives: 0 });
         }
-        let beginning = Beginning::of(self, measurements.clone());
+        let beginning = Beginning::of(self, measurements);
         if beginning.is_empty() {
             return Ok(Found { times, progress: Progress::NoBeginning, alternatives: 0 });
         }
@@ -294,14 +296,15 @@ impl<'a, F: Real> Fit<'a, F> {
     }
 
     /// Times of the first and the last measurement, and the number of all, after a look at them.
-    fn checked(
-        &self,
-        measurements: impl Iterator<Item = Measurement>,
-    ) -> Result<([f64; 2], usize), FitError> {
+    #[inline(never)] // its copy of the iterator is on the stack while it works only
+    fn checked<I>(&self, measurements: &I) -> Result<([f64; 2], usize), FitError>
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
         let mut total = 0;
         let mut last: Option<f64> = None;
         let mut first = None;
-        for (index, measurement) in measurements.enumerate() {
+        for (index, measurement) in measurements.clone().enumerate() {
             let Measurement { time, sensor, values } = measurement;
             if !time.is_finite() || values.iter().any(|x| !x.is_finite()) {
                 return Err(FitError::NotFinite { index });
@@ -328,9 +331,9 @@ impl<'a, F: Real> Fit<'a, F> {
         let hint = |values: &[f64; 4]| {
             self.sensors.get(measurement.sensor).map_or(Hint::None, |sensor| sensor.hint(values))
         };
-        match hint(&measurement.values) {
-            Hint::Rate { .. } => hint(&measurement.values.map(|x| x * self.rate_unit)),
-            other => other,
+        match (hint(&measurement.values), self.rate_unit) {
+            (Hint::Rate { .. }, Some(unit)) => hint(&measurement.values.map(|x| x * unit)),
+            (other, _) => other,
         }
     }
 
@@ -343,4 +346,13 @@ impl<'a, F: Real> Fit<'a, F> {
             _ => true,
         })
     }
+}
+
+/// Number of measurements after a time; 2 stands for more.
+#[inline(never)] // its copy of the iterator is on the stack while it works only
+fn instants_after<I>(measurements: &I, epoch: f64) -> usize
+where
+    I: Iterator<Item = Measurement> + Clone,
+{
+    measurements.clone().filter(|measurement| measurement.time > epoch).take(2).count()
 }

@@ -40,10 +40,13 @@ pub(super) struct Beginning {
 impl Beginning {
     /// Guesses from the first instants.
     #[inline(never)] // the instants are on the stack while it works only
-    pub(super) fn of<F: Real>(fit: &Fit<'_, F>, measurements: impl Iterator<Item = Measurement>) -> Self {
+    pub(super) fn of<F: Real, I>(fit: &Fit<'_, F>, measurements: &I) -> Self
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
         let mut instants = [Instant::default(); FIRST_WINDOW];
         let mut count = 0_usize;
-        for measurement in measurements {
+        for measurement in measurements.clone() {
             let last = count.checked_sub(1).and_then(|index| instants.get(index)).map(|instant| instant.time);
             if last != Some(measurement.time) {
                 if count == FIRST_WINDOW {

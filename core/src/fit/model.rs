@@ -136,9 +136,10 @@ impl Model {
         Some((top, State::new(launch.orientation, launch.omega).ok()?))
     }
 
-    /// First unknown of a sensor's bias.
+    /// First bias of a sensor, counted from 0.
     pub(crate) fn bias_of(&self, sensor: usize) -> Option<usize> {
-        self.biases.get(sensor).copied().flatten().map(|(first, _)| first)
+        let (first, _) = self.biases.get(sensor).copied().flatten()?;
+        first.checked_sub(self.common())
     }
 
     /// Ratios A/C, A/(ps), s and g of a launch; A/p in the second place for a fixed tip.

@@ -6,7 +6,7 @@ use crate::fit::model::Model;
 use crate::fit::outcome::{Fitted, Reason, Statistics, Unobservable};
 use crate::fit::sensor::{Hint, Measurement};
 use crate::fit::triangle::{MOST_UNKNOWNS, Triangle};
-use crate::fit::window::{Part, Window};
+use crate::fit::window::Part;
 use crate::scalar::Real;
 
 /// Size of a correction, in standard deviations, below which the fit has converged. The next one would be about its
@@ -130,6 +130,9 @@ impl<F: Real> Fit<'_, F> {
         self.path.begin(&self.model.equations(launch), launch);
         self.rows.clear();
         self.shares = self.model.shares(launch);
+        for (slot, bias) in self.biases.iter_mut().zip(launch.rest.iter().skip(self.model.common())) {
+            *slot = F::from_f64(*bias);
+        }
         self.epoch = None;
         self.now = None;
     }
@@ -144,7 +147,7 @@ impl<F: Real> Fit<'_, F> {
     {
         self.restart();
         for _ in 0..MOST_PASSES {
-            self.pass_over(part.of(measurements.clone()));
+            self.pass_over(measurements, part);
             match self.improve(settled) {
                 Progress::Again => {}
                 done => return done,
@@ -159,14 +162,18 @@ impl<F: Real> Fit<'_, F> {
         I: Iterator<Item = Measurement> + Clone,
     {
         self.begin_pass(launch);
-        self.pass_over(part.of(measurements.clone()));
+        self.pass_over(measurements, part);
     }
 
     #[inline(never)] // its measurement and prediction are on the stack during a pass only
-    fn pass_over<I: Iterator<Item = Measurement>>(&mut self, window: Window<I>) {
+    fn pass_over<I>(&mut self, measurements: &I, part: Part)
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
         let mut sums = Sums::default();
-        for measurement in window {
-            if self.add(&measurement, &mut sums).is_none() {
+        let huber = F::from_f64(self.huber);
+        for measurement in part.of(measurements.clone()) {
+            if self.add(&measurement, huber, &mut sums).is_none() {
                 self.current.cost = f64::INFINITY;
                 return;
             }
@@ -178,16 +185,17 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Adds one measurement to the pass that is under way. `None` where its time cannot be reached.
-    fn add(&mut self, measurement: &Measurement, sums: &mut Sums<F>) -> Option<()> {
+    fn add(&mut self, measurement: &Measurement, huber: F, sums: &mut Sums<F>) -> Option<()> {
         let Measurement { time, sensor: index, mut values } = *measurement;
         let sensor = self.sensors.get(index)?;
         self.move_to(time)?;
-        if self.rate_unit != 1.0 && matches!(sensor.hint(&values), Hint::Rate { .. }) {
-            values = values.map(|x| x * self.rate_unit);
+        if let Some(unit) = self.rate_unit
+            && matches!(sensor.hint(&values), Hint::Rate { .. })
+        {
+            values = values.map(|x| x * unit);
         }
         let prediction = sensor.predict(self.path.now(), &values);
         let bias = self.model.bias_of(index);
-        let huber = F::from_f64(self.huber);
         let statistics = &mut self.current.statistics;
         let components = prediction.difference.into_iter().zip(prediction.deviation).enumerate();
         for (component, (difference, deviation)) in components {
@@ -197,9 +205,9 @@ impl<F: Real> Fit<'_, F> {
                 continue;
             }
             let mut residual = difference * per_deviation;
-            let place = bias.map(|first| first + component);
-            if let Some(known) = place.and_then(|place| self.current.launch.rest.get(place)) {
-                residual = residual - F::from_f64(*known) * per_deviation;
+            let bias = bias.map(|first| first + component);
+            if let Some(known) = bias.and_then(|bias| self.biases.get(bias)) {
+                residual = residual - *known * per_deviation;
             }
             let size = residual.abs();
             let outlier = size > huber;
@@ -212,7 +220,6 @@ impl<F: Real> Fit<'_, F> {
             statistics.used += 1;
             statistics.outliers += u32::from(outlier);
             let scale = weight * per_deviation;
-            let bias = place.and_then(|place| place.checked_sub(self.model.common()));
             let Some(row) = self.rows.next(bias, scale, weight * residual) else { continue };
             let column = |k: usize| {
                 let entry = prediction.columns.get(k).and_then(|column| column.get(component));
@@ -225,7 +232,8 @@ impl<F: Real> Fit<'_, F> {
 
     /// Computes the state and the derivatives at a time.
     fn move_to(&mut self, time: f64) -> Option<()> {
-        if self.now == Some(time) {
+        // the same bits, which a chip without `f64` compares faster
+        if self.now.map(f64::to_bits) == Some(time.to_bits()) {
             return Some(());
         }
         let epoch = *self.epoch.get_or_insert(time);

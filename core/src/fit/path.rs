@@ -39,8 +39,9 @@ pub(super) struct Path<F> {
     now: Partials<F>,
     /// Number of columns that are computed.
     known: usize,
-    /// Time between two nodes.
+    /// Time between two nodes, and nodes per time.
     spacing: f64,
+    per_spacing: f64,
     nodes: [Node<F>; NODES],
     /// Number of the nodes, and of those before them that were given up.
     count: usize,
@@ -70,6 +71,7 @@ impl<F: Real> Path<F> {
             now: Partials::new(&equations, flow.cast(), tip_scale, known),
             known,
             spacing: 0.0,
+            per_spacing: 0.0,
             nodes: [Node::ZERO; NODES],
             count: 0,
             given_up: 0,
@@ -84,6 +86,7 @@ impl<F: Real> Path<F> {
         self.now.equations = equations.cast();
         self.launch = Flow::launched(&launch.orientation, launch.omega);
         self.spacing = SPACING / equations.fastest(&flow);
+        self.per_spacing = 1.0 / self.spacing;
         if let Some(first) = self.nodes.first_mut() {
             first.flow = flow.cast();
             first.find_rates(&self.now.equations, self.known);
@@ -115,7 +118,8 @@ impl<F: Real> Path<F> {
             self.now.flow.roll(self.exact.rolled(self.launch.spin, t));
             return Some(());
         };
-        let count = libm::floor(t / length);
+        // the time is not negative and the quotient small: an integer takes less time than the rounding of a float
+        let count = f64::from((t / length) as u32);
         let rest = t - count * length;
         self.interpolate(rest)?;
         let flow = &mut self.now.flow;
@@ -173,12 +177,13 @@ impl<F: Real> Path<F> {
     /// Interpolates at a time that the nodes reach, or can reach; with the side of the nodes.
     fn interpolate(&mut self, t: f64) -> Option<()> {
         const FURTHEST: f64 = 1e5;
-        let place = t / self.spacing - self.given_up as f64;
-        if !(0.0..FURTHEST).contains(&(place + 1.0)) {
+        let place = t * self.per_spacing - f64::from(self.given_up as u32);
+        if !(-1.0..FURTHEST).contains(&place) {
             return None;
         }
-        let mut middle = libm::round(place).max(1.0) as usize;
-        let x = place - middle as f64;
+        let nearest = (place + 0.5) as u32;
+        let mut middle = nearest.max(1) as usize;
+        let x = place - f64::from(nearest.max(1));
         while self.count < middle + 2 {
             middle -= self.extend()?;
         }

@@ -45,7 +45,7 @@ impl<F: Real> Fit<'_, F> {
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        let (times, _) = self.checked(measurements.clone())?;
+        let (times, _) = self.checked(&measurements)?;
         let [epoch, _] = times;
         let span = epoch - last.epoch;
         let motion = self.model.motion(&last.launch).ok_or(FitError::OutOfOrder { index: 0 })?;
