@@ -5,10 +5,11 @@
 //! orientations or from the circle that a direction draws in the body; otherwise several rates are tried.
 
 use crate::complex::Complex;
+use crate::fit::Fit;
 use crate::fit::instruments::rotation_vector;
 use crate::fit::launch::Launch;
+use crate::fit::search::FIRST_WINDOW;
 use crate::fit::sensor::{Hint, Measurement};
-use crate::fit::{FIRST_WINDOW, Fit};
 use crate::scalar::Real;
 use crate::sensitivity::total;
 use crate::su2::{Orientation, Vector, bracket, dot};

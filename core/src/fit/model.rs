@@ -1,31 +1,31 @@
 //! Unknowns of a fit: their order, their units, and how the derivatives of a motion belong to them.
 
 use crate::fit::launch::{FreeRatio, LAUNCH, Launch};
-use crate::fit::outcome::{Unobservable, with_ratios};
+use crate::fit::outcome::with_ratios;
 use crate::fit::path::Path;
 use crate::fit::sensor::Sensor;
-use crate::fit::triangle::{MOST_UNKNOWNS, Triangle, Unknowns};
+use crate::fit::triangle::MOST_UNKNOWNS;
 use crate::fit::{MOST_RATIOS, MOST_SENSORS};
 use crate::motion::{self, Motion};
 use crate::phase::Phase;
 use crate::scalar::Real;
-use crate::sensitivity::{COLUMNS, Coefficients, Equations, LOSSES, total};
+use crate::sensitivity::{COLUMNS, Coefficients, Equations, LOSSES};
 use crate::state::State;
-use crate::su2::{Orientation, Vector, bracket, dot};
+use crate::su2::{Vector, bracket, dot};
 use crate::top::{Support, Top};
 use core::ops::Range;
 
 /// Order and units of the unknowns.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Model {
-    top: Top,
-    given: [f64; 4],
-    free: [FreeRatio; MOST_RATIOS],
-    free_count: usize,
+    pub(super) top: Top,
+    pub(super) given: [f64; 4],
+    pub(super) free: [FreeRatio; MOST_RATIOS],
+    pub(super) free_count: usize,
     /// Prior deviation of the losses, which are unknowns if there is one.
-    drift: Option<f64>,
+    pub(super) drift: Option<f64>,
     /// First unknown of each sensor's bias, and its prior deviation.
-    biases: [Option<(usize, f64)>; MOST_SENSORS],
+    pub(super) biases: [Option<(usize, f64)>; MOST_SENSORS],
     pub(crate) count: usize,
 }
 
@@ -245,155 +245,6 @@ impl Model {
         for (slot, shares) in row.iter_mut().skip(LAUNCH).zip(shares).take(self.common() - LAUNCH) {
             let terms = shares.iter().enumerate();
             *slot = terms.fold(F::ZERO, |sum, (index, share)| sum + *share * column(LAUNCH + index));
-        }
-    }
-
-    /// Adds the information before any measurement; returns the sum of squares of the differences of the launch from it.
-    pub(crate) fn add_prior<F: Real>(&self, launch: &Launch, information: &mut Triangle<F>) -> f64 {
-        let mut cost = 0.0;
-        for (index, (value, deviation)) in launch.rest.iter().zip(self.prior_deviations()).enumerate() {
-            if deviation.is_finite() {
-                let mut row = [F::ZERO; MOST_UNKNOWNS];
-                if let Some(slot) = row.get_mut(index) {
-                    *slot = F::from_f64(1.0 / deviation);
-                }
-                let residual = -value / deviation;
-                cost += residual * residual;
-                information.add(&row, F::from_f64(residual));
-            }
-        }
-        cost
-    }
-
-    /// Standard deviations before any measurement; infinite for none.
-    fn prior_deviations(&self) -> Unknowns {
-        let mut deviations = [f64::INFINITY; MOST_UNKNOWNS];
-        for (slot, free) in deviations.iter_mut().skip(LAUNCH).zip(&self.free).take(self.free_count) {
-            *slot = free.deviation;
-        }
-        if let (Some(drift), Some(losses)) = (self.drift, deviations.get_mut(self.loss_places())) {
-            losses.fill(drift);
-        }
-        for (first, deviation) in self.biases.iter().flatten() {
-            for slot in deviations.iter_mut().skip(*first).take(3) {
-                *slot = *deviation;
-            }
-        }
-        deviations
-    }
-
-    /// Unit of each unknown: a radian, a change of ω by its own size, a ratio by its own size, a bias by its prior
-    /// deviation, a loss by ten times its own, so that rounding does not make one undetermined that has its prior only.
-    fn units(&self, launch: &Launch) -> Unknowns {
-        let Coefficients { moment, gravity, .. } = self.equations(launch).coefficients;
-        let rate = libm::sqrt(dot(launch.omega, launch.omega) + moment * gravity);
-        let mut units = [1.0; MOST_UNKNOWNS];
-        for slot in units.iter_mut().take(LAUNCH).skip(3) {
-            *slot = rate;
-        }
-        if let (Some(drift), Some(losses)) = (self.drift, units.get_mut(self.loss_places())) {
-            losses.fill(10.0 * drift);
-        }
-        for (first, deviation) in self.biases.iter().flatten() {
-            for slot in units.iter_mut().skip(*first).take(3) {
-                *slot = *deviation;
-            }
-        }
-        units
-    }
-
-    /// Deviations that damp a correction: Marquardt's, and so many units for directions without information.
-    pub(crate) fn damping<F: Real>(
-        &self,
-        launch: &Launch,
-        information: &Triangle<F>,
-        damping: f64,
-        units: f64,
-    ) -> Unknowns<F> {
-        let mut deviations = self.units(launch).map(|unit| F::from_f64(units * unit));
-        let damping = F::from_f64(damping);
-        for (slot, square) in deviations.iter_mut().zip(information.column_squares()) {
-            *slot = F::ONE / (damping * square + F::ONE / slot.squared()).sqrt();
-        }
-        deviations
-    }
-
-    /// Launch after a correction. ω is corrected in the frame that the rotation turns, so that a rotation about the
-    /// vertical, which may be poorly known, leaves the motion as it is however large it is.
-    pub(crate) fn moved<F: Real>(&self, launch: &Launch, change: &Unknowns<F>) -> Launch {
-        let change = change.map(F::to_f64);
-        let [t1, t2, t3, w1, w2, w3, ..] = change;
-        let turn = Orientation::exp([t1, t2, t3]);
-        let eta = total([w1, w2, w3], bracket([t1, t2, t3], launch.omega), -1.0);
-        let mut rest = launch.rest;
-        for (slot, by) in rest.iter_mut().zip(change).skip(LAUNCH) {
-            *slot += by;
-        }
-        Launch {
-            orientation: turn.compose(&launch.orientation).normalised(),
-            omega: turn.adjoint(total(launch.omega, eta, 1.0)),
-            rest,
-        }
-    }
-
-    /// Adds the information about changes of the launch after a correction, from that about changes of the launch before it.
-    ///
-    /// A rotation of everything by θ changes ω by θ × ω: with ω the row of a measurement by θ changes, which matters
-    /// where the rotation is poorly known. What stays is the row by θ and by the change of ω that an observer sees who
-    /// turns with θ, in the frame that the correction turned.
-    pub(crate) fn carry<F: Real>(
-        information: &Triangle<F>,
-        before: &Launch,
-        change: &Unknowns<F>,
-        after: &Launch,
-        to: &mut Triangle<F>,
-    ) {
-        let [t1, t2, t3, ..] = *change;
-        let turn = Orientation::exp([t1, t2, t3].map(F::to_f64));
-        to.add_mapped(information, |row| {
-            let [x, y, z, p, q, r, ..] = *row;
-            let ([x, y, z], by_omega) = ([x, y, z].map(F::to_f64), [p, q, r].map(F::to_f64));
-            let by_theta = turn.adjoint(total([x, y, z], bracket(before.omega, by_omega), 1.0));
-            let by_omega = turn.adjoint(by_omega);
-            let by_theta = total(by_theta, bracket(after.omega, by_omega), -1.0);
-            for (slot, entry) in row.iter_mut().zip(by_theta.into_iter().chain(by_omega)) {
-                *slot = F::from_f64(entry);
-            }
-        });
-    }
-
-    /// Directions of the launch that the information does not determine to one unit.
-    pub(crate) fn unobservable<F: Real>(&self, launch: &Launch, information: &Triangle<F>) -> Unobservable {
-        let units = self.units(launch);
-        let (values, vectors) = information.singular(&units.map(F::from_f64));
-        let count = values.iter().take(self.count).filter(|value| **value < F::ONE).count();
-        let axis = launch.orientation.axis();
-        let up = [0.0, 0.0, 1.0];
-        let none = [0.0; 3];
-        // share of a direction that lies in the undetermined ones
-        let share = |theta: Vector<f64>, omega: Vector<f64>| {
-            let mut direction = [0.0; MOST_UNKNOWNS];
-            for ((slot, x), unit) in direction.iter_mut().zip(theta.into_iter().chain(omega)).zip(units) {
-                *slot = x / unit;
-            }
-            let size: f64 = direction.iter().map(|x| x * x).sum();
-            let inside: f64 = values
-                .iter()
-                .zip(&vectors)
-                .take(self.count)
-                .filter(|(value, _)| **value < F::ONE)
-                .map(|(_, vector)| {
-                    let inner: f64 = vector.iter().zip(&direction).map(|(a, b)| a.to_f64() * b).sum();
-                    inner * inner
-                })
-                .sum();
-            inside / size
-        };
-        Unobservable {
-            yaw: share(up, bracket(up, launch.omega)) > 0.9,
-            roll: share(axis, none) > 0.9,
-            spin: share(none, axis) > 0.9,
-            count,
         }
     }
 }

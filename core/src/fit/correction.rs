@@ -1,0 +1,157 @@
+//! Correction of the launch after a pass, and what it says about the fit.
+
+use crate::fit::Fit;
+use crate::fit::launch::{LAUNCH, Launch};
+use crate::fit::model::Model;
+use crate::fit::outcome::{Reason, Statistics};
+use crate::fit::triangle::{Triangle, Unknowns};
+use crate::scalar::Real;
+use crate::sensitivity::total;
+use crate::su2::{Orientation, bracket};
+
+/// Estimated size of the next correction, in standard deviations, below which the fit has converged without a pass that
+/// confirms it.
+const NEXT_SETTLED: f64 = 0.1;
+/// Largest correction, in standard deviations, after which the fit converges without such a pass.
+const MOST_UNCONFIRMED: f64 = 10.0;
+/// Least sine of the tilt at which the fit converges without such a pass.
+const LEAST_TILT: f64 = 0.1;
+/// Change of the sum of squares that may come from the error of the integration.
+const ROUNDING: f64 = 0.05;
+/// Standard deviations of the sum of squares beyond which the residuals are larger than the noise explains.
+const MISFIT: f64 = 5.0;
+
+/// Result of a correction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Progress {
+    Again,
+    Settled,
+    Stuck,
+    /// The top stands upright, and its spin is not determined.
+    SpinUnknown,
+    /// There are fewer than three instants.
+    TooFew,
+    /// There is no first guess.
+    NoBeginning,
+}
+
+impl<F: Real> Fit<'_, F> {
+    /// Corrects the launch after a pass.
+    #[inline(never)] // its triangles are on the stack between passes only
+    pub(super) fn improve(&mut self, settled: f64) -> Progress {
+        let previous = self.best.cost;
+        let improved = self.current.cost <= previous && self.current.cost.is_finite();
+        if !improved && self.current.cost - previous < ROUNDING {
+            return Progress::Settled;
+        }
+        // a bad fit that hardly becomes better
+        let Statistics { used, outliers, .. } = self.current.statistics;
+        if improved && outliers > used / 5 + 10 && previous - self.current.cost < 1e-3 * previous {
+            self.best = self.current;
+            return Progress::Stuck;
+        }
+        if improved {
+            self.best = self.current;
+            self.damping *= 0.1;
+        } else {
+            self.damping = (10.0 * self.damping).max(1e-3);
+            if self.damping > 1e9 || !self.best.cost.is_finite() {
+                return Progress::Stuck;
+            }
+        }
+        // the information of the current pass is not needed any more
+        let (information, scratch) = (&self.best.information, &mut self.current.information);
+        let deviations = self.model.damping(&self.best.launch, information, self.damping, 1000.0);
+        scratch.clone_from(information);
+        scratch.damp(&deviations);
+        let change = scratch.solution();
+        if change.iter().any(|x| !x.to_f64().is_finite()) {
+            return Progress::Stuck;
+        }
+        let next = self.model.moved(&self.best.launch, &change);
+        let size = information.size(&change).to_f64();
+        let last_change = self.last_change.replace(size).filter(|_| improved);
+        if let Some(last) = last_change {
+            self.curvature = size / (last * last);
+        }
+        // near the vertical the derivatives themselves depend on the launch
+        let [x, y, _] = next.orientation.axis();
+        let near = x * x + y * y > LEAST_TILT * LEAST_TILT
+            && size < MOST_UNCONFIRMED
+            && self.curvature * size * size < NEXT_SETTLED;
+        if size < settled || near {
+            scratch.clear();
+            Model::carry(information, &self.best.launch, &change, &next, scratch);
+            self.best.information.clone_from(scratch);
+            self.best.launch = next;
+            // the correction lowers the sum of squares by this amount, as far as the equations are linear
+            self.best.cost -= size * size;
+            let statistics = &mut self.best.statistics;
+            statistics.chi_squared = (statistics.chi_squared - size * size).max(0.0);
+            return Progress::Settled;
+        }
+        self.begin_pass(&next);
+        Progress::Again
+    }
+
+    /// Reason why the best launch must not be trusted.
+    pub(super) fn reason(&self, progress: Progress) -> Option<Reason> {
+        let statistics = &self.best.statistics;
+        match progress {
+            Progress::TooFew => Some(Reason::TooFew),
+            Progress::NoBeginning => Some(Reason::NoBeginning),
+            _ if statistics.used == 0 && statistics.unused > 0 => Some(Reason::AllSaturated),
+            _ if statistics.used < 6 => Some(Reason::TooFew),
+            _ if statistics.is_misfit(self.model.count, MISFIT, self.huber) => Some(Reason::Misfit),
+            Progress::SpinUnknown => Some(Reason::SpinUnknown),
+            Progress::Settled => None,
+            Progress::Again | Progress::Stuck => Some(Reason::NotSettled),
+        }
+    }
+}
+
+impl Model {
+    /// Launch after a correction. ω is corrected in the frame that the rotation turns, so that a rotation about the
+    /// vertical, which may be poorly known, leaves the motion as it is however large it is.
+    pub(crate) fn moved<F: Real>(&self, launch: &Launch, change: &Unknowns<F>) -> Launch {
+        let change = change.map(F::to_f64);
+        let [t1, t2, t3, w1, w2, w3, ..] = change;
+        let turn = Orientation::exp([t1, t2, t3]);
+        let eta = total([w1, w2, w3], bracket([t1, t2, t3], launch.omega), -1.0);
+        let mut rest = launch.rest;
+        for (slot, by) in rest.iter_mut().zip(change).skip(LAUNCH) {
+            *slot += by;
+        }
+        Launch {
+            orientation: turn.compose(&launch.orientation).normalised(),
+            omega: turn.adjoint(total(launch.omega, eta, 1.0)),
+            rest,
+        }
+    }
+
+    /// Adds the information about changes of the launch after a correction, from that about changes of the launch before it.
+    ///
+    /// A rotation of everything by θ changes ω by θ × ω: with ω the row of a measurement by θ changes, which matters
+    /// where the rotation is poorly known. What stays is the row by θ and by the change of ω that an observer sees who
+    /// turns with θ, in the frame that the correction turned.
+    pub(crate) fn carry<F: Real>(
+        information: &Triangle<F>,
+        before: &Launch,
+        change: &Unknowns<F>,
+        after: &Launch,
+        to: &mut Triangle<F>,
+    ) {
+        let [t1, t2, t3, ..] = *change;
+        let turn = Orientation::exp([t1, t2, t3].map(F::to_f64));
+        to.add_mapped(information, |row| {
+            let [x, y, z, p, q, r, ..] = *row;
+            let ([x, y, z], by_omega) = ([x, y, z].map(F::to_f64), [p, q, r].map(F::to_f64));
+            let by_theta = turn.adjoint(total([x, y, z], bracket(before.omega, by_omega), 1.0));
+            let by_omega = turn.adjoint(by_omega);
+            let by_theta = total(by_theta, bracket(after.omega, by_omega), -1.0);
+            for (slot, entry) in row.iter_mut().zip(by_theta.into_iter().chain(by_omega)) {
+                *slot = F::from_f64(entry);
+            }
+        });
+    }
+}

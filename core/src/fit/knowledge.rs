@@ -1,0 +1,116 @@
+//! Knowledge of the unknowns: what is known before the measurements, in which units, and which directions stay unknown.
+
+use crate::fit::launch::{LAUNCH, Launch};
+use crate::fit::model::Model;
+use crate::fit::outcome::Unobservable;
+use crate::fit::triangle::{MOST_UNKNOWNS, Triangle, Unknowns};
+use crate::scalar::Real;
+use crate::sensitivity::Coefficients;
+use crate::su2::{Vector, bracket, dot};
+
+impl Model {
+    /// Adds the information before any measurement; returns the sum of squares of the differences of the launch from it.
+    pub(crate) fn add_prior<F: Real>(&self, launch: &Launch, information: &mut Triangle<F>) -> f64 {
+        let mut cost = 0.0;
+        for (index, (value, deviation)) in launch.rest.iter().zip(self.prior_deviations()).enumerate() {
+            if deviation.is_finite() {
+                let mut row = [F::ZERO; MOST_UNKNOWNS];
+                if let Some(slot) = row.get_mut(index) {
+                    *slot = F::from_f64(1.0 / deviation);
+                }
+                let residual = -value / deviation;
+                cost += residual * residual;
+                information.add(&row, F::from_f64(residual));
+            }
+        }
+        cost
+    }
+
+    /// Standard deviations before any measurement; infinite for none.
+    fn prior_deviations(&self) -> Unknowns {
+        let mut deviations = [f64::INFINITY; MOST_UNKNOWNS];
+        for (slot, free) in deviations.iter_mut().skip(LAUNCH).zip(&self.free).take(self.free_count) {
+            *slot = free.deviation;
+        }
+        if let (Some(drift), Some(losses)) = (self.drift, deviations.get_mut(self.loss_places())) {
+            losses.fill(drift);
+        }
+        for (first, deviation) in self.biases.iter().flatten() {
+            for slot in deviations.iter_mut().skip(*first).take(3) {
+                *slot = *deviation;
+            }
+        }
+        deviations
+    }
+
+    /// Unit of each unknown: a radian, a change of ω by its own size, a ratio by its own size, a bias by its prior
+    /// deviation, a loss by ten times its own, so that rounding does not make one undetermined that has its prior only.
+    fn units(&self, launch: &Launch) -> Unknowns {
+        let Coefficients { moment, gravity, .. } = self.equations(launch).coefficients;
+        let rate = libm::sqrt(dot(launch.omega, launch.omega) + moment * gravity);
+        let mut units = [1.0; MOST_UNKNOWNS];
+        for slot in units.iter_mut().take(LAUNCH).skip(3) {
+            *slot = rate;
+        }
+        if let (Some(drift), Some(losses)) = (self.drift, units.get_mut(self.loss_places())) {
+            losses.fill(10.0 * drift);
+        }
+        for (first, deviation) in self.biases.iter().flatten() {
+            for slot in units.iter_mut().skip(*first).take(3) {
+                *slot = *deviation;
+            }
+        }
+        units
+    }
+
+    /// Deviations that damp a correction: Marquardt's, and so many units for directions without information.
+    pub(crate) fn damping<F: Real>(
+        &self,
+        launch: &Launch,
+        information: &Triangle<F>,
+        damping: f64,
+        units: f64,
+    ) -> Unknowns<F> {
+        let mut deviations = self.units(launch).map(|unit| F::from_f64(units * unit));
+        let damping = F::from_f64(damping);
+        for (slot, square) in deviations.iter_mut().zip(information.column_squares()) {
+            *slot = F::ONE / (damping * square + F::ONE / slot.squared()).sqrt();
+        }
+        deviations
+    }
+
+    /// Directions of the launch that the information does not determine to one unit.
+    pub(crate) fn unobservable<F: Real>(&self, launch: &Launch, information: &Triangle<F>) -> Unobservable {
+        let units = self.units(launch);
+        let (values, vectors) = information.singular(&units.map(F::from_f64));
+        let count = values.iter().take(self.count).filter(|value| **value < F::ONE).count();
+        let axis = launch.orientation.axis();
+        let up = [0.0, 0.0, 1.0];
+        let none = [0.0; 3];
+        // share of a direction that lies in the undetermined ones
+        let share = |theta: Vector<f64>, omega: Vector<f64>| {
+            let mut direction = [0.0; MOST_UNKNOWNS];
+            for ((slot, x), unit) in direction.iter_mut().zip(theta.into_iter().chain(omega)).zip(units) {
+                *slot = x / unit;
+            }
+            let size: f64 = direction.iter().map(|x| x * x).sum();
+            let inside: f64 = values
+                .iter()
+                .zip(&vectors)
+                .take(self.count)
+                .filter(|(value, _)| **value < F::ONE)
+                .map(|(_, vector)| {
+                    let inner: f64 = vector.iter().zip(&direction).map(|(a, b)| a.to_f64() * b).sum();
+                    inner * inner
+                })
+                .sum();
+            inside / size
+        };
+        Unobservable {
+            yaw: share(up, bracket(up, launch.omega)) > 0.9,
+            roll: share(axis, none) > 0.9,
+            spin: share(none, axis) > 0.9,
+            count,
+        }
+    }
+}

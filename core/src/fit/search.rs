@@ -1,0 +1,175 @@
+//! Search for a launch without a first guess, on longer and longer parts of the measurements.
+
+use crate::fit::Fit;
+use crate::fit::beginning::Beginning;
+use crate::fit::correction::Progress;
+use crate::fit::launch::Launch;
+use crate::fit::outcome::{FitError, Reason};
+use crate::fit::pass::SETTLED;
+use crate::fit::sensor::{Hint, Measurement};
+use crate::fit::window::Part;
+use crate::scalar::Real;
+
+/// Number of instants in the first window; the others are each four times as long.
+pub(super) const FIRST_WINDOW: usize = 16;
+/// Size of a correction, in standard deviations, with which a window is done.
+const NEAR: f64 = 0.5;
+/// Number of measurements to which the windows after the first two are thinned.
+const THINNED: usize = 192;
+/// Number of measurements to which all of them are thinned before the last passes. The launch is then within some standard
+/// deviations of the best one, and one pass over all measurements corrects it.
+const LAST_THINNED: usize = 512;
+
+/// Result of a search: the times of the first and the last measurement, how it ended, and the number of other launches that fit as well.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Found {
+    pub(super) times: [f64; 2],
+    pub(super) progress: Progress,
+    pub(super) alternatives: usize,
+}
+
+impl<F: Real> Fit<'_, F> {
+    /// Cause of residuals that are too large, if it can be determined. The best launch stays.
+    #[inline(never)] // the copy of a pass is on the stack while it works only
+    pub(super) fn cause<I>(&mut self, measurements: &I) -> Result<Option<Reason>, FitError>
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
+        let best = self.best;
+        let cause = if self.fits_in_degrees(measurements, best.statistics.chi_squared)? {
+            Some(Reason::RatesInDegrees)
+        } else {
+            self.is_at_rest(measurements.clone()).then_some(Reason::AtRest)
+        };
+        self.best = best;
+        Ok(cause)
+    }
+
+    /// Whether the measurements fit better by far when the rates are read as degrees per unit time.
+    fn fits_in_degrees<I>(&mut self, measurements: &I, chi_squared: f64) -> Result<bool, FitError>
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
+        self.rate_unit = Some(core::f64::consts::PI / 180.0);
+        let degrees = self.search(measurements);
+        self.rate_unit = None;
+        let converged = self.reason(degrees?.progress).is_none();
+        Ok(converged || self.best.statistics.chi_squared < 0.1 * chi_squared)
+    }
+
+    /// Launch from the measurements in the unit that is tried, without a first guess.
+    #[inline(never)] // two copies of it would take more stack
+    pub(super) fn search<I>(&mut self, measurements: &I) -> Result<Found, FitError>
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
+        let (times, total) = self.checked(measurements)?;
+        let [epoch, _] = times;
+        self.start(&Launch::default());
+        if instants_after(measurements, epoch) < 2 {
+            return Ok(Found { times, progress: Progress::TooFew, alternatives: 0 });
+        }
+        let beginning = Beginning::of(self, measurements);
+        if beginning.is_empty() {
+            return Ok(Found { times, progress: Progress::NoBeginning, alternatives: 0 });
+        }
+        // the best of the guesses on short windows, where no phase can be off by a turn
+        let mut count = 4 * FIRST_WINDOW * self.sensors.len();
+        let mut best: Option<(Launch, f64)> = None;
+        let mut alternatives = 0;
+        for guess in beginning.guesses() {
+            self.start(&guess);
+            self.settle(measurements, Part::first(count / 4), NEAR);
+            self.settle(measurements, Part::first(count), SETTLED);
+            let found = (self.best.launch, self.best.cost);
+            if best.is_none_or(|(_, least)| found.1 < least) {
+                best = Some(found);
+            }
+        }
+        if let Some((launch, cost)) = best {
+            // another guess that led to another launch and fits as well
+            for guess in beginning.guesses().filter(|_| beginning.is_ambiguous()) {
+                self.start(&guess);
+                self.settle(measurements, Part::first(count), SETTLED);
+                let other = &self.best;
+                if other.cost < cost + 9.0 && other.launch.distance(&launch) > 0.3 {
+                    alternatives += 1;
+                }
+            }
+            self.best.launch = launch;
+        }
+        // each window begins from a launch that is good enough for it
+        while count.saturating_mul(8) < total {
+            count = count.saturating_mul(4);
+            self.settle(measurements, Part { count, thinning: count / THINNED }, NEAR);
+        }
+        // a shorter window does not show how far the equations are linear over all measurements
+        self.curvature = f64::INFINITY;
+        if total / LAST_THINNED > 1 {
+            self.settle(measurements, Part { count: total, thinning: total / LAST_THINNED }, NEAR);
+        }
+        let progress = self.settle_finally(measurements);
+        Ok(Found { times, progress, alternatives })
+    }
+
+    /// Times of the first and the last measurement, and the number of all, after a look at them.
+    #[inline(never)] // its copy of the iterator is on the stack while it works only
+    pub(super) fn checked<I>(&self, measurements: &I) -> Result<([f64; 2], usize), FitError>
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
+        let mut total = 0;
+        let mut last: Option<f64> = None;
+        let mut first = None;
+        for (index, measurement) in measurements.clone().enumerate() {
+            let Measurement { time, sensor, values } = measurement;
+            if !time.is_finite() || values.iter().any(|x| !x.is_finite()) {
+                return Err(FitError::NotFinite { index });
+            }
+            if last.is_some_and(|last| time < last) {
+                return Err(FitError::OutOfOrder { index });
+            }
+            if sensor >= self.sensors.len() {
+                return Err(FitError::UnknownSensor { index });
+            }
+            last = Some(time);
+            first = first.or(last);
+            total = index + 1;
+        }
+        first.zip(last).map(|(first, last)| ([first, last], total)).ok_or(FitError::NoMeasurements)
+    }
+
+    pub(super) fn has_rates(&self, measurements: impl Iterator<Item = Measurement>) -> bool {
+        measurements.take(64).any(|measurement| matches!(self.hint(&measurement), Hint::Rate { .. }))
+    }
+
+    /// Statement of a measurement, in the unit that is tried.
+    pub(super) fn hint(&self, measurement: &Measurement) -> Hint {
+        let hint = |values: &[f64; 4]| {
+            self.sensors.get(measurement.sensor).map_or(Hint::None, |sensor| sensor.hint(values))
+        };
+        match (hint(&measurement.values), self.rate_unit) {
+            (Hint::Rate { .. }, Some(unit)) => hint(&measurement.values.map(|x| x * unit)),
+            (other, _) => other,
+        }
+    }
+
+    /// Whether no rate is beyond what bias and noise explain.
+    fn is_at_rest(&self, mut measurements: impl Iterator<Item = Measurement>) -> bool {
+        measurements.all(|measurement| match self.hint(&measurement) {
+            Hint::Rate { omega, axial_is_saturated } => {
+                !axial_is_saturated && omega.iter().all(|x| libm::fabs(*x) < 0.1)
+            }
+            _ => true,
+        })
+    }
+}
+
+/// Number of measurements after a time; 2 stands for more.
+#[inline(never)] // its copy of the iterator is on the stack while it works only
+fn instants_after<I>(measurements: &I, epoch: f64) -> usize
+where
+    I: Iterator<Item = Measurement> + Clone,
+{
+    measurements.clone().filter(|measurement| measurement.time > epoch).take(2).count()
+}
