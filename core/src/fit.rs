@@ -16,6 +16,8 @@ mod instruments;
 
 mod launch;
 
+mod drift;
+
 mod outcome;
 
 mod node;
@@ -32,23 +34,23 @@ mod sums;
 
 mod knowledge;
 
+mod carrying;
+
 mod pass;
 
 mod correction;
+
+mod ending;
 
 mod result;
 
 mod beginning;
 
+mod search;
+
 mod upright;
 
 mod tracking;
-
-mod search;
-
-mod carrying;
-
-mod drift;
 
 pub use drift::Drift;
 pub use instruments::{

@@ -8,12 +8,13 @@ use crate::complex::Complex;
 use crate::fit::Fit;
 use crate::fit::instruments::rotation_vector;
 use crate::fit::launch::Launch;
-use crate::fit::search::FIRST_WINDOW;
 use crate::fit::sensor::{Hint, Measurement};
 use crate::scalar::Real;
 use crate::sensitivity::total;
 use crate::su2::{Orientation, Vector, bracket, dot};
 
+/// Number of instants in the first window; the others are each four times as long.
+pub(super) const FIRST_WINDOW: usize = 16;
 /// Largest number of guesses.
 const MOST_GUESSES: usize = 24;
 /// Number of rates about the axis that are tried on each side of 0, where the measurements do not determine the rate.

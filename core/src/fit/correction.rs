@@ -4,6 +4,7 @@ use crate::fit::Fit;
 use crate::fit::launch::{LAUNCH, Launch};
 use crate::fit::model::Model;
 use crate::fit::outcome::{Reason, Statistics};
+use crate::fit::pass::Progress;
 use crate::fit::triangle::{Triangle, Unknowns};
 use crate::scalar::Real;
 use crate::sensitivity::total;
@@ -20,20 +21,6 @@ const LEAST_TILT: f64 = 0.1;
 const ROUNDING: f64 = 0.05;
 /// Standard deviations of the sum of squares beyond which the residuals are larger than the noise explains.
 const MISFIT: f64 = 5.0;
-
-/// Result of a correction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Progress {
-    Again,
-    Settled,
-    Stuck,
-    /// The top stands upright, and its spin is not determined.
-    SpinUnknown,
-    /// There are fewer than three instants.
-    TooFew,
-    /// There is no first guess.
-    NoBeginning,
-}
 
 impl<F: Real> Fit<'_, F> {
     /// Corrects the launch after a pass.

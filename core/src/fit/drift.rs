@@ -1,19 +1,7 @@
 //! Drift of the first integrals within the measurements, which a loss of rotation causes.
-//!
-//! The losses are unknowns of the fit, and the motion that is compared with the measurements contains them
-//! (`docs/partials.md`). After the fit the launch is that of the last measurement, from where on the motion is exact.
 
-use crate::fit::Fit;
-use crate::fit::carrying::carried;
-use crate::fit::model::Model;
-use crate::fit::outcome::Fitted;
-use crate::fit::triangle::{MOST_UNKNOWNS, Symmetric};
-use crate::scalar::Real;
-use crate::sensitivity::{COLUMNS, Flow, LOSSES, Sensitivity};
+use crate::sensitivity::LOSSES;
 use crate::su2::Vector;
-
-/// Number of instants at which the rates of l, n and h are averaged.
-const INSTANTS: u32 = 64;
 
 /// Drift of the first integrals, averaged over the time of the measurements.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +28,11 @@ impl Drift {
     /// Drift of losses with this covariance.
     ///
     /// * `by`: rates by each loss
-    fn of(losses: Vector<f64>, by: &[Vector<f64>; LOSSES], of_losses: &[Vector<f64>; LOSSES]) -> Self {
+    pub(super) fn of(
+        losses: Vector<f64>,
+        by: &[Vector<f64>; LOSSES],
+        of_losses: &[Vector<f64>; LOSSES],
+    ) -> Self {
         let mut rates = [0.0; 3];
         let mut covariance = [[0.0; 3]; 3];
         for ((loss, column), row) in losses.iter().zip(by).zip(of_losses) {
@@ -56,77 +48,5 @@ impl Drift {
             }
         }
         Self { rates, covariance, losses }
-    }
-}
-
-impl<F: Real> Fit<'_, F> {
-    /// Moves the launch to the last measurement, and adds the drift. `None` where the motion cannot be followed.
-    #[inline(never)] // only a fit with a drift needs its matrices
-    pub(super) fn carry_to_end(&self, fitted: &mut Fitted, end: f64) -> Option<()> {
-        let (model, span) = (&self.model, end - fitted.epoch);
-        let equations = model.equations(&fitted.launch);
-        let start = Flow::launched(&fitted.launch.orientation, fitted.launch.omega);
-        let sensitivity = Sensitivity::losing(&equations, start, 0.0);
-        let mut cursor = sensitivity.cursor();
-        let mut by = [[0.0; 3]; LOSSES];
-        for instant in 0..INSTANTS {
-            let at = cursor.at(span * (f64::from(instant) + 0.5) / f64::from(INSTANTS))?;
-            for (slot, rates) in by.iter_mut().zip(equations.integral_rates(&at.flow)) {
-                for (sum, rate) in slot.iter_mut().zip(rates) {
-                    *sum += rate * model.transverse_inertia() / f64::from(INSTANTS);
-                }
-            }
-        }
-        let at = cursor.at(span)?;
-        let shares = model.shares(&fitted.launch);
-        let columns = [at.orientation(), at.omega()].map(|columns| model.columns(&shares, &columns));
-        fitted.covariance = carried(&fitted.covariance, &columns);
-        let losses = model.losses(&fitted.launch);
-        fitted.drift = Some(Drift::of(losses, &by, &model.losses_of(&fitted.covariance)));
-        fitted.epoch = end;
-        fitted.launch.orientation = at.orientation_now();
-        fitted.launch.omega = at.angular_velocity();
-        Some(())
-    }
-}
-
-impl Model {
-    /// Derivatives of a vector by the unknowns, from its columns.
-    fn columns(&self, shares: &[[f64; 4]; 4], by: &[Vector<f64>; COLUMNS]) -> [Vector<f64>; MOST_UNKNOWNS] {
-        let mut columns = [[0.0; 3]; MOST_UNKNOWNS];
-        for component in 0..3 {
-            let mut row = [0.0; MOST_UNKNOWNS];
-            let entry = |k: usize| by.get(k).and_then(|column| column.get(component)).copied().unwrap_or(0.0);
-            self.fill(&mut row, shares, entry);
-            for (column, entry) in columns.iter_mut().zip(row) {
-                if let Some(slot) = column.get_mut(component) {
-                    *slot = entry;
-                }
-            }
-        }
-        columns
-    }
-
-    /// Covariance of the losses.
-    fn losses_of(&self, covariance: &Symmetric) -> [Vector<f64>; LOSSES] {
-        let mut found = [[0.0; 3]; LOSSES];
-        for (line, row) in found.iter_mut().zip(covariance.iter().skip(self.loss_places().start)) {
-            for (slot, entry) in line.iter_mut().zip(row.iter().skip(self.loss_places().start)) {
-                *slot = *entry;
-            }
-        }
-        found
-    }
-
-    /// Makes the losses as uncertain as before any measurement: those of another time may be others.
-    pub(super) fn forget_losses(&self, covariance: &mut Symmetric) {
-        let places = self.loss_places();
-        for (index, row) in covariance.iter_mut().enumerate() {
-            for (place, slot) in row.iter_mut().enumerate() {
-                if places.contains(&index) || places.contains(&place) {
-                    *slot = if index == place { self.loss_variance() } else { 0.0 };
-                }
-            }
-        }
     }
 }

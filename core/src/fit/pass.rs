@@ -1,7 +1,6 @@
 //! Passes over the measurements.
 
 use crate::fit::Fit;
-use crate::fit::correction::Progress;
 use crate::fit::launch::Launch;
 use crate::fit::outcome::Statistics;
 use crate::fit::sensor::{Hint, Measurement};
@@ -23,6 +22,20 @@ pub(super) struct Pass<F> {
     pub(super) information: Triangle<F>,
     pub(super) statistics: Statistics,
     pub(super) cost: f64,
+}
+
+/// Result of a correction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Progress {
+    Again,
+    Settled,
+    Stuck,
+    /// The top stands upright, and its spin is not determined.
+    SpinUnknown,
+    /// There are fewer than three instants.
+    TooFew,
+    /// There is no first guess.
+    NoBeginning,
 }
 
 impl<F: Real> Pass<F> {

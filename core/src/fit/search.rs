@@ -1,17 +1,14 @@
 //! Search for a launch without a first guess, on longer and longer parts of the measurements.
 
 use crate::fit::Fit;
-use crate::fit::beginning::Beginning;
-use crate::fit::correction::Progress;
+use crate::fit::beginning::{Beginning, FIRST_WINDOW};
 use crate::fit::launch::Launch;
 use crate::fit::outcome::{FitError, Reason};
-use crate::fit::pass::SETTLED;
+use crate::fit::pass::{Progress, SETTLED};
 use crate::fit::sensor::{Hint, Measurement};
 use crate::fit::window::Part;
 use crate::scalar::Real;
 
-/// Number of instants in the first window; the others are each four times as long.
-pub(super) const FIRST_WINDOW: usize = 16;
 /// Size of a correction, in standard deviations, with which a window is done.
 const NEAR: f64 = 0.5;
 /// Number of measurements to which the windows after the first two are thinned.

@@ -8,9 +8,8 @@
 
 use crate::fit::Fit;
 use crate::fit::beginning::upright_to;
-use crate::fit::correction::Progress;
 use crate::fit::launch::Launch;
-use crate::fit::pass::SETTLED;
+use crate::fit::pass::{Progress, SETTLED};
 use crate::fit::sensor::{Hint, Measurement};
 use crate::fit::triangle::MOST_UNKNOWNS;
 use crate::fit::window::Part;
