@@ -6,6 +6,7 @@ mod deny;
 mod features;
 mod firmware;
 mod fuzz;
+mod host;
 mod lint;
 mod miri;
 mod mutants;

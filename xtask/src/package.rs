@@ -1,13 +1,11 @@
 //! Tests of core's examples, and of its package as a crate outside of the repository.
 
-use std::env;
 use std::fs;
-use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::{Context, Result, bail};
 
-use crate::process::{cargo, root, run};
+use crate::process::{cargo, root, run, target_dir};
 
 /// Runs each example of core, which ends with assertions, so that its exit code shows whether it is right.
 pub(crate) fn examples() -> Result<String> {
@@ -26,11 +24,6 @@ pub(crate) fn examples() -> Result<String> {
     }
     names.sort();
     Ok(names.join(", "))
-}
-
-/// Folder in which cargo builds.
-fn target_dir() -> PathBuf {
-    root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }
 
 /// Packages core, unpacks the package, and runs its tests without the rest of the repository.

@@ -20,6 +20,11 @@ pub(crate) fn root() -> PathBuf {
     xtask.parent().map(Path::to_owned).expect("xtask is a folder of the repository")
 }
 
+/// Target folder of the workspace.
+pub(crate) fn target_dir() -> PathBuf {
+    root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
+}
+
 /// Target folder of the firmware workspace: beside its sources, or below `CARGO_TARGET_DIR`.
 pub(crate) fn firmware_target_dir() -> PathBuf {
     match env::var_os("CARGO_TARGET_DIR") {

@@ -1,7 +1,7 @@
 //! `cargo xtask test`: the steps, in the order in which a failure is cheapest. Those of the chips, which wait for an emulator on one
 //! core, run beside those of the host.
 
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::Instant;
@@ -9,6 +9,7 @@ use std::time::Instant;
 use anyhow::{Result, bail};
 
 use crate::firmware::{self, PROGRAMS, TARGETS};
+use crate::host::tests;
 use crate::process::{cargo, in_ci, run};
 use crate::setup::{BROWSER, C, COMPILER, EMULATOR, Need, PAGE_COMPILER};
 use crate::{c, features, fuzz, nopanic, package, python, tools, web};
@@ -84,14 +85,14 @@ fn steps() -> Vec<Step> {
         Step::new("no-panic", compiler, nopanic::check),
         Step::new("c-header", &[C], c::check_header),
         Step::new("c-host", &[C], c::check_on_host),
-        Step::new("c-chip", &[C, COMPILER, EMULATOR], c::check_on_chip),
         Step::new("c-cmake", &[C], c::check_cmake),
         Step::new("browser", &[PAGE_COMPILER, BROWSER], browser),
     ];
     steps.extend(
         PROGRAMS.iter().map(|program| Step::new(program.name, emulator, || firmware::check(program))),
     );
-    // these two wait for builds of the host's steps
+    // these wait for builds of the host's steps
+    steps.push(Step::new("c-chip", &[C, COMPILER, EMULATOR], c::check_on_chip));
     steps.push(Step::new("features", compiler, features::check));
     steps.push(Step::new("budget", emulator, budget));
     steps
@@ -165,11 +166,6 @@ fn no_std() -> Result<String> {
         }
     }
     Ok(format!("{} targets, without features and with all", TARGETS.len()))
-}
-
-/// Command that tests all crates, with the program's feature `parquet`. All steps use the same build.
-fn tests(words: &str) -> Command {
-    web::with_core(cargo(".", &format!("test --workspace --features toytop-host/parquet {words}")))
 }
 
 /// Runs tests, and returns the closing lines of every test binary.

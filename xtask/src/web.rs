@@ -6,7 +6,7 @@ use std::process::Command;
 
 use anyhow::{Result, bail};
 
-use crate::process::{root, run};
+use crate::process::{run, target_dir};
 use crate::tools::{self, PAGE_TARGET, Toolchain};
 
 /// Greatest size, bytes: a page of 400 KB contains it in base 64, beside the scripts.
@@ -37,8 +37,7 @@ pub(crate) fn with_core(mut command: Command) -> Command {
 
 /// Folder that the compiler shares with `host/build.rs`.
 fn folder_of(toolchain: Toolchain) -> PathBuf {
-    let target = std::env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into());
-    root().join(target).join("page").join(toolchain.subfolder())
+    target_dir().join("page").join(toolchain.subfolder())
 }
 
 fn file_of(toolchain: Toolchain) -> PathBuf {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 
-use crate::process::{cargo, root, run};
+use crate::process::{self, cargo, root, run};
 use crate::tools;
 
 /// Folder of an archive, with the settings of the compiler.
@@ -36,7 +36,7 @@ const ARCHIVES: &[Archive] = &[
 
 /// Folder below which everything of this module is built.
 pub(super) fn target_dir() -> PathBuf {
-    root().join(std::env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into())).join("c-archive")
+    process::target_dir().join("c-archive")
 }
 
 /// Prints the folders and their targets.

@@ -9,9 +9,9 @@ use std::time::Duration;
 use anyhow::{Context, Result, bail};
 
 use super::archive::{make, target_dir};
-use crate::firmware;
 use crate::process::{root, run, run_within};
 use crate::tools;
+use crate::{firmware, host};
 
 const WARNINGS: [&str; 6] = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"];
 
@@ -90,6 +90,7 @@ pub(crate) fn cmake() -> Result<String> {
 /// Number of lines of an example's output, which are compared with `toytop state`. A line is a scalar, a tick,
 /// and bits of alpha, beta and the tip; after a line "state", the motion is that from this state.
 fn compare(printed: &str) -> Result<usize> {
+    let program = host::program()?;
     let mut scenario = root().join("host/scenarios/toy_top.toml");
     let (mut lines, mut part) = (0, Vec::new());
     for line in printed.lines().chain(["end"]) {
@@ -97,11 +98,11 @@ fn compare(printed: &str) -> Result<usize> {
         match words[..] {
             ["f32" | "f64" | "q31", tick, ..] => part.push((words[0], tick.parse()?, words[2..].to_vec())),
             ["state", _, ..] => {
-                lines += compare_part(&scenario, &part)?;
+                lines += compare_part(&program, &scenario, &part)?;
                 part.clear();
                 scenario = scenario_from(&scenario, &words[2..])?;
             }
-            ["end"] => lines += compare_part(&scenario, &part)?,
+            ["end"] => lines += compare_part(&program, &scenario, &part)?,
             _ => {}
         }
     }
@@ -114,12 +115,12 @@ fn compare(printed: &str) -> Result<usize> {
 /// Scalar, tick and bits.
 type Line<'a> = (&'a str, i64, Vec<&'a str>);
 
-fn compare_part(scenario: &Path, part: &[Line<'_>]) -> Result<usize> {
+fn compare_part(program: &Path, scenario: &Path, part: &[Line<'_>]) -> Result<usize> {
     let mut by_scalar: BTreeMap<&str, Vec<&Line<'_>>> = BTreeMap::new();
     part.iter().for_each(|line| by_scalar.entry(line.0).or_default().push(line));
     for (scalar, lines) in by_scalar {
         let ticks: Vec<_> = lines.iter().map(|(_, tick, _)| tick.to_string()).collect();
-        let expected = state(scenario, scalar, &ticks.join(","))?;
+        let expected = state(program, scenario, scalar, &ticks.join(","))?;
         if expected.len() != lines.len() {
             bail!("{scalar}: {} rows for {} ticks", expected.len(), lines.len());
         }
@@ -134,14 +135,14 @@ fn compare_part(scenario: &Path, part: &[Line<'_>]) -> Result<usize> {
 }
 
 /// Bits of alpha, beta and the tip by `toytop state`, at ticks separated by commas.
-fn state(scenario: &Path, scalar: &str, ticks: &str) -> Result<Vec<Vec<String>>> {
+fn state(program: &Path, scenario: &Path, scalar: &str, ticks: &str) -> Result<Vec<Vec<String>>> {
     let words = format!(
-        "run --quiet --release --bin toytop -- state {} --ticks={ticks} --hertz 1000 --scalar {scalar} \
+        "state {} --ticks={ticks} --hertz 1000 --scalar {scalar} \
          --columns alpha,beta,tip --format csv",
         scenario.display()
     );
-    let mut command = Command::new("cargo");
-    let output = run(command.current_dir(root()).args(words.split_whitespace()))?;
+    let mut command = Command::new(program);
+    let output = run(command.args(words.split_whitespace()))?;
     let bits = |(place, number): (usize, f64)| match (scalar, place) {
         ("f64", _) => format!("{:016x}", number.to_bits()),
         ("q31", 0..4) => format!("{:08x}", (number * f64::from(1 << 30)) as i32),
