@@ -32,7 +32,8 @@ pub(crate) fn show_planted() -> Result<()> {
 }
 
 fn planted() -> Result<String> {
-    let (mut command, _) = build_command(named("m4f")?, &format!("{PACKAGE} --features planted"))?;
+    let (mut command, _) =
+        build_command(named("m4f")?, &format!("{PACKAGE} --bin planted --features planted"))?;
     let ended = run_within(&mut command, Duration::from_secs(600))?;
     if ended.success {
         bail!("a deliberate panic was linked");

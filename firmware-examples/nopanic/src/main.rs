@@ -30,8 +30,6 @@ fn main() -> ! {
     loop {
         // An error is a value.
         let _ = black_box(set_up());
-        #[cfg(feature = "planted")]
-        black_box(planted());
     }
 }
 
@@ -165,12 +163,6 @@ fn tick<R: Real>(motion: &Motion) {
     black_box((stepper.omega(), stepper.omega_body(), stepper.attitude_state().state().is_ok()));
     black_box((stepper.tip(), stepper.tip_velocity(), stepper.tip_angle_rate()));
     black_box(stepper.tip_angle().map(|angle| (angle.to_f64(), angle.to_radians(), angle.principal())));
-}
-
-#[cfg(feature = "planted")]
-fn planted() -> u8 {
-    let table = [1, 2, 3];
-    table[black_box(3)]
 }
 
 /// Calls of the events of every kind.
