@@ -49,7 +49,7 @@ pub(crate) fn check() -> Result<String> {
     test.current_dir(&unpacked)
         .args(["test", "--locked", "--all-features", "--lib", "--examples"])
         .env("CARGO_TARGET_DIR", folder.join("build"))
-        .env("CARGO_PROFILE_TEST_OPT_LEVEL", "2");
+        .env("CARGO_PROFILE_TEST_DEBUG", "0");
     let output = run(&mut test)?;
     let Some(line) = output.lines().find(|line| line.starts_with("test result: ok.")) else {
         bail!("{output}\nno test ran");
