@@ -46,7 +46,7 @@
 #define TOYTOP_EPHEMERIS_ALIGNMENT 8
 
 // Bytes of a set-up.
-#define TOYTOP_SET_UP_SIZE 5120
+#define TOYTOP_SET_UP_SIZE 6144
 
 // Bytes of a cursor.
 #define TOYTOP_EPHEMERIS_CURSOR_SIZE 64
@@ -213,7 +213,7 @@ typedef struct toytop_tick {
 
 // Set-up of one table in slices, which is needed until the table is ready. A program must not use its words.
 typedef struct toytop_set_up {
-  uint64_t opaque[640];
+  uint64_t opaque[768];
 } toytop_set_up;
 
 // Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.

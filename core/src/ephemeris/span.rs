@@ -85,6 +85,7 @@ impl Span {
 /// Replaces a series on [-1, 1] by that on one of 2^halvings equal parts of the interval, whose own coordinate is in [-1, 1].
 /// The lowest bits of `part` are its number. Last terms of at most `least` are removed; the result is the sum of their
 /// magnitudes. Rounding error: about one unit of the coefficients for each halving.
+#[inline(never)] // a call: it is made for each part of α and of β
 pub(crate) fn restrict(series: &mut [i64; TERMS], part: usize, halvings: u32, least: i64) -> i64 {
     let mut removed = 0;
     let mut terms = TERMS;

@@ -32,6 +32,7 @@ pub(crate) struct EllipticLaw<F> {
 }
 
 impl<F: Float> EllipticLaw<F> {
+    #[inline(never)] // the stack frames of a launch must not add up
     pub(crate) fn new(law: &Law<F>) -> Self {
         let root_s = law.s.sqrt();
         let least_root = law.a_over_p / ((law.a_over_p + law.s).sqrt() + root_s);
@@ -48,6 +49,7 @@ impl<F: Float> EllipticLaw<F> {
     }
 
     /// Landen transformations of the elliptic functions.
+    #[inline(never)]
     pub(crate) fn landen(&self) -> Landen<F> {
         let (Self { law, roots: [at_e1, at_e2], .. }, at_e3) =
             (self, self.roots[1] + self.root_s * self.law.e3_minus_e2);
