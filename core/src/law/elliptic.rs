@@ -10,9 +10,9 @@
 //! dt/dv = √(2/(g (e₃ - e₁) d₊(e₂))) √d₋ d₊,    χ' = √(g (e₃ - e₁)/(2 d₊(e₁))) dn v/√d₋
 //! ```
 //!
-//! v runs from 0 at u = e₁ to K at u = e₂. The points where the integrands are not analytic, u = e₄ and u = ∞, and so the
-//! real u between e₃ and -e₄, have the imaginary part K': neither e₄ near 1 nor e₁ near -1 slows the convergence of the
-//! trapezoid rule, and K/K' alone tells how many nodes it needs. With s = 0, where e₄ is infinite, nothing changes.
+//! v runs from 0 at u = e₁ to K at u = e₂. The integrands are analytic except at u = e₄ and u = ∞. There v has the imaginary part
+//! K', as for all real u beyond e₃ and -e₄. Therefore the trapezoid rule converges as fast for e₄ near 1 and e₁ near -1 as elsewhere, and
+//! K/K' alone tells how many nodes it needs. The formulas hold for s = 0, too, where e₄ is infinite.
 
 use crate::elliptic::jacobi::{Landen, SquaresOfWhole};
 use crate::law::Law;
