@@ -16,8 +16,9 @@ mod conditioning;
 pub(crate) mod normal_force;
 
 pub use branch_points::BranchPoints;
+pub(crate) use branch_points::{LowerPair, Roots};
 pub(crate) use conditioning::Conditioning;
-pub(crate) use first_integrals::ReducedPoint;
 pub use first_integrals::{FirstIntegrals, Sign, Signs};
+pub(crate) use first_integrals::{MovingAxis, ReducedPoint};
 pub use regime::Regime;
 pub use tip_class::TipClass;

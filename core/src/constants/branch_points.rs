@@ -11,7 +11,7 @@ mod torque_free;
 mod upright;
 
 use crate::constants::FirstIntegrals;
-use crate::constants::first_integrals::ReducedPoint;
+use crate::constants::first_integrals::{MovingAxis, ReducedPoint};
 use crate::error::{ParameterError, finite, require};
 use crate::scalar::{Extended, Float};
 use crate::state::State;
@@ -61,7 +61,7 @@ impl BranchPoints {
     /// # Errors
     /// `omega`: so large that e₃ would exceed 1e14.
     pub fn of(top: &Top, state: &State) -> Result<Self, ParameterError> {
-        let (integrals, point) = FirstIntegrals::<Extended>::with_point(top, state);
+        let (integrals, point) = FirstIntegrals::<Extended>::with_point(top, &MovingAxis::of(state));
         Ok(BranchPoints::of_point(top, &integrals, &point)?.to_f64())
     }
 
@@ -86,13 +86,72 @@ impl BranchPoints<Extended> {
         integrals: &FirstIntegrals<Extended>,
         point: &ReducedPoint<Extended>,
     ) -> Result<Self, ParameterError> {
-        if top.is_torque_free() {
-            Ok(Self::torque_free(top, integrals, point))
-        } else if point.rests_upright() {
-            Self::upright(top, integrals.n)
-        } else {
-            Self::about(top, integrals, point)
+        match Self::begin(top, integrals, point)? {
+            Roots::All(e) => Ok(e),
+            Roots::LowerPair(pair) => Self::complete(&pair, integrals, point),
         }
+    }
+
+    /// First half of the work of [`BranchPoints::of_point`]; [`BranchPoints::complete`] is the second.
+    pub(crate) fn begin(
+        top: &Top,
+        integrals: &FirstIntegrals<Extended>,
+        point: &ReducedPoint<Extended>,
+    ) -> Result<Roots<Extended>, ParameterError> {
+        if top.is_torque_free() {
+            Ok(Roots::All(Self::torque_free(top, integrals, point)))
+        } else if point.rests_upright() {
+            Self::upright(top, integrals.n).map(Roots::All)
+        } else {
+            LowerPair::of(top, integrals, point).map(Roots::LowerPair)
+        }
+    }
+}
+
+/// Roots of the cubic that are known after the first half of the work.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Roots<F> {
+    All(BranchPoints<F>),
+    LowerPair(LowerPair<F>),
+}
+
+/// Difference of e₁ and e₂, from the cubic about a point of the motion.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LowerPair<F> {
+    kappa: F,
+    /// Difference 1 - e₁.
+    x1: F,
+    e2_minus_e1: F,
+    /// Whether e₁ is closer to e₂ than e₃ is.
+    is_closer: bool,
+}
+
+impl<F: Float> LowerPair<F> {
+    fn of(top: &Top, integrals: &FirstIntegrals<F>, point: &ReducedPoint<F>) -> Result<Self, ParameterError> {
+        let quantities = Quantities::<F>::of(top);
+        let kappa = quantities.kappa();
+        let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
+        let ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy } = *point;
+        let limit = F::from_f64(LARGEST_E3);
+        require(kappa * n.squared() < limit && axis_energy < limit, "omega", TOO_FAST)?;
+
+        // l - n u, from the one of l ∓ n that causes no cancellation
+        let l_minus_nu = if u > F::ZERO { l_minus_n + n * one_minus_u } else { l_plus_n - n * one_plus_u };
+        // y³ + g₂ y² + g₁ y + g₀ = (y - y₁)(y - y₂)(y - y₃) with y = e - u
+        let d_of_u = quantities.a / quantities.p + quantities.s * one_minus_u * one_plus_u;
+        let g0 = d_of_u * udot.squared() / quantities.g.doubled();
+        let g1 = -(u * axis_energy).doubled() - one_minus_u * one_plus_u + (kappa * n * l_minus_nu).doubled();
+        let g2 = u.doubled() - axis_energy - kappa * n.squared();
+        let y3 = largest_root(g0, g1, g2);
+        let (product, sum) = if y3 > F::ZERO { (-g0 / y3, (g1 + g0 / y3) / y3) } else { (F::ZERO, -g2) };
+        let e2_minus_e1 = (sum.squared() - product.doubled().doubled()).sqrt();
+        let y2 = (sum + e2_minus_e1).halved();
+        let is_closer = e2_minus_e1 <= y3 - y2;
+        let y1 = (sum - e2_minus_e1).halved();
+        let y1 = if is_closer && sum > F::ZERO && y2 > F::ZERO { product / y2 } else { y1 };
+        let y1 = if is_closer { y1 } else { polished(y1, g0, g1, g2) };
+        let y1 = if y1 < F::ZERO { y1 } else { F::ZERO };
+        Ok(Self { kappa, x1: one_minus_u - y1, e2_minus_e1, is_closer })
     }
 }
 
@@ -120,39 +179,17 @@ impl<F: Float> BranchPoints<F> {
     /// Branch points, computed from a point (u, u') of the motion.
     ///
     /// Two forms of the cubic avoid all cancellation. In the variable e - u the roots e₁ - u and e₂ - u have opposite
-    /// signs, which gives e₂ - e₁; in the variable 1 - e the roots 1 - e₂ and 1 - e₃ have opposite signs, which gives
-    /// e₃ - e₂, 1 - e₂ and e₃ - 1.
-    fn about(
-        top: &Top,
+    /// signs, which gives e₂ - e₁ ([`LowerPair::of`]); in the variable 1 - e the roots 1 - e₂ and 1 - e₃ have opposite signs,
+    /// which gives e₃ - e₂, 1 - e₂ and e₃ - 1.
+    pub(crate) fn complete(
+        pair: &LowerPair<F>,
         integrals: &FirstIntegrals<F>,
         point: &ReducedPoint<F>,
     ) -> Result<Self, ParameterError> {
-        let quantities = Quantities::<F>::of(top);
-        let kappa = quantities.kappa();
+        let LowerPair { kappa, x1, e2_minus_e1, is_closer } = *pair;
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
-        let ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy } = *point;
-        let limit = F::from_f64(LARGEST_E3);
-        require(kappa * n.squared() < limit && axis_energy < limit, "omega", TOO_FAST)?;
-
-        // l - n u, from the one of l ∓ n that causes no cancellation
-        let l_minus_nu = if u > F::ZERO { l_minus_n + n * one_minus_u } else { l_plus_n - n * one_plus_u };
-        // y³ + g₂ y² + g₁ y + g₀ = (y - y₁)(y - y₂)(y - y₃) with y = e - u
-        let d_of_u = quantities.a / quantities.p + quantities.s * one_minus_u * one_plus_u;
-        let g0 = d_of_u * udot.squared() / quantities.g.doubled();
-        let g1 = -(u * axis_energy).doubled() - one_minus_u * one_plus_u + (kappa * n * l_minus_nu).doubled();
-        let g2 = u.doubled() - axis_energy - kappa * n.squared();
-        let y3 = largest_root(g0, g1, g2);
-        let (product, sum) = if y3 > F::ZERO { (-g0 / y3, (g1 + g0 / y3) / y3) } else { (F::ZERO, -g2) };
-        let e2_minus_e1 = (sum.squared() - product.doubled().doubled()).sqrt();
-        let y2 = (sum + e2_minus_e1).halved();
-        let lower_pair_is_closer = e2_minus_e1 <= y3 - y2;
-        let y1 = (sum - e2_minus_e1).halved();
-        let y1 = if lower_pair_is_closer && sum > F::ZERO && y2 > F::ZERO { product / y2 } else { y1 };
-        let y1 = if lower_pair_is_closer { y1 } else { polished(y1, g0, g1, g2) };
-        let y1 = if y1 < F::ZERO { y1 } else { F::ZERO };
-
+        let ReducedPoint { one_minus_u, axis_energy, .. } = *point;
         // sum x₂ + x₃ and product x₂ x₃ of the two upper roots, with x = 1 - e
-        let x1 = one_minus_u - y1;
         let x_product = -kappa * l_minus_n.squared() / x1;
         let x_sum = (-(axis_energy - one_minus_u - kappa * l_minus_n * n).doubled() - x_product) / x1;
         let e3_minus_e2 = (x_sum.squared() - x_product.doubled().doubled()).sqrt();
@@ -163,7 +200,7 @@ impl<F: Float> BranchPoints<F> {
             let x3 = (e3_minus_e2 - x_sum).halved();
             (if x3 > F::ZERO { -x_product / x3 } else { F::ZERO }, x3)
         };
-        let e2_minus_e1 = if lower_pair_is_closer { e2_minus_e1 } else { x1 - one_minus_e2 };
+        let e2_minus_e1 = if is_closer { e2_minus_e1 } else { x1 - one_minus_e2 };
         let two = F::from_f64(2.0);
         let one_minus_e1 = one_minus_e2 + e2_minus_e1;
         let one_plus_e1 = if one_minus_e1 < F::ONE {
@@ -174,7 +211,7 @@ impl<F: Float> BranchPoints<F> {
             let root = (e2_minus_e1.squared() + quotient.doubled().doubled()).sqrt();
             if quotient > F::ZERO { quotient.doubled() / (e2_minus_e1 + root) } else { F::ZERO }
         };
-        require(e3_minus_one <= limit, "omega", TOO_FAST)?;
+        require(e3_minus_one <= F::from_f64(LARGEST_E3), "omega", TOO_FAST)?;
         Ok(Self {
             e1: one_plus_e1 - F::ONE,
             e2: F::ONE - one_minus_e2,

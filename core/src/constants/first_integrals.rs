@@ -2,7 +2,7 @@
 
 use crate::scalar::{Extended, Float, Ring};
 use crate::state::State;
-use crate::su2::{bracket, dot};
+use crate::su2::{Vector, bracket, dot};
 use crate::top::{Quantities, Top, Units};
 
 /// Sign, + or -.
@@ -74,6 +74,42 @@ pub struct FirstIntegrals<F = f64> {
     pub l_minus_n: F,
 }
 
+/// Axis of the body and its angular velocity at one instant, from which the first integrals follow.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MovingAxis<F> {
+    /// Components r₁ and r₂ of the axis.
+    across: [F; 2],
+    u: F,
+    one_minus_u: F,
+    one_plus_u: F,
+    /// Angular velocity in the fixed frame.
+    omega: Vector<F>,
+}
+
+impl<F: Float> MovingAxis<F> {
+    /// Axis and angular velocity of a state.
+    pub(crate) fn of(state: &State) -> Self {
+        let (phi, omega) = state.exact::<F>();
+        // Every component is quadratic in Φ and is divided by the squared norm: without a root, what is a simple
+        // fraction remains exact.
+        let norm = phi.norm_squared();
+        let one_minus_u = phi.beta.norm_squared().doubled() / norm;
+        let one_plus_u = phi.alpha.norm_squared().doubled() / norm;
+        let two = F::ONE.doubled();
+        // On the vertical the values are exact, without the rounding of the norm, so that n is the exact product of C
+        // and ω₃.
+        let [r1, r2, u] = phi.axis().map(|component| component / norm);
+        let (u, one_minus_u, one_plus_u) = if one_minus_u == F::ZERO {
+            (F::ONE, F::ZERO, two)
+        } else if one_plus_u == F::ZERO {
+            (-F::ONE, two, F::ZERO)
+        } else {
+            (u, one_minus_u, one_plus_u)
+        };
+        Self { across: [r1, r2], u, one_minus_u, one_plus_u, omega }
+    }
+}
+
 /// Point (u, u') of the reduced curve, with the quantities that the cubics need there.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ReducedPoint<F> {
@@ -114,31 +150,16 @@ impl FirstIntegrals {
     /// First integrals of a state, computed in extended precision. Error: one `f64` rounding of the result.
     #[must_use]
     pub fn of(top: &Top, state: &State) -> Self {
-        FirstIntegrals::<Extended>::with_point(top, state).0.as_given(top)
+        FirstIntegrals::<Extended>::with_point(top, &MovingAxis::of(state)).0.as_given(top)
     }
 }
 
 impl<F: Float> FirstIntegrals<F> {
-    /// First integrals of a state in the units of [`Units`], and the point of the reduced curve that it is at.
-    pub(crate) fn with_point(top: &Top, state: &State) -> (Self, ReducedPoint<F>) {
+    /// First integrals in the units of [`Units`], and the point of the reduced curve, of a body with this axis and angular
+    /// velocity.
+    pub(crate) fn with_point(top: &Top, axis: &MovingAxis<F>) -> (Self, ReducedPoint<F>) {
         let Quantities { a, c, s, p, g, k } = Quantities::<F>::of(top);
-        let (phi, omega) = state.exact::<F>();
-        // Every component is quadratic in Φ and is divided by the squared norm: without a root, what is a simple
-        // fraction remains exact.
-        let norm = phi.norm_squared();
-        let one_minus_u = phi.beta.norm_squared().doubled() / norm;
-        let one_plus_u = phi.alpha.norm_squared().doubled() / norm;
-        let two = F::ONE.doubled();
-        // On the vertical the values are exact, without the rounding of the norm, so that n is the exact product of C
-        // and ω₃.
-        let [r1, r2, u] = phi.axis().map(|component| component / norm);
-        let (u, one_minus_u, one_plus_u) = if one_minus_u == F::ZERO {
-            (F::ONE, F::ZERO, two)
-        } else if one_plus_u == F::ZERO {
-            (-F::ONE, two, F::ZERO)
-        } else {
-            (u, one_minus_u, one_plus_u)
-        };
+        let MovingAxis { across: [r1, r2], u, one_minus_u, one_plus_u, omega } = *axis;
         let r = [r1, r2, u];
 
         let spin = dot(omega, r);

@@ -106,25 +106,52 @@ pub(crate) struct Landen<F> {
 /// Number of Landen transformations. Each squares a small modulus; nine are enough for m₁ = 1e-300.
 const LANDEN_STEPS: usize = 12;
 
+/// Sequence of transformations that is not complete.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LandenSteps<F> {
+    landen: Landen<F>,
+    complement: F,
+    modulus_squared: F,
+    /// Number of transformations.
+    next: usize,
+}
+
+impl<F: Float> LandenSteps<F> {
+    /// No transformation yet, for m and m₁ = 1 - m, each given with full relative precision.
+    pub(crate) fn new(m: F, m1: F) -> Self {
+        let landen = Landen { steps: [(F::ZERO, F::ONE); LANDEN_STEPS] };
+        Self { landen, complement: m1.sqrt(), modulus_squared: m, next: 0 }
+    }
+
+    /// Adds a transformation, unless it would change nothing. Returns whether there may be another.
+    pub(crate) fn proceed(&mut self) -> bool {
+        let Some(step) = self.landen.steps.get_mut(self.next) else { return false };
+        // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
+        let per_sum = F::ONE / (F::ONE + self.complement);
+        let modulus = self.modulus_squared * per_sum.squared();
+        // a modulus below the resolution of every number type changes nothing, nor do those after it
+        if modulus <= F::from_f64(1e-33) {
+            return false;
+        }
+        *step = (modulus, self.complement.doubled() * per_sum);
+        self.complement = self.complement.sqrt().doubled() * per_sum;
+        self.modulus_squared = modulus.squared();
+        self.next += 1;
+        true
+    }
+
+    /// Sequence so far.
+    pub(crate) fn landen(&self) -> &Landen<F> {
+        &self.landen
+    }
+}
+
 impl<F: Float> Landen<F> {
     /// Sequence for m and m₁ = 1 - m, each given with full relative precision.
     pub(crate) fn of(m: F, m1: F) -> Self {
-        let mut complement = m1.sqrt();
-        let mut modulus_squared = m;
-        let mut steps = [(F::ZERO, F::ONE); LANDEN_STEPS];
-        for step in &mut steps {
-            // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
-            let per_sum = F::ONE / (F::ONE + complement);
-            let modulus = modulus_squared * per_sum.squared();
-            // a modulus below the resolution of every number type changes nothing, nor do those after it
-            if modulus <= F::from_f64(1e-33) {
-                break;
-            }
-            *step = (modulus, complement.doubled() * per_sum);
-            complement = complement.sqrt().doubled() * per_sum;
-            modulus_squared = modulus.squared();
-        }
-        Self { steps }
+        let mut steps = LandenSteps::new(m, m1);
+        while steps.proceed() {}
+        steps.landen
     }
 
     /// Quarter period K = π/2 ∏ (1 + k). Error: a few roundings of the number type.

@@ -148,7 +148,8 @@ impl Tabulation {
     /// Begins the tabulation of a motion that is not steady.
     #[inline(never)]
     pub(crate) fn begin(&mut self, motion: &Motion, rates: &MeanRates, requirements: Requirements) {
-        let least = rates.rounding / (16 * requirements.most.min(16 * CELLS)) as f64;
+        let error = if requirements.allowed < rates.rounding { requirements.allowed } else { rates.rounding };
+        let least = error / (16 * requirements.most.min(16 * CELLS)) as f64;
         self.path.begin(motion, rates, least);
         self.brackets = motion.brackets();
         self.seek = StartSearch::new(motion, self.path.law(), rates);

@@ -14,7 +14,7 @@
 //! K', as for all real u beyond e₃ and -e₄. Therefore the trapezoid rule converges as fast for e₄ near 1 and e₁ near -1 as elsewhere, and
 //! K/K' alone tells how many nodes it needs. The formulas hold for s = 0, too, where e₄ is infinite.
 
-use crate::elliptic::jacobi::{Landen, SquaresOfWhole};
+use crate::elliptic::jacobi::{LandenSteps, SquaresOfWhole};
 use crate::law::Law;
 use crate::scalar::Float;
 
@@ -48,13 +48,13 @@ impl<F: Float> EllipticLaw<F> {
         }
     }
 
-    /// Landen transformations of the elliptic functions.
+    /// Landen transformations of the elliptic functions, of which none is computed yet.
     #[inline(never)]
-    pub(crate) fn landen(&self) -> Landen<F> {
+    pub(crate) fn landen(&self) -> LandenSteps<F> {
         let (Self { law, roots: [at_e1, at_e2], .. }, at_e3) =
             (self, self.roots[1] + self.root_s * self.law.e3_minus_e2);
         let per_whole = F::ONE / (law.e3_minus_e1 * *at_e2);
-        Landen::of(law.e2_minus_e1 * at_e3 * per_whole, law.e3_minus_e2 * *at_e1 * per_whole)
+        LandenSteps::new(law.e2_minus_e1 * at_e3 * per_whole, law.e3_minus_e2 * *at_e1 * per_whole)
     }
 
     /// Derivatives dt/dv, dψ_A/dv and dψ_B/dv, each divided by its factor.

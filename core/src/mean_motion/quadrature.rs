@@ -4,7 +4,7 @@
 //! is known beforehand. sn and cn come from the descending Landen transformation, with the *complementary* parameter m₁ as an
 //! argument. At its lower end the nodes are equidistant angles, so no inverse function and no transcendental function is needed.
 
-use crate::elliptic::jacobi::Landen;
+use crate::elliptic::jacobi::LandenSteps;
 use crate::law::Law;
 use crate::law::elliptic::EllipticLaw;
 use crate::scalar::{Extended, Float, Ring};
@@ -38,11 +38,30 @@ const SETTLED: f64 = 1e-28;
 /// motions; the others need a doubling, and so cost more than a few more nodes for all.
 const BITS: f64 = 105.0;
 
+/// Next piece of the work.
+#[derive(Clone, Copy, Debug)]
+enum Piece {
+    /// Landen transformations, and then the number of nodes.
+    Transformations,
+    /// Node of the first division.
+    FirstNode,
+    /// Half of the angle between two nodes.
+    HalfStep,
+    /// Node between two nodes.
+    OddNode,
+    /// Change of the sums by the last doubling of the nodes.
+    Change,
+}
+
+/// Number of Landen transformations in a piece of work.
+const TRANSFORMATIONS: usize = 3;
+
 /// Trapezoid sums over half a period, to which one node is added at a time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quadrature {
     law: EllipticLaw<Extended>,
-    jacobi: Landen<Extended>,
+    jacobi: LandenSteps<Extended>,
+    piece: Piece,
     /// Sums over `nodes` nodes; the ends of the half period have half weight, and are the first two nodes.
     sums: Sums,
     nodes: u32,
@@ -65,36 +84,58 @@ impl Quadrature {
     /// Quadrature without a node.
     pub(crate) fn new(law: &Law<Extended>) -> Self {
         let law = EllipticLaw::new(law);
-        let jacobi = law.landen();
-        let (division, needed) = division(BITS / jacobi.bits_per_node());
         Self {
+            jacobi: law.landen(),
             law,
-            jacobi,
+            piece: Piece::Transformations,
             sums: Sums::ZERO,
-            nodes: division,
-            needed,
-            first_nodes: division + 1,
+            nodes: 1,
+            needed: 0,
+            first_nodes: 0,
             odd: Sums::ZERO,
             odd_nodes: 0,
-            step: part_of_right_angle(division),
-            half_step: part_of_right_angle(division),
+            step: [Extended::ZERO; 2],
+            half_step: [Extended::ZERO; 2],
             angle: [Extended::ZERO, Extended::ONE],
             before: [f64::INFINITY; 2],
         }
     }
 
-    /// Adds a node. Returns the integrals once the sums have settled. Relative error: about 1e-30.
+    /// Does the next piece of work. Returns the integrals once the sums have settled. Relative error: about 1e-30.
     pub(crate) fn proceed(&mut self) -> Option<Integrals> {
-        if self.first_nodes > 0 {
-            self.add_first_node();
-            return None;
+        match self.piece {
+            Piece::Transformations => self.transform(),
+            Piece::FirstNode => self.add_first_node(),
+            Piece::HalfStep => self.begin_odd_nodes(),
+            Piece::OddNode => {
+                self.odd = self.odd.plus(&self.at(self.angle));
+                self.odd_nodes += 1;
+                if self.odd_nodes < self.nodes {
+                    self.angle = sum_of_angles(self.angle, self.step);
+                } else {
+                    self.piece = Piece::Change;
+                }
+            }
+            Piece::Change => return self.doubled(),
         }
-        self.odd = self.odd.plus(&self.at(self.angle));
-        self.odd_nodes += 1;
-        if self.odd_nodes < self.nodes {
-            self.angle = sum_of_angles(self.angle, self.step);
-            return None;
+        None
+    }
+
+    /// Adds Landen transformations; after the last, the number of nodes is known.
+    fn transform(&mut self) {
+        if (0..TRANSFORMATIONS).all(|_| self.jacobi.proceed()) {
+            return;
         }
+        let (division, needed) = division(BITS / self.jacobi.landen().bits_per_node());
+        (self.nodes, self.needed, self.first_nodes) = (division, needed, division + 1);
+        self.half_step = part_of_right_angle(division);
+        self.step = self.half_step;
+        self.piece = Piece::FirstNode;
+    }
+
+    /// Adds the odd nodes to the others. Returns the integrals if the sums have settled.
+    #[inline(never)] // the stack frames of a launch must not add up
+    fn doubled(&mut self) -> Option<Integrals> {
         // difference of the trapezoid sums with `nodes` and with twice as many nodes
         let difference = self.odd.plus(&self.sums.negated());
         self.sums = self.sums.plus(&self.odd);
@@ -118,7 +159,7 @@ impl Quadrature {
         self.first_nodes -= 1;
         self.angle = sum_of_angles(self.angle, self.step);
         if self.first_nodes == 0 {
-            self.begin_odd_nodes();
+            self.piece = Piece::HalfStep;
         }
     }
 
@@ -128,18 +169,18 @@ impl Quadrature {
         self.step = self.half_step;
         self.half_step = [sine / half_cosine.doubled(), half_cosine];
         self.angle = self.half_step;
-        (self.odd, self.odd_nodes) = (Sums::ZERO, 0);
+        (self.odd, self.odd_nodes, self.piece) = (Sums::ZERO, 0, Piece::OddNode);
     }
 
     /// Integrands at a node, of which sine and cosine are given.
     #[inline(never)]
     fn at(&self, [sine, cosine]: [Extended; 2]) -> Sums {
-        Sums(self.law.at(&self.jacobi.squares_at_angle(sine, cosine)))
+        Sums(self.law.at(&self.jacobi.landen().squares_at_angle(sine, cosine)))
     }
 
     fn integrals(&self, relative_error: f64) -> Integrals {
         // The two halves of the period are equal: 2 K over the number of nodes is twice the weight of half a period.
-        let weight = self.jacobi.quarter_period().doubled() / Extended::from(f64::from(self.nodes));
+        let weight = self.jacobi.landen().quarter_period().doubled() / Extended::from(f64::from(self.nodes));
         let (Sums([time, alpha, beta]), [of_time, of_alpha, of_beta]) = (self.sums, self.law.factors());
         Integrals {
             period: time * of_time * weight,

@@ -3,7 +3,9 @@
 use core::task::Poll;
 
 use crate::complex::Complex;
-use crate::constants::{BranchPoints, Conditioning, FirstIntegrals, ReducedPoint, Regime, Signs};
+use crate::constants::{
+    BranchPoints, Conditioning, FirstIntegrals, LowerPair, MovingAxis, ReducedPoint, Regime, Roots, Signs,
+};
 use crate::error::{ParameterError, finite, require};
 use crate::mean_motion::{Integrals, MeanMotion, Quadrature};
 use crate::motion::start::{chi, half_phase, half_turns, slow_phase};
@@ -52,22 +54,30 @@ pub struct Launch {
 }
 
 /// Stage of a launch.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 enum Stage {
+    /// Axis and angular velocity.
+    Axis,
     /// First integrals, and the point of the reduced curve.
-    Integrals,
-    /// Branch points and regime.
+    Integrals(MovingAxis<Extended>),
+    /// Branch points and regime, or the lower two branch points only.
     BranchPoints,
+    /// The other branch points, and the regime.
+    UpperPair(LowerPair<Extended>),
     /// Rounding errors of the constants, and the mean motion if it needs no quadrature.
     Conditioning,
     /// Beginning of the quadrature.
     Quadrature,
     /// Nodes of the quadrature.
     Nodes,
+    /// Mean motion, from the integrals over a period.
+    Mean(Integrals),
     /// Nutation variable at t = 0.
     Nutation,
-    /// Slow phases at t = 0.
-    SlowPhases,
+    /// Rates of α and β at t = 0.
+    StartRates,
+    /// Slow phases at t = 0, from α and β and their rates.
+    SlowPhases([[Complex<f64>; 2]; 2]),
     /// Nothing, because the state has no motion, or the motion is complete.
     Ended(Result<(), ParameterError>),
 }
@@ -79,7 +89,7 @@ impl Launch {
         Self {
             top: *top,
             state: *state,
-            stage: Stage::Integrals,
+            stage: Stage::Axis,
             integrals: FirstIntegrals::ZERO,
             point: ReducedPoint::ZERO,
             quadrature: None,
@@ -113,39 +123,54 @@ impl Launch {
     #[inline(never)]
     fn proceed(&mut self) {
         match (self.stage, &mut self.motion) {
-            (Stage::Integrals, _) => {
-                (self.integrals, self.point) = FirstIntegrals::with_point(&self.top, &self.state);
+            (Stage::Axis, _) => self.stage = Stage::Integrals(MovingAxis::of(&self.state)),
+            (Stage::Integrals(axis), _) => {
+                (self.integrals, self.point) = FirstIntegrals::with_point(&self.top, &axis);
                 self.stage = Stage::BranchPoints;
             }
-            (Stage::BranchPoints, _) => self.find_branch_points(),
+            (Stage::BranchPoints, _) => self.begin_branch_points(),
+            (Stage::UpperPair(pair), _) => {
+                self.end_branch_points(BranchPoints::complete(&pair, &self.integrals, &self.point));
+            }
             (Stage::Conditioning, Some(_)) => self.find_conditioning(),
             (Stage::Quadrature, Some(_)) => self.begin_quadrature(),
-            (Stage::Nodes, Some(motion)) => {
+            (Stage::Nodes, Some(_)) => {
                 // without a quadrature the motion has no period
-                let integrals = self.quadrature.as_mut().map(Quadrature::proceed);
-                if integrals == Some(None) {
-                    return;
+                let Some(quadrature) = &mut self.quadrature else { return self.stage = Stage::Nutation };
+                if let Some(integrals) = quadrature.proceed() {
+                    self.stage = Stage::Mean(integrals);
                 }
-                motion.mean = integrals.flatten().map(|integrals| motion.mean_of(&integrals));
+            }
+            (Stage::Mean(integrals), Some(motion)) => {
+                motion.mean = Some(motion.mean_of(&integrals));
                 self.stage = Stage::Nutation;
             }
             (Stage::Nutation, Some(motion)) => {
                 motion.start_nutation(&self.point);
-                self.stage = Stage::SlowPhases;
+                self.stage = Stage::StartRates;
             }
-            (Stage::SlowPhases, Some(motion)) => {
-                motion.start_slow_phases(&self.state);
+            (Stage::StartRates, Some(_)) => self.stage = Stage::SlowPhases(parameters_and_rates(&self.state)),
+            (Stage::SlowPhases(parameters), Some(motion)) => {
+                motion.start_slow_phases(parameters);
                 self.stage = Stage::Ended(Ok(()));
             }
             (Stage::Ended(_), _) => {}
             // no stage after the branch points is without a motion
-            (_, None) => self.stage = Stage::Integrals,
+            (_, None) => self.stage = Stage::Axis,
         }
     }
 
     #[inline(never)] // the stack frames of the stages must not add up
-    fn find_branch_points(&mut self) {
-        match BranchPoints::of_point(&self.top, &self.integrals, &self.point) {
+    fn begin_branch_points(&mut self) {
+        match BranchPoints::begin(&self.top, &self.integrals, &self.point) {
+            Ok(Roots::LowerPair(pair)) => self.stage = Stage::UpperPair(pair),
+            Ok(Roots::All(e)) => self.end_branch_points(Ok(e)),
+            Err(error) => self.end_branch_points(Err(error)),
+        }
+    }
+
+    fn end_branch_points(&mut self, branch_points: Result<BranchPoints<Extended>, ParameterError>) {
+        match branch_points {
             Ok(e) => {
                 self.motion = Some(Motion::with_constants(&self.top, &self.integrals, &self.point, e));
                 self.stage = Stage::Conditioning;
@@ -238,12 +263,7 @@ impl Motion {
 
     /// Slow phases at a state, whose nutation variable is known.
     #[inline(never)]
-    fn start_slow_phases(&mut self, state: &State) {
-        let (phi, omega) = state.exact::<Extended>();
-        let phi = phi.normalised();
-        let rate = OrientationRate::from_fixed(&phi, omega);
-        let [alpha, beta] =
-            [(phi.alpha, rate.alpha), (phi.beta, rate.beta)].map(|(z, z_dot)| [z, z_dot].map(to_f64));
+    fn start_slow_phases(&mut self, [alpha, beta]: [[Complex<f64>; 2]; 2]) {
         if self.is_steady() {
             self.phases = [alpha, beta].map(|[z, _]| Phase::from_radians(z.arg()));
             return;
@@ -354,6 +374,15 @@ impl Motion {
         (self.top.is_torque_free() && momentum > Extended::ZERO)
             .then(|| self.mean_of(&Integrals::uniform(Extended::TWO_PI * a / momentum)))
     }
+}
+
+/// Parameters α and β of a state, each with its rate.
+#[inline(never)]
+fn parameters_and_rates(state: &State) -> [[Complex<f64>; 2]; 2] {
+    let (phi, omega) = state.exact::<Extended>();
+    let phi = phi.normalised();
+    let rate = OrientationRate::from_fixed(&phi, omega);
+    [(phi.alpha, rate.alpha), (phi.beta, rate.beta)].map(|(z, z_dot)| [z, z_dot].map(to_f64))
 }
 
 /// Whether the axial rate (n - K)/C is a number: within 1e24 per unit of time, and n = K to the rounding of `f64` where C
