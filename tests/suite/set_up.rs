@@ -84,10 +84,10 @@ fn a_launch_takes_a_slice_for_each_node() {
     let thrown = |tilt, spin| Release { tilt, spin, ..Release::default() };
     // steady motions have the period of a small nutation; a top that rests upright below its critical spin has none
     for (release, fewest, most) in [
-        (thrown(0.35, 150.0), 11, 16),
-        (thrown(1e-3, 30.0), 86, 90),
-        (thrown(0.0, 150.0), 10, 24),
-        (thrown(0.0, 1.0), 5, 6),
+        (thrown(0.35, 150.0), 24, 28),
+        (thrown(1e-3, 30.0), 98, 108),
+        (thrown(0.0, 150.0), 10, 28),
+        (thrown(0.0, 1.0), 7, 8),
     ] {
         let (motion, slices) = launched(&top, &release);
         assert!((fewest..=most).contains(&slices), "{release:?}: {slices} slices");
@@ -95,7 +95,7 @@ fn a_launch_takes_a_slice_for_each_node() {
     }
     let free = Top::free(&parameters).unwrap();
     let (motion, slices) = launched(&free, &thrown(0.35, 150.0));
-    assert!(motion.unwrap().period_advance().is_some() && slices < 8, "{slices} slices without a torque");
+    assert!(motion.unwrap().period_advance().is_some() && slices < 10, "{slices} slices without a torque");
 }
 
 /// The most slender top that is accepted, A/(ps) = 1e-6, through the lower vertical and close to the upper one. The number of nodes depends
@@ -113,7 +113,7 @@ fn a_slender_top_needs_few_nodes() {
     let (motion, slices) =
         launched(&slender.unwrap(), &Release { tilt: 1e-3, spin: 1e-3, ..Release::default() });
     assert!(motion.unwrap().period_advance().is_some());
-    assert!((60..=140).contains(&slices), "{slices} slices");
+    assert!((60..=160).contains(&slices), "{slices} slices");
 }
 
 #[test]
@@ -128,5 +128,5 @@ fn a_launch_that_is_refused_ends_at_its_branch_points() {
     .unwrap();
     let (refused, slices) = launched(&top, &Release { tilt: 0.3, spin: 1e6, ..Release::default() });
     assert_eq!(refused.unwrap_err().parameter(), "omega");
-    assert_eq!(slices, 3);
+    assert_eq!(slices, 4);
 }

@@ -63,9 +63,10 @@ def test_a_drift_is_fitted(truth: toytop.Motion, samples: dict[str, Any]) -> Non
     assert fitted.unknowns[6:9] == ["loss_axial", "loss_across", "loss_vertical"]
     assert np.nanstd(fitted.residuals["accel_x"]) == pytest.approx(1.0, abs=0.2)
     assert toytop.fit(samples, truth.top).drift is None
-    for wrong in [{"drift": 0.0}, {"drift": 0.02, "free": ["axial_inertia", "gravity"]}]:
-        with pytest.raises(ValueError, match=next(reversed(wrong))):
-            toytop.fit(samples, truth.top, **wrong)
+    with pytest.raises(ValueError, match="drift"):
+        toytop.fit(samples, truth.top, drift=0.0)
+    with pytest.raises(ValueError, match="free"):
+        toytop.fit(samples, truth.top, drift=0.02, free=["axial_inertia", "gravity"])
 
 
 def test_the_motion_predicts(truth: toytop.Motion, samples: dict[str, Any]) -> None:
