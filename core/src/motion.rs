@@ -2,6 +2,8 @@
 
 pub(crate) mod start;
 
+mod construction;
+
 mod launch;
 
 pub use launch::Launch;

@@ -1,0 +1,149 @@
+//! Cells of a tabulation, and the segments into which each is divided.
+
+use crate::ephemeris::cell::{CELLS, Cell, cells_covered, segments_per_cell};
+use crate::ephemeris::economise::Polynomial;
+use crate::ephemeris::larger_error::LargerError;
+use crate::ephemeris::segment_errors::SegmentErrors;
+use crate::ephemeris::span::restrict;
+use crate::ephemeris::tabulate::{Piece, Store, Tabulation};
+use crate::law::series::{TERMS, UNIT, larger_or_nan};
+
+/// Factor by which the expected error of longer segments may exceed the allowed error and they are still tried. A failed
+/// trial costs two polynomials; an unnecessary segment takes memory in the table.
+const COARSENING: f64 = 4.0;
+
+/// Fraction of the allowed error that a segment of two cells may have. Its derivative, from which the angular velocity is
+/// computed, is then no worse than on the shorter segments of other motions.
+const PAIR_SHARE: f64 = 0.125;
+
+/// Upper bound on the error of a segment from the rounding of the coefficients of its series.
+const ROUNDED: f64 = 16.0 * UNIT;
+
+impl Tabulation {
+    /// Enters the cell in which the span begins, or which begins in the span.
+    pub(super) fn enter(&mut self) -> Result<Piece, ()> {
+        let least = self.span.least_level();
+        if self.place > 0 && least <= self.level {
+            return Ok(Piece::Polynomial(0));
+        }
+        // both cells of a pair share a segment, or neither does
+        self.divide(self.level.max(least).max((self.number % 2) as u32))
+    }
+
+    /// Divides the cell into segments of a level, and begins with the first of them.
+    pub(super) fn divide(&mut self, level: u32) -> Result<Piece, ()> {
+        self.level = level;
+        self.check_capacity(level)?;
+        let cells = self.tabulated.cells.iter_mut().enumerate();
+        for (number, cell) in cells.skip(self.number).take(cells_covered(level)) {
+            *cell = Cell::new(number, self.tabulated.segments, level);
+        }
+        (self.place, self.error, self.speeds) = (0, 0.0, self.tabulated.speeds);
+        let begin = self.segment_begin();
+        if self.span.begin() <= begin {
+            return Ok(Piece::Polynomial(0));
+        }
+        self.span = self.span.at(begin);
+        self.path.return_to_mark();
+        self.found_start = self.found_start.filter(|_| self.found_before);
+        Ok(Piece::Rates(false))
+    }
+
+    pub(super) fn check_capacity(&self, level: u32) -> Result<(), ()> {
+        let fits = self.tabulated.segments + self.least_rest(level) <= self.requirements.most;
+        (level <= Cell::DEEPEST && fits).then_some(()).ok_or(())
+    }
+
+    /// Least number of segments of the cell at a level and of those after it.
+    fn least_rest(&self, level: u32) -> usize {
+        let rest = CELLS.saturating_sub(self.number + cells_covered(level));
+        segments_per_cell(level.min(Cell::DEEPEST)) + rest.div_ceil(2)
+    }
+
+    /// Whether a refused table might have fitted with the larger error: an estimate from the errors of the cells so far.
+    pub(crate) fn may_fit_with_larger_error(&self) -> bool {
+        self.larger.may_fit(self.level, |level| self.least_rest(level), self.requirements.most)
+    }
+
+    /// Truncation error that a segment may have.
+    pub(super) fn allowed(&self, level: u32) -> f64 {
+        if level == 0 { PAIR_SHARE * self.allowed } else { self.allowed }
+    }
+
+    /// Number of the segment among all of this length, and its beginning in units of the shortest segment.
+    fn segment_number(&self) -> usize {
+        ((self.number << self.level) >> 1) + self.place
+    }
+
+    fn segment_begin(&self) -> usize {
+        self.segment_number() << (Cell::DEEPEST - self.level)
+    }
+
+    /// Stores the series of α or of β on a segment as a polynomial of reduced degree.
+    #[inline(never)]
+    pub(super) fn shorten(&mut self, which: usize, store: &mut Store<'_>) -> Result<Piece, ()> {
+        let halvings = self.span.halvings(self.level);
+        let number = self.segment_number();
+        let mut series = self.series.get(which).copied().unwrap_or_default();
+        let least = self.path.least();
+        let removed = series.iter_mut().fold(0, |sum, part| sum + restrict(part, number, halvings, least));
+        if which == 0 {
+            self.segment = SegmentErrors::NONE;
+        }
+        let (removed, omitted) =
+            (removed as f64 * UNIT, self.omitted.get(which).copied().unwrap_or_default());
+        // the derivative by the coordinate of the segment
+        let slope = TERMS as f64 * (omitted / f64::from(1_u32 << halvings) + removed);
+        let (index, [re, im]) = (self.tabulated.segments + self.place, &mut series);
+        let store = |parts: Polynomial<'_>| store(index, which, parts);
+        self.segment.shorten([re, im], [omitted + removed, slope], self.requirements.terms, store);
+        if which == 0 { Ok(Piece::Polynomial(1)) } else { self.judge() }
+    }
+
+    /// Next piece after a segment.
+    fn judge(&mut self) -> Result<Piece, ()> {
+        let parts = f64::from(1_u32 << self.span.halvings(self.level));
+        let theta_slope = self.path.expansion().greatest_theta_slope() / parts;
+        self.speeds.note(self.segment.speeds(), theta_slope, self.path.part() / parts);
+        self.error = larger_or_nan(self.error, self.segment.error());
+        self.larger.note(self.error <= LargerError::FACTOR * self.allowed(self.level), self.level);
+        if self.error <= self.allowed(self.level) { self.accept() } else { self.divide(self.finer_level()) }
+    }
+
+    /// Number of halvings with which the segments of the cell may have the allowed error, or the larger one.
+    fn finer_level(&self) -> u32 {
+        // no term decreases faster than the last, and segments that are too short would take memory
+        const GREATEST_DECREASE: f64 = 1.0 / (1_u32 << TERMS) as f64;
+        let (mut level, mut error) = (self.level + 1, self.error * GREATEST_DECREASE);
+        while error > LargerError::FACTOR * self.allowed(level) && level < Cell::DEEPEST {
+            (level, error) = (level + 1, error * GREATEST_DECREASE);
+        }
+        level
+    }
+
+    /// Goes on to the next segment.
+    fn accept(&mut self) -> Result<Piece, ()> {
+        self.place += 1;
+        let position = self.segment_begin();
+        if self.place == segments_per_cell(self.level) {
+            self.leave();
+        }
+        if position >= self.span.end() { Ok(Piece::Step) } else { self.enter() }
+    }
+
+    /// Leaves a complete cell. The segments of the next have the same or twice the length.
+    fn leave(&mut self) {
+        let level = self.level;
+        // roundings of the coefficients are no errors of the length
+        let longer_error = (self.error - ROUNDED) * f64::from(1_u32 << self.requirements.terms);
+        self.tabulated.truncation = larger_or_nan(self.tabulated.truncation, self.error);
+        self.tabulated.segments += segments_per_cell(level);
+        self.tabulated.speeds = self.speeds;
+        self.number += cells_covered(level);
+        let longest = (self.number % 2) as u32;
+        let coarser = level > longest && longer_error < COARSENING * self.allowed(level - 1);
+        self.larger.leave(level, coarser);
+        self.level -= u32::from(coarser);
+        (self.place, self.error) = (0, 0.0);
+    }
+}
