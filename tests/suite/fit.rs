@@ -7,10 +7,10 @@ use toytop::fit::{
 use toytop::{Motion, Orientation, Release, Sensitivity, State, Top, TopParameters};
 
 /// Numbers near a normal distribution.
-struct Random(u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    fn normal(&mut self) -> f64 {
+    pub(crate) fn normal(&mut self) -> f64 {
         let mut share = || {
             self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             (self.0 >> 11) as f64 / (1_u64 << 53) as f64
@@ -19,7 +19,7 @@ impl Random {
     }
 }
 
-const PARAMETERS: TopParameters = TopParameters {
+pub(crate) const PARAMETERS: TopParameters = TopParameters {
     transverse_inertia: 3e-5,
     axial_inertia: 2e-5,
     com_height: 0.03,
@@ -29,29 +29,29 @@ const PARAMETERS: TopParameters = TopParameters {
     rotor_momentum: 0.0,
 };
 
-fn sliding() -> Top {
+pub(crate) fn sliding() -> Top {
     Top::sliding(&PARAMETERS).unwrap()
 }
 
-fn held() -> Top {
+pub(crate) fn held() -> Top {
     Top::fixed(&TopParameters { transverse_inertia: 7.5e-5, ..PARAMETERS }).unwrap()
 }
 
-fn release(tilt: f64, spin: f64) -> State {
+pub(crate) fn release(tilt: f64, spin: f64) -> State {
     State::release(&Release { tilt, azimuth: 0.4, roll: -0.7, spin, precession: 2.0, nutation: 0.5 }).unwrap()
 }
 
-const GYROSCOPE: Gyroscope =
+pub(crate) const GYROSCOPE: Gyroscope =
     Gyroscope { noise: Noise { deviation: 2e-3, bias: 0.0175 }, mounting: mounting(), range: 34.9 };
 const ACCELEROMETER: Accelerometer =
     Accelerometer { noise: Noise { deviation: 0.02, bias: 0.2 }, mounting: mounting(), range: 160.0 };
-const MAGNETOMETER: Magnetometer = Magnetometer {
+pub(crate) const MAGNETOMETER: Magnetometer = Magnetometer {
     noise: Noise { deviation: 0.6, bias: 0.0 },
     mounting: mounting(),
     field: [20.0, 0.0, -43.0],
 };
 
-const fn mounting() -> Mounting {
+pub(crate) const fn mounting() -> Mounting {
     Mounting { rotation: Orientation::IDENTITY, place: [0.0; 3] }
 }
 

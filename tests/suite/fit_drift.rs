@@ -2,63 +2,21 @@
 //!
 //! The lossy motion is made of exact motions: every half millisecond, angular impulses on the body take rotation away.
 
-use toytop::fit::{
-    Accelerometer, Fit, FitError, Fitted, FreeRatio, Gyroscope, Magnetometer, Measurement, Mounting, Noise,
-    Reason, Sensor,
-};
-use toytop::{Motion, Orientation, Release, Sensitivity, State, Stepper, Top, TopParameters};
+use crate::fit::{GYROSCOPE, MAGNETOMETER, PARAMETERS, Random, held, mounting, release, sliding};
+use toytop::fit::{Accelerometer, Fit, FitError, Fitted, FreeRatio, Measurement, Noise, Reason, Sensor};
+use toytop::{Motion, Sensitivity, State, Stepper, Top, TopParameters};
 
 /// Time between two samples, s.
 const STEP: f64 = 1e-3;
 /// Loss of rotation in a minute.
 const LOSS: f64 = 1.0 / 60.0;
 
-const PARAMETERS: TopParameters = TopParameters {
-    transverse_inertia: 3e-5,
-    axial_inertia: 2e-5,
-    com_height: 0.03,
-    mass: 0.05,
-    mass_moment: 0.0,
-    gravity: 9.81,
-    rotor_momentum: 0.0,
-};
-const MOUNTING: Mounting = Mounting { rotation: Orientation::IDENTITY, place: [0.0; 3] };
-const GYROSCOPE: Gyroscope =
-    Gyroscope { noise: Noise { deviation: 2e-3, bias: 0.0175 }, mounting: MOUNTING, range: 34.9 };
 const ACCELEROMETER: Accelerometer =
-    Accelerometer { noise: Noise { deviation: 0.022, bias: 0.2 }, mounting: MOUNTING, range: 157.0 };
-const MAGNETOMETER: Magnetometer = Magnetometer {
-    noise: Noise { deviation: 0.6, bias: 0.0 },
-    mounting: MOUNTING,
-    field: [20.0, 0.0, -43.0],
-};
+    Accelerometer { noise: Noise { deviation: 0.022, bias: 0.2 }, mounting: mounting(), range: 157.0 };
 const SENSORS: [&dyn Sensor; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
 
-fn sliding() -> Top {
-    Top::sliding(&PARAMETERS).unwrap()
-}
-
-fn held() -> Top {
-    Top::fixed(&TopParameters { transverse_inertia: 7.5e-5, ..PARAMETERS }).unwrap()
-}
-
 fn thrown() -> State {
-    let release =
-        Release { tilt: 0.35, azimuth: 0.4, roll: -0.7, spin: 150.0, precession: 2.0, nutation: 0.5 };
-    State::release(&release).unwrap()
-}
-
-/// Numbers near a normal distribution.
-struct Random(u64);
-
-impl Random {
-    fn normal(&mut self) -> f64 {
-        let mut share = || {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-        };
-        (0..12).map(|_| share()).sum::<f64>() - 6.0
-    }
+    release(0.35, 150.0)
 }
 
 fn dot(x: [f64; 3], y: [f64; 3]) -> f64 {
@@ -116,7 +74,7 @@ fn lossy(top: &Top, losses: [f64; 3], count: usize) -> Vec<State> {
     states
 }
 
-/// What the sensors read at states, without noise.
+/// Readings of the sensors at states, without noise.
 fn clean(top: &Top, states: &[State]) -> Vec<Measurement> {
     let mut found = Vec::new();
     for (n, state) in states.iter().enumerate() {

@@ -251,10 +251,10 @@ impl Tabulation {
 
     /// Notes the start of the motion, if it is on this span.
     fn note_start(&mut self) {
-        let (expansion, end) = (self.path.expansion(), self.path.end_chi());
         if self.found_start.is_some() {
             return;
         }
+        let (expansion, end) = (self.path.expansion(), self.path.end_chi());
         if let Some(x) = self.seek.within(expansion, end, self.span.next().begin() == HALF_PERIOD) {
             let share = self.seek.per_rounding(expansion, x) * self.path.part();
             let theta = expansion.theta_at(x);

@@ -62,7 +62,7 @@ impl Model {
         }
     }
 
-    /// The same unknowns and the losses, which come before the biases. `None` where there are too many.
+    /// Model whose unknowns include the losses, before the biases. `None` where there are too many unknowns.
     ///
     /// * `deviation`: prior deviation of the losses
     pub(crate) fn with_losses(mut self, deviation: f64) -> Option<Self> {

@@ -29,7 +29,7 @@ impl Integrals {
     }
 }
 
-/// Largest number of nodes on half a period. A motion with e₃ - e₂ = 1e-300 needs 3000.
+/// Largest number of nodes on half a period. A motion with m₁ = 1e-300 needs 2560.
 const MOST_NODES: u32 = 1 << 13;
 /// Estimated relative error at which no more nodes are added: 2^62 ticks with a thousand ticks a period multiply it by
 /// 3e16, which is then below the effect of the increments' rounding.
@@ -265,6 +265,7 @@ impl Sums {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::elliptic::jacobi::Landen;
     use crate::{Complex, Motion, Orientation, State, Top, TopParameters};
 
     fn settled(quadrature: &mut Quadrature) -> Integrals {
@@ -301,6 +302,22 @@ mod tests {
         // beside the roundings of the sums
         assert!(Float::abs(error) <= first.relative_error + 1e-36, "{error:e} {:e}", first.relative_error);
         assert!(first.relative_error <= SETTLED, "{:e}", first.relative_error);
+    }
+
+    /// K'/K is 1 for m = 1/2, so that the error decreases by 2π/ln 2 bits a node; K grows with the logarithm of m₁.
+    #[test]
+    fn the_number_of_nodes_is_known_beforehand() {
+        let nodes = |m1: f64| {
+            let m1 = Extended::from(m1);
+            let bits = Landen::of(Extended::ONE - m1, m1).bits_per_node();
+            (bits, division(BITS / bits).1)
+        };
+        let (bits, _) = nodes(0.5);
+        assert!(
+            (bits / (2.0 * core::f64::consts::PI / core::f64::consts::LN_2) - 1.0).abs() < 0.02,
+            "{bits}"
+        );
+        assert_eq!([0.5, 1e-15, 1e-300].map(|m1| nodes(m1).1), [12, 160, 2560]);
     }
 
     #[test]

@@ -17,7 +17,7 @@ use crate::top::Top;
 
 /// Launch of a motion from a state, in slices of bounded work: see [`SetUp`](crate::SetUp), which does the same for the
 /// ephemeris. [`Motion::launch`] is a loop over them. Most of the work is the quadrature of the period, whose number of slices
-/// depends on the motion: 9 nodes for a fast top, 33 for a slow one, some 160 where e₃ - e₂ is 1e-15. It grows with the logarithm of
+/// depends on the motion: 9 nodes for a fast top, 33 for a slow one, some 160 where e₃ - e₂ is about 1e-15. It grows with the logarithm of
 /// e₃ - e₂ alone.
 ///
 /// ```

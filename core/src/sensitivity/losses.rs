@@ -73,7 +73,7 @@ impl<F: Float> Equations<F> {
 }
 
 impl Equations<f64> {
-    /// The same equations with losses.
+    /// Equations with these losses of rotation, per unit time.
     pub(crate) fn with_losses(mut self, losses: [f64; LOSSES]) -> Self {
         self.coefficients.losses = losses;
         self.lossy = true;

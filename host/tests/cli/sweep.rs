@@ -248,7 +248,7 @@ fn one_file_has_one_writer() {
     }
 }
 
-/// What is no regular file is refused at once, also where reading it would wait for ever.
+/// An output that is no regular file is refused at once, also where reading it would wait for ever.
 #[cfg(unix)]
 #[test]
 fn only_a_regular_file_is_gone_on_with() {

@@ -15,7 +15,7 @@ fn view(words: &[&str], to: &Path) -> String {
     std::fs::read_to_string(to).expect("the page")
 }
 
-/// What an element of the page holds, which has only text in it.
+/// Text of an element of the page that holds nothing else.
 fn element<'a>(page: &'a str, id: &str) -> &'a str {
     let (_, rest) = page.split_once(&format!("id=\"{id}\">")).expect("the element");
     rest.split_once('<').expect("its end").0

@@ -49,6 +49,7 @@ impl Tabulation {
         Ok(Piece::Rates(false))
     }
 
+    /// Refuses a number of halvings with which the table would have too many segments.
     pub(super) fn check_capacity(&self, level: u32) -> Result<(), ()> {
         let fits = self.tabulated.segments + self.least_rest(level) <= self.requirements.most;
         (level <= Cell::DEEPEST && fits).then_some(()).ok_or(())
@@ -70,11 +71,12 @@ impl Tabulation {
         if level == 0 { PAIR_SHARE * self.allowed } else { self.allowed }
     }
 
-    /// Number of the segment among all of this length, and its beginning in units of the shortest segment.
+    /// Number of the segment among all of this length.
     fn segment_number(&self) -> usize {
         ((self.number << self.level) >> 1) + self.place
     }
 
+    /// Beginning of the segment in units of the shortest one.
     fn segment_begin(&self) -> usize {
         self.segment_number() << (Cell::DEEPEST - self.level)
     }

@@ -29,7 +29,7 @@ fn open(path: &Path) -> SerializedFileReader<File> {
     SerializedFileReader::new(File::open(path).expect("the file")).expect("Parquet")
 }
 
-/// What stands in a field of the CSV file, if it is what the field of the other says.
+/// Text of a field of the CSV file, if it has the value of the field of the other file.
 fn as_csv(field: &Field, text: &str) -> String {
     match field {
         Field::Null => String::new(),

@@ -38,7 +38,7 @@ fn browse(page: &Path, width: u32, fragment: &str, option: &str) -> (String, Vec
     (stdout(&output).to_owned(), console)
 }
 
-/// What a script wrote into the element `probe`.
+/// Text that a script wrote into the element `probe`.
 fn probed(page: &Path, width: u32, fragment: &str, option: &str) -> String {
     let (document, console) = browse(page, width, fragment, option);
     assert_eq!(console, [""; 0], "{}", page.display());
@@ -124,7 +124,7 @@ return results;
 const FRAMES: &str =
     "window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 16);";
 
-/// What the scripts of the tests use.
+/// Functions that the scripts of the tests use.
 const TOOLS: &str = "
 const settled = () => new Promise((done) => setTimeout(done, 300));
 const pixels = (canvas) => {
@@ -260,7 +260,7 @@ fn a_page_without_the_core_plays_one_motion() {
     }
 }
 
-/// What this suite would not notice of itself: an error on a page is one here.
+/// An error on a page is an error of the test, which would not notice it otherwise.
 #[test]
 #[ignore = "a browser: cargo xtask test --only browser"]
 fn an_error_on_a_page_is_seen() {

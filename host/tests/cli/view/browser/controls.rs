@@ -6,7 +6,7 @@ use crate::{branch_points, sample, scenario};
 use serde_json::Value;
 use toytop_host::input::scenario::Scenario;
 
-/// What the page and its controls do; every line is a sentence that must be true.
+/// Script that operates the page and its controls; every line of its result is a sentence that must be true.
 const CONTROLS: &str = "
 const facts = {};
 const key = (target, key) => target.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
@@ -178,7 +178,7 @@ const { moment } = shown;
 return { ...moment, t: state.t, playing: clock.playing, fragment: addressed(), speed: state.speed, ghost: shown.frame.ghost.axis };
 ";
 
-/// What a slider sets is what the scenario file and the address say, and the core computes that motion to the bit.
+/// The scenario file and the address have the numbers that the sliders set, and the core computes that motion to the bit.
 #[test]
 #[ignore = "a browser: cargo xtask test --only browser"]
 fn sliders_files_and_addresses_say_one_motion() {
