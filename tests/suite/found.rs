@@ -120,3 +120,19 @@ fn tables_are_refused<R: EphemerisScalar>() {
     }
     assert!(held > 0 && refused > 0, "{held} held, {refused} refused");
 }
+
+/// A rod at rest with a rotor whose angular momentum is next to nothing: its period would exceed the range of `f64`.
+#[test]
+fn a_rotor_that_hardly_turns_counts_as_none() {
+    let top = |rotor_momentum| {
+        let parameters =
+            TopParameters { transverse_inertia: 500.0, rotor_momentum, ..TopParameters::default() };
+        Top::free(&parameters).unwrap()
+    };
+    assert_eq!(top(3e-309), top(0.0));
+    let phi = Orientation { alpha: Complex::new(0.8, 0.0), beta: Complex::new(0.0, 0.6) };
+    let motion = Motion::launch(&top(1e-57), &State::new(phi, [0.0; 3]).unwrap()).unwrap();
+    let period = motion.period_advance().unwrap().period;
+    let expected = std::f64::consts::TAU * 500.0 / 1e-57;
+    assert!((period / expected - 1.0).abs() < 1e-15, "{period:e}");
+}

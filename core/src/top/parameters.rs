@@ -24,8 +24,8 @@ pub struct TopParameters {
     /// Gravity g, m/s²; by default 9.80665, and 0 only for a held tip. The units of the paper have g = 1.
     pub gravity: f64,
     /// Angular momentum K of a rotor inside, relative to the body and along its axis, kg m²/s, of either sign; by default
-    /// 0. It is constant: the rotor keeps its rate relative to the body, without friction or by a motor. The rotor's
-    /// mass and inertia belong to those of the body.
+    /// 0; below 1e-60 A in magnitude it counts as 0. It is constant: the rotor keeps its rate relative to the body, without
+    /// friction or by a motor. The rotor's mass and inertia belong to those of the body.
     pub rotor_momentum: f64,
 }
 
@@ -49,8 +49,9 @@ const ALLOWED: &str = "between 1e-60 and 1e60";
 
 /// Least C/A other than 0.
 const LEAST_SHARE: f64 = 1e-60;
-/// Largest |K|/A, rad per unit time.
+/// Largest |K|/A, and the least that does not count as 0, rad per unit time.
 const FASTEST_ROTOR: f64 = 1e12;
+const SLOWEST_ROTOR: f64 = 1e-60;
 
 fn magnitude(parameter: &'static str, value: f64) -> Result<f64, ParameterError> {
     finite(parameter, value)?;
@@ -184,6 +185,7 @@ impl Top {
             "rotor_momentum",
             "at most 1e12 per second times transverse_inertia in magnitude",
         )?;
+        let k = if Float::abs(k) < SLOWEST_ROTOR * a { 0.0 } else { k };
         Ok(Self { support, a, c, s, p, g, k })
     }
 }
