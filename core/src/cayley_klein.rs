@@ -1,7 +1,7 @@
 //! α and β from the nutation half phase χ and the two slow phases A and B (the regularised solution).
 
 use crate::complex::Complex;
-use crate::constants::{BranchPoints, Signs};
+use crate::constants::{BranchPoints, Sign, Signs};
 use crate::law::PhaseRates;
 use crate::phase::Phase;
 use crate::scalar::{Float, Real, Scalar};
@@ -33,10 +33,6 @@ pub(crate) struct PhaseDirections<R> {
 }
 
 impl<R: Float> Brackets<R> {
-    /// Brackets before they are computed.
-    pub(crate) const ZERO: Self =
-        Self { alpha: Bracket { x: R::ZERO, y: R::ZERO }, beta: Bracket { x: R::ZERO, y: R::ZERO } };
-
     /// Brackets of a motion whose u oscillates between e₁ and e₂, or rises from e₁ to 1.
     pub(crate) fn swinging<F: Float>(e: &BranchPoints<F>, signs: Signs) -> Self {
         let root = |x: F| R::from_f64(x.halved().sqrt().to_f64());
@@ -46,6 +42,12 @@ impl<R: Float> Brackets<R> {
             alpha: Bracket { x: a1, y: signs.l_plus_n.times(a2) },
             beta: Bracket { x: b1, y: signs.l_minus_n.times(b2) },
         }
+    }
+
+    /// Winding numbers of both brackets of such a motion around 0 over 2π of χ: 1 or -1, or 0 where the bracket passes through 0.
+    pub(crate) fn windings<F: Float>(e: &BranchPoints<F>, signs: Signs) -> [i32; 2] {
+        let winding = |least: F, sign: Sign| if least > F::ZERO { sign.factor() } else { 0 };
+        [winding(e.one_plus_e1, signs.l_plus_n), winding(e.one_minus_e2, signs.l_minus_n)]
     }
 
     /// Brackets of a motion with constant u, whose χ is 0 and whose slow phases alone change.

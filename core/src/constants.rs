@@ -16,7 +16,7 @@ mod conditioning;
 pub(crate) mod normal_force;
 
 pub use branch_points::BranchPoints;
-pub(crate) use branch_points::{LowerPair, Roots};
+pub(crate) use branch_points::{LowerPair, LowerPairSearch, Roots};
 pub(crate) use conditioning::Conditioning;
 pub use first_integrals::{FirstIntegrals, Sign, Signs};
 pub(crate) use first_integrals::{MovingAxis, ReducedPoint};

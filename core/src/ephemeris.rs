@@ -27,6 +27,8 @@ mod larger_error;
 
 mod tabulated;
 
+mod segment_estimate;
+
 mod half_period;
 
 mod tabulate;

@@ -76,8 +76,7 @@ impl MeanMotion {
         signs: Signs,
         half_tau: Extended,
     ) -> Self {
-        let brackets = Brackets::<f64>::swinging(e, signs);
-        let winding = [brackets.alpha.winding(), brackets.beta.winding()];
+        let winding = Brackets::<f64>::windings(e, signs);
         let [alpha_winding, beta_winding] = winding.map(|sense| Extended::from(0.5 * f64::from(sense)));
         let slow = half_tau * integrals.period;
         let advance = PeriodAdvance {

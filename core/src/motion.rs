@@ -112,8 +112,7 @@ impl Motion {
         if self.is_steady() {
             return [1; 2];
         }
-        let Brackets { alpha, beta } = self.brackets::<f64>();
-        [alpha.winding(), beta.winding()]
+        Brackets::<f64>::windings(&self.e, self.signs)
     }
 
     /// Tip angle at t = 0, in (-1/2, 1/2] turn.

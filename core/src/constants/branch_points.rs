@@ -7,6 +7,7 @@
 
 mod cubic;
 mod integrals;
+mod lower_pair;
 mod torque_free;
 mod upright;
 
@@ -15,8 +16,8 @@ use crate::constants::first_integrals::{MovingAxis, ReducedPoint};
 use crate::error::{ParameterError, finite, require};
 use crate::scalar::{Extended, Float};
 use crate::state::State;
-use crate::top::{Quantities, Top};
-use cubic::{largest_root, polished};
+use crate::top::Top;
+pub(crate) use lower_pair::{LowerPair, LowerPairSearch};
 
 /// Branch points and their differences; none has a unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,11 +89,15 @@ impl BranchPoints<Extended> {
     ) -> Result<Self, ParameterError> {
         match Self::begin(top, integrals, point)? {
             Roots::All(e) => Ok(e),
-            Roots::LowerPair(pair) => Self::complete(&pair, integrals, point),
+            Roots::LowerPair(mut search) => loop {
+                if let Some(pair) = search.proceed() {
+                    return Self::complete(&pair, integrals, point);
+                }
+            },
         }
     }
 
-    /// First half of the work of [`BranchPoints::of_point`]; [`BranchPoints::complete`] is the second.
+    /// Beginning of the work of [`BranchPoints::of_point`]; [`BranchPoints::complete`] is the end.
     pub(crate) fn begin(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,
@@ -103,56 +108,16 @@ impl BranchPoints<Extended> {
         } else if point.rests_upright() {
             Self::upright(top, integrals.n).map(Roots::All)
         } else {
-            LowerPair::of(top, integrals, point).map(Roots::LowerPair)
+            LowerPairSearch::new(top, integrals, point).map(Roots::LowerPair)
         }
     }
 }
 
-/// Roots of the cubic that are known after the first half of the work.
+/// Roots of the cubic that are known at once, or the search of the first two.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Roots<F> {
     All(BranchPoints<F>),
-    LowerPair(LowerPair<F>),
-}
-
-/// Difference of e₁ and e₂, from the cubic about a point of the motion.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct LowerPair<F> {
-    kappa: F,
-    /// Difference 1 - e₁.
-    x1: F,
-    e2_minus_e1: F,
-    /// Whether e₁ is closer to e₂ than e₃ is.
-    is_closer: bool,
-}
-
-impl<F: Float> LowerPair<F> {
-    fn of(top: &Top, integrals: &FirstIntegrals<F>, point: &ReducedPoint<F>) -> Result<Self, ParameterError> {
-        let quantities = Quantities::<F>::of(top);
-        let kappa = quantities.kappa();
-        let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
-        let ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy } = *point;
-        let limit = F::from_f64(LARGEST_E3);
-        require(kappa * n.squared() < limit && axis_energy < limit, "omega", TOO_FAST)?;
-
-        // l - n u, from the one of l ∓ n that causes no cancellation
-        let l_minus_nu = if u > F::ZERO { l_minus_n + n * one_minus_u } else { l_plus_n - n * one_plus_u };
-        // y³ + g₂ y² + g₁ y + g₀ = (y - y₁)(y - y₂)(y - y₃) with y = e - u
-        let d_of_u = quantities.a / quantities.p + quantities.s * one_minus_u * one_plus_u;
-        let g0 = d_of_u * udot.squared() / quantities.g.doubled();
-        let g1 = -(u * axis_energy).doubled() - one_minus_u * one_plus_u + (kappa * n * l_minus_nu).doubled();
-        let g2 = u.doubled() - axis_energy - kappa * n.squared();
-        let y3 = largest_root(g0, g1, g2);
-        let (product, sum) = if y3 > F::ZERO { (-g0 / y3, (g1 + g0 / y3) / y3) } else { (F::ZERO, -g2) };
-        let e2_minus_e1 = (sum.squared() - product.doubled().doubled()).sqrt();
-        let y2 = (sum + e2_minus_e1).halved();
-        let is_closer = e2_minus_e1 <= y3 - y2;
-        let y1 = (sum - e2_minus_e1).halved();
-        let y1 = if is_closer && sum > F::ZERO && y2 > F::ZERO { product / y2 } else { y1 };
-        let y1 = if is_closer { y1 } else { polished(y1, g0, g1, g2) };
-        let y1 = if y1 < F::ZERO { y1 } else { F::ZERO };
-        Ok(Self { kappa, x1: one_minus_u - y1, e2_minus_e1, is_closer })
-    }
+    LowerPair(LowerPairSearch<F>),
 }
 
 impl<F: Float> BranchPoints<F> {
@@ -179,7 +144,7 @@ impl<F: Float> BranchPoints<F> {
     /// Branch points, computed from a point (u, u') of the motion.
     ///
     /// Two forms of the cubic avoid all cancellation. In the variable e - u the roots e₁ - u and e₂ - u have opposite
-    /// signs, which gives e₂ - e₁ ([`LowerPair::of`]); in the variable 1 - e the roots 1 - e₂ and 1 - e₃ have opposite signs,
+    /// signs, which gives e₂ - e₁ ([`LowerPairSearch`]); in the variable 1 - e the roots 1 - e₂ and 1 - e₃ have opposite signs,
     /// which gives e₃ - e₂, 1 - e₂ and e₃ - 1.
     pub(crate) fn complete(
         pair: &LowerPair<F>,

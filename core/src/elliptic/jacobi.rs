@@ -99,11 +99,23 @@ pub(crate) struct SquaresOfWhole<F> {
 /// Sequence of Landen transformations of one parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Landen<F> {
-    /// Pairs (k, 1 - k) of the transformed moduli, largest first.
-    steps: [(F, F); LANDEN_STEPS],
+    /// Transformations, that to the largest modulus first. Those that would change nothing have the modulus 0.
+    steps: [LandenStep<F>; LANDEN_STEPS],
+    /// Product of (1 + k)² over all steps.
+    scale: F,
 }
 
-/// Number of Landen transformations. Each squares a small modulus; nine are enough for m₁ = 1e-300.
+/// Transformation to a modulus k.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct LandenStep<F> {
+    modulus: F,
+    /// Difference 1 - k.
+    rest: F,
+    /// Modulus times the product of (1 + k)² over the steps to smaller moduli.
+    scaled_modulus: F,
+}
+
+/// Greatest number of Landen transformations. Each squares a small modulus: m₁ = 1/2 needs five, 1e-15 nine, 1e-300 twelve.
 const LANDEN_STEPS: usize = 12;
 
 /// Sequence of transformations that is not complete.
@@ -119,12 +131,22 @@ pub(crate) struct LandenSteps<F> {
 impl<F: Float> LandenSteps<F> {
     /// No transformation yet, for m and m₁ = 1 - m, each given with full relative precision.
     pub(crate) fn new(m: F, m1: F) -> Self {
-        let landen = Landen { steps: [(F::ZERO, F::ONE); LANDEN_STEPS] };
+        let none = LandenStep { modulus: F::ZERO, rest: F::ONE, scaled_modulus: F::ZERO };
+        let landen = Landen { steps: [none; LANDEN_STEPS], scale: F::ONE };
         Self { landen, complement: m1.sqrt(), modulus_squared: m, next: 0 }
     }
 
-    /// Adds a transformation, unless it would change nothing. Returns whether there may be another.
+    /// Adds a transformation. Returns whether there may be another; if not, the sequence is complete.
     pub(crate) fn proceed(&mut self) -> bool {
+        let is_complete = !self.add();
+        if is_complete {
+            self.landen.complete();
+        }
+        !is_complete
+    }
+
+    /// Adds a transformation, unless it would change nothing. Returns whether there may be another.
+    fn add(&mut self) -> bool {
         let Some(step) = self.landen.steps.get_mut(self.next) else { return false };
         // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
         let per_sum = F::ONE / (F::ONE + self.complement);
@@ -133,7 +155,7 @@ impl<F: Float> LandenSteps<F> {
         if modulus <= F::from_f64(1e-33) {
             return false;
         }
-        *step = (modulus, self.complement.doubled() * per_sum);
+        *step = LandenStep { modulus, rest: self.complement.doubled() * per_sum, scaled_modulus: modulus };
         self.complement = self.complement.sqrt().doubled() * per_sum;
         self.modulus_squared = modulus.squared();
         self.next += 1;
@@ -158,18 +180,30 @@ impl<F: Float> Landen<F> {
     pub(crate) fn quarter_period(&self) -> F {
         // π/2 to 32 digits in extended precision; in smaller types the second term has no effect
         let half_pi = F::from_f64(core::f64::consts::FRAC_PI_2) + F::from_f64(6.123233995736766e-17);
-        let changing = self.steps.iter().take_while(|(modulus, _)| *modulus > F::ZERO);
-        changing.fold(half_pi, |product, &(modulus, _)| product * (F::ONE + modulus))
+        self.changing().fold(half_pi, |product, step| product * (F::ONE + step.modulus))
+    }
+
+    /// Steps that change something, that to the largest modulus first.
+    fn changing(&self) -> impl Iterator<Item = &LandenStep<F>> {
+        self.steps.iter().take_while(|step| step.modulus > F::ZERO)
+    }
+
+    /// Computes what does not depend on the angle.
+    fn complete(&mut self) {
+        self.scale = F::ONE;
+        for step in self.steps.iter_mut().rev().filter(|step| step.modulus > F::ZERO) {
+            step.scaled_modulus = step.modulus * self.scale;
+            self.scale = self.scale * (F::ONE + step.modulus).squared();
+        }
     }
 
     /// Number of bits by which an error of the trapezoid rule for a function of period 2K that is analytic for |Im u| < K'
     /// decreases with each node on K: -2 log₂ q for the nome q = e^{-πK'/K}. It is exact to some percent; at least 64 where
     /// no transformation is needed.
     pub(crate) fn bits_per_node(&self) -> f64 {
-        let changing = self.steps.iter().take_while(|(modulus, _)| *modulus > F::ZERO);
         // the modulus after n transformations is nearly 4 q^(2^(n-1)); its exponent is its logarithm to a percent
-        let last = changing.fold((1.0, 64.0), |(weight, _), &(modulus, _)| {
-            let exponent = 1023 - (modulus.to_f64().to_bits() >> 52) as i32;
+        let last = self.changing().fold((1.0, 64.0), |(weight, _), step| {
+            let exponent = 1023 - (step.modulus.to_f64().to_bits() >> 52) as i32;
             (0.5 * weight, weight * f64::from(2 + exponent))
         });
         2.0 * last.1
@@ -177,28 +211,29 @@ impl<F: Float> Landen<F> {
 
     /// Squares at u = 2 K φ/π, from sin φ and cos φ, without a division: sn² and cn² are kept as fractions X/W and Y/W.
     pub(crate) fn squares_at_angle(&self, sine: F, cosine: F) -> SquaresOfWhole<F> {
+        // X without its constant factors (1 + k)²
         let (mut x, mut y, mut w) = (sine.squared(), cosine.squared(), F::ONE);
         let (mut sum, mut difference) = (F::ONE, F::ONE);
-        for &(modulus, rest) in self.steps.iter().rev() {
+        for &LandenStep { modulus, rest, scaled_modulus } in self.steps.iter().rev() {
             if modulus == F::ZERO {
                 continue;
             }
-            let share = modulus * x;
+            let share = scaled_modulus * x;
             sum = w + share;
             // W - k X = (1 - k) W + k Y, in the form with the smaller rounding error
             difference = if rest > F::from_f64(0.125) { w - share } else { rest * w + modulus * y };
             y = y * (difference + rest * share);
-            x = (F::ONE + modulus).squared() * x * w;
+            x = x * w;
             w = sum.squared();
         }
-        SquaresOfWhole { sn: x, cn: y, dn: difference, whole_of_dn: sum }
+        SquaresOfWhole { sn: self.scale * x, cn: y, dn: difference, whole_of_dn: sum }
     }
 
     /// (sn u, cn u, dn u) at u = 2 K φ/π, from sin φ and cos φ. No transcendental function is needed, so any
     /// [`Float`] can be used.
     pub(crate) fn at_angle(&self, sine: F, cosine: F) -> (F, F, F) {
         let (mut sn, mut cn, mut dn) = (sine, cosine, F::ONE);
-        for &(modulus, rest) in self.steps.iter().rev() {
+        for &LandenStep { modulus, rest, .. } in self.steps.iter().rev() {
             if modulus == F::ZERO {
                 continue;
             }

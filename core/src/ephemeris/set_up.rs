@@ -10,6 +10,7 @@ use crate::ephemeris::evaluation::EphemerisScalar;
 use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::rate_error::{MotionRates, rate_error};
+use crate::ephemeris::segment_estimate::SegmentEstimate;
 use crate::ephemeris::steady::constant;
 use crate::ephemeris::storage::{EphemerisStorage, EphemerisView};
 use crate::ephemeris::table::{TableTooSmall, put};
@@ -49,6 +50,8 @@ pub struct SetUp {
     truncation: Option<f64>,
     rates: MeanRates,
     tabulation: Tabulation,
+    /// Estimate of the segments that a table with the allowed error needs.
+    estimate: SegmentEstimate,
     /// Result of the tabulation.
     tabulated: Tabulated,
     stage: Stage,
@@ -65,6 +68,8 @@ enum Stage {
     Coarse,
     /// Beginning of the table.
     Begin,
+    /// Estimate of the segments that the table needs.
+    Estimate,
     /// Clock of the completed table.
     Clock,
     /// Mean tip angle.
@@ -75,8 +80,10 @@ enum Stage {
     Ended(Result<(), TableTooSmall>),
 }
 
-/// Share of the allowed truncation error that the first attempt at a table may have.
-const FINE: f64 = 1.0 / LargerError::FACTOR;
+/// Requirements on the first attempt at a table.
+fn fine(requirements: &Requirements) -> Requirements {
+    requirements.within(requirements.allowed / LargerError::FACTOR)
+}
 
 impl SetUp {
     /// Set-up with the truncation error of [`Ephemeris::new`](crate::Ephemeris::new), four roundings of the scalar.
@@ -88,6 +95,7 @@ impl SetUp {
             truncation: None,
             rates: MeanRates::ZERO,
             tabulation: Tabulation::EMPTY,
+            estimate: SegmentEstimate::NONE,
             tabulated: Tabulated::EMPTY,
             stage: Stage::Rates,
         }
@@ -131,10 +139,10 @@ impl SetUp {
                 self.stage = Stage::Begin;
             }
             Stage::Begin => {
-                let fine = Requirements { allowed: FINE * requirements.allowed, ..requirements };
-                self.tabulation.begin(&self.motion, &self.rates, fine);
-                self.stage = Stage::Fine;
+                self.tabulation.begin(&self.motion, &self.rates, fine(&requirements));
+                self.stage = Stage::Estimate;
             }
+            Stage::Estimate => return self.estimate(requirements),
             Stage::Clock => {
                 self.start_clock(ephemeris);
                 self.stage = Stage::TipAngle;
@@ -153,18 +161,14 @@ impl SetUp {
                 match outcome {
                     Ok(None) => {}
                     Ok(Some(tabulated)) => (self.tabulated, self.stage) = (tabulated, Stage::Clock),
-                    Err(()) if self.stage == Stage::Fine && self.tabulation.may_fit_with_larger_error() => {
-                        self.tabulation.again(requirements);
+                    Err(())
+                        if self.stage == Stage::Fine
+                            && self.tabulation.may_fit_with_larger_error(&self.estimate) =>
+                    {
+                        self.tabulation.again(requirements, self.estimate);
                         self.stage = Stage::Coarse;
                     }
-                    Err(()) => {
-                        let refusal = TableTooSmall {
-                            truncation: requirements.allowed,
-                            segments: requirements.most as u32,
-                        };
-                        self.stage = Stage::Ended(Err(refusal));
-                        return Poll::Ready(Err(refusal));
-                    }
+                    Err(()) => return self.refuse(&requirements),
                 }
             }
         }
@@ -173,7 +177,31 @@ impl SetUp {
 
     fn requirements<R: EphemerisScalar>(&self, ephemeris: &EphemerisView<R>) -> Requirements {
         let allowed = self.truncation.unwrap_or(4.0 * R::ROUNDING);
-        Requirements { terms: R::TERMS, allowed, most: ephemeris.segments.len() }
+        Requirements::new(R::TERMS, allowed, ephemeris.segments.len())
+    }
+
+    /// Estimates the segments that the table needs, and chooses the attempt that may fit, or none.
+    fn estimate(&mut self, requirements: Requirements) -> Poll<Result<(), TableTooSmall>> {
+        let fits = |estimate: &SegmentEstimate| estimate.least_segments(0) <= requirements.most;
+        let [coarse, fine] = [requirements, fine(&requirements)];
+        let [of_coarse, of_fine] = self.tabulation.estimates(&self.rates, &[coarse, fine]);
+        self.estimate = of_coarse;
+        if fits(&of_fine) {
+            self.tabulation.again(fine, of_fine);
+            self.stage = Stage::Fine;
+        } else if fits(&of_coarse) {
+            self.tabulation.again(coarse, of_coarse);
+            self.stage = Stage::Coarse;
+        } else {
+            return self.refuse(&requirements);
+        }
+        Poll::Pending
+    }
+
+    fn refuse(&mut self, requirements: &Requirements) -> Poll<Result<(), TableTooSmall>> {
+        let refusal = TableTooSmall { truncation: requirements.allowed, segments: requirements.most as u32 };
+        self.stage = Stage::Ended(Err(refusal));
+        Poll::Ready(Err(refusal))
     }
 
     #[inline(never)]
@@ -255,7 +283,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             return Some(1);
         }
         let rates = MeanRates::of(motion, R::ROUNDING);
-        let requirements = Requirements { terms: R::TERMS, allowed: truncation, most: Cell::MOST_SEGMENTS };
+        let requirements = Requirements::new(R::TERMS, truncation, Cell::MOST_SEGMENTS);
         let mut tabulation = Tabulation::EMPTY;
         tabulation.begin(motion, &rates, requirements);
         loop {

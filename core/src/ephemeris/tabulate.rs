@@ -23,6 +23,7 @@ use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::seek::StartSearch;
 use crate::ephemeris::segment_errors::SegmentErrors;
+use crate::ephemeris::segment_estimate::SegmentEstimate;
 use crate::ephemeris::span::{HALF_PERIOD, Span};
 use crate::ephemeris::speeds::Speeds;
 use crate::ephemeris::tabulated::{Requirements, Tabulated};
@@ -33,9 +34,6 @@ use crate::scalar::{Extended, Ring};
 
 /// Receiver of polynomials: see [`Tabulation::advance`]. A reference, so that set-up is compiled once for all scalars.
 pub(crate) type Store<'a> = dyn FnMut(usize, usize, Polynomial<'_>) -> [f64; 2] + 'a;
-
-/// Fraction of the allowed error that the steps from span to span may use.
-const STEPPING_SHARE: f64 = 0.125;
 
 /// Fraction of the allowed error that the omitted terms of a span's series may cause. It is small, because these terms are
 /// estimated.
@@ -80,11 +78,11 @@ enum Piece {
 pub(crate) struct Tabulation {
     /// Steps along the half period.
     path: HalfPeriod,
-    brackets: Brackets<f64>,
+    /// Coefficients of e^{iχ} and e^{-iχ} in the brackets of α and of β.
+    exponentials: [[f64; 2]; 2],
     seek: StartSearch,
     requirements: Requirements,
-    /// Truncation error that the segments' polynomials may have.
-    allowed: f64,
+    estimate: SegmentEstimate,
     /// Length of the half period, in extended precision because the error of a span would accumulate.
     half_period: Extended,
     /// Start of the motion, once it has been passed.
@@ -115,10 +113,10 @@ impl Tabulation {
     /// Tabulation that has not begun.
     pub(crate) const EMPTY: Self = Self {
         path: HalfPeriod::EMPTY,
-        brackets: Brackets::ZERO,
+        exponentials: [[0.0; 2]; 2],
         seek: StartSearch::EMPTY,
-        requirements: Requirements { terms: 0, allowed: 0.0, most: 0 },
-        allowed: 0.0,
+        requirements: Requirements::NONE,
+        estimate: SegmentEstimate::NONE,
         half_period: Extended::ZERO,
         found_start: None,
         tabulated: Tabulated::EMPTY,
@@ -142,17 +140,26 @@ impl Tabulation {
         let error = if requirements.allowed < rates.rounding { requirements.allowed } else { rates.rounding };
         let least = error / (16 * requirements.most.min(16 * CELLS)) as f64;
         self.path.begin(motion, rates, least);
-        self.brackets = motion.brackets();
+        let Brackets { alpha, beta } = motion.brackets::<f64>();
+        self.exponentials = [alpha.exponentials(), beta.exponentials()];
         self.seek = StartSearch::new(motion, self.path.law(), rates);
         self.half_period = rates.half_period;
-        self.again(requirements);
+        self.again(requirements, SegmentEstimate::NONE);
     }
 
-    /// Begins again with other requirements on the table.
-    pub(crate) fn again(&mut self, requirements: Requirements) {
+    /// Estimates of the segments that tables with these requirements need.
+    pub(crate) fn estimates(
+        &self,
+        rates: &MeanRates,
+        requirements: &[Requirements; 2],
+    ) -> [SegmentEstimate; 2] {
+        SegmentEstimate::of(self.path.law(), &self.exponentials, rates, requirements)
+    }
+
+    /// Begins again with other requirements on the table, and the estimate of the segments that they need.
+    pub(crate) fn again(&mut self, requirements: Requirements, estimate: SegmentEstimate) {
         self.path.restart();
-        self.requirements = requirements;
-        self.allowed = (1.0 - STEPPING_SHARE) * requirements.allowed;
+        (self.requirements, self.estimate) = (requirements, estimate);
         self.found_start = None;
         self.found_before = false;
         self.tabulated = Tabulated { segments: 0, ..Tabulated::EMPTY };
@@ -233,17 +240,16 @@ impl Tabulation {
     /// Truncation error allowed for a step over half a span, so that the sum over all steps is within their fraction of
     /// the allowed error.
     fn share(&self) -> f64 {
-        STEPPING_SHARE * self.requirements.allowed / f64::from(2_u32 << self.span.depth())
+        self.requirements.of_steps() / f64::from(2_u32 << self.span.depth())
     }
 
     /// Series of α or of β on the span from those of the phases; `None` where it is not accurate.
     fn turn(&mut self, which: usize) -> Option<Piece> {
-        let bracket = if which == 0 { &self.brackets.alpha } else { &self.brackets.beta };
         let ([re, im], omitted) = (self.series.get_mut(which)?, self.omitted.get_mut(which)?);
-        self.path.turned(which, bracket.exponentials(), [&mut *re, &mut *im])?;
+        self.path.turned(which, *self.exponentials.get(which)?, [&mut *re, &mut *im])?;
         // both parts; as an orientation error twice as much
         *omitted = 2.0 * larger_or_nan(omitted_terms(re), omitted_terms(im));
-        (2.0 * *omitted <= OMITTED_SHARE * self.allowed).then_some(match which {
+        (2.0 * *omitted <= OMITTED_SHARE * self.requirements.of_polynomials()).then_some(match which {
             0 => Piece::Series(1),
             _ => Piece::Start,
         })

@@ -48,6 +48,10 @@ impl<F: Float> EllipticLaw<F> {
         }
     }
 
+    pub(crate) fn law(&self) -> &Law<F> {
+        &self.law
+    }
+
     /// Landen transformations of the elliptic functions, of which none is computed yet.
     #[inline(never)]
     pub(crate) fn landen(&self) -> LandenSteps<F> {

@@ -101,6 +101,10 @@ impl Quadrature {
         }
     }
 
+    pub(crate) fn law(&self) -> &Law<Extended> {
+        self.law.law()
+    }
+
     /// Does the next piece of work. Returns the integrals once the sums have settled. Relative error: about 1e-30.
     pub(crate) fn proceed(&mut self) -> Option<Integrals> {
         match self.piece {

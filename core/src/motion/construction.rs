@@ -3,6 +3,7 @@
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, Conditioning, FirstIntegrals, ReducedPoint, Regime, Signs};
 use crate::error::{ParameterError, finite, require};
+use crate::law::Law;
 use crate::mean_motion::{Integrals, MeanMotion, Quadrature};
 use crate::motion::start::{chi, half_phase, half_turns, slow_phase};
 use crate::motion::{Motion, NutationVariable, Start};
@@ -56,14 +57,21 @@ impl Motion {
     }
 
     /// Slow phases at a state, whose nutation variable is known.
+    ///
+    /// * `law`: law of the motion, if it has been computed
     #[inline(never)]
-    pub(super) fn start_slow_phases(&mut self, [alpha, beta]: [[Complex<f64>; 2]; 2]) {
+    pub(super) fn start_slow_phases(
+        &mut self,
+        [alpha, beta]: [[Complex<f64>; 2]; 2],
+        law: Option<&Law<Extended>>,
+    ) {
         if self.is_steady() {
             self.phases = [alpha, beta].map(|[z, _]| Phase::from_radians(z.arg()));
             return;
         }
         let directions = self.directions_at_start();
-        let mut rates = self.law().cast().rates(directions.sine, directions.cosine);
+        let law = law.map_or_else(|| self.law().cast(), Law::cast);
+        let mut rates = law.rates(directions.sine, directions.cosine);
         let half_tau = self.half_tau().to_f64();
         (rates.alpha, rates.beta) = (rates.alpha + half_tau, rates.beta - half_tau);
         let brackets = self.brackets();

@@ -4,7 +4,7 @@ use core::task::Poll;
 
 use crate::complex::Complex;
 use crate::constants::{
-    BranchPoints, Conditioning, FirstIntegrals, LowerPair, MovingAxis, ReducedPoint, Roots,
+    BranchPoints, Conditioning, FirstIntegrals, LowerPair, LowerPairSearch, MovingAxis, ReducedPoint, Roots,
 };
 use crate::error::ParameterError;
 use crate::mean_motion::{Integrals, Quadrature};
@@ -59,8 +59,10 @@ enum Stage {
     Axis,
     /// First integrals, and the point of the reduced curve.
     Integrals(MovingAxis<Extended>),
-    /// Branch points and regime, or the lower two branch points only.
+    /// Branch points and regime, or the cubic for the lower two branch points.
     BranchPoints,
+    /// Search of the lower two branch points.
+    LowerPair(LowerPairSearch<Extended>),
     /// The other branch points, and the regime.
     UpperPair(LowerPair<Extended>),
     /// Rounding errors of the constants, and the mean motion if it needs no quadrature.
@@ -128,6 +130,9 @@ impl Launch {
                 self.stage = Stage::BranchPoints;
             }
             (Stage::BranchPoints, _) => self.begin_branch_points(),
+            (Stage::LowerPair(mut search), _) => {
+                self.stage = search.proceed().map_or(Stage::LowerPair(search), Stage::UpperPair);
+            }
             (Stage::UpperPair(pair), _) => {
                 self.end_branch_points(BranchPoints::complete(&pair, &self.integrals, &self.point));
             }
@@ -150,7 +155,7 @@ impl Launch {
             }
             (Stage::StartRates, Some(_)) => self.stage = Stage::SlowPhases(parameters_and_rates(&self.state)),
             (Stage::SlowPhases(parameters), Some(motion)) => {
-                motion.start_slow_phases(parameters);
+                motion.start_slow_phases(parameters, self.quadrature.as_ref().map(Quadrature::law));
                 self.stage = Stage::Ended(Ok(()));
             }
             (Stage::Ended(_), _) => {}
@@ -162,7 +167,7 @@ impl Launch {
     #[inline(never)] // the stack frames of the stages must not add up
     fn begin_branch_points(&mut self) {
         match BranchPoints::begin(&self.top, &self.integrals, &self.point) {
-            Ok(Roots::LowerPair(pair)) => self.stage = Stage::UpperPair(pair),
+            Ok(Roots::LowerPair(search)) => self.stage = Stage::LowerPair(search),
             Ok(Roots::All(e)) => self.end_branch_points(Ok(e)),
             Err(error) => self.end_branch_points(Err(error)),
         }

@@ -2,43 +2,88 @@
 
 use crate::scalar::Float;
 
-/// Largest root of y³ + g₂ y² + g₁ y + g₀ (all roots real), by Newton's method from above, where it decreases
-/// monotonically.
-///
-/// Convergence to a double root is linear with factor 1/2, to a triple root with factor 2/3, so the starting value is
-/// chosen close to the root.
-pub(crate) fn largest_root<F: Float>(g0: F, g1: F, g2: F) -> F {
-    const MOST_STEPS: usize = 200;
-    let larger = |x: F, y: F| if x > y { x } else { y };
-    let cube_root = F::from_f64(libm::cbrt(g0.abs().to_f64()));
-    let mut y = larger(g2.abs(), larger(g1.abs().sqrt(), cube_root)).doubled();
-    if g2 > F::ZERO {
+/// Cubic y³ + g₂ y² + g₁ y + g₀, whose roots are real.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cubic<F> {
+    pub(crate) g0: F,
+    pub(crate) g1: F,
+    pub(crate) g2: F,
+}
+
+impl<F: Float> Cubic<F> {
+    fn value(&self, y: F) -> F {
+        ((y + self.g2) * y + self.g1) * y + self.g0
+    }
+
+    fn slope(&self, y: F) -> F {
+        ((y + y + y) + self.g2.doubled()) * y + self.g1
+    }
+
+    /// Simple root, improved from an approximate value by three steps of Newton's method.
+    pub(crate) fn polished(&self, start: F) -> F {
+        (0..3).fold(start, |y, _| {
+            let slope = self.slope(y);
+            if slope == F::ZERO { y } else { y - self.value(y) / slope }
+        })
+    }
+
+    /// Upper bound on the largest root, close to it.
+    fn above(&self) -> F {
+        let Self { g0, g1, g2 } = *self;
+        let larger = |x: F, y: F| if x > y { x } else { y };
+        let cube_root = F::from_f64(libm::cbrt(g0.abs().to_f64()));
+        let above = larger(g2.abs(), larger(g1.abs().sqrt(), cube_root)).doubled();
+        if g2 <= F::ZERO {
+            return above;
+        }
         // y³ >= 0 at every iterate, so the root of the quadratic is another upper bound; it is close where all three
         // coefficients are small
         let root = (g1.squared() - (g2 * g0).doubled().doubled()).sqrt();
-        let above = if g1 > F::ZERO { -g0.doubled() / (g1 + root) } else { (root - g1) / g2.doubled() };
-        let above = above * F::from_f64(1.0 + 1e-15);
-        y = if above < y { larger(above, F::ZERO) } else { y };
+        let of_quadratic =
+            if g1 > F::ZERO { -g0.doubled() / (g1 + root) } else { (root - g1) / g2.doubled() };
+        let of_quadratic = of_quadratic * F::from_f64(1.0 + 1e-15);
+        if of_quadratic < above { larger(of_quadratic, F::ZERO) } else { above }
     }
-    for _ in 0..MOST_STEPS {
-        let value = ((y + g2) * y + g1) * y + g0;
-        let slope = ((y + y + y) + g2.doubled()) * y + g1;
-        if value <= F::ZERO || slope <= F::ZERO {
-            break;
-        }
-        let next = y - value / slope;
-        if next >= y {
-            break;
-        }
-        y = next;
-    }
-    y
 }
 
-/// Simple root, improved from an approximate value by three steps of Newton's method.
-pub(crate) fn polished<F: Float>(start: F, g0: F, g1: F, g2: F) -> F {
-    (0..3).fold(start, |y, _| {
-        let slope = ((y + y + y) + g2.doubled()) * y + g1;
-        if slope == F::ZERO { y } else { y - (((y + g2) * y + g1) * y + g0) / slope }
-    })
+/// Search of the largest root by Newton's method from above, where it decreases monotonically.
+///
+/// Convergence to a double root is linear with factor 1/2, to a triple root with factor 2/3, so the starting value is
+/// chosen close to the root.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LargestRoot<F> {
+    cubic: Cubic<F>,
+    y: F,
+    steps: u32,
+}
+
+impl<F: Float> LargestRoot<F> {
+    const MOST_STEPS: u32 = 200;
+    /// Number of steps in a slice of a launch.
+    const STEPS: u32 = 8;
+
+    pub(crate) fn new(cubic: Cubic<F>) -> Self {
+        Self { cubic, y: cubic.above(), steps: 0 }
+    }
+
+    pub(crate) fn cubic(&self) -> &Cubic<F> {
+        &self.cubic
+    }
+
+    /// Takes some steps. Returns the root once it has converged.
+    #[inline(never)] // the stack frames of a launch must not add up
+    pub(crate) fn proceed(&mut self) -> Option<F> {
+        for _ in 0..Self::STEPS {
+            let (value, slope) = (self.cubic.value(self.y), self.cubic.slope(self.y));
+            if value <= F::ZERO || slope <= F::ZERO || self.steps == Self::MOST_STEPS {
+                return Some(self.y);
+            }
+            let next = self.y - value / slope;
+            if next >= self.y {
+                return Some(self.y);
+            }
+            (self.y, self.steps) = (next, self.steps + 1);
+        }
+        None
+    }
 }

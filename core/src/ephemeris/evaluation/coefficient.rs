@@ -24,10 +24,13 @@ pub(crate) fn nearest(value: i64, power: usize) -> (i32, i64) {
     (held as i32, (held << dropped).saturating_sub(value))
 }
 
-/// Value of a coefficient that [`nearest`] returned.
-pub(crate) fn number(coefficient: i32, power: usize) -> f64 {
-    f64::from(coefficient) / (1_u64 << (31 + power)) as f64
+/// Value of a coefficient that [`nearest`] returned, with one rounding: the division by a power of two is exact.
+pub(crate) fn number(coefficient: i32, power: usize) -> f32 {
+    coefficient as f32 * (UNIT_OF_FIRST / (1_u32 << power) as f32)
 }
+
+/// Unit of the coefficients of x⁰, 2^-31.
+const UNIT_OF_FIRST: f32 = 1.0 / (1_u32 << 31) as f32;
 
 /// Whether 16 bits of x are enough for a sum that is multiplied by this power of x.
 #[inline(always)]
@@ -103,12 +106,23 @@ mod tests {
             for value in [0.2, -0.2, 1e-9, 0.0].map(|value| value * 0.5_f64.powi(power)) {
                 let [value] = polynomial([value]);
                 let (held, error) = nearest(value, power as usize);
-                let truth = number(held, power as usize) - value as f64 * 2_f64.powi(-62);
+                let truth = f64::from(held) * 2_f64.powi(-31 - power) - value as f64 * 2_f64.powi(-62);
                 assert!((error as f64 * 2_f64.powi(-62) - truth).abs() < 1e-16, "{power} {value}");
                 assert!(truth.abs() <= 2_f64.powi(-31 - power));
             }
         }
         assert_eq!(nearest(i64::MAX, 1).0, i32::MAX);
+    }
+
+    /// The value has the one rounding of the coefficient to 24 bits.
+    #[test]
+    fn the_value_of_a_coefficient_is_rounded_once() {
+        for power in 0..16 {
+            for held in [0, 1, -1, 77_777_777, -2_000_000_001, i32::MAX, i32::MIN] {
+                let exact = f64::from(held) * 2_f64.powi(-31 - power);
+                assert_eq!(number(held, power as usize), exact as f32, "{held} {power}");
+            }
+        }
     }
 
     fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {

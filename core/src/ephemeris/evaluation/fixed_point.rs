@@ -35,7 +35,7 @@ impl EphemerisScalar for I2F30 {
     }
 
     fn number(held: i32, power: usize) -> f32 {
-        coefficient::number(held, power) as f32
+        coefficient::number(held, power)
     }
 
     fn widened(self) -> f32 {
@@ -96,7 +96,7 @@ impl EphemerisScalar for I2F14 {
     }
 
     fn number(coefficient: i16, power: usize) -> f32 {
-        narrow::number(coefficient, power) as f32
+        narrow::number(coefficient, power)
     }
 
     fn widened(self) -> f32 {

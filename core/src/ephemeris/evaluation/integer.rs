@@ -167,7 +167,7 @@ impl EphemerisScalar for f32 {
     }
 
     fn number(held: i32, power: usize) -> Self {
-        coefficient::number(held, power) as Self
+        coefficient::number(held, power)
     }
 
     fn widened(self) -> Self {

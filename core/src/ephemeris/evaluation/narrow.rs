@@ -42,8 +42,8 @@ pub(crate) fn coefficient(value: i64, power: usize) -> (i16, i64) {
 }
 
 /// Value of a [`coefficient`].
-pub(crate) fn number(coefficient: i16, power: usize) -> f64 {
-    f64::from(coefficient) / (1_u64 << (15 + power)) as f64
+pub(crate) fn number(coefficient: i16, power: usize) -> f32 {
+    f32::from(coefficient) / (1_u32 << (15 + power)) as f32
 }
 
 /// Re α, Im α, Re β and Im β in units of 2^-14.

@@ -1,9 +1,10 @@
 //! Cells of a tabulation, and the segments into which each is divided.
 
-use crate::ephemeris::cell::{CELLS, Cell, cells_covered, segments_per_cell};
+use crate::ephemeris::cell::{Cell, cells_covered, segments_per_cell};
 use crate::ephemeris::economise::Polynomial;
 use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::segment_errors::SegmentErrors;
+use crate::ephemeris::segment_estimate::SegmentEstimate;
 use crate::ephemeris::span::restrict;
 use crate::ephemeris::tabulate::{Piece, Store, Tabulation};
 use crate::law::series::{TERMS, UNIT, larger_or_nan};
@@ -11,10 +12,6 @@ use crate::law::series::{TERMS, UNIT, larger_or_nan};
 /// Factor by which the expected error of longer segments may exceed the allowed error and they are still tried. A failed
 /// trial costs two polynomials; an unnecessary segment takes memory in the table.
 const COARSENING: f64 = 4.0;
-
-/// Fraction of the allowed error that a segment of two cells may have. Its derivative, from which the angular velocity is
-/// computed, is then no worse than on the shorter segments of other motions.
-const PAIR_SHARE: f64 = 0.125;
 
 /// Upper bound on the error of a segment from the rounding of the coefficients of its series.
 const ROUNDED: f64 = 16.0 * UNIT;
@@ -51,24 +48,20 @@ impl Tabulation {
 
     /// Refuses a number of halvings with which the table would have too many segments.
     pub(super) fn check_capacity(&self, level: u32) -> Result<(), ()> {
-        let fits = self.tabulated.segments + self.least_rest(level) <= self.requirements.most;
+        let fits = self.tabulated.segments + self.least_rest(level, &self.estimate) <= self.requirements.most;
         (level <= Cell::DEEPEST && fits).then_some(()).ok_or(())
     }
 
     /// Least number of segments of the cell at a level and of those after it.
-    fn least_rest(&self, level: u32) -> usize {
-        let rest = CELLS.saturating_sub(self.number + cells_covered(level));
-        segments_per_cell(level.min(Cell::DEEPEST)) + rest.div_ceil(2)
+    fn least_rest(&self, level: u32, estimate: &SegmentEstimate) -> usize {
+        segments_per_cell(level.min(Cell::DEEPEST))
+            + estimate.least_segments(self.number + cells_covered(level))
     }
 
-    /// Whether a refused table might have fitted with the larger error: an estimate from the errors of the cells so far.
-    pub(crate) fn may_fit_with_larger_error(&self) -> bool {
-        self.larger.may_fit(self.level, |level| self.least_rest(level), self.requirements.most)
-    }
-
-    /// Truncation error that a segment may have.
-    pub(super) fn allowed(&self, level: u32) -> f64 {
-        if level == 0 { PAIR_SHARE * self.allowed } else { self.allowed }
+    /// Whether a refused table might have fitted with the larger error, from the errors of the cells so far and the estimate of the
+    /// others.
+    pub(crate) fn may_fit_with_larger_error(&self, estimate: &SegmentEstimate) -> bool {
+        self.larger.may_fit(self.level, |level| self.least_rest(level, estimate), self.requirements.most)
     }
 
     /// Number of the segment among all of this length.
@@ -108,8 +101,13 @@ impl Tabulation {
         let theta_slope = self.path.expansion().greatest_theta_slope() / parts;
         self.speeds.note(self.segment.speeds(), theta_slope, self.path.part() / parts);
         self.error = larger_or_nan(self.error, self.segment.error());
-        self.larger.note(self.error <= LargerError::FACTOR * self.allowed(self.level), self.level);
-        if self.error <= self.allowed(self.level) { self.accept() } else { self.divide(self.finer_level()) }
+        self.larger
+            .note(self.error <= LargerError::FACTOR * self.requirements.of_segment(self.level), self.level);
+        if self.error <= self.requirements.of_segment(self.level) {
+            self.accept()
+        } else {
+            self.divide(self.finer_level())
+        }
     }
 
     /// Number of halvings with which the segments of the cell may have the allowed error, or the larger one.
@@ -117,7 +115,7 @@ impl Tabulation {
         // no term decreases faster than the last, and segments that are too short would take memory
         const GREATEST_DECREASE: f64 = 1.0 / (1_u32 << TERMS) as f64;
         let (mut level, mut error) = (self.level + 1, self.error * GREATEST_DECREASE);
-        while error > LargerError::FACTOR * self.allowed(level) && level < Cell::DEEPEST {
+        while error > LargerError::FACTOR * self.requirements.of_segment(level) && level < Cell::DEEPEST {
             (level, error) = (level + 1, error * GREATEST_DECREASE);
         }
         level
@@ -143,7 +141,7 @@ impl Tabulation {
         self.tabulated.speeds = self.speeds;
         self.number += cells_covered(level);
         let longest = (self.number % 2) as u32;
-        let coarser = level > longest && longer_error < COARSENING * self.allowed(level - 1);
+        let coarser = level > longest && longer_error < COARSENING * self.requirements.of_segment(level - 1);
         self.larger.leave(level, coarser);
         self.level -= u32::from(coarser);
         (self.place, self.error) = (0, 0.0);
