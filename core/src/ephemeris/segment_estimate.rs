@@ -7,9 +7,10 @@
 //! (|c₊| |θ_A' + χ'|^n + |c₋| |θ_A' - χ'|^n) h^n/(n! 2^{n-1})
 //! ```
 //!
-//! The rates do change, which makes the error larger. Therefore a table is refused if already the estimate exceeds its
-//! number of segments (`toytop-lab study` and a test compare such tables with the segments that they need). The estimate is computed in
-//! `f32`, because it needs no more digits and soft arithmetic in `f64` would take a tenth of the time of a set-up.
+//! Where χ' grows or decreases at a relative rate κ above these frequencies, as near the separatrix, the error is about
+//! χ' κ^{n-1} h^n/(n! 2^{n-1}) instead. Other changes of the rates make the error larger. Therefore a table whose segments are fewer
+//! than the estimate is refused (`a_table_that_cannot_fit_is_refused_early` compares such refusals with the segments that are needed). The
+//! estimate is computed in `f32`: it needs no more digits, and soft arithmetic in `f64` would take a tenth of the time of a set-up.
 
 use crate::ephemeris::cell::{CELLS, Cell};
 use crate::ephemeris::mean_rates::MeanRates;
@@ -21,19 +22,53 @@ use crate::scalar::{Extended, Float, Scalar};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SegmentEstimate([u8; CELLS]);
 
-/// Number of points on the half period, at equal distances of χ.
-const POINTS: u8 = 32;
-
-/// Factor by which an error must exceed the allowed one to count. The changes of the rates rarely make an error smaller, and not by
-/// this factor.
+/// Factor by which an error must exceed the allowed one to count, and a further one for an error from the growth of χ'. The changes of the
+/// rates may make an error a little smaller, and a table that fits must not be refused.
 const MARGIN: f32 = 2.0;
+const GROWTH_MARGIN: f32 = 2.0;
 
-/// Distance of two points, rad.
-const DISTANCE: f32 = core::f32::consts::FRAC_PI_2 / POINTS as f32;
+/// Points on the half period: at equal distances of χ, and then at distances that halve towards χ = π/2, because a motion near the
+/// separatrix spends most of its time there. An item is sine and cosine of χ, and the length that it stands for, rad.
+struct Points {
+    angle: [f32; 2],
+    number: u8,
+}
 
-/// Sine and cosine of the distance of two points, and of half of it.
-const STEP: [f32; 2] = [0.049_067_674, 0.998_795_45];
-const HALF_STEP: [f32; 2] = [0.024_541_229, 0.999_698_8];
+/// Length of an equal part of the half period, rad.
+const DISTANCE: f32 = core::f32::consts::FRAC_PI_2 / 32.0;
+
+/// Shortest time, in cells, that a point near χ = π/2 may stand for; those after it are left out.
+const SHORTEST: f32 = 0.125;
+
+impl Points {
+    /// Points from the middle of the first part on.
+    const FIRST: Self = Self { angle: [0.024_541_229, 0.999_698_8], number: 0 };
+    /// Sine and cosine of the length of a part.
+    const STEP: [f32; 2] = [0.049_067_674, 0.998_795_45];
+    /// Number of points at equal distances: all parts but the last.
+    const EQUAL: u8 = 31;
+    const MOST: u8 = Self::EQUAL + 24;
+}
+
+impl Iterator for Points {
+    type Item = ([f32; 2], f32);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        use core::f32::consts::FRAC_1_SQRT_2;
+        let ([sine, cosine], [step_sine, step_cosine]) = (self.angle, Self::STEP);
+        let is_equal = self.number < Self::EQUAL;
+        self.number += 1;
+        self.angle = match self.number {
+            ..Self::EQUAL => {
+                [sine * step_cosine + cosine * step_sine, cosine * step_cosine - sine * step_sine]
+            }
+            Self::EQUAL => [1.0, FRAC_1_SQRT_2 * DISTANCE],
+            _ => [1.0, 0.5 * cosine],
+        };
+        let distance = if is_equal { DISTANCE } else { FRAC_1_SQRT_2 * cosine };
+        (self.number <= Self::MOST).then_some(([sine, cosine], distance))
+    }
+}
 
 impl SegmentEstimate {
     /// Estimate that excludes no table.
@@ -62,18 +97,28 @@ impl SegmentEstimate {
             return estimates;
         }
         let frequencies = Frequencies::new(law, exponentials, rates);
-        let (mut place, mut angle) = (0.0, HALF_STEP);
-        for _ in 0..POINTS {
-            let (cells, error) = frequencies.at(angle, terms);
+        let allowed = requirements.each_ref().map(AllowedErrors::new);
+        let (mut place, mut before) = (0.0, None);
+        for (angle, distance) in Points::FIRST {
+            let (nutation, error) = frequencies.at(angle, terms);
+            let cells = distance / nutation;
+            if distance < DISTANCE && cells < SHORTEST {
+                break;
+            }
+            let growth = before.map_or(0.0, |before: f32| Float::abs(nutation - before) / distance);
+            before = Some(nutation);
             place += 0.5 * cells;
-            for (Self(levels), requirements) in estimates.iter_mut().zip(requirements) {
+            for (Self(levels), allowed) in estimates.iter_mut().zip(&allowed) {
                 if let Some(level) = levels.get_mut(place as usize) {
-                    *level = error.level(requirements, *level);
+                    *level = allowed.level(&error, *level);
+                    if growth > error.frequency {
+                        let of_growth =
+                            CellError { frequency: growth, size: nutation / (GROWTH_MARGIN * growth) };
+                        *level = allowed.level(&of_growth, *level);
+                    }
                 }
             }
             place += 0.5 * cells;
-            let ([sine, cosine], [step_sine, step_cosine]) = (angle, STEP);
-            angle = [sine * step_cosine + cosine * step_sine, cosine * step_cosine - sine * step_sine];
         }
         estimates
     }
@@ -123,7 +168,7 @@ impl Frequencies {
             sizes.iter().zip(frequencies).map(|(size, frequency)| size * power(*frequency)).sum::<f32>()
         });
         let squares = powers.map(|power| power * power).sum::<f32>();
-        (DISTANCE / nutation, CellError { frequency: greatest, size: 2.0 * Float::sqrt(squares) })
+        (nutation, CellError { frequency: greatest, size: 2.0 * Float::sqrt(squares) })
     }
 }
 
@@ -136,20 +181,32 @@ struct CellError {
     size: f32,
 }
 
-impl CellError {
-    /// Number of halvings after which the error is allowed, at least `least`.
-    fn level(&self, requirements: &Requirements, least: u8) -> u8 {
-        // n! 2^{n-1}
+/// Errors that a polynomial of `terms` terms may have, times n! 2^{n-1}.
+struct AllowedErrors {
+    terms: usize,
+    /// On a pair of cells, and on a shorter segment.
+    of_pair: f32,
+    of_shorter: f32,
+}
+
+impl AllowedErrors {
+    fn new(requirements: &Requirements) -> Self {
         let constants = (1..=requirements.terms).fold(0.5, |product, n| product * (2 * n) as f32);
-        let most = |level: u8| MARGIN * requirements.of_segment(level.into()) as f32 * constants;
+        let most = |level: u32| MARGIN * requirements.of_segment(level) as f32 * constants;
+        Self { terms: requirements.terms, of_pair: most(0), of_shorter: most(1) }
+    }
+
+    /// Number of halvings after which an error is allowed, at least `least`.
+    fn level(&self, error: &CellError, least: u8) -> u8 {
         let mut level = least;
+        let mut half_length = error.frequency / (1_u32 << level) as f32;
         while u32::from(level) < Cell::DEEPEST {
-            let half_length = self.frequency / (1_u32 << level) as f32;
-            let error = (0..requirements.terms).fold(self.size, |error, _| error * half_length);
-            if error <= most(level) || error.is_nan() {
+            let most = if level == 0 { self.of_pair } else { self.of_shorter };
+            let value = (0..self.terms).fold(error.size, |value, _| value * half_length);
+            if value <= most || value.is_nan() {
                 break;
             }
-            level += 1;
+            (level, half_length) = (level + 1, 0.5 * half_length);
         }
         level
     }
