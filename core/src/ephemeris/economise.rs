@@ -1,7 +1,7 @@
 //! Reduction of a polynomial's degree (economisation): multiples of Chebyshev polynomials are subtracted, the highest
 //! degree first.
 
-use crate::law::series::{Split, TERMS, UNIT, scaled_product};
+use crate::law::series::{Split, TERMS, scaled_product};
 use crate::scalar::Float;
 
 /// Coefficients of α or of β as a polynomial in x ∈ [-1, 1] on one segment, lowest power first, in units of 2^-62:
@@ -40,8 +40,8 @@ const SCALE: u32 = 54;
 
 /// Reduces both parts to `terms` coefficients by subtracting multiples of Chebyshev polynomials. Returns upper
 /// bounds on the changes of |α|, or |β|, and of its derivative on [-1, 1]: the change of each part is at most the sum of
-/// the multiples, and that of its derivative the sum of their products with the degree squared.
-pub(crate) fn economise(parts: Polynomial<'_>, terms: usize) -> [f64; 2] {
+/// the multiples, and that of its derivative the sum of their products with the degree squared. They are in units of 2^-62.
+pub(crate) fn economise(parts: Polynomial<'_>, terms: usize) -> [f32; 2] {
     let [re, im] = parts.map(|part| {
         let (mut dropped, mut dropped_slopes) = (0, 0);
         for (degree, polynomial) in CHEBYSHEV.iter().enumerate().skip(terms.max(1)).rev() {
@@ -60,15 +60,15 @@ pub(crate) fn economise(parts: Polynomial<'_>, terms: usize) -> [f64; 2] {
             dropped += (leading.abs() >> (degree - 1)) + 1;
             dropped_slopes += (leading.abs().saturating_mul(squared) >> (degree - 1)) + 1;
         }
-        [dropped, dropped_slopes].map(|sum| sum as f64 * UNIT)
+        [dropped, dropped_slopes].map(|sum| sum as f32)
     });
     let ([re, re_slope], [im, im_slope]) = (re, im);
     [[re, im], [re_slope, im_slope]].map(|[re, im]| Float::sqrt(re * re + im * im))
 }
 
-/// Estimated sum of the omitted terms of a series: its last four terms are continued as a geometric series. The
-/// result is infinite where these terms do not decrease.
-pub(crate) fn omitted_terms(part: &[i64; TERMS]) -> f64 {
+/// Estimated sum of the omitted terms of a series, in units of 2^-62: its last four terms are continued as a geometric series.
+/// The result is infinite where these terms do not decrease.
+pub(crate) fn omitted_terms(part: &[i64; TERMS]) -> f32 {
     /// Magnitude below which terms are rounding errors and need not decrease: 3e-17 in units of 2^-62.
     const NEGLIGIBLE: i64 = 138;
     let [.., c12, c13, c14, c15] = part.map(i64::abs);
@@ -77,14 +77,15 @@ pub(crate) fn omitted_terms(part: &[i64; TERMS]) -> f64 {
     if last <= NEGLIGIBLE {
         return 0.0;
     }
-    let (before, last) = (before as f64 * UNIT, last as f64 * UNIT);
+    let (before, last) = (before as f32, last as f32);
     let ratio = last / before;
-    if ratio < 1.0 { last * ratio / (1.0 - ratio) } else { f64::INFINITY }
+    if ratio < 1.0 { last * ratio / (1.0 - ratio) } else { f32::INFINITY }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::law::series::UNIT;
 
     #[test]
     fn economising_stays_within_what_it_says() {
@@ -95,7 +96,8 @@ mod tests {
             .for_each(|(k, c)| *c = (0.2 * 0.3_f64.powi(k as i32) * (1.0 + (k as f64).sin()) / UNIT) as i64);
         for terms in 1..TERMS {
             let (mut short, mut nothing) = (exact, [0; TERMS]);
-            let [bound, slope_bound] = economise([&mut short, &mut nothing], terms);
+            let [bound, slope_bound] =
+                economise([&mut short, &mut nothing], terms).map(|bound| UNIT * f64::from(bound));
             assert_eq!(nothing, [0; TERMS]);
             assert!(short[terms..].iter().all(|c| *c == 0));
             let number = |c: &i64| *c as f64 * UNIT;

@@ -94,7 +94,7 @@ pub trait EphemerisScalar: Scalar {
     /// Error of a polynomial, given in units of 2^-62, that its coefficients cause; infinite where a sum could overflow,
     /// and 0 in floating point.
     #[doc(hidden)]
-    fn coefficient_error(polynomial: &[i64]) -> f64;
+    fn coefficient_error(polynomial: &[i64]) -> f32;
     /// Value of a coefficient of x^power.
     #[doc(hidden)]
     fn number(coefficient: Self::Coefficient, power: usize) -> Self::Wide;

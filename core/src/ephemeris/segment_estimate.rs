@@ -16,6 +16,7 @@ use crate::ephemeris::cell::{CELLS, Cell};
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::tabulated::Requirements;
 use crate::law::Law;
+use crate::law::series::UNIT;
 use crate::scalar::{Extended, Float, Scalar};
 
 /// Estimated least number of halvings of the pair of each cell: see [`Cell::level`].
@@ -192,7 +193,7 @@ struct AllowedErrors {
 impl AllowedErrors {
     fn new(requirements: &Requirements) -> Self {
         let constants = (1..=requirements.terms).fold(0.5, |product, n| product * (2 * n) as f32);
-        let most = |level: u32| MARGIN * requirements.of_segment(level) as f32 * constants;
+        let most = |level: u32| MARGIN * UNIT as f32 * requirements.of_segment(level) * constants;
         Self { terms: requirements.terms, of_pair: most(0), of_shorter: most(1) }
     }
 

@@ -234,7 +234,7 @@ impl SetUp {
 /// Receiver of the polynomials of an ephemeris.
 fn store<R: EphemerisScalar>(
     ephemeris: &mut EphemerisView<R>,
-) -> impl FnMut(usize, usize, Polynomial<'_>) -> [f64; 2] {
+) -> impl FnMut(usize, usize, Polynomial<'_>) -> [f32; 2] {
     |segment, which, parts| put::<R>(&mut ephemeris.segments, segment, which, parts)
 }
 

@@ -1,51 +1,54 @@
 //! Greatest speeds of the tabulated motion, which multiply a delay or an error of the nutation phase.
 
-use crate::law::series::{TERMS, UNIT, larger_or_nan};
+use crate::law::series::{TERMS, larger_or_nan};
+use crate::scalar::Float;
 
 /// Upper bounds over all segments on the speeds of α and β without their mean rotation. They are sums of the
 /// magnitudes of coefficients, so they hold at every point of a segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Speeds {
+pub(crate) struct Speeds<F = f64> {
     /// Greatest angular velocity 2 √(|dα/dt|² + |dβ/dt|²), in rad per half period.
-    pub(crate) sweep: f64,
+    pub(crate) sweep: F,
     /// Twice the greatest rate of θ_A or θ_B, in rad per half period.
-    pub(crate) turning: f64,
+    pub(crate) turning: F,
     /// Greatest change on half a segment, 2 √(|dα/dx|² + |dβ/dx|²), rad.
-    pub(crate) steepness: f64,
+    pub(crate) steepness: F,
     /// Greatest acceleration 2 √(|d²α/dt²|² + |d²β/dt²|²), in rad per half period squared.
-    pub(crate) acceleration: f64,
+    pub(crate) acceleration: F,
     /// Greatest change of the angular velocity on half a segment, in rad per half period.
-    pub(crate) velocity_change: f64,
+    pub(crate) velocity_change: F,
     /// Truncation error of the angular velocity 2 √(|dα/dt|² + |dβ/dt|²), in rad per half period.
-    pub(crate) sweep_error: f64,
+    pub(crate) sweep_error: F,
     /// Greatest rate dx/dt of the local coordinate, per half period.
-    pub(crate) x_rate: f64,
+    pub(crate) x_rate: F,
 }
 
 /// Derivatives by x on one segment, each as 2 √(|α|² + |β|²).
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct SegmentSpeeds {
     /// First derivative.
-    pub(crate) slope: f64,
+    pub(crate) slope: f32,
     /// Truncation error of the first derivative.
-    pub(crate) slope_error: f64,
+    pub(crate) slope_error: f32,
     /// Second derivative.
-    pub(crate) curvature: f64,
+    pub(crate) curvature: f32,
 }
 
-impl Speeds {
+impl<F: Float> Speeds<F> {
     pub(crate) const ZERO: Self = Self {
-        sweep: 0.0,
-        turning: 0.0,
-        steepness: 0.0,
-        acceleration: 0.0,
-        velocity_change: 0.0,
-        sweep_error: 0.0,
-        x_rate: 0.0,
+        sweep: F::ZERO,
+        turning: F::ZERO,
+        steepness: F::ZERO,
+        acceleration: F::ZERO,
+        velocity_change: F::ZERO,
+        sweep_error: F::ZERO,
+        x_rate: F::ZERO,
     };
+}
 
+impl Speeds<f32> {
     /// Includes a segment whose half length is the fraction `part` of half a period, with its speeds and dθ/dx.
-    pub(crate) fn note(&mut self, speeds: SegmentSpeeds, theta_slope: f64, part: f64) {
+    pub(crate) fn note(&mut self, speeds: SegmentSpeeds, theta_slope: f32, part: f32) {
         let SegmentSpeeds { slope, slope_error, curvature } = speeds;
         let x_rate = 1.0 / part;
         *self = Self {
@@ -59,6 +62,20 @@ impl Speeds {
         };
     }
 
+    pub(crate) fn to_f64(self) -> Speeds {
+        Speeds {
+            sweep: self.sweep.into(),
+            turning: self.turning.into(),
+            steepness: self.steepness.into(),
+            acceleration: self.acceleration.into(),
+            velocity_change: self.velocity_change.into(),
+            sweep_error: self.sweep_error.into(),
+            x_rate: self.x_rate.into(),
+        }
+    }
+}
+
+impl Speeds {
     /// Orientation error, rad, if χ alone is delayed by a fraction `share` of half a period. α and β are delayed with
     /// it; θ, which was correct for the undelayed χ, has an error of at most its greatest rate times the delay.
     pub(crate) fn delay(&self, share: f64) -> f64 {
@@ -72,12 +89,12 @@ impl Speeds {
     }
 }
 
-/// Upper bounds on [-1, 1] of the first two derivatives of a polynomial, lowest power first, in units of 2^-62.
-pub(crate) fn greatest_slopes(part: &[i64; TERMS]) -> [f64; 2] {
+/// Upper bounds on [-1, 1] of the first two derivatives of a polynomial, lowest power first, all in units of 2^-62.
+pub(crate) fn greatest_slopes(part: &[i64; TERMS]) -> [f32; 2] {
     // products of at most 210 and a coefficient below 2^62 need ten bits more than i64 has
     let sums = part.iter().zip(0_i64..).fold([0; 2], |[slope, curvature], (c, power)| {
         let size = (c.abs() >> 12) + 1;
         [slope + power * size, curvature + power * (power - 1) * size]
     });
-    sums.map(|sum| sum as f64 * (4096.0 * UNIT))
+    sums.map(|sum| sum as f32 * 4096.0)
 }

@@ -3,7 +3,6 @@
 use crate::ephemeris::EphemerisScalar;
 use crate::ephemeris::cell::{CELLS, Cell, PAIR_BITS};
 use crate::ephemeris::economise::Polynomial;
-use crate::law::series::UNIT;
 use crate::scalar::Float;
 use core::fmt;
 
@@ -51,13 +50,13 @@ pub(crate) fn locate<'a, R: EphemerisScalar>(
 
 /// Stores the polynomial of α (`which` = 0) or of β (1) on a segment, if the table contains that segment. Returns the
 /// orientation error that coefficients out of range cause, and the error of the derivative that the rounding of its
-/// coefficients causes.
+/// coefficients causes, in units of 2^-62 rad.
 pub(crate) fn put<R: EphemerisScalar>(
     segments: &mut [R::Segment],
     segment: usize,
     which: usize,
     parts: Polynomial<'_>,
-) -> [f64; 2] {
+) -> [f32; 2] {
     let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
     let (mut largest, mut slope_squares) = (0.0, 0.0);
     for (column, part) in (2 * which..).zip(parts) {
@@ -73,10 +72,10 @@ pub(crate) fn put<R: EphemerisScalar>(
         }
         let error = R::coefficient_error(part);
         largest = if error > largest { error } else { largest };
-        let slope_error = slope_error as f64;
+        let slope_error = slope_error as f32;
         slope_squares += slope_error * slope_error;
     }
-    [4.0 * largest, UNIT * Float::sqrt(slope_squares)]
+    [4.0 * largest, Float::sqrt(slope_squares)]
 }
 
 /// Error of set-up: the table has too few segments for the allowed truncation error.

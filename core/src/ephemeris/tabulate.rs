@@ -33,11 +33,11 @@ use crate::phase::Phase;
 use crate::scalar::{Extended, Ring};
 
 /// Receiver of polynomials: see [`Tabulation::advance`]. A reference, so that set-up is compiled once for all scalars.
-pub(crate) type Store<'a> = dyn FnMut(usize, usize, Polynomial<'_>) -> [f64; 2] + 'a;
+pub(crate) type Store<'a> = dyn FnMut(usize, usize, Polynomial<'_>) -> [f32; 2] + 'a;
 
 /// Fraction of the allowed error that the omitted terms of a span's series may cause. It is small, because these terms are
 /// estimated.
-const OMITTED_SHARE: f64 = 1.0 / 32.0;
+const OMITTED_SHARE: f32 = 1.0 / 32.0;
 
 /// Start of the motion on the half period.
 #[derive(Clone, Copy, Debug, Default)]
@@ -87,10 +87,11 @@ pub(crate) struct Tabulation {
     half_period: Extended,
     /// Start of the motion, once it has been passed.
     found_start: Option<TabulatedStart>,
-    /// Result so far; its speeds at the beginning of the cell.
+    /// Result so far, without its speeds.
     tabulated: Tabulated,
-    /// Upper bounds on the speeds up to this segment.
-    speeds: Speeds,
+    /// Upper bounds on the speeds up to this segment, and up to the beginning of the cell.
+    speeds: Speeds<f32>,
+    speeds_before: Speeds<f32>,
     piece: Piece,
     span: Span,
     /// Index of the cell, and of the segment in it.
@@ -101,12 +102,12 @@ pub(crate) struct Tabulation {
     larger: LargerError,
     /// Whether the start had been found before the position marked.
     found_before: bool,
-    /// Greatest truncation error of the cell's segments.
-    error: f64,
+    /// Greatest truncation error of the cell's segments, in units of 2^-62 rad.
+    error: f32,
     segment: SegmentErrors,
     /// Real and imaginary part of the series of α and of β on the span, in units of 2^-62, and their omitted terms.
     series: [[[i64; TERMS]; 2]; 2],
-    omitted: [f64; 2],
+    omitted: [f32; 2],
 }
 
 impl Tabulation {
@@ -121,6 +122,7 @@ impl Tabulation {
         found_start: None,
         tabulated: Tabulated::EMPTY,
         speeds: Speeds::ZERO,
+        speeds_before: Speeds::ZERO,
         piece: Piece::Result,
         span: Span::FIRST,
         number: 0,
@@ -163,7 +165,7 @@ impl Tabulation {
         self.found_start = None;
         self.found_before = false;
         self.tabulated = Tabulated { segments: 0, ..Tabulated::EMPTY };
-        self.speeds = Speeds::ZERO;
+        (self.speeds, self.speeds_before) = (Speeds::ZERO, Speeds::ZERO);
         (self.number, self.level, self.place, self.error) = (0, 0, 0, 0.0);
         self.larger = LargerError::NONE;
         self.span = Span::FIRST;
@@ -172,7 +174,7 @@ impl Tabulation {
 
     /// Does the next piece of work. It passes the polynomials of each segment to `store`: the index of the segment, 0
     /// for α or 1 for β, and the coefficients, of which the first `terms` are used. `store` returns the orientation
-    /// error and the error of the derivative from rounding them. A segment may be passed more than once, and the last
+    /// error and the error of the derivative from rounding them, in units of 2^-62 rad. A segment may be passed more than once, and the last
     /// time is valid. The result is the tabulation's, once it is complete.
     ///
     /// # Errors
@@ -293,15 +295,16 @@ impl Tabulation {
     fn result(&self, motion: &Motion) -> Tabulated {
         let TabulatedStart { phase, theta, share } = self.found_start.unwrap_or_default();
         let Position { remainder, squares, .. } = *self.path.end();
-        let stepping = self.speeds.truncation_error(remainder, self.path.fastest_per_half_period());
+        let speeds = self.speeds.to_f64();
+        let stepping = speeds.truncation_error(remainder, self.path.fastest_per_half_period());
         Tabulated {
             start: self.seek.start(motion, phase, theta),
             start_share: share,
-            speeds: self.speeds,
+            speeds,
             squares,
             stepping,
             truncation: self.tabulated.truncation + stepping,
-            defect: self.path.defect(&self.speeds),
+            defect: self.path.defect(&speeds),
             ..self.tabulated
         }
     }

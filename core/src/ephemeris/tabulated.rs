@@ -2,6 +2,7 @@
 
 use crate::ephemeris::cell::{CELLS, Cell};
 use crate::ephemeris::speeds::Speeds;
+use crate::law::series::in_units;
 use crate::phase::Phase;
 
 /// Requirements on a tabulation.
@@ -11,8 +12,8 @@ pub(crate) struct Requirements {
     pub(crate) terms: usize,
     /// Largest truncation error allowed, as an orientation error in rad.
     pub(crate) allowed: f64,
-    /// Part of it that the polynomials may have; the rest is that of the steps from span to span.
-    polynomials: f64,
+    /// Part of it that the polynomials may have, in units of 2^-62 rad; the rest is that of the steps from span to span.
+    polynomials: f32,
     /// Largest number of segments.
     pub(crate) most: usize,
 }
@@ -22,14 +23,14 @@ const STEPPING_SHARE: f64 = 0.125;
 
 /// Fraction of the allowed error that a segment of two cells may have. Its derivative, from which the angular velocity is
 /// computed, is then no worse than on the shorter segments of other motions.
-const PAIR_SHARE: f64 = 0.125;
+const PAIR_SHARE: f32 = 0.125;
 
 impl Requirements {
     /// Requirements that no table meets.
     pub(crate) const NONE: Self = Self { terms: 0, allowed: 0.0, polynomials: 0.0, most: 0 };
 
     pub(crate) fn new(terms: usize, allowed: f64, most: usize) -> Self {
-        Self { terms, allowed, polynomials: (1.0 - STEPPING_SHARE) * allowed, most }
+        Self { terms, allowed, polynomials: in_units((1.0 - STEPPING_SHARE) * allowed), most }
     }
 
     /// Requirements with another allowed error.
@@ -42,13 +43,13 @@ impl Requirements {
         STEPPING_SHARE * self.allowed
     }
 
-    /// Truncation error that the polynomials may have.
-    pub(crate) fn of_polynomials(&self) -> f64 {
+    /// Truncation error that the polynomials may have, in units of 2^-62 rad.
+    pub(crate) fn of_polynomials(&self) -> f32 {
         self.polynomials
     }
 
-    /// Truncation error that a segment may have, if its pair of cells is halved `level` times.
-    pub(crate) fn of_segment(&self, level: u32) -> f64 {
+    /// Truncation error that a segment may have, if its pair of cells is halved `level` times, in units of 2^-62 rad.
+    pub(crate) fn of_segment(&self, level: u32) -> f32 {
         if level == 0 { PAIR_SHARE * self.polynomials } else { self.polynomials }
     }
 }

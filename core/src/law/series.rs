@@ -18,6 +18,13 @@ pub(crate) use crate::law::block::{Split, TERMS, scaled_product};
 
 /// Unit of the coefficients of α and β, 2^-62.
 pub(crate) const UNIT: f64 = power_of_two(-UNIT_BITS);
+
+/// Number in units of [`UNIT`], as which errors of coefficients are estimated in `f32`: their squares neither overflow nor
+/// vanish. It is finite for every x but NaN.
+pub(crate) fn in_units(x: f64) -> f32 {
+    ((x * power_of_two(UNIT_BITS)) as f32).clamp(f32::MIN, f32::MAX)
+}
+
 const UNIT_BITS: i32 = 62;
 
 /// Coefficient of x^k in units of 2^-62, from that of yᵏ = (x/4)^k in units of 2^-56.
@@ -70,8 +77,8 @@ pub(crate) struct Expansion {
 }
 
 /// Larger of two numbers, or NaN if one of them is NaN.
-pub(crate) fn larger_or_nan(a: f64, b: f64) -> f64 {
-    if b <= a || a.is_nan() { a } else { b }
+pub(crate) fn larger_or_nan<F: Float>(a: F, b: F) -> F {
+    if b <= a || a.partial_cmp(&a).is_none() { a } else { b }
 }
 
 impl Slopes {

@@ -2,10 +2,9 @@
 //!
 //! A coefficient of x^k is stored as c·2^(31+k): see [`super::integer`].
 
-use crate::law::series::UNIT;
-
-/// Error of a polynomial from short products that set-up accepts without counting it as an error of the table.
-const SHORT_ERROR: f64 = 0.5 / (1_u64 << 30) as f64;
+/// Error of a polynomial from short products that set-up accepts without counting it as an error of the table, 2^-31, in units of
+/// 2^-62.
+const SHORT_ERROR: f32 = (1_u32 << 31) as f32;
 
 /// Least sum that could overflow, with a margin of 2^-15 plus some thousand roundings of a coefficient.
 const OVERFLOW: i64 = overflow_limit(3.2e-5);
@@ -38,8 +37,9 @@ pub(crate) const fn is_short(power: usize, terms: usize) -> bool {
     2 * power > terms
 }
 
-/// Part of a polynomial's error bound from short products that is above [`SHORT_ERROR`]; x is truncated by up to 2^-15.
-fn short_product_error(polynomial: &[i64]) -> f64 {
+/// Part of a polynomial's error bound from short products that is above [`SHORT_ERROR`], in units of 2^-62; x is truncated by up to
+/// 2^-15.
+fn short_product_error(polynomial: &[i64]) -> f32 {
     let (mut sum, mut sums) = (0, 0);
     for (power, value) in polynomial.iter().enumerate().rev() {
         // a sum of 136 values needs eight bits more than i64 has; rounded up
@@ -48,7 +48,7 @@ fn short_product_error(polynomial: &[i64]) -> f64 {
             sums += sum;
         }
     }
-    let error = sums as f64 * (256.0 / 32768.0 * UNIT);
+    let error = sums as f32 * (256.0 / 32768.0);
     if error > SHORT_ERROR { error - SHORT_ERROR } else { 0.0 }
 }
 
@@ -57,19 +57,19 @@ pub(crate) const fn overflow_limit(margin: f64) -> i64 {
     ((1.0 - margin) * (1_i64 << TABLE_BITS) as f64) as i64
 }
 
-/// Error of a polynomial, given in units of 2^-62, that its coefficients cause; infinite where a sum could overflow.
-pub(crate) fn error(polynomial: &[i64]) -> f64 {
+/// Error of a polynomial that its coefficients cause, both in units of 2^-62; infinite where a sum could overflow.
+pub(crate) fn error(polynomial: &[i64]) -> f32 {
     overflow(polynomial, OVERFLOW) + short_product_error(polynomial)
 }
 
 /// Infinite where a sum of the polynomial could overflow, with a margin for the rounding of the coefficients, because
 /// the error after an overflow is unbounded; otherwise 0.
-pub(crate) fn overflow(polynomial: &[i64], limit: i64) -> f64 {
+pub(crate) fn overflow(polynomial: &[i64], limit: i64) -> f32 {
     let mut sum = 0_i64;
     for (power, value) in polynomial.iter().enumerate().skip(1).rev() {
         sum = sum.saturating_add(value.saturating_abs());
         if sum > limit >> power {
-            return f64::INFINITY;
+            return f32::INFINITY;
         }
     }
     0.0
@@ -78,26 +78,29 @@ pub(crate) fn overflow(polynomial: &[i64], limit: i64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::law::series::UNIT;
 
     /// With six terms the products with the fourth and the fifth power are short, and the sum of the lower one
     /// contains both.
     #[test]
     fn what_short_products_lose() {
         let near =
-            |found: f64, expected: f64| assert!((found - expected).abs() < 1e-14, "{found:e} {expected:e}");
-        near(short_product_error(&polynomial([0.9, 0.9, 0.9, 0.9, -0.3, 0.5])), 1.3 / 32768.0 - SHORT_ERROR);
+            |found: f64, expected: f64| assert!((found - expected).abs() < 4e-12, "{found:e} {expected:e}");
+        let short_product_error = |polynomial: &[i64]| UNIT * f64::from(short_product_error(polynomial));
+        let accepted = UNIT * f64::from(SHORT_ERROR);
+        near(short_product_error(&polynomial([0.9, 0.9, 0.9, 0.9, -0.3, 0.5])), 1.3 / 32768.0 - accepted);
         near(short_product_error(&polynomial([1.0, 0.5, 0.25, 0.1, 0.0, 1e-9])), 0.0);
         // in range, but the short products are not accurate enough
         let steep = polynomial([0.0, 0.0, 0.0, 0.0, 0.02, 0.01]);
-        near(error(&steep), 0.04 / 32768.0 - SHORT_ERROR);
+        near(UNIT * f64::from(error(&steep)), 0.04 / 32768.0 - accepted);
     }
 
     #[test]
     fn sums_stay_below_their_powers_by_a_margin() {
         let limit = overflow_limit(1e-3);
         assert_eq!(overflow(&polynomial([0.9, 0.4994, 0.0]), limit), 0.0);
-        assert_eq!(overflow(&polynomial([0.9, 0.4996, 0.0]), limit), f64::INFINITY);
-        assert_eq!(overflow(&polynomial([0.9, 0.2, -0.2499, 0.0]), limit), f64::INFINITY);
+        assert_eq!(overflow(&polynomial([0.9, 0.4996, 0.0]), limit), f32::INFINITY);
+        assert_eq!(overflow(&polynomial([0.9, 0.2, -0.2499, 0.0]), limit), f32::INFINITY);
     }
 
     #[test]

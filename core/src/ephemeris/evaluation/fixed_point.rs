@@ -30,7 +30,7 @@ impl EphemerisScalar for I2F30 {
         coefficient::nearest(value, power)
     }
 
-    fn coefficient_error(polynomial: &[i64]) -> f64 {
+    fn coefficient_error(polynomial: &[i64]) -> f32 {
         coefficient::error(polynomial)
     }
 
@@ -91,7 +91,7 @@ impl EphemerisScalar for I2F14 {
         narrow::coefficient(value, power)
     }
 
-    fn coefficient_error(polynomial: &[i64]) -> f64 {
+    fn coefficient_error(polynomial: &[i64]) -> f32 {
         coefficient::overflow(polynomial, narrow::OVERFLOW)
     }
 

@@ -38,7 +38,7 @@ impl EphemerisScalar for f64 {
         (nearest * UNIT, (nearest as i64).saturating_sub(value))
     }
 
-    fn coefficient_error(_: &[i64]) -> f64 {
+    fn coefficient_error(_: &[i64]) -> f32 {
         0.0
     }
 

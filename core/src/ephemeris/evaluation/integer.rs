@@ -162,7 +162,7 @@ impl EphemerisScalar for f32 {
         coefficient::nearest(value, power)
     }
 
-    fn coefficient_error(polynomial: &[i64]) -> f64 {
+    fn coefficient_error(polynomial: &[i64]) -> f32 {
         coefficient::error(polynomial)
     }
 

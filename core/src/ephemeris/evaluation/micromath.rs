@@ -139,7 +139,7 @@ impl EphemerisScalar for Micromath {
         (Self::from_f64(f64::from(nearest) * UNIT), (nearest as i64).saturating_sub(value))
     }
 
-    fn coefficient_error(_: &[i64]) -> f64 {
+    fn coefficient_error(_: &[i64]) -> f32 {
         0.0
     }
 

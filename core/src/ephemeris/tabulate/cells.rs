@@ -11,10 +11,10 @@ use crate::law::series::{TERMS, UNIT, larger_or_nan};
 
 /// Factor by which the expected error of longer segments may exceed the allowed error and they are still tried. A failed
 /// trial costs two polynomials; an unnecessary segment takes memory in the table.
-const COARSENING: f64 = 4.0;
+const COARSENING: f32 = 4.0;
 
-/// Upper bound on the error of a segment from the rounding of the coefficients of its series.
-const ROUNDED: f64 = 16.0 * UNIT;
+/// Upper bound on the error of a segment from the rounding of the coefficients of its series, in units of 2^-62 rad.
+const ROUNDED: f32 = 16.0;
 
 impl Tabulation {
     /// Enters the cell in which the span begins, or which begins in the span.
@@ -35,7 +35,7 @@ impl Tabulation {
         for (number, cell) in cells.skip(self.number).take(cells_covered(level)) {
             *cell = Cell::new(number, self.tabulated.segments, level);
         }
-        (self.place, self.error, self.speeds) = (0, 0.0, self.tabulated.speeds);
+        (self.place, self.error, self.speeds) = (0, 0.0, self.speeds_before);
         let begin = self.segment_begin();
         if self.span.begin() <= begin {
             return Ok(Piece::Polynomial(0));
@@ -85,10 +85,9 @@ impl Tabulation {
         if which == 0 {
             self.segment = SegmentErrors::NONE;
         }
-        let (removed, omitted) =
-            (removed as f64 * UNIT, self.omitted.get(which).copied().unwrap_or_default());
+        let (removed, omitted) = (removed as f32, self.omitted.get(which).copied().unwrap_or_default());
         // the derivative by the coordinate of the segment
-        let slope = TERMS as f64 * (omitted / f64::from(1_u32 << halvings) + removed);
+        let slope = TERMS as f32 * (omitted / (1_u32 << halvings) as f32 + removed);
         let (index, [re, im]) = (self.tabulated.segments + self.place, &mut series);
         let store = |parts: Polynomial<'_>| store(index, which, parts);
         self.segment.shorten([re, im], [omitted + removed, slope], self.requirements.terms, store);
@@ -97,12 +96,14 @@ impl Tabulation {
 
     /// Next piece after a segment.
     fn judge(&mut self) -> Result<Piece, ()> {
-        let parts = f64::from(1_u32 << self.span.halvings(self.level));
-        let theta_slope = self.path.expansion().greatest_theta_slope() / parts;
-        self.speeds.note(self.segment.speeds(), theta_slope, self.path.part() / parts);
+        let parts = (1_u32 << self.span.halvings(self.level)) as f32;
+        let theta_slope = self.path.expansion().greatest_theta_slope() as f32 / parts;
+        self.speeds.note(self.segment.speeds(), theta_slope, self.path.part() as f32 / parts);
         self.error = larger_or_nan(self.error, self.segment.error());
-        self.larger
-            .note(self.error <= LargerError::FACTOR * self.requirements.of_segment(self.level), self.level);
+        self.larger.note(
+            self.error <= LargerError::FACTOR as f32 * self.requirements.of_segment(self.level),
+            self.level,
+        );
         if self.error <= self.requirements.of_segment(self.level) {
             self.accept()
         } else {
@@ -113,9 +114,11 @@ impl Tabulation {
     /// Number of halvings with which the segments of the cell may have the allowed error, or the larger one.
     fn finer_level(&self) -> u32 {
         // no term decreases faster than the last, and segments that are too short would take memory
-        const GREATEST_DECREASE: f64 = 1.0 / (1_u32 << TERMS) as f64;
+        const GREATEST_DECREASE: f32 = 1.0 / (1_u32 << TERMS) as f32;
         let (mut level, mut error) = (self.level + 1, self.error * GREATEST_DECREASE);
-        while error > LargerError::FACTOR * self.requirements.of_segment(level) && level < Cell::DEEPEST {
+        while error > LargerError::FACTOR as f32 * self.requirements.of_segment(level)
+            && level < Cell::DEEPEST
+        {
             (level, error) = (level + 1, error * GREATEST_DECREASE);
         }
         level
@@ -135,10 +138,10 @@ impl Tabulation {
     fn leave(&mut self) {
         let level = self.level;
         // roundings of the coefficients are no errors of the length
-        let longer_error = (self.error - ROUNDED) * f64::from(1_u32 << self.requirements.terms);
-        self.tabulated.truncation = larger_or_nan(self.tabulated.truncation, self.error);
+        let longer_error = (self.error - ROUNDED) * (1_u32 << self.requirements.terms) as f32;
+        self.tabulated.truncation = larger_or_nan(self.tabulated.truncation, UNIT * f64::from(self.error));
         self.tabulated.segments += segments_per_cell(level);
-        self.tabulated.speeds = self.speeds;
+        self.speeds_before = self.speeds;
         self.number += cells_covered(level);
         let longest = (self.number % 2) as u32;
         let coarser = level > longest && longer_error < COARSENING * self.requirements.of_segment(level - 1);
