@@ -16,7 +16,7 @@ pub(crate) struct Position {
     pub(crate) remainder: f64,
     /// Sums of the squares of the terms that the steps add up: of χ as delays, in units of half a period, and of θ,
     /// rad.
-    pub(crate) squares: [f64; 2],
+    pub(crate) squares: [f32; 2],
 }
 
 /// Steps through the half period, with the expansion around the last position.
@@ -234,7 +234,7 @@ impl HalfPeriod {
         let truncation_error = self.expansion.truncation_error(x);
         (truncation_error <= share).then(|| {
             let [chi, theta] = self.expansion.sizes(x);
-            let delay = self.part * chi / self.expansion.chi_slope(x);
+            let delay = self.part as f32 * chi;
             let [delays, angles] = self.current.squares;
             Position {
                 point: self.expansion.point(x),

@@ -301,7 +301,7 @@ impl Tabulation {
             start: self.seek.start(motion, phase, theta),
             start_share: share,
             speeds,
-            squares,
+            squares: squares.map(f64::from),
             stepping,
             truncation: self.tabulated.truncation + stepping,
             defect: self.path.defect(&speeds),

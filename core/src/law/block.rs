@@ -247,11 +247,6 @@ impl Block {
         in_range(value).is_some()
     }
 
-    /// Coefficient in `f64`.
-    pub(crate) fn number(&self, k: usize) -> f64 {
-        self.get(k) as f64 * self.unit()
-    }
-
     /// Value of 1 in units of the coefficients' unit.
     pub(crate) fn unit(&self) -> f64 {
         power_of_two(self.exponent)

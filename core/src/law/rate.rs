@@ -41,20 +41,36 @@ impl Rate {
         y * (self.slope + y * (varied as f64 * self.integral.unit() * self.scale))
     }
 
-    /// Value at y = `quarters`/4.
-    pub(super) fn at(&self, quarters: i64, terms: usize) -> f64 {
+    /// Value at y = `quarters`/4, of a rate whose variation is relative to its slope, over the slope.
+    pub(super) fn relative(&self, quarters: i64, terms: usize) -> f32 {
         let varied = self.variation.at_quarters(quarters, terms, |c| c).unwrap_or_default();
-        self.slope + 0.25 * quarters as f64 * (varied as f64 * self.variation.unit() * self.scale)
+        1.0 + 0.25 * quarters as f32 * (varied as f32 * self.variation.unit() as f32)
     }
 
     /// Sum of the magnitudes of the terms of the integral from 0 to y = `quarters`/4 > 0.
-    pub(super) fn size(&self, quarters: i64, terms: usize) -> f64 {
+    pub(super) fn size(&self, quarters: i64, terms: usize) -> f32 {
+        let y = 0.25 * quarters as f32;
+        y * (Float::abs(self.slope) as f32
+            + self.varied_size(quarters, terms) * Float::abs(self.scale) as f32)
+    }
+
+    /// [`Rate::size`] of a rate whose variation is relative to its slope, over the slope.
+    pub(super) fn relative_size(&self, quarters: i64, terms: usize) -> f32 {
+        0.25 * quarters as f32 * (1.0 + self.varied_size(quarters, terms))
+    }
+
+    fn varied_size(&self, quarters: i64, terms: usize) -> f32 {
         let varied = self.integral.at_quarters(quarters, terms, i64::abs).unwrap_or(i64::MAX);
-        let y = 0.25 * quarters as f64;
         // a rounding error of the coefficients counts as the term of which it would be the rounding in f64
-        let noise = NOISE as f64 / f64::ROUNDING;
-        y * (Float::abs(self.slope)
-            + y * ((varied as f64 + noise) * self.integral.unit() * Float::abs(self.scale)))
+        let noise = (NOISE as f64 / f64::ROUNDING) as f32;
+        0.25 * quarters as f32 * ((varied as f32 + noise) * self.integral.unit() as f32)
+    }
+
+    /// Upper bound on the rate for y in [-1/4, 1/4].
+    pub(super) fn greatest(&self, terms: usize) -> f32 {
+        let varied = self.variation.at_quarters(1, terms, i64::abs).unwrap_or(i64::MAX);
+        let varied = 0.25 * (varied as f32 * self.variation.unit() as f32);
+        Float::abs(self.slope) as f32 + varied * Float::abs(self.scale) as f32
     }
 
     /// Value, and integral from 0, at a fractional y in [-1, 1].
@@ -71,12 +87,14 @@ impl Rate {
         (self.slope + y * value, y * (self.slope + y * integral))
     }
 
-    /// Magnitude of the k-th coefficient; 0 where it is a rounding error.
-    pub(super) fn term(&self, k: usize) -> f64 {
+    /// Magnitude of the k-th coefficient times a weight; 0 where it is a rounding error. The weight may be large where the slope is
+    /// small.
+    pub(super) fn term(&self, k: usize, weight: f64) -> f32 {
+        let size = self.variation.get(k).abs();
         match k {
-            0 => Float::abs(self.slope),
-            _ if self.variation.get(k).abs() <= NOISE => 0.0,
-            _ => Float::abs(self.variation.number(k) * self.scale),
+            0 => Float::abs(weight * self.slope) as f32,
+            _ if size <= NOISE => 0.0,
+            _ => size as f32 * self.variation.unit() as f32 * Float::abs(weight * self.scale) as f32,
         }
     }
 }

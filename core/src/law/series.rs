@@ -127,28 +127,20 @@ impl Expansion {
         (self.origin.chi + Phase::from_radians(change), 0.25 * slope)
     }
 
-    /// Derivative dχ/dx at a whole x.
-    pub(crate) fn chi_slope(&self, x: i64) -> f64 {
-        0.25 * self.chi.at(x, self.terms)
-    }
-
-    /// Magnitudes of the terms that add up to the changes of χ and of θ at a whole x > 0, rad; rounding errors are
-    /// relative to them.
-    pub(crate) fn sizes(&self, x: i64) -> [f64; 2] {
+    /// Magnitudes of the terms that add up to the changes of χ and of θ at a whole x > 0, to which rounding errors are relative: of χ
+    /// as a change of x, and of θ in rad.
+    pub(crate) fn sizes(&self, x: i64) -> [f32; 2] {
         let [alpha, beta] = &self.theta;
         let size = |rate: &Rate| rate.size(x, self.terms);
-        [size(&self.chi), larger_or_nan(size(alpha), size(beta)) + 0.25 * x as f64 * self.variation_size]
+        // the slope may be below the range of f32, but not the quotient; it is by y = x/4
+        let delay = 4.0 * self.chi.relative_size(x, self.terms) / self.chi.relative(x, self.terms);
+        [delay, larger_or_nan(size(alpha), size(beta)) + 0.25 * x as f32 * self.variation_size as f32]
     }
 
     /// Upper bound on |dθ/dx| of α and of β for x in [-1, 1], without the truncation error of the series.
-    pub(crate) fn greatest_theta_slope(&self) -> f64 {
-        let bound = |rate: &Rate| {
-            let varied = rate.variation.at_quarters(1, self.terms, i64::abs).unwrap_or(i64::MAX);
-            let varied = 0.25 * varied as f64 * rate.variation.unit() * Float::abs(rate.scale);
-            0.25 * (Float::abs(rate.slope) + varied)
-        };
+    pub(crate) fn greatest_theta_slope(&self) -> f32 {
         let [alpha, beta] = &self.theta;
-        larger_or_nan(bound(alpha), bound(beta))
+        0.25 * larger_or_nan(alpha.greatest(self.terms), beta.greatest(self.terms))
     }
 
     /// Phases θ of α and of β at x.
@@ -208,17 +200,17 @@ impl Expansion {
         if self.terms == 0 {
             return f64::INFINITY;
         }
-        let y = 0.25 * x as f64;
+        let y = 0.25 * x as f32;
         let before = self.terms.saturating_sub(2);
         let power = (0..before).fold(1.0, |power, _| power * y);
         let last = larger_or_nan(self.term(before) * power, self.term(before + 1) * power * y);
-        last * y / (3 * self.terms) as f64
+        (last * y / (3 * self.terms) as f32).into()
     }
 
     /// Largest k-th coefficient of the rates of the phases, with the weight of χ.
-    fn term(&self, k: usize) -> f64 {
+    fn term(&self, k: usize) -> f32 {
         let [alpha, beta] = &self.theta;
-        larger_or_nan(self.weight * self.chi.term(k), larger_or_nan(alpha.term(k), beta.term(k)))
+        larger_or_nan(self.chi.term(k, self.weight), larger_or_nan(alpha.term(k, 1.0), beta.term(k, 1.0)))
     }
 }
 
