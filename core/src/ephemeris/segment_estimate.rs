@@ -48,7 +48,7 @@ impl Points {
     const STEP: [f32; 2] = [0.049_067_674, 0.998_795_45];
     /// Number of points at equal distances: all parts but the last.
     const EQUAL: u8 = 31;
-    const MOST: u8 = Self::EQUAL + 24;
+    const MOST: u8 = Self::EQUAL + 16;
 }
 
 impl Iterator for Points {

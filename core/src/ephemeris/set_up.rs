@@ -124,7 +124,6 @@ impl SetUp {
         &mut self,
         ephemeris: &mut EphemerisView<R>,
     ) -> Poll<Result<(), TableTooSmall>> {
-        let requirements = self.requirements(ephemeris);
         match self.stage {
             Stage::Ended(result) => return Poll::Ready(result),
             Stage::Rates => {
@@ -139,10 +138,11 @@ impl SetUp {
                 self.stage = Stage::Begin;
             }
             Stage::Begin => {
+                let requirements = self.requirements(ephemeris);
                 self.tabulation.begin(&self.motion, &self.rates, fine(&requirements));
                 self.stage = Stage::Estimate;
             }
-            Stage::Estimate => return self.estimate(requirements),
+            Stage::Estimate => return self.estimate(self.requirements(ephemeris)),
             Stage::Clock => {
                 self.start_clock(ephemeris);
                 self.stage = Stage::TipAngle;
@@ -165,10 +165,10 @@ impl SetUp {
                         if self.stage == Stage::Fine
                             && self.tabulation.may_fit_with_larger_error(&self.estimate) =>
                     {
-                        self.tabulation.again(requirements, self.estimate);
+                        self.tabulation.again(self.requirements(ephemeris), self.estimate);
                         self.stage = Stage::Coarse;
                     }
-                    Err(()) => return self.refuse(&requirements),
+                    Err(()) => return self.refuse(&self.requirements(ephemeris)),
                 }
             }
         }

@@ -81,6 +81,11 @@ impl<F: Float> EllipticLaw<F> {
         [time, alpha, beta]
     }
 
+    /// Factors of the derivatives of ψ_A and ψ_B, up to a common one.
+    pub(crate) fn slow_scales(&self) -> [f64; 2] {
+        [self.law.alpha_scale, self.law.beta_scale].map(Float::to_f64)
+    }
+
     /// Factors of the derivatives.
     pub(crate) fn factors(&self) -> [F; 3] {
         let [_, at_e2] = self.roots;

@@ -144,7 +144,7 @@ impl Quadrature {
         let difference = self.odd.plus(&self.sums.negated());
         self.sums = self.sums.plus(&self.odd);
         self.nodes *= 2;
-        let changes = difference.relative_to(&self.sums, &self.law.factors());
+        let changes = difference.relative_to(&self.sums, self.law.slow_scales());
         let ([time, slow], [time_before, slow_before]) = (changes, self.before);
         let error = remaining_error(time, time_before).max(remaining_error(slow, slow_before));
         if self.nodes >= self.needed && error <= SETTLED || self.nodes >= MOST_NODES {
@@ -256,13 +256,16 @@ impl Sums {
     }
 
     /// Changes relative to a total: of the time, and of the slow phases, which are compared with the sum of their totals.
-    fn relative_to(&self, total: &Self, [_, of_alpha, of_beta]: &[Extended; 3]) -> [f64; 2] {
-        let magnitudes = |Self([time, alpha, beta]): &Self| {
-            [time.abs(), (*alpha * *of_alpha).abs() + (*beta * *of_beta).abs()]
+    ///
+    /// * `scales`: factors of ψ_A and of ψ_B, up to a common one
+    fn relative_to(&self, total: &Self, scales: [f64; 2]) -> [f64; 2] {
+        let [alpha_scale, beta_scale] = scales.map(Float::abs);
+        let magnitudes = |Self(sums): &Self| {
+            let [time, alpha, beta] = sums.map(|sum| Float::abs(sum.to_f64()));
+            [time, alpha * alpha_scale + beta * beta_scale]
         };
         let ([time_change, slow_change], [time, slow]) = (magnitudes(self), magnitudes(total));
-        let slow = if slow > Extended::ZERO { slow_change / slow } else { Extended::ZERO };
-        [time_change / time, slow].map(Float::to_f64)
+        [time_change / time, if slow > 0.0 { slow_change / slow } else { 0.0 }]
     }
 }
 

@@ -56,10 +56,22 @@ impl Extended {
         Self { significand, exponent: exponent - spare }
     }
 
+    /// [`Extended::normalised`] for a significand that is 0, or has one bit too many or too few at most: a fraction of the cost.
+    #[inline(always)]
+    fn nearly_normalised(significand: i128, exponent: i32) -> Self {
+        // a negative significand of -2^n has as many bits as one of 2^n - 1
+        let bits = significand ^ (significand >> 127);
+        match bits >> (BITS - 1) {
+            1 => Self { significand, exponent },
+            2 | 3 => Self { significand: significand >> 1, exponent: exponent + 1 },
+            _ => Self::normalised(significand, exponent),
+        }
+    }
+
     /// Number with this magnitude and the sign of a product or quotient of two others.
     fn signed(magnitude: u128, exponent: i32, negative: bool) -> Self {
         let magnitude = magnitude as i128;
-        Self::normalised(if negative { -magnitude } else { magnitude }, exponent)
+        Self::nearly_normalised(if negative { -magnitude } else { magnitude }, exponent)
     }
 }
 
@@ -70,7 +82,7 @@ impl Add for Extended {
         let (larger, smaller) = if self.exponent < other.exponent { (other, self) } else { (self, other) };
         let distance = larger.exponent - smaller.exponent;
         if distance > BITS {
-            return larger;
+            return Self::nearly_normalised(larger.significand, larger.exponent);
         }
         // one more bit: a difference of two numbers whose exponents differ by 1 is exact
         Self::normalised(
@@ -84,7 +96,7 @@ impl Neg for Extended {
     type Output = Self;
     #[inline(never)]
     fn neg(self) -> Self {
-        Self::normalised(-self.significand, self.exponent)
+        Self::nearly_normalised(-self.significand, self.exponent)
     }
 }
 
@@ -92,7 +104,9 @@ impl Sub for Extended {
     type Output = Self;
     #[inline(never)]
     fn sub(self, other: Self) -> Self {
-        self + -other
+        // a sum does not depend on the one bit by which a negated significand may be too short; too long it must not be
+        let significand = -other.significand;
+        if significand >> BITS > 0 { self + -other } else { self + Self { significand, ..other } }
     }
 }
 
