@@ -64,7 +64,8 @@ impl Cursor {
         Sample::new(ephemeris, self.phases, ephemeris.clock.tip.at(self.tick()))
     }
 
-    /// Tick of the last sample; before the first sample, the tick before it.
+    /// Tick of the last sample; before the first sample, the tick before it. After tick 2^63 - 1 the number wraps to -2^63, and
+    /// the motion goes on.
     #[inline(always)]
     #[must_use]
     pub fn tick(&self) -> i64 {
