@@ -17,6 +17,7 @@ use crate::ephemeris::table::{TableTooSmall, put};
 use crate::ephemeris::tabulate::Tabulation;
 use crate::ephemeris::tabulated::{Requirements, Tabulated};
 use crate::ephemeris::tick::Tick;
+use crate::ephemeris::tip_angle::WindingProgress;
 use crate::motion::Motion;
 use crate::scalar::Float;
 
@@ -54,6 +55,7 @@ pub struct SetUp {
     estimate: SegmentEstimate,
     /// Result of the tabulation.
     tabulated: Tabulated,
+    winding: WindingProgress,
     stage: Stage,
 }
 
@@ -72,6 +74,8 @@ enum Stage {
     Estimate,
     /// Clock of the completed table.
     Clock,
+    /// Argument of αβ up to the segment of the start, for the tip angle.
+    Winding,
     /// Mean tip angle.
     TipAngle,
     /// Error bounds.
@@ -97,6 +101,7 @@ impl SetUp {
             tabulation: Tabulation::EMPTY,
             estimate: SegmentEstimate::NONE,
             tabulated: Tabulated::EMPTY,
+            winding: WindingProgress::NONE,
             stage: Stage::Rates,
         }
     }
@@ -145,10 +150,17 @@ impl SetUp {
             Stage::Estimate => return self.estimate(self.requirements(ephemeris)),
             Stage::Clock => {
                 self.start_clock(ephemeris);
-                self.stage = Stage::TipAngle;
+                self.winding = WindingProgress::NONE;
+                self.stage = Stage::Winding;
+            }
+            Stage::Winding => {
+                let [nutation, ..] = self.tabulated.start;
+                if ephemeris.wind(nutation, &mut self.winding) {
+                    self.stage = Stage::TipAngle;
+                }
             }
             Stage::TipAngle => {
-                ephemeris.start_tip_angle(&self.motion, self.tabulated.start);
+                ephemeris.start_tip_angle(&self.motion, self.tabulated.start, &self.winding);
                 self.stage = Stage::Bounds;
             }
             Stage::Bounds => {

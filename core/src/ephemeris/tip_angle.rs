@@ -4,11 +4,13 @@
 //! segment; on the other half of the period it is the negative of that. For a slender top αβ may wind around 0 many
 //! times, so the crossings of the negative real axis are counted at the centres of the segments.
 
+use core::ops::Range;
+
 use crate::complex::Complex;
 use crate::ephemeris::clock::TipClock;
 use crate::ephemeris::evaluation::{EphemerisScalar, ValuesAndSlopes};
 use crate::ephemeris::storage::EphemerisView;
-use crate::ephemeris::table::locate;
+use crate::ephemeris::table::{LocatedSegment, locate};
 use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::{Float, Real, Ring, Scalar};
@@ -28,13 +30,34 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.signed_part(nutation) + self.tabulated_angle(nutation)
     }
 
+    /// Continues the argument of αβ over some of the segments between u = e₁ and the start of a motion. Returns whether it has
+    /// reached the segment of the start.
+    ///
+    /// * `nutation`: nutation phase at t = 0
+    pub(crate) fn wind(&self, nutation: Phase, progress: &mut WindingProgress) -> bool {
+        /// Number of segments in a slice of a set-up.
+        const SEGMENTS: usize = 16;
+        let LocatedSegment { number, .. } = self.located(nutation.fraction());
+        let end = (number + 1).min(progress.segments + SEGMENTS);
+        let mut winding = progress.winding.cast();
+        self.continue_over(progress.segments..end, &mut winding);
+        *progress = WindingProgress { winding: winding.cast(), segments: end };
+        end > number
+    }
+
     /// Sets the mean tip angle so that the tip angle at t = 0 is the argument of c in (-1/2, 1/2] turn.
     ///
     /// * `start`: nutation phase, A and B at t = 0
-    pub(crate) fn start_tip_angle(&mut self, motion: &Motion, [nutation, a, b]: [Phase; 3]) {
+    /// * `progress`: continued argument at the segment of the start
+    pub(crate) fn start_tip_angle(
+        &mut self,
+        motion: &Motion,
+        [nutation, a, b]: [Phase; 3],
+        progress: &WindingProgress,
+    ) {
         let nutation = nutation.fraction();
         let quarter_turn = Phase::QUARTER.times(self.clock.tip.quarter.into());
-        let tabulated = self.tabulated_angle(nutation);
+        let tabulated = self.angle_in(&self.located(nutation), progress.winding.cast(), nutation);
         // the whole turns come from the table, and the rest from the motion's phases, because near the centre the
         // table's angle is inexact
         let argument = motion.tip_angle_at_start();
@@ -55,17 +78,32 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Argument of the tabulated αβ, continued from u = e₁, where it is 0.
     fn tabulated_angle(&self, nutation: u64) -> Phase {
+        let found = self.located(nutation);
+        let mut winding = Winding::START;
+        self.continue_over(0..found.number + 1, &mut winding);
+        self.angle_in(&found, winding, nutation)
+    }
+
+    /// Segment at a nutation phase.
+    fn located(&self, nutation: u64) -> LocatedSegment<'_, R> {
         let share = (nutation ^ ((nutation as i64) >> 63) as u64) << 1;
-        let found = locate::<R>(&self.cells, &self.segments, share);
-        let x = R::Wide::from_f64(found.x as f64 / (1_u64 << 63) as f64);
-        let mut winding = Winding::new();
-        for segment in self.segments.iter().take(found.number + 1) {
+        locate::<R>(&self.cells, &self.segments, share)
+    }
+
+    /// Continues the argument of αβ over the centres of these segments.
+    fn continue_over(&self, segments: Range<usize>, winding: &mut Winding<R::Wide>) {
+        for segment in self.segments.get(segments).unwrap_or_default() {
             let [centre, ..] = segment.as_ref() else { continue };
             let product = self.turned_back(centre.map(|coefficient| R::number(coefficient, 0)));
             if !self.is_at_limit(product) {
                 winding.reach(product);
             }
         }
+    }
+
+    /// Argument of the tabulated αβ at a nutation phase, from that at the centre of its segment.
+    fn angle_in(&self, found: &LocatedSegment<'_, R>, mut winding: Winding<R::Wide>, nutation: u64) -> Phase {
+        let x = R::Wide::from_f64(found.x as f64 / (1_u64 << 63) as f64);
         let numbers = |(power, row): (usize, &[R::Coefficient; 4])| row.map(|c| R::number(c, power));
         let ValuesAndSlopes(value, slope) =
             ValuesAndSlopes::at(found.terms.iter().enumerate().rev().map(numbers), x);
@@ -134,15 +172,33 @@ fn is_falling(nutation: u64) -> bool {
     (nutation as i64) < 0
 }
 
+/// Argument of αβ, continued over the first segments of a table.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct WindingProgress {
+    winding: Winding<f64>,
+    /// Number of these segments.
+    segments: usize,
+}
+
+impl WindingProgress {
+    pub(crate) const NONE: Self = Self { winding: Winding::START, segments: 0 };
+}
+
 /// Argument of a complex number that moves by less than half a turn at a time, continued from 0.
+#[derive(Clone, Copy, Debug)]
 struct Winding<R> {
     z: Complex<R>,
     turns: i64,
 }
 
 impl<R: Real> Winding<R> {
-    fn new() -> Self {
-        Self { z: Complex::ONE, turns: 0 }
+    const START: Self = Self { z: Complex::ONE, turns: 0 };
+
+    /// Conversion to a wider type and back.
+    fn cast<S: Real>(&self) -> Winding<S> {
+        let Complex { re, im } = self.z;
+        let cast = |x: R| S::from_f64(x.to_f64());
+        Winding { z: Complex::new(cast(re), cast(im)), turns: self.turns }
     }
 
     /// Continues the argument to z; z = 0 has no argument and changes nothing.
@@ -171,7 +227,7 @@ mod tests {
     #[test]
     fn an_argument_is_continued_through_any_number_of_turns() {
         for sense in [1.0, -1.0] {
-            let mut winding = Winding::<f64>::new();
+            let mut winding = Winding::<f64>::START;
             for step in 1..40 {
                 let angle = sense * 0.9 * f64::from(step);
                 winding.reach(Complex::new(angle.cos(), angle.sin()));

@@ -30,9 +30,11 @@ const LAUNCHES: u32 = 200;
 fn main() -> ! {
     let counter = Counter::start();
     let (mut single, mut fixed) = (Ephemeris::<f32, 64>::EMPTY, Ephemeris::<I2F30, 64>::EMPTY);
+    let mut double = Ephemeris::<f64, 64>::EMPTY;
     for number in 0..LAUNCHES {
         run("f32", number, &mut single, &counter);
         run("q31", number, &mut fixed, &counter);
+        run("f64", number, &mut double, &counter);
     }
     process::exit(0)
 }
