@@ -16,11 +16,17 @@ mod instruments;
 
 mod launch;
 
+mod covariance;
+
 mod drift;
 
 mod outcome;
 
 mod node;
+
+mod period;
+
+mod place;
 
 mod path;
 
@@ -33,8 +39,6 @@ mod window;
 mod sums;
 
 mod knowledge;
-
-mod carrying;
 
 mod pass;
 
@@ -52,6 +56,7 @@ mod upright;
 
 mod tracking;
 
+pub use covariance::Covariance;
 pub use drift::Drift;
 pub use instruments::{
     Accelerometer, AxisCamera, Gyroscope, Magnetometer, Mark, OrientationCamera, TipCamera,
@@ -60,12 +65,13 @@ pub use launch::{FreeRatio, Launch};
 pub use outcome::{FitError, Fitted, Reason, Statistics, Unobservable};
 pub use sensor::{Hint, Measurement, Mounting, Noise, Prediction, Sensor};
 pub use tracking::Tracked;
-pub use triangle::{MOST_UNKNOWNS, Symmetric};
+pub use triangle::MOST_UNKNOWNS;
 
 use crate::fit::model::Model;
 use crate::fit::pass::Pass;
 use crate::fit::path::Path;
 use crate::fit::rows::Rows;
+use crate::fit::search::Found;
 use crate::fit::tracking::Prior;
 use crate::scalar::Real;
 use crate::top::Top;
@@ -183,13 +189,14 @@ impl<'a, F: Real> Fit<'a, F> {
         I: Iterator<Item = Measurement> + Clone,
     {
         let found = self.search(&measurements)?;
-        let mut reason = self.reason(found.progress);
-        if matches!(reason, Some(Reason::Misfit | Reason::NotSettled)) && self.has_rates(measurements.clone())
+        let mut fitted = self.fitted(&found);
+        if matches!(fitted.reason, Some(Reason::Misfit | Reason::NotSettled))
+            && self.has_rates(measurements.clone())
         {
-            reason = self.cause(&measurements)?.or(reason);
+            let cause = self.cause(&measurements, fitted.statistics.chi_squared)?;
+            fitted.reason = cause.or(fitted.reason);
         }
-        let unobservable = self.unobservable();
-        Ok(self.fitted(found.times, reason, found.alternatives, unobservable))
+        Ok(fitted)
     }
 
     /// Launch from all measurements, from a first guess at the time of the first measurement.
@@ -201,9 +208,8 @@ impl<'a, F: Real> Fit<'a, F> {
         I: Iterator<Item = Measurement> + Clone,
     {
         let (times, _) = self.checked(&measurements)?;
-        self.start(&guess);
+        self.start_from(&guess);
         let progress = self.settle_finally(&measurements);
-        let unobservable = self.unobservable();
-        Ok(self.fitted(times, self.reason(progress), 0, unobservable))
+        Ok(self.fitted(&Found { times, progress, alternatives: 0 }))
     }
 }

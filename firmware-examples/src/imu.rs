@@ -43,26 +43,23 @@ pub const MAGNETOMETER: Magnetometer = Magnetometer {
 };
 
 /// Measurements of the gyroscope (0), the accelerometer (1) and the magnetometer (2), in SI units and microtesla.
+///
+/// The iterator is a counter: a fit keeps copies of it on the stack, and passes over most measurements without a look at them.
 pub fn measurements() -> impl Iterator<Item = Measurement> + Clone {
-    table::INERTIAL.iter().enumerate().flat_map(|(n, registers)| {
-        let time = n as f64 * SAMPLE_TIME;
-        // a product in f32 keeps the digits of a register, and is an instruction of a Cortex-M4F
-        let three = |registers: &[i16], unit: f32| {
-            let mut values = [0.0; 4];
-            for (value, register) in values.iter_mut().zip(registers) {
-                *value = f64::from(f32::from(*register) * unit);
-            }
-            values
+    (0..3 * table::INERTIAL.len()).filter_map(|place| {
+        let (n, sensor) = (place / 3, place % 3);
+        let (gyroscope, accelerometer) = table::INERTIAL.get(n)?.split_at(3);
+        let (registers, unit) = match sensor {
+            0 => (gyroscope, GYROSCOPE_UNIT),
+            1 => (accelerometer, ACCELEROMETER_UNIT),
+            _ if n % EVERY == 0 => (table::MAGNETIC.get(n / EVERY)?.as_slice(), MAGNETIC_UNIT),
+            _ => return None,
         };
-        let (gyroscope, accelerometer) = registers.split_at(3);
-        let magnetic = table::MAGNETIC.get(n / EVERY).filter(|_| n % EVERY == 0);
-        [
-            Some((0, three(gyroscope, GYROSCOPE_UNIT))),
-            Some((1, three(accelerometer, ACCELEROMETER_UNIT))),
-            magnetic.map(|registers| (2, three(registers, MAGNETIC_UNIT))),
-        ]
-        .into_iter()
-        .flatten()
-        .map(move |(sensor, values)| Measurement { time, sensor, values })
+        // a product in f32 keeps the digits of a register, and is an instruction of a Cortex-M4F
+        let mut values = [0.0; 4];
+        for (value, register) in values.iter_mut().zip(registers) {
+            *value = f64::from(f32::from(*register) * unit);
+        }
+        Some(Measurement { time: n as f64 * SAMPLE_TIME, sensor, values })
     })
 }

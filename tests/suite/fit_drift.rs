@@ -143,7 +143,7 @@ fn square(fitted: &Fitted, state: &State) -> f64 {
     for i in 0..6 {
         for j in 0..=i {
             let known: f64 = (0..j).map(|k| factor[i][k] * factor[j][k]).sum();
-            let rest = fitted.covariance[i][j] - known;
+            let rest = fitted.covariance.of(i, j) - known;
             factor[i][j] = if i == j { rest.sqrt() } else { rest / factor[j][j] };
         }
         let known: f64 = (0..i).map(|k| factor[i][k] * solved[k]).sum();

@@ -89,11 +89,7 @@ impl BranchPoints<Extended> {
     ) -> Result<Self, ParameterError> {
         match Self::begin(top, integrals, point)? {
             Roots::All(e) => Ok(e),
-            Roots::LowerPair(mut search) => loop {
-                if let Some(pair) = search.proceed() {
-                    return Self::complete(&pair, integrals, point);
-                }
-            },
+            Roots::LowerPair(search) => Self::completed(search, integrals, point),
         }
     }
 
@@ -121,6 +117,27 @@ pub(crate) enum Roots<F> {
 }
 
 impl<F: Float> BranchPoints<F> {
+    /// Branch points of the motion through a point where gravity acts and the axis does not rest upright.
+    pub(crate) fn with_torque(
+        top: &Top,
+        integrals: &FirstIntegrals<F>,
+        point: &ReducedPoint<F>,
+    ) -> Result<Self, ParameterError> {
+        Self::completed(LowerPairSearch::new(top, integrals, point)?, integrals, point)
+    }
+
+    fn completed(
+        mut search: LowerPairSearch<F>,
+        integrals: &FirstIntegrals<F>,
+        point: &ReducedPoint<F>,
+    ) -> Result<Self, ParameterError> {
+        loop {
+            if let Some(pair) = search.proceed() {
+                return Self::complete(&pair, integrals, point);
+            }
+        }
+    }
+
     pub(crate) fn exact(e1: f64, e2: f64, e3: f64) -> Result<Self, ParameterError> {
         for (name, e) in [("e1", e1), ("e2", e2), ("e3", e3)] {
             finite(name, e)?;

@@ -4,24 +4,22 @@
 //! axis alone the roll. The rate about the axis is beyond the range of most gyroscopes. It then follows from two
 //! orientations or from the circle that a direction draws in the body; otherwise several rates are tried.
 
-use crate::complex::Complex;
 use crate::fit::Fit;
 use crate::fit::instruments::rotation_vector;
 use crate::fit::launch::Launch;
 use crate::fit::sensor::{Hint, Measurement};
+use crate::phase::Phase;
 use crate::scalar::Real;
 use crate::sensitivity::total;
 use crate::su2::{Orientation, Vector, bracket, dot};
 
 /// Number of instants in the first window; the others are each four times as long.
 pub(super) const FIRST_WINDOW: usize = 16;
-/// Largest number of guesses.
-const MOST_GUESSES: usize = 24;
 /// Number of rates about the axis that are tried on each side of 0, where the measurements do not determine the rate.
-const TRIED: usize = 12;
+const TRIED: u32 = 12;
 
 /// State of the motion at one instant.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 struct Instant {
     time: f64,
     /// Directions in the fixed frame and in the body frame, unit vectors.
@@ -31,109 +29,111 @@ struct Instant {
     axis: Option<Vector<f64>>,
 }
 
+/// First instants. They are read anew whenever they are needed, because all of them would take too much of the stack.
+#[derive(Clone)]
+struct Instants<'a, 's, F, I> {
+    fit: &'a Fit<'s, F>,
+    measurements: I,
+    /// First measurement of the next instant.
+    ahead: Option<Measurement>,
+    left: usize,
+}
+
+impl<F: Real, I: Iterator<Item = Measurement>> Iterator for Instants<'_, '_, F, I> {
+    type Item = Instant;
+
+    #[inline(never)] // many places ask for the next instant
+    fn next(&mut self) -> Option<Instant> {
+        self.left = self.left.checked_sub(1)?;
+        let mut measurement = self.ahead.take()?;
+        let mut instant = Instant::at(measurement.time);
+        loop {
+            instant.learn(self.fit.hint(&measurement));
+            measurement = match self.measurements.next() {
+                Some(next) if next.time == instant.time => next,
+                ahead => {
+                    self.ahead = ahead;
+                    return Some(instant);
+                }
+            };
+        }
+    }
+}
+
 /// First guesses.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Beginning {
-    /// Orientation and ω of each, in a scalar that takes less of the stack.
-    guesses: [(Orientation<f32>, Vector<f32>); MOST_GUESSES],
-    count: usize,
+    orientation: Orientation<f64>,
+    omega: Vector<f64>,
+    /// Fastest rate about the axis that is tried, and the axis, where `omega` is the part across it only.
+    tried: Option<(f64, Vector<f64>)>,
 }
 
 impl Beginning {
-    /// Guesses from the first instants.
-    #[inline(never)] // the instants are on the stack while it works only
-    pub(super) fn of<F: Real, I>(fit: &Fit<'_, F>, measurements: &I) -> Self
+    /// Guesses from the first instants, at the time of the first measurement.
+    #[inline(never)] // an instant is on the stack while it works only
+    pub(super) fn of<F: Real, I>(fit: &Fit<'_, F>, measurements: &I, epoch: f64) -> Option<Self>
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        let mut instants = [Instant::default(); FIRST_WINDOW];
-        let mut count = 0_usize;
-        for measurement in measurements.clone() {
-            let last = count.checked_sub(1).and_then(|index| instants.get(index)).map(|instant| instant.time);
-            if last != Some(measurement.time) {
-                if count == FIRST_WINDOW {
-                    break;
-                }
-                count += 1;
-            }
-            if let Some(instant) = instants.get_mut(count.wrapping_sub(1)) {
-                instant.time = measurement.time;
-                instant.learn(fit.hint(&measurement));
-            }
-        }
-        let mut beginning = Self { guesses: [(Orientation::IDENTITY, [0.0; 3]); MOST_GUESSES], count: 0 };
-        beginning.guess(instants.get(..count).unwrap_or(&[]));
-        beginning
-    }
-
-    pub(super) fn is_empty(&self) -> bool {
-        self.count == 0
-    }
-
-    pub(super) fn is_ambiguous(&self) -> bool {
-        self.count > 1
-    }
-
-    pub(super) fn guesses(&self) -> impl Iterator<Item = Launch> {
-        let wide = |z: Complex<f32>| Complex::new(f64::from(z.re), f64::from(z.im));
-        self.guesses.iter().take(self.count).map(move |(Orientation { alpha, beta }, omega)| {
-            let orientation = Orientation { alpha: wide(*alpha), beta: wide(*beta) };
-            Launch::new(orientation.normalised(), omega.map(f64::from))
-        })
-    }
-
-    fn add(&mut self, orientation: Orientation<f64>, omega: Vector<f64>) {
-        if let Some(slot) = self.guesses.get_mut(self.count) {
-            let narrow = |z: Complex<f64>| Complex::new(z.re as f32, z.im as f32);
-            let Orientation { alpha, beta } = orientation;
-            *slot = (Orientation { alpha: narrow(alpha), beta: narrow(beta) }, omega.map(|x| x as f32));
-            self.count += 1;
-        }
-    }
-
-    fn guess(&mut self, instants: &[Instant]) {
-        let Some(first) = instants.iter().find(|instant| instant.is_oriented()) else { return };
-        let Some(begun) = instants.first() else { return };
-        let lead = begun.time - first.time;
-        if let Some(orientation) = first.attitude() {
-            let rate = instants.iter().find_map(|instant| instant.rate);
-            let turned = mean_rate(instants);
-            let omega = match (rate, turned) {
-                (Some(([x, y, _], true)), Some([.., axial])) => [x, y, axial],
-                (Some(([x, y, low], true)), None) => {
-                    let Some(axial) = circling(instants, low) else { return };
-                    [x, y, axial]
-                }
-                (Some((omega, false)), _) => omega,
-                (None, Some(omega)) => omega,
-                (None, None) => return,
-            };
-            // back to the first measurement of all
-            let orientation = orientation.compose(&Orientation::exp(omega.map(|x| x * lead)));
-            self.add(orientation, orientation.adjoint(omega));
-            return;
-        }
-        self.guess_from_axis(instants);
+        let mut measurements = measurements.clone();
+        let ahead = measurements.next();
+        let instants = Instants { fit, measurements, ahead, left: FIRST_WINDOW };
+        let (time, orientation) = instants
+            .clone()
+            .filter(Instant::is_oriented)
+            .map(|first| (first.time, first.attitude()))
+            .next()?;
+        let Some(orientation) = orientation else { return Self::from_axis(instants) };
+        let rate = instants.clone().find_map(|instant| instant.rate);
+        let omega = match (rate, mean_rate(instants.clone())) {
+            (Some(([x, y, _], true)), Some([.., axial])) => [x, y, axial],
+            (Some(([x, y, low], true)), None) => [x, y, circling::<F>(instants, low)?],
+            (Some((omega, false)), _) => omega,
+            (None, Some(omega)) => omega,
+            (None, None) => return None,
+        };
+        // back to the first measurement of all
+        let lead = epoch - time;
+        let orientation = orientation.compose(&Orientation::exp(omega.map(|x| x * lead)));
+        Some(Self { orientation, omega: orientation.adjoint(omega), tried: None })
     }
 
     /// Guesses from the axis alone: its rate from the first and a later instant, and all rates about it.
-    fn guess_from_axis(&mut self, instants: &[Instant]) {
-        let mut seen = instants.iter().filter_map(|instant| Some((instant.time, instant.axis?)));
-        let (Some((start, axis)), Some((end, later))) = (seen.next(), seen.nth(2)) else { return };
+    #[inline(never)]
+    fn from_axis(instants: impl Iterator<Item = Instant>) -> Option<Self> {
+        let mut seen = instants.filter_map(|instant| Some((instant.time, instant.axis?)));
+        let ((start, axis), (end, later)) = (seen.next()?, seen.nth(2)?);
         let per_time = 1.0 / (end - start);
         let across = bracket(axis, later).map(|x| x * per_time);
-        let orientation = upright_to(axis);
-        let fastest = 2.0 * per_time;
-        for k in 0..TRIED {
-            let magnitude = fastest * libm::exp2(1.0 - k as f64 * 0.75);
-            for spin in [magnitude, -magnitude] {
-                self.add(orientation, total(across, axis, spin));
-            }
+        Some(Self { orientation: upright_to(axis), omega: across, tried: Some((2.0 * per_time, axis)) })
+    }
+
+    pub(super) fn is_ambiguous(&self) -> bool {
+        self.tried.is_some()
+    }
+
+    /// Number of the guesses.
+    pub(super) fn count(&self) -> u32 {
+        if self.is_ambiguous() { 2 * TRIED } else { 1 }
+    }
+
+    /// Guess with this number, counted from 0.
+    pub(super) fn guess(&self, number: u32) -> Launch {
+        let mut omega = self.omega;
+        if let Some((fastest, axis)) = self.tried {
+            let magnitude = fastest * libm::exp2(1.0 - f64::from(number / 2) * 0.75);
+            omega = total(omega, axis, if number.is_multiple_of(2) { magnitude } else { -magnitude });
         }
+        Launch::new(self.orientation.normalised(), omega)
     }
 }
 
 impl Instant {
+    fn at(time: f64) -> Self {
+        Self { time, directions: [None; 2], rate: None, orientation: None, axis: None }
+    }
+
     fn learn(&mut self, hint: Hint) {
         let unit = |x: Vector<f64>| {
             let length = libm::sqrt(dot(x, x));
@@ -159,6 +159,7 @@ impl Instant {
     }
 
     /// Orientation, if it is fully determined.
+    #[inline(never)] // its trigonometric functions need much of the stack
     fn full_attitude(&self) -> Option<Orientation<f64>> {
         if self.orientation.is_some() {
             return self.orientation;
@@ -202,8 +203,9 @@ pub(super) fn upright_to([x, y, z]: Vector<f64>) -> Orientation<f64> {
 
 /// Angular velocity in the body frame from the orientations. The component along the axis is the mean over all; the
 /// others are those of the first instants.
-fn mean_rate(instants: &[Instant]) -> Option<Vector<f64>> {
-    let mut known = instants.iter().filter_map(|instant| Some((instant.time, instant.full_attitude()?)));
+#[inline(never)] // an instant is on the stack while it works only
+fn mean_rate(instants: impl Iterator<Item = Instant>) -> Option<Vector<f64>> {
+    let mut known = instants.filter_map(|instant| Some((instant.time, instant.full_attitude()?)));
     let (mut time, mut orientation) = known.next()?;
     let start = time;
     let mut along = 0.0;
@@ -222,37 +224,50 @@ fn mean_rate(instants: &[Instant]) -> Option<Vector<f64>> {
 /// Rate about the axis from the circle that a direction draws in the body, with the sign of `bound`.
 ///
 /// For K = Φ⁻¹ k and z = K₁ + i K₂ the motion gives z' = -iΩ₃ z + i K₃ (Ω₁ + i Ω₂).
-fn circling(instants: &[Instant], bound: f64) -> Option<f64> {
+#[inline(never)] // its steps are on the stack while it works only
+fn circling<F: Real>(instants: impl Iterator<Item = Instant>, bound: f64) -> Option<f64> {
     const PLACES: u32 = 720;
-    let step = |pair: &[Instant]| -> Option<[f64; 7]> {
-        let [before, after] = pair else { return None };
-        let ([Some([_, k]), _], [Some([_, next]), _]) = (before.directions, after.directions) else {
-            return None;
+    let mut steps = [[F::ZERO; 7]; FIRST_WINDOW];
+    let mut last: Option<(f64, Vector<f64>, Vector<f64>)> = None;
+    let mut count = 0;
+    for instant in instants {
+        let Instant { time, directions: [Some([_, k]), _], rate: Some((w, _)), .. } = instant else {
+            last = None;
+            continue;
         };
-        let ((w, _), (w_next, _)) = (before.rate?, after.rate?);
-        let ([k1, k2, k3], [n1, n2, n3], [x, y, _], [x2, y2, _]) = (k, next, w, w_next);
-        let half = 0.25 * (k3 + n3) * (after.time - before.time);
-        Some([after.time - before.time, k1, k2, n1, n2, -half * (y + y2), half * (x + x2)])
-    };
+        if let Some((before, [k1, k2, k3], [x, y, _])) = last.replace((time, k, w))
+            && let Some(slot) = steps.get_mut(count)
+        {
+            let ([n1, n2, n3], [x2, y2, _], duration) = (k, w, time - before);
+            let half = 0.25 * (k3 + n3) * duration;
+            *slot = [duration, k1, k2, n1, n2, -half * (y + y2), half * (x + x2)].map(F::from_f64);
+            count += 1;
+        }
+    }
+    let steps = steps.get(..count)?;
     let mismatch = |rate: f64| {
-        let mut sum = 0.0;
-        for [dt, k1, k2, n1, n2, p, q] in instants.windows(2).filter_map(step) {
-            let (sine, cosine) = libm::sincos(0.5 * rate * dt);
+        let half_turns = F::from_f64(rate * 0.25 * core::f64::consts::FRAC_1_PI);
+        let mut sum = F::ZERO;
+        for [duration, k1, k2, n1, n2, p, q] in steps.iter().copied() {
+            let (sine, cosine) = F::sine_cosine(Phase::new((half_turns * duration).to_f64()));
             // e^{iφ/2} z_next - e^{-iφ/2} z - forcing
             let re = (cosine * n1 - sine * n2) - (cosine * k1 + sine * k2) - p;
             let im = (cosine * n2 + sine * n1) - (cosine * k2 - sine * k1) - q;
-            sum += re * re + im * im;
+            sum = sum + re * re + im * im;
         }
         sum
     };
-    let [dt, ..] = instants.windows(2).find_map(step)?;
-    let fastest = core::f64::consts::PI / libm::fabs(dt);
-    let mut best = (f64::INFINITY, 0.0);
+    let [duration, ..] = steps.first()?;
+    let fastest = core::f64::consts::PI / libm::fabs(duration.to_f64());
+    let mut best = (F::from_f64(f64::INFINITY), 0.0);
     for place in 1..PLACES {
         let magnitude = fastest * f64::from(place) / f64::from(PLACES);
         let rate = if bound < 0.0 { -magnitude } else { magnitude };
+        if magnitude < 0.9 * libm::fabs(bound) {
+            continue;
+        }
         let value = mismatch(rate);
-        if magnitude >= 0.9 * libm::fabs(bound) && value < best.0 {
+        if value < best.0 {
             best = (value, rate);
         }
     }

@@ -23,7 +23,7 @@ const ROUNDING: f64 = 0.05;
 const MISFIT: f64 = 5.0;
 
 impl<F: Real> Fit<'_, F> {
-    /// Corrects the launch after a pass.
+    /// Corrects the launch after a pass. The current launch becomes that of the next pass, if there must be one.
     #[inline(never)] // its triangles are on the stack between passes only
     pub(super) fn improve(&mut self, settled: f64) -> Progress {
         let previous = self.best.cost;
@@ -77,7 +77,7 @@ impl<F: Real> Fit<'_, F> {
             statistics.chi_squared = (statistics.chi_squared - size * size).max(0.0);
             return Progress::Settled;
         }
-        self.begin_pass(&next);
+        self.current.launch = next;
         Progress::Again
     }
 

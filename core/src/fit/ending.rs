@@ -4,11 +4,11 @@
 //! (`docs/partials.md`). After the fit the launch is that of the last measurement, from where on the motion is exact.
 
 use crate::fit::Fit;
-use crate::fit::carrying::carried;
+use crate::fit::covariance::Covariance;
 use crate::fit::drift::Drift;
 use crate::fit::model::Model;
 use crate::fit::outcome::Fitted;
-use crate::fit::triangle::{MOST_UNKNOWNS, Symmetric};
+use crate::fit::triangle::MOST_UNKNOWNS;
 use crate::scalar::Real;
 use crate::sensitivity::{COLUMNS, Flow, LOSSES, Sensitivity};
 use crate::su2::Vector;
@@ -37,7 +37,7 @@ impl<F: Real> Fit<'_, F> {
         let at = cursor.at(span)?;
         let shares = model.shares(&fitted.launch);
         let columns = [at.orientation(), at.omega()].map(|columns| model.columns(&shares, &columns));
-        fitted.covariance = carried(&fitted.covariance, &columns);
+        fitted.covariance.carry(&columns);
         let losses = model.losses(&fitted.launch);
         fitted.drift = Some(Drift::of(losses, &by, &model.losses_of(&fitted.covariance)));
         fitted.epoch = end;
@@ -65,23 +65,17 @@ impl Model {
     }
 
     /// Covariance of the losses.
-    fn losses_of(&self, covariance: &Symmetric) -> [Vector<f64>; LOSSES] {
-        let mut found = [[0.0; 3]; LOSSES];
-        for (line, row) in found.iter_mut().zip(covariance.iter().skip(self.loss_places().start)) {
-            for (slot, entry) in line.iter_mut().zip(row.iter().skip(self.loss_places().start)) {
-                *slot = *entry;
-            }
-        }
-        found
+    fn losses_of(&self, covariance: &Covariance) -> [Vector<f64>; LOSSES] {
+        let first = self.loss_places().start;
+        [0, 1, 2].map(|i| [0, 1, 2].map(|j| covariance.of(first + i, first + j)))
     }
 
     /// Makes the losses as uncertain as before any measurement: those of another time may be others.
-    pub(super) fn forget_losses(&self, covariance: &mut Symmetric) {
-        let places = self.loss_places();
-        for (index, row) in covariance.iter_mut().enumerate() {
-            for (place, slot) in row.iter_mut().enumerate() {
-                if places.contains(&index) || places.contains(&place) {
-                    *slot = if index == place { self.loss_variance() } else { 0.0 };
+    pub(super) fn forget_losses(&self, covariance: &mut Covariance) {
+        for loss in self.loss_places() {
+            for other in 0..self.count {
+                if let Some(slot) = covariance.entry(loss, other) {
+                    *slot = if loss == other { self.loss_variance() } else { 0.0 };
                 }
             }
         }

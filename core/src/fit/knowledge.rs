@@ -10,6 +10,7 @@ use crate::su2::{Vector, bracket, dot};
 
 impl Model {
     /// Adds the information before any measurement; returns the sum of squares of the differences of the launch from it.
+    #[inline(never)] // its deviations are on the stack only here
     pub(crate) fn add_prior<F: Real>(&self, launch: &Launch, information: &mut Triangle<F>) -> f64 {
         let mut cost = 0.0;
         for (index, (value, deviation)) in launch.rest.iter().zip(self.prior_deviations()).enumerate() {
@@ -82,35 +83,31 @@ impl Model {
     /// Directions of the launch that the information does not determine to one unit.
     pub(crate) fn unobservable<F: Real>(&self, launch: &Launch, information: &Triangle<F>) -> Unobservable {
         let units = self.units(launch);
-        let (values, vectors) = information.singular(&units.map(F::from_f64));
-        let count = values.iter().take(self.count).filter(|value| **value < F::ONE).count();
         let axis = launch.orientation.axis();
         let up = [0.0, 0.0, 1.0];
         let none = [0.0; 3];
-        // share of a direction that lies in the undetermined ones
-        let share = |theta: Vector<f64>, omega: Vector<f64>| {
-            let mut direction = [0.0; MOST_UNKNOWNS];
-            for ((slot, x), unit) in direction.iter_mut().zip(theta.into_iter().chain(omega)).zip(units) {
-                *slot = x / unit;
+        // unit vector along a change of the launch
+        let direction = |theta: Vector<f64>, omega: Vector<f64>| {
+            let mut direction = [F::ZERO; MOST_UNKNOWNS];
+            let scaled = theta.into_iter().chain(omega).zip(units).map(|(x, unit)| x / unit);
+            let per_size = 1.0 / libm::sqrt(scaled.clone().map(|x| x * x).sum());
+            for (slot, x) in direction.iter_mut().zip(scaled) {
+                *slot = F::from_f64(x * per_size);
             }
-            let size: f64 = direction.iter().map(|x| x * x).sum();
-            let inside: f64 = values
-                .iter()
-                .zip(&vectors)
-                .take(self.count)
-                .filter(|(value, _)| **value < F::ONE)
-                .map(|(_, vector)| {
-                    let inner: f64 = vector.iter().zip(&direction).map(|(a, b)| a.to_f64() * b).sum();
-                    inner * inner
-                })
-                .sum();
-            inside / size
+            direction
         };
-        Unobservable {
-            yaw: share(up, bracket(up, launch.omega)) > 0.9,
-            roll: share(axis, none) > 0.9,
-            spin: share(none, axis) > 0.9,
-            count,
-        }
+        let mut directions =
+            [direction(up, bracket(up, launch.omega)), direction(axis, none), direction(none, axis)];
+        let values = information.singular(&units.map(F::from_f64), &mut directions);
+        let is_undetermined = |value: &&F| **value < F::ONE;
+        let count = values.iter().take(self.count).filter(is_undetermined).count();
+        // whether a direction lies in the undetermined ones
+        let [yaw, roll, spin] = directions.map(|components| {
+            let along = values.iter().zip(components).take(self.count);
+            let share =
+                along.filter(|(value, _)| is_undetermined(value)).fold(F::ZERO, |sum, (_, x)| sum + x * x);
+            share > F::from_f64(0.9)
+        });
+        Unobservable { yaw, roll, spin, count }
     }
 }

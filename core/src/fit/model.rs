@@ -3,11 +3,11 @@
 use crate::fit::launch::{FreeRatio, LAUNCH, Launch};
 use crate::fit::outcome::with_ratios;
 use crate::fit::path::Path;
+use crate::fit::period::Turns;
 use crate::fit::sensor::Sensor;
 use crate::fit::triangle::MOST_UNKNOWNS;
 use crate::fit::{MOST_RATIOS, MOST_SENSORS};
-use crate::motion::{self, Motion};
-use crate::phase::Phase;
+use crate::motion::Motion;
 use crate::scalar::Real;
 use crate::sensitivity::{COLUMNS, Coefficients, Equations, LOSSES};
 use crate::state::State;
@@ -114,26 +114,26 @@ impl Model {
         Path::new(self.top.tip_scale(), &self.equations(&Launch::default()), known)
     }
 
-    /// Nutation period of a launch, and the rotations about the vertical and about the axis in it.
-    #[inline(never)] // the motion is on the stack only here
-    pub(crate) fn turns_in_period(&self, launch: &Launch) -> Option<(f64, [Phase; 2])> {
-        let (top, state) = self.top_and_state(launch)?;
-        motion::Launch::new(&top, &state).turns_in_period()
+    /// Nutation period of a launch, and the rotations in it.
+    #[inline(never)] // the top is on the stack only here
+    pub(crate) fn turns_in_period(&self, launch: &Launch) -> Option<Turns> {
+        let state = State::new(launch.orientation, launch.omega).ok()?;
+        if self.free_count == 0 {
+            Turns::of(&self.top, &state)
+        } else {
+            Turns::of(&self.top_of(launch)?, &state)
+        }
     }
 
     /// Motion of a launch.
     pub(crate) fn motion(&self, launch: &Launch) -> Option<Motion> {
-        let (top, state) = self.top_and_state(launch)?;
-        Motion::launch(&top, &state).ok()
+        let state = State::new(launch.orientation, launch.omega).ok()?;
+        Motion::launch(&self.top_of(launch)?, &state).ok()
     }
 
-    fn top_and_state(&self, launch: &Launch) -> Option<(Top, State)> {
-        let top = if self.free_count == 0 {
-            self.top
-        } else {
-            with_ratios(&self.top, &self.ratios(launch)).ok()?
-        };
-        Some((top, State::new(launch.orientation, launch.omega).ok()?))
+    #[inline(never)] // the ratios are on the stack only here
+    fn top_of(&self, launch: &Launch) -> Option<Top> {
+        if self.free_count == 0 { Some(self.top) } else { with_ratios(&self.top, &self.ratios(launch)).ok() }
     }
 
     /// First bias of a sensor, counted from 0.

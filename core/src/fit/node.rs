@@ -1,8 +1,8 @@
 //! Nodes of a path: state and derivatives with their rates, the step from one to the next, and the interpolation.
 
 use crate::scalar::{Real, Ring};
-use crate::sensitivity::{Acceleration, COLUMNS, Equations, Flow, LAUNCH, Tangent, total};
-use crate::su2::Vector;
+use crate::sensitivity::{Acceleration, COLUMNS, Coefficients, Equations, Flow, LAUNCH, Tangent, total};
+use crate::su2::{Vector, bracket};
 
 /// Number of stages of a step.
 const STAGES: usize = 7;
@@ -46,9 +46,8 @@ impl<F: Real> Node<F> {
     pub(super) fn find_rates(&mut self, equations: &Equations<F>, known: usize) {
         let state = self.flow.state();
         let at = equations.acceleration(&state);
-        let rate = state.rate(&at);
-        (self.axis_rate, self.side_rate) = (rate.axis, rate.side);
-        (self.across_rate, self.spin_rate) = (rate.across, rate.spin);
+        (self.axis_rate, self.side_rate) = (at.axis_rate, bracket(state.across, state.side));
+        (self.across_rate, self.spin_rate) = (at.across, at.spin);
         let columns = self.flow.tangents.iter().zip(&mut self.eta_rates).take(known).enumerate();
         for (column, (tangent, slot)) in columns {
             let change = equations.changes.get(column.wrapping_sub(LAUNCH));
@@ -60,32 +59,21 @@ impl<F: Real> Node<F> {
     /// that the stages of one column are in memory at a time.
     pub(super) fn step(&self, equations: &Equations<F>, h: F, known: usize, next: &mut Self) {
         let weights = WEIGHTS.map(|row| row.map(|weight| h * F::from_f64(weight)));
-        let mut states = [self.flow.state(); STAGES];
-        let mut at = [equations.acceleration(&self.flow.state()); STAGES];
+        let mut states = [Flow::ZERO; STAGES];
+        let mut at = [Acceleration::ZERO; STAGES];
         let end = self.state_after(equations, &weights, &mut states, &mut at);
         next.flow.set_state(&end);
-        for (column, (start, slot)) in
-            self.flow.tangents.iter().zip(&mut next.flow.tangents).take(known).enumerate()
-        {
+        let columns = self.flow.tangents.iter().zip(&mut next.flow.tangents).take(known).enumerate();
+        for (column, (start, slot)) in columns {
             let change = equations.changes.get(column.wrapping_sub(LAUNCH));
-            let mut rates = [Tangent::NONE; STAGES];
-            let mut tangent = *start;
-            for (stage, (state, at)) in states.iter().zip(&at).enumerate() {
-                let rate = equations.tangent_rate(state, at, &tangent, change);
-                if let (Some(slot), Some(row)) = (rates.get_mut(stage), weights.get(stage)) {
-                    *slot = rate;
-                    tangent = *start;
-                    for (rate, weight) in rates.iter().zip(row).take(stage + 1) {
-                        tangent = tangent.plus(rate, *weight);
-                    }
-                }
-            }
-            *slot = tangent;
+            let stages = states.iter().zip(&at).zip(&weights);
+            *slot = column_after(equations, start, change, stages);
         }
         next.find_rates(equations, known);
     }
 
     /// State after a step, and the state and the accelerations at each stage.
+    #[inline(never)] // the stages of the state and those of a column must not be on the stack together
     fn state_after(
         &self,
         equations: &Equations<F>,
@@ -93,22 +81,48 @@ impl<F: Real> Node<F> {
         states: &mut [Flow<F, 0>; STAGES],
         at: &mut [Acceleration<F>; STAGES],
     ) -> Flow<F, 0> {
-        let start = self.flow.state();
-        let mut rates = [Flow::<F, 0>::ZERO; STAGES];
-        let mut state = start;
-        for (stage, ((slot, at), row)) in states.iter_mut().zip(at).zip(weights).enumerate() {
-            *slot = state;
-            *at = equations.acceleration(&state);
-            if let Some(rate) = rates.get_mut(stage) {
-                *rate = state.rate(at);
+        let mut side_rates = [[F::ZERO; 3]; STAGES];
+        let mut state = self.flow.state();
+        for (stage, (slot, row)) in states.iter_mut().zip(weights).enumerate() {
+            if let (Some(at), Some(side_rate)) = (at.get_mut(stage), side_rates.get_mut(stage)) {
+                *at = equations.acceleration(&state);
+                *side_rate = bracket(state.across, state.side);
             }
-            state = start;
-            for (rate, weight) in rates.iter().zip(row).take(stage + 1) {
-                state.add(rate, *weight, 0);
+            *slot = state;
+            state = self.flow.state();
+            for ((at, side_rate), weight) in at.iter().zip(&side_rates).zip(row).take(stage + 1) {
+                state.axis = total(state.axis, at.axis_rate, *weight);
+                state.side = total(state.side, *side_rate, *weight);
+                state.across = total(state.across, at.across, *weight);
+                state.spin = state.spin + *weight * at.spin;
             }
         }
         state
     }
+}
+
+/// Column after a step.
+///
+/// * `stages`: state and accelerations of each stage, with the weights of the stages before the next one
+#[inline(never)] // as above
+fn column_after<'a, F: Real + 'a>(
+    equations: &Equations<F>,
+    start: &Tangent<F>,
+    change: Option<&Coefficients<F>>,
+    stages: impl Iterator<Item = ((&'a Flow<F, 0>, &'a Acceleration<F>), &'a [F; STAGES])>,
+) -> Tangent<F> {
+    let mut rates = [Tangent::NONE; STAGES];
+    let mut tangent = *start;
+    for (stage, ((state, at), row)) in stages.enumerate() {
+        if let Some(slot) = rates.get_mut(stage) {
+            *slot = equations.tangent_rate(state, at, &tangent, change);
+        }
+        tangent = *start;
+        for (rate, weight) in rates.iter().zip(row).take(stage + 1) {
+            tangent = tangent.plus(rate, *weight);
+        }
+    }
+    tangent
 }
 
 /// Makes `sum` the sum of three nodes by Hermite's interpolation at x spacings h from the second, in the first `known`

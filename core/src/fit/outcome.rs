@@ -2,9 +2,10 @@
 
 use crate::error::ParameterError;
 use crate::fit::MOST_RATIOS;
+use crate::fit::covariance::Covariance;
 use crate::fit::drift::Drift;
 use crate::fit::launch::{LAUNCH, Launch};
-use crate::fit::triangle::{MOST_UNKNOWNS, Symmetric};
+use crate::fit::triangle::MOST_UNKNOWNS;
 use crate::motion::Motion;
 use crate::sensitivity::{COLUMNS, Equations, Flow, Partials, Sensitivity, total};
 use crate::state::State;
@@ -165,7 +166,7 @@ pub struct Fitted {
     pub launch: Launch,
     /// Covariance of the unknowns: rotation vector of Φ (fixed frame), ω, logarithms of the free ratios, losses of
     /// rotation if there is a drift, biases.
-    pub covariance: Symmetric,
+    pub covariance: Covariance,
     /// Residuals.
     pub statistics: Statistics,
     /// Directions that the measurements do not determine. Their standard deviations in the covariance are 10 rad, or ten
@@ -232,8 +233,8 @@ impl Fitted {
     #[must_use]
     pub fn deviations(&self) -> [f64; MOST_UNKNOWNS] {
         let mut deviations = [0.0; MOST_UNKNOWNS];
-        for (index, (slot, row)) in deviations.iter_mut().zip(&self.covariance).enumerate() {
-            *slot = libm::sqrt(row.get(index).copied().unwrap_or(0.0));
+        for (index, slot) in deviations.iter_mut().enumerate() {
+            *slot = libm::sqrt(self.covariance.of(index, index));
         }
         deviations
     }
@@ -259,8 +260,9 @@ impl Fitted {
     pub fn orientation_covariance(&self, at: &Partials) -> [Vector<f64>; 3] {
         let columns = self.columns(&at.orientation());
         let mut covariance = [[0.0; 3]; 3];
-        for (row, a) in self.covariance.iter().zip(&columns) {
-            for (entry, b) in row.iter().zip(&columns) {
+        for (i, a) in columns.iter().enumerate() {
+            for (j, b) in columns.iter().enumerate() {
+                let entry = self.covariance.of(i, j);
                 for (line, x) in covariance.iter_mut().zip(a) {
                     for (slot, y) in line.iter_mut().zip(b) {
                         *slot += entry * x * y;

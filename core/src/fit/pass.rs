@@ -1,6 +1,7 @@
 //! Passes over the measurements.
 
 use crate::fit::Fit;
+use crate::fit::beginning::Beginning;
 use crate::fit::launch::Launch;
 use crate::fit::outcome::Statistics;
 use crate::fit::sensor::{Hint, Measurement};
@@ -51,11 +52,17 @@ impl<F: Real> Pass<F> {
 }
 
 impl<F: Real> Fit<'_, F> {
-    /// Begins from a guess, with nothing known.
-    #[inline(never)]
-    pub(super) fn start(&mut self, guess: &Launch) {
-        self.best.launch = *guess;
-        self.best.launch.orientation = guess.orientation.normalised();
+    /// Begins with nothing known, from a guess of this number, or from a top at rest.
+    #[inline(never)] // its launch is on the stack only here
+    pub(super) fn start(&mut self, guess: Option<(&Beginning, u32)>) {
+        let launch = guess.map_or_else(Launch::default, |(beginning, number)| beginning.guess(number));
+        self.start_from(&launch);
+    }
+
+    /// Begins with nothing known, from a launch.
+    pub(super) fn start_from(&mut self, launch: &Launch) {
+        self.best.launch = *launch;
+        self.best.launch.orientation = launch.orientation.normalised();
         self.damping = 1e-3;
         self.curvature = f64::INFINITY;
         self.restart();
@@ -65,21 +72,21 @@ impl<F: Real> Fit<'_, F> {
     fn restart(&mut self) {
         self.best.cost = f64::INFINITY;
         self.last_change = None;
-        let launch = self.best.launch;
-        self.begin_pass(&launch);
+        self.current.launch = self.best.launch;
+        self.begin_pass();
     }
 
+    /// Begins a pass with the current launch.
     #[inline(never)] // its matrices are on the stack between passes only
-    pub(super) fn begin_pass(&mut self, launch: &Launch) {
-        let Pass { information, statistics, cost, .. } = &mut self.current;
+    fn begin_pass(&mut self) {
+        let Pass { launch, information, statistics, cost } = &mut self.current;
         information.clear();
         *cost = match &self.prior {
             Some(prior) => prior.add_to(launch, information),
             None => self.model.add_prior(launch, information),
         };
         *statistics = Statistics { prior: *cost, ..Statistics::default() };
-        self.current.launch = *launch;
-        self.path.begin(&self.model.equations(launch), launch);
+        self.path.begin(launch, || self.model.equations(launch));
         self.rows.clear();
         self.shares = self.model.shares(launch);
         for (slot, bias) in self.biases.iter_mut().zip(launch.rest.iter().skip(self.model.common())) {
@@ -101,7 +108,7 @@ impl<F: Real> Fit<'_, F> {
         for _ in 0..MOST_PASSES {
             self.pass_over(measurements, part);
             match self.improve(settled) {
-                Progress::Again => {}
+                Progress::Again => self.begin_pass(),
                 done => return done,
             }
         }
@@ -113,11 +120,12 @@ impl<F: Real> Fit<'_, F> {
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        self.begin_pass(launch);
+        self.current.launch = *launch;
+        self.begin_pass();
         self.pass_over(measurements, part);
     }
 
-    #[inline(never)] // its measurement and prediction are on the stack during a pass only
+    #[inline(never)] // its measurements are on the stack during a pass only
     fn pass_over<I>(&mut self, measurements: &I, part: Part)
     where
         I: Iterator<Item = Measurement> + Clone,
@@ -125,35 +133,41 @@ impl<F: Real> Fit<'_, F> {
         let mut sums = Sums::default();
         let huber = F::from_f64(self.huber);
         for measurement in part.of(measurements.clone()) {
-            if self.add(&measurement, huber, &mut sums).is_none() {
+            if self.move_to(measurement.time).is_none() || self.add(&measurement, huber, &mut sums).is_none()
+            {
                 self.current.cost = f64::INFINITY;
                 return;
             }
         }
-        self.current.cost += sums.cost.to_f64();
-        self.current.statistics.chi_squared += sums.squares.to_f64();
-        self.current.statistics.largest = sums.largest.to_f64();
-        self.rows.add_to(&mut self.current.information);
+        let Pass { information, statistics, cost, .. } = &mut self.current;
+        *cost += sums.cost.to_f64();
+        statistics.chi_squared += sums.squares.to_f64();
+        statistics.largest = sums.largest.to_f64();
+        (statistics.used, statistics.unused, statistics.outliers) = (sums.used, sums.unused, sums.outliers);
+        self.rows.add_to(information);
     }
 
-    /// Adds one measurement to the pass that is under way. `None` where its time cannot be reached.
+    /// Adds one measurement to the pass that is under way, at the time to which the path was moved. `None` where there is no
+    /// such sensor.
+    #[inline(never)] // the prediction and the motion of the path must not be on the stack together
     fn add(&mut self, measurement: &Measurement, huber: F, sums: &mut Sums<F>) -> Option<()> {
-        let Measurement { time, sensor: index, mut values } = *measurement;
-        let sensor = self.sensors.get(index)?;
-        self.move_to(time)?;
-        if let Some(unit) = self.rate_unit
-            && matches!(sensor.hint(&values), Hint::Rate { .. })
-        {
-            values = values.map(|x| x * unit);
-        }
-        let prediction = sensor.predict(self.path.now(), &values);
+        let Measurement { sensor: index, ref values, .. } = *measurement;
+        let sensor = *self.sensors.get(index)?;
+        let converted;
+        let values = match self.rate_unit {
+            Some(unit) if matches!(sensor.hint(values), Hint::Rate { .. }) => {
+                converted = values.map(|x| x * unit);
+                &converted
+            }
+            _ => values,
+        };
+        let prediction = sensor.predict(self.path.now(), values);
         let bias = self.model.bias_of(index);
-        let statistics = &mut self.current.statistics;
         let components = prediction.difference.into_iter().zip(prediction.deviation).enumerate();
         for (component, (difference, deviation)) in components {
             let per_deviation = F::ONE / deviation;
             if per_deviation == F::ZERO {
-                statistics.unused += 1;
+                sums.unused += 1;
                 continue;
             }
             let mut residual = difference * per_deviation;
@@ -161,16 +175,7 @@ impl<F: Real> Fit<'_, F> {
             if let Some(known) = bias.and_then(|bias| self.biases.get(bias)) {
                 residual = residual - *known * per_deviation;
             }
-            let size = residual.abs();
-            let outlier = size > huber;
-            // square root of the weight
-            let weight = if outlier { (huber / size).sqrt() } else { F::ONE };
-            let limited = if outlier { huber } else { size };
-            sums.cost.add(limited * (size.doubled() - limited));
-            sums.squares.add(limited.squared());
-            sums.largest = if size > sums.largest { size } else { sums.largest };
-            statistics.used += 1;
-            statistics.outliers += u32::from(outlier);
+            let weight = sums.add(residual, huber);
             let scale = weight * per_deviation;
             let Some(row) = self.rows.next(bias, scale, weight * residual) else { continue };
             let column = |k: usize| {
@@ -183,6 +188,7 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Computes the state and the derivatives at a time.
+    #[inline(never)] // as above
     fn move_to(&mut self, time: f64) -> Option<()> {
         // the same bits, which a chip without `f64` compares faster
         if self.now.map(f64::to_bits) == Some(time.to_bits()) {

@@ -7,9 +7,11 @@
 
 use crate::fit::launch::{LAUNCH, Launch};
 use crate::fit::node::{self, Node};
+use crate::fit::period::Turns;
+use crate::fit::place::{Length, Place, Rate};
 use crate::phase::Phase;
 use crate::scalar::Real;
-use crate::sensitivity::{COLUMNS, Coefficients, Equations, Flow, Partials, advance, total};
+use crate::sensitivity::{COLUMNS, Coefficients, Equations, Flow, Partials, Tangent, advance, total};
 use crate::su2::{Orientation, bracket};
 
 /// Largest number of nodes.
@@ -17,18 +19,25 @@ const NODES: usize = 20;
 /// Distance of the nodes times the bound on the frequencies. The error of a step of the integration, and that of
 /// the interpolation, are then about 1e-6.
 const SPACING: f64 = 0.6;
+/// Largest number of nodes that are followed from one measurement to the next.
+const FURTHEST: u32 = 100_000;
 /// Error of a step of the integration of the state alone, and the largest number of steps between two corrections.
 const TOLERANCE: f64 = 1e-10;
 const MOST_STEPS: u32 = 1000;
 
-/// Effect of one nutation period.
+/// Effect of one nutation period, and of those that are over.
 #[derive(Clone, Copy, Debug)]
 struct Period<F> {
-    length: f64,
+    length: Length,
     /// Rotations about the vertical and about the axis.
     turns: [Phase; 2],
     /// Changes of the launch whose effect is what a period adds to the columns.
     growth: [[F; LAUNCH]; COLUMNS],
+    /// End of the whole periods before the last time, their number, and the rotations in them.
+    over: Place,
+    count: F,
+    turned: (F, F),
+    rolled: Phase,
 }
 
 /// Motion of a launch with its derivatives.
@@ -39,9 +48,12 @@ pub(super) struct Path<F> {
     now: Partials<F>,
     /// Number of columns that are computed.
     known: usize,
-    /// Time between two nodes, and nodes per time.
+    /// Time between two nodes, and units of a place per time.
     spacing: f64,
-    per_spacing: f64,
+    step: F,
+    units_per_time: f64,
+    /// Rotation of the body about its axis.
+    roll: Rate,
     nodes: [Node<F>; NODES],
     /// Number of the nodes, and of those before them that were given up.
     count: usize,
@@ -71,7 +83,9 @@ impl<F: Real> Path<F> {
             now: Partials::new(&equations, flow.cast(), tip_scale, known),
             known,
             spacing: 0.0,
-            per_spacing: 0.0,
+            step: F::ZERO,
+            units_per_time: 0.0,
+            roll: Rate::of(0.0),
             nodes: [Node::ZERO; NODES],
             count: 0,
             given_up: 0,
@@ -80,63 +94,66 @@ impl<F: Real> Path<F> {
     }
 
     /// Begins with a launch.
-    pub(super) fn begin(&mut self, equations: &Equations<f64>, launch: &Launch) {
-        let flow = Flow::<f64, COLUMNS>::launched(&launch.orientation, launch.omega);
-        self.exact = equations.coefficients;
-        self.now.equations = equations.cast();
+    pub(super) fn begin(&mut self, launch: &Launch, equations: impl FnOnce() -> Equations<f64>) {
         self.launch = Flow::launched(&launch.orientation, launch.omega);
-        self.spacing = SPACING / equations.fastest(&flow);
-        self.per_spacing = 1.0 / self.spacing;
+        self.take_over(equations);
+        self.step = F::from_f64(self.spacing);
+        self.units_per_time = Place::units_per_time(self.spacing);
+        self.roll = Rate::of(self.launch.spin * self.spacing);
         if let Some(first) = self.nodes.first_mut() {
-            first.flow = flow.cast();
+            first.flow.set_state(&self.launch.cast());
+            let omega = launch.omega.map(F::from_f64);
+            for (index, tangent) in first.flow.tangents.iter_mut().enumerate() {
+                *tangent = Tangent::of_launch(index, omega);
+            }
             first.find_rates(&self.now.equations, self.known);
         }
         (self.count, self.given_up, self.beyond) = (1, 0, Beyond::Unknown);
     }
 
+    /// Takes over the equations of a launch, with the distance of the nodes.
+    #[inline(never)] // the equations in `f64` are on the stack only here
+    fn take_over(&mut self, equations: impl FnOnce() -> Equations<f64>) {
+        let equations = equations();
+        self.exact = equations.coefficients;
+        self.now.equations = equations.cast();
+        self.spacing = SPACING / equations.fastest(&self.launch);
+    }
+
     /// Moves to a time after the launch, later than that of the last call: the state and the derivatives there. `None` where
     /// it is not within some periods of the last node.
     ///
-    /// * `turns`: as [`Motion::turns_in_period`](crate::Motion) of the launch, which is asked for where the nodes do not reach the time
-    pub(super) fn move_to(
-        &mut self,
-        t: f64,
-        turns: impl FnOnce() -> Option<(f64, [Phase; 2])>,
-    ) -> Option<()> {
-        if matches!(self.beyond, Beyond::Unknown) && t > self.reach() {
-            self.beyond = match (!self.now.equations.lossy)
-                .then(turns)
-                .flatten()
-                .and_then(|turns| self.period_of(turns))
+    /// * `turns`: those of the launch, which are asked for where the nodes do not reach the time
+    pub(super) fn move_to(&mut self, t: f64, turns: impl FnOnce() -> Option<Turns>) -> Option<()> {
+        let place = Place::of_units(t * self.units_per_time)?;
+        if matches!(self.beyond, Beyond::Unknown) && place > Place::of_node(NODES as u32 - 2) {
+            self.beyond = Beyond::Followed(0, self.launch);
+            if !self.now.equations.lossy
+                && let Some(turns) = turns()
             {
-                Some(period) => Beyond::Repeated(period),
-                None => Beyond::Followed(0, self.launch),
-            };
-        }
-        let Beyond::Repeated(Period { length, turns, .. }) = self.beyond else {
-            self.interpolate(t)?;
-            self.now.flow.roll(self.exact.rolled(self.launch.spin, t));
-            return Some(());
-        };
-        // the time is not negative and the quotient small: an integer takes less time than the rounding of a float
-        let count = f64::from((t / length) as u32);
-        let rest = t - count * length;
-        self.interpolate(rest)?;
-        let flow = &mut self.now.flow;
-        if let Beyond::Repeated(period) = &self.beyond
-            && count > 0.0
-        {
-            let launch = *flow.tangents.first_chunk::<LAUNCH>()?;
-            let times = F::from_f64(count);
-            for (tangent, growth) in flow.tangents.iter_mut().zip(&period.growth).take(self.known) {
-                for (by, share) in launch.iter().zip(growth) {
-                    *tangent = tangent.plus(by, times * *share);
-                }
+                self.repeat(&turns);
             }
         }
-        let [about_vertical, about_axis] = turns.map(|turn| turn.times(count as i64));
-        flow.turn(about_vertical);
-        flow.roll(about_axis + self.exact.rolled(self.launch.spin, rest));
+        let Beyond::Repeated(period) = &mut self.beyond else {
+            self.interpolate(place)?;
+            let rolled = if self.now.equations.lossy {
+                self.exact.rolled(self.launch.spin, t)
+            } else {
+                self.roll.at(place)
+            };
+            self.now.flow.roll(rolled);
+            return Some(());
+        };
+        period.pass(place);
+        let rest = place.minus(period.over);
+        self.interpolate(rest)?;
+        let Beyond::Repeated(period) = &self.beyond else { return None };
+        let flow = &mut self.now.flow;
+        if period.count > F::ZERO {
+            grow(flow, period, self.known)?;
+            flow.turn_by(period.turned, self.known);
+        }
+        flow.roll(period.rolled + self.roll.at(rest));
         Some(())
     }
 
@@ -145,24 +162,27 @@ impl<F: Real> Path<F> {
         &self.now
     }
 
-    /// Time that the nodes can cover without giving any up.
-    fn reach(&self) -> f64 {
-        self.spacing * (NODES - 2) as f64
-    }
-
-    /// Effect of a period, if there is one that the nodes can cover.
-    #[inline(never)]
-    fn period_of(&mut self, (length, turns): (f64, [Phase; 2])) -> Option<Period<F>> {
-        if length > self.reach() {
+    /// Repeats a period from now on, if the nodes can cover it.
+    #[inline(never)] // once in a pass only
+    fn repeat(&mut self, &Turns { length, about_vertical, about_axis }: &Turns) -> Option<()> {
+        let length = Length::of_units(length * self.units_per_time)?;
+        if length.place() > Place::of_node(NODES as u32 - 2) {
             return None;
         }
-        let first = self.nodes.first()?.flow;
-        let omega = first.omega();
-        let [about_vertical, _] = turns;
-        self.interpolate(length)?;
+        let omega = self.nodes.first()?.flow.omega();
+        self.interpolate(length.place())?;
         let end = &mut self.now.flow;
         end.turn(-about_vertical);
-        let mut growth = [[F::ZERO; LAUNCH]; COLUMNS];
+        self.beyond = Beyond::Repeated(Period {
+            length,
+            turns: [about_vertical, about_axis],
+            growth: [[F::ZERO; LAUNCH]; COLUMNS],
+            over: Place::ZERO,
+            count: F::ZERO,
+            turned: (F::ZERO, F::ONE),
+            rolled: Phase::ZERO,
+        });
+        let Beyond::Repeated(Period { growth, .. }) = &mut self.beyond else { return None };
         for (index, (shares, tangent)) in growth.iter_mut().zip(&end.tangents).take(self.known).enumerate() {
             let change = total(tangent.eta, bracket(tangent.theta, omega), F::ONE);
             for (place, (slot, share)) in
@@ -171,25 +191,23 @@ impl<F: Real> Path<F> {
                 *slot = if place == index { share - F::ONE } else { share };
             }
         }
-        Some(Period { length, turns, growth })
+        Some(())
     }
 
-    /// Interpolates at a time that the nodes reach, or can reach; with the side of the nodes.
-    fn interpolate(&mut self, t: f64) -> Option<()> {
-        const FURTHEST: f64 = 1e5;
-        let place = t * self.per_spacing - f64::from(self.given_up as u32);
-        if !(-1.0..FURTHEST).contains(&place) {
+    /// Interpolates at a place that the nodes reach, or can reach; with the side of the nodes.
+    fn interpolate(&mut self, place: Place) -> Option<()> {
+        let place = place.minus(Place::of_node(self.given_up as u32));
+        if !(Place::of_node(0).minus(Place::of_node(1))..Place::of_node(FURTHEST)).contains(&place) {
             return None;
         }
-        let nearest = (place + 0.5) as u32;
-        let mut middle = nearest.max(1) as usize;
-        let x = place - f64::from(nearest.max(1));
+        // the first node is before the middle one
+        let (mut middle, x) = place.nearest_inner();
         while self.count < middle + 2 {
             middle -= self.extend()?;
         }
         let nodes = self.nodes.get(middle.checked_sub(1)?..)?.first_chunk()?;
-        let h = F::from_f64(self.spacing);
-        node::blend(nodes, F::from_f64(x), h, self.known, &mut self.now.flow);
+        let h = self.step;
+        node::blend(nodes, Place::number(x), h, self.known, &mut self.now.flow);
         Some(())
     }
 
@@ -197,15 +215,16 @@ impl<F: Real> Path<F> {
     #[inline(never)] // its stages would be on the stack at every time
     fn extend(&mut self) -> Option<usize> {
         // the three last ones are kept
-        let given_up = if self.count == NODES { NODES - 3 } else { 0 };
+        const LOST: usize = NODES - 3;
+        let given_up = if self.count == NODES { LOST } else { 0 };
         if given_up > 0 {
             self.correct_last()?;
+            self.nodes.copy_within(LOST.., 0);
         }
-        self.nodes.rotate_left(given_up);
         self.count -= given_up;
         self.given_up += given_up;
         let (reached, ahead) = self.nodes.split_at_mut_checked(self.count)?;
-        let h = F::from_f64(self.spacing);
+        let h = self.step;
         reached.last()?.step(&self.now.equations, h, self.known, ahead.first_mut()?);
         self.count += 1;
         Some(given_up)
@@ -225,6 +244,33 @@ impl<F: Real> Path<F> {
         node.find_rates(&self.now.equations, self.known);
         Some(())
     }
+}
+
+impl<F: Real> Period<F> {
+    /// Passes the periods before a place that is not before the last one.
+    fn pass(&mut self, place: Place) {
+        if place.minus(self.over) < self.length.place() {
+            return;
+        }
+        let (count, over) = self.length.whole(place);
+        let [about_vertical, about_axis] = self.turns.map(|turn| turn.times(count));
+        self.over = over;
+        self.count = F::from_f64(count as f64);
+        self.turned = F::sine_cosine(about_vertical);
+        self.rolled = about_axis;
+    }
+}
+
+/// Adds to each column what the periods before have added.
+#[inline(never)] // the columns of the launch are on the stack only here
+fn grow<F: Real>(flow: &mut Flow<F, COLUMNS>, period: &Period<F>, known: usize) -> Option<()> {
+    let launch = *flow.tangents.first_chunk::<LAUNCH>()?;
+    for (tangent, growth) in flow.tangents.iter_mut().zip(&period.growth).take(known) {
+        for (by, share) in launch.iter().zip(growth) {
+            *tangent = tangent.plus(by, period.count * *share);
+        }
+    }
+    Some(())
 }
 
 #[cfg(test)]
@@ -269,7 +315,7 @@ mod tests {
         let launch = Launch::new(state.orientation(), state.omega());
         let equations = Equations::of(&top);
         let mut path = Path::<F>::new(top.tip_scale(), &equations, LAUNCH);
-        path.begin(&equations, &launch);
+        path.begin(&launch, || equations);
         let sensitivity = Sensitivity::of(&motion);
         let mut cursor = sensitivity.cursor();
         let frequency = equations.fastest(&Flow::<f64, COLUMNS>::launched(&launch.orientation, launch.omega));
@@ -278,7 +324,7 @@ mod tests {
         let apart = |x: Vector<F>, y: Vector<f64>| size(total(x.map(F::to_f64), y, -1.0));
         for n in 0..700 {
             let t = f64::from(n) / 699.0;
-            path.move_to(t, || motion.turns_in_period()).unwrap();
+            path.move_to(t, || Turns::of(&top, &state)).unwrap();
             let (found, truth) = (path.now().flow, cursor.at(t).unwrap().flow);
             off = off.max(apart(found.axis, truth.axis)).max(apart(found.side, truth.side));
             off = off.max(apart(found.across, truth.across) / frequency);

@@ -1,51 +1,60 @@
 //! Result of a fit from its best pass.
 
 use crate::fit::Fit;
+use crate::fit::covariance::Covariance;
 use crate::fit::outcome::{Fitted, Reason, Unobservable};
 use crate::fit::pass::Pass;
-use crate::fit::triangle::MOST_UNKNOWNS;
+use crate::fit::search::Found;
 use crate::scalar::Real;
 
 impl<F: Real> Fit<'_, F> {
     /// Directions that the measurements do not determine.
-    #[inline(never)] // its matrices are on the stack without those of the result
-    pub(super) fn unobservable(&self) -> Unobservable {
+    #[inline(never)] // its matrix is on the stack without what follows
+    fn unobservable(&self) -> Unobservable {
         self.model.unobservable(&self.best.launch, &self.best.information)
     }
 
-    #[inline(never)] // its matrices are on the stack at the end only
-    pub(super) fn fitted(
-        &mut self,
-        times: [f64; 2],
-        reason: Option<Reason>,
-        alternatives: usize,
-        unobservable: Unobservable,
-    ) -> Fitted {
-        let Pass { launch, information, statistics, .. } = &self.best;
-        let (launch, statistics) = (*launch, *statistics);
-        // not larger, so that the covariance keeps the digits of what is determined
-        let floor = self.model.damping(&launch, information, 0.0, 10.0);
+    /// Result after a search.
+    pub(super) fn fitted(&mut self, &Found { times, progress, alternatives }: &Found) -> Fitted {
+        let unobservable = self.unobservable();
+        self.limit_information();
         let [epoch, end] = times;
-        let scratch = &mut self.current.information;
-        scratch.clone_from(information);
-        scratch.damp(&floor);
-        let mut fitted = Fitted {
-            epoch,
-            launch,
-            covariance: [[0.0; MOST_UNKNOWNS]; MOST_UNKNOWNS],
-            statistics,
-            unobservable,
-            reason,
-            alternatives,
-            count: self.model.count,
-            ratios: self.model.ratios(&launch),
-            directions: self.model.directions(),
-            drift: None,
-        };
-        scratch.covariance(&mut fitted.covariance);
+        let mut fitted = self.result(epoch);
+        self.current.information.covariance(&mut fitted.covariance);
+        (fitted.unobservable, fitted.alternatives) = (unobservable, alternatives);
+        fitted.reason = self.reason(progress);
         if self.model.has_losses() && self.carry_to_end(&mut fitted, end).is_none() {
             fitted.reason = fitted.reason.or(Some(Reason::NotSettled));
         }
         fitted
+    }
+
+    /// Makes the information of the current pass that of the best one, and limits the deviations of undetermined directions.
+    #[inline(never)] // its numbers are on the stack without the result
+    fn limit_information(&mut self) {
+        let Pass { launch, information, .. } = &self.best;
+        // not larger, so that the covariance keeps the digits of what is determined
+        let floor = self.model.damping(launch, information, 0.0, 10.0);
+        let limited = &mut self.current.information;
+        limited.clone_from(information);
+        limited.damp(&floor);
+    }
+
+    /// Result of the best launch, without its covariance.
+    #[inline(never)] // it is built where it is needed
+    fn result(&self, epoch: f64) -> Fitted {
+        Fitted {
+            epoch,
+            launch: self.best.launch,
+            covariance: Covariance::ZERO,
+            statistics: self.best.statistics,
+            unobservable: Unobservable::default(),
+            reason: None,
+            alternatives: 0,
+            count: self.model.count,
+            ratios: self.model.ratios(&self.best.launch),
+            directions: self.model.directions(),
+            drift: None,
+        }
     }
 }

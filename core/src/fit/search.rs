@@ -2,7 +2,6 @@
 
 use crate::fit::Fit;
 use crate::fit::beginning::{Beginning, FIRST_WINDOW};
-use crate::fit::launch::Launch;
 use crate::fit::outcome::{FitError, Reason};
 use crate::fit::pass::{Progress, SETTLED};
 use crate::fit::sensor::{Hint, Measurement};
@@ -26,20 +25,19 @@ pub(super) struct Found {
 }
 
 impl<F: Real> Fit<'_, F> {
-    /// Cause of residuals that are too large, if it can be determined. The best launch stays.
-    #[inline(never)] // the copy of a pass is on the stack while it works only
-    pub(super) fn cause<I>(&mut self, measurements: &I) -> Result<Option<Reason>, FitError>
+    /// Cause of residuals that are too large, if it can be determined. The best launch becomes another one.
+    ///
+    /// * `chi_squared`: sum of squares of the best launch
+    #[inline(never)] // it is asked for a bad fit only
+    pub(super) fn cause<I>(&mut self, measurements: &I, chi_squared: f64) -> Result<Option<Reason>, FitError>
     where
         I: Iterator<Item = Measurement> + Clone,
     {
-        let best = self.best;
-        let cause = if self.fits_in_degrees(measurements, best.statistics.chi_squared)? {
+        Ok(if self.fits_in_degrees(measurements, chi_squared)? {
             Some(Reason::RatesInDegrees)
         } else {
             self.is_at_rest(measurements.clone()).then_some(Reason::AtRest)
-        };
-        self.best = best;
-        Ok(cause)
+        })
     }
 
     /// Whether the measurements fit better by far when the rates are read as degrees per unit time.
@@ -62,39 +60,16 @@ impl<F: Real> Fit<'_, F> {
     {
         let (times, total) = self.checked(measurements)?;
         let [epoch, _] = times;
-        self.start(&Launch::default());
+        self.start(None);
         if instants_after(measurements, epoch) < 2 {
             return Ok(Found { times, progress: Progress::TooFew, alternatives: 0 });
         }
-        let beginning = Beginning::of(self, measurements);
-        if beginning.is_empty() {
+        let beginning = Beginning::of(self, measurements, epoch);
+        let Some(beginning) = &beginning else {
             return Ok(Found { times, progress: Progress::NoBeginning, alternatives: 0 });
-        }
-        // the best of the guesses on short windows, where no phase can be off by a turn
+        };
         let mut count = 4 * FIRST_WINDOW * self.sensors.len();
-        let mut best: Option<(Launch, f64)> = None;
-        let mut alternatives = 0;
-        for guess in beginning.guesses() {
-            self.start(&guess);
-            self.settle(measurements, Part::first(count / 4), NEAR);
-            self.settle(measurements, Part::first(count), SETTLED);
-            let found = (self.best.launch, self.best.cost);
-            if best.is_none_or(|(_, least)| found.1 < least) {
-                best = Some(found);
-            }
-        }
-        if let Some((launch, cost)) = best {
-            // another guess that led to another launch and fits as well
-            for guess in beginning.guesses().filter(|_| beginning.is_ambiguous()) {
-                self.start(&guess);
-                self.settle(measurements, Part::first(count), SETTLED);
-                let other = &self.best;
-                if other.cost < cost + 9.0 && other.launch.distance(&launch) > 0.3 {
-                    alternatives += 1;
-                }
-            }
-            self.best.launch = launch;
-        }
+        let alternatives = self.try_guesses(beginning, measurements, count);
         // each window begins from a launch that is good enough for it
         while count.saturating_mul(8) < total {
             count = count.saturating_mul(4);
@@ -107,6 +82,61 @@ impl<F: Real> Fit<'_, F> {
         }
         let progress = self.settle_finally(measurements);
         Ok(Found { times, progress, alternatives })
+    }
+
+    /// Finds the best of the guesses on short windows, where no phase can be off by a turn; the number of other launches
+    /// that fit as well.
+    #[inline(never)] // it is on the stack while it works only
+    fn try_guesses<I>(&mut self, beginning: &Beginning, measurements: &I, count: usize) -> usize
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
+        let mut best = (f64::INFINITY, 0);
+        for number in 0..beginning.count() {
+            self.try_guess(beginning, number, measurements, count);
+            if self.best.cost < best.0 {
+                best = (self.best.cost, number);
+            }
+        }
+        if beginning.is_ambiguous() { self.count_others(beginning, best, measurements, count) } else { 0 }
+    }
+
+    /// Begins from a guess, first on a quarter of so many measurements.
+    fn try_guess<I>(&mut self, beginning: &Beginning, number: u32, measurements: &I, count: usize)
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
+        self.start(Some((beginning, number)));
+        self.settle(measurements, Part::first(count / 4), NEAR);
+        self.settle(measurements, Part::first(count), SETTLED);
+    }
+
+    /// Number of other guesses that lead to another launch and fit as well as the best one, of this cost and number. The best
+    /// launch becomes that of the best guess.
+    #[inline(never)] // a second launch is on the stack for ambiguous measurements only
+    fn count_others<I>(
+        &mut self,
+        beginning: &Beginning,
+        (least, best): (f64, u32),
+        measurements: &I,
+        count: usize,
+    ) -> usize
+    where
+        I: Iterator<Item = Measurement> + Clone,
+    {
+        self.try_guess(beginning, best, measurements, count);
+        let best = self.best.launch;
+        let mut others = 0;
+        for number in 0..beginning.count() {
+            self.start(Some((beginning, number)));
+            self.settle(measurements, Part::first(count), SETTLED);
+            let other = &self.best;
+            if other.cost < least + 9.0 && other.launch.distance(&best) > 0.3 {
+                others += 1;
+            }
+        }
+        self.best.launch = best;
+        others
     }
 
     /// Times of the first and the last measurement, and the number of all, after a look at them.

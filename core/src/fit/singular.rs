@@ -1,27 +1,26 @@
 //! Singular values of a triangle.
 
-use crate::fit::triangle::{MOST_UNKNOWNS, Symmetric, Triangle, Unknowns};
+use crate::fit::triangle::{MOST_UNKNOWNS, Triangle, Unknowns};
 use crate::scalar::Real;
 
 /// Largest number of rounds of Jacobi's rotations.
 const MOST_SWEEPS: usize = 12;
 
 impl<F: Real> Triangle<F> {
-    /// Singular values of R with unknown i in units of `units[i]`, and the directions that belong to them, by Jacobi's
-    /// rotations of the columns. Small ones keep their digits, which they would lose in RᵀR.
-    pub(crate) fn singular(&self, units: &Unknowns<F>) -> (Unknowns<F>, Symmetric<F>) {
+    /// Singular values of R with unknown i in units of `units[i]`, by Jacobi's rotations of the columns. Small ones keep
+    /// their digits, which they would lose in RᵀR. The components of `vectors` become those along the directions that belong
+    /// to the values; the directions themselves would take as much memory as R.
+    #[inline(never)] // the columns are on the stack only here
+    pub(crate) fn singular(&self, units: &Unknowns<F>, vectors: &mut [Unknowns<F>; 3]) -> Unknowns<F> {
         let count = self.count;
-        // column i of R, and of the directions
         let mut columns = [[F::ZERO; MOST_UNKNOWNS]; MOST_UNKNOWNS];
-        let mut directions = columns;
-        for (index, (direction, (column, unit))) in
-            directions.iter_mut().zip(columns.iter_mut().zip(units)).enumerate().take(count)
-        {
-            if let Some(slot) = direction.get_mut(index) {
-                *slot = F::ONE;
-            }
-            for (line, (slot, row)) in column.iter_mut().zip(self.rows()).enumerate().take(index + 1) {
-                *slot = row.get(index - line).copied().unwrap_or(F::ZERO) * *unit;
+        for (line, row) in self.each_row().enumerate() {
+            // the last entry of a row is its right-hand side, which has no unknown
+            let entries = row.iter().zip(columns.iter_mut().zip(units).take(count).skip(line));
+            for (entry, (column, unit)) in entries {
+                if let Some(slot) = column.get_mut(line) {
+                    *slot = *entry * *unit;
+                }
             }
         }
         let inner = |x: &Unknowns<F>, y: &Unknowns<F>| {
@@ -45,22 +44,32 @@ impl<F: Real> Triangle<F> {
                     let cosine = F::ONE / (F::ONE + tangent.squared()).sqrt();
                     let turn = [tangent * cosine, cosine];
                     rotate(&mut columns, [i, j], turn, count);
-                    rotate(&mut directions, [i, j], turn, count);
+                    for vector in vectors.iter_mut() {
+                        rotate_components(vector, [i, j], turn);
+                    }
                 }
             }
             if !turned {
                 break;
             }
         }
-        (columns.map(|column| inner(&column, &column).sqrt()), directions)
+        columns.each_ref().map(|column| inner(column, column).sqrt())
     }
 }
 
 /// Turns two rows of a matrix into each other by an angle of this sine and cosine.
-fn rotate<F: Real>(rows: &mut Symmetric<F>, [i, j]: [usize; 2], [sine, cosine]: [F; 2], count: usize) {
+fn rotate<F: Real>(rows: &mut [Unknowns<F>], [i, j]: [usize; 2], [sine, cosine]: [F; 2], count: usize) {
     let Some((front, back)) = rows.split_at_mut_checked(j) else { return };
     let (Some(x), Some(y)) = (front.get_mut(i), back.first_mut()) else { return };
     for (p, q) in x.iter_mut().zip(y).take(count) {
+        (*p, *q) = (cosine * *p - sine * *q, sine * *p + cosine * *q);
+    }
+}
+
+/// Turns two components of a vector into each other by an angle of this sine and cosine.
+fn rotate_components<F: Real>(vector: &mut Unknowns<F>, [i, j]: [usize; 2], [sine, cosine]: [F; 2]) {
+    let Some((front, back)) = vector.split_at_mut_checked(j) else { return };
+    if let (Some(p), Some(q)) = (front.get_mut(i), back.first_mut()) {
         (*p, *q) = (cosine * *p - sine * *q, sine * *p + cosine * *q);
     }
 }

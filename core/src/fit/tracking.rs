@@ -1,11 +1,11 @@
 //! Tracking: the fit of each block of measurements begins from the result of the previous block.
 
 use crate::fit::Fit;
-use crate::fit::carrying::{carried, inverse_factor};
 use crate::fit::instruments::rotation_vector;
 use crate::fit::launch::{LAUNCH, Launch};
 use crate::fit::outcome::{FitError, Fitted};
 use crate::fit::pass::SETTLED;
+use crate::fit::search::Found;
 use crate::fit::sensor::Measurement;
 use crate::fit::triangle::{MOST_UNKNOWNS, Triangle};
 use crate::fit::window::Part;
@@ -57,24 +57,25 @@ impl<F: Real> Fit<'_, F> {
         predicted.orientation = partials.orientation_now();
         predicted.omega = partials.angular_velocity();
         let columns = [partials.orientation(), partials.omega()].map(|columns| last.columns(&columns));
-        let mut covariance = carried(&last.covariance, &columns);
+        let mut covariance = last.covariance;
+        covariance.carry(&columns);
         let [theta, omega] = [0.5 * span, 1.0].map(|share| share * drift * speed(predicted.omega) * span);
-        for (index, row) in covariance.iter_mut().enumerate().take(LAUNCH) {
+        for index in 0..LAUNCH {
             let noise = if index < 3 { theta } else { omega };
-            if let Some(slot) = row.get_mut(index) {
+            if let Some(slot) = covariance.entry(index, index) {
                 *slot += noise * noise;
             }
         }
         self.model.forget_losses(&mut covariance);
         let mut information = Triangle::new(last.count);
-        for row in inverse_factor(&covariance, last.count).iter().take(last.count) {
-            information.add(&row.map(F::from_f64), F::ZERO);
+        covariance.factorise(last.count);
+        for index in 0..last.count {
+            information.add(&covariance.inverse_row(index).map(F::from_f64), F::ZERO);
         }
         self.prior = Some(Prior { launch: predicted, information });
-        self.start(&predicted);
+        self.start_from(&predicted);
         let progress = self.settle(&measurements, Part::ALL, SETTLED);
-        let unobservable = self.unobservable();
-        let fitted = self.fitted(times, self.reason(progress), 0, unobservable);
+        let fitted = self.fitted(&Found { times, progress, alternatives: 0 });
         self.prior = None;
         let turn = self.best.launch.orientation.compose(&predicted.orientation.inverse());
         let [before, after] = [&last.launch, &fitted.launch].map(|launch| self.model.integrals(launch));

@@ -4,6 +4,7 @@
 //! R δ = z is the least-squares problem of all rows that were added. Its condition is the root of that of the normal
 //! equations, and no row has to be kept.
 
+use crate::fit::covariance::Covariance;
 use crate::scalar::Real;
 
 /// Largest number of unknowns: a launch, four directions of the top's ratios, and the biases of four sensors.
@@ -13,9 +14,6 @@ const ENTRIES: usize = MOST_UNKNOWNS * (MOST_UNKNOWNS + 3) / 2;
 
 /// A number for each unknown.
 pub(crate) type Unknowns<F = f64> = [F; MOST_UNKNOWNS];
-
-/// Symmetric matrix over the unknowns.
-pub type Symmetric<F = f64> = [[F; MOST_UNKNOWNS]; MOST_UNKNOWNS];
 
 /// Triangle R with its right-hand side z, stored by rows.
 #[derive(Clone, Copy, Debug)]
@@ -54,23 +52,27 @@ impl<F: Real> Triangle<F> {
     }
 
     /// Rows with their right-hand sides, from the first: row i has the entries (i, i), (i, i + 1), ..., z_i.
-    pub(super) fn rows(&self) -> [&[F]; MOST_UNKNOWNS] {
-        let mut rows: [&[F]; MOST_UNKNOWNS] = [&[]; MOST_UNKNOWNS];
+    pub(super) fn each_row(&self) -> impl Iterator<Item = &[F]> {
         let mut rest = &self.entries[..];
-        for (index, row) in rows.iter_mut().enumerate().take(self.count) {
-            if let Some((line, tail)) = rest.split_at_checked(self.count - index + 1) {
-                (*row, rest) = (line, tail);
-            }
-        }
-        rows
+        (0..self.count).map_while(move |index| {
+            let (row, tail) = rest.split_at_checked(self.count - index + 1)?;
+            rest = tail;
+            Some(row)
+        })
+    }
+
+    /// Row with its right-hand side.
+    fn row(&self, index: usize) -> &[F] {
+        // the rows before have count + 1, count, ... entries
+        let start = index * (self.count + 1) - index * index.saturating_sub(1) / 2;
+        self.entries.get(start..start + self.count + 1 - index).unwrap_or(&[])
     }
 
     /// Solution of R x = y, where y is given; entries without information are 0.
     fn back_substituted(&self, y: &Unknowns<F>) -> Unknowns<F> {
         let mut x = [F::ZERO; MOST_UNKNOWNS];
-        let rows = self.rows();
         for index in (0..self.count).rev() {
-            let Some((pivot, others)) = rows.get(index).and_then(|row| row.split_first()) else { continue };
+            let Some((pivot, others)) = self.row(index).split_first() else { continue };
             let known = inner(others, x.iter().take(self.count).skip(index + 1));
             let Some(slot) = x.get_mut(index) else { continue };
             if *pivot != F::ZERO {
@@ -83,7 +85,7 @@ impl<F: Real> Triangle<F> {
     /// Right-hand side z.
     fn side(&self) -> Unknowns<F> {
         let mut side = [F::ZERO; MOST_UNKNOWNS];
-        for (slot, row) in side.iter_mut().zip(self.rows()) {
+        for (slot, row) in side.iter_mut().zip(self.each_row()) {
             *slot = row.last().copied().unwrap_or(F::ZERO);
         }
         side
@@ -116,7 +118,7 @@ impl<F: Real> Triangle<F> {
     /// Adds the rows of other information after a change of their entries; the right-hand sides stay.
     #[inline(never)]
     pub(crate) fn add_mapped(&mut self, other: &Self, of: impl Fn(&mut Unknowns<F>)) {
-        for (index, row) in other.rows().iter().enumerate().take(other.count) {
+        for (index, row) in other.each_row().enumerate() {
             let Some((side, entries)) = row.split_last() else { continue };
             let mut wide = [F::ZERO; MOST_UNKNOWNS];
             for (slot, entry) in wide.iter_mut().skip(index).zip(entries) {
@@ -141,7 +143,7 @@ impl<F: Real> Triangle<F> {
     /// Sums of the squares of the columns of R: the diagonal of RᵀR.
     pub(crate) fn column_squares(&self) -> Unknowns<F> {
         let mut squares = [F::ZERO; MOST_UNKNOWNS];
-        for (index, row) in self.rows().iter().enumerate().take(self.count) {
+        for (index, row) in self.each_row().enumerate() {
             for (slot, entry) in squares.iter_mut().take(self.count).skip(index).zip(row.iter()) {
                 *slot = *slot + *entry * *entry;
             }
@@ -152,7 +154,7 @@ impl<F: Real> Triangle<F> {
     /// Norm |R δ|: the size of a change in standard deviations.
     pub(crate) fn size(&self, change: &Unknowns<F>) -> F {
         let mut square = F::ZERO;
-        for (index, row) in self.rows().iter().enumerate().take(self.count) {
+        for (index, row) in self.each_row().enumerate() {
             // the last entry of a row is its right-hand side, which has no unknown
             square = square + inner(row, change.iter().take(self.count).skip(index)).squared();
         }
@@ -161,8 +163,7 @@ impl<F: Real> Triangle<F> {
 
     /// Covariance (RᵀR)⁻¹. An unknown without any information gets the variance 0.
     #[inline(never)]
-    pub(crate) fn covariance(&self, covariance: &mut Symmetric) {
-        *covariance = [[0.0; MOST_UNKNOWNS]; MOST_UNKNOWNS];
+    pub(super) fn covariance(&self, covariance: &mut Covariance) {
         // one column of R⁻¹ at a time: all of them would take as much memory as the covariance
         for index in 0..self.count {
             let mut unit = [F::ZERO; MOST_UNKNOWNS];
@@ -170,11 +171,7 @@ impl<F: Real> Triangle<F> {
                 *slot = F::ONE;
             }
             let column = self.back_substituted(&unit);
-            for (line, a) in covariance.iter_mut().zip(&column).take(index + 1) {
-                for (slot, b) in line.iter_mut().zip(&column).take(index + 1) {
-                    *slot += (*a * *b).to_f64();
-                }
-            }
+            covariance.add_square(column.iter().map(|x| x.to_f64()), index + 1);
         }
     }
 }
@@ -226,11 +223,11 @@ mod tests {
 
     #[test]
     fn the_covariance_is_the_inverse_of_the_normal_matrix() {
-        let mut covariance = [[0.0; MOST_UNKNOWNS]; MOST_UNKNOWNS];
+        let mut covariance = Covariance::ZERO;
         triangle().covariance(&mut covariance);
-        for (i, row) in covariance.iter().enumerate().take(3) {
+        for i in 0..3 {
             for j in 0..3 {
-                let product: f64 = (0..3).map(|k| row[k] * normal(k, j)).sum();
+                let product: f64 = (0..3).map(|k| covariance.of(i, k) * normal(k, j)).sum();
                 assert!((product - f64::from(u8::from(i == j))).abs() < 1e-13, "{product}");
             }
         }
@@ -258,11 +255,14 @@ mod tests {
 
     #[test]
     fn singular_directions_are_eigenvectors_of_the_normal_matrix() {
-        let (values, vectors) = triangle().singular(&[1.0; MOST_UNKNOWNS]);
-        for (value, vector) in values.iter().zip(&vectors).take(3) {
+        // components of the unit vectors along the directions
+        let mut units = [[0.0; MOST_UNKNOWNS]; 3];
+        (units[0][0], units[1][1], units[2][2]) = (1.0, 1.0, 1.0);
+        let values = triangle().singular(&[1.0; MOST_UNKNOWNS], &mut units);
+        for (index, value) in values.iter().enumerate().take(3) {
             for i in 0..3 {
-                let image: f64 = (0..3).map(|k| normal(i, k) * vector[k]).sum();
-                assert!((image - value * value * vector[i]).abs() < 1e-12, "{image}");
+                let image: f64 = (0..3).map(|k| normal(i, k) * units[k][index]).sum();
+                assert!((image - value * value * units[i][index]).abs() < 1e-12, "{image}");
             }
         }
     }

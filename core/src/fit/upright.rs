@@ -59,6 +59,7 @@ impl<F: Real> Fit<'_, F> {
 
     /// Whether the upright launch with this angular velocity about the axis explains the measurements as well as the best
     /// launch; it then is the current pass.
+    #[inline(never)] // its launches are on the stack while it works only
     fn explains_upright<I>(&mut self, spin: f64, measurements: &I) -> bool
     where
         I: Iterator<Item = Measurement> + Clone,

@@ -9,7 +9,6 @@ use crate::constants::{
 use crate::error::ParameterError;
 use crate::mean_motion::{Integrals, Quadrature};
 use crate::motion::Motion;
-use crate::phase::Phase;
 use crate::scalar::{Extended, Float};
 use crate::state::State;
 use crate::su2::OrientationRate;
@@ -112,14 +111,6 @@ impl Launch {
         Poll::Pending
     }
 
-    /// Nutation period, and the rotations about the vertical and about the axis in it, without the start of the motion.
-    pub(crate) fn turns_in_period(&mut self) -> Option<(f64, [Phase; 2])> {
-        while !matches!(self.stage, Stage::Nutation | Stage::Ended(_)) {
-            self.proceed();
-        }
-        self.motion.as_ref().and_then(Motion::turns_in_period)
-    }
-
     /// Does the next slice of the work, if there is one left.
     #[inline(never)]
     fn proceed(&mut self) {
@@ -213,12 +204,6 @@ impl Motion {
                 return result;
             }
         }
-    }
-
-    /// Nutation period, and the rotations about the vertical and about the axis in it.
-    pub(crate) fn turns_in_period(&self) -> Option<(f64, [Phase; 2])> {
-        let mean = self.mean_motion()?;
-        Some((mean.advance.period.to_f64(), mean.turns(self.half_tau())))
     }
 }
 

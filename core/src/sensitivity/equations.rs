@@ -20,7 +20,7 @@ pub(crate) struct Equations<F> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Acceleration<F> {
     /// Rate r' of the axis.
-    pub(super) axis_rate: Vector<F>,
+    pub(crate) axis_rate: Vector<F>,
     /// Vector q = r × k.
     pub(super) lever: Vector<F>,
     /// Rate n/A = (C/A) S + K/A of the gyroscopic torque.
@@ -98,6 +98,22 @@ impl Equations<f64> {
             lossy: self.lossy,
         }
     }
+}
+
+impl<F: Float> Acceleration<F> {
+    /// Accelerations before they are computed.
+    pub(crate) const ZERO: Self = Self {
+        axis_rate: [F::ZERO; 3],
+        lever: [F::ZERO; 3],
+        gyroscopic: F::ZERO,
+        u: F::ZERO,
+        factor: F::ZERO,
+        by_omega: [F::ZERO; 3],
+        by_vertical: [F::ZERO; 3],
+        support: F::ZERO,
+        across: [F::ZERO; 3],
+        spin: F::ZERO,
+    };
 }
 
 impl<F: Float> Equations<F> {

@@ -41,8 +41,10 @@ impl<F: Float> Tangent<F> {
         Self { theta: total(self.theta, other.theta, f), eta: total(self.eta, other.eta, f) }
     }
 
-    /// Tangent of a change of Φ and of ω in the fixed frame.
-    fn of_change(theta: Vector<F>, change: Vector<F>, omega: Vector<F>) -> Self {
+    /// Tangent at the launch: a unit change of a component of Φ or of ω in the fixed frame, or none from the seventh on.
+    pub(crate) fn of_launch(index: usize, omega: Vector<F>) -> Self {
+        let unit = |first: usize| [0, 1, 2].map(|k| if index == first + k { F::ONE } else { F::ZERO });
+        let (theta, change) = (unit(0), unit(3));
         Self { theta, eta: total(change, bracket(theta, omega), -F::ONE) }
     }
 }
@@ -76,11 +78,7 @@ impl<F: Float, const N: usize> Flow<F, N> {
         let [zero, one] = [F::ZERO, F::ONE];
         let mut tangents = [Tangent::NONE; N];
         for (index, tangent) in tangents.iter_mut().enumerate() {
-            let unit = |first: usize| {
-                let is = |k: usize| if index == first + k { one } else { zero };
-                [is(0), is(1), is(2)]
-            };
-            *tangent = Tangent::of_change(unit(0), unit(3), omega);
+            *tangent = Tangent::of_launch(index, omega);
         }
         let [axis, side] = [[zero, zero, one], [one, zero, zero]].map(|body| phi.adjoint(body));
         let spin = dot(omega, axis);
@@ -142,11 +140,15 @@ fn about_vertical<F: Float>([x, y, z]: Vector<F>, (sine, cosine): (F, F)) -> Vec
 impl<F: Real, const N: usize> Flow<F, N> {
     /// Turns the motion and its tangents about the vertical.
     pub(crate) fn turn(&mut self, phase: Phase) {
-        let turn = F::sine_cosine(phase);
+        self.turn_by(F::sine_cosine(phase), N);
+    }
+
+    /// Turns the motion and its first `known` tangents about the vertical by an angle of this sine and cosine.
+    pub(crate) fn turn_by(&mut self, turn: (F, F), known: usize) {
         for vector in [&mut self.axis, &mut self.side, &mut self.across] {
             *vector = about_vertical(*vector, turn);
         }
-        for tangent in &mut self.tangents {
+        for tangent in self.tangents.iter_mut().take(known) {
             tangent.theta = about_vertical(tangent.theta, turn);
             tangent.eta = about_vertical(tangent.eta, turn);
         }

@@ -129,8 +129,8 @@ impl Fitted {
     #[getter]
     fn covariance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
         let count = self.core.count;
-        let rows = self.core.covariance.iter().take(count);
-        array(py, rows.flat_map(|row| &row[..count]).copied().collect(), &[count, count], 1)
+        let entries = (0..count * count).map(|place| self.core.covariance.of(place / count, place % count));
+        array(py, entries.collect(), &[count, count], 1)
     }
 
     /// Standard deviations of the unknowns.

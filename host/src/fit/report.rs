@@ -99,7 +99,7 @@ impl FitReport<'_> {
         let dot = |x: [f64; 3], y: [f64; 3]| x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
         let deviation = |row: [f64; 6]| {
             let square: f64 = (0..6)
-                .map(|i| (0..6).map(|j| row[i] * self.fitted.covariance[i][j] * row[j]).sum::<f64>())
+                .map(|i| (0..6).map(|j| row[i] * self.fitted.covariance.of(i, j) * row[j]).sum::<f64>())
                 .sum();
             square.sqrt()
         };
@@ -210,8 +210,8 @@ impl FitReport<'_> {
             .map(|(name, values, errors)| (name.to_owned(), json!({"value": values, "deviation": errors})))
             .collect();
         let count = self.fitted.count;
-        let covariance: Vec<&[f64]> =
-            self.fitted.covariance[..count].iter().map(|row| &row[..count]).collect();
+        let covariance: Vec<Vec<f64>> =
+            (0..count).map(|i| (0..count).map(|j| self.fitted.covariance.of(i, j)).collect()).collect();
         let predictions: Vec<_> = self
             .predictions()
             .iter()

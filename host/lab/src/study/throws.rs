@@ -178,7 +178,7 @@ fn normalised_square(fitted: &Fitted, state: &State) -> f64 {
     for i in 0..6 {
         for j in 0..=i {
             let inner: f64 = (0..j).map(|k| factor[i][k] * factor[j][k]).sum();
-            let rest = fitted.covariance[i][j] - inner;
+            let rest = fitted.covariance.of(i, j) - inner;
             factor[i][j] = if i == j { rest.max(1e-30).sqrt() } else { rest / factor[j][j] };
         }
         let known: f64 = (0..i).map(|k| factor[i][k] * scaled[k]).sum();

@@ -1,0 +1,170 @@
+//! Covariance of the unknowns of a fit.
+
+use crate::fit::launch::LAUNCH;
+use crate::fit::triangle::{MOST_UNKNOWNS, Unknowns};
+use crate::su2::Vector;
+
+/// Entries of a symmetric matrix on and below its diagonal.
+const ENTRIES: usize = MOST_UNKNOWNS * (MOST_UNKNOWNS + 1) / 2;
+/// Least variance of an unknown given those before it: one that rounding made negative counts as known to 1e-12.
+const LEAST_VARIANCE: f64 = 1e-24;
+
+/// Covariance of the unknowns: a symmetric matrix, of which one half is stored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Covariance {
+    /// Rows from the diagonal to the left, one behind the other.
+    entries: [f64; ENTRIES],
+}
+
+impl Covariance {
+    pub(super) const ZERO: Self = Self { entries: [0.0; ENTRIES] };
+
+    /// Covariance of two unknowns, counted from 0; 0 where there is no such unknown.
+    #[must_use]
+    pub fn of(&self, i: usize, j: usize) -> f64 {
+        self.entries.get(place(i, j)).copied().unwrap_or(0.0)
+    }
+
+    /// Entry of two unknowns. `None` where there is no such unknown.
+    pub(super) fn entry(&mut self, i: usize, j: usize) -> Option<&mut f64> {
+        self.entries.get_mut(place(i, j))
+    }
+
+    /// Adds v vᵀ, where the first `count` numbers of v are not 0.
+    pub(super) fn add_square(&mut self, v: impl Iterator<Item = f64> + Clone, count: usize) {
+        let mut slots = self.entries.iter_mut();
+        for (index, a) in v.clone().enumerate().take(count) {
+            for (slot, b) in slots.by_ref().take(index + 1).zip(v.clone()) {
+                *slot += a * b;
+            }
+        }
+    }
+
+    /// Takes the launch to a later time.
+    ///
+    /// * `columns`: derivatives of the rotation vector and of ω at that time by the unknowns
+    pub(super) fn carry(&mut self, columns: &[[Vector<f64>; MOST_UNKNOWNS]; 2]) {
+        let [theta, omega] = columns;
+        let by = |index: usize, unknown: usize| {
+            let columns = if index < 3 { theta } else { omega };
+            columns.get(unknown).and_then(|column| column.get(index % 3)).copied().unwrap_or(0.0)
+        };
+        // the other unknowns are kept, so that only the rows of the launch have to be multiplied
+        let mut rows = [[0.0; MOST_UNKNOWNS]; LAUNCH];
+        for (index, row) in rows.iter_mut().enumerate() {
+            for (unknown, slot) in row.iter_mut().enumerate() {
+                *slot = (0..MOST_UNKNOWNS).map(|k| by(index, k) * self.of(k, unknown)).sum();
+            }
+        }
+        for (index, row) in rows.iter().enumerate() {
+            for unknown in index..MOST_UNKNOWNS {
+                let carried = if unknown < LAUNCH {
+                    row.iter().enumerate().map(|(k, entry)| entry * by(unknown, k)).sum()
+                } else {
+                    row.get(unknown).copied().unwrap_or(0.0)
+                };
+                if let Some(slot) = self.entry(index, unknown) {
+                    *slot = carried;
+                }
+            }
+        }
+    }
+
+    /// Becomes the lower triangle L of this covariance L Lᵀ of so many unknowns, by Cholesky's method.
+    pub(super) fn factorise(&mut self, count: usize) {
+        for i in 0..count {
+            for j in 0..=i {
+                let known: f64 = (0..j).map(|k| self.of(i, k) * self.of(j, k)).sum();
+                let rest = self.of(i, j) - known;
+                let pivot = self.of(j, j);
+                if let Some(slot) = self.entry(i, j) {
+                    *slot = if i == j { libm::sqrt(rest.max(LEAST_VARIANCE)) } else { rest / pivot };
+                }
+            }
+        }
+    }
+
+    /// Row of L⁻¹ of a lower triangle L.
+    pub(super) fn inverse_row(&self, index: usize) -> Unknowns {
+        let mut row = [0.0; MOST_UNKNOWNS];
+        for unknown in (0..=index).rev() {
+            let unit = if unknown == index { 1.0 } else { 0.0 };
+            let known: f64 = row
+                .iter()
+                .enumerate()
+                .skip(unknown + 1)
+                .take(index - unknown)
+                .map(|(k, x)| x * self.of(k, unknown))
+                .sum();
+            if let Some(slot) = row.get_mut(unknown) {
+                *slot = (unit - known) / self.of(unknown, unknown);
+            }
+        }
+        row
+    }
+}
+
+/// Place of an entry.
+fn place(i: usize, j: usize) -> usize {
+    let (row, column) = if i < j { (j, i) } else { (i, j) };
+    row * (row + 1) / 2 + column
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn covariance() -> Covariance {
+        let mut covariance = Covariance::ZERO;
+        for k in 0..9 {
+            let vector = (0..8).map(|i| libm::sin(f64::from(i * i + 3 * k * i + k)));
+            covariance.add_square(vector, 8);
+        }
+        covariance
+    }
+
+    #[test]
+    fn the_rows_of_the_inverse_factor_make_the_covariance_one() {
+        let mut factor = covariance();
+        factor.factorise(8);
+        for i in 0..8 {
+            for j in 0..8 {
+                let [x, y] = [i, j].map(|index| factor.inverse_row(index));
+                let product: f64 =
+                    (0..8).flat_map(|k| (0..8).map(move |l| x[k] * covariance().of(k, l) * y[l])).sum();
+                assert!((product - f64::from(u8::from(i == j))).abs() < 1e-10, "{i} {j}: {product}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_carried_covariance_is_that_of_the_carried_unknowns() {
+        let column = |shift: usize| {
+            let mut columns = [[0.0; 3]; MOST_UNKNOWNS];
+            for (k, column) in columns.iter_mut().enumerate().take(8) {
+                *column = [0.3, 1.1, 2.3].map(|x| libm::cos(x * (k + shift) as f64));
+            }
+            columns
+        };
+        let columns = [column(0), column(5)];
+        let mut carried = covariance();
+        carried.carry(&columns);
+        let mut expected = Covariance::ZERO;
+        for k in 0..9 {
+            let before = |i: u32| libm::sin(f64::from(i * i + 3 * k * i + k));
+            let after = |i: usize| {
+                if i < 6 {
+                    (0..8).map(|j| columns[i / 3][j][i % 3] * before(j as u32)).sum()
+                } else {
+                    before(i as u32)
+                }
+            };
+            expected.add_square((0..8).map(after), 8);
+        }
+        for i in 0..8 {
+            for j in 0..8 {
+                assert!((carried.of(i, j) - expected.of(i, j)).abs() < 1e-12, "{i} {j}");
+            }
+        }
+    }
+}
