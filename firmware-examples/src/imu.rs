@@ -44,10 +44,15 @@ pub const MAGNETOMETER: Magnetometer = Magnetometer {
 
 /// Measurements of the gyroscope (0), the accelerometer (1) and the magnetometer (2), in SI units and microtesla.
 ///
-/// The iterator is a counter: a fit keeps copies of it on the stack, and passes over most measurements without a look at them.
+/// The iterator is a counter with a time: a fit keeps copies of it on the stack, and passes over most measurements without a
+/// look at them.
 pub fn measurements() -> impl Iterator<Item = Measurement> + Clone {
-    (0..3 * table::INERTIAL.len()).filter_map(|place| {
+    let mut time = 0.0;
+    (0..3 * table::INERTIAL.len()).filter_map(move |place| {
         let (n, sensor) = (place / 3, place % 3);
+        if sensor == 0 {
+            time = time_of(n);
+        }
         let (gyroscope, accelerometer) = table::INERTIAL.get(n)?.split_at(3);
         let (registers, unit) = match sensor {
             0 => (gyroscope, GYROSCOPE_UNIT),
@@ -60,6 +65,12 @@ pub fn measurements() -> impl Iterator<Item = Measurement> + Clone {
         for (value, register) in values.iter_mut().zip(registers) {
             *value = f64::from(f32::from(*register) * unit);
         }
-        Some(Measurement { time: n as f64 * SAMPLE_TIME, sensor, values })
+        Some(Measurement { time, sensor, values })
     })
+}
+
+/// Time of a sample, s.
+#[inline(never)] // the compiler would compute it where it is not needed
+fn time_of(sample: usize) -> f64 {
+    sample as f64 * SAMPLE_TIME
 }

@@ -188,8 +188,9 @@ fn from_frame(third: Vector<f64>, first: Vector<f64>) -> Orientation<f64> {
     let tilt = upright_to(third);
     // rotation about the third axis that brings the first one home
     let [x, y, _] = tilt.inverse().adjoint(first);
-    let half = 0.5 * libm::atan2(y, x);
-    tilt.compose(&Orientation::from_quaternion([libm::cos(half), 0.0, 0.0, libm::sin(half)]))
+    // its half angle without trigonometric functions: x and y are those of a unit vector
+    let half = if x > 0.0 { [1.0 + x, 0.0, 0.0, y] } else { [y, 0.0, 0.0, 1.0 - x] };
+    tilt.compose(&Orientation::from_quaternion(half).normalised())
 }
 
 /// Smallest rotation that takes the vertical to this unit vector.

@@ -8,7 +8,7 @@ use crate::fit::pass::Progress;
 use crate::fit::triangle::{Triangle, Unknowns};
 use crate::scalar::Real;
 use crate::sensitivity::total;
-use crate::su2::{Orientation, bracket};
+use crate::su2::{Orientation, Vector, bracket};
 
 /// Estimated size of the next correction, in standard deviations, below which the fit has converged without a pass that
 /// confirms it.
@@ -130,14 +130,19 @@ impl Model {
     ) {
         let [t1, t2, t3, ..] = *change;
         let turn = Orientation::exp([t1, t2, t3].map(F::to_f64));
+        // the turn as a matrix, by its columns, in the scalar of the rows
+        let cast = |x: Vector<f64>| x.map(F::from_f64);
+        let [x_axis, y_axis, z_axis] =
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| cast(turn.adjoint(axis)));
+        let turned = |[x, y, z]: Vector<F>| total(total(x_axis.map(|c| c * x), y_axis, y), z_axis, z);
+        let (before, after) = (cast(before.omega), cast(after.omega));
         to.add_mapped(information, |row| {
             let [x, y, z, p, q, r, ..] = *row;
-            let ([x, y, z], by_omega) = ([x, y, z].map(F::to_f64), [p, q, r].map(F::to_f64));
-            let by_theta = turn.adjoint(total([x, y, z], bracket(before.omega, by_omega), 1.0));
-            let by_omega = turn.adjoint(by_omega);
-            let by_theta = total(by_theta, bracket(after.omega, by_omega), -1.0);
+            let by_theta = turned(total([x, y, z], bracket(before, [p, q, r]), F::ONE));
+            let by_omega = turned([p, q, r]);
+            let by_theta = total(by_theta, bracket(after, by_omega), -F::ONE);
             for (slot, entry) in row.iter_mut().zip(by_theta.into_iter().chain(by_omega)) {
-                *slot = F::from_f64(entry);
+                *slot = entry;
             }
         });
     }

@@ -53,8 +53,8 @@ impl Model {
         let mut columns = [[0.0; 3]; MOST_UNKNOWNS];
         for component in 0..3 {
             let mut row = [0.0; MOST_UNKNOWNS];
-            let entry = |k: usize| by.get(k).and_then(|column| column.get(component)).copied().unwrap_or(0.0);
-            self.fill(&mut row, shares, entry);
+            let entries = by.map(|column| column.get(component).copied().unwrap_or(0.0));
+            self.fill(&mut row, shares, &entries);
             for (column, entry) in columns.iter_mut().zip(row) {
                 if let Some(slot) = column.get_mut(component) {
                     *slot = entry;

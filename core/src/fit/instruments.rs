@@ -125,7 +125,7 @@ impl<F: Real> Sensor<F> for Gyroscope {
 impl<F: Real> Sensor<F> for Accelerometer {
     fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
         let reading = cast(three(values));
-        let (force, columns) = at.force_in(&self.mounting.axes(at), cast(self.mounting.place));
+        let (force, columns) = at.force_in(&self.mounting.axes(at), self.mounting.place());
         Prediction {
             difference: minus(reading, force),
             deviation: within(self.range, reading, self.noise.deviation),

@@ -237,14 +237,17 @@ impl Model {
         &self,
         row: &mut [F],
         shares: &[[F; 4]; MOST_RATIOS],
-        column: impl Fn(usize) -> F,
+        columns: &[F; COLUMNS],
     ) {
-        for (index, slot) in row.iter_mut().enumerate().take(LAUNCH) {
-            *slot = column(index);
-        }
-        for (slot, shares) in row.iter_mut().skip(LAUNCH).zip(shares).take(self.common() - LAUNCH) {
-            let terms = shares.iter().enumerate();
-            *slot = terms.fold(F::ZERO, |sum, (index, share)| sum + *share * column(LAUNCH + index));
+        let (Some((launch, others)), Some((by_launch, by_others))) =
+            (row.split_first_chunk_mut::<LAUNCH>(), columns.split_first_chunk::<LAUNCH>())
+        else {
+            return;
+        };
+        *launch = *by_launch;
+        for (slot, shares) in others.iter_mut().zip(shares).take(self.common() - LAUNCH) {
+            let terms = shares.iter().zip(by_others);
+            *slot = terms.fold(F::ZERO, |sum, (share, column)| sum + *share * *column);
         }
     }
 }

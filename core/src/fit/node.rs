@@ -63,11 +63,16 @@ impl<F: Real> Node<F> {
         let mut at = [Acceleration::ZERO; STAGES];
         let end = self.state_after(equations, &weights, &mut states, &mut at);
         next.flow.set_state(&end);
-        let columns = self.flow.tangents.iter().zip(&mut next.flow.tangents).take(known).enumerate();
-        for (column, (start, slot)) in columns {
+        let columns = self.flow.tangents.iter().zip(&self.eta_rates).zip(&mut next.flow.tangents);
+        for (column, ((start, eta_rate), slot)) in columns.take(known).enumerate() {
             let change = equations.changes.get(column.wrapping_sub(LAUNCH));
             let stages = states.iter().zip(&at).zip(&weights);
-            *slot = column_after(equations, start, change, stages);
+            *slot = column_after(
+                equations,
+                [start, &Tangent { theta: start.eta, eta: *eta_rate }],
+                change,
+                stages,
+            );
         }
         next.find_rates(equations, known);
     }
@@ -103,11 +108,12 @@ impl<F: Real> Node<F> {
 
 /// Column after a step.
 ///
+/// * `start`: column before the step, and its rate
 /// * `stages`: state and accelerations of each stage, with the weights of the stages before the next one
 #[inline(never)] // as above
 fn column_after<'a, F: Real + 'a>(
     equations: &Equations<F>,
-    start: &Tangent<F>,
+    [start, rate]: [&Tangent<F>; 2],
     change: Option<&Coefficients<F>>,
     stages: impl Iterator<Item = ((&'a Flow<F, 0>, &'a Acceleration<F>), &'a [F; STAGES])>,
 ) -> Tangent<F> {
@@ -115,7 +121,7 @@ fn column_after<'a, F: Real + 'a>(
     let mut tangent = *start;
     for (stage, ((state, at), row)) in stages.enumerate() {
         if let Some(slot) = rates.get_mut(stage) {
-            *slot = equations.tangent_rate(state, at, &tangent, change);
+            *slot = if stage == 0 { *rate } else { equations.tangent_rate(state, at, &tangent, change) };
         }
         tangent = *start;
         for (rate, weight) in rates.iter().zip(row).take(stage + 1) {

@@ -4,11 +4,12 @@ use crate::fit::Fit;
 use crate::fit::beginning::Beginning;
 use crate::fit::launch::Launch;
 use crate::fit::outcome::Statistics;
-use crate::fit::sensor::{Hint, Measurement};
+use crate::fit::sensor::{Hint, Measurement, Prediction};
 use crate::fit::sums::Sums;
 use crate::fit::triangle::Triangle;
 use crate::fit::window::Part;
 use crate::scalar::Real;
+use crate::su2::Vector;
 
 /// Size of a correction, in standard deviations, below which the fit has converged. The next one would be about its
 /// square.
@@ -163,28 +164,44 @@ impl<F: Real> Fit<'_, F> {
         };
         let prediction = sensor.predict(self.path.now(), values);
         let bias = self.model.bias_of(index);
-        let components = prediction.difference.into_iter().zip(prediction.deviation).enumerate();
-        for (component, (difference, deviation)) in components {
-            let per_deviation = F::ONE / deviation;
-            if per_deviation == F::ZERO {
-                sums.unused += 1;
-                continue;
-            }
-            let mut residual = difference * per_deviation;
-            let bias = bias.map(|first| first + component);
-            if let Some(known) = bias.and_then(|bias| self.biases.get(bias)) {
-                residual = residual - *known * per_deviation;
-            }
-            let weight = sums.add(residual, huber);
-            let scale = weight * per_deviation;
-            let Some(row) = self.rows.next(bias, scale, weight * residual) else { continue };
-            let column = |k: usize| {
-                let entry = prediction.columns.get(k).and_then(|column| column.get(component));
-                scale * entry.copied().unwrap_or(F::ZERO)
-            };
-            self.model.fill(row, &self.shares, column);
-        }
+        self.add_component::<0>(&prediction, bias, huber, sums);
+        self.add_component::<1>(&prediction, bias, huber, sums);
+        self.add_component::<2>(&prediction, bias, huber, sums);
         Some(())
+    }
+
+    /// Adds a component of a prediction, whose number is a constant so that it takes no time.
+    ///
+    /// * `bias`: first bias of the sensor
+    #[inline(always)]
+    fn add_component<const K: usize>(
+        &mut self,
+        Prediction { difference, deviation, columns }: &Prediction<F>,
+        bias: Option<usize>,
+        huber: F,
+        sums: &mut Sums<F>,
+    ) {
+        let component = |[x, y, z]: Vector<F>| match K {
+            0 => x,
+            1 => y,
+            _ => z,
+        };
+        let per_deviation = F::ONE / component(*deviation);
+        if per_deviation == F::ZERO {
+            sums.unused += 1;
+            return;
+        }
+        let mut residual = component(*difference) * per_deviation;
+        let bias = bias.map(|first| first + K);
+        if let Some(known) = bias.and_then(|bias| self.biases.get(bias)) {
+            residual = residual - *known * per_deviation;
+        }
+        let weight = sums.add(residual, huber);
+        let scale = weight * per_deviation;
+        if let Some(row) = self.rows.next(bias, scale, weight * residual) {
+            let entries = columns.map(|column| scale * component(column));
+            self.model.fill(row, &self.shares, &entries);
+        }
     }
 
     /// Computes the state and the derivatives at a time.

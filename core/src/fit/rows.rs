@@ -11,10 +11,12 @@ use crate::scalar::Real;
 
 /// Most unknowns that are no biases, with the right-hand side.
 const WIDTH: usize = LAUNCH + MOST_RATIOS + 1;
+/// Most biases.
+const BIASES: usize = 3 * MOST_SENSORS;
 /// Rows that are collected.
-const BLOCK: usize = 12;
+const BLOCK: usize = 16;
 
-/// Row of the derivatives by the launch and the ratios, with the right-hand side behind them.
+/// Derivatives by the launch and the ratios, with the right-hand side behind them.
 type Entries<F> = [F; WIDTH];
 
 /// Rows that were added and are not yet in a [`Triangle`].
@@ -22,24 +24,21 @@ type Entries<F> = [F; WIDTH];
 pub(super) struct Rows<F> {
     /// Number of the unknowns that are no biases.
     common: usize,
-    block: [Row<F>; BLOCK],
+    block: [(Option<u8>, Row<F>); BLOCK],
     filled: usize,
-    by_bias: [Row<F>; 3 * MOST_SENSORS],
+    by_bias: [Row<F>; BIASES],
     others: [Entries<F>; WIDTH - 1],
 }
 
 /// Derivative by one bias, and the others.
 #[derive(Clone, Copy, Debug)]
 struct Row<F> {
-    /// Bias, counted from 0, and the derivative by it.
-    bias: Option<usize>,
     by_bias: F,
-    /// Derivatives by the launch and the ratios.
     entries: Entries<F>,
 }
 
 impl<F: Real> Row<F> {
-    const ZERO: Self = Self { bias: None, by_bias: F::ZERO, entries: [F::ZERO; WIDTH] };
+    const ZERO: Self = Self { by_bias: F::ZERO, entries: [F::ZERO; WIDTH] };
 }
 
 impl<F: Real> Rows<F> {
@@ -47,9 +46,9 @@ impl<F: Real> Rows<F> {
     pub(super) fn new(common: usize) -> Self {
         Self {
             common: common.min(WIDTH - 1),
-            block: [Row::ZERO; BLOCK],
+            block: [(None, Row::ZERO); BLOCK],
             filled: 0,
-            by_bias: [Row::ZERO; 3 * MOST_SENSORS],
+            by_bias: [Row::ZERO; BIASES],
             others: [[F::ZERO; WIDTH]; WIDTH - 1],
         }
     }
@@ -57,7 +56,7 @@ impl<F: Real> Rows<F> {
     /// Takes all rows away.
     pub(super) fn clear(&mut self) {
         self.filled = 0;
-        self.by_bias = [Row::ZERO; 3 * MOST_SENSORS];
+        self.by_bias = [Row::ZERO; BIASES];
         self.others = [[F::ZERO; WIDTH]; WIDTH - 1];
     }
 
@@ -70,15 +69,16 @@ impl<F: Real> Rows<F> {
         if self.filled == BLOCK {
             self.reflect();
         }
-        let row = self.block.get_mut(self.filled)?;
+        let (slot, row) = self.block.get_mut(self.filled)?;
         self.filled += 1;
-        (row.bias, row.by_bias) = (bias, by_bias);
+        (*slot, row.by_bias) = (bias.map(|index| index as u8), by_bias);
         let (entries, rest) = row.entries.split_at_mut_checked(self.common)?;
         *rest.first_mut()? = value;
         Some(entries)
     }
 
     /// Brings the collected rows into the shape of an arrow.
+    #[inline(never)] // once for many rows
     fn reflect(&mut self) {
         const NARROW: usize = LAUNCH + 1;
         let (block, others) = (self.block.get_mut(..self.filled), self.others.get_mut(..self.common));
@@ -96,18 +96,13 @@ impl<F: Real> Rows<F> {
     /// Adds all rows to a triangle, whose unknowns are the launch, the ratios and the biases.
     pub(super) fn add_to(&mut self, triangle: &mut Triangle<F>) {
         self.reflect();
-        let others =
-            self.others.iter().map(|entries| Row { bias: None, by_bias: F::ZERO, entries: *entries });
-        for Row { bias, by_bias, entries } in self
-            .by_bias
-            .iter()
-            .enumerate()
-            .map(|(index, row)| Row { bias: Some(index), ..*row })
-            .chain(others)
-        {
+        let others = self.others.iter().map(|entries| (None, F::ZERO, entries));
+        let biases = self.by_bias.iter().enumerate();
+        let biases = biases.map(|(index, Row { by_bias, entries })| (Some(index), *by_bias, entries));
+        for (bias, by_bias, entries) in biases.chain(others) {
             let mut unknowns = [F::ZERO; MOST_UNKNOWNS];
             for (slot, entry) in unknowns.iter_mut().zip(entries).take(self.common) {
-                *slot = entry;
+                *slot = *entry;
             }
             if let Some(slot) = bias.and_then(|index| unknowns.get_mut(self.common + index)) {
                 *slot = by_bias;
@@ -118,70 +113,82 @@ impl<F: Real> Rows<F> {
     }
 }
 
-/// Reflects the rows of each bias, which have W entries with the right-hand side.
-fn reflect_biases<F: Real, const W: usize>(pivots: &mut [Row<F>], block: &mut [Row<F>]) {
-    let bit = |index: usize| 1_u32.wrapping_shl(index as u32);
-    let present = block.iter().filter_map(|row| row.bias).fold(0, |found, index| found | bit(index));
-    for (index, pivot) in pivots.iter_mut().enumerate().filter(|(index, _)| present & bit(*index) != 0) {
-        let own = |row: &&mut Row<F>| row.bias == Some(index);
-        let mut square = F::ZERO;
-        let mut sums = [F::ZERO; W];
-        for row in block.iter_mut().filter(own) {
-            square = square + row.by_bias.squared();
-            add(&mut sums, &row.entries, row.by_bias);
+/// Reflects the rows of each bias, which have W entries with the right-hand side. The rows of all biases are summed in one
+/// pass, and changed in a second one.
+fn reflect_biases<F: Real, const W: usize>(
+    pivots: &mut [Row<F>; BIASES],
+    block: &mut [(Option<u8>, Row<F>)],
+) {
+    let mut sums = [(F::ZERO, [F::ZERO; W]); BIASES];
+    for (bias, Row { by_bias, entries }) in block.iter() {
+        if let Some((square, sums)) = bias.and_then(|index| sums.get_mut(usize::from(index))) {
+            *square = *square + by_bias.squared();
+            add(sums, entries, *by_bias);
         }
-        let Some((next, lead, scale)) = reflection(pivot.by_bias, square) else { continue };
-        add(&mut sums, &pivot.entries, lead);
-        let sums = sums.map(|x| -(scale * x));
+    }
+    for (pivot, (square, sums)) in pivots.iter_mut().zip(&mut sums) {
+        // the sums are 0 where there is no row
+        let Some((next, lead, scale)) = reflection(pivot.by_bias, *square) else { continue };
+        add(sums, &pivot.entries, lead);
+        *sums = sums.map(|x| -(scale * x));
         pivot.by_bias = next;
-        add(&mut pivot.entries, &sums, lead);
-        for row in block.iter_mut().filter(own) {
-            add(&mut row.entries, &sums, row.by_bias);
+        add(&mut pivot.entries, sums, lead);
+    }
+    for (bias, Row { by_bias, entries }) in block.iter_mut() {
+        if let Some((_, sums)) = bias.and_then(|index| sums.get(usize::from(index))) {
+            add(entries, sums, *by_bias);
         }
     }
 }
 
 /// Reflects the columns of the launch and the ratios one after another, in rows with W entries.
-fn reflect_others<F: Real, const W: usize>(pivots: &mut [Entries<F>], block: &mut [Row<F>]) {
+fn reflect_others<F: Real, const W: usize>(pivots: &mut [Entries<F>], block: &mut [(Option<u8>, Row<F>)]) {
+    let mut sums = [F::ZERO; WIDTH];
+    for (_, Row { entries, .. }) in block.iter() {
+        add_from::<F, 0, W>(&mut sums, entries, at::<F, 0>(entries));
+    }
     // each number is a constant in its own copy, so that the entries before the column take no time
-    reflect_column::<F, 0, W>(pivots, block);
-    reflect_column::<F, 1, W>(pivots, block);
-    reflect_column::<F, 2, W>(pivots, block);
-    reflect_column::<F, 3, W>(pivots, block);
-    reflect_column::<F, 4, W>(pivots, block);
-    reflect_column::<F, 5, W>(pivots, block);
+    reflect_column::<F, 0, 1, W>(pivots, block, &mut sums);
+    reflect_column::<F, 1, 2, W>(pivots, block, &mut sums);
+    reflect_column::<F, 2, 3, W>(pivots, block, &mut sums);
+    reflect_column::<F, 3, 4, W>(pivots, block, &mut sums);
+    reflect_column::<F, 4, 5, W>(pivots, block, &mut sums);
+    reflect_column::<F, 5, 6, W>(pivots, block, &mut sums);
     if W > LAUNCH + 1 {
-        reflect_column::<F, 6, W>(pivots, block);
-        reflect_column::<F, 7, W>(pivots, block);
-        reflect_column::<F, 8, W>(pivots, block);
-        reflect_column::<F, 9, W>(pivots, block);
+        reflect_column::<F, 6, 7, W>(pivots, block, &mut sums);
+        reflect_column::<F, 7, 8, W>(pivots, block, &mut sums);
+        reflect_column::<F, 8, 9, W>(pivots, block, &mut sums);
+        reflect_column::<F, 9, 10, W>(pivots, block, &mut sums);
     }
 }
 
 /// Reflects one column. Its entries in the block become 0; they are not used any more, and stay as they are.
+///
+/// * `NEXT`: the column behind it
+/// * `sums`: sums of the rows of the block times their entries in this column; then in the next one, which are summed
+///   while the rows are changed
 #[inline(always)]
-fn reflect_column<F: Real, const COLUMN: usize, const W: usize>(
+fn reflect_column<F: Real, const COLUMN: usize, const NEXT: usize, const W: usize>(
     pivots: &mut [Entries<F>],
-    block: &mut [Row<F>],
+    block: &mut [(Option<u8>, Row<F>)],
+    sums: &mut Entries<F>,
 ) {
     let Some(pivot) = pivots.get_mut(COLUMN) else { return };
-    let mut sums = [F::ZERO; WIDTH];
-    for row in block.iter() {
-        let by = at::<F, COLUMN>(&row.entries);
-        add_from::<F, COLUMN, W>(&mut sums, &row.entries, by);
+    let mut change = [F::ZERO; WIDTH];
+    // a column of zeros changes nothing
+    if let Some((next, lead, scale)) = reflection(at::<F, COLUMN>(pivot), at::<F, COLUMN>(sums)) {
+        add_from::<F, COLUMN, W>(sums, pivot, lead);
+        change = sums.map(|x| -(scale * x));
+        add_from::<F, COLUMN, W>(pivot, &change, lead);
+        if let Some(slot) = pivot.get_mut(COLUMN) {
+            *slot = next;
+        }
     }
-    let Some((next, lead, scale)) = reflection(at::<F, COLUMN>(pivot), at::<F, COLUMN>(&sums)) else {
-        return;
-    };
-    add_from::<F, COLUMN, W>(&mut sums, pivot, lead);
-    let sums = sums.map(|x| -(scale * x));
-    add_from::<F, COLUMN, W>(pivot, &sums, lead);
-    if let Some(slot) = pivot.get_mut(COLUMN) {
-        *slot = next;
-    }
-    for row in block.iter_mut() {
-        let by = at::<F, COLUMN>(&row.entries);
-        add_from::<F, COLUMN, W>(&mut row.entries, &sums, by);
+    *sums = [F::ZERO; WIDTH];
+    for (_, Row { entries, .. }) in block.iter_mut() {
+        let by = at::<F, COLUMN>(entries);
+        add_from::<F, NEXT, W>(entries, &change, by);
+        add_from::<F, NEXT, W>(sums, entries, at::<F, NEXT>(entries));
     }
 }
 

@@ -101,6 +101,11 @@ impl Mounting {
         if self.is_along_body() { [F::ZERO, F::ZERO, F::ONE] } else { self.rotation().inverse().axis() }
     }
 
+    /// Place in the scalar of the measurements. Most are at the origin, whose bits are compared faster than converted.
+    pub(crate) fn place<F: Real>(&self) -> Vector<F> {
+        if self.place.iter().all(|x| x.to_bits() == 0) { [F::ZERO; 3] } else { self.place.map(F::from_f64) }
+    }
+
     /// Whether the sensor is mounted along the axes of the body. The bits are compared, which a chip without `f64` does
     /// faster.
     fn is_along_body(&self) -> bool {

@@ -53,7 +53,11 @@ impl<F: Real> Triangle<F> {
                 break;
             }
         }
-        columns.each_ref().map(|column| inner(column, column).sqrt())
+        let mut values = [F::ZERO; MOST_UNKNOWNS];
+        for (value, column) in values.iter_mut().zip(&columns) {
+            *value = inner(column, column).sqrt();
+        }
+        values
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::complex::Complex;
 use crate::scalar::Float;
-use crate::sensitivity::equations::Equations;
+use crate::sensitivity::equations::{Acceleration, Equations};
 use crate::sensitivity::flow::{Flow, total};
 use crate::sensitivity::{COLUMNS, LAUNCH, Tangent};
 use crate::su2::{Orientation, Vector, bracket, dot};
@@ -28,12 +28,10 @@ impl<F: Float> Partials<F> {
     }
 
     /// Image of each known column; 0 for the others.
-    pub(crate) fn each(&self, of: impl Fn(&Tangent<F>) -> Vector<F>) -> [Vector<F>; COLUMNS] {
-        let mut columns = [[F::ZERO; 3]; COLUMNS];
-        for (column, tangent) in columns.iter_mut().zip(&self.flow.tangents).take(self.known) {
-            *column = of(tangent);
-        }
-        columns
+    pub(crate) fn each(&self, mut of: impl FnMut(&Tangent<F>) -> Vector<F>) -> [Vector<F>; COLUMNS] {
+        // columns that are built where they are returned need not be cleared and copied
+        let mut known = self.flow.tangents.iter().take(self.known);
+        [(); COLUMNS].map(|()| known.next().map_or([F::ZERO; 3], &mut of))
     }
 
     /// Symmetry axis r.
@@ -173,36 +171,52 @@ impl<F: Float> Partials<F> {
         axes: &[Vector<F>; 3],
         place: Vector<F>,
     ) -> (Vector<F>, [Vector<F>; COLUMNS]) {
+        let at = self.equations.acceleration(&self.flow);
+        // coordinates of the vertical
+        let vertical = axes.map(|[.., z]| z);
+        let mut force = vertical.map(|x| x * at.support);
+        let mut index = 0_usize;
+        let mut changes = self.each(|tangent| {
+            let by = self.equations.changes.get(index.wrapping_sub(LAUNCH));
+            index += 1;
+            let support = self.equations.support_change(self.flow.spin, &at, tangent, by);
+            // in the frame that turns by θ, the vertical turns by -θ: k × θ has no vertical component
+            let [x, y, _] = tangent.theta;
+            axes.map(|[east, north, up]| up * support + at.support * (north * x - east * y))
+        });
+        if place != [F::ZERO; 3] {
+            self.add_swing(&at, axes, place, &mut force, &mut changes);
+        }
+        (force, changes)
+    }
+
+    /// Adds the part of the specific force that the rotation causes away from the centre.
+    #[inline(never)] // most accelerometers do not need it
+    fn add_swing(
+        &self,
+        at: &Acceleration<F>,
+        axes: &[Vector<F>; 3],
+        place: Vector<F>,
+        force: &mut Vector<F>,
+        changes: &mut [Vector<F>; COLUMNS],
+    ) {
         let Flow { axis, across, spin, .. } = self.flow;
         let omega = self.angular_velocity();
-        let up = [F::ZERO, F::ZERO, F::ONE];
-        let at = self.equations.acceleration(&self.flow);
-        let off_centre = place != [F::ZERO; 3];
         let arm = self.in_fixed(place);
         let swing = bracket(omega, arm);
-        let mut force = up.map(|x| x * at.support);
-        if off_centre {
-            let rate = total(at.across, bracket(across, axis), spin);
-            let rate = total(rate, axis, at.spin);
-            force = total(total(force, bracket(rate, arm), F::ONE), bracket(omega, swing), F::ONE);
-        }
-        let mut changes = [[F::ZERO; 3]; COLUMNS];
+        let rate = total(total(at.across, bracket(across, axis), spin), axis, at.spin);
+        let of_rotation = total(bracket(rate, arm), bracket(omega, swing), F::ONE);
+        *force = total(*force, along(axes, of_rotation), F::ONE);
         let tangents = self.flow.tangents.iter().take(self.known).enumerate();
-        for (change, (index, tangent)) in changes.iter_mut().zip(tangents) {
+        for (slot, (index, tangent)) in changes.iter_mut().zip(tangents) {
             let by = self.equations.changes.get(index.wrapping_sub(LAUNCH));
-            let support = self.equations.support_change(spin, &at, tangent, by);
-            // in the frame that turns by θ, the vertical turns by -θ and the arm stays
-            let mut force_change = total(up.map(|x| x * support), bracket(up, tangent.theta), at.support);
-            if off_centre {
-                let rate = self.equations.tangent_rate(&self.flow, &at, tangent, by).eta;
-                let turning = total(rate, bracket(tangent.eta, omega), F::ONE);
-                force_change = total(force_change, bracket(turning, arm), F::ONE);
-                force_change = total(force_change, bracket(tangent.eta, swing), F::ONE);
-                force_change = total(force_change, bracket(omega, bracket(tangent.eta, arm)), F::ONE);
-            }
-            *change = along(axes, force_change);
+            // in the frame that turns by θ, the arm stays
+            let rate = self.equations.tangent_rate(&self.flow, at, tangent, by).eta;
+            let turning = total(rate, bracket(tangent.eta, omega), F::ONE);
+            let change = total(bracket(turning, arm), bracket(tangent.eta, swing), F::ONE);
+            let change = total(change, bracket(omega, bracket(tangent.eta, arm)), F::ONE);
+            *slot = total(*slot, along(axes, change), F::ONE);
         }
-        (along(axes, force), changes)
     }
 }
 
