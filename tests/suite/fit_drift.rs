@@ -188,9 +188,12 @@ fn a_loss_of_spin_is_found_with_its_error_bars() {
 }
 
 /// Losses of all three kinds, of either sign.
+///
+/// The errors of the three rates are nearly the same number, because most of each is that of the loss about the axis. So
+/// there is one draw in a case: the mean of the first 24 squares is 1.6 to 1.8 by chance, and that of 300 others 0.99 to 1.06.
 #[test]
 fn losses_of_every_kind_are_found() {
-    const CASES: u32 = 24;
+    const CASES: u32 = 72;
     let mut random = Random(11);
     let mut squares = [0.0; 3];
     let mut launches = 0.0;
@@ -210,10 +213,11 @@ fn losses_of_every_kind_are_found() {
         launches += square(&found, &states[states.len() - 1]) / f64::from(CASES);
     }
     println!("{squares:?} {launches}");
+    // the mean of 72 squares of a normal number is 1 ± 0.17, that of six is 6 ± 0.41
     for mean in squares {
-        assert!((0.3..2.0).contains(&mean), "{squares:?}");
+        assert!((0.55..1.45).contains(&mean), "{squares:?}");
     }
-    assert!((3.9..8.1).contains(&launches), "{launches}");
+    assert!((4.8..7.2).contains(&launches), "{launches}");
 }
 
 /// The motion with the drift reaches back to the first sample, and explains every reading.
