@@ -89,7 +89,7 @@ fn a_table_that_cannot_fit_is_refused_early() {
             let needed = EphemerisView::<I2F30>::segments_needed(&motion, truncation);
             assert!(needed.is_none_or(|needed| needed > SEGMENTS as u32), "{release:?}: {needed:?}");
             refused += 1;
-            at_once += usize::from(slices <= 3);
+            at_once += usize::from(slices <= 8);
             early += usize::from(slices < 7 * SEGMENTS / 3);
         }
     }

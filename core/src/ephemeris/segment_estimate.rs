@@ -30,6 +30,7 @@ const GROWTH_MARGIN: f32 = 2.0;
 
 /// Points on the half period: at equal distances of χ, and then at distances that halve towards χ = π/2, because a motion near the
 /// separatrix spends most of its time there. An item is sine and cosine of χ, and the length that it stands for, rad.
+#[derive(Clone, Copy, Debug)]
 struct Points {
     angle: [f32; 2],
     number: u8,
@@ -81,47 +82,94 @@ impl SegmentEstimate {
         let halves: usize = self.0.iter().skip(first).map(|level| 1 << level).sum();
         halves.div_ceil(2)
     }
+}
 
-    /// Estimates for each of several requirements, which differ in the allowed error only.
+/// Four points at equal distances of χ: sine and cosine.
+const FEW_POINTS: [[f32; 2]; 4] = [
+    [0.195_090_32, 0.980_785_3],
+    [0.555_570_24, 0.831_469_6],
+    [0.831_469_6, 0.555_570_24],
+    [0.980_785_3, 0.195_090_32],
+];
+
+/// Estimates for two requirements, which differ in the allowed error only, in slices of bounded work.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Estimation {
+    estimates: [SegmentEstimate; 2],
+    points: Points,
+    /// Time reached, in cells, and the rate of χ at the point before, rad per cell.
+    place: f32,
+    before: Option<f32>,
+}
+
+impl Estimation {
+    pub(crate) const BEGINNING: Self =
+        Self { estimates: [SegmentEstimate::NONE; 2], points: Points::FIRST, place: 0.0, before: None };
+
+    pub(crate) fn estimates(&self) -> &[SegmentEstimate; 2] {
+        &self.estimates
+    }
+
+    /// Includes some points. Returns whether the estimates are complete. A motion that seems to need less than half of the segments
+    /// keeps estimates that exclude no table.
     ///
     /// * `exponentials`: coefficients c₊ and c₋ of α and of β
     #[inline(never)] // the stack frames of set-up must not add up
-    pub(crate) fn of<const N: usize>(
+    pub(crate) fn proceed(
+        &mut self,
         law: &Law<Extended>,
         exponentials: &[[f64; 2]; 2],
         rates: &MeanRates,
-        requirements: &[Requirements; N],
-    ) -> [Self; N] {
-        let mut estimates = [Self::NONE; N];
-        let terms = requirements.first().map_or(0, |all| all.terms);
+        requirements: &[Requirements; 2],
+    ) -> bool {
+        /// Number of points in a slice of a set-up.
+        const POINTS: usize = 8;
         if !rates.is_periodic {
-            return estimates;
+            return true;
         }
         let frequencies = Frequencies::new(law, exponentials, rates);
         let allowed = requirements.each_ref().map(AllowedErrors::new);
-        let (mut place, mut before) = (0.0, None);
-        for (angle, distance) in Points::FIRST {
-            let (nutation, error) = frequencies.at(angle, terms);
-            let cells = distance / nutation;
-            if distance < DISTANCE && cells < SHORTEST {
-                break;
+        if self.before.is_none() && frequencies.need_few_segments(&allowed, requirements) {
+            return true;
+        }
+        for _ in 0..POINTS {
+            let Some((angle, distance)) = self.points.next() else { return true };
+            if !self.include(&frequencies, &allowed, angle, distance) {
+                return true;
             }
-            let growth = before.map_or(0.0, |before: f32| Float::abs(nutation - before) / distance);
-            before = Some(nutation);
-            place += 0.5 * cells;
-            for (Self(levels), allowed) in estimates.iter_mut().zip(&allowed) {
-                if let Some(level) = levels.get_mut(place as usize) {
-                    *level = allowed.level(&error, *level);
-                    if growth > error.frequency {
-                        let of_growth =
-                            CellError { frequency: growth, size: nutation / (GROWTH_MARGIN * growth) };
-                        *level = allowed.level(&of_growth, *level);
-                    }
+        }
+        false
+    }
+
+    /// Includes a point. Returns whether there may be another.
+    fn include(
+        &mut self,
+        frequencies: &Frequencies,
+        allowed: &[AllowedErrors; 2],
+        angle: [f32; 2],
+        distance: f32,
+    ) -> bool {
+        let [AllowedErrors { terms, .. }, _] = *allowed;
+        let (nutation, error) = frequencies.at(angle, terms);
+        let cells = distance / nutation;
+        if distance < DISTANCE && cells < SHORTEST {
+            return false;
+        }
+        let growth = self.before.map_or(0.0, |before| Float::abs(nutation - before) / distance);
+        self.before = Some(nutation);
+        self.place += 0.5 * cells;
+        for (SegmentEstimate(levels), allowed) in self.estimates.iter_mut().zip(allowed) {
+            if let Some(level) = levels.get_mut(self.place as usize) {
+                *level = allowed.level(&error, *level);
+                if growth > error.frequency {
+                    let of_growth =
+                        CellError { frequency: growth, size: nutation / (GROWTH_MARGIN * growth) };
+                    *level = allowed.level(&of_growth, *level);
                 }
             }
-            place += 0.5 * cells;
         }
-        estimates
+        self.place += 0.5 * cells;
+        true
     }
 }
 
@@ -147,7 +195,16 @@ impl Frequencies {
         }
     }
 
-    /// Time between two points in cells, and the error of a polynomial on a cell, at a point with these sine and cosine of χ.
+    /// Whether half of the allowed segments are enough for errors like those at a few points.
+    fn need_few_segments(&self, allowed: &[AllowedErrors; 2], requirements: &[Requirements; 2]) -> bool {
+        let ([_, fine], [_, Requirements { terms, most, .. }]) = (allowed, requirements);
+        FEW_POINTS.iter().all(|angle| {
+            let (_, error) = self.at(*angle, *terms);
+            CELLS << fine.level(&error, 0) <= *most
+        })
+    }
+
+    /// Rate of χ, rad per cell, and the error of a polynomial on a cell, at a point with these sine and cosine of χ.
     fn at(&self, [sine, cosine]: [f32; 2], terms: usize) -> (f32, CellError) {
         let rates = self.law.rates(sine, cosine);
         let nutation = rates.nutation * self.cell;

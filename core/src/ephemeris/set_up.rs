@@ -10,7 +10,7 @@ use crate::ephemeris::evaluation::EphemerisScalar;
 use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::rate_error::{MotionRates, rate_error};
-use crate::ephemeris::segment_estimate::SegmentEstimate;
+use crate::ephemeris::segment_estimate::{Estimation, SegmentEstimate};
 use crate::ephemeris::steady::constant;
 use crate::ephemeris::storage::{EphemerisStorage, EphemerisView};
 use crate::ephemeris::table::{TableTooSmall, put};
@@ -51,8 +51,8 @@ pub struct SetUp {
     truncation: Option<f64>,
     rates: MeanRates,
     tabulation: Tabulation,
-    /// Estimate of the segments that a table with the allowed error needs.
-    estimate: SegmentEstimate,
+    /// Estimates of the segments that a table with the allowed error needs, and one with a quarter of it.
+    estimation: Estimation,
     /// Result of the tabulation.
     tabulated: Tabulated,
     winding: WindingProgress,
@@ -99,7 +99,7 @@ impl SetUp {
             truncation: None,
             rates: MeanRates::ZERO,
             tabulation: Tabulation::EMPTY,
-            estimate: SegmentEstimate::NONE,
+            estimation: Estimation::BEGINNING,
             tabulated: Tabulated::EMPTY,
             winding: WindingProgress::NONE,
             stage: Stage::Rates,
@@ -173,14 +173,7 @@ impl SetUp {
                 match outcome {
                     Ok(None) => {}
                     Ok(Some(tabulated)) => (self.tabulated, self.stage) = (tabulated, Stage::Clock),
-                    Err(())
-                        if self.stage == Stage::Fine
-                            && self.tabulation.may_fit_with_larger_error(&self.estimate) =>
-                    {
-                        self.tabulation.again(self.requirements(ephemeris), self.estimate);
-                        self.stage = Stage::Coarse;
-                    }
-                    Err(()) => return self.refuse(&self.requirements(ephemeris)),
+                    Err(()) => return self.attempt_again(self.requirements(ephemeris)),
                 }
             }
         }
@@ -196,17 +189,30 @@ impl SetUp {
     fn estimate(&mut self, requirements: Requirements) -> Poll<Result<(), TableTooSmall>> {
         let fits = |estimate: &SegmentEstimate| estimate.least_segments(0) <= requirements.most;
         let [coarse, fine] = [requirements, fine(&requirements)];
-        let [of_coarse, of_fine] = self.tabulation.estimates(&self.rates, &[coarse, fine]);
-        self.estimate = of_coarse;
-        if fits(&of_fine) {
-            self.tabulation.again(fine, of_fine);
+        if !self.tabulation.estimate(&self.rates, &[coarse, fine], &mut self.estimation) {
+            return Poll::Pending;
+        }
+        let [of_coarse, of_fine] = self.estimation.estimates();
+        if fits(of_fine) {
+            self.tabulation.again(fine, *of_fine);
             self.stage = Stage::Fine;
-        } else if fits(&of_coarse) {
-            self.tabulation.again(coarse, of_coarse);
+        } else if fits(of_coarse) {
+            self.tabulation.again(coarse, *of_coarse);
             self.stage = Stage::Coarse;
         } else {
             return self.refuse(&requirements);
         }
+        Poll::Pending
+    }
+
+    /// Begins the second attempt after the first, if it may fit.
+    fn attempt_again(&mut self, requirements: Requirements) -> Poll<Result<(), TableTooSmall>> {
+        let [of_coarse, _] = self.estimation.estimates();
+        if self.stage != Stage::Fine || !self.tabulation.may_fit_with_larger_error(of_coarse) {
+            return self.refuse(&requirements);
+        }
+        self.tabulation.again(requirements, *of_coarse);
+        self.stage = Stage::Coarse;
         Poll::Pending
     }
 

@@ -23,7 +23,7 @@ use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::seek::StartSearch;
 use crate::ephemeris::segment_errors::SegmentErrors;
-use crate::ephemeris::segment_estimate::SegmentEstimate;
+use crate::ephemeris::segment_estimate::{Estimation, SegmentEstimate};
 use crate::ephemeris::span::{HALF_PERIOD, Span};
 use crate::ephemeris::speeds::Speeds;
 use crate::ephemeris::tabulated::{Requirements, Tabulated};
@@ -149,13 +149,14 @@ impl Tabulation {
         self.again(requirements, SegmentEstimate::NONE);
     }
 
-    /// Estimates of the segments that tables with these requirements need.
-    pub(crate) fn estimates(
+    /// Continues the estimates of the segments that tables with these requirements need. Returns whether they are complete.
+    pub(crate) fn estimate(
         &self,
         rates: &MeanRates,
         requirements: &[Requirements; 2],
-    ) -> [SegmentEstimate; 2] {
-        SegmentEstimate::of(self.path.law(), &self.exponentials, rates, requirements)
+        estimation: &mut Estimation,
+    ) -> bool {
+        estimation.proceed(self.path.law(), &self.exponentials, rates, requirements)
     }
 
     /// Begins again with other requirements on the table, and the estimate of the segments that they need.
