@@ -55,8 +55,8 @@ fn find_law(top: &Top, state: &State, law: &mut Law<f64>) -> Option<(f64, Option
         let momentum = point.momentum(quantities.a, integrals.n);
         return Some((tau, Some(2.0 * core::f64::consts::PI * quantities.a / momentum)));
     }
-    let e = branch_points(top, &quantities, &integrals, &point).filter(|e| e.e3_minus_e2 > 0.0)?;
-    *law = Law::new(top, &e, &integrals, integrals.signs());
+    let e = branch_points(top, &integrals, &point).filter(|e| e.e3_minus_e2 > 0.0)?;
+    set_law(law, top, &e, &integrals);
     Some((tau, None))
 }
 
@@ -66,14 +66,14 @@ fn integrals_and_point(top: &Top, state: &State) -> (FirstIntegrals, ReducedPoin
 }
 
 #[inline(never)] // as above
-fn branch_points(
-    top: &Top,
-    quantities: &Quantities<f64>,
-    integrals: &FirstIntegrals,
-    point: &ReducedPoint<f64>,
-) -> Option<BranchPoints> {
+fn set_law(law: &mut Law<f64>, top: &Top, e: &BranchPoints, integrals: &FirstIntegrals) {
+    *law = Law::new(top, e, integrals, integrals.signs());
+}
+
+#[inline(never)] // as above
+fn branch_points(top: &Top, integrals: &FirstIntegrals, point: &ReducedPoint<f64>) -> Option<BranchPoints> {
     if point.rests_upright() {
-        let gap = quantities.kappa() * integrals.n * integrals.n - 2.0;
+        let gap = Quantities::<f64>::of(top).kappa() * integrals.n * integrals.n - 2.0;
         return Some(BranchPoints {
             e1: 1.0,
             e2: 1.0,
