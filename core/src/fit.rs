@@ -40,17 +40,17 @@ mod sums;
 
 mod knowledge;
 
+mod beginning;
+
 mod pass;
 
 mod correction;
 
 mod ending;
 
-mod result;
-
-mod beginning;
-
 mod search;
+
+mod result;
 
 mod upright;
 

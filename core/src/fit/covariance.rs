@@ -1,7 +1,8 @@
 //! Covariance of the unknowns of a fit.
 
 use crate::fit::launch::LAUNCH;
-use crate::fit::triangle::{MOST_UNKNOWNS, Unknowns};
+use crate::fit::triangle::{MOST_UNKNOWNS, Triangle, Unknowns};
+use crate::scalar::Real;
 use crate::su2::Vector;
 
 /// Entries of a symmetric matrix on and below its diagonal.
@@ -110,6 +111,22 @@ fn place(i: usize, j: usize) -> usize {
     row * (row + 1) / 2 + column
 }
 
+impl<F: Real> Triangle<F> {
+    /// Covariance (RᵀR)⁻¹. An unknown without any information gets the variance 0.
+    #[inline(never)]
+    pub(super) fn covariance(&self, covariance: &mut Covariance) {
+        // one column of R⁻¹ at a time: all of them would take as much memory as the covariance
+        for index in 0..self.count {
+            let mut unit = [F::ZERO; MOST_UNKNOWNS];
+            if let Some(slot) = unit.get_mut(index) {
+                *slot = F::ONE;
+            }
+            let column = self.back_substituted(&unit);
+            covariance.add_square(column.iter().map(|x| x.to_f64()), index + 1);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -164,6 +181,26 @@ mod tests {
         for i in 0..8 {
             for j in 0..8 {
                 assert!((carried.of(i, j) - expected.of(i, j)).abs() < 1e-12, "{i} {j}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_covariance_is_the_inverse_of_the_normal_matrix() {
+        let rows = [[1.0, 2.0, -1.0], [0.5, -1.0, 0.25], [3.0, 0.0, 1.0], [-1.0, 1.0, 1.0], [0.0, 2.0, 5.0]];
+        let mut triangle = Triangle::<f64>::new(3);
+        for row in rows {
+            let mut wide = [0.0; MOST_UNKNOWNS];
+            wide[..3].copy_from_slice(&row);
+            triangle.add(&wide, 1.0);
+        }
+        let mut covariance = Covariance::ZERO;
+        triangle.covariance(&mut covariance);
+        let normal = |i: usize, j: usize| rows.iter().map(|row| row[i] * row[j]).sum::<f64>();
+        for i in 0..3 {
+            for j in 0..3 {
+                let product: f64 = (0..3).map(|k| covariance.of(i, k) * normal(k, j)).sum();
+                assert!((product - f64::from(u8::from(i == j))).abs() < 1e-13, "{product}");
             }
         }
     }

@@ -4,7 +4,6 @@
 //! R δ = z is the least-squares problem of all rows that were added. Its condition is the root of that of the normal
 //! equations, and no row has to be kept.
 
-use crate::fit::covariance::Covariance;
 use crate::scalar::Real;
 
 /// Largest number of unknowns: a launch, four directions of the top's ratios, and the biases of four sensors.
@@ -69,7 +68,7 @@ impl<F: Real> Triangle<F> {
     }
 
     /// Solution of R x = y, where y is given; entries without information are 0.
-    fn back_substituted(&self, y: &Unknowns<F>) -> Unknowns<F> {
+    pub(super) fn back_substituted(&self, y: &Unknowns<F>) -> Unknowns<F> {
         let mut x = [F::ZERO; MOST_UNKNOWNS];
         for index in (0..self.count).rev() {
             let Some((pivot, others)) = self.row(index).split_first() else { continue };
@@ -160,20 +159,6 @@ impl<F: Real> Triangle<F> {
         }
         square.sqrt()
     }
-
-    /// Covariance (RᵀR)⁻¹. An unknown without any information gets the variance 0.
-    #[inline(never)]
-    pub(super) fn covariance(&self, covariance: &mut Covariance) {
-        // one column of R⁻¹ at a time: all of them would take as much memory as the covariance
-        for index in 0..self.count {
-            let mut unit = [F::ZERO; MOST_UNKNOWNS];
-            if let Some(slot) = unit.get_mut(index) {
-                *slot = F::ONE;
-            }
-            let column = self.back_substituted(&unit);
-            covariance.add_square(column.iter().map(|x| x.to_f64()), index + 1);
-        }
-    }
 }
 
 /// Scalar product of numbers.
@@ -219,18 +204,6 @@ mod tests {
 
     fn normal(i: usize, j: usize) -> f64 {
         ROWS.iter().map(|(row, _)| row[i] * row[j]).sum()
-    }
-
-    #[test]
-    fn the_covariance_is_the_inverse_of_the_normal_matrix() {
-        let mut covariance = Covariance::ZERO;
-        triangle().covariance(&mut covariance);
-        for i in 0..3 {
-            for j in 0..3 {
-                let product: f64 = (0..3).map(|k| covariance.of(i, k) * normal(k, j)).sum();
-                assert!((product - f64::from(u8::from(i == j))).abs() < 1e-13, "{product}");
-            }
-        }
     }
 
     #[test]
