@@ -84,7 +84,8 @@ fn a_table_that_cannot_fit_is_refused_early() {
             ..Release::default()
         };
         let motion = Motion::launch(&top.unwrap(), &State::release(&release).unwrap()).unwrap();
-        let (result, slices) = polled(&motion, &mut Ephemeris::<I2F30, SEGMENTS>::EMPTY);
+        let mut table = Ephemeris::<I2F30, SEGMENTS>::EMPTY;
+        let (result, slices) = polled(&motion, &mut table);
         if let Err(TableTooSmall { truncation, .. }) = result {
             let needed = EphemerisView::<I2F30>::segments_needed(&motion, truncation);
             assert!(needed.is_none_or(|needed| needed > SEGMENTS as u32), "{release:?}: {needed:?}");
