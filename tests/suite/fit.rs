@@ -189,19 +189,23 @@ fn a_camera_of_the_axis_leaves_the_roll_open() {
 fn a_camera_of_the_orientation_tells_the_axial_inertia() {
     let camera = OrientationCamera { deviation: 2e-3 };
     let sensors: [&dyn Sensor; 1] = [&camera];
-    let (top, state) = (sliding(), release(0.35, 150.0));
-    let motion = Motion::launch(&top, &state).unwrap();
-    let measurements = readings(&motion, &sensors, 500, 5);
-    // 3 % wrong
-    let wrong = Top::sliding(&TopParameters { axial_inertia: 2.06e-5, ..PARAMETERS }).unwrap();
-    let strict = fitted(&wrong, &sensors, &measurements);
-    assert_eq!(strict.reason, Some(Reason::Misfit), "{:?}", strict.statistics);
-    let mut fit = Fit::new(&wrong, &sensors, &[FreeRatio::AXIAL_INERTIA]).unwrap();
-    let found = fit.run(measurements.iter().copied()).unwrap();
-    check("orientation", &found, &state);
-    let inertia = found.top(&wrong).unwrap().axial_inertia();
-    let deviation = found.deviations()[6];
-    assert!(((inertia / 2e-5).ln() / deviation).abs() < 4.0 && deviation < 1e-3, "{inertia} {deviation}");
+    let state = release(0.35, 150.0);
+    // a top on the plane and a thrown body
+    for make in [Top::sliding, Top::free] {
+        let (top, wrong) = (make(&PARAMETERS), make(&TopParameters { axial_inertia: 2.06e-5, ..PARAMETERS }));
+        let (top, wrong) = (top.unwrap(), wrong.unwrap());
+        let motion = Motion::launch(&top, &state).unwrap();
+        let measurements = readings(&motion, &sensors, 500, 5);
+        // 3 % wrong
+        let strict = fitted(&wrong, &sensors, &measurements);
+        assert_eq!(strict.reason, Some(Reason::Misfit), "{:?}", strict.statistics);
+        let mut fit = Fit::new(&wrong, &sensors, &[FreeRatio::AXIAL_INERTIA]).unwrap();
+        let found = fit.run(measurements.iter().copied()).unwrap();
+        check("orientation", &found, &state);
+        let inertia = found.top(&wrong).unwrap().axial_inertia();
+        let deviation = found.deviations()[6];
+        assert!(((inertia / 2e-5).ln() / deviation).abs() < 4.0 && deviation < 1e-3, "{inertia} {deviation}");
+    }
 }
 
 #[test]

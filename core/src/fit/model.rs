@@ -35,7 +35,8 @@ impl Model {
         let lever = match top.support() {
             Support::Sliding => a / (p * s),
             Support::Fixed => a / p,
-            Support::Free => f64::INFINITY,
+            // without effect, but a number: its products with 0 are 0
+            Support::Free => 1.0,
         };
         let mut free = [FreeRatio::of([0.0; 4]); MOST_RATIOS];
         for (slot, ratio) in free.iter_mut().zip(ratios) {
