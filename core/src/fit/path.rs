@@ -276,41 +276,27 @@ fn grow<F: Real>(flow: &mut Flow<F, COLUMNS>, period: &Period<F>, known: usize) 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fit::period::tests::{Case, thrown};
     use crate::motion::Motion;
     use crate::sensitivity::Sensitivity;
-    use crate::state::{Release, State};
     use crate::su2::{Vector, dot};
-    use crate::top::{Top, TopParameters};
 
-    /// Tops by A, C, s, M and K, sliding or held, and their throws by tilt, spin, precession and nutation rate.
-    const CASES: [([f64; 5], bool, [f64; 4]); 9] = [
-        ([3e-5, 2e-5, 0.03, 0.05, 0.0], false, [0.35, 150.0, 2.0, 0.5]),
-        ([3e-5, 2e-5, 0.03, 0.05, 0.0], false, [0.1, -220.0, 2.0, 0.5]),
-        ([3e-5, 2e-5, 0.03, 0.05, 0.0], false, [0.6, 20.0, 2.0, 0.5]),
-        ([3e-5, 2e-5, 0.03, 0.05, 0.0], false, [0.05, 45.0, -1.0, 0.5]),
-        ([3e-5, 2e-5, 0.03, 0.05, 0.0], false, [0.7, 0.0, 9.0, 3.0]),
-        ([7.5e-5, 2e-5, 0.03, 0.05, 0.0], true, [0.35, 150.0, 2.0, 0.5]),
-        ([7.5e-5, 2e-5, 0.03, 0.05, 0.0], true, [2.5, -12.0, 2.0, 0.5]),
-        ([3e-5, 2e-5, 0.03, 0.05, 1e-3], false, [0.5, 10.0, 1.0, 0.0]),
-        ([1e-5, 1.5e-5, 0.03, 0.05, 0.0], false, [0.0, 40.0, 0.0, 5.0]),
+    const CASES: [Case; 9] = [
+        ([3e-5, 2e-5, 0.03, 0.05, 0.0], 0, [0.35, 150.0, 2.0, 0.5]),
+        ([3e-5, 2e-5, 0.03, 0.05, 0.0], 0, [0.1, -220.0, 2.0, 0.5]),
+        ([3e-5, 2e-5, 0.03, 0.05, 0.0], 0, [0.6, 20.0, 2.0, 0.5]),
+        ([3e-5, 2e-5, 0.03, 0.05, 0.0], 0, [0.05, 45.0, -1.0, 0.5]),
+        ([3e-5, 2e-5, 0.03, 0.05, 0.0], 0, [0.7, 0.0, 9.0, 3.0]),
+        ([7.5e-5, 2e-5, 0.03, 0.05, 0.0], 1, [0.35, 150.0, 2.0, 0.5]),
+        ([7.5e-5, 2e-5, 0.03, 0.05, 0.0], 1, [2.5, -12.0, 2.0, 0.5]),
+        ([3e-5, 2e-5, 0.03, 0.05, 1e-3], 0, [0.5, 10.0, 1.0, 0.0]),
+        ([1e-5, 1.5e-5, 0.03, 0.05, 0.0], 0, [0.0, 40.0, 0.0, 5.0]),
     ];
 
     /// Largest error of the state and of the columns of the launch within a second, relative to their size, and
     /// whether the motion was repeated.
-    fn worst<F: Real>(case: &([f64; 5], bool, [f64; 4])) -> ([f64; 2], bool) {
-        let ([a, c, s, mass, momentum], held, [tilt, spin, precession, nutation]) = *case;
-        let parameters = TopParameters {
-            transverse_inertia: a,
-            axial_inertia: c,
-            com_height: s,
-            mass,
-            gravity: 9.81,
-            rotor_momentum: momentum,
-            ..TopParameters::default()
-        };
-        let top = if held { Top::fixed(&parameters) } else { Top::sliding(&parameters) }.unwrap();
-        let release = Release { tilt, spin, precession, nutation, azimuth: 0.4, roll: -0.7 };
-        let state = State::release(&release).unwrap();
+    fn worst<F: Real>(case: &Case) -> ([f64; 2], bool) {
+        let (top, state) = thrown(case);
         let motion = Motion::launch(&top, &state).unwrap();
         let launch = Launch::new(state.orientation(), state.omega());
         let equations = Equations::of(&top);

@@ -131,15 +131,40 @@ fn integrated(law: &Law<f64>) -> Option<[f64; 3]> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::motion::Motion;
     use crate::state::Release;
     use crate::top::TopParameters;
 
-    /// Tops by A, C, s, M, K and support, and throws by tilt, spin, precession and nutation rate, the last ones upright,
-    /// almost upright, on a cone and without torque.
-    const CASES: [([f64; 5], u8, [f64; 4]); 12] = [
+    /// A top by A, C, s, M, K and support (0: sliding, 1: held, 2: free), and its throw by tilt, spin, precession and nutation
+    /// rate.
+    pub(in crate::fit) type Case = ([f64; 5], u8, [f64; 4]);
+
+    /// Top and state of a case.
+    pub(in crate::fit) fn thrown(&(top, support, throw): &Case) -> (Top, State) {
+        let [transverse_inertia, axial_inertia, com_height, mass, rotor_momentum] = top;
+        let parameters = TopParameters {
+            transverse_inertia,
+            axial_inertia,
+            com_height,
+            mass,
+            gravity: 9.81,
+            rotor_momentum,
+            ..TopParameters::default()
+        };
+        let top = match support {
+            0 => Top::sliding(&parameters),
+            1 => Top::fixed(&parameters),
+            _ => Top::free(&parameters),
+        };
+        let [tilt, spin, precession, nutation] = throw;
+        let release = Release { tilt, spin, precession, nutation, azimuth: 0.4, roll: -0.7 };
+        (top.unwrap(), State::release(&release).unwrap())
+    }
+
+    /// Throws, the last ones upright, almost upright, on a cone and without torque.
+    const CASES: [Case; 12] = [
         ([3e-5, 2e-5, 0.03, 0.05, 0.0], 0, [0.35, 150.0, 2.0, 0.5]),
         ([3e-5, 2e-5, 0.03, 0.05, 0.0], 0, [0.1, -220.0, 2.0, 0.5]),
         ([3e-5, 2e-5, 0.03, 0.05, 0.0], 0, [0.7, 45.0, 9.0, 3.0]),
@@ -156,26 +181,8 @@ mod tests {
 
     #[test]
     fn the_turns_are_those_of_the_motion() {
-        for (index, ([a, c, s, mass, momentum], support, [tilt, spin, precession, nutation])) in
-            CASES.into_iter().enumerate()
-        {
-            let parameters = TopParameters {
-                transverse_inertia: a,
-                axial_inertia: c,
-                com_height: s,
-                mass,
-                gravity: 9.81,
-                rotor_momentum: momentum,
-                ..TopParameters::default()
-            };
-            let top = match support {
-                0 => Top::sliding(&parameters),
-                1 => Top::fixed(&parameters),
-                _ => Top::free(&parameters),
-            };
-            let top = top.unwrap();
-            let release = Release { tilt, spin, precession, nutation, azimuth: 0.4, roll: -0.7 };
-            let state = State::release(&release).unwrap();
+        for (index, case) in CASES.iter().enumerate() {
+            let (top, state) = thrown(case);
             let motion = Motion::launch(&top, &state).unwrap();
             let found = Turns::of(&top, &state);
             let Some(mean) = motion.mean_motion() else {
