@@ -30,7 +30,7 @@ mod coefficients;
 mod expand;
 
 use crate::constants::{BranchPoints, FirstIntegrals, Signs};
-use crate::scalar::{Extended, Float, Real, Ring};
+use crate::scalar::{Extended, Float, RateNumber, Real, Ring};
 use crate::top::{Quantities, Top};
 
 /// Rates of the three phases, rad per unit time.
@@ -90,30 +90,38 @@ pub(crate) struct Law<F> {
 }
 
 impl Law<Extended> {
-    /// Law rounded to the scalar of the tick.
-    pub(crate) fn cast<R: Float>(&self) -> Law<R> {
-        let cast = |x: Extended| R::from_f64(x.to_f64());
-        Law {
-            one_plus_e1: cast(self.one_plus_e1),
-            one_minus_e2: cast(self.one_minus_e2),
-            e2_minus_e1: cast(self.e2_minus_e1),
-            e3_minus_e2: cast(self.e3_minus_e2),
-            e3_minus_e1: cast(self.e3_minus_e1),
-            a_over_p: cast(self.a_over_p),
-            a_over_p_e3: cast(self.a_over_p_e3),
-            s: cast(self.s),
-            s_e3: cast(self.s_e3),
-            half_g: cast(self.half_g),
-            alpha_scale: cast(self.alpha_scale),
-            alpha_smoothing: cast(self.alpha_smoothing),
-            beta_scale: cast(self.beta_scale),
-            root_e3: cast(self.root_e3),
-            beta_smoothing: cast(self.beta_smoothing),
-        }
+    /// Law in the numbers in which the rates for a scalar are computed.
+    pub(crate) fn in_rate_numbers<N: RateNumber>(&self) -> Law<N> {
+        self.map(N::from)
     }
 }
 
 impl<F: Float> Law<F> {
+    /// Law rounded to the scalar of the tick.
+    pub(crate) fn cast<R: Float>(&self) -> Law<R> {
+        self.map(|x| R::from_f64(x.to_f64()))
+    }
+
+    fn map<R>(&self, convert: impl Fn(F) -> R) -> Law<R> {
+        Law {
+            one_plus_e1: convert(self.one_plus_e1),
+            one_minus_e2: convert(self.one_minus_e2),
+            e2_minus_e1: convert(self.e2_minus_e1),
+            e3_minus_e2: convert(self.e3_minus_e2),
+            e3_minus_e1: convert(self.e3_minus_e1),
+            a_over_p: convert(self.a_over_p),
+            a_over_p_e3: convert(self.a_over_p_e3),
+            s: convert(self.s),
+            s_e3: convert(self.s_e3),
+            half_g: convert(self.half_g),
+            alpha_scale: convert(self.alpha_scale),
+            alpha_smoothing: convert(self.alpha_smoothing),
+            beta_scale: convert(self.beta_scale),
+            root_e3: convert(self.root_e3),
+            beta_smoothing: convert(self.beta_smoothing),
+        }
+    }
+
     /// Law before its constants are computed.
     pub(crate) const ZERO: Self = Self {
         one_plus_e1: F::ZERO,

@@ -55,6 +55,8 @@ pub(crate) struct MeanMotion {
     /// Error of the trapezoid rule, estimated from its last change: relative to the period, and relative to |ψ_A| +
     /// |ψ_B|.
     pub(crate) relative_error: f64,
+    /// Relative error of one operation of the quadrature's arithmetic.
+    pub(crate) operation_error: f64,
     /// Number of nodes on half a period.
     pub(crate) nodes: u32,
 }
@@ -86,7 +88,7 @@ impl MeanMotion {
             // the terms ±τT/2 of α and β cancel
             phi: integrals.psi_alpha + integrals.psi_beta + Extended::TWO_PI * (alpha_winding + beta_winding),
         };
-        let Integrals { psi_alpha, psi_beta, relative_error, nodes, .. } = *integrals;
-        Self { advance, winding, psi: [psi_alpha, psi_beta], relative_error, nodes }
+        let Integrals { psi_alpha, psi_beta, relative_error, operation_error, nodes, .. } = *integrals;
+        Self { advance, winding, psi: [psi_alpha, psi_beta], relative_error, operation_error, nodes }
     }
 }

@@ -63,10 +63,19 @@ pub(crate) const fn wrapping_product(a: u64, b: u64) -> u64 {
 /// Upper 64 bits of the product of two unsigned numbers.
 #[inline(never)]
 pub(crate) fn high_product_of_long(a: u64, b: u64) -> u64 {
+    let [high, _] = product_of_long(a, b);
+    high
+}
+
+/// Complete 128-bit product of two unsigned numbers: upper and lower half.
+#[inline(always)]
+pub(crate) fn product_of_long(a: u64, b: u64) -> [u64; 2] {
     let ((a_low, a_high), (b_low, b_high)) = ((a as u32, (a >> 32) as u32), (b as u32, (b >> 32) as u32));
-    let across = long_product(a_high, b_low) + (long_product(a_low, b_low) >> 32);
+    let low = long_product(a_low, b_low);
+    let across = long_product(a_high, b_low) + (low >> 32);
     let back = long_product(a_low, b_high) + u64::from(across as u32);
-    long_product(a_high, b_high) + (across >> 32) + (back >> 32)
+    let high = long_product(a_high, b_high) + (across >> 32) + (back >> 32);
+    [high, (back << 32) | u64::from(low as u32)]
 }
 
 /// Complete 256-bit product of two unsigned numbers: upper and lower half.
@@ -178,8 +187,8 @@ mod tests {
             assert_eq!(wide_product_of_words(x, y), wide_product_of_long_words(x, y), "{x} {y}");
             assert_eq!(wide_product(x, y)[1], x.wrapping_mul(y), "{x} {y}");
             let (long_x, long_y) = ((x >> 64) as u64, y as u64);
-            let upper = ((u128::from(long_x) * u128::from(long_y)) >> 64) as u64;
-            assert_eq!(high_product_of_long(long_x, long_y), upper, "{x} {y}");
+            let whole = u128::from(long_x) * u128::from(long_y);
+            assert_eq!(product_of_long(long_x, long_y), [(whole >> 64) as u64, whole as u64], "{x} {y}");
             let (a, b) = (a as u32, b as u32);
             assert_eq!(long_product_by_halves(a, b), u64::from(a) * u64::from(b), "{a} {b}");
         }

@@ -4,13 +4,18 @@
 //! a fused multiply-add, and transcendental functions never come from `std`, so that results are equal to the bit on
 //! a host and on a chip.
 //!
-//! | trait | requires | `f32` `f64` | [`Extended`] | fixed point, micromath |
+//! | trait | requires | `f32` `f64` | [`Extended`], [`Extended64`] | fixed point, micromath |
 //! |---|---|---|---|---|
 //! | [`Ring`] | `+ - *`, order, 0 and 1 | yes | yes | yes |
 //! | [`Scalar`] | sine and cosine of an integer phase: what a *tick* needs | yes | no | yes |
 //! | [`Float`] | division, square root, conversion: what *set-up* needs | yes | yes | micromath only |
+//!
+//! Each scalar names the type in which its mean rates are computed, a [`RateNumber`]: [`Extended`] for `f64`, [`Extended64`] for the
+//! others.
 
 mod extended;
+
+mod extended64;
 
 mod sine;
 
@@ -20,6 +25,7 @@ mod float;
 mod fixed_point;
 
 pub use extended::Extended;
+pub use extended64::Extended64;
 pub(crate) use sine::sine_cosine_f64;
 #[cfg(feature = "fixed")]
 pub use sine::sine_cosine_q15;
@@ -92,6 +98,33 @@ pub trait Scalar: Ring {
     /// Half a unit in the last place of 1: the rounding error of one operation (a product in fixed point may be off
     /// by eight times as much).
     const ROUNDING: f64;
+
+    /// Number type in which the rates of the phases are computed for this scalar.
+    type Rates: RateNumber;
+}
+
+/// Number type for the rates of the phases, which a tick multiplies by the number of ticks.
+pub trait RateNumber: Float + From<Extended> + Into<Extended> {
+    /// Upper bound on the relative error of one sum, product, quotient or root.
+    const OPERATION_ERROR: f64;
+    /// Estimated relative error of a quadrature at which it adds no more nodes.
+    const SETTLED: f64;
+    /// Number of bits by which the nodes of a quadrature must decrease its error. Then its estimate is below
+    /// [`SETTLED`](Self::SETTLED) for nearly all motions; the others need a doubling, and so cost more than a few more nodes for all.
+    const QUADRATURE_BITS: f64;
+}
+
+impl RateNumber for Extended {
+    const OPERATION_ERROR: f64 = Self::ROUNDING;
+    // 2^62 ticks with a thousand ticks a period multiply it by 3e16, which is then below the effect of the increments' rounding
+    const SETTLED: f64 = 1e-28;
+    const QUADRATURE_BITS: f64 = 105.0;
+}
+
+impl RateNumber for Extended64 {
+    const OPERATION_ERROR: f64 = 1.1 / (1_u128 << 64) as f64;
+    const SETTLED: f64 = 1e-17;
+    const QUADRATURE_BITS: f64 = 66.0;
 }
 
 /// Number type of set-up: a ring with division and square root. Fixed point does not implement it.
@@ -137,6 +170,7 @@ pub(crate) mod sealed {
     impl Sealed for f32 {}
     impl Sealed for f64 {}
     impl Sealed for super::Extended {}
+    impl Sealed for super::Extended64 {}
     #[cfg(feature = "fixed")]
     impl Sealed for fixed::types::I2F30 {}
     #[cfg(feature = "fixed")]

@@ -6,7 +6,7 @@ use crate::law::series::{Expansion, PhasePoint, Slopes, TERMS, UNIT, larger_or_n
 use crate::law::{Law, PhaseRates};
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, Scalar};
+use crate::scalar::{Extended, Float, RateNumber, Ring, Scalar};
 
 /// Position reached by the steps, with the errors so far.
 #[derive(Clone, Copy, Debug, Default)]
@@ -29,6 +29,8 @@ pub(crate) struct HalfPeriod {
     is_periodic: bool,
     /// Constant rates of θ_A and θ_B besides ψ_A' and ψ_B', rad per unit time.
     theta_offset: [Extended; 2],
+    /// [`HalfPeriod::slopes`] in the numbers of the scalar. Behind a pointer, so that the rest is compiled once for all scalars.
+    rates: fn(&Self, Extended) -> Slopes,
     /// Magnitude below which a term of the series is negligible.
     least: f64,
     /// Expansion around the border or the centre of a span.
@@ -56,6 +58,7 @@ impl HalfPeriod {
         length: 0.0,
         is_periodic: true,
         theta_offset: [Extended::ZERO; 2],
+        rates: |_, _| Slopes::ZERO,
         least: 0.0,
         expansion: Expansion::EMPTY,
         slopes: Slopes::ZERO,
@@ -69,7 +72,8 @@ impl HalfPeriod {
     };
 
     /// Begins at u = e₁.
-    pub(crate) fn begin(&mut self, motion: &Motion, rates: &MeanRates, least: f64) {
+    pub(crate) fn begin<R: Scalar>(&mut self, motion: &Motion, rates: &MeanRates, least: f64) {
+        self.rates = Self::slopes::<R::Rates>;
         self.law = motion.law();
         self.length = rates.half_period.to_f64();
         (self.is_periodic, self.theta_offset, self.least) = (rates.is_periodic, rates.theta_offset, least);
@@ -108,7 +112,7 @@ impl HalfPeriod {
     pub(crate) fn prepare(&mut self, unit: Extended) {
         self.unit = unit.to_f64();
         self.part = self.unit / self.length;
-        self.slopes = self.slopes(unit);
+        self.slopes = (self.rates)(self, unit);
     }
 
     /// Begins the expansion of the law around the position reached.
@@ -123,16 +127,17 @@ impl HalfPeriod {
         self.expansion.proceed()
     }
 
-    /// Derivatives of the phases, in extended precision: a slow phase may turn by thousands of radians and hardly differ
+    /// Derivatives of the phases, in the numbers of the mean rates: a slow phase may turn by thousands of radians and hardly differ
     /// from its mean.
     #[inline(never)]
-    fn slopes(&self, unit: Extended) -> Slopes {
+    fn slopes<N: RateNumber>(&self, unit: Extended) -> Slopes {
         let sine_cosine = self.current.point.sine_cosine();
         let (sine, cosine) = sine_cosine;
-        let rates = self.law.rates(sine.into(), cosine.into());
-        let [alpha_offset, beta_offset] = self.theta_offset;
-        let slope = |rate: Extended| (unit * rate).to_f64();
-        let weight = self.fastest * unit.to_f64() / Float::abs(slope(rates.nutation));
+        let rates = self.law.in_rate_numbers::<N>().rates(N::from_f64(sine), N::from_f64(cosine));
+        let [alpha_offset, beta_offset] = self.theta_offset.map(N::from);
+        let unit = N::from(unit);
+        let slope = |rate: N| (unit * rate).to_f64();
+        let weight = self.fastest * self.unit / Float::abs(slope(rates.nutation));
         Slopes {
             sine_cosine,
             psi: PhaseRates {

@@ -122,7 +122,7 @@ impl MeanRates {
 fn errors(motion: &Motion, mean: &MeanMotion) -> [f64; 3] {
     let Conditioning { relative, turning } = *motion.conditioning();
     let operations = OPERATIONS + OPERATIONS_PER_NODE * f64::from(mean.nodes);
-    let arithmetic = operations * Extended::ROUNDING + STORED + relative;
+    let arithmetic = operations * mean.operation_error + STORED + relative;
     let rule = mean.relative_error;
     let frequency = 1.0 / mean.advance.period.to_f64();
     let psi = mean.psi.map(|angle| Float::abs(angle.in_turns().to_f64()));

@@ -144,7 +144,7 @@ impl SetUp {
             }
             Stage::Begin => {
                 let requirements = self.requirements(ephemeris);
-                self.tabulation.begin(&self.motion, &self.rates, fine(&requirements));
+                self.tabulation.begin::<R>(&self.motion, &self.rates, fine(&requirements));
                 self.stage = Stage::Estimate;
             }
             Stage::Estimate => return self.estimate(self.requirements(ephemeris)),
@@ -303,7 +303,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let rates = MeanRates::of(motion, R::ROUNDING);
         let requirements = Requirements::new(R::TERMS, truncation, Cell::MOST_SEGMENTS);
         let mut tabulation = Tabulation::EMPTY;
-        tabulation.begin(motion, &rates, requirements);
+        tabulation.begin::<R>(motion, &rates, requirements);
         loop {
             match tabulation.advance(motion, &mut |_, _, parts| put::<R>(&mut [], 0, 0, parts)) {
                 Ok(None) => {}

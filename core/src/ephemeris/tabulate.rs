@@ -30,7 +30,7 @@ use crate::ephemeris::tabulated::{Requirements, Tabulated};
 use crate::law::series::{TERMS, larger_or_nan};
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Ring};
+use crate::scalar::{Extended, Ring, Scalar};
 
 /// Receiver of polynomials: see [`Tabulation::advance`]. A reference, so that set-up is compiled once for all scalars.
 pub(crate) type Store<'a> = dyn FnMut(usize, usize, Polynomial<'_>) -> [f32; 2] + 'a;
@@ -136,12 +136,17 @@ impl Tabulation {
         omitted: [0.0; 2],
     };
 
-    /// Begins the tabulation of a motion that is not steady.
+    /// Begins the tabulation of a motion that is not steady, for a scalar.
     #[inline(never)]
-    pub(crate) fn begin(&mut self, motion: &Motion, rates: &MeanRates, requirements: Requirements) {
+    pub(crate) fn begin<R: Scalar>(
+        &mut self,
+        motion: &Motion,
+        rates: &MeanRates,
+        requirements: Requirements,
+    ) {
         let error = if requirements.allowed < rates.rounding { requirements.allowed } else { rates.rounding };
         let least = error / (16 * requirements.most.min(16 * CELLS)) as f64;
-        self.path.begin(motion, rates, least);
+        self.path.begin::<R>(motion, rates, least);
         let Brackets { alpha, beta } = motion.brackets::<f64>();
         self.exponentials = [alpha.exponentials(), beta.exponentials()];
         self.seek = StartSearch::new(motion, self.path.law(), rates);

@@ -2,17 +2,19 @@
 //! smooth periodic functions.
 //!
 //! D = A/p + s (1 - u²) is the product of d₊ = E + √s u and d₋ = E - √s u, with E = √(A/p + s) = √s e₄. The elliptic functions
-//! belong to the four branch points -e₄, e₁, e₂, e₃:
+//! belong to the branch points -e₄, e₁, e₂ and the lesser of e₃ and e₄. With f = e₃ - u, or f = d₋ where e₄ < e₃:
 //!
 //! ```text
 //! (u - e₁)/(e₂ - e₁) = d₊(e₁) sn² v/P,    (e₂ - u)/(e₂ - e₁) = d₊(e₂) cn² v/P,    P = d₊(e₁) sn² v + d₊(e₂) cn² v
-//! m = (e₂ - e₁) d₊(e₃)/((e₃ - e₁) d₊(e₂)),    m₁ = 1 - m = (e₃ - e₂) d₊(e₁)/((e₃ - e₁) d₊(e₂))
-//! dt/dv = √(2/(g (e₃ - e₁) d₊(e₂))) √d₋ d₊,    χ' = √(g (e₃ - e₁)/(2 d₊(e₁))) dn v/√d₋
+//! m₁ = 1 - m = f(e₂) d₊(e₁)/(f(e₁) d₊(e₂)),    f = f(e₁) dn² v d₊/d₊(e₁)
+//! e₃ <= e₄:   dt/dv = √(2/(g f(e₁) d₊(e₂))) √d₋ d₊,             χ' = √(g f(e₁)/(2 d₊(e₁))) dn v/√d₋
+//! e₄ < e₃:    dt/dv = √(2/(g f(e₁) d₊(e₂))) d₋ d₊/√(e₃ - u),    χ' = √(g d₊(e₁)/(2 f(e₁))) √(e₃ - u)/(d₊ dn v)
 //! ```
 //!
-//! v runs from 0 at u = e₁ to K at u = e₂. The integrands are analytic except at u = e₄ and u = ∞. There v has the imaginary part
-//! K', as for all real u beyond e₃ and -e₄. Therefore the trapezoid rule converges as fast for e₄ near 1 and e₁ near -1 as elsewhere, and
-//! K/K' alone tells how many nodes it needs. The formulas hold for s = 0, too, where e₄ is infinite.
+//! v runs from 0 at u = e₁ to K at u = e₂. The integrands are analytic except at u = ∞ and at the greater of e₃ and e₄. There v
+//! has the imaginary part K', as for all real u beyond -e₄ and the lesser of the two. Therefore the trapezoid rule converges as fast for e₄
+//! near 1 and e₁ near -1 as elsewhere, and K/K' alone tells how many nodes it needs. The formulas hold for s = 0, too, where e₄ is
+//! infinite.
 
 use crate::elliptic::jacobi::{LandenSteps, SquaresOfWhole};
 use crate::law::Law;
@@ -27,7 +29,11 @@ pub(crate) struct EllipticLaw<F> {
     least_root: F,
     /// Values of d₊ at e₁ and e₂.
     roots: [F; 2],
-    /// Terms of dn in the denominators of ψ_A and ψ_B.
+    /// Whether e₄ < e₃, so that the elliptic functions belong to e₄.
+    of_e4: bool,
+    /// Values of f at e₁ and e₂.
+    distances: [F; 2],
+    /// Factors of dn v, or of √(e₃ - u), in the denominators of ψ_A and ψ_B.
     smoothing: [F; 2],
 }
 
@@ -38,12 +44,25 @@ impl<F: Float> EllipticLaw<F> {
         let least_root = law.a_over_p / ((law.a_over_p + law.s).sqrt() + root_s);
         let at_e1 = least_root + root_s * law.one_plus_e1;
         let at_e2 = at_e1 + root_s * law.e2_minus_e1;
-        let rate = (law.half_g * law.e3_minus_e1 / at_e1).sqrt();
+        // e₄ - 1 < e₃ - 1, times s
+        let of_e4 = root_s * least_root < law.s_e3;
+        let (from_e1, ratio, from_e2);
+        if of_e4 {
+            from_e2 = least_root + root_s * law.one_minus_e2;
+            from_e1 = from_e2 + root_s * law.e2_minus_e1;
+            ratio = at_e1 / from_e1;
+        } else {
+            (from_e1, from_e2) = (law.e3_minus_e1, law.e3_minus_e2);
+            ratio = from_e1 / at_e1;
+        }
+        let rate = (law.half_g * ratio).sqrt();
         Self {
             law: *law,
             root_s,
             least_root,
             roots: [at_e1, at_e2],
+            of_e4,
+            distances: [from_e1, from_e2],
             smoothing: [law.alpha_smoothing * rate, law.beta_smoothing * rate],
         }
     }
@@ -55,10 +74,16 @@ impl<F: Float> EllipticLaw<F> {
     /// Landen transformations of the elliptic functions, of which none is computed yet.
     #[inline(never)]
     pub(crate) fn landen(&self) -> LandenSteps<F> {
-        let (Self { law, roots: [at_e1, at_e2], .. }, at_e3) =
-            (self, self.roots[1] + self.root_s * self.law.e3_minus_e2);
-        let per_whole = F::ONE / (law.e3_minus_e1 * *at_e2);
-        LandenSteps::new(law.e2_minus_e1 * at_e3 * per_whole, law.e3_minus_e2 * *at_e1 * per_whole)
+        let Self { law, root_s, least_root, roots: [at_e1, at_e2], distances: [from_e1, from_e2], .. } =
+            *self;
+        // d₊ at the lesser of e₃ and e₄, in the unit of f
+        let beyond = if self.of_e4 {
+            (least_root + root_s).doubled() * root_s
+        } else {
+            at_e2 + root_s * law.e3_minus_e2
+        };
+        let per_whole = F::ONE / (from_e1 * at_e2);
+        LandenSteps::new(law.e2_minus_e1 * beyond * per_whole, from_e2 * at_e1 * per_whole)
     }
 
     /// Derivatives dt/dv, dψ_A/dv and dψ_B/dv, each divided by its factor.
@@ -73,12 +98,27 @@ impl<F: Float> EllipticLaw<F> {
         let (above_e1, below_e2) = (spread * low, spread * high);
         let one_minus_u = law.one_minus_e2 + below_e2;
         let one_plus_u = law.one_plus_e1 + above_e1;
-        let root = (*least_root + *root_s * one_minus_u).sqrt();
-        let time = root * (*at_e1 + *root_s * above_e1);
-        let alpha = (law.a_over_p_e3 + law.s * one_minus_u) / (root + alpha_smoothing * dn);
-        let divisor = law.root_e3 * root + beta_smoothing * dn;
-        let beta = (law.s_e3 * one_plus_u - law.a_over_p) / divisor;
-        [time, alpha, beta]
+        let d_plus = *at_e1 + *root_s * above_e1;
+        let d_minus = *least_root + *root_s * one_minus_u;
+        // numerators of ψ_A' and ψ_B' times D
+        let alpha = law.a_over_p_e3 + law.s * one_minus_u;
+        let beta = law.s_e3 * one_plus_u - law.a_over_p;
+        if self.of_e4 {
+            let root = (law.e3_minus_e2 + below_e2).sqrt();
+            let slow = d_plus * dn;
+            [
+                d_minus * d_plus / root,
+                alpha * slow / (root * (slow + alpha_smoothing * root)),
+                beta * slow / (root * (law.root_e3 * slow + beta_smoothing * root)),
+            ]
+        } else {
+            let root = d_minus.sqrt();
+            [
+                root * d_plus,
+                alpha / (root + alpha_smoothing * dn),
+                beta / (law.root_e3 * root + beta_smoothing * dn),
+            ]
+        }
     }
 
     /// Factors of the derivatives of ψ_A and ψ_B, up to a common one.
@@ -88,8 +128,8 @@ impl<F: Float> EllipticLaw<F> {
 
     /// Factors of the derivatives.
     pub(crate) fn factors(&self) -> [F; 3] {
-        let [_, at_e2] = self.roots;
-        let factor = F::ONE / (self.law.half_g * self.law.e3_minus_e1 * at_e2).sqrt();
+        let ([_, at_e2], [from_e1, _]) = (self.roots, self.distances);
+        let factor = F::ONE / (self.law.half_g * from_e1 * at_e2).sqrt();
         [factor, self.law.alpha_scale * factor, self.law.beta_scale * factor]
     }
 }

@@ -63,7 +63,7 @@ impl Motion {
     pub(super) fn start_slow_phases(
         &mut self,
         [alpha, beta]: [[Complex<f64>; 2]; 2],
-        law: Option<&Law<Extended>>,
+        law: Option<&Law<impl Float>>,
     ) {
         if self.is_steady() {
             self.phases = [alpha, beta].map(|[z, _]| Phase::from_radians(z.arg()));
@@ -151,7 +151,7 @@ impl Motion {
 
     fn computed_mean(&self) -> Option<MeanMotion> {
         self.has_period().then(|| {
-            let mut quadrature = Quadrature::new(&self.law());
+            let mut quadrature = Quadrature::<Extended>::new(&self.law());
             loop {
                 if let Some(integrals) = quadrature.proceed() {
                     return self.mean_of(&integrals);

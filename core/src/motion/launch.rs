@@ -9,15 +9,16 @@ use crate::constants::{
 use crate::error::ParameterError;
 use crate::mean_motion::{Integrals, Quadrature};
 use crate::motion::Motion;
-use crate::scalar::{Extended, Float};
+use crate::scalar::{Extended, Float, Scalar};
 use crate::state::State;
 use crate::su2::OrientationRate;
 use crate::top::Top;
 
 /// Launch of a motion from a state, in slices of bounded work: see [`SetUp`](crate::SetUp), which does the same for the
 /// ephemeris. [`Motion::launch`] is a loop over them. Most of the work is the quadrature of the period, whose number of slices
-/// depends on the motion: 9 nodes for a fast top, 33 for a slow one, some 160 where e₃ - e₂ is about 1e-15. It grows with the logarithm of
-/// e₃ - e₂ alone.
+/// depends on the motion: 9 nodes for a fast top, 33 for a slow one, some 190 where e₃ - e₂ is about 1e-18, and two thirds of that for
+/// `f32` and fixed point ([`for_scalar`](Launch::for_scalar)). It grows with the logarithm of the least difference between e₂ and a
+/// branch point beyond it.
 ///
 /// ```
 /// use toytop::{Launch, Motion, Release, State, Top, TopParameters};
@@ -40,13 +41,13 @@ use crate::top::Top;
 /// # Ok::<(), toytop::ParameterError>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Launch {
+pub struct Launch<R: Scalar = f64> {
     top: Top,
     state: State,
     stage: Stage,
     integrals: FirstIntegrals<Extended>,
     point: ReducedPoint<Extended>,
-    quadrature: Option<Quadrature>,
+    quadrature: Option<Quadrature<R::Rates>>,
     /// Motion so far, once its branch points are known.
     motion: Option<Motion>,
 }
@@ -86,6 +87,14 @@ impl Launch {
     /// Launch of a motion from a state. The numbers of the state count as exact.
     #[must_use]
     pub fn new(top: &Top, state: &State) -> Self {
+        Self::for_scalar(top, state)
+    }
+}
+
+impl<R: Scalar> Launch<R> {
+    /// Launch of a motion for ephemerides in a scalar: see [`Motion::launch_for`].
+    #[must_use]
+    pub fn for_scalar(top: &Top, state: &State) -> Self {
         Self {
             top: *top,
             state: *state,
@@ -186,7 +195,7 @@ impl Launch {
     #[inline(never)]
     fn begin_quadrature(&mut self) {
         let Some(motion) = &self.motion else { return };
-        self.quadrature = Some(Quadrature::new(&motion.law()));
+        self.quadrature = Some(Quadrature::new(&motion.law().in_rate_numbers()));
         self.stage = Stage::Nodes;
     }
 }
@@ -198,7 +207,17 @@ impl Motion {
     /// # Errors
     /// `omega`: so large that e₃ would exceed 1e14.
     pub fn launch(top: &Top, state: &State) -> Result<Self, ParameterError> {
-        let mut launch = Launch::new(top, state);
+        Self::launch_for::<f64>(top, state)
+    }
+
+    /// Motion from a state, for ephemerides in a scalar. Those in `f32` and in fixed point are satisfied with mean rates of some
+    /// 60 correct bits, which cost a chip a third of the 120 that [`launch`](Self::launch) computes. What they are off by is part of
+    /// [`error_bound`](crate::Ephemeris::error_bound). The other constants are the same.
+    ///
+    /// # Errors
+    /// See [`launch`](Self::launch).
+    pub fn launch_for<R: Scalar>(top: &Top, state: &State) -> Result<Self, ParameterError> {
+        let mut launch = Launch::<R>::for_scalar(top, state);
         loop {
             if let Poll::Ready(result) = launch.poll() {
                 return result;

@@ -7,7 +7,7 @@
 
 mod conversion;
 
-mod newton;
+pub(super) mod newton;
 
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -26,8 +26,8 @@ use newton::{inverse_root, reciprocal};
 pub struct Extended {
     /// Two's complement, in [2^124, 2^125) or [-2^125, -2^124), or 0. Three bits are spare: two for the sum of two
     /// numbers that are shifted by one bit, one for the sign.
-    significand: i128,
-    exponent: i32,
+    pub(super) significand: i128,
+    pub(super) exponent: i32,
 }
 
 /// Number of bits of the significand.

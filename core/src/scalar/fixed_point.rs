@@ -5,7 +5,7 @@
 
 use crate::phase::Phase;
 use crate::product::high_product;
-use crate::scalar::{Ring, Scalar, sine_cosine_q31};
+use crate::scalar::{Extended64, Ring, Scalar, sine_cosine_q31};
 use fixed::types::{I2F14, I2F30};
 
 impl Ring for I2F30 {
@@ -40,6 +40,7 @@ impl Ring for I2F30 {
 }
 
 impl Scalar for I2F30 {
+    type Rates = Extended64;
     const ROUNDING: f64 = 1.0 / (1_u64 << 31) as f64;
 
     #[inline]
@@ -79,6 +80,7 @@ impl Ring for I2F14 {
 }
 
 impl Scalar for I2F14 {
+    type Rates = Extended64;
     const ROUNDING: f64 = 1.0 / (1_u64 << 15) as f64;
 
     #[inline]

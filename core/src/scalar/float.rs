@@ -1,7 +1,7 @@
 //! `f32` and `f64` as scalars. Transcendental functions come from `libm` on every target, never from `std`.
 
 use crate::phase::Phase;
-use crate::scalar::{Float, Real, Ring, Scalar, sine};
+use crate::scalar::{Extended, Extended64, Float, Real, Ring, Scalar, sine};
 
 macro_rules! float_scalar {
     ($float:ty, $sqrt:path, $atan2:path, $exp:path, $exp_minus_one:path) => {
@@ -46,6 +46,7 @@ float_scalar!(f32, libm::sqrtf, libm::atan2f, libm::expf, libm::expm1f);
 float_scalar!(f64, libm::sqrt, libm::atan2, libm::exp, libm::expm1);
 
 impl Scalar for f32 {
+    type Rates = Extended64;
     const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
 
     #[inline]
@@ -57,6 +58,7 @@ impl Scalar for f32 {
 }
 
 impl Scalar for f64 {
+    type Rates = Extended;
     const ROUNDING: f64 = f64::EPSILON / 2.0;
 
     fn sine_cosine(phase: Phase) -> (Self, Self) {

@@ -66,7 +66,7 @@ impl Measured {
         State::release(&self.release)
     }
 
-    pub(crate) fn motion(&self) -> Result<Motion, ParameterError> {
+    pub(crate) fn motion<R: Scalar>(&self) -> Result<Motion, ParameterError> {
         let [a, c] = self.inertia;
         let top = Top::sliding(&TopParameters {
             transverse_inertia: a,
@@ -76,7 +76,7 @@ impl Measured {
             gravity: 9.81,
             ..TopParameters::default()
         })?;
-        Motion::launch(&top, &self.state()?)
+        Motion::launch_for::<R>(&top, &self.state()?)
     }
 }
 
@@ -87,7 +87,7 @@ pub(crate) fn truncation<R: Scalar>() -> f64 {
 
 #[inline(never)]
 fn set_up(ephemeris: &mut EphemerisView<f32>, measured: &Measured) -> bool {
-    let (Ok(motion), Ok(tick)) = (measured.motion(), Tick::hertz(TICK_RATE)) else { return false };
+    let (Ok(motion), Ok(tick)) = (measured.motion::<f32>(), Tick::hertz(TICK_RATE)) else { return false };
     ephemeris.set_up(&motion, tick, truncation::<f32>()).is_ok()
 }
 

@@ -53,7 +53,7 @@ fn main() -> ! {
         assert!(calls::bench_launch(&mut single, black_box(&measured)), "the motion fits");
     });
     other_launches(&mut meter);
-    let motion = measured.motion().expect("a possible top");
+    let motion = measured.motion::<f64>().expect("a possible top");
     let mut double = EphemerisF64::EMPTY;
     let tick = Tick::hertz(calls::TICK_RATE).expect("positive");
     double.set_up(&motion, tick, calls::truncation::<f64>()).expect("the motion fits");

@@ -10,7 +10,7 @@ use super::{EphemerisScalar, SegmentPoint};
 use crate::complex::Complex;
 use crate::law::series::UNIT;
 use crate::phase::Phase;
-use crate::scalar::{Float, Real, Ring, Scalar, sealed};
+use crate::scalar::{Extended64, Float, Real, Ring, Scalar, sealed};
 use crate::su2::Vector;
 use micromath::F32Ext;
 
@@ -72,6 +72,7 @@ impl Ring for Micromath {
 }
 
 impl Scalar for Micromath {
+    type Rates = Extended64;
     const ROUNDING: f64 = f32::ROUNDING;
 
     /// The phase is reduced to half a turn in integers, which micromath cannot do; the sine and cosine are those of

@@ -14,7 +14,7 @@ pub(super) fn reciprocal(divisor: u128) -> u128 {
 /// Reciprocal 2^126/d of a divisor in [2^63, 2^64), with 60 correct bits. Each step of Newton's method computes with as
 /// many bits as it makes correct, and only the first 15 bits come from a division, which is one of 32 bits.
 #[inline(never)]
-fn short_reciprocal(divisor: u64) -> u64 {
+pub(crate) fn short_reciprocal(divisor: u64) -> u64 {
     let word = (divisor >> 32) as u32;
     // the leading bit is set already; setting it again shows the compiler that the divisor is not 0
     let first = u32::MAX / ((word >> 16) | (1 << 15));
@@ -43,7 +43,7 @@ pub(super) fn inverse_root(number: u128) -> u128 {
 
 /// Inverse root 2^94/√x of a number in [2^62, 2^64), with 52 correct bits, by Newton's method.
 #[inline(never)]
-fn short_inverse_root(number: u64) -> u64 {
+pub(crate) fn short_inverse_root(number: u64) -> u64 {
     let word = (number >> 32) as u32;
     // 2^30 times 2.2 - 1.2 x, which is at most a seventh off
     let line = 2_362_232_012 - (long_product(word, 1_288_490_189) >> 32) as u32;

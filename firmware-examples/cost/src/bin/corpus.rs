@@ -42,7 +42,7 @@ fn main() -> ! {
 #[inline(never)]
 fn run<R: EphemerisScalar>(scalar: &str, number: u32, ephemeris: &mut EphemerisView<R>, counter: &Counter) {
     let (top, state) = launch(number).expect("a possible launch");
-    let mut launch = Launch::new(black_box(&top), black_box(&state));
+    let mut launch = Launch::<R>::for_scalar(black_box(&top), black_box(&state));
     let (launched, of_motion, longest_of_motion) = sliced(counter, || launch.poll());
     let Ok(motion) = launched else {
         println!("{scalar} {number} refused motion {of_motion} table 0 slice {longest_of_motion}");
