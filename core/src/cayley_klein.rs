@@ -32,10 +32,10 @@ pub(crate) struct PhaseDirections<R> {
     pub(crate) beta: Complex<R>,
 }
 
-impl<R: Float> Brackets<R> {
+impl Brackets<f64> {
     /// Brackets of a motion whose u oscillates between e₁ and e₂, or rises from e₁ to 1.
     pub(crate) fn swinging<F: Float>(e: &BranchPoints<F>, signs: Signs) -> Self {
-        let root = |x: F| R::from_f64(x.halved().sqrt().to_f64());
+        let root = |x: F| x.halved().sqrt().to_f64();
         let (a1, a2) = (root(e.one_plus_e1), root(e.one_plus_e2()));
         let (b1, b2) = (root(e.one_minus_e1()), root(e.one_minus_e2));
         Self {
@@ -52,8 +52,14 @@ impl<R: Float> Brackets<R> {
 
     /// Brackets of a motion with constant u, whose χ is 0 and whose slow phases alone change.
     pub(crate) fn steady<F: Float>(one_plus_u: F, one_minus_u: F) -> Self {
-        let modulus = |x: F| Bracket { x: R::from_f64(x.halved().sqrt().to_f64()), y: R::ZERO };
+        let modulus = |x: F| Bracket { x: x.halved().sqrt().to_f64(), y: 0.0 };
         Self { alpha: modulus(one_plus_u), beta: modulus(one_minus_u) }
+    }
+
+    /// Brackets rounded to the scalar of the tick.
+    pub(crate) fn cast<R: Float>(&self) -> Brackets<R> {
+        let cast = |Bracket { x, y }| Bracket { x: R::from_f64(x), y: R::from_f64(y) };
+        Brackets { alpha: cast(self.alpha), beta: cast(self.beta) }
     }
 }
 

@@ -29,8 +29,8 @@ mod coefficients;
 
 mod expand;
 
-use crate::constants::{BranchPoints, FirstIntegrals, Signs};
-use crate::scalar::{Extended, Float, RateNumber, Real, Ring};
+use crate::constants::{BranchPoints, Signs};
+use crate::scalar::{Float, Real, Ring};
 use crate::top::{Quantities, Top};
 
 /// Rates of the three phases, rad per unit time.
@@ -89,20 +89,14 @@ pub(crate) struct Law<F> {
     beta_smoothing: F,
 }
 
-impl Law<Extended> {
-    /// Law in the numbers in which the rates for a scalar are computed.
-    pub(crate) fn in_rate_numbers<N: RateNumber>(&self) -> Law<N> {
-        self.map(N::from)
-    }
-}
-
 impl<F: Float> Law<F> {
     /// Law rounded to the scalar of the tick.
     pub(crate) fn cast<R: Float>(&self) -> Law<R> {
         self.map(|x| R::from_f64(x.to_f64()))
     }
 
-    fn map<R>(&self, convert: impl Fn(F) -> R) -> Law<R> {
+    /// Law in another number type.
+    pub(crate) fn map<R>(&self, convert: impl Fn(F) -> R) -> Law<R> {
         Law {
             one_plus_e1: convert(self.one_plus_e1),
             one_minus_e2: convert(self.one_minus_e2),
@@ -141,7 +135,7 @@ impl<F: Float> Law<F> {
         beta_smoothing: F::ZERO,
     };
 
-    pub(crate) fn new(top: &Top, e: &BranchPoints<F>, integrals: &FirstIntegrals<F>, signs: Signs) -> Self {
+    pub(crate) fn new(top: &Top, e: &BranchPoints<F>, l_plus_n: F, signs: Signs) -> Self {
         let Quantities { a, s, p, g, .. } = Quantities::<F>::of(top);
         let a_over_p = a / p;
         let beta_scale = ((a * p * g).doubled() * e.one_minus_e1() * e.one_minus_e2).sqrt() / a.doubled();
@@ -157,7 +151,7 @@ impl<F: Float> Law<F> {
             s,
             s_e3: s * e.e3_minus_one,
             half_g: g.halved(),
-            alpha_scale: integrals.l_plus_n / a.doubled(),
+            alpha_scale: l_plus_n / a.doubled(),
             alpha_smoothing: (per_g / e.one_plus_e3()).sqrt().doubled(),
             beta_scale: signs.l_minus_n.times(beta_scale),
             root_e3: e.e3_minus_one.sqrt(),

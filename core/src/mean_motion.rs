@@ -78,7 +78,7 @@ impl MeanMotion {
         signs: Signs,
         half_tau: Extended,
     ) -> Self {
-        let winding = Brackets::<f64>::windings(e, signs);
+        let winding = Brackets::windings(e, signs);
         let [alpha_winding, beta_winding] = winding.map(|sense| Extended::from(0.5 * f64::from(sense)));
         let slow = half_tau * integrals.period;
         let advance = PeriodAdvance {

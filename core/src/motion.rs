@@ -15,7 +15,7 @@ use crate::constants::{BranchPoints, Conditioning, FirstIntegrals, Regime, Signs
 use crate::law::{Law, gudermannian};
 use crate::mean_motion::{MeanMotion, PeriodAdvance};
 use crate::phase::{Phase, TurnRate};
-use crate::scalar::{Extended, Float, Ring, Scalar};
+use crate::scalar::{Extended, Float, RateNumber, Ring, Scalar};
 use crate::top::{Quantities, Support, Top};
 
 /// Motion of one launch: regime, constants and state at t = 0. It is immutable; any number of steppers and ephemerides
@@ -26,6 +26,9 @@ pub struct Motion {
     signs: Signs,
     e: BranchPoints<Extended>,
     integrals: FirstIntegrals<Extended>,
+    /// Half of τ: see [`Motion::half_tau`].
+    half_tau: Extended,
+    brackets: Brackets<f64>,
     regime: Regime,
     nutation: NutationVariable,
     /// Slow phases A and B, of α and β, at t = 0.
@@ -112,7 +115,7 @@ impl Motion {
         if self.is_steady() {
             return [1; 2];
         }
-        Brackets::<f64>::windings(&self.e, self.signs)
+        Brackets::windings(&self.e, self.signs)
     }
 
     /// Tip angle at t = 0, in (-1/2, 1/2] turn.
@@ -164,7 +167,7 @@ impl Motion {
     /// Half of τ = ⟨ω, r⟩ - n/A, rad per unit time; without a rotor τ = (1/C - 1/A) n. The slow phases have the additional
     /// rates ±τ/2, compared with C = A and K = 0.
     pub(crate) fn half_tau(&self) -> Extended {
-        self.quantities().tau(self.integrals.spin).halved()
+        self.half_tau
     }
 
     /// Rate τ/2 for the slow phases: in turns, and in rad, per unit time.
@@ -172,22 +175,19 @@ impl Motion {
         (rate_in_turns(self.half_tau()), self.half_tau().to_f64())
     }
 
-    pub(crate) fn law(&self) -> Law<Extended> {
+    /// Law of the nutation, computed in a number type.
+    pub(crate) fn law<N: RateNumber>(&self) -> Law<N> {
+        let e = self.e.map(N::from);
         if self.top.is_torque_free() {
             let period = self.mean.map(|mean| mean.advance.period);
             let chi_rate = period.map_or(Extended::ZERO, |period| Extended::TWO_PI.halved() / period);
-            return Law::uniform(chi_rate, &self.e);
+            return Law::uniform(chi_rate.into(), &e);
         }
-        Law::new(&self.top, &self.e, &self.integrals, self.signs)
+        Law::new(&self.top, &e, self.integrals.l_plus_n.into(), self.signs)
     }
 
     pub(crate) fn brackets<R: Float>(&self) -> Brackets<R> {
-        if self.is_steady() {
-            let (one_plus_u, one_minus_u) = self.steady_tilt();
-            Brackets::steady(one_plus_u, one_minus_u)
-        } else {
-            Brackets::swinging(&self.e, self.signs)
-        }
+        self.brackets.cast()
     }
 
     pub(crate) fn exact_branch_points(&self) -> &BranchPoints<Extended> {
@@ -218,20 +218,11 @@ impl Motion {
         self.phases
     }
 
-    /// 1 + u and 1 - u of a steady motion.
-    fn steady_tilt(&self) -> (Extended, Extended) {
-        if self.regime == Regime::SleepingUnstable {
-            (Extended::from(2.0), Extended::ZERO)
-        } else {
-            (self.e.one_plus_e1, self.e.one_minus_e2)
-        }
-    }
-
     /// Rates of A and B where u is constant, rad per unit time: ((l ± n)/(A (1 ± u)) ± τ)/2, with the upper signs for
     /// A; 0 for a parameter that is 0.
     pub(crate) fn steady_rates(&self) -> [Extended; 2] {
         let twice_a = self.quantities().a.doubled();
-        let (one_plus_u, one_minus_u) = self.steady_tilt();
+        let (one_plus_u, one_minus_u) = steady_tilt(&self.e, self.regime);
         let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {
             if complement > Extended::ZERO {
                 momentum / (twice_a * complement) + half_tau
@@ -243,12 +234,6 @@ impl Motion {
             rate(self.integrals.l_plus_n, one_plus_u, self.half_tau()),
             rate(self.integrals.l_minus_n, one_minus_u, -self.half_tau()),
         ]
-    }
-
-    /// Whether u is exactly constant. An oscillation too small for the regime to count still has its own mean rates,
-    /// which differ from those at a constant u.
-    fn stands_still(&self) -> bool {
-        self.e.e2_minus_e1 == Extended::ZERO || self.regime == Regime::SleepingUnstable
     }
 
     /// Whether the motion is steady, that is, u is constant; known once the nutation variable is.
@@ -274,4 +259,19 @@ fn rate_in_turns(radians: Extended) -> TurnRate {
     let turns = radians.in_turns();
     let [leading, rest] = turns.parts();
     TurnRate::new(leading, rest)
+}
+
+/// Whether u is exactly constant. An oscillation too small for the regime to count still has its own mean rates,
+/// which differ from those at a constant u.
+fn stands_still(e: &BranchPoints<Extended>, regime: Regime) -> bool {
+    e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable
+}
+
+/// 1 + u and 1 - u of a steady motion.
+fn steady_tilt(e: &BranchPoints<Extended>, regime: Regime) -> (Extended, Extended) {
+    if regime == Regime::SleepingUnstable {
+        (Extended::from(2.0), Extended::ZERO)
+    } else {
+        (e.one_plus_e1, e.one_minus_e2)
+    }
 }

@@ -11,7 +11,7 @@ use crate::complex::Complex;
 use crate::law::{Law, PhaseRates, gudermannian};
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::{Phase, TurnRate};
-use crate::scalar::{Float, Real};
+use crate::scalar::{Extended, Float, Real};
 use crate::su2::{Orientation, Vector};
 use crate::tip::TipLaw;
 
@@ -95,7 +95,7 @@ impl<R: Real> Stepper<R> {
         };
         let mut stepper = Self {
             brackets: motion.brackets(),
-            law: motion.law().cast(),
+            law: motion.law::<Extended>().cast(),
             tip: TipLaw::new(motion),
             nutation,
             phases: motion.phases(),

@@ -231,7 +231,7 @@ impl<F: Float> BranchPoints<F> {
     }
 
     /// Branch points in another number type.
-    fn map<G>(self, convert: impl Fn(F) -> G) -> BranchPoints<G> {
+    pub(crate) fn map<G>(self, convert: impl Fn(F) -> G) -> BranchPoints<G> {
         BranchPoints {
             e1: convert(self.e1),
             e2: convert(self.e2),

@@ -23,6 +23,7 @@ pub(crate) struct Position {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct HalfPeriod {
     law: Law<Extended>,
+    rounded_law: Law<f64>,
     /// Length of the half period.
     length: f64,
     /// Whether the nutation is periodic.
@@ -55,6 +56,7 @@ impl HalfPeriod {
     /// Half period before [`HalfPeriod::begin`].
     pub(crate) const EMPTY: Self = Self {
         law: Law::ZERO,
+        rounded_law: Law::ZERO,
         length: 0.0,
         is_periodic: true,
         theta_offset: [Extended::ZERO; 2],
@@ -74,7 +76,8 @@ impl HalfPeriod {
     /// Begins at u = e₁.
     pub(crate) fn begin<R: Scalar>(&mut self, motion: &Motion, rates: &MeanRates, least: f64) {
         self.rates = Self::slopes::<R::Rates>;
-        self.law = motion.law();
+        let law = motion.law::<R::Rates>();
+        (self.law, self.rounded_law) = (law.map(Into::into), law.cast());
         self.length = rates.half_period.to_f64();
         (self.is_periodic, self.theta_offset, self.least) = (rates.is_periodic, rates.theta_offset, least);
         self.fastest = larger_or_nan(self.speed(0.0, 1.0), self.speed(1.0, 0.0));
@@ -116,10 +119,9 @@ impl HalfPeriod {
     }
 
     /// Begins the expansion of the law around the position reached.
-    #[inline(never)] // the frame with the law in f64 must not remain on the stack below the following calls
     pub(crate) fn begin_expansion(&mut self) {
-        let Self { law, expansion, current, slopes, unit, least, .. } = self;
-        law.cast().begin_expansion(&current.point, slopes, *unit, *least, expansion);
+        let Self { rounded_law, expansion, current, slopes, unit, least, .. } = self;
+        rounded_law.begin_expansion(&current.point, slopes, *unit, *least, expansion);
     }
 
     /// Continues the expansion. Returns whether it is complete.
@@ -133,7 +135,7 @@ impl HalfPeriod {
     fn slopes<N: RateNumber>(&self, unit: Extended) -> Slopes {
         let sine_cosine = self.current.point.sine_cosine();
         let (sine, cosine) = sine_cosine;
-        let rates = self.law.in_rate_numbers::<N>().rates(N::from_f64(sine), N::from_f64(cosine));
+        let rates = self.law.map(N::from).rates(N::from_f64(sine), N::from_f64(cosine));
         let [alpha_offset, beta_offset] = self.theta_offset.map(N::from);
         let unit = N::from(unit);
         let slope = |rate: N| (unit * rate).to_f64();
@@ -153,7 +155,7 @@ impl HalfPeriod {
     /// Speed of α and β at given sin χ and cos χ, rad per unit time.
     #[inline(never)] // the stack frames of set-up must not add up
     fn speed(&self, sine: f64, cosine: f64) -> f64 {
-        let rates = self.law.cast().rates(sine, cosine);
+        let rates = self.rounded_law.rates(sine, cosine);
         let [alpha_offset, beta_offset] = self.theta_offset.map(Float::to_f64);
         let slow = Float::abs(rates.alpha + alpha_offset) + Float::abs(rates.beta + beta_offset);
         Float::abs(rates.nutation) + slow
@@ -259,7 +261,7 @@ impl HalfPeriod {
         let miss = |angle: Phase| Float::abs(f64::sine_cosine(angle).1);
         let PhasePoint { chi, theta } = self.end.point;
         let [alpha, beta] = theta.map(miss);
-        let at_the_end = self.law.cast::<f64>().rates(1.0, 0.0).nutation * self.length;
+        let at_the_end = self.rounded_law.rates(1.0, 0.0).nutation * self.length;
         speeds.delay(miss(chi) / at_the_end) + 2.0 * alpha.max(beta)
     }
 }

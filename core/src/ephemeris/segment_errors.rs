@@ -33,7 +33,8 @@ impl SegmentErrors {
     ) {
         let [dropped, dropped_slope] = economise([&mut *re, &mut *im], terms);
         let dropped = dropped + beyond;
-        let [[re_slope, re_curvature], [im_slope, im_curvature]] = [&*re, &*im].map(greatest_slopes);
+        let [[re_slope, re_curvature], [im_slope, im_curvature]] =
+            [&*re, &*im].map(|part| greatest_slopes(part, terms));
         let [stored, rounded_slope] = store([re, im]);
         let slope_error = dropped_slope + slope_beyond + rounded_slope;
         self.squares += dropped * dropped;

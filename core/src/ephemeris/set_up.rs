@@ -134,7 +134,7 @@ impl SetUp {
             Stage::Rates => {
                 let infinite = ErrorBound::INFINITE;
                 (ephemeris.error_bound, ephemeris.rate_error_bound) = (infinite, infinite);
-                self.rates = MeanRates::of(&self.motion, R::ROUNDING);
+                self.rates = MeanRates::of::<R>(&self.motion);
                 if self.motion.is_steady() {
                     self.tabulated = constant(&self.motion, &mut store(ephemeris));
                     self.stage = Stage::Clock;
@@ -300,7 +300,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         if motion.is_steady() {
             return Some(1);
         }
-        let rates = MeanRates::of(motion, R::ROUNDING);
+        let rates = MeanRates::of::<R>(motion);
         let requirements = Requirements::new(R::TERMS, truncation, Cell::MOST_SEGMENTS);
         let mut tabulation = Tabulation::EMPTY;
         tabulation.begin::<R>(motion, &rates, requirements);

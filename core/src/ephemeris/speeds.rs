@@ -89,12 +89,13 @@ impl Speeds {
     }
 }
 
-/// Upper bounds on [-1, 1] of the first two derivatives of a polynomial, lowest power first, all in units of 2^-62.
-pub(crate) fn greatest_slopes(part: &[i64; TERMS]) -> [f32; 2] {
-    // products of at most 210 and a coefficient below 2^62 need ten bits more than i64 has
-    let sums = part.iter().zip(0_i64..).fold([0; 2], |[slope, curvature], (c, power)| {
-        let size = (c.abs() >> 12) + 1;
-        [slope + power * size, curvature + power * (power - 1) * size]
+/// Upper bounds on [-1, 1] of the first two derivatives of a polynomial of `terms` coefficients, lowest power first, all in units
+/// of 2^-62.
+pub(crate) fn greatest_slopes(part: &[i64; TERMS], terms: usize) -> [f32; 2] {
+    // products of at most 210 and a coefficient below 2^62 need ten bits more than 64
+    let sums = part.iter().zip(0_u32..).take(terms).fold([0; 2], |[slope, curvature], (c, power)| {
+        let size = (c.unsigned_abs() >> 12) + 1;
+        [slope + u64::from(power) * size, curvature + u64::from(power * power.saturating_sub(1)) * size]
     });
     sums.map(|sum| sum as f32 * 4096.0)
 }

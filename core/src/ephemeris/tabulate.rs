@@ -24,7 +24,7 @@ use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::seek::StartSearch;
 use crate::ephemeris::segment_errors::SegmentErrors;
 use crate::ephemeris::segment_estimate::{Estimation, SegmentEstimate};
-use crate::ephemeris::span::{HALF_PERIOD, Span};
+use crate::ephemeris::span::{HALF_PERIOD, PartOfSpan, Span};
 use crate::ephemeris::speeds::Speeds;
 use crate::ephemeris::tabulated::{Requirements, Tabulated};
 use crate::law::series::{TERMS, larger_or_nan};
@@ -108,6 +108,7 @@ pub(crate) struct Tabulation {
     /// Real and imaginary part of the series of α and of β on the span, in units of 2^-62, and their omitted terms.
     series: [[[i64; TERMS]; 2]; 2],
     omitted: [f32; 2],
+    parts: [PartOfSpan; 2],
 }
 
 impl Tabulation {
@@ -134,6 +135,7 @@ impl Tabulation {
         segment: SegmentErrors::NONE,
         series: [[[0; TERMS]; 2]; 2],
         omitted: [0.0; 2],
+        parts: [PartOfSpan::NONE; 2],
     };
 
     /// Begins the tabulation of a motion that is not steady, for a scalar.
@@ -255,6 +257,7 @@ impl Tabulation {
     fn turn(&mut self, which: usize) -> Option<Piece> {
         let ([re, im], omitted) = (self.series.get_mut(which)?, self.omitted.get_mut(which)?);
         self.path.turned(which, *self.exponentials.get(which)?, [&mut *re, &mut *im])?;
+        *self.parts.get_mut(which)? = PartOfSpan::NONE;
         // both parts; as an orientation error twice as much
         *omitted = 2.0 * larger_or_nan(omitted_terms(re), omitted_terms(im));
         (2.0 * *omitted <= OMITTED_SHARE * self.requirements.of_polynomials()).then_some(match which {

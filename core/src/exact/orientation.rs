@@ -37,7 +37,7 @@ impl ConstantArguments {
             NutationVariable::Steady(_) => (Extended::ZERO, Extended::ONE),
         };
         let (e, signs, rates) =
-            (motion.exact_branch_points(), motion.signs(), motion.law().rates(sine, cosine));
+            (motion.exact_branch_points(), motion.signs(), motion.law::<Extended>().rates(sine, cosine));
         let root = |x: Extended| x.halved().sqrt();
         let (alpha_root, beta_root) = (root(e.one_plus_e2()), root(e.one_minus_e2));
         let axes = [

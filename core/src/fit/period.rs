@@ -67,7 +67,7 @@ fn integrals_and_point(top: &Top, state: &State) -> (FirstIntegrals, ReducedPoin
 
 #[inline(never)] // as above
 fn set_law(law: &mut Law<f64>, top: &Top, e: &BranchPoints, integrals: &FirstIntegrals) {
-    *law = Law::new(top, e, integrals, integrals.signs());
+    *law = Law::new(top, e, integrals.l_plus_n, integrals.signs());
 }
 
 #[inline(never)] // as above

@@ -302,7 +302,7 @@ mod tests {
         let omega = [0.003_448_181_221_981_053, 5.756_927_032_555_872e-5, -0.005_529_380_379_944_812];
         let state = State::new(Orientation { alpha, beta }, omega).unwrap();
         let motion = Motion::launch(&top, &state).unwrap();
-        let mut quadrature = Quadrature::new(&motion.law());
+        let mut quadrature = Quadrature::<Extended>::new(&motion.law());
         let first = settled(&mut quadrature);
         quadrature.begin_odd_nodes();
         let finer = settled(&mut quadrature);

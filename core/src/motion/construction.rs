@@ -1,14 +1,15 @@
 //! Construction of a motion: its constants, and its start from a point or from branch points.
 
+use crate::cayley_klein::Brackets;
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, Conditioning, FirstIntegrals, ReducedPoint, Regime, Signs};
 use crate::error::{ParameterError, finite, require};
 use crate::law::Law;
 use crate::mean_motion::{Integrals, MeanMotion, Quadrature};
 use crate::motion::start::{chi, half_phase, half_turns, slow_phase};
-use crate::motion::{Motion, NutationVariable, Start};
+use crate::motion::{Motion, NutationVariable, Start, stands_still, steady_tilt};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, Scalar};
+use crate::scalar::{Extended, Float, RateNumber, Ring, Scalar};
 use crate::top::{Quantities, Top};
 
 impl Motion {
@@ -20,12 +21,15 @@ impl Motion {
         e: BranchPoints<Extended>,
     ) -> Self {
         let signs = integrals.signs();
+        let regime = Regime::of(&e, signs, point.rests_upright());
         Self {
             top: *top,
             signs,
             e,
             integrals: *integrals,
-            regime: Regime::of(&e, signs, point.rests_upright()),
+            half_tau: half_tau(top, integrals),
+            brackets: brackets(&e, signs, regime),
+            regime,
             nutation: NutationVariable::Nutating(Phase::ZERO),
             phases: [Phase::ZERO; 2],
             conditioning: Conditioning::default(),
@@ -36,7 +40,7 @@ impl Motion {
     /// Nutation variable at a point of the reduced curve.
     #[inline(never)] // the stack frames of set-up must not add up
     pub(super) fn start_nutation(&mut self, point: &ReducedPoint<Extended>) {
-        if self.stands_still() {
+        if stands_still(&self.e, self.regime) {
             self.nutation = self.steady_nutation();
             return;
         }
@@ -60,21 +64,21 @@ impl Motion {
     ///
     /// * `law`: law of the motion, if it has been computed
     #[inline(never)]
-    pub(super) fn start_slow_phases(
+    pub(super) fn start_slow_phases<N: RateNumber>(
         &mut self,
         [alpha, beta]: [[Complex<f64>; 2]; 2],
-        law: Option<&Law<impl Float>>,
+        law: Option<&Law<N>>,
     ) {
         if self.is_steady() {
             self.phases = [alpha, beta].map(|[z, _]| Phase::from_radians(z.arg()));
             return;
         }
         let directions = self.directions_at_start();
-        let law = law.map_or_else(|| self.law().cast(), Law::cast);
+        let law = law.map_or_else(|| self.law::<N>().cast(), Law::cast);
         let mut rates = law.rates(directions.sine, directions.cosine);
         let half_tau = self.half_tau().to_f64();
         (rates.alpha, rates.beta) = (rates.alpha + half_tau, rates.beta - half_tau);
-        let brackets = self.brackets();
+        let brackets = &self.brackets;
         self.phases = [
             slow_phase(&brackets.alpha, &directions, [rates.nutation, rates.alpha], alpha),
             slow_phase(&brackets.beta, &directions, [rates.nutation, rates.beta], beta),
@@ -121,6 +125,8 @@ impl Motion {
             signs,
             e,
             integrals,
+            half_tau: half_tau(top, &integrals),
+            brackets: brackets(&e, signs, regime),
             regime,
             nutation: NutationVariable::Nutating(chi),
             phases: given,
@@ -128,7 +134,7 @@ impl Motion {
             mean: None,
         };
         motion.mean = motion.computed_mean();
-        if motion.stands_still() {
+        if stands_still(&motion.e, motion.regime) {
             motion.nutation = motion.steady_nutation();
             return Ok(motion);
         }
@@ -137,7 +143,7 @@ impl Motion {
             motion.nutation = NutationVariable::Aperiodic(libm::asinh(sine / cosine));
         }
         let directions = motion.directions_at_start();
-        let brackets = motion.brackets();
+        let brackets = &motion.brackets;
         let [alpha, beta] = given;
         motion.phases =
             [alpha - brackets.alpha.argument(&directions), beta - brackets.beta.argument(&directions)];
@@ -176,6 +182,20 @@ impl Motion {
         (self.top.is_torque_free() && momentum > Extended::ZERO)
             .then(|| self.mean_of(&Integrals::uniform(Extended::TWO_PI * a / momentum)))
     }
+}
+
+fn brackets(e: &BranchPoints<Extended>, signs: Signs, regime: Regime) -> Brackets<f64> {
+    if stands_still(e, regime) {
+        let (one_plus_u, one_minus_u) = steady_tilt(e, regime);
+        Brackets::steady(one_plus_u, one_minus_u)
+    } else {
+        Brackets::swinging(e, signs)
+    }
+}
+
+/// Half of τ: see [`Motion::half_tau`].
+fn half_tau(top: &Top, integrals: &FirstIntegrals<Extended>) -> Extended {
+    Quantities::of(top).tau(integrals.spin).halved()
 }
 
 /// Whether the axial rate (n - K)/C is a number: within 1e24 per unit of time, and n = K to the rounding of `f64` where C

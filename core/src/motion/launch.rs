@@ -195,7 +195,7 @@ impl<R: Scalar> Launch<R> {
     #[inline(never)]
     fn begin_quadrature(&mut self) {
         let Some(motion) = &self.motion else { return };
-        self.quadrature = Some(Quadrature::new(&motion.law().in_rate_numbers()));
+        self.quadrature = Some(Quadrature::new(&motion.law()));
         self.stage = Stage::Nodes;
     }
 }

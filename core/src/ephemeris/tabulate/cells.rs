@@ -5,7 +5,6 @@ use crate::ephemeris::economise::Polynomial;
 use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::segment_errors::SegmentErrors;
 use crate::ephemeris::segment_estimate::SegmentEstimate;
-use crate::ephemeris::span::restrict;
 use crate::ephemeris::tabulate::{Piece, Store, Tabulation};
 use crate::law::series::{TERMS, UNIT, larger_or_nan};
 
@@ -79,9 +78,11 @@ impl Tabulation {
     pub(super) fn shorten(&mut self, which: usize, store: &mut Store<'_>) -> Result<Piece, ()> {
         let halvings = self.span.halvings(self.level);
         let number = self.segment_number();
-        let mut series = self.series.get(which).copied().unwrap_or_default();
-        let least = self.path.least();
-        let removed = series.iter_mut().fold(0, |sum, part| sum + restrict(part, number, halvings, least));
+        let (Some(span), Some(part)) = (self.series.get(which), self.parts.get_mut(which)) else {
+            return Err(());
+        };
+        let mut series = [[0; TERMS]; 2];
+        let removed = part.restrict(span, [number, halvings as usize], self.path.least(), &mut series);
         if which == 0 {
             self.segment = SegmentErrors::NONE;
         }
