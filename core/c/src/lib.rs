@@ -29,8 +29,8 @@ pub use launch::{
     toytop_state_from_release, toytop_top,
 };
 pub use motion::{
-    TOYTOP_MOTION_SIZE, toytop_constants, toytop_launch, toytop_motion, toytop_motion_constants,
-    toytop_regime,
+    TOYTOP_MOTION_SIZE, toytop_constants, toytop_launch, toytop_launch_f32, toytop_motion,
+    toytop_motion_constants, toytop_regime,
 };
 pub use sample::{
     TOYTOP_EPHEMERIS_CURSOR_SIZE, TOYTOP_EPHEMERIS_SAMPLE_SIZE, toytop_ephemeris_cursor,

@@ -8,13 +8,13 @@ use core::task::Poll;
 use toytop::{EphemerisView, Motion, ParameterError, SetUp, TableTooSmall, Tick};
 
 /// Bytes of a set-up.
-pub const TOYTOP_SET_UP_SIZE: usize = 6144;
+pub const TOYTOP_SET_UP_SIZE: usize = 6400;
 
 /// Set-up of one table in slices, which is needed until the table is ready. A program must not use its words.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_set_up {
-    opaque: [u64; 768],
+    opaque: [u64; 800],
 }
 
 // cbindgen accepts only a number as a length

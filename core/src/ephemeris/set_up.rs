@@ -22,7 +22,7 @@ use crate::motion::Motion;
 use crate::scalar::Float;
 
 /// Set-up of an ephemeris in slices of bounded work, for a program that has other work in between, such as feeding a watchdog,
-/// serving a bus, or stepping other motions. Its memory, some 5 KiB, is needed until the ephemeris is ready.
+/// serving a bus, or stepping other motions. Its memory, at most 6 KiB, is needed until the ephemeris is ready.
 ///
 /// ```
 /// use toytop::{EphemerisF32, Motion, Release, SetUp, State, Tick, Top, TopParameters};

@@ -191,7 +191,7 @@ fn relaunch(
     table: &mut EphemerisView<f32>,
     bridge: impl FnOnce(Stepper<f32>),
 ) -> Result<(), ParameterError> {
-    let launched = Motion::launch(top, &before.state()?.with_impulse(top, IMPULSE, POINT)?);
+    let launched = Motion::launch_for::<f32>(top, &before.state()?.with_impulse(top, IMPULSE, POINT)?);
     let motion = launched.as_ref().map_err(|error| *error)?;
     bridge(Stepper::new(motion));
     table.set_up(motion, Tick::hertz(TICK_RATE)?, 1e-6).expect("an ordinary motion");

@@ -34,7 +34,7 @@ struct Snapshot {
 
 #[entry]
 fn main() -> ! {
-    // Set-up in f64, which runs once and can fail.
+    // Set-up, which runs once and can fail.
     let motion = launch().expect("a possible top");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
     // The table of 2 KiB is set up in static memory, not on the stack.
@@ -75,7 +75,7 @@ fn launch() -> Result<Motion, ParameterError> {
         ..TopParameters::default()
     })?;
     let release = Release { tilt: 20.0_f64.to_radians(), spin: 150.0, ..Release::default() };
-    Motion::launch(&top, &State::release(&release)?)
+    Motion::launch_for::<f32>(&top, &State::release(&release)?)
 }
 
 /// Interrupt in every millisecond. It computes in f32 and cannot fail.

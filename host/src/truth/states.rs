@@ -1,6 +1,7 @@
 //! Motion given by a state.
 
 use std::fmt;
+use toytop::scalar::Scalar;
 use toytop::{Complex, Motion, Orientation, ParameterError, State, Top, TopParameters};
 
 /// Numbers of a state and its top, taken as exact.
@@ -27,6 +28,14 @@ impl StateNumbers {
     /// # Errors
     /// The errors of a top, a state and a launch.
     pub fn motion(&self) -> Result<Motion, ParameterError> {
+        self.motion_for::<f64>()
+    }
+
+    /// Motion of the core, launched for a scalar.
+    ///
+    /// # Errors
+    /// See [`motion`](Self::motion).
+    pub fn motion_for<R: Scalar>(&self) -> Result<Motion, ParameterError> {
         let [a, c, s, p, g, rotor_momentum] = self.top;
         let parameters = TopParameters {
             transverse_inertia: a,
@@ -43,7 +52,7 @@ impl StateNumbers {
             (false, false) => Top::free(&parameters),
         }?;
         let [alpha, beta] = self.phi.map(|[re, im]| Complex::new(re, im));
-        Motion::launch(&top, &State::new(Orientation { alpha, beta }, self.omega)?)
+        Motion::launch_for::<R>(&top, &State::new(Orientation { alpha, beta }, self.omega)?)
     }
 }
 

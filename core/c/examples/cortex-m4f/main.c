@@ -48,7 +48,7 @@ static void set_up(toytop_ephemeris_f32 *table, const toytop_state *state) {
     static toytop_set_up slices;
     static toytop_error error;
     toytop_status status;
-    stop_if(toytop_launch(&top, state, &motion, &error), &error);
+    stop_if(toytop_launch_f32(&top, state, &motion, &error), &error);
     stop_if(toytop_set_up_begin(&slices, &motion, toytop_hertz(1000), 0.0, &error), &error);
     while ((status = toytop_f32_set_up_poll(&slices, table, sizeof *table, &error)) == TOYTOP_PENDING) polls++;
     stop_if(status, &error);

@@ -161,6 +161,38 @@ fn refusal(top: toytop_top) -> toytop_error {
     }
 }
 
+/// A motion for `f32` has the table of one for all scalars, and the errors of its rates in the bound.
+#[test]
+fn a_motion_for_f32_has_shorter_rates() {
+    let bounds = [toytop_launch, toytop_launch_f32].map(|launch| {
+        let (mut state, mut motion) = (MaybeUninit::uninit(), MaybeUninit::uninit());
+        let mut table = MaybeUninit::<toytop_ephemeris_f32>::uninit();
+        let (mut now, mut numbers) = (MaybeUninit::uninit(), [0.0_f32; 6]);
+        unsafe {
+            assert_eq!(toytop_state_from_release(&RELEASE, state.as_mut_ptr(), null_mut()), TOYTOP_OK);
+            assert_eq!(launch(&TOP, state.as_ptr(), motion.as_mut_ptr(), null_mut()), TOYTOP_OK);
+            let tick = toytop_hertz(1000);
+            let size = size_of::<toytop_ephemeris_f32>();
+            let why = null_mut();
+            assert_eq!(
+                toytop_f32_set_up(table.as_mut_ptr(), size, motion.as_ptr(), tick, 0.0, why),
+                TOYTOP_OK
+            );
+            assert_eq!(toytop_f32_at_tick(table.as_ptr(), 1000, now.as_mut_ptr()), TOYTOP_OK);
+            assert_eq!(toytop_f32_cayley_klein(now.as_ptr(), numbers.as_mut_ptr()), TOYTOP_OK);
+            let mut bounds = MaybeUninit::uninit();
+            assert_eq!(toytop_f32_error_bounds(table.as_ptr(), bounds.as_mut_ptr()), TOYTOP_OK);
+            (numbers, bounds.assume_init())
+        }
+    });
+    let [(numbers, bounds), (short_numbers, short_bounds)] = bounds;
+    assert_eq!(numbers, short_numbers);
+    assert_eq!(bounds.orientation, short_bounds.orientation);
+    let growth = short_bounds.orientation_per_tick;
+    assert!((1e-19..1e-17).contains(&growth) && bounds.orientation_per_tick < 1e-9 * growth, "{growth:e}");
+    assert_ne!(unsafe { toytop_launch_f32(null(), null(), null_mut(), null_mut()) }, TOYTOP_OK);
+}
+
 #[test]
 fn an_impulse_starts_another_motion() {
     let state =

@@ -82,6 +82,17 @@ impl Input {
         }
     }
 
+    /// Motion launched for `f32`, whose mean rates have fewer bits. From branch points there is one motion for all scalars.
+    ///
+    /// # Errors
+    /// See [`motion`](Self::motion).
+    pub(crate) fn motion_for_f32(&self) -> Result<Motion, ParameterError> {
+        match self {
+            Self::BranchPoints(numbers) => numbers.motion(),
+            Self::State(numbers) => numbers.motion_for::<f32>(),
+        }
+    }
+
     /// Truth of the motion.
     #[must_use]
     pub(crate) fn exact(&self) -> Exact {

@@ -81,10 +81,11 @@ impl Reading {
     }
 }
 
-/// Tables of a motion, in the order of [`SCALARS`]; `None` where no table is large enough.
+/// Tables of a motion, launched for `f64` and for `f32`, in the order of [`SCALARS`]; `None` where no table is large enough.
 #[must_use]
-pub(crate) fn readings(motion: &Motion, period: f64) -> [Option<Reading>; 4] {
-    [Scalar::F64, Scalar::F32, Scalar::Q31, Scalar::Q15].map(|scalar| reading(scalar, motion, period))
+pub(crate) fn readings([for_f64, for_f32]: [&Motion; 2], period: f64) -> [Option<Reading>; 4] {
+    [(Scalar::F64, for_f64), (Scalar::F32, for_f32), (Scalar::Q31, for_f32), (Scalar::Q15, for_f32)]
+        .map(|(scalar, motion)| reading(scalar, motion, period))
 }
 
 /// Table in `f64` whose truncation error is far below the rounding; `None` where no table is large enough.

@@ -76,7 +76,9 @@ pub(crate) fn run(input: &Input, random: &mut Random, with_truth: bool) -> Outco
     };
     let averages = motion.period_advance().filter(|_| motion.regime() == Regime::Nutating);
     let period = averages.map_or_else(|| natural_time(&motion), |averages| averages.period);
-    let readings = readings(&motion, period);
+    // f32 and fixed point have mean rates of 64 bits
+    let for_f32 = input.motion_for_f32().unwrap_or(motion);
+    let readings = readings([&motion, &for_f32], period);
     let targets = with_truth.then(|| {
         let rate = ticks_for(&motion, period);
         let doubtful = finer(&motion, period).map(|finer| doubtful(&readings, &*finer, period * rate));
