@@ -4,7 +4,7 @@
 //! contain several segments. Their series follow from that of the span without another expansion.
 
 use crate::ephemeris::cell::{Cell, PAIR_BITS};
-use crate::law::series::TERMS;
+use crate::law::series::{TERMS, over_power};
 use crate::phase::Phase;
 
 /// One of the 2^depth parts of equal length into which half a period is divided.
@@ -162,9 +162,9 @@ fn halve(coefficients: &mut [i64]) {
             *c
         });
     }
-    for (power, c) in coefficients.iter_mut().enumerate().skip(1) {
-        // the mask tells the compiler that the shift is short, which halves its instructions
-        *c = ((*c >> ((power - 1) & 31)) + 1) >> 1;
+    for (c, power) in coefficients.iter_mut().zip(0..).skip(1) {
+        let twice = if power == 1 { *c } else { over_power(*c, power - 1) };
+        *c = (twice + 1) >> 1;
     }
 }
 

@@ -77,20 +77,44 @@ fn rounded(sum: i128, shift: i32) -> i64 {
 }
 
 /// [`rounded`] of upper · 2^60 + across · 2^30 and 30 lower bits, in words of 64 bits: shifts of 128 bits would cost a
-/// chip more than the products.
+/// chip more than the products. |across| is below 2^63, and |upper| is below 2^62.
 #[inline(never)] // a call: set-up rounds in some thirty places
 fn rounded_parts(upper: i64, across: i64, shift: i32) -> i64 {
     let twice = match shift {
-        61.. => (upper + (across >> LOW_BITS)) >> (shift - 61).min(63),
-        // a shift by 34 to 61, and two by less than 32: the compiler takes fewer instructions where it knows that
-        LEAST_SHIFT.. if matches!(upper >> ((shift + 1) | 32), 0 | -1) => {
+        61.. => match (upper + (across >> LOW_BITS), shift - 61) {
+            (sum, 0) => sum,
+            (sum, more @ ..32) => over_power(sum, more),
+            (sum, more) => i64::from((sum >> 32) as i32 >> (more - 32).min(31)),
+        },
+        LEAST_SHIFT.. => {
+            // whether upper is below 2^(shift + 1)
+            let word = (upper >> 32) as i32;
+            if word >> (shift - 31) != word >> 31 {
+                return if word < 0 { -BEYOND } else { BEYOND };
+            }
             // the lower word ends above the bits that are dropped
-            (upper << ((61 - shift) & 31)).saturating_add(across >> ((shift - 31) & 31))
+            times_power(upper, 61 - shift) + over_power(across, shift - 31)
         }
-        LEAST_SHIFT.. => upper.signum() * 2 * BEYOND,
         _ => return if (upper << LOW_BITS) + across == 0 { 0 } else { BEYOND },
     };
     ((twice >> 1) + (twice & 1)).clamp(-BEYOND, BEYOND)
+}
+
+/// Number · 2^exponent for an exponent from 1 to 31, with two words of 32 bits: a chip takes half of the instructions for a shift by
+/// up to 63 bits.
+#[inline(always)]
+fn times_power(number: i64, exponent: i32) -> i64 {
+    let (high, low) = ((number >> 32) as u32, number as u32);
+    let high = (high << exponent) | (low >> (32 - exponent));
+    (i64::from(high as i32) << 32) | i64::from(low << exponent)
+}
+
+/// Number / 2^exponent, rounded down: see [`times_power`].
+#[inline(always)]
+pub(crate) fn over_power(number: i64, exponent: i32) -> i64 {
+    let (high, low) = ((number >> 32) as i32, number as u32);
+    let low = (low >> exponent) | ((high as u32) << (32 - exponent));
+    (i64::from(high >> exponent) << 32) | i64::from(low)
 }
 
 /// Product of two integers divided by 2^SHIFT, for a SHIFT of 54 to 60, rounded to the nearest. Shifts by a constant cost a

@@ -14,7 +14,7 @@ use crate::law::turning::{FRACTION, sine_cosine};
 use crate::phase::Phase;
 use crate::scalar::{Float, Scalar};
 
-pub(crate) use crate::law::block::{Split, TERMS, scaled_product};
+pub(crate) use crate::law::block::{Split, TERMS, over_power, scaled_product};
 
 /// Unit of the coefficients of α and β, 2^-62.
 pub(crate) const UNIT: f64 = power_of_two(-UNIT_BITS);
@@ -30,7 +30,8 @@ const UNIT_BITS: i32 = 62;
 /// Coefficient of x^k in units of 2^-62, from that of yᵏ = (x/4)^k in units of 2^-56.
 fn of_x(coefficient: i64, k: usize) -> i64 {
     match 2 * k as i32 - (UNIT_BITS - BITS) {
-        shift @ 1.. => ((coefficient >> (shift - 1)) + 1) >> 1,
+        shift @ 2.. => (over_power(coefficient, shift - 1) + 1) >> 1,
+        1 => (coefficient + 1) >> 1,
         shift => coefficient << -shift,
     }
 }
