@@ -6,7 +6,7 @@ use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::speeds::Speeds;
 use crate::ephemeris::tabulated::Tabulated;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Scalar};
+use crate::scalar::{Extended, Float, RateNumber, Scalar};
 
 /// Upper bound on the orientation error 2 √(|Δα|² + |Δβ|²), rad, relative to the exact motion of the numbers that it
 /// was launched from. At tick n it is `constant + |n| per_tick`, [`ErrorBound::after`].
@@ -40,6 +40,9 @@ const START: f64 = 1.0;
 const COEFFICIENT: f64 = 1.0;
 /// Relative error of the `f64` nearest to 1/2π, in units of 2^-53. It is common to all conversions from rad to turns.
 const PER_TURN: f64 = 0.56;
+/// Number of roundings of a derivative of θ in the numbers of the rates, as an orientation error: it is the difference of two numbers that may
+/// be much larger.
+const SLOPE_OPERATIONS: f64 = 32.0;
 /// Number of standard deviations in the bound. One of 5e8 normal sums exceeds six.
 const DEVIATIONS: f64 = 6.0;
 
@@ -68,10 +71,18 @@ impl ErrorBound {
         let tick = R::TICK_ERROR + R::SLOPE_ROUNDING * speeds.steepness;
         let place = R::PLACE_ROUNDING * speeds.sweep / PAIRS as f64;
         let end = if rates.is_periodic { 0.0 } else { rates.rounding };
+        let slopes =
+            SLOPE_OPERATIONS * R::Rates::OPERATION_ERROR * (rates.greatest_turning() + speeds.turning);
         let rounded = rounded::<R>(tabulated);
         let rounded = if rounded > tabulated.defect { rounded } else { rounded + tabulated.defect };
         Self {
-            constant: truncation + tick + place + end + rounded + Self::of_phases(speeds.sweep, [CLOCK; 3]),
+            constant: truncation
+                + tick
+                + place
+                + end
+                + slopes
+                + rounded
+                + Self::of_phases(speeds.sweep, [CLOCK; 3]),
             per_tick: Self::of_phases(speeds.sweep, per_tick),
         }
     }

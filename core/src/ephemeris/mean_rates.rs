@@ -55,6 +55,12 @@ impl MeanRates {
         }
     }
 
+    /// Greater of the angles by which the constant rates turn θ_A and θ_B in half a period, rad.
+    pub(crate) fn greatest_turning(&self) -> f64 {
+        let [alpha, beta] = self.theta_offset.map(|rate| Float::abs((rate * self.half_period).to_f64()));
+        alpha.max(beta)
+    }
+
     fn steady(motion: &Motion, rounding: f64) -> Self {
         let [alpha, beta] = motion.steady_rates().map(Extended::in_turns);
         let relative = OPERATIONS * Extended::ROUNDING + STORED + motion.conditioning().relative;
