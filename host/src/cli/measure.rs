@@ -65,6 +65,9 @@ pub(crate) struct BudgetArgs {
     /// of their cycles, for the table in host/docs/costs.md
     #[arg(long, conflicts_with_all = ["elf", "check"])]
     pub(crate) corpus: bool,
+    /// Compile for size (opt-level s) instead of speed
+    #[arg(long, conflicts_with_all = ["elf", "check", "accept"])]
+    pub(crate) size: bool,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub(crate) format: Format,

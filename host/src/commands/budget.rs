@@ -31,9 +31,9 @@ pub(super) fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
     let mut progress = Progress::new(chips.len() as u64, "chips");
     let mut measured = Vec::new();
     for chip in chips {
-        let mut costs = measure(chip, &build(&root, chip, "cost")?)?;
+        let mut costs = measure(chip, &build(&root, chip, "cost", arguments.size)?)?;
         if FITTING_CHIPS.contains(&chip.name) {
-            costs.extend(measure(chip, &build(&root, chip, "fit_cost")?)?);
+            costs.extend(measure(chip, &build(&root, chip, "fit_cost", arguments.size)?)?);
         }
         measured.push((chip, costs));
         progress.add(1);
@@ -90,7 +90,7 @@ fn launches(arguments: &BudgetArgs, root: &Path, chips: &[&'static Chip]) -> Res
     let mut costs = Vec::new();
     for chip in chips {
         if !arguments.accept || limits.of(chip.name, "launch").is_some_and(|cost| cost.cycles.is_some()) {
-            costs.extend(corpus(chip, &build(root, chip, "corpus")?, &limits)?);
+            costs.extend(corpus(chip, &build(root, chip, "corpus", arguments.size)?, &limits)?);
         }
         progress.add(1);
     }
@@ -125,14 +125,15 @@ fn corpus_table(records: &[Record]) -> String {
     output::columns(header.chain(rows).collect(), 3)
 }
 
-/// Path of the firmware after its build, whose messages go to stderr.
-fn build(root: &Path, chip: &Chip, program: &str) -> Result<PathBuf, Failure> {
+/// Path of the firmware after its build, for `size` or for speed, whose messages go to stderr.
+fn build(root: &Path, chip: &Chip, program: &str, size: bool) -> Result<PathBuf, Failure> {
     let fail = |what: String| {
         Failure::Tool(format!("budget: cargo xtask firmware {program} --chip {} --elf: {what}", chip.name))
     };
     let built = Command::new("cargo")
         .current_dir(root)
         .args(["xtask", "firmware", program, "--chip", chip.name, "--elf"])
+        .envs(size.then_some(("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s")))
         .stderr(Stdio::inherit())
         .output()
         .map_err(|error| fail(error.to_string()))?;

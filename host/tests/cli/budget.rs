@@ -33,6 +33,7 @@ fn bad_input_is_refused_in_one_line() {
         (&["--elf", file], "--chip"),
         (&["--elf", file, "--chip", "m4f"], "Cargo.toml"),
         (&["--check", "--accept"], "--accept"),
+        (&["--check", "--size"], "--size"),
     ] {
         let output = run(&[&["budget"], arguments].concat());
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
