@@ -2,7 +2,7 @@
 
 use crate::fit::Fit;
 use crate::fit::beginning::{Beginning, FIRST_WINDOW};
-use crate::fit::outcome::{FitError, Reason};
+use crate::fit::outcome::{FitError, Reason, Statistics};
 use crate::fit::pass::{Progress, SETTLED};
 use crate::fit::sensor::{Hint, Measurement};
 use crate::fit::window::Part;
@@ -15,6 +15,10 @@ const THINNED: usize = 192;
 /// Number of measurements to which all of them are thinned before the last passes. The launch is then within some standard
 /// deviations of the best one, and one pass over all measurements corrects it.
 const LAST_THINNED: usize = 512;
+
+/// Least mean square of residuals, in standard deviations, of rates that are in degrees. The noise given may be four times too
+/// large; that of rates which are not in degrees is 57 times too large.
+const LEAST_NOISE: f64 = 0.05;
 
 /// Result of a search: the times of the first and the last measurement, how it ended, and the number of other launches that fit as well.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +44,8 @@ impl<F: Real> Fit<'_, F> {
         })
     }
 
-    /// Whether the measurements fit better by far when the rates are read as degrees per unit time.
+    /// Whether the measurements fit better by far when the rates are read as degrees per unit time. Residuals far below the
+    /// noise do not count: smaller numbers have smaller residuals, whatever the motion is.
     fn fits_in_degrees<I>(&mut self, measurements: &I, chi_squared: f64) -> Result<bool, FitError>
     where
         I: Iterator<Item = Measurement> + Clone,
@@ -49,7 +54,9 @@ impl<F: Real> Fit<'_, F> {
         let degrees = self.search(measurements);
         self.rate_unit = None;
         let converged = self.reason(degrees?.progress).is_none();
-        Ok(converged || self.best.statistics.chi_squared < 0.1 * chi_squared)
+        let Statistics { chi_squared: in_degrees, used, .. } = self.best.statistics;
+        let has_noise = in_degrees > LEAST_NOISE * f64::from(used);
+        Ok(has_noise && (converged || in_degrees < 0.1 * chi_squared))
     }
 
     /// Launch from the measurements in the unit that is tried, without a first guess.

@@ -9,7 +9,7 @@ use crate::constants::{
 use crate::error::ParameterError;
 use crate::mean_motion::{Integrals, Quadrature};
 use crate::motion::Motion;
-use crate::scalar::{Extended, Float, Scalar};
+use crate::scalar::{Extended, RateNumber, Scalar};
 use crate::state::State;
 use crate::su2::OrientationRate;
 use crate::top::Top;
@@ -153,7 +153,9 @@ impl<R: Scalar> Launch<R> {
                 motion.start_nutation(&self.point);
                 self.stage = Stage::StartRates;
             }
-            (Stage::StartRates, Some(_)) => self.stage = Stage::SlowPhases(parameters_and_rates(&self.state)),
+            (Stage::StartRates, Some(_)) => {
+                self.stage = Stage::SlowPhases(parameters_and_rates::<R::Rates>(&self.state))
+            }
             (Stage::SlowPhases(parameters), Some(motion)) => {
                 motion.start_slow_phases(parameters, self.quadrature.as_ref().map(Quadrature::law));
                 self.stage = Stage::Ended(Ok(()));
@@ -228,13 +230,13 @@ impl Motion {
 
 /// Parameters α and β of a state, each with its rate.
 #[inline(never)]
-fn parameters_and_rates(state: &State) -> [[Complex<f64>; 2]; 2] {
-    let (phi, omega) = state.exact::<Extended>();
+fn parameters_and_rates<N: RateNumber>(state: &State) -> [[Complex<f64>; 2]; 2] {
+    let (phi, omega) = state.exact::<N>();
     let phi = phi.normalised();
     let rate = OrientationRate::from_fixed(&phi, omega);
     [(phi.alpha, rate.alpha), (phi.beta, rate.beta)].map(|(z, z_dot)| [z, z_dot].map(to_f64))
 }
 
-fn to_f64(z: Complex<Extended>) -> Complex<f64> {
+fn to_f64<N: RateNumber>(z: Complex<N>) -> Complex<f64> {
     Complex::new(z.re.to_f64(), z.im.to_f64())
 }
