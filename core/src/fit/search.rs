@@ -16,9 +16,9 @@ const THINNED: usize = 192;
 /// deviations of the best one, and one pass over all measurements corrects it.
 const LAST_THINNED: usize = 512;
 
-/// Least mean square of residuals, in standard deviations, of rates that are in degrees. The noise given may be four times too
-/// large; that of rates which are not in degrees is 57 times too large.
-const LEAST_NOISE: f64 = 0.05;
+/// Least mean square of residuals, in standard deviations, of rates that are in degrees: the noise given may be twice too large. For
+/// rates that are not in degrees it is 57 times too large.
+const LEAST_NOISE: f64 = 0.25;
 
 /// Result of a search: the times of the first and the last measurement, how it ended, and the number of other launches that fit as well.
 #[derive(Clone, Copy, Debug)]
