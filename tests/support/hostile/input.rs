@@ -162,13 +162,13 @@ impl<'a> Input<'a> {
     pub(super) fn motion(&mut self) -> Result<Motion, ParameterError> {
         let top = self.top()?;
         if self.byte().is_multiple_of(2) {
-            return Motion::launch(
-                &top,
-                &self.state(match top.is_torque_free() {
-                    true => 1.0,
-                    false => (top.mass_moment() * top.gravity() / top.transverse_inertia()).sqrt(),
-                })?,
-            );
+            let state = self.state(match top.is_torque_free() {
+                true => 1.0,
+                false => (top.mass_moment() * top.gravity() / top.transverse_inertia()).sqrt(),
+            })?;
+            let motion = Motion::launch(&top, &state);
+            launched_alike(&motion, &Motion::launch_for::<f32>(&top, &state));
+            return motion;
         }
         let e1 = self.place(2.0) - 1.0;
         let e2 = e1 + self.place(1.0 - e1);
@@ -199,4 +199,25 @@ impl<'a> Input<'a> {
     pub(super) fn truncation(&mut self) -> f64 {
         self.decade(-8.0, 2.0)
     }
+}
+
+/// Asserts that a launch for `f32` has the result of one for `f64`, with some 60 bits of the period and of the advances.
+fn launched_alike(motion: &Result<Motion, ParameterError>, short: &Result<Motion, ParameterError>) {
+    const TOLERANCE: f64 = 1e-14;
+    let (Ok(motion), Ok(short)) = (motion, short) else {
+        assert_eq!(motion.as_ref().err(), short.as_ref().err());
+        return;
+    };
+    let (Some(advance), Some(of_short)) = (motion.period_advance(), short.period_advance()) else {
+        assert_eq!(motion.period_advance(), short.period_advance());
+        return;
+    };
+    let close = |a: f64, b: f64, size: f64| (a - b).abs() <= TOLERANCE * size || a == b;
+    assert!(close(advance.period, of_short.period, advance.period), "{advance:?} {of_short:?}");
+    // the advances are sums whose terms may cancel
+    let rates = motion.first_integrals();
+    let turning = (rates.spin.abs() + rates.n.abs() / motion.top().transverse_inertia()) * advance.period;
+    let size = 1.0 + advance.alpha_turns.abs() + advance.beta_turns.abs() + turning;
+    assert!(close(advance.alpha_turns, of_short.alpha_turns, size), "{advance:?} {of_short:?}");
+    assert!(close(advance.beta_turns, of_short.beta_turns, size), "{advance:?} {of_short:?}");
 }
