@@ -45,7 +45,7 @@ impl EphemerisScalar for I2F30 {
     #[inline(always)]
     fn alpha_beta(terms: &[[i32; 4]], point: SegmentPoint) -> [Complex<Self>; 2] {
         let [re_alpha, im_alpha, re_beta, im_beta] =
-            integer::alpha_beta(terms, point, sine_cosine_q31).map(Self::from_bits);
+            integer::alpha_beta::<false>(terms, point, sine_cosine_q31).map(Self::from_bits);
         [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)]
     }
 

@@ -43,8 +43,12 @@ pub(crate) const RATE_ERROR: f64 = 40.0 * UNIT;
 pub(crate) const PLACE_ROUNDING: f64 = 1.0 / (1_u64 << 32) as f64;
 
 /// Re α, Im α, Re β and Im β in units of 2^-30, with sines in units of 2^-31.
+///
+/// `POLYNOMIALS_FIRST` determines the order of the same operations, not their results: whether both polynomials precede
+/// both rotations on a 32-bit chip. A Cortex-M4F takes six cycles less for this order with the sines of `f32`, and four
+/// more with those of fixed point.
 #[inline(always)]
-pub(crate) fn alpha_beta(
+pub(crate) fn alpha_beta<const POLYNOMIALS_FIRST: bool>(
     terms: &[[i32; 4]],
     point: SegmentPoint,
     sine_cosine: impl Fn(u32) -> (i32, i32),
@@ -56,6 +60,12 @@ pub(crate) fn alpha_beta(
     let ([re_alpha, im_alpha], [re_beta, im_beta]) = if FOUR_AT_A_TIME {
         let [[re_alpha, im_alpha, re_beta, im_beta], _] = sums_and_slopes::<_, false>(terms, x, |four| *four);
         (turned([re_alpha, im_alpha], a), turned([re_beta, im_beta], b))
+    } else if POLYNOMIALS_FIRST {
+        let [[re_beta, im_beta], _] = sums_and_slopes::<_, false>(terms, x, |&[_, _, re, im]| [re, im]);
+        let [[re_alpha, im_alpha], _] = sums_and_slopes::<_, false>(terms, x, |&[re, im, _, _]| [re, im]);
+        let (im_alpha, im_beta) = (im_alpha ^ mask, im_beta ^ mask);
+        let alpha = rotated([re_alpha, im_alpha], sine_cosine(a));
+        (alpha, rotated([re_beta, im_beta], sine_cosine(b)))
     } else {
         let [beta, _] = sums_and_slopes::<_, false>(terms, x, |&[_, _, re, im]| [re, im]);
         let beta = turned(beta, b);
@@ -136,7 +146,7 @@ fn sums_and_slopes<const N: usize, const SLOPES: bool>(
 /// so its bitwise complement represents its negative.)
 #[inline(always)]
 fn rotated([re, im]: [i32; 2], (sine, cosine): (i32, i32)) -> [i32; 2] {
-    [high_product(re, cosine) + high_product(!im, sine), high_product(re, sine) + high_product(im, cosine)]
+    [high_product(!im, sine) + high_product(re, cosine), high_product(im, cosine) + high_product(re, sine)]
 }
 
 impl EphemerisScalar for f32 {
@@ -177,7 +187,7 @@ impl EphemerisScalar for f32 {
     #[inline(always)]
     fn alpha_beta(terms: &[[i32; 4]], point: SegmentPoint) -> [Complex<Self>; 2] {
         let [re_alpha, im_alpha, re_beta, im_beta] =
-            alpha_beta(terms, point, sine_cosine_q26).map(|value| value as Self * UNIT as Self);
+            alpha_beta::<true>(terms, point, sine_cosine_q26).map(|value| value as Self * UNIT as Self);
         [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)]
     }
 
