@@ -34,7 +34,7 @@ fn main() {
     fs::write(out_dir().join("core.wasm"), bytes).expect("the folder of build output is writable");
 }
 
-const EQUATIONS: &str = "src/full_equations/full_solver/equations.rs";
+const EQUATIONS: &str = "numerics/src/full_equations/full_solver/equations.rs";
 
 fn out_dir() -> PathBuf {
     var_os("OUT_DIR").expect("cargo sets OUT_DIR").into()

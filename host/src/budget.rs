@@ -13,6 +13,7 @@ mod limits;
 mod meter;
 mod model;
 mod readme;
+mod tick;
 mod trace;
 
 pub use chip::{CHIPS, Chip};
@@ -23,3 +24,4 @@ pub use meter::{Cost, measure};
 pub use model::Model;
 pub(crate) use readme::with_corpus;
 pub use readme::{with_front_table, with_table};
+pub use tick::{Costs, CountedChip, PLOTTED};

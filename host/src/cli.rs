@@ -8,6 +8,7 @@ mod many;
 mod measure;
 mod motion;
 mod score;
+pub(crate) mod times;
 
 pub use crate::motion::Scalar;
 pub use choice::{Format, Method, ScalarChoice};

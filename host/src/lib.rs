@@ -2,7 +2,7 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`input`] | scenario files, built-in motions, times, random numbers |
+//! | [`input`] | scenario files, built-in motions, random numbers |
 //! | [`motion`] | the core's stepper and ephemeris at given times |
 //! | [`full_equations`] | integration of the full 3-D equations |
 //! | [`truth`] | the paper's integrals to more than thirty digits |
@@ -19,10 +19,10 @@
 //! | [`output`] | tables, CSV, JSON, files, progress |
 //! | [`cli`], [`commands`], [`program`] | command line, one file for each command, exit codes |
 //!
+//! The numerical modules are those of the crate `toytop-numerics`, which a release build optimises; this crate it does not optimise.
 //! A command computes everything that can fail before the first byte is printed, so a failure leaves no partial output.
 //! The program `toytop-lab` (the folder `lab`) uses this library for studies that check the core itself.
 
-pub mod bake;
 #[cfg(feature = "program")]
 mod benchmarks;
 #[cfg(feature = "program")]
@@ -33,28 +33,17 @@ pub mod cli;
 pub mod commands;
 #[cfg(feature = "program")]
 pub mod errata;
-mod failure;
-pub mod fit;
-#[cfg(feature = "program")]
-pub mod full_equations;
-pub mod input;
-#[cfg(feature = "program")]
-pub mod measure;
-pub mod motion;
-pub mod output;
 pub mod pictures;
 #[cfg(feature = "program")]
 pub mod program;
-pub mod samples;
-pub mod score;
-#[cfg(feature = "program")]
-mod sweep;
-pub mod thread_pool;
-pub mod truth;
 
 #[cfg(feature = "program")]
 pub use commands::Report;
-pub use failure::Failure;
+#[cfg(feature = "program")]
+use toytop_numerics::sweep;
+pub use toytop_numerics::{Failure, bake, fit, input, motion, output, samples, score, thread_pool, truth};
+#[cfg(feature = "program")]
+pub use toytop_numerics::{full_equations, measure};
 
 #[cfg(feature = "program")]
 use std::ffi::OsString;

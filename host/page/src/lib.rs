@@ -15,7 +15,7 @@
 #![cfg_attr(target_family = "wasm", no_std)]
 
 pub mod constants;
-#[path = "../../src/full_equations/full_solver/equations.rs"]
+#[path = "../../numerics/src/full_equations/full_solver/equations.rs"]
 pub mod equations;
 pub mod exports;
 pub mod ghost;

@@ -2,10 +2,12 @@
 
 use super::Report;
 use crate::Failure;
+use crate::budget::{Costs, PLOTTED};
 use crate::cli::{AccuracyArgs, Format, ScalarChoice};
-use crate::measure::accuracy::{Accuracy, CHIPS, Costs, Errors, OCTAVES, measured, picture};
+use crate::measure::accuracy::{Accuracy, Errors, OCTAVES, measured};
 use crate::output::whole_file;
 use crate::output::{self, Cell, Record};
+use crate::pictures::accuracy as picture;
 use crate::pictures::plot::Form;
 
 /// Powers of two up to which ticks are counted, for the errors over fewer ticks.
@@ -21,7 +23,7 @@ pub(super) fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
         Format::Json => output::json_list("rows", &records(&all, &costs)).map_err(Failure::Output)?,
     };
     if let (Some(path), Some(form)) = (&arguments.plot, form) {
-        whole_file::write("--plot", path, &picture(&all)?.encoded(form)?)?;
+        whole_file::write("--plot", path, &picture::picture(&all)?.encoded(form)?)?;
     }
     Ok(Report { text, ..Report::default() })
 }
@@ -31,7 +33,7 @@ pub(super) fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
 pub fn rows(all: &[Accuracy], costs: &Costs, digits: usize) -> Vec<Vec<String>> {
     let head = ["", "greatest error, rad", "RMS error, rad", "tip, s", "norm", "energy"];
     let mut header: Vec<_> = head.map(str::to_owned).into();
-    header.extend(CHIPS.map(|chip| chip.heading.to_owned()));
+    header.extend(PLOTTED.map(|chip| chip.heading.to_owned()));
     let line = |accuracy: &Accuracy| {
         let errors = accuracy.all();
         let Errors { angle, tip, norm, energy, .. } = errors;
@@ -39,7 +41,7 @@ pub fn rows(all: &[Accuracy], costs: &Costs, digits: usize) -> Vec<Vec<String>> 
         line.extend([angle, errors.rms(), tip, norm, energy].map(|x| format!("{x:.digits$e}")));
         let cost =
             |chip| costs.next_tick(accuracy.scalar, chip).map_or("-".to_owned(), |cost| cost.to_string());
-        line.extend(CHIPS.iter().map(cost));
+        line.extend(PLOTTED.iter().map(cost));
         line
     };
     std::iter::once(header).chain(all.iter().map(line)).collect()
@@ -65,7 +67,7 @@ fn show(all: &[Accuracy], costs: &Costs) -> String {
 fn records(all: &[Accuracy], costs: &Costs) -> Vec<Record> {
     let of_scalar = |accuracy: &Accuracy| {
         let scalar = accuracy.scalar;
-        let costs = CHIPS.map(|chip| {
+        let costs = PLOTTED.map(|chip| {
             let cost = costs.next_tick(scalar, &chip);
             (chip.column, cost.map_or(Cell::Absent, Cell::Count))
         });

@@ -1,34 +1,11 @@
 //! `toytop bench`: computing times of states, by the core and by other methods, on this machine with this build.
 
-mod methods;
-mod ticks;
-mod timing;
-
 use super::Report;
 use crate::Failure;
 use crate::cli::{BenchArgs, Format};
+use crate::measure::speed::{Row, methods, ticks, timing};
+use crate::output;
 use crate::output::progress::Progress;
-use crate::output::{self, Cell, Record};
-
-/// Row of a table: the task that was timed, its time and its other cells.
-struct Row {
-    what: String,
-    /// Time of the whole task, or of one tick, s.
-    seconds: f64,
-    /// Error of the orientation, rad.
-    error: Option<f64>,
-    rest: Vec<String>,
-}
-
-impl Row {
-    fn record(&self) -> Record {
-        Record(vec![
-            ("what", Cell::Text(self.what.trim().to_owned())),
-            ("seconds", Cell::Number(self.seconds)),
-            ("error_rad", self.error.into()),
-        ])
-    }
-}
 
 pub(super) fn run(arguments: &BenchArgs) -> Result<Report, Failure> {
     let scenario = methods::scenario()?;

@@ -4,8 +4,8 @@ use super::Report;
 use crate::Failure;
 use crate::benchmarks::conventions::Values;
 use crate::benchmarks::{self, Problem, compare};
+use crate::cli::times;
 use crate::cli::{BenchmarkArgs, Format, Scalar, TimesArgs};
-use crate::input::times;
 use crate::motion::ephemeris::{furthest_time, smallest};
 use crate::output::{self, Cell, Record, doc_markers};
 

@@ -2,7 +2,6 @@
 
 mod bounds;
 mod measure;
-mod run;
 mod show;
 
 use super::{Report, unreal};
@@ -10,12 +9,11 @@ use crate::Failure;
 use crate::cli::{CompareArgs, Format, Method, Scalar, ScalarChoice};
 use crate::input::builtin;
 use crate::input::scenario::Scenario;
+use crate::measure::run::{Effort, Run, SAMPLES, look_up, sample_times, step_through};
 use crate::output;
 use bounds::{Span, WORST, bound, horizon, steps_per_period};
 use measure::{Errors, Truth};
-use run::{Effort, Run, SAMPLES, look_up, sample_times, step_through};
 use std::time::Duration;
-use toytop::Micromath;
 
 /// Comparison of one motion in one scalar by one method.
 #[derive(Clone, Debug)]
@@ -148,10 +146,8 @@ fn follow(
 ) -> Result<Run, Failure> {
     let motion = &scenario.motion;
     let step = span.period / f64::from(steps_per_period(scalar));
-    match (method, scalar) {
-        (Method::Ephemeris, _) | (_, Scalar::Q31 | Scalar::Q15) => look_up(scalar, motion, times),
-        (_, Scalar::F64) => Ok(step_through::<f64>(motion, times, step)),
-        (_, Scalar::F32) => Ok(step_through::<f32>(motion, times, step)),
-        (_, Scalar::Micromath) => Ok(step_through::<Micromath>(motion, times, step)),
+    match method {
+        Method::Ephemeris => look_up(scalar, motion, times),
+        _ => step_through(scalar, motion, times, step),
     }
 }

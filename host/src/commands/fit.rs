@@ -4,12 +4,13 @@ use super::Report;
 use crate::Failure;
 use crate::cli::{FitArgs, Format};
 use crate::fit::free;
-use crate::fit::pictures;
+use crate::fit::launch::fitted;
 use crate::fit::report::FitReport;
 use crate::fit::sensors::{Body, Sensors};
 use crate::fit::table;
 use crate::input::scenario::Scenario;
 use crate::output::{self, Cell, Record, whole_file};
+use crate::pictures::fit as pictures;
 use crate::pictures::plot::Form;
 use toml::{Table, Value};
 use toytop::Top;
@@ -45,7 +46,7 @@ pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
             .with_drift(deviation)
             .map_err(|_| Failure::Input("--drift: --free must name at most one key with it".to_owned()))?;
     }
-    let fitted = fit.run(measurements.iter().copied()).map_err(refuse)?;
+    let fitted = fitted(&mut fit, &measurements).map_err(refuse)?;
     let end = measurements.last().map_or(0.0, |last| last.time);
     let report =
         FitReport { fitted: &fitted, top: &top, table, free: &arguments.free, sensors: &sensors, end };

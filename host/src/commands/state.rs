@@ -2,21 +2,19 @@
 
 use super::{Report, unreal};
 use crate::Failure;
+use crate::cli::times::{self, Instants};
 use crate::cli::{Method, SampleFormat, Scalar, StateArgs};
 use crate::full_equations::solution;
 use crate::input::scenario::Scenario;
-use crate::input::times::{self, Instants};
 use crate::motion::ephemeris::{default_or_smallest, furthest_time, smallest};
-use crate::motion::propagate::{Sample, TimedStepper, period, steps_needed, visit_times};
+use crate::motion::propagate::{Sample, period, stepped};
 use crate::motion::tip_angle::TipAngle;
-use crate::output::progress::Progress;
 use crate::samples::sheet::Sheet;
 use crate::samples::{npy, stream};
 use crate::thread_pool;
 use std::io::{self, Write};
 use toytop::exact::ClosedForm;
-use toytop::scalar::Real;
-use toytop::{Micromath, Motion, Support, Tick};
+use toytop::{Support, Tick};
 
 /// Sample at a time, by the index of the time in the request.
 type At = dyn Fn(u64) -> Sample + Sync;
@@ -52,10 +50,7 @@ fn source(arguments: &StateArgs, scenario: &Scenario, instants: Instants) -> Res
     let step = period(motion) / f64::from(arguments.steps_per_period);
     let samples = match (arguments.method, arguments.scalar) {
         (Method::Ephemeris, scalar) => return tabulated(scalar, scenario, instants),
-        (Method::Stepper, Scalar::F64) => stepped::<f64>(motion, &instants.times()?, step)?,
-        (Method::Stepper, Scalar::F32) => stepped::<f32>(motion, &instants.times()?, step)?,
-        (Method::Stepper, Scalar::Micromath) => stepped::<Micromath>(motion, &instants.times()?, step)?,
-        (Method::Stepper, Scalar::Q31 | Scalar::Q15) => return Err(no_stepper(arguments.scalar)),
+        (Method::Stepper, scalar) => stepped(scalar, motion, &instants.times()?, step)?,
         (Method::Full, Scalar::F64) => solution::samples(scenario, &instants.times()?)?,
         (Method::ClosedForm, Scalar::F64) => return closed(scenario, instants),
         (method, scalar) => {
@@ -76,12 +71,6 @@ fn scalars(method: Method) -> &'static str {
         Method::Stepper => "f64, f32 or micromath",
         Method::Full | Method::ClosedForm => "f64",
     }
-}
-
-/// Failure for a stepper in fixed point, where only the ephemeris exists.
-fn no_stepper(scalar: Scalar) -> Failure {
-    let name = scalar.name();
-    Failure::Method(format!("--method stepper: none in {name}: use --method ephemeris, which has {name}"))
 }
 
 /// Failure for times that a method cannot compute.
@@ -132,18 +121,6 @@ const MOST_PERIODS: f64 = 1e12;
 
 /// Least |αβ| at which the rounding of α and β changes the argument of αβ by less than 1e-5 rad.
 const NOISE: f64 = 1e-11;
-
-fn stepped<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sample>, Failure> {
-    let mut progress = Progress::new(steps_needed(times, step)?, "steps");
-    visit_times(
-        times,
-        || TimedStepper::<R>::new(motion, step),
-        |stepper, t| {
-            stepper.reach(t, &mut progress);
-            Ok(Sample::stepped(t, stepper.stepper()))
-        },
-    )
-}
 
 /// Writes all samples to the output.
 fn write(

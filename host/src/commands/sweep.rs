@@ -6,9 +6,10 @@ use crate::cli::{SweepArgs, SweepFiles};
 use crate::input::scenario::Template;
 use crate::output::progress::Progress;
 use crate::output::whole_file;
+use crate::pictures::heat_map::HeatMap;
 use crate::pictures::plot::Form;
 use crate::sweep::parts::{self, Found};
-use crate::sweep::{HeatMap, Launches, Motions, Part, Rows, Space};
+use crate::sweep::{Launches, Motions, Part, Rows, Space};
 use crate::thread_pool;
 use rayon::ThreadPool;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -178,7 +179,7 @@ fn append(
 ) -> Result<(Added, Part), Failure> {
     let shard = arguments.shard.0;
     let mut part = Part::open(path, rows, shard, arguments.resume)?;
-    let (len, before) = (part.len(), part.done());
+    let (len, before) = (part.total(), part.done());
     compute(rows, cores, shard, before..len, |lines, count| part.append(lines, count))?;
     Ok((Added { len, before }, part))
 }

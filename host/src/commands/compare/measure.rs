@@ -1,10 +1,10 @@
 //! Errors of a run of the core against the full solver, at the times of the run's samples.
 
-use super::run::{CoreSample, Run};
 use crate::Failure;
 use crate::full_equations::full_solver::FullState;
 use crate::full_equations::solution;
 use crate::input::scenario::Scenario;
+use crate::measure::run::{CoreSample, Run};
 use crate::motion::invariants::natural_scales;
 use toytop::{Motion, Orientation};
 

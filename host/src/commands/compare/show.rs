@@ -1,8 +1,8 @@
 //! Rows of `compare` as a table and as records.
 
 use super::bounds::{WORST, steps_per_period};
-use super::run::{Effort, SAMPLES};
 use super::{Measured, Row};
+use crate::measure::run::{Effort, SAMPLES};
 use crate::motion::Scalar;
 use crate::output::{self, Cell, Record};
 
