@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25> {
     format: 5,
-    crc32: 0x58e4be2c,
+    crc32: 0x6c16e4a4,
     clock: toytop::Clock {
         step: [[2824891389, 588342322, 56542227], [1544111065, 672778249, 51392304], [1794140112, 2227764775, 4247109518]],
         tip_scale: 0.06,
@@ -25,8 +25,8 @@ pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25>
         },
         turns: true,
     },
-    error_bound: toytop::ErrorBound { constant: 1.719456507493798e-7, per_tick: 7.621632688643008e-29 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.0001395957304160042, per_tick: 4.0985513953370475e-27 },
+    error_bound: toytop::ErrorBound { constant: 1.7194565075907138e-7, per_tick: 7.621530593043585e-29 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00013959573041759818, per_tick: 4.098483668315345e-27 },
     cells: [0, 0, 16, 16, 32, 32, 48, 48, 64, 64, 80, 80, 96, 96, 112, 112],
     segments: [
         [

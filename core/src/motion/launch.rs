@@ -218,6 +218,7 @@ impl Motion {
     ///
     /// # Errors
     /// See [`launch`](Self::launch).
+    #[inline(never)] // a launch must not remain on the stack below what follows
     pub fn launch_for<R: Scalar>(top: &Top, state: &State) -> Result<Self, ParameterError> {
         let mut launch = Launch::<R>::for_scalar(top, state);
         loop {

@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (toytop::Baked::<toytop::fixed::types::I2F30, 32> {
     format: 5,
-    crc32: 0xdb26b76c,
+    crc32: 0x94a74aed,
     clock: toytop::Clock {
         step: [[2824891389, 588342322, 56542227], [1544111065, 672778249, 51392304], [1794140112, 2227764775, 4247109518]],
         tip_scale: 0.06,
@@ -25,8 +25,8 @@ pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (
         },
         turns: true,
     },
-    error_bound: toytop::ErrorBound { constant: 1.9915088283275768e-8, per_tick: 7.620333684831894e-29 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00012066385978299374, per_tick: 4.095408959550961e-27 },
+    error_bound: toytop::ErrorBound { constant: 1.991508829296737e-8, per_tick: 7.62023181429063e-29 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00012066385978458274, per_tick: 4.095341776970168e-27 },
     cells: [2, 2, 66, 66, 130, 130, 194, 194, 258, 258, 322, 322, 386, 386, 450, 450],
     segments: [
         [
