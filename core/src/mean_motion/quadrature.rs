@@ -351,7 +351,7 @@ mod tests {
     #[test]
     fn numbers_of_64_bits_have_their_error() {
         let mut worst = 0.0_f64;
-        for k in 1..100 {
+        for k in 1..if cfg!(miri) { 3 } else { 100 } {
             let fraction = |step: f64| (step * f64::from(k)).fract();
             let top = Top::sliding(&TopParameters {
                 transverse_inertia: 3.0e-5,
@@ -378,7 +378,7 @@ mod tests {
                 worst = worst.max(Float::abs(error.to_f64()));
             }
         }
-        assert!(worst > Extended64::OPERATION_ERROR, "{worst:e}");
+        assert!(worst > Extended64::OPERATION_ERROR || cfg!(miri), "{worst:e}");
     }
 
     #[test]
