@@ -176,6 +176,7 @@ impl Motion {
     }
 
     /// Law of the nutation, computed in a number type.
+    #[inline(never)] // set-up needs it in several places
     pub(crate) fn law<N: RateNumber>(&self) -> Law<N> {
         let e = self.e.map(N::from);
         if self.top.is_torque_free() {

@@ -97,6 +97,7 @@ impl ErrorBound {
 
 /// Errors of the phases per tick of a length, in turns: those of the rates, and `increment_errors`, by which the
 /// increments differ from the rates.
+#[inline(never)] // one copy for all scalars
 pub(crate) fn phase_errors(rates: &MeanRates, length: f64, increment_errors: [f64; 3]) -> [f64; 3] {
     let mut errors = increment_errors;
     for (error, of_rate) in errors.iter_mut().zip(rates.errors) {

@@ -19,6 +19,9 @@ pub(crate) struct Position {
     pub(crate) squares: [f32; 2],
 }
 
+/// Derivatives of the phases at the position reached, for an expansion whose unit of x is this time.
+pub(crate) type SlopesAt = fn(&HalfPeriod, Extended) -> Slopes;
+
 /// Steps through the half period, with the expansion around the last position.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct HalfPeriod {
@@ -30,8 +33,8 @@ pub(crate) struct HalfPeriod {
     is_periodic: bool,
     /// Constant rates of θ_A and θ_B besides ψ_A' and ψ_B', rad per unit time.
     theta_offset: [Extended; 2],
-    /// [`HalfPeriod::slopes`] in the numbers of the scalar. Behind a pointer, so that the rest is compiled once for all scalars.
-    rates: fn(&Self, Extended) -> Slopes,
+    /// [`HalfPeriod::slopes`] in the numbers of the mean rates. Behind a pointer, so that the rest is compiled once for all scalars.
+    rates: SlopesAt,
     /// Magnitude below which a term of the series is negligible.
     least: f64,
     /// Expansion around the border or the centre of a span.
@@ -74,10 +77,10 @@ impl HalfPeriod {
     };
 
     /// Begins at u = e₁.
-    pub(crate) fn begin<R: Scalar>(&mut self, motion: &Motion, rates: &MeanRates, least: f64) {
-        self.rates = Self::slopes::<R::Rates>;
-        let law = motion.law::<R::Rates>();
-        (self.law, self.rounded_law) = (law.map(Into::into), law.cast());
+    pub(crate) fn begin(&mut self, motion: &Motion, rates: &MeanRates, least: f64, slopes: SlopesAt) {
+        self.rates = slopes;
+        let law = motion.law();
+        (self.law, self.rounded_law) = (law, law.cast());
         self.length = rates.half_period.to_f64();
         (self.is_periodic, self.theta_offset, self.least) = (rates.is_periodic, rates.theta_offset, least);
         self.fastest = larger_or_nan(self.speed(0.0, 1.0), self.speed(1.0, 0.0));
@@ -132,7 +135,7 @@ impl HalfPeriod {
     /// Derivatives of the phases, in the numbers of the mean rates: a slow phase may turn by thousands of radians and hardly differ
     /// from its mean.
     #[inline(never)]
-    fn slopes<N: RateNumber>(&self, unit: Extended) -> Slopes {
+    pub(crate) fn slopes<N: RateNumber>(&self, unit: Extended) -> Slopes {
         let sine_cosine = self.current.point.sine_cosine();
         let (sine, cosine) = sine_cosine;
         let rates = self.law.map(N::from).rates(N::from_f64(sine), N::from_f64(cosine));

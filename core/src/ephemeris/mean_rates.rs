@@ -4,7 +4,7 @@ use crate::constants::Conditioning;
 use crate::law::{Law, gudermannian};
 use crate::mean_motion::MeanMotion;
 use crate::motion::Motion;
-use crate::scalar::{Extended, Float, RateNumber, Ring, Scalar};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Rates of the nutation phase and of the mean slow phases, with the values needed to step through the half period.
 #[derive(Clone, Copy, Debug)]
@@ -43,15 +43,15 @@ impl MeanRates {
         rounding: 0.0,
     };
 
-    /// Mean rates of a motion; an aperiodic one is followed until 1 - u is below the square of the scalar's rounding.
+    /// Mean rates of a motion; an aperiodic one is followed until 1 - u is below `rounding`².
     #[inline(never)]
-    pub(crate) fn of<R: Scalar>(motion: &Motion) -> Self {
+    pub(crate) fn of(motion: &Motion, rounding: f64) -> Self {
         if motion.is_steady() {
-            return Self::steady(motion, R::ROUNDING);
+            return Self::steady(motion, rounding);
         }
         match motion.mean_motion() {
-            Some(mean) => Self::periodic(motion, mean, R::ROUNDING),
-            None => Self::rising::<R::Rates>(motion, R::ROUNDING),
+            Some(mean) => Self::periodic(motion, mean, rounding),
+            None => Self::rising(motion, rounding),
         }
     }
 
@@ -99,15 +99,15 @@ impl MeanRates {
     }
 
     /// Mean rates of an aperiodic motion: the slow phases have the rates that they tend to at the vertical.
-    fn rising<N: RateNumber>(motion: &Motion, rounding: f64) -> Self {
-        let law = motion.law::<N>();
+    fn rising(motion: &Motion, rounding: f64) -> Self {
+        let law = motion.law::<Extended>();
         // cos χ = sech v ≈ 2 e^{-v}
         let half_period = Extended::from(rise_time(&law.cast(), last_v(rounding), 256));
-        let at_the_top: Extended = law.aperiodic_rates(N::ONE, N::ZERO).alpha.into();
+        let at_the_top = law.aperiodic_rates(Extended::ONE, Extended::ZERO).alpha;
         let half_tau = motion.half_tau();
         let frequency = Extended::ONE / half_period.doubled();
         let Conditioning { relative, turning } = *motion.conditioning();
-        let relative = OPERATIONS * N::OPERATION_ERROR + STORED + relative;
+        let relative = OPERATIONS * Extended::ROUNDING + STORED + relative;
         let slow = Float::abs(at_the_top.to_f64()) + Float::abs(half_tau.to_f64());
         let error = Extended::from(slow * relative + turning).in_turns().to_f64();
         Self {

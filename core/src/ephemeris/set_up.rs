@@ -7,6 +7,7 @@ use crate::ephemeris::clock::Clock;
 use crate::ephemeris::economise::Polynomial;
 use crate::ephemeris::error_bound::{ErrorBound, phase_errors};
 use crate::ephemeris::evaluation::EphemerisScalar;
+use crate::ephemeris::half_period::HalfPeriod;
 use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::rate_error::{MotionRates, rate_error};
@@ -134,7 +135,7 @@ impl SetUp {
             Stage::Rates => {
                 let infinite = ErrorBound::INFINITE;
                 (ephemeris.error_bound, ephemeris.rate_error_bound) = (infinite, infinite);
-                self.rates = MeanRates::of::<R>(&self.motion);
+                self.rates = MeanRates::of(&self.motion, R::ROUNDING);
                 if self.motion.is_steady() {
                     self.tabulated = constant(&self.motion, &mut store(ephemeris));
                     self.stage = Stage::Clock;
@@ -144,7 +145,8 @@ impl SetUp {
             }
             Stage::Begin => {
                 let requirements = self.requirements(ephemeris);
-                self.tabulation.begin::<R>(&self.motion, &self.rates, fine(&requirements));
+                let slopes = HalfPeriod::slopes::<R::Rates>;
+                self.tabulation.begin(&self.motion, &self.rates, fine(&requirements), slopes);
                 self.stage = Stage::Estimate;
             }
             Stage::Estimate => return self.estimate(self.requirements(ephemeris)),
@@ -186,6 +188,7 @@ impl SetUp {
     }
 
     /// Estimates the segments that the table needs, and chooses the attempt that may fit, or none.
+    #[inline(never)] // one copy for all scalars, and so are the next
     fn estimate(&mut self, requirements: Requirements) -> Poll<Result<(), TableTooSmall>> {
         let fits = |estimate: &SegmentEstimate| estimate.least_segments(0) <= requirements.most;
         let [coarse, fine] = [requirements, fine(&requirements)];
@@ -206,6 +209,7 @@ impl SetUp {
     }
 
     /// Begins the second attempt after the first, if it may fit.
+    #[inline(never)]
     fn attempt_again(&mut self, requirements: Requirements) -> Poll<Result<(), TableTooSmall>> {
         let [of_coarse, _] = self.estimation.estimates();
         if self.stage != Stage::Fine || !self.tabulation.may_fit_with_larger_error(of_coarse) {
@@ -232,20 +236,28 @@ impl SetUp {
 
     #[inline(never)]
     fn state_bounds<R: EphemerisScalar>(&self, ephemeris: &mut EphemerisView<R>) {
-        let Self { motion, tick, rates, tabulated, .. } = self;
+        let Self { tick, rates, tabulated, .. } = self;
         let per_tick = phase_errors(rates, tick.length().to_f64(), ephemeris.clock.increment_errors());
         let error_bound = ErrorBound::of::<R>(rates, tabulated, per_tick);
         let [_, mean, axial] = ephemeris.clock.rates.map(Float::to_f64);
-        let of_motion = MotionRates {
-            half_periods: ephemeris.half_periods_per_time(),
+        let of_motion = self.motion_rates(ephemeris.half_periods_per_time(), [mean, axial]);
+        ephemeris.rate_error_bound = rate_error::<R>(error_bound.constant, per_tick, &of_motion, tabulated);
+        ephemeris.error_bound = error_bound;
+    }
+}
+
+impl SetUp {
+    #[inline(never)]
+    fn motion_rates(&self, half_periods: f64, [mean, axial]: [f64; 2]) -> MotionRates {
+        let Self { motion, .. } = self;
+        MotionRates {
+            half_periods,
             mean,
             axial,
             rotor: Float::abs(motion.top().rotor_momentum()) / motion.top().transverse_inertia(),
             transverse: motion.greatest_transverse_rate(),
             sine: motion.branch_points().greatest_sine(),
-        };
-        ephemeris.rate_error_bound = rate_error::<R>(error_bound.constant, per_tick, &of_motion, tabulated);
-        ephemeris.error_bound = error_bound;
+        }
     }
 }
 
@@ -300,10 +312,10 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         if motion.is_steady() {
             return Some(1);
         }
-        let rates = MeanRates::of::<R>(motion);
+        let rates = MeanRates::of(motion, R::ROUNDING);
         let requirements = Requirements::new(R::TERMS, truncation, Cell::MOST_SEGMENTS);
         let mut tabulation = Tabulation::EMPTY;
-        tabulation.begin::<R>(motion, &rates, requirements);
+        tabulation.begin(motion, &rates, requirements, HalfPeriod::slopes::<R::Rates>);
         loop {
             match tabulation.advance(motion, &mut |_, _, parts| put::<R>(&mut [], 0, 0, parts)) {
                 Ok(None) => {}

@@ -18,7 +18,7 @@ mod cells;
 use crate::cayley_klein::Brackets;
 use crate::ephemeris::cell::CELLS;
 use crate::ephemeris::economise::{Polynomial, omitted_terms};
-use crate::ephemeris::half_period::{HalfPeriod, Position};
+use crate::ephemeris::half_period::{HalfPeriod, Position, SlopesAt};
 use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::seek::StartSearch;
@@ -30,7 +30,7 @@ use crate::ephemeris::tabulated::{Requirements, Tabulated};
 use crate::law::series::{TERMS, larger_or_nan};
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Ring, Scalar};
+use crate::scalar::{Extended, Ring};
 
 /// Receiver of polynomials: see [`Tabulation::advance`]. A reference, so that set-up is compiled once for all scalars.
 pub(crate) type Store<'a> = dyn FnMut(usize, usize, Polynomial<'_>) -> [f32; 2] + 'a;
@@ -138,17 +138,18 @@ impl Tabulation {
         parts: [PartOfSpan::NONE; 2],
     };
 
-    /// Begins the tabulation of a motion that is not steady, for a scalar.
+    /// Begins the tabulation of a motion that is not steady. The slopes are [`HalfPeriod::slopes`] in the numbers of the scalar.
     #[inline(never)]
-    pub(crate) fn begin<R: Scalar>(
+    pub(crate) fn begin(
         &mut self,
         motion: &Motion,
         rates: &MeanRates,
         requirements: Requirements,
+        slopes: SlopesAt,
     ) {
         let error = if requirements.allowed < rates.rounding { requirements.allowed } else { rates.rounding };
         let least = error / (16 * requirements.most.min(16 * CELLS)) as f64;
-        self.path.begin::<R>(motion, rates, least);
+        self.path.begin(motion, rates, least, slopes);
         let Brackets { alpha, beta } = motion.brackets::<f64>();
         self.exponentials = [alpha.exponentials(), beta.exponentials()];
         self.seek = StartSearch::new(motion, self.path.law(), rates);
