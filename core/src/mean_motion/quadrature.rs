@@ -4,10 +4,16 @@
 //! is known beforehand. sn and cn come from the descending Landen transformation, with the *complementary* parameter m₁ as an
 //! argument. At its lower end the nodes are equidistant angles, so no inverse function and no transcendental function is needed.
 
+mod division;
+
+mod sums;
+
 use crate::elliptic::jacobi::LandenSteps;
 use crate::law::Law;
 use crate::law::elliptic::EllipticLaw;
-use crate::scalar::{Extended, Float, RateNumber, Ring};
+use crate::scalar::{Extended, RateNumber, Ring};
+use division::{MOST_NODES, division, part_of_right_angle, sum_of_angles};
+use sums::Sums;
 
 /// Integrals over one period: T, and ψ_A(T) and ψ_B(T) in rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,8 +39,6 @@ impl Integrals {
     }
 }
 
-/// Largest number of nodes on half a period. A motion with m₁ = 1e-300 needs 2560.
-const MOST_NODES: u32 = 1 << 13;
 /// Next piece of the work.
 #[derive(Clone, Copy, Debug)]
 enum Piece {
@@ -196,34 +200,6 @@ impl<N: RateNumber> Quadrature<N> {
     }
 }
 
-/// First division of the half period, into 1, 3 or 5 parts, and the number of nodes, which is the least number of doublings, but
-/// at least two, that makes at least `nodes` of it. The estimate of the error needs two doublings.
-fn division(nodes: f64) -> (u32, u32) {
-    let doubled = |division: u32| {
-        let mut count = 4 * division;
-        while f64::from(count) < nodes && count < MOST_NODES {
-            count *= 2;
-        }
-        (division, count)
-    };
-    let fewer = |a: (u32, u32), b: (u32, u32)| if b.1 < a.1 { b } else { a };
-    fewer(fewer(doubled(1), doubled(3)), doubled(5))
-}
-
-/// Sine and cosine of a right angle divided by 1, 3 or 5.
-fn part_of_right_angle<N: Float>(division: u32) -> [N; 2] {
-    let sine = match division {
-        3 => N::ONE.halved(),
-        5 => (N::from_f64(5.0).sqrt() - N::ONE).halved().halved(),
-        _ => return [N::ONE, N::ZERO],
-    };
-    [sine, (N::ONE - sine * sine).sqrt()]
-}
-
-fn sum_of_angles<N: Ring>([sine, cosine]: [N; 2], [other_sine, other_cosine]: [N; 2]) -> [N; 2] {
-    [sine * other_cosine + cosine * other_sine, cosine * other_cosine - sine * other_sine]
-}
-
 /// Estimated error of a trapezoid sum, from the changes of the last two doublings of its nodes. Convergence is
 /// geometric. Each error is either the square of the previous one divided by a constant C, or the previous one times
 /// the square of the last ratio. C may be small and the ratio may not have settled yet, so the sum of both estimates
@@ -234,47 +210,11 @@ fn remaining_error(change: f64, before: f64) -> f64 {
     change * (3.0 * change + 30.0 * ratio * ratio)
 }
 
-/// Sums of the integrands over a set of nodes: of t, ψ_A and ψ_B, without their constant factors.
-#[derive(Clone, Copy, Debug)]
-struct Sums<N>([N; 3]);
-
-impl<N: Float> Sums<N> {
-    const ZERO: Self = Self([N::ZERO; 3]);
-
-    fn plus(&self, other: &Self) -> Self {
-        let (Self([time, alpha, beta]), Self(others)) = (*self, *other);
-        let [other_time, other_alpha, other_beta] = others;
-        Self([time + other_time, alpha + other_alpha, beta + other_beta])
-    }
-
-    fn negated(&self) -> Self {
-        Self(self.0.map(|sum| -sum))
-    }
-
-    fn halved(&self) -> Self {
-        Self(self.0.map(|sum| sum.halved()))
-    }
-
-    /// Changes relative to a total: of the time, and of the slow phases, which are compared with the sum of their totals.
-    ///
-    /// * `scales`: factors of ψ_A and of ψ_B, up to a common one
-    fn relative_to(&self, total: &Self, scales: [f64; 2]) -> [f64; 2] {
-        let [alpha_scale, beta_scale] = scales.map(Float::abs);
-        let magnitudes = |Self(sums): &Self| {
-            let [time, alpha, beta] = sums.map(|sum| Float::abs(sum.to_f64()));
-            [time, alpha * alpha_scale + beta * beta_scale]
-        };
-        let ([time_change, slow_change], [time, slow]) = (magnitudes(self), magnitudes(total));
-        [time_change / time, if slow > 0.0 { slow_change / slow } else { 0.0 }]
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::elliptic::jacobi::Landen;
     use crate::mean_motion::MeanMotion;
-    use crate::scalar::Extended64;
+    use crate::scalar::{Extended64, Float};
     use crate::{Complex, Motion, Orientation, Release, Signs, Start, State, Top, TopParameters};
 
     fn settled<N: RateNumber>(quadrature: &mut Quadrature<N>) -> Integrals {
@@ -311,22 +251,6 @@ mod tests {
         // beside the roundings of the sums
         assert!(Float::abs(error) <= first.relative_error + 1e-36, "{error:e} {:e}", first.relative_error);
         assert!(first.relative_error <= Extended::SETTLED, "{:e}", first.relative_error);
-    }
-
-    /// K'/K is 1 for m = 1/2, so that the error decreases by 2π/ln 2 bits a node; K grows with the logarithm of m₁.
-    #[test]
-    fn the_number_of_nodes_is_known_beforehand() {
-        let nodes = |m1: f64| {
-            let m1 = Extended::from(m1);
-            let bits = Landen::of(Extended::ONE - m1, m1).bits_per_node();
-            (bits, division(Extended::QUADRATURE_BITS / bits).1)
-        };
-        let (bits, _) = nodes(0.5);
-        assert!(
-            (bits / (2.0 * core::f64::consts::PI / core::f64::consts::LN_2) - 1.0).abs() < 0.02,
-            "{bits}"
-        );
-        assert_eq!([0.5, 1e-15, 1e-300].map(|m1| nodes(m1).1), [12, 160, 2560]);
     }
 
     /// A branch point e₄ close to e₂, with e₃ far away: as many nodes as K'/K of these points tells.
