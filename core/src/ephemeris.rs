@@ -13,6 +13,8 @@ mod tick;
 
 mod mean_rates;
 
+mod polynomial;
+
 mod economise;
 
 mod seek;

@@ -1,12 +1,9 @@
 //! Reduction of a polynomial's degree (economisation): multiples of Chebyshev polynomials are subtracted, the highest
 //! degree first.
 
+use crate::ephemeris::polynomial::Polynomial;
 use crate::law::series::{Split, TERMS, scaled_product};
 use crate::scalar::Float;
-
-/// Coefficients of α or of β as a polynomial in x ∈ [-1, 1] on one segment, lowest power first, in units of 2^-62:
-/// real and imaginary parts.
-pub(crate) type Polynomial<'a> = [&'a mut [i64; TERMS]; 2];
 
 /// Number of coefficients of a Chebyshev polynomial of degree 15 that are not 0.
 const HALF: usize = TERMS / 2;
@@ -38,27 +35,31 @@ static CHEBYSHEV: [[Split; HALF]; TERMS] = {
 /// Fraction bits of [`CHEBYSHEV`].
 const SCALE: u32 = 54;
 
-/// Reduces both parts to `terms` coefficients by subtracting multiples of Chebyshev polynomials. Returns upper
-/// bounds on the changes of |α|, or |β|, and of its derivative on [-1, 1]: the change of each part is at most the sum of
-/// the multiples, and that of its derivative the sum of their products with the degree squared. They are in units of 2^-62.
-pub(crate) fn economise(parts: Polynomial<'_>, terms: usize) -> [f32; 2] {
-    let [re, im] = parts.map(|part| {
+/// Reduces a polynomial to `terms` coefficients, at least one, by subtracting multiples of Chebyshev polynomials. Returns upper bounds on
+/// the changes of |α|, or |β|, and of its derivative on [-1, 1]: the change of each part is at most the sum of the multiples, and that of
+/// its derivative the sum of their products with the degree squared. They are in units of 2^-62.
+pub(crate) fn economise(polynomial: &mut Polynomial, terms: usize) -> [f32; 2] {
+    let degrees = terms.max(1)..polynomial.terms;
+    polynomial.terms = polynomial.terms.min(terms);
+    let [re, im] = polynomial.parts.each_mut().map(|part| {
         let (mut dropped, mut dropped_slopes) = (0, 0);
-        for (degree, polynomial) in CHEBYSHEV.iter().enumerate().skip(terms.max(1)).rev() {
-            let leading = part.get(degree).copied().unwrap_or(0);
-            if leading == 0 {
+        for (degree, chebyshev) in CHEBYSHEV.iter().enumerate().take(degrees.end).skip(degrees.start).rev() {
+            let Some((leading, lower)) = part.get_mut(..=degree).and_then(|part| part.split_last_mut())
+            else {
                 continue;
-            }
-            let leading_parts = Split::of(leading);
-            for (j, coefficient) in polynomial.iter().enumerate().take(degree / 2 + 1) {
-                if let Some(entry) = part.get_mut(degree - 2 * j) {
-                    *entry -= scaled_product::<SCALE>(leading_parts, *coefficient);
-                }
+            };
+            let (size, parts) = (leading.abs(), Split::of(*leading));
+            *leading = 0;
+            // from x^{n-2} on
+            for (entry, coefficient) in
+                lower.iter_mut().rev().skip(1).step_by(2).zip(chebyshev.iter().skip(1))
+            {
+                *entry -= scaled_product::<SCALE>(parts, *coefficient);
             }
             // rounded up
             let squared = (degree * degree) as i64;
-            dropped += (leading.abs() >> (degree - 1)) + 1;
-            dropped_slopes += (leading.abs().saturating_mul(squared) >> (degree - 1)) + 1;
+            dropped += (size >> (degree - 1)) + 1;
+            dropped_slopes += (size.saturating_mul(squared) >> (degree - 1)) + 1;
         }
         [dropped, dropped_slopes].map(|sum| sum as f32)
     });
@@ -95,10 +96,10 @@ mod tests {
             .enumerate()
             .for_each(|(k, c)| *c = (0.2 * 0.3_f64.powi(k as i32) * (1.0 + (k as f64).sin()) / UNIT) as i64);
         for terms in 1..TERMS {
-            let (mut short, mut nothing) = (exact, [0; TERMS]);
-            let [bound, slope_bound] =
-                economise([&mut short, &mut nothing], terms).map(|bound| UNIT * f64::from(bound));
-            assert_eq!(nothing, [0; TERMS]);
+            let mut polynomial = Polynomial::of([exact, [0; TERMS]]);
+            let [bound, slope_bound] = economise(&mut polynomial, terms).map(|bound| UNIT * f64::from(bound));
+            let [short, nothing] = polynomial.parts;
+            assert_eq!((nothing, polynomial.terms), ([0; TERMS], terms));
             assert!(short[terms..].iter().all(|c| *c == 0));
             let number = |c: &i64| *c as f64 * UNIT;
             let value = |p: &[i64; TERMS], x: f64| p.iter().rev().fold(0.0, |sum, c| sum * x + number(c));

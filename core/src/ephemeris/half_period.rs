@@ -37,6 +37,8 @@ pub(crate) struct HalfPeriod {
     rates: SlopesAt,
     /// Magnitude below which a term of the series is negligible.
     least: f64,
+    /// This magnitude in the units of the series of α and β.
+    least_units: i64,
     /// Expansion around the border or the centre of a span.
     expansion: Expansion,
     /// Rates at the point of the expansion.
@@ -65,6 +67,7 @@ impl HalfPeriod {
         theta_offset: [Extended::ZERO; 2],
         rates: |_, _| Slopes::ZERO,
         least: 0.0,
+        least_units: 0,
         expansion: Expansion::EMPTY,
         slopes: Slopes::ZERO,
         unit: 0.0,
@@ -82,7 +85,8 @@ impl HalfPeriod {
         let law = motion.law();
         (self.law, self.rounded_law) = (law, law.cast());
         self.length = rates.half_period.to_f64();
-        (self.is_periodic, self.theta_offset, self.least) = (rates.is_periodic, rates.theta_offset, least);
+        (self.is_periodic, self.theta_offset) = (rates.is_periodic, rates.theta_offset);
+        (self.least, self.least_units) = (least, (least / UNIT) as i64);
         self.fastest = larger_or_nan(self.speed(0.0, 1.0), self.speed(1.0, 0.0));
     }
 
@@ -101,7 +105,7 @@ impl HalfPeriod {
 
     /// Magnitude below which a term of the series of α or β is negligible, in their units.
     pub(crate) fn least(&self) -> i64 {
-        (self.least / UNIT) as i64
+        self.least_units
     }
 
     /// Unit of x in the expansion, in units of half a period.

@@ -1,6 +1,7 @@
 //! Errors of one segment, from its two polynomials.
 
-use crate::ephemeris::economise::{Polynomial, economise};
+use crate::ephemeris::economise::economise;
+use crate::ephemeris::polynomial::Polynomial;
 use crate::ephemeris::speeds::{SegmentSpeeds, greatest_slopes};
 use crate::law::series::{UNIT, larger_or_nan};
 use crate::scalar::Float;
@@ -21,21 +22,21 @@ impl SegmentErrors {
     /// Errors before the first polynomial.
     pub(crate) const NONE: Self = Self { squares: 0.0, stored: 0.0, slopes: [0.0; 3] };
 
-    /// Reduces the series of α or of β to a polynomial of `terms` coefficients, passes it to `store`, and includes its errors:
+    /// Reduces a polynomial to `terms` coefficients, passes it to `store`, and includes its errors:
     /// those of the reduction, those that `store` returns, of the value and of the derivative, and those of the series itself,
     /// `beyond`.
     pub(crate) fn shorten(
         &mut self,
-        [re, im]: Polynomial<'_>,
+        polynomial: &mut Polynomial,
         [beyond, slope_beyond]: [f32; 2],
         terms: usize,
-        store: impl FnOnce(Polynomial<'_>) -> [f32; 2],
+        store: impl FnOnce(&Polynomial) -> [f32; 2],
     ) {
-        let [dropped, dropped_slope] = economise([&mut *re, &mut *im], terms);
+        let [dropped, dropped_slope] = economise(polynomial, terms);
         let dropped = dropped + beyond;
         let [[re_slope, re_curvature], [im_slope, im_curvature]] =
-            [&*re, &*im].map(|part| greatest_slopes(part, terms));
-        let [stored, rounded_slope] = store([re, im]);
+            polynomial.parts.each_ref().map(|part| greatest_slopes(part, terms));
+        let [stored, rounded_slope] = store(polynomial);
         let slope_error = dropped_slope + slope_beyond + rounded_slope;
         self.squares += dropped * dropped;
         self.stored = larger_or_nan(self.stored, stored);

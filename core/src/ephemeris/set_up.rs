@@ -4,12 +4,12 @@ use core::task::Poll;
 
 use crate::ephemeris::cell::Cell;
 use crate::ephemeris::clock::Clock;
-use crate::ephemeris::economise::Polynomial;
 use crate::ephemeris::error_bound::{ErrorBound, phase_errors};
 use crate::ephemeris::evaluation::EphemerisScalar;
 use crate::ephemeris::half_period::HalfPeriod;
 use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::mean_rates::MeanRates;
+use crate::ephemeris::polynomial::Polynomial;
 use crate::ephemeris::rate_error::{MotionRates, rate_error};
 use crate::ephemeris::segment_estimate::{Estimation, SegmentEstimate};
 use crate::ephemeris::steady::constant;
@@ -264,7 +264,7 @@ impl SetUp {
 /// Receiver of the polynomials of an ephemeris.
 fn store<R: EphemerisScalar>(
     ephemeris: &mut EphemerisView<R>,
-) -> impl FnMut(usize, usize, Polynomial<'_>) -> [f32; 2] {
+) -> impl FnMut(usize, usize, &Polynomial) -> [f32; 2] {
     |segment, which, parts| put::<R>(&mut ephemeris.segments, segment, which, parts)
 }
 

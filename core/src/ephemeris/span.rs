@@ -4,7 +4,8 @@
 //! contain several segments. Their series follow from that of the span without another expansion.
 
 use crate::ephemeris::cell::{Cell, PAIR_BITS};
-use crate::law::series::{TERMS, over_power};
+use crate::ephemeris::polynomial::Polynomial;
+use crate::law::series::TERMS;
 use crate::phase::Phase;
 
 /// One of the 2^depth parts of equal length into which half a period is divided.
@@ -82,134 +83,46 @@ impl Span {
     }
 }
 
-/// Series of α or of β on a part of a span, its real and its imaginary part. It is kept for the two segments of the part, because
-/// restricting series takes a fifth of the set-up of a table with many segments.
+/// Series on a part of a span. It is kept for the two segments of the part, because restricting series takes a fifth of the set-up of a
+/// table with many segments.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PartOfSpan {
     /// Number of the part, and base-2 logarithm of the number of parts; `None` where no series is kept.
     part: Option<[usize; 2]>,
-    series: [[i64; TERMS]; 2],
-    /// Sum of the magnitudes of the terms removed.
-    removed: i64,
+    series: Polynomial,
 }
 
 impl PartOfSpan {
     /// No series.
-    pub(crate) const NONE: Self = Self { part: None, series: [[0; TERMS]; 2], removed: 0 };
+    pub(crate) const NONE: Self = Self { part: None, series: Polynomial::of([[0; TERMS]; 2]) };
 
-    /// Replaces `series` by those on one of 2^halvings parts of the span, from those on the span. The result is the sum of the
-    /// magnitudes of the terms removed: see [`restrict`].
+    /// Replaces `polynomial` by the series on one of 2^halvings parts of the span, from that on the span. Last terms of at most `least` are removed.
     pub(crate) fn restrict(
         &mut self,
         span: &[[i64; TERMS]; 2],
         [part, halvings]: [usize; 2],
         least: i64,
-        series: &mut [[i64; TERMS]; 2],
-    ) -> i64 {
-        let restricted = |series: &mut [[i64; TERMS]; 2], part: usize, halvings: usize| {
-            series.iter_mut().map(|own| restrict(own, part, halvings, least)).sum::<i64>()
-        };
+        polynomial: &mut Polynomial,
+    ) {
         // the part that contains this one and its neighbour
-        let (both, fewer) = (part / 2, halvings.saturating_sub(1));
-        if fewer == 0 {
-            *series = *span;
-            return restricted(series, part, halvings);
-        }
-        if self.part != Some([both, fewer]) {
-            self.series = *span;
-            self.removed = restricted(&mut self.series, both, fewer);
-            self.part = Some([both, fewer]);
-        }
-        *series = self.series;
-        self.removed + restricted(series, part, 1)
-    }
-}
-
-/// Replaces a series on [-1, 1] by that on one of 2^halvings equal parts of the interval, whose own coordinate is in [-1, 1].
-/// The lowest bits of `part` are its number. Last terms of at most `least` are removed; the result is the sum of their
-/// magnitudes. Rounding error: about one unit of the coefficients for each halving.
-#[inline(never)] // a call: it is made for each part of α and of β
-pub(crate) fn restrict(series: &mut [i64; TERMS], part: usize, halvings: usize, least: i64) -> i64 {
-    let mut removed = 0;
-    let mut terms = TERMS;
-    for halving in (0..halvings).rev() {
-        let lower = part >> halving & 1 == 0;
-        if lower {
-            mirror(series);
-        }
-        while let Some(last) = terms.checked_sub(1).and_then(|last| series.get_mut(last)) {
-            if last.abs() > least {
-                break;
+        let both = halvings.checked_sub(1).map(|fewer| [part / 2, fewer]);
+        if self.part.is_none() || self.part != both {
+            (self.series.parts, self.series.terms, self.series.removed) = (*span, TERMS, 0);
+            self.part = both;
+            for halving in (1..halvings).rev() {
+                self.series.halve(part >> halving & 1 == 0, least);
             }
-            removed += last.abs();
-            (*last, terms) = (0, terms - 1);
         }
-        halve(series.get_mut(..terms).unwrap_or_default());
-        if lower {
-            mirror(series);
+        *polynomial = self.series;
+        if halvings > 0 {
+            polynomial.halve(part & 1 == 0, least);
         }
     }
-    removed
-}
-
-/// Replaces a series in x by that in x', where x = (x' + 1)/2.
-fn halve(coefficients: &mut [i64]) {
-    // in x - 1/2: one coefficient after the other is complete
-    for first in 0..coefficients.len() {
-        let rest = coefficients.get_mut(first..).unwrap_or_default();
-        rest.iter_mut().rev().fold(0_i64, |above, c| {
-            *c += (above + 1) >> 1;
-            *c
-        });
-    }
-    for (c, power) in coefficients.iter_mut().zip(0..).skip(1) {
-        let twice = if power == 1 { *c } else { over_power(*c, power - 1) };
-        *c = (twice + 1) >> 1;
-    }
-}
-
-/// Replaces a series by that of -x.
-fn mirror(coefficients: &mut [i64; TERMS]) {
-    coefficients.iter_mut().skip(1).step_by(2).for_each(|c| *c = -*c);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::law::series::UNIT;
-
-    /// The series of every part has the values of the whole, also where it fills the range of the integers.
-    #[test]
-    fn a_part_has_the_values_of_the_whole() {
-        for (ratio, sense) in [(0.3_f64, 1.0), (0.24, -1.0), (0.05, 1.0)] {
-            let mut whole = [0; TERMS];
-            for (power, c) in whole.iter_mut().enumerate() {
-                let sign = if power % 2 == 1 { sense } else { 1.0 };
-                *c = (sign * (1.0 - ratio) * ratio.powi(power as i32) / UNIT) as i64;
-            }
-            let value = |series: &[i64; TERMS], x: f64| {
-                UNIT * series.iter().rev().fold(0.0, |sum, c| sum * x + *c as f64)
-            };
-            for halvings in 0..5 {
-                let parts = 1 << halvings;
-                for part in 0..parts {
-                    let mut own = whole;
-                    assert_eq!(restrict(&mut own, part, halvings, 0), 0);
-                    for x in [-1.0, -0.3, 0.0, 0.7, 1.0] {
-                        let place = (x + (2 * part + 1) as f64) / parts as f64 - 1.0;
-                        let error = value(&own, x) - value(&whole, place);
-                        assert!(error.abs() < 4e-16, "{ratio} {part}/{parts} {x}: {error:e}");
-                    }
-                    // the last bits, which f64 does not show
-                    let centre = whole.iter().rev().fold(0_i128, |sum, c| {
-                        sum * (2 * part as i128 + 1 - parts as i128) / parts as i128 + i128::from(*c)
-                    });
-                    let error = i128::from(own[0]) - centre;
-                    assert!(error.abs() <= 3 * halvings as i128 + 3, "{part}/{parts}: {error}");
-                }
-            }
-        }
-    }
 
     #[test]
     fn spans_divide_the_half_period() {

@@ -2,7 +2,7 @@
 
 use crate::ephemeris::EphemerisScalar;
 use crate::ephemeris::cell::{CELLS, Cell, PAIR_BITS};
-use crate::ephemeris::economise::Polynomial;
+use crate::ephemeris::polynomial::Polynomial;
 use crate::scalar::Float;
 use core::fmt;
 
@@ -55,19 +55,22 @@ pub(crate) fn put<R: EphemerisScalar>(
     segments: &mut [R::Segment],
     segment: usize,
     which: usize,
-    parts: Polynomial<'_>,
+    polynomial: &Polynomial,
 ) -> [f32; 2] {
     let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
     let (mut largest, mut slope_squares) = (0.0, 0.0);
-    for (column, part) in (2 * which..).zip(parts) {
+    for (column, part) in (2 * which..).zip(&polynomial.parts) {
         let part = part.get(..R::TERMS).unwrap_or(part);
-        let mut slope_error = 0_i64;
-        for (power, (four, &value)) in place.iter_mut().zip(part).enumerate() {
+        // the sum over all powers of the power times the error: each power adds the errors from it on
+        let (mut errors, mut slope_error) = (0_i64, 0_i64);
+        for (power, (four, &value)) in place.iter_mut().zip(part).enumerate().rev() {
             if let Some(held) = four.get_mut(column) {
                 let (coefficient, error) = R::coefficient(value, power);
                 *held = coefficient;
-                slope_error =
-                    slope_error.saturating_add((power as i64).saturating_mul(error.saturating_abs()));
+                if power > 0 {
+                    errors = errors.saturating_add(error.saturating_abs());
+                    slope_error = slope_error.saturating_add(errors);
+                }
             }
         }
         let error = R::coefficient_error(part);

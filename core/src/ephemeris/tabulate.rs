@@ -17,10 +17,11 @@ mod cells;
 
 use crate::cayley_klein::Brackets;
 use crate::ephemeris::cell::CELLS;
-use crate::ephemeris::economise::{Polynomial, omitted_terms};
+use crate::ephemeris::economise::omitted_terms;
 use crate::ephemeris::half_period::{HalfPeriod, Position, SlopesAt};
 use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::mean_rates::MeanRates;
+use crate::ephemeris::polynomial::Polynomial;
 use crate::ephemeris::seek::StartSearch;
 use crate::ephemeris::segment_errors::SegmentErrors;
 use crate::ephemeris::segment_estimate::{Estimation, SegmentEstimate};
@@ -33,7 +34,7 @@ use crate::phase::Phase;
 use crate::scalar::{Extended, Ring};
 
 /// Receiver of polynomials: see [`Tabulation::advance`]. A reference, so that set-up is compiled once for all scalars.
-pub(crate) type Store<'a> = dyn FnMut(usize, usize, Polynomial<'_>) -> [f32; 2] + 'a;
+pub(crate) type Store<'a> = dyn FnMut(usize, usize, &Polynomial) -> [f32; 2] + 'a;
 
 /// Fraction of the allowed error that the omitted terms of a span's series may cause. It is small, because these terms are
 /// estimated.

@@ -1,8 +1,8 @@
 //! Cells of a tabulation, and the segments into which each is divided.
 
 use crate::ephemeris::cell::{Cell, cells_covered, segments_per_cell};
-use crate::ephemeris::economise::Polynomial;
 use crate::ephemeris::larger_error::LargerError;
+use crate::ephemeris::polynomial::Polynomial;
 use crate::ephemeris::segment_errors::SegmentErrors;
 use crate::ephemeris::segment_estimate::SegmentEstimate;
 use crate::ephemeris::tabulate::{Piece, Store, Tabulation};
@@ -81,17 +81,18 @@ impl Tabulation {
         let (Some(span), Some(part)) = (self.series.get(which), self.parts.get_mut(which)) else {
             return Err(());
         };
-        let mut series = [[0; TERMS]; 2];
-        let removed = part.restrict(span, [number, halvings as usize], self.path.least(), &mut series);
+        let mut polynomial = Polynomial::of([[0; TERMS]; 2]);
+        part.restrict(span, [number, halvings as usize], self.path.least(), &mut polynomial);
         if which == 0 {
             self.segment = SegmentErrors::NONE;
         }
-        let (removed, omitted) = (removed as f32, self.omitted.get(which).copied().unwrap_or_default());
+        let (removed, omitted) =
+            (polynomial.removed as f32, self.omitted.get(which).copied().unwrap_or_default());
         // the derivative by the coordinate of the segment
         let slope = TERMS as f32 * (omitted / (1_u32 << halvings) as f32 + removed);
-        let (index, [re, im]) = (self.tabulated.segments + self.place, &mut series);
-        let store = |parts: Polynomial<'_>| store(index, which, parts);
-        self.segment.shorten([re, im], [omitted + removed, slope], self.requirements.terms, store);
+        let index = self.tabulated.segments + self.place;
+        let store = |parts: &Polynomial| store(index, which, parts);
+        self.segment.shorten(&mut polynomial, [omitted + removed, slope], self.requirements.terms, store);
         if which == 0 { Ok(Piece::Polynomial(1)) } else { self.judge() }
     }
 
