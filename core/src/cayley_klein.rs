@@ -44,7 +44,8 @@ impl Brackets<f64> {
         }
     }
 
-    /// Winding numbers of both brackets of such a motion around 0 over 2π of χ: 1 or -1, or 0 where the bracket passes through 0.
+    /// Winding numbers of both brackets around 0 over 2π of χ, for a motion whose u oscillates between e₁ and e₂ or
+    /// rises from e₁ to 1: each is 1 or -1, or 0 where the bracket passes through 0.
     pub(crate) fn windings<F: Float>(e: &BranchPoints<F>, signs: Signs) -> [i32; 2] {
         let winding = |least: F, sign: Sign| if least > F::ZERO { sign.factor() } else { 0 };
         [winding(e.one_plus_e1, signs.l_plus_n), winding(e.one_minus_e2, signs.l_minus_n)]
@@ -131,8 +132,9 @@ impl<R: Real> Bracket<R> {
         Phase::from_radians(value.arg().to_f64())
     }
 
-    /// Argument of the bracket, continuous in χ, up to a constant: ±χ plus a correction within a quarter turn, which
-    /// needs no choice of branch. It is constant where the bracket passes through 0, whose modulus then has a sign.
+    /// Argument of the bracket as a continuous function of χ, up to a constant: ±χ plus a correction of at most a
+    /// quarter turn, which needs no choice of branch. Where the bracket passes through 0, the argument is constant,
+    /// because the modulus then has a sign.
     pub(crate) fn continued_argument(&self, directions: &PhaseDirections<R>, chi: Phase) -> Phase {
         let sense = self.winding();
         if sense == 0 {

@@ -45,7 +45,7 @@ pub struct BranchPoints<F = f64> {
 /// would overflow.
 pub(crate) const LARGEST_E3: f64 = 1e14;
 
-/// Allowed range in the refusal of a body that turns too fast for [`LARGEST_E3`].
+/// Allowed range in the error message for a body that turns too fast for [`LARGEST_E3`].
 pub(crate) const TOO_FAST: &str = "slow enough for e3 <= 1e14 (faster, a body feels no torque: support = \"free\", Top::free, is then exact)";
 
 impl BranchPoints {
@@ -93,7 +93,7 @@ impl BranchPoints<Extended> {
         }
     }
 
-    /// Beginning of the work of [`BranchPoints::of_point`]; [`BranchPoints::complete`] is the end.
+    /// First step of [`BranchPoints::of_point`]; [`BranchPoints::complete`] is the last.
     pub(crate) fn begin(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,
@@ -109,7 +109,7 @@ impl BranchPoints<Extended> {
     }
 }
 
-/// Roots of the cubic that are known at once, or the search of the first two.
+/// All branch points where they are known at once, otherwise the search for the first two.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Roots<F> {
     All(BranchPoints<F>),

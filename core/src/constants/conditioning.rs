@@ -10,7 +10,7 @@ use crate::top::{Quantities, Top};
 pub(crate) struct Conditioning {
     /// Relative error of the period, and of ψ_A and ψ_B over a period.
     pub(crate) relative: f64,
-    /// Error of the rates of the slow phases by the rounding of l + n, l - n and n, rad per unit time.
+    /// Error of the rates of the slow phases caused by the rounding of l + n, l - n and n, rad per unit time.
     pub(crate) turning: f64,
 }
 
@@ -20,9 +20,9 @@ const OPERATIONS: f64 = 32.0;
 impl Conditioning {
     /// Conditioning of a launch from a state with angular velocity |ω| = `speed`.
     ///
-    /// The roots e₂ and e₃ are computed from their sum and product, and so are e₁ and e₂. The terms of the sum
-    /// cancel, and a rounding of the sum moves the roots by the same amount. Relative to e₃ - e₂ and to e₄² - 1 =
-    /// A/(ps) it is the relative error of T and ψ.
+    /// The roots e₂ and e₃ are computed from their sum and product, and so are e₁ and e₂. The terms of the sum cancel,
+    /// and a rounding of the sum moves the roots by the same amount. This amount, relative to e₃ - e₂ and to e₄² - 1 =
+    /// A/(ps), is the relative error of T and ψ.
     pub(crate) fn of_state(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,
@@ -41,7 +41,7 @@ impl Conditioning {
         let [u, one_minus_u, one_plus_u, axis_energy] =
             [point.u, point.one_minus_u, point.one_plus_u, point.axis_energy].map(Float::to_f64);
         let e = e.to_f64();
-        // magnitude of the terms that n is the sum of
+        // magnitude of the terms of the sum n
         let n = Float::abs(n) + Float::abs(k);
         // magnitude of the terms in the sum of 1 - e₂ and 1 - e₃
         let upper_terms = 2.0

@@ -63,8 +63,8 @@ pub struct FirstIntegrals<F = f64> {
     pub l: F,
     /// Axial angular momentum n = ⟨m, r⟩ = C ⟨ω, r⟩ + K, kg m²/s.
     pub n: F,
-    /// Energy h = T + V, J; V = 0 where the centre of mass is at the height of the tip. T is that of the angular velocity
-    /// ω, without the energy of a rotor's motion relative to the body, which is constant.
+    /// Energy h = T + V, J; V = 0 where the centre of mass is at the height of the tip. T is the kinetic energy of the
+    /// angular velocity ω; it excludes the energy of a rotor's motion relative to the body, which is constant.
     pub h: F,
     /// Axial rate ⟨ω, r⟩ of the body, rad per unit time: (n - K)/C, and a constant of its own where C = 0.
     pub spin: F,
@@ -90,7 +90,7 @@ impl<F: Float> MovingAxis<F> {
     /// Axis and angular velocity of a state.
     pub(crate) fn of(state: &State) -> Self {
         let (phi, omega) = state.exact::<F>();
-        // Every component is quadratic in Φ and is divided by the squared norm: without a root, what is a simple
+        // Every component is quadratic in Φ and is divided by the squared norm. No square root is taken, so a simple
         // fraction remains exact.
         let norm = phi.norm_squared();
         let one_minus_u = phi.beta.norm_squared().doubled() / norm;
@@ -123,13 +123,13 @@ pub(crate) struct ReducedPoint<F> {
 }
 
 impl<F: Ring> FirstIntegrals<F> {
-    /// First integrals before they are computed.
+    /// Placeholder for first integrals that are not computed yet.
     pub(crate) const ZERO: Self =
         Self { l: F::ZERO, n: F::ZERO, h: F::ZERO, spin: F::ZERO, l_plus_n: F::ZERO, l_minus_n: F::ZERO };
 }
 
 impl<F: Ring> ReducedPoint<F> {
-    /// Point before it is computed.
+    /// Placeholder for a point that is not computed yet.
     pub(crate) const ZERO: Self =
         Self { u: F::ZERO, one_minus_u: F::ZERO, one_plus_u: F::ZERO, udot: F::ZERO, axis_energy: F::ZERO };
 
@@ -175,7 +175,8 @@ impl<F: Float> FirstIntegrals<F> {
                 a * dot(omega, [r1, r2, one_plus_u]) + beyond_sphere * one_plus_u,
             )
         } else {
-            // l ∓ n = A ⟨r × r', k⟩ ∓ K (1 ∓ u): the axial rate is no part of a rod's momentum, and may be far greater
+            // l ∓ n = A ⟨r × r', k⟩ ∓ K (1 ∓ u): the axial rate does not contribute to a rod's momentum, and may be
+            // far greater
             let [x, y, _] = r_dot;
             let about_k = a * (r1 * y - r2 * x);
             (about_k - k * one_minus_u, about_k + k * one_plus_u)

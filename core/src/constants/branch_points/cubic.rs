@@ -46,7 +46,7 @@ impl<F: Float> Cubic<F> {
     }
 }
 
-/// Search of the largest root by Newton's method from above, where it decreases monotonically.
+/// Search for the largest root by Newton's method from above, where the iterates decrease monotonically.
 ///
 /// Convergence to a double root is linear with factor 1/2, to a triple root with factor 2/3, so the starting value is
 /// chosen close to the root.
@@ -70,7 +70,7 @@ impl<F: Float> LargestRoot<F> {
         &self.cubic
     }
 
-    /// Takes some steps. Returns the root once it has converged.
+    /// Takes at most `STEPS` steps. Returns the root once it has converged.
     #[inline(never)] // the stack frames of a launch must not add up
     pub(crate) fn proceed(&mut self) -> Option<F> {
         for _ in 0..Self::STEPS {

@@ -1,4 +1,4 @@
-//! Difference of e₁ and e₂, from the cubic about a point of the motion.
+//! Difference of e₁ and e₂, from the cubic expanded about a point of the motion.
 
 use crate::constants::FirstIntegrals;
 use crate::constants::branch_points::cubic::{Cubic, LargestRoot};
@@ -8,23 +8,23 @@ use crate::error::{ParameterError, require};
 use crate::scalar::Float;
 use crate::top::{Quantities, Top};
 
-/// First two branch points, as far as the cubic about a point of the motion determines them without cancellation.
+/// First two branch points, as far as the cubic expanded about a point of the motion determines them without cancellation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LowerPair<F> {
     pub(super) kappa: F,
     /// Difference 1 - e₁.
     pub(super) x1: F,
     pub(super) e2_minus_e1: F,
-    /// Whether e₁ is closer to e₂ than e₃ is.
+    /// Whether e₂ - e₁ <= e₃ - e₂.
     pub(super) is_closer: bool,
 }
 
-/// Search of the first two branch points. The cubic has the roots y = e - u, where u belongs to the point of the motion.
+/// Search for the first two branch points. The cubic has the roots y = e - u, where u belongs to the point of the motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LowerPairSearch<F> {
     kappa: F,
     one_minus_u: F,
-    /// Search of y₃ = e₃ - u, and its result.
+    /// Search for y₃ = e₃ - u, and its result.
     search: LargestRoot<F>,
     y3: Option<F>,
 }
