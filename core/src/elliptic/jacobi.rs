@@ -85,7 +85,8 @@ impl Jacobi {
     }
 }
 
-/// Squares sn² u and cn² u, which add up to 1, and dn u, as fractions, so that no division has been made yet.
+/// Squares sn² u and cn² u, and dn u, as fractions that are not divided yet. The denominator of sn² and cn² is the sum
+/// of their numerators, because the squares add up to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct SquaresOfWhole<F> {
     /// Numerators of sn² and cn².
@@ -99,7 +100,7 @@ pub(crate) struct SquaresOfWhole<F> {
 /// Sequence of Landen transformations of one parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Landen<F> {
-    /// Transformations, that to the largest modulus first. Those that would change nothing have the modulus 0.
+    /// Transformations in order of decreasing modulus. Those that would change nothing have the modulus 0.
     steps: [LandenStep<F>; LANDEN_STEPS],
     /// Product of (1 + k)² over all steps.
     scale: F,
@@ -118,18 +119,18 @@ struct LandenStep<F> {
 /// Greatest number of Landen transformations. Each squares a small modulus: m₁ = 1/2 needs five, 1e-15 nine, 1e-300 twelve.
 const LANDEN_STEPS: usize = 12;
 
-/// Sequence of transformations that is not complete.
+/// Incomplete sequence of transformations.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LandenSteps<F> {
     landen: Landen<F>,
     complement: F,
     modulus_squared: F,
-    /// Number of transformations.
+    /// Number of transformations so far.
     next: usize,
 }
 
 impl<F: Float> LandenSteps<F> {
-    /// No transformation yet, for m and m₁ = 1 - m, each given with full relative precision.
+    /// Empty sequence for m and m₁ = 1 - m, each given with full relative precision.
     pub(crate) fn new(m: F, m1: F) -> Self {
         let none = LandenStep { modulus: F::ZERO, rest: F::ONE, scaled_modulus: F::ZERO };
         let landen = Landen { steps: [none; LANDEN_STEPS], scale: F::ONE };
@@ -183,12 +184,12 @@ impl<F: Float> Landen<F> {
         self.changing().fold(half_pi, |product, step| product * (F::ONE + step.modulus))
     }
 
-    /// Steps that change something, that to the largest modulus first.
+    /// Steps with a modulus above 0, in order of decreasing modulus.
     fn changing(&self) -> impl Iterator<Item = &LandenStep<F>> {
         self.steps.iter().take_while(|step| step.modulus > F::ZERO)
     }
 
-    /// Computes what does not depend on the angle.
+    /// Computes the factors that do not depend on the angle.
     fn complete(&mut self) {
         self.scale = F::ONE;
         for step in self.steps.iter_mut().rev().filter(|step| step.modulus > F::ZERO) {
@@ -198,8 +199,8 @@ impl<F: Float> Landen<F> {
     }
 
     /// Number of bits by which an error of the trapezoid rule for a function of period 2K that is analytic for |Im u| < K'
-    /// decreases with each node on K: -2 log₂ q for the nome q = e^{-πK'/K}. It is exact to some percent; at least 64 where
-    /// no transformation is needed.
+    /// decreases with each node on K: -2 log₂ q for the nome q = e^{-πK'/K}. It is accurate to a few percent, and at least
+    /// 64 where no transformation is needed.
     pub(crate) fn bits_per_node(&self) -> f64 {
         // the modulus after n transformations is nearly 4 q^(2^(n-1)); its exponent is its logarithm to a percent
         let last = self.changing().fold((1.0, 64.0), |(weight, _), step| {

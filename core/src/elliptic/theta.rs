@@ -38,9 +38,9 @@ impl Theta {
 
     /// Values at v, for |Im v| <= -½ ln q.
     ///
-    /// sin (2n+1)v / sin v, and the like quotients of the other functions, are polynomials in cos 2v with a
-    /// three-term recurrence. Each term is multiplied by its power of q within the recurrence, so that no
-    /// intermediate result overflows or underflows, and ϑ₁ keeps its relative precision at its zero.
+    /// sin (2n+1)v / sin v, and the corresponding quotients of the other functions, are polynomials in cos 2v with a
+    /// three-term recurrence. Each term is multiplied by its power of q within the recurrence, so that no intermediate
+    /// result overflows or underflows, and ϑ₁ keeps its relative precision at its zero.
     pub(crate) fn at(&self, v: Wide) -> Values {
         let q = self.nome;
         let square = q.squared();

@@ -42,7 +42,7 @@ pub(crate) fn ln(x: Extended) -> Extended {
     guess + (x * exp(-guess) - Extended::ONE)
 }
 
-/// (sin x, cos x) for |x| <= π/4, or (sinh x, cosh x) with the positive sign of x² in the series.
+/// (sin x, cos x) for `sign` = -1 and |x| <= π/4, or (sinh x, cosh x) for `sign` = 1, by power series.
 fn series(x: Extended, sign: f64) -> (Extended, Extended) {
     const TERMS: u32 = 15;
     let square = x.squared() * sign.into();
