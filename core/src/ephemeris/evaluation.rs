@@ -45,16 +45,16 @@ pub struct SegmentPoint {
 /// Scalar of an ephemeris: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
 ///
 /// `f64` is evaluated in floating point. `f32` and fixed point are evaluated in 32-bit integers. The error is then a
-/// quarter of that of `f32` arithmetic, and the evaluation is as fast as with a unit for `f32` and several times as
-/// fast as with emulated `f32`.
+/// quarter of that of `f32` arithmetic, and the evaluation is as fast as with a floating-point unit and several times
+/// as fast as with emulated `f32`.
 pub trait EphemerisScalar: Scalar {
-    /// Coefficient as the table holds it.
+    /// Type of a coefficient in the table.
     type Coefficient: Copy + Debug + PartialEq;
     /// Segment type: coefficients of Re α, Im α, Re β and Im β side by side, lowest power first.
     type Segment: Copy + Debug + PartialEq + AsRef<[[Self::Coefficient; 4]]> + AsMut<[[Self::Coefficient; 4]]>;
     /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small for them.
     type Wide: Real;
-    /// Type of rates as numbers of some unit: the scalar itself, or `I2F30` for fixed point.
+    /// Type of rates as multiples of a power of two: the scalar itself, or `I2F30` for fixed point.
     #[doc(hidden)]
     type Rate: Ring;
 
@@ -104,10 +104,10 @@ pub trait EphemerisScalar: Scalar {
     /// α and β at a point of a segment.
     #[doc(hidden)]
     fn alpha_beta(terms: &[[Self::Coefficient; 4]], point: SegmentPoint) -> [Complex<Self>; 2];
-    /// α and β at a point of a segment of 2^-`level` cells, the angular velocity Ω in the body frame as numbers of some
-    /// unit, and the exponent of that unit for [`EphemerisScalar::rate_in`].
+    /// α and β at a point of a segment of 2^-`level` cells, the angular velocity Ω in the body frame as multiples of a
+    /// power of two, and the exponent of that power for [`EphemerisScalar::rate_in`].
     ///
-    /// * `rates`: those of x on a segment of one cell, of A + B, and about the axis
+    /// * `rates`: rates of x on a segment of one cell, of A + B, and about the axis
     #[doc(hidden)]
     fn alpha_beta_and_rates(
         terms: &[[Self::Coefficient; 4]],
@@ -118,7 +118,7 @@ pub trait EphemerisScalar: Scalar {
     /// Value in the type of the rates.
     #[doc(hidden)]
     fn rate_number(self) -> Self::Rate;
-    /// Rate from a number of some unit.
+    /// Rate from its multiple of the power of two with this exponent.
     #[doc(hidden)]
     fn rate_in(rate: Self::Rate, exponent: i32) -> Self::Wide;
 }

@@ -2,8 +2,8 @@
 //!
 //! A coefficient of x^k is stored as c·2^(31+k): see [`super::integer`].
 
-/// Error of a polynomial from short products that set-up accepts without counting it as an error of the table, 2^-31, in units of
-/// 2^-62.
+/// Largest error of a polynomial from short products that set-up does not count as an error of the table, in units of 2^-62:
+/// 2^-31.
 const SHORT_ERROR: f32 = (1_u32 << 31) as f32;
 
 /// Least sum that could overflow, with a margin of 2^-15 plus some thousand roundings of a coefficient.
@@ -12,9 +12,10 @@ const OVERFLOW: i64 = overflow_limit(3.2e-5);
 /// Fraction bits of the values that coefficients are made from.
 pub(crate) const TABLE_BITS: u32 = 62;
 
-/// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units. It contains half a unit
-/// that compensates for the product that is rounded down and added. The constant coefficient has no such half unit:
-/// [`super::integer::alpha_beta`] can mirror a last sum that is half a unit low without a carry.
+/// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units. The coefficient includes
+/// half a unit, because the product that is added to it is rounded down. The constant coefficient has no such half
+/// unit: the last sum is then half a unit low, and [`super::integer::alpha_beta`] can negate it by a bitwise
+/// complement, without a carry.
 pub(crate) fn nearest(value: i64, power: usize) -> (i32, i64) {
     let dropped = TABLE_BITS - 31 - power as u32;
     let rounded =
@@ -52,7 +53,7 @@ fn short_product_error(polynomial: &[i64]) -> f32 {
     if error > SHORT_ERROR { error - SHORT_ERROR } else { 0.0 }
 }
 
-/// Least sum that could overflow, for a margin: 1 less the margin, in units of 2^-62.
+/// Least sum that could overflow: 1 minus `margin`, in units of 2^-62.
 pub(crate) const fn overflow_limit(margin: f64) -> i64 {
     ((1.0 - margin) * (1_i64 << TABLE_BITS) as f64) as i64
 }

@@ -6,8 +6,9 @@ use crate::scalar::{Scalar, sine_cosine_q31};
 use crate::su2::Vector;
 use fixed::types::{I2F14, I2F30};
 
-/// Relative roundings to `f32` of the constants and of the result, one each, and truncations to 2^-28 in the rotation to
-/// the fixed frame: they add up to at most 13 units, where |Ω| is at least 1/2.
+/// Upper bound on the relative rounding error of the angular velocity: one rounding to `f32` each for the constants and
+/// for the result, and truncations to 2^-28 in the rotation to the fixed frame, which add up to at most 13 units where
+/// |Ω| is at least 1/2.
 const RATE_ROUNDING: f64 = 3.7 * <f32 as Scalar>::ROUNDING;
 
 impl EphemerisScalar for I2F30 {

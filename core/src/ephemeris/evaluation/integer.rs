@@ -5,9 +5,9 @@
 //! the sum of the |c_j| for j >= k is below 2^-k for all k >= 1; if a sum is larger, set-up refuses the segment. The
 //! last sum, |α| <= 1, saturates, because a polynomial may exceed 1 by its error.
 //!
-//! The coefficients of the upper half of the powers are so small, where the error of a table is 2^-31, that 16 bits
-//! of x are enough for them, which takes less than half the time on the smallest chip. Set-up verifies this for every
-//! table.
+//! Where the error of a table is 2^-31, the coefficients of the upper half of the powers are so small that 16 bits of
+//! x are enough for their products, which take less than half the time on the smallest chip. Set-up verifies this for
+//! every table.
 
 use crate::complex::Complex;
 use crate::ephemeris::evaluation::rates::{IntegerRates, ValuesAndSlopes, rate_in};
@@ -33,20 +33,21 @@ pub(crate) const PER_SINE: f64 = 2.83;
 #[cfg(feature = "fixed")]
 pub(crate) const ERROR_Q31: f64 = ERROR + PER_SINE * 1.23 * UNIT;
 
-/// Upper bound on the rounding error of the angular velocity, without that of the coefficients, over the rate of x, with
-/// which the polynomials' derivatives are multiplied, or over the mean rate, with which αβ is: twice the sum of 5 units
-/// from the derivatives (2.5 for each of four, from halves and products), 3 from the four products of each part of N,
-/// and 12 from its products with both rates (two for each of two parts, truncated by up to 4 units).
+/// Upper bound on the rounding error of the angular velocity, without that of the coefficients, over the greater of two
+/// rates: the rate of x, which multiplies the polynomials' derivatives, and the mean rate, which multiplies αβ. It is
+/// twice the sum of 5 units from the derivatives (2.5 for each of four, from halves and products), 3 from the four
+/// products of each part of N, and 12 from its products with both rates (two for each of two parts, truncated by up to 4
+/// units).
 pub(crate) const RATE_ERROR: f64 = 40.0 * UNIT;
 
-/// Truncation of [`SegmentPoint::short_x`].
+/// Truncation error of [`SegmentPoint::short_x`], as a fraction of a cell.
 pub(crate) const PLACE_ROUNDING: f64 = 1.0 / (1_u64 << 32) as f64;
 
 /// Re α, Im α, Re β and Im β in units of 2^-30, with sines in units of 2^-31.
 ///
-/// `POLYNOMIALS_FIRST` determines the order of the same operations, not their results: whether both polynomials precede
-/// both rotations on a 32-bit chip. A Cortex-M4F takes six cycles less for this order with the sines of `f32`, and four
-/// more with those of fixed point.
+/// `POLYNOMIALS_FIRST` changes the order of the operations, not their results: if true, both polynomials precede both
+/// rotations on a 32-bit chip. A Cortex-M4F takes six cycles less for this order with the sines of `f32`, and four more
+/// with those of fixed point.
 #[inline(always)]
 pub(crate) fn alpha_beta<const POLYNOMIALS_FIRST: bool>(
     terms: &[[i32; 4]],
@@ -114,7 +115,7 @@ const FOUR_AT_A_TIME: bool = cfg!(target_pointer_width = "64");
 /// recognises a vector.)
 ///
 /// The sums for a derivative have half the scale of those for the polynomial, because they may be twice as large: at
-/// most the sum of the latter, each halved as often as products with x follow.
+/// most the sum of the latter, each halved once for every product with x that follows.
 #[inline(always)]
 fn sums_and_slopes<const N: usize, const SLOPES: bool>(
     terms: &[[i32; 4]],

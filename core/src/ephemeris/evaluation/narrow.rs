@@ -1,4 +1,5 @@
-//! Fixed point of 16 bits: both factors of every product have 16 bits, which is one instruction on the smallest chip.
+//! 16-bit fixed point: both factors of every product have 16 bits, so that a product is one instruction on the
+//! smallest chip.
 //!
 //! A coefficient of x^k is stored as c·2^(15+k), for the reason given in [`super::integer`]. A sum has 32 bits, of
 //! which the upper 16 are multiplied.
@@ -17,9 +18,9 @@ const UNIT: f64 = 1.0 / (1_u64 << 15) as f64;
 /// factor of the sines.
 pub(crate) const ERROR: f64 = 16.83 * UNIT + 2.6e-5;
 
-/// Upper bound on the rounding error of the angular velocity, without that of the coefficients, over the rate of x or
-/// over the mean rate: twice that of N, which is 1 unit from the derivatives (half a unit for each of four, from the
-/// truncated sum) and 2^-12 of a unit from the products.
+/// Upper bound on the rounding error of the angular velocity, without that of the coefficients, over the greater of
+/// the rate of x and the mean rate: twice the error of N, which is 1 unit from the derivatives (half a unit for each
+/// of four, from the truncated sum) and 2^-12 of a unit from the products.
 pub(crate) const RATE_ERROR: f64 = 2.001 * UNIT;
 
 /// Rounding of the local coordinate to 2^-15.

@@ -14,7 +14,7 @@ use crate::product::high_product;
 use crate::scalar::Ring;
 use crate::su2::Vector;
 
-/// Values of Re a, Im a, Re b and Im b on the half period with rising u, and their derivatives by x.
+/// Values of Re a, Im a, Re b and Im b on the half period with rising u, and their derivatives with respect to x.
 pub(crate) struct ValuesAndSlopes<T>(pub(crate) [T; 4], pub(crate) [T; 4]);
 
 impl<R: Ring> ValuesAndSlopes<R> {
@@ -75,7 +75,7 @@ impl ValuesAndSlopes<i32> {
     /// Angular velocity Ω from values and derivatives in units of 2^-31, from e^{i(B-A)} in units of 2^-30, and from
     /// the rates of x (on a segment of 2^-`level` cells), of A + B and about the axis.
     ///
-    /// A sum that only invalid literal data make too large wraps.
+    /// A sum that is too large wraps, which happens only with invalid literal data.
     #[inline(always)]
     pub(crate) fn integer_rates(
         self,
