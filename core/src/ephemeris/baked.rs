@@ -14,9 +14,10 @@ use crate::ephemeris::storage::{Ephemeris, EphemerisStorage, EphemerisView};
 
 /// Fields of an [`Ephemeris`] as plain numbers, which a program writes as source text and the compiler reads.
 ///
-/// A checksum covers every bit: data with a number changed, lost or rounded are refused, in a constant as a compile
-/// error. Numbers that would overflow in a tick are refused whatever the checksum is. `toytop bake SCENARIO` writes
-/// such constants, from [`Ephemeris::to_baked`]. `core/docs/table_format.md` specifies every field.
+/// A checksum covers every bit: data in which a number was changed, lost or rounded are refused; in a constant, the
+/// refusal is a compile error. Numbers that would overflow in a tick are refused whatever the checksum is. `toytop
+/// bake SCENARIO` writes such constants, from [`Ephemeris::to_baked`]. `core/docs/table_format.md` specifies every
+/// field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     /// Version of the format: [`Baked::FORMAT`].
@@ -29,8 +30,8 @@ pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     pub error_bound: ErrorBound,
     /// Error bound of the angular velocity, rad per unit time.
     pub rate_error_bound: ErrorBound,
-    /// Cells: half a period consists of sixteen cells of equal length, with u rising, and each number tells the segments of
-    /// a cell. `docs/table_format.md` specifies it.
+    /// Cells: the half period in which u rises consists of sixteen cells of equal length, and each number encodes the
+    /// segments of one cell. `docs/table_format.md` specifies it.
     pub cells: [u16; CELLS],
     /// Segments: coefficients of Re α, Im α, Re β and Im β, lowest power first.
     pub segments: [R::Segment; SEGMENTS],
@@ -184,7 +185,7 @@ macro_rules! baked {
                 self.data().computed_crc32()
             }
 
-            /// Ephemeris of these data, if they pass all checks. It copies the table, and is meant for constants.
+            /// Ephemeris of these data, if they pass all checks. The function copies the table, and is meant for constants.
             ///
             /// # Errors
             /// [`BakedError`]: the data have another format, were changed, or contain numbers that a tick cannot

@@ -1,7 +1,8 @@
 //! Division of half a nutation period into cells, and of the cells into segments.
 //!
-//! Two cells are a pair, and have one segment together or each its own. A motion that is smooth then needs half as many
-//! segments as cells, and one that is fast in a part of the period has short segments only there.
+//! Two neighbouring cells form a pair, which has one segment for both cells or separate segments for each. A smooth
+//! motion then needs half as many segments as cells, and a motion that is fast in a part of the period has short
+//! segments only there.
 
 use core::ops::Range;
 
@@ -14,8 +15,8 @@ pub(crate) const PAIRS: usize = 1 << PAIR_BITS;
 /// Base-2 logarithm of [`PAIRS`].
 pub(crate) const PAIR_BITS: u32 = 3;
 
-/// Segments of a cell: the number of halvings that divide a pair into segments of the length of this cell's, and the index that the
-/// first segment of the pair would have if the whole pair had segments of this length, modulo 4096.
+/// Segments of a cell, which have equal lengths: the number of halvings of the pair that gives this length, and the index modulo
+/// 4096 that the first segment of the pair would have if the whole pair had segments of this length.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Cell(u16);
 
@@ -46,7 +47,7 @@ impl Cell {
         Self(bits)
     }
 
-    /// Index of the segment that is `place` segments behind the beginning of the pair.
+    /// Index of the segment that is `place` segments after the beginning of the pair.
     #[inline(always)]
     pub(crate) const fn segment(self, place: u32) -> usize {
         ((self.0 as u32 >> Self::LEVEL_BITS) + place) as usize % Self::MOST_SEGMENTS
@@ -58,7 +59,8 @@ impl Cell {
         (self.0 & ((1 << Self::LEVEL_BITS) - 1)) as u32
     }
 
-    /// Indices of the segments of the cell, if this is its number. Both cells of a pair with one segment have that one.
+    /// Indices of the segments of the cell, whose number is given. Both cells of a pair with one segment have the same
+    /// index.
     pub(crate) fn segments(self, number: usize) -> Range<usize> {
         let level = self.level();
         let first = self.segment(Self::place(number, level) as u32);
@@ -66,7 +68,7 @@ impl Cell {
     }
 }
 
-/// Number of segments of a cell whose pair is halved this often; 1 for the two cells of a pair that is not.
+/// Number of segments of a cell whose pair is halved `level` times; 1 for each cell of a pair that is not halved.
 pub(crate) const fn segments_per_cell(level: u32) -> usize {
     if level == 0 { 1 } else { 1 << (level - 1) }
 }

@@ -32,8 +32,8 @@ pub struct Clock<W> {
     pub exact_step: [[f64; 2]; 3],
     /// Number of ticks in a unit of time, as the sum of two `f64`.
     pub ticks_per_time: [f64; 2],
-    /// Rate dx/dt on a cell of one segment, per unit time; mean rate of A + B and axial component (n - K)/C of the angular
-    /// velocity, rad per unit time.
+    /// Three rates: dx/dt on a cell of one segment, per unit time; the mean rate of A + B, rad per unit time; the axial
+    /// component (n - K)/C of the angular velocity, rad per unit time.
     pub rates: [W; 3],
     /// Clock of the mean tip angle.
     pub tip: TipClock,
@@ -56,7 +56,7 @@ impl Instant {
 }
 
 impl<W: Float> Clock<W> {
-    /// Clock before its set-up; all increments are 0.
+    /// Placeholder for a clock before set-up; all increments are 0.
     pub(crate) const STOPPED: Self = Self {
         step: [[0; 3]; 3],
         tip_scale: W::ZERO,
@@ -140,7 +140,8 @@ impl<W> Clock<W> {
         })
     }
 
-    /// Leading 64 bits of nutation phase, A and B at an instant; by integers where no increment exceeds half a turn.
+    /// Leading 64 bits of nutation phase, A and B at an instant; computed in integers where no increment exceeds half
+    /// a turn.
     #[inline(always)]
     pub(crate) fn at_instant(&self, instant: Instant) -> [u64; 3] {
         let small = |[leading, _]: [f64; 2]| Float::abs(leading) < 0.5;
@@ -197,8 +198,8 @@ impl<W> Clock<W> {
         [nutation, a, b]
     }
 
-    /// Phases after any number of ticks and a fraction `share` in [0, 1) of the next; that of an aperiodic motion wraps
-    /// where it should stop.
+    /// Phases after any number of ticks and a fraction `share` in [0, 1) of the next; the nutation phase of an
+    /// aperiodic motion wraps where it should stop.
     pub(crate) fn unstopped(&self, ticks: i128, share: Extended) -> [PhaseFraction; 3] {
         let since_first = ticks.wrapping_sub(i64::MIN.into());
         let mut phases = self.steps();
@@ -218,7 +219,7 @@ impl<W> Clock<W> {
         let [nutation, a, b] = self.at(n);
         let nutation = match self.horizon {
             None => nutation.plus(PhaseFraction::of(nutation_part)),
-            // the time may be later than the first tick's phase: the phases are computed backwards from that tick
+            // the phase may begin to change between tick n and tick `first`, so it is computed backwards from `first`
             Some([first, _]) if n.saturating_add(1) == first => {
                 let ([next, ..], [step, ..]) = (self.at(first), self.exact_steps());
                 PhaseFraction::clamping(next.to_signed_phase() + (step * (share - Extended::ONE)).to_phase())

@@ -1,6 +1,6 @@
 //! Change of the clock of an ephemeris: another tick length, or another instant as tick 0, with the same table.
 //!
-//! The table is a function of phases, and only the clock depends on the ticks. Therefore a change takes some divisions in place
+//! The table is a function of phases, and only the clock depends on the ticks. Therefore a change costs some divisions instead
 //! of a set-up. The error bound remains an upper bound; `core/docs/error_bound.md` states its growth.
 
 use crate::ephemeris::cell::{Cell, PAIRS};
@@ -53,9 +53,9 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// becomes tick `ticks`, and t = 0 is the instant of the new tick 0. A number that is not finite counts as 0. A
     /// cursor from before the change must be replaced.
     ///
-    /// With it a table that is launched at tick n of a running counter, or between two of its ticks, is read by that
-    /// counter: `table.delay(n)`. The tip angle keeps its whole turns. The error bound at tick 0 grows by the bound's
-    /// growth over `ticks` ticks. Cost: that of [`EphemerisView::set_tick`].
+    /// After `table.delay(n)`, a table that is launched at tick n of a running counter, or between two of its ticks,
+    /// is read with the tick numbers of that counter. The tip angle keeps its whole turns. The error bound at tick 0
+    /// grows by the bound's growth over `ticks` ticks. Cost: that of [`EphemerisView::set_tick`].
     ///
     /// ```
     /// # use toytop::{EphemerisF64, Motion, Release, State, Tick, Top, TopParameters};
@@ -115,8 +115,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         x_rate.to_f64() / (2 * PAIRS) as f64
     }
 
-    /// Upper bounds on the angular velocity and its change without the mean rotation, in rad per half period and per half
-    /// period squared, from the coefficients of the table.
+    /// Upper bounds on the angular velocity without the mean rotation and on its derivative, in rad per half period and
+    /// per half period squared, from the coefficients of the table.
     fn greatest_speeds(&self) -> [f64; 2] {
         let mut greatest = [0.0; 2];
         for (number, cell) in self.cells.map(Cell::from_bits).into_iter().enumerate() {
@@ -131,8 +131,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 }
 
-/// Relative error of an increment that is the product of another with the ratio of two tick lengths: two quotients, of
-/// which one is from before, and two products.
+/// Relative error of an increment that is the product of the previous increment and the ratio of two tick lengths: two
+/// quotients, of which one was computed for the previous tick length, and two products.
 const RATIO_ERROR: f64 = 4.0 * Extended::ROUNDING;
 
 impl<W> Clock<W> {
@@ -144,8 +144,8 @@ impl<W> Clock<W> {
     }
 }
 
-/// Upper bounds on the first two derivatives of a segment by x, as 2 √(|α|² + |β|²): on [-1, 1] they are at most Σ k |c_k| and
-/// Σ k (k - 1) |c_k|.
+/// Upper bounds on the first two derivatives of a segment with respect to x, as 2 √(|α|² + |β|²): on [-1, 1] the derivatives
+/// of a polynomial are at most Σ k |c_k| and Σ k (k - 1) |c_k|.
 fn derivatives<R: EphemerisScalar>(terms: &[[R::Coefficient; 4]]) -> [f64; 2] {
     let mut sums = [[0.0; 4]; 2];
     for (power, coefficients) in terms.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! CRC-32 of ISO-HDLC (zlib, Ethernet): polynomial 0xEDB88320 reflected, initial value and final exclusive-or 0xFFFFFFFF.
 
-/// Remainders of the 256 bytes.
+/// Remainders of the 256 values of a byte.
 #[allow(clippy::indexing_slicing)] // evaluated by the compiler, which would refuse an index out of range
 static REMAINDERS: [u32; 256] = {
     let mut table = [0; 256];

@@ -16,7 +16,7 @@ use crate::phase::PhaseFraction;
 pub struct Cursor {
     /// Phases of the previous tick. The sum is used and stored at once, so no copy of older phases is needed.
     phases: [PhaseFraction; 3],
-    /// Lower part of the tick number: the last tick is `base + count`. A carry out of `count` requires the work of
+    /// Lower part of the tick number: the last tick is `base + count`. A carry out of `count` requires a call of
     /// [`Cursor::carry`].
     count: u32,
     base: i64,

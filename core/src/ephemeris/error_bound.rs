@@ -11,9 +11,9 @@ use crate::scalar::{Extended, Float, RateNumber, Scalar};
 /// Upper bound on the orientation error 2 √(|Δα|² + |Δβ|²), rad, relative to the exact motion of the numbers that it
 /// was launched from. At tick n it is `constant + |n| per_tick`, [`ErrorBound::after`].
 ///
-/// The increments, and the ticks of `f32` and of fixed point, are bounded by the worst case of every rounding. The
-/// roundings of set-up, and of the tick in `f64`, are bounded by six standard deviations of a sum of independent
-/// roundings. The remainders of series and quadratures are estimated from their last terms. The page
+/// The errors of the increments, and of the ticks in `f32` and in fixed point, are bounded by the worst case of every
+/// rounding. The roundings of set-up, and of the tick in `f64`, are bounded by six standard deviations of a sum of
+/// independent roundings. The remainders of series and quadratures are estimated from their last terms. The page
 /// `docs/error_bound.md` derives the terms one by one and says which of them are proved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -40,8 +40,8 @@ const START: f64 = 1.0;
 const COEFFICIENT: f64 = 1.0;
 /// Relative error of the `f64` nearest to 1/2π, in units of 2^-53. It is common to all conversions from rad to turns.
 const PER_TURN: f64 = 0.56;
-/// Number of roundings of a derivative of θ in the numbers of the rates, as an orientation error: it is the difference of two numbers that may
-/// be much larger.
+/// Number of roundings of a derivative of θ in the number type of the rates, as an orientation error: the derivative is the difference of
+/// two numbers that may be much larger.
 const SLOPE_OPERATIONS: f64 = 32.0;
 /// Number of standard deviations in the bound. One of 5e8 normal sums exceeds six.
 const DEVIATIONS: f64 = 6.0;
@@ -95,8 +95,8 @@ impl ErrorBound {
     }
 }
 
-/// Errors of the phases per tick of a length, in turns: those of the rates, and `increment_errors`, by which the
-/// increments differ from the rates.
+/// Errors of the phases per tick of a given length, in turns: the errors of the rates plus `increment_errors`, by
+/// which the increments differ from the rates.
 #[inline(never)] // one copy for all scalars
 pub(crate) fn phase_errors(rates: &MeanRates, length: f64, increment_errors: [f64; 3]) -> [f64; 3] {
     let mut errors = increment_errors;
@@ -126,8 +126,8 @@ fn rounded<R: EphemerisScalar>(tabulated: &Tabulated) -> f64 {
     (systematic + DEVIATIONS * Float::sqrt(variance)) * ROUNDING
 }
 
-/// Upper bounds on the delay of a tick near tick 0, in half periods: by truncated phases and series, and by the roundings of
-/// the steps of set-up, which are random.
+/// Two upper bounds on the delay of a tick near tick 0, in half periods: the delay caused by truncated phases and series,
+/// and the delay caused by the roundings of the steps of set-up, which are random.
 pub(crate) fn delays<R: EphemerisScalar>(tabulated: &Tabulated) -> [f64; 2] {
     let Tabulated { squares: [delays, _], start_share, defect, stepping, speeds, .. } = *tabulated;
     let variance = STEP * STEP * delays + START * START * start_share * start_share;

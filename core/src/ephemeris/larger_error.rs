@@ -1,13 +1,14 @@
-//! Estimate of the table that a larger error would need, while one for a smaller error is made.
+//! Estimate of the number of segments that a table with a larger error would need, while a table for a smaller error
+//! is computed.
 
 use crate::ephemeris::cell::{Cell, cells_covered};
 
-/// Number of segments with a larger error, estimated from the errors of the cells so far.
+/// Number of segments of a table with a larger error, estimated from the errors of the cells so far.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LargerError {
-    /// Number of halvings of this cell's pair with which the larger error would do, once it is known.
+    /// Number of halvings of this cell's pair that is enough for the larger error, once it is known.
     level: Option<u32>,
-    /// Segments of the cells before this one, in halves.
+    /// Number of segments of the cells before this one, in half segments.
     halves: usize,
 }
 
@@ -17,21 +18,22 @@ impl LargerError {
     /// Estimate before the first cell.
     pub(crate) const NONE: Self = Self { level: None, halves: 0 };
 
-    /// Notes that a segment of a pair with `level` halvings has at most the larger error, if it has.
+    /// Records the number of halvings `level` if a segment of a pair with that number has at most the larger error (`has`).
     pub(crate) fn note(&mut self, has: bool, level: u32) {
         if has && self.level.is_none() {
             self.level = Some(level);
         }
     }
 
-    /// Includes a complete cell with `level` halvings, after which the next may have one fewer.
+    /// Includes a complete cell with `level` halvings. `coarser` tells whether the next cell may have one halving fewer.
     pub(crate) fn leave(&mut self, level: u32, coarser: bool) {
         let larger = self.level.unwrap_or(level).min(level.saturating_sub(u32::from(coarser)));
         self.halves += cells_covered(level) << larger;
         self.level = None;
     }
 
-    /// Whether a table for the larger error, whose rest has at least `rest(level)` segments, may have at most `most`.
+    /// Whether a table for the larger error may have at most `most` segments, if its remaining cells have at least
+    /// `rest(level)`.
     pub(crate) fn may_fit(&self, level: u32, rest: impl FnOnce(u32) -> usize, most: usize) -> bool {
         let level = self.level.unwrap_or(level);
         level <= Cell::DEEPEST && self.halves.div_ceil(2) + rest(level) <= most

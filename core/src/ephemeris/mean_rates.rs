@@ -23,8 +23,8 @@ pub(crate) struct MeanRates {
     pub(crate) rounding: f64,
 }
 
-/// Number of successive roundings of a rate, without those of the quadrature's nodes, and of the tick length and its
-/// product with the rate.
+/// Number of successive roundings in a rate, in the tick length and in their product, without those of the
+/// quadrature's nodes.
 const OPERATIONS: f64 = 64.0;
 /// Relative error of an increment that is stored as the sum of two `f64`: half a unit in the last place of each.
 const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
@@ -33,7 +33,7 @@ const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
 const OPERATIONS_PER_NODE: f64 = 2.0;
 
 impl MeanRates {
-    /// Rates before they are computed.
+    /// Placeholder for rates that are not computed yet.
     pub(crate) const ZERO: Self = Self {
         half_period: Extended::ZERO,
         is_periodic: true,

@@ -75,8 +75,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         Self { ephemeris, phases: phases.map(PhaseFraction::leading), mean_tip }
     }
 
-    /// Nutation phase: one turn a period, 0 at u = e₁, half a turn at u = e₂ (where that of an aperiodic motion
-    /// stops).
+    /// Nutation phase: one turn a period, 0 at u = e₁, half a turn at u = e₂ (where the phase of an aperiodic motion stops).
     #[must_use]
     pub fn nutation_phase(&self) -> Phase {
         let [nutation, ..] = self.phases;
@@ -120,7 +119,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         tip
     }
 
-    /// Orientation and tip position by a single evaluation.
+    /// Orientation and tip position from a single evaluation.
     #[inline(always)]
     #[must_use]
     pub fn orientation_and_tip(&self) -> (Orientation<R>, Complex<R::Wide>) {
@@ -145,7 +144,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         omega_body
     }
 
-    /// Orientation and angular velocity Ω in the body frame by a single evaluation.
+    /// Orientation and angular velocity Ω in the body frame from a single evaluation.
     #[inline(always)]
     #[must_use]
     pub fn orientation_and_omega_body(&self) -> (Orientation<R>, Vector<R::Wide>) {
@@ -196,7 +195,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         AttitudeState { orientation, rate: OrientationRate::from_body(&orientation, omega_body) }
     }
 
-    /// Orientation, angular velocity Ω in the body frame in some unit, and the exponent of that unit.
+    /// Orientation, angular velocity Ω in the body frame as multiples of a power of two, and the exponent of that power.
     #[inline(always)]
     fn rates(&self) -> (Orientation<R>, Vector<R::Rate>, i32) {
         let (found, point) = self.locate();

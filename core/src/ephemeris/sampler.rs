@@ -8,10 +8,11 @@ use crate::ephemeris::storage::EphemerisView;
 /// Samples at consecutive ticks from a table that can be exchanged between two ticks. It owns the table and the cursor
 /// together, so that a cursor is never used with another table than its own.
 ///
-/// It serves an interrupt whose table is replaced while it runs. The table is an exclusive reference, so that the old one
-/// is returned and can be set up again. With two tables, and two single-producer single-consumer queues of references to them, the
-/// exchange needs no lock, no copy of a table and no `unsafe`, also on a chip that has no compare-and-swap.
-/// The firmware example `relaunch` does so. Count the ticks of all tables by one counter, with [`EphemerisView::delay`].
+/// It is meant for an interrupt routine whose table is replaced during operation. The sampler holds the table by an
+/// exclusive reference and returns the old one, which can then be set up again. With two tables, and two
+/// single-producer single-consumer queues of references to them, the exchange needs no lock, no copy of a table and no
+/// `unsafe`, also on a chip that has no compare-and-swap. The firmware example `relaunch` does so. Count the ticks of
+/// all tables by one counter, with [`EphemerisView::delay`].
 ///
 /// ```
 /// # use toytop::{EphemerisF32, Motion, Release, Sampler, State, Tick, Top, TopParameters};
@@ -70,8 +71,8 @@ impl<'a, R: EphemerisScalar> Sampler<'a, R> {
         self.table
     }
 
-    /// Exchanges the table and returns the previous one. The ticks go on: the next sample is that of the same tick as it
-    /// would have been, from the new table.
+    /// Exchanges the table and returns the previous one. The tick number continues: the next sample has the same tick as
+    /// without the exchange, but comes from the new table.
     pub fn exchange(&mut self, table: &'a mut EphemerisView<R>) -> &'a mut EphemerisView<R> {
         self.cursor = table.cursor(self.tick().wrapping_add(1));
         core::mem::replace(&mut self.table, table)

@@ -18,15 +18,15 @@ pub(crate) struct StartSearch {
     mirrored: bool,
     /// Half turns of χ that the folding removed.
     folded: i64,
-    /// Change of χ at the start, rad, over a relative change of the number that was rounded: χ, its difference from a
-    /// quarter turn, or v.
+    /// Change of χ at the start, rad, over a relative change of the number that is stored rounded: χ, its difference
+    /// from a quarter turn, or v.
     per_rounding: f64,
     /// Nutation phase of a start beyond the end of the tabulated interval, where 1 - u is below the rounding.
     beyond: Option<Phase>,
 }
 
 impl StartSearch {
-    /// Search of a motion that starts at u = e₁.
+    /// Search for the start of a motion that starts at u = e₁.
     pub(crate) const EMPTY: Self =
         Self { chi: Phase::ZERO, mirrored: false, folded: 0, per_rounding: 0.0, beyond: None };
 
@@ -34,7 +34,7 @@ impl StartSearch {
         match motion.nutation() {
             NutationVariable::Aperiodic(v) => {
                 let (sine, cosine) = gudermannian(Float::abs(v));
-                // most starts are found on the way, which costs less than a precise quadrature
+                // most starts are found during the tabulation, which costs less than a precise quadrature
                 let beyond = (Float::abs(v) > last_v(rates.rounding)).then(|| {
                     let time = rise_time(&law.cast(), Float::abs(v), 1024);
                     Phase::new(time / (2.0 * rates.half_period.to_f64()))
@@ -75,7 +75,7 @@ impl StartSearch {
         Some(x)
     }
 
-    /// Change of x at the start over a relative change of the number that its χ was rounded as.
+    /// Change of x at the start over a relative change of the number that is stored rounded (see the field `per_rounding`).
     pub(crate) fn per_rounding(&self, expansion: &Expansion, x: f64) -> f64 {
         let (_, slope) = expansion.chi_and_slope(x);
         if slope > 0.0 { self.per_rounding / slope } else { 0.0 }

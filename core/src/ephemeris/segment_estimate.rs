@@ -7,10 +7,10 @@
 //! (|c₊| |θ_A' + χ'|^n + |c₋| |θ_A' - χ'|^n) h^n/(n! 2^{n-1})
 //! ```
 //!
-//! Where χ' grows or decreases at a relative rate κ above these frequencies, as near the separatrix, the error is about
-//! χ' κ^{n-1} h^n/(n! 2^{n-1}) instead. Other changes of the rates make the error larger. Therefore a table whose segments are fewer
-//! than the estimate is refused (`a_table_that_cannot_fit_is_refused_early` compares such refusals with the segments that are needed). The
-//! estimate is computed in `f32`: it needs no more digits, and soft arithmetic in `f64` would take a tenth of the time of a set-up.
+//! Where χ' grows or decreases at a relative rate κ above these frequencies, as near the separatrix, the error is about χ' κ^{n-1} h^n/(n!
+//! 2^{n-1}) instead. Other changes of the rates make the error larger. Therefore a table with fewer segments than the estimate is refused
+//! (the test `a_table_that_cannot_fit_is_refused_early` compares such refusals with the segments that are needed). The estimate is
+//! computed in `f32`: it needs no more digits, and emulated `f64` would take a tenth of the time of a set-up.
 
 use crate::ephemeris::cell::{CELLS, Cell};
 use crate::ephemeris::mean_rates::MeanRates;
@@ -23,13 +23,14 @@ use crate::scalar::{Extended, Float, Scalar};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SegmentEstimate([u8; CELLS]);
 
-/// Factor by which an error must exceed the allowed one to count, and a further one for an error from the growth of χ'. The changes of the
-/// rates may make an error a little smaller, and a table that fits must not be refused.
+/// Factor by which an error must exceed the allowed error to count, and a further factor for an error from the growth of χ'. The changes
+/// of the rates may make an error a little smaller, and a table that fits must not be refused.
 const MARGIN: f32 = 2.0;
 const GROWTH_MARGIN: f32 = 2.0;
 
 /// Points on the half period: at equal distances of χ, and then at distances that halve towards χ = π/2, because a motion near the
-/// separatrix spends most of its time there. An item is sine and cosine of χ, and the length that it stands for, rad.
+/// separatrix spends most of its time there. An item contains sine and cosine of χ, and the length of the interval of χ that the
+/// point represents, rad.
 #[derive(Clone, Copy, Debug)]
 struct Points {
     angle: [f32; 2],
@@ -39,7 +40,7 @@ struct Points {
 /// Length of an equal part of the half period, rad.
 const DISTANCE: f32 = core::f32::consts::FRAC_PI_2 / 32.0;
 
-/// Shortest time, in cells, that a point near χ = π/2 may stand for; those after it are left out.
+/// Shortest time, in cells, that a point near χ = π/2 may represent; the points after it are left out.
 const SHORTEST: f32 = 0.125;
 
 impl Points {
@@ -242,7 +243,7 @@ struct CellError {
 /// Errors that a polynomial of `terms` terms may have, times n! 2^{n-1}.
 struct AllowedErrors {
     terms: usize,
-    /// On a pair of cells, and on a shorter segment.
+    /// Error allowed on a pair of cells, and on a shorter segment.
     of_pair: f32,
     of_shorter: f32,
 }

@@ -11,7 +11,7 @@ pub(crate) struct Speeds<F = f64> {
     pub(crate) sweep: F,
     /// Twice the greatest rate of θ_A or θ_B, in rad per half period.
     pub(crate) turning: F,
-    /// Greatest change on half a segment, 2 √(|dα/dx|² + |dβ/dx|²), rad.
+    /// Greatest change of the orientation on half a segment, 2 √(|dα/dx|² + |dβ/dx|²), rad.
     pub(crate) steepness: F,
     /// Greatest acceleration 2 √(|d²α/dt²|² + |d²β/dt²|²), in rad per half period squared.
     pub(crate) acceleration: F,
@@ -23,7 +23,7 @@ pub(crate) struct Speeds<F = f64> {
     pub(crate) x_rate: F,
 }
 
-/// Derivatives by x on one segment, each as 2 √(|α|² + |β|²).
+/// Derivatives with respect to x on one segment, each as 2 √(|α|² + |β|²).
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct SegmentSpeeds {
     /// First derivative.
@@ -82,8 +82,8 @@ impl Speeds {
         (self.sweep + self.turning) * share
     }
 
-    /// Orientation error, rad, of a `remainder` that is the sum of the errors of θ and of the errors of χ multiplied
-    /// by `fastest` over the local rate of χ, both rates per half period.
+    /// Orientation error, rad, caused by `remainder`: the sum of the errors of θ, and of the errors of χ multiplied by
+    /// the quotient of `fastest` and the local rate of χ, both rates per half period.
     pub(crate) fn truncation_error(&self, remainder: f64, fastest: f64) -> f64 {
         self.delay(remainder / fastest) + 2.0 * remainder
     }

@@ -120,8 +120,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.error_bound
     }
 
-    /// Upper bound on the error of the angular velocity, |Δω| or |ΔΩ|, and of u', rad per unit time. That of the tip's
-    /// velocity is s times as large, and of equal size for a fixed tip.
+    /// Upper bound on the error of the angular velocity, |Δω| or |ΔΩ|, and of u', rad per unit time. The bound for the
+    /// velocity of the tip is s times as large; for a fixed tip it is equally large.
     #[must_use]
     pub fn rate_error_bound(&self) -> ErrorBound {
         self.rate_error_bound

@@ -87,7 +87,8 @@ pub(crate) fn put<R: EphemerisScalar>(
 pub struct TableTooSmall {
     /// Allowed truncation error, rad.
     pub truncation: f64,
-    /// Number of segments of the table, which is not enough. [`EphemerisView::segments_needed`](crate::EphemerisView::segments_needed) finds a number that is.
+    /// Number of segments of the table, which is too small;
+    /// [`EphemerisView::segments_needed`](crate::EphemerisView::segments_needed) finds a sufficient number.
     pub segments: u32,
 }
 

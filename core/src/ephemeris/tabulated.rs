@@ -12,7 +12,7 @@ pub(crate) struct Requirements {
     pub(crate) terms: usize,
     /// Largest truncation error allowed, as an orientation error in rad.
     pub(crate) allowed: f64,
-    /// Part of it that the polynomials may have, in units of 2^-62 rad; the rest is that of the steps from span to span.
+    /// Part of `allowed` that the polynomials may have, in units of 2^-62 rad; the rest is for the steps from span to span.
     polynomials: f32,
     /// Largest number of segments.
     pub(crate) most: usize,
@@ -22,7 +22,7 @@ pub(crate) struct Requirements {
 const STEPPING_SHARE: f64 = 0.125;
 
 /// Fraction of the allowed error that a segment of two cells may have. Its derivative, from which the angular velocity is
-/// computed, is then no worse than on the shorter segments of other motions.
+/// computed, is then no less accurate than on the shorter segments of other motions.
 const PAIR_SHARE: f32 = 0.125;
 
 impl Requirements {
@@ -72,7 +72,7 @@ pub(crate) struct Tabulated {
     pub(crate) defect: f64,
     /// Upper bounds on the speeds.
     pub(crate) speeds: Speeds,
-    /// Delay by a relative rounding of the start's χ, over that rounding, in units of half a period.
+    /// Delay caused by a relative rounding of the start's χ, over that rounding, in units of half a period.
     pub(crate) start_share: f64,
     /// Sums of the squares of the terms that the steps add up: of χ as delays, in units of half a period, and of θ,
     /// rad.

@@ -1,7 +1,7 @@
 //! Tip angle of an ephemeris: the sum of its mean, which is linear in time, and of a periodic part from the table.
 //!
-//! Between u = e₁ and u = e₂ the periodic part is the argument of the tabulated αβ, continued from segment to
-//! segment; on the other half of the period it is the negative of that. For a slender top αβ may wind around 0 many
+//! Between u = e₁ and u = e₂ the periodic part is the argument of the tabulated αβ, continued from segment to segment;
+//! on the other half of the period it is the negative of this argument. For a slender top αβ may wind around 0 many
 //! times, so the crossings of the negative real axis are counted at the centres of the segments.
 
 use core::ops::Range;
@@ -64,7 +64,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let exact = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
         let TipClock { quarter, passes, .. } = self.clock.tip;
         let off = exact - tabulated;
-        // through the centre the radius has a sign, which half a turn of the angle changes
+        // where the curve passes through the centre, the radius has a sign, which half a turn of the angle changes
         let off = if quarter != 0 || passes != 0 { half_turn_remainder(off) } else { off.principal() };
         let tabulated = tabulated + off;
         self.clock.tip.start = (argument - self.signed_part(nutation) - tabulated).words();

@@ -7,9 +7,9 @@
 const GREATEST_DOUBLE: f64 = 1e60;
 /// Largest rate or length in `f32`. No product contains two such numbers.
 const GREATEST_SINGLE: f32 = 1e30;
-/// Largest sum of 32 bits. The products of halves on the smallest chip allow no larger one.
+/// Largest 32-bit sum. The smallest chip computes a product from the halves of its factors, which allows no larger sum.
 const GREATEST_SUM: u64 = (1 << 31) - (1 << 15);
-/// Largest sum for coefficients of 16 bits; the sum has 32 bits.
+/// Largest 32-bit sum for 16-bit coefficients.
 #[cfg(feature = "fixed")]
 const GREATEST_SHORT_SUM: u64 = 1 << 31;
 

@@ -18,14 +18,14 @@ pub struct TipClock {
     /// Quarter turns of the argument of the tabulated αβ at u = e₁: 0, or 1 or -1 where α passes through 0 there (e₁
     /// = -1).
     pub quarter: i8,
-    /// Number of parameters that pass through 0 instead of winding around it: 0, 1 or 2.
+    /// Number of the parameters α and β that pass through 0 instead of winding around it: 0, 1 or 2.
     pub passes: u8,
     /// Whether the tip angle exists; false where the axis is vertical at all times.
     pub exists: bool,
 }
 
 impl TipClock {
-    /// Tip angle before its set-up.
+    /// Placeholder for a clock before set-up.
     pub(super) const STOPPED: Self =
         Self { start: [0; 4], step: [0; 4], quarter: 0, passes: 0, exists: false };
 
@@ -64,7 +64,7 @@ impl TipClock {
     }
 
     /// Increment of the mean tip angle per tick. The mean rates of A and B include half a turn per period for a parameter
-    /// that passes through 0; the tip angle does not.
+    /// that passes through 0; that of the tip angle does not.
     pub(crate) fn increment([nutation, a, b]: [Extended; 3], passes: u8) -> [u32; 4] {
         let halves = nutation * Extended::from(0.5 * f64::from(passes));
         (a + b - halves).to_phase().words()
