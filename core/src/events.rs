@@ -2,8 +2,8 @@
 //!
 //! u is a function of the nutation phase alone, and so is everything that depends on u: the tilt, the distance of the
 //! tip from the centre, the normal force. Such an event has one phase while u rises and its mirror image while u falls.
-//! A bisection of the table finds the phase once, and a division turns phases into times. The tip angle is the sum of a
-//! periodic part and of a mean that is linear in time. Its bisection is in time, between instants at which it can
+//! A bisection of the table finds the phase once, and a division converts phases to times. The tip angle is the sum of
+//! a periodic part and of a mean that is linear in time. Its bisection is in time, between instants at which it can
 //! change direction.
 //!
 //! All work is bounded: at most 64 evaluations for a phase, and some hundred for a tip angle.
@@ -32,7 +32,7 @@ pub struct Event {
     pub tick: i64,
     /// Fraction of the following tick that passes before the event, in [0, 1).
     pub share: f64,
-    /// Whether u rises there, or the tip angle; at a turning point, whether u = e₂.
+    /// Whether u or the tip angle increases at the event; at a turning point, whether u = e₂.
     pub upward: bool,
 }
 

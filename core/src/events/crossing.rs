@@ -5,11 +5,11 @@ use crate::events::recurring::Recurring;
 use crate::events::{Event, Level};
 use crate::phase::Phase;
 
-/// Iterator over the instants at which u turns, or crosses a level, in the order of time. Each step takes two additions; it
-/// ends where there is no further event within the ticks of `i64`.
+/// Iterator over the instants at which u turns, or crosses a level, in the order of time. Each step takes two additions.
+/// The iterator ends where there is no further event within the ticks of `i64`.
 #[derive(Clone, Copy, Debug)]
 pub struct Crossings {
-    /// Instants upward and downward.
+    /// Instants of the upward and of the downward events.
     instants: Recurring<2>,
 }
 
@@ -46,7 +46,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Instants at tick `from` or later at which u crosses a level. There are none where the motion does not reach it;
     /// for a level within the error bound of e₁ or e₂ the result depends on rounding.
     ///
-    /// Error of the time: that of u, the error bound of the orientation, over |u'| at the crossing.
+    /// Error of the time: the error of u, bounded by the error bound of the orientation, over |u'| at the crossing.
     ///
     /// Cost: some 64 evaluations of the orientation, once.
     #[must_use]

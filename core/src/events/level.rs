@@ -1,4 +1,4 @@
-//! Values of u at which something happens.
+//! Values of u at which events occur.
 
 use crate::ephemeris::{EphemerisScalar, EphemerisView, Sample};
 use crate::error::{ParameterError, finite, require};
@@ -39,8 +39,9 @@ impl Level {
         Ok(Self { one_minus_u: 2.0 * sine * sine, one_plus_u: 2.0 * cosine * cosine })
     }
 
-    /// Levels at which the tip is on the circle |c| = `radius` about the centre: that with the centre of mass above the tip, and
-    /// that with it below. The radius is in m; for a fixed tip, whose c = 2αβ is without unit, it is the sine of the tilt.
+    /// Levels at which the tip is on the circle |c| = `radius` about the centre: the first with the centre of mass above the
+    /// tip, the second with it below. The radius is in m; for a fixed tip, whose c = 2αβ has no unit, it is the sine of the
+    /// tilt.
     ///
     /// # Errors
     /// `radius`: not finite, or not in (0, s) (for a fixed tip in (0, 1)).

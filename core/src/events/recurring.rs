@@ -36,7 +36,7 @@ impl<const N: usize> Recurring<N> {
         }
         let [now, ..] = view.clock.unstopped(from.into(), Extended::ZERO).map(PhaseFraction::to_phase);
         let ahead = |phase: Phase| {
-            // a phase next to that of the event counts as the event's own
+            // a phase that differs from that of the event by at most `AT_THE_POINT` counts as equal
             let ahead = PhaseFraction::of(phase - now + AT_THE_POINT).to_phase() - AT_THE_POINT;
             if ahead <= AT_THE_POINT { start } else { start + Extended::from(ahead) / step }
         };
@@ -78,7 +78,7 @@ impl<const N: usize> Recurring<N> {
         }
     }
 
-    /// Advances by this many ticks, which are whole periods.
+    /// Advances all instants by a number of ticks that is a whole number of periods.
     pub(super) fn skip(&mut self, ticks: Extended) {
         self.next = self.next.map(|next| next.map(|next| next + ticks));
     }

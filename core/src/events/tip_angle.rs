@@ -1,8 +1,8 @@
 //! Instants at which the tip is in a given direction.
 //!
-//! Between two instants at which the tip angle can change direction it is monotone. These are the turning points of u, and where the
-//! curve has loops the phases at which u = l/n. On such a piece a bisection finds the instant. Where the pieces of a whole period
-//! do not contain the direction, as many periods are skipped as the mean rotation needs to come near it.
+//! The tip angle is monotone between two instants at which it can change direction: the turning points of u and, where the curve has
+//! loops, the phases at which u = l/n. On such a piece a bisection finds the instant. Where the pieces of a whole period do not
+//! contain the direction, the periods that the mean rotation needs to come near it are skipped.
 
 use crate::ephemeris::{EphemerisScalar, EphemerisView, Sample};
 use crate::events::level::at_phase;
@@ -21,7 +21,7 @@ pub struct TipAngles<'a, R: EphemerisScalar> {
     target: Phase,
     /// Instant up to which the motion has been searched, in ticks.
     at: Extended,
-    /// Tip angle there; after an event the angle looked for, without rounding.
+    /// Tip angle at the instant `at`; after an event the angle looked for, without rounding.
     angle: Phase,
     /// First instant that counts, in ticks.
     from: Extended,
@@ -42,7 +42,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Instants at tick `from` or later at which the tip angle is `angle`, whole turns aside. There are none where the axis is
     /// vertical at all times.
     ///
-    /// Error of the time: that of the tip angle, the error bound of the orientation over 2|αβ|, over |φ'|.
+    /// Error of the time: the error of the tip angle, which is the error bound of the orientation over 2|αβ|, divided
+    /// by |φ'|.
     ///
     /// Cost of an event: up to 64 evaluations of the tip angle, and up to 40 more where periods are skipped.
     #[must_use]
