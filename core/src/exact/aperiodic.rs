@@ -49,7 +49,7 @@ enum Form {
     Fixed(Fixed),
 }
 
-/// Functions of u only, in the variable v.
+/// Constants of the quantities that depend on u alone, as functions of v.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Rise {
     e1: Extended,
@@ -123,7 +123,7 @@ impl Form {
 }
 
 impl Aperiodic {
-    /// Time in s at which t is limited: the phases have no correct digits long before.
+    /// Largest |t| that is used, s; a larger one is limited to it. The phases lose all correct digits long before.
     const FURTHEST: f64 = 1e200;
 
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.

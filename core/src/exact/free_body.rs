@@ -18,13 +18,13 @@ use crate::stepper::Stepper;
 use crate::su2::{Orientation, OrientationRate, Vector, dot};
 use crate::top::Quantities;
 
-/// Motion of a body without torque as a function of time: a free body, or a held top without gravity.
+/// Motion of a body without torque as a function of time: a free body, or a top with a fixed tip and g = 0.
 ///
 /// Error of an orientation: below 3e-15 rad at any time up to 1e9 periods.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeBody {
     start: Orientation<f64>,
-    /// Unit vector along m; 0 where m is.
+    /// Unit vector along m; 0 where m is 0.
     direction: Vector<f64>,
     /// Rate |m|/A, rad per unit time.
     precession: Extended,

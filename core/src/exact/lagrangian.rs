@@ -10,8 +10,8 @@
 //! m' = [ω, m] + DL                                               (equation (3.1))
 //! ```
 //!
-//! The momentum K of a rotor inside, which the paper does not have, adds K⟨ω, r⟩ to L (Routh's function of the rotor's
-//! angle).
+//! The momentum K of a rotor in the body, which the paper does not treat, adds K⟨ω, r⟩ to L (Routh's function of the
+//! rotor's angle).
 
 use crate::scalar::Float;
 use crate::su2::{Orientation, Vector, bracket, dot};

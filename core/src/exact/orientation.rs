@@ -81,7 +81,7 @@ impl ConstantArguments {
     }
 }
 
-/// Argument of x cos χ + i y sin χ divided by the closed form's value, from their derivatives too.
+/// Argument of x cos χ + i y sin χ divided by the closed form's value, from their values and derivatives.
 fn argument(
     [x, y]: [Extended; 2],
     [sine, cosine]: [Extended; 2],

@@ -1,6 +1,6 @@
-//! Planar pendulum: a held top with l = n = 0, by Jacobi's functions.
+//! Planar pendulum: a top with a fixed tip and l = n = 0, by Jacobi's functions.
 //!
-//! Its lowest place is straight down, e₁ = -1. With z = 0 there,
+//! Its lowest position is straight down, e₁ = -1. With z = 0 there,
 //!
 //! ```text
 //! swing      e₃ = 1:  α = √m sn z,  β = dn z,  m = (1 + e₂)/2,    z = √(pg/A) t
@@ -22,7 +22,7 @@ use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 use crate::top::{Quantities, Support};
 
-/// Planar pendulum as a function of time, swinging or going over the top.
+/// Planar pendulum as a function of time, swinging or rotating.
 ///
 /// Error of an orientation: below 2e-15 rad at any time up to 1e9 periods.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +43,7 @@ struct Solution {
 }
 
 impl Pendulum {
-    /// Closed form of a motion; `None` unless the tip is held, gravity acts, and the axis moves in a vertical plane.
+    /// Closed form of a motion; `None` unless the tip is fixed, gravity acts, and the axis moves in a vertical plane.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
         let (e, chi) = (motion.exact_branch_points(), motion.nutation_start()?);
@@ -67,7 +67,7 @@ impl Pendulum {
         Some(Self { solution, periods: Periods { period, turns, origin, arguments } })
     }
 
-    /// Time between two passages through the lowest place.
+    /// Time between two passages through the lowest position.
     #[must_use]
     pub fn period(&self) -> f64 {
         self.periods.period.to_f64()
@@ -87,7 +87,7 @@ impl Pendulum {
 }
 
 impl Solution {
-    /// α and β, and their time derivatives, at this time since the lowest place.
+    /// α and β, and their time derivatives, at this time since the lowest position.
     fn parameters(&self, time: f64) -> [ValueAndSlope; 2] {
         let JacobiValues { sn, cn, dn, .. } = self.jacobi.at(self.z_rate * time);
         let with = |value: f64, slope: f64| ValueAndSlope {

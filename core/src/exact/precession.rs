@@ -53,8 +53,8 @@ pub enum Stability {
 }
 
 impl RegularPrecession {
-    /// Closed form of a motion; `None` unless u is constant (to 2^-49 rad of tilt), and without torque, for which there is
-    /// [`FreeBody`](crate::exact::FreeBody).
+    /// Closed form of a motion; `None` unless u is constant (to 2^-49 rad of tilt), and for a body without torque, whose
+    /// closed form is [`FreeBody`](crate::exact::FreeBody).
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
         let regime = motion.regime();
@@ -140,8 +140,8 @@ pub enum SteadyPrecession {
         /// infinite where C = 0.
         least_spin: f64,
     },
-    /// One steady precession: the axis is horizontal, with φ' = p g/n, or the spin is exactly the least one; or without
-    /// torque and without n the axis stays, φ' = 0.
+    /// One steady precession: the axis is horizontal, with φ' = p g/n, or the spin is exactly the least one; or torque
+    /// and n are 0, so that the axis is at rest, φ' = 0.
     One {
         /// Rate φ', rad per unit time.
         rate: f64,
@@ -159,9 +159,9 @@ impl SteadyPrecession {
     /// Steady precessions of a top at a tilt (rad from the upward vertical, strictly between 0 and π) and a spin ω·r
     /// = (n - K)/C.
     ///
-    /// A top released with this tilt and spin, the rate φ' as `precession`, and no nutation keeps its tilt. Relative
-    /// error of a rate: a few roundings, except that the difference of the spin from the least spin loses digits
-    /// where it is small.
+    /// A top that is released with this tilt, this spin, the rate φ' as `precession` and no nutation keeps its tilt.
+    /// Relative error of a rate: a few roundings, except that the difference of the spin from the least spin loses
+    /// digits where it is small.
     ///
     /// ```
     /// use toytop::{TopParameters, Top, exact::SteadyPrecession};
