@@ -84,7 +84,7 @@ pub const MOST_RATIOS: usize = 4;
 ///
 /// The unknowns are the launch, the ratios that are free, and a constant bias of each component of the sensors that
 /// have one. The measurements are compared with the motion in the scalar `F`: `f32` suffices for sensors whose noise is
-/// 1e-4 or more of what they read. The state of the fit then takes less than 16 KiB; it does not grow with the
+/// at least 1e-4 of their readings. The state of the fit then takes less than 16 KiB; it does not grow with the
 /// measurements.
 #[derive(Clone)]
 pub struct Fit<'a, F = f64> {
@@ -94,7 +94,7 @@ pub struct Fit<'a, F = f64> {
     huber: f64,
     /// Best launch so far, with the information and the sum of squares of its pass.
     best: Pass<F>,
-    /// Launch of the pass that is under way.
+    /// Launch of the current pass.
     current: Pass<F>,
     /// Marquardt's damping.
     damping: f64,
@@ -104,7 +104,7 @@ pub struct Fit<'a, F = f64> {
     curvature: f64,
     path: Path<F>,
     rows: Rows<F>,
-    /// Derivatives of the ratios by the unknowns.
+    /// Derivatives of the ratios with respect to the unknowns.
     shares: [[F; 4]; MOST_RATIOS],
     /// Biases of the launch of the pass, in the scalar of the measurements.
     biases: [F; 3 * MOST_SENSORS],
@@ -112,7 +112,7 @@ pub struct Fit<'a, F = f64> {
     epoch: Option<f64>,
     /// Time to which the path was moved: that of the last measurement.
     now: Option<f64>,
-    /// Factor of the readings of rate gyroscopes: another unit that is tried where the fit is bad.
+    /// Factor by which the readings of rate gyroscopes are multiplied, to try another unit where the fit is bad.
     rate_unit: Option<f64>,
     prior: Option<Prior<F>>,
 }
@@ -155,7 +155,7 @@ impl<'a, F: Real> Fit<'a, F> {
     }
 
     /// Sets the residual, in standard deviations, from which an observation counts linearly instead of quadratically
-    /// (Huber); infinite for least squares. It is 3 at first.
+    /// (Huber); infinite for least squares. The default is 3.
     #[must_use]
     pub fn with_huber(mut self, residual: f64) -> Self {
         self.huber = residual;
@@ -163,7 +163,7 @@ impl<'a, F: Real> Fit<'a, F> {
     }
 
     /// Adds a drift of the first integrals to the unknowns: three losses of rotation, about the axis, across it and about
-    /// the vertical. There may be one free ratio then.
+    /// the vertical. At most one ratio may then be free.
     ///
     /// * `deviation`: standard deviation of each loss before the fit, in units of the rotation itself per unit time:
     ///   1/60 where the spin may be lost in a minute
@@ -202,7 +202,7 @@ impl<'a, F: Real> Fit<'a, F> {
     /// Launch from all measurements, from a first guess at the time of the first measurement.
     ///
     /// # Errors
-    /// As [`Fit::run`].
+    /// The errors of [`Fit::run`].
     pub fn run_from<I>(&mut self, guess: Launch, measurements: I) -> Result<Fitted, FitError>
     where
         I: Iterator<Item = Measurement> + Clone,

@@ -29,7 +29,7 @@ struct Instant {
     axis: Option<Vector<f64>>,
 }
 
-/// First instants. They are read anew whenever they are needed, because all of them would take too much of the stack.
+/// First instants. They are read again whenever they are needed, because together they would take too much of the stack.
 #[derive(Clone)]
 struct Instants<'a, 's, F, I> {
     fit: &'a Fit<'s, F>,
@@ -42,7 +42,7 @@ struct Instants<'a, 's, F, I> {
 impl<F: Real, I: Iterator<Item = Measurement>> Iterator for Instants<'_, '_, F, I> {
     type Item = Instant;
 
-    #[inline(never)] // many places ask for the next instant
+    #[inline(never)] // it is called in many places
     fn next(&mut self) -> Option<Instant> {
         self.left = self.left.checked_sub(1)?;
         let mut measurement = self.ahead.take()?;
@@ -65,13 +65,13 @@ impl<F: Real, I: Iterator<Item = Measurement>> Iterator for Instants<'_, '_, F, 
 pub(super) struct Beginning {
     orientation: Orientation<f64>,
     omega: Vector<f64>,
-    /// Fastest rate about the axis that is tried, and the axis, where `omega` is the part across it only.
+    /// Fastest rate about the axis that is tried, and the axis; `omega` is then only the part across the axis.
     tried: Option<(f64, Vector<f64>)>,
 }
 
 impl Beginning {
     /// Guesses from the first instants, at the time of the first measurement.
-    #[inline(never)] // an instant is on the stack while it works only
+    #[inline(never)] // an instant is on the stack only during the call
     pub(super) fn of<F: Real, I>(fit: &Fit<'_, F>, measurements: &I, epoch: f64) -> Option<Self>
     where
         I: Iterator<Item = Measurement> + Clone,
@@ -93,13 +93,13 @@ impl Beginning {
             (None, Some(omega)) => omega,
             (None, None) => return None,
         };
-        // back to the first measurement of all
+        // from the first instant with an orientation back to the first measurement
         let lead = epoch - time;
         let orientation = orientation.compose(&Orientation::exp(omega.map(|x| x * lead)));
         Some(Self { orientation, omega: orientation.adjoint(omega), tried: None })
     }
 
-    /// Guesses from the axis alone: its rate from the first and a later instant, and all rates about it.
+    /// Guesses from the axis alone: its rate from the first and a later instant, and several rates about it.
     #[inline(never)]
     fn from_axis(instants: impl Iterator<Item = Instant>) -> Option<Self> {
         let mut seen = instants.filter_map(|instant| Some((instant.time, instant.axis?)));
@@ -174,7 +174,7 @@ impl Instant {
         Some(in_fixed.compose(&in_body.inverse()))
     }
 
-    /// Orientation; with an arbitrary rotation about the direction where there is only one.
+    /// Orientation; where only one direction is known, with an arbitrary rotation about it.
     fn attitude(&self) -> Option<Orientation<f64>> {
         self.full_attitude().or_else(|| {
             let [Some([fixed, body]), _] = self.directions else { return None };
@@ -186,16 +186,16 @@ impl Instant {
 /// Orientation whose third and first axes are these unit vectors.
 fn from_frame(third: Vector<f64>, first: Vector<f64>) -> Orientation<f64> {
     let tilt = upright_to(third);
-    // rotation about the third axis that brings the first one home
+    // rotation about the third axis that aligns the first axis
     let [x, y, _] = tilt.inverse().adjoint(first);
-    // its half angle without trigonometric functions: x and y are those of a unit vector
+    // x and y are the components of a unit vector, so that the half angle needs no trigonometric functions
     let half = if x > 0.0 { [1.0 + x, 0.0, 0.0, y] } else { [y, 0.0, 0.0, 1.0 - x] };
     tilt.compose(&Orientation::from_quaternion(half).normalised())
 }
 
 /// Smallest rotation that takes the vertical to this unit vector.
 pub(super) fn upright_to([x, y, z]: Vector<f64>) -> Orientation<f64> {
-    // below -1 + 1e-12 any horizontal axis serves
+    // below -1 + 1e-12 the rotation may be about any horizontal axis
     if z < -1.0 + 1e-12 {
         return Orientation::from_quaternion([0.0, 1.0, 0.0, 0.0]);
     }
@@ -204,7 +204,7 @@ pub(super) fn upright_to([x, y, z]: Vector<f64>) -> Orientation<f64> {
 
 /// Angular velocity in the body frame from the orientations. The component along the axis is the mean over all; the
 /// others are those of the first instants.
-#[inline(never)] // an instant is on the stack while it works only
+#[inline(never)] // an instant is on the stack only during the call
 fn mean_rate(instants: impl Iterator<Item = Instant>) -> Option<Vector<f64>> {
     let mut known = instants.filter_map(|instant| Some((instant.time, instant.full_attitude()?)));
     let (mut time, mut orientation) = known.next()?;
@@ -225,7 +225,7 @@ fn mean_rate(instants: impl Iterator<Item = Instant>) -> Option<Vector<f64>> {
 /// Rate about the axis from the circle that a direction draws in the body, with the sign of `bound`.
 ///
 /// For K = Φ⁻¹ k and z = K₁ + i K₂ the motion gives z' = -iΩ₃ z + i K₃ (Ω₁ + i Ω₂).
-#[inline(never)] // its steps are on the stack while it works only
+#[inline(never)] // its steps are on the stack only during the call
 fn circling<F: Real>(instants: impl Iterator<Item = Instant>, bound: f64) -> Option<f64> {
     const PLACES: u32 = 720;
     let mut steps = [[F::ZERO; 7]; FIRST_WINDOW];

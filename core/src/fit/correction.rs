@@ -1,4 +1,4 @@
-//! Correction of the launch after a pass, and what it says about the fit.
+//! Correction of the launch after a pass, and the reason why a fit must not be trusted.
 
 use crate::fit::Fit;
 use crate::fit::launch::{LAUNCH, Launch};
@@ -17,9 +17,9 @@ const NEXT_SETTLED: f64 = 0.1;
 const MOST_UNCONFIRMED: f64 = 10.0;
 /// Least sine of the tilt at which the fit converges without such a pass.
 const LEAST_TILT: f64 = 0.1;
-/// Change of the sum of squares that may come from the error of the integration.
+/// Change of the sum of squares that the error of the integration may cause.
 const ROUNDING: f64 = 0.05;
-/// Standard deviations of the sum of squares beyond which the residuals are larger than the noise explains.
+/// Number of standard deviations of the sum of squares beyond which the residuals are larger than the noise explains.
 const MISFIT: f64 = 5.0;
 
 impl<F: Real> Fit<'_, F> {
@@ -31,7 +31,7 @@ impl<F: Real> Fit<'_, F> {
         if !improved && self.current.cost - previous < ROUNDING {
             return Progress::Settled;
         }
-        // a bad fit that hardly becomes better
+        // a bad fit that hardly improves
         let Statistics { used, outliers, .. } = self.current.statistics;
         if improved && outliers > used / 5 + 10 && previous - self.current.cost < 1e-3 * previous {
             self.best = self.current;
@@ -98,8 +98,8 @@ impl<F: Real> Fit<'_, F> {
 }
 
 impl Model {
-    /// Launch after a correction. ω is corrected in the frame that the rotation turns, so that a rotation about the
-    /// vertical, which may be poorly known, leaves the motion as it is however large it is.
+    /// Launch after a correction. ω is corrected in the frame that the rotation turns. A rotation about the vertical,
+    /// which may be large because it is poorly known, then changes nothing else in the motion.
     pub(crate) fn moved<F: Real>(&self, launch: &Launch, change: &Unknowns<F>) -> Launch {
         let change = change.map(F::to_f64);
         let [t1, t2, t3, w1, w2, w3, ..] = change;
@@ -116,11 +116,13 @@ impl Model {
         }
     }
 
-    /// Adds the information about changes of the launch after a correction, from that about changes of the launch before it.
+    /// Adds the information about changes of the corrected launch, from the information about changes of the launch
+    /// before the correction.
     ///
-    /// A rotation of everything by θ changes ω by θ × ω: with ω the row of a measurement by θ changes, which matters
-    /// where the rotation is poorly known. What stays is the row by θ and by the change of ω that an observer sees who
-    /// turns with θ, in the frame that the correction turned.
+    /// A rotation of the whole motion by θ changes ω by θ × ω. Therefore the derivatives of a measurement with respect
+    /// to θ at constant ω change with ω, which matters where the rotation is poorly known. The derivatives with
+    /// respect to θ and to the change of ω in a frame that turns by θ do not change, in coordinates that the
+    /// correction rotated.
     pub(crate) fn carry<F: Real>(
         information: &Triangle<F>,
         before: &Launch,
@@ -130,7 +132,7 @@ impl Model {
     ) {
         let [t1, t2, t3, ..] = *change;
         let turn = Orientation::exp([t1, t2, t3].map(F::to_f64));
-        // the turn as a matrix, by its columns, in the scalar of the rows
+        // columns of the rotation matrix, in the scalar of the rows
         let cast = |x: Vector<f64>| x.map(F::from_f64);
         let [x_axis, y_axis, z_axis] =
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| cast(turn.adjoint(axis)));

@@ -7,13 +7,14 @@ use crate::su2::Vector;
 
 /// Entries of a symmetric matrix on and below its diagonal.
 const ENTRIES: usize = MOST_UNKNOWNS * (MOST_UNKNOWNS + 1) / 2;
-/// Least variance of an unknown given those before it: one that rounding made negative counts as known to 1e-12.
+/// Least variance of an unknown given those before it: an unknown whose variance is negative by rounding counts as
+/// known to 1e-12.
 const LEAST_VARIANCE: f64 = 1e-24;
 
 /// Covariance of the unknowns: a symmetric matrix, of which one half is stored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Covariance {
-    /// Rows from the diagonal to the left, one behind the other.
+    /// Rows of the lower triangle up to the diagonal, one after another.
     entries: [f64; ENTRIES],
 }
 
@@ -41,9 +42,9 @@ impl Covariance {
         }
     }
 
-    /// Takes the launch to a later time.
+    /// Propagates the covariance of the launch to a later time.
     ///
-    /// * `columns`: derivatives of the rotation vector and of ω at that time by the unknowns
+    /// * `columns`: derivatives of the rotation vector and of ω at that time with respect to the unknowns
     pub(super) fn carry(&mut self, columns: &[[Vector<f64>; MOST_UNKNOWNS]; 2]) {
         let [theta, omega] = columns;
         let by = |index: usize, unknown: usize| {
@@ -71,7 +72,7 @@ impl Covariance {
         }
     }
 
-    /// Becomes the lower triangle L of this covariance L Lᵀ of so many unknowns, by Cholesky's method.
+    /// Replaces the covariance L Lᵀ of the first `count` unknowns by the lower triangle L, by Cholesky's method.
     pub(super) fn factorise(&mut self, count: usize) {
         for i in 0..count {
             for j in 0..=i {
@@ -105,7 +106,7 @@ impl Covariance {
     }
 }
 
-/// Place of an entry.
+/// Index of an entry.
 fn place(i: usize, j: usize) -> usize {
     let (row, column) = if i < j { (j, i) } else { (i, j) };
     row * (row + 1) / 2 + column

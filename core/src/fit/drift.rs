@@ -1,4 +1,4 @@
-//! Drift of the first integrals within the measurements, which a loss of rotation causes.
+//! Drift of the first integrals during the measurements, caused by a loss of rotation.
 
 use crate::sensitivity::LOSSES;
 use crate::su2::Vector;
@@ -25,9 +25,9 @@ impl Drift {
         [l, n, h].map(libm::sqrt)
     }
 
-    /// Drift of losses with this covariance.
+    /// Drift caused by losses with this covariance.
     ///
-    /// * `by`: rates by each loss
+    /// * `by`: derivatives of the rates with respect to each loss
     pub(super) fn of(
         losses: Vector<f64>,
         by: &[Vector<f64>; LOSSES],

@@ -48,7 +48,7 @@ impl<F: Real> Fit<'_, F> {
 }
 
 impl Model {
-    /// Derivatives of a vector by the unknowns, from its columns.
+    /// Derivatives of a vector with respect to the unknowns, from its columns.
     fn columns(&self, shares: &[[f64; 4]; 4], by: &[Vector<f64>; COLUMNS]) -> [Vector<f64>; MOST_UNKNOWNS] {
         let mut columns = [[0.0; 3]; MOST_UNKNOWNS];
         for component in 0..3 {
@@ -70,7 +70,7 @@ impl Model {
         [0, 1, 2].map(|i| [0, 1, 2].map(|j| covariance.of(first + i, first + j)))
     }
 
-    /// Makes the losses as uncertain as before any measurement: those of another time may be others.
+    /// Makes the losses as uncertain as before any measurement, because the losses at another time may differ.
     pub(super) fn forget_losses(&self, covariance: &mut Covariance) {
         for loss in self.loss_places() {
             for other in 0..self.count {

@@ -210,7 +210,7 @@ impl<F: Real> Sensor<F> for TipCamera {
     }
 
     fn hint(&self, values: &[f64; 4]) -> Hint {
-        // the top is taken to stand above the plate
+        // the top is assumed to stand above the plate
         let [x, y, ..] = values.map(|x| -x / self.tip_scale);
         let square = x * x + y * y;
         Hint::Axis([x, y, libm::sqrt(if square < 1.0 { 1.0 - square } else { 0.0 })])

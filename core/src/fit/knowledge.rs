@@ -1,4 +1,4 @@
-//! Knowledge of the unknowns: what is known before the measurements, in which units, and which directions stay unknown.
+//! Information about the unknowns: prior information, units, and the directions that the measurements do not determine.
 
 use crate::fit::launch::{LAUNCH, Launch};
 use crate::fit::model::Model;
@@ -9,7 +9,7 @@ use crate::sensitivity::Coefficients;
 use crate::su2::{Vector, bracket, dot};
 
 impl Model {
-    /// Adds the information before any measurement; returns the sum of squares of the differences of the launch from it.
+    /// Adds the prior information; returns the sum of squares of the differences of the launch from it.
     #[inline(never)] // its deviations are on the stack only here
     pub(crate) fn add_prior<F: Real>(&self, launch: &Launch, information: &mut Triangle<F>) -> f64 {
         let mut cost = 0.0;
@@ -27,7 +27,7 @@ impl Model {
         cost
     }
 
-    /// Standard deviations before any measurement; infinite for none.
+    /// Prior standard deviations; infinite where there is no prior information.
     fn prior_deviations(&self) -> Unknowns {
         let mut deviations = [f64::INFINITY; MOST_UNKNOWNS];
         for (slot, free) in deviations.iter_mut().skip(LAUNCH).zip(&self.free).take(self.free_count) {
@@ -44,8 +44,9 @@ impl Model {
         deviations
     }
 
-    /// Unit of each unknown: a radian, a change of ω by its own size, a ratio by its own size, a bias by its prior
-    /// deviation, a loss by ten times its own, so that rounding does not make one undetermined that has its prior only.
+    /// Unit of each unknown: 1 rad, a change of ω by its own size, a change of a ratio by its own size, the prior
+    /// deviation of a bias, and ten times the prior deviation of a loss, so that rounding does not make a loss
+    /// undetermined that only its prior determines.
     fn units(&self, launch: &Launch) -> Unknowns {
         let Coefficients { moment, gravity, .. } = self.equations(launch).coefficients;
         let rate = libm::sqrt(dot(launch.omega, launch.omega) + moment * gravity);
@@ -64,7 +65,8 @@ impl Model {
         units
     }
 
-    /// Deviations that damp a correction: Marquardt's, and so many units for directions without information.
+    /// Standard deviations that damp a correction: those of Marquardt's method, and `units` units for directions
+    /// without information.
     pub(crate) fn damping<F: Real>(
         &self,
         launch: &Launch,
@@ -101,7 +103,7 @@ impl Model {
         let values = information.singular(&units.map(F::from_f64), &mut directions);
         let is_undetermined = |value: &&F| **value < F::ONE;
         let count = values.iter().take(self.count).filter(is_undetermined).count();
-        // whether a direction lies in the undetermined ones
+        // whether a direction lies in the space of the undetermined directions
         let [yaw, roll, spin] = directions.map(|components| {
             let along = values.iter().zip(components).take(self.count);
             let share =

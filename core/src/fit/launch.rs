@@ -1,4 +1,4 @@
-//! Launch with the other unknowns of a fit.
+//! Launch and the other unknowns of a fit.
 
 use crate::fit::triangle::{MOST_UNKNOWNS, Unknowns};
 use crate::sensitivity::total;
@@ -7,13 +7,13 @@ use crate::su2::{Orientation, Vector, dot};
 /// Number of unknowns of a launch.
 pub(super) const LAUNCH: usize = 6;
 
-/// Ratio of the top that is an unknown: a direction of log A/C, log A/(ps), log s and log g, which the unknown
-/// multiplies. For a fixed tip the length A/p takes the place of A/(ps).
+/// Ratio of the top that is an unknown: a direction in the space of log A/C, log A/(ps), log s and log g, of which the
+/// unknown is the factor. For a fixed tip the length A/p takes the place of A/(ps).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeRatio {
     /// Direction.
     pub direction: [f64; 4],
-    /// Standard deviation of the unknown before the fit; infinite for none.
+    /// Prior standard deviation of the unknown; infinite where there is no prior information.
     pub deviation: f64,
 }
 
@@ -36,7 +36,7 @@ impl FreeRatio {
     }
 }
 
-/// Launch with the other unknowns.
+/// Launch and the other unknowns.
 #[derive(Clone, Copy, Debug)]
 pub struct Launch {
     /// Orientation Φ at the epoch.
@@ -61,8 +61,8 @@ impl Launch {
         Self { orientation, omega, rest: [0.0; MOST_UNKNOWNS] }
     }
 
-    /// Values of the unknowns behind the launch: changes of the logarithms of the free ratios, then the three losses if there
-    /// is a drift, then the biases of the sensors that have one, in the order of the sensors.
+    /// Values of the unknowns after those of the launch: changes of the logarithms of the free ratios, then the three losses
+    /// if there is a drift, then the biases of the sensors that have one, in the order of the sensors.
     #[must_use]
     pub fn other_unknowns(&self) -> &[f64] {
         self.rest.get(LAUNCH..).unwrap_or(&[])

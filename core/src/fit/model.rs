@@ -1,4 +1,4 @@
-//! Unknowns of a fit: their order, their units, and how the derivatives of a motion belong to them.
+//! Unknowns of a fit: their order, their units, and the derivatives of a motion with respect to them.
 
 use crate::fit::launch::{FreeRatio, LAUNCH, Launch};
 use crate::fit::outcome::with_ratios;
@@ -35,7 +35,7 @@ impl Model {
         let lever = match top.support() {
             Support::Sliding => a / (p * s),
             Support::Fixed => a / p,
-            // without effect, but a number: its products with 0 are 0
+            // without effect, but finite, so that its products with 0 are 0
             Support::Free => 1.0,
         };
         let mut free = [FreeRatio::of([0.0; 4]); MOST_RATIOS];
@@ -90,7 +90,7 @@ impl Model {
         self.drift.is_some()
     }
 
-    /// Number of unknowns that are no biases.
+    /// Number of unknowns that are not biases.
     pub(crate) fn common(&self) -> usize {
         LAUNCH + self.free_count + if self.drift.is_some() { LOSSES } else { 0 }
     }
@@ -105,7 +105,7 @@ impl Model {
         self.free.map(|free| free.direction)
     }
 
-    /// Path to begin with.
+    /// Path before the first pass.
     pub(crate) fn path<F: Real>(&self) -> Path<F> {
         let known = match (self.drift, self.free_count) {
             (Some(_), 0) => LAUNCH + LOSSES,
@@ -115,7 +115,7 @@ impl Model {
         Path::new(self.top.tip_scale(), &self.equations(&Launch::default()), known)
     }
 
-    /// Nutation period of a launch, and the rotations in it.
+    /// Nutation period of a launch, and the rotations during it.
     #[inline(never)] // the top is on the stack only here
     pub(crate) fn turns_in_period(&self, launch: &Launch) -> Option<Turns> {
         let state = State::new(launch.orientation, launch.omega).ok()?;
@@ -189,7 +189,7 @@ impl Model {
         let coefficients = Coefficients { inertia: 1.0 / inertia, moment, height, gravity, rotor, losses };
         let mut changes = coefficients.derivatives(support);
         if self.drift.is_some() {
-            // the free ratio, if there is one, takes the place behind the losses
+            // the free ratio, if there is one, takes the place after the losses
             let [ratio, ..] = self.ratio_shares(launch);
             let [axial, across, vertical] = Coefficients::by_losses();
             changes = [axial, across, vertical, Coefficients::combined(&changes, &ratio)];
@@ -206,7 +206,7 @@ impl Model {
         losses
     }
 
-    /// Derivatives of the four ratios by each unknown that is a direction of them.
+    /// Derivatives of the four ratios with respect to each unknown that is a direction of them.
     fn ratio_shares(&self, launch: &Launch) -> [[f64; 4]; MOST_RATIOS] {
         let ratios = self.ratios(launch);
         self.free.map(|free| {
@@ -218,7 +218,7 @@ impl Model {
         })
     }
 
-    /// Shares of the columns behind those of the launch in each unknown that is no bias.
+    /// Shares of the columns after those of the launch in the derivative with respect to each unknown that is not a bias.
     pub(crate) fn shares<F: Real>(&self, launch: &Launch) -> [[F; 4]; MOST_RATIOS] {
         if self.drift.is_none() {
             return self.ratio_shares(launch).map(|shares| shares.map(F::from_f64));
@@ -233,7 +233,7 @@ impl Model {
         }
     }
 
-    /// Fills a row from the derivatives by the launch and the four ratios.
+    /// Fills a row from the derivatives with respect to the launch and the four ratios.
     pub(crate) fn fill<F: Real>(
         &self,
         row: &mut [F],

@@ -17,7 +17,7 @@ const WEIGHTS: [[f64; STAGES]; STAGES] = [
     [13.0 / 200.0, 0.0, 11.0 / 40.0, 11.0 / 40.0, 4.0 / 25.0, 4.0 / 25.0, 13.0 / 200.0],
 ];
 
-/// State and derivatives at one time, with the rates of the state and of η; that of θ is η.
+/// State and derivatives at one time, with the rates of the state and of η; the rate of θ is η.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node<F> {
     pub(super) flow: Flow<F, COLUMNS>,
@@ -55,8 +55,8 @@ impl<F: Real> Node<F> {
         }
     }
 
-    /// Makes `next` the node after a time h, by one step. The derivatives follow the state one column after another, so
-    /// that the stages of one column are in memory at a time.
+    /// Computes the node `next` after a time h, by one step. The columns of the derivatives are integrated one after
+    /// another, so that only the stages of one column are in memory at a time.
     pub(super) fn step(&self, equations: &Equations<F>, h: F, known: usize, next: &mut Self) {
         let weights = WEIGHTS.map(|row| row.map(|weight| h * F::from_f64(weight)));
         let mut states = [Flow::ZERO; STAGES];
@@ -131,8 +131,7 @@ fn column_after<'a, F: Real + 'a>(
     tangent
 }
 
-/// Makes `sum` the sum of three nodes by Hermite's interpolation at x spacings h from the second, in the first `known`
-/// columns.
+/// Sets `sum` to the Hermite interpolation of three nodes at x spacings h from the second, in the first `known` columns.
 pub(super) fn blend<F: Real>(nodes: &[Node<F>; 3], x: F, h: F, known: usize, sum: &mut Flow<F, COLUMNS>) {
     let (half, three) = (F::ONE.halved(), F::from_f64(3.0));
     let (left, right) = (x + F::ONE, x - F::ONE);

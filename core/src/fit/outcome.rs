@@ -111,7 +111,7 @@ pub struct Statistics {
     pub unused: u32,
     /// Number of components whose weight was reduced.
     pub outliers: u32,
-    /// Sum of the squares of all residuals in standard deviations, those of outliers at the limit.
+    /// Sum of the squares of all residuals in standard deviations; the residual of an outlier counts as the limit.
     pub chi_squared: f64,
     /// Largest residual in standard deviations.
     pub largest: f64,
@@ -128,8 +128,8 @@ impl Statistics {
         self.chi_squared / freedom.max(1.0)
     }
 
-    /// Whether the residuals that are no outliers are beyond their mean by so many standard deviations √(2 n), or more
-    /// than a fifth of all are outliers.
+    /// Whether the sum of squares of the residuals that are not outliers exceeds its mean n by `deviations` standard
+    /// deviations √(2 n), or more than a fifth of all residuals are outliers.
     pub(crate) fn is_misfit(&self, unknowns: usize, deviations: f64, huber: f64) -> bool {
         let (used, outliers) = (f64::from(self.used), f64::from(self.outliers));
         let inliers =
@@ -152,7 +152,7 @@ pub struct Unobservable {
     pub roll: bool,
     /// Angular velocity about the axis.
     pub spin: bool,
-    /// Number of independent directions, those with a name included.
+    /// Number of independent directions, including the named ones.
     pub count: usize,
 }
 
@@ -174,7 +174,7 @@ pub struct Fitted {
     pub unobservable: Unobservable,
     /// Reason why the launch must not be trusted; `None` where it may be.
     pub reason: Option<Reason>,
-    /// Number of other launches, from other beginnings, that fit the first measurements as well.
+    /// Number of other launches, from other first guesses, that fit the first measurements equally well.
     pub alternatives: usize,
     /// Number of unknowns.
     pub count: usize,
@@ -195,7 +195,7 @@ impl Fitted {
     /// State of the launch.
     ///
     /// # Errors
-    /// As [`State::new`].
+    /// The errors of [`State::new`].
     pub fn state(&self) -> Result<State, ParameterError> {
         State::new(self.launch.orientation.normalised(), self.launch.omega)
     }
@@ -203,16 +203,16 @@ impl Fitted {
     /// Top with the fitted ratios, and with the A of the top that was given.
     ///
     /// # Errors
-    /// As [`Top::sliding`]; the name is that of the parameter which the fit took beyond its range.
+    /// The errors of [`Top::sliding`]; the name is that of the parameter which the fit took beyond its range.
     pub fn top(&self, given: &Top) -> Result<Top, ParameterError> {
         if self.directions == [[0.0; 4]; MOST_RATIOS] { Ok(*given) } else { with_ratios(given, &self.ratios) }
     }
 
-    /// Derivatives of the fitted motion, whose t = 0 is the epoch. With a drift the motion contains it, and its earlier
-    /// times are those of the measurements.
+    /// Derivatives of the fitted motion, whose t = 0 is the epoch. With a drift the motion includes the losses, and the
+    /// measurements are at t <= 0.
     ///
     /// # Errors
-    /// As [`Fitted::motion`].
+    /// The errors of [`Fitted::motion`].
     pub fn sensitivity(&self, given: &Top) -> Result<Sensitivity, ParameterError> {
         let Some(drift) = &self.drift else { return Ok(Sensitivity::of(&self.motion(given)?)) };
         let (top, state) = (self.top(given)?, self.state()?);
@@ -224,7 +224,7 @@ impl Fitted {
     /// Motion of the launch.
     ///
     /// # Errors
-    /// As [`Fitted::state`], [`Fitted::top`] and [`Motion::launch`].
+    /// The errors of [`Fitted::state`], [`Fitted::top`] and [`Motion::launch`].
     pub fn motion(&self, given: &Top) -> Result<Motion, ParameterError> {
         Motion::launch(&self.top(given)?, &self.state()?)
     }
@@ -239,7 +239,7 @@ impl Fitted {
         deviations
     }
 
-    /// Derivatives by the unknowns from derivatives by the launch and the four ratios.
+    /// Derivatives with respect to the unknowns, from those with respect to the launch and the four ratios.
     pub(crate) fn columns(&self, by: &[Vector<f64>; COLUMNS]) -> [Vector<f64>; MOST_UNKNOWNS] {
         let (launch, ratios) = by.split_at(LAUNCH);
         let mut columns = [[0.0; 3]; MOST_UNKNOWNS];

@@ -11,10 +11,10 @@ use crate::fit::window::Part;
 use crate::scalar::Real;
 use crate::su2::Vector;
 
-/// Size of a correction, in standard deviations, below which the fit has converged. The next one would be about its
-/// square.
+/// Size of a correction, in standard deviations, below which the fit has converged. The next correction would be about
+/// its square.
 pub(super) const SETTLED: f64 = 0.05;
-/// Passes that one window of measurements may take.
+/// Largest number of passes over one window of measurements.
 const MOST_PASSES: u32 = 30;
 
 /// One pass over the measurements.
@@ -53,14 +53,14 @@ impl<F: Real> Pass<F> {
 }
 
 impl<F: Real> Fit<'_, F> {
-    /// Begins with nothing known, from a guess of this number, or from a top at rest.
+    /// Begins without information, from the guess with this number, or from a top at rest.
     #[inline(never)] // its launch is on the stack only here
     pub(super) fn start(&mut self, guess: Option<(&Beginning, u32)>) {
         let launch = guess.map_or_else(Launch::default, |(beginning, number)| beginning.guess(number));
         self.start_from(&launch);
     }
 
-    /// Begins with nothing known, from a launch.
+    /// Begins without information, from a launch.
     pub(super) fn start_from(&mut self, launch: &Launch) {
         self.best.launch = *launch;
         self.best.launch.orientation = launch.orientation.normalised();
@@ -99,7 +99,7 @@ impl<F: Real> Fit<'_, F> {
 
     /// Passes over the measurements until the launch does not change any more.
     ///
-    /// * `settled`: size of a correction, in standard deviations, below which this is so
+    /// * `settled`: size of a correction, in standard deviations, below which the launch counts as unchanged
     #[inline(never)] // its copies would take more stack
     pub(super) fn settle<I>(&mut self, measurements: &I, part: Part, settled: f64) -> Progress
     where
@@ -148,8 +148,8 @@ impl<F: Real> Fit<'_, F> {
         self.rows.add_to(information);
     }
 
-    /// Adds one measurement to the pass that is under way, at the time to which the path was moved. `None` where there is no
-    /// such sensor.
+    /// Adds one measurement to the current pass, at the time to which the path was moved. `None` where there is no such
+    /// sensor.
     #[inline(never)] // the prediction and the motion of the path must not be on the stack together
     fn add(&mut self, measurement: &Measurement, huber: F, sums: &mut Sums<F>) -> Option<()> {
         let Measurement { sensor: index, ref values, .. } = *measurement;
@@ -170,7 +170,7 @@ impl<F: Real> Fit<'_, F> {
         Some(())
     }
 
-    /// Adds a component of a prediction, whose number is a constant so that it takes no time.
+    /// Adds component `K` of a prediction. `K` is a constant, so that the selection takes no time.
     ///
     /// * `bias`: first bias of the sensor
     #[inline(always)]
@@ -207,7 +207,7 @@ impl<F: Real> Fit<'_, F> {
     /// Computes the state and the derivatives at a time.
     #[inline(never)] // as above
     fn move_to(&mut self, time: f64) -> Option<()> {
-        // the same bits, which a chip without `f64` compares faster
+        // the bits are compared, which is faster on a chip without a unit for `f64`
         if self.now.map(f64::to_bits) == Some(time.to_bits()) {
             return Some(());
         }

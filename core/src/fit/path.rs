@@ -1,9 +1,9 @@
 //! State and derivatives along the motion of a pass, interpolated between nodes.
 //!
 //! The nodes are equally spaced in time, and computed when a measurement needs them. They cover one nutation period;
-//! all other periods follow from it (`docs/partials.md`). A motion without a period, or with one that is too long,
-//! is followed from node to node instead, and the earlier nodes are given up; its state is then corrected from
-//! time to time by an integration of the state alone in `f64`, so that rounding does not add up.
+//! all other periods follow from it (`docs/partials.md`). A motion without a period, or with one that is too long, is
+//! followed from node to node instead, and the earlier nodes are discarded; its state is then corrected from time to
+//! time by an integration of the state alone in `f64`, so that rounding errors do not accumulate.
 
 use crate::fit::launch::{LAUNCH, Launch};
 use crate::fit::node::{self, Node};
@@ -25,15 +25,15 @@ const FURTHEST: u32 = 100_000;
 const TOLERANCE: f64 = 1e-10;
 const MOST_STEPS: u32 = 1000;
 
-/// Effect of one nutation period, and of those that are over.
+/// Effect of one nutation period, and of the periods that have passed.
 #[derive(Clone, Copy, Debug)]
 struct Period<F> {
     length: Length,
     /// Rotations about the vertical and about the axis.
     turns: [Phase; 2],
-    /// Changes of the launch whose effect is what a period adds to the columns.
+    /// Shares of the columns of the launch in the growth of each column over a period.
     growth: [[F; LAUNCH]; COLUMNS],
-    /// End of the whole periods before the last time, their number, and the rotations in them.
+    /// End of the whole periods before the last time, their number, and the rotations during them.
     over: Place,
     count: F,
     turned: (F, F),
@@ -55,7 +55,7 @@ pub(super) struct Path<F> {
     /// Rotation of the body about its axis.
     roll: Rate,
     nodes: [Node<F>; NODES],
-    /// Number of the nodes, and of those before them that were given up.
+    /// Number of the nodes, and of the earlier nodes that were discarded.
     count: usize,
     given_up: usize,
     beyond: Beyond<F>,
@@ -64,16 +64,16 @@ pub(super) struct Path<F> {
 /// Motion beyond the time that the nodes cover.
 #[derive(Clone, Copy, Debug)]
 enum Beyond<F> {
-    /// Not asked for so far.
+    /// Not needed so far.
     Unknown,
     /// Repetition of the first period.
     Repeated(Period<F>),
-    /// Integration of the state alone, at the last node that it corrected.
+    /// Integration of the state alone: the last node that it corrected, and the state there.
     Followed(usize, Flow<f64, 0>),
 }
 
 impl<F: Real> Path<F> {
-    /// Path of a top at rest, to begin with.
+    /// Path of a top at rest, before the first launch.
     pub(super) fn new(tip_scale: f64, equations: &Equations<f64>, known: usize) -> Self {
         let flow = Flow::<f64, COLUMNS>::launched(&Orientation::IDENTITY, [0.0; 3]);
         let (exact, equations) = (equations.coefficients, equations.cast());
@@ -111,7 +111,7 @@ impl<F: Real> Path<F> {
         (self.count, self.given_up, self.beyond) = (1, 0, Beyond::Unknown);
     }
 
-    /// Takes over the equations of a launch, with the distance of the nodes.
+    /// Stores the equations of a launch and the distance of the nodes.
     #[inline(never)] // the equations in `f64` are on the stack only here
     fn take_over(&mut self, equations: impl FnOnce() -> Equations<f64>) {
         let equations = equations();
@@ -120,10 +120,10 @@ impl<F: Real> Path<F> {
         self.spacing = SPACING / equations.fastest(&self.launch);
     }
 
-    /// Moves to a time after the launch, later than that of the last call: the state and the derivatives there. `None` where
-    /// it is not within some periods of the last node.
+    /// Moves to a time after the launch, later than that of the last call, and computes the state and the derivatives there.
+    /// `None` where it is not within some periods of the last node.
     ///
-    /// * `turns`: those of the launch, which are asked for where the nodes do not reach the time
+    /// * `turns`: period and rotations of the launch, needed only where the nodes do not reach the time
     pub(super) fn move_to(&mut self, t: f64, turns: impl FnOnce() -> Option<Turns>) -> Option<()> {
         let place = Place::of_units(t * self.units_per_time)?;
         if matches!(self.beyond, Beyond::Unknown) && place > Place::of_node(NODES as u32 - 2) {
@@ -194,7 +194,7 @@ impl<F: Real> Path<F> {
         Some(())
     }
 
-    /// Interpolates at a place that the nodes reach, or can reach; with the side of the nodes.
+    /// Interpolates at a place that the nodes reach, or can reach. The vector `side` does not contain the roll.
     fn interpolate(&mut self, place: Place) -> Option<()> {
         let place = place.minus(Place::of_node(self.given_up as u32));
         if !(Place::of_node(0).minus(Place::of_node(1))..Place::of_node(FURTHEST)).contains(&place) {
@@ -211,10 +211,10 @@ impl<F: Real> Path<F> {
         Some(())
     }
 
-    /// Adds a node; the number of nodes that were given up for it.
+    /// Adds a node. Returns the number of nodes that were discarded for it.
     #[inline(never)] // its stages would be on the stack at every time
     fn extend(&mut self) -> Option<usize> {
-        // the three last ones are kept
+        // the last three nodes are kept
         const LOST: usize = NODES - 3;
         let given_up = if self.count == NODES { LOST } else { 0 };
         if given_up > 0 {
@@ -230,7 +230,7 @@ impl<F: Real> Path<F> {
         Some(given_up)
     }
 
-    /// Gives the last node a state whose error is that of `f64` and of a small tolerance.
+    /// Corrects the state of the last node by an integration in `f64` with a small tolerance.
     #[inline(never)] // the stages of the integration are on the stack only here
     fn correct_last(&mut self) -> Option<()> {
         let index = self.count.checked_sub(1)?;
@@ -247,7 +247,7 @@ impl<F: Real> Path<F> {
 }
 
 impl<F: Real> Period<F> {
-    /// Passes the periods before a place that is not before the last one.
+    /// Advances by the whole periods before a place that is not before the last one.
     fn pass(&mut self, place: Place) {
         if place.minus(self.over) < self.length.place() {
             return;
@@ -261,7 +261,7 @@ impl<F: Real> Period<F> {
     }
 }
 
-/// Adds to each column what the periods before have added.
+/// Adds to each column the growth over the periods that have passed.
 #[inline(never)] // the columns of the launch are on the stack only here
 fn grow<F: Real>(flow: &mut Flow<F, COLUMNS>, period: &Period<F>, known: usize) -> Option<()> {
     let launch = *flow.tangents.first_chunk::<LAUNCH>()?;

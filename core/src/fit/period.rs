@@ -1,8 +1,8 @@
-//! Nutation period of a launch in `f64`, and the rotations in it.
+//! Nutation period of a launch in `f64`, and the rotations during it.
 //!
-//! A launch of the core computes the period in extended precision, because an ephemeris repeats it up to 2^62 times.
-//! A fit repeats it some hundred times and corrects the launch by more than a rounding of `f64`, which takes a chip a
-//! twentieth of the time and of the stack.
+//! [`crate::Motion::launch`] computes the period in extended precision, because an ephemeris repeats it up to 2^62
+//! times. A fit repeats it some hundred times and corrects the launch by more than a rounding of `f64`. Therefore
+//! arithmetic in `f64` is enough; it takes a chip a twentieth of the time and of the stack.
 
 use crate::constants::{BranchPoints, FirstIntegrals, MovingAxis, ReducedPoint};
 use crate::law::Law;
@@ -11,7 +11,7 @@ use crate::scalar::Float;
 use crate::state::State;
 use crate::top::{Quantities, Top};
 
-/// Nutation period, and the rotations about the vertical and about the axis in it.
+/// Nutation period, and the rotations about the vertical and about the axis during it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turns {
     pub(super) length: f64,
@@ -19,12 +19,12 @@ pub(super) struct Turns {
     pub(super) about_axis: Phase,
 }
 
-/// Intervals of half a period at first, and at most. More are needed only near the separatrix, where the period is longer
-/// than the nodes of a path reach.
+/// First and largest number of intervals of half a period. More are needed only near the separatrix, where the period is
+/// longer than the nodes of a path reach.
 const FEWEST: u32 = 4;
 const MOST: u32 = 64;
-/// Change by a doubling of the nodes, relative for the period and in rad for the phases, after which the error is about its
-/// square.
+/// Change by a doubling of the nodes below which the sums have converged, relative for the period and in rad for the
+/// phases. The error is then about its square.
 const SMALL: f64 = 1e-8;
 
 impl Turns {
@@ -45,7 +45,7 @@ impl Turns {
 }
 
 /// Finds the law of a motion. Returns its rate τ, and the period of a body without torque, which needs no law because its
-/// slow phases stand still. `None` where the axis approaches the vertical for ever.
+/// slow phases are constant. `None` where the axis approaches the vertical asymptotically.
 #[inline(never)] // the constants of the motion are on the stack only here
 fn find_law(top: &Top, state: &State, law: &mut Law<f64>) -> Option<(f64, Option<f64>)> {
     let (integrals, point) = integrals_and_point(top, state);
@@ -88,7 +88,7 @@ fn branch_points(top: &Top, integrals: &FirstIntegrals, point: &ReducedPoint<f64
     BranchPoints::with_torque(top, integrals, point).ok()
 }
 
-/// Period, and ψ_A and ψ_B in it, by the trapezoid rule in χ, which converges geometrically.
+/// Period, and ψ_A and ψ_B over it, by the trapezoid rule in χ, which converges geometrically.
 #[inline(never)] // the frames of the law and of its integration must not add up
 fn integrated(law: &Law<f64>) -> Option<[f64; 3]> {
     const RIGHT_ANGLE: f64 = core::f64::consts::FRAC_PI_2;
@@ -114,7 +114,7 @@ fn integrated(law: &Law<f64>) -> Option<[f64; 3]> {
     let mut sums = sum_over(intervals, false);
     while intervals < MOST {
         intervals *= 2;
-        // the odd nodes are between those of the sums before
+        // the odd nodes lie between those of the previous sums
         let odd = sum_over(intervals, true);
         let weight = 2.0 * RIGHT_ANGLE / f64::from(intervals);
         let ([time, alpha, beta], [odd_time, odd_alpha, odd_beta]) = (sums, odd);
@@ -137,8 +137,8 @@ pub(super) mod tests {
     use crate::state::Release;
     use crate::top::TopParameters;
 
-    /// A top by A, C, s, M, K and support (0: sliding, 1: held, 2: free), and its throw by tilt, spin, precession and nutation
-    /// rate.
+    /// A top by A, C, s, M, K and support (0: sliding, 1: fixed, 2: free), and its throw by tilt, spin, precession and
+    /// nutation rate.
     pub(in crate::fit) type Case = ([f64; 5], u8, [f64; 4]);
 
     /// Top and state of a case.

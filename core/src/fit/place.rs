@@ -1,5 +1,5 @@
-//! Times in units of the distance of two nodes, as integers: a chip without `f64` then needs one product in it for a
-//! measurement.
+//! Times in units of the distance of two nodes, as integers: a chip without a unit for `f64` then needs only one
+//! product in `f64` for each measurement.
 
 use crate::phase::{Phase, integer_parts};
 use crate::scalar::Float;
@@ -8,7 +8,7 @@ use crate::scalar::Float;
 const FRACTION: u32 = 36;
 /// Further fraction bits of a length that is multiplied by a count.
 const FINER: u32 = 16;
-/// Fraction bits of the rate of a phase, in turns per distance. Below 2^19 turns; faster rates belong to no body.
+/// Fraction bits of the rate of a phase, in turns per distance. The rate is below 2^19 turns; no body turns faster.
 const RATE: u32 = 44;
 
 /// Time after the launch in distances of the nodes.
@@ -41,7 +41,7 @@ impl Place {
         Self((number as i64) << FRACTION)
     }
 
-    /// Number of the nearest node behind the first one, and the distance from it in units of a place.
+    /// Number of the nearest node after the first, and the distance from it in units of a place.
     pub(super) fn nearest_inner(self) -> (usize, i64) {
         let number = ((self.0 + (1 << (FRACTION - 1))) >> FRACTION).max(1);
         (number as usize, self.0 - (number << FRACTION))

@@ -9,7 +9,7 @@ use crate::scalar::Real;
 
 impl<F: Real> Fit<'_, F> {
     /// Directions that the measurements do not determine.
-    #[inline(never)] // its matrix is on the stack without what follows
+    #[inline(never)] // its matrix must not be on the stack during the following work
     fn unobservable(&self) -> Unobservable {
         self.model.unobservable(&self.best.launch, &self.best.information)
     }
@@ -29,8 +29,8 @@ impl<F: Real> Fit<'_, F> {
         fitted
     }
 
-    /// Makes the information of the current pass that of the best one, and limits the deviations of undetermined directions.
-    #[inline(never)] // its numbers are on the stack without the result
+    /// Copies the information of the best pass to the current one, and limits the deviations of undetermined directions.
+    #[inline(never)] // its numbers and the result must not be on the stack together
     fn limit_information(&mut self) {
         let Pass { launch, information, .. } = &self.best;
         // not larger, so that the covariance keeps the digits of what is determined

@@ -1,28 +1,28 @@
-//! Rows of the least-squares problem on their way into a triangle, by reflections of Householder.
+//! Rows of the least-squares problem before they are added to a triangle, reduced by Householder reflections.
 //!
-//! A row has one bias at most. So the triangle of the measurements is an arrowhead matrix: the biases come first, and
-//! the row of each has no entry for another one. Rows are collected and reflected many at a time, which needs a square
-//! root for an unknown and not for each row.
+//! A row has one bias at most. Therefore the triangle of the measurements is an arrowhead matrix: the biases come
+//! first, and the row of each has no entry for another one. Rows are collected and reflected in blocks, which needs
+//! one square root for each unknown instead of one for each row.
 
 use crate::fit::launch::LAUNCH;
 use crate::fit::triangle::{MOST_UNKNOWNS, Triangle};
 use crate::fit::{MOST_RATIOS, MOST_SENSORS};
 use crate::scalar::Real;
 
-/// Most unknowns that are no biases, with the right-hand side.
+/// Largest number of unknowns that are not biases, plus one for the right-hand side.
 const WIDTH: usize = LAUNCH + MOST_RATIOS + 1;
-/// Most biases.
+/// Largest number of biases.
 const BIASES: usize = 3 * MOST_SENSORS;
-/// Rows that are collected.
+/// Number of rows that are collected.
 const BLOCK: usize = 16;
 
-/// Derivatives by the launch and the ratios, with the right-hand side behind them.
+/// Derivatives with respect to the launch and the ratios, followed by the right-hand side.
 type Entries<F> = [F; WIDTH];
 
 /// Rows that were added and are not yet in a [`Triangle`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rows<F> {
-    /// Number of the unknowns that are no biases.
+    /// Number of the unknowns that are not biases.
     common: usize,
     block: [(Option<u8>, Row<F>); BLOCK],
     filled: usize,
@@ -30,7 +30,7 @@ pub(super) struct Rows<F> {
     others: [Entries<F>; WIDTH - 1],
 }
 
-/// Derivative by one bias, and the others.
+/// Derivative with respect to one bias, and the other entries.
 #[derive(Clone, Copy, Debug)]
 struct Row<F> {
     by_bias: F,
@@ -42,7 +42,7 @@ impl<F: Real> Row<F> {
 }
 
 impl<F: Real> Rows<F> {
-    /// No rows, for so many unknowns that are no biases.
+    /// Empty set of rows, for `common` unknowns that are not biases.
     pub(super) fn new(common: usize) -> Self {
         Self {
             common: common.min(WIDTH - 1),
@@ -53,7 +53,7 @@ impl<F: Real> Rows<F> {
         }
     }
 
-    /// Takes all rows away.
+    /// Removes all rows.
     pub(super) fn clear(&mut self) {
         self.filled = 0;
         self.by_bias = [Row::ZERO; BIASES];
@@ -63,7 +63,7 @@ impl<F: Real> Rows<F> {
     /// Place for the derivatives of the next row.
     ///
     /// * `bias`: bias of the row, counted from 0
-    /// * `by_bias`: derivative by it
+    /// * `by_bias`: derivative with respect to the bias
     /// * `value`: right-hand side
     pub(super) fn next(&mut self, bias: Option<usize>, by_bias: F, value: F) -> Option<&mut [F]> {
         if self.filled == BLOCK {
@@ -77,7 +77,7 @@ impl<F: Real> Rows<F> {
         Some(entries)
     }
 
-    /// Brings the collected rows into the shape of an arrow.
+    /// Reduces the collected rows to the arrowhead form.
     #[inline(never)] // once for many rows
     fn reflect(&mut self) {
         const NARROW: usize = LAUNCH + 1;
@@ -147,7 +147,7 @@ fn reflect_others<F: Real, const W: usize>(pivots: &mut [Entries<F>], block: &mu
     for (_, Row { entries, .. }) in block.iter() {
         add_from::<F, 0, W>(&mut sums, entries, at::<F, 0>(entries));
     }
-    // each number is a constant in its own copy, so that the entries before the column take no time
+    // the column is a constant in each copy, so that the entries before it take no time
     reflect_column::<F, 0, 1, W>(pivots, block, &mut sums);
     reflect_column::<F, 1, 2, W>(pivots, block, &mut sums);
     reflect_column::<F, 2, 3, W>(pivots, block, &mut sums);
@@ -162,11 +162,11 @@ fn reflect_others<F: Real, const W: usize>(pivots: &mut [Entries<F>], block: &mu
     }
 }
 
-/// Reflects one column. Its entries in the block become 0; they are not used any more, and stay as they are.
+/// Reflects one column. Its entries in the block would become 0; they are not used any more and are left unchanged.
 ///
-/// * `NEXT`: the column behind it
-/// * `sums`: sums of the rows of the block times their entries in this column; then in the next one, which are summed
-///   while the rows are changed
+/// * `NEXT`: the next column
+/// * `sums`: on entry, sums of the rows of the block times their entries in this column; on return, times those in the
+///   next column, summed while the rows are changed
 #[inline(always)]
 fn reflect_column<F: Real, const COLUMN: usize, const NEXT: usize, const W: usize>(
     pivots: &mut [Entries<F>],
@@ -198,14 +198,14 @@ fn at<F: Real, const COLUMN: usize>(entries: &Entries<F>) -> F {
     entries.get(COLUMN).copied().unwrap_or(F::ZERO)
 }
 
-/// Adds f times some numbers to others, as far as both go.
+/// Adds f times the numbers `from` to the numbers `to`, up to the shorter length.
 fn add<F: Real, const A: usize, const B: usize>(to: &mut [F; A], from: &[F; B], f: F) {
     for (slot, x) in to.iter_mut().zip(from) {
         *slot = *slot + f * *x;
     }
 }
 
-/// Adds f times the entries from a column up to W to others.
+/// Adds f times the entries of `from`, from a column up to W, to those of `to`.
 #[inline(always)] // the bounds are constants, so that no loop is left
 fn add_from<F: Real, const COLUMN: usize, const W: usize>(to: &mut Entries<F>, from: &Entries<F>, f: F) {
     for index in COLUMN..W {
@@ -215,8 +215,8 @@ fn add_from<F: Real, const COLUMN: usize, const W: usize>(to: &mut Entries<F>, f
     }
 }
 
-/// Reflection 1 - f v vᵀ that takes a column to its first entry: that entry, v₁ and f; the rest of v is that of the
-/// column. `None` where the rest of the column, of this square, is 0.
+/// Reflection 1 - f v vᵀ that reduces a column to its first entry. Returns that entry, v₁ and f; the rest of v is the
+/// rest of the column, whose sum of squares is `rest`. `None` where that is 0.
 fn reflection<F: Real>(first: F, rest: F) -> Option<(F, F, F)> {
     if rest == F::ZERO {
         return None;

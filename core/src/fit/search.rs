@@ -8,7 +8,7 @@ use crate::fit::sensor::{Hint, Measurement};
 use crate::fit::window::Part;
 use crate::scalar::Real;
 
-/// Size of a correction, in standard deviations, with which a window is done.
+/// Size of a correction, in standard deviations, below which a window is finished.
 const NEAR: f64 = 0.5;
 /// Number of measurements to which the windows after the first two are thinned.
 const THINNED: usize = 192;
@@ -20,7 +20,8 @@ const LAST_THINNED: usize = 512;
 /// rates that are not in degrees it is 57 times too large.
 const LEAST_NOISE: f64 = 0.25;
 
-/// Result of a search: the times of the first and the last measurement, how it ended, and the number of other launches that fit as well.
+/// Result of a search: the times of the first and the last measurement, how it ended, and the number of other launches
+/// that fit equally well.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
     pub(super) times: [f64; 2],
@@ -29,10 +30,10 @@ pub(super) struct Found {
 }
 
 impl<F: Real> Fit<'_, F> {
-    /// Cause of residuals that are too large, if it can be determined. The best launch becomes another one.
+    /// Cause of residuals that are too large, if it can be determined. The best launch is overwritten.
     ///
     /// * `chi_squared`: sum of squares of the best launch
-    #[inline(never)] // it is asked for a bad fit only
+    #[inline(never)] // it is called for a bad fit only
     pub(super) fn cause<I>(&mut self, measurements: &I, chi_squared: f64) -> Result<Option<Reason>, FitError>
     where
         I: Iterator<Item = Measurement> + Clone,
@@ -91,9 +92,9 @@ impl<F: Real> Fit<'_, F> {
         Ok(Found { times, progress, alternatives })
     }
 
-    /// Finds the best of the guesses on short windows, where no phase can be off by a turn; the number of other launches
-    /// that fit as well.
-    #[inline(never)] // it is on the stack while it works only
+    /// Finds the best of the guesses on short windows, where no phase can be off by a turn. Returns the number of other
+    /// launches that fit equally well.
+    #[inline(never)] // its frame is on the stack only during the call
     fn try_guesses<I>(&mut self, beginning: &Beginning, measurements: &I, count: usize) -> usize
     where
         I: Iterator<Item = Measurement> + Clone,
@@ -108,7 +109,7 @@ impl<F: Real> Fit<'_, F> {
         if beginning.is_ambiguous() { self.count_others(beginning, best, measurements, count) } else { 0 }
     }
 
-    /// Begins from a guess, first on a quarter of so many measurements.
+    /// Begins from a guess, on a quarter of the first `count` measurements and then on all of these.
     fn try_guess<I>(&mut self, beginning: &Beginning, number: u32, measurements: &I, count: usize)
     where
         I: Iterator<Item = Measurement> + Clone,
@@ -118,8 +119,8 @@ impl<F: Real> Fit<'_, F> {
         self.settle(measurements, Part::first(count), SETTLED);
     }
 
-    /// Number of other guesses that lead to another launch and fit as well as the best one, of this cost and number. The best
-    /// launch becomes that of the best guess.
+    /// Number of other guesses that lead to another launch and fit as well as the best guess, whose cost and number are
+    /// given. The best launch is then that of the best guess.
     #[inline(never)] // a second launch is on the stack for ambiguous measurements only
     fn count_others<I>(
         &mut self,
@@ -146,8 +147,8 @@ impl<F: Real> Fit<'_, F> {
         others
     }
 
-    /// Times of the first and the last measurement, and the number of all, after a look at them.
-    #[inline(never)] // its copy of the iterator is on the stack while it works only
+    /// Times of the first and the last measurement, and the number of measurements. Every measurement is checked.
+    #[inline(never)] // its copy of the iterator is on the stack only during the call
     pub(super) fn checked<I>(&self, measurements: &I) -> Result<([f64; 2], usize), FitError>
     where
         I: Iterator<Item = Measurement> + Clone,
@@ -160,7 +161,7 @@ impl<F: Real> Fit<'_, F> {
             if !is_finite(time) || values.iter().any(|x| !is_finite(*x)) {
                 return Err(FitError::NotFinite { index });
             }
-            // most times are that of the measurement before, and equal bits are compared faster
+            // most times equal that of the measurement before, and bits are compared faster than numbers
             if last.is_some_and(|last| time.to_bits() != last.to_bits() && time < last) {
                 return Err(FitError::OutOfOrder { index });
             }
@@ -178,7 +179,7 @@ impl<F: Real> Fit<'_, F> {
         measurements.take(64).any(|measurement| matches!(self.hint(&measurement), Hint::Rate { .. }))
     }
 
-    /// Statement of a measurement, in the unit that is tried.
+    /// Hint of a measurement, in the unit that is tried.
     pub(super) fn hint(&self, measurement: &Measurement) -> Hint {
         let hint = |values: &[f64; 4]| {
             self.sensors.get(measurement.sensor).map_or(Hint::None, |sensor| sensor.hint(values))
@@ -200,14 +201,14 @@ impl<F: Real> Fit<'_, F> {
     }
 }
 
-/// Whether a number is finite, by its bits: a chip without `f64` compares numbers by calls.
+/// Whether a number is finite, by its bits: a chip without a unit for `f64` compares numbers by library calls.
 fn is_finite(x: f64) -> bool {
     const EXPONENT: u32 = 0x7ff << 20;
     (x.to_bits() >> 32) as u32 & EXPONENT != EXPONENT
 }
 
-/// Number of measurements after a time; 2 stands for more.
-#[inline(never)] // its copy of the iterator is on the stack while it works only
+/// Number of measurements after a time; 2 stands for two or more.
+#[inline(never)] // its copy of the iterator is on the stack only during the call
 fn instants_after<I>(measurements: &I, epoch: f64) -> usize
 where
     I: Iterator<Item = Measurement> + Clone,

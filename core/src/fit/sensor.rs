@@ -1,4 +1,4 @@
-//! Sensors: what an instrument should read at a state, and how that changes with the launch.
+//! Sensors: the predicted reading of an instrument at a state, and its derivatives with respect to the launch.
 
 use crate::complex::Complex;
 use crate::scalar::Real;
@@ -27,7 +27,7 @@ pub struct Prediction<F = f64> {
     pub columns: [Vector<F>; COLUMNS],
 }
 
-/// Statement of one reading about the state, from which a fit begins without a guess.
+/// Information that one reading contains about the state, from which a fit makes its first guess.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Hint {
@@ -59,13 +59,13 @@ pub trait Sensor<F = f64> {
     /// Difference of a reading from the prediction at a state, with its derivatives.
     fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F>;
 
-    /// Standard deviation of a constant bias of each component before the fit; 0 where there is no bias, which then is
-    /// not an unknown.
+    /// Prior standard deviation of a constant bias of each component; 0 where there is no bias, which then is not an
+    /// unknown.
     fn bias_deviation(&self) -> f64 {
         0.0
     }
 
-    /// Statement about the state from which a fit may begin.
+    /// Information about the state, from which a fit may make its first guess.
     fn hint(&self, values: &[f64; 4]) -> Hint {
         let _ = values;
         Hint::None
@@ -86,7 +86,8 @@ pub struct Noise {
 pub struct Mounting {
     /// Rotation from sensor to body coordinates.
     pub rotation: Orientation<f64>,
-    /// Body coordinates of its place, m: from the centre of mass of a sliding top, and from the tip of a held one.
+    /// Body coordinates of its place, m: from the centre of mass of a sliding top, and from the tip of a top with a
+    /// fixed tip.
     pub place: Vector<f64>,
 }
 
@@ -106,8 +107,8 @@ impl Mounting {
         if self.place.iter().all(|x| x.to_bits() == 0) { [F::ZERO; 3] } else { self.place.map(F::from_f64) }
     }
 
-    /// Whether the sensor is mounted along the axes of the body. The bits are compared, which a chip without `f64` does
-    /// faster.
+    /// Whether the sensor is mounted along the axes of the body. The bits are compared, which is faster on a chip
+    /// without a unit for `f64`.
     fn is_along_body(&self) -> bool {
         let Orientation { alpha, beta } = self.rotation;
         alpha.re.to_bits() == 1.0_f64.to_bits()
@@ -120,7 +121,7 @@ impl Mounting {
         Orientation { alpha: of(alpha), beta: of(beta) }
     }
 
-    /// Body coordinates of a vector of the sensor.
+    /// Body coordinates of a vector that is given in sensor coordinates.
     pub(crate) fn in_body(&self, sensor: Vector<f64>) -> Vector<f64> {
         self.rotation.adjoint(sensor)
     }

@@ -3,13 +3,13 @@
 use crate::fit::triangle::{MOST_UNKNOWNS, Triangle, Unknowns};
 use crate::scalar::Real;
 
-/// Largest number of rounds of Jacobi's rotations.
+/// Largest number of sweeps of Jacobi's rotations.
 const MOST_SWEEPS: usize = 12;
 
 impl<F: Real> Triangle<F> {
     /// Singular values of R with unknown i in units of `units[i]`, by Jacobi's rotations of the columns. Small ones keep
-    /// their digits, which they would lose in RᵀR. The components of `vectors` become those along the directions that belong
-    /// to the values; the directions themselves would take as much memory as R.
+    /// their digits, which they would lose in RᵀR. The components of `vectors` are replaced by those along the singular
+    /// directions; the directions themselves would take as much memory as R.
     #[inline(never)] // the columns are on the stack only here
     pub(crate) fn singular(&self, units: &Unknowns<F>, vectors: &mut [Unknowns<F>; 3]) -> Unknowns<F> {
         let count = self.count;
@@ -61,7 +61,7 @@ impl<F: Real> Triangle<F> {
     }
 }
 
-/// Turns two rows of a matrix into each other by an angle of this sine and cosine.
+/// Rotates two rows of a matrix by an angle of this sine and cosine.
 fn rotate<F: Real>(rows: &mut [Unknowns<F>], [i, j]: [usize; 2], [sine, cosine]: [F; 2], count: usize) {
     let Some((front, back)) = rows.split_at_mut_checked(j) else { return };
     let (Some(x), Some(y)) = (front.get_mut(i), back.first_mut()) else { return };
@@ -70,7 +70,7 @@ fn rotate<F: Real>(rows: &mut [Unknowns<F>], [i, j]: [usize; 2], [sine, cosine]:
     }
 }
 
-/// Turns two components of a vector into each other by an angle of this sine and cosine.
+/// Rotates two components of a vector by an angle of this sine and cosine.
 fn rotate_components<F: Real>(vector: &mut Unknowns<F>, [i, j]: [usize; 2], [sine, cosine]: [F; 2]) {
     let Some((front, back)) = vector.split_at_mut_checked(j) else { return };
     if let (Some(p), Some(q)) = (front.get_mut(i), back.first_mut()) {

@@ -8,7 +8,7 @@ pub(super) struct Sums<F> {
     pub(super) cost: Sum<F>,
     pub(super) squares: Sum<F>,
     pub(super) largest: F,
-    /// Numbers of the components that were used, that were not, and whose weight was reduced.
+    /// Numbers of the components that were used, that were not used, and whose weight was reduced.
     pub(super) used: u32,
     pub(super) unused: u32,
     pub(super) outliers: u32,
@@ -37,8 +37,8 @@ impl<F: Real> Sums<F> {
     }
 }
 
-/// Sum of many numbers in two parts, so that it keeps the digits of each: a chip without `f64` takes longer for an
-/// addition in it.
+/// Compensated sum of many numbers, in two parts, so that it keeps the digits of each. On a chip without a unit for
+/// `f64`, an addition in `f64` takes longer.
 #[derive(Clone, Copy)]
 pub(super) struct Sum<F> {
     high: F,

@@ -13,14 +13,14 @@ use crate::scalar::Real;
 use crate::sensitivity::{Sensitivity, total};
 use crate::su2::{Vector, bracket, dot};
 
-/// Knowledge of a launch before its measurements.
+/// Prior information about a launch.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Prior<F> {
     launch: Launch,
     information: Triangle<F>,
 }
 
-/// Fit of a block, and how it differs from what the last block predicted.
+/// Fit of a block, and its difference from the prediction of the last block.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracked {
     /// Fit of the block.
@@ -36,11 +36,11 @@ impl<F: Real> Fit<'_, F> {
     /// Fits the next block of measurements from the fit of the last one, which is carried to the first time of the
     /// block together with its covariance.
     ///
-    /// * `drift`: standard deviation of the relative change of ω per unit time by what the model does not contain, such
-    ///   as friction: 1/60 where the spin is lost in a minute
+    /// * `drift`: standard deviation of the relative change of ω per unit time that the model does not contain, such as
+    ///   that by friction: 1/60 where the spin is lost in a minute
     ///
     /// # Errors
-    /// As [`Fit::run`], and [`FitError::OutOfOrder`] for a block before the last one.
+    /// The errors of [`Fit::run`], and [`FitError::OutOfOrder`] for a block before the last one.
     pub fn track<I>(&mut self, last: &Fitted, drift: f64, measurements: I) -> Result<Tracked, FitError>
     where
         I: Iterator<Item = Measurement> + Clone,
@@ -87,8 +87,8 @@ impl<F: Real> Fit<'_, F> {
 }
 
 impl<F: Real> Prior<F> {
-    /// Puts the information of the prior about changes of a launch into an empty triangle; returns the sum of squares by
-    /// which the launch contradicts it.
+    /// Replaces `information` by that of the prior about changes of a launch. Returns the sum of squares of the
+    /// difference of the launch from the prior.
     pub(super) fn add_to(&self, launch: &Launch, information: &mut Triangle<F>) -> f64 {
         let turn = launch.orientation.compose(&self.launch.orientation.inverse());
         let theta = rotation_vector(&turn);

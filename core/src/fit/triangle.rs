@@ -1,8 +1,8 @@
 //! Information about unknowns in square-root form: an upper triangular matrix R and a vector z, to which one row at a
-//! time is added by rotations.
+//! time is added by Givens rotations.
 //!
-//! R δ = z is the least-squares problem of all rows that were added. Its condition is the root of that of the normal
-//! equations, and no row has to be kept.
+//! R δ = z is the least-squares problem of all rows that were added. Its condition number is the square root of that
+//! of the normal equations, and no row has to be kept.
 
 use crate::scalar::Real;
 
@@ -22,7 +22,7 @@ pub(crate) struct Triangle<F> {
 }
 
 impl<F: Real> Triangle<F> {
-    /// Triangle without information about so many unknowns.
+    /// Triangle without information, for `count` unknowns.
     pub(crate) fn new(count: usize) -> Self {
         Self { count: count.min(MOST_UNKNOWNS), entries: [F::ZERO; ENTRIES] }
     }
@@ -95,12 +95,12 @@ impl<F: Real> Triangle<F> {
         self.back_substituted(&self.side())
     }
 
-    /// Takes all information away.
+    /// Removes all information.
     pub(crate) fn clear(&mut self) {
         self.entries.fill(F::ZERO);
     }
 
-    /// Turns this into information about the distance from another point; returns the distance in standard deviations.
+    /// Replaces the right-hand side by that of the solution `point`; returns the size of `point` in standard deviations.
     pub(crate) fn point_to(&mut self, point: &Unknowns<F>) -> F {
         let size = self.size(point);
         let mut rest = &mut self.entries[..];
@@ -114,7 +114,7 @@ impl<F: Real> Triangle<F> {
         size
     }
 
-    /// Adds the rows of other information after a change of their entries; the right-hand sides stay.
+    /// Adds the rows of other information after a change of their entries; the right-hand sides are not changed.
     #[inline(never)]
     pub(crate) fn add_mapped(&mut self, other: &Self, of: impl Fn(&mut Unknowns<F>)) {
         for (index, row) in other.each_row().enumerate() {
@@ -128,7 +128,7 @@ impl<F: Real> Triangle<F> {
         }
     }
 
-    /// Adds that each unknown is 0 with this standard deviation, a positive number.
+    /// Adds the information that each unknown is 0, with these standard deviations > 0.
     pub(crate) fn damp(&mut self, deviations: &Unknowns<F>) {
         for (index, deviation) in deviations.iter().enumerate().take(self.count) {
             let mut row = [F::ZERO; MOST_UNKNOWNS];
@@ -161,7 +161,7 @@ impl<F: Real> Triangle<F> {
     }
 }
 
-/// Scalar product of numbers.
+/// Inner product.
 fn inner<'a, F: Real + 'a>(row: &[F], with: impl Iterator<Item = &'a F>) -> F {
     row.iter().zip(with).fold(F::ZERO, |sum, (r, x)| sum + *r * *x)
 }

@@ -16,17 +16,18 @@ use crate::fit::window::Part;
 use crate::scalar::Real;
 use crate::su2::{bracket, dot};
 
-/// Share of the end of the range that an angular velocity beyond it reaches at least: bias, noise and the mounting may
-/// shift it.
+/// Least quotient of an angular velocity beyond the range and a reading at the end of the range: bias, noise and the
+/// mounting may shift the reading.
 const WITHIN: f64 = 0.9;
 /// Sine of the tilt, and share of ω across the axis, beyond which a launch is not compared with an upright one.
 const NEAR: f64 = 0.1;
-/// Increase of the sum of squares up to which the upright launch explains the measurements as well. It is the best of
-/// many spins that the upright launch is compared with: the largest of a hundred sums of four squares is about 20.
+/// Increase of the sum of squares up to which the upright launch explains the measurements equally well. It is
+/// compared with the best of many spins: the largest of a hundred sums of four squares is about 20.
 const CHANCE: f64 = 40.0;
 
 impl<F: Real> Fit<'_, F> {
-    /// Passes over the measurements until the launch does not change any more, and then looks whether the spin is known.
+    /// Passes over the measurements until the launch does not change any more, and then checks whether the spin is
+    /// determined.
     pub(super) fn settle_finally<I>(&mut self, measurements: &I) -> Progress
     where
         I: Iterator<Item = Measurement> + Clone,
@@ -58,8 +59,8 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Whether the upright launch with this angular velocity about the axis explains the measurements as well as the best
-    /// launch; it then is the current pass.
-    #[inline(never)] // its launches are on the stack while it works only
+    /// launch; the current pass is then that of the upright launch.
+    #[inline(never)] // its launches are on the stack only during the call
     fn explains_upright<I>(&mut self, spin: f64, measurements: &I) -> bool
     where
         I: Iterator<Item = Measurement> + Clone,
@@ -77,7 +78,7 @@ impl<F: Real> Fit<'_, F> {
         let orientation = tilt.inverse().compose(&found.orientation);
         let omega = [0.0, 0.0, sign * spin];
         self.pass(&Launch { orientation, omega, ..found }, measurements, Part::ALL);
-        // the biases that suit it, while the launch stays
+        // only the biases are corrected; the launch is held fixed
         let mut deviations = [F::from_f64(1e6); MOST_UNKNOWNS];
         for slot in deviations.iter_mut().take(self.model.common()) {
             *slot = F::from_f64(1e-9);

@@ -1,4 +1,4 @@
-//! Part of the measurements that a pass goes over.
+//! Part of the measurements that a pass reads.
 
 use crate::fit::sensor::Measurement;
 use core::iter::Take;
@@ -6,7 +6,7 @@ use core::iter::Take;
 /// Golden ratio times 2³². Its multiples modulo 2³² are spread evenly, whatever the period of the sensors' readings.
 const GOLDEN: u32 = 0x9e37_79b9;
 
-/// Choice of measurements: the first `count`, those of one instant in `thinning`, which is at least 1.
+/// Choice of measurements: of the first `count`, those of one in `thinning` instants, where `thinning` is at least 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
     pub(super) count: usize,
@@ -32,13 +32,13 @@ impl Part {
     }
 }
 
-/// First measurements, all of them or those of one instant in so many.
+/// Iterator over the measurements of a [`Part`].
 #[derive(Clone, Debug)]
 pub(super) struct Window<I> {
     measurements: Take<I>,
     /// Instants whose multiple of the golden ratio is at most this are kept.
     limit: u32,
-    /// Multiple of the golden ratio of the instant, and its time.
+    /// Multiple of the golden ratio that belongs to the current instant, and its time.
     multiple: u32,
     time: Option<f64>,
 }
@@ -49,7 +49,7 @@ impl<I: Iterator<Item = Measurement>> Iterator for Window<I> {
     fn next(&mut self) -> Option<Measurement> {
         loop {
             let measurement = self.measurements.next()?;
-            // the same bits, which a chip without `f64` compares faster
+            // the bits are compared, which is faster on a chip without a unit for `f64`
             if self.time.map(f64::to_bits) != Some(measurement.time.to_bits()) {
                 self.time = Some(measurement.time);
                 self.multiple = self.multiple.wrapping_add(GOLDEN);
