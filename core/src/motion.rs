@@ -262,7 +262,7 @@ fn rate_in_turns(radians: Extended) -> TurnRate {
     TurnRate::new(leading, rest)
 }
 
-/// Whether u is exactly constant. An oscillation too small for the regime to count still has its own mean rates,
+/// Whether u is exactly constant. An oscillation that is too small to count in the regime has its own mean rates,
 /// which differ from those at a constant u.
 fn stands_still(e: &BranchPoints<Extended>, regime: Regime) -> bool {
     e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable

@@ -2,7 +2,8 @@
 //!
 //! The integrands are smooth periodic functions of this argument v, so the trapezoid rule converges geometrically, at a rate that
 //! is known beforehand. sn and cn come from the descending Landen transformation, with the *complementary* parameter m₁ as an
-//! argument. At its lower end the nodes are equidistant angles, so no inverse function and no transcendental function is needed.
+//! argument. At the lower end of the transformation the nodes are equidistant angles, so no inverse function and no
+//! transcendental function is needed.
 
 mod division;
 
@@ -66,11 +67,11 @@ pub(crate) struct Quadrature<N> {
     /// Sums over `nodes` nodes; the ends of the half period have half weight, and are the first two nodes.
     sums: Sums<N>,
     nodes: u32,
-    /// Number of nodes that the rate of convergence calls for.
+    /// Number of nodes that the rate of convergence requires.
     needed: u32,
     /// Number of ends and of other nodes of the first division that are not yet in the sums.
     first_nodes: u32,
-    /// Sums over the first `odd_nodes` nodes between them.
+    /// Sums over the first `odd_nodes` of the nodes between those of `sums`.
     odd: Sums<N>,
     odd_nodes: u32,
     /// Sine and cosine of the angle between two nodes, of half of it, and of the next node's angle.
@@ -106,7 +107,8 @@ impl<N: RateNumber> Quadrature<N> {
         self.law.law()
     }
 
-    /// Does the next piece of work. Returns the integrals once the sums have settled. Relative error: some roundings of the numbers.
+    /// Does the next piece of work. Returns the integrals once the sums have converged. Relative error: some roundings
+    /// of the number type.
     pub(crate) fn proceed(&mut self) -> Option<Integrals> {
         match self.piece {
             Piece::Transformations => self.transform(),
@@ -138,7 +140,7 @@ impl<N: RateNumber> Quadrature<N> {
         self.piece = Piece::FirstNode;
     }
 
-    /// Adds the odd nodes to the others. Returns the integrals if the sums have settled.
+    /// Adds the odd nodes to the others. Returns the integrals if the sums have converged.
     #[inline(never)] // the stack frames of a launch must not add up
     fn doubled(&mut self) -> Option<Integrals> {
         // difference of the trapezoid sums with `nodes` and with twice as many nodes
@@ -253,7 +255,7 @@ mod tests {
         assert!(first.relative_error <= Extended::SETTLED, "{:e}", first.relative_error);
     }
 
-    /// A branch point e₄ close to e₂, with e₃ far away: as many nodes as K'/K of these points tells.
+    /// A branch point e₄ close to e₂, with e₃ far away: the number of nodes follows from K'/K of these points.
     #[test]
     fn a_fourth_branch_point_near_the_motion_takes_few_nodes() {
         let top = Top::sliding(&TopParameters {

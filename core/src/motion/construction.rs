@@ -89,8 +89,8 @@ impl Motion {
     /// the phases at t = 0.
     ///
     /// # Errors
-    /// `e1`, `e2`, `e3`: not finite or not in this order; `nutation_phase`, `arg_alpha`, `arg_beta`: not finite or
-    /// beyond ±1e6 rad; `e3` also where no torque acts, because branch points then tell no rate, and where the axial rate
+    /// `e1`, `e2`, `e3`: not finite or not in this order; `nutation_phase`, `arg_alpha`, `arg_beta`: not finite or beyond
+    /// ±1e6 rad; `e3` also where no torque acts, because branch points then determine no rate, and where the axial rate
     /// (n - K)/C exceeds 1e24 per unit of time, or C = 0 and the branch points do not have n = K.
     pub fn from_branch_points(
         top: &Top,
@@ -150,7 +150,7 @@ impl Motion {
         Ok(motion)
     }
 
-    /// Whether the nutation has a period, which a quadrature tells.
+    /// Whether the nutation has a period that a quadrature has to determine.
     pub(super) fn has_period(&self) -> bool {
         !self.top.is_torque_free() && self.e.e3_minus_e2 > Extended::ZERO
     }
@@ -170,8 +170,8 @@ impl Motion {
         MeanMotion::of(integrals, &self.e, self.signs, self.half_tau())
     }
 
-    /// Mean motion without torque: the axis goes round the angular momentum m at the rate |m|/A. `None` with a torque, and for
-    /// m = 0.
+    /// Mean motion without torque: the axis rotates about the angular momentum m at the rate |m|/A. `None` with a torque, and
+    /// for m = 0.
     pub(super) fn uniform_mean(
         &self,
         point: &ReducedPoint<Extended>,
@@ -198,7 +198,7 @@ fn half_tau(top: &Top, integrals: &FirstIntegrals<Extended>) -> Extended {
     Quantities::of(top).tau(integrals.spin).halved()
 }
 
-/// Whether the axial rate (n - K)/C is a number: within 1e24 per unit of time, and n = K to the rounding of `f64` where C
+/// Whether the axial rate (n - K)/C is finite: within 1e24 per unit of time, and n = K to the rounding of `f64` where C
 /// is 0.
 fn has_axial_rate(top: &Top, integrals: &FirstIntegrals<Extended>) -> bool {
     const FASTEST: f64 = 1e24;

@@ -61,7 +61,7 @@ enum Stage {
     Integrals(MovingAxis<Extended>),
     /// Branch points and regime, or the cubic for the lower two branch points.
     BranchPoints,
-    /// Search of the lower two branch points.
+    /// Search for the lower two branch points.
     LowerPair(LowerPairSearch<Extended>),
     /// The other branch points, and the regime.
     UpperPair(LowerPair<Extended>),
@@ -79,7 +79,7 @@ enum Stage {
     StartRates,
     /// Slow phases at t = 0, from α and β and their rates.
     SlowPhases([[Complex<f64>; 2]; 2]),
-    /// Nothing, because the state has no motion, or the motion is complete.
+    /// No work, because the state has no motion, or the motion is complete.
     Ended(Result<(), ParameterError>),
 }
 
@@ -161,7 +161,7 @@ impl<R: Scalar> Launch<R> {
                 self.stage = Stage::Ended(Ok(()));
             }
             (Stage::Ended(_), _) => {}
-            // no stage after the branch points is without a motion
+            // every stage after the branch points has a motion
             (_, None) => self.stage = Stage::Axis,
         }
     }
@@ -212,13 +212,13 @@ impl Motion {
         Self::launch_for::<f64>(top, state)
     }
 
-    /// Motion from a state, for ephemerides in a scalar. Those in `f32` and in fixed point are satisfied with mean rates of some
-    /// 60 correct bits, which cost a chip a third of the 120 that [`launch`](Self::launch) computes. What they are off by is part of
+    /// Motion from a state, for ephemerides in a scalar. For `f32` and fixed point the mean rates have some 60 correct bits, which
+    /// cost a chip a third of the 120 bits that [`launch`](Self::launch) computes. Their error is part of
     /// [`error_bound`](crate::Ephemeris::error_bound). The other constants are the same.
     ///
     /// # Errors
     /// See [`launch`](Self::launch).
-    #[inline(never)] // a launch must not remain on the stack below what follows
+    #[inline(never)] // a launch must not remain on the stack during the work that follows
     pub fn launch_for<R: Scalar>(top: &Top, state: &State) -> Result<Self, ParameterError> {
         let mut launch = Launch::<R>::for_scalar(top, state);
         loop {

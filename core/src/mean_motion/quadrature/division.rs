@@ -5,8 +5,8 @@ use crate::scalar::{Float, Ring};
 /// Largest number of nodes on half a period. A motion with m₁ = 1e-300 needs 2560.
 pub(super) const MOST_NODES: u32 = 1 << 13;
 
-/// First division of the half period, into 1, 3 or 5 parts, and the number of nodes, which is the least number of doublings, but
-/// at least two, that makes at least `nodes` of it. The estimate of the error needs two doublings.
+/// First division of the half period, into 1, 3 or 5 parts, and the number of nodes after doublings of it: the least number that
+/// is at least `nodes`. There are at least two doublings, because the estimate of the error needs them.
 pub(super) fn division(nodes: f64) -> (u32, u32) {
     let doubled = |division: u32| {
         let mut count = 4 * division;
