@@ -110,7 +110,8 @@ pub trait RateNumber: Float + From<Extended> + Into<Extended> {
     /// Estimated relative error of a quadrature at which it adds no more nodes.
     const SETTLED: f64;
     /// Number of bits by which the nodes of a quadrature must decrease its error. Then its estimate is below
-    /// [`SETTLED`](Self::SETTLED) for nearly all motions; the others need a doubling, and so cost more than a few more nodes for all.
+    /// [`SETTLED`](Self::SETTLED) for nearly all motions; the others need a doubling, which costs more than a few more nodes for all
+    /// motions.
     const QUADRATURE_BITS: f64;
 }
 

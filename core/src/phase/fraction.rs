@@ -113,8 +113,8 @@ impl PhaseFraction {
         Self::new([low, sum as u32, (sum >> 32) as u32])
     }
 
-    /// 64 leading bits of n times the fraction, plus `share`, in [0, 1) in units of 2^-64, times the fraction as a signed phase
-    /// in [-1/2, 1/2) turn; the sum is rounded down, within 2^-95 turns.
+    /// 64 leading bits of a sum: n times the fraction, plus `share` times the fraction as a signed phase in [-1/2, 1/2) turn.
+    /// `share` is in [0, 1), in units of 2^-64. The sum is rounded down, to within 2^-95 turns.
     #[inline(always)]
     #[must_use]
     pub(crate) const fn leading_after(self, n: u64, share: u64) -> u64 {
@@ -158,7 +158,7 @@ mod tests {
         }
     }
 
-    /// Against the same in integers of 128 bits, which hold a small number of ticks with 20 bits behind the point.
+    /// Comparison with integers of 128 bits, which hold a small number of ticks with 20 bits behind the point.
     #[test]
     fn ticks_and_a_share_of_a_tick() {
         for turns in [0.3, -0.3, 1e-9, -0.499, 0.0, -1e-25] {

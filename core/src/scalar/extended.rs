@@ -77,7 +77,7 @@ impl Extended {
 
 impl Add for Extended {
     type Output = Self;
-    #[inline(never)] // a call: inlined into every formula of a launch it would cost a chip its flash
+    #[inline(never)] // a call, because inlining into every formula of a launch would take much of a chip's flash
     fn add(self, other: Self) -> Self {
         let (larger, smaller) = if self.exponent < other.exponent { (other, self) } else { (self, other) };
         let distance = larger.exponent - smaller.exponent;
@@ -104,7 +104,7 @@ impl Sub for Extended {
     type Output = Self;
     #[inline(never)]
     fn sub(self, other: Self) -> Self {
-        // a sum does not depend on the one bit by which a negated significand may be too short; too long it must not be
+        // a sum does not depend on the one bit by which a negated significand may be too short, but it must not be too long
         let significand = -other.significand;
         if significand >> BITS > 0 { self + -other } else { self + Self { significand, ..other } }
     }

@@ -32,7 +32,7 @@ const LEADING: u64 = 1 << 63;
 
 impl Extended64 {
     /// Number ±(high + low · 2^-64) · 2^exponent, rounded to the nearest.
-    #[inline(never)] // a call: an inlined copy in each operation would cost a chip its flash
+    #[inline(never)] // a call, because a copy in each operation would take much of a chip's flash
     fn normalised([high, low]: [u64; 2], exponent: i32, negative: bool) -> Self {
         let ([high, low], exponent) =
             if high == 0 { ([low, 0], exponent - 64) } else { ([high, low], exponent) };
@@ -82,7 +82,7 @@ impl Add for Extended64 {
                 (sum, true) => Self::rounded([LEADING | (sum >> 1), sum << 63], exponent + 1, negative),
             };
         }
-        // without a distance the other number may be the larger one, and nothing is below the last bit
+        // at distance 0 the other number may be the larger one, and no bit is below the last
         if larger.significand < high {
             return Self::normalised([high - larger.significand, 0], exponent, !negative);
         }

@@ -41,7 +41,7 @@ impl Extended {
     pub(crate) fn halves(self) -> [Self; 2] {
         let lower = self.significand & ((1 << (BITS - 62)) - 1);
         let upper = Self { significand: self.significand - lower, exponent: self.exponent };
-        // 0, and a negative power of two, are normalised anew
+        // 0 and a negative power of two must be normalised again
         [Self::normalised(upper.significand, self.exponent), Self::normalised(lower, self.exponent)]
     }
 
@@ -80,8 +80,8 @@ impl From<Phase> for Extended {
     }
 }
 
-/// Nearest `f64` to significand · 2^exponent, of two equally near ones the even one; infinity beyond the range of
-/// `f64`, and 0 below the normal numbers.
+/// Nearest `f64` to significand · 2^exponent, ties to even; infinity beyond the range of `f64`, and 0 below the normal
+/// numbers.
 pub(super) fn nearest(significand: i128, exponent: i32) -> f64 {
     const DROPPED: i32 = BITS - 53;
     const HALF: u128 = 1 << (DROPPED - 1);

@@ -12,7 +12,7 @@ pub(super) fn reciprocal(divisor: u128) -> u128 {
 }
 
 /// Reciprocal 2^126/d of a divisor in [2^63, 2^64), with 60 correct bits. Each step of Newton's method computes with as
-/// many bits as it makes correct, and only the first 15 bits come from a division, which is one of 32 bits.
+/// many bits as it makes correct. Only the first 15 bits come from a division, of 32-bit numbers.
 #[inline(never)]
 pub(crate) fn short_reciprocal(divisor: u64) -> u64 {
     let word = (divisor >> 32) as u32;
@@ -45,7 +45,7 @@ pub(super) fn inverse_root(number: u128) -> u128 {
 #[inline(never)]
 pub(crate) fn short_inverse_root(number: u64) -> u64 {
     let word = (number >> 32) as u32;
-    // 2^30 times 2.2 - 1.2 x, which is at most a seventh off
+    // 2^30 times 2.2 - 1.2 x, whose relative error is at most a seventh
     let line = 2_362_232_012 - (long_product(word, 1_288_490_189) >> 32) as u32;
     let short = (0..4).fold(line, |inverse, _| {
         let square = (long_product(inverse, inverse) >> 32) as u32;
