@@ -1,4 +1,4 @@
-//! Sensitivity: partial derivatives of a motion by its launch and by the ratios of its top, at any time.
+//! Sensitivity: partial derivatives of a motion with respect to its launch and to the ratios of its top, at any time.
 //!
 //! The derivation is in `docs/partials.md`. The derivatives obey linear differential equations with the frequency of
 //! the nutation, which are integrated over at most half a period. Whole periods are added exactly: each changes the
@@ -27,7 +27,7 @@ use crate::stepper::Stepper;
 
 /// Number of columns of the launch.
 pub(crate) const LAUNCH: usize = 6;
-/// Number of columns: derivatives by the rotation vector of Φ at t = 0, by ω at t = 0, and by four ratios.
+/// Number of columns: derivatives with respect to the rotation vector of Φ at t = 0, to ω at t = 0, and to four ratios.
 pub(crate) const COLUMNS: usize = 10;
 
 /// Error of one step of the integration relative to its result.
@@ -35,16 +35,16 @@ const TOLERANCE: f64 = 3e-13;
 /// Largest number of steps for one time. Only a motion without a period, or one with A/(ps) near 0, needs many.
 const MOST_STEPS: u32 = 10_000;
 
-/// Partial derivatives of a motion by its launch, as a function of time: the state transition matrix of orbit
-/// determination.
+/// Partial derivatives of a motion with respect to its launch, as a function of time: the state transition matrix of
+/// orbit determination.
 ///
-/// There are ten derivatives, in this order:
+/// There are ten derivatives, in this order, with respect to:
 ///
-/// * by the three components of the rotation vector that turns Φ(0) in the fixed frame, Φ(0) → exp(δ) Φ(0), in rad,
-///   while ω(0) in the fixed frame is kept;
-/// * by the three components of ω(0) in the fixed frame, rad per unit time;
-/// * by A/C, by A/(ps), by s and by g, while the launch and the others of the four are kept. For a fixed tip the
-///   length A/p takes the place of A/(ps), and the derivative by s is 0.
+/// * the three components of the rotation vector that turns Φ(0) in the fixed frame, Φ(0) → exp(δ) Φ(0), in rad, while
+///   ω(0) in the fixed frame is kept;
+/// * the three components of ω(0) in the fixed frame, rad per unit time;
+/// * A/C, A/(ps), s and g, while the launch and the other three are kept. For a fixed tip the length A/p takes the
+///   place of A/(ps), and the derivative with respect to s is 0.
 ///
 /// Relative to the largest derivative of the same column, the error is about 1e-12, also after 10⁶ periods.
 #[derive(Clone, Copy, Debug)]
@@ -62,7 +62,7 @@ struct Period {
     length: Extended,
     /// Rotations about the vertical and about the axis in one period.
     turns: [Phase; 2],
-    /// Change of the tangents by one period, seen in a frame that turns with the mean precession.
+    /// Change of the tangents by one period, in a frame that rotates with the mean precession.
     growth: [Tangent<f64>; COLUMNS],
 }
 
@@ -106,7 +106,7 @@ impl Sensitivity {
         sensitivity
     }
 
-    /// Sensitivity of a launch whose motion loses rotation by the coefficients of these equations.
+    /// Sensitivity of a launch whose motion has the losses of rotation of these equations.
     pub(crate) fn losing(equations: &Equations<f64>, start: Flow<f64, COLUMNS>, tip_scale: f64) -> Self {
         Self { equations: *equations, start, period: None, tip_scale }
     }
@@ -136,7 +136,7 @@ impl Sensitivity {
     }
 }
 
-/// Derivatives at a sequence of times. From one time to the next within a period, only the time between is integrated.
+/// Derivatives at a sequence of times. Between two times in the same period, only the interval between them is integrated.
 #[derive(Clone, Copy, Debug)]
 pub struct SensitivityCursor<'a> {
     sensitivity: &'a Sensitivity,

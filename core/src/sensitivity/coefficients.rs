@@ -1,4 +1,4 @@
-//! Coefficients of the equations of motion, and their derivatives by the ratios of the top.
+//! Coefficients of the equations of motion, and their derivatives with respect to the ratios of the top.
 
 use crate::scalar::Float;
 use crate::top::{Support, Top};
@@ -24,7 +24,7 @@ pub(crate) struct Coefficients<F> {
 }
 
 impl Coefficients<f64> {
-    /// Change of nothing.
+    /// Zero change.
     pub(super) const NONE: Self =
         Self { inertia: 0.0, moment: 0.0, height: 0.0, gravity: 0.0, rotor: 0.0, losses: [0.0; LOSSES] };
 
@@ -41,7 +41,8 @@ impl Coefficients<f64> {
         }
     }
 
-    /// Derivatives by A/C, A/(ps), s and g; for a fixed tip by A/C, A/p, s and g. A free body depends on A/C only.
+    /// Derivatives with respect to A/C, A/(ps), s and g; for a fixed tip, to A/C, A/p, s and g. A free body depends on
+    /// A/C only.
     pub(crate) fn derivatives(&self, support: Support) -> [Self; 4] {
         let Self { inertia: c, moment: b, height: s, .. } = *self;
         let none = Self::NONE;
@@ -55,7 +56,7 @@ impl Coefficients<f64> {
         [Self { inertia: -c * c, ..none }, by_ratio, by_height, Self { gravity: 1.0, ..none }]
     }
 
-    /// Derivatives by the losses.
+    /// Derivatives with respect to the losses.
     pub(crate) fn by_losses() -> [Self; LOSSES] {
         let mut changes = [Self::NONE; LOSSES];
         for (index, change) in changes.iter_mut().enumerate() {
@@ -66,7 +67,7 @@ impl Coefficients<f64> {
         changes
     }
 
-    /// Sum of changes with these shares.
+    /// Linear combination of changes with these factors.
     pub(crate) fn combined(changes: &[Self; 4], shares: &[f64; 4]) -> Self {
         let mut sum = Self::NONE;
         for (change, share) in changes.iter().zip(shares) {

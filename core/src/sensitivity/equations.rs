@@ -7,12 +7,12 @@ use crate::sensitivity::flow::{Flow, Tangent, total};
 use crate::su2::{Vector, bracket, dot};
 use crate::top::Top;
 
-/// Coefficients of a top, and the changes of them that belong to the columns from the seventh on.
+/// Coefficients of a top, and their changes, one for each column from the seventh on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Equations<F> {
     pub(crate) coefficients: Coefficients<F>,
     pub(crate) changes: [Coefficients<F>; 4],
-    /// Whether there are losses, or columns that are derivatives by them.
+    /// Whether there are losses, or columns that are derivatives with respect to losses.
     pub(crate) lossy: bool,
 }
 
@@ -29,23 +29,23 @@ pub(crate) struct Acceleration<F> {
     pub(crate) u: F,
     /// Factor 1 + (p/A) s |q|² of u''.
     pub(super) factor: F,
-    /// Derivatives of `factor` · u'' by ω and by the vertical k, where the frame is turned with the change.
+    /// Derivatives of `factor` · u'' with respect to ω and to the vertical k, in the frame that rotates with the change.
     pub(super) by_omega: Vector<F>,
     pub(super) by_vertical: Vector<F>,
-    /// Acceleration g + s u'' of the support, which is the normal force by the mass.
+    /// Acceleration g + s u'' of the support, which is the normal force over the mass.
     pub(crate) support: F,
     /// Rate w'.
     pub(crate) across: Vector<F>,
-    /// Rate S', which only a loss makes differ from 0.
+    /// Rate S'; 0 without losses.
     pub(crate) spin: F,
 }
 
-/// k × x of the vertical k.
+/// Cross product k × x with the vertical k.
 pub(super) fn vertical_cross<F: Float>([x, y, _]: Vector<F>) -> Vector<F> {
     [-y, x, F::ZERO]
 }
 
-/// x × k of the vertical k.
+/// Cross product x × k with the vertical k.
 fn cross_vertical<F: Float>([x, y, _]: Vector<F>) -> Vector<F> {
     [y, -x, F::ZERO]
 }
@@ -77,8 +77,8 @@ impl Equations<f64> {
 
     /// Upper bound on the frequencies of the motion after a state, rad per unit time: the frequency of the gyroscopic
     /// torque, plus twice the greatest rate of the axis. Gravity accelerates the axis until it points down, or until
-    /// the gyroscopic torque has turned it. A factor of √(ps/A) contains that the axis of a sliding top is faster near
-    /// the vertical.
+    /// the gyroscopic torque has turned it. The term √(ps/A) allows for the axis of a sliding top, which is faster
+    /// near the vertical.
     pub(crate) fn fastest<const N: usize>(&self, flow: &Flow<f64, N>) -> f64 {
         let Coefficients { moment, height, gravity, .. } = self.coefficients;
         let rate = bracket(flow.across, flow.axis);
@@ -101,7 +101,7 @@ impl Equations<f64> {
 }
 
 impl<F: Float> Acceleration<F> {
-    /// Accelerations before they are computed.
+    /// Placeholder for accelerations that are not computed yet.
     pub(crate) const ZERO: Self = Self {
         axis_rate: [F::ZERO; 3],
         lever: [F::ZERO; 3],
@@ -165,7 +165,7 @@ impl<F: Float> Equations<F> {
         at
     }
 
-    /// Change of the support's acceleration g + s u'' by a tangent. `change` is that of the coefficients.
+    /// Change of the support's acceleration g + s u'' caused by a tangent and by `change`, the change of the coefficients.
     ///
     /// A rotation of everything but gravity by θ leaves the equations as they are. So the change is that of the
     /// equations with the vertical turned by -θ and ω changed by η, in the frame that θ turns.
@@ -236,8 +236,8 @@ impl<F: Float> Equations<F> {
         Flow { axis, side, across, spin, tangents }
     }
 
-    /// Size of θ below which a column needs no relative accuracy: that at which a change of its ratio by the ratio itself
-    /// turns the body by a thousandth of a radian. It is 0 for the columns of the launch, which are never small.
+    /// Size of θ below which a column needs no relative accuracy: the size at which a change of its ratio by 100 %
+    /// rotates the body by a thousandth of a radian. It is 0 for the columns of the launch, which are never small.
     fn least_size(&self, index: usize) -> F {
         let Some(by) = self.changes.get(index.wrapping_sub(LAUNCH)) else { return F::ZERO };
         let of = &self.coefficients;

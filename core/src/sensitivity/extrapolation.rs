@@ -6,10 +6,10 @@ use crate::sensitivity::flow::Flow;
 
 /// Largest number of midpoint sums of a step. The order is twice as large.
 const MOST_SUMS: usize = 7;
-/// Step times the bound on the frequencies at the start.
+/// Product of the first step and the bound on the frequencies at the start.
 const FIRST_STEP: f64 = 0.5;
 
-/// Flow after the time `span`, of either sign; `None` after `most_steps` steps, those repeated included.
+/// Flow after the time `span`, of either sign; `None` after `most_steps` steps, including the repeated ones.
 ///
 /// * `tolerance`: error of a step, relative to each part of the result
 pub(crate) fn advance<F: Float, const N: usize>(

@@ -1,24 +1,24 @@
-//! State of a motion with small changes of it.
+//! State of a motion, and small changes of it.
 
 use crate::phase::Phase;
 use crate::scalar::{Float, Real};
 use crate::su2::{Orientation, Vector, bracket, dot};
 
-/// Small change of a motion: rotation vector θ of the orientation, and its rate η = θ', which is the change of ω seen
-/// by an observer who turns by θ. Both are in the fixed frame.
+/// Small change of a motion: rotation vector θ of the orientation, and its rate η = θ', which is the change of ω in a
+/// frame that turns by θ. Both are in the fixed frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tangent<F> {
     pub(crate) theta: Vector<F>,
     pub(crate) eta: Vector<F>,
 }
 
-/// State of the motion with N changes of it.
+/// State of the motion, and N changes of it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Flow<F, const N: usize> {
     /// Axis r, the third body axis.
     pub(crate) axis: Vector<F>,
-    /// First body axis, turned back by the angle of the axial rate ω·r, which is constant: its rotation about r has
-    /// no rate.
+    /// First body axis, turned back by the angle of the axial rate ω·r, which is constant. Therefore it does not
+    /// rotate about r.
     pub(crate) side: Vector<F>,
     /// Part w = ω - S r of the angular velocity across the axis. It keeps its digits where S is much larger.
     pub(crate) across: Vector<F>,
@@ -33,7 +33,7 @@ pub(crate) fn total<F: Float>([x1, x2, x3]: Vector<F>, [y1, y2, y3]: Vector<F>, 
 }
 
 impl<F: Float> Tangent<F> {
-    /// Tangent that changes nothing.
+    /// Zero tangent.
     pub(crate) const NONE: Self = Self { theta: [F::ZERO; 3], eta: [F::ZERO; 3] };
 
     /// Sum of this tangent and f times another.
@@ -96,7 +96,7 @@ impl<F: Float, const N: usize> Flow<F, N> {
         Flow { axis, side, across, spin, tangents: [] }
     }
 
-    /// Takes over a state; the tangents stay.
+    /// Sets the state; the tangents are not changed.
     pub(crate) fn set_state(&mut self, state: &Flow<F, 0>) {
         (self.axis, self.side) = (state.axis, state.side);
         (self.across, self.spin) = (state.across, state.spin);

@@ -1,7 +1,8 @@
 //! Growth of the derivatives in a period, projected onto the changes of the first integrals.
 //!
-//! A change of the launch that keeps l, n and h does not grow. The integration over a period makes it grow by its
-//! error, which a million periods would multiply. So the growth is projected onto the changes of l, n and h.
+//! A change of the launch that keeps l, n and h does not grow. The error of the integration over a period makes it
+//! grow, and a million periods would multiply this error. Therefore the growth is projected onto the changes of l, n
+//! and h.
 
 use crate::sensitivity::{COLUMNS, Equations, Flow, LAUNCH, Tangent};
 use crate::su2::{bracket, dot};
@@ -9,7 +10,7 @@ use crate::su2::{bracket, dot};
 /// Length, relative to a gradient, below which its component orthogonal to the other gradients is a rounding error.
 const ROUNDING: f64 = 1e-14;
 
-/// Changes of l, n and h by the six numbers of a launch, of which those of ω are in units of a frequency.
+/// Gradients of l, n and h with respect to the six numbers of a launch, of which those of ω are in units of a frequency.
 type Gradients = [[f64; LAUNCH]; 3];
 
 /// Growth of the columns in a period, without that of changes of the launch which keep l, n and h.
@@ -72,7 +73,7 @@ fn gradients(equations: &Equations<f64>, start: &Flow<f64, COLUMNS>, units: &[f6
     gradients
 }
 
-/// Orthonormal directions that span the gradients; 0 in place of one that depends on the others.
+/// Orthonormal directions that span the gradients; 0 in place of one that is linearly dependent on the others.
 fn orthonormal(gradients: Gradients) -> Gradients {
     let inner = |x: &[f64; LAUNCH], y: &[f64; LAUNCH]| x.iter().zip(y).map(|(a, b)| a * b).sum::<f64>();
     let mut found = [[0.0; LAUNCH]; 3];

@@ -1,4 +1,4 @@
-//! Losses of rotation: torques that let l, n and h drift.
+//! Losses of rotation: torques that make l, n and h drift.
 //!
 //! With the losses x₁, x₂, x₃ the torques are those that alone would change ω by -x₁ S r, by -x₂ w, and by
 //! -x₃ ⟨ω, k⟩ (k - u r): loss of the rotation about the axis, of that across it, and of that about the vertical. The
@@ -43,7 +43,7 @@ impl<F: Float> Equations<F> {
         across * rise
     }
 
-    /// Part of η' that the losses take away, without that of the support.
+    /// Reduction of η' by the losses, without the part of the support.
     pub(super) fn lost_change<const N: usize>(
         &self,
         flow: &Flow<F, N>,
@@ -80,7 +80,7 @@ impl Equations<f64> {
         self
     }
 
-    /// Rates of l, n and h, from A, by each loss.
+    /// Derivatives of the rates of l/A, n/A and h/A with respect to each loss.
     pub(crate) fn integral_rates<const N: usize>(&self, flow: &Flow<f64, N>) -> [Vector<f64>; 3] {
         let Coefficients { inertia, .. } = self.coefficients;
         let ([.., u], across, spin) = (flow.axis, flow.across, flow.spin);

@@ -125,8 +125,8 @@ impl<F: Float> Partials<F> {
     /// Specific force in the body frame at a point of the body, as an accelerometer there measures it, and its
     /// derivatives, m/s².
     ///
-    /// * `place`: body coordinates of the point, m, from the centre of mass of a sliding top, and from the tip of a held
-    ///   one: the point to which the moments of inertia belong
+    /// * `place`: body coordinates of the point, m, from the centre of mass of a sliding top, and from the tip of a top
+    ///   with a fixed tip: the point to which the moments of inertia belong
     #[must_use]
     pub fn specific_force(&self, place: Vector<F>) -> (Vector<F>, [Vector<F>; COLUMNS]) {
         self.force_in(&self.body_axes(), place)
@@ -210,7 +210,7 @@ impl<F: Float> Partials<F> {
         let tangents = self.flow.tangents.iter().take(self.known).enumerate();
         for (slot, (index, tangent)) in changes.iter_mut().zip(tangents) {
             let by = self.equations.changes.get(index.wrapping_sub(LAUNCH));
-            // in the frame that turns by θ, the arm stays
+            // in the frame that turns by θ, the arm is constant
             let rate = self.equations.tangent_rate(&self.flow, at, tangent, by).eta;
             let turning = total(rate, bracket(tangent.eta, omega), F::ONE);
             let change = total(bracket(turning, arm), bracket(tangent.eta, swing), F::ONE);
