@@ -106,7 +106,7 @@ impl<R: Ring> Orientation<R> {
     /// |β|².
     #[must_use]
     pub fn axis(&self) -> Vector<R> {
-        // αβ| <= 1/2, so the intermediate results stay within the fixed-point range of ±2
+        // |αβ| <= 1/2, so the intermediate results stay within the fixed-point range of ±2
         let product = self.alpha * self.beta;
         [-product.re.doubled(), -product.im.doubled(), self.u()]
     }
@@ -159,7 +159,7 @@ impl<R: Ring> Orientation<R> {
         R::inner([sum.re, sum.im], [difference.re, difference.im])
     }
 
-    /// u within [-1, 1], as an arc cosine needs it: [`Self::u`] and two comparisons. A NaN stays.
+    /// u limited to [-1, 1], the domain of the arc cosine: [`Self::u`] and two comparisons. A NaN remains NaN.
     #[must_use]
     pub fn clamped_u(&self) -> R {
         let u = self.u();

@@ -2,7 +2,7 @@
 //!
 //! They use the components of [`Orientation::quaternion`], so a `UnitQuaternion` and an [`Orientation`] are the same
 //! element of SU(2), *sign included*: Φ and -Φ give q and -q. Both map body coordinates to fixed ones. A `Rotation3`
-//! has no sign; converted from it, Φ is the one of the two with the quaternion that nalgebra chooses.
+//! has no sign; its conversion gives the one of the two Φ whose quaternion nalgebra chooses.
 
 use crate::scalar::Ring;
 use crate::su2::Orientation;

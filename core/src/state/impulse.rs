@@ -1,6 +1,6 @@
 //! Impulse: a force so short that the top does not move while it acts. It changes ω and leaves Φ as it is.
 //!
-//! The impulse J acts at a point with the position d from the centre of mass, and the support answers with an impulse R
+//! The impulse J acts at a point with the position d from the centre of mass, and the support reacts with an impulse R
 //! at the tip, whose position from there is -s r. With the moments of inertia about the centre of mass and M s = p,
 //!
 //! ```text
@@ -14,11 +14,11 @@
 //! R = (p ⟨d × J, q⟩ - A J₃) / (A + p s |q|²)
 //! ```
 //!
-//! *Held tip.* A and C are about the tip, where R has no moment: the right-hand side is d × J with d from the tip. This
-//! is the case s = 0 of the same formulas.
+//! *Fixed tip.* A and C are about the tip, where R has no moment: the right-hand side is d × J with d from the tip.
+//! This is the case s = 0 of the same formulas.
 //!
-//! *Free body.* A and C are about the centre of mass, R = 0, and d is from there: the case s = 0 once more. The momentum K
-//! of a rotor inside does not change. Where C = 0 nothing of the body is beside its axis, and J has no moment about it.
+//! *Free body.* A and C are about the centre of mass, R = 0, and d is from there: again the case s = 0. The momentum K of
+//! a rotor inside does not change. Where C = 0 the whole body lies on its axis, and J has no moment about it.
 
 use super::{FASTEST, State};
 use crate::error::{ParameterError, finite, require};
@@ -29,13 +29,12 @@ use crate::top::{Support, Top};
 impl State {
     /// State after an impulse J, N s in the fixed frame, at a point X of the body, m in the body frame *from the tip*.
     ///
-    /// The point is relative to the tip, because the distance of the centre of mass, which is at [0, 0, s], need not be given for a held
-    /// top. For a free body it is relative to the centre of mass. It may lie outside the body, as the end of a lever does. The orientation
-    /// does not change. The reaction of the support is [`State::reaction_impulse`]: a held tip does not move, and a sliding tip keeps its
-    /// height, without friction.
-    /// A horizontal impulse on a sliding top also changes the horizontal velocity of the centre of mass by J/M, which is
-    /// not part of a state: the motion of this crate is relative to the centre of mass, whose horizontal velocity stays
-    /// constant between impulses.
+    /// The point is relative to the tip, because the distance of the centre of mass, which is at [0, 0, s], need not be given for a top
+    /// with a fixed tip. For a free body it is relative to the centre of mass. It may lie outside the body, as the end of a lever does.
+    /// The orientation does not change. The reaction of the support is [`State::reaction_impulse`]: a fixed tip does not move, and a
+    /// sliding tip keeps its height, without friction. A horizontal impulse on a sliding top also changes the horizontal velocity of the
+    /// centre of mass by J/M, which is not part of a state: the motion of this crate is relative to the centre of mass, whose horizontal
+    /// velocity stays constant between impulses.
     ///
     /// An angular impulse, N m s, is a pair of opposite impulses: J at X + D and -J at X give D × J for any X, with D in
     /// the fixed frame.

@@ -21,11 +21,11 @@ pub struct TopParameters {
     pub mass: f64,
     /// Mass moment p = M s, kg m.
     pub mass_moment: f64,
-    /// Gravity g, m/s²; by default 9.80665, and 0 only for a held tip. The units of the paper have g = 1.
+    /// Gravity g, m/s²; by default 9.80665, and 0 only for a fixed tip. The units of the paper have g = 1.
     pub gravity: f64,
     /// Angular momentum K of a rotor inside, relative to the body and along its axis, kg m²/s, of either sign; by default
     /// 0; below 1e-60 A in magnitude it counts as 0. It is constant: the rotor keeps its rate relative to the body, without
-    /// friction or by a motor. The rotor's mass and inertia belong to those of the body.
+    /// friction or by a motor. The rotor's mass and inertia are included in those of the body.
     pub rotor_momentum: f64,
 }
 

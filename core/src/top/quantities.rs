@@ -54,7 +54,7 @@ impl<F: Float> Quantities<F> {
         Self { a, c, s, p: moment(leading) + moment(rest), g, k }
     }
 
-    /// Factor κ = 1/(2 A p g), which makes κ l² a number without unit.
+    /// Factor κ = 1/(2 A p g), which makes κ l² dimensionless.
     pub(crate) fn kappa(&self) -> F {
         F::ONE / (self.a * self.p * self.g).doubled()
     }
