@@ -95,8 +95,8 @@ pub trait Scalar: Ring {
     /// Error: below 3.2e-8 in `f32`, absolute; below 2e-16 in `f64`, relative to the result near its zeros.
     fn sine_cosine(phase: Phase) -> (Self, Self);
 
-    /// Half a unit in the last place of 1: the rounding error of one operation (a product in fixed point may be off
-    /// by eight times as much).
+    /// Half a unit in the last place of 1: the rounding error of one operation (that of a product in fixed point may
+    /// be eight times as large).
     const ROUNDING: f64;
 
     /// Number type in which the rates of the phases are computed for this scalar.

@@ -65,7 +65,7 @@ impl Cursor {
     }
 
     /// Tick of the last sample; before the first sample, the tick before it. After tick 2^63 - 1 the number wraps to -2^63, and
-    /// the motion goes on.
+    /// the motion continues.
     #[inline(always)]
     #[must_use]
     pub fn tick(&self) -> i64 {

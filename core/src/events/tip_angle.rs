@@ -17,11 +17,11 @@ use crate::scalar::{Extended, Float, Ring, Scalar};
 #[derive(Debug)]
 pub struct TipAngles<'a, R: EphemerisScalar> {
     view: &'a EphemerisView<R>,
-    /// Angle looked for; whole turns do not matter.
+    /// Target angle; whole turns do not matter.
     target: Phase,
     /// Instant up to which the motion has been searched, in ticks.
     at: Extended,
-    /// Tip angle at the instant `at`; after an event the angle looked for, without rounding.
+    /// Tip angle at the instant `at`; after an event the target angle, without rounding.
     angle: Phase,
     /// First instant that counts, in ticks.
     from: Extended,
@@ -110,7 +110,7 @@ impl<R: EphemerisScalar> TipAngles<'_, R> {
         self
     }
 
-    /// Rotation from the current angle to the next one looked for, in (0, 1] turn or in [-1, 0).
+    /// Rotation from the current angle to the next target angle, in (0, 1] turn or in [-1, 0).
     fn ahead(&self, upward: bool) -> Phase {
         let distance = if upward { self.target - self.angle } else { self.angle - self.target };
         let distance = PhaseFraction::of(distance).to_phase();
@@ -152,8 +152,8 @@ impl<R: EphemerisScalar> TipAngles<'_, R> {
         None
     }
 
-    /// Skips the periods in which the mean rotation is too small to reach the angle looked for. `extent` is the least
-    /// and the greatest angle, relative to the current one, over the last period.
+    /// Skips the periods in which the mean rotation is too small to reach the target angle. `extent` is the least and
+    /// the greatest angle, relative to the current one, over the last period.
     fn skip(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
         /// Share of the periods that is skipped at once, so that rounding does not skip one too many.
         const CAUTION: f64 = 1.0 - 1e-9;

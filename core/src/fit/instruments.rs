@@ -28,7 +28,7 @@ pub struct Accelerometer {
     pub range: f64,
 }
 
-/// Magnetometer, or any instrument that sees a fixed vector in the body frame.
+/// Magnetometer, or any instrument that measures a fixed vector in the body frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Magnetometer {
     /// Noise and bias, in the unit of the field.

@@ -45,7 +45,7 @@ impl<F: Real> Fit<'_, F> {
         })
     }
 
-    /// Whether the measurements fit better by far when the rates are read as degrees per unit time. Residuals far below the
+    /// Whether the measurements fit much better when the rates are read as degrees per unit time. Residuals far below the
     /// noise do not count: smaller numbers have smaller residuals, whatever the motion is.
     fn fits_in_degrees<I>(&mut self, measurements: &I, chi_squared: f64) -> Result<bool, FitError>
     where
@@ -92,8 +92,8 @@ impl<F: Real> Fit<'_, F> {
         Ok(Found { times, progress, alternatives })
     }
 
-    /// Finds the best of the guesses on short windows, where no phase can be off by a turn. Returns the number of other
-    /// launches that fit equally well.
+    /// Finds the best of the guesses on short windows, where no phase can have an error of a turn. Returns the number
+    /// of other launches that fit equally well.
     #[inline(never)] // its frame is on the stack only during the call
     fn try_guesses<I>(&mut self, beginning: &Beginning, measurements: &I, count: usize) -> usize
     where

@@ -5,9 +5,9 @@ use crate::product::{long_product, wrapping_product};
 
 /// Fraction of a turn in 96 bits; whole turns are dropped.
 ///
-/// Resolution: 2^-96 turns. An increment rounded to it is off by 4e-17 rad after 2^40 ticks (with 64 bits it would be
-/// 1.9e-7 rad). On a 32-bit chip a sum takes one addition and two additions with carry, and a multiple takes five
-/// multiplications.
+/// Resolution: 2^-96 turns. The rounding of an increment to it causes an error of 4e-17 rad after 2^40 ticks (with 64
+/// bits it would be 1.9e-7 rad). On a 32-bit chip a sum takes one addition and two additions with carry, and a
+/// multiple takes five multiplications.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct PhaseFraction {

@@ -130,7 +130,7 @@ impl Div for Extended {
             return if self.significand == 0 { Self::ZERO } else { Self { exponent: LARGEST, ..self } };
         }
         let [dividend, divisor] = [self, other].map(|number| number.significand.unsigned_abs());
-        // dividend · 2^125 / divisor, a few units off before the remainder corrects it
+        // dividend · 2^125 / divisor, with an error of a few units until the remainder corrects it
         let [mut quotient, _] = wide_product(dividend << 2, reciprocal(divisor));
         let [_, product] = wide_product(quotient, divisor);
         let mut rest = (dividend << BITS).wrapping_sub(product) as i128;

@@ -137,7 +137,7 @@ impl Div for Extended64 {
         let (dividend, divisor) = (self.significand, other.significand);
         // 2^126 / divisor, with 60 correct bits
         let reciprocal = short_reciprocal(divisor);
-        // dividend · 2^(62 + shift) / divisor in [2^63, 2^64), a few units off before the remainder corrects it
+        // dividend · 2^(62 + shift) / divisor in [2^63, 2^64), with an error of a few units until the remainder corrects it
         let (shift, scaled) =
             if dividend < divisor { (2, [dividend, 0]) } else { (1, [dividend >> 1, dividend << 63]) };
         let [estimate, _] = product_of_long(dividend, reciprocal);
@@ -199,7 +199,8 @@ impl Float for Extended64 {
         let [high, low] = [self.significand >> odd, if odd == 1 { self.significand << 63 } else { 0 }];
         // 2^94 / √number, with 52 correct bits
         let inverse = short_inverse_root(high);
-        // √number · 2^32 in [2^63, 2^64), some thousand units off before the residual over twice the root corrects it
+        // √number · 2^32 in [2^63, 2^64), with an error of some thousand units until the residual over twice the root
+        // corrects it
         let [estimate, _] = product_of_long(high, inverse);
         let estimate = estimate.min(u64::MAX >> 2) << 2;
         let rest = difference([high, low], product_of_long(estimate, estimate));

@@ -2,7 +2,7 @@
 
 use crate::product::{high_product_of_long, long_product, wide_product};
 
-/// Reciprocal 2^251/d of a divisor in [2^124, 2^125], a few units off, by Newton's method.
+/// Reciprocal 2^251/d of a divisor in [2^124, 2^125], with an error of a few units, by Newton's method.
 pub(super) fn reciprocal(divisor: u128) -> u128 {
     let inverse = u128::from(short_reciprocal(u64::try_from(divisor >> 61).unwrap_or(u64::MAX))) << 64;
     // 2^125 times the product of divisor and inverse, which is nearly 1
