@@ -19,7 +19,7 @@
 //! | [`output`] | tables, CSV, JSON, files, progress |
 //! | [`cli`], [`commands`], [`program`] | command line, one file for each command, exit codes |
 //!
-//! The numerical modules are those of the crate `toytop-numerics`, which a release build optimises; this crate it does not optimise.
+//! The numerical modules are those of the crate `toytop-numerics`. A release build optimises that crate, and does not optimise this one.
 //! A command computes everything that can fail before the first byte is printed, so a failure leaves no partial output.
 //! The program `toytop-lab` (the folder `lab`) uses this library for studies that check the core itself.
 

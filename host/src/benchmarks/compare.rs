@@ -4,8 +4,8 @@ use super::conventions::Quantity;
 use super::{Printed, Problem};
 use toytop::Stepper;
 
-/// Greatest difference of the components of a printed value from the reference, a quaternion with the nearer sign; `None` if the
-/// catalogue has no reference for it.
+/// Greatest difference of the components of a printed value from the reference. A quaternion has the sign that is nearer to the
+/// reference. `None` if the catalogue has no reference for the value.
 #[must_use]
 pub(crate) fn off(problem: &Problem, printed: &Printed) -> Option<f64> {
     let motion = &problem.scenario.motion;

@@ -106,7 +106,7 @@ impl Problem {
         })
     }
 
-    /// Name, by which commands know it.
+    /// Name of the problem on the command line.
     #[must_use]
     pub(crate) fn name(&self) -> &str {
         &self.scenario.name

@@ -18,7 +18,7 @@ pub(crate) struct CorpusCost {
     pub(super) launches: Vec<u64>,
     /// Instructions of the longest slice of the launch or of the table's set-up.
     slice: u64,
-    /// Modelled cycles of an instruction, as in the call `launch`; `None` where the chip has no model.
+    /// Modelled cycles per instruction, equal to those of the call `launch`; `None` where the chip has no model.
     cycles_per_instruction: Option<f64>,
 }
 

@@ -19,7 +19,7 @@ pub struct Function {
 /// Functions and code of an ELF.
 #[derive(Clone, Debug)]
 pub struct Image {
-    /// Functions in the order of their addresses; of several names for one address, the first.
+    /// Functions in the order of their addresses, each with the first of its names.
     functions: Vec<Function>,
     code: Vec<(u64, Vec<u8>)>,
 }

@@ -100,12 +100,12 @@ mod tests {
     #[test]
     fn an_m4_waits_for_results_and_overlaps_loads() {
         let bx = 0x4770;
-        // ldr r0, [r2]; ldr r1, [r3]: overlap. ldr r0, [r2]; ldr r1, [r0]: cannot
+        // ldr r0, [r2]; ldr r1, [r3]: these loads overlap. ldr r0, [r2]; ldr r1, [r0]: the second load needs the result of the first
         assert_eq!(cycles(Model::M4, &[0x6810, 0x6819, bx]), 2 + 1 + 3);
         assert_eq!(cycles(Model::M4, &[0x6810, 0x6801, bx]), 2 + 2 + 3);
-        // adds r0, r0, r1; ldr r1, [r0]: the address is late
+        // adds r0, r0, r1; ldr r1, [r0]: the load waits for its address
         assert_eq!(cycles(Model::M4, &[0x1840, 0x6801, bx]), 1 + 3 + 3);
-        // vadd.f32 s0, s0, s1; vmul.f32 s2, s0, s0 (late), and of s3 (not)
+        // vadd.f32 s0, s0, s1; then vmul.f32 of s0, which waits for the sum, or of s3, which does not
         assert_eq!(cycles(Model::M4, &[0xee30, 0x0a20, 0xee20, 0x1a00, bx]), 1 + 2 + 3);
         assert_eq!(cycles(Model::M4, &[0xee30, 0x0a20, 0xee21, 0x1aa1, bx]), 1 + 1 + 3);
         // vdiv.f32 s0, s0, s1; vldr s2, [r0]

@@ -1,7 +1,7 @@
 //! Log of a run by QEMU: the blocks of code that it executed, in order.
 //!
 //! With `-d in_asm,exec,nochain` QEMU lists the instructions of a block when it translates it, and writes a line whenever a block begins.
-//! A block ends with a branch, or where QEMU ends it. The address of its translation identifies a block.
+//! A block ends with a branch, or where QEMU ends its translation. A block is identified by the address of its translation.
 
 use super::Chip;
 use crate::Failure;

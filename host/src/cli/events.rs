@@ -42,7 +42,7 @@ pub(crate) enum What {
     Turning,
     /// Time at which the tilt has this value, degrees.
     Tilt(f64),
-    /// Time at which the tip angle has this value, degrees, whole turns aside.
+    /// Time at which the tip angle has this value, degrees, modulo whole turns.
     TipAngle(f64),
     /// Time at which the tip is at this distance from the centre, m.
     Circle(f64),

@@ -125,7 +125,7 @@ fn corpus_table(records: &[Record]) -> String {
     output::columns(header.chain(rows).collect(), 3)
 }
 
-/// Path of the firmware after its build, for `size` or for speed, whose messages go to stderr.
+/// Path of the firmware after its build, optimised for size if `size`, otherwise for speed. The messages of the build go to stderr.
 fn build(root: &Path, chip: &Chip, program: &str, size: bool) -> Result<PathBuf, Failure> {
     let fail = |what: String| {
         Failure::Tool(format!("budget: cargo xtask firmware {program} --chip {} --elf: {what}", chip.name))

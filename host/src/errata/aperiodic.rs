@@ -78,7 +78,7 @@ impl Case {
         let centre = E1 / 3.0;
         let lattice = Lattice::new([E4, E1, -E4].map(|e| e - centre));
         let omega3 = C::new(lattice.real, -lattice.imaginary);
-        // w₋₁ belongs to l + n = 2l; of the two a, the one with ℘'(a - ω₃) = w₋₁
+        // w₋₁ belongs to l + n = 2l; a has the sign for which ℘'(a - ω₃) = w₋₁
         let l = (2.0 * TOP.a * TOP.p * (1.0 + E1)).sqrt();
         let w_minus = (2.0 * TOP.s).sqrt() * (1.0 - E4 * E4) * l / TOP.a;
         let a = C::new(from_root(E1, -1.0, [E4, -E4]), 0.0);

@@ -17,7 +17,7 @@ pub(super) struct Lattice {
 
 impl Lattice {
     pub(super) fn new([e1, e2, e3]: [f64; 3]) -> Self {
-        // K(m)/√(E₁-E₃) = π/(2 agm(√(E₁-E₃), √(E₁-E₂))), and the other with √(E₂-E₃)
+        // K(m)/√(E₁-E₃) = π/(2 agm(√(E₁-E₃), √(E₁-E₂))), and the imaginary half period with √(E₂-E₃) in place of √(E₁-E₂)
         let [whole, upper, lower] = [e1 - e3, e1 - e2, e2 - e3].map(f64::sqrt);
         let half = |smaller: f64| 0.5 * PI / mean(whole, smaller);
         let (real, imaginary) = (half(upper), half(lower));
@@ -85,7 +85,7 @@ pub(super) fn from_root(root: f64, end: f64, others: [f64; 2]) -> f64 {
     smooth_half(end, root, |u| others.iter().map(|other| (u - other).abs()).product::<f64>().sqrt().recip())
 }
 
-/// Integral ∫ √|4 (u - root)(u - others)| du from `root` to `end`, which the paper prints in its place.
+/// Integral ∫ √|4 (u - root)(u - others)| du from `root` to `end`, which the paper prints in place of [`from_root`].
 pub(super) fn printed_from_root(root: f64, end: f64, others: [f64; 2]) -> f64 {
     smooth_half(end, root, |u| {
         let size: f64 = others.iter().map(|other| (u - other).abs()).product();

@@ -48,17 +48,18 @@ fn bounds(motion: &Motion) -> Vec<(&'static str, f64)> {
     }
 }
 
-/// Angle in degrees to nine decimals: an axis that stays in a plane has an azimuth that is constant but for roundings; the sum has no -0.
+/// Angle in degrees, rounded to nine decimals, because the azimuth of an axis that stays in a plane is constant except for rounding. The
+/// added 0 turns -0 into 0.
 fn without_rounding(degrees: f64) -> f64 {
     (degrees * 1e9).round() / 1e9 + 0.0
 }
 
-/// Azimuth of the axis, continued, against time, and its mean motion.
+/// Azimuth of the axis, continued over whole turns, and its mean motion, against time.
 ///
 /// # Errors
 /// [`Failure::Method`]: the axis is vertical at all times.
 pub(crate) fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Failure> {
-    // the axis leans away from the tip
+    // the axis leans in the direction opposite to the tip, so that its azimuth differs from the tip angle by half a turn
     let start = span.at(0.0).phi.ok_or_else(|| {
         Failure::Method("the axis is vertical at all times, so that it has no azimuth".to_owned())
     })?;
@@ -115,7 +116,7 @@ pub(crate) fn potential(scenario: &Scenario) -> Scene {
     .draw(&curves)
 }
 
-/// Effective potential at a cosine of the tilt between -1 and 1, without cancellation near them.
+/// Effective potential at a cosine of the tilt between -1 and 1, without cancellation near -1 and 1.
 fn effective_potential(motion: &Motion, u: f64) -> f64 {
     let (top, constants) = (motion.top(), motion.first_integrals());
     let [plus, minus] = [constants.l + constants.n, constants.l - constants.n];

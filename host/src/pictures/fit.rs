@@ -7,8 +7,9 @@ use toytop::fit::Measurement;
 use toytop::su2::Vector;
 use toytop::{Motion, Sensitivity};
 
-/// Times of the picture of the prediction, and the first and the last of them after the end of the samples, s.
+/// Number of times in the picture of the prediction.
 const POINTS: u32 = 80;
+/// First and last of these times, after the end of the samples, s.
 const AHEAD: [f64; 2] = [0.01, 100.0];
 
 /// Residuals in standard deviations, a curve for each column of the samples; those at the end of the range are left out.
@@ -66,7 +67,7 @@ pub(crate) fn prediction(report: &FitReport<'_>, motion: &Motion) -> Picture {
 
 /// Half axes of the ellipse of the axis, rad: roots of the eigenvalues of the covariance across it.
 fn ellipse(covariance: &[Vector<f64>; 3], axis: Vector<f64>) -> [f64; 2] {
-    // P = (1 - r rᵀ) covariance (1 - r rᵀ): its eigenvalues are 0 and two of this sum, and of this sum of squares
+    // P = (1 - r rᵀ) covariance (1 - r rᵀ) has the eigenvalue 0 and two others, whose sum is the trace and whose sum of squares is `squares`
     let image = covariance.map(|row| (0..3).map(|j| row[j] * axis[j]).sum::<f64>());
     let along: f64 = (0..3).map(|i| axis[i] * image[i]).sum();
     let trace = (0..3).map(|k| covariance[k][k]).sum::<f64>() - along;

@@ -45,7 +45,7 @@ impl HeatMap {
         Ok(Self { names: [x, y, column].map(str::to_owned), axes })
     }
 
-    /// Draws the rows of a table. Of several rows with the same X and Y, the first is drawn.
+    /// Draws the rows of a table. If several rows have the same X and Y, the first is drawn.
     ///
     /// # Errors
     /// [`Failure::Input`]: the column contains no numbers.

@@ -19,7 +19,7 @@ pub(super) fn steps_per_period(scalar: Scalar) -> u32 {
 /// have errors of at most 1.1e-4 rad beyond the bound of the reference. With micromath, whose square root has an error of 6 %, there is
 /// no bound; in fixed point there is no stepper.
 fn of_the_stepper(motion: &Motion, scalar: Scalar) -> f64 {
-    /// Below this e₃ - e₂ a motion counts as near the separatrix.
+    /// Upper limit of e₃ - e₂ for motions that count as near the separatrix.
     const NEAR: f64 = 1e-2;
     let near = motion.regime() == Regime::Nutating && motion.branch_points().e3_minus_e2 < NEAR;
     match (scalar, near) {
@@ -64,7 +64,9 @@ fn of_the_truth(motion: &Motion) -> f64 {
 /// Upper bound on the distance of two orientations, rad.
 pub(super) const WORST: f64 = 4.0;
 
-/// Bound on the error of the orientation, rad. `own` contains the bounds of a motion that has its own.
+/// Bound on the error of the orientation, rad.
+///
+/// * `own`: bounds of a built-in motion that has bounds of its own
 ///
 /// Beyond ten periods the bound of the stepper grows in proportion to time, and that of the reference, whose energy drifts, with the
 /// square of time (measured: over 1000 periods the error is 10^3 to 10^4 times as large).

@@ -99,7 +99,7 @@ fn circles(motion: &Motion) -> Vec<Circle> {
 fn periods(averages: &PeriodAdvance) -> u32 {
     let [least, most] = PERIODS;
     let once_round = (2.0 * PI / averages.phi_per_period().abs()).ceil();
-    // the precession is so slow that a part of a turn has the least number of periods
+    // where the precession is very slow, the least number of periods is drawn, which is a small part of a turn
     if once_round > 4.0 * most { least as u32 } else { once_round.clamp(least, most) as u32 }
 }
 

@@ -104,6 +104,8 @@ pub fn draw(scenario: &Scenario, curve: &Curve, caption: &[String]) -> Scene {
     scene
 }
 
+/// Picture in a form, in the size of its layout.
+///
 /// # Errors
 /// [`Failure::Output`]: the picture cannot be encoded.
 pub(crate) fn encode(scene: &Scene, form: Form) -> Result<Vec<u8>, Failure> {
@@ -224,7 +226,7 @@ fn bound() -> LinePlot {
 struct Dash {
     style: LineStyle,
     arcs: u32,
-    /// Share of the arc in an arc and the gap after it.
+    /// Length of an arc, as a share of the distance from one arc to the next.
     share: f64,
 }
 
