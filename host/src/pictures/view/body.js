@@ -1,20 +1,20 @@
-// A top as turned on a lathe, and painted: a body of revolution whose marks show its spin.
+// Bodies of revolution that are drawn: top, pendulum and spheroid. Their marks show the spin.
 
-/** Its outline from the tip up: heights in units of s (the centre of mass is at 1), radii in units of the greatest. */
+/** Outline of the top from the tip up: heights in units of s (the centre of mass is at 1), radii in units of the greatest. */
 const OUTLINE = [
   [0, 0], [0.02, 0.035], [0.1, 0.05], [0.3, 0.13], [0.5, 0.3], [0.68, 0.58], [0.8, 0.84], [0.9, 0.97], [0.99, 1],
   [1.07, 0.955], [1.14, 0.83], [1.2, 0.62], [1.25, 0.36], [1.3, 0.2],
 ];
-/** The stem above, with radii in units of s. */
+/** Outline of the stem above it: heights and radii in units of s. */
 const STEM = [[1.36, 0.085], [1.5, 0.065], [1.68, 0.062], [1.74, 0.085], [1.79, 0.09], [1.83, 0.075], [1.85, 0]];
 const STEM_FROM = 1.3;
 
 const SECTORS = 48;
-/** Number of sectors that a face covers, by its radius: its edge stays within a hundredth of a unit of the circle. */
+/** Number of sectors that a face covers, by its radius, so that its edge is at most 0.01 from the circle. */
 const sectorsAt = (radius) => (radius < 0.14 ? 4 : radius < 0.5 ? 2 : 1);
 const PAINT = { red: [196, 58, 43], cream: [246, 232, 202], wood: [205, 152, 92], metal: [150, 158, 168], mark: [38, 84, 160] };
 
-/** What is painted at a height and a sector: rings that stay, and petals and a stripe that turn. */
+/** Colour at a height and a sector: rings, which look the same at every angle, and petals and a stripe, which show the rotation. */
 function paint(height, sector) {
   if (height < 0.09) return PAINT.metal;
   if (height > STEM_FROM - 0.02) return PAINT.wood;
@@ -29,7 +29,7 @@ function paint(height, sector) {
   return PAINT.red;
 }
 
-/** A curve through the outline, bent as Catmull and Rom do: each stretch in parts of about this length. */
+/** Catmull-Rom spline through the points of an outline, in parts of about this length. */
 function smooth(points, length) {
   const at = (i) => points[Math.max(0, Math.min(points.length - 1, i))];
   const between = (i, t) =>
@@ -44,7 +44,7 @@ function smooth(points, length) {
   return [...stretches.flat(), points[points.length - 1]];
 }
 
-/** A body of revolution in its own coordinates: rings of points, all points, and the faces between them by the points' numbers. */
+/** Body of revolution in body coordinates: rings of points, all points, and faces, whose corners are indices of points. */
 function bodyOf(outline, paint) {
   const angle = (sector) => (2 * Math.PI * (sector - SECTORS / 24)) / SECTORS;
   const ring = ([z, r]) => Array.from({ length: SECTORS }, (_, i) => [r * Math.cos(angle(i)), r * Math.sin(angle(i)), z]);
@@ -65,13 +65,13 @@ function bodyOf(outline, paint) {
   return { rings, points: rings.flat(), faces };
 }
 
-/** The top, for a greatest radius in units of s. */
+/** Top with this greatest radius, in units of s. */
 function turnOnLathe(breadth) {
   const outline = smooth([...OUTLINE.map(([z, r]) => [z, Math.max(r * breadth, z > 1 ? 0.09 : 0)]), ...STEM], 0.085);
   return bodyOf(outline, paint);
 }
 
-/** A rod with a ball at its end: what a body without an axial moment of inertia looks like. */
+/** Rod with a ball at its end, which is drawn for a body without an axial moment of inertia. */
 function pendulum() {
   const ball = Array.from({ length: 15 }, (_, i) => (Math.PI * (i / 14 - 0.5))).map((t) => [1 + 0.2 * Math.sin(t), Math.max(0.03, 0.2 * Math.cos(t))]);
   return bodyOf([[0, 0], [0.02, 0.03], [0.4, 0.03], ...ball, [1.2, 0]], (height, sector) => {
@@ -80,10 +80,10 @@ function pendulum() {
   });
 }
 
-/** Half the height and the radius of a spheroid by their quotient; the larger is 1. */
+/** Half the height and the radius of a spheroid, from their quotient; the larger is 1. */
 const spheroidSize = (slenderness) => [Math.max(0.05, Math.min(1, slenderness)), Math.max(0.05, Math.min(1, 1 / slenderness))];
 
-/** A free body around its centre of mass: the homogeneous spheroid with these moments of inertia. */
+/** Free body: a homogeneous spheroid about its centre of mass, with this quotient of half the height and the radius. */
 function spheroid(slenderness) {
   const [half, radius] = spheroidSize(slenderness);
   const outline = Array.from({ length: 25 }, (_, i) => Math.PI * (i / 24 - 0.5)).map((t) => [half * Math.sin(t), radius * Math.cos(t)]);
@@ -94,14 +94,14 @@ function spheroid(slenderness) {
   });
 }
 
-/** Light from above, a little from the left of who looks. */
+/** Direction of the light: from above, and a little from the viewer's left. */
 function light(camera) {
   return unit(sum(sum([0, 0, 0.9], camera.back, 0.55), camera.right, -0.6));
 }
 
 /**
- * The faces that are seen, the farthest first. `place` takes body coordinates to space, `rotate` directions. The loops of this file
- * visit hundreds of faces for each picture, so they make few temporary arrays.
+ * Visible faces, the farthest first. `place` takes points from body to fixed coordinates, and `rotate` directions. The loops of this
+ * file visit hundreds of faces for each picture; they make few temporary arrays, for speed.
  */
 function seenFaces(camera, body, { place, rotate }) {
   const space = body.points.map(place);
@@ -116,7 +116,7 @@ function seenFaces(camera, body, { place, rotate }) {
   return { space, pixels, seen: seen.sort((a, b) => b.depth - a.depth) };
 }
 
-/** What of a face is above the plane (side 1) or below it (side -1). */
+/** Part of a face above the plane (side 1) or below it (side -1). */
 function cut(points, side) {
   return points.flatMap((p, i) => {
     const q = points[(i + 1) % points.length];
@@ -125,7 +125,7 @@ function cut(points, side) {
   });
 }
 
-/** Places on the sheet of what of a face is to be drawn; side 0 is all of it. */
+/** Outline, in pixels, of the part of a face on this side of the plane; side 0 is the whole face. */
 function outlineOf(camera, { space, pixels }, { corners }, side) {
   let within = 0;
   for (const corner of corners) {
@@ -137,7 +137,7 @@ function outlineOf(camera, { space, pixels }, { corners }, side) {
   return part.map((point) => camera.project(point));
 }
 
-/** Path of a face, each corner of which is a little further out: the background would show between two faces otherwise. */
+/** Path of a face that is enlarged a little, because otherwise the background would show between two faces. */
 function traceFace(pen, outline) {
   let [middleX, middleY] = [0, 0];
   for (const place of outline) {
@@ -170,7 +170,7 @@ function drawFaces(pen, camera, faces, side) {
   }
 }
 
-/** Its shadow on the plane, as of a light straight above. */
+/** Draws the shadow of the body on the plane, with the light vertically above. */
 function drawShadow(pen, camera, body, place, style) {
   pen.beginPath();
   for (const ring of body.rings.filter((_, i) => i % 2 === 1)) {
@@ -185,7 +185,7 @@ function drawShadow(pen, camera, body, place, style) {
   pen.fill("nonzero");
 }
 
-/** The ghost: some rings of the body and its axis, without faces. */
+/** Draws the ghost: some rings of the body and its axis, without faces. */
 function drawGhost(pen, camera, body, place, style) {
   const last = body.rings.length - 1;
   for (const ring of body.rings.filter((_, i) => i % 3 === 1)) {

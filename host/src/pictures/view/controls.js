@@ -5,7 +5,7 @@ const LOGARITHMIC = {
   place: (x, [low, high]) => Math.log(x / low) / Math.log(high / low),
   value: (place, [low, high]) => low * (high / low) ** place,
 };
-/** Finer towards the lower end, where e₃ matters most. */
+/** Scale that is finer towards the lower end, where e₃ has the greatest effect. */
 const CUBIC = { place: (x, [low, high]) => Math.cbrt((x - low) / (high - low)), value: (place, [low, high]) => low + place ** 3 * (high - low) };
 
 const aroundHome = (home) => [home / 8, home * 8];
@@ -15,17 +15,17 @@ const bothWays = (least) => (home, shown) => {
   return [-reach, reach];
 };
 
-/** What has no effect on a free body. */
+/** Keys that have no effect on a free body. */
 const OF_WEIGHT = ["mass", "mass_moment", "com_height", "gravity"];
 
-/** A number of the top, by the key that a scenario has for it. */
+/** Control for a number of the top, by its key in a scenario. */
 const ofTop = (key, label, unit, define, scale = LOGARITHMIC, range = aroundHome) => ({
   key, label, unit, define, group: "top", scale, range,
   read: ({ top }) => (top.support === "free" && OF_WEIGHT.includes(key) ? undefined : (top[key] ?? DEFAULTS[key])),
   write: (scenario, x) => ({ ...scenario, top: { ...scenario.top, [key]: x } }),
 });
 
-/** A number of the throw. */
+/** Control for a number of the release. */
 const ofThrow = (key, label, unit, define, range, read) => ({
   key, label, unit, define, group: "throw", scale: LINEAR, range,
   read: ({ motion }, shown) => (motion.kind === "release" ? (motion[key] ?? 0) : read(shown)),
@@ -35,7 +35,7 @@ const ofThrow = (key, label, unit, define, range, read) => ({
   },
 });
 
-/** A branch point; those that would stand in the wrong order give way. */
+/** Control for a branch point; it moves the other branch points where they would be in the wrong order. */
 const ofRoot = (key, label, define, scale, range) => ({
   key, label, unit: "", define, group: "roots", scale, range,
   read: (_, shown) => (isTorqueFree(shown) ? undefined : shown[key]),
@@ -52,7 +52,7 @@ function withRoot(scenario, key, x, shown) {
 }
 
 const perNutation = ({ period, natural_time }) => 3 / (period > 0 ? period : natural_time);
-/** A spin that is fast for this body. */
+/** Spin that is fast for this body, rad/s. */
 const fastSpin = (shown) => Math.max(perNutation(shown), shown.C > 0 ? criticalSpin({ ...shown, K: 0 }) : 0);
 
 const CONTROLS = [
@@ -72,13 +72,13 @@ const CONTROLS = [
   ofRoot("e3", "e₃", "Third root of the cubic, at least 1.", CUBIC, (home) => [1, Math.max(20, 1 + 4 * (home - 1))]),
 ];
 
-/** A slider's value without digits that nobody set. */
+/** Value of a slider, rounded to the digits that its range resolves. */
 const rounded = (x, [low, high]) => Number(x.toFixed(Math.max(0, Math.min(20, 3 - Math.floor(Math.log10(high - low))))));
 
-/** Six digits as they are typed: 0.25, 7.5e-5. */
+/** Text with six digits in the form in which a user types them: 0.25, 7.5e-5. */
 const typed = (x) => (x !== 0 && Math.abs(x) < 1e-3 ? x.toExponential(5).replace(/\.?0+e/, "e") : String(Number(x.toPrecision(6))));
 
-/** Rows of sliders and fields in their groups. */
+/** Builds the rows of sliders and fields in their groups. */
 function buildControls(change) {
   for (const control of CONTROLS) {
     const { key, label, unit, define, group } = control;
@@ -108,7 +108,7 @@ function mark(field, wrong) {
   else field.removeAttribute("aria-invalid");
 }
 
-/** Shows the numbers of a motion. `settle` also lays the sliders' ranges around them. */
+/** Shows the numbers of a motion. `settle` also sets the ranges of the sliders around these numbers. */
 function showControls({ scenario, shown, settle }) {
   for (const control of CONTROLS) {
     const x = control.read(scenario, shown);

@@ -1,6 +1,6 @@
 // Pointers and arrow keys on the pictures.
 
-/** Turns the 3-D pictures. */
+/** Turns the 3-D pictures when they are dragged. */
 function listenToTurns(canvas, turn, reset) {
   canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
   canvas.addEventListener("pointermove", (event) => {
@@ -9,17 +9,20 @@ function listenToTurns(canvas, turn, reset) {
   canvas.addEventListener("dblclick", reset);
 }
 
-/** Drags e₁, e₂ and e₃ along the potential: `roots` are those shown, `set` takes a key and a number, `release` hears of the end. */
+/**
+ * Lets e₁, e₂ and e₃ be dragged along the potential: `roots` returns those shown, `set` takes a key and a number, and `release` is called
+ * at the end.
+ */
 function listenToRoots(canvas, roots, set, release) {
   const place = ({ offsetX }) => offsetX / unitOf();
   const layout = () => heldLayout ?? potentialLayout(sizeOf(canvas), roots());
   let held = null;
   const nearest = (x) => {
-    // without torque the roots do not tell the motion
+    // without torque the roots do not determine the motion
     if (roots().length < 3) return null;
     const at = roots().map((root) => Math.abs(layout().x(root) - x));
     const least = Math.min(...at);
-    // where two lie together, the one that has room on the side of the pointer
+    // if two roots are equal, the one that can move towards the pointer is taken
     const [first, last] = [at.indexOf(least), at.lastIndexOf(least)];
     return least < 26 ? (x < layout().x(roots()[first]) ? first : last) : null;
   };

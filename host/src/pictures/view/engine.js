@@ -1,6 +1,7 @@
-// The core, compiled to WebAssembly: a scenario in, constants and moments out, in the crate's own numbers.
+// Core as WebAssembly: it takes a scenario, and returns the constants of the motion and its state at any time, in the crate's bits.
+// The ghost is a second top, which is integrated by the Runge-Kutta method.
 
-/** What the keys of a scenario mean where they are left out. */
+/** Default values of the keys of a scenario. */
 const DEFAULTS = { gravity: 9.80665, rotor_momentum: 0, precession: 0, nutation: 0, azimuth_deg: 0, roll_deg: 0, nutation_phase: 0, arg_alpha: 0, arg_beta: 0 };
 
 /** Supports of the tip, in the order of the core's numbers. */
@@ -16,17 +17,17 @@ const MOTION_KEYS = {
 };
 const KINDS = Object.keys(MOTION_KEYS);
 
-/** Numbers of a scenario as the core takes them: those of the top with 0 for what is not given, then those of the motion. */
+/** Numbers of a scenario in the order in which the core takes them: those of the top, with 0 for missing ones, then those of the motion. */
 function numbersOf({ top, motion }) {
   const value = (key, from) => from[key] ?? DEFAULTS[key] ?? 0;
   const ofTop = TOP_KEYS.map((key) => value(key, top));
   return [SUPPORTS.indexOf(top.support ?? "sliding"), ...ofTop, ...MOTION_KEYS[motion.kind].flatMap((key) => value(key, motion))];
 }
 
-/** How many numbers a key holds, where that is not one. */
+/** Number of numbers of each key that has more than one. */
 const LENGTHS = { alpha: 2, beta: 2, omega: 3 };
 
-/** A key of the motion that does not hold the numbers it has to; the core refuses the other errors. */
+/** First key of the motion that does not have its numbers; the core refuses all other errors. */
 function missingKey({ motion }) {
   const holds = (key) => {
     const value = motion[key] ?? DEFAULTS[key];
@@ -35,22 +36,22 @@ function missingKey({ motion }) {
   return MOTION_KEYS[motion.kind].find((key) => !holds(key));
 }
 
-/** Orientation, axis and tip of the ten numbers of a moment. */
+/** Orientation, axis and tip, from the ten numbers that the core returns for a time. */
 function momentOf(numbers) {
   const [a, b, c, d, u, x, y, z, tipX, tipY] = numbers;
   return { alpha: [a, b], beta: [c, d], u, axis: [x, y, z], tip: [tipX, tipY] };
 }
 
-/** Numbers of a point of a curve: axis and tip. */
+/** Number of coordinates of a point of a curve: axis and tip. */
 const COORDINATES = 5;
 const MOST_POINTS = 4096;
 
 class Core {
-  /** The core of a page, from its bytes in base 64. */
+  /** Core of a page, from its bytes in base 64. */
   static async load(base64, names) {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
     const compiled = () => {
-      // at once, so that the first picture is there with the page; a browser may refuse this of so many bytes
+      // compiled synchronously, so that the page opens with its first picture; a browser may refuse this for a module of this size
       try {
         return new WebAssembly.Module(bytes);
       } catch {
@@ -67,7 +68,7 @@ class Core {
     this.words = (length) => new TextDecoder().decode(new Uint8Array(buffer, exports.words(), length)).split("\n");
   }
 
-  /** Shows a scenario: regime, class of the tip curve and constants by name, or what is refused. */
+  /** Launches a scenario: returns the regime, the class of the tip curve and the constants by name, or the refused parameter. */
   launch(scenario) {
     const missing = missingKey(scenario);
     if (missing) return { refused: { parameter: missing, allowed: "given" } };
@@ -84,7 +85,7 @@ class Core {
     return momentOf(this.numbers);
   }
 
-  /** Axis and tip at equally spaced times, five numbers each. */
+  /** Axis and tip at equally spaced times, five numbers for each time. */
   curve(from, step, count) {
     this.exports.curve(from, step, count);
     return this.numbers.slice(0, COORDINATES * count);
@@ -94,7 +95,7 @@ class Core {
     this.exports.ghost(step);
   }
 
-  /** The ghost's moment, the time that it has reached, and its distance from the exact orientation, rad. */
+  /** State of the ghost, the time that its integration has reached, and its distance from the exact orientation, rad. */
   ghostAt(t) {
     if (!this.exports.ghost_moment(t)) return null;
     const [reached, distance] = this.numbers.slice(10, 12);

@@ -1,13 +1,14 @@
-// What `toytop bake --lang json` writes in f32, evaluated: the bits of the crate at any tick.
+// Evaluation of a table that `toytop bake --lang json` writes in f32, at any tick, with the bits of the crate.
 //
-// All is integers of 32 bits up to alpha and beta, which a Number holds; only the phases, of 64 and 96 bits, are BigInt.
+// All numbers before alpha and beta are integers of 32 bits, which a Number represents exactly; only the phases, of 64 and 96 bits, are
+// BigInt.
 
-/** Integers of 32 bits, the least significant first, as one. */
+/** One integer from words of 32 bits, the least significant first. */
 function wide(words) {
   return words.reduceRight((sum, word) => (sum << 32n) | BigInt(word), 0n);
 }
 
-/** A table from its JSON. */
+/** Table from its JSON. */
 function readTable(json) {
   if (json.format !== 5 || json.scalar !== "f32") throw new Error("not a table of format 5 in f32");
   return {
@@ -28,7 +29,7 @@ function phasesAt(table, tick) {
   return phases;
 }
 
-/** Cell, segment and place in it, x 2^31 with x in [-1, 1); the falling half is the mirror image of the rising one. */
+/** Half of the period, segment, and local coordinate x 2^31 with x in [-1, 1); the falling half is the mirror image of the rising one. */
 function find(table, nutation) {
   const falling = nutation >> 63n === 1n;
   const share = BigInt.asUintN(64, (falling ? ~nutation : nutation) << 1n);
@@ -39,17 +40,17 @@ function find(table, nutation) {
   return { falling, segment, x: (rest << level) ^ 0x80000000 };
 }
 
-/** a b 2^-32, rounded down: no product needs more than 53 bits. */
+/** Product a b 2^-32, rounded down. No partial product needs more than 53 bits. */
 function high(a, b) {
   return Math.floor((a * (b >> 16) + Math.floor((a * (b & 0xffff)) / 65536)) / 65536) | 0;
 }
 
-/** The same with the 16 upper bits of b alone. */
+/** Product of a and the upper 16 bits of b, times 2^-16, rounded down. */
 function shortHigh(a, b) {
   return Math.floor((a * (b >> 16)) / 65536) | 0;
 }
 
-/** Sine and cosine, times 2^31, of a phase of 32 bits: the nearest of 512 points, turned by the rest. */
+/** Sine and cosine, times 2^31, of a phase of 32 bits: those of the nearest of 512 points, rotated by the remaining angle. */
 function sineAndCosine({ points, secant }, phase) {
   const nearest = (phase + 0x400000) >>> 23;
   const [s, c] = [points[nearest], points[nearest + 128]];
@@ -58,20 +59,20 @@ function sineAndCosine({ points, secant }, phase) {
   return [s - high(s, versine) + high(c, small), c - high(c, versine) - high(s, small)];
 }
 
-/** From units of 2^-31 to numbers, turned by a phase. */
+/** Complex number in units of 2^-31, rotated by a phase, as two f32. */
 function turned(table, [re, im], phase) {
   const [sine, cosine] = sineAndCosine(table.sine, Number(phase >> 32n));
   const number = (integer) => Math.fround(integer) * 2 ** -30;
   return [number(high(re, cosine) + high(~im, sine)), number(high(re, sine) + high(im, cosine))];
 }
 
-/** The four polynomials of a segment at x, the falling half mirrored. */
+/** Values of the four polynomials of a segment at x, complex conjugate on the falling half. */
 function polynomials(table, { falling, segment, x }) {
   const rows = table.coefficients[segment];
   return [0, 1, 2, 3].map((i) => {
     let sum = rows[table.terms - 1][i];
     for (let k = table.terms - 2; k > 0; k--) {
-      // for the upper half of the powers 16 bits of x will do
+      // for the upper half of the powers 16 bits of x are enough
       const product = 2 * (k + 1) > table.terms ? shortHigh : high;
       sum = (rows[k][i] + product(sum, x)) | 0;
     }
@@ -81,8 +82,8 @@ function polynomials(table, { falling, segment, x }) {
 }
 
 /**
- * The moment of a tick: alpha and beta as [re, im], u (the cosine of the tilt) and the tip c = 2 s alpha beta (2 alpha beta
- * where it is held), each the f32 that the crate has.
+ * State of the motion at a tick: alpha and beta as [re, im], u (the cosine of the tilt) and the tip c = 2 s alpha beta (2 alpha beta
+ * where it is held), with the bits of the crate in f32.
  */
 function momentAt(table, tick) {
   const [nutation, a, b] = phasesAt(table, tick);

@@ -1,24 +1,24 @@
-// What is said of a motion and of the moment: names, numbers, units, and what each means.
+// Tables and sentences about a motion and its state at a time: names, numbers, units and definitions.
 
 /** Spin above which an upright top sleeps, rad/s: n = C spin + K with n² = 4 A p g. */
 const criticalSpin = ({ A, C, p, g, K = 0 }) => (2 * Math.sqrt(A * p * g) - K) / C;
 
-/** Whether no torque acts: e₃ is infinite then, and the angular momentum stands still. */
+/** Whether no torque acts; then e₃ is infinite and the angular momentum is constant. */
 const isTorqueFree = ({ g }) => g === 0;
 
 /** Angle between the axis and the angular momentum, in degrees. */
 const coneAngle = ({ n, m_x, m_y, m_z }) => degrees(Math.acos(Math.max(-1, Math.min(1, n / Math.hypot(m_x, m_y, m_z)))));
 
-/** Angle of the axis from the vertical where its cosine is u, in degrees. */
+/** Angle of the axis from the vertical, from its cosine u, in degrees. */
 const tiltAt = (u) => degrees(Math.acos(Math.max(-1, Math.min(1, u))));
 
-/** Force of the plane in weights at a height u of the axis: 1 + d/du of f(u)/D(u), with f the cubic and D = e₄² - u². */
+/** Normal force in units of the weight at the cosine u of the tilt: 1 + d/du of f(u)/D(u), with f the cubic and D = e₄² - u². */
 function normalForce({ e1, e2, e3, e4 }, u) {
   const [a, b, c, d] = [u - e1, u - e2, u - e3, e4 * e4 - u * u];
   return 1 + (b * c + a * c + a * b) / d + (2 * u * a * b * c) / (d * d);
 }
 
-/** The tilts between which the plane would have to pull, in degrees. */
+/** Tilts between which the plane would have to pull the tip down, in degrees; null if there are none. */
 function liftOff(shown) {
   const { e1, e2 } = shown;
   const places = Array.from({ length: 401 }, (_, i) => e1 + ((e2 - e1) * i) / 400).filter((u) => normalForce(shown, u) < 0);
@@ -34,7 +34,7 @@ const REGIMES = {
   aperiodic: "The axis rises to the vertical and needs for ever to reach it.",
 };
 
-/** What a motion without torque is: the axis rests, or it goes round the angular momentum. */
+/** Sentence about a motion without torque: the axis rests, or it precesses about the angular momentum. */
 function torqueFree(shown) {
   const angle = coneAngle(shown);
   if (Number.isNaN(angle)) return "The body rests.";
@@ -42,7 +42,7 @@ function torqueFree(shown) {
   return `No torque acts: the axis goes round the angular momentum, which stands still, at a constant angle of ${decimals(angle, 1)}°.`;
 }
 
-/** What a motion is: where l = n = 0 exactly, it stays in a plane. */
+/** Sentence about the kind of a motion; where l = n = 0 exactly, the motion is in a plane. */
 function motionOf(shown) {
   const { regime, l, n, e2, e3 } = shown;
   if (isTorqueFree(shown)) return torqueFree(shown);
@@ -50,7 +50,7 @@ function motionOf(shown) {
   return REGIMES[regime] ?? "";
 }
 
-/** The kind of motion in a sentence, and what a real top would do. */
+/** Support and kind of a motion, and in what way a real top would move differently. */
 function summaryOf(shown) {
   const { regime, support, min_normal_force, e1 } = shown;
   const real = [];
@@ -60,7 +60,7 @@ function summaryOf(shown) {
   return `${begin} ${motionOf(shown)}${real.length ? ` A real top would ${real.join(" and ")}.` : ""}`;
 }
 
-/** Why the curve is as it is (Proposition 6 of the paper). */
+/** Reason for the class of the tip curve (Proposition 6 of the paper). */
 function curveReason(shown) {
   const { tipClass, e1, e2, e3, sign_l_plus_n, sign_l_minus_n } = shown;
   const [left, right] = [short(e3 * (e2 - e1), 4), short(1 - e1 * e2, 4)];
@@ -87,7 +87,7 @@ function curveReason(shown) {
   }
 }
 
-/** Names, values, units and definitions for a teacher. */
+/** Names, values, units and definitions of quantities for teaching. */
 function teachersFacts(shown, { units }) {
   const { A, p, g, n, e1, e2, period, phi_per_period, spin, min_normal_force, support } = shown;
   const rate = phi_per_period / period;
@@ -117,7 +117,7 @@ function teachersFacts(shown, { units }) {
   ];
 }
 
-/** The paper's constants. */
+/** Names, values, units and definitions of the paper's constants. */
 function paperFacts(shown) {
   const { e1, e2, e3, e4, l, n, h, A, C, s, p, g, K, support, alpha_turns, beta_turns } = shown;
   const [slides, weight] = [support === 0, !isTorqueFree(shown)];
@@ -144,7 +144,7 @@ function paperFacts(shown) {
   ];
 }
 
-/** The moment that is shown. */
+/** Names, values, units and definitions of the state at the time shown. */
 function momentFacts({ alpha, beta, u, axis }, t, shown) {
   const { period, error, error_growth } = shown;
   return [
@@ -159,7 +159,7 @@ function momentFacts({ alpha, beta, u, axis }, t, shown) {
   ];
 }
 
-/** Fills a table; rows that are there keep their place, so that a tooltip stays open. */
+/** Fills a table. Existing rows are kept, so that a tooltip stays open. */
 function fillTable(table, facts, scenario) {
   while (table.rows.length > facts.length) table.deleteRow(-1);
   facts.forEach(([name, value, si, definition], i) => {

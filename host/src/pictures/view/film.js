@@ -1,9 +1,9 @@
-// Film of the 3-D picture as GIF: its frames are computed for their times, however long that takes.
+// Film of the 3-D picture as GIF. Each frame is computed for its time, so that a slow computer does not change the film.
 
 /** Width of a film, pixels; time between its frames, hundredths of a second; and number of its frames. */
 const FILM = { width: 480, hundredths: 6, frames: 100 };
 
-/** Lets the browser handle waiting events, such as a click, and draw the picture that is played. */
+/** Pause in which the browser handles waiting events, such as a click, and draws the page. */
 const pause = () => new Promise((done) => setTimeout(done, 0));
 
 /** Pixels of the 3-D picture of a frame, in RGBA. */
@@ -12,7 +12,7 @@ function pixelsOf(canvas, frame) {
   return canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
 }
 
-/** A canvas that is not shown, for pictures of the shape and the line widths of one that is. */
+/** Hidden canvas for pictures with the aspect ratio and the relative line widths of a shown one. */
 function filmCanvas(shown, width) {
   const canvas = document.createElement("canvas");
   const size = sizeOf(shown);
@@ -22,8 +22,8 @@ function filmCanvas(shown, width) {
 }
 
 /**
- * Bytes of a film from the frames that `frameAt` makes for their numbers. `goesOn` is called with the share that is done; if it
- * returns false, the film ends without bytes.
+ * Bytes of a film, whose frames `frameAt` returns by their numbers. `goesOn` is called before each frame with the finished share of
+ * the film; if it returns false, the result is null.
  */
 async function filmAsGif(shown, frameAt, { width, hundredths, frames }, goesOn) {
   const canvas = filmCanvas(shown, width);
@@ -38,7 +38,7 @@ async function filmAsGif(shown, frameAt, { width, hundredths, frames }, goesOn) 
   return gif.end();
 }
 
-/** Starts a film of what is played with a click on a button, and ends it with another. */
+/** Makes a button start a film of the motion, and a second click on it cancel the film. */
 function listenToGif(button) {
   let isFilming = false;
   button.addEventListener("click", async () => {
@@ -50,7 +50,7 @@ function listenToGif(button) {
     button.setAttribute("aria-pressed", "true");
     const [filmed, begin, speed] = [scene, state.t, state.speed];
     const frameOf = (i) => frameAt(begin + (i * FILM.hundredths * speed) / 100);
-    // after a change of the motion the rest of the film would show another one
+    // a change of the motion cancels the film, because the rest would show another motion
     const goesOn = (share) => {
       button.textContent = `${Math.round(100 * share)} %`;
       return isFilming && scene === filmed;

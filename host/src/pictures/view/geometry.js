@@ -1,6 +1,6 @@
-// Rotations, the camera, sizes, colours and lines: what every picture of the page needs.
+// Functions that every picture of the page uses: rotations, the camera, sizes, colours and lines.
 
-/** x = Φ X Φ⁻¹ as a function from body to fixed coordinates; the third body axis is the top's own. */
+/** Rotation x = Φ X Φ⁻¹ as a function from body to fixed coordinates; the third body axis is the top's axis. */
 function rotation({ alpha: [a, b], beta: [c, d], u }) {
   // α², β², αβ and α times β conjugate
   const [aa, bb] = [[a * a - b * b, 2 * a * b], [c * c - d * d, 2 * c * d]];
@@ -17,7 +17,7 @@ const dot = (x, y) => x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 const sum = (x, y, k = 1) => [x[0] + k * y[0], x[1] + k * y[1], x[2] + k * y[2]];
 const unit = (x) => x.map((coordinate) => coordinate / Math.hypot(...x));
 
-/** Looks at `target` from an azimuth and an elevation, so that `reach` around it fills a width of `size` pixels. */
+/** Perspective view of `target` from an azimuth and an elevation, in which a sphere of radius `reach` about `target` fits the picture. */
 class Camera {
   constructor({ azimuth, elevation }, target, reach, [width, height]) {
     const [ca, sa, ce, se] = [Math.cos(azimuth), Math.sin(azimuth), Math.cos(elevation), Math.sin(elevation)];
@@ -30,7 +30,7 @@ class Camera {
     this.focus = (Math.min(width, height) / 2) * Math.sqrt(4.2 ** 2 - 1);
   }
 
-  /** Pixels, and how far away. */
+  /** Position on the picture in pixels, and distance from the camera along the line of sight. */
   project(point) {
     const p = sum(point, this.position, -1);
     const depth = -dot(p, this.back);
@@ -38,20 +38,20 @@ class Camera {
     return [this.middle[0] + scale * dot(p, this.right), this.middle[1] - scale * dot(p, this.up), depth];
   }
 
-  /** Pixels of a unit of length at a point. */
+  /** Number of pixels of a unit of length at a point. */
   scaleAt(point) {
     return this.focus / -dot(sum(point, this.position, -1), this.back);
   }
 }
 
-/** The page's colours, as the style sheet has them for the light or the dark. */
+/** Colours of the style sheet, for the light or the dark appearance. */
 function palette() {
   const style = getComputedStyle(document.documentElement);
   const names = "card ground rim grid bound tip axis ink faint sphere stand shine pin ghost".split(" ");
   return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
 }
 
-/** CSS pixels of a unit of length of the pictures, which grow with the page's letters. */
+/** Number of CSS pixels of a unit of the pictures, which scale with the font size of the page. */
 const unitOf = () => parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
 
 /** Width and height of a canvas in units of the pictures, and that unit. */
@@ -60,12 +60,12 @@ function measured(canvas) {
   return { size: [canvas.clientWidth, canvas.clientHeight].map((length) => length / unit), unit };
 }
 
-/** What was measured when the canvas was laid out last: to ask anew for each picture would lay out the page for each. */
+/** Sizes of the canvases at their last layout; a query for each picture would cause a layout of the page for each picture. */
 const sizes = new WeakMap();
 
 const sizeOf = (canvas) => (sizes.get(canvas) ?? measured(canvas)).size;
 
-/** Measures the canvases whenever they are laid out, and lets them be drawn. */
+/** Measures the canvases after each layout, and has them drawn. */
 function listenToSizes(canvases, redraw) {
   const observer = new ResizeObserver((entries) => {
     for (const { target } of entries) sizes.set(target, measured(target));
@@ -74,7 +74,7 @@ function listenToSizes(canvases, redraw) {
   for (const canvas of canvases) observer.observe(canvas);
 }
 
-/** A canvas made as fine as the screen and cleared; its size, and what draws on it. */
+/** Clears a canvas at the resolution of the screen, and returns its drawing context and its size. */
 function sheet(canvas, ground) {
   const { size, unit } = sizes.get(canvas) ?? measured(canvas);
   const ratio = (window.devicePixelRatio || 1) * unit;
@@ -88,7 +88,7 @@ function sheet(canvas, ground) {
   return { pen, size };
 }
 
-/** A line through places on the sheet. */
+/** Path through points of the canvas. */
 function trace(pen, places, closed = false) {
   pen.beginPath();
   places.forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
@@ -109,13 +109,13 @@ function disc(pen, [x, y], radius, style) {
   pen.fill();
 }
 
-/** Circles in space: places at equal angles. */
+/** Points of a horizontal circle in space, at equal angles. */
 function circle(radius, height, corners = 120) {
   const corner = (_, i) => (2 * Math.PI * i) / corners;
   return Array.from({ length: corners + 1 }, corner).map((t) => [radius * Math.cos(t), radius * Math.sin(t), height]);
 }
 
-/** The past, fading: in parts of which each is as faint as it is old. `seen` may put aside what is hidden. */
+/** Draws a trail in parts, the older the fainter. `seen` returns the opacity at a point, 0 for a hidden one. */
 function fading(pen, places, style, width, seen = () => 1) {
   const parts = Math.min(40, places.length - 1);
   for (let part = 0; part < parts; part++) {

@@ -1,10 +1,10 @@
 // GIF 89a: pictures with one palette. Each picture contains only the pixels that differ from the one before.
 
-/** Place in the palette of a pixel that has not changed. */
+/** Index in the palette of a pixel that has not changed. */
 const UNCHANGED = 255;
 const MOST_CODES = 4096;
 
-/** Bytes, one after the other. */
+/** Growing array of bytes. */
 class Bytes {
   constructor() {
     Object.assign(this, { bytes: new Uint8Array(1 << 16), length: 0 });
@@ -103,7 +103,7 @@ class Compressor {
   }
 }
 
-/** A film without end: pictures of one size, each shown for some hundredths of a second. */
+/** GIF that repeats without end: pictures of one size, each shown for some hundredths of a second. */
 class Gif {
   constructor([width, height], { colours }, hundredths) {
     Object.assign(this, { size: [width, height], hundredths, bytes: new Bytes(), compressor: new Compressor(), before: null });
@@ -118,12 +118,12 @@ class Gif {
     bytes.put(3, 1, 0, 0, 0);
   }
 
-  /** Adds a picture, by the places of its pixels in the palette. */
+  /** Adds a picture, given as the indices of its pixels in the palette. */
   add(places) {
     const { bytes, before } = this;
     const changed = before ? places.map((place, i) => (place === before[i] ? UNCHANGED : place)) : places;
     this.before = places;
-    // what is there stays, and one place of the palette lets it be seen
+    // the picture is drawn over the one before, and one index of the palette is transparent
     bytes.put(0x21, 0xf9, 4, 0b101);
     bytes.putShorts(this.hundredths);
     bytes.put(UNCHANGED, 0);

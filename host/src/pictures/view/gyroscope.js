@@ -1,6 +1,6 @@
-// A gyroscope on its stand: what a top looks like whose tip is held.
+// Gyroscope on its stand, which is drawn for a top whose tip is held.
 
-/** Axle, hub and wheel from the pivot up: heights in units of the distance to the centre of mass, radii in the same. */
+/** Outline of axle, hub and wheel from the pivot up: heights and radii in units of the distance to the centre of mass. */
 function wheelOutline(breadth) {
   const [inner, outer, half] = [0.8 * breadth, breadth, 0.1];
   return [
@@ -11,7 +11,7 @@ function wheelOutline(breadth) {
   ];
 }
 
-/** Paint of the wheel: a web with a stripe and four fields, a brass rim with a mark, a steel axle. */
+/** Colours of the wheel: a web with a stripe and four fields, a brass rim with a mark, a steel axle. */
 function paintWheel(height, sector, radius, breadth) {
   const [stripe, brass] = [sector < SECTORS / 12, [201, 164, 84]];
   if (radius < 0.18) return PAINT.metal;
@@ -24,18 +24,18 @@ function gyroscope(breadth) {
   return bodyOf(wheelOutline(breadth), (height, sector, radius) => paintWheel(height, sector, radius, breadth));
 }
 
-/** Height of the table on which the stand is: so low that the body passes above it. */
+/** Height of the table below the stand, low enough for the body to pass above it. */
 const TABLE_BELOW = -1.45;
-/** Height of the arm from which a body hangs that never rises far. */
+/** Height of the arm for a body that hangs and never rises far. */
 const ARM_ABOVE = 1.35;
 
-/** What holds the tip: an arm above a body that hangs, a bracket behind one that passes its lowest place and rises, else a post. */
+/** Support of the tip: an arm above a hanging body, a bracket behind one that passes near its lowest position and rises, otherwise a post. */
 function standOf({ e: [low, high] }) {
   if (low + high < -0.6) return "arm";
   return low < -0.75 ? "bracket" : "post";
 }
 
-/** The stand, and a pin at the pivot. */
+/** Draws the stand, and a pin at the pivot. */
 function drawStand(pen, camera, scene, colours) {
   const project = (point) => camera.project(point);
   const line = (points, width, style) => {

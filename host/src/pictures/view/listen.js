@@ -1,4 +1,4 @@
-// Buttons, sliders, keys and the address.
+// Event listeners of buttons, sliders, keys and the address.
 
 function turn(azimuth, elevation) {
   const { view } = state;

@@ -1,4 +1,4 @@
-// What happens when the page is opened.
+// Start of the page.
 
 async function begin() {
   core = data.recorded ? new Recorded(data.recorded) : await Core.load(element("core").textContent.trim(), data.constants);

@@ -1,14 +1,14 @@
-// Few colours for a picture of many: the boxes of colours that median cut makes, after Heckbert.
+// Palette of a picture with many colours, by Heckbert's median cut.
 
-/** Bits of a channel that tell two colours apart. */
+/** Number of bits of a channel by which colours are distinguished. */
 const CHANNEL_BITS = 6;
 const COLOURS = 1 << (3 * CHANNEL_BITS);
 
-/** Number of the colour of a pixel of RGBA bytes. */
+/** Colour of the pixel at this offset of RGBA bytes, as one integer. */
 const colourAt = (pixels, i) =>
   ((pixels[i] >> 2) << (2 * CHANNEL_BITS)) | ((pixels[i + 1] >> 2) << CHANNEL_BITS) | (pixels[i + 2] >> 2);
 
-/** Channels of a colour's number, each from 0 to 63. */
+/** Channels of such an integer, each from 0 to 63. */
 const channelsOf = (colour) => [colour >> (2 * CHANNEL_BITS), (colour >> CHANNEL_BITS) & 63, colour & 63];
 
 /** Box around colours: its longest side, that side's channel, and the number of its pixels. */
@@ -27,7 +27,7 @@ function boxOf(colours, counts) {
   return { colours, pixels, side, channel: sides.indexOf(side) };
 }
 
-/** Two boxes with half of the pixels each. */
+/** Two boxes with about half of the pixels each. */
 function halved({ colours, pixels, channel }, counts) {
   const shift = CHANNEL_BITS * (2 - channel);
   const sorted = [...colours].sort((a, b) => ((a >> shift) & 63) - ((b >> shift) & 63));
@@ -43,7 +43,7 @@ function meanOf({ colours, pixels }, counts) {
   return sums.map((x) => Math.round((x / pixels) * (255 / 63)));
 }
 
-/** Palette of at most `most` colours for pictures in RGBA bytes, with the place in it of each colour that was looked up. */
+/** Palette of at most `most` colours for pictures in RGBA bytes, with the index of each colour that was looked up. */
 class Palette {
   constructor(pictures, most) {
     const counts = new Uint32Array(COLOURS);
@@ -64,7 +64,7 @@ class Palette {
     this.places = new Int16Array(COLOURS).fill(-1);
   }
 
-  /** Places in the palette of the pixels of a picture. */
+  /** Indices of the pixels of a picture in the palette. */
   placesOf(pixels) {
     const { places } = this;
     const found = new Uint8Array(pixels.length / 4);

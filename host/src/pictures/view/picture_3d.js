@@ -1,12 +1,12 @@
-// The top on its plane, the gyroscope on its stand, or the free body.
+// 3-D picture: the top on its plane, the gyroscope on its stand, or the free body.
 
-/** What all pictures draw the bounds with: whole, dashed, dotted. */
+/** Line styles of the bounds in all pictures: solid, dashed, dotted. */
 const DASHES = [[], [5, 4], [1, 4]];
 
-/** Where the tip is in units of s; the tip of a held top stays, and so does the centre of a free body. */
+/** Position of the tip in units of s; the tip of a held top and the centre of mass of a free body are at the origin. */
 const baseOf = (scene, { foot: [x, y] }) => (scene.slides ? [x, y, 0] : [0, 0, 0]);
 const endOf = (scene, place) => sum(baseOf(scene, place), place.axis, scene.shape.stick[1]);
-/** How far out the plane has to be seen. */
+/** Radius within which the plane has to be visible, in units of s. */
 const widest = ({ circles }) => circles.reduce((most, { radius }) => Math.max(most, radius), circles.length ? 0 : 0.25);
 
 function cameraOf({ scene, view }, size) {
@@ -18,7 +18,7 @@ function cameraOf({ scene, view }, size) {
   return new Camera(view, [0, 0, 0.46 * (low + high)], 1.42 + gap, size);
 }
 
-/** A disc with rings and spokes at a height. */
+/** Draws the plane at a height, as a disc with rings and spokes. */
 function drawPlane(pen, project, size, colours, radius, height) {
   const rim = circle(radius, height).map(project);
   const [, middle] = project([0, 0, height]);
@@ -62,7 +62,7 @@ function drawSliding(pen, size, camera, frame, faces, place) {
   const project = (point) => camera.project(point);
   const onPlane = ([x, y]) => camera.project([x, y, 0]);
   const radius = Math.max(1.28 * widest(scene), 1.15 * scene.shape.size, 0.9);
-  // what is below the plane is seen through it
+  // the plane is transparent: parts below it are drawn first
   drawFaces(pen, camera, faces, -1);
   drawPlane(pen, project, size, colours, radius, 0);
   pen.save();
@@ -76,7 +76,7 @@ function drawSliding(pen, size, camera, frame, faces, place) {
   });
   fading(pen, past.map(({ foot }) => onPlane(foot)), colours.tip, 2.6);
   disc(pen, onPlane(now.foot), 3.2, colours.tip);
-  // the vertical on which the centre of mass goes up and down
+  // the vertical line along which the centre of mass moves
   const vertical = [[0, 0, 0], [0, 0, 1.9]].map(project);
   trace(pen, vertical);
   stroke(pen, colours.faint, 1.2, [2, 4]);
@@ -87,7 +87,7 @@ function drawSliding(pen, size, camera, frame, faces, place) {
   pen.globalAlpha = 1;
 }
 
-/** A body that moves around a point: its tip on a stand, or its centre of mass in the air. */
+/** Draws a body that rotates about a point: its tip on a stand, or its centre of mass in the air. */
 function drawAround(pen, size, camera, frame, faces) {
   const { scene, now, colours } = frame;
   const project = (point) => camera.project(point);
@@ -103,7 +103,7 @@ function drawAround(pen, size, camera, frame, faces) {
     trace(pen, [from, to].map((length) => project(scene.momentum.map((part) => length * part))));
     stroke(pen, colours.pin, 2, [1, 5]);
   };
-  // the stand is behind a body that leans to the onlooker, and a bracket always is
+  // the stand is behind a body that leans towards the viewer; a bracket is always behind
   const isBehind = stand === "bracket" || dot(now.axis, camera.back) > 0;
   const [near, far] = scene.momentum && dot(scene.momentum, camera.back) > 0 ? [end, -end] : [-end, end];
   momentum(0, far);
@@ -113,7 +113,7 @@ function drawAround(pen, size, camera, frame, faces) {
   momentum(0, near);
 }
 
-/** The body with its axis, between the parts of the axis' trail behind it and before it. Side 1 is above the plane. */
+/** Draws the body with its axis, after the part of the axis' trail behind it and before the part in front of it. Side 1 is above the plane. */
 function drawBody(pen, camera, { scene, now, past, colours }, faces, side) {
   const project = (point) => camera.project(point);
   const place = (point) => sum(baseOf(scene, now), now.rotate(point));

@@ -1,13 +1,13 @@
-// Tilt and precession against time, over the stretch of time that the slider covers.
+// Charts of tilt and precession against time, over the interval that the slider covers.
 
-/** Numbers of round steps in a range, so many at most. */
+/** Multiples of a round step in a range, about `most` or fewer. */
 function ticksIn(low, high, most) {
   const step = roundBelow((2.5 * (high - low)) / most) || 1;
   const first = Math.ceil(low / step - 1e-9);
   return Array.from({ length: Math.max(0, Math.floor(high / step + 1e-9) - first + 1) }, (_, i) => (first + i) * step);
 }
 
-/** An angle that is continued from point to point, in degrees. */
+/** Angles continued over whole turns from point to point, in degrees. */
 function continued(angles) {
   let turns = 0;
   return angles.map((angle, i) => {
@@ -19,7 +19,7 @@ function continued(angles) {
 const tiltOf = ([x, y, z]) => degrees(Math.atan2(Math.hypot(x, y), z));
 const azimuthOf = ([x, y]) => Math.atan2(y, x);
 
-/** A range with some room; never empty. */
+/** Range of the values with a margin, never empty. */
 function roomy(values) {
   const [low, high] = values.reduce(([a, b], x) => [Math.min(a, x), Math.max(b, x)], [Infinity, -Infinity]);
   const room = Math.max(0.08 * (high - low), 1e-6 * Math.max(1, Math.abs(high)), high - low < 1e-9 ? 1 : 0);
@@ -56,7 +56,7 @@ function drawChart({ pen, size: [width, height] }, { scene, scenario, stretch, t
     pen.fillText(short(value, 6), left - 5, y(value) + 4);
   }
   write(pen, colours.faint, "center", 11);
-  // beyond some digits only the place in the stretch is legible
+  // far from t = 0 the labels count from the start of the interval, because whole times would have too many digits
   const far = Math.abs(from) > 1e4 * (to - from);
   const origin = far ? from : 0;
   for (const time of ticksIn(from - origin, to - origin, width > 420 ? 8 : 5)) {

@@ -1,4 +1,4 @@
-// The plane from above: the curve between its bounds, with their names and a scale.
+// View of the plane from above: the tip curve between its bounding circles, with their names and a scale.
 
 function drawPlan({ pen, size: [width, height] }, { scene, scenario, now, past, colours, ghost }) {
   const most = widest(scene) || 1;
@@ -13,7 +13,7 @@ function drawPlan({ pen, size: [width, height] }, { scene, scenario, now, past, 
   scene.circles.forEach(({ radius, name, dash }, i) => {
     trace(pen, circle(radius, 0).map(place), true);
     stroke(pen, colours.bound, 1.2, dash);
-    // outside the largest; inside the others, where the curve is not, above or below
+    // the name is outside of the largest circle and inside of the others, at the top or at the bottom, where the curve is not
     if (radius >= most) pen.fillText(name, cx, cy - scale * radius - 6);
     else if (scale * radius > 34) pen.fillText(name, cx, i ? cy - scale * radius + 15 : cy + scale * radius - 7);
   });
@@ -28,7 +28,7 @@ function write(pen, style, align, size = 12) {
   Object.assign(pen, { font: `${size}px system-ui, sans-serif`, textAlign: align, fillStyle: style });
 }
 
-/** An arrow head in the middle of the last stretch: the direction of travel. */
+/** Draws an arrow head on the recent part of the curve, in the direction of motion. */
 function drawDirection(pen, places, style) {
   const last = places.length - 1;
   const [from, to] = [places[Math.max(0, last - 14)], places[Math.max(0, last - 11)]];
@@ -40,7 +40,7 @@ function drawDirection(pen, places, style) {
   pen.fill();
 }
 
-/** A bar of a round length; the axis has no unit. */
+/** Draws a scale bar of a round length, without a unit if the curve is that of the axis. */
 function drawScale(pen, { scene, scenario, scale, height, colours }) {
   const most = (90 / scale) * scene.scale;
   if (!(most > 0)) return;

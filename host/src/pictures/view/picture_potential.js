@@ -1,4 +1,4 @@
-// The reduced motion: a ball of energy 0 in the potential -f(u) = -(u - e₁)(u - e₂)(u - e₃), and the roots to drag. Without
+// Reduced motion: a point of energy 0 in the potential -f(u) = -(u - e₁)(u - e₂)(u - e₃), whose roots can be dragged. Without
 // torque there is no e₃, and the potential is (u - e₁)(u - e₂).
 
 /** Share of the width in which the well and its surroundings are drawn to scale. */
@@ -7,8 +7,8 @@ const TO_SCALE = 0.74;
 const potentialAt = (u, [e1, e2, e3]) => (u - e1) * (u - e2) * (e3 === undefined ? 1 : e3 - u);
 
 /**
- * Where u and its potential are on the paper: to scale around the well; beyond, where e₃ is, the rest of the line in a short
- * stretch.
+ * Maps between u or its potential and the picture. The well and its surroundings are to scale; the rest of the u axis, with e₃, is
+ * compressed into the remaining width.
  */
 function potentialLayout([width, height], [e1, e2, e3]) {
   const [left, right, top, bottom] = [14, width - 14, 22, height - 34];
@@ -31,7 +31,7 @@ function potentialLayout([width, height], [e1, e2, e3]) {
   };
 }
 
-/** Drawn while a root is dragged, so that the paper does not move under the pointer. */
+/** Layout at the start of a drag, kept until its end so that the axis does not move under the pointer. */
 let heldLayout = null;
 
 function drawPotential({ pen, size }, { scene, now, colours }) {
@@ -41,7 +41,7 @@ function drawPotential({ pen, size }, { scene, now, colours }) {
   const y = (at) => depths.y(at);
   write(pen, colours.faint, "left");
   pen.fillText(scene.e.length > 2 ? "−(u − e₁)(u − e₂)(u − e₃)" : "(u − e₁)(u − e₂)", 6, 13);
-  // the walls: the axis straight down and upright
+  // vertical lines at u = -1 and u = 1, where the axis is vertical
   for (const wall of [-1, 1].filter((at) => at >= range[0])) {
     trace(pen, [[x(wall), top], [x(wall), bottom]]);
     stroke(pen, colours.grid, 1);
@@ -78,7 +78,7 @@ function drawPotential({ pen, size }, { scene, now, colours }) {
   if (scene.e.length > 2) pen.fillText("not to scale", 0.5 * (x(range[1]) + right), size[1] - 4);
   scene.e.forEach((root, i) => {
     const close = i && Math.abs(x(root) - x(scene.e[i - 1])) < 17;
-    // beside the curve, where there is room between two roots
+    // the name is beside the curve if there is enough space between e₁ and e₂
     const aside = x(scene.e[1]) - x(scene.e[0]) > 44 ? [9, -9, 9][i] : 0;
     disc(pen, [x(root), zero], 6.5, colours.card);
     pen.beginPath();

@@ -1,12 +1,12 @@
-// The end of the axis on the unit sphere.
+// Curve of the axis on the unit sphere.
 
-/** The end of the axis on the unit sphere, from where the top is looked at. */
+/** Draws the curve of the axis on the unit sphere, seen from the azimuth of the 3-D picture. */
 function drawSphere(canvas, { scene, now, past, view, colours, ghost }) {
   const { pen, size } = sheet(canvas, colours.card);
-  // from higher up: most tops are near the upper pole
+  // the elevation is greater than in the 3-D picture, because most curves are near the upper pole
   const camera = new Camera({ ...view, elevation: Math.min(1.5, view.elevation + 0.4) }, [0, 0, 0], 1.09, size);
   const project = (point) => camera.project(point);
-  // a point of the sphere is seen if it is before the circle where lines of sight touch
+  // a point of the sphere is visible if it is on the near side of the circle at which lines of sight are tangents
   const seen = (point) => dot(point, camera.position) >= 1;
   const edge = camera.focus / Math.sqrt(camera.distance ** 2 - 1);
   const [cx, cy] = camera.middle;

@@ -1,22 +1,22 @@
-// Time: what plays it, what sets it, and the points that were passed.
+// Clock of the page, and the computed points of the motion.
 
-/** Furthest time that the field takes, s: 30 thousand years. */
+/** Greatest time that the field accepts, s: 30 thousand years. */
 const FURTHEST = 1e12;
 
-/** Moments of a motion with the rotation that everything is drawn with. Lengths are in units of s. */
+/** State of a motion at a time, with its rotation from body to fixed coordinates. Lengths are in units of s. */
 function place(scene, moment) {
   const rotate = rotation(moment);
   const foot = scene.slides ? moment.tip.map((x) => x / scene.scale) : moment.axis.slice(0, 2);
   return { moment, rotate, axis: moment.axis, foot };
 }
 
-/** Points at whole multiples of a stride of time, each computed once. */
+/** Points of the motion at whole multiples of a time step, each computed once. */
 class Trail {
   constructor(core, scene) {
     Object.assign(this, { core, scene, stride: scene.span / scene.parts, points: new Map() });
   }
 
-  /** Points of a span of time before t. */
+  /** Points in the interval of length `span` before t. */
   before(t) {
     const { span } = this.scene;
     const first = Math.ceil((t >= 0 ? Math.max(0, t - span) : t - span) / this.stride);
@@ -24,7 +24,7 @@ class Trail {
     return this.between(first, last);
   }
 
-  /** Points by their numbers. */
+  /** Points from the number `first` to the number `last`. */
   between(first, last) {
     let missing = first;
     while (missing <= last && this.points.has(missing)) missing++;
@@ -32,7 +32,7 @@ class Trail {
     return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => this.points.get(first + i)).filter(Boolean);
   }
 
-  /** Forgets what is more than two spans away from t. */
+  /** Deletes the points that are more than two spans away from t. */
   forget(t) {
     if (this.points.size < 6 * this.scene.parts) return;
     const far = (number) => Math.abs(number * this.stride - t) > 2 * this.scene.span;
@@ -46,7 +46,7 @@ class Trail {
   }
 }
 
-/** Axis and foot of a point of a curve. */
+/** Axis, and its projection onto the plane or the tip, of a point of a curve. */
 function pointOf(scene, numbers, i) {
   const at = COORDINATES * i;
   const [x, y] = [numbers[at], numbers[at + 1]];
@@ -54,12 +54,12 @@ function pointOf(scene, numbers, i) {
   return { axis: [x, y, numbers[at + 2]], foot };
 }
 
-/** The points of the stretch of time that the slider covers. */
+/** Points of the interval that the slider covers. */
 function stretchOf(trail, { span, parts }, page) {
   return { from: page * span, to: (page + 1) * span, points: trail.between(page * parts, (page + 1) * parts) };
 }
 
-/** Play and pause, and the frames in between; `step` is called with the seconds that have passed. */
+/** Clock that can be started and stopped; `step` is called for each frame with the time since the last one, s. */
 class Clock {
   constructor(step) {
     Object.assign(this, { step, playing: false, last: 0 });
@@ -74,7 +74,7 @@ class Clock {
 
   frame(time) {
     if (!this.playing) return;
-    // a page that was in the background does not jump
+    // the limit prevents a jump after the page was in the background
     const passed = Math.max(0, Math.min(0.1, (time - this.last) / 1000));
     this.last = time;
     this.step(passed);

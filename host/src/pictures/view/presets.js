@@ -1,6 +1,6 @@
-// Motions to start from: the paper's nine curves, real tops, and corners.
+// Preset motions: the paper's nine curves, real tops, and limiting cases.
 
-/** The paper's units: a top with A = C = s = p = g = 1. */
+/** Top of the paper's curves: A = C = s = p = g = 1. */
 const PAPERS_TOP = { support: "sliding", transverse_inertia: 1, axial_inertia: 1, com_height: 1, mass_moment: 1, gravity: 1 };
 
 function branchPoints(top, [e1, e2, e3], minus) {

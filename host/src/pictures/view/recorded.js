@@ -1,4 +1,4 @@
-// One motion from a table, for a page without the core: what `Core` does, but for other motions and the ghost.
+// Replacement of `Core` on a page without WebAssembly: one motion from a table, without other motions and without the ghost.
 
 class Recorded {
   constructor({ table, shown }) {

@@ -1,4 +1,4 @@
-// Pictures, films, scenarios and links to keep.
+// Saving of pictures, films, scenarios and links.
 
 function download(name, blob) {
   const link = document.createElement("a");
@@ -8,14 +8,14 @@ function download(name, blob) {
   setTimeout(() => URL.revokeObjectURL(link.getAttribute("href")), 1000);
 }
 
-/** The name of a file that is about this motion. */
+/** Name of a file, from the name of the motion. */
 const fileName = (what, ending) => `${document.title.split(":")[0].trim().replace(/[^\p{L}\p{N}]+/gu, "_")}_${what}.${ending}`;
 
 function savePng(canvas, what) {
   canvas.toBlob((blob) => download(fileName(what, "png"), blob), "image/png");
 }
 
-/** The text of a flat picture as SVG, of the size in which it is shown. */
+/** Flat picture as SVG text, in the size in which it is shown. */
 function svgOf(canvas, draw, colours) {
   const size = sizeOf(canvas);
   const pen = new SvgPen(colours.card, size);
@@ -23,7 +23,7 @@ function svgOf(canvas, draw, colours) {
   return pen.toString();
 }
 
-/** Films a canvas until it is called again; `changed` hears whether it is filming. */
+/** Function that starts a film of a canvas, and ends it at the next call; `changed` is called with whether a film is recorded. */
 function filmer(canvas, changed) {
   let recorder = null;
   return () => {
@@ -47,7 +47,7 @@ function filmer(canvas, changed) {
 
 const canFilm = () => typeof MediaRecorder === "function" && typeof HTMLCanvasElement.prototype.captureStream === "function";
 
-/** Copies a text; where a browser does not allow that, the text is selected to be copied by hand. */
+/** Copies a text; if the browser does not allow this, a prompt shows the text for copying by hand. */
 async function copy(text) {
   try {
     await navigator.clipboard.writeText(text);

@@ -1,25 +1,25 @@
-// A scenario as text: the fragment of an address, and TOML. Its keys are those of `toytop`'s scenario files.
+// Scenario as text: the fragment of an address, and TOML. Its keys are those of `toytop`'s scenario files.
 
-/** A number as it is typed, with a point or a comma; NaN for what is none. */
+/** Number of a typed text, with a point or a comma; NaN if the text is no number. */
 function numberOf(text) {
   const trimmed = text.trim().replace(",", ".").replace("−", "-");
   return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(trimmed) ? Number(trimmed) : NaN;
 }
 
-/** Keys of a table of a scenario and what they hold, in the order in which its documentation has them. */
+/** Keys and values of a table of a scenario, in the order of the documentation. */
 function inOrder(table) {
   const keys = ["support", ...TOP_KEYS, "kind", ...Object.values(MOTION_KEYS).flat()];
   return keys.filter((key) => table[key] !== undefined).map((key) => [key, table[key]]);
 }
 
-/** `#mass=0.05&...&kind=release&tilt_deg=20&spin=150&t=3`: a scenario, and settings by name that may be undefined. */
+/** Fragment `#mass=0.05&...&kind=release&tilt_deg=20&spin=150&t=3` of a scenario and of settings by name, which may be undefined. */
 function toFragment({ units, top, motion }, settings) {
   const others = Object.entries({ units, ...settings }).filter(([, value]) => value !== undefined);
   const pairs = [...inOrder({ support: "sliding", ...top }), ...inOrder(motion), ...others];
   return `#${pairs.map(([key, value]) => `${key}=${value}`).join("&")}`;
 }
 
-/** A text without its percent signs; as it is where it is none of an address. */
+/** Text with its percent escapes decoded; unchanged if an escape is invalid. */
 function decoded(text) {
   try {
     return decodeURIComponent(text);
@@ -28,7 +28,7 @@ function decoded(text) {
   }
 }
 
-/** What a fragment says: a scenario, a time, a speed and the step of a ghost, or NaN for what it does not. Other keys are left out. */
+/** Scenario, time, speed and step of the ghost in a fragment; missing numbers are NaN. Other keys are ignored. */
 function fromFragment(fragment) {
   const values = new Map(decoded(fragment.slice(1)).split("&").map((pair) => pair.split("=")));
   const [t, speed, ghost] = ["t", "speed", "ghost"].map((key) => numberOf(values.get(key) ?? ""));
@@ -46,7 +46,7 @@ function fromFragment(fragment) {
   return { t, speed, ghost, scenario: { ...units, top: { support, ...read(TOP_KEYS) }, motion: { kind, ...read(MOTION_KEYS[kind]) } } };
 }
 
-/** The text of a scenario file, which `toytop` reads. */
+/** Text of a scenario file, which `toytop` reads. */
 function toToml({ units, top, motion }, name) {
   const value = (x) => (Array.isArray(x) ? `[${x.map(value).join(", ")}]` : typeof x === "string" ? `"${x}"` : String(x));
   const table = (title, entries) =>
@@ -55,7 +55,7 @@ function toToml({ units, top, motion }, name) {
   return `# ${name.replace(/\s+/g, " ")}\n\n${head}${table("top", top)}\n${table("motion", motion)}`;
 }
 
-/** The same motion as a release, as far as angles and rates at t = 0 tell it. */
+/** Scenario of a motion as a release, without the rotation of the body about its axis at t = 0. */
 function asRelease(scenario, shown) {
   if (scenario.motion.kind === "release") return scenario;
   const { tilt, azimuth, spin, precession, nutation } = shown;
@@ -63,27 +63,27 @@ function asRelease(scenario, shown) {
   return { ...scenario, motion };
 }
 
-/** The same motion by its branch points, which starts at the lowest place of the axis. */
+/** Scenario of a motion by its branch points; it starts at the lowest position of the axis. */
 function asBranchPoints(scenario, shown) {
   if (scenario.motion.kind === "branch_points") return scenario;
   const { e1, e2, e3, sign_l_plus_n, sign_l_minus_n } = shown;
   return { ...scenario, motion: { kind: "branch_points", e1, e2, e3, sign_l_plus_n, sign_l_minus_n } };
 }
 
-/** Mass and distance s of a top's centre of mass from its tip, which not every support has to say. */
+/** Mass, and distance s of the centre of mass from the tip. A scenario need not have both: missing ones are replaced by plausible values. */
 function leverOf({ mass, mass_moment, com_height, transverse_inertia: a, axial_inertia: c }) {
   if (mass_moment !== undefined) {
-    // halfway to where the body would be a disc
+    // half of the distance at which the body would be a flat disc
     const s = com_height ?? (0.5 * (a - 0.5 * c)) / mass_moment;
     return [mass_moment / s, s];
   }
-  // a free body of any mass: as slim as the toy top
+  // a free body may have any mass: the distance is that of a body as slender as the toy top
   const m = mass ?? 1;
   return [m, com_height ?? Math.sqrt((1.5 * a) / m)];
 }
 
 /**
- * The same body with another support: the transverse inertia is about the tip where that is held, else about the centre of
+ * Scenario of a body with another support: the transverse inertia is about the tip if that is held, otherwise about the centre of
  * mass. A free body keeps mass, height and gravity, which have no effect, until it has a support again.
  */
 function withSupport(scenario, support, shown) {
@@ -94,7 +94,7 @@ function withSupport(scenario, support, shown) {
   const about = mass * com_height ** 2 * ((support === "fixed") - (before === "fixed"));
   const given = { ...(gravity && { gravity }), ...(rotor_momentum && { rotor_momentum }) };
   const top = { support, transverse_inertia: a + about, axial_inertia, com_height, mass, ...given };
-  // what is thrown has no branch points of its own
+  // branch points do not determine the motion of a free body
   return { ...(support === "free" ? asRelease(scenario, shown) : scenario), top };
 }
 

@@ -1,4 +1,4 @@
-// What the pictures need to know of a motion besides its moments: bounds, times, and the size of the body.
+// Properties of a motion that the pictures need besides its states: bounds, times, and the size of the body.
 
 /** Bounding circles of the tip curve in units of s, by name; none where the tip rests. */
 function circlesOf({ regime, e1, e2, one_plus_e1, one_minus_e2 }) {
@@ -14,12 +14,12 @@ function circlesOf({ regime, e1, e2, one_plus_e1, one_minus_e2 }) {
 const isVertical = (regime) => regime.startsWith("sleeping") || regime === "hanging";
 
 /**
- * In how many parts a period is drawn: more where the axis rests for the most of it, near the separatrix, and falls in the rest. The
- * number is even, so that a motion that begins at one turning point has a point at the other.
+ * Number of parts in which a period is drawn. It is greater near the separatrix, where the axis rests for most of the period and falls
+ * in the rest. It is even, so that a motion that begins at one turning point has a point at the other.
  */
 const partsOf = ({ period, natural_time }) => 2 * Math.round(Math.max(24, Math.min(80, (30 * period) / natural_time)));
 
-/** How long a curve is followed, s, and in how many parts: once round the centre, within bounds. */
+/** Time that a curve covers, s, and its number of parts: once round the centre, within limits. */
 function spanOf(shown, core) {
   const { regime, period, phi_per_period, natural_time } = shown;
   const round = (2 * Math.PI) / Math.abs(phi_per_period);
@@ -32,7 +32,7 @@ function spanOf(shown, core) {
   return { span: !isVertical(regime) && once > 0 && Number.isFinite(once) ? once : natural_time, parts: 360 };
 }
 
-/** How long until an aperiodic motion has come to the vertical for good. */
+/** Time after which the axis of an aperiodic motion remains near the vertical, s. */
 function riseOf(core, natural) {
   const step = 0.25 * natural;
   const curve = core.curve(0, step, MOST_POINTS - 1);
@@ -42,24 +42,24 @@ function riseOf(core, natural) {
   return step;
 }
 
-/** Units of time a second at first: once round in ten seconds, where the body does not turn too fast for the eye. */
+/** Initial speed, units of time in a second: once round in ten seconds, but slower if the body would rotate too fast for the eye. */
 function speedOf({ spin, precession }, span) {
   return roundBelow(Math.min(span / 10, 30 / Math.max(1e-9, Math.hypot(spin, precession))));
 }
 
-/** The greatest radius of the body that is drawn, in units of s: that of a disc with this C/A, where there is room. */
+/** Greatest radius of the drawn body, in units of s: that of a disc with this moment of inertia C, if the plane leaves space for it. */
 function breadthOf({ support, A, C, s, p, e1 }) {
   if (support === 1) return Math.max(0.45, Math.min(0.8, Math.sqrt((4 * C) / Math.max(1e-3 * A, 2 * A - C))));
   const disc = Math.sqrt((2 * C) / (p * s));
-  // no point of the outline is wider, seen from the tip, than its greatest radius at the height 1
+  // seen from the tip, the greatest radius, at the height 1, has the greatest angle from the axis
   const room = (0.93 * e1) / Math.sqrt(Math.max(1e-9, 1 - e1 * e1));
   const most = room < 0.45 ? 0.7 : Math.min(0.82, room);
   return Math.max(0.45, Math.min(most, disc));
 }
 
 /**
- * What the body is drawn as: how it is made, of what; from where to where its axis is seen beyond it; how far out its middle
- * is; and how much room it needs. Lengths are in units of s, or of a free body's size.
+ * Shape of the drawn body: `make` is its function and `size` the argument of that; `stick` are the ends of the visible part of the
+ * axis, `middle` is the height of the middle, and `reach` the radius of the picture. Lengths are in units of s, or of a free body's size.
  */
 function shapeOf(shown) {
   const { support, A, C } = shown;
@@ -71,7 +71,7 @@ function shapeOf(shown) {
   return { make: support === 1 ? gyroscope : turnOnLathe, size: breadthOf(shown), stick: [1.7, 2.1], middle: 1.2, reach: 2.2 };
 }
 
-/** The body that was made last: most changes keep it. */
+/** Last body that was made, which most changes of the motion do not change. */
 let lastBody = {};
 
 function bodyFor({ make, size }) {
@@ -79,7 +79,7 @@ function bodyFor({ make, size }) {
   return lastBody.body;
 }
 
-/** Direction of the angular momentum where it stands still, and is not zero. */
+/** Direction of the angular momentum where it is constant and not 0; otherwise null. */
 function momentumOf({ m_x, m_y, m_z }) {
   const size = Math.hypot(m_x, m_y, m_z);
   return size > 0 ? [m_x / size, m_y / size, m_z / size] : null;

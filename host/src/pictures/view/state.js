@@ -1,13 +1,13 @@
-// State of the page: what changes it, and what is drawn of it.
+// State of the page, and the functions that change and draw it.
 
 const element = (id) => document.getElementById(id);
 const data = JSON.parse(element("data").textContent);
 
 const start = { azimuth: 0.9, elevation: 0.42 };
 const state = { t: 0, page: 0, speed: 1, exponent: 0, view: { ...start }, colours: palette(), scenario: data.scenario, name: data.name.replaceAll("_", " ") };
-/** The core, the motion that it shows, its pictures' scene, and the points that were passed. */
+/** Core, scene of the shown motion, its computed points, and those of the interval that the slider covers. */
 let core, scene, trail, stretch;
-/** What is shown; a test compares it with the crate. */
+/** State of the motion that is shown; a test compares it with the crate. */
 let shown;
 let pending = false;
 
@@ -19,7 +19,7 @@ const clock = new Clock((passed) => {
 
 const limited = (t) => Math.max(-FURTHEST, Math.min(FURTHEST, t));
 
-/** Says something on a topic; nothing clears what was said on that topic. */
+/** Shows a message on a topic; an empty text removes the message if it is on that topic. */
 function say(topic, text, isError = true) {
   const message = element("message");
   if (!text && message.dataset.topic !== topic) return;
@@ -29,7 +29,7 @@ function say(topic, text, isError = true) {
   message.classList.toggle("error", isError);
 }
 
-/** Shows a scenario, or says why it cannot be and keeps the one before. */
+/** Shows a scenario; if the core refuses it, shows the reason and keeps the scenario before. */
 function setScenario(scenario, { settle = false, name } = {}) {
   const launched = core.launch(scenario);
   if (launched.refused) {
@@ -56,7 +56,7 @@ function setScenario(scenario, { settle = false, name } = {}) {
   return true;
 }
 
-/** What is drawn of a time. */
+/** Data of the pictures at a time. */
 function frameAt(t) {
   const now = place(scene, core.at(t));
   const { view, colours, scenario } = state;
@@ -77,7 +77,7 @@ function show() {
   tellMoment(now);
 }
 
-/** Pictures that can be SVG, too. */
+/** Pictures that can also be saved as SVG. */
 const FLAT = {
   plan: drawPlan,
   tilt: (paper, frame) => drawChart(paper, frame, "tilt"),
@@ -85,7 +85,7 @@ const FLAT = {
   potential: drawPotential,
 };
 
-/** Draws once, with the next frame. */
+/** Requests one drawing, with the next frame of the browser. */
 function redraw() {
   if (!pending) requestAnimationFrame(show);
   pending = true;
@@ -114,7 +114,7 @@ function tellMoment({ moment }) {
   slider.setAttribute("aria-valuetext", `${short(t, 6)} s`);
 }
 
-/** Goes to a time; the slider's range follows where it is left. */
+/** Sets the time; if it is outside of the slider's interval, the interval changes. */
 function go(t) {
   if (limited(t) !== t) say("t", `t: must be between −10¹² and 10¹² s; ${short(t)} s is beyond`);
   else say("t", "");
@@ -146,13 +146,13 @@ function setSpeed(exponent, settle = true) {
   element("speed").setAttribute("aria-valuetext", text);
 }
 
-/** A slider, a field or a drag has changed a number. */
+/** Sets a number that a slider, a field or a drag has changed. */
 function change(control, x) {
   setScenario(control.write(state.scenario, x, scene.shown), { name: "Your top" });
   remember();
 }
 
-/** The ghost's step in s, as the field says; 0 where it is off. */
+/** Step of the ghost in its field, s; 0 if the ghost is switched off. */
 const ghostStep = () => (element("ghost").checked ? numberOf(element("ghost-step").value) : 0);
 
 function startGhost() {
@@ -176,7 +176,7 @@ function ghostNow(t) {
   return place(scene, moment);
 }
 
-/** The address of what is set: the motion, and time, speed and ghost where they are not those of a page just opened. */
+/** Fragment of the address for the settings: the motion, and time, speed and ghost if they differ from those of a page that was just opened. */
 function addressed() {
   const speed = state.exponent === 0 ? undefined : Number(state.speed.toPrecision(4));
   return toFragment(state.scenario, { t: clock.playing ? undefined : state.t, speed, ghost: ghostStep() || undefined });
@@ -189,7 +189,7 @@ function remember() {
   remembering = setTimeout(() => history.replaceState(null, "", addressed()), 250);
 }
 
-/** Shows what the address says: a scenario, a time, or both; a time stands still. */
+/** Applies the settings of the address; a page with a time in its address does not play. */
 function fromAddress() {
   const { scenario, t, speed, ghost } = fromFragment(location.hash);
   if (ghost > 0 && core.isLive) {

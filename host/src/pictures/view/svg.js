@@ -1,4 +1,4 @@
-// A pen that writes SVG: what the flat pictures use of a canvas, so that one function draws on either.
+// Drawing context that writes SVG. It has the methods of a canvas that the flat pictures use, so that one function draws on both.
 
 class SvgPen {
   constructor(ground, [width, height]) {
@@ -23,7 +23,7 @@ class SvgPen {
     this.path += "Z";
   }
 
-  /** A whole circle. */
+  /** Adds a complete circle to the path. */
   arc(x, y, radius) {
     const r = radius.toFixed(1);
     this.path += `M${SvgPen.place(x - radius, y)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0Z`;

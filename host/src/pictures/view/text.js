@@ -1,12 +1,12 @@
-// Numbers as a reader wants them.
+// Numbers as text.
 
-/** So many decimals, without a minus before zero. */
+/** Number with n decimals, without a minus before zero. */
 const decimals = (x, n = 4) => {
   const text = x.toFixed(n);
   return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−");
 };
 
-/** So many significant digits, and no more than it needs. */
+/** Number with at most n significant digits, without trailing zeros. */
 const short = (x, n = 5) => {
   if (!Number.isFinite(x)) return "–";
   const [digits, power] = String(Number(x.toPrecision(n))).replace("-", "−").split("e");
@@ -22,13 +22,13 @@ const complexText = ([re, im]) => {
   return `${decimals(re)} ${minus ? "−" : "+"} ${size} i`;
 };
 
-/** Units that a scenario without units has, too. */
+/** Units that do not depend on the units of a scenario. */
 const PURE = ["", "°", "turns", "weights", "rad"];
 
-/** A unit's name, where the scenario has units. */
+/** Name of a unit; empty if it depends on the units of a scenario and the scenario has none. */
 const unitName = (unit, { units }) => (units === "none" && !PURE.includes(unit) ? "" : unit);
 
-/** A length in m, with the unit in which it is a number of few digits. */
+/** Length with its unit: mm below one metre, otherwise m. */
 function lengthText(metres, scenario) {
   if (scenario.units === "none") return short(metres, 3);
   const [scale, unit] = Math.abs(metres) < 1 ? [1e3, "mm"] : [1, "m"];
