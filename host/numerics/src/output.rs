@@ -78,7 +78,7 @@ pub fn html(text: &str) -> String {
 /// Records as CSV, with a header line.
 ///
 /// # Errors
-/// None in memory; the writer's type has one.
+/// None: the writer's type can fail, but a write to memory does not.
 pub fn csv(records: &[Record]) -> io::Result<String> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     if let Some(first) = records.first() {
@@ -109,7 +109,7 @@ pub fn flat(record: &Record) -> Vec<(String, String)> {
 /// JSON object `{"key":[record, ...]}`, on one line.
 ///
 /// # Errors
-/// None in memory; the writer's type has one.
+/// None: the writer's type can fail, but a write to memory does not.
 pub fn json_list(key: &'static str, records: &[Record]) -> io::Result<String> {
     json_lists(&[(key, records)], &Record(Vec::new()))
 }
@@ -117,7 +117,7 @@ pub fn json_list(key: &'static str, records: &[Record]) -> io::Result<String> {
 /// JSON object `{"key":[record, ...], ...}` on one line, with the entries of another record after the lists.
 ///
 /// # Errors
-/// None in memory; the writer's type has one.
+/// None: the writer's type can fail, but a write to memory does not.
 pub fn json_lists(lists: &[(&'static str, &[Record])], rest: &Record) -> io::Result<String> {
     struct Lists<'a>(&'a [(&'static str, &'a [Record])], &'a Record);
     impl Serialize for Lists<'_> {
@@ -135,7 +135,7 @@ pub fn json_lists(lists: &[(&'static str, &[Record])], rest: &Record) -> io::Res
 /// Value as JSON, on one line.
 ///
 /// # Errors
-/// None in memory; the writer's type has one.
+/// None: the writer's type can fail, but a write to memory does not.
 pub fn json(value: &impl Serialize) -> io::Result<String> {
     let mut bytes = Vec::new();
     let mut serializer = serde_json::Serializer::with_formatter(&mut bytes, SeventeenDigits);

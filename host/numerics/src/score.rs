@@ -25,7 +25,7 @@ pub fn rotation_between(from: &Orientation<f64>, to: &Orientation<f64>) -> [f64;
     if sine == 0.0 {
         return [0.0; 3];
     }
-    // of the two signs, the one with w >= 0
+    // the quaternion with w >= 0 is that of the shorter rotation
     let scale = 2.0 * sine.atan2(w.abs()).copysign(w) / sine;
     [scale * x, scale * y, scale * z]
 }

@@ -49,7 +49,7 @@ impl Columns {
     /// Measurements in the order of the rows, each with its row. Sensors whose columns are missing have none.
     ///
     /// # Errors
-    /// [`RefusedRow`]: a time that is not finite or earlier than the one before, a sensor with some of its readings, or a
+    /// [`RefusedRow`]: a time that is not finite or earlier than the one before, a sensor with only some of its readings, or a
     /// reading beyond its range.
     pub fn measurements(&self, sensors: &Sensors) -> Result<Vec<(usize, Measurement)>, RefusedRow> {
         let column = |name: &&str| {
@@ -98,7 +98,7 @@ impl Columns {
 /// * `all`: whether every sensor must have its columns
 ///
 /// # Errors
-/// Requirement on the columns that is not met: no sensor has all its columns, or one of those that must does not.
+/// Requirement that the columns do not meet: those of at least one sensor must be complete, or with `all` those of every sensor.
 pub fn keep_present(sensors: &mut Sensors, has: impl Fn(&str) -> bool, all: bool) -> Result<(), String> {
     let present = |columns: &[&'static str]| columns.iter().all(|name| has(name));
     if all && let Some(missing) = sensors.instruments.iter().find(|one| !present(one.kind.columns)) {

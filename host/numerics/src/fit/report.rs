@@ -125,7 +125,7 @@ impl FitReport<'_> {
         names
     }
 
-    /// Report for reading.
+    /// Report as text.
     #[cfg(feature = "program")]
     #[must_use]
     pub fn table(&self) -> String {
@@ -191,7 +191,7 @@ impl FitReport<'_> {
         text + "\nprediction\n" + &columns(ahead, 0) + "\n"
     }
 
-    /// Report for programs.
+    /// Report as JSON.
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
         let Fitted { launch, statistics, .. } = self.fitted;

@@ -3,9 +3,9 @@
 use super::report::FitReport;
 use toytop::fit::Measurement;
 
-/// Residuals of each measurement in standard deviations of the noise, with the fitted bias taken away. NaN stands for a
+/// Residuals of each measurement in standard deviations of the noise, after subtraction of the fitted bias. NaN stands for a
 /// component that the sensor does not have or that is at the end of its range, and for a measurement at a time at which
-/// the derivatives of the motion cannot be computed: all of them where no top has the fitted numbers.
+/// the derivatives of the motion cannot be computed. All residuals are NaN if no top has the fitted numbers.
 #[must_use]
 pub fn residuals(report: &FitReport<'_>, measurements: &[Measurement]) -> Vec<[f64; 3]> {
     let Ok(sensitivity) = report.fitted.sensitivity(report.top) else {

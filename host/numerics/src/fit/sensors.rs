@@ -50,7 +50,7 @@ pub struct Instrument {
     pub range: f64,
     /// Smallest step of a reading; 0 for none.
     pub quantum: f64,
-    /// One reading every so many samples.
+    /// Number of samples from one reading to the next.
     pub every: u64,
 }
 
@@ -58,7 +58,7 @@ pub struct Instrument {
 pub struct Sensors {
     /// Sensors, at most four.
     pub instruments: Vec<Instrument>,
-    /// Standard deviation of the time of a sample from what the samples say, s.
+    /// Standard deviation of the difference between the true and the stated time of a sample, s.
     pub jitter: f64,
     /// Share of samples that are lost.
     pub dropped: f64,
@@ -72,20 +72,19 @@ const ACCELEROMETER_RANGE: f64 = 157.0;
 /// Share of the range from which a reading counts as at its end: data sheets round the range.
 const REACHED: f64 = 0.999;
 
-/// Length and place that some sensors need to know of their top.
+/// Properties of a top's body that predictions of some sensors need.
 #[derive(Clone, Copy, Debug)]
 pub struct Body {
     /// Scale of the tip's curve, m.
     pub tip_scale: f64,
-    /// Centre of mass, from the point that the inertias belong to, m.
+    /// Position of the centre of mass relative to the point that the moments of inertia refer to, in the body frame, m.
     pub com: [f64; 3],
 }
 
 impl Body {
-    /// Lengths of a top's body: the centre of mass is at the origin of a sliding top, and above the tip of a held one, as far as
-    /// is known where.
+    /// Properties of a top's body. The origin is the centre of mass of a sliding top or a free body, and the tip of a held top.
     ///
-    /// * `com_height`: distance of the centre of mass from the tip, m
+    /// * `com_height`: distance of the centre of mass from the tip, m; if it is not known, the centre of mass of a held top counts as at its tip
     #[must_use]
     pub fn of(top: &Top, com_height: Option<f64>) -> Self {
         let com = match (top.support(), com_height) {

@@ -87,7 +87,7 @@ pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -
     Some(found)
 }
 
-/// Prediction with bias and noise: what a reading of 0 differs from it by, with the opposite sign.
+/// Reading with bias and noise. The prediction is the negative of the difference between a reading of 0 and the prediction.
 fn reading(
     sensor: &dyn toytop::fit::Sensor,
     partials: &Partials,
@@ -120,12 +120,12 @@ fn passage(
 /// Normally distributed numbers, by Box and Muller.
 #[derive(Clone, Debug)]
 pub struct Normal {
-    /// Source.
+    /// Generator of uniform numbers.
     pub uniform: Random,
 }
 
 impl Normal {
-    /// Stream of a seed.
+    /// Generator with this seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         Self { uniform: Random::new(seed, 0) }

@@ -10,7 +10,8 @@ use toytop::{Complex, Motion, TipClass};
 pub struct TipAngle {
     /// Ephemeris of the motion; `None` where the axis is vertical at all times.
     ephemeris: Option<Box<dyn AnyScalar>>,
-    /// Angle by which the argument of αβ is ambiguous: half a turn where the curve reaches the centre, whose radius is signed.
+    /// Angle by multiples of which the argument of αβ is ambiguous, rad: half a turn where the curve reaches the centre, because the radius
+    /// then has a sign.
     unit: f64,
 }
 

@@ -7,7 +7,7 @@
 //! ω = exp(ε) ω₀ + ε' + (1 - cos |ε|)/|ε|² ε × ε' + (|ε| - sin |ε|)/|ε|³ ε × (ε × ε')
 //! ```
 //!
-//! and only ε' is taken from differences, over seven rows. Rows have to resolve the change of the error, not the spin.
+//! and only ε' is taken from differences, over seven rows. The rows have to resolve the change of the error, which is slower than the spin.
 
 use super::rotation_between;
 use super::trajectory::Row;
@@ -117,7 +117,7 @@ fn slope(window: &[ErrorAt]) -> Vector3<f64> {
     let t = |i: usize| window[i].t - window[m].t;
     let mut slope = Vector3::zeros();
     for j in (0..window.len()).filter(|&j| j != m) {
-        // derivative at 0 of Lagrange's polynomial that is 1 at row j; that of the middle follows, since all add up to 0
+        // derivative at 0 of Lagrange's polynomial that is 1 at row j; that of the middle row follows, because all derivatives add up to 0
         let others = (0..window.len()).filter(|&k| k != j && k != m);
         let weight = others.map(|k| t(k) / (t(k) - t(j))).product::<f64>() / t(j);
         slope += (window[j].epsilon - window[m].epsilon) * weight;

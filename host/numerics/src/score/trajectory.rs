@@ -32,11 +32,11 @@ pub struct Trajectory {
     pub step: Option<f64>,
     /// Evaluations of the equations, from a line `# evaluations = N`.
     pub evaluations: Option<f64>,
-    /// At least one row; the times go on in one direction.
+    /// Rows, at least one, with monotone times.
     pub rows: Vec<Row>,
 }
 
-/// Bytes of a line above the header, at most.
+/// Greatest length of a line above the header, bytes.
 const LONGEST_COMMENT: u64 = 1 << 16;
 
 /// Columns of the orientation in a file, one of three sets; the first that is complete counts.

@@ -17,9 +17,9 @@ pub struct Part {
     file: File,
     shard: u64,
     of: u64,
-    /// Rows there already.
+    /// Number of rows in the file.
     done: u64,
-    /// Rows there will be.
+    /// Number of rows of the complete file.
     len: u64,
 }
 
@@ -96,13 +96,13 @@ impl Part {
         Self::index_in(row, [self.shard, self.of])
     }
 
-    /// Rows there already.
+    /// Number of rows in the file.
     #[must_use]
     pub fn done(&self) -> u64 {
         self.done
     }
 
-    /// Rows there will be.
+    /// Number of rows of the complete file.
     #[must_use]
     pub fn total(&self) -> u64 {
         self.len

@@ -19,8 +19,8 @@ pub fn least<T>(progress: &mut Progress, mut task: impl FnMut() -> T) -> (f64, T
     best
 }
 
-/// Time of a long task, s, which would never run undisturbed: the sum of the least times of its parts. `start` begins a run, `go_on`
-/// does one part of it.
+/// Time of a long task, s, as the sum of the least times of its parts, because other processes would interrupt every run of the whole task.
+/// `start` begins a run, `go_on` does one part of it.
 pub fn least_in_parts<S>(
     progress: &mut Progress,
     parts: usize,

@@ -10,7 +10,7 @@ pub enum Sought {
     Turning,
     /// Crossings of a level.
     Crossing(Level),
-    /// Times at which the tip angle has this value, whole turns aside.
+    /// Times at which the tip angle has this value, modulo whole turns.
     TipAngle(Phase),
 }
 

@@ -18,7 +18,7 @@ impl Exact {
     #[must_use]
     pub fn rates(&self, t: &Precise, unit: f64) -> RateSample {
         let rates = self.difference(t, unit);
-        // where the two orientations are far apart, the difference tells a speed that is too low, but above this limit
+        // if the two orientations are far apart, the difference gives a speed that is too low, but still above this limit
         let shorter = GREATEST_TURN / rates.speed();
         if shorter < 0.5 * unit { self.rates(t, shorter) } else { rates }
     }
