@@ -219,7 +219,7 @@ mod tests {
         assert_eq!(decades(2500), [1000, 2500]);
     }
 
-    /// The error of each method lies in its own range, which a run without steps, or with a wrong truth, would not.
+    /// The error of each method lies in its own range. That of a run without steps, or against a wrong truth, would not.
     #[test]
     fn a_short_run() {
         let lines = run(10_000).unwrap();

@@ -136,8 +136,8 @@ fn nothing() -> [Worst; ROUTINES.len()] {
     [[(0.0, 0); 2]; ROUTINES.len()]
 }
 
-/// Greater errors of two blocks. Of two equal errors, the one at the smaller phase is taken, so that the result does not depend on the order
-/// of the blocks.
+/// Greater errors of two blocks. If two errors are equal, the one at the smaller phase is taken, so that the result does not depend on the
+/// order of the blocks.
 fn greater(a: [Worst; ROUTINES.len()], b: [Worst; ROUTINES.len()]) -> [Worst; ROUTINES.len()] {
     let of = |a: (f64, u32), b: (f64, u32)| {
         if b.0 > a.0 || (b.0 == a.0 && b.1 < a.1) { b } else { a }

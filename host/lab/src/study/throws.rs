@@ -1,4 +1,4 @@
-//! Simulated throws, and the launches fitted to their samples: are the error bars true?
+//! Simulated throws, and a test of the error bars of the launches fitted to their samples.
 
 use toytop::fit::{Fit, Fitted, Sensor};
 use toytop::su2::{Vector, bracket};
@@ -11,11 +11,12 @@ use toytop_host::input::random::Random;
 pub(crate) const SETS: [&str; 3] =
     ["gyroscope, accelerometer, magnetometer", "gyroscope, accelerometer", "camera"];
 
-/// Samples of a throw, and their rate, Hz.
+/// Number of samples of a throw.
 const SAMPLES: u64 = 300;
+/// Rate of the samples, Hz.
 const HERTZ: f64 = 1000.0;
 
-/// Square of a normalised error beyond which a launch that is believed is wrong: the probability of a larger one is below 1e-9.
+/// Square of the normalised error beyond which an accepted launch counts as wrong: the probability of a larger one is below 1e-9.
 const WRONG: f64 = 56.0;
 /// 95 % quantiles of the chi-squared distributions of 1 to 6 degrees of freedom.
 const QUANTILES: [f64; 6] = [3.841, 5.991, 7.815, 9.488, 11.070, 12.592];
@@ -23,11 +24,11 @@ const QUANTILES: [f64; 6] = [3.841, 5.991, 7.815, 9.488, 11.070, 12.592];
 /// Result of one throw with one set of sensors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Outcome {
-    /// The fit said that it must not be trusted.
+    /// Launch that the fit refused, with the reason.
     NotConverged(&'static str),
-    /// The launch is far from the truth, and the fit did not say so.
+    /// Accepted launch that is far from the truth.
     Wrong,
-    /// The launch is good: square of the error in standard deviations, and the number of directions that it has.
+    /// Accepted launch that is near the truth.
     Good {
         /// Square of the normalised error.
         square: f64,
@@ -93,7 +94,7 @@ fn draw(random: &mut Random) -> Option<(Top, State, Motion)> {
     }
     let state = State::release(&release).ok()?;
     let motion = Motion::launch(&top, &state).ok()?;
-    // a sliding top that is pulled down, or lies on its side, is not a top
+    // the plane does not pull a real top down, and the equations do not hold for a top that lies on its side
     let real = motion.min_normal_force().is_none_or(|least| least > 0.05);
     let stands = held || motion.branch_points().e1 > 0.1;
     (real && stands).then_some((top, state, motion))
@@ -160,7 +161,7 @@ pub(crate) fn run(random: &mut Random, set: usize, seed: u64) -> Outcome {
 fn normalised_square(fitted: &Fitted, state: &State) -> f64 {
     let launch = &fitted.launch;
     let whole = state.orientation().normalised().compose(&launch.orientation.inverse());
-    // a rotation about the vertical that is not determined is no error, and would not be small
+    // an undetermined rotation about the vertical is not counted as an error, and need not be small
     let yaw = match whole.quaternion() {
         [w, _, _, z] if fitted.unobservable.yaw => Orientation::exp([0.0, 0.0, -2.0 * z.atan2(w)]),
         _ => Orientation::IDENTITY,

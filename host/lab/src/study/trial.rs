@@ -10,7 +10,7 @@ use toytop_host::motion::propagate::natural_time;
 use toytop_host::truth::exact::{Course, Exact, PreciseOrientation};
 use toytop_host::truth::motions::Numbers;
 
-/// Tick with the truth.
+/// Tick with the exact orientation and rates at it.
 struct Target {
     tick: i64,
     phi: PreciseOrientation,

@@ -26,7 +26,7 @@ th{border-bottom:2px solid var(--rule)}svg{max-width:100%;height:auto}.scroll{ov
 summary{cursor:pointer}summary h2{display:inline}";
 
 impl Page {
-    /// Figures first, then tables; the long one of the budget is folded.
+    /// Page with the figures first, then the tables. The long table of the budget is collapsed.
     pub(super) fn html(&self) -> String {
         let version = env!("CARGO_PKG_VERSION");
         let date = chrono::Utc::now().format("%Y-%m-%d");

@@ -107,7 +107,7 @@ fn rows(records: &[Record]) -> Vec<Vec<String>> {
     std::iter::once(header.map(str::to_owned).to_vec()).chain(records.iter().map(row)).collect()
 }
 
-/// Which throws were believed though they are wrong.
+/// Lines with the numbers of the throws whose launches are wrong and were accepted.
 fn wrong(tally: &Tally) -> String {
     let line = |(name, side): (&&str, &Side)| {
         let streams: Vec<_> = side.wrong.iter().take(20).map(u64::to_string).collect();

@@ -58,10 +58,10 @@ pub(crate) struct Side {
     pub rates_of_bound: f64,
     /// Number of motions with an error of the rates beyond their bound.
     pub rates_violated: u64,
-    /// Number of motions that were compared with the truth, of those whose bound is at most ten times their greatest error, and of those
-    /// whose bound on the rates is at most ten times the error of the rates.
+    /// Number of motions that were compared with the truth, number of those whose bound is at most ten times their greatest error, and number
+    /// of those whose bound on the rates is at most ten times the error of the rates.
     pub judged: [u64; 3],
-    /// Number of places of these motions, and of those at which more than half of the bound comes from the number of ticks.
+    /// Number of places of these motions, and number of those at which more than half of the bound comes from the number of ticks.
     pub places: [u64; 2],
 }
 

@@ -10,7 +10,7 @@ use toytop_host::motion::invariants::first_integrals;
 use toytop_host::motion::propagate::natural_time;
 use toytop_host::truth::exact::PreciseOrientation;
 
-/// Tick with the truth.
+/// Tick with the exact orientation and rates at it.
 struct Target {
     tick: i64,
     phi: PreciseOrientation,
@@ -47,7 +47,7 @@ pub(crate) struct Error {
     pub rates_of_bound: f64,
     /// Tick at which the error of the rates is greatest in units of their bound.
     pub rates_tick: i64,
-    /// Number of places, and of those at which more than half of the bound comes from the number of ticks.
+    /// Number of places, and number of those at which more than half of the bound comes from the number of ticks.
     pub places: [u64; 2],
 }
 
