@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 use crate::process::{root, run};
 use crate::subcommand::{nightly_is_there, show, succeeds};
 
-/// Target with 32 bits in big-endian order. libm has no assembly for it, which Miri refuses, while on x86-64 its square root has.
+/// Target with 32 bits in big-endian order. Miri refuses assembly, which libm uses for the square root on x86-64 but not on this target.
 const TARGET: &str = "powerpc-unknown-linux-gnu";
 
 /// Runs core's unit tests in Miri, for a target that it emulates.

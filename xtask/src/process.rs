@@ -13,7 +13,7 @@ pub(crate) fn in_ci() -> bool {
     env::var("CI").is_ok_and(|value| !value.is_empty() && value != "false")
 }
 
-/// Root of the repository, from the environment of `cargo run`, because a binary may be older than the name of its folder.
+/// Root of the repository, from the environment of `cargo run`, because the folder may have been renamed after the binary was built.
 pub(crate) fn root() -> PathBuf {
     let xtask =
         env::var_os("CARGO_MANIFEST_DIR").map_or_else(|| env!("CARGO_MANIFEST_DIR").into(), PathBuf::from);

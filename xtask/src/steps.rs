@@ -1,5 +1,5 @@
-//! `cargo xtask test`: the steps, in the order in which a failure is cheapest. Those of the chips, which wait for an emulator on one
-//! core, run beside those of the host.
+//! Steps of `cargo xtask test`. The steps that find failures soonest come first. The steps of the chips, which wait for an emulator on
+//! one core, run in parallel with those of the host.
 
 use std::process::ExitCode;
 use std::sync::{Mutex, PoisonError};
@@ -37,7 +37,7 @@ impl Step {
         self.needs.iter().any(|need| need.name == COMPILER.name)
     }
 
-    /// Runs the step if what it needs is there, and prints its result.
+    /// Runs the step if its tools are installed, and prints its result.
     fn result(&self, provided: &Result<()>) -> Outcome {
         let Self { name, run, .. } = self;
         let begin = Instant::now();
@@ -155,8 +155,9 @@ fn missing(steps: &[Step]) -> Vec<&'static str> {
     needs.into_iter().filter(|need| need.is_missing()).map(|need| need.name).collect()
 }
 
-/// Checks core for every chip without features, and for one of each architecture with all, on targets without `std`. The smallest Arm is
-/// the strictest one, because it has neither an FPU nor atomic exchanges, and other crates are most of the work.
+/// Checks core on targets without `std`: for every chip without features, and for one chip of each architecture with all features. The
+/// Arm chip is the smallest one, which is the strictest test, because it has neither an FPU nor atomic exchanges. The other chips are
+/// not checked with all features, because most of the time is that of the optional dependencies.
 fn no_std() -> Result<String> {
     let toolchain = tools::toolchain()?;
     let without = TARGETS.iter().map(|target| (*target, ""));
