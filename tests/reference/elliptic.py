@@ -126,7 +126,7 @@ def main():
             (1e-4, 3e-4), (0.00390625, 1024.0), (1.0, 3e-24), (2e-24, 0.75), (7e-25, 40.0), (1e-30, 1e-7)]
     lattices = [lattice(upper, lower, generator) for upper, lower in gaps]
     mp.dps = 60
-    # dyadic, so that m + m1 = 1 to the last bit wherever m has room for it
+    # most are dyadic, so that m + m1 = 1 is exact if m has enough digits
     complements = [0.5, 0.25, 0.75, 0.9990234375, 2.0**-10, 2.0**-30, 2.0**-52, 2.0**-70, 6e-31, 2.0**-100, 3e-18]
     jacobis = [jacobi(m1, generator) for m1 in complements]
     print(json.dumps({"lattices": lattices, "jacobi": jacobis}, indent=1))

@@ -14,7 +14,7 @@ from mpmath import mp, mpc, mpf
 
 mp.dps = 80
 NODES = 64            # Gauss-Legendre nodes per panel
-QUADRATURE = mpf("1e-70")  # a panel is halved until its halves reproduce it to this
+QUADRATURE = mpf("1e-70")  # a panel is halved until its integral agrees with those of its halves to this
 ZERO = mpf("1e-50")   # far below any quantity of these motions, far above the rounding at 80 digits
 
 
@@ -113,7 +113,7 @@ class HalfPeriod:
         while True:
             value = self.at(x)
             dx = (t - value[0]) / self.rates(x)[0]
-            if abs(dx) < mpf("1e12") * mp.eps * (1 + x):  # quadratic: what is left is far below
+            if abs(dx) < mpf("1e12") * mp.eps * (1 + x):  # quadratic convergence: the remaining error is far below
                 return self.geometry(x)[:2] + tuple(value[1:])
             x = min(max(x + dx, a), b)
 
@@ -176,7 +176,7 @@ class Motion:
         sign = -1 if rest < 0 else 1
         self.start = [(turns * 2 * v if turns else 0) + sign * d for v, d in zip(self.half.end, value)]
         self.start += [self.winding(turns, mp.sin(rest), mp.cos(rest))]
-        # Phases of alpha and beta; where one of them vanishes at t = 0 its derivative carries the phase.
+        # Phases of alpha and beta; where one of them vanishes at t = 0, the phase is that of its derivative.
         bracket, slope = self.brackets(turns, mp.sin(rest), mp.cos(rest))
         unit = [mp.expj(a) for a in args] if args else [al, be]
         if state:

@@ -64,7 +64,7 @@ def integrate(A, C, s, p, y, times, tolerance, g=1, K=0):
             factor = mpf("0.9") * (tolerance / max(error, mp.eps)) ** (mpf(1) / (2 * COLUMNS - 1))
             if error <= tolerance:
                 t, y = (end if last else t + step), trial
-                factor = max(factor, H / abs(step)) if last else factor  # a step cut short says little
+                factor = max(factor, H / abs(step)) if last else factor  # a shortened step is no measure for the next one
             H = min(2 * H, factor * abs(step))
         out[end] = y
     return out

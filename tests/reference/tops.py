@@ -99,7 +99,7 @@ def taylor_step(motion, y, room, terms=44):
         k1k1.append(product(k1, k1, n))
         k2k2.append(product(k2, k2, n))
         # in the body frame r = (0, 0, 1), q = r x k = (-k2, k1, 0), r' = W x r = (W2, -W1, 0)
-        # (A W + ((C-A) W3 + K) r)' + W x (the same) = -F q
+        # M' + W x M = -F q with M = A W + ((C-A) W3 + K) r
         udot.append(product(W[1], k1, n) - product(W[0], k2, n))
         D.append((A if n == 0 else mpf(0)) + p * s * (k1k1[n] + k2k2[n]))
         # u'' = (W2' k1 - W1' k2) + W2 k1' - W1 k2', with k' = k x W

@@ -13,7 +13,7 @@ fn conversion_there_and_back_keeps_every_bit() {
         let baked = single.to_baked();
         let back = baked.ephemeris().unwrap();
         assert!(back == single, "{name}");
-        // the checksum sees the sign of a zero, which `==` does not
+        // the checksum depends on the sign of a zero, which `==` ignores
         assert_eq!(back.to_baked().crc32, baked.crc32, "{name}");
         aperiodic += u32::from(baked.clock.horizon.is_some());
         if let Ok(long) = Ephemeris::<I2F30, 256>::new(&motion, Tick::hertz(8000).unwrap()) {

@@ -25,7 +25,7 @@ fn table<R: EphemerisScalar>(name: &str, tick: Tick) -> Box<Ephemeris<R, 512>> {
     boxed::<R, 512>(&vectors::named(name).motion().unwrap(), tick)
 }
 
-/// Ticks of both signs, up to some 10^18, where the rounding of the increments is what differs.
+/// Ticks of both signs, up to some 10^18, where the tables differ by the rounding of their increments.
 fn ticks() -> impl Iterator<Item = i64> {
     (0..62).flat_map(|bits| [1_i64 << bits, -(1_i64 << bits), (1_i64 << bits) / 3])
 }

@@ -1,4 +1,4 @@
-//! Launches found from simulated measurements, and input that must not be believed.
+//! Launches found from simulated measurements, and measurements from which the fit must not accept a launch.
 
 use toytop::fit::{
     Accelerometer, AxisCamera, Fit, FitError, Fitted, FreeRatio, Gyroscope, Magnetometer, Measurement,
@@ -121,7 +121,7 @@ fn a_launch_is_found_though_the_gyroscope_is_blind_along_the_axis() {
 #[test]
 fn the_error_bars_are_those_of_the_launch() {
     let sensors: [&dyn Sensor; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
-    // the y component of ω is about 0, so that the error of the x component by that of the yaw depends on the launch
+    // ω₂ is about 0, so that the effect of an error of the yaw on ω₁ depends on the launch
     let top = sliding();
     let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).unwrap();
     let motion = Motion::launch(&top, &state).unwrap();
@@ -152,13 +152,13 @@ fn yaw_without_a_magnetometer_is_said_to_be_undetermined() {
     let found = fitted(&top, &sensors, &readings(&motion, &sensors, 300, 3));
     assert!(found.converged(), "{:?} {:?}", found.reason, found.statistics);
     assert!(found.unobservable.yaw && found.unobservable.count == 1, "{:?}", found.unobservable);
-    // what does not depend on the yaw is known: the tilt
+    // the tilt does not depend on the yaw, and is determined
     let tilt = |orientation: Orientation<f64>| orientation.u().acos();
     let off = tilt(found.launch.orientation) - tilt(state.orientation());
     assert!(off.abs() < 2e-3, "{off:e}");
 }
 
-/// Nothing tells how fast an upright top turns if the gyroscope is blind along its axis; a magnetometer does.
+/// If the spin of an upright top is beyond the range of the gyroscope, only a magnetometer determines it.
 #[test]
 fn the_spin_of_an_upright_top_is_not_believed_without_a_magnetometer() {
     let sensors: [&dyn Sensor; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
@@ -236,7 +236,8 @@ fn rates_in_degrees_are_recognised() {
     assert_eq!(found.reason, Some(Reason::RatesInDegrees), "{:?}", found.statistics);
 }
 
-/// Rates of a disc whose nutation decays, fitted without losses: they fit in neither unit, but small numbers have small residuals.
+/// Rates of a disc whose nutation decays, fitted without losses. They fit neither as rad/s nor as degrees per second, but as degrees they are
+/// small numbers, and therefore have small residuals.
 #[test]
 fn a_decaying_nutation_is_not_a_wrong_unit() {
     let disc = TopParameters { transverse_inertia: 1.0, axial_inertia: 1.94, ..PARAMETERS };
@@ -283,11 +284,11 @@ fn bad_measurements_are_refused_or_not_believed() {
     assert_eq!(changed(|all| all[6].time = f64::INFINITY).err(), Some(FitError::NotFinite { index: 6 }));
     assert_eq!(changed(|all| all[8].time = 0.0).err(), Some(FitError::OutOfOrder { index: 8 }));
     assert_eq!(changed(|all| all[9].sensor = 3).err(), Some(FitError::UnknownSensor { index: 9 }));
-    // one instant says nothing of the rate about the axis
+    // the readings of one instant do not determine the rate about the axis
     let reason = |found: Result<Fitted, FitError>| found.unwrap().reason;
     assert!(reason(changed(|all| all.truncate(1))).is_some());
     assert!(reason(changed(|all| all.truncate(3))).is_some());
-    // saturated throughout
+    // all readings are at the end of the range
     let all = changed(|all| {
         all.retain(|measurement| measurement.sensor == 0);
         all.iter_mut().for_each(|measurement| measurement.values = [34.9, -34.9, 34.9, 0.0]);

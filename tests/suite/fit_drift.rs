@@ -130,7 +130,7 @@ fn square(fitted: &Fitted, state: &State) -> f64 {
     for (slot, x) in error.iter_mut().zip([x, y, z]) {
         *slot = 2.0 * x * w.signum();
     }
-    // ω as seen by an observer who turns with the error: that of the yaw may be large
+    // ω is compared in a frame that turns with the error of the orientation, because the error of the yaw may be large
     let (found, truth) = (fitted.launch.omega, turn.inverse().adjoint(state.omega()));
     let turned = cross([error[0], error[1], error[2]], found);
     for k in 0..3 {
@@ -189,8 +189,8 @@ fn a_loss_of_spin_is_found_with_its_error_bars() {
 
 /// Losses of all three kinds, of either sign.
 ///
-/// The errors of the three rates are nearly the same number, because most of each is that of the loss about the axis. So
-/// there is one draw in a case: the mean of the first 24 squares is 1.6 to 1.8 by chance, and that of 300 others 0.99 to 1.06.
+/// The errors of the three rates are nearly equal, because most of each comes from the loss about the axis. Therefore each case gives
+/// only one independent number: the mean of the first 24 squares is 1.6 to 1.8 by chance, and that of 300 others 0.99 to 1.06.
 #[test]
 fn losses_of_every_kind_are_found() {
     const CASES: u32 = 72;

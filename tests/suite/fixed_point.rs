@@ -44,7 +44,7 @@ fn truth_to_a_thousand_million_periods_in_16_bits() {
     tolerance::EPHEMERIS_Q15.check("any time", error);
 }
 
-/// Rounding error of a tick: against a table in `f64` whose clock is the same, over ticks enough to meet the worst.
+/// Rounding error of a tick, against a table in `f64` with the same clock, over enough ticks to reach the greatest error.
 #[test]
 fn a_tick_in_32_bits_is_within_its_bound_of_one_in_f64() {
     let motion = vectors::named("exact_generic_pm").motion().unwrap();

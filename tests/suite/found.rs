@@ -29,7 +29,7 @@ fn the_rate_of_the_tip_angle_is_a_number_however_near_the_vertical() {
 }
 
 /// With a small A the slow phases change by tens of radians per segment, which sixteen terms do not represent: such a
-/// table is refused whatever error is allowed, and the coarsest that is not keeps its bound.
+/// table is refused whatever error is allowed, and the coarsest table that is not refused keeps its bound.
 #[test]
 fn a_series_that_does_not_converge_is_refused() {
     let top = Top::sliding(&TopParameters {
@@ -57,8 +57,8 @@ fn a_series_that_does_not_converge_is_refused() {
     assert!(worst <= bound && worst > 0.05 * bound, "{worst:e}, bound {bound:e}");
 }
 
-/// Near the separatrix one product of two series left the range of its integers by a factor of 2 where nothing checked it. α was
-/// wrong by 2e-14 rad in the middle of the period, which the bound hardly contained.
+/// Near the separatrix one product of two series exceeded the range of its integers by a factor of 2, and the code did not check that
+/// range. The error of α was 2e-14 rad in the middle of the period, nearly as large as the bound.
 #[test]
 fn a_product_of_series_beyond_its_range_shortens_the_segment() {
     let top = Top::sliding(&TopParameters {
@@ -121,7 +121,7 @@ fn tables_are_refused<R: EphemerisScalar>() {
     assert!(held > 0 && refused > 0, "{held} held, {refused} refused");
 }
 
-/// A rod at rest with a rotor whose angular momentum is next to nothing: its period would exceed the range of `f64`.
+/// A rod at rest with a rotor whose angular momentum is almost 0: its period would exceed the range of `f64`.
 #[test]
 fn a_rotor_that_hardly_turns_counts_as_none() {
     let top = |rotor_momentum| {

@@ -12,7 +12,7 @@ use toytop_tests::tolerance;
 /// inputs with few digits.
 const CHANGE: f64 = 1.0 / (1_u64 << 46) as f64;
 /// Half the time between the two orientations that give a rate, as a share of the period. With 2⁻³² the errors are a hundred
-/// times as large: they are the truth's own, divided by this time.
+/// times as large, because they are then errors of the truth, divided by this time.
 const INSTANT: f64 = 1.0 / (1_u64 << 24) as f64;
 
 /// Motion, and whether its tip is held.
@@ -103,11 +103,11 @@ fn apart(x: Vector<f64>, y: Vector<f64>) -> f64 {
     norm([x[0] - y[0], x[1] - y[1], x[2] - y[2]])
 }
 
-/// Greatest error of θ and η, relative to both, and where it is.
+/// Greatest error of θ and η, relative to both, with the input and the time at which it occurs.
 #[derive(Clone, Copy, Debug, Default)]
 struct Worst {
     error: f64,
-    /// Which of the numbers of Φ, of ω and of the top was changed.
+    /// Index of the changed number among those of Φ, of ω and of the top.
     input: usize,
     periods: f64,
 }
@@ -154,7 +154,7 @@ fn worst(case: &Case, periods: &[f64]) -> Worst {
             let true_theta = now.map(|x| to_f64(&x));
             let true_eta = [0, 1, 2].map(|k| to_f64(&((&after[k] - &before[k]) / (&dt + &dt))));
             let frequency = 2.0 * std::f64::consts::PI / period;
-            // a change that does not move the body, as of A while it sleeps, has no size of its own
+            // a change without effect on the motion, such as that of A for a sleeping top, gives no scale for its error
             let size = (norm(true_theta) + norm(true_eta) / frequency).max(1e-9 * CHANGE);
             let error = apart(theta, true_theta) + apart(eta, true_eta) / frequency;
             // so that NaN counts
@@ -174,7 +174,7 @@ fn derivatives_agree_with_differences_of_launches() {
         let found = worst(&case, &[0.01, 0.3, -0.75, 2.4, 1000.1, 1e6 + 0.4]);
         let Worst { error, input, periods } = found;
         println!("{}: {error:.1e}, input {input}, {periods} periods", case.name);
-        // its nutation is fast beside its period, and the quotient of the truth is less accurate (see `INSTANT`)
+        // the axis is fast near the vertical, where the difference quotient of the truth is less accurate (see `INSTANT`)
         if case.name == "slender" {
             assert!(error < 3e-10, "{error:e}");
             continue;
@@ -184,7 +184,8 @@ fn derivatives_agree_with_differences_of_launches() {
     tolerance::SENSITIVITY.check("derivatives", worst_of_all);
 }
 
-/// A rotation about the vertical, a rotation of the body about its axis and a shift of time are changes at all times.
+/// The three known changes keep their form at all times: θ = k for a rotation about the vertical, θ = r for a rotation of the body about
+/// its axis, and θ = ω for a shift of time.
 #[test]
 fn the_known_changes_are_kept() {
     let cross = toytop::su2::bracket;

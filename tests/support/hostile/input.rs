@@ -59,7 +59,7 @@ impl<'a> Input<'a> {
         }
     }
 
-    /// One of the numbers at which cases change, a neighbour of it, or any number between 0 and `most`.
+    /// One of the limits 0 and `most`, a neighbour of a limit, a number between them, or an arbitrary bit pattern.
     fn place(&mut self, most: f64) -> f64 {
         let near = |input: &mut Self| 10_f64.powf(-20.0 * input.share());
         match self.byte() {
