@@ -44,8 +44,8 @@ pub const MAGNETOMETER: Magnetometer = Magnetometer {
 
 /// Measurements of the gyroscope (0), the accelerometer (1) and the magnetometer (2), in SI units and microtesla.
 ///
-/// The iterator is a counter with a time: a fit keeps copies of it on the stack, and passes over most measurements without a
-/// look at them.
+/// The iterator is a counter with a time, because a fit keeps copies of it on the stack. The first passes of a fit skip most
+/// measurements without reading them.
 pub fn measurements() -> impl Iterator<Item = Measurement> + Clone {
     let mut time = 0.0;
     (0..3 * table::INERTIAL.len()).filter_map(move |place| {

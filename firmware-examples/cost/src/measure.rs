@@ -63,7 +63,7 @@ fn stack_pointer() -> usize {
 fn paint(top: usize) {
     let mut address = top - DEPTH;
     while address < top {
-        // SAFETY: below the stack pointer is free stack: the memory map has room, and no interrupt is on
+        // SAFETY: the memory below the stack pointer is unused stack: the memory map is large enough, and no interrupt is enabled
         unsafe { (black_box(address) as *mut u32).write_volatile(PAINT) };
         address += 4;
     }

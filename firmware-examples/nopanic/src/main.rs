@@ -133,7 +133,7 @@ fn sensitivity(motion: &Motion) {
     black_box((partials.tip_angle(), partials.axis_change(), partials.orientation_now()));
 }
 
-/// Fits without a guess, and of a second block.
+/// Calls of a fit without an initial guess, and of the fit of a second block.
 fn fit(top: &Top) {
     let noise = Noise { deviation: unknown(), bias: unknown() };
     let mounting = Mounting { place: [unknown(); 3], ..Mounting::default() };

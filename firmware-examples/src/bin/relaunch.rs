@@ -45,7 +45,7 @@ struct Kick {
 struct TakeOver {
     by: &'static str,
     tick: i64,
-    /// Jump of the orientation, rad: from what the interrupt used so far, and from the old table.
+    /// Jumps of the orientation, rad: from the propagator that the interrupt used before, and from the old table.
     jumps: [f32; 2],
 }
 
