@@ -6,7 +6,7 @@ use crate::law::series::{Expansion, PhasePoint, Slopes, TERMS, UNIT, larger_or_n
 use crate::law::{Law, PhaseRates};
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, RateNumber, Ring, Scalar};
+use crate::scalar::{Extended, Float, RateNumber, Ring};
 
 /// Position reached by the steps, with the errors so far.
 #[derive(Clone, Copy, Debug, Default)]
@@ -175,7 +175,7 @@ impl HalfPeriod {
         exponentials: [f64; 2],
         parts: [&mut [i64; TERMS]; 2],
     ) -> Option<()> {
-        self.expansion.turned(which, exponentials, self.least, parts)
+        self.expansion.turned(which, exponentials, self.least_units, parts)
     }
 
     /// Steps from the border to the centre; `None` where the truncation error there exceeds `share`.
@@ -265,7 +265,12 @@ impl HalfPeriod {
         if !self.is_periodic {
             return 0.0;
         }
-        let miss = |angle: Phase| Float::abs(f64::sine_cosine(angle).1);
+        // distance from an odd number of quarter turns, rad
+        let miss = |angle: Phase| {
+            let (quadrant, rest) = angle.quadrant();
+            let rest = Float::abs(rest.to_radians());
+            if quadrant & 1 == 1 { rest } else { core::f64::consts::FRAC_PI_2 - rest }
+        };
         let PhasePoint { chi, theta } = self.end.point;
         let [alpha, beta] = theta.map(miss);
         let at_the_end = self.rounded_law.rates(1.0, 0.0).nutation * self.length;

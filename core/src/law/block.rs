@@ -8,6 +8,7 @@ use core::ops::RangeInclusive;
 
 use crate::phase::integer_parts;
 use crate::product::signed_product;
+use crate::scalar::power_of_two;
 
 /// Largest number of terms of a series; fewer are computed where the terms fall below the resolution of the scalar.
 /// The segments of a table are short compared with the radius of convergence: where degree 5 leaves an error of 3e-8,
@@ -131,9 +132,16 @@ pub(crate) fn scaled_product<const SHIFT: u32>(a: Split, b: Split) -> i64 {
     (signed_product(a.high, b.high) << (2 * LOW_BITS - SHIFT)) + ((across + half) >> (SHIFT - LOW_BITS))
 }
 
+/// Whether a number is small enough for a coefficient: from -2^58 to 2^58 - 1. Otherwise the series does not converge.
+#[inline(always)]
+const fn is_in_range(value: i64) -> bool {
+    // only the upper word counts, so that a chip compares one word
+    matches!((value >> 32) as i32 >> (BITS + 2 - 32), -1 | 0)
+}
+
 /// The number itself; `None` if it is too large for a coefficient, so that the series does not converge.
 pub(crate) fn in_range(value: i64) -> Option<i64> {
-    (value.abs() <= LIMIT).then_some(value)
+    is_in_range(value).then_some(value)
 }
 
 /// Sum of quotients; `None` where one of them has left the range, so that the series does not converge. Without this check two
@@ -208,16 +216,6 @@ pub(crate) fn exponent(x: f64) -> i32 {
     ((x.to_bits() >> 52) & 0x7ff) as i32 - 1022
 }
 
-/// 2^exponent, for an exponent in the range of `f64`; 0 below it.
-pub(crate) const fn power_of_two(exponent: i32) -> f64 {
-    let field = match exponent {
-        ..-1022 => 0,
-        1023.. => 2046,
-        _ => exponent + 1023,
-    };
-    f64::from_bits((field as u64) << 52)
-}
-
 /// Integer nearest to x / 2^exponent, for a quotient below 2^62.
 #[inline(never)]
 pub(crate) fn scaled(x: f64, exponent: i32) -> i64 {
@@ -248,15 +246,10 @@ pub(crate) struct Block {
 impl Block {
     pub(crate) const ZERO: Self = Self { coefficients: [Split::ZERO; TERMS], exponent: -BITS };
 
-    /// Removes all coefficients; those to come are expected to be at most `magnitude`.
-    pub(crate) fn clear(&mut self, magnitude: f64) {
-        self.clear_to(exponent(magnitude).max(-900) - BITS);
-    }
-
-    /// Removes all coefficients and sets the exponent of those to come.
-    pub(crate) fn clear_to(&mut self, exponent: i32) {
-        self.exponent = exponent;
-        self.coefficients.fill(Split::ZERO);
+    /// Sets the exponent for coefficients that are expected to be at most `magnitude`. Those before are meaningless then, and remain
+    /// until they are replaced.
+    pub(crate) fn scale_for(&mut self, magnitude: f64) {
+        self.exponent = exponent(magnitude).max(-900) - BITS;
     }
 
     pub(crate) fn get(&self, k: usize) -> i64 {
@@ -269,7 +262,7 @@ impl Block {
         if let Some(coefficient) = self.coefficients.get_mut(k) {
             *coefficient = Split::of(value);
         }
-        in_range(value).is_some()
+        is_in_range(value)
     }
 
     /// Value of 1 in units of the coefficients' unit.
@@ -287,14 +280,22 @@ impl Block {
         inner(ours.iter().zip(theirs.iter().rev()), shift)
     }
 
-    /// Sum Σ c yʲ⁻¹ over the coefficients j from 1 to `terms` - 1, for y = `quarters`/4, or of their magnitudes; `None`
-    /// where it leaves the range.
-    pub(crate) fn at_quarters(&self, quarters: i64, terms: usize, part: fn(i64) -> i64) -> Option<i64> {
+    /// Sum Σ c yʲ⁻¹ over the coefficients j from 1 to `terms` - 1, for y = `quarters`/4; `None` where it leaves the range.
+    pub(crate) fn at_quarters(&self, quarters: i64, terms: usize) -> Option<i64> {
         let coefficients = self.coefficients.get(1..terms)?;
-        coefficients.iter().rev().try_fold(0_i64, |sum, c| {
-            let next = ((sum * quarters + 2) >> 2) + part(c.value());
-            (next.abs() <= LIMIT).then_some(next)
-        })
+        coefficients.iter().rev().try_fold(0_i64, |sum, c| in_range(((sum * quarters + 2) >> 2) + c.value()))
+    }
+
+    /// Upper bound on the sum Σ |c| yʲ⁻¹ over these coefficients, from their upper words; infinite where it leaves the range.
+    pub(crate) fn size_at_quarters(&self, quarters: i32, terms: usize) -> f32 {
+        /// Unit of the upper words, in units of the coefficients.
+        const UNIT: f32 = (1_u32 << LOW_BITS) as f32;
+        let coefficients = self.coefficients.get(1..terms).unwrap_or_default();
+        let sum = coefficients.iter().rev().try_fold(0_i32, |sum, c| {
+            let next = ((sum * quarters + 3) >> 2) + c.high.abs() + 1;
+            (next <= (LIMIT >> LOW_BITS) as i32).then_some(next)
+        });
+        sum.map_or(f32::INFINITY, |sum| UNIT * sum as f32)
     }
 }
 

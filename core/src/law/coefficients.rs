@@ -90,16 +90,18 @@ impl Expansion {
     fn complete(&mut self, terms: usize) {
         self.terms = terms;
         let [.., delta, _] = &self.scratch;
-        let varying = delta.at_quarters(3, terms, i64::abs).unwrap_or(i64::MAX);
-        self.variation_size = self.recurrence.psi * (varying as f64 * delta.unit());
+        self.variation_size =
+            self.recurrence.psi as f32 * (delta.size_at_quarters(3, terms) * delta.unit() as f32);
         let [alpha, beta] = &mut self.theta;
         [alpha.slope, beta.slope] = self.recurrence.theta;
         for rate in [&mut self.chi, alpha, beta] {
-            rate.integral.clear_to(rate.variation.exponent);
+            rate.integral.exponent = rate.variation.exponent;
             for k in 1..terms {
                 // not larger than the coefficient, which is in range
                 let _ = rate.integral.put(k, integrated(rate.variation.get(k), k));
             }
         }
+        let before = terms.saturating_sub(2);
+        self.last_terms = [self.term(before), self.term(before + 1)];
     }
 }

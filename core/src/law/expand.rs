@@ -1,11 +1,11 @@
 //! Expansion of the law around a point: its constants, and the first coefficients.
 
 use crate::law::Law;
-use crate::law::block::{BITS, Block, Factor, TERMS, power_of_two, scaled};
+use crate::law::block::{BITS, Block, Factor, TERMS, scaled};
 use crate::law::rate::{Rate, negligible};
 use crate::law::recurrence::{Recurrence, SlowFactors};
 use crate::law::series::{Expansion, PhasePoint, Slopes, larger_or_nan};
-use crate::scalar::Float;
+use crate::scalar::{Float, times_power_of_two};
 
 /// Constants of one expansion, from the values at its point.
 struct Values {
@@ -30,9 +30,9 @@ impl SlowFactors {
         least: f64,
     ) -> Self {
         let Rate { variation, integral: divisor, .. } = rate;
-        let size = |series: &Block| power_of_two(series.exponent + BITS);
-        divisor.clear(constant * size(delta) + smoothing * size(drive));
-        variation.clear(Float::abs(slope) * size(divisor) + Float::abs(scale) * size(square));
+        let of_size = |factor: f64, series: &Block| times_power_of_two(factor, series.exponent + BITS);
+        divisor.scale_for(of_size(constant, delta) + of_size(smoothing, drive));
+        variation.scale_for(of_size(Float::abs(slope), divisor) + of_size(Float::abs(scale), square));
         rate.scale = 1.0;
         Self {
             from_square: Factor::new(scale, square.exponent, variation.exponent),
@@ -41,7 +41,7 @@ impl SlowFactors {
                 Factor::new(constant, delta.exponent, divisor.exponent),
                 Factor::new(smoothing, drive.exponent, divisor.exponent),
             ],
-            negligible: negligible(least, variation.unit()),
+            negligible: negligible(least, variation.exponent),
         }
     }
 }
@@ -91,16 +91,15 @@ impl Law<f64> {
         let Expansion { chi, theta: [alpha, beta], scratch: [sine, cosine, square, delta, drive], .. } =
             &mut *to;
         let magnitude = |own: f64, other: f64| larger_or_nan(Float::abs(own), Float::abs(chi_slope * other));
-        sine.clear(magnitude(point_sine, point_cosine));
-        cosine.clear(magnitude(point_cosine, point_sine));
-        square.clear_to(2 * cosine.exponent + BITS);
-        let square_size = power_of_two(square.exponent + BITS);
+        sine.scale_for(magnitude(point_sine, point_cosine));
+        cosine.scale_for(magnitude(point_cosine, point_sine));
+        square.exponent = 2 * cosine.exponent + BITS;
+        let of_square = |factor: f64| times_power_of_two(factor, square.exponent + BITS);
         let [linear, quadratic] = values.delta;
-        let delta_size = square_size * (Float::abs(linear) + quadratic * square_size);
-        delta.clear(delta_size);
-        for series in [&mut *drive, &mut chi.variation] {
-            series.clear(delta_size + values.eta * square_size);
-        }
+        let delta_size = of_square(Float::abs(linear) + of_square(quadratic));
+        delta.scale_for(delta_size);
+        drive.scale_for(delta_size + of_square(values.eta));
+        chi.variation.exponent = drive.exponent;
         (chi.slope, chi.scale) = (chi_slope, chi_slope);
         let ([alpha_scale, beta_scale], [alpha_shares, beta_shares]) = (values.psi, values.shares);
         let series = [&*square, &*delta, &*drive];
@@ -109,6 +108,8 @@ impl Law<f64> {
             SlowFactors::new(alpha, psi[0], (alpha_scale, alpha_shares), series, least),
             SlowFactors::new(beta, psi[1], (beta_scale, beta_shares), series, least),
         ];
+        let of_chi = least / Float::abs(slopes.weight * chi_slope);
+        let of_chi = if of_chi > f64::MAX { f64::MAX } else { of_chi };
         let in_range = sine.put(0, scaled(point_sine, sine.exponent))
             & cosine.put(0, scaled(point_cosine, cosine.exponent));
         to.recurrence = Recurrence {
@@ -122,9 +123,9 @@ impl Law<f64> {
             to_sine: Factor::new(chi_slope, cosine.exponent, sine.exponent),
             to_cosine: Factor::new(-chi_slope, sine.exponent, cosine.exponent),
             negligible: [
-                negligible(least, sine.unit()),
-                negligible(least, cosine.unit()),
-                negligible(least / Float::abs(slopes.weight * chi_slope), drive.unit()),
+                negligible(least, sine.exponent),
+                negligible(least, cosine.exponent),
+                negligible(of_chi, drive.exponent),
             ],
             theta: slopes.theta.map(|slope| 4.0 * slope),
             psi: larger_or_nan(Float::abs(psi[0]), Float::abs(psi[1])),
@@ -208,7 +209,7 @@ mod tests {
                     let theta = expansion.theta_at(x);
                     let ([p, q], mut re, mut im) = ([0.6, -0.3], [0; TERMS], [0; TERMS]);
                     let mut copy = expansion;
-                    copy.turned(0, [p, q], 1e-18, [&mut re, &mut im]).unwrap();
+                    copy.turned(0, [p, q], 5, [&mut re, &mut im]).unwrap();
                     let sum =
                         |part: [i64; TERMS]| part.iter().rev().fold(0.0, |sum, c| sum * x + *c as f64 * UNIT);
                     let [up, down] = [at, -at].map(|chi| Complex::cis(chi + theta[0]));

@@ -1,7 +1,7 @@
 //! Rate of a phase as a power series, and the size of its negligible terms.
 
 use crate::law::block::{Block, Split, scaled, scaled_product};
-use crate::scalar::{Float, Scalar};
+use crate::scalar::{Float, Scalar, times_power_of_two};
 
 /// Largest rounding error of a coefficient, in units of its series: the sum of some roundings of half a unit.
 const NOISE: i64 = 4;
@@ -12,9 +12,9 @@ pub(super) fn is_negligible(coefficient: i64, k: usize, least: i64) -> bool {
     size <= NOISE || size >> k < least
 }
 
-/// Magnitude below which a term of a series is negligible, in its units.
-pub(super) fn negligible(least: f64, unit: f64) -> i64 {
-    libm::round(least / unit).clamp(0.0, (1_i64 << 62) as f64) as i64
+/// Magnitude below which a term of a series with this exponent is negligible, in its units.
+pub(super) fn negligible(least: f64, exponent: i32) -> i64 {
+    scaled(least, exponent)
 }
 
 /// Rate of a phase along y = x/4: slope · 1 + variation, and the integral of the variation. The variation of χ is
@@ -36,14 +36,14 @@ impl Rate {
 
     /// Integral from 0 to y = `quarters`/4.
     pub(super) fn integral(&self, quarters: i64, terms: usize) -> f64 {
-        let varied = self.integral.at_quarters(quarters, terms, |c| c).unwrap_or_default();
+        let varied = self.integral.at_quarters(quarters, terms).unwrap_or_default();
         let y = 0.25 * quarters as f64;
-        y * (self.slope + y * (varied as f64 * self.integral.unit() * self.scale))
+        y * (self.slope + y * (times_power_of_two(varied as f64, self.integral.exponent) * self.scale))
     }
 
     /// Value at y = `quarters`/4, of a rate whose variation is relative to its slope, over the slope.
     pub(super) fn relative(&self, quarters: i64, terms: usize) -> f32 {
-        let varied = self.variation.at_quarters(quarters, terms, |c| c).unwrap_or_default();
+        let varied = self.variation.at_quarters(quarters, terms).unwrap_or_default();
         1.0 + 0.25 * quarters as f32 * (varied as f32 * self.variation.unit() as f32)
     }
 
@@ -60,16 +60,16 @@ impl Rate {
     }
 
     fn varied_size(&self, quarters: i64, terms: usize) -> f32 {
-        let varied = self.integral.at_quarters(quarters, terms, i64::abs).unwrap_or(i64::MAX);
+        let varied = self.integral.size_at_quarters(quarters as i32, terms);
         // a rounding error of the coefficients counts as the term of which it would be the rounding in f64
         let noise = (NOISE as f64 / f64::ROUNDING) as f32;
-        0.25 * quarters as f32 * ((varied as f32 + noise) * self.integral.unit() as f32)
+        0.25 * quarters as f32 * ((varied + noise) * self.integral.unit() as f32)
     }
 
     /// Upper bound on the rate for y in [-1/4, 1/4].
     pub(super) fn greatest(&self, terms: usize) -> f32 {
-        let varied = self.variation.at_quarters(1, terms, i64::abs).unwrap_or(i64::MAX);
-        let varied = 0.25 * (varied as f32 * self.variation.unit() as f32);
+        let varied = self.variation.size_at_quarters(1, terms);
+        let varied = 0.25 * (varied * self.variation.unit() as f32);
         Float::abs(self.slope) as f32 + varied * Float::abs(self.scale) as f32
     }
 
@@ -81,7 +81,7 @@ impl Rate {
                 // beyond the range only where the series does not converge
                 scaled_product::<60>(Split::of(sum), place) + series.get(k)
             });
-            sum as f64 * series.unit() * self.scale
+            times_power_of_two(sum as f64, series.exponent) * self.scale
         };
         let [value, integral] = [&self.variation, &self.integral].map(sum);
         (self.slope + y * value, y * (self.slope + y * integral))

@@ -7,12 +7,12 @@
 //! linear equations.
 
 use crate::law::PhaseRates;
-use crate::law::block::{BITS, Block, Factor, in_range, integrated, power_of_two, scaled, sum_in_range};
-use crate::law::rate::{Rate, negligible};
+use crate::law::block::{BITS, Block, Factor, in_range, integrated, scaled};
+use crate::law::rate::Rate;
 use crate::law::recurrence::Recurrence;
 use crate::law::turning::{FRACTION, sine_cosine};
 use crate::phase::Phase;
-use crate::scalar::{Float, Scalar};
+use crate::scalar::{Float, Scalar, power_of_two, times_power_of_two};
 
 pub(crate) use crate::law::block::{Split, TERMS, over_power, scaled_product};
 
@@ -68,9 +68,11 @@ pub(crate) struct Expansion {
     /// Weight of an error of χ relative to one of θ.
     pub(super) weight: f64,
     /// Magnitude of the terms whose difference is the variation of dψ/dx. Their rounding errors are errors of θ.
-    pub(super) variation_size: f64,
+    pub(super) variation_size: f32,
     /// Number of terms computed, at most [`TERMS`]; 0 where the series do not converge.
     pub(super) terms: usize,
+    /// Largest coefficients of the rates in the last two terms: see [`Expansion::term`].
+    pub(super) last_terms: [f32; 2],
     /// Recurrence that computes the coefficients.
     pub(super) recurrence: Recurrence,
     /// Scratch series for intermediate results, stored here once so that the stack stays small.
@@ -93,9 +95,19 @@ impl Slopes {
 }
 
 impl PhasePoint {
-    /// sin χ and cos χ.
+    /// sin χ and cos χ. Error: below 2^-53, relative to the result near its zeros.
     pub(crate) fn sine_cosine(&self) -> (f64, f64) {
-        f64::sine_cosine(self.chi)
+        /// Least result of the integer arithmetic, which costs a chip a fifth of that in `f64`.
+        const LEAST: i64 = 1 << (FRACTION - 3);
+        let (sine, cosine) = sine_cosine(self.chi);
+        if self.chi == Phase::ZERO {
+            (0.0, 1.0)
+        } else if sine.abs().min(cosine.abs()) < LEAST {
+            f64::sine_cosine(self.chi)
+        } else {
+            let number = |part: i64| part as f64 * power_of_two(-FRACTION);
+            (number(sine), number(cosine))
+        }
     }
 }
 
@@ -108,6 +120,7 @@ impl Expansion {
         weight: 1.0,
         variation_size: 0.0,
         terms: 0,
+        last_terms: [0.0; 2],
         recurrence: Recurrence::ENDED,
         scratch: [Block::ZERO; 5],
     };
@@ -135,7 +148,7 @@ impl Expansion {
         let size = |rate: &Rate| rate.size(x, self.terms);
         // the slope may be below the range of f32, but not the quotient; it is by y = x/4
         let delay = 4.0 * self.chi.relative_size(x, self.terms) / self.chi.relative(x, self.terms);
-        [delay, larger_or_nan(size(alpha), size(beta)) + 0.25 * x as f32 * self.variation_size as f32]
+        [delay, larger_or_nan(size(alpha), size(beta)) + 0.25 * x as f32 * self.variation_size]
     }
 
     /// Upper bound on |dθ/dx| of α and of β for x in [-1, 1], without the truncation error of the series.
@@ -152,44 +165,55 @@ impl Expansion {
     }
 
     /// Bracket p e^{iχ} + q e^{-iχ} times e^{iθ}, of α (`which` = 0) or of β (1), as the series of its real and
-    /// imaginary part in units of 2^-62; the series end where their terms fall below `least`. The result is `None`
+    /// imaginary part in units of 2^-62; the series end where their terms fall below `least` of these units. The result is `None`
     /// where they do not converge.
     #[inline(never)] // set-up's frames should not add up on a small stack
     pub(crate) fn turned(
         &mut self,
         which: usize,
         [p, q]: [f64; 2],
-        least: f64,
+        least: i64,
         [sum_re, sum_im]: [&mut [i64; TERMS]; 2],
     ) -> Option<()> {
-        let slow = self.theta.get(which)?;
-        let theta = self.origin.theta.get(which).copied().unwrap_or_default();
-        let [rate, re, im, ..] = &mut self.scratch;
+        let Self { chi: fast, theta, origin, scratch: [rate, re, im, slow_part, fast_part], terms, .. } =
+            self;
+        let slow = theta.get(which)?;
+        let theta = origin.theta.get(which).copied().unwrap_or_default();
+        // θ' and χ' in a common unit; the rates are their sum and their difference
+        let size = |rate: &Rate| times_power_of_two(Float::abs(rate.scale), rate.variation.exponent + BITS);
+        let slopes = Float::abs(slow.slope) + Float::abs(fast.slope);
+        rate.scale_for(larger_or_nan(slopes, size(slow) + size(fast)));
+        for (part, rate_of_part) in [(&mut *slow_part, slow), (&mut *fast_part, &*fast)] {
+            part.exponent = rate.exponent;
+            let factor = Factor::new(rate_of_part.scale, rate_of_part.variation.exponent, rate.exponent);
+            let mut is_in_range = part.put(0, scaled(rate_of_part.slope, rate.exponent));
+            for k in 1..*terms {
+                is_in_range &= part.put(k, factor.times(rate_of_part.variation.get(k)));
+            }
+            is_in_range.then_some(())?;
+        }
+        let mut most = 0;
         (*sum_re, *sum_im) = ([0; TERMS], [0; TERMS]);
         for (forwards, scale) in [(true, p), (false, q)] {
-            let (sense, chi) = if forwards { (1.0, self.origin.chi) } else { (-1.0, -self.origin.chi) };
-            let slopes = slow.slope + sense * self.chi.slope;
-            let slow_size = slow.scale * slow.variation.unit();
-            let chi_size = Float::abs(self.chi.slope) * self.chi.variation.unit();
-            let size = power_of_two(BITS) * (slow_size + chi_size);
-            rate.clear(larger_or_nan(Float::abs(slopes), size));
-            let from_chi = Factor::new(sense * self.chi.slope, self.chi.variation.exponent, rate.exponent);
-            let from_slow = Factor::new(slow.scale, slow.variation.exponent, rate.exponent);
-            let mut converges = rate.put(0, scaled(slopes, rate.exponent));
-            for k in 1..self.terms {
-                let [chi, slow] = [&self.chi, slow].map(|rate| rate.variation.get(k));
-                converges &= rate.put(k, sum_in_range([from_chi.times(chi), from_slow.times(slow)])?);
+            let chi = if forwards { origin.chi } else { -origin.chi };
+            let mut is_in_range = true;
+            for k in 0..*terms {
+                let (slow, fast) = (slow_part.get(k), fast_part.get(k));
+                is_in_range &= rate.put(k, if forwards { slow + fast } else { slow - fast });
             }
+            is_in_range.then_some(())?;
             let (sine, cosine) = sine_cosine(theta + chi);
             let scale = Split::of(scaled(scale, -FRACTION));
             let part = |part: i64| scaled_product::<{ (2 * FRACTION - BITS) as u32 }>(Split::of(part), scale);
             let start = [part(cosine), part(sine)];
-            let terms = exponential(rate, start, least, [re, im])?;
-            for (k, (sum_re, sum_im)) in sum_re.iter_mut().zip(sum_im.iter_mut()).enumerate().take(terms) {
-                *sum_re += of_x(re.get(k), k);
-                *sum_im += of_x(im.get(k), k);
+            let computed = exponential(rate, *terms, start, least, [&mut *re, &mut *im])?;
+            for (k, (sum_re, sum_im)) in sum_re.iter_mut().zip(sum_im.iter_mut()).enumerate().take(computed) {
+                (*sum_re, *sum_im) = (*sum_re + re.get(k), *sum_im + im.get(k));
             }
-            converges.then_some(())?;
+            most = most.max(computed);
+        }
+        for (k, (sum_re, sum_im)) in sum_re.iter_mut().zip(sum_im.iter_mut()).enumerate().take(most) {
+            (*sum_re, *sum_im) = (of_x(*sum_re, k), of_x(*sum_im, k));
         }
         Some(())
     }
@@ -202,36 +226,37 @@ impl Expansion {
             return f64::INFINITY;
         }
         let y = 0.25 * x as f32;
-        let before = self.terms.saturating_sub(2);
-        let power = (0..before).fold(1.0, |power, _| power * y);
-        let last = larger_or_nan(self.term(before) * power, self.term(before + 1) * power * y);
+        let power = (2..self.terms).fold(1.0, |power, _| power * y);
+        let [before, last] = self.last_terms;
+        let last = larger_or_nan(before * power, last * power * y);
         (last * y / (3 * self.terms) as f32).into()
     }
 
     /// Largest k-th coefficient of the rates of the phases, with the weight of χ.
-    fn term(&self, k: usize) -> f32 {
+    pub(super) fn term(&self, k: usize) -> f32 {
         let [alpha, beta] = &self.theta;
         larger_or_nan(self.chi.term(k, self.weight), larger_or_nan(alpha.term(k, 1.0), beta.term(k, 1.0)))
     }
 }
 
-/// Series of start · e^{i ∫ rate}, the solution of z' = i z rate, in units of 2^-56 like the start. Returns the number of its terms,
+/// Series of start · e^{i ∫ rate} for a rate of `terms` terms, the solution of z' = i z rate, in units of 2^-56 like the start. Returns the number of its terms,
 /// or `None` where it does not converge.
 #[inline(never)]
 fn exponential(
     rate: &Block,
+    terms: usize,
     [start_re, start_im]: [i64; 2],
-    least: f64,
+    least: i64,
     [re, im]: [&mut Block; 2],
 ) -> Option<usize> {
-    re.clear_to(-BITS);
-    im.clear_to(-BITS);
-    let least = negligible(least, UNIT);
+    re.exponent = -BITS;
+    im.exponent = -BITS;
     let mut converges = re.put(0, start_re) & im.put(0, start_im);
     let mut before = i64::MAX;
     for k in 0..TERMS - 1 {
         let next = |part: &Block| {
-            in_range(rate.product(part, 0..=k, k, -rate.exponent)).map(|next| integrated(next, k))
+            in_range(rate.product(part, 0..=k.min(terms.saturating_sub(1)), k, -rate.exponent))
+                .map(|next| integrated(next, k))
         };
         let (next_re, next_im) = (-next(im)?, next(re)?);
         converges &= re.put(k + 1, next_re) & im.put(k + 1, next_im);

@@ -85,10 +85,13 @@ impl Add for Extended {
             return Self::nearly_normalised(larger.significand, larger.exponent);
         }
         // one more bit: a difference of two numbers whose exponents differ by 1 is exact
-        Self::normalised(
-            (larger.significand << 1) + ((((smaller.significand << 2) >> distance) + 1) >> 1),
-            larger.exponent - 1,
-        )
+        let sum = (larger.significand << 1) + ((((smaller.significand << 2) >> distance) + 1) >> 1);
+        // most sums have as many bits as the larger number, or one more
+        match (sum ^ (sum >> 127)) >> BITS {
+            1 => Self { significand: sum >> 1, exponent: larger.exponent },
+            2 | 3 => Self { significand: sum >> 2, exponent: larger.exponent + 1 },
+            _ => Self::normalised(sum, larger.exponent - 1),
+        }
     }
 }
 

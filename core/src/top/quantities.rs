@@ -1,6 +1,6 @@
 //! Quantities of a top in the number type of a set-up stage, in units that keep every product in range.
 
-use crate::scalar::Float;
+use crate::scalar::{Float, times_power_of_two};
 use crate::top::Top;
 
 /// Units of inertia and length, powers of two, in which A and p are in [1, 2).
@@ -47,10 +47,14 @@ impl<F: Float> Quantities<F> {
     }
 
     fn in_units(top: &Top, &Units { inertia, length }: &Units) -> Self {
+        // division by a power of two
+        let exponent = |unit: f64| (unit.to_bits() >> 52) as i32 - 1023;
+        let per = |x: f64, exponent: i32| F::from_f64(times_power_of_two(x, -exponent));
+        let (inertia, length) = (exponent(inertia), exponent(length));
         let [leading, rest] = top.p.parts();
-        let moment = |p: f64| F::from_f64(p * (length / inertia));
-        let [a, c, k] = [top.a, top.c, top.k].map(|x| F::from_f64(x / inertia));
-        let [s, g] = [top.s, top.g].map(|x| F::from_f64(x / length));
+        let moment = |p: f64| per(p, inertia - length);
+        let [a, c, k] = [top.a, top.c, top.k].map(|x| per(x, inertia));
+        let [s, g] = [top.s, top.g].map(|x| per(x, length));
         Self { a, c, s, p: moment(leading) + moment(rest), g, k }
     }
 
