@@ -215,7 +215,7 @@ impl HalfPeriod {
 
     /// Goes on to the next span, whose centre is at `x`, or to its border where the truncation error at the centre would exceed
     /// `share`. Returns whether the position is the centre.
-    pub(crate) fn leave(&mut self, x: i64, share: f64) -> bool {
+    pub(crate) fn leave(&mut self, x: i32, share: f64) -> bool {
         self.border = self.end;
         let centre = self.after(x, share);
         self.current = centre.unwrap_or(self.border);
@@ -244,7 +244,7 @@ impl HalfPeriod {
     }
 
     #[inline(never)]
-    fn after(&self, x: i64, share: f64) -> Option<Position> {
+    fn after(&self, x: i32, share: f64) -> Option<Position> {
         let truncation_error = self.expansion.truncation_error(x);
         (truncation_error <= share).then(|| {
             let [chi, theta] = self.expansion.sizes(x);

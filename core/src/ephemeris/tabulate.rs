@@ -31,7 +31,7 @@ use crate::ephemeris::tabulated::{Requirements, Tabulated};
 use crate::law::series::{TERMS, larger_or_nan};
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Ring};
+use crate::scalar::{Extended, Float, Ring, times_power_of_two};
 
 /// Receiver of polynomials: see [`Tabulation::advance`]. A reference, so that set-up is compiled once for all scalars.
 pub(crate) type Store<'a> = dyn FnMut(usize, usize, &Polynomial) -> [f32; 2] + 'a;
@@ -246,13 +246,13 @@ impl Tabulation {
 
     /// Half the length of a span, as a time.
     fn unit(&self) -> Extended {
-        self.half_period * Extended::from(1.0 / f64::from(2_u32 << self.span.depth()))
+        (0..=self.span.depth()).fold(self.half_period, |length, _| length.halved())
     }
 
     /// Truncation error allowed for a step over half a span, so that the sum over all steps is within their fraction of
     /// the allowed error.
     fn share(&self) -> f64 {
-        self.requirements.of_steps() / f64::from(2_u32 << self.span.depth())
+        times_power_of_two(self.requirements.of_steps(), -1 - self.span.depth() as i32)
     }
 
     /// Series of α or of β on the span from those of the phases; `None` where it is not accurate.
@@ -293,7 +293,7 @@ impl Tabulation {
         let is_short = self.level < next.least_level();
         let doubled = next.doubled().filter(|_| is_short || self.path.reaches_twice_as_far(share));
         let x = if doubled.is_some() { 3 } else { 2 };
-        let at_centre = self.path.leave(x, x as f64 * share);
+        let at_centre = self.path.leave(x, f64::from(x) * share);
         self.span = doubled.unwrap_or(next);
         if self.place == 0 {
             self.path.mark();

@@ -4,11 +4,10 @@
 //! emulated `f64` arithmetic costs 150 instructions. The coefficients of a converging series do not grow, so that all
 //! of them share the exponent of the first ones.
 
-use core::ops::RangeInclusive;
+use core::ops::Range;
 
 use crate::phase::integer_parts;
 use crate::product::signed_product;
-use crate::scalar::power_of_two;
 
 /// Largest number of terms of a series; fewer are computed where the terms fall below the resolution of the scalar.
 /// The segments of a table are short compared with the radius of convergence: where degree 5 leaves an error of 3e-8,
@@ -65,6 +64,8 @@ fn inner<'a>(pairs: impl Iterator<Item = (&'a Split, &'a Split)>, shift: i32) ->
 
 /// Least shift of a quotient in range; a smaller one is of a series that does not converge.
 const LEAST_SHIFT: i32 = 33;
+/// Least shift with which the sum of the products of a higher and a lower part gives no quotient beyond the range.
+const LEAST_COMMON_SHIFT: i32 = 40;
 /// Quotient that is not in range.
 const BEYOND: i64 = 2 * LIMIT;
 
@@ -88,13 +89,17 @@ fn rounded_parts(upper: i64, across: i64, shift: i32) -> i64 {
             (sum, more) => i64::from((sum >> 32) as i32 >> (more - 32).min(31)),
         },
         LEAST_SHIFT.. => {
-            // whether upper is below 2^(shift + 1)
+            // whether upper is below 2^(shift - 1)
             let word = (upper >> 32) as i32;
-            if word >> (shift - 31) != word >> 31 {
+            if word >> (shift - 33) != word >> 31 {
                 return if word < 0 { -BEYOND } else { BEYOND };
             }
             // the lower word ends above the bits that are dropped
-            times_power(upper, 61 - shift) + over_power(across, shift - 31)
+            let twice = times_power(upper, 61 - shift) + over_power(across, shift - 31);
+            if shift >= LEAST_COMMON_SHIFT {
+                return (twice >> 1) + (twice & 1);
+            }
+            twice
         }
         _ => return if (upper << LOW_BITS) + across == 0 { 0 } else { BEYOND },
     };
@@ -104,7 +109,7 @@ fn rounded_parts(upper: i64, across: i64, shift: i32) -> i64 {
 /// Number · 2^exponent for an exponent from 1 to 31, with two words of 32 bits: a chip takes half of the instructions for a shift by
 /// up to 63 bits.
 #[inline(always)]
-fn times_power(number: i64, exponent: i32) -> i64 {
+pub(crate) fn times_power(number: i64, exponent: i32) -> i64 {
     let (high, low) = ((number >> 32) as u32, number as u32);
     let high = (high << exponent) | (low >> (32 - exponent));
     (i64::from(high as i32) << 32) | i64::from(low << exponent)
@@ -148,9 +153,9 @@ pub(crate) fn in_range(value: i64) -> Option<i64> {
 /// quotients beyond the range could cancel.
 #[inline(always)]
 pub(crate) fn sum_in_range<const N: usize>(quotients: [i64; N]) -> Option<i64> {
-    // the limit is a power of two
-    let bits = quotients.iter().fold(0, |bits, quotient| bits | quotient.abs());
-    (bits < BEYOND).then(|| quotients.iter().sum())
+    // the limit is a power of two, and only the upper word counts
+    let is_in_range = |quotient: &i64| matches!((quotient >> 32) as i32 >> (BITS + 3 - 32), -1 | 0);
+    quotients.iter().all(is_in_range).then(|| quotients.iter().sum())
 }
 
 /// Constant factor between two series.
@@ -265,23 +270,28 @@ impl Block {
         is_in_range(value)
     }
 
-    /// Value of 1 in units of the coefficients' unit.
-    pub(crate) fn unit(&self) -> f64 {
-        power_of_two(self.exponent)
+    /// Unit of the coefficients; 0 or infinity beyond the range of `f32`.
+    pub(crate) fn short_unit(&self) -> f32 {
+        match self.exponent {
+            ..-126 => 0.0,
+            128.. => f32::INFINITY,
+            exponent => f32::from_bits(((exponent + 127) as u32) << 23),
+        }
     }
 
     /// Coefficient of x^k of a product of two series, from these terms of the first one, divided by 2^shift.
     #[inline(never)] // a call: set-up multiplies series in a dozen places
-    pub(crate) fn product(&self, other: &Self, terms: RangeInclusive<usize>, k: usize, shift: i32) -> i64 {
-        let (first, last) = terms.into_inner();
-        let ours = self.coefficients.get(first..=last).unwrap_or_default();
-        let theirs =
-            other.coefficients.get(k.saturating_sub(last)..=k.saturating_sub(first)).unwrap_or_default();
+    pub(crate) fn product(&self, other: &Self, terms: Range<usize>, k: usize, shift: i32) -> i64 {
+        let first = terms.start;
+        let ours = self.coefficients.get(terms).unwrap_or_default();
+        // the iteration ends with the terms of the first series
+        let theirs = other.coefficients.get(..=k.saturating_sub(first)).unwrap_or_default();
         inner(ours.iter().zip(theirs.iter().rev()), shift)
     }
 
     /// Sum Σ c yʲ⁻¹ over the coefficients j from 1 to `terms` - 1, for y = `quarters`/4; `None` where it leaves the range.
-    pub(crate) fn at_quarters(&self, quarters: i64, terms: usize) -> Option<i64> {
+    pub(crate) fn at_quarters(&self, quarters: i32, terms: usize) -> Option<i64> {
+        let quarters = i64::from(quarters);
         let coefficients = self.coefficients.get(1..terms)?;
         coefficients.iter().rev().try_fold(0_i64, |sum, c| in_range(((sum * quarters + 2) >> 2) + c.value()))
     }

@@ -11,7 +11,7 @@ impl SlowFactors {
         let Rate { variation, integral: divisor, .. } = rate;
         let [constant, smoothing] = &self.shares;
         let of_divisor = sum_in_range([constant.times(delta), smoothing.times(drive)])?;
-        let known = divisor.product(variation, 1..=k - 1, k, -divisor.exponent);
+        let known = divisor.product(variation, 1..k, k, -divisor.exponent);
         let of_rate =
             sum_in_range([self.from_square.times(square), -self.from_divisor.times(of_divisor), -known])?;
         let in_range = divisor.put(k, of_divisor) & variation.put(k, of_rate);
@@ -53,10 +53,10 @@ impl Expansion {
         let Self { chi, theta, scratch: [_, cosine, square_series, delta_series, drive_series], .. } = self;
         let (constants, xi_series) = (&self.recurrence, &mut chi.variation);
         let [eta, linear, quadratic] = &constants.from_square;
-        let square = cosine.product(cosine, 0..=k, k, BITS);
-        let twice = sum_in_range([square_series.product(square_series, 1..=k - 1, k, BITS)])?;
+        let square = cosine.product(cosine, 0..k + 1, k, BITS);
+        let twice = sum_in_range([square_series.product(square_series, 1..k, k, BITS)])?;
         let delta = sum_in_range([linear.times(square), quadratic.times(twice)])?;
-        let across = |series: &Block| series.product(xi_series, 1..=k - 1, k, -series.exponent);
+        let across = |series: &Block| series.product(xi_series, 1..k, k, -series.exponent);
         // coefficient of (1 + ξ)(1 + δ) without the unknown ξ
         let known = sum_in_range([constants.to_drive.times(delta), across(delta_series)])?;
         let xi = sum_in_range([eta.times(square), -known, -across(drive_series)])? >> 1;
@@ -77,7 +77,7 @@ impl Expansion {
     fn turn(&mut self, k: usize) -> Option<bool> {
         let Self { chi, scratch: [sine_series, cosine_series, ..], recurrence, .. } = self;
         let xi = &chi.variation;
-        let rate = |part: &Block| sum_in_range([part.get(k), xi.product(part, 1..=k, k, -xi.exponent)]);
+        let rate = |part: &Block| sum_in_range([part.get(k), xi.product(part, 1..k + 1, k, -xi.exponent)]);
         let sine = integrated(in_range(recurrence.to_sine.times(rate(cosine_series)?))?, k);
         let cosine = integrated(in_range(recurrence.to_cosine.times(rate(sine_series)?))?, k);
         let in_range = sine_series.put(k + 1, sine) & cosine_series.put(k + 1, cosine);
@@ -91,7 +91,7 @@ impl Expansion {
         self.terms = terms;
         let [.., delta, _] = &self.scratch;
         self.variation_size =
-            self.recurrence.psi as f32 * (delta.size_at_quarters(3, terms) * delta.unit() as f32);
+            self.recurrence.psi as f32 * (delta.size_at_quarters(3, terms) * delta.short_unit());
         let [alpha, beta] = &mut self.theta;
         [alpha.slope, beta.slope] = self.recurrence.theta;
         for rate in [&mut self.chi, alpha, beta] {

@@ -35,41 +35,46 @@ impl Rate {
         Self { slope: 0.0, scale: 0.0, variation: Block::ZERO, integral: Block::ZERO };
 
     /// Integral from 0 to y = `quarters`/4.
-    pub(super) fn integral(&self, quarters: i64, terms: usize) -> f64 {
+    pub(super) fn integral(&self, quarters: i32, terms: usize) -> f64 {
         let varied = self.integral.at_quarters(quarters, terms).unwrap_or_default();
-        let y = 0.25 * quarters as f64;
-        y * (self.slope + y * (times_power_of_two(varied as f64, self.integral.exponent) * self.scale))
+        let times_y = |x: f64| match quarters {
+            1 => times_power_of_two(x, -2),
+            2 => times_power_of_two(x, -1),
+            _ => 0.25 * f64::from(quarters) * x,
+        };
+        let varied = times_power_of_two(varied as f64, self.integral.exponent) * self.scale;
+        times_y(self.slope + times_y(varied))
     }
 
     /// Value at y = `quarters`/4, of a rate whose variation is relative to its slope, over the slope.
-    pub(super) fn relative(&self, quarters: i64, terms: usize) -> f32 {
+    pub(super) fn relative(&self, quarters: i32, terms: usize) -> f32 {
         let varied = self.variation.at_quarters(quarters, terms).unwrap_or_default();
-        1.0 + 0.25 * quarters as f32 * (varied as f32 * self.variation.unit() as f32)
+        1.0 + 0.25 * quarters as f32 * (varied as f32 * self.variation.short_unit())
     }
 
     /// Sum of the magnitudes of the terms of the integral from 0 to y = `quarters`/4 > 0.
-    pub(super) fn size(&self, quarters: i64, terms: usize) -> f32 {
+    pub(super) fn size(&self, quarters: i32, terms: usize) -> f32 {
         let y = 0.25 * quarters as f32;
         y * (Float::abs(self.slope) as f32
             + self.varied_size(quarters, terms) * Float::abs(self.scale) as f32)
     }
 
     /// [`Rate::size`] of a rate whose variation is relative to its slope, over the slope.
-    pub(super) fn relative_size(&self, quarters: i64, terms: usize) -> f32 {
+    pub(super) fn relative_size(&self, quarters: i32, terms: usize) -> f32 {
         0.25 * quarters as f32 * (1.0 + self.varied_size(quarters, terms))
     }
 
-    fn varied_size(&self, quarters: i64, terms: usize) -> f32 {
-        let varied = self.integral.size_at_quarters(quarters as i32, terms);
+    fn varied_size(&self, quarters: i32, terms: usize) -> f32 {
+        let varied = self.integral.size_at_quarters(quarters, terms);
         // a rounding error of the coefficients counts as the term of which it would be the rounding in f64
         let noise = (NOISE as f64 / f64::ROUNDING) as f32;
-        0.25 * quarters as f32 * ((varied + noise) * self.integral.unit() as f32)
+        0.25 * quarters as f32 * ((varied + noise) * self.integral.short_unit())
     }
 
     /// Upper bound on the rate for y in [-1/4, 1/4].
     pub(super) fn greatest(&self, terms: usize) -> f32 {
         let varied = self.variation.size_at_quarters(1, terms);
-        let varied = 0.25 * (varied * self.variation.unit() as f32);
+        let varied = 0.25 * (varied * self.variation.short_unit());
         Float::abs(self.slope) as f32 + varied * Float::abs(self.scale) as f32
     }
 
@@ -89,12 +94,12 @@ impl Rate {
 
     /// Magnitude of the k-th coefficient times a weight; 0 where it is a rounding error. The weight may be large where the slope is
     /// small.
-    pub(super) fn term(&self, k: usize, weight: f64) -> f32 {
+    pub(super) fn term(&self, k: usize, weight: f32) -> f32 {
         let size = self.variation.get(k).abs();
         match k {
-            0 => Float::abs(weight * self.slope) as f32,
+            0 => Float::abs(weight * self.slope as f32),
             _ if size <= NOISE => 0.0,
-            _ => size as f32 * self.variation.unit() as f32 * Float::abs(weight * self.scale) as f32,
+            _ => size as f32 * self.variation.short_unit() * Float::abs(weight * self.scale as f32),
         }
     }
 }

@@ -14,7 +14,7 @@ use crate::law::turning::{FRACTION, sine_cosine};
 use crate::phase::Phase;
 use crate::scalar::{Float, Scalar, power_of_two, times_power_of_two};
 
-pub(crate) use crate::law::block::{Split, TERMS, over_power, scaled_product};
+pub(crate) use crate::law::block::{Split, TERMS, over_power, scaled_product, times_power};
 
 /// Unit of the coefficients of α and β, 2^-62.
 pub(crate) const UNIT: f64 = power_of_two(-UNIT_BITS);
@@ -126,7 +126,7 @@ impl Expansion {
     };
 
     /// Phases at a whole x.
-    pub(crate) fn point(&self, x: i64) -> PhasePoint {
+    pub(crate) fn point(&self, x: i32) -> PhasePoint {
         let moved = |origin: Phase, rate: &Rate| origin + Phase::from_radians(rate.integral(x, self.terms));
         let ([alpha, beta], [alpha_rate, beta_rate]) = (self.origin.theta, &self.theta);
         PhasePoint {
@@ -143,7 +143,7 @@ impl Expansion {
 
     /// Magnitudes of the terms that add up to the changes of χ and of θ at a whole x > 0, to which rounding errors are relative: of χ
     /// as a change of x, and of θ in rad.
-    pub(crate) fn sizes(&self, x: i64) -> [f32; 2] {
+    pub(crate) fn sizes(&self, x: i32) -> [f32; 2] {
         let [alpha, beta] = &self.theta;
         let size = |rate: &Rate| rate.size(x, self.terms);
         // the slope may be below the range of f32, but not the quotient; it is by y = x/4
@@ -221,7 +221,7 @@ impl Expansion {
     /// Estimate of the truncation error of the phases at a whole x > 0, rad. It is made from the larger of the last
     /// two terms of their rates, and assumes that each further term is at most a quarter of the one before. Where
     /// sixteen terms leave a small error, the terms decrease by a factor of ten.
-    pub(crate) fn truncation_error(&self, x: i64) -> f64 {
+    pub(crate) fn truncation_error(&self, x: i32) -> f64 {
         if self.terms == 0 {
             return f64::INFINITY;
         }
@@ -235,7 +235,10 @@ impl Expansion {
     /// Largest k-th coefficient of the rates of the phases, with the weight of χ.
     pub(super) fn term(&self, k: usize) -> f32 {
         let [alpha, beta] = &self.theta;
-        larger_or_nan(self.chi.term(k, self.weight), larger_or_nan(alpha.term(k, 1.0), beta.term(k, 1.0)))
+        larger_or_nan(
+            self.chi.term(k, self.weight as f32),
+            larger_or_nan(alpha.term(k, 1.0), beta.term(k, 1.0)),
+        )
     }
 }
 
@@ -255,7 +258,7 @@ fn exponential(
     let mut before = i64::MAX;
     for k in 0..TERMS - 1 {
         let next = |part: &Block| {
-            in_range(rate.product(part, 0..=k.min(terms.saturating_sub(1)), k, -rate.exponent))
+            in_range(rate.product(part, 0..terms.min(k + 1), k, -rate.exponent))
                 .map(|next| integrated(next, k))
         };
         let (next_re, next_im) = (-next(im)?, next(re)?);

@@ -58,7 +58,7 @@ impl Extended {
 
     /// [`Extended::normalised`] for a significand that is 0, or has one bit too many or too few at most: a fraction of the cost.
     #[inline(always)]
-    fn nearly_normalised(significand: i128, exponent: i32) -> Self {
+    pub(super) fn nearly_normalised(significand: i128, exponent: i32) -> Self {
         // a negative significand of -2^n has as many bits as one of 2^n - 1
         let bits = significand ^ (significand >> 127);
         match bits >> (BITS - 1) {

@@ -9,7 +9,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use crate::phase::integer_parts;
 use crate::product::product_of_long;
 use crate::scalar::extended::newton::{short_inverse_root, short_reciprocal};
-use crate::scalar::{Extended, Float, Ring};
+use crate::scalar::{Extended, Float, Ring, times_power_of_two};
 
 /// Number ±significand · 2^exponent. Relative error of one operation: below 1.1 · 2^-64.
 ///
@@ -185,8 +185,10 @@ impl Float for Extended64 {
         Self::normalised([mantissa.unsigned_abs(), 0], exponent, mantissa < 0)
     }
 
+    #[inline(never)]
     fn to_f64(self) -> f64 {
-        Extended::from(self).to_f64()
+        let size = times_power_of_two(self.significand as f64, self.exponent);
+        if self.negative { -size } else { size }
     }
 
     #[inline(never)]
@@ -221,16 +223,26 @@ impl From<Extended> for Extended64 {
     #[inline(never)]
     fn from(number: Extended) -> Self {
         let (magnitude, exponent) = (number.significand.unsigned_abs() << 2, number.exponent + 62);
-        let words = [(magnitude >> 64) as u64, magnitude as u64];
-        Self::normalised(words, exponent, number.significand < 0)
+        let [high, low] = [(magnitude >> 64) as u64, magnitude as u64];
+        let negative = number.significand < 0;
+        // all but 0 and a negative power of two
+        if high >> 62 == 1 {
+            Self::rounded([(high << 1) | (low >> 63), low << 1], exponent - 1, negative)
+        } else {
+            Self::normalised([high, low], exponent, negative)
+        }
     }
 }
 
 impl From<Extended64> for Extended {
     #[inline(never)]
     fn from(Extended64 { significand, exponent, negative }: Extended64) -> Self {
-        let significand = i128::from(significand);
-        Self::normalised(if negative { -significand } else { significand }, exponent)
+        if significand == 0 {
+            return Self::ZERO;
+        }
+        // 61 bits more
+        let significand = (i128::from(significand >> 3) << 64) | i128::from(significand << 61);
+        Self::nearly_normalised(if negative { -significand } else { significand }, exponent - 61)
     }
 }
 

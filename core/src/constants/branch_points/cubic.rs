@@ -11,10 +11,12 @@ pub(crate) struct Cubic<F> {
 }
 
 impl<F: Float> Cubic<F> {
+    #[inline(never)] // a call, because three functions evaluate the cubic in extended precision
     fn value(&self, y: F) -> F {
         ((y + self.g2) * y + self.g1) * y + self.g0
     }
 
+    #[inline(never)]
     fn slope(&self, y: F) -> F {
         ((y + y + y) + self.g2.doubled()) * y + self.g1
     }
@@ -44,6 +46,33 @@ impl<F: Float> Cubic<F> {
         let of_quadratic = of_quadratic * F::from_f64(1.0 + 1e-15);
         if of_quadratic < above { larger(of_quadratic, F::ZERO) } else { above }
     }
+
+    /// Upper bound on the largest root that is closer than `above`, by Newton's method in `f32`; `above` itself where rounding or the
+    /// range of `f32` prevents it.
+    fn closer(&self, above: F) -> F {
+        const STEPS: usize = 10;
+        /// Relative distance from the root that the roundings may leave.
+        const MARGIN: f32 = 1e-6;
+        let [g0, g1, g2] = [self.g0, self.g1, self.g2].map(|g| g.to_f64() as f32);
+        let rounded = Cubic { g0, g1, g2 };
+        let mut y = above.to_f64() as f32;
+        for _ in 0..STEPS {
+            let next = y - rounded.value(y) / rounded.slope(y);
+            // NaN ends the steps, too
+            if next < y * (1.0 - MARGIN) {
+                y = next;
+            } else {
+                break;
+            }
+        }
+        let closer = F::from_f64((y * (1.0 + MARGIN)).into());
+        // above the point of inflection the cubic is convex: where it is positive and increases, no root is larger
+        let is_above = closer < above
+            && closer.doubled() + closer + self.g2 > F::ZERO
+            && self.slope(closer) > F::ZERO
+            && self.value(closer) > F::ZERO;
+        if is_above { closer } else { above }
+    }
 }
 
 /// Search for the largest root by Newton's method from above, where the iterates decrease monotonically.
@@ -63,7 +92,7 @@ impl<F: Float> LargestRoot<F> {
     const STEPS: u32 = 8;
 
     pub(crate) fn new(cubic: Cubic<F>) -> Self {
-        Self { cubic, y: cubic.above(), steps: 0 }
+        Self { cubic, y: cubic.closer(cubic.above()), steps: 0 }
     }
 
     pub(crate) fn cubic(&self) -> &Cubic<F> {

@@ -2,6 +2,8 @@
 //!
 //! A coefficient of x^k is stored as c·2^(31+k): see [`super::integer`].
 
+use crate::law::series::{over_power, times_power};
+
 /// Largest error of a polynomial from short products that set-up does not count as an error of the table, in units of 2^-62:
 /// 2^-31.
 const SHORT_ERROR: f32 = (1_u32 << 31) as f32;
@@ -18,10 +20,13 @@ pub(crate) const TABLE_BITS: u32 = 62;
 /// complement, without a carry.
 pub(crate) fn nearest(value: i64, power: usize) -> (i32, i64) {
     let dropped = TABLE_BITS - 31 - power as u32;
-    let rounded =
-        if power == 0 { (value >> (dropped - 1)).saturating_add(1) >> 1 } else { (value >> dropped) + 1 };
+    let rounded = if power == 0 {
+        over_power(value, dropped as i32 - 1).saturating_add(1) >> 1
+    } else {
+        over_power(value, dropped as i32) + 1
+    };
     let held = rounded.clamp(i32::MIN.into(), i32::MAX.into());
-    (held as i32, (held << dropped).saturating_sub(value))
+    (held as i32, times_power(held, dropped as i32).saturating_sub(value))
 }
 
 /// Value of a coefficient that [`nearest`] returned, with one rounding: the division by a power of two is exact.
@@ -66,9 +71,12 @@ pub(crate) fn error(polynomial: &[i64]) -> f32 {
 /// Infinite where a sum of the polynomial could overflow, with a margin for the rounding of the coefficients, because
 /// the error after an overflow is unbounded; otherwise 0.
 pub(crate) fn overflow(polynomial: &[i64], limit: i64) -> f32 {
-    let mut sum = 0_i64;
+    // in units of 2^-31, rounded up
+    let limit = (limit >> 31) as u32;
+    let mut sum = 0_u32;
     for (power, value) in polynomial.iter().enumerate().skip(1).rev() {
-        sum = sum.saturating_add(value.saturating_abs());
+        let size = (value.unsigned_abs() >> 31).min(u32::MAX.into()) as u32;
+        sum = sum.saturating_add(size).saturating_add(1);
         if sum > limit >> power {
             return f32::INFINITY;
         }

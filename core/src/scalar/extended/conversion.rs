@@ -61,8 +61,10 @@ impl Extended {
 impl From<f64> for Extended {
     #[inline(never)]
     fn from(x: f64) -> Self {
+        /// Difference of the numbers of bits.
+        const MORE: i32 = BITS - 53;
         let (mantissa, exponent) = integer_parts(x);
-        Self::normalised(mantissa.into(), exponent)
+        Self::nearly_normalised(i128::from(mantissa) << MORE, exponent - MORE)
     }
 }
 
