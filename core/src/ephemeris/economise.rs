@@ -48,6 +48,9 @@ pub(crate) fn economise(polynomial: &mut Polynomial, terms: usize) -> [f32; 2] {
             else {
                 continue;
             };
+            if *leading == 0 {
+                continue;
+            }
             let (size, parts) = (leading.abs(), Split::of(*leading));
             *leading = 0;
             // from x^{n-2} on
