@@ -114,6 +114,9 @@ pub trait RateNumber: Float + From<Extended> + Into<Extended> {
     /// [`SETTLED`](Self::SETTLED) for nearly all motions; the others need a doubling, which costs more than a few more nodes for all
     /// motions.
     const QUADRATURE_BITS: f64;
+    /// Modulus of a Landen transformation that changes the period by no more than an operation's error, or than the error of the
+    /// quadrature.
+    const LEAST_MODULUS: f64;
 }
 
 impl RateNumber for Extended {
@@ -121,12 +124,14 @@ impl RateNumber for Extended {
     // 2^62 ticks with a thousand ticks a period multiply it by 3e16, which is then below the effect of the increments' rounding
     const SETTLED: f64 = 1e-28;
     const QUADRATURE_BITS: f64 = 105.0;
+    const LEAST_MODULUS: f64 = 1e-33;
 }
 
 impl RateNumber for Extended64 {
     const OPERATION_ERROR: f64 = 1.1 / (1_u128 << 64) as f64;
     const SETTLED: f64 = 1e-17;
     const QUADRATURE_BITS: f64 = 66.0;
+    const LEAST_MODULUS: f64 = 2e-20;
 }
 
 /// Number type of set-up: a ring with division and square root. Fixed point does not implement it.

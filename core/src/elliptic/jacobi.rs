@@ -104,6 +104,8 @@ pub(crate) struct Landen<F> {
     steps: [LandenStep<F>; LANDEN_STEPS],
     /// Product of (1 + k)² over all steps.
     scale: F,
+    /// Number of steps, from the first, with 1 - k <= 1/8.
+    near_one: usize,
 }
 
 /// Transformation to a modulus k.
@@ -125,16 +127,19 @@ pub(crate) struct LandenSteps<F> {
     landen: Landen<F>,
     complement: F,
     modulus_squared: F,
+    /// Greatest modulus that changes nothing.
+    least: F,
     /// Number of transformations so far.
     next: usize,
 }
 
 impl<F: Float> LandenSteps<F> {
-    /// Empty sequence for m and m₁ = 1 - m, each given with full relative precision.
-    pub(crate) fn new(m: F, m1: F) -> Self {
+    /// No transformation yet, for m and m₁ = 1 - m, each given with full relative precision. A modulus of at most `least` is below the
+    /// resolution: it changes nothing, nor do those after it.
+    pub(crate) fn new(m: F, m1: F, least: f64) -> Self {
         let none = LandenStep { modulus: F::ZERO, rest: F::ONE, scaled_modulus: F::ZERO };
-        let landen = Landen { steps: [none; LANDEN_STEPS], scale: F::ONE };
-        Self { landen, complement: m1.sqrt(), modulus_squared: m, next: 0 }
+        let landen = Landen { steps: [none; LANDEN_STEPS], scale: F::ONE, near_one: 0 };
+        Self { landen, complement: m1.sqrt(), modulus_squared: m, least: F::from_f64(least), next: 0 }
     }
 
     /// Adds a transformation. Returns whether there may be another; if not, the sequence is complete.
@@ -152,11 +157,12 @@ impl<F: Float> LandenSteps<F> {
         // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
         let per_sum = F::ONE / (F::ONE + self.complement);
         let modulus = self.modulus_squared * per_sum.squared();
-        // a modulus below the resolution of every number type changes nothing, nor do those after it
-        if modulus <= F::from_f64(1e-33) {
+        if modulus <= self.least {
             return false;
         }
-        *step = LandenStep { modulus, rest: self.complement.doubled() * per_sum, scaled_modulus: modulus };
+        let rest = self.complement.doubled() * per_sum;
+        *step = LandenStep { modulus, rest, scaled_modulus: modulus };
+        self.landen.near_one += usize::from(rest.doubled().doubled().doubled() <= F::ONE);
         self.complement = self.complement.sqrt().doubled() * per_sum;
         self.modulus_squared = modulus.squared();
         self.next += 1;
@@ -172,7 +178,9 @@ impl<F: Float> LandenSteps<F> {
 impl<F: Float> Landen<F> {
     /// Sequence for m and m₁ = 1 - m, each given with full relative precision.
     pub(crate) fn of(m: F, m1: F) -> Self {
-        let mut steps = LandenSteps::new(m, m1);
+        /// Below the resolution of every number type.
+        const LEAST: f64 = 1e-33;
+        let mut steps = LandenSteps::new(m, m1, LEAST);
         while steps.proceed() {}
         steps.landen
     }
@@ -215,14 +223,15 @@ impl<F: Float> Landen<F> {
         // X without its constant factors (1 + k)²
         let (mut x, mut y, mut w) = (sine.squared(), cosine.squared(), F::ONE);
         let (mut sum, mut difference) = (F::ONE, F::ONE);
-        for &LandenStep { modulus, rest, scaled_modulus } in self.steps.iter().rev() {
+        for (number, step) in self.steps.iter().enumerate().rev() {
+            let LandenStep { modulus, rest, scaled_modulus } = *step;
             if modulus == F::ZERO {
                 continue;
             }
             let share = scaled_modulus * x;
             sum = w + share;
-            // W - k X = (1 - k) W + k Y, in the form with the smaller rounding error
-            difference = if rest > F::from_f64(0.125) { w - share } else { rest * w + modulus * y };
+            // W - k X = (1 - k) W + k Y, in the form with the smaller rounding error, which is the second where k is near 1
+            difference = if number < self.near_one { rest * w + modulus * y } else { w - share };
             y = y * (difference + rest * share);
             x = x * w;
             w = sum.squared();

@@ -1,12 +1,12 @@
 //! Error bound of an ephemeris; `core/docs/error_bound.md` derives every term.
 
 use crate::ephemeris::cell::PAIRS;
-use crate::ephemeris::evaluation::EphemerisScalar;
+use crate::ephemeris::evaluation::EvaluationErrors;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::speeds::Speeds;
 use crate::ephemeris::tabulated::Tabulated;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, RateNumber, Scalar};
+use crate::scalar::{Extended, Float, Scalar};
 
 /// Upper bound on the orientation error 2 √(|Δα|² + |Δβ|²), rad, relative to the exact motion of the numbers that it
 /// was launched from. At tick n it is `constant + |n| per_tick`, [`ErrorBound::after`].
@@ -62,18 +62,18 @@ impl ErrorBound {
     }
 
     /// Error bound of a table whose phases have these errors per tick, in turns.
-    pub(crate) fn of<R: EphemerisScalar>(
+    pub(crate) fn of(
+        errors: &EvaluationErrors,
         rates: &MeanRates,
         tabulated: &Tabulated,
         per_tick: [f64; 3],
     ) -> Self {
         let Tabulated { truncation, speeds, .. } = *tabulated;
-        let tick = R::TICK_ERROR + R::SLOPE_ROUNDING * speeds.steepness;
-        let place = R::PLACE_ROUNDING * speeds.sweep / PAIRS as f64;
+        let tick = errors.tick + errors.slope * speeds.steepness;
+        let place = errors.place * speeds.sweep / PAIRS as f64;
         let end = if rates.is_periodic { 0.0 } else { rates.rounding };
-        let slopes =
-            SLOPE_OPERATIONS * R::Rates::OPERATION_ERROR * (rates.greatest_turning() + speeds.turning);
-        let rounded = rounded::<R>(tabulated);
+        let slopes = SLOPE_OPERATIONS * errors.operation * (rates.greatest_turning() + speeds.turning);
+        let rounded = rounded(errors.tick_deviation, tabulated);
         let rounded = if rounded > tabulated.defect { rounded } else { rounded + tabulated.defect };
         Self {
             constant: truncation
@@ -113,9 +113,9 @@ const CLOCK: f64 = 2.0 * TRUNCATION;
 
 /// Orientation error, rad, of all arithmetic in `f64`: the part common to all steps, plus six standard deviations of
 /// the independent part.
-fn rounded<R: EphemerisScalar>(tabulated: &Tabulated) -> f64 {
+fn rounded(tick_deviation: f64, tabulated: &Tabulated) -> f64 {
     const ROUNDING: f64 = <f64 as Scalar>::ROUNDING;
-    let tick = R::TICK_DEVIATION / ROUNDING;
+    let tick = tick_deviation / ROUNDING;
     let Speeds { sweep, turning, steepness, .. } = tabulated.speeds;
     let [delays, angles] = tabulated.squares;
     let steps = STEP * STEP * (delays * (sweep * sweep + turning * turning) + 4.0 * angles);
@@ -128,11 +128,11 @@ fn rounded<R: EphemerisScalar>(tabulated: &Tabulated) -> f64 {
 
 /// Two upper bounds on the delay of a tick near tick 0, in half periods: the delay caused by truncated phases and series,
 /// and the delay caused by the roundings of the steps of set-up, which are random.
-pub(crate) fn delays<R: EphemerisScalar>(tabulated: &Tabulated) -> [f64; 2] {
+pub(crate) fn delays(place: f64, tabulated: &Tabulated) -> [f64; 2] {
     let Tabulated { squares: [delays, _], start_share, defect, stepping, speeds, .. } = *tabulated;
     let variance = STEP * STEP * delays + START * START * start_share * start_share;
     let stepping_delay = if speeds.sweep > 0.0 { (defect + stepping) / speeds.sweep } else { 0.0 };
-    let truncated = R::PLACE_ROUNDING / PAIRS as f64 + 2.0 * CLOCK + stepping_delay;
+    let truncated = place / PAIRS as f64 + 2.0 * CLOCK + stepping_delay;
     [truncated, DEVIATIONS * Float::sqrt(variance) * <f64 as Scalar>::ROUNDING]
 }
 
@@ -145,6 +145,7 @@ pub(crate) fn increment_error(increment: Phase, exact: Extended) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ephemeris::evaluation::EphemerisScalar;
     use crate::ephemeris::speeds::Speeds;
     use crate::scalar::Ring;
 
@@ -164,7 +165,8 @@ mod tests {
         };
         let per_tick = |errors, increment_errors| {
             let rates = rates(errors);
-            ErrorBound::of::<f64>(&rates, &tabulated, phase_errors(&rates, 0.5, increment_errors)).per_tick
+            ErrorBound::of(&f64::ERRORS, &rates, &tabulated, phase_errors(&rates, 0.5, increment_errors))
+                .per_tick
         };
         for (errors, allowed) in [
             ([1e-20, 0.0, 0.0], 5e-20),

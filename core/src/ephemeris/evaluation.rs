@@ -42,6 +42,29 @@ pub struct SegmentPoint {
     pub slow: [u64; 2],
 }
 
+/// Errors that the evaluation of a tick may have. They are values, so that the error bounds are compiled once for all scalars.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(hidden)]
+pub struct EvaluationErrors {
+    /// Upper bound on the rounding error of a tick, as an orientation error in rad, without the errors that the next
+    /// fields describe.
+    pub tick: f64,
+    /// Standard deviation of the random rounding error of a tick in floating point, as an orientation error in rad.
+    pub tick_deviation: f64,
+    /// Upper bound on a further rounding error of a tick, over the greatest change of the orientation on half a
+    /// segment.
+    pub slope: f64,
+    /// Upper bound on the truncation of the local coordinate in a tick, as a fraction of a cell.
+    pub place: f64,
+    /// Upper bound on the rounding error of the angular velocity, over the greatest of the rates that multiply the
+    /// polynomials and their derivatives.
+    pub rate: f64,
+    /// Upper bound on a further rounding error of the angular velocity, relative to its greatest value.
+    pub relative_rate: f64,
+    /// Upper bound on the relative error of an operation in the numbers of the mean rates.
+    pub operation: f64,
+}
+
 /// Scalar of an ephemeris: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
 ///
 /// `f64` is evaluated in floating point. `f32` and fixed point are evaluated in 32-bit integers. The error is then a
@@ -66,27 +89,9 @@ pub trait EphemerisScalar: Scalar {
     /// Code of the scalar in table data: see `docs/table_format.md`.
     #[doc(hidden)]
     const CODE: u32;
-    /// Upper bound on the rounding error of a tick, as an orientation error in rad, without the errors that the next
-    /// constants describe.
+    /// Errors of the evaluation.
     #[doc(hidden)]
-    const TICK_ERROR: f64;
-    /// Standard deviation of the random rounding error of a tick in floating point, as an orientation error in rad.
-    #[doc(hidden)]
-    const TICK_DEVIATION: f64;
-    /// Upper bound on a further rounding error of a tick, over the greatest change of the orientation on half a
-    /// segment.
-    #[doc(hidden)]
-    const SLOPE_ROUNDING: f64;
-    /// Upper bound on the truncation of the local coordinate in a tick, as a fraction of a cell.
-    #[doc(hidden)]
-    const PLACE_ROUNDING: f64;
-    /// Upper bound on the rounding error of the angular velocity, over the greatest of the rates that multiply the
-    /// polynomials and their derivatives.
-    #[doc(hidden)]
-    const RATE_ERROR: f64;
-    /// Upper bound on a further rounding error of the angular velocity, relative to its greatest value.
-    #[doc(hidden)]
-    const RATE_ROUNDING: f64;
+    const ERRORS: EvaluationErrors;
 
     /// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units.
     #[doc(hidden)]

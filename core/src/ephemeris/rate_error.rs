@@ -1,7 +1,7 @@
 //! Error bound of the angular velocity; `core/docs/error_bound.md` derives it.
 
 use crate::ephemeris::error_bound::{COEFFICIENTS, ErrorBound, TURN, delays};
-use crate::ephemeris::evaluation::EphemerisScalar;
+use crate::ephemeris::evaluation::EvaluationErrors;
 use crate::ephemeris::tabulated::Tabulated;
 use crate::scalar::Float;
 
@@ -58,7 +58,8 @@ impl PhaseErrors {
 
 /// Upper bound on the error of the angular velocity in either frame, rad per unit time, from the error of the
 /// orientation at tick 0, rad, and from the errors of the phases per tick, in turns.
-pub(crate) fn rate_error<R: EphemerisScalar>(
+pub(crate) fn rate_error(
+    errors: &EvaluationErrors,
     orientation: f64,
     per_tick: [f64; 3],
     motion: &MotionRates,
@@ -69,13 +70,13 @@ pub(crate) fn rate_error<R: EphemerisScalar>(
     // errors are relative to the terms, which may cancel
     let terms = motion.terms(speeds.sweep);
     let whole = terms + Float::abs(motion.axial);
-    let [truncated, random] = delays::<R>(tabulated).map(|delay| delay * speeds.acceleration);
+    let [truncated, random] = delays(errors.place, tabulated).map(|delay| delay * speeds.acceleration);
     let coefficients = COEFFICIENTS * speeds.sweep;
     let rounded = Float::sqrt(coefficients * coefficients + random * random);
     let own = (speeds.sweep_error + truncated + rounded) * per_time
-        + R::RATE_ERROR * (speeds.x_rate * per_time + mean)
-        + R::SLOPE_ROUNDING * speeds.velocity_change * per_time
-        + R::RATE_ROUNDING * whole
+        + errors.rate * (speeds.x_rate * per_time + mean)
+        + errors.slope * speeds.velocity_change * per_time
+        + errors.relative_rate * whole
         + COEFFICIENTS * motion.rotor;
     ErrorBound {
         // errors of a and b in N, and of the rotation of N and Ω

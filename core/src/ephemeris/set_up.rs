@@ -5,7 +5,7 @@ use core::task::Poll;
 use crate::ephemeris::cell::Cell;
 use crate::ephemeris::clock::Clock;
 use crate::ephemeris::error_bound::{ErrorBound, phase_errors};
-use crate::ephemeris::evaluation::EphemerisScalar;
+use crate::ephemeris::evaluation::{EphemerisScalar, EvaluationErrors};
 use crate::ephemeris::half_period::HalfPeriod;
 use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::mean_rates::MeanRates;
@@ -234,19 +234,29 @@ impl SetUp {
         ephemeris.clock = Clock::new(motion, *tick, rates, tabulated);
     }
 
-    #[inline(never)]
     fn state_bounds<R: EphemerisScalar>(&self, ephemeris: &mut EphemerisView<R>) {
-        let Self { tick, rates, tabulated, .. } = self;
-        let per_tick = phase_errors(rates, tick.length().to_f64(), ephemeris.clock.increment_errors());
-        let error_bound = ErrorBound::of::<R>(rates, tabulated, per_tick);
         let [_, mean, axial] = ephemeris.clock.rates.map(Float::to_f64);
         let of_motion = self.motion_rates(ephemeris.half_periods_per_time(), [mean, axial]);
-        ephemeris.rate_error_bound = rate_error::<R>(error_bound.constant, per_tick, &of_motion, tabulated);
-        ephemeris.error_bound = error_bound;
+        let increments = ephemeris.clock.increment_errors();
+        [ephemeris.error_bound, ephemeris.rate_error_bound] = self.bounds(&R::ERRORS, increments, &of_motion);
     }
 }
 
 impl SetUp {
+    /// Error bounds of the orientation and of the angular velocity, from the errors of the increments per tick, turns.
+    #[inline(never)] // one copy for all scalars
+    fn bounds(
+        &self,
+        errors: &EvaluationErrors,
+        increments: [f64; 3],
+        of_motion: &MotionRates,
+    ) -> [ErrorBound; 2] {
+        let Self { tick, rates, tabulated, .. } = self;
+        let per_tick = phase_errors(rates, tick.length().to_f64(), increments);
+        let bound = ErrorBound::of(errors, rates, tabulated, per_tick);
+        [bound, rate_error(errors, bound.constant, per_tick, of_motion, tabulated)]
+    }
+
     #[inline(never)]
     fn motion_rates(&self, half_periods: f64, [mean, axial]: [f64; 2]) -> MotionRates {
         let Self { motion, .. } = self;

@@ -71,9 +71,9 @@ impl<F: Float> EllipticLaw<F> {
         &self.law
     }
 
-    /// Landen transformations of the elliptic functions, of which none is computed yet.
+    /// Landen transformations of the elliptic functions, of which none is computed yet. A modulus of at most `least` changes nothing.
     #[inline(never)]
-    pub(crate) fn landen(&self) -> LandenSteps<F> {
+    pub(crate) fn landen(&self, least: f64) -> LandenSteps<F> {
         let Self { law, root_s, least_root, roots: [at_e1, at_e2], distances: [from_e1, from_e2], .. } =
             *self;
         // d₊ at the lesser of e₃ and e₄, in the unit of f
@@ -83,7 +83,7 @@ impl<F: Float> EllipticLaw<F> {
             at_e2 + root_s * law.e3_minus_e2
         };
         let per_whole = F::ONE / (from_e1 * at_e2);
-        LandenSteps::new(law.e2_minus_e1 * beyond * per_whole, from_e2 * at_e1 * per_whole)
+        LandenSteps::new(law.e2_minus_e1 * beyond * per_whole, from_e2 * at_e1 * per_whole, least)
     }
 
     /// Derivatives dt/dv, dψ_A/dv and dψ_B/dv, each divided by its factor.

@@ -87,7 +87,7 @@ impl<N: RateNumber> Quadrature<N> {
     pub(crate) fn new(law: &Law<N>) -> Self {
         let law = EllipticLaw::new(law);
         Self {
-            jacobi: law.landen(),
+            jacobi: law.landen(N::LEAST_MODULUS),
             law,
             piece: Piece::Transformations,
             sums: Sums::ZERO,

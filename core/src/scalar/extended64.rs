@@ -62,6 +62,15 @@ impl Extended64 {
     }
 }
 
+/// Quotient of a number by 2^exponent and the bits below it, for an exponent from 1 to 31, in words of 32 bits: a chip takes half of the
+/// instructions for a shift by up to 63 bits.
+#[inline(always)]
+fn over_power(number: u64, exponent: u32) -> [u64; 2] {
+    let (high, low) = ((number >> 32) as u32, number as u32);
+    let quotient = u64::from(high >> exponent) << 32 | u64::from(low >> exponent | high << (32 - exponent));
+    [quotient, u64::from(low << (32 - exponent)) << 32]
+}
+
 impl Add for Extended64 {
     type Output = Self;
     #[inline(never)] // a call, as in `Extended`
@@ -71,7 +80,8 @@ impl Add for Extended64 {
         let Self { exponent, negative, .. } = larger;
         let [high, low] = match distance {
             0 => [smaller.significand, 0],
-            1..=63 => [smaller.significand >> distance, smaller.significand << (64 - distance)],
+            1..=31 => over_power(smaller.significand, distance),
+            32..=63 => [smaller.significand >> distance, smaller.significand << (64 - distance)],
             64 => [0, smaller.significand],
             _ => return larger,
         };

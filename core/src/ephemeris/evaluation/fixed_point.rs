@@ -1,8 +1,10 @@
 //! [`I2F30`] and [`I2F14`]: their integer representations are evaluated directly.
 
 use crate::complex::Complex;
-use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint, coefficient, integer, narrow, rates};
-use crate::scalar::{Scalar, sine_cosine_q31};
+use crate::ephemeris::evaluation::{
+    EphemerisScalar, EvaluationErrors, SegmentPoint, coefficient, integer, narrow, rates,
+};
+use crate::scalar::{RateNumber, Scalar, sine_cosine_q31};
 use crate::su2::Vector;
 use fixed::types::{I2F14, I2F30};
 
@@ -20,12 +22,15 @@ impl EphemerisScalar for I2F30 {
     const TERMS: usize = 4;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 4];
     const CODE: u32 = 31;
-    const TICK_ERROR: f64 = integer::ERROR_Q31;
-    const TICK_DEVIATION: f64 = 0.0;
-    const SLOPE_ROUNDING: f64 = 0.0;
-    const PLACE_ROUNDING: f64 = integer::PLACE_ROUNDING;
-    const RATE_ERROR: f64 = integer::RATE_ERROR;
-    const RATE_ROUNDING: f64 = RATE_ROUNDING;
+    const ERRORS: EvaluationErrors = EvaluationErrors {
+        tick: integer::ERROR_Q31,
+        tick_deviation: 0.0,
+        slope: 0.0,
+        place: integer::PLACE_ROUNDING,
+        rate: integer::RATE_ERROR,
+        relative_rate: RATE_ROUNDING,
+        operation: <Self::Rates as RateNumber>::OPERATION_ERROR,
+    };
 
     fn coefficient(value: i64, power: usize) -> (i32, i64) {
         coefficient::nearest(value, power)
@@ -81,12 +86,15 @@ impl EphemerisScalar for I2F14 {
     const TERMS: usize = 3;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 3];
     const CODE: u32 = 15;
-    const TICK_ERROR: f64 = narrow::ERROR;
-    const TICK_DEVIATION: f64 = 0.0;
-    const SLOPE_ROUNDING: f64 = narrow::SLOPE_ROUNDING;
-    const PLACE_ROUNDING: f64 = integer::PLACE_ROUNDING;
-    const RATE_ERROR: f64 = narrow::RATE_ERROR;
-    const RATE_ROUNDING: f64 = RATE_ROUNDING;
+    const ERRORS: EvaluationErrors = EvaluationErrors {
+        tick: narrow::ERROR,
+        tick_deviation: 0.0,
+        slope: narrow::SLOPE_ROUNDING,
+        place: integer::PLACE_ROUNDING,
+        rate: narrow::RATE_ERROR,
+        relative_rate: RATE_ROUNDING,
+        operation: <Self::Rates as RateNumber>::OPERATION_ERROR,
+    };
 
     fn coefficient(value: i64, power: usize) -> (i16, i64) {
         narrow::coefficient(value, power)

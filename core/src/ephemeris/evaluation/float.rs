@@ -2,9 +2,9 @@
 
 use crate::complex::Complex;
 use crate::ephemeris::evaluation::rates::ValuesAndSlopes;
-use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint};
+use crate::ephemeris::evaluation::{EphemerisScalar, EvaluationErrors, SegmentPoint};
 use crate::law::series::UNIT;
-use crate::scalar::{Scalar, sine_cosine_f64};
+use crate::scalar::{RateNumber, Scalar, sine_cosine_f64};
 use crate::su2::Vector;
 
 /// Rounding unit, 2^-53.
@@ -19,19 +19,22 @@ impl EphemerisScalar for f64 {
     const TERMS: usize = 11;
     const ZERO_SEGMENT: Self::Segment = [[0.0; 4]; 11];
     const CODE: u32 = 64;
-    const TICK_ERROR: f64 = 0.0;
-    /// In units of 2^-53: the root of the sum of squares of 0.8 for the last sum of Horner's rule, 1.2 for the
-    /// rotation and 1.4 for its sine and cosine. The worst case is the sum of 2, 4.5 and 4.6.
-    const TICK_DEVIATION: f64 = 2.0 * ROUNDING;
-    /// Zero, because the sums before the last are counted with the roundings of their coefficients.
-    const SLOPE_ROUNDING: f64 = 0.0;
-    /// Zero, because the local coordinate is rounded on the segment and counts as another rounding of the
-    /// coefficients.
-    const PLACE_ROUNDING: f64 = 0.0;
-    /// Zero, because the roundings are relative to the angular velocity.
-    const RATE_ERROR: f64 = 0.0;
-    /// Five standard deviations of one rounding.
-    const RATE_ROUNDING: f64 = 5.0 * ROUNDING;
+    const ERRORS: EvaluationErrors = EvaluationErrors {
+        tick: 0.0,
+        // In units of 2^-53: the root of the sum of squares of 0.8 for the last sum of Horner's rule, 1.2 for the
+        // rotation and 1.4 for its sine and cosine. The worst case is the sum of 2, 4.5 and 4.6.
+        tick_deviation: 2.0 * ROUNDING,
+        // Zero, because the sums before the last are counted with the roundings of their coefficients.
+        slope: 0.0,
+        // Zero, because the local coordinate is rounded on the segment and counts as another rounding of the
+        // coefficients.
+        place: 0.0,
+        // Zero, because the roundings are relative to the angular velocity.
+        rate: 0.0,
+        // Five standard deviations of one rounding.
+        relative_rate: 5.0 * ROUNDING,
+        operation: <Self::Rates as RateNumber>::OPERATION_ERROR,
+    };
 
     fn coefficient(value: i64, _: usize) -> (Self, i64) {
         let nearest = value as f64;

@@ -11,9 +11,9 @@
 
 use crate::complex::Complex;
 use crate::ephemeris::evaluation::rates::{IntegerRates, ValuesAndSlopes, rate_in};
-use crate::ephemeris::evaluation::{EphemerisScalar, SegmentPoint, coefficient};
+use crate::ephemeris::evaluation::{EphemerisScalar, EvaluationErrors, SegmentPoint, coefficient};
 use crate::product::{high_product, high_product_of_less, short_product};
-use crate::scalar::{Scalar, sine_cosine_q26};
+use crate::scalar::{RateNumber, Scalar, sine_cosine_q26};
 use crate::su2::Vector;
 
 /// Unit of the results of [`alpha_beta`], 2^-30.
@@ -159,15 +159,18 @@ impl EphemerisScalar for f32 {
     const TERMS: usize = 5;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 5];
     const CODE: u32 = 32;
-    /// Error of the integer evaluation, of the sines (25 units of 2^-31), and of the conversion to `f32` (2^-24,
-    /// relative).
-    const TICK_ERROR: f64 = ERROR + PER_SINE * 12.5 * UNIT + f32::EPSILON as f64;
-    const TICK_DEVIATION: f64 = 0.0;
-    const SLOPE_ROUNDING: f64 = 0.0;
-    const PLACE_ROUNDING: f64 = PLACE_ROUNDING;
-    const RATE_ERROR: f64 = RATE_ERROR;
-    /// One rounding for the constants, and up to five for the sums of products of the rotation to the fixed frame.
-    const RATE_ROUNDING: f64 = 6.0 * Self::ROUNDING;
+    const ERRORS: EvaluationErrors = EvaluationErrors {
+        // Error of the integer evaluation, of the sines (25 units of 2^-31), and of the conversion to `f32` (2^-24,
+        // relative).
+        tick: ERROR + PER_SINE * 12.5 * UNIT + f32::EPSILON as f64,
+        tick_deviation: 0.0,
+        slope: 0.0,
+        place: PLACE_ROUNDING,
+        rate: RATE_ERROR,
+        // One rounding for the constants, and up to five for the sums of products of the rotation to the fixed frame.
+        relative_rate: 6.0 * Self::ROUNDING,
+        operation: <Self::Rates as RateNumber>::OPERATION_ERROR,
+    };
 
     fn coefficient(value: i64, power: usize) -> (i32, i64) {
         coefficient::nearest(value, power)

@@ -6,11 +6,11 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 // names in full wherever `std` has a method of the same name, which would take precedence
 use super::rates::ValuesAndSlopes;
-use super::{EphemerisScalar, SegmentPoint};
+use super::{EphemerisScalar, EvaluationErrors, SegmentPoint};
 use crate::complex::Complex;
 use crate::law::series::UNIT;
 use crate::phase::Phase;
-use crate::scalar::{Extended64, Float, Real, Ring, Scalar, sealed};
+use crate::scalar::{Extended64, Float, RateNumber, Real, Ring, Scalar, sealed};
 use crate::su2::Vector;
 use micromath::F32Ext;
 
@@ -127,13 +127,16 @@ impl EphemerisScalar for Micromath {
     const TERMS: usize = 5;
     const ZERO_SEGMENT: Self::Segment = [[Self(0.0); 4]; 5];
     const CODE: u32 = 0;
-    /// Measured error caused by micromath's sines.
-    const TICK_ERROR: f64 = 3e-3;
-    const TICK_DEVIATION: f64 = 0.0;
-    const SLOPE_ROUNDING: f64 = 1.25 * f32::EPSILON as f64;
-    const PLACE_ROUNDING: f64 = 1.0 / (1_u64 << 32) as f64;
-    const RATE_ERROR: f64 = 4.0 * f32::EPSILON as f64;
-    const RATE_ROUNDING: f64 = 16.0 * f32::EPSILON as f64;
+    const ERRORS: EvaluationErrors = EvaluationErrors {
+        // Measured error caused by micromath's sines.
+        tick: 3e-3,
+        tick_deviation: 0.0,
+        slope: 1.25 * f32::EPSILON as f64,
+        place: 1.0 / (1_u64 << 32) as f64,
+        rate: 4.0 * f32::EPSILON as f64,
+        relative_rate: 16.0 * f32::EPSILON as f64,
+        operation: <Self::Rates as RateNumber>::OPERATION_ERROR,
+    };
 
     fn coefficient(value: i64, _: usize) -> (Self, i64) {
         let nearest = value as f32;
