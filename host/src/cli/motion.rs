@@ -171,8 +171,8 @@ pub(crate) struct BakeArgs {
     /// Language of the table
     #[arg(long, value_enum, default_value_t = Language::Rust)]
     pub(crate) lang: Language,
-    /// Number of segments that the table can hold: a power of two from 8 to 4096, 25 in f32, or 48 in f64. Without it, the default
-    /// of the crate, or if the motion needs more, the smallest size that is enough
+    /// Number of segments that the table can hold: 8, 16, 32, ... 4096; in f32 also 25, in f64 also 48. Without it, the default of the
+    /// crate (25 in f32, 48 in f64, 32 in q31, 16 in q15), or if the motion needs more, the smallest size that is enough
     #[arg(long, value_name = "SEGMENTS")]
     pub(crate) size: Option<u32>,
     /// Ticks in a second

@@ -5,7 +5,7 @@ use crate::Failure;
 use crate::bake::{Label, Parts, arduino_files, header, module, object, split_files};
 use crate::cli::{BakeArgs, Language};
 use crate::input::scenario::Scenario;
-use crate::motion::ephemeris::{default_or_smallest, of_size};
+use crate::motion::ephemeris::{default_or_smallest, of_size, smaller};
 use crate::output::whole_file;
 use std::path::Path;
 use toytop::{ErrorBound, Tick};
@@ -15,7 +15,7 @@ pub(super) fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     let folder = folder(arguments)?;
     let [ticks, seconds] = arguments.tick.unwrap_or([arguments.hertz, 1]);
     let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--tick: {error}")))?;
-    let parts = parts(arguments, &scenario, tick).map_err(|failure| match failure {
+    let Baked { parts, smaller } = baked(arguments, &scenario, tick).map_err(|failure| match failure {
         method @ Failure::Method(_) => method.of(&scenario.name),
         other => other,
     })?;
@@ -38,7 +38,8 @@ pub(super) fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
             }
         }
     }
-    let remarks = std::iter::once(summary(&label, &parts)).chain(unreal(&[scenario]));
+    let remarks =
+        std::iter::once(summary(&label, &parts) + &advice(smaller.as_ref())).chain(unreal(&[scenario]));
     Ok(report.with_remarks(remarks, false))
 }
 
@@ -72,14 +73,31 @@ fn write_files(option: &str, folder: &Path, files: &[(String, String)]) -> Resul
     Ok(())
 }
 
-fn parts(arguments: &BakeArgs, scenario: &Scenario, tick: Tick) -> Result<Parts, Failure> {
+/// Table that is written, and the smallest one that would be enough, if that has fewer segments.
+struct Baked {
+    parts: Parts,
+    smaller: Option<Parts>,
+}
+
+fn baked(arguments: &BakeArgs, scenario: &Scenario, tick: Tick) -> Result<Baked, Failure> {
+    let (scalar, motion) = (arguments.scalar, &scenario.motion);
     let table = match arguments.size {
-        Some(size) => of_size(arguments.scalar, size, &scenario.motion, tick),
-        None => default_or_smallest(arguments.scalar, &scenario.motion, tick),
+        Some(size) => of_size(scalar, size, motion, tick),
+        None => default_or_smallest(scalar, motion, tick),
     }?;
-    table.parts().ok_or_else(|| {
-        let scalar = arguments.scalar.name();
+    let parts = table.parts().ok_or_else(|| {
+        let scalar = scalar.name();
         Failure::Input(format!("--scalar: {scalar}: must be f64, f32, q31 or q15 with bake"))
+    })?;
+    let smaller = smaller(scalar, motion, tick, &*table).and_then(|table| table.parts());
+    Ok(Baked { parts, smaller })
+}
+
+/// End of the summary that names the size of a smaller table with the same error bound.
+fn advice(smaller: Option<&Parts>) -> String {
+    smaller.map_or_else(String::new, |parts| {
+        let [segments, _] = parts.size;
+        format!("; --size {segments} would be enough ({} bytes)", parts.table_bytes())
     })
 }
 

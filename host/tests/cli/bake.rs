@@ -96,6 +96,40 @@ fn the_size_is_chosen_and_said() {
     assert!(stdout(&run(&["bake", "--help"])).contains("toytop bake top.toml"));
 }
 
+/// A smaller table is named only if it has the same error bound, and every size that is named is enough.
+#[test]
+fn the_least_size_is_named() {
+    let summary = |file: &str, more: &[&str]| {
+        let output = run(&[&["bake", file], more].concat());
+        stderr(&output).lines().next().expect("a line").to_owned()
+    };
+    let bound = |summary: &str| {
+        let (_, bound) = summary.split_once("orientation within ").expect("a bound");
+        bound.split(" rad").next().expect("a number").parse::<f64>().expect("a number")
+    };
+    for (file, scalar, size, bytes) in
+        [("toy_top", "f32", "8", "640"), ("lagrange", "f32", "16", "1280"), ("sleeping", "q15", "8", "192")]
+    {
+        let file = sample(file);
+        let large = summary(&file, &["--scalar", scalar]);
+        assert!(large.ends_with(&format!("; --size {size} would be enough ({bytes} bytes)")), "{large}");
+        let small = summary(&file, &["--scalar", scalar, "--size", size]);
+        assert!(small.contains(&format!("{bytes} bytes, ")) && !small.contains("enough"), "{small}");
+        assert!((bound(&small) / bound(&large) - 1.0).abs() < 0.07, "{small} {large}");
+    }
+    // the table of 8 segments exists, with a larger bound
+    let [small, large] =
+        ["8", "16"].map(|size| summary(&sample("toy_top"), &["--scalar", "q15", "--size", size]));
+    assert!(bound(&small) > bound(&large) && !large.contains("enough"), "{small} {large}");
+    // the pendulum needs 17 to 25 segments in f32
+    let pendulum = sample("pendulum");
+    for size in ["8", "16"] {
+        let refused = summary(&pendulum, &["--size", size]);
+        assert!(refused.ends_with("; at least --size 25 would be enough"), "{refused}");
+    }
+    assert!(!summary(&pendulum, &["--size", "25"]).contains("enough"));
+}
+
 #[test]
 fn a_failed_bake_writes_nothing() {
     let (folder, good) = (folder("bake_refused"), sample("toy_top"));

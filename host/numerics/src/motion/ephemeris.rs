@@ -9,7 +9,7 @@ mod ticks;
 pub use batch::Quantity;
 pub use events::{FoundEvent, Sought};
 pub use rates::RateSample;
-pub use sizes::{approximate, default_or_smallest, of_size, smallest, smallest_with_period};
+pub use sizes::{approximate, default_or_smallest, of_size, smaller, smallest, smallest_with_period};
 pub use ticks::tick;
 pub use ticks::{furthest_time, ticks_for, ticks_per_time};
 

@@ -6,7 +6,7 @@ use crate::Failure;
 use crate::motion::Scalar;
 use crate::motion::propagate::period;
 use fixed::types::{I2F14, I2F30};
-use toytop::{Ephemeris, EphemerisScalar, EphemerisView, Micromath, Motion, TableTooSmall, Tick};
+use toytop::{Ephemeris, EphemerisScalar, EphemerisView, ErrorBound, Micromath, Motion, TableTooSmall, Tick};
 
 type SetUp = fn(u32, &Motion, Tick, f64) -> Result<Box<dyn AnyScalar>, TableTooSmall>;
 
@@ -34,13 +34,25 @@ impl Sizes {
         }
     }
 
-    /// Text of a refusal, with the number of segments that would be enough.
+    /// Text of a refusal, with the least `--size` that would be enough or, where none is, the number of segments.
     fn explain(&self, refusal: &TableTooSmall, motion: &Motion) -> String {
         let fit = match (self.needed)(motion, self.truncation) {
-            Some(segments) => format!("{segments} segments of this degree would be enough"),
+            Some(segments) => match self.allowed().into_iter().find(|size| *size >= segments) {
+                Some(size) if size > refusal.segments => format!("at least --size {size} would be enough"),
+                _ => format!("{segments} segments of this degree would be enough"),
+            },
             None => format!("not even {LARGEST} segments of this degree would be enough"),
         };
         format!("{refusal}; {fit}")
+    }
+
+    /// Capacities in ascending order, the default among them.
+    fn allowed(&self) -> Vec<u32> {
+        let mut allowed = CAPACITIES.to_vec();
+        allowed.push(self.default);
+        allowed.sort_unstable();
+        allowed.dedup();
+        allowed
     }
 
     fn with<R: BoxedScalar>(default: u32) -> Self {
@@ -169,10 +181,7 @@ pub fn of_size(
     tick: Tick,
 ) -> Result<Box<dyn AnyScalar>, Failure> {
     let sizes = Sizes::of(scalar);
-    let mut allowed = CAPACITIES.to_vec();
-    allowed.push(sizes.default);
-    allowed.sort_unstable();
-    allowed.dedup();
+    let allowed = sizes.allowed();
     if !allowed.contains(&segments) {
         let names: Vec<_> = allowed.iter().map(u32::to_string).collect();
         return Err(Failure::Input(format!("--size: {segments}: must be one of {}", names.join(", "))));
@@ -181,6 +190,25 @@ pub fn of_size(
         let reason = sizes.explain(&refusal, motion);
         Failure::Method(format!("no ephemeris of {segments} segments: {reason}"))
     })
+}
+
+/// Smallest table of fewer segments than another one, with an error bound that is larger by a hundredth at most; `None` if there is none.
+#[must_use]
+pub fn smaller(
+    scalar: Scalar,
+    motion: &Motion,
+    tick: Tick,
+    than: &dyn AnyScalar,
+) -> Option<Box<dyn AnyScalar>> {
+    const LARGER: f64 = 1.01;
+    let (sizes, own, [segments, _]) = (Sizes::of(scalar), than.error_bound(), than.size());
+    let within = |bound: ErrorBound| {
+        bound.constant <= LARGER * own.constant && bound.per_tick <= LARGER * own.per_tick
+    };
+    let fewer = sizes.allowed().into_iter().take_while(|&size| (size as usize) < segments);
+    fewer
+        .filter_map(|size| (sizes.set_up)(size, motion, tick, sizes.truncation).ok())
+        .find(|table| within(table.error_bound()))
 }
 
 #[cfg(test)]
