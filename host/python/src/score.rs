@@ -172,8 +172,8 @@ impl Score {
 
     /// Likely reason why the first row is far from the motion, if it is; otherwise None.
     #[getter]
-    fn doubt(&self) -> Option<&str> {
-        self.0.doubt.as_deref()
+    fn doubt(&self) -> Option<String> {
+        self.0.doubt.map(|doubt| doubt.question("motion.at(times[0])"))
     }
 
     fn __repr__(&self) -> String {

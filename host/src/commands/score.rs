@@ -36,15 +36,19 @@ pub(super) fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
         let picture = work_precision(&scenario.name, unit, lines);
         whole_file::write("--plot", path, &picture.encoded(form)?)?;
     }
+    let ranked = Ranked::all(&runs, &methods);
     let records: Vec<_> = runs.iter().map(|run| record(run, &methods)).collect();
     let text = match arguments.format {
-        Format::Table => tables(&runs, &methods),
+        Format::Table => tables(&ranked, &methods),
         Format::Csv => output::csv(&records).map_err(Failure::Output)?,
         Format::Json => json(&scenario, &records, &methods).map_err(Failure::Output)?,
     };
-    let doubts = runs
-        .iter()
-        .filter_map(|run| run.score.doubt.as_ref().map(|doubt| format!("warning: {}: {doubt}", run.name)));
+    let start = start_command(arguments);
+    let doubts = runs.iter().filter_map(|run| {
+        let doubt = run.score.doubt.as_ref()?;
+        Some(format!("warning: {}: {}", run.name, doubt.question(&start)))
+    });
+    let doubts = doubts.chain(ranked.iter().filter_map(Ranked::doubt));
     Ok(Report { text, ..Report::default() }.with_remarks(doubts, arguments.format == Format::Table))
 }
 
@@ -66,6 +70,14 @@ impl<'a> Task<'a> {
         let problem = benchmarks::named(name).map_err(|failure| failure.of("--benchmark"))?;
         let results = std::iter::once(&arguments.scenario).chain(results).collect();
         Ok(Self { body: problem.conventions.to_core(), scenario: problem.scenario, results })
+    }
+}
+
+/// Command that prints the state from which a run has to start.
+fn start_command(arguments: &ScoreArgs) -> String {
+    match &arguments.benchmark {
+        Some(name) => format!("toytop benchmark {name} --times 0 --format csv"),
+        None => format!("toytop state {} --times 0", arguments.scenario.display()),
     }
 }
 
@@ -117,6 +129,47 @@ impl Method {
             Self { name: name.to_owned(), files: of_method().count(), order: order::fitted(&points) }
         };
         names.into_iter().map(method).collect()
+    }
+}
+
+/// Run, and its order of convergence from the next larger step of the same method.
+struct Ranked<'a> {
+    run: &'a Run,
+    order: Option<f64>,
+    /// Whether the two steps are most likely wrong.
+    doubtful: bool,
+}
+
+impl<'a> Ranked<'a> {
+    /// Runs by method, and those of a method from the largest step; runs without a step are the last.
+    fn all(runs: &'a [Run], methods: &[Method]) -> Vec<Self> {
+        let mut ranked = Vec::new();
+        for method in methods {
+            let mut of_method: Vec<_> = runs.iter().filter(|run| run.method == method.name).collect();
+            let step = |run: &Run| run.step.map_or(0.0, |(step, _)| step);
+            of_method.sort_by(|a, b| step(b).total_cmp(&step(a)));
+            let mut before: Option<[f64; 2]> = None;
+            for run in of_method {
+                let pair = before.zip(run.point());
+                ranked.push(Self {
+                    run,
+                    order: pair.and_then(|(coarse, fine)| order::between(coarse, fine)),
+                    doubtful: pair.is_some_and(|(coarse, fine)| order::is_doubtful(coarse, fine)),
+                });
+                before = run.point();
+            }
+        }
+        ranked
+    }
+
+    fn doubt(&self) -> Option<String> {
+        let order = self.order.filter(|_| self.doubtful)?;
+        let question = match self.run.step {
+            Some((_, "option")) => "do --steps belong to these files?",
+            Some((_, "file")) => "do the lines # step = H belong to these files?",
+            _ => "is the spacing of the rows the step? --steps states another one",
+        };
+        Some(format!("warning: {}: order {order:.2}: {question}", self.run.name))
     }
 }
 
@@ -204,17 +257,14 @@ fn source(source: RateSource) -> &'static str {
 }
 
 /// Table of the errors, table of the phase errors and drifts, and the orders of convergence.
-fn tables(runs: &[Run], methods: &[Method]) -> String {
+fn tables(ranked: &[Ranked<'_>], methods: &[Method]) -> String {
     let brief = |x: Option<f64>| x.map_or("-".to_owned(), |x| format!("{x:.1e}"));
     let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
     let mut errors =
         vec![words(&["", "rows", "step, s", "max, rad", "rms, rad", "final, rad", "u", "order"])];
     let mut details = vec![words(&["", "nutation", "precession", "spin", "residual", "h", "l", "n"])];
-    let mut before: Option<&Run> = None;
-    for run in runs {
+    for Ranked { run, order, .. } in ranked {
         let Score { max_error, rms_error, final_error, max_u_error, phases, drift, .. } = &run.score;
-        let previous = before.filter(|before| before.method == run.method).and_then(Run::point);
-        let order = previous.zip(run.point()).and_then(|(coarse, fine)| order::between(coarse, fine));
         let mut line = vec![run.name.clone(), run.rows.to_string()];
         line.push(run.step.map_or("-".to_owned(), |(step, _)| output::short(step, 4)));
         line.extend([max_error, rms_error, final_error, max_u_error].map(|x| brief(Some(*x))));
@@ -223,7 +273,6 @@ fn tables(runs: &[Run], methods: &[Method]) -> String {
         let [l, n, h] = [0, 1, 2].map(|i| drift.integrals.map(|drifts| drifts[i]));
         let numbers = [phases.nutation, phases.precession, phases.spin, phases.residual, h, l, n];
         details.push(std::iter::once(run.name.clone()).chain(numbers.map(brief)).collect());
-        before = Some(run);
     }
     let mut orders = String::new();
     for Method { name, order, .. } in methods {
@@ -232,15 +281,16 @@ fn tables(runs: &[Run], methods: &[Method]) -> String {
             orders.push_str(&format!("Order of convergence{of}: {order:.2}\n"));
         }
     }
-    let differences = runs.iter().any(|run| run.score.drift.from == Some(RateSource::Differences));
+    let scores = || ranked.iter().map(|ranked| &ranked.run.score);
+    let differences = scores().any(|score| score.drift.from == Some(RateSource::Differences));
     let by =
         if differences { ", where a file has no angular velocity by differences of the error" } else { "" };
-    let bound = runs.iter().map(|run| run.score.truth_bound).fold(0.0, f64::max);
+    let bound = scores().map(|score| score.truth_bound).fold(0.0, f64::max);
     format!(
         "Errors against the exact motion\n{}\nPhase errors over the last nutation period, rad (above 0: ahead), and relative drifts of h, l and n\n{}\n\
          {orders}The exact motion is within {bound:.1e} rad. Errors of the orientation are 2 sqrt(|d alpha|^2 + |d beta|^2) with the nearer\n\
-         sign. Residual: what no phase error explains. Order: from the file above. Drifts: of h in units of max(|h|, p g),\n\
-         of l and n in units of max(|l|, |n|, sqrt(2 A p g)){by}.\n",
+         sign. Residual: what no phase error explains. Order: from the next larger step of the same method. Drifts: of h in units of\n\
+         max(|h|, p g), of l and n in units of max(|l|, |n|, sqrt(2 A p g)){by}.\n",
         output::columns(errors, 1),
         output::columns(details, 1),
     )

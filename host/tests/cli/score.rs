@@ -199,6 +199,80 @@ fn the_steppers_order_is_measured() {
     assert!(svg.contains("steps in a nutation period") && svg.contains("measured order"), "{svg}");
 }
 
+/// Runs of the stepper with 64, 128 and 256 steps in a period, whose steps are 1/1024 s and so on.
+fn runs_of_the_stepper(folder: &Path) -> [PathBuf; 3] {
+    ["64", "128", "256"].map(|count| {
+        let more = ["--method", "stepper", "--steps-per-period", count, "--format", "csv"];
+        let file = sample("figure_3_loops");
+        let output = run(&[&["state", &file, "--times=0..20/101"], &more[..]].concat());
+        let to = folder.join(format!("h_{count}.csv"));
+        let step = 0.064 / count.parse::<f64>().expect("a number");
+        std::fs::write(&to, format!("# step = {step}\n{}", stdout(&output))).expect("the file is written");
+        to
+    })
+}
+
+/// Names and orders of the first table, in its order.
+fn orders_of(table: &str) -> Vec<(String, String)> {
+    let rows = table.lines().skip(2).take_while(|line| !line.is_empty());
+    let ends = |line: &str| {
+        let words: Vec<_> = line.split_whitespace().collect();
+        let name = Path::new(words[0]).file_name().expect("a file").to_str().expect("UTF-8").to_owned();
+        (name, words[words.len() - 1].to_owned())
+    };
+    rows.map(ends).collect()
+}
+
+#[test]
+fn rows_are_sorted_from_the_largest_step() {
+    let (file, folder) = (sample("figure_3_loops"), folder("score_sorted"));
+    let [coarse, middle, fine] =
+        runs_of_the_stepper(&folder).map(|path| path.to_str().expect("UTF-8").to_owned());
+    let output = run(&["score", &file, &middle, &fine, &coarse]);
+    let table = stdout(&output);
+    let orders = orders_of(table);
+    let names: Vec<_> = orders.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names, ["h_64.csv", "h_128.csv", "h_256.csv"], "{table}");
+    assert_eq!(orders[0].1, "-", "{table}");
+    for (_, order) in &orders[1..] {
+        let order = order.parse::<f64>().expect("a number");
+        assert!(order > 3.8 && order < 4.2, "{table}");
+    }
+    assert!(
+        table.contains("Order: from the next larger step of the same method.") && !table.contains("warning")
+    );
+    // the files keep their order where a program reads them
+    let json = json(&["score", &file, &middle, &fine, &coarse, "--format", "json"]);
+    assert_eq!(json["files"][0]["name"], middle.as_str());
+    // exchanged steps
+    let output = run(&["score", &file, &middle, &fine, "--steps", "0.001,0.002"]);
+    let (table, order) = (stdout(&output), &orders_of(stdout(&output))[1].1);
+    assert!(order.parse::<f64>().is_ok_and(|order| order < -3.8), "{table}");
+    let warning = format!("warning: {middle}: order {order}: do --steps belong to these files?");
+    assert!(table.contains(&warning), "{table}");
+}
+
+#[test]
+fn the_advice_names_the_command_that_prints_the_state() {
+    let (file, folder) = (sample("toy_top"), folder("score_advice"));
+    let to = folder.join("other.csv");
+    write(&to, &samples(&sample("figure_3_loops"), &evenly(1.0, 11)), false);
+    let to = to.to_str().expect("UTF-8");
+    for (more, command) in [
+        (&[&*file, to][..], format!("toytop state {file} --times 0")),
+        (
+            &["--benchmark", "bruls_cardona", to],
+            "toytop benchmark bruls_cardona --times 0 --format csv".to_owned(),
+        ),
+    ] {
+        let output = run(&[&["score"], more].concat());
+        assert!(stdout(&output).contains(&format!("? ({command})\n")), "{}", stdout(&output));
+        let words: Vec<_> = command.split(' ').skip(1).collect();
+        let state = run(&words);
+        assert!(state.status.success() && stdout(&state).lines().count() > 1, "{}", stderr(&state));
+    }
+}
+
 #[test]
 fn another_convention_is_noticed() {
     let (file, folder) = (sample("toy_top"), folder("score_doubt"));

@@ -34,8 +34,34 @@ pub struct Score {
     pub norm_error: f64,
     /// Upper bound on the error of the exact motion itself, rad.
     pub truth_bound: f64,
-    /// Likely reason why the first row is far from the motion, if it is.
-    pub doubt: Option<String>,
+    /// Distance of the first row from the motion, if it is far.
+    pub doubt: Option<Doubt>,
+}
+
+/// First row that is far from the motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Doubt {
+    /// Error of the orientation in the first row, rad.
+    error: f64,
+    /// Error of the inverse of this orientation, rad.
+    inverse: f64,
+}
+
+impl Doubt {
+    /// Distance from which a first row is far, rad.
+    const FAR: f64 = 0.01;
+
+    /// Likely reason, as a question; `start` is the command that prints the state from which a run has to start.
+    #[must_use]
+    pub fn question(&self, start: &str) -> String {
+        let Self { error, inverse } = self;
+        let question = if *inverse < Self::FAR {
+            format!("and its inverse {inverse:.1e} rad: are the columns from fixed to body coordinates?")
+        } else {
+            format!("does the run start from the state of this motion? ({start})")
+        };
+        format!("the first row is {error:.1e} rad from the motion; {question}")
+    }
 }
 
 impl<'a> Judge<'a> {
@@ -83,21 +109,12 @@ impl<'a> Judge<'a> {
         })
     }
 
-    /// Likely reason why the first row is far from the motion, most often another convention; `None` if it is near.
-    fn doubt(&self, first: &Row) -> Option<String> {
-        const FAR: f64 = 0.01;
+    /// First row if it is far from the motion, most often because of another convention; `None` if it is near.
+    fn doubt(&self, first: &Row) -> Option<Doubt> {
         let exact = self.table.at(first.t).sample.orientation();
-        let error = distance(&exact, &first.orientation);
-        if error < FAR {
-            return None;
-        }
-        let inverse = distance(&exact, &first.orientation.inverse());
-        let question = if inverse < FAR {
-            format!("and its inverse {inverse:.1e} rad: are the columns from fixed to body coordinates?")
-        } else {
-            "does the run start from the state of this scenario (toytop state --times 0)?".to_owned()
-        };
-        Some(format!("the first row is {error:.1e} rad from the motion; {question}"))
+        let [error, inverse] =
+            [first.orientation, first.orientation.inverse()].map(|found| distance(&exact, &found));
+        (error >= Doubt::FAR).then_some(Doubt { error, inverse })
     }
 }
 

@@ -8,6 +8,14 @@ pub fn between([coarse_step, coarse_error]: [f64; 2], [fine_step, fine_error]: [
     (order.is_finite() && coarse_step >= SMALLER * fine_step).then_some(order)
 }
 
+/// Whether the error grows towards the smaller step by more than rounding errors do: in proportion to the number of steps, and three times
+/// as much by chance. Most likely one of the steps is wrong.
+#[must_use]
+pub fn is_doubtful([coarse_step, coarse_error]: [f64; 2], [fine_step, fine_error]: [f64; 2]) -> bool {
+    const CHANCE: f64 = 3.0;
+    fine_step < coarse_step && fine_error * fine_step > CHANCE * coarse_error * coarse_step
+}
+
 /// Order fitted by least squares to runs \[step, error\].
 ///
 /// Runs with an error above half a radian are left out. Towards small steps the fit ends where rounding dominates: where the
@@ -55,5 +63,12 @@ mod tests {
         assert!((between([0.2, 1.6e-3], [0.1, 1e-4]).unwrap() - 4.0).abs() < 1e-12);
         assert_eq!(between([0.1, 1.0], [0.1, 1e-4]), None);
         assert_eq!(between([0.1, 1.0], [0.2, 1e-4]), None);
+    }
+
+    #[test]
+    fn rounding_errors_are_not_doubtful() {
+        assert!(is_doubtful([0.02, 1e-4], [0.01, 1.6e-3]), "a method of fourth order with exchanged steps");
+        assert!(!is_doubtful([0.02, 1e-4], [0.01, 6.25e-6]));
+        assert!(!is_doubtful([0.02, 1e-15], [0.01, 5.9e-15]) && is_doubtful([0.02, 1e-15], [0.01, 6.1e-15]));
     }
 }
