@@ -4,7 +4,9 @@
 //! |---|---|
 //! | [`scenario`], [`builtin`] | motion from a TOML file; motions that need no file |
 //! | [`random`] | random numbers fixed by a seed |
+//! | `rows` | messages for rows of CSV files |
 
 pub mod builtin;
 pub mod random;
+pub(crate) mod rows;
 pub mod scenario;

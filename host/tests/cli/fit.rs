@@ -117,7 +117,7 @@ fn bad_samples_are_refused_with_their_line() {
             "line 2: gyro_x: must be at most the range of the sensor: another unit?",
         ),
         ("order", format!("{header}0,1,2,3,0,0,9.8\n-1,1,2,3,0,0,9.8\n"), "line 3: t: must not be earlier"),
-        ("short", format!("{header}0,1,2,3,0\n"), "line 2: must have as many fields"),
+        ("short", format!("{header}0,1,2,3,0\n"), "line 2: must have 7 fields, as the header; has 5"),
         ("half", format!("{header}0,1,2,,0,0,9.8\n"), "line 2: gyro_z: must be a finite number"),
         ("none", "t,a,b\n0,1,2\n".to_owned(), "line 1: must have the columns of a sensor"),
         ("time", "gyro_x,gyro_y,gyro_z\n0,1,2\n".to_owned(), "line 1: must have a column t"),

@@ -3,6 +3,7 @@
 use super::columns::{Columns, keep_present};
 use super::sensors::Sensors;
 use crate::Failure;
+use crate::input::rows::unread;
 use crate::output::{number, shown, whole_file};
 use std::path::Path;
 use toytop::fit::Measurement;
@@ -32,10 +33,7 @@ pub fn read(path: &Path, sensors: &mut Sensors, all: bool) -> Result<Vec<Measure
     let places: Vec<_> = columns.readings.iter().filter_map(|(name, _)| place(name)).collect();
     let mut lines = Vec::new();
     for record in reader.records() {
-        let record = record.map_err(|error| {
-            let line = error.position().map_or(0, csv::Position::line);
-            refuse(line, "must have as many fields as the header".to_owned())
-        })?;
+        let record = record.map_err(|error| Failure::Input(format!("{file}: {}", unread(&error))))?;
         let line = record.position().map_or(0, csv::Position::line);
         let value = |place: usize, name: &str| {
             let field = record.get(place).unwrap_or_default();

@@ -1,6 +1,7 @@
 //! Trajectory of a CSV file: columns by name, and statements about the run in comment lines above the header.
 
 use crate::Failure;
+use crate::input::rows::unread;
 use crate::output::shown;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use std::fs::File;
@@ -82,7 +83,7 @@ impl Trajectory {
             Columns::of(reader.headers().map_err(|error| refuse(error.to_string()))?).map_err(&refuse)?;
         let mut rows: Vec<Row> = Vec::new();
         for record in reader.records() {
-            let record = record.map_err(|error| refuse(error.to_string()))?;
+            let record = record.map_err(|error| refuse(unread(&error)))?;
             let line = record.position().map_or(0, csv::Position::line);
             let row = columns.row(&record).map_err(|reason| refuse(format!("line {line}: {reason}")))?;
             if !goes_on(&rows, row.t) {
@@ -281,7 +282,11 @@ mod tests {
             ("t,w,x,y\n0,1,0,0\n", "has t,w,x,y"),
             ("t,w,x,y,z\n", "at least one row"),
             ("t,w,x,y,z\n0,1,0,0,NaN\n", "line 2: z: \"NaN\" must be a finite number"),
-            ("t,w,x,y,z\n0,1,0,0\n", "line: 2"),
+            ("t,w,x,y,z\n0,1,0,0\n", "a.csv: line 2: must have 5 fields, as the header; has 4"),
+            (
+                "# step = 1\nt,w,x,y,z\n0,1,0,0,0\n1,1\n",
+                "a.csv: line 4: must have 5 fields, as the header; has 2",
+            ),
             ("t,w,x,y,z\n0,1e-3,0,0,0\n", "line 2: orientation: must be of unit norm"),
             ("# no step\nt,w,x,y,z\n0,1,0,0,0\n0,1,0,0,0\n", "line 4: t: must go on in one direction"),
             ("t,w,x,y,z\n0,1,0,0,0\n-1,1,0,0,0\n0,1,0,0,0\n", "line 4: t: must go on"),
