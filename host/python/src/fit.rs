@@ -78,6 +78,7 @@ pub(crate) fn fit(
     let end = readings.last().map_or(0.0, |last| last.time);
     let report = FitReport {
         fitted: &fitted,
+        reason: fitted.reason.map(|reason| reason.to_string()),
         top: &definition.top,
         table: &table,
         free: &free,

@@ -4,7 +4,7 @@ use super::Report;
 use crate::Failure;
 use crate::cli::{FitArgs, Format};
 use crate::fit::free;
-use crate::fit::launch::fitted;
+use crate::fit::launch::{fitted, reason};
 use crate::fit::report::FitReport;
 use crate::fit::sensors::{Body, Sensors};
 use crate::fit::table;
@@ -48,8 +48,15 @@ pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     }
     let fitted = fitted(&mut fit, &measurements).map_err(refuse)?;
     let end = measurements.last().map_or(0.0, |last| last.time);
-    let report =
-        FitReport { fitted: &fitted, top: &top, table, free: &arguments.free, sensors: &sensors, end };
+    let report = FitReport {
+        fitted: &fitted,
+        reason: reason(&fitted, &sensors, &measurements, &format!("--top {file}")),
+        top: &top,
+        table,
+        free: &arguments.free,
+        sensors: &sensors,
+        end,
+    };
     let mut notes = Vec::new();
     match (&arguments.output, fitted.converged()) {
         (Some(path), true) => {
@@ -64,6 +71,10 @@ pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     }
     for (option, path) in plots {
         let Some(path) = path else { continue };
+        if !report.has_launch() {
+            notes.push(format!("{}: not written, because there is no launch", path.display()));
+            continue;
+        }
         let Ok(motion) = fitted.motion(&top) else {
             notes.push(format!("{}: not written, because no top has the fitted numbers", path.display()));
             continue;
@@ -88,7 +99,7 @@ fn record(report: &FitReport<'_>) -> Record {
     let deviations = fitted.deviations();
     let [w, x, y, z] = fitted.launch.orientation.quaternion();
     let [a, b, c] = fitted.launch.omega;
-    let reason = fitted.reason.map_or(Cell::Absent, |reason| Cell::Text(reason.to_string()));
+    let reason = report.reason.clone().map_or(Cell::Absent, Cell::Text);
     let mut cells = vec![("reason", reason)];
     for (name, value) in [
         ("epoch", fitted.epoch),

@@ -139,7 +139,35 @@ fn bad_samples_are_refused_with_their_line() {
     std::fs::write(&few, format!("{header}0,1,2,3,0,0,9.8\n")).expect("written");
     let output = run(&["fit", text(&few), "--top", &sample("toy_top")]);
     assert_eq!(output.status.code(), Some(1));
-    assert!(stdout(&output).contains("fewer observations than unknowns"), "{}", stdout(&output));
+    assert_eq!(stdout(&output), "NOT CONVERGED: there are fewer observations than unknowns\n");
+}
+
+/// Samples of another top: no launch and no prediction is printed where none was found.
+#[test]
+fn samples_of_another_top_have_no_launch() {
+    let folder = folder("fit_other");
+    let samples = folder.join("samples.csv");
+    simulated(&sample("toy_top"), &samples, &[]);
+    let picture = folder.join("prediction.svg");
+    for name in ["lagrange", "pendulum"] {
+        let top = sample(name);
+        let arguments = ["fit", text(&samples), "--top", &top];
+        let output = run(&[&arguments[..], &["--plot-prediction", text(&picture)]].concat());
+        let reason = format!("no start fits the samples: is --top {top} the top that they are of?");
+        assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+        assert_eq!(stdout(&output), format!("NOT CONVERGED: {reason}\n"));
+        assert!(stderr(&output).contains("not written, because there is no launch") && !picture.exists());
+        let output = run(&[&arguments[..], &["--format", "json"]].concat());
+        let found: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        assert_eq!((&found["reason"], &found["used"]), (&Value::from(reason), &Value::from(0)), "{found}");
+        assert_eq!(found["prediction"], Value::Array(Vec::new()), "{found}");
+    }
+    // a gyroscope alone states no direction, whichever top it is on
+    let (file, sensors) = (sample("toy_top"), folder.join("sensors.toml"));
+    std::fs::write(&sensors, "[gyroscope]\nnoise = 0.002\n").expect("written");
+    simulated(&file, &samples, &["--sensors", text(&sensors)]);
+    let output = run(&["fit", text(&samples), "--top", &file, "--sensors", text(&sensors)]);
+    assert!(stdout(&output).contains("they need an orientation, an axis, or a direction and rates"));
 }
 
 #[test]

@@ -22,6 +22,8 @@ const RATES: [(&str, &str); 3] = [("l", "N m"), ("n", "N m"), ("h", "W")];
 pub struct FitReport<'a> {
     /// Result of the fit.
     pub fitted: &'a Fitted,
+    /// Reason why the launch must not be trusted, in words; `None` where it may be.
+    pub reason: Option<String>,
     /// Top of the file.
     pub top: &'a Top,
     /// Table `[top]` of the file.
@@ -72,7 +74,16 @@ impl FitReport<'_> {
         found
     }
 
+    /// Whether the launch follows from the samples. Without any value that was used it is that of the beginning.
+    #[must_use]
+    pub fn has_launch(&self) -> bool {
+        self.fitted.statistics.used > 0
+    }
+
     fn predictions(&self) -> Vec<Prediction> {
+        if !self.has_launch() {
+            return Vec::new();
+        }
         let Ok(motion) = self.fitted.motion(self.top) else { return Vec::new() };
         let sensitivity = Sensitivity::of(&motion);
         let at = |ahead: &f64| {
@@ -125,10 +136,17 @@ impl FitReport<'_> {
         names
     }
 
-    /// Report as text.
+    /// Report as text; of a launch that does not exist, the reason.
     #[cfg(feature = "program")]
     #[must_use]
     pub fn table(&self) -> String {
+        let state = match &self.reason {
+            None => "converged".to_owned(),
+            Some(reason) => format!("NOT CONVERGED: {reason}"),
+        };
+        if !self.has_launch() {
+            return state + "\n";
+        }
         let Fitted { launch, statistics, .. } = self.fitted;
         let deviations = self.fitted.deviations();
         let plus = |value: f64, deviation: f64, unit: &str| {
@@ -163,10 +181,6 @@ impl FitReport<'_> {
             }
         }
         let reduced = statistics.reduced_chi_squared(self.fitted.count);
-        let state = match self.fitted.reason {
-            None => "converged".to_owned(),
-            Some(reason) => format!("NOT CONVERGED: {reason}"),
-        };
         let mut text =
             format!("{state}\n\nlaunch at t = {}\n{}\n", short(self.fitted.epoch, 9), columns(rows, 4));
         text += &format!(
@@ -219,7 +233,7 @@ impl FitReport<'_> {
             .collect();
         json!({
             "converged": self.fitted.converged(),
-            "reason": self.fitted.reason.map(|reason| reason.to_string()),
+            "reason": self.reason,
             "epoch": self.fitted.epoch,
             "quaternion": launch.orientation.quaternion(),
             "orientation_deviation": deviations[..3],
