@@ -62,7 +62,7 @@ pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
         (Some(path), true) => {
             let units = keys.get("units").and_then(Value::as_str);
             let (text, _) = report.scenario(units)?;
-            whole_file::write("-o", path, text.as_bytes())?;
+            whole_file::write("--output", path, text.as_bytes())?;
         }
         (Some(path), false) => {
             notes.push(format!("{}: not written, because the fit has not converged", path.display()));

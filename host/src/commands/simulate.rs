@@ -26,6 +26,6 @@ pub(super) fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
         Failure::Method(format!("{}: {reason}", scenario.name))
     })?;
     let text = table::written(&sensors, &found);
-    whole_file::write("-o", &arguments.output, text.as_bytes())?;
+    whole_file::write("--output", &arguments.output, text.as_bytes())?;
     Ok(Report::default())
 }

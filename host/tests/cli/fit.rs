@@ -194,8 +194,15 @@ fn bad_sensors_and_keys_are_refused() {
         assert!(!samples.exists());
     }
     simulated(&top, &samples, &[]);
+    let output = run(&["fit", text(&samples), "--top", &top, "-o", "no_such_folder/f.toml"]);
+    assert_eq!((output.status.code(), stdout(&output)), (Some(2), ""));
+    assert!(stderr(&output).starts_with("error: --output: no_such_folder/f.toml: "), "{}", stderr(&output));
     for (free, expected) in [
-        ("mass_moment", "--free: mass_moment: must be one of the numbers that describe the top"),
+        (
+            "mass,mass_moment",
+            "--free: mass_moment: must be one of the numbers that describe the top: transverse_inertia, \
+             axial_inertia, com_height, mass, gravity (",
+        ),
         ("mass,mass", "--free: mass: must be named once"),
     ] {
         let output = run(&["fit", text(&samples), "--top", &top, "--free", free]);

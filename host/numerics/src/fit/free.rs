@@ -70,7 +70,9 @@ pub fn ratios(table: &Table, top: &Top, keys: &[FreeKey]) -> Result<Vec<FreeRati
             return refuse("must be named once");
         }
         if !has(*key) && *key != FreeKey::Gravity {
-            return refuse("must be one of the numbers that describe the top");
+            let described = FreeKey::ALL.into_iter().filter(|key| has(*key) || *key == FreeKey::Gravity);
+            let allowed = described.map(FreeKey::name).collect::<Vec<_>>().join(", ");
+            return refuse(&format!("must be one of the numbers that describe the top: {allowed}"));
         }
         ratios.push(match key {
             FreeKey::AxialInertia => FreeRatio::AXIAL_INERTIA,
