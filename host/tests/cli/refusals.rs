@@ -188,6 +188,12 @@ fn tops() {
         ("mass_moment = 0.9\n", "", &["top.mass", "exactly one of mass, mass_moment"]),
         ("mass_moment = 0.9", "mass_moment = -0.9", &["top.mass_moment", "positive"]),
         ("mass_moment = 0.9", "mass = -0.9", &["top.mass", "positive"]),
+        ("mass_moment = 0.9", "mass = 0", &["top.mass: must be positive, between 1e-60 and 1e60\n"]),
+        (
+            "mass_moment = 0.9",
+            "mass_moment = -0.0",
+            &["top.mass_moment: must be positive, between 1e-60 and"],
+        ),
         ("mass_moment = 0.9", "mass = 1.5\nmass_moment = 0.9", &["top.mass_moment", "without mass"]),
         ("gravity = 1", "support = \"fixed\"", &["top.com_height", "fixed", "together with mass"]),
         ("com_height = 0.6", "support = \"fixed\"\nmass = 1", &["top.mass_moment", "without mass"]),
@@ -215,9 +221,20 @@ fn releases() {
         ("tilt_deg = 40", "tilt_deg = 180.00000001", &["motion.tilt_deg", "[0, 180]"]),
         ("tilt_deg = 40", "tilt_deg = -1", &["motion.tilt_deg", "[0, 180]"]),
         ("tilt_deg = 40", "tilt_deg = [40]", &["motion.tilt_deg", "[0, 180]"]),
+        ("tilt_deg = 40", "tilt_deg = \"40\"", &["motion.tilt_deg", "[0, 180]"]),
+        (
+            "tilt_deg = 40",
+            "tilt_deg = \"40 deg\"",
+            &["motion.tilt_deg: must be a number of degrees; with a unit: tilt = \"40 deg\"\n"],
+        ),
+        (
+            "precession = 0.3",
+            "roll_deg = \"0.1 turns\"",
+            &["motion.roll_deg: must be a number of degrees; with a unit: roll = \"0.1 turns\"\n"],
+        ),
         ("spin = 3.5", "spin = -inf", &["motion.spin", "number"]),
         ("spin = 3.5", "spin = 1e12", &["motion.spin", "1e11"]),
-        ("spin = 3.5", "spin = 1e9", &["motion.spin", "e3 <= 1e14"]),
+        ("spin = 3.5", "spin = 1e9", &["motion.spin", "e3 <= 1e14", "support = \"free\" is then exact)\n"]),
         ("spin = 3.5", "spin = 3.5\nnutation = -1e9", &["motion.nutation", "e3 <= 1e14"]),
         ("precession = 0.3", "precession = 1e9", &["motion.precession", "e3 <= 1e14"]),
         ("precession", "presession", &["motion.presession", "unknown", "precession"]),
@@ -246,6 +263,31 @@ fn states() {
     assert_changes_refused("state", &good, changes);
     let near = scenario("state_norm", &good.replace("[0, 0.8]", "[0, 0.8000003]"));
     assert_eq!(run(&["constants", &near]).status.code(), Some(0));
+}
+
+/// The limit of a rate that a message states is one, with three digits.
+#[test]
+fn the_greatest_rate_is_stated() {
+    let good = format!("{TOP}{RELEASE}");
+    for (key, number, sign) in [("spin", "3.5", 1.0), ("spin", "3.5", -1.0), ("precession", "0.3", 1.0)] {
+        let constants = |rate: f64| {
+            let text = good.replace(&format!("{key} = {number}"), &format!("{key} = {:e}", sign * rate));
+            run(&["constants", &scenario("greatest_rate", &text)])
+        };
+        let refused = constants(1e9);
+        let message = stderr(&refused);
+        let (_, limit) = message.split_once(&format!("motion.{key}: must be at most ")).expect("a limit");
+        let limit: f64 = limit.split(' ').next().expect("a number").parse().expect("a number");
+        assert_eq!(constants(limit).status.code(), Some(0), "{message}");
+        assert_eq!(constants(1.01 * limit).status.code(), Some(2), "{message}");
+    }
+    // no spin helps where the precession is too fast
+    let text = good.replace("= 0.3", "= 0.9e9").replace("= 3.5", "= 1e9");
+    assert_refused(
+        &["constants", &scenario("no_rate", &text)],
+        2,
+        &["motion.spin: must be slow enough for e3"],
+    );
 }
 
 #[test]

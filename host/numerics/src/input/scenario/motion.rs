@@ -1,5 +1,7 @@
 //! Table `[motion]`: exactly one of three kinds.
 
+mod fastest;
+
 use super::section::{Key, Section};
 use super::units::ANGLES;
 use crate::Failure;
@@ -20,10 +22,13 @@ const KINDS: [(&str, Kind); 3] =
 pub(super) fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Option<State>), Failure> {
     match section.choice("kind", &KINDS, None)? {
         Kind::Release => {
-            let (state, fastest) = release(section)?;
-            launch(section, top, state, &[("omega", fastest)])
+            let release = release(section)?;
+            let state = State::release(&release).map_err(|error| section.refused(&error, &ANGLES))?;
+            launch(section, top, state, || fastest::too_fast(section, top, &release))
         }
-        Kind::State => launch(section, top, state(section)?, &[]),
+        Kind::State => {
+            launch(section, top, state(section)?, || section.refuse("omega", &format!("must be {SLOW}")))
+        }
         Kind::BranchPoints => Ok((branch_points(section, top)?, None)),
     }
 }
@@ -37,15 +42,23 @@ pub(super) fn numbers(kind: &str) -> &'static [Key] {
     }
 }
 
+/// * `too_fast`: failure for an angular velocity that is too large
 fn launch(
     section: &Section<'_>,
     top: &Top,
     state: State,
-    renamed: &[(&str, &str)],
+    too_fast: impl FnOnce() -> Failure,
 ) -> Result<(Motion, Option<State>), Failure> {
-    let motion = Motion::launch(top, &state).map_err(|error| section.refused(&error, renamed))?;
+    let motion = Motion::launch(top, &state).map_err(|error| match error.parameter() {
+        "omega" => too_fast(),
+        _ => section.refused(&error, &[]),
+    })?;
     Ok((motion, Some(state)))
 }
+
+/// Limit of the angular velocity in words, after `must be`.
+const SLOW: &str =
+    "slow enough for e3 <= 1e14 (faster, a body feels no torque: support = \"free\" is then exact)";
 
 const RATE: &str = "a number of rad/s, at most 1e11 in size";
 const SPIN: &str = "a number of rad/s, at most 1e11 in size: the whole component of omega along the axis";
@@ -60,26 +73,20 @@ static RELEASE: [Key; 6] = [
     Key::optional("roll_deg", 0.0, DEGREES),
 ];
 
-/// State, and the key of the greatest rate.
-fn release(section: &Section<'_>) -> Result<(State, &'static str), Failure> {
+fn release(section: &Section<'_>) -> Result<Release, Failure> {
     let [tilt_deg, spin, precession, nutation, azimuth_deg, roll_deg] = section.numbers("kind", &RELEASE)?;
     let [tilt_key, ..] = &RELEASE;
     if !(0.0..=180.0).contains(&tilt_deg) {
         return Err(section.not_allowed(tilt_key));
     }
-    let release = Release {
+    Ok(Release {
         tilt: tilt(tilt_deg),
         azimuth: angle(azimuth_deg),
         roll: angle(roll_deg),
         spin,
         precession,
         nutation,
-    };
-    let rates = [("spin", spin), ("precession", precession), ("nutation", nutation)];
-    let (fastest, _) =
-        rates.into_iter().fold(rates[0], |most, rate| if rate.1.abs() > most.1.abs() { rate } else { most });
-    let state = State::release(&release).map_err(|error| section.refused(&error, &ANGLES))?;
-    Ok((state, fastest))
+    })
 }
 
 const PAIR: &str = "an array of two finite numbers [re, im], of unit norm with the other parameter";

@@ -43,8 +43,8 @@ pub(super) fn read(section: &Section<'_>) -> Result<Top, Failure> {
         return Top::free(&parameters).map_err(|error| section.refused(&error, &[]));
     }
     match (section.has(mass), section.has(moment)) {
-        (true, false) => parameters.mass = section.number(mass)?,
-        (false, true) => parameters.mass_moment = section.number(moment)?,
+        (true, false) => parameters.mass = given(section, mass)?,
+        (false, true) => parameters.mass_moment = given(section, moment)?,
         (true, true) => return Err(section.refuse(moment.name, "allowed only without mass")),
         (false, false) => return Err(section.refuse(mass.name, "missing; exactly one of mass, mass_moment")),
     }
@@ -61,4 +61,12 @@ pub(super) fn read(section: &Section<'_>) -> Result<Top, Failure> {
         Support::Free => Top::free(&parameters),
     };
     top.map_err(|error: ParameterError| section.refused(&error, &[]))
+}
+
+/// Number of a key that is there. In the parameters of a top, 0 stands for a mass or mass moment that is not given.
+fn given(section: &Section<'_>, key: &Key) -> Result<f64, Failure> {
+    match section.number(key)? {
+        0.0 => Err(section.refuse(key.name, "must be positive, between 1e-60 and 1e60")),
+        number => Ok(number),
+    }
 }

@@ -117,6 +117,12 @@ fn replace_texts(
 
 fn replace_angles(section: &Section<'_>, table: &mut Table) -> Result<(), Failure> {
     for (key, in_degrees) in ANGLES {
+        if let Some(Value::String(text)) = table.get(in_degrees)
+            && number(text, DEGREES).is_ok()
+        {
+            let reason = format!("must be a number of degrees; with a unit: {key} = {:?}", shown(text));
+            return Err(section.refuse(in_degrees, &reason));
+        }
         let Some(value) = table.remove(key) else { continue };
         // one reader would take a number without a unit for degrees, and another for radians
         let Value::String(text) = value else {
