@@ -44,7 +44,7 @@ pub(super) fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
         Some(text) => Some(HeatMap::new(text, &rows.motions, &rows.header())?),
         None => None,
     };
-    let Added { len, before } = if to_stdout {
+    let Added { len, before, refused } = if to_stdout {
         print(&rows, &cores, arguments)?
     } else if in_columns {
         parquet(&rows, &cores, arguments)?
@@ -58,8 +58,9 @@ pub(super) fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     }
     let (seconds, motions) = (started.elapsed().as_secs_f64(), len - before);
     let already = if before > 0 { format!(" ({before} existed)") } else { String::new() };
+    let refused = refused.summary(&rows);
     let text = format!(
-        "{}: {motions} motions{already} in {seconds:.1} s on {} cores, {:.0} a minute\n",
+        "{}: {motions} motions{already}{refused} in {seconds:.1} s on {} cores, {:.0} a minute\n",
         if to_stdout { "stdout".into() } else { output.to_string_lossy() },
         cores.current_num_threads(),
         60.0 * motions as f64 / seconds,
@@ -77,26 +78,56 @@ const LARGEST_PLOTTED: u64 = 4096;
 struct Added {
     len: u64,
     before: u64,
+    /// Rows of this run that are no motions.
+    refused: Refused,
 }
 
-/// Computes rows of a shard, block by block and in order. `take` receives the lines of each block and their number.
+/// Rows without a motion.
+#[derive(Default)]
+struct Refused {
+    count: u64,
+    /// Index of the first one in the sweep.
+    first: Option<u64>,
+}
+
+impl Refused {
+    /// Part of the summary: the number of these rows, and the reason for the first one.
+    fn summary(&self, rows: &Rows) -> String {
+        let Self { count, first } = self;
+        first.map_or_else(String::new, |index| {
+            let reason = rows.motions.refusal(index).unwrap_or_default();
+            format!(", {count} of them refused (first: row {index}, {reason}),")
+        })
+    }
+}
+
+/// Computes rows of a shard, block by block and in order. `take` receives the lines of each block and their number. The result are the
+/// rows that are no motions.
 fn compute(
     rows: &Rows,
     cores: &ThreadPool,
     shard: [u64; 2],
     range: Range<u64>,
     mut take: impl FnMut(&str, u64) -> Result<(), Failure>,
-) -> Result<(), Failure> {
+) -> Result<Refused, Failure> {
+    let mut refused = Refused::default();
     let mut progress = Progress::logged(range.end - range.start, "motions");
     for start in range.clone().step_by(BLOCK as usize) {
         let block = start..range.end.min(start + BLOCK);
         let count = block.end - block.start;
-        let line = |row| rows.row(Part::index_in(row, shard));
-        let lines: Vec<String> = cores.install(|| block.into_par_iter().map(line).collect());
+        let line = |row| {
+            let index = Part::index_in(row, shard);
+            let (line, is_refused) = rows.row_or_refusal(index);
+            (line, is_refused.then_some(index))
+        };
+        let (lines, indices): (Vec<String>, Vec<Option<u64>>) =
+            cores.install(|| block.into_par_iter().map(line).unzip());
         take(&lines.concat(), count)?;
+        refused.count += indices.iter().flatten().count() as u64;
+        refused.first = refused.first.or(indices.into_iter().flatten().next());
         progress.add(count);
     }
-    Ok(())
+    Ok(refused)
 }
 
 /// Compares the rows of each file with their checksums.
@@ -180,8 +211,8 @@ fn append(
     let shard = arguments.shard.0;
     let mut part = Part::open(path, rows, shard, arguments.resume)?;
     let (len, before) = (part.total(), part.done());
-    compute(rows, cores, shard, before..len, |lines, count| part.append(lines, count))?;
-    Ok((Added { len, before }, part))
+    let refused = compute(rows, cores, shard, before..len, |lines, count| part.append(lines, count))?;
+    Ok((Added { len, before, refused }, part))
 }
 
 /// Prints the header and each block of rows when it is computed. A reader that closes the pipe (`| head`) is no
@@ -202,11 +233,11 @@ fn print(rows: &Rows, cores: &ThreadPool, arguments: &SweepArgs) -> Result<Added
             put(lines)
         })
     });
-    match printed {
-        Err(Failure::Output(error)) if error.kind() == ErrorKind::BrokenPipe => {}
+    let refused = match printed {
+        Err(Failure::Output(error)) if error.kind() == ErrorKind::BrokenPipe => Refused::default(),
         other => other?,
-    }
-    Ok(Added { len: done, before: 0 })
+    };
+    Ok(Added { len: done, before: 0, refused })
 }
 
 /// Writes the rows as Parquet, by a CSV file beside it. An interrupted run continues the CSV file.
@@ -218,7 +249,7 @@ fn parquet(rows: &Rows, cores: &ThreadPool, arguments: &SweepArgs) -> Result<Add
     if let Some(len) = columnar::rows_there(output, rows, shard, arguments.resume)?
         && !csv.exists()
     {
-        return Ok(Added { len, before: len });
+        return Ok(Added { len, before: len, refused: Refused::default() });
     }
     // the CSV file is locked until the Parquet file is complete
     let (added, _part) = append(&csv, rows, cores, arguments)?;

@@ -113,6 +113,12 @@ fn shards_make_the_whole() {
     // e1 = 0.5 > e2 = 0.2 is a place of the grid, but no motion
     let refused: Vec<_> = parts.iter().filter(|row| row.contains(",refused,")).collect();
     assert_eq!(refused.len(), 6);
+    let output = run(&words(&no_file("grid_counted"), &GRID));
+    assert!(
+        stdout(&output).contains(": 36 motions, 6 of them refused (first: row 12, e"),
+        "{}",
+        stdout(&output)
+    );
     assert!(parts.iter().all(|row| row.split(',').count() == 17) && refused[0].contains(",refused,,,,,"));
 }
 

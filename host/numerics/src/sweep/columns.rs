@@ -138,15 +138,22 @@ impl Rows {
     /// field needs quotes.
     #[must_use]
     pub fn row(&self, number: u64) -> String {
+        self.row_or_refusal(number).0
+    }
+
+    /// Row with this index, as [`Rows::row`], and whether no motion has its numbers.
+    #[must_use]
+    pub fn row_or_refusal(&self, number: u64) -> (String, bool) {
         let (fields, motion) = self.motions.at(number);
         let seed = self.motions.seed().map(|seed| seed.to_string()).unwrap_or_default();
         let (motions, version) = (self.motions.count(), env!("CARGO_PKG_VERSION"));
         let mut row = format!("{number},{motions},{version},{seed},{fields}");
+        let is_refused = motion.is_none();
         let measured = motion.map(|motion| self.measure(motion));
         for &column in &self.columns {
             put(&mut row, column, self.ticks, &measured);
         }
-        sealed(&row)
+        (sealed(&row), is_refused)
     }
 
     fn measure(&self, motion: Motion) -> Measured {

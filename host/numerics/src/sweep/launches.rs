@@ -4,6 +4,7 @@ use super::Axis;
 use crate::Failure;
 use crate::input::random::Random;
 use crate::input::scenario::{Key, Template};
+use crate::output::short;
 use std::fmt;
 use toytop::Motion;
 
@@ -107,6 +108,18 @@ impl Launches {
     /// Motion with this index; `None` where the scenario refuses its numbers.
     pub(super) fn motion(&self, number: u64) -> Option<Motion> {
         self.template.with(&self.numbers(number)).ok().map(|scenario| scenario.motion)
+    }
+
+    /// Key and value that the scenario refuses in the row with this index, and the reason; without the key where it does not vary.
+    pub(super) fn refusal(&self, number: u64) -> Option<String> {
+        let numbers = self.numbers(number);
+        let message = self.template.with(&numbers).err()?.to_string();
+        let reason = message.strip_prefix(&format!("{}: ", self.template.file())).unwrap_or(&message);
+        let of_key = numbers.iter().find_map(|(key, number)| {
+            let reason = reason.strip_prefix(&format!("{key}: "))?;
+            Some(format!("{} = {}: {reason}", key.name, short(*number, 5)))
+        });
+        Some(of_key.unwrap_or_else(|| reason.to_owned()))
     }
 }
 

@@ -61,6 +61,17 @@ impl Motions {
     }
 }
 
+impl Motions {
+    /// Reason why no motion has the numbers with this index; `None` where one has them.
+    #[must_use]
+    pub fn refusal(&self, number: u64) -> Option<String> {
+        match self {
+            Self::BranchPoints(space) => space.place(number).motion().err().map(|error| error.to_string()),
+            Self::Scenario(launches) => launches.refusal(number),
+        }
+    }
+}
+
 /// Options of `toytop sweep` that select the motions.
 impl fmt::Display for Motions {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

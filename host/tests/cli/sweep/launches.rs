@@ -41,6 +41,25 @@ fn numbers_that_a_scenario_cannot_have_are_refused_rows() {
     let table = sweep(&no_file("launches_refused"), &more);
     let regimes: Vec<_> = (0..3).map(|row| field(&table, row, "regime")).collect();
     assert_eq!(regimes, ["refused", "nutating", "refused"]);
+    // the summary counts them, and says why the first one is no motion
+    for (axes, shard, summary) in [
+        (
+            ["--tilt", "0..602/10"],
+            "1/1",
+            ": 10 motions, 7 of them refused (first: row 3, tilt_deg = 200.67: must be a number in [0, 180]), in ",
+        ),
+        (["--tilt", "0..602/10"], "2/2", ": 5 motions, 4 of them refused (first: row 3, tilt_deg = 200.67: "),
+        (
+            ["--axis", "com_height=-1,0.03"],
+            "1/1",
+            ": 2 motions, 1 of them refused (first: row 0, com_height = -1: must be positive, ",
+        ),
+        (["--tilt", "0,180"], "1/1", ": 2 motions in "),
+    ] {
+        let path = no_file("launches_counted");
+        let output = run(&words(&path, &[&[&*file, "--shard", shard][..], &axes].concat()));
+        assert!(stdout(&output).contains(summary), "{}", stdout(&output));
+    }
     // drawn by lot, resumed, and in shards as any other sweep
     let lot = [&file, "--motions", "50", "--spin", "log:100..1000", "--tilt", "1..30"];
     let whole = sweep(&no_file("launches_lot"), &lot);

@@ -3,6 +3,7 @@
 use super::{Scenario, motion, top};
 use crate::Failure;
 use crate::output::shown;
+use std::fmt;
 use std::path::Path;
 use toml::{Table, Value};
 
@@ -19,6 +20,12 @@ pub struct Key {
     table: &'static str,
     /// Name of the key.
     pub name: &'static str,
+}
+
+impl fmt::Display for Key {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.table, self.name)
+    }
 }
 
 impl Template {
