@@ -20,8 +20,8 @@ pub(crate) use fit::{FitArgs, SimulateArgs};
 pub(crate) use many::{SweepArgs, SweepFiles};
 pub(crate) use measure::{AccuracyArgs, BenchArgs, BudgetArgs, ErrataArgs, FiguresArgs};
 pub(crate) use motion::{
-    AnimateArgs, BakeArgs, ConstantsArgs, Language, PlotArgs, PlotKind, SampleFormat, StateArgs, TimesArgs,
-    ViewArgs,
+    AnimateArgs, BakeArgs, ConstantsArgs, DEFAULT_STEPS, Language, PlotArgs, PlotKind, SampleFormat,
+    StateArgs, TimesArgs, ViewArgs,
 };
 pub(crate) use score::ScoreArgs;
 

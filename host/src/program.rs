@@ -1,8 +1,8 @@
 //! Frame of a program with commands, from its arguments to its exit code.
 
 use crate::{Failure, Report};
-use clap::Parser;
 use clap::error::ErrorKind;
+use clap::{Arg, Command, Parser};
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -21,7 +21,10 @@ pub enum Request<C> {
 /// # Errors
 /// [`Failure::Input`] for everything that clap refuses.
 pub fn parse<C: Parser>(arguments: impl IntoIterator<Item = OsString>) -> Result<Request<C>, Failure> {
-    match C::try_parse_from(arguments) {
+    let parsed = with_negative_numbers(C::command())
+        .try_get_matches_from(arguments)
+        .and_then(|matches| C::from_arg_matches(&matches));
+    match parsed {
         Ok(cli) => Ok(Request::Run(Box::new(cli))),
         Err(error) => match error.kind() {
             ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
@@ -33,6 +36,16 @@ pub fn parse<C: Parser>(arguments: impl IntoIterator<Item = OsString>) -> Result
             _ => Err(Failure::Input(in_one_line(&error.render().to_string()))),
         },
     }
+}
+
+/// Command whose options take negative numbers as values, so that the check of their range refuses them, and not as other options.
+fn with_negative_numbers(command: Command) -> Command {
+    let takes_one = |argument: &Arg| !argument.is_positional() && argument.get_action().takes_values();
+    command
+        .mut_args(
+            |argument| if takes_one(&argument) { argument.allow_negative_numbers(true) } else { argument },
+        )
+        .mut_subcommands(with_negative_numbers)
 }
 
 /// Message of clap in one line: its first paragraph, which names the error and the allowed values, and its suggestion.

@@ -19,9 +19,10 @@ pub(crate) struct StateArgs {
     /// Scalar type of the core
     #[arg(long, value_enum, default_value_t = Scalar::F64)]
     pub(crate) scalar: Scalar,
-    /// Steps of the stepper in a nutation period (for a motion without a period: in a time of 2 pi sqrt((A/p + s)/g))
-    #[arg(long, value_name = "N", default_value_t = DEFAULT_STEPS, value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
-    pub(crate) steps_per_period: u32,
+    /// Steps of the stepper in a nutation period (for a motion without a period: in a time of 2 pi sqrt((A/p + s)/g)), for --method
+    /// stepper; 4096 without this option
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
+    pub(crate) steps_per_period: Option<u32>,
     /// Ticks in a second, for --ticks; 1000 without this option and --tick
     #[arg(long, value_name = "N", conflicts_with = "tick", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) hertz: Option<u32>,

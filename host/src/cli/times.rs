@@ -62,14 +62,12 @@ impl Instants {
     /// List of all times, s.
     ///
     /// # Errors
-    /// [`Failure::Input`]: too many to be held at once.
+    /// [`Failure::Input`]: too many to be held at once; the message does not name the option.
     pub(crate) fn times(&self) -> Result<Vec<f64>, Failure> {
         const MOST: u64 = 5_000_000;
         match self.count() {
             count if count <= MOST => Ok((0..count).map(|index| self.time(index)).collect()),
-            count => {
-                Err(Failure::Input(format!("times: {count}: must be at most {MOST} with this --method")))
-            }
+            count => Err(Failure::Input(format!("{count} times: must be at most {MOST} with this --method"))),
         }
     }
 
@@ -100,6 +98,16 @@ impl Ticks {
             Numbers::List(numbers) => numbers.get(index as usize).copied().unwrap_or_default(),
             Numbers::Run(first, _) => first.wrapping_add_unsigned(index),
         }
+    }
+}
+
+/// Option that states the times, with its file if it has one.
+#[must_use]
+pub(crate) fn option(arguments: &TimesArgs) -> String {
+    match (&arguments.times_file, &arguments.ticks) {
+        (Some(path), _) => format!("--times-file: {}", path.display()),
+        (None, Some(_)) => "--ticks".to_owned(),
+        (None, None) => "--times".to_owned(),
     }
 }
 

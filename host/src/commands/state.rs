@@ -3,7 +3,7 @@
 use super::{Report, unreal};
 use crate::Failure;
 use crate::cli::times::{self, Instants};
-use crate::cli::{Method, SampleFormat, Scalar, StateArgs};
+use crate::cli::{DEFAULT_STEPS, Method, SampleFormat, Scalar, StateArgs};
 use crate::full_equations::solution;
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::{default_or_smallest, furthest_time, smallest};
@@ -47,12 +47,17 @@ pub(super) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
 /// Function that computes samples by a method.
 fn source(arguments: &StateArgs, scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
-    let step = period(motion) / f64::from(arguments.steps_per_period);
+    if arguments.steps_per_period.is_some() && arguments.method != Method::Stepper {
+        return Err(Failure::Input("--steps-per-period: needs --method stepper".to_owned()));
+    }
+    let step = period(motion) / f64::from(arguments.steps_per_period.unwrap_or(DEFAULT_STEPS));
+    let option = times::option(&arguments.times);
+    let listed = || instants.times().map_err(|failure| failure.of(&option));
     let samples = match (arguments.method, arguments.scalar) {
-        (Method::Ephemeris, scalar) => return tabulated(scalar, scenario, instants),
-        (Method::Stepper, scalar) => stepped(scalar, motion, &instants.times()?, step)?,
-        (Method::Full, Scalar::F64) => solution::samples(scenario, &instants.times()?)?,
-        (Method::ClosedForm, Scalar::F64) => return closed(scenario, instants),
+        (Method::Ephemeris, scalar) => return tabulated(scalar, scenario, instants, &option),
+        (Method::Stepper, scalar) => stepped(scalar, motion, &listed()?, step)?,
+        (Method::Full, Scalar::F64) => solution::samples(scenario, &listed()?)?,
+        (Method::ClosedForm, Scalar::F64) => return closed(scenario, instants, &option),
         (method, scalar) => {
             let (name, allowed) = (scalar.name(), scalars(method));
             let method = method.name();
@@ -73,17 +78,22 @@ fn scalars(method: Method) -> &'static str {
     }
 }
 
-/// Failure for times that a method cannot compute.
+/// Failure for times that a method cannot compute, without the name of their option.
 fn within(instants: &Instants, furthest: f64, method: Method) -> Result<(), Failure> {
     let t = instants.furthest();
     if t.abs() <= furthest {
         return Ok(());
     }
     let allowed = format!("within ±{furthest:.1e} s with --method {}", method.name());
-    Err(Failure::Input(format!("times: {t:e} must be {allowed}")))
+    Err(Failure::Input(format!("{t:e} must be {allowed}")))
 }
 
-fn tabulated(scalar: Scalar, scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
+fn tabulated(
+    scalar: Scalar,
+    scenario: &Scenario,
+    instants: Instants,
+    option: &str,
+) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
     let of_scenario = |failure: Failure| failure.of(&scenario.name);
     if let Instants::Ticks(ticks) = &instants {
@@ -94,17 +104,18 @@ fn tabulated(scalar: Scalar, scenario: &Scenario, instants: Instants) -> Result<
         let ticks = ticks.clone();
         return Ok(Box::new(move |i| table.sample_at_tick(ticks.number(i), instants.time(i)).sample));
     }
-    within(&instants, furthest_time(motion), Method::Ephemeris)?;
+    within(&instants, furthest_time(motion), Method::Ephemeris).map_err(|failure| failure.of(option))?;
     let table = smallest(scalar, motion).map_err(of_scenario)?;
     Ok(Box::new(move |index| table.at(instants.time(index)).sample))
 }
 
 /// Function that computes samples by the closed form, if the motion has one.
-fn closed(scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
+fn closed(scenario: &Scenario, instants: Instants, option: &str) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
     let form =
         ClosedForm::of(motion).map_err(|refusal| Failure::Method(refusal.to_string()).of(&scenario.name))?;
-    within(&instants, MOST_PERIODS * period(motion), Method::ClosedForm)?;
+    let furthest = MOST_PERIODS * period(motion);
+    within(&instants, furthest, Method::ClosedForm).map_err(|failure| failure.of(option))?;
     let scale = 2.0 * motion.top().tip_scale();
     let angle = TipAngle::of(motion)?;
     Ok(Box::new(move |index| {

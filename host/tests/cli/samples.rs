@@ -139,7 +139,11 @@ fn many_rows_come_in_order() {
     assert_eq!((output.status.code(), stdout(&output)), (Some(0), ""));
     assert!(Path::new(&to).exists());
     let refused = run(&["state", &file, "--times=0..1/5000001", "--method", "stepper"]);
-    assert!(stderr(&refused).contains("times: 5000001: must be at most 5000000"), "{}", stderr(&refused));
+    assert!(
+        stderr(&refused).contains("--times: 5000001 times: must be at most 5000000"),
+        "{}",
+        stderr(&refused)
+    );
 }
 
 #[cfg(not(feature = "parquet"))]

@@ -75,7 +75,7 @@ pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
         Ok(steps as u64)
     } else {
         Err(Failure::Input(format!(
-            "times, --steps-per-period: {steps:.1e} steps of {step:.1e} s; must be at most 1e10 steps"
+            "--steps-per-period: {steps:.1e} steps of {step:.1e} s; must be at most 1e10 steps"
         )))
     }
 }

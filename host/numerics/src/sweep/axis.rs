@@ -118,8 +118,11 @@ impl FromStr for Axis {
         };
         let (high, places) = rest.split_once('/').map_or((rest, None), |(high, places)| (high, Some(places)));
         let range = Range { low: number(low)?, high: number(high)?, log };
-        if range.low >= range.high || (log && range.low <= 0.0) {
-            return Err(format!("must run upwards, and from above 0 where it is logarithmic: {FORMS}"));
+        if range.low >= range.high {
+            return Err("LOW must be below HIGH".to_owned());
+        }
+        if log && range.low <= 0.0 {
+            return Err("LOW must be above 0 with log:".to_owned());
         }
         let Some(places) = places else { return Ok(Self::Range(range)) };
         match places.trim().parse::<u32>() {
@@ -194,6 +197,11 @@ mod tests {
     fn what_is_no_axis_is_refused() {
         for text in ["", "x", "1,,2", "1..", "2..1", "1..1", "log:0..1", "0..1/1", "0..1/x", "nan", "log:3"] {
             assert!(text.parse::<Axis>().is_err(), "{text}");
+        }
+        for (text, reason) in
+            [("2..1", "LOW must be below HIGH"), ("log:0..1/3", "LOW must be above 0 with log:")]
+        {
+            assert_eq!(text.parse::<Axis>(), Err(reason.to_owned()));
         }
         for text in ["0.7", "0.1,0.2", "log:0.001..1000/7", "-1..1", "1e300", "-1e-9..0.3333333333333333"] {
             assert_eq!(axis(text).to_string(), text);
