@@ -221,6 +221,12 @@ fn compare_holds_its_bounds() {
     assert!(stdout(&table).lines().all(|line| line.chars().count() <= 120));
     assert_eq!(stdout(&table).matches(" ok\n").count(), 36);
     assert!(stdout(&table).contains("figure 2 e3=100 (-15.65"), "the warning is below the table");
+    let table = run(&["compare", &sample("toy_top"), "--scalar", "micromath"]);
+    let lines: Vec<_> =
+        stdout(&table).lines().map(|line| line.split_whitespace().collect::<Vec<_>>()).collect();
+    assert_eq!(lines[0][lines[0].len() - 2..], ["bound", "result"], "{lines:?}");
+    assert!(lines[1][2] == "stepper" && lines[1].ends_with(&["-", "no", "bound"]), "{lines:?}");
+    assert!(lines[2][2] == "ephemeris" && lines[2].ends_with(&["1e-2", "ok"]), "{lines:?}");
 }
 
 /// Without arguments there is one row for each motion, and the output fits one screen.
@@ -232,7 +238,7 @@ fn compare_fits_one_screen() {
     assert!(text.lines().count() <= 24 && text.lines().all(|line| line.chars().count() <= 100), "{text}");
     assert_eq!(text.matches(" ok\n").count(), 18, "{text}");
     let header: Vec<_> = text.lines().next().expect("a header").split_whitespace().collect();
-    assert_eq!(header, ["motion", "f64", "f32", "q31", "q15", "micromath", "ns"]);
+    assert_eq!(header, ["motion", "f64", "f32", "q31", "q15", "micromath", "ns", "result"]);
     let row = text.lines().find(|line| line.starts_with("figure 2 e3=100")).expect("a row");
     let cells: Vec<_> = row.split_whitespace().rev().skip(2).take(5).collect();
     for cell in cells {

@@ -36,7 +36,7 @@ fn record(row: &Row) -> Record {
 }
 
 const HEADER: [&str; 13] =
-    ["motion", "type", "method", "angle", "u", "tip", "h", "l", "n", "steps", "ns each", "bound", ""];
+    ["motion", "type", "method", "angle", "u", "tip", "h", "l", "n", "steps", "ns", "bound", "result"];
 
 pub(super) fn table(rows: &[Row], periods: u32) -> String {
     let header = HEADER.iter().map(|&name| name.to_owned()).collect();
@@ -45,7 +45,7 @@ pub(super) fn table(rows: &[Row], periods: u32) -> String {
         "{}\nThe core against the full 3-D equations: greatest differences at {SAMPLES} times in a period over {periods} periods.\n\
          angle: 2 sqrt(|d alpha|^2 + |d beta|^2) in rad, not to exceed the bound; tip: in units of s; h, l, n: as recomputed\n\
          from alpha, beta and their rates, against their constants, relative. Steps a period: {} in f64,\n\
-         {} in other types; of an ephemeris the segments x terms of its table. Each: a step or a look-up.\n",
+         {} in other types; of an ephemeris the segments x terms of its table. ns: a step or a look-up.\n",
         output::columns(lines, 3),
         steps_per_period(Scalar::F64),
         steps_per_period(Scalar::F32),
@@ -57,7 +57,7 @@ pub(super) fn summary(rows: &[Row], periods: u32) -> String {
     let scalars: Vec<Scalar> =
         Scalar::ALL.into_iter().filter(|scalar| rows.iter().any(|row| row.scalar == *scalar)).collect();
     let names = scalars.iter().map(|scalar| scalar.name());
-    let header = ["motion"].into_iter().chain(names).chain(["ns", ""]).map(str::to_owned).collect();
+    let header = ["motion"].into_iter().chain(names).chain(["ns", "result"]).map(str::to_owned).collect();
     let motions = rows.chunk_by(|a, b| a.motion == b.motion).map(|runs| summary_line(runs, &scalars));
     let lines = std::iter::once(header).chain(motions).collect();
     format!(
@@ -108,7 +108,8 @@ fn line(row: &Row) -> Vec<String> {
         }
         None => cells.extend(["-"; 8].map(str::to_owned)),
     }
-    cells.extend([format!("{:.0e}", row.bound), row.verdict().to_owned()]);
+    let bound = if row.bound < WORST { format!("{:.0e}", row.bound) } else { "-".to_owned() };
+    cells.extend([bound, row.verdict().to_owned()]);
     cells
 }
 
