@@ -27,8 +27,10 @@ pub(super) fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
 fn constants(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)> {
     let (integrals, e) = (motion.first_integrals(), motion.branch_points());
     let averages = motion.period_advance();
-    let average = |value: fn(&PeriodAdvance) -> f64| averages.as_ref().map(value);
-    let phi_per_period = average(PeriodAdvance::phi_per_period).filter(|_| !motion.regime().is_vertical());
+    let turning = |value: fn(&PeriodAdvance) -> f64| {
+        averages.as_ref().map(|averages| if is_in_a_plane(motion) { 0.0 } else { value(averages) })
+    };
+    let phi_per_period = turning(PeriodAdvance::phi_per_period).filter(|_| !motion.regime().is_vertical());
     vec![
         ("l", Cell::Number(integrals.l), "kg m^2/s"),
         ("n", Cell::Number(integrals.n), "kg m^2/s"),
@@ -43,13 +45,32 @@ fn constants(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)> {
         ("e3_minus_e2", finite(e.e3_minus_e2), ""),
         ("e3_minus_one", finite(e.e3_minus_one), ""),
         ("regime", Cell::Text(names::regime(motion.regime()).to_owned()), ""),
-        ("period", average(|averages| averages.period).into(), "s"),
-        ("alpha_turns", average(|averages| averages.alpha_turns).into(), "turns a period"),
-        ("beta_turns", average(|averages| averages.beta_turns).into(), "turns a period"),
+        ("period", averages.map(|averages| averages.period).into(), "s"),
+        ("alpha_turns", turning(|averages| averages.alpha_turns).into(), "turns a period"),
+        ("beta_turns", turning(|averages| averages.beta_turns).into(), "turns a period"),
         ("phi_per_period", phi_per_period.into(), "rad a period"),
         ("tip_class", Cell::Text(names::tip_class(motion.tip_class()).to_owned()), ""),
         ("min_normal_force", motion.min_normal_force().into(), "weights"),
     ]
+}
+
+/// Whether the axis stays in a vertical plane: it has no momentum about the vertical, and the body none about the axis. The arguments of
+/// α and β then are constant, and their mean rates exactly 0, which quadratures reach only up to rounding.
+fn is_in_a_plane(motion: &Motion) -> bool {
+    let integrals = motion.first_integrals();
+    integrals.l == 0.0 && integrals.n == 0.0
+}
+
+/// Least and greatest tilt of the axis, degrees.
+pub(super) fn tilts(motion: &Motion) -> [f64; 2] {
+    let e = motion.branch_points();
+    let tilt =
+        |one_plus_e: f64, one_minus_e: f64| 2.0 * one_minus_e.sqrt().atan2(one_plus_e.sqrt()).to_degrees();
+    match motion.regime() {
+        Regime::Hanging => [180.0; 2],
+        regime if regime.is_vertical() => [0.0; 2],
+        _ => [tilt(2.0 - e.one_minus_e2, e.one_minus_e2), tilt(e.one_plus_e1, 2.0 - e.one_plus_e1)],
+    }
 }
 
 /// Number as a cell; the cell is empty where the number is infinite, as e₃ is without torque.
@@ -59,18 +80,13 @@ fn finite(number: f64) -> Cell {
 
 /// Constants in degrees and turns. Without units, a second stands for the scenario's unit of time.
 fn in_everyday_units(motion: &Motion) -> Vec<(&'static str, Cell, &'static str)> {
-    let (top, e, integrals) = (motion.top(), motion.branch_points(), motion.first_integrals());
+    let (top, integrals) = (motion.top(), motion.first_integrals());
     let vertical = motion.regime().is_vertical();
-    let tilt =
-        |one_plus_e: f64, one_minus_e: f64| 2.0 * one_minus_e.sqrt().atan2(one_plus_e.sqrt()).to_degrees();
-    let [least, greatest] = match motion.regime() {
-        Regime::Hanging => [180.0; 2],
-        _ if vertical => [0.0; 2],
-        _ => [tilt(2.0 - e.one_minus_e2, e.one_minus_e2), tilt(e.one_plus_e1, 2.0 - e.one_plus_e1)],
-    };
+    let [least, greatest] = tilts(motion);
     let advance = motion.period_advance();
     let precession =
         advance.as_ref().filter(|_| !vertical).map(|a| a.phi_per_period() / (2.0 * PI * a.period));
+    let precession = precession.map(|turns| if is_in_a_plane(motion) { 0.0 } else { turns });
     let (a, c) = (top.transverse_inertia(), top.axial_inertia());
     let spin = integrals.spin / (2.0 * PI);
     // for the upright axis, e3 > 1 if n² > 4 A p g, where n = C spin + K

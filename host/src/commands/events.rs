@@ -1,5 +1,6 @@
 //! `toytop events`: times of turning points, tilts, circles, tip angles and lift-off.
 
+use super::constants::tilts;
 use super::{Report, unreal};
 use crate::Failure;
 use crate::cli::{EventsArgs, Format, Kind, Scalar, What};
@@ -35,6 +36,7 @@ pub(super) fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     let records: Vec<_> =
         events.iter().map(|(kind, sought, event)| record(kind, sought, event, motion, &*table)).collect();
     let text = match arguments.format {
+        Format::Table if records.is_empty() => none(&arguments.kinds, motion),
         Format::Table => rows(&records, scenario.units),
         Format::Csv => output::csv(&records).map_err(Failure::Output)?,
         Format::Json => output::json_list("events", &records).map_err(Failure::Output)?,
@@ -109,10 +111,21 @@ fn record(
     ])
 }
 
-fn rows(records: &[Record], units: Units) -> String {
-    if records.is_empty() {
+/// Text in place of a table without events, with the range of the tilt if no tilt that was sought is in it.
+fn none(kinds: &[Kind], motion: &Motion) -> String {
+    let [least, greatest] = tilts(motion);
+    let outside = |kind: &Kind| matches!(kind.what, What::Tilt(tilt) if tilt < least || tilt > greatest);
+    if !kinds.iter().all(outside) {
         return "no such event\n".to_owned();
     }
+    let [least, greatest] = [least, greatest].map(|tilt| output::short(tilt, 5));
+    if least == greatest {
+        return format!("no such event: the tilt stays at {least} degrees\n");
+    }
+    format!("no such event: the tilt stays between {least} and {greatest} degrees\n")
+}
+
+fn rows(records: &[Record], units: Units) -> String {
     let text = |cell: &Cell| match cell {
         Cell::Text(word) => word.clone(),
         Cell::Number(x) => number(*x),

@@ -94,6 +94,18 @@ fn events_that_do_not_occur_give_an_empty_list() {
     let asleep = sample("sleeping");
     assert!(events(&[&asleep]).is_empty());
     assert!(stdout(&run(&["events", &asleep])).starts_with("no such event\n"));
+    // a tilt that is sought in vain
+    let top = sample("toy_top");
+    for (file, kind, expected) in [
+        (&top, "tilt=60", "no such event: the tilt stays between 20 and 22.234 degrees\n"),
+        (&top, "tilt=19.9:up,tilt=23", "no such event: the tilt stays between 20 and 22.234 degrees\n"),
+        (&asleep, "tilt=60", "no such event: the tilt stays at 0 degrees\n"),
+        (&asleep, "tilt=60,turning", "no such event\n"),
+    ] {
+        let output = run(&["events", file, "--kind", kind]);
+        assert!(stdout(&output).starts_with(expected), "{file} {kind}: {}", stdout(&output));
+    }
+    assert_eq!(events(&[&top, "--kind", "tilt=60,tilt=21", "--count", "2"]).len(), 2);
     let csv = run(&[
         "events",
         &sample("toy_top"),

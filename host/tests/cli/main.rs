@@ -5,6 +5,7 @@ mod bake;
 mod bench;
 mod benchmark;
 mod budget;
+mod constants;
 mod errata;
 mod events;
 mod figures;
