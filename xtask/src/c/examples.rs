@@ -9,6 +9,7 @@ use std::time::Duration;
 use anyhow::{Context, Result, bail};
 
 use super::archive::{make, target_dir};
+use super::header::programs_of_pages;
 use crate::process::{root, run, run_within};
 use crate::tools;
 use crate::{firmware, host};
@@ -28,19 +29,26 @@ fn folders() -> Result<[PathBuf; 2]> {
     Ok([root().join("core/c/examples"), made])
 }
 
-/// Test of the host example by gcc and by clang.
+/// Test of the host example and of the programs of the pages by gcc and by clang.
 pub(crate) fn on_host() -> Result<String> {
     let (archives, [sources, made]) = (archives("host")?, folders()?);
+    let pages = programs_of_pages(&made)?;
     let mut lines = 0;
     for compiler in ["gcc", "clang"] {
         let program = made.join(compiler);
-        let mut command = Command::new(compiler);
-        command.args(["-std=c99", "-O2"]).args(WARNINGS).arg("-I").arg(archives.join("include"));
-        command.arg("-o").arg(&program).arg(sources.join("host.c"));
-        run(command.arg(archives.join("lib/host/libtoytop.a")).arg("-lm"))?;
-        lines = compare(&run(&mut Command::new(&program))?)?;
+        let printed = |source: &Path| {
+            let mut command = Command::new(compiler);
+            command.args(["-std=c99", "-O2"]).args(WARNINGS).arg("-I").arg(archives.join("include"));
+            command.arg("-o").arg(&program).arg(source);
+            run(command.arg(archives.join("lib/host/libtoytop.a")).arg("-lm"))?;
+            run(&mut Command::new(&program))
+        };
+        for (page, source) in &pages {
+            printed(source).with_context(|| format!("{page}: its program in C"))?;
+        }
+        lines = compare(&printed(&sources.join("host.c"))?)?;
     }
-    Ok(format!("gcc and clang: {lines} lines have the bits of `toytop state`"))
+    Ok(format!("gcc and clang: {lines} lines have the bits of `toytop state`; the programs of the pages run"))
 }
 
 /// Test of the example for the Cortex-M4F, without any library, under QEMU.

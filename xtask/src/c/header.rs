@@ -1,6 +1,7 @@
 //! Header for C, which cbindgen makes from the sources, and which every compiler and standard accepts without a warning.
 
 use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result};
@@ -28,6 +29,41 @@ pub(crate) fn overwrite() -> Result<()> {
     Ok(())
 }
 
+/// Pages, each with a `main` that runs its first program in C. At tick 0 of the front page w is cos(0.35/2).
+const PAGES: [(&str, &str); 2] = [
+    (
+        "README.md",
+        "int main(void) {
+    toytop_error why;
+    float q[4];
+    if (start(&why)) return 1;
+    tick(q);
+    return q[0] > 0.98472f && q[0] < 0.98473f ? 0 : 2;
+}
+",
+    ),
+    (
+        "core/c/README.md",
+        "int main(void) {
+    toytop_error why;
+    if (launch(&why)) return 1;
+    SysTick_Handler();
+    return 0;
+}
+",
+    ),
+];
+
+/// Pages with the sources of their first programs in C, which are written to a folder.
+pub(super) fn programs_of_pages(folder: &Path) -> Result<Vec<(&'static str, PathBuf)>> {
+    let written = |(index, (page, main)): (usize, (&'static str, &str))| {
+        let source = folder.join(format!("page_{index}.c"));
+        fs::write(&source, first_program(page)? + main)?;
+        Ok((page, source))
+    };
+    PAGES.into_iter().enumerate().map(written).collect()
+}
+
 /// First program in C of a page.
 fn first_program(page: &str) -> Result<String> {
     let text = fs::read_to_string(root().join(page))?;
@@ -41,9 +77,7 @@ pub(crate) fn compile() -> Result<String> {
     let folder = target_dir().join("header");
     fs::create_dir_all(&folder)?;
     let mut count = 0;
-    for page in ["README.md", "core/c/README.md"] {
-        let source = folder.join("page.c");
-        fs::write(&source, first_program(page)?)?;
+    for (page, source) in programs_of_pages(&folder)? {
         let mut command = Command::new("gcc");
         command
             .args(["-std=c99", "-fsyntax-only"])
