@@ -96,7 +96,8 @@ impl<F: Float> Law<F> {
     }
 
     /// Law in another number type.
-    pub(crate) fn map<R>(&self, convert: impl Fn(F) -> R) -> Law<R> {
+    #[inline(never)] // a call by a pointer, because fifteen conversions in each place would take much of a chip's flash
+    pub(crate) fn map<R>(&self, convert: fn(F) -> R) -> Law<R> {
         Law {
             one_plus_e1: convert(self.one_plus_e1),
             one_minus_e2: convert(self.one_minus_e2),

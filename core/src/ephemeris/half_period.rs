@@ -19,8 +19,19 @@ pub(crate) struct Position {
     pub(crate) squares: [f32; 2],
 }
 
-/// Derivatives of the phases at the position reached, for an expansion whose unit of x is this time.
-pub(crate) type SlopesAt = fn(&HalfPeriod, Extended) -> Slopes;
+/// Computations in the numbers of the mean rates. They are called by pointers, so that the rest is compiled once for all scalars.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RateFunctions {
+    law: fn(&Motion) -> Law<Extended>,
+    /// Derivatives of the phases at the position reached, for an expansion whose unit of x is this time.
+    slopes: fn(&HalfPeriod, Extended) -> Slopes,
+}
+
+impl RateFunctions {
+    pub(crate) const fn of<N: RateNumber>() -> Self {
+        Self { law: |motion| motion.law::<N>().map(N::into), slopes: HalfPeriod::slopes::<N> }
+    }
+}
 
 /// Steps through the half period, with the expansion around the last position.
 #[derive(Clone, Copy, Debug)]
@@ -33,8 +44,7 @@ pub(crate) struct HalfPeriod {
     is_periodic: bool,
     /// Constant rates of θ_A and θ_B besides ψ_A' and ψ_B', rad per unit time.
     theta_offset: [Extended; 2],
-    /// [`HalfPeriod::slopes`] in the numbers of the mean rates. Behind a pointer, so that the rest is compiled once for all scalars.
-    rates: SlopesAt,
+    functions: RateFunctions,
     /// Magnitude below which a term of the series is negligible.
     least: f64,
     /// This magnitude in the units of the series of α and β.
@@ -65,7 +75,7 @@ impl HalfPeriod {
         length: 0.0,
         is_periodic: true,
         theta_offset: [Extended::ZERO; 2],
-        rates: |_, _| Slopes::ZERO,
+        functions: RateFunctions { law: |_| Law::ZERO, slopes: |_, _| Slopes::ZERO },
         least: 0.0,
         least_units: 0,
         expansion: Expansion::EMPTY,
@@ -80,9 +90,9 @@ impl HalfPeriod {
     };
 
     /// Begins at u = e₁.
-    pub(crate) fn begin(&mut self, motion: &Motion, rates: &MeanRates, least: f64, slopes: SlopesAt) {
-        self.rates = slopes;
-        let law = motion.law();
+    pub(crate) fn begin(&mut self, motion: &Motion, rates: &MeanRates, least: f64, functions: RateFunctions) {
+        self.functions = functions;
+        let law = (functions.law)(motion);
         (self.law, self.rounded_law) = (law, law.cast());
         self.length = rates.half_period.to_f64();
         (self.is_periodic, self.theta_offset) = (rates.is_periodic, rates.theta_offset);
@@ -122,7 +132,7 @@ impl HalfPeriod {
     pub(crate) fn prepare(&mut self, unit: Extended) {
         self.unit = unit.to_f64();
         self.part = self.unit / self.length;
-        self.slopes = (self.rates)(self, unit);
+        self.slopes = (self.functions.slopes)(self, unit);
     }
 
     /// Begins the expansion of the law around the position reached.
@@ -139,7 +149,7 @@ impl HalfPeriod {
     /// Derivatives of the phases, in the numbers of the mean rates: a slow phase may turn by thousands of radians and hardly differ
     /// from its mean.
     #[inline(never)]
-    pub(crate) fn slopes<N: RateNumber>(&self, unit: Extended) -> Slopes {
+    fn slopes<N: RateNumber>(&self, unit: Extended) -> Slopes {
         let sine_cosine = self.current.point.sine_cosine();
         let (sine, cosine) = sine_cosine;
         let rates = self.law.map(N::from).rates(N::from_f64(sine), N::from_f64(cosine));

@@ -60,6 +60,12 @@ impl StartSearch {
         if (end - self.chi).to_radians() < 0.0 && !last {
             return None;
         }
+        // most motions start at a turning point, which is an end of a span
+        match self.chi {
+            Phase::ZERO => return Some(-1.0),
+            Phase::QUARTER => return Some(1.0),
+            _ => {}
+        }
         const NEWTON_STEPS: usize = 8;
         let mut x: f64 = 0.0;
         for _ in 0..NEWTON_STEPS {
@@ -77,6 +83,9 @@ impl StartSearch {
 
     /// Change of x at the start over a relative change of the number that is stored rounded (see the field `per_rounding`).
     pub(crate) fn per_rounding(&self, expansion: &Expansion, x: f64) -> f64 {
+        if self.per_rounding == 0.0 {
+            return 0.0;
+        }
         let (_, slope) = expansion.chi_and_slope(x);
         if slope > 0.0 { self.per_rounding / slope } else { 0.0 }
     }

@@ -6,7 +6,7 @@ use crate::ephemeris::cell::Cell;
 use crate::ephemeris::clock::Clock;
 use crate::ephemeris::error_bound::{ErrorBound, phase_errors};
 use crate::ephemeris::evaluation::{EphemerisScalar, EvaluationErrors};
-use crate::ephemeris::half_period::HalfPeriod;
+use crate::ephemeris::half_period::RateFunctions;
 use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::polynomial::Polynomial;
@@ -145,8 +145,8 @@ impl SetUp {
             }
             Stage::Begin => {
                 let requirements = self.requirements(ephemeris);
-                let slopes = HalfPeriod::slopes::<R::Rates>;
-                self.tabulation.begin(&self.motion, &self.rates, fine(&requirements), slopes);
+                let functions = RateFunctions::of::<R::Rates>();
+                self.tabulation.begin(&self.motion, &self.rates, fine(&requirements), functions);
                 self.stage = Stage::Estimate;
             }
             Stage::Estimate => return self.estimate(self.requirements(ephemeris)),
@@ -325,7 +325,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let rates = MeanRates::of(motion, R::ROUNDING);
         let requirements = Requirements::new(R::TERMS, truncation, Cell::MOST_SEGMENTS);
         let mut tabulation = Tabulation::EMPTY;
-        tabulation.begin(motion, &rates, requirements, HalfPeriod::slopes::<R::Rates>);
+        tabulation.begin(motion, &rates, requirements, RateFunctions::of::<R::Rates>());
         loop {
             match tabulation.advance(motion, &mut |_, _, parts| put::<R>(&mut [], 0, 0, parts)) {
                 Ok(None) => {}

@@ -18,7 +18,7 @@ mod cells;
 use crate::cayley_klein::Brackets;
 use crate::ephemeris::cell::CELLS;
 use crate::ephemeris::economise::omitted_terms;
-use crate::ephemeris::half_period::{HalfPeriod, Position, SlopesAt};
+use crate::ephemeris::half_period::{HalfPeriod, Position, RateFunctions};
 use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::polynomial::Polynomial;
@@ -139,18 +139,18 @@ impl Tabulation {
         parts: [PartOfSpan::NONE; 2],
     };
 
-    /// Begins the tabulation of a motion that is not steady. The slopes are [`HalfPeriod::slopes`] in the numbers of the scalar.
+    /// Begins the tabulation of a motion that is not steady.
     #[inline(never)]
     pub(crate) fn begin(
         &mut self,
         motion: &Motion,
         rates: &MeanRates,
         requirements: Requirements,
-        slopes: SlopesAt,
+        functions: RateFunctions,
     ) {
         let error = if requirements.allowed < rates.rounding { requirements.allowed } else { rates.rounding };
         let least = error / (16 * requirements.most.min(16 * CELLS)) as f64;
-        self.path.begin(motion, rates, least, slopes);
+        self.path.begin(motion, rates, least, functions);
         let Brackets { alpha, beta } = motion.brackets::<f64>();
         self.exponentials = [alpha.exponentials(), beta.exponentials()];
         self.seek = StartSearch::new(motion, self.path.law(), rates);

@@ -80,7 +80,7 @@ fn rounded(sum: i128, shift: i32) -> i64 {
 
 /// [`rounded`] of upper · 2^60 + across · 2^30 and 30 lower bits, in words of 64 bits: shifts of 128 bits would cost a
 /// chip more than the products. |across| is below 2^63, and |upper| is below 2^62.
-#[inline(never)] // a call: set-up rounds in some thirty places
+#[inline(always)] // its only caller is Block::product
 fn rounded_parts(upper: i64, across: i64, shift: i32) -> i64 {
     let twice = match shift {
         61.. => match (upper + (across >> LOW_BITS), shift - 61) {

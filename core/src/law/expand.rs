@@ -53,12 +53,14 @@ impl Law<f64> {
         let one_minus_u = swing + self.one_minus_e2;
         let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * sine * sine;
         let d = self.a_over_p + self.s * one_minus_u * one_plus_u;
-        let s_per_d = self.s * self.e2_minus_e1 / d;
+        let per_d = 1.0 / d;
+        let s_per_d = self.s * self.e2_minus_e1 * per_d;
         // the denominators of ψ_A' and ψ_B' over D: combinations of 1 and dχ/dx
+        let scale = unit * unit * self.e2_minus_e1 * per_d;
         let per = |constant: f64, smoothing: f64| {
-            let divisor = constant + smoothing * chi_slope;
-            let shares = [constant / divisor, smoothing * chi_slope / divisor];
-            (unit * unit * self.e2_minus_e1 / (divisor * d), shares)
+            let smoothed = smoothing * chi_slope;
+            let per_divisor = 1.0 / (constant + smoothed);
+            (scale * per_divisor, [constant * per_divisor, smoothed * per_divisor])
         };
         let (alpha, alpha_shares) = per(unit, self.alpha_smoothing);
         let (beta, beta_shares) = per(unit * self.root_e3, self.beta_smoothing);
