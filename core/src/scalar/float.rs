@@ -23,6 +23,11 @@ macro_rules! float_scalar {
             fn sqrt(self) -> Self {
                 if self > 0.0 { $sqrt(self) } else { 0.0 }
             }
+            #[inline]
+            fn abs(self) -> Self {
+                // clears the sign bit, where a soft comparison would cost a call
+                <$float>::abs(self)
+            }
         }
 
         impl Real for $float {

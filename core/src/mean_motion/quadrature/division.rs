@@ -5,7 +5,7 @@ use crate::scalar::{Float, Ring};
 /// Largest number of nodes on half a period. A motion with m₁ = 1e-300 needs 2560.
 pub(super) const MOST_NODES: u32 = 1 << 13;
 
-/// First division of the half period, into 1, 3 or 5 parts, and the number of nodes after doublings of it: the least number that
+/// First division of the half period, into 1, 3, 5 or 15 parts, and the number of nodes after doublings of it: the least number that
 /// is at least `nodes`. There are at least two doublings, because the estimate of the error needs them.
 pub(super) fn division(nodes: f64) -> (u32, u32) {
     let doubled = |division: u32| {
@@ -16,13 +16,18 @@ pub(super) fn division(nodes: f64) -> (u32, u32) {
         (division, count)
     };
     let fewer = |a: (u32, u32), b: (u32, u32)| if b.1 < a.1 { b } else { a };
-    fewer(fewer(doubled(1), doubled(3)), doubled(5))
+    fewer(fewer(doubled(1), doubled(3)), fewer(doubled(5), doubled(15)))
 }
 
-/// Sine and cosine of a right angle divided by 1, 3 or 5.
+/// Sine and cosine of a right angle divided by 1, 3, 5 or 15.
 pub(super) fn part_of_right_angle<N: Float>(division: u32) -> [N; 2] {
     let sine = match division {
         3 => N::ONE.halved(),
+        15 => {
+            // twice a fifth less a third
+            let ([third, cosine], fifth) = (part_of_right_angle::<N>(3), part_of_right_angle(5));
+            return sum_of_angles(sum_of_angles(fifth, fifth), [-third, cosine]);
+        }
         5 => (N::from_f64(5.0).sqrt() - N::ONE).halved().halved(),
         _ => return [N::ONE, N::ZERO],
     };
