@@ -7,11 +7,11 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (toytop::Baked::<toytop::fixed::types::I2F30, 32> {
     format: 5,
-    crc32: 0x94a74aed,
+    crc32: 0xcb5237b0,
     clock: toytop::Clock {
         step: [[2824891389, 588342322, 56542227], [1544111065, 672778249, 51392304], [1794140112, 2227764775, 4247109518]],
         tip_scale: 0.06,
-        first: [3156963971601266176, 5907418774071410176, 14593857520968664064],
+        first: [3156963971601268736, 5907418774071411456, 14593857520968662784],
         horizon: None,
         exact_step: [[0.013164763137927308, -7.232863786880743e-19], [0.01196570325564672, 5.073803992537761e-19], [-0.011142757134816631, 4.0211599226151334e-19]],
         ticks_per_time: [1000.0, 0.0],
@@ -25,8 +25,8 @@ pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (
         },
         turns: true,
     },
-    error_bound: toytop::ErrorBound { constant: 1.991508829296737e-8, per_tick: 7.62023181429063e-29 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00012066385978458274, per_tick: 4.095341776970168e-27 },
+    error_bound: toytop::ErrorBound { constant: 1.991463682076076e-8, per_tick: 7.62023181429063e-29 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00012064337281272908, per_tick: 4.095341776970168e-27 },
     cells: [2, 2, 66, 66, 130, 130, 194, 194, 258, 258, 322, 322, 386, 386, 450, 450],
     segments: [
         [
