@@ -92,8 +92,8 @@ impl HalfPeriod {
     /// Begins at u = e₁.
     pub(crate) fn begin(&mut self, motion: &Motion, rates: &MeanRates, least: f64, functions: RateFunctions) {
         self.functions = functions;
-        let law = (functions.law)(motion);
-        (self.law, self.rounded_law) = (law, law.cast());
+        self.law = (functions.law)(motion);
+        self.rounded_law = self.law.cast();
         self.length = rates.half_period.to_f64();
         (self.is_periodic, self.theta_offset) = (rates.is_periodic, rates.theta_offset);
         (self.least, self.least_units) = (least, (least / UNIT) as i64);

@@ -21,7 +21,6 @@ impl Polynomial {
 
     /// Replaces the series on [-1, 1] by that on the lower or the upper half of the interval, whose own coordinate is in [-1, 1]. Last
     /// terms of at most `least` are removed. Rounding error: about two units of the coefficients.
-    #[inline(never)] // a call: it is made for each segment
     pub(crate) fn halve(&mut self, lower: bool, least: i64) {
         while let Some(last) = self.terms.checked_sub(1) {
             let size = |series: &[i64; TERMS]| series.get(last).map_or(0, |c| c.abs());
@@ -40,6 +39,7 @@ impl Polynomial {
 }
 
 /// Replaces a series in x by that in x', where x = (x' + 1)/2, or x = (x' - 1)/2 for the lower half.
+#[inline(never)] // a call for the real and for the imaginary part
 fn halve(coefficients: &mut [i64], lower: bool) {
     // the lower half of a series is the mirror image of the upper half of the mirrored series
     if lower {

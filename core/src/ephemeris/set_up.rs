@@ -234,6 +234,7 @@ impl SetUp {
         ephemeris.clock = Clock::new(motion, *tick, rates, tabulated);
     }
 
+    #[inline(never)] // the stack frames of set-up must not add up
     fn state_bounds<R: EphemerisScalar>(&self, ephemeris: &mut EphemerisView<R>) {
         let [_, mean, axial] = ephemeris.clock.rates.map(Float::to_f64);
         let of_motion = self.motion_rates(ephemeris.half_periods_per_time(), [mean, axial]);
