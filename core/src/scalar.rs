@@ -13,6 +13,8 @@
 //! Each scalar names the type in which its mean rates are computed, a [`RateNumber`]: [`Extended`] for `f64`, [`Extended64`] for the
 //! others.
 
+mod power_of_two;
+
 mod extended;
 
 mod extended64;
@@ -26,7 +28,7 @@ mod fixed_point;
 
 pub use extended::Extended;
 pub use extended64::Extended64;
-pub(crate) use float::{power_of_two, times_power_of_two};
+pub(crate) use power_of_two::{power_of_two, times_power_of_two};
 pub(crate) use sine::sine_cosine_f64;
 #[cfg(feature = "fixed")]
 pub use sine::sine_cosine_q15;

@@ -60,14 +60,13 @@ impl StartSearch {
         if (end - self.chi).to_radians() < 0.0 && !last {
             return None;
         }
-        // most motions start at a turning point, which is an end of a span
-        match self.chi {
-            Phase::ZERO => return Some(-1.0),
-            Phase::QUARTER => return Some(1.0),
-            _ => {}
-        }
         const NEWTON_STEPS: usize = 8;
-        let mut x: f64 = 0.0;
+        // most motions start at a turning point, which is an end of a span
+        let mut x: f64 = match self.chi {
+            Phase::ZERO => -1.0,
+            Phase::QUARTER => 1.0,
+            _ => 0.0,
+        };
         for _ in 0..NEWTON_STEPS {
             let (chi, slope) = expansion.chi_and_slope(x);
             let miss = (chi - self.chi).to_radians();

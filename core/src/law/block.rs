@@ -296,7 +296,8 @@ impl Block {
         coefficients.iter().rev().try_fold(0_i64, |sum, c| in_range(((sum * quarters + 2) >> 2) + c.value()))
     }
 
-    /// Upper bound on the sum Σ |c| yʲ⁻¹ over these coefficients, from their upper words; infinite where it leaves the range.
+    /// Upper bound on the sum Σ |c| yʲ⁻¹ over these coefficients, from their upper words. Where it leaves the range it counts as
+    /// 2^61, and the error that follows is too large for any table.
     pub(crate) fn size_at_quarters(&self, quarters: i32, terms: usize) -> f32 {
         /// Unit of the upper words, in units of the coefficients.
         const UNIT: f32 = (1_u32 << LOW_BITS) as f32;
@@ -305,7 +306,7 @@ impl Block {
             let next = ((sum * quarters + 3) >> 2) + c.high.abs() + 1;
             (next <= (LIMIT >> LOW_BITS) as i32).then_some(next)
         });
-        sum.map_or(f32::INFINITY, |sum| UNIT * sum as f32)
+        UNIT * sum.unwrap_or(i32::MAX) as f32
     }
 }
 
