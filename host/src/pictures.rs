@@ -3,6 +3,7 @@
 //! | module | contents |
 //! |---|---|
 //! | [`plot`] | curve of the tip |
+//! | `cycle` | time in which a motion repeats itself |
 //! | `span` | motion over a span of time |
 //! | `charts` | tilt and precession against time, potential |
 //! | `animation` | animation of the top, frame by frame |
@@ -22,6 +23,7 @@ pub(crate) mod animation;
 mod camera;
 #[cfg(feature = "program")]
 pub(crate) mod charts;
+mod cycle;
 #[cfg(feature = "program")]
 pub mod figures;
 #[cfg(feature = "program")]

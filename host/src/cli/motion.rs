@@ -102,6 +102,18 @@ pub(crate) enum PlotKind {
     Potential,
 }
 
+impl PlotKind {
+    /// Greatest number of nutation periods of a picture, and the kind of picture as a message names it. More would fill the frame.
+    #[must_use]
+    pub(crate) fn most_cycles(self) -> (u32, &'static str) {
+        match self {
+            Self::Tilt => (300, " for --kind tilt"),
+            Self::Precession => (300, " for --kind precession"),
+            Self::Tip | Self::Axis | Self::Potential => (1000, ""),
+        }
+    }
+}
+
 /// Two times, LOW..HIGH, s.
 pub(super) fn span(text: &str) -> Result<[f64; 2], &'static str> {
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
@@ -117,7 +129,8 @@ pub(crate) struct PlotArgs {
     /// Kind of picture
     #[arg(long, value_enum, default_value_t = PlotKind::Tip)]
     pub(crate) kind: PlotKind,
-    /// Times to draw, s; without it, from 0 over about one turn of the tip around the centre
+    /// Times to draw, s, at most 1000 nutation periods for the tip and the axis, 300 for tilt and precession, and none for the
+    /// potential; without it, from 0 over about one turn of the tip around the centre
     #[arg(long, value_name = "LOW..HIGH", value_parser = span, allow_hyphen_values = true)]
     pub(crate) times: Option<[f64; 2]>,
     /// Width of the picture, pixels

@@ -8,7 +8,7 @@ use crate::output::names::tip_class;
 use crate::output::short;
 use crate::output::whole_file;
 use crate::pictures::plot::{Curve, Form, draw, encode_at};
-use crate::pictures::span::Span;
+use crate::pictures::span::{Span, require_at_most};
 use crate::pictures::{charts, sphere};
 use kuva::render::render::Scene;
 use toytop::{Sign, Support};
@@ -28,7 +28,14 @@ pub(super) fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
 fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
     let (motion, times) = (&scenario.motion, arguments.times);
     if arguments.kind == PlotKind::Potential {
+        if times.is_some() {
+            return Err(Failure::Input("--times: not for --kind potential".to_owned()));
+        }
         return Ok(charts::potential(scenario));
+    }
+    if let Some(times) = times {
+        let (most, kind) = arguments.kind.most_cycles();
+        require_at_most(most, scenario, times, kind)?;
     }
     let span = Span::new(motion, times)?;
     Ok(match arguments.kind {

@@ -8,7 +8,9 @@ use kuva::render::render::Scene;
 use std::f64::consts::PI;
 use toytop::{Motion, Regime};
 
+/// Least number of points of a curve, and least number in a cycle of the motion.
 const POINTS: u64 = 2000;
+const PER_CYCLE: u64 = 32;
 
 fn label(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.to_owned() } else { format!("{name}, {unit}") }
@@ -25,7 +27,7 @@ pub(crate) fn tilt(scenario: &Scenario, span: &Span) -> Scene {
         let phi = span.at(t).orientation();
         [t, crate::samples::angles::tilt_azimuth_roll(&phi)[0].to_degrees()]
     };
-    let mut curves = vec![curve("tilt", span.times(POINTS).map(degrees).collect())];
+    let mut curves = vec![curve("tilt", span.times_in_cycles(POINTS, PER_CYCLE).map(degrees).collect())];
     curves.extend(bounds(&scenario.motion).into_iter().map(|(name, tilt)| {
         curve(&format!("{name}: {tilt:.2} degrees"), span.ends().map(|t| [t, tilt]).into())
     }));
@@ -65,7 +67,8 @@ pub(crate) fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Fail
     })?;
     let turn = if start > 0.0 { -PI } else { PI };
     let degrees = |t: f64| [t, without_rounding((span.at(t).phi.unwrap_or(f64::NAN) + turn).to_degrees())];
-    let mut curves = vec![curve("azimuth of the axis", span.times(POINTS).map(degrees).collect())];
+    let mut curves =
+        vec![curve("azimuth of the axis", span.times_in_cycles(POINTS, PER_CYCLE).map(degrees).collect())];
     if let Some(advance) = scenario.motion.period_advance() {
         let rate = without_rounding(advance.phi_per_period().to_degrees()) / advance.period;
         let [from, until] = span.ends();

@@ -13,7 +13,9 @@ const MIDDLE: [f64; 2] = [320.0, 385.0];
 const RADIUS: f64 = 265.0;
 /// Horizontal position at which the names of the parallels begin, pixels.
 const LABELS: f64 = 572.0;
+/// Least number of points of the curve, and least number in a cycle of the motion.
 const POINTS: u64 = 6000;
+const PER_CYCLE: u64 = 64;
 
 /// Draws the curve of the axis over a span of time; the lines of the caption are below the title.
 #[must_use]
@@ -66,7 +68,7 @@ pub(crate) fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scen
         text(&mut scene, &label, [LABELS, label_y], 12, TextAnchor::Start, "#333333");
     }
     let axis = |t: f64| span.at(t).orientation().axis();
-    let points: Vec<_> = span.times(POINTS).map(axis).collect();
+    let points: Vec<_> = span.times_in_cycles(POINTS, PER_CYCLE).map(axis).collect();
     camera.line_on_sphere(&mut scene, &points, ["#1f4e8c", "#b4c6dd"], 1.8);
     if let [first, ..] = points[..] {
         let (cx, cy) = camera.place(first);

@@ -171,6 +171,75 @@ fn every_kind_names_its_axes() {
     }
 }
 
+/// A curve with fewer than 32 points in a nutation period (75.96 ms) would show an alias of the motion.
+#[test]
+fn a_curve_has_points_in_every_period() {
+    let to = folder("plot_points").join("long.svg");
+    for (kind, color, times, least) in [
+        ("tilt", "#0072b2", "-11..11.7", 9562),
+        ("precession", "#0072b2", "5..27", 9267),
+        ("tip", "#1f4e8c", "0..75", 63_193),
+    ] {
+        let times = format!("--times={times}");
+        let file = sample("toy_top");
+        let output = run(&["plot", &file, "--kind", kind, &times, "-o", to.to_str().expect("UTF-8")]);
+        assert_eq!(output.status.code(), Some(0), "{kind}: {}", stderr(&output));
+        let svg = std::fs::read_to_string(&to).expect("the picture");
+        let points = lines(&svg, color).iter().map(Vec::len).max();
+        assert!(points >= Some(least), "{kind}: {points:?}");
+    }
+}
+
+/// More periods than a frame can show are refused before anything is computed; the longest time that the message allows is drawn.
+#[test]
+fn more_periods_than_a_picture_can_show_are_refused() {
+    let folder = folder("plot_periods");
+    let to = folder.join("long.svg");
+    let spiral = scenario("plot_rises", &branch_points([0.2, 1.0, 1.0], 1));
+    let circle = scenario("plot_turns", &branch_points([0.5, 0.5, 1.7], -1));
+    let top = sample("toy_top");
+    let cases = [
+        (&top, "tilt", "0..76", "0..76: must span at most 300 nutation periods (22.78 s) for --kind tilt"),
+        (
+            &top,
+            "precession",
+            "1e6..2e6",
+            "1e6..2e6: must span at most 300 nutation periods (22.78 s) for --kind precession",
+        ),
+        (&top, "tip", "0..1e6", "0..1e6: must span at most 1000 nutation periods (75.96 s)"),
+        (&top, "axis", "-38..38", "-38..38: must span at most 1000 nutation periods (75.96 s)"),
+        (&top, "potential", "0..1", "not for --kind potential"),
+        (
+            &spiral,
+            "tilt",
+            "0..1e5",
+            "0..1e5: must span at most 300 times 2 pi sqrt((A/p + s)/g) (2544 s) for --kind tilt",
+        ),
+        (&circle, "tip", "0..1e5", "0..1e5: must span at most 1000 turns about the vertical (12180 s)"),
+    ];
+    let drawn = |file: &str, kind: &str, times: &str| {
+        let times = format!("--times={times}");
+        run(&["plot", file, "--kind", kind, &times, "-o", to.to_str().expect("UTF-8")])
+    };
+    for (file, kind, times, reason) in cases {
+        let output = drawn(file, kind, times);
+        assert_eq!((output.status.code(), stdout(&output)), (Some(2), ""), "{kind} {times}");
+        assert_eq!(stderr(&output), format!("error: --times: {reason}\n"));
+        assert_eq!(entries(&folder), 0, "{kind} {times}");
+        let Some((_, longest)) = reason.rsplit_once(" (") else { continue };
+        let longest = longest.split([' ', ')']).next().expect("a time");
+        let output = drawn(file, kind, &format!("0..{longest}"));
+        assert_eq!(output.status.code(), Some(0), "{kind} {longest}: {}", stderr(&output));
+        std::fs::remove_file(&to).expect("the picture");
+    }
+    let help = run(&["plot", "--help"]);
+    assert!(
+        stdout(&help).contains("1000 nutation periods") && stdout(&help).contains("300"),
+        "{}",
+        stdout(&help)
+    );
+}
+
 /// The arrow is on the curve and points in the direction of the tip's motion.
 #[test]
 fn the_arrow_points_along_the_curve() {

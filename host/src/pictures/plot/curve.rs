@@ -3,7 +3,8 @@
 use crate::Failure;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyScalar, smallest};
-use crate::motion::propagate::{natural_time, period};
+use crate::motion::propagate::natural_time;
+use crate::pictures::cycle::{Cycle, turn};
 use std::f64::consts::PI;
 use toytop::{Motion, PeriodAdvance, Regime, Support};
 
@@ -57,7 +58,7 @@ impl Curve {
         let (time, parts) = match (&averages, periods) {
             (Some(averages), Some(periods)) => (averages.period * f64::from(periods), periods),
             _ if motion.regime() == Regime::Aperiodic => rise(motion, &*table, largest),
-            _ => (once_round(motion), 1),
+            _ => (turn(motion).unwrap_or_else(|| natural_time(motion)), 1),
         };
         let (span, parts, periods) = match asked {
             Some(span) => (span, parts_between(motion, span), None),
@@ -103,18 +104,10 @@ fn periods(averages: &PeriodAdvance) -> u32 {
     if once_round > 4.0 * most { least as u32 } else { once_round.clamp(least, most) as u32 }
 }
 
-fn once_round(motion: &Motion) -> f64 {
-    let advance = motion.period_advance().map(|averages| averages.phi_per_period().abs() / averages.period);
-    match advance {
-        Some(rate) if rate > 0.0 && !motion.regime().is_vertical() => 2.0 * PI / rate,
-        _ => natural_time(motion),
-    }
-}
-
-/// Number of periods between two given times, limited to what a picture can show.
+/// Number of cycles between two given times, limited to what a picture can show.
 fn parts_between(motion: &Motion, [from, until]: [f64; 2]) -> u32 {
     const MOST: f64 = 1000.0;
-    ((until - from) / period(motion)).ceil().clamp(1.0, MOST) as u32
+    Cycle::of(motion).map_or(1, |cycle| ((until - from) / cycle.time).ceil().clamp(1.0, MOST) as u32)
 }
 
 /// Time until the tip stays at the centre, s, and the number of parts in which that time is drawn.
