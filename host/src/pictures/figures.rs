@@ -2,6 +2,7 @@
 
 mod chart;
 mod curves;
+mod ends;
 mod errors;
 mod heights;
 

@@ -197,6 +197,12 @@ fn the_steppers_order_is_measured() {
     assert_eq!(found["files"][3]["step_from"], "option");
     let svg = std::fs::read_to_string(&picture).expect("the picture");
     assert!(svg.contains("steps in a nutation period") && svg.contains("measured order"), "{svg}");
+    // from 64 to 512 steps
+    assert!([">50<", ">200<", ">1000<"].iter().all(|tick| svg.contains(tick)), "ticks between powers of ten");
+    let (before, _) = svg.split_once(">measured order").expect("the name of the line");
+    let (_, tag) = before.rsplit_once("<text ").expect("its element");
+    let x: f64 = tag.split('"').nth(1).expect("a place").parse().expect("pixels");
+    assert!(x + 150.0 < 896.0, "the name is inside the frame: {tag}");
 }
 
 /// Runs of the stepper with 64, 128 and 256 steps in a period, whose steps are 1/1024 s and so on.

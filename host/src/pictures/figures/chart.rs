@@ -1,5 +1,6 @@
 //! Chart of curves over linear or logarithmic axes. (The logarithmic axes of kuva have no ticks below 1e-10.)
 
+use super::ends::{End, name_ends, width_outside};
 use kuva::plot::scatter::{MarkerShape, ScatterPlot};
 use kuva::plot::{LegendPosition, LinePlot};
 use kuva::render::color::Color;
@@ -31,7 +32,7 @@ pub struct Chart<'a> {
 }
 
 /// Colours of the curves, which colour-blind readers can distinguish (the palette of Okabe and Ito).
-const COLORS: [&str; 9] =
+pub(super) const COLORS: [&str; 9] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#999933", "#882255"];
 
 /// Marks that distinguish the curves without their colours.
@@ -45,7 +46,7 @@ const MARKS: [MarkerShape; 5] = [
 
 /// Size of the chart, and margins of its frame, pixels.
 const SIZE: [f64; 2] = [920.0, 520.0];
-const LEFT: f64 = 78.0;
+pub(super) const LEFT: f64 = 78.0;
 const ABOVE: f64 = 84.0;
 const BELOW: f64 = 62.0;
 
@@ -58,16 +59,21 @@ impl Chart<'_> {
             line.points.iter().filter_map(place).collect()
         };
         let curves: Vec<Vec<(f64, f64)>> = lines.iter().map(places).collect();
-        let [x_range, y_range] = self.ranges(&curves.concat());
+        let points = curves.concat();
+        let short = self.powers[0] && is_short(ends(points.iter().map(|(x, _)| *x)));
+        let [x_range, y_range] = self.ranges(&points);
         let ends = ends_of(&curves, x_range);
         let mut plots: Vec<Plot> = Vec::new();
         for (i, (line, points)) in lines.iter().zip(&curves).enumerate() {
             let color = COLORS[i % COLORS.len()];
             let name = if ends.is_some() { "" } else { &*line.name };
+            // an axis with a short range has the ticks of kuva's own logarithmic axis
+            let points: Vec<_> =
+                points.iter().map(|&(x, y)| (if short { 10_f64.powf(x) } else { x }, y)).collect();
             let mut drawn =
                 LinePlot::new().with_data(points.clone()).with_color(color).with_stroke_width(1.8);
             if line.marked {
-                let mut marks = ScatterPlot::new().with_data(points.clone()).with_color(color).with_size(4.5);
+                let mut marks = ScatterPlot::new().with_data(points).with_color(color).with_size(4.5);
                 marks = marks.with_marker(MARKS[i % MARKS.len()]);
                 if !name.is_empty() {
                     marks = marks.with_legend(name);
@@ -80,9 +86,8 @@ impl Chart<'_> {
                 plots.push(drawn.into());
             }
         }
-        let mut layout = self.layout(&plots, [x_range, y_range]);
-        let right = 24.0
-            + WIDTH_OF_LETTER * lines.iter().map(|line| line.name.chars().count()).max().unwrap_or(0) as f64;
+        let mut layout = self.layout(&plots, [x_range, y_range], short);
+        let right = 24.0 + ends.as_ref().map_or(0.0, |ends| width_outside(lines, ends));
         if ends.is_some() {
             layout = layout.with_force_margins(LEFT, right);
         }
@@ -91,11 +96,14 @@ impl Chart<'_> {
         scene.add(text(self.labels[1], [16.0, 66.0], 14, "black"));
         if let Some(ends) = ends {
             let frame = [SIZE[0] - LEFT - right, SIZE[1] - ABOVE - BELOW];
-            let pixels = |(x, y): (f64, f64)| {
-                let share = |at: f64, [low, high]: [f64; 2]| (at - low) / (high - low);
+            let share = |at: f64, [low, high]: [f64; 2]| (at - low) / (high - low);
+            let pixels = |[x, y]: [f64; 2]| {
                 [LEFT + frame[0] * share(x, x_range), ABOVE + frame[1] * (1.0 - share(y, y_range))]
             };
-            name_ends(&mut scene, lines, &ends.into_iter().map(pixels).collect::<Vec<_>>(), SIZE[0] - right);
+            let ends: Vec<_> = ends.into_iter().map(|end| End { place: pixels(end.place), ..end }).collect();
+            let points: Vec<Vec<_>> =
+                curves.iter().map(|points| points.iter().map(|&(x, y)| pixels([x, y])).collect()).collect();
+            name_ends(&mut scene, lines, &ends, &points, SIZE[0] - right);
         }
         scene
     }
@@ -106,13 +114,14 @@ impl Chart<'_> {
         // a curve that is constant to rounding is drawn in the middle
         let margin = if y[1] - y[0] > 1e-9 * y[1].abs() { 0.06 * (y[1] - y[0]) } else { 1.0 };
         [
-            if self.powers[0] { whole(x) } else { x },
+            if self.powers[0] { short_or_whole(x) } else { x },
             // with a margin for the marks
             if self.powers[1] { whole([y[0] - 0.1, y[1] + 0.1]) } else { [y[0] - margin, y[1] + margin] },
         ]
     }
 
-    fn layout(&self, plots: &[Plot], [x, y]: [[f64; 2]; 2]) -> Layout {
+    fn layout(&self, plots: &[Plot], [x, y]: [[f64; 2]; 2], short: bool) -> Layout {
+        let x = if short { x.map(|x| 10_f64.powf(x)) } else { x };
         let mut layout = Layout::auto_from_plots(plots)
             .with_width(SIZE[0])
             .with_height(SIZE[1])
@@ -128,7 +137,9 @@ impl Chart<'_> {
             .with_y_axis_min(y[0])
             .with_y_axis_max(y[1]);
         let power = || TickFormat::Custom(Arc::new(power_of_ten));
-        if self.powers[0] {
+        if short {
+            layout = layout.with_log_x().with_x_tick_format(TickFormat::Custom(Arc::new(brief)));
+        } else if self.powers[0] {
             layout = layout.with_x_tick_step(1.0).with_x_tick_format(power());
         }
         if self.powers[1] {
@@ -139,60 +150,18 @@ impl Chart<'_> {
     }
 }
 
-/// Last points of the curves, if at most one of them does not end at the right edge, where the names are written.
-fn ends_of(curves: &[Vec<(f64, f64)>], [low, high]: [f64; 2]) -> Option<Vec<(f64, f64)>> {
-    let ends: Option<Vec<_>> = curves.iter().map(|points| points.last().copied()).collect();
-    let inside = |ends: &[(f64, f64)]| ends.iter().filter(|(x, _)| *x < high - 0.02 * (high - low)).count();
-    ends.filter(|ends| inside(ends) <= 1)
+/// Last points of the curves, each with whether it is inside the frame; `None` if more than one is, because names are written at
+/// the right edge.
+fn ends_of(curves: &[Vec<(f64, f64)>], [low, high]: [f64; 2]) -> Option<Vec<End>> {
+    let end = |points: &Vec<(f64, f64)>| {
+        let &(x, y) = points.last()?;
+        Some(End { place: [x, y], inside: x < high - 0.02 * (high - low) })
+    };
+    let ends: Option<Vec<_>> = curves.iter().map(end).collect();
+    ends.filter(|ends| ends.iter().filter(|end| end.inside).count() <= 1)
 }
 
-/// Upper bound on the mean width of a letter, pixels.
-const WIDTH_OF_LETTER: f64 = 7.4;
-/// Least vertical distance of two names, pixels.
-const LINE: f64 = 16.0;
-
-/// Adds the names of the curves beside their ends, given in pixels: right of the frame in the order of the ends,
-/// without overlap. A curve that ends inside the frame has its name there.
-fn name_ends(scene: &mut Scene, lines: &[Curve], ends: &[[f64; 2]], edge: f64) {
-    let mut order: Vec<usize> = (0..lines.len()).collect();
-    order.sort_by(|&a, &b| ends[a][1].total_cmp(&ends[b][1]));
-    let (outside, inside): (Vec<usize>, Vec<usize>) =
-        order.into_iter().partition(|&i| ends[i][0] > edge - 0.02 * SIZE[0]);
-    for i in inside {
-        scene.add(text(&lines[i].name, [ends[i][0] + 9.0, ends[i][1] + 17.0], 13, "#222222"));
-    }
-    let mut heights: Vec<f64> = outside.iter().map(|&i| ends[i][1]).collect();
-    spread(&mut heights);
-    for (&i, y) in outside.iter().zip(heights) {
-        let [end_x, end_y] = ends[i];
-        scene.add(Primitive::Line {
-            x1: end_x,
-            y1: end_y,
-            x2: edge + 13.0,
-            y2: y,
-            stroke: Color::from(COLORS[i % COLORS.len()]),
-            stroke_width: 1.0,
-            stroke_dasharray: None,
-        });
-        scene.add(text(&lines[i].name, [edge + 17.0, y + 4.5], 13, "#222222"));
-    }
-}
-
-/// Increases the distances of ordered vertical positions to at least [`LINE`]; the middle of each group of moved
-/// positions is kept.
-fn spread(heights: &mut [f64]) {
-    for _ in 0..100 {
-        for i in 1..heights.len() {
-            let overlap = LINE - (heights[i] - heights[i - 1]);
-            if overlap > 0.0 {
-                heights[i - 1] -= 0.5 * overlap;
-                heights[i] += 0.5 * overlap;
-            }
-        }
-    }
-}
-
-fn text(content: &str, [x, y]: [f64; 2], size: u32, color: &str) -> Primitive {
+pub(super) fn text(content: &str, [x, y]: [f64; 2], size: u32, color: &str) -> Primitive {
     let (content, color) = (content.to_owned(), Some(Color::from(color)));
     Primitive::Text { x, y, content, size, anchor: TextAnchor::Start, rotate: None, bold: false, color }
 }
@@ -203,6 +172,35 @@ fn place(x: f64, power: bool) -> Option<f64> {
 
 fn ends(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
     numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+}
+
+/// Number of a tick with one significant digit.
+fn brief(x: f64) -> String {
+    crate::output::short(x, 1)
+}
+
+/// Range in powers of ten from which an axis has whole powers of ten at its ends and its ticks.
+const SHORT: f64 = 2.0;
+
+/// Whether a range in powers of ten is short; below 1e-9 a short axis would have no ticks.
+fn is_short([low, high]: [f64; 2]) -> bool {
+    high - low < SHORT && low > -9.0
+}
+
+/// Ends of a logarithmic axis in powers of ten: the next of 1, 2 and 5 times a power of ten where its range is short, otherwise whole
+/// numbers.
+fn short_or_whole(ends: [f64; 2]) -> [f64; 2] {
+    if !is_short(ends) {
+        return whole(ends);
+    }
+    const STEPS: [f64; 4] = [1.0, 2.0, 5.0, 10.0];
+    let next = |x: f64, above: bool| {
+        let steps = STEPS.map(|step| x.floor() + step.log10());
+        let beyond = |step: &f64| if above { *step >= x } else { *step <= x };
+        let found = if above { steps.into_iter().find(beyond) } else { steps.into_iter().rev().find(beyond) };
+        found.unwrap_or(x)
+    };
+    [next(ends[0] - 0.02, false), next(ends[1] + 0.02, true)]
 }
 
 /// Next whole numbers below and above; a number that is almost whole counts as whole.
@@ -225,11 +223,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_keep_their_order_and_a_lines_distance() {
-        let mut heights = [100.0, 101.0, 101.0, 140.0, 300.0];
-        spread(&mut heights);
-        assert!(heights.windows(2).all(|pair| pair[1] - pair[0] > LINE - 0.01), "{heights:?}");
-        assert_eq!(heights[4], 300.0);
-        assert!((heights[..4].iter().sum::<f64>() - 442.0).abs() < 1e-9, "{heights:?}");
+    fn a_short_axis_ends_near_its_points() {
+        let ends = |low: f64, high: f64| {
+            short_or_whole([low.log10(), high.log10()]).map(|x| (1e4 * 10_f64.powf(x)).round() / 1e4)
+        };
+        assert_eq!(ends(9.6, 78.0), [5.0, 100.0]);
+        assert_eq!(ends(11.0, 19.0), [10.0, 20.0]);
+        assert_eq!(ends(0.21, 0.49), [0.2, 1.0]);
+        assert_eq!(ends(9.6, 960.1), [1.0, 1000.0]);
+        assert_eq!(short_or_whole([-10.5, -10.2]), [-11.0, -10.0]);
     }
 }
