@@ -11,6 +11,7 @@ use crate::output::progress::Progress;
 use crate::pictures::plot::{Form, encode};
 use kuva::render::render::Scene;
 
+pub(crate) use chart::COLORS;
 pub use chart::{Chart, Curve, power_of_ten};
 pub use errors::measured as measured_errors;
 

@@ -101,6 +101,48 @@ fn a_drift_is_reported_with_its_error_bars() {
     }
 }
 
+/// Points of a curve of this colour in a picture, pixels.
+fn curve(svg: &str, color: &str) -> Vec<[f64; 2]> {
+    let (before, _) = svg.split_once(&format!("\" stroke=\"{color}\"")).expect("a curve of this colour");
+    let (_, path) = before.rsplit_once("d=\"M ").expect("its points");
+    let number = |text: &str| text.parse::<f64>().expect("a number");
+    path.split('L')
+        .map(|pair| pair.trim().split_once(' ').expect("x y"))
+        .map(|(x, y)| [number(x), number(y)])
+        .collect()
+}
+
+/// Residuals are dots, in a strip for each sensor, and no lines join them. The error of the axis across the vertical grows with the
+/// time, and does not seem to oscillate.
+#[test]
+fn pictures_of_a_fit_can_be_read() {
+    let folder = folder("fit_pictures");
+    let [samples, residuals, prediction] =
+        ["samples.csv", "residuals.svg", "prediction.svg"].map(|name| folder.join(name));
+    simulated(&sample("toy_top"), &samples, &[]);
+    let plots = ["--plot-residuals", text(&residuals), "--plot-prediction", text(&prediction)];
+    let output = run(&[&["fit", text(&samples), "--top", &sample("toy_top")][..], &plots].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let svg = std::fs::read_to_string(&residuals).expect("the picture");
+    for sensor in ["gyroscope", "accelerometer", "magnetometer"] {
+        assert!(svg.contains(&format!(">{sensor}: residuals of the fit, standard deviations<")), "{sensor}");
+    }
+    // 300 samples of two rates and three accelerations, and 30 of the field; the rate about the axis is beyond the range
+    assert_eq!(svg.matches("r=\"1.6\"").count(), 300 * 5 + 30 * 3);
+    assert_eq!(svg.matches("stroke=\"#8a8a8a\"").count(), 6, "lines at 3 and -3");
+    let longest = svg
+        .split("d=\"M ")
+        .skip(1)
+        .map(|path| path.split('"').next().map_or(0, |path| path.matches('L').count()));
+    assert!(longest.max() <= Some(1), "no line joins the dots");
+
+    let svg = std::fs::read_to_string(&prediction).expect("the picture");
+    let short = curve(&svg, "#009e73");
+    let late = &short[short.len() / 2..];
+    assert!(late.len() >= 40 && late[0][1] - late[late.len() - 1][1] > 100.0, "{late:?}");
+    assert!(late.windows(2).all(|pair| pair[1][1] < pair[0][1] + 1.0), "it never falls: {late:?}");
+}
+
 #[test]
 fn bad_samples_are_refused_with_their_line() {
     let folder = folder("fit_bad");

@@ -32,7 +32,7 @@ pub struct Chart<'a> {
 }
 
 /// Colours of the curves, which colour-blind readers can distinguish (the palette of Okabe and Ito).
-pub(super) const COLORS: [&str; 9] =
+pub(crate) const COLORS: [&str; 9] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#999933", "#882255"];
 
 /// Marks that distinguish the curves without their colours.
