@@ -80,9 +80,11 @@ pub(crate) enum Command {
     Events(EventsArgs),
     /// Picture of a motion: curve of the tip or axis, tilt, precession, potential
     ///
-    /// For a held tip the curve from above is that of the axis, -2 alpha beta.
+    /// For a held tip the curve from above is that of the end of a unit vector along the axis, which is minus the tip of toytop state.
     #[command(
-        after_help = "Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg\n         toytop plot host/scenarios/toy_top.toml --kind tilt --times 0..0.5 --size 1200 -o tilt.png"
+        after_help = "Symbols: u: cosine of the tilt; e1 <= u <= e2: its bounds; e3: third root of the cubic of the nutation; rho: distance of the\n\
+            tip from the centre, s sqrt(1 - u^2); l, n: angular momenta about the vertical and about the axis of the top.\n\n\
+            Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg\n         toytop plot host/scenarios/toy_top.toml --kind tilt --times 0..0.5 --size 1200 -o tilt.png"
     )]
     Plot(PlotArgs),
     /// Animation of a motion: a GIF, or a film that ffmpeg makes

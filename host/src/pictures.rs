@@ -3,6 +3,7 @@
 //! | module | contents |
 //! |---|---|
 //! | [`plot`] | curve of the tip |
+//! | `bounds` | bounds between which the axis stays |
 //! | `cycle` | time in which a motion repeats itself |
 //! | `span` | motion over a span of time |
 //! | `charts` | tilt and precession against time, potential |
@@ -19,6 +20,7 @@
 pub mod accuracy;
 #[cfg(feature = "program")]
 pub(crate) mod animation;
+mod bounds;
 #[cfg(feature = "program")]
 mod camera;
 #[cfg(feature = "program")]

@@ -43,7 +43,7 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
         PlotKind::Precession => charts::precession(scenario, &span)?,
         _ => {
             let curve = Curve::between(motion, times)?;
-            let caption = caption(scenario, &curve);
+            let caption = caption(arguments.kind, scenario, &curve);
             match arguments.kind {
                 PlotKind::Axis => sphere::draw(scenario, &span, &caption),
                 _ => draw(scenario, &curve, &caption),
@@ -53,7 +53,7 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
 }
 
 /// Class of the curve and numbers of the scenario, in two lines.
-fn caption(scenario: &Scenario, curve: &Curve) -> [String; 2] {
+fn caption(kind: PlotKind, scenario: &Scenario, curve: &Curve) -> [String; 2] {
     let motion = &scenario.motion;
     let (top, e, signs) = (motion.top(), motion.branch_points(), motion.signs());
     let class = tip_class(motion.tip_class()).replace('_', " ");
@@ -68,16 +68,20 @@ fn caption(scenario: &Scenario, curve: &Curve) -> [String; 2] {
         Sign::Minus => '<',
     };
     let (plus, minus) = (sign(signs.l_plus_n, vanishes[0]), sign(signs.l_minus_n, vanishes[1]));
-    let inertias = match top.support() {
-        Support::Sliding => format!(
-            "A/(ps) = {}, C/A = ",
-            short(top.transverse_inertia() / (top.mass_moment() * top.com_height()), 4)
-        ),
-        Support::Free => "free body: the curve is minus the tip of toytop state, C/A = ".to_owned(),
-        Support::Fixed => "tip held: the curve is minus the tip of toytop state, C/A = ".to_owned(),
-    } + &short(top.axial_inertia() / top.transverse_inertia(), 4);
-    [
-        format!("{class}{periods}: e₁ = {e1}, e₂ = {e2}, e₃ = {e3}"),
-        format!("l + n {plus} 0, l - n {minus} 0, {inertias}"),
-    ]
+    let ratio = format!("C/A = {}", short(top.axial_inertia() / top.transverse_inertia(), 4));
+    let roots = format!("{class}{periods}: e₁ = {e1}, e₂ = {e2}, e₃ = {e3}");
+    let signs = format!("l + n {plus} 0, l - n {minus} 0");
+    let support = match top.support() {
+        Support::Sliding => {
+            let slenderness = top.transverse_inertia() / (top.mass_moment() * top.com_height());
+            return [roots, format!("{signs}, A/(ps) = {}, {ratio}", short(slenderness, 4))];
+        }
+        Support::Free => "free body",
+        Support::Fixed => "tip held",
+    };
+    let curve = match kind {
+        PlotKind::Axis => "",
+        _ => ": seen from above, the end of a unit vector along the axis",
+    };
+    [format!("{roots}, {ratio}"), format!("{signs}, {support}{curve}")]
 }

@@ -4,6 +4,7 @@ mod curve;
 #[cfg(feature = "program")]
 mod picture;
 
+pub use super::bounds::{Bound, Place};
 pub use curve::{Circle, Curve};
 #[cfg(feature = "program")]
 pub use picture::{Form, draw};

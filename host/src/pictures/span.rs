@@ -40,6 +40,14 @@ impl Span {
         self.ends
     }
 
+    /// Time from which a chart counts, s: 0, or the first time where the labels of an axis would need more than a few digits.
+    #[must_use]
+    pub(crate) fn origin(&self) -> f64 {
+        const FARTHEST: f64 = 1000.0;
+        let [from, until] = self.ends;
+        if from.abs() > FARTHEST * (until - from) { from } else { 0.0 }
+    }
+
     /// Sample at a time.
     #[must_use]
     pub(crate) fn at(&self, t: f64) -> Sample {
@@ -59,6 +67,13 @@ impl Span {
         let cycles = self.cycle.map_or(0.0, |cycle| (until - from) / cycle.time);
         self.times(least.max((per_cycle as f64 * cycles).ceil() as u64 + 1))
     }
+}
+
+/// First and last time of a span as text, with as many digits as distinguish a thousandth of it.
+pub(crate) fn ends_as_text([from, until]: [f64; 2]) -> [String; 2] {
+    let parts = from.abs().max(until.abs()) / (until - from);
+    let digits = 4 + parts.log10().clamp(0.0, 13.0).ceil() as usize;
+    [from, until].map(|t| short(t, digits))
 }
 
 /// Refuses times that span more than `most` cycles of a motion, which a picture cannot show; `kind` ends the message.

@@ -1,9 +1,9 @@
 //! Curve of the axis on the unit sphere.
 
 use super::camera::{Camera, circle, text};
-use super::span::Span;
+use super::plot::{Bound, Place};
+use super::span::{Span, ends_as_text};
 use crate::input::scenario::Scenario;
-use crate::output::short;
 use kuva::render::color::Color;
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 
@@ -50,22 +50,18 @@ pub(crate) fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scen
     text(&mut scene, "up", [x, y - 2.0], 12, middle, "#555555");
     let e = motion.branch_points();
     let (_, e2_y) = camera.place([0.0, 0.0, e.e2]);
-    let bounds = [("tilt at u = e₁", e.e1), ("tilt at u = e₂", e.e2)];
-    for (i, (name, u)) in bounds.into_iter().enumerate() {
-        if motion.regime().is_vertical() || (i == 1 && e.e2 == e.e1) {
-            continue;
-        }
+    for bound in Bound::of(motion) {
+        let u = bound.u;
         let parallel = circle((1.0 - u * u).max(0.0).sqrt(), u);
         camera.line_on_sphere(&mut scene, &parallel, ["#6a6a6a", "#cfcfcf"], 1.2);
-        let label = format!("{name}: {:.2}°", u.clamp(-1.0, 1.0).acos().to_degrees());
         // beside the sphere, with a line from the right end of the parallel
         let (x, y) = camera.place([0.0, 0.0, u]);
         let right = x + RADIUS * (1.0 - u * u).max(0.0).sqrt();
-        let label_y = if i == 0 { y.max(e2_y + 18.0) } else { y };
+        let label_y = if bound.place == Place::Lowest { y.max(e2_y + 18.0) } else { y };
         let points = [(right + 3.0, y), (LABELS - 6.0, label_y - 4.0)].into();
         let stroke = Color::from("#cfcfcf");
         scene.add(Primitive::PolyLine { points, stroke, stroke_width: 1.0, stroke_dasharray: None });
-        text(&mut scene, &label, [LABELS, label_y], 12, TextAnchor::Start, "#333333");
+        text(&mut scene, &bound.to_string(), [LABELS, label_y], 12, TextAnchor::Start, "#333333");
     }
     let axis = |t: f64| span.at(t).orientation().axis();
     let points: Vec<_> = span.times_in_cycles(POINTS, PER_CYCLE).map(axis).collect();
@@ -83,7 +79,7 @@ pub(crate) fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scen
             stroke_width: None,
         });
     }
-    let [from, until] = span.ends().map(|t| short(t, 4));
+    let [from, until] = ends_as_text(span.ends());
     let shown = format!("dot: t = {from}; line: until t = {until}{}; pale: behind", units.name(" s"));
     text(&mut scene, &shown, [MIDDLE[0], HEIGHT - 16.0], 12, middle, "#555555");
     scene

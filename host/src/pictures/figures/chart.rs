@@ -61,7 +61,11 @@ impl Chart<'_> {
         let curves: Vec<Vec<(f64, f64)>> = lines.iter().map(places).collect();
         let points = curves.concat();
         let short = self.powers[0] && is_short(ends(points.iter().map(|(x, _)| *x)));
-        let [x_range, y_range] = self.ranges(&points);
+        let [mut x_range, y_range] = self.ranges(&points);
+        if !self.powers[0] {
+            let marked = lines.iter().zip(&curves).filter(|(line, _)| line.marked);
+            x_range = with_room_for_marks(x_range, marked.flat_map(|(_, points)| points).map(|(x, _)| *x));
+        }
         let ends = ends_of(&curves, x_range);
         let mut plots: Vec<Plot> = Vec::new();
         for (i, (line, points)) in lines.iter().zip(&curves).enumerate() {
@@ -74,7 +78,8 @@ impl Chart<'_> {
                 LinePlot::new().with_data(points.clone()).with_color(color).with_stroke_width(1.8);
             if line.marked {
                 let mut marks = ScatterPlot::new().with_data(points).with_color(color).with_size(4.5);
-                marks = marks.with_marker(MARKS[i % MARKS.len()]);
+                let marked_before = lines[..i].iter().filter(|line| line.marked).count();
+                marks = marks.with_marker(MARKS[marked_before % MARKS.len()]);
                 if !name.is_empty() {
                     marks = marks.with_legend(name);
                 }
@@ -150,6 +155,12 @@ impl Chart<'_> {
     }
 }
 
+/// Range of an axis with a margin at each end at which there is a mark, half of which would otherwise be outside the frame.
+fn with_room_for_marks([low, high]: [f64; 2], marks: impl Iterator<Item = f64>) -> [f64; 2] {
+    let room = 0.02 * (high - low);
+    marks.fold([low, high], |[from, until], x| [from.min(x - room), until.max(x + room)])
+}
+
 /// Last points of the curves, each with whether it is inside the frame; `None` if more than one is, because names are written at
 /// the right edge.
 fn ends_of(curves: &[Vec<(f64, f64)>], [low, high]: [f64; 2]) -> Option<Vec<End>> {
@@ -221,6 +232,13 @@ pub fn power_of_ten(exponent: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_mark_at_an_end_of_an_axis_has_room() {
+        assert_eq!(with_room_for_marks([0.0, 100.0], [0.0, 50.0].into_iter()), [-2.0, 100.0]);
+        assert_eq!(with_room_for_marks([0.0, 100.0], [99.0].into_iter()), [0.0, 101.0]);
+        assert_eq!(with_room_for_marks([0.0, 100.0], [3.0, 97.0].into_iter()), [0.0, 100.0]);
+    }
 
     #[test]
     fn a_short_axis_ends_near_its_points() {

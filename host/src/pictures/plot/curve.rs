@@ -4,6 +4,7 @@ use crate::Failure;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyScalar, smallest};
 use crate::motion::propagate::natural_time;
+use crate::pictures::bounds::{Bound, Place};
 use crate::pictures::cycle::{Cycle, turn};
 use std::f64::consts::PI;
 use toytop::{Motion, PeriodAdvance, Regime, Support};
@@ -28,8 +29,8 @@ pub struct Curve {
 pub struct Circle {
     /// Radius, in the unit of the curve.
     pub radius: f64,
-    /// Name of the bound.
-    pub name: &'static str,
+    /// Bound on the height of the axis.
+    pub bound: Bound,
 }
 
 /// Least and greatest number of nutation periods of a curve.
@@ -80,21 +81,20 @@ impl Curve {
 
 fn circles(motion: &Motion) -> Vec<Circle> {
     let (e, scale) = (motion.branch_points(), motion.top().tip_scale());
-    let circle = |one_plus_e: f64, one_minus_e: f64, name| Circle {
-        radius: scale * (one_plus_e * one_minus_e).sqrt(),
-        name,
+    let mut bounds = Bound::of(motion);
+    // between e₁ and e₂ the axis is horizontal, which is the largest circle
+    if e.e1 < 0.0 && e.e2 > 0.0 && bounds.len() == 2 {
+        bounds.push(Bound { place: Place::Horizontal, u: 0.0 });
+    }
+    let circle = |bound: Bound| {
+        let (one_plus_u, one_minus_u) = match bound.place {
+            Place::Lowest => (e.one_plus_e1, 2.0 - e.one_plus_e1),
+            Place::Horizontal => (1.0, 1.0),
+            Place::Highest | Place::Constant => (2.0 - e.one_minus_e2, e.one_minus_e2),
+        };
+        Circle { radius: scale * (one_plus_u * one_minus_u).sqrt(), bound }
     };
-    let lower = circle(e.one_plus_e1, 2.0 - e.one_plus_e1, "u = e₁");
-    let upper = circle(2.0 - e.one_minus_e2, e.one_minus_e2, "u = e₂");
-    let equator = circle(1.0, 1.0, "u = 0");
-    let circles = match motion.regime() {
-        regime if regime.is_vertical() => Vec::new(),
-        regime if regime.is_regular_precession() => vec![Circle { name: "u = e₁ = e₂", ..upper }],
-        // between e₁ and e₂ the axis is horizontal, which is the largest circle
-        _ if e.e1 < 0.0 && e.e2 > 0.0 => vec![lower, upper, equator],
-        _ => vec![lower, upper],
-    };
-    circles.into_iter().filter(|circle| circle.radius > 0.0).collect()
+    bounds.into_iter().map(circle).filter(|circle| circle.radius > 0.0).collect()
 }
 
 fn periods(averages: &PeriodAdvance) -> u32 {

@@ -3,7 +3,7 @@
 use super::Curve;
 use crate::Failure;
 use crate::input::scenario::{Scenario, Units};
-use crate::output::short;
+use crate::pictures::span::ends_as_text;
 use kuva::backend::raster::RasterBackend;
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::scatter::ScatterPlot;
@@ -65,7 +65,7 @@ pub fn draw(scenario: &Scenario, curve: &Curve, caption: &[String]) -> Scene {
     let (name, unit, scale) = match (scenario.motion.top().support(), scenario.units) {
         (Support::Sliding, Units::Si) => ("tip", ", mm", 1e-3),
         (Support::Sliding, Units::None) => ("tip", " in units of s", s),
-        (Support::Fixed | Support::Free, _) => ("axis, −2αβ", " of the axis (length 1)", 1.0),
+        (Support::Fixed | Support::Free, _) => ("axis", " of the axis (length 1)", 1.0),
     };
     let extent = extent(curve, scale);
     let mut plots = legend(curve, name);
@@ -84,11 +84,10 @@ pub fn draw(scenario: &Scenario, curve: &Curve, caption: &[String]) -> Scene {
         scene.add(text(line, [LEFT + 0.5 * SIDE, y], 12, CAPTION));
     }
     if curve.circles.is_empty() {
-        let rests =
-            format!("The axis is vertical for ever: the {} rests.", name.split(',').next().unwrap_or(name));
+        let rests = format!("The axis is vertical for ever: the {name} rests.");
         scene.add(text(&rests, [LEFT + 0.5 * SIDE, ABOVE + 0.5 * SIDE + 30.0], 14, CAPTION));
     }
-    let [from, until] = [curve.start, curve.start + curve.time].map(|t| short(t, 4));
+    let [from, until] = ends_as_text([curve.start, curve.start + curve.time]);
     let shown = format!("t = {from} to {until}{}", scenario.units.name(" s"));
     scene.add(text(&shown, [LEFT + 0.88 * SIDE, ABOVE + SIDE + BELOW - 12.0], 12, CAPTION));
     scene.add(Primitive::Text {
@@ -170,7 +169,7 @@ pub(crate) fn square(plots: &[Plot], extent: f64) -> Layout {
 fn legend(curve: &Curve, name: &str) -> Vec<Plot> {
     let mut plots: Vec<Plot> = vec![tip().with_legend(name).into()];
     for (circle, dash) in curve.circles.iter().zip(&DASHES) {
-        let named = bound().with_legend(format!("ρ at {}", circle.name));
+        let named = bound().with_legend(circle.bound.to_string());
         plots.push(named.with_line_style(dash.style.clone()).into());
     }
     let start_name = if curve.circles.is_empty() { "start" } else { "start, direction" };
