@@ -169,7 +169,7 @@ fn length(text: &str) -> Result<f64, &'static str> {
 pub(crate) struct ViewArgs {
     /// Scenario file of the motion that the page begins with; without it, the page begins with a toy top
     pub(crate) scenario: Option<PathBuf>,
-    /// Output file, whose name ends in .html
+    /// Output file, whose name ends in .html or .htm
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: PathBuf,
 }

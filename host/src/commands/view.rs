@@ -11,7 +11,7 @@ pub(super) fn run(arguments: &ViewArgs) -> Result<Report, Failure> {
     let path = &arguments.output;
     let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
     if ending != "html" && ending != "htm" {
-        return Err(Failure::Input(format!("--output: {}: must end in .html", path.display())));
+        return Err(Failure::Input(format!("--output: {}: must end in .html or .htm", path.display())));
     }
     let start = match &arguments.scenario {
         Some(scenario) => Start { keys: Scenario::keys(scenario)?, scenario: Scenario::read(scenario)? },

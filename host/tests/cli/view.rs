@@ -68,7 +68,7 @@ fn every_kind_of_motion_has_a_page() {
         page.contains("<h1 id=\"name\">view &lt;b&gt;&amp;amp;</h1>") && page.contains("view \\u003cb>&amp;")
     );
     assert!(!page.contains("<b>"));
-    let front = view(&[], &folder.join("index.html"));
+    let front = view(&[], &folder.join("index.htm"));
     assert_eq!(data(&front)["scenario"], data(&front)["toy_top"]);
     assert_eq!(data(&front)["name"], "A spinning top");
 }
@@ -80,7 +80,7 @@ fn what_has_no_page_is_refused() {
     let needle = needle("view_needle");
     for (file, name, code, part) in [
         (&good, "top.pdf", 2, "--output: "),
-        (&good, "top", 2, "must end in .html"),
+        (&good, "top", 2, "must end in .html or .htm\n"),
         (&good, "no/such/folder/top.html", 2, "no/such/folder/top.html"),
         (&sample("no_such_file"), "top.html", 2, "no_such_file.toml"),
         (&needle, "top.html", 3, "view_needle: no ephemeris"),

@@ -24,24 +24,30 @@ pub enum Form {
     Svg,
     /// PNG with two pixels for each unit of the layout.
     Png,
-    /// PDF with a page as large as the layout; needs the feature `pdf`.
+    /// PDF with a page as large as the layout.
+    #[cfg(feature = "pdf")]
     Pdf,
 }
-
-/// Extensions of files, each with its form.
-const FORMS: [(&str, Form); 3] = [("svg", Form::Svg), ("png", Form::Png), ("pdf", Form::Pdf)];
 
 impl Form {
     /// Form by the extension of a file; `option` is the option that named the file.
     ///
     /// # Errors
-    /// [`Failure::Input`]: the extension is another one.
+    /// [`Failure::Input`]: the extension is another one, or pdf in a program without that feature.
     pub fn of(path: &Path, option: &str) -> Result<Self, Failure> {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-        FORMS.iter().find(|(name, _)| *name == ending).map(|(_, form)| *form).ok_or_else(|| {
-            let allowed = FORMS.map(|(name, _)| format!(".{name}")).join(", ");
-            Failure::Input(format!("{option}: {}: must end in one of {allowed}", path.display()))
-        })
+        let reason = match &*ending {
+            "svg" => return Ok(Self::Svg),
+            "png" => return Ok(Self::Png),
+            #[cfg(feature = "pdf")]
+            "pdf" => return Ok(Self::Pdf),
+            #[cfg(not(feature = "pdf"))]
+            "pdf" => {
+                "this program was built without the feature pdf (cargo build --features pdf); name a .svg or .png file"
+            }
+            _ => "must end in one of .svg, .png, .pdf",
+        };
+        Err(Failure::Input(format!("{option}: {}: {reason}", path.display())))
     }
 }
 
@@ -128,6 +134,7 @@ pub(crate) fn encode_at(scene: &Scene, form: Form, width: Option<u32>) -> Result
             .with_scale(scale.unwrap_or(2.0) as f32)
             .render_scene(scene)
             .map_err(|error| Failure::Output(io::Error::other(error))),
+        #[cfg(feature = "pdf")]
         Form::Pdf => pdf(scene, scale.unwrap_or(1.0)),
     }
 }
@@ -139,13 +146,6 @@ fn pdf(scene: &Scene, scale: f64) -> Result<Vec<u8>, Failure> {
     let page = PageSize::Fixed { width: scale * scene.width, height: scale * scene.height };
     let encoded = PdfBackend::new().with_page_size(page).render_scenes(std::slice::from_ref(scene));
     encoded.map_err(|error| Failure::Output(io::Error::other(error)))
-}
-
-#[cfg(not(feature = "pdf"))]
-fn pdf(_: &Scene, _: f64) -> Result<Vec<u8>, Failure> {
-    let message =
-        "pdf: this program was built without it (cargo build --features pdf); name a .svg or .png file";
-    Err(Failure::Input(message.to_owned()))
 }
 
 fn text(content: &str, [x, y]: [f64; 2], size: u32, color: &str) -> Primitive {
