@@ -27,14 +27,28 @@ function numbersOf({ top, motion }) {
 /** Number of numbers of each key that has more than one. */
 const LENGTHS = { alpha: 2, beta: 2, omega: 3 };
 
-/** First key of the motion that does not have its numbers; the core refuses all other errors. */
-function missingKey({ motion }) {
+/** Required keys of a top with this support. */
+function keysOfTop({ support = "sliding", mass_moment }) {
+  const lever = support === "free" ? [] : [mass_moment === undefined ? "mass" : "mass_moment"];
+  if (support === "sliding" || lever[0] === "mass") lever.push("com_height");
+  return ["transverse_inertia", "axial_inertia", ...lever];
+}
+
+/** Keys of a scenario that do not have their numbers; the core refuses all other errors. */
+function missingKeys({ top, motion }) {
   const holds = (key) => {
     const value = motion[key] ?? DEFAULTS[key];
     return key in LENGTHS ? Array.isArray(value) && value.length === LENGTHS[key] : typeof value === "number";
   };
-  return MOTION_KEYS[motion.kind].find((key) => !holds(key));
+  return [...keysOfTop(top).filter((key) => top[key] === undefined), ...MOTION_KEYS[motion.kind].filter((key) => !holds(key))];
 }
+
+/** Allowed ranges, in degrees, of angles whose ranges the core states in rad. */
+const RANGES_IN_DEGREES = { tilt: "between 0 and 180 degrees" };
+
+/** Message of a refusal: missing keys by their names in a scenario, a number by its name in words. */
+const refusalText = ({ missing, parameter, allowed }) =>
+  missing ? `${missing.join(", ")}: must be given` : `${parameter.replaceAll("_", " ")}: must be ${RANGES_IN_DEGREES[parameter] ?? allowed}`;
 
 /** Orientation, axis and tip, from the ten numbers that the core returns for a time. */
 function momentOf(numbers) {
@@ -70,8 +84,8 @@ class Core {
 
   /** Launches a scenario: returns the regime, the class of the tip curve and the constants by name, or the refused parameter. */
   launch(scenario) {
-    const missing = missingKey(scenario);
-    if (missing) return { refused: { parameter: missing, allowed: "given" } };
+    const missing = missingKeys(scenario);
+    if (missing.length > 0) return { refused: { missing } };
     this.numbers.set(numbersOf(scenario));
     const length = this.exports.launch(KINDS.indexOf(scenario.motion.kind));
     const [first, second] = this.words(Math.abs(length));

@@ -28,20 +28,44 @@ function decoded(text) {
   }
 }
 
-/** Scenario, time, speed and step of the ghost in a fragment; missing numbers are NaN. Other keys are ignored. */
-function fromFragment(fragment) {
-  const values = new Map(decoded(fragment.slice(1)).split("&").map((pair) => pair.split("=")));
-  const [t, speed, ghost] = ["t", "speed", "ghost"].map((key) => numberOf(values.get(key) ?? ""));
+/** Keys of an address whose values are words, with the allowed words. */
+const WORDS = { support: SUPPORTS, kind: KINDS, units: ["SI", "none"] };
+/** Keys of an address that are not keys of a scenario. */
+const SETTINGS = ["t", "speed", "ghost"];
+
+/** Number in the text of a key, or a list of numbers for a key that has several. */
+function numbersIn(key, text) {
+  const numbers = text.split(",").map(numberOf);
+  return key in LENGTHS ? numbers : numbers[0];
+}
+
+/** Reason why the keys and texts of an address are refused; undefined where each is known and its text is what the key allows. */
+function refusalOfAddress(values) {
   const kind = values.get("kind");
-  if (!KINDS.includes(kind)) return { t, speed, ghost };
-  const read = (keys) =>
-    Object.fromEntries(
-      keys.filter((key) => values.has(key)).map((key) => {
-        const numbers = (values.get(key) ?? "").split(",").map(numberOf);
-        return [key, MOTION_KEYS.state.includes(key) ? numbers : numbers[0]];
-      }),
-    );
-  const support = SUPPORTS.includes(values.get("support")) ? values.get("support") : "sliding";
+  const ofKind = KINDS.includes(kind) && [...TOP_KEYS, ...MOTION_KEYS[kind]];
+  const ofScenario = [...TOP_KEYS, ...Object.values(MOTION_KEYS).flat()];
+  for (const [key, text] of values) {
+    if (Object.hasOwn(WORDS, key)) {
+      if (!WORDS[key].includes(text)) return `${key}: must be one of ${WORDS[key].join(", ")}`;
+    } else if (![...SETTINGS, ...ofScenario].includes(key)) return `${key}: unknown key`;
+    else if ([numbersIn(key, text ?? "")].flat().some(Number.isNaN)) return `${key}: must be a number`;
+    else if (ofKind && !SETTINGS.includes(key) && !ofKind.includes(key)) return `${key}: not for kind=${kind}`;
+  }
+  const needsKind = [...values.keys()].some((key) => !SETTINGS.includes(key));
+  return needsKind && !kind ? "kind: must be given" : undefined;
+}
+
+/** Scenario, time, speed and step of the ghost in a fragment, or the reason why it is refused; missing numbers are NaN. */
+function fromFragment(fragment) {
+  const pairs = decoded(fragment.slice(1)).split("&").map((pair) => pair.split("="));
+  const values = new Map(pairs.filter(([key]) => key !== ""));
+  const refused = refusalOfAddress(values);
+  if (refused) return { refused };
+  const [t, speed, ghost] = SETTINGS.map((key) => numberOf(values.get(key) ?? ""));
+  const kind = values.get("kind");
+  if (kind === undefined) return { t, speed, ghost };
+  const read = (keys) => Object.fromEntries(keys.filter((key) => values.has(key)).map((key) => [key, numbersIn(key, values.get(key))]));
+  const support = values.get("support") ?? "sliding";
   const units = values.get("units") === "none" ? { units: "none" } : {};
   return { t, speed, ghost, scenario: { ...units, top: { support, ...read(TOP_KEYS) }, motion: { kind, ...read(MOTION_KEYS[kind]) } } };
 }

@@ -33,8 +33,7 @@ function say(topic, text, isError = true) {
 function setScenario(scenario, { settle = false, name } = {}) {
   const launched = core.launch(scenario);
   if (launched.refused) {
-    const { parameter, allowed } = launched.refused;
-    say("motion", `${parameter.replaceAll("_", " ")}: must be ${allowed}`);
+    say("motion", refusalText(launched.refused));
     core.launch(state.scenario);
     startGhost();
     if (scene) showControls({ scenario: state.scenario, shown: scene.shown });
@@ -189,9 +188,11 @@ function remember() {
   remembering = setTimeout(() => history.replaceState(null, "", addressed()), 250);
 }
 
-/** Applies the settings of the address; a page with a time in its address does not play. */
+/** Applies the settings of the address; a page with a time in its address does not play. An address with an error changes nothing. */
 function fromAddress() {
-  const { scenario, t, speed, ghost } = fromFragment(location.hash);
+  const { refused, scenario, t, speed, ghost } = fromFragment(location.hash);
+  say("motion", refused ?? "");
+  if (refused) return false;
   if (ghost > 0 && core.isLive) {
     element("ghost").checked = true;
     element("ghost-step").value = String(ghost);

@@ -2,6 +2,7 @@
 //!
 //! Run by `cargo xtask test --only browser`, which provides Chromium and names it in `CHROMIUM`.
 
+mod addresses;
 mod controls;
 mod film;
 mod speed;
