@@ -31,7 +31,7 @@ pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     /// Error bound of the angular velocity, rad per unit time.
     pub rate_error_bound: ErrorBound,
     /// Cells: the half period in which u rises consists of sixteen cells of equal length, and each number encodes the
-    /// segments of one cell. `docs/table_format.md` specifies it.
+    /// segments of one cell. `core/docs/table_format.md` specifies it.
     pub cells: [u16; CELLS],
     /// Segments: coefficients of Re α, Im α, Re β and Im β, lowest power first.
     pub segments: [R::Segment; SEGMENTS],

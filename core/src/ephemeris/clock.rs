@@ -14,7 +14,7 @@ use crate::scalar::{Extended, Float, Ring};
 pub use tip::TipClock;
 
 /// Phases at tick 0, their increments per tick, and the scales of lengths and rates, as plain numbers: see
-/// `docs/table_format.md`.
+/// `core/docs/table_format.md`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // the increments lie first, within the short address range of the smallest chip's load instructions
 pub struct Clock<W> {

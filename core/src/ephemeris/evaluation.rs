@@ -86,7 +86,7 @@ pub trait EphemerisScalar: Scalar {
     /// Segment whose coefficients are all 0.
     #[doc(hidden)]
     const ZERO_SEGMENT: Self::Segment;
-    /// Code of the scalar in table data: see `docs/table_format.md`.
+    /// Code of the scalar in table data: see `core/docs/table_format.md`.
     #[doc(hidden)]
     const CODE: u32;
     /// Errors of the evaluation.

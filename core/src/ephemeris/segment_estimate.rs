@@ -231,7 +231,7 @@ impl Frequencies {
     }
 }
 
-/// Error of a polynomial on a segment of half the length of a cell or less: the size times a power of the frequency, over the
+/// Error of a polynomial on a segment whose half length is a cell or less: the size times a power of the frequency, over the
 /// constants of the polynomial.
 struct CellError {
     /// Greatest frequency, rad per cell.

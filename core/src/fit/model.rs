@@ -160,7 +160,7 @@ impl Model {
         ratios
     }
 
-    /// First integrals l, n and h of a launch, from A.
+    /// First integrals l, n and h of a launch: A times those of the model, whose coefficients are relative to A.
     pub(crate) fn integrals(&self, launch: &Launch) -> Vector<f64> {
         let Coefficients { inertia, moment, height, gravity, rotor, .. } =
             self.equations(launch).coefficients;

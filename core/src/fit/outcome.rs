@@ -72,7 +72,7 @@ pub enum Reason {
     Misfit,
     /// The residuals are far larger than the noise, and become small when the rates are read as degrees per second.
     RatesInDegrees,
-    /// The residuals are far larger than the noise, and no rate differs from 0: the top does not move freely.
+    /// The residuals are far larger than the noise, and all rates are below 0.1 per unit time: the top does not move freely.
     AtRest,
     /// Every component of every measurement was at the end of its range.
     AllSaturated,
@@ -129,7 +129,7 @@ impl Statistics {
     }
 
     /// Whether the sum of squares of the residuals that are not outliers exceeds its mean n by `deviations` standard
-    /// deviations √(2 n), or more than a fifth of all residuals are outliers.
+    /// deviations √(2 n), that of the prior exceeds 60, or more than ten and a fifth of all residuals are outliers.
     pub(crate) fn is_misfit(&self, unknowns: usize, deviations: f64, huber: f64) -> bool {
         let (used, outliers) = (f64::from(self.used), f64::from(self.outliers));
         let inliers =

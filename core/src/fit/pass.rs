@@ -34,7 +34,7 @@ pub(super) enum Progress {
     Stuck,
     /// The top stands upright, and its spin is not determined.
     SpinUnknown,
-    /// There are fewer than three instants.
+    /// Too few measurements are later than the epoch.
     TooFew,
     /// There is no first guess.
     NoBeginning,

@@ -121,7 +121,7 @@ impl<F: Real> Path<F> {
     }
 
     /// Moves to a time after the launch, later than that of the last call, and computes the state and the derivatives there.
-    /// `None` where it is not within some periods of the last node.
+    /// `None` where it is negative, or beyond [`FURTHEST`] nodes or the range of [`Place`].
     ///
     /// * `turns`: period and rotations of the launch, needed only where the nodes do not reach the time
     pub(super) fn move_to(&mut self, t: f64, turns: impl FnOnce() -> Option<Turns>) -> Option<()> {

@@ -190,7 +190,7 @@ impl<F: Real> Fit<'_, F> {
         }
     }
 
-    /// Whether no rate is beyond what bias and noise explain.
+    /// Whether all components of all rates are below 0.1 per unit time, which a bias may explain.
     fn is_at_rest(&self, mut measurements: impl Iterator<Item = Measurement>) -> bool {
         measurements.all(|measurement| match self.hint(&measurement) {
             Hint::Rate { omega, axial_is_saturated } => {

@@ -89,7 +89,7 @@ impl Motion {
     /// the phases at t = 0.
     ///
     /// # Errors
-    /// `e1`, `e2`, `e3`: not finite or not in this order; `nutation_phase`, `arg_alpha`, `arg_beta`: not finite or beyond
+    /// `e1`, `e2`, `e3`: not finite or not in this order; `theta`, `arg_alpha`, `arg_beta`: not finite or beyond
     /// ±1e6 rad; `e3` also where no torque acts, because branch points then determine no rate, and where the axial rate
     /// (n - K)/C exceeds 1e24 per unit of time, or C = 0 and the branch points do not have n = K.
     pub fn from_branch_points(

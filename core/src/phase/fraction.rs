@@ -158,7 +158,7 @@ mod tests {
         }
     }
 
-    /// Comparison with integers of 128 bits, which hold a small number of ticks with 20 bits behind the point.
+    /// Comparison with integers of 128 bits, which hold a small number of ticks with 12 bits behind the point.
     #[test]
     fn ticks_and_a_share_of_a_tick() {
         for turns in [0.3, -0.3, 1e-9, -0.499, 0.0, -1e-25] {

@@ -2,7 +2,7 @@
 
 use super::{FRACTION_BITS, Phase, integer_parts, shifted};
 
-/// Constant rate of rotation with 63 significant bits at any magnitude, so that the relative error of a phase that
+/// Constant rate of rotation with 62 significant bits at any magnitude, so that the relative error of a phase that
 /// grows at this rate does not grow with time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -167,7 +167,7 @@ impl<F: Float> Equations<F> {
 
     /// Change of the support's acceleration g + s u'' caused by a tangent and by `change`, the change of the coefficients.
     ///
-    /// A rotation of everything but gravity by θ leaves the equations as they are. So the change is that of the
+    /// A rotation of everything, gravity included, by θ leaves the equations as they are. Therefore the change is that of the
     /// equations with the vertical turned by -θ and ω changed by η, in the frame that θ turns.
     pub(crate) fn support_change(
         &self,

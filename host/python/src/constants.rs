@@ -25,7 +25,7 @@ impl PyMotion {
         self.motion.first_integrals().l
     }
 
-    /// Axial angular momentum n = C (omega . r), kg m²/s.
+    /// Axial angular momentum n = C (omega . r) + K, kg m²/s.
     #[getter]
     fn n(&self) -> f64 {
         self.motion.first_integrals().n

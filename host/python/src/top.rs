@@ -207,7 +207,7 @@ impl PyTop {
         Ok(PyMotion::new(self.0, StartDefinition::BranchPoints { e, signs, start }, motion))
     }
 
-    /// Support of the tip: "sliding" or "fixed".
+    /// Support of the tip: "sliding", "fixed" or "free".
     #[getter]
     fn support(&self) -> &'static str {
         support_name(self.0.top.support())

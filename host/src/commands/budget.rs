@@ -63,7 +63,7 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Chip>, Failure> {
 
 const LIMITS: &str = "firmware-examples/budgets.toml";
 const COSTS: &str = "host/docs/costs.md";
-/// Chips on which the fit of a launch is measured: those with a unit for `f32`, as a trace of the others is too long.
+/// Chips on which the fit of a launch is measured: one, because a trace of the fit takes long.
 const FITTING_CHIPS: [&str; 1] = ["m4f"];
 /// Pages with a table of costs, each with the function that writes the table.
 const PAGES: [(&str, WithTable); 2] = [(COSTS, with_table), ("README.md", with_front_table)];

@@ -6,7 +6,7 @@ use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float};
 
-/// Mean tip angle at any tick, whole turns included, as plain numbers: see `docs/table_format.md`.
+/// Mean tip angle at any tick, whole turns included, as plain numbers: see `core/docs/table_format.md`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct TipClock {

@@ -69,8 +69,8 @@ fn sliced<T>(counter: &Counter, mut poll: impl FnMut() -> Poll<T>) -> (T, u64, u
     }
 }
 
-/// Launch of this number. Tilt, spin and A/(ps) are spread evenly (a sequence of low discrepancy), the last two over
-/// powers of ten; every eighth launch is an extreme case.
+/// Launch of this number. Tilt, the root of the spin and the logarithm of A/(ps) are spread evenly (a sequence of low
+/// discrepancy); every eighth launch is an extreme case.
 fn launch(number: u32) -> Result<(Top, State), ParameterError> {
     let [first, second, third] = [3_518_319_155_u32, 2_882_110_345, 2_360_945_575]
         .map(|step| f64::from(number.wrapping_add(1).wrapping_mul(step)) / f64::from(u32::MAX));
