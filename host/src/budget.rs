@@ -22,6 +22,6 @@ pub use image::Image;
 pub use limits::Limits;
 pub use meter::{Cost, measure};
 pub use model::Model;
-pub(crate) use readme::with_corpus;
+pub(crate) use readme::{with_corpus, with_corpus_in_brief};
 pub use readme::{with_front_table, with_table};
 pub use tick::{Costs, CountedChip, PLOTTED};

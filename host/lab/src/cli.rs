@@ -132,7 +132,7 @@ pub(crate) struct ReportArgs {
 /// `toytop-lab sines`
 #[derive(Args, Debug)]
 pub(crate) struct SinesArgs {
-    /// Distance of the phases: every N-th one is computed
+    /// Compute every N-th phase
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pub every: u32,
     /// Form of the output

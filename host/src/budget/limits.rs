@@ -107,7 +107,7 @@ impl Limits {
                 let (Some(figure), Some(most)) = (figure, most) else {
                     if figure != most {
                         lines.push(format!(
-                            "{chip}: {call}: {name}: measured, but not in the budget, or the reverse"
+                            "{chip}: {call}: {name}: is in only one of the measurement and the budget"
                         ));
                     }
                     continue;

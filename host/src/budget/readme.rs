@@ -53,14 +53,16 @@ const FRONT_ROWS: [(&str, &str, &str); 6] = [
 pub fn with_front_table(page: &str, limits: &Limits) -> Option<String> {
     let (before, rest) = page.split_once(FRONT_BEGIN)?;
     let (_, after) = rest.split_once(FRONT_END)?;
-    let mut text = "| at most | cycles | RAM, bytes | flash, bytes |\n|---|--:|--:|--:|\n".to_owned();
+    let mut text =
+        "| at most | cycles | kept, bytes | stack, bytes | flash, bytes |\n|---|--:|--:|--:|--:|\n"
+            .to_owned();
     for (chip, call, what) in FRONT_ROWS {
         let cell = |figure: fn(&Cost) -> Option<u64>| {
             limits.of(chip, call).and_then(figure).map_or("-".to_owned(), grouped)
         };
-        let (cycles, ram, flash) =
-            (cell(|cost| cost.cycles), cell(|cost| cost.ram), cell(|cost| Some(cost.flash)));
-        text += &format!("| {what} | {cycles} | {ram} | {flash} |\n");
+        let (cycles, ram) = (cell(|cost| cost.cycles), cell(|cost| cost.ram));
+        let (stack, flash) = (cell(|cost| cost.stack), cell(|cost| Some(cost.flash)));
+        text += &format!("| {what} | {cycles} | {ram} | {stack} | {flash} |\n");
     }
     Some(format!("{before}{FRONT_BEGIN}{text}{FRONT_END}{after}"))
 }
@@ -87,6 +89,27 @@ pub(crate) fn with_corpus(page: &str, costs: &[CorpusCost]) -> Option<String> {
         );
     }
     Some(format!("{before}{CORPUS_BEGIN}{text}{CORPUS_END}{after}"))
+}
+
+const BRIEF_BEGIN: &str = "<!-- budget: corpus in brief, written by `toytop budget --corpus --accept` -->\n";
+const BRIEF_END: &str = "<!-- budget: end of brief -->";
+
+/// Front page with the cost of the 200 launches in one sentence; `None` if the page has no markers for it, or the costs of this chip and
+/// scalar are not known.
+#[must_use]
+pub(crate) fn with_corpus_in_brief(page: &str, costs: &[CorpusCost]) -> Option<String> {
+    let (before, rest) = page.split_once(BRIEF_BEGIN)?;
+    let (_, after) = rest.split_once(BRIEF_END)?;
+    let of_chip = |cost: &&CorpusCost| cost.chip == "m4f" && cost.scalar == "f32" && cost.result == "ready";
+    let cost = costs.iter().find(of_chip)?;
+    let [median, greatest, slice] =
+        cost.modelled_cycles().map(|cycles| cycles.map_or("-".to_owned(), grouped));
+    let launches = cost.launches.len();
+    let text = format!(
+        "Of [200 very different launches](host/docs/costs.md#set-up-of-200-launches) in `f32`, {launches} have a table of 64 segments: set-up takes \
+         {median} cycles in the median, {greatest} at most, and can be done in slices of at most {slice} (Cortex-M4F).\n"
+    );
+    Some(format!("{before}{BRIEF_BEGIN}{text}{BRIEF_END}{after}"))
 }
 
 /// Page with the table of the limits; `None` if the page has no markers for it.

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 pub(crate) struct SimulateArgs {
     /// Scenario file
     pub scenario: PathBuf,
-    /// Sensors; without it, a gyroscope, an accelerometer and a magnetometer of a telephone at the centre of mass
+    /// Sensors; without this option, a gyroscope, an accelerometer and a magnetometer of a telephone at the centre of mass
     #[arg(long, value_name = "SENSORS.toml")]
     pub sensors: Option<PathBuf>,
     /// Samples a second
@@ -35,10 +35,10 @@ pub(crate) struct FitArgs {
     /// Scenario file with the top; its motion is not read
     #[arg(long, value_name = "TOP.toml")]
     pub top: PathBuf,
-    /// Sensors; without it, those of a telephone, as far as the samples have their columns
+    /// Sensors; without this option, those of a telephone, as far as the samples have their columns
     #[arg(long, value_name = "SENSORS.toml")]
     pub sensors: Option<PathBuf>,
-    /// Keys of the top that are unknown too
+    /// Keys of the top that are fitted too
     #[arg(long, value_enum, value_name = "KEY,...", value_delimiter = ',')]
     pub free: Vec<FreeKey>,
     /// Residual, in standard deviations, from which a sample is an outlier; inf for least squares

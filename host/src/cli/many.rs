@@ -59,7 +59,7 @@ pub(crate) struct SweepArgs {
     /// Number of random motions; without it, the motions are the grid of all combinations
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000_000))]
     pub(crate) motions: Option<u64>,
-    /// Axis of e1: X,Y,... or LOW..HIGH, in a grid LOW..HIGH/PLACES; with log: in front it is even in the logarithm
+    /// Axis of e1: X,Y,... or LOW..HIGH, in a grid LOW..HIGH/PLACES; with log: in front the values are evenly spaced in the logarithm
     #[arg(long, value_name = "AXIS", default_value = "-1..1", allow_hyphen_values = true)]
     pub(crate) e1: Axis,
     /// Axis of e2, which must not be less than e1

@@ -32,7 +32,7 @@ pub(crate) struct StateArgs {
     /// Columns, in the order of the output
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS)]
     pub(crate) columns: Vec<Column>,
-    /// Name the units in the header of CSV, NumPy and table, as in omega_x [rad/s], but not of Parquet
+    /// Add units to the column names, as in omega_x [rad/s], except in Parquet
     #[arg(long)]
     pub(crate) units: bool,
     /// Form of the output

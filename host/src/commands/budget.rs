@@ -3,7 +3,8 @@
 use super::Report;
 use crate::Failure;
 use crate::budget::{
-    CHIPS, Chip, CorpusCost, Cost, Limits, corpus, measure, with_corpus, with_front_table, with_table,
+    CHIPS, Chip, CorpusCost, Cost, Limits, corpus, measure, with_corpus, with_corpus_in_brief,
+    with_front_table, with_table,
 };
 use crate::cli::{BudgetArgs, Format};
 use crate::output::progress::Progress;
@@ -20,7 +21,7 @@ pub(super) fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
     let chips = chosen(&arguments.chip)?;
     if let Some(elf) = &arguments.elf {
         let [chip] = chips[..] else {
-            return Err(Failure::Input("--elf: needs one --chip, to say what the file is for".into()));
+            return Err(Failure::Input("--elf: needs one --chip, for which the file was built".into()));
         };
         return shown(arguments, &[(chip, measure(chip, elf)?)]);
     }
@@ -63,10 +64,11 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Chip>, Failure> {
 
 const LIMITS: &str = "firmware-examples/budgets.toml";
 const COSTS: &str = "host/docs/costs.md";
+const FRONT_PAGE: &str = "README.md";
 /// Chips on which the fit of a launch is measured: one, because a trace of the fit takes long.
 const FITTING_CHIPS: [&str; 1] = ["m4f"];
 /// Pages with a table of costs, each with the function that writes the table.
-const PAGES: [(&str, WithTable); 2] = [(COSTS, with_table), ("README.md", with_front_table)];
+const PAGES: [(&str, WithTable); 2] = [(COSTS, with_table), (FRONT_PAGE, with_front_table)];
 
 /// Function that puts the table of the limits into a page; `None` if the page has no markers for it.
 type WithTable = fn(&str, &Limits) -> Option<String>;
@@ -96,11 +98,14 @@ fn launches(arguments: &BudgetArgs, root: &Path, chips: &[&'static Chip]) -> Res
     }
     drop(progress);
     if arguments.accept {
-        let no_place = || Failure::Input(format!("{COSTS}: must contain the markers of the corpus"));
-        let page = with_corpus(&text_of(&root.join(COSTS))?, &costs).ok_or_else(no_place)?;
+        let no_place = |name| Failure::Input(format!("{name}: must contain the markers of the corpus"));
+        let page = with_corpus(&text_of(&root.join(COSTS))?, &costs).ok_or_else(|| no_place(COSTS))?;
+        let front = text_of(&root.join(FRONT_PAGE))?;
+        let front = with_corpus_in_brief(&front, &costs).ok_or_else(|| no_place(FRONT_PAGE))?;
         whole_file::write("--accept", &root.join(COSTS), page.as_bytes())?;
+        whole_file::write("--accept", &root.join(FRONT_PAGE), front.as_bytes())?;
         return Ok(Report {
-            text: format!("written: the table of launches in {COSTS}\n"),
+            text: format!("written: the launches in {COSTS} and {FRONT_PAGE}\n"),
             ..Report::default()
         });
     }

@@ -283,8 +283,11 @@ fn tables(ranked: &[Ranked<'_>], methods: &[Method]) -> String {
     }
     let scores = || ranked.iter().map(|ranked| &ranked.run.score);
     let differences = scores().any(|score| score.drift.from == Some(RateSource::Differences));
-    let by =
-        if differences { ", where a file has no angular velocity by differences of the error" } else { "" };
+    let by = if differences {
+        ", for files without angular velocity computed from differences of the error"
+    } else {
+        ""
+    };
     let bound = scores().map(|score| score.truth_bound).fold(0.0, f64::max);
     format!(
         "Errors against the exact motion\n{}\nPhase errors over the last nutation period, rad (above 0: ahead), and relative drifts of h, l and n\n{}\n\

@@ -31,7 +31,7 @@ const REGIMES = {
   sleeping_stable: "A sleeping top: it stands upright, and a push makes it nod a little.",
   sleeping_unstable: "It stands upright, but any push makes it fall.",
   hanging: "The body hangs straight down.",
-  aperiodic: "The axis rises to the vertical and needs for ever to reach it.",
+  aperiodic: "The axis rises to the vertical and reaches it only in infinite time.",
 };
 
 /** Sentence about a motion without torque: the axis rests, or it precesses about the angular momentum. */
@@ -125,12 +125,12 @@ function paperFacts(shown) {
     ["e₁", short(e1, 8), "", "Least u, the cosine of the tilt. The three branch points are the roots of the cubic that governs u."],
     ["e₂", short(e2, 8), "", "Greatest u."],
     ...(weight ? [["e₃", short(e3, 8), "", "Third root, above 1, which u never reaches: large for a fast spin."]] : []),
-    ...(slides ? [["e₄", short(e4, 8), "", "√(1 + A/(p s)): how much the sliding of the tip matters; infinite for a held tip."]] : []),
+    ...(slides ? [["e₄", short(e4, 8), "", "√(1 + A/(p s)): measure of the effect of the sliding tip; infinite for a held tip."]] : []),
     ["l", short(l), "kg m²/s", "Angular momentum about the vertical. It never changes."],
     ["n", short(n), "kg m²/s", "Angular momentum about the axis of the top. It never changes."],
     ["h", short(h), "J", weight ? "Energy; potential energy is 0 where the centre of mass is at the height of the tip." : "Energy."],
     ["α in a period", short(alpha_turns), "turns", "Advance of the argument of the Cayley-Klein parameter α in a nutation period."],
-    ["β in a period", short(beta_turns), "turns", "The same of β. The axis goes round by the sum of the two."],
+    ["β in a period", short(beta_turns), "turns", "Advance of the argument of β in a nutation period. The sum of both is the advance of the azimuth of the axis."],
     ["A", short(A), "kg m²", support === 1 ? "Transverse moment of inertia about the tip." : "Transverse moment of inertia about the centre of mass."],
     ["C", short(C), "kg m²", "Moment of inertia about the axis of the top."],
     ...(K ? [["K", short(K), "kg m²/s", "Angular momentum of the rotor inside, relative to the body: n = C spin + K."]] : []),

@@ -20,7 +20,7 @@ static inline void toytop_sincos_q15(uint64_t leading, int32_t of[2]) {
     of[1] = ((point[128] >> 1) - ((point[0] >> 16) * small >> 7)) >> 15;
 }
 
-/* From 31 bits after the point to 14, turned. */
+/* Rotated number, converted from units of 2^-31 to units of 2^-14. */
 static inline void toytop_turn_q15(int32_t re, int32_t im, const int32_t by[2], int32_t turned[2]) {
     turned[0] = ((re >> 16) * by[1] - (im >> 16) * by[0] + (1 << 15)) >> 16;
     turned[1] = ((re >> 16) * by[0] + (im >> 16) * by[1] + (1 << 15)) >> 16;
