@@ -61,6 +61,8 @@ impl StartSearch {
             return None;
         }
         const NEWTON_STEPS: usize = 8;
+        /// Step of some roundings, after which the next would be a rounding error.
+        const LAST_STEP: f64 = 4.0 * f64::ROUNDING;
         // most motions start at a turning point, which is an end of a span
         let mut x: f64 = match self.chi {
             Phase::ZERO => -1.0,
@@ -73,7 +75,7 @@ impl StartSearch {
             let next = if slope > 0.0 { (x - miss / slope).clamp(-1.0, 1.0) } else { x };
             let change = Float::abs(next - x);
             x = next;
-            if change <= f64::ROUNDING {
+            if change <= LAST_STEP {
                 break;
             }
         }
