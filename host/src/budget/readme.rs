@@ -164,7 +164,7 @@ mod tests {
         let cost = |cycles| Cost { call: "cursor_q31".into(), cycles: Some(cycles), ..Cost::default() };
         let limits = Limits(vec![("m4f".into(), vec![cost(260)]), ("m0plus".into(), vec![cost(1221)])]);
         let page = with_front_table(&format!("a\n{FRONT_BEGIN}old\n{FRONT_END}\nb"), &limits).unwrap();
-        assert!(page.contains("Cortex-M0+ | 1 221 | - | 0 |") && !page.contains("old"), "{page}");
+        assert!(page.contains("Cortex-M0+ | 1 221 | - | - | 0 |") && !page.contains("old"), "{page}");
         assert_eq!(with_front_table(&page, &limits).as_ref(), Some(&page));
         assert_eq!(with_front_table("no place", &limits), None);
     }

@@ -171,16 +171,17 @@ impl Checks {
 
     fn drift(&self, reading: &Reading) -> f64 {
         let mut first: Option<[f64; 3]> = None;
-        let mut worst = 0.0_f64;
+        let (mut worst, mut greatest) = (0.0_f64, 0.0_f64);
         for &t in &self.times {
             let seen = reading.at(t);
             let Some(omega) = seen.omega else { return 0.0 };
             let now = first_integrals(&self.top, seen.phi.alpha, seen.phi.beta, omega);
             let then = *first.get_or_insert(now);
-            let size = omega.iter().map(|x| x * x).sum::<f64>().sqrt();
-            let momentum = self.top.transverse_inertia().max(self.top.axial_inertia()) * size
+            // a rounded angular velocity may be 0 at one of the times
+            greatest = greatest.max(omega.iter().map(|x| x * x).sum::<f64>().sqrt());
+            let momentum = self.top.transverse_inertia().max(self.top.axial_inertia()) * greatest
                 + self.top.rotor_momentum().abs();
-            let energy = momentum * size + self.top.mass_moment() * self.top.gravity();
+            let energy = momentum * greatest + self.top.mass_moment() * self.top.gravity();
             let shares = [momentum, momentum, energy];
             for ((now, then), share) in now.iter().zip(then).zip(shares) {
                 let drift = (now - then).abs() / share.max(f64::MIN_POSITIVE);
