@@ -126,7 +126,7 @@ fn a_launch_takes_a_slice_for_each_node() {
         (thrown(0.35, 150.0), 26, 30),
         (thrown(1e-3, 30.0), 98, 108),
         (thrown(0.0, 150.0), 10, 28),
-        (thrown(0.0, 1.0), 7, 8),
+        (thrown(0.0, 1.0), 8, 9),
     ] {
         let (motion, slices) = launched(&top, &release);
         assert!((fewest..=most).contains(&slices), "{release:?}: {slices} slices");
@@ -168,4 +168,55 @@ fn a_launch_that_is_refused_ends_at_its_branch_points() {
     let (refused, slices) = launched(&top, &Release { tilt: 0.3, spin: 1e6, ..Release::default() });
     assert_eq!(refused.unwrap_err().parameter(), "omega");
     assert_eq!(slices, 4);
+}
+
+/// One launch and one set-up serve many motions: nothing of the one before is left, whether it is complete, refused or interrupted.
+#[test]
+fn memory_is_used_again() {
+    let top = *vectors::named("si_toytop_150").motion().unwrap().top();
+    let tick = Tick::hertz(1000).unwrap();
+    let release = |tilt, spin| Release { tilt, spin, ..Release::default() };
+    let releases = [
+        release(0.35, 150.0),
+        release(0.35, 1e10),
+        release(0.0, 300.0),
+        release(1e-3, 30.0),
+        release(2.0, 5.0),
+    ];
+    let first = State::release(&releases[0]).unwrap();
+    let mut launch = Launch::<f32>::for_scalar(&top, &first);
+    let mut set_up = SetUp::new(&Motion::launch_for::<f32>(&top, &first).unwrap(), tick);
+    let mut kinds = [0; 2];
+    for (number, release) in releases.iter().cycle().take(3 * releases.len()).enumerate() {
+        let state = State::release(release).unwrap();
+        launch.restart(&top, &state);
+        assert_eq!(launch.motion(), None);
+        // every third launch is interrupted
+        for _ in 0..if number % 3 == 2 { number } else { usize::MAX } {
+            if launch.proceed().is_ready() {
+                break;
+            }
+        }
+        if number % 3 == 2 {
+            continue;
+        }
+        let fresh = Motion::launch_for::<f32>(&top, &state);
+        assert_eq!(
+            (launch.proceed(), launch.motion()),
+            (Poll::Ready(fresh.map(drop)), fresh.as_ref().ok()),
+            "{release:?}"
+        );
+        kinds[usize::from(fresh.is_ok())] += 1;
+        let Ok(motion) = fresh else { continue };
+        let (mut table, mut expected) = (Ephemeris::<f32, 64>::EMPTY, Ephemeris::<f32, 64>::EMPTY);
+        set_up.restart(&motion, tick);
+        let result = loop {
+            if let Poll::Ready(result) = set_up.poll(&mut table) {
+                break result;
+            }
+        };
+        assert_eq!((result, polled(&motion, &mut expected).0), (Ok(()), Ok(())), "{release:?}");
+        assert!(table == expected, "{release:?}");
+    }
+    assert!(kinds.iter().all(|kind| *kind > 1), "{kinds:?}");
 }

@@ -118,6 +118,11 @@ struct LandenStep<F> {
     scaled_modulus: F,
 }
 
+impl<F: Float> LandenStep<F> {
+    /// Step that changes nothing.
+    const NONE: Self = Self { modulus: F::ZERO, rest: F::ONE, scaled_modulus: F::ZERO };
+}
+
 /// Greatest number of Landen transformations. Each squares a small modulus: m₁ = 1/2 needs five, 1e-15 nine, 1e-300 twelve.
 const LANDEN_STEPS: usize = 12;
 
@@ -134,12 +139,22 @@ pub(crate) struct LandenSteps<F> {
 }
 
 impl<F: Float> LandenSteps<F> {
-    /// No transformation yet, for m and m₁ = 1 - m, each given with full relative precision. A modulus of at most `least` is below the
+    /// Sequence before [`LandenSteps::begin`].
+    pub(crate) const NONE: Self = Self {
+        landen: Landen { steps: [LandenStep::NONE; LANDEN_STEPS], scale: F::ONE, near_one: 0 },
+        complement: F::ONE,
+        modulus_squared: F::ZERO,
+        least: F::ZERO,
+        next: 0,
+    };
+
+    /// Begins the sequence for m and m₁ = 1 - m, each given with full relative precision. A modulus of at most `least` is below the
     /// resolution: it changes nothing, nor do those after it.
-    pub(crate) fn new(m: F, m1: F, least: f64) -> Self {
-        let none = LandenStep { modulus: F::ZERO, rest: F::ONE, scaled_modulus: F::ZERO };
-        let landen = Landen { steps: [none; LANDEN_STEPS], scale: F::ONE, near_one: 0 };
-        Self { landen, complement: m1.sqrt(), modulus_squared: m, least: F::from_f64(least), next: 0 }
+    pub(crate) fn begin(&mut self, [m, m1]: [F; 2], least: f64) {
+        self.landen.steps.fill(LandenStep::NONE);
+        (self.landen.scale, self.landen.near_one) = (F::ONE, 0);
+        (self.modulus_squared, self.complement) = (m, m1.sqrt());
+        (self.least, self.next) = (F::from_f64(least), 0);
     }
 
     /// Adds a transformation. Returns whether there may be another; if not, the sequence is complete.
@@ -180,7 +195,8 @@ impl<F: Float> Landen<F> {
     pub(crate) fn of(m: F, m1: F) -> Self {
         /// Below the resolution of every number type.
         const LEAST: f64 = 1e-33;
-        let mut steps = LandenSteps::new(m, m1, LEAST);
+        let mut steps = LandenSteps::NONE;
+        steps.begin([m, m1], LEAST);
         while steps.proceed() {}
         steps.landen
     }

@@ -113,6 +113,13 @@ impl SetUp {
         Self { truncation: Some(truncation), ..Self::new(motion, tick) }
     }
 
+    /// Begins the set-up for another motion in the same memory, with the truncation error of [`new`](Self::new), for a program that keeps
+    /// it in a static because the stack is small.
+    pub fn restart(&mut self, motion: &Motion, tick: Tick) {
+        (self.motion, self.tick, self.truncation) = (*motion, tick, None);
+        (self.estimation, self.stage) = (Estimation::BEGINNING, Stage::Rates);
+    }
+
     /// Motion of the ephemeris.
     #[must_use]
     pub fn motion(&self) -> &Motion {

@@ -16,7 +16,7 @@
 //! near 1 and e₁ near -1 as elsewhere, and K/K' alone tells how many nodes it needs. The formulas hold for s = 0, too, where e₄ is
 //! infinite.
 
-use crate::elliptic::jacobi::{LandenSteps, SquaresOfWhole};
+use crate::elliptic::jacobi::SquaresOfWhole;
 use crate::law::Law;
 use crate::scalar::Float;
 
@@ -71,9 +71,20 @@ impl<F: Float> EllipticLaw<F> {
         &self.law
     }
 
-    /// Landen transformations of the elliptic functions, of which none is computed yet. A modulus of at most `least` changes nothing.
+    /// Law before its constants are computed.
+    pub(crate) const ZERO: Self = Self {
+        law: Law::ZERO,
+        root_s: F::ZERO,
+        least_root: F::ZERO,
+        roots: [F::ZERO; 2],
+        of_e4: false,
+        distances: [F::ZERO; 2],
+        smoothing: [F::ZERO; 2],
+    };
+
+    /// Parameter m of the elliptic functions and m₁ = 1 - m.
     #[inline(never)]
-    pub(crate) fn landen(&self, least: f64) -> LandenSteps<F> {
+    pub(crate) fn parameters(&self) -> [F; 2] {
         let Self { law, root_s, least_root, roots: [at_e1, at_e2], distances: [from_e1, from_e2], .. } =
             *self;
         // d₊ at the lesser of e₃ and e₄, in the unit of f
@@ -83,7 +94,7 @@ impl<F: Float> EllipticLaw<F> {
             at_e2 + root_s * law.e3_minus_e2
         };
         let per_whole = F::ONE / (from_e1 * at_e2);
-        LandenSteps::new(law.e2_minus_e1 * beyond * per_whole, from_e2 * at_e1 * per_whole, least)
+        [law.e2_minus_e1 * beyond * per_whole, from_e2 * at_e1 * per_whole]
     }
 
     /// Derivatives dt/dv, dψ_A/dv and dψ_B/dv, each divided by its factor.

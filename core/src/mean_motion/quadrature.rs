@@ -83,24 +83,32 @@ pub(crate) struct Quadrature<N> {
 }
 
 impl<N: RateNumber> Quadrature<N> {
-    /// Quadrature without a node.
-    pub(crate) fn new(law: &Law<N>) -> Self {
-        let law = EllipticLaw::new(law);
-        Self {
-            jacobi: law.landen(N::LEAST_MODULUS),
-            law,
-            piece: Piece::Transformations,
-            sums: Sums::ZERO,
-            nodes: 1,
-            needed: 0,
-            first_nodes: 0,
-            odd: Sums::ZERO,
-            odd_nodes: 0,
-            step: [N::ZERO; 2],
-            half_step: [N::ZERO; 2],
-            angle: [N::ZERO, N::ONE],
-            before: [f64::INFINITY; 2],
-        }
+    /// Quadrature before [`Quadrature::begin`].
+    pub(crate) const NONE: Self = Self {
+        law: EllipticLaw::ZERO,
+        jacobi: LandenSteps::NONE,
+        piece: Piece::Transformations,
+        sums: Sums::ZERO,
+        nodes: 1,
+        needed: 0,
+        first_nodes: 0,
+        odd: Sums::ZERO,
+        odd_nodes: 0,
+        step: [N::ZERO; 2],
+        half_step: [N::ZERO; 2],
+        angle: [N::ZERO, N::ONE],
+        before: [f64::INFINITY; 2],
+    };
+
+    /// Begins the quadrature for a law, without a node. A chip's stack is too small for another quadrature, so that it begins in its own
+    /// memory.
+    #[inline(never)]
+    pub(crate) fn begin(&mut self, law: &Law<N>) {
+        self.law = EllipticLaw::new(law);
+        self.jacobi.begin(self.law.parameters(), N::LEAST_MODULUS);
+        self.piece = Piece::Transformations;
+        (self.sums, self.nodes) = (Sums::ZERO, 1);
+        (self.angle, self.before) = ([N::ZERO, N::ONE], [f64::INFINITY; 2]);
     }
 
     pub(crate) fn law(&self) -> &Law<N> {
@@ -244,7 +252,8 @@ mod tests {
         let omega = [0.003_448_181_221_981_053, 5.756_927_032_555_872e-5, -0.005_529_380_379_944_812];
         let state = State::new(Orientation { alpha, beta }, omega).unwrap();
         let motion = Motion::launch(&top, &state).unwrap();
-        let mut quadrature = Quadrature::<Extended>::new(&motion.law());
+        let mut quadrature = Quadrature::<Extended>::NONE;
+        quadrature.begin(&motion.law());
         let first = settled(&mut quadrature);
         quadrature.begin_odd_nodes();
         let finer = settled(&mut quadrature);

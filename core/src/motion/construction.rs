@@ -157,7 +157,8 @@ impl Motion {
 
     fn computed_mean(&self) -> Option<MeanMotion> {
         self.has_period().then(|| {
-            let mut quadrature = Quadrature::<Extended>::new(&self.law());
+            let mut quadrature = Quadrature::<Extended>::NONE;
+            quadrature.begin(&self.law());
             loop {
                 if let Some(integrals) = quadrature.proceed() {
                     return self.mean_of(&integrals);

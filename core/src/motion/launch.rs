@@ -47,7 +47,9 @@ pub struct Launch<R: Scalar = f64> {
     stage: Stage,
     integrals: FirstIntegrals<Extended>,
     point: ReducedPoint<Extended>,
-    quadrature: Option<Quadrature<R::Rates>>,
+    quadrature: Quadrature<R::Rates>,
+    /// Whether the motion needs the quadrature.
+    has_quadrature: bool,
     /// Motion so far, once its branch points are known.
     motion: Option<Motion>,
 }
@@ -63,8 +65,10 @@ enum Stage {
     BranchPoints,
     /// Search for the lower two branch points.
     LowerPair(LowerPairSearch<Extended>),
-    /// The other branch points, and the regime.
+    /// The other branch points.
     UpperPair(LowerPair<Extended>),
+    /// Regime, and the other constants.
+    Constants(BranchPoints<Extended>),
     /// Rounding errors of the constants, and the mean motion if it needs no quadrature.
     Conditioning,
     /// Beginning of the quadrature.
@@ -101,9 +105,22 @@ impl<R: Scalar> Launch<R> {
             stage: Stage::Axis,
             integrals: FirstIntegrals::ZERO,
             point: ReducedPoint::ZERO,
-            quadrature: None,
+            quadrature: Quadrature::NONE,
+            has_quadrature: false,
             motion: None,
         }
+    }
+
+    /// Begins the launch from another state in the same memory, for a program that keeps it in a static because the stack is small.
+    pub fn restart(&mut self, top: &Top, state: &State) {
+        (self.top, self.state) = (*top, *state);
+        (self.stage, self.has_quadrature, self.motion) = (Stage::Axis, false, None);
+    }
+
+    /// Motion, once [`poll`](Self::poll) has returned that it is ready.
+    #[must_use]
+    pub fn motion(&self) -> Option<&Motion> {
+        self.motion.as_ref().filter(|_| matches!(self.stage, Stage::Ended(Ok(()))))
     }
 
     /// Does the next slice of the work. Calls after the result change nothing and return it again.
@@ -112,77 +129,87 @@ impl<R: Scalar> Launch<R> {
     /// See [`Motion::launch`].
     #[inline(never)]
     pub fn poll(&mut self) -> Poll<Result<Motion, ParameterError>> {
-        match (self.stage, &self.motion) {
-            (Stage::Ended(Ok(())), Some(motion)) => return Poll::Ready(Ok(*motion)),
-            (Stage::Ended(Err(error)), _) => return Poll::Ready(Err(error)),
-            _ => self.proceed(),
+        match (self.proceed(), &self.motion) {
+            (Poll::Ready(Ok(())), Some(motion)) => Poll::Ready(Ok(*motion)),
+            (Poll::Ready(Err(error)), _) => Poll::Ready(Err(error)),
+            _ => Poll::Pending,
+        }
+    }
+
+    /// Does the next slice of the work like [`poll`](Self::poll), without a copy of the motion on the stack: [`motion`](Self::motion) is
+    /// the result.
+    ///
+    /// # Errors
+    /// See [`Motion::launch`].
+    #[inline(never)]
+    pub fn proceed(&mut self) -> Poll<Result<(), ParameterError>> {
+        match (&self.stage, &self.motion) {
+            (Stage::Ended(result), _) => return Poll::Ready(*result),
+            (Stage::Axis, _) => self.find_axis(),
+            (Stage::Integrals(_), _) => self.find_integrals(),
+            (Stage::BranchPoints, _) => self.begin_branch_points(),
+            (Stage::LowerPair(_), _) => self.find_lower_pair(),
+            (Stage::UpperPair(_), _) => self.complete_branch_points(),
+            (Stage::Constants(_), _) => self.find_constants(),
+            (Stage::Conditioning, Some(_)) => self.find_conditioning(),
+            (Stage::Quadrature, Some(_)) => self.begin_quadrature(),
+            (Stage::Nodes, Some(_)) => self.add_node(),
+            (Stage::Mean(_), Some(_)) => self.find_mean(),
+            (Stage::Nutation, Some(_)) => self.start_nutation(),
+            (Stage::StartRates, Some(_)) => self.find_start_rates(),
+            (Stage::SlowPhases(_), Some(_)) => self.start_slow_phases(),
+            // no stage after the constants is without a motion
+            (_, None) => self.stage = Stage::Axis,
         }
         Poll::Pending
     }
+}
 
-    /// Does the next slice of the work, if there is one left.
+/// Stages. They are calls, because their stack frames must not add up.
+impl<R: Scalar> Launch<R> {
     #[inline(never)]
-    fn proceed(&mut self) {
-        match (self.stage, &mut self.motion) {
-            (Stage::Axis, _) => self.stage = Stage::Integrals(MovingAxis::of(&self.state)),
-            (Stage::Integrals(axis), _) => {
-                (self.integrals, self.point) = FirstIntegrals::with_point(&self.top, &axis);
-                self.stage = Stage::BranchPoints;
-            }
-            (Stage::BranchPoints, _) => self.begin_branch_points(),
-            (Stage::LowerPair(mut search), _) => {
-                self.stage = search.proceed().map_or(Stage::LowerPair(search), Stage::UpperPair);
-            }
-            (Stage::UpperPair(pair), _) => {
-                self.end_branch_points(BranchPoints::complete(&pair, &self.integrals, &self.point));
-            }
-            (Stage::Conditioning, Some(_)) => self.find_conditioning(),
-            (Stage::Quadrature, Some(_)) => self.begin_quadrature(),
-            (Stage::Nodes, Some(_)) => {
-                // without a quadrature the motion has no period
-                let Some(quadrature) = &mut self.quadrature else { return self.stage = Stage::Nutation };
-                if let Some(integrals) = quadrature.proceed() {
-                    self.stage = Stage::Mean(integrals);
-                }
-            }
-            (Stage::Mean(integrals), Some(motion)) => {
-                motion.mean = Some(motion.mean_of(&integrals));
-                self.stage = Stage::Nutation;
-            }
-            (Stage::Nutation, Some(motion)) => {
-                motion.start_nutation(&self.point);
-                self.stage = Stage::StartRates;
-            }
-            (Stage::StartRates, Some(_)) => {
-                self.stage = Stage::SlowPhases(parameters_and_rates::<R::Rates>(&self.state))
-            }
-            (Stage::SlowPhases(parameters), Some(motion)) => {
-                motion.start_slow_phases(parameters, self.quadrature.as_ref().map(Quadrature::law));
-                self.stage = Stage::Ended(Ok(()));
-            }
-            (Stage::Ended(_), _) => {}
-            // every stage after the branch points has a motion
-            (_, None) => self.stage = Stage::Axis,
-        }
+    fn find_axis(&mut self) {
+        self.stage = Stage::Integrals(MovingAxis::of(&self.state));
     }
 
-    #[inline(never)] // the stack frames of the stages must not add up
+    #[inline(never)]
+    fn find_integrals(&mut self) {
+        let Stage::Integrals(axis) = &self.stage else { return };
+        (self.integrals, self.point) = FirstIntegrals::with_point(&self.top, axis);
+        self.stage = Stage::BranchPoints;
+    }
+
+    #[inline(never)]
     fn begin_branch_points(&mut self) {
-        match BranchPoints::begin(&self.top, &self.integrals, &self.point) {
-            Ok(Roots::LowerPair(search)) => self.stage = Stage::LowerPair(search),
-            Ok(Roots::All(e)) => self.end_branch_points(Ok(e)),
-            Err(error) => self.end_branch_points(Err(error)),
+        self.stage = match BranchPoints::begin(&self.top, &self.integrals, &self.point) {
+            Ok(Roots::LowerPair(search)) => Stage::LowerPair(search),
+            Ok(Roots::All(e)) => Stage::Constants(e),
+            Err(error) => Stage::Ended(Err(error)),
+        };
+    }
+
+    #[inline(never)]
+    fn find_lower_pair(&mut self) {
+        let Stage::LowerPair(search) = &mut self.stage else { return };
+        if let Some(pair) = search.proceed() {
+            self.stage = Stage::UpperPair(pair);
         }
     }
 
-    fn end_branch_points(&mut self, branch_points: Result<BranchPoints<Extended>, ParameterError>) {
-        match branch_points {
-            Ok(e) => {
-                self.motion = Some(Motion::with_constants(&self.top, &self.integrals, &self.point, e));
-                self.stage = Stage::Conditioning;
-            }
-            Err(error) => self.stage = Stage::Ended(Err(error)),
-        }
+    #[inline(never)]
+    fn complete_branch_points(&mut self) {
+        let Stage::UpperPair(pair) = &self.stage else { return };
+        self.stage = match BranchPoints::complete(pair, &self.integrals, &self.point) {
+            Ok(e) => Stage::Constants(e),
+            Err(error) => Stage::Ended(Err(error)),
+        };
+    }
+
+    #[inline(never)]
+    fn find_constants(&mut self) {
+        let Stage::Constants(e) = self.stage else { return };
+        self.motion = Some(Motion::with_constants(&self.top, &self.integrals, &self.point, e));
+        self.stage = Stage::Conditioning;
     }
 
     #[inline(never)]
@@ -197,8 +224,41 @@ impl<R: Scalar> Launch<R> {
     #[inline(never)]
     fn begin_quadrature(&mut self) {
         let Some(motion) = &self.motion else { return };
-        self.quadrature = Some(Quadrature::new(&motion.law()));
+        self.quadrature.begin(&motion.law());
+        self.has_quadrature = true;
         self.stage = Stage::Nodes;
+    }
+
+    #[inline(never)]
+    fn add_node(&mut self) {
+        if let Some(integrals) = self.quadrature.proceed() {
+            self.stage = Stage::Mean(integrals);
+        }
+    }
+
+    #[inline(never)]
+    fn find_mean(&mut self) {
+        let (Stage::Mean(integrals), Some(motion)) = (&self.stage, &mut self.motion) else { return };
+        motion.mean = Some(motion.mean_of(integrals));
+        self.stage = Stage::Nutation;
+    }
+
+    fn start_nutation(&mut self) {
+        let Some(motion) = &mut self.motion else { return };
+        motion.start_nutation(&self.point);
+        self.stage = Stage::StartRates;
+    }
+
+    #[inline(never)]
+    fn find_start_rates(&mut self) {
+        self.stage = Stage::SlowPhases(parameters_and_rates::<R::Rates>(&self.state));
+    }
+
+    #[inline(never)]
+    fn start_slow_phases(&mut self) {
+        let (Stage::SlowPhases(parameters), Some(motion)) = (&self.stage, &mut self.motion) else { return };
+        motion.start_slow_phases(*parameters, self.has_quadrature.then_some(self.quadrature.law()));
+        self.stage = Stage::Ended(Ok(()));
     }
 }
 

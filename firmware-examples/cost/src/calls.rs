@@ -1,11 +1,13 @@
 //! Calls of core.
 
+use core::task::Poll;
+
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::{Real, Ring, Scalar};
 use toytop::{
     Complex, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, EphemerisScalar,
-    EphemerisView, Motion, Orientation, ParameterError, Release, Sample, State, Stepper, Tick, Top,
-    TopParameters,
+    EphemerisView, Launch, Motion, Orientation, ParameterError, Release, Sample, SetUp, State, Stepper, Tick,
+    Top, TopParameters,
 };
 
 /// Number of ticks per second.
@@ -66,17 +68,20 @@ impl Measured {
         State::release(&self.release)
     }
 
-    pub(crate) fn motion<R: Scalar>(&self) -> Result<Motion, ParameterError> {
+    pub(crate) fn top(&self) -> Result<Top, ParameterError> {
         let [a, c] = self.inertia;
-        let top = Top::sliding(&TopParameters {
+        Top::sliding(&TopParameters {
             transverse_inertia: a,
             axial_inertia: c,
             com_height: self.com_height,
             mass: self.mass,
             gravity: 9.81,
             ..TopParameters::default()
-        })?;
-        Motion::launch_for::<R>(&top, &self.state()?)
+        })
+    }
+
+    pub(crate) fn motion<R: Scalar>(&self) -> Result<Motion, ParameterError> {
+        Motion::launch_for::<R>(&self.top()?, &self.state()?)
     }
 }
 
@@ -113,6 +118,26 @@ pub(crate) extern "C" fn bench_launch_falling(
     measured: &Measured,
 ) -> bool {
     set_up(ephemeris, measured)
+}
+
+/// Set-up as for `bench_launch`, in slices whose memory a program keeps in a static.
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_slices(
+    launch: &mut Launch<f32>,
+    set_up: &mut SetUp,
+    ephemeris: &mut EphemerisF32,
+    (top, state): &(Top, State),
+) -> bool {
+    launch.restart(top, state);
+    while launch.proceed().is_pending() {}
+    let (Some(motion), Ok(tick)) = (launch.motion(), Tick::hertz(TICK_RATE)) else { return false };
+    set_up.restart(motion, tick);
+    loop {
+        if let Poll::Ready(result) = set_up.poll(ephemeris) {
+            return result.is_ok();
+        }
+    }
 }
 
 #[inline(never)]

@@ -24,8 +24,8 @@ use measure::Meter;
 use semihosting::process;
 use toytop::scalar::{Float, Real};
 use toytop::{
-    Ephemeris, EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, Micromath, Motion, Orientation, Phase,
-    Tick,
+    Ephemeris, EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, Launch, Micromath, Motion,
+    Orientation, Phase, SetUp, Tick,
 };
 
 #[cfg(target_arch = "arm")]
@@ -53,6 +53,7 @@ fn main() -> ! {
         assert!(calls::bench_launch(&mut single, black_box(&measured)), "the motion fits");
     });
     other_launches(&mut meter);
+    in_slices(&mut meter, &measured);
     let motion = measured.motion::<f64>().expect("a possible top");
     let mut double = EphemerisF64::EMPTY;
     let tick = Tick::hertz(calls::TICK_RATE).expect("positive");
@@ -79,6 +80,25 @@ fn other_launches(meter: &mut Meter) {
     let mut table = Ephemeris::<f32, 128>::EMPTY;
     meter.measure("bench_launch_falling", size_of_val(&table), 1, |_| {
         assert!(calls::bench_launch_falling(&mut table, black_box(&falling)), "the motion fits");
+    });
+}
+
+/// Set-up in slices: launch and set-up count as memory that is kept, and not as stack.
+#[inline(never)] // their memory must not stay on the stack
+fn in_slices(meter: &mut Meter, measured: &Measured) {
+    let top = measured.top().expect("a possible top");
+    let input = (top, measured.state().expect("a possible state"));
+    let (top, state) = &input;
+    let mut launch = Launch::<f32>::for_scalar(top, state);
+    let motion = measured.motion::<f32>().expect("a possible launch");
+    let mut set_up = SetUp::new(&motion, Tick::hertz(calls::TICK_RATE).expect("positive"));
+    let mut table = EphemerisF32::EMPTY;
+    let ram = size_of_val(&launch) + size_of_val(&set_up) + size_of_val(&table);
+    meter.measure("bench_slices", ram, 1, |_| {
+        assert!(
+            calls::bench_slices(&mut launch, &mut set_up, &mut table, black_box(&input)),
+            "the motion fits"
+        );
     });
 }
 

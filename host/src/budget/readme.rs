@@ -6,7 +6,7 @@ const BEGIN: &str = "<!-- budget: written by `toytop budget --accept` -->\n";
 const END: &str = "<!-- budget: end -->";
 
 /// Calls, each with its text on the page.
-const ROWS: [(&str, &str); 20] = [
+const ROWS: [(&str, &str); 21] = [
     ("ephemeris_f32", "**ephemeris**, any tick, `f32`"),
     ("cursor_f32", "**ephemeris**, the next tick, `f32`"),
     ("omega_f32", "**ephemeris**, any tick, `f32`: α, β and Ω in the body frame"),
@@ -27,6 +27,7 @@ const ROWS: [(&str, &str); 20] = [
         "launch",
         "set-up, once per launch, `f32`: from measured numbers to the ephemeris, of a 50 g top at 150 rad/s",
     ),
+    ("slices", "set-up of this top in slices, whose `Launch` and `SetUp` are kept in static memory"),
     ("launch_slow", "set-up of the same top at 5 rad/s"),
     ("launch_falling", "set-up of the same top almost upright, at 30 rad/s, which is too slow to sleep"),
     (
@@ -39,11 +40,12 @@ const FRONT_BEGIN: &str = "<!-- budget: front page, written by `toytop budget --
 const FRONT_END: &str = "<!-- budget: end of front page -->";
 
 /// Rows of the front page: chip, call and text.
-const FRONT_ROWS: [(&str, &str, &str); 6] = [
+const FRONT_ROWS: [(&str, &str, &str); 7] = [
     ("m4f", "cursor_f32", "the next tick in `f32`, Cortex-M4F"),
     ("m0plus", "cursor_q31", "the next tick in 32-bit fixed point, Cortex-M0+"),
     ("m0plus", "cursor_q15", "the next tick in 16-bit fixed point, Cortex-M0+"),
     ("m4f", "launch", "set-up of this motion, once per launch, Cortex-M4F"),
+    ("m4f", "slices", "set-up of this motion in slices, in static memory"),
     ("m4f", "launch_slow", "set-up of the same top at 5 rad/s"),
     ("m4f", "launch_falling", "set-up of the same top almost upright, falling"),
 ];
