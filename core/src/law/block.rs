@@ -66,8 +66,9 @@ fn inner<'a>(pairs: impl Iterator<Item = (&'a Split, &'a Split)>, shift: i32) ->
 const LEAST_SHIFT: i32 = 33;
 /// Least shift with which the sum of the products of a higher and a lower part gives no quotient beyond the range.
 const LEAST_COMMON_SHIFT: i32 = 40;
-/// Quotient that is not in range.
+/// Positive and negative quotient that are not in range: the first numbers beyond 60 bits.
 const BEYOND: i64 = 2 * LIMIT;
+const BELOW: i64 = -BEYOND - 1;
 
 /// Sum divided by 2^shift, rounded to the nearest.
 fn rounded(sum: i128, shift: i32) -> i64 {
@@ -75,7 +76,7 @@ fn rounded(sum: i128, shift: i32) -> i64 {
         return if sum >> LOW_BITS == 0 { 0 } else { BEYOND };
     }
     let twice = sum >> (shift - 1).min(127);
-    ((twice + 1) >> 1).clamp((-BEYOND).into(), BEYOND.into()) as i64
+    ((twice + 1) >> 1).clamp(BELOW.into(), BEYOND.into()) as i64
 }
 
 /// [`rounded`] of upper · 2^60 + across · 2^30 and 30 lower bits, in words of 64 bits: shifts of 128 bits would cost a
@@ -92,7 +93,7 @@ fn rounded_parts(upper: i64, across: i64, shift: i32) -> i64 {
             // whether upper is below 2^(shift - 1)
             let word = (upper >> 32) as i32;
             if word >> (shift - 33) != word >> 31 {
-                return if word < 0 { -BEYOND } else { BEYOND };
+                return if word < 0 { BELOW } else { BEYOND };
             }
             // the lower word ends above the bits that are dropped
             let twice = times_power(upper, 61 - shift) + over_power(across, shift - 31);
@@ -103,7 +104,7 @@ fn rounded_parts(upper: i64, across: i64, shift: i32) -> i64 {
         }
         _ => return if (upper << LOW_BITS) + across == 0 { 0 } else { BEYOND },
     };
-    ((twice >> 1) + (twice & 1)).clamp(-BEYOND, BEYOND)
+    ((twice >> 1) + (twice & 1)).clamp(BELOW, BEYOND)
 }
 
 /// Number · 2^exponent for an exponent from 1 to 31, with two words of 32 bits: a chip takes half of the instructions for a shift by
@@ -194,7 +195,7 @@ impl Factor {
             return product;
         }
         let limit = BEYOND >> self.doublings;
-        product.clamp(-limit - 1, limit + 1).saturating_mul(1 << self.doublings).clamp(-BEYOND, BEYOND)
+        product.clamp(-limit - 1, limit + 1).saturating_mul(1 << self.doublings).clamp(BELOW, BEYOND)
     }
 }
 
@@ -313,6 +314,21 @@ impl Block {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A quotient beyond the range is seen before it can cancel with another, whatever its sign.
+    #[test]
+    fn quotients_beyond_the_range_do_not_cancel() {
+        let unit = i128::from(BEYOND) << 60;
+        for sum in [unit, 4 * unit, -unit - (1 << 60), -4 * unit] {
+            let quotient = rounded(sum, 60);
+            assert_eq!(sum_in_range([quotient, -quotient / 2]), None, "{sum:x}");
+        }
+        let factor = Factor::new(8.0, 0, 0);
+        for value in [LIMIT, -LIMIT] {
+            assert_eq!(sum_in_range([factor.times(value), -value]), None, "{value}");
+        }
+        assert_eq!(sum_in_range([LIMIT, -LIMIT]), Some(0));
+    }
 
     /// The words of a chip round like the wide integers of a PC, also where a quotient leaves the range.
     #[test]
