@@ -203,7 +203,7 @@ fn browser() -> Result<String> {
     let output = run(&mut command)?;
     let remark = |before: &str| output.split_once(before).and_then(|(_, rest)| rest.lines().next());
     match (remark("evaluated by "), remark("from slider to picture in ")) {
-        (Some(engines), Some(time)) if output.contains("8 passed") => {
+        (Some(engines), Some(time)) if output.contains("9 passed") => {
             Ok(format!("{engines}; from slider to picture in {time}"))
         }
         _ => bail!("{output}\nthe tests did not run"),
