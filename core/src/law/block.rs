@@ -138,11 +138,17 @@ pub(crate) fn scaled_product<const SHIFT: u32>(a: Split, b: Split) -> i64 {
     (signed_product(a.high, b.high) << (2 * LOW_BITS - SHIFT)) + ((across + half) >> (SHIFT - LOW_BITS))
 }
 
-/// Whether a number is small enough for a coefficient: from -2^58 to 2^58 - 1. Otherwise the series does not converge.
+/// Whether a number has at most this number of bits besides its sign: from -2^bits to 2^bits - 1, for at least 32 bits.
+#[inline(always)]
+const fn has_bits(value: i64, bits: i32) -> bool {
+    // only the upper word counts, so that a chip compares one word
+    matches!((value >> 32) as i32 >> (bits - 32), -1 | 0)
+}
+
+/// Whether a number is small enough for a coefficient. Otherwise the series does not converge.
 #[inline(always)]
 const fn is_in_range(value: i64) -> bool {
-    // only the upper word counts, so that a chip compares one word
-    matches!((value >> 32) as i32 >> (BITS + 2 - 32), -1 | 0)
+    has_bits(value, BITS + 2)
 }
 
 /// The number itself; `None` if it is too large for a coefficient, so that the series does not converge.
@@ -154,9 +160,7 @@ pub(crate) fn in_range(value: i64) -> Option<i64> {
 /// quotients beyond the range could cancel.
 #[inline(always)]
 pub(crate) fn sum_in_range<const N: usize>(quotients: [i64; N]) -> Option<i64> {
-    // the limit is a power of two, and only the upper word counts
-    let is_in_range = |quotient: &i64| matches!((quotient >> 32) as i32 >> (BITS + 3 - 32), -1 | 0);
-    quotients.iter().all(is_in_range).then(|| quotients.iter().sum())
+    quotients.iter().all(|quotient| has_bits(*quotient, BITS + 3)).then(|| quotients.iter().sum())
 }
 
 /// Constant factor between two series.

@@ -1,6 +1,7 @@
 //! Tables of costs in pages, written from the limits, so that a test checks every figure of a page.
 
 use super::{CorpusCost, Cost, Limits};
+use crate::output::doc_markers::replaced;
 
 const BEGIN: &str = "<!-- budget: written by `toytop budget --accept` -->\n";
 const END: &str = "<!-- budget: end -->";
@@ -53,20 +54,16 @@ const FRONT_ROWS: [(&str, &str, &str); 7] = [
 /// Front page with the table of the limits; `None` if the page has no markers for it.
 #[must_use]
 pub fn with_front_table(page: &str, limits: &Limits) -> Option<String> {
-    let (before, rest) = page.split_once(FRONT_BEGIN)?;
-    let (_, after) = rest.split_once(FRONT_END)?;
     let mut text =
         "| at most | cycles | kept, bytes | stack, bytes | flash, bytes |\n|---|--:|--:|--:|--:|\n"
             .to_owned();
     for (chip, call, what) in FRONT_ROWS {
-        let cell = |figure: fn(&Cost) -> Option<u64>| {
-            limits.of(chip, call).and_then(figure).map_or("-".to_owned(), grouped)
-        };
+        let cell = |figure: fn(&Cost) -> Option<u64>| cell(limits.of(chip, call).and_then(figure));
         let (cycles, ram) = (cell(|cost| cost.cycles), cell(|cost| cost.ram));
         let (stack, flash) = (cell(|cost| cost.stack), cell(|cost| Some(cost.flash)));
         text += &format!("| {what} | {cycles} | {ram} | {stack} | {flash} |\n");
     }
-    Some(format!("{before}{FRONT_BEGIN}{text}{FRONT_END}{after}"))
+    replaced(page, [FRONT_BEGIN, FRONT_END], &text)
 }
 
 const CORPUS_BEGIN: &str = "<!-- budget: corpus, written by `toytop budget --corpus --accept` -->\n";
@@ -75,22 +72,19 @@ const CORPUS_END: &str = "<!-- budget: end of corpus -->";
 /// Page with the table of the 200 launches; `None` if the page has no markers for it.
 #[must_use]
 pub(crate) fn with_corpus(page: &str, costs: &[CorpusCost]) -> Option<String> {
-    let (before, rest) = page.split_once(CORPUS_BEGIN)?;
-    let (_, after) = rest.split_once(CORPUS_END)?;
     let mut text = "\
         | chip | scalar | result | launches | median cycles | greatest cycles | cycles of the longest slice |\n\
         |---|---|---|--:|--:|--:|--:|\n"
         .to_owned();
     for cost in costs {
-        let [median, greatest, slice] =
-            cost.modelled_cycles().map(|cycles| cycles.map_or("-".to_owned(), grouped));
+        let [median, greatest, slice] = cost.modelled_cycles().map(cell);
         let CorpusCost { chip, scalar, result, launches, .. } = cost;
         text += &format!(
             "| {chip} | {scalar} | {result} | {} | {median} | {greatest} | {slice} |\n",
             launches.len()
         );
     }
-    Some(format!("{before}{CORPUS_BEGIN}{text}{CORPUS_END}{after}"))
+    replaced(page, [CORPUS_BEGIN, CORPUS_END], &text)
 }
 
 const BRIEF_BEGIN: &str = "<!-- budget: corpus in brief, written by `toytop budget --corpus --accept` -->\n";
@@ -100,26 +94,21 @@ const BRIEF_END: &str = "<!-- budget: end of brief -->";
 /// scalar are not known.
 #[must_use]
 pub(crate) fn with_corpus_in_brief(page: &str, costs: &[CorpusCost]) -> Option<String> {
-    let (before, rest) = page.split_once(BRIEF_BEGIN)?;
-    let (_, after) = rest.split_once(BRIEF_END)?;
     let of_chip = |cost: &&CorpusCost| cost.chip == "m4f" && cost.scalar == "f32" && cost.result == "ready";
     let cost = costs.iter().find(of_chip)?;
-    let [median, greatest, slice] =
-        cost.modelled_cycles().map(|cycles| cycles.map_or("-".to_owned(), grouped));
+    let [median, greatest, slice] = cost.modelled_cycles().map(cell);
     let launches = cost.launches.len();
     let text = format!(
-        "Of [200 very different launches](host/docs/costs.md#set-up-of-200-launches) in `f32`, {launches} have a table of 64 segments: set-up takes \
-         {median} cycles in the median, {greatest} at most, and can be done in slices of at most {slice} (Cortex-M4F).\n"
+        "Set-up in `f32` takes {median} cycles in the median of [200 very different launches](host/docs/costs.md#set-up-of-200-launches) on a \
+         Cortex-M4F, and {greatest} at most, in slices of at most {slice}; {launches} of the launches fit a table of 64 segments.\n"
     );
-    Some(format!("{before}{BRIEF_BEGIN}{text}{BRIEF_END}{after}"))
+    replaced(page, [BRIEF_BEGIN, BRIEF_END], &text)
 }
 
 /// Page with the table of the limits; `None` if the page has no markers for it.
 #[must_use]
 pub fn with_table(page: &str, limits: &Limits) -> Option<String> {
-    let (before, rest) = page.split_once(BEGIN)?;
-    let (_, after) = rest.split_once(END)?;
-    Some(format!("{before}{BEGIN}{}{END}{after}", table(limits)))
+    replaced(page, [BEGIN, END], &table(limits))
 }
 
 fn table(limits: &Limits) -> String {
@@ -128,9 +117,8 @@ fn table(limits: &Limits) -> String {
         M4F stack, bytes | kept, bytes |\n|---|--:|--:|--:|--:|--:|--:|\n"
         .to_owned();
     for (call, what) in ROWS {
-        let cell = |chip: &str, figure: fn(&Cost) -> Option<u64>| {
-            limits.of(chip, call).and_then(figure).map_or("-".to_owned(), grouped)
-        };
+        let cell =
+            |chip: &str, figure: fn(&Cost) -> Option<u64>| cell(limits.of(chip, call).and_then(figure));
         let cells = [
             cell("m0plus", |cost| cost.cycles),
             cell("m4f", |cost| cost.cycles),
@@ -142,6 +130,11 @@ fn table(limits: &Limits) -> String {
         text += &format!("| {what} | {} |\n", cells.join(" | "));
     }
     text
+}
+
+/// Number in groups of three digits, or a dash where it is not known.
+fn cell(figure: Option<u64>) -> String {
+    figure.map_or("-".to_owned(), grouped)
 }
 
 /// Number with spaces between groups of three digits: 12345 is "12 345".

@@ -18,11 +18,16 @@ fn lines(mark: &str) -> [String; 2] {
 /// [`Failure::Input`]: the text does not contain the lines.
 pub fn with(text: &str, mark: &str, body: &str) -> Result<String, Failure> {
     let [begin, end] = lines(mark);
-    let parts = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
-    let Some((before, after)) = parts else {
-        return Err(Failure::Input(format!("must hold the lines {} and {}", begin.trim(), end.trim())));
-    };
-    Ok(format!("{before}{begin}\n{body}\n{end}{after}"))
+    replaced(text, [&begin, &end], &format!("\n{body}\n"))
+        .ok_or_else(|| Failure::Input(format!("must hold the lines {} and {}", begin.trim(), end.trim())))
+}
+
+/// Text with this part between two markers, which remain; `None` if the text does not contain both.
+#[must_use]
+pub fn replaced(text: &str, [begin, end]: [&str; 2], part: &str) -> Option<String> {
+    let (before, rest) = text.split_once(begin)?;
+    let (_, after) = rest.split_once(end)?;
+    Some(format!("{before}{begin}{part}{end}{after}"))
 }
 
 /// Check that the page can be written, before a computation that takes long.
