@@ -24,9 +24,11 @@ use newton::{inverse_root, reciprocal};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Extended {
-    /// Two's complement, in [2^124, 2^125) or [-2^125, -2^124), or 0. Three bits are spare: two for the sum of two
-    /// numbers that are shifted by one bit, one for the sign.
-    pub(super) significand: i128,
+    /// Lower and upper word of the significand, which is in [2^124, 2^125) or [-2^125, -2^124), or 0, in two's complement. Three bits are
+    /// spare: two for the sum of two numbers that are shifted by one bit, one for the sign.
+    ///
+    /// One integer of 128 bits would be passed in registers, which each call stores and loads: a launch would take a sixth more flash.
+    words: [u64; 2],
     pub(super) exponent: i32,
 }
 
@@ -42,8 +44,19 @@ impl Extended {
     pub(crate) const ROUNDING: f64 = 1.0 / (1_u128 << 123) as f64;
 
     /// 2π.
-    pub(crate) const TWO_PI: Self =
-        Self { significand: 0x1921_fb54_442d_1846_9898_cc51_701b_839a, exponent: 3 - BITS };
+    pub(crate) const TWO_PI: Self = Self::of(0x1921_fb54_442d_1846_9898_cc51_701b_839a, 3 - BITS);
+
+    /// Number of a normalised significand.
+    pub(super) const fn of(significand: i128, exponent: i32) -> Self {
+        Self { words: [significand as u64, (significand >> 64) as u64], exponent }
+    }
+
+    /// Significand as one integer.
+    #[inline(always)]
+    pub(super) const fn significand(&self) -> i128 {
+        let [low, high] = self.words;
+        ((high as i64 as i128) << 64) | low as i128
+    }
 
     /// Number `significand` · 2^`exponent`, exact for a significand of up to 125 bits.
     #[inline(never)] // called from every operation
@@ -53,7 +66,7 @@ impl Extended {
         }
         let spare = (significand ^ (significand >> 127)).leading_zeros() as i32 - (128 - BITS);
         let significand = if spare < 0 { significand >> -spare } else { significand << spare };
-        Self { significand, exponent: exponent - spare }
+        Self::of(significand, exponent - spare)
     }
 
     /// [`Extended::normalised`] for a significand that is 0, or has one bit too many or too few at most: a fraction of the cost.
@@ -62,8 +75,8 @@ impl Extended {
         // a negative significand of -2^n has as many bits as one of 2^n - 1
         let bits = significand ^ (significand >> 127);
         match bits >> (BITS - 1) {
-            1 => Self { significand, exponent },
-            2 | 3 => Self { significand: significand >> 1, exponent: exponent + 1 },
+            1 => Self::of(significand, exponent),
+            2 | 3 => Self::of(significand >> 1, exponent + 1),
             _ => Self::normalised(significand, exponent),
         }
     }
@@ -82,14 +95,14 @@ impl Add for Extended {
         let (larger, smaller) = if self.exponent < other.exponent { (other, self) } else { (self, other) };
         let distance = larger.exponent - smaller.exponent;
         if distance > BITS {
-            return Self::nearly_normalised(larger.significand, larger.exponent);
+            return Self::nearly_normalised(larger.significand(), larger.exponent);
         }
         // one more bit: a difference of two numbers whose exponents differ by 1 is exact
-        let sum = (larger.significand << 1) + ((((smaller.significand << 2) >> distance) + 1) >> 1);
+        let sum = (larger.significand() << 1) + ((((smaller.significand() << 2) >> distance) + 1) >> 1);
         // most sums have as many bits as the larger number, or one more
         match (sum ^ (sum >> 127)) >> BITS {
-            1 => Self { significand: sum >> 1, exponent: larger.exponent },
-            2 | 3 => Self { significand: sum >> 2, exponent: larger.exponent + 1 },
+            1 => Self::of(sum >> 1, larger.exponent),
+            2 | 3 => Self::of(sum >> 2, larger.exponent + 1),
             _ => Self::normalised(sum, larger.exponent - 1),
         }
     }
@@ -99,7 +112,7 @@ impl Neg for Extended {
     type Output = Self;
     #[inline(never)]
     fn neg(self) -> Self {
-        Self::nearly_normalised(-self.significand, self.exponent)
+        Self::nearly_normalised(-self.significand(), self.exponent)
     }
 }
 
@@ -108,8 +121,8 @@ impl Sub for Extended {
     #[inline(never)]
     fn sub(self, other: Self) -> Self {
         // a sum does not depend on the one bit by which a negated significand may be too short, but it must not be too long
-        let significand = -other.significand;
-        if significand >> BITS > 0 { self + -other } else { self + Self { significand, ..other } }
+        let significand = -other.significand();
+        if significand >> BITS > 0 { self + -other } else { self + Self::of(significand, other.exponent) }
     }
 }
 
@@ -118,9 +131,9 @@ impl Mul for Extended {
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
         // two factors in [2^126, 2^127], whose product is in [2^252, 2^254]
-        let [a, b] = [self, other].map(|factor| factor.significand.unsigned_abs() << 2);
+        let [a, b] = [self, other].map(|factor| factor.significand().unsigned_abs() << 2);
         let [high, _] = wide_product(a, b);
-        let negative = (self.significand < 0) != (other.significand < 0);
+        let negative = (self.significand() < 0) != (other.significand() < 0);
         Self::signed(high, self.exponent + other.exponent + BITS - 1, negative)
     }
 }
@@ -129,10 +142,10 @@ impl Div for Extended {
     type Output = Self;
     #[inline(never)]
     fn div(self, other: Self) -> Self {
-        if other.significand == 0 {
-            return if self.significand == 0 { Self::ZERO } else { Self { exponent: LARGEST, ..self } };
+        if other.significand() == 0 {
+            return if self.significand() == 0 { Self::ZERO } else { Self { exponent: LARGEST, ..self } };
         }
-        let [dividend, divisor] = [self, other].map(|number| number.significand.unsigned_abs());
+        let [dividend, divisor] = [self, other].map(|number| number.significand().unsigned_abs());
         // dividend · 2^125 / divisor, with an error of a few units until the remainder corrects it
         let [mut quotient, _] = wide_product(dividend << 2, reciprocal(divisor));
         let [_, product] = wide_product(quotient, divisor);
@@ -143,7 +156,7 @@ impl Div for Extended {
         while rest >= divisor as i128 {
             (quotient, rest) = (quotient + 1, rest - divisor as i128);
         }
-        let negative = (self.significand < 0) != (other.significand < 0);
+        let negative = (self.significand() < 0) != (other.significand() < 0);
         Self::signed(quotient, self.exponent - other.exponent - BITS, negative)
     }
 }
@@ -151,23 +164,23 @@ impl Div for Extended {
 impl PartialOrd for Extended {
     #[inline(never)]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        let sign = |number: &Self| number.significand.signum();
-        let magnitudes = || (self.exponent, self.significand).cmp(&(other.exponent, other.significand));
+        let sign = |number: &Self| number.significand().signum();
+        let magnitudes = || (self.exponent, self.significand()).cmp(&(other.exponent, other.significand()));
         let order = sign(self).cmp(&sign(other));
         Some(order.then_with(|| match sign(self) {
             1 => magnitudes(),
-            -1 => other.exponent.cmp(&self.exponent).then(self.significand.cmp(&other.significand)),
+            -1 => other.exponent.cmp(&self.exponent).then(self.significand().cmp(&other.significand())),
             _ => Ordering::Equal,
         }))
     }
 }
 
 impl Ring for Extended {
-    const ZERO: Self = Self { significand: 0, exponent: OF_ZERO };
-    const ONE: Self = Self { significand: 1 << (BITS - 1), exponent: 1 - BITS };
+    const ZERO: Self = Self::of(0, OF_ZERO);
+    const ONE: Self = Self::of(1 << (BITS - 1), 1 - BITS);
 
     fn doubled(self) -> Self {
-        Self { exponent: self.exponent + i32::from(self.significand != 0), ..self }
+        Self { exponent: self.exponent + i32::from(self.significand() != 0), ..self }
     }
 }
 
@@ -178,16 +191,16 @@ impl Float for Extended {
 
     #[inline(never)]
     fn to_f64(self) -> f64 {
-        nearest(self.significand, self.exponent)
+        nearest(self.significand(), self.exponent)
     }
 
     #[inline(never)]
     fn sqrt(self) -> Self {
-        if self.significand <= 0 {
+        if self.significand() <= 0 {
             return Self::ZERO;
         }
         let odd = self.exponent & 1;
-        let inverse = inverse_root(self.significand.unsigned_abs() << (2 + odd));
+        let inverse = inverse_root(self.significand().unsigned_abs() << (2 + odd));
         let inverse = Self::normalised(inverse as i128, -188 - (self.exponent - odd) / 2);
         let root = self * inverse;
         // half the residual over the root
@@ -195,11 +208,11 @@ impl Float for Extended {
     }
 
     fn abs(self) -> Self {
-        if self.significand < 0 { -self } else { self }
+        if self.significand() < 0 { -self } else { self }
     }
 
     fn halved(self) -> Self {
-        Self { exponent: self.exponent - i32::from(self.significand != 0), ..self }
+        Self { exponent: self.exponent - i32::from(self.significand() != 0), ..self }
     }
 }
 

@@ -232,9 +232,9 @@ impl Float for Extended64 {
 impl From<Extended> for Extended64 {
     #[inline(never)]
     fn from(number: Extended) -> Self {
-        let (magnitude, exponent) = (number.significand.unsigned_abs() << 2, number.exponent + 62);
+        let (magnitude, exponent) = (number.significand().unsigned_abs() << 2, number.exponent + 62);
         let [high, low] = [(magnitude >> 64) as u64, magnitude as u64];
-        let negative = number.significand < 0;
+        let negative = number.significand() < 0;
         // all but 0 and a negative power of two
         if high >> 62 == 1 {
             Self::rounded([(high << 1) | (low >> 63), low << 1], exponent - 1, negative)

@@ -30,6 +30,7 @@ impl<F: Float> Cubic<F> {
     }
 
     /// Upper bound on the largest root, close to it.
+    #[inline(never)] // the stack frames of a launch must not add up
     fn above(&self) -> F {
         let Self { g0, g1, g2 } = *self;
         let larger = |x: F, y: F| if x > y { x } else { y };

@@ -16,6 +16,7 @@ use crate::top::{Quantities, Top};
 
 impl BranchPoints<Extended> {
     /// Branch points of the motion through a point; e₁ = e₂ = u for a body at rest.
+    #[inline(never)] // the stack frames of a launch must not add up
     pub(super) fn torque_free(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,

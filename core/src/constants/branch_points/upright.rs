@@ -11,6 +11,7 @@ impl BranchPoints<Extended> {
     /// Branch points from n, which counts as exact. The third root is n²/(2 A p g) - 1; the top sleeps if it is at
     /// least 1. The number n² - 4 A p g has a single rounding, so its sign is correct and it is 0 exactly on the
     /// border of stability.
+    #[inline(never)] // the stack frames of a launch must not add up
     pub(crate) fn upright(top: &Top, n: Extended) -> Result<Self, ParameterError> {
         let quantities = Quantities::<Extended>::of(top);
         let scale = (quantities.a * quantities.p * quantities.g).doubled();

@@ -7,15 +7,14 @@ use crate::scalar::{Float, Ring};
 impl Extended {
     /// Angle in turns, from an angle in rad.
     pub(crate) fn in_turns(self) -> Self {
-        const PER_TURN: Extended =
-            Extended { significand: 0x145f_306d_c9c8_82a5_3f84_eafa_3ea6_9bb8, exponent: -2 - BITS };
+        const PER_TURN: Extended = Extended::of(0x145f_306d_c9c8_82a5_3f84_eafa_3ea6_9bb8, -2 - BITS);
         self * PER_TURN
     }
 
     /// Phase of this number of turns, modulo 2^32 turns, rounded to the nearest.
     #[must_use]
     pub fn to_phase(self) -> Phase {
-        Phase::from_bits(shifted(self.significand, self.exponent.saturating_add(FRACTION_BITS)))
+        Phase::from_bits(shifted(self.significand(), self.exponent.saturating_add(FRACTION_BITS)))
     }
 
     /// Sum of two `f64`, exact unless one is below 2^-72 of the other.
@@ -39,10 +38,10 @@ impl Extended {
 
     /// Upper 62 bits and the other 63, whose products with those of another number are exact.
     pub(crate) fn halves(self) -> [Self; 2] {
-        let lower = self.significand & ((1 << (BITS - 62)) - 1);
-        let upper = Self { significand: self.significand - lower, exponent: self.exponent };
+        let lower = self.significand() & ((1 << (BITS - 62)) - 1);
+        let upper = self.significand() - lower;
         // 0 and a negative power of two must be normalised again
-        [Self::normalised(upper.significand, self.exponent), Self::normalised(lower, self.exponent)]
+        [Self::normalised(upper, self.exponent), Self::normalised(lower, self.exponent)]
     }
 
     /// Largest whole number not above this one, as the sum of two whole `f64`, and the remainder in [0, 1).
