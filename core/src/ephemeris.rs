@@ -27,6 +27,8 @@ mod segment_errors;
 
 mod larger_error;
 
+mod longer_segments;
+
 mod tabulated;
 
 mod segment_estimate;

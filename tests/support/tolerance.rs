@@ -33,7 +33,7 @@ impl Budget {
 /// rates, and of the tip in the scalar itself, relative to the length.
 pub const SAMPLE_F32: [Budget; 3] = [Budget::of(2.5e-6), Budget::of(3e-7), Budget::of(3e-7)];
 /// Errors of samples, as [`SAMPLE_F32`], in fixed point of 32 bits.
-pub const SAMPLE_Q31: [Budget; 3] = [Budget::of(6e-7), Budget::of(3e-7), Budget::of(4e-8)];
+pub const SAMPLE_Q31: [Budget; 3] = [Budget::of(8e-7), Budget::of(3e-7), Budget::of(4e-8)];
 /// Errors of samples, as [`SAMPLE_F32`], in fixed point of 16 bits.
 pub const SAMPLE_Q15: [Budget; 3] = [Budget::of(3e-3), Budget::of(1e-3), Budget::of(1e-3)];
 
@@ -76,7 +76,7 @@ pub const EVENTS_F64: [Budget; 3] = [Budget::of(6e-15), Budget::of(6e-15), Budge
 /// turning point is less exact than in f64.
 pub const EVENTS_F32: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(2e-11)];
 /// Errors of events in fixed point of 32 bits, as [`EVENTS_F64`].
-pub const EVENTS_Q31: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(4e-14)];
+pub const EVENTS_Q31: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(1e-12)];
 /// Errors of events in fixed point of 16 bits, as [`EVENTS_F64`]. An aperiodic motion has no period; the time that replaces it depends on the
 /// rounding.
 pub const EVENTS_Q15: [Budget; 3] = [Budget::of(3e-4), Budget::of(3e-3), Budget::of(4e-8)];

@@ -2,28 +2,26 @@
 //! degree first.
 
 use crate::ephemeris::polynomial::Polynomial;
-use crate::law::series::{Split, TERMS, scaled_product};
+use crate::law::series::{Split, TERMS};
 use crate::scalar::Float;
 
 /// Number of coefficients of a Chebyshev polynomial of degree 15 that are not 0.
 const HALF: usize = TERMS / 2;
 
-/// Coefficients of T_n/2^{n-1} for every degree n, of x^n, x^{n-2}, ..., in units of 2^-54.
+/// Coefficients of T_n/2^{n-1} for every degree n, of x^n, x^{n-2}, ..., in units of 2^-14. All are exact.
 #[allow(clippy::indexing_slicing)] // evaluated by the compiler, which would refuse an index out of range
-static CHEBYSHEV: [[Split; HALF]; TERMS] = {
-    let mut table = [[Split::ZERO; HALF]; TERMS];
+static CHEBYSHEV: [[i32; HALF]; TERMS] = {
+    let mut table = [[0; HALF]; TERMS];
     let mut degree = 1;
     while degree < TERMS {
-        // Σ (-1)^j n/(n-j) C(n-j, j)/4^j x^{n-2j}, each coefficient from the one before; all are exact
-        let mut coefficient = 1_i64 << SCALE;
-        let mut j = 0;
+        // Σ (-1)^j n/(n-j) C(n-j, j)/4^j x^{n-2j}, each coefficient from the one before
+        let (mut coefficient, mut j) = (1 << SCALE, 0);
         while j < HALF && 2 * j <= degree {
-            table[degree][j] = Split::of(coefficient);
-            let power = (degree - 2 * j) as i128;
+            table[degree][j] = coefficient;
+            let power = (degree - 2 * j) as i32;
             let falling = power * (power - 1);
-            let divisor = 4 * (j as i128 + 1) * (degree as i128 - j as i128 - 1);
-            if divisor > 0 {
-                coefficient = (-(coefficient as i128) * falling / divisor) as i64;
+            if falling > 0 {
+                coefficient = -coefficient * falling / (4 * (j + 1) * (degree - j - 1)) as i32;
             }
             j += 1;
         }
@@ -33,7 +31,7 @@ static CHEBYSHEV: [[Split; HALF]; TERMS] = {
 };
 
 /// Fraction bits of [`CHEBYSHEV`].
-const SCALE: u32 = 54;
+const SCALE: u32 = 14;
 
 /// Reduces a polynomial to `terms` coefficients, at least one, by subtracting multiples of Chebyshev polynomials. Returns upper bounds on
 /// the changes of |α|, or |β|, and of its derivative on [-1, 1]: the change of each part is at most the sum of the multiples, and that of
@@ -57,7 +55,7 @@ pub(crate) fn economise(polynomial: &mut Polynomial, terms: usize) -> [f32; 2] {
             for (entry, coefficient) in
                 lower.iter_mut().rev().skip(1).step_by(2).zip(chebyshev.iter().skip(1))
             {
-                *entry -= scaled_product::<SCALE>(parts, *coefficient);
+                *entry -= parts.times::<SCALE>(*coefficient);
             }
             // rounded up
             let squared = (degree * degree) as i64;

@@ -65,9 +65,9 @@ pub struct SetUp {
 enum Stage {
     /// Mean rates.
     Rates,
-    /// Table with a quarter of the allowed error.
+    /// Table with a smaller error than the allowed one.
     Fine,
-    /// Table with the allowed error, where the capacity is too small for a quarter of it.
+    /// Table with the allowed error, where the capacity is too small for the smaller one.
     Coarse,
     /// Beginning of the table.
     Begin,
@@ -85,9 +85,11 @@ enum Stage {
     Ended(Result<(), TableTooSmall>),
 }
 
-/// Requirements on the first attempt at a table.
-fn fine(requirements: &Requirements) -> Requirements {
-    requirements.within(requirements.allowed / LargerError::FACTOR)
+/// Requirements on the first attempt at a table: a quarter of the allowed error, but not less than a tenth of the error of a tick, `tick`,
+/// because the table would be larger and the orientation hardly more accurate.
+fn fine(requirements: &Requirements, tick: f64) -> Requirements {
+    let allowed = requirements.allowed;
+    requirements.within((allowed / LargerError::FACTOR).max(0.1 * tick).min(allowed))
 }
 
 impl SetUp {
@@ -153,10 +155,15 @@ impl SetUp {
             Stage::Begin => {
                 let requirements = self.requirements(ephemeris);
                 let functions = RateFunctions::of::<R::Rates>();
-                self.tabulation.begin(&self.motion, &self.rates, fine(&requirements), functions);
+                self.tabulation.begin(
+                    &self.motion,
+                    &self.rates,
+                    fine(&requirements, R::ERRORS.tick),
+                    functions,
+                );
                 self.stage = Stage::Estimate;
             }
-            Stage::Estimate => return self.estimate(self.requirements(ephemeris)),
+            Stage::Estimate => return self.estimate(self.requirements(ephemeris), R::ERRORS.tick),
             Stage::Clock => {
                 self.start_clock(ephemeris);
                 self.winding = WindingProgress::NONE;
@@ -196,14 +203,14 @@ impl SetUp {
 
     /// Estimates the segments that the table needs, and chooses the attempt that may fit, or none.
     #[inline(never)] // one copy for all scalars, and so are the next
-    fn estimate(&mut self, requirements: Requirements) -> Poll<Result<(), TableTooSmall>> {
+    fn estimate(&mut self, requirements: Requirements, tick: f64) -> Poll<Result<(), TableTooSmall>> {
         let fits = |estimate: &SegmentEstimate| estimate.least_segments(0) <= requirements.most;
-        let [coarse, fine] = [requirements, fine(&requirements)];
+        let [coarse, fine] = [requirements, fine(&requirements, tick)];
         if !self.tabulation.estimate(&self.rates, &[coarse, fine], &mut self.estimation) {
             return Poll::Pending;
         }
         let [of_coarse, of_fine] = self.estimation.estimates();
-        if fits(of_fine) {
+        if fine.allowed < coarse.allowed && fits(of_fine) {
             self.tabulation.again(fine, *of_fine);
             self.stage = Stage::Fine;
         } else if fits(of_coarse) {
@@ -340,6 +347,26 @@ impl<R: EphemerisScalar> EphemerisView<R> {
                 Ok(Some(tabulated)) => return Some(tabulated.segments as u32),
                 Err(()) => return None,
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_attempt_is_not_much_more_exact_than_a_tick() {
+        fn quotient<R: EphemerisScalar>() -> f64 {
+            let requirements = Requirements::new(R::TERMS, 4.0 * R::ROUNDING, 64);
+            fine(&requirements, R::ERRORS.tick).allowed / requirements.allowed
+        }
+        assert_eq!([quotient::<f64>(), quotient::<f32>()], [0.25; 2]);
+        #[cfg(feature = "fixed")]
+        {
+            assert_eq!(quotient::<fixed::types::I2F30>(), 1.0);
+            let short = quotient::<fixed::types::I2F14>();
+            assert!(short > 0.4 && short < 0.5, "{short}");
         }
     }
 }

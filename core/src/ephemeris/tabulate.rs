@@ -20,6 +20,7 @@ use crate::ephemeris::cell::CELLS;
 use crate::ephemeris::economise::omitted_terms;
 use crate::ephemeris::half_period::{HalfPeriod, Position, RateFunctions};
 use crate::ephemeris::larger_error::LargerError;
+use crate::ephemeris::longer_segments::LongerSegments;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::polynomial::Polynomial;
 use crate::ephemeris::seek::StartSearch;
@@ -101,6 +102,7 @@ pub(crate) struct Tabulation {
     /// Number of halvings of the pair of cells: [`Cell::level`].
     level: u32,
     larger: LargerError,
+    longer: LongerSegments,
     /// Whether the start had been found before the position marked.
     found_before: bool,
     /// Greatest truncation error of the cell's segments, in units of 2^-62 rad.
@@ -131,6 +133,7 @@ impl Tabulation {
         place: 0,
         level: 0,
         larger: LargerError::NONE,
+        longer: LongerSegments::UNTRIED,
         found_before: false,
         error: 0.0,
         segment: SegmentErrors::NONE,
@@ -178,6 +181,7 @@ impl Tabulation {
         (self.speeds, self.speeds_before) = (Speeds::ZERO, Speeds::ZERO);
         (self.number, self.level, self.place, self.error) = (0, 0, 0, 0.0);
         self.larger = LargerError::NONE;
+        self.longer = LongerSegments::UNTRIED;
         self.span = Span::FIRST;
         self.piece = Piece::Rates(false);
     }

@@ -8,10 +8,6 @@ use crate::ephemeris::segment_estimate::SegmentEstimate;
 use crate::ephemeris::tabulate::{Piece, Store, Tabulation};
 use crate::law::series::{TERMS, UNIT, larger_or_nan};
 
-/// Factor by which the expected error of longer segments may exceed the allowed error and they are still tried. A failed
-/// trial costs two polynomials; an unnecessary segment takes memory in the table.
-const COARSENING: f32 = 4.0;
-
 /// Upper bound on the error of a segment from the rounding of the coefficients of its series, in units of 2^-62 rad.
 const ROUNDED: f32 = 16.0;
 
@@ -109,6 +105,7 @@ impl Tabulation {
         if self.error <= self.requirements.of_segment(self.level) {
             self.accept()
         } else {
+            self.longer.failed();
             self.divide(self.finer_level())
         }
     }
@@ -146,7 +143,10 @@ impl Tabulation {
         self.speeds_before = self.speeds;
         self.number += cells_covered(level);
         let longest = (self.number % 2) as u32;
-        let coarser = level > longest && longer_error < COARSENING * self.requirements.of_segment(level - 1);
+        let coarser = self.longer.may_do(match level.checked_sub(1) {
+            Some(coarser) if level > longest => longer_error / self.requirements.of_segment(coarser),
+            _ => f32::INFINITY,
+        });
         self.larger.leave(level, coarser);
         self.level -= u32::from(coarser);
         (self.place, self.error) = (0, 0.0);
