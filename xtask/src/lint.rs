@@ -1,4 +1,4 @@
-//! Runs of clippy on the firmware workspace with warnings as errors, for every package and its targets.
+//! Runs of clippy with warnings as errors.
 
 use anyhow::Result;
 
@@ -6,13 +6,21 @@ use crate::firmware::{self, named};
 use crate::process::{cargo, run};
 use crate::tools;
 
-pub(crate) fn firmware() -> Result<()> {
-    let deny = ["--", "-D", "warnings"];
+const DENY: [&str; 3] = ["--", "-D", "warnings"];
+
+/// Runs clippy on the crates of the host's workspace.
+pub(crate) fn host() -> Result<String> {
+    run(cargo(".", "clippy --workspace --all-targets --all-features").args(DENY))?;
+    Ok("no warnings".into())
+}
+
+/// Runs clippy on every package of the firmware workspace, for each of its targets.
+pub(crate) fn firmware() -> Result<String> {
+    let mut checked = vec!["host"];
     for package in ["--package toytop-firmware-decoder", "--lib --bin bits"] {
         let mut command = cargo("firmware-examples", &format!("clippy --release {package}"));
-        run(command.arg("--target-dir").arg(crate::process::firmware_target_dir()).args(deny))?;
+        run(command.arg("--target-dir").arg(crate::process::firmware_target_dir()).args(DENY))?;
     }
-    println!("clippy: firmware, host side");
     let toolchain = tools::toolchain()?;
     // all programs on Cortex-M, and those that are not for Cortex-M only on RISC-V
     for chip in ["m4f", "riscv"] {
@@ -30,9 +38,9 @@ pub(crate) fn firmware() -> Result<()> {
         for what in all {
             let words = format!("clippy --release --target {target} {what}");
             let mut command = toolchain.cargo("firmware-examples", &words);
-            run(command.arg("--target-dir").arg(firmware::target_dir(toolchain, "")).args(deny))?;
+            run(command.arg("--target-dir").arg(firmware::target_dir(toolchain, "")).args(DENY))?;
         }
-        println!("clippy: firmware, {target}");
+        checked.push(target);
     }
-    Ok(())
+    Ok(format!("no warnings: {}", checked.join(" ")))
 }

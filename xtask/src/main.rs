@@ -31,6 +31,7 @@ usage: cargo xtask VERB
 
   setup                        installs the tools of the tests, and prints the result for each of them
   test [--only STEP]           runs all tests; names missing tools in one line, and installs them as `setup` does if it can
+  ci                           runs clippy on all crates, and all tests, as .ci/run does
   firmware NAME [--chip CHIP]  runs a program under QEMU and shows its log
   firmware NAME --overwrite    runs a program and writes its log as the expected one
   firmware NAME --chip CHIP --elf, firmware NAME --target TRIPLE --elf
@@ -74,6 +75,7 @@ fn run(words: &[&str]) -> Result<ExitCode> {
     match words {
         ["setup"] => return setup::setup(),
         ["test"] => return steps::test(None),
+        ["ci"] => return steps::ci(),
         ["test", "--only", name] => return steps::test(Some(name)),
         ["firmware", "--list"] => firmware::list(),
         ["firmware", name] => return firmware::show(name, None),
@@ -102,7 +104,7 @@ fn run(words: &[&str]) -> Result<ExitCode> {
         ["narrow"] => narrow::narrow()?,
         ["features"] => println!("{}", features::check()?),
         ["deny"] => deny::check()?,
-        ["clippy-firmware"] => lint::firmware()?,
+        ["clippy-firmware"] => println!("{}", lint::firmware()?),
         ["help" | "--help" | "-h"] => println!("{USAGE}"),
         _ => bail!("{USAGE}"),
     }

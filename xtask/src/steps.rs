@@ -1,4 +1,4 @@
-//! Steps of `cargo xtask test`. The steps that find failures soonest come first. The steps of the chips, which wait for an emulator on
+//! Steps of `cargo xtask test` and of `cargo xtask ci`. The steps that find failures soonest come first. The steps of the chips, which wait for an emulator on
 //! one core, run in parallel with those of the host.
 
 use std::process::ExitCode;
@@ -13,7 +13,7 @@ use crate::firmware::{self, PROGRAMS, TARGETS};
 use crate::host::tests;
 use crate::process::{cargo, in_ci, run};
 use crate::setup::{BROWSER, C, COMPILER, EMULATOR, Need, PAGE_COMPILER};
-use crate::{c, features, fuzz, nopanic, package, python, tools, web};
+use crate::{c, features, fuzz, lint, nopanic, package, python, tools, web};
 
 /// One step of the test command.
 struct Step {
@@ -44,19 +44,19 @@ impl Step {
         let seconds = || begin.elapsed().as_secs_f64();
         match provided.as_ref().map(|()| run()) {
             Ok(Ok(remark)) => {
-                println!("{name:10} ok       {:6.1} s   {remark}", seconds());
+                println!("{name:15} ok       {:6.1} s   {remark}", seconds());
                 Outcome::Passed
             }
             Ok(Err(error)) => {
-                println!("{name:10} FAILED   {:6.1} s\n{error:#}\n", seconds());
+                println!("{name:15} FAILED   {:6.1} s\n{error:#}\n", seconds());
                 Outcome::Failed
             }
             Err(missing) if in_ci() => {
-                println!("{name:10} FAILED   {missing:#}");
+                println!("{name:15} FAILED   {missing:#}");
                 Outcome::Failed
             }
             Err(missing) => {
-                println!("{name:10} SKIPPED  {missing:#}");
+                println!("{name:15} SKIPPED  {missing:#}");
                 Outcome::Skipped
             }
         }
@@ -99,7 +99,7 @@ fn steps() -> Vec<Step> {
     steps
 }
 
-/// Runs all steps, or one. Missing tools are named; in CI they are a failure.
+/// Runs all steps, or one.
 pub(crate) fn test(only: Option<&str>) -> Result<ExitCode> {
     let mut steps = steps();
     if let Some(name) = only {
@@ -109,7 +109,19 @@ pub(crate) fn test(only: Option<&str>) -> Result<ExitCode> {
         }
         steps.retain(|step| step.name == name);
     }
+    run_all(steps)
+}
 
+/// Runs clippy on all crates, and all steps of [`test`].
+pub(crate) fn ci() -> Result<ExitCode> {
+    let mut all =
+        vec![Step::new("clippy", &[], lint::host), Step::new("clippy-firmware", &[COMPILER], lint::firmware)];
+    all.extend(steps());
+    run_all(all)
+}
+
+/// Runs steps. Missing tools are named; in CI they are a failure.
+fn run_all(steps: Vec<Step>) -> Result<ExitCode> {
     let missing = missing(&steps);
     if !missing.is_empty() {
         println!("missing: {}; trying to install, as `cargo xtask setup` does", missing.join(", "));
@@ -120,15 +132,15 @@ pub(crate) fn test(only: Option<&str>) -> Result<ExitCode> {
     let provided = steps.into_iter().map(|step| (step.needs.iter().try_for_each(Need::provide), step));
     let (chips, host): (Vec<_>, Vec<_>) = provided.partition(|(_, step)| step.is_of_chips());
     let outcomes = Mutex::new(Vec::new());
-    let run_all = |steps: Vec<(Result<()>, Step)>| {
+    let in_order = |steps: Vec<(Result<()>, Step)>| {
         for (provided, step) in steps {
             let outcome = step.result(&provided);
             outcomes.lock().unwrap_or_else(PoisonError::into_inner).push((step.name, outcome));
         }
     };
     thread::scope(|scope| {
-        scope.spawn(|| run_all(chips));
-        run_all(host);
+        scope.spawn(|| in_order(chips));
+        in_order(host);
     });
 
     let outcomes = outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);
