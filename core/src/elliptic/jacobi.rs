@@ -6,7 +6,7 @@
 use crate::elliptic::transcendental::angle;
 use crate::elliptic::transcendental::{half_pi, sine_cosine};
 use crate::error::{ParameterError, finite, require};
-use crate::scalar::{Extended, Float, Ring};
+use crate::scalar::{Extended, Float, RateNumber, Ring};
 
 /// Jacobi's functions sn, cn, dn and am of one parameter m.
 ///
@@ -193,10 +193,9 @@ impl<F: Float> LandenSteps<F> {
 impl<F: Float> Landen<F> {
     /// Sequence for m and m₁ = 1 - m, each given with full relative precision.
     pub(crate) fn of(m: F, m1: F) -> Self {
-        /// Below the resolution of every number type.
-        const LEAST: f64 = 1e-33;
         let mut steps = LandenSteps::NONE;
-        steps.begin([m, m1], LEAST);
+        // the least of all number types
+        steps.begin([m, m1], Extended::LEAST_MODULUS);
         while steps.proceed() {}
         steps.landen
     }

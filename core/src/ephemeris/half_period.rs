@@ -22,15 +22,21 @@ pub(crate) struct Position {
 /// Computations in the numbers of the mean rates. They are called by pointers, so that the rest is compiled once for all scalars.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RateFunctions {
-    law: fn(&Motion) -> Law<Extended>,
+    /// Law of a motion, written into memory that is not on the stack.
+    law: fn(&Motion, &mut Law<Extended>),
     /// Derivatives of the phases at the position reached, for an expansion whose unit of x is this time.
     slopes: fn(&HalfPeriod, Extended) -> Slopes,
 }
 
 impl RateFunctions {
     pub(crate) const fn of<N: RateNumber>() -> Self {
-        Self { law: |motion| motion.law::<N>().map(N::into), slopes: HalfPeriod::slopes::<N> }
+        Self { law: write_law::<N>, slopes: HalfPeriod::slopes::<N> }
     }
+}
+
+#[inline(never)] // the stack frames of set-up must not add up
+fn write_law<N: RateNumber>(motion: &Motion, law: &mut Law<Extended>) {
+    *law = motion.law::<N>().map(N::into);
 }
 
 /// Steps through the half period, with the expansion around the last position.
@@ -68,14 +74,14 @@ pub(crate) struct HalfPeriod {
 }
 
 impl HalfPeriod {
-    /// Half period before [`HalfPeriod::begin`].
+    /// Half period before [`HalfPeriod::find_law`].
     pub(crate) const EMPTY: Self = Self {
         law: Law::ZERO,
         rounded_law: Law::ZERO,
         length: 0.0,
         is_periodic: true,
         theta_offset: [Extended::ZERO; 2],
-        functions: RateFunctions { law: |_| Law::ZERO, slopes: |_, _| Slopes::ZERO },
+        functions: RateFunctions { law: |_, _| (), slopes: |_, _| Slopes::ZERO },
         least: 0.0,
         least_units: 0,
         expansion: Expansion::EMPTY,
@@ -89,10 +95,15 @@ impl HalfPeriod {
         fastest: 0.0,
     };
 
-    /// Begins at u = e₁.
-    pub(crate) fn begin(&mut self, motion: &Motion, rates: &MeanRates, least: f64, functions: RateFunctions) {
+    /// Computes the law of a motion, before [`HalfPeriod::begin`].
+    pub(crate) fn find_law(&mut self, motion: &Motion, functions: RateFunctions) {
         self.functions = functions;
-        self.law = (functions.law)(motion);
+        (functions.law)(motion, &mut self.law);
+    }
+
+    /// Begins at u = e₁.
+    #[inline(never)] // the stack frames of set-up must not add up
+    pub(crate) fn begin(&mut self, rates: &MeanRates, least: f64) {
         self.rounded_law = self.law.cast();
         self.length = rates.half_period.to_f64();
         (self.is_periodic, self.theta_offset) = (rates.is_periodic, rates.theta_offset);

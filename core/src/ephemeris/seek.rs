@@ -30,6 +30,7 @@ impl StartSearch {
     pub(crate) const EMPTY: Self =
         Self { chi: Phase::ZERO, mirrored: false, folded: 0, per_rounding: 0.0, beyond: None };
 
+    #[inline(never)] // the stack frames of set-up must not add up
     pub(crate) fn new(motion: &Motion, law: &Law<Extended>, rates: &MeanRates) -> Self {
         match motion.nutation() {
             NutationVariable::Aperiodic(v) => {

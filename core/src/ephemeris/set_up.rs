@@ -15,7 +15,7 @@ use crate::ephemeris::segment_estimate::{Estimation, SegmentEstimate};
 use crate::ephemeris::steady::constant;
 use crate::ephemeris::storage::{EphemerisStorage, EphemerisView};
 use crate::ephemeris::table::{TableTooSmall, put};
-use crate::ephemeris::tabulate::Tabulation;
+use crate::ephemeris::tabulate::{Store, Tabulation};
 use crate::ephemeris::tabulated::{Requirements, Tabulated};
 use crate::ephemeris::tick::Tick;
 use crate::ephemeris::tip_angle::WindingProgress;
@@ -144,23 +144,12 @@ impl SetUp {
             Stage::Rates => {
                 let infinite = ErrorBound::INFINITE;
                 (ephemeris.error_bound, ephemeris.rate_error_bound) = (infinite, infinite);
-                self.rates = MeanRates::of(&self.motion, R::ROUNDING);
-                if self.motion.is_steady() {
-                    self.tabulated = constant(&self.motion, &mut store(ephemeris));
-                    self.stage = Stage::Clock;
-                    return Poll::Pending;
-                }
-                self.stage = Stage::Begin;
+                self.find_rates(R::ROUNDING, &mut store(ephemeris));
             }
             Stage::Begin => {
-                let requirements = self.requirements(ephemeris);
-                let functions = RateFunctions::of::<R::Rates>();
-                self.tabulation.begin(
-                    &self.motion,
-                    &self.rates,
-                    fine(&requirements, R::ERRORS.tick),
-                    functions,
-                );
+                self.tabulation.find_law(&self.motion, RateFunctions::of::<R::Rates>());
+                let requirements = fine(&self.requirements(ephemeris), R::ERRORS.tick);
+                self.tabulation.begin(&self.motion, &self.rates, requirements);
                 self.stage = Stage::Estimate;
             }
             Stage::Estimate => return self.estimate(self.requirements(ephemeris), R::ERRORS.tick),
@@ -185,11 +174,8 @@ impl SetUp {
                 return Poll::Ready(Ok(()));
             }
             Stage::Fine | Stage::Coarse => {
-                let outcome = self.tabulation.advance(&self.motion, &mut store(ephemeris));
-                match outcome {
-                    Ok(None) => {}
-                    Ok(Some(tabulated)) => (self.tabulated, self.stage) = (tabulated, Stage::Clock),
-                    Err(()) => return self.attempt_again(self.requirements(ephemeris)),
+                if self.tabulate(&mut store(ephemeris)).is_err() {
+                    return self.attempt_again(self.requirements(ephemeris));
                 }
             }
         }
@@ -201,8 +187,33 @@ impl SetUp {
         Requirements::new(R::TERMS, allowed, ephemeris.segments.len())
     }
 
+    /// Finds the mean rates, and tabulates a steady motion.
+    #[inline(never)] // one copy for all scalars, and so are the next; and the stack frames of set-up must not add up
+    fn find_rates(&mut self, rounding: f64, store: &mut Store<'_>) {
+        self.rates = MeanRates::of(&self.motion, rounding);
+        self.stage = if self.motion.is_steady() {
+            self.tabulated = constant(&self.motion, store);
+            Stage::Clock
+        } else {
+            Stage::Begin
+        };
+    }
+
+    /// Does the next piece of the tabulation.
+    ///
+    /// # Errors
+    /// The table would have too many segments.
+    #[inline(never)]
+    fn tabulate(&mut self, store: &mut Store<'_>) -> Result<(), ()> {
+        if self.tabulation.advance(store)? {
+            self.tabulated = self.tabulation.result(&self.motion);
+            self.stage = Stage::Clock;
+        }
+        Ok(())
+    }
+
     /// Estimates the segments that the table needs, and chooses the attempt that may fit, or none.
-    #[inline(never)] // one copy for all scalars, and so are the next
+    #[inline(never)]
     fn estimate(&mut self, requirements: Requirements, tick: f64) -> Poll<Result<(), TableTooSmall>> {
         let fits = |estimate: &SegmentEstimate| estimate.least_segments(0) <= requirements.most;
         let [coarse, fine] = [requirements, fine(&requirements, tick)];
@@ -340,11 +351,12 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let rates = MeanRates::of(motion, R::ROUNDING);
         let requirements = Requirements::new(R::TERMS, truncation, Cell::MOST_SEGMENTS);
         let mut tabulation = Tabulation::EMPTY;
-        tabulation.begin(motion, &rates, requirements, RateFunctions::of::<R::Rates>());
+        tabulation.find_law(motion, RateFunctions::of::<R::Rates>());
+        tabulation.begin(motion, &rates, requirements);
         loop {
-            match tabulation.advance(motion, &mut |_, _, parts| put::<R>(&mut [], 0, 0, parts)) {
-                Ok(None) => {}
-                Ok(Some(tabulated)) => return Some(tabulated.segments as u32),
+            match tabulation.advance(&mut |_, _, parts| put::<R>(&mut [], 0, 0, parts)) {
+                Ok(false) => {}
+                Ok(true) => return Some(tabulation.result(motion).segments as u32),
                 Err(()) => return None,
             }
         }

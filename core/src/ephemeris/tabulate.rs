@@ -71,8 +71,8 @@ enum Piece {
     Polynomial(usize),
     /// Step to the next span.
     Step,
-    /// Result.
-    Result,
+    /// Nothing, because the tabulation is complete.
+    Complete,
 }
 
 /// State of the tabulation between two pieces of work.
@@ -127,7 +127,7 @@ impl Tabulation {
         tabulated: Tabulated::EMPTY,
         speeds: Speeds::ZERO,
         speeds_before: Speeds::ZERO,
-        piece: Piece::Result,
+        piece: Piece::Complete,
         span: Span::FIRST,
         number: 0,
         place: 0,
@@ -142,18 +142,17 @@ impl Tabulation {
         parts: [PartOfSpan::NONE; 2],
     };
 
-    /// Begins the tabulation of a motion that is not steady.
+    /// Computes the law of a motion that is not steady, before [`Tabulation::begin`].
+    pub(crate) fn find_law(&mut self, motion: &Motion, functions: RateFunctions) {
+        self.path.find_law(motion, functions);
+    }
+
+    /// Begins the tabulation.
     #[inline(never)]
-    pub(crate) fn begin(
-        &mut self,
-        motion: &Motion,
-        rates: &MeanRates,
-        requirements: Requirements,
-        functions: RateFunctions,
-    ) {
+    pub(crate) fn begin(&mut self, motion: &Motion, rates: &MeanRates, requirements: Requirements) {
         let error = if requirements.allowed < rates.rounding { requirements.allowed } else { rates.rounding };
         let least = error / (16 * requirements.most.min(16 * CELLS)) as f64;
-        self.path.begin(motion, rates, least, functions);
+        self.path.begin(rates, least);
         let Brackets { alpha, beta } = motion.brackets::<f64>();
         self.exponentials = [alpha.exponentials(), beta.exponentials()];
         self.seek = StartSearch::new(motion, self.path.law(), rates);
@@ -189,15 +188,11 @@ impl Tabulation {
     /// Does the next piece of work. It passes the polynomials of each segment to `store`: the index of the segment, 0
     /// for α or 1 for β, and the coefficients, of which the first `terms` are used. `store` returns the orientation
     /// error and the error of the derivative from rounding them, in units of 2^-62 rad. A segment may be passed more than once, and the last
-    /// time is valid. The result is the tabulation's, once it is complete.
+    /// time is valid. Returns whether the tabulation is complete.
     ///
     /// # Errors
     /// The segments would exceed the largest number allowed.
-    pub(crate) fn advance(
-        &mut self,
-        motion: &Motion,
-        store: &mut Store<'_>,
-    ) -> Result<Option<Tabulated>, ()> {
+    pub(crate) fn advance(&mut self, store: &mut Store<'_>) -> Result<bool, ()> {
         let next = match self.piece {
             Piece::Rates(at_centre) => {
                 self.path.prepare(self.unit());
@@ -221,13 +216,13 @@ impl Tabulation {
             }
             Piece::Polynomial(which) => Some(self.shorten(which, store)?),
             Piece::Step => Some(self.step()),
-            Piece::Result => return Ok(Some(self.result(motion))),
+            Piece::Complete => return Ok(true),
         };
         self.piece = match next {
             Some(next) => next,
             None => self.halve_span()?,
         };
-        Ok(None)
+        Ok(false)
     }
 
     /// Begins the span again with one of half the length, or less.
@@ -289,7 +284,7 @@ impl Tabulation {
     /// otherwise to its border.
     fn step(&mut self) -> Piece {
         if self.number == CELLS {
-            return Piece::Result;
+            return Piece::Complete;
         }
         let share = self.share();
         let next = self.span.next();
@@ -306,8 +301,9 @@ impl Tabulation {
         Piece::Rates(at_centre)
     }
 
+    /// Result of a complete tabulation.
     #[inline(never)]
-    fn result(&self, motion: &Motion) -> Tabulated {
+    pub(crate) fn result(&self, motion: &Motion) -> Tabulated {
         let TabulatedStart { phase, theta, share } = self.found_start.unwrap_or_default();
         let Position { remainder, squares, .. } = *self.path.end();
         let speeds = self.speeds.to_f64();

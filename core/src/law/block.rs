@@ -8,6 +8,7 @@ use core::ops::Range;
 
 use crate::phase::integer_parts;
 use crate::product::signed_product;
+use crate::scalar::short_power_of_two;
 
 /// Largest number of terms of a series; fewer are computed where the terms fall below the resolution of the scalar.
 /// The segments of a table are short compared with the radius of convergence: where degree 5 leaves an error of 3e-8,
@@ -284,11 +285,7 @@ impl Block {
 
     /// Unit of the coefficients; 0 or infinity beyond the range of `f32`.
     pub(crate) fn short_unit(&self) -> f32 {
-        match self.exponent {
-            ..-126 => 0.0,
-            128.. => f32::INFINITY,
-            exponent => f32::from_bits(((exponent + 127) as u32) << 23),
-        }
+        short_power_of_two(self.exponent)
     }
 
     /// Coefficient of x^k of a product of two series, from these terms of the first one, divided by 2^shift.

@@ -10,6 +10,15 @@ pub(crate) const fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits((field as u64) << 52)
 }
 
+/// 2^exponent in `f32`; 0 below its range of normal numbers, and infinity above it.
+pub(crate) fn short_power_of_two(exponent: i32) -> f32 {
+    match exponent {
+        ..-126 => 0.0,
+        128.. => f32::INFINITY,
+        _ => f32::from_bits(((exponent + 127) as u32) << 23),
+    }
+}
+
 /// Product x · 2^exponent, which costs a chip without a unit for `f64` a tenth of a multiplication. Where the product is beyond the range
 /// of normal numbers, the power of two is multiplied by.
 #[inline(never)] // a call, which takes less flash than the product that it replaces
