@@ -7,7 +7,7 @@ use crate::input::scenario::Scenario;
 use crate::output::progress::Progress;
 use crate::output::whole_file;
 use crate::pictures::animation::Film;
-use crate::pictures::span::Span;
+use crate::pictures::span::{Span, require_at_most};
 use std::io::{BufWriter, ErrorKind, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -20,12 +20,16 @@ pub(super) fn run(arguments: &AnimateArgs) -> Result<Report, Failure> {
         return Err(Failure::Input(message));
     }
     let scenario = Scenario::read(&arguments.scenario)?;
+    let rate = if ending == "gif" { GIF_RATE } else { FILM_RATE };
+    let frames = (arguments.seconds * f64::from(rate)).round().max(2.0) as u64;
+    if let Some(times) = arguments.times {
+        let most = (frames / FRAMES_PER_CYCLE) as u32;
+        require_at_most(most, &scenario, times, &format!(" with --seconds {}", arguments.seconds))?;
+    }
     let span = Span::new(&scenario.motion, arguments.times).map_err(|failure| match failure {
         Failure::Method(_) => failure.of(&scenario.name),
         other => other,
     })?;
-    let rate = if ending == "gif" { GIF_RATE } else { FILM_RATE };
-    let frames = (arguments.seconds * f64::from(rate)).round().max(2.0) as u64;
     let film = Film::new(&scenario, &span, frames, arguments.size);
     let mut progress = Progress::new(frames, "frames");
     if ending == "gif" {
@@ -41,6 +45,8 @@ pub(super) fn run(arguments: &AnimateArgs) -> Result<Report, Failure> {
 /// Frames of a GIF in a second. A frame lasts a whole number of hundredths of a second.
 const GIF_RATE: u32 = 25;
 const FILM_RATE: u32 = 30;
+/// Least number of frames in a cycle of the motion; fewer would show an alias of it.
+const FRAMES_PER_CYCLE: u64 = 2;
 
 /// Film that ffmpeg makes of the frames in a temporary file, which becomes the output when it is complete.
 fn by_ffmpeg(film: &Film<'_>, path: &Path, mut done: impl FnMut()) -> Result<(), Failure> {

@@ -45,6 +45,7 @@ fn invalid_film_arguments_are_refused() {
         ("top.avi", &[][..], "must end in .gif, .webm or .mp4"),
         ("top.gif", &["--seconds", "0"], "must be a number from 0.1 to 600"),
         ("top.gif", &["--times", "1..1"], "must be LOW..HIGH"),
+        ("top.gif", &["--times", "0..1e6"], "--times: 0..1e6: must span at most 75 nutation periods"),
         ("no/folder/top.gif", &["--seconds", "0.1"], "no/folder/top.gif"),
     ] {
         let to = folder.join(name);
