@@ -112,7 +112,7 @@ pub(crate) fn test(only: Option<&str>) -> Result<ExitCode> {
     run_all(steps)
 }
 
-/// Runs clippy on all crates, and all steps of [`test`].
+/// Runs clippy on all crates, and all steps of [`test()`].
 pub(crate) fn ci() -> Result<ExitCode> {
     let mut all =
         vec![Step::new("clippy", &[], lint::host), Step::new("clippy-firmware", &[COMPILER], lint::firmware)];

@@ -1,7 +1,7 @@
 //! Tables of costs in pages, written from the limits, so that a test checks every figure of a page.
 
 use super::{CorpusCost, Cost, Limits};
-use crate::output::doc_markers::replaced;
+use crate::output::doc_markers::{self, NO_FIGURE, grouped, replaced};
 
 const BEGIN: &str = "<!-- budget: written by `toytop budget --accept` -->\n";
 const END: &str = "<!-- budget: end -->";
@@ -54,16 +54,14 @@ const FRONT_ROWS: [(&str, &str, &str); 7] = [
 /// Front page with the table of the limits; `None` if the page has no markers for it.
 #[must_use]
 pub fn with_front_table(page: &str, limits: &Limits) -> Option<String> {
-    let mut text =
-        "| at most | cycles | kept, bytes | stack, bytes | flash, bytes |\n|---|--:|--:|--:|--:|\n"
-            .to_owned();
-    for (chip, call, what) in FRONT_ROWS {
+    let header = ["at most", "cycles", "kept, bytes", "stack, bytes", "flash, bytes"];
+    let rows = FRONT_ROWS.map(|(chip, call, what)| {
         let cell = |figure: fn(&Cost) -> Option<u64>| cell(limits.of(chip, call).and_then(figure));
         let (cycles, ram) = (cell(|cost| cost.cycles), cell(|cost| cost.ram));
         let (stack, flash) = (cell(|cost| cost.stack), cell(|cost| Some(cost.flash)));
-        text += &format!("| {what} | {cycles} | {ram} | {stack} | {flash} |\n");
-    }
-    replaced(page, [FRONT_BEGIN, FRONT_END], &text)
+        vec![what.to_owned(), cycles, ram, stack, flash]
+    });
+    replaced(page, [FRONT_BEGIN, FRONT_END], &table(&header, rows))
 }
 
 const CORPUS_BEGIN: &str = "<!-- budget: corpus, written by `toytop budget --corpus --accept` -->\n";
@@ -72,19 +70,21 @@ const CORPUS_END: &str = "<!-- budget: end of corpus -->";
 /// Page with the table of the 200 launches; `None` if the page has no markers for it.
 #[must_use]
 pub(crate) fn with_corpus(page: &str, costs: &[CorpusCost]) -> Option<String> {
-    let mut text = "\
-        | chip | scalar | result | launches | median cycles | greatest cycles | cycles of the longest slice |\n\
-        |---|---|---|--:|--:|--:|--:|\n"
-        .to_owned();
-    for cost in costs {
-        let [median, greatest, slice] = cost.modelled_cycles().map(cell);
+    let header = [
+        "chip",
+        "scalar",
+        "result",
+        "launches",
+        "median cycles",
+        "greatest cycles",
+        "cycles of the longest slice",
+    ];
+    let rows = costs.iter().map(|cost| {
         let CorpusCost { chip, scalar, result, launches, .. } = cost;
-        text += &format!(
-            "| {chip} | {scalar} | {result} | {} | {median} | {greatest} | {slice} |\n",
-            launches.len()
-        );
-    }
-    replaced(page, [CORPUS_BEGIN, CORPUS_END], &text)
+        let words = [(*chip).to_owned(), scalar.clone(), result.clone(), launches.len().to_string()];
+        words.into_iter().chain(cost.modelled_cycles().map(cell)).collect()
+    });
+    replaced(page, [CORPUS_BEGIN, CORPUS_END], &table(&header, rows))
 }
 
 const BRIEF_BEGIN: &str = "<!-- budget: corpus in brief, written by `toytop budget --corpus --accept` -->\n";
@@ -96,7 +96,7 @@ const BRIEF_END: &str = "<!-- budget: end of brief -->";
 pub(crate) fn with_corpus_in_brief(page: &str, costs: &[CorpusCost]) -> Option<String> {
     let of_chip = |cost: &&CorpusCost| cost.chip == "m4f" && cost.scalar == "f32" && cost.result == "ready";
     let cost = costs.iter().find(of_chip)?;
-    let [median, greatest, slice] = cost.modelled_cycles().map(cell);
+    let [median, greatest, slice] = cost.modelled_cycles().map(|figure| grouped(&cell(figure)));
     let launches = cost.launches.len();
     let text = format!(
         "Set-up in `f32` takes {median} cycles in the median of [200 very different launches](host/docs/costs.md#set-up-of-200-launches) on a \
@@ -108,46 +108,39 @@ pub(crate) fn with_corpus_in_brief(page: &str, costs: &[CorpusCost]) -> Option<S
 /// Page with the table of the limits; `None` if the page has no markers for it.
 #[must_use]
 pub fn with_table(page: &str, limits: &Limits) -> Option<String> {
-    replaced(page, [BEGIN, END], &table(limits))
-}
-
-fn table(limits: &Limits) -> String {
-    let mut text = "\
-        | from a tick to α, β, u and the tip in memory, at most | M0+ cycles | M4F cycles | M7 instr. | RISC-V instr. | \
-        M4F stack, bytes | kept, bytes |\n|---|--:|--:|--:|--:|--:|--:|\n"
-        .to_owned();
-    for (call, what) in ROWS {
+    let header = [
+        "from a tick to α, β, u and the tip in memory, at most",
+        "M0+ cycles",
+        "M4F cycles",
+        "M7 instr.",
+        "RISC-V instr.",
+        "M4F stack, bytes",
+        "kept, bytes",
+    ];
+    let rows = ROWS.map(|(call, what)| {
         let cell =
             |chip: &str, figure: fn(&Cost) -> Option<u64>| cell(limits.of(chip, call).and_then(figure));
-        let cells = [
+        vec![
+            what.to_owned(),
             cell("m0plus", |cost| cost.cycles),
             cell("m4f", |cost| cost.cycles),
             cell("m7", |cost| Some(cost.instructions)),
             cell("riscv", |cost| Some(cost.instructions)),
             cell("m4f", |cost| cost.stack),
             cell("m4f", |cost| cost.ram),
-        ];
-        text += &format!("| {what} | {} |\n", cells.join(" | "));
-    }
-    text
+        ]
+    });
+    replaced(page, [BEGIN, END], &table(&header, rows))
 }
 
-/// Number in groups of three digits, or a dash where it is not known.
+fn table(header: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
+    let header = header.iter().map(|&word| word.to_owned()).collect();
+    doc_markers::table(&[header].into_iter().chain(rows).collect::<Vec<_>>())
+}
+
+/// Figure, or a dash where it is not known.
 fn cell(figure: Option<u64>) -> String {
-    figure.map_or("-".to_owned(), grouped)
-}
-
-/// Number with spaces between groups of three digits: 12345 is "12 345".
-fn grouped(figure: u64) -> String {
-    let digits = figure.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push(' ');
-        }
-        text.push(digit);
-    }
-    text
+    figure.map_or(NO_FIGURE.to_owned(), |figure| figure.to_string())
 }
 
 #[cfg(test)]

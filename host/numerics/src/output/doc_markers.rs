@@ -58,10 +58,57 @@ fn named(error: Failure, option: &str, path: &Path) -> Failure {
     error.of(&format!("{option}: {}", path.display()))
 }
 
-/// Table in Markdown, whose first row is the header.
+/// Table in Markdown, whose first row is the header. Columns of numbers are aligned to the right, and whole numbers are grouped.
+#[must_use]
 pub fn table(rows: &[Vec<String>]) -> String {
-    let line = |cells: &Vec<String>| format!("| {} |\n", cells.join(" | "));
     let Some((header, rows)) = rows.split_first() else { return String::new() };
-    let rule = "|---".repeat(header.len()) + "|\n";
-    line(header) + &rule + &rows.iter().map(line).collect::<String>()
+    let is_number = |cell: &String| cell == NO_FIGURE || cell.parse::<f64>().is_ok();
+    let rule = |column| {
+        let are_numbers = rows.iter().all(|row| row.get(column).is_some_and(is_number));
+        if are_numbers { "--:" } else { "---" }.to_owned()
+    };
+    let line = |cells: Vec<String>, space: &str| {
+        format!("|{space}{}{space}|\n", cells.join(&format!("{space}|{space}")))
+    };
+    line(header.clone(), " ")
+        + &line((0..header.len()).map(rule).collect(), "")
+        + &rows
+            .iter()
+            .map(|row| line(row.iter().map(|cell| grouped(cell)).collect(), " "))
+            .collect::<String>()
+}
+
+/// Cell of a figure that is not known.
+pub const NO_FIGURE: &str = "-";
+
+/// Whole number with spaces between groups of three digits: 12345 is "12 345". Other words remain as they are.
+#[must_use]
+pub fn grouped(number: &str) -> String {
+    if !number.bytes().all(|digit| digit.is_ascii_digit()) {
+        return number.to_owned();
+    }
+    let mut text = String::new();
+    for (index, digit) in number.chars().enumerate() {
+        if index > 0 && (number.len() - index).is_multiple_of(3) {
+            text.push(' ');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_of_numbers_are_aligned_to_the_right() {
+        let rows = [["what", "cycles", "error"], ["a tick", "12345", "1e-9"], ["999", "-", "none"]];
+        let text = table(&rows.map(|row| row.map(str::to_owned).to_vec()));
+        assert_eq!(
+            text,
+            "| what | cycles | error |\n|---|--:|---|\n| a tick | 12 345 | 1e-9 |\n| 999 | - | none |\n"
+        );
+        assert_eq!(["1234", "123456789", "1.5", ""].map(grouped), ["1 234", "123 456 789", "1.5", ""]);
+    }
 }
