@@ -19,26 +19,6 @@ pub(crate) struct Position {
     pub(crate) squares: [f32; 2],
 }
 
-/// Computations in the numbers of the mean rates. They are called by pointers, so that the rest is compiled once for all scalars.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct RateFunctions {
-    /// Law of a motion, written into memory that is not on the stack.
-    law: fn(&Motion, &mut Law<Extended>),
-    /// Derivatives of the phases at the position reached, for an expansion whose unit of x is this time.
-    slopes: fn(&HalfPeriod, Extended) -> Slopes,
-}
-
-impl RateFunctions {
-    pub(crate) const fn of<N: RateNumber>() -> Self {
-        Self { law: write_law::<N>, slopes: HalfPeriod::slopes::<N> }
-    }
-}
-
-#[inline(never)] // the stack frames of set-up must not add up
-fn write_law<N: RateNumber>(motion: &Motion, law: &mut Law<Extended>) {
-    *law = motion.law::<N>().map(N::into);
-}
-
 /// Steps through the half period, with the expansion around the last position.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct HalfPeriod {
@@ -50,7 +30,9 @@ pub(crate) struct HalfPeriod {
     is_periodic: bool,
     /// Constant rates of θ_A and θ_B besides ψ_A' and ψ_B', rad per unit time.
     theta_offset: [Extended; 2],
-    functions: RateFunctions,
+    /// Derivatives of the phases at the position reached, for an expansion whose unit of x is a time. They are computed in the numbers of
+    /// the mean rates, and called by a pointer, so that the rest is compiled once for all scalars.
+    slopes_of: fn(&Self, Extended) -> Slopes,
     /// Magnitude below which a term of the series is negligible.
     least: f64,
     /// This magnitude in the units of the series of α and β.
@@ -81,7 +63,7 @@ impl HalfPeriod {
         length: 0.0,
         is_periodic: true,
         theta_offset: [Extended::ZERO; 2],
-        functions: RateFunctions { law: |_, _| (), slopes: |_, _| Slopes::ZERO },
+        slopes_of: |_, _| Slopes::ZERO,
         least: 0.0,
         least_units: 0,
         expansion: Expansion::EMPTY,
@@ -95,10 +77,11 @@ impl HalfPeriod {
         fastest: 0.0,
     };
 
-    /// Computes the law of a motion, before [`HalfPeriod::begin`].
-    pub(crate) fn find_law(&mut self, motion: &Motion, functions: RateFunctions) {
-        self.functions = functions;
-        (functions.law)(motion, &mut self.law);
+    /// Computes the law of a motion in the numbers of the mean rates, before [`HalfPeriod::begin`].
+    #[inline(never)] // the stack frames of set-up must not add up
+    pub(crate) fn find_law<N: RateNumber>(&mut self, motion: &Motion) {
+        self.slopes_of = Self::slopes::<N>;
+        self.law = motion.law::<N>().map(N::into);
     }
 
     /// Begins at u = e₁.
@@ -143,7 +126,7 @@ impl HalfPeriod {
     pub(crate) fn prepare(&mut self, unit: Extended) {
         self.unit = unit.to_f64();
         self.part = self.unit / self.length;
-        self.slopes = (self.functions.slopes)(self, unit);
+        self.slopes = (self.slopes_of)(self, unit);
     }
 
     /// Begins the expansion of the law around the position reached.

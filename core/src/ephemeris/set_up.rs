@@ -6,7 +6,6 @@ use crate::ephemeris::cell::Cell;
 use crate::ephemeris::clock::Clock;
 use crate::ephemeris::error_bound::{ErrorBound, phase_errors};
 use crate::ephemeris::evaluation::{EphemerisScalar, EvaluationErrors};
-use crate::ephemeris::half_period::RateFunctions;
 use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::mean_rates::MeanRates;
 use crate::ephemeris::polynomial::Polynomial;
@@ -147,7 +146,7 @@ impl SetUp {
                 self.find_rates(R::ROUNDING, &mut store(ephemeris));
             }
             Stage::Begin => {
-                self.tabulation.find_law(&self.motion, RateFunctions::of::<R::Rates>());
+                self.tabulation.find_law::<R::Rates>(&self.motion);
                 let requirements = fine(&self.requirements(ephemeris), R::ERRORS.tick);
                 self.tabulation.begin(&self.motion, &self.rates, requirements);
                 self.stage = Stage::Estimate;
@@ -351,7 +350,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let rates = MeanRates::of(motion, R::ROUNDING);
         let requirements = Requirements::new(R::TERMS, truncation, Cell::MOST_SEGMENTS);
         let mut tabulation = Tabulation::EMPTY;
-        tabulation.find_law(motion, RateFunctions::of::<R::Rates>());
+        tabulation.find_law::<R::Rates>(motion);
         tabulation.begin(motion, &rates, requirements);
         loop {
             match tabulation.advance(&mut |_, _, parts| put::<R>(&mut [], 0, 0, parts)) {

@@ -18,7 +18,7 @@ mod cells;
 use crate::cayley_klein::Brackets;
 use crate::ephemeris::cell::CELLS;
 use crate::ephemeris::economise::omitted_terms;
-use crate::ephemeris::half_period::{HalfPeriod, Position, RateFunctions};
+use crate::ephemeris::half_period::{HalfPeriod, Position};
 use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::longer_segments::LongerSegments;
 use crate::ephemeris::mean_rates::MeanRates;
@@ -32,7 +32,7 @@ use crate::ephemeris::tabulated::{Requirements, Tabulated};
 use crate::law::series::{TERMS, larger_or_nan};
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, times_power_of_two};
+use crate::scalar::{Extended, Float, RateNumber, Ring, times_power_of_two};
 
 /// Receiver of polynomials: see [`Tabulation::advance`]. A reference, so that set-up is compiled once for all scalars.
 pub(crate) type Store<'a> = dyn FnMut(usize, usize, &Polynomial) -> [f32; 2] + 'a;
@@ -143,8 +143,8 @@ impl Tabulation {
     };
 
     /// Computes the law of a motion that is not steady, before [`Tabulation::begin`].
-    pub(crate) fn find_law(&mut self, motion: &Motion, functions: RateFunctions) {
-        self.path.find_law(motion, functions);
+    pub(crate) fn find_law<N: RateNumber>(&mut self, motion: &Motion) {
+        self.path.find_law::<N>(motion);
     }
 
     /// Begins the tabulation.
