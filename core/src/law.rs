@@ -30,7 +30,7 @@ mod coefficients;
 mod expand;
 
 use crate::constants::{BranchPoints, Signs};
-use crate::scalar::{Float, Real, Ring};
+use crate::scalar::{Float, Real, Ring, Scalar, exponent};
 use crate::top::{Quantities, Top};
 
 /// Rates of the three phases, rad per unit time.
@@ -54,10 +54,31 @@ impl<R: Ring> PhaseRates<R> {
 
 /// sin χ = tanh v and cos χ = sech v, for χ the Gudermannian of v.
 pub(crate) fn gudermannian<R: Real>(v: R) -> (R, R) {
-    let q = (-v.abs()).exp();
+    // q = e^-|v| and 1 - q from one function, because a second one would take more flash
+    let growth = v.abs().exp_minus_one();
+    let q = R::ONE / (R::ONE + growth);
+    let one_minus_q = if q > R::ZERO { growth * q } else { R::ONE };
     let per_sum = R::ONE / (R::ONE + q.squared());
-    let tanh = -(-v.abs()).exp_minus_one() * (R::ONE + q) * per_sum;
+    let tanh = one_minus_q * (R::ONE + q) * per_sum;
     (if v < R::ZERO { -tanh } else { tanh }, q.doubled() * per_sum)
+}
+
+/// Variable v whose Gudermannian χ has this sine and this cosine > 0, by Newton's method for sinh v = tan χ. The logarithm that
+/// gives it in closed form would take more flash than all steps.
+pub(crate) fn inverse_gudermannian(sine: f64, cosine: f64) -> f64 {
+    const MOST_STEPS: u32 = 10;
+    let tangent = sine.abs() / cosine;
+    // above v, or close to it where v is small
+    let mut v = if tangent < 1.0 { tangent } else { f64::from(exponent(tangent) + 1) * core::f64::consts::LN_2 };
+    for _ in 0..MOST_STEPS {
+        let (tanh, sech) = gudermannian(v);
+        let change = tanh - tangent * sech;
+        v -= change;
+        if change.abs() <= f64::ROUNDING * v {
+            break;
+        }
+    }
+    if sine < 0.0 { -v } else { v }
 }
 
 /// Constants of the law for one motion, in the number type that evaluates it.
@@ -241,6 +262,8 @@ mod tests {
             assert!((tanh / libm::tanh(v) - 1.0).abs() < 5e-16, "{v}: {tanh:e}");
             assert!((sech * libm::cosh(v) - 1.0).abs() < 5e-16, "{v}: {sech:e}");
             assert_eq!(gudermannian(-v), (-tanh, sech));
+            let inverse = inverse_gudermannian(tanh, sech);
+            assert!((inverse / v - 1.0).abs() < 5e-16, "{v}: {inverse:e}");
         }
     }
 }

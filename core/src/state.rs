@@ -4,7 +4,7 @@ mod impulse;
 
 use crate::complex::Complex;
 use crate::error::{ParameterError, finite, require};
-use crate::scalar::Float;
+use crate::scalar::{Float, sine_cosine_of_radians};
 use crate::su2::{Orientation, Vector, dot};
 
 /// Largest component of an angular velocity, rad/s.
@@ -121,15 +121,15 @@ impl State {
         }
         require((0.0..=core::f64::consts::PI).contains(&tilt), "tilt", "between 0 and pi")?;
         let (half_sine, half_cosine) =
-            if tilt == core::f64::consts::PI { (1.0, 0.0) } else { libm::sincos(0.5 * tilt) };
+            if tilt == core::f64::consts::PI { (1.0, 0.0) } else { sine_cosine_of_radians(0.5 * tilt) };
         let cis = |angle: f64| {
-            let (im, re) = libm::sincos(angle);
+            let (im, re) = sine_cosine_of_radians(angle);
             Complex::new(re, im)
         };
         let alpha = cis(0.5 * (azimuth + roll)).scaled(half_cosine);
         let beta = cis(0.5 * (azimuth - roll)).scaled(-half_sine);
         let orientation = Orientation { alpha, beta };
-        let (sine, cosine) = libm::sincos(azimuth);
+        let (sine, cosine) = sine_cosine_of_radians(azimuth);
         let u = (half_cosine - half_sine) * (half_cosine + half_sine);
         let [r1, r2, r3] = orientation.axis();
         let axial = spin - precession * u;

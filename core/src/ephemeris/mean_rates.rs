@@ -4,7 +4,7 @@ use crate::constants::Conditioning;
 use crate::law::{Law, gudermannian};
 use crate::mean_motion::MeanMotion;
 use crate::motion::Motion;
-use crate::scalar::{Extended, Float, Ring};
+use crate::scalar::{Extended, Float, Ring, exponent};
 
 /// Rates of the nutation phase and of the mean slow phases, with the values needed to step through the half period.
 #[derive(Clone, Copy, Debug)]
@@ -43,15 +43,15 @@ impl MeanRates {
         rounding: 0.0,
     };
 
-    /// Mean rates of a motion; an aperiodic one is followed until 1 - u is below `rounding`².
+    /// Mean rates of a motion with this law, which is not used for a steady motion; an aperiodic one is followed until 1 - u is below `rounding`².
     #[inline(never)]
-    pub(crate) fn of(motion: &Motion, rounding: f64) -> Self {
+    pub(crate) fn of(motion: &Motion, law: &Law<Extended>, rounding: f64) -> Self {
         if motion.is_steady() {
             return Self::steady(motion, rounding);
         }
         match motion.mean_motion() {
             Some(mean) => Self::periodic(motion, mean, rounding),
-            None => Self::rising(motion, rounding),
+            None => Self::rising(motion, law, rounding),
         }
     }
 
@@ -99,11 +99,12 @@ impl MeanRates {
     }
 
     /// Mean rates of an aperiodic motion: the slow phases have the rates that they tend to at the vertical.
-    fn rising(motion: &Motion, rounding: f64) -> Self {
-        let law = motion.law::<Extended>();
+    fn rising(motion: &Motion, law: &Law<Extended>, rounding: f64) -> Self {
         // cos χ = sech v ≈ 2 e^{-v}
         let half_period = Extended::from(rise_time(&law.cast(), last_v(rounding), 256));
-        let at_the_top = law.aperiodic_rates(Extended::ONE, Extended::ZERO).alpha;
+        // ψ_A' at u = 1, where D = A/p, in extended precision also where the law has less
+        let momentum = motion.exact_integrals().l_plus_n;
+        let at_the_top = momentum / (motion.quantities().a.doubled() * motion.exact_branch_points().one_plus_e3());
         let half_tau = motion.half_tau();
         let frequency = Extended::ONE / half_period.doubled();
         let Conditioning { relative, turning } = *motion.conditioning();
@@ -148,7 +149,8 @@ fn errors(motion: &Motion, mean: &MeanMotion) -> [f64; 3] {
 
 /// Variable v at which 1 - u is below `rounding`².
 pub(crate) fn last_v(rounding: f64) -> f64 {
-    libm::log(4.0 / rounding)
+    // the rounding is a power of two
+    f64::from(exponent(4.0 / rounding) - 1) * core::f64::consts::LN_2
 }
 
 /// Time from v = 0 to v by Simpson's rule with an even number of intervals.

@@ -143,10 +143,12 @@ impl SetUp {
             Stage::Rates => {
                 let infinite = ErrorBound::INFINITE;
                 (ephemeris.error_bound, ephemeris.rate_error_bound) = (infinite, infinite);
+                if !self.motion.is_steady() {
+                    self.tabulation.find_law::<R::Rates>(&self.motion);
+                }
                 self.find_rates(R::ROUNDING, &mut store(ephemeris));
             }
             Stage::Begin => {
-                self.tabulation.find_law::<R::Rates>(&self.motion);
                 let requirements = fine(&self.requirements(ephemeris), R::ERRORS.tick);
                 self.tabulation.begin(&self.motion, &self.rates, requirements);
                 self.stage = Stage::Estimate;
@@ -189,7 +191,7 @@ impl SetUp {
     /// Finds the mean rates, and tabulates a steady motion.
     #[inline(never)] // one copy for all scalars, and so are the next; and the stack frames of set-up must not add up
     fn find_rates(&mut self, rounding: f64, store: &mut Store<'_>) {
-        self.rates = MeanRates::of(&self.motion, rounding);
+        self.rates = MeanRates::of(&self.motion, self.tabulation.law(), rounding);
         self.stage = if self.motion.is_steady() {
             self.tabulated = constant(&self.motion, store);
             Stage::Clock
@@ -347,10 +349,10 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         if motion.is_steady() {
             return Some(1);
         }
-        let rates = MeanRates::of(motion, R::ROUNDING);
-        let requirements = Requirements::new(R::TERMS, truncation, Cell::MOST_SEGMENTS);
         let mut tabulation = Tabulation::EMPTY;
         tabulation.find_law::<R::Rates>(motion);
+        let rates = MeanRates::of(motion, tabulation.law(), R::ROUNDING);
+        let requirements = Requirements::new(R::TERMS, truncation, Cell::MOST_SEGMENTS);
         tabulation.begin(motion, &rates, requirements);
         loop {
             match tabulation.advance(&mut |_, _, parts| put::<R>(&mut [], 0, 0, parts)) {

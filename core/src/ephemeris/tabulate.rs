@@ -29,6 +29,7 @@ use crate::ephemeris::segment_estimate::{Estimation, SegmentEstimate};
 use crate::ephemeris::span::{HALF_PERIOD, PartOfSpan, Span};
 use crate::ephemeris::speeds::Speeds;
 use crate::ephemeris::tabulated::{Requirements, Tabulated};
+use crate::law::Law;
 use crate::law::series::{TERMS, larger_or_nan};
 use crate::motion::Motion;
 use crate::phase::Phase;
@@ -142,9 +143,14 @@ impl Tabulation {
         parts: [PartOfSpan::NONE; 2],
     };
 
-    /// Computes the law of a motion that is not steady, before [`Tabulation::begin`].
+    /// Computes the law of a motion that is not steady, before its mean rates and [`Tabulation::begin`].
     pub(crate) fn find_law<N: RateNumber>(&mut self, motion: &Motion) {
         self.path.find_law::<N>(motion);
+    }
+
+    /// Law of the motion.
+    pub(crate) fn law(&self) -> &Law<Extended> {
+        self.path.law()
     }
 
     /// Begins the tabulation.

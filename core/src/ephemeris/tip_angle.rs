@@ -57,7 +57,9 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     ) {
         let nutation = nutation.fraction();
         let quarter_turn = Phase::QUARTER.times(self.clock.tip.quarter.into());
-        let tabulated = self.angle_in(&self.located(nutation), progress.winding.cast(), nutation);
+        // only the half turns count, and the arctangent in `f64` is needed elsewhere
+        let winding = self.winding_in(&self.located(nutation), progress.winding.cast());
+        let tabulated = winding.cast::<f64>().angle_on(nutation);
         // the whole turns come from the table, and the rest from the motion's phases, because near the centre the
         // table's angle is inexact
         let argument = motion.tip_angle_at_start();
@@ -81,7 +83,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let found = self.located(nutation);
         let mut winding = Winding::START;
         self.continue_over(0..found.number + 1, &mut winding);
-        self.angle_in(&found, winding, nutation)
+        self.winding_in(&found, winding).angle_on(nutation)
     }
 
     /// Segment at a nutation phase.
@@ -101,8 +103,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         }
     }
 
-    /// Argument of the tabulated αβ at a nutation phase, from that at the centre of its segment.
-    fn angle_in(&self, found: &LocatedSegment<'_, R>, mut winding: Winding<R::Wide>, nutation: u64) -> Phase {
+    /// Tabulated αβ at a place on a segment, from that at the centre of the segment.
+    fn winding_in(&self, found: &LocatedSegment<'_, R>, mut winding: Winding<R::Wide>) -> Winding<R::Wide> {
         let x = R::Wide::from_f64(found.x as f64 / (1_u64 << 63) as f64);
         let numbers = |(power, row): (usize, &[R::Coefficient; 4])| row.map(|c| R::number(c, power));
         let ValuesAndSlopes(value, slope) =
@@ -110,8 +112,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         if !self.is_at_limit(self.turned_back(value)) {
             winding.reach(self.direction(value, slope, x));
         }
-        let angle = winding.angle();
-        if is_falling(nutation) { -angle } else { angle }
+        winding
     }
 
     /// Whether αβ of an aperiodic motion is so close to its limit 0 that its argument counts as that of the limit. The
@@ -215,8 +216,10 @@ impl<R: Real> Winding<R> {
         self.z = z;
     }
 
-    fn angle(&self) -> Phase {
-        Phase::from_radians(self.z.arg().to_f64()) + Phase::ONE.times(self.turns)
+    /// Argument at this nutation phase; on the second half of the period it is the negative one.
+    fn angle_on(&self, nutation: u64) -> Phase {
+        let angle = Phase::from_radians(self.z.arg().to_f64()) + Phase::ONE.times(self.turns);
+        if is_falling(nutation) { -angle } else { angle }
     }
 }
 
@@ -231,7 +234,7 @@ mod tests {
             for step in 1..40 {
                 let angle = sense * 0.9 * f64::from(step);
                 winding.reach(Complex::new(angle.cos(), angle.sin()));
-                assert!((winding.angle().to_radians() - angle).abs() < 1e-12, "{angle}");
+                assert!((winding.angle_on(0).to_radians() - angle).abs() < 1e-12, "{angle}");
             }
         }
     }

@@ -8,7 +8,7 @@ use core::ops::Range;
 
 use crate::phase::integer_parts;
 use crate::product::signed_product;
-use crate::scalar::short_power_of_two;
+use crate::scalar::{exponent, short_power_of_two};
 
 /// Largest number of terms of a series; fewer are computed where the terms fall below the resolution of the scalar.
 /// The segments of a table are short compared with the radius of convergence: where degree 5 leaves an error of 3e-8,
@@ -227,11 +227,6 @@ pub(crate) fn integrated(c: i64, k: usize) -> i64 {
         inverses
     };
     INVERSES.get(k).map_or(0, |inverse| scaled_product::<60>(*inverse, Split::of(c)))
-}
-
-/// Least e with |x| <= 2^e; very small for 0.
-pub(crate) fn exponent(x: f64) -> i32 {
-    ((x.to_bits() >> 52) & 0x7ff) as i32 - 1022
 }
 
 /// Integer nearest to x / 2^exponent, for a quotient below 2^62.

@@ -4,7 +4,7 @@ use crate::cayley_klein::Brackets;
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, Conditioning, FirstIntegrals, ReducedPoint, Regime, Signs};
 use crate::error::{ParameterError, finite, require};
-use crate::law::Law;
+use crate::law::{Law, inverse_gudermannian};
 use crate::mean_motion::{Integrals, MeanMotion, Quadrature};
 use crate::motion::start::{chi, half_phase, half_turns, slow_phase};
 use crate::motion::{Motion, NutationVariable, Start, stands_still, steady_tilt};
@@ -54,7 +54,7 @@ impl Motion {
         };
         let (sine, cosine) = half_phase(&self.e, point, pair, self.regime == Regime::Aperiodic);
         self.nutation = if self.regime == Regime::Aperiodic {
-            NutationVariable::Aperiodic(libm::asinh(sine / cosine))
+            NutationVariable::Aperiodic(inverse_gudermannian(sine, cosine))
         } else {
             NutationVariable::Nutating(chi(sine, cosine))
         };
@@ -140,7 +140,7 @@ impl Motion {
         }
         if regime == Regime::Aperiodic {
             let (sine, cosine) = f64::sine_cosine(chi);
-            motion.nutation = NutationVariable::Aperiodic(libm::asinh(sine / cosine));
+            motion.nutation = NutationVariable::Aperiodic(inverse_gudermannian(sine, cosine));
         }
         let directions = motion.directions_at_start();
         let brackets = &motion.brackets;

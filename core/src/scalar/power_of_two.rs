@@ -10,6 +10,11 @@ pub(crate) const fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits((field as u64) << 52)
 }
 
+/// Least e with |x| <= 2^e; very small for 0.
+pub(crate) fn exponent(x: f64) -> i32 {
+    ((x.to_bits() >> 52) & 0x7ff) as i32 - 1022
+}
+
 /// 2^exponent in `f32`; 0 below its range of normal numbers, and infinity above it.
 pub(crate) fn short_power_of_two(exponent: i32) -> f32 {
     match exponent {
