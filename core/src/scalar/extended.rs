@@ -179,6 +179,7 @@ impl Ring for Extended {
     const ZERO: Self = Self::of(0, OF_ZERO);
     const ONE: Self = Self::of(1 << (BITS - 1), 1 - BITS);
 
+    #[inline(never)]
     fn doubled(self) -> Self {
         Self { exponent: self.exponent + i32::from(self.significand() != 0), ..self }
     }
@@ -207,10 +208,12 @@ impl Float for Extended {
         root + (self - root * root) * inverse.halved()
     }
 
+    #[inline(never)]
     fn abs(self) -> Self {
         if self.significand() < 0 { -self } else { self }
     }
 
+    #[inline(never)]
     fn halved(self) -> Self {
         Self { exponent: self.exponent - i32::from(self.significand() != 0), ..self }
     }

@@ -183,6 +183,7 @@ impl Ring for Extended64 {
     const ZERO: Self = Self { significand: 0, exponent: OF_ZERO, negative: false };
     const ONE: Self = Self { significand: LEADING, exponent: -63, negative: false };
 
+    #[inline(never)]
     fn doubled(self) -> Self {
         Self { exponent: self.exponent + i32::from(self.significand != 0), ..self }
     }
@@ -220,10 +221,12 @@ impl Float for Extended64 {
         Self::corrected(estimate, correction, (self.exponent + odd) / 2 - 32, false)
     }
 
+    #[inline(never)]
     fn abs(self) -> Self {
         Self { negative: false, ..self }
     }
 
+    #[inline(never)]
     fn halved(self) -> Self {
         Self { exponent: self.exponent - i32::from(self.significand != 0), ..self }
     }
