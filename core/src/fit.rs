@@ -179,10 +179,10 @@ impl<'a, F: Real> Fit<'a, F> {
     }
 
     /// Launch from all measurements, without a first guess. The launch is the state at the time of the first
-    /// measurement; with a drift, at that of the last one. The measurements are read several times.
+    /// measurement; with a drift, it is the state at the time of the last one. The measurements are read several times.
     ///
     /// # Errors
-    /// [`FitError`]: a measurement that is not finite, that is earlier than the one before, or of a sensor that is not
+    /// [`FitError`]: a measurement that is not finite, that is earlier than its predecessor, or of a sensor that is not
     /// in the list; no measurement at all.
     pub fn run<I>(&mut self, measurements: I) -> Result<Fitted, FitError>
     where

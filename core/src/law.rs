@@ -69,7 +69,8 @@ pub(crate) fn inverse_gudermannian(sine: f64, cosine: f64) -> f64 {
     const MOST_STEPS: u32 = 10;
     let tangent = sine.abs() / cosine;
     // above v, or close to it where v is small
-    let mut v = if tangent < 1.0 { tangent } else { f64::from(exponent(tangent) + 1) * core::f64::consts::LN_2 };
+    let mut v =
+        if tangent < 1.0 { tangent } else { f64::from(exponent(tangent) + 1) * core::f64::consts::LN_2 };
     for _ in 0..MOST_STEPS {
         let (tanh, sech) = gudermannian(v);
         let change = tanh - tangent * sech;

@@ -34,7 +34,7 @@ mod mean_motion;
 
 mod motion;
 
-// Motion as a function of time. Nothing below this line can fail after set-up.
+// Motion as a function of time. Set-up may be refused; after it nothing fails.
 mod attitude_state;
 
 mod tip;

@@ -28,9 +28,9 @@ mod fixed_point;
 
 pub use extended::Extended;
 pub use extended64::Extended64;
+pub(crate) use float::sine_cosine_of_radians;
 pub(crate) use power_of_two::{exponent, power_of_two, short_power_of_two, times_power_of_two};
 pub(crate) use sine::sine_cosine_f64;
-pub(crate) use float::sine_cosine_of_radians;
 #[cfg(feature = "fixed")]
 pub use sine::sine_cosine_q15;
 pub use sine::{SINE_CONSTANTS, SineConstants, sine_cosine_q26, sine_cosine_q31};

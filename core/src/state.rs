@@ -18,8 +18,7 @@ pub struct State {
     omega: Vector<f64>,
 }
 
-/// Release of a top in terms of angles (rad) and their rates (rad/s): lean of the axis, rotation of the body, motion
-/// of the axis.
+/// Release of a top: tilt, azimuth and roll (rad), the rates of tilt and azimuth, and the axial angular velocity (rad/s).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Release {
@@ -99,7 +98,7 @@ impl State {
         Ok(Self { orientation, omega: orientation.normalised().adjoint(gyro) })
     }
 
-    /// State from tilt, azimuth, roll and their rates:
+    /// State from tilt, azimuth and roll, the rates of tilt and azimuth, and the axial angular velocity:
     /// α = cos(tilt/2) e^{i(azimuth + roll)/2}, β = -sin(tilt/2) e^{i(azimuth - roll)/2},
     /// ω = precession k + nutation (-sin azimuth, cos azimuth, 0) + (spin - precession cos tilt) r.
     ///

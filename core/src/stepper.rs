@@ -167,7 +167,7 @@ impl<R: Real> Stepper<R> {
         AttitudeState { orientation: self.brackets.orientation(&directions), rate }
     }
 
-    /// Cosine of the tilt u, in [-1, 1].
+    /// Cosine u of the tilt, in [-1, 1].
     #[must_use]
     pub fn u(&self) -> R {
         self.orientation().clamped_u()

@@ -41,8 +41,8 @@ impl Top {
         self.support
     }
 
-    /// Transverse moment of inertia A, kg m²: about the centre of mass for a sliding tip, about the tip for a fixed
-    /// one.
+    /// Transverse moment of inertia A, kg m²: about the centre of mass for a sliding tip or a free body, about the tip for a
+    /// fixed one.
     #[must_use]
     pub fn transverse_inertia(&self) -> f64 {
         self.a
@@ -54,15 +54,15 @@ impl Top {
         self.c
     }
 
-    /// Distance s of the centre of mass from a sliding tip, m; 0 for a fixed tip, for which the paper's formulas hold
-    /// in the limit s → 0 at fixed p.
+    /// Distance s of the centre of mass from a sliding tip, m; 0 for a free body and for a fixed tip, for which the paper's
+    /// formulas hold in the limit s → 0 at fixed p.
     #[must_use]
     pub fn com_height(&self) -> f64 {
         self.s
     }
 
     /// Length that scales the tip curve c = 2 s αβ, m: s, or 1 for a fixed tip or a free body, whose 2αβ is a direction
-    /// without unit.
+    /// without unit. The field `tip_scale` of table data is twice this length.
     #[must_use]
     pub fn tip_scale(&self) -> f64 {
         match self.support {

@@ -104,7 +104,8 @@ impl MeanRates {
         let half_period = Extended::from(rise_time(&law.cast(), last_v(rounding), 256));
         // ψ_A' at u = 1, where D = A/p, in extended precision also where the law has less
         let momentum = motion.exact_integrals().l_plus_n;
-        let at_the_top = momentum / (motion.quantities().a.doubled() * motion.exact_branch_points().one_plus_e3());
+        let at_the_top =
+            momentum / (motion.quantities().a.doubled() * motion.exact_branch_points().one_plus_e3());
         let half_tau = motion.half_tau();
         let frequency = Extended::ONE / half_period.doubled();
         let Conditioning { relative, turning } = *motion.conditioning();

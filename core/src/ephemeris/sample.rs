@@ -27,9 +27,9 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Sample of the motion t units of time after t = 0, with t taken as exact (to 2^-64 ticks). A t that is not finite counts as 0.
     ///
     /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks (and the tick rate is a
-    /// whole or half number). Beyond the 2^63 ticks of [`EphemerisView::at_tick`] the motion continues without a
+    /// multiple of 1/2). Beyond the 2^63 ticks of [`EphemerisView::at_tick`] the motion continues without a
     /// jump. The error bound keeps growing with the ticks, and exceeds a turn before the 96 bits of an increment are
-    /// insufficient. The only exception is an aperiodic motion that rises within less than one tick: times within
+    /// insufficient. Of an aperiodic motion that rises within less than one tick, the times within
     /// that tick are not resolved.
     #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
     #[must_use]
@@ -91,7 +91,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         Orientation { alpha, beta }
     }
 
-    /// Cosine of the tilt u, in [-1, 1].
+    /// Cosine u of the tilt, in [-1, 1].
     #[must_use]
     pub fn u(&self) -> R {
         self.orientation().clamped_u()

@@ -128,7 +128,7 @@ impl SetUp {
     }
 
     /// Performs the next slice of the work; the ephemeris must be the same at each call. Until the result is
-    /// [`Poll::Ready`] it must not be used, and its error bounds are infinite. Calls after that return the same
+    /// [`Poll::Ready`] the ephemeris must not be used, and its error bounds are infinite. Calls after that return the same
     /// result and change nothing.
     ///
     /// # Errors
@@ -342,8 +342,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         }
     }
 
-    /// Number of segments that is enough for a motion with a given truncation error, rad; `None` if 4096, the
-    /// largest number, are not. Cost: up to that many series, far more than a set-up, so it is meant for a PC.
+    /// Number of segments that is enough for a motion with a given truncation error, rad; `None` if 4096 segments, the
+    /// largest number, are not enough. Cost: up to 4096 series, far more than a set-up, so it is meant for a PC.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         if motion.is_steady() {

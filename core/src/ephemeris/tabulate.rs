@@ -6,7 +6,7 @@
 //! span and reduced to the degree of the table.
 //!
 //! A motion may be fast in one part of the period and slow in another, most of all where e₄ is close to 1. Spans are
-//! therefore halved until their series are accurate, and the segments of a [`Cell`] until their polynomials are.
+//! therefore halved until their series are accurate, and the segments of a [`Cell`](crate::ephemeris::cell::Cell) until their polynomials are.
 //!
 //! An aperiodic motion is tabulated in the same way, from its lowest point until 1 - u is below the rounding; a
 //! steady motion is a single constant.
@@ -100,7 +100,7 @@ pub(crate) struct Tabulation {
     /// Index of the cell, and of the segment in it.
     number: usize,
     place: usize,
-    /// Number of halvings of the pair of cells: [`Cell::level`].
+    /// Number of halvings of the pair of cells: [`Cell::level`](crate::ephemeris::cell::Cell::level).
     level: u32,
     larger: LargerError,
     longer: LongerSegments,

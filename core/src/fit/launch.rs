@@ -36,7 +36,7 @@ impl FreeRatio {
     }
 }
 
-/// Launch and the other unknowns.
+/// Launch that a fit has found, and the other unknowns; [`crate::Launch`] computes the motion from a state.
 #[derive(Clone, Copy, Debug)]
 pub struct Launch {
     /// Orientation Φ at the epoch.

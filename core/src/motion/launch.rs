@@ -14,11 +14,11 @@ use crate::state::State;
 use crate::su2::OrientationRate;
 use crate::top::Top;
 
-/// Launch of a motion from a state, in slices of bounded work: see [`SetUp`](crate::SetUp), which does the same for the
-/// ephemeris. [`Motion::launch`] is a loop over them. Most of the work is the quadrature of the period, whose number of slices
-/// depends on the motion: 9 nodes for a fast top, 33 for a slow one, some 190 where e₃ - e₂ is about 1e-18, and two thirds of that for
-/// `f32` and fixed point ([`for_scalar`](Launch::for_scalar)). It grows with the logarithm of the least difference between e₂ and a
-/// branch point beyond it.
+/// Launch of a motion from a state, in slices of bounded work (the launch that a fit finds is `fit::Launch`): see [`SetUp`](crate::SetUp), which does the same for the
+/// ephemeris. [`Motion::launch`] runs all slices in a loop. Most of the work is the quadrature of the period, whose number of nodes
+/// depends on the motion: 9 for a fast top, 33 for a slow one, some 190 where e₃ - e₂ is about 1e-18. For `f32` and fixed point
+/// ([`for_scalar`](Launch::for_scalar)) it is two thirds of this. The number grows with the logarithm of the least difference between e₂
+/// and a branch point beyond it.
 ///
 /// ```
 /// use toytop::{Launch, Motion, Release, State, Top, TopParameters};
@@ -165,7 +165,7 @@ impl<R: Scalar> Launch<R> {
     }
 }
 
-/// Stages. They are calls, because their stack frames must not add up.
+/// Stages, each a function that is not inlined, so that their stack frames are not in use at one time.
 impl<R: Scalar> Launch<R> {
     #[inline(never)]
     fn find_axis(&mut self) {
@@ -272,8 +272,8 @@ impl Motion {
         Self::launch_for::<f64>(top, state)
     }
 
-    /// Motion from a state, for ephemerides in a scalar. For `f32` and fixed point the mean rates have some 60 correct bits, which
-    /// cost a chip a third of the 120 bits that [`launch`](Self::launch) computes. Their error is part of
+    /// Motion from a state, for ephemerides in a scalar. For `f32` and fixed point the mean rates have some 60 correct bits, for which
+    /// a chip needs a third of the time of the 120 bits that [`launch`](Self::launch) computes. Their error is part of
     /// [`error_bound`](crate::Ephemeris::error_bound). The other constants are the same.
     ///
     /// # Errors

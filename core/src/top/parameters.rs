@@ -10,8 +10,8 @@ use crate::top::{Support, Top};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TopParameters {
-    /// Transverse moment of inertia A, kg m²: about the centre of mass for a sliding tip, about the tip for a fixed
-    /// one.
+    /// Transverse moment of inertia A, kg m²: about the centre of mass for a sliding tip or a free body, about the tip for a
+    /// fixed one.
     pub transverse_inertia: f64,
     /// Axial moment of inertia C <= 2A, kg m²; 0 for a thin rod or a point at its end.
     pub axial_inertia: f64,
@@ -43,7 +43,7 @@ impl Default for TopParameters {
     }
 }
 
-/// Allowed range of a parameter: from a molecule to a star. Only C/A, A/(ps), pg/A and K/A enter the motion, in units in
+/// Allowed range of a parameter. Only C/A, A/(ps), pg/A and K/A enter the motion, in units in
 /// which A and p are about 1.
 const ALLOWED: &str = "between 1e-60 and 1e60";
 
@@ -78,7 +78,7 @@ impl Top {
     /// Top whose tip slides on a plane: Springborn's toy top.
     ///
     /// # Errors
-    /// [`ParameterError`] names the parameter that is wrong. Each must be finite and between 1e-60 and 1e60, C
+    /// [`ParameterError`] names the parameter that is wrong. A, s, g, and the mass or its moment must be between 1e-60 and 1e60, C
     /// between 0 and 2A, A/(ps) between 1e-6 and 1e30, √(pg/A), the growth rate of a fall from the vertical, between
     /// 1e-9 and 1e9 per unit of time, and |K|/A at most 1e12 per unit of time. Exactly one of `mass` and `mass_moment`
     /// must be given. `gravity` must not be 0: nothing but the weight keeps the tip on the plane.

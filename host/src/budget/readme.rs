@@ -99,8 +99,8 @@ pub(crate) fn with_corpus_in_brief(page: &str, costs: &[CorpusCost]) -> Option<S
     let [median, greatest, slice] = cost.modelled_cycles().map(|figure| grouped(&cell(figure)));
     let launches = cost.launches.len();
     let text = format!(
-        "Set-up in `f32` takes {median} cycles in the median of [200 very different launches](host/docs/costs.md#set-up-of-200-launches) on a \
-         Cortex-M4F, and {greatest} at most, in slices of at most {slice}; {launches} of the launches fit a table of 64 segments.\n"
+        "In `f32` {launches} of [200 very different launches](host/docs/costs.md#set-up-of-200-launches) fit a table of 64 segments; their set-up takes \
+         {median} cycles of a Cortex-M4F in the median and {greatest} at most, in slices of at most {slice}.\n"
     );
     replaced(page, [BRIEF_BEGIN, BRIEF_END], &text)
 }
