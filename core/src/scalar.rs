@@ -166,9 +166,6 @@ pub trait Float: Ring + Div<Output = Self> {
 pub trait Real: Scalar + Float {
     /// Angle of the point (x, y) in rad, in [-π, π].
     fn atan2(y: Self, x: Self) -> Self;
-    /// Exponential function eˣ.
-    #[must_use]
-    fn exp(self) -> Self;
     /// eˣ - 1, with a small relative error also where x is small.
     #[must_use]
     fn exp_minus_one(self) -> Self;

@@ -1,8 +1,8 @@
 //! Launches found from simulated measurements, and measurements from which the fit must not accept a launch.
 
 use toytop::fit::{
-    Accelerometer, AxisCamera, Fit, FitError, Fitted, FreeRatio, Gyroscope, Magnetometer, Measurement,
-    Mounting, Noise, OrientationCamera, Prediction, Reason, Sensor,
+    Accelerometer, AxisCamera, Fit, FitError, Fitted, FreeRatio, Gyroscope, Magnetometer, Mark, Measurement,
+    Mounting, Noise, OrientationCamera, Prediction, Reason, Sensor, TipCamera,
 };
 use toytop::{Motion, Orientation, Release, Sensitivity, State, Top, TopParameters};
 
@@ -68,7 +68,9 @@ fn readings(motion: &Motion, sensors: &[&dyn Sensor], count: u32, seed: u64) -> 
         let partials = cursor.at(time).unwrap();
         for (index, sensor) in sensors.iter().enumerate() {
             let Prediction { difference, deviation, .. } = sensor.predict(&partials, &[0.0; 4]);
-            let noise = deviation.map(|deviation| random.normal() * deviation);
+            // a component that does not exist has an infinite deviation
+            let noise = deviation
+                .map(|deviation| if deviation.is_finite() { random.normal() * deviation } else { 0.0 });
             let full_turn = partials.orientation_now();
             let camera = matches!(sensor.hint(&[1.0, 0.0, 0.0, 0.0]), toytop::fit::Hint::Orientation(_));
             let values = if camera {
@@ -183,6 +185,29 @@ fn a_camera_of_the_axis_leaves_the_roll_open() {
     let found = fitted(&top, &sensors, &readings(&motion, &sensors, 500, 5));
     check("axis", &found, &state);
     assert!(found.unobservable.roll && found.unobservable.count == 1, "{:?}", found.unobservable);
+}
+
+/// A camera below the plate sees the tip, which leaves the roll open, and a mark on the body tells it.
+#[test]
+fn a_camera_of_the_tip_and_a_mark_tell_the_launch() {
+    let camera = TipCamera { deviation: 3e-4, tip_scale: PARAMETERS.com_height };
+    let mark = Mark { deviation: 1e-4, place: [0.01, 0.002, 0.0] };
+    let (top, state) = (sliding(), release(0.35, 150.0));
+    let motion = Motion::launch(&top, &state).unwrap();
+    for (sensors, open) in [(&[&camera as &dyn Sensor] as &[&dyn Sensor], 1), (&[&camera, &mark], 0)] {
+        let found = fitted(&top, sensors, &readings(&motion, sensors, 500, 8));
+        check("tip", &found, &state);
+        assert_eq!(
+            (found.unobservable.roll, found.unobservable.count),
+            (open == 1, open),
+            "{:?}",
+            found.unobservable
+        );
+        if open == 0 {
+            let error = found.launch.orientation.distance(&state.orientation());
+            assert!(error < 5e-3 && error > 1e-5, "{error:e}");
+        }
+    }
 }
 
 #[test]

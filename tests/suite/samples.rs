@@ -1,7 +1,7 @@
 //! Quantities of a sample of an ephemeris in each scalar, against those in `f64`.
 
 use fixed::types::{I2F14, I2F30};
-use toytop::{Complex, Ephemeris, EphemerisF64, EphemerisScalar, Tick};
+use toytop::{Complex, Ephemeris, EphemerisF32, EphemerisF64, EphemerisScalar, Level, Stepper, Tick};
 use toytop_tests::{greater, tolerance, vectors, worst};
 
 /// Largest errors of the attitude state, of the tip in the type of lengths and rates, and of the tip in the scalar, at near and distant
@@ -47,5 +47,68 @@ fn samples_in_every_scalar() {
         {
             allowed.check(what, error);
         }
+    }
+}
+
+/// A quantity has one name and one value, whether it is asked of a sample, of its attitude state or of the stepper.
+#[test]
+fn samples_and_the_stepper_have_the_same_quantities() {
+    let motion = vectors::named("generic_AneC").motion().unwrap();
+    let ephemeris = EphemerisF64::new(&motion, Tick::hertz(1000).unwrap()).unwrap();
+    let mut stepper = Stepper::<f64>::new(&motion);
+    let (mut rounding, mut greatest) = (0.0_f64, 0.0_f64);
+    for n in 1..=200 {
+        stepper.step(0.001);
+        let sample = ephemeris.at_tick(n);
+        let attitude = sample.attitude_state();
+        let [ours, others, steps] = [
+            (
+                [sample.axis(), sample.omega(), sample.omega_body()],
+                sample.quaternion(),
+                [sample.u(), sample.udot()],
+            ),
+            (
+                [attitude.axis(), attitude.omega(), attitude.omega_body()],
+                attitude.quaternion(),
+                [attitude.u(), attitude.udot()],
+            ),
+            (
+                [stepper.axis(), stepper.omega(), stepper.omega_body()],
+                stepper.quaternion(),
+                [stepper.u(), stepper.udot()],
+            ),
+        ]
+        .map(|(vectors, quaternion, scalars)| {
+            vectors.into_iter().flatten().chain(quaternion).chain(scalars).collect::<Vec<f64>>()
+        });
+        let off = |others: &[f64]| worst(ours.iter().zip(others).map(|(x, y)| (x - y).abs()));
+        (rounding, greatest) = (greater(rounding, off(&others)), greater(greatest, off(&steps)));
+    }
+    tolerance::ATTITUDE_SAMPLE.check("attitude state and sample", rounding);
+    tolerance::STEPPER_SAMPLE.check("stepper and sample", greatest);
+}
+
+/// An iterator has the samples of its ticks, also through a view, which knows how many segments fit.
+#[test]
+fn an_iterator_has_the_samples_of_its_ticks() {
+    let motion = vectors::named("generic_AneC").motion().unwrap();
+    let ephemeris = EphemerisF32::new(&motion, Tick::hertz(1000).unwrap()).unwrap();
+    let view = ephemeris.view();
+    assert_eq!(view.capacity(), 25);
+    for (sample, n) in view.samples(-3).zip(-3..100) {
+        let copy = sample;
+        assert_eq!(
+            [copy.orientation(), sample.orientation()],
+            [ephemeris.at_tick(n).orientation(); 2],
+            "{n}"
+        );
+    }
+}
+
+/// The cosine of a level is that which it was made of, to one rounding.
+#[test]
+fn a_level_has_the_cosine_that_it_was_made_of() {
+    for u in [-1.0, -0.999_999, -0.3, 0.0, 1e-9, 0.8, 0.999_999_999, 1.0] {
+        assert!((Level::of_u(u).unwrap().u() - u).abs() <= 0.5 * f64::EPSILON, "{u}");
     }
 }

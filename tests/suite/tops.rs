@@ -154,6 +154,38 @@ fn closed_forms_agree() {
 /// Number of motions of the file with a closed form, which are those whose tip does not slide.
 const CLOSED_FORMS: u32 = 15;
 
+/// A free body turns about its angular momentum once in a nutation period, and a pendulum has the period of its motion.
+#[test]
+fn closed_forms_have_the_period_of_the_motion() {
+    let mut count = [0; 2];
+    for case in cases() {
+        let (Ok(form), Some(advance)) = (ClosedForm::of(&case.motion), case.motion.period_advance()) else {
+            continue;
+        };
+        let near = |x: f64, y: f64| assert!((x - y).abs() <= 4e-16 * y.abs(), "{x} {y}");
+        match form {
+            ClosedForm::FreeBody(form) => {
+                count[0] += 1;
+                near(form.precession() * advance.period, std::f64::consts::TAU);
+                let length: f64 = form.direction().iter().map(|component| component * component).sum();
+                near(length, 1.0);
+                let Some([start, next]) =
+                    form.nutation_phase(0.0).zip(form.nutation_phase(advance.period)).map(<[_; 2]>::from)
+                else {
+                    continue;
+                };
+                near((next - start).to_f64(), 1.0);
+            }
+            ClosedForm::Pendulum(form) => {
+                count[1] += 1;
+                near(form.period(), advance.period);
+            }
+            _ => {}
+        }
+    }
+    assert!(count.iter().all(|count| *count > 0), "{count:?}");
+}
+
 /// A rotor changes only n = C spin + K: a top without a rotor and with C' = n/spin has the same motion of the axis.
 #[test]
 fn a_rotor_is_worth_its_momentum() {

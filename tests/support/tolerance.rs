@@ -37,6 +37,11 @@ pub const SAMPLE_Q31: [Budget; 3] = [Budget::of(8e-7), Budget::of(3e-7), Budget:
 /// Errors of samples, as [`SAMPLE_F32`], in fixed point of 16 bits.
 pub const SAMPLE_Q15: [Budget; 3] = [Budget::of(3e-3), Budget::of(1e-3), Budget::of(1e-3)];
 
+/// Greatest difference between the quantities of a sample in f64 and those of its attitude state.
+pub const ATTITUDE_SAMPLE: Budget = Budget::of(2e-15);
+/// Greatest difference between the stepper in f64, at a millisecond a step, and the samples of an ephemeris over 200 steps.
+pub const STEPPER_SAMPLE: Budget = Budget::of(2e-14);
+
 /// Errors of u, of u' relative to the greatest rate, and of the tip relative to its length, in f64 over three
 /// periods; error of ω at the start.
 pub const ATTITUDE_F64: [Budget; 4] =

@@ -4,7 +4,7 @@ use crate::phase::Phase;
 use crate::scalar::{Extended, Extended64, Float, Real, Ring, Scalar, sine};
 
 macro_rules! float_scalar {
-    ($float:ty, $sqrt:path, $atan2:path, $exp:path, $exp_minus_one:path) => {
+    ($float:ty, $sqrt:path, $atan2:path, $exp_minus_one:path) => {
         impl Ring for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
@@ -36,10 +36,6 @@ macro_rules! float_scalar {
                 $atan2(y, x)
             }
             #[inline]
-            fn exp(self) -> Self {
-                $exp(self)
-            }
-            #[inline]
             fn exp_minus_one(self) -> Self {
                 $exp_minus_one(self)
             }
@@ -47,8 +43,8 @@ macro_rules! float_scalar {
     };
 }
 
-float_scalar!(f32, libm::sqrtf, libm::atan2f, libm::expf, libm::expm1f);
-float_scalar!(f64, libm::sqrt, libm::atan2, libm::exp, libm::expm1);
+float_scalar!(f32, libm::sqrtf, libm::atan2f, libm::expm1f);
+float_scalar!(f64, libm::sqrt, libm::atan2, libm::expm1);
 
 impl Scalar for f32 {
     type Rates = Extended64;

@@ -107,10 +107,6 @@ impl Real for Micromath {
         Self(F32Ext::atan2(y.0, x.0))
     }
     #[inline]
-    fn exp(self) -> Self {
-        Self(F32Ext::exp(self.0))
-    }
-    #[inline]
     fn exp_minus_one(self) -> Self {
         Self(F32Ext::exp(self.0) - 1.0)
     }
