@@ -43,7 +43,8 @@ impl MeanRates {
         rounding: 0.0,
     };
 
-    /// Mean rates of a motion with this law, which is not used for a steady motion; an aperiodic one is followed until 1 - u is below `rounding`².
+    /// Mean rates of a motion with this law, of which a steady motion makes no use; an aperiodic one is followed until 1 - u is below
+    /// `rounding`².
     #[inline(never)]
     pub(crate) fn of(motion: &Motion, law: &Law<Extended>, rounding: f64) -> Self {
         if motion.is_steady() {

@@ -29,7 +29,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks (and the tick rate is a
     /// multiple of 1/2). Beyond the 2^63 ticks of [`EphemerisView::at_tick`] the motion continues without a
     /// jump. The error bound keeps growing with the ticks, and exceeds a turn before the 96 bits of an increment are
-    /// insufficient. Of an aperiodic motion that rises within less than one tick, the times within
+    /// insufficient. Where an aperiodic motion rises within less than one tick, times within
     /// that tick are not resolved.
     #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
     #[must_use]

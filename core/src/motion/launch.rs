@@ -14,11 +14,11 @@ use crate::state::State;
 use crate::su2::OrientationRate;
 use crate::top::Top;
 
-/// Launch of a motion from a state, in slices of bounded work (the launch that a fit finds is `fit::Launch`): see [`SetUp`](crate::SetUp), which does the same for the
-/// ephemeris. [`Motion::launch`] runs all slices in a loop. Most of the work is the quadrature of the period, whose number of nodes
-/// depends on the motion: 9 for a fast top, 33 for a slow one, some 190 where e₃ - e₂ is about 1e-18. For `f32` and fixed point
-/// ([`for_scalar`](Launch::for_scalar)) it is two thirds of this. The number grows with the logarithm of the least difference between e₂
-/// and a branch point beyond it.
+/// Launch of a motion from a state, in slices of bounded work: see [`SetUp`](crate::SetUp), which does the same for the
+/// ephemeris. (What a fit finds is a [`fit::Launch`](crate::fit::Launch).) [`Motion::launch`] runs all slices in a loop. Most of the work is
+/// the quadrature of the period, whose number of nodes depends on the motion: 9 for a fast top, 33 for a slow one, some 190 where e₃ - e₂
+/// is about 1e-18. For `f32` and fixed point ([`for_scalar`](Launch::for_scalar)) it is two thirds of this. The number grows with the
+/// logarithm of the least difference between e₂ and a branch point beyond it.
 ///
 /// ```
 /// use toytop::{Launch, Motion, Release, State, Top, TopParameters};
