@@ -65,9 +65,6 @@ pub struct TipCamera {
 
 /// Mark on the body that passes a fixed azimuth, as a photo diode sees it once a turn. The time of the measurement is
 /// that of the passage; it reads the azimuth, rad.
-///
-/// Beside a camera of the tip, marks that are far more precise than the camera may end a fit with a refusal
-/// ([`Reason::Misfit`](crate::fit::Reason::Misfit)), because of a limit of the search whose cause is not known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mark {
     /// Standard deviation of the time.

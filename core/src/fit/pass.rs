@@ -16,6 +16,8 @@ use crate::su2::Vector;
 pub(super) const SETTLED: f64 = 0.05;
 /// Largest number of passes over one window of measurements.
 const MOST_PASSES: u32 = 30;
+/// Marquardt's damping at the beginning.
+const FIRST_DAMPING: f64 = 1e-3;
 
 /// One pass over the measurements.
 #[derive(Clone, Copy, Debug)]
@@ -64,14 +66,18 @@ impl<F: Real> Fit<'_, F> {
     pub(super) fn start_from(&mut self, launch: &Launch) {
         self.best.launch = *launch;
         self.best.launch.orientation = launch.orientation.normalised();
-        self.damping = 1e-3;
+        self.damping = FIRST_DAMPING;
         self.curvature = f64::INFINITY;
         self.restart();
     }
 
-    /// Begins anew from the best launch, on another set of measurements.
+    /// Begins anew from the best launch, on another set of measurements. A large damping of the last ones would make the first correction
+    /// so small that the fit would end with it.
     fn restart(&mut self) {
         self.best.cost = f64::INFINITY;
+        if self.damping > FIRST_DAMPING {
+            self.damping = FIRST_DAMPING;
+        }
         self.last_change = None;
         self.current.launch = self.best.launch;
         self.begin_pass();

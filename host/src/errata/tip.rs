@@ -15,7 +15,7 @@ pub(super) const ERRATA: [Erratum; 2] = [
     },
     Erratum {
         place: "section 4.2, proof, second chain, X = (1 + e₁)(1 - e₂)/((1 - e₁)(1 + e₂))",
-        against: "the sign of φ' at u = e₁ and u = e₂: share of 1000 random motions told wrongly",
+        against: "the sign of φ' at u = e₁ and u = e₂: share of 1000 random motions classified wrongly",
         printed: "loops: -(1 - e₃)/(1 + e₃) < X < -(1 + e₃)/(1 - e₃)",
         corrected: "loops: X < (e₃ - 1)/(e₃ + 1)",
         residuals: loops,

@@ -80,11 +80,17 @@ fn a_killed_sweep_goes_on_where_it_was() {
     assert_eq!(whole.lines().count(), 6001);
     let path = no_file("killed");
     let mut kills = 0;
-    for least in [1000, 3000] {
-        let seen = killed(&path, &path, least);
+    // on a busy machine a sweep may end before it is killed
+    for _ in 0..20 {
+        let Some(least) = [1000, 3000].get(kills) else { break };
+        let seen = killed(&path, &path, *least);
         let left = std::fs::read_to_string(&path).expect("the file");
         assert!(left.matches('\n').count() >= seen && whole.starts_with(&left), "what is there is good");
-        kills += usize::from(left.len() < whole.len());
+        if left.len() < whole.len() {
+            kills += 1;
+        } else {
+            std::fs::remove_file(&path).expect("removed");
+        }
     }
     assert_eq!(kills, 2, "killed before the end");
     // as if the last write had been cut off, or the machine, which leaves zeros
