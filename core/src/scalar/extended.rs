@@ -179,7 +179,7 @@ impl Ring for Extended {
     const ZERO: Self = Self::of(0, OF_ZERO);
     const ONE: Self = Self::of(1 << (BITS - 1), 1 - BITS);
 
-    #[inline(never)]
+    #[inline(never)] // copies of the short operations would take more flash, too
     fn doubled(self) -> Self {
         Self { exponent: self.exponent + i32::from(self.significand() != 0), ..self }
     }

@@ -183,7 +183,7 @@ impl Ring for Extended64 {
     const ZERO: Self = Self { significand: 0, exponent: OF_ZERO, negative: false };
     const ONE: Self = Self { significand: LEADING, exponent: -63, negative: false };
 
-    #[inline(never)]
+    #[inline(never)] // copies of the short operations would take more flash, too
     fn doubled(self) -> Self {
         Self { exponent: self.exponent + i32::from(self.significand != 0), ..self }
     }

@@ -10,7 +10,7 @@ pub(crate) const fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits((field as u64) << 52)
 }
 
-/// Least e with |x| <= 2^e; very small for 0.
+/// Least e with |x| < 2^e; very small for 0.
 pub(crate) fn exponent(x: f64) -> i32 {
     ((x.to_bits() >> 52) & 0x7ff) as i32 - 1022
 }

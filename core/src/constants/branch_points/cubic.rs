@@ -34,7 +34,7 @@ impl<F: Float> Cubic<F> {
     fn above(&self) -> F {
         let Self { g0, g1, g2 } = *self;
         let larger = |x: F, y: F| if x > y { x } else { y };
-        // a power of two, because the cube root of libm would take a fortieth of the flash of a launch
+        // a power of two, because the cube root of libm would take much of a chip's flash
         let cube_root = F::from_f64(power_of_two((exponent(g0.to_f64()) + 2).div_euclid(3)));
         let above = larger(g2.abs(), larger(g1.abs().sqrt(), cube_root)).doubled();
         if g2 <= F::ZERO {
