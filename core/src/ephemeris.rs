@@ -15,7 +15,7 @@ mod mean_rates;
 
 mod polynomial;
 
-mod economise;
+mod chebyshev;
 
 mod seek;
 

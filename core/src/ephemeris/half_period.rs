@@ -107,11 +107,6 @@ impl HalfPeriod {
         &self.expansion
     }
 
-    /// Magnitude below which a term of the series of α or β is negligible, in their units.
-    pub(crate) fn least(&self) -> i64 {
-        self.least_units
-    }
-
     /// Unit of x in the expansion, in units of half a period.
     pub(crate) fn part(&self) -> f64 {
         self.part
@@ -172,13 +167,13 @@ impl HalfPeriod {
         Float::abs(rates.nutation) + slow
     }
 
-    /// Series of α (`which` = 0) or of β (1): see [`Expansion::turned`].
+    /// Series of α (`which` = 0) or of β (1), and the number of its terms: see [`Expansion::turned`].
     pub(crate) fn turned(
         &mut self,
         which: usize,
         exponentials: [f64; 2],
         parts: [&mut [i64; TERMS]; 2],
-    ) -> Option<()> {
+    ) -> Option<usize> {
         self.expansion.turned(which, exponentials, self.least_units, parts)
     }
 

@@ -1,12 +1,12 @@
 //! Errors of one segment, from its two polynomials.
 
-use crate::ephemeris::economise::economise;
-use crate::ephemeris::polynomial::Polynomial;
-use crate::ephemeris::speeds::{SegmentSpeeds, greatest_slopes};
-use crate::law::series::{UNIT, larger_or_nan};
+use crate::ephemeris::chebyshev::Chebyshev;
+use crate::ephemeris::polynomial::Store;
+use crate::ephemeris::speeds::SegmentSpeeds;
+use crate::law::series::{TERMS, UNIT, larger_or_nan};
 use crate::scalar::Float;
 
-/// Errors and slopes of a segment, from its polynomials of α and β so far, in units of 2^-62. They are in `f32`, because soft
+/// Errors and slopes of a segment, from the series of α and β so far, in units of 2^-62. They are in `f32`, because soft
 /// arithmetic in `f64` took a third of the time of a polynomial.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct SegmentErrors {
@@ -22,26 +22,28 @@ impl SegmentErrors {
     /// Errors before the first polynomial.
     pub(crate) const NONE: Self = Self { squares: 0.0, stored: 0.0, slopes: [0.0; 3] };
 
-    /// Reduces a polynomial to `terms` coefficients, passes it to `store`, and includes its errors:
-    /// those of the reduction, those that `store` returns, of the value and of the derivative, and those of the series itself,
-    /// `beyond`.
+    /// Reduces a series to `terms` coefficients, passes their polynomial to `store` as that of a segment and of α (0) or β (1), and includes
+    /// its errors: those of the reduction, those that `store` returns, of the value and of the derivative, and those of the series
+    /// itself, `beyond`.
+    #[inline(never)] // the stack frames of set-up must not add up
     pub(crate) fn shorten(
         &mut self,
-        polynomial: &mut Polynomial,
+        series: &Chebyshev,
         [beyond, slope_beyond]: [f32; 2],
         terms: usize,
-        store: impl FnOnce(&Polynomial) -> [f32; 2],
+        (segment, which): (usize, usize),
+        store: &mut Store<'_>,
     ) {
-        let [dropped, dropped_slope] = economise(polynomial, terms);
-        let dropped = dropped + beyond;
-        let [[re_slope, re_curvature], [im_slope, im_curvature]] =
-            polynomial.parts.each_ref().map(|part| greatest_slopes(part, terms));
-        let [stored, rounded_slope] = store(polynomial);
-        let slope_error = dropped_slope + slope_beyond + rounded_slope;
-        self.squares += dropped * dropped;
+        let bounds = series.bounds(terms);
+        let mut polynomial = [[0; TERMS]; 2];
+        series.powers(terms, &mut polynomial);
+        let [stored, rounded_slope] = store(segment, which, &polynomial);
+        let change = bounds.change + beyond;
+        let slope_error = bounds.slope_change + slope_beyond + rounded_slope;
+        self.squares += change * change;
         self.stored = larger_or_nan(self.stored, stored);
-        let each = [[re_slope, im_slope], [slope_error, 0.0], [re_curvature, im_curvature]];
-        self.slopes.iter_mut().zip(each).for_each(|(sum, [x, y])| *sum += x * x + y * y);
+        let each = [bounds.slope_squares, slope_error * slope_error, bounds.curvature_squares];
+        self.slopes.iter_mut().zip(each).for_each(|(sum, squares)| *sum += squares);
     }
 
     /// Truncation and rounding error of the segment, as an orientation error, in units of 2^-62 rad.

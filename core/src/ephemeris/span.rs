@@ -4,8 +4,7 @@
 //! contain several segments. Their series follow from that of the span without another expansion.
 
 use crate::ephemeris::cell::{Cell, PAIR_BITS};
-use crate::ephemeris::polynomial::Polynomial;
-use crate::law::series::TERMS;
+use crate::ephemeris::chebyshev::{Chebyshev, Wanted};
 use crate::phase::Phase;
 
 /// One of the 2^depth parts of equal length into which half a period is divided.
@@ -83,40 +82,42 @@ impl Span {
     }
 }
 
-/// Series on a part of a span. It is kept for the two segments of the part, because restricting series takes a fifth of the set-up of a
-/// table with many segments.
+/// Series on the upper half of a part of a span. It is computed together with that on the lower half, and kept for the next segment.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct PartOfSpan {
+pub(crate) struct UpperHalf {
     /// Number of the part, and base-2 logarithm of the number of parts; `None` where no series is kept.
     part: Option<[usize; 2]>,
-    series: Polynomial,
+    series: Chebyshev,
 }
 
-impl PartOfSpan {
+impl UpperHalf {
     /// No series.
-    pub(crate) const NONE: Self = Self { part: None, series: Polynomial::of([[0; TERMS]; 2]) };
+    pub(crate) const NONE: Self = Self { part: None, series: Chebyshev::ZERO };
 
-    /// Replaces `polynomial` by the series on one of 2^halvings parts of the span, from that on the span. Last terms of at most `least` are removed.
-    pub(crate) fn restrict(
-        &mut self,
-        span: &[[i64; TERMS]; 2],
+    /// Series on one of 2^halvings parts of the span, from that on the span. Last terms that add up to at most `least` are left out.
+    ///
+    /// * `lower`: memory for the series on a lower half
+    pub(crate) fn restrict<'a>(
+        &'a mut self,
+        span: &'a mut Chebyshev,
         [part, halvings]: [usize; 2],
         least: i64,
-        polynomial: &mut Polynomial,
-    ) {
-        // the part that contains this one and its neighbour
-        let both = halvings.checked_sub(1).map(|fewer| [part / 2, fewer]);
-        if self.part.is_none() || self.part != both {
-            (self.series.parts, self.series.terms, self.series.removed) = (*span, TERMS, 0);
+        lower: &'a mut Chebyshev,
+    ) -> &'a Chebyshev {
+        let Some(last) = halvings.checked_sub(1) else { return span };
+        let (both, is_upper) = (Some([part / 2, last]), part & 1 == 1);
+        // the memory of a lower half may have been used for another series
+        if self.part != both || !is_upper {
             self.part = both;
+            span.leave_out(least);
+            lower.copy(span);
             for halving in (1..halvings).rev() {
-                self.series.halve(part >> halving & 1 == 0, least);
+                lower.halve(if part >> halving & 1 == 1 { Wanted::Upper } else { Wanted::Lower });
+                lower.leave_out(least);
             }
+            lower.halve(Wanted::Both(&mut self.series));
         }
-        *polynomial = self.series;
-        if halvings > 0 {
-            polynomial.halve(part & 1 == 0, least);
-        }
+        if is_upper { &self.series } else { lower }
     }
 }
 

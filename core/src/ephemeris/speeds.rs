@@ -1,6 +1,6 @@
 //! Greatest speeds of the tabulated motion, which multiply a delay or an error of the nutation phase.
 
-use crate::law::series::{TERMS, larger_or_nan};
+use crate::law::series::larger_or_nan;
 use crate::scalar::Float;
 
 /// Upper bounds over all segments on the speeds of α and β without their mean rotation. They are sums of the
@@ -87,15 +87,4 @@ impl Speeds {
     pub(crate) fn truncation_error(&self, remainder: f64, fastest: f64) -> f64 {
         self.delay(remainder / fastest) + 2.0 * remainder
     }
-}
-
-/// Upper bounds on [-1, 1] of the first two derivatives of a polynomial of `terms` coefficients, lowest power first, all in units
-/// of 2^-62.
-pub(crate) fn greatest_slopes(part: &[i64; TERMS], terms: usize) -> [f32; 2] {
-    // products of at most 210 and a coefficient below 2^62 need ten bits more than 64
-    let sums = part.iter().zip(0_u32..).take(terms).fold([0; 2], |[slope, curvature], (c, power)| {
-        let size = (c.unsigned_abs() >> 12) + 1;
-        [slope + u64::from(power) * size, curvature + u64::from(power * power.saturating_sub(1)) * size]
-    });
-    sums.map(|sum| sum as f32 * 4096.0)
 }

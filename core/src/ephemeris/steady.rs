@@ -1,8 +1,7 @@
 //! Table of a steady motion, in which u is constant.
 
 use crate::cayley_klein::Brackets;
-use crate::ephemeris::polynomial::Polynomial;
-use crate::ephemeris::tabulate::Store;
+use crate::ephemeris::polynomial::Store;
 use crate::ephemeris::tabulated::Tabulated;
 use crate::law::series::{TERMS, UNIT};
 use crate::motion::Motion;
@@ -16,7 +15,7 @@ pub(crate) fn constant(motion: &Motion, store: &mut Store<'_>) -> Tabulated {
         let [plus, minus] = bracket.exponentials();
         let mut re = [0; TERMS];
         re[0] = libm::round((plus + minus) / UNIT) as i64;
-        store(0, which, &Polynomial::of([re, [0; TERMS]]));
+        store(0, which, &[re, [0; TERMS]]);
     }
     let [alpha, beta] = motion.phases();
     Tabulated { start: [Phase::ZERO, alpha, beta], ..Tabulated::EMPTY }

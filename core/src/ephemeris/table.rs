@@ -59,16 +59,16 @@ pub(crate) fn put<R: EphemerisScalar>(
 ) -> [f32; 2] {
     let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
     let (mut largest, mut slope_squares) = (0.0, 0.0);
-    for (column, part) in (2 * which..).zip(&polynomial.parts) {
+    for (column, part) in (2 * which..).zip(polynomial) {
         let part = part.get(..R::TERMS).unwrap_or(part);
         // the sum over all powers of the power times the error: each power adds the errors from it on
-        let (mut errors, mut slope_error) = (0_i64, 0_i64);
+        let (mut errors, mut slope_error) = (0_u64, 0_u64);
         for (power, (four, &value)) in place.iter_mut().zip(part).enumerate().rev() {
             if let Some(held) = four.get_mut(column) {
                 let (coefficient, error) = R::coefficient(value, power);
                 *held = coefficient;
                 if power > 0 {
-                    errors = errors.saturating_add(error.saturating_abs());
+                    errors = errors.saturating_add(error.unsigned_abs());
                     slope_error = slope_error.saturating_add(errors);
                 }
             }

@@ -17,16 +17,16 @@ mod cells;
 
 use crate::cayley_klein::Brackets;
 use crate::ephemeris::cell::CELLS;
-use crate::ephemeris::economise::omitted_terms;
+use crate::ephemeris::chebyshev::Chebyshev;
 use crate::ephemeris::half_period::{HalfPeriod, Position};
 use crate::ephemeris::larger_error::LargerError;
 use crate::ephemeris::longer_segments::LongerSegments;
 use crate::ephemeris::mean_rates::MeanRates;
-use crate::ephemeris::polynomial::Polynomial;
+use crate::ephemeris::polynomial::{Store, omitted_terms};
 use crate::ephemeris::seek::StartSearch;
 use crate::ephemeris::segment_errors::SegmentErrors;
 use crate::ephemeris::segment_estimate::{Estimation, SegmentEstimate};
-use crate::ephemeris::span::{HALF_PERIOD, PartOfSpan, Span};
+use crate::ephemeris::span::{HALF_PERIOD, Span, UpperHalf};
 use crate::ephemeris::speeds::Speeds;
 use crate::ephemeris::tabulated::{Requirements, Tabulated};
 use crate::law::Law;
@@ -34,9 +34,6 @@ use crate::law::series::{TERMS, larger_or_nan};
 use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, RateNumber, Ring, times_power_of_two};
-
-/// Receiver of polynomials: see [`Tabulation::advance`]. A reference, so that set-up is compiled once for all scalars.
-pub(crate) type Store<'a> = dyn FnMut(usize, usize, &Polynomial) -> [f32; 2] + 'a;
 
 /// Fraction of the allowed error that the omitted terms of a span's series may cause. It is small, because these terms are
 /// estimated.
@@ -109,10 +106,12 @@ pub(crate) struct Tabulation {
     /// Greatest truncation error of the cell's segments, in units of 2^-62 rad.
     error: f32,
     segment: SegmentErrors,
-    /// Real and imaginary part of the series of α and of β on the span, in units of 2^-62, and their omitted terms.
-    series: [[[i64; TERMS]; 2]; 2],
+    /// Series of α and of β on the span, and the omitted terms of each, in units of 2^-62.
+    series: [Chebyshev; 2],
     omitted: [f32; 2],
-    parts: [PartOfSpan; 2],
+    /// Series on a part of the span: on its lower half, of α or of β, and on its upper half, of both.
+    lower_half: Chebyshev,
+    upper_halves: [UpperHalf; 2],
 }
 
 impl Tabulation {
@@ -138,9 +137,10 @@ impl Tabulation {
         found_before: false,
         error: 0.0,
         segment: SegmentErrors::NONE,
-        series: [[[0; TERMS]; 2]; 2],
+        series: [Chebyshev::ZERO; 2],
         omitted: [0.0; 2],
-        parts: [PartOfSpan::NONE; 2],
+        lower_half: Chebyshev::ZERO,
+        upper_halves: [UpperHalf::NONE; 2],
     };
 
     /// Computes the law of a motion that is not steady, before its mean rates and [`Tabulation::begin`].
@@ -191,9 +191,7 @@ impl Tabulation {
         self.piece = Piece::Rates(false);
     }
 
-    /// Does the next piece of work. It passes the polynomials of each segment to `store`: the index of the segment, 0
-    /// for α or 1 for β, and the coefficients, of which the first `terms` are used. `store` returns the orientation
-    /// error and the error of the derivative from rounding them, in units of 2^-62 rad. A segment may be passed more than once, and the last
+    /// Does the next piece of work. It passes the polynomials of each segment to `store`. A segment may be passed more than once, and the last
     /// time is valid. Returns whether the tabulation is complete.
     ///
     /// # Errors
@@ -262,15 +260,16 @@ impl Tabulation {
 
     /// Series of α or of β on the span from those of the phases; `None` where it is not accurate.
     fn turn(&mut self, which: usize) -> Option<Piece> {
-        let ([re, im], omitted) = (self.series.get_mut(which)?, self.omitted.get_mut(which)?);
-        self.path.turned(which, *self.exponentials.get(which)?, [&mut *re, &mut *im])?;
-        *self.parts.get_mut(which)? = PartOfSpan::NONE;
+        let mut polynomial = [[0; TERMS]; 2];
+        let [re, im] = polynomial.each_mut();
+        let terms = self.path.turned(which, *self.exponentials.get(which)?, [&mut *re, &mut *im])?;
         // both parts; as an orientation error twice as much
-        *omitted = 2.0 * larger_or_nan(omitted_terms(re), omitted_terms(im));
-        (2.0 * *omitted <= OMITTED_SHARE * self.requirements.of_polynomials()).then_some(match which {
-            0 => Piece::Series(1),
-            _ => Piece::Start,
-        })
+        let omitted = 2.0 * larger_or_nan(omitted_terms(re), omitted_terms(im));
+        *self.omitted.get_mut(which)? = omitted;
+        (2.0 * omitted <= OMITTED_SHARE * self.requirements.of_polynomials()).then_some(())?;
+        self.series.get_mut(which)?.set(&polynomial, terms);
+        *self.upper_halves.get_mut(which)? = UpperHalf::NONE;
+        Some(if which == 0 { Piece::Series(1) } else { Piece::Start })
     }
 
     /// Notes the start of the motion, if it is on this span.

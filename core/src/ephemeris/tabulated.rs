@@ -14,6 +14,8 @@ pub(crate) struct Requirements {
     pub(crate) allowed: f64,
     /// Part of `allowed` that the polynomials may have, in units of 2^-62 rad; the rest is for the steps from span to span.
     polynomials: f32,
+    /// Sum of terms that may be left out of a series, in units of 2^-61: see [`Requirements::negligible`].
+    negligible: i64,
     /// Largest number of segments.
     pub(crate) most: usize,
 }
@@ -21,16 +23,21 @@ pub(crate) struct Requirements {
 /// Fraction of the allowed error that the steps from span to span may use.
 const STEPPING_SHARE: f64 = 0.125;
 
+/// Change of α or of β by the terms that are left out at the halvings of a span, over the allowed error, at most. Fewer terms make set-up
+/// faster.
+const LEFT_OUT_SHARE: f32 = 1.0 / 256.0;
+
 /// Fraction of the allowed error that a segment of two cells may have. Its derivative, from which the angular velocity is
 /// computed, is then no less accurate than on the shorter segments of other motions.
 const PAIR_SHARE: f32 = 0.125;
 
 impl Requirements {
     /// Requirements that no table meets.
-    pub(crate) const NONE: Self = Self { terms: 0, allowed: 0.0, polynomials: 0.0, most: 0 };
+    pub(crate) const NONE: Self = Self { terms: 0, allowed: 0.0, polynomials: 0.0, negligible: 0, most: 0 };
 
     pub(crate) fn new(terms: usize, allowed: f64, most: usize) -> Self {
-        Self { terms, allowed, polynomials: in_units((1.0 - STEPPING_SHARE) * allowed), most }
+        let polynomials = in_units((1.0 - STEPPING_SHARE) * allowed);
+        Self { terms, allowed, polynomials, negligible: (0.5 * LEFT_OUT_SHARE * polynomials) as i64, most }
     }
 
     /// Requirements with another allowed error.
@@ -46,6 +53,11 @@ impl Requirements {
     /// Truncation error that the polynomials may have, in units of 2^-62 rad.
     pub(crate) fn of_polynomials(&self) -> f32 {
         self.polynomials
+    }
+
+    /// Sum of terms that may be left out of a series before it is restricted to parts of its interval, in units of 2^-61.
+    pub(crate) fn negligible(&self) -> i64 {
+        self.negligible
     }
 
     /// Truncation error that a segment may have, if its pair of cells is halved `level` times, in units of 2^-62 rad.

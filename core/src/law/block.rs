@@ -43,13 +43,6 @@ impl Split {
     pub(crate) const fn value(self) -> i64 {
         ((self.high as i64) << LOW_BITS) + self.low as i64
     }
-
-    /// Product with a number of up to 31 bits divided by 2^SHIFT, for a SHIFT of up to 29, rounded to the nearest.
-    #[inline(always)]
-    pub(crate) fn times<const SHIFT: u32>(self, factor: i32) -> i64 {
-        let lower = signed_product(self.low, factor) + (1 << (SHIFT - 1));
-        (signed_product(self.high, factor) << (LOW_BITS - SHIFT)) + (lower >> SHIFT)
-    }
 }
 
 /// Sum of the products of pairs, at most 16 of them, divided by 2^shift and rounded to the nearest. The sum is exact; a

@@ -14,7 +14,7 @@ use crate::law::turning::{FRACTION, sine_cosine};
 use crate::phase::Phase;
 use crate::scalar::{Float, Scalar, power_of_two, times_power_of_two};
 
-pub(crate) use crate::law::block::{Split, TERMS, over_power, scaled_product, times_power};
+pub(crate) use crate::law::block::{Split, TERMS, over_power, scaled_product};
 
 /// Unit of the coefficients of α and β, 2^-62.
 pub(crate) const UNIT: f64 = power_of_two(-UNIT_BITS);
@@ -165,8 +165,8 @@ impl Expansion {
     }
 
     /// Bracket p e^{iχ} + q e^{-iχ} times e^{iθ}, of α (`which` = 0) or of β (1), as the series of its real and
-    /// imaginary part in units of 2^-62; the series end where their terms fall below `least` of these units. The result is `None`
-    /// where they do not converge.
+    /// imaginary part in units of 2^-62; the series end where their terms fall below `least` of these units. Returns the number of their
+    /// terms, or `None` where they do not converge.
     #[inline(never)] // set-up's frames should not add up on a small stack
     pub(crate) fn turned(
         &mut self,
@@ -174,7 +174,7 @@ impl Expansion {
         [p, q]: [f64; 2],
         least: i64,
         [sum_re, sum_im]: [&mut [i64; TERMS]; 2],
-    ) -> Option<()> {
+    ) -> Option<usize> {
         let Self { chi: fast, theta, origin, scratch: [rate, re, im, slow_part, fast_part], terms, .. } =
             self;
         let slow = theta.get(which)?;
@@ -215,7 +215,7 @@ impl Expansion {
         for (k, (sum_re, sum_im)) in sum_re.iter_mut().zip(sum_im.iter_mut()).enumerate().take(most) {
             (*sum_re, *sum_im) = (of_x(*sum_re, k), of_x(*sum_im, k));
         }
-        Some(())
+        Some(most)
     }
 
     /// Estimate of the truncation error of the phases at a whole x > 0, rad. It is made from the larger of the last

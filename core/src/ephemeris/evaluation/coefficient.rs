@@ -2,7 +2,7 @@
 //!
 //! A coefficient of x^k is stored as c·2^(31+k): see [`super::integer`].
 
-use crate::law::series::{over_power, times_power};
+use crate::law::series::over_power;
 
 /// Largest error of a polynomial from short products that set-up does not count as an error of the table, in units of 2^-62:
 /// 2^-31.
@@ -14,7 +14,7 @@ const OVERFLOW: i64 = overflow_limit(3.2e-5);
 /// Fraction bits of the values that coefficients are made from.
 pub(crate) const TABLE_BITS: u32 = 62;
 
-/// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units. The coefficient includes
+/// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units, which has no meaning if the coefficient is out of range. The coefficient includes
 /// half a unit, because the product that is added to it is rounded down. The constant coefficient has no such half
 /// unit: the last sum is then half a unit low, and [`super::integer::alpha_beta`] can negate it by a bitwise
 /// complement, without a carry.
@@ -26,7 +26,8 @@ pub(crate) fn nearest(value: i64, power: usize) -> (i32, i64) {
         over_power(value, dropped as i32) + 1
     };
     let held = rounded.clamp(i32::MIN.into(), i32::MAX.into());
-    (held as i32, times_power(held, dropped as i32).saturating_sub(value))
+    // both are equal modulo 2^32 up to the error, which is smaller
+    (held as i32, ((held as i32) << dropped).wrapping_sub(value as i32).into())
 }
 
 /// Value of a coefficient that [`nearest`] returned, with one rounding: the division by a power of two is exact.

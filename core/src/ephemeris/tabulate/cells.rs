@@ -2,10 +2,10 @@
 
 use crate::ephemeris::cell::{Cell, cells_covered, segments_per_cell};
 use crate::ephemeris::larger_error::LargerError;
-use crate::ephemeris::polynomial::Polynomial;
+use crate::ephemeris::polynomial::Store;
 use crate::ephemeris::segment_errors::SegmentErrors;
 use crate::ephemeris::segment_estimate::SegmentEstimate;
-use crate::ephemeris::tabulate::{Piece, Store, Tabulation};
+use crate::ephemeris::tabulate::{Piece, Tabulation};
 use crate::law::series::{TERMS, UNIT, larger_or_nan};
 
 /// Upper bound on the error of a segment from the rounding of the coefficients of its series, in units of 2^-62 rad.
@@ -74,21 +74,19 @@ impl Tabulation {
     pub(super) fn shorten(&mut self, which: usize, store: &mut Store<'_>) -> Result<Piece, ()> {
         let halvings = self.span.halvings(self.level);
         let number = self.segment_number();
-        let (Some(span), Some(part)) = (self.series.get(which), self.parts.get_mut(which)) else {
+        let (Some(span), Some(upper)) = (self.series.get_mut(which), self.upper_halves.get_mut(which)) else {
             return Err(());
         };
-        let mut polynomial = Polynomial::of([[0; TERMS]; 2]);
-        part.restrict(span, [number, halvings as usize], self.path.least(), &mut polynomial);
+        let part = [number, halvings as usize];
+        let series = upper.restrict(span, part, self.requirements.negligible(), &mut self.lower_half);
         if which == 0 {
             self.segment = SegmentErrors::NONE;
         }
-        let (removed, omitted) =
-            (polynomial.removed as f32, self.omitted.get(which).copied().unwrap_or_default());
+        let omitted = self.omitted.get(which).copied().unwrap_or_default();
         // the derivative by the coordinate of the segment
-        let slope = TERMS as f32 * (omitted / (1_u32 << halvings) as f32 + removed);
-        let index = self.tabulated.segments + self.place;
-        let store = |parts: &Polynomial| store(index, which, parts);
-        self.segment.shorten(&mut polynomial, [omitted + removed, slope], self.requirements.terms, store);
+        let omitted = [omitted, TERMS as f32 * omitted / (1_u32 << halvings) as f32];
+        let place = (self.tabulated.segments + self.place, which);
+        self.segment.shorten(series, omitted, self.requirements.terms, place, store);
         if which == 0 { Ok(Piece::Polynomial(1)) } else { self.judge() }
     }
 
@@ -136,8 +134,10 @@ impl Tabulation {
     /// Leaves a complete cell. The segments of the next have the same or twice the length.
     fn leave(&mut self) {
         let level = self.level;
-        // roundings of the coefficients are no errors of the length
-        let longer_error = (self.error - ROUNDED) * (1_u32 << self.requirements.terms) as f32;
+        // neither roundings of the coefficients nor the terms left out are errors of the length; as an orientation error, those of α and β
+        // are up to 2 √2 times as large, in half of the unit
+        let other_errors = ROUNDED + 5.7 * self.requirements.negligible() as f32;
+        let longer_error = (self.error - other_errors) * (1_u32 << self.requirements.terms) as f32;
         self.tabulated.truncation = larger_or_nan(self.tabulated.truncation, UNIT * f64::from(self.error));
         self.tabulated.segments += segments_per_cell(level);
         self.speeds_before = self.speeds;
