@@ -19,6 +19,10 @@ pub(crate) struct Position {
     pub(crate) squares: [f32; 2],
 }
 
+/// Negligible term of the phases at x = 2 over that of α and β at x = 1. A term after the sixth is sixty times as large at x = 2, and what the
+/// series of the phases omit counts as a truncation error of the steps.
+const PHASE_TERM: f64 = 32.0;
+
 /// Steps through the half period, with the expansion around the last position.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct HalfPeriod {
@@ -33,9 +37,9 @@ pub(crate) struct HalfPeriod {
     /// Derivatives of the phases at the position reached, for an expansion whose unit of x is a time. They are computed in the numbers of
     /// the mean rates, and called by a pointer, so that the rest is compiled once for all scalars.
     slopes_of: fn(&Self, Extended) -> Slopes,
-    /// Magnitude below which a term of the series is negligible.
+    /// Magnitude below which a term of the series of the phases is negligible at x = 2.
     least: f64,
-    /// This magnitude in the units of the series of α and β.
+    /// Magnitude below which a term of the series of α and β is negligible at x = 1, in their units.
     least_units: i64,
     /// Expansion around the border or the centre of a span.
     expansion: Expansion,
@@ -84,13 +88,13 @@ impl HalfPeriod {
         self.law = motion.law::<N>().map(N::into);
     }
 
-    /// Begins at u = e₁.
+    /// Begins at u = e₁. Terms of α and β below `least` are negligible.
     #[inline(never)] // the stack frames of set-up must not add up
     pub(crate) fn begin(&mut self, rates: &MeanRates, least: f64) {
         self.rounded_law = self.law.cast();
         self.length = rates.half_period.to_f64();
         (self.is_periodic, self.theta_offset) = (rates.is_periodic, rates.theta_offset);
-        (self.least, self.least_units) = (least, (least / UNIT) as i64);
+        (self.least, self.least_units) = (PHASE_TERM * least, (least / UNIT) as i64);
         self.fastest = larger_or_nan(self.speed(0.0, 1.0), self.speed(1.0, 0.0));
     }
 

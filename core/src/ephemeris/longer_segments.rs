@@ -4,7 +4,7 @@
 /// memory in the table.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LongerSegments {
-    /// Least expected error with which a trial has failed, over the allowed error, at least 1.
+    /// Expected error over the allowed error with which a trial would just succeed, from the last failed trial; at least 1.
     limit: f32,
     /// Expected error of the last trial, over the allowed error.
     trial: Option<f32>,
@@ -20,10 +20,10 @@ impl LongerSegments {
         self.trial.is_some()
     }
 
-    /// Notes that the segments of a cell are not accurate enough.
-    pub(crate) fn failed(&mut self) {
+    /// Notes that the segments of a cell are not accurate enough: their error over the allowed error.
+    pub(crate) fn failed(&mut self, error: f32) {
         if let Some(expected) = self.trial.take() {
-            self.limit = expected.max(1.0);
+            self.limit = (expected / error).max(1.0);
         }
     }
 }
@@ -32,18 +32,20 @@ impl LongerSegments {
 mod tests {
     use super::*;
 
-    /// A trial that failed is not repeated with the same expected error, but an expected error below 1 is always tried.
+    /// A trial that failed is repeated with an expected error that is smaller by the factor by which it failed. An expected error below 1 is
+    /// always tried.
     #[test]
-    fn a_failed_trial_is_not_repeated() {
+    fn a_failed_trial_is_repeated_with_a_smaller_error() {
         let mut longer = LongerSegments::UNTRIED;
-        assert!(longer.may_do(2.0));
-        longer.failed();
+        assert!(!longer.may_do(4.0));
+        assert!(longer.may_do(3.0));
+        longer.failed(1.5);
         assert!(!longer.may_do(2.0));
         // the failure of a cell whose segments were not longer
-        longer.failed();
+        longer.failed(1.5);
         assert!(longer.may_do(1.9));
         assert!(longer.may_do(0.5));
-        longer.failed();
+        longer.failed(1.1);
         assert!(longer.may_do(0.9));
         assert!(!longer.may_do(1.0));
     }

@@ -25,7 +25,7 @@ const STEPPING_SHARE: f64 = 0.125;
 
 /// Change of α or of β by the terms that are left out at the halvings of a span, over the allowed error, at most. Fewer terms make set-up
 /// faster.
-const LEFT_OUT_SHARE: f32 = 1.0 / 256.0;
+const LEFT_OUT_SHARE: f32 = 1.0 / 512.0;
 
 /// Fraction of the allowed error that a segment of two cells may have. Its derivative, from which the angular velocity is
 /// computed, is then no less accurate than on the shorter segments of other motions.

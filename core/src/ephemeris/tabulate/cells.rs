@@ -103,7 +103,7 @@ impl Tabulation {
         if self.error <= self.requirements.of_segment(self.level) {
             self.accept()
         } else {
-            self.longer.failed();
+            self.longer.failed(self.error / self.requirements.of_segment(self.level));
             self.divide(self.finer_level())
         }
     }
