@@ -145,6 +145,23 @@ fn a_release_from_rest_is_an_event_at_tick_0() {
     }
 }
 
+/// The start of a release from rest is exactly a turning point, also in a table with a large error.
+#[test]
+fn a_release_from_rest_starts_at_a_turning_point_of_a_coarse_table() {
+    let top = *vectors::named("si_toytop_150").motion().unwrap().top();
+    for (tilt, spin, truncation) in
+        [(0.35, 150.0, 1e-6), (1.1, 60.0, 1e-4), (2.8, 5.0, 1e-5), (0.01, 20.0, 1e-3)]
+    {
+        let release = Release { tilt, spin, ..Release::default() };
+        let motion = Motion::launch(&top, &State::release(&release).unwrap()).unwrap();
+        let coarse = Ephemeris::<f32, 64>::within(&motion, kilohertz(), truncation).unwrap();
+        let half_period = motion.period_advance().unwrap().period / 2.0;
+        let [now, next] = [0, 1].map(|tick| coarse.next_turning_point(tick).unwrap());
+        assert_eq!(now.tick, 0, "{tilt}");
+        assert_eq!((next.tick, next.upper), ((1000.0 * half_period).ceil() as i64, !now.upper), "{tilt}");
+    }
+}
+
 /// Events continue without end, alternate, and have the same distances after 2^40 ticks as at the start.
 #[test]
 fn events_go_on_for_ever() {

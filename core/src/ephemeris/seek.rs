@@ -58,18 +58,19 @@ impl StartSearch {
 
     /// Coordinate x of the start, if it lies in this span, which ends at χ = `end` (or if the span is the last).
     pub(crate) fn within(&self, expansion: &Expansion, end: Phase, last: bool) -> Option<f64> {
+        // most motions start at a turning point, which is an end of the half period whatever the errors of the series
+        match self.chi {
+            Phase::ZERO => return Some(-1.0),
+            Phase::QUARTER => return last.then_some(1.0),
+            _ => {}
+        }
         if (end - self.chi).to_radians() < 0.0 && !last {
             return None;
         }
         const NEWTON_STEPS: usize = 8;
         /// Step of some roundings, after which the next would be a rounding error.
         const LAST_STEP: f64 = 4.0 * f64::ROUNDING;
-        // most motions start at a turning point, which is an end of a span
-        let mut x: f64 = match self.chi {
-            Phase::ZERO => -1.0,
-            Phase::QUARTER => 1.0,
-            _ => 0.0,
-        };
+        let mut x = 0.0_f64;
         for _ in 0..NEWTON_STEPS {
             let (chi, slope) = expansion.chi_and_slope(x);
             let miss = (chi - self.chi).to_radians();

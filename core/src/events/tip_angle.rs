@@ -97,15 +97,16 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 impl<R: EphemerisScalar> TipAngles<'_, R> {
     /// Moves the angle at the start back by a rounding, so that an event at the start is found.
     fn started(mut self) -> Self {
+        let mut after = Phase::from_words(self.view.clock.tip.step);
         for _ in 0..PIECES {
-            if self.bounds.peek().is_some_and(|(_, end)| end <= self.at) {
-                self.bounds.pop();
+            let Some((_, end)) = self.bounds.peek().filter(|_| self.bounds.period().is_some()) else { break };
+            after = if end > self.at { self.view.tip_angle_after(end) - self.angle } else { Phase::ZERO };
+            // a change by a rounding has no direction: at a cusp φ' changes its sign at the turning point, up to a rounding
+            if !(-AT_THE_START..=AT_THE_START).contains(&after) {
+                break;
             }
+            self.bounds.pop();
         }
-        let after = match (self.bounds.period(), self.bounds.peek()) {
-            (Some(_), Some((_, end))) => self.view.tip_angle_after(end) - self.angle,
-            _ => Phase::from_words(self.view.clock.tip.step),
-        };
         self.angle = self.angle - if after < Phase::ZERO { -AT_THE_START } else { AT_THE_START };
         self
     }

@@ -7,17 +7,17 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (toytop::Baked::<toytop::fixed::types::I2F30, 32> {
     format: 5,
-    crc32: 0x16ce7e31,
+    crc32: 0x2ac387f8,
     clock: toytop::Clock {
         step: [[2824891389, 588342322, 56542227], [1544111065, 672778249, 51392304], [1794140112, 2227764775, 4247109518]],
         tip_scale: 0.06,
-        first: [3156963971601266176, 5907418774071410176, 14593857520968664064],
+        first: [3156963971601268736, 5907418774071265664, 14593857520968629952],
         horizon: None,
         exact_step: [[0.013164763137927308, -7.232863786880743e-19], [0.01196570325564672, 5.073803992537761e-19], [-0.011142757134816631, 4.0211599226151334e-19]],
         ticks_per_time: [1000.0, 0.0],
         rates: [421.27243, 5.170723, 150.0],
         tip: toytop::TipClock {
-            start: [0, 512, 2147483648, 0],
+            start: [0, 4294789184, 2147483647, 0],
             step: [3338251177, 2900543024, 3534526, 0],
             quarter: 0,
             passes: 0,
@@ -25,8 +25,8 @@ pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (
         },
         turns: true,
     },
-    error_bound: toytop::ErrorBound { constant: 1.991463682076076e-8, per_tick: 7.62023181429063e-29 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00012064337281272908, per_tick: 4.095341776970168e-27 },
+    error_bound: toytop::ErrorBound { constant: 1.9921124446122893e-8, per_tick: 7.620226792986792e-29 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00012719307561737377, per_tick: 4.095343771957297e-27 },
     cells: [2, 2, 66, 66, 130, 130, 194, 194, 258, 258, 322, 322, 386, 386, 450, 450],
     segments: [
         [
@@ -63,7 +63,7 @@ pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (
             [2107724995, 2384513, 411149553, 11477024],
             [190881, 391033, -1033337, 1882087],
             [15707, -11375, -84761, -54754],
-            [-293, -624, 1635, -3003],
+            [-293, -623, 1635, -3003],
         ],
         [
             [2107931280, 2763553, 410033139, 13301385],
