@@ -1,6 +1,5 @@
 //! Programs of `firmware-examples/`, which are built for their chips and run under QEMU, and whose logs are compared with the expected ones.
 
-mod chip;
 mod emulator;
 
 use std::path::PathBuf;
@@ -9,8 +8,7 @@ use std::{fs, path::Path};
 
 use anyhow::{Context, Result, bail};
 
-pub(crate) use chip::{Chip, TARGETS, named, with_target};
-
+use crate::chip::{self, Chip};
 use crate::process::{cargo, firmware_target_dir, root, run};
 use crate::tools::{self, Toolchain};
 use emulator::Run;
@@ -124,7 +122,7 @@ const COSTS: [&str; 3] = ["cost", "corpus", "fit_cost"];
 /// Runs an ELF on a chip and shows its log.
 pub(crate) fn qemu(chip: &str, elf: &str) -> Result<ExitCode> {
     tools::qemu()?;
-    ended(&emulator::run(named(chip)?, Path::new(elf), &decoder()?, true)?)
+    ended(&emulator::run(chip::named(chip)?, Path::new(elf), &decoder()?, true)?)
 }
 
 fn ended(run: &Run) -> Result<ExitCode> {

@@ -2,7 +2,8 @@
 
 use anyhow::Result;
 
-use crate::firmware::{self, named};
+use crate::chip::named;
+use crate::firmware;
 use crate::process::{cargo, run};
 use crate::tools;
 

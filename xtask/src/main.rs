@@ -1,6 +1,7 @@
 //! `cargo xtask`: all checks of the repository, on a machine that needs only rustup.
 
 mod c;
+mod chip;
 mod coverage;
 mod deny;
 mod features;
@@ -80,10 +81,8 @@ fn run(words: &[&str]) -> Result<ExitCode> {
         ["firmware", "--list"] => firmware::list(),
         ["firmware", name] => return firmware::show(name, None),
         ["firmware", name, "--chip", chip] => return firmware::show(name, Some(chip)),
-        ["firmware", name, "--target", target, "--elf"] => {
-            firmware::elf(name, firmware::with_target(target)?)?
-        }
-        ["firmware", name, "--chip", chip, "--elf"] => firmware::elf(name, firmware::named(chip)?)?,
+        ["firmware", name, "--target", target, "--elf"] => firmware::elf(name, chip::with_target(target)?)?,
+        ["firmware", name, "--chip", chip, "--elf"] => firmware::elf(name, chip::named(chip)?)?,
         ["firmware", name, "--overwrite"] => firmware::overwrite(name)?,
         ["qemu", chip, elf] => return firmware::qemu(chip, elf),
         ["nopanic"] => println!("{}", nopanic::check()?),

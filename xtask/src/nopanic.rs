@@ -6,7 +6,8 @@ use std::time::Duration;
 
 use anyhow::{Result, bail};
 
-use crate::firmware::{TARGETS, build, build_command, named};
+use crate::chip::{TARGETS, named};
+use crate::firmware::{build, build_command};
 use crate::process::run_within;
 
 const PACKAGE: &str = "--package toytop-nopanic";

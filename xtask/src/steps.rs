@@ -9,7 +9,8 @@ use std::time::Instant;
 use anyhow::{Result, bail};
 use toytop_chips::{M0, RISCV};
 
-use crate::firmware::{self, PROGRAMS, TARGETS};
+use crate::chip::TARGETS;
+use crate::firmware::{self, PROGRAMS};
 use crate::host::tests;
 use crate::process::{cargo, in_ci, run};
 use crate::setup::{BROWSER, C, COMPILER, EMULATOR, Need, PAGE_COMPILER};

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
 
-use crate::firmware::TARGETS;
+use crate::chip::TARGETS;
 use crate::process::{self, Ended, run_within};
 
 /// Compiler that can build for the chips, or for a page.

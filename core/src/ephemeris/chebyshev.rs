@@ -10,8 +10,6 @@ use crate::law::series::TERMS;
 use crate::product::long_product;
 use crate::scalar::Float;
 
-pub(crate) use maps::Wanted;
-
 /// Series of α or of β on an interval, whose coordinate x is in [-1, 1].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Chebyshev {
@@ -43,6 +41,14 @@ impl Coefficient {
     fn value(self) -> i64 {
         (i64::from(self.upper) << Self::LOW_BITS) + i64::from(self.lower)
     }
+}
+
+/// Half of an interval of which the series is wanted.
+pub(crate) enum Wanted<'a> {
+    Lower,
+    Upper,
+    /// Both halves, with the memory for the series on the upper one.
+    Both(&'a mut Chebyshev),
 }
 
 impl Chebyshev {

@@ -6,6 +6,7 @@
 
 pub mod exact;
 pub(crate) mod gauss;
+pub(crate) mod law;
 pub mod motions;
 pub mod precise;
 pub mod state_constants;

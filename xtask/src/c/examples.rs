@@ -12,7 +12,7 @@ use super::archive::{make, target_dir};
 use super::header::programs_of_pages;
 use crate::process::{root, run, run_within};
 use crate::tools;
-use crate::{firmware, host};
+use crate::{chip, host};
 
 const WARNINGS: [&str; 6] = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"];
 
@@ -68,7 +68,7 @@ pub(crate) fn on_chip() -> Result<String> {
     command.arg("-o").arg(&elf).args(["main.c", "chip.c"].map(|file| sources.join(file)));
     run(command.arg(archives.join("lib/cortex-m4-hard/libtoytop.a")).arg("-Wl,--gc-sections"))?;
 
-    let mut qemu = firmware::named("m4f")?.qemu(&elf);
+    let mut qemu = chip::named("m4f")?.qemu(&elf);
     let ended = run_within(qemu.args(["-icount", "shift=0,sleep=off"]), Duration::from_secs(60))?;
     if !ended.success {
         bail!("{}\nthe program failed", ended.output.trim_end());

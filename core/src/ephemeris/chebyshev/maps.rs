@@ -1,7 +1,7 @@
 //! Linear maps from the coefficients of a series to those of another one: from powers of x to Chebyshev polynomials, and from an interval
 //! to its halves. Each result is an exact sum of products, rounded once.
 
-use crate::ephemeris::chebyshev::{Chebyshev, Coefficient, half};
+use crate::ephemeris::chebyshev::{Chebyshev, Coefficient, Wanted, half};
 use crate::ephemeris::polynomial::Polynomial;
 use crate::law::series::TERMS;
 use crate::product::signed_product;
@@ -92,14 +92,6 @@ impl Sum {
 
 /// Sums for T_0(y), T_1(y), and so on, of the real and of the imaginary part.
 type Sums = [[Sum; 2]; TERMS];
-
-/// Half of an interval of which the series is wanted.
-pub(crate) enum Wanted<'a> {
-    Lower,
-    Upper,
-    /// Both halves, with the memory for the series on the upper one.
-    Both(&'a mut Chebyshev),
-}
 
 /// Adds the products of the factors of a column with the coefficients of the real and of the imaginary part.
 #[inline(always)]

@@ -11,19 +11,17 @@
 //! algebraic, so that no trigonometry is needed and no digits are lost where the nearest singularity is at a distance of a millionth.
 
 mod fastest;
-mod law;
 mod orientation;
 mod rates;
 mod side;
 mod time;
 
-pub use law::Law;
 pub use orientation::PreciseOrientation;
 
+use super::law::{End, Law, LawInF64};
 use super::motions::Numbers;
 use super::precise::{Precise, cis, is_positive, is_zero, precise, root};
 use super::state_constants::Launched;
-use law::{End, LawInF64};
 use side::{Passed, Side};
 use std::f64::consts::PI;
 use toytop::Sign;

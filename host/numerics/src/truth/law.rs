@@ -20,18 +20,18 @@ impl End {
 
 /// Constants of a motion; differences of the branch points are separate constants.
 #[derive(Clone, Debug)]
-pub struct Law {
-    pub(in crate::truth) s: Precise,
-    pub(in crate::truth) g: Precise,
-    pub(in crate::truth) one_plus_e1: Precise,
-    pub(in crate::truth) one_minus_e2: Precise,
-    pub(in crate::truth) e2_minus_e1: Precise,
-    pub(in crate::truth) e3_minus_e2: Precise,
+pub(crate) struct Law {
+    pub(super) s: Precise,
+    pub(super) g: Precise,
+    pub(super) one_plus_e1: Precise,
+    pub(super) one_minus_e2: Precise,
+    pub(super) e2_minus_e1: Precise,
+    pub(super) e3_minus_e2: Precise,
     /// Whether torque acts. Without torque e₃ - u does not depend on u, and is 1 in the units of this module.
-    pub(in crate::truth) torque: bool,
-    pub(in crate::truth) a_over_p: Precise,
+    pub(super) torque: bool,
+    pub(super) a_over_p: Precise,
     /// Rates (l ± n)/(2A).
-    pub(in crate::truth) momenta: [Precise; 2],
+    pub(super) momenta: [Precise; 2],
 }
 
 impl Law {

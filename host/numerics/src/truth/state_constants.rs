@@ -4,7 +4,7 @@
 //! (u - e₁)(u - e₂)(u - e₃) = u³ - E u² - u + E - κ (l - nu)² with κ = 1/(2Apg) and E = (h - n²/2C)/(pg). Newton's method
 //! from beyond the roots converges to e₁ and e₃ without passing them.
 
-use super::exact::Law;
+use super::law::Law;
 use super::precise::{Precise, precise, product, root, rounded, to_f64};
 use super::states::StateNumbers;
 

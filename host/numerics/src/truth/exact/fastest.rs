@@ -1,7 +1,7 @@
 //! Time at which a nutation is fastest.
 
-use super::law::End;
 use super::{Exact, Place};
+use crate::truth::law::End;
 use crate::truth::precise::{Precise, precise, to_f64};
 
 /// Number of places that are compared in each octave of the distance from a turning point.

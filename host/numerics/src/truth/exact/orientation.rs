@@ -1,7 +1,7 @@
 //! Orientation Φ at a time.
 
-use super::law::End;
 use super::{Exact, Place};
+use crate::truth::law::End;
 use crate::truth::precise::{Precise, cis, is_zero, precise, product, root, to_f64};
 use toytop::{Complex, Orientation};
 

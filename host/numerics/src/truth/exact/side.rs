@@ -1,7 +1,7 @@
 //! Integrals near one turning point, on panels whose lengths grow by factors of 4 with the distance from it.
 
-use super::law::{End, Law, LawInF64};
 use crate::truth::gauss::RULE;
+use crate::truth::law::{End, Law, LawInF64};
 use crate::truth::precise::{Precise, precise, to_f64};
 
 /// Time, and the advances of arg α and arg β without ±τt/2.

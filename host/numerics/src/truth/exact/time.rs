@@ -1,8 +1,8 @@
 //! Time of a place, and place at a time.
 
-use super::law::{End, Law, LawInF64};
 use super::side::{Passed, Side, difference, sum};
 use super::{Exact, Passage, Place};
+use crate::truth::law::{End, Law, LawInF64};
 use crate::truth::precise::{Precise, is_positive, precise, to_floor, whole};
 
 impl Exact {
