@@ -284,6 +284,26 @@ mod tests {
         }
     }
 
+    /// Of a coefficient of one unit little is left on either half. Rounded down, half of the coefficients would be -1, and the derivative
+    /// would have the errors of many terms.
+    #[test]
+    fn coefficients_are_rounded_to_the_nearest() {
+        for unit in [1, -1] {
+            let mut lower = Chebyshev { terms: TERMS, ..Chebyshev::ZERO };
+            lower.parts[0][15] = Coefficient::of(unit);
+            let mut upper = Chebyshev::ZERO;
+            lower.halve(Wanted::Both(&mut upper));
+            for half in [lower, upper] {
+                let left = half.parts.iter().flatten().filter(|c| **c != Coefficient::ZERO).count();
+                assert!(left <= 1, "{unit}: {half:?}");
+            }
+            let mut polynomial = [[0; TERMS]; 2];
+            polynomial[0][15] = 2 * unit;
+            let series = series_of(&polynomial);
+            assert!(series.parts.iter().flatten().all(|c| *c == Coefficient::ZERO), "{unit}: {series:?}");
+        }
+    }
+
     #[test]
     fn terms_are_left_out_up_to_a_sum() {
         let mut series = series_of(&polynomial(0.3, 1.0));

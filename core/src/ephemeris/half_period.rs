@@ -128,10 +128,12 @@ impl HalfPeriod {
         self.slopes = (self.slopes_of)(self, unit);
     }
 
-    /// Begins the expansion of the law around the position reached.
-    pub(crate) fn begin_expansion(&mut self) {
+    /// Begins the expansion of the law around the position reached, for steps whose truncation error may be `share`.
+    pub(crate) fn begin_expansion(&mut self, share: f64) {
         let Self { rounded_law, expansion, current, slopes, unit, least, .. } = self;
-        rounded_law.begin_expansion(&current.point, slopes, *unit, *least, expansion);
+        // of the terms at x = 2 and x = 3, by which the truncation error is estimated, about a tenth and a half count
+        let least = least.min(4.0 * share);
+        rounded_law.begin_expansion(&current.point, slopes, *unit, least, expansion);
     }
 
     /// Continues the expansion. Returns whether it is complete.

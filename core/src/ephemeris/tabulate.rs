@@ -204,7 +204,7 @@ impl Tabulation {
                 Some(Piece::Expansion(at_centre))
             }
             Piece::Expansion(at_centre) => {
-                self.path.begin_expansion();
+                self.path.begin_expansion(self.share());
                 Some(Piece::Terms(at_centre))
             }
             Piece::Terms(at_centre) => Some(match (self.path.proceed(), at_centre) {

@@ -64,8 +64,9 @@ struct Sum {
 }
 
 impl Sum {
-    /// Sum of no products, or a quarter of a unit: the sum of two of them has the half unit for its rounding.
-    const ZERO: Self = Self { upper: 0, lower: 1 << (SCALE - 2) };
+    /// Sum of no products and a quarter of a unit, so that the sum of two of them has the half unit for its rounding. A sum that begins
+    /// with zeros would take a chip three times as long to clear.
+    const QUARTER: Self = Self { upper: 0, lower: 1 << (SCALE - 2) };
 
     #[inline(always)]
     fn add(&mut self, factor: i32, c: Coefficient) {
@@ -75,16 +76,17 @@ impl Sum {
 
     #[inline(always)]
     fn plus(self, other: Self) -> Coefficient {
-        Self { upper: self.upper + other.upper, lower: self.lower + other.lower }.rounded()
+        Self { upper: self.upper + other.upper, lower: self.lower + other.lower }.rounded_down()
     }
 
     #[inline(always)]
     fn minus(self, other: Self) -> Coefficient {
-        Self { upper: self.upper - other.upper, lower: self.lower - other.lower }.rounded()
+        let lower = self.lower - other.lower + (1 << (SCALE - 1));
+        Self { upper: self.upper - other.upper, lower }.rounded_down()
     }
 
     #[inline(always)]
-    fn rounded(self) -> Coefficient {
+    fn rounded_down(self) -> Coefficient {
         let Self { upper, lower } = self;
         Coefficient::of((upper << (Coefficient::LOW_BITS - SCALE)) + (lower >> SCALE))
     }
@@ -104,11 +106,11 @@ fn add(sums: &mut [[Sum; 2]], column: &[i32], [re, im]: [Coefficient; 2]) {
 
 impl Chebyshev {
     /// Replaces the series by that of a polynomial with this number of terms, whose magnitudes add up to less than 4.
-    /// Rounding error of a coefficient: a unit.
+    /// Rounding error of a coefficient: a unit, half of which is that of the polynomial's coefficients.
     #[inline(never)] // the stack frames of set-up must not add up
     pub(crate) fn set(&mut self, polynomial: &Polynomial, terms: usize) {
         // of the real and of the imaginary part, for T_0, T_2, ... and for T_1, T_3, ...
-        let mut sums = [[[Sum::ZERO; 2]; TERMS / 2]; 2];
+        let mut sums = [[[Sum::QUARTER; 2]; TERMS / 2]; 2];
         let mut factors = CONVERSION.as_slice();
         let [re, im] = polynomial;
         for (k, (re, im)) in re.iter().zip(im).enumerate().take(terms) {
@@ -122,17 +124,17 @@ impl Chebyshev {
         let sums = even.iter().zip(odd).flat_map(|(even, odd)| [even, odd]);
         let [re, im] = &mut self.parts;
         for ((re, im), [sum_re, sum_im]) in re.iter_mut().zip(im).zip(sums).take(terms) {
-            (*re, *im) = (sum_re.rounded(), sum_im.rounded());
+            (*re, *im) = (sum_re.plus(Sum::QUARTER), sum_im.plus(Sum::QUARTER));
         }
         (self.terms, self.left_out) = (terms, [0; 2]);
     }
 
     /// Replaces the series by that on the wanted half of the interval, or by that on the lower half where both are wanted. Rounding
-    /// error of a coefficient: a unit.
+    /// error of a coefficient: half a unit.
     #[inline(never)] // the stack frames of set-up must not add up
     pub(crate) fn halve(&mut self, wanted: Wanted<'_>) {
         // of the real and of the imaginary part, from the T_k of even and of odd k
-        let mut sums = [[[Sum::ZERO; 2]; TERMS]; 2];
+        let mut sums = [[[Sum::QUARTER; 2]; TERMS]; 2];
         let mut factors = HALVING.as_slice();
         let [re, im] = &self.parts;
         for (k, (re, im)) in re.iter().zip(im).enumerate().take(self.terms) {
