@@ -72,12 +72,11 @@ pub(crate) fn error(polynomial: &[i64]) -> f32 {
 /// Infinite where a sum of the polynomial could overflow, with a margin for the rounding of the coefficients, because
 /// the error after an overflow is unbounded; otherwise 0.
 pub(crate) fn overflow(polynomial: &[i64], limit: i64) -> f32 {
-    // in units of 2^-31, rounded up
-    let limit = (limit >> 31) as u32;
+    // in units of 2^-30, rounded up; a sum that is not too large has room for another coefficient
+    let limit = (limit >> 32) as u32;
     let mut sum = 0_u32;
     for (power, value) in polynomial.iter().enumerate().skip(1).rev() {
-        let size = (value.unsigned_abs() >> 31).min(u32::MAX.into()) as u32;
-        sum = sum.saturating_add(size).saturating_add(1);
+        sum += (value.unsigned_abs() >> 32) as u32 + 1;
         if sum > limit >> power {
             return f32::INFINITY;
         }
