@@ -44,7 +44,7 @@ pub fn of_every_stage(mut report: impl FnMut(&str, &str, u64)) -> Result<(), Par
         let [any, next] = table::<f32, 25>(&motion);
         report(name, "ephemeris_f32", any.0);
         report(name, "cursor_f32", next.0);
-        let [any, next] = table::<f64, 12>(&motion);
+        let [any, next] = table::<f64, 8>(&motion);
         report(name, "ephemeris_f64", any.0);
         report(name, "cursor_f64", next.0);
         let [any, next] = table::<I2F30, 32>(&motion);

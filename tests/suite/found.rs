@@ -2,10 +2,10 @@
 
 use fixed::types::{I2F14, I2F30};
 use toytop::{
-    Complex, Ephemeris, EphemerisScalar, EphemerisView, Motion, Orientation, Sign, Signs, Start, State,
-    Stepper, Tick, Top, TopParameters,
+    Complex, Ephemeris, EphemerisScalar, EphemerisView, Motion, Orientation, Release, Sign, Signs, Start,
+    State, Stepper, Tick, Top, TopParameters,
 };
-use toytop_tests::worst;
+use toytop_tests::{vectors, worst};
 
 /// The axis misses the vertical by 3e-43: the rate of the tip angle and 1/|β| exceed the range of `f32`.
 #[test]
@@ -135,4 +135,22 @@ fn a_rotor_that_hardly_turns_counts_as_none() {
     let period = motion.period_advance().unwrap().period;
     let expected = std::f64::consts::TAU * 500.0 / 1e-57;
     assert!((period / expected - 1.0).abs() < 1e-15, "{period:e}");
+}
+
+/// A table of any error is the best one with the fewest segments. Terms were left out up to a fraction of the error allowed, which was all
+/// of them.
+#[test]
+fn a_table_of_any_error_keeps_its_terms() {
+    let top = *vectors::named("si_toytop_150").motion().unwrap().top();
+    let release = Release { tilt: 0.35, spin: 150.0, ..Release::default() };
+    let motion = Motion::launch(&top, &State::release(&release).unwrap()).unwrap();
+    let (period, tick) = (motion.period_advance().unwrap().period, Tick::hertz(1000).unwrap());
+    let coarse = Ephemeris::<f64, 64>::within(&motion, tick, f64::INFINITY).unwrap();
+    let fine = Ephemeris::<f64, 512>::new(&motion, tick).unwrap();
+    let worst = worst((0..2000).map(|i| {
+        let t = period * f64::from(i) / 2000.0;
+        coarse.at(t).orientation().distance(&fine.at(t).orientation())
+    }));
+    let bound = coarse.error_bound().constant;
+    assert!(worst <= bound && bound < 1e-6, "{worst:e}, bound {bound:e}");
 }

@@ -185,7 +185,7 @@ impl SetUp {
 
     fn requirements<R: EphemerisScalar>(&self, ephemeris: &EphemerisView<R>) -> Requirements {
         let allowed = self.truncation.unwrap_or(4.0 * R::ROUNDING);
-        Requirements::new(R::TERMS, allowed, ephemeris.segments.len())
+        Requirements::new(R::TERMS, allowed, R::ROUNDING, ephemeris.segments.len())
     }
 
     /// Finds the mean rates, and tabulates a steady motion.
@@ -352,7 +352,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let mut tabulation = Tabulation::EMPTY;
         tabulation.find_law::<R::Rates>(motion);
         let rates = MeanRates::of(motion, tabulation.law(), R::ROUNDING);
-        let requirements = Requirements::new(R::TERMS, truncation, Cell::MOST_SEGMENTS);
+        let requirements = Requirements::new(R::TERMS, truncation, R::ROUNDING, Cell::MOST_SEGMENTS);
         tabulation.begin(motion, &rates, requirements);
         loop {
             match tabulation.advance(&mut |_, _, parts| put::<R>(&mut [], 0, 0, parts)) {
@@ -371,7 +371,7 @@ mod tests {
     #[test]
     fn the_first_attempt_is_not_much_more_exact_than_a_tick() {
         fn quotient<R: EphemerisScalar>() -> f64 {
-            let requirements = Requirements::new(R::TERMS, 4.0 * R::ROUNDING, 64);
+            let requirements = Requirements::new(R::TERMS, 4.0 * R::ROUNDING, R::ROUNDING, 64);
             fine(&requirements, R::ERRORS.tick).allowed / requirements.allowed
         }
         assert_eq!([quotient::<f64>(), quotient::<f32>()], [0.25; 2]);

@@ -260,6 +260,7 @@ impl Tabulation {
     }
 
     /// Series of α or of β on the span from those of the phases; `None` where it is not accurate.
+    #[inline(never)] // its polynomial must not lie below the frames of the other pieces
     fn turn(&mut self, which: usize) -> Option<Piece> {
         let mut polynomial = [[0; TERMS]; 2];
         let [re, im] = polynomial.each_mut();

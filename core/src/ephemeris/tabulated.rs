@@ -12,6 +12,8 @@ pub(crate) struct Requirements {
     pub(crate) terms: usize,
     /// Largest truncation error allowed, as an orientation error in rad.
     pub(crate) allowed: f64,
+    /// Rounding of the scalar.
+    rounding: f64,
     /// Part of `allowed` that the polynomials may have, in units of 2^-62 rad; the rest is for the steps from span to span.
     polynomials: f32,
     /// Sum of terms that may be left out of a series, in units of 2^-61: see [`Requirements::negligible`].
@@ -33,16 +35,21 @@ const PAIR_SHARE: f32 = 0.125;
 
 impl Requirements {
     /// Requirements that no table meets.
-    pub(crate) const NONE: Self = Self { terms: 0, allowed: 0.0, polynomials: 0.0, negligible: 0, most: 0 };
+    pub(crate) const NONE: Self =
+        Self { terms: 0, allowed: 0.0, rounding: 0.0, polynomials: 0.0, negligible: 0, most: 0 };
 
-    pub(crate) fn new(terms: usize, allowed: f64, most: usize) -> Self {
+    /// Requirements of a scalar with this rounding.
+    pub(crate) fn new(terms: usize, allowed: f64, rounding: f64, most: usize) -> Self {
         let polynomials = in_units((1.0 - STEPPING_SHARE) * allowed);
-        Self { terms, allowed, polynomials, negligible: (0.5 * LEFT_OUT_SHARE * polynomials) as i64, most }
+        // no more than for the error that a table has unless another one is chosen
+        let usual = in_units((1.0 - STEPPING_SHARE) * 4.0 * rounding);
+        let negligible = (0.5 * LEFT_OUT_SHARE * polynomials.min(usual)) as i64;
+        Self { terms, allowed, rounding, polynomials, negligible, most }
     }
 
     /// Requirements with another allowed error.
     pub(crate) fn within(&self, allowed: f64) -> Self {
-        Self::new(self.terms, allowed, self.most)
+        Self::new(self.terms, allowed, self.rounding, self.most)
     }
 
     /// Truncation error that all steps from span to span may have together.
