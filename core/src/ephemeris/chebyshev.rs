@@ -131,7 +131,8 @@ impl Chebyshev {
     }
 }
 
-/// Upper bounds on [-1, 1] that follow from a series of α or β, as multiples of 2^-62. A derivative of T_k is at most k², a second one k² (k² - 1)/3.
+/// Upper bounds on [-1, 1] that follow from a series of α or β, as multiples of 2^-62. A derivative of T_k is at most k², a second one
+/// k² (k² - 1)/3.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SeriesBounds {
     /// Changes of |α| and of its derivative by the terms left out.
@@ -284,8 +285,8 @@ mod tests {
         }
     }
 
-    /// Of a coefficient of one unit little is left on either half. Rounded down, half of the coefficients would be -1, and the derivative
-    /// would have the errors of many terms.
+    /// The halves of a series whose only coefficient is one unit have at most one coefficient that is not 0. If sums were rounded down, half
+    /// of the coefficients would be -1, and the derivative would have the errors of many terms.
     #[test]
     fn coefficients_are_rounded_to_the_nearest() {
         for unit in [1, -1] {

@@ -15,7 +15,7 @@ use crate::ephemeris::steady::constant;
 use crate::ephemeris::storage::{EphemerisStorage, EphemerisView};
 use crate::ephemeris::table::{TableTooSmall, put};
 use crate::ephemeris::tabulate::Tabulation;
-use crate::ephemeris::tabulated::{Requirements, Tabulated};
+use crate::ephemeris::tabulated::{ROUNDINGS_ALLOWED, Requirements, Tabulated};
 use crate::ephemeris::tick::Tick;
 use crate::ephemeris::tip_angle::WindingProgress;
 use crate::motion::Motion;
@@ -184,7 +184,7 @@ impl SetUp {
     }
 
     fn requirements<R: EphemerisScalar>(&self, ephemeris: &EphemerisView<R>) -> Requirements {
-        let allowed = self.truncation.unwrap_or(4.0 * R::ROUNDING);
+        let allowed = self.truncation.unwrap_or(ROUNDINGS_ALLOWED * R::ROUNDING);
         Requirements::new(R::TERMS, allowed, R::ROUNDING, ephemeris.segments.len())
     }
 
@@ -312,7 +312,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisStorage<R, [R::Segment;
     /// # Errors
     /// [`TableTooSmall`]: the truncation error would exceed four roundings of the scalar.
     pub fn new(motion: &Motion, tick: Tick) -> Result<Self, TableTooSmall> {
-        Self::within(motion, tick, 4.0 * R::ROUNDING)
+        Self::within(motion, tick, ROUNDINGS_ALLOWED * R::ROUNDING)
     }
 
     /// Ephemeris with a given truncation error, in rad: a smaller table for a larger error.
@@ -371,7 +371,7 @@ mod tests {
     #[test]
     fn the_first_attempt_is_not_much_more_exact_than_a_tick() {
         fn quotient<R: EphemerisScalar>() -> f64 {
-            let requirements = Requirements::new(R::TERMS, 4.0 * R::ROUNDING, R::ROUNDING, 64);
+            let requirements = Requirements::new(R::TERMS, ROUNDINGS_ALLOWED * R::ROUNDING, R::ROUNDING, 64);
             fine(&requirements, R::ERRORS.tick).allowed / requirements.allowed
         }
         assert_eq!([quotient::<f64>(), quotient::<f32>()], [0.25; 2]);

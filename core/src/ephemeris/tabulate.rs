@@ -156,9 +156,7 @@ impl Tabulation {
     /// Begins the tabulation.
     #[inline(never)]
     pub(crate) fn begin(&mut self, motion: &Motion, rates: &MeanRates, requirements: Requirements) {
-        // no larger than for the error that a table has unless another one is chosen
-        let error = requirements.allowed.min(4.0 * rates.rounding);
-        let least = error / (16 * requirements.most.min(16 * CELLS)) as f64;
+        let least = requirements.of_series() / (16 * requirements.most.min(16 * CELLS)) as f64;
         self.path.begin(rates, least);
         let Brackets { alpha, beta } = motion.brackets::<f64>();
         self.exponentials = [alpha.exponentials(), beta.exponentials()];

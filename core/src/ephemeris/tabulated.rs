@@ -22,6 +22,9 @@ pub(crate) struct Requirements {
     pub(crate) most: usize,
 }
 
+/// Truncation error of a table unless another one is chosen, in roundings of the scalar.
+pub(crate) const ROUNDINGS_ALLOWED: f64 = 4.0;
+
 /// Fraction of the allowed error that the steps from span to span may use.
 const STEPPING_SHARE: f64 = 0.125;
 
@@ -40,11 +43,19 @@ impl Requirements {
 
     /// Requirements of a scalar with this rounding.
     pub(crate) fn new(terms: usize, allowed: f64, rounding: f64, most: usize) -> Self {
-        let polynomials = in_units((1.0 - STEPPING_SHARE) * allowed);
-        // no more than for the error that a table has unless another one is chosen
-        let usual = in_units((1.0 - STEPPING_SHARE) * 4.0 * rounding);
-        let negligible = (0.5 * LEFT_OUT_SHARE * polynomials.min(usual)) as i64;
-        Self { terms, allowed, rounding, polynomials, negligible, most }
+        let requirements = Self { terms, allowed, rounding, most, ..Self::NONE };
+        let polynomials = |error: f64| in_units((1.0 - STEPPING_SHARE) * error);
+        Self {
+            polynomials: polynomials(allowed),
+            negligible: (0.5 * LEFT_OUT_SHARE * polynomials(requirements.of_series())) as i64,
+            ..requirements
+        }
+    }
+
+    /// Error, rad, a fraction of which the terms have that a series omits or that are left out: the allowed one, but no more than a table
+    /// has unless another error is chosen.
+    pub(crate) fn of_series(&self) -> f64 {
+        self.allowed.min(ROUNDINGS_ALLOWED * self.rounding)
     }
 
     /// Requirements with another allowed error.

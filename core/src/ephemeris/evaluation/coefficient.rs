@@ -14,9 +14,9 @@ const OVERFLOW: i64 = overflow_limit(3.2e-5);
 /// Fraction bits of the values that coefficients are made from.
 pub(crate) const TABLE_BITS: u32 = 62;
 
-/// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units, which has no meaning if the coefficient is out of range. The coefficient includes
-/// half a unit, because the product that is added to it is rounded down. The constant coefficient has no such half
-/// unit: the last sum is then half a unit low, and [`super::integer::alpha_beta`] can negate it by a bitwise
+/// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units, which has no meaning if the coefficient is
+/// out of range. The coefficient includes half a unit, because the product that is added to it is rounded down. The constant coefficient
+/// has no such half unit: the last sum is then half a unit low, and [`super::integer::alpha_beta`] can negate it by a bitwise
 /// complement, without a carry.
 pub(crate) fn nearest(value: i64, power: usize) -> (i32, i64) {
     let dropped = TABLE_BITS - 31 - power as u32;
