@@ -29,7 +29,7 @@ mod fixed_point;
 pub use extended::Extended;
 pub use extended64::Extended64;
 pub(crate) use float::sine_cosine_of_radians;
-pub(crate) use power_of_two::{exponent, power_of_two, short_power_of_two, times_power_of_two};
+pub(crate) use power_of_two::{exponent, power_of_two, short_float, short_power_of_two, times_power_of_two};
 pub(crate) use sine::sine_cosine_f64;
 #[cfg(feature = "fixed")]
 pub use sine::sine_cosine_q15;

@@ -8,7 +8,7 @@ mod maps;
 use crate::ephemeris::polynomial::Polynomial;
 use crate::law::series::TERMS;
 use crate::product::long_product;
-use crate::scalar::Float;
+use crate::scalar::{Float, Ring, short_float};
 
 /// Series of α or of β on an interval, whose coordinate x is in [-1, 1].
 #[derive(Clone, Copy, Debug)]
@@ -101,30 +101,33 @@ impl Chebyshev {
     /// Upper bounds for the terms below a degree, and for the others if they are left out.
     #[inline(never)] // one copy for all scalars
     pub(crate) fn bounds(&self, terms: usize) -> SeriesBounds {
-        let [value_before, mut slope_change] = self.left_out;
+        let [value_before, slope_before] = self.left_out.map(|sum| short_float(sum.unsigned_abs()));
         let [mut changes, mut slopes, mut curvatures] = [0.0; 3];
+        let mut slope_change = slope_before;
         for part in &self.parts {
-            let (mut change, mut slope, mut curvature) = (0, 0, 0);
-            for (c, degree) in part.iter().take(self.terms).zip(0_u32..) {
-                let square = degree * degree;
-                if (degree as usize) < terms {
-                    let size = c.upper.unsigned_abs() + 1;
-                    slope += long_product(size, square);
-                    curvature += long_product(size, square * square.saturating_sub(1) / 3);
-                } else {
-                    let size = c.value().abs();
-                    change += size;
-                    slope_change = slope_change.saturating_add(size.saturating_mul(square.into()));
-                }
+            let part = part.get(..self.terms).unwrap_or(part);
+            let (kept, others) = part.split_at_checked(terms).unwrap_or((part, &[]));
+            let (mut slope, mut curvature) = (0, 0);
+            for (c, degree) in kept.iter().zip(0_u32..) {
+                let (size, first) = (c.upper.unsigned_abs() + 1, degree * degree);
+                slope += long_product(size, first);
+                curvature += long_product(size, first * first.saturating_sub(1) / 3);
             }
-            let sums = [change as f32, slope as f32 * UPPER_UNIT, curvature as f32 * UPPER_UNIT];
-            for (squares, sum) in [&mut changes, &mut slopes, &mut curvatures].into_iter().zip(sums) {
-                *squares += sum * sum;
+            let (mut change, mut upper_words, mut lower_words) = (0, 0, 0);
+            for (c, degree) in others.iter().zip(terms as u32..) {
+                let size = c.value().unsigned_abs();
+                change += size;
+                upper_words += long_product((size >> 32) as u32, degree * degree);
+                lower_words += long_product(size as u32, degree * degree);
             }
+            slope_change += short_float(upper_words) * WORD + short_float(lower_words);
+            changes += Ring::squared(short_float(change));
+            slopes += Ring::squared(short_float(slope) * UPPER_UNIT);
+            curvatures += Ring::squared(short_float(curvature) * UPPER_UNIT);
         }
         SeriesBounds {
-            change: 2.0 * (Float::sqrt(changes) + value_before as f32),
-            slope_change: 2.0 * slope_change as f32,
+            change: 2.0 * (Float::sqrt(changes) + value_before),
+            slope_change: 2.0 * slope_change,
             slope_squares: slopes,
             curvature_squares: curvatures,
         }
@@ -145,6 +148,9 @@ pub(crate) struct SeriesBounds {
 
 /// Unit of the upper part of a coefficient as a multiple of 2^-62.
 const UPPER_UNIT: f32 = (1_u64 << (Coefficient::LOW_BITS + 1)) as f32;
+
+/// Unit of an upper word, in units of the lower one.
+const WORD: f32 = (1_u64 << 32) as f32;
 
 /// Half of a number, rounded to the nearest.
 fn half(c: i64) -> i64 {

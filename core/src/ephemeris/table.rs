@@ -3,7 +3,7 @@
 use crate::ephemeris::EphemerisScalar;
 use crate::ephemeris::cell::{CELLS, Cell, PAIR_BITS};
 use crate::ephemeris::polynomial::Polynomial;
-use crate::scalar::Float;
+use crate::scalar::{Float, short_float};
 use core::fmt;
 
 /// Segment that contains a phase, and the local coordinate on it.
@@ -75,7 +75,7 @@ pub(crate) fn put<R: EphemerisScalar>(
         }
         let error = R::coefficient_error(part);
         largest = if error > largest { error } else { largest };
-        let slope_error = slope_error as f32;
+        let slope_error = short_float(slope_error);
         slope_squares += slope_error * slope_error;
     }
     [4.0 * largest, Float::sqrt(slope_squares)]

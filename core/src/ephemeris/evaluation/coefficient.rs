@@ -44,44 +44,42 @@ pub(crate) const fn is_short(power: usize, terms: usize) -> bool {
     2 * power > terms
 }
 
-/// Part of a polynomial's error bound from short products that is above [`SHORT_ERROR`], in units of 2^-62; x is truncated by up to
-/// 2^-15.
-fn short_product_error(polynomial: &[i64]) -> f32 {
-    let (mut sum, mut sums) = (0, 0);
-    for (power, value) in polynomial.iter().enumerate().rev() {
-        // a sum of 136 values needs eight bits more than i64 has; rounded up
-        sum += (value.unsigned_abs() >> 8) + 1;
-        if is_short(power, polynomial.len()) {
-            sums += sum;
-        }
-    }
-    let error = sums as f32 * (256.0 / 32768.0);
-    if error > SHORT_ERROR { error - SHORT_ERROR } else { 0.0 }
-}
-
 /// Least sum that could overflow: 1 minus `margin`, in units of 2^-62.
 pub(crate) const fn overflow_limit(margin: f64) -> i64 {
     ((1.0 - margin) * (1_i64 << TABLE_BITS) as f64) as i64
 }
 
-/// Error of a polynomial that its coefficients cause, both in units of 2^-62; infinite where a sum could overflow.
+/// Error of a polynomial that its coefficients cause, in the units of its coefficients, 2^-62: infinite where a sum could overflow,
+/// otherwise the part of the error of short products that is above [`SHORT_ERROR`].
 pub(crate) fn error(polynomial: &[i64]) -> f32 {
-    overflow(polynomial, OVERFLOW) + short_product_error(polynomial)
+    let Some(factors) = short_factors(polynomial, OVERFLOW) else { return f32::INFINITY };
+    // from units of 2^-30, times the truncation of x to 2^-15
+    let error = factors as f32 * (1_u32 << (TABLE_BITS - 30 - 15)) as f32;
+    if error > SHORT_ERROR { error - SHORT_ERROR } else { 0.0 }
 }
 
 /// Infinite where a sum of the polynomial could overflow, with a margin for the rounding of the coefficients, because
 /// the error after an overflow is unbounded; otherwise 0.
 pub(crate) fn overflow(polynomial: &[i64], limit: i64) -> f32 {
-    // in units of 2^-30, rounded up; a sum that is not too large has room for another coefficient
+    short_factors(polynomial, limit).map_or(f32::INFINITY, |_| 0.0)
+}
+
+/// Upper bound on the sum of the factors of x in short products, in units of 2^-30; `None` where a sum of the polynomial could exceed
+/// `limit`.
+fn short_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
     let limit = (limit >> 32) as u32;
-    let mut sum = 0_u32;
+    let (mut sum, mut factors) = (0_u32, 0);
     for (power, value) in polynomial.iter().enumerate().skip(1).rev() {
+        // rounded up; a sum that is not too large has room for another coefficient
         sum += (value.unsigned_abs() >> 32) as u32 + 1;
         if sum > limit >> power {
-            return f32::INFINITY;
+            return None;
+        }
+        if is_short(power, polynomial.len()) {
+            factors += sum;
         }
     }
-    0.0
+    Some(factors)
 }
 
 #[cfg(test)]
@@ -94,14 +92,14 @@ mod tests {
     #[test]
     fn what_short_products_lose() {
         let near =
-            |found: f64, expected: f64| assert!((found - expected).abs() < 4e-12, "{found:e} {expected:e}");
-        let short_product_error = |polynomial: &[i64]| UNIT * f64::from(short_product_error(polynomial));
+            |found: f64, expected: f64| assert!((found - expected).abs() < 2e-13, "{found:e} {expected:e}");
+        let error = |values| UNIT * f64::from(error(&polynomial(values)));
         let accepted = UNIT * f64::from(SHORT_ERROR);
-        near(short_product_error(&polynomial([0.9, 0.9, 0.9, 0.9, -0.3, 0.5])), 1.3 / 32768.0 - accepted);
-        near(short_product_error(&polynomial([1.0, 0.5, 0.25, 0.1, 0.0, 1e-9])), 0.0);
         // in range, but the short products are not accurate enough
-        let steep = polynomial([0.0, 0.0, 0.0, 0.0, 0.02, 0.01]);
-        near(UNIT * f64::from(error(&steep)), 0.04 / 32768.0 - accepted);
+        near(error([0.0, 0.0, 0.0, 0.0, 0.02, 0.01]), 0.04 / 32768.0 - accepted);
+        near(error([0.9, 0.3, 0.05, 0.02, -0.03, 0.01]), 0.05 / 32768.0 - accepted);
+        assert_eq!(error([0.9, 0.3, 0.05, 0.02, 0.0, 1e-9]), 0.0);
+        assert_eq!(error([0.0, 0.0, 0.0, 0.0, 0.02, 0.04]), f64::INFINITY);
     }
 
     #[test]
