@@ -3,36 +3,54 @@
 use crate::elliptic::transcendental::in_quadrant;
 use crate::law::block::{Split, scaled_product};
 use crate::phase::Phase;
+use crate::product::signed_product;
 
 /// Fraction bits of [`sine_cosine`].
 pub(crate) const FRACTION: i32 = 57;
 
-/// Series of sin r/r in powers of r², in units of 2^-58.
-const SINE: [i64; 10] = [
-    288230376151711744,
-    -48038396025285291,
-    2401919801264265,
-    -57188566696768,
-    794285648566,
-    -7220778623,
-    46287042,
-    -220414,
-    810,
-    -2,
-];
-/// Series of cos r in powers of r², in units of 2^-58.
-const COSINE: [i64; 10] = [
-    288230376151711744,
-    -144115188075855872,
-    12009599006321323,
-    -400319966877377,
-    7148570837096,
-    -79428564857,
-    601731552,
-    -3306217,
-    13776,
-    -45,
-];
+/// Alternating Taylor series in powers of r², in units of 2^-58. The last coefficients and their products with r² have at most 32 bits.
+struct Series {
+    long: [i64; 6],
+    short: [i32; 4],
+}
+
+/// sin r/r.
+const SINE: Series = Series {
+    long: [
+        288230376151711744,
+        -48038396025285291,
+        2401919801264265,
+        -57188566696768,
+        794285648566,
+        -7220778623,
+    ],
+    short: [46287042, -220414, 810, -2],
+};
+/// cos r.
+const COSINE: Series = Series {
+    long: [
+        288230376151711744,
+        -144115188075855872,
+        12009599006321323,
+        -400319966877377,
+        7148570837096,
+        -79428564857,
+    ],
+    short: [601731552, -3306217, 13776, -45],
+};
+
+impl Series {
+    /// Sum for r² in units of 2^-58, which is below 0.62.
+    fn sum(&self, square: i64) -> i64 {
+        let word = (square >> 27) as i32;
+        let times_square = |sum: i32| (signed_product(sum, word) >> 31) as i32;
+        let short = self.short.iter().rev().fold(0, |sum, c| c + times_square(sum));
+        let square = Split::of(square);
+        let [first @ .., last] = &self.long;
+        let last = last + i64::from(times_square(short));
+        first.iter().rev().fold(last, |sum, c| c + scaled_product::<58>(Split::of(sum), square))
+    }
+}
 
 /// (sin 2πx, cos 2πx) of a phase of x turns, in units of 2^-57. Error: below 2^-56. A product costs a chip without a unit
 /// for `f64` a third of one in `f64`.
@@ -43,12 +61,9 @@ pub(crate) fn sine_cosine(phase: Phase) -> (i64, i64) {
     let (quadrant, rest) = phase.quadrant();
     // from units of 2^-62 turns to rad in units of 2^-58
     let angle = Split::of(scaled_product::<59>(Split::of((rest.to_bits() >> 34) as i64), QUARTER_TURN));
-    let square = Split::of(scaled_product::<58>(angle, angle));
-    let sum = |series: &[i64; 10]| {
-        series.iter().rev().fold(0, |sum, c| c + scaled_product::<58>(Split::of(sum), square))
-    };
-    let sine = scaled_product::<59>(Split::of(sum(&SINE)), angle);
-    let cosine = (sum(&COSINE) + 1) >> 1;
+    let square = scaled_product::<58>(angle, angle);
+    let sine = scaled_product::<59>(Split::of(SINE.sum(square)), angle);
+    let cosine = (COSINE.sum(square) + 1) >> 1;
     in_quadrant(quadrant, (sine, cosine))
 }
 
