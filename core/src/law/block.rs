@@ -286,24 +286,24 @@ impl Block {
         inner(ours.iter().zip(theirs.iter().rev()), shift)
     }
 
-    /// Sum Σ c yʲ⁻¹ over the coefficients j from 1 to `terms` - 1, for y = `quarters`/4; `None` where it leaves the range.
-    pub(crate) fn at_quarters(&self, quarters: i32, terms: usize) -> Option<i64> {
+    /// Sum Σ c yʲ⁻¹ over the coefficients j from 1 to `terms` - 1, for y = `quarters`/4 < 1. It is at most four times the largest
+    /// coefficient.
+    pub(crate) fn at_quarters(&self, quarters: i32, terms: usize) -> i64 {
         let quarters = i64::from(quarters);
-        let coefficients = self.coefficients.get(1..terms)?;
-        coefficients.iter().rev().try_fold(0_i64, |sum, c| in_range(((sum * quarters + 2) >> 2) + c.value()))
+        let coefficients = self.coefficients.get(1..terms).unwrap_or_default();
+        coefficients.iter().rev().fold(0, |sum, c| ((sum * quarters + 2) >> 2) + c.value())
     }
 
-    /// Upper bound on the sum Σ |c| yʲ⁻¹ over these coefficients, from their upper words. Where it leaves the range it counts as
-    /// 2^61, and the error that follows is too large for any table.
-    pub(crate) fn size_at_quarters(&self, quarters: i32, terms: usize) -> f32 {
+    /// Upper bound on the sum Σ |c| yʲ⁻¹ over these coefficients, from their upper words.
+    pub(crate) fn size_at_quarters(&self, quarters: u32, terms: usize) -> f32 {
         /// Unit of the upper words, in units of the coefficients.
         const UNIT: f32 = (1_u32 << LOW_BITS) as f32;
         let coefficients = self.coefficients.get(1..terms).unwrap_or_default();
-        let sum = coefficients.iter().rev().try_fold(0_i32, |sum, c| {
-            let next = ((sum * quarters + 3) >> 2) + c.high.abs() + 1;
-            (next <= (LIMIT >> LOW_BITS) as i32).then_some(next)
-        });
-        UNIT * sum.unwrap_or(i32::MAX) as f32
+        let sum = coefficients
+            .iter()
+            .rev()
+            .fold(0, |sum: u32, c| ((sum * quarters + 3) >> 2) + c.high.unsigned_abs() + 1);
+        UNIT * sum as f32
     }
 }
 

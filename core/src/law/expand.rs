@@ -85,7 +85,8 @@ impl Law<f64> {
         to: &mut Expansion,
     ) {
         // the series are in y = x/4
-        let (unit, chi_slope) = (4.0 * unit, 4.0 * slopes.psi.nutation);
+        let by_y = |by_x: f64| times_power_of_two(by_x, 2);
+        let (unit, chi_slope) = (by_y(unit), by_y(slopes.psi.nutation));
         (to.origin, to.weight, to.terms) = (*point, slopes.weight, 0);
         let (point_sine, point_cosine) = slopes.sine_cosine;
         let values = self.values(point_sine, point_cosine, chi_slope, unit);
@@ -105,7 +106,7 @@ impl Law<f64> {
         (chi.slope, chi.scale) = (chi_slope, chi_slope);
         let ([alpha_scale, beta_scale], [alpha_shares, beta_shares]) = (values.psi, values.shares);
         let series = [&*square, &*delta, &*drive];
-        let psi = [slopes.psi.alpha, slopes.psi.beta].map(|slope| 4.0 * slope);
+        let psi = [slopes.psi.alpha, slopes.psi.beta].map(by_y);
         let slow = [
             SlowFactors::new(alpha, psi[0], (alpha_scale, alpha_shares), series, least),
             SlowFactors::new(beta, psi[1], (beta_scale, beta_shares), series, least),
@@ -129,7 +130,7 @@ impl Law<f64> {
                 negligible(least, cosine.exponent),
                 negligible(of_chi, drive.exponent),
             ],
-            theta: slopes.theta.map(|slope| 4.0 * slope),
+            theta: slopes.theta.map(by_y),
             psi: larger_or_nan(Float::abs(psi[0]), Float::abs(psi[1])),
             next: if chi_slope <= STEEPEST && in_range { 0 } else { TERMS },
             before: false,

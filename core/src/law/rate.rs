@@ -36,7 +36,7 @@ impl Rate {
 
     /// Integral from 0 to y = `quarters`/4.
     pub(super) fn integral(&self, quarters: i32, terms: usize) -> f64 {
-        let varied = self.integral.at_quarters(quarters, terms).unwrap_or_default();
+        let varied = self.integral.at_quarters(quarters, terms);
         let times_y = |x: f64| match quarters {
             1 => times_power_of_two(x, -2),
             2 => times_power_of_two(x, -1),
@@ -48,7 +48,7 @@ impl Rate {
 
     /// Value at y = `quarters`/4, of a rate whose variation is relative to its slope, over the slope.
     pub(super) fn relative(&self, quarters: i32, terms: usize) -> f32 {
-        let varied = self.variation.at_quarters(quarters, terms).unwrap_or_default();
+        let varied = self.variation.at_quarters(quarters, terms);
         1.0 + 0.25 * quarters as f32 * (varied as f32 * self.variation.short_unit())
     }
 
@@ -65,7 +65,7 @@ impl Rate {
     }
 
     fn varied_size(&self, quarters: i32, terms: usize) -> f32 {
-        let varied = self.integral.size_at_quarters(quarters, terms);
+        let varied = self.integral.size_at_quarters(quarters.unsigned_abs(), terms);
         // a rounding error of the coefficients counts as the term of which it would be the rounding in f64
         let noise = (NOISE as f64 / f64::ROUNDING) as f32;
         0.25 * quarters as f32 * ((varied + noise) * self.integral.short_unit())

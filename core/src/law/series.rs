@@ -165,7 +165,7 @@ impl Expansion {
     }
 
     /// Bracket p e^{iχ} + q e^{-iχ} times e^{iθ}, of α (`which` = 0) or of β (1), as the series of its real and
-    /// imaginary part in units of 2^-62; the series end where their terms fall below `least` of these units. Returns the number of their
+    /// imaginary part in units of 2^-62, in arrays of zeros; the series end where their terms fall below `least` of these units. Returns the number of their
     /// terms, or `None` where they do not converge.
     #[inline(never)] // set-up's frames should not add up on a small stack
     pub(crate) fn turned(
@@ -175,33 +175,29 @@ impl Expansion {
         least: i64,
         [sum_re, sum_im]: [&mut [i64; TERMS]; 2],
     ) -> Option<usize> {
-        let Self { chi: fast, theta, origin, scratch: [rate, re, im, slow_part, fast_part], terms, .. } =
-            self;
+        let Self { chi: fast, theta, origin, scratch: [forwards, backwards, re, im, _], terms, .. } = self;
         let slow = theta.get(which)?;
         let theta = origin.theta.get(which).copied().unwrap_or_default();
-        // θ' and χ' in a common unit; the rates are their sum and their difference
+        // θ' + χ' and θ' - χ' in a common unit
         let size = |rate: &Rate| times_power_of_two(Float::abs(rate.scale), rate.variation.exponent + BITS);
         let slopes = Float::abs(slow.slope) + Float::abs(fast.slope);
-        rate.scale_for(larger_or_nan(slopes, size(slow) + size(fast)));
-        for (part, rate_of_part) in [(&mut *slow_part, slow), (&mut *fast_part, &*fast)] {
-            part.exponent = rate.exponent;
-            let factor = Factor::new(rate_of_part.scale, rate_of_part.variation.exponent, rate.exponent);
-            let mut is_in_range = part.put(0, scaled(rate_of_part.slope, rate.exponent));
-            for k in 1..*terms {
-                is_in_range &= part.put(k, factor.times(rate_of_part.variation.get(k)));
-            }
-            is_in_range.then_some(())?;
+        forwards.scale_for(larger_or_nan(slopes, size(slow) + size(fast)));
+        let exponent = forwards.exponent;
+        backwards.exponent = exponent;
+        let mut is_in_range = true;
+        let mut put = |k: usize, slow: i64, fast: i64| {
+            is_in_range &= forwards.put(k, slow + fast) & backwards.put(k, slow - fast);
+        };
+        let [slow_slope, fast_slope] = [slow, fast].map(|rate| scaled(rate.slope, exponent));
+        put(0, slow_slope, fast_slope);
+        let factors = [slow, fast].map(|rate| Factor::new(rate.scale, rate.variation.exponent, exponent));
+        for k in 1..*terms {
+            let [slow_factor, fast_factor] = &factors;
+            put(k, slow_factor.times(slow.variation.get(k)), fast_factor.times(fast.variation.get(k)));
         }
+        is_in_range.then_some(())?;
         let mut most = 0;
-        (*sum_re, *sum_im) = ([0; TERMS], [0; TERMS]);
-        for (forwards, scale) in [(true, p), (false, q)] {
-            let chi = if forwards { origin.chi } else { -origin.chi };
-            let mut is_in_range = true;
-            for k in 0..*terms {
-                let (slow, fast) = (slow_part.get(k), fast_part.get(k));
-                is_in_range &= rate.put(k, if forwards { slow + fast } else { slow - fast });
-            }
-            is_in_range.then_some(())?;
+        for (rate, chi, scale) in [(&*forwards, origin.chi, p), (&*backwards, -origin.chi, q)] {
             let (sine, cosine) = sine_cosine(theta + chi);
             let scale = Split::of(scaled(scale, -FRACTION));
             let part = |part: i64| scaled_product::<{ (2 * FRACTION - BITS) as u32 }>(Split::of(part), scale);
@@ -242,8 +238,9 @@ impl Expansion {
     }
 }
 
-/// Series of start · e^{i ∫ rate} for a rate of `terms` terms, the solution of z' = i z rate, in units of 2^-56 like the start. Returns the number of its terms,
-/// or `None` where it does not converge.
+/// Series of start · e^{i ∫ rate} for a rate of `terms` terms, the solution of z' = i z rate, in units of 2^-56 like the start. It ends
+/// where two terms in succession are at most `least` units of 2^-62 at x = 1. Returns the number of its terms, or `None` where it does not
+/// converge.
 #[inline(never)]
 fn exponential(
     rate: &Block,
@@ -255,7 +252,8 @@ fn exponential(
     re.exponent = -BITS;
     im.exponent = -BITS;
     let mut converges = re.put(0, start_re) & im.put(0, start_im);
-    let mut before = i64::MAX;
+    // the limit of a coefficient of yᵏ, in units of 2^-62: four times that of the one before
+    let (mut limit, mut before) = (least, false);
     for k in 0..TERMS - 1 {
         let next = |part: &Block| {
             in_range(rate.product(part, 0..terms.min(k + 1), k, -rate.exponent))
@@ -266,11 +264,14 @@ fn exponential(
         if !converges {
             return None;
         }
-        let size = of_x(next_re.abs().max(next_im.abs()), k + 1);
-        if size.max(before) <= least {
+        if limit < i64::MAX >> 3 {
+            limit <<= 2;
+        }
+        let negligible = next_re.abs().max(next_im.abs()) <= limit >> (UNIT_BITS - BITS);
+        if negligible && before {
             return Some(k + 2);
         }
-        before = size;
+        before = negligible;
     }
     Some(TERMS)
 }
