@@ -57,6 +57,8 @@ pub(crate) struct HalfPeriod {
     /// Sum of the rates of χ, θ_A and θ_B at the turning point where it is greater, rad per unit time; the weight of
     /// an error of χ.
     fastest: f64,
+    /// dχ/dt at u = e₂, rad per unit time.
+    nutation_at_end: f64,
 }
 
 impl HalfPeriod {
@@ -79,6 +81,7 @@ impl HalfPeriod {
         end: Position::BEGINNING,
         marked: Position::BEGINNING,
         fastest: 0.0,
+        nutation_at_end: 0.0,
     };
 
     /// Computes the law of a motion in the numbers of the mean rates, before [`HalfPeriod::begin`].
@@ -95,7 +98,10 @@ impl HalfPeriod {
         self.length = rates.half_period.to_f64();
         (self.is_periodic, self.theta_offset) = (rates.is_periodic, rates.theta_offset);
         (self.least, self.least_units) = (PHASE_TERM * least, (least / UNIT) as i64);
-        self.fastest = larger_or_nan(self.speed(0.0, 1.0), self.speed(1.0, 0.0));
+        let [begin, end] =
+            [(0.0, 1.0), (1.0, 0.0)].map(|(sine, cosine)| self.rounded_law.rates(sine, cosine));
+        self.fastest = larger_or_nan(self.speed(&begin), self.speed(&end));
+        self.nutation_at_end = end.nutation;
     }
 
     pub(crate) fn law(&self) -> &Law<Extended> {
@@ -141,6 +147,11 @@ impl HalfPeriod {
         self.expansion.proceed()
     }
 
+    /// Magnitude below which a term of the series of α and β is negligible, in units of 2^-62. What follows two such terms is not larger.
+    pub(crate) fn least_term(&self) -> f32 {
+        self.least_units as f32
+    }
+
     /// Derivatives of the phases, in the numbers of the mean rates: a slow phase may turn by thousands of radians and hardly differ
     /// from its mean.
     #[inline(never)]
@@ -164,10 +175,8 @@ impl HalfPeriod {
         }
     }
 
-    /// Speed of α and β at given sin χ and cos χ, rad per unit time.
-    #[inline(never)] // the stack frames of set-up must not add up
-    fn speed(&self, sine: f64, cosine: f64) -> f64 {
-        let rates = self.rounded_law.rates(sine, cosine);
+    /// Speed of α and β at these rates of the phases, rad per unit time.
+    fn speed(&self, rates: &PhaseRates<f64>) -> f64 {
         let [alpha_offset, beta_offset] = self.theta_offset.map(Float::to_f64);
         let slow = Float::abs(rates.alpha + alpha_offset) + Float::abs(rates.beta + beta_offset);
         Float::abs(rates.nutation) + slow
@@ -278,8 +287,7 @@ impl HalfPeriod {
         };
         let PhasePoint { chi, theta } = self.end.point;
         let [alpha, beta] = theta.map(miss);
-        let at_the_end = self.rounded_law.rates(1.0, 0.0).nutation * self.length;
-        speeds.delay(miss(chi) / at_the_end) + 2.0 * alpha.max(beta)
+        speeds.delay(miss(chi) / (self.nutation_at_end * self.length)) + 2.0 * alpha.max(beta)
     }
 }
 

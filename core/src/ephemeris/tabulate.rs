@@ -109,6 +109,8 @@ pub(crate) struct Tabulation {
     /// Series of α and of β on the span, and the omitted terms of each, in units of 2^-62.
     series: [Chebyshev; 2],
     omitted: [f32; 2],
+    /// Upper bound on |dθ/dx| on the span.
+    theta_slope: f32,
     /// Series on a part of the span: on its lower half, of α or of β, and on its upper half, of both.
     lower_half: Chebyshev,
     upper_halves: [UpperHalf; 2],
@@ -139,6 +141,7 @@ impl Tabulation {
         segment: SegmentErrors::NONE,
         series: [Chebyshev::ZERO; 2],
         omitted: [0.0; 2],
+        theta_slope: 0.0,
         lower_half: Chebyshev::ZERO,
         upper_halves: [UpperHalf::NONE; 2],
     };
@@ -156,7 +159,7 @@ impl Tabulation {
     /// Begins the tabulation.
     #[inline(never)]
     pub(crate) fn begin(&mut self, motion: &Motion, rates: &MeanRates, requirements: Requirements) {
-        let least = requirements.of_series() / (16 * requirements.most.min(16 * CELLS)) as f64;
+        let least = requirements.of_series() / (4 * requirements.most.min(16 * CELLS)) as f64;
         self.path.begin(rates, least);
         let Brackets { alpha, beta } = motion.brackets::<f64>();
         self.exponentials = [alpha.exponentials(), beta.exponentials()];
@@ -214,6 +217,7 @@ impl Tabulation {
             Piece::End => self.path.reach_end(self.share()).map(|()| Piece::Series(0)),
             Piece::Series(which) => self.turn(which),
             Piece::Start => {
+                self.theta_slope = self.path.expansion().greatest_theta_slope();
                 self.note_start();
                 Some(self.enter()?)
             }
@@ -265,7 +269,7 @@ impl Tabulation {
         let terms = self.path.turned(which, *self.exponentials.get(which)?, [&mut *re, &mut *im])?;
         // both parts; as an orientation error twice as much
         let omitted = 2.0 * larger_or_nan(omitted_terms(re), omitted_terms(im));
-        *self.omitted.get_mut(which)? = omitted;
+        *self.omitted.get_mut(which)? = omitted + self.path.least_term();
         (2.0 * omitted <= OMITTED_SHARE * self.requirements.of_polynomials()).then_some(())?;
         self.series.get_mut(which)?.set(&polynomial, terms);
         *self.upper_halves.get_mut(which)? = UpperHalf::NONE;

@@ -93,8 +93,7 @@ impl Tabulation {
     /// Next piece after a segment.
     fn judge(&mut self) -> Result<Piece, ()> {
         let parts = (1_u32 << self.span.halvings(self.level)) as f32;
-        let theta_slope = self.path.expansion().greatest_theta_slope() / parts;
-        self.speeds.note(self.segment.speeds(), theta_slope, self.path.part() as f32 / parts);
+        self.speeds.note(self.segment.speeds(), self.theta_slope / parts, self.path.part() as f32 / parts);
         self.error = larger_or_nan(self.error, self.segment.error());
         self.larger.note(
             self.error <= LargerError::FACTOR as f32 * self.requirements.of_segment(self.level),
