@@ -186,6 +186,15 @@ fn events_go_on_for_ever() {
     assert_eq!(view.tip_angles(Phase::QUARTER, i64::MAX - 3).next(), None);
 }
 
+/// An aperiodic motion turns at its lowest point only: it approaches the vertical without end.
+#[test]
+fn an_aperiodic_motion_has_one_turning_point() {
+    let motion = vectors::named("exact_aperiodic").motion().unwrap();
+    let view = Ephemeris::<f32, 64>::new(&motion, kilohertz()).unwrap();
+    let turns: Vec<bool> = view.turning_points(-1_000_000).map(|event| event.upward).collect();
+    assert_eq!(turns, [false]);
+}
+
 /// Events that do not occur are not found: u of a precession has no turning points, a level above e₂ is not crossed, and a vertical axis
 /// has no tip angle.
 #[test]

@@ -5,8 +5,8 @@ use crate::events::recurring::Recurring;
 use crate::events::{Event, Level};
 use crate::phase::Phase;
 
-/// Iterator over the instants at which u turns, or crosses a level, in the order of time. Each step takes two additions.
-/// The iterator ends where there is no further event within the ticks of `i64`.
+/// Iterator over the instants at which u turns, or crosses a level, in the order of time. Each step takes one addition in
+/// extended precision. The iterator ends where there is no further event within the ticks of `i64`.
 #[derive(Clone, Copy, Debug)]
 pub struct Crossings {
     /// Instants of the upward and of the downward events.
@@ -40,7 +40,9 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// contains.
     #[must_use]
     pub fn turning_points(&self, from: i64) -> Crossings {
-        Crossings { instants: Recurring::new(self, [Some(Phase::HALF), Some(Phase::ZERO)], from) }
+        // an aperiodic motion turns at its lowest point only
+        let upper = self.clock.horizon.is_none().then_some(Phase::HALF);
+        Crossings { instants: Recurring::new(self, [upper, Some(Phase::ZERO)], from) }
     }
 
     /// Instants at tick `from` or later at which u crosses a level. There are none where the motion does not reach it;
