@@ -263,3 +263,23 @@ fn case_with(case: &Case, change: f64) -> Case {
     numbers.omega[2] += change;
     Case { name: case.name, held: case.held, numbers }
 }
+
+/// A body at rest on which no torque acts has no frequency of its own; its partial derivatives are those of a rotation.
+#[test]
+fn a_body_at_rest_has_partials_at_any_time() {
+    let top = toytop::Top::free(&toytop::TopParameters {
+        transverse_inertia: 2.0,
+        axial_inertia: 1.0,
+        ..toytop::TopParameters::default()
+    })
+    .unwrap();
+    let state = toytop::State::new(toytop::Orientation::IDENTITY, [0.0; 3]).unwrap();
+    let motion = Motion::launch(&top, &state).unwrap();
+    for t in [0.0, 0.2, -3.0, 1e6] {
+        let partials = Sensitivity::of(&motion).at(t).expect("a result");
+        assert_eq!(partials.orientation_now(), state.orientation(), "{t}");
+        // a change of ω rotates the body for the time t
+        let by_rate = partials.orientation()[3];
+        assert!((by_rate[0] / t.abs().max(1e-300) - t.signum()).abs() < 1e-9 || t == 0.0, "{t}: {by_rate:?}");
+    }
+}

@@ -78,7 +78,7 @@ impl Equations<f64> {
     /// Upper bound on the frequencies of the motion after a state, rad per unit time: the frequency of the gyroscopic
     /// torque, plus twice the greatest rate of the axis. Gravity accelerates the axis until it points down, or until
     /// the gyroscopic torque has turned it. The term √(ps/A) allows for the axis of a sliding top, which is faster
-    /// near the vertical.
+    /// near the vertical. It is 1 for a body at rest without torque.
     pub(crate) fn fastest<const N: usize>(&self, flow: &Flow<f64, N>) -> f64 {
         let Coefficients { moment, height, gravity, .. } = self.coefficients;
         let rate = bracket(flow.across, flow.axis);
@@ -86,8 +86,9 @@ impl Equations<f64> {
         let square = dot(rate, rate) + moment * height * rise * rise;
         let hanging = libm::sqrt(square + 2.0 * moment * gravity * (1.0 + u));
         let driven = libm::sqrt(square) + 2.0 * moment * gravity / gyroscopic;
-        libm::sqrt(gyroscopic * gyroscopic + moment * gravity)
-            + hanging.min(driven) * (2.0 + libm::sqrt(moment * height))
+        let sum = libm::sqrt(gyroscopic * gyroscopic + moment * gravity)
+            + hanging.min(driven) * (2.0 + libm::sqrt(moment * height));
+        if sum > 0.0 { sum } else { 1.0 }
     }
 
     /// Equations in another scalar.
@@ -249,10 +250,14 @@ impl<F: Float> Equations<F> {
         relative * F::from_f64(1e-3)
     }
 
-    /// Upper bound on the frequencies of the motion at a state, rad per unit time.
+    /// Upper bound on the frequencies of the motion at a state, rad per unit time; 1 for a body at rest without torque, because rates are
+    /// compared in this unit.
     pub(crate) fn frequency<const N: usize>(&self, flow: &Flow<F, N>) -> F {
         let Coefficients { moment, gravity, .. } = self.coefficients;
-        dot(flow.across, flow.across).sqrt() + self.gyroscopic(flow.spin).abs() + (moment * gravity).sqrt()
+        let sum = dot(flow.across, flow.across).sqrt()
+            + self.gyroscopic(flow.spin).abs()
+            + (moment * gravity).sqrt();
+        if sum > F::ZERO { sum } else { F::ONE }
     }
 
     /// Largest difference of two flows, each part relative to its size. Rates are compared in units of `frequency`.
