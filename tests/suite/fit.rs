@@ -300,6 +300,54 @@ fn a_decaying_nutation_is_not_a_wrong_unit() {
     }
 }
 
+/// The spin exceeds the range of two axes of a gyroscope that is turned by 45 degrees. Along the axis of the top they have opposite signs,
+/// and neither is a measurement of the spin.
+#[test]
+fn saturated_axes_of_a_turned_gyroscope_are_not_believed() {
+    let half_turn = core::f64::consts::PI / 8.0;
+    let rotation = Orientation::from_quaternion([half_turn.cos(), 0.0, half_turn.sin(), 0.0]);
+    let gyroscope = Gyroscope { mounting: Mounting { rotation, place: [0.0; 3] }, ..GYROSCOPE };
+    let sensors: [&dyn Sensor; 3] = [&gyroscope, &ACCELEROMETER, &MAGNETOMETER];
+    let (top, state) = (sliding(), release(0.35, 500.0));
+    let motion = Motion::launch(&top, &state).unwrap();
+    check("turned", &fitted(&top, &sensors, &readings(&motion, &sensors, 300, 5)), &state);
+}
+
+/// A thin rod has C = 0, and its ratio A/C is infinite: no result may depend on it.
+#[test]
+fn the_launch_of_a_thin_rod_has_error_bars() {
+    let sensors: [&dyn Sensor; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
+    let top =
+        Top::fixed(&TopParameters { transverse_inertia: 4.5e-5, axial_inertia: 0.0, ..PARAMETERS }).unwrap();
+    let state = release(2.1, -1.2);
+    let motion = Motion::launch(&top, &state).unwrap();
+    let measurements = readings(&motion, &sensors, 300, 3);
+    let gravity = [FreeRatio::of([0.0, 0.0, 0.0, 0.01])];
+    for ratios in [&[][..], &gravity] {
+        let found = Fit::new(&top, &sensors, ratios).unwrap().run(measurements.iter().copied()).unwrap();
+        check("rod", &found, &state);
+        let partials = Sensitivity::of(&motion).at(0.2).unwrap();
+        let covariance = found.orientation_covariance(&partials);
+        let deviation = (covariance[0][0] + covariance[1][1] + covariance[2][2]).sqrt();
+        assert!((1e-5..0.1).contains(&deviation), "{deviation:e}");
+    }
+}
+
+/// A run that ends without a launch has nothing of the run before it.
+#[test]
+fn a_run_begins_without_the_results_of_the_last_one() {
+    let sensors: [&dyn Sensor; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
+    let top = sliding();
+    let motion = Motion::launch(&top, &release(0.35, 150.0)).unwrap();
+    let good = readings(&motion, &sensors, 60, 13);
+    let mut fit = Fit::new(&top, &sensors, &[]).unwrap();
+    let mut run = |count: usize| fit.run(good.iter().copied().take(count)).unwrap();
+    let [fresh, _, again] = [1, good.len(), 1].map(&mut run);
+    assert_eq!(again.statistics, fresh.statistics);
+    assert_eq!(again.unobservable, fresh.unobservable);
+    assert_eq!(again.deviations(), fresh.deviations());
+}
+
 #[test]
 fn bad_measurements_are_refused_or_not_believed() {
     let sensors: [&dyn Sensor; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];

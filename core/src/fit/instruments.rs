@@ -115,9 +115,9 @@ impl<F: Real> Sensor<F> for Gyroscope {
     fn hint(&self, values: &[f64; 4]) -> Hint {
         let reading = three(values);
         let saturated = reading.map(|x| libm::fabs(x) >= self.range);
-        // an axis of the sensor that is neither along nor across the top's is of no use when it is saturated
-        let [.., along] = self.mounting.in_body(saturated.map(|is| if is { 1.0 } else { 0.0 }));
-        let axial_is_saturated = saturated.contains(&true) && libm::fabs(along) > 0.1;
+        // a saturated axis of the sensor says little about the axial rate, unless it is across the top's axis
+        let axis: Vector<f64> = self.mounting.axis();
+        let axial_is_saturated = saturated.iter().zip(axis).any(|(is, along)| *is && libm::fabs(along) > 0.1);
         Hint::Rate { omega: self.mounting.in_body(reading), axial_is_saturated }
     }
 }

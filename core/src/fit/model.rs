@@ -1,7 +1,7 @@
 //! Unknowns of a fit: their order, their units, and the derivatives of a motion with respect to them.
 
 use crate::fit::launch::{FreeRatio, LAUNCH, Launch};
-use crate::fit::outcome::with_ratios;
+use crate::fit::outcome::{share_of, with_ratios};
 use crate::fit::path::Path;
 use crate::fit::period::Turns;
 use crate::fit::sensor::Sensor;
@@ -212,7 +212,7 @@ impl Model {
         self.free.map(|free| {
             let mut shares = free.direction;
             for (share, ratio) in shares.iter_mut().zip(ratios) {
-                *share *= ratio;
+                *share = share_of(*share, ratio);
             }
             shares
         })

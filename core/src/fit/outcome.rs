@@ -248,7 +248,7 @@ impl Fitted {
         }
         for (slot, direction) in columns.iter_mut().skip(LAUNCH).zip(&self.directions) {
             for ((column, share), ratio) in ratios.iter().zip(direction).zip(&self.ratios) {
-                *slot = total(*slot, *column, share * ratio);
+                *slot = total(*slot, *column, share_of(*share, *ratio));
             }
         }
         columns
@@ -272,6 +272,11 @@ impl Fitted {
         }
         covariance
     }
+}
+
+/// Share of a ratio in a direction, times the ratio; 0 for the infinite A/C of a thin rod, whose motion does not depend on it.
+pub(super) fn share_of(share: f64, ratio: f64) -> f64 {
+    if ratio.is_finite() { share * ratio } else { 0.0 }
 }
 
 /// Top with other ratios, and with the same A.

@@ -64,6 +64,8 @@ impl<F: Real> Fit<'_, F> {
 
     /// Begins without information, from a launch.
     pub(super) fn start_from(&mut self, launch: &Launch) {
+        self.best.information.clear();
+        self.best.statistics = Statistics::default();
         self.best.launch = *launch;
         self.best.launch.orientation = launch.orientation.normalised();
         self.damping = FIRST_DAMPING;
