@@ -1,9 +1,8 @@
 //! Fit: the launch of a top from measurements, with its covariance.
 //!
-//! A pass reads one measurement after another and
-//! stores none of them; its result is a triangular matrix (`triangle`). After a pass the launch is corrected by the
-//! method of Levenberg and Marquardt, and the next pass begins. The derivation of the derivatives is in
-//! `docs/partials.md`.
+//! A pass reads one measurement after another and stores none of them; its result is a triangular matrix (`triangle`).
+//! After a pass the launch is corrected by the method of Levenberg and Marquardt, and the next pass begins. The derivation
+//! of the derivatives is in `docs/partials.md`.
 
 // In the order of dependence.
 mod triangle;
@@ -140,7 +139,7 @@ impl<'a, F: Real> Fit<'a, F> {
             huber: 3.0,
             best: pass,
             current: pass,
-            damping: 1e-3,
+            damping: pass::FIRST_DAMPING,
             last_change: None,
             curvature: f64::INFINITY,
             path: model.path(),

@@ -256,6 +256,8 @@ impl Motion {
         PhaseDirections { sine, cosine, alpha: Complex::ONE, beta: Complex::ONE }
     }
 }
+
+/// Rate in turns, from one in rad per unit time.
 fn rate_in_turns(radians: Extended) -> TurnRate {
     let turns = radians.in_turns();
     let [leading, rest] = turns.parts();

@@ -1,8 +1,8 @@
 //! Sensitivity: partial derivatives of a motion with respect to its launch and to the ratios of its top, at any time.
 //!
 //! The derivation is in `docs/partials.md`. The derivatives obey linear differential equations with the frequency of
-//! the nutation, which are integrated over at most half a period. Whole periods are added exactly: each changes the
-//! derivatives by the same amount, which follows from the derivatives of the mean rates.
+//! the nutation, which are integrated over one period at set-up, and over at most half a period for a single time. Whole periods
+//! are added exactly: each changes the derivatives by the same amount, which follows from the derivatives of the mean rates.
 
 mod coefficients;
 mod flow;
@@ -111,8 +111,8 @@ impl Sensitivity {
         Self { equations: *equations, start, period: None, tip_scale }
     }
 
-    /// Derivatives at time t after the launch; t may be negative. `None` where the integration would take more than
-    /// 10 000 steps: t is not finite, or the motion has no period and t is far.
+    /// Derivatives at time t after the launch; t may be negative. `None` where t is not finite or beyond 2^52 periods, and where the
+    /// integration would take more than 10 000 steps, as for a motion without a period and a far t.
     #[must_use]
     pub fn at(&self, t: f64) -> Option<Partials> {
         self.cursor().at(t)

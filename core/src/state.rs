@@ -22,17 +22,17 @@ pub struct State {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Release {
-    /// Tilt: angle of the axis from the upward vertical, in [0, π].
+    /// Tilt: angle of the axis from the upward vertical, rad, in [0, π].
     pub tilt: f64,
-    /// Azimuth: horizontal direction in which the axis leans, from the first fixed axis.
+    /// Azimuth: horizontal direction in which the axis leans, from the first fixed axis, rad.
     pub azimuth: f64,
-    /// Roll: rotation of the body about its axis.
+    /// Roll: rotation of the body about its axis, rad.
     pub roll: f64,
-    /// Spin: the whole axial component ω·r = (n - K)/C of the angular velocity.
+    /// Spin: the whole axial component ω·r = (n - K)/C of the angular velocity, rad/s.
     pub spin: f64,
-    /// Rate of the azimuth.
+    /// Rate of the azimuth, rad/s.
     pub precession: f64,
-    /// Rate of the tilt.
+    /// Rate of the tilt, rad/s.
     pub nutation: f64,
 }
 

@@ -98,7 +98,7 @@ pub(crate) enum Command {
     ///
     /// The page needs no network and no other file. It contains the core, which computes the motion that the sliders set.
     #[command(
-        after_help = "Example: toytop view host/scenarios/figure_3_loops.toml -o top.html\n         top.html#t=12.5 then shows that time\n         toytop view -o index.html   the page that introduces the project"
+        after_help = "Example: toytop view host/scenarios/figure_3_loops.toml -o top.html\n         top.html#t=12.5 then shows that time\n         toytop view -o index.html   a page that begins with a toy top"
     )]
     View(ViewArgs),
     /// Table of a motion as a constant for firmware: Rust, C or JSON

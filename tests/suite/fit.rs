@@ -187,7 +187,7 @@ fn a_camera_of_the_axis_leaves_the_roll_open() {
     assert!(found.unobservable.roll && found.unobservable.count == 1, "{:?}", found.unobservable);
 }
 
-/// A camera below the plate sees the tip, which leaves the roll open, and a mark on the body tells it.
+/// A camera below the plane sees the tip, which leaves the roll open, and a mark on the body tells it.
 #[test]
 fn a_camera_of_the_tip_and_a_mark_tell_the_launch() {
     let camera = TipCamera { deviation: 3e-5, tip_scale: PARAMETERS.com_height };

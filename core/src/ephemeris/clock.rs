@@ -32,7 +32,7 @@ pub struct Clock<W> {
     pub exact_step: [[f64; 2]; 3],
     /// Number of ticks in a unit of time, as the sum of two `f64`.
     pub ticks_per_time: [f64; 2],
-    /// Three rates: dx/dt on a cell of one segment, per unit time; the mean rate of A + B, rad per unit time; the axial
+    /// Three rates: dx/dt on a pair of cells with one segment, per unit time; the mean rate of A + B, rad per unit time; the axial
     /// component (n - K)/C of the angular velocity, rad per unit time.
     pub rates: [W; 3],
     /// Clock of the mean tip angle.

@@ -33,7 +33,7 @@ use core::fmt::Debug;
 pub struct SegmentPoint {
     /// Local coordinate on the segment: x·2^63 with x in [-1, 1).
     pub x: i64,
-    /// Local coordinate times 2^31, rounded down to a multiple of 2^-36 of half a period.
+    /// Local coordinate times 2^31, rounded down to a multiple of 2^-35 of half a period.
     pub short_x: i32,
     /// Whether u is falling. Apart from their mean rotation, α and β are then the complex conjugates of the tabulated
     /// values.
@@ -54,7 +54,7 @@ pub struct EvaluationErrors {
     /// Upper bound on a further rounding error of a tick, over the greatest change of the orientation on half a
     /// segment.
     pub slope: f64,
-    /// Upper bound on the truncation of the local coordinate in a tick, as a fraction of a cell.
+    /// Upper bound on the truncation of the local coordinate in a tick, as a fraction of a pair of cells.
     pub place: f64,
     /// Upper bound on the rounding error of the angular velocity, over the greatest of the rates that multiply the
     /// polynomials and their derivatives.
@@ -109,10 +109,10 @@ pub trait EphemerisScalar: Scalar {
     /// α and β at a point of a segment.
     #[doc(hidden)]
     fn alpha_beta(terms: &[[Self::Coefficient; 4]], point: SegmentPoint) -> [Complex<Self>; 2];
-    /// α and β at a point of a segment of 2^-`level` cells, the angular velocity Ω in the body frame as multiples of a
+    /// α and β at a point of a segment of 2^-`level` pairs of cells, the angular velocity Ω in the body frame as multiples of a
     /// power of two, and the exponent of that power for [`EphemerisScalar::rate_in`].
     ///
-    /// * `rates`: rates of x on a segment of one cell, of A + B, and about the axis
+    /// * `rates`: rates of x on a segment of a whole pair of cells, of A + B, and about the axis
     #[doc(hidden)]
     fn alpha_beta_and_rates(
         terms: &[[Self::Coefficient; 4]],

@@ -19,8 +19,8 @@ pub(crate) struct Position {
     pub(crate) squares: [f32; 2],
 }
 
-/// Negligible term of the phases at x = 2 over that of α and β at x = 1. A term after the sixth is sixty times as large at x = 2, and what the
-/// series of the phases omit counts as a truncation error of the steps.
+/// Negligible term of the phases at x = 2 over that of α and β at x = 1. A term after the sixth is sixty times as large at
+/// x = 2, and what the series of the phases omit counts as a truncation error of the steps.
 const PHASE_TERM: f64 = 32.0;
 
 /// Steps through the half period, with the expansion around the last position.

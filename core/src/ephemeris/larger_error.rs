@@ -13,7 +13,7 @@ pub(crate) struct LargerError {
 }
 
 impl LargerError {
-    /// Quotient of the larger error and the allowed one.
+    /// Greatest quotient of the larger error and the allowed one.
     pub(crate) const FACTOR: f64 = 4.0;
     /// Estimate before the first cell.
     pub(crate) const NONE: Self = Self { level: None, halves: 0 };

@@ -32,8 +32,8 @@ impl LongerSegments {
 mod tests {
     use super::*;
 
-    /// A trial that failed is repeated with an expected error that is smaller by the factor by which it failed. An expected error below 1 is
-    /// always tried.
+    /// A trial that failed is repeated with an expected error that is smaller by the factor by which it failed. An expected
+    /// error below 1 is always tried.
     #[test]
     fn a_failed_trial_is_repeated_with_a_smaller_error() {
         let mut longer = LongerSegments::UNTRIED;

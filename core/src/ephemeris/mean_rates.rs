@@ -9,7 +9,8 @@ use crate::scalar::{Extended, Float, Ring, exponent};
 /// Rates of the nutation phase and of the mean slow phases, with the values needed to step through the half period.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MeanRates {
-    /// Half period T/2; for an aperiodic motion the time from its lowest point to u = 1; 0 where u is constant.
+    /// Half period T/2; for an aperiodic motion the time from its lowest point until 1 - u is below the square of the
+    /// rounding; 0 where u is constant.
     pub(crate) half_period: Extended,
     /// Whether the nutation is periodic; false for an aperiodic motion, whose nutation phase stops at half a turn.
     pub(crate) is_periodic: bool,

@@ -5,9 +5,9 @@ use crate::law::series::TERMS;
 /// Coefficients of the real and of the imaginary part, in units of 2^-62.
 pub(crate) type Polynomial = [[i64; TERMS]; 2];
 
-/// Receiver of the polynomials of a table: the index of a segment, 0 for α or 1 for β, and the coefficients, of which the first ones are
-/// stored. It returns the orientation error and the error of the derivative from rounding them, in units of 2^-62 rad. It is a reference, so that
-/// set-up is compiled once for all scalars.
+/// Receiver of the polynomials of a table: the index of a segment, 0 for α or 1 for β, and the coefficients, of which the
+/// first ones are stored. It returns the orientation error and the error of the derivative from rounding them, in units of
+/// 2^-62 rad. It is a reference, so that set-up is compiled once for all scalars.
 pub(crate) type Store<'a> = dyn FnMut(usize, usize, &Polynomial) -> [f32; 2] + 'a;
 
 /// Estimated sum of the omitted terms of a series, in units of 2^-62: its last four terms are continued as a geometric series.

@@ -27,10 +27,9 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Sample of the motion t units of time after t = 0, with t taken as exact (to 2^-64 ticks). A t that is not finite counts as 0.
     ///
     /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks (and the tick rate is a
-    /// multiple of 1/2). Beyond the 2^63 ticks of [`EphemerisView::at_tick`] the motion continues without a
-    /// jump. The error bound keeps growing with the ticks, and exceeds a turn before the 96 bits of an increment are
-    /// insufficient. Where an aperiodic motion rises within less than one tick, times within
-    /// that tick are not resolved.
+    /// multiple of 1/2). Beyond the 2^63 ticks of [`EphemerisView::at_tick`] the motion continues without a jump. The error
+    /// bound keeps growing with the ticks, and exceeds a turn before the 96 bits of an increment are insufficient. Where an
+    /// aperiodic motion rises within less than one tick, times within that tick are not resolved.
     #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {

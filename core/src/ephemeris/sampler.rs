@@ -24,8 +24,8 @@ use crate::ephemeris::storage::EphemerisView;
 /// #     ..TopParameters::default()
 /// # })?;
 /// # let tick = Tick::hertz(1000)?;
-/// # let thrown = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
-/// # let mut first = EphemerisF32::new(&Motion::launch(&top, &thrown)?, tick)?;
+/// # let launched = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
+/// # let mut first = EphemerisF32::new(&Motion::launch(&top, &launched)?, tick)?;
 /// # let struck = first.at_tick(3).attitude_state().state()?.with_impulse(&top, [0.0, 1e-3, 0.0], [0.03, 0.0, 0.03])?;
 /// # let mut second = EphemerisF32::new(&Motion::launch(&top, &struck)?, tick)?;
 /// # second.delay(3.0);

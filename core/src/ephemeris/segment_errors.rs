@@ -22,9 +22,9 @@ impl SegmentErrors {
     /// Errors before the first polynomial.
     pub(crate) const NONE: Self = Self { squares: 0.0, stored: 0.0, slopes: [0.0; 3] };
 
-    /// Reduces a series to `terms` coefficients, passes their polynomial to `store` as that of a segment and of α (0) or β (1), and includes
-    /// its errors: those of the reduction, those that `store` returns, of the value and of the derivative, and those of the series
-    /// itself, `beyond`.
+    /// Reduces a series to `terms` coefficients, passes their polynomial to `store` as that of a segment and of α (0) or β (1),
+    /// and includes its errors: those of the reduction, those that `store` returns, of the value and of the derivative, and
+    /// those of the series itself, `beyond`.
     #[inline(never)] // the stack frames of set-up must not add up
     pub(crate) fn shorten(
         &mut self,

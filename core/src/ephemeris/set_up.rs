@@ -51,7 +51,8 @@ pub struct SetUp {
     truncation: Option<f64>,
     rates: MeanRates,
     tabulation: Tabulation,
-    /// Estimates of the segments that a table with the allowed error needs, and one with a quarter of it.
+    /// Estimates of the segments that a table with the allowed error needs, and one with the smaller error of the first
+    /// attempt.
     estimation: Estimation,
     /// Result of the tabulation.
     tabulated: Tabulated,

@@ -1,4 +1,4 @@
-//! Table of an ephemeris: cells and segments, and their computation from a motion.
+//! Table of an ephemeris: the segment of a phase, and the storage of a polynomial.
 
 use crate::ephemeris::EphemerisScalar;
 use crate::ephemeris::cell::{CELLS, Cell, PAIR_BITS};
@@ -49,7 +49,7 @@ pub(crate) fn locate<'a, R: EphemerisScalar>(
 }
 
 /// Stores the polynomial of α (`which` = 0) or of β (1) on a segment, if the table contains that segment. Returns the
-/// orientation error that coefficients out of range cause, and the error of the derivative that the rounding of its
+/// orientation error that short products and coefficients out of range cause, and the error of the derivative that the rounding of its
 /// coefficients causes, in units of 2^-62 rad.
 pub(crate) fn put<R: EphemerisScalar>(
     segments: &mut [R::Segment],

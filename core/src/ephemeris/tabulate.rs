@@ -6,7 +6,8 @@
 //! span and reduced to the degree of the table.
 //!
 //! A motion may be fast in one part of the period and slow in another, most of all where e₄ is close to 1. Spans are
-//! therefore halved until their series are accurate, and the segments of a [`Cell`](crate::ephemeris::cell::Cell) until their polynomials are.
+//! therefore halved until their series are accurate, and the segments of a [`Cell`](crate::ephemeris::cell::Cell) until
+//! their polynomials are.
 //!
 //! An aperiodic motion is tabulated in the same way, from its lowest point until 1 - u is below the rounding; a
 //! steady motion is a single constant.
@@ -193,8 +194,8 @@ impl Tabulation {
         self.piece = Piece::Rates(false);
     }
 
-    /// Does the next piece of work. It passes the polynomials of each segment to `store`. A segment may be passed more than once, and the last
-    /// time is valid. Returns whether the tabulation is complete.
+    /// Does the next piece of work. It passes the polynomials of each segment to `store`. A segment may be passed more than
+    /// once, and the last time is valid. Returns whether the tabulation is complete.
     ///
     /// # Errors
     /// The segments would exceed the largest number allowed.

@@ -122,8 +122,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.clock.horizon.is_some() && product.norm_squared() < R::Wide::from_f64(limit)
     }
 
-    /// Direction of αβ, turned as by [`EphemerisView::turned_back`]. Where αβ is so near 0 that it has no correct digit, it is the direction
-    /// in which αβ moves away from 0, or from which it moves to 0.
+    /// Direction of αβ, turned as by [`EphemerisView::turned_back`]. Where αβ is so near 0 that it has no correct digit, it is
+    /// the direction in which αβ moves away from 0, or from which it moves to 0.
     fn direction(&self, value: [R::Wide; 4], slope: [R::Wide; 4], x: R::Wide) -> Complex<R::Wide> {
         let product = self.turned_back(value);
         let ([alpha, beta], [alpha_slope, beta_slope]) = (complex(value), complex(slope));
@@ -158,8 +158,8 @@ fn complex<R>([re_alpha, im_alpha, re_beta, im_beta]: [R; 4]) -> [Complex<R>; 2]
     [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)]
 }
 
-/// Value of |αβ|, in roundings of the scalar, below which its argument counts as unknown. The error of a table is at
-/// most four roundings.
+/// Value of |αβ|, in roundings of the scalar, below which its argument counts as unknown. Unless another
+/// error is chosen, that of a table is at most four roundings.
 const LEAST_MODULUS: f64 = 64.0;
 
 /// Difference of a phase and the nearest multiple of half a turn.

@@ -153,8 +153,8 @@ impl<R: EphemerisScalar> TipAngles<'_, R> {
         None
     }
 
-    /// Skips the periods in which the mean rotation is too small to reach the target angle. `extent` is the least and
-    /// the greatest angle, relative to the current one, over the last period.
+    /// Skips the periods in which the mean rotation is too small to reach the target angle. The array holds the
+    /// least and the greatest angle, relative to the current one, over the last period.
     fn skip(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
         /// Share of the periods that is skipped at once, so that rounding does not skip one too many.
         const CAUTION: f64 = 1.0 - 1e-9;

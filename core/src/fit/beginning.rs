@@ -106,7 +106,7 @@ impl Beginning {
         let ((start, axis), (end, later)) = (seen.next()?, seen.nth(2)?);
         let per_time = 1.0 / (end - start);
         let across = bracket(axis, later).map(|x| x * per_time);
-        Some(Self { orientation: upright_to(axis), omega: across, tried: Some((2.0 * per_time, axis)) })
+        Some(Self { orientation: upright_to(axis), omega: across, tried: Some((4.0 * per_time, axis)) })
     }
 
     pub(super) fn is_ambiguous(&self) -> bool {
@@ -122,7 +122,7 @@ impl Beginning {
     pub(super) fn guess(&self, number: u32) -> Launch {
         let mut omega = self.omega;
         if let Some((fastest, axis)) = self.tried {
-            let magnitude = fastest * libm::exp2(1.0 - f64::from(number / 2) * 0.75);
+            let magnitude = fastest * libm::exp2(-0.75 * f64::from(number / 2));
             omega = total(omega, axis, if number.is_multiple_of(2) { magnitude } else { -magnitude });
         }
         Launch::new(self.orientation.normalised(), omega)

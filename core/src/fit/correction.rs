@@ -4,7 +4,7 @@ use crate::fit::Fit;
 use crate::fit::launch::{LAUNCH, Launch};
 use crate::fit::model::Model;
 use crate::fit::outcome::{Reason, Statistics};
-use crate::fit::pass::Progress;
+use crate::fit::pass::{FIRST_DAMPING, Progress};
 use crate::fit::triangle::{Triangle, Unknowns};
 use crate::scalar::Real;
 use crate::sensitivity::total;
@@ -41,7 +41,7 @@ impl<F: Real> Fit<'_, F> {
             self.best = self.current;
             self.damping *= 0.1;
         } else {
-            self.damping = (10.0 * self.damping).max(1e-3);
+            self.damping = (10.0 * self.damping).max(FIRST_DAMPING);
             if self.damping > 1e9 || !self.best.cost.is_finite() {
                 return Progress::Stuck;
             }
@@ -88,7 +88,7 @@ impl<F: Real> Fit<'_, F> {
             Progress::TooFew => Some(Reason::TooFew),
             Progress::NoBeginning => Some(Reason::NoBeginning),
             _ if statistics.used == 0 && statistics.unused > 0 => Some(Reason::AllSaturated),
-            _ if statistics.used < 6 => Some(Reason::TooFew),
+            _ if statistics.used < LAUNCH as u32 => Some(Reason::TooFew),
             _ if statistics.is_misfit(self.model.count, MISFIT, self.huber) => Some(Reason::Misfit),
             Progress::SpinUnknown => Some(Reason::SpinUnknown),
             Progress::Settled => None,

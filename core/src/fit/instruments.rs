@@ -54,7 +54,7 @@ pub struct AxisCamera {
     pub deviation: f64,
 }
 
-/// Camera that measures the tip c on the plate. It reads its two coordinates, m.
+/// Camera that measures the tip c on the plane. It reads its two coordinates, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TipCamera {
     /// Standard deviation of each coordinate, m.
@@ -210,7 +210,7 @@ impl<F: Real> Sensor<F> for TipCamera {
     }
 
     fn hint(&self, values: &[f64; 4]) -> Hint {
-        // the top is assumed to stand above the plate
+        // the top is assumed to stand above the plane
         let [x, y, ..] = values.map(|x| -x / self.tip_scale);
         let square = x * x + y * y;
         Hint::Axis([x, y, libm::sqrt(if square < 1.0 { 1.0 - square } else { 0.0 })])

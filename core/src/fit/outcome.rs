@@ -174,7 +174,7 @@ pub struct Fitted {
     pub unobservable: Unobservable,
     /// Reason why the launch must not be trusted; `None` where it may be.
     pub reason: Option<Reason>,
-    /// Number of other launches, from other first guesses, that fit the first measurements equally well.
+    /// Number of first guesses that lead to another launch which fits the first measurements equally well.
     pub alternatives: usize,
     /// Number of unknowns.
     pub count: usize,

@@ -17,7 +17,7 @@ pub(super) const SETTLED: f64 = 0.05;
 /// Largest number of passes over one window of measurements.
 const MOST_PASSES: u32 = 30;
 /// Marquardt's damping at the beginning.
-const FIRST_DAMPING: f64 = 1e-3;
+pub(super) const FIRST_DAMPING: f64 = 1e-3;
 
 /// One pass over the measurements.
 #[derive(Clone, Copy, Debug)]

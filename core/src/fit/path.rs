@@ -276,7 +276,7 @@ fn grow<F: Real>(flow: &mut Flow<F, COLUMNS>, period: &Period<F>, known: usize) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::period::tests::{Case, thrown};
+    use crate::fit::period::tests::{Case, launched};
     use crate::motion::Motion;
     use crate::sensitivity::Sensitivity;
     use crate::su2::{Vector, dot};
@@ -296,7 +296,7 @@ mod tests {
     /// Largest error of the state and of the columns of the launch within a second, relative to their size, and
     /// whether the motion was repeated.
     fn worst<F: Real>(case: &Case) -> ([f64; 2], bool) {
-        let (top, state) = thrown(case);
+        let (top, state) = launched(case);
         let motion = Motion::launch(&top, &state).unwrap();
         let launch = Launch::new(state.orientation(), state.omega());
         let equations = Equations::of(&top);

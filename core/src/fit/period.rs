@@ -137,12 +137,12 @@ pub(super) mod tests {
     use crate::state::Release;
     use crate::top::TopParameters;
 
-    /// A top by A, C, s, M, K and support (0: sliding, 1: fixed, 2: free), and its throw by tilt, spin, precession and
+    /// A top by A, C, s, M, K and support (0: sliding, 1: fixed, 2: free), and its launch by tilt, spin, precession and
     /// nutation rate.
     pub(in crate::fit) type Case = ([f64; 5], u8, [f64; 4]);
 
     /// Top and state of a case.
-    pub(in crate::fit) fn thrown(&(top, support, throw): &Case) -> (Top, State) {
+    pub(in crate::fit) fn launched(&(top, support, launch): &Case) -> (Top, State) {
         let [transverse_inertia, axial_inertia, com_height, mass, rotor_momentum] = top;
         let parameters = TopParameters {
             transverse_inertia,
@@ -158,7 +158,7 @@ pub(super) mod tests {
             1 => Top::fixed(&parameters),
             _ => Top::free(&parameters),
         };
-        let [tilt, spin, precession, nutation] = throw;
+        let [tilt, spin, precession, nutation] = launch;
         let release = Release { tilt, spin, precession, nutation, azimuth: 0.4, roll: -0.7 };
         (top.unwrap(), State::release(&release).unwrap())
     }
@@ -182,7 +182,7 @@ pub(super) mod tests {
     #[test]
     fn the_turns_are_those_of_the_motion() {
         for (index, case) in CASES.iter().enumerate() {
-            let (top, state) = thrown(case);
+            let (top, state) = launched(case);
             let motion = Motion::launch(&top, &state).unwrap();
             let found = Turns::of(&top, &state);
             let Some(mean) = motion.mean_motion() else {

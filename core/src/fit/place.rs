@@ -8,7 +8,8 @@ use crate::scalar::Float;
 const FRACTION: u32 = 36;
 /// Further fraction bits of a length that is multiplied by a count.
 const FINER: u32 = 16;
-/// Fraction bits of the rate of a phase, in turns per distance. The rate is below 2^19 turns; no body turns faster.
+/// Fraction bits of the rate of a phase, in turns per distance. The rate is below 2^18 turns; a thin rod
+/// alone may turn faster, and its roll then counts as 0.
 const RATE: u32 = 44;
 
 /// Time after the launch in distances of the nodes.
@@ -94,7 +95,7 @@ impl Rate {
     }
 }
 
-/// Integer part of a number. `None` beyond 2^63.
+/// Number rounded down. `None` from 2^62 on.
 fn integer(x: f64) -> Option<i64> {
     let (mantissa, exponent) = integer_parts(x);
     match exponent {

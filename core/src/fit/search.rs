@@ -20,8 +20,8 @@ const LAST_THINNED: usize = 512;
 /// rates that are not in degrees it is 57 times too large.
 const LEAST_NOISE: f64 = 0.25;
 
-/// Result of a search: the times of the first and the last measurement, how it ended, and the number of other launches
-/// that fit equally well.
+/// Result of a search: the times of the first and the last measurement, how it ended, and the number of first guesses that
+/// lead to another launch which fits equally well.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
     pub(super) times: [f64; 2],
@@ -69,7 +69,7 @@ impl<F: Real> Fit<'_, F> {
         let (times, total) = self.checked(measurements)?;
         let [epoch, _] = times;
         self.start(None);
-        if instants_after(measurements, epoch) < 2 {
+        if measurements_after(measurements, epoch) < 2 {
             return Ok(Found { times, progress: Progress::TooFew, alternatives: 0 });
         }
         let beginning = Beginning::of(self, measurements, epoch);
@@ -93,7 +93,7 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Finds the best of the guesses on short windows, where no phase can have an error of a turn. Returns the number
-    /// of other launches that fit equally well.
+    /// of those that lead to another launch which fits equally well.
     #[inline(never)] // its frame is on the stack only during the call
     fn try_guesses<I>(&mut self, beginning: &Beginning, measurements: &I, count: usize) -> usize
     where
@@ -209,7 +209,7 @@ fn is_finite(x: f64) -> bool {
 
 /// Number of measurements after a time; 2 stands for two or more.
 #[inline(never)] // its copy of the iterator is on the stack only during the call
-fn instants_after<I>(measurements: &I, epoch: f64) -> usize
+fn measurements_after<I>(measurements: &I, epoch: f64) -> usize
 where
     I: Iterator<Item = Measurement> + Clone,
 {

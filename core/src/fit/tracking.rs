@@ -40,7 +40,8 @@ impl<F: Real> Fit<'_, F> {
     ///   that by friction: 1/60 where the spin is lost in a minute
     ///
     /// # Errors
-    /// The errors of [`Fit::run`], and [`FitError::OutOfOrder`] for a block before the last one.
+    /// The errors of [`Fit::run`], and [`FitError::OutOfOrder`] for a block before the last one, and where the motion of the last fit
+    /// cannot be followed to the block.
     pub fn track<I>(&mut self, last: &Fitted, drift: f64, measurements: I) -> Result<Tracked, FitError>
     where
         I: Iterator<Item = Measurement> + Clone,

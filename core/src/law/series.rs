@@ -165,8 +165,8 @@ impl Expansion {
     }
 
     /// Bracket p e^{iχ} + q e^{-iχ} times e^{iθ}, of α (`which` = 0) or of β (1), as the series of its real and
-    /// imaginary part in units of 2^-62, in arrays of zeros; the series end where their terms fall below `least` of these units. Returns the number of their
-    /// terms, or `None` where they do not converge.
+    /// imaginary part in units of 2^-62, in arrays of zeros; the series end where their terms fall below `least` of these
+    /// units. Returns the number of their terms, or `None` where they do not converge.
     #[inline(never)] // set-up's frames should not add up on a small stack
     pub(crate) fn turned(
         &mut self,

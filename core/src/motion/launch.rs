@@ -243,6 +243,7 @@ impl<R: Scalar> Launch<R> {
         self.stage = Stage::Nutation;
     }
 
+    #[inline(never)]
     fn start_nutation(&mut self) {
         let Some(motion) = &mut self.motion else { return };
         motion.start_nutation(&self.point);

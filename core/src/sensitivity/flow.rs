@@ -17,8 +17,7 @@ pub(crate) struct Tangent<F> {
 pub(crate) struct Flow<F, const N: usize> {
     /// Axis r, the third body axis.
     pub(crate) axis: Vector<F>,
-    /// First body axis, turned back by the angle of the axial rate ω·r, which is constant. Therefore it does not
-    /// rotate about r.
+    /// First body axis, turned back by the angle that the body has turned about r. Therefore it does not rotate about r.
     pub(crate) side: Vector<F>,
     /// Part w = ω - S r of the angular velocity across the axis. It keeps its digits where S is much larger.
     pub(crate) across: Vector<F>,

@@ -76,8 +76,8 @@ impl State {
         Ok(Self { omega, ..*self })
     }
 
-    /// Reaction impulse of the support, N s in the fixed frame: p Δω × r - J. The plane under
-    /// a sliding tip gives the vertical part only.
+    /// Reaction impulse of the support, N s in the fixed frame: p Δω × r - J. The plane under a sliding tip gives the vertical
+    /// part only.
     ///
     /// Where the third component is negative the plane would have to pull: a real top then leaves it, and does not follow
     /// the motion from [`State::with_impulse`]. The weight does not count, because the force of an impulse has no bound.

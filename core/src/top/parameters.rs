@@ -6,7 +6,8 @@ use crate::top::{Support, Top};
 
 /// Parameters of a top by name, in SI or any consistent units.
 ///
-/// Exactly one of `mass` and `mass_moment` must be given; a field with its default value 0 counts as not given.
+/// Exactly one of `mass` and `mass_moment` must be given, except for a free body, which needs neither; a field with its
+/// default value 0 counts as not given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TopParameters {
@@ -21,7 +22,7 @@ pub struct TopParameters {
     pub mass: f64,
     /// Mass moment p = M s, kg m.
     pub mass_moment: f64,
-    /// Gravity g, m/s²; by default 9.80665, and 0 only for a fixed tip. The units of the paper have g = 1.
+    /// Gravity g, m/s²; by default 9.80665; 0 only for a fixed tip or a free body. The units of the paper have g = 1.
     pub gravity: f64,
     /// Angular momentum K of a rotor inside, relative to the body and along its axis, kg m²/s, of either sign; by default
     /// 0; below 1e-60 A in magnitude it counts as 0. It is constant: the rotor keeps its rate relative to the body, without

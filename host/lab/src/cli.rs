@@ -68,7 +68,7 @@ pub(crate) struct StudyArgs {
     /// Random launches near every degenerate case, from branch points and from states, in four scalars
     #[arg(long)]
     pub corners: bool,
-    /// Simulated throws, whose launches are fitted to samples of three sets of sensors (exit code 1 if a wrong launch is not refused)
+    /// Simulated launches, fitted to samples of three sets of sensors (exit code 1 if a wrong launch is not refused)
     #[arg(long, conflicts_with = "corners")]
     pub fit: bool,
     /// Number of launches of each seed that are compared with the truth

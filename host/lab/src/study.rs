@@ -2,6 +2,6 @@
 
 pub(crate) mod corners;
 mod draw;
+pub(crate) mod launches;
 pub(crate) mod tally;
-pub(crate) mod throws;
 pub(crate) mod trial;

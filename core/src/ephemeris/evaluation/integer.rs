@@ -40,7 +40,7 @@ pub(crate) const ERROR_Q31: f64 = ERROR + PER_SINE * 1.23 * UNIT;
 /// units).
 pub(crate) const RATE_ERROR: f64 = 40.0 * UNIT;
 
-/// Truncation error of [`SegmentPoint::short_x`], as a fraction of a cell.
+/// Truncation error of [`SegmentPoint::short_x`], as a fraction of a pair of cells.
 pub(crate) const PLACE_ROUNDING: f64 = 1.0 / (1_u64 << 32) as f64;
 
 /// Re α, Im α, Re β and Im β in units of 2^-30, with sines in units of 2^-31.

@@ -133,8 +133,8 @@ impl Tabulation {
     /// Leaves a complete cell. The segments of the next have the same or twice the length.
     fn leave(&mut self) {
         let level = self.level;
-        // roundings of the coefficients and terms left out do not depend on the length; a change of α and of β by a unit of 2^-61 each is an
-        // orientation error of up to 4 √2 units of 2^-62
+        // roundings of the coefficients and terms left out do not depend on the length; a change of α and of β by a unit of
+        // 2^-61 each is an orientation error of up to 4 √2 units of 2^-62
         let other_errors = ROUNDED + 5.7 * self.requirements.negligible() as f32;
         let longer_error = (self.error - other_errors) * (1_u32 << self.requirements.terms) as f32;
         self.tabulated.truncation = larger_or_nan(self.tabulated.truncation, UNIT * f64::from(self.error));

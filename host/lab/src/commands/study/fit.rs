@@ -1,7 +1,7 @@
 //! `toytop-lab study --fit`: launches fitted to simulated samples.
 
 use crate::cli::StudyArgs;
-use crate::study::throws::{Outcome, SETS, run as trial};
+use crate::study::launches::{Outcome, SETS, run as trial};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use toytop_host::cli::Format;
@@ -9,7 +9,7 @@ use toytop_host::input::random::Random;
 use toytop_host::output::{self, Cell, Record, doc_markers};
 use toytop_host::{Failure, Report, thread_pool};
 
-const MARK: &str = "toytop-lab study --fit: throws";
+const MARK: &str = "toytop-lab study --fit: launches";
 
 /// Throws of one set of sensors.
 #[derive(Clone, Debug, Default)]
@@ -30,19 +30,19 @@ pub(super) fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
     }
     let cores = thread_pool::of_all_cores()?;
     let add = |tally: &mut Tally, stream| add(tally, arguments.seed, stream);
-    let tally = thread_pool::tally(&cores, (arguments.count(), "throws"), add, merged);
+    let tally = thread_pool::tally(&cores, (arguments.count(), "launches"), add, merged);
     let records: Vec<_> = SETS.iter().zip(&tally).map(|(name, side)| record(name, side)).collect();
     let rows = rows(&records);
     let text = match arguments.format {
         Format::Table => {
-            let head = format!("{} throws of each set, seed {}\n", arguments.count(), arguments.seed);
+            let head = format!("{} launches of each set, seed {}\n", arguments.count(), arguments.seed);
             format!("{head}{}{}", output::columns(rows.clone(), 1), wrong(&tally))
         }
         Format::Csv => output::csv(&records).map_err(Failure::Output)?,
         Format::Json => output::json_list("rows", &records).map_err(Failure::Output)?,
     };
     if let Some(path) = &arguments.docs {
-        let head = format!("{} throws of each set, seed {}.\n\n", arguments.count(), arguments.seed);
+        let head = format!("{} launches of each set, seed {}.\n\n", arguments.count(), arguments.seed);
         doc_markers::write(path, "--docs", MARK, &(head + &doc_markers::table(&rows)))?;
     }
     let missed = tally.iter().any(|side| !side.wrong.is_empty());
@@ -107,11 +107,11 @@ fn rows(records: &[Record]) -> Vec<Vec<String>> {
     std::iter::once(header.map(str::to_owned).to_vec()).chain(records.iter().map(row)).collect()
 }
 
-/// Lines with the numbers of the throws whose launches are wrong and were accepted.
+/// Lines with the numbers of the launches that are wrong and were accepted.
 fn wrong(tally: &Tally) -> String {
     let line = |(name, side): (&&str, &Side)| {
         let streams: Vec<_> = side.wrong.iter().take(20).map(u64::to_string).collect();
-        (!streams.is_empty()).then(|| format!("WRONG, {name}: throws {}\n", streams.join(" ")))
+        (!streams.is_empty()).then(|| format!("WRONG, {name}: launches {}\n", streams.join(" ")))
     };
     SETS.iter().zip(tally).filter_map(line).collect()
 }

@@ -1,4 +1,4 @@
-//! Simulated throws, and a test of the error bars of the launches fitted to their samples.
+//! Simulated launches, and a test of the error bars of those fitted to their samples.
 
 use toytop::fit::{Fit, Fitted, Sensor};
 use toytop::su2::{Vector, bracket};
@@ -11,7 +11,7 @@ use toytop_host::input::random::Random;
 pub(crate) const SETS: [&str; 3] =
     ["gyroscope, accelerometer, magnetometer", "gyroscope, accelerometer", "camera"];
 
-/// Number of samples of a throw.
+/// Number of samples of a launch.
 const SAMPLES: u64 = 300;
 /// Rate of the samples, Hz.
 const HERTZ: f64 = 1000.0;
@@ -21,7 +21,7 @@ const WRONG: f64 = 56.0;
 /// 95 % quantiles of the chi-squared distributions of 1 to 6 degrees of freedom.
 const QUANTILES: [f64; 6] = [3.841, 5.991, 7.815, 9.488, 11.070, 12.592];
 
-/// Result of one throw with one set of sensors.
+/// Result of one launch with one set of sensors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Outcome {
     /// Launch that the fit refused, with the reason.
@@ -45,9 +45,9 @@ impl Outcome {
     }
 }
 
-/// A random throw whose tip stays on the plane.
+/// A random launch whose tip stays on the plane.
 #[must_use]
-pub(crate) fn throw(random: &mut Random) -> (Top, State, Motion) {
+pub(crate) fn random_launch(random: &mut Random) -> (Top, State, Motion) {
     loop {
         if let Some(found) = draw(random) {
             return found;
@@ -127,10 +127,10 @@ pub(crate) fn sensors(set: usize, top: &Top) -> Sensors {
     sensors
 }
 
-/// Simulates a throw and fits its launch.
+/// Simulates a launch and fits it.
 #[must_use]
 pub(crate) fn run(random: &mut Random, set: usize, seed: u64) -> Outcome {
-    let (top, state, motion) = throw(random);
+    let (top, state, motion) = random_launch(random);
     let sensors = sensors(set, &top);
     let recording = Recording { hertz: HERTZ, count: SAMPLES, seed };
     let Some(samples) = measurements(&motion, &sensors, &recording) else {
