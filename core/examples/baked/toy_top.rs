@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25> {
     format: 5,
-    crc32: 0x80b4d82d,
+    crc32: 0x171e48bc,
     clock: toytop::Clock {
         step: [[2824891389, 588342322, 56542227], [1544111065, 672778249, 51392304], [1794140112, 2227764775, 4247109518]],
         tip_scale: 0.06,
@@ -25,8 +25,8 @@ pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25>
         },
         turns: true,
     },
-    error_bound: toytop::ErrorBound { constant: 1.719567614209035e-7, per_tick: 7.621436529259958e-29 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00015249678650291733, per_tick: 4.0982901367847025e-27 },
+    error_bound: toytop::ErrorBound { constant: 1.7345070283592407e-7, per_tick: 7.621436529259958e-29 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00015754004109028914, per_tick: 4.0982901367847025e-27 },
     cells: [0, 0, 16, 16, 32, 32, 48, 48, 64, 64, 80, 80, 96, 96, 112, 112],
     segments: [
         [
@@ -47,7 +47,7 @@ pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25>
             [2108870518, 3861012, 404957899, 18583540],
             [1240893, 1017964, -6696649, 4899509],
             [166085, -295774, -884947, -1423608],
-            [-30950, -26296, 170028, -126551],
+            [-30950, -26297, 170028, -126551],
             [-2194, 3695, 11481, 17785],
         ],
         [
@@ -76,7 +76,7 @@ pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25>
             [848354, -1522212, -4511694, -7326589],
             [-247737, -201974, 1322797, -972188],
             [-22651, 39236, 117416, 188842],
-            [3246, 2695, -17096, 12978],
+            [3246, 2695, -17097, 12978],
         ],
         [
             [2114783629, 911387, 373304362, 4386673],

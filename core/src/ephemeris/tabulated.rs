@@ -14,7 +14,9 @@ pub(crate) struct Requirements {
     pub(crate) allowed: f64,
     /// Rounding of the scalar.
     rounding: f64,
-    /// Part of `allowed` that the polynomials may have, in units of 2^-62 rad; the rest is for the steps from span to span.
+    /// Part of `allowed` that the steps from span to span may have, rad.
+    steps: f64,
+    /// Part that the polynomials may have, in units of 2^-62 rad.
     polynomials: f32,
     /// Sum of terms that may be left out of a series, in units of 2^-61: see [`Requirements::negligible`].
     negligible: i64,
@@ -39,13 +41,14 @@ const PAIR_SHARE: f32 = 0.125;
 impl Requirements {
     /// Requirements that no table meets.
     pub(crate) const NONE: Self =
-        Self { terms: 0, allowed: 0.0, rounding: 0.0, polynomials: 0.0, negligible: 0, most: 0 };
+        Self { terms: 0, allowed: 0.0, rounding: 0.0, steps: 0.0, polynomials: 0.0, negligible: 0, most: 0 };
 
     /// Requirements of a scalar with this rounding.
     pub(crate) fn new(terms: usize, allowed: f64, rounding: f64, most: usize) -> Self {
         let requirements = Self { terms, allowed, rounding, most, ..Self::NONE };
         let polynomials = |error: f64| in_units((1.0 - STEPPING_SHARE) * error);
         Self {
+            steps: STEPPING_SHARE * allowed,
             polynomials: polynomials(allowed),
             negligible: (0.5 * LEFT_OUT_SHARE * polynomials(requirements.of_series())) as i64,
             ..requirements
@@ -65,7 +68,7 @@ impl Requirements {
 
     /// Truncation error that all steps from span to span may have together.
     pub(crate) fn of_steps(&self) -> f64 {
-        STEPPING_SHARE * self.allowed
+        self.steps
     }
 
     /// Truncation error that the polynomials may have, in units of 2^-62 rad.

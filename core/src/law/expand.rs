@@ -66,7 +66,7 @@ impl Law<f64> {
         let (beta, beta_shares) = per(unit * self.root_e3, self.beta_smoothing);
         Values {
             eta: self.e2_minus_e1 / (self.e3_minus_e2 + swing),
-            delta: [2.0 * s_per_d * (1.0 - one_minus_u), s_per_d * self.e2_minus_e1],
+            delta: [times_power_of_two(s_per_d * (1.0 - one_minus_u), 1), s_per_d * self.e2_minus_e1],
             psi: [self.s * self.alpha_scale * alpha, -self.s_e3 * self.beta_scale * beta],
             shares: [alpha_shares, beta_shares],
         }

@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (toytop::Baked::<toytop::fixed::types::I2F30, 32> {
     format: 5,
-    crc32: 0x2ac387f8,
+    crc32: 0x7459ff2a,
     clock: toytop::Clock {
         step: [[2824891389, 588342322, 56542227], [1544111065, 672778249, 51392304], [1794140112, 2227764775, 4247109518]],
         tip_scale: 0.06,
@@ -25,8 +25,8 @@ pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (
         },
         turns: true,
     },
-    error_bound: toytop::ErrorBound { constant: 1.9921124446122893e-8, per_tick: 7.620226792986792e-29 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00012719307561737377, per_tick: 4.095343771957297e-27 },
+    error_bound: toytop::ErrorBound { constant: 1.995587803501849e-8, per_tick: 7.620226792986792e-29 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.0001273149234355246, per_tick: 4.095343771957297e-27 },
     cells: [2, 2, 66, 66, 130, 130, 194, 194, 258, 258, 322, 322, 386, 386, 450, 450],
     segments: [
         [

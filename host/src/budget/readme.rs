@@ -29,7 +29,7 @@ const ROWS: [(&str, &str); 21] = [
         "set-up, once per launch, `f32`: from measured numbers to the ephemeris, of a 50 g top at 150 rad/s",
     ),
     ("slices", "set-up of this top in slices, whose `Launch` and `SetUp` are kept in static memory"),
-    ("launch_slow", "set-up of the same top at 5 rad/s"),
+    ("launch_slow", "set-up of the same top at 5 rad/s, Cortex-M4F"),
     ("launch_falling", "set-up of the same top almost upright, at 30 rad/s, which is too slow to sleep"),
     (
         "fit",
@@ -46,9 +46,9 @@ const FRONT_ROWS: [(&str, &str, &str); 7] = [
     ("m0plus", "cursor_q31", "the next tick in 32-bit fixed point, Cortex-M0+"),
     ("m0plus", "cursor_q15", "the next tick in 16-bit fixed point, Cortex-M0+"),
     ("m4f", "launch", "set-up of this motion, once per launch, Cortex-M4F"),
-    ("m4f", "slices", "set-up of this motion in slices, in static memory"),
-    ("m4f", "launch_slow", "set-up of the same top at 5 rad/s"),
-    ("m4f", "launch_falling", "set-up of the same top almost upright, falling"),
+    ("m4f", "slices", "set-up of this motion in slices, in static memory, Cortex-M4F"),
+    ("m4f", "launch_slow", "set-up of the same top at 5 rad/s, Cortex-M4F"),
+    ("m4f", "launch_falling", "set-up of the same top almost upright, falling, Cortex-M4F"),
 ];
 
 /// Front page with the table of the limits; `None` if the page has no markers for it.
