@@ -54,9 +54,9 @@ mod storage;
 
 mod clock_change;
 
-mod sample;
-
 mod tip_angle;
+
+mod sample;
 
 mod set_up;
 

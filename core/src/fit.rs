@@ -47,11 +47,11 @@ mod correction;
 
 mod ending;
 
+mod upright;
+
 mod search;
 
 mod result;
-
-mod upright;
 
 mod tracking;
 

@@ -17,7 +17,6 @@ const REASONS: &[(&str, &str)] = &[
     ("ephemeris/evaluation/micromath.rs", "a scalar of the benchmarks, which tests of the host execute"),
     ("fit/launch.rs", FITS),
     ("fit/outcome.rs", FITS),
-    ("fit/sensor.rs", FITS),
     ("law/block.rs", BITS_32),
     ("scalar.rs", "absolute values of the scalar of the benchmarks"),
 ];
