@@ -25,7 +25,7 @@ fn the_sizes_are_those_of_the_header() {
     let page = in_one_line(PAGE);
     for part in [
         format!("static toytop_ephemeris_f32 table; /* {f32} bytes */"),
-        format!("standard size of the crate: {f32}, {f64} and {q31} bytes"),
+        format!("and takes {f32}, {f64} or {q31} bytes"),
         format!("a `toytop_set_up` of {set_up} bytes"),
     ] {
         assert!(page.contains(&part), "not in the page: {part}");

@@ -14,10 +14,11 @@ use serde_json::Value;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::process::Command;
-use toytop::{Complex, EphemerisF64, Motion, Orientation};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use toytop::{Complex, Motion, Orientation};
 use toytop_host::input::scenario::Scenario;
 use toytop_host::pictures::view::{self, CORE, EVALUATOR, Start};
-use toytop_page::table;
+use toytop_page::table::{self, Table};
 
 /// Time that Chromium lets pass for a page; it does not wait for it.
 const PASSING: &str = "--virtual-time-budget=60000";
@@ -169,13 +170,17 @@ fn complex(value: &Value) -> Complex<f64> {
     Complex::new(part(0), part(1))
 }
 
-/// The core's table of a motion, as the page makes it.
-fn core_of(motion: &Motion) -> EphemerisF64 {
-    EphemerisF64::new(motion, table::tick(motion).expect("a tick")).expect("it fits")
+/// The core's table of a motion, as the page makes it. The series of a table with another capacity may end at another term. It is too
+/// large for the stack of a test.
+fn core_of(motion: &Motion) -> MutexGuard<'static, Table> {
+    static TABLE: Mutex<Table> = Mutex::new(Table::EMPTY);
+    let mut table = TABLE.lock().unwrap_or_else(PoisonError::into_inner);
+    table::set_up(&mut table, motion).expect("it fits");
+    table
 }
 
 /// Asserts that the numbers of a moment of the page are the core's, bit for bit; α and β as the core has them.
-fn assert_core(shown: &Value, core: &EphemerisF64, t: f64) -> Orientation<f64> {
+fn assert_core(shown: &Value, core: &Table, t: f64) -> Orientation<f64> {
     let (phi, tip) = core.at(t).orientation_and_tip();
     let [x, y, z] = phi.axis();
     assert_eq!([complex(&shown["alpha"]), complex(&shown["beta"])], [phi.alpha, phi.beta], "{t}");
