@@ -108,7 +108,7 @@ fn the_least_size_is_named() {
         bound.split(" rad").next().expect("a number").parse::<f64>().expect("a number")
     };
     for (file, scalar, size, bytes) in
-        [("toy_top", "f32", "8", "640"), ("lagrange", "f32", "16", "1280"), ("sleeping", "q15", "8", "192")]
+        [("toy_top", "f64", "8", "2816"), ("lagrange", "f32", "16", "1280"), ("sleeping", "q15", "8", "192")]
     {
         let file = sample(file);
         let large = summary(&file, &["--scalar", scalar]);
