@@ -109,9 +109,9 @@ impl Chebyshev {
             let (kept, others) = part.split_at_checked(terms).unwrap_or((part, &[]));
             let (mut slope, mut curvature) = (0, 0);
             for (c, degree) in kept.iter().zip(0_u32..) {
-                let (size, first) = (c.upper.unsigned_abs() + 1, degree * degree);
-                slope += long_product(size, first);
-                curvature += long_product(size, first * first.saturating_sub(1) / 3);
+                let (size, square) = (c.upper.unsigned_abs() + 1, degree * degree);
+                slope += long_product(size, square);
+                curvature += long_product(size, square * square.saturating_sub(1) / 3);
             }
             let (mut change, mut upper_words, mut lower_words) = (0, 0, 0);
             for (c, degree) in others.iter().zip(terms as u32..) {

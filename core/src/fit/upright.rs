@@ -1,8 +1,8 @@
 //! Upright tops whose spin the measurements do not determine.
 //!
 //! While a top stands upright, the readings of an accelerometer and of a gyroscope do not depend on its spin and roll, if
-//! the spin is beyond the gyroscope's range. A fit still finds a tilt as small as the noise, and a spin at which this tilt explains the noise best; by the
-//! derivatives at that launch, the spin would be determined. Therefore a launch that cannot be distinguished from an
+//! the spin is beyond the gyroscope's range. A fit still finds a tilt as small as the noise, and a spin at which this tilt
+//! explains the noise best; by the derivatives at that launch, the spin would be determined. Therefore a launch that cannot be distinguished from an
 //! upright one is evaluated with the derivatives of the upright one.
 
 use crate::fit::Fit;
