@@ -5,8 +5,11 @@ use std::{env, fs};
 
 fn main() {
     let target = env::var("TARGET").expect("cargo sets TARGET");
+    let package = env::var("CARGO_PKG_NAME").expect("cargo sets CARGO_PKG_NAME");
+    let is_measured = package == "toytop-cost" || package == "toytop-nopanic";
     let machine = match target.as_str() {
-        "thumbv6m-none-eabi" => "microbit.x",
+        "thumbv6m-none-eabi" if !is_measured => "microbit.x",
+        "thumbv6m-none-eabi" => "mps2.x", // has memory for every table
         "thumbv7em-none-eabihf" => "mps2.x",
         "thumbv8m.main-none-eabihf" => "mps2-an505.x",
         "riscv32imac-unknown-none-elf" => "riscv-virt.x",
@@ -28,5 +31,7 @@ fn main() {
         println!("cargo:rustc-link-arg-bins=--nmagic"); // no padding to pages: flash has none
     }
     println!("cargo:rustc-link-arg-bins=-Tlink.x");
-    println!("cargo:rustc-link-arg-bins=-Tdefmt.x");
+    if !is_measured {
+        println!("cargo:rustc-link-arg-bins=-Tdefmt.x"); // these packages have no log
+    }
 }

@@ -1,7 +1,7 @@
 //! Compiles the core to WebAssembly for the pages of `toytop view`, where the compiler has that target.
 //!
 //! `TOYTOP_PAGE_WASM` names a file that replaces the result of the compiler, for a machine that compiles the core with another toolchain.
-//! Without either, the program is built without the core for pages, and each of its pages shows one motion from a table.
+//! Without either, the program is built without pages.
 
 use std::env::{self, var_os};
 use std::fs;
@@ -21,7 +21,7 @@ const NOT_OURS: [&str; 6] = [
 
 fn main() {
     println!("cargo:rerun-if-env-changed=TOYTOP_PAGE_WASM");
-    for input in ["../core/src", "../core/Cargo.toml", "page", "../Cargo.lock", EQUATIONS] {
+    for input in ["../core/src", "../core/closed-forms/src", "../core/Cargo.toml", "page", "../Cargo.lock"] {
         println!("cargo:rerun-if-changed={input}");
     }
     let file = match var_os("TOYTOP_PAGE_WASM") {
@@ -33,8 +33,6 @@ fn main() {
     });
     fs::write(out_dir().join("core.wasm"), bytes).expect("the folder of build output is writable");
 }
-
-const EQUATIONS: &str = "numerics/src/full_equations/full_solver/equations.rs";
 
 fn out_dir() -> PathBuf {
     var_os("OUT_DIR").expect("cargo sets OUT_DIR").into()
@@ -74,6 +72,10 @@ fn compiled() -> PathBuf {
         TARGET,
     ]);
     cargo.current_dir(env!("CARGO_MANIFEST_DIR")).arg("--target-dir").arg(&target);
+    // the sources of the Python package have no other workspace
+    if !Path::new("../Cargo.lock").exists() {
+        cargo.args(["--manifest-path", "python/Cargo.toml"]);
+    }
     for variable in NOT_OURS {
         cargo.env_remove(variable);
     }

@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     })?;
     // The axis leans by 0.35 rad and rests; the body turns about its axis at 150 rad/s.
     let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
-    let motion = Motion::launch_for::<f32>(&top, &state)?;
+    let motion = Motion::launch(&top, &state)?;
     let ephemeris = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;
 
     // The next tick, three additions after the last one.

@@ -5,7 +5,7 @@
 //! | the next tick, thousands of times a second | `Cursor` | cheapest; error bound for ever; needs set-up and a table |
 //! | any tick or any time | `Ephemeris` | as exact, some more cycles |
 //! | no table in RAM, or a new motion every few ticks | `Stepper` | set up without a table; the error grows with the periods |
-//! | an independent check on a PC | `exact` | the paper's closed forms, where they exist |
+//! | an independent check on a PC | `toytop-closed-forms` | the paper's closed forms, where they exist |
 //! | firmware that never sets up | `Baked` | the table is computed on a PC: see the example `baked` |
 
 use toytop::{EphemerisF64, Motion, Regime, Release, State, Stepper, Tick, Top, TopParameters};

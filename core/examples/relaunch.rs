@@ -1,10 +1,12 @@
 //! Relaunch after an impulse: a stroke changes ω at once and leaves the orientation as it is.
 //!
-//! The motion after the stroke is another exact motion, with a table of its own. Here its ticks are counted as before: the new
-//! table is delayed by the tick of the stroke. The cursor is replaced together with the table; the firmware example
+//! The motion after the stroke is another exact motion, with a table of its own. Its ticks are counted as before: the tick of the
+//! stroke is the epoch of the new table. The cursor is replaced together with the table; the firmware example
 //! `relaunch` does so between two ticks of a running interrupt.
 
-use toytop::{EphemerisF64, Motion, Release, Sampler, State, Tick, Top, TopParameters};
+use toytop::{
+    EphemerisF64, EphemerisMemory, Motion, Release, Sampler, SetUp, State, Tick, Top, TopParameters,
+};
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
     let top = Top::sliding(&TopParameters {
@@ -17,7 +19,9 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     })?;
     let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     let tick = Tick::hertz(1000)?;
-    let mut before = EphemerisF64::new(&Motion::launch(&top, &state)?, tick)?;
+    let mut set_up = SetUp::new();
+    let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<EphemerisF64>::new());
+    let before = first.set_up(&mut set_up, &Motion::launch(&top, &state)?, tick, 0, &mut || {})?;
 
     // At tick 250 a stick strikes the rim with 2 mN s: 25 mm from the axis, at the height of the centre of mass, along the
     // second fixed axis.
@@ -26,9 +30,8 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     let (impulse, point) = ([0.0, 2.0e-3, 0.0], [0.025, 0.0, 0.03]);
     let [.., pressure] = state.reaction_impulse(&top, impulse, point)?;
     println!("the plane answers with {pressure:.1e} N s; if that were negative, the top would leave it");
-    let mut after =
-        EphemerisF64::new(&Motion::launch(&top, &state.with_impulse(&top, impulse, point)?)?, tick)?;
-    after.delay(struck_at.into());
+    let motion = Motion::launch(&top, &state.with_impulse(&top, impulse, point)?)?;
+    let after = second.set_up(&mut set_up, &motion, tick, struck_at.into(), &mut || {})?;
 
     let [old, new] = [&before, &after].map(|table| table.at_tick(struck_at.into()));
     let jump = old.orientation().distance(&new.orientation());
@@ -41,9 +44,9 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     }
 
     // Ticks go on from table to table.
-    let mut sampler = Sampler::new(&mut before, struck_at.into());
+    let mut sampler = Sampler::new(before, struck_at.into());
     println!("u at tick {struck_at}: {}", sampler.next().u());
-    sampler.exchange(&mut after);
+    sampler.exchange(after);
     println!("u at tick {}: {}", struck_at + 1, sampler.next().u());
     assert_eq!(sampler.tick(), i64::from(struck_at) + 1);
     Ok(())

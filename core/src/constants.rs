@@ -11,14 +11,13 @@ mod regime;
 
 mod tip_class;
 
-mod conditioning;
+mod launch_rounding;
 
 pub(crate) mod normal_force;
 
 pub use branch_points::BranchPoints;
-pub(crate) use branch_points::{LowerPair, LowerPairSearch, Roots};
-pub(crate) use conditioning::Conditioning;
+pub(crate) use first_integrals::ReducedPoint;
 pub use first_integrals::{FirstIntegrals, Sign, Signs};
-pub(crate) use first_integrals::{MovingAxis, ReducedPoint};
+pub(crate) use launch_rounding::LaunchRounding;
 pub use regime::Regime;
 pub use tip_class::TipClass;

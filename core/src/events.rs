@@ -1,28 +1,20 @@
 //! Events: instants at which a motion turns, reaches a tilt, a circle or a tip angle, or lifts off.
 //!
-//! u is a function of the nutation phase alone, and so is everything that depends on u: the tilt, the distance of the
-//! tip from the centre, the normal force. Such an event has one phase while u rises and its mirror image while u falls.
-//! A bisection of the table finds the phase once, and a division converts phases to times. The tip angle is the sum of
-//! a periodic part and of a mean that is linear in time. Its bisection is in time, between instants at which it can
-//! change direction.
-//!
-//! All work is bounded: at most 64 evaluations for a phase, and some hundred for a tip angle.
+//! u is a function of the nutation phase. An event of u has one phase while u rises, which a bisection of the table finds once, and its
+//! mirror image while u falls. The tip angle is bisected in time, between instants at which it can change direction. All work is bounded.
 
 mod recurring;
 
 mod level;
 
-mod crossing;
+mod iterator;
 
-mod tip_angle;
-
-pub use crossing::Crossings;
+pub use iterator::Events;
 pub use level::Level;
-pub use tip_angle::TipAngles;
 
-use crate::ephemeris::{EphemerisScalar, EphemerisView, Sample};
 use crate::phase::whole_number;
 use crate::scalar::{Extended, Float};
+use crate::table::{EphemerisScalar, EphemerisView, Sample};
 
 /// Event of a motion: its instant in ticks, and the sense of the change.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,14 +31,17 @@ pub struct Event {
 impl Event {
     /// Event after a number of ticks; `None` outside the range of `i64`.
     fn at(ticks: Extended, upward: bool) -> Option<Self> {
-        const RANGE: f64 = (1_u64 << 63) as f64;
-        let in_range = Float::abs(ticks.to_f64()) < RANGE;
+        /// Number far beyond the range of `i64`, from which on whole numbers of 128 bits could wrap.
+        const COUNTABLE: f64 = (1_u128 << 100) as f64;
+        if Float::abs(ticks.to_f64()) > COUNTABLE {
+            return None;
+        }
         let ([leading, rest], share) = ticks.floor_and_rest();
-        let tick = whole_number(leading).wrapping_add(whole_number(rest)) as i64;
+        let tick = i64::try_from(whole_number(leading).wrapping_add(whole_number(rest))).ok()?;
         // a share that rounds to 1 becomes the largest number below
         let share = share.to_f64();
         let share = if share < 1.0 { share } else { 1.0 - 0.5 * f64::EPSILON };
-        in_range.then_some(Self { tick, share, upward })
+        Some(Self { tick, share, upward })
     }
 
     /// Number of ticks from tick 0.
@@ -56,8 +51,7 @@ impl Event {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Time of an event in the motion's unit of time, from t = 0: the nearest `f64`. Far from t = 0 the tick and share of the
-    /// event resolve more.
+    /// Time of an event in the motion's unit of time, from t = 0: the nearest `f64`.
     #[must_use]
     pub fn time_of(&self, event: &Event) -> f64 {
         let [hi, lo] = self.clock.ticks_per_time;
@@ -67,14 +61,13 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Sample of the motion at the instant of an event.
     #[must_use]
     pub fn at_event(&self, event: &Event) -> Sample<'_, R> {
-        let (whole, share) = event.ticks().floor_and_rest();
-        Sample::new(self, self.clock.between(whole, share), self.clock.tip.between(whole, share))
+        let (phases, mean_tip) = self.clock.after(event.ticks());
+        Sample::new(self, phases, mean_tip)
     }
 }
 
-/// Least number above `low` for which a condition holds. The condition holds at `high`, and if it holds for a number,
-/// it holds for every larger one. Cost: at most 64 evaluations of the condition.
-fn first_that(mut low: u64, mut high: u64, holds: impl Fn(u64) -> bool) -> u64 {
+/// Least number above `low` for which a condition holds that holds at `high` and stays true. Cost: at most 64 evaluations.
+fn bisect(mut low: u64, mut high: u64, holds: impl Fn(u64) -> bool) -> u64 {
     for _ in 0..u64::BITS {
         let middle = low + (high - low) / 2;
         if middle == low {

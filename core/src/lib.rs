@@ -4,62 +4,27 @@
 // Modules in the order of dependence: each one uses only those above it.
 
 // Numbers: products of integers, phases, scalars, complex numbers, SU(2).
-mod product;
-
-mod phase;
-
-pub mod scalar;
-
-mod complex;
+mod numbers;
 
 pub mod su2;
 
 // Input: a top and its state.
-mod error;
-
-mod top;
-
-mod state;
+mod body;
 
 // Constants of the motion.
 mod constants;
 
-pub mod elliptic;
-
-mod law;
-
-mod cayley_klein;
-
-mod mean_motion;
-
-mod motion;
-
 // Motion as a function of time. Set-up may be refused; after it nothing fails.
-mod attitude_state;
-
-mod tip;
+mod motion;
 
 mod stepper;
 
-mod ephemeris;
+mod table;
 
 mod events;
-// Partial derivatives, and a launch fitted to measurements.
-mod sensitivity;
-
-pub mod fit;
-
-// Closed forms of the paper, for comparison.
-pub mod exact;
 
 mod interop;
 
-#[cfg(doc)]
-#[doc = include_str!("../docs/paper.md")]
-pub mod paper {}
-#[cfg(doc)]
-#[doc = include_str!("../docs/errata.md")]
-pub mod errata {}
 #[cfg(doc)]
 #[doc = include_str!("../docs/error_bound.md")]
 pub mod error_bound {}
@@ -69,31 +34,52 @@ pub mod other_tops {}
 #[cfg(doc)]
 #[doc = include_str!("../docs/table_format.md")]
 pub mod table_format {}
-#[cfg(doc)]
-#[doc = include_str!("../docs/partials.md")]
-pub mod partials {}
 
-pub use attitude_state::AttitudeState;
-pub use complex::Complex;
+/// Parts of toytop that its sibling crates share; not covered by semantic versioning.
+#[doc(hidden)]
+pub mod internal;
+
+pub use body::error::ParameterError;
+pub use body::state::{Release, State};
+pub use body::top::{Support, Top, TopParameters};
 pub use constants::{BranchPoints, FirstIntegrals, Regime, Sign, Signs, TipClass};
-#[cfg(feature = "micromath")]
-pub use ephemeris::Micromath;
-pub use ephemeris::{
-    Baked, BakedError, Clock, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisScalar,
-    EphemerisStorage, EphemerisView, ErrorBound, Sample, Sampler, Samples, SegmentPoint, SetUp, TableData,
-    TableTooSmall, Tick, TipClock, TurningPoint,
-};
-#[cfg(feature = "fixed")]
-pub use ephemeris::{EphemerisQ15, EphemerisQ31};
-pub use error::ParameterError;
-pub use events::{Crossings, Event, Level, TipAngles};
+pub use events::{Event, Events, Level};
 #[cfg(feature = "fixed")]
 pub use fixed;
-pub use mean_motion::PeriodAdvance;
-pub use motion::{Launch, Motion, Start};
-pub use phase::Phase;
-pub use sensitivity::{Partials, Sensitivity, SensitivityCursor};
-pub use state::{Release, State};
+pub use motion::attitude_state::AttitudeState;
+pub use motion::period::PeriodAdvance;
+pub use motion::{InitialPhases, Motion};
+pub use numbers::complex::Complex;
+pub use numbers::phase::Phase;
+pub use numbers::scalar;
 pub use stepper::Stepper;
 pub use su2::Orientation;
-pub use top::{Support, Top, TopParameters};
+pub use table::{
+    Baked, BakedError, Clock, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory,
+    EphemerisScalar, EphemerisStorage, EphemerisView, ErrorBound, Pose, ReadyEphemeris, Sample, Sampler,
+    SetUp, SetUpError, Tick, TipClock, TurningPoint,
+};
+#[cfg(feature = "fixed")]
+pub use table::{EphemerisQ15, EphemerisQ31};
+
+// Shorter paths inside the crate.
+pub(crate) use body::{error, state, top};
+pub(crate) use motion::{attitude_state, cayley_klein, landen, period, tip};
+pub(crate) use numbers::{complex, phase, product};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What an interrupt or a resource of a scheduler holds may move there and be shared; otherwise this does not compile.
+    #[test]
+    fn an_interrupt_may_hold_everything() {
+        fn held<T: Send + Sync>() {}
+        held::<(Top, State, Motion, Stepper<f32>, Stepper<f64>, Cursor, Tick, Phase)>();
+        held::<(EphemerisF32, EphemerisF64, SetUpError, ParameterError, ErrorBound)>();
+        held::<(Orientation<f32>, AttitudeState<f32>, Event, Level)>();
+        held::<Sampler<'static, f32>>();
+        #[cfg(feature = "fixed")]
+        held::<(EphemerisQ31, EphemerisQ15)>();
+    }
+}

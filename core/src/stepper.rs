@@ -1,38 +1,31 @@
 //! Stepper: integration of the motion by one Runge-Kutta step for three phases per time step.
 //!
-//! Only the half phase χ and the slow phases ψ_A and ψ_B are integrated, and their rates depend on χ alone.
-//! Orientation, unit norm and first integrals are functions of the phases. Therefore |Φ|, l, n and h do not drift for
-//! any step size, and the error of a step is an error in time or phase along the exact motion. The phases are
-//! integers in turns and lose no digits as they grow, also in `f32`.
+//! The rates depend on χ alone. Orientation and first integrals are functions of the phases, so |Φ|, l, n and h do not drift.
 
 use crate::attitude_state::AttitudeState;
-use crate::cayley_klein::{Brackets, PhaseDirections};
+use crate::cayley_klein::{Ellipses, PhaseDirections};
 use crate::complex::Complex;
-use crate::law::{Law, PhaseRates, gudermannian};
+use crate::motion::phase_equations::{PhaseEquations, PhaseRates, gudermannian};
 use crate::motion::{Motion, NutationVariable};
-use crate::phase::{Phase, TurnRate};
+use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real};
 use crate::su2::{Orientation, Vector};
-use crate::tip::TipLaw;
+use crate::tip::TipConstants;
 
 /// Stepper of one motion. The step dt may change from call to call and have either sign.
 ///
-/// The method is of fourth order in dt. With 4096 steps a period in `f64` the error over ten periods is below 1e-12
-/// rad, with 512 steps in `f32` below 1e-5 rad, away from the separatrix (`toytop compare` prints it). A step costs
-/// four evaluations of the law: 4 sine-cosine pairs (if the motion is aperiodic, 4 exponentials and 4 `expm1`), 4
-/// square roots and 12 divisions. A step is never subdivided.
-///
-/// Where u is constant (regular precession, sleeping, hanging) a step is exact for any dt.
+/// Order 4 in dt. Error over ten periods, away from the separatrix: below 1e-12 rad with 4096 steps a period in `f64`, below
+/// 1e-5 rad with 512 in `f32`. Where u is constant, a step is exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stepper<R> {
-    brackets: Brackets<R>,
-    law: Law<R>,
-    tip: TipLaw<R>,
+    ellipses: Ellipses<R>,
+    equations: PhaseEquations<R>,
+    tip: TipConstants<R>,
     nutation: CurrentNutation<R>,
     /// Slow phases A and B.
     phases: [Phase; 2],
     /// Rate τ/2: in turns per unit time for the phases, in rad per unit time for their rates.
-    half_tau: (TurnRate, R),
+    half_tau: (Extended, R),
     /// Difference of φ and the sum of the continued arguments of α and β; `None` where φ does not exist.
     phi_origin: Option<Phase>,
 }
@@ -41,7 +34,7 @@ pub struct Stepper<R> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum CurrentNutation<R> {
     /// Rates of A and B, in turns and in rad per unit time.
-    Steady([(TurnRate, R); 2]),
+    Steady([(Extended, R); 2]),
     Nutating(Phase),
     Aperiodic(Compensated<R>),
 }
@@ -80,13 +73,10 @@ impl<R: Real> Stepper<R> {
     /// Stepper at t = 0 of the motion. Its constants are computed in extended precision and rounded once to `R`.
     #[must_use]
     pub fn new(motion: &Motion) -> Self {
-        let (half_tau, drift_rate) = motion.half_tau_rates();
-        let nutation = match motion.nutation() {
-            NutationVariable::Steady(rates) => {
-                let [alpha, beta] = motion.steady_rates().map(|rate| R::from_f64(rate.to_f64()));
-                let [alpha_turns, beta_turns] = rates;
-                CurrentNutation::Steady([(alpha_turns, alpha), (beta_turns, beta)])
-            }
+        // in turns and in rad
+        let rate = |rate: Extended| (rate.in_turns(), R::from_f64(rate.to_f64()));
+        let nutation = match motion.nutation {
+            NutationVariable::Steady => CurrentNutation::Steady(motion.steady_rates().map(rate)),
             NutationVariable::Nutating(chi) => CurrentNutation::Nutating(chi),
             NutationVariable::Aperiodic(v) => {
                 let sum = R::from_f64(v);
@@ -94,19 +84,19 @@ impl<R: Real> Stepper<R> {
             }
         };
         let mut stepper = Self {
-            brackets: motion.brackets(),
-            law: motion.law::<Extended>().cast(),
-            tip: TipLaw::new(motion),
+            ellipses: motion.ellipses(),
+            equations: motion.equations().cast(),
+            tip: TipConstants::new(motion),
             nutation,
-            phases: motion.phases(),
-            half_tau: (half_tau, R::from_f64(drift_rate)),
+            phases: motion.phases,
+            half_tau: rate(motion.half_tau),
             phi_origin: None,
         };
         if !motion.regime().is_vertical() {
             let directions = stepper.directions();
             let [alpha, beta] = stepper.phases;
             let arguments =
-                stepper.brackets.alpha.argument(&directions) + stepper.brackets.beta.argument(&directions);
+                stepper.ellipses.alpha.argument(&directions) + stepper.ellipses.beta.argument(&directions);
             stepper.phi_origin =
                 Some((alpha + beta + arguments).principal() - stepper.continued_phi(&directions));
         }
@@ -120,9 +110,9 @@ impl<R: Real> Stepper<R> {
         }
         match self.nutation {
             CurrentNutation::Steady(rates) => {
-                let elapsed = dt.to_f64();
+                let elapsed = Extended::from(dt.to_f64());
                 for (phase, (rate, _)) in self.phases.iter_mut().zip(rates) {
-                    *phase += rate.over(elapsed);
+                    *phase += (rate * elapsed).to_phase();
                 }
             }
             CurrentNutation::Nutating(chi) => {
@@ -133,7 +123,7 @@ impl<R: Real> Stepper<R> {
             CurrentNutation::Aperiodic(v) => {
                 let change = runge_kutta(dt, |delta| {
                     let (tanh, sech) = gudermannian(v.plus(delta).sum);
-                    self.law.aperiodic_rates(tanh, sech)
+                    self.equations.aperiodic_rates(tanh, sech)
                 });
                 self.nutation = CurrentNutation::Aperiodic(v.plus(change.nutation).bounded());
                 self.advance_slow_phases(dt, &change);
@@ -142,7 +132,7 @@ impl<R: Real> Stepper<R> {
     }
 
     fn advance_slow_phases(&mut self, dt: R, change: &PhaseRates<R>) {
-        let half_tau = self.half_tau.0.over(dt.to_f64());
+        let half_tau = (self.half_tau.0 * dt.to_f64().into()).to_phase();
         let [alpha, beta] = &mut self.phases;
         *alpha += turns(change.alpha) + half_tau;
         *beta += turns(change.beta) - half_tau;
@@ -150,21 +140,21 @@ impl<R: Real> Stepper<R> {
 
     fn nutating_rates(&self, chi: Phase) -> PhaseRates<R> {
         let (sine, cosine) = R::sine_cosine(chi);
-        self.law.rates(sine, cosine)
+        self.equations.rates(sine, cosine)
     }
 
     /// Orientation Φ. Cost: three sine-cosine pairs and twelve products.
     #[must_use]
     pub fn orientation(&self) -> Orientation<R> {
-        self.brackets.orientation(&self.directions())
+        self.ellipses.orientation(&self.directions())
     }
 
     /// Orientation and its rate.
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R> {
         let directions = self.directions();
-        let rate = self.brackets.rate(&directions, &self.whole_rates(&directions));
-        AttitudeState { orientation: self.brackets.orientation(&directions), rate }
+        let rate = self.ellipses.rate(&directions, &self.whole_rates(&directions));
+        AttitudeState { orientation: self.ellipses.orientation(&directions), rate }
     }
 
     /// Cosine u of the tilt, in [-1, 1].
@@ -216,19 +206,15 @@ impl<R: Real> Stepper<R> {
         self.tip.velocity(&self.attitude_state())
     }
 
-    /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, whole turns included; `None` where the
-    /// axis is vertical at all times.
-    ///
-    /// Where the curve passes through the centre (e₁ = -1 or e₂ = 1), φ is smooth there and the radius changes sign:
-    /// c = ±ρ e^{iφ}.
+    /// Tip angle φ = arg c, continuous from φ(0) in (-1/2, 1/2] turn; `None` where the axis is vertical at all times. Where the
+    /// curve passes through the centre, the radius changes sign instead.
     #[must_use]
     pub fn tip_angle(&self) -> Option<Phase> {
         self.phi_origin.map(|origin| origin + self.continued_phi(&self.directions()))
     }
 
-    /// Rate φ' of the tip angle, rad per unit time: ((l + n)/(1 + u) + (l - n)/(1 - u))/(2A), equation (4.1) of the
-    /// paper. It is limited to the largest finite `f32`, which a motion that misses the vertical by 1e-30 exceeds; 0
-    /// where the axis is vertical at all times.
+    /// Rate φ' of the tip angle, rad per unit time (equation (4.1) of the paper); at most the largest finite `f32`, and 0 where the
+    /// axis is vertical at all times.
     #[must_use]
     pub fn tip_angle_rate(&self) -> R {
         self.tip.angle_rate(&self.orientation())
@@ -250,9 +236,9 @@ impl<R: Real> Stepper<R> {
             CurrentNutation::Steady([(_, alpha), (_, beta)]) => {
                 return PhaseRates { nutation: R::ZERO, alpha, beta };
             }
-            CurrentNutation::Nutating(_) => self.law.rates(directions.sine, directions.cosine),
+            CurrentNutation::Nutating(_) => self.equations.rates(directions.sine, directions.cosine),
             CurrentNutation::Aperiodic(_) => {
-                let rates = self.law.aperiodic_rates(directions.sine, directions.cosine);
+                let rates = self.equations.aperiodic_rates(directions.sine, directions.cosine);
                 PhaseRates { nutation: rates.nutation * directions.cosine, ..rates } // χ' = v' sech v
             }
         };
@@ -271,8 +257,8 @@ impl<R: Real> Stepper<R> {
         };
         alpha
             + beta
-            + self.brackets.alpha.continued_argument(directions, chi)
-            + self.brackets.beta.continued_argument(directions, chi)
+            + self.ellipses.alpha.continued_argument(directions, chi)
+            + self.ellipses.beta.continued_argument(directions, chi)
     }
 }
 

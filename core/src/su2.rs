@@ -1,11 +1,7 @@
 //! SU(2) and its Lie algebra: orientations and the vectors that they rotate (section 2.1 of the paper).
 //!
-//! A vector x of R³ stands for the matrix ½ ((i x₃, -x₂ + i x₁), (x₂ + i x₁, -i x₃)) of su(2). The factor ½ makes the
-//! Lie bracket the cross product; the scalar product is ⟨x, y⟩ = -2 Tr(x y). A vector X in body coordinates has the
-//! coordinates x = Φ X Φ⁻¹ in the fixed frame. The third body axis points from the tip to the centre of mass, the
-//! third fixed axis upward.
-//!
-//! Φ and -Φ are the same rotation. Every function of this crate returns the sign that makes Φ continuous in time.
+//! A vector x of R³ stands for the matrix ½ ((i x₃, -x₂ + i x₁), (x₂ + i x₁, -i x₃)) of su(2), whose Lie bracket is the cross
+//! product. x = Φ X Φ⁻¹ takes body coordinates X to fixed ones. Φ and -Φ are the same rotation; the sign makes Φ continuous in time.
 
 mod rate;
 
@@ -24,17 +20,14 @@ pub fn dot<R: Ring>(x: Vector<R>, y: Vector<R>) -> R {
     x1 * y1 + x2 * y2 + x3 * y3
 }
 
-/// Lie bracket [x, y], equal to the cross product x × y.
-pub fn bracket<R: Ring>(x: Vector<R>, y: Vector<R>) -> Vector<R> {
+/// Cross product x × y, the Lie bracket of su(2).
+pub fn cross<R: Ring>(x: Vector<R>, y: Vector<R>) -> Vector<R> {
     let [x1, x2, x3] = x;
     let [y1, y2, y3] = y;
     [x2 * y3 - x3 * y2, x3 * y1 - x1 * y3, x1 * y2 - x2 * y1]
 }
 
-/// Orientation: the matrix Φ = ((α, β), (γ, δ)) of SU(2), in Cayley-Klein parameters.
-///
-/// The other two parameters are γ = -β̄ and δ = ᾱ. Constructors do not normalise: the caller provides |α|² + |β|² =
-/// 1.
+/// Orientation: the matrix Φ = ((α, β), (γ, δ)) of SU(2), with γ = -β̄ and δ = ᾱ. The caller provides |α|² + |β|² = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Orientation<R> {
@@ -119,8 +112,7 @@ impl<R: Ring> Orientation<R> {
         self.adjoint([x2, -x1, R::ZERO])
     }
 
-    /// Unit quaternion w + x i + y j + z k of the rotation from body to fixed coordinates, as [w, x, y, z]. Φ and -Φ
-    /// give quaternions of opposite sign.
+    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give quaternions of opposite sign.
     #[must_use]
     pub fn quaternion(&self) -> [R; 4] {
         let Self { alpha, beta } = *self;
@@ -141,8 +133,7 @@ impl<R: Ring> Orientation<R> {
         Complex::new(product.re.doubled(), product.im.doubled())
     }
 
-    /// Rotation matrix Ad_Φ, row by row: its product with a column of body coordinates gives fixed coordinates. The
-    /// third column is the axis.
+    /// Rotation matrix Ad_Φ by rows, from body to fixed coordinates. The third column is the axis.
     #[must_use]
     pub fn matrix(&self) -> [Vector<R>; 3] {
         let (zero, one) = (R::ZERO, R::ONE);
@@ -151,15 +142,14 @@ impl<R: Ring> Orientation<R> {
         [[a1, b1, r1], [a2, b2, r2], [a3, b3, r3]]
     }
 
-    /// Cosine of the tilt, u = |α|² - |β|², computed as Re((α + β)(ᾱ - β̄)): two products instead of four. Near the
-    /// vertical a rounding of α and β can take it past ±1; [`Orientation::clamped_u`] stays within.
+    /// Cosine of the tilt, u = |α|² - |β|² = Re((α + β)(ᾱ - β̄)). A rounding can take it past ±1.
     #[must_use]
     pub fn u(&self) -> R {
         let (sum, difference) = (self.alpha + self.beta, self.alpha - self.beta);
         R::inner([sum.re, sum.im], [difference.re, difference.im])
     }
 
-    /// u limited to [-1, 1], the domain of the arc cosine: [`Self::u`] and two comparisons. A NaN remains NaN.
+    /// u limited to [-1, 1]. A NaN remains NaN.
     #[must_use]
     pub fn clamped_u(&self) -> R {
         let u = self.u();
@@ -174,8 +164,7 @@ impl<R: Ring> Orientation<R> {
 }
 
 impl<R: Float> Orientation<R> {
-    /// Distance of two orientations, 2 √(|Δα|² + |Δβ|²), rad: where it is small, the angle between them. Φ and -Φ are
-    /// 4 rad apart.
+    /// Distance of two orientations, 2 √(|Δα|² + |Δβ|²), rad: the angle between them, if small. Φ and -Φ are 4 rad apart.
     #[must_use]
     pub fn distance(&self, other: &Self) -> R {
         let (alpha, beta) = (self.alpha - other.alpha, self.beta - other.beta);
@@ -189,8 +178,7 @@ impl<R: Float> Orientation<R> {
         Self { alpha: self.alpha.scaled(scale), beta: self.beta.scaled(scale) }
     }
 
-    /// Image of z under the Möbius transformation z ↦ (αz + β)/(γz + δ), which is the rotation in the stereographic
-    /// plane ([`stereographic`]). `None` stands for the point at infinity, as argument and as result.
+    /// Image (αz + β)/(γz + δ) of z: the rotation in the plane of [`stereographic`]. `None` is the point at infinity.
     #[must_use]
     pub fn moebius(&self, z: Option<Complex<R>>) -> Option<Complex<R>> {
         match z {
@@ -201,15 +189,12 @@ impl<R: Float> Orientation<R> {
 }
 
 impl<R: Real> Orientation<R> {
-    /// Exponential of an element of su(2): the rotation by |x| rad about x; the identity where a component is not
-    /// finite.
+    /// Exponential of an element of su(2): the rotation by |x| rad about x; the identity where a component is not finite.
     ///
-    /// Error: a few roundings of the result, and the rounding of the angle |x|, which may exceed a turn where |x| is
-    /// above 1e15 (1e7 in `f32`). The result is a rotation about x for any |x|.
+    /// Error: a few roundings, and that of |x|.
     #[must_use]
     pub fn exp(x: Vector<R>) -> Self {
-        /// Angle below which the sine of `f32`, whose absolute error is 2^-32 turns, would have too large a relative
-        /// error.
+        /// Angle below which the sine of `f32` would have too large a relative error.
         const SMALL: f64 = 1.0 / 16.0;
         /// Angle above which the fraction of a turn in [`Phase`] has no correct digits.
         const LARGE: f64 = (1_u64 << 52) as f64;
@@ -276,7 +261,7 @@ pub fn sphere_point<R: Float>(z: Option<Complex<R>>) -> Vector<R> {
 }
 
 /// Quotient a / b; `None` for b = 0.
-pub(crate) fn quotient<R: Float>(a: Complex<R>, b: Complex<R>) -> Option<Complex<R>> {
+pub fn quotient<R: Float>(a: Complex<R>, b: Complex<R>) -> Option<Complex<R>> {
     let norm = b.norm_squared();
     (norm > R::ZERO).then(|| (a * b.conj()).scaled(R::ONE / norm))
 }

@@ -3,12 +3,13 @@
 //! Core uses neither `std` maths nor a fused multiply-add, so a chip, with or without a floating-point unit, must give
 //! what the host gives.
 
+use crate::top::released;
 use toytop::fixed::types::{I2F14, I2F30};
 use toytop::scalar::Real;
-use toytop::su2::Vector;
 use toytop::{
-    BranchPoints, Complex, Ephemeris, EphemerisScalar, FirstIntegrals, Motion, Orientation, ParameterError,
-    PeriodAdvance, Release, Sample, Sign, Signs, Start, State, Stepper, Tick, Top, TopParameters,
+    BranchPoints, Complex, Ephemeris, EphemerisMemory, EphemerisScalar, FirstIntegrals, InitialPhases,
+    Motion, Orientation, ParameterError, PeriodAdvance, Pose, Release, Sample, SetUp, Sign, Signs, State,
+    Stepper, Tick, Top, TopParameters,
 };
 
 /// Steps of each motion.
@@ -16,9 +17,14 @@ const TICKS: usize = 2000;
 
 /// Calls `report` with the name of a motion, the name of a stage, and the hash of the results of the stage.
 ///
+/// * `set_up`: memory of the set-ups, for an error of any size, because the tables are small enough for 16 KiB of RAM
+///
 /// # Errors
 /// None: the motions are valid.
-pub fn of_every_stage(mut report: impl FnMut(&str, &str, u64)) -> Result<(), ParameterError> {
+pub fn of_every_stage(
+    set_up: &mut SetUp,
+    mut report: impl FnMut(&str, &str, u64),
+) -> Result<(), ParameterError> {
     // one motion at a time, because the stack of the smallest chip is short
     let motions: [(_, fn() -> _, _); 3] = [
         ("toy_top", toy_top, 1e-3),
@@ -41,35 +47,21 @@ pub fn of_every_stage(mut report: impl FnMut(&str, &str, u64)) -> Result<(), Par
         report(name, "stepper_f64_phi", orientation.0);
         report(name, "stepper_f64_tip", tip.0);
         report(name, "stepper_f64_omega", omega.0);
-        let [any, next] = table::<f32, 25>(&motion);
-        report(name, "ephemeris_f32", any.0);
-        report(name, "cursor_f32", next.0);
-        let [any, next] = table::<f64, 8>(&motion);
-        report(name, "ephemeris_f64", any.0);
-        report(name, "cursor_f64", next.0);
-        let [any, next] = table::<I2F30, 32>(&motion);
-        report(name, "ephemeris_q31", any.0);
-        report(name, "cursor_q31", next.0);
-        let [any, next] = table::<I2F14, 16>(&motion);
-        report(name, "ephemeris_q15", any.0);
-        report(name, "cursor_q15", next.0);
+        for (names, hashes) in [
+            (["ephemeris_f32", "cursor_f32"], table::<f32, 25>(set_up, &motion)),
+            (["ephemeris_f64", "cursor_f64"], table::<f64, 8>(set_up, &motion)),
+            (["ephemeris_q31", "cursor_q31"], table::<I2F30, 32>(set_up, &motion)),
+            (["ephemeris_q15", "cursor_q15"], table::<I2F14, 16>(set_up, &motion)),
+        ] {
+            names.into_iter().zip(hashes).for_each(|(stage, hash)| report(name, stage, hash.0));
+        }
     }
     Ok(())
 }
 
 /// Motion of a toy top in SI units, with all six numbers of a release.
 fn toy_top() -> Result<Motion, ParameterError> {
-    let top = Top::sliding(&TopParameters {
-        transverse_inertia: 3.0e-5,
-        axial_inertia: 2.0e-5,
-        com_height: 0.03,
-        mass: 0.05,
-        gravity: 9.81,
-        ..TopParameters::default()
-    })?;
-    let release =
-        Release { tilt: 0.35, azimuth: 0.4, roll: -2.0, spin: 150.0, precession: 3.0, nutation: -1.5 };
-    Motion::launch(&top, &State::release(&release)?)
+    released(&Release { tilt: 0.35, azimuth: 0.4, roll: -2.0, spin: 150.0, precession: 3.0, nutation: -1.5 })
 }
 
 /// Motion with e₃ - e₂ = 1e-3, falling, with loops, C > A; from branch points, in the paper's units.
@@ -83,7 +75,7 @@ fn near_separatrix() -> Result<Motion, ParameterError> {
         ..TopParameters::default()
     })?;
     let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
-    let start = Start { theta: -2.0, arg_alpha: 0.3, arg_beta: 2.5 };
+    let start = InitialPhases { theta: -2.0, arg_alpha: 0.3, arg_beta: 2.5 };
     Motion::from_branch_points(&top, [-0.5, 0.9995, 1.0005], signs, &start)
 }
 
@@ -114,32 +106,32 @@ fn ticks<R: Real + Into<f64>>(motion: &Motion, dt: f64) -> [Hash; 3] {
             stepper
                 .tip_angle()
                 .map_or(tip, |angle| tip.number(angle.to_f64()).number(stepper.tip_angle_rate())),
-            omega.vector(stepper.omega()),
+            omega.numbers(stepper.omega()),
         ];
     }
     hashes
 }
 
-/// Hashes of orientation, tip and ω of samples at distant ticks, and of orientation and tip at consecutive ticks. The tables are small enough
-/// for 16 KiB of RAM, even if the motion needs more segments.
+/// Hashes of orientation, tip and ω of samples at distant ticks, and of orientation and tip at consecutive ticks.
 #[inline(never)] // one table at a time, too
 fn table<R: EphemerisScalar<Wide: Into<f64>> + Into<f64>, const SEGMENTS: usize>(
+    set_up: &mut SetUp,
     motion: &Motion,
 ) -> [Hash; 2] {
     let mut hashes = [Hash::default(); 2];
-    let mut ephemeris = Ephemeris::<R, SEGMENTS>::EMPTY;
-    let fits = Tick::hertz(1000).map(|tick| ephemeris.set_up(motion, tick, f64::INFINITY));
-    let Ok(Ok(())) = fits else { return hashes };
+    let mut memory = EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new();
+    let table = Tick::hertz(1000).map(|tick| memory.set_up(set_up, motion, tick, 0, &mut || {}));
+    let Ok(Ok(ephemeris)) = table else { return hashes };
     let with_sample = |hash: Hash, sample: Sample<'_, R>| {
-        let (Orientation { alpha, beta }, tip) = sample.orientation_and_tip();
-        hash.complex(alpha).complex(beta).complex(tip)
+        let Pose { orientation: Orientation { alpha, beta }, u, tip } = sample.pose();
+        hash.complex(alpha).complex(beta).number(u).complex(tip)
     };
     let mut cursor = ephemeris.cursor(-3);
     for n in (-7_i64..).take(TICKS) {
         let [any, next] = hashes;
         // from years before the launch to years after it
         let apart = ephemeris.at_tick(n << 33);
-        hashes = [with_sample(any, apart).vector(apart.omega()), with_sample(next, cursor.next(&ephemeris))];
+        hashes = [with_sample(any, apart).numbers(apart.omega()), with_sample(next, cursor.next(&ephemeris))];
     }
     hashes
 }
@@ -161,30 +153,28 @@ impl Hash {
     }
 
     fn complex<R: Into<f64>>(self, z: Complex<R>) -> Self {
-        self.number(z.re).number(z.im)
+        self.numbers([z.re, z.im])
     }
 
-    fn vector<R: Into<f64>>(self, vector: Vector<R>) -> Self {
-        vector.into_iter().fold(self, Self::number)
+    fn numbers(self, numbers: impl IntoIterator<Item: Into<f64>>) -> Self {
+        numbers.into_iter().fold(self, Self::number)
     }
 
     fn integrals(self, integrals: &FirstIntegrals) -> Self {
         let FirstIntegrals { l, n, h, l_plus_n, l_minus_n, .. } = *integrals;
-        [l, n, h, l_plus_n, l_minus_n].into_iter().fold(self, Self::number)
+        self.numbers([l, n, h, l_plus_n, l_minus_n])
     }
 
     fn branch_points(self, e: &BranchPoints) -> Self {
         let BranchPoints { e1, e2, e3, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, e3_minus_one } =
             *e;
-        [e1, e2, e3, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, e3_minus_one]
-            .into_iter()
-            .fold(self, Self::number)
+        self.numbers([e1, e2, e3, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, e3_minus_one])
     }
 
     fn averages(self, averages: Option<PeriodAdvance>) -> Self {
         averages.map_or(self, |averages| {
             let PeriodAdvance { period, alpha_turns, beta_turns, .. } = averages;
-            self.number(period).number(alpha_turns).number(beta_turns)
+            self.numbers([period, alpha_turns, beta_turns])
         })
     }
 }

@@ -28,7 +28,12 @@ pub fn exit() -> ! {
 /// without this function.
 #[cfg(target_arch = "arm")]
 pub fn start_systick(clock: u32, rate: u32) {
-    let mut systick = cortex_m::Peripherals::take().expect("taken once").SYST;
+    run_systick(cortex_m::Peripherals::take().expect("taken once").SYST, clock, rate);
+}
+
+/// Starts SysTick like [`start_systick`], for a program that has taken the peripherals.
+#[cfg(target_arch = "arm")]
+pub fn run_systick(mut systick: cortex_m::peripheral::SYST, clock: u32, rate: u32) {
     systick.set_clock_source(cortex_m::peripheral::syst::SystClkSource::Core);
     systick.set_reload(clock / rate - 1);
     systick.clear_current();

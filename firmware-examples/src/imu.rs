@@ -3,8 +3,8 @@
 #[path = "tables/imu.rs"]
 mod table;
 
-use toytop::fit::{Accelerometer, Gyroscope, Magnetometer, Measurement, Mounting, Noise};
-use toytop::{Complex, Orientation};
+use toytop::Orientation;
+use toytop_fit::{Accelerometer, Gyroscope, Magnetometer, Measurement, Mounting, Noise};
 
 /// Samples a second.
 pub const SAMPLE_RATE: u32 = 1000;
@@ -21,10 +21,7 @@ const MAGNETIC_UNIT: f32 = 0.15;
 /// Number of samples for each reading of the magnetometer.
 const EVERY: usize = 10;
 /// Mounting at the centre of mass, along the axes of the body.
-const MOUNTING: Mounting = Mounting {
-    rotation: Orientation { alpha: Complex { re: 1.0, im: 0.0 }, beta: Complex { re: 0.0, im: 0.0 } },
-    place: [0.0; 3],
-};
+const MOUNTING: Mounting = Mounting { rotation: Orientation::IDENTITY, place: [0.0; 3] };
 
 pub const GYROSCOPE: Gyroscope = Gyroscope {
     noise: Noise { deviation: 0.002, bias: 0.0175 },

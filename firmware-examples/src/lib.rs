@@ -16,7 +16,7 @@ pub use toy_top_table::TOY_TOP;
 
 #[cfg(target_os = "none")]
 mod chip;
-#[cfg(target_arch = "arm")]
-pub use chip::start_systick;
 #[cfg(target_os = "none")]
 pub use chip::{entry, exit};
+#[cfg(target_arch = "arm")]
+pub use chip::{run_systick, start_systick};

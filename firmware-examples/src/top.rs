@@ -7,6 +7,14 @@ use toytop::{Motion, ParameterError, Release, State, Top, TopParameters};
 /// # Errors
 /// None: it is possible.
 pub fn toy_top() -> Result<Motion, ParameterError> {
+    released(&Release { tilt: 20.0_f64.to_radians(), spin: 150.0, ..Release::default() })
+}
+
+/// Motion of this top after another release.
+///
+/// # Errors
+/// See [`State::release`].
+pub fn released(release: &Release) -> Result<Motion, ParameterError> {
     let top = Top::sliding(&TopParameters {
         transverse_inertia: 3.0e-5,
         axial_inertia: 2.0e-5,
@@ -15,6 +23,5 @@ pub fn toy_top() -> Result<Motion, ParameterError> {
         gravity: 9.81,
         ..TopParameters::default()
     })?;
-    let release = Release { tilt: 20.0_f64.to_radians(), spin: 150.0, ..Release::default() };
-    Motion::launch(&top, &State::release(&release)?)
+    Motion::launch(&top, &State::release(release)?)
 }

@@ -1,30 +1,11 @@
 //! Command line of `toytop`: its commands, their help texts and their arguments.
 
-mod benchmark;
-mod choice;
-mod events;
-mod fit;
-mod many;
-mod measure;
-mod motion;
-mod score;
-pub(crate) mod times;
-
-pub use crate::motion::Scalar;
-pub use choice::{Format, Method, ScalarChoice};
-pub use measure::CompareArgs;
-
-pub(crate) use benchmark::BenchmarkArgs;
-pub(crate) use events::{EventsArgs, Kind, What};
-pub(crate) use fit::{FitArgs, SimulateArgs};
-pub(crate) use many::{SweepArgs, SweepFiles};
-pub(crate) use measure::{AccuracyArgs, BenchArgs, BudgetArgs, ErrataArgs, FiguresArgs};
-pub(crate) use motion::{
-    AnimateArgs, BakeArgs, ConstantsArgs, DEFAULT_STEPS, Language, PlotArgs, PlotKind, SampleFormat,
-    StateArgs, TimesArgs, ViewArgs,
+use crate::Failure;
+use crate::commands::options::FormatArgs;
+use crate::commands::{
+    Report, accuracy, animate, bake, bench, benchmark, budget, compare, constants, errata, events, figures,
+    fit, plot, score, simulate, state, sweep, view,
 };
-pub(crate) use score::ScoreArgs;
-
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
@@ -48,7 +29,7 @@ pub(crate) enum Command {
     ///
     /// The exit code is 1 if a bound is missed.
     #[command(after_help = "Example: toytop compare host/scenarios/toy_top.toml --periods 100 --format csv")]
-    Compare(CompareArgs),
+    Compare(compare::CompareArgs),
     /// Orientation, rates and tip at given times
     #[command(
         after_help = "Units: t in s, udot in 1/s, omega in rad/s, tip in m, phi in rad; the other angles are in rad too.\n\
@@ -57,10 +38,10 @@ pub(crate) enum Command {
             The CSV columns have the names of the JSON keys, except for quaternion (w,x,y,z), omega_body (wx,wy,wz), angles (tilt,azimuth,roll)\n\
             and euler_zxz (euler_phi,euler_theta,euler_psi).\n\n\
             Example: toytop state host/scenarios/toy_top.toml --times 0,0.5,1e6 --format json\n         \
-            toytop state host/scenarios/toy_top.toml --times 0..10/1000001 --columns t,quaternion,omega_body --format npy -o top.npy\n         \
+            toytop state host/scenarios/toy_top.toml --from 0 --to 10 --count 1000001 --columns t,quaternion,omega_body --format npy -o top.npy\n         \
             toytop state host/scenarios/toy_top.toml --ticks 0..999 --hertz 8000 --scalar q15 --format csv"
     )]
-    State(StateArgs),
+    State(state::StateArgs),
     /// First integrals, branch points, period and mean rotations
     #[command(
         after_help = "A tilt is the angle of the axis from the upward vertical. The precession is the mean rate of the axis about the vertical. The spin is\n\
@@ -68,7 +49,7 @@ pub(crate) enum Command {
             With units = \"none\" a second stands for the unit of time of the scenario.\n\n\
             Example: toytop constants host/scenarios/figure_3_loops.toml"
     )]
-    Constants(ConstantsArgs),
+    Constants(constants::ConstantsArgs),
     /// Times of turning points, tilts, circles, tip angles and lift-off
     #[command(
         after_help = "tilt=X: the axis makes the angle X with the upward vertical; :up selects the times at which it rises. circle=R: the tip is at the\n\
@@ -77,7 +58,7 @@ pub(crate) enum Command {
             Example: toytop events host/scenarios/figure_3_loops.toml --kind turning,tilt=40:up,tip-angle=90 --count 20\n         \
             toytop events host/scenarios/toy_top.toml --kind tilt=22 --from 1e6 --format json"
     )]
-    Events(EventsArgs),
+    Events(events::EventsArgs),
     /// Picture of a motion: curve of the tip or axis, tilt, precession, potential
     ///
     /// For a held tip the curve from above is that of the end of a unit vector along the axis, which is minus the tip of toytop state.
@@ -86,31 +67,31 @@ pub(crate) enum Command {
             tip from the centre, s sqrt(1 - u^2); l, n: angular momenta about the vertical and about the axis of the top.\n\n\
             Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg\n         toytop plot host/scenarios/toy_top.toml --kind tilt --times 0..0.5 --size 1200 -o tilt.png"
     )]
-    Plot(PlotArgs),
+    Plot(plot::PlotArgs),
     /// Animation of a motion: a GIF, or a film that ffmpeg makes
     #[command(
         after_help = "Each frame shows the top at one exact time. A red spoke of the disc turns with the body. A fast spin can be seen only in slow motion:\n\
             --times 0..0.2 shows a fifth of a second over the whole film.\n\n\
             Example: toytop animate host/scenarios/toy_top.toml --times 0..0.2 -o top.gif"
     )]
-    Animate(AnimateArgs),
+    Animate(animate::AnimateArgs),
     /// Page for a browser that shows a top, with sliders for its launch
     ///
     /// The page needs no network and no other file. It contains the core, which computes the motion that the sliders set.
     #[command(
         after_help = "Example: toytop view host/scenarios/figure_3_loops.toml -o top.html\n         top.html#t=12.5 then shows that time\n         toytop view -o index.html   a page that begins with a toy top"
     )]
-    View(ViewArgs),
-    /// Table of a motion as a constant for firmware: Rust, C or JSON
+    View(view::ViewArgs),
+    /// Table of a motion as a constant for firmware: Rust or C
     ///
     /// A table in C contains the code that evaluates it.
     #[command(
-        after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static; it does not compile if a bit was changed\n         toytop bake top.toml --lang c --tick 44100/2 -o top.h   C99 or C++11, with the same results to the bit\n         toytop bake top.toml --lang c --split src --name toy_1   src/toy_1.h and .c, beside the code that all tables share"
+        after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static; it does not compile if a bit was changed\n         toytop bake top.toml --lang c --hertz 44100/2 -o top.h   C99 or C++11, with the same results to the bit\n         toytop bake top.toml --lang c --split src --name toy_1   src/toy_1.h and .c, beside the code that all tables share"
     )]
-    Bake(BakeArgs),
-    /// Figures 2 and 3 of the paper, u against time and errors against time, as SVG and PNG
+    Bake(bake::BakeArgs),
+    /// Curves of figures 2 and 3 of the paper, as SVG
     #[command(after_help = "Example: toytop figures -o figures")]
-    Figures(FiguresArgs),
+    Figures(figures::FiguresArgs),
     /// Errors of your integrator's output against the exact motion
     #[command(
         after_help = "A RESULT has a header, and a row for each time: t in s, and w,x,y,z (unit quaternion from body to fixed coordinates), or\n\
@@ -121,19 +102,19 @@ pub(crate) enum Command {
             Example: toytop score host/scenarios/toy_top.toml rk4_*.csv --plot rk4.svg\n         \
             toytop state TOP.toml --times 0..1/1001 --method stepper --format csv > s.csv && toytop score TOP.toml s.csv"
     )]
-    Score(ScoreArgs),
+    Score(score::ScoreArgs),
     /// Reference values of the heavy tops that integrators are tested with
     #[command(
         after_help = "The values have 30 digits, and two integrations confirm each of them. The conventions are those of the problem's source.\n\n\
             Example: toytop benchmark bruls_cardona --format json\n         \
             toytop benchmark bruls_cardona --times 0..2/2001 --format csv > run.csv && toytop score --benchmark bruls_cardona run.csv"
     )]
-    Benchmark(BenchmarkArgs),
+    Benchmark(benchmark::BenchmarkArgs),
     /// Samples of sensors on a top, with noise, bias and limited range
     #[command(
         after_help = "Example: toytop simulate host/scenarios/toy_top.toml --hertz 1000 --duration 1 --seed 7 -o samples.csv"
     )]
-    Simulate(SimulateArgs),
+    Simulate(simulate::SimulateArgs),
     /// Launch of a top from samples of sensors, with error bars
     ///
     /// The exit code is 1 if the fit has not converged; the reason is printed, and no scenario is written.
@@ -143,34 +124,62 @@ pub(crate) enum Command {
             An empty field is no reading.\n\n\
             Example: toytop fit samples.csv --top host/scenarios/toy_top.toml --free axial_inertia -o fitted.toml"
     )]
-    Fit(FitArgs),
+    Fit(fit::FitArgs),
     /// Computing times on this machine: ephemeris, stepper, full solver
     #[command(after_help = "Example: toytop bench --format json")]
-    Bench(BenchArgs),
+    Bench(FormatArgs),
     /// Cost of each call on emulated microcontrollers, beside its budget
     ///
     /// The exit code is 1 if a call is beyond its budget.
-    Budget(BudgetArgs),
+    Budget(budget::BudgetArgs),
     #[command(after_help = "Example: toytop errata --format csv")]
-    /// Errors of the printed paper and their corrections, both evaluated
-    ///
-    /// The exit code is 1 if a printed formula is right, or a corrected one wrong.
-    Errata(ErrataArgs),
+    /// Errors of the printed paper and their corrections
+    Errata(FormatArgs),
     /// Errors of each scalar up to tick 2^40, beside its cost on each chip
     #[command(after_help = "Example: toytop accuracy --plot accuracy.svg")]
-    Accuracy(AccuracyArgs),
-    /// Constants and errors of many motions, a grid or a random sample
+    Accuracy(accuracy::AccuracyArgs),
+    /// Constants and errors of many motions of a scenario, a grid or a random sample
     ///
-    /// Each motion is one row. All processor cores are used, and a sweep can be divided into shards.
+    /// Each motion is one row. All processor cores are used, and a sweep can be divided into parts.
     #[command(
-        after_help = "Example: toytop sweep host/scenarios/toy_top.toml --spin 90..300/200 --tilt 1..60/100 --plot spin,tilt,period -o grid.csv\n         toytop sweep --e1=-0.9..0.1/41 --e2 0.9 --e3 log:1.01..100/33 --a-over-ps 1 --c-over-a 0.5 -o grid.csv\n         toytop sweep --motions 1000000 --shard 3/100 --resume -o part_3.csv"
+        after_help = "Example: toytop sweep host/scenarios/toy_top.toml --spin 90..300/200 --tilt 1..60/100 --plot spin,tilt,period -o grid.csv\n         toytop sweep host/scenarios/figure_3_loops.toml --axis e1=-0.9..0.1/41 --axis e3=log:1.01..100/33 -o grid.csv\n         toytop sweep host/scenarios/toy_top.toml --spin 90..300 --motions 1000000 --part 3/100 -o part_003.csv"
     )]
-    Sweep(Box<SweepArgs>),
+    Sweep(Box<sweep::SweepArgs>),
     /// Completions for a shell
     #[command(
         after_help = "Example: toytop completions bash > ~/.local/share/bash-completion/completions/toytop"
     )]
     Completions(CompletionsArgs),
+}
+
+/// Report of a command.
+///
+/// # Errors
+/// See [`Failure`].
+pub(crate) fn run(command: &Command) -> Result<Report, Failure> {
+    match command {
+        Command::Compare(arguments) => compare::run(arguments),
+        Command::State(arguments) => state::run(arguments),
+        Command::Constants(arguments) => constants::run(arguments),
+        Command::Events(arguments) => events::run(arguments),
+        Command::Plot(arguments) => plot::run(arguments),
+        Command::Animate(arguments) => animate::run(arguments),
+        Command::View(arguments) => view::run(arguments),
+        Command::Bake(arguments) => bake::run(arguments),
+        Command::Figures(arguments) => figures::run(arguments),
+        Command::Score(arguments) => score::run(arguments),
+        Command::Benchmark(arguments) => benchmark::run(arguments),
+        Command::Simulate(arguments) => simulate::run(arguments),
+        Command::Fit(arguments) => fit::run(arguments),
+        Command::Bench(arguments) => bench::run(arguments),
+        Command::Budget(arguments) => budget::run(arguments),
+        Command::Errata(arguments) => errata::run(arguments),
+        Command::Accuracy(arguments) => accuracy::run(arguments),
+        Command::Sweep(arguments) => sweep::run(arguments),
+        Command::Completions(arguments) => {
+            Ok(String::from_utf8_lossy(&completions(arguments.shell)).into_owned().into())
+        }
+    }
 }
 
 /// `toytop completions`

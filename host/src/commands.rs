@@ -1,26 +1,26 @@
 //! Commands of `toytop`, one file for each. A command returns its whole output, and nothing is printed before it is complete.
 
-pub mod accuracy;
-mod animate;
-mod bake;
-mod bench;
-mod benchmark;
-mod budget;
-pub mod compare;
-mod constants;
-mod errata;
-mod events;
-mod figures;
-mod fit;
-mod plot;
-mod score;
-mod simulate;
-mod state;
-mod sweep;
-mod view;
+pub(crate) mod accuracy;
+pub(crate) mod animate;
+pub(crate) mod bake;
+pub(crate) mod bench;
+pub(crate) mod benchmark;
+pub(crate) mod budget;
+pub(crate) mod compare;
+pub(crate) mod constants;
+pub(crate) mod errata;
+pub(crate) mod events;
+pub(crate) mod figures;
+pub(crate) mod fit;
+pub(crate) mod options;
+pub(crate) mod plot;
+pub(crate) mod score;
+pub(crate) mod simulate;
+pub(crate) mod state;
+pub(crate) mod sweep;
+mod times;
+pub(crate) mod view;
 
-use crate::Failure;
-use crate::cli::{self, Command};
 use crate::input::scenario::Scenario;
 use crate::motion::physical_limits;
 use toytop::Motion;
@@ -34,6 +34,12 @@ pub struct Report {
     pub notes: Vec<String>,
     /// Whether a stated bound was missed.
     pub missed: bool,
+}
+
+impl From<String> for Report {
+    fn from(text: String) -> Self {
+        Self { text, ..Self::default() }
+    }
 }
 
 impl Report {
@@ -51,39 +57,8 @@ impl Report {
     }
 }
 
-/// Report of a command.
-///
-/// # Errors
-/// See [`Failure`].
-pub(crate) fn run(command: &Command) -> Result<Report, Failure> {
-    match command {
-        Command::Compare(arguments) => compare::run(arguments),
-        Command::State(arguments) => state::run(arguments),
-        Command::Constants(arguments) => constants::run(arguments),
-        Command::Events(arguments) => events::run(arguments),
-        Command::Plot(arguments) => plot::run(arguments),
-        Command::Animate(arguments) => animate::run(arguments),
-        Command::View(arguments) => view::run(arguments),
-        Command::Bake(arguments) => bake::run(arguments),
-        Command::Figures(arguments) => figures::run(arguments),
-        Command::Score(arguments) => score::run(arguments),
-        Command::Benchmark(arguments) => benchmark::run(arguments),
-        Command::Simulate(arguments) => simulate::run(arguments),
-        Command::Fit(arguments) => fit::run(arguments),
-        Command::Bench(arguments) => bench::run(arguments),
-        Command::Budget(arguments) => budget::run(arguments),
-        Command::Errata(arguments) => errata::run(arguments),
-        Command::Accuracy(arguments) => accuracy::run(arguments),
-        Command::Sweep(arguments) => sweep::run(arguments),
-        Command::Completions(arguments) => {
-            let script = String::from_utf8_lossy(&cli::completions(arguments.shell)).into_owned();
-            Ok(Report { text: script, ..Report::default() })
-        }
-    }
-}
-
 /// Warnings that a real top on a plane would move differently, one line for each reason, with the names of the motions.
-fn unreal(scenarios: &[Scenario]) -> Vec<String> {
+fn warnings(scenarios: &[Scenario]) -> Vec<String> {
     let line = |what: &str, number: fn(&Motion) -> Option<f64>, digits: usize| {
         let of = |scenario: &Scenario| {
             number(&scenario.motion).map(|number| format!("{} ({})", scenario.name, rounded(number, digits)))

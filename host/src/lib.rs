@@ -9,20 +9,21 @@
 //! | [`measure`] | errors and times of the core against the truth |
 //! | `benchmarks` | catalogue of problems that integrators are tested with |
 //! | [`budget`] | cost of a call on an emulated chip |
-//! | [`errata`] | errors of the printed paper, and their corrections, against the full equations |
+//! | [`errata`] | errors of the printed paper, and their corrections |
+//! | `constants` | constants of a motion by name |
 //! | [`samples`] | samples of a motion as tables of chosen columns |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
 //! | [`score`] | output of an integrator against the exact motion |
 //! | `sweep` | many motions, one row for each |
-//! | [`bake`] | ephemeris as Rust, C or JSON |
+//! | [`bake`] | ephemeris as Rust or C |
 //! | [`pictures`] | curve of the tip, figures, page for a browser |
 //! | [`output`] | tables, CSV, JSON, files, progress |
 //! | [`cli`], [`commands`], [`program`] | command line, one file for each command, exit codes |
 //!
-//! The numerical modules are those of the crate `toytop-numerics`. A release build optimises that crate, and does not optimise this one.
 //! A command computes everything that can fail before the first byte is printed, so a failure leaves no partial output.
 //! The program `toytop-lab` (the folder `lab`) uses this library for studies that check the core itself.
 
+pub mod bake;
 #[cfg(feature = "program")]
 mod benchmarks;
 #[cfg(feature = "program")]
@@ -32,18 +33,30 @@ pub mod cli;
 #[cfg(feature = "program")]
 pub mod commands;
 #[cfg(feature = "program")]
+mod constants;
+#[cfg(feature = "program")]
 pub mod errata;
+mod failure;
+pub mod fit;
+pub mod full_equations;
+pub mod input;
+#[cfg(feature = "program")]
+pub mod measure;
+pub mod motion;
+pub mod output;
 pub mod pictures;
 #[cfg(feature = "program")]
 pub mod program;
+pub mod samples;
+pub mod score;
+#[cfg(feature = "program")]
+pub mod sweep;
+pub mod thread_pool;
+pub mod truth;
 
 #[cfg(feature = "program")]
 pub use commands::Report;
-#[cfg(feature = "program")]
-use toytop_numerics::sweep;
-pub use toytop_numerics::{Failure, bake, fit, input, motion, output, samples, score, thread_pool, truth};
-#[cfg(feature = "program")]
-pub use toytop_numerics::{full_equations, measure};
+pub use failure::Failure;
 
 #[cfg(feature = "program")]
 use std::ffi::OsString;
@@ -56,6 +69,6 @@ use std::ffi::OsString;
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<Report, Failure> {
     match program::parse::<cli::Cli>(arguments)? {
         program::Request::Show(text) => Ok(Report { text, ..Report::default() }),
-        program::Request::Run(cli) => commands::run(&cli.command),
+        program::Request::Run(cli) => cli::run(&cli.command),
     }
 }

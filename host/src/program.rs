@@ -1,5 +1,6 @@
 //! Frame of a program with commands, from its arguments to its exit code.
 
+use crate::output::stdout;
 use crate::{Failure, Report};
 use clap::error::ErrorKind;
 use clap::{Arg, Command, Parser};
@@ -79,6 +80,9 @@ pub fn finish(result: Result<Report, Failure>) -> ExitCode {
 fn print(report: &Report) -> Result<ExitCode, Failure> {
     for note in &report.notes {
         let _ = writeln!(io::stderr(), "{note}");
+    }
+    if !report.text.is_empty() {
+        stdout::require_open().map_err(Failure::Output)?;
     }
     let mut stdout = io::stdout().lock();
     match stdout.write_all(report.text.as_bytes()).and_then(|()| stdout.flush()) {

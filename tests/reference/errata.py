@@ -1,6 +1,6 @@
 """Both versions of every slip of the printed paper, at 50 digits; what `toytop errata` does, without any of its code.
 
-The truth is newton_euler.py. Rows are numbered as in core/docs/errata.md. Run without arguments; exits with 1 if a printed
+The truth is newton_euler.py. Rows are numbered as in core/closed-forms/docs/errata.md. Run without arguments; exits with 1 if a printed
 version passes or a corrected one fails.
 """
 import random

@@ -1,54 +1,96 @@
 //! Tests of public behaviour against independent results: one binary, one module per subject.
 
-mod aperiodic;
-mod baked;
-mod bounds;
-#[cfg(feature = "host")]
-mod cayley_klein;
-mod clock_change;
-mod closed_forms;
-mod conditioning;
-mod dependencies;
-mod e3_equals_e4;
-mod elliptic;
-mod ephemeris;
-mod events;
-mod far_ticks;
-mod fit;
-mod fit_drift;
-mod fixed_point;
-mod found;
-#[cfg(feature = "host")]
-mod full;
-mod group;
-mod hostile;
-#[cfg(feature = "host")]
-mod hyperelliptic;
-mod impulse;
-mod interop;
-mod invariants;
-mod lagrange;
-#[cfg(feature = "host")]
-mod lagrangian;
-mod layout;
-mod long_ticks;
-mod moebius;
-mod normal_force;
-mod order;
-mod paper;
-mod precession;
-mod properties;
-mod rates;
-mod refusals;
-mod regimes;
-mod samples;
-#[cfg(feature = "host")]
-mod sensitivity;
-mod set_up;
-mod small_together;
-mod stages;
-mod tip;
-mod tip_angle;
-#[cfg(feature = "host")]
-mod tip_curve;
-mod tops;
+/// SU(2), its two actions on the sphere, and conversions.
+mod rotations {
+    #[cfg(feature = "host")]
+    pub(crate) mod cayley_klein;
+    mod group;
+    mod interop;
+}
+
+/// From a launch to the stepper: constants, kinds of motion, first integrals, the tip.
+mod motion {
+    mod conditioning;
+    #[cfg(feature = "host")]
+    pub(crate) mod full_solver;
+    mod invariants;
+    #[cfg(feature = "host")]
+    pub(crate) mod lagrangian;
+    mod normal_force;
+    pub(crate) mod properties;
+    mod regimes;
+    mod stages;
+    mod stepper_order;
+    mod tip;
+    mod tops;
+    mod vertical;
+}
+
+/// Tables: accuracy in every scalar, their clock, their memory.
+mod table {
+    mod baked;
+    mod bounds;
+    mod ephemeris;
+    mod epoch;
+    mod far_ticks;
+    mod fixed_point;
+    mod long_ticks;
+    mod rates;
+    mod samples;
+    mod set_up;
+    mod tip_angle;
+    mod truth;
+}
+
+/// Events of a motion, and impulses.
+mod events {
+    mod impulse;
+    mod instants;
+}
+
+/// Sections 3 to 5 of the paper: curves, integrals and closed forms.
+mod closed_forms {
+    mod aperiodic;
+    mod combined_corners;
+    mod e3_equals_e4;
+    mod elliptic;
+    #[cfg(feature = "host")]
+    mod errata;
+    mod four_methods;
+    mod free_body;
+    #[cfg(feature = "host")]
+    mod hyperelliptic;
+    mod lagrange;
+    #[cfg(feature = "host")]
+    mod poles;
+    mod precession;
+    #[cfg(feature = "host")]
+    mod tip_curve;
+}
+
+/// Launches found from measurements, and partial derivatives.
+mod fit {
+    mod drift;
+    mod first_guesses;
+    #[cfg(feature = "host")]
+    mod free_partials;
+    mod limits;
+    #[cfg(feature = "host")]
+    mod sensitivity;
+    mod simulated;
+    mod tracking;
+}
+
+/// Refused input, and input of the fuzzer.
+mod errors {
+    mod fuzz_regressions;
+    mod hostile;
+    mod refusals;
+}
+
+/// Files, dependencies, and the page that maps the paper to tests.
+mod structure {
+    mod dependencies;
+    mod layout;
+    mod paper;
+}

@@ -1,10 +1,9 @@
 //! Hostile input: functions that accept any bytes, construct what the bytes describe, and assert the properties that
 //! must always hold: no panic, no endless loop, and no NaN or infinity from anything that was constructed.
 //!
-//! cargo-fuzz searches for bytes that violate one of them (`cargo xtask fuzz`, `tests/fuzz`). The suite runs them on
+//! cargo-fuzz searches for bytes that violate one of them (`cargo fuzz`, `tests/fuzz`). The suite runs them on
 //! the committed seeds and on random bytes.
 
-mod bake;
 mod ephemeris;
 mod fixed;
 mod input;
@@ -28,7 +27,6 @@ pub const TARGETS: &[Target] = &[
     Target { name: "launch", run: launch::run },
     Target { name: "ephemeris", run: ephemeris::run },
     Target { name: "fixed", run: fixed::run },
-    Target { name: "bake", run: bake::run },
 ];
 
 /// Runs the target of this name.

@@ -2,10 +2,15 @@
 
 pub mod complex;
 pub mod hostile;
+pub mod hyperelliptic;
 pub mod tolerance;
 pub mod vectors;
 
-use toytop::{Complex, Ephemeris, EphemerisScalar, Motion, Orientation, Tick, Top, TopParameters};
+use std::ops::Deref;
+use toytop::{
+    Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, InitialPhases, Motion, Orientation,
+    SetUp, Signs, Tick, Top, TopParameters,
+};
 
 /// Larger of two errors. NaN counts as larger than any number, so that it cannot pass a bound; `f64::max` would drop
 /// it.
@@ -40,17 +45,50 @@ pub fn top_of([a, c, s, p]: [f64; 4], gravity: f64) -> Top {
     if s > 0.0 { Top::sliding(&parameters) } else { Top::fixed(&parameters) }.unwrap()
 }
 
-/// Ephemeris on the heap: a large one, by value, is too much for the stack of a test.
+/// Motion with these branch points that starts at e₁.
+///
+/// # Panics
+/// If there is no such motion.
+pub fn by_branch_points(top: &Top, e: [f64; 3], signs: Signs) -> Motion {
+    Motion::from_branch_points(top, e, signs, &InitialPhases::default()).unwrap()
+}
+
+/// Tick of a millisecond.
+pub fn kilohertz() -> Tick {
+    Tick::ratio(1000, 1).unwrap()
+}
+
+/// Table on the heap: a large one, by value, is too much for the stack of a test.
+pub struct Table<R: EphemerisScalar, const SEGMENTS: usize>(Box<EphemerisMemory<Ephemeris<R, SEGMENTS>>>);
+
+impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Table<R, SEGMENTS> {
+    type Target = EphemerisView<R>;
+
+    fn deref(&self) -> &EphemerisView<R> {
+        self.0.get().expect("set up")
+    }
+}
+
+/// Table of a motion that is launched at tick 0.
 ///
 /// # Panics
 /// If the motion does not fit.
-pub fn boxed<R: EphemerisScalar, const SEGMENTS: usize>(
+pub fn boxed<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion, tick: Tick) -> Table<R, SEGMENTS> {
+    launched_at(motion, tick, 0)
+}
+
+/// Table of a motion that is launched at a tick.
+///
+/// # Panics
+/// If the motion does not fit.
+pub fn launched_at<R: EphemerisScalar, const SEGMENTS: usize>(
     motion: &Motion,
     tick: Tick,
-) -> Box<Ephemeris<R, SEGMENTS>> {
-    let mut ephemeris = Box::new(Ephemeris::<R, SEGMENTS>::EMPTY);
-    ephemeris.set_up(motion, tick, 4.0 * R::ROUNDING).unwrap();
-    ephemeris
+    epoch: i64,
+) -> Table<R, SEGMENTS> {
+    let mut memory = Box::new(EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new());
+    memory.set_up(&mut SetUp::new(), motion, tick, epoch, &mut || {}).unwrap();
+    Table(memory)
 }
 
 /// The example of the README, compiled and run.

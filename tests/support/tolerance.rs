@@ -73,17 +73,16 @@ pub const TIP_F64: Budget = Budget::of(3e-13);
 pub const TIP_ANGLE_F64: Budget = Budget::of(3e-13);
 
 /// Error of the tip angle of an ephemeris as a distance of the tip, in units of s: f64, f32, q31, q15.
-pub const TIP_ANGLE: [Budget; 4] = [Budget::of(1e-14), Budget::of(3e-7), Budget::of(3e-7), Budget::of(3e-4)];
+pub const TIP_ANGLE: [Budget; 4] = [Budget::of(1e-14), Budget::of(1e-7), Budget::of(6e-9), Budget::of(3e-4)];
 
 /// Errors of events in f64: of u at a crossing, of the tip angle as a distance in units of s, and of a turning point's time in periods.
-pub const EVENTS_F64: [Budget; 3] = [Budget::of(6e-15), Budget::of(6e-15), Budget::of(1e-14)];
+pub const EVENTS_F64: [Budget; 3] = [Budget::of(6e-15), Budget::of(6e-15), Budget::of(2e-16)];
 /// Errors of events in f32, as [`EVENTS_F64`]. Set-up follows the motion to a fraction of the error that the scalar allows, so that a
 /// turning point is less exact than in f64.
 pub const EVENTS_F32: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(2e-11)];
 /// Errors of events in fixed point of 32 bits, as [`EVENTS_F64`].
-pub const EVENTS_Q31: [Budget; 3] = [Budget::of(3e-7), Budget::of(3e-7), Budget::of(1e-12)];
-/// Errors of events in fixed point of 16 bits, as [`EVENTS_F64`]. An aperiodic motion has no period; the time that replaces it depends on the
-/// rounding.
+pub const EVENTS_Q31: [Budget; 3] = [Budget::of(2.1e-8), Budget::of(2.1e-8), Budget::of(1e-12)];
+/// Errors of events in fixed point of 16 bits, as [`EVENTS_F64`].
 pub const EVENTS_Q15: [Budget; 3] = [Budget::of(3e-4), Budget::of(3e-3), Budget::of(4e-8)];
 
 /// Orientation error of the ephemeris in f64 at any time, for inputs exact in f64, with the rounding of the phases at the start.
@@ -101,9 +100,7 @@ pub const OF_THE_BOUND: Budget = Budget::of(1.0);
 /// Change of ω by an impulse, and the reaction to it, relative, against forces that act for 1e-9 s and for half of that,
 /// extrapolated.
 pub const IMPULSE: Budget = Budget::of(1e-12);
-/// Difference of the ephemeris in f64 of an aperiodic motion and the stepper, over 60 000 ticks of 1e-3.
-pub const APERIODIC_STEPPER: Budget = Budget::of(5e-14);
-/// Difference of the ephemeris and the stepper over 6000 ticks of 1e-2, dominated by the fourth-order error of the
+/// Difference of the closed form and the stepper over 6000 steps of 1e-2, dominated by the fourth-order error of the
 /// stepper.
 pub const RISE_STEPPER: Budget = Budget::of(1e-11);
 /// Orientation error of the ephemeris in fixed point of 32 bits at any time.
@@ -159,11 +156,6 @@ pub const CLOSED_FORM_STEPPER: Budget = Budget::of(1e-13);
 pub const CLOSED_FORM_INTEGRALS: Budget = Budget::of(2e-15);
 /// Difference of the paper's formulas, written out in f64, and core (rad).
 pub const AS_THE_PAPER_HAS_IT: Budget = Budget::of(1e-13);
-/// Error of central differences in extended precision with a step of 1e-10: the square of the step, times the third
-/// derivative.
-pub const DIFFERENCES: Budget = Budget::of(2e-19);
-/// Error of central differences of quadratic functions: only the rounding error over the step.
-pub const DIFFERENCES_OF_SQUARES: Budget = Budget::of(1e-26);
 /// Errors of the paper's equations at one instant in f64, relative to the size of their terms.
 pub const EQUATIONS: Budget = Budget::of(5e-15);
 /// Errors of l, n, h from the Lagrangian along the path of the full solver, relative to the largest of the three.

@@ -3,7 +3,7 @@
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use toytop::scalar::{Extended, Ring};
-use toytop::{Complex, Motion, Orientation, ParameterError, Sign, Signs, Start, State, Top};
+use toytop::{Complex, InitialPhases, Motion, Orientation, ParameterError, Regime, Sign, Signs, State, Top};
 
 /// Reference vector: one motion with its exact values. Units: g = 1.
 pub struct Vector {
@@ -50,9 +50,22 @@ pub fn all() -> Vec<Vector> {
     files.iter().map(|file| Vector::read(file)).collect()
 }
 
+/// Vectors of the motions that a table can hold: all but the aperiodic ones.
+pub fn tabulated() -> impl Iterator<Item = Vector> {
+    all().into_iter().filter(|vector| vector.motion().unwrap().regime() != Regime::Aperiodic)
+}
+
 /// Vector of this name.
 pub fn named(name: &str) -> Vector {
     Vector::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("reference/vectors/{name}.json")))
+}
+
+/// Motion of the vector of this name.
+///
+/// # Panics
+/// If there is no such vector.
+pub fn motion(name: &str) -> Motion {
+    named(name).motion().unwrap()
 }
 
 /// JSON file of `tests/reference`.
@@ -67,10 +80,7 @@ fn read(file: &Path) -> Value {
 
 impl Vector {
     fn read(file: &Path) -> Self {
-        let text =
-            std::fs::read_to_string(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
-        let json = serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
-        Self { name: file.file_stem().unwrap().to_string_lossy().into_owned(), json }
+        Self { name: file.file_stem().unwrap().to_string_lossy().into_owned(), json: read(file) }
     }
 
     /// Number at the top level of the file (`e1`, `l`, ...), if it is present.
@@ -118,9 +128,9 @@ impl Vector {
     }
 
     /// Start of a motion given by branch points.
-    pub fn start(&self) -> Start {
+    pub fn start(&self) -> InitialPhases {
         let angle = |key| self.parameter(key).unwrap_or(0.0);
-        Start { theta: angle("theta0"), arg_alpha: angle("arg_alpha0"), arg_beta: angle("arg_beta0") }
+        InitialPhases { theta: angle("theta0"), arg_alpha: angle("arg_alpha0"), arg_beta: angle("arg_beta0") }
     }
 
     /// Branch points e₁, e₂, e₃.

@@ -42,9 +42,9 @@ static int follow(const toytop_state *state) {
     toytop_motion motion;
     toytop_error error;
     if (toytop_launch(&top, state, &motion, &error) != TOYTOP_OK) return refused(&error);
-    if (toytop_f32_set_up(&in_f32, sizeof in_f32, &motion, toytop_hertz(1000), 0.0, &error) != TOYTOP_OK) return refused(&error);
-    if (toytop_f64_set_up(&in_f64, sizeof in_f64, &motion, toytop_hertz(1000), 0.0, &error) != TOYTOP_OK) return refused(&error);
-    if (toytop_q31_set_up(&in_q31, sizeof in_q31, &motion, toytop_hertz(1000), 0.0, &error) != TOYTOP_OK) return refused(&error);
+    if (toytop_f32_set_up(&in_f32, sizeof in_f32, &motion, toytop_hertz(1000), 0, 0.0, &error) != TOYTOP_OK) return refused(&error);
+    if (toytop_f64_set_up(&in_f64, sizeof in_f64, &motion, toytop_hertz(1000), 0, 0.0, &error) != TOYTOP_OK) return refused(&error);
+    if (toytop_q31_set_up(&in_q31, sizeof in_q31, &motion, toytop_hertz(1000), 0, 0.0, &error) != TOYTOP_OK) return refused(&error);
     for (size_t i = 0; i < sizeof ticks / sizeof *ticks; i++) {
         toytop_ephemeris_sample now;
         float single[6];

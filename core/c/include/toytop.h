@@ -11,9 +11,9 @@
 #include <stdint.h>
 
 /* Size in bytes of a table with the given number of segments, from 8 to 4096. */
-#define TOYTOP_EPHEMERIS_F32_SIZE_OF(segments) (280 + 80 * (size_t)(segments))
-#define TOYTOP_EPHEMERIS_F64_SIZE_OF(segments) (296 + 352 * (size_t)(segments))
-#define TOYTOP_EPHEMERIS_Q31_SIZE_OF(segments) (280 + 64 * (size_t)(segments))
+#define TOYTOP_EPHEMERIS_F32_SIZE_OF(segments) (256 + 80 * sizeof(char) * (segments))
+#define TOYTOP_EPHEMERIS_F64_SIZE_OF(segments) (272 + 352 * sizeof(char) * (segments))
+#define TOYTOP_EPHEMERIS_Q31_SIZE_OF(segments) (256 + 64 * sizeof(char) * (segments))
 
 // Bytes of the text of an error, the closing zero included.
 #define TOYTOP_TEXT_SIZE 192
@@ -34,25 +34,25 @@
 #define TOYTOP_MOTION_SIZE 1024
 
 // Bytes of a table in `f32` of the standard size, 25 segments.
-#define TOYTOP_EPHEMERIS_F32_SIZE 2280
+#define TOYTOP_EPHEMERIS_F32_SIZE 2256
 
 // Bytes of a table in `f64` of the standard size, 48 segments.
-#define TOYTOP_EPHEMERIS_F64_SIZE 17192
+#define TOYTOP_EPHEMERIS_F64_SIZE 17168
 
 // Bytes of a table in fixed point of the standard size, 32 segments.
-#define TOYTOP_EPHEMERIS_Q31_SIZE 2328
+#define TOYTOP_EPHEMERIS_Q31_SIZE 2304
 
 // Alignment of the memory of a table, bytes.
 #define TOYTOP_EPHEMERIS_ALIGNMENT 8
 
-// Bytes of a set-up.
-#define TOYTOP_SET_UP_SIZE 6400
+// Bytes of the memory of a set-up.
+#define TOYTOP_SET_UP_SIZE 4424
 
 // Bytes of a cursor.
 #define TOYTOP_EPHEMERIS_CURSOR_SIZE 64
 
 // Bytes of a sample.
-#define TOYTOP_EPHEMERIS_SAMPLE_SIZE 96
+#define TOYTOP_EPHEMERIS_SAMPLE_SIZE 112
 
 // Status of a call: `TOYTOP_OK`, or the reason for which the call did nothing.
 enum toytop_status
@@ -76,8 +76,8 @@ enum toytop_status
   TOYTOP_NOT_SET_UP = 6,
   // There is no such turning point or tip angle in this motion.
   TOYTOP_NONE = 7,
-  // The set-up of a table needs more slices, which is no error.
-  TOYTOP_PENDING = 8,
+  // The motion is aperiodic, and such a motion has no table.
+  TOYTOP_NO_TABLE = 8,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -211,14 +211,9 @@ typedef struct toytop_tick {
   uint32_t seconds;
 } toytop_tick;
 
-// Set-up of one table in slices, which is needed until the table is ready. A program must not use its words.
-typedef struct toytop_set_up {
-  uint64_t opaque[800];
-} toytop_set_up;
-
 // Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.
 //
-// A cursor belongs to the table that made it, and must be made again after a set-up, a delay or a change of the tick.
+// A cursor belongs to the table that made it, and must be made again after a set-up: any other table refuses it.
 typedef struct toytop_ephemeris_cursor {
   uint64_t opaque[8];
 } toytop_ephemeris_cursor;
@@ -226,16 +221,24 @@ typedef struct toytop_ephemeris_cursor {
 // Table of a motion in `f32`. Memory of `TOYTOP_EPHEMERIS_F32_SIZE_OF(segments)` bytes with the same alignment may be used
 // as a larger or smaller table.
 typedef struct toytop_ephemeris_f32 {
-  uint64_t opaque[285];
+  uint64_t opaque[282];
 } toytop_ephemeris_f32;
 
-// Upper bounds on the errors of a table: at tick n each is its constant plus |n| times its growth.
+// Memory of a set-up, which need not be initialised, and which a program may use for something else afterwards.
+typedef struct toytop_set_up {
+  uint64_t opaque[553];
+} toytop_set_up;
+
+// Function that a set-up calls again and again, at least every 50 000 cycles of a Cortex-M4F: to feed a watchdog, or to read another table.
+typedef void (*toytop_between)(void *context);
+
+// Upper bounds on the errors of a table: n ticks from the epoch each is its constant plus |n| times its growth.
 typedef struct toytop_error_bounds {
-  // Orientation error 2 sqrt(|d alpha|^2 + |d beta|^2) at tick 0, rad.
+  // Orientation error 2 sqrt(|d alpha|^2 + |d beta|^2) at the epoch, rad.
   double orientation;
   // Growth of the orientation error per tick, rad.
   double orientation_per_tick;
-  // Error of the angular velocity, in either frame, at tick 0, rad/s.
+  // Error of the angular velocity, in either frame, at the epoch, rad/s.
   double rate;
   // Growth of that error per tick, rad/s.
   double rate_per_tick;
@@ -243,9 +246,9 @@ typedef struct toytop_error_bounds {
 
 // Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
 //
-// A sample refers to its table, and is void after a set-up, a delay or a change of the tick.
+// A sample refers to its table, and is refused after another set-up in the memory of the table, which must still be there.
 typedef struct toytop_ephemeris_sample {
-  uint64_t opaque[12];
+  uint64_t opaque[14];
 } toytop_ephemeris_sample;
 
 // Turning point of the cosine of the tilt, u.
@@ -258,12 +261,12 @@ typedef struct toytop_turning_point {
 
 // Table of a motion in `f64`; see `toytop_ephemeris_f32`.
 typedef struct toytop_ephemeris_f64 {
-  uint64_t opaque[2149];
+  uint64_t opaque[2146];
 } toytop_ephemeris_f64;
 
 // Table of a motion in fixed point of 32 bits; see `toytop_ephemeris_f32`.
 typedef struct toytop_ephemeris_q31 {
-  uint64_t opaque[291];
+  uint64_t opaque[288];
 } toytop_ephemeris_q31;
 
 #ifdef __cplusplus
@@ -325,77 +328,56 @@ toytop_status toytop_launch(const struct toytop_top *top,
                             struct toytop_motion *motion,
                             struct toytop_error *error);
 
-// Motion like that of `toytop_launch`, for ephemerides in `f32` and in fixed point only. Its mean rates have some 60 correct bits, which
-// cost a chip a third of the 120 bits for `f64`.
-toytop_status toytop_launch_f32(const struct toytop_top *top,
-                                const struct toytop_state *state,
-                                struct toytop_motion *motion,
-                                struct toytop_error *error);
-
-// Constants of a motion.
-toytop_status toytop_motion_constants(const struct toytop_motion *motion, struct toytop_constants *constants);
+// Constants of a motion. The call integrates the period, as a set-up does, so it takes too long for an interrupt.
+toytop_status toytop_motion_constants(const struct toytop_motion *motion,
+                                      struct toytop_constants *constants);
 
 // Tick of a frequency in Hz.
 struct toytop_tick toytop_hertz(uint32_t frequency);
-
-// Begins a set-up in slices, for a program that has other work in between, such as feeding a watchdog. The slices are computed by
-// `toytop_f32_set_up_poll`, or the function of another scalar, which must be called until it no longer returns `TOYTOP_PENDING`.
-//
-// Refusals name `tick` or `truncation`. `error` may be null. The motion is copied.
-//
-// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
-toytop_status toytop_set_up_begin(struct toytop_set_up *set_up,
-                                  const struct toytop_motion *motion,
-                                  struct toytop_tick tick,
-                                  double truncation,
-                                  struct toytop_error *error);
 
 // Tick of the last sample of a cursor; before the first sample, the tick before it.
 toytop_status toytop_ephemeris_cursor_tick(const struct toytop_ephemeris_cursor *place, int64_t *tick);
 
 // Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
 //
-// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion. After a refusal the
-// table must not be used, and every function that reads it returns `TOYTOP_NOT_SET_UP`. `error` may be null.
+// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion, or that it is aperiodic. After a refusal
+// every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
 //
 // * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
-// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
+// * `epoch`: tick of the launch on a running counter
+// * `truncation`: greatest truncation error, rad; 0 stands for that of the scalar
 toytop_status toytop_f32_set_up(struct toytop_ephemeris_f32 *table,
                                 uintptr_t size,
                                 const struct toytop_motion *motion,
                                 struct toytop_tick tick,
+                                int64_t epoch,
                                 double truncation,
                                 struct toytop_error *error);
 
-// Performs the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
-// later calls return the same status and change nothing.
+// Sets up a table as the function without `_between` does, with its memory in a static instead of on the stack, and with other work in between.
 //
-// The first slice may have any memory for a table, and the others must have the same memory. Refusals name `table` if it is another one
-// or was set up in another way meanwhile, or say that the segments are not enough for this motion. `error` may be null.
-//
-// * `size`: bytes of the memory of the table
-toytop_status toytop_f32_set_up_poll(struct toytop_set_up *set_up,
-                                     struct toytop_ephemeris_f32 *table,
-                                     uintptr_t size,
-                                     struct toytop_error *error);
+// * `between`: function that is called again and again with `context`, or null
+toytop_status toytop_f32_set_up_between(struct toytop_ephemeris_f32 *table,
+                                        uintptr_t size,
+                                        struct toytop_set_up *set_up,
+                                        const struct toytop_motion *motion,
+                                        struct toytop_tick tick,
+                                        int64_t epoch,
+                                        double truncation,
+                                        toytop_between between,
+                                        void *context,
+                                        struct toytop_error *error);
 
 // Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
 // refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.
 //
-// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
+// * `truncation`: greatest truncation error, rad; 0 stands for that of the scalar
 uint32_t toytop_f32_segments_needed(const struct toytop_motion *motion,
                                     double truncation);
 
 // Error bounds of a table.
 toytop_status toytop_f32_error_bounds(const struct toytop_ephemeris_f32 *table,
                                       struct toytop_error_bounds *bounds);
-
-// Delays the motion of a table by a number of ticks, which may be fractional: the instant of tick 0 becomes that of tick `ticks`.
-toytop_status toytop_f32_delay(struct toytop_ephemeris_f32 *table,
-                               double ticks);
-
-// Changes the length of a tick of a table; tick 0 remains the same instant.
-toytop_status toytop_f32_set_tick(struct toytop_ephemeris_f32 *table, struct toytop_tick tick);
 
 // Sample at any tick, of either sign, always at the same cost.
 toytop_status toytop_f32_at_tick(const struct toytop_ephemeris_f32 *table,
@@ -424,6 +406,148 @@ toytop_status toytop_f32_next_quaternion(const struct toytop_ephemeris_f32 *tabl
 
 // Next turning point of u at tick `from` or later. `TOYTOP_NONE` where there is none, or more than one in a tick.
 toytop_status toytop_f32_turning_point(const struct toytop_ephemeris_f32 *table,
+                                       int64_t from,
+                                       struct toytop_turning_point *point);
+
+// Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
+//
+// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion, or that it is aperiodic. After a refusal
+// every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
+//
+// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
+// * `epoch`: tick of the launch on a running counter
+// * `truncation`: greatest truncation error, rad; 0 stands for that of the scalar
+toytop_status toytop_f64_set_up(struct toytop_ephemeris_f64 *table,
+                                uintptr_t size,
+                                const struct toytop_motion *motion,
+                                struct toytop_tick tick,
+                                int64_t epoch,
+                                double truncation,
+                                struct toytop_error *error);
+
+// Sets up a table as the function without `_between` does, with its memory in a static instead of on the stack, and with other work in between.
+//
+// * `between`: function that is called again and again with `context`, or null
+toytop_status toytop_f64_set_up_between(struct toytop_ephemeris_f64 *table,
+                                        uintptr_t size,
+                                        struct toytop_set_up *set_up,
+                                        const struct toytop_motion *motion,
+                                        struct toytop_tick tick,
+                                        int64_t epoch,
+                                        double truncation,
+                                        toytop_between between,
+                                        void *context,
+                                        struct toytop_error *error);
+
+// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
+// refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.
+//
+// * `truncation`: greatest truncation error, rad; 0 stands for that of the scalar
+uint32_t toytop_f64_segments_needed(const struct toytop_motion *motion,
+                                    double truncation);
+
+// Error bounds of a table.
+toytop_status toytop_f64_error_bounds(const struct toytop_ephemeris_f64 *table,
+                                      struct toytop_error_bounds *bounds);
+
+// Sample at any tick, of either sign, always at the same cost.
+toytop_status toytop_f64_at_tick(const struct toytop_ephemeris_f64 *table,
+                                 int64_t tick,
+                                 struct toytop_ephemeris_sample *sample);
+
+// Sample at any time, s from tick 0.
+toytop_status toytop_f64_at(const struct toytop_ephemeris_f64 *table,
+                            double time,
+                            struct toytop_ephemeris_sample *sample);
+
+// Cursor whose first sample is that of tick `first`.
+toytop_status toytop_f64_cursor(const struct toytop_ephemeris_f64 *table,
+                                int64_t first,
+                                struct toytop_ephemeris_cursor *cursor);
+
+// Next sample of a cursor. The sequence has no end.
+toytop_status toytop_f64_next(const struct toytop_ephemeris_f64 *table,
+                              struct toytop_ephemeris_cursor *cursor,
+                              struct toytop_ephemeris_sample *sample);
+
+// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates, without a sample.
+toytop_status toytop_f64_next_quaternion(const struct toytop_ephemeris_f64 *table,
+                                         struct toytop_ephemeris_cursor *cursor,
+                                         double *quaternion);
+
+// Next turning point of u at tick `from` or later. `TOYTOP_NONE` where there is none, or more than one in a tick.
+toytop_status toytop_f64_turning_point(const struct toytop_ephemeris_f64 *table,
+                                       int64_t from,
+                                       struct toytop_turning_point *point);
+
+// Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
+//
+// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion, or that it is aperiodic. After a refusal
+// every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
+//
+// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
+// * `epoch`: tick of the launch on a running counter
+// * `truncation`: greatest truncation error, rad; 0 stands for that of the scalar
+toytop_status toytop_q31_set_up(struct toytop_ephemeris_q31 *table,
+                                uintptr_t size,
+                                const struct toytop_motion *motion,
+                                struct toytop_tick tick,
+                                int64_t epoch,
+                                double truncation,
+                                struct toytop_error *error);
+
+// Sets up a table as the function without `_between` does, with its memory in a static instead of on the stack, and with other work in between.
+//
+// * `between`: function that is called again and again with `context`, or null
+toytop_status toytop_q31_set_up_between(struct toytop_ephemeris_q31 *table,
+                                        uintptr_t size,
+                                        struct toytop_set_up *set_up,
+                                        const struct toytop_motion *motion,
+                                        struct toytop_tick tick,
+                                        int64_t epoch,
+                                        double truncation,
+                                        toytop_between between,
+                                        void *context,
+                                        struct toytop_error *error);
+
+// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
+// refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.
+//
+// * `truncation`: greatest truncation error, rad; 0 stands for that of the scalar
+uint32_t toytop_q31_segments_needed(const struct toytop_motion *motion,
+                                    double truncation);
+
+// Error bounds of a table.
+toytop_status toytop_q31_error_bounds(const struct toytop_ephemeris_q31 *table,
+                                      struct toytop_error_bounds *bounds);
+
+// Sample at any tick, of either sign, always at the same cost.
+toytop_status toytop_q31_at_tick(const struct toytop_ephemeris_q31 *table,
+                                 int64_t tick,
+                                 struct toytop_ephemeris_sample *sample);
+
+// Sample at any time, s from tick 0.
+toytop_status toytop_q31_at(const struct toytop_ephemeris_q31 *table,
+                            double time,
+                            struct toytop_ephemeris_sample *sample);
+
+// Cursor whose first sample is that of tick `first`.
+toytop_status toytop_q31_cursor(const struct toytop_ephemeris_q31 *table,
+                                int64_t first,
+                                struct toytop_ephemeris_cursor *cursor);
+
+// Next sample of a cursor. The sequence has no end.
+toytop_status toytop_q31_next(const struct toytop_ephemeris_q31 *table,
+                              struct toytop_ephemeris_cursor *cursor,
+                              struct toytop_ephemeris_sample *sample);
+
+// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates, without a sample.
+toytop_status toytop_q31_next_quaternion(const struct toytop_ephemeris_q31 *table,
+                                         struct toytop_ephemeris_cursor *cursor,
+                                         int32_t *quaternion);
+
+// Next turning point of u at tick `from` or later. `TOYTOP_NONE` where there is none, or more than one in a tick.
+toytop_status toytop_q31_turning_point(const struct toytop_ephemeris_q31 *table,
                                        int64_t from,
                                        struct toytop_turning_point *point);
 
@@ -464,80 +588,6 @@ toytop_status toytop_f32_tip_angle(const struct toytop_ephemeris_sample *sample,
 // State of a sample, from which another motion can be launched.
 toytop_status toytop_f32_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
 
-// Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
-//
-// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion. After a refusal the
-// table must not be used, and every function that reads it returns `TOYTOP_NOT_SET_UP`. `error` may be null.
-//
-// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
-// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
-toytop_status toytop_f64_set_up(struct toytop_ephemeris_f64 *table,
-                                uintptr_t size,
-                                const struct toytop_motion *motion,
-                                struct toytop_tick tick,
-                                double truncation,
-                                struct toytop_error *error);
-
-// Performs the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
-// later calls return the same status and change nothing.
-//
-// The first slice may have any memory for a table, and the others must have the same memory. Refusals name `table` if it is another one
-// or was set up in another way meanwhile, or say that the segments are not enough for this motion. `error` may be null.
-//
-// * `size`: bytes of the memory of the table
-toytop_status toytop_f64_set_up_poll(struct toytop_set_up *set_up,
-                                     struct toytop_ephemeris_f64 *table,
-                                     uintptr_t size,
-                                     struct toytop_error *error);
-
-// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
-// refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.
-//
-// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
-uint32_t toytop_f64_segments_needed(const struct toytop_motion *motion,
-                                    double truncation);
-
-// Error bounds of a table.
-toytop_status toytop_f64_error_bounds(const struct toytop_ephemeris_f64 *table,
-                                      struct toytop_error_bounds *bounds);
-
-// Delays the motion of a table by a number of ticks, which may be fractional: the instant of tick 0 becomes that of tick `ticks`.
-toytop_status toytop_f64_delay(struct toytop_ephemeris_f64 *table,
-                               double ticks);
-
-// Changes the length of a tick of a table; tick 0 remains the same instant.
-toytop_status toytop_f64_set_tick(struct toytop_ephemeris_f64 *table, struct toytop_tick tick);
-
-// Sample at any tick, of either sign, always at the same cost.
-toytop_status toytop_f64_at_tick(const struct toytop_ephemeris_f64 *table,
-                                 int64_t tick,
-                                 struct toytop_ephemeris_sample *sample);
-
-// Sample at any time, s from tick 0.
-toytop_status toytop_f64_at(const struct toytop_ephemeris_f64 *table,
-                            double time,
-                            struct toytop_ephemeris_sample *sample);
-
-// Cursor whose first sample is that of tick `first`.
-toytop_status toytop_f64_cursor(const struct toytop_ephemeris_f64 *table,
-                                int64_t first,
-                                struct toytop_ephemeris_cursor *cursor);
-
-// Next sample of a cursor. The sequence has no end.
-toytop_status toytop_f64_next(const struct toytop_ephemeris_f64 *table,
-                              struct toytop_ephemeris_cursor *cursor,
-                              struct toytop_ephemeris_sample *sample);
-
-// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates, without a sample.
-toytop_status toytop_f64_next_quaternion(const struct toytop_ephemeris_f64 *table,
-                                         struct toytop_ephemeris_cursor *cursor,
-                                         double *quaternion);
-
-// Next turning point of u at tick `from` or later. `TOYTOP_NONE` where there is none, or more than one in a tick.
-toytop_status toytop_f64_turning_point(const struct toytop_ephemeris_f64 *table,
-                                       int64_t from,
-                                       struct toytop_turning_point *point);
-
 // Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
 toytop_status toytop_f64_cayley_klein(const struct toytop_ephemeris_sample *sample,
                                       double *parameters);
@@ -574,80 +624,6 @@ toytop_status toytop_f64_tip_angle(const struct toytop_ephemeris_sample *sample,
 
 // State of a sample, from which another motion can be launched.
 toytop_status toytop_f64_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
-
-// Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
-//
-// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion. After a refusal the
-// table must not be used, and every function that reads it returns `TOYTOP_NOT_SET_UP`. `error` may be null.
-//
-// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
-// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
-toytop_status toytop_q31_set_up(struct toytop_ephemeris_q31 *table,
-                                uintptr_t size,
-                                const struct toytop_motion *motion,
-                                struct toytop_tick tick,
-                                double truncation,
-                                struct toytop_error *error);
-
-// Performs the next slice of a set-up that `toytop_set_up_begin` began. Returns `TOYTOP_PENDING` until the table is ready or refused;
-// later calls return the same status and change nothing.
-//
-// The first slice may have any memory for a table, and the others must have the same memory. Refusals name `table` if it is another one
-// or was set up in another way meanwhile, or say that the segments are not enough for this motion. `error` may be null.
-//
-// * `size`: bytes of the memory of the table
-toytop_status toytop_q31_set_up_poll(struct toytop_set_up *set_up,
-                                     struct toytop_ephemeris_q31 *table,
-                                     uintptr_t size,
-                                     struct toytop_error *error);
-
-// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
-// refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.
-//
-// * `truncation`: greatest truncation error, rad; 0 stands for four roundings of the scalar
-uint32_t toytop_q31_segments_needed(const struct toytop_motion *motion,
-                                    double truncation);
-
-// Error bounds of a table.
-toytop_status toytop_q31_error_bounds(const struct toytop_ephemeris_q31 *table,
-                                      struct toytop_error_bounds *bounds);
-
-// Delays the motion of a table by a number of ticks, which may be fractional: the instant of tick 0 becomes that of tick `ticks`.
-toytop_status toytop_q31_delay(struct toytop_ephemeris_q31 *table,
-                               double ticks);
-
-// Changes the length of a tick of a table; tick 0 remains the same instant.
-toytop_status toytop_q31_set_tick(struct toytop_ephemeris_q31 *table, struct toytop_tick tick);
-
-// Sample at any tick, of either sign, always at the same cost.
-toytop_status toytop_q31_at_tick(const struct toytop_ephemeris_q31 *table,
-                                 int64_t tick,
-                                 struct toytop_ephemeris_sample *sample);
-
-// Sample at any time, s from tick 0.
-toytop_status toytop_q31_at(const struct toytop_ephemeris_q31 *table,
-                            double time,
-                            struct toytop_ephemeris_sample *sample);
-
-// Cursor whose first sample is that of tick `first`.
-toytop_status toytop_q31_cursor(const struct toytop_ephemeris_q31 *table,
-                                int64_t first,
-                                struct toytop_ephemeris_cursor *cursor);
-
-// Next sample of a cursor. The sequence has no end.
-toytop_status toytop_q31_next(const struct toytop_ephemeris_q31 *table,
-                              struct toytop_ephemeris_cursor *cursor,
-                              struct toytop_ephemeris_sample *sample);
-
-// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates, without a sample.
-toytop_status toytop_q31_next_quaternion(const struct toytop_ephemeris_q31 *table,
-                                         struct toytop_ephemeris_cursor *cursor,
-                                         int32_t *quaternion);
-
-// Next turning point of u at tick `from` or later. `TOYTOP_NONE` where there is none, or more than one in a tick.
-toytop_status toytop_q31_turning_point(const struct toytop_ephemeris_q31 *table,
-                                       int64_t from,
-                                       struct toytop_turning_point *point);
 
 // Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
 toytop_status toytop_q31_cayley_klein(const struct toytop_ephemeris_sample *sample,

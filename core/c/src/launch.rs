@@ -174,15 +174,29 @@ pub unsafe extern "C" fn toytop_impulse(
 ) -> toytop_status {
     let result = || -> Result<(), Refusal> {
         // SAFETY: the caller guarantees valid pointers, here and below.
-        let (top, before) = unsafe { (read(top)?.checked()?, read(before)?.checked()?) };
-        // SAFETY: see above.
-        let (impulse, point) = unsafe { (read(impulse.cast())?, read(point.cast())?) };
+        let (top, before, impulse, point) = unsafe { stroke(top, before, impulse, point)? };
         let struck = before.with_impulse(&top, impulse, point)?;
         // SAFETY: see above.
         unsafe { write(after, toytop_state::of(&struck)) }
     };
     // SAFETY: see above.
     unsafe { status_of(result(), error) }
+}
+
+/// Arguments of an impulse.
+///
+/// # Safety
+/// See [`toytop_impulse`].
+unsafe fn stroke(
+    top: *const toytop_top,
+    before: *const toytop_state,
+    impulse: *const f64,
+    point: *const f64,
+) -> Result<(Top, State, [f64; 3], [f64; 3]), Refusal> {
+    // SAFETY: the caller guarantees valid pointers.
+    unsafe {
+        Ok((read(top)?.checked()?, read(before)?.checked()?, read(impulse.cast())?, read(point.cast())?))
+    }
 }
 
 /// Reaction impulse of the support, N s in the fixed frame. If its vertical part is negative, a real top leaves
@@ -205,9 +219,7 @@ pub unsafe extern "C" fn toytop_reaction_impulse(
 ) -> toytop_status {
     let result = || -> Result<(), Refusal> {
         // SAFETY: the caller guarantees valid pointers, here and below.
-        let (top, before) = unsafe { (read(top)?.checked()?, read(before)?.checked()?) };
-        // SAFETY: see above.
-        let (impulse, point) = unsafe { (read(impulse.cast())?, read(point.cast())?) };
+        let (top, before, impulse, point) = unsafe { stroke(top, before, impulse, point)? };
         let answered = before.reaction_impulse(&top, impulse, point)?;
         // SAFETY: see above.
         unsafe { write(reaction.cast(), answered) }

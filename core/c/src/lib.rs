@@ -29,15 +29,15 @@ pub use launch::{
     toytop_state_from_release, toytop_top,
 };
 pub use motion::{
-    TOYTOP_MOTION_SIZE, toytop_constants, toytop_launch, toytop_launch_f32, toytop_motion,
-    toytop_motion_constants, toytop_regime,
+    TOYTOP_MOTION_SIZE, toytop_constants, toytop_launch, toytop_motion, toytop_motion_constants,
+    toytop_regime,
 };
 pub use sample::{
     TOYTOP_EPHEMERIS_CURSOR_SIZE, TOYTOP_EPHEMERIS_SAMPLE_SIZE, toytop_ephemeris_cursor,
     toytop_ephemeris_cursor_tick, toytop_ephemeris_sample, toytop_turning_point,
 };
 pub use scalars::*;
-pub use set_up::{TOYTOP_SET_UP_SIZE, toytop_set_up, toytop_set_up_begin};
+pub use set_up::{TOYTOP_SET_UP_SIZE, toytop_between, toytop_set_up};
 pub use status::{TOYTOP_TEXT_SIZE, toytop_error, toytop_status, toytop_status_text};
 pub use table::{
     TOYTOP_EPHEMERIS_ALIGNMENT, TOYTOP_EPHEMERIS_F32_SIZE, TOYTOP_EPHEMERIS_F64_SIZE,

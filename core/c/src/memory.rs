@@ -53,25 +53,6 @@ pub(crate) unsafe fn kept<P, T: Kept>(place: *const P) -> Result<T, Refusal> {
     Ok(unsafe { words.read_unaligned().value.assume_init() })
 }
 
-/// Value of type `T` in its place, to change it there. A place that is not aligned for it is refused.
-///
-/// # Safety
-/// As for [`kept`], for reading and writing; and nobody else uses the place as long as the reference lives.
-pub(crate) unsafe fn kept_mut<'a, P, T: Kept>(place: *mut P) -> Result<&'a mut T, Refusal> {
-    const { assert!(size_of::<Tagged<T>>() <= size_of::<P>()) };
-    let words = place.cast::<Tagged<T>>();
-    // SAFETY: as in `kept`.
-    let tag = unsafe { read(words.cast::<u32>())? };
-    if !words.is_aligned() {
-        return Err(toytop_status::TOYTOP_BAD_MEMORY.into());
-    }
-    if tag != T::TAG {
-        return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
-    }
-    // SAFETY: the pointer is neither null nor unaligned. By its tag `keep` wrote the value, of which no part is moved out.
-    Ok(unsafe { (*words).value.assume_init_mut() })
-}
-
 /// Keeps a value in a C structure of at least its size.
 ///
 /// # Safety

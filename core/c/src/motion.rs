@@ -3,7 +3,6 @@
 use crate::launch::{toytop_state, toytop_top};
 use crate::memory::{Kept, keep, kept, read, write};
 use crate::status::{Refusal, status_of, toytop_error, toytop_status};
-use toytop::scalar::Scalar;
 use toytop::{Motion, Regime};
 
 /// Bytes of a motion.
@@ -83,40 +82,10 @@ pub unsafe extern "C" fn toytop_launch(
     motion: *mut toytop_motion,
     error: *mut toytop_error,
 ) -> toytop_status {
-    // SAFETY: the caller guarantees valid pointers.
-    unsafe { launched::<f64>(top, state, motion, error) }
-}
-
-/// Motion like that of `toytop_launch`, for ephemerides in `f32` and in fixed point only. Its mean rates have some 60 correct bits, which
-/// cost a chip a third of the 120 bits for `f64`.
-///
-/// # Safety
-/// Each pointer is null or points to an object of its type.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn toytop_launch_f32(
-    top: *const toytop_top,
-    state: *const toytop_state,
-    motion: *mut toytop_motion,
-    error: *mut toytop_error,
-) -> toytop_status {
-    // SAFETY: the caller guarantees valid pointers.
-    unsafe { launched::<f32>(top, state, motion, error) }
-}
-
-/// Motion launched for a scalar.
-///
-/// # Safety
-/// See [`toytop_launch`].
-unsafe fn launched<R: Scalar>(
-    top: *const toytop_top,
-    state: *const toytop_state,
-    motion: *mut toytop_motion,
-    error: *mut toytop_error,
-) -> toytop_status {
     let result = || -> Result<(), Refusal> {
         // SAFETY: the caller guarantees valid pointers, here and below.
         let (top, state) = unsafe { (read(top)?.checked()?, read(state)?.checked()?) };
-        let launched = Motion::launch_for::<R>(&top, &state)?;
+        let launched = Motion::launch(&top, &state)?;
         // SAFETY: see above.
         unsafe { keep(motion, launched) }
     };
@@ -124,7 +93,7 @@ unsafe fn launched<R: Scalar>(
     unsafe { status_of(result(), error) }
 }
 
-/// Constants of a motion.
+/// Constants of a motion. The call integrates the period, as a set-up does, so it takes too long for an interrupt.
 ///
 /// # Safety
 /// Each pointer is null or points to an object of its type.
@@ -151,8 +120,7 @@ pub unsafe extern "C" fn toytop_motion_constants(
         // SAFETY: see above.
         unsafe { write(constants, found) }
     };
-    // SAFETY: there is no memory for a reason.
-    unsafe { status_of(result(), core::ptr::null_mut()) }
+    result().into()
 }
 
 fn regime(regime: Regime) -> toytop_regime {

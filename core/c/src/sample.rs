@@ -2,18 +2,17 @@
 
 use crate::memory::{Kept, keep, kept, write};
 use crate::status::{Refusal, toytop_status};
-use crate::table::{Tabulated, toytop_error_bounds, toytop_tick, view, view_mut};
+use crate::table::{Table, Tabulated, toytop_error_bounds, view};
 use crate::toytop_state;
-use toytop::{Complex, Cursor, EphemerisScalar, ErrorBound, ParameterError, Sample, Tick};
+use toytop::{Complex, Cursor, EphemerisScalar, ErrorBound, ParameterError, Sample};
 
 /// Bytes of a cursor.
 pub const TOYTOP_EPHEMERIS_CURSOR_SIZE: usize = 64;
 /// Bytes of a sample.
-pub const TOYTOP_EPHEMERIS_SAMPLE_SIZE: usize = 96;
-
+pub const TOYTOP_EPHEMERIS_SAMPLE_SIZE: usize = 112;
 /// Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.
 ///
-/// A cursor belongs to the table that made it, and must be made again after a set-up, a delay or a change of the tick.
+/// A cursor belongs to the table that made it, and must be made again after a set-up: any other table refuses it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_ephemeris_cursor {
@@ -22,11 +21,11 @@ pub struct toytop_ephemeris_cursor {
 
 /// Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
 ///
-/// A sample refers to its table, and is void after a set-up, a delay or a change of the tick.
+/// A sample refers to its table, and is refused after another set-up in the memory of the table, which must still be there.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_ephemeris_sample {
-    opaque: [u64; 12],
+    opaque: [u64; 14],
 }
 
 /// Turning point of the cosine of the tilt, u.
@@ -45,23 +44,54 @@ const _: () = assert!(
         && size_of::<toytop_ephemeris_sample>() == TOYTOP_EPHEMERIS_SAMPLE_SIZE
 );
 
-impl Kept for Cursor {
+/// Cursor with the identity of its table.
+struct CursorOf {
+    table: u32,
+    cursor: Cursor,
+}
+
+impl Kept for CursorOf {
     const TAG: u32 = 0x746f_7063;
 }
 
-impl<R: Tabulated> Kept for Sample<'static, R> {
+/// Sample with the address and the identity of its table.
+struct SampleOf<R: Tabulated> {
+    sample: Sample<'static, R>,
+    address: *const u8,
+    table: u32,
+}
+
+impl<R: Tabulated> Kept for SampleOf<R> {
     const TAG: u32 = R::TAG | 0x7300;
 }
 
-/// Sample that the caller keeps.
+/// Sample that the caller keeps. It is refused if its table was set up again.
 ///
 /// # Safety
-/// The pointer is null or valid for reading; and a sample of this scalar still has its table.
+/// The pointer is null or valid for reading; and the memory of the sample's table is still there.
 pub(crate) unsafe fn sample<R: Tabulated>(
     place: *const toytop_ephemeris_sample,
 ) -> Result<Sample<'static, R>, Refusal> {
     // SAFETY: the caller guarantees that the pointer is valid.
-    unsafe { kept(place) }
+    let SampleOf { sample, address, table } = unsafe { kept(place)? };
+    // SAFETY: see above.
+    if unsafe { view::<R>(address)? }.identity != table {
+        return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
+    }
+    Ok(sample)
+}
+
+/// Keeps a sample of a table for the caller.
+///
+/// # Safety
+/// The pointer is null or valid for writing.
+unsafe fn keep_sample<R: Tabulated>(
+    place: *mut toytop_ephemeris_sample,
+    table: &Table<'static, R>,
+    sample: Sample<'static, R>,
+) -> Result<(), Refusal> {
+    // SAFETY: the caller guarantees a valid pointer.
+    unsafe { keep(place, SampleOf { sample, address: table.address, table: table.identity }) }
 }
 
 /// Writes a quantity of a sample to memory of the caller.
@@ -87,7 +117,10 @@ pub(crate) unsafe fn at_tick<R: Tabulated>(
     place: *mut toytop_ephemeris_sample,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe { keep(place, view::<R>(table)?.at_tick(tick)) }
+    unsafe {
+        let table = view::<R>(table)?;
+        keep_sample(place, &table, table.view.at_tick(tick))
+    }
 }
 
 /// Sample at a time.
@@ -103,7 +136,12 @@ pub(crate) unsafe fn at<R: Tabulated>(
         return Err(ParameterError::NotFinite { parameter: "time" }.into());
     }
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe { keep(place, view::<R>(table)?.at(time)) }
+    let table = unsafe { view::<R>(table)? };
+    if time.abs() >= table.view.last_time() {
+        return Err(ParameterError::OutOfRange { parameter: "time", allowed: "within 2^63 ticks" }.into());
+    }
+    // SAFETY: see above.
+    unsafe { keep_sample(place, &table, table.view.at(time)) }
 }
 
 /// Cursor whose first sample is that of tick `first`.
@@ -116,24 +154,29 @@ pub(crate) unsafe fn cursor<R: Tabulated>(
     place: *mut toytop_ephemeris_cursor,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe { keep(place, view::<R>(table)?.cursor(first)) }
+    unsafe {
+        let table = view::<R>(table)?;
+        keep(place, CursorOf { table: table.identity, cursor: table.view.cursor(first) })
+    }
 }
 
-/// Numbers of `quantity` at the next sample of a cursor.
+/// Gives the next sample of a cursor to `take`. If that refuses, the cursor stays.
 ///
 /// # Safety
 /// As for [`at_tick`].
-unsafe fn advance<R: Tabulated, T>(
+unsafe fn advance<R: Tabulated>(
     table: *const u8,
     place: *mut toytop_ephemeris_cursor,
-    quantity: impl FnOnce(Sample<'static, R>) -> T,
-) -> Result<T, Refusal> {
+    take: impl FnOnce(&Table<'static, R>, Sample<'static, R>) -> Result<(), Refusal>,
+) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    let (table, mut cursor): (_, Cursor) = unsafe { (view::<R>(table)?, kept(place)?) };
-    let found = quantity(cursor.next(table));
+    let (table, mut of): (_, CursorOf) = unsafe { (view::<R>(table)?, kept(place)?) };
+    if of.table != table.identity {
+        return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
+    }
+    take(&table, of.cursor.next(table.view))?;
     // SAFETY: see above.
-    unsafe { keep(place, cursor)? };
-    Ok(found)
+    unsafe { keep(place, of) }
 }
 
 /// Next sample of a cursor.
@@ -145,8 +188,8 @@ pub(crate) unsafe fn next<R: Tabulated>(
     cursor: *mut toytop_ephemeris_cursor,
     place: *mut toytop_ephemeris_sample,
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe { keep(place, advance::<R, _>(table, cursor, |sample| sample)?) }
+    // SAFETY: the caller guarantees valid pointers and a valid table, here and inside.
+    unsafe { advance::<R>(table, cursor, |table, sample| keep_sample(place, table, sample)) }
 }
 
 /// Quaternion at the next tick of a cursor.
@@ -158,8 +201,8 @@ pub(crate) unsafe fn next_quaternion<R: Tabulated>(
     cursor: *mut toytop_ephemeris_cursor,
     place: *mut [R::Held; 4],
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe { write(place, advance::<R, _>(table, cursor, |sample| sample.quaternion().map(R::held))?) }
+    // SAFETY: the caller guarantees valid pointers and a valid table, here and inside.
+    unsafe { advance::<R>(table, cursor, |_, sample| write(place, sample.quaternion().map(R::held))) }
 }
 
 /// Tick of the last sample of a cursor; before the first sample, the tick before it.
@@ -172,9 +215,7 @@ pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
     tick: *mut i64,
 ) -> toytop_status {
     // SAFETY: the caller guarantees valid pointers.
-    let result = unsafe { kept(place).and_then(|cursor: Cursor| write(tick, cursor.tick())) };
-    // SAFETY: there is no memory for a reason.
-    unsafe { crate::status::status_of(result, core::ptr::null_mut()) }
+    unsafe { kept(place).and_then(|of: CursorOf| write(tick, of.cursor.tick())) }.into()
 }
 
 /// Next turning point.
@@ -187,7 +228,8 @@ pub(crate) unsafe fn turning_point<R: Tabulated>(
     place: *mut toytop_turning_point,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    let found = unsafe { view::<R>(table)? }.next_turning_point(tick).ok_or(toytop_status::TOYTOP_NONE)?;
+    let found =
+        unsafe { view::<R>(table)? }.view.next_turning_point(tick).ok_or(toytop_status::TOYTOP_NONE)?;
     // SAFETY: see above.
     unsafe { write(place, toytop_turning_point { tick: found.tick, upper: found.upper.into() }) }
 }
@@ -229,7 +271,7 @@ pub(crate) unsafe fn error_bounds<R: Tabulated>(
     place: *mut toytop_error_bounds,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    let table = unsafe { view::<R>(table)? };
+    let table = unsafe { view::<R>(table)? }.view;
     let [orientation, rate] = [table.error_bound(), table.rate_error_bound()];
     let ErrorBound { constant, per_tick } = orientation;
     let bounds = toytop_error_bounds {
@@ -240,30 +282,6 @@ pub(crate) unsafe fn error_bounds<R: Tabulated>(
     };
     // SAFETY: see above.
     unsafe { write(place, bounds) }
-}
-
-/// Delay of a table.
-///
-/// # Safety
-/// The pointer is null or valid, and nobody reads the table meanwhile.
-pub(crate) unsafe fn delay<R: Tabulated>(table: *mut u8, ticks: f64) -> Result<(), Refusal> {
-    if !ticks.is_finite() {
-        return Err(ParameterError::NotFinite { parameter: "ticks" }.into());
-    }
-    // SAFETY: the caller guarantees a valid table.
-    unsafe { view_mut::<R>(table)? }.delay(ticks);
-    Ok(())
-}
-
-/// Change of the tick of a table.
-///
-/// # Safety
-/// As for [`delay`].
-pub(crate) unsafe fn set_tick<R: Tabulated>(table: *mut u8, tick: toytop_tick) -> Result<(), Refusal> {
-    let tick = Tick::ratio(tick.ticks, tick.seconds)?;
-    // SAFETY: the caller guarantees a valid table.
-    unsafe { view_mut::<R>(table)? }.set_tick(tick);
-    Ok(())
 }
 
 /// Parts of a complex number, {re, im}.

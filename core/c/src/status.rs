@@ -1,7 +1,7 @@
 //! Status codes, and the text with the refused parameter and its allowed values.
 
 use core::ffi::{CStr, c_char};
-use toytop::{ParameterError, TableTooSmall};
+use toytop::{ParameterError, SetUpError};
 
 /// Status of a call: `TOYTOP_OK`, or the reason for which the call did nothing.
 #[repr(u32)]
@@ -24,13 +24,12 @@ pub enum toytop_status {
     TOYTOP_NOT_SET_UP = 6,
     /// There is no such turning point or tip angle in this motion.
     TOYTOP_NONE = 7,
-    /// The set-up of a table needs more slices, which is no error.
-    TOYTOP_PENDING = 8,
+    /// The motion is aperiodic, and such a motion has no table.
+    TOYTOP_NO_TABLE = 8,
 }
 
 use toytop_status::{
-    TOYTOP_BAD_MEMORY, TOYTOP_NONE, TOYTOP_NOT_FINITE, TOYTOP_NOT_SET_UP, TOYTOP_NULL_POINTER, TOYTOP_OK,
-    TOYTOP_OUT_OF_RANGE, TOYTOP_PENDING, TOYTOP_TABLE_TOO_SMALL,
+    TOYTOP_NO_TABLE, TOYTOP_NOT_FINITE, TOYTOP_OK, TOYTOP_OUT_OF_RANGE, TOYTOP_TABLE_TOO_SMALL,
 };
 
 /// Bytes of the text of an error, the closing zero included.
@@ -48,40 +47,27 @@ pub struct toytop_error {
     pub text: [c_char; TOYTOP_TEXT_SIZE],
 }
 
+/// Texts of the status codes, by their numbers.
+const TEXTS: [&CStr; 9] = [
+    c"ok",
+    c"pointer: must not be null",
+    c"a parameter must be a finite number",
+    c"a parameter is out of its allowed range",
+    c"table: must have more segments for this motion",
+    c"table or set-up: must be aligned to 8 bytes, and a table must hold at least 8 segments",
+    c"table, motion, set-up, cursor or sample: must be made first",
+    c"the motion has no such point or angle",
+    c"an aperiodic motion has no table",
+];
+
+fn line(status: u32) -> &'static CStr {
+    TEXTS.get(status as usize).copied().unwrap_or(c"not a status of toytop")
+}
+
 /// Text of a status code, in one line; never null.
 #[unsafe(no_mangle)]
 pub extern "C" fn toytop_status_text(status: u32) -> *const c_char {
-    let known = [
-        TOYTOP_OK,
-        TOYTOP_NULL_POINTER,
-        TOYTOP_NOT_FINITE,
-        TOYTOP_OUT_OF_RANGE,
-        TOYTOP_TABLE_TOO_SMALL,
-        TOYTOP_BAD_MEMORY,
-        TOYTOP_NOT_SET_UP,
-        TOYTOP_NONE,
-        TOYTOP_PENDING,
-    ];
-    let found = known.into_iter().find(|known| *known as u32 == status);
-    found.map_or(c"not a status of toytop", toytop_status::text).as_ptr()
-}
-
-impl toytop_status {
-    fn text(self) -> &'static CStr {
-        match self {
-            TOYTOP_OK => c"ok",
-            TOYTOP_NULL_POINTER => c"pointer: must not be null",
-            TOYTOP_NOT_FINITE => c"a parameter must be a finite number",
-            TOYTOP_OUT_OF_RANGE => c"a parameter is out of its allowed range",
-            TOYTOP_TABLE_TOO_SMALL => c"table: must have more segments for this motion",
-            TOYTOP_BAD_MEMORY => {
-                c"table or set-up: must be aligned to 8 bytes, and a table must hold at least 8 segments"
-            }
-            TOYTOP_NOT_SET_UP => c"table, motion, set-up, cursor or sample: must be made first",
-            TOYTOP_NONE => c"the motion has no such point or angle",
-            TOYTOP_PENDING => c"the set-up needs more slices",
-        }
-    }
+    line(status).as_ptr()
 }
 
 /// Reason for a refusal, before it is written to the memory of the caller.
@@ -109,9 +95,21 @@ impl From<ParameterError> for Refusal {
     }
 }
 
-impl From<TableTooSmall> for Refusal {
-    fn from(error: TableTooSmall) -> Self {
-        Self { segments: error.segments, ..Self::from(TOYTOP_TABLE_TOO_SMALL) }
+impl From<SetUpError> for Refusal {
+    fn from(error: SetUpError) -> Self {
+        match error {
+            SetUpError::TooSmall { segments, .. } => Self { segments, ..Self::from(TOYTOP_TABLE_TOO_SMALL) },
+            SetUpError::Truncation => {
+                ParameterError::OutOfRange { parameter: "truncation", allowed: "finite and positive" }.into()
+            }
+            _ => TOYTOP_NO_TABLE.into(),
+        }
+    }
+}
+
+impl From<Result<(), Refusal>> for toytop_status {
+    fn from(result: Result<(), Refusal>) -> Self {
+        result.err().map_or(TOYTOP_OK, |refusal| refusal.status)
     }
 }
 
@@ -120,13 +118,12 @@ impl From<TableTooSmall> for Refusal {
 /// # Safety
 /// `error` is null or valid for writing.
 pub(crate) unsafe fn status_of(result: Result<(), Refusal>, error: *mut toytop_error) -> toytop_status {
-    let status = result.err().map_or(TOYTOP_OK, |refusal| refusal.status);
     if !error.is_null() {
         let refusal = result.err().unwrap_or(Refusal::from(TOYTOP_OK));
         // SAFETY: the caller guarantees that the pointer, which is not null, is valid.
         unsafe { error.write_unaligned(refusal.described()) };
     }
-    status
+    result.into()
 }
 
 impl Refusal {
@@ -136,12 +133,7 @@ impl Refusal {
             Some([parameter, allowed]) => {
                 [parameter, ": must be ", allowed].into_iter().for_each(|part| text.push(part.as_bytes()));
             }
-            None => text.push(self.status.text().to_bytes()),
-        }
-        if self.status == TOYTOP_TABLE_TOO_SMALL {
-            text.push(b": ");
-            text.push_number(self.segments);
-            text.push(b" segments are not enough");
+            None => text.push(line(self.status as u32).to_bytes()),
         }
         toytop_error { status: self.status as u32, segments: self.segments, text: text.bytes }
     }
@@ -159,16 +151,6 @@ impl Text {
         for (place, byte) in room.iter_mut().zip(part) {
             *place = *byte as c_char;
             self.length += 1;
-        }
-    }
-
-    fn push_number(&mut self, number: u32) {
-        let mut place = 1_000_000_000;
-        while place > 0 {
-            if number >= place || place == 1 {
-                self.push(&[b'0' + (number / place % 10) as u8]);
-            }
-            place /= 10;
         }
     }
 }
@@ -191,12 +173,6 @@ mod tests {
         assert_eq!(tilt.as_deref(), Some("tilt: must be between 0 and pi"));
         let spin = refused(Release { spin: f64::NAN, ..Release::default() });
         assert_eq!(spin.as_deref(), Some("spin: must be a finite number"));
-    }
-
-    #[test]
-    fn the_number_of_segments_is_in_the_text() {
-        let small = text(TableTooSmall { truncation: 1e-6, segments: 1030 });
-        assert!(small.ends_with(": 1030 segments are not enough"), "{small}");
     }
 
     #[test]

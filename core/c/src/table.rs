@@ -4,14 +4,14 @@ use crate::memory::read;
 use crate::status::{Refusal, toytop_status};
 use core::ptr::slice_from_raw_parts_mut;
 use toytop::fixed::types::I2F30;
-use toytop::{Ephemeris, EphemerisScalar, EphemerisView};
+use toytop::{Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView};
 
 /// Bytes of a table in `f32` of the standard size, 25 segments.
-pub const TOYTOP_EPHEMERIS_F32_SIZE: usize = 2280;
+pub const TOYTOP_EPHEMERIS_F32_SIZE: usize = 2256;
 /// Bytes of a table in `f64` of the standard size, 48 segments.
-pub const TOYTOP_EPHEMERIS_F64_SIZE: usize = 17192;
+pub const TOYTOP_EPHEMERIS_F64_SIZE: usize = 17168;
 /// Bytes of a table in fixed point of the standard size, 32 segments.
-pub const TOYTOP_EPHEMERIS_Q31_SIZE: usize = 2328;
+pub const TOYTOP_EPHEMERIS_Q31_SIZE: usize = 2304;
 /// Alignment of the memory of a table, bytes.
 pub const TOYTOP_EPHEMERIS_ALIGNMENT: usize = 8;
 
@@ -20,21 +20,21 @@ pub const TOYTOP_EPHEMERIS_ALIGNMENT: usize = 8;
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_ephemeris_f32 {
-    opaque: [u64; 285],
+    opaque: [u64; 282],
 }
 
 /// Table of a motion in `f64`; see `toytop_ephemeris_f32`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_ephemeris_f64 {
-    opaque: [u64; 2149],
+    opaque: [u64; 2146],
 }
 
 /// Table of a motion in fixed point of 32 bits; see `toytop_ephemeris_f32`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_ephemeris_q31 {
-    opaque: [u64; 291],
+    opaque: [u64; 288],
 }
 
 /// Length of a tick, as an exact fraction of a second: `ticks` ticks in `seconds` seconds.
@@ -47,15 +47,15 @@ pub struct toytop_tick {
     pub seconds: u32,
 }
 
-/// Upper bounds on the errors of a table: at tick n each is its constant plus |n| times its growth.
+/// Upper bounds on the errors of a table: n ticks from the epoch each is its constant plus |n| times its growth.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_error_bounds {
-    /// Orientation error 2 sqrt(|d alpha|^2 + |d beta|^2) at tick 0, rad.
+    /// Orientation error 2 sqrt(|d alpha|^2 + |d beta|^2) at the epoch, rad.
     pub orientation: f64,
     /// Growth of the orientation error per tick, rad.
     pub orientation_per_tick: f64,
-    /// Error of the angular velocity, in either frame, at tick 0, rad/s.
+    /// Error of the angular velocity, in either frame, at the epoch, rad/s.
     pub rate: f64,
     /// Growth of that error per tick, rad/s.
     pub rate_per_tick: f64,
@@ -106,14 +106,24 @@ impl Tabulated for I2F30 {
 
 /// Head of the memory of a table; the table follows.
 #[repr(C)]
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 struct Head {
     tag: u32,
-    segments: u32,
+    segments: u16,
+    /// Number of set-ups in this memory, modulo 2^16 and from any number.
+    generation: u16,
+}
+
+/// Table whose set-up has succeeded.
+pub(crate) struct Table<'a, R: Tabulated> {
+    pub(crate) view: &'a EphemerisView<R>,
+    pub(crate) address: *const u8,
+    /// Scalar and generation, which a cursor and a sample of this table carry.
+    pub(crate) identity: u32,
 }
 
 /// Least number of segments of a table.
-const LEAST: usize = 16;
+const LEAST: usize = 8;
 /// Greatest number of segments that a table can use.
 const MOST: usize = 4096;
 
@@ -169,36 +179,20 @@ fn behind<R: Tabulated>(head: *const Head, segments: usize) -> *mut EphemerisVie
 /// # Safety
 /// The pointer is null or valid for reading a head; and if its tag is that of the scalar, [`Memory::ready`] wrote what follows, which
 /// nobody changes as long as the reference lives.
-pub(crate) unsafe fn view<'a, R: Tabulated>(table: *const u8) -> Result<&'a EphemerisView<R>, Refusal> {
-    // SAFETY: the caller guarantees valid memory; `Memory::ready` wrote as many segments as it says.
-    unsafe { Ok(&*ready::<R>(table)?) }
-}
-
-/// As [`view`], to change it.
-///
-/// # Safety
-/// As for [`view`]; and nobody reads the table as long as the reference lives.
-pub(crate) unsafe fn view_mut<'a, R: Tabulated>(table: *mut u8) -> Result<&'a mut EphemerisView<R>, Refusal> {
-    // SAFETY: the caller guarantees valid memory; `Memory::ready` wrote as many segments as it says.
-    unsafe { Ok(&mut *ready::<R>(table)?) }
-}
-
-/// Address of a table that was set up.
-///
-/// # Safety
-/// The pointer is null or valid for reading a head.
-unsafe fn ready<R: Tabulated>(table: *const u8) -> Result<*mut EphemerisView<R>, Refusal> {
-    let head = checked_head(table)?;
+pub(crate) unsafe fn view<'a, R: Tabulated>(address: *const u8) -> Result<Table<'a, R>, Refusal> {
+    let head = checked_head(address)?;
     // SAFETY: any bits are a head.
-    let Head { tag, segments } = unsafe { read(head)? };
+    let Head { tag, segments, generation } = unsafe { read(head)? };
     if tag != R::TAG {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
-    Ok(behind(head, segments as usize))
+    // SAFETY: the caller guarantees valid memory; `Memory::ready` wrote as many segments as it says.
+    let view = unsafe { &*behind::<R>(head, segments.into()) };
+    Ok(Table { view, address, identity: tag << 16 | u32::from(generation) })
 }
 
 /// Memory of the caller for a table: address of its head, and number of segments.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy)]
 pub(crate) struct Memory {
     head: *mut Head,
     segments: usize,
@@ -216,45 +210,55 @@ impl Memory {
         Ok(Self { head, segments })
     }
 
-    /// Head of a table of a scalar in this memory, between [`Self::clear`] and [`Self::ready`]: nobody takes it for a table.
-    fn pending<R: Tabulated>(&self) -> Head {
-        Head { tag: !R::TAG, segments: self.segments as u32 }
-    }
-
     /// Empty table in this memory, which need not be initialised.
     ///
     /// # Safety
     /// The memory is valid for writing, and nobody else uses it as long as the reference lives.
-    pub(crate) unsafe fn clear<'a, R: Tabulated>(self) -> &'a mut EphemerisView<R> {
+    pub(crate) unsafe fn clear<'a, R: Tabulated>(self) -> &'a mut EphemerisMemory<EphemerisView<R>> {
         // SAFETY: there is room for a head, and behind it for a table of `segments` segments, at least 8. They are initialised
         // before a reference to them is made.
         unsafe {
-            self.head.write(self.pending::<R>());
-            let least = self.head.wrapping_add(1).cast::<Ephemeris<R, LEAST>>();
-            least.write(Ephemeris::EMPTY);
+            // volatile, because the memory need not be initialised
+            let generation = (&raw const (*self.head).generation).read_volatile().wrapping_add(1);
+            // nobody takes it for a table before it is ready
+            self.head.write(Head { tag: !R::TAG, segments: self.segments as u16, generation });
+            let least = self.head.wrapping_add(1).cast::<EphemerisMemory<Ephemeris<R, LEAST>>>();
+            least.write(EphemerisMemory::new());
             let rest = least.wrapping_add(1).cast::<R::Segment>();
             (LEAST..self.segments).zip(0..).for_each(|(_, place)| rest.add(place).write(R::ZERO_SEGMENT));
-            &mut *behind::<R>(self.head, self.segments)
-        }
-    }
-
-    /// Table that [`Self::clear`] began in this memory, or `None` where something else was done with its head since.
-    ///
-    /// # Safety
-    /// As for [`Self::clear`], which was called before.
-    pub(crate) unsafe fn begun<'a, R: Tabulated>(self) -> Option<&'a mut EphemerisView<R>> {
-        // SAFETY: the caller guarantees valid memory; any bits are a head, and `clear` initialised the segments.
-        unsafe {
-            (self.head.read() == self.pending::<R>()).then(|| &mut *behind::<R>(self.head, self.segments))
+            &mut *(behind::<R>(self.head, self.segments) as *mut EphemerisMemory<EphemerisView<R>>)
         }
     }
 
     /// Makes the table in this memory known as one that is set up.
     ///
     /// # Safety
-    /// As for [`Self::begun`].
+    /// As for [`Self::clear`], which was called before.
     pub(crate) unsafe fn ready<R: Tabulated>(self) {
         // SAFETY: the caller guarantees valid memory.
-        unsafe { self.head.write(Head { tag: R::TAG, ..self.pending::<R>() }) };
+        unsafe { (*self.head).tag = R::TAG };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Memory of every number of segments that a motion may need is a table, from 8 on, in every scalar.
+    #[test]
+    fn a_table_may_have_eight_segments() {
+        fn check<R: Tabulated>() {
+            let mut words = [0_u64; 2048];
+            let table = words.as_mut_ptr().cast::<u8>();
+            for segments in 8..=40 {
+                let memory =
+                    Memory::of::<R>(table, size_of_table::<R>(segments)).map(|memory| memory.segments);
+                assert_eq!(memory.ok(), Some(segments));
+            }
+            assert!(Memory::of::<R>(table, size_of_table::<R>(8) - 1).is_err());
+        }
+        check::<f32>();
+        check::<f64>();
+        check::<I2F30>();
     }
 }

@@ -49,5 +49,8 @@ fn it_is_that_of_the_sources() {
         std::fs::write(&path, &made).expect("the header");
     }
     let committed = std::fs::read_to_string(&path).expect("the header");
-    assert!(committed == made, "not that of the sources; if it is meant: cargo xtask c-header --overwrite");
+    assert!(
+        committed == made,
+        "not that of the sources; if it is meant: TOYTOP_OVERWRITE=1 cargo test -p toytop-c --test header"
+    );
 }

@@ -2,8 +2,8 @@
 
 use crate::scalar::{Extended, Float, Ring};
 use crate::state::State;
-use crate::su2::{Vector, bracket, dot};
-use crate::top::{Quantities, Top, Units};
+use crate::su2::{Vector, cross, dot};
+use crate::top::{ScaledTop, Top, Units};
 
 /// Sign, + or -.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -18,7 +18,7 @@ pub enum Sign {
 
 impl Sign {
     /// Sign of x; + for 0.
-    pub fn of<R: Ring>(x: R) -> Self {
+    pub fn new<R: Ring>(x: R) -> Self {
         if x < R::ZERO { Self::Minus } else { Self::Plus }
     }
 
@@ -40,9 +40,9 @@ impl Sign {
     }
 }
 
-/// Signs of l + n and of l - n. Branch points and signs together determine a motion up to its start.
+/// Signs of l + n and of l - n. With the branch points they determine a motion up to its start.
 ///
-/// Equal signs mean |l| > |n|, different signs mean |l| < |n|. Where l + n or l - n is 0, its sign is arbitrary.
+/// Equal signs mean |l| > |n|. Where l + n or l - n is 0, its sign is arbitrary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Signs {
@@ -52,10 +52,7 @@ pub struct Signs {
     pub l_minus_n: Sign,
 }
 
-/// First integrals: two components of the angular momentum, and the energy.
-///
-/// The sum l + n and the difference l - n are stored besides l and n, because one of them is small near the vertical
-/// and the subtraction of rounded numbers would lose its digits.
+/// First integrals: two components of the angular momentum, and the energy. One of l + n and l - n is small near the vertical.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FirstIntegrals<F = f64> {
@@ -63,8 +60,7 @@ pub struct FirstIntegrals<F = f64> {
     pub l: F,
     /// Axial angular momentum n = ⟨m, r⟩ = C ⟨ω, r⟩ + K, kg m²/s.
     pub n: F,
-    /// Energy h = T + V, J; V = 0 where the centre of mass is at the height of the tip. T is the kinetic energy of the
-    /// angular velocity ω; it excludes the energy of a rotor's motion relative to the body, which is constant.
+    /// Energy h = T + V, J; V = 0 at the height of the tip. T excludes a rotor's motion relative to the body.
     pub h: F,
     /// Axial rate ⟨ω, r⟩ of the body, rad per unit time: (n - K)/C, and a constant of its own where C = 0.
     pub spin: F,
@@ -74,9 +70,9 @@ pub struct FirstIntegrals<F = f64> {
     pub l_minus_n: F,
 }
 
-/// Axis of the body and its angular velocity at one instant, from which the first integrals follow.
+/// Axis of the body and its angular velocity at one instant.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct MovingAxis<F> {
+struct MovingAxis<F> {
     /// Components r₁ and r₂ of the axis.
     across: [F; 2],
     u: F,
@@ -88,16 +84,15 @@ pub(crate) struct MovingAxis<F> {
 
 impl<F: Float> MovingAxis<F> {
     /// Axis and angular velocity of a state.
-    pub(crate) fn of(state: &State) -> Self {
+    #[inline(never)] // the stack frames of a launch must not add up
+    fn new(state: &State) -> Self {
         let (phi, omega) = state.exact::<F>();
-        // Every component is quadratic in Φ and is divided by the squared norm. No square root is taken, so a simple
-        // fraction remains exact.
+        // every component is quadratic in Φ; without a square root a simple fraction remains exact
         let norm = phi.norm_squared();
         let one_minus_u = phi.beta.norm_squared().doubled() / norm;
         let one_plus_u = phi.alpha.norm_squared().doubled() / norm;
         let two = F::ONE.doubled();
-        // On the vertical the values are exact, without the rounding of the norm, so that n is the exact product of C
-        // and ω₃.
+        // on the vertical the values are exact, so that n is the exact product of C and ω₃
         let [r1, r2, u] = phi.axis().map(|component| component / norm);
         let (u, one_minus_u, one_plus_u) = if one_minus_u == F::ZERO {
             (F::ONE, F::ZERO, two)
@@ -117,29 +112,22 @@ pub(crate) struct ReducedPoint<F> {
     pub(crate) one_minus_u: F,
     pub(crate) one_plus_u: F,
     pub(crate) udot: F,
-    /// Kinetic energy of the motion of the axis in units of p g: (A |ω × r|² + p s u'²)/(2 p g). Without torque it is not
-    /// divided by p g.
+    /// Kinetic energy of the axis, (A |ω × r|² + p s u'²)/(2 p g); without torque it is not divided by p g.
     pub(crate) axis_energy: F,
 }
 
-impl<F: Ring> FirstIntegrals<F> {
-    /// Placeholder for first integrals that are not computed yet.
-    pub(crate) const ZERO: Self =
-        Self { l: F::ZERO, n: F::ZERO, h: F::ZERO, spin: F::ZERO, l_plus_n: F::ZERO, l_minus_n: F::ZERO };
-}
-
-impl<F: Ring> ReducedPoint<F> {
-    /// Placeholder for a point that is not computed yet.
-    pub(crate) const ZERO: Self =
-        Self { u: F::ZERO, one_minus_u: F::ZERO, one_plus_u: F::ZERO, udot: F::ZERO, axis_energy: F::ZERO };
-
+impl<F: Float> ReducedPoint<F> {
     /// Whether the axis is upright and does not move.
     pub(crate) fn rests_upright(&self) -> bool {
         self.one_minus_u == F::ZERO && self.axis_energy == F::ZERO
     }
-}
 
-impl<F: Float> ReducedPoint<F> {
+    /// Difference l - n u, from the one of l ∓ n that causes no cancellation.
+    pub(crate) fn l_minus_nu(&self, integrals: &FirstIntegrals<F>) -> F {
+        let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
+        if self.u > F::ZERO { l_minus_n + n * self.one_minus_u } else { l_plus_n - n * self.one_plus_u }
+    }
+
     /// Magnitude |m| of the angular momentum of a body without torque: |m|² = n² + A²|ω × r|².
     pub(crate) fn momentum(&self, a: F, n: F) -> F {
         ((a * self.axis_energy).doubled() + n.squared()).sqrt()
@@ -149,16 +137,20 @@ impl<F: Float> ReducedPoint<F> {
 impl FirstIntegrals {
     /// First integrals of a state, computed in extended precision. Error: one `f64` rounding of the result.
     #[must_use]
-    pub fn of(top: &Top, state: &State) -> Self {
-        FirstIntegrals::<Extended>::with_point(top, &MovingAxis::of(state)).0.as_given(top)
+    pub fn from_state(top: &Top, state: &State) -> Self {
+        FirstIntegrals::<Extended>::with_point(top, state).0.as_given(top)
     }
 }
 
 impl<F: Float> FirstIntegrals<F> {
-    /// First integrals in the units of [`Units`], and the point of the reduced curve, of a body with this axis and angular
-    /// velocity.
-    pub(crate) fn with_point(top: &Top, axis: &MovingAxis<F>) -> (Self, ReducedPoint<F>) {
-        let Quantities { a, c, s, p, g, k } = Quantities::<F>::of(top);
+    /// First integrals in the units of [`Units`], and the point of the reduced curve.
+    pub(crate) fn with_point(top: &Top, state: &State) -> (Self, ReducedPoint<F>) {
+        Self::from_axis(top, &MovingAxis::new(state))
+    }
+
+    #[inline(never)] // the stack frames of a launch must not add up
+    fn from_axis(top: &Top, axis: &MovingAxis<F>) -> (Self, ReducedPoint<F>) {
+        let ScaledTop { a, c, s, p, g, k } = ScaledTop::<F>::new(top);
         let MovingAxis { across: [r1, r2], u, one_minus_u, one_plus_u, omega } = *axis;
         let r = [r1, r2, u];
 
@@ -166,17 +158,16 @@ impl<F: Float> FirstIntegrals<F> {
         let n = c * spin + k;
         let [w1, w2, _] = omega;
         let udot = w1 * r2 - w2 * r1;
-        let r_dot = bracket(omega, r);
+        let r_dot = cross(omega, r);
         let (l_minus_n, l_plus_n) = if c > F::ZERO {
-            // l ∓ n = A ⟨ω, k ∓ r⟩ ∓ ((C - A) ⟨ω, r⟩ + K) (1 ∓ u), without the cancellation of subtracting n from l
+            // l ∓ n = A ⟨ω, k ∓ r⟩ ∓ ((C - A) ⟨ω, r⟩ + K) (1 ∓ u), without cancellation
             let beyond_sphere = (c - a) * spin + k;
             (
                 a * dot(omega, [-r1, -r2, one_minus_u]) - beyond_sphere * one_minus_u,
                 a * dot(omega, [r1, r2, one_plus_u]) + beyond_sphere * one_plus_u,
             )
         } else {
-            // l ∓ n = A ⟨r × r', k⟩ ∓ K (1 ∓ u): the axial rate does not contribute to a rod's momentum, and may be
-            // far greater
+            // l ∓ n = A ⟨r × r', k⟩ ∓ K (1 ∓ u): the axial rate of a rod may be far greater
             let [x, y, _] = r_dot;
             let about_k = a * (r1 * y - r2 * x);
             (about_k - k * one_minus_u, about_k + k * one_plus_u)
@@ -191,29 +182,22 @@ impl<F: Float> FirstIntegrals<F> {
         (integrals, ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy })
     }
 
-    /// First integrals rounded to `f64`, each field separately.
-    pub(crate) fn to_f64(self) -> FirstIntegrals {
-        FirstIntegrals {
-            l: self.l.to_f64(),
-            n: self.n.to_f64(),
-            h: self.h.to_f64(),
-            spin: self.spin.to_f64(),
-            l_plus_n: self.l_plus_n.to_f64(),
-            l_minus_n: self.l_minus_n.to_f64(),
-        }
-    }
-
     /// First integrals in the units of the caller, rounded to `f64`.
     pub(crate) fn as_given(self, top: &Top) -> FirstIntegrals {
-        let (unit, inside) = (Units::of(top).inertia, self.to_f64());
-        let FirstIntegrals { l, n, h, spin, l_plus_n, l_minus_n } = inside;
-        let [l, n, h, l_plus_n, l_minus_n] = [l, n, h, l_plus_n, l_minus_n].map(|number| number * unit);
-        FirstIntegrals { l, n, h, spin, l_plus_n, l_minus_n }
+        let unit = Units::new(top).inertia;
+        FirstIntegrals {
+            l: self.l.to_f64() * unit,
+            n: self.n.to_f64() * unit,
+            h: self.h.to_f64() * unit,
+            spin: self.spin.to_f64(),
+            l_plus_n: self.l_plus_n.to_f64() * unit,
+            l_minus_n: self.l_minus_n.to_f64() * unit,
+        }
     }
 
     /// Signs of l + n and l - n; + where the number is 0.
     #[must_use]
     pub fn signs(&self) -> Signs {
-        Signs { l_plus_n: Sign::of(self.l_plus_n), l_minus_n: Sign::of(self.l_minus_n) }
+        Signs { l_plus_n: Sign::new(self.l_plus_n), l_minus_n: Sign::new(self.l_minus_n) }
     }
 }

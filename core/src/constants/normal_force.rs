@@ -1,18 +1,16 @@
 //! Normal force of the plane, N = 1 + s u''/g in units of the weight, and its least value over a motion.
 //!
-//! The equations of motion also hold where N < 0, but a real top would then leave the plane. With f = (u - e₁)(u -
-//! e₂)(u - e₃) and D = s (e₄² - u²), u'²/2 = g f/D and u'' = g d(f/D)/du. Partial fractions of s f/D at u = ±e₄ give
+//! Partial fractions of s u''/g at u = ±e₄ give
 //!
 //! N = (F₊/(e₄ - u)² + F₋/(e₄ + u)²)/2e₄ with F± = (e₄ ∓ e₁)(e₄ ∓ e₂)(±e₄ - e₃)(±1).
 //!
-//! F₋ > 0 always holds. If e₃ >= e₄, then F₊ <= 0 and N decreases with u, so it is least at e₂. If e₃ < e₄, then N >
-//! 0 everywhere and N is a convex function of u, with the minimum ((∛F₊ + ∛F₋)/2e₄)³ at (e₄ - u)/(e₄ + u) = ∛(F₊/F₋).
+//! If e₃ >= e₄, then F₊ <= 0, and N is least at e₂. If e₃ < e₄, then N is convex, with the minimum ((∛F₊ + ∛F₋)/2e₄)³ at
+//! (e₄ - u)/(e₄ + u) = ∛(F₊/F₋).
 
 use crate::constants::BranchPoints;
 use crate::scalar::{Extended, Float, Ring};
 
-/// Magnitude of N, in units of the weight, below which it counts as 0. The rounding error of N in extended precision is
-/// smaller.
+/// Magnitude of N, in units of the weight, below which it counts as 0.
 const NOISE: f64 = 1e-20;
 
 /// Least N over u in [e₁, e₂], in units of the weight. `spread` is A/(ps) = e₄² - 1.

@@ -10,8 +10,8 @@ use crate::scalar::{Extended, Ring};
 pub enum Regime {
     /// e₁ < e₂ < e₃: u oscillates between e₁ and e₂.
     Nutating,
-    /// e₁ = e₂ within ±1 and |l| < |n|: regular precession, the slower of the two at this tilt and spin, which toy
-    /// tops usually show. u is constant, or the tilt oscillates by less than 2^-49 rad, the rounding of a state.
+    /// e₁ = e₂ within ±1 and |l| < |n|: regular precession, the slower of the two at this tilt and spin. The tilt is constant to
+    /// 2^-49 rad, the rounding of a state.
     SlowPrecession,
     /// e₁ = e₂ within ±1 and |l| >= |n|: regular precession, the faster of the two at this tilt and spin.
     FastPrecession,
@@ -27,7 +27,7 @@ pub enum Regime {
 
 impl Regime {
     /// Regime of exact branch points; `upright` tells whether a motion with e₂ = e₃ = 1 has u = 1.
-    pub(crate) fn of(e: &BranchPoints<Extended>, signs: Signs, upright: bool) -> Self {
+    pub(crate) fn new(e: &BranchPoints<Extended>, signs: Signs, upright: bool) -> Self {
         let zero = Extended::ZERO;
         if !swings(e) {
             if e.one_minus_e2 == zero {
@@ -58,8 +58,7 @@ impl Regime {
     }
 }
 
-/// Whether the oscillation of the tilt is larger than the rounding of a state. A motion through the vertical always
-/// counts as an oscillation.
+/// Whether the oscillation of the tilt is larger than the rounding of a state, or passes through the vertical.
 fn swings(e: &BranchPoints<Extended>) -> bool {
     const STILL: f64 = 1.0 / (1_u64 << 49) as f64;
     let zero = Extended::ZERO;

@@ -18,8 +18,7 @@ pub enum TipClass {
     Circle,
     /// The curve passes through the centre once or twice a period: e₁ = -1 or e₂ = 1.
     ThroughOrigin,
-    /// The curve of an aperiodic motion tends to the centre: a spiral, or for e₁ = -1 a straight line, which has
-    /// passed through the centre once before.
+    /// The curve of an aperiodic motion tends to the centre: a spiral, or for e₁ = -1 a straight line.
     Spiral,
     /// The tip stays at the centre, because the axis is vertical.
     Point,
@@ -27,12 +26,8 @@ pub enum TipClass {
 
 impl TipClass {
     /// Class of the tip curve by Proposition 6 of the paper: with -1 < e₁ < e₂ < 1 < e₃ and different signs of l + n
-    /// and l - n there are loops if e₃ (e₂ - e₁) > 1 - e₁e₂, and cusps if both sides are equal; otherwise the curve
-    /// is smooth.
-    ///
-    /// The two sides count as equal where they differ by no more than the rounding of the three branch points to
-    /// `f64` can cause. A top released from rest therefore has cusps.
-    pub(crate) fn of(regime: Regime, e: &BranchPoints<Extended>, signs: Signs) -> Self {
+    /// and l - n there are loops if e₃ (e₂ - e₁) > 1 - e₁e₂, and cusps if both sides are equal to the rounding of `f64`.
+    pub(crate) fn new(regime: Regime, e: &BranchPoints<Extended>, signs: Signs) -> Self {
         let zero = Extended::ZERO;
         match regime {
             Regime::Aperiodic => Self::Spiral,

@@ -1,15 +1,16 @@
 //! Values of u at which events occur.
 
-use crate::ephemeris::{EphemerisScalar, EphemerisView, Sample};
+use crate::complex::Complex;
 use crate::error::{ParameterError, finite, require};
-use crate::events::first_that;
+use crate::events::bisect;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float, Ring};
-use crate::top::{Quantities, Support, Top};
+use crate::su2::Orientation;
+use crate::table::{EphemerisScalar, EphemerisView, Sample};
+use crate::top::{ScaledTop, Support, Top};
 
-/// Value of u, the cosine of the tilt, that a motion may reach. It is stored as 1 - u and 1 + u, so that a tilt close to the
-/// vertical keeps its digits.
+/// Value of u, the cosine of the tilt, that a motion may reach, as 1 - u and 1 + u.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Level {
@@ -39,9 +40,8 @@ impl Level {
         Ok(Self { one_minus_u: 2.0 * sine * sine, one_plus_u: 2.0 * cosine * cosine })
     }
 
-    /// Levels at which the tip is on the circle |c| = `radius` about the centre: the first with the centre of mass above the
-    /// tip, the second with it below. The radius is in m; for a fixed tip, whose c = 2αβ has no unit, it is the sine of the
-    /// tilt.
+    /// Levels at which the tip is on the circle |c| = `radius` about the centre: with the centre of mass above the tip, and below. The
+    /// radius is in m; for a fixed tip it is the sine of the tilt.
     ///
     /// # Errors
     /// `radius`: not finite, or not in (0, s) (for a fixed tip in (0, 1)).
@@ -59,18 +59,15 @@ impl Level {
         Ok([upper, Self { one_minus_u: large, one_plus_u: small }])
     }
 
-    /// Level at which the normal force N is 0: N > 0 below it and N < 0 above it, so that a real top lifts off where u
-    /// rises through it. Where the computed u falls through it, N becomes positive again.
-    ///
-    /// `None` unless the tip slides (a fixed support can also pull), and where N has one sign throughout the motion
-    /// ([`Motion::min_normal_force`] tells which).
+    /// Level above which the normal force is negative: a real top lifts off where u rises through it. `None` unless the tip slides, and
+    /// where the force has one sign ([`Motion::min_normal_force`] tells which).
     #[must_use]
     pub fn of_lift_off(motion: &Motion) -> Option<Self> {
         if motion.top().support() != Support::Sliding || motion.is_steady() {
             return None;
         }
-        let (e, one) = (motion.exact_branch_points(), Extended::ONE);
-        let Quantities { a, p, s, .. } = Quantities::<Extended>::of(motion.top());
+        let (e, one) = (&motion.e, Extended::ONE);
+        let ScaledTop { a, p, s, .. } = ScaledTop::<Extended>::new(motion.top());
         // N = (F₊/(e₄ - u)² + F₋/(e₄ + u)²)/2e₄ with F₋ > 0, see constants/normal_force.rs: it is 0 where (e₄ - u)/(e₄ + u) = q
         let spread = a / (p * s);
         let e4 = (one + spread).sqrt();
@@ -101,22 +98,22 @@ impl Level {
     pub(super) fn phase<R: EphemerisScalar>(&self, view: &EphemerisView<R>) -> Option<Phase> {
         const LAST: u64 = (1 << 63) - 1;
         let reached = self.is_reached(view, LAST) && !self.is_reached(view, 0);
-        reached.then(|| Phase::from_fraction(first_that(0, LAST, |nutation| self.is_reached(view, nutation))))
+        reached.then(|| Phase::from_fraction(bisect(0, LAST, |nutation| self.is_reached(view, nutation))))
     }
 
-    /// Whether u of the table is at the level or above it at a nutation phase, given by its 64 leading bits.
+    /// Whether u of the table is at the level or above it at a nutation phase, given by its 64 leading bits. The tilt is that of
+    /// tan²(tilt/2) = |β|²/|α|², whose error is at most that of the orientation.
     fn is_reached<R: EphemerisScalar>(&self, view: &EphemerisView<R>, nutation: u64) -> bool {
-        let orientation = Sample::new(view, at_phase(nutation), Phase::ZERO).orientation();
-        let norm = |re: R, im: R| (re.widened().squared() + im.widened().squared()).doubled().to_f64();
-        if self.one_minus_u < 1.0 {
-            norm(orientation.beta.re, orientation.beta.im) <= self.one_minus_u
-        } else {
-            norm(orientation.alpha.re, orientation.alpha.im) >= self.one_plus_u
-        }
+        let Orientation { alpha, beta } = Sample::new(view, at_phase(nutation), Phase::ZERO).orientation();
+        let square = |z: Complex<R>| {
+            let [re, im] = [z.re, z.im].map(Into::<f64>::into);
+            re * re + im * im
+        };
+        square(beta) * self.one_plus_u <= square(alpha) * self.one_minus_u
     }
 }
 
 /// Phases of a sample at a nutation phase, with both slow phases 0.
 pub(super) fn at_phase(nutation: u64) -> [PhaseFraction; 3] {
-    [Phase::from_fraction(nutation), Phase::ZERO, Phase::ZERO].map(PhaseFraction::of)
+    [Phase::from_fraction(nutation), Phase::ZERO, Phase::ZERO].map(PhaseFraction::from_phase)
 }

@@ -1,15 +1,14 @@
 //! Implementations of `defmt::Format`, for logs that are formatted on the host (feature `defmt`).
 //!
-//! Most types derive it where they are declared. This module has the implementations for types whose fields are a
-//! table, or numbers without meaning on their own.
+//! Most types derive it. Here are those whose fields are a table, or numbers without meaning on their own.
 
 use crate::scalar::{Extended, Real};
 use crate::su2::OrientationRate;
 use crate::{
     AttitudeState, BranchPoints, Complex, Cursor, EphemerisF32, EphemerisF64, EphemerisScalar,
-    EphemerisStorage, ErrorBound, FirstIntegrals, Motion, Orientation, ParameterError, PeriodAdvance, Phase,
-    Regime, Release, Sample, Sign, Signs, Start, State, Stepper, Support, TableTooSmall, Tick, TipClass, Top,
-    TopParameters, TurningPoint,
+    EphemerisStorage, ErrorBound, FirstIntegrals, InitialPhases, Motion, Orientation, ParameterError,
+    PeriodAdvance, Phase, Regime, Release, Sample, SetUpError, Sign, Signs, State, Stepper, Support, Tick,
+    TipClass, Top, TopParameters, TurningPoint,
 };
 use defmt::{Format, Formatter, write};
 
@@ -60,15 +59,14 @@ impl Format for Cursor {
     }
 }
 
-/// Check that every public type for firmware implements `Format` (except those of [`crate::exact`], and
-/// [`crate::Baked`], which is a table). A new type must be added here.
+/// Check that every public type for firmware implements `Format` (except [`crate::Baked`], which is a table). A new type must be added here.
 const _: () = {
     const fn logs<T: Format>() {}
     logs::<(Complex<f32>, Extended, Orientation<f32>, OrientationRate<f64>, Phase)>();
-    logs::<(ParameterError, Support, Top, TopParameters, Release, Start, State)>();
+    logs::<(ParameterError, Support, Top, TopParameters, Release, InitialPhases, State)>();
     logs::<(BranchPoints, FirstIntegrals, PeriodAdvance, Regime, TipClass)>();
     logs::<(Motion, Sign, Signs)>();
-    logs::<(EphemerisF32, EphemerisF64, ErrorBound, TableTooSmall, Tick, TurningPoint)>();
+    logs::<(EphemerisF32, EphemerisF64, ErrorBound, SetUpError, Tick, TurningPoint)>();
     logs::<(Cursor, Sample<'static, f64>)>();
     logs::<(AttitudeState<f32>, Stepper<f64>)>();
     #[cfg(feature = "fixed")]

@@ -1,8 +1,7 @@
 //! Conversions to and from the rotations of nalgebra (feature `nalgebra`).
 //!
-//! They use the components of [`Orientation::quaternion`], so a `UnitQuaternion` and an [`Orientation`] are the same
-//! element of SU(2), *sign included*: Φ and -Φ give q and -q. Both map body coordinates to fixed ones. A `Rotation3`
-//! has no sign; its conversion gives the one of the two Φ whose quaternion nalgebra chooses.
+//! A `UnitQuaternion` and an [`Orientation`] are the same element of SU(2), *sign included*. A `Rotation3` has no sign; nalgebra
+//! chooses it.
 
 use crate::scalar::Ring;
 use crate::su2::Orientation;

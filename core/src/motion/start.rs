@@ -1,6 +1,6 @@
 //! Start of a motion: half phase χ and slow phases at t = 0, from a state or from given angles.
 
-use crate::cayley_klein::{Bracket, PhaseDirections};
+use crate::cayley_klein::{Ellipse, PhaseDirections};
 use crate::complex::Complex;
 use crate::constants::BranchPoints;
 use crate::constants::ReducedPoint;
@@ -10,10 +10,9 @@ use crate::scalar::{Extended, Float, Ring};
 /// Phases at t = 0 of a motion given by branch points. All are in rad, and 0 by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Start {
-    /// Nutation phase θ(0): 0 at u = e₁, π at u = e₂, with u rising in between. An `f64` that is nearest to a
-    /// multiple of π counts as that multiple. The value is ignored where u is constant, except that θ = π with e₂ =
-    /// e₃ = 1 means the sleeping top.
+pub struct InitialPhases {
+    /// Nutation phase θ(0): 0 at u = e₁, π at u = e₂, with u rising in between. The `f64` nearest to a multiple of π counts as
+    /// that multiple. θ = π with e₂ = e₃ = 1 means the sleeping top.
     pub theta: f64,
     /// Argument of α(0); where α(0) = 0, that of α'(0).
     pub arg_alpha: f64,
@@ -21,10 +20,10 @@ pub struct Start {
     pub arg_beta: f64,
 }
 
-/// sin χ and cos χ of a point of the reduced curve: √(u - e₁) and ±√(e₂ - u), divided by √(e₂ - e₁). The sign is that
-/// of u'. An aperiodic motion has cos χ > 0, and its sin χ has the sign of u' instead.
+/// sin χ and cos χ of a point of the reduced curve, times √(e₂ - e₁): √(u - e₁) and ±√(e₂ - u), with the sign of u'. In an
+/// aperiodic motion sin χ has that sign instead.
 ///
-/// The smaller of the two differences is computed without a subtraction from (u - e₁)(e₂ - u) = g₀/(e₃ - u), given as a pair.
+/// The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u), given as a pair, without a subtraction.
 pub(crate) fn half_phase(
     e: &BranchPoints<Extended>,
     point: &ReducedPoint<Extended>,
@@ -59,8 +58,7 @@ pub(crate) fn chi(sine: f64, cosine: f64) -> Phase {
     }
 }
 
-/// Half phase χ = θ/2. An `f64` θ that is nearest to a multiple of π counts as that multiple; this holds for |θ| up
-/// to 2^48, beyond which several multiples of π may round to one `f64`.
+/// Half phase χ = θ/2.
 pub(crate) fn half_turns(theta: f64) -> Phase {
     let nearest = libm::round(theta * core::f64::consts::FRAC_1_PI);
     let multiple = Extended::TWO_PI.halved() * nearest.into();
@@ -70,18 +68,16 @@ pub(crate) fn half_turns(theta: f64) -> Phase {
     (Extended::from(theta).in_turns() * Extended::from(0.5)).to_phase()
 }
 
-/// Slow phase of a parameter z with rate z': the angle by which the bracket and its rate must be rotated to give z
-/// and z'. The rotations of value and rate are averaged with weights, so that the phase is well defined also where z
-/// is 0 or small at t = 0.
+/// Slow phase of a parameter z with rate z': the mean rotation from the ellipse and its rate to both. It exists also where z is 0.
 pub(crate) fn slow_phase(
-    bracket: &Bracket<f64>,
+    ellipse: &Ellipse<f64>,
     directions: &PhaseDirections<f64>,
     [nutation, turning]: [f64; 2],
     z: [Complex<f64>; 2],
 ) -> Phase {
     let [value, rate] = z;
-    let model = bracket.at(directions);
-    let model_rate = bracket.along(directions).scaled(nutation) + model.times_i().scaled(turning);
+    let model = ellipse.at(directions);
+    let model_rate = ellipse.along(directions).scaled(nutation) + model.times_i().scaled(turning);
     let time = 1.0 / (nutation.squared() + turning.squared());
     let sum = value * model.conj() + (rate * model_rate.conj()).scaled(time);
     Phase::from_radians(sum.arg())

@@ -4,10 +4,10 @@ use fixed::types::I2F30;
 use micromath::F32Ext;
 use multicalc::linear_algebra::Vector;
 use multicalc::ode::Rk4;
+use toytop::Phase;
 use toytop::scalar::{Float, Scalar};
-use toytop::{Cursor, Ephemeris, Micromath, Phase};
 
-use crate::calls::{Output, Stepping};
+use crate::calls::Output;
 use crate::full_equations::{Constants, Point, orientation, renormalised};
 
 #[inline(never)]
@@ -85,37 +85,4 @@ pub(crate) extern "C" fn bench_sincos_libm_f64(angle: f64, out: &mut [f64; 2]) {
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_sincos_micromath_f32(angle: f32, out: &mut [f32; 2]) {
     *out = angle.sin_cos().into();
-}
-
-/// Core's table, evaluated with micromath's sines.
-pub(crate) type EphemerisMicromath = Ephemeris<Micromath, 25>;
-
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_ephemeris_micromath(
-    ephemeris: &EphemerisMicromath,
-    tick: i64,
-    out: &mut Output<Micromath>,
-) {
-    *out = Output::floating(ephemeris.at_tick(tick));
-}
-
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_micromath(
-    ephemeris: &EphemerisMicromath,
-    cursor: &mut Cursor,
-    out: &mut Output<Micromath>,
-) {
-    *out = Output::floating(cursor.next(ephemeris));
-}
-
-/// Core's stepper with micromath's sines and roots.
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_stepper_micromath(
-    stepping: &mut Stepping<Micromath>,
-    out: &mut Output<Micromath>,
-) {
-    stepping.step(out);
 }

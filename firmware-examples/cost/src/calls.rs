@@ -1,13 +1,11 @@
 //! Calls of core.
 
-use core::task::Poll;
-
 use fixed::types::{I2F14, I2F30};
-use toytop::scalar::{Real, Ring, Scalar};
+use toytop::scalar::{Real, Ring};
 use toytop::{
-    Complex, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, EphemerisScalar,
-    EphemerisView, Launch, Motion, Orientation, ParameterError, Release, Sample, SetUp, State, Stepper, Tick,
-    Top, TopParameters,
+    Complex, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisQ15, EphemerisQ31,
+    EphemerisScalar, EphemerisView, Motion, Orientation, ParameterError, Pose, Release, Sample, SetUp, State,
+    Stepper, Tick, Top, TopParameters,
 };
 
 /// Number of ticks per second.
@@ -80,64 +78,72 @@ impl Measured {
         })
     }
 
-    pub(crate) fn motion<R: Scalar>(&self) -> Result<Motion, ParameterError> {
-        Motion::launch_for::<R>(&self.top()?, &self.state()?)
+    pub(crate) fn motion(&self) -> Result<Motion, ParameterError> {
+        Motion::launch(&self.top()?, &self.state()?)
     }
 }
 
-/// Truncation error that `Ephemeris::new` allows, rad.
-pub(crate) fn truncation<R: Scalar>() -> f64 {
-    4.0 * R::ROUNDING
-}
+/// Memory of a table in `f32` of this many segments.
+pub(crate) type Memory<const SEGMENTS: usize> = EphemerisMemory<Ephemeris<f32, SEGMENTS>>;
 
 #[inline(never)]
-fn set_up(ephemeris: &mut EphemerisView<f32>, measured: &Measured) -> bool {
-    let (Ok(motion), Ok(tick)) = (measured.motion::<f32>(), Tick::hertz(TICK_RATE)) else { return false };
-    ephemeris.set_up(&motion, tick, truncation::<f32>()).is_ok()
+fn set_up(
+    memory: &mut EphemerisMemory<EphemerisView<f32>>,
+    set_up: &mut SetUp,
+    launched: (Result<Top, ParameterError>, Result<State, ParameterError>),
+) -> bool {
+    let ((Ok(top), Ok(state)), Ok(tick)) = (launched, Tick::hertz(TICK_RATE)) else { return false };
+    let motion = Motion::launch(&top, &state);
+    let Ok(motion) = &motion else { return false };
+    memory.set_up(set_up, motion, tick, 0, &mut || {}).is_ok()
+}
+
+/// Set-up with its own memory on the stack.
+#[inline(never)]
+fn on_stack(memory: &mut EphemerisMemory<EphemerisView<f32>>, measured: &Measured) -> bool {
+    set_up(memory, &mut SetUp::new(), (measured.top(), measured.state()))
 }
 
 /// Set-up from measured numbers to a complete table, once per launch.
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_launch(ephemeris: &mut EphemerisF32, measured: &Measured) -> bool {
-    set_up(ephemeris, measured)
+pub(crate) extern "C" fn bench_launch(memory: &mut Memory<25>, measured: &Measured) -> bool {
+    on_stack(memory, measured)
+}
+
+/// Set-up as for `bench_launch`, of a table that is made by value on the stack.
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_new(measured: &Measured, out: &mut Output<f32>) -> bool {
+    let (Ok(motion), Ok(tick)) = (measured.motion(), Tick::hertz(TICK_RATE)) else { return false };
+    let Ok(ephemeris) = EphemerisF32::new(&motion, tick) else { return false };
+    *out = Output::floating(ephemeris.at_tick(0));
+    true
 }
 
 /// Set-up of [`Measured::slow`].
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_launch_slow(ephemeris: &mut Ephemeris<f32, 64>, measured: &Measured) -> bool {
-    set_up(ephemeris, measured)
+pub(crate) extern "C" fn bench_launch_slow(memory: &mut Memory<64>, measured: &Measured) -> bool {
+    on_stack(memory, measured)
 }
 
 /// Set-up of [`Measured::falling`].
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_launch_falling(
-    ephemeris: &mut Ephemeris<f32, 128>,
-    measured: &Measured,
-) -> bool {
-    set_up(ephemeris, measured)
+pub(crate) extern "C" fn bench_launch_falling(memory: &mut Memory<128>, measured: &Measured) -> bool {
+    on_stack(memory, measured)
 }
 
-/// Set-up as for `bench_launch`, in slices whose memory a program keeps in a static.
+/// Set-up as for `bench_launch`, with memory that a program keeps in a static.
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_slices(
-    launch: &mut Launch<f32>,
-    set_up: &mut SetUp,
-    ephemeris: &mut EphemerisF32,
+    scratch: &mut SetUp,
+    memory: &mut Memory<25>,
     (top, state): &(Top, State),
 ) -> bool {
-    launch.restart(top, state);
-    while launch.proceed().is_pending() {}
-    let (Some(motion), Ok(tick)) = (launch.motion(), Tick::hertz(TICK_RATE)) else { return false };
-    set_up.restart(motion, tick);
-    loop {
-        if let Poll::Ready(result) = set_up.poll(ephemeris) {
-            return result.is_ok();
-        }
-    }
+    set_up(memory, scratch, (Ok(*top), Ok(*state)))
 }
 
 #[inline(never)]
@@ -204,21 +210,33 @@ pub(crate) extern "C" fn bench_cursor_q15(
     *out = Output::fixed_point(cursor.next(ephemeris));
 }
 
-/// Orientation and angular velocity in the body frame, as a gyroscope measures it.
+/// Orientation, and the tip in m.
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_tip_q31(
+    ephemeris: &EphemerisQ31,
+    cursor: &mut Cursor,
+    out: &mut (Orientation<I2F30>, Complex<f32>),
+) {
+    let sample = cursor.next(ephemeris);
+    *out = (sample.orientation(), sample.tip());
+}
+
+/// Orientation and angular velocity.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rates<R> {
     pub(crate) orientation: Orientation<R>,
-    /// Angular velocity Ω in the body frame, rad/s.
-    pub(crate) omega_body: [f32; 3],
+    /// Angular velocity, rad/s: Ω in the body frame, as a gyroscope measures it, or ω in the fixed frame.
+    pub(crate) omega: [f32; 3],
 }
 
 impl<R: EphemerisScalar<Wide = f32>> Rates<R> {
-    pub(crate) const ZERO: Self = Self { orientation: Orientation::IDENTITY, omega_body: [0.0; 3] };
+    pub(crate) const ZERO: Self = Self { orientation: Orientation::IDENTITY, omega: [0.0; 3] };
 
     #[inline(always)]
     fn of(sample: Sample<'_, R>) -> Self {
-        let (orientation, omega_body) = sample.orientation_and_omega_body();
-        Self { orientation, omega_body }
+        let (orientation, omega) = sample.orientation_and_omega_body();
+        Self { orientation, omega }
     }
 }
 
@@ -232,6 +250,13 @@ pub(crate) extern "C" fn bench_omega_f32(ephemeris: &EphemerisF32, tick: i64, ou
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_omega_q31(ephemeris: &EphemerisQ31, tick: i64, out: &mut Rates<I2F30>) {
     *out = Rates::of(ephemeris.at_tick(tick));
+}
+
+#[inline(never)]
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn bench_omega_fixed_f32(ephemeris: &EphemerisF32, tick: i64, out: &mut Rates<f32>) {
+    let sample = ephemeris.at_tick(tick);
+    *out = Rates { orientation: sample.orientation(), omega: sample.omega() };
 }
 
 /// Stepper with the scale 2 s of the tip.
@@ -263,8 +288,8 @@ impl<R: Ring> Output<R> {
 impl<R: EphemerisScalar<Wide = R>> Output<R> {
     #[inline(always)]
     pub(crate) fn floating(sample: Sample<'_, R>) -> Self {
-        let (orientation, c) = sample.orientation_and_tip();
-        Self { orientation, u: orientation.u(), c }
+        let Pose { orientation, u, tip } = sample.pose();
+        Self { orientation, u, c: tip }
     }
 }
 

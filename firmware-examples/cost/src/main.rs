@@ -12,30 +12,22 @@ mod baselines;
 mod calls;
 mod full_equations;
 mod measure;
+mod start;
 
 use core::hint::black_box;
 use core::mem::size_of_val;
 
-use baselines::EphemerisMicromath;
-use calls::{Measured, Output, Rates, Stepping};
-use fixed::types::{I2F14, I2F30};
+use calls::{Measured, Memory, Output, Rates, Stepping};
+use fixed::types::I2F30;
 use full_equations::{Constants, start};
 use measure::Meter;
 use semihosting::process;
 use toytop::scalar::{Float, Real};
 use toytop::{
-    Ephemeris, EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, Launch, Micromath, Motion,
-    Orientation, Phase, SetUp, Tick,
+    EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, Motion, Orientation, Phase, Pose, SetUp, Tick,
 };
 
-#[cfg(target_arch = "arm")]
-use cortex_m as _; // critical section
-#[cfg(target_arch = "arm")]
-use cortex_m_rt::entry;
-#[cfg(target_arch = "riscv32")]
-use riscv as _; // critical section
-#[cfg(target_arch = "riscv32")]
-use riscv_rt::entry;
+use start::entry;
 
 /// Number of calls of each kind, of which the costliest counts.
 const CALLS: usize = 8;
@@ -47,23 +39,26 @@ fn main() -> ! {
     let mut meter = Meter::new();
     let measured = Measured::default();
 
-    let mut single = EphemerisF32::EMPTY;
-    let ram = size_of_val(&single);
-    meter.measure("bench_launch", ram, 1, |_| {
-        assert!(calls::bench_launch(&mut single, black_box(&measured)), "the motion fits");
+    let mut memory = Memory::<25>::new();
+    meter.measure("bench_launch", size_of_val(&memory), 1, |_| {
+        assert!(calls::bench_launch(&mut memory, black_box(&measured)), "the motion fits");
     });
+    let mut out = Output::default();
+    meter.measure("bench_new", size_of_val(&memory), 1, |_| {
+        assert!(calls::bench_new(black_box(&measured), &mut out), "the motion fits");
+    });
+    black_box(out);
     other_launches(&mut meter);
     in_slices(&mut meter, &measured);
-    let motion = measured.motion::<f64>().expect("a possible top");
-    let mut double = EphemerisF64::EMPTY;
+    let motion = measured.motion().expect("a possible top");
     let tick = Tick::hertz(calls::TICK_RATE).expect("positive");
-    double.set_up(&motion, tick, calls::truncation::<f64>()).expect("the motion fits");
+    let double = EphemerisF64::new(&motion, tick).expect("the motion fits");
+    let single = EphemerisF32::new(&motion, tick).expect("the motion fits");
 
     ephemerides(&mut meter, &single, &double);
     fixed_point(&mut meter, &motion, tick);
     stepper(&mut meter, &motion, "bench_stepper_f32", calls::bench_stepper_f32);
     stepper(&mut meter, &motion, "bench_stepper_f64", calls::bench_stepper_f64);
-    with_micromath(&mut meter, &motion, tick);
     runge_kutta(&mut meter, &measured, &motion, &single);
     sines(&mut meter);
     process::exit(0)
@@ -73,32 +68,25 @@ fn main() -> ! {
 #[inline(never)] // its table must not stay on the stack
 fn other_launches(meter: &mut Meter) {
     let (slow, falling) = (Measured::slow(), Measured::falling());
-    let mut table = Ephemeris::<f32, 64>::EMPTY;
+    let mut table = Memory::<64>::new();
     meter.measure("bench_launch_slow", size_of_val(&table), 1, |_| {
         assert!(calls::bench_launch_slow(&mut table, black_box(&slow)), "the motion fits");
     });
-    let mut table = Ephemeris::<f32, 128>::EMPTY;
+    let mut table = Memory::<128>::new();
     meter.measure("bench_launch_falling", size_of_val(&table), 1, |_| {
         assert!(calls::bench_launch_falling(&mut table, black_box(&falling)), "the motion fits");
     });
 }
 
-/// Set-up in slices: launch and set-up count as memory that is kept, and not as stack.
+/// Set-up in slices: the set-up counts as memory that is kept, and not as stack.
 #[inline(never)] // their memory must not stay on the stack
 fn in_slices(meter: &mut Meter, measured: &Measured) {
     let top = measured.top().expect("a possible top");
     let input = (top, measured.state().expect("a possible state"));
-    let (top, state) = &input;
-    let mut launch = Launch::<f32>::for_scalar(top, state);
-    let motion = measured.motion::<f32>().expect("a possible launch");
-    let mut set_up = SetUp::new(&motion, Tick::hertz(calls::TICK_RATE).expect("positive"));
-    let mut table = EphemerisF32::EMPTY;
-    let ram = size_of_val(&launch) + size_of_val(&set_up) + size_of_val(&table);
+    let (mut set_up, mut table) = (SetUp::new(), Memory::<25>::new());
+    let ram = size_of_val(&set_up) + size_of_val(&table);
     meter.measure("bench_slices", ram, 1, |_| {
-        assert!(
-            calls::bench_slices(&mut launch, &mut set_up, &mut table, black_box(&input)),
-            "the motion fits"
-        );
+        assert!(calls::bench_slices(&mut set_up, &mut table, black_box(&input)), "the motion fits");
     });
 }
 
@@ -115,7 +103,10 @@ fn ephemerides(meter: &mut Meter, single: &EphemerisF32, double: &EphemerisF64) 
     meter.measure("bench_omega_f32", size_of_val(single), CALLS, |call| {
         calls::bench_omega_f32(single, tick(call), &mut rates);
     });
-    black_box((rates.orientation, rates.omega_body));
+    meter.measure("bench_omega_fixed_f32", size_of_val(single), CALLS, |call| {
+        calls::bench_omega_fixed_f32(single, tick(call), &mut rates);
+    });
+    black_box((rates.orientation, rates.omega));
     let mut cursor = single.cursor(STRIDE);
     let ram = size_of_val(single) + size_of_val(&cursor);
     meter.measure("bench_cursor_f32", ram, CALLS, |_| calls::bench_cursor_f32(single, &mut cursor, &mut out));
@@ -129,8 +120,7 @@ fn ephemerides(meter: &mut Meter, single: &EphemerisF32, double: &EphemerisF64) 
 fn fixed_point(meter: &mut Meter, motion: &Motion, tick: Tick) {
     let at = |call: usize| black_box(call as i64 * STRIDE);
     let (mut long, mut short) = (Output::default(), Output::default());
-    let mut ephemeris = EphemerisQ31::EMPTY;
-    ephemeris.set_up(motion, tick, calls::truncation::<I2F30>()).expect("the motion fits");
+    let ephemeris = EphemerisQ31::new(motion, tick).expect("the motion fits");
     let ram = size_of_val(&ephemeris);
     meter.measure("bench_ephemeris_q31", ram, CALLS, |call| {
         calls::bench_ephemeris_q31(&ephemeris, at(call), &mut long);
@@ -139,14 +129,18 @@ fn fixed_point(meter: &mut Meter, motion: &Motion, tick: Tick) {
     meter.measure("bench_omega_q31", ram, CALLS, |call| {
         calls::bench_omega_q31(&ephemeris, at(call), &mut rates);
     });
-    black_box((rates.orientation, rates.omega_body));
+    black_box((rates.orientation, rates.omega));
     let mut cursor = ephemeris.cursor(STRIDE);
     let ram = ram + size_of_val(&cursor);
     meter.measure("bench_cursor_q31", ram, CALLS, |_| {
         calls::bench_cursor_q31(&ephemeris, &mut cursor, &mut long)
     });
-    let mut ephemeris = EphemerisQ15::EMPTY;
-    ephemeris.set_up(motion, tick, calls::truncation::<I2F14>()).expect("the motion fits");
+    let mut metres = (Orientation::IDENTITY, toytop::Complex::new(0.0, 0.0));
+    meter.measure("bench_tip_q31", ram, CALLS, |_| {
+        calls::bench_tip_q31(&ephemeris, &mut cursor, &mut metres);
+    });
+    black_box(metres);
+    let ephemeris = EphemerisQ15::new(motion, tick).expect("the motion fits");
     let ram = size_of_val(&ephemeris);
     meter.measure("bench_ephemeris_q15", ram, CALLS, |call| {
         calls::bench_ephemeris_q15(&ephemeris, at(call), &mut short);
@@ -167,23 +161,6 @@ fn stepper<R: Real + Default>(
 ) {
     let (mut stepping, mut out) = (Stepping::<R>::new(motion), Output::default());
     meter.measure(name, size_of_val(&stepping), CALLS, |_| call(&mut stepping, &mut out));
-    black_box(out);
-}
-
-/// Measures the same algorithms with the functions of micromath.
-fn with_micromath(meter: &mut Meter, motion: &Motion, tick: Tick) {
-    let mut ephemeris = EphemerisMicromath::EMPTY;
-    ephemeris.set_up(motion, tick, calls::truncation::<Micromath>()).expect("the motion fits");
-    let (ram, mut out) = (size_of_val(&ephemeris), Output::default());
-    meter.measure("bench_ephemeris_micromath", ram, CALLS, |call| {
-        baselines::bench_ephemeris_micromath(&ephemeris, black_box(call as i64 * STRIDE), &mut out);
-    });
-    let mut cursor = ephemeris.cursor(STRIDE);
-    let ram = ram + size_of_val(&cursor);
-    meter.measure("bench_cursor_micromath", ram, CALLS, |_| {
-        baselines::bench_cursor_micromath(&ephemeris, &mut cursor, &mut out);
-    });
-    stepper(meter, motion, "bench_stepper_micromath", baselines::bench_stepper_micromath);
     black_box(out);
 }
 
@@ -241,15 +218,12 @@ fn sines(meter: &mut Meter) {
 
 /// Asserts that a baseline has the orientation and tip of the ephemeris after the same number of ticks.
 fn same_motion<R: Float>(out: &Output<R>, truth: &EphemerisF32) {
-    let (orientation, tip) = truth.at_tick(CALLS as i64).orientation_and_tip();
+    let Pose { orientation, u, tip } = truth.at_tick(CALLS as i64).pose();
     let near = |found: R, there: f32| (found.to_f64() - f64::from(there)).abs() < 1e-5;
     let Orientation { alpha, beta } = out.orientation;
     assert!(
         near(alpha.re, orientation.alpha.re) && near(beta.im, orientation.beta.im),
         "not the same motion"
     );
-    assert!(
-        near(out.u, orientation.u()) && near(out.c.re, tip.re) && near(out.c.im, tip.im),
-        "not the same tip"
-    );
+    assert!(near(out.u, u) && near(out.c.re, tip.re) && near(out.c.im, tip.im), "not the same tip");
 }

@@ -8,7 +8,7 @@ use cortex_m_rt::exception;
 use embassy_executor::Spawner;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
-use toytop::{EphemerisF32, Tick, TurningPoint};
+use toytop::{EphemerisF32, EphemerisMemory, EphemerisView, SetUp, Tick, TurningPoint};
 use toytop_firmware::{exit, start_systick, toy_top};
 
 /// Clock of the processor, Hz. The emulated board has 25 MHz.
@@ -22,9 +22,11 @@ static TURN: Signal<CriticalSectionRawMutex, TurningPoint> = Signal::new();
 #[embassy_executor::main]
 async fn main(spawner: Spawner) {
     let motion = toy_top().expect("a possible top");
-    let ephemeris = singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once");
+    let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
+    let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    ephemeris.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
+    let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let ephemeris = table.share();
     spawner.spawn(log_turns(ephemeris).expect("spawned once"));
 
     start_systick(CLOCK, TICK_RATE);
@@ -41,7 +43,7 @@ async fn main(spawner: Spawner) {
 }
 
 #[embassy_executor::task]
-async fn log_turns(ephemeris: &'static EphemerisF32) {
+async fn log_turns(ephemeris: &'static EphemerisView<f32>) {
     loop {
         let TurningPoint { tick, upper } = TURN.wait().await;
         let place = if upper { "upright" } else { "low" };

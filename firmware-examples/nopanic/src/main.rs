@@ -1,4 +1,4 @@
-//! Program that links only if core's set-up, stepper, ephemeris and fit have no panic path, because its panic handler calls a function that
+//! Program that links only if core's set-up, stepper, ephemeris, fit and closed forms have no panic path, because its panic handler calls a function that
 //! does not exist. It is linked in release, without overflow checks, and not run.
 
 #![no_std]
@@ -7,17 +7,19 @@
 use core::hint::black_box;
 
 use panic_never as _;
-use toytop::fit::{
-    Accelerometer, AxisCamera, Fit, FreeRatio, Gyroscope, Magnetometer, Mark, Measurement, Mounting, Noise,
-    OrientationCamera, Sensor, TipCamera,
-};
 use toytop::fixed::types::{I2F14, I2F30};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 use toytop::{
-    BranchPoints, Complex, Ephemeris, EphemerisScalar, EphemerisView, FirstIntegrals, Level, Motion,
-    ParameterError, Phase, Release, Sampler, Sensitivity, Sign, Signs, Start, State, Stepper, Tick, Top,
-    TopParameters,
+    BranchPoints, Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, FirstIntegrals,
+    InitialPhases, Level, Motion, ParameterError, Phase, Release, Sampler, SetUp, Sign, Signs, State,
+    Stepper, Tick, Top, TopParameters,
+};
+use toytop_closed_forms::ClosedForm;
+use toytop_closed_forms::elliptic::{Jacobi, Weierstrass, agm, carlson_rf};
+use toytop_fit::{
+    Accelerometer, AxisCamera, Fit, FreeRatio, Gyroscope, Magnetometer, Mark, Measurement, Mounting, Noise,
+    OrientationCamera, Sensitivity, Sensor, TipCamera,
 };
 
 #[cfg(target_arch = "arm")]
@@ -30,6 +32,7 @@ fn main() -> ! {
     loop {
         // An error is a value.
         let _ = black_box(set_up());
+        let _ = black_box(elliptic());
     }
 }
 
@@ -64,18 +67,18 @@ fn set_up() -> Result<(), ParameterError> {
             black_box(state.reaction_impulse(&top, [unknown(); 3], [unknown(); 3])?);
             let state = state.with_impulse(&top, [unknown(); 3], [unknown(); 3])?;
             black_box((state.orientation(), state.omega()));
-            black_box(FirstIntegrals::of(&top, &state).signs());
-            black_box(BranchPoints::of(&top, &state)?);
+            black_box(FirstIntegrals::from_state(&top, &state).signs());
+            black_box(BranchPoints::from_state(&top, &state)?);
             spin(&Motion::launch(&top, &state)?);
             sensitivity(&Motion::launch(&top, &state)?);
         }
         fit(&top);
-        let sign = |x| Sign::of(x);
+        let sign = |x| Sign::new(x);
         let signs = Signs { l_plus_n: sign(unknown()), l_minus_n: sign(unknown()) };
         let e = BranchPoints::new(unknown(), unknown(), unknown())?;
         black_box(e.integrals(&top, signs));
         black_box(BranchPoints::from_integrals(&top, unknown(), unknown(), unknown())?);
-        let start = Start { theta: unknown(), arg_alpha: unknown(), arg_beta: unknown() };
+        let start = InitialPhases { theta: unknown(), arg_alpha: unknown(), arg_beta: unknown() };
         spin(&Motion::from_branch_points(&top, [unknown(); 3], signs, &start)?);
     }
     Ok(())
@@ -118,6 +121,9 @@ fn spin(motion: &Motion) {
     black_box((motion.first_integrals(), motion.branch_points()));
     black_box(motion.period_advance().map(|averages| averages.phi_per_period()));
     black_box(motion.min_normal_force());
+    if let Ok(form) = ClosedForm::of(motion) {
+        black_box((form.at(unknown()), form.nutation_phase(unknown())));
+    }
     tick::<f32>(motion);
     tick::<f64>(motion);
     table::<f32, 25>(motion);
@@ -126,8 +132,21 @@ fn spin(motion: &Motion) {
     table::<I2F14, 16>(motion);
 }
 
+/// Calls of the elliptic functions.
+fn elliptic() -> Result<(), ParameterError> {
+    let jacobi = Jacobi::new(unknown(), unknown())?;
+    black_box((jacobi.quarter_period(), jacobi.at(unknown())));
+    black_box((agm(unknown(), unknown()), carlson_rf(unknown(), unknown(), unknown())));
+    let lattice = Weierstrass::from_roots([unknown(); 3])?;
+    black_box((lattice.half_periods(), lattice.quasi_periods(), lattice.invariants()));
+    let z = complex();
+    black_box((lattice.p(z), lattice.p_prime(z), lattice.differences(z), lattice.zeta(z)));
+    black_box((lattice.sigma(z), lattice.ln_sigma(z)));
+    Ok(())
+}
+
 fn sensitivity(motion: &Motion) {
-    let sensitivity = Sensitivity::of(motion);
+    let sensitivity = Sensitivity::new(motion);
     let Some(partials) = sensitivity.at(unknown()) else { return };
     black_box((partials.orientation(), partials.omega(), partials.omega_body(), partials.tip()));
     black_box((partials.tip_angle(), partials.axis_change(), partials.orientation_now()));
@@ -167,7 +186,7 @@ fn tick<R: Real>(motion: &Motion) {
 
 /// Calls of the events of every kind.
 fn events<R: EphemerisScalar>(table: &EphemerisView<R>, motion: &Motion) {
-    let event = table.turning_points(black_box(3)).only(black_box(true)).next();
+    let event = table.turning_points(black_box(3)).find(|event| event.upward);
     black_box(event.map(|event| (table.time_of(&event), table.at_event(&event).orientation())));
     black_box(table.tip_angles(Phase::new(unknown()), black_box(3)).next());
     let circle = Level::of_circle(motion.top(), unknown()).ok().map(|[upper, _]| upper);
@@ -178,15 +197,13 @@ fn events<R: EphemerisScalar>(table: &EphemerisView<R>, motion: &Motion) {
     }
 }
 
-/// Calls of an ephemeris: set-up, changes of the clock, all ways to read it, turning points, and exchange.
+/// Calls of an ephemeris: set-up, all ways to read it, turning points, and exchange.
 fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let Ok(tick) = Tick::hertz(black_box(1000)) else { return };
-    let Ok(mut ephemeris) = Ephemeris::<R, SEGMENTS>::within(motion, tick, unknown()) else { return };
-    ephemeris.delay(unknown());
-    ephemeris.set_tick(tick);
+    let Ok(ephemeris) = Ephemeris::<R, SEGMENTS>::within(motion, tick, unknown()) else { return };
     black_box(ephemeris.at_tick(black_box(7)).orientation());
     let sample = ephemeris.at(unknown());
-    black_box((sample.orientation_and_tip(), sample.u(), sample.axis(), sample.quaternion(), sample.tip()));
+    black_box((sample.pose(), sample.u(), sample.axis(), sample.quaternion(), sample.tip()));
     black_box((sample.omega(), sample.omega_body(), sample.udot(), sample.tip_velocity()));
     black_box((sample.orientation_and_omega_body(), ephemeris.rate_error_bound().after(unknown())));
     black_box((sample.tip_angle(), sample.nutation_phase(), sample.orientation().tip_over_s()));
@@ -199,8 +216,13 @@ fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let mut out = [Orientation::<R>::IDENTITY; 4];
     ephemeris.fill(black_box(0), &mut out);
     black_box(out);
-    let mut spare = Ephemeris::<R, SEGMENTS>::EMPTY;
-    let mut sampler = Sampler::new(&mut ephemeris, black_box(3));
+    let mut set_up = SetUp::within(unknown());
+    let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new());
+    let mut calls = 0;
+    let mut between = || calls += 1;
+    let Ok(ready) = first.set_up(&mut set_up, motion, tick, black_box(-7), &mut between) else { return };
+    let Ok(spare) = second.set_up(&mut set_up, motion, tick, black_box(7), &mut between) else { return };
+    let mut sampler = Sampler::new(ready, black_box(3));
     black_box((sampler.next().orientation(), sampler.tick(), sampler.table().error_bound()));
-    black_box(sampler.exchange(&mut spare).capacity());
+    black_box(sampler.exchange(spare).into_memory().get().is_some());
 }

@@ -12,14 +12,14 @@ use core::cell::RefCell;
 use cortex_m::{asm, singleton};
 use cortex_m_rt::exception;
 use critical_section::Mutex;
-use toytop::fit::{Fit, Sensor};
-use toytop::{Cursor, EphemerisF32, Tick};
+use toytop::{Cursor, EphemerisF32, EphemerisMemory, EphemerisView, SetUp, Tick};
 use toytop_firmware::{entry, exit, imu, start_systick, toy_top};
+use toytop_fit::{Fit, Sensor};
 
 /// Frequency of the processor, Hz. The emulated board has 25 MHz.
 const CLOCK: u32 = 25_000_000;
 struct Follower {
-    ephemeris: &'static EphemerisF32,
+    ephemeris: &'static EphemerisView<f32>,
     cursor: Cursor,
     tick: u32,
 }
@@ -55,10 +55,11 @@ fn main() -> ! {
     defmt::info!("state of the fit: {=usize} bytes", size_of::<Fit<'_, f32>>());
 
     let motion = fitted.motion(&top).expect("a possible launch");
-    let ephemeris = singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once");
-    ephemeris
-        .set_up(&motion, Tick::hertz(imu::SAMPLE_RATE).expect("a positive rate"), 1e-6)
-        .expect("an ordinary motion");
+    let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
+    let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
+    let tick = Tick::hertz(imu::SAMPLE_RATE).expect("a positive rate");
+    let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let ephemeris = table.share();
     let cursor = ephemeris.cursor(0);
     let follower = Follower { ephemeris, cursor, tick: 0 };
     critical_section::with(|cs| FOLLOWER.replace(cs, Some(follower)));

@@ -14,8 +14,8 @@ use cortex_m_rt::exception;
 use critical_section::Mutex;
 use heapless::spsc::{Consumer, Producer, Queue};
 use toytop::{
-    AttitudeState, EphemerisF32, EphemerisView, Motion, Orientation, ParameterError, Sampler, Stepper, Tick,
-    Top,
+    AttitudeState, EphemerisF32, EphemerisMemory, EphemerisView, Motion, Orientation, ParameterError,
+    ReadyEphemeris, Sampler, SetUp, Stepper, Tick, Top,
 };
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
@@ -33,7 +33,9 @@ const IMPULSE: [f64; 3] = [0.0, 3.0e-3, -1.0e-3];
 const POINT: [f64; 3] = [0.0, 0.0, 0.06];
 
 /// Table in static memory, which has one owner at a time.
-type Table = &'static mut EphemerisView<f32>;
+type Table = ReadyEphemeris<'static, f32>;
+/// Its memory.
+type Memory = &'static mut EphemerisMemory<EphemerisView<f32>>;
 
 /// Kick that the interrupt reports: the tick, and the state without the kick.
 struct Kick {
@@ -117,18 +119,20 @@ fn SysTick() {
 #[entry]
 fn main() -> ! {
     let [first, second] = [
-        singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once"),
-        singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once"),
+        singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once"),
+        singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once"),
     ];
     let (kicks, mut kicks_taken) = singleton!(: Queue<Kick, 4> = Queue::new()).expect("taken once").split();
     let (mut bridge, bridges) =
         singleton!(: Queue<(i64, Stepper<f32>), 2> = Queue::new()).expect("taken once").split();
     let (mut ready, fresh) = singleton!(: Queue<Table, 2> = Queue::new()).expect("taken once").split();
-    let (mut used, mut spare) = singleton!(: Queue<Table, 2> = Queue::new()).expect("taken once").split();
+    let (used, mut spare) = singleton!(: Queue<Table, 2> = Queue::new()).expect("taken once").split();
     let (log, mut logged) = singleton!(: Queue<TakeOver, 4> = Queue::new()).expect("taken once").split();
 
-    let top = launch(first).expect("a possible launch");
-    assert!(used.enqueue(second).is_ok(), "the queue is empty");
+    let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
+
+    let (top, first) = launch(set_up, first).expect("a possible launch");
+    let mut second: Option<Memory> = Some(second);
     let sampler = Sampler::new(first, 1);
     let source = Source { sampler, stepper: None, kicks, bridges, fresh, used, log };
     critical_section::with(|cs| SOURCE.borrow(cs).set(Some(source)));
@@ -136,12 +140,11 @@ fn main() -> ! {
 
     for kick in KICKS {
         let Kick { tick: at, state } = wait(&mut kicks_taken);
-        let table = wait(&mut spare);
-        relaunch(&top, &state, table, |stepper| {
+        let memory = second.take().unwrap_or_else(|| wait(&mut spare).into_memory());
+        let table = relaunch(&top, &state, at, set_up, memory, |stepper| {
             assert!(bridge.enqueue((at, stepper)).is_ok(), "the last one is taken");
         })
         .expect("a possible kick");
-        table.delay(at as f64); // its tick 0 is the tick of the kick
         assert!(ready.enqueue(table).is_ok(), "the last one is taken");
         let [stale, without] = [(); 2].map(|()| {
             let TakeOver { by, tick, jumps: [jump, unbridged] } = wait(&mut logged);
@@ -176,24 +179,26 @@ fn wait<T>(queue: &mut Consumer<'static, T>) -> T {
 
 /// Sets up the table of the first launch, and returns its top.
 #[inline(never)] // its motion does not remain on the stack
-fn launch(table: &mut EphemerisView<f32>) -> Result<Top, ParameterError> {
+fn launch(set_up: &mut SetUp, memory: Memory) -> Result<(Top, Table), ParameterError> {
     let launched = toy_top(); // by reference from here on: a motion is large
     let motion = launched.as_ref().map_err(|error| *error)?;
-    table.set_up(motion, Tick::hertz(TICK_RATE)?, 1e-6).expect("an ordinary motion");
-    Ok(*motion.top())
+    let table = memory.set_up(set_up, motion, Tick::hertz(TICK_RATE)?, 0, &mut || {});
+    Ok((*motion.top(), table.expect("an ordinary motion")))
 }
 
-/// Launches the motion after a kick, passes its stepper on, and sets up its table.
+/// Launches the motion after a kick at tick `at`, passes its stepper on, and sets up its table.
 #[inline(never)]
 fn relaunch(
     top: &Top,
     before: &AttitudeState<f32>,
-    table: &mut EphemerisView<f32>,
+    at: i64,
+    set_up: &mut SetUp,
+    memory: Memory,
     bridge: impl FnOnce(Stepper<f32>),
-) -> Result<(), ParameterError> {
-    let launched = Motion::launch_for::<f32>(top, &before.state()?.with_impulse(top, IMPULSE, POINT)?);
+) -> Result<Table, ParameterError> {
+    let launched = Motion::launch(top, &before.state()?.with_impulse(top, IMPULSE, POINT)?);
     let motion = launched.as_ref().map_err(|error| *error)?;
     bridge(Stepper::new(motion));
-    table.set_up(motion, Tick::hertz(TICK_RATE)?, 1e-6).expect("an ordinary motion");
-    Ok(())
+    let table = memory.set_up(set_up, motion, Tick::hertz(TICK_RATE)?, at, &mut || {});
+    Ok(table.expect("an ordinary motion"))
 }

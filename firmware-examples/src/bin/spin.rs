@@ -10,7 +10,8 @@ use cortex_m::{Peripherals, asm, singleton};
 use cortex_m_rt::exception;
 use critical_section::Mutex;
 use toytop::{
-    Complex, EphemerisF32, Motion, Orientation, ParameterError, Release, State, Tick, Top, TopParameters,
+    Complex, EphemerisF32, EphemerisMemory, EphemerisView, Motion, Orientation, ParameterError, Pose,
+    Release, SetUp, State, Tick, Top, TopParameters,
 };
 use toytop_firmware::{entry, exit};
 
@@ -22,7 +23,7 @@ const TICK_RATE: u32 = 1000;
 const LOG_EVERY: i64 = 100;
 
 /// Table of the motion, for the interrupt.
-static EPHEMERIS: Mutex<Cell<Option<&EphemerisF32>>> = Mutex::new(Cell::new(None));
+static EPHEMERIS: Mutex<Cell<Option<&EphemerisView<f32>>>> = Mutex::new(Cell::new(None));
 /// Last data of the interrupt for the log.
 static SNAPSHOT: Mutex<Cell<Option<Snapshot>>> = Mutex::new(Cell::new(None));
 
@@ -38,8 +39,10 @@ fn main() -> ! {
     let motion = launch().expect("a possible top");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
     // The table of 2 KiB is set up in static memory, not on the stack.
-    let ephemeris = singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once");
-    ephemeris.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
+    let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
+    let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
+    let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let ephemeris = table.share();
     critical_section::with(|cs| EPHEMERIS.borrow(cs).set(Some(ephemeris)));
 
     let mut systick = Peripherals::take().expect("taken once").SYST;
@@ -75,7 +78,7 @@ fn launch() -> Result<Motion, ParameterError> {
         ..TopParameters::default()
     })?;
     let release = Release { tilt: 20.0_f64.to_radians(), spin: 150.0, ..Release::default() };
-    Motion::launch_for::<f32>(&top, &State::release(&release)?)
+    Motion::launch(&top, &State::release(&release)?)
 }
 
 /// Interrupt in every millisecond. It computes in f32 and cannot fail.
@@ -85,7 +88,7 @@ fn SysTick() {
     *TICK += 1;
     critical_section::with(|cs| {
         let Some(ephemeris) = EPHEMERIS.borrow(cs).get() else { return };
-        let (orientation, tip) = ephemeris.at_tick(*TICK).orientation_and_tip();
+        let Pose { orientation, tip, .. } = ephemeris.at_tick(*TICK).pose();
         if *TICK % LOG_EVERY == 0 {
             SNAPSHOT.borrow(cs).set(Some(Snapshot { tick: *TICK, orientation, tip }));
         }

@@ -5,7 +5,7 @@
 
 use cortex_m::peripheral::SCB;
 use cortex_m::{asm, interrupt, singleton};
-use toytop::{EphemerisF64, Tick};
+use toytop::{EphemerisF64, EphemerisMemory, EphemerisView, SetUp, Tick};
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
 /// Clock of the processor, Hz. The emulated board has 25 MHz.
@@ -16,9 +16,11 @@ const TICK_RATE: u32 = 1000;
 #[entry]
 fn main() -> ! {
     let motion = toy_top().expect("a possible top");
-    let ephemeris = singleton!(: EphemerisF64 = EphemerisF64::EMPTY).expect("taken once");
+    let memory = singleton!(: EphemerisMemory<EphemerisF64> = EphemerisMemory::new()).expect("taken once");
+    let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    ephemeris.set_up(&motion, tick, 1e-15).expect("an ordinary motion");
+    let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let ephemeris = table.share();
     defmt::info!("at tick n within {=f64} rad + n * {=f64}", bound(ephemeris)[0], bound(ephemeris)[1]);
 
     start_systick(CLOCK, TICK_RATE);
@@ -40,7 +42,7 @@ fn main() -> ! {
     exit()
 }
 
-fn bound(ephemeris: &EphemerisF64) -> [f64; 2] {
+fn bound(ephemeris: &EphemerisView<f64>) -> [f64; 2] {
     let bound = ephemeris.error_bound();
     [bound.constant, bound.per_tick]
 }

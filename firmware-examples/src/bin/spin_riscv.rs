@@ -5,7 +5,7 @@
 
 use riscv::asm::wfi;
 use riscv::register::mie;
-use toytop::{EphemerisF32, Tick};
+use toytop::{EphemerisF32, EphemerisMemory, Pose, SetUp, Tick};
 use toytop_firmware::{entry, exit, toy_top};
 
 /// Frequency of the timer of QEMU's "virt" machine, Hz.
@@ -21,8 +21,11 @@ const TICK_RATE: u32 = 1000;
 fn main() -> ! {
     let motion = toy_top().expect("a possible top");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    let ephemeris = riscv::singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once");
-    ephemeris.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
+    let memory =
+        riscv::singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
+    let set_up = riscv::singleton!(: SetUp = SetUp::new()).expect("taken once");
+    let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let ephemeris = table.share();
 
     // An interrupt that is masked (mstatus.MIE is off) still ends the sleep.
     // SAFETY: no handler can run, so none can see incomplete data
@@ -38,7 +41,7 @@ fn main() -> ! {
         while unsafe { MTIME.read_volatile() } < due {
             wfi();
         }
-        let (orientation, tip) = cursor.next(ephemeris).orientation_and_tip();
+        let Pose { orientation, tip, .. } = cursor.next(ephemeris).pose();
         if tick % 250 == 0 {
             let [x, y, height] = orientation.axis();
             defmt::info!("{=u32} ms: axis ({}, {}, {}), tip ({}, {}) m", tick, x, y, height, tip.re, tip.im);

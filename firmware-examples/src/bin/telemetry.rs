@@ -11,7 +11,7 @@ use cortex_m::{asm, singleton};
 use cortex_m_rt::exception;
 use critical_section::Mutex;
 use heapless::spsc::{Producer, Queue};
-use toytop::{EphemerisF32, Orientation, Tick};
+use toytop::{EphemerisF32, EphemerisMemory, EphemerisView, Orientation, SetUp, Tick};
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
 /// Clock of the processor, Hz. The emulated board has 25 MHz.
@@ -31,7 +31,7 @@ struct Sample {
 
 /// Data that the interrupt owns.
 struct Source {
-    ephemeris: &'static EphemerisF32,
+    ephemeris: &'static EphemerisView<f32>,
     queue: Producer<'static, Sample>,
     tick: u32,
 }
@@ -43,9 +43,11 @@ static LOST: AtomicU32 = AtomicU32::new(0);
 #[entry]
 fn main() -> ! {
     let motion = toy_top().expect("a possible top");
-    let ephemeris = singleton!(: EphemerisF32 = EphemerisF32::EMPTY).expect("taken once");
+    let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
+    let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    ephemeris.set_up(&motion, tick, 1e-6).expect("an ordinary motion");
+    let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let ephemeris = table.share();
     let queue = singleton!(: Queue<Sample, SIZE> = Queue::new()).expect("taken once");
     let (producer, mut consumer) = queue.split();
     let source = Source { ephemeris, queue: producer, tick: 0 };

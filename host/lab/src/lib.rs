@@ -1,31 +1,127 @@
-//! Studies that check `toytop` itself, and the pages that show their results.
+//! Program `toytop-lab`: two studies of random launches that check the core itself.
 //!
 //! | module | contents |
 //! |---|---|
-//! | `study` | ephemerides of random motions against the truth and their bounds |
-//! | `longrun` | steppers and cursors over very many ticks |
-//! | `sines` | errors of the sines of an integer phase |
-//! | [`overflow`] | fixed point for random motions in checked arithmetic |
-//! | `cli`, `commands` | command line, one file for each command |
+//! | `corners` | tables of motions near every degenerate case, against the truth and their bounds |
+//! | `fit` | launches fitted to simulated samples, and their error bars |
 
-mod cli;
-mod commands;
-mod longrun;
-pub mod overflow;
-mod sines;
-mod study;
+mod corners;
+mod fit;
 
+use clap::{Args, Parser, Subcommand};
 use std::ffi::OsString;
+use std::path::PathBuf;
+use toytop_host::output::Format;
+use toytop_host::output::doc_markers::{self, Page};
+use toytop_host::output::{self, Cell, Record};
 use toytop_host::program::{self, Request};
 use toytop_host::{Failure, Report};
+
+/// Studies of random launches that check toytop itself.
+#[derive(Debug, Parser)]
+#[command(name = "toytop-lab", version)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Errors of tables near every degenerate case, in four scalars, beside their bounds
+    ///
+    /// The exit code is 1 if a bound is exceeded.
+    #[command(
+        after_help = "Example: toytop-lab corners --motions 400000 --truths 2000 --accept host/docs/accuracy.md"
+    )]
+    Corners {
+        #[command(flatten)]
+        study: Study,
+        /// Number of launches that are compared with the truth
+        #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..))]
+        truths: u64,
+    },
+    /// Launches fitted to simulated samples of three sets of sensors
+    ///
+    /// The exit code is 1 if a wrong launch is not refused.
+    #[command(after_help = "Example: toytop-lab fit --motions 1000 --seed 2")]
+    Fit(Study),
+}
+
+/// Arguments of both studies.
+#[derive(Args, Debug)]
+struct Study {
+    /// Number of launches
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
+    motions: u64,
+    /// Seed of the random launches
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    seed: u64,
+    /// Markdown page whose table is rewritten
+    #[arg(long, value_name = "FILE")]
+    accept: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    format: Format,
+}
 
 /// Report of one command line, which begins with the program's name.
 ///
 /// # Errors
 /// See [`Failure`].
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<Report, Failure> {
-    match program::parse::<cli::Cli>(arguments)? {
-        Request::Show(text) => Ok(Report { text, ..Report::default() }),
-        Request::Run(cli) => commands::run(&cli.command),
+    let cli = match program::parse::<Cli>(arguments)? {
+        Request::Show(text) => return Ok(Report { text, ..Report::default() }),
+        Request::Run(cli) => cli,
+    };
+    match &cli.command {
+        Command::Corners { study, truths } => {
+            study.run("toytop-lab corners: corners", || corners::run(study, *truths))
+        }
+        Command::Fit(study) => study.run("toytop-lab fit: launches", || fit::run(study)),
     }
+}
+
+/// Result of a study.
+struct Found {
+    headline: String,
+    rows: Vec<Record>,
+    /// Launches that must not occur.
+    failures: Vec<String>,
+}
+
+/// Largest number of failures in a report.
+const REPORTED: usize = 20;
+
+impl Study {
+    /// Report of a study, whose table goes into the page that is named, at this mark.
+    fn run(&self, mark: &str, study: impl FnOnce() -> Result<Found, Failure>) -> Result<Report, Failure> {
+        // a missing place in the page is reported before the computation
+        let page = self.accept.as_deref().map(|path| Page::read(path, mark)).transpose()?;
+        let Found { headline, rows, failures } = study()?;
+        let table = table(&rows);
+        if let Some(page) = page {
+            page.write(&format!("{headline}\n\n{}", doc_markers::table(&table)))?;
+        }
+        let text = match self.format {
+            Format::Table => format!("{headline}\n{}", output::columns(table, 2)),
+            Format::Csv => output::csv(&rows)?,
+            Format::Json => output::json(&output::list("rows", &rows))?,
+        };
+        let first = failures.iter().take(REPORTED).map(|failure| format!("FAILURE: {failure}"));
+        Ok(Report { text, missed: !failures.is_empty(), ..Report::default() }
+            .with_remarks(first, self.format == Format::Table))
+    }
+}
+
+/// Header and rows of a table.
+fn table(records: &[Record]) -> Vec<Vec<String>> {
+    let text = |cell: &Cell| match cell {
+        Cell::Text(text) => text.clone(),
+        Cell::Count(count) => count.to_string(),
+        Cell::Number(x) => output::short(*x, 2),
+        _ => doc_markers::NO_FIGURE.to_owned(),
+    };
+    let header = |Record(cells): &Record| cells.iter().map(|(name, _)| name.replace('_', " ")).collect();
+    let row = |Record(cells): &Record| cells.iter().map(|(_, cell)| text(cell)).collect();
+    records.iter().take(1).map(header).chain(records.iter().map(row)).collect()
 }

@@ -1,11 +1,61 @@
 //! Constants of the motion by name, in the order in which the page receives them.
 
+use core::cell::OnceCell;
 use core::f64::consts::PI;
+use core::ops::Deref;
 use toytop::scalar::{Float, Real, Ring};
 use toytop::{AttitudeState, Motion, PeriodAdvance, Regime, Stepper, Support};
 
-/// Constant by its name and its function of the motion; NaN where it does not exist.
-pub type Constant = (&'static str, fn(&Motion) -> f64);
+/// Constant by its name and its function; NaN where it does not exist.
+pub type Constant = (&'static str, fn(&MotionConstants) -> f64);
+
+/// Motion whose constants are asked for. Its period takes a quadrature, which runs once, and only if a constant needs it.
+pub struct MotionConstants {
+    motion: Motion,
+    advance: OnceCell<Option<PeriodAdvance>>,
+}
+
+impl MotionConstants {
+    /// Constants of a motion.
+    pub fn new(motion: Motion) -> Self {
+        Self { motion, advance: OnceCell::new() }
+    }
+
+    fn advance(&self) -> Option<PeriodAdvance> {
+        *self.advance.get_or_init(|| self.period_advance())
+    }
+
+    /// Period, s; NaN where there is none.
+    pub fn period(&self) -> f64 {
+        self.advance().map_or(f64::NAN, |advance| advance.period)
+    }
+
+    /// Nutation period of a motion that nutates, T₀ of any other, s.
+    pub fn nutation_period(&self) -> f64 {
+        match self.advance() {
+            Some(advance) if self.regime() == Regime::Nutating => advance.period,
+            _ => natural_time(self),
+        }
+    }
+
+    /// Advance of an angle in a period. It is exactly 0 where l = n = 0: the axis then stays in a vertical plane, and the arguments of α and β
+    /// are constant, which quadratures reach only up to rounding.
+    pub fn turning(&self, of: fn(&PeriodAdvance) -> f64) -> f64 {
+        let integrals = self.first_integrals();
+        match self.advance() {
+            Some(_) if integrals.l == 0.0 && integrals.n == 0.0 => 0.0,
+            advance => advance.as_ref().map_or(f64::NAN, of),
+        }
+    }
+}
+
+impl Deref for MotionConstants {
+    type Target = Motion;
+
+    fn deref(&self) -> &Motion {
+        &self.motion
+    }
+}
 
 /// All constants of a motion.
 pub const CONSTANTS: [Constant; 34] = [
@@ -29,10 +79,10 @@ pub const CONSTANTS: [Constant; 34] = [
     ("h", |motion| motion.first_integrals().h),
     ("sign_l_plus_n", |motion| motion.signs().l_plus_n.factor().into()),
     ("sign_l_minus_n", |motion| motion.signs().l_minus_n.factor().into()),
-    ("period", |motion| advance(motion, |of| of.period)),
-    ("alpha_turns", |motion| advance(motion, |of| of.alpha_turns)),
-    ("beta_turns", |motion| advance(motion, |of| of.beta_turns)),
-    ("phi_per_period", |motion| advance(motion, PeriodAdvance::phi_per_period)),
+    ("period", |motion| motion.period()),
+    ("alpha_turns", |motion| motion.turning(|advance| advance.alpha_turns)),
+    ("beta_turns", |motion| motion.turning(|advance| advance.beta_turns)),
+    ("phi_per_period", |motion| motion.turning(PeriodAdvance::phi_per_period)),
     ("min_normal_force", |motion| motion.min_normal_force().unwrap_or(f64::NAN)),
     ("natural_time", |motion| natural_time(motion)),
     ("tilt", |motion| tilt(&at_start(motion))),
@@ -49,10 +99,6 @@ pub const CONSTANTS: [Constant; 34] = [
 /// error at t = 0, rad, and its growth, rad/s.
 pub fn names() -> impl Iterator<Item = &'static str> {
     CONSTANTS.iter().map(|(name, _)| *name).chain(["error", "error_growth"])
-}
-
-fn advance(motion: &Motion, of: fn(&PeriodAdvance) -> f64) -> f64 {
-    motion.period_advance().as_ref().map_or(f64::NAN, of)
 }
 
 /// Number of a support: 0 sliding, 1 held, 2 free.
@@ -79,8 +125,7 @@ pub fn natural_time(motion: &Motion) -> f64 {
 /// Nutation period of a motion that nutates, T₀ of any other, s.
 #[must_use]
 pub fn period(motion: &Motion) -> f64 {
-    let nutation = motion.period_advance().filter(|_| motion.regime() == Regime::Nutating);
-    nutation.map_or_else(|| natural_time(motion), |advance| advance.period)
+    MotionConstants::new(*motion).nutation_period()
 }
 
 fn at_start(motion: &Motion) -> AttitudeState<f64> {

@@ -3,11 +3,11 @@
 //! A result stays there until the next call, and JavaScript copies the data that it keeps. The functions are exported by their
 //! unmangled names only on WebAssembly, because elsewhere another function could have the same name.
 
-use crate::constants::CONSTANTS;
+use crate::constants::{CONSTANTS, MotionConstants};
 use crate::ghost::Ghost;
 use crate::names;
 use crate::scenario::{self, Kind, MotionNumbers, TopNumbers};
-use crate::table::{self, Table, moment_at, ticks_per_time};
+use crate::table::{self, Table, moment_at};
 use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
@@ -51,8 +51,8 @@ pub extern "C" fn launch(kind: u32) -> i32 {
     match launched(&top, Kind::of(kind), &motion) {
         Ok(motion) => {
             let bound = TABLE.lock().error_bound();
-            let growth = bound.per_tick * ticks_per_time(&motion);
-            put(CONSTANTS.iter().map(|(_, value)| value(&motion)).chain([bound.constant, growth]));
+            let constants = MotionConstants::new(motion);
+            put(CONSTANTS.iter().map(|(_, value)| value(&constants)).chain(bound));
             *MOTION.lock() = Some(motion);
             say([names::regime(motion.regime()), names::tip_class(motion.tip_class())])
         }
@@ -62,7 +62,7 @@ pub extern "C" fn launch(kind: u32) -> i32 {
 
 fn launched(top: &TopNumbers, kind: Kind, numbers: &MotionNumbers) -> Result<Motion, ParameterError> {
     let motion = scenario::motion(&scenario::top(top)?, kind, numbers)?;
-    table::set_up(&mut TABLE.lock(), &motion)?;
+    TABLE.lock().set_up(&motion)?;
     Ok(motion)
 }
 
@@ -95,7 +95,7 @@ pub extern "C" fn ghost(step: f64) {
 pub extern "C" fn ghost_moment(t: f64) -> u32 {
     let Some(ghost) = &mut *GHOST.lock() else { return 0 };
     let (reached, orientation, tip) = ghost.go(t);
-    let distance = TABLE.lock().at(reached).orientation().distance(&orientation);
+    let distance = TABLE.lock().at(reached).0.distance(&orientation);
     put(table::moment(&orientation, tip).into_iter().chain([reached, distance]));
     1
 }

@@ -1,7 +1,6 @@
 //! The same motion by the classical Runge-Kutta method in equal steps, for comparison with the exact one.
 
 use crate::equations::{Equations, FullState, FullTop, Vector7};
-use toytop::scalar::Float;
 use toytop::{Complex, Motion, Orientation, Stepper};
 
 /// Integration of the full equations from t = 0, forwards or backwards.
@@ -29,17 +28,8 @@ impl Ghost {
         let (top, state) = (motion.top(), Stepper::<f64>::new(motion).attitude_state());
         let Orientation { alpha, beta } = state.orientation;
         let full = FullState { alpha: [alpha.re, alpha.im], beta: [beta.re, beta.im], omega: state.omega() };
-        let full_top = FullTop {
-            a: top.transverse_inertia(),
-            c: top.axial_inertia(),
-            s: top.com_height(),
-            p: top.mass_moment(),
-            g: top.gravity(),
-            k: top.rotor_momentum(),
-        };
-        let equations = Equations::of(&full_top, &full);
-        let [m1, m2, m3] = equations.momentum(&full);
-        let start = [alpha.re, alpha.im, beta.re, beta.im, m1, m2, m3];
+        let equations = Equations::of(&FullTop::from(top), &full);
+        let start = equations.numbers(&full);
         Self { equations, com_height: top.com_height(), start, step, y: start, steps: 0.0, sense: 1.0 }
     }
 
@@ -53,7 +43,7 @@ impl Ghost {
         }
         let mut left = MOST_STEPS;
         while left > 0 && (self.steps + 1.0) * self.step <= sense * t {
-            self.y = normalised(self.equations.runge_kutta(&self.y, sense * self.step));
+            self.y = self.equations.runge_kutta(&self.y, sense * self.step);
             self.steps += 1.0;
             left -= 1;
         }
@@ -62,20 +52,14 @@ impl Ghost {
         if sense * rest >= self.step {
             return self.at(reached, &self.y);
         }
-        self.at(t, &normalised(self.equations.runge_kutta(&self.y, rest)))
+        self.at(t, &self.equations.runge_kutta(&self.y, rest))
     }
 
     fn at(&self, t: f64, y: &Vector7) -> (f64, Orientation<f64>, Complex<f64>) {
         let state = self.equations.state(y);
         let complex = |[re, im]: [f64; 2]| Complex::new(re, im);
         let orientation = Orientation { alpha: complex(state.alpha), beta: complex(state.beta) };
-        (t, orientation, complex(state.tip(self.com_height)))
+        let [x, y, _] = state.axis();
+        (t, orientation, Complex::new(x, y).scaled(-self.com_height))
     }
-}
-
-/// State with Φ normalised.
-fn normalised(y: Vector7) -> Vector7 {
-    let [a, b, c, d, m1, m2, m3] = y;
-    let norm = Float::sqrt(a * a + b * b + c * c + d * d);
-    [a / norm, b / norm, c / norm, d / norm, m1, m2, m3]
 }

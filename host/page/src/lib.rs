@@ -7,7 +7,7 @@
 //! | [`constants`] | constants of the motion by name |
 //! | [`names`] | words for regimes and tip curves |
 //! | [`ghost`] | the same motion by the classical Runge-Kutta method, for comparison |
-//! | [`equations`] | the full equations that the ghost integrates, a file of the full solver |
+//! | [`equations`] | the full equations, which the ghost and the host's full solver integrate |
 //! | [`exports`] | functions that JavaScript calls |
 //!
 //! On WebAssembly the crate has no `std` and no allocator. Elsewhere it is an ordinary library, whose tests run on the host.
@@ -15,7 +15,6 @@
 #![cfg_attr(target_family = "wasm", no_std)]
 
 pub mod constants;
-#[path = "../../numerics/src/full_equations/full_solver/equations.rs"]
 pub mod equations;
 pub mod exports;
 pub mod ghost;

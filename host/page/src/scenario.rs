@@ -2,7 +2,8 @@
 
 use core::f64::consts::PI;
 use toytop::{
-    Complex, Motion, Orientation, ParameterError, Release, Sign, Signs, Start, State, Top, TopParameters,
+    Complex, InitialPhases, Motion, Orientation, ParameterError, Release, Sign, Signs, State, Top,
+    TopParameters,
 };
 
 /// Numbers of a top: 1 for a held tip, 2 for a free body and 0 for a sliding tip, then A, C, s, M, p, g and K, with 0 for what is not given.
@@ -74,8 +75,8 @@ pub fn motion(top: &Top, kind: Kind, numbers: &MotionNumbers) -> Result<Motion, 
             Motion::launch(top, &State::new(phi, [e, f, g])?)
         }
         Kind::BranchPoints => {
-            let signs = Signs { l_plus_n: Sign::of(d), l_minus_n: Sign::of(e) };
-            let start = Start { theta: f, arg_alpha: g, arg_beta: h };
+            let signs = Signs { l_plus_n: Sign::new(d), l_minus_n: Sign::new(e) };
+            let start = InitialPhases { theta: f, arg_alpha: g, arg_beta: h };
             Motion::from_branch_points(top, [a, b, c], signs, &start)
         }
     }

@@ -2,35 +2,100 @@
 
 use crate::constants::period;
 use toytop::scalar::Float;
-use toytop::{Complex, Ephemeris, Motion, Orientation, ParameterError, Stepper, Tick};
+use toytop::{
+    Complex, Ephemeris, EphemerisMemory, EphemerisScalar, Motion, Orientation, ParameterError, SetUp,
+    Stepper, Tick,
+};
+use toytop_closed_forms::Aperiodic;
 
-/// Table with the largest capacity that there is.
-pub type Table = Ephemeris<f64, 4096>;
+/// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
+#[derive(Debug)]
+pub struct Table {
+    memory: EphemerisMemory<Ephemeris<f64, 4096>>,
+    method: Method,
+    /// Twice the scale of the tip, and ticks in a unit of time.
+    tip_scale: f64,
+    ticks: f64,
+}
+
+/// Method that answers for a motion. The tag of the first variant is 0, so that a table before its first motion takes no space in a file.
+#[derive(Debug)]
+#[repr(u8)]
+#[allow(clippy::large_enum_variant)] // there is no heap, and one table
+enum Method {
+    Table,
+    ClosedForm(Aperiodic),
+}
 
 /// Orientation, u, axis and tip at one time: Re α, Im α, Re β, Im β, u, r₁, r₂, r₃, c₁, c₂.
 pub type Moment = [f64; 10];
 
 /// Truncation errors that a table may have, rad: the least one that the capacity allows is taken.
-const TRUNCATIONS: [f64; 4] = [2.0 * f64::EPSILON, 1e-12, 1e-9, 1e-6];
+const TRUNCATIONS: [f64; 4] = [f64::TRUNCATION, 1e-12, 1e-9, 1e-6];
 
-/// Sets the table up for another motion.
-///
-/// # Errors
-/// `e3`: the motion is so close to the separatrix that no table holds it.
-pub fn set_up(table: &mut Table, motion: &Motion) -> Result<(), ParameterError> {
-    let tick = tick(motion)?;
-    let fits = |truncation: &f64| table.set_up(motion, tick, *truncation).is_ok();
-    if TRUNCATIONS.iter().any(fits) {
-        return Ok(());
+/// Growth of a closed form's error in a tick, rad.
+const GROWTH: f64 = 2e-30;
+
+impl Table {
+    /// Table before its first motion. All its bits are 0, so that it takes no space in a file.
+    pub const EMPTY: Self =
+        Self { memory: EphemerisMemory::new(), method: Method::Table, tip_scale: 0.0, ticks: 0.0 };
+
+    /// Sets the table up for another motion.
+    ///
+    /// # Errors
+    /// `e3`: the motion is so close to the separatrix that no table holds it.
+    pub fn set_up(&mut self, motion: &Motion) -> Result<(), ParameterError> {
+        let tick = tick(motion)?;
+        (self.tip_scale, self.ticks) = (2.0 * motion.top().tip_scale(), ticks_per_time(motion));
+        self.method = Aperiodic::new(motion).map_or(Method::Table, Method::ClosedForm);
+        if matches!(self.method, Method::ClosedForm(_)) {
+            return Ok(());
+        }
+        let mut fits = |truncation: &f64| {
+            self.memory.set_up(&mut SetUp::within(*truncation), motion, tick, 0, &mut || {}).is_ok()
+        };
+        if TRUNCATIONS.iter().any(&mut fits) {
+            return Ok(());
+        }
+        let allowed = "further from e2: no table holds this motion";
+        Err(ParameterError::OutOfRange { parameter: "e3", allowed })
     }
-    let allowed = "further from e2: no table holds this motion";
-    Err(ParameterError::OutOfRange { parameter: "e3", allowed })
+
+    /// Orientation and tip at t, with t taken as exact; the identity before the first motion.
+    #[must_use]
+    pub fn at(&self, t: f64) -> (Orientation<f64>, Complex<f64>) {
+        match (&self.method, self.memory.get()) {
+            (Method::ClosedForm(form), _) => {
+                let orientation = form.at(t).orientation;
+                (orientation, (orientation.alpha * orientation.beta).scaled(self.tip_scale))
+            }
+            (Method::Table, Some(table)) => {
+                let pose = table.at(t).pose();
+                (pose.orientation, pose.tip)
+            }
+            (Method::Table, None) => (Orientation::IDENTITY, Complex::ZERO),
+        }
+    }
+
+    /// Bound on the orientation error at t = 0, rad, and its growth, rad per unit time.
+    #[must_use]
+    pub fn error_bound(&self) -> [f64; 2] {
+        match (&self.method, self.memory.get()) {
+            (Method::ClosedForm(form), _) => [form.error_bound(), GROWTH * self.ticks],
+            (Method::Table, Some(table)) => {
+                let bound = table.error_bound();
+                [bound.constant, bound.per_tick * self.ticks]
+            }
+            (Method::Table, None) => [f64::INFINITY; 2],
+        }
+    }
 }
 
 /// Moment t after t = 0, with t taken as exact.
 #[must_use]
 pub fn moment_at(table: &Table, t: f64) -> Moment {
-    let (orientation, tip) = table.at(t).orientation_and_tip();
+    let (orientation, tip) = table.at(t);
     moment(&orientation, tip)
 }
 

@@ -2,18 +2,18 @@
 
 use crate::arrays::Given;
 use crate::error::{failed, value_error};
-use crate::point::Point;
+use crate::interrupt;
+use crate::motion::{PyMotion, furthest};
 use crate::samples::{Samples, Source};
 use pyo3::prelude::*;
-use toytop::Motion;
-use toytop::exact::ClosedForm;
+use toytop_closed_forms::ClosedForm;
 use toytop_host::motion::propagate::period;
 use toytop_host::motion::tip_angle::TipAngle;
 
 /// Motion in elementary or elliptic functions: no step, no table, no quadrature. It is slower than Motion.at.
 #[pyclass(name = "ClosedForm", module = "toytop", frozen)]
 pub(crate) struct PyClosedForm {
-    motion: Motion,
+    motion: Py<PyMotion>,
     form: ClosedForm,
 }
 
@@ -22,9 +22,10 @@ impl PyClosedForm {
     ///
     /// # Errors
     /// `ValueError`: there is none.
-    pub(crate) fn of(motion: &Motion) -> PyResult<Self> {
-        let form = ClosedForm::of(motion).map_err(|none| value_error("closed_form", &none.to_string()))?;
-        Ok(Self { motion: *motion, form })
+    pub(crate) fn of(motion: &Bound<'_, PyMotion>) -> PyResult<Self> {
+        let form = ClosedForm::of(&motion.get().0.motion)
+            .map_err(|none| value_error("closed_form", &none.to_string()))?;
+        Ok(Self { motion: motion.clone().unbind(), form })
     }
 }
 
@@ -35,12 +36,11 @@ const NOISE: f64 = 1e-11;
 
 #[pymethods]
 impl PyClosedForm {
-    /// Kind: "free_body", "pendulum", "regular_precession", "aperiodic", "e3_equals_e4" or "lagrange".
+    /// Kind: "free_body", "regular_precession", "aperiodic", "e3_equals_e4" or "lagrange".
     #[getter]
     fn kind(&self) -> &'static str {
         match self.form {
             ClosedForm::FreeBody(_) => "free_body",
-            ClosedForm::Pendulum(_) => "pendulum",
             ClosedForm::RegularPrecession(_) => "regular_precession",
             ClosedForm::Aperiodic(_) => "aperiodic",
             ClosedForm::E3EqualsE4(_) => "e3_equals_e4",
@@ -52,29 +52,23 @@ impl PyClosedForm {
     ///
     /// Raises:
     ///     ValueError: t is not finite, or beyond 1e12 periods.
-    fn at(&self, py: Python<'_>, t: &Bound<'_, PyAny>) -> PyResult<Samples> {
-        let times = Given::read("t", t)?;
-        let reach = MOST_PERIODS * period(&self.motion);
-        if let Some(t) = times.numbers.iter().find(|t| t.abs() > reach) {
-            return Err(value_error("t", &format!("{t:e} must be within ±{reach:.1e}")));
+    fn at(slf: &Bound<'_, Self>, t: &Bound<'_, PyAny>) -> PyResult<Samples> {
+        let (times, form, motion) = (Given::read("t", t)?, &slf.get().form, slf.get().motion.get().0.motion);
+        let reach = MOST_PERIODS * period(&motion);
+        let furthest = furthest(&times);
+        if furthest > reach {
+            return Err(value_error("t", &format!("{furthest:e} must be within ±{reach:.1e}")));
         }
-        let points = py.detach(|| {
-            let angle = TipAngle::of(&self.motion)?;
-            let point = |t: &f64| {
-                let state = self.form.at(*t);
-                let product = state.orientation.alpha * state.orientation.beta;
-                Point {
-                    orientation: state.orientation,
-                    omega_body: state.omega_body(),
-                    tip_angle: angle.continued(*t, product, NOISE).unwrap_or(f64::NAN),
-                    tip_scale: self.motion.top().tip_scale(),
-                    error_bound: f64::NAN,
-                }
-            };
-            Ok(times.numbers.iter().map(point).collect())
-        });
-        let points = points.map_err(|failure| failed(&failure))?;
-        Ok(Samples::new(times, Source::Points(points)))
+        let angle = TipAngle::of(&motion, NOISE).map_err(|failure| failed(&failure))?;
+        let points = interrupt::map(slf.py(), times.numbers.len(), |index| {
+            let (t, state) = (times.numbers[index], form.at(times.numbers[index]));
+            angle.sample(t, state.orientation, state.omega(), state.udot())
+        })?;
+        Ok(Samples::new(times, None, Source::Points(points), slf.getattr("at")?))
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, ())> {
+        Ok((self.motion.bind(py).getattr("closed_form")?, ()))
     }
 
     fn __repr__(&self) -> String {

@@ -2,61 +2,153 @@
 
 use crate::arrays::{Given, Numbers, array};
 use crate::error::value_error;
+use crate::interrupt;
 use crate::motion::PyMotion;
 use crate::sensors::dictionary;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use toytop::Sensitivity;
-use toytop::fit::Drift;
+use toytop_fit::{Drift, Sensitivity};
 use toytop_host::fit::columns::Columns;
 use toytop_host::fit::report::FitReport;
+
+/// Array for Python.
+type Array = Py<Numbers>;
 
 /// Launch of a top fitted to samples, with its error bars. It is made by toytop.fit.
 #[pyclass(module = "toytop", frozen)]
 pub(crate) struct Fitted {
-    core: toytop::fit::Fitted,
+    core: toytop_fit::Fitted,
     motion: Result<Py<PyMotion>, String>,
+    /// Whether the launch may be trusted.
+    #[pyo3(get)]
+    converged: bool,
+    /// Reason why the launch must not be trusted; None where it may be.
+    #[pyo3(get)]
+    reason: Option<String>,
+    /// Time of the launch among the samples, s: that of the first one; with a drift, that of the last one.
+    #[pyo3(get)]
+    epoch: f64,
+    /// Quaternion w, x, y, z of the launch.
+    #[pyo3(get)]
+    quaternion: Array,
+    /// Angular velocity of the launch in the fixed frame, rad/s.
+    #[pyo3(get)]
+    omega: Array,
+    /// Component of the angular velocity along the axis, rad/s, and its standard deviation.
+    #[pyo3(get)]
+    spin: (f64, f64),
+    /// Angle of the axis from the upward vertical at the epoch, rad, and its standard deviation.
+    #[pyo3(get)]
+    tilt: (f64, f64),
+    /// Names of the rows and columns of the covariance: the rotation vector of the orientation in the fixed frame (rad), the change of omega
+    /// in the frame that this rotation turns (rad/s), in which a poorly known yaw does not make omega uncertain, the logarithms of the free
+    /// numbers of the top, the losses of rotation (1/s) if there is a drift, and the biases in the units of their sensors.
+    #[pyo3(get)]
     unknowns: Vec<String>,
-    free: Vec<(&'static str, [f64; 2])>,
-    biases: Vec<(&'static str, [[f64; 3]; 2])>,
+    /// Covariance of the unknowns. In a direction that is undetermined the standard deviation is 10 rad, or ten times omega.
+    #[pyo3(get)]
+    covariance: Array,
+    /// Standard deviations of the unknowns.
+    #[pyo3(get)]
+    deviations: Array,
+    /// Mean rates of change of the first integrals l, n (N m) and h (W) during the samples, and their standard deviations; None where no
+    /// drift was fitted.
+    #[pyo3(get)]
+    drift: Option<(Array, Array)>,
+    /// Free numbers of the top by name, each with its standard deviation.
+    #[pyo3(get)]
+    free: Py<PyDict>,
+    /// Losses of rotation about the axis, across it, and about the vertical, in units of the rotation itself per second, each with its
+    /// standard deviation; None where no drift was fitted.
+    #[pyo3(get)]
+    losses: Option<Py<PyDict>>,
+    /// Biases by sensor: three values, and their standard deviations.
+    #[pyo3(get)]
+    biases: Py<PyDict>,
+    /// Directions of the launch that the samples do not determine: "yaw", "roll", "spin", or "other".
+    #[pyo3(get)]
     undetermined: Vec<&'static str>,
-    spin_and_tilt: [(f64, f64); 2],
-    residuals: Columns,
+    /// Number of other launches that fit the first samples as well.
+    #[pyo3(get)]
+    alternatives: usize,
+    /// Sum of the squares of the residuals in standard deviations, those of outliers at the limit.
+    #[pyo3(get)]
+    chi_squared: f64,
+    /// Sum of squares by degrees of freedom: about 1 where the model and the noise are right.
+    #[pyo3(get)]
+    reduced_chi_squared: f64,
+    /// Number of values that were used.
+    #[pyo3(get)]
+    used: u32,
+    /// Number of values at the end of their range, which were not used.
+    #[pyo3(get)]
+    saturated: u32,
+    /// Number of values beyond the Huber limit.
+    #[pyo3(get)]
+    outliers: u32,
+    /// Residuals in standard deviations by column, and t; NaN where there is no reading or it is at the end of its range. Those of an
+    /// orientation are x, y, z of the rotation vector in the fixed frame.
+    #[pyo3(get)]
+    residuals: Py<PyDict>,
 }
 
 impl Fitted {
-    pub(crate) fn new(py: Python<'_>, report: &FitReport<'_>, residuals: Columns) -> PyResult<Self> {
-        let core = *report.fitted;
+    pub(crate) fn new(py: Python<'_>, report: &FitReport, residuals: Columns) -> PyResult<Self> {
+        let core = report.fitted;
         let motion = match (core.reason, report.scenario(None)) {
             (Some(reason), _) => Err(format!("must be that of a fit that has converged: {reason}")),
             (None, Err(failure)) => Err(failure.to_string()),
             (None, Ok((text, _))) => Ok(Py::new(py, PyMotion::parsed("fitted", &text)?)?),
         };
-        let free: Vec<_> = report
-            .freed()
-            .into_iter()
-            .map(|(key, value, deviation)| (key.name(), [value, deviation]))
-            .collect();
-        let biases: Vec<_> = report
-            .biases()
-            .into_iter()
-            .map(|(name, values, deviations)| (name, [values, deviations]))
-            .collect();
-        let launch = Sensitivity::NAMES.iter().take(6).map(|name| (*name).to_owned());
-        let numbers = free.iter().map(|(name, _)| (*name).to_owned());
-        let losses = core.drift.iter().flat_map(|_| Drift::LOSSES.map(str::to_owned));
-        let axes = ["x", "y", "z"];
-        let components = biases.iter().flat_map(|(name, _)| axes.map(|axis| format!("{name}_bias_{axis}")));
-        let unknowns = launch.chain(numbers).chain(losses).chain(components).collect();
+        let numbers = |numbers: &[f64]| array(py, numbers.to_vec(), &[numbers.len()], 1).map(Bound::unbind);
+        let all = core.deviations();
+        let mut unknowns: Vec<_> = Sensitivity::NAMES[..6].iter().map(|name| (*name).to_owned()).collect();
+        let (free, biases) = (PyDict::new(py), PyDict::new(py));
+        for (key, value, deviation) in report.freed() {
+            free.set_item(key, (value, deviation))?;
+            unknowns.push(key.to_owned());
+        }
+        let losses = core.drift.map(|drift| {
+            let losses = PyDict::new(py);
+            for (name, loss) in Drift::LOSSES.into_iter().zip(drift.losses) {
+                losses.set_item(name, (loss, all[unknowns.len()]))?;
+                unknowns.push(name.to_owned());
+            }
+            PyResult::Ok(losses.unbind())
+        });
+        for (name, values, deviations) in report.biases() {
+            biases.set_item(name, (numbers(&values)?, numbers(&deviations)?))?;
+            unknowns.extend(["x", "y", "z"].map(|axis| format!("{name}_bias_{axis}")));
+        }
+        let drift =
+            core.drift.map(|drift| PyResult::Ok((numbers(&drift.rates)?, numbers(&drift.deviations())?)));
+        let (count, [spin, tilt]) = (core.count, report.spin_and_tilt());
+        let covariance = (0..count * count).map(|at| core.covariance.get(at / count, at % count)).collect();
         Ok(Self {
             core,
             motion,
+            converged: core.converged(),
+            reason: report.reason.clone(),
+            epoch: core.epoch,
+            quaternion: numbers(&core.launch.orientation.quaternion())?,
+            omega: numbers(&core.launch.omega)?,
+            spin,
+            tilt,
             unknowns,
-            free,
-            biases,
+            covariance: array(py, covariance, &[count, count], 1)?.unbind(),
+            deviations: numbers(&all[..count])?,
+            drift: drift.transpose()?,
+            free: free.unbind(),
+            losses: losses.transpose()?,
+            biases: biases.unbind(),
             undetermined: report.undetermined(),
-            spin_and_tilt: report.spin_and_tilt(),
-            residuals,
+            alternatives: core.alternatives,
+            chi_squared: core.statistics.chi_squared,
+            reduced_chi_squared: core.statistics.reduced_chi_squared(count),
+            used: core.statistics.used,
+            saturated: core.statistics.unused,
+            outliers: core.statistics.outliers,
+            residuals: dictionary(py, residuals)?.unbind(),
         })
     }
 
@@ -67,18 +159,6 @@ impl Fitted {
 
 #[pymethods]
 impl Fitted {
-    /// Whether the launch may be trusted.
-    #[getter]
-    fn converged(&self) -> bool {
-        self.core.converged()
-    }
-
-    /// Reason why the launch must not be trusted; None where it may be.
-    #[getter]
-    fn reason(&self) -> Option<String> {
-        self.core.reason.map(|reason| reason.to_string())
-    }
-
     /// Motion of the launch, whose t = 0 is the epoch.
     ///
     /// Raises:
@@ -86,137 +166,6 @@ impl Fitted {
     #[getter]
     fn motion(&self, py: Python<'_>) -> PyResult<Py<PyMotion>> {
         Ok(self.believed()?.clone_ref(py))
-    }
-
-    /// Time of the launch among the samples, s: that of the first one; with a drift, that of the last one.
-    #[getter]
-    fn epoch(&self) -> f64 {
-        self.core.epoch
-    }
-
-    /// Quaternion w, x, y, z of the launch.
-    #[getter]
-    fn quaternion<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
-        array(py, self.core.launch.orientation.quaternion().to_vec(), &[4], 1)
-    }
-
-    /// Angular velocity of the launch in the fixed frame, rad/s.
-    #[getter]
-    fn omega<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
-        array(py, self.core.launch.omega.to_vec(), &[3], 1)
-    }
-
-    /// Component of the angular velocity along the axis, rad/s, and its standard deviation.
-    #[getter]
-    fn spin(&self) -> (f64, f64) {
-        self.spin_and_tilt[0]
-    }
-
-    /// Angle of the axis from the upward vertical at the epoch, rad, and its standard deviation.
-    #[getter]
-    fn tilt(&self) -> (f64, f64) {
-        self.spin_and_tilt[1]
-    }
-
-    /// Names of the rows and columns of the covariance: the rotation vector of the orientation in the fixed frame (rad), omega (rad/s), the
-    /// logarithms of the free numbers of the top, the losses of rotation (1/s) if there is a drift, and the biases in the units of their sensors.
-    #[getter]
-    fn unknowns(&self) -> Vec<String> {
-        self.unknowns.clone()
-    }
-
-    /// Covariance of the unknowns. In a direction that is undetermined the standard deviation is 10 rad, or ten times omega.
-    #[getter]
-    fn covariance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
-        let count = self.core.count;
-        let entries = (0..count * count).map(|place| self.core.covariance.of(place / count, place % count));
-        array(py, entries.collect(), &[count, count], 1)
-    }
-
-    /// Standard deviations of the unknowns.
-    #[getter]
-    fn deviations<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
-        let count = self.core.count;
-        array(py, self.core.deviations()[..count].to_vec(), &[count], 1)
-    }
-
-    /// Mean rates of change of the first integrals l, n (N m) and h (W) during the samples, and their standard deviations; None where no
-    /// drift was fitted.
-    #[getter]
-    fn drift<'py>(&self, py: Python<'py>) -> PyResult<Option<(Bound<'py, Numbers>, Bound<'py, Numbers>)>> {
-        let Some(drift) = &self.core.drift else { return Ok(None) };
-        let [rates, deviations] = [drift.rates, drift.deviations()].map(|x| array(py, x.to_vec(), &[3], 1));
-        Ok(Some((rates?, deviations?)))
-    }
-
-    /// Free numbers of the top by name, each with its standard deviation.
-    #[getter]
-    fn free<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let free = PyDict::new(py);
-        for (name, [value, deviation]) in &self.free {
-            free.set_item(name, (*value, *deviation))?;
-        }
-        Ok(free)
-    }
-
-    /// Biases by sensor: three values, and their standard deviations.
-    #[getter]
-    fn biases<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let biases = PyDict::new(py);
-        for (name, pair) in &self.biases {
-            let [values, deviations] = pair.map(|three| array(py, three.to_vec(), &[3], 1));
-            biases.set_item(name, (values?, deviations?))?;
-        }
-        Ok(biases)
-    }
-
-    /// Directions of the launch that the samples do not determine: "yaw", "roll", "spin", or "other".
-    #[getter]
-    fn undetermined(&self) -> Vec<&'static str> {
-        self.undetermined.clone()
-    }
-
-    /// Number of other launches that fit the first samples as well.
-    #[getter]
-    fn alternatives(&self) -> usize {
-        self.core.alternatives
-    }
-
-    /// Sum of the squares of the residuals in standard deviations, those of outliers at the limit.
-    #[getter]
-    fn chi_squared(&self) -> f64 {
-        self.core.statistics.chi_squared
-    }
-
-    /// Sum of squares by degrees of freedom: about 1 where the model and the noise are right.
-    #[getter]
-    fn reduced_chi_squared(&self) -> f64 {
-        self.core.statistics.reduced_chi_squared(self.core.count)
-    }
-
-    /// Number of values that were used.
-    #[getter]
-    fn used(&self) -> u32 {
-        self.core.statistics.used
-    }
-
-    /// Number of values at the end of their range, which were not used.
-    #[getter]
-    fn saturated(&self) -> u32 {
-        self.core.statistics.unused
-    }
-
-    /// Number of values beyond the Huber limit.
-    #[getter]
-    fn outliers(&self) -> u32 {
-        self.core.statistics.outliers
-    }
-
-    /// Residuals in standard deviations by column, and t; NaN where there is no reading or it is at the end of its range. Those of an
-    /// orientation are x, y, z of the rotation vector in the fixed frame.
-    #[getter]
-    fn residuals<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        dictionary(py, self.residuals.clone())
     }
 
     /// Covariance of the predicted orientation at the time t of the motion, as a rotation vector in the fixed frame, rad²: the shape of t
@@ -229,22 +178,22 @@ impl Fitted {
         py: Python<'py>,
         t: &Bound<'_, PyAny>,
     ) -> PyResult<Bound<'py, Numbers>> {
-        let motion = self.believed()?.get().motion;
+        let motion = self.believed()?.get().0.motion;
         let Given { numbers, shape } = Given::read("t", t)?;
-        let found: Option<Vec<f64>> = py.detach(|| {
-            let sensitivity = Sensitivity::of(&motion);
-            let at = |t: &f64| Some(self.core.orientation_covariance(&sensitivity.at(*t)?));
-            let all = numbers.iter().map(at).collect::<Option<Vec<_>>>()?;
-            Some(all.into_iter().flatten().flatten().collect())
-        });
+        let sensitivity = py.detach(|| Sensitivity::new(&motion));
+        let found = interrupt::map(py, numbers.len(), |index| {
+            Some(self.core.orientation_covariance(&sensitivity.at(numbers[index])?))
+        })?;
+        let found: Option<Vec<_>> = found.into_iter().collect();
         let refuse = || value_error("t", "must not be so far for a motion without a period");
-        array(py, found.ok_or_else(refuse)?, &[&shape[..], &[3]].concat(), 3)
+        let found = found.ok_or_else(refuse)?.into_iter().flatten().flatten().collect();
+        array(py, found, &[&shape[..], &[3]].concat(), 3)
     }
 
     fn __repr__(&self) -> String {
-        let [(spin, spin_deviation), (tilt, tilt_deviation)] = self.spin_and_tilt;
-        let reduced = self.reduced_chi_squared();
-        match self.core.reason {
+        let ((spin, spin_deviation), (tilt, tilt_deviation)) = (self.spin, self.tilt);
+        let reduced = self.reduced_chi_squared;
+        match &self.reason {
             Some(reason) => format!("<Fitted: not converged: {reason}>"),
             None => format!(
                 "<Fitted: tilt {tilt:.6} +- {tilt_deviation:.1e} rad, spin {spin:.6} +- {spin_deviation:.1e} rad/s, \

@@ -6,9 +6,11 @@
 //! | [`arrays`] | arrays of NumPy to and from numbers |
 //! | [`top`] | `Top`, and its launches |
 //! | [`definition`] | input of a motion, to full precision, and as a scenario file |
+//! | [`interrupt`] | computations without the interpreter's lock, which Ctrl-C ends |
 //! | [`motion`], [`constants`] | `Motion`: at any time, and its constants |
+//! | [`events`] | times of turning points, tilts, directions, circles and lift-off |
+//! | [`partials`] | partial derivatives, and impulses |
 //! | [`samples`] | `Samples`: a motion at given times |
-//! | [`point`] | motion at one time, without a table |
 //! | [`closed_form`], [`reference`] | other methods for a motion at a time |
 //! | [`fit`], [`fitted`], [`sensors`] | `fit` and `simulate`: from samples of sensors to a launch, and back |
 //! | [`many`], [`releases`] | `many`: motions on all cores |
@@ -22,12 +24,14 @@ mod closed_form;
 mod constants;
 mod definition;
 mod error;
+mod events;
 mod fit;
 mod fitted;
+mod interrupt;
 mod many;
 mod motion;
 mod page;
-mod point;
+mod partials;
 mod reference;
 mod releases;
 mod samples;
@@ -58,4 +62,7 @@ mod _toytop {
     use super::score::{Score, order, score};
     #[pymodule_export]
     use super::top::PyTop;
+    #[pymodule_export]
+    #[expect(non_upper_case_globals, reason = "the name is Python's")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
 }

@@ -2,15 +2,12 @@
 
 use crate::arrays::Given;
 use crate::error::{failed, value_error};
-use crate::motion::PyMotion;
-use crate::point::Point;
+use crate::interrupt;
+use crate::motion::{PyMotion, Single, furthest};
 use crate::samples::{Samples, Source};
 use pyo3::prelude::*;
-use rayon::prelude::*;
-use toytop_host::motion::ephemeris::ticks_per_time;
-use toytop_host::motion::propagate::period;
+use toytop_host::motion::propagate::{Sample, period};
 use toytop_host::motion::tip_angle::TipAngle;
-use toytop_host::thread_pool;
 use toytop_host::truth::precise::{decimal, precise};
 
 /// Bound on the rounding of α and β to `f64`: 2 √4 2^-54 rad.
@@ -19,52 +16,40 @@ const ROUNDING: f64 = 0.25 * f64::EPSILON * 4.0;
 const NOISE: f64 = 1e-11;
 
 /// Truth at given times, rounded to `f64`.
-pub(crate) fn samples(py: Python<'_>, motion: &PyMotion, times: Given) -> PyResult<Samples> {
-    motion.within_reach(&times, ticks_per_time(&motion.motion))?;
-    let points = py.detach(|| {
-        let (truth, angle) = (motion.truth(), TipAngle::of(&motion.motion)?);
-        let unit = period(&motion.motion);
-        let point = |&t: &f64| {
-            let orientation = truth.at(&precise(t)).to_f64();
-            Point {
-                orientation,
-                omega_body: truth.rates(&precise(t), unit).omega_body,
-                tip_angle: angle
-                    .continued(t, orientation.alpha * orientation.beta, NOISE)
-                    .unwrap_or(f64::NAN),
-                tip_scale: motion.motion.top().tip_scale(),
-                error_bound: ROUNDING,
-            }
-        };
-        let cores = thread_pool::of_all_cores()?;
-        Ok(cores.install(|| times.numbers.par_iter().map(point).collect()))
-    });
-    let points = points.map_err(|failure| failed(&failure))?;
-    Ok(Samples::new(times, Source::Points(points)))
+pub(crate) fn samples(motion: &Bound<'_, PyMotion>, times: Given) -> PyResult<Samples> {
+    let (py, single) = (motion.py(), &motion.get().0);
+    single.within_reach(furthest(&times))?;
+    let angle = TipAngle::of(&single.motion, NOISE).map_err(|failure| failed(&failure))?;
+    let (truth, unit) = (py.detach(|| single.truth()), period(&single.motion));
+    let points = interrupt::map(py, times.numbers.len(), |index| {
+        let t = times.numbers[index];
+        let orientation = truth.at(&precise(t)).to_f64();
+        let rates = truth.rates(&precise(t), unit);
+        let sample = angle.sample(t, orientation, rates.omega, rates.udot);
+        Sample { error_bound: Some(ROUNDING), ..sample }
+    })?;
+    Ok(Samples::new(times, None, Source::Points(points), motion.getattr("reference")?))
 }
 
 /// Decimal digits of the quaternions at given times, as an array of `decimal.Decimal`.
 pub(crate) fn digits<'py>(
     py: Python<'py>,
-    motion: &PyMotion,
+    motion: &Single,
     times: Given,
-    digits: usize,
+    digits: i64,
 ) -> PyResult<Bound<'py, PyAny>> {
-    if !(1..=50).contains(&digits) {
-        return Err(value_error("digits", "must be between 1 and 50"));
-    }
-    motion.within_reach(&times, ticks_per_time(&motion.motion))?;
-    let texts: Vec<String> = py.detach(|| {
-        let truth = motion.truth();
-        let quaternion = |&t: &f64| {
-            let phi = truth.at(&precise(t));
-            let [[w, z], [y, x]] = [phi.alpha, phi.beta];
-            [w, x, -y, z].map(|component| decimal(&component, digits))
-        };
-        times.numbers.iter().flat_map(quaternion).collect()
-    });
+    let digits = usize::try_from(digits).ok().filter(|digits| (1..=50).contains(digits));
+    let digits = digits.ok_or_else(|| value_error("digits", "must be between 1 and 50"))?;
+    motion.within_reach(furthest(&times))?;
+    let truth = py.detach(|| motion.truth());
+    let texts = interrupt::map(py, times.numbers.len(), |index| {
+        let phi = truth.at(&precise(times.numbers[index]));
+        let [[w, z], [y, x]] = [phi.alpha, phi.beta];
+        [w, x, -y, z].map(|component| decimal(&component, digits))
+    })?;
     let exact = py.import("decimal")?.getattr("Decimal")?;
-    let numbers = texts.into_iter().map(|text| exact.call1((text,))).collect::<PyResult<Vec<_>>>()?;
+    let numbers =
+        texts.into_iter().flatten().map(|text| exact.call1((text,))).collect::<PyResult<Vec<_>>>()?;
     let mut shape = times.shape;
     shape.push(4);
     py.import("numpy")?.call_method1("array", (numbers, "object"))?.call_method1("reshape", (shape,))

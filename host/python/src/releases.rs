@@ -1,8 +1,9 @@
 //! Many releases from Python: arrays by name, or one mapping each.
 
-use crate::arrays::Given;
+use crate::arrays::{Frame, Given};
 use crate::error::value_error;
 use pyo3::prelude::*;
+use pyo3::types::{PyList, PyTuple};
 use toytop::Release;
 
 /// Numbers of a release by their names.
@@ -11,18 +12,18 @@ const NAMES: [&str; 6] = ["tilt", "spin", "precession", "nutation", "azimuth", "
 /// Number of the names, from the first, that must be given.
 const REQUIRED: usize = 2;
 
-/// Releases: a mapping from names to numbers or one-dimensional arrays, or a sequence of mappings to numbers.
+/// Releases: columns of numbers or of one-dimensional arrays, or a sequence of mappings to numbers.
 ///
 /// # Errors
 /// `ValueError`: a name is unknown or missing, or the arrays differ in length.
 pub(crate) fn read(releases: &Bound<'_, PyAny>) -> PyResult<Vec<Release>> {
-    if releases.hasattr("keys")? {
-        return of_arrays("releases", releases);
+    if !releases.is_instance_of::<PyList>() && !releases.is_instance_of::<PyTuple>() {
+        return of_frame(&Frame::read("releases", releases)?);
     }
     let mut read = Vec::new();
     for (index, release) in releases.try_iter()?.enumerate() {
         let name = format!("releases[{index}]");
-        let [release] = of_arrays(&name, &release?)?[..] else {
+        let [release] = of_frame(&Frame::read(&name, &release?)?)?[..] else {
             return Err(value_error(&name, "must hold numbers, not arrays"));
         };
         read.push(release);
@@ -30,51 +31,35 @@ pub(crate) fn read(releases: &Bound<'_, PyAny>) -> PyResult<Vec<Release>> {
     Ok(read)
 }
 
-fn of_arrays(place: &str, releases: &Bound<'_, PyAny>) -> PyResult<Vec<Release>> {
-    let columns = columns(place, releases)?;
-    let lengths = columns.iter().flatten().filter(|given| !given.shape.is_empty());
-    let length = lengths.map(|given| given.numbers.len()).max().unwrap_or(1);
+fn of_frame(frame: &Frame<'_>) -> PyResult<Vec<Release>> {
+    if let Some(name) = frame.names.iter().find(|name| !NAMES.contains(&name.as_str())) {
+        return Err(value_error(&frame.full_name(name), &format!("unknown; allowed: {}", NAMES.join(", "))));
+    }
+    let mut columns = NAMES.map(|_| None);
+    for (index, (name, column)) in NAMES.iter().zip(&mut columns).enumerate() {
+        if frame.names.iter().any(|given| given == name) {
+            *column = Some(Given::finite(frame.column(name)?, &frame.full_name(name))?);
+        } else if index < REQUIRED {
+            return Err(value_error(&frame.full_name(name), "missing"));
+        }
+    }
+    // a number counts for all releases, and so does an array of one number
+    let lengths =
+        || columns.iter().flatten().filter(|given| !given.shape.is_empty()).map(|given| given.numbers.len());
+    let length = lengths().find(|length| *length != 1).or(lengths().next()).unwrap_or(1);
     for (name, given) in NAMES.iter().zip(&columns) {
-        if given
-            .as_ref()
-            .is_some_and(|given| ![1, length].contains(&given.numbers.len()) || given.shape.len() > 1)
-        {
-            let reason = format!("must be a number or of shape ({length},), as the longest");
-            return Err(value_error(&format!("{place}: {name}"), &reason));
+        let fits = |given: &Given| given.shape.len() < 2 && [1, length].contains(&given.numbers.len());
+        if !given.as_ref().is_none_or(fits) {
+            let reason = format!("must be a number or of shape ({length},), as the others");
+            return Err(value_error(&frame.full_name(name), &reason));
         }
     }
     let release = |index: usize| {
-        let [tilt, spin, precession, nutation, azimuth, roll] = columns.each_ref().map(|given| match given {
-            None => 0.0,
-            Some(Given { numbers, .. }) => {
-                if let [only] = numbers[..] {
-                    only
-                } else {
-                    numbers[index]
-                }
-            }
+        let [tilt, spin, precession, nutation, azimuth, roll] = columns.each_ref().map(|given| {
+            let numbers = given.as_ref().map_or(&[0.0][..], |given| &given.numbers);
+            *numbers.get(index).unwrap_or(&numbers[0])
         });
         Release { tilt, azimuth, roll, spin, precession, nutation }
     };
     Ok((0..length).map(release).collect())
-}
-
-fn columns(place: &str, releases: &Bound<'_, PyAny>) -> PyResult<[Option<Given>; NAMES.len()]> {
-    let allowed = NAMES.join(", ");
-    for key in releases.call_method0("keys")?.try_iter()? {
-        let key: String = key?.str()?.extract()?;
-        if !NAMES.contains(&key.as_str()) {
-            return Err(value_error(&format!("{place}: {key}"), &format!("unknown; allowed: {allowed}")));
-        }
-    }
-    let mut columns = NAMES.map(|_| None);
-    for (index, (name, column)) in NAMES.iter().zip(&mut columns).enumerate() {
-        let full_name = format!("{place}: {name}");
-        if releases.contains(name)? {
-            *column = Some(Given::read(&full_name, &releases.get_item(name)?)?);
-        } else if index < REQUIRED {
-            return Err(value_error(&full_name, "missing"));
-        }
-    }
-    Ok(columns)
 }

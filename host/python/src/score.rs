@@ -2,17 +2,50 @@
 
 use crate::arrays::{Given, quaternions};
 use crate::error::{failed, value_error};
+use crate::interrupt;
 use crate::motion::PyMotion;
+use crate::top::rates;
 use pyo3::prelude::*;
 use toytop::Orientation;
+use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
-use toytop_host::score::judge::{self, Judge};
+use toytop_host::score::judge::Judge;
 use toytop_host::score::order as convergence;
-use toytop_host::score::trajectory::{Row, Trajectory};
+use toytop_host::score::trajectory::{Row, Trajectory, normalised};
 
 /// Errors of an integrator's output against the exact motion.
-#[pyclass(module = "toytop", frozen)]
-pub(crate) struct Score(judge::Score);
+#[pyclass(module = "toytop", frozen, get_all)]
+pub(crate) struct Score {
+    /// Greatest error of the orientation, 2 sqrt(|d alpha|^2 + |d beta|^2) with the nearer sign, rad.
+    max_error: f64,
+    /// Root of the mean square error of the orientation, rad.
+    rms_error: f64,
+    /// Error of the orientation in the last row, rad.
+    final_error: f64,
+    /// Greatest error of u, the cosine of the tilt.
+    max_u_error: f64,
+    /// Phase error of the nutation over the last nutation period, rad, above 0 where the result is ahead; None where the axis does not
+    /// nutate, or for an aperiodic motion.
+    nutation_error: Option<f64>,
+    /// Phase error of the precession over the last nutation period, rad; None where the axis is vertical.
+    precession_error: Option<f64>,
+    /// Phase error of the spin over the last nutation period, rad.
+    spin_error: Option<f64>,
+    /// Root of the mean square of the error that no phase error explains, rad.
+    residual: Option<f64>,
+    /// Greatest change of h in units of the greater of |h| and p g; None where no angular velocity is known.
+    drift_h: Option<f64>,
+    /// Greatest change of l in units of the greatest of |l|, |n| and sqrt(2 A p g); None where no angular velocity is known.
+    drift_l: Option<f64>,
+    /// Greatest change of n in the unit of drift_l; None where no angular velocity is known.
+    drift_n: Option<f64>,
+    /// Greatest distance of the quaternions from unit norm.
+    norm_error: f64,
+    /// Upper bound on the error of the exact motion itself, rad.
+    truth_bound: f64,
+    /// Likely reason why the first row is far from the motion, if it is; otherwise None.
+    doubt: Option<String>,
+}
 
 /// Errors of the output of an integrator, from the state of motion.at(0), against the exact motion.
 ///
@@ -36,46 +69,54 @@ pub(crate) fn score(
 ) -> PyResult<Score> {
     let times = Given::read("t", t)?.numbers;
     let orientations = quaternions("quaternion", quaternion)?;
-    let (name, rates) = match (omega, omega_body) {
-        (Some(_), Some(_)) => return Err(value_error("omega", "must be left out if omega_body is given")),
-        (Some(omega), None) => ("omega", Some(Given::read("omega", omega)?.rows::<3>("omega")?)),
-        (None, Some(omega)) => {
-            ("omega_body", Some(Given::read("omega_body", omega)?.rows::<3>("omega_body")?))
-        }
-        (None, None) => ("omega", None),
+    let (name, rates) = match rates(omega, omega_body)? {
+        Some((name, omega)) => (name, Some(Given::read(name, omega)?.rows::<3>(name)?)),
+        None => ("omega", None),
     };
-    for (name, length) in
-        [("quaternion", orientations.len()), (name, rates.as_ref().map_or(times.len(), Vec::len))]
+    let count = times.len();
+    for (name, length) in [("quaternion", orientations.len()), (name, rates.as_ref().map_or(count, Vec::len))]
     {
-        if length != times.len() {
-            return Err(value_error(name, &format!("must have {} rows, as t; has {length}", times.len())));
+        if length != count {
+            return Err(value_error(name, &format!("must have {count} rows, as t; has {length}")));
         }
     }
-    let rows: Vec<Row> = (0..times.len())
-        .map(|i| {
-            let raw = Orientation::from_quaternion(orientations[i]);
-            let norm = raw.norm_squared().sqrt();
-            if !(0.1..10.0).contains(&norm) {
-                return Err(value_error(
-                    "quaternion",
-                    &format!("must be of unit norm; row {i} has {norm:.1e}"),
-                ));
-            }
-            let orientation = raw.normalised();
-            let in_fixed = |rate: [f64; 3]| if name == "omega" { rate } else { orientation.adjoint(rate) };
-            let omega = rates.as_ref().map(|rates| in_fixed(rates[i]));
-            Ok(Row { t: times[i], orientation, norm_error: (norm - 1.0).abs(), omega })
-        })
-        .collect::<PyResult<_>>()?;
-    let goes_on =
-        times.windows(2).all(|pair| pair[0] < pair[1]) || times.windows(2).all(|pair| pair[0] > pair[1]);
-    if rows.is_empty() || !goes_on {
+    let goes_on = times.is_sorted_by(|a, b| a < b) || times.is_sorted_by(|a, b| a > b);
+    if count == 0 || !goes_on {
         return Err(value_error("t", "must be at least one time, and go on in one direction"));
     }
-    let scenario = Scenario { name: "motion".into(), motion: motion.motion, state: None, units: Units::Si };
-    let trajectory = Trajectory { name: "result".into(), method: None, step: None, evaluations: None, rows };
-    let score = py.detach(|| Judge::new(&scenario)?.score(&trajectory));
-    Ok(Score(score.map_err(|failure| failed(&failure))?))
+    let row = move |i: usize| {
+        let (orientation, norm_error) = normalised(Orientation::from_quaternion(orientations[i]))
+            .map_err(|reason| Failure::Input(format!("quaternion: row {i}: {reason}")))?;
+        let in_fixed = |rate: [f64; 3]| if name == "omega" { rate } else { orientation.adjoint(rate) };
+        let omega = rates.as_ref().map(|rates| in_fixed(rates[i]));
+        Ok(Row { t: times[i], orientation, norm_error, omega, tip: None, com: None })
+    };
+    let scenario = Scenario { name: "motion".into(), motion: motion.0.motion, given: None, units: Units::Si };
+    let score = interrupt::alone(py, move || {
+        let rows = (0..count).map(row).collect::<Result<_, Failure>>()?;
+        let trajectory =
+            Trajectory { name: "result".into(), method: None, step: None, evaluations: None, rows };
+        Judge::new(&scenario)?.score(&trajectory)
+    })?;
+    let score = score.map_err(|failure| failed(&failure))?;
+    let drift = score.drift.integrals.map(|[l, n, h]| [Some(l), Some(n), Some(h)]).unwrap_or_default();
+    let [drift_l, drift_n, drift_h] = drift;
+    Ok(Score {
+        max_error: score.max_error,
+        rms_error: score.rms_error,
+        final_error: score.final_error,
+        max_u_error: score.max_u_error,
+        nutation_error: score.phases.nutation,
+        precession_error: score.phases.precession,
+        spin_error: score.phases.spin,
+        residual: score.phases.residual,
+        drift_h,
+        drift_l,
+        drift_n,
+        norm_error: score.norm_error,
+        truth_bound: score.truth_bound,
+        doubt: score.doubt.map(|doubt| doubt.question("motion.at(times[0])")),
+    })
 }
 
 /// Order of convergence, fitted to the errors of several step sizes; None where fewer than two of them tell it.
@@ -91,93 +132,8 @@ pub(crate) fn order(steps: &Bound<'_, PyAny>, errors: &Bound<'_, PyAny>) -> PyRe
 
 #[pymethods]
 impl Score {
-    /// Greatest error of the orientation, 2 sqrt(|d alpha|^2 + |d beta|^2) with the nearer sign, rad.
-    #[getter]
-    fn max_error(&self) -> f64 {
-        self.0.max_error
-    }
-
-    /// Root of the mean square error of the orientation, rad.
-    #[getter]
-    fn rms_error(&self) -> f64 {
-        self.0.rms_error
-    }
-
-    /// Error of the orientation in the last row, rad.
-    #[getter]
-    fn final_error(&self) -> f64 {
-        self.0.final_error
-    }
-
-    /// Greatest error of u, the cosine of the tilt.
-    #[getter]
-    fn max_u_error(&self) -> f64 {
-        self.0.max_u_error
-    }
-
-    /// Phase error of the nutation over the last nutation period, rad, above 0 where the result is ahead; None where the axis does not
-    /// nutate, or for an aperiodic motion.
-    #[getter]
-    fn nutation_error(&self) -> Option<f64> {
-        self.0.phases.nutation
-    }
-
-    /// Phase error of the precession over the last nutation period, rad; None where the axis is vertical.
-    #[getter]
-    fn precession_error(&self) -> Option<f64> {
-        self.0.phases.precession
-    }
-
-    /// Phase error of the spin over the last nutation period, rad.
-    #[getter]
-    fn spin_error(&self) -> Option<f64> {
-        self.0.phases.spin
-    }
-
-    /// Root of the mean square of the error that no phase error explains, rad.
-    #[getter]
-    fn residual(&self) -> Option<f64> {
-        self.0.phases.residual
-    }
-
-    /// Greatest change of h in units of the greater of |h| and p g; None where no angular velocity is known.
-    #[getter]
-    fn drift_h(&self) -> Option<f64> {
-        self.0.drift.integrals.map(|[_, _, h]| h)
-    }
-
-    /// Greatest change of l in units of the greatest of |l|, |n| and sqrt(2 A p g); None where no angular velocity is known.
-    #[getter]
-    fn drift_l(&self) -> Option<f64> {
-        self.0.drift.integrals.map(|[l, _, _]| l)
-    }
-
-    /// Greatest change of n in the unit of drift_l; None where no angular velocity is known.
-    #[getter]
-    fn drift_n(&self) -> Option<f64> {
-        self.0.drift.integrals.map(|[_, n, _]| n)
-    }
-
-    /// Greatest distance of the quaternions from unit norm.
-    #[getter]
-    fn norm_error(&self) -> f64 {
-        self.0.norm_error
-    }
-
-    /// Upper bound on the error of the exact motion itself, rad.
-    #[getter]
-    fn truth_bound(&self) -> f64 {
-        self.0.truth_bound
-    }
-
-    /// Likely reason why the first row is far from the motion, if it is; otherwise None.
-    #[getter]
-    fn doubt(&self) -> Option<String> {
-        self.0.doubt.map(|doubt| doubt.question("motion.at(times[0])"))
-    }
-
     fn __repr__(&self) -> String {
-        let judge::Score { max_error, rms_error, final_error, .. } = self.0;
+        let Self { max_error, rms_error, final_error, .. } = self;
         format!(
             "<Score: greatest error {max_error:.1e} rad, rms {rms_error:.1e} rad, last {final_error:.1e} rad>"
         )

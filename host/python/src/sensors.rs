@@ -1,10 +1,9 @@
 //! Sensors and their samples, as Python gives them.
 
-use crate::arrays::{Given, array};
+use crate::arrays::{Frame, Given, array};
 use crate::definition::TopDefinition;
 use crate::error::{failed, value_error};
 use pyo3::exceptions::PyTypeError;
-use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyInt, PyMapping};
 use std::path::PathBuf;
@@ -64,30 +63,19 @@ fn table(given: &Bound<'_, PyMapping>) -> PyResult<Table> {
 /// # Errors
 /// `ValueError` that names the column.
 pub(crate) fn columns(samples: &Bound<'_, PyAny>, sensors: &mut Sensors, all: bool) -> PyResult<Columns> {
-    let py = samples.py();
-    let fields =
-        samples.getattr_opt(intern!(py, "dtype"))?.map(|dtype| dtype.getattr_opt(intern!(py, "names")));
-    let names = match fields.transpose()?.flatten().filter(|names| !names.is_none()) {
-        Some(names) => names,
-        None if samples.hasattr(intern!(py, "keys"))? => samples.call_method0(intern!(py, "keys"))?,
-        None => {
-            return Err(PyTypeError::new_err("samples: must be a mapping or a structured array of columns"));
-        }
-    };
-    let names: Vec<String> =
-        names.try_iter()?.map(|name| Ok(name?.str()?.to_string())).collect::<PyResult<_>>()?;
-    let has = |name: &str| names.iter().any(|own| own == name);
+    let frame = Frame::read("samples", samples)?;
+    let has = |name: &str| frame.names.iter().any(|own| own == name);
     if !has("t") {
         return Err(value_error("samples", "must have a column t"));
     }
     keep_present(sensors, has, all).map_err(|reason| value_error("samples", &reason))?;
     let column = |name: &str, rows: Option<usize>| -> PyResult<Vec<f64>> {
-        let parameter = format!("samples: {name}");
-        let Given { numbers, shape } = Given::read_any(&parameter, &samples.get_item(name)?)?;
+        let Given { numbers, shape } = frame.column(name)?;
+        let refuse = |reason: String| Err(value_error(&frame.full_name(name), &reason));
         match shape[..] {
             [length] if rows.is_none_or(|rows| rows == length) => Ok(numbers),
-            [length] => Err(value_error(&parameter, &format!("must have as many rows as t; has {length}"))),
-            _ => Err(value_error(&parameter, &format!("must have one axis, not shape {shape:?}"))),
+            [length] => refuse(format!("must have as many rows as t; has {length}")),
+            _ => refuse(format!("must have one axis, not shape {shape:?}")),
         }
     };
     let t = column("t", None)?;

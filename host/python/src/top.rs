@@ -1,12 +1,14 @@
 //! Class `Top`, and its launches.
 
-use crate::arrays::{quaternions, vector};
-use crate::definition::{StartDefinition, TopDefinition, support_name};
+use crate::arrays::{quaternion, vector};
+use crate::definition::{TopDefinition, support_name};
 use crate::error::{refused, value_error};
-use crate::motion::PyMotion;
+use crate::motion::{PyMotion, Single};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use toytop::{Motion, Release, Sign, Signs, Start, State, Support, TopParameters};
+use std::sync::Arc;
+use toytop::{InitialPhases, Motion, Orientation, Release, Sign, Signs, State, Support, TopParameters};
+use toytop_host::truth::motions::Start;
 
 /// Symmetric top whose tip slides on a horizontal plane, or is held at a point, or a free symmetric body.
 ///
@@ -136,7 +138,8 @@ impl PyTop {
         azimuth: f64,
         roll: f64,
     ) -> PyResult<PyMotion> {
-        released(&self.0, &Release { tilt, azimuth, roll, spin, precession, nutation })
+        let release = Release { tilt, azimuth, roll, spin, precession, nutation };
+        Ok(PyMotion(Arc::new(released(&self.0, &release)?)))
     }
 
     /// Motion of this top from an orientation and an angular velocity, as sensors measure them.
@@ -156,22 +159,12 @@ impl PyTop {
         omega: Option<&Bound<'_, PyAny>>,
         omega_body: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<PyMotion> {
-        let [quaternion] = quaternions("quaternion", quaternion)?[..] else {
-            return Err(value_error("quaternion", "must be 4 numbers w, x, y, z"));
+        let Some((name, omega)) = rates(omega, omega_body)? else {
+            return Err(value_error("omega", "must be given, or else omega_body"));
         };
-        let (state, rate) = match (omega, omega_body) {
-            (Some(omega), None) => (state(quaternion, vector("omega", omega)?)?, "omega"),
-            (None, Some(omega)) => {
-                (state_of_sensors(quaternion, vector("omega_body", omega)?)?, "omega_body")
-            }
-            _ => {
-                return Err(value_error(
-                    "omega",
-                    "must be given if omega_body is not, and left out if it is",
-                ));
-            }
-        };
-        launched(&self.0, state, rate)
+        let launched =
+            launched(&self.0, self::quaternion("quaternion", quaternion)?, vector(name, omega)?, name)?;
+        Ok(PyMotion(Arc::new(launched)))
     }
 
     /// Motion of this top with given branch points -1 <= e1 <= e2 <= 1 <= e3 of the paper: u, the cosine of the tilt, oscillates
@@ -201,10 +194,10 @@ impl PyTop {
             l_plus_n: sign("sign_l_plus_n", sign_l_plus_n)?,
             l_minus_n: sign("sign_l_minus_n", sign_l_minus_n)?,
         };
-        let (e, start) = ([e1, e2, e3], Start { theta: nutation_phase, arg_alpha, arg_beta });
-        let motion = Motion::from_branch_points(&self.0.top, e, signs, &start)
+        let (e, phases) = ([e1, e2, e3], InitialPhases { theta: nutation_phase, arg_alpha, arg_beta });
+        let motion = Motion::from_branch_points(&self.0.top, e, signs, &phases)
             .map_err(|error| refused(&error, &[("theta", "nutation_phase")]))?;
-        Ok(PyMotion::new(self.0, StartDefinition::BranchPoints { e, signs, start }, motion))
+        Ok(PyMotion::new(self.0, Start::BranchPoints { e, signs, phases }, motion))
     }
 
     /// Support of the tip: "sliding", "fixed" or "free".
@@ -256,18 +249,17 @@ impl PyTop {
     }
 
     fn __repr__(&self) -> String {
-        let arguments: Vec<_> =
-            self.arguments().into_iter().map(|(name, x)| format!("{name}={x:?}")).collect();
+        let arguments: Vec<_> = self.0.numbers().iter().map(|(name, x)| format!("{name}={x:?}")).collect();
         format!("Top.{}({})", self.support(), arguments.join(", "))
     }
 
     fn __hash__(&self) -> u64 {
-        self.arguments().iter().fold(0, |hash, (_, x)| hash.rotate_left(9) ^ x.to_bits())
+        self.0.numbers().iter().fold(0, |hash, (_, x)| hash.rotate_left(9) ^ x.to_bits())
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
         let arguments = PyDict::new(py);
-        self.arguments().into_iter().try_for_each(|(name, x)| arguments.set_item(name, x))?;
+        self.0.numbers().into_iter().try_for_each(|(name, x)| arguments.set_item(name, x))?;
         Ok((py.get_type::<Self>().getattr("_of")?, (self.support(), arguments)))
     }
 
@@ -275,27 +267,6 @@ impl PyTop {
     #[staticmethod]
     fn _of(py: Python<'_>, support: &str, arguments: &Bound<'_, PyDict>) -> PyResult<Py<PyAny>> {
         Ok(py.get_type::<Self>().call_method(support, (), Some(arguments))?.unbind())
-    }
-}
-
-impl PyTop {
-    /// Arguments that make this top.
-    fn arguments(&self) -> Vec<(&'static str, f64)> {
-        let given = self.0.parameters;
-        let body = [
-            ("transverse_inertia", given.transverse_inertia),
-            ("axial_inertia", given.axial_inertia),
-            ("rotor_momentum", given.rotor_momentum),
-        ];
-        let weight = [
-            ("mass", given.mass),
-            ("mass_moment", given.mass_moment),
-            ("com_height", given.com_height),
-            ("gravity", given.gravity),
-        ];
-        let weight = weight.into_iter().filter(|_| self.0.top.support() != Support::Free);
-        let all = body.into_iter().chain(weight);
-        all.filter(|(_, x)| *x != 0.0).collect()
     }
 }
 
@@ -310,40 +281,57 @@ fn sign(name: &str, number: f64) -> PyResult<Sign> {
     }
 }
 
-/// State of a quaternion and ω in the fixed frame.
-fn state(quaternion: [f64; 4], omega: [f64; 3]) -> PyResult<State> {
-    let orientation = toytop::Orientation::from_quaternion(quaternion);
-    let renamed = [("alpha", "quaternion"), ("beta", "quaternion")];
-    State::new(orientation, omega).map_err(|error| match error.parameter() {
+/// Name and value of the one of two arguments that is given; `None` where neither is.
+///
+/// # Errors
+/// `ValueError`: both are given.
+pub(crate) fn rates<'a, 'py>(
+    omega: Option<&'a Bound<'py, PyAny>>,
+    omega_body: Option<&'a Bound<'py, PyAny>>,
+) -> PyResult<Option<(&'static str, &'a Bound<'py, PyAny>)>> {
+    match (omega, omega_body) {
+        (Some(_), Some(_)) => Err(value_error("omega", "must be left out if omega_body is given")),
+        (Some(omega), None) => Ok(Some(("omega", omega))),
+        (None, omega_body) => Ok(omega_body.map(|omega| ("omega_body", omega))),
+    }
+}
+
+/// Motion from a quaternion and the angular velocity that is the argument `name`, "omega" or "omega_body".
+///
+/// # Errors
+/// `ValueError` that names the parameter.
+pub(crate) fn launched(
+    top: &TopDefinition,
+    quaternion: [f64; 4],
+    omega: [f64; 3],
+    name: &str,
+) -> PyResult<Single> {
+    let state = match name {
+        "omega" => State::new(Orientation::from_quaternion(quaternion), omega),
+        _ => State::from_quaternion_and_gyro(quaternion, omega),
+    };
+    let state = state.map_err(|error| match error.parameter() {
         "alpha" | "beta" => {
             value_error("quaternion", "must be of unit norm: | w^2 + x^2 + y^2 + z^2 - 1 | <= 1e-6")
         }
-        _ => refused(&error, &renamed),
-    })
-}
-
-/// State of a quaternion and ω in the body frame.
-fn state_of_sensors(quaternion: [f64; 4], omega_body: [f64; 3]) -> PyResult<State> {
-    State::from_quaternion_and_gyro(quaternion, omega_body)
-        .map_err(|error| refused(&error, &[("gyro", "omega_body")]))
-}
-
-/// Motion from a state, with this name of the rates in error messages.
-fn launched(top: &TopDefinition, state: State, rate: &str) -> PyResult<PyMotion> {
-    let motion = Motion::launch(&top.top, &state).map_err(|error| refused(&error, &[("omega", rate)]))?;
-    Ok(PyMotion::new(*top, StartDefinition::State(state), motion))
+        _ => refused(&error, &[("gyro", name)]),
+    })?;
+    single(top, state, name)
 }
 
 /// Motion from a release.
 ///
 /// # Errors
 /// `ValueError` that names the parameter.
-pub(crate) fn released(top: &TopDefinition, release: &Release) -> PyResult<PyMotion> {
+pub(crate) fn released(top: &TopDefinition, release: &Release) -> PyResult<Single> {
     let state = State::release(release).map_err(|error| refused(&error, &[]))?;
     let rates = [("spin", release.spin), ("precession", release.precession), ("nutation", release.nutation)];
-    let greater = |most: (&'static str, f64), rate: (&'static str, f64)| {
-        if rate.1.abs() > most.1.abs() { rate } else { most }
-    };
-    let (fastest, _) = rates.into_iter().fold(rates[0], greater);
-    launched(top, state, fastest)
+    let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
+    single(top, state, fastest.map_or("spin", |(name, _)| name))
+}
+
+/// Motion from a state, with this name of the rates in error messages.
+pub(crate) fn single(top: &TopDefinition, state: State, rate: &str) -> PyResult<Single> {
+    let motion = Motion::launch(&top.top, &state).map_err(|error| refused(&error, &[("omega", rate)]))?;
+    Ok(Single::new(*top, Start::from(&state), motion))
 }

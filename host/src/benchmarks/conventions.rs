@@ -1,10 +1,11 @@
 //! Conventions of a source: the body axis that is the axis of symmetry, and the quantity that is called position.
 
 use crate::motion::propagate::Sample;
+use serde::Deserialize;
 use toytop::Orientation;
 
 /// Body axes and length of a source. The third fixed axis points up in all of them.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 pub(crate) struct Conventions {
     /// Number of the body axis that points from the tip to the centre of mass: 2 or 3.
     pub symmetry_axis: usize,
@@ -13,7 +14,8 @@ pub(crate) struct Conventions {
 }
 
 /// Quantity with its name and components.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub(crate) enum Quantity {
     /// Position of the centre of mass relative to the tip.
     Position,
@@ -28,8 +30,6 @@ pub(crate) enum Quantity {
 }
 
 impl Quantity {
-    const ALL: [Self; 5] = [Self::Position, Self::Quaternion, Self::OmegaBody, Self::Energy, Self::U];
-
     /// Name in files and output.
     #[must_use]
     pub(crate) fn name(self) -> &'static str {
@@ -40,10 +40,6 @@ impl Quantity {
             Self::Energy => "energy",
             Self::U => "u",
         }
-    }
-
-    pub(super) fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|quantity| quantity.name() == name)
     }
 }
 

@@ -1,10 +1,11 @@
 //! Problem of the catalogue, from its three files.
 
+use super::Files;
 use super::conventions::{Conventions, Quantity};
 use crate::Failure;
 use crate::input::scenario::Scenario;
-use serde_json::Value as Json;
-use toml::{Table, Value};
+use serde::Deserialize;
+use toytop::Stepper;
 
 /// Motion with its source, conventions and reference values.
 #[derive(Clone, Debug)]
@@ -27,8 +28,22 @@ pub(crate) struct Problem {
     pub(crate) references: Vec<Reference>,
 }
 
+/// File that describes a problem.
+#[derive(Deserialize)]
+struct Description {
+    title: String,
+    source: String,
+    #[serde(flatten)]
+    conventions: Conventions,
+    seconds: f64,
+    used_by: Vec<String>,
+    #[serde(default)]
+    printed: Vec<Printed>,
+}
+
 /// Value that another program or paper printed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub(crate) struct Printed {
     /// Program or paper that printed it, and its method.
     pub(crate) by: String,
@@ -40,8 +55,14 @@ pub(crate) struct Printed {
     pub(crate) values: Vec<f64>,
 }
 
+/// File of reference values.
+#[derive(Deserialize)]
+struct References {
+    samples: Vec<Reference>,
+}
+
 /// Values to 30 digits at one time, in the source's conventions.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 pub(crate) struct Reference {
     /// Time, as text.
     pub t: String,
@@ -54,56 +75,15 @@ pub(crate) struct Reference {
 }
 
 impl Problem {
-    pub(super) fn read(name: &str, scenario: &str, about: &str, reference: &str) -> Result<Self, Failure> {
-        let broken = |what: String| Failure::Tool(format!("the catalogue's {name}: {what}"));
+    pub(super) fn read((name, scenario, description, references): &Files) -> Result<Self, Failure> {
+        let broken =
+            |error: &dyn std::fmt::Display| Failure::Tool(format!("the catalogue's {name}: {error}"));
+        let Description { title, source, conventions, seconds, used_by, printed } =
+            toml::from_str(description).map_err(|error| broken(&error))?;
+        let References { samples: references } =
+            serde_json::from_str(references).map_err(|error| broken(&error))?;
         let scenario = Scenario::parse(name, scenario)?;
-        let about = about.parse::<Table>().map_err(|error| broken(error.to_string()))?;
-        let text = |table: &Table, key: &str| {
-            table
-                .get(key)
-                .and_then(Value::as_str)
-                .map(str::to_owned)
-                .ok_or_else(|| broken(format!("needs {key}")))
-        };
-        let number = |key: &str| about.get(key).and_then(float).ok_or_else(|| broken(format!("needs {key}")));
-        let list = |key: &str| about.get(key).and_then(Value::as_array).cloned().unwrap_or_default();
-        let mut printed = Vec::new();
-        for entry in list("printed") {
-            let entry = entry.as_table().ok_or_else(|| broken("printed: needs tables".to_owned()))?;
-            let values = entry
-                .get("values")
-                .and_then(Value::as_array)
-                .map_or(Vec::new(), |values| values.iter().filter_map(float).collect());
-            let quantity = text(entry, "quantity")?;
-            let quantity =
-                Quantity::named(&quantity).ok_or_else(|| broken(format!("unknown quantity {quantity}")))?;
-            printed.push(Printed { by: text(entry, "by")?, t: text(entry, "t")?, quantity, values });
-        }
-        let reference: Json = serde_json::from_str(reference).map_err(|error| broken(error.to_string()))?;
-        let samples = reference["samples"].as_array().ok_or_else(|| broken("needs samples".to_owned()))?;
-        let digits = |sample: &Json, key: &str| -> Vec<String> {
-            let numbers = sample[key].as_array().map_or(&[][..], Vec::as_slice);
-            numbers.iter().filter_map(Json::as_str).map(str::to_owned).collect()
-        };
-        let references = samples.iter().map(|sample| Reference {
-            t: sample["t"].as_str().unwrap_or_default().to_owned(),
-            position: digits(sample, "position"),
-            quaternion: digits(sample, "quaternion"),
-            omega_body: digits(sample, "omega_body"),
-        });
-        Ok(Self {
-            title: text(&about, "title")?,
-            source: text(&about, "source")?,
-            conventions: Conventions {
-                symmetry_axis: number("symmetry_axis")? as usize,
-                length: number("length")?,
-            },
-            seconds: number("seconds")?,
-            used_by: list("used_by").iter().filter_map(Value::as_str).map(str::to_owned).collect(),
-            printed,
-            references: references.collect(),
-            scenario,
-        })
+        Ok(Self { scenario, title, source, conventions, seconds, used_by, printed, references })
     }
 
     /// Name of the problem on the command line.
@@ -112,15 +92,26 @@ impl Problem {
         &self.scenario.name
     }
 
-    /// Values to 30 digits at one of the source's times.
+    /// Greatest difference of the components of a printed value from the reference. A quaternion has the sign that is nearer to the
+    /// reference. `None` if the catalogue has no reference for the value.
     #[must_use]
-    pub(crate) fn reference(&self, t: &str) -> Option<&Reference> {
-        self.references.iter().find(|reference| reference.t == t)
+    pub(crate) fn off(&self, printed: &Printed) -> Option<f64> {
+        let there = self.references.iter().find(|reference| reference.t == printed.t);
+        let digits = |texts: &[String]| texts.iter().filter_map(|text| text.parse().ok()).collect();
+        let reference = match printed.quantity {
+            Quantity::Energy => vec![self.scenario.motion.first_integrals().h],
+            Quantity::U => vec![Stepper::<f64>::new(&self.scenario.motion).u()],
+            Quantity::Position => digits(&there?.position),
+            Quantity::Quaternion => digits(&there?.quaternion),
+            Quantity::OmegaBody => digits(&there?.omega_body),
+        };
+        let distance = |sign: f64| {
+            let pairs = reference.iter().zip(&printed.values);
+            pairs.map(|(reference, value)| (sign * value - reference).abs()).fold(0.0, f64::max)
+        };
+        let off = distance(1.0);
+        Some(if printed.quantity == Quantity::Quaternion { off.min(distance(-1.0)) } else { off })
     }
-}
-
-fn float(value: &Value) -> Option<f64> {
-    value.as_float().or(value.as_integer().map(|n| n as f64))
 }
 
 #[cfg(test)]
@@ -150,7 +141,11 @@ mod tests {
                     Quantity::Energy | Quantity::U => 1,
                 };
                 assert_eq!(printed.values.len(), components, "{name}");
-                assert!(printed.t == "0" || problem.reference(&printed.t).is_some(), "{name}: {}", printed.t);
+                assert!(
+                    printed.t == "0" || problem.references.iter().any(|reference| reference.t == printed.t),
+                    "{name}: {}",
+                    printed.t
+                );
             }
         }
         assert!(benchmarks::named("nothing").is_err());

@@ -2,9 +2,8 @@
 
 use super::{Chip, Limits};
 use crate::Failure;
-use crate::output::{Cell, Record};
+use crate::output::Record;
 use std::collections::BTreeMap;
-use std::io::Read as _;
 use std::path::Path;
 
 /// Costs of all launches of one scalar with one result on one chip.
@@ -28,18 +27,16 @@ pub(crate) struct CorpusCost {
 /// [`Failure::Tool`]: there is no QEMU, the program did not end with exit code 0, or a line of its output cannot be read.
 pub(crate) fn corpus(chip: &'static Chip, elf: &Path, limits: &Limits) -> Result<Vec<CorpusCost>, Failure> {
     let fail = |what: String| Failure::Tool(format!("budget: {}: {what}", chip.name));
-    let mut qemu = chip
+    let ended = chip
         .qemu(elf)
         // an instruction takes one nanosecond of virtual time
         .args(["-icount", "shift=0,sleep=off"])
-        .spawn()
+        .output()
         .map_err(|error| fail(format!("cannot run {} ({error}); install QEMU", chip.emulator)))?;
-    let mut text = String::new();
-    let read = qemu.stdout.take().map_or(Ok(0), |mut stdout| stdout.read_to_string(&mut text));
-    let ended = qemu.wait().map_err(|error| fail(error.to_string()))?;
-    if read.is_err() || !ended.success() {
-        return Err(fail(format!("the corpus ended with {ended}")));
+    if !ended.status.success() {
+        return Err(fail(format!("the corpus ended with {}", ended.status)));
     }
+    let text = String::from_utf8_lossy(&ended.stdout);
     let ratio = limits.of(chip.name, "launch").and_then(|cost| Some((cost.cycles?, cost.instructions)));
     let cycles_per_instruction = ratio.map(|(cycles, instructions)| cycles as f64 / instructions as f64);
     let mut groups: BTreeMap<(String, String), (Vec<u64>, u64)> = BTreeMap::new();
@@ -68,10 +65,6 @@ fn parsed(line: &str) -> Option<((String, String), [u64; 3])> {
 }
 
 impl CorpusCost {
-    fn cycles(&self, instructions: u64) -> Option<u64> {
-        self.cycles_per_instruction.map(|cycles| (cycles * instructions as f64).round() as u64)
-    }
-
     /// Median and greatest number of instructions of a launch.
     fn median_and_greatest(&self) -> [u64; 2] {
         let median = self.launches.get(self.launches.len() / 2).copied().unwrap_or_default();
@@ -81,25 +74,25 @@ impl CorpusCost {
     /// Modelled cycles of the median and of the greatest launch, and of the longest slice; `None` without a model of the chip.
     pub(super) fn modelled_cycles(&self) -> [Option<u64>; 3] {
         let [median, greatest] = self.median_and_greatest();
-        [median, greatest, self.slice].map(|instructions| self.cycles(instructions))
+        let cycles =
+            |instructions: u64| Some((self.cycles_per_instruction? * instructions as f64).round() as u64);
+        [median, greatest, self.slice].map(cycles)
     }
 
     /// Median and greatest, as a row of output.
     #[must_use]
     pub(crate) fn record(&self) -> Record {
         let ([median, greatest], cycles) = (self.median_and_greatest(), self.modelled_cycles());
-        let cell = |cycles: Option<u64>| cycles.map_or(Cell::Absent, Cell::Count);
-        Record(vec![
-            ("chip", Cell::Text(self.chip.to_owned())),
-            ("scalar", Cell::Text(self.scalar.clone())),
-            ("result", Cell::Text(self.result.clone())),
-            ("launches", Cell::Count(self.launches.len() as u64)),
-            ("median_instructions", Cell::Count(median)),
-            ("greatest_instructions", Cell::Count(greatest)),
-            ("median_cycles_model", cell(cycles[0])),
-            ("greatest_cycles_model", cell(cycles[1])),
-            ("slice_cycles_model", cell(cycles[2])),
-        ])
+        Record::default()
+            .with("chip", self.chip)
+            .with("scalar", &*self.scalar)
+            .with("result", &*self.result)
+            .with("launches", self.launches.len() as u64)
+            .with("median_instructions", median)
+            .with("greatest_instructions", greatest)
+            .with("median_cycles_model", cycles[0])
+            .with("greatest_cycles_model", cycles[1])
+            .with("slice_cycles_model", cycles[2])
     }
 }
 

@@ -22,6 +22,16 @@ pub struct Image {
     /// Functions in the order of their addresses, each with the first of its names.
     functions: Vec<Function>,
     code: Vec<(u64, Vec<u8>)>,
+    /// Bytes of code and constants that the linker put into flash.
+    flash: u64,
+}
+
+/// Whether sections of this kind are in flash; variables with an initial value are there too.
+fn is_in_flash(kind: SectionKind) -> bool {
+    matches!(
+        kind,
+        SectionKind::Text | SectionKind::ReadOnlyData | SectionKind::ReadOnlyString | SectionKind::Data
+    )
 }
 
 impl Image {
@@ -52,12 +62,14 @@ impl Image {
             .map(|section| Ok((section.address(), section.data()?.to_vec())))
             .collect::<Result<_, object::Error>>()
             .map_err(|error| refuse(&error))?;
-        Ok(Self { functions, code })
+        let flash =
+            file.sections().filter(|section| is_in_flash(section.kind())).map(|section| section.size()).sum();
+        Ok(Self { functions, code, flash })
     }
 
-    /// Functions whose names begin with `prefix`.
-    pub fn named<'a>(&'a self, prefix: &'a str) -> impl Iterator<Item = &'a Function> {
-        self.functions.iter().filter(move |function| function.name.starts_with(prefix))
+    /// Bytes of flash, of code and constants.
+    pub(crate) fn flash(&self) -> u64 {
+        self.flash
     }
 
     /// Function that contains an address.

@@ -1,44 +1,25 @@
 //! Properties of an Arm Thumb instruction that determine its timing.
 
 use capstone::arch::ArchDetail;
-use capstone::arch::arm::{ArchMode, ArmOperandType};
+use capstone::arch::arm::{ArchMode, ArmOperandType, ArmReg};
 use capstone::prelude::*;
 
-/// Set of registers: r0 to r15 in the bits 0 to 15, s0 to s31 in the bits 16 to 47 (d0 is s0 and s1).
+/// Set of registers, as bits at the numbers that Capstone gives them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Registers(u64);
+pub struct Registers(u128);
 
 impl Registers {
+    /// Program counter.
+    pub const PC: Self = Self(1 << ArmReg::ARM_REG_PC);
+
+    fn new(registers: &[RegId]) -> Self {
+        Self(registers.iter().fold(0, |set, register| set | 1 << register.0))
+    }
+
     /// Whether the two sets have a register in common.
     #[must_use]
     pub fn meet(self, other: Self) -> bool {
         self.0 & other.0 != 0
-    }
-
-    /// Set of registers of these names; other names, such as flags, are ignored.
-    #[must_use]
-    pub fn named<'a>(names: impl IntoIterator<Item = &'a str>) -> Self {
-        Self(names.into_iter().fold(0, |set, name| set | Self::bits(name)))
-    }
-
-    fn bits(name: &str) -> u64 {
-        let numbered = |prefix: char| name.strip_prefix(prefix)?.parse::<u32>().ok().filter(|&n| n < 32);
-        let core = match name {
-            "sb" => Some(9),
-            "sl" => Some(10),
-            "fp" => Some(11),
-            "ip" => Some(12),
-            "sp" => Some(13),
-            "lr" => Some(14),
-            "pc" => Some(15),
-            _ => numbered('r'),
-        };
-        match (core, numbered('s'), numbered('d').filter(|&n| n < 16)) {
-            (Some(n), ..) => 1 << n,
-            (_, Some(n), _) => 1 << (16 + n),
-            (.., Some(n)) => 3 << (16 + 2 * n),
-            _ => 0,
-        }
     }
 }
 
@@ -123,30 +104,24 @@ impl Decoder {
 
     fn facts(&self, instruction: &capstone::Insn) -> Result<Instruction, capstone::Error> {
         let detail = self.0.insn_detail(instruction)?;
-        let set = |registers: &[RegId]| {
-            let names: Vec<_> = registers.iter().filter_map(|&register| self.0.reg_name(register)).collect();
-            Registers::named(names.iter().map(String::as_str))
-        };
         let mut operands = Vec::new();
         let mut addressing = Vec::new();
         let ArchDetail::ArmDetail(arm) = detail.arch_detail();
         for operand in arm.operands() {
             match operand.op_type {
                 ArmOperandType::Reg(register) => operands.extend(self.0.reg_name(register)),
-                ArmOperandType::Mem(memory) => {
-                    addressing.extend([memory.base(), memory.index()].map(|r| self.0.reg_name(r)));
-                }
+                ArmOperandType::Mem(memory) => addressing.extend([memory.base(), memory.index()]),
                 _ => {}
             }
         }
-        let indexed = matches!(addressing[..], [_, Some(_)]);
-        let addressing: Vec<_> = addressing.into_iter().flatten().collect();
+        // the number 0 is no register
+        addressing.retain(|register| register.0 != 0);
         let mnemonic = instruction.mnemonic().unwrap_or_default();
         Ok(Instruction {
-            kind: kind(mnemonic, &operands, indexed),
-            reads: set(detail.regs_read()),
-            writes: set(detail.regs_write()),
-            addressing: Registers::named(addressing.iter().map(String::as_str)),
+            kind: kind(mnemonic, &operands, addressing.len() > 1),
+            reads: Registers::new(detail.regs_read()),
+            writes: Registers::new(detail.regs_write()),
+            addressing: Registers::new(&addressing),
             straddles: instruction.len() == 4 && !instruction.address().is_multiple_of(4),
         })
     }

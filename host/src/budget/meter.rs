@@ -1,18 +1,17 @@
 //! Cost of each call, from the log of a run.
 
-use super::chip::model;
 use super::instruction::{Decoder, Instruction};
 use super::trace::{self, Block};
 use super::{Chip, Image, Model};
 use crate::Failure;
+use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::Path;
 
 /// Cost of the costliest of several calls.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+#[serde(deny_unknown_fields)]
 pub struct Cost {
-    /// Name of the function, without `bench_`.
-    pub call: String,
     /// Exact number of instructions, from the first to the return.
     pub instructions: u64,
     /// Cycles by the model of the chip.
@@ -25,139 +24,100 @@ pub struct Cost {
     pub ram: Option<u64>,
 }
 
-/// Costs of the functions of an ELF that are named `bench_...`, on an emulated chip, in the order of their first calls.
+/// Costs by the name of the function, without `bench_`.
+pub type Costs = BTreeMap<String, Cost>;
+
+/// Costs of the functions of an ELF that are named `bench_...`, on an emulated chip.
 ///
 /// # Errors
-/// [`Failure::Input`]: the file is no ELF, or has no such function. [`Failure::Tool`]: there is no QEMU, the program did not end with exit
-/// code 0, or QEMU's log cannot be read.
-pub fn measure(chip: &Chip, elf: &Path) -> Result<Vec<Cost>, Failure> {
+/// [`Failure::Input`]: the file is no ELF, or no such function was called. [`Failure::Tool`]: there is no QEMU, the program did not end with
+/// exit code 0, or QEMU's log cannot be read.
+pub fn measure(chip: &Chip, elf: &Path) -> Result<Costs, Failure> {
     let image = Image::read(elf)?;
-    let entries: HashMap<u64, &str> =
-        image.named(PREFIX).map(|function| (function.address, &function.name[PREFIX.len()..])).collect();
-    if entries.is_empty() {
-        return Err(Failure::Input(format!("{}: no function named {PREFIX}...", elf.display())));
+    let prices = Model::of(chip).map(Prices::new).transpose()?;
+    let mut meter = Meter { image, prices, calls: BTreeMap::new(), before: None, running: None };
+    let printed = trace::run(chip, elf, |block| meter.executed(block))?;
+    if meter.calls.is_empty() {
+        return Err(Failure::Input(format!("{}: calls no function named {PREFIX}...", elf.display())));
     }
-    let mut meter = Meter::new(&image, &entries, model(chip))?;
-    let printed = trace::run(chip, elf, |blocks, number| meter.executed(blocks, number))?;
-    if meter.costs.is_empty() {
-        return Err(Failure::Tool(format!("budget: {}: nothing was called", elf.display())));
+    // the firmware prints `bench_NAME stack BYTES ram BYTES`
+    for line in printed.lines() {
+        let words: Vec<_> = line.split_whitespace().collect();
+        let [name, "stack", stack, "ram", ram] = words[..] else { continue };
+        if let Some((cost, _)) = name.strip_prefix(PREFIX).and_then(|call| meter.calls.get_mut(call)) {
+            (cost.stack, cost.ram) = (stack.parse().ok(), ram.parse().ok());
+        }
     }
-    Ok(meter.costs.into_iter().map(|cost| with_report(cost, &printed)).collect())
+    Ok(meter.calls.into_iter().map(|(call, (cost, _))| (call, cost)).collect())
 }
 
 const PREFIX: &str = "bench_";
 
-/// Cost with stack and RAM from the output of the firmware, `bench_NAME stack BYTES ram BYTES`.
-fn with_report(mut cost: Cost, printed: &str) -> Cost {
-    for line in printed.lines() {
-        let mut words = line.split_whitespace();
-        if words.next().and_then(|name| name.strip_prefix(PREFIX)) == Some(&cost.call) {
-            let words: Vec<_> = words.collect();
-            for pair in words.chunks_exact(2) {
-                match (pair[0], pair[1].parse().ok()) {
-                    ("stack", bytes) => cost.stack = bytes,
-                    ("ram", bytes) => cost.ram = bytes,
-                    _ => {}
-                }
-            }
-        }
-    }
-    cost
-}
-
 /// State of the measurement during a run.
-struct Meter<'a> {
-    image: &'a Image,
-    entries: &'a HashMap<u64, &'a str>,
+struct Meter {
+    image: Image,
     prices: Option<Prices>,
-    costs: Vec<Cost>,
-    before: Option<usize>,
-    running: Option<Running<'a>>,
-    /// Functions that a call ran through.
-    functions: BTreeMap<&'a str, BTreeSet<u64>>,
+    /// Costs of the calls that have returned, and addresses of the functions that they ran through.
+    calls: BTreeMap<String, (Cost, BTreeSet<u64>)>,
+    /// Block before the one that is executed.
+    before: Option<Block>,
+    running: Option<Running>,
 }
 
 /// Call that has not returned.
-struct Running<'a> {
-    call: &'a str,
+struct Running {
+    call: String,
     return_to: u64,
     instructions: u64,
     cycles: i64,
-    blocks: Vec<bool>,
+    functions: BTreeSet<u64>,
+    /// Last block of the call, with its last instruction.
+    last: Option<(Block, Instruction)>,
 }
 
-impl<'a> Meter<'a> {
-    fn new(
-        image: &'a Image,
-        entries: &'a HashMap<u64, &'a str>,
-        model: Option<Model>,
-    ) -> Result<Self, Failure> {
-        let prices = model.map(Prices::new).transpose()?;
-        Ok(Self {
-            image,
-            entries,
-            prices,
-            costs: Vec::new(),
-            before: None,
-            running: None,
-            functions: BTreeMap::new(),
-        })
-    }
-
-    fn executed(&mut self, blocks: &[Block], number: usize) -> Result<(), Failure> {
-        let block = &blocks[number];
-        let before = self.before.replace(number);
-        if self.running.as_ref().is_some_and(|running| running.return_to == block.start()) {
-            self.returned(blocks, before)?;
+impl Meter {
+    fn executed(&mut self, block: Block) -> Result<(), Failure> {
+        if let Some(running) = self.running.take_if(|running| running.return_to == block.start) {
+            self.returned(running);
         }
-        if self.running.is_none() {
-            let (Some(call), Some(caller)) = (self.entries.get(&block.start()), before) else {
-                return Ok(());
-            };
-            let return_to = blocks[caller].end;
-            self.running = Some(Running { call, return_to, instructions: 0, cycles: 0, blocks: Vec::new() });
-            return self.add(blocks, None, number);
+        let function = self.image.around(block.start);
+        let call = function.filter(|function| function.address == block.start);
+        let call = call.and_then(|function| function.name.strip_prefix(PREFIX));
+        if let (None, Some(call), Some(caller)) = (&self.running, call, self.before) {
+            let (call, functions) = (call.to_owned(), BTreeSet::new());
+            let running =
+                Running { call, return_to: caller.end, instructions: 0, cycles: 0, functions, last: None };
+            self.running = Some(running);
         }
-        self.add(blocks, before, number)
-    }
-
-    fn add(&mut self, blocks: &[Block], before: Option<usize>, number: usize) -> Result<(), Failure> {
-        let Some(running) = &mut self.running else { return Ok(()) };
-        running.instructions += blocks[number].addresses.len() as u64;
-        if running.blocks.len() <= number {
-            running.blocks.resize(blocks.len(), false);
+        if let Some(running) = &mut self.running {
+            running.instructions += block.count;
+            running.functions.extend(function.map(|function| function.address));
+            if let Some(prices) = &mut self.prices {
+                let Priced { cycles, first, last } = prices.price(&self.image, block)?;
+                running.cycles += cycles;
+                if let Some((before, last)) = running.last {
+                    running.cycles += prices.model.after(&last, &first);
+                    if before.end != block.start {
+                        running.cycles += prices.model.jump(&last, Some(&first));
+                    }
+                }
+                running.last = Some((block, last));
+            }
         }
-        running.blocks[number] = true;
-        if let Some(prices) = &mut self.prices {
-            prices.learn(self.image, blocks, number)?;
-            running.cycles += prices.of(blocks, before, number);
-        }
+        self.before = Some(block);
         Ok(())
     }
 
-    fn returned(&mut self, blocks: &[Block], last: Option<usize>) -> Result<(), Failure> {
-        let Some(running) = self.running.take() else { return Ok(()) };
-        let mut cycles = running.cycles;
-        if let (Some(prices), Some(last)) = (&self.prices, last) {
-            cycles += prices.leaving(last);
-        }
-        let functions = self.functions.entry(running.call).or_default();
-        let ran = running.blocks.iter().zip(blocks).filter(|(ran, _)| **ran).map(|(_, block)| block.start());
-        functions.extend(ran.filter_map(|start| self.image.around(start)).map(|function| function.address));
+    fn returned(&mut self, running: Running) {
+        let (cost, functions) = self.calls.entry(running.call).or_default();
+        functions.extend(running.functions);
         let size = |address: &u64| self.image.around(*address).map_or(0, |function| function.size);
-        let flash = functions.iter().map(size).sum();
-        let index = self.costs.iter().position(|cost| cost.call == running.call).unwrap_or_else(|| {
-            self.costs.push(Cost { call: running.call.to_owned(), ..Cost::default() });
-            self.costs.len() - 1
-        });
-        let cost = &mut self.costs[index];
-        cost.flash = flash;
+        cost.flash = functions.iter().map(size).sum();
         cost.instructions = cost.instructions.max(running.instructions);
-        if self.prices.is_some() {
-            let cycles = u64::try_from(cycles).unwrap_or_default();
-            cost.cycles = cost.cycles.max(Some(cycles));
+        if let (Some(Prices { model, .. }), Some((_, last))) = (&self.prices, running.last) {
+            let cycles = running.cycles + model.jump(&last, None);
+            cost.cycles = cost.cycles.max(u64::try_from(cycles).ok());
         }
-        Ok(())
     }
 }
 
@@ -165,11 +125,10 @@ impl<'a> Meter<'a> {
 struct Prices {
     model: Model,
     decoder: Decoder,
-    blocks: Vec<Option<Priced>>,
-    /// Additional cycles between one block and the next.
-    edges: HashMap<(usize, usize), i64>,
+    known: HashMap<Block, Priced>,
 }
 
+#[derive(Clone, Copy)]
 struct Priced {
     /// Cycles without those that depend on the block before and the block after.
     cycles: i64,
@@ -180,53 +139,20 @@ struct Priced {
 impl Prices {
     fn new(model: Model) -> Result<Self, Failure> {
         let decoder = Decoder::new().map_err(|error| Failure::Tool(format!("budget: {error}")))?;
-        Ok(Self { model, decoder, blocks: Vec::new(), edges: HashMap::new() })
+        Ok(Self { model, decoder, known: HashMap::new() })
     }
 
-    fn learn(&mut self, image: &Image, blocks: &[Block], number: usize) -> Result<(), Failure> {
-        if self.blocks.len() < blocks.len() {
-            self.blocks.resize_with(blocks.len(), || None);
+    fn price(&mut self, image: &Image, block: Block) -> Result<Priced, Failure> {
+        if let Some(known) = self.known.get(&block) {
+            return Ok(*known);
         }
-        if self.blocks[number].is_none() {
-            self.blocks[number] = Some(self.price(image, &blocks[number])?);
-        }
-        Ok(())
-    }
-
-    fn price(&self, image: &Image, block: &Block) -> Result<Priced, Failure> {
-        let start = block.start();
-        let instructions =
-            image.code(start, block.end).and_then(|code| self.decoder.decode(code, start).ok());
-        let instructions = instructions.filter(|found| found.len() == block.addresses.len());
-        let undecoded = || Failure::Tool(format!("budget: code at {start:#x} cannot be decoded"));
-        let instructions = instructions.ok_or_else(undecoded)?;
-        let (Some(&first), Some(&last)) = (instructions.first(), instructions.last()) else {
-            return Err(undecoded());
+        let code = image.code(block.start, block.end).unwrap_or_default();
+        let instructions = self.decoder.decode(code, block.start).unwrap_or_default();
+        let ([first, ..], [.., last]) = (&instructions[..], &instructions[..]) else {
+            return Err(Failure::Tool(format!("budget: code at {:#x} cannot be decoded", block.start)));
         };
-        let alone: i64 = instructions.iter().map(|instruction| self.model.alone(instruction)).sum();
-        let after: i64 = instructions.windows(2).map(|pair| self.model.after(&pair[0], &pair[1])).sum();
-        Ok(Priced { cycles: alone + after, first, last })
-    }
-
-    /// Cycles of a block, and of the transition from the block before it.
-    fn of(&mut self, blocks: &[Block], before: Option<usize>, number: usize) -> i64 {
-        let priced = |number: usize| self.blocks.get(number).and_then(Option::as_ref);
-        let Some(block) = priced(number) else { return 0 };
-        let Some((index, last)) = before.and_then(|index| Some((index, priced(index)?.last))) else {
-            return block.cycles;
-        };
-        let model = self.model;
-        let edge = self.edges.entry((index, number)).or_insert_with(|| {
-            let goes_on = blocks[index].end == blocks[number].start();
-            let jump = if goes_on { 0 } else { model.jump(&last, Some(&block.first)) };
-            model.after(&last, &block.first) + jump
-        });
-        block.cycles + *edge
-    }
-
-    /// Cycles of the return from the last block.
-    fn leaving(&self, last: usize) -> i64 {
-        let last = self.blocks.get(last).and_then(Option::as_ref);
-        last.map_or(0, |block| self.model.jump(&block.last, None))
+        let priced = Priced { cycles: self.model.cycles(&instructions), first: *first, last: *last };
+        self.known.insert(block, priced);
+        Ok(priced)
     }
 }

@@ -10,6 +10,7 @@
 //! * SDIV and UDIV take 2 to 12 cycles: always 12, because the operands are not known
 //! * an instruction that a condition skips takes as many cycles as if it were executed
 
+use super::Chip;
 use super::instruction::{Instruction, Kind, Registers};
 
 /// Processor with published timings.
@@ -22,9 +23,24 @@ pub enum Model {
 }
 
 impl Model {
-    /// Cycles of an instruction by itself.
+    /// Model of a chip; `None` where no timings are published.
     #[must_use]
-    pub fn alone(self, instruction: &Instruction) -> i64 {
+    pub fn of(chip: &Chip) -> Option<Self> {
+        match chip.name {
+            "m0plus" => Some(Self::M0Plus),
+            "m4f" => Some(Self::M4),
+            _ => None,
+        }
+    }
+
+    /// Cycles of consecutive instructions.
+    pub(super) fn cycles(self, instructions: &[Instruction]) -> i64 {
+        let alone: i64 = instructions.iter().map(|instruction| self.alone(instruction)).sum();
+        alone + instructions.windows(2).map(|pair| self.after(&pair[0], &pair[1])).sum::<i64>()
+    }
+
+    /// Cycles of an instruction by itself.
+    fn alone(self, instruction: &Instruction) -> i64 {
         let cycles = match (self, instruction.kind) {
             (_, Kind::Several { words }) => 1 + words,
             (Self::M0Plus, Kind::Load { .. } | Kind::Store { .. }) => 2,
@@ -54,7 +70,7 @@ impl Model {
         let waits_for_address = before.kind == Kind::Plain && before.writes.meet(instruction.addressing);
         let overlaps = matches!(before.kind, Kind::Load { .. })
             && matches!(instruction.kind, Kind::Load { .. } | Kind::Store { indexed: true })
-            && !before.writes.meet(Registers::named(["pc"]))
+            && !before.writes.meet(Registers::PC)
             && !before.writes.meet(instruction.addressing);
         i64::from(waits_for_float) + i64::from(waits_for_address) - i64::from(overlaps)
     }
@@ -84,9 +100,7 @@ mod tests {
     fn cycles(model: Model, code: &[u16]) -> i64 {
         let bytes: Vec<u8> = code.iter().flat_map(|half| half.to_le_bytes()).collect();
         let instructions = Decoder::new().unwrap().decode(&bytes, 0).unwrap();
-        let alone: i64 = instructions.iter().map(|instruction| model.alone(instruction)).sum();
-        let after: i64 = instructions.windows(2).map(|pair| model.after(&pair[0], &pair[1])).sum();
-        alone + after + model.jump(instructions.last().unwrap(), None)
+        model.cycles(&instructions) + model.jump(instructions.last().unwrap(), None)
     }
 
     #[test]

@@ -6,99 +6,67 @@
 use super::Chip;
 use crate::Failure;
 use std::collections::HashMap;
-use std::io::{BufRead, BufReader, Read};
+use std::io::{BufRead, BufReader, Read, Seek};
 use std::path::Path;
-use std::sync::Mutex;
-use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-/// Longest time of a run; the firmware of this repository takes a second.
+/// Longest time of a run; the firmware of this repository takes seconds.
 const LONGEST_RUN: Duration = Duration::from_secs(120);
 
 /// Consecutive instructions.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub(super) struct Block {
-    /// Addresses of the instructions.
-    pub(super) addresses: Vec<u64>,
+    /// Address of the first instruction.
+    pub(super) start: u64,
     /// Address after the last instruction.
     pub(super) end: u64,
+    /// Number of instructions.
+    pub(super) count: u64,
 }
 
-impl Block {
-    /// Address of the first instruction.
-    #[must_use]
-    pub(super) fn start(&self) -> u64 {
-        self.addresses.first().copied().unwrap_or_default()
-    }
-}
-
-/// Output of an ELF that QEMU runs. `executed` is called for every executed block, with all blocks known so far and the number of this
-/// one.
+/// Output of an ELF that QEMU runs. `executed` is called for every executed block.
 ///
 /// # Errors
 /// [`Failure::Tool`]: there is no QEMU, the program did not end in time and with exit code 0, or the log cannot be read.
 pub(super) fn run(
     chip: &Chip,
     elf: &Path,
-    executed: impl FnMut(&[Block], usize) -> Result<(), Failure>,
+    executed: impl FnMut(Block) -> Result<(), Failure>,
 ) -> Result<String, Failure> {
     let fail = |what: String| Failure::Tool(format!("budget: {}: {what}", chip.name));
+    // a file, because a full pipe would stop the program
+    let mut printed = tempfile::tempfile()?;
     let mut qemu = chip
         .qemu(elf)
         .args(["-d", "in_asm,exec,nochain"])
+        .stdout(printed.try_clone()?)
         .spawn()
         .map_err(|error| fail(format!("cannot run {} ({error}); install QEMU", chip.emulator)))?;
-    let stdout = qemu.stdout.take();
-    let printed = thread::spawn(move || {
-        let mut text = String::new();
-        stdout.map(|mut stdout| stdout.read_to_string(&mut text));
-        text
-    });
-    let Some(log) = qemu.stderr.take() else { return Err(fail("no log".into())) };
+    let log = qemu.stderr.take().ok_or_else(|| fail("no log".into()))?;
     let mut reader = Reader::default();
-    let qemu = Mutex::new(qemu);
-    // the program may have ended before
-    let kill = &|| qemu.lock().map(|mut qemu| qemu.kill());
-    let (end, ended) = channel::<()>();
-    let read = thread::scope(|scope| {
-        let late = scope.spawn(move || {
-            let late = ended.recv_timeout(LONGEST_RUN) == Err(RecvTimeoutError::Timeout);
-            if late {
-                let _ = kill();
-            }
-            late
-        });
-        let read = reader.read(BufReader::with_capacity(1 << 16, log), executed);
-        drop(end);
-        if late.join().unwrap_or_default() {
-            return Err(fail(format!("the firmware did not end within {} s", LONGEST_RUN.as_secs())));
-        }
-        read
-    });
+    let read = reader.read(BufReader::with_capacity(1 << 16, log), executed);
     if read.is_err() {
-        let _ = kill();
+        // the program may have ended before
+        let _ = qemu.kill();
     }
-    let status = match qemu.into_inner() {
-        Ok(mut qemu) => qemu.wait().map_err(|error| fail(error.to_string()))?,
-        Err(_) => return Err(fail("a thread was lost".into())),
-    };
-    let printed = printed.join().unwrap_or_default();
+    let status = qemu.wait()?;
     read?;
+    let mut text = String::new();
+    printed.rewind()?;
+    printed.read_to_string(&mut text)?;
     if !status.success() {
-        return Err(fail(format!("the firmware ended with {status}: {printed}{}", reader.remarks.join(" "))));
+        return Err(fail(format!("the firmware ended with {status}: {text}{}", reader.remarks.join(" "))));
     }
-    Ok(printed)
+    Ok(text)
 }
 
 /// Reader of the log, line by line.
 #[derive(Debug, Default)]
 struct Reader {
-    blocks: Vec<Block>,
     /// Blocks that were translated and not yet executed, by start address.
     fresh: HashMap<u64, Block>,
-    /// Numbers of blocks, by the address of their translation in QEMU's memory.
-    places: HashMap<u64, usize>,
+    /// Blocks by the address of their translation in QEMU's memory.
+    translated: HashMap<u64, Block>,
     listed: Block,
     /// Other lines, such as the message of a panic or an error of QEMU.
     remarks: Vec<String>,
@@ -108,18 +76,18 @@ impl Reader {
     fn read(
         &mut self,
         mut log: impl BufRead,
-        mut executed: impl FnMut(&[Block], usize) -> Result<(), Failure>,
+        mut executed: impl FnMut(Block) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
+        let started = Instant::now();
         let mut line = Vec::with_capacity(256);
         // a block is counted when the next begins, because QEMU may cancel it
         let mut begun = None;
         loop {
             line.clear();
-            let end =
-                log.read_until(b'\n', &mut line).map_err(|error| Failure::Tool(error.to_string()))? == 0;
+            let end = log.read_until(b'\n', &mut line)? == 0;
             if end || line.starts_with(b"Trace ") {
-                if let Some(number) = begun {
-                    executed(&self.blocks, number)?;
+                if let Some(block) = begun {
+                    executed(block)?;
                 }
                 if end {
                     return Ok(());
@@ -134,6 +102,10 @@ impl Reader {
             {
                 self.remarks.push(String::from_utf8_lossy(&line).trim().to_owned());
             }
+            if started.elapsed() > LONGEST_RUN {
+                let limit = LONGEST_RUN.as_secs();
+                return Err(Failure::Tool(format!("budget: the firmware did not end within {limit} s")));
+            }
         }
     }
 
@@ -142,31 +114,29 @@ impl Reader {
         let (address, rest) = hexadecimal(&line[2..]);
         let digits = rest.iter().skip(1).skip_while(|byte| **byte == b' ');
         let length = code_length(&digits.copied().collect::<Vec<_>>())?;
-        if self.listed.end != address {
-            self.listed = Block::default();
+        if self.listed.end != address || self.listed.count == 0 {
+            self.listed = Block { start: address, end: address, count: 0 };
         }
-        self.listed.addresses.push(address);
-        self.listed.end = address + length;
+        self.listed.count += 1;
+        self.listed.end += length;
         Some(())
     }
 
-    /// Number of the block that begins, `Trace 0: 0x7fe810000100 [00800408/00000400/00000110/ff000200] Reset`: after the colon is the address
-    /// of the translation, and the second number in brackets is the program counter.
-    fn begun(&mut self, line: &[u8]) -> Option<usize> {
+    /// Block that begins, `Trace 0: 0x7fe810000100 [00800408/00000400/00000110/ff000200] Reset`: after the colon is the address of the
+    /// translation, and the second number in brackets is the program counter.
+    fn begun(&mut self, line: &[u8]) -> Option<Block> {
         let at = line.iter().position(|&byte| byte == b'x')?;
         let (place, rest) = hexadecimal(&line[at + 1..]);
         let at = rest.iter().position(|&byte| byte == b'/')?;
         let (pc, _) = hexadecimal(&rest[at + 1..]);
-        if !self.listed.addresses.is_empty() {
-            let block = std::mem::take(&mut self.listed);
-            self.fresh.insert(block.start(), block);
+        let listed = std::mem::take(&mut self.listed);
+        if listed.count > 0 {
+            self.fresh.insert(listed.start, listed);
         }
         if let Some(block) = self.fresh.remove(&pc) {
-            self.places.insert(place, self.blocks.len());
-            self.blocks.push(block);
+            self.translated.insert(place, block);
         }
-        let number = *self.places.get(&place)?;
-        (self.blocks.get(number)?.start() == pc).then_some(number)
+        self.translated.get(&place).filter(|block| block.start == pc).copied()
     }
 }
 
@@ -210,11 +180,10 @@ mod tests {
         Trace 0: 0x7f40 [00800408/00000500/00000110/ff000200] g\n\
         Trace 0: 0x7f00 [00800408/00000400/00000110/ff000200] f\n";
 
-    fn executed(log: &str) -> Result<Vec<(u64, u64, usize)>, Failure> {
+    fn executed(log: &str) -> Result<Vec<(u64, u64, u64)>, Failure> {
         let mut seen = Vec::new();
-        Reader::default().read(log.as_bytes(), |blocks, number| {
-            let block = &blocks[number];
-            seen.push((block.start(), block.end, block.addresses.len()));
+        Reader::default().read(log.as_bytes(), |Block { start, end, count }| {
+            seen.push((start, end, count));
             Ok(())
         })?;
         Ok(seen)

@@ -1,93 +1,108 @@
 //! `toytop accuracy`: error and cost of each scalar.
 
 use super::Report;
+use super::options::{PICTURE, ScalarChoice, ending_in};
 use crate::Failure;
-use crate::budget::{Costs, PLOTTED};
-use crate::cli::{AccuracyArgs, Format, ScalarChoice};
+use crate::budget::{CHIPS, Limits};
 use crate::measure::accuracy::{Accuracy, Errors, OCTAVES, measured};
-use crate::output::whole_file;
-use crate::output::{self, Cell, Record};
-use crate::pictures::accuracy as picture;
-use crate::pictures::plot::Form;
+use crate::output::doc_markers::{self, Page};
+use crate::output::{self, Column, Format, Record};
+use crate::pictures::charts::accuracy::picture;
+use crate::pictures::drawing;
+use clap::Args;
+use micromath::F32Ext;
+use std::path::PathBuf;
 
-/// Powers of two up to which ticks are counted, for the errors over fewer ticks.
-const SPANS: [u32; 4] = [10, 20, 30, 40];
+/// `toytop accuracy`
+#[derive(Args, Debug)]
+pub(crate) struct AccuracyArgs {
+    /// Scalar types
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]
+    scalar: Vec<ScalarChoice>,
+    /// Picture of error against cost, whose name ends in .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = ending_in(PICTURE))]
+    plot: Option<PathBuf>,
+    /// Markdown page whose table is rewritten
+    #[arg(long, value_name = "FILE")]
+    accept: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
 
-pub(super) fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
-    let form = arguments.plot.as_deref().map(|path| Form::of(path, "--plot")).transpose()?;
-    let costs = Costs::known()?;
+pub(crate) fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
+    let page = arguments.accept.as_deref().map(|path| Page::read(path, "toytop accuracy: scalars"));
+    let page = page.transpose()?;
+    let limits = Limits::built_in()?;
     let all = measured(&ScalarChoice::chosen(&arguments.scalar))?;
-    let text = match arguments.format {
-        Format::Table => show(&all, &costs),
-        Format::Csv => output::csv(&records(&all, &costs)).map_err(Failure::Output)?,
-        Format::Json => output::json_list("rows", &records(&all, &costs)).map_err(Failure::Output)?,
+    let scalars: Vec<_> = all.iter().map(|one| record(one, &one.all(), &limits)).collect();
+    let octaves: Vec<_> = all.iter().flat_map(|one| of_octaves(one, &limits)).collect();
+    let micromath =
+        format!("The sine of micromath, an approximation for f32, is off by up to {:.0e}.\n", micromath());
+    let table = || {
+        format!(
+            "{}\nThe ephemeris in each scalar, over ticks from 1 to 2^{OCTAVES}, against the truth to thirty digits. RMS: root of the\n\
+             mean square. Tip: in units of s. Norm: of alpha and beta. Energy: from alpha, beta and their rates (in fixed point, f32),\n\
+             relative. Cost of the next tick, at most, from firmware-examples/budgets.toml; cycles are modelled. CSV and JSON have the\n\
+             errors over each octave of ticks. {micromath}",
+            output::aligned(&scalars, &columns(output::error)),
+        )
     };
-    if let (Some(path), Some(form)) = (&arguments.plot, form) {
-        whole_file::write("--plot", path, &picture::picture(&all)?.encoded(form)?)?;
+    let text = output::written(arguments.format, &octaves, &output::list("rows", &octaves), table)?;
+    if let Some(path) = &arguments.plot {
+        drawing::write("--plot", path, &picture(&all, &limits), None)?;
     }
-    Ok(Report { text, ..Report::default() })
+    if let Some(page) = page {
+        let rows = output::rows(&scalars, &columns(|x| format!("{x:.0e}")));
+        page.write(&format!("{}\n{micromath}", doc_markers::table(&rows)))?;
+    }
+    Ok(text.into())
 }
 
-/// Row for each scalar: errors with this many digits, and costs.
-#[must_use]
-pub fn rows(all: &[Accuracy], costs: &Costs, digits: usize) -> Vec<Vec<String>> {
-    let head = ["", "greatest error, rad", "RMS error, rad", "tip, s", "norm", "energy"];
-    let mut header: Vec<_> = head.map(str::to_owned).into();
-    header.extend(PLOTTED.map(|chip| chip.heading.to_owned()));
-    let line = |accuracy: &Accuracy| {
-        let errors = accuracy.all();
-        let Errors { angle, tip, norm, energy, .. } = errors;
-        let mut line = vec![accuracy.scalar.name().to_owned()];
-        line.extend([angle, errors.rms(), tip, norm, energy].map(|x| format!("{x:.digits$e}")));
-        let cost =
-            |chip| costs.next_tick(accuracy.scalar, chip).map_or("-".to_owned(), |cost| cost.to_string());
-        line.extend(PLOTTED.iter().map(cost));
-        line
+/// Columns of the costs, in the order of the chips, each with its heading.
+const COSTS: [(&str, &str); 5] = [
+    ("m0plus_cycles", "M0+ cycles"),
+    ("m4f_cycles", "M4F cycles"),
+    ("m7_instructions", "M7 instr."),
+    ("m33_instructions", "M33 instr."),
+    ("riscv_instructions", "RISC-V instr."),
+];
+
+fn columns(of_number: fn(f64) -> String) -> Vec<Column<'static>> {
+    let errors = [
+        ("scalar", ""),
+        ("max_orientation_error_rad", "greatest error, rad"),
+        ("rms_orientation_error_rad", "RMS error, rad"),
+        ("max_tip_error_per_s", "tip, s"),
+        ("max_norm_defect", "norm"),
+        ("max_energy_defect", "energy"),
+    ];
+    errors.into_iter().chain(COSTS).map(|(name, heading)| (name, heading, of_number)).collect()
+}
+
+fn record(accuracy: &Accuracy, errors: &Errors, limits: &Limits) -> Record {
+    let name = accuracy.scalar.name();
+    let record = Record::default()
+        .with("scalar", name)
+        .with("max_orientation_error_rad", errors.angle)
+        .with("rms_orientation_error_rad", errors.rms())
+        .with("max_tip_error_per_s", errors.tip)
+        .with("max_norm_defect", errors.norm)
+        .with("max_energy_defect", errors.energy);
+    let costs = CHIPS.iter().zip(COSTS);
+    costs.fold(record, |record, (chip, (column, _))| record.with(column, limits.next_tick(name, chip)))
+}
+
+fn of_octaves(accuracy: &Accuracy, limits: &Limits) -> Vec<Record> {
+    let record = |(first, errors): (u64, &Errors)| {
+        let last = if first < 1 << OCTAVES { 2 * first - 1 } else { first };
+        record(accuracy, errors, limits).with("first_tick", first).with("last_tick", last)
     };
-    std::iter::once(header).chain(all.iter().map(line)).collect()
+    (0..=OCTAVES).map(|octave| 1 << octave).zip(&accuracy.octaves).map(record).collect()
 }
 
-fn show(all: &[Accuracy], costs: &Costs) -> String {
-    let mut spans = vec![vec!["greatest error, rad, up to tick".to_owned()]];
-    spans[0].extend(SPANS.map(|k| format!("2^{k}")));
-    spans.extend(all.iter().map(|accuracy| {
-        let mut line = vec![accuracy.scalar.name().to_owned()];
-        line.extend(SPANS.map(|k| format!("{:.1e}", accuracy.up_to(k).angle)));
-        line
-    }));
-    format!(
-        "{}\n{}\nThe ephemeris in each scalar, over ticks from 1 to 2^{OCTAVES}, against the truth to thirty digits. RMS: root of the\n\
-         mean square. Tip: in units of s. Norm: of alpha and beta. Energy: from alpha, beta and their rates (in fixed point, f32),\n\
-         relative. Cost of the next tick, at most, from firmware-examples/budgets.toml; cycles are modelled.\n",
-        output::columns(rows(all, costs, 1), 1),
-        output::columns(spans, 1),
-    )
-}
-
-fn records(all: &[Accuracy], costs: &Costs) -> Vec<Record> {
-    let of_scalar = |accuracy: &Accuracy| {
-        let scalar = accuracy.scalar;
-        let costs = PLOTTED.map(|chip| {
-            let cost = costs.next_tick(scalar, &chip);
-            (chip.column, cost.map_or(Cell::Absent, Cell::Count))
-        });
-        let record = |(octave, errors): (u32, &Errors)| {
-            let first = 1_u64 << octave;
-            let last = if octave < OCTAVES { 2 * first - 1 } else { first };
-            let mut cells = vec![
-                ("scalar", Cell::Text(scalar.name().to_owned())),
-                ("first_tick", Cell::Count(first)),
-                ("last_tick", Cell::Count(last)),
-                ("max_orientation_error_rad", Cell::Number(errors.angle)),
-                ("rms_orientation_error_rad", Cell::Number(errors.rms())),
-                ("max_tip_error_per_s", Cell::Number(errors.tip)),
-                ("max_norm_defect", Cell::Number(errors.norm)),
-                ("max_energy_defect", Cell::Number(errors.energy)),
-            ];
-            cells.extend(costs.clone());
-            Record(cells)
-        };
-        (0..).zip(&accuracy.octaves).map(record).collect::<Vec<_>>()
-    };
-    all.iter().flat_map(of_scalar).collect()
+/// Greatest error of micromath's sine over one turn.
+fn micromath() -> f64 {
+    let error = |x: f32| (f64::from(F32Ext::sin(x)) - f64::from(x).sin()).abs();
+    (0..=u16::MAX).map(|i| error(1e-4 * f32::from(i))).fold(0.0, f64::max)
 }

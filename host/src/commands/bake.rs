@@ -1,36 +1,76 @@
 //! `toytop bake`: the table of a motion as a file for another program.
 
-use super::{Report, unreal};
+use super::options::hertz;
+use super::{Report, warnings};
 use crate::Failure;
-use crate::bake::{Label, Parts, arduino_files, header, module, object, split_files};
-use crate::cli::{BakeArgs, Language};
+use crate::bake::{Label, Parts, header, module, split_files};
 use crate::input::scenario::Scenario;
-use crate::motion::ephemeris::{default_or_smallest, of_size, smaller};
+use crate::motion::Scalar;
+use crate::motion::ephemeris::{Size, smaller, table};
 use crate::output::whole_file;
-use std::path::Path;
+use clap::{Args, ValueEnum};
+use std::path::{Path, PathBuf};
 use toytop::{ErrorBound, Tick};
 
-pub(super) fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
+/// `toytop bake`
+#[derive(Args, Debug)]
+pub(crate) struct BakeArgs {
+    /// Scenario file
+    scenario: PathBuf,
+    /// Scalar type of the results
+    #[arg(long, default_value = "f32")]
+    scalar: Scalar,
+    /// Language of the table
+    #[arg(long, default_value = "rust")]
+    lang: Language,
+    /// Number of segments that the table can hold: 8, 16, 32, ... 4096; in f32 also 25, in f64 also 48. Without it, the default of the
+    /// crate (25 in f32, 48 in f64, 32 in q31, 16 in q15), or if the motion needs more, the smallest size that is enough
+    #[arg(long, value_name = "SEGMENTS")]
+    size: Option<u32>,
+    /// Ticks in a second: N, or A/B for A ticks in B seconds
+    #[arg(long, value_name = "N", default_value = "1000", value_parser = hertz)]
+    hertz: [u32; 2],
+    /// Name of the table; without it, that of the scenario file
+    #[arg(long, value_name = "NAME")]
+    name: Option<String>,
+    /// Output file; without it, stdout
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Folder for NAME.h and NAME.c in C, beside toytop_baked.h and toytop_baked.c, which all tables share. Without it, C is one
+    /// header that needs no other file
+    #[arg(long, value_name = "FOLDER", conflicts_with = "output")]
+    split: Option<PathBuf>,
+}
+
+/// Language that `bake` writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Language {
+    /// Module with one static
+    Rust,
+    /// Header with the table and the code that evaluates it
+    C,
+}
+
+pub(crate) fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
+    whole_file::require_other("--output", arguments.output.as_deref(), &[Some(&arguments.scenario)])?;
     let scenario = Scenario::read(&arguments.scenario)?;
-    let folder = folder(arguments)?;
-    let [ticks, seconds] = arguments.tick.unwrap_or([arguments.hertz, 1]);
-    let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--tick: {error}")))?;
-    let Baked { parts, smaller } = baked(arguments, &scenario, tick).map_err(|failure| match failure {
-        method @ Failure::Method(_) => method.of(&scenario.name),
-        other => other,
-    })?;
+    if arguments.split.is_some() && arguments.lang != Language::C {
+        return Err(Failure::Input("--split: needs --lang c".to_owned()));
+    }
+    let [ticks, seconds] = arguments.hertz;
+    let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--hertz: {error}")))?;
+    let (parts, smaller) = baked(arguments, &scenario, tick)?;
     let label = Label {
         name: arguments.name.clone().unwrap_or_else(|| scenario.name.clone()),
         tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },
     };
     let mut report = Report::default();
-    match folder {
-        Some((option, folder, files)) => write_files(option, folder, &files(&label, &parts))?,
+    match &arguments.split {
+        Some(folder) => write_files(folder, &split_files(&label, &parts))?,
         None => {
             let text = match arguments.lang {
                 Language::Rust => module(&label, &parts),
                 Language::C => header(&label, &parts),
-                Language::Json => object(&label, &parts),
             };
             match &arguments.output {
                 None => report.text = text,
@@ -38,77 +78,41 @@ pub(super) fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
             }
         }
     }
-    let remarks =
-        std::iter::once(summary(&label, &parts) + &advice(smaller.as_ref())).chain(unreal(&[scenario]));
+    let remarks = std::iter::once(summary(&label, &parts, smaller.as_ref())).chain(warnings(&[scenario]));
     Ok(report.with_remarks(remarks, false))
 }
 
-/// Function that makes the files of a folder, by their names in it.
-type Files = fn(&Label, &Parts) -> Vec<(String, String)>;
-
-/// Folder for several files, with its option and the function that makes them.
-fn folder(arguments: &BakeArgs) -> Result<Option<(&'static str, &Path, Files)>, Failure> {
-    let chosen = match (&arguments.split, &arguments.arduino) {
-        (Some(folder), _) => Some(("--split", folder.as_path(), split_files as Files)),
-        (None, Some(folder)) => Some(("--arduino", folder.as_path(), arduino_files as Files)),
-        (None, None) => None,
-    };
-    if let Some((option, ..)) = chosen
-        && arguments.lang != Language::C
-    {
-        return Err(Failure::Input(format!("{option}: needs --lang c")));
-    }
-    Ok(chosen)
-}
-
 /// Writes each file completely or not at all, and the files that all tables share first.
-fn write_files(option: &str, folder: &Path, files: &[(String, String)]) -> Result<(), Failure> {
+fn write_files(folder: &Path, files: &[(String, String)]) -> Result<(), Failure> {
+    std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--split", folder, error))?;
     for (name, text) in files {
-        let path = folder.join(name);
-        if let Some(parent) = path.parent() {
-            std::fs::create_dir_all(parent).map_err(|error| whole_file::refused(option, parent, error))?;
-        }
-        whole_file::write(option, &path, text.as_bytes())?;
+        whole_file::write("--split", &folder.join(name), text.as_bytes())?;
     }
     Ok(())
 }
 
 /// Table that is written, and the smallest one that would be enough, if that has fewer segments.
-struct Baked {
-    parts: Parts,
-    smaller: Option<Parts>,
-}
-
-fn baked(arguments: &BakeArgs, scenario: &Scenario, tick: Tick) -> Result<Baked, Failure> {
+fn baked(arguments: &BakeArgs, scenario: &Scenario, tick: Tick) -> Result<(Parts, Option<Parts>), Failure> {
     let (scalar, motion) = (arguments.scalar, &scenario.motion);
-    let table = match arguments.size {
-        Some(size) => of_size(scalar, size, motion, tick),
-        None => default_or_smallest(scalar, motion, tick),
-    }?;
+    let size = arguments.size.map_or(Size::Default, Size::Exactly);
+    let table = table(scalar, motion, tick, size).map_err(|failure| failure.of_motion(&scenario.name))?;
     let parts = table.parts().ok_or_else(|| {
         let scalar = scalar.name();
         Failure::Input(format!("--scalar: {scalar}: must be f64, f32, q31 or q15 with bake"))
     })?;
-    let smaller = smaller(scalar, motion, tick, &*table).and_then(|table| table.parts());
-    Ok(Baked { parts, smaller })
+    Ok((parts, smaller(scalar, motion, tick, &*table).and_then(|table| table.parts())))
 }
 
-/// End of the summary that names the size of a smaller table with the same error bound.
-fn advice(smaller: Option<&Parts>) -> String {
-    smaller.map_or_else(String::new, |parts| {
-        let [segments, _] = parts.size;
-        format!("; --size {segments} would be enough ({} bytes)", parts.table_bytes())
-    })
-}
-
-/// Line that states the scalar, the size and the error bound of the table that was written.
-fn summary(label: &Label, parts: &Parts) -> String {
+/// Line that states the scalar, the size and the error bound of the table that was written, and the size of a smaller table with the same
+/// bound.
+fn summary(label: &Label, parts: &Parts, smaller: Option<&Parts>) -> String {
     let ([segments, terms], ErrorBound { constant, per_tick }) = (parts.size, parts.error_bound);
+    let (scalar, bytes) = (parts.scalar.name(), parts.table_bytes());
+    let advice = smaller.map_or_else(String::new, |parts| {
+        format!("; --size {} would be enough ({} bytes)", parts.size[0], parts.table_bytes())
+    });
     format!(
-        "{}: {segments}x{terms} in {}, {} bytes, {}; orientation within {constant:.1e} rad + {per_tick:.1e} rad a tick",
-        label.name,
-        parts.scalar.name(),
-        parts.table_bytes(),
-        label.tick,
+        "{}: {segments}x{terms} in {scalar}, {bytes} bytes, {}; orientation within {constant:.1e} rad + {per_tick:.1e} rad a tick{advice}",
+        label.name, label.tick,
     )
 }

@@ -1,73 +1,85 @@
 //! `toytop benchmark`: reference values of the problems that other integrators are tested with.
 
 use super::Report;
+use super::times::{self, Instants};
 use crate::Failure;
 use crate::benchmarks::conventions::Values;
-use crate::benchmarks::{self, Problem, compare};
-use crate::cli::times;
-use crate::cli::{BenchmarkArgs, Format, Scalar, TimesArgs};
+use crate::benchmarks::{self, Printed, Problem};
+use crate::motion::Scalar;
 use crate::motion::ephemeris::{furthest_time, smallest};
-use crate::output::{self, Cell, Record, doc_markers};
+use crate::output::doc_markers::{self, Page};
+use crate::output::{self, Cell, Format, Lists, Record, eight};
+use clap::Args;
+use std::path::PathBuf;
 
-/// Marker of a page above the tables that this command writes.
-fn mark(name: Option<&str>) -> String {
-    format!("toytop benchmark: {}", name.unwrap_or("catalogue"))
+/// `toytop benchmark`
+#[derive(Args, Debug)]
+pub(crate) struct BenchmarkArgs {
+    /// Name of a problem; without it, all problems are listed
+    name: Option<String>,
+    /// Times, s, in place of the source's, with 17 digits in place of 30: T1,T2,... or LOW..HIGH/PLACES
+    #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true, requires = "name")]
+    times: Option<String>,
+    /// Print the scenario file of the problem
+    #[arg(long, requires = "name", conflicts_with_all = ["times", "format", "accept"])]
+    scenario: bool,
+    /// Page whose tables are rewritten: the page of the problem, or without NAME that of the catalogue
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["times", "format"])]
+    accept: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
 }
 
-pub(super) fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
-    let text = match &arguments.name {
-        None => {
-            let problems = benchmarks::all()?;
-            if let Some(page) = &arguments.page {
-                doc_markers::write(page, "--page", &mark(None), &catalogue(&problems))?;
-                return Ok(Report::default());
-            }
-            match arguments.format {
-                Format::Table => list(&problems),
-                Format::Csv => output::csv(&summaries(&problems)).map_err(Failure::Output)?,
-                Format::Json => {
-                    output::json_list("problems", &summaries(&problems)).map_err(Failure::Output)?
-                }
-            }
-        }
-        Some(name) => {
-            let problem = benchmarks::named(name).map_err(|failure| failure.of("benchmark"))?;
-            if arguments.scenario {
-                benchmarks::scenario(name)?.to_owned()
-            } else if let Some(page) = &arguments.page {
-                doc_markers::write(page, "--page", &mark(Some(name)), &tables(&problem))?;
-                return Ok(Report::default());
-            } else {
-                of_problem(&problem, arguments)?
-            }
-        }
+pub(crate) fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
+    let name = arguments.name.as_deref();
+    let problem = name.map(benchmarks::named).transpose().map_err(|failure| failure.of("benchmark"))?;
+    if let Some(name) = name.filter(|_| arguments.scenario) {
+        return Ok(benchmarks::scenario(name)?.to_owned().into());
+    }
+    if let Some(page) = &arguments.accept {
+        let page = Page::read(page, &format!("toytop benchmark: {}", name.unwrap_or("catalogue")))?;
+        page.write(&match &problem {
+            Some(problem) => tables(problem, &references(problem), "<br>", |rows| doc_markers::table(&rows)),
+            None => catalogue(&benchmarks::all()?),
+        })?;
+        return Ok(Report::default());
+    }
+    let Some(problem) = problem else {
+        let summaries: Vec<_> = benchmarks::all()?.iter().map(summary).collect();
+        let table = || {
+            output::aligned(&summaries, &[("benchmark", "", eight), ("title", "", eight)])
+                + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"
+        };
+        let object = output::list("problems", &summaries);
+        return Ok(output::written(arguments.format, &summaries, &object, table)?.into());
     };
-    Ok(Report { text, ..Report::default() })
-}
-
-fn of_problem(problem: &Problem, arguments: &BenchmarkArgs) -> Result<String, Failure> {
     let records = match &arguments.times {
-        Some(times) => computed(problem, times)?,
-        None => references(problem),
+        Some(times) => computed(&problem, times)?,
+        None => references(&problem),
     };
-    Ok(match arguments.format {
-        Format::Table => {
-            let mut text = heading(problem) + &rows(&records);
-            if arguments.times.is_none() && !problem.printed.is_empty() {
-                text += &format!("\n{}", printed(problem));
-            }
-            text
-        }
-        Format::Csv => output::csv(&records).map_err(Failure::Output)?,
-        Format::Json => {
-            let rest = Record(vec![
-                ("benchmark", Cell::Text(problem.name().to_owned())),
-                ("source", Cell::Text(problem.source.clone())),
-                ("symmetry_axis", Cell::Count(problem.conventions.symmetry_axis as u64)),
-            ]);
-            output::json_lists(&[("samples", &records)], &rest).map_err(Failure::Output)?
-        }
-    })
+    let rest = Record::default()
+        .with("benchmark", problem.name())
+        .with("source", &*problem.source)
+        .with("symmetry_axis", problem.conventions.symmetry_axis as u64);
+    let object = Lists(vec![("samples", &records)], rest);
+    let table = || heading(&problem) + &tables(&problem, &records, "\n", |rows| output::columns(rows, 3));
+    Ok(output::written(arguments.format, &records, &object, table)?.into())
+}
+
+/// Values at the times of records, and for the times of the source what others printed; `line` is between the numbers of one quantity.
+fn tables(
+    problem: &Problem,
+    records: &[Record],
+    line: &str,
+    table: fn(Vec<Vec<String>>) -> String,
+) -> String {
+    let text = table(values(records, line));
+    let of_source = records.iter().all(|Record(cells)| matches!(cells[0].1, Cell::Text(_)));
+    if !of_source || problem.printed.is_empty() {
+        return text;
+    }
+    text + "\n" + &table(printed(problem, line))
 }
 
 /// Names of the columns of a time. `toytop score` reads the time, the orientation and the rates by these names.
@@ -89,13 +101,8 @@ fn references(problem: &Problem) -> Vec<Record> {
 /// Values of the ephemeris at any times, with 17 digits.
 fn computed(problem: &Problem, times: &str) -> Result<Vec<Record>, Failure> {
     let motion = &problem.scenario.motion;
-    let arguments = TimesArgs { times: Some(times.to_owned()), times_file: None, ticks: None };
-    let instants = times::read(&arguments, [1000, 1])?;
-    let reach = furthest_time(motion);
-    let furthest = instants.furthest();
-    if furthest.abs() > reach {
-        return Err(Failure::Input(format!("--times: {furthest:e} must be within ±{reach:.1e}")));
-    }
+    let instants = Instants::Times(times::times(times)?);
+    instants.require_within(furthest_time(motion), "").map_err(|failure| failure.of("--times"))?;
     let table = smallest(Scalar::F64, motion).map_err(|failure| failure.of(problem.name()))?;
     let of = |t: &f64| {
         let Values { position, quaternion, omega_body } = problem.conventions.values(&table.at(*t).sample);
@@ -114,49 +121,35 @@ fn heading(problem: &Problem) -> String {
     )
 }
 
-/// Table with one line for each number.
-fn rows(records: &[Record]) -> String {
-    const NAMES: [(&str, usize); 3] = [("position", 3), ("quaternion", 4), ("omega_body", 3)];
-    let mut lines = Vec::new();
-    for Record(cells) in records {
-        let texts: Vec<_> = cells.iter().map(|(_, cell)| shown(cell)).collect();
-        let mut values = texts.iter().skip(1);
-        for (name, count) in NAMES {
-            for (index, value) in values.by_ref().take(count).enumerate() {
-                let what = if index == 0 {
-                    vec![format!("t = {}", texts[0]), name.to_owned()]
-                } else {
-                    vec![String::new(); 2]
-                };
-                lines.push([what, vec![value.clone()]].concat());
-            }
+fn words<const N: usize>(words: [&str; N]) -> Vec<String> {
+    words.map(str::to_owned).to_vec()
+}
+
+/// Rows of a table with the quantities of each time; `line` is between the numbers of one quantity.
+fn values(records: &[Record], line: &str) -> Vec<Vec<String>> {
+    let mut rows = vec![words(["t", "quantity", "value"])];
+    for record in records {
+        let numbers: Vec<_> = output::flat(record).into_iter().map(|(_, number)| number).collect();
+        for (name, range) in [("position", 1..4), ("quaternion", 4..8), ("omega_body", 8..11)] {
+            rows.push(words([&numbers[0], name, &numbers[range].join(line)]));
         }
     }
-    output::columns(lines, 2)
+    rows
 }
 
-fn shown(cell: &Cell) -> String {
-    match cell {
-        Cell::Text(text) => text.clone(),
-        Cell::Number(x) => output::number(*x),
-        _ => String::new(),
-    }
+/// Rows of a table with the values that others printed, and their errors.
+fn printed(problem: &Problem, line: &str) -> Vec<Vec<String>> {
+    let row = |printed: &Printed| {
+        let values: Vec<_> = printed.values.iter().map(f64::to_string).collect();
+        let (quantity, off) = (printed.quantity.name(), off(problem, printed));
+        words([&printed.by, &printed.t, quantity, &values.join(line), &off])
+    };
+    let header = words(["printed by", "t", "quantity", "printed", "off by"]);
+    std::iter::once(header).chain(problem.printed.iter().map(row)).collect()
 }
 
-/// Table of the values that others printed, with their errors.
-fn printed(problem: &Problem) -> String {
-    let mut lines = vec![["printed by", "t", "quantity", "off by"].map(str::to_owned).to_vec()];
-    for printed in &problem.printed {
-        let off = compare::off(problem, printed).map_or("-".to_owned(), |off| format!("{off:.1e}"));
-        lines.push(vec![printed.by.clone(), printed.t.clone(), printed.quantity.name().to_owned(), off]);
-    }
-    output::columns(lines, 3)
-}
-
-fn list(problems: &[Problem]) -> String {
-    let row = |problem: &Problem| vec![problem.name().to_owned(), problem.title.clone()];
-    output::columns(problems.iter().map(row).collect(), 2)
-        + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"
+fn off(problem: &Problem, printed: &Printed) -> String {
+    problem.off(printed).map_or("-".to_owned(), output::error)
 }
 
 /// Time and height of the centre of mass at the last of the source's times.
@@ -166,75 +159,34 @@ fn last(problem: &Problem) -> [String; 2] {
     })
 }
 
-fn summaries(problems: &[Problem]) -> Vec<Record> {
-    let of = |problem: &Problem| {
-        let [t, height] = last(problem);
-        Record(vec![
-            ("benchmark", Cell::Text(problem.name().to_owned())),
-            ("title", Cell::Text(problem.title.clone())),
-            ("seconds", Cell::Number(problem.seconds)),
-            ("t", Cell::Text(t)),
-            ("height", Cell::Text(height)),
-            ("used_by", Cell::Text(problem.used_by.join("; "))),
-        ])
-    };
-    problems.iter().map(of).collect()
-}
-
-/// Tables of the page of one problem: 30 digits, and what others printed.
-fn tables(problem: &Problem) -> String {
-    let mut lines = vec![["t", "quantity", "value"].map(str::to_owned).to_vec()];
-    for reference in &problem.references {
-        let quantities = [
-            ("position", &reference.position),
-            ("quaternion", &reference.quaternion),
-            ("omega_body", &reference.omega_body),
-        ];
-        for (name, values) in quantities {
-            lines.push(vec![reference.t.clone(), name.to_owned(), values.join("<br>")]);
-        }
-    }
-    let mut text = doc_markers::table(&lines);
-    if !problem.printed.is_empty() {
-        let mut lines =
-            vec![["printed by", "t", "quantity", "printed", "off by"].map(str::to_owned).to_vec()];
-        for printed in &problem.printed {
-            let values: Vec<_> = printed.values.iter().map(f64::to_string).collect();
-            let off = compare::off(problem, printed).map_or("-".to_owned(), |off| format!("{off:.1e}"));
-            lines.push(vec![
-                printed.by.clone(),
-                printed.t.clone(),
-                printed.quantity.name().to_owned(),
-                values.join("<br>"),
-                off,
-            ]);
-        }
-        text += &format!("\n{}", doc_markers::table(&lines));
-    }
-    text
+fn summary(problem: &Problem) -> Record {
+    let [t, height] = last(problem);
+    Record::default()
+        .with("benchmark", problem.name())
+        .with("title", &*problem.title)
+        .with("seconds", problem.seconds)
+        .with("t", &*t)
+        .with("height", &*height)
+        .with("used_by", &*problem.used_by.join("; "))
 }
 
 /// Table of the page: problem, reference value, what others printed, who used it.
 fn catalogue(problems: &[Problem]) -> String {
-    let mut lines = vec![
-        ["problem", "height of the centre of mass above the tip", "printed elsewhere: off by", "used by"]
-            .map(str::to_owned)
-            .to_vec(),
-    ];
-    for problem in problems {
-        let [t, height] = last(problem);
-        let off = |printed: &benchmarks::Printed| {
-            let off = compare::off(problem, printed).map_or("-".to_owned(), |off| format!("{off:.1e}"));
-            format!("{}, {} at {}: {off}", printed.by, printed.quantity.name(), printed.t)
+    let row = |problem: &Problem| {
+        let ([t, height], name) = (last(problem), problem.name());
+        let one = |printed: &Printed| {
+            let Printed { by, t, quantity, .. } = printed;
+            format!("{by}, {} at {t}: {}", quantity.name(), off(problem, printed))
         };
-        let printed: Vec<_> = problem.printed.iter().map(off).collect();
-        let printed = if printed.is_empty() { "no value".to_owned() } else { printed.join("<br>") };
-        lines.push(vec![
-            format!("[{}]({}/README.md), `{}`", problem.title, problem.name(), problem.name()),
-            format!("{height} at t = {t}"),
-            printed,
-            problem.used_by.join("; "),
-        ]);
-    }
-    doc_markers::table(&lines)
+        let printed = problem.printed.iter().map(one).collect::<Vec<_>>().join("<br>");
+        words([
+            &format!("[{}]({name}/README.md), `{name}`", problem.title),
+            &format!("{height} at t = {t}"),
+            if printed.is_empty() { "no value" } else { &printed },
+            &problem.used_by.join("; "),
+        ])
+    };
+    let header =
+        ["problem", "height of the centre of mass above the tip", "printed elsewhere: off by", "used by"];
+    doc_markers::table(&std::iter::once(words(header)).chain(problems.iter().map(row)).collect::<Vec<_>>())
 }

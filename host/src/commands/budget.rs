@@ -1,47 +1,86 @@
 //! `toytop budget`: cost of each call on each chip, compared with its budget.
 
 use super::Report;
+use super::options::positive;
 use crate::Failure;
-use crate::budget::{
-    CHIPS, Chip, CorpusCost, Cost, Limits, corpus, measure, with_corpus, with_corpus_in_brief,
-    with_front_table, with_table,
-};
-use crate::cli::{BudgetArgs, Format};
+use crate::budget::{CHIPS, Chip, Cost, Costs, Image, Limits, OF_CORPUS, OF_LIMITS, Part, corpus, measure};
+use crate::output::doc_markers::Page;
 use crate::output::progress::Progress;
-use crate::output::whole_file;
-use crate::output::{self, Cell, Record};
-use std::fs;
+use crate::output::{self, Column, Format, Record, eight, short, whole_file};
+use clap::Args;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// Frequency of the interrupt that a tick has to fit into, Hz.
 const TICK_RATE: f64 = 1000.0;
 
-pub(super) fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
+/// `toytop budget`
+#[derive(Args, Debug)]
+#[command(
+    after_help = "Example: toytop budget --chip m4f,m0plus --clock 48\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
+)]
+pub(crate) struct BudgetArgs {
+    /// Chips, separated by commas: m0plus, m4f, m7, m33, riscv; without it, all
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    chip: Vec<String>,
+    /// Clock of the chip, MHz, from which times follow
+    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive)]
+    clock: f64,
+    /// ELF file of your own, whose functions named bench_... are measured
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["check", "accept"])]
+    elf: Option<PathBuf>,
+    /// Compare with firmware-examples/budgets.toml, and that file with the tables of host/docs/costs.md and README.md
+    #[arg(long, conflicts_with = "accept")]
+    check: bool,
+    /// Measure all chips, and rewrite these files
+    #[arg(long, conflicts_with = "chip")]
+    accept: bool,
+    /// Measure the set-up of 200 different launches: median and greatest cost on each chip; with --accept, on those with a model
+    /// of their cycles, for the table in host/docs/costs.md
+    #[arg(long, conflicts_with_all = ["elf", "check"])]
+    corpus: bool,
+    /// Compile for size (opt-level s) instead of speed
+    #[arg(long, conflicts_with_all = ["elf", "check", "accept"])]
+    size: bool,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+pub(crate) fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
     let chips = chosen(&arguments.chip)?;
     if let Some(elf) = &arguments.elf {
         let [chip] = chips[..] else {
             return Err(Failure::Input("--elf: needs one --chip, for which the file was built".into()));
         };
-        return shown(arguments, &[(chip, measure(chip, elf)?)]);
+        return shown(arguments, &BTreeMap::from([(chip.name.to_owned(), measure(chip, elf)?)]));
     }
     let root = repository()?;
     if arguments.corpus {
-        return launches(arguments, &root, &chips);
+        return launches(arguments, &root, chips);
     }
-    let mut progress = Progress::new(chips.len() as u64, "chips");
-    let mut measured = Vec::new();
-    for chip in chips {
-        let mut costs = measure(chip, &build(&root, chip, "cost", arguments.size)?)?;
+    let measured = each(chips, |chip| {
+        let program = |name| build(&root, chip, name, arguments.size);
+        let mut costs = measure(chip, &program("cost")?)?;
         if FITTING_CHIPS.contains(&chip.name) {
-            costs.extend(measure(chip, &build(&root, chip, "fit_cost", arguments.size)?)?);
+            costs.extend(measure(chip, &program("fit_cost")?)?);
         }
-        measured.push((chip, costs));
-        progress.add(1);
-    }
-    drop(progress);
+        // a set-up cannot be linked without the rest of its table: its flash is that of a program, as the linker sees it
+        let flash = program("flash")?;
+        let linked = Image::read(&flash)?.flash() - Image::read(&program("empty")?)?.flash();
+        for call in SET_UPS {
+            costs.entry(call.to_owned()).and_modify(|cost| cost.flash = linked);
+        }
+        costs.extend(measure(chip, &flash)?);
+        Ok((chip.name.to_owned(), costs))
+    })?;
+    let measured = BTreeMap::from_iter(measured);
     if arguments.accept {
-        return accept(&root, &measured);
+        let limits = Limits::around(measured);
+        let report = rewrite(&root, OF_LIMITS, &limits)?;
+        whole_file::write("--accept", &root.join(LIMITS), limits.to_toml().as_bytes())?;
+        return Ok(report);
     }
     let mut report = shown(arguments, &measured)?;
     if arguments.check {
@@ -53,6 +92,15 @@ pub(super) fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
     Ok(report)
 }
 
+/// Results for each chip, with a progress bar.
+fn each<T>(
+    chips: Vec<&'static Chip>,
+    mut result: impl FnMut(&'static Chip) -> Result<T, Failure>,
+) -> Result<Vec<T>, Failure> {
+    let mut progress = Progress::new(chips.len() as u64, "chips");
+    chips.into_iter().map(|chip| result(chip).inspect(|_| progress.add(1))).collect()
+}
+
 fn chosen(names: &[String]) -> Result<Vec<&'static Chip>, Failure> {
     let find = |name: &String| {
         let all = || CHIPS.map(|chip| chip.name).join(", ");
@@ -62,17 +110,12 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Chip>, Failure> {
     if names.is_empty() { Ok(CHIPS.iter().collect()) } else { names.iter().map(find).collect() }
 }
 
+/// File of the limits.
 const LIMITS: &str = "firmware-examples/budgets.toml";
-const COSTS: &str = "host/docs/costs.md";
-const FRONT_PAGE: &str = "README.md";
 /// Chips on which the fit of a launch is measured: one, because a trace of the fit takes long.
 const FITTING_CHIPS: [&str; 1] = ["m4f"];
-/// Pages with a table of costs, each with the function that writes the table.
-const PAGES: [(&str, WithTable); 2] = [(COSTS, with_table), (FRONT_PAGE, with_front_table)];
-
-/// Function that puts the table of the limits into a page; `None` if the page has no markers for it.
-type WithTable = fn(&str, &Limits) -> Option<String>;
-
+/// Calls whose flash is that of a program with a launch, a table and a tick, minus that of the same program without them.
+const SET_UPS: [&str; 5] = ["launch", "new", "slices", "launch_slow", "launch_falling"];
 /// Root of the repository: the current folder, or one above it.
 fn repository() -> Result<PathBuf, Failure> {
     let here = std::env::current_dir().map_err(|error| Failure::Input(format!("current folder: {error}")))?;
@@ -86,48 +129,26 @@ fn repository() -> Result<PathBuf, Failure> {
 }
 
 /// Report on the set-up of many launches on each chip.
-fn launches(arguments: &BudgetArgs, root: &Path, chips: &[&'static Chip]) -> Result<Report, Failure> {
-    let limits = Limits::parse(&text_of(&root.join(LIMITS))?)?;
-    let mut progress = Progress::new(chips.len() as u64, "chips");
-    let mut costs = Vec::new();
-    for chip in chips {
-        if !arguments.accept || limits.of(chip.name, "launch").is_some_and(|cost| cost.cycles.is_some()) {
-            costs.extend(corpus(chip, &build(root, chip, "corpus", arguments.size)?, &limits)?);
-        }
-        progress.add(1);
-    }
-    drop(progress);
+fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> Result<Report, Failure> {
+    let limits = Limits::read(&root.join(LIMITS))?;
+    let modelled = |chip: &Chip| limits.of(chip.name, "launch").is_some_and(|cost| cost.cycles.is_some());
+    let chips = chips.into_iter().filter(|chip| !arguments.accept || modelled(chip)).collect();
+    let costs = each(chips, |chip| corpus(chip, &build(root, chip, "corpus", arguments.size)?, &limits))?;
+    let costs = costs.concat();
     if arguments.accept {
-        let no_place = |name| Failure::Input(format!("{name}: must contain the markers of the corpus"));
-        let page = with_corpus(&text_of(&root.join(COSTS))?, &costs).ok_or_else(|| no_place(COSTS))?;
-        let front = text_of(&root.join(FRONT_PAGE))?;
-        let front = with_corpus_in_brief(&front, &costs).ok_or_else(|| no_place(FRONT_PAGE))?;
-        whole_file::write("--accept", &root.join(COSTS), page.as_bytes())?;
-        whole_file::write("--accept", &root.join(FRONT_PAGE), front.as_bytes())?;
-        return Ok(Report {
-            text: format!("written: the launches in {COSTS} and {FRONT_PAGE}\n"),
-            ..Report::default()
-        });
+        return rewrite(root, OF_CORPUS, &costs[..]);
     }
-    let records: Vec<_> = costs.iter().map(CorpusCost::record).collect();
-    let text = match arguments.format {
-        Format::Csv => output::csv(&records).map_err(Failure::Output)?,
-        Format::Json => output::json_list("rows", &records).map_err(Failure::Output)?,
-        Format::Table => format!(
+    let records: Vec<_> = costs.iter().map(|cost| cost.record()).collect();
+    let table = || {
+        let columns = records.first().map(|record| record.columns(eight)).unwrap_or_default();
+        format!(
             "{}\nMotion and table of 200 launches: tilt 0 to 180 degrees, spin 0 to 1000 rad/s, A/(ps) 0.01 to 1000, both \
              supports, corners; at most 64 segments. Instructions are exact to 40; cycles are those of bench_launch in \
-             proportion (model). A slice is one poll of Launch or SetUp.\n",
-            corpus_table(&records)
-        ),
+             proportion (model). A slice is the time between two calls of the set-up's function.\n",
+            output::aligned(&records, &columns)
+        )
     };
-    Ok(Report { text, ..Report::default() })
-}
-
-fn corpus_table(records: &[Record]) -> String {
-    let words = |record: &Record| output::flat(record).into_iter();
-    let header = records.iter().take(1).map(|record| words(record).map(|(name, _)| name).collect());
-    let rows = records.iter().map(|record| words(record).map(|(_, value)| value).collect());
-    output::columns(header.chain(rows).collect(), 3)
+    Ok(output::written(arguments.format, &records, &output::list("rows", &records), table)?.into())
 }
 
 /// Path of the firmware after its build, optimised for size if `size`, otherwise for speed. The messages of the build go to stderr.
@@ -148,112 +169,73 @@ fn build(root: &Path, chip: &Chip, program: &str, size: bool) -> Result<PathBuf,
     Ok(PathBuf::from(String::from_utf8_lossy(&built.stdout).trim()))
 }
 
-type Measured = [(&'static Chip, Vec<Cost>)];
-
-fn by_name(measured: &Measured) -> Vec<(String, Vec<Cost>)> {
-    measured.iter().map(|(chip, costs)| (chip.name.to_owned(), costs.clone())).collect()
-}
-
-fn text_of(path: &Path) -> Result<String, Failure> {
-    fs::read_to_string(path).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
-}
-
-fn complaints(root: &Path, measured: &Measured) -> Result<Vec<String>, Failure> {
-    let limits = Limits::parse(&text_of(&root.join(LIMITS))?)?;
+fn complaints(root: &Path, measured: &BTreeMap<String, Costs>) -> Result<Vec<String>, Failure> {
+    let limits = Limits::read(&root.join(LIMITS))?;
     let mut complaints: Vec<_> =
-        measured.iter().flat_map(|(chip, costs)| limits.complaints(chip.name, costs)).collect();
+        measured.iter().flat_map(|(chip, costs)| limits.complaints(chip, costs)).collect();
     if !complaints.is_empty() {
         complaints.push(format!("how to change a budget: the head of {LIMITS}"));
     }
-    for (name, with_table) in PAGES {
-        let page = text_of(&root.join(name))?;
-        if with_table(&page, &limits).is_none_or(|fresh| fresh != page) {
+    for (name, mark, text) in OF_LIMITS {
+        if !Page::read(&root.join(name), mark)?.has(&text(&limits)) {
             complaints.push(format!("{name}: the table is not that of {LIMITS}: toytop budget --accept"));
         }
     }
     Ok(complaints)
 }
 
-fn accept(root: &Path, measured: &Measured) -> Result<Report, Failure> {
-    let limits = Limits::around(&by_name(measured));
-    let mut pages = Vec::new();
-    for (name, with_table) in PAGES {
-        let no_place = || Failure::Input(format!("{name}: must contain the markers of the table"));
-        let page = with_table(&text_of(&root.join(name))?, &limits).ok_or_else(no_place)?;
-        pages.push((name, page));
+/// Writes parts of pages, after each of them was found to have a place.
+fn rewrite<T: ?Sized, const N: usize>(
+    root: &Path,
+    parts: [Part<T>; N],
+    costs: &T,
+) -> Result<Report, Failure> {
+    let pages = parts.map(|(name, mark, _)| Page::read(&root.join(name), mark));
+    let pages = pages.into_iter().collect::<Result<Vec<_>, _>>()?;
+    for (page, (.., text)) in pages.iter().zip(parts) {
+        page.write(&text(costs))?;
     }
-    whole_file::write("--accept", &root.join(LIMITS), limits.to_toml().as_bytes())?;
-    for (name, page) in &pages {
-        whole_file::write("--accept", &root.join(name), page.as_bytes())?;
-    }
-    let names = PAGES.map(|(name, _)| name).join(" and ");
-    Ok(Report { text: format!("written: {LIMITS}, and the tables in {names}\n"), ..Report::default() })
+    Ok(format!("written: the tables in {}\n", parts.map(|(name, ..)| name).join(" and ")).into())
 }
 
-fn shown(arguments: &BudgetArgs, measured: &Measured) -> Result<Report, Failure> {
-    let records: Vec<_> = measured
-        .iter()
-        .flat_map(|(chip, costs)| costs.iter().map(|cost| record(chip, cost, arguments.clock)))
-        .collect();
-    let text = match arguments.format {
-        Format::Csv => output::csv(&records).map_err(Failure::Output)?,
-        Format::Json => output::json_list("rows", &records).map_err(Failure::Output)?,
-        Format::Table => table(measured, arguments.clock),
-    };
-    Ok(Report { text, ..Report::default() })
-}
-
-/// Time in µs, and its share of a tick in percent.
-fn time(cycles: u64, megahertz: f64) -> [f64; 2] {
-    let microseconds = cycles as f64 / megahertz;
-    [microseconds, microseconds * 1e-6 * TICK_RATE * 100.0]
-}
-
-fn record(chip: &Chip, cost: &Cost, megahertz: f64) -> Record {
-    let count = |figure: Option<u64>| figure.map_or(Cell::Absent, Cell::Count);
-    let time = cost.cycles.map(|cycles| time(cycles, megahertz));
-    Record(vec![
-        ("chip", Cell::Text(chip.name.to_owned())),
-        ("call", Cell::Text(cost.call.clone())),
-        ("instructions", Cell::Count(cost.instructions)),
-        ("cycles_model", count(cost.cycles)),
-        ("microseconds", time.map(|[microseconds, _]| microseconds).into()),
-        ("tick_percent", time.map(|[_, percent]| percent).into()),
-        ("stack", count(cost.stack)),
-        ("flash", Cell::Count(cost.flash)),
-        ("ram", count(cost.ram)),
-    ])
-}
-
-fn table(measured: &Measured, megahertz: f64) -> String {
-    let microseconds = format!("µs at {megahertz} MHz");
-    let header =
-        ["", "instructions", "cycles (model)", &microseconds, "% of a 1 kHz tick", "stack", "flash", "RAM"];
-    let mut rows = vec![header.map(str::to_owned).to_vec()];
+fn shown(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<Report, Failure> {
+    let mut records = Vec::new();
     for (chip, costs) in measured {
-        rows.push(vec![chip.core.to_owned()]);
-        for cost in costs {
-            let count = |figure: Option<u64>| figure.map_or("-".to_owned(), |figure| figure.to_string());
-            let number = |x: f64| if x < 10.0 { format!("{x:.2}") } else { format!("{x:.0}") };
-            let time = cost
-                .cycles
-                .map_or(["-".to_owned(), "-".to_owned()], |cycles| time(cycles, megahertz).map(number));
-            let [microseconds, percent] = time;
-            rows.push(vec![
-                format!("  {}", cost.call),
-                cost.instructions.to_string(),
-                count(cost.cycles),
-                microseconds,
-                percent,
-                count(cost.stack),
-                cost.flash.to_string(),
-                count(cost.ram),
-            ]);
-        }
+        records.extend(costs.iter().map(|(call, cost)| record(chip, call, cost, arguments.clock)));
     }
-    format!(
-        "{}\nThe costliest of several calls. Instructions are exact; cycles are a model (published timings, no wait states); \
-         stack, flash, RAM in bytes.\n",
-        output::columns(rows, 1)
-    )
+    let microseconds = format!("µs at {} MHz", arguments.clock);
+    let three = |x| short(x, 3);
+    let columns: [Column<'_>; 9] = [
+        ("chip", "chip", three),
+        ("call", "call", three),
+        ("instructions", "instructions", three),
+        ("cycles_model", "cycles (model)", three),
+        ("microseconds", &microseconds, three),
+        ("tick_percent", "% of a 1 kHz tick", three),
+        ("stack", "stack", three),
+        ("flash", "flash", three),
+        ("ram", "RAM", three),
+    ];
+    let table = || {
+        format!(
+            "{}\nThe costliest of several calls. Instructions are exact; cycles are a model (published timings, no wait states); \
+             stack, flash, RAM in bytes.\n",
+            output::aligned(&records, &columns)
+        )
+    };
+    Ok(output::written(arguments.format, &records, &output::list("rows", &records), table)?.into())
+}
+
+fn record(chip: &str, call: &str, cost: &Cost, megahertz: f64) -> Record {
+    let microseconds = cost.cycles.map(|cycles| cycles as f64 / megahertz);
+    Record::default()
+        .with("chip", chip)
+        .with("call", call)
+        .with("instructions", cost.instructions)
+        .with("cycles_model", cost.cycles)
+        .with("microseconds", microseconds)
+        .with("tick_percent", microseconds.map(|time| time * 1e-6 * TICK_RATE * 100.0))
+        .with("stack", cost.stack)
+        .with("flash", cost.flash)
+        .with("ram", cost.ram)
 }

@@ -2,152 +2,133 @@
 
 mod bounds;
 mod measure;
+mod run;
 mod show;
 
-use super::{Report, unreal};
+use super::options::{Method, ScalarChoice};
+use super::{Report, warnings};
 use crate::Failure;
-use crate::cli::{CompareArgs, Format, Method, Scalar, ScalarChoice};
 use crate::input::builtin;
 use crate::input::scenario::Scenario;
-use crate::measure::run::{Effort, Run, SAMPLES, look_up, sample_times, step_through};
-use crate::output;
-use bounds::{Span, WORST, bound, horizon, steps_per_period};
+use crate::motion::Scalar;
+use crate::output::{self, Format};
+use crate::samples::spread_times;
+use bounds::{bound, horizon, steps_per_period};
+use clap::Args;
 use measure::{Errors, Truth};
-use std::time::Duration;
+use run::{Run, SAMPLES, look_up, step_through};
+use std::path::PathBuf;
 
 /// Comparison of one motion in one scalar by one method.
-#[derive(Clone, Debug)]
-pub struct Row {
-    /// Name of the motion.
-    pub motion: String,
-    /// Scalar of the core.
-    pub scalar: Scalar,
-    /// Propagator of the core.
-    pub method: Method,
-    /// Errors and cost; `None` where the method does not apply.
-    measured: Option<Measured>,
+struct Row {
+    motion: String,
+    scalar: Scalar,
+    method: Method,
+    /// Errors and run; `None` where no table is large enough.
+    measured: Option<(Errors, Run)>,
     /// Upper bound on the error of the orientation, rad.
-    bound: f64,
-}
-
-/// Errors and cost of a run.
-#[derive(Clone, Copy, Debug)]
-struct Measured {
-    errors: Errors,
-    effort: Effort,
-    wall: Duration,
+    bound: Option<f64>,
 }
 
 impl Row {
-    /// Greatest error of the orientation, rad; `None` where the method does not apply.
-    #[must_use]
-    pub fn error(&self) -> Option<f64> {
-        self.measured.map(|measured| measured.errors.orientation)
-    }
-
-    /// Whether the bound is missed; a NaN misses it.
-    fn missed(&self) -> bool {
-        let within = |measured: Measured| measured.errors.orientation <= self.bound;
-        !self.measured.is_none_or(within)
+    /// Greatest error of the orientation, rad, and its bound.
+    fn error_and_bound(&self) -> Option<[f64; 2]> {
+        Some([self.measured.as_ref()?.0.orientation, self.bound?])
     }
 
     fn verdict(&self) -> &'static str {
-        match self.measured {
-            None => "no fit",
-            Some(_) if self.missed() => "MISS",
-            // no error of an orientation is larger
-            Some(_) if self.bound >= WORST => "no bound",
-            Some(_) => "ok",
+        match (&self.measured, self.error_and_bound()) {
+            (None, _) => "no fit",
+            (_, None) => "no bound",
+            (_, Some([error, bound])) if error <= bound => "ok",
+            // also a NaN
+            _ => "MISS",
         }
     }
 }
 
-/// Propagators of the core.
-const METHODS: [Method; 2] = [Method::Stepper, Method::Ephemeris];
+/// Propagators of the core with their scalars; in fixed point it has no stepper.
+const RUNS: [(Method, Scalar); 6] = [
+    (Method::Stepper, Scalar::F64),
+    (Method::Stepper, Scalar::F32),
+    (Method::Ephemeris, Scalar::F64),
+    (Method::Ephemeris, Scalar::F32),
+    (Method::Ephemeris, Scalar::Q31),
+    (Method::Ephemeris, Scalar::Q15),
+];
 
-/// Whether the core has the method in the scalar: in fixed point it has no stepper.
-fn exists(method: Method, scalar: Scalar) -> bool {
-    !(method == Method::Stepper && matches!(scalar, Scalar::Q31 | Scalar::Q15))
+/// `toytop compare`
+#[derive(Args, Debug)]
+pub(crate) struct CompareArgs {
+    /// Scenario files; without any, the built-in motions are compared
+    #[arg(value_name = "SCENARIO")]
+    scenarios: Vec<PathBuf>,
+    /// Nutation periods to compare over (for a motion without a period: times of 2 pi sqrt((A/p + s)/g))
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    periods: u32,
+    /// Scalar types of the core
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]
+    scalar: Vec<ScalarChoice>,
+    /// Print one row for each run of the built-in motions, not one for each motion. CSV and JSON always contain every run
+    #[arg(long)]
+    all: bool,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
 }
 
-/// Result of a comparison.
-#[derive(Debug)]
-pub struct Compared {
-    scenarios: Vec<Scenario>,
-    /// Row for each motion, scalar and method.
-    pub rows: Vec<Row>,
-    remarks: Vec<String>,
-}
-
-pub(super) fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
-    let Compared { scenarios, rows, mut remarks } = rows(arguments)?;
-    let below = arguments.format == Format::Table;
-    let text = match arguments.format {
-        Format::Table if arguments.scenarios.is_empty() && !arguments.all => {
-            show::summary(&rows, arguments.periods)
-        }
-        Format::Table => show::table(&rows, arguments.periods),
-        Format::Csv => output::csv(&show::records(&rows)).map_err(Failure::Output)?,
-        Format::Json => output::json_list("rows", &show::records(&rows)).map_err(Failure::Output)?,
-    };
-    remarks.extend(unreal(&scenarios));
-    let missed = rows.iter().any(Row::missed);
-    Ok(Report { text, missed, ..Report::default() }.with_remarks(remarks, below))
-}
-
-/// Comparison of every motion in every scalar by every method.
-///
-/// # Errors
-/// [`Failure::Input`]: a scenario cannot be read; [`Failure::Method`]: the full solver gave up.
-pub fn rows(arguments: &CompareArgs) -> Result<Compared, Failure> {
+pub(crate) fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     let built_in = arguments.scenarios.is_empty();
     let scenarios = if built_in {
         builtin::scenarios()?
     } else {
         arguments.scenarios.iter().map(|path| Scenario::read(path)).collect::<Result<_, _>>()?
     };
-    let scalars = ScalarChoice::chosen(&arguments.scalar);
-    let mut remarks = Vec::new();
-    let mut rows = Vec::new();
+    let (mut rows, mut remarks) = (Vec::new(), Vec::new());
     for scenario in &scenarios {
-        let own = built_in.then(|| builtin::own_bounds(scenario)).flatten();
-        let span = horizon(&scenario.motion, arguments.periods);
-        remarks.extend(span.remark.iter().map(|remark| format!("{}: {remark}", scenario.name)));
-        let times: Vec<f64> = sample_times(span.time, SAMPLES * arguments.periods).collect();
-        let mut truth = Truth::default();
-        for (method, &scalar) in METHODS.iter().flat_map(|&method| scalars.iter().map(move |s| (method, s))) {
-            if !exists(method, scalar) {
-                continue;
-            }
-            let measured = match follow(scenario, method, scalar, &times, &span) {
-                Ok(run) => {
-                    let errors = truth.measure(scenario, &run)?;
-                    Some(Measured { errors, effort: run.effort, wall: run.wall })
-                }
-                Err(failure) => {
-                    remarks.push(format!("{} {}: {failure}", scenario.name, scalar.name()));
-                    None
-                }
-            };
-            let bound = bound(&scenario.motion, (method, scalar), arguments.periods, own);
-            rows.push(Row { motion: scenario.name.clone(), scalar, method, measured, bound });
-        }
+        rows.extend(of_motion(scenario, arguments, &mut remarks)?);
     }
-    Ok(Compared { scenarios, rows, remarks })
+    let records: Vec<_> = rows.iter().map(show::record).collect();
+    let text = output::written(arguments.format, &records, &output::list("rows", &records), || {
+        let table = if built_in && !arguments.all { show::summary } else { show::table };
+        table(&rows, arguments.periods)
+    })?;
+    remarks.extend(warnings(&scenarios));
+    let missed = rows.iter().any(|row| row.verdict() == "MISS");
+    let below = arguments.format == Format::Table;
+    Ok(Report { text, missed, ..Report::default() }.with_remarks(remarks, below))
 }
 
-/// Row of one run. It fails only where no table is large enough.
-fn follow(
+/// Rows of a motion.
+fn of_motion(
     scenario: &Scenario,
-    method: Method,
-    scalar: Scalar,
-    times: &[f64],
-    span: &Span,
-) -> Result<Run, Failure> {
-    let motion = &scenario.motion;
-    let step = span.period / f64::from(steps_per_period(scalar));
-    match method {
-        Method::Ephemeris => look_up(scalar, motion, times),
-        _ => step_through(scalar, motion, times, step),
+    arguments: &CompareArgs,
+    remarks: &mut Vec<String>,
+) -> Result<Vec<Row>, Failure> {
+    let (motion, name, periods) = (&scenario.motion, &scenario.name, arguments.periods);
+    let own = arguments.scenarios.is_empty().then(|| builtin::own_bounds(scenario)).flatten();
+    let span = horizon(motion, periods);
+    remarks.extend(span.remark.iter().map(|remark| format!("{name}: {remark}")));
+    let times = spread_times(span.time, SAMPLES * periods);
+    let mut truth = Truth::default();
+    let chosen = ScalarChoice::chosen(&arguments.scalar);
+    let mut rows = Vec::new();
+    for (method, scalar) in RUNS.into_iter().filter(|(_, scalar)| chosen.contains(scalar)) {
+        let step = span.period / f64::from(steps_per_period(scalar));
+        let run = match method {
+            Method::Ephemeris => look_up(scalar, motion, &times),
+            _ => Ok(step_through(scalar, motion, &times, step)),
+        };
+        let measured = match run {
+            Ok(run) => Some((truth.measure(scenario, &run)?, run)),
+            Err(failure) => {
+                remarks.push(format!("{name} {}: {failure}", scalar.name()));
+                None
+            }
+        };
+        let table = measured.as_ref().and_then(|(_, run)| run.table).map(|(_, bound)| bound);
+        let bound = bound(motion, (method, scalar), periods, own, table);
+        rows.push(Row { motion: name.clone(), scalar, method, measured, bound });
     }
+    Ok(rows)
 }

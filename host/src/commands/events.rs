@@ -1,15 +1,90 @@
 //! `toytop events`: times of turning points, tilts, circles, tip angles and lift-off.
 
-use super::constants::tilts;
-use super::{Report, unreal};
+use super::{Report, warnings};
 use crate::Failure;
-use crate::cli::{EventsArgs, Format, Kind, Scalar, What};
 use crate::input::scenario::{Scenario, Units};
-use crate::motion::ephemeris::{AnyScalar, FoundEvent, Sought, furthest_time, smallest, ticks_per_time};
-use crate::output::{self, Cell, Record, number};
+use crate::motion::Scalar;
+use crate::motion::ephemeris::{FoundEvent, Sought, furthest_time, smallest};
+use crate::motion::physical_limits::tilts;
+use crate::output::{self, Cell, Column, Format, Record, eight};
+use clap::Args;
+use std::path::PathBuf;
 use toytop::{Level, Motion, ParameterError, Phase, Support};
 
-pub(super) fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
+/// `toytop events`
+#[derive(Args, Debug)]
+pub(crate) struct EventsArgs {
+    /// Scenario file
+    scenario: PathBuf,
+    /// Events to list, separated by commas: turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS, lift-off. With :up or :down
+    /// after its name an event counts only where u (or the tip angle) rises or falls
+    #[arg(long = "kind", value_name = "KIND,...", value_delimiter = ',', default_value = "turning", allow_hyphen_values = true, value_parser = kind)]
+    kinds: Vec<Kind>,
+    /// Time of the earliest event to list, s
+    #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true, value_parser = time)]
+    from: f64,
+    /// Greatest number of events
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    count: u32,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+/// Kind of event on the command line.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Kind {
+    /// Kind of the event.
+    what: What,
+    /// Whether only upward (`true`) or only downward (`false`) events count; `None` for both.
+    upward: Option<bool>,
+    /// Text of the command line that names it.
+    text: String,
+}
+
+/// Kinds of event.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum What {
+    /// Turning point of u.
+    Turning,
+    /// Time at which the tilt has this value, degrees.
+    Tilt(f64),
+    /// Time at which the tip angle has this value, degrees, modulo whole turns.
+    TipAngle(f64),
+    /// Time at which the tip is at this distance from the centre, m.
+    Circle(f64),
+    /// Time at which the normal force is 0.
+    LiftOff,
+}
+
+fn kind(text: &str) -> Result<Kind, String> {
+    const ALLOWED: &str = "must be turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS or lift-off, with or without :up or :down";
+    let (rest, upward) = match text.rsplit_once(':') {
+        Some((rest, "up")) => (rest, Some(true)),
+        Some((rest, "down")) => (rest, Some(false)),
+        Some(_) => return Err(ALLOWED.to_owned()),
+        None => (text, None),
+    };
+    let number = |value: &str| value.parse::<f64>().ok().filter(|x| x.is_finite());
+    let what = match rest.split_once('=').map(|(name, value)| (name, number(value))) {
+        None if rest == "turning" => What::Turning,
+        None if rest == "lift-off" => What::LiftOff,
+        Some(("tilt", Some(degrees))) if (0.0..=180.0).contains(&degrees) => What::Tilt(degrees),
+        Some(("tilt", Some(_))) => return Err("tilt: must be in [0, 180] degrees".to_owned()),
+        Some(("tip-angle", Some(degrees))) if degrees.abs() <= 1e6 => What::TipAngle(degrees),
+        Some(("tip-angle", Some(_))) => return Err("tip-angle: must be within ±1e6 degrees".to_owned()),
+        Some(("circle", Some(radius))) if radius > 0.0 => What::Circle(radius),
+        Some(("circle", Some(_))) => return Err("circle: must be above 0".to_owned()),
+        _ => return Err(ALLOWED.to_owned()),
+    };
+    Ok(Kind { what, upward, text: text.to_owned() })
+}
+
+fn time(text: &str) -> Result<f64, &'static str> {
+    text.parse().ok().filter(|t: &f64| t.is_finite()).ok_or("must be a finite number")
+}
+
+pub(crate) fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let motion = &scenario.motion;
     let reach = furthest_time(motion);
@@ -27,24 +102,22 @@ pub(super) fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     for (kind, sought) in searches {
         let wanted =
             |t: f64, upward: bool| t >= arguments.from && kind.upward.is_none_or(|only| only == upward);
-        let from = (arguments.from * ticks_per_time(motion)).floor() as i64;
+        let from = (arguments.from * table.ticks_per_time()).floor() as i64;
         let found = table.events(sought, from, &wanted, arguments.count as usize);
         events.extend(found.into_iter().map(|event| (kind, sought, event)));
     }
     events.sort_by(|(_, _, a), (_, _, b)| a.t.total_cmp(&b.t));
     events.truncate(arguments.count as usize);
-    let records: Vec<_> =
-        events.iter().map(|(kind, sought, event)| record(kind, sought, event, motion, &*table)).collect();
-    let text = match arguments.format {
-        Format::Table if records.is_empty() => none(&arguments.kinds, motion),
-        Format::Table => rows(&records, scenario.units),
-        Format::Csv => output::csv(&records).map_err(Failure::Output)?,
-        Format::Json => output::json_list("events", &records).map_err(Failure::Output)?,
+    let records: Vec<_> = events.iter().map(|(kind, sought, event)| record(kind, sought, event)).collect();
+    let table = || match &records[..] {
+        [] => none(&arguments.kinds, motion),
+        _ => output::aligned(&records, &columns(scenario.units)),
     };
+    let text = output::written(arguments.format, &records, &output::list("events", &records), table)?;
     // no warning that the top leaves the plane if the command asks for these times
     let asked = arguments.kinds.iter().any(|kind| kind.what == What::LiftOff);
-    let remarks = if asked { Vec::new() } else { unreal(&[scenario]) };
-    Ok(Report { text, ..Report::default() }.with_remarks(remarks, arguments.format == Format::Table))
+    let remarks = if asked { Vec::new() } else { warnings(&[scenario]) };
+    Ok(Report::from(text).with_remarks(remarks, arguments.format == Format::Table))
 }
 
 /// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.
@@ -71,27 +144,8 @@ fn sought(kind: &Kind, motion: &Motion) -> Result<Vec<Sought>, Failure> {
     })
 }
 
-fn record(
-    kind: &Kind,
-    sought: &Sought,
-    event: &FoundEvent,
-    motion: &Motion,
-    table: &dyn AnyScalar,
-) -> Record {
+fn record(kind: &Kind, sought: &Sought, event: &FoundEvent) -> Record {
     let sample = &event.there.sample;
-    let product = sample.alpha * sample.beta;
-    let radius = 2.0 * product.modulus();
-    // error of u or of the tip angle, divided by its rate
-    let bound = table.error_bound().after(event.t * ticks_per_time(motion)) + f64::EPSILON;
-    let error = match sought {
-        Sought::Turning => None,
-        Sought::Crossing(_) => Some(bound / sample.udot.abs()),
-        Sought::TipAngle(_) => {
-            let rate = event.there.rate.alpha * sample.beta + sample.alpha * event.there.rate.beta;
-            let turning = (product.re * rate.im - product.im * rate.re) / product.norm_squared();
-            Some(bound / (radius * turning.abs()))
-        }
-    };
     let sense = match (sought, event.upward) {
         (Sought::Turning, true) => "upper",
         (Sought::Turning, false) => "lower",
@@ -99,16 +153,15 @@ fn record(
         (_, false) => "down",
     };
     let tilt = 2.0 * sample.beta.modulus().atan2(sample.alpha.modulus());
-    Record(vec![
-        ("t", Cell::Number(event.t)),
-        ("kind", Cell::Text(kind.text.clone())),
-        ("sense", Cell::Text(sense.to_owned())),
-        ("u", Cell::Number(sample.u)),
-        ("tilt_deg", Cell::Number(tilt.to_degrees())),
-        ("tip", Cell::Numbers(vec![("x", sample.tip.re), ("y", sample.tip.im)])),
-        ("phi_deg", sample.phi.map(f64::to_degrees).into()),
-        ("time_error", error.filter(|error| error.is_finite()).into()),
-    ])
+    Record::default()
+        .with("t", event.t)
+        .with("kind", &*kind.text)
+        .with("sense", sense)
+        .with("u", sample.u)
+        .with("tilt_deg", tilt.to_degrees())
+        .with("tip", Cell::Numbers(vec![("x", sample.tip.re), ("y", sample.tip.im)]))
+        .with("phi_deg", sample.phi.map(f64::to_degrees))
+        .with("time_error", event.time_error(sought))
 }
 
 /// Text in place of a table without events, with the range of the tilt if no tilt that was sought is in it.
@@ -125,31 +178,45 @@ fn none(kinds: &[Kind], motion: &Motion) -> String {
     format!("no such event: the tilt stays between {least} and {greatest} degrees\n")
 }
 
-fn rows(records: &[Record], units: Units) -> String {
-    let text = |cell: &Cell| match cell {
-        Cell::Text(word) => word.clone(),
-        Cell::Number(x) => number(*x),
-        _ => "-".to_owned(),
+fn columns(units: Units) -> [Column<'static>; 6] {
+    let [t, error] = match units {
+        Units::Si => ["t, s", "error of t at most, s"],
+        Units::None => ["t", "error of t at most"],
     };
-    let header = ["event", "sense", "t", "tilt, degrees", "tip angle, degrees", "error of t at most"];
-    let mut lines = vec![header.map(str::to_owned).to_vec()];
-    if units == Units::Si {
-        lines[0][2] = "t, s".to_owned();
-        lines[0][5] = "error of t at most, s".to_owned();
+    [
+        ("kind", "event", eight),
+        ("sense", "sense", eight),
+        ("t", t, |t| output::short(t, 17)),
+        ("tilt_deg", "tilt, degrees", eight),
+        ("phi_deg", "tip angle, degrees", eight),
+        ("time_error", error, output::error),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kinds_are_read_and_refused() {
+        assert_eq!(kind("turning").map(|kind| (kind.what, kind.upward)), Ok((What::Turning, None)));
+        assert_eq!(
+            kind("tilt=30:up").map(|kind| (kind.what, kind.upward)),
+            Ok((What::Tilt(30.0), Some(true)))
+        );
+        assert_eq!(kind("tip-angle=-90").map(|kind| kind.what), Ok(What::TipAngle(-90.0)));
+        for bad in [
+            "",
+            "tilt",
+            "tilt=x",
+            "tilt=181",
+            "circle=0",
+            "circle=-1",
+            "tilt=nan",
+            "turning:left",
+            "lift-off=1",
+        ] {
+            assert!(kind(bad).is_err(), "{bad}");
+        }
     }
-    for Record(cells) in records {
-        let of = |key: &str| {
-            cells.iter().find(|(name, _)| *name == key).map_or("-".to_owned(), |(_, cell)| text(cell))
-        };
-        let rounded = |key: &str| match cells.iter().find(|(name, _)| *name == key) {
-            Some((_, Cell::Number(x))) => output::short(*x, 8),
-            _ => "-".to_owned(),
-        };
-        let error = match cells.iter().find(|(name, _)| *name == "time_error") {
-            Some((_, Cell::Number(x))) => format!("{x:.1e}"),
-            _ => "-".to_owned(),
-        };
-        lines.push(vec![of("kind"), of("sense"), of("t"), rounded("tilt_deg"), rounded("phi_deg"), error]);
-    }
-    output::columns(lines, 2)
 }

@@ -1,22 +1,34 @@
-//! `toytop figures`: figures 2 and 3 of the paper, u against time, and errors against time.
+//! `toytop figures`: the curves of figures 2 and 3 of the paper, as `plot` draws them.
 
 use super::Report;
+use super::plot::{PlotKind, caption};
 use crate::Failure;
-use crate::cli::FiguresArgs;
+use crate::input::builtin;
 use crate::output::whole_file;
-use crate::pictures::figures;
-use crate::pictures::plot::Form;
+use crate::pictures::drawing;
+use crate::pictures::span::Span;
+use crate::pictures::tip;
+use clap::Args;
+use std::path::PathBuf;
 
-pub(super) fn run(arguments: &FiguresArgs) -> Result<Report, Failure> {
+/// `toytop figures`
+#[derive(Args, Debug)]
+pub(crate) struct FiguresArgs {
+    /// Folder to write to, which is created if it does not exist
+    #[arg(short, long, value_name = "DIR")]
+    output: PathBuf,
+}
+
+pub(crate) fn run(arguments: &FiguresArgs) -> Result<Report, Failure> {
     let folder = &arguments.output;
     std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--output", folder, error))?;
     let mut text = String::new();
-    for picture in figures::all()? {
-        for (ending, form) in [("svg", Form::Svg), ("png", Form::Png)] {
-            let path = folder.join(format!("{}.{ending}", picture.name));
-            whole_file::write("--output", &path, &picture.encoded(form)?)?;
-            text.push_str(&format!("{}\n", path.display()));
-        }
+    for scenario in builtin::figures()?.concat() {
+        let span = Span::new(&scenario.motion, None)?;
+        let scene = tip::draw(&scenario, &span, &caption(PlotKind::Tip, &scenario, &span));
+        let path = folder.join(scenario.name.replace([' ', '='], "_") + ".svg");
+        drawing::write("--output", &path, &scene, None)?;
+        text.push_str(&format!("{}\n", path.display()));
     }
-    Ok(Report { text, ..Report::default() })
+    Ok(text.into())
 }

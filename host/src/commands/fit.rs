@@ -1,27 +1,66 @@
 //! `toytop fit`: the launch of a top from samples.
 
 use super::Report;
+use super::options::{PICTURE, ending_in, positive};
 use crate::Failure;
-use crate::cli::{FitArgs, Format};
-use crate::fit::free;
-use crate::fit::launch::{fitted, reason};
+use crate::fit::free::FREE_KEYS;
+use crate::fit::launch::FitInput;
 use crate::fit::report::FitReport;
 use crate::fit::sensors::{Body, Sensors};
 use crate::fit::table;
 use crate::input::scenario::Scenario;
-use crate::output::{self, Cell, Record, whole_file};
-use crate::pictures::fit as pictures;
-use crate::pictures::plot::Form;
+use crate::output::{self, Cell, Format, Record, shown, whole_file};
+use crate::pictures::charts::fit as pictures;
+use crate::pictures::drawing;
+use clap::Args;
+use std::path::PathBuf;
 use toml::{Table, Value};
 use toytop::Top;
-use toytop::fit::{Fit, Sensor};
 
-pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
+/// `toytop fit`
+#[derive(Args, Debug)]
+pub(crate) struct FitArgs {
+    /// Samples, as `toytop simulate` writes them
+    samples: PathBuf,
+    /// Scenario file with the top; its motion is not read
+    #[arg(long, value_name = "TOP.toml")]
+    top: PathBuf,
+    /// Sensors; without this option, those of a telephone, as far as the samples have their columns
+    #[arg(long, value_name = "SENSORS.toml")]
+    sensors: Option<PathBuf>,
+    /// Keys of the top that are fitted too
+    #[arg(long, value_parser = FREE_KEYS, value_name = "KEY,...", value_delimiter = ',')]
+    free: Vec<String>,
+    /// Residual, in standard deviations, from which a sample is an outlier; inf for least squares
+    #[arg(long, value_name = "X", default_value_t = 3.0, value_parser = huber)]
+    huber: f64,
+    /// Fits a slow loss of rotation too, and reports the drift of l, n and h: standard deviation of the loss in units of the rotation
+    /// itself, 1/s, such as 0.017 where the spin may be lost in a minute
+    #[arg(long, value_name = "X", value_parser = positive)]
+    drift: Option<f64>,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+    /// Residuals against time, as a picture: a file that ends in .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = ending_in(PICTURE))]
+    plot_residuals: Option<PathBuf>,
+    /// Error of the prediction against time, as a picture
+    #[arg(long, value_name = "FILE", value_parser = ending_in(PICTURE))]
+    plot_prediction: Option<PathBuf>,
+    /// Scenario file to write
+    #[arg(short, long, value_name = "FITTED.toml")]
+    output: Option<PathBuf>,
+}
+
+fn huber(text: &str) -> Result<f64, &'static str> {
+    text.parse().ok().filter(|x| *x >= 1.0).ok_or("must be a number from 1, or inf")
+}
+
+pub(crate) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
+    let inputs = [Some(&*arguments.samples), Some(&*arguments.top), arguments.sensors.as_deref()];
+    whole_file::require_other("--output", arguments.output.as_deref(), &inputs)?;
     let plots =
         [("--plot-residuals", &arguments.plot_residuals), ("--plot-prediction", &arguments.plot_prediction)];
-    for (option, path) in plots {
-        path.as_deref().map(|path| Form::of(path, option)).transpose()?;
-    }
     let file = arguments.top.display().to_string();
     let keys = Scenario::keys(&arguments.top)?;
     let top = Scenario::top(&arguments.top)?;
@@ -30,34 +69,23 @@ pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
         Some(path) => Sensors::read(path, body)?,
         None => Sensors::telephone(body),
     };
-    let measurements = table::read(&arguments.samples, &mut sensors, arguments.sensors.is_some())?;
-    let own = Table::new();
-    let table = keys.get("top").and_then(Value::as_table).unwrap_or(&own);
-    let ratios = free::ratios(table, &top, &arguments.free)
-        .map_err(|reason| Failure::Input(format!("--free: {reason} ({file})")))?;
-
+    let (measurements, unused) = table::read(&arguments.samples, &mut sensors, arguments.sensors.is_some())?;
+    let table = keys.get("top").and_then(Value::as_table).cloned().unwrap_or_default();
+    let FitArgs { free, huber, drift, .. } = arguments;
+    let input = FitInput { top, table, free: free.clone(), sensors, huber: *huber, drift: *drift };
     let samples = arguments.samples.display();
-    let refuse = |error: toytop::fit::FitError| Failure::Input(format!("{samples}: {error}"));
-    let listed: Vec<&dyn Sensor> =
-        sensors.instruments.iter().map(|instrument| &*instrument.sensor as &dyn Sensor).collect();
-    let mut fit = Fit::new(&top, &listed, &ratios).map_err(refuse)?.with_huber(arguments.huber);
-    if let Some(deviation) = arguments.drift {
-        fit = fit
-            .with_drift(deviation)
-            .map_err(|_| Failure::Input("--drift: --free must name at most one key with it".to_owned()))?;
-    }
-    let fitted = fitted(&mut fit, &measurements).map_err(refuse)?;
-    let end = measurements.last().map_or(0.0, |last| last.time);
-    let report = FitReport {
-        fitted: &fitted,
-        reason: reason(&fitted, &sensors, &measurements, &format!("--top {file}")),
-        top: &top,
-        table,
-        free: &arguments.free,
-        sensors: &sensors,
-        end,
-    };
+    let report = input.fitted(&measurements).map_err(|(parameter, reason)| {
+        Failure::Input(match parameter {
+            "samples" => format!("{samples}: {reason}"),
+            _ => format!("--{parameter}: {reason} ({file})"),
+        })
+    })?;
+    let fitted = &report.fitted;
     let mut notes = Vec::new();
+    if !unused.is_empty() {
+        let names: Vec<_> = unused.iter().map(|name| shown(name)).collect();
+        notes.push(format!("{samples}: columns that no sensor reads: {}", names.join(", ")));
+    }
     match (&arguments.output, fitted.converged()) {
         (Some(path), true) => {
             let units = keys.get("units").and_then(Value::as_str);
@@ -71,55 +99,39 @@ pub(super) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     }
     for (option, path) in plots {
         let Some(path) = path else { continue };
-        if !report.has_launch() {
-            notes.push(format!("{}: not written, because there is no launch", path.display()));
-            continue;
-        }
-        let Ok(motion) = fitted.motion(&top) else {
-            notes.push(format!("{}: not written, because no top has the fitted numbers", path.display()));
+        let motion = Some(fitted.motion(&top)).filter(|_| report.has_launch());
+        let Some(Ok(motion)) = motion else {
+            let reason = motion.map_or("there is no launch", |_| "no top has the fitted numbers");
+            notes.push(format!("{}: not written, because {reason}", path.display()));
             continue;
         };
         let picture = match option {
             "--plot-residuals" => pictures::residuals(&report, &measurements),
             _ => pictures::prediction(&report, &motion),
         };
-        whole_file::write(option, path, &picture.encoded(Form::of(path, option)?)?)?;
+        drawing::write(option, path, &picture, None)?;
     }
     let text = match arguments.format {
         Format::Table => report.table(),
         Format::Json => format!("{}\n", report.json()),
-        Format::Csv => output::csv(&[record(&report)]).map_err(Failure::Output)?,
+        Format::Csv => output::csv(&[record(&report)])?,
     };
     Ok(Report { text, notes, missed: !fitted.converged() })
 }
 
 /// Launch in one row.
-fn record(report: &FitReport<'_>) -> Record {
-    let fitted = report.fitted;
+fn record(report: &FitReport) -> Record {
+    let fitted = &report.fitted;
     let deviations = fitted.deviations();
-    let [w, x, y, z] = fitted.launch.orientation.quaternion();
-    let [a, b, c] = fitted.launch.omega;
-    let reason = report.reason.clone().map_or(Cell::Absent, Cell::Text);
-    let mut cells = vec![("reason", reason)];
-    for (name, value) in [
-        ("epoch", fitted.epoch),
-        ("w", w),
-        ("x", x),
-        ("y", y),
-        ("z", z),
-        ("omega_x", a),
-        ("omega_y", b),
-        ("omega_z", c),
-        ("theta_x_deviation", deviations[0]),
-        ("theta_y_deviation", deviations[1]),
-        ("theta_z_deviation", deviations[2]),
-        ("omega_x_deviation", deviations[3]),
-        ("omega_y_deviation", deviations[4]),
-        ("omega_z_deviation", deviations[5]),
-        ("reduced_chi_squared", fitted.statistics.reduced_chi_squared(fitted.count)),
-    ] {
-        cells.push((name, Cell::Number(value)));
-    }
+    let mut cells = vec![("reason", report.reason.as_deref().into()), ("epoch", fitted.epoch.into())];
+    let mut add = |names: &[&'static str], values: &[f64]| {
+        cells.extend(names.iter().copied().zip(values.iter().copied().map(Cell::Number)));
+    };
+    add(&["w", "x", "y", "z"], &fitted.launch.orientation.quaternion());
+    add(&["omega_x", "omega_y", "omega_z"], &fitted.launch.omega);
+    add(&["theta_x_deviation", "theta_y_deviation", "theta_z_deviation"], &deviations[..3]);
+    add(&["omega_x_deviation", "omega_y_deviation", "omega_z_deviation"], &deviations[3..]);
+    add(&["reduced_chi_squared"], &[fitted.statistics.reduced_chi_squared(fitted.count)]);
     Record(cells)
 }
 

@@ -1,63 +1,103 @@
 //! `toytop plot`: curve of the tip between its bounding circles, and other pictures of a motion.
 
-use super::{Report, unreal};
+use super::options::{PICTURE, ending_in, span};
+use super::{Report, warnings};
 use crate::Failure;
-use crate::cli::{PlotArgs, PlotKind};
 use crate::input::scenario::Scenario;
 use crate::output::names::tip_class;
 use crate::output::short;
-use crate::output::whole_file;
-use crate::pictures::plot::{Curve, Form, draw, encode_at};
+use crate::pictures::charts::motion;
+use crate::pictures::drawing;
+use crate::pictures::space::sphere;
 use crate::pictures::span::{Span, require_at_most};
-use crate::pictures::{charts, sphere};
+use crate::pictures::tip;
+use clap::{Args, ValueEnum};
 use kuva::render::render::Scene;
+use std::path::PathBuf;
 use toytop::{Sign, Support};
 
-pub(super) fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
-    let path = &arguments.output;
-    let form = Form::of(path, "--output")?;
+/// `toytop plot`
+#[derive(Args, Debug)]
+pub(crate) struct PlotArgs {
+    /// Scenario file
+    scenario: PathBuf,
+    /// Kind of picture
+    #[arg(long, default_value = "tip")]
+    kind: PlotKind,
+    /// Times to draw, s, at most 1000 nutation periods for the tip and the axis, 300 for tilt and precession, and none for the
+    /// potential; without it, from 0 over about one turn of the tip around the centre
+    #[arg(long, value_name = "LOW..HIGH", value_parser = span, allow_hyphen_values = true)]
+    times: Option<[f64; 2]>,
+    /// Width of the picture, pixels
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(100..=10_000))]
+    size: Option<u32>,
+    /// Output file, whose name ends in .svg or .png
+    #[arg(short, long, value_name = "FILE", value_parser = ending_in(PICTURE))]
+    output: PathBuf,
+}
+
+/// Kind of picture that `plot` draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PlotKind {
+    /// Curve of the tip between its two bounding circles, from above; for a held tip, the curve of the axis
+    Tip,
+    /// Curve of the axis on the unit sphere
+    Axis,
+    /// Tilt of the axis against time
+    Tilt,
+    /// Azimuth of the axis against time
+    Precession,
+    /// Effective potential of the nutation against the tilt
+    Potential,
+}
+
+impl PlotKind {
+    /// Greatest number of nutation periods of a picture, and the kind of picture as a message names it. More would fill the frame.
+    #[must_use]
+    pub(crate) fn most_cycles(self) -> (u32, &'static str) {
+        match self {
+            Self::Tilt => (300, " for --kind tilt"),
+            Self::Precession => (300, " for --kind precession"),
+            Self::Tip | Self::Axis | Self::Potential => (1000, ""),
+        }
+    }
+}
+
+pub(crate) fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
-    let scene = scene(arguments, &scenario).map_err(|failure| match failure {
-        Failure::Method(_) => failure.of(&scenario.name),
-        other => other,
-    })?;
-    whole_file::write("--output", path, &encode_at(&scene, form, arguments.size)?)?;
-    Ok(Report::default().with_remarks(unreal(&[scenario]), false))
+    let scene = scene(arguments, &scenario).map_err(|failure| failure.of_motion(&scenario.name))?;
+    drawing::write("--output", &arguments.output, &scene, arguments.size)?;
+    Ok(Report::default().with_remarks(warnings(&[scenario]), false))
 }
 
 fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
-    let (motion, times) = (&scenario.motion, arguments.times);
+    let times = arguments.times;
     if arguments.kind == PlotKind::Potential {
         if times.is_some() {
             return Err(Failure::Input("--times: not for --kind potential".to_owned()));
         }
-        return Ok(charts::potential(scenario));
+        return Ok(motion::potential(scenario));
     }
     if let Some(times) = times {
         let (most, kind) = arguments.kind.most_cycles();
         require_at_most(most, scenario, times, kind)?;
     }
-    let span = Span::new(motion, times)?;
+    let span = Span::new(&scenario.motion, times)?;
+    let caption = || caption(arguments.kind, scenario, &span);
     Ok(match arguments.kind {
-        PlotKind::Tilt => charts::tilt(scenario, &span),
-        PlotKind::Precession => charts::precession(scenario, &span)?,
-        _ => {
-            let curve = Curve::between(motion, times)?;
-            let caption = caption(arguments.kind, scenario, &curve);
-            match arguments.kind {
-                PlotKind::Axis => sphere::draw(scenario, &span, &caption),
-                _ => draw(scenario, &curve, &caption),
-            }
-        }
+        PlotKind::Tilt => motion::tilt(scenario, &span),
+        PlotKind::Precession => motion::precession(scenario, &span)?,
+        PlotKind::Axis => sphere::draw(scenario, &span, &caption()),
+        _ => tip::draw(scenario, &span, &caption()),
     })
 }
 
 /// Class of the curve and numbers of the scenario, in two lines.
-fn caption(kind: PlotKind, scenario: &Scenario, curve: &Curve) -> [String; 2] {
+pub(super) fn caption(kind: PlotKind, scenario: &Scenario, span: &Span) -> [String; 2] {
     let motion = &scenario.motion;
     let (top, e, signs) = (motion.top(), motion.branch_points(), motion.signs());
     let class = tip_class(motion.tip_class()).replace('_', " ");
-    let periods = curve.periods.map(|periods| format!(", {periods} periods")).unwrap_or_default();
+    let periods = span.periods.map(|periods| format!(", {periods} periods")).unwrap_or_default();
     let shown = |e: f64| if e.is_finite() { short(e, 4) } else { "∞".to_owned() };
     let [e1, e2, e3] = [e.e1, e.e2, e.e3].map(shown);
     // (l + n)² and (l - n)² are proportional to these

@@ -1,287 +1,174 @@
 //! `toytop score`: output of an integrator, compared with the exact motion.
 
+mod methods;
+
 use super::Report;
+use super::options::{PICTURE, ending_in, positive};
 use crate::Failure;
 use crate::benchmarks;
-use crate::cli::{Format, ScoreArgs};
 use crate::input::scenario::Scenario;
 use crate::motion::propagate::period;
-use crate::output::{self, Cell, Record, whole_file};
-use crate::pictures::plot::Form;
-use crate::pictures::work_precision::{MethodRuns, work_precision};
+use crate::output::{self, Column, Format, Lists, Record, error, short};
+use crate::pictures::charts::work_precision::work_precision;
+use crate::pictures::drawing;
 use crate::score::drift::RateSource;
-use crate::score::judge::{Judge, Score};
-use crate::score::order;
+use crate::score::judge::Judge;
 use crate::score::trajectory::Trajectory;
+use clap::Args;
+use methods::{Group, Run, work};
 use std::path::PathBuf;
-use toytop::Orientation;
 
-pub(super) fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
-    let form = arguments.plot.as_deref().map(|path| Form::of(path, "--plot")).transpose()?;
-    let Task { scenario, results, body } = Task::of(arguments)?;
+/// `toytop score`
+#[derive(Args, Debug)]
+pub(crate) struct ScoreArgs {
+    /// Scenario file; with --benchmark, the first CSV file
+    scenario: PathBuf,
+    /// CSV files with the output of integrators for this scenario: one file for each step size and method
+    #[arg(value_name = "RESULT.csv", required_unless_present = "benchmark")]
+    results: Vec<PathBuf>,
+    /// Problem of `toytop benchmark` that replaces the scenario; the files are in the conventions of its source
+    #[arg(long, value_name = "NAME")]
+    benchmark: Option<String>,
+    /// Step size of each file, s; without it, the step size that the file states, or the spacing of its rows
+    #[arg(long, value_name = "H1,H2,...", value_delimiter = ',', allow_hyphen_values = true, value_parser = positive)]
+    steps: Vec<f64>,
+    /// Picture of the greatest error against the work, whose name ends in .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = ending_in(PICTURE))]
+    plot: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+pub(crate) fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
+    let first = &arguments.scenario;
+    let problem = arguments.benchmark.as_deref().map(benchmarks::named);
+    let problem = problem.transpose().map_err(|failure| failure.of("--benchmark"))?;
+    // command that prints the state from which a run has to start
+    let (scenario, start) = match &problem {
+        Some(problem) => {
+            (problem.scenario.clone(), format!("toytop benchmark {} --times 0 --format csv", problem.name()))
+        }
+        None => (Scenario::read(first)?, format!("toytop state {} --times 0", first.display())),
+    };
+    let results: Vec<_> = problem.iter().map(|_| first).chain(&arguments.results).collect();
     let (steps, files) = (&arguments.steps, results.len());
     if !steps.is_empty() && steps.len() != files {
         return Err(Failure::Input(format!("--steps: must be {files} numbers, one for each file")));
     }
-    let judge = Judge::new(&scenario)?;
-    let mut runs = Vec::new();
-    for (index, path) in results.iter().enumerate() {
-        let trajectory = Trajectory::read(path)?.in_body_axes(&body);
+    let mut judge = Judge::new(&scenario)?;
+    if let Some(problem) = &problem {
+        judge = judge.with_length(problem.conventions.length);
+    }
+    let (mut runs, mut doubts) = (Vec::new(), Vec::new());
+    for (index, path) in results.into_iter().enumerate() {
+        let mut trajectory = Trajectory::read(path)?;
+        if let Some(problem) = &problem {
+            trajectory = trajectory.in_body_axes(&problem.conventions.to_core());
+        }
         let score = judge.score(&trajectory)?;
-        runs.push(Run::new(trajectory, score, steps.get(index).copied()));
+        let doubt = score.doubt.as_ref().map(|doubt| doubt.question(&start));
+        doubts.extend(doubt.map(|doubt| format!("warning: {}: {doubt}", trajectory.name)));
+        runs.push(Run::new(index, trajectory, score, steps.get(index).copied()));
     }
-    let methods = Method::all(&runs);
-    if let (Some(path), Some(form)) = (&arguments.plot, form) {
-        let (unit, lines) = work(&runs, &methods, period(&scenario.motion))?;
-        let picture = work_precision(&scenario.name, unit, lines);
-        whole_file::write("--plot", path, &picture.encoded(form)?)?;
-    }
-    let ranked = Ranked::all(&runs, &methods);
-    let records: Vec<_> = runs.iter().map(|run| record(run, &methods)).collect();
-    let text = match arguments.format {
-        Format::Table => tables(&ranked, &methods),
-        Format::Csv => output::csv(&records).map_err(Failure::Output)?,
-        Format::Json => json(&scenario, &records, &methods).map_err(Failure::Output)?,
-    };
-    let start = start_command(arguments);
-    let doubts = runs.iter().filter_map(|run| {
-        let doubt = run.score.doubt.as_ref()?;
-        Some(format!("warning: {}: {}", run.name, doubt.question(&start)))
-    });
-    let doubts = doubts.chain(ranked.iter().filter_map(Ranked::doubt));
-    Ok(Report { text, ..Report::default() }.with_remarks(doubts, arguments.format == Format::Table))
-}
-
-/// Results, and the scenario that they are compared with.
-struct Task<'a> {
-    scenario: Scenario,
-    results: Vec<&'a PathBuf>,
-    /// Rotation from the body axes of the files to those of the core.
-    body: Orientation<f64>,
-}
-
-impl<'a> Task<'a> {
-    fn of(arguments: &'a ScoreArgs) -> Result<Self, Failure> {
-        let results = arguments.results.iter();
-        let Some(name) = &arguments.benchmark else {
-            let scenario = Scenario::read(&arguments.scenario)?;
-            return Ok(Self { scenario, results: results.collect(), body: Orientation::IDENTITY });
-        };
-        let problem = benchmarks::named(name).map_err(|failure| failure.of("--benchmark"))?;
-        let results = std::iter::once(&arguments.scenario).chain(results).collect();
-        Ok(Self { body: problem.conventions.to_core(), scenario: problem.scenario, results })
-    }
-}
-
-/// Command that prints the state from which a run has to start.
-fn start_command(arguments: &ScoreArgs) -> String {
-    match &arguments.benchmark {
-        Some(name) => format!("toytop benchmark {name} --times 0 --format csv"),
-        None => format!("toytop state {} --times 0", arguments.scenario.display()),
-    }
-}
-
-/// One file with its score.
-struct Run {
-    name: String,
-    method: String,
-    rows: usize,
-    /// Step size, s, and its source.
-    step: Option<(f64, &'static str)>,
-    evaluations: Option<f64>,
-    score: Score,
-}
-
-impl Run {
-    fn new(trajectory: Trajectory, score: Score, step: Option<f64>) -> Self {
-        let spacing = trajectory.spacing();
-        let Trajectory { name, method, step: stated, evaluations, rows } = trajectory;
-        let step = step.map(|step| (step, "option"));
-        let step = step.or(stated.map(|step| (step, "file"))).or(spacing.map(|step| (step, "rows")));
-        Self { name, method: method.unwrap_or_default(), rows: rows.len(), step, evaluations, score }
-    }
-
-    /// Step size and greatest error.
-    fn point(&self) -> Option<[f64; 2]> {
-        self.step.map(|(step, _)| [step, self.score.max_error])
-    }
-}
-
-/// Files of one method and their order of convergence.
-struct Method {
-    name: String,
-    files: usize,
-    order: Option<f64>,
-}
-
-impl Method {
-    /// Methods in the order of their first files.
-    fn all(runs: &[Run]) -> Vec<Self> {
-        let mut names: Vec<&str> = Vec::new();
-        for run in runs {
-            if !names.contains(&run.method.as_str()) {
-                names.push(&run.method);
-            }
+    let mut methods: Vec<String> = Vec::new();
+    for run in &runs {
+        if !methods.contains(&run.method) {
+            methods.push(run.method.clone());
         }
-        let method = |name: &str| {
-            let of_method = || runs.iter().filter(|run| run.method == name);
-            let points: Vec<_> = of_method().filter_map(Run::point).collect();
-            Self { name: name.to_owned(), files: of_method().count(), order: order::fitted(&points) }
-        };
-        names.into_iter().map(method).collect()
     }
-}
-
-/// Run, and its order of convergence from the next larger step of the same method.
-struct Ranked<'a> {
-    run: &'a Run,
-    order: Option<f64>,
-    /// Whether the two steps are most likely wrong.
-    doubtful: bool,
-}
-
-impl<'a> Ranked<'a> {
-    /// Runs by method, and those of a method from the largest step; runs without a step are the last.
-    fn all(runs: &'a [Run], methods: &[Method]) -> Vec<Self> {
-        let mut ranked = Vec::new();
-        for method in methods {
-            let mut of_method: Vec<_> = runs.iter().filter(|run| run.method == method.name).collect();
-            let step = |run: &Run| run.step.map_or(0.0, |(step, _)| step);
-            of_method.sort_by(|a, b| step(b).total_cmp(&step(a)));
-            let mut before: Option<[f64; 2]> = None;
-            for run in of_method {
-                let pair = before.zip(run.point());
-                ranked.push(Self {
-                    run,
-                    order: pair.and_then(|(coarse, fine)| order::between(coarse, fine)),
-                    doubtful: pair.is_some_and(|(coarse, fine)| order::is_doubtful(coarse, fine)),
-                });
-                before = run.point();
-            }
-        }
-        ranked
+    let groups: Vec<_> = methods.iter().map(|name| Group::new(name, &runs)).collect();
+    if let Some(path) = &arguments.plot {
+        let (unit, lines) = work(&groups, period(&scenario.motion))?;
+        drawing::write("--plot", path, &work_precision(&scenario.name, unit, lines), None)?;
     }
-
-    fn doubt(&self) -> Option<String> {
-        let order = self.order.filter(|_| self.doubtful)?;
-        let question = match self.run.step {
-            Some((_, "option")) => "do --steps belong to these files?",
-            Some((_, "file")) => "do the lines # step = H belong to these files?",
-            _ => "is the spacing of the rows the step? --steps states another one",
-        };
-        Some(format!("warning: {}: order {order:.2}: {question}", self.run.name))
-    }
-}
-
-/// Unit of the work, and the runs of each method. The work is the number of evaluations of the equations if every file states it,
-/// otherwise the number of steps.
-fn work(runs: &[Run], methods: &[Method], period: f64) -> Result<(&'static str, Vec<MethodRuns>), Failure> {
-    let counted = runs.iter().all(|run| run.evaluations.is_some());
-    let of = |run: &Run| match run.step {
-        _ if counted => run.evaluations,
-        Some((step, _)) => Some(period / step),
-        None => None,
+    doubts.extend(groups.iter().flat_map(Group::doubts));
+    let with_orders = groups.iter().flat_map(|group| group.with_orders().map(move |run| (group.order, run)));
+    let mut rows: Vec<_> =
+        with_orders.map(|(all, (run, order))| (run.file, record(run, all, order))).collect();
+    let ranked: Vec<_> = rows.iter().map(|(_, record)| record.clone()).collect();
+    rows.sort_by_key(|(file, _)| *file);
+    let records: Vec<_> = rows.into_iter().map(|(_, record)| record).collect();
+    let of_method = |group: &Group<'_>| {
+        let files = group.runs.len() as u64;
+        Record::default().with("method", group.method).with("files", files).with("order", group.order)
     };
-    let mut lines = Vec::new();
-    for method in methods {
-        let mut points = Vec::new();
-        for run in runs.iter().filter(|run| run.method == method.name) {
-            let work = of(run).ok_or_else(|| {
-                let needed = "needs a line # evaluations = N in every file, or --steps";
-                Failure::Input(format!("--plot: {}: {needed}, because its rows are uneven", run.name))
-            })?;
-            points.push([work, run.score.max_error]);
-        }
-        let order = method.order.map(|order| format!("measured order {order:.2}"));
-        let name = [Some(method.name.clone()).filter(|name| !name.is_empty()), order];
-        lines.push((name.into_iter().flatten().collect::<Vec<_>>().join(", "), points));
-    }
-    Ok((if counted { "evaluations of the equations" } else { "steps in a nutation period" }, lines))
+    let of_methods: Vec<_> = groups.iter().map(of_method).collect();
+    let order = if let [only] = &groups[..] { only.order } else { None };
+    let rest =
+        Record::default().with("order", order).with("scenario", &*scenario.name).with("sign", "nearest");
+    let object = Lists(vec![("files", &records), ("methods", &of_methods)], rest);
+    let text = output::written(arguments.format, &records, &object, || tables(&ranked, &groups))?;
+    Ok(Report::from(text).with_remarks(doubts, arguments.format == Format::Table))
 }
 
-fn json(scenario: &Scenario, records: &[Record], methods: &[Method]) -> std::io::Result<String> {
-    let of_method = |method: &Method| {
-        Record(vec![
-            ("method", Cell::Text(method.name.clone())),
-            ("files", Cell::Count(method.files as u64)),
-            ("order", method.order.into()),
-        ])
-    };
-    let of_methods: Vec<_> = methods.iter().map(of_method).collect();
-    let only = if let [only] = methods { only.order } else { None };
-    let rest = Record(vec![
-        ("order", only.into()),
-        ("scenario", Cell::Text(scenario.name.clone())),
-        ("sign", Cell::Text("nearest".to_owned())),
-    ]);
-    output::json_lists(&[("files", records), ("methods", &of_methods)], &rest)
-}
-
-fn record(run: &Run, methods: &[Method]) -> Record {
+fn record(run: &Run, method_order: Option<f64>, order: Option<f64>) -> Record {
     let Run { score, .. } = run;
     let (phases, drift) = (&score.phases, &score.drift);
-    let drift_of = |i: usize| Cell::from(drift.integrals.map(|drifts| drifts[i]));
-    let word = |word: Option<&str>| word.map_or(Cell::Absent, |word| Cell::Text(word.to_owned()));
-    let order = methods.iter().find(|method| method.name == run.method).and_then(|method| method.order);
-    Record(vec![
-        ("name", Cell::Text(run.name.clone())),
-        ("method", word(Some(&run.method[..]).filter(|name| !name.is_empty()))),
-        ("rows", Cell::Count(run.rows as u64)),
-        ("step", run.step.map(|(step, _)| step).into()),
-        ("step_from", word(run.step.map(|(_, from)| from))),
-        ("evaluations", run.evaluations.into()),
-        ("max_error_rad", Cell::Number(score.max_error)),
-        ("rms_error_rad", Cell::Number(score.rms_error)),
-        ("final_error_rad", Cell::Number(score.final_error)),
-        ("max_u_error", Cell::Number(score.max_u_error)),
-        ("nutation_error_rad", phases.nutation.into()),
-        ("precession_error_rad", phases.precession.into()),
-        ("spin_error_rad", phases.spin.into()),
-        ("residual_rad", phases.residual.into()),
-        ("drift_h", drift_of(2)),
-        ("drift_l", drift_of(0)),
-        ("drift_n", drift_of(1)),
-        ("drift_from", word(drift.from.map(source))),
-        ("drift_uncertainty", drift.uncertainty.into()),
-        ("max_norm_error", Cell::Number(score.norm_error)),
-        ("truth_bound_rad", Cell::Number(score.truth_bound)),
-        ("method_order", order.into()),
-    ])
-}
-
-fn source(source: RateSource) -> &'static str {
-    match source {
-        RateSource::Columns => "columns",
-        RateSource::Differences => "differences",
-    }
+    let [l, n, h] = [0, 1, 2].map(|i| drift.integrals.map(|drifts| drifts[i]));
+    Record::default()
+        .with("name", &*run.name)
+        .with("method", Some(&*run.method).filter(|name| !name.is_empty()))
+        .with("rows", run.rows as u64)
+        .with("step", run.step.map(|(step, _)| step))
+        .with("step_from", run.step.map(|(_, from)| from))
+        .with("evaluations", run.evaluations)
+        .with("max_error_rad", score.max_error)
+        .with("rms_error_rad", score.rms_error)
+        .with("final_error_rad", score.final_error)
+        .with("max_u_error", score.max_u_error)
+        .with("max_position_error", score.max_position_error)
+        .with("nutation_error_rad", phases.nutation)
+        .with("precession_error_rad", phases.precession)
+        .with("spin_error_rad", phases.spin)
+        .with("residual_rad", phases.residual)
+        .with("drift_h", h)
+        .with("drift_l", l)
+        .with("drift_n", n)
+        .with(
+            "drift_from",
+            drift.from.map(|from| match from {
+                RateSource::Columns => "columns",
+                RateSource::Differences => "differences",
+            }),
+        )
+        .with("drift_uncertainty", drift.uncertainty)
+        .with("max_norm_error", score.norm_error)
+        .with("truth_bound_rad", score.truth_bound)
+        .with("method_order", method_order)
+        .with("order", order)
 }
 
 /// Table of the errors, table of the phase errors and drifts, and the orders of convergence.
-fn tables(ranked: &[Ranked<'_>], methods: &[Method]) -> String {
-    let brief = |x: Option<f64>| x.map_or("-".to_owned(), |x| format!("{x:.1e}"));
-    let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
-    let mut errors =
-        vec![words(&["", "rows", "step, s", "max, rad", "rms, rad", "final, rad", "u", "order"])];
-    let mut details = vec![words(&["", "nutation", "precession", "spin", "residual", "h", "l", "n"])];
-    for Ranked { run, order, .. } in ranked {
-        let Score { max_error, rms_error, final_error, max_u_error, phases, drift, .. } = &run.score;
-        let mut line = vec![run.name.clone(), run.rows.to_string()];
-        line.push(run.step.map_or("-".to_owned(), |(step, _)| output::short(step, 4)));
-        line.extend([max_error, rms_error, final_error, max_u_error].map(|x| brief(Some(*x))));
-        line.push(order.map_or("-".to_owned(), |order| format!("{order:.2}")));
-        errors.push(line);
-        let [l, n, h] = [0, 1, 2].map(|i| drift.integrals.map(|drifts| drifts[i]));
-        let numbers = [phases.nutation, phases.precession, phases.spin, phases.residual, h, l, n];
-        details.push(std::iter::once(run.name.clone()).chain(numbers.map(brief)).collect());
-    }
-    let mut orders = String::new();
-    for Method { name, order, .. } in methods {
-        if let Some(order) = order {
-            let of = if name.is_empty() { String::new() } else { format!(" of {name}") };
-            orders.push_str(&format!("Order of convergence{of}: {order:.2}\n"));
-        }
-    }
-    let scores = || ranked.iter().map(|ranked| &ranked.run.score);
+fn tables(records: &[Record], groups: &[Group<'_>]) -> String {
+    let two = |x| format!("{x:.2}");
+    let errors: [Column<'_>; 9] = [
+        ("name", "", two),
+        ("rows", "rows", two),
+        ("step", "step, s", |step| short(step, 4)),
+        ("max_error_rad", "max, rad", error),
+        ("rms_error_rad", "rms, rad", error),
+        ("final_error_rad", "final, rad", error),
+        ("max_u_error", "u", error),
+        ("max_position_error", "position", error),
+        ("order", "order", two),
+    ];
+    let details: [Column<'_>; 8] = [
+        ("name", "", error),
+        ("nutation_error_rad", "nutation", error),
+        ("precession_error_rad", "precession", error),
+        ("spin_error_rad", "spin", error),
+        ("residual_rad", "residual", error),
+        ("drift_h", "h", error),
+        ("drift_l", "l", error),
+        ("drift_n", "n", error),
+    ];
+    let order = |group: &Group<'_>| {
+        let of = if group.method.is_empty() { String::new() } else { format!(" of {}", group.method) };
+        group.order.map(|order| format!("Order of convergence{of}: {order:.2}\n"))
+    };
+    let orders: String = groups.iter().filter_map(order).collect();
+    let scores = || groups.iter().flat_map(|group| &group.runs).map(|run| &run.score);
     let differences = scores().any(|score| score.drift.from == Some(RateSource::Differences));
     let by = if differences {
         ", for files without angular velocity computed from differences of the error"
@@ -294,7 +181,7 @@ fn tables(ranked: &[Ranked<'_>], methods: &[Method]) -> String {
          {orders}The exact motion is within {bound:.1e} rad. Errors of the orientation are 2 sqrt(|d alpha|^2 + |d beta|^2) with the nearer\n\
          sign. Residual: what no phase error explains. Order: from the next larger step of the same method. Drifts: of h in units of\n\
          max(|h|, p g), of l and n in units of max(|l|, |n|, sqrt(2 A p g)){by}.\n",
-        output::columns(errors, 1),
-        output::columns(details, 1),
+        output::aligned(records, &errors),
+        output::aligned(records, &details),
     )
 }

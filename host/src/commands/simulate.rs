@@ -1,16 +1,42 @@
 //! `toytop simulate`: simulated readings of sensors on a top.
 
 use super::Report;
+use super::options::positive;
 use crate::Failure;
-use crate::cli::SimulateArgs;
 use crate::commands::fit::body;
 use crate::fit::sensors::Sensors;
 use crate::fit::simulated::{MOST_SAMPLES, Recording, measurements};
 use crate::fit::table;
 use crate::input::scenario::Scenario;
 use crate::output::whole_file;
+use clap::Args;
+use std::path::PathBuf;
 
-pub(super) fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
+/// `toytop simulate`
+#[derive(Args, Debug)]
+pub(crate) struct SimulateArgs {
+    /// Scenario file
+    scenario: PathBuf,
+    /// Sensors; without this option, a gyroscope, an accelerometer and a magnetometer of a telephone at the centre of mass
+    #[arg(long, value_name = "SENSORS.toml")]
+    sensors: Option<PathBuf>,
+    /// Samples a second
+    #[arg(long, value_name = "N", default_value_t = 1000.0, value_parser = positive)]
+    hertz: f64,
+    /// Length of the recording, s
+    #[arg(long, value_name = "S", default_value_t = 1.0, value_parser = positive)]
+    duration: f64,
+    /// Seed of the noise
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    seed: u64,
+    /// Output file
+    #[arg(short, long, value_name = "SAMPLES.csv")]
+    output: PathBuf,
+}
+
+pub(crate) fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
+    let inputs = [Some(&*arguments.scenario), arguments.sensors.as_deref()];
+    whole_file::require_other("--output", Some(&arguments.output), &inputs)?;
     let scenario = Scenario::read(&arguments.scenario)?;
     let table = Scenario::keys(&arguments.scenario)?;
     let body = body(&table, scenario.motion.top());

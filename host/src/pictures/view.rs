@@ -1,31 +1,18 @@
 //! Page for a browser that needs no other file: the core as WebAssembly, and scripts that draw the motions that it
 //! computes.
-//!
-//! A program that was compiled without the target for WebAssembly has no such core. Its pages play one motion from the table of
-//! `toytop bake --lang json`, which [`EVALUATOR`] evaluates with the bits of the crate.
 
 use crate::Failure;
-use crate::bake::{Label, object};
 use crate::input::builtin::{FIGURES, TOY_TOP};
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{default_or_smallest, tick, ticks_per_time};
-use crate::output::{base64, html, names};
-use serde_json::{Map, Value, json};
+use crate::motion::ephemeris::smallest;
+use crate::output::{base64, html};
+use serde_json::json;
 use toml::Table;
-use toytop::Motion;
 use toytop_page::constants;
 
-/// JavaScript with two functions: `readTable` reads a table from the JSON in `f32`, and `momentAt(table, tick)`
-/// evaluates it.
-pub const EVALUATOR: &str = include_str!("view/evaluator.js");
-
 /// The core as WebAssembly; empty in a program that was compiled without that target.
-pub const CORE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/core.wasm"));
-
-/// Message of a program whose pages play one motion only.
-pub const NOT_LIVE: &str = "view: the page plays this motion only; for one with sliders: rustup target add \
-                            wasm32-unknown-unknown, then install toytop again";
+const CORE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/core.wasm"));
 
 /// Scripts of every page, in the order of dependence.
 const SCRIPTS: [&str; 25] = [
@@ -55,9 +42,6 @@ const SCRIPTS: [&str; 25] = [
     include_str!("view/listen.js"),
     include_str!("view/main.js"),
 ];
-
-/// Additional scripts of a page without the core.
-const RECORDED: [&str; 2] = [EVALUATOR, include_str!("view/recorded.js")];
 
 /// Motion that a page starts with.
 #[derive(Clone, Debug)]
@@ -91,61 +75,34 @@ fn keys_of_toy_top() -> Result<Table, Failure> {
     TOY_TOP.parse().map_err(|error| Failure::Input(format!("toy top: {error}")))
 }
 
-/// Page that starts with a motion, with the core as WebAssembly; where `core` is empty, a page that plays this motion
-/// only.
+/// Page that starts with a motion.
 ///
 /// # Errors
-/// [`Failure::Method`]: no table fits the motion, even in `f32`.
-pub fn page(start: &Start, core: &[u8]) -> Result<String, Failure> {
+/// [`Failure::Tool`]: the program was compiled without WebAssembly. [`Failure::Method`]: no table fits the motion.
+pub fn page(start: &Start) -> Result<String, Failure> {
+    if CORE.is_empty() {
+        let install = "rustup target add wasm32-unknown-unknown, then install toytop again";
+        return Err(Failure::Tool(format!("this toytop was compiled without the page: {install}")));
+    }
     let Start { keys, scenario } = start;
-    let table = table(scenario)?;
+    smallest(Scalar::F64, &scenario.motion)?;
     let unwritten = |error: serde_json::Error| Failure::Method(format!("view: {error}"));
-    let recorded = || json!({ "table": table, "shown": shown(&scenario.motion) });
     let data = json!({
         "name": scenario.name,
         "scenario": serde_json::to_value(keys).map_err(unwritten)?,
         "constants": constants::names().collect::<Vec<_>>(),
         "figures": FIGURES.map(|(figure, signs, e3s)| json!([figure, signs.l_minus_n.factor(), e3s])),
         "toy_top": serde_json::to_value(keys_of_toy_top()?).map_err(unwritten)?,
-        "recorded": if core.is_empty() { recorded() } else { Value::Null },
     });
-    let before = if core.is_empty() { RECORDED.concat() } else { String::new() };
     let values = [
         ("name", html(&scenario.name)),
         ("style", concat!(include_str!("view/style.css"), include_str!("view/layout.css")).to_owned()),
         ("data", in_script(&data.to_string())),
-        ("core", base64(core)),
+        ("core", base64(CORE)),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
-        ("script", before + &SCRIPTS.concat()),
+        ("script", SCRIPTS.concat()),
     ];
     Ok(filled(include_str!("view/page.html"), &values))
-}
-
-/// Table of the motion in `f32`, which the page without the core plays. It is computed for every page, so that a motion
-/// without a table is always refused.
-fn table(scenario: &Scenario) -> Result<Value, Failure> {
-    let motion = &scenario.motion;
-    let frequency = frequency(motion);
-    let clock = tick(frequency).map_err(|error| Failure::Method(error.to_string()))?;
-    let unwritten = || Failure::Method("view: f32 has no table to write".into());
-    let parts = default_or_smallest(Scalar::F32, motion, clock)?.parts().ok_or_else(unwritten)?;
-    let label = Label { name: scenario.name.clone(), tick: format!("{frequency} Hz") };
-    serde_json::from_str(&object(&label, &parts)).map_err(|error| Failure::Method(format!("view: {error}")))
-}
-
-/// Number of ticks in a unit of time, which makes the slowest motion look smooth.
-fn frequency(motion: &Motion) -> f64 {
-    const FINER: f64 = 256.0;
-    (FINER * ticks_per_time(motion)).min(31_f64.exp2())
-}
-
-/// Constants of the motion, with the names that the core gives to the page.
-fn shown(motion: &Motion) -> Value {
-    let numbers = constants::CONSTANTS.iter().map(|(name, value)| ((*name).to_owned(), value(motion).into()));
-    let words =
-        [("regime", names::regime(motion.regime())), ("tipClass", names::tip_class(motion.tip_class()))];
-    let words = words.map(|(name, word)| (name.to_owned(), Value::from(word)));
-    Value::Object(numbers.chain(words).collect::<Map<_, _>>())
 }
 
 /// Text of a script element: JSON without characters that could end the element.

@@ -1,15 +1,16 @@
 /* A Cortex-M4F in C: an interrupt of 1 kHz follows a top, the main loop relaunches it after a stroke and hands a new table over.
  *
  * Two tables take turns. The interrupt reads the one that `current` points to; the main loop sets up the other one and then changes
- * `current`, which is one word. The interrupt makes its cursor again when it sees the change. The set-up is done in slices, between
- * which the main loop could feed a watchdog. */
+ * `current`, which is one word. The interrupt makes its cursor again when it sees the change. The set-up calls `between`, which
+ * could feed a watchdog. */
 #include "../throw.h"
 #include "chip.h"
 
 static toytop_ephemeris_f32 tables[2];
 static const toytop_ephemeris_f32 *volatile current;
 static volatile int64_t ticks; /* of the interrupt, written by it alone */
-static volatile uint32_t changes, failures, polls;
+static volatile uint32_t changes, failures;
+static uint32_t calls;
 static volatile float largest_jump;
 
 /* Called by the interrupt a thousand times a second. */
@@ -42,20 +43,20 @@ static void stop_if(toytop_status status, const toytop_error *error) {
     leave(1);
 }
 
-/* Sets up a table of the motion from a state, and prints the bits of three of its ticks. */
-static void set_up(toytop_ephemeris_f32 *table, const toytop_state *state) {
+static void between(void *context) { ++*(uint32_t *)context; }
+
+/* Sets up a table of the motion from a state at a tick, and prints the bits of three of its ticks. */
+static void set_up(toytop_ephemeris_f32 *table, const toytop_state *state, int64_t epoch) {
     static toytop_motion motion;
-    static toytop_set_up slices;
+    static toytop_set_up memory;
     static toytop_error error;
-    toytop_status status;
-    stop_if(toytop_launch_f32(&top, state, &motion, &error), &error);
-    stop_if(toytop_set_up_begin(&slices, &motion, toytop_hertz(1000), 0.0, &error), &error);
-    while ((status = toytop_f32_set_up_poll(&slices, table, sizeof *table, &error)) == TOYTOP_PENDING) polls++;
-    stop_if(status, &error);
+    stop_if(toytop_launch(&top, state, &motion, &error), &error);
+    stop_if(toytop_f32_set_up_between(table, sizeof *table, &memory, &motion, toytop_hertz(1000), epoch, 0.0, between,
+                                      &calls, &error), &error);
     for (int64_t tick = 0; tick < 3; tick++) {
         toytop_ephemeris_sample now;
         float numbers[6];
-        toytop_f32_at_tick(table, tick, &now);
+        toytop_f32_at_tick(table, epoch + tick, &now);
         toytop_f32_cayley_klein(&now, numbers);
         toytop_f32_tip(&now, numbers + 4);
         print("f32 ");
@@ -70,7 +71,7 @@ int main(void) {
     static toytop_state state;
     toytop_ephemeris_sample at_the_stroke;
     stop_if(toytop_state_from_release(&throw_of_20_degrees, &state, &error), &error);
-    set_up(&tables[0], &state);
+    set_up(&tables[0], &state, 0);
     current = &tables[0];
     start_systick(25000000u / 1000u);
 
@@ -82,13 +83,12 @@ int main(void) {
     print("state 100");
     for (int i = 0; i < 7; i++) print_bits_f64(i < 2 ? state.alpha[i] : i < 4 ? state.beta[i - 2] : state.omega[i - 4]);
     print("\n");
-    set_up(&tables[1], &state);
-    toytop_f32_delay(&tables[1], 100.0); /* its tick 100 is that of the stroke: the interrupt's count goes on */
+    set_up(&tables[1], &state, 100); /* its tick 100 is that of the stroke: the interrupt's count goes on */
     current = &tables[1];
 
     while (ticks < 1000) wait_for_interrupt();
-    print("slices ");
-    print_number(polls);
+    print("calls ");
+    print_number(calls);
     print("\n");
     print("interrupts ");
     print_number((uint32_t)ticks);

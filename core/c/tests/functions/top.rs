@@ -20,6 +20,11 @@ pub(crate) const TOP: toytop_top = toytop_top {
 pub(crate) const RELEASE: toytop_release =
     toytop_release { tilt: 0.35, azimuth: 0.1, roll: 0.0, spin: 150.0, precession: 2.0, nutation: 0.0 };
 
+/// Bytes of a table in `f32` with this many segments.
+pub(crate) fn f32_size(segments: usize) -> usize {
+    TOYTOP_EPHEMERIS_F32_SIZE - 80 * 25 + 80 * segments
+}
+
 /// Parameters of the same top for the crate.
 pub(crate) fn parameters() -> TopParameters {
     TopParameters {
@@ -38,13 +43,18 @@ pub(crate) fn state() -> State {
     State::release(&release).expect("a release")
 }
 
+/// Value that a function writes.
+pub(crate) fn told<T>(call: impl FnOnce(*mut T) -> toytop_status) -> T {
+    let mut value = MaybeUninit::uninit();
+    assert_eq!(call(value.as_mut_ptr()), TOYTOP_OK);
+    unsafe { value.assume_init() }
+}
+
 /// Motion of a top with this release.
 pub(crate) fn launched(top: &toytop_top) -> toytop_motion {
-    let (mut state, mut motion) = (MaybeUninit::uninit(), MaybeUninit::uninit());
     unsafe {
-        assert_eq!(toytop_state_from_release(&RELEASE, state.as_mut_ptr(), null_mut()), TOYTOP_OK);
-        assert_eq!(toytop_launch(top, state.as_ptr(), motion.as_mut_ptr(), null_mut()), TOYTOP_OK);
-        motion.assume_init()
+        let state = told(|to| toytop_state_from_release(&RELEASE, to, null_mut()));
+        told(|to| toytop_launch(top, &state, to, null_mut()))
     }
 }
 

@@ -40,8 +40,7 @@ impl<F: Float> Cubic<F> {
         if g2 <= F::ZERO {
             return above;
         }
-        // y³ >= 0 at every iterate, so the root of the quadratic is another upper bound; it is close where all three
-        // coefficients are small
+        // y³ >= 0 at every iterate, so the root of the quadratic is another upper bound, close for small coefficients
         let root = (g1.squared() - (g2 * g0).doubled().doubled()).sqrt();
         let of_quadratic =
             if g1 > F::ZERO { -g0.doubled() / (g1 + root) } else { (root - g1) / g2.doubled() };
@@ -49,72 +48,27 @@ impl<F: Float> Cubic<F> {
         if of_quadratic < above { larger(of_quadratic, F::ZERO) } else { above }
     }
 
-    /// Upper bound on the largest root that is closer than `above`, by Newton's method in `f32`; `above` itself where rounding or the
-    /// range of `f32` prevents it.
-    fn closer(&self, above: F) -> F {
-        const STEPS: usize = 10;
-        /// Relative distance from the root that the roundings may leave.
-        const MARGIN: f32 = 1e-6;
-        let [g0, g1, g2] = [self.g0, self.g1, self.g2].map(|g| g.to_f64() as f32);
-        let rounded = Cubic { g0, g1, g2 };
-        let mut y = above.to_f64() as f32;
-        for _ in 0..STEPS {
-            let next = y - rounded.value(y) / rounded.slope(y);
-            // NaN ends the steps, too
-            if next < y * (1.0 - MARGIN) {
-                y = next;
-            } else {
+    /// Largest root, by Newton's method from above, where the iterates decrease. Convergence to a multiple root is linear, so the
+    /// starting value is close.
+    #[inline(never)] // the stack frames of a launch must not add up
+    pub(crate) fn largest_root(&self, between: &mut dyn FnMut()) -> F {
+        const MOST_STEPS: u32 = 200;
+        const STEPS_BETWEEN: u32 = 8;
+        let mut y = self.above();
+        for step in 1..=MOST_STEPS {
+            let (value, slope) = (self.value(y), self.slope(y));
+            if value <= F::ZERO || slope <= F::ZERO {
                 break;
             }
-        }
-        let closer = F::from_f64((y * (1.0 + MARGIN)).into());
-        // above the point of inflection the cubic is convex: where it is positive and increases, no root is larger
-        let is_above = closer < above
-            && closer.doubled() + closer + self.g2 > F::ZERO
-            && self.slope(closer) > F::ZERO
-            && self.value(closer) > F::ZERO;
-        if is_above { closer } else { above }
-    }
-}
-
-/// Search for the largest root by Newton's method from above, where the iterates decrease monotonically.
-///
-/// Convergence to a double root is linear with factor 1/2, to a triple root with factor 2/3, so the starting value is
-/// chosen close to the root.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct LargestRoot<F> {
-    cubic: Cubic<F>,
-    y: F,
-    steps: u32,
-}
-
-impl<F: Float> LargestRoot<F> {
-    const MOST_STEPS: u32 = 200;
-    /// Number of steps in a slice of a launch.
-    const STEPS: u32 = 8;
-
-    pub(crate) fn new(cubic: Cubic<F>) -> Self {
-        Self { cubic, y: cubic.closer(cubic.above()), steps: 0 }
-    }
-
-    pub(crate) fn cubic(&self) -> &Cubic<F> {
-        &self.cubic
-    }
-
-    /// Takes at most `STEPS` steps. Returns the root once it has converged.
-    #[inline(never)] // the stack frames of a launch must not add up
-    pub(crate) fn proceed(&mut self) -> Option<F> {
-        for _ in 0..Self::STEPS {
-            let (value, slope) = (self.cubic.value(self.y), self.cubic.slope(self.y));
-            if value <= F::ZERO || slope <= F::ZERO || self.steps == Self::MOST_STEPS {
-                return Some(self.y);
+            let next = y - value / slope;
+            if next >= y {
+                break;
             }
-            let next = self.y - value / slope;
-            if next >= self.y {
-                return Some(self.y);
+            y = next;
+            if step % STEPS_BETWEEN == 0 {
+                between();
             }
-            (self.y, self.steps) = (next, self.steps + 1);
         }
-        None
+        y
     }
 }

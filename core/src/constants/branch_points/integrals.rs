@@ -1,34 +1,33 @@
 //! Branch points from the first integrals, and first integrals from the branch points.
 
-use crate::constants::first_integrals::ReducedPoint;
-use crate::constants::{BranchPoints, FirstIntegrals, Signs};
-use crate::error::{ParameterError, finite, require};
+use super::BranchPoints;
+use crate::constants::first_integrals::{FirstIntegrals, ReducedPoint, Signs};
+use crate::error::{ParameterError, finite};
 use crate::scalar::{Extended, Float, Ring};
-use crate::top::{Quantities, Top, Units};
+use crate::top::{ScaledTop, Top, Units};
 
 impl BranchPoints {
-    /// Branch points of given l, n and h: the roots of the right-hand side of the reduced equation. Near a degenerate
-    /// case they are ill-conditioned functions of l, n and h; where the state is known, use [`BranchPoints::of`].
+    /// Branch points of given l, n and h. Near a degenerate case these are ill-conditioned: see [`BranchPoints::from_state`].
     ///
     /// # Errors
     /// `h`: no motion has these integrals, because the energy is too low; `l`, `n`, `h`: not finite, or e₃ above
     /// 1e14.
     pub fn from_integrals(top: &Top, l: f64, n: f64, h: f64) -> Result<Self, ParameterError> {
-        let unit = Units::of(top).inertia;
-        let [l, n, h] = [finite("l", l)?, finite("n", n)?, finite("h", h)?].map(|number| number / unit);
-        let integrals = exact_integrals(top, l, n, h);
-        if top.is_torque_free() {
-            return Ok(BranchPoints::torque_free_integrals(top, &integrals)?.to_f64());
-        }
-        let point = highest_point(top, &integrals)?;
+        let unit = Units::new(top).inertia;
+        let [l, n, h] = [finite("l", l)?, finite("n", n)?, finite("h", h)?].map(|x| Extended::from(x / unit));
+        let spin = ScaledTop::new(top).spin(n);
+        let integrals = FirstIntegrals { l, n, h, spin, l_plus_n: l + n, l_minus_n: l - n };
+        let point = fastest_point(top, &integrals);
+        let point = point.ok_or(ParameterError::OutOfRange {
+            parameter: "h",
+            allowed: "the energy of some motion with these l and n (it is too low)",
+        })?;
         let refused = |_| ParameterError::OutOfRange { parameter: "h", allowed: "such that e3 <= 1e14" };
-        Ok(BranchPoints::of_point(top, &integrals, &point).map_err(refused)?.to_f64())
+        Ok(BranchPoints::from_point(top, &integrals, &point, &mut || {}).map_err(refused)?.to_f64())
     }
 
-    /// First integrals of the motion with these branch points and signs (equation (3.6) of the paper). The four
-    /// choices of signs have different integrals; where A and C differ, changing the sign of l - n also changes h.
-    ///
-    /// Without torque the branch points determine neither a rate nor the integrals, and the result has l = n = 0.
+    /// First integrals of the motion with these branch points and signs (equation (3.6) of the paper). Without torque the branch
+    /// points do not determine them, and the result has l = n = 0.
     #[must_use]
     pub fn integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals {
         self.map(Extended::from).integrals_in(top, signs).as_given(top)
@@ -38,8 +37,8 @@ impl BranchPoints {
 impl<F: Float> BranchPoints<F> {
     /// First integrals in the number type and the units of set-up.
     pub(crate) fn integrals_in(&self, top: &Top, signs: Signs) -> FirstIntegrals<F> {
-        let quantities = Quantities::<F>::of(top);
-        let Quantities { a, c, p, g, .. } = quantities;
+        let quantities = ScaledTop::<F>::new(top);
+        let ScaledTop { a, c, p, g, .. } = quantities;
         let scale = (a * p * g).doubled();
         let plus = (scale * self.one_plus_e1 * self.one_plus_e2() * self.one_plus_e3()).sqrt();
         let minus = (scale * self.one_minus_e1() * self.one_minus_e2 * self.e3_minus_one).sqrt();
@@ -52,46 +51,53 @@ impl<F: Float> BranchPoints<F> {
     }
 }
 
-fn exact_integrals(top: &Top, l: f64, n: f64, h: f64) -> FirstIntegrals<Extended> {
-    let [l, n, h] = [l, n, h].map(Extended::from);
-    let spin = Quantities::of(top).spin(n);
-    FirstIntegrals { l, n, h, spin, l_plus_n: l + n, l_minus_n: l - n }
-}
-
-/// Point of the reduced curve at which (e₄² - u²) u'² is greatest. The integrals alone determine it.
-fn highest_point(
-    top: &Top,
-    integrals: &FirstIntegrals<Extended>,
-) -> Result<ReducedPoint<Extended>, ParameterError> {
-    let Quantities { a, c, s, p, g, .. } = Quantities::<Extended>::of(top);
-    let kappa = Quantities::<Extended>::of(top).kappa();
+/// Point of the reduced curve at which (e₄² - u²) u'² is greatest; `None` where no motion has these integrals.
+fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<ReducedPoint<Extended>> {
+    /// Largest effect of one `f64` rounding of l, n and h, relative to the terms.
+    const NOISE: f64 = 1e-15;
+    let (zero, one, noise) = (Extended::ZERO, Extended::ONE, Extended::from(NOISE));
+    let at_least_0 = |x: Extended| if x > zero { x } else { zero };
+    let quantities = ScaledTop::<Extended>::new(top);
+    let ScaledTop { a, c, s, p, g, .. } = quantities;
     let FirstIntegrals { l, n, h, spin, .. } = *integrals;
-    let one = Extended::ONE;
+    let axis_and_height = h - (c * spin.squared()).halved();
+    if top.is_torque_free() {
+        let across = (a * axis_and_height).doubled();
+        let square = across + n.squared();
+        let horizontal = square - l.squared();
+        let least = -(a * h.abs() + n.squared() + l.squared()) * noise;
+        if across < least || horizontal < least || square <= zero {
+            return None;
+        }
+        let u = l * n / square;
+        let udot = (at_least_0(horizontal) * at_least_0(across) / square).sqrt() / a;
+        return Some(ReducedPoint {
+            u,
+            one_minus_u: one - u,
+            one_plus_u: one + u,
+            udot,
+            axis_energy: axis_and_height,
+        });
+    }
     // f(u) = u³ - b u² + c₁ u + c₀
-    let energy = (h - (c * spin.squared()).halved()) / (p * g);
+    let (kappa, energy) = (quantities.kappa(), axis_and_height / (p * g));
     let b = energy + kappa * n.squared();
     let c1 = (kappa * l * n).doubled() - one;
     let c0 = energy - kappa * l.squared();
-    let three = Extended::from(3.0);
-    let root = (b.squared() - three * c1).sqrt();
-    let u = if b > Extended::ZERO { c1 / (b + root) } else { (b - root) / three };
+    let root = (b.squared() - Extended::from(3.0) * c1).sqrt();
+    let u = if b > zero { c1 / (b + root) } else { (b - root) / 3.0.into() };
     // f(u) again, without cancellation where the axis is nearly upright
-    let l_minus_nu = if u > Extended::ZERO { (l - n) + n * (one - u) } else { l - n * u };
-    let peak = (energy - u) * (one - u) * (one + u) - kappa * l_minus_nu.squared();
-    // largest effect of one `f64` rounding of l, n and h on f(u)
-    let noise = (b.abs() + c1.abs() + c0.abs() + one) * Extended::from(1e-15);
-    let possible = u.abs() <= one + noise.sqrt() && peak >= -noise && energy - u >= -noise.sqrt();
-    require(possible, "h", "the energy of some motion with these l and n (it is too low)")?;
+    let point =
+        ReducedPoint { u, one_minus_u: one - u, one_plus_u: one + u, udot: zero, axis_energy: energy - u };
+    let sine_squared = point.one_minus_u * point.one_plus_u;
+    let peak = point.axis_energy * sine_squared - kappa * point.l_minus_nu(integrals).squared();
+    let noise = (b.abs() + c1.abs() + c0.abs() + one) * noise;
+    if u.abs() > one + noise.sqrt() || peak < -noise || point.axis_energy < -noise.sqrt() {
+        return None;
+    }
     let u = if u > one { one } else { u };
     let u = if u < -one { -one } else { u };
     let (one_minus_u, one_plus_u) = (one - u, one + u);
-    let peak = if peak > Extended::ZERO { peak } else { Extended::ZERO };
-    let udot = (g.doubled() * peak / (a / p + s * one_minus_u * one_plus_u)).sqrt();
-    Ok(ReducedPoint {
-        u,
-        one_minus_u,
-        one_plus_u,
-        udot,
-        axis_energy: if energy > u { energy - u } else { Extended::ZERO },
-    })
+    let udot = (g.doubled() * at_least_0(peak) / (a / p + s * one_minus_u * one_plus_u)).sqrt();
+    Some(ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy: at_least_0(energy - u) })
 }

@@ -7,30 +7,28 @@
 #![no_std]
 #![no_main]
 
+#[path = "../start.rs"]
+mod start;
+
 use core::hint::black_box;
-use core::task::Poll;
 
 use fixed::types::I2F30;
 use semihosting::{println, process};
 use toytop::{
-    Ephemeris, EphemerisScalar, EphemerisView, Launch, ParameterError, Release, SetUp, State, Tick, Top,
-    TopParameters,
+    Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, ParameterError, Release, SetUp,
+    State, Tick, Top, TopParameters,
 };
 
-#[cfg(target_arch = "arm")]
-use cortex_m_rt::entry;
-#[cfg(target_arch = "riscv32")]
-use riscv as _; // critical section
-#[cfg(target_arch = "riscv32")]
-use riscv_rt::entry;
+use start::entry;
 
 const LAUNCHES: u32 = 200;
 
 #[entry]
 fn main() -> ! {
     let counter = Counter::start();
-    let (mut single, mut fixed) = (Ephemeris::<f32, 64>::EMPTY, Ephemeris::<I2F30, 64>::EMPTY);
-    let mut double = Ephemeris::<f64, 64>::EMPTY;
+    let mut single = EphemerisMemory::<Ephemeris<f32, 64>>::new();
+    let mut fixed = EphemerisMemory::<Ephemeris<I2F30, 64>>::new();
+    let mut double = EphemerisMemory::<Ephemeris<f64, 64>>::new();
     for number in 0..LAUNCHES {
         run("f32", number, &mut single, &counter);
         run("q31", number, &mut fixed, &counter);
@@ -40,33 +38,39 @@ fn main() -> ! {
 }
 
 #[inline(never)]
-fn run<R: EphemerisScalar>(scalar: &str, number: u32, ephemeris: &mut EphemerisView<R>, counter: &Counter) {
+fn run<R: EphemerisScalar>(
+    scalar: &str,
+    number: u32,
+    memory: &mut EphemerisMemory<EphemerisView<R>>,
+    counter: &Counter,
+) {
     let (top, state) = launch(number).expect("a possible launch");
-    let mut launch = Launch::<R>::for_scalar(black_box(&top), black_box(&state));
-    let (launched, of_motion, longest_of_motion) = sliced(counter, || launch.poll());
+    let (launched, of_motion, longest_of_motion) =
+        interrupted(counter, |between| Motion::launch_between(black_box(&top), black_box(&state), between));
     let Ok(motion) = launched else {
         println!("{scalar} {number} refused motion {of_motion} table 0 slice {longest_of_motion}");
         return;
     };
-    let mut set_up = SetUp::new(&motion, Tick::hertz(1000).expect("positive"));
-    let (result, of_table, longest_of_table) = sliced(counter, || set_up.poll(ephemeris));
+    let tick = Tick::hertz(1000).expect("positive");
+    let mut set_up = SetUp::new();
+    let (result, of_table, longest_of_table) =
+        interrupted(counter, |between| memory.set_up(&mut set_up, &motion, tick, 0, between).map(drop));
     let longest = longest_of_motion.max(longest_of_table);
     let result = if result.is_ok() { "ready" } else { "refused" };
     println!("{scalar} {number} {result} motion {of_motion} table {of_table} slice {longest}");
 }
 
-/// Result of a sliced computation, and the instructions of all slices and of the longest.
-fn sliced<T>(counter: &Counter, mut poll: impl FnMut() -> Poll<T>) -> (T, u64, u64) {
-    let (mut all, mut longest) = (0, 0);
-    loop {
-        let begin = counter.now();
-        let progress = poll();
-        let slice = counter.since(begin);
-        (all, longest) = (all + slice, longest.max(slice));
-        if let Poll::Ready(result) = progress {
-            return (result, all, longest);
-        }
-    }
+/// Result of a computation that calls other work in between, and the instructions of all of it and of its longest part.
+fn interrupted<T>(counter: &Counter, work: impl FnOnce(&mut dyn FnMut()) -> T) -> (T, u64, u64) {
+    let (mut all, mut longest, mut begin) = (0, 0, counter.now());
+    let mut count = || {
+        let part = counter.since(begin);
+        (all, longest) = (all + part, longest.max(part));
+        begin = counter.now();
+    };
+    let result = work(&mut count);
+    count();
+    (result, all, longest)
 }
 
 /// Launch of this number. Tilt, the root of the spin and the logarithm of A/(ps) are spread evenly (a sequence of low

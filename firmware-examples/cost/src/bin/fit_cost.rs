@@ -1,4 +1,4 @@
-//! Cost of a fit on a chip: 1000 samples of a gyroscope and an accelerometer and 100 of a magnetometer, from the samples to
+//! Cost of a fit on a chip: 250 samples of a gyroscope and an accelerometer and 25 of a magnetometer, from the samples to
 //! the launch, for `toytop budget --elf`.
 
 #![no_std]
@@ -8,22 +8,17 @@
 mod imu;
 #[path = "../measure.rs"]
 mod measure;
+#[path = "../start.rs"]
+mod start;
 #[path = "../../../src/top.rs"]
 mod top;
 
 use core::hint::black_box;
 
 use semihosting::process;
-use toytop::fit::{Fit, Sensor};
+use toytop_fit::{Fit, Sensor};
 
-#[cfg(target_arch = "arm")]
-use cortex_m as _; // critical section
-#[cfg(target_arch = "arm")]
-use cortex_m_rt::entry;
-#[cfg(target_arch = "riscv32")]
-use riscv as _; // critical section
-#[cfg(target_arch = "riscv32")]
-use riscv_rt::entry;
+use start::entry;
 
 #[entry]
 fn main() -> ! {

@@ -1,7 +1,8 @@
 //! Bounds on the errors of the core, and the times over which it is compared, in one place.
 
-use crate::cli::{Method, Scalar};
+use crate::commands::options::Method;
 use crate::input::builtin::OwnBounds;
+use crate::motion::Scalar;
 use crate::motion::propagate::period;
 use toytop::{Motion, Regime};
 
@@ -16,30 +17,27 @@ pub(super) fn steps_per_period(scalar: Scalar) -> u32 {
 }
 
 /// Bound on the error of the stepper over ten periods, rad. In f32 near the separatrix, 180 motions with e₃ - e₂ from 1e-3 to 1e-12
-/// have errors of at most 1.1e-4 rad beyond the bound of the reference. With micromath, whose square root has an error of 6 %, there is
-/// no bound; in fixed point there is no stepper.
+/// have errors of at most 1.1e-4 rad beyond the bound of the reference.
 fn of_the_stepper(motion: &Motion, scalar: Scalar) -> f64 {
     /// Upper limit of e₃ - e₂ for motions that count as near the separatrix.
     const NEAR: f64 = 1e-2;
     let near = motion.regime() == Regime::Nutating && motion.branch_points().e3_minus_e2 < NEAR;
-    match (scalar, near) {
-        (Scalar::F64, _) => 1e-10,
-        (Scalar::F32, false) => 2e-5,
-        (Scalar::F32, true) => 2e-4,
-        (Scalar::Micromath | Scalar::Q31 | Scalar::Q15, _) => WORST,
+    match scalar {
+        Scalar::F64 => 1e-10,
+        _ if near => 2e-4,
+        _ => 2e-5,
     }
 }
 
-/// Bound on the error of an ephemeris at any time, rad. In f64 the error is some 1e-15 (measured against vectors of 30 digits), so that
+/// Bound on the error of an ephemeris at any time, rad. In f64 the error is some 1e-15 (measured against vectors of 30 digits), and
 /// the error of the reference, up to 3e-13 over ten periods of the motions here, determines the bound. In f32 the error is up to 4e-7, in
-/// fixed point 9e-9 and 3e-4, and with the sines of micromath 2.2e-3.
+/// fixed point 9e-9 and 3e-4. The bound that the table states counts too.
 fn of_the_ephemeris(scalar: Scalar) -> f64 {
     match scalar {
-        Scalar::F64 => 0.0,
+        Scalar::F64 => 1e-13,
         Scalar::F32 => 5e-7,
         Scalar::Q31 => 2e-8,
-        Scalar::Q15 => 5e-4,
-        Scalar::Micromath => 1e-2,
+        _ => 5e-4,
     }
 }
 
@@ -62,11 +60,12 @@ fn of_the_truth(motion: &Motion) -> f64 {
 }
 
 /// Upper bound on the distance of two orientations, rad.
-pub(super) const WORST: f64 = 4.0;
+const WORST: f64 = 4.0;
 
-/// Bound on the error of the orientation, rad.
+/// Bound on the error of the orientation, rad; `None` where no orientations are further apart.
 ///
 /// * `own`: bounds of a built-in motion that has bounds of its own
+/// * `table`: bound that a table states
 ///
 /// Beyond ten periods the bound of the stepper grows in proportion to time, and that of the reference, whose energy drifts, with the
 /// square of time (measured: over 1000 periods the error is 10^3 to 10^4 times as large).
@@ -75,14 +74,17 @@ pub(super) fn bound(
     (method, scalar): (Method, Scalar),
     periods: u32,
     own: Option<OwnBounds>,
-) -> f64 {
+    table: Option<f64>,
+) -> Option<f64> {
     let tens = (f64::from(periods) / 10.0).max(1.0);
     let truth = own.map_or_else(|| of_the_truth(motion), |own| own.truth) * tens * tens;
     let core = match method {
-        Method::Ephemeris => of_the_ephemeris(scalar),
+        Method::Ephemeris => {
+            table.map_or(of_the_ephemeris(scalar), |table| of_the_ephemeris(scalar).min(table))
+        }
         _ => own.map_or_else(|| of_the_stepper(motion, scalar), |own| own.stepper(scalar)) * tens,
     };
-    (core + truth).min(WORST)
+    Some(core + truth).filter(|bound| *bound < WORST)
 }
 
 /// Time over which a motion is compared.

@@ -1,11 +1,12 @@
 //! Errors of a run of the core against the full solver, at the times of the run's samples.
 
+use super::run::Run;
 use crate::Failure;
 use crate::full_equations::full_solver::FullState;
 use crate::full_equations::solution;
 use crate::input::scenario::Scenario;
-use crate::measure::run::{CoreSample, Run};
 use crate::motion::invariants::natural_scales;
+use crate::motion::propagate::Sample;
 use toytop::{Motion, Orientation};
 
 /// Greatest errors over all samples.
@@ -31,7 +32,7 @@ impl Truth {
     /// Errors of a run against the full solver at the times that the run has reached, because an f32 step ends near the requested
     /// time, not at it.
     pub(super) fn measure(&mut self, scenario: &Scenario, run: &Run) -> Result<Errors, Failure> {
-        let times: Vec<f64> = run.samples.iter().map(|sample| sample.sample.t).collect();
+        let times: Vec<f64> = run.samples.iter().map(|(sample, _)| sample.t).collect();
         if times != self.times {
             self.states = solution::states(scenario, &times)?;
             self.times = times;
@@ -45,7 +46,7 @@ impl Truth {
 }
 
 impl Errors {
-    fn worsen(&mut self, motion: &Motion, CoreSample { sample, integrals }: &CoreSample, truth: &FullState) {
+    fn worsen(&mut self, motion: &Motion, (sample, integrals): &(Sample, [f64; 3]), truth: &FullState) {
         let truth = solution::phi(truth);
         let Orientation { alpha, beta } = truth;
         let tip = (alpha * beta).scaled(2.0);

@@ -45,9 +45,8 @@ const ofRoot = (key, label, define, scale, range) => ({
 function withRoot(scenario, key, x, shown) {
   const { motion } = asBranchPoints(scenario, shown);
   const changed = { ...motion, [key]: x };
-  if (key === "e1") Object.assign(changed, { e1: Math.max(-1, x), e2: Math.max(motion.e2, x) });
-  if (key === "e2") Object.assign(changed, { e1: Math.min(motion.e1, x), e2: Math.min(1, x) });
-  if (key === "e3") changed.e3 = Math.max(1, x);
+  if (key === "e1") changed.e2 = Math.max(motion.e2, x);
+  if (key === "e2") changed.e1 = Math.min(motion.e1, x);
   return { ...scenario, motion: changed };
 }
 
@@ -100,6 +99,11 @@ function buildControls(change) {
       if (Number.isNaN(x)) say("motion", `${label}: “${target.value.slice(0, 40)}” is no number`);
       else change(control, x);
     });
+    // a refused number leaves with the cursor, and the number of the motion returns
+    control.field.addEventListener("blur", ({ target }) => {
+      if (target.getAttribute("aria-invalid")) target.value = typed(control.shown);
+      mark(target, false);
+    });
   }
 }
 
@@ -116,6 +120,7 @@ function showControls({ scenario, shown, settle }) {
     if (x === undefined) continue;
     const [low, high] = control.limits ?? [NaN, NaN];
     if (settle || !(x >= low && x <= high)) control.limits = control.range(x, shown);
+    control.shown = x;
     const text = typed(x);
     const unit = unitName(control.unit, scenario);
     control.slider.value = String(control.scale.place(x, control.limits));

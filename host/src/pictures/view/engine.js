@@ -76,7 +76,7 @@ class Core {
   }
 
   constructor(exports, names) {
-    Object.assign(this, { exports, names, isLive: true });
+    Object.assign(this, { exports, names });
     const { buffer } = exports.memory;
     this.numbers = new Float64Array(buffer, exports.numbers(), COORDINATES * MOST_POINTS);
     this.words = (length) => new TextDecoder().decode(new Uint8Array(buffer, exports.words(), length)).split("\n");

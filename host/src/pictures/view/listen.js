@@ -82,7 +82,8 @@ function listenToMotion() {
     });
   }
   listenToRoots(element("potential-picture"), () => scene.e, (key, x) => {
-    if (core.isLive) change(CONTROLS.find((control) => control.key === key), x);
+    const control = CONTROLS.find((control) => control.key === key);
+    change(control, Math.max(control.limits[0], Math.min(control.limits[1], x)));
   }, redraw);
 }
 

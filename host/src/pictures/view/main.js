@@ -1,8 +1,7 @@
 // Start of the page.
 
 async function begin() {
-  core = data.recorded ? new Recorded(data.recorded) : await Core.load(element("core").textContent.trim(), data.constants);
-  document.body.classList.toggle("recorded", !core.isLive);
+  core = await Core.load(element("core").textContent.trim(), data.constants);
   buildControls(change);
   fillPresets();
   setScenario(data.scenario, { settle: true });

@@ -7,17 +7,21 @@ function ticksIn(low, high, most) {
   return Array.from({ length: Math.max(0, Math.floor(high / step + 1e-9) - first + 1) }, (_, i) => (first + i) * step);
 }
 
-/** Angles continued over whole turns from point to point, in degrees. */
-function continued(angles) {
-  let turns = 0;
-  return angles.map((angle, i) => {
-    if (i) turns -= Math.round((angle - angles[i - 1]) / (2 * Math.PI));
-    return degrees(angle + 2 * Math.PI * turns);
+/** Angles continued from point to point over whole turns, or over half turns where the axis passes the vertical, in degrees. */
+function continued(angles, unit = 2 * Math.PI) {
+  let last = angles.find((angle) => !Number.isNaN(angle)) ?? 0;
+  return angles.map((angle) => {
+    if (!Number.isNaN(angle)) last = angle - unit * Math.round((angle - last) / unit);
+    return degrees(last);
   });
 }
 
+const passesVertical = ({ tipClass }) => ["through_origin", "spiral"].includes(tipClass);
+
 const tiltOf = ([x, y, z]) => degrees(Math.atan2(Math.hypot(x, y), z));
 const azimuthOf = ([x, y]) => Math.atan2(y, x);
+/** Azimuth of an axis; NaN where it is vertical but for roundings. */
+const sureAzimuth = ([x, y]) => (Math.hypot(x, y) < 1e-9 ? NaN : azimuthOf([x, y]));
 
 /** Range of the values with a margin, never empty. */
 function roomy(values) {
@@ -30,7 +34,7 @@ const CHARTS = {
   tilt: { name: "tilt in °", values: ({ points }) => points.map(({ axis }) => tiltOf(axis)) },
   precession: {
     name: "azimuth of the axis in °",
-    values: ({ points }) => continued(points.map(({ axis }) => azimuthOf(axis))),
+    values: ({ points }, shown) => continued(points.map(({ axis }) => sureAzimuth(axis)), passesVertical(shown) ? Math.PI : undefined),
   },
 };
 
@@ -40,7 +44,7 @@ function drawChart({ pen, size: [width, height] }, { scene, scenario, stretch, t
     pen.fillText("The axis is vertical: it has no azimuth.", 0.5 * width, 0.5 * height);
     return;
   }
-  const values = (stretch[kind] ??= CHARTS[kind].values(stretch));
+  const values = (stretch[kind] ??= CHARTS[kind].values(stretch, scene.shown));
   const { from, to } = stretch;
   const bounds = kind === "tilt" ? scene.e.slice(0, 2).map((u) => degrees(Math.acos(Math.max(-1, Math.min(1, u))))) : [];
   const [low, high] = roomy([...values, ...bounds]);

@@ -17,6 +17,9 @@ const clock = new Clock((passed) => {
   show();
 });
 
+/** A time with its unit, if the scenario has units. */
+const inSeconds = (text) => (state.scenario.units === "none" ? text : `${text} s`);
+
 const limited = (t) => Math.max(-FURTHEST, Math.min(FURTHEST, t));
 
 /** Shows a message on a topic; an empty text removes the message if it is on that topic. */
@@ -99,6 +102,7 @@ function tellMotion(launched) {
   element("tip-legend").parentElement.hidden = scene.support === "free";
   element("tip-legend").textContent = scene.slides ? "tip on the plane" : "foot of the axis, −2αβ";
   element("momentum-legend").hidden = !scene.momentum;
+  for (const unit of document.querySelectorAll(".second")) unit.hidden = state.scenario.units === "none";
   fillTable(element("teachers-facts"), teachersFacts(launched, state.scenario), state.scenario);
   fillTable(element("papers-facts"), paperFacts(launched), state.scenario);
 }
@@ -110,12 +114,12 @@ function tellMoment({ moment }) {
   if (document.activeElement !== time) time.value = String(Number(t.toPrecision(Math.abs(t) > 1e4 ? 12 : 5)));
   const slider = element("position");
   slider.value = String(t / scene.span - page);
-  slider.setAttribute("aria-valuetext", `${short(t, 6)} s`);
+  slider.setAttribute("aria-valuetext", inSeconds(short(t, 6)));
 }
 
 /** Sets the time; if it is outside of the slider's interval, the interval changes. */
 function go(t) {
-  if (limited(t) !== t) say("t", `t: must be between −10¹² and 10¹² s; ${short(t)} s is beyond`);
+  if (limited(t) !== t) say("t", `t: must be between −10¹² and ${inSeconds("10¹²")}; ${inSeconds(short(t))} is beyond`);
   else say("t", "");
   state.t = limited(t);
   turnPage();
@@ -140,14 +144,16 @@ function setSpeed(exponent, settle = true) {
   if (settle) state.base = scene.speed;
   state.speed = state.base * 2 ** exponent;
   element("speed").value = String(exponent);
-  const text = `${short(state.speed, 2)} s of motion a second`;
+  const text = `${inSeconds(short(state.speed, 2))} of motion a second`;
   element("speed-now").textContent = text;
   element("speed").setAttribute("aria-valuetext", text);
 }
 
 /** Sets a number that a slider, a field or a drag has changed. */
 function change(control, x) {
-  setScenario(control.write(state.scenario, x, scene.shown), { name: "Your top" });
+  const good = setScenario(control.write(state.scenario, x, scene.shown), { name: "Your top" });
+  mark(control.field, !good);
+  if (!good) say("motion", `${element("message").textContent}; the motion keeps ${control.label} = ${typed(control.shown)}`);
   remember();
 }
 
@@ -170,7 +176,7 @@ function ghostNow(t) {
   const { moment, reached, distance } = ghost;
   const arrived = Math.abs(reached - t) <= 1e-9 * Math.abs(t);
   const off = distance < 0.01 ? `${short(distance, 2)} rad` : `${decimals(degrees(distance), 1)}°`;
-  output.textContent = arrived ? `The ghost is ${off} off.` : `The ghost is still on its way: t = ${short(reached, 4)} s, ${off} off.`;
+  output.textContent = arrived ? `The ghost is ${off} off.` : `The ghost is still on its way: t = ${inSeconds(short(reached, 4))}, ${off} off.`;
   if (!arrived && !clock.playing) redraw();
   return place(scene, moment);
 }
@@ -193,11 +199,11 @@ function fromAddress() {
   const { refused, scenario, t, speed, ghost } = fromFragment(location.hash);
   say("motion", refused ?? "");
   if (refused) return false;
-  if (ghost > 0 && core.isLive) {
+  if (ghost > 0) {
     element("ghost").checked = true;
     element("ghost-step").value = String(ghost);
   }
-  if (scenario && core.isLive) setScenario(scenario, { settle: true, name: "A shared top" });
+  if (scenario) setScenario(scenario, { settle: true, name: "A shared top" });
   else startGhost();
   if (speed > 0) setSpeed(Math.max(-6, Math.min(6, Math.log2(speed / scene.speed))));
   if (Number.isNaN(t)) return false;

@@ -2,8 +2,9 @@
 //! where a compiler would fuse products and sums.
 
 use super::cases::{Case, RATES, RUNS, assert_equal, assert_lines, cases};
-use super::compiled::{bake, name, succeed};
-use crate::{folder, run, sample, stderr, stdout};
+use super::compiled::{bake, name};
+use crate::command::{finished, read, toytop, write};
+use crate::{folder, sample};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -45,8 +46,8 @@ fn printed(folder: &Path, source: &str, files: &[PathBuf]) -> Vec<String> {
     let built = compilers.iter().flat_map(|compiler| flags.iter().map(move |flags| (compiler, flags)));
     built
         .map(|(compiler, flags)| {
-            succeed(Command::new(compiler).args(flags).arg("-o").arg(&program).arg(&code).args(files));
-            stdout(&succeed(&mut Command::new(&program))).to_owned()
+            finished(Command::new(compiler).args(flags).arg("-o").arg(&program).arg(&code).args(files)).ok();
+            finished(&mut Command::new(&program)).ok()
         })
         .collect()
 }
@@ -59,7 +60,7 @@ fn c_gives_the_same_bits() {
     let mut main = String::new();
     for case in &cases {
         let (name, scalar) = (name(case), case.scalar);
-        bake(case, "c", &folder.join(format!("{name}.h")));
+        bake(case, "c", &format!("bake_c/{name}.h"));
         // a second inclusion has no effect
         source += &format!("#include \"{name}.h\"\n#include \"{name}.h\"\n");
         let [word, format] = match scalar {
@@ -77,8 +78,7 @@ fn c_gives_the_same_bits() {
         PRINT({word}, {format}, toytop_at(&{table}.clock, tick), m);
     }}
     for (uint32_t k = 0; k < {runs}; k++) {{
-        int64_t first = k < 2 ? {table}.clock.horizon[k] - 9 : next_tick(k + 20);
-        toytop_cursor at = toytop_at(&{table}.clock, first);
+        toytop_cursor at = toytop_at(&{table}.clock, next_tick(k + 20));
         for (int i = 0; i < {length}; i++) {{
             toytop_cursor now = at;
             toytop_sample_{scalar} m = toytop_next_{scalar}(&{table}, &at);
@@ -109,31 +109,26 @@ int main(void) {
     }
 
     // a changed bit of the table is detected
-    let header = folder.join("toy_top.h");
-    let text = std::fs::read_to_string(&header).expect("the header");
+    let text = read("bake_c/toy_top.h");
     let (head, rows) = text.split_once("toy_top_coefficients[125][4] = {").expect("the table");
     let changed = format!("{head}toy_top_coefficients[125][4] = {{{}", rows.replacen(", ", ", 1", 1));
-    std::fs::write(&header, changed).expect("the header");
-    let [code, program] = ["main.c", "main"].map(|name| folder.join(name));
-    succeed(Command::new("cc").args(["-std=c99", "-o"]).arg(&program).arg(&code));
-    assert_eq!(Command::new(&program).output().expect("it runs").status.code(), Some(1));
+    write("bake_c/toy_top.h", changed);
+    finished(Command::new("cc").args(["-std=c99", "-o", "bake_c/main", "bake_c/main.c"])).ok();
+    assert_eq!(finished(&mut Command::new(folder.join("main"))).code, Some(1));
 }
 
 /// Tables beside the shared files give the crate's quaternions, angular velocities and turning points.
 #[test]
 fn c_has_the_same_rates_and_turning_points() {
     let (folder, cases) = (folder("bake_c_rates"), cases());
-    let (count, about) = RATES;
     let mut source = "#include <inttypes.h>\n#include <stdio.h>\n".to_owned();
     let mut main = String::new();
     let mut files = vec![folder.join("toytop_baked.c")];
     for case in &cases {
         let (table, scalar) = (table(case), case.scalar);
-        let tick = format!("{}/{}", case.tick[0], case.tick[1]);
-        let arguments = ["bake", &case.file, "--scalar", scalar, "--size", case.size, "--tick", &tick];
-        let to = folder.to_str().expect("UTF-8");
-        let output = run(&[&arguments[..], &["--lang", "c", "--split", to]].concat());
-        assert!(output.status.success(), "{}", stderr(&output));
+        let Case { file, size, tick: [hertz, per], .. } = case;
+        let line = format!("{file} --scalar {scalar} --size {size} --hertz {hertz}/{per}");
+        toytop(format!("bake --lang c --split bake_c_rates {line}")).ok();
         files.push(folder.join(format!("{table}.c")));
         source += &format!("#include \"{table}.h\"\n");
         let [number, word, rate] = match scalar {
@@ -144,8 +139,8 @@ fn c_has_the_same_rates_and_turning_points() {
         };
         main += &format!(
             "    state = 1;
-    for (uint32_t k = 0; k < {count}; k++) {{
-        int64_t tick = k < {about} / 2 ? {table}.clock.horizon[0] - 10 + k : k < {about} ? {table}.clock.horizon[1] - 30 + k : next_tick(k);
+    for (uint32_t k = 0; k < {RATES}; k++) {{
+        int64_t tick = next_tick(k);
         toytop_cursor at = toytop_at(&{table}.clock, tick);
         toytop_sample_{scalar} now = toytop_at_tick_{scalar}(&{table}, tick);
         {number} q[4];
@@ -201,18 +196,7 @@ fn c_and_cpp_of_every_standard_read_the_same_numbers() {
     for (motion, scalar) in
         [("toy_top", "f32"), ("figure_3_loops", "f64"), ("lagrange", "q31"), ("sleeping", "q15")]
     {
-        let to = folder.join(format!("{motion}.h"));
-        let output = run(&[
-            "bake",
-            &sample(motion),
-            "--scalar",
-            scalar,
-            "--lang",
-            "c",
-            "-o",
-            to.to_str().expect("UTF-8"),
-        ]);
-        assert!(output.status.success(), "{}", stderr(&output));
+        toytop(format!("bake @{motion} --scalar {scalar} --lang c -o bake_standards/{motion}.h")).ok();
         includes += &format!("#include \"{motion}.h\"\n");
         let name = if motion.contains('_') { motion.to_owned() } else { format!("top_{motion}") };
         checks += &format!(
@@ -235,16 +219,9 @@ fn c_and_cpp_of_every_standard_read_the_same_numbers() {
         std::fs::write(&source, &code).expect("the source");
         let program = folder.join(format!("{compiler}_{standard}"));
         let mut command = Command::new(compiler);
-        command.arg(format!("-std={standard}")).args([
-            "-Wall",
-            "-Wextra",
-            "-Wpedantic",
-            "-Wconversion",
-            "-Wshadow",
-        ]);
-        command.args(["-Werror", "-O1", "-o"]).arg(&program).arg(&source);
-        succeed(&mut command);
-        printed.push(stdout(&succeed(&mut Command::new(&program))).to_owned());
+        command.arg(format!("-std={standard}")).args(WARNINGS).args(["-O1", "-o"]).arg(&program).arg(&source);
+        finished(&mut command).ok();
+        printed.push(finished(&mut Command::new(&program)).ok());
     }
     assert!(printed[0].len() > 1000 && printed.iter().all(|text| *text == printed[0]));
 }
@@ -253,26 +230,20 @@ fn c_and_cpp_of_every_standard_read_the_same_numbers() {
 #[test]
 fn two_tables_of_one_name_do_not_compile() {
     let folder = folder("bake_one_name");
-    for (place, other) in [("a", ["tilt_deg = 20.0", "tilt_deg = 21.0"]), ("b", ["", ""])] {
-        let text = std::fs::read_to_string(sample("lagrange")).expect("the sample");
+    let text = std::fs::read_to_string(sample("lagrange")).expect("the sample");
+    for (place, tilt) in [("a", "21.0"), ("b", "20.0")] {
         std::fs::create_dir(folder.join(place)).expect("a folder");
-        let [file, header] = ["top.toml", "top.h"].map(|name| folder.join(place).join(name));
-        std::fs::write(&file, text.replace(other[0], other[1])).expect("the scenario");
-        let [file, header] = [&file, &header].map(|path| path.to_str().expect("UTF-8"));
-        assert!(run(&["bake", file, "--lang", "c", "-o", header]).status.success());
+        let file = format!("bake_one_name/{place}/top.toml");
+        write(&file, text.replace("tilt_deg = 20.0", &format!("tilt_deg = {tilt}")));
+        toytop(format!("bake {file} --lang c -o bake_one_name/{place}/top.h")).ok();
     }
-    let source = folder.join("main.c");
     let compiled = |includes: &str| {
-        std::fs::write(
-            &source,
-            format!("{includes}int main(void) {{ return toytop_intact_f32(&top_top) - 1; }}\n"),
-        )
-        .expect("the source");
-        let program = folder.join("main");
-        Command::new("cc").arg("-std=c99").arg("-o").arg(program).arg(&source).output().expect("it runs")
+        let main = "int main(void) { return toytop_intact_f32(&top_top) - 1; }\n";
+        write("bake_one_name/main.c", format!("{includes}{main}"));
+        finished(Command::new("cc").args(["-std=c99", "-o", "bake_one_name/main", "bake_one_name/main.c"]))
     };
-    assert!(compiled("#include \"a/top.h\"\n#include \"a/top.h\"\n").status.success());
+    compiled("#include \"a/top.h\"\n#include \"a/top.h\"\n").ok();
     let refused = compiled("#include \"a/top.h\"\n#include \"b/top.h\"\n");
-    assert!(!refused.status.success());
-    assert!(stderr(&refused).contains("two different tables have the name top_top"), "{}", stderr(&refused));
+    assert_ne!(refused.code, Some(0));
+    assert!(refused.err.contains("two different tables have the name top_top"), "{}", refused.err);
 }

@@ -1,12 +1,12 @@
 //! Motions and sizes whose tables are compiled and run in every language, with the expected bits.
 
-use crate::vectors::scenario_of;
+use crate::motion::vectors::scenario_of;
 use crate::{branch_points, sample, scenario};
 use fixed::types::{I2F14, I2F30};
 use std::fmt::Write as _;
 use std::path::Path;
 use toytop::scalar::Float;
-use toytop::{Complex, Ephemeris, EphemerisScalar, EphemerisView, Sample, Tick};
+use toytop::{Complex, Ephemeris, EphemerisScalar, Sample, Tick};
 use toytop_host::input::scenario::Scenario;
 
 /// Motion with the size of its table.
@@ -29,7 +29,7 @@ fn case<R: Bits, const S: usize>(
     move |file, tick| Case { file, scalar, size, tick, truth: truth::<R, S>, rates: rates::<R, S> }
 }
 
-/// Cases of nutating, steady, vertical and aperiodic motions, and motions near the separatrix, with sliding and fixed tips.
+/// Cases of nutating, steady and vertical motions, and motions near the separatrix, with sliding and fixed tips.
 pub(crate) fn cases() -> Vec<Case> {
     let vector = |name: &str| scenario_of(name, "bake");
     let upright = |sign: i32| {
@@ -53,7 +53,7 @@ pub(crate) fn cases() -> Vec<Case> {
         f32_default(sample("sleeping"), [1000, 1]),
         f32_default(vector("exact_generic_mp"), [1000, 1]),
         f32_default(vector("exact_regular_precession_pm"), [1, 3]),
-        f32_large(vector("exact_aperiodic"), [1000, 1]),
+        f32_large(vector("exact_near_separatrix_straddle"), [1000, 1]),
         f32_large(vector("exact_near_separatrix_e2_1"), [8000, 1]),
         f32_large(vector("exact_e1_m1"), [1000, 1]),
         // upright at tick 0, where |Re alpha| = 1 exceeds the greatest integer of 32 bits by 1
@@ -61,19 +61,18 @@ pub(crate) fn cases() -> Vec<Case> {
         f32_default(upright(-1), [1000, 1]),
         q31(vector("exact_fast_spin"), [44_100, 2]),
         q31_large(vector("exact_state_vertical"), [1000, 1]),
-        q31_largest(vector("exact_lagrange_aperiodic"), [1000, 1]),
+        q31_largest(vector("exact_lagrange"), [1000, 1]),
         q15(vector("exact_generic_mm"), [44_100, 2]),
         q15(vector("sleeping_unstable"), [1000, 1]),
-        q15(vector("aperiodic"), [8000, 1]),
+        q15(vector("exact_generic_pp"), [8000, 1]),
         f64_default(sample("figure_3_loops"), [44_100, 2]),
         f64_default(vector("exact_generic_pm"), [1000, 1]),
         f64_default(vector("hanging"), [1000, 1]),
-        f64_large(vector("aperiodic_AneC"), [1000, 1]),
+        f64_large(vector("exact_small_A"), [1000, 1]),
     ]
 }
 
-/// Ticks in every language: 2000 of all sizes and signs, and 40 runs of 50 ticks, of which the first two pass the
-/// ends of an aperiodic motion.
+/// Ticks in every language: 2000 of all sizes and signs, and 40 runs of 50 ticks.
 pub(crate) const RUNS: (u32, u32, u32) = (2000, 40, 50);
 
 fn next_tick(state: &mut u64, k: u32) -> i64 {
@@ -83,25 +82,17 @@ fn next_tick(state: &mut u64, k: u32) -> i64 {
 
 fn table<R: Bits, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) -> Box<Ephemeris<R, S>> {
     let motion = Scenario::read(Path::new(file)).expect("a scenario").motion;
-    let mut table = Box::new(Ephemeris::<R, S>::EMPTY);
-    table.set_up(&motion, Tick::ratio(ticks, seconds).expect("a tick"), 4.0 * R::ROUNDING).expect("it fits");
-    table
+    Box::new(Ephemeris::new(&motion, Tick::ratio(ticks, seconds).expect("a tick")).expect("it fits"))
 }
 
-/// Number of ticks in [`Case::rates`], and number of those about the ends of an aperiodic motion.
-pub(crate) const RATES: (u32, u32) = (500, 40);
+/// Number of ticks in [`Case::rates`].
+pub(crate) const RATES: u32 = 500;
 
 fn rates<R: Bits, const S: usize>(file: &str, tick: [u32; 2]) -> String {
     let table = table::<R, S>(file, tick);
-    let [begin, end] = R::horizon(&table).unwrap_or_default();
-    let (count, about) = RATES;
     let (mut state, mut text) = (1, String::new());
-    for k in 0..count {
-        let tick = match k {
-            _ if k < about / 2 => begin - 10 + i64::from(k),
-            _ if k < about => end - 30 + i64::from(k),
-            _ => next_tick(&mut state, k),
-        };
+    for k in 0..RATES {
+        let tick = next_tick(&mut state, k);
         let now = table.at_tick(tick);
         now.quaternion().into_iter().for_each(|x| text += &format!("{} ", x.hexadecimal()));
         let rates = now.omega().into_iter().chain(now.omega_body());
@@ -122,10 +113,8 @@ fn truth<R: Bits, const S: usize>(file: &str, tick: [u32; 2]) -> String {
     for k in 0..singles {
         line(&mut text, &table.at_tick(next_tick(&mut state, k)));
     }
-    let horizon = R::horizon(&table).unwrap_or_default();
     for k in 0..runs {
-        let first = horizon.get(k as usize).map_or_else(|| next_tick(&mut state, k + 20), |end| end - 9);
-        let mut cursor = table.cursor(first);
+        let mut cursor = table.cursor(next_tick(&mut state, k + 20));
         for _ in 0..length {
             line(&mut text, &cursor.next(&table));
         }
@@ -136,9 +125,13 @@ fn truth<R: Bits, const S: usize>(file: &str, tick: [u32; 2]) -> String {
 /// Scalars whose bits can be printed.
 trait Bits: EphemerisScalar {
     fn hexadecimal(self) -> String;
+    /// Cosine of the tilt as in the C evaluator.
+    fn u(sample: &Sample<'_, Self>) -> Self {
+        sample.orientation().u()
+    }
+
     /// Tip as in the C evaluator: in units of length in floating point, of s in fixed point.
     fn tip(sample: &Sample<'_, Self>) -> Complex<Self>;
-    fn horizon(table: &EphemerisView<Self>) -> Option<[i64; 2]>;
 }
 
 impl Bits for f32 {
@@ -146,12 +139,12 @@ impl Bits for f32 {
         format!("{:x}", self.to_bits())
     }
 
-    fn tip(sample: &Sample<'_, Self>) -> Complex<Self> {
-        sample.tip()
+    fn u(sample: &Sample<'_, Self>) -> Self {
+        sample.pose().u
     }
 
-    fn horizon(table: &EphemerisView<Self>) -> Option<[i64; 2]> {
-        table.data().clock.horizon
+    fn tip(sample: &Sample<'_, Self>) -> Complex<Self> {
+        sample.tip()
     }
 }
 
@@ -163,10 +156,6 @@ impl Bits for I2F30 {
     fn tip(sample: &Sample<'_, Self>) -> Complex<Self> {
         sample.orientation().tip_over_s()
     }
-
-    fn horizon(table: &EphemerisView<Self>) -> Option<[i64; 2]> {
-        table.data().clock.horizon
-    }
 }
 
 impl Bits for I2F14 {
@@ -176,10 +165,6 @@ impl Bits for I2F14 {
 
     fn tip(sample: &Sample<'_, Self>) -> Complex<Self> {
         sample.orientation().tip_over_s()
-    }
-
-    fn horizon(table: &EphemerisView<Self>) -> Option<[i64; 2]> {
-        table.data().clock.horizon
     }
 }
 
@@ -191,17 +176,13 @@ impl Bits for f64 {
     fn tip(sample: &Sample<'_, Self>) -> Complex<Self> {
         sample.tip()
     }
-
-    fn horizon(table: &EphemerisView<Self>) -> Option<[i64; 2]> {
-        table.data().clock.horizon
-    }
 }
 
 fn line<R: Bits>(text: &mut String, sample: &Sample<'_, R>) {
     let (phi, tip) = (sample.orientation(), R::tip(sample));
     let parts = |z: Complex<R>| [z.re, z.im];
     let [alpha, beta, tip] = [phi.alpha, phi.beta, tip].map(parts);
-    let numbers = [&alpha[..], &beta, &[phi.u()], &tip].concat();
+    let numbers = [&alpha[..], &beta, &[R::u(sample)], &tip].concat();
     let words: Vec<_> = numbers.into_iter().map(R::hexadecimal).collect();
     let nutation = sample.nutation_phase().to_bits() >> 32;
     writeln!(text, "{nutation:x} {}", words.join(" ")).expect("memory");

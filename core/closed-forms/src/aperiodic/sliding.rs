@@ -1,0 +1,169 @@
+//! Aperiodic motion of the toy top in Weierstrass functions, with w² = 4 (u - e₁)(u² - e₄²) and the half period ω₃ at
+//! which ℘ has its middle root:
+//!
+//! ```text
+//! u = ℘(x - ω₃) + e₁/3,   L = log(-σ(x - b)/σ(x + b)),   u(a) = -1,   u(b) = 1
+//! t = i √(2s/g) (-ζ(x - ω₃) - ζ(ω₃) + (1 + e₁/3) x + ((1 - e₄²)/w₊₁)(L + 2 (ζ(ω₃) + ζ(b - ω₃)) x))
+//! α = k e^{lx} σ(x - a)/σ(x - ω₃) e^{-pL},   p = w₋₁/(2w₊₁)
+//! l = w₋₁/4 - w₋₁/(1 - e₄²) + ζ(a - ω₃) - p (ζ(a + b) - ζ(a - b))
+//! ```
+//!
+//! x runs from 0 along the negative imaginary axis to b, where L is infinite and u = 1. The paper prints the opposite
+//! sign of p, ζ(a + b) + ζ(a - b) in l, and ζ(ω₃) - ζ(b - ω₃) in t.
+//!
+//! The branch of L is real on the whole path. Its term ln(b - x) is computed from ln(1 - u), a function of v with
+//! full relative precision for any 1 - u.
+
+use crate::aperiodic::rise::{Rise, RiseValues};
+use crate::elliptic::agm::{first_kind, first_kind_per_length};
+use crate::elliptic::elementary::{Wide, angle, cis, imaginary, ln, real};
+use crate::elliptic::lattice::{BOTH, Lattice, NONE};
+use crate::elliptic::theta::ValueAndSlope;
+use crate::elliptic::theta_quotient::ThetaQuotient;
+use toytop::Complex;
+use toytop::scalar::{Extended, Float, Ring};
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Sliding {
+    rise: Rise,
+    lattice: Lattice,
+    /// Branch point e₄, and e₄ - 1.
+    e4: [Extended; 2],
+    /// Modulus |b|; b = -i|b|.
+    b: Extended,
+    /// Time √(2s/g).
+    time_scale: Extended,
+    /// Coefficients in t of y = ix and of L.
+    time_factors: [Extended; 2],
+    alpha: ThetaQuotient,
+    /// Real number ip.
+    log_power: Extended,
+}
+
+/// Position of x on its path.
+struct PathPosition {
+    /// Coordinate y, with x = -iy.
+    y: Extended,
+    /// Quotient (|b| - |y|)/(1 - u).
+    left_per_below: Extended,
+}
+
+impl Sliding {
+    /// Solution for a motion; `l_per_a` is l/A, rad per unit time.
+    pub(super) fn new(rise: &Rise, l_per_a: Extended) -> Self {
+        let Rise { e1, one_plus_e1, one_minus_e1, a_over_p, s, g } = *rise;
+        let (zero, one) = (Extended::ZERO, Extended::ONE);
+        // e₄² - 1 = A/(ps)
+        let spread = a_over_p / s;
+        let e4 = (one + spread).sqrt();
+        let e4_minus_one = spread / (e4 + one);
+        let (below, above) = (one_minus_e1 + e4_minus_one, one_plus_e1 + e4_minus_one); // e₄ ∓ e₁
+        let lattice = Lattice::of_gaps(below, above);
+        let [across, up] = lattice.half_periods();
+        let lowest = [zero, below, above];
+        let b = first_kind(one_minus_e1, [one_minus_e1, e4_minus_one, e4 + one], lowest).halved();
+        let to_minus_one = first_kind(one_plus_e1, lowest, [one_plus_e1, e4 + one, e4_minus_one]).halved();
+        let b_point = imaginary(-b);
+
+        let time_scale = (s.doubled() / g).sqrt();
+        let w_minus = -(time_scale * spread * l_per_a);
+        // w₊₁ = i |w₊₁| at b = -i|b|
+        let w_plus = (one_minus_e1 * spread).sqrt().doubled();
+        let middle = Complex::new(across, up);
+        let slope = lattice.p_prime(real(to_minus_one) - middle).re;
+        let a = real(if slope * w_minus < zero { -to_minus_one } else { to_minus_one });
+
+        let log_slope = |half: usize, z: Wide| lattice.theta(half, z).log_slope();
+        let log_power = (w_minus / w_plus).halved();
+        let p = imaginary(-log_power);
+        let rate_offset = real(w_minus.halved().halved() + w_minus / spread)
+            - p * (log_slope(NONE, a + b_point) - log_slope(NONE, a - b_point));
+        let alpha = ThetaQuotient::through(&lattice, [NONE, BOTH], a, rate_offset, (b_point, one));
+
+        let of_log = -(spread / w_plus);
+        let zetas = log_slope(BOTH, b_point).im;
+        let of_y = one + e1 / 3.0.into() - lattice.kappa().doubled() + of_log.doubled() * zetas;
+        Self {
+            rise: *rise,
+            lattice,
+            e4: [e4, e4_minus_one],
+            b,
+            time_scale,
+            time_factors: [of_y, of_log],
+            alpha,
+            log_power,
+        }
+    }
+
+    /// Linear factors u - e₁, e₄ - u and e₄ + u of -R/4.
+    fn factors(&self, point: &RiseValues) -> [Extended; 3] {
+        let [_, e4_minus_one] = self.e4;
+        let above_e1 = self.rise.one_minus_e1 * point.tanh.squared();
+        [above_e1, e4_minus_one + point.below, e4_minus_one + point.above]
+    }
+
+    fn position(&self, point: &RiseValues) -> PathPosition {
+        let [e4, e4_minus_one] = self.e4;
+        let Rise { one_minus_e1, one_plus_e1, .. } = self.rise;
+        let here = self.factors(point);
+        let [above_e1, ..] = here;
+        let lowest = [Extended::ZERO, one_minus_e1 + e4_minus_one, one_plus_e1 + e4_minus_one];
+        let y = first_kind(above_e1, here, lowest).halved();
+        let left_per_below = first_kind_per_length([one_minus_e1, e4_minus_one, e4 + Extended::ONE], here);
+        PathPosition { y: point.with_sign_of_v(y), left_per_below }
+    }
+
+    /// |ϑ(x - b)|/|x - b|, and (x - b) ϑ'(x - b)/ϑ(x - b), at a distance from b.
+    fn near(&self, left: Extended) -> (Extended, Wide) {
+        // below this distance the theta function is linear to all digits
+        const TINY: f64 = 1e-40;
+        let at = |left: Extended| (self.lattice.theta(NONE, imaginary(left)), left);
+        let (theta, left) = at(if left.to_f64() < TINY { TINY.into() } else { left });
+        (theta.value.modulus() / left, theta.log_slope() * imaginary(left))
+    }
+
+    /// Logarithm L, and (1 - u) dL/dx, an even function of x.
+    fn log(&self, point: &RiseValues, position: &PathPosition) -> (Extended, Wide) {
+        let PathPosition { y, left_per_below } = *position;
+        let (near, near_slope) = self.near(left_per_below * point.below);
+        let far = self.lattice.theta(NONE, imaginary(-(y.abs() + self.b)));
+        let rest = ln(left_per_below * near / far.value.modulus());
+        let log = ln(self.rise.one_minus_e1) + point.ln_sech.doubled() + rest;
+        // (1 - u)/(x - b) · (x - b) ϑ'(x - b)/ϑ(x - b)
+        let slope = -near_slope.times_i().scaled(Extended::ONE / left_per_below)
+            - far.log_slope().scaled(point.below);
+        (point.with_sign_of_v(log), slope)
+    }
+
+    pub(super) fn time(&self, point: &RiseValues) -> Extended {
+        let position = self.position(point);
+        let [of_y, of_log] = self.time_factors;
+        let zeta = self.lattice.theta(BOTH, imaginary(-position.y)).log_slope().im;
+        self.time_scale * (zeta + of_y * position.y + of_log * self.log(point, &position).0)
+    }
+
+    /// Argument of α minus that at u = e₁; 0 for e₁ = -1. The quotient of theta functions rotates by less than a right angle.
+    pub(super) fn argument(&self, point: &RiseValues) -> Extended {
+        let position = self.position(point);
+        let x = imaginary(-position.y);
+        let [here, lowest] = [x, Complex::ZERO].map(|x| self.lattice.theta(NONE, x - self.alpha.zero).value);
+        let turned = here * lowest.conj();
+        let log = self.log_power * self.log(point, &position).0;
+        (self.alpha.rate * x).im + angle(turned.im, turned.re) + log
+    }
+
+    pub(super) fn alpha(&self, point: &RiseValues) -> ValueAndSlope {
+        let position = self.position(point);
+        let ValueAndSlope { value, slope } = self.alpha.at(&self.lattice, imaginary(-position.y));
+        // dx/dt = -i (1 - u)/(√(2s/g) (e₄² - u²))
+        let [_, from_e4, to_e4] = self.factors(point);
+        let speed = imaginary(-(Extended::ONE / (self.time_scale * from_e4 * to_e4)));
+        let (log, log_slope) = self.log(point, &position);
+        let factor = cis(self.log_power * log);
+        let turning = imaginary(self.log_power) * log_slope * speed;
+        ValueAndSlope {
+            value: value * factor,
+            slope: (slope * speed.scaled(point.below) + value * turning) * factor,
+        }
+    }
+}

@@ -1,0 +1,23 @@
+//! Elliptic functions and integrals: Jacobi's sn, cn, dn, am; Weierstrass's ℘, ℘', ζ, σ; the arithmetic-geometric
+//! mean and Carlson's R_F.
+//!
+//! Small differences (the complementary parameter, the differences of the roots) are separate arguments, so that no
+//! digit is lost near a degenerate case.
+
+pub(crate) mod elementary;
+
+pub(crate) mod agm;
+
+pub(crate) mod theta;
+
+pub(crate) mod lattice;
+
+pub(crate) mod theta_quotient;
+
+mod jacobi;
+
+mod weierstrass;
+
+pub use agm::{agm, carlson_rf};
+pub use jacobi::{Jacobi, JacobiValues};
+pub use weierstrass::Weierstrass;

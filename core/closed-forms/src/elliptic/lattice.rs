@@ -1,0 +1,169 @@
+//! Weierstrass's functions on rectangular lattices, in extended precision.
+
+use crate::elliptic::agm::agm;
+use crate::elliptic::elementary::{Wide, complex_exp, complex_ln, exp, half_pi, imaginary, quotient, real};
+use crate::elliptic::theta::{ValueAndSlope, eisenstein, thetas};
+use toytop::Complex;
+use toytop::scalar::{Extended, Float, Ring};
+
+/// Lattice of the periods 2ω and 2ω', with ω > 0 and ω' = i|ω'|; ℘ has the values e₁ > e₂ > e₃ at ω, ω + ω', ω'.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Lattice {
+    roots: [Extended; 3],
+    /// Half periods ω and |ω'|.
+    half_periods: [Extended; 2],
+    /// Whether ω > |ω'|. The theta functions are then those of the lattice rotated by a right angle, whose nome is at most e^{-π} too.
+    turned: bool,
+    /// Logarithm of the nome q.
+    ln_nome: Extended,
+    nome: Extended,
+    /// Factor U in the argument v = Uz of the theta functions: π/2ω, or iπ/2|ω'|.
+    unit: Wide,
+    /// Factors that make the slope of the first theta function and the values of the others 1 at 0.
+    scales: [Wide; 4],
+    /// Coefficient κ in σ(z) = e^{κz²} ϑ₁(Uz)/(U ϑ₁'(0)).
+    kappa: Extended,
+}
+
+/// Half period, or 0: the bits are the numbers of ω and of ω'. Theta functions are denoted by the half period at which they are 0.
+pub(crate) type Half = usize;
+pub(crate) const NONE: Half = 0;
+pub(crate) const OMEGA: Half = 1;
+pub(crate) const OMEGA_PRIME: Half = 2;
+pub(crate) const BOTH: Half = 3;
+
+impl Lattice {
+    /// Lattice from the differences of the roots, e₁ - e₂ and e₂ - e₃, both > 0.
+    pub(crate) fn of_gaps(upper_gap: Extended, lower_gap: Extended) -> Self {
+        let [whole, upper, lower] = [upper_gap + lower_gap, upper_gap, lower_gap].map(Float::sqrt);
+        // ω = K(m)/√(e₁ - e₃) = π/2 / agm(√(e₁ - e₃), √(e₁ - e₂)), and |ω'| likewise with e₂ - e₃
+        let [across, up] = [upper, lower].map(|other| half_pi() / agm(whole, other));
+        let third = |x: Extended| x / 3.0.into();
+        let roots = [
+            third(upper_gap.doubled() + lower_gap),
+            third(lower_gap - upper_gap),
+            -third(upper_gap + lower_gap.doubled()),
+        ];
+        let turned = across > up;
+        let (width, height) = if turned { (up, across) } else { (across, up) };
+        let ln_nome = -(half_pi().doubled() * height / width);
+        let nome = exp(ln_nome);
+        let size = half_pi() / width;
+        let unit = if turned { imaginary(size) } else { real(size) };
+        let kappa = (unit * unit).re * eisenstein(nome) / 6.0.into();
+        let half_periods = [across, up];
+        let unscaled =
+            Self { roots, half_periods, turned, ln_nome, nome, unit, scales: [Complex::ONE; 4], kappa };
+        let [none, omega, omega_prime, both] = unscaled.thetas(Complex::ZERO);
+        let at_zero = [none.slope, omega.value, omega_prime.value, both.value];
+        Self { scales: at_zero.map(|z| quotient(Complex::ONE, z)), ..unscaled }
+    }
+
+    pub(crate) fn roots(&self) -> [Extended; 3] {
+        self.roots
+    }
+
+    pub(crate) fn half_periods(&self) -> [Extended; 2] {
+        self.half_periods
+    }
+
+    /// Quasi-periods ζ(ω) and ζ(ω')/i. The longer period has the term of Legendre's relation.
+    pub(crate) fn quasi_periods(&self) -> [Extended; 2] {
+        let [across, up] = self.half_periods.map(|half| self.kappa.doubled() * half);
+        let [omega, omega_prime] = self.half_periods;
+        if self.turned { [across + half_pi() / omega_prime, up] } else { [across, up - half_pi() / omega] }
+    }
+
+    pub(crate) fn kappa(&self) -> Extended {
+        self.kappa
+    }
+
+    /// Theta functions at Uz with their derivatives by z, in the order of [`Half`], for z within a period of 0.
+    pub(crate) fn thetas(&self, z: Wide) -> [ValueAndSlope; 4] {
+        let [one, two, four, three] = thetas(self.nome, self.unit * z).map(|theta| theta.by(self.unit));
+        if self.turned { [one, four, two, three] } else { [one, two, four, three] }
+    }
+
+    /// Theta function that is 0 at a half period.
+    pub(crate) fn theta(&self, half: Half, z: Wide) -> ValueAndSlope {
+        let [none, omega, omega_prime, both] = self.thetas(z);
+        match half {
+            NONE => none,
+            OMEGA => omega,
+            OMEGA_PRIME => omega_prime,
+            _ => both,
+        }
+    }
+
+    /// Argument minus the nearest period, and that period by numbers of 2ω and 2ω'.
+    fn reduced(&self, z: Wide) -> (Wide, [f64; 2]) {
+        let [across, up] = self.half_periods.map(Ring::doubled);
+        let (n, m) = (libm::round((z.re / across).to_f64()), libm::round((z.im / up).to_f64()));
+        (Complex::new(z.re - across * n.into(), z.im - up * m.into()), [n, m])
+    }
+
+    /// Values of the theta functions, scaled to slope 1 of the first and value 1 of the others at 0.
+    pub(crate) fn scaled_thetas(&self, z: Wide) -> [Wide; 4] {
+        let ([none, omega, omega_prime, both], [a, b, c, d]) = (self.thetas(z), self.scales);
+        [none.value * a, omega.value * b, omega_prime.value * c, both.value * d]
+    }
+
+    /// √(℘ - e₁), √(℘ - e₂) and √(℘ - e₃), as quotients of theta functions.
+    fn root_differences(&self, z: Wide) -> [Wide; 3] {
+        let [none, omega, omega_prime, both] = self.scaled_thetas(self.reduced(z).0);
+        [omega, both, omega_prime].map(|theta| quotient(theta, none))
+    }
+
+    /// ℘ minus each of the three roots, computed without the subtraction.
+    pub(crate) fn differences(&self, z: Wide) -> [Wide; 3] {
+        self.root_differences(z).map(|root| root * root)
+    }
+
+    /// ℘(z), from the root of least magnitude.
+    pub(crate) fn p(&self, z: Wide) -> Wide {
+        let ([_, difference, _], [_, middle, _]) = (self.differences(z), self.roots);
+        difference + real(middle)
+    }
+
+    /// ℘'(z) = -2 √((℘ - e₁)(℘ - e₂)(℘ - e₃)).
+    pub(crate) fn p_prime(&self, z: Wide) -> Wide {
+        let [first, second, third] = self.root_differences(z);
+        let product = first * second * third;
+        -(product + product)
+    }
+
+    /// σ(z) as a value and the exponent of a factor, and ζ(z).
+    fn sigma_parts(&self, z: Wide) -> (Wide, Wide, Wide) {
+        let (rest, [n, m]) = self.reduced(z);
+        let theta = self.theta(NONE, rest);
+        // ϑ₁(v + nπ + mπτ) = (-1)^{n+m} q^{-m²} e^{-2imv} ϑ₁(v)
+        let up = Extended::from(if self.turned { n } else { m });
+        let rate = -(self.unit.times_i().scaled(up.doubled()));
+        let sum = n + m;
+        let odd = sum - 2.0 * libm::floor(0.5 * sum);
+        let constant = Complex::new(-(self.ln_nome * up.squared()), half_pi() * (2.0 * odd).into());
+        let [scale, ..] = self.scales;
+        (
+            theta.value * scale,
+            (z * z).scaled(self.kappa) + rate * rest + constant,
+            z.scaled(self.kappa.doubled()) + rate + theta.log_slope(),
+        )
+    }
+
+    /// ζ(z).
+    pub(crate) fn zeta(&self, z: Wide) -> Wide {
+        self.sigma_parts(z).2
+    }
+
+    /// A logarithm of σ(z).
+    pub(crate) fn ln_sigma(&self, z: Wide) -> Wide {
+        let (value, exponent, _) = self.sigma_parts(z);
+        exponent + complex_ln(value)
+    }
+
+    /// σ(z).
+    pub(crate) fn sigma(&self, z: Wide) -> Wide {
+        let (value, exponent, _) = self.sigma_parts(z);
+        value * complex_exp(exponent)
+    }
+}

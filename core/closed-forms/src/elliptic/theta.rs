@@ -1,0 +1,71 @@
+//! Four theta functions of a nome q <= e^{-π}, and their derivatives.
+
+use crate::elliptic::elementary::{Wide, complex_sine_cosine, quotient, real};
+use toytop::Complex;
+use toytop::scalar::{Extended, Ring};
+
+/// Value and derivative of a function.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ValueAndSlope {
+    pub(crate) value: Wide,
+    pub(crate) slope: Wide,
+}
+
+impl ValueAndSlope {
+    /// Value and derivative with respect to another variable; `rate` is the derivative of the previous variable with
+    /// respect to it.
+    pub(crate) fn by(self, rate: Wide) -> Self {
+        Self { slope: self.slope * rate, ..self }
+    }
+
+    /// Logarithmic derivative.
+    pub(crate) fn log_slope(self) -> Wide {
+        quotient(self.slope, self.value)
+    }
+
+    fn add(&mut self, value: Wide, slope: Wide) {
+        (self.value, self.slope) = (self.value + value, self.slope + slope);
+    }
+}
+
+/// ϑ₁(v)/(2q^¼), ϑ₂(v)/(2q^¼), ϑ₄(v)/2 and ϑ₃(v)/2 with their derivatives, for |Im v| <= -ln q.
+///
+/// Each term with cos kv or sin kv is at most q^{k²/4 - k/2 - 1/2} times the largest one; the first omitted term is below 1e-33.
+pub(crate) fn thetas(nome: Extended, v: Wide) -> [ValueAndSlope; 4] {
+    const TERMS: u32 = 14;
+    let (sine, cosine) = complex_sine_cosine(v);
+    let starting = |x: f64| ValueAndSlope { value: real(x.into()), slope: Complex::ZERO };
+    let [mut one, mut two, mut four, mut three] = [0.0, 0.0, 0.5, 0.5].map(starting);
+    let (mut sine_k, mut cosine_k) = (sine, cosine);
+    // q^{(k² - 1)/4} for odd k, q^{k²/4} for even k
+    let (mut weight, mut next, mut step) = (Extended::ONE, nome, nome.squared());
+    for k in 1..=TERMS {
+        let alternating = if k & 2 == 0 { weight } else { -weight };
+        let number = Extended::from(f64::from(k));
+        let (sine_slope, cosine_slope) = (cosine_k.scaled(number), -sine_k.scaled(number));
+        if k & 1 == 1 {
+            one.add(sine_k.scaled(alternating), sine_slope.scaled(alternating));
+            two.add(cosine_k.scaled(weight), cosine_slope.scaled(weight));
+        } else {
+            four.add(cosine_k.scaled(alternating), cosine_slope.scaled(alternating));
+            three.add(cosine_k.scaled(weight), cosine_slope.scaled(weight));
+        }
+        (sine_k, cosine_k) = (sine_k * cosine + cosine_k * sine, cosine_k * cosine - sine_k * sine);
+        (weight, next, step) = (next, weight * step, step * nome);
+    }
+    [one, two, four, three]
+}
+
+/// Eisenstein series E₂ = -ϑ₁'''(0)/ϑ₁'(0).
+pub(crate) fn eisenstein(nome: Extended) -> Extended {
+    const TERMS: u32 = 7;
+    let square = nome.squared();
+    let (mut first, mut third) = (Extended::ZERO, Extended::ZERO);
+    let (mut weight, mut step) = (Extended::ONE, square);
+    for n in 0..TERMS {
+        let k = Extended::from(f64::from(2 * n + 1));
+        (first, third) = (first + weight * k, third + weight * k * k.squared());
+        (weight, step) = (-(weight * step), step * square);
+    }
+    third / first
+}

@@ -1,0 +1,102 @@
+//! Body without torque (e₃ → ∞): two rotations, about the angular momentum and about the axis.
+//!
+//! The angular momentum m is constant in the fixed frame. The axis rotates about it at the rate |m|/A, and relative to that the
+//! body turns about its axis at the rate τ = ⟨ω, r⟩ - n/A:
+//!
+//! ```text
+//! Φ(t) = exp(m t/A) Φ(0) diag(e^{iτt/2}, e^{-iτt/2})
+//! ```
+//!
+//! No branch point and no nutation phase is needed, so that this is an independent check of the tables.
+
+use toytop::AttitudeState;
+use toytop::Complex;
+use toytop::Motion;
+use toytop::Phase;
+use toytop::Stepper;
+use toytop::internal::{Constants, ScaledTop, TWO_PI, phase_of};
+use toytop::scalar::{Extended, Float, Ring};
+use toytop::su2::{Orientation, OrientationRate, Vector, dot};
+
+/// Motion of a body without torque as a function of time: a free body, or a top with a fixed tip and g = 0.
+///
+/// Error of an orientation: below 3e-15 rad at any time up to 1e9 periods.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreeBody {
+    start: Orientation<f64>,
+    /// Unit vector along m; 0 where m is 0.
+    direction: Vector<f64>,
+    /// Rate |m|/A, rad per unit time.
+    precession: Extended,
+    /// Half of τ, rad per unit time.
+    half_tau: Extended,
+    nutation: Option<Phase>,
+}
+
+impl FreeBody {
+    /// Closed form of a motion; `None` unless no torque acts.
+    #[must_use]
+    pub fn new(motion: &Motion) -> Option<Self> {
+        if !motion.top().is_torque_free() {
+            return None;
+        }
+        let ScaledTop { a, c, k, .. } = ScaledTop::<f64>::new(motion.top());
+        let attitude = Stepper::<f64>::new(motion).attitude_state();
+        let (r, omega) = (attitude.axis(), attitude.omega());
+        let beyond_sphere = (c - a) * dot(omega, r) + k;
+        let mut m = omega.map(|rate| a * rate);
+        for (component, r) in m.iter_mut().zip(r) {
+            *component += beyond_sphere * r;
+        }
+        let length = Float::sqrt(dot(m, m));
+        let constants = Constants::new(motion);
+        Some(Self {
+            start: attitude.orientation,
+            direction: if length > 0.0 { m.map(|component| component / length) } else { [0.0; 3] },
+            precession: motion.period_and_turns().map_or(Extended::ZERO, |(period, _)| TWO_PI / period),
+            half_tau: constants.half_tau,
+            nutation: constants.chi,
+        })
+    }
+
+    /// Angular rate |m|/A of the axis about the angular momentum, rad per unit time.
+    #[must_use]
+    pub fn precession(&self) -> f64 {
+        self.precession.to_f64()
+    }
+
+    /// Unit vector along the angular momentum, in the fixed frame; 0 for a body without angular momentum.
+    #[must_use]
+    pub fn direction(&self) -> Vector<f64> {
+        self.direction
+    }
+
+    /// Orientation Φ and rate Φ' at t. A t that is not finite counts as 0.
+    #[must_use]
+    pub fn at(&self, t: f64) -> AttitudeState<f64> {
+        let t = if t.is_finite() { t } else { 0.0 };
+        let half_turns = |rate: Extended| phase_of(rate * t.into());
+        let turn = Complex::<f64>::cis(half_turns(self.precession.halved()));
+        let [x, y, z] = self.direction;
+        let about_m = Orientation {
+            alpha: Complex::new(turn.re, z * turn.im),
+            beta: Complex::new(-y * turn.im, x * turn.im),
+        };
+        let roll = Complex::<f64>::cis(half_turns(self.half_tau));
+        let about_axis = Orientation { alpha: roll, beta: Complex::ZERO };
+        let orientation = about_m.compose(&self.start).compose(&about_axis);
+        let (fast, slow) = (self.precession.to_f64(), 2.0 * self.half_tau.to_f64());
+        let mut omega = self.direction.map(|component| fast * component);
+        for (component, r) in omega.iter_mut().zip(orientation.axis()) {
+            *component += slow * r;
+        }
+        AttitudeState { orientation, rate: OrientationRate::from_fixed(&orientation, omega) }
+    }
+
+    /// Nutation phase at t, whole periods included: 0 at u = e₁, half a turn at u = e₂. `None` where u is constant.
+    #[must_use]
+    pub fn nutation_phase(&self, t: f64) -> Option<Phase> {
+        let t = if t.is_finite() { t } else { 0.0 };
+        self.nutation.map(|chi| chi + chi + phase_of(self.precession * t.into()))
+    }
+}

@@ -1,0 +1,37 @@
+#![doc = include_str!("../README.md")]
+#![cfg_attr(not(test), no_std)]
+
+// Modules in the order of dependence: each one uses only those above it.
+pub mod elliptic;
+
+// Parts of the solutions.
+mod orientation;
+
+mod periods;
+
+// Solutions, one for each kind of motion that has one.
+mod free_body;
+
+mod precession;
+
+mod aperiodic;
+
+mod e3_equals_e4;
+
+mod lagrange;
+
+mod closed_form;
+
+#[cfg(doc)]
+#[doc = include_str!("../docs/paper.md")]
+pub mod paper {}
+#[cfg(doc)]
+#[doc = include_str!("../docs/errata.md")]
+pub mod errata {}
+
+pub use aperiodic::Aperiodic;
+pub use closed_form::{ClosedForm, NoClosedForm};
+pub use e3_equals_e4::E3EqualsE4;
+pub use free_body::FreeBody;
+pub use lagrange::Lagrange;
+pub use precession::{RegularPrecession, Stability, SteadyPrecession};

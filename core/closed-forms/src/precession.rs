@@ -1,0 +1,210 @@
+//! Motions at constant tilt (e₁ = e₂; section 5.2 of the paper): regular precession, sleeping and hanging, and the
+//! steady precessions of a given tilt and spin.
+//!
+//! At u = e the angular velocity is ω = ψ' r + φ' k, where A e φ'² - n φ' + p g = 0 and ψ' = ⟨ω, r⟩ - e φ'. Therefore
+//!
+//! ```text
+//! φ' = √(pg/2A) [s₊ √(e₃ + 1) + s₋ √(e₃ - 1)]
+//! α = α(0) e^{i(φ' + ψ')t/2},   β = β(0) e^{i(φ' - ψ')t/2}
+//! ```
+//!
+//! Equal signs give the fast precession, different signs the slow one; at the same e and e₃ their product is pg/A.
+
+use toytop::AttitudeState;
+use toytop::Complex;
+use toytop::Motion;
+use toytop::Stepper;
+use toytop::Top;
+use toytop::internal::{Constants, ScaledTop, finite, phase_of, require};
+use toytop::scalar::{Extended, Float, Ring};
+use toytop::su2::{Orientation, OrientationRate};
+use toytop::{ParameterError, Regime, Signs};
+
+/// Motion at constant tilt as a function of time.
+///
+/// Error of an orientation: below 1e-15 rad where u is exactly constant. An oscillation of the tilt of up to 2^-49
+/// rad is neglected; it may add 1e-15 rad for every rad of the body's rotation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RegularPrecession {
+    regime: Regime,
+    /// Rates φ' and ψ', rad per unit time.
+    rates: [f64; 2],
+    stability: Stability,
+    start: Orientation<f64>,
+    /// Rates of arg α and arg β, rad per unit time.
+    turning: [Extended; 2],
+}
+
+/// Stability of a motion at constant tilt under a small push.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stability {
+    /// Stable: u oscillates about its value with the angular frequency √(2 g (e₃ - e)/D(e)), D(e) = A/p + s (1 - e²).
+    Stable {
+        /// Angular frequency of small nutations, rad per unit time.
+        frequency: f64,
+    },
+    /// Unstable: sleeping with n² < 4 A p g. The tilt grows like e^{λt} with λ = √(4 A p g - n²)/(2A).
+    Unstable {
+        /// Growth rate λ, per unit time.
+        growth_rate: f64,
+    },
+    /// On the border, e₁ = e₂ = e₃ = 1, n² = 4 A p g: neither stable nor unstable to first order.
+    Marginal,
+}
+
+impl RegularPrecession {
+    /// Closed form of a motion; `None` unless u is constant (to 2^-49 rad of tilt), and for a body without torque, whose
+    /// closed form is [`FreeBody`](crate::FreeBody).
+    #[must_use]
+    pub fn new(motion: &Motion) -> Option<Self> {
+        let regime = motion.regime();
+        if matches!(regime, Regime::Nutating | Regime::Aperiodic) || motion.top().is_torque_free() {
+            return None;
+        }
+        let constants = Constants::new(motion);
+        let (e, ScaledTop { a, s, p, g, .. }) = (&constants.e, constants.top);
+        let falls = regime == Regime::SleepingUnstable;
+        let (zero, one) = (Extended::ZERO, Extended::ONE);
+        let swing = e.e2_minus_e1.halved();
+        let one_minus_u = if falls { zero } else { e.one_minus_e2 + swing };
+        let one_plus_u = if falls { one.doubled() } else { e.one_plus_e1 + swing };
+
+        let precession = precession_of(p * g / a, e.e3_minus_one, motion.signs());
+        let axial = constants.integrals.spin;
+        let u = if one_minus_u < one_plus_u { one - one_minus_u } else { one_plus_u - one };
+        // φ' ± ψ' with ψ' = ⟨ω, r⟩ - u φ'
+        let turning = [precession * one_minus_u + axial, precession * one_plus_u - axial].map(Float::halved);
+
+        let stability = if falls {
+            // 4 A p g - n² = 2 A p g (1 - e₁)
+            Stability::Unstable { growth_rate: (p * g * e.one_minus_e1() / a).halved().sqrt().to_f64() }
+        } else if e.e3_minus_e2 > zero {
+            let d = a / p + s * one_minus_u * one_plus_u;
+            Stability::Stable { frequency: (g.doubled() * e.e3_minus_e2 / d).sqrt().to_f64() }
+        } else {
+            Stability::Marginal
+        };
+        let rates = [precession, axial - u * precession].map(Float::to_f64);
+        Some(Self { regime, rates, stability, start: Stepper::<f64>::new(motion).orientation(), turning })
+    }
+
+    /// Regime of the motion, one of those at constant tilt.
+    #[must_use]
+    pub fn regime(&self) -> Regime {
+        self.regime
+    }
+
+    /// Rate φ' about the vertical and ψ' about the axis, rad per unit time; `None` where the two axes coincide.
+    #[must_use]
+    pub fn rates(&self) -> Option<[f64; 2]> {
+        (!self.regime.is_vertical()).then_some(self.rates)
+    }
+
+    /// Stability under a small push.
+    #[must_use]
+    pub fn stability(&self) -> Stability {
+        self.stability
+    }
+
+    /// Orientation Φ and rate Φ' at t.
+    #[must_use]
+    pub fn at(&self, t: f64) -> AttitudeState<f64> {
+        let turned = |z: Complex<f64>, rate: Extended| {
+            let value = z * Complex::cis(phase_of(rate * t.into()));
+            (value, value.times_i().scaled(rate.to_f64()))
+        };
+        let [alpha_rate, beta_rate] = self.turning;
+        let (alpha, beta) = (turned(self.start.alpha, alpha_rate), turned(self.start.beta, beta_rate));
+        AttitudeState {
+            orientation: Orientation { alpha: alpha.0, beta: beta.0 },
+            rate: OrientationRate { alpha: alpha.1, beta: beta.1 },
+        }
+    }
+}
+
+/// Rate φ' = √(pg/2A) [s₊ √(e₃ + 1) + s₋ √(e₃ - 1)], rad per unit time; for different signs the difference of the
+/// roots is 2/(√(e₃ + 1) + √(e₃ - 1)). `weight_per_a` is pg/A.
+fn precession_of(weight_per_a: Extended, e3_minus_one: Extended, signs: Signs) -> Extended {
+    let two = Extended::ONE.doubled();
+    let sum = (two + e3_minus_one).sqrt() + e3_minus_one.sqrt();
+    let roots = if signs.l_plus_n == signs.l_minus_n { sum } else { two / sum };
+    signs.l_plus_n.times(weight_per_a.halved().sqrt() * roots)
+}
+
+/// Steady precessions of a top at given tilt and spin: the roots of A e φ'² - n φ' + p g = 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SteadyPrecession {
+    /// No steady precession: the spin is too slow for an axis above the horizontal, or 0 for a horizontal axis.
+    None {
+        /// Least |spin| with a steady precession, √(4 A e p g)/C, rad per unit time; 0 for a horizontal axis, which
+        /// needs any spin other than 0. With a rotor: (√(4 A e p g) ∓ K)/C, the least spin in the direction of n;
+        /// infinite where C = 0.
+        least_spin: f64,
+    },
+    /// One steady precession: the axis is horizontal, with φ' = p g/n, or the spin is exactly the least one; or torque
+    /// and n are 0, so that the axis is at rest, φ' = 0.
+    One {
+        /// Rate φ', rad per unit time.
+        rate: f64,
+    },
+    /// Two steady precessions. Below the horizontal they have opposite directions.
+    Two {
+        /// Rate φ' of smaller magnitude, rad per unit time; about p g/n for a fast top.
+        slow: f64,
+        /// Rate φ' of larger magnitude, rad per unit time; about n/(A e) for a fast top.
+        fast: f64,
+    },
+}
+
+impl SteadyPrecession {
+    /// Steady precessions of a top at a tilt (rad from the upward vertical, strictly between 0 and π) and a spin ω·r
+    /// = (n - K)/C.
+    ///
+    /// A top that is released with this tilt, this spin, the rate φ' as `precession` and no nutation keeps its tilt.
+    /// Relative error of a rate: a few roundings, except that the difference of the spin from the least spin loses
+    /// digits where it is small.
+    ///
+    /// ```
+    /// use toytop::{Top, TopParameters};
+    /// use toytop_closed_forms::SteadyPrecession;
+    /// let top = Top::sliding(&TopParameters { transverse_inertia: 3.0e-5, axial_inertia: 2.0e-5, com_height: 0.03, mass: 0.05, gravity: 9.81, ..TopParameters::default() })?;
+    /// let SteadyPrecession::Two { slow, fast } = SteadyPrecession::new(&top, 0.5, 150.0)? else { panic!() };
+    /// assert!(slow > 5.0 && slow < 9.0 && fast > 90.0);
+    /// let SteadyPrecession::None { least_spin } = SteadyPrecession::new(&top, 0.5, 50.0)? else { panic!() };
+    /// assert!(least_spin > 60.0);
+    /// # Ok::<(), toytop::ParameterError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `tilt`: not strictly between 0 and π; `spin`: above 1e11 in magnitude; either not finite.
+    pub fn new(top: &Top, tilt: f64, spin: f64) -> Result<Self, ParameterError> {
+        finite("tilt", tilt)?;
+        finite("spin", spin)?;
+        require(tilt > 0.0 && tilt < core::f64::consts::PI, "tilt", "strictly between 0 and pi")?;
+        require(Float::abs(spin) <= 1e11, "spin", "between -1e11 and 1e11 rad/s")?;
+        let ScaledTop { a, c, p, g, k, .. } = ScaledTop::<f64>::new(top);
+        let (n, weight) = (c * spin + k, p * g);
+        // the f64 nearest to π/2 means a horizontal axis
+        let e = if tilt == core::f64::consts::FRAC_PI_2 { 0.0 } else { libm::cos(tilt) };
+        let least = Float::sqrt(4.0 * a * e * weight);
+        let above_least = Float::abs(n) - least;
+        if weight == 0.0 && n == 0.0 {
+            return Ok(Self::One { rate: 0.0 });
+        }
+        if e >= 0.0 && (above_least < 0.0 || n == 0.0) {
+            let opposite = if n < 0.0 { k } else { -k };
+            return Ok(Self::None { least_spin: (least + opposite) / c });
+        }
+        let root = if e > 0.0 {
+            Float::sqrt(above_least * (Float::abs(n) + least))
+        } else {
+            Float::sqrt(n * n - 4.0 * a * e * weight)
+        };
+        let half_sum = libm::copysign(0.5 * (Float::abs(n) + root), n);
+        let slow = weight / half_sum;
+        if e == 0.0 || root == 0.0 {
+            return Ok(Self::One { rate: slow });
+        }
+        Ok(Self::Two { slow, fast: half_sum / (a * e) })
+    }
+}

@@ -1,0 +1,266 @@
+//! First guesses of a launch from the first measurements, without iteration.
+//!
+//! Two directions, or a camera, give the orientation. One direction leaves a rotation open, the axis alone the rate about it, and
+//! rates alone the orientation: several guesses are then tried.
+
+use crate::fit::pass::Fit;
+use crate::model::Estimate;
+use crate::sensors::{Hint, Measurements};
+use crate::vector::{UP, Vector, add_scaled, cast, cross, dot, from_axes, norm, rotation_vector, scaled};
+use core::f64::consts::PI;
+use toytop::scalar::Real;
+use toytop::su2::Orientation;
+
+/// Number of instants with an orientation, a direction or the axis that a guess uses; the first part that is fitted has four times as many.
+pub(super) const FIRST_INSTANTS: usize = 16;
+/// Largest number of instants among which these are.
+const MOST_INSTANTS: usize = 1024;
+/// Number of rotations about a known direction that are tried.
+const ROTATIONS: u32 = 12;
+/// Number of rates about the axis that are tried on each side of 0.
+const SPINS: u32 = 12;
+/// Angles between the axis and the vertical that are tried, rad.
+const TILTS: [f64; 5] = [0.25, 0.75, 1.3, 2.0, 2.7];
+
+/// What the measurements tell at one instant.
+#[derive(Clone, Copy, Default)]
+struct Instant {
+    time: f64,
+    /// Unit vectors in the fixed frame and in the body frame.
+    directions: [Option<[Vector<f64>; 2]>; 2],
+    /// Angular velocity in the body frame, and whether its axial component is only a bound.
+    rate: Option<(Vector<f64>, bool)>,
+    orientation: Option<Orientation<f64>>,
+    axis: Option<Vector<f64>>,
+}
+
+/// First guesses: the rotations of an orientation about a fixed axis, or the rates about an axis.
+#[derive(Clone, Copy)]
+pub(super) struct Guesses {
+    orientation: Orientation<f64>,
+    /// Angular velocity in the body frame.
+    omega: Vector<f64>,
+    open: Open,
+}
+
+/// What the first measurements leave open.
+#[derive(Clone, Copy)]
+enum Open {
+    Nothing,
+    /// Rotation about this direction of the fixed frame.
+    Rotation(Vector<f64>),
+    /// Rate about the axis up to this magnitude.
+    Spin(f64),
+    /// Orientation.
+    Orientation,
+}
+
+impl Guesses {
+    /// Number of guesses.
+    pub(super) fn count(&self) -> u32 {
+        match self.open {
+            Open::Nothing => 1,
+            Open::Rotation(_) => ROTATIONS,
+            Open::Spin(_) => 2 * SPINS,
+            Open::Orientation => ROTATIONS * TILTS.len() as u32,
+        }
+    }
+
+    /// Guess with this number, counted from 0.
+    pub(super) fn get(&self, number: u32) -> Estimate {
+        let (mut orientation, mut omega) = (self.orientation, self.omega);
+        let angle = 2.0 * PI * f64::from(number) / f64::from(ROTATIONS);
+        match self.open {
+            Open::Nothing => {}
+            Open::Rotation(axis) => orientation = Orientation::exp(scaled(axis, angle)).compose(&orientation),
+            Open::Spin(fastest) => {
+                let [.., axial] = &mut omega;
+                let rate = fastest * libm::exp2(-0.75 * f64::from(number / 2));
+                *axial = if number.is_multiple_of(2) { rate } else { -rate };
+            }
+            Open::Orientation => {
+                let tilt = TILTS.get((number / ROTATIONS) as usize).copied().unwrap_or(0.0);
+                let roll = Orientation::exp([0.0, 0.0, angle]);
+                orientation = Orientation::exp([0.0, tilt, 0.0]).compose(&roll);
+            }
+        }
+        Estimate::new(orientation.normalised(), orientation.adjoint(omega))
+    }
+}
+
+impl Instant {
+    fn learn(&mut self, hint: Hint) {
+        let unit = |x: Vector<f64>| (norm(x) > 0.0).then(|| scaled(x, 1.0 / norm(x)));
+        match hint {
+            Hint::None => {}
+            Hint::Rate { omega, axial_is_saturated } => self.rate = Some((omega, axial_is_saturated)),
+            Hint::Direction { fixed, body } => {
+                if let Some(free) = self.directions.iter_mut().find(|slot| slot.is_none())
+                    && let (Some(fixed), Some(body)) = (unit(fixed), unit(body))
+                {
+                    *free = Some([fixed, body]);
+                }
+            }
+            Hint::Orientation(orientation) => self.orientation = Some(orientation),
+            Hint::Axis(axis) => self.axis = Some(axis),
+        }
+    }
+
+    fn is_oriented(&self) -> bool {
+        self.orientation.is_some() || self.axis.is_some() || self.directions != [None; 2]
+    }
+
+    /// Orientation, if it is fully determined.
+    #[inline(never)] // its trigonometric functions need much of the stack
+    fn attitude(&self) -> Option<Orientation<f64>> {
+        if self.orientation.is_some() {
+            return self.orientation;
+        }
+        let [Some([fixed, body]), Some([second_fixed, second_body])] = self.directions else { return None };
+        let frame = |x: Vector<f64>, y: Vector<f64>| {
+            let across = cross(x, y);
+            let length = norm(across);
+            (length > 1e-3).then(|| from_axes(x, scaled(across, 1.0 / length)))
+        };
+        Some(frame(fixed, second_fixed)?.compose(&frame(body, second_body)?.inverse()))
+    }
+}
+
+/// Smallest rotation that takes the vertical to this unit vector.
+pub(super) fn upright_to([x, y, z]: Vector<f64>) -> Orientation<f64> {
+    // below -1 + 1e-12 the rotation may be about any horizontal axis
+    if z < -1.0 + 1e-12 {
+        return Orientation::from_quaternion([0.0, 1.0, 0.0, 0.0]);
+    }
+    Orientation::from_quaternion([1.0 + z, -y, x, 0.0]).normalised()
+}
+
+impl<F: Real> Fit<'_, F> {
+    /// Guesses at the time of the first measurement, if there are any.
+    #[inline(never)] // an instant is on the stack only during the call
+    pub(super) fn guesses(&self, measurements: &impl Measurements, epoch: f64) -> Option<Guesses> {
+        let all = self.instants(measurements.clone());
+        let all = all.take(MOST_INSTANTS);
+        let end = all.clone().filter(Instant::is_oriented).nth(FIRST_INSTANTS);
+        let end = end.map_or(f64::INFINITY, |instant| instant.time);
+        let instants = all.take_while(|instant| instant.time < end);
+        let rate = instants.clone().find_map(|instant| instant.rate);
+        let first = instants.clone().find(Instant::is_oriented);
+        let Some(first) = first else {
+            let (omega, _) = rate.filter(|(_, axial_is_saturated)| !axial_is_saturated)?;
+            return Some(Guesses { orientation: Orientation::IDENTITY, omega, open: Open::Orientation });
+        };
+        let (orientation, open) = match (first.attitude(), first.directions, first.axis) {
+            (Some(orientation), ..) => (orientation, Open::Nothing),
+            (None, [Some([fixed, body]), _], _) => {
+                // a rotation about the vertical changes nothing that such measurements tell
+                let open = if fixed == UP { Open::Nothing } else { Open::Rotation(fixed) };
+                (upright_to(fixed).compose(&upright_to(body).inverse()), open)
+            }
+            (None, _, Some(axis)) => return self.guesses_from_axis(instants, axis),
+            _ => return None,
+        };
+        let mean = mean_rate(instants.clone());
+        let omega = match (rate, mean) {
+            (Some(([x, y, _], true)), Some([.., axial])) => [x, y, axial],
+            (Some(([x, y, low], true)), None) => [x, y, circling::<F>(instants, low)?],
+            (Some((omega, false)), _) => omega,
+            (None, mean) => mean?,
+        };
+        // from the first instant with an orientation back to the first measurement
+        let orientation = orientation.compose(&Orientation::exp(scaled(omega, epoch - first.time)));
+        Some(Guesses { orientation, omega, open })
+    }
+
+    /// Guesses from the axis alone: its rate from the first and a later instant, and several rates about it.
+    fn guesses_from_axis(
+        &self,
+        instants: impl Iterator<Item = Instant>,
+        axis: Vector<f64>,
+    ) -> Option<Guesses> {
+        let mut seen = instants.filter_map(|instant| Some((instant.time, instant.axis?)));
+        let ((start, _), (end, later)) = (seen.next()?, seen.nth(2)?);
+        let per_time = 1.0 / (end - start);
+        let orientation = upright_to(axis);
+        let omega = orientation.inverse().adjoint(scaled(cross(axis, later), per_time));
+        Some(Guesses { orientation, omega, open: Open::Spin(4.0 * per_time) })
+    }
+
+    /// Instants of the measurements, which would be too many for the stack.
+    fn instants(&self, measurements: impl Measurements) -> impl Iterator<Item = Instant> + Clone {
+        let mut ahead = measurements.peekable();
+        core::iter::from_fn(move || {
+            let time = ahead.peek()?.time;
+            let mut instant = Instant { time, ..Instant::default() };
+            while let Some(measurement) = ahead.next_if(|measurement| measurement.time == time) {
+                instant.learn(self.hint(&measurement));
+            }
+            Some(instant)
+        })
+    }
+}
+
+/// Angular velocity in the body frame from the orientations: along the axis the mean, across it that of the first instants.
+#[inline(never)] // an instant is on the stack only during the call
+fn mean_rate(instants: impl Iterator<Item = Instant>) -> Option<Vector<f64>> {
+    let mut known = instants.filter_map(|instant| Some((instant.time, instant.attitude()?)));
+    let (start, mut orientation) = known.next()?;
+    let (mut time, mut turned, mut first) = (start, 0.0, None);
+    for (next_time, next) in known {
+        let turn = rotation_vector(&orientation.inverse().compose(&next));
+        let [.., axial] = turn;
+        turned += axial;
+        first = first.or(Some(scaled(turn, 1.0 / (next_time - time))));
+        (time, orientation) = (next_time, next);
+    }
+    first.map(|[x, y, _]| [x, y, turned / (time - start)])
+}
+
+/// Rate about the axis from the circle that a direction draws in the body, with the sign of `bound`.
+///
+/// A direction K of the body frame obeys K' = -Ω × K. The rates across the axis were read; rates about it are tried. The best one is
+/// refined by halving steps.
+#[inline(never)] // its steps are on the stack only during the call
+fn circling<F: Real>(instants: impl Iterator<Item = Instant> + Clone, bound: f64) -> Option<f64> {
+    const HALVINGS: u32 = 12;
+    let direction = |instant: &Instant| instant.directions.into_iter().flatten().next();
+    let mismatch = |rate: f64| {
+        let mut sum = F::ZERO;
+        let mut across = None;
+        let mut known: Option<(f64, Vector<f64>, Vector<F>)> = None;
+        for instant in instants.clone() {
+            across = instant.rate.map(|([x, y, _], _)| [x, y]).or(across);
+            if let (Some((time, _, body)), Some([x, y])) = (&mut known, across) {
+                let turn = scaled([x, y, rate], *time - instant.time);
+                (*time, *body) = (instant.time, Orientation::exp(cast(turn)).adjoint(*body));
+            }
+            if let Some([fixed, body]) = direction(&instant) {
+                if let Some((_, _, expected)) = known.filter(|(_, same, _)| *same == fixed) {
+                    let off = add_scaled(expected, cast(body), -F::ONE);
+                    sum = sum + dot(off, off);
+                }
+                known = Some((instant.time, fixed, cast(body)));
+            }
+        }
+        sum
+    };
+    // the shortest interval limits the rates, and the longest one tells how close to each other they must be
+    let times = instants.clone().filter(|instant| direction(instant).is_some()).map(|instant| instant.time);
+    let gaps = times.clone().skip(1).zip(times).map(|(next, time)| next - time);
+    let (shortest, longest) =
+        gaps.fold((f64::INFINITY, 0.0_f64), |(least, most), gap| (least.min(gap), most.max(gap)));
+    let mut step = libm::copysign(0.3 / longest, bound);
+    let places = ((PI / shortest - 0.9 * libm::fabs(bound)) / libm::fabs(step)).min(2000.0) as u32;
+    let better = |(rate, least): (Option<f64>, F), tried: f64| {
+        let value = mismatch(tried);
+        if value < least { (Some(tried), value) } else { (rate, least) }
+    };
+    let rates = (0..places).map(|place| 0.9 * bound + step * f64::from(place));
+    let mut best = rates.fold((None, F::from_f64(f64::INFINITY)), better);
+    for _ in 0..HALVINGS {
+        step *= 0.5;
+        let middle = best.0?;
+        best = better(better(best, middle - step), middle + step);
+    }
+    best.0
+}

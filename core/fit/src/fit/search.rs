@@ -1,0 +1,182 @@
+//! Search for a launch without a first guess, on longer and longer parts of the measurements.
+
+use crate::fit::correction::SETTLED;
+use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, upright_to};
+use crate::fit::fitted::{FitError, Reason};
+use crate::fit::pass::{Fit, Pass};
+use crate::model::Estimate;
+use crate::sensors::{Hint, Measurement, Measurements};
+use crate::vector::{Vector, cross, dot, scaled};
+use toytop::scalar::Real;
+use toytop::su2::Orientation;
+
+/// Size of a correction, in standard deviations, below which a part of the measurements is finished.
+const NEAR: f64 = 0.5;
+/// Difference of sums of squares below which two launches fit equally well, and least difference of other launches (standard deviations).
+const EQUAL: f64 = 9.0;
+const OTHER: f64 = 10.0;
+/// Least mean square of residuals of rates in degrees: the noise given may be twice too large.
+const LEAST_NOISE: f64 = 0.25;
+/// Least quotient of a rate beyond the range and a reading at its end, which bias and mounting may shift.
+const WITHIN: f64 = 0.9;
+/// Sine of the tilt, and share of ω across the axis, beyond which a launch is not compared with an upright one.
+const UPRIGHT: f64 = 0.1;
+/// Increase of the sum of squares up to which an upright launch explains the measurements equally well: the best of a hundred
+/// spins lowers it by about 20.
+const CHANCE: f64 = 40.0;
+
+/// Times of the first and the last measurement, and the number of measurements.
+#[derive(Clone, Copy)]
+pub(super) struct Extent {
+    pub(super) first: f64,
+    pub(super) last: f64,
+    total: usize,
+}
+
+impl<F: Real> Fit<'_, F> {
+    /// Estimate without a first guess. Returns the reason why it must not be trusted, and the number of alternatives.
+    #[inline(never)] // two copies of it would take more stack
+    pub(super) fn search(
+        &mut self,
+        measurements: &impl Measurements,
+        extent: &Extent,
+    ) -> (Option<Reason>, usize) {
+        self.start_from(&Estimate::new(Orientation::IDENTITY, [0.0; 3]));
+        if measurements.clone().filter(|one| one.time > extent.first).take(2).count() < 2 {
+            return (Some(Reason::TooFew), 0);
+        }
+        let Some(guesses) = self.guesses(measurements, extent.first) else {
+            return (Some(Reason::NoBeginning), 0);
+        };
+        let mut count = 4 * FIRST_INSTANTS * self.sensors.len();
+        let alternatives = self.try_guesses(&guesses, measurements, count);
+        // each part begins from an estimate that is good enough for it
+        while count.saturating_mul(8) < extent.total {
+            count = count.saturating_mul(4);
+            self.settle(measurements, count, NEAR);
+        }
+        // a shorter part does not show how far the equations are linear over all measurements
+        self.curvature = f64::INFINITY;
+        (self.settle_finally(measurements), alternatives)
+    }
+
+    /// Begins from the best of the guesses, on the first measurements, where no phase can have an error of a turn. Returns the number
+    /// of alternatives.
+    #[inline(never)] // its estimates are on the stack only during the call
+    fn try_guesses(&mut self, guesses: &Guesses, measurements: &impl Measurements, count: usize) -> usize {
+        let mut best = (Estimate::new(Orientation::IDENTITY, [0.0; 3]), f64::INFINITY);
+        let mut others = 0;
+        for number in 0..guesses.count() {
+            self.start_from(&guesses.get(number));
+            self.settle(measurements, count / 4, NEAR);
+            self.settle(measurements, count, SETTLED);
+            let Pass { estimate, information, cost, .. } = &self.best;
+            let change = estimate.change_from(&best.0).map(F::from_f64);
+            if *cost < best.1 - EQUAL {
+                others = 0;
+            } else if *cost < best.1 + EQUAL && information.size(&change).to_f64() > OTHER {
+                others += 1;
+            }
+            if *cost < best.1 {
+                best = (*estimate, *cost);
+            }
+        }
+        if guesses.count() > 1 {
+            self.start_from(&best.0);
+        }
+        others
+    }
+
+    /// Passes over all measurements. Returns the reason why the estimate must not be trusted.
+    pub(super) fn settle_finally(&mut self, measurements: &impl Measurements) -> Option<Reason> {
+        let settled = self.settle(measurements, usize::MAX, SETTLED);
+        let found = self.best.estimate.spin();
+        let least = measurements.clone().find_map(|measurement| match self.hint(&measurement) {
+            Hint::Rate { omega: [.., low], axial_is_saturated: true } if low != 0.0 => Some(low),
+            _ => None,
+        });
+        // the axial rate is constant, so that one reading at the end of the range bounds it
+        let spin = least.filter(|least| found / least < WITHIN).unwrap_or(found);
+        let reason = self.reason(settled && spin == found);
+        let misfit = matches!(reason, Some(Reason::AllSaturated | Reason::TooFew | Reason::Misfit));
+        let unknown = self.explains_upright(spin, measurements);
+        if unknown && !misfit { Some(Reason::SpinUnknown) } else { reason }
+    }
+
+    /// Whether an upright launch with twice this spin explains the measurements equally well, so that they do not determine the spin.
+    ///
+    /// A fit of an upright top whose spin is beyond the range finds a tilt as small as the noise, and the spin that then explains the
+    /// noise best.
+    #[inline(never)] // its launches are on the stack only during the call
+    fn explains_upright(&mut self, spin: f64, measurements: &impl Measurements) -> bool {
+        let found = self.best.estimate;
+        let axis = found.orientation.axis();
+        let across = cross(found.omega, axis);
+        let [x, y, z] = axis;
+        let near = UPRIGHT * UPRIGHT;
+        if x * x + y * y > near || dot(across, across) > near * dot(found.omega, found.omega) {
+            return false;
+        }
+        let sign = libm::copysign(1.0, z);
+        let orientation = upright_to(scaled(axis, sign)).inverse().compose(&found.orientation);
+        self.current.estimate = Estimate { orientation, omega: [0.0, 0.0, sign * 2.0 * spin], ..found };
+        self.pass(measurements, usize::MAX);
+        // only the biases are corrected; the launch is held fixed
+        for index in 0..self.model.count {
+            let deviation = if index < self.model.common() { 1e-9 } else { 1e6 };
+            self.current.information.add_known(index, F::ZERO, F::from_f64(deviation));
+        }
+        let change = self.current.information.solution();
+        self.current.estimate = self.current.estimate.moved(&change.map(F::to_f64));
+        self.pass(measurements, usize::MAX);
+        self.current.cost <= self.best.cost + CHANCE
+    }
+
+    /// Cause of residuals that are too large. The best estimate is overwritten.
+    #[inline(never)] // it is called for a bad fit only
+    pub(super) fn cause(
+        &mut self,
+        measurements: &impl Measurements,
+        extent: &Extent,
+        chi_squared: f64,
+    ) -> Option<Reason> {
+        self.rate_unit = core::f64::consts::PI / 180.0;
+        let (reason, _) = self.search(measurements, extent);
+        self.rate_unit = 1.0;
+        // smaller numbers have smaller residuals, whatever the motion is
+        let in_degrees = self.best.statistics.chi_squared;
+        let has_noise = in_degrees > LEAST_NOISE * f64::from(self.best.statistics.used);
+        if has_noise && (reason.is_none() || in_degrees < 0.1 * chi_squared) {
+            return Some(Reason::RatesInDegrees);
+        }
+        let mut rates = measurements.clone().filter_map(|measurement| match self.hint(&measurement) {
+            Hint::Rate { omega, axial_is_saturated } => Some((omega, axial_is_saturated)),
+            _ => None,
+        });
+        // below 0.1 per unit time, a bias may explain the rates
+        let is_small = |(omega, saturated): (Vector<f64>, bool)| {
+            !saturated && omega.iter().all(|x| libm::fabs(*x) < 0.1)
+        };
+        (rates.next().is_some_and(is_small) && rates.all(is_small)).then_some(Reason::AtRest)
+    }
+
+    /// Extent of the measurements, of which every one is checked.
+    #[inline(never)] // its copy of the iterator is on the stack only during the call
+    pub(super) fn checked(&self, measurements: &impl Measurements) -> Result<Extent, FitError> {
+        let mut extent: Option<Extent> = None;
+        for (index, Measurement { time, sensor, values }) in measurements.clone().enumerate() {
+            if !time.is_finite() || values.iter().any(|x| !x.is_finite()) {
+                return Err(FitError::NotFinite { index });
+            }
+            let extent = extent.get_or_insert(Extent { first: time, last: time, total: 0 });
+            if time < extent.last {
+                return Err(FitError::OutOfOrder { index });
+            }
+            if sensor >= self.sensors.len() {
+                return Err(FitError::UnknownSensor { index });
+            }
+            (extent.last, extent.total) = (time, index + 1);
+        }
+        extent.ok_or(FitError::NoMeasurements)
+    }
+}

@@ -1,0 +1,92 @@
+//! Residuals of a pass.
+
+use toytop::scalar::Real;
+
+/// Number of standard deviations of a sum of squares beyond which the residuals are larger than the noise explains.
+const MISFIT: f64 = 5.0;
+/// Residual, in standard deviations, of a reading that no noise explains.
+const GROSS: f64 = 10.0;
+/// Largest sum of squares of the differences from prior values, of which there are at most a dozen.
+const MOST_PRIOR: f64 = 60.0;
+
+/// Residuals of a fit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Statistics {
+    /// Number of components that were used.
+    pub used: u32,
+    /// Number of components that are not used, because they are at the end of their range.
+    pub unused: u32,
+    /// Number of components whose weight was reduced.
+    pub outliers: u32,
+    /// Sum of the squares of all residuals in standard deviations; the residual of an outlier counts as the limit.
+    pub chi_squared: f64,
+    /// Largest residual in standard deviations.
+    pub largest: f64,
+    /// Sum of the squares of the differences from prior values, such as those of biases, in standard deviations.
+    pub prior: f64,
+    /// Sum of squares in which an outlier counts linearly.
+    pub(super) cost: f64,
+    /// Number of residuals that no noise explains.
+    gross: u32,
+    /// Residual from which a component is an outlier.
+    huber: f64,
+    /// Whether the readings of one of the sensors contradict the motion.
+    contradicted: bool,
+}
+
+impl Statistics {
+    /// Statistics without residuals.
+    pub(super) fn new(huber: f64, prior: f64) -> Self {
+        Self { huber, prior, cost: prior, ..Self::default() }
+    }
+
+    /// Adds a residual in standard deviations; returns the square root of its weight.
+    pub(super) fn add<F: Real>(&mut self, residual: F) -> F {
+        let (size, huber) = (residual.abs(), F::from_f64(self.huber));
+        let limited = if size > huber { huber } else { size };
+        self.used += 1;
+        // an addition of many numbers in `f32` would lose their digits
+        self.chi_squared += limited.squared().to_f64();
+        self.cost += (limited * (size.doubled() - limited)).to_f64();
+        self.largest = self.largest.max(size.to_f64());
+        if size <= huber {
+            return F::ONE;
+        }
+        self.outliers += 1;
+        self.gross += u32::from(size > F::from_f64(GROSS));
+        (huber / size).sqrt()
+    }
+
+    /// Adds the statistics of a sensor.
+    pub(super) fn add_sensor(&mut self, sensor: &Self) {
+        self.contradicted |= sensor.is_misfit(0);
+        self.used += sensor.used;
+        self.unused += sensor.unused;
+        self.outliers += sensor.outliers;
+        self.gross += sensor.gross;
+        self.chi_squared += sensor.chi_squared;
+        self.cost += sensor.cost;
+        self.largest = self.largest.max(sensor.largest);
+    }
+
+    /// Sum of squares over the number of degrees of freedom, observations minus unknowns: about 1 where model and noise
+    /// are right.
+    #[must_use]
+    pub fn reduced_chi_squared(&self, unknowns: usize) -> f64 {
+        let freedom = f64::from(self.used) - unknowns as f64;
+        self.chi_squared / freedom.max(1.0)
+    }
+
+    /// Whether a fifth of the residuals of a sensor or of all are outliers, a twentieth are beyond ten standard deviations, or the
+    /// sum n of squares of the others exceeds its mean by five standard deviations √(2 n); or the prior is contradicted.
+    pub(super) fn is_misfit(&self, unknowns: usize) -> bool {
+        let outliers = f64::from(self.outliers);
+        let limited = if self.outliers > 0 { self.huber * self.huber * outliers } else { 0.0 };
+        let freedom = (f64::from(self.used) - outliers - unknowns as f64).max(1.0);
+        self.contradicted
+            || self.prior > MOST_PRIOR
+            || self.outliers > self.used / 5 + 3
+            || self.gross > self.used / 20 + 3
+            || self.chi_squared - limited > freedom + MISFIT * libm::sqrt(2.0 * freedom)
+    }
+}

@@ -1,0 +1,107 @@
+//! Unknowns of a fit: a launch, free ratios of the top, losses and biases.
+
+use crate::least_squares::{MOST_UNKNOWNS, Unknowns};
+use crate::sensitivity::{LAUNCH, RATIOS};
+use crate::vector::{Vector, add_scaled, dot, rotation_vector};
+use toytop::su2::Orientation;
+use toytop::{ParameterError, State};
+
+/// Unknown ratio of the top: a direction in the space of log A/C, log A/(ps) (A/p for a fixed tip), log s and log g.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreeRatio {
+    /// Direction.
+    pub direction: [f64; RATIOS],
+    /// Prior standard deviation of the unknown; infinite where there is no prior information.
+    pub deviation: f64,
+}
+
+impl FreeRatio {
+    /// Direction in which only the axial inertia C changes.
+    pub const AXIAL_INERTIA: Self = Self::new([-1.0, 0.0, 0.0, 0.0]);
+    /// Direction in which only the transverse inertia A changes.
+    pub const TRANSVERSE_INERTIA: Self = Self::new([1.0, 1.0, 0.0, 0.0]);
+    /// Direction in which only the mass moment p changes.
+    pub const MASS_MOMENT: Self = Self::new([0.0, -1.0, 0.0, 0.0]);
+    /// Direction in which only the length s of a sliding top changes, while p is kept.
+    pub const COM_HEIGHT: Self = Self::new([0.0, -1.0, 1.0, 0.0]);
+    /// Direction in which only gravity g changes.
+    pub const GRAVITY: Self = Self::new([0.0, 0.0, 0.0, 1.0]);
+
+    /// Unknown without prior information.
+    #[must_use]
+    pub const fn new(direction: [f64; RATIOS]) -> Self {
+        Self { direction, deviation: f64::INFINITY }
+    }
+}
+
+/// Launch and other unknowns that a fit has found, or begins from.
+#[derive(Clone, Copy, Debug)]
+pub struct Estimate {
+    /// Orientation Φ at the epoch.
+    pub orientation: Orientation<f64>,
+    /// Angular velocity ω at the epoch in the fixed frame.
+    pub omega: Vector<f64>,
+    /// Changes of the logarithms of the free ratios, losses, and biases.
+    pub(crate) other: [f64; MOST_UNKNOWNS - LAUNCH],
+}
+
+impl Estimate {
+    /// Estimate without biases, and with the ratios of the top.
+    #[must_use]
+    pub fn new(orientation: Orientation<f64>, omega: Vector<f64>) -> Self {
+        Self { orientation, omega, other: [0.0; MOST_UNKNOWNS - LAUNCH] }
+    }
+
+    /// Values of the other unknowns: changes of the logarithms of the free ratios, the three losses if there is a drift, and the biases
+    /// of the sensors that have one.
+    #[must_use]
+    pub fn other_unknowns(&self) -> &[f64] {
+        &self.other
+    }
+
+    /// Value of an unknown after those of the launch.
+    pub(crate) fn unknown(&self, index: usize) -> Option<f64> {
+        self.other.get(index.checked_sub(LAUNCH)?).copied()
+    }
+
+    /// State of the launch.
+    pub(crate) fn state(&self) -> Result<State, ParameterError> {
+        State::new(self.orientation.normalised(), self.omega)
+    }
+
+    /// Angular velocity in the body frame.
+    pub(crate) fn omega_body(&self) -> Vector<f64> {
+        self.orientation.inverse().adjoint(self.omega)
+    }
+
+    /// Estimate after a change of the unknowns: a rotation vector of the body frame, a change of Ω, and those of the others.
+    pub(crate) fn moved(&self, change: &Unknowns) -> Self {
+        let [d1, d2, d3, w1, w2, w3, others @ ..] = *change;
+        let orientation = self.orientation.compose(&Orientation::exp([d1, d2, d3])).normalised();
+        let mut other = self.other;
+        other.iter_mut().zip(others).for_each(|(slot, by)| *slot += by);
+        Self {
+            orientation,
+            omega: orientation.adjoint(add_scaled(self.omega_body(), [w1, w2, w3], 1.0)),
+            other,
+        }
+    }
+
+    /// Change of the unknowns from another estimate to this one.
+    pub(crate) fn change_from(&self, from: &Self) -> Unknowns {
+        let [d1, d2, d3] = rotation_vector(&from.orientation.inverse().compose(&self.orientation));
+        let [w1, w2, w3] = add_scaled(self.omega_body(), from.omega_body(), -1.0);
+        let mut change = [0.0; MOST_UNKNOWNS];
+        let [a, b, c, d, e, f, others @ ..] = &mut change;
+        [*a, *b, *c, *d, *e, *f] = [d1, d2, d3, w1, w2, w3];
+        for (slot, (x, y)) in others.iter_mut().zip(self.other.iter().zip(from.other)) {
+            *slot = x - y;
+        }
+        change
+    }
+
+    /// Component of ω along the axis.
+    pub(crate) fn spin(&self) -> f64 {
+        dot(self.omega, self.orientation.axis())
+    }
+}

@@ -1,0 +1,123 @@
+//! State of a motion, and small changes of it.
+
+use crate::vector::{UNITS, Vector, add_scaled, cast, cross, dot, scaled};
+use toytop::Phase;
+use toytop::scalar::{Float, Real};
+use toytop::su2::Orientation;
+
+/// Number of columns of the launch.
+pub(crate) const LAUNCH: usize = 6;
+/// Number of columns: six of the launch, and those of four ratios or losses.
+pub(crate) const COLUMNS: usize = 10;
+
+/// Small change of a motion in the fixed frame: rotation vector θ of the orientation, and its rate η, the change of ω in a frame
+/// that θ turns.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tangent<F> {
+    pub(crate) theta: Vector<F>,
+    pub(crate) eta: Vector<F>,
+}
+
+/// State of the motion, and N changes of it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Flow<F, const N: usize> {
+    /// Axis r, the third body axis.
+    pub(crate) axis: Vector<F>,
+    /// First body axis, turned back by the angle that the body has turned about r.
+    pub(crate) side: Vector<F>,
+    /// Part w = ω - S r of the angular velocity across the axis, which keeps its digits where S is much larger.
+    pub(crate) across: Vector<F>,
+    /// Axial component S = ⟨ω, r⟩ of the angular velocity, constant without losses.
+    pub(crate) spin: F,
+    pub(crate) tangents: [Tangent<F>; N],
+}
+
+impl<F: Float> Tangent<F> {
+    pub(crate) const ZERO: Self = Self { theta: [F::ZERO; 3], eta: [F::ZERO; 3] };
+
+    /// Sum of this tangent and f times another.
+    pub(crate) fn plus(&self, other: &Self, f: F) -> Self {
+        Self { theta: add_scaled(self.theta, other.theta, f), eta: add_scaled(self.eta, other.eta, f) }
+    }
+}
+
+impl<F: Float, const N: usize> Flow<F, N> {
+    pub(crate) const ZERO: Self = Self {
+        axis: [F::ZERO; 3],
+        side: [F::ZERO; 3],
+        across: [F::ZERO; 3],
+        spin: F::ZERO,
+        tangents: [Tangent::ZERO; N],
+    };
+
+    /// Angular velocity ω = w + S r.
+    pub(crate) fn omega(&self) -> Vector<F> {
+        add_scaled(self.across, self.axis, self.spin)
+    }
+
+    /// Sets the state; the tangents are not changed.
+    pub(crate) fn set_state(&mut self, &Flow { axis, side, across, spin, .. }: &Flow<f64, 0>) {
+        (self.axis, self.side, self.across) = (cast(axis), cast(side), cast(across));
+        self.spin = F::from_f64(spin);
+    }
+
+    /// Body axes in the fixed frame.
+    pub(crate) fn axes(&self) -> [Vector<F>; 3] {
+        [self.side, cross(self.axis, self.side), self.axis]
+    }
+
+    /// Adds f times another flow.
+    pub(crate) fn add(&mut self, other: &Self, f: F) {
+        self.axis = add_scaled(self.axis, other.axis, f);
+        self.side = add_scaled(self.side, other.side, f);
+        self.across = add_scaled(self.across, other.across, f);
+        self.spin = self.spin + f * other.spin;
+        for (tangent, rate) in self.tangents.iter_mut().zip(&other.tangents) {
+            *tangent = tangent.plus(rate, f);
+        }
+    }
+
+    /// Sum of this flow and f times another.
+    pub(crate) fn plus(mut self, other: &Self, f: F) -> Self {
+        self.add(other, f);
+        self
+    }
+}
+
+impl Flow<f64, 0> {
+    /// State of a launch.
+    pub(crate) fn launched(phi: &Orientation<f64>, omega: Vector<f64>) -> Self {
+        let [side, _, axis] = UNITS.map(|body| phi.adjoint(body));
+        let spin = dot(omega, axis);
+        Self { axis, side, across: add_scaled(omega, axis, -spin), spin, tangents: [] }
+    }
+
+    /// State with tangents. The first six are changes of θ and of η along these axes; the others are 0.
+    pub(crate) fn with_tangents<F: Float, const N: usize>(&self, axes: &[Vector<f64>; 3]) -> Flow<F, N> {
+        let mut flow = Flow::ZERO;
+        flow.set_state(self);
+        let (turns, rates) = flow.tangents.split_at_mut(axes.len().min(N));
+        turns.iter_mut().zip(axes).for_each(|(tangent, axis)| tangent.theta = cast(*axis));
+        rates.iter_mut().zip(axes).for_each(|(tangent, axis)| tangent.eta = cast(*axis));
+        flow
+    }
+}
+
+impl<F: Real, const N: usize> Flow<F, N> {
+    /// Turns the motion about the vertical by an angle of this sine and cosine.
+    pub(crate) fn turn(&mut self, (sine, cosine): (F, F)) {
+        let turned = |[x, y, z]: Vector<F>| [x * cosine - y * sine, x * sine + y * cosine, z];
+        self.axis = turned(self.axis);
+        self.side = turned(self.side);
+        self.across = turned(self.across);
+        for Tangent { theta, eta } in &mut self.tangents {
+            (*theta, *eta) = (turned(*theta), turned(*eta));
+        }
+    }
+
+    /// Turns the body about its axis.
+    pub(crate) fn roll(&mut self, phase: Phase) {
+        let (sine, cosine) = F::sine_cosine(phase);
+        self.side = add_scaled(scaled(self.side, cosine), cross(self.axis, self.side), sine);
+    }
+}

@@ -1,0 +1,109 @@
+//! Optical instruments beside the top: cameras, and a mark that passes a photo diode.
+
+use crate::sensitivity::Partials;
+use crate::sensors::sensor::{Hint, Prediction, Sensor, three};
+use crate::vector::{Vector, add_scaled, cast, cross, norm, rotation_vector, scaled};
+use toytop::Phase;
+use toytop::scalar::Real;
+use toytop::su2::Orientation;
+
+/// Camera that measures the orientation. It reads a unit quaternion [w, x, y, z] from body to fixed coordinates, of
+/// either sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OrientationCamera {
+    /// Standard deviation of each component of the rotation vector, rad.
+    pub deviation: f64,
+}
+
+/// Camera that measures the axis. It reads the unit vector r in the fixed frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisCamera {
+    /// Standard deviation of each component.
+    pub deviation: f64,
+}
+
+/// Camera that measures the tip c on the plane. It reads its two coordinates, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TipCamera {
+    /// Standard deviation of each coordinate, m.
+    pub deviation: f64,
+    /// Length s of the top that maps the axis to the tip, m ([`Top::tip_scale`](toytop::Top::tip_scale)).
+    pub tip_scale: f64,
+}
+
+/// Mark on the body that passes a fixed azimuth, as a photo diode sees it once a turn. The time of the measurement is
+/// that of the passage; it reads the azimuth, rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mark {
+    /// Standard deviation of the time.
+    pub deviation: f64,
+    /// Body coordinates of the mark.
+    pub place: Vector<f64>,
+}
+
+impl<F: Real> Sensor<F> for OrientationCamera {
+    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
+        let measured = Orientation::from_quaternion(values.map(F::from_f64)).normalised();
+        Prediction {
+            difference: rotation_vector(&measured.compose(&at.orientation_now().inverse())),
+            deviation: [F::from_f64(self.deviation); 3],
+            columns: at.orientation(),
+        }
+    }
+
+    fn hint(&self, values: &[f64; 4]) -> Hint {
+        Hint::Orientation(Orientation::from_quaternion(*values).normalised())
+    }
+}
+
+impl<F: Real> Sensor<F> for AxisCamera {
+    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
+        Prediction {
+            difference: add_scaled(cast(three(values)), at.axis(), -F::ONE),
+            deviation: [F::from_f64(self.deviation); 3],
+            columns: at.axis_change(),
+        }
+    }
+
+    fn hint(&self, values: &[f64; 4]) -> Hint {
+        Hint::Axis(scaled(three(values), 1.0 / norm(three(values))))
+    }
+}
+
+impl<F: Real> Sensor<F> for TipCamera {
+    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
+        let [x, y, _]: Vector<F> = cast(three(values));
+        let [r1, r2, _] = at.axis();
+        let [scale, deviation, unused] = cast([self.tip_scale, self.deviation, f64::INFINITY]);
+        Prediction {
+            difference: [x + scale * r1, y + scale * r2, F::ZERO],
+            deviation: [deviation, deviation, unused],
+            columns: at.tip().map(|c| [c.re, c.im, F::ZERO]),
+        }
+    }
+
+    fn hint(&self, values: &[f64; 4]) -> Hint {
+        // the top is assumed to stand above the plane
+        let [x, y, ..] = values.map(|x| -x / self.tip_scale);
+        let square = x * x + y * y;
+        Hint::Axis([x, y, libm::sqrt(if square < 1.0 { 1.0 - square } else { 0.0 })])
+    }
+}
+
+impl<F: Real> Sensor<F> for Mark {
+    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
+        let [azimuth, ..] = *values;
+        let place = at.in_fixed(cast(self.place));
+        let [x, y, _] = place;
+        let square = x * x + y * y;
+        let turned = |[dx, dy, _]: Vector<F>| (x * dy - y * dx) / square;
+        let (sine, cosine) = F::sine_cosine(Phase::from_radians(azimuth));
+        let rate = turned(cross(at.angular_velocity(), place));
+        let unused = F::from_f64(f64::INFINITY);
+        Prediction {
+            difference: [F::atan2(sine * x - cosine * y, cosine * x + sine * y), F::ZERO, F::ZERO],
+            deviation: [F::from_f64(self.deviation) * rate.abs(), unused, unused],
+            columns: at.each(|tangent, _| [turned(cross(tangent.theta, place)), F::ZERO, F::ZERO]),
+        }
+    }
+}

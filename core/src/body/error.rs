@@ -1,0 +1,58 @@
+//! Reasons for refusing a top, a state or a motion.
+
+use core::fmt;
+
+/// Invalid parameter of a top, a state or a motion: its name and the reason.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ParameterError {
+    /// The parameter is NaN or infinite.
+    NotFinite {
+        /// Name of the parameter.
+        parameter: &'static str,
+    },
+    /// The parameter is finite but not allowed.
+    OutOfRange {
+        /// Name of the parameter.
+        parameter: &'static str,
+        /// Allowed values, in words or as an interval.
+        allowed: &'static str,
+    },
+}
+
+impl ParameterError {
+    /// Name of the invalid parameter.
+    #[must_use]
+    pub fn parameter(&self) -> &'static str {
+        match self {
+            Self::NotFinite { parameter } | Self::OutOfRange { parameter, .. } => parameter,
+        }
+    }
+
+    /// Allowed values, in words or as an interval.
+    #[must_use]
+    pub fn allowed(&self) -> &'static str {
+        match self {
+            Self::NotFinite { .. } => "a finite number",
+            Self::OutOfRange { allowed, .. } => allowed,
+        }
+    }
+}
+
+impl fmt::Display for ParameterError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: must be {}", self.parameter(), self.allowed())
+    }
+}
+
+impl core::error::Error for ParameterError {}
+
+/// The value, or an error where it is not finite.
+pub fn finite(parameter: &'static str, value: f64) -> Result<f64, ParameterError> {
+    if value.is_finite() { Ok(value) } else { Err(ParameterError::NotFinite { parameter }) }
+}
+
+/// Error for this parameter unless `holds`.
+pub fn require(holds: bool, parameter: &'static str, allowed: &'static str) -> Result<(), ParameterError> {
+    if holds { Ok(()) } else { Err(ParameterError::OutOfRange { parameter, allowed }) }
+}

@@ -1,0 +1,171 @@
+//! State of a top at t = 0: orientation and angular velocity.
+
+mod impulse;
+
+use crate::complex::Complex;
+use crate::error::{ParameterError, finite, require};
+use crate::scalar::{Float, sine_cosine_of_radians};
+use crate::su2::{Orientation, Vector, dot};
+
+/// Largest component of an angular velocity, rad/s.
+const FASTEST: f64 = 1e12;
+
+/// State at t = 0: orientation and angular velocity. Set-up treats its `f64` numbers as exact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct State {
+    orientation: Orientation<f64>,
+    omega: Vector<f64>,
+}
+
+/// Release of a top: tilt, azimuth and roll (rad), the rates of tilt and azimuth, and the axial angular velocity (rad/s).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Release {
+    /// Tilt: angle of the axis from the upward vertical, rad, in [0, π].
+    pub tilt: f64,
+    /// Azimuth: horizontal direction in which the axis leans, from the first fixed axis, rad.
+    pub azimuth: f64,
+    /// Roll: rotation of the body about its axis, rad.
+    pub roll: f64,
+    /// Spin: the whole axial component ω·r = (n - K)/C of the angular velocity, rad/s.
+    pub spin: f64,
+    /// Rate of the azimuth, rad/s.
+    pub precession: f64,
+    /// Rate of the tilt, rad/s.
+    pub nutation: f64,
+}
+
+impl State {
+    /// State from the Cayley-Klein parameters and ω (rad/s) in the fixed frame.
+    ///
+    /// The squared norm may differ from 1 by 1e-6, and is normalised. A component below 1e-60 counts as 0.
+    ///
+    /// # Errors
+    /// `alpha`, `beta`, `omega`: a component is not finite; `alpha`: the norm differs from 1 by more; `omega`: above
+    /// 1e12 rad/s.
+    pub fn new(orientation: Orientation<f64>, omega: Vector<f64>) -> Result<Self, ParameterError> {
+        for (name, z) in [("alpha", orientation.alpha), ("beta", orientation.beta)] {
+            finite(name, z.re)?;
+            finite(name, z.im)?;
+        }
+        require(
+            is_unit(&orientation),
+            "alpha",
+            "of unit norm with beta: | |alpha|^2 + |beta|^2 - 1 | <= 1e-6",
+        )?;
+        for component in omega {
+            finite("omega", component)?;
+            require(
+                Float::abs(component) <= FASTEST,
+                "omega",
+                "between -1e12 and 1e12 rad/s in every component",
+            )?;
+        }
+        Ok(Self { orientation, omega })
+    }
+
+    /// State from the unit quaternion [w, x, y, z] from body to fixed coordinates, and the angular velocity Ω (rad/s) in the
+    /// body frame, as a gyroscope measures it.
+    ///
+    /// The squared norm may differ from 1 by 1e-6. The third body axis points from the tip to the centre of mass. q and -q give
+    /// opposite α and β.
+    ///
+    /// ```
+    /// use toytop::State;
+    /// let state = State::from_quaternion_and_gyro([0.6, 0.0, 0.8, 0.0], [0.4, -0.2, 150.0])?;
+    /// let [x, ..] = state.omega();
+    /// assert!((x - (-0.28 * 0.4 + 0.96 * 150.0)).abs() < 1e-12);
+    /// # Ok::<(), toytop::ParameterError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `quaternion`: a component is not finite, or the norm differs from 1 by more; `gyro`: a component is not finite,
+    /// or the magnitude is above 1e12 rad/s.
+    pub fn from_quaternion_and_gyro(quaternion: [f64; 4], gyro: Vector<f64>) -> Result<Self, ParameterError> {
+        for component in quaternion {
+            finite("quaternion", component)?;
+        }
+        for component in gyro {
+            finite("gyro", component)?;
+        }
+        let orientation = Orientation::from_quaternion(quaternion);
+        require(is_unit(&orientation), "quaternion", "of unit norm: | w^2 + x^2 + y^2 + z^2 - 1 | <= 1e-6")?;
+        require(dot(gyro, gyro) <= FASTEST * FASTEST, "gyro", "at most 1e12 rad/s in magnitude")?;
+        Ok(Self { orientation, omega: orientation.normalised().adjoint(gyro) })
+    }
+
+    /// State of a release:
+    /// α = cos(tilt/2) e^{i(azimuth + roll)/2}, β = -sin(tilt/2) e^{i(azimuth - roll)/2},
+    /// ω = precession k + nutation (-sin azimuth, cos azimuth, 0) + (spin - precession cos tilt) r.
+    ///
+    /// A tilt of exactly 0 or π gives an exactly vertical axis.
+    ///
+    /// # Errors
+    /// [`ParameterError`] names the field: it is not finite, the tilt is outside [0, π], another angle is beyond ±1e6
+    /// rad, or a rate is above 1e11 rad/s.
+    pub fn release(release: &Release) -> Result<Self, ParameterError> {
+        let Release { tilt, azimuth, roll, spin, precession, nutation } = *release;
+        finite("tilt", tilt)?;
+        for (name, angle) in [("azimuth", azimuth), ("roll", roll)] {
+            finite(name, angle)?;
+            require(Float::abs(angle) <= 1e6, name, "between -1e6 and 1e6 rad")?;
+        }
+        for (name, rate) in [("spin", spin), ("precession", precession), ("nutation", nutation)] {
+            finite(name, rate)?;
+            require(Float::abs(rate) <= 1e11, name, "between -1e11 and 1e11 rad/s")?;
+        }
+        require((0.0..=core::f64::consts::PI).contains(&tilt), "tilt", "between 0 and pi")?;
+        let (half_sine, half_cosine) =
+            if tilt == core::f64::consts::PI { (1.0, 0.0) } else { sine_cosine_of_radians(0.5 * tilt) };
+        let cis = |angle: f64| {
+            let (im, re) = sine_cosine_of_radians(angle);
+            Complex::new(re, im)
+        };
+        let alpha = cis(0.5 * (azimuth + roll)).scaled(half_cosine);
+        let beta = cis(0.5 * (azimuth - roll)).scaled(-half_sine);
+        let orientation = Orientation { alpha, beta };
+        let (sine, cosine) = sine_cosine_of_radians(azimuth);
+        let u = (half_cosine - half_sine) * (half_cosine + half_sine);
+        let [r1, r2, r3] = orientation.axis();
+        let axial = spin - precession * u;
+        let omega = [axial * r1 - nutation * sine, axial * r2 + nutation * cosine, axial * r3 + precession];
+        Self::new(orientation, omega)
+    }
+
+    /// Orientation Φ at t = 0, as given (not normalised).
+    #[must_use]
+    pub fn orientation(&self) -> Orientation<f64> {
+        self.orientation
+    }
+
+    /// Angular velocity ω at t = 0 in the fixed frame, rad/s.
+    #[must_use]
+    pub fn omega(&self) -> Vector<f64> {
+        self.omega
+    }
+
+    /// Magnitude |ω| of the angular velocity, rad/s.
+    pub(crate) fn speed(&self) -> f64 {
+        libm::sqrt(self.omega.iter().map(|component| component * component).sum())
+    }
+
+    /// Φ as it was given, not normalised, and ω, in the number type of a set-up stage.
+    pub(crate) fn exact<F: Float>(&self) -> (Orientation<F>, Vector<F>) {
+        let lift = |z: Complex<f64>| Complex::new(lifted(z.re), lifted(z.im));
+        let orientation =
+            Orientation { alpha: lift(self.orientation.alpha), beta: lift(self.orientation.beta) };
+        (orientation, self.omega.map(lifted))
+    }
+}
+
+/// Whether the norm is that of a rotation, | |α|² + |β|² - 1 | <= 1e-6.
+fn is_unit(orientation: &Orientation<f64>) -> bool {
+    Float::abs(orientation.norm_squared() - 1.0) <= 1e-6
+}
+
+/// x in the number type F, or 0 below 1e-60.
+fn lifted<F: Float>(x: f64) -> F {
+    const LEAST: f64 = 1e-60;
+    if Float::abs(x) < LEAST { F::ZERO } else { F::from_f64(x) }
+}

@@ -1,0 +1,124 @@
+//! Impulse: a force so short that it changes ω only.
+//!
+//! J acts at d from the centre of mass, and the support reacts with R at the tip, -s r from there:
+//!
+//! ```text
+//! M Δv = J + R        A Δω + (C - A) ⟨Δω, r⟩ r = d × J - s r × R
+//! ```
+//!
+//! *Sliding tip.* R = R k, and the tip stays on the plane: ⟨Δv - s Δω × r, k⟩ = 0. With q = r × k
+//!
+//! ```text
+//! R = (p ⟨d × J, q⟩ - A J₃) / (A + p s |q|²)
+//! ```
+//!
+//! *Fixed tip, free body.* s = 0, and d is from the point to which A and C belong. K does not change. Where C = 0, J has no moment
+//! about the axis.
+
+use super::{FASTEST, State};
+use crate::error::{ParameterError, finite, require};
+use crate::scalar::Float;
+use crate::su2::{Vector, cross, dot};
+use crate::top::{Support, Top};
+
+impl State {
+    /// State after an impulse J, N s in the fixed frame, at a point X of the body, m in the body frame *from the tip*.
+    ///
+    /// For a free body the point is relative to the centre of mass, which otherwise is at [0, 0, s]. It may lie outside the body.
+    /// The horizontal velocity of a sliding top, which changes too, is not part of a state.
+    ///
+    /// An angular impulse, N m s, is a pair: J at X + D and -J at X give D × J for any X.
+    ///
+    /// ```
+    /// use toytop::{Release, State, Top, TopParameters};
+    /// let top = Top::sliding(&TopParameters {
+    ///     transverse_inertia: 3.0e-5,
+    ///     axial_inertia: 2.0e-5,
+    ///     com_height: 0.03,
+    ///     mass: 0.05,
+    ///     ..TopParameters::default()
+    /// })?;
+    /// let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
+    /// // a tangential stroke of 2 mN s on the rim, 25 mm from the axis, at the height of the centre of mass
+    /// let struck = state.with_impulse(&top, [0.0, 2.0e-3, 0.0], [0.025, 0.0, 0.03])?;
+    /// assert!(struck.omega() != state.omega() && struck.orientation() == state.orientation());
+    /// # Ok::<(), toytop::ParameterError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `impulse`: a component is not finite, is above 1e12 N s, or makes a component of ω exceed 1e12 rad/s; `point`: a
+    /// component is not finite or is above 1e12 m.
+    pub fn with_impulse(
+        &self,
+        top: &Top,
+        impulse: Vector<f64>,
+        point: Vector<f64>,
+    ) -> Result<Self, ParameterError> {
+        let mut omega = self.omega_change(top, impulse, point)?;
+        for (component, before) in omega.iter_mut().zip(self.omega) {
+            *component += before;
+            require(
+                Float::abs(*component) <= FASTEST,
+                "impulse",
+                "such that no component of omega exceeds 1e12 rad/s",
+            )?;
+        }
+        Ok(Self { omega, ..*self })
+    }
+
+    /// Reaction impulse of the support, N s in the fixed frame: p Δω × r - J, and its vertical part under a sliding tip.
+    ///
+    /// Where the third component is negative, a real top leaves the plane.
+    ///
+    /// * `impulse`, `point`: the arguments of [`State::with_impulse`]
+    ///
+    /// # Errors
+    /// `impulse`, `point`: a component is not finite or is above 1e12.
+    pub fn reaction_impulse(
+        &self,
+        top: &Top,
+        impulse: Vector<f64>,
+        point: Vector<f64>,
+    ) -> Result<Vector<f64>, ParameterError> {
+        let change = self.omega_change(top, impulse, point)?;
+        let mut reaction = cross(change, self.orientation.normalised().axis());
+        for (component, given) in reaction.iter_mut().zip(impulse) {
+            *component = top.mass_moment() * *component - given;
+        }
+        let [.., vertical] = reaction;
+        Ok(match top.support() {
+            Support::Sliding => [0.0, 0.0, vertical],
+            Support::Fixed => reaction,
+            Support::Free => [0.0; 3],
+        })
+    }
+
+    /// Change Δω of the angular velocity by an impulse, rad/s.
+    fn omega_change(
+        &self,
+        top: &Top,
+        impulse: Vector<f64>,
+        point: Vector<f64>,
+    ) -> Result<Vector<f64>, ParameterError> {
+        for (name, vector) in [("impulse", impulse), ("point", point)] {
+            for component in vector {
+                finite(name, component)?;
+                require(Float::abs(component) <= 1e12, name, "between -1e12 and 1e12 in every component")?;
+            }
+        }
+        let (a, c, s) = (top.transverse_inertia(), top.axial_inertia(), top.com_height());
+        let phi = self.orientation.normalised();
+        let (r, [x, y, z], [.., lift]) = (phi.axis(), point, impulse);
+        let given = cross(phi.adjoint([x, y, z - s]), impulse);
+        let q = cross(r, [0.0, 0.0, 1.0]);
+        let p = top.mass_moment();
+        let reaction = (p * dot(given, q) - a * lift) / (a + p * s * dot(q, q));
+        let axial = dot(given, r);
+        let spin_up = if c > 0.0 { axial / c } else { 0.0 };
+        let mut change = given;
+        for ((component, r), q) in change.iter_mut().zip(r).zip(q) {
+            *component = (*component - s * reaction * q - axial * r) / a + spin_up * r;
+        }
+        Ok(change)
+    }
+}

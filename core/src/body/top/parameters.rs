@@ -1,0 +1,285 @@
+//! Parameters of a top, and their allowed ranges.
+
+use crate::error::{ParameterError, finite, require};
+use crate::scalar::{Extended, Float, Ring};
+use crate::top::{Support, Top};
+
+/// Parameters of a top by name, in SI or any consistent units. A field of 0 counts as not given.
+///
+/// Exactly one of `mass` and `mass_moment` is given; a free body needs neither.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TopParameters {
+    /// Transverse moment of inertia A, kg m²: about the centre of mass for a sliding tip or a free body, about the tip for a
+    /// fixed one.
+    pub transverse_inertia: f64,
+    /// Axial moment of inertia C <= 2A, kg m²; 0 for a thin rod or a point at its end, otherwise at least 1e-60 A, and
+    /// 1e-20 A without gravity.
+    pub axial_inertia: f64,
+    /// Distance s of the centre of mass from the tip, m; for a fixed tip it is used only together with `mass`.
+    pub com_height: f64,
+    /// Mass M, kg.
+    pub mass: f64,
+    /// Mass moment p = M s, kg m.
+    pub mass_moment: f64,
+    /// Gravity g, m/s²; by default 9.80665; 0 only for a fixed tip or a free body. The units of the paper have g = 1.
+    pub gravity: f64,
+    /// Constant angular momentum K of a rotor inside, relative to the body and along its axis, kg m²/s, of either sign. The
+    /// body's mass and inertia include the rotor's.
+    pub rotor_momentum: f64,
+}
+
+impl Default for TopParameters {
+    fn default() -> Self {
+        Self {
+            transverse_inertia: 0.0,
+            axial_inertia: 0.0,
+            com_height: 0.0,
+            mass: 0.0,
+            mass_moment: 0.0,
+            gravity: 9.80665,
+            rotor_momentum: 0.0,
+        }
+    }
+}
+
+/// Allowed range of a parameter.
+const ALLOWED: &str = "between 1e-60 and 1e60";
+
+/// Least C/A other than 0.
+const LEAST_SHARE: f64 = 1e-60;
+/// Least C/A other than 0 without torque; the direction of C ω has the rounding error of A ω.
+const LEAST_TORQUE_FREE_SHARE: f64 = 1e-20;
+/// Largest |K|/A, and the least that does not count as 0, rad per unit time.
+const FASTEST_ROTOR: f64 = 1e12;
+const SLOWEST_ROTOR: f64 = 1e-60;
+
+fn magnitude(parameter: &'static str, value: f64) -> Result<f64, ParameterError> {
+    finite(parameter, value)?;
+    require(value > 0.0, parameter, "positive, between 1e-60 and 1e60")?;
+    require((1e-60..=1e60).contains(&value), parameter, ALLOWED)?;
+    Ok(value)
+}
+
+impl TopParameters {
+    /// Mass, or `None` where the mass moment is given instead.
+    fn given_mass(&self) -> Result<Option<f64>, ParameterError> {
+        match (self.mass == 0.0, self.mass_moment == 0.0) {
+            (false, true) => Ok(Some(magnitude("mass", self.mass)?)),
+            (true, false) => Ok(None),
+            _ => Err(ParameterError::OutOfRange {
+                parameter: "mass",
+                allowed: "given if mass_moment is not, and left out if it is",
+            }),
+        }
+    }
+}
+
+impl Top {
+    /// Top whose tip slides on a plane: Springborn's toy top.
+    ///
+    /// # Errors
+    /// [`ParameterError`] names the parameter that is wrong. A, s, g, and the mass or its moment must be between 1e-60 and 1e60; C
+    /// 0, or between 1e-60 A and 2A; A/(ps) between 1e-6 and 1e30; √(pg/A) between 1e-9 and 1e9, and |K|/A at most 1e12, per unit
+    /// of time. Exactly one of `mass` and `mass_moment` must be given. `gravity` must not be 0.
+    pub fn sliding(parameters: &TopParameters) -> Result<Self, ParameterError> {
+        require(
+            parameters.gravity != 0.0,
+            "gravity",
+            "positive: without weight nothing keeps the tip on the plane, and the body is free (support = \"free\")",
+        )?;
+        let s = magnitude("com_height", parameters.com_height)?;
+        let p = match parameters.given_mass()? {
+            Some(mass) => Extended::product(mass, s),
+            None => magnitude("mass_moment", parameters.mass_moment)?.into(),
+        };
+        let top = Self::new(Support::Sliding, parameters, s, p)?;
+        let spread = top.a / (top.p.to_f64() * s);
+        require(
+            (1e-6..=1e30).contains(&spread),
+            "transverse_inertia",
+            "between 1e-6 (a body that is all but a point) and 1e30 times mass_moment x com_height",
+        )?;
+        Ok(top)
+    }
+
+    /// Top whose tip is held at a fixed point, the Lagrange top. Both moments of inertia are about the *tip*. Either
+    /// `mass_moment` is given, or `mass` together with `com_height`. Without gravity the motion is that of [`Top::free`].
+    ///
+    /// # Errors
+    /// The errors of [`Top::sliding`]; without gravity, C between 0 and 1e-20 A; with a mass, A below M s² + C/2, which no body
+    /// has about its tip.
+    pub fn fixed(parameters: &TopParameters) -> Result<Self, ParameterError> {
+        /// Relative tolerance for the rounding of A.
+        const ROUNDING: f64 = 1e-9;
+        let Some(mass) = parameters.given_mass()? else {
+            require(
+                parameters.com_height == 0.0,
+                "com_height",
+                "left out where the tip is fixed and mass_moment is given",
+            )?;
+            let p = magnitude("mass_moment", parameters.mass_moment)?.into();
+            return Self::new(Support::Fixed, parameters, 0.0, p);
+        };
+        let p = Extended::product(mass, magnitude("com_height", parameters.com_height)?);
+        let top = Self::new(Support::Fixed, parameters, 0.0, p)?;
+        let least = p.to_f64() * parameters.com_height + 0.5 * top.c;
+        require(
+            top.a >= least * (1.0 - ROUNDING),
+            "transverse_inertia",
+            "the moment about the tip, at least mass x com_height^2 + axial_inertia / 2",
+        )?;
+        Ok(top)
+    }
+
+    /// Body without support: thrown, floating or in orbit. A and C are about its centre of mass; the other parameters have no effect.
+    /// See the page `docs/other_tops.md`.
+    ///
+    /// # Errors
+    /// [`ParameterError`] names the parameter: A not between 1e-60 and 1e60, C neither 0 nor between 1e-20 A and 2A,
+    /// |K|/A above 1e12 per unit of time, or another one not finite.
+    pub fn free(parameters: &TopParameters) -> Result<Self, ParameterError> {
+        let TopParameters { com_height, mass, mass_moment, gravity, .. } = *parameters;
+        for (name, value) in
+            [("com_height", com_height), ("mass", mass), ("mass_moment", mass_moment), ("gravity", gravity)]
+        {
+            finite(name, value)?;
+        }
+        let weightless = TopParameters { gravity: 0.0, ..*parameters };
+        Self::new(Support::Free, &weightless, 0.0, Extended::ZERO)
+    }
+
+    fn new(
+        support: Support,
+        parameters: &TopParameters,
+        s: f64,
+        p: Extended,
+    ) -> Result<Self, ParameterError> {
+        let a = magnitude("transverse_inertia", parameters.transverse_inertia)?;
+        let c = finite("axial_inertia", parameters.axial_inertia)?;
+        require(
+            (0.0..=2.0 * a).contains(&c),
+            "axial_inertia",
+            "between 0 and twice transverse_inertia (no body has C > 2A)",
+        )?;
+        require(
+            c == 0.0 || c >= LEAST_SHARE * a,
+            "axial_inertia",
+            "0, or at least 1e-60 times transverse_inertia",
+        )?;
+        let g = if parameters.gravity == 0.0 { 0.0 } else { magnitude("gravity", parameters.gravity)? };
+        require(
+            g > 0.0 || c == 0.0 || c >= LEAST_TORQUE_FREE_SHARE * a,
+            "axial_inertia",
+            "0, or without gravity at least 1e-20 times transverse_inertia",
+        )?;
+        let rate_squared = g * (p.to_f64() / a);
+        require(
+            g == 0.0 || (1e-18..=1e18).contains(&rate_squared),
+            "gravity",
+            "such that sqrt(mass_moment x gravity / transverse_inertia) is between 1e-9 and 1e9 per second (change the \
+             unit of time), or a free body instead",
+        )?;
+        let k = finite("rotor_momentum", parameters.rotor_momentum)?;
+        require(
+            Float::abs(k) <= FASTEST_ROTOR * a,
+            "rotor_momentum",
+            "at most 1e12 per second times transverse_inertia in magnitude",
+        )?;
+        let k = if Float::abs(k) < SLOWEST_ROTOR * a { 0.0 } else { k };
+        Ok(Self { support, a, c, s, p, g, k })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::top::ScaledTop;
+
+    const TOP: TopParameters = TopParameters {
+        transverse_inertia: 3e-5,
+        axial_inertia: 2e-5,
+        com_height: 0.03,
+        mass: 0.05,
+        mass_moment: 0.0,
+        gravity: 9.81,
+        rotor_momentum: 0.0,
+    };
+
+    fn refused(result: Result<Top, ParameterError>) -> Option<&'static str> {
+        result.err().map(|error| error.parameter())
+    }
+
+    #[test]
+    fn every_parameter_is_checked_and_named() {
+        let sliding = |change: fn(&mut TopParameters)| {
+            let mut parameters = TOP;
+            change(&mut parameters);
+            refused(Top::sliding(&parameters))
+        };
+        assert_eq!(sliding(|_| {}), None);
+        assert_eq!(sliding(|top| top.transverse_inertia = f64::NAN), Some("transverse_inertia"));
+        assert_eq!(sliding(|top| top.axial_inertia = 6.1e-5), Some("axial_inertia"));
+        assert_eq!(sliding(|top| top.axial_inertia = 6e-5), None);
+        assert_eq!(sliding(|top| top.axial_inertia = -1e-9), Some("axial_inertia"));
+        assert_eq!(sliding(|top| top.axial_inertia = 0.0), None);
+        assert_eq!(sliding(|top| top.gravity = 0.0), Some("gravity"));
+        assert_eq!(sliding(|top| top.com_height = 0.0), Some("com_height"));
+        assert_eq!(sliding(|top| top.mass = -1.0), Some("mass"));
+        assert_eq!(sliding(|top| top.mass = 0.0), Some("mass"));
+        assert_eq!(sliding(|top| top.mass_moment = 1e-3), Some("mass"));
+        assert_eq!(sliding(|top| (top.mass, top.mass_moment) = (0.0, -1.0)), Some("mass_moment"));
+        assert_eq!(sliding(|top| (top.mass, top.mass_moment) = (0.0, 1.5e-3)), None);
+        assert_eq!(sliding(|top| top.gravity = f64::INFINITY), Some("gravity"));
+        assert_eq!(sliding(|top| top.rotor_momentum = f64::NAN), Some("rotor_momentum"));
+        assert_eq!(sliding(|top| top.rotor_momentum = -3.1e7), Some("rotor_momentum"));
+        assert_eq!(sliding(|top| top.rotor_momentum = -3e7), None);
+        assert_eq!(
+            sliding(|top| (top.transverse_inertia, top.axial_inertia) = (1e-12, 1e-12)),
+            Some("transverse_inertia")
+        );
+        assert_eq!(sliding(|top| top.gravity = 1e17), Some("gravity"));
+    }
+
+    #[test]
+    fn a_fixed_tip_takes_inertias_about_the_tip() {
+        let fixed = |change: fn(&mut TopParameters)| {
+            let mut parameters = TOP;
+            change(&mut parameters);
+            refused(Top::fixed(&parameters))
+        };
+        assert_eq!(
+            fixed(|top| (top.mass, top.com_height, top.mass_moment) = (0.0, 0.0, -0.1)),
+            Some("mass_moment")
+        );
+        assert_eq!(fixed(|top| (top.mass, top.mass_moment) = (0.0, 0.1)), Some("com_height"));
+        assert_eq!(fixed(|top| top.mass = 0.0), Some("mass"));
+        // 0.05 kg · (0.03 m)² = 4.5e-5 kg m²
+        assert_eq!(fixed(|top| top.transverse_inertia = 5.5e-5), None);
+        assert_eq!(fixed(|top| top.transverse_inertia = 5.4999e-5), Some("transverse_inertia"));
+    }
+
+    #[test]
+    fn a_free_body_takes_two_inertias() {
+        let body =
+            TopParameters { transverse_inertia: 3e-5, axial_inertia: 2e-5, ..TopParameters::default() };
+        let top = Top::free(&body).unwrap();
+        assert!(top.is_torque_free() && top.support() == Support::Free && top.e4().is_none());
+        assert_eq!(
+            top,
+            Top::free(&TopParameters { mass: 0.05, com_height: 0.03, gravity: 9.81, ..body }).unwrap()
+        );
+        assert_eq!(refused(Top::free(&TopParameters { mass: f64::NAN, ..body })), Some("mass"));
+        let weightless = TopParameters { mass_moment: 1e-3, gravity: 0.0, ..body };
+        assert!(Top::fixed(&weightless).unwrap().is_torque_free());
+    }
+
+    #[test]
+    fn the_mass_moment_is_exact() {
+        let top = Top::sliding(&TOP).unwrap();
+        assert!(top.p.parts()[1] != 0.0);
+        assert_eq!(top.mass_moment(), 0.05 * 0.03);
+        let p = ScaledTop::<Extended>::as_given(&top).p;
+        assert_eq!(p, top.p);
+    }
+}

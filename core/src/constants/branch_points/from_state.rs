@@ -1,0 +1,210 @@
+//! Branch points of the motion through a point (u, u') of the reduced curve. Three forms avoid all cancellation:
+//!
+//! * With torque, e₁ - u and e₂ - u, roots of the cubic in e - u, have opposite signs, which gives e₂ - e₁. So do 1 - e₂ and
+//!   1 - e₃, which gives e₃ - e₂.
+//! * With torque and an upright axis at rest, 1 is a double root, and the third root decides whether the top sleeps.
+//! * Without torque e₃ is infinite, and the axis turns about the constant angular momentum m:
+//!
+//! ```text
+//! A² u'² = (|m|² - n²)(1 - u²) - (l - n u)² = |m|² (u - e₁)(e₂ - u)
+//! |m|² (1 - e₁)(1 - e₂) = (l - n)²,    |m|² (1 + e₁)(1 + e₂) = (l + n)²
+//! ```
+
+use super::cubic::Cubic;
+use super::{BranchPoints, LARGEST_E3};
+use crate::constants::FirstIntegrals;
+use crate::constants::first_integrals::ReducedPoint;
+use crate::error::{ParameterError, require};
+use crate::scalar::{Extended, Float};
+use crate::state::State;
+use crate::top::{ScaledTop, Top};
+
+/// Allowed range in the error message for a body that turns too fast for [`LARGEST_E3`].
+const TOO_FAST: &str = "slow enough for e3 <= 1e14 (faster, a body feels no torque: support = \"free\", Top::free, is then exact)";
+
+impl BranchPoints {
+    /// Branch points of a state. Every field, differences included, has the relative error of one `f64` rounding.
+    ///
+    /// # Errors
+    /// `omega`: so large that e₃ would exceed 1e14.
+    pub fn from_state(top: &Top, state: &State) -> Result<Self, ParameterError> {
+        let (integrals, point) = FirstIntegrals::<Extended>::with_point(top, state);
+        Ok(BranchPoints::from_point(top, &integrals, &point, &mut || {})?.to_f64())
+    }
+}
+
+impl<F: Float> BranchPoints<F> {
+    /// Branch points of the motion through a point of the reduced curve.
+    pub(crate) fn from_point(
+        top: &Top,
+        integrals: &FirstIntegrals<F>,
+        point: &ReducedPoint<F>,
+        between: &mut dyn FnMut(),
+    ) -> Result<Self, ParameterError> {
+        if top.is_torque_free() {
+            Ok(Self::torque_free(top, integrals, point))
+        } else if point.rests_upright() {
+            Self::upright(&ScaledTop::new(top), integrals.n)
+        } else {
+            let pair = LowerPair::new(top, integrals, point, between)?;
+            between();
+            Self::above(&pair, integrals, point)
+        }
+    }
+
+    /// Branch points without torque; e₁ = e₂ = u for a body at rest.
+    #[inline(never)] // the stack frames of a launch must not add up
+    fn torque_free(top: &Top, integrals: &FirstIntegrals<F>, point: &ReducedPoint<F>) -> Self {
+        let a = ScaledTop::<F>::new(top).a;
+        let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
+        // larger than every `f64`
+        let infinite = [F::ONE / F::ZERO; 2];
+        let momentum = point.momentum(a, n);
+        if momentum == F::ZERO {
+            return Self::from_differences(point.one_plus_u, point.one_minus_u, F::ZERO, infinite);
+        }
+        // (e₁ - u) + (e₂ - u) = 2 (l n/|m|² - u), and (e₁ - u)(e₂ - u) = -(A u'/|m|)²
+        let half_sum = (n * point.l_minus_nu(integrals) - point.u * (a * point.axis_energy).doubled())
+            / momentum.squared();
+        let half_difference = (half_sum.squared() + (a * point.udot / momentum).squared()).sqrt();
+        let e2_minus_e1 = half_difference.doubled();
+        let [one_plus_e1, one_minus_e2] =
+            [l_plus_n, l_minus_n].map(|sum| lesser_factor((sum / momentum).squared(), e2_minus_e1));
+        Self::from_differences(one_plus_e1, one_minus_e2, e2_minus_e1, infinite)
+    }
+
+    /// Branch points of an upright axis at rest. The third root is n²/(2 A p g) - 1; the top sleeps if it is at least 1.
+    /// The number n² - 4 A p g has a single rounding, so it is 0 exactly on the border of stability.
+    #[inline(never)] // as above
+    fn upright(quantities: &ScaledTop<F>, n: F) -> Result<Self, ParameterError> {
+        let ScaledTop { a, p, g, .. } = *quantities;
+        let (zero, two, scale) = (F::ZERO, F::ONE.doubled(), (a * p * g).doubled());
+        let gap = F::difference_of_products([n, n], [(a * g).doubled().doubled(), p]) / scale;
+        require(gap <= F::from_f64(LARGEST_E3), "omega", TOO_FAST)?;
+        Ok(if gap >= zero {
+            Self::from_differences(two, zero, zero, [gap; 2])
+        } else {
+            Self::from_differences(n.squared() / scale, zero, -gap, [zero; 2])
+        })
+    }
+
+    /// All branch points from the lower two.
+    #[inline(never)] // as above
+    fn above(
+        pair: &LowerPair<F>,
+        integrals: &FirstIntegrals<F>,
+        point: &ReducedPoint<F>,
+    ) -> Result<Self, ParameterError> {
+        let LowerPair { kappa, x1, e2_minus_e1, is_closer } = *pair;
+        let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
+        let ReducedPoint { one_minus_u, axis_energy, .. } = *point;
+        // sum x₂ + x₃ and product x₂ x₃ of the two upper roots, with x = 1 - e
+        let x_product = -kappa * l_minus_n.squared() / x1;
+        let x_sum = (-(axis_energy - one_minus_u - kappa * l_minus_n * n).doubled() - x_product) / x1;
+        let e3_minus_e2 = (x_sum.squared() - x_product.doubled().doubled()).sqrt();
+        let (one_minus_e2, e3_minus_one) = if x_sum > F::ZERO {
+            let x2 = (x_sum + e3_minus_e2).halved();
+            (x2, -x_product / x2)
+        } else {
+            let x3 = (e3_minus_e2 - x_sum).halved();
+            (if x3 > F::ZERO { -x_product / x3 } else { F::ZERO }, x3)
+        };
+        let e2_minus_e1 = if is_closer { e2_minus_e1 } else { x1 - one_minus_e2 };
+        let two = F::from_f64(2.0);
+        let one_minus_e1 = one_minus_e2 + e2_minus_e1;
+        let one_plus_e1 = if one_minus_e1 < F::ONE {
+            two - one_minus_e1
+        } else {
+            // (1 + e₁)(1 + e₂) = κ (l+n)²/(1 + e₃)
+            lesser_factor(kappa * l_plus_n.squared() / (two + e3_minus_one), e2_minus_e1)
+        };
+        require(e3_minus_one <= F::from_f64(LARGEST_E3), "omega", TOO_FAST)?;
+        Ok(Self::from_differences(one_plus_e1, one_minus_e2, e2_minus_e1, [e3_minus_e2, e3_minus_one]))
+    }
+}
+
+/// Lesser of two numbers from their product and their difference.
+fn lesser_factor<F: Float>(product: F, difference: F) -> F {
+    let sum = (difference.squared() + product.doubled().doubled()).sqrt();
+    if product > F::ZERO { product.doubled() / (difference + sum) } else { F::ZERO }
+}
+
+/// First two branch points, as far as the cubic in e - u determines them without cancellation.
+#[derive(Clone, Copy, Debug)]
+struct LowerPair<F> {
+    kappa: F,
+    /// Difference 1 - e₁.
+    x1: F,
+    e2_minus_e1: F,
+    /// Whether e₂ - e₁ <= e₃ - e₂.
+    is_closer: bool,
+}
+
+impl<F: Float> LowerPair<F> {
+    #[inline(never)] // as above
+    fn new(
+        top: &Top,
+        integrals: &FirstIntegrals<F>,
+        point: &ReducedPoint<F>,
+        between: &mut dyn FnMut(),
+    ) -> Result<Self, ParameterError> {
+        let quantities = ScaledTop::<F>::new(top);
+        let (kappa, n) = (quantities.kappa(), integrals.n);
+        let ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy } = *point;
+        let (limit, spin_energy) = (F::from_f64(LARGEST_E3), kappa * n.squared());
+        require(spin_energy < limit && axis_energy < limit, "omega", TOO_FAST)?;
+        let sine_squared = one_minus_u * one_plus_u;
+        let d_of_u = quantities.a / quantities.p + quantities.s * sine_squared;
+        let cubic = Cubic {
+            g0: d_of_u * udot.squared() / quantities.g.doubled(),
+            g1: -(u * axis_energy).doubled() - sine_squared
+                + (kappa * n * point.l_minus_nu(integrals)).doubled(),
+            g2: u.doubled() - axis_energy - spin_energy,
+        };
+        between();
+        let y3 = cubic.largest_root(between);
+        between();
+        Ok(Self::below(&cubic, y3, kappa, one_minus_u))
+    }
+
+    /// Pair below the largest root y₃ of the cubic.
+    #[inline(never)]
+    fn below(cubic: &Cubic<F>, y3: F, kappa: F, one_minus_u: F) -> Self {
+        let Cubic { g0, g1, g2 } = *cubic;
+        let (product, sum) = if y3 > F::ZERO { (-g0 / y3, (g1 + g0 / y3) / y3) } else { (F::ZERO, -g2) };
+        let e2_minus_e1 = (sum.squared() - product.doubled().doubled()).sqrt();
+        let y2 = (sum + e2_minus_e1).halved();
+        let is_closer = e2_minus_e1 <= y3 - y2;
+        let y1 = (sum - e2_minus_e1).halved();
+        let y1 = if is_closer && sum > F::ZERO && y2 > F::ZERO { product / y2 } else { y1 };
+        let y1 = if is_closer { y1 } else { cubic.polished(y1) };
+        let y1 = if y1 < F::ZERO { y1 } else { F::ZERO };
+        Self { kappa, x1: one_minus_u - y1, e2_minus_e1, is_closer }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Ring;
+
+    /// The sign and the size of a difference far below the rounding of its two terms.
+    #[test]
+    fn the_border_is_sharp() {
+        let (factor, third) = (Extended::from(1.0 + f64::EPSILON), Extended::ONE / 3.0.into());
+        let p = Extended::product(1.0 + f64::EPSILON, 0.1);
+        let quantities =
+            ScaledTop { a: factor * 0.25.into(), c: third, s: third, p, g: 0.1.into(), k: Extended::ZERO };
+        let (n, scale) = (factor * Extended::from(0.1), (quantities.a * p * quantities.g).doubled());
+        let gap = |n| {
+            let e = BranchPoints::upright(&quantities, n).unwrap();
+            e.e3_minus_e2 - e.e2_minus_e1
+        };
+        assert_eq!(gap(n), Extended::ZERO);
+        let least = Extended::from(1e-36);
+        for (n, sign) in [(n + least, 1.0), (n - least, -1.0)] {
+            let beyond = gap(n) * scale / (n * least).doubled();
+            assert!((beyond.to_f64() - sign).abs() < 0.1, "{beyond:?}");
+        }
+    }
+}

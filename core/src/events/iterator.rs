@@ -1,0 +1,227 @@
+//! Turning points, crossings of a level, and instants at which the tip is in a given direction.
+//!
+//! The tip angle is monotone between the turning points of u and, where the curve has loops, the phases at which u = l/n. On such a piece
+//! a bisection finds the instant. Whole periods that do not reach the direction are skipped.
+
+use crate::events::level::at_phase;
+use crate::events::recurring::Recurring;
+use crate::events::{Event, Level, bisect};
+use crate::phase::{Phase, PhaseFraction};
+use crate::scalar::{Extended, Float, Ring, Scalar};
+use crate::table::{EphemerisScalar, EphemerisView, Sample};
+
+/// Iterator over the events of one kind, in the order of time. It ends with the ticks of `i64`.
+#[derive(Clone, Copy, Debug)]
+pub struct Events<'a, R: EphemerisScalar> {
+    view: &'a EphemerisView<R>,
+    /// Instants of the events, or for a tip angle those at which it may change direction.
+    instants: Recurring,
+    /// Tip angle that is searched; whole turns do not matter.
+    target: Option<Phase>,
+    /// First instant that counts, in ticks.
+    from: Extended,
+    /// Instant up to which the tip angle was searched, in ticks.
+    at: Extended,
+    /// Tip angle at this instant; after an event the target, without rounding.
+    angle: Phase,
+}
+
+impl<R: EphemerisScalar> Iterator for Events<'_, R> {
+    type Item = Event;
+
+    fn next(&mut self) -> Option<Event> {
+        if self.target.is_some() {
+            return self.next_tip_angle();
+        }
+        let (index, ticks) = self.instants.pop()?;
+        Event::at(ticks, index == 0)
+    }
+}
+
+/// Phase difference below which the start counts as an event: 2^-48 turns, the rounding of a tip angle.
+const AT_THE_START: Phase = Phase::from_bits(1 << 48);
+/// Number of consecutive pieces that contain a whole period.
+const PIECES: usize = 5;
+/// Largest number of times that periods are skipped.
+const MOST_SKIPS: usize = 8;
+/// Largest number of doublings of an interval without end.
+const MOST_DOUBLINGS: usize = 32;
+
+impl<R: EphemerisScalar> EphemerisView<R> {
+    /// Events at these nutation phases, of which the first one is upward.
+    fn events(&self, phases: [Option<Phase>; 4], from: i64) -> Events<'_, R> {
+        let start = Extended::from(from);
+        let instants = Recurring::new(self, phases, from);
+        Events { view: self, instants, target: None, from: start, at: start, angle: Phase::ZERO }
+    }
+
+    /// Turning points of u at tick `from` or later. There are none where u is constant to 2^-49.
+    #[must_use]
+    pub fn turning_points(&self, from: i64) -> Events<'_, R> {
+        self.events([Some(Phase::HALF), Some(Phase::ZERO), None, None], from)
+    }
+
+    /// Instants at tick `from` or later at which u crosses a level. There are none where the motion does not reach it;
+    /// for a level within the error bound of e₁ or e₂ the result depends on rounding.
+    ///
+    /// Error of the time: the error bound of the orientation over the rate |u'|/√(1 - u²) of the tilt, and 2^-54 ticks. Cost: some 64
+    /// evaluations of the orientation, once.
+    #[must_use]
+    pub fn crossings(&self, level: Level, from: i64) -> Events<'_, R> {
+        let rising = level.phase(self);
+        self.events([rising, rising.map(|phase| -phase), None, None], from)
+    }
+
+    /// Instants at tick `from` or later at which the tip angle is `angle`, whole turns aside. There are none where the axis is
+    /// vertical at all times. The angle is that of [`Sample::tip_angle`].
+    ///
+    /// Error of the time: that of the tip angle, the error bound of the orientation over 2|αβ|, divided by |φ'|; and 2^-54 ticks. Cost:
+    /// some 100 evaluations of the tip angle.
+    #[must_use]
+    pub fn tip_angles(&self, angle: Phase, from: i64) -> Events<'_, R> {
+        let reversal = self.reversal();
+        let phases = [Some(Phase::ZERO), Some(Phase::HALF), reversal, reversal.map(|phase| -phase)];
+        let mut events = self.events(phases, from);
+        events.target = Some(angle);
+        events.angle = self.tip_angle_after(events.from);
+        events.started()
+    }
+
+    /// Tip angle after a number of ticks.
+    fn tip_angle_after(&self, ticks: Extended) -> Phase {
+        let ([nutation, ..], mean) = self.clock.after(ticks);
+        mean + self.periodic_tip_angle(nutation.leading())
+    }
+
+    /// Nutation phase in (0, 1/2) turn at which φ' changes its sign; `None` where it does not. |c|² φ' is s² (l - n u)/A, so that
+    /// it changes at most once while u rises.
+    fn reversal(&self) -> Option<Phase> {
+        const LAST: u64 = (1 << 63) - 1;
+        /// Share of the greatest |c| |c'| that counts as 0, in roundings of the scalar.
+        const NOISE: f64 = 64.0;
+        let [(lowest, least), (_, middle), (highest, greatest)] =
+            [0, LAST / 2, LAST].map(|n| self.turning(n));
+        let size = if least > greatest { least } else { greatest };
+        let size = if middle > size { middle } else { size };
+        let noise = NOISE * (R::ROUNDING + R::Wide::ROUNDING) * size;
+        let changes = lowest * highest < 0.0 && Float::abs(lowest) > noise && Float::abs(highest) > noise;
+        let changed = |nutation: u64| self.turning(nutation).0 * lowest <= 0.0;
+        changes.then(|| Phase::from_fraction(bisect(0, LAST, changed)))
+    }
+
+    /// |c|² φ' and |c| |c'| at a nutation phase.
+    fn turning(&self, nutation: u64) -> (f64, f64) {
+        let sample = Sample::new(self, at_phase(nutation), Phase::ZERO);
+        let (tip, velocity) = (sample.tip(), sample.tip_velocity());
+        let size = tip.norm_squared().to_f64() * velocity.norm_squared().to_f64();
+        ((tip.re * velocity.im - tip.im * velocity.re).to_f64(), Float::sqrt(size))
+    }
+}
+
+impl<R: EphemerisScalar> Events<'_, R> {
+    /// Moves the angle at the start back by a rounding, so that an event at the start is found.
+    fn started(mut self) -> Self {
+        let mut after = Phase::from_words(self.view.clock.tip.step);
+        for _ in 0..PIECES {
+            let Some((_, end)) = self.instants.peek().filter(|_| self.instants.period.is_some()) else {
+                break;
+            };
+            after = if end > self.at { self.view.tip_angle_after(end) - self.angle } else { Phase::ZERO };
+            // a change by a rounding has no direction: at a cusp φ' changes its sign at the turning point, up to a rounding
+            if !(-AT_THE_START..=AT_THE_START).contains(&after) {
+                break;
+            }
+            self.instants.pop();
+        }
+        self.angle = self.angle - if after < Phase::ZERO { -AT_THE_START } else { AT_THE_START };
+        self
+    }
+
+    /// Rotation from the current angle to the next target angle, in (0, 1] turn or in [-1, 0).
+    fn ahead(&self, upward: bool) -> Phase {
+        let target = self.target.unwrap_or_default();
+        let distance = if upward { target - self.angle } else { self.angle - target };
+        let distance = PhaseFraction::from_phase(distance).to_phase();
+        let distance = if distance == Phase::ZERO { Phase::ONE } else { distance };
+        if upward { distance } else { -distance }
+    }
+
+    /// Event on the piece until `end`, on which φ is monotone and reaches `after`.
+    fn on_piece(&mut self, end: Extended, after: Phase) -> Option<Event> {
+        let turned = after - self.angle;
+        let upward = turned > Phase::ZERO;
+        let ahead = self.ahead(upward);
+        let passed = |turned: Phase| if upward { turned >= ahead } else { turned <= ahead };
+        if turned == Phase::ZERO || !passed(turned) {
+            return None;
+        }
+        let (start, mut low, mut high) = (self.angle, self.at, end);
+        for _ in 0..u64::BITS {
+            let middle = (low + high).halved();
+            if passed(self.view.tip_angle_after(middle) - start) { high = middle } else { low = middle }
+        }
+        (self.at, self.angle) = (high, start + ahead);
+        Event::at(if high < self.from { self.from } else { high }, upward)
+    }
+
+    /// Event of a motion without bounds, whose φ is monotone at all times.
+    fn without_bounds(&mut self) -> Option<Event> {
+        let rate = Extended::from(Phase::from_words(self.view.clock.tip.step));
+        let mut length = Extended::ONE / rate.abs();
+        for _ in 0..MOST_DOUBLINGS {
+            let end = self.at + length;
+            Event::at(end, true)?;
+            let after = self.view.tip_angle_after(end);
+            if let Some(event) = self.on_piece(end, after) {
+                return Some(event);
+            }
+            length = length.doubled();
+        }
+        None
+    }
+
+    /// Skips periods that do not reach the target. `least` and `greatest` bound the angle over the last period, relative to the current.
+    fn skip(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
+        /// Share of the periods that is skipped at once, so that rounding does not skip one too many.
+        const CAUTION: f64 = 1.0 - 1e-9;
+        let per_period = Extended::from(Phase::from_words(self.view.clock.tip.step)) * period;
+        let upward = per_period > Extended::ZERO;
+        let edge = Self { angle: self.angle + if upward { greatest } else { least }, ..*self };
+        let periods = Extended::from(edge.ahead(upward)) / per_period * Extended::from(CAUTION);
+        let ([whole, rest], _) = periods.floor_and_rest();
+        let periods = Extended::sum(whole, rest) - Extended::ONE;
+        if periods > Extended::ZERO {
+            let ticks = periods * period;
+            Event::at(self.at + ticks, true)?;
+            self.instants.skip(ticks);
+            self.at = self.at + ticks;
+            self.angle = self.view.tip_angle_after(self.at);
+        }
+        Some(())
+    }
+
+    /// Next instant at which the tip angle is the target.
+    pub(super) fn next_tip_angle(&mut self) -> Option<Event> {
+        if !self.view.clock.tip.exists {
+            return None;
+        }
+        let Some(period) = self.instants.period else { return self.without_bounds() };
+        for _ in 0..MOST_SKIPS {
+            let start = self.angle;
+            let (mut least, mut greatest) = (start, start);
+            for _ in 0..PIECES {
+                let (_, end) = self.instants.peek()?;
+                let after = self.view.tip_angle_after(end);
+                if let Some(event) = self.on_piece(end, after) {
+                    return Some(event);
+                }
+                self.instants.pop();
+                (self.at, self.angle) = (end, after);
+                least = if after - start < least - start { after } else { least };
+                greatest = if after - start > greatest - start { after } else { greatest };
+            }
+            self.skip(period, [least - self.angle, greatest - self.angle])?;
+        }
+        None
+    }
+}

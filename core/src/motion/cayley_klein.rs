@@ -1,0 +1,136 @@
+//! α and β from the nutation half phase χ and the two slow phases A and B (the regularised solution).
+
+use crate::complex::Complex;
+use crate::constants::{BranchPoints, Signs};
+use crate::motion::phase_equations::PhaseRates;
+use crate::phase::Phase;
+use crate::scalar::{Float, Real, Scalar};
+use crate::su2::{Orientation, OrientationRate};
+
+/// Ellipses of α and β: α = (a₁ cos χ + i a₂ sin χ) e^{iA}, β = (b₁ cos χ + i b₂ sin χ) e^{iB}, with a₁² = (1+e₁)/2,
+/// a₂² = (1+e₂)/2, b₁² = (1-e₁)/2, b₂² = (1-e₂)/2. They make |α|² + |β|² = 1 for all χ, A and B.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ellipses<R> {
+    pub(crate) alpha: Ellipse<R>,
+    pub(crate) beta: Ellipse<R>,
+}
+
+/// Ellipse x cos χ + i y sin χ in the complex plane: a Cayley-Klein parameter divided by e^{i slow phase}.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ellipse<R> {
+    x: R,
+    y: R,
+}
+
+/// Phases of one instant as directions: sin χ and cos χ of the half phase, e^{iA} and e^{iB} of the slow phases.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PhaseDirections<R> {
+    pub(crate) sine: R,
+    pub(crate) cosine: R,
+    pub(crate) alpha: Complex<R>,
+    pub(crate) beta: Complex<R>,
+}
+
+impl Ellipses<f64> {
+    /// Ellipses of a motion whose u oscillates between e₁ and e₂, or rises from e₁ to 1.
+    pub(crate) fn swinging<F: Float>(e: &BranchPoints<F>, signs: Signs) -> Self {
+        let root = |x: F| x.halved().sqrt().to_f64();
+        let (a1, a2) = (root(e.one_plus_e1), root(e.one_plus_e2()));
+        let (b1, b2) = (root(e.one_minus_e1()), root(e.one_minus_e2));
+        Self {
+            alpha: Ellipse { x: a1, y: signs.l_plus_n.times(a2) },
+            beta: Ellipse { x: b1, y: signs.l_minus_n.times(b2) },
+        }
+    }
+
+    /// Ellipses of a motion with constant 1 + u and 1 - u, whose slow phases alone change.
+    pub(crate) fn steady<F: Float>(complements: [F; 2]) -> Self {
+        let [alpha, beta] = complements.map(|x| Ellipse { x: x.halved().sqrt().to_f64(), y: 0.0 });
+        Self { alpha, beta }
+    }
+
+    /// Ellipses rounded to the scalar of the tick.
+    pub(crate) fn cast<R: Float>(&self) -> Ellipses<R> {
+        let cast = |Ellipse { x, y }| Ellipse { x: R::from_f64(x), y: R::from_f64(y) };
+        Ellipses { alpha: cast(self.alpha), beta: cast(self.beta) }
+    }
+}
+
+impl<R: Scalar> Ellipses<R> {
+    /// Winding numbers of both ellipses.
+    pub(crate) fn windings(&self) -> [i32; 2] {
+        [self.alpha.winding(), self.beta.winding()]
+    }
+
+    /// Orientation Φ at these phases.
+    #[inline]
+    pub(crate) fn orientation(&self, directions: &PhaseDirections<R>) -> Orientation<R> {
+        Orientation {
+            alpha: self.alpha.at(directions) * directions.alpha,
+            beta: self.beta.at(directions) * directions.beta,
+        }
+    }
+
+    /// Rate Φ' at these phases, from the rates of χ, A and B, rad per unit time.
+    pub(crate) fn rate(&self, directions: &PhaseDirections<R>, rates: &PhaseRates<R>) -> OrientationRate<R> {
+        let rate = |ellipse: &Ellipse<R>, cis: Complex<R>, turning: R| {
+            (ellipse.along(directions).scaled(rates.nutation)
+                + ellipse.at(directions).times_i().scaled(turning))
+                * cis
+        };
+        OrientationRate {
+            alpha: rate(&self.alpha, directions.alpha, rates.alpha),
+            beta: rate(&self.beta, directions.beta, rates.beta),
+        }
+    }
+}
+
+impl<R: Scalar> Ellipse<R> {
+    /// Value of the ellipse.
+    #[inline]
+    pub(crate) fn at(&self, directions: &PhaseDirections<R>) -> Complex<R> {
+        Complex::new(self.x * directions.cosine, self.y * directions.sine)
+    }
+
+    /// Coefficients of e^{iχ} and e^{-iχ} in the ellipse.
+    pub(crate) fn exponentials(&self) -> [R; 2]
+    where
+        R: Float,
+    {
+        [(self.x + self.y).halved(), (self.x - self.y).halved()]
+    }
+
+    /// Derivative of the ellipse with respect to χ.
+    pub(crate) fn along(&self, directions: &PhaseDirections<R>) -> Complex<R> {
+        Complex::new(-(self.x * directions.sine), self.y * directions.cosine)
+    }
+
+    /// Winding number of the ellipse around 0 over 2π of χ: 1, -1, or 0 where it passes through 0.
+    fn winding(&self) -> i32 {
+        if self.x == R::ZERO { 0 } else { i32::from(self.y > R::ZERO) - i32::from(self.y < R::ZERO) }
+    }
+}
+
+impl<R: Real> Ellipse<R> {
+    /// Argument of the ellipse; where the ellipse is 0, the argument of its derivative with respect to χ.
+    pub(crate) fn argument(&self, directions: &PhaseDirections<R>) -> Phase {
+        let value = self.at(directions);
+        let value = if value == Complex::ZERO { self.along(directions) } else { value };
+        Phase::from_radians(value.arg().to_f64())
+    }
+
+    /// Argument of the ellipse, continuous in χ, up to a constant: ±χ plus at most a quarter turn; constant where the ellipse passes
+    /// through 0.
+    pub(crate) fn continued_argument(&self, directions: &PhaseDirections<R>, chi: Phase) -> Phase {
+        let sense = self.winding();
+        if sense == 0 {
+            return Phase::ZERO;
+        }
+        let y = if sense < 0 { -self.y } else { self.y };
+        let (sine, cosine) = (directions.sine, directions.cosine);
+        // arg(x cos χ + i y sin χ) - χ
+        let correction =
+            R::atan2((y - self.x) * sine * cosine, self.x * cosine.squared() + y * sine.squared());
+        (chi + Phase::from_radians(correction.to_f64())).times(sense.into())
+    }
+}

@@ -1,0 +1,129 @@
+//! Phase equations with an elliptic argument v as the variable of integration.
+//!
+//! D = A/p + s (1 - u²) is the product of d₊ = E + √s u and d₋ = E - √s u, with E = √(A/p + s) = √s e₄. The elliptic functions
+//! belong to the branch points -e₄, e₁, e₂ and the lesser of e₃ and e₄. With f = e₃ - u, or f = d₋ where e₄ < e₃:
+//!
+//! ```text
+//! (u - e₁)/(e₂ - e₁) = d₊(e₁) sn² v/P,    (e₂ - u)/(e₂ - e₁) = d₊(e₂) cn² v/P,    P = d₊(e₁) sn² v + d₊(e₂) cn² v
+//! m₁ = 1 - m = f(e₂) d₊(e₁)/(f(e₁) d₊(e₂)),    f = f(e₁) dn² v d₊/d₊(e₁)
+//! e₃ <= e₄:   dt/dv = √(2/(g f(e₁) d₊(e₂))) √d₋ d₊,             χ' = √(g f(e₁)/(2 d₊(e₁))) dn v/√d₋
+//! e₄ < e₃:    dt/dv = √(2/(g f(e₁) d₊(e₂))) d₋ d₊/√(e₃ - u),    χ' = √(g d₊(e₁)/(2 f(e₁))) √(e₃ - u)/(d₊ dn v)
+//! ```
+//!
+//! v runs from 0 at u = e₁ to K at u = e₂. The integrands have singularities at the imaginary part K' only, so that K/K' tells
+//! how many nodes the trapezoid rule needs. For s = 0, e₄ is infinite.
+
+use crate::landen::SquaresOfWhole;
+use crate::motion::phase_equations::PhaseEquations;
+use crate::scalar::Float;
+
+/// Time and slow phases as functions of v, up to constant factors.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct EllipticEquations<'a, F> {
+    equations: &'a PhaseEquations<F>,
+    root_s: F,
+    /// Difference E - √s, which is d₋ at u = 1 and d₊ at u = -1.
+    least_root: F,
+    /// Values of d₊ at e₁ and e₂.
+    roots: [F; 2],
+    /// Whether e₄ < e₃, so that the elliptic functions belong to e₄.
+    of_e4: bool,
+    /// Values of f at e₁ and e₂.
+    distances: [F; 2],
+    /// Factors of dn v, or of √(e₃ - u), in the denominators of ψ_A and ψ_B.
+    smoothing: [F; 2],
+}
+
+impl<'a, F: Float> EllipticEquations<'a, F> {
+    #[inline(never)] // the stack frames of a launch must not add up
+    pub(crate) fn new(equations: &'a PhaseEquations<F>) -> Self {
+        let root_s = equations.s.sqrt();
+        let least_root = equations.a_over_p / ((equations.a_over_p + equations.s).sqrt() + root_s);
+        let at_e1 = least_root + root_s * equations.one_plus_e1;
+        let at_e2 = at_e1 + root_s * equations.e2_minus_e1;
+        // e₄ - 1 < e₃ - 1, times s
+        let of_e4 = root_s * least_root < equations.s_e3;
+        let (from_e1, ratio, from_e2);
+        if of_e4 {
+            from_e2 = least_root + root_s * equations.one_minus_e2;
+            from_e1 = from_e2 + root_s * equations.e2_minus_e1;
+            ratio = at_e1 / from_e1;
+        } else {
+            (from_e1, from_e2) = (equations.e3_minus_e2 + equations.e2_minus_e1, equations.e3_minus_e2);
+            ratio = from_e1 / at_e1;
+        }
+        let rate = (equations.half_g * ratio).sqrt();
+        Self {
+            equations,
+            root_s,
+            least_root,
+            roots: [at_e1, at_e2],
+            of_e4,
+            distances: [from_e1, from_e2],
+            smoothing: [equations.alpha_smoothing * rate, equations.beta_smoothing * rate],
+        }
+    }
+
+    /// Parameter m of the elliptic functions and m₁ = 1 - m.
+    #[inline(never)]
+    pub(crate) fn parameters(&self) -> [F; 2] {
+        let Self {
+            equations, root_s, least_root, roots: [at_e1, at_e2], distances: [from_e1, from_e2], ..
+        } = *self;
+        // d₊ at the lesser of e₃ and e₄, in the unit of f
+        let beyond = if self.of_e4 {
+            (least_root + root_s).doubled() * root_s
+        } else {
+            at_e2 + root_s * equations.e3_minus_e2
+        };
+        let per_whole = F::ONE / (from_e1 * at_e2);
+        [equations.e2_minus_e1 * beyond * per_whole, from_e2 * at_e1 * per_whole]
+    }
+
+    /// Derivatives dt/dv, dψ_A/dv and dψ_B/dv, each divided by its factor.
+    pub(crate) fn at(&self, squares: &SquaresOfWhole<F>) -> [F; 3] {
+        let Self { equations, root_s, least_root, roots: [at_e1, at_e2], smoothing, .. } = self;
+        let SquaresOfWhole { sn, cn, dn, whole_of_dn } = *squares;
+        let ([low, high], [alpha_smoothing, beta_smoothing]) = ([*at_e1 * sn, *at_e2 * cn], *smoothing);
+        let sum = low + high;
+        // one division for 1/P and dn
+        let per_both = F::ONE / (sum * whole_of_dn);
+        let (spread, dn) = (equations.e2_minus_e1 * per_both * whole_of_dn, dn * per_both * sum);
+        let (above_e1, below_e2) = (spread * low, spread * high);
+        let one_minus_u = equations.one_minus_e2 + below_e2;
+        let one_plus_u = equations.one_plus_e1 + above_e1;
+        let d_plus = *at_e1 + *root_s * above_e1;
+        let d_minus = *least_root + *root_s * one_minus_u;
+        // numerators of ψ_A' and ψ_B' times D
+        let alpha = equations.a_over_p_e3 + equations.s * one_minus_u;
+        let beta = equations.s_e3 * one_plus_u - equations.a_over_p;
+        if self.of_e4 {
+            let root = (equations.e3_minus_e2 + below_e2).sqrt();
+            let slow = d_plus * dn;
+            [
+                d_minus * d_plus / root,
+                alpha * slow / (root * (slow + alpha_smoothing * root)),
+                beta * slow / (root * (equations.root_e3 * slow + beta_smoothing * root)),
+            ]
+        } else {
+            let root = d_minus.sqrt();
+            [
+                root * d_plus,
+                alpha / (root + alpha_smoothing * dn),
+                beta / (equations.root_e3 * root + beta_smoothing * dn),
+            ]
+        }
+    }
+
+    /// Factors of the derivatives of ψ_A and ψ_B, up to a common one.
+    pub(crate) fn slow_scales(&self) -> [f64; 2] {
+        [self.equations.alpha_scale, self.equations.beta_scale].map(Float::to_f64)
+    }
+
+    /// Factors of the derivatives.
+    pub(crate) fn factors(&self) -> [F; 3] {
+        let ([_, at_e2], [from_e1, _]) = (self.roots, self.distances);
+        let factor = F::ONE / (self.equations.half_g * from_e1 * at_e2).sqrt();
+        [factor, self.equations.alpha_scale * factor, self.equations.beta_scale * factor]
+    }
+}

@@ -1,0 +1,285 @@
+//! Trapezoid rule over a nutation period, in the elliptic argument of [`EllipticEquations`].
+//!
+//! It converges geometrically, at a known rate. The Landen transformation gives sn and cn from equidistant angles, without a
+//! transcendental function.
+
+use super::advance::Period;
+use super::division::{MOST_NODES, division, part_of_right_angle, sum_of_angles};
+use crate::landen::Landen;
+use crate::motion::elliptic_equations::EllipticEquations;
+use crate::motion::phase_equations::PhaseEquations;
+use crate::scalar::{Extended, Float, Ring, Wide};
+
+impl Period {
+    /// Period of a motion that nutates, in numbers of this many words. `between` is called several times for each node.
+    #[inline(never)]
+    pub(crate) fn integrated<const WORDS: usize>(
+        equations: &PhaseEquations<Wide<WORDS>>,
+        between: &mut dyn FnMut(),
+    ) -> Self {
+        let elliptic = EllipticEquations::new(equations);
+        between();
+        let mut landen = Landen::NONE;
+        landen.fill(elliptic.parameters(), between);
+        between();
+        let (mut rule, needed) = TrapezoidRule::new(&elliptic, &landen, between);
+        // beyond twice the number needed only roundings are left
+        let most = MOST_NODES.min(2 * needed);
+        loop {
+            let error = rule.double_nodes(between);
+            if rule.nodes >= most || rule.nodes >= needed && error <= TrapezoidRule::<WORDS>::SETTLED {
+                return rule.period(error);
+            }
+        }
+    }
+}
+
+/// Trapezoid sums over half a period.
+struct TrapezoidRule<'a, const WORDS: usize> {
+    equations: &'a EllipticEquations<'a, Wide<WORDS>>,
+    landen: &'a Landen<Wide<WORDS>>,
+    /// Sums of the integrands of t, ψ_A and ψ_B without their constant factors; the ends of the half period have half weight.
+    sums: [Wide<WORDS>; 3],
+    nodes: u32,
+    /// Sine and cosine of the angle between two nodes.
+    step: [Wide<WORDS>; 2],
+    /// Relative changes of the period and of the slow phases by the last doubling of the nodes.
+    changes: [f64; 2],
+}
+
+impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
+    /// Number of bits by which the first nodes decrease the error. Few motions then need a doubling.
+    const BITS: f64 = if WORDS == 1 { 66.0 } else { 105.0 };
+    /// Estimated relative error at which no more nodes are added. 2^62 ticks with a thousand ticks a period multiply it by 3e16.
+    const SETTLED: f64 = if WORDS == 1 { 1e-17 } else { 1e-28 };
+
+    /// Rule with the least number of nodes, and the number of nodes that the rate of convergence requires.
+    #[inline(never)] // the stack frames of a launch must not add up
+    fn new(
+        equations: &'a EllipticEquations<'a, Wide<WORDS>>,
+        landen: &'a Landen<Wide<WORDS>>,
+        between: &mut dyn FnMut(),
+    ) -> (Self, u32) {
+        let (nodes, needed) = division(Self::BITS / landen.bits_per_node());
+        let step = part_of_right_angle(nodes);
+        let mut rule =
+            Self { equations, landen, sums: [Wide::ZERO; 3], nodes, step, changes: [f64::INFINITY; 2] };
+        between();
+        let ends = sum(rule.at([Wide::ZERO, Wide::ONE], between), rule.at([Wide::ONE, Wide::ZERO], between));
+        let inner = rule.sums_of(nodes - 1, step, between);
+        rule.sums = sum(ends.map(Wide::halved), inner);
+        (rule, needed)
+    }
+
+    /// Adds a node between each two. Returns the estimated relative error.
+    #[inline(never)]
+    fn double_nodes(&mut self, between: &mut dyn FnMut()) -> f64 {
+        let [sine, cosine] = self.step;
+        let half_cosine = (Wide::ONE + cosine).halved().sqrt();
+        let half_step = [sine / half_cosine.doubled(), half_cosine];
+        between();
+        let odd = self.sums_of(self.nodes, half_step, between);
+        let difference = sum(odd, self.sums.map(|sum| -sum));
+        self.sums = sum(self.sums, odd);
+        (self.nodes, self.step) = (2 * self.nodes, half_step);
+        let ([time, slow], [time_before, slow_before]) = (self.relative(difference), self.changes);
+        self.changes = [time, slow];
+        remaining_error(time, time_before).max(remaining_error(slow, slow_before))
+    }
+
+    /// Sums over nodes that begin at an angle and are a step apart.
+    fn sums_of(
+        &self,
+        nodes: u32,
+        mut angle: [Wide<WORDS>; 2],
+        between: &mut dyn FnMut(),
+    ) -> [Wide<WORDS>; 3] {
+        let mut sums = [Wide::ZERO; 3];
+        for _ in 0..nodes {
+            sums = sum(sums, self.at(angle, between));
+            angle = sum_of_angles(angle, self.step);
+        }
+        sums
+    }
+
+    /// Integrands at a node, of which sine and cosine are given.
+    #[inline(never)]
+    fn at(&self, angle: [Wide<WORDS>; 2], between: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
+        let squares = self.landen.squares_at_angle(angle);
+        between();
+        let integrands = self.equations.at(&squares);
+        between();
+        integrands
+    }
+
+    /// Changes relative to the sums: of the time, and of the slow phases, which are compared with the sum of their magnitudes.
+    fn relative(&self, change: [Wide<WORDS>; 3]) -> [f64; 2] {
+        let [alpha_scale, beta_scale] = self.equations.slow_scales().map(Float::abs);
+        let magnitudes = |sums: [Wide<WORDS>; 3]| {
+            let [time, alpha, beta] = sums.map(|sum| Float::abs(sum.to_f64()));
+            [time, alpha * alpha_scale + beta * beta_scale]
+        };
+        let ([time_change, slow_change], [time, slow]) = (magnitudes(change), magnitudes(self.sums));
+        [time_change / time, if slow > 0.0 { slow_change / slow } else { 0.0 }]
+    }
+
+    fn period(&self, relative_error: f64) -> Period {
+        // The two halves of the period are equal: 2 K over the number of nodes is twice the weight of half a period.
+        let weight = self.landen.quarter_period().doubled() / Wide::from(f64::from(self.nodes));
+        let ([time, alpha, beta], [of_time, of_alpha, of_beta]) = (self.sums, self.equations.factors());
+        let integrals = [time * of_time, alpha * of_alpha, beta * of_beta];
+        let [time, alpha, beta] = integrals.map(|sum| Extended::resized(sum * weight));
+        Period {
+            time,
+            psi: [alpha, beta],
+            relative_error,
+            operation_error: Wide::<WORDS>::OPERATION_ERROR,
+            nodes: self.nodes,
+        }
+    }
+}
+
+#[inline(never)]
+fn sum<F: Ring>([a, b, c]: [F; 3], [x, y, z]: [F; 3]) -> [F; 3] {
+    [a + x, b + y, c + z]
+}
+
+/// Estimated error of a trapezoid sum, from the changes of the last two doublings: the sum of two estimates for geometric
+/// convergence.
+fn remaining_error(change: f64, before: f64) -> f64 {
+    // both changes may be 0: a slow and small nutation may change no sum; before the first change there is none
+    let ratio = change / before.max(change).max(f64::MIN_POSITIVE);
+    change * (3.0 * change + 30.0 * ratio * ratio)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Extended64;
+    use crate::{Complex, InitialPhases, Motion, Orientation, Release, Signs, State, Top, TopParameters};
+
+    fn period<const WORDS: usize>(motion: &Motion) -> Period {
+        motion.period::<WORDS>(&motion.equations(), &mut || {}).unwrap()
+    }
+
+    /// The slow phases of this motion converge later than its period: the last changes of one say nothing about the other.
+    #[test]
+    fn the_estimate_holds_where_one_integral_converges_later() {
+        let top = Top::sliding(&TopParameters {
+            transverse_inertia: 550_727.206_840_833_8,
+            axial_inertia: 127_428.675_666_720_59,
+            com_height: 3.375_520_805_021_179_3,
+            mass_moment: 1.708_587_416_477_475_3,
+            gravity: 0.224_786_633_213_301_5,
+            ..TopParameters::default()
+        })
+        .unwrap();
+        let alpha = Complex::new(-0.950_307_621_000_546_7, -0.011_024_362_132_147_47);
+        let beta = Complex::new(-0.310_824_514_250_747_36, 0.013_491_117_398_039_085);
+        let omega = [0.003_448_181_221_981_053, 5.756_927_032_555_872e-5, -0.005_529_380_379_944_812];
+        let state = State::new(Orientation { alpha, beta }, omega).unwrap();
+        let motion = Motion::launch(&top, &state).unwrap();
+        let equations = motion.equations();
+        let first = Period::integrated(&equations, &mut || {});
+        let elliptic = EllipticEquations::new(&equations);
+        let mut landen = Landen::NONE;
+        landen.fill(elliptic.parameters(), &mut || {});
+        let (mut rule, _) = TrapezoidRule::new(&elliptic, &landen, &mut || {});
+        while rule.nodes < 2 * first.nodes {
+            rule.double_nodes(&mut || {});
+        }
+        let finer = rule.period(0.0);
+        assert_eq!(finer.nodes, 2 * first.nodes);
+        let error = ((first.time - finer.time) / finer.time).to_f64();
+        // beside the roundings of the sums
+        assert!(Float::abs(error) <= first.relative_error + 1e-36, "{error:e} {:e}", first.relative_error);
+        assert!(first.relative_error <= 1e-28, "{:e}", first.relative_error);
+    }
+
+    /// A branch point e₄ close to e₂, with e₃ far away: the number of nodes follows from K'/K of these points.
+    #[test]
+    fn a_fourth_branch_point_near_the_motion_takes_few_nodes() {
+        let top = Top::sliding(&TopParameters {
+            transverse_inertia: 1.0,
+            axial_inertia: 0.01,
+            com_height: 1.0,
+            mass_moment: 87.0,
+            gravity: 1.0,
+            ..TopParameters::default()
+        })
+        .unwrap();
+        for (e, nodes) in [([-1.0, 1.0, 3.9], 64), ([-0.9, 0.999, 3.9], 48), ([-0.9, 0.999, 1.001], 48)] {
+            let motion =
+                Motion::from_branch_points(&top, e, Signs::default(), &InitialPhases::default()).unwrap();
+            assert_eq!(period::<2>(&motion).nodes, nodes, "{e:?}");
+        }
+    }
+
+    /// The most slender top that is accepted, A/(ps) = 1e-6, through the lower vertical and close to the upper one. With the nutation angle as
+    /// the variable it needed 65 537 nodes.
+    #[test]
+    fn a_slender_top_takes_few_nodes() {
+        let slender = Top::sliding(&TopParameters {
+            transverse_inertia: 1.01e-6,
+            axial_inertia: 1e-6,
+            com_height: 1.0,
+            mass: 1.0,
+            gravity: 1.0,
+            ..TopParameters::default()
+        });
+        let release = Release { tilt: 1e-3, spin: 1e-3, ..Release::default() };
+        let motion = Motion::launch(&slender.unwrap(), &State::release(&release).unwrap()).unwrap();
+        let nodes = period::<2>(&motion).nodes;
+        assert!((96..=192).contains(&nodes), "{nodes}");
+    }
+
+    /// Numbers of 64 bits give the period and the angles with the error that the bound counts.
+    #[test]
+    fn numbers_of_64_bits_have_their_error() {
+        let mut worst = 0.0_f64;
+        for k in 1..if cfg!(miri) { 3 } else { 100 } {
+            let fraction = |step: f64| (step * f64::from(k)).fract();
+            let top = Top::sliding(&TopParameters {
+                transverse_inertia: 3.0e-5,
+                axial_inertia: 2.0e-5,
+                com_height: 0.03,
+                mass: 10_f64.powf(3.0 * fraction(0.755) - 2.5),
+                ..TopParameters::default()
+            })
+            .unwrap();
+            let release =
+                Release { tilt: 3.0 * fraction(0.57), spin: 500.0 * fraction(0.327), ..Release::default() };
+            let state = State::release(&release).unwrap();
+            let motion = Motion::launch(&top, &state).unwrap();
+            let (exact, rounded) = (period::<2>(&motion), period::<1>(&motion));
+            let slow = |period: &Period| period.psi[0] + period.psi[1];
+            let size = exact.psi[0].abs() + exact.psi[1].abs();
+            let errors = [(rounded.time - exact.time) / exact.time, (slow(&rounded) - slow(&exact)) / size];
+            for error in errors {
+                let allowed = rounded.relative_error + 64.0 * rounded.operation_error;
+                assert!(Float::abs(error.to_f64()) <= allowed, "{k}: {:e} {allowed:e}", error.to_f64());
+                worst = worst.max(Float::abs(error.to_f64()));
+            }
+        }
+        assert!(worst > Extended64::OPERATION_ERROR || cfg!(miri), "{worst:e}");
+    }
+
+    #[test]
+    fn what_is_left_is_a_number_also_where_nothing_changed() {
+        assert_eq!(remaining_error(0.0, 0.0), 0.0);
+        assert!(remaining_error(1e-32, 0.0) < 1e-30);
+        // the changes were 1e-8 and 1e-16 of the total: the next error is the square of the last
+        let left = remaining_error(1e-16, 1e-8);
+        assert!(left > 1e-32 && left < 1e-30, "{left:e}");
+    }
+
+    /// Errors C q, C q², C q⁴: the last two changes are the first two of them, and the remaining error is the third.
+    #[test]
+    fn what_is_left_is_bounded_however_small_the_constant() {
+        for constant in [1.0, 1e-3, 1e-6] {
+            let [before, change, truth] = [1, 2, 4].map(|power| constant * 0.01_f64.powi(power));
+            let bound = remaining_error(change, before);
+            assert!((truth..100.0 * truth).contains(&bound), "{bound:e} of {truth:e}");
+        }
+    }
+}

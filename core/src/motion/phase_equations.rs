@@ -1,0 +1,228 @@
+//! Phase equations: rates of the nutation phase and of the two slow phases.
+//!
+//! With the half phase χ = θ/2, sin²χ = (u - e₁)/(e₂ - e₁), all functions are smooth at the turning points and at the vertical:
+//!
+//! ```text
+//! χ' = √( g (e₃ - u) / (2 D) ),    D(u) = A/p + s (1 - u²)
+//! √2 α = [√(1+e₁) cos χ + i s₊ √(1+e₂) sin χ] e^{i(a + ψ_A + τt/2)}
+//! √2 β = [√(1-e₁) cos χ + i s₋ √(1-e₂) sin χ] e^{i(b + ψ_B - τt/2)}
+//! ```
+//!
+//! The ellipses contain the logarithmic poles of the paper's integrals (equation (3.10)): ψ_A' and ψ_B' have neither 1 - u nor
+//! 1 + u in a denominator.
+
+use crate::constants::{BranchPoints, Signs};
+use crate::scalar::{Float, Real, Ring, Scalar, exponent};
+use crate::top::{ScaledTop, Top};
+
+/// Rates of the three phases, rad per unit time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PhaseRates<R> {
+    /// Rate χ' for a nutating motion, v' for an aperiodic one.
+    pub nutation: R,
+    /// Rate ψ_A'.
+    pub alpha: R,
+    /// Rate ψ_B'.
+    pub beta: R,
+}
+
+impl<R: Ring> PhaseRates<R> {
+    /// Weighted sum k₁ + 2k₂ + 2k₃ + k₄ of the Runge-Kutta method, times `sixth`, a sixth of the step.
+    pub(crate) fn weighted([k1, k2, k3, k4]: [Self; 4], sixth: R) -> Self {
+        let mean = |part: fn(&Self) -> R| (part(&k1) + (part(&k2) + part(&k3)).doubled() + part(&k4)) * sixth;
+        Self { nutation: mean(|k| k.nutation), alpha: mean(|k| k.alpha), beta: mean(|k| k.beta) }
+    }
+}
+
+/// sin χ = tanh v and cos χ = sech v, for χ the Gudermannian of v.
+pub(crate) fn gudermannian<R: Real>(v: R) -> (R, R) {
+    // q = e^-|v| and 1 - q from one function, because a second one would take more flash
+    let growth = v.abs().exp_minus_one();
+    let q = R::ONE / (R::ONE + growth);
+    let one_minus_q = if q > R::ZERO { growth * q } else { R::ONE };
+    let per_sum = R::ONE / (R::ONE + q.squared());
+    let tanh = one_minus_q * (R::ONE + q) * per_sum;
+    (if v < R::ZERO { -tanh } else { tanh }, q.doubled() * per_sum)
+}
+
+/// Variable v whose Gudermannian χ has this sine and this cosine > 0, by Newton's method: a logarithm would take more flash.
+pub(crate) fn inverse_gudermannian(sine: f64, cosine: f64) -> f64 {
+    const MOST_STEPS: u32 = 10;
+    let tangent = sine.abs() / cosine;
+    // above v, or close to it where v is small
+    let mut v =
+        if tangent < 1.0 { tangent } else { f64::from(exponent(tangent) + 1) * core::f64::consts::LN_2 };
+    for _ in 0..MOST_STEPS {
+        let (tanh, sech) = gudermannian(v);
+        let change = tanh - tangent * sech;
+        v -= change;
+        if change.abs() <= f64::ROUNDING * v {
+            break;
+        }
+    }
+    if sine < 0.0 { -v } else { v }
+}
+
+/// Constants of the equations of one motion, in the number type that evaluates them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PhaseEquations<F> {
+    pub(crate) one_plus_e1: F,
+    pub(crate) one_minus_e2: F,
+    pub(crate) e2_minus_e1: F,
+    pub(crate) e3_minus_e2: F,
+    /// Length A/p, m.
+    pub(crate) a_over_p: F,
+    /// Length A/(p (e₃ + 1)), m.
+    pub(crate) a_over_p_e3: F,
+    pub(crate) s: F,
+    /// Length s (e₃ - 1), m.
+    pub(crate) s_e3: F,
+    /// Half of the gravity, g/2, m/s².
+    pub(crate) half_g: F,
+    /// Rate (l + n)/(2A), rad per unit time.
+    pub(crate) alpha_scale: F,
+    /// Time 2 √(A/(2 p g (e₃ + 1))); its product with χ' makes ψ_A' smooth.
+    pub(crate) alpha_smoothing: F,
+    /// Rate s₋ √(2 A p g (1-e₁)(1-e₂))/(2A), rad per unit time.
+    pub(crate) beta_scale: F,
+    /// Root √(e₃ - 1).
+    pub(crate) root_e3: F,
+    /// Time 2 √(A/(2 p g)); its product with χ' makes ψ_B' smooth.
+    pub(crate) beta_smoothing: F,
+}
+
+impl<F: Float> PhaseEquations<F> {
+    /// Equations rounded to another scalar.
+    pub(crate) fn cast<R: Float>(&self) -> PhaseEquations<R> {
+        self.map(|x| R::from_f64(x.to_f64()))
+    }
+
+    /// Equations in another number type.
+    #[inline(never)] // a call by a pointer, because fifteen conversions in each place would take much of a chip's flash
+    pub(crate) fn map<R>(&self, convert: fn(F) -> R) -> PhaseEquations<R> {
+        PhaseEquations {
+            one_plus_e1: convert(self.one_plus_e1),
+            one_minus_e2: convert(self.one_minus_e2),
+            e2_minus_e1: convert(self.e2_minus_e1),
+            e3_minus_e2: convert(self.e3_minus_e2),
+            a_over_p: convert(self.a_over_p),
+            a_over_p_e3: convert(self.a_over_p_e3),
+            s: convert(self.s),
+            s_e3: convert(self.s_e3),
+            half_g: convert(self.half_g),
+            alpha_scale: convert(self.alpha_scale),
+            alpha_smoothing: convert(self.alpha_smoothing),
+            beta_scale: convert(self.beta_scale),
+            root_e3: convert(self.root_e3),
+            beta_smoothing: convert(self.beta_smoothing),
+        }
+    }
+
+    /// Equations with all constants 0, before they are computed.
+    pub const ZERO: Self = Self {
+        one_plus_e1: F::ZERO,
+        one_minus_e2: F::ZERO,
+        e2_minus_e1: F::ZERO,
+        e3_minus_e2: F::ZERO,
+        a_over_p: F::ZERO,
+        a_over_p_e3: F::ZERO,
+        s: F::ZERO,
+        s_e3: F::ZERO,
+        half_g: F::ZERO,
+        alpha_scale: F::ZERO,
+        alpha_smoothing: F::ZERO,
+        beta_scale: F::ZERO,
+        root_e3: F::ZERO,
+        beta_smoothing: F::ZERO,
+    };
+
+    pub(crate) fn new(top: &Top, e: &BranchPoints<F>, l_plus_n: F, signs: Signs) -> Self {
+        let ScaledTop { a, s, p, g, .. } = ScaledTop::<F>::new(top);
+        let a_over_p = a / p;
+        let beta_scale = ((a * p * g).doubled() * e.one_minus_e1() * e.one_minus_e2).sqrt() / a.doubled();
+        let per_g = a_over_p / g.doubled();
+        Self {
+            one_plus_e1: e.one_plus_e1,
+            one_minus_e2: e.one_minus_e2,
+            e2_minus_e1: e.e2_minus_e1,
+            e3_minus_e2: e.e3_minus_e2,
+            a_over_p,
+            a_over_p_e3: a_over_p / e.one_plus_e3(),
+            s,
+            s_e3: s * e.e3_minus_one,
+            half_g: g.halved(),
+            alpha_scale: l_plus_n / a.doubled(),
+            alpha_smoothing: (per_g / e.one_plus_e3()).sqrt().doubled(),
+            beta_scale: signs.l_minus_n.times(beta_scale),
+            root_e3: e.e3_minus_one.sqrt(),
+            beta_smoothing: per_g.sqrt().doubled(),
+        }
+    }
+
+    /// Equations of a body without torque: χ', ψ_A and ψ_B are constant. e₃ - u is in units of e₃.
+    pub(crate) fn uniform(chi_rate: F, e: &BranchPoints<F>) -> Self {
+        Self {
+            one_plus_e1: e.one_plus_e1,
+            one_minus_e2: e.one_minus_e2,
+            e3_minus_e2: F::ONE,
+            a_over_p: F::ONE,
+            half_g: chi_rate.squared(),
+            root_e3: F::ONE,
+            ..Self::ZERO
+        }
+    }
+
+    /// 1 - u and 1 + u from sin χ and cos χ, without cancellation near the vertical.
+    fn complements(&self, sine: F, cosine: F) -> (F, F) {
+        let one_minus_u = self.one_minus_e2 + self.e2_minus_e1 * cosine.squared();
+        let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * sine.squared();
+        (one_minus_u, one_plus_u)
+    }
+
+    /// Rates of χ, ψ_A and ψ_B at given sin χ and cos χ.
+    pub fn rates(&self, sine: F, cosine: F) -> PhaseRates<F> {
+        let (one_minus_u, one_plus_u) = self.complements(sine, cosine);
+        let e3_minus_u = self.e3_minus_e2 + self.e2_minus_e1 * cosine.squared();
+        let per_d = F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u);
+        let nutation = (self.half_g * e3_minus_u * per_d).sqrt();
+        let beta_divisor = self.root_e3 + self.beta_smoothing * nutation;
+        // for e₂ = e₃ = 1 and u = 1 numerator and denominator are 0, and ψ_B' is 0
+        let beta = if beta_divisor > F::ZERO {
+            self.beta_scale * (self.s_e3 * one_plus_u - self.a_over_p) * per_d / beta_divisor
+        } else {
+            F::ZERO
+        };
+        PhaseRates { nutation, alpha: self.alpha_rate(one_minus_u, per_d, nutation), beta }
+    }
+
+    fn alpha_rate(&self, one_minus_u: F, per_d: F, chi_rate: F) -> F {
+        self.alpha_scale * (self.a_over_p_e3 + self.s * one_minus_u) * per_d
+            / (F::ONE + self.alpha_smoothing * chi_rate)
+    }
+
+    /// Aperiodic motion (e₂ = e₃ = 1): rates of v and ψ_A at sin χ = tanh v, cos χ = sech v. The rate of ψ_B is 0.
+    pub(crate) fn aperiodic_rates(&self, tanh: F, sech: F) -> PhaseRates<F> {
+        let (one_minus_u, one_plus_u) = self.complements(tanh, sech);
+        let per_d = F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u);
+        let nutation = (self.half_g * self.e2_minus_e1 * per_d).sqrt();
+        let chi_rate = nutation * sech;
+        PhaseRates { nutation, alpha: self.alpha_rate(one_minus_u, per_d, chi_rate), beta: F::ZERO }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_gudermannian_keeps_its_digits_at_both_ends() {
+        for v in [1e-20, 3e-9, 0.1, 2.0, 30.0, 700.0_f64] {
+            let (tanh, sech) = gudermannian(v);
+            assert!((tanh / libm::tanh(v) - 1.0).abs() < 5e-16, "{v}: {tanh:e}");
+            assert!((sech * libm::cosh(v) - 1.0).abs() < 5e-16, "{v}: {sech:e}");
+            assert_eq!(gudermannian(-v), (-tanh, sech));
+            let inverse = inverse_gudermannian(tanh, sech);
+            assert!((inverse / v - 1.0).abs() < 5e-16, "{v}: {inverse:e}");
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! Phases as integers: whole turns and 96 bits of fraction.
+//!
+//! Sums are exact, and the range reduction of a sine takes the lower bits.
+
+mod fraction;
+
+pub(crate) use fraction::PhaseFraction;
+
+use core::ops::{Add, AddAssign, Neg, Sub};
+
+/// Phase in turns: a signed fixed-point number with 96 fraction bits.
+///
+/// Resolution: 2^-96 turns (8e-29 rad). Sums wrap at ±2^31 whole turns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Phase(i128);
+
+/// Number of fraction bits.
+pub(crate) const FRACTION_BITS: i32 = 96;
+
+impl Phase {
+    /// Smallest difference of two phases, in turns.
+    pub(crate) const RESOLUTION: f64 = 1.0 / (1_u128 << FRACTION_BITS) as f64;
+    /// Zero phase.
+    pub const ZERO: Self = Self(0);
+    /// Quarter of a turn, π/2 rad.
+    pub const QUARTER: Self = Self(1 << (FRACTION_BITS - 2));
+    /// Half a turn, π rad.
+    pub const HALF: Self = Self(1 << (FRACTION_BITS - 1));
+    /// One turn, 2π rad.
+    pub const ONE: Self = Self(1 << FRACTION_BITS);
+
+    /// Phase from a number of turns, rounded to 2^-96 turns, modulo 2^32 turns; zero where the number is not finite.
+    #[must_use]
+    pub fn new(turns: f64) -> Self {
+        let (mantissa, exponent) = integer_parts(turns);
+        Self(shifted(mantissa.into(), exponent + FRACTION_BITS))
+    }
+
+    /// Phase from an angle in radians. Relative error: 2^-52, from the product and from the constant 1/2π.
+    #[must_use]
+    pub fn from_radians(angle: f64) -> Self {
+        Self::new(angle * (0.5 * core::f64::consts::FRAC_1_PI))
+    }
+
+    /// Phase of bits · 2^-96 turns.
+    #[must_use]
+    pub const fn from_bits(bits: i128) -> Self {
+        Self(bits)
+    }
+
+    /// Phase in [0, 1) turn from the 64 leading bits of its fraction, the inverse of [`Phase::fraction`].
+    pub(crate) fn from_fraction(leading: u64) -> Self {
+        Self(i128::from(leading) << (FRACTION_BITS - 64))
+    }
+
+    /// Phase as an integer, in units of 2^-96 turns.
+    #[must_use]
+    pub const fn to_bits(self) -> i128 {
+        self.0
+    }
+
+    /// Phase as an integer in units of 2^-96 turns: words of 32 bits, the least significant first.
+    pub(crate) const fn words(self) -> [u32; 4] {
+        let bits = self.0;
+        [bits as u32, (bits >> 32) as u32, (bits >> 64) as u32, (bits >> 96) as u32]
+    }
+
+    /// Phase from words of 32 bits, the least significant first.
+    #[inline(always)]
+    pub(crate) const fn from_words([a, b, c, d]: [u32; 4]) -> Self {
+        Self((a as i128) | (b as i128) << 32 | (c as i128) << 64 | (d as i128) << 96)
+    }
+
+    /// Number of turns, the whole ones included. Relative error: 2^-53.
+    #[must_use]
+    pub fn to_f64(self) -> f64 {
+        self.0 as f64 * Self::RESOLUTION
+    }
+
+    /// Angle in radians, whole turns included. Relative error: 2^-52.
+    #[must_use]
+    pub fn to_radians(self) -> f64 {
+        self.to_f64() * (2.0 * core::f64::consts::PI)
+    }
+
+    /// Phase of the same direction in (-1/2, 1/2] turn.
+    #[must_use]
+    pub fn principal(self) -> Self {
+        let shift = 128 - FRACTION_BITS;
+        let wrapped = Self(self.0.wrapping_shl(shift as u32) >> shift);
+        if wrapped.0 == -Self::HALF.0 { Self::HALF } else { wrapped }
+    }
+
+    /// n times the phase, modulo 2^32 turns.
+    #[must_use]
+    pub fn times(self, n: i64) -> Self {
+        Self(self.0.wrapping_mul(n.into()))
+    }
+
+    /// Product with a number in [0, 1) in units of 2^-64, rounded down.
+    #[inline]
+    pub(crate) fn share(self, share: u64) -> Self {
+        let (upper, lower) = ((self.0 >> 64) as i64, self.0 as u64);
+        let of_lower = (u128::from(lower) * u128::from(share)) >> 64;
+        Self(i128::from(upper) * i128::from(share) + of_lower as i128)
+    }
+
+    /// Number of whole half turns, and the remainder in [0, 1/2) turn.
+    pub(crate) fn halves(self) -> (i64, Self) {
+        let halves = self.0 >> (FRACTION_BITS - 1);
+        (halves as i64, Self(self.0.wrapping_sub(halves << (FRACTION_BITS - 1))))
+    }
+
+    /// Nearest multiple of a quarter turn, modulo 4 (in the two lowest bits), and the remainder in [-1/8, 1/8) turn.
+    pub(crate) fn quadrant(self) -> (u32, Self) {
+        let quarter = self.0.wrapping_add(1 << (FRACTION_BITS - 3)) >> (FRACTION_BITS - 2);
+        (quarter as u32, Self(self.0.wrapping_sub(quarter << (FRACTION_BITS - 2))))
+    }
+
+    /// Fraction of a turn in [0, 1) as its 64 leading bits: the argument of the sine functions.
+    #[inline]
+    #[must_use]
+    pub fn fraction(self) -> u64 {
+        (self.0 >> (FRACTION_BITS - 64)) as u64
+    }
+}
+
+impl Add for Phase {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self(self.0.wrapping_add(other.0))
+    }
+}
+
+impl Sub for Phase {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Self(self.0.wrapping_sub(other.0))
+    }
+}
+
+impl Neg for Phase {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self(self.0.wrapping_neg())
+    }
+}
+
+impl AddAssign for Phase {
+    #[inline]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+/// Mantissa and exponent of x = mantissa · 2^exponent, with |mantissa| < 2^53; both 0 where x is not finite.
+pub fn integer_parts(x: f64) -> (i64, i32) {
+    const MANTISSA_BITS: u32 = 52;
+    const BIAS: i32 = 1075; // 1023 + 52
+    let bits = x.to_bits();
+    let fraction = (bits & ((1 << MANTISSA_BITS) - 1)) as i64;
+    let magnitude = ((bits >> MANTISSA_BITS) & 0x7ff) as i32;
+    let (mantissa, exponent) = match magnitude {
+        0 => (fraction, 1 - BIAS),
+        0x7ff => (0, 0),
+        _ => (fraction | (1 << MANTISSA_BITS), magnitude - BIAS),
+    };
+    (if bits >> 63 == 1 { -mantissa } else { mantissa }, exponent)
+}
+
+/// Integer value of a whole number, modulo 2^128; 0 where it is not finite.
+pub(crate) fn whole_number(x: f64) -> i128 {
+    let (mantissa, exponent) = integer_parts(x);
+    shifted(mantissa.into(), exponent)
+}
+
+/// value · 2^shift, rounded to the nearest integer, modulo 2^128.
+pub(crate) fn shifted(value: i128, shift: i32) -> i128 {
+    match shift {
+        128.. => 0,
+        0.. => value << shift,
+        -126.. => ((value >> (-shift - 1)) + 1) >> 1,
+        _ => 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn conversion_is_exact() {
+        for x in [0.0, 0.25, -0.75, 1e-9, 123.456, -2e9, 1.0 / (1_u128 << 90) as f64] {
+            assert_eq!(Phase::new(x).to_f64(), x);
+        }
+        assert_eq!(Phase::new(f64::NAN), Phase::ZERO);
+        assert_eq!(Phase::new(f64::INFINITY), Phase::ZERO);
+        assert_eq!(Phase::new(0.5), Phase::HALF);
+    }
+
+    #[test]
+    fn a_share_is_rounded_down() {
+        for bits in [0, 7, -7, 3 << 95, -(5 << 95) + 1, i128::MAX, i128::MIN] {
+            let share = |share| Phase(bits).share(share).0;
+            assert_eq!([share(0), share(1 << 63), share(1 << 62)], [0, bits >> 1, bits >> 2]);
+        }
+    }
+
+    /// Conversion rounds to units of 2^-96 turns, halves upwards; a number far below the unit becomes 0.
+    #[test]
+    fn conversion_rounds_to_the_nearest() {
+        for (units, rounded) in
+            [(0.25, 0), (0.5, 1), (0.75, 1), (1.25, 1), (1.5, 2), (-0.5, 0), (-0.75, -1), (-1.25, -1)]
+        {
+            assert_eq!(Phase::new(units / (1_u128 << 96) as f64).to_bits(), rounded, "{units}");
+        }
+        assert_eq!([1, 1 << 51].map(|bits| Phase::new(f64::from_bits(bits))), [Phase::ZERO; 2]);
+    }
+
+    #[test]
+    fn the_principal_value_is_within_half_a_turn() {
+        assert_eq!(Phase::new(7.25).principal(), Phase::QUARTER);
+        assert_eq!(Phase::new(-0.5).principal(), Phase::HALF);
+        assert_eq!(Phase::new(-3.25).principal().to_f64(), -0.25);
+    }
+}

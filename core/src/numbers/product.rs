@@ -1,0 +1,147 @@
+//! Products of integers that are wider than a processor's multiply instruction.
+//!
+//! A Cortex-M0+ keeps the *lower* 32 bits of a product; the compiler's wider products cost some 40 cycles. Those of 16-bit halves
+//! here take 15 and give the same bits. ARMv6-M is recognised by its lack of 32-bit atomics.
+
+/// Whether products are made of 16-bit halves: true on ARMv6-M.
+const BY_HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+
+/// Upper 32 bits of the 64-bit product, a·b·2^-32 rounded down: one cycle of a Cortex-M4, an addition included (SMMLA).
+#[inline(always)]
+pub(crate) const fn high_product(a: i32, b: i32) -> i32 {
+    if BY_HALVES { product_of_halves(halves(a), halves(b)) } else { ((a as i64 * b as i64) >> 32) as i32 }
+}
+
+/// [`high_product`] for a < 2^31 - 2^15, one cycle shorter where it is made of halves.
+#[inline(always)]
+pub(crate) const fn high_product_of_less(a: i32, b: i32) -> i32 {
+    if BY_HALVES {
+        let low = a as i16 as i32;
+        product_of_halves([low, (a - low) >> 16], halves(b))
+    } else {
+        high_product(a, b)
+    }
+}
+
+/// Upper 32 bits of the product of a and the 16 upper bits of b, whose lower 16 bits count as 0 (SMLAWT).
+#[inline(always)]
+pub(crate) const fn short_product(a: i32, b: i32) -> i32 {
+    if BY_HALVES { short_product_by_halves(a, b) } else { ((a as i64 * (b >> 16) as i64) >> 16) as i32 }
+}
+
+/// [`short_product`] for a b that is known to the compiler: the same bits, by fewer instructions.
+#[inline(always)]
+pub(crate) const fn short_product_by_constant(a: i32, b: i32) -> i32 {
+    if BY_HALVES { short_product_by_halves(a, b) } else { high_product(a, b & !0xffff) }
+}
+
+/// Complete 64-bit product of two unsigned numbers.
+#[inline(always)]
+pub(crate) const fn long_product(a: u32, b: u32) -> u64 {
+    if BY_HALVES { long_product_by_halves(a, b) } else { a as u64 * b as u64 }
+}
+
+/// Complete 64-bit product of two signed numbers.
+#[inline(always)]
+pub(crate) const fn signed_product(a: i32, b: i32) -> i64 {
+    if BY_HALVES { signed_product_by_halves(a, b) } else { a as i64 * b as i64 }
+}
+
+/// Product modulo 2^64.
+#[inline(always)]
+pub(crate) const fn wrapping_product(a: u64, b: u64) -> u64 {
+    let ((a_low, a_high), (b_low, b_high)) = ((a as u32, (a >> 32) as u32), (b as u32, (b >> 32) as u32));
+    let across = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_high));
+    long_product(a_low, b_low).wrapping_add((across as u64) << 32)
+}
+
+/// Complete 128-bit product of two unsigned numbers: upper and lower half.
+#[inline(always)]
+pub(crate) fn product_of_long(a: u64, b: u64) -> [u64; 2] {
+    if cfg!(target_pointer_width = "64") {
+        let product = u128::from(a) * u128::from(b);
+        return [(product >> 64) as u64, product as u64];
+    }
+    product_by_words(a, b)
+}
+
+#[inline(always)]
+fn product_by_words(a: u64, b: u64) -> [u64; 2] {
+    let ((a_low, a_high), (b_low, b_high)) = ((a as u32, (a >> 32) as u32), (b as u32, (b >> 32) as u32));
+    let low = long_product(a_low, b_low);
+    let across = long_product(a_high, b_low) + (low >> 32);
+    let back = long_product(a_low, b_high) + u64::from(across as u32);
+    let high = long_product(a_high, b_high) + (across >> 32) + (back >> 32);
+    [high, (back << 32) | u64::from(low as u32)]
+}
+
+/// Signed lower half of a number, and its upper half rounded to the nearest, in -2^15..=2^15.
+#[inline(always)]
+const fn halves(number: i32) -> [i32; 2] {
+    [number as i16 as i32, ((number >> 15) + 1) >> 1]
+}
+
+/// [`high_product`] from the halves of both factors. The lower halves are signed, so the sum of the mixed products does not overflow.
+#[inline(always)]
+const fn product_of_halves([a_low, a_high]: [i32; 2], [b_low, b_high]: [i32; 2]) -> i32 {
+    let across = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_high));
+    let across = across.wrapping_add(a_low.wrapping_mul(b_low) >> 16);
+    a_high.wrapping_mul(b_high).wrapping_add(across >> 16)
+}
+
+#[inline(always)]
+const fn short_product_by_halves(a: i32, b: i32) -> i32 {
+    let b_high = b >> 16;
+    (a >> 16) * b_high + (((a & 0xffff) * b_high) >> 16)
+}
+
+/// [`long_product`] from halves. With an unsigned half of b the compiler would call its own routine.
+#[inline(always)]
+const fn long_product_by_halves(a: u32, b: u32) -> u64 {
+    let (a_low, a_high) = (a & 0xffff, a >> 16);
+    let b_low = b as i16 as i32;
+    // at most 2^16
+    let b_high = ((b >> 15) + 1) >> 1;
+    let low = (a_low as i32).wrapping_mul(b_low);
+    let across = (a_high as i32).wrapping_mul(b_low).wrapping_add(low >> 16);
+    let back = a_low.wrapping_mul(b_high).wrapping_add(across as u32 & 0xffff);
+    let high = a_high.wrapping_mul(b_high).wrapping_add((across >> 16) as u32).wrapping_add(back >> 16);
+    ((high as u64) << 32) | a.wrapping_mul(b) as u64
+}
+
+/// [`signed_product`] from the unsigned product: a negative factor stands for one that is 2^32 larger.
+#[inline(always)]
+const fn signed_product_by_halves(a: i32, b: i32) -> i64 {
+    let excess = (b & (a >> 31)).wrapping_add(a & (b >> 31));
+    (long_product_by_halves(a as u32, b as u32) as i64).wrapping_sub((excess as i64) << 32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn halves_give_the_same_bits() {
+        let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+        let extremes = [i32::MIN, i32::MAX, -1, 0, 1, 0xffff, -0x1_0000, 0x7fff_0001];
+        for k in 0..if cfg!(miri) { 3000 } else { 100_000 } {
+            bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+            let pick = |random: i32, choice: usize| {
+                if k % 3 == 0 { extremes[choice % extremes.len()] } else { random }
+            };
+            let (a, b) = (pick(bits as i32, k / 3), pick((bits >> 32) as i32, k / 24));
+            let high = ((i64::from(a) * i64::from(b)) >> 32) as i32;
+            assert_eq!(product_of_halves(halves(a), halves(b)), high, "{a} {b}");
+            let short = ((i64::from(a) * i64::from(b & !0xffff)) >> 32) as i32;
+            assert_eq!([short_product_by_halves(a, b), short_product(a, b)], [short; 2], "{a} {b}");
+            assert_eq!(signed_product_by_halves(a, b), i64::from(a) * i64::from(b), "{a} {b}");
+            let wide = (a as u64, !(b as u64));
+            assert_eq!(wrapping_product(wide.0, wide.1), wide.0.wrapping_mul(wide.1), "{a} {b}");
+            let [x, y] =
+                [(a, b), (b, !a)].map(|(high, low)| u64::from(high as u32) << 32 | u64::from(low as u32));
+            assert_eq!(product_by_words(x, y), product_of_long(x, y), "{x} {y}");
+            let (a, b) = (a as u32, b as u32);
+            assert_eq!(long_product_by_halves(a, b), u64::from(a) * u64::from(b), "{a} {b}");
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! Scalars: the traits that the algorithms require of a number type, and the types that implement them.
+//!
+//! There is no fused multiply-add and no function of `std`, so that a host and a chip agree to the bit.
+//!
+//! | trait | requires | `f32` `f64` | [`Extended`], [`Extended64`] | fixed point |
+//! |---|---|---|---|---|
+//! | [`Ring`] | `+ - *`, order, 0 and 1 | yes | yes | yes |
+//! | [`Scalar`] | sine and cosine of an integer phase: what a *tick* needs | yes | no | yes |
+//! | [`Float`] | division, square root, conversion: what *set-up* needs | yes | yes | no |
+
+mod power_of_two;
+
+mod wide;
+
+mod sine;
+
+mod float;
+
+#[cfg(feature = "fixed")]
+mod fixed_point;
+
+pub(crate) use float::sine_cosine_of_radians;
+pub(crate) use power_of_two::{exponent, power_of_two, short_float, short_power_of_two, times_power_of_two};
+pub(crate) use sine::sine_cosine_f64;
+#[cfg(feature = "fixed")]
+pub use sine::sine_cosine_q15;
+pub use sine::{SINE_CONSTANTS, SineConstants, sine_cosine_q26, sine_cosine_q31};
+
+pub use wide::{Extended, Extended64, Wide};
+
+use crate::phase::Phase;
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Number type with sums, differences and products. Sealed.
+pub trait Ring:
+    sealed::Sealed
+    + Copy
+    + Debug
+    + PartialEq
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Neg<Output = Self>
+{
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+
+    /// Product; another one than `*` where that is slow on chips without a long multiplication.
+    #[inline(always)]
+    #[must_use]
+    fn product(self, other: Self) -> Self {
+        self * other
+    }
+
+    /// Inner product of two pairs, ac + bd.
+    #[inline(always)]
+    #[must_use]
+    fn inner([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        a.product(c) + b.product(d)
+    }
+
+    /// Determinant of two pairs, ad - bc.
+    #[inline(always)]
+    #[must_use]
+    fn determinant([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        a.product(d) - b.product(c)
+    }
+
+    /// Square, x².
+    #[inline]
+    #[must_use]
+    fn squared(self) -> Self {
+        self.product(self)
+    }
+
+    /// Double, x + x: exact in binary floating point.
+    #[inline]
+    #[must_use]
+    fn doubled(self) -> Self {
+        self + self
+    }
+}
+
+/// Number type of a tick: a ring with the sine and cosine of an integer phase.
+pub trait Scalar: Ring {
+    /// (sin 2πx, cos 2πx) of a phase of x turns; dropping the whole turns is exact.
+    ///
+    /// Error: below 3.2e-8 in `f32`, absolute; below 2e-16 in `f64`, relative to the result near its zeros.
+    fn sine_cosine(phase: Phase) -> (Self, Self);
+
+    /// Half a unit in the last place of 1: the rounding error of a sum.
+    const ROUNDING: f64;
+}
+
+/// Number type of set-up: a ring with division and square root.
+pub trait Float: Ring + Div<Output = Self> {
+    /// Nearest value of this type.
+    fn from_f64(x: f64) -> Self;
+    /// Nearest `f64`.
+    fn to_f64(self) -> f64;
+    /// Square root; 0 for a number that rounding made negative.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// Difference ab - cd; in a wide number it has one rounding.
+    #[must_use]
+    fn difference_of_products([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        a * b - c * d
+    }
+
+    /// Absolute value, |x|.
+    #[inline]
+    #[must_use]
+    fn abs(self) -> Self {
+        if self < Self::ZERO { -self } else { self }
+    }
+
+    /// Half, x / 2: exact in binary floating point.
+    #[inline]
+    #[must_use]
+    fn halved(self) -> Self {
+        self * Self::from_f64(0.5)
+    }
+}
+
+/// Floating-point type for both set-up and ticks, with the angle of a point and the exponential function.
+pub trait Real: Scalar + Float {
+    /// Angle of the point (x, y) in rad, in [-π, π].
+    fn atan2(y: Self, x: Self) -> Self;
+    /// eˣ - 1, with a small relative error also where x is small.
+    #[must_use]
+    fn exp_minus_one(self) -> Self;
+}
+
+/// Supertrait that seals the scalar traits.
+pub(crate) mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+    impl<const WORDS: usize> Sealed for super::Wide<WORDS> {}
+    #[cfg(feature = "fixed")]
+    impl Sealed for fixed::types::I2F30 {}
+    #[cfg(feature = "fixed")]
+    impl Sealed for fixed::types::I2F14 {}
+}

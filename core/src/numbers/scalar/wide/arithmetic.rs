@@ -1,0 +1,280 @@
+//! Sums, products, quotients and roots of wide numbers.
+
+use core::cmp::Ordering;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::exact::Exact;
+use super::newton::short_inverse_root;
+use super::number::Wide;
+use super::words::{leading, quotient};
+use crate::scalar::{Float, Ring};
+
+impl<const WORDS: usize> Wide<WORDS> {
+    /// Difference a - bc with one rounding.
+    fn residual(a: Self, [b, c]: [Self; 2]) -> Self {
+        Exact::from(a).plus(Exact::product(&-b, &c))
+    }
+}
+
+impl<const WORDS: usize> Add for Wide<WORDS> {
+    type Output = Self;
+    #[inline(never)] // a call, because inlining into every formula of a launch would take much of a chip's flash
+    fn add(self, other: Self) -> Self {
+        Exact::from(self).plus(Exact::from(other))
+    }
+}
+
+impl<const WORDS: usize> Neg for Wide<WORDS> {
+    type Output = Self;
+    #[inline(never)]
+    fn neg(self) -> Self {
+        Self { negative: !self.negative && !self.is_zero(), ..self }
+    }
+}
+
+impl<const WORDS: usize> Sub for Wide<WORDS> {
+    type Output = Self;
+    #[inline(never)]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl<const WORDS: usize> Mul for Wide<WORDS> {
+    type Output = Self;
+    #[inline(never)]
+    fn mul(self, other: Self) -> Self {
+        Exact::product(&self, &other).rounded()
+    }
+}
+
+impl<const WORDS: usize> Div for Wide<WORDS> {
+    type Output = Self;
+    #[inline(never)]
+    fn div(self, other: Self) -> Self {
+        if other.is_zero() {
+            return self.with_exponent(i32::MAX / 8);
+        }
+        if self.is_zero() {
+            return self;
+        }
+        let words = quotient(&self.significand, &other.significand);
+        let exponent = self.exponent - other.exponent + 72 * WORDS as i32 - 56;
+        Exact::new(words, exponent, self.negative != other.negative).rounded()
+    }
+}
+
+impl<const WORDS: usize> PartialOrd for Wide<WORDS> {
+    #[inline(never)]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        let magnitude = |x: &Self| (!x.is_zero(), x.exponent, x.significand);
+        Some(match (self.negative, other.negative) {
+            (false, false) => magnitude(self).cmp(&magnitude(other)),
+            (true, true) => magnitude(other).cmp(&magnitude(self)),
+            (false, true) => Ordering::Greater,
+            (true, false) => Ordering::Less,
+        })
+    }
+}
+
+impl<const WORDS: usize> Ring for Wide<WORDS> {
+    const ZERO: Self = Self { significand: [0; WORDS], exponent: 0, negative: false };
+    const ONE: Self = Self::constant(1 << 127, 1);
+
+    #[inline(never)] // copies of the short operations would take more flash, too
+    fn doubled(self) -> Self {
+        self.with_exponent(self.exponent + 1)
+    }
+}
+
+impl<const WORDS: usize> Float for Wide<WORDS> {
+    #[inline(never)]
+    fn from_f64(x: f64) -> Self {
+        x.into()
+    }
+
+    fn to_f64(self) -> f64 {
+        self.nearest()
+    }
+
+    #[inline(never)]
+    fn sqrt(self) -> Self {
+        if self.negative || self.is_zero() {
+            return Self::ZERO;
+        }
+        let odd = self.exponent & 1;
+        let short = short_inverse_root(leading(&self.significand) >> odd);
+        let mut inverse = Self::from_integer(short, -62 - (self.exponent + odd) / 2);
+        // each step of Newton's method doubles the 52 correct bits
+        for _ in 1..WORDS {
+            let rest = Self::residual(Self::ONE, [self * inverse, inverse]);
+            inverse = inverse + (rest * inverse).halved();
+        }
+        let root = self * inverse;
+        root + (Self::residual(self, [root, root]) * inverse).halved()
+    }
+
+    fn difference_of_products([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        Exact::product(&a, &b).plus(Exact::product(&-c, &d))
+    }
+
+    #[inline(never)]
+    fn abs(self) -> Self {
+        Self { negative: false, ..self }
+    }
+
+    #[inline(never)]
+    fn halved(self) -> Self {
+        self.with_exponent(self.exponent - 1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::phase::Phase;
+    use crate::scalar::{Extended, Extended64};
+
+    /// Numbers of all signs and sizes, some with few bits.
+    fn samples() -> impl Iterator<Item = f64> {
+        let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+        (0..if cfg!(miri) { 100 } else { 20_000 }).map(move |k| {
+            bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+            let number = f64::from_bits((bits >> 1) % (0x7fe << 52));
+            let number = if k % 3 == 0 { libm::round((bits >> 50) as f64 / 7.0) } else { number };
+            let number = if (1e-150..=1e150).contains(&number) { number } else { 0.375 };
+            if bits & 1 == 1 { -number } else { number }
+        })
+    }
+
+    #[test]
+    fn a_third_times_three_is_one_to_38_digits() {
+        let third = Extended::ONE / 3.0.into();
+        let defect = Extended::residual(Extended::ONE, [third, 3.0.into()]).abs().to_f64();
+        assert!(defect < 3e-39 && defect > 0.0, "{defect:e}");
+        assert_eq!(third.parts(), [1.0 / 3.0, 1.850371707708594e-17]);
+    }
+
+    #[test]
+    fn numbers_of_f64_and_their_products_are_exact() {
+        let mut before = 0.75;
+        for x in samples() {
+            let (a, b) = (Extended::from(x), Extended::from(before));
+            assert_eq!((a.to_f64(), (-a).to_f64()), (x, -x));
+            let sum = if x.abs() < 1e30 * before.abs() { a + b } else { b + a };
+            assert_eq!(sum.to_f64(), x + before, "{x:e} {before:e}");
+            assert_eq!((a * b).to_f64(), x * before, "{x:e} {before:e}");
+            assert_eq!(a.partial_cmp(&b), x.partial_cmp(&before), "{x:e} {before:e}");
+            if before != 0.0 {
+                assert_eq!((a * b) / b, a, "{x:e} {before:e}");
+                assert_eq!((a / b).to_f64(), x / before, "{x:e} {before:e}");
+            }
+            if (1e-15..1e15).contains(&(x / before).abs()) {
+                assert_eq!((a + b) - b, a, "{x:e} {before:e}");
+            }
+            assert_eq!((a * a).sqrt(), a.abs(), "{x:e}");
+            before = x;
+        }
+    }
+
+    #[test]
+    fn a_root_squares_back() {
+        for x in [2.0, 1e-20, 12345.678, 9.81] {
+            let x = Extended::from(x);
+            let root = x.sqrt();
+            let defect = (Extended::residual(x, [root, root]) / x).abs().to_f64();
+            assert!(defect < 7e-39 && defect > 0.0, "{defect:e}");
+        }
+        assert_eq!(Extended::from(-1e-300).sqrt(), Extended::ZERO);
+    }
+
+    #[test]
+    fn a_small_difference_survives() {
+        let big = Extended::sum(1.0, 1e-20);
+        assert_eq!((big - Extended::ONE).to_f64(), 1e-20);
+        assert_eq!((Extended::product(0.1, 3.0) - Extended::from(0.1) * 3.0.into()).to_f64(), 0.0);
+        assert!(big > Extended::ONE);
+        let x = Extended::ONE + Extended::from(2_f64.powi(-120));
+        let exact = Extended::difference_of_products([x, x], [Extended::ONE, x.doubled() - Extended::ONE]);
+        assert_eq!(exact.to_f64(), 2_f64.powi(-240));
+    }
+
+    #[test]
+    fn a_quotient_by_zero_is_larger_than_any_f64() {
+        assert_eq!((Extended::ONE / Extended::ZERO).to_f64(), f64::INFINITY);
+        assert_eq!((-Extended::ONE / Extended::ZERO).to_f64(), f64::NEG_INFINITY);
+        assert_eq!(Extended::ZERO / Extended::ZERO, Extended::ZERO);
+        assert_eq!(Extended::from(f64::NAN), Extended::ZERO);
+    }
+
+    #[test]
+    fn a_turn_has_a_phase() {
+        assert_eq!(Extended::from(-3.25).to_phase(), Phase::new(-3.25));
+        assert_eq!(Extended::from(Phase::new(-3.25)).to_f64(), -3.25);
+        assert_eq!((Extended::TWO_PI * 0.25.into()).in_turns().to_phase(), Phase::QUARTER);
+        let ([whole, low], rest) = Extended::sum(1e20, 0.75).floor_and_rest();
+        assert_eq!((whole + low, rest.to_f64()), (1e20, 0.75));
+    }
+
+    /// Numbers with 64 significant bits, of both signs and of sizes that overlap.
+    fn short_samples() -> impl Iterator<Item = Extended64> {
+        const LEADING: u64 = 1 << 63;
+        let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+        (0..if cfg!(miri) { 100 } else { 50_000 }).map(move |k| {
+            bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+            let significand = match k % 5 {
+                0 => u64::MAX - (bits >> 60),
+                1 => LEADING + (bits >> 61),
+                2 => bits & (u64::MAX << 50) | LEADING,
+                _ => bits | LEADING,
+            };
+            let exponent = (bits >> 20) as i32 % if k % 3 == 0 { 3 } else { 70 };
+            Wide { significand: [significand], exponent, negative: bits & 1 == 1 }
+        })
+    }
+
+    #[test]
+    fn every_operation_is_rounded_to_the_nearest() {
+        let error = |result: Extended64, truth: Extended| {
+            let difference = Extended::resized(result) - truth;
+            if truth == Extended::ZERO { difference.to_f64() } else { (difference / truth).abs().to_f64() }
+        };
+        const ROUNDING: f64 = Extended64::OPERATION_ERROR;
+        let mut worst = [0.0_f64; 6];
+        let mut before = Extended64::ONE;
+        for x in short_samples() {
+            let [a, b] = [x, before].map(Extended::resized);
+            let errors = [
+                error(x + before, a + b),
+                error(x - before, a - b),
+                error(x * before, a * b),
+                error(x / before, a / b),
+                error(x.abs().sqrt(), a.abs().sqrt()),
+                error(Extended64::resized(a / b), a / b),
+            ];
+            assert!(errors.iter().all(|error| *error < ROUNDING), "{x:?} {before:?} {errors:?}");
+            for (worst, error) in worst.iter_mut().zip(errors) {
+                *worst = worst.max(error);
+            }
+            assert_eq!(x.partial_cmp(&before), a.partial_cmp(&b), "{x:?} {before:?}");
+            assert_eq!(Extended64::resized(a), x);
+            before = x;
+        }
+        assert!(worst.iter().all(|worst| *worst > 0.6 * ROUNDING || cfg!(miri)), "{worst:?}");
+    }
+
+    #[test]
+    fn zero_and_what_has_no_value() {
+        let [zero, one, third] =
+            [Extended64::ZERO, Extended64::ONE, Extended64::ONE / Extended64::from_f64(3.0)];
+        assert_eq!([zero + zero, zero * one, zero / one, zero / zero, -zero, third - third], [zero; 6]);
+        assert_eq!([third + zero, zero + third, third * one, third / one, -(-third)], [third; 5]);
+        assert_eq!([(-one).sqrt(), Extended64::from_f64(f64::NAN), zero.halved(), zero.doubled()], [zero; 4]);
+        assert_eq!((one / zero).to_f64(), f64::INFINITY);
+        assert!(zero < third && -third < zero && -one < -third);
+        assert_eq!(third.to_f64(), 1.0 / 3.0);
+        for x in [1.0, -0.1, 6e-310, 1.7e308, 3.0] {
+            assert_eq!(Extended64::from_f64(x).to_f64(), if x == 6e-310 { 0.0 } else { x });
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! Wide numbers from and to `f64`, phases, integers and other widths.
+
+use super::exact::Exact;
+use super::number::Wide;
+use super::words::leading;
+use crate::phase::{FRACTION_BITS, Phase, integer_parts};
+use crate::scalar::{Ring, times_power_of_two};
+
+impl<const WORDS: usize> Wide<WORDS> {
+    /// 2π.
+    pub(crate) const TWO_PI: Self = Self::constant(0xc90f_daa2_2168_c234_c4c6_628b_80dc_1cd1, 3);
+
+    /// Angle in turns, from an angle in rad.
+    pub(crate) fn in_turns(self) -> Self {
+        const { assert!(WORDS <= 2) }
+        self * Self::constant(0xa2f9_836e_4e44_1529_fc27_57d1_f534_ddc0, -2)
+    }
+
+    /// Number ±value · 2^exponent, rounded to the nearest.
+    #[inline(never)]
+    fn scaled(value: u128, exponent: i32, negative: bool) -> Self {
+        let (mut words, mut rest) = ([[0; WORDS]; 2], value);
+        for word in words.as_flattened_mut() {
+            (*word, rest) = ((rest >> 64) as u64, rest << 64);
+        }
+        Exact::new(words, exponent + 128, negative).rounded()
+    }
+
+    /// Upper 128 bits of the significand.
+    fn upper(&self) -> u128 {
+        let mut words = self.significand.iter();
+        let mut next = || words.next().map_or(0, |word| u128::from(*word));
+        next() << 64 | next()
+    }
+
+    /// Number of another width, rounded to the nearest.
+    #[inline(never)]
+    pub(crate) fn resized<const OTHER: usize>(number: Wide<OTHER>) -> Self {
+        Self::scaled(number.upper(), number.exponent - 128, number.negative)
+    }
+
+    /// Nearest `f64`, ties to even; infinity beyond its range, and 0 below its normal numbers.
+    #[inline(never)]
+    pub(super) fn nearest(self) -> f64 {
+        let sticky = self.significand.iter().skip(1).any(|word| *word != 0);
+        let size = (leading(&self.significand) | u64::from(sticky)) as f64;
+        let size = times_power_of_two(size, self.exponent - 64);
+        if self.negative { -size } else { size }
+    }
+
+    /// Phase of this number of turns, modulo 2^32 turns, rounded to the nearest.
+    #[must_use]
+    pub fn to_phase(self) -> Phase {
+        let magnitude = self.upper();
+        let bits = match self.exponent - (128 - FRACTION_BITS) {
+            128.. => 0,
+            shift @ 0.. => magnitude << shift,
+            shift @ -127.. => (magnitude >> -shift) + ((magnitude >> (-shift - 1)) & 1),
+            -128 => magnitude >> 127,
+            _ => 0,
+        };
+        Phase::from_bits(if self.negative { bits.wrapping_neg() } else { bits } as i128)
+    }
+
+    /// Sum of two `f64`.
+    #[must_use]
+    pub fn sum(a: f64, b: f64) -> Self {
+        Self::from(a) + Self::from(b)
+    }
+
+    /// Product of two `f64`; exact in [`Extended`](crate::scalar::Extended).
+    #[must_use]
+    pub fn product(a: f64, b: f64) -> Self {
+        Self::from(a) * Self::from(b)
+    }
+
+    /// Nearest `f64`, and the `f64` nearest to the rest.
+    #[must_use]
+    pub fn parts(self) -> [f64; 2] {
+        let leading = self.nearest();
+        [leading, (self - leading.into()).nearest()]
+    }
+
+    /// Largest whole number not above this one, as the sum of two whole `f64`, and the remainder in [0, 1).
+    pub(crate) fn floor_and_rest(self) -> ([f64; 2], Self) {
+        let [leading, low] = self.parts();
+        let (whole, low_whole) = (libm::floor(leading), libm::floor(low));
+        let rest = (self - whole.into()) - low_whole.into();
+        if rest < Self::ONE {
+            ([whole, low_whole], rest)
+        } else {
+            ([whole, low_whole + 1.0], rest - Self::ONE)
+        }
+    }
+}
+
+impl<const WORDS: usize> From<f64> for Wide<WORDS> {
+    fn from(x: f64) -> Self {
+        let (mantissa, exponent) = integer_parts(x);
+        Self { negative: mantissa < 0, ..Self::from_integer(mantissa.unsigned_abs(), exponent) }
+    }
+}
+
+impl<const WORDS: usize> From<i64> for Wide<WORDS> {
+    fn from(number: i64) -> Self {
+        Self { negative: number < 0, ..Self::from_integer(number.unsigned_abs(), 0) }
+    }
+}
+
+impl<const WORDS: usize> From<Phase> for Wide<WORDS> {
+    /// Number of turns, whole turns included.
+    fn from(phase: Phase) -> Self {
+        let bits = phase.to_bits();
+        Self::scaled(bits.unsigned_abs(), -FRACTION_BITS, bits < 0)
+    }
+}

@@ -1,0 +1,274 @@
+//! Power series of α or of β on a span of the half period, on its parts, and with fewer terms.
+//!
+//! The highest term c x^k is left out together with the multiple of lower powers that makes it c 2^(1-k) T_k(x). As |T_k| <= 1, the value
+//! changes by at most |c| 2^(1-k). The terms that remain are those of a Chebyshev series.
+
+use crate::product::{long_product, signed_product};
+use crate::scalar::{Float, Ring, short_float};
+use crate::table::build::polynomial::Polynomial;
+use crate::table::series::expansion::TERMS;
+
+/// Series on an interval, whose coordinate x is in [-1, 1].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Series {
+    pub(crate) polynomial: Polynomial,
+    /// Number of terms.
+    pub(crate) terms: usize,
+    /// Upper bounds on the changes of the real and of the imaginary part by the terms left out, in units of 2^-62.
+    left_out: [i64; 2],
+    /// Upper bounds on the changes of their derivatives.
+    slope_left_out: [i64; 2],
+}
+
+/// Fraction bits of [`FACTORS`].
+const FACTOR_BITS: u32 = TERMS as u32 - 2;
+
+/// Coefficients of x^(k-2), x^(k-4), ... in T_k(x) 2^(1-k), for each k.
+#[allow(clippy::indexing_slicing)] // evaluated by the compiler, which would refuse an index out of range
+static FACTORS: [[i32; TERMS / 2]; TERMS] = {
+    let mut factors = [[0; TERMS / 2]; TERMS];
+    let mut k = 2;
+    while k < TERMS {
+        let (mut factor, mut m) = (1_i64 << FACTOR_BITS, 0);
+        while 2 * m + 2 <= k {
+            factor *= -(((k - 2 * m) * (k - 2 * m - 1)) as i64);
+            factor /= (4 * (m + 1) * (k - m - 1)) as i64;
+            factors[k][m] = factor as i32;
+            m += 1;
+        }
+        k += 1;
+    }
+    factors
+};
+
+/// Product of a coefficient and a factor, rounded to the nearest.
+#[inline(always)]
+fn times(c: i64, factor: i32) -> i64 {
+    const LOW_BITS: u32 = 30;
+    let low = c as i32 & ((1 << LOW_BITS) - 1);
+    let half = 1 << (FACTOR_BITS - 1);
+    (signed_product((c >> LOW_BITS) as i32, factor) << (LOW_BITS - FACTOR_BITS))
+        + ((signed_product(low, factor) + half) >> FACTOR_BITS)
+}
+
+/// Upper bounds on [-1, 1], in units of 2^-62.
+pub(crate) struct SeriesBounds {
+    /// Changes of the value and of the derivative by the terms left out.
+    pub(crate) change: f32,
+    pub(crate) slope_change: f32,
+    /// Squares of the first and of the second derivative.
+    pub(crate) slope_squares: f32,
+    pub(crate) curvature_squares: f32,
+}
+
+impl Series {
+    pub(crate) const ZERO: Self =
+        Self { polynomial: [[0; TERMS]; 2], terms: 0, left_out: [0; 2], slope_left_out: [0; 2] };
+
+    /// Leaves out last terms: down to `fewest`, as long as the changes of both parts add up to at most `most`.
+    #[inline(never)] // the stack frames of set-up must not add up
+    pub(crate) fn shorten(&mut self, fewest: usize, most: i64) {
+        while self.terms > fewest.max(2) {
+            let degree = self.terms - 1;
+            let last = self.polynomial.map(|part| part.get(degree).copied().unwrap_or_default());
+            let sizes = |factor: usize| last.map(|c| (c.abs() * factor as i64) >> (degree - 1));
+            let values = sizes(1);
+            if self.left_out.iter().chain(&values).sum::<i64>() > most {
+                break;
+            }
+            let add = |sums: &mut [i64; 2], sizes: [i64; 2]| {
+                sums.iter_mut().zip(sizes).for_each(|(sum, size)| *sum += size);
+            };
+            add(&mut self.left_out, values);
+            add(&mut self.slope_left_out, sizes(degree * degree));
+            let factors = FACTORS.get(degree).copied().unwrap_or_default();
+            for (part, last) in self.polynomial.iter_mut().zip(last) {
+                let lower = part.iter_mut().take(degree).rev().skip(1).step_by(2);
+                lower.zip(&factors).for_each(|(c, factor)| *c -= times(last, *factor));
+                part.iter_mut().skip(degree).take(1).for_each(|c| *c = 0);
+            }
+            self.terms = degree;
+        }
+    }
+
+    /// Replaces the series by that on the upper or the lower half of the interval, by Horner's rule for x = (y ± 1)/2. Errors do not grow,
+    /// as |x| <= 1; all roundings together stay below 2^-57.
+    #[inline(never)] // the stack frames of set-up must not add up
+    pub(crate) fn halve(&mut self, upper: bool) {
+        for part in &mut self.polynomial {
+            let mut half = [0; TERMS];
+            for (degree, c) in part.iter().take(self.terms).rev().enumerate() {
+                let mut lower_power = 0;
+                for power in half.iter_mut().take(degree + 1) {
+                    let moved = if upper { *power } else { -*power };
+                    (*power, lower_power) = ((moved + lower_power + 1) >> 1, *power);
+                }
+                half[0] += c;
+            }
+            *part = half;
+        }
+        self.slope_left_out = self.slope_left_out.map(|sum| (sum + 1) >> 1);
+    }
+
+    /// Bounds on the changes and on the derivatives: Σ k |c_k| and Σ k (k - 1) |c_k|.
+    #[inline(never)] // one copy for all scalars
+    pub(crate) fn bounds(&self) -> SeriesBounds {
+        /// Unit of the upper words.
+        const WORD: f32 = (1_u64 << 32) as f32;
+        let (mut slope_squares, mut curvature_squares) = (0.0, 0.0);
+        for part in &self.polynomial {
+            let (mut slope, mut curvature) = (0, 0);
+            for (c, k) in part.iter().zip(0_u32..).take(self.terms) {
+                let size = (c.unsigned_abs() >> 32) as u32 + 1;
+                slope += long_product(size, k);
+                curvature += long_product(size, k * k.saturating_sub(1));
+            }
+            slope_squares += Ring::squared(short_float(slope) * WORD);
+            curvature_squares += Ring::squared(short_float(curvature) * WORD);
+        }
+        let norm = |sums: [i64; 2]| {
+            let squares = sums.map(|sum| Ring::squared(short_float(sum.unsigned_abs())));
+            Float::sqrt(squares.iter().sum())
+        };
+        SeriesBounds {
+            change: norm(self.left_out),
+            slope_change: norm(self.slope_left_out),
+            slope_squares,
+            curvature_squares,
+        }
+    }
+}
+
+/// Series on a span, and on the part of it that was halved last.
+#[derive(Debug)]
+pub(crate) struct SpanSeries {
+    whole: Series,
+    halved: Series,
+    /// Number of that part, and base-2 logarithm of the number of parts; `None` where no series is kept.
+    part: Option<[usize; 2]>,
+}
+
+impl SpanSeries {
+    pub(crate) const ZERO: Self = Self { whole: Series::ZERO, halved: Series::ZERO, part: None };
+
+    /// Series on the span, to be replaced.
+    pub(crate) fn replace(&mut self) -> &mut Series {
+        (self.whole, self.part) = (Series::ZERO, None);
+        &mut self.whole
+    }
+
+    /// Copies the series on one of 2^halvings parts. Last terms whose changes add up to at most `least` are left out.
+    pub(crate) fn restrict(&mut self, [part, halvings]: [usize; 2], least: i64, to: &mut Series) {
+        let Some(last) = halvings.checked_sub(1) else { return to.clone_from(&self.whole) };
+        let halved = Some([part / 2, last]);
+        if self.part != halved {
+            (self.part, self.halved) = (halved, self.whole);
+            for halving in (1..halvings).rev() {
+                self.halved.halve((part >> halving) & 1 == 1);
+                self.halved.shorten(0, least);
+            }
+        }
+        to.clone_from(&self.halved);
+        to.halve(part & 1 == 1);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::series::expansion::UNIT;
+
+    /// Series of a function of at most 1 whose terms decrease by a factor.
+    fn series(ratio: f64, sense: f64) -> Series {
+        let mut part = [0; TERMS];
+        for (power, c) in part.iter_mut().enumerate() {
+            let sign = if power % 2 == 1 { sense } else { 1.0 };
+            *c = (sign * (1.0 - ratio) * ratio.powi(power as i32) / UNIT) as i64;
+        }
+        let half = part.map(|c| c / 2);
+        let polynomial = if sense > 0.0 { [part, half] } else { [half, part] };
+        Series { polynomial, terms: TERMS, ..Series::ZERO }
+    }
+
+    /// Value, or a derivative, at x.
+    fn derivative(series: &Series, order: i32, x: f64) -> [f64; 2] {
+        series.polynomial.map(|part| {
+            let factor = |k: i32| (0..order).map(|m| f64::from(k - m)).product::<f64>();
+            let terms = part.iter().zip(0..TERMS as i32).skip(order as usize).rev();
+            UNIT * terms.fold(0.0, |sum, (c, k)| sum * x + factor(k) * *c as f64)
+        })
+    }
+
+    fn distance([re, im]: [f64; 2], [other_re, other_im]: [f64; 2]) -> f64 {
+        (other_re - re).hypot(other_im - im)
+    }
+
+    /// The series of every part of an interval has the values of the whole.
+    #[test]
+    fn a_part_has_the_values_of_the_whole() {
+        for (ratio, sense) in [(0.5, 1.0), (0.3, -1.0), (0.05, 1.0)] {
+            let whole = series(ratio, sense);
+            for (halvings, part) in
+                (0..5).flat_map(|halvings| (0..1 << halvings).map(move |part| (halvings, part)))
+            {
+                let mut own = Series::ZERO;
+                SpanSeries { whole, ..SpanSeries::ZERO }.restrict([part, halvings], 0, &mut own);
+                for x in [-1.0, -0.6, -0.3, 0.0, 0.7, 1.0] {
+                    let place = (x + (2 * part + 1) as f64) / f64::from(1 << halvings) - 1.0;
+                    let error = distance(derivative(&whole, 0, place), derivative(&own, 0, x));
+                    assert!(error < 2.5e-16, "{ratio} {part}/{halvings} {x}: {error:e}");
+                }
+            }
+        }
+    }
+
+    /// The bounds are above the changes and derivatives, but not by much.
+    #[test]
+    fn fewer_terms_change_no_more_than_the_bounds_say() {
+        let exact = series(0.3, 1.0);
+        let points = if cfg!(miri) { 40 } else { 1000 };
+        let greatest = |of: &dyn Fn(f64) -> f64| {
+            (0..=points).map(|i| of(2.0 * f64::from(i) / f64::from(points) - 1.0)).fold(0.0, f64::max)
+        };
+        for terms in 2..TERMS {
+            let mut short = exact;
+            short.shorten(terms, i64::MAX);
+            assert!(short.polynomial.iter().all(|part| part[terms..].iter().all(|c| *c == 0)));
+            let bounds = short.bounds();
+            let change =
+                |order| greatest(&|x| distance(derivative(&exact, order, x), derivative(&short, order, x)));
+            let size = |order| greatest(&|x| distance(derivative(&short, order, x), [0.0; 2]));
+            for (worst, bound, most) in [
+                (change(0), bounds.change, 1.5),
+                (change(1), bounds.slope_change, 2.5),
+                (size(1), bounds.slope_squares.sqrt(), 1.5),
+                (size(2), bounds.curvature_squares.sqrt(), 1.5),
+            ] {
+                let bound = UNIT * f64::from(bound);
+                assert!(worst <= bound * 1.000_001 + 3e-16, "{terms}: {worst:e} {bound:e}");
+                assert!(bound <= most * worst + 1e-8, "{terms}: {worst:e} {bound:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn terms_are_left_out_up_to_a_sum() {
+        let exact = series(0.3, 1.0);
+        let size = |series: &Series, degree: usize| -> i64 {
+            series.polynomial.iter().map(|part| part[degree].abs() >> (degree - 1)).sum()
+        };
+        let mut series = exact;
+        let last = size(&exact, 15);
+        series.shorten(0, last - 1);
+        assert_eq!(series.terms, 16);
+        series.shorten(0, last);
+        assert_eq!((series.terms, series.left_out.iter().sum::<i64>()), (15, last));
+        // what was left out before counts, and the derivative of a half by half as much
+        let before = size(&series, 14);
+        series.shorten(0, last + before - 1);
+        assert_eq!(series.terms, 15);
+        let slopes = series.slope_left_out;
+        series.halve(false);
+        assert_eq!(series.slope_left_out, slopes.map(|slope| (slope + 1) / 2));
+    }
+}

@@ -1,0 +1,81 @@
+//! Division of half a nutation period: 16 cells, by which a tick finds its segment, and segments of one length in each cell.
+//!
+//! At level l the half period would have 8 · 2^l segments. A segment of level 0 covers two cells.
+
+/// Number of cells in half a period.
+pub(crate) const CELLS: usize = 16;
+
+/// Number of segments in half a period at level 0.
+pub(crate) const LONGEST: usize = 1 << LONGEST_BITS;
+
+/// Base-2 logarithm of [`LONGEST`].
+pub(crate) const LONGEST_BITS: u32 = 3;
+
+/// Entry of a cell, 16 m + l: its segments have the level l, and segment i of half a period at that level is segment m + i of the
+/// table, modulo 4096.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Cell(pub(crate) u16);
+
+impl Cell {
+    const LEVEL_BITS: u32 = 4;
+    /// Largest number of segments of a table.
+    pub(crate) const MOST_SEGMENTS: usize = 1 << (u16::BITS - Self::LEVEL_BITS);
+    /// Greatest level; one cell could then contain all segments.
+    pub(crate) const DEEPEST: u32 = Self::MOST_SEGMENTS.ilog2() + 1;
+
+    /// Cell in which segment `place` of half a period, at this level, is segment `number` of the table.
+    pub(crate) const fn new(number: usize, place: usize, level: u32) -> Self {
+        Self((number.wrapping_sub(place) as u16) << Self::LEVEL_BITS | level as u16)
+    }
+
+    /// Number of the segment at a place, given by the 32 leading bits of the fraction of half a period.
+    #[inline(always)]
+    pub(crate) const fn segment(self, place: u32) -> usize {
+        let shift = u32::BITS - LONGEST_BITS - self.level();
+        ((self.0 as u32 >> Self::LEVEL_BITS) + (place >> shift)) as usize % Self::MOST_SEGMENTS
+    }
+
+    /// Level, below 16.
+    #[inline(always)]
+    pub(crate) const fn level(self) -> u32 {
+        (self.0 & ((1 << Self::LEVEL_BITS) - 1)) as u32
+    }
+}
+
+/// Number of segments of a cell at a level; 1 for one that it shares with the next cell.
+pub(crate) const fn segments_per_cell(level: u32) -> usize {
+    if level == 0 { 1 } else { 1 << (level - 1) }
+}
+
+/// Number of cells that the segments of a cell cover: two at level 0.
+pub(crate) const fn cells_covered(level: u32) -> usize {
+    if level == 0 { 2 } else { 1 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cell_finds_its_segments() {
+        for (number, first, level) in [
+            (0, 0, 0),
+            (2, 1, 0),
+            (3, 6, 1),
+            (1, 1, 5),
+            (15, Cell::MOST_SEGMENTS - 1, 1),
+            (1, 0, Cell::DEEPEST),
+        ] {
+            let count = [1, 1, 2, 4, 8, 16].get(level as usize).copied().unwrap_or(Cell::MOST_SEGMENTS);
+            assert_eq!(segments_per_cell(level), count);
+            let place = (number << level) >> 1;
+            let cell = Cell::new(first, place, level);
+            let (begin, length) = ((number as u32) << 28, (1 << 29) >> level);
+            for index in [0, count - 1] {
+                let inside = begin + length * index as u32;
+                let found = [inside, inside + (length - 1)].map(|place| cell.segment(place));
+                assert_eq!(found, [(first + index) % Cell::MOST_SEGMENTS; 2]);
+            }
+        }
+    }
+}

@@ -1,0 +1,253 @@
+//! Ephemeris of one motion: clock, error bound, cells and segments.
+
+use crate::scalar::{Float, short_float};
+use crate::table::build::bound::ErrorBound;
+use crate::table::build::polynomial::Polynomial;
+use crate::table::cell::{CELLS, Cell, LONGEST};
+use crate::table::data::clock::Clock;
+use crate::table::scalar::{Coefficient, EphemerisScalar};
+use core::ops::{Deref, DerefMut};
+
+/// Ephemeris of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
+///
+/// It is immutable, and dereferences to an [`EphemerisView`], which any number of readers share without locks. Size: 4 · SEGMENTS ·
+/// [`EphemerisScalar::TERMS`] coefficients and about 300 bytes.
+///
+/// ```
+/// use toytop::{EphemerisF32, Motion, Release, State, Tick, Top, TopParameters};
+/// let top = Top::sliding(&TopParameters {
+///     transverse_inertia: 3.0e-5,
+///     axial_inertia: 2.0e-5,
+///     com_height: 0.03,
+///     mass: 0.05,
+///     ..TopParameters::default()
+/// })?;
+/// let release = Release { tilt: 0.35, spin: 150.0, ..Release::default() };
+/// let motion = Motion::launch(&top, &State::release(&release)?)?;
+/// let ephemeris = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;
+/// let mut cursor = ephemeris.cursor(0);
+/// let now = cursor.next(&ephemeris); // tick 0; cannot fail
+/// let in_a_century = ephemeris.at_tick(3_155_760_000_000);
+/// assert!(now.u() > 0.93 && in_a_century.u() > 0.8);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+pub type Ephemeris<R, const SEGMENTS: usize> =
+    EphemerisStorage<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
+
+/// Ephemeris of any capacity, behind a reference: the argument type of cursors, samples and all other readers.
+pub type EphemerisView<R> = EphemerisStorage<R, [<R as EphemerisScalar>::Segment]>;
+
+/// Common type of [`Ephemeris`], whose segments are an array, and [`EphemerisView`], whose segments are a slice.
+#[derive(Debug, PartialEq)]
+#[repr(C)] // the increments lie first, within the short address range of the smallest chip's load instructions
+pub struct EphemerisStorage<R: EphemerisScalar, S: ?Sized> {
+    pub(crate) clock: Clock<R::Wide>,
+    pub(crate) error_bound: ErrorBound,
+    pub(crate) rate_error_bound: ErrorBound,
+    /// Entries of the cells: see [`Cell`].
+    pub(crate) cells: [u16; CELLS],
+    pub(crate) segments: S,
+}
+
+/// Ephemeris in `f32`, 2 KiB: enough for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.4.
+pub type EphemerisF32 = Ephemeris<f32, 25>;
+
+/// Ephemeris in `f64`, 17 KiB, for the motions of [`EphemerisF32`]; where A/(ps) >= 1, `Ephemeris<f64, 32>` is enough.
+pub type EphemerisF64 = Ephemeris<f64, 48>;
+
+/// Ephemeris in fixed point of 32 bits, 2 KiB: enough for the top of the README; many motions need 64 segments.
+#[cfg(feature = "fixed")]
+pub type EphemerisQ31 = Ephemeris<fixed::types::I2F30, 32>;
+
+/// Ephemeris in fixed point of 16 bits, 0.6 KiB: enough for the top of the README; many motions need 32 segments.
+#[cfg(feature = "fixed")]
+pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
+
+impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisStorage<R, [R::Segment; SEGMENTS]> {
+    /// Assertion, evaluated by the compiler when the type is used.
+    const SIZE_IS_VALID: () = assert!(SEGMENTS >= LONGEST && SEGMENTS <= Cell::MOST_SEGMENTS);
+
+    /// Memory of a table. All its bits are 0, so that it takes no flash.
+    pub(crate) const EMPTY: Self = {
+        let () = Self::SIZE_IS_VALID;
+        Self {
+            clock: Clock::STOPPED,
+            error_bound: ErrorBound::NONE,
+            rate_error_bound: ErrorBound::NONE,
+            cells: [0; CELLS],
+            segments: [R::ZERO_SEGMENT; SEGMENTS],
+        }
+    };
+
+    /// Ephemeris without the capacity in its type.
+    #[inline(always)]
+    #[must_use]
+    pub fn view(&self) -> &EphemerisView<R> {
+        self
+    }
+}
+
+impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for EphemerisStorage<R, [R::Segment; SEGMENTS]> {
+    type Target = EphemerisView<R>;
+
+    #[inline(always)]
+    fn deref(&self) -> &EphemerisView<R> {
+        self
+    }
+}
+
+/// Memory of a table, for a static: `EphemerisMemory<EphemerisF32>`. `get` returns the table after a set-up that succeeded.
+#[derive(Debug)]
+#[repr(transparent)]
+pub struct EphemerisMemory<T: ?Sized>(T);
+
+impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisMemory<Ephemeris<R, SEGMENTS>> {
+    /// Memory without a table. A static of it takes no flash.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self(Ephemeris::EMPTY)
+    }
+}
+
+impl<R: EphemerisScalar, const SEGMENTS: usize> Default for EphemerisMemory<Ephemeris<R, SEGMENTS>> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
+    /// Table, if it was set up.
+    #[must_use]
+    pub fn get(&self) -> Option<&EphemerisView<R>> {
+        let Self(table) = self;
+        table.is_set_up().then_some(table)
+    }
+
+    pub(crate) fn table_mut(&mut self) -> &mut EphemerisView<R> {
+        &mut self.0
+    }
+}
+
+impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for EphemerisMemory<Ephemeris<R, SEGMENTS>> {
+    type Target = EphemerisMemory<EphemerisView<R>>;
+
+    fn deref(&self) -> &Self::Target {
+        self
+    }
+}
+
+impl<R: EphemerisScalar, const SEGMENTS: usize> DerefMut for EphemerisMemory<Ephemeris<R, SEGMENTS>> {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        self
+    }
+}
+
+/// Table that was set up, with the exclusive use of its memory.
+#[derive(Debug)]
+#[repr(transparent)]
+pub struct ReadyEphemeris<'a, R: EphemerisScalar>(&'a mut EphemerisMemory<EphemerisView<R>>);
+
+impl<'a, R: EphemerisScalar> ReadyEphemeris<'a, R> {
+    /// Table of a memory that was just set up.
+    pub(crate) fn new(memory: &'a mut EphemerisMemory<EphemerisView<R>>) -> Self {
+        Self(memory)
+    }
+
+    /// Table for any number of readers, as long as its memory lives.
+    #[must_use]
+    pub fn share(self) -> &'a EphemerisView<R> {
+        let EphemerisMemory(table) = self.0;
+        table
+    }
+
+    /// Memory of the table, for the next set-up.
+    #[must_use]
+    pub fn into_memory(self) -> &'a mut EphemerisMemory<EphemerisView<R>> {
+        self.0
+    }
+}
+
+impl<R: EphemerisScalar> Deref for ReadyEphemeris<'_, R> {
+    type Target = EphemerisView<R>;
+
+    #[inline(always)]
+    fn deref(&self) -> &EphemerisView<R> {
+        let EphemerisMemory(table) = &*self.0;
+        table
+    }
+}
+
+impl<R: EphemerisScalar> EphemerisView<R> {
+    /// Whether a set-up has written all fields. The error bound is the last, and positive.
+    fn is_set_up(&self) -> bool {
+        self.error_bound.constant > 0.0
+    }
+
+    /// Number of segments that the memory can hold.
+    #[must_use]
+    pub fn capacity(&self) -> usize {
+        self.segments.len()
+    }
+
+    /// Phases and rates, for a program that writes tables.
+    #[must_use]
+    pub fn clock(&self) -> &Clock<R::Wide> {
+        &self.clock
+    }
+
+    /// Level and first segment of each sixteenth of half a period, for a program that writes tables.
+    #[must_use]
+    pub fn cells(&self) -> [u16; CELLS] {
+        self.cells
+    }
+
+    /// Coefficients, for a program that writes tables.
+    #[must_use]
+    pub fn segments(&self) -> &[R::Segment] {
+        &self.segments
+    }
+
+    /// Upper bound on the orientation error, rad.
+    #[must_use]
+    pub fn error_bound(&self) -> ErrorBound {
+        self.error_bound
+    }
+
+    /// Upper bound on |Δω|, |ΔΩ| and |Δu'|, rad per unit time, and on the error of the tip's velocity over s (1 for a fixed tip).
+    #[must_use]
+    pub fn rate_error_bound(&self) -> ErrorBound {
+        self.rate_error_bound
+    }
+}
+
+/// Stores the polynomial of α (`which` = 0) or of β (1) on a segment, if the table contains it. Returns the error of the orientation
+/// that short products and coefficients out of range cause, and that of the derivative by rounding, in units of 2^-62 rad.
+pub(crate) fn put<R: EphemerisScalar>(
+    segments: &mut [R::Segment],
+    segment: usize,
+    which: usize,
+    polynomial: &Polynomial,
+) -> [f32; 2] {
+    let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
+    let (mut largest, mut slope_squares) = (0.0, 0.0);
+    for (column, part) in (2 * which..).zip(polynomial) {
+        let part = part.get(..R::TERMS).unwrap_or(part);
+        // Σ k |error of c_k|
+        let (mut errors, mut slope_error) = (0_u64, 0_u64);
+        for (power, (four, &value)) in place.iter_mut().zip(part).enumerate().rev() {
+            if let Some(held) = four.get_mut(column) {
+                let (coefficient, error) = R::Coefficient::nearest(value, power);
+                *held = coefficient;
+                if power > 0 {
+                    errors = errors.saturating_add(error.unsigned_abs());
+                    slope_error = slope_error.saturating_add(errors);
+                }
+            }
+        }
+        let error = R::Coefficient::error(part);
+        largest = if error > largest { error } else { largest };
+        let slope_error = short_float(slope_error);
+        slope_squares += slope_error * slope_error;
+    }
+    [4.0 * largest, Float::sqrt(slope_squares)]
+}

@@ -1,0 +1,247 @@
+//! Sample of a motion: three phases, and the quantities computed from them on demand.
+
+use crate::attitude_state::AttitudeState;
+use crate::complex::Complex;
+use crate::phase::{Phase, PhaseFraction};
+use crate::scalar::Float;
+use crate::su2::{Orientation, OrientationRate, Vector};
+use crate::table::data::storage::EphemerisView;
+use crate::table::read::locate::LocatedSegment;
+use crate::table::scalar::{Coefficient, EphemerisScalar};
+
+/// Sample of a motion at one time. Each method evaluates the table anew; [`Sample::pose`] and
+/// [`Sample::orientation_and_omega_body`] return several quantities of one evaluation.
+///
+/// Lengths and rates are in [`EphemerisScalar::Wide`]: R itself in floating point, `f32` in fixed point.
+#[derive(Debug)]
+pub struct Sample<'a, R: EphemerisScalar> {
+    pub(crate) ephemeris: &'a EphemerisView<R>,
+    /// Leading 64 bits of nutation phase, A and B.
+    pub(crate) phases: [u64; 3],
+    /// Mean tip angle.
+    pub(crate) mean_tip: Phase,
+}
+
+/// Orientation, u and tip of a sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Pose<R, W> {
+    /// Orientation Φ.
+    pub orientation: Orientation<R>,
+    /// Cosine of the tilt, which may exceed 1 by a rounding.
+    pub u: R,
+    /// Position c of the tip, in m: see [`Sample::tip`].
+    pub tip: Complex<W>,
+}
+
+type NumberOf<R> = <<R as EphemerisScalar>::Coefficient as Coefficient>::Number;
+
+impl<R: EphemerisScalar> EphemerisView<R> {
+    /// Sample of the motion t units of time after tick 0, with t taken as exact. A t that is not finite counts as 0.
+    ///
+    /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks and the tick rate a multiple of 1/2. Beyond 2^63
+    /// ticks the motion continues without a jump.
+    #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
+    #[must_use]
+    pub fn at(&self, t: f64) -> Sample<'_, R> {
+        match self.clock.instant(t) {
+            Some(instant) => Sample {
+                ephemeris: self,
+                phases: self.clock.at_instant(instant),
+                mean_tip: self.clock.tip.between(instant.tick, instant.share),
+            },
+            None => self.far(t),
+        }
+    }
+
+    /// [`EphemerisView::at`] for a time that has no [`Instant`](crate::table::data::clock::Instant).
+    #[cold]
+    #[inline(never)]
+    fn far(&self, t: f64) -> Sample<'_, R> {
+        let (phases, tip) = self.clock.after(self.clock.ticks(t));
+        Sample::new(self, phases, tip)
+    }
+
+    /// Time of the last tick, 2^63, in the motion's unit of time.
+    #[must_use]
+    pub fn last_time(&self) -> f64 {
+        let [ticks_per_time, _] = self.clock.ticks_per_time;
+        (1_u64 << 63) as f64 / ticks_per_time
+    }
+
+    /// Sample of the motion at tick n, of either sign.
+    #[inline(always)]
+    #[must_use]
+    pub fn at_tick(&self, n: i64) -> Sample<'_, R> {
+        Sample::new(self, self.clock.at(n), self.clock.tip.at(n))
+    }
+}
+
+impl<R: EphemerisScalar> Clone for Sample<'_, R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<R: EphemerisScalar> Copy for Sample<'_, R> {}
+
+impl<'a, R: EphemerisScalar> Sample<'a, R> {
+    #[inline(always)]
+    pub(crate) fn new(ephemeris: &'a EphemerisView<R>, phases: [PhaseFraction; 3], mean_tip: Phase) -> Self {
+        Self { ephemeris, phases: phases.map(PhaseFraction::leading), mean_tip }
+    }
+
+    /// Nutation phase: one turn a period, 0 at u = e₁, half a turn at u = e₂.
+    #[must_use]
+    pub fn nutation_phase(&self) -> Phase {
+        let [nutation, ..] = self.phases;
+        Phase::from_fraction(nutation)
+    }
+
+    /// Orientation Φ, from which γ, δ and u follow.
+    #[inline(always)]
+    #[must_use]
+    pub fn orientation(&self) -> Orientation<R> {
+        converted(&self.evaluated(), R::rounded)
+    }
+
+    /// Orientation, u and tip.
+    #[inline(always)]
+    #[must_use]
+    pub fn pose(&self) -> Pose<R, R::Wide> {
+        let numbers = self.evaluated();
+        let product = numbers.alpha * numbers.beta;
+        let [re, im] = [product.re, product.im].map(R::Coefficient::wide);
+        Pose {
+            orientation: converted(&numbers, R::rounded),
+            u: R::rounded(numbers.u()),
+            tip: Complex::new(re, im).scaled(self.ephemeris.clock.tip_scale),
+        }
+    }
+
+    /// Cosine u of the tilt, in [-1, 1].
+    #[must_use]
+    pub fn u(&self) -> R {
+        R::rounded(self.evaluated().clamped_u())
+    }
+
+    /// Unit vector r from the tip to the centre of mass, in the fixed frame.
+    #[must_use]
+    pub fn axis(&self) -> Vector<R> {
+        self.evaluated().axis().map(R::rounded)
+    }
+
+    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give quaternions of opposite sign.
+    #[must_use]
+    pub fn quaternion(&self) -> [R; 4] {
+        self.orientation().quaternion()
+    }
+
+    /// Tip position c = 2 s αβ, in m, relative to the point of the plane below the centre of mass; for a fixed tip 2αβ.
+    #[inline(always)]
+    #[must_use]
+    pub fn tip(&self) -> Complex<R::Wide> {
+        self.pose().tip
+    }
+
+    /// Angular velocity ω in the fixed frame, rad per unit time.
+    #[inline(always)]
+    #[must_use]
+    pub fn omega(&self) -> Vector<R::Wide> {
+        let (orientation, omega_body, exponent) = self.evaluated_with_rates();
+        orientation.adjoint(omega_body).map(|rate| R::Coefficient::rate(rate, exponent))
+    }
+
+    /// Angular velocity Ω in the body frame, rad per unit time.
+    #[inline(always)]
+    #[must_use]
+    pub fn omega_body(&self) -> Vector<R::Wide> {
+        let (_, omega_body) = self.orientation_and_omega_body();
+        omega_body
+    }
+
+    /// Orientation, and angular velocity Ω in the body frame, rad per unit time.
+    #[inline(always)]
+    #[must_use]
+    pub fn orientation_and_omega_body(&self) -> (Orientation<R>, Vector<R::Wide>) {
+        let (orientation, omega_body) = self.numbers_and_omega_body();
+        (converted(&orientation, R::rounded), omega_body)
+    }
+
+    /// Rate u' of the cosine of the tilt, per unit time.
+    #[inline(always)]
+    #[must_use]
+    pub fn udot(&self) -> R::Wide {
+        let [.., udot] = self.axis_rate();
+        udot
+    }
+
+    /// Velocity c' of the tip, m per unit time; per unit time for a fixed tip.
+    #[inline(always)]
+    #[must_use]
+    pub fn tip_velocity(&self) -> Complex<R::Wide> {
+        let [x, y, _] = self.axis_rate();
+        // c = -s (r₁ + i r₂), and the scale of the tip is 2 s
+        Complex::new(x, y).scaled(-self.ephemeris.clock.tip_scale.halved())
+    }
+
+    /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, whole turns included (modulo 2^32
+    /// turns); `None` where the axis is vertical at all times. Error: that of the orientation over 2|αβ|.
+    ///
+    /// Where the curve passes through the centre (e₁ = -1 or e₂ = 1), φ is smooth there and the radius changes sign:
+    /// c = ±ρ e^{iφ}. Cost: an arctangent, and a complex product for every segment between u = e₁ and the sample.
+    #[must_use]
+    pub fn tip_angle(&self) -> Option<Phase> {
+        let [nutation, ..] = self.phases;
+        let exists = self.ephemeris.clock.tip.exists;
+        exists.then(|| self.mean_tip + self.ephemeris.periodic_tip_angle(nutation))
+    }
+
+    /// Orientation and its rate, from which ω, u' and a [`State`](crate::State) follow.
+    #[must_use]
+    pub fn attitude_state(&self) -> AttitudeState<R::Wide> {
+        let (numbers, omega_body) = self.numbers_and_omega_body();
+        let orientation = converted(&numbers, R::Coefficient::wide);
+        AttitudeState { orientation, rate: OrientationRate::from_body(&orientation, omega_body) }
+    }
+
+    /// Orientation before its conversion to the scalar.
+    #[inline(always)]
+    fn evaluated(&self) -> Orientation<NumberOf<R>> {
+        let [nutation, a, b] = self.phases;
+        let LocatedSegment { terms, point, .. } = self.ephemeris.locate(nutation);
+        R::Coefficient::orientation(terms, point, [a, b])
+    }
+
+    /// Orientation before its conversion to the scalar, angular velocity Ω in the body frame over a power of two, and the exponent of
+    /// that power.
+    #[inline(always)]
+    fn evaluated_with_rates(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
+        let [nutation, a, b] = self.phases;
+        let LocatedSegment { terms, point, .. } = self.ephemeris.locate(nutation);
+        R::Coefficient::orientation_and_rates(terms, point, [a, b], self.ephemeris.clock.rates)
+    }
+
+    /// Orientation before its conversion to the scalar, and angular velocity Ω in the body frame.
+    #[inline(always)]
+    fn numbers_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Wide>) {
+        let (orientation, [x1, x2, _], exponent) = self.evaluated_with_rates();
+        let [.., axial] = self.ephemeris.clock.rates;
+        let rate = |number| R::Coefficient::rate(number, exponent);
+        (orientation, [rate(x1), rate(x2), axial])
+    }
+
+    /// Rate r' of the axis in the fixed frame.
+    #[inline(always)]
+    fn axis_rate(&self) -> Vector<R::Wide> {
+        let (orientation, omega_body, exponent) = self.evaluated_with_rates();
+        orientation.axis_rate(omega_body).map(|rate| R::Coefficient::rate(rate, exponent))
+    }
+}
+
+/// Orientation in another type of number.
+#[inline(always)]
+fn converted<A: Copy, B>(orientation: &Orientation<A>, number: impl Fn(A) -> B) -> Orientation<B> {
+    let parts = |z: Complex<A>| Complex::new(number(z.re), number(z.im));
+    Orientation { alpha: parts(orientation.alpha), beta: parts(orientation.beta) }
+}

@@ -1,0 +1,173 @@
+//! Tip angle of an ephemeris: the sum of its mean, which is linear in time, and of a periodic part from the table.
+//!
+//! While u rises, the periodic part is the argument of the tabulated αβ; while u falls, it is its negative. αβ may wind around 0 many
+//! times, so its crossings of the negative real axis are counted at the centres of the segments. All scalars are evaluated in `f64`.
+
+use core::ops::Range;
+
+use crate::complex::Complex;
+use crate::motion::Motion;
+use crate::phase::Phase;
+use crate::table::data::storage::EphemerisView;
+use crate::table::data::tip_clock::TipClock;
+use crate::table::read::locate::LocatedSegment;
+use crate::table::scalar::{Coefficient, EphemerisScalar, values_and_slopes};
+
+impl<R: EphemerisScalar> EphemerisView<R> {
+    /// Mean rate of the tip angle in turns per unit time; 0 where the axis is vertical at all times.
+    #[must_use]
+    pub fn mean_tip_angle_rate(&self) -> f64 {
+        let [ticks_per_time, _] = self.clock.ticks_per_time;
+        Phase::from_words(self.clock.tip.step).to_f64() * ticks_per_time
+    }
+
+    /// Periodic part of the tip angle at a nutation phase, given by its 64 leading bits.
+    pub(crate) fn periodic_tip_angle(&self, nutation: u64) -> Phase {
+        let found = self.locate(nutation);
+        let mut winding = Winding::START;
+        self.continue_over(0..found.number + 1, &mut winding);
+        self.signed_part(nutation) + self.winding_in(&found, winding).angle_on(nutation)
+    }
+
+    /// Sets the mean tip angle so that the tip angle at the launch is the argument of c in (-1/2, 1/2] turn.
+    ///
+    /// * `start`: nutation phase, A and B at the launch
+    /// * `epoch`: tick of the launch
+    /// * `between`: called after every sixteen segments
+    pub(crate) fn start_tip_angle(
+        &mut self,
+        motion: &Motion,
+        [nutation, a, b]: [Phase; 3],
+        epoch: i64,
+        between: &mut dyn FnMut(),
+    ) {
+        const SEGMENTS: usize = 16;
+        let nutation = nutation.fraction();
+        let TipClock { quarter, passes, .. } = self.clock.tip;
+        let quarter_turn = Phase::QUARTER.times(quarter.into());
+        let found = self.locate(nutation);
+        let mut winding = Winding::START;
+        for first in (0..found.number + 1).step_by(SEGMENTS) {
+            self.continue_over(first..(found.number + 1).min(first + SEGMENTS), &mut winding);
+            between();
+        }
+        let tabulated = self.winding_in(&found, winding).angle_on(nutation);
+        // whole turns from the table, and the rest from the motion, because near the centre the table's angle is inexact
+        let argument = motion.tip_angle_at_start();
+        let exact = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
+        let off = exact - tabulated;
+        // where the curve passes through the centre, the radius has a sign, which half a turn of the angle changes
+        let off = if quarter != 0 || passes != 0 { half_turn_remainder(off) } else { off.principal() };
+        let at_launch = argument - self.signed_part(nutation) - tabulated - off;
+        self.clock.tip.start = (at_launch - Phase::from_words(self.clock.tip.step).times(epoch)).words();
+    }
+
+    /// Half a turn per period for each parameter that passes through 0. The slow phases contain it, and the tip angle
+    /// does not.
+    fn signed_part(&self, nutation: u64) -> Phase {
+        Phase::from_bits(i128::from(nutation as i64) << 31).times(self.clock.tip.passes.into())
+    }
+
+    /// Continues the argument of αβ over the centres of these segments.
+    fn continue_over(&self, segments: Range<usize>, winding: &mut Winding) {
+        for segment in self.segments.get(segments).unwrap_or_default() {
+            let [centre, ..] = segment.as_ref() else { continue };
+            let [a, b] = complex(centre.map(|coefficient| coefficient.value(0)));
+            winding.reach(self.rotated_back(a * b));
+        }
+    }
+
+    /// Argument of the tabulated αβ at a place on a segment, from that at its centre. Near 0 the direction is that of the motion from 0
+    /// or to 0.
+    fn winding_in(&self, found: &LocatedSegment<'_, R>, mut winding: Winding) -> Winding {
+        let x = found.point.x as f64 / (1_u64 << 63) as f64;
+        let numbers = |(power, row): (usize, &[R::Coefficient; 4])| row.map(|c| c.value(power));
+        let [value, slope] = values_and_slopes(found.terms.iter().enumerate().rev().map(numbers), x);
+        let ([a, b], [a_slope, b_slope]) = (complex(value), complex(slope));
+        let (product, change) = (a * b, a_slope * b + a * b_slope);
+        let least = LEAST_MODULUS * R::ROUNDING;
+        let near_zero = product.norm_squared() <= least * least;
+        let direction = match (near_zero, x < 0.0) {
+            (false, _) => product,
+            (true, true) => change,
+            (true, false) => -change,
+        };
+        winding.reach(self.rotated_back(direction));
+        winding
+    }
+
+    /// Product αβ, turned so that at u = e₁ it leaves along the positive real axis.
+    fn rotated_back(&self, product: Complex<f64>) -> Complex<f64> {
+        match self.clock.tip.quarter {
+            0 => product,
+            1.. => -product.times_i(),
+            _ => product.times_i(),
+        }
+    }
+}
+
+/// α and β from their parts.
+fn complex([re_alpha, im_alpha, re_beta, im_beta]: [f64; 4]) -> [Complex<f64>; 2] {
+    [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)]
+}
+
+/// Value of |αβ|, in roundings of the scalar, below which its argument counts as unknown.
+const LEAST_MODULUS: f64 = 64.0;
+
+/// Difference of a phase and the nearest multiple of half a turn.
+fn half_turn_remainder(phase: Phase) -> Phase {
+    Phase::from_bits(phase.times(2).principal().to_bits() >> 1)
+}
+
+/// Whether u falls at a nutation phase.
+fn is_falling(nutation: u64) -> bool {
+    (nutation as i64) < 0
+}
+
+/// Argument of a complex number that moves by less than half a turn at a time, continued from 0.
+#[derive(Clone, Copy, Debug)]
+struct Winding {
+    z: Complex<f64>,
+    turns: i64,
+}
+
+impl Winding {
+    const START: Self = Self { z: Complex::new(1.0, 0.0), turns: 0 };
+
+    /// Continues the argument to z; z = 0 has no argument and changes nothing.
+    fn reach(&mut self, z: Complex<f64>) {
+        if z == Complex::ZERO {
+            return;
+        }
+        let anticlockwise = self.z.re * z.im - self.z.im * z.re > 0.0;
+        match (self.z.im < 0.0, z.im < 0.0) {
+            (false, true) if anticlockwise => self.turns += 1,
+            (true, false) if !anticlockwise => self.turns -= 1,
+            _ => {}
+        }
+        self.z = z;
+    }
+
+    /// Argument at this nutation phase; on the second half of the period it is the negative one.
+    fn angle_on(&self, nutation: u64) -> Phase {
+        let angle = Phase::from_radians(self.z.arg()) + Phase::ONE.times(self.turns);
+        if is_falling(nutation) { -angle } else { angle }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_argument_is_continued_through_any_number_of_turns() {
+        for sense in [1.0, -1.0] {
+            let mut winding = Winding::START;
+            for step in 1..40 {
+                let angle = sense * 0.9 * f64::from(step);
+                winding.reach(Complex::new(angle.cos(), angle.sin()));
+                assert!((winding.angle_on(0).to_radians() - angle).abs() < 1e-12, "{angle}");
+            }
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! Number in units of 2^-30, whose products are those of [`crate::product::high_product`].
+
+use crate::product::high_product;
+use crate::scalar::{Ring, sealed::Sealed};
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// Integer multiple of 2^-30 in [-2, 2). Sums and products wrap, which happens only with invalid table data.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Q30(pub(crate) i32);
+
+/// Whether conversions to `f32` and their products are calls.
+const SOFT_FLOAT: bool = cfg!(any(
+    all(target_arch = "arm", not(target_abi = "eabihf")),
+    all(target_arch = "riscv32", not(target_feature = "f"))
+));
+
+impl Q30 {
+    /// Product with 2^exponent, rounded to `f32`; 0 for a result below 2^-96.
+    #[inline(always)]
+    pub(crate) fn times_power_of_two(self, exponent: i32) -> f32 {
+        // the exponent of the converted number is at most 158, and that of the result at most one more than `exponent` + 127
+        if self.0 == 0 || exponent <= -96 {
+            return 0.0;
+        }
+        f32::from_bits((self.0 as f32).to_bits().wrapping_add_signed((exponent - 30) << 23))
+    }
+
+    /// Nearest `f32`.
+    #[inline(always)]
+    pub(crate) fn to_f32(self) -> f32 {
+        const UNIT: f32 = 1.0 / (1_u32 << 30) as f32;
+        // the same bits: a product with a power of two is exact
+        if SOFT_FLOAT { self.times_power_of_two(0) } else { self.0 as f32 * UNIT }
+    }
+}
+
+impl Sealed for Q30 {}
+
+impl Ring for Q30 {
+    const ZERO: Self = Self(0);
+    const ONE: Self = Self(1 << 30);
+
+    /// Sum of two products with one shift, in units of 2^-28.
+    #[inline(always)]
+    fn inner([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        Self(high_product(a.0, c.0).wrapping_add(high_product(b.0, d.0)) << 2)
+    }
+
+    #[inline(always)]
+    fn determinant([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        Self(high_product(a.0, d.0).wrapping_sub(high_product(b.0, c.0)) << 2)
+    }
+}
+
+impl Add for Q30 {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(self.0.wrapping_add(other.0))
+    }
+}
+
+impl Sub for Q30 {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self(self.0.wrapping_sub(other.0))
+    }
+}
+
+impl Mul for Q30 {
+    type Output = Self;
+    /// Product rounded down to 2^-28.
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        // the upper word of the product of two numbers in units of 2^-30 is in units of 2^-28
+        Self(high_product(self.0, other.0).wrapping_shl(2))
+    }
+}
+
+impl Neg for Q30 {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(self.0.wrapping_neg())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_power_of_two_is_exact() {
+        for (number, exponent) in [(1 << 30, 0), (-3, 30), (i32::MAX, 119), (1, -95), (i32::MIN, -27)] {
+            let exact = f64::from(number as f32) * libm::exp2(f64::from(exponent - 30));
+            assert_eq!(f64::from(Q30(number).times_power_of_two(exponent)), exact, "{number} {exponent}");
+        }
+        let zeros = [(0, 73), (1 << 30, -96), (5, -167)];
+        assert_eq!(zeros.map(|(number, exponent)| Q30(number).times_power_of_two(exponent)), [0.0; 3]);
+        for number in [0, 1, -1, 1 << 30, i32::MIN, 123_456_789, -987_654_321] {
+            assert_eq!(Q30(number).to_f32(), Q30(number).times_power_of_two(0));
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! Coefficients as integers: their products, their range, and their conversion.
+
+use crate::phase::integer_parts;
+use crate::product::signed_product;
+
+/// Largest number of terms of a series.
+pub(crate) const TERMS: usize = 16;
+
+/// Number of bits of a coefficient of the expected magnitude. One may be four times as large.
+pub(crate) const BITS: i32 = 56;
+
+/// Largest magnitude of a coefficient.
+const LIMIT: i64 = 1 << (BITS + 2);
+
+/// Bits of the lower part of a coefficient.
+pub(super) const LOW_BITS: u32 = 30;
+
+/// Integer as high · 2^30 + low, with low in [0, 2^30): the parts of which products are made.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Split {
+    pub(super) high: i32,
+    low: i32,
+}
+
+impl Split {
+    pub(crate) const ZERO: Self = Self { high: 0, low: 0 };
+
+    pub(crate) const fn of(value: i64) -> Self {
+        Self { high: (value >> LOW_BITS) as i32, low: value as i32 & ((1 << LOW_BITS) - 1) }
+    }
+
+    #[inline(always)]
+    pub(crate) const fn value(self) -> i64 {
+        ((self.high as i64) << LOW_BITS) + self.low as i64
+    }
+}
+
+/// Exact sum of at most 16 products, divided by 2^shift and rounded to the nearest; [`BEYOND`] marks overflow.
+#[inline(always)]
+pub(super) fn inner<'a>(pairs: impl Iterator<Item = (&'a Split, &'a Split)>, shift: i32) -> i64 {
+    const LOW: u32 = (1 << LOW_BITS) - 1;
+    if cfg!(target_pointer_width = "64") {
+        let sum = pairs.fold(0, |sum, (a, b)| sum + i128::from(a.value()) * i128::from(b.value()));
+        return rounded((sum >> (2 * LOW_BITS)) as i64, (sum >> LOW_BITS) as u32 & LOW, shift);
+    }
+    let (upper, across, lower) = pairs.fold((0_i64, 0_i64, 0_u64), |(upper, across, lower), (a, b)| {
+        (
+            upper + signed_product(a.high, b.high),
+            across + signed_product(a.high, b.low) + signed_product(a.low, b.high),
+            lower + signed_product(a.low, b.low) as u64,
+        )
+    });
+    let across = across + (lower >> LOW_BITS) as i64;
+    rounded(upper + (across >> LOW_BITS), across as u32 & LOW, shift)
+}
+
+/// Least shift of a quotient in range; a smaller one is of a series that does not converge.
+const LEAST_SHIFT: i32 = 33;
+/// Positive and negative quotient that are not in range: the first numbers beyond 60 bits.
+pub(super) const BEYOND: i64 = 2 * LIMIT;
+pub(super) const BELOW: i64 = -BEYOND - 1;
+
+/// Sum upper · 2^60 + lower · 2^30 divided by 2^shift, rounded to the nearest, with lower in [0, 2^30).
+#[inline(always)] // its only caller is Block::product
+fn rounded(upper: i64, lower: u32, shift: i32) -> i64 {
+    let (high, low) = ((upper >> 32) as i32, upper as u32);
+    let words = |high: i32, low: u32| i64::from(high) << 32 | i64::from(low);
+    // shifts of words, of which a chip takes fewer instructions than of 64 bits
+    let twice = match shift {
+        61 => upper,
+        62..93 => words(high >> (shift - 61), low >> (shift - 61) | (high as u32) << (93 - shift)),
+        93.. => upper >> (shift - 61).min(63),
+        // whether upper is below 2^(shift - 1)
+        LEAST_SHIFT.. if matches!(high >> (shift - 33), 0 | -1) => {
+            words(high << (61 - shift) | (low >> (shift - 29)) as i32, low << (61 - shift))
+                + i64::from(lower >> (shift - 31))
+        }
+        _ if upper == 0 && lower == 0 => return 0,
+        _ => return if upper < 0 { BELOW } else { BEYOND },
+    };
+    (twice >> 1) + (twice & 1)
+}
+
+/// Product of two integers divided by 2^SHIFT, for a SHIFT of 54 to 60, rounded to the nearest.
+#[inline(never)] // a call: set-up multiplies in some thirty places
+pub(crate) fn scaled_product<const SHIFT: u32>(a: Split, b: Split) -> i64 {
+    if cfg!(target_pointer_width = "64") {
+        let product = i128::from(a.value()) * i128::from(b.value());
+        return (((product >> (SHIFT - 1)) + 1) >> 1) as i64;
+    }
+    let lower = signed_product(a.low, b.low) >> LOW_BITS;
+    let across = signed_product(a.high, b.low) + signed_product(a.low, b.high) + lower;
+    let half = 1 << (SHIFT - LOW_BITS - 1);
+    (signed_product(a.high, b.high) << (2 * LOW_BITS - SHIFT)) + ((across + half) >> (SHIFT - LOW_BITS))
+}
+
+/// Whether a number has at most this number of bits besides its sign: from -2^bits to 2^bits - 1, for at least 32 bits.
+#[inline(always)]
+const fn has_bits(value: i64, bits: i32) -> bool {
+    // only the upper word counts, so that a chip compares one word
+    matches!((value >> 32) as i32 >> (bits - 32), -1 | 0)
+}
+
+/// Whether a number is small enough for a coefficient. Otherwise the series does not converge.
+#[inline(always)]
+pub(super) const fn is_in_range(value: i64) -> bool {
+    has_bits(value, BITS + 2)
+}
+
+/// The number itself; `None` if it is too large for a coefficient, so that the series does not converge.
+pub(crate) fn in_range(value: i64) -> Option<i64> {
+    is_in_range(value).then_some(value)
+}
+
+/// Sum of quotients; `None` where one of them has left the range, because two such quotients could cancel.
+#[inline(always)]
+pub(crate) fn sum_in_range<const N: usize>(quotients: [i64; N]) -> Option<i64> {
+    quotients.iter().all(|quotient| has_bits(*quotient, BITS + 3)).then(|| quotients.iter().sum())
+}
+
+/// Integer nearest to x / 2^exponent, for a quotient below 2^62.
+#[inline(never)]
+pub(crate) fn scaled(x: f64, exponent: i32) -> i64 {
+    let (mantissa, own) = integer_parts(x);
+    match own.saturating_sub(exponent) {
+        10.. => {
+            if mantissa < 0 {
+                -(1 << 62)
+            } else if mantissa > 0 {
+                1 << 62
+            } else {
+                0
+            }
+        }
+        shift @ 0.. => mantissa << shift,
+        shift @ -62.. => ((mantissa >> (-shift - 1)) + 1) >> 1,
+        _ => 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A quotient beyond the range is seen before it can cancel with another, whatever its sign.
+    #[test]
+    fn quotients_beyond_the_range_do_not_cancel() {
+        for (upper, shift) in
+            [(BEYOND, 60), (4 * LIMIT, 61), (-BEYOND - 1, 60), (1 << 40, 33), (-(1 << 40), 33)]
+        {
+            let quotient = rounded(upper, 0, shift);
+            assert_eq!(sum_in_range([quotient, -quotient / 2]), None, "{upper:x}");
+        }
+        assert_eq!(sum_in_range([LIMIT, -LIMIT]), Some(0));
+    }
+
+    /// Sums in words round like wide integers, also where a quotient leaves the range.
+    #[test]
+    fn sums_round_in_words_as_a_whole() {
+        let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut seen = [0; 3];
+        for _ in 0..if cfg!(miri) { 300 } else { 100_000 } {
+            bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+            let (upper, lower) = (bits as i64 >> (5 + bits % 56), (bits >> 34) as u32);
+            let shift = LEAST_SHIFT + (bits >> 40) as i32 % 90;
+            let sum = (i128::from(upper) << (2 * LOW_BITS)) + (i128::from(lower) << LOW_BITS);
+            let exact = ((sum >> (shift - 1)) + 1) >> 1;
+            let (found, in_range) = (rounded(upper, lower, shift), exact.abs() < i128::from(BEYOND));
+            assert!(!in_range || i128::from(found) == exact, "{upper} {lower} {shift}: {found}");
+            assert_eq!(
+                has_bits(found, BITS + 3),
+                in_range || exact == i128::from(-BEYOND),
+                "{upper} {lower} {shift}"
+            );
+            seen[usize::from(found != 0) + usize::from(!in_range)] += 1;
+        }
+        assert!(seen.iter().all(|count| *count > 10), "{seen:?}");
+    }
+}

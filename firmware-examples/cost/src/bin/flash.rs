@@ -1,0 +1,49 @@
+//! Program with a small set-up and a fast tick: `toytop budget --size` compiles it for size, and its tick, in the crate `toytop-fast-tick`,
+//! for speed. Its flash beyond that of `empty` is the flash of a launch, a table and a tick in `f32`.
+
+#![no_std]
+#![no_main]
+
+#[path = "../start.rs"]
+mod start;
+
+use core::hint::black_box;
+
+use semihosting::process;
+use start::entry;
+use toytop::{
+    Cursor, EphemerisF32, EphemerisMemory, EphemerisView, Motion, ParameterError, Release, SetUp, State,
+    Tick, Top, TopParameters,
+};
+
+#[entry]
+fn main() -> ! {
+    let (mut set_up, mut memory) = (SetUp::new(), EphemerisMemory::<EphemerisF32>::new());
+    let fits = launch(black_box([3.0e-5, 2.0e-5, 0.03, 0.05, 0.35, 150.0]))
+        .and_then(|motion| Ok(memory.set_up(&mut set_up, &motion, Tick::hertz(1000)?, 0, &mut || {})));
+    let Ok(Ok(table)) = fits else { process::exit(1) };
+    let (mut cursor, mut quaternion) = (table.cursor(0), [0.0; 4]);
+    for _ in 0..8 {
+        bench_fast_tick(&mut cursor, &table, &mut quaternion);
+        black_box(quaternion);
+    }
+    process::exit(0)
+}
+
+fn launch([a, c, com_height, mass, tilt, spin]: [f64; 6]) -> Result<Motion, ParameterError> {
+    let top = Top::sliding(&TopParameters {
+        transverse_inertia: a,
+        axial_inertia: c,
+        com_height,
+        mass,
+        gravity: 9.81,
+        ..TopParameters::default()
+    })?;
+    Motion::launch(&top, &State::release(&Release { tilt, spin, ..Release::default() })?)
+}
+
+#[inline(never)]
+#[unsafe(no_mangle)]
+fn bench_fast_tick(cursor: &mut Cursor, table: &EphemerisView<f32>, out: &mut [f32; 4]) {
+    *out = toytop_fast_tick::next(cursor, table);
+}

@@ -1,0 +1,64 @@
+//! Top in an RTIC application: `init` sets the table up, the task of SysTick advances the cursor, and `idle` reads what they share.
+
+#![no_std]
+#![no_main]
+
+#[rtic::app(device = lm3s6965, peripherals = false)]
+mod app {
+    use cortex_m::{asm, singleton};
+    use toytop::{Cursor, EphemerisF32, EphemerisMemory, EphemerisView, SetUp, Tick};
+    use toytop_firmware::{exit, run_systick, toy_top};
+
+    /// Clock of the processor, Hz. The emulated board has 25 MHz.
+    const CLOCK: u32 = 25_000_000;
+    /// Ticks in a second.
+    const TICK_RATE: u32 = 1000;
+
+    #[shared]
+    struct Shared {
+        /// Tick of the last interrupt, and the top's axis.
+        now: (i64, [f32; 3]),
+    }
+
+    #[local]
+    struct Local {
+        ephemeris: &'static EphemerisView<f32>,
+        cursor: Cursor,
+    }
+
+    #[init]
+    fn init(context: init::Context) -> (Shared, Local) {
+        let motion = toy_top().expect("a possible top");
+        let memory =
+            singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
+        let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
+        let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
+        let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+        let ephemeris = table.share();
+        run_systick(context.core.SYST, CLOCK, TICK_RATE);
+        (Shared { now: (0, [0.0; 3]) }, Local { cursor: ephemeris.cursor(1), ephemeris })
+    }
+
+    #[task(binds = SysTick, local = [ephemeris, cursor], shared = [now])]
+    fn tick(mut context: tick::Context) {
+        let tick::LocalResources { ephemeris, cursor, .. } = context.local;
+        let axis = cursor.next(ephemeris).orientation().axis();
+        context.shared.now.lock(|now| *now = (cursor.tick(), axis));
+    }
+
+    #[idle(shared = [now])]
+    fn idle(mut context: idle::Context) -> ! {
+        let mut before = 0;
+        loop {
+            asm::wfi();
+            let (tick, [x, y, height]) = context.shared.now.lock(|now| *now);
+            if tick != before && tick % 50 == 0 {
+                defmt::info!("{=i64} ms: axis ({}, {}, {})", tick, x, y, height);
+            }
+            if tick >= 200 {
+                exit();
+            }
+            before = tick;
+        }
+    }
+}

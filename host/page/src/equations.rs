@@ -1,0 +1,190 @@
+//! Euler-Poisson equations of the toy top for (Phi, m) in the fixed frame. They use no angles, do not divide by 1 - u^2, and do not use
+//! that the motion is integrable.
+
+use toytop::Top;
+use toytop::scalar::Float;
+
+/// Vector of the fixed frame, in which k = (0, 0, 1) points up.
+type Vector = [f64; 3];
+
+/// State of the integration: re alpha, im alpha, re beta, im beta, m1, m2, m3.
+pub type Vector7 = [f64; 7];
+
+/// Body: moments of inertia, position of the centre of mass, and gravity. Units are SI or any consistent ones.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FullTop {
+    /// Transverse moment of inertia A \[kg m^2\], > 0: about the centre of mass, or about the tip when `s` is
+    /// 0.
+    pub a: f64,
+    /// Axial moment of inertia C \[kg m^2\], >= 0.
+    pub c: f64,
+    /// Distance s from tip to centre of mass \[m\], >= 0; 0 means the top whose tip is fixed (Lagrange).
+    pub s: f64,
+    /// Mass moment p = mass x distance from tip to centre of mass \[kg m\], >= 0.
+    pub p: f64,
+    /// Gravity g \[m/s^2\], which determines only the weight.
+    pub g: f64,
+    /// Angular momentum K of a rotor inside \[kg m^2/s\], along the axis and constant relative to the body; 0 without one.
+    pub k: f64,
+}
+
+/// Orientation Phi = \[\[alpha, beta\], \[-conj beta, conj alpha\]\] and angular velocity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FullState {
+    /// Parameter alpha as (re, im).
+    pub alpha: [f64; 2],
+    /// Parameter beta as (re, im); |alpha|^2 + |beta|^2 = 1.
+    pub beta: [f64; 2],
+    /// Angular velocity \[rad/s\], components in the fixed frame.
+    pub omega: [f64; 3],
+}
+
+impl FullState {
+    /// Unit vector r from the tip to the centre of mass, fixed frame: (-2 alpha beta, |alpha|^2 - |beta|^2).
+    #[must_use]
+    pub fn axis(&self) -> [f64; 3] {
+        axis(self.alpha, self.beta)
+    }
+
+    /// Rate of the axis' height u = r . k \[1/s\]: (omega x r) . k.
+    #[must_use]
+    pub fn axis_height_rate(&self) -> f64 {
+        cross(self.omega, self.axis())[2]
+    }
+}
+
+impl From<&Top> for FullTop {
+    fn from(top: &Top) -> Self {
+        Self {
+            a: top.transverse_inertia(),
+            c: top.axial_inertia(),
+            s: top.com_height(),
+            p: top.mass_moment(),
+            g: top.gravity(),
+            k: top.rotor_momentum(),
+        }
+    }
+}
+
+impl FullTop {
+    /// First integrals (l, n, h): the angular momenta about the vertical and about the axis \[kg m^2/s\] and the energy \[J\], with the
+    /// potential energy p g u. Error: a few units in the last place of their largest term.
+    #[must_use]
+    pub fn first_integrals(&self, state: &FullState) -> (f64, f64, f64) {
+        let equations = Equations::of(self, state);
+        let (r, m) = (state.axis(), equations.momentum(state));
+        // the energy of the rotor relative to the body is constant and not counted
+        let twice_kinetic = dot(m, state.omega) - self.k * dot(state.omega, r);
+        (m[2], dot(m, r), 0.5 * twice_kinetic + equations.pg * r[2])
+    }
+}
+
+/// Parameters of the motion: A, C, p s, p g and K, in any units of inertia and time.
+#[derive(Debug, Clone, Copy)]
+pub struct Equations {
+    /// Transverse moment of inertia A.
+    pub a: f64,
+    /// Axial moment of inertia C.
+    pub c: f64,
+    /// Product p s.
+    pub ps: f64,
+    /// Product p g.
+    pub pg: f64,
+    /// Angular momentum K of a rotor.
+    pub k: f64,
+    /// Constant axial rate <omega, r>, which the momentum of a body with C = 0 does not determine.
+    pub spin: f64,
+}
+
+impl Equations {
+    /// Parameters of a top, in its units, for a motion from this state.
+    #[must_use]
+    pub fn of(top: &FullTop, start: &FullState) -> Self {
+        let spin = dot(start.omega, start.axis());
+        Self { a: top.a, c: top.c, ps: top.p * top.s, pg: top.p * top.g, k: top.k, spin }
+    }
+
+    /// Momentum m = A omega + ((C - A) <omega, r> + K) r + p s u' q, where q = r x k and u' = <omega, q>.
+    #[must_use]
+    pub fn momentum(&self, state: &FullState) -> Vector {
+        let (r, w) = (state.axis(), state.omega);
+        let q = [r[1], -r[0], 0.0];
+        let (axial, rise) = ((self.c - self.a) * dot(w, r) + self.k, self.ps * dot(w, q));
+        core::array::from_fn(|i| self.a * w[i] + axial * r[i] + rise * q[i])
+    }
+
+    /// Numbers of a state for the integration.
+    #[must_use]
+    pub fn numbers(&self, state: &FullState) -> Vector7 {
+        let ([a, b], [c, d], [m1, m2, m3]) = (state.alpha, state.beta, self.momentum(state));
+        [a, b, c, d, m1, m2, m3]
+    }
+
+    /// Angular velocity of a momentum, and p s u'. The equations <m, r> = C <omega, r> + K and <m, q> = (A + p s |q|^2) u' need no matrix
+    /// inverse, and their divisors are not small.
+    fn angular_velocity(&self, r: Vector, m: Vector) -> (Vector, f64) {
+        let q = [r[1], -r[0], 0.0];
+        let spin = if self.c > 0.0 { (dot(m, r) - self.k) / self.c } else { self.spin };
+        let axial = (self.c - self.a) * spin + self.k;
+        let rise = self.ps * dot(m, q) / (self.a + self.ps * dot(q, q));
+        (core::array::from_fn(|i| (m[i] - axial * r[i] - rise * q[i]) / self.a), rise)
+    }
+
+    /// State with its angular velocity, from (Phi, m).
+    pub fn state(&self, y: &Vector7) -> FullState {
+        let (alpha, beta) = ([y[0], y[1]], [y[2], y[3]]);
+        let omega = self.angular_velocity(axis(alpha, beta), [y[4], y[5], y[6]]).0;
+        FullState { alpha, beta, omega }
+    }
+
+    /// Derivative d/dt (Phi, m). Phi' = omega Phi. m' = omega x m + DL with DL = ((C - A) <omega, r> + K) r x omega + p s u' r
+    /// x (k x omega) - p g q; the terms along r cancel and Jacobi's identity leaves m' = p s u' (r' x k)
+    /// - p g q, which is horizontal: l = m3 is conserved to the last bit.
+    #[must_use]
+    pub fn derivative(&self, y: &Vector7) -> Vector7 {
+        let r = axis([y[0], y[1]], [y[2], y[3]]);
+        let (w, rise) = self.angular_velocity(r, [y[4], y[5], y[6]]);
+        let turn = cross(w, r);
+        [
+            0.5 * (-w[2] * y[1] + w[1] * y[2] - w[0] * y[3]),
+            0.5 * (w[2] * y[0] + w[0] * -y[2] - w[1] * y[3]),
+            0.5 * (-w[2] * y[3] - w[1] * y[0] + w[0] * y[1]),
+            0.5 * (w[2] * y[2] + w[0] * y[0] + w[1] * y[1]),
+            rise * turn[1] - self.pg * r[1],
+            -rise * turn[0] + self.pg * r[0],
+            0.0,
+        ]
+    }
+
+    /// State after one step of the classical Runge-Kutta method, with Φ normalised.
+    #[must_use]
+    pub fn runge_kutta(&self, y: &Vector7, step: f64) -> Vector7 {
+        let ahead =
+            |k: &Vector7, share: f64| -> Vector7 { core::array::from_fn(|i| y[i] + share * step * k[i]) };
+        let k1 = self.derivative(y);
+        let k2 = self.derivative(&ahead(&k1, 0.5));
+        let k3 = self.derivative(&ahead(&k2, 0.5));
+        let k4 = self.derivative(&ahead(&k3, 1.0));
+        let sum: Vector7 = core::array::from_fn(|i| k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
+        let [a, b, c, d, m1, m2, m3] = ahead(&sum, 1.0 / 6.0);
+        let norm = Float::sqrt(a * a + b * b + c * c + d * d);
+        [a / norm, b / norm, c / norm, d / norm, m1, m2, m3]
+    }
+}
+
+fn axis(alpha: [f64; 2], beta: [f64; 2]) -> Vector {
+    let ([a, b], [c, d]) = (alpha, beta);
+    [-2.0 * (a * c - b * d), -2.0 * (a * d + b * c), a * a + b * b - c * c - d * d]
+}
+
+/// Vector product x × y.
+#[must_use]
+pub fn cross(x: Vector, y: Vector) -> Vector {
+    [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
+}
+
+/// Scalar product <x, y>.
+#[must_use]
+pub fn dot(x: Vector, y: Vector) -> f64 {
+    x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
+}

@@ -1,0 +1,122 @@
+//! Events of a `Motion`: times at which it turns, or reaches a tilt, a direction or a circle, or lifts off.
+
+use crate::arrays::{Given, array};
+use crate::error::{refused, value_error};
+use crate::interrupt;
+use crate::motion::PyMotion;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use toytop::{Level, Phase, Support};
+use toytop_host::motion::Scalar;
+use toytop_host::motion::ephemeris::{FoundEvent, Sought};
+
+/// Greatest number of events of a call.
+const MOST: i64 = 1_000_000;
+
+#[pymethods]
+impl PyMotion {
+    /// Events of the motion, in the order of time, as arrays by name.
+    ///
+    /// Args:
+    ///     kind: "turning": the tilt has an extreme value. "tilt": it has the given value, rad. "direction": the tip angle has the given
+    ///         value, rad, whole turns aside. "circle": the tip is at the given distance from the centre, m (the sine of the tilt for a
+    ///         fixed tip). "lift_off": the normal force is 0.
+    ///     value: of the kinds tilt, direction and circle.
+    ///     start: time of the earliest event, s.
+    ///     count: greatest number of events, at most a million.
+    ///     sense: "up" or "down": only events at which u, the cosine of the tilt, increases or decreases, or the tip angle does; of turning
+    ///         points, only those with the least or with the greatest tilt.
+    ///
+    /// Returns:
+    ///     t (s), t_error (upper bound, s; NaN where none is known), up (bool), u, tip_x, tip_y, phi (tip angle).
+    ///
+    /// Raises:
+    ///     ValueError: an argument is out of range; the message names it.
+    #[pyo3(signature = (kind, value=None, *, start=None, count=100, sense=None))]
+    fn events<'py>(
+        &self,
+        py: Python<'py>,
+        kind: &str,
+        value: Option<&Bound<'py, PyAny>>,
+        start: Option<&Bound<'py, PyAny>>,
+        count: i64,
+        sense: Option<&str>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let value = value.map(|value| Given::number("value", value)).transpose()?;
+        let searches = self.sought(kind, value)?;
+        let start = start.map_or(Ok(0.0), |start| Given::number("start", start))?;
+        let upward = match sense {
+            None => None,
+            Some("up") => Some(true),
+            Some("down") => Some(false),
+            Some(_) => return Err(value_error("sense", "must be 'up' or 'down'")),
+        };
+        if !(1..=MOST).contains(&count) {
+            return Err(value_error("count", &format!("must be between 1 and {MOST}")));
+        }
+        let table = py.detach(|| self.0.table(Scalar::F64))?;
+        self.0.within_reach(start.abs()).map_err(|_| value_error("start", "must be within 2^62 ticks"))?;
+        let (from, most) = ((start * table.ticks_per_time()).floor() as i64, count as usize);
+        let wanted = move |t: f64, up: bool| t >= start && upward.is_none_or(|only: bool| only == up);
+        let mut found = interrupt::alone(py, move || {
+            let events = |sought: Sought| {
+                let events = table.events(sought, from, &wanted, most).into_iter();
+                events.map(move |event| (event.time_error(&sought), event))
+            };
+            searches.into_iter().flat_map(events).collect::<Vec<_>>()
+        })?;
+        found.sort_by(|(_, a), (_, b)| a.t.total_cmp(&b.t));
+        found.truncate(most);
+        let events = PyDict::new(py);
+        type Value = fn(&(Option<f64>, FoundEvent)) -> f64;
+        let columns: [(&str, Value); 7] = [
+            ("t", |(_, event)| event.t),
+            ("t_error", |(error, _)| error.unwrap_or(f64::NAN)),
+            ("up", |(_, event)| event.upward.into()),
+            ("u", |(_, event)| event.there.sample.u),
+            ("tip_x", |(_, event)| event.there.sample.tip.re),
+            ("tip_y", |(_, event)| event.there.sample.tip.im),
+            ("phi", |(_, event)| event.there.sample.phi.unwrap_or(f64::NAN)),
+        ];
+        for (name, of) in columns {
+            events.set_item(name, array(py, found.iter().map(of).collect(), &[found.len()], 1)?)?;
+        }
+        events.set_item("up", events.as_any().get_item("up")?.call_method1("astype", ("bool",))?)?;
+        Ok(events)
+    }
+}
+
+impl PyMotion {
+    /// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.
+    fn sought(&self, kind: &str, value: Option<f64>) -> PyResult<Vec<Sought>> {
+        let top = self.0.motion.top();
+        let named = |error| refused(&error, &[("tilt", "value"), ("radius", "value")]);
+        match (kind, value) {
+            ("turning", None) => Ok(vec![Sought::Turning]),
+            ("tilt", Some(tilt)) => Ok(vec![Sought::Crossing(Level::of_tilt(tilt).map_err(named)?)]),
+            ("direction", Some(angle)) if angle.abs() <= 1e6 => {
+                Ok(vec![Sought::TipAngle(Phase::new(angle / std::f64::consts::TAU))])
+            }
+            ("direction", Some(_)) => Err(value_error("value", "must be within ±1e6 rad")),
+            ("circle", Some(radius)) => {
+                Ok(Level::of_circle(top, radius).map_err(named)?.map(Sought::Crossing).to_vec())
+            }
+            ("lift_off", None) if top.support() == Support::Sliding => {
+                Ok(Level::of_lift_off(&self.0.motion).map(Sought::Crossing).into_iter().collect())
+            }
+            ("lift_off", None) => {
+                Err(value_error("kind", "must not be 'lift_off': the tip does not slide on a plane"))
+            }
+            ("turning" | "lift_off", Some(_)) => {
+                Err(value_error("value", &format!("must be left out for {kind:?}")))
+            }
+            ("tilt" | "direction" | "circle", None) => {
+                Err(value_error("value", &format!("must be given for {kind:?}")))
+            }
+            _ => Err(value_error(
+                "kind",
+                "must be one of 'turning', 'tilt', 'direction', 'circle', 'lift_off'",
+            )),
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! Changes of a `Motion`: partial derivatives by its launch and its top, and impulses.
+
+use crate::arrays::{Given, Numbers, array, vector};
+use crate::error::{refused, value_error};
+use crate::interrupt;
+use crate::motion::PyMotion;
+use crate::top::single;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+use std::sync::Arc;
+use toytop::{Complex, Orientation, State};
+use toytop_fit::{Partials, Sensitivity};
+use toytop_host::motion::Scalar;
+use toytop_host::truth::motions::Start;
+
+/// Number of derivatives.
+const COLUMNS: usize = Sensitivity::NAMES.len();
+/// Quantities and their components.
+const QUANTITIES: [(&str, usize); 6] =
+    [("orientation", 3), ("omega", 3), ("omega_body", 3), ("axis", 3), ("tip", 2), ("tip_angle", 1)];
+
+/// Derivatives of the quantities, component by component.
+fn rows(partials: &Partials) -> [Vec<f64>; QUANTITIES.len()] {
+    fn by_component<const N: usize>(columns: [[f64; N]; COLUMNS]) -> Vec<f64> {
+        (0..N).flat_map(|component| columns.map(|column| column[component])).collect()
+    }
+    [
+        by_component(partials.orientation()),
+        by_component(partials.omega()),
+        by_component(partials.omega_body()),
+        by_component(partials.axis_change()),
+        by_component(partials.tip().map(|tip| [tip.re, tip.im])),
+        partials.tip_angle().unwrap_or([f64::NAN; COLUMNS]).to_vec(),
+    ]
+}
+
+#[pymethods]
+impl PyMotion {
+    /// Names of the derivatives in the last axis of the arrays of partials.
+    #[classattr]
+    fn partial_names(py: Python<'_>) -> PyResult<Bound<'_, PyTuple>> {
+        PyTuple::new(py, Sensitivity::NAMES)
+    }
+
+    /// Partial derivatives at time t, s, as arrays by name: the shape of t comes first, then the components, then the ten derivatives
+    /// that partial_names lists.
+    ///
+    /// They are with respect to the rotation vector (rad, fixed frame) that turns the orientation of the launch, to omega of the launch
+    /// (rad/s, fixed frame), and to the numbers A/C, A/(p s) (A/p for a fixed tip), s and g of the top, while the launch and the other
+    /// three are kept. Relative to the largest derivative of a column the error is about 1e-12.
+    ///
+    /// Returns:
+    ///     orientation (rotation vectors in the fixed frame, rad), omega, omega_body, axis, tip and tip_angle.
+    ///
+    /// Raises:
+    ///     ValueError: t is not finite or too far.
+    fn partials<'py>(&self, py: Python<'py>, t: &Bound<'_, PyAny>) -> PyResult<Bound<'py, PyDict>> {
+        let (Given { numbers, shape }, motion) = (Given::read("t", t)?, &self.0.motion);
+        let sensitivity = py.detach(|| Sensitivity::new(motion));
+        let found =
+            interrupt::map(py, numbers.len(), |index| sensitivity.at(numbers[index]).map(|now| rows(&now)))?;
+        let found: Option<Vec<_>> = found.into_iter().collect();
+        let found = found.ok_or_else(|| value_error("t", "must not be so far"))?;
+        let partials = PyDict::new(py);
+        for (place, (name, components)) in QUANTITIES.into_iter().enumerate() {
+            let mut shape = shape.clone();
+            shape.extend((components > 1).then_some(components));
+            let numbers = found.iter().flat_map(|rows| &rows[place]).copied().collect();
+            partials.set_item(name, array(py, numbers, &shape, COLUMNS)?)?;
+        }
+        Ok(partials)
+    }
+
+    /// Motion after an impulse at time t, whose own time begins then.
+    ///
+    /// Args:
+    ///     impulse: N s, in the fixed frame.
+    ///     point: where it acts, m, in the body frame from the tip (from the centre of mass of a free body).
+    ///     t: time of the impulse, s.
+    ///
+    /// Raises:
+    ///     ValueError: a number is out of range; the message names it.
+    #[pyo3(signature = (impulse, point, *, t=None))]
+    fn with_impulse(
+        &self,
+        impulse: &Bound<'_, PyAny>,
+        point: &Bound<'_, PyAny>,
+        t: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let (state, impulse, point) = (self.state(t)?, vector("impulse", impulse)?, vector("point", point)?);
+        let struck =
+            state.with_impulse(&self.0.top.top, impulse, point).map_err(|error| refused(&error, &[]))?;
+        Ok(Self(Arc::new(single(&self.0.top, struck, "impulse")?)))
+    }
+
+    /// Impulse of the support's reaction to an impulse, N s in the fixed frame. Where its third component is negative, a real sliding top
+    /// leaves the plane and does not follow the motion of with_impulse.
+    ///
+    /// Args:
+    ///     impulse, point, t: as those of with_impulse.
+    ///
+    /// Raises:
+    ///     ValueError: a number is out of range; the message names it.
+    #[pyo3(signature = (impulse, point, *, t=None))]
+    fn reaction_impulse<'py>(
+        &self,
+        py: Python<'py>,
+        impulse: &Bound<'_, PyAny>,
+        point: &Bound<'_, PyAny>,
+        t: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Bound<'py, Numbers>> {
+        let (state, impulse, point) = (self.state(t)?, vector("impulse", impulse)?, vector("point", point)?);
+        let reaction =
+            state.reaction_impulse(&self.0.top.top, impulse, point).map_err(|error| refused(&error, &[]))?;
+        array(py, reaction.to_vec(), &[3], 1)
+    }
+}
+
+impl PyMotion {
+    /// State at a time; that of the launch without a rounding.
+    fn state(&self, t: Option<&Bound<'_, PyAny>>) -> PyResult<State> {
+        let t = t.map_or(Ok(0.0), |t| Given::number("t", t))?;
+        if let (0.0, Start::State { phi: [[a, b], [c, d]], omega }) = (t, self.0.start) {
+            let phi = Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) };
+            return State::new(phi, omega).map_err(|error| refused(&error, &[]));
+        }
+        let table = self.0.table(Scalar::F64)?;
+        self.0.within_reach(t.abs())?;
+        let now = table.at(t).sample;
+        State::new(now.orientation(), now.omega).map_err(|error| refused(&error, &[]))
+    }
+}

@@ -1,0 +1,177 @@
+//! Tables in C99 or C++11: one header, or a header and a source beside the code that all tables share. The code needs no library, and
+//! gives the same bits as the crate.
+//!
+//! Numbers are decimal, because C++ has hexadecimal ones only since C++17, with enough digits to determine every number (9 in single, 17
+//! in double precision). The value of the include guard of a table is its checksum, so that another table of the same name is an error.
+
+mod shared;
+
+use super::{Label, Parts};
+use crate::motion::Scalar;
+use toytop::{Clock, ErrorBound};
+
+use shared::{SHARED_HEADER, SHARED_SOURCE, header as shared_header, source as shared_source};
+
+/// Text of a header that needs no other file. If one file includes several headers, the code that they share is compiled once.
+#[must_use]
+pub fn header(label: &Label, parts: &Parts) -> String {
+    let evaluators = shared::inlined(parts.scalar);
+    guarded(label, parts, &format!("{evaluators}\n{}", table(label, parts, "static const")))
+}
+
+/// Names and texts of the files that all tables share, and of the header and the source of a table.
+#[must_use]
+pub fn split_files(label: &Label, parts: &Parts) -> Vec<(String, String)> {
+    let name = label.c_name();
+    vec![
+        (SHARED_HEADER.to_owned(), shared_header()),
+        (SHARED_SOURCE.to_owned(), shared_source()),
+        (format!("{name}.c"), source(label, parts)),
+        (format!("{name}.h"), declaration(label, parts)),
+    ]
+}
+
+/// Text of a header that declares the table of a [`source()`].
+fn declaration(label: &Label, parts: &Parts) -> String {
+    let (name, scalar) = (label.c_name(), parts.scalar.name());
+    let declared = format!(
+        "#include \"{SHARED_HEADER}\"\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\nextern const toytop_{scalar} {name};\n\
+         #ifdef __cplusplus\n}}\n#endif\n"
+    );
+    guarded(label, parts, &declared)
+}
+
+/// Text of the source of a table.
+fn source(label: &Label, parts: &Parts) -> String {
+    let name = label.c_name();
+    format!(
+        "/* {headline}. Written by `toytop bake`. */\n#include \"{name}.h\"\n\n#if TOYTOP_CLOCK != {format}\n\
+         #error {SHARED_HEADER} is of another version of toytop: bake this table again\n#endif\n\n{table}",
+        headline = label.headline(parts),
+        format = parts.format,
+        table = table(label, parts, "const"),
+    )
+}
+
+/// Header around its content: a comment, the include guard, and size and error bounds as macros.
+fn guarded(label: &Label, parts: &Parts, content: &str) -> String {
+    let name = label.c_name();
+    let (scalar, upper) = (parts.scalar.name(), name.to_uppercase());
+    let bounds = [parts.error_bound, parts.rate_error_bound];
+    let [[error, error_growth], [rate, rate_growth]] =
+        bounds.map(|ErrorBound { constant, per_tick }| [constant, per_tick].map(decimal));
+    let [segments, _] = parts.size;
+    format!(
+        "/* {headline}
+ *
+ * Written by `toytop bake`. Call toytop_at_tick_{scalar}(&{name}, tick), or toytop_next_{scalar} with a cursor; toytop_quaternion_{scalar} and
+ * toytop_omega_{scalar} tell more, and toytop_intact_{scalar} whether a bit was changed.
+ * The same bits as the Rust crate, in every standard and with any flag but -ffast-math. */
+#ifdef {upper}_H
+#if {upper}_H != {crc32:#x}
+#error two different tables have the name {name}: give one of them another by --name
+#endif
+#else
+#define {upper}_H {crc32:#x}
+
+#define {upper}_RATE {ticks} /* ticks in a unit of time */
+#define {upper}_SEGMENTS {segments}
+#define {upper}_BYTES {bytes} /* of coefficients */
+#define {upper}_ERROR {error} /* at most, rad, at tick 0 */
+#define {upper}_ERROR_PER_TICK {error_growth} /* more for each tick from there */
+#define {upper}_RATE_ERROR {rate} /* of the angular velocity, rad in a unit of time */
+#define {upper}_RATE_ERROR_PER_TICK {rate_growth}
+
+{content}#endif
+",
+        headline = label.headline(parts),
+        crc32 = parts.crc32,
+        ticks = decimal(parts.clock.ticks_per_time[0]),
+        bytes = parts.table_bytes(),
+    )
+}
+
+/// Definition of a table.
+fn table(label: &Label, parts: &Parts, linkage: &str) -> String {
+    let (name, scalar) = (label.c_name(), parts.scalar.name());
+    let ctype = match parts.scalar {
+        Scalar::F64 => "double",
+        Scalar::F32 | Scalar::Q31 => "int32_t",
+        Scalar::Q15 => "int16_t",
+    };
+    let number = |x: f64| if parts.scalar == Scalar::F64 { decimal(x) } else { integer(x as i32) };
+    let row = |row: &[f64; 4]| format!("    {{{}}},\n", row.map(number).join(", "));
+    let rows: String = parts.coefficients.iter().map(row).collect();
+    format!(
+        "static const {ctype} {name}_coefficients[{count}][4] = {{
+{rows}}};
+
+{linkage} toytop_{scalar} {name} = {{
+    {{
+{clock}    }},
+    {{{scales}}},
+    {name}_coefficients,
+}};
+",
+        count = parts.coefficients.len(),
+        clock = clock(parts),
+        scales = scales(parts)
+            .map(|x| if parts.scalar == Scalar::F64 { decimal(x) } else { format!("{:.8e}f", x as f32) })
+            .join(", "),
+    )
+}
+
+/// Initialisers of a `toytop_clock`.
+fn clock(parts: &Parts) -> String {
+    let [segments, terms] = parts.size;
+    let wide = |bits: u64| format!("{bits:#x}u");
+    let phase = |[low, middle, upper]: [u32; 3]| {
+        format!("{{{:#x}u, {low:#x}u}}", u64::from(upper) << 32 | u64::from(middle))
+    };
+    let Clock { step, first, exact_step, ticks_per_time, tip, has_turning_points, .. } = &parts.clock;
+    let bound = |ErrorBound { constant, per_tick }: ErrorBound| [constant, per_tick];
+    let bounds = [parts.error_bound, parts.rate_error_bound].map(bound);
+    let doubles = [exact_step.as_flattened(), ticks_per_time, bounds.as_flattened()].concat();
+    let numbers: Vec<_> = doubles.into_iter().map(|x| wide(x.to_bits())).collect();
+    let words = |words: [u32; 4]| words.map(|word| format!("{word:#x}u")).join(", ");
+    let flags = [tip.quarter as u8, tip.passes, tip.exists.into(), (*has_turning_points).into()];
+    let lines = [
+        format!("{}u, {:#x}u, {segments}u, {terms}u", parts.format, parts.crc32),
+        format!("{{{}}}", first.map(wide).join(", ")),
+        format!("{{{}}}", step.map(phase).join(", ")),
+        format!("{{{}}}", numbers.join(", ")),
+        format!("{{{}}}, {{{}}}", words(tip.start), words(tip.step)),
+        format!("{{{}}}", flags.map(|flag| flag.to_string()).join(", ")),
+        format!("{{{}}}", parts.cells.map(|cell| cell.to_string()).join(", ")),
+    ];
+    lines.iter().map(|line| format!("        {line},\n")).collect()
+}
+
+/// Scale of the tip, the rates of x and of A + B, and the axial angular velocity.
+fn scales(parts: &Parts) -> [f64; 4] {
+    let Clock { tip_scale, rates: [x, mean, axial], .. } = parts.clock;
+    [tip_scale, x, mean, axial]
+}
+
+/// Constant of 32 bits in C, where -2147483648 would be the negative of a constant that does not fit 32 bits.
+fn integer(x: i32) -> String {
+    if x == i32::MIN { "INT32_MIN".to_owned() } else { x.to_string() }
+}
+
+/// Number in double precision with 17 significant digits, from which C and C++ obtain the same bits.
+fn decimal(x: f64) -> String {
+    format!("{x:.16e}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimal_numbers_are_read_back_to_the_same_bits() {
+        for x in [1.0, -0.1, -0.0, f64::from_bits(1), f64::MAX, 1.0 / 3.0] {
+            assert_eq!(decimal(x).parse::<f64>().map(f64::to_bits), Ok(x.to_bits()));
+        }
+        assert_eq!([1.0, -0.0].map(decimal), ["1.0000000000000000e0", "-0.0000000000000000e0"]);
+    }
+}

@@ -1,0 +1,90 @@
+//! Rust module with one `static`, which does not compile if one of its bits was changed.
+
+use super::{Label, Parts};
+use crate::motion::Scalar;
+use toytop::{Clock, ErrorBound, TipClock};
+
+/// Text of the module. Numbers are printed by Rust, which reads back the same bits.
+#[must_use]
+pub fn module(label: &Label, parts: &Parts) -> String {
+    let name = label.identifier().to_uppercase();
+    let [segments, _] = parts.size;
+    let scalar = match parts.scalar {
+        Scalar::Q31 => "toytop::fixed::types::I2F30",
+        Scalar::Q15 => "toytop::fixed::types::I2F14",
+        float => float.name(),
+    };
+    let size = format!("<{scalar}, {segments}>");
+    let scale = |x: f64| match parts.scalar {
+        Scalar::F64 => format!("{x:?}"),
+        // the shortest decimal that is read as this f32
+        _ => format!("{:?}", x as f32),
+    };
+    let Clock { step, tip_scale, first, exact_step, ticks_per_time, rates, tip, has_turning_points } =
+        &parts.clock;
+    let rates = rates.map(scale).join(", ");
+    let TipClock { start, step: tip_step, quarter, passes, exists } = tip;
+    let bound = |ErrorBound { constant, per_tick }: ErrorBound| {
+        format!("toytop::ErrorBound {{ constant: {constant:?}, per_tick: {per_tick:?} }}")
+    };
+    format!(
+        "// Written by `toytop bake`; a changed number does not compile.
+
+/// {headline}.
+///
+/// `{name}.at_tick(n)` is any tick; `{name}.cursor(0)` goes from one to the next.
+#[rustfmt::skip]
+#[allow(clippy::all, clippy::pedantic)]
+pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
+    format: {format},
+    crc32: {crc32:#010x},
+    clock: toytop::Clock {{
+        step: {step:?},
+        tip_scale: {tip_scale},
+        first: {first:?},
+        exact_step: {exact_step:?},
+        ticks_per_time: {ticks_per_time:?},
+        rates: [{rates}],
+        tip: toytop::TipClock {{
+            start: {start:?},
+            step: {tip_step:?},
+            quarter: {quarter},
+            passes: {passes},
+            exists: {exists},
+        }},
+        has_turning_points: {has_turning_points},
+    }},
+    error_bound: {error_bound},
+    rate_error_bound: {rate_error_bound},
+    cells: {cells:?},
+    segments: [
+{segments}    ],
+}})
+.ephemeris()
+{{
+    Ok(ephemeris) => ephemeris,
+    Err(toytop::BakedError::Format {{ .. }}) => panic!(\"format: written by another version of toytop\"),
+    Err(_) => panic!(\"crc32: the numbers were changed\"),
+}};
+",
+        headline = label.headline(parts),
+        format = parts.format,
+        crc32 = parts.crc32,
+        tip_scale = scale(*tip_scale),
+        error_bound = bound(parts.error_bound),
+        rate_error_bound = bound(parts.rate_error_bound),
+        cells = parts.cells,
+        segments = rows(parts),
+    )
+}
+
+/// Coefficients with one row in each line, and brackets around each segment.
+fn rows(parts: &Parts) -> String {
+    let line = |row: &[f64; 4]| match parts.scalar {
+        Scalar::F64 => format!("            {row:?},\n"),
+        _ => format!("            {:?},\n", row.map(|x| x as i32)),
+    };
+    let segment =
+        |rows: &[_]| format!("        [\n{}        ],\n", rows.iter().map(line).collect::<String>());
+    parts.coefficients.chunks(parts.size[1]).map(segment).collect()
+}

@@ -1,0 +1,76 @@
+//! Failures of a command, with their exit codes.
+
+use std::fmt;
+use std::io;
+
+/// Reason why a command has no result, which is displayed as one line.
+#[derive(Debug)]
+pub enum Failure {
+    /// Bad input: the line names the file, the key and the allowed values. Exit code 2.
+    Input(String),
+    /// Method that does not apply to this motion, with the reason. Exit code 3.
+    Method(String),
+    /// Result that cannot be written. Exit code 1.
+    Output(io::Error),
+    /// Other program, such as cargo or QEMU, that is missing or failed. Exit code 1.
+    Tool(String),
+}
+
+impl Failure {
+    /// Exit code of the process.
+    #[must_use]
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Output(_) | Self::Tool(_) => 1,
+            Self::Input(_) => 2,
+            Self::Method(_) => 3,
+        }
+    }
+
+    /// Failure with the name of its object in front.
+    #[must_use]
+    pub fn of(self, name: &str) -> Self {
+        match self {
+            Self::Input(message) => Self::Input(format!("{name}: {message}")),
+            Self::Method(message) => Self::Method(format!("{name}: {message}")),
+            Self::Tool(message) => Self::Tool(format!("{name}: {message}")),
+            output @ Self::Output(_) => output,
+        }
+    }
+
+    /// Failure with the name of the motion in front, if a method does not apply to it.
+    #[must_use]
+    pub fn of_motion(self, name: &str) -> Self {
+        if matches!(self, Self::Method(_)) { self.of(name) } else { self }
+    }
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::Output(error)
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let message = match self {
+            Self::Input(message) | Self::Method(message) | Self::Tool(message) => message.clone(),
+            Self::Output(error) => format!("cannot write the output: {error}"),
+        };
+        f.write_str(&one_line(&message))
+    }
+}
+
+impl std::error::Error for Failure {}
+
+/// Message in one line of limited length, because file names and TOML keys may contain line breaks and be very long.
+fn one_line(message: &str) -> String {
+    const ENDS: usize = 500;
+    let escape = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.into() };
+    let characters: Vec<char> = message.chars().collect();
+    let text = |part: &[char]| part.iter().copied().map(escape).collect::<String>();
+    match characters.len() {
+        len if len > 3 * ENDS => text(&characters[..ENDS]) + " ... " + &text(&characters[len - ENDS..]),
+        _ => text(&characters),
+    }
+}

@@ -1,0 +1,9 @@
+//! Measurements of a top: sensors from a file, samples as columns, simulated samples, and the launch that is fitted to them.
+
+pub mod columns;
+pub mod free;
+pub mod launch;
+pub mod report;
+pub mod sensors;
+pub mod simulated;
+pub mod table;

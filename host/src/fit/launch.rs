@@ -1,0 +1,72 @@
+//! Fit of a launch to measurements.
+
+use super::free::ratios;
+use super::report::FitReport;
+use super::sensors::Sensors;
+use toml::Table;
+use toytop::Top;
+use toytop_fit::{Fit, FitError, Hint, Measurement, Reason};
+
+/// Everything that a fit needs beside the measurements.
+pub struct FitInput {
+    /// Top of the file.
+    pub top: Top,
+    /// Table `[top]` of the file.
+    pub table: Table,
+    /// Keys of the top that are unknown.
+    pub free: Vec<String>,
+    /// Sensors of the measurements.
+    pub sensors: Sensors,
+    /// Residual from which a measurement is an outlier, standard deviations.
+    pub huber: f64,
+    /// Standard deviation of the losses of rotation, 1/s, where they are unknown too.
+    pub drift: Option<f64>,
+}
+
+impl FitInput {
+    /// Launch that fits the measurements best.
+    ///
+    /// # Errors
+    /// Name of the parameter that is refused, `free`, `huber`, `drift` or `samples`, and the reason.
+    pub fn fitted(self, measurements: &[Measurement]) -> Result<FitReport, (&'static str, String)> {
+        let ratios = ratios(&self.table, &self.top, &self.free).map_err(|reason| ("free", reason))?;
+        if self.huber.is_nan() || self.huber < 1.0 {
+            return Err(("huber", "must be a number from 1, or inf".to_owned()));
+        }
+        let refuse = |error: FitError| match error {
+            FitError::DriftDeviation => ("drift", "must be a positive number".to_owned()),
+            FitError::TooManyUnknowns if self.drift.is_some() => {
+                ("free", "must be at most one name with a drift".to_owned())
+            }
+            _ => ("samples", error.to_string()),
+        };
+        let listed = self.sensors.listed();
+        let mut fit = Fit::new(&self.top, &listed, &ratios).map_err(refuse)?.with_huber(self.huber);
+        if let Some(deviation) = self.drift {
+            fit = fit.with_drift(deviation).map_err(refuse)?;
+        }
+        let fitted = fit.run(measurements.iter().copied()).map_err(refuse)?;
+        let reason = fitted.reason.map(|reason| match reason {
+            // the core asks for sensors that are there
+            Reason::NoBeginning if state_a_beginning(&self.sensors, measurements) => {
+                "no start fits the samples: are they of another top?".to_owned()
+            }
+            reason => reason.to_string(),
+        });
+        let end = measurements.last().map_or(0.0, |last| last.time);
+        drop(listed);
+        Ok(FitReport { input: self, fitted, reason, end })
+    }
+}
+
+/// Whether the first measurements contain an orientation, an axis, or a direction and rates.
+fn state_a_beginning(sensors: &Sensors, measurements: &[Measurement]) -> bool {
+    const FIRST: usize = 64;
+    let hint = |measurement: &Measurement| {
+        let instrument = sensors.instruments.get(measurement.sensor);
+        instrument.map_or(Hint::None, |instrument| instrument.sensor.hint(&measurement.values))
+    };
+    let has = |wanted: fn(&Hint) -> bool| measurements.iter().take(FIRST).any(|one| wanted(&hint(one)));
+    has(|hint| matches!(hint, Hint::Orientation(_) | Hint::Axis(_)))
+        || has(|hint| matches!(hint, Hint::Direction { .. })) && has(|hint| matches!(hint, Hint::Rate { .. }))
+}

@@ -1,0 +1,210 @@
+//! Ephemeris of the core with as many segments as a motion needs, behind a trait that hides scalar and capacity.
+
+mod events;
+mod rise;
+mod samples;
+mod sizes;
+
+pub use events::{FoundEvent, Sought};
+pub use samples::{RateSample, TimedSample};
+pub use sizes::{Size, approximate, smaller, smallest, table};
+pub use toytop_page::table::ticks_per_time;
+
+use crate::bake::{Bake, Parts};
+use crate::motion::cast;
+use crate::motion::propagate::Sample;
+use crate::samples::column::Column;
+use std::f64::consts::TAU;
+use toytop::scalar::Float;
+use toytop::su2::OrientationRate;
+use toytop::{Complex, EphemerisMemory, EphemerisScalar, EphemerisView, ErrorBound, Motion, Phase};
+
+/// Ephemeris of any scalar.
+pub trait AnyScalar: Send + Sync {
+    /// Number of segments, and of coefficients of each polynomial.
+    fn size(&self) -> [usize; 2];
+
+    /// Ticks in a unit of time.
+    fn ticks_per_time(&self) -> f64;
+
+    /// Upper bound on the orientation error, rad.
+    fn error_bound(&self) -> ErrorBound;
+
+    /// Upper bound on the error of ω, of Ω and of u', rad per unit time.
+    fn rate_error_bound(&self) -> ErrorBound;
+
+    /// Sample of the motion t units of time after t = 0, t taken as exact.
+    fn at(&self, t: f64) -> TimedSample;
+
+    /// Sample of the motion at tick n, whose time is `t`.
+    fn at_tick(&self, n: i64, t: f64) -> TimedSample;
+
+    /// Rates at tick n.
+    fn rates_at_tick(&self, n: i64) -> RateSample;
+
+    /// Appends the numbers of a column at t to `numbers`, without those of other columns.
+    fn push(&self, column: Column, t: f64, numbers: &mut Vec<f64>) {
+        numbers.extend(column.numbers(&self.at(t).sample));
+    }
+
+    /// Events at tick `from` or later that `wanted` accepts by their time and sense, at most `most`.
+    fn events(
+        &self,
+        sought: Sought,
+        from: i64,
+        wanted: &dyn Fn(f64, bool) -> bool,
+        most: usize,
+    ) -> Vec<FoundEvent>;
+
+    /// Numbers of the table; `None` for a motion without one.
+    fn parts(&self) -> Option<Parts>;
+}
+
+/// Greatest distance of a time from t = 0 at which an ephemeris can be evaluated, because ticks are counted in 64 bits.
+#[must_use]
+pub fn furthest_time(motion: &Motion) -> f64 {
+    62_f64.exp2() / ticks_per_time(motion)
+}
+
+/// Ephemeris on the heap, whose memory was set up.
+struct Boxed<R: EphemerisScalar>(Box<EphemerisMemory<EphemerisView<R>>>);
+
+impl<R: EphemerisScalar> Boxed<R> {
+    fn table(&self) -> &EphemerisView<R> {
+        self.0.get().expect("set up")
+    }
+
+    /// Sample at time t, which is this number of ticks.
+    fn timed(&self, t: f64, ticks: f64, now: toytop::Sample<'_, R>) -> TimedSample {
+        let (orientation, state) = (now.orientation(), now.attitude_state());
+        let wide = |z: Complex<R::Wide>| cast::complex(z, Float::to_f64);
+        let phi = now.tip_angle().map(|angle| self.unwrapped(angle, t));
+        TimedSample {
+            sample: Sample {
+                u: now.u().into(),
+                alpha: exact(orientation.alpha),
+                beta: exact(orientation.beta),
+                error_bound: Some(self.table().error_bound().after(ticks)),
+                ..Sample::of(t, &state, now.tip(), phi)
+            },
+            rate: OrientationRate { alpha: wide(state.rate.alpha), beta: wide(state.rate.beta) },
+            tip_over_s: exact(orientation.tip_over_s()),
+            nutation_phase: now.nutation_phase(),
+        }
+    }
+
+    fn unwrapped(&self, angle: Phase, t: f64) -> f64 {
+        unwrapped(angle, self.table().mean_tip_angle_rate() * t)
+    }
+}
+
+impl<R: Bake> AnyScalar for Boxed<R> {
+    fn size(&self) -> [usize; 2] {
+        [self.table().capacity(), R::TERMS]
+    }
+
+    fn ticks_per_time(&self) -> f64 {
+        let [rate, _] = self.table().clock().ticks_per_time;
+        rate
+    }
+
+    fn error_bound(&self) -> ErrorBound {
+        self.table().error_bound()
+    }
+
+    fn rate_error_bound(&self) -> ErrorBound {
+        self.table().rate_error_bound()
+    }
+
+    fn at(&self, t: f64) -> TimedSample {
+        self.timed(t, t * self.ticks_per_time(), self.table().at(t))
+    }
+
+    fn at_tick(&self, n: i64, t: f64) -> TimedSample {
+        self.timed(t, n as f64, self.table().at_tick(n))
+    }
+
+    fn rates_at_tick(&self, n: i64) -> RateSample {
+        let now = self.table().at_tick(n);
+        let wide = |vector: [R::Wide; 3]| vector.map(Float::to_f64);
+        RateSample { omega: wide(now.omega()), omega_body: wide(now.omega_body()), udot: now.udot().to_f64() }
+    }
+
+    fn push(&self, column: Column, t: f64, numbers: &mut Vec<f64>) {
+        let (now, wide) = (self.table().at(t), <R::Wide as Float>::to_f64);
+        match column {
+            Column::Quaternion => numbers.extend(now.quaternion().map(Into::<f64>::into)),
+            Column::Axis => numbers.extend(now.axis().map(Into::<f64>::into)),
+            Column::U => numbers.push(now.u().into()),
+            Column::Udot => numbers.push(wide(now.udot())),
+            Column::Omega => numbers.extend(now.omega().map(wide)),
+            Column::OmegaBody => numbers.extend(now.omega_body().map(wide)),
+            Column::Tip => {
+                let tip = now.tip();
+                numbers.extend([tip.re, tip.im].map(wide));
+            }
+            Column::Phi => {
+                numbers.push(now.tip_angle().map_or(f64::NAN, |angle| self.unwrapped(angle, t)));
+            }
+            _ => numbers.extend(column.numbers(&self.at(t).sample)),
+        }
+    }
+
+    fn events(
+        &self,
+        sought: Sought,
+        from: i64,
+        wanted: &dyn Fn(f64, bool) -> bool,
+        most: usize,
+    ) -> Vec<FoundEvent> {
+        let table = self.table();
+        let there = |event: &_, t| self.timed(t, t * self.ticks_per_time(), table.at_event(event));
+        events::found(table, sought, from, wanted, most, there)
+    }
+
+    fn parts(&self) -> Option<Parts> {
+        Some(R::parts(self.table()))
+    }
+}
+
+/// Angle in radians of a phase known modulo 2^32 turns, nearest to `near`, a number of turns.
+fn unwrapped(phase: Phase, near: f64) -> f64 {
+    const MODULUS: f64 = (1_u64 << 32) as f64;
+    let turns = phase.to_f64();
+    TAU * (turns + MODULUS * ((near - turns) / MODULUS).round())
+}
+
+fn exact<R: Into<f64>>(z: Complex<R>) -> Complex<f64> {
+    cast::complex(z, Into::into)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::propagate::period;
+    use toytop::{InitialPhases, Motion, Signs, Top, TopParameters};
+
+    pub(super) fn motion(a: f64, e: [f64; 3]) -> Motion {
+        let top = Top::sliding(&TopParameters {
+            transverse_inertia: a,
+            axial_inertia: 0.8 * a,
+            com_height: 1.0,
+            mass_moment: 1.0,
+            gravity: 1.0,
+            ..TopParameters::default()
+        })
+        .unwrap();
+        Motion::from_branch_points(&top, e, Signs::default(), &InitialPhases::default()).unwrap()
+    }
+
+    #[test]
+    fn a_tick_is_shorter_than_a_turn_and_a_thousandth_of_a_period() {
+        for motion in
+            [motion(1.0, [0.2, 0.8, 1.5]), motion(1e-6, [0.2, 0.8, 1e6]), motion(1e9, [0.2, 0.8, 1.5])]
+        {
+            let rate = ticks_per_time(&motion);
+            assert!(rate * period(&motion) >= 1000.0 && rate.log2().fract() == 0.0);
+            assert!(furthest_time(&motion) / period(&motion) >= 1e10);
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! Aperiodic motion by its closed form, in place of a table, which it has not.
+
+use super::{AnyScalar, FoundEvent, RateSample, Sought, TimedSample, ticks_per_time, unwrapped};
+use crate::bake::Parts;
+use crate::motion::propagate::{Sample, natural_time};
+use std::f64::consts::TAU;
+use toytop::{ErrorBound, Motion, Phase};
+use toytop_closed_forms::Aperiodic;
+
+/// Closed form of an aperiodic motion.
+pub(super) struct Rise {
+    form: Aperiodic,
+    /// Ticks in a unit of time.
+    ticks: f64,
+    /// Time of the lowest point, and the time on either side of it until the axis is upright to a rounding.
+    lowest: f64,
+    upright: f64,
+}
+
+/// Variable v of an axis that is upright to a rounding.
+const UPRIGHT: f64 = 40.0;
+/// Number of intervals on either side of the lowest point, at most one event in each.
+const INTERVALS: i32 = 8192;
+
+impl Rise {
+    /// Closed form of a motion; `None` if it is not aperiodic.
+    pub(super) fn new(motion: &Motion) -> Option<Self> {
+        let form = Aperiodic::new(motion)?;
+        let mut upright = natural_time(motion);
+        while form.v(upright) < UPRIGHT || form.v(-upright) > -UPRIGHT {
+            upright *= 2.0;
+        }
+        let lowest = root(-upright, upright, |t| form.v(t));
+        Some(Self { form, ticks: ticks_per_time(motion), lowest, upright: upright + lowest.abs() })
+    }
+
+    /// Tip angle, continued in time, rad.
+    fn angle(&self, t: f64) -> f64 {
+        let angle = |t| self.form.tip_angle(t).to_f64();
+        // the angle grows at a constant rate while the axis is upright
+        let far = self.upright.copysign(t);
+        let rate = (angle(2.0 * far) - angle(far)) / far;
+        unwrapped(self.form.tip_angle(t), rate * t)
+    }
+}
+
+/// Root of an increasing function between two places.
+fn root(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
+    loop {
+        let middle = low + 0.5 * (high - low);
+        if middle <= low || middle >= high {
+            return middle;
+        }
+        if value(middle) < 0.0 { low = middle } else { high = middle }
+    }
+}
+
+impl AnyScalar for Rise {
+    fn size(&self) -> [usize; 2] {
+        [0; 2]
+    }
+
+    fn ticks_per_time(&self) -> f64 {
+        self.ticks
+    }
+
+    /// Bound of the closed form, which holds up to 1e15 of the shortest times of the motion, and its growth beyond.
+    fn error_bound(&self) -> ErrorBound {
+        ErrorBound { constant: self.form.error_bound(), per_tick: 2e-30 }
+    }
+
+    /// Errors that the tests of the closed form allow.
+    fn rate_error_bound(&self) -> ErrorBound {
+        const ERROR: f64 = 5e-14;
+        let speed = self.rates_at_tick(0).speed();
+        let constant = (1.0 + speed) * ERROR;
+        ErrorBound { constant, per_tick: constant * speed / self.ticks }
+    }
+
+    fn at(&self, t: f64) -> TimedSample {
+        let state = self.form.at(t);
+        let sample = Sample {
+            error_bound: Some(self.error_bound().after(t * self.ticks)),
+            ..Sample::of(t, &state, self.form.tip(t), Some(self.angle(t)))
+        };
+        let tip_over_s = state.orientation.tip_over_s();
+        TimedSample { sample, rate: state.rate, tip_over_s, nutation_phase: Phase::ZERO }
+    }
+
+    fn at_tick(&self, n: i64, _: f64) -> TimedSample {
+        self.at(n as f64 / self.ticks)
+    }
+
+    fn rates_at_tick(&self, n: i64) -> RateSample {
+        let state = self.form.at(n as f64 / self.ticks);
+        RateSample { omega: state.omega(), omega_body: state.omega_body(), udot: state.udot() }
+    }
+
+    /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.
+    fn events(
+        &self,
+        sought: Sought,
+        from: i64,
+        wanted: &dyn Fn(f64, bool) -> bool,
+        most: usize,
+    ) -> Vec<FoundEvent> {
+        let value = |t: f64| match sought {
+            Sought::Turning => self.form.v(t).clamp(-0.5, 0.5),
+            Sought::Crossing(level) if level.u() < 1.0 => 0.25 * (self.form.at(t).u() - level.u()),
+            Sought::Crossing(_) => 0.5,
+            Sought::TipAngle(angle) => (self.angle(t) - angle.to_radians()) / TAU,
+        };
+        let mut found = Vec::new();
+        let [mut time, mut before] = [f64::NAN; 2];
+        for i in -INTERVALS..=INTERVALS {
+            let next = self.lowest + self.upright * f64::from(i) / f64::from(INTERVALS);
+            let after = value(next);
+            let whole = before.max(after).floor();
+            if before.min(after) < whole {
+                let sense = (after - before).signum();
+                let t = root(time, next, |t| sense * (value(t) - whole));
+                // at the lowest point u is least
+                let upward = sense > 0.0 && sought != Sought::Turning;
+                if t >= from as f64 / self.ticks && wanted(t, upward) {
+                    found.push(FoundEvent { t, upward, there: self.at(t) });
+                }
+            }
+            (time, before) = (next, after);
+        }
+        found.truncate(most);
+        found
+    }
+
+    fn parts(&self) -> Option<Parts> {
+        None
+    }
+}

@@ -1,0 +1,223 @@
+//! Capacities that a table may have, and the choice among them.
+
+use super::rise::Rise;
+use super::{AnyScalar, Boxed};
+use crate::Failure;
+use crate::bake::Bake;
+use crate::motion::Scalar;
+use fixed::types::{I2F14, I2F30};
+use toytop::{Ephemeris, EphemerisMemory, EphemerisView, ErrorBound, Motion, SetUp, SetUpError, Tick};
+use toytop_page::table::tick;
+
+/// Capacity of a table.
+#[derive(Clone, Copy, Debug)]
+pub enum Size {
+    /// Smallest that is enough.
+    Smallest,
+    /// Capacity of the crate's own type if that is enough, otherwise the smallest that is.
+    Default,
+    /// Number of segments.
+    Exactly(u32),
+}
+
+/// Capacities besides the defaults, in ascending order.
+const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
+
+/// Segments of the crate's own type of a scalar, which fits most motions.
+fn default_size(scalar: Scalar) -> u32 {
+    match scalar {
+        Scalar::F64 => 48,
+        Scalar::F32 => 25,
+        Scalar::Q31 => 32,
+        Scalar::Q15 => 16,
+    }
+}
+
+/// Capacities of a scalar in ascending order.
+fn allowed(scalar: Scalar) -> Vec<u32> {
+    let mut allowed = [&CAPACITIES[..], &[default_size(scalar)]].concat();
+    allowed.sort_unstable();
+    allowed.dedup();
+    allowed
+}
+
+/// Table of a motion in a scalar with ticks of this length, whose truncation error is within the rounding of the scalar.
+///
+/// # Errors
+/// [`Failure::Method`]: no table is large enough, or the given size is not; the message states the size that would be.
+/// [`Failure::Input`]: there is no such size.
+pub fn table(scalar: Scalar, motion: &Motion, tick: Tick, size: Size) -> Result<Box<dyn AnyScalar>, Failure> {
+    within(scalar, motion, tick, size, None)
+}
+
+/// Table with a truncation error, rad; without one, that of the scalar.
+fn within(
+    scalar: Scalar,
+    motion: &Motion,
+    tick: Tick,
+    size: Size,
+    truncation: Option<f64>,
+) -> Result<Box<dyn AnyScalar>, Failure> {
+    let of_scalar = match scalar {
+        Scalar::F64 => table_in::<f64>,
+        Scalar::F32 => table_in::<f32>,
+        Scalar::Q31 => table_in::<I2F30>,
+        Scalar::Q15 => table_in::<I2F14>,
+    };
+    of_scalar(scalar, motion, tick, size, truncation)
+}
+
+fn table_in<R: Bake>(
+    scalar: Scalar,
+    motion: &Motion,
+    tick: Tick,
+    size: Size,
+    truncation: Option<f64>,
+) -> Result<Box<dyn AnyScalar>, Failure> {
+    let (truncation, allowed) = (truncation.unwrap_or(R::TRUNCATION), allowed(scalar));
+    let tried: Vec<u32> = match size {
+        Size::Smallest => CAPACITIES.to_vec(),
+        Size::Default => allowed.iter().copied().filter(|size| *size >= default_size(scalar)).collect(),
+        Size::Exactly(segments) if allowed.contains(&segments) => vec![segments],
+        Size::Exactly(segments) => {
+            let names: Vec<_> = allowed.iter().map(u32::to_string).collect();
+            return Err(Failure::Input(format!("--size: {segments}: must be one of {}", names.join(", "))));
+        }
+    };
+    let mut refusal = String::new();
+    for segments in tried {
+        match set_up::<R>(segments, motion, tick, truncation) {
+            Ok(table) => return Ok(table),
+            Err(error @ SetUpError::TooSmall { .. }) => refusal = error.to_string(),
+            Err(error) => return Err(Failure::Method(format!("no ephemeris: {error}"))),
+        }
+    }
+    let needed = EphemerisView::<R>::segments_needed(motion, truncation);
+    let enough = match (needed, needed.and_then(|needed| allowed.iter().find(|size| **size >= needed))) {
+        (_, Some(size)) => format!("at least --size {size}"),
+        (Some(needed), None) => format!("{needed} segments of this degree"),
+        (None, None) => "not even 4096 segments of this degree".to_owned(),
+    };
+    let largest = match size {
+        Size::Exactly(segments) => format!("{segments} segments"),
+        _ => format!("4096x{} segments, the most", R::TERMS),
+    };
+    Err(Failure::Method(format!("no ephemeris of {largest}: {refusal}; {enough} would be enough")))
+}
+
+/// Memory of a table of this many segments, one of the [`allowed`] capacities.
+fn memory<R: Bake>(segments: u32) -> Option<Box<EphemerisMemory<EphemerisView<R>>>> {
+    fn boxed<R: Bake, const N: usize>() -> Box<EphemerisMemory<EphemerisView<R>>> {
+        Box::new(EphemerisMemory::<Ephemeris<R, N>>::new())
+    }
+    Some(match segments {
+        8 => boxed::<R, 8>(),
+        16 => boxed::<R, 16>(),
+        25 => boxed::<R, 25>(),
+        32 => boxed::<R, 32>(),
+        48 => boxed::<R, 48>(),
+        64 => boxed::<R, 64>(),
+        128 => boxed::<R, 128>(),
+        256 => boxed::<R, 256>(),
+        512 => boxed::<R, 512>(),
+        1024 => boxed::<R, 1024>(),
+        2048 => boxed::<R, 2048>(),
+        4096 => boxed::<R, 4096>(),
+        _ => return None,
+    })
+}
+
+fn set_up<R: Bake>(
+    segments: u32,
+    motion: &Motion,
+    tick: Tick,
+    truncation: f64,
+) -> Result<Box<dyn AnyScalar>, SetUpError> {
+    let mut memory = memory::<R>(segments).ok_or(SetUpError::TooSmall { truncation, segments })?;
+    memory.set_up(&mut SetUp::within(truncation), motion, tick, 0, &mut || {})?;
+    Ok(Box::new(Boxed(memory)))
+}
+
+/// Smallest table whose truncation error is within the rounding of the scalar, or the closed form of an aperiodic motion.
+///
+/// # Errors
+/// [`Failure::Method`]: no table is large enough; the message states the size that would be.
+pub fn smallest(scalar: Scalar, motion: &Motion) -> Result<Box<dyn AnyScalar>, Failure> {
+    at_any_time(scalar, motion, None)
+}
+
+/// Smallest table in `f64` with a truncation error of at most `truncation`, rad.
+///
+/// # Errors
+/// As [`smallest`].
+pub fn approximate(motion: &Motion, truncation: f64) -> Result<Box<dyn AnyScalar>, Failure> {
+    at_any_time(Scalar::F64, motion, Some(truncation))
+}
+
+fn at_any_time(
+    scalar: Scalar,
+    motion: &Motion,
+    truncation: Option<f64>,
+) -> Result<Box<dyn AnyScalar>, Failure> {
+    if let Some(rise) = Rise::new(motion) {
+        return Ok(Box::new(rise));
+    }
+    let tick = tick(motion).map_err(|error| Failure::Method(error.to_string()))?;
+    within(scalar, motion, tick, Size::Smallest, truncation)
+}
+
+/// Smallest table of fewer segments than another one, with an error bound that is larger by a hundredth at most; `None` if there is none.
+#[must_use]
+pub fn smaller(
+    scalar: Scalar,
+    motion: &Motion,
+    tick: Tick,
+    than: &dyn AnyScalar,
+) -> Option<Box<dyn AnyScalar>> {
+    const LARGER: f64 = 1.01;
+    let (own, [segments, _]) = (than.error_bound(), than.size());
+    let close = |bound: ErrorBound| {
+        bound.constant <= LARGER * own.constant && bound.per_tick <= LARGER * own.per_tick
+    };
+    let fewer = allowed(scalar).into_iter().filter(|&size| (size as usize) < segments);
+    fewer
+        .filter_map(|size| table(scalar, motion, tick, Size::Exactly(size)).ok())
+        .find(|table| close(table.error_bound()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::ephemeris::tests::motion;
+
+    /// Sizes that are chosen. Every smaller size is refused, and the motions of the test need every size.
+    fn sizes_chosen(scalar: Scalar, motions: &[Motion]) -> Vec<usize> {
+        let chosen = |motion: &Motion| {
+            let table = smallest(scalar, motion).unwrap();
+            let tick = tick(motion).unwrap();
+            for segments in CAPACITIES.into_iter().filter(|&segments| (segments as usize) < table.size()[0]) {
+                let refused = super::table(scalar, motion, tick, Size::Exactly(segments)).is_err();
+                assert!(refused, "{segments} segments would do");
+            }
+            table.size()[0]
+        };
+        let mut sizes: Vec<_> = motions.iter().map(chosen).collect();
+        sizes.sort_unstable();
+        sizes.dedup();
+        sizes
+    }
+
+    #[test]
+    fn the_smallest_that_fits() {
+        let mut motions = vec![motion(1.0, [0.5, 0.5, 2.0])];
+        for exponent in 0..13 {
+            let small = 2_f64.powi(-exponent);
+            motions.push(motion(1.0, [-0.5, 1.0 - 0.2 * small, 1.0 + 0.2 * small * small]));
+            motions.push(motion(small, [-0.99, 0.999, 1.02]));
+        }
+        assert_eq!(sizes_chosen(Scalar::F64, &motions).first(), Some(&8));
+        assert!(sizes_chosen(Scalar::F32, &motions).len() > 4);
+        // an aperiodic motion has a closed form and no table
+        assert_eq!(smallest(Scalar::F32, &motion(1.0, [0.2, 1.0, 1.0])).unwrap().size()[0], 0);
+    }
+}

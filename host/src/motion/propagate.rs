@@ -1,0 +1,288 @@
+//! Stepper of the core at given times: equal steps, and one shorter last step to each time.
+
+use crate::Failure;
+use crate::motion::{Scalar, cast};
+use crate::output::progress::Progress;
+use std::time::{Duration, Instant};
+use toytop::scalar::Real;
+use toytop::{AttitudeState, Complex, Motion, Orientation, Phase, Stepper};
+
+pub use toytop_page::constants::{natural_time, period};
+
+/// Motion at one time in `f64`, by any method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Time, s.
+    pub t: f64,
+    /// Cosine u of the tilt.
+    pub u: f64,
+    /// Rate u' of the cosine of the tilt, 1/s.
+    pub udot: f64,
+    /// Cayley-Klein parameter α.
+    pub alpha: Complex<f64>,
+    /// Cayley-Klein parameter β.
+    pub beta: Complex<f64>,
+    /// Angular velocity ω in the fixed frame, rad/s.
+    pub omega: [f64; 3],
+    /// Position of the tip c = 2 s αβ, m; 2 αβ for a fixed tip.
+    pub tip: Complex<f64>,
+    /// Tip angle continued from t = 0, rad; `None` where the axis is vertical at all times.
+    pub phi: Option<f64>,
+    /// Upper bound on the error of the orientation, rad, where the method has one.
+    pub error_bound: Option<f64>,
+}
+
+impl Sample {
+    /// Sample of an attitude state of the core at time t.
+    #[must_use]
+    pub fn of<R: Real>(t: f64, state: &AttitudeState<R>, tip: Complex<R>, phi: Option<f64>) -> Self {
+        let widen = |z: Complex<R>| cast::complex(z, R::to_f64);
+        Self {
+            t,
+            u: state.u().to_f64(),
+            udot: state.udot().to_f64(),
+            alpha: widen(state.orientation.alpha),
+            beta: widen(state.orientation.beta),
+            omega: state.omega().map(R::to_f64),
+            tip: widen(tip),
+            phi,
+            error_bound: None,
+        }
+    }
+
+    /// Orientation Φ.
+    #[must_use]
+    pub fn orientation(&self) -> Orientation<f64> {
+        Orientation { alpha: self.alpha, beta: self.beta }
+    }
+
+    /// Sample of a stepper at time t.
+    #[must_use]
+    pub fn stepped<R: Real>(t: f64, stepper: &Stepper<R>) -> Self {
+        let phi = stepper.tip_angle().map(Phase::to_radians);
+        Self::of(t, &stepper.attitude_state(), stepper.tip(), phi)
+    }
+}
+
+/// Greatest number of steps that is computed.
+const MOST_STEPS: f64 = 1e10;
+
+/// Number of steps of size `step`, s, that reach all of `times`.
+///
+/// # Errors
+/// [`Failure::Input`]: there would be more than 10^10 steps.
+pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
+    let furthest = |sign: f64| times.iter().fold(0.0_f64, |most, t| most.max(sign * t));
+    let steps = (furthest(1.0) + furthest(-1.0)) / step + times.len() as f64;
+    if steps <= MOST_STEPS {
+        Ok(steps as u64)
+    } else {
+        Err(Failure::Input(format!(
+            "--steps-per-period: {steps:.1e} steps of {step:.1e} s; must be at most 1e10 steps"
+        )))
+    }
+}
+
+/// Results of `reach` at `times`, in their order. The times are visited in two passes away from t = 0, one forward and one backward,
+/// each beginning with `start`.
+///
+/// # Errors
+/// The first error that `reach` returns.
+pub fn visit_times<S, T>(
+    times: &[f64],
+    start: impl Fn() -> S,
+    mut reach: impl FnMut(&mut S, f64) -> Result<T, Failure>,
+) -> Result<Vec<T>, Failure> {
+    let mut indexed: Vec<(usize, f64)> = times.iter().copied().enumerate().collect();
+    indexed.sort_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
+    let (backwards, forwards): (Vec<_>, Vec<_>) = indexed.into_iter().partition(|(_, t)| *t < 0.0);
+    let mut results = Vec::with_capacity(times.len());
+    for direction in [forwards, backwards] {
+        let mut state = start();
+        for (index, t) in direction {
+            results.push((index, reach(&mut state, t)?));
+        }
+    }
+    results.sort_by_key(|(index, _)| *index);
+    Ok(results.into_iter().map(|(_, result)| result).collect())
+}
+
+/// Samples by the stepper at `times`, in steps of `step`, s.
+///
+/// # Errors
+/// [`Failure::Method`]: there is no stepper in fixed point. [`Failure::Input`]: as [`steps_needed`].
+pub fn stepped(scalar: Scalar, motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sample>, Failure> {
+    match scalar {
+        Scalar::F64 => stepped_in::<f64>(motion, times, step),
+        Scalar::F32 => stepped_in::<f32>(motion, times, step),
+        _ => {
+            let name = scalar.name();
+            Err(Failure::Method(format!(
+                "--method stepper: none in {name}: use --method ephemeris, which has {name}"
+            )))
+        }
+    }
+}
+
+fn stepped_in<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sample>, Failure> {
+    let mut progress = Progress::new(steps_needed(times, step)?, "steps");
+    visit_times(
+        times,
+        || TimedStepper::<R>::new(motion, step),
+        |stepper, t| {
+            stepper.reach(t, &mut progress);
+            Ok(Sample::stepped(t, stepper.last()))
+        },
+    )
+}
+
+/// Stepper that reaches any time by whole steps, and one shorter last step on a copy.
+#[derive(Debug)]
+pub struct TimedStepper<R> {
+    /// Stepper after `whole` steps.
+    stepper: Stepper<R>,
+    whole: i64,
+    /// Step size h > 0, rounded to the scalar.
+    step: R,
+    /// Stepper at the elapsed time.
+    last: Stepper<R>,
+    elapsed: f64,
+    steps: u64,
+    stepping: Duration,
+}
+
+impl<R: Real> TimedStepper<R> {
+    /// Stepper at t = 0 with steps of h = `step`, s.
+    #[must_use]
+    pub fn new(motion: &Motion, step: f64) -> Self {
+        let (stepper, step) = (Stepper::new(motion), R::from_f64(step));
+        Self { stepper, whole: 0, step, last: stepper, elapsed: 0.0, steps: 0, stepping: Duration::ZERO }
+    }
+
+    /// Steps to the time `t`, s, in either direction. [`Self::elapsed`] contains the rounding of the last step to the scalar.
+    pub fn reach(&mut self, t: f64, progress: &mut Progress) {
+        const BATCH: u64 = 1 << 16;
+        let started = Instant::now();
+        let h = self.step.to_f64();
+        let whole = (t / h) as i64;
+        let step = if whole < self.whole { -self.step } else { self.step };
+        let mut left = whole.abs_diff(self.whole);
+        self.steps += left;
+        while left > 0 {
+            let batch = left.min(BATCH);
+            (0..batch).for_each(|_| self.stepper.step(step));
+            left -= batch;
+            progress.add(batch);
+        }
+        self.whole = whole;
+        // exact up to one rounding, because the product is not rounded
+        let rest = R::from_f64((-(whole as f64)).mul_add(h, t));
+        self.last = self.stepper;
+        if rest != R::ZERO {
+            self.last.step(rest);
+            self.steps += 1;
+        }
+        self.elapsed = (whole as f64).mul_add(h, rest.to_f64());
+        self.stepping += started.elapsed();
+    }
+
+    /// Stepper at the elapsed time.
+    #[must_use]
+    pub fn last(&self) -> &Stepper<R> {
+        &self.last
+    }
+
+    /// Elapsed time, s.
+    #[must_use]
+    pub fn elapsed(&self) -> f64 {
+        self.elapsed
+    }
+
+    /// Number of steps.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Wall time of the steps.
+    #[must_use]
+    pub fn stepping(&self) -> Duration {
+        self.stepping
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toytop::{InitialPhases, Signs, Top, TopParameters};
+
+    fn motion() -> Motion {
+        let top = Top::sliding(&TopParameters {
+            transverse_inertia: 1.1,
+            axial_inertia: 0.8,
+            com_height: 0.6,
+            mass_moment: 0.9,
+            gravity: 1.0,
+            ..TopParameters::default()
+        })
+        .unwrap();
+        Motion::from_branch_points(&top, [0.2, 0.8, 1.5], Signs::default(), &InitialPhases::default())
+            .unwrap()
+    }
+
+    /// Greatest difference of elapsed and requested time over a million requests, s: 0 in f64, the rounding of one last step in f32.
+    fn greatest_gap<R: Real>() -> f64 {
+        let step = period(&motion()) / 4096.0;
+        let mut stepper = TimedStepper::<R>::new(&motion(), step);
+        let mut progress = Progress::new(0, "steps");
+        let gap = |i: u32| {
+            let t = 0.3 * step * f64::from(i);
+            stepper.reach(t, &mut progress);
+            (stepper.elapsed() - t).abs() / step
+        };
+        (1..1_000_000).map(gap).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn elapsed_time_is_the_requested_time() {
+        assert_eq!(greatest_gap::<f64>(), 0.0);
+        let single = greatest_gap::<f32>();
+        assert!(single > 1e-9 && single < 1e-7, "{single:e}");
+    }
+
+    #[test]
+    fn a_time_requested_twice_is_reached_once() {
+        let mut stepper = TimedStepper::<f32>::new(&motion(), 0.01);
+        let mut progress = Progress::new(0, "steps");
+        for i in 1..100 {
+            let [once, twice] = [(); 2].map(|()| {
+                stepper.reach(0.017 * f64::from(i), &mut progress);
+                (stepper.elapsed(), *stepper.last())
+            });
+            assert_eq!(once, twice);
+        }
+    }
+
+    #[test]
+    fn too_many_steps_are_refused_before_the_first() {
+        assert_eq!(steps_needed(&[3.0, -2.0, 1.0], 0.5).unwrap(), 13);
+        assert!(steps_needed(&[1e10, 1.0], 0.5).is_err());
+        assert!(steps_needed(&[-1e10], 0.5).is_err());
+    }
+
+    #[test]
+    fn times_are_visited_outwards_and_returned_in_the_order_of_the_request() {
+        let mut visited = Vec::new();
+        let results = visit_times(
+            &[2.0, -1.0, 0.5, -3.0, 2.0],
+            || 0.0,
+            |at: &mut f64, t| {
+                visited.push((*at, t));
+                *at = t;
+                Ok(10.0 * t)
+            },
+        );
+        assert_eq!(results.unwrap(), [20.0, -10.0, 5.0, -30.0, 20.0]);
+        assert_eq!(visited, [(0.0, 0.5), (0.5, 2.0), (2.0, 2.0), (0.0, -1.0), (-1.0, -3.0)]);
+    }
+}

@@ -1,0 +1,124 @@
+//! Files that are written completely or not at all, and files that are read up to a limit.
+
+use crate::Failure;
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Read, Write};
+use std::path::{Path, PathBuf};
+
+/// Writes a file under a temporary name and then renames it, so that no reader sees half a file and no other file is touched. A device or a
+/// pipe is written to directly. A link is followed.
+///
+/// # Errors
+/// The failures of [`refused`], which name `option` and the file; the temporary file is then removed.
+pub fn write(option: &str, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_by(option, path, |file| file.write_all(bytes))
+}
+
+/// Writes a file by a function, for content that is not completely in memory.
+///
+/// # Errors
+/// The failures of [`write()`], and those that `fill` returns.
+pub fn write_by(
+    option: &str,
+    path: &Path,
+    fill: impl FnOnce(&mut File) -> io::Result<()>,
+) -> Result<(), Failure> {
+    write_whole(path, fill).map_err(|error| refused(option, path, error))
+}
+
+fn write_whole(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
+    let path = followed(path);
+    let there = fs::metadata(&path);
+    if there.as_ref().is_ok_and(|there| !there.is_file() && !there.is_dir()) {
+        return fill(&mut File::create(path)?);
+    }
+    path.file_name().ok_or(ErrorKind::InvalidInput)?;
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".toytop");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let mut file = builder.tempfile_in(path.with_file_name("."))?;
+    fill(file.as_file_mut())?;
+    // the new file has the permissions of the old one
+    there.map_or(Ok(()), |there| file.as_file().set_permissions(there.permissions()))?;
+    file.persist(&path).map(|_| ()).map_err(|error| error.error)
+}
+
+/// Target of a path, which may not exist yet.
+fn followed(path: &Path) -> PathBuf {
+    fs::canonicalize(path).unwrap_or_else(|_| match fs::read_link(path) {
+        Ok(target) => path.with_file_name(".").join(target),
+        Err(_) => path.to_owned(),
+    })
+}
+
+/// Refuses an output that is one of the inputs.
+///
+/// # Errors
+/// [`Failure::Input`].
+pub fn require_other(option: &str, output: Option<&Path>, inputs: &[Option<&Path>]) -> Result<(), Failure> {
+    let found = |path: &Path| fs::canonicalize(path).ok().filter(|path| path.is_file());
+    let Some(target) = output.and_then(found) else { return Ok(()) };
+    if inputs.iter().flatten().any(|input| found(input).as_ref() == Some(&target)) {
+        let name = target.display();
+        return Err(Failure::Input(format!("{option}: {name}: must not be a file that the command reads")));
+    }
+    Ok(())
+}
+
+/// Failure for an error of a file: bad input for a wrong path, otherwise an output that cannot be written, such as a full disk.
+pub fn refused(option: &str, path: &Path, error: io::Error) -> Failure {
+    let message = format!("{option}: {}: {error}", path.display());
+    match error.kind() {
+        ErrorKind::StorageFull
+        | ErrorKind::QuotaExceeded
+        | ErrorKind::FileTooLarge
+        | ErrorKind::WriteZero
+        | ErrorKind::BrokenPipe => Failure::Output(io::Error::new(error.kind(), message)),
+        _ if error.raw_os_error() == Some(EIO) => Failure::Output(io::Error::new(error.kind(), message)),
+        _ => Failure::Input(message),
+    }
+}
+
+/// Error number of a device that failed.
+const EIO: i32 = 5;
+
+/// Text of a file of at most `most_mebibytes` MiB.
+///
+/// # Errors
+/// [`Failure::Input`] with `name` in front: it cannot be read, is larger, or is not UTF-8.
+pub fn read(name: &str, path: &Path, most_mebibytes: u64) -> Result<String, Failure> {
+    let refuse = |reason: String| Failure::Input(format!("{name}: {reason}"));
+    let most = most_mebibytes << 20;
+    let mut bytes = Vec::new();
+    File::open(path)
+        .and_then(|open| open.take(most + 1).read_to_end(&mut bytes))
+        .map_err(|error| refuse(error.to_string()))?;
+    if bytes.len() as u64 > most {
+        return Err(refuse(format!("must be at most {most_mebibytes} MiB")));
+    }
+    String::from_utf8(bytes).map_err(|_| refuse("must be UTF-8".to_owned()))
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::{PermissionsExt, symlink};
+
+    /// A link to a missing file creates its target, and the permissions of a file are kept.
+    #[test]
+    fn links_and_modes_are_kept() {
+        let folder = std::env::temp_dir().join(format!("toytop_whole_file_{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let [target, link] = ["target", "link"].map(|name| folder.join(name));
+        symlink("target", &link).unwrap();
+        write("-o", &link, b"one").unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read(&target).unwrap(), b"one");
+        fs::set_permissions(&target, fs::Permissions::from_mode(0o600)).unwrap();
+        write("-o", &link, b"two").unwrap();
+        assert_eq!(fs::read(&target).unwrap(), b"two");
+        assert_eq!(fs::metadata(&target).unwrap().permissions().mode() & 0o777, 0o600);
+        fs::remove_dir_all(&folder).unwrap();
+    }
+}

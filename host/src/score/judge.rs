@@ -1,0 +1,172 @@
+//! Errors of a trajectory.
+
+use super::drift::{self, Drift};
+use super::phases::{Fit, PhaseErrors};
+use super::trajectory::{Row, Trajectory};
+use crate::Failure;
+use crate::input::scenario::Scenario;
+use crate::motion::Scalar;
+use crate::motion::ephemeris::{AnyScalar, furthest_time, smallest};
+use crate::motion::propagate::period;
+use nalgebra::Vector3;
+use toytop::{Motion, Orientation};
+
+/// Exact motion that trajectories are compared with.
+pub struct Judge<'a> {
+    motion: &'a Motion,
+    table: Box<dyn AnyScalar>,
+    /// Distance from the tip to the centre of mass in the files.
+    length: f64,
+}
+
+/// Errors of one trajectory.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Score {
+    /// Greatest error of the orientation, 2 √(|Δα|² + |Δβ|²) with the nearer sign, rad.
+    pub max_error: f64,
+    /// Root of the mean square of the orientation errors, rad.
+    pub rms_error: f64,
+    /// Error of the orientation in the last row, rad.
+    pub final_error: f64,
+    /// Greatest error of u.
+    pub max_u_error: f64,
+    /// Greatest error of the positions of tip and centre of mass, if the file has any.
+    pub max_position_error: Option<f64>,
+    /// Phase errors over the last nutation period.
+    pub phases: PhaseErrors,
+    /// Drift of l, n and h.
+    pub drift: Drift,
+    /// Greatest distance of the file's orientations from unit norm.
+    pub norm_error: f64,
+    /// Upper bound on the error of the exact motion itself, rad.
+    pub truth_bound: f64,
+    /// Reason why the first row is far from the motion, if it is.
+    pub doubt: Option<Doubt>,
+}
+
+/// Likely reason why the first row is far from the motion, most often another convention.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Doubt {
+    reason: String,
+    /// Whether the run may start from another state.
+    start: bool,
+}
+
+impl Doubt {
+    /// Distance from which a first row is far: rad, or a share.
+    const FAR: f64 = 0.01;
+
+    /// Reason as a question; `start` is the command that prints the state from which a run has to start.
+    #[must_use]
+    pub fn question(&self, start: &str) -> String {
+        let Self { reason, start: doubtful } = self;
+        if *doubtful {
+            format!("{reason} does the run start from the state of this motion? ({start})")
+        } else {
+            reason.clone()
+        }
+    }
+}
+
+impl<'a> Judge<'a> {
+    /// Exact motion of a scenario, by its ephemeris in `f64`.
+    ///
+    /// # Errors
+    /// [`Failure::Method`]: no ephemeris is large enough.
+    pub fn new(scenario: &'a Scenario) -> Result<Self, Failure> {
+        let motion = &scenario.motion;
+        let table = smallest(Scalar::F64, motion).map_err(|failure| failure.of(&scenario.name))?;
+        Ok(Self { motion, table, length: motion.top().com_height() })
+    }
+
+    /// The same motion for files with another distance from the tip to the centre of mass.
+    #[must_use]
+    pub fn with_length(self, length: f64) -> Self {
+        Self { length, ..self }
+    }
+
+    /// Errors of a trajectory.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: a time at which the ephemeris cannot be evaluated.
+    pub fn score(&self, trajectory: &Trajectory) -> Result<Score, Failure> {
+        let rows = &trajectory.rows;
+        let furthest = rows.iter().map(|row| row.t.abs()).fold(0.0, f64::max);
+        let reach = furthest_time(self.motion);
+        if furthest > reach {
+            let reason = format!("t: {furthest:e} must be within ±{reach:.1e} s");
+            return Err(Failure::Input(format!("{}: {reason}", trajectory.name)));
+        }
+        let mut errors = Vec::with_capacity(rows.len());
+        let mut max_u_error = 0.0_f64;
+        for row in rows {
+            let exact = self.table.at(row.t).sample.orientation();
+            errors.push(distance(&exact, &row.orientation));
+            max_u_error = max_u_error.max((row.orientation.u() - exact.u()).abs());
+        }
+        let mean_square = errors.iter().map(|error| error * error).sum::<f64>() / rows.len() as f64;
+        let greatest = |numbers: &mut dyn Iterator<Item = f64>| numbers.fold(0.0, f64::max);
+        let positions = rows.iter().filter_map(|row| self.position_error(row));
+        let fit = Fit::new(self.motion, &*self.table);
+        Ok(Score {
+            max_error: greatest(&mut errors.iter().copied()),
+            rms_error: mean_square.sqrt(),
+            final_error: errors.last().copied().unwrap_or_default(),
+            max_u_error,
+            max_position_error: positions.reduce(f64::max),
+            phases: fit.map(|fit| fit.last(rows)).unwrap_or_default(),
+            drift: drift::along(rows, self.motion, &*self.table),
+            norm_error: greatest(&mut rows.iter().map(|row| row.norm_error)),
+            truth_bound: self.table.error_bound().after(furthest * self.table.ticks_per_time()),
+            doubt: rows.first().and_then(|row| self.doubt(row)),
+        })
+    }
+
+    /// Greatest error of the positions of a row.
+    fn position_error(&self, row: &Row) -> Option<f64> {
+        let exact = self.table.at(row.t).sample;
+        let tip = row.tip.map(|[x, y]| (x - exact.tip.re).hypot(y - exact.tip.im));
+        let com = row.com.map(|com| apart(com, exact.orientation().axis().map(|x| self.length * x)));
+        [tip, com].into_iter().flatten().reduce(f64::max)
+    }
+
+    /// Reason why the first row is far from the motion; `None` if it is near.
+    fn doubt(&self, first: &Row) -> Option<Doubt> {
+        let sample = self.table.at(first.t).sample;
+        let exact = sample.orientation();
+        let [error, inverse] =
+            [first.orientation, first.orientation.inverse()].map(|found| distance(&exact, &found));
+        if error >= Doubt::FAR {
+            let far = format!("the first row is {error:.1e} rad from the motion;");
+            let start = inverse >= Doubt::FAR;
+            let transposed = "are the columns from fixed to body coordinates?";
+            let reason =
+                if start { far } else { format!("{far} and its inverse {inverse:.1e} rad: {transposed}") };
+            return Some(Doubt { reason, start });
+        }
+        let speed = apart(sample.omega, [0.0; 3]).max(2.0 * std::f64::consts::PI / period(self.motion));
+        let length = if self.length > 0.0 { self.length } else { 1.0 };
+        let far =
+            |error: Option<f64>, unit: f64| error.map(|error| error / unit).filter(|x| *x >= Doubt::FAR);
+        let reason = if let Some(error) = far(first.omega.map(|omega| apart(omega, sample.omega)), speed) {
+            format!(
+                "the angular velocity of the first row is off by {error:.1e} of its size: are wx,wy,wz in the body frame, and"
+            )
+        } else {
+            let error = far(self.position_error(first), length)?;
+            format!("the position of the first row is off by {error:.1e} of the length of the top;")
+        };
+        Some(Doubt { reason, start: true })
+    }
+}
+
+/// Distance of two vectors.
+fn apart(x: [f64; 3], y: [f64; 3]) -> f64 {
+    (Vector3::from(x) - Vector3::from(y)).norm()
+}
+
+/// Error of the orientation with the nearer of the two signs, rad.
+fn distance(exact: &Orientation<f64>, found: &Orientation<f64>) -> f64 {
+    let negative = Orientation { alpha: -found.alpha, beta: -found.beta };
+    exact.distance(found).min(exact.distance(&negative))
+}

@@ -1,0 +1,162 @@
+//! Phase errors of a trajectory for nutation, precession and spin.
+//!
+//! An exact motion is a function of three angles on a torus, which advance at constant rates: the nutation phase θ (one turn in a nutation
+//! period), the mean azimuth ψ of the axis and the mean rotation φ of the body about it. The orientation at other angles is
+//!
+//! ```text
+//! Φ(θ + Δθ, ψ + Δψ, φ + Δφ):   α(t + τ) exp(i(Δψ + Δφ)/2 - i A' τ),   β(t + τ) exp(i(Δψ - Δφ)/2 - i B' τ),   τ = Δθ T/2π
+//! ```
+//!
+//! with the mean rates A' and B' of arg α and arg β. The phase errors are the Δθ, Δψ and Δφ that bring this closest to a trajectory,
+//! by least squares over the rows of one nutation period, in which they may change at constant rates. The distance that remains is not a phase error: the trajectory is on another
+//! torus, with other values of l, n, h.
+
+use super::rotation_between;
+use super::trajectory::Row;
+use crate::motion::ephemeris::AnyScalar;
+use crate::motion::propagate::period;
+use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
+use std::f64::consts::PI;
+use toytop::{Complex, Motion, Orientation, Regime};
+
+/// Phase errors of a trajectory over some rows, above 0 where it is ahead of the motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PhaseErrors {
+    /// Nutation phase error Δθ, rad; `None` where the axis does not nutate.
+    pub nutation: Option<f64>,
+    /// Precession phase error Δψ, rad; `None` where the axis is vertical.
+    pub precession: Option<f64>,
+    /// Spin phase error Δφ, rad; where the axis is vertical, that of the whole rotation.
+    pub spin: Option<f64>,
+    /// Root of the mean square of the rotation that remains after the phase errors are removed, rad.
+    pub residual: Option<f64>,
+}
+
+/// Fit of phase errors to rows.
+pub(super) struct Fit<'a> {
+    table: &'a dyn AnyScalar,
+    /// Time that a fit covers, s.
+    period: f64,
+    /// Mean rates of arg α, arg β and the nutation phase, rad/s.
+    rates: [f64; 3],
+    /// Whether θ, ψ and φ exist.
+    exist: [bool; 3],
+}
+
+/// Least number of rows of a fit.
+const LEAST_ROWS: usize = 8;
+
+impl<'a> Fit<'a> {
+    /// Fit for a motion with its ephemeris; `None` for an aperiodic motion, which has no such phases.
+    #[must_use]
+    pub(super) fn new(motion: &Motion, table: &'a dyn AnyScalar) -> Option<Self> {
+        let exist = match motion.regime() {
+            Regime::Nutating => [true; 3],
+            Regime::Aperiodic => return None,
+            regime if regime.is_vertical() => [false, false, true],
+            _ => [false, true, true],
+        };
+        let period = period(motion);
+        let rates = motion.period_advance().map_or([0.0; 3], |advance| {
+            [advance.alpha_turns, advance.beta_turns, 1.0].map(|turns| 2.0 * PI * turns / period)
+        });
+        Some(Self { table, period, rates, exist })
+    }
+
+    /// Phase errors in the middle of the last nutation period of the rows (of the last eight rows, if these take longer). The fit goes
+    /// through the periods before it one by one, so that errors of more than half a turn are recognised.
+    #[must_use]
+    pub(super) fn last(&self, rows: &[Row]) -> PhaseErrors {
+        let mut angles = [Vector3::zeros(); 2];
+        let mut residual = None;
+        for window in self.windows(rows) {
+            // from the middle of one window to that of the next
+            angles[0] += angles[1];
+            (angles, residual) = self.fitted(window, angles);
+        }
+        let angle = |i: usize| Some(angles[0][i]).filter(|_| self.exist[i] && residual.is_some());
+        PhaseErrors { nutation: angle(0), precession: angle(1), spin: angle(2), residual }
+    }
+
+    /// Consecutive windows, counted from the last row.
+    fn windows<'r>(&self, rows: &'r [Row]) -> Vec<&'r [Row]> {
+        let mut windows = Vec::new();
+        let mut rest = rows;
+        while rest.len() >= LEAST_ROWS {
+            let last = rest[rest.len() - 1].t;
+            let inside = rest.iter().rev().take_while(|row| (row.t - last).abs() <= self.period).count();
+            let (before, window) = rest.split_at(rest.len() - inside.max(LEAST_ROWS));
+            windows.push(window);
+            rest = before;
+        }
+        windows.reverse();
+        windows
+    }
+
+    /// Angles in the middle of the rows, and their change in a period, by Gauss-Newton iteration from a first guess, and the root of the mean
+    /// square of the remaining rotation. With the change, an error of a rate is not mistaken for one of another angle.
+    fn fitted(&self, rows: &[Row], mut angles: [Vector3<f64>; 2]) -> ([Vector3<f64>; 2], Option<f64>) {
+        const MOST: usize = 20;
+        const ENOUGH: f64 = 1e-3;
+        let middle = 0.5 * (rows[0].t + rows[rows.len() - 1].t);
+        let share = |row: &Row| (row.t - middle) / self.period;
+        let at = |angles: &[Vector3<f64>; 2], row: &Row| {
+            self.linearised(row, &(angles[0] + angles[1] * share(row)))
+        };
+        for _ in 0..MOST {
+            let (mut gram, mut right) = (Matrix6::zeros(), Vector6::zeros());
+            for row in rows {
+                let (slopes, left) = at(&angles, row);
+                let both = SMatrix::<f64, 3, 6>::from_fn(|i, j| {
+                    if j < 3 { slopes[(i, j)] } else { slopes[(i, j - 3)] * share(row) }
+                });
+                gram += both.transpose() * both;
+                right += both.transpose() * left;
+            }
+            for i in (0..6).filter(|i| !self.exist[i % 3]) {
+                gram[(i, i)] = 1.0;
+            }
+            let Some(factors) = gram.cholesky() else { return (angles, None) };
+            let step = factors.solve(&right);
+            angles[0] += step.fixed_rows::<3>(0);
+            angles[1] += step.fixed_rows::<3>(3);
+            // after a small step, the remaining rotation is known to first order
+            if step.amax() < ENOUGH {
+                break;
+            }
+        }
+        let squares = rows.iter().map(|row| at(&angles, row).1.norm_squared()).sum::<f64>();
+        (angles, Some((squares / rows.len() as f64).sqrt()).filter(|x| x.is_finite()))
+    }
+
+    /// Rotation that each angle adds, rad per rad, as columns, and the rotation that remains, rad.
+    fn linearised(&self, row: &Row, angles: &Vector3<f64>) -> (Matrix3<f64>, Vector3<f64>) {
+        let [a_rate, b_rate, theta_rate] = self.rates;
+        // t + τ is rounded; the rest of Δθ is taken into account to first order
+        let t = if angles[0] == 0.0 { row.t } else { row.t + angles[0] / theta_rate };
+        let shift = t - row.t;
+        let exact = self.table.at(t);
+        let turned = |z: Complex<f64>, angle: f64| z * Complex::new(angle.cos(), angle.sin());
+        let phi = exact.sample.orientation();
+        let azimuth = angles[1] - (a_rate + b_rate) * shift;
+        let roll = angles[2] - (a_rate - b_rate) * shift;
+        let there = Orientation {
+            alpha: turned(phi.alpha, 0.5 * (azimuth + roll)),
+            beta: turned(phi.beta, 0.5 * (azimuth - roll)),
+        };
+        let (axis, up, zero) = (Vector3::from(there.axis()), Vector3::z(), Vector3::zeros());
+        let nutation = if self.exist[0] {
+            // ω of the motion, turned by the azimuth, minus the contribution of the mean rotations
+            let [x, y, z] = exact.sample.omega;
+            let across = turned(Complex::new(x, y), azimuth);
+            let omega = Vector3::new(across.re, across.im, z);
+            (omega - up * (a_rate + b_rate) - axis * (a_rate - b_rate)) / theta_rate
+        } else {
+            zero
+        };
+        let slopes = Matrix3::from_columns(&[nutation, if self.exist[1] { up } else { zero }, axis]);
+        let left = Vector3::from(rotation_between(&there, &row.orientation));
+        let rounded = if self.exist[0] { angles[0] - shift * theta_rate } else { 0.0 };
+        (slopes, left - nutation * rounded)
+    }
+}

@@ -1,0 +1,161 @@
+//! Many motions of a scenario, some of whose numbers vary: a grid or a random sample, one row for each motion.
+//!
+//! A row depends only on the options of the sweep and on its index, so that parts from different machines fit together.
+
+pub mod axis;
+mod columns;
+
+pub use axis::Axis;
+pub use columns::{Column, DEFAULT_COLUMNS};
+
+use crate::Failure;
+use crate::input::random::Random;
+use crate::input::scenario::{Key, Template};
+use crate::output::short;
+use columns::Measured;
+use toytop::Motion;
+
+/// Table of a sweep: a header, and a row for each motion.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    template: Template,
+    axes: Vec<(Key, Axis)>,
+    /// Number of motions to draw, and the seed; `None` for the grid of all combinations.
+    sample: Option<(u64, u64)>,
+    /// Columns after those of the numbers that vary.
+    columns: Vec<Column>,
+    /// Number of times at which each motion is evaluated.
+    times: u32,
+    /// Number of nutation periods over which these times are spread.
+    periods: f64,
+}
+
+impl Sweep {
+    /// Sweep of a scenario over these axes, each in the unit of its key.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: no axis, a key that the scenario does not have or that is given twice, a range in a grid, or a scenario whose
+    /// first motion is refused for a key that does not vary.
+    pub fn new(
+        template: Template,
+        axes: &[(String, Axis)],
+        sample: Option<(u64, u64)>,
+        columns: &[Column],
+        (times, periods): (u32, f64),
+    ) -> Result<Self, Failure> {
+        let refuse = |reason: String| Err(Failure::Input(reason));
+        if axes.is_empty() {
+            return refuse("a sweep: needs at least one of --spin, --tilt, ..., --axis".to_owned());
+        }
+        let mut keys: Vec<(Key, Axis)> = Vec::new();
+        for (name, axis) in axes {
+            let key = template.key(name)?;
+            if keys.iter().any(|(other, _)| *other == key) {
+                return refuse(format!("{name}: must be one axis only"));
+            }
+            if sample.is_none() && axis.count().is_none() {
+                let forms = "must be LOW..HIGH/PLACES or numbers (or draw a sample: --motions N)";
+                return refuse(format!("{name}: a range in a grid: {forms}"));
+            }
+            keys.push((key, axis.clone()));
+        }
+        let sweep = Self { template, axes: keys, sample, columns: columns.to_vec(), times, periods };
+        if sweep.checked_count().is_none() {
+            return refuse("a grid: must have at most 2^64 places".to_owned());
+        }
+        match sweep.template.with(&sweep.numbers(0)) {
+            Err(Failure::Input(message)) if !sweep.axes.iter().any(|(key, _)| message.contains(key.name)) => {
+                refuse(message)
+            }
+            _ => Ok(sweep),
+        }
+    }
+
+    /// Axis of a key of a grid.
+    #[must_use]
+    pub fn axis(&self, name: &str) -> Option<&Axis> {
+        self.axes.iter().find(|(key, _)| key.name == name && self.sample.is_none()).map(|(_, axis)| axis)
+    }
+
+    /// Place of a row of a grid on the axis of a key.
+    #[must_use]
+    pub fn place(&self, name: &str, index: u64) -> Option<u64> {
+        let mut cells = self.count();
+        self.axes.iter().find_map(|(key, axis)| {
+            cells /= axis.size();
+            (key.name == name).then_some(index / cells % axis.size())
+        })
+    }
+
+    fn checked_count(&self) -> Option<u64> {
+        match self.sample {
+            Some((motions, _)) => Some(motions),
+            None => self.axes.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size())),
+        }
+    }
+
+    /// Number of motions.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.checked_count().unwrap_or(u64::MAX)
+    }
+
+    /// Numbers of the motion with this index; in a grid the last key changes fastest.
+    fn numbers(&self, index: u64) -> Vec<(Key, f64)> {
+        let mut random = self.sample.map(|(_, seed)| Random::new(seed, index));
+        let mut cells = self.checked_count().unwrap_or(u64::MAX);
+        let number = |(key, axis): &(Key, Axis)| {
+            cells /= axis.size();
+            let number = match &mut random {
+                Some(random) => axis.draw(random),
+                None => axis.at(index / cells % axis.size()),
+            };
+            (*key, number)
+        };
+        self.axes.iter().map(number).collect()
+    }
+
+    fn motion(&self, numbers: &[(Key, f64)]) -> Result<Motion, Failure> {
+        Ok(self.template.with(numbers)?.motion)
+    }
+
+    /// Names of the columns, with a line break.
+    #[must_use]
+    pub fn header(&self) -> String {
+        let keys = self.axes.iter().map(|(key, _)| key.name.to_owned());
+        let names = keys.chain(self.columns.iter().flat_map(|column| column.header(self.times)));
+        names.fold("index".to_owned(), |line, name| line + "," + &name) + "\n"
+    }
+
+    /// Appends the row with this index, with a line break; the result is whether the scenario has these numbers.
+    pub fn row(&self, index: u64, text: &mut Vec<u8>) -> bool {
+        let numbers = self.numbers(index);
+        let motion = self.motion(&numbers).ok();
+        let measured = motion.map(|motion| Measured::new(motion, self.times, self.periods));
+        let mut row = index.to_string();
+        numbers.iter().for_each(|(_, number)| row += &format!(",{number:?}"));
+        for column in &self.columns {
+            let fields = match &measured {
+                Some(measured) => measured.fields(*column),
+                None => column.refused(self.times),
+            };
+            fields.iter().for_each(|field| row += &format!(",{field}"));
+        }
+        text.extend_from_slice(row.as_bytes());
+        text.push(b'\n');
+        measured.is_some()
+    }
+
+    /// Reason why the scenario refuses the numbers of a row, beginning with the key that varies and its value.
+    #[must_use]
+    pub fn refusal(&self, index: u64) -> Option<String> {
+        let numbers = self.numbers(index);
+        let message = self.motion(&numbers).err()?.to_string();
+        let reason = message.strip_prefix(&format!("{}: ", self.template.file())).unwrap_or(&message);
+        let of_key = numbers.iter().find_map(|(key, number)| {
+            let reason = reason.strip_prefix(&format!("{key}: "))?;
+            Some(format!("{} = {}: {reason}", key.name, short(*number, 5)))
+        });
+        Some(of_key.unwrap_or_else(|| reason.to_owned()))
+    }
+}

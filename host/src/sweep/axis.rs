@@ -1,0 +1,176 @@
+//! Values of one number of a sweep: a list, or a range.
+
+use crate::input::random::Random;
+use std::str::FromStr;
+
+/// Values of one number, from a text such as `0.7`, `0.7,0.8,0.9`, `0.1..0.9`, `0.1..0.9/17` or `log:1e-3..1e3/7`.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Axis {
+    /// List of numbers.
+    List(Vec<f64>),
+    /// All numbers of a range, for a random sample only.
+    Range(Range),
+    /// Range with this many values, evenly spread, both ends included.
+    Grid(Range, u32),
+}
+
+/// Range from `low` to `high`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    low: f64,
+    high: f64,
+    /// Whether values are spread evenly in the logarithm.
+    log: bool,
+}
+
+impl Range {
+    fn at(&self, share: f64) -> f64 {
+        let Self { low, high, log } = *self;
+        let between = |low: f64, high: f64| low + (high - low) * share;
+        let x = if log { between(low.ln(), high.ln()).exp() } else { between(low, high) };
+        // rounding must neither change the ends nor pass them
+        if share == 0.0 { low } else { x.clamp(low, high) }
+    }
+}
+
+impl Axis {
+    /// Number of values; `None` for a range.
+    pub fn count(&self) -> Option<u64> {
+        match self {
+            Self::List(numbers) => Some(numbers.len() as u64),
+            Self::Range(_) => None,
+            Self::Grid(_, places) => Some(u64::from(*places)),
+        }
+    }
+
+    /// Number of values, of which a range has one.
+    #[must_use]
+    pub fn size(&self) -> u64 {
+        self.count().unwrap_or(1)
+    }
+
+    /// Value with this index. A range has only one, its lower end.
+    pub fn at(&self, place: u64) -> f64 {
+        match self {
+            Self::List(numbers) => numbers.get(place as usize).copied().unwrap_or(f64::NAN),
+            Self::Range(range) => range.low,
+            Self::Grid(range, places) if place + 1 == u64::from(*places) && place > 0 => range.high,
+            Self::Grid(range, places) => range.at(place as f64 / f64::from((*places - 1).max(1))),
+        }
+    }
+
+    /// Random number.
+    pub(super) fn draw(&self, random: &mut Random) -> f64 {
+        let share = random.share();
+        match self {
+            Self::Range(range) => range.at(share),
+            _ => self.at((share * self.size() as f64) as u64),
+        }
+    }
+
+    /// Ends of the cells of a grid, half a step beyond its values, as logarithms where the values are spread evenly in
+    /// the logarithm.
+    pub fn drawn_ends(&self) -> [f64; 2] {
+        let [low, high] = self.ends().map(|end| if self.is_log() { end.log10() } else { end });
+        let half = 0.5 * (high - low) / (self.count().unwrap_or(2) as f64 - 1.0).max(1.0);
+        [low - half, high + half]
+    }
+
+    /// Whether the values are spread evenly in the logarithm.
+    pub fn is_log(&self) -> bool {
+        matches!(self, Self::Range(range) | Self::Grid(range, _) if range.log)
+    }
+
+    /// Least and greatest value.
+    #[must_use]
+    pub fn ends(&self) -> [f64; 2] {
+        match self {
+            Self::List(numbers) => [
+                numbers.iter().copied().fold(f64::INFINITY, f64::min),
+                numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            ],
+            Self::Range(range) | Self::Grid(range, _) => [range.low, range.high],
+        }
+    }
+}
+
+const FORMS: &str =
+    "a number, X,Y,... or LOW..HIGH or LOW..HIGH/PLACES (log:LOW..HIGH: even in the logarithm)";
+
+impl FromStr for Axis {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let refused = || format!("must be {FORMS}");
+        let number =
+            |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(refused);
+        let (log, rest) = text.strip_prefix("log:").map_or((false, text), |rest| (true, rest));
+        let Some((low, rest)) = rest.split_once("..") else {
+            let list = text.split(',').map(number).collect::<Result<_, _>>()?;
+            return Ok(Self::List(list));
+        };
+        let (high, places) = rest.split_once('/').map_or((rest, None), |(high, places)| (high, Some(places)));
+        let range = Range { low: number(low)?, high: number(high)?, log };
+        if range.low >= range.high {
+            return Err("LOW must be below HIGH".to_owned());
+        }
+        if log && range.low <= 0.0 {
+            return Err("LOW must be above 0 with log:".to_owned());
+        }
+        let Some(places) = places else { return Ok(Self::Range(range)) };
+        match places.trim().parse::<u32>() {
+            Ok(places) if places >= 2 => Ok(Self::Grid(range, places)),
+            _ => Err("PLACES must be a whole number from 2 to 4294967295".to_owned()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn axis(text: &str) -> Axis {
+        text.parse().unwrap()
+    }
+
+    #[test]
+    fn a_grid_has_both_ends_and_even_steps() {
+        let all = |text: &str| {
+            let axis = axis(text);
+            (0..axis.count().unwrap()).map(|i| axis.at(i)).collect::<Vec<_>>()
+        };
+        assert_eq!(all("0.7"), [0.7]);
+        assert_eq!(all("0.7,-1, 1e3"), [0.7, -1.0, 1e3]);
+        assert_eq!(all("-1..1/5"), [-1.0, -0.5, 0.0, 0.5, 1.0]);
+        let log = all("log:1e-3..1e3/3");
+        assert!(log[0] == 1e-3 && log[2] == 1e3 && (log[1] - 1.0).abs() < 1e-15, "{log:?}");
+    }
+
+    #[test]
+    fn what_is_drawn_lies_within_and_reaches_everywhere() {
+        for (text, distinct) in [("log:0.1..0.3", 1000), ("-0.3..0.7", 1000), ("1,2,3", 3), ("0..1/11", 11)] {
+            let axis = axis(text);
+            let [low, high] = axis.ends();
+            let mut drawn: Vec<_> = (0..1000).map(|i| axis.draw(&mut Random::new(1, i))).collect();
+            assert!(drawn.iter().all(|x| (low..=high).contains(x)), "{text}");
+            drawn.sort_by(f64::total_cmp);
+            let middle = drawn[500];
+            let fair = if text.starts_with("log") { (low * high).sqrt() } else { 0.5 * (low + high) };
+            assert!((middle - fair).abs() <= 0.05 * (high - low), "{text}: {middle}");
+            drawn.dedup();
+            assert_eq!(drawn.len(), distinct, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_axis_is_refused() {
+        for text in ["", "x", "1,,2", "1..", "2..1", "1..1", "log:0..1", "0..1/1", "0..1/x", "nan", "log:3"] {
+            assert!(text.parse::<Axis>().is_err(), "{text}");
+        }
+        for (text, reason) in
+            [("2..1", "LOW must be below HIGH"), ("log:0..1/3", "LOW must be above 0 with log:")]
+        {
+            assert_eq!(text.parse::<Axis>(), Err(reason.to_owned()));
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! `toytop bake`: contents of the files, choice of the size, and complete files.
+
+use crate::command::{all_refused, count, path, run, toytop};
+use crate::{RELEASE, TOP, folder, needle, scenario, slender};
+use std::path::Path;
+
+/// The table that `spin_m0` has in flash is the one that this program writes.
+#[test]
+fn the_firmware_has_todays_table() {
+    let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("../firmware-examples/src/tables/toy_top.rs");
+    let committed = std::fs::read_to_string(committed).expect("a file");
+    assert_eq!(toytop("bake @toy_top --scalar q31").ok(), committed);
+}
+
+#[test]
+fn the_size_is_chosen_and_said() {
+    let slender = scenario("bake_slender", &slender([-0.9, 0.99, 1.18], ["5.4e-3", "5e-3"]));
+    for (file, scalar, word, [segments, terms]) in [
+        ("@toy_top", "f32", "f32", [25, 5]),
+        ("@toy_top", "f64", "f64", [48, 11]),
+        ("@toy_top", "q31", "toytop::fixed::types::I2F30", [32, 4]),
+        ("@toy_top", "q15", "toytop::fixed::types::I2F14", [16, 3]),
+        (&slender, "f32", "f32", [128, 5]),
+        (&slender, "f64", "f64", [128, 11]),
+    ] {
+        let run = toytop(format!("bake {file} --scalar {scalar}"));
+        let said = format!(": {segments}x{terms} in {scalar}, ");
+        assert!(run.err.contains(&said) && run.err.contains(" rad a tick"), "{}", run.err);
+        assert!(run.out.contains(&format!("toytop::Ephemeris<{word}, {segments}>")), "{file} {scalar}");
+    }
+    assert!(toytop("bake --help").ok().contains("toytop bake top.toml"));
+}
+
+/// A smaller table is named only if it has the same error bound, and every size that is named is enough.
+#[test]
+fn the_least_size_is_named() {
+    let summary = |line: &str| toytop(format!("bake {line}")).err.lines().next().expect("a line").to_owned();
+    let bound = |summary: &str| {
+        let (_, bound) = summary.split_once("orientation within ").expect("a bound");
+        bound.split(" rad").next().expect("a number").parse::<f64>().expect("a number")
+    };
+    for (line, size, bytes) in [
+        ("@toy_top --scalar f64", 8, 2816),
+        ("@pendulum --scalar f64", 32, 11264),
+        ("@sleeping --scalar q15", 8, 192),
+    ] {
+        let (large, small) = (summary(line), summary(&format!("{line} --size {size}")));
+        assert!(large.ends_with(&format!("; --size {size} would be enough ({bytes} bytes)")), "{large}");
+        assert!(small.contains(&format!("{bytes} bytes, ")) && !small.contains("enough"), "{small}");
+        assert!((bound(&small) / bound(&large) - 1.0).abs() < 0.07, "{small} {large}");
+    }
+    // the pendulum needs 17 to 25 segments in f32
+    for (line, enough) in [
+        ("@pendulum --scalar f32 --size 8", 25),
+        ("@pendulum --scalar f32 --size 16", 25),
+        ("@toy_top --scalar q15 --size 8", 16),
+    ] {
+        let refused = summary(line);
+        assert!(refused.ends_with(&format!("; at least --size {enough} would be enough")), "{refused}");
+    }
+    assert!(!summary("@pendulum --size 25").contains("enough"));
+}
+
+#[test]
+fn a_failed_bake_writes_nothing() {
+    folder("bake_refused");
+    all_refused(
+        "bake -o bake_refused/top.rs",
+        &[
+            ("@toy_top --size 17", "--size: 17: must be"),
+            ("@toy_top --size 25x5", "--size"),
+            ("@toy_top --hertz 0", "44100/2"),
+            ("@toy_top --hertz 0/2", "44100/2"),
+            ("@toy_top --hertz 44100/x", "44100/2"),
+            ("@toy_top --lang ada", "rust, c"),
+            (&scenario("bake_broken", TOP), "motion: missing"),
+        ],
+    );
+    all_refused(
+        "bake @toy_top",
+        &[
+            ("-o no/such/folder/top.h", "no/such/folder/top.h"),
+            ("--split no_such_folder", "error: --split: needs --lang c\n"),
+        ],
+    );
+    let needle = format!("bake -o bake_refused/top.rs {}", needle("bake_needle"));
+    toytop(&needle).refused(3, "bake_needle: no ephemeris");
+    toytop(needle + " --size 32").refused(3, "bake_needle: no ephemeris of 32 segments");
+    assert_eq!(count("bake_refused"), 0);
+    assert!(!path("no_such_folder").exists());
+}
+
+#[test]
+fn any_file_name_makes_an_identifier() {
+    for (name, identifier) in [("bake 1-é*", "BAKE_1_U00E9"), ("1st bake", "TOP_1ST_BAKE")] {
+        let file = scenario(name, &format!("{TOP}{RELEASE}"));
+        assert!(run(&["bake", &file]).ok().contains(&format!("pub static {identifier}: ")), "{name}");
+    }
+}

@@ -1,0 +1,131 @@
+//! Bad arguments: exit code 2, nothing on stdout, one line on stderr that names the option and the allowed values.
+
+use crate::command::{all_refused, toytop, write};
+use crate::{RELEASE, TOP, needle, scenario};
+
+#[test]
+fn arguments() {
+    write("far.txt", "1e300\n");
+    write("no_times.txt", "# none\n\n");
+    all_refused(
+        "",
+        &[
+            ("", "--help"),
+            ("plot", "--output ... SCENARIO"),
+            ("draw", "draw"),
+            ("stat", "'stat'; some similar subcommands exist: ... 'state'"),
+            ("bench quickly", "quickly"),
+            ("constants", "SCENARIO"),
+            ("constants @toy_top --format xml", "--format ... table, csv, json"),
+            ("constants @no_such_file", "no_such_file.toml ... No such file"),
+            ("constants .", "directory"),
+            ("compare @toy_top @no_such_file", "no_such_file.toml"),
+            ("compare --periods 0", "--periods ... 1..=10000"),
+            ("compare --scalar f64,q7", "--scalar ... f64, f32, q31, q15, all"),
+            ("animate @toy_top --seconds -1 -o x.gif", "'-1' for '--seconds <S>' ... 0.1 to 600"),
+            ("fit x.csv --top @toy_top --huber -1", "'-1' for '--huber <X>' ... a number from 1"),
+            ("bake @toy_top --size -8", "'-8' for '--size <SEGMENTS>'"),
+            ("plot @toy_top --size -100 -o x.svg", "'-100' ... 100..=10000"),
+            ("simulate @toy_top -o no_such_folder/f.csv", "error: --output: no_such_folder/f.csv: "),
+            ("state @lagrange --times 1,-1e300 --method closed-form", "times ... -1e300 ... closed-form"),
+        ],
+    );
+    all_refused(
+        "state @toy_top",
+        &[
+            ("", "--times ... --times-file"),
+            ("--times 1 --times-file x", "--times ... --times-file"),
+            ("--times 1,,2", "--times ... finite number"),
+            ("--times 1,NaN", "--times ... NaN ... finite number"),
+            ("--times 1e999", "--times ... finite number"),
+            ("--times 1;2", "--times ... finite number"),
+            ("--times 0..1", "--times: 0..1: must be T1,T2,... or LOW..HIGH/PLACES"),
+            ("--times 10..0/5", "error: --times: 10..0/5: LOW must be below HIGH\n"),
+            ("--times 0..1/6000000 --method full", "--times: 6000000 times: must be at most 5000000"),
+            ("--times 0..1/5000001 --method stepper", "--times: 5000001 times: must be at most 5000000"),
+            ("--times 1,-1e300", "error: --times: -1e300 must be within ±2.8e14 s"),
+            ("--times-file @no_such_file", "no_such_file.toml"),
+            ("--times-file @toy_top", "toy_top.toml ... line 3 ... finite number"),
+            ("--times-file far.txt", "error: --times-file: far.txt: 1e300 must be within ±"),
+            ("--times-file no_times.txt", "no_times ... at least one"),
+            ("--times-file /dev/zero", "64 MiB"),
+            ("--ticks 1..0", "--ticks: 1..0: must be N1,N2,... or FIRST..LAST"),
+            ("--ticks 1 --hertz 0/1", "--hertz"),
+            ("--times 1 --hertz 5", "--hertz: needs --ticks"),
+            ("--from 0 --to 1", "--count"),
+            ("--from 1 --to 0 --count 3", "--from, --to, --count: must be"),
+            ("--from 0 --to 1 --count 3 --times 1", "cannot be used with"),
+            ("--times 1 --columns t,speed", "speed"),
+            ("--times 1 --method euler", "euler ... ephemeris, stepper, full, closed-form"),
+            ("--times 1 --scalar q7", "q7 ... f64, f32, q31, q15"),
+            ("--times 1 --scalar q31 --method full", "--scalar ... f64"),
+            ("--times 1 --scalar f32 --method full", "--scalar ... f64"),
+            ("--times 1 --scalar f32 --method closed-form", "--scalar ... f64"),
+            ("--times 1 --steps-per-period 0", "1..=16777216"),
+            ("--times 1 --steps-per-period 16777217", "1..=16777216"),
+            ("--times 1 --steps-per-period 10", "error: --steps-per-period: needs --method stepper\n"),
+            ("--times 1 --method full --steps-per-period 10", "--steps-per-period: needs --method stepper"),
+            ("--times 1e6,-1e6 --method stepper", "--steps-per-period ... at most 1e10 steps"),
+        ],
+    );
+}
+
+/// Messages are short for any input, and state the error.
+#[test]
+fn long_input_makes_no_long_message() {
+    let long = "k".repeat(100_000);
+    let text = format!("{TOP}{RELEASE}");
+    let key = scenario("long_key", &format!("{text}{long} = 1\n"));
+    let value = scenario("long_value", &text.replace("\"release\"", &format!("\"{long}\"")));
+    let table = scenario("long_table", &format!("{text}[{long}]\n"));
+    for (line, parts) in [
+        (format!("constants {key}"), "motion.kkkk ... unknown or unneeded key; allowed"),
+        (format!("constants {value}"), "motion.kind ... must be one of"),
+        (format!("constants {table}"), "kkkk ... unknown key; allowed"),
+        (format!("state {key} --times {long}"), "kkk"),
+        (format!("constants {long}"), "kkk"),
+        (format!("sweep {key} -o x.csv --part 1/99999999999"), "--part ... N at most 2^32"),
+        (format!("sweep {key} -o x.csv --part {long}"), "--part"),
+    ] {
+        let run = toytop(line);
+        run.refused(2, parts);
+        assert!(run.err.len() < 1200, "{}", run.err.len());
+    }
+}
+
+/// A method that does not apply exits with 3, and its message names another.
+#[test]
+fn a_method_that_does_not_apply() {
+    let needle = needle("needle");
+    for (line, parts) in [
+        (
+            "@toy_top --times 1e6 --method full",
+            "toy_top: full solver: gives up at t = 3.59e3 ... evaluations ... ask for earlier times",
+        ),
+        (
+            "@toy_top --times 1 --method stepper --scalar q31",
+            "--method stepper ... q31 ... --method ephemeris",
+        ),
+        (
+            "@toy_top --times 1 --method stepper --scalar q15",
+            "--method stepper ... q15 ... --method ephemeris",
+        ),
+        ("@toy_top --times 1 --method closed-form", "toy_top:  ... e3 = e4 ... e2 = e3 = 1"),
+        ("@toy_top --times 1 --method closed-form --format csv", "toy_top:  ... e3 = e4 ... e2 = e3 = 1"),
+        ("@toy_top --times 1 --method closed-form --format json", "toy_top:  ... e3 = e4 ... e2 = e3 = 1"),
+        (
+            &*format!("{needle} --times 1 --scalar f64"),
+            "needle ... no ephemeris ... 4096x11 ... segments of this degree would be enough",
+        ),
+        (
+            &format!("{needle} --times 1 --scalar f32"),
+            "needle ... no ephemeris ... 4096x5 ... segments of this degree would be enough",
+        ),
+        (
+            &format!("{needle} --times 1 --scalar q31"),
+            "needle ... no ephemeris ... 4096x4 ... segments of this degree would be enough",
+        ),
+    ] {
+        toytop(format!("state {line}")).refused(3, parts);
+    }
+}

@@ -1,0 +1,91 @@
+//! `toytop benchmark` and `score --benchmark`.
+
+use crate::command::{all_refused, json, number, read, toytop, write};
+use serde_json::Value;
+use std::path::Path;
+
+fn names() -> Vec<String> {
+    let list = json("benchmark");
+    let name = |problem: &Value| problem["benchmark"].as_str().expect("a name").to_owned();
+    list["problems"].as_array().expect("problems").iter().map(name).collect()
+}
+
+/// The ephemeris of the scenario reaches the 30 digits of every problem, in the axes of the source.
+#[test]
+fn the_scenario_agrees_with_the_reference_digits() {
+    for name in names() {
+        let digits = json(format!("benchmark {name}"));
+        for sample in digits["samples"].as_array().expect("samples") {
+            let t = sample["t"].as_str().expect("a time");
+            let ours = &json(format!("benchmark {name} --times={t}"))["samples"][0];
+            let pairs = |keys: &'static str| {
+                keys.split(' ').map(|key| {
+                    let truth: f64 = sample[key].as_str().expect("digits").parse().expect("a number");
+                    (truth, number(&ours[key]))
+                })
+            };
+            let off = |keys, sign: f64| pairs(keys).map(|(x, y)| (x - sign * y).abs()).fold(0.0, f64::max);
+            let place = "x_com y_com z_com";
+            let length = pairs(place).map(|(x, _)| x * x).sum::<f64>().sqrt();
+            assert!(off(place, 1.0) < 2e-13 * length, "{name} at {t}");
+            assert!(off("w x y z", 1.0).min(off("w x y z", -1.0)) < 1e-12, "{name} at {t}");
+            assert!(off("wx wy wz", 1.0) < 1e-10, "{name} at {t}");
+        }
+    }
+}
+
+/// A run in the source's axes has no error, and one in other axes has a large error.
+#[test]
+fn a_run_is_judged_in_the_axes_of_its_source() {
+    let scored = |of: &str, judged_as: &str| {
+        let rows = toytop(format!("benchmark {of} --times=0..0.4/41 --format csv")).ok();
+        let file = format!("{of}_as_{judged_as}.csv");
+        let score = json(format!("score --benchmark {judged_as} {}", write(&file, rows)));
+        assert_eq!(score["scenario"], judged_as);
+        number(&score["files"][0]["max_error_rad"])
+    };
+    for name in names() {
+        assert!(scored(&name, &name) < 1e-11, "{name}");
+    }
+    assert!(scored("parker", "bruls_cardona") > 0.1, "the rows of one problem are no run of another");
+}
+
+/// The printed scenario can be read, and has the motion of the problem.
+#[test]
+fn the_scenario_is_a_scenario() {
+    for name in names() {
+        let text = toytop(format!("benchmark {name} --scenario")).ok();
+        toytop(format!("constants {}", write(&format!("{name}_printed.toml"), text))).ok();
+    }
+}
+
+/// The pages contain the tables that the command writes.
+#[test]
+fn the_pages_are_up_to_date() {
+    for name in names().into_iter().chain([String::new()]) {
+        let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("benchmarks").join(&name).join("README.md");
+        let text = std::fs::read_to_string(&page).expect("a page");
+        let copy = format!("page_{name}.md");
+        let line = format!("benchmark {name} --accept {}", write(&copy, &text));
+        toytop(&line).ok();
+        assert!(read(&copy) == text, "{}: toytop {line} writes it anew", page.display());
+    }
+}
+
+#[test]
+fn bad_input_is_one_line() {
+    write("rows.csv", "t,w,x,y,z\n0,1,0,0,0\n");
+    all_refused(
+        "",
+        &[
+            ("benchmark nothing", "benchmark: nothing: must be one of bruls_cardona"),
+            ("benchmark parker --times x", "--times"),
+            ("benchmark parker --times 1e300", "must be within"),
+            ("benchmark --times 1", "NAME"),
+            ("benchmark --accept no/such/page.md", "no/such/page.md"),
+            ("benchmark --accept rows.csv", "must hold the lines"),
+            ("score --benchmark nothing rows.csv", "--benchmark: nothing: must be one of"),
+            ("score rows.csv", "RESULT.csv"),
+        ],
+    );
+}

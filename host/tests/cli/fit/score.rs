@@ -1,0 +1,257 @@
+//! `toytop score`: trajectories with known errors, and runs with a known order.
+
+use crate::command::{all_refused, csv, json, number, path, read, toytop, write};
+use crate::{folder, sample, scenario};
+use serde_json::Value;
+use std::f64::consts::PI;
+
+/// Score of one file.
+fn score(arguments: &str) -> Value {
+    json(format!("score {arguments}"))["files"][0].clone()
+}
+
+/// Row of a trajectory: time, quaternion, ω in the fixed frame.
+type Row = (f64, [f64; 4], [f64; 3]);
+
+/// Rows of a scenario at these times.
+fn rows(scenario: &str, times: &[f64]) -> Vec<Row> {
+    let times = times.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
+    let table = csv(&format!("state {scenario} --times={times} --columns t,quaternion,omega"));
+    let row = |row: &Vec<f64>| (row[0], [1, 2, 3, 4].map(|k| row[k]), [5, 6, 7].map(|k| row[k]));
+    table.rows.iter().map(row).collect()
+}
+
+/// Writes rows below a line of comments; without ω if `rates` is not set. Returns the name of the file.
+fn written<'a>(to: &'a str, comment: &str, rows: &[Row], rates: bool) -> &'a str {
+    let mut text = format!("{comment}t,w,x,y,z{}\n", if rates { ",omega_x,omega_y,omega_z" } else { "" });
+    for (t, q, omega) in rows {
+        let numbers = std::iter::once(t).chain(q).chain(omega.iter().filter(|_| rates));
+        text += &(numbers.map(f64::to_string).collect::<Vec<_>>().join(",") + "\n");
+    }
+    write(to, text)
+}
+
+fn evenly(end: f64, places: u32) -> Vec<f64> {
+    (0..places).map(|i| end * f64::from(i) / f64::from(places - 1)).collect()
+}
+
+/// Quaternion turned by an angle about the vertical, from the left, or about the body's axis, from the right.
+fn turned([w, x, y, z]: [f64; 4], angle: f64, about_vertical: bool) -> [f64; 4] {
+    let (s, c) = (0.5 * angle).sin_cos();
+    let sign = if about_vertical { 1.0 } else { -1.0 };
+    [c * w - s * z, c * x - sign * s * y, c * y + sign * s * x, c * z + s * w]
+}
+
+#[test]
+fn exact_rows_have_no_error_whatever_their_signs() {
+    let mut exact = rows("@toy_top", &evenly(1.0, 201));
+    exact.iter_mut().step_by(3).for_each(|(_, q, _)| *q = q.map(|x| -x));
+    written("score_exact.csv", "", &exact, false);
+    let found = json("score @toy_top score_exact.csv");
+    assert_eq!((&found["order"], &found["sign"]), (&Value::Null, &Value::from("nearest")));
+    let scored = &found["files"][0];
+    assert_eq!((&scored["rows"], &scored["step_from"]), (&Value::from(201), &Value::from("rows")));
+    assert!((number(&scored["step"]) - 0.005).abs() < 1e-15);
+    for key in ["max_error_rad", "rms_error_rad", "final_error_rad", "max_u_error", "residual_rad"] {
+        assert!(number(&scored[key]) < 1e-15, "{key}: {scored}");
+    }
+    let bound = number(&scored["truth_bound_rad"]);
+    assert!(bound > 1e-16 && bound < 1e-13);
+    assert!(number(&scored["drift_h"]) < 1e-13 && scored["drift_from"] == "differences", "{scored}");
+    let table = toytop("score @toy_top score_exact.csv").ok();
+    assert!(table.contains("score_exact.csv") && table.lines().count() < 20, "{table}");
+}
+
+/// A motion that is delayed by τ has known phase errors and no other error.
+#[test]
+fn a_delay_is_three_phase_errors() {
+    let constants = json("constants @figure_3_loops");
+    let [period, a, b] = ["period", "alpha_turns", "beta_turns"].map(|key| number(&constants[key]));
+    let times = evenly(6.0 * period, 301);
+    // a constant delay, and a delay that grows to more than a nutation period; the middle of the last period is known to half a row
+    type Delay = fn(f64) -> f64;
+    let cases: [(Delay, [f64; 2]); 2] = [(|_| 1e-6, [2e-8, 1e-14]), (|t| 0.21 * t, [3e-3, 1e-8])];
+    for (delay, [tolerance, rest]) in cases {
+        let mut late = rows("@figure_3_loops", &times.iter().map(|t| t - delay(*t)).collect::<Vec<_>>());
+        late.iter_mut().zip(&times).for_each(|(row, t)| row.0 = *t);
+        written("score_late.csv", "", &late, false);
+        let scored = score("@figure_3_loops score_late.csv");
+        for (key, turns) in
+            [("nutation_error_rad", 1.0), ("precession_error_rad", a + b), ("spin_error_rad", a - b)]
+        {
+            // mean delay over the last period
+            let expected = -2.0 * PI * turns * delay(5.5 * period) / period;
+            assert!((number(&scored[key]) / expected - 1.0).abs() < tolerance, "{key}: {scored} {expected}");
+        }
+        assert!(number(&scored["residual_rad"]) < rest, "{scored}");
+    }
+}
+
+/// An error of the precession alone is no error of the nutation, and one of the spin neither.
+#[test]
+fn an_error_of_a_rate_is_that_of_its_angle() {
+    let exact = rows("@toy_top", &evenly(1.0, 2001));
+    for (about_vertical, key) in [(true, "precession_error_rad"), (false, "spin_error_rad")] {
+        let mut off = exact.clone();
+        off.iter_mut().for_each(|(t, q, _)| *q = turned(*q, 1e-3 * *t, about_vertical));
+        written("score_rate.csv", "", &off, false);
+        let scored = score("@toy_top score_rate.csv");
+        assert!(number(&scored["nutation_error_rad"]).abs() < 1e-11, "{scored}");
+        assert!((number(&scored[key]) / 1e-3 - 0.96).abs() < 0.04, "{scored}");
+        assert!(number(&scored["residual_rad"]) < 1e-13, "{scored}");
+    }
+}
+
+/// For a top that spins faster by a millionth, the drift of n is a millionth, with and without given ω.
+#[test]
+fn drift_of_n_by_columns_and_by_differences() {
+    let text = std::fs::read_to_string(sample("toy_top")).expect("a scenario");
+    let faster = scenario("score_faster", &text.replace("spin = 150.0", "spin = 150.00015"));
+    let [own, other] = ["@toy_top", &faster].map(|file| json(format!("constants {file}")));
+    let fast = rows(&faster, &evenly(0.5, 1001));
+    for (name, rates) in [("columns", true), ("differences", false)] {
+        written("score_drift.csv", "", &fast, rates);
+        let scored = score("@toy_top score_drift.csv");
+        assert_eq!(scored["drift_from"], name);
+        for key in ["l", "n"] {
+            // n is the greatest of the three scales
+            let expected = (number(&other[key]) - number(&own[key])).abs() / number(&own["n"]);
+            let drift = number(&scored[format!("drift_{key}")]);
+            assert!((drift / expected - 1.0).abs() < 1e-5, "{name}: {key}: {drift} {expected}");
+        }
+        let uncertainty = scored["drift_uncertainty"].as_f64();
+        assert_eq!(uncertainty.is_some(), !rates);
+        assert!(uncertainty.is_none_or(|x| x < 1e-10), "{scored}");
+    }
+    written("score_short.csv", "", &fast[..6], false);
+    let scored = score("@toy_top score_short.csv");
+    assert!(scored["drift_h"].is_null() && scored["residual_rad"].is_null(), "{scored}");
+}
+
+/// File with a run of the stepper over the loops of Figure 3, below its step.
+fn stepped(name: &str, steps: u32, times: &str, step: f64) -> String {
+    let run = format!("state @figure_3_loops --times={times} --method stepper --steps-per-period {steps}");
+    let rows = toytop(format!("{run} --format csv")).ok();
+    write(&format!("score_{name}_{steps}.csv"), format!("# step = {step}\n{rows}")).to_owned()
+}
+
+/// `toytop score` reads the output of `toytop state`, and finds that the stepper is of fourth order.
+#[test]
+fn the_steppers_order_is_measured() {
+    let period = number(&json("constants @figure_3_loops")["period"]);
+    let times = format!("0..{}/161", 5.0 * period);
+    let counts = [64, 128, 256, 512];
+    let files = counts.map(|steps| stepped("work", steps, &times, 1.0)).join(" ");
+    let steps = counts.map(|steps| (period / f64::from(steps)).to_string()).join(",");
+    let found = json(format!("score @figure_3_loops {files} --steps={steps} --plot work.svg"));
+    let order = number(&found["order"]);
+    assert!(order > 3.9 && order < 4.1, "{order}");
+    assert_eq!(found["methods"][0]["files"], 4);
+    assert_eq!(found["files"][3]["step_from"], "option");
+    let svg = read("work.svg");
+    // ticks between powers of ten, from 64 to 512 steps
+    for part in ["steps in a nutation period", "measured order", ">10²<", ">10³<"] {
+        assert!(svg.contains(part), "{part}");
+    }
+}
+
+/// First and last words of the rows of the first table.
+fn orders_of(table: &str) -> Vec<[&str; 2]> {
+    let rows = table.lines().skip(2).take_while(|line| !line.is_empty());
+    rows.map(|row| {
+        [row.split_whitespace().next(), row.split_whitespace().last()].map(Option::unwrap_or_default)
+    })
+    .collect()
+}
+
+#[test]
+fn rows_are_sorted_from_the_largest_step() {
+    let [coarse, middle, fine] =
+        [64, 128, 256].map(|steps| stepped("sorted", steps, "0..20/101", 0.064 / f64::from(steps)));
+    let files = format!("{middle} {fine} {coarse}");
+    let table = toytop(format!("score @figure_3_loops {files}")).ok();
+    let orders = orders_of(&table);
+    assert_eq!(orders.iter().map(|row| row[0]).collect::<Vec<_>>(), [&coarse, &middle, &fine], "{table}");
+    assert_eq!(orders[0][1], "-", "{table}");
+    for [_, order] in &orders[1..] {
+        assert!(order.parse::<f64>().is_ok_and(|order| order > 3.8 && order < 4.2), "{table}");
+    }
+    assert!(
+        table.contains("Order: from the next larger step of the same method.") && !table.contains("warning")
+    );
+    // the files keep their order where a program reads them
+    assert_eq!(score(&format!("@figure_3_loops {files}"))["name"], middle.as_str());
+    // exchanged steps
+    let table = toytop(format!("score @figure_3_loops {middle} {fine} --steps 0.001,0.002")).ok();
+    let order = orders_of(&table)[1][1];
+    assert!(order.parse::<f64>().is_ok_and(|order| order < -3.8), "{table}");
+    let warning = format!("warning: {middle}: order {order}: do --steps belong to these files, or");
+    assert!(table.contains(&warning), "{table}");
+}
+
+/// Files of different lengths have no order, and the reason is printed.
+#[test]
+fn runs_of_different_lengths_have_no_order() {
+    let files = [(64, "0..20/101"), (128, "0..10/101"), (256, "0..5/101")]
+        .map(|(steps, times)| stepped("lengths", steps, times, 1.0 / f64::from(steps)));
+    let found = json(format!("score @figure_3_loops {}", files.join(" ")));
+    assert!(found["order"].is_null() && found["files"][1]["method_order"].is_null(), "{found}");
+    let [first, other, _] = files;
+    let table = toytop(format!("score @figure_3_loops {first} {other}")).ok();
+    assert!(
+        table.contains(&format!("warning: no order: {first} and {other} end at different times")),
+        "{table}"
+    );
+}
+
+#[test]
+fn another_convention_is_noticed() {
+    let mut inverse = rows("@toy_top", &evenly(0.1, 11));
+    inverse.iter_mut().for_each(|(_, [_, rest @ ..], _)| *rest = rest.map(|x| -x));
+    written("score_inverse.csv", "", &inverse, false);
+    let run = toytop("score @toy_top score_inverse.csv --format json");
+    assert!(run.err.contains("are the columns from fixed to body coordinates?"), "{}", run.err);
+}
+
+/// Positions and the angular velocity are compared where the file has them.
+#[test]
+fn positions_and_rates_are_checked() {
+    let table = csv("state @toy_top --times=0..1/101 --columns t,quaternion,tip,omega");
+    let shifted = |column: &str, by: f64| {
+        let place = table.names.split(',').position(|name| name == column).expect("a column");
+        let row = |row: &Vec<f64>| {
+            let cell = |(k, x): (usize, &f64)| (if k == place { x + by } else { *x }).to_string();
+            row.iter().enumerate().map(cell).collect::<Vec<_>>().join(",")
+        };
+        let rows: Vec<_> = table.rows.iter().map(row).collect();
+        write("score_shifted.csv", format!("{}\n{}\n", table.names, rows.join("\n")));
+        (score("@toy_top score_shifted.csv"), toytop("score @toy_top score_shifted.csv").ok())
+    };
+    assert!(number(&shifted("t", 0.0).0["max_position_error"]) < 1e-15);
+    let (off, table) = shifted("tip_x", 0.5);
+    assert!((number(&off["max_position_error"]) - 0.5).abs() < 1e-12, "{off}");
+    assert!(table.contains("the position of the first row is off by 1.7e1 "), "{table}");
+    let (_, table) = shifted("omega_x", 10.0);
+    assert!(table.contains("the angular velocity of the first row is off by 6.7e-2 "), "{table}");
+}
+
+#[test]
+fn invalid_results_are_refused_in_one_line() {
+    written("score_good.csv", "", &rows("@toy_top", &[0.0, 0.1, 0.2]), false);
+    written("score_uneven.csv", "", &rows("@toy_top", &[0.0, 0.1, 0.3]), false);
+    write("score_far.csv", "t,w,x,y,z\n1e300,1,0,0,0\n");
+    folder("score_refused");
+    all_refused(
+        "score @toy_top",
+        &[
+            ("", "RESULT.csv"),
+            ("no_such.csv", "no_such.csv: "),
+            ("score_far.csv", "score_far.csv: t: 1e300 must be within ±"),
+            ("score_good.csv --steps 0.1,0.2", "--steps: must be 1 numbers, one for each file"),
+            ("score_good.csv --steps -1", "--steps"),
+            ("score_good.csv --plot work.jpg", "'work.jpg' for '--plot <FILE>': must end in"),
+            ("score_uneven.csv --plot score_refused/a.svg", "# evaluations = N in every file, or --steps"),
+        ],
+    );
+    assert!(!path("score_refused/a.svg").exists());
+}

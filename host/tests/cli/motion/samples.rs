@@ -1,0 +1,107 @@
+//! Rows of `toytop state`: times, ticks, chosen columns, formats for programs, and many rows.
+
+use crate::command::{count, csv, json, path, read, samples, toytop};
+use crate::folder;
+use std::f64::consts::PI;
+
+#[test]
+fn columns_follow_from_each_other() {
+    let table =
+        csv("state @lagrange --times=0..2/41 --columns axis,quaternion,angles,euler_zxz,omega,omega_body,t");
+    let expected = "axis_x,axis_y,axis_z,w,x,y,z,tilt,azimuth,roll,euler_phi,euler_theta,euler_psi,\
+                    omega_x,omega_y,omega_z,wx,wy,wz,t";
+    assert_eq!(table.names, expected);
+    for row in table.rows {
+        let [ax, ay, az, w, x, y, z, tilt, azimuth, roll, phi, theta, psi, ox, oy, oz, bx, by, bz, t] =
+            row[..]
+        else {
+            panic!("{row:?}")
+        };
+        let square = |a: [f64; 3]| a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+        for (found, expected) in [
+            (w * w + x * x + y * y + z * z, 1.0),
+            // the third column of the rotation matrix
+            (ax, 2.0 * (x * z + w * y)),
+            (ay, 2.0 * (y * z - w * x)),
+            (ax, tilt.sin() * azimuth.cos()),
+            (ay, tilt.sin() * azimuth.sin()),
+            (az, tilt.cos()),
+            (theta, tilt),
+            ((phi - azimuth).sin(), 1.0),
+            ((psi - roll).sin(), -1.0),
+            // the axial component is the same in both frames
+            (ox * ax + oy * ay + oz * az, bz),
+            (square([ox, oy, oz]), square([bx, by, bz])),
+        ] {
+            assert!((found - expected).abs() < 1e-12 * (1.0 + found.abs()), "{t}: {found} {expected}");
+        }
+        assert!([azimuth, roll, phi, psi].iter().all(|angle| angle.abs() <= PI));
+    }
+    let json = samples("@lagrange --times=0 --columns quaternion,u");
+    let object = json[0].as_object().expect("an object");
+    assert_eq!((object.len(), object["quaternion"].as_array().map(Vec::len)), (3, Some(4)));
+    let named = csv("state @lagrange --times=0 --units --columns t,u,omega,tip,phi").names;
+    assert_eq!(named, "t [s],u,omega_x [rad/s],omega_y [rad/s],omega_z [rad/s],tip_x,tip_y,phi [rad]");
+}
+
+#[test]
+fn times_spread_evenly() {
+    let listed = toytop("state @toy_top --times=-1,-0.5,0,0.5,1 --format csv").ok();
+    for spread in ["--times=-1..1/5", "--from -1 --to 1 --count 5"] {
+        assert_eq!(toytop(format!("state @toy_top --format csv {spread}")).ok(), listed);
+    }
+}
+
+/// Ticks give the same bits as the clock of a program on a chip.
+#[test]
+fn ticks_are_times_of_a_clock() {
+    let ticks = csv("state @toy_top --ticks=-3..4 --hertz 44100/2").rows;
+    let times: Vec<_> = (-3..=4).map(|n| (f64::from(n) * 2.0 / 44100.0).to_string()).collect();
+    let by_time = csv(&format!("state @toy_top --times={}", times.join(","))).rows;
+    assert_eq!(ticks.len(), 8);
+    for (a, b) in ticks.iter().zip(&by_time) {
+        assert_eq!(a[0], b[0]);
+        assert!(a.iter().zip(b).all(|(x, y)| (x - y).abs() < 1e-12 * (1.0 + y.abs())), "{a:?} {b:?}");
+    }
+    let far = csv("state @toy_top --ticks=1099511627776,0 --hertz 1000 --columns t,u").rows;
+    assert_eq!((far[0][0], far[1][0]), (1_099_511_627.776, 0.0));
+    let baked = csv("state @toy_top --ticks=5 --scalar q15 --columns alpha").rows;
+    assert!(baked[0].iter().all(|x| (x * 16384.0).fract() == 0.0), "16 bits: {baked:?}");
+}
+
+#[test]
+fn a_numpy_file_has_the_numbers_of_csv() {
+    folder("state_npy");
+    let line = "state @sleeping --times=0..1/3000 --columns t,omega,phi";
+    assert_eq!(toytop(format!("{line} --format npy -o state_npy/rows.npy")).ok(), "");
+    let bytes = std::fs::read(path("state_npy/rows.npy")).expect("the file");
+    let (magic, rest) = bytes.split_at(10);
+    assert_eq!(&magic[..8], b"\x93NUMPY\x01\x00");
+    let length = usize::from(u16::from_le_bytes([magic[8], magic[9]]));
+    assert_eq!((length + 10) % 64, 0);
+    let (head, numbers) = rest.split_at(length);
+    let head = String::from_utf8_lossy(head);
+    assert!(
+        head.starts_with("{'descr': [('t', '<f8'), ('omega_x', '<f8'), ") && head.ends_with('\n'),
+        "{head}"
+    );
+    assert!(head.contains("'fortran_order': False, 'shape': (3000,)"), "{head}");
+    let bits = numbers.chunks(8).map(|eight| u64::from_le_bytes(eight.try_into().expect("eight")));
+    let truth = csv(line).rows.concat();
+    assert_eq!((numbers.len(), truth.len()), (8 * 15_000, 15_000));
+    assert!(bits.zip(&truth).all(|(a, b)| a == b.to_bits() || b.is_nan() && f64::from_bits(a).is_nan()));
+    assert!(truth[4].is_nan(), "a vertical axis has no tip angle");
+}
+
+/// More rows than are in memory at once come in order.
+#[test]
+fn many_rows_come_in_order() {
+    let rows = csv("state @toy_top --times=0..10/100001 --columns t,u").rows;
+    assert_eq!(rows.len(), 100_001);
+    assert!(rows.iter().enumerate().all(|(i, row)| (row[0] - 1e-4 * i as f64).abs() < 1e-12));
+    let parsed = json("state @toy_top --times=0..10/40001 --columns t");
+    assert_eq!(parsed["samples"].as_array().map(Vec::len), Some(40_001));
+    folder("state_file");
+    assert_eq!(toytop("state @toy_top --times=0 --format csv -o state_file/rows.csv").ok(), "");
+    assert_eq!((count("state_file"), read("state_file/rows.csv").lines().count()), (1, 2));
+}

@@ -1,0 +1,193 @@
+//! In a browser: the page shows what the core computes, to the bit, and does what its controls say, without an error.
+//!
+//! Run by `cargo xtask test --only browser`, which provides Chromium and names it in `CHROMIUM`.
+
+mod addresses;
+mod controls;
+mod film;
+mod speed;
+
+use super::{element, folder, view};
+use crate::command::samples;
+use crate::sample;
+use serde_json::Value;
+use std::path::Path;
+use std::process::Command;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use toytop::{Complex, Motion, Orientation};
+use toytop_host::input::scenario::Scenario;
+use toytop_page::table::Table;
+
+/// Time that Chromium lets pass for a page; it does not wait for it.
+const PASSING: &str = "--virtual-time-budget=60000";
+
+/// The document as Chromium leaves it, and what it wrote to the console. An option may say how time passes.
+fn browse(page: &Path, width: u32, fragment: &str, option: &str) -> (String, Vec<String>) {
+    let program = std::env::var("CHROMIUM").unwrap_or_else(|_| "chromium".to_owned());
+    let profile = page.with_extension("profile");
+    let mut command = Command::new(&program);
+    command.args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"]);
+    command.args(["--disable-background-networking", "--disable-component-update", "--disable-sync"]);
+    command.args(["--enable-logging=stderr", "--timeout=120000", option, "--dump-dom"]);
+    command.arg(format!("--user-data-dir={}", profile.display()));
+    command.arg(format!("--window-size={width},900"));
+    let output = command.arg(format!("file://{}{fragment}", page.display())).output();
+    let output = output.unwrap_or_else(|error| panic!("{program}: {error}"));
+    let log = String::from_utf8_lossy(&output.stderr);
+    let console = log.lines().filter(|line| line.contains("CONSOLE")).map(str::to_owned).collect();
+    (String::from_utf8(output.stdout).expect("UTF-8"), console)
+}
+
+/// Text that a script wrote into the element `probe`.
+fn probed(page: &Path, width: u32, fragment: &str, option: &str) -> String {
+    let (document, console) = browse(page, width, fragment, option);
+    assert_eq!(console, [""; 0], "{}", page.display());
+    assert!(document.contains("id=\"probe\""), "{}: no result in {document}", page.display());
+    element(&document, "probe").replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&")
+}
+
+/// Goes to each time by the address, and says what is shown then.
+const SHOWN: &str = "
+const results = [];
+for (const t of TIMES) {
+  location.hash = `t=${t}`;
+  await settled();
+  const { moment, rotate } = shown;
+  const columns = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(rotate);
+  results.push({ t: state.t, ...moment, columns, facts: facts(), colours: colours() });
+}
+return results;
+";
+
+/// Chromium's clock runs ahead where nothing is to be done, and does not wait for frames: here they are timers.
+const FRAMES: &str =
+    "window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 16);";
+
+/// Functions that the scripts of the tests use.
+const TOOLS: &str = "
+const settled = () => new Promise((done) => setTimeout(done, 300));
+const pixels = (canvas) => {
+  const { width, height } = canvas;
+  const copy = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+  copy.drawImage(canvas, 0, 0);
+  return copy.getImageData(0, 0, width, height).data;
+};
+const picture = (canvas) => pixels(canvas).reduce((hash, byte) => (Math.imul(hash, 31) + byte) | 0, 0);
+const colours = () => [...document.querySelectorAll('canvas')].map((canvas) => new Set(new Uint32Array(pixels(canvas).buffer)).size);
+const facts = () => Object.fromEntries([...document.querySelectorAll('tr')].map((row) => [...row.children].map((cell) => cell.textContent)));
+const set = async (id, value, event) => {
+  element(id).value = value;
+  element(id).dispatchEvent(new Event(event, { bubbles: true }));
+  await settled();
+};
+";
+
+/// The page with a script behind its own, whose result goes into the element `probe`.
+fn probe(page: &Path, script: &str, width: u32, fragment: &str) -> Value {
+    let html = std::fs::read_to_string(page).expect("the page");
+    let probe = format!(
+        "<pre id=\"result\"></pre><script>{TOOLS}
+addEventListener(\"load\", async () => {{
+  await ready;
+  await settled();
+  const results = await (async () => {{{script}}})();
+  element(\"result\").textContent = JSON.stringify(results);
+  element(\"result\").id = \"probe\";
+}});
+</script></body>"
+    );
+    let html = html.replace("<head>", &format!("<head><script>{FRAMES}</script>")).replace("</body>", &probe);
+    let probed_page = page.with_extension("probe.html");
+    std::fs::write(&probed_page, html).expect("writable");
+    serde_json::from_str(&probed(&probed_page, width, fragment, PASSING)).expect("JSON")
+}
+
+fn complex(value: &Value) -> Complex<f64> {
+    let part = |i: usize| value[i].as_f64().expect("a number");
+    Complex::new(part(0), part(1))
+}
+
+/// The core's table of a motion, as the page makes it. The series of a table with another capacity may end at another term. It is too
+/// large for the stack of a test.
+fn core_of(motion: &Motion) -> MutexGuard<'static, Table> {
+    static TABLE: Mutex<Table> = Mutex::new(Table::EMPTY);
+    let mut table = TABLE.lock().unwrap_or_else(PoisonError::into_inner);
+    table.set_up(motion).expect("it fits");
+    table
+}
+
+/// Asserts that the numbers of a moment of the page are the core's, bit for bit; α and β as the core has them.
+fn assert_core(shown: &Value, core: &Table, t: f64) -> Orientation<f64> {
+    let (phi, tip) = core.at(t);
+    let [x, y, z] = phi.axis();
+    assert_eq!([complex(&shown["alpha"]), complex(&shown["beta"])], [phi.alpha, phi.beta], "{t}");
+    assert_eq!([0, 1, 2].map(|i| shown["axis"][i].as_f64()), [x, y, z].map(Some), "{t}");
+    assert_eq!((shown["u"].as_f64(), complex(&shown["tip"])), (Some(phi.clamped_u()), tip), "{t}");
+    phi
+}
+
+#[test]
+#[ignore = "a browser: cargo xtask test --only browser"]
+fn the_page_shows_what_the_core_says() {
+    let folder = folder("view_shown");
+    for (name, expected) in [
+        ("toy_top", ["nutation period", "0.07596 s"]),
+        ("lagrange", ["spin", "150 rad/s = 1432 rpm"]),
+        ("figure_3_loops", ["least normal force", "0.64706 weights"]),
+    ] {
+        let file = sample(name);
+        let page = folder.join(format!("{name}.html"));
+        view(&[&file], &page);
+        let core = core_of(&Scenario::read(Path::new(&file)).expect("a scenario").motion);
+        // far out and in the past, too
+        let times = "[0.3125, -2.5, 1000000.75]";
+        let shown = probe(&page, &SHOWN.replace("TIMES", times), 1200, "");
+        let truth = samples(format!("{file} --times={}", times.trim_matches(['[', ']']).replace(", ", ",")));
+        assert_eq!(shown.as_array().map(Vec::len), Some(3));
+        for (shown, truth) in shown.as_array().expect("an array").iter().zip(&truth) {
+            let t = truth["t"].as_f64().expect("a time");
+            assert_eq!(shown["t"].as_f64(), Some(t), "{name}");
+            let phi = assert_core(shown, &core, t);
+            let [alpha, beta] = ["alpha", "beta"].map(|key| complex(&shown[key]) - complex(&truth[key]));
+            let error = 2.0 * (alpha.norm_squared() + beta.norm_squared()).sqrt();
+            assert!(error < ORIENTATION, "{name}: {error:e} rad at {t}");
+            // the matrix that everything is drawn with
+            for (column, body) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].into_iter().enumerate()
+            {
+                for (row, expected) in phi.adjoint(body).into_iter().enumerate() {
+                    let drawn = shown["columns"][column][row].as_f64().expect("a number");
+                    assert!((drawn - expected).abs() < MATRIX, "{name}: {drawn} for {expected}");
+                }
+            }
+            let written = format!("{:.6}", phi.u()).replace('-', "−");
+            assert_eq!(shown["facts"]["u"].as_str(), Some(&*written), "{name}");
+            let [fact, value] = expected;
+            assert_eq!(shown["facts"][fact], value, "{name}");
+            for colours in shown["colours"].as_array().expect("six pictures") {
+                assert!(colours.as_u64() > Some(MANY_COLOURS), "{name}: an empty picture: {shown}");
+            }
+        }
+    }
+}
+
+/// Two tables in f64, of 1e6 s, rad.
+const ORIENTATION: f64 = 1e-13;
+/// Roundings of a matrix.
+const MATRIX: f64 = 1e-15;
+/// A picture has them, by lines drawn smoothly; an empty one has one.
+const MANY_COLOURS: u64 = 40;
+
+/// An error on a page is an error of the test, which would not notice it otherwise.
+#[test]
+#[ignore = "a browser: cargo xtask test --only browser"]
+fn an_error_on_a_page_is_seen() {
+    let page = folder("view_error").join("error.html");
+    for script in ["absent();", "console.error('bad')", "new Image().src = 'nowhere.png'"] {
+        let html = format!(
+            "<!DOCTYPE html><meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'\"><script>{script}</script>"
+        );
+        std::fs::write(&page, html).expect("writable");
+        let (_, console) = browse(&page, 800, "", PASSING);
+        assert_eq!(console.len(), 1, "{script}: {console:?}");
+    }
+}

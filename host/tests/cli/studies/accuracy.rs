@@ -1,0 +1,64 @@
+//! `toytop accuracy`: the errors of every scalar, and its page and picture.
+
+use crate::command::{all_refused, json, number, read, write};
+use serde_json::Value;
+use std::path::Path;
+
+/// Greatest error among rows, by the key of the error.
+fn greatest<'a>(rows: impl IntoIterator<Item = &'a Value>, key: &str) -> f64 {
+    rows.into_iter().map(|row| number(&row[key])).fold(0.0, f64::max)
+}
+
+#[test]
+fn each_scalar_is_as_exact_as_it_says_at_every_tick() {
+    let docs = |name: &str| {
+        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs").join(name)).expect(name)
+    };
+    let page = docs("accuracy.md");
+    write("accuracy.md", &page);
+    let object = json("accuracy --plot accuracy.svg --accept accuracy.md");
+    let rows = object["rows"].as_array().expect("rows");
+    assert_eq!(rows.len(), 4 * 41);
+    assert!(rows.iter().any(|row| row["last_tick"] == 1_u64 << 40));
+    let mut costs = Vec::new();
+    // limits of the errors of orientation, tip and norm
+    for (scalar, [least, most]) in
+        [("q15", [3e-5, 3e-4]), ("q31", [1e-9, 1e-8]), ("f32", [2e-8, 5e-7]), ("f64", [1e-16, 1e-13])]
+    {
+        let rows: Vec<_> = rows.iter().filter(|row| row["scalar"] == scalar).collect();
+        let of = |key: &str| greatest(rows.iter().copied(), key);
+        for key in ["max_orientation_error_rad", "max_tip_error_per_s", "max_norm_defect"] {
+            // in fixed point u and the tip have one more rounding
+            let most = if key.contains("orientation") { most } else { 2.5 * most };
+            assert!(of(key) > 0.2 * least && of(key) < most, "{scalar}, {key}: {:e}", of(key));
+        }
+        let [rms, most] = ["rms_orientation_error_rad", "max_orientation_error_rad"].map(of);
+        assert!(rms > 0.1 * most && rms < most, "{scalar}: {rms:e} {most:e}");
+        // the error after 10^9 periods is not larger than after one
+        let [early, late] = [false, true].map(|is_late| {
+            let half = rows.iter().filter(|row| (row["first_tick"].as_u64() >= Some(1 << 20)) == is_late);
+            greatest(half.copied(), "max_orientation_error_rad")
+        });
+        assert!(late < 2.0 * early, "{scalar}");
+        costs.push(of("m0plus_cycles"));
+    }
+    assert!(costs.is_sorted_by(|a, b| a < b), "{costs:?}");
+    let fresh = read("accuracy.svg");
+    assert!(fresh == docs("accuracy.svg"), "stale: toytop accuracy --plot host/docs/accuracy.svg");
+    assert!(read("accuracy.md") == page, "stale: toytop accuracy --accept");
+    for name in ["q31 9e-9, q15", "Cortex-M0+, cycles", "RISC-V"] {
+        assert!(fresh.contains(name), "{name}");
+    }
+}
+
+#[test]
+fn wrong_arguments_are_refused() {
+    all_refused(
+        "accuracy",
+        &[
+            ("--plot top.gif", "'top.gif' for '--plot <FILE>': must end in .svg or .png"),
+            ("--scalar q7", "q31, q15, all"),
+            ("--scalar q15 --plot no/such/folder/a.svg", "no/such/folder/a.svg"),
+        ],
+    );
+}

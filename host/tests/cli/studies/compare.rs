@@ -1,0 +1,81 @@
+//! `toytop compare`: errors within their bounds, one screen, and missed bounds.
+
+use crate::command::{json, number, toytop};
+use crate::{branch_points, needle, scenario, slender};
+use serde_json::Value;
+
+fn rows(line: &str) -> Vec<Value> {
+    json(format!("compare {line}"))["rows"].as_array().expect("rows").clone()
+}
+
+#[test]
+fn compare_holds_its_bounds() {
+    let rows = rows("");
+    assert_eq!(rows.len(), 18 * 6);
+    for row in rows {
+        let [error, bound] = ["max_orientation_error_rad", "bound_rad"].map(|key| number(&row[key]));
+        assert!(row["verdict"] == "ok" && error > 0.0 && error <= bound, "{row}");
+        // the derivatives of fixed point are in f32
+        let drift_limit = match row["scalar"].as_str().expect("a name") {
+            "f64" => 1e-14,
+            "f32" | "q31" => 3e-6,
+            _ => 3e-3,
+        };
+        // a pendulum has no spin, so that all its energy is in the motion of the axis, which is fast at the lowest point
+        let drift_limit = if row["motion"] == "pendulum" { 20.0 * drift_limit } else { drift_limit };
+        for key in ["h_drift", "l_drift", "n_drift"] {
+            assert!(number(&row[key]) < drift_limit, "{key}: {row}");
+        }
+        let is_table = row["method"] == "ephemeris";
+        assert_eq!(["steps", "table"].map(|key| row[key].is_null()), [is_table, !is_table], "{row}");
+        assert!(!is_table || row["scalar"] != "f32" || bound < 5.11e-7, "{row}");
+        assert!(row["scalar"] != "q31" || error < 3e-8 && error > 1e-9, "{row}");
+    }
+    let table = toytop("compare --all --scalar f64").ok();
+    assert!(table.lines().all(|line| line.chars().count() <= 120));
+    assert_eq!(table.matches(" ok\n").count(), 36);
+    assert!(table.contains("figure 2 e3=100 (-15.65"), "the warning is below the table");
+}
+
+/// An error without a bound is judged by none: over 100 periods no error of an orientation is larger than the bound of the reference.
+#[test]
+fn a_row_without_a_bound_is_not_missed() {
+    toytop("compare @toy_top --periods 100 --format csv").ok();
+    let gap = 5e-11;
+    let file = scenario("steep", &branch_points([0.2, 1.0 - gap, 1.0 + gap], 1));
+    for row in rows(&format!("{file} --periods 1000 --scalar q15")) {
+        assert!(row["bound_rad"].is_null() && row["verdict"] == "no bound", "{row}");
+    }
+}
+
+/// Without arguments there is one row for each motion, and the output fits one screen.
+#[test]
+fn compare_fits_one_screen() {
+    let text = toytop("compare").ok();
+    assert!(text.lines().count() <= 24 && text.lines().all(|line| line.chars().count() <= 100), "{text}");
+    assert_eq!(text.matches(" ok\n").count(), 18, "{text}");
+    assert!(text.contains("--all"), "{text}");
+}
+
+#[test]
+fn compare_reads_scenarios_and_reports_a_missed_bound() {
+    let names = |row: &Value| {
+        ["motion", "scalar", "method"].map(|key| row[key].as_str().expect("a name").to_owned()).join(" ")
+    };
+    let found: Vec<_> = rows("@toy_top --scalar all --periods 2").iter().map(names).collect();
+    let expected =
+        ["f64 stepper", "f32 stepper", "f64 ephemeris", "f32 ephemeris", "q31 ephemeris", "q15 ephemeris"];
+    assert_eq!(found, expected.map(|row| format!("toy_top {row}")));
+
+    // A/(ps) = 1e-4 near the vertical is too steep for 4096 steps a period.
+    let file = scenario("slender", &slender([-0.9, 0.99, 1.18], ["5.4e-5", "5e-5"]));
+    let run = toytop(format!("compare {file} --scalar f64,f32"));
+    assert_eq!((run.code, run.out.matches(" MISS\n").count()), (Some(1), 2), "{}", run.out);
+    let of_the_ephemeris = |line: &&str| line.contains(" ephemeris ") && line.ends_with(" ok");
+    assert_eq!(run.out.lines().filter(of_the_ephemeris).count(), 2, "{}", run.out);
+
+    // at 1e-6 no table is large enough, which is stated and no missed bound
+    let run = toytop(format!("compare {} --scalar f32 --periods 1", needle("needle_compared")));
+    assert!(run.out.contains("needle_compared f32: no ephemeris"), "{}", run.out);
+    assert!(run.out.lines().any(|line| line.contains(" ephemeris ") && line.ends_with(" no fit")));
+}

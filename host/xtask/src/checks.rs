@@ -1,0 +1,177 @@
+//! Checks of the host's crates, most of which are one command.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+use std::time::Duration;
+
+use anyhow::{Context, Result, bail};
+
+use crate::firmware::{PROGRAMS, Program};
+use crate::process::{cargo, command, firmware_target_dir, root, run, run_within, target_dir};
+
+/// Folders with a workspace of their own.
+const WORKSPACES: [&str; 4] = [".", "firmware-examples", "host/python", "tests/fuzz"];
+
+/// Checks the form of every workspace.
+pub(crate) fn fmt() -> Result<String> {
+    for folder in WORKSPACES {
+        run(&mut command(folder, "cargo fmt --all --check"))?;
+    }
+    Ok(String::new())
+}
+
+/// Runs clippy on the crates for the host.
+pub(crate) fn clippy() -> Result<String> {
+    clippy_with(cargo(".", "clippy --workspace --all-targets --all-features"))?;
+    let python = cargo("host/python", "clippy --all-targets");
+    clippy_with(with_target_dir(python, target_dir()))?;
+    // the default features of a crate alone; the workspace's would add those of its other crates
+    for package in ["toytop", "toytop-closed-forms", "toytop-fit"] {
+        clippy_with(cargo(".", &format!("clippy --lib --package {package}")))?;
+    }
+    Ok(String::new())
+}
+
+/// Runs clippy on the programs for the chips.
+pub(crate) fn clippy_firmware() -> Result<String> {
+    let in_firmware =
+        |words: &str| clippy_with(with_target_dir(cargo("firmware-examples", words), firmware_target_dir()));
+    in_firmware("clippy --package toytop-firmware-decoder")?;
+    for target in ["thumbv7em-none-eabihf", "riscv32imac-unknown-none-elf"] {
+        let runs = PROGRAMS.iter().filter(|program| program.runs_on(target)).map(Program::selection);
+        let programs: Vec<_> = runs.filter(|selection| selection.starts_with("--bin")).collect();
+        in_firmware(&format!("clippy --release --target {target} --lib {}", programs.join(" ")))?;
+    }
+    in_firmware(
+        "clippy --release --target thumbv7em-none-eabihf --workspace --exclude toytop-firmware-decoder \
+         --exclude toytop-firmware-examples --features toytop-cost/dwt",
+    )?;
+    Ok(String::new())
+}
+
+fn clippy_with(mut clippy: Command) -> Result<()> {
+    run(clippy.args(["--", "-D", "warnings"])).map(drop)
+}
+
+fn with_target_dir(mut command: Command, folder: PathBuf) -> Command {
+    command.arg("--target-dir").arg(folder);
+    command
+}
+
+/// Runs all tests and core's examples, and returns the closing line of every test binary.
+pub(crate) fn tests() -> Result<String> {
+    let output = run(&mut cargo(".", "test --workspace --lib --bins --tests"))?;
+    let closing: Vec<_> = output.lines().filter(|line| line.starts_with("test result: ok")).collect();
+    if closing.len() < 5 {
+        bail!("{output}\ntoo few tests ran");
+    }
+    Ok(format!("\n{}\nexamples: {}", closing.join("\n"), examples()?))
+}
+
+/// Runs core's examples, which end with assertions.
+fn examples() -> Result<String> {
+    run(&mut cargo(".", "build --workspace --profile test --examples"))?;
+    let mut names = Vec::new();
+    for entry in fs::read_dir(root().join("core/examples"))? {
+        let path = entry?.path();
+        let name = path.file_stem().context("a file")?.to_string_lossy().into_owned();
+        let output = run(&mut Command::new(target_dir().join("debug/examples").join(&name)))?;
+        if output.trim().is_empty() {
+            bail!("{}: printed nothing", path.display());
+        }
+        names.push(name);
+    }
+    names.sort();
+    Ok(names.join(" "))
+}
+
+/// Tests the examples in the documentation.
+pub(crate) fn doctests() -> Result<String> {
+    run(&mut cargo(".", "test --workspace --doc")).map(|_| String::new())
+}
+
+/// Builds the documentation of core's crates, without a broken link.
+pub(crate) fn docs() -> Result<String> {
+    let mut doc = cargo(
+        ".",
+        "doc --package toytop --package toytop-closed-forms --package toytop-fit --package toytop-c --no-deps --all-features",
+    );
+    run(doc.env("RUSTDOCFLAGS", "-D warnings")).map(|_| String::new())
+}
+
+/// Tests the pages of `toytop view` in Chromium, by the binary that the tests have built.
+pub(crate) fn browser() -> Result<String> {
+    let mut test = cargo(".", "test --workspace --test cli -- --ignored --nocapture view::browser::");
+    let output = run(&mut test)?;
+    // packages without such tests have a result of none
+    let mut results = output.lines().filter(|line| line.starts_with("test result: ok"));
+    let result = results.find(|line| !line.contains(" 0 passed"));
+    result.map(str::to_owned).with_context(|| format!("{output}\nno test ran"))
+}
+
+/// Path of the program `toytop` as the tests build it.
+pub(crate) fn program() -> Result<PathBuf> {
+    run(&mut cargo(".", "test --workspace --test cli --no-run"))?;
+    Ok(target_dir().join("debug/toytop"))
+}
+
+fn budget_of(chips: &str) -> Result<String> {
+    let mut budget = Command::new(program()?);
+    run(budget.current_dir(root()).args(["budget", "--check"]).args(chips.split_whitespace()))
+        .map(|_| String::new())
+}
+
+/// Compares the cost of every call with its budget, on the two chips whose cycles have a model.
+pub(crate) fn budget() -> Result<String> {
+    budget_of("--chip m0plus --chip m4f")
+}
+
+/// Compares the cost of every call with its budget on all chips.
+pub(crate) fn budget_on_all() -> Result<String> {
+    budget_of("")
+}
+
+/// Builds core with every set of its features, for the smallest chip, and the suite without the host's crate.
+pub(crate) fn features() -> Result<String> {
+    run(&mut cargo(".", "check --package toytop-tests --no-default-features --tests"))?;
+    let words = "hack check --package toytop --package toytop-closed-forms --package toytop-fit --lib --feature-powerset --target thumbv6m-none-eabi";
+    run(cargo(".", words).env("RUSTFLAGS", "-D warnings")).map(|_| String::new())
+}
+
+/// Packages the crates that are published, and builds them from their packages.
+pub(crate) fn package() -> Result<String> {
+    run(&mut cargo(
+        ".",
+        "package --allow-dirty --package toytop --package toytop-closed-forms --package toytop-fit",
+    ))
+    .map(|_| String::new())
+}
+
+/// Measures the lines that the tests of core execute; at least 95 of 100 must be.
+pub(crate) fn coverage() -> Result<String> {
+    let words = "llvm-cov --package toytop --package toytop-closed-forms --package toytop-fit --package toytop-tests --all-features --lib --test suite \
+                 --summary-only --fail-under-lines 95";
+    let output = run(&mut cargo(".", words))?;
+    Ok(output.lines().rfind(|line| line.starts_with("TOTAL")).unwrap_or_default().to_owned())
+}
+
+/// Targets of the fuzzer in tests/fuzz that search core.
+const TARGETS: [&str; 3] = ["launch", "ephemeris", "fixed"];
+
+/// Searches with each target for ten seconds, from the seeds.
+pub(crate) fn fuzz() -> Result<String> {
+    let fuzz = "cargo +nightly fuzz run --sanitizer none --fuzz-dir tests/fuzz";
+    for target in TARGETS {
+        let found = root().join("tests/fuzz/target/corpus").join(target);
+        fs::create_dir_all(&found)?;
+        let mut search = command(".", &format!("{fuzz} {target}"));
+        search.arg(&found).arg(format!("tests/fuzz/seeds/{target}"));
+        search.args(["--", "-max_total_time=10", "-timeout=60", "-max_len=400", "-len_control=0", "-seed=1"]);
+        let ended = run_within(&mut search, Duration::from_secs(900))?;
+        if !ended.success {
+            bail!("{}\n{target}: the file named above repeats it", ended.output.trim_end());
+        }
+    }
+    Ok(TARGETS.join(" "))
+}

@@ -1,0 +1,284 @@
+//! Programs of `firmware-examples/`, which are built for their chips and run under QEMU, and whose logs are compared with the expected ones.
+
+use std::fs;
+use std::io::read_to_string;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+use std::time::Duration;
+
+use anyhow::{Context, Result, bail};
+
+use crate::chip::{self, Chip};
+use crate::process::{cargo, firmware_target_dir, root, run, run_within};
+use crate::tools::{CHIPS, QEMU};
+
+/// Program with the folder of its source in firmware-examples and the chips that it runs on; `show` uses the first one.
+pub(crate) struct Program {
+    pub(crate) name: &'static str,
+    folder: &'static str,
+    chips: &'static [&'static Chip],
+}
+
+const fn program(name: &'static str, chips: &'static [&'static Chip]) -> Program {
+    Program { name, folder: MAIN, chips }
+}
+
+/// Folder of the programs of the main package; each other folder is a package of its own.
+const MAIN: &str = "src/bin";
+
+pub(crate) const PROGRAMS: &[Program] = &[
+    program("spin", &[&chip::M4F]),
+    program("spin_m0", &[&chip::M0]),
+    program("spin_m7", &[&chip::M7]),
+    program("spin_riscv", &[&chip::RISCV]),
+    program("telemetry", &[&chip::M4F]),
+    program("relaunch", &[&chip::M4F, &chip::M0PLUS]),
+    program("launch", &[&chip::M4F]),
+    program("fit", &[&chip::M4F]),
+    program(BITS, &[&chip::M4F, &chip::M0, &chip::M7, &chip::M33, &chip::RISCV]),
+    Program { name: "embassy", folder: "embassy/src", chips: &[&chip::M4F] },
+    Program { name: "rtic", folder: "rtic/src", chips: &[&chip::M4F] },
+    program(PANICS, &[&chip::M0, &chip::RISCV]),
+];
+/// Program that also runs on the host, with the same log.
+const BITS: &str = "bits";
+/// Program that ends with a panic.
+const PANICS: &str = "panics";
+/// Programs of the package `toytop-cost`, which `toytop budget` runs. They have no expected log.
+const COSTS: &[&str] = &["cost", "corpus", "fit_cost", "flash", "empty"];
+
+/// Longest time of a run; a program that takes longer is killed.
+const LIMIT: Duration = Duration::from_secs(60);
+
+/// Result of a run.
+struct Run {
+    /// Decoded log.
+    log: String,
+    /// Other text, such as the message of a panic or an error of QEMU.
+    errors: String,
+    exit_code: i32,
+}
+
+impl Program {
+    fn named(name: &str) -> Result<&'static Self> {
+        let names = || PROGRAMS.iter().map(|program| program.name).collect::<Vec<_>>().join(" ");
+        let found = PROGRAMS.iter().find(|program| program.name == name);
+        found.with_context(|| format!("no program {name}; there are: {}", names()))
+    }
+
+    /// Whether the program runs on a chip with this target.
+    pub(crate) fn runs_on(&self, target: &str) -> bool {
+        self.chips.iter().any(|chip| chip.target == target)
+    }
+
+    /// Arguments of cargo that select the program.
+    pub(crate) fn selection(&self) -> String {
+        let Self { name, folder, .. } = self;
+        if *folder == MAIN { format!("--bin {name}") } else { format!("--package toytop-{name}") }
+    }
+
+    /// File with the expected log on a chip: one of its own, if the log depends on the speed of the chip, or that of all chips.
+    fn expected(&self, chip: &Chip) -> PathBuf {
+        let folder = root().join("firmware-examples").join(self.folder);
+        let own = folder.join(format!("{}.{}.out", self.name, chip.name));
+        if own.exists() { own } else { folder.join(format!("{}.out", self.name)) }
+    }
+
+    /// Result of a run, whose exit code must be that of the program.
+    fn run(&self, chip: &Chip) -> Result<Run> {
+        let run = emulate(chip, &build(chip, &self.selection())?.join(self.name))?;
+        let expected = if self.name == PANICS { 101 } else { 0 };
+        if run.exit_code != expected {
+            bail!("{}: exit code {}, not {expected}\n{}{}", chip.name, run.exit_code, run.log, run.errors);
+        }
+        Ok(run)
+    }
+
+    /// Runs the program on all its chips; each log must be the expected one.
+    fn check(&self) -> Result<()> {
+        let read = |path: PathBuf| fs::read_to_string(&path).with_context(|| format!("{}", path.display()));
+        let mut logs = Vec::new();
+        if self.name == BITS {
+            let mut host = cargo("firmware-examples", "run --quiet --release --bin bits");
+            let log = run(host.arg("--target-dir").arg(firmware_target_dir()))?;
+            logs.push(("host", log, read(self.expected(self.chips[0]))?));
+        }
+        for chip in self.chips {
+            if self.folder == MAIN {
+                build(chip, &all_on(chip))?;
+            }
+            logs.push((chip.name, self.run(chip)?.log, read(self.expected(chip))?));
+        }
+        let differences: String =
+            logs.iter().map(|(place, log, expected)| difference(place, expected, log)).collect();
+        if !differences.is_empty() {
+            bail!(
+                "(-: expected, +: now)\n{differences}after an intended change: cargo xtask firmware {} --overwrite",
+                self.name
+            );
+        }
+        Ok(())
+    }
+}
+
+/// Checks the bits on all chips and on the host.
+pub(crate) fn bits() -> Result<String> {
+    Program::named(BITS)?.check()?;
+    Ok("equal on every chip and on the host".into())
+}
+
+/// Checks all programs but the one of the bits.
+pub(crate) fn programs() -> Result<String> {
+    let others: Vec<_> = PROGRAMS.iter().filter(|program| program.name != BITS).collect();
+    let failures: Vec<_> = others
+        .iter()
+        .filter_map(|program| program.check().err().map(|error| format!("{}: {error:#}", program.name)))
+        .collect();
+    if !failures.is_empty() {
+        bail!("{}", failures.join("\n"));
+    }
+    Ok(others.iter().map(|program| program.name).collect::<Vec<_>>().join(" "))
+}
+
+/// Arguments of cargo that select all programs of the main package on a chip: one build links them on all processor cores.
+fn all_on(chip: &Chip) -> String {
+    let here = |program: &&Program| {
+        program.folder == MAIN && program.chips.iter().any(|other| other.name == chip.name)
+    };
+    PROGRAMS.iter().filter(here).map(Program::selection).collect::<Vec<_>>().join(" ")
+}
+
+/// Lines in which two logs differ.
+fn difference(place: &str, expected: &str, log: &str) -> String {
+    let (mut old, mut new) = (expected.lines(), log.lines());
+    let mut text = String::new();
+    loop {
+        match (old.next(), new.next()) {
+            (None, None) => return text,
+            (old, new) if old != new => {
+                text.extend(old.map(|line| format!("{place} - {line}\n")));
+                text.extend(new.map(|line| format!("{place} + {line}\n")));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Prints programs and chips.
+pub(crate) fn list() {
+    for Program { name, chips, .. } in PROGRAMS {
+        let chips: Vec<_> = chips.iter().map(|chip| chip.name).collect();
+        println!("{name:12} {}", chips.join(" "));
+    }
+    println!("{}\n", COSTS.join(" "));
+    for chip in chip::ALL {
+        println!("{:8} {}, {}, QEMU: {}", chip.name, chip.core, chip.target, chip.machine.join(" "));
+    }
+}
+
+/// Runs a program on one chip and shows its log.
+pub(crate) fn show(name: &str, chip: Option<&str>) -> Result<ExitCode> {
+    let program = Program::named(name)?;
+    let chip = chip.map_or(Ok(program.chips[0]), chip::named)?;
+    shown(chip, &build(chip, &program.selection())?.join(name))
+}
+
+/// Runs an ELF on a chip and shows its log.
+pub(crate) fn qemu(chip: &str, elf: &str) -> Result<ExitCode> {
+    shown(chip::named(chip)?, Path::new(elf))
+}
+
+fn shown(chip: &Chip, elf: &Path) -> Result<ExitCode> {
+    let Run { log, errors, exit_code } = emulate(chip, elf)?;
+    print!("{log}");
+    eprint!("{errors}");
+    Ok(u8::try_from(exit_code).map_or(ExitCode::FAILURE, ExitCode::from))
+}
+
+/// Path of a program after its build.
+pub(crate) fn elf(name: &str, chip: &Chip) -> Result<PathBuf> {
+    let selection = match COSTS.contains(&name) {
+        true => format!("--package toytop-cost --bin {name}"),
+        false => Program::named(name)?.selection(),
+    };
+    Ok(build(chip, &selection)?.join(name))
+}
+
+/// Runs a program on its chips, and writes the logs as the expected ones.
+pub(crate) fn overwrite(name: &str) -> Result<()> {
+    let program = Program::named(name)?;
+    // the first chip last, because its log is that of all chips without a file of their own
+    for chip in program.chips.iter().rev() {
+        let path = program.expected(chip);
+        fs::write(&path, program.run(chip)?.log)?;
+        println!("written: {}", path.display());
+    }
+    Ok(())
+}
+
+/// Links core for all chips with a panic handler that does not exist, and checks that the linker refuses a deliberate panic.
+pub(crate) fn no_panic() -> Result<String> {
+    for chip in [&chip::M0, &chip::M4F, &chip::M33, &chip::RISCV] {
+        build(chip, "--package toytop-nopanic")?;
+    }
+    planted()?;
+    Ok("4 targets link, a deliberate panic does not".into())
+}
+
+/// Message of the linker about a deliberate panic.
+pub(crate) fn planted() -> Result<String> {
+    let (mut command, _) =
+        build_command(&chip::M4F, "--package toytop-nopanic --bin planted --features planted")?;
+    let ended = run_within(&mut command, Duration::from_secs(600))?;
+    if ended.success || !ended.output.contains("your program contains at least one panicking branch") {
+        bail!("{}\na deliberate panic was not detected", ended.output);
+    }
+    Ok(ended.output)
+}
+
+/// Builds for a chip; returns the folder with the ELF.
+fn build(chip: &Chip, what: &str) -> Result<PathBuf> {
+    let (mut command, folder) = build_command(chip, what)?;
+    run(&mut command)?;
+    Ok(folder)
+}
+
+/// Command that builds for a chip, and the folder of the ELF.
+fn build_command(chip: &Chip, what: &str) -> Result<(Command, PathBuf)> {
+    CHIPS.provide()?;
+    // the memory map is not that of the target
+    let memory = (chip.name == chip::M0PLUS.name).then_some("memory/mps2.x");
+    let own = if chip.rustflags.is_empty() && memory.is_none() { "" } else { chip.name };
+    let dir = firmware_target_dir().join(own);
+    let mut command = cargo("firmware-examples", &format!("build --release --target {} {what}", chip.target));
+    command.arg("--target-dir").arg(&dir).envs(memory.map(|memory| ("MEMORY_X", memory)));
+    if !chip.rustflags.is_empty() {
+        let flags = std::env::var("RUSTFLAGS").unwrap_or_default();
+        command.env("RUSTFLAGS", format!("{flags} {}", chip.rustflags).trim_start());
+    }
+    Ok((command, dir.join(chip.target).join("release")))
+}
+
+/// Result of the run of an ELF. One instruction takes one virtual nanosecond, and a sleeping processor continues immediately at its next
+/// interrupt, so that a run is repeatable.
+fn emulate(chip: &Chip, elf: &Path) -> Result<Run> {
+    QEMU.provide()?;
+    let mut build = cargo("firmware-examples", "build --package toytop-firmware-decoder");
+    run(build.arg("--target-dir").arg(firmware_target_dir()))?;
+    let mut decoder = Command::new(firmware_target_dir().join("debug/toytop-firmware-decoder"));
+
+    let mut qemu = chip.qemu(elf).args(["-icount", "shift=0,sleep=off"]).spawn()?;
+    decoder.arg(elf).stdin(qemu.stdout.take().context("a pipe")?);
+    let decoded = run_within(&mut decoder, LIMIT);
+    if decoded.is_err() {
+        qemu.kill()?;
+    }
+    let status = qemu.wait()?;
+    let errors = read_to_string(qemu.stderr.take().context("a pipe")?)?;
+    let decoded = decoded.with_context(|| format!("{}: {errors}", chip.name))?;
+    if !decoded.success {
+        bail!("{}: the log cannot be decoded\n{}{errors}", chip.name, decoded.output);
+    }
+    let exit_code = status.code().context("QEMU was killed")?;
+    Ok(Run { log: decoded.output, errors, exit_code })
+}

@@ -1,0 +1,100 @@
+//! Tools that some steps need besides cargo. Each is installed at its first use, by rustup, cargo or Debian's packages.
+
+use std::process::Command;
+use std::time::Duration;
+
+use anyhow::{Result, bail};
+
+use crate::process::run_within;
+
+/// Tool with commands of the shell.
+#[derive(Clone, Copy)]
+pub(crate) struct Tool {
+    name: &'static str,
+    /// Command that succeeds where the tool is installed.
+    works: &'static str,
+    /// Command that installs it.
+    install: &'static str,
+}
+
+const fn tool(name: &'static str, works: &'static str, install: &'static str) -> Tool {
+    Tool { name, works, install }
+}
+
+pub(crate) const LINTS: Tool = tool(
+    "rustfmt and clippy",
+    "cargo fmt --version && cargo clippy --version",
+    "rustup component add rustfmt clippy",
+);
+pub(crate) const CHIPS: Tool = tool(
+    "compiler for the chips",
+    "for target in thumbv6m-none-eabi thumbv7em-none-eabihf thumbv8m.main-none-eabihf riscv32imac-unknown-none-elf; \
+     do test -d $(rustc --print target-libdir --target $target) || exit 1; done",
+    "rustup target add thumbv6m-none-eabi thumbv7em-none-eabihf thumbv8m.main-none-eabihf riscv32imac-unknown-none-elf",
+);
+pub(crate) const PAGE: Tool = tool(
+    "compiler for pages",
+    "test -d $(rustc --print target-libdir --target wasm32-unknown-unknown)",
+    "rustup target add wasm32-unknown-unknown",
+);
+pub(crate) const QEMU: Tool = tool(
+    "QEMU",
+    "qemu-system-arm --version && qemu-system-riscv32 --version",
+    "apt-get install qemu-system-arm qemu-system-misc",
+);
+pub(crate) const CHROMIUM: Tool = tool(
+    "Chromium",
+    "chromium --version || chromium-browser --version || google-chrome --version",
+    "apt-get install chromium",
+);
+pub(crate) const C: Tool = tool(
+    "tools for C",
+    "gcc --version && g++ --version && clang --version && clang++ --version && ld.lld --version && cmake --version",
+    "apt-get install gcc g++ clang lld cmake",
+);
+pub(crate) const PYTHON: Tool = tool(
+    "Python 3.10 with venv",
+    "python3 -c 'import venv, ensurepip, sys; sys.exit(sys.version_info < (3, 10))'",
+    "apt-get install python3 python3-venv",
+);
+pub(crate) const FUZZER: Tool = tool(
+    "cargo-fuzz and a nightly compiler",
+    "cargo +nightly fuzz --version",
+    "rustup toolchain install nightly --profile minimal && cargo install --locked cargo-fuzz",
+);
+pub(crate) const HACK: Tool = tool("cargo-hack", "cargo hack --version", "cargo install --locked cargo-hack");
+pub(crate) const COVERAGE: Tool =
+    tool("cargo-llvm-cov", "cargo llvm-cov --version", "cargo install --locked cargo-llvm-cov");
+
+impl Tool {
+    /// Tool that is not there and cannot be installed.
+    #[cfg(test)]
+    pub(crate) const fn missing() -> Self {
+        tool("nothing", "false", "false")
+    }
+
+    /// Installs the tool if it is missing. The error says in one line how to install it.
+    pub(crate) fn provide(&self) -> Result<()> {
+        let Self { name, works, install } = self;
+        if !succeeds(works) {
+            eprintln!("installing {name}: {install}");
+            let script = match install.strip_prefix("apt-get install ") {
+                Some(packages) => format!(
+                    "[ $(id -u) = 0 ] || sudo='sudo -n'; $sudo apt-get update && \
+                     $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends {packages}"
+                ),
+                None => (*install).to_owned(),
+            };
+            if !succeeds(&script) || !succeeds(works) {
+                bail!("{name} missing: {install}");
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether a command of the shell succeeds.
+fn succeeds(script: &str) -> bool {
+    let mut command = Command::new("sh");
+    run_within(command.args(["-c", script]), Duration::from_secs(900)).is_ok_and(|ended| ended.success)
+}

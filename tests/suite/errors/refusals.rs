@@ -1,0 +1,163 @@
+//! Refusals, by the name of the parameter. Values just inside the allowed range are accepted.
+
+use toytop::{
+    BranchPoints, Complex, Ephemeris, InitialPhases, Motion, Orientation, ParameterError, Release,
+    SetUpError, Signs, State, Tick, Top, TopParameters,
+};
+use toytop_tests::{kilohertz, top_of, vectors};
+
+fn parameter<T>(result: Result<T, ParameterError>) -> Option<&'static str> {
+    result.err().map(|error| error.parameter())
+}
+
+fn top() -> Top {
+    top_of([1.0, 1.0, 1.0, 1.0], 1.0)
+}
+
+#[test]
+fn tops() {
+    for ([a, c, s, p, g], refused) in [
+        ([1.0, 2.0, 1.0, 1.0, 1.0], None),
+        ([1.0, 0.0, 1.0, 1.0, 1.0], None),
+        ([1.1e-6, 1e-6, 1.0, 1.0, 1.0], None),
+        ([1.0, 2.0000001, 1.0, 1.0, 1.0], Some("axial_inertia")),
+        ([1.0, -1e-9, 1.0, 1.0, 1.0], Some("axial_inertia")),
+        ([-1.0, 1.0, 1.0, 1.0, 1.0], Some("transverse_inertia")),
+        ([1e-7, 1e-7, 1.0, 1.0, 1.0], Some("transverse_inertia")),
+        ([1.0, 1.0, 1.0, 1.0, 0.0], Some("gravity")),
+        ([1.0, 1.0, 1.0, 1.0, -9.81], Some("gravity")),
+        ([1.0, 1.0, f64::NAN, 1.0, 1.0], Some("com_height")),
+        ([1.0, 1.0, 1.0, f64::INFINITY, 1.0], Some("mass_moment")),
+    ] {
+        let top = Top::sliding(&TopParameters {
+            transverse_inertia: a,
+            axial_inertia: c,
+            com_height: s,
+            mass_moment: p,
+            gravity: g,
+            ..TopParameters::default()
+        });
+        assert_eq!(parameter(top), refused, "{a} {c} {s} {p} {g}");
+    }
+}
+
+/// Branch points determine neither the rate of a body without torque nor the axial rate of a rod.
+#[test]
+fn branch_points_that_do_not_determine_the_motion() {
+    let body =
+        TopParameters { transverse_inertia: 1.0, mass_moment: 1.0, gravity: 1.0, ..TopParameters::default() };
+    let motion = |top: Top, e| {
+        parameter(Motion::from_branch_points(&top, e, Signs::default(), &InitialPhases::default()))
+    };
+    let (rod, free) = (Top::fixed(&body).unwrap(), Top::free(&body).unwrap());
+    assert_eq!(motion(rod, [-0.5, 0.5, 2.0]), Some("e3"));
+    assert_eq!(motion(rod, [-1.0, 0.5, 1.0]), None);
+    assert_eq!(motion(rod, [-1.0, 1.0, 1.5]), None);
+    assert_eq!(motion(free, [-0.5, 0.5, 2.0]), Some("e3"));
+    let thin = Top::fixed(&TopParameters { axial_inertia: 1e-50, ..body }).unwrap();
+    assert_eq!(motion(thin, [-0.5, 0.5, 2.0]), Some("e3"));
+    // at so high a rate the torque has no effect: the refusal names the constructor to use
+    let state = State::release(&Release { tilt: 0.5, spin: 1e8, ..Release::default() }).unwrap();
+    let heavy = TopParameters { axial_inertia: 1.0, ..body };
+    let refusal = Motion::launch(&Top::fixed(&heavy).unwrap(), &state).unwrap_err();
+    assert!(refusal.parameter() == "omega" && refusal.allowed().contains("free"), "{refusal}");
+    assert!(Motion::launch(&Top::free(&heavy).unwrap(), &state).is_ok());
+}
+
+#[test]
+fn states() {
+    let (nan, infinity) = (f64::NAN, f64::INFINITY);
+    for ([alpha, beta, omega], refused) in [
+        ([0.6, 0.8, 0.0], None),
+        ([0.6, 0.8000006, 0.0], None),
+        ([0.6, 0.8000007, 0.0], Some("alpha")),
+        ([0.0, 0.0, 0.0], Some("alpha")),
+        ([nan, 0.8, 0.0], Some("alpha")),
+        ([0.6, infinity, 0.0], Some("beta")),
+        ([0.6, 0.8, nan], Some("omega")),
+        ([0.6, 0.8, 1e13], Some("omega")),
+    ] {
+        let phi = Orientation { alpha: Complex::new(alpha, 0.0), beta: Complex::new(0.0, beta) };
+        assert_eq!(parameter(State::new(phi, [0.0, omega, 0.0])), refused, "{alpha} {beta} {omega}");
+    }
+}
+
+#[test]
+fn releases() {
+    let good = Release { tilt: 0.3, spin: 10.0, ..Release::default() };
+    for (release, refused) in [
+        (good, None),
+        (Release { tilt: -1e-9, ..good }, Some("tilt")),
+        (Release { tilt: 3.15, ..good }, Some("tilt")),
+        (Release { azimuth: f64::NAN, ..good }, Some("azimuth")),
+        (Release { roll: f64::NEG_INFINITY, ..good }, Some("roll")),
+        (Release { spin: 1e12, ..good }, Some("spin")),
+        (Release { precession: f64::NAN, ..good }, Some("precession")),
+        (Release { nutation: 1e300, ..good }, Some("nutation")),
+    ] {
+        assert_eq!(parameter(State::release(&release)), refused, "{release:?}");
+    }
+}
+
+#[test]
+fn branch_points() {
+    for ([e1, e2, e3], refused) in [
+        ([-1.0, 1.0, 1.0], None),
+        ([-1.0000001, 0.5, 2.0], Some("e1")),
+        ([0.6, 0.5, 2.0], Some("e2")),
+        ([0.6, 1.1, 2.0], Some("e2")),
+        ([0.6, 0.9, 0.99], Some("e3")),
+        ([0.6, 0.9, 1e15], Some("e3")),
+        ([f64::NAN, 0.9, 2.0], Some("e1")),
+    ] {
+        assert_eq!(parameter(BranchPoints::new(e1, e2, e3)), refused, "{e1} {e2} {e3}");
+    }
+    let start = InitialPhases::default();
+    for (start, refused) in [
+        (InitialPhases { theta: f64::NAN, ..start }, "theta"),
+        (InitialPhases { arg_alpha: 1e7, ..start }, "arg_alpha"),
+        (InitialPhases { arg_beta: f64::INFINITY, ..start }, "arg_beta"),
+    ] {
+        let motion = Motion::from_branch_points(&top(), [0.7, 0.9, 2.0], Signs::default(), &start);
+        assert_eq!(parameter(motion), Some(refused));
+    }
+}
+
+#[test]
+fn motions_too_fast_and_energies_too_low() {
+    let spinning = |spin| State::release(&Release { tilt: 0.3, spin, ..Release::default() }).unwrap();
+    assert_eq!(parameter(Motion::launch(&top(), &spinning(1e7))), None);
+    assert_eq!(parameter(Motion::launch(&top(), &spinning(1e8))), Some("omega"));
+    for ([l, n, h], refused) in [
+        ([2.0, 2.0, 1.0], Some("h")),
+        // enough energy for some heights, but not for this l at any height
+        ([1.5, 0.0, 0.5], Some("h")),
+        ([1.0, 0.0, 0.5], None),
+        // a top at rest: only hanging is possible
+        ([0.0, 0.0, -1.0], None),
+        ([0.0, 0.0, -1.0 - 1e-6], Some("h")),
+        ([f64::NAN, 2.0, 1.0], Some("l")),
+    ] {
+        assert_eq!(parameter(BranchPoints::from_integrals(&top(), l, n, h)), refused, "{l} {n} {h}");
+    }
+}
+
+#[test]
+fn ticks() {
+    assert_eq!([Tick::hertz(0), Tick::ratio(0, 1), Tick::ratio(1, 0)].map(parameter), [Some("tick"); 3]);
+    assert_eq!(parameter(Tick::ratio(u32::MAX, 1)), None);
+}
+
+#[test]
+fn a_truncation_error_is_finite_and_positive() {
+    let motion = vectors::motion("exact_generic_pp");
+    let tick = kilohertz();
+    for truncation in [f64::INFINITY, f64::NAN, 0.0, -0.0, -1e-9, f64::NEG_INFINITY] {
+        let refused = Ephemeris::<f64, 48>::within(&motion, tick, truncation);
+        assert_eq!(refused, Err(SetUpError::Truncation), "{truncation}");
+    }
+    for truncation in [f64::MAX, 1e-15] {
+        let bound = Ephemeris::<f64, 48>::within(&motion, tick, truncation).unwrap().error_bound();
+        assert!(bound.after(1.0).is_finite(), "{truncation:e}: {bound:?}");
+    }
+}

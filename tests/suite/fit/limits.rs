@@ -1,0 +1,98 @@
+//! Fits at their limits: readings beyond a range, a top without a moment of inertia, and measurements that are refused.
+
+use super::simulated::{
+    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, PARAMETERS, SENSORS, check, fitted, readings, release, sliding,
+};
+use toytop::{Motion, Orientation, Top, TopParameters};
+use toytop_fit::{
+    Fit, FitError, Fitted, FreeRatio, Gyroscope, Measurement, Mounting, Reason, Sensitivity, Sensor,
+};
+
+/// The spin exceeds the range of two axes of a gyroscope that is turned by 45 degrees. Along the axis of the top they have opposite signs,
+/// and neither is a measurement of the spin.
+#[test]
+fn saturated_axes_of_a_turned_gyroscope_are_not_believed() {
+    let half_turn = core::f64::consts::PI / 8.0;
+    let rotation = Orientation::from_quaternion([half_turn.cos(), 0.0, half_turn.sin(), 0.0]);
+    let gyroscope = Gyroscope { mounting: Mounting { rotation, place: [0.0; 3] }, ..GYROSCOPE };
+    let sensors: [&dyn Sensor; 3] = [&gyroscope, &ACCELEROMETER, &MAGNETOMETER];
+    let (top, state) = (sliding(), release(0.35, 500.0));
+    let motion = Motion::launch(&top, &state).unwrap();
+    check("turned", &fitted(&top, &sensors, &readings(&motion, &sensors, 300, 5)), &state);
+}
+
+/// A thin rod has C = 0, and its ratio A/C is infinite: no result may depend on it.
+#[test]
+fn the_launch_of_a_thin_rod_has_error_bars() {
+    let top =
+        Top::fixed(&TopParameters { transverse_inertia: 4.5e-5, axial_inertia: 0.0, ..PARAMETERS }).unwrap();
+    let state = release(2.1, -1.2);
+    let motion = Motion::launch(&top, &state).unwrap();
+    let measurements = readings(&motion, &SENSORS, 300, 3);
+    let gravity = [FreeRatio::new([0.0, 0.0, 0.0, 0.01])];
+    for ratios in [&[][..], &gravity] {
+        let found = Fit::new(&top, &SENSORS, ratios).unwrap().run(measurements.iter().copied()).unwrap();
+        check("rod", &found, &state);
+        let partials = Sensitivity::new(&motion).at(0.2).unwrap();
+        let covariance = found.orientation_covariance(&partials);
+        let deviation = (covariance[0][0] + covariance[1][1] + covariance[2][2]).sqrt();
+        assert!((1e-5..0.1).contains(&deviation), "{deviation:e}");
+    }
+}
+
+/// A run that ends without a launch has nothing of the run before it.
+#[test]
+fn a_run_begins_without_the_results_of_the_last_one() {
+    let top = sliding();
+    let motion = Motion::launch(&top, &release(0.35, 150.0)).unwrap();
+    let good = readings(&motion, &SENSORS, 60, 13);
+    let mut fit = Fit::new(&top, &SENSORS, &[]).unwrap();
+    let mut run = |count: usize| fit.run(good.iter().copied().take(count)).unwrap();
+    let [fresh, _, again] = [1, good.len(), 1].map(&mut run);
+    assert_eq!(again.statistics, fresh.statistics);
+    assert_eq!(again.unobservable, fresh.unobservable);
+    assert_eq!(again.deviations(), fresh.deviations());
+}
+
+#[test]
+fn bad_measurements_are_refused_or_not_believed() {
+    let (top, state) = (sliding(), release(0.35, 150.0));
+    let motion = Motion::launch(&top, &state).unwrap();
+    let good = readings(&motion, &SENSORS, 60, 13);
+    let run = |measurements: &[Measurement]| {
+        Fit::new(&top, &SENSORS, &[]).unwrap().run(measurements.iter().copied())
+    };
+    assert_eq!(run(&[]).err(), Some(FitError::NoMeasurements));
+    let changed = |change: fn(&mut Vec<Measurement>)| {
+        let mut measurements = good.clone();
+        change(&mut measurements);
+        run(&measurements)
+    };
+    assert_eq!(changed(|all| all[5].values[1] = f64::NAN).err(), Some(FitError::NotFinite { index: 5 }));
+    assert_eq!(changed(|all| all[6].time = f64::INFINITY).err(), Some(FitError::NotFinite { index: 6 }));
+    assert_eq!(changed(|all| all[8].time = 0.0).err(), Some(FitError::OutOfOrder { index: 8 }));
+    assert_eq!(changed(|all| all[9].sensor = 3).err(), Some(FitError::UnknownSensor { index: 9 }));
+    // the readings of one instant do not determine the rate about the axis
+    let reason = |found: Result<Fitted, FitError>| found.unwrap().reason;
+    assert!(reason(changed(|all| all.truncate(1))).is_some());
+    assert!(reason(changed(|all| all.truncate(3))).is_some());
+    // all readings are at the end of the range
+    let all = changed(|all| {
+        all.retain(|measurement| measurement.sensor == 0);
+        all.iter_mut().for_each(|measurement| measurement.values = [34.9, -34.9, 34.9, 0.0]);
+    });
+    assert!(reason(all).is_some());
+    // a top that is held by hand
+    let mut still = good.clone();
+    let first: Vec<_> = still[..3].to_vec();
+    for (index, measurement) in still.iter_mut().enumerate() {
+        measurement.values = first[index % 3].values;
+        if measurement.sensor == 0 {
+            measurement.values = [0.0; 4];
+        }
+    }
+    let long: Vec<_> = (0..10)
+        .flat_map(|k| still.iter().map(move |m| Measurement { time: m.time + 0.06 * f64::from(k), ..*m }))
+        .collect();
+    assert_eq!(reason(run(&long)), Some(Reason::AtRest));
+}

@@ -1,0 +1,207 @@
+//! Ephemerides as literal data: no bit is lost, and changed data are refused.
+
+use fixed::types::{I2F14, I2F30};
+use toytop::{Baked, BakedError, Ephemeris, Tick};
+use toytop_tests::{kilohertz, vectors};
+
+#[test]
+fn conversion_there_and_back_keeps_every_bit() {
+    let (mut fitting, mut fitting_fixed) = (0, 0);
+    for vector in vectors::tabulated() {
+        let (name, motion) = (&vector.name, vector.motion().unwrap());
+        let single = Ephemeris::<f32, 256>::new(&motion, kilohertz()).unwrap();
+        let baked = single.to_baked();
+        let back = baked.ephemeris().unwrap();
+        assert!(back == single, "{name}");
+        // the checksum depends on the sign of a zero, which `==` ignores
+        assert_eq!(back.to_baked().crc32, baked.crc32, "{name}");
+        if let Ok(long) = Ephemeris::<I2F30, 256>::new(&motion, Tick::hertz(8000).unwrap()) {
+            let baked = long.to_baked();
+            let back = baked.ephemeris().unwrap();
+            assert!(back == long && back.to_baked().crc32 == baked.crc32, "{name}");
+            // data of one scalar are refused by another, even with equal numbers
+            assert_ne!(baked.crc32, single.to_baked().crc32, "{name}");
+            fitting_fixed += 1;
+        }
+        if let Ok(short) = Ephemeris::<I2F14, 128>::new(&motion, Tick::hertz(8000).unwrap()) {
+            let mut baked = short.to_baked();
+            let back = baked.ephemeris().unwrap();
+            assert!(back == short && back.to_baked().crc32 == baked.crc32, "{name}");
+            baked.segments[127][2][3] ^= 1;
+            assert!(baked.ephemeris().is_err(), "{name}");
+            fitting_fixed += 1;
+        }
+        if let Ok(double) = Ephemeris::<f64, 256>::new(&motion, Tick::ratio(44_100, 2).unwrap()) {
+            let baked = double.to_baked();
+            let back = baked.ephemeris().unwrap();
+            assert!(back == double && back.to_baked().crc32 == baked.crc32, "{name}");
+            for n in [0, 77, -1 << 40, i64::MAX] {
+                assert_eq!(back.at_tick(n).pose(), double.at_tick(n).pose(), "{name}");
+            }
+            let both = [&back, &double].map(|table| (table.at(0.1).attitude_state(), table.error_bound()));
+            assert_eq!(both[0], both[1], "{name}");
+            fitting += 1;
+        }
+    }
+    assert!(fitting_fixed > 110, "{fitting_fixed} tables in fixed point");
+    assert!(fitting > 40, "{fitting} motions in f64");
+}
+
+/// Change of one number.
+type Change = fn(&mut Baked<f32, 25>);
+
+fn refused(baked: &Baked<f32, 25>, change: Change) -> Option<BakedError> {
+    let mut changed = baked.clone();
+    change(&mut changed);
+    changed.ephemeris().err()
+}
+
+#[test]
+fn a_bit_flipped_anywhere_is_refused() {
+    let motion = vectors::motion("exact_generic_pp");
+    let baked = Ephemeris::<f32, 25>::new(&motion, kilohertz()).unwrap().to_baked();
+    let changes: [Change; 17] = [
+        |baked| baked.clock.tip.start[3] ^= 1,
+        |baked| baked.clock.tip.step[0] ^= 1,
+        |baked| baked.clock.tip.passes ^= 1,
+        |baked| baked.clock.has_turning_points = !baked.clock.has_turning_points,
+        |baked| baked.crc32 ^= 1 << 31,
+        |baked| baked.clock.first[1] ^= 1 << 63,
+        |baked| baked.clock.step[2][0] ^= 1,
+        |baked| baked.clock.exact_step[0][1] = f64::from_bits(baked.clock.exact_step[0][1].to_bits() ^ 1),
+        |baked| baked.clock.ticks_per_time[1] = -baked.clock.ticks_per_time[1],
+        |baked| baked.error_bound.constant = f64::from_bits(baked.error_bound.constant.to_bits() ^ 1),
+        |baked| baked.rate_error_bound.per_tick *= 1.5,
+        |baked| baked.clock.tip_scale = -baked.clock.tip_scale,
+        |baked| baked.clock.rates[0] = f32::from_bits(baked.clock.rates[0].to_bits() ^ 1),
+        |baked| baked.cells[15] ^= 1,
+        |baked| baked.segments[0][0][0] ^= 1,
+        |baked| baked.segments[24][4][3] ^= 1 << 31,
+        |baked| baked.segments.swap(3, 4),
+    ];
+    for (index, change) in changes.into_iter().enumerate() {
+        assert!(matches!(refused(&baked, change), Some(BakedError::Checksum { .. })), "{index}");
+    }
+    assert_eq!(refused(&baked, |baked| baked.format += 1), Some(BakedError::Format { found: 7 }));
+    // every bit of every coefficient
+    for segment in 0..25 {
+        for bit in 0..5 * 4 * 32 {
+            let mut changed = baked.clone();
+            changed.segments[segment][bit / 128][bit / 32 % 4] ^= 1 << (bit % 32);
+            assert!(changed.ephemeris().is_err(), "{segment} {bit}");
+        }
+    }
+}
+
+/// Random numbers under a correct checksum either are refused or give finite numbers, without overflow.
+macro_rules! wild {
+    ($name:ident, $scalar:ty, $segments:literal, $coefficient:ty) => {
+        #[test]
+        fn $name() {
+            let motion = vectors::motion("exact_generic_pp");
+            let table = Ephemeris::<$scalar, $segments>::new(&motion, kilohertz()).unwrap();
+            let baked = table.to_baked();
+            let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+            let mut draw = move || {
+                bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+                bits
+            };
+            let (mut refused, mut read) = (0, 0);
+            for k in 0..4000 {
+                let mut wild = baked.clone();
+                // from all bits of a coefficient to only a few
+                let shift = k % 56;
+                let row = &mut wild.segments[draw() as usize % $segments];
+                let power = draw() as usize % row.len();
+                for number in row[power..].iter_mut().flatten() {
+                    *number = <$coefficient>::wild(draw(), shift);
+                }
+                if k % 3 == 0 {
+                    wild.clock.first = [0; 3].map(|_: u64| draw());
+                    wild.cells = [0; 16].map(|_: u16| draw() as u16);
+                }
+                wild.crc32 = wild.computed_crc32();
+                let Ok(ephemeris) = wild.ephemeris() else {
+                    refused += 1;
+                    continue;
+                };
+                read += 1;
+                for n in (0..300).map(|n| n * 7).chain([i64::MIN, i64::MAX, draw() as i64]) {
+                    let sample = ephemeris.at_tick(n);
+                    let phi = sample.orientation();
+                    let tip = phi.tip_over_s();
+                    let (attitude, wide) = (sample.attitude_state(), sample.tip());
+                    let numbers = [wide.re, wide.im, attitude.u(), attitude.udot()].map(f64::from);
+                    let omega = attitude.omega().map(f64::from);
+                    let of_scalar = [phi.alpha.re, phi.beta.im, tip.re, tip.im].map(f64::from);
+                    assert!(
+                        [numbers, of_scalar].iter().flatten().chain(&omega).all(|x| x.is_finite()),
+                        "{n}"
+                    );
+                    let _ =
+                        (ephemeris.next_turning_point(n), ephemeris.cursor(n).next(&ephemeris).orientation());
+                }
+            }
+            assert!(refused > 200 && read > 300, "{refused} refused, {read} read");
+        }
+    };
+}
+
+wild!(wild_numbers_in_f32_are_refused_or_read, f32, 64, i32);
+wild!(wild_numbers_in_q31_are_refused_or_read, I2F30, 256, i32);
+wild!(wild_numbers_in_q15_are_refused_or_read, I2F14, 128, i16);
+wild!(wild_numbers_in_f64_are_refused_or_read, f64, 64, f64);
+
+/// Coefficient with random bits; larger `shift` (below 56) gives smaller numbers.
+trait Wild {
+    fn wild(bits: u64, shift: u32) -> Self;
+}
+
+impl Wild for i32 {
+    fn wild(bits: u64, shift: u32) -> Self {
+        (bits >> 32) as Self >> (shift / 8)
+    }
+}
+
+impl Wild for i16 {
+    fn wild(bits: u64, shift: u32) -> Self {
+        (bits >> 48) as Self >> (shift / 8)
+    }
+}
+
+impl Wild for f64 {
+    fn wild(bits: u64, shift: u32) -> Self {
+        if shift & 1 == 0 { Self::from_bits(bits) } else { (bits as Self).powi(shift as i32 % 4) }
+    }
+}
+
+/// A field with a number that is not finite, or too large for a tick, is named.
+#[test]
+fn a_field_beyond_its_range_is_named() {
+    let motion = vectors::motion("exact_generic_pp");
+    let baked = Ephemeris::<f32, 25>::new(&motion, kilohertz()).unwrap().to_baked();
+    let changes: [(Change, &str); 8] = [
+        (|baked| baked.clock.exact_step[1][0] = f64::NAN, "exact_step"),
+        (|baked| baked.clock.ticks_per_time[0] = f64::INFINITY, "ticks_per_time"),
+        (|baked| baked.error_bound.constant = f64::NAN, "error_bound"),
+        (|baked| baked.error_bound.per_tick = f64::NEG_INFINITY, "error_bound"),
+        (|baked| baked.clock.tip_scale = f32::MAX, "tip_scale"),
+        (|baked| baked.clock.rates[2] = f32::NAN, "rates"),
+        // a sum of 2^31 - 2^15 is the smallest that is too large
+        (|baked| baked.segments[3][1..].fill([i32::MAX - 0x7fff, 0, 0, 0]), "segments"),
+        (|baked| baked.segments[24][4][3] = i32::MIN, "segments"),
+    ];
+    for (change, field) in changes {
+        let mut changed = baked.clone();
+        change(&mut changed);
+        changed.crc32 = changed.computed_crc32();
+        let error = changed.ephemeris().err();
+        assert_eq!(error, Some(BakedError::OutOfRange { field }), "{field}");
+    }
+    // the largest sum that is allowed
+    let mut changed = baked.clone();
+    changed.segments[3][1..].fill([0; 4]);
+    changed.segments[3][1] = [i32::MAX - 0x8000, 0x8000 - i32::MAX, 0, 0];
+    changed.crc32 = changed.computed_crc32();
+    assert!(changed.ephemeris().is_ok());
+}

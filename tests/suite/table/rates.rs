@@ -1,0 +1,106 @@
+//! Rates of an ephemeris in each scalar: against the closed forms, which share no table with it, and their symmetries.
+
+use fixed::types::{I2F14, I2F30};
+use toytop::scalar::Float;
+use toytop::su2::Vector;
+use toytop::{AttitudeState, Complex, Ephemeris, EphemerisScalar, Motion, Sample, Tick};
+use toytop_closed_forms::ClosedForm;
+use toytop_tests::vectors;
+
+/// Ticks in a unit of time of the vectors, a power of two, so that the time of a tick is exact.
+const RATE: u32 = 64;
+
+fn norm(x: Vector<f64>) -> f64 {
+    x.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+fn wide<W: Float>(vector: Vector<W>) -> Vector<f64> {
+    vector.map(Float::to_f64)
+}
+
+fn apart(x: Vector<f64>, y: Vector<f64>) -> f64 {
+    norm([x[0] - y[0], x[1] - y[1], x[2] - y[2]])
+}
+
+/// Greatest of the errors of Ω, ω, u' and the tip's velocity over s, rad per unit time.
+fn error<R: EphemerisScalar>(sample: Sample<'_, R>, truth: &AttitudeState<f64>, tip_scale: f64) -> f64 {
+    let (velocity, rate) = (sample.tip_velocity(), truth.rate);
+    let AttitudeState { orientation, .. } = truth;
+    let exact = rate.alpha * orientation.beta + orientation.alpha * rate.beta;
+    let off =
+        Complex::new(velocity.re.to_f64() / tip_scale, velocity.im.to_f64() / tip_scale) - exact.scaled(2.0);
+    [
+        apart(wide(sample.omega_body()), truth.omega_body()),
+        apart(wide(sample.omega()), truth.omega()),
+        (sample.udot().to_f64() - truth.udot()).abs(),
+        off.modulus(),
+    ]
+    .into_iter()
+    .fold(0.0, f64::max)
+}
+
+/// Greatest error of the rates over their bound, for every vector that has a closed form and fits the table.
+fn errors_over_bounds<R: EphemerisScalar, const SEGMENTS: usize>() -> Vec<f64> {
+    let tick = Tick::hertz(RATE).unwrap();
+    let of_motion = |motion: Motion| {
+        let form = ClosedForm::of(&motion).ok()?;
+        let ephemeris = Ephemeris::<R, SEGMENTS>::new(&motion, tick).ok()?;
+        let (bound, scale) = (ephemeris.rate_error_bound(), motion.top().tip_scale());
+        let ticks = (-1000..1000).chain([1 << 30, -(1 << 30)]);
+        Some(ticks.fold(0.0_f64, |worst, n| {
+            let truth = form.at(n as f64 / f64::from(RATE));
+            // the closed form has the rounding of f64, and that of the phases at t = 0
+            let allowed = bound.after(n as f64) + 2e-15 * norm(truth.omega());
+            worst.max(error(ephemeris.at_tick(n), &truth, scale) / allowed)
+        }))
+    };
+    vectors::tabulated()
+        .filter(|vector| vector.is_exact())
+        .filter_map(|vector| of_motion(vector.motion().ok()?))
+        .collect()
+}
+
+/// No error exceeds its bound, and most errors are near it.
+fn check(name: &str, mut ratios: Vec<f64>) {
+    ratios.sort_by(f64::total_cmp);
+    assert!(ratios.len() > 8, "{name}: {} motions", ratios.len());
+    assert!(ratios.last().is_some_and(|worst| *worst <= 1.0), "{name}: {ratios:?}");
+    assert!(ratios[ratios.len() / 2] > 0.1, "{name}: the bound is too lax: {ratios:?}");
+}
+
+#[test]
+fn rates_are_within_their_bound() {
+    check("f64", errors_over_bounds::<f64, 256>());
+    check("f32", errors_over_bounds::<f32, 128>());
+    check("q31", errors_over_bounds::<I2F30, 512>());
+    check("q15", errors_over_bounds::<I2F14, 128>());
+}
+
+/// The axial component is the constant n/C in every scalar, and the rates of two ways of evaluation agree.
+fn consistent<R: EphemerisScalar, const SEGMENTS: usize>(rounding: f64) {
+    let motion = vectors::motion("generic_AneC");
+    let ephemeris = Ephemeris::<R, SEGMENTS>::new(&motion, Tick::hertz(RATE).unwrap()).unwrap();
+    let axial = motion.first_integrals().n / motion.top().axial_inertia();
+    for n in -500..500 {
+        let sample = ephemeris.at_tick(n);
+        let (_, omega_body) = sample.orientation_and_omega_body();
+        let [.., x3] = wide(omega_body);
+        assert!((x3 / axial - 1.0).abs() <= rounding, "{n}: {x3} {axial}");
+        let state = sample.attitude_state();
+        let size = norm(wide(omega_body));
+        assert!(apart(wide(omega_body), wide(sample.omega_body())) == 0.0);
+        let off = apart(wide(state.omega_body()), wide(omega_body)) / size;
+        assert!(off < 40.0 * R::ROUNDING.max(rounding), "{n}: {off:e}");
+        let off = apart(wide(state.omega()), wide(sample.omega())) / size;
+        assert!(off < 40.0 * R::ROUNDING.max(rounding), "{n}: {off:e}");
+    }
+}
+
+#[test]
+fn one_evaluation_agrees_with_another() {
+    let single = f64::from(f32::EPSILON);
+    consistent::<f64, 64>(f64::EPSILON);
+    consistent::<f32, 64>(single);
+    consistent::<I2F30, 512>(single);
+    consistent::<I2F14, 128>(single);
+}
