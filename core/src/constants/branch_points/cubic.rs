@@ -53,9 +53,8 @@ impl<F: Float> Cubic<F> {
     #[inline(never)] // the stack frames of a launch must not add up
     pub(crate) fn largest_root(&self, between: &mut dyn FnMut()) -> F {
         const MOST_STEPS: u32 = 200;
-        const STEPS_BETWEEN: u32 = 8;
         let mut y = self.above();
-        for step in 1..=MOST_STEPS {
+        for _ in 0..MOST_STEPS {
             let (value, slope) = (self.value(y), self.slope(y));
             if value <= F::ZERO || slope <= F::ZERO {
                 break;
@@ -65,9 +64,7 @@ impl<F: Float> Cubic<F> {
                 break;
             }
             y = next;
-            if step % STEPS_BETWEEN == 0 {
-                between();
-            }
+            between();
         }
         y
     }

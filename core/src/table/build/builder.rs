@@ -233,7 +233,7 @@ impl TableBuilder {
         }
         for which in 0..self.series.len() {
             between();
-            if self.turn(which).is_none() {
+            if self.turn(which, between).is_none() {
                 return false;
             }
         }
@@ -248,10 +248,11 @@ impl TableBuilder {
     }
 
     /// Series of α (0) or β (1) on the span from those of the phases; `None` where it is not accurate.
-    fn turn(&mut self, which: usize) -> Option<()> {
+    fn turn(&mut self, which: usize, between: &mut dyn FnMut()) -> Option<()> {
         let series = self.series.get_mut(which)?.replace();
         let [re, im] = series.polynomial.each_mut();
         series.terms = self.path.turned(which, *self.exponentials.get(which)?, [&mut *re, &mut *im])?;
+        between();
         let omitted = 2.0 * larger_or_nan(omitted_terms(re), omitted_terms(im));
         (2.0 * omitted <= OMITTED_SHARE * self.limits.polynomial).then_some(())?;
         series.shorten(0, self.limits.left_out);

@@ -133,11 +133,9 @@ impl Path {
             self.expand(depth, share, between);
             let Some(centre) = self.after(1, share) else { return false };
             (self.here, self.is_at_centre) = (centre, true);
-            between();
         }
         self.expand(depth, share, between);
         let end = self.after(1, share);
-        between();
         self.end = end.unwrap_or(self.end);
         end.is_some()
     }
@@ -211,6 +209,7 @@ impl Path {
     /// Expands the motion around the position reached, where x = 1 stands for 2^-`depth` of a half period.
     fn expand(&mut self, depth: u32, share: f64, between: &mut dyn FnMut()) {
         let Some(slopes_of) = self.slopes_of else { return };
+        between();
         let unit = (0..depth).fold(self.half_period, |unit, _| unit.halved());
         self.part = 1.0 / (1_u64 << depth) as f64;
         let slopes = slopes_of(self, unit);

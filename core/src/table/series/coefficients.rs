@@ -59,7 +59,7 @@ impl Expansion {
     fn recur(&mut self, recurrence: &Recurrence, between: &mut dyn FnMut()) -> Option<usize> {
         let mut before = false;
         for k in 0..TERMS {
-            if k == TERMS / 2 {
+            if k % 4 == 0 {
                 between();
             }
             let rates = k > 0 && self.advance(recurrence, k)?;

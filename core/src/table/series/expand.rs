@@ -86,7 +86,6 @@ impl PhaseEquations<f64> {
         between: &mut dyn FnMut(),
     ) {
         let recurrence = self.recurrence(point, slopes, unit, least, to);
-        between();
         to.compute(&recurrence, between);
     }
 
