@@ -2,7 +2,10 @@
  *
  * No function allocates or keeps anything: all memory is the caller's. A function returns TOYTOP_OK or the reason for a refusal. Units
  * are SI or any consistent ones. The third fixed axis points up, the third body axis from the tip to the centre of mass. Numbers of
- * type int32_t in results are in units of 2^-30. */
+ * type int32_t in results are in units of 2^-30.
+ *
+ * Each pointer is null or points to an object of its type, or to as many as are named. A table stays where and as it is while a cursor
+ * or a sample of it is used, and nobody else uses its memory during a set-up. */
 
 #ifndef TOYTOP_H
 #define TOYTOP_H
@@ -74,7 +77,7 @@ enum toytop_status
   TOYTOP_BAD_MEMORY = 5,
   // A table, motion, set-up, cursor or sample was not made by this library, or its set-up failed or has not ended.
   TOYTOP_NOT_SET_UP = 6,
-  // There is no such turning point or tip angle in this motion.
+  // The motion has no such event, angle or derivative.
   TOYTOP_NONE = 7,
   // The motion is aperiodic, and such a motion has no table.
   TOYTOP_NO_TABLE = 8,
@@ -203,6 +206,22 @@ typedef struct toytop_constants {
   double min_normal_force;
 } toytop_constants;
 
+// Partial derivatives of a motion at one time.
+//
+// In each array they are with respect to: the rotation vector in the fixed frame that turns the orientation of the launch, rad (0 to
+// 2); omega of the launch in the fixed frame, rad/s (3 to 5); A/C (6); A/(p s), for a fixed tip A/p (7); the height s of the centre of
+// mass (8); gravity (9). Relative to the largest derivative of a column the error is about 1e-12.
+typedef struct toytop_partials {
+  // Derivatives of the orientation: rotation vectors in the fixed frame, rad.
+  double orientation[10][3];
+  // Derivatives of the angular velocity in the fixed frame, rad/s.
+  double omega[10][3];
+  // Derivatives of the angular velocity in the body frame, rad/s.
+  double omega_body[10][3];
+  // Derivatives of the position of the tip, m; 1 for a fixed tip.
+  double tip[10][2];
+} toytop_partials;
+
 // Length of a tick, as an exact fraction of a second: `ticks` ticks in `seconds` seconds.
 typedef struct toytop_tick {
   // Number of ticks, at least 1.
@@ -251,13 +270,15 @@ typedef struct toytop_ephemeris_sample {
   uint64_t opaque[14];
 } toytop_ephemeris_sample;
 
-// Turning point of the cosine of the tilt, u.
-typedef struct toytop_turning_point {
-  // First tick at or after the turning point.
+// Event of a motion: its instant in ticks, and the sense of the change.
+typedef struct toytop_event {
+  // Last tick at or before the event.
   int64_t tick;
-  // 1 where u = e2 is greatest, 0 where u = e1 is least.
-  uint32_t upper;
-} toytop_turning_point;
+  // Fraction of the following tick that passes before the event, in [0, 1).
+  double fraction;
+  // 1 or 0: see the function that found the event.
+  uint32_t upward;
+} toytop_event;
 
 // Table of a motion in `f64`; see `toytop_ephemeris_f32`.
 typedef struct toytop_ephemeris_f64 {
@@ -332,6 +353,12 @@ toytop_status toytop_launch(const struct toytop_top *top,
 toytop_status toytop_motion_constants(const struct toytop_motion *motion,
                                       struct toytop_constants *constants);
 
+// Partial derivatives at a time, s from the launch. The call integrates over a nutation period, so it takes too long for an interrupt.
+// `TOYTOP_NONE` where the time is not finite, or a derivative is beyond 1e150.
+toytop_status toytop_motion_partials(const struct toytop_motion *motion,
+                                     double time,
+                                     struct toytop_partials *partials);
+
 // Tick of a frequency in Hz.
 struct toytop_tick toytop_hertz(uint32_t frequency);
 
@@ -399,15 +426,30 @@ toytop_status toytop_f32_next(const struct toytop_ephemeris_f32 *table,
                               struct toytop_ephemeris_cursor *cursor,
                               struct toytop_ephemeris_sample *sample);
 
-// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates, without a sample.
+// Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
 toytop_status toytop_f32_next_quaternion(const struct toytop_ephemeris_f32 *table,
                                          struct toytop_ephemeris_cursor *cursor,
                                          float *quaternion);
 
-// Next turning point of u at tick `from` or later. `TOYTOP_NONE` where there is none, or more than one in a tick.
+// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
+// found from `tick + 1` of this one, here and below.
 toytop_status toytop_f32_turning_point(const struct toytop_ephemeris_f32 *table,
                                        int64_t from,
-                                       struct toytop_turning_point *point);
+                                       struct toytop_event *event);
+
+// First instant at tick `from` or later at which the axis has a tilt, the angle to the upward vertical in rad; `upward` is 1 where
+// the axis rises. `TOYTOP_NONE` where the motion does not reach it.
+toytop_status toytop_f32_tilt_reached(const struct toytop_ephemeris_f32 *table,
+                                      double tilt,
+                                      int64_t from,
+                                      struct toytop_event *event);
+
+// First instant at tick `from` or later at which the tip is in a direction, an angle from the x axis in rad; `upward` is 1 where the
+// angle of the tip increases. `TOYTOP_NONE` where the axis is always vertical or the direction is not reached.
+toytop_status toytop_f32_direction_reached(const struct toytop_ephemeris_f32 *table,
+                                           double direction,
+                                           int64_t from,
+                                           struct toytop_event *event);
 
 // Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
 //
@@ -470,15 +512,30 @@ toytop_status toytop_f64_next(const struct toytop_ephemeris_f64 *table,
                               struct toytop_ephemeris_cursor *cursor,
                               struct toytop_ephemeris_sample *sample);
 
-// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates, without a sample.
+// Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
 toytop_status toytop_f64_next_quaternion(const struct toytop_ephemeris_f64 *table,
                                          struct toytop_ephemeris_cursor *cursor,
                                          double *quaternion);
 
-// Next turning point of u at tick `from` or later. `TOYTOP_NONE` where there is none, or more than one in a tick.
+// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
+// found from `tick + 1` of this one, here and below.
 toytop_status toytop_f64_turning_point(const struct toytop_ephemeris_f64 *table,
                                        int64_t from,
-                                       struct toytop_turning_point *point);
+                                       struct toytop_event *event);
+
+// First instant at tick `from` or later at which the axis has a tilt, the angle to the upward vertical in rad; `upward` is 1 where
+// the axis rises. `TOYTOP_NONE` where the motion does not reach it.
+toytop_status toytop_f64_tilt_reached(const struct toytop_ephemeris_f64 *table,
+                                      double tilt,
+                                      int64_t from,
+                                      struct toytop_event *event);
+
+// First instant at tick `from` or later at which the tip is in a direction, an angle from the x axis in rad; `upward` is 1 where the
+// angle of the tip increases. `TOYTOP_NONE` where the axis is always vertical or the direction is not reached.
+toytop_status toytop_f64_direction_reached(const struct toytop_ephemeris_f64 *table,
+                                           double direction,
+                                           int64_t from,
+                                           struct toytop_event *event);
 
 // Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
 //
@@ -541,23 +598,36 @@ toytop_status toytop_q31_next(const struct toytop_ephemeris_q31 *table,
                               struct toytop_ephemeris_cursor *cursor,
                               struct toytop_ephemeris_sample *sample);
 
-// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates, without a sample.
+// Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
 toytop_status toytop_q31_next_quaternion(const struct toytop_ephemeris_q31 *table,
                                          struct toytop_ephemeris_cursor *cursor,
                                          int32_t *quaternion);
 
-// Next turning point of u at tick `from` or later. `TOYTOP_NONE` where there is none, or more than one in a tick.
+// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
+// found from `tick + 1` of this one, here and below.
 toytop_status toytop_q31_turning_point(const struct toytop_ephemeris_q31 *table,
                                        int64_t from,
-                                       struct toytop_turning_point *point);
+                                       struct toytop_event *event);
+
+// First instant at tick `from` or later at which the axis has a tilt, the angle to the upward vertical in rad; `upward` is 1 where
+// the axis rises. `TOYTOP_NONE` where the motion does not reach it.
+toytop_status toytop_q31_tilt_reached(const struct toytop_ephemeris_q31 *table,
+                                      double tilt,
+                                      int64_t from,
+                                      struct toytop_event *event);
+
+// First instant at tick `from` or later at which the tip is in a direction, an angle from the x axis in rad; `upward` is 1 where the
+// angle of the tip increases. `TOYTOP_NONE` where the axis is always vertical or the direction is not reached.
+toytop_status toytop_q31_direction_reached(const struct toytop_ephemeris_q31 *table,
+                                           double direction,
+                                           int64_t from,
+                                           struct toytop_event *event);
 
 // Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
-toytop_status toytop_f32_cayley_klein(const struct toytop_ephemeris_sample *sample,
-                                      float *parameters);
+toytop_status toytop_f32_cayley_klein(const struct toytop_ephemeris_sample *sample, float *parameters);
 
-// Unit quaternion w, x, y, z from body to fixed coordinates.
-toytop_status toytop_f32_quaternion(const struct toytop_ephemeris_sample *sample,
-                                    float *quaternion);
+// Unit quaternion, four numbers w, x, y, z, from body to fixed coordinates.
+toytop_status toytop_f32_quaternion(const struct toytop_ephemeris_sample *sample, float *quaternion);
 
 // Unit vector of three components from the tip to the centre of mass, in the fixed frame. The third is u, the cosine of the
 // tilt, which a rounding can take past 1.
@@ -565,12 +635,10 @@ toytop_status toytop_f32_axis(const struct toytop_ephemeris_sample *sample,
                               float *axis);
 
 // Angular velocity of three components in the fixed frame, rad/s.
-toytop_status toytop_f32_omega(const struct toytop_ephemeris_sample *sample,
-                               float *omega);
+toytop_status toytop_f32_omega(const struct toytop_ephemeris_sample *sample, float *omega);
 
 // Angular velocity of three components in the body frame, rad/s, as a gyroscope measures it.
-toytop_status toytop_f32_omega_body(const struct toytop_ephemeris_sample *sample,
-                                    float *omega);
+toytop_status toytop_f32_omega_body(const struct toytop_ephemeris_sample *sample, float *omega);
 
 // Position x, y of the tip, m from the point of the plane below the centre of mass; for a fixed tip the horizontal part of the
 // axis with the opposite sign.
@@ -578,8 +646,7 @@ toytop_status toytop_f32_tip(const struct toytop_ephemeris_sample *sample,
                              float *tip);
 
 // Velocity x, y of the tip, m/s; 1/s for a fixed tip.
-toytop_status toytop_f32_tip_velocity(const struct toytop_ephemeris_sample *sample,
-                                      float *velocity);
+toytop_status toytop_f32_tip_velocity(const struct toytop_ephemeris_sample *sample, float *velocity);
 
 // Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` if the axis is always vertical.
 toytop_status toytop_f32_tip_angle(const struct toytop_ephemeris_sample *sample,
@@ -589,12 +656,10 @@ toytop_status toytop_f32_tip_angle(const struct toytop_ephemeris_sample *sample,
 toytop_status toytop_f32_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
 
 // Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
-toytop_status toytop_f64_cayley_klein(const struct toytop_ephemeris_sample *sample,
-                                      double *parameters);
+toytop_status toytop_f64_cayley_klein(const struct toytop_ephemeris_sample *sample, double *parameters);
 
-// Unit quaternion w, x, y, z from body to fixed coordinates.
-toytop_status toytop_f64_quaternion(const struct toytop_ephemeris_sample *sample,
-                                    double *quaternion);
+// Unit quaternion, four numbers w, x, y, z, from body to fixed coordinates.
+toytop_status toytop_f64_quaternion(const struct toytop_ephemeris_sample *sample, double *quaternion);
 
 // Unit vector of three components from the tip to the centre of mass, in the fixed frame. The third is u, the cosine of the
 // tilt, which a rounding can take past 1.
@@ -602,12 +667,10 @@ toytop_status toytop_f64_axis(const struct toytop_ephemeris_sample *sample,
                               double *axis);
 
 // Angular velocity of three components in the fixed frame, rad/s.
-toytop_status toytop_f64_omega(const struct toytop_ephemeris_sample *sample,
-                               double *omega);
+toytop_status toytop_f64_omega(const struct toytop_ephemeris_sample *sample, double *omega);
 
 // Angular velocity of three components in the body frame, rad/s, as a gyroscope measures it.
-toytop_status toytop_f64_omega_body(const struct toytop_ephemeris_sample *sample,
-                                    double *omega);
+toytop_status toytop_f64_omega_body(const struct toytop_ephemeris_sample *sample, double *omega);
 
 // Position x, y of the tip, m from the point of the plane below the centre of mass; for a fixed tip the horizontal part of the
 // axis with the opposite sign.
@@ -615,8 +678,7 @@ toytop_status toytop_f64_tip(const struct toytop_ephemeris_sample *sample,
                              double *tip);
 
 // Velocity x, y of the tip, m/s; 1/s for a fixed tip.
-toytop_status toytop_f64_tip_velocity(const struct toytop_ephemeris_sample *sample,
-                                      double *velocity);
+toytop_status toytop_f64_tip_velocity(const struct toytop_ephemeris_sample *sample, double *velocity);
 
 // Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` if the axis is always vertical.
 toytop_status toytop_f64_tip_angle(const struct toytop_ephemeris_sample *sample,
@@ -626,12 +688,10 @@ toytop_status toytop_f64_tip_angle(const struct toytop_ephemeris_sample *sample,
 toytop_status toytop_f64_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
 
 // Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
-toytop_status toytop_q31_cayley_klein(const struct toytop_ephemeris_sample *sample,
-                                      int32_t *parameters);
+toytop_status toytop_q31_cayley_klein(const struct toytop_ephemeris_sample *sample, int32_t *parameters);
 
-// Unit quaternion w, x, y, z from body to fixed coordinates.
-toytop_status toytop_q31_quaternion(const struct toytop_ephemeris_sample *sample,
-                                    int32_t *quaternion);
+// Unit quaternion, four numbers w, x, y, z, from body to fixed coordinates.
+toytop_status toytop_q31_quaternion(const struct toytop_ephemeris_sample *sample, int32_t *quaternion);
 
 // Unit vector of three components from the tip to the centre of mass, in the fixed frame. The third is u, the cosine of the
 // tilt, which a rounding can take past 1.
@@ -639,12 +699,10 @@ toytop_status toytop_q31_axis(const struct toytop_ephemeris_sample *sample,
                               int32_t *axis);
 
 // Angular velocity of three components in the fixed frame, rad/s.
-toytop_status toytop_q31_omega(const struct toytop_ephemeris_sample *sample,
-                               float *omega);
+toytop_status toytop_q31_omega(const struct toytop_ephemeris_sample *sample, float *omega);
 
 // Angular velocity of three components in the body frame, rad/s, as a gyroscope measures it.
-toytop_status toytop_q31_omega_body(const struct toytop_ephemeris_sample *sample,
-                                    float *omega);
+toytop_status toytop_q31_omega_body(const struct toytop_ephemeris_sample *sample, float *omega);
 
 // Position x, y of the tip, m from the point of the plane below the centre of mass; for a fixed tip the horizontal part of the
 // axis with the opposite sign.
@@ -652,8 +710,7 @@ toytop_status toytop_q31_tip(const struct toytop_ephemeris_sample *sample,
                              float *tip);
 
 // Velocity x, y of the tip, m/s; 1/s for a fixed tip.
-toytop_status toytop_q31_tip_velocity(const struct toytop_ephemeris_sample *sample,
-                                      float *velocity);
+toytop_status toytop_q31_tip_velocity(const struct toytop_ephemeris_sample *sample, float *velocity);
 
 // Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` if the axis is always vertical.
 toytop_status toytop_q31_tip_angle(const struct toytop_ephemeris_sample *sample,

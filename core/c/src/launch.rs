@@ -107,9 +107,6 @@ impl toytop_state {
 /// State of a release.
 ///
 /// Refusals name `tilt`, `azimuth`, `roll`, `spin`, `precession` or `nutation`. `error` may be null.
-///
-/// # Safety
-/// Each pointer is null or points to an object of its type.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn toytop_state_from_release(
     release: *const toytop_release,
@@ -133,9 +130,6 @@ pub unsafe extern "C" fn toytop_state_from_release(
 ///
 /// * `quaternion`: four numbers w, x, y, z of unit norm to within 1e-6, from body to fixed coordinates
 /// * `gyro`: three rates in the body frame, rad/s
-///
-/// # Safety
-/// Each pointer is null or points to as many objects of its type as are named.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn toytop_state_from_quaternion_and_gyro(
     quaternion: *const f64,
@@ -160,9 +154,6 @@ pub unsafe extern "C" fn toytop_state_from_quaternion_and_gyro(
 ///
 /// * `impulse`: three components in the fixed frame, N s
 /// * `point`: three body coordinates of the point at which it acts, m from the tip
-///
-/// # Safety
-/// Each pointer is null or points to as many objects of its type as are named.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn toytop_impulse(
     top: *const toytop_top,
@@ -205,9 +196,6 @@ unsafe fn stroke(
 /// Arguments and refusals are those of `toytop_impulse`.
 ///
 /// * `reaction`: memory for three numbers
-///
-/// # Safety
-/// Each pointer is null or points to as many objects of its type as are named.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn toytop_reaction_impulse(
     top: *const toytop_top,

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 #![cfg_attr(not(test), no_std)]
 #![allow(non_camel_case_types, reason = "the names are those of the header")]
+#![allow(clippy::missing_safety_doc, reason = "the header and its page say once which pointers are valid")]
 
 // Modules in the order of dependence: each one uses only those above it.
 
@@ -14,6 +15,8 @@ mod launch;
 
 mod motion;
 
+mod partials;
+
 // Functions that run at every tick.
 mod table;
 
@@ -21,8 +24,11 @@ mod set_up;
 
 mod sample;
 
+mod events;
+
 mod scalars;
 
+pub use events::toytop_event;
 pub use launch::{
     TOYTOP_FIXED, TOYTOP_FREE, TOYTOP_SLIDING, TOYTOP_STANDARD_GRAVITY, toytop_impulse,
     toytop_reaction_impulse, toytop_release, toytop_state, toytop_state_from_quaternion_and_gyro,
@@ -32,9 +38,10 @@ pub use motion::{
     TOYTOP_MOTION_SIZE, toytop_constants, toytop_launch, toytop_motion, toytop_motion_constants,
     toytop_regime,
 };
+pub use partials::{toytop_motion_partials, toytop_partials};
 pub use sample::{
     TOYTOP_EPHEMERIS_CURSOR_SIZE, TOYTOP_EPHEMERIS_SAMPLE_SIZE, toytop_ephemeris_cursor,
-    toytop_ephemeris_cursor_tick, toytop_ephemeris_sample, toytop_turning_point,
+    toytop_ephemeris_cursor_tick, toytop_ephemeris_sample,
 };
 pub use scalars::*;
 pub use set_up::{TOYTOP_SET_UP_SIZE, toytop_between, toytop_set_up};

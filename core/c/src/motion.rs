@@ -72,9 +72,6 @@ pub struct toytop_constants {
 /// Motion of a top from a state at t = 0.
 ///
 /// Refusals name a parameter of the top or of the state. `error` may be null.
-///
-/// # Safety
-/// Each pointer is null or points to an object of its type.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn toytop_launch(
     top: *const toytop_top,
@@ -94,9 +91,6 @@ pub unsafe extern "C" fn toytop_launch(
 }
 
 /// Constants of a motion. The call integrates the period, as a set-up does, so it takes too long for an interrupt.
-///
-/// # Safety
-/// Each pointer is null or points to an object of its type.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn toytop_motion_constants(
     motion: *const toytop_motion,

@@ -4,7 +4,7 @@ use crate::memory::{Kept, keep, kept, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::{Table, Tabulated, toytop_error_bounds, view};
 use crate::toytop_state;
-use toytop::{Complex, Cursor, EphemerisScalar, ErrorBound, ParameterError, Sample};
+use toytop::{Complex, Cursor, EphemerisView, ParameterError, Sample};
 
 /// Bytes of a cursor.
 pub const TOYTOP_EPHEMERIS_CURSOR_SIZE: usize = 64;
@@ -26,16 +26,6 @@ pub struct toytop_ephemeris_cursor {
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_ephemeris_sample {
     opaque: [u64; 14],
-}
-
-/// Turning point of the cosine of the tilt, u.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct toytop_turning_point {
-    /// First tick at or after the turning point.
-    pub tick: i64,
-    /// 1 where u = e2 is greatest, 0 where u = e1 is least.
-    pub upper: u32,
 }
 
 // cbindgen accepts only a number as a length
@@ -81,19 +71,6 @@ pub(crate) unsafe fn sample<R: Tabulated>(
     Ok(sample)
 }
 
-/// Keeps a sample of a table for the caller.
-///
-/// # Safety
-/// The pointer is null or valid for writing.
-unsafe fn keep_sample<R: Tabulated>(
-    place: *mut toytop_ephemeris_sample,
-    table: &Table<'static, R>,
-    sample: Sample<'static, R>,
-) -> Result<(), Refusal> {
-    // SAFETY: the caller guarantees a valid pointer.
-    unsafe { keep(place, SampleOf { sample, address: table.address, table: table.identity }) }
-}
-
 /// Writes a quantity of a sample to memory of the caller.
 ///
 /// # Safety
@@ -101,53 +78,43 @@ unsafe fn keep_sample<R: Tabulated>(
 pub(crate) unsafe fn write_quantity<R: Tabulated, T>(
     from: *const toytop_ephemeris_sample,
     place: *mut T,
-    quantity: impl FnOnce(Sample<'static, R>) -> T,
+    quantity: impl FnOnce(Sample<'static, R>) -> Result<T, Refusal>,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees that both pointers are valid.
-    unsafe { write(place, quantity(sample(from)?)) }
+    unsafe { write(place, quantity(sample(from)?)?) }
 }
 
-/// Sample at a tick.
+/// Keeps a sample of a table for the caller.
 ///
 /// # Safety
 /// The pointers are null or valid, and the table stays as long as the sample is used; here and below.
-pub(crate) unsafe fn at_tick<R: Tabulated>(
+pub(crate) unsafe fn keep_sample<R: Tabulated>(
     table: *const u8,
-    tick: i64,
     place: *mut toytop_ephemeris_sample,
+    sample: impl FnOnce(&'static EphemerisView<R>) -> Result<Sample<'static, R>, Refusal>,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
-        let table = view::<R>(table)?;
-        keep_sample(place, &table, table.view.at_tick(tick))
+        let Table { view, address, identity } = view::<R>(table)?;
+        keep(place, SampleOf { sample: sample(view)?, address, table: identity })
     }
 }
 
 /// Sample at a time.
-///
-/// # Safety
-/// As for [`at_tick`].
-pub(crate) unsafe fn at<R: Tabulated>(
-    table: *const u8,
-    time: f64,
-    place: *mut toytop_ephemeris_sample,
-) -> Result<(), Refusal> {
+pub(crate) fn at<R: Tabulated>(view: &EphemerisView<R>, time: f64) -> Result<Sample<'_, R>, Refusal> {
     if !time.is_finite() {
         return Err(ParameterError::NotFinite { parameter: "time" }.into());
     }
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    let table = unsafe { view::<R>(table)? };
-    if time.abs() >= table.view.last_time() {
+    if time.abs() >= view.last_time() {
         return Err(ParameterError::OutOfRange { parameter: "time", allowed: "within 2^63 ticks" }.into());
     }
-    // SAFETY: see above.
-    unsafe { keep_sample(place, &table, table.view.at(time)) }
+    Ok(view.at(time))
 }
 
 /// Cursor whose first sample is that of tick `first`.
 ///
 /// # Safety
-/// As for [`at_tick`].
+/// As for [`keep_sample`].
 pub(crate) unsafe fn cursor<R: Tabulated>(
     table: *const u8,
     first: i64,
@@ -163,18 +130,18 @@ pub(crate) unsafe fn cursor<R: Tabulated>(
 /// Gives the next sample of a cursor to `take`. If that refuses, the cursor stays.
 ///
 /// # Safety
-/// As for [`at_tick`].
+/// As for [`keep_sample`].
 unsafe fn advance<R: Tabulated>(
     table: *const u8,
     place: *mut toytop_ephemeris_cursor,
-    take: impl FnOnce(&Table<'static, R>, Sample<'static, R>) -> Result<(), Refusal>,
+    take: impl FnOnce(Sample<'static, R>) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
     let (table, mut of): (_, CursorOf) = unsafe { (view::<R>(table)?, kept(place)?) };
     if of.table != table.identity {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
-    take(&table, of.cursor.next(table.view))?;
+    take(of.cursor.next(table.view))?;
     // SAFETY: see above.
     unsafe { keep(place, of) }
 }
@@ -182,33 +149,30 @@ unsafe fn advance<R: Tabulated>(
 /// Next sample of a cursor.
 ///
 /// # Safety
-/// As for [`at_tick`].
+/// As for [`keep_sample`].
 pub(crate) unsafe fn next<R: Tabulated>(
     table: *const u8,
     cursor: *mut toytop_ephemeris_cursor,
     place: *mut toytop_ephemeris_sample,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table, here and inside.
-    unsafe { advance::<R>(table, cursor, |table, sample| keep_sample(place, table, sample)) }
+    unsafe { advance::<R>(table, cursor, |sample| keep_sample(table, place, |_| Ok(sample))) }
 }
 
 /// Quaternion at the next tick of a cursor.
 ///
 /// # Safety
-/// As for [`at_tick`].
+/// As for [`keep_sample`].
 pub(crate) unsafe fn next_quaternion<R: Tabulated>(
     table: *const u8,
     cursor: *mut toytop_ephemeris_cursor,
-    place: *mut [R::Held; 4],
+    place: *mut R::Held,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table, here and inside.
-    unsafe { advance::<R>(table, cursor, |_, sample| write(place, sample.quaternion().map(R::held))) }
+    unsafe { advance::<R>(table, cursor, |sample| write(place.cast(), sample.quaternion().map(R::held))) }
 }
 
 /// Tick of the last sample of a cursor; before the first sample, the tick before it.
-///
-/// # Safety
-/// Each pointer is null or points to an object of its type.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
     place: *const toytop_ephemeris_cursor,
@@ -218,70 +182,15 @@ pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
     unsafe { kept(place).and_then(|of: CursorOf| write(tick, of.cursor.tick())) }.into()
 }
 
-/// Next turning point.
-///
-/// # Safety
-/// As for [`at_tick`].
-pub(crate) unsafe fn turning_point<R: Tabulated>(
-    table: *const u8,
-    tick: i64,
-    place: *mut toytop_turning_point,
-) -> Result<(), Refusal> {
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    let found =
-        unsafe { view::<R>(table)? }.view.next_turning_point(tick).ok_or(toytop_status::TOYTOP_NONE)?;
-    // SAFETY: see above.
-    unsafe { write(place, toytop_turning_point { tick: found.tick, upper: found.upper.into() }) }
-}
-
-/// Tip angle of a sample, rad.
-///
-/// # Safety
-/// As for [`write_quantity`].
-pub(crate) unsafe fn tip_angle<R: Tabulated>(
-    from: *const toytop_ephemeris_sample,
-    place: *mut f64,
-) -> Result<(), Refusal> {
-    // SAFETY: the caller guarantees that both pointers are valid.
-    let angle = unsafe { sample::<R>(from)? }.tip_angle().ok_or(toytop_status::TOYTOP_NONE)?;
-    // SAFETY: see above.
-    unsafe { write(place, angle.to_radians()) }
-}
-
-/// State to launch from.
-///
-/// # Safety
-/// As for [`write_quantity`].
-pub(crate) unsafe fn state<R: Tabulated>(
-    from: *const toytop_ephemeris_sample,
-    place: *mut toytop_state,
-) -> Result<(), Refusal> {
-    // SAFETY: the caller guarantees that both pointers are valid.
-    let state = unsafe { sample::<R>(from)? }.attitude_state().state()?;
-    // SAFETY: see above.
-    unsafe { write(place, toytop_state::of(&state)) }
-}
-
 /// Error bounds of a table.
-///
-/// # Safety
-/// As for [`at_tick`].
-pub(crate) unsafe fn error_bounds<R: Tabulated>(
-    table: *const u8,
-    place: *mut toytop_error_bounds,
-) -> Result<(), Refusal> {
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    let table = unsafe { view::<R>(table)? }.view;
-    let [orientation, rate] = [table.error_bound(), table.rate_error_bound()];
-    let ErrorBound { constant, per_tick } = orientation;
-    let bounds = toytop_error_bounds {
-        orientation: constant,
-        orientation_per_tick: per_tick,
+pub(crate) fn error_bounds<R: Tabulated>(view: &EphemerisView<R>) -> Result<toytop_error_bounds, Refusal> {
+    let (orientation, rate) = (view.error_bound(), view.rate_error_bound());
+    Ok(toytop_error_bounds {
+        orientation: orientation.constant,
+        orientation_per_tick: orientation.per_tick,
         rate: rate.constant,
         rate_per_tick: rate.per_tick,
-    };
-    // SAFETY: see above.
-    unsafe { write(place, bounds) }
+    })
 }
 
 /// Parts of a complex number, {re, im}.
@@ -289,12 +198,20 @@ pub(crate) fn parts<R>(z: Complex<R>) -> [R; 2] {
     [z.re, z.im]
 }
 
-/// Orientation of a sample: parts of alpha, then of beta.
-pub(crate) fn cayley_klein<R: Tabulated>(sample: &Sample<'_, R>) -> [R::Held; 4] {
+/// Parts of alpha, then of beta.
+pub(crate) fn cayley_klein<R: Tabulated>(sample: Sample<'_, R>) -> Result<[R::Held; 4], Refusal> {
     let orientation = sample.orientation();
     let ([a, b], [c, d]) = (parts(orientation.alpha), parts(orientation.beta));
-    [a, b, c, d].map(R::held)
+    Ok([a, b, c, d].map(R::held))
 }
 
-/// Type of lengths and rates of a scalar.
-pub(crate) type Wide<R> = <R as EphemerisScalar>::Wide;
+/// Tip angle, rad.
+pub(crate) fn tip_angle<R: Tabulated>(sample: Sample<'_, R>) -> Result<f64, Refusal> {
+    let angle = sample.tip_angle().ok_or(toytop_status::TOYTOP_NONE)?;
+    Ok(angle.to_radians())
+}
+
+/// State to launch from.
+pub(crate) fn state<R: Tabulated>(sample: Sample<'_, R>) -> Result<toytop_state, Refusal> {
+    Ok(toytop_state::of(&sample.attitude_state().state()?))
+}

@@ -22,7 +22,7 @@ pub enum toytop_status {
     TOYTOP_BAD_MEMORY = 5,
     /// A table, motion, set-up, cursor or sample was not made by this library, or its set-up failed or has not ended.
     TOYTOP_NOT_SET_UP = 6,
-    /// There is no such turning point or tip angle in this motion.
+    /// The motion has no such event, angle or derivative.
     TOYTOP_NONE = 7,
     /// The motion is aperiodic, and such a motion has no table.
     TOYTOP_NO_TABLE = 8,
@@ -56,7 +56,7 @@ const TEXTS: [&CStr; 9] = [
     c"table: must have more segments for this motion",
     c"table or set-up: must be aligned to 8 bytes, and a table must hold at least 8 segments",
     c"table, motion, set-up, cursor or sample: must be made first",
-    c"the motion has no such point or angle",
+    c"the motion has no such event, angle or derivative",
     c"an aperiodic motion has no table",
 ];
 

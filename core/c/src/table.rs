@@ -1,6 +1,6 @@
 //! Tables in memory of the caller.
 
-use crate::memory::read;
+use crate::memory::{read, write};
 use crate::status::{Refusal, toytop_status};
 use core::ptr::slice_from_raw_parts_mut;
 use toytop::fixed::types::I2F30;
@@ -128,31 +128,22 @@ const LEAST: usize = 8;
 const MOST: usize = 4096;
 
 /// Bytes of a table with this many segments.
-const fn size_of_table<R: Tabulated>(segments: usize) -> usize {
+const fn size_of_table<R: EphemerisScalar>(segments: usize) -> usize {
     size_of::<Head>() + size_of::<Ephemeris<R, LEAST>>() - LEAST * size_of::<R::Segment>()
         + segments * size_of::<R::Segment>()
 }
 
 // Assertions of the numbers in the header. The alignment is that of the words of a table; cbindgen accepts only a number as a length.
 const _: () = {
-    assert!(size_of::<toytop_ephemeris_f32>() == TOYTOP_EPHEMERIS_F32_SIZE);
-    assert!(size_of::<toytop_ephemeris_f64>() == TOYTOP_EPHEMERIS_F64_SIZE);
-    assert!(size_of::<toytop_ephemeris_q31>() == TOYTOP_EPHEMERIS_Q31_SIZE);
-    assert!(
-        size_of_table::<f32>(25) == TOYTOP_EPHEMERIS_F32_SIZE
-            && size_of::<<f32 as EphemerisScalar>::Segment>() == 80
-    );
-    assert!(
-        size_of_table::<f64>(48) == TOYTOP_EPHEMERIS_F64_SIZE
-            && size_of::<<f64 as EphemerisScalar>::Segment>() == 352
-    );
-    assert!(
-        size_of_table::<I2F30>(32) == TOYTOP_EPHEMERIS_Q31_SIZE
-            && size_of::<<I2F30 as EphemerisScalar>::Segment>() == 64
-    );
-    assert!(align_of::<Ephemeris<f32, LEAST>>() <= TOYTOP_EPHEMERIS_ALIGNMENT);
-    assert!(align_of::<Ephemeris<f64, LEAST>>() <= TOYTOP_EPHEMERIS_ALIGNMENT);
-    assert!(align_of::<Ephemeris<I2F30, LEAST>>() <= TOYTOP_EPHEMERIS_ALIGNMENT);
+    const fn sizes_agree<R: EphemerisScalar, T>(size: usize, segments: usize, segment: usize) -> bool {
+        size_of::<T>() == size
+            && size_of_table::<R>(segments) == size
+            && size_of::<R::Segment>() == segment
+            && align_of::<Ephemeris<R, LEAST>>() <= TOYTOP_EPHEMERIS_ALIGNMENT
+    }
+    assert!(sizes_agree::<f32, toytop_ephemeris_f32>(TOYTOP_EPHEMERIS_F32_SIZE, 25, 80));
+    assert!(sizes_agree::<f64, toytop_ephemeris_f64>(TOYTOP_EPHEMERIS_F64_SIZE, 48, 352));
+    assert!(sizes_agree::<I2F30, toytop_ephemeris_q31>(TOYTOP_EPHEMERIS_Q31_SIZE, 32, 64));
 };
 
 /// Address of the head of a table; null and unaligned pointers are refused.
@@ -189,6 +180,19 @@ pub(crate) unsafe fn view<'a, R: Tabulated>(address: *const u8) -> Result<Table<
     // SAFETY: the caller guarantees valid memory; `Memory::ready` wrote as many segments as it says.
     let view = unsafe { &*behind::<R>(head, segments.into()) };
     Ok(Table { view, address, identity: tag << 16 | u32::from(generation) })
+}
+
+/// Writes a quantity of a table to memory of the caller.
+///
+/// # Safety
+/// As for [`view`]; `place` is null or valid for writing a `T`.
+pub(crate) unsafe fn write_from<R: Tabulated, T>(
+    table: *const u8,
+    place: *mut T,
+    quantity: impl FnOnce(&'static EphemerisView<R>) -> Result<T, Refusal>,
+) -> Result<(), Refusal> {
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { write(place, quantity(view::<R>(table)?.view)?) }
 }
 
 /// Memory of the caller for a table: address of its head, and number of segments.

@@ -18,27 +18,7 @@ fn made() -> String {
         cbindgen::Builder::new().with_crate(folder).with_config(config).generate().expect("bindings");
     let mut text = Vec::new();
     bindings.write(&mut text);
-    plain(&String::from_utf8(text).expect("UTF-8"))
-}
-
-/// Header without the parts of comments that are for Rust programs, from "# Safety" to the end.
-fn plain(header: &str) -> String {
-    let mut lines: Vec<&str> = Vec::new();
-    let mut safety = false;
-    for line in header.lines() {
-        let comment = line.trim_start();
-        safety = comment.starts_with("//") && (safety || comment == "// # Safety");
-        if comment == "// # Safety" {
-            // the empty line before it
-            while lines.last().is_some_and(|last| last.trim() == "//") {
-                lines.pop();
-            }
-        }
-        if !safety {
-            lines.push(line.trim_end());
-        }
-    }
-    lines.join("\n") + "\n"
+    String::from_utf8(text).expect("UTF-8")
 }
 
 #[test]

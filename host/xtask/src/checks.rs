@@ -91,13 +91,15 @@ pub(crate) fn doctests() -> Result<String> {
     run(&mut cargo(".", "test --workspace --doc")).map(|_| String::new())
 }
 
-/// Builds the documentation of core's crates, without a broken link.
+/// Builds the documentation of core's crates as its public site does, with the features of each item and without a broken link.
 pub(crate) fn docs() -> Result<String> {
     let mut doc = cargo(
         ".",
         "doc --package toytop --package toytop-closed-forms --package toytop-fit --package toytop-c --no-deps --all-features",
     );
-    run(doc.env("RUSTDOCFLAGS", "-D warnings")).map(|_| String::new())
+    // `doc_cfg`, which labels an item with its feature, is not stable
+    doc.env("RUSTC_BOOTSTRAP", "1");
+    run(doc.env("RUSTDOCFLAGS", "-D warnings --cfg docsrs")).map(|_| String::new())
 }
 
 /// Tests the pages of `toytop view` in Chromium, by the binary that the tests have built.

@@ -1,14 +1,29 @@
 //! Set-up and reading of a table.
 
+use crate::events::{self, toytop_event};
 use crate::motion::toytop_motion;
-use crate::sample::{self, toytop_ephemeris_cursor, toytop_ephemeris_sample, toytop_turning_point};
+use crate::sample::{self, toytop_ephemeris_cursor, toytop_ephemeris_sample};
 use crate::set_up::{self, Launched, toytop_between, toytop_set_up};
 use crate::status::{status_of, toytop_error, toytop_status};
 use crate::table::{
     toytop_ephemeris_f32, toytop_ephemeris_f64, toytop_ephemeris_q31, toytop_error_bounds, toytop_tick,
+    write_from,
 };
 use core::ffi::c_void;
+use toytop::Level;
 use toytop::fixed::types::I2F30;
+
+/// Function that reads a table.
+macro_rules! reader {
+    ($(#[$doc:meta])* $function:ident(table: $table:ty; $($argument:ident: $type:ty),*) $read:expr) => {
+$(#[$doc])*
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn $function(table: *const $table, $($argument: $type),*) -> toytop_status {
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { $read(table.cast(), $($argument),*).into() }
+}
+    };
+}
 
 macro_rules! functions {
     ($name:ident, $scalar:ty, $table:ty, $output:ty) => { pastey::paste! {
@@ -21,9 +36,6 @@ macro_rules! functions {
 /// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
 /// * `epoch`: tick of the launch on a running counter
 /// * `truncation`: greatest truncation error, rad; 0 stands for that of the scalar
-///
-/// # Safety
-/// `table` is null or points to `size` bytes, and nobody else uses them meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn [<toytop_ $name _set_up>](
     table: *mut $table,
@@ -42,9 +54,6 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up>](
 /// Sets up a table as the function without `_between` does, with its memory in a static instead of on the stack, and with other work in between.
 ///
 /// * `between`: function that is called again and again with `context`, or null
-///
-/// # Safety
-/// Each pointer is null or points to an object of its type, `table` to `size` bytes, and nobody else uses them meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn [<toytop_ $name _set_up_between>](
     table: *mut $table,
@@ -69,111 +78,71 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up_between>](
 /// refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.
 ///
 /// * `truncation`: greatest truncation error, rad; 0 stands for that of the scalar
-///
-/// # Safety
-/// The pointer is null or points to an object of its type.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn [<toytop_ $name _segments_needed>](motion: *const toytop_motion, truncation: f64) -> u32 {
     // SAFETY: the caller guarantees a valid pointer.
     unsafe { set_up::segments_needed::<$scalar>(motion, truncation) }
 }
 
+reader! {
 /// Error bounds of a table.
-///
-/// # Safety
-/// Each pointer is null or points to an object of its type.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn [<toytop_ $name _error_bounds>](
-    table: *const $table,
-    bounds: *mut toytop_error_bounds,
-) -> toytop_status {
-    // SAFETY: the caller guarantees valid pointers.
-    unsafe { sample::error_bounds::<$scalar>(table.cast(), bounds).into() }
+[<toytop_ $name _error_bounds>](table: $table; bounds: *mut toytop_error_bounds)
+    |table, bounds| write_from::<$scalar, _>(table, bounds, sample::error_bounds)
 }
 
+reader! {
 /// Sample at any tick, of either sign, always at the same cost.
-///
-/// # Safety
-/// Each pointer is null or points to an object of its type. The table stays as it is while the sample is used.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn [<toytop_ $name _at_tick>](
-    table: *const $table,
-    tick: i64,
-    sample: *mut toytop_ephemeris_sample,
-) -> toytop_status {
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe { sample::at_tick::<$scalar>(table.cast(), tick, sample).into() }
+[<toytop_ $name _at_tick>](table: $table; tick: i64, sample: *mut toytop_ephemeris_sample)
+    |table, tick, place| sample::keep_sample::<$scalar>(table, place, |view| Ok(view.at_tick(tick)))
 }
 
+reader! {
 /// Sample at any time, s from tick 0.
-///
-/// # Safety
-/// Each pointer is null or points to an object of its type. The table stays as it is while the sample is used.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn [<toytop_ $name _at>](
-    table: *const $table,
-    time: f64,
-    sample: *mut toytop_ephemeris_sample,
-) -> toytop_status {
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe { sample::at::<$scalar>(table.cast(), time, sample).into() }
+[<toytop_ $name _at>](table: $table; time: f64, sample: *mut toytop_ephemeris_sample)
+    |table, time, place| sample::keep_sample::<$scalar>(table, place, |view| sample::at(view, time))
 }
 
+reader! {
 /// Cursor whose first sample is that of tick `first`.
-///
-/// # Safety
-/// Each pointer is null or points to an object of its type.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn [<toytop_ $name _cursor>](
-    table: *const $table,
-    first: i64,
-    cursor: *mut toytop_ephemeris_cursor,
-) -> toytop_status {
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe { sample::cursor::<$scalar>(table.cast(), first, cursor).into() }
+[<toytop_ $name _cursor>](table: $table; first: i64, cursor: *mut toytop_ephemeris_cursor)
+    sample::cursor::<$scalar>
 }
 
+reader! {
 /// Next sample of a cursor. The sequence has no end.
-///
-/// # Safety
-/// Each pointer is null or points to an object of its type. The table made the cursor, and stays as it is while the sample is
-/// used.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn [<toytop_ $name _next>](
-    table: *const $table,
-    cursor: *mut toytop_ephemeris_cursor,
-    sample: *mut toytop_ephemeris_sample,
-) -> toytop_status {
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe { sample::next::<$scalar>(table.cast(), cursor, sample).into() }
+[<toytop_ $name _next>](table: $table; cursor: *mut toytop_ephemeris_cursor, sample: *mut toytop_ephemeris_sample)
+    sample::next::<$scalar>
 }
 
-/// Quaternion w, x, y, z at the next tick of a cursor, from body to fixed coordinates, without a sample.
-///
-/// # Safety
-/// Each pointer is null or points to an object of its type, `quaternion` to four. The table made the cursor.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn [<toytop_ $name _next_quaternion>](
-    table: *const $table,
-    cursor: *mut toytop_ephemeris_cursor,
-    quaternion: *mut $output,
-) -> toytop_status {
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe { sample::next_quaternion::<$scalar>(table.cast(), cursor, quaternion.cast()).into() }
+reader! {
+/// Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
+[<toytop_ $name _next_quaternion>](table: $table; cursor: *mut toytop_ephemeris_cursor, quaternion: *mut $output)
+    sample::next_quaternion::<$scalar>
 }
 
-/// Next turning point of u at tick `from` or later. `TOYTOP_NONE` where there is none, or more than one in a tick.
-///
-/// # Safety
-/// Each pointer is null or points to an object of its type.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn [<toytop_ $name _turning_point>](
-    table: *const $table,
-    from: i64,
-    point: *mut toytop_turning_point,
-) -> toytop_status {
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe { sample::turning_point::<$scalar>(table.cast(), from, point).into() }
+reader! {
+/// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
+/// found from `tick + 1` of this one, here and below.
+[<toytop_ $name _turning_point>](table: $table; from: i64, event: *mut toytop_event)
+    |table, from, event| write_from::<$scalar, _>(table, event, |view| events::first(view.turning_points(from)))
+}
+
+reader! {
+/// First instant at tick `from` or later at which the axis has a tilt, the angle to the upward vertical in rad; `upward` is 1 where
+/// the axis rises. `TOYTOP_NONE` where the motion does not reach it.
+[<toytop_ $name _tilt_reached>](table: $table; tilt: f64, from: i64, event: *mut toytop_event)
+    |table, tilt, from, event| {
+        write_from::<$scalar, _>(table, event, |view| events::first(view.crossings(Level::of_tilt(tilt)?, from)))
+    }
+}
+
+reader! {
+/// First instant at tick `from` or later at which the tip is in a direction, an angle from the x axis in rad; `upward` is 1 where the
+/// angle of the tip increases. `TOYTOP_NONE` where the axis is always vertical or the direction is not reached.
+[<toytop_ $name _direction_reached>](table: $table; direction: f64, from: i64, event: *mut toytop_event)
+    |table, angle, from, event| {
+        write_from::<$scalar, _>(table, event, |view| events::first(view.tip_angles(events::direction(angle)?, from)))
+    }
 }
 
     } };

@@ -1,12 +1,13 @@
 //! Tests of the functions as a program in C calls them: they give the bits of the crate, and a status for each error.
 
-use crate::top::{RELEASE, TOP, f32_size, launched, parameters, state, text, told};
+use crate::top::{RELEASE, TOP, f32_size, f64_table, launched, parameters, state, text, told};
 use core::ffi::CStr;
 use core::mem::{MaybeUninit, size_of};
 use core::ptr::{null, null_mut};
-use toytop::{Complex, Ephemeris, Motion, Release, State, Tick, Top};
+use toytop::{Complex, Ephemeris, Events, Level, Motion, Phase, Release, State, Tick, Top};
 use toytop_c::toytop_status::*;
 use toytop_c::*;
+use toytop_fit::Sensitivity;
 
 fn motion() -> Motion {
     Motion::launch(&Top::sliding(&parameters()).expect("a top"), &state()).expect("a motion")
@@ -15,11 +16,8 @@ fn motion() -> Motion {
 #[test]
 fn every_quantity_has_the_bits_of_the_crate() {
     let expected = Ephemeris::<f64, 48>::new(&motion(), Tick::hertz(1000).expect("a tick")).expect("it fits");
-    let mut memory = MaybeUninit::<toytop_ephemeris_f64>::uninit();
-    let (table, size) = (memory.as_mut_ptr(), size_of::<toytop_ephemeris_f64>());
-    let (motion, tick) = (launched(&TOP), toytop_hertz(1000));
+    let table = &*f64_table(&launched(&TOP));
     unsafe {
-        assert_eq!(toytop_f64_set_up(table, size, &motion, tick, 0, 0.0, null_mut()), TOYTOP_OK);
         for n in [0, 1, -5000, 1 << 40, i64::MAX] {
             let sample = expected.at_tick(n);
             let now = &told(|to| toytop_f64_at_tick(table, n, to));
@@ -33,14 +31,47 @@ fn every_quantity_has_the_bits_of_the_crate() {
             assert_eq!(velocity, parts(sample.tip_velocity()));
             let angle = sample.tip_angle().expect("an angle").to_radians();
             assert_eq!(told(|to| toytop_f64_tip_angle(now, to)), angle);
-            let found = expected.next_turning_point(n).expect("a turning point");
-            let point: toytop_turning_point = told(|to| toytop_f64_turning_point(table, n, to));
-            assert_eq!((point.tick, point.upper), (found.tick, u32::from(found.upper)));
         }
         let bounds: toytop_error_bounds = told(|to| toytop_f64_error_bounds(table, to));
         let (own, rate) = (expected.error_bound(), expected.rate_error_bound());
         assert_eq!([bounds.orientation, bounds.orientation_per_tick], [own.constant, own.per_tick]);
         assert_eq!([bounds.rate, bounds.rate_per_tick], [rate.constant, rate.per_tick]);
+    }
+}
+
+#[test]
+fn events_and_partial_derivatives_are_those_of_the_crate() {
+    let expected = Ephemeris::<f64, 48>::new(&motion(), Tick::hertz(1000).expect("a tick")).expect("it fits");
+    let launched = &launched(&TOP);
+    let table = &*f64_table(launched);
+    let same = |found: toytop_event, mut events: Events<'_, f64>| {
+        let event = events.next().expect("an event");
+        assert_eq!(
+            (found.tick, found.fraction, found.upward),
+            (event.tick, event.share, event.upward.into())
+        );
+    };
+    unsafe {
+        for from in [0, -5000, 1 << 40] {
+            same(told(|to| toytop_f64_turning_point(table, from, to)), expected.turning_points(from));
+            let level = Level::of_tilt(0.36).expect("a level");
+            same(told(|to| toytop_f64_tilt_reached(table, 0.36, from, to)), expected.crossings(level, from));
+            let direction = Phase::from_radians(-2.0);
+            let found = told(|to| toytop_f64_direction_reached(table, -2.0, from, to));
+            same(found, expected.tip_angles(direction, from));
+        }
+        let mut event = MaybeUninit::uninit();
+        let event = event.as_mut_ptr();
+        assert_eq!(toytop_f64_tilt_reached(table, 3.0, 0, event), TOYTOP_NONE);
+        assert_eq!(toytop_f64_tilt_reached(table, 4.0, 0, event), TOYTOP_OUT_OF_RANGE);
+        assert_eq!(toytop_f64_direction_reached(table, f64::NAN, 0, event), TOYTOP_NOT_FINITE);
+        let partials: toytop_partials = told(|to| toytop_motion_partials(launched, 0.3, to));
+        let now = Sensitivity::new(&motion()).at(0.3).expect("derivatives");
+        assert_eq!((partials.orientation, partials.omega), (now.orientation(), now.omega()));
+        assert_eq!(partials.omega_body, now.omega_body());
+        assert_eq!(partials.tip, now.tip().map(|tip| [tip.re, tip.im]));
+        let mut partials = MaybeUninit::uninit();
+        assert_eq!(toytop_motion_partials(launched, f64::NAN, partials.as_mut_ptr()), TOYTOP_NONE);
     }
 }
 
@@ -199,25 +230,6 @@ fn refusal(top: toytop_top) -> toytop_error {
         assert_ne!(toytop_launch(&top, &state, motion.as_mut_ptr(), why.as_mut_ptr()), TOYTOP_OK);
         why.assume_init()
     }
-}
-
-/// One motion serves all scalars. The rates of a table in `f32` have some 60 bits, and their errors are in its bound.
-#[test]
-fn the_rates_of_a_table_have_the_bits_of_its_scalar() {
-    let motion = &launched(&TOP);
-    let tick = toytop_hertz(1000);
-    let (mut single, mut double) =
-        (MaybeUninit::<toytop_ephemeris_f32>::uninit(), MaybeUninit::<toytop_ephemeris_f64>::uninit());
-    let (table, size) = (single.as_mut_ptr(), size_of::<toytop_ephemeris_f32>());
-    let [growth, least] = unsafe {
-        assert_eq!(toytop_f32_set_up(table, size, motion, tick, 0, 0.0, null_mut()), TOYTOP_OK);
-        let short = told(|to| toytop_f32_error_bounds(table, to));
-        let (table, size) = (double.as_mut_ptr(), size_of::<toytop_ephemeris_f64>());
-        assert_eq!(toytop_f64_set_up(table, size, motion, tick, 0, 0.0, null_mut()), TOYTOP_OK);
-        [short, told(|to| toytop_f64_error_bounds(table, to))].map(|bounds| bounds.orientation_per_tick)
-    };
-    assert!((1e-19..1e-17).contains(&growth) && least < 1e-9 * growth, "{growth:e} {least:e}");
-    assert_ne!(unsafe { toytop_launch(null(), null(), null_mut(), null_mut()) }, TOYTOP_OK);
 }
 
 #[test]

@@ -58,6 +58,16 @@ pub(crate) fn launched(top: &toytop_top) -> toytop_motion {
     }
 }
 
+/// Table in `f64` of a motion that is launched at tick 0, at 1000 ticks a second.
+pub(crate) fn f64_table(motion: &toytop_motion) -> Box<toytop_ephemeris_f64> {
+    let mut table = Box::<toytop_ephemeris_f64>::new_uninit();
+    unsafe {
+        let (place, size) = (table.as_mut_ptr(), size_of::<toytop_ephemeris_f64>());
+        assert_eq!(toytop_f64_set_up(place, size, motion, toytop_hertz(1000), 0, 0.0, null_mut()), TOYTOP_OK);
+        table.assume_init()
+    }
+}
+
 /// Text of an error.
 pub(crate) fn text(error: &toytop_error) -> &str {
     unsafe { CStr::from_ptr(error.text.as_ptr()) }.to_str().expect("ASCII")
