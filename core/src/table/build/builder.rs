@@ -62,6 +62,18 @@ struct Cut {
     error: f32,
 }
 
+impl Cut {
+    /// Cell before the first one. It is a constant of its own, so that no copy of it keeps an image of the whole builder in flash.
+    const EMPTY: Self = Self {
+        begin: 0,
+        end: 0,
+        level: 0,
+        border: Position::BEGINNING,
+        speeds: Speeds::ZERO,
+        error: 0.0,
+    };
+}
+
 /// Error of a tabulation.
 pub(crate) struct TooManySegments;
 
@@ -74,14 +86,7 @@ impl TableBuilder {
         limits: Limits::NONE,
         summary: TableSummary::EMPTY,
         span: Span::EMPTY,
-        cut: Cut {
-            begin: 0,
-            end: 0,
-            level: 0,
-            border: Position::BEGINNING,
-            speeds: Speeds::ZERO,
-            error: 0.0,
-        },
+        cut: Cut::EMPTY,
         series: [SpanSeries::ZERO; 2],
         omitted: [0.0; 2],
         theta_slope: 0.0,
@@ -112,7 +117,7 @@ impl TableBuilder {
         self.exponentials = [alpha.exponentials(), beta.exponentials()];
         (self.search, self.start) = (StartSearch::new(motion), None);
         (self.limits, self.summary) = (limits, TableSummary::EMPTY);
-        (self.span, self.cut) = (Span::FIRST, Self::EMPTY.cut);
+        (self.span, self.cut) = (Span::FIRST, Cut::EMPTY);
     }
 
     /// Computes all segments. One may be passed to `store` more than once, and the last time is valid.
