@@ -64,14 +64,8 @@ struct Cut {
 
 impl Cut {
     /// Cell before the first one. It is a constant of its own, so that no copy of it keeps an image of the whole builder in flash.
-    const EMPTY: Self = Self {
-        begin: 0,
-        end: 0,
-        level: 0,
-        border: Position::BEGINNING,
-        speeds: Speeds::ZERO,
-        error: 0.0,
-    };
+    const EMPTY: Self =
+        Self { begin: 0, end: 0, level: 0, border: Position::BEGINNING, speeds: Speeds::ZERO, error: 0.0 };
 }
 
 /// Error of a tabulation.
