@@ -20,14 +20,14 @@ pub(crate) mod tip;
 
 pub use start::InitialPhases;
 
-use crate::cayley_klein::{Ellipses, PhaseDirections};
+use crate::body::{ScaledTop, Support, Top};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs, TipClass, normal_force};
+use crate::motion::cayley_klein::{Ellipses, PhaseDirections};
+use crate::motion::period::{Period, PeriodAdvance};
 use crate::motion::phase_equations::{PhaseEquations, gudermannian};
-use crate::period::{Period, PeriodAdvance};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Scalar, Wide};
-use crate::top::{ScaledTop, Support, Top};
 
 /// Motion of one launch: regime, constants and phases at t = 0. Steppers and ephemerides are made from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,6 +151,14 @@ impl Motion {
         })
     }
 
+    /// Nutation period, and the rotations during it about the vertical and of the body about its axis; whole turns do not count.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn period_and_turns(&self) -> Option<(Extended, [Phase; 2])> {
+        let period = self.period::<2>(&self.equations(), &mut || {})?;
+        Some((period.time, period.rotations(self.half_tau)))
+    }
+
     pub(crate) fn scaled_top(&self) -> ScaledTop<Extended> {
         ScaledTop::new(&self.top)
     }
@@ -217,5 +225,63 @@ impl Motion {
             NutationVariable::Aperiodic(v) => gudermannian(v),
         };
         PhaseDirections { sine, cosine, alpha: Complex::ONE, beta: Complex::ONE }
+    }
+}
+
+/// Constants of a motion and its phases at t = 0, in extended precision.
+#[derive(Clone, Copy, Debug)]
+pub struct Constants {
+    /// Branch points.
+    pub e: BranchPoints<Extended>,
+    /// First integrals.
+    pub integrals: FirstIntegrals<Extended>,
+    /// Parameters of the top.
+    pub top: ScaledTop<Extended>,
+    /// Half phase χ at t = 0 of a motion that nutates.
+    pub chi: Option<Phase>,
+    /// Variable v at t = 0 of an aperiodic motion.
+    pub v: Option<f64>,
+    /// Slow phases at t = 0.
+    pub phases: [Phase; 2],
+    /// Rate τ/2, rad per unit time.
+    pub half_tau: Extended,
+    /// Equations of the phases.
+    pub law: PhaseEquations<Extended>,
+}
+
+impl Constants {
+    /// Constants of a motion.
+    #[must_use]
+    pub fn new(motion: &Motion) -> Self {
+        let (chi, v) = match motion.nutation {
+            NutationVariable::Nutating(chi) => (Some(chi), None),
+            NutationVariable::Aperiodic(v) => (None, Some(v)),
+            NutationVariable::Steady => (None, None),
+        };
+        Self {
+            e: motion.e,
+            integrals: motion.integrals,
+            top: motion.scaled_top(),
+            chi,
+            v,
+            phases: motion.phases,
+            half_tau: motion.half_tau,
+            law: motion.equations(),
+        }
+    }
+}
+
+/// Phase of an angle in rad.
+#[must_use]
+pub fn phase_of(angle: Extended) -> Phase {
+    angle.in_turns().to_phase()
+}
+
+/// Regime, tip class and bounds of u.
+#[cfg(feature = "defmt")]
+impl defmt::Format for Motion {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let e = self.branch_points();
+        defmt::write!(f, "{} (tip {}), u from {=f64} to {=f64}", self.regime(), self.tip_class(), e.e1, e.e2);
     }
 }

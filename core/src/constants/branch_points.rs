@@ -10,7 +10,7 @@ mod from_state;
 
 mod integrals;
 
-use crate::error::{ParameterError, finite, require};
+use crate::body::{ParameterError, within};
 use crate::scalar::{Extended, Float};
 
 /// Branch points and their differences; none has a unit.
@@ -44,51 +44,31 @@ impl BranchPoints {
     /// # Errors
     /// `e1`, `e2`, `e3`: not finite, or not -1 <= e1 <= e2 <= 1 <= e3 <= 1e14.
     pub fn new(e1: f64, e2: f64, e3: f64) -> Result<Self, ParameterError> {
-        Ok(BranchPoints::<Extended>::exact(e1, e2, e3)?.to_f64())
+        Ok(BranchPoints::exact([e1, e2, e3])?.to_f64())
     }
 }
 
-impl<F: Float> BranchPoints<F> {
+impl BranchPoints<Extended> {
     /// Branch points from three given numbers, with exact differences.
-    pub(crate) fn exact(e1: f64, e2: f64, e3: f64) -> Result<Self, ParameterError> {
-        for (name, e) in [("e1", e1), ("e2", e2), ("e3", e3)] {
-            finite(name, e)?;
-        }
-        require((-1.0..=1.0).contains(&e1), "e1", "in [-1, e2]")?;
-        require((e1..=1.0).contains(&e2), "e2", "in [e1, 1]")?;
-        require((1.0..=LARGEST_E3).contains(&e3), "e3", "in [1, 1e14]")?;
-        let [e1, e2, e3] = [e1, e2, e3].map(F::from_f64);
+    pub(crate) fn exact([e1, e2, e3]: [f64; 3]) -> Result<Self, ParameterError> {
+        within(-1.0..=1.0, "e1", e1, "in [-1, e2]")?;
+        within(e1..=1.0, "e2", e2, "in [e1, 1]")?;
+        within(1.0..=LARGEST_E3, "e3", e3, "in [1, 1e14]")?;
+        let [one, e1, e2, e3] = [1.0, e1, e2, e3].map(Extended::from);
         Ok(Self {
             e1,
             e2,
             e3,
-            one_plus_e1: F::ONE + e1,
-            one_minus_e2: F::ONE - e2,
+            one_plus_e1: one + e1,
+            one_minus_e2: one - e2,
             e2_minus_e1: e2 - e1,
             e3_minus_e2: e3 - e2,
-            e3_minus_one: e3 - F::ONE,
+            e3_minus_one: e3 - one,
         })
     }
+}
 
-    /// Branch points from their differences; the pair is e₃ - e₂ and e₃ - 1.
-    fn from_differences(
-        one_plus_e1: F,
-        one_minus_e2: F,
-        e2_minus_e1: F,
-        [e3_minus_e2, e3_minus_one]: [F; 2],
-    ) -> Self {
-        Self {
-            e1: one_plus_e1 - F::ONE,
-            e2: F::ONE - one_minus_e2,
-            e3: F::ONE + e3_minus_one,
-            one_plus_e1,
-            one_minus_e2,
-            e2_minus_e1,
-            e3_minus_e2,
-            e3_minus_one,
-        }
-    }
-
+impl<F: Float> BranchPoints<F> {
     /// Difference 1 - e₁.
     #[doc(hidden)]
     #[must_use]
@@ -117,6 +97,7 @@ impl<F: Float> BranchPoints<F> {
         self.e3_minus_e2 + self.e2_minus_e1
     }
 
+    /// Branch points rounded to `f64`.
     pub(crate) fn to_f64(self) -> BranchPoints {
         self.map(F::to_f64)
     }

@@ -52,8 +52,7 @@ mod tests {
     use super::*;
 
     fn least(e: [f64; 3], spread: f64) -> f64 {
-        let [e1, e2, e3] = e;
-        minimum(&BranchPoints::exact(e1, e2, e3).unwrap(), spread.into())
+        minimum(&BranchPoints::exact(e).unwrap(), spread.into())
     }
 
     /// Comparison with a fine scan of the same rational function, by central differences of f/D. Some cases have the

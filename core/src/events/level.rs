@@ -1,14 +1,14 @@
 //! Values of u at which events occur.
 
+use crate::body::{ParameterError, finite, require};
+use crate::body::{ScaledTop, Support, Top};
 use crate::complex::Complex;
-use crate::error::{ParameterError, finite, require};
 use crate::events::bisect;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float, Ring};
 use crate::su2::Orientation;
 use crate::table::{EphemerisScalar, EphemerisView, Sample};
-use crate::top::{ScaledTop, Support, Top};
 
 /// Value of u, the cosine of the tilt, that a motion may reach, as 1 - u and 1 + u.
 #[derive(Clone, Copy, Debug, PartialEq)]

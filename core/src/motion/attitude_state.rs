@@ -1,9 +1,9 @@
 //! Attitude state: orientation and rate at one instant, and the quantities that follow from them.
 
+use crate::body::ParameterError;
+use crate::body::State;
 use crate::complex::Complex;
-use crate::error::ParameterError;
 use crate::scalar::{Float, Ring};
-use crate::state::State;
 use crate::su2::{Orientation, OrientationRate, Vector};
 
 /// Orientation and its rate at one instant. Every method computes by products.

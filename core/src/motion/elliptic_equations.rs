@@ -13,7 +13,7 @@
 //! v runs from 0 at u = e₁ to K at u = e₂. The integrands have singularities at the imaginary part K' only, so that K/K' tells
 //! how many nodes the trapezoid rule needs. For s = 0, e₄ is infinite.
 
-use crate::landen::SquaresOfWhole;
+use crate::motion::landen::SquaresOfWhole;
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::Float;
 

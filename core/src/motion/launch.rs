@@ -1,17 +1,17 @@
 //! Launch of a motion: from a state, or from branch points and phases.
 
-use crate::cayley_klein::Ellipses;
+use crate::body::State;
+use crate::body::{ParameterError, finite, require};
+use crate::body::{ScaledTop, Top};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, ReducedPoint, Regime, Signs};
-use crate::error::{ParameterError, finite, require};
+use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::inverse_gudermannian;
 use crate::motion::start::{chi, half_phase, half_turns, slow_phase};
 use crate::motion::{InitialPhases, Motion, NutationVariable};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Scalar};
-use crate::state::State;
 use crate::su2::OrientationRate;
-use crate::top::{ScaledTop, Top};
 
 impl Motion {
     /// Motion from a state, whose numbers count as exact. Its constants have more digits than `f64`, and are rounded once where they are read.
@@ -57,7 +57,7 @@ impl Motion {
         between();
         let mut motion = Self::with_constants(top, &integrals, e, integrals.signs(), point.rests_upright());
         between();
-        motion.rounding = LaunchRounding::new(top, &integrals, &point, &e, state.speed());
+        motion.rounding = LaunchRounding::new(top, &integrals, &point, &e, state);
         between();
         motion.start_nutation(&point);
         between();
@@ -83,8 +83,7 @@ impl Motion {
             "e3",
             "left out without torque, where it is infinite and branch points tell no rate: give a state or a release",
         )?;
-        let [e1, e2, e3] = e;
-        let e = BranchPoints::exact(e1, e2, e3)?;
+        let e = BranchPoints::exact(e)?;
         let InitialPhases { theta, arg_alpha, arg_beta } = *start;
         for (name, angle) in [("theta", theta), ("arg_alpha", arg_alpha), ("arg_beta", arg_beta)] {
             finite(name, angle)?;
@@ -157,7 +156,7 @@ impl Motion {
 
     /// Sets the nutation variable at a point of the reduced curve.
     #[inline(never)] // the stack frames of a launch must not add up
-    fn start_nutation(&mut self, point: &ReducedPoint<Extended>) {
+    fn start_nutation(&mut self, point: &ReducedPoint) {
         if self.top.is_torque_free() {
             // the axis rotates about the angular momentum m at the rate |m|/A
             let a = self.scaled_top().a;
@@ -212,7 +211,7 @@ fn has_axial_rate(top: &Top, integrals: &FirstIntegrals<Extended>) -> bool {
 /// Parameters α and β of a state, each with its rate.
 #[inline(never)]
 fn parameters_and_rates(state: &State) -> [[Complex<f64>; 2]; 2] {
-    let (phi, omega) = state.exact::<Extended>();
+    let (phi, omega) = state.exact();
     let phi = phi.normalised();
     let rate = OrientationRate::from_fixed(&phi, omega);
     [[phi.alpha, rate.alpha], [phi.beta, rate.beta]].map(|pair| pair.map(Complex::cast))

@@ -11,9 +11,9 @@
 //! The ellipses contain the logarithmic poles of the paper's integrals (equation (3.10)): ψ_A' and ψ_B' have neither 1 - u nor
 //! 1 + u in a denominator.
 
+use crate::body::{ScaledTop, Top};
 use crate::constants::{BranchPoints, Signs};
 use crate::scalar::{Float, Real, Ring, Scalar, exponent};
-use crate::top::{ScaledTop, Top};
 
 /// Rates of the three phases, rad per unit time.
 #[derive(Clone, Copy, Debug, PartialEq)]

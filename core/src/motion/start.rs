@@ -1,9 +1,9 @@
 //! Start of a motion: half phase χ and slow phases at t = 0, from a state or from given angles.
 
-use crate::cayley_klein::{Ellipse, PhaseDirections};
 use crate::complex::Complex;
 use crate::constants::BranchPoints;
 use crate::constants::ReducedPoint;
+use crate::motion::cayley_klein::{Ellipse, PhaseDirections};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
@@ -26,7 +26,7 @@ pub struct InitialPhases {
 /// The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u), given as a pair, without a subtraction.
 pub(crate) fn half_phase(
     e: &BranchPoints<Extended>,
-    point: &ReducedPoint<Extended>,
+    point: &ReducedPoint,
     [g0, below_e3]: [Extended; 2],
     aperiodic: bool,
 ) -> (f64, f64) {

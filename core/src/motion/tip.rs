@@ -1,8 +1,8 @@
 //! Curve c = 2 s αβ that the tip draws on the plane, and its angle (section 4 of the paper).
 
-use crate::attitude_state::AttitudeState;
 use crate::complex::Complex;
 use crate::motion::Motion;
+use crate::motion::attitude_state::AttitudeState;
 use crate::scalar::Float;
 use crate::su2::Orientation;
 

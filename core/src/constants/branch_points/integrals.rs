@@ -1,10 +1,9 @@
 //! Branch points from the first integrals, and first integrals from the branch points.
 
 use super::BranchPoints;
+use crate::body::{ParameterError, ScaledTop, Top, Units, finite};
 use crate::constants::first_integrals::{FirstIntegrals, ReducedPoint, Signs};
-use crate::error::{ParameterError, finite};
 use crate::scalar::{Extended, Float, Ring};
-use crate::top::{ScaledTop, Top, Units};
 
 impl BranchPoints {
     /// Branch points of given l, n and h. Near a degenerate case these are ill-conditioned: see [`BranchPoints::from_state`].
@@ -13,12 +12,11 @@ impl BranchPoints {
     /// `h`: no motion has these integrals, because the energy is too low; `l`, `n`, `h`: not finite, or e₃ above
     /// 1e14.
     pub fn from_integrals(top: &Top, l: f64, n: f64, h: f64) -> Result<Self, ParameterError> {
-        let unit = Units::new(top).inertia;
+        let unit = Units::new(top).inertia();
         let [l, n, h] = [finite("l", l)?, finite("n", n)?, finite("h", h)?].map(|x| Extended::from(x / unit));
         let spin = ScaledTop::new(top).spin(n);
         let integrals = FirstIntegrals { l, n, h, spin, l_plus_n: l + n, l_minus_n: l - n };
-        let point = fastest_point(top, &integrals);
-        let point = point.ok_or(ParameterError::OutOfRange {
+        let point = fastest_point(top, &integrals).ok_or(ParameterError::OutOfRange {
             parameter: "h",
             allowed: "the energy of some motion with these l and n (it is too low)",
         })?;
@@ -34,10 +32,10 @@ impl BranchPoints {
     }
 }
 
-impl<F: Float> BranchPoints<F> {
+impl BranchPoints<Extended> {
     /// First integrals in the number type and the units of set-up.
-    pub(crate) fn integrals_in(&self, top: &Top, signs: Signs) -> FirstIntegrals<F> {
-        let quantities = ScaledTop::<F>::new(top);
+    pub(crate) fn integrals_in(&self, top: &Top, signs: Signs) -> FirstIntegrals<Extended> {
+        let quantities = ScaledTop::<Extended>::new(top);
         let ScaledTop { a, c, p, g, .. } = quantities;
         let scale = (a * p * g).doubled();
         let plus = (scale * self.one_plus_e1 * self.one_plus_e2() * self.one_plus_e3()).sqrt();
@@ -52,7 +50,7 @@ impl<F: Float> BranchPoints<F> {
 }
 
 /// Point of the reduced curve at which (e₄² - u²) u'² is greatest; `None` where no motion has these integrals.
-fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<ReducedPoint<Extended>> {
+fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<ReducedPoint> {
     /// Largest effect of one `f64` rounding of l, n and h, relative to the terms.
     const NOISE: f64 = 1e-15;
     let (zero, one, noise) = (Extended::ZERO, Extended::ONE, Extended::from(NOISE));

@@ -36,7 +36,7 @@ pub(super) fn sum_of_angles<N: Ring>([sine, cosine]: [N; 2], [other_sine, other_
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::landen::Landen;
+    use crate::motion::landen::Landen;
     use crate::scalar::Extended;
 
     /// K'/K is 1 for m = 1/2, so that the error decreases by 2π/ln 2 bits a node; K grows with the logarithm of m₁.

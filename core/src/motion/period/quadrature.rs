@@ -5,8 +5,8 @@
 
 use super::advance::Period;
 use super::division::{MOST_NODES, division, part_of_right_angle, sum_of_angles};
-use crate::landen::Landen;
 use crate::motion::elliptic_equations::EllipticEquations;
+use crate::motion::landen::Landen;
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Extended, Float, Ring, Wide};
 

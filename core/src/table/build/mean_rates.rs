@@ -2,7 +2,7 @@
 
 use crate::constants::LaunchRounding;
 use crate::motion::Motion;
-use crate::period::Period;
+use crate::motion::period::Period;
 use crate::scalar::{Extended, Float, Ring};
 
 /// Rates of the nutation phase and of the mean slow phases, with the values needed to step through the half period.

@@ -15,11 +15,9 @@
 //! *Fixed tip, free body.* s = 0, and d is from the point to which A and C belong. K does not change. Where C = 0, J has no moment
 //! about the axis.
 
-use super::{FASTEST, State};
-use crate::error::{ParameterError, finite, require};
-use crate::scalar::Float;
+use super::state::FASTEST;
+use super::{ParameterError, State, Support, Top, require, within};
 use crate::su2::{Vector, cross, dot};
-use crate::top::{Support, Top};
 
 impl State {
     /// State after an impulse J, N s in the fixed frame, at a point X of the body, m in the body frame *from the tip*.
@@ -58,7 +56,7 @@ impl State {
         for (component, before) in omega.iter_mut().zip(self.omega) {
             *component += before;
             require(
-                Float::abs(*component) <= FASTEST,
+                component.abs() <= FASTEST,
                 "impulse",
                 "such that no component of omega exceeds 1e12 rad/s",
             )?;
@@ -66,9 +64,8 @@ impl State {
         Ok(Self { omega, ..*self })
     }
 
-    /// Reaction impulse of the support, N s in the fixed frame: p Δω × r - J, and its vertical part under a sliding tip.
-    ///
-    /// Where the third component is negative, a real top leaves the plane.
+    /// Reaction impulse of the support, N s in the fixed frame: p Δω × r - J, and its vertical part under a sliding tip. Where its
+    /// third component is negative, a real top leaves the plane.
     ///
     /// * `impulse`, `point`: the arguments of [`State::with_impulse`]
     ///
@@ -102,16 +99,14 @@ impl State {
     ) -> Result<Vector<f64>, ParameterError> {
         for (name, vector) in [("impulse", impulse), ("point", point)] {
             for component in vector {
-                finite(name, component)?;
-                require(Float::abs(component) <= 1e12, name, "between -1e12 and 1e12 in every component")?;
+                within(-1e12..=1e12, name, component, "between -1e12 and 1e12 in every component")?;
             }
         }
-        let (a, c, s) = (top.transverse_inertia(), top.axial_inertia(), top.com_height());
+        let (a, c, s, p) = (top.a, top.c, top.s, top.mass_moment());
         let phi = self.orientation.normalised();
         let (r, [x, y, z], [.., lift]) = (phi.axis(), point, impulse);
         let given = cross(phi.adjoint([x, y, z - s]), impulse);
         let q = cross(r, [0.0, 0.0, 1.0]);
-        let p = top.mass_moment();
         let reaction = (p * dot(given, q) - a * lift) / (a + p * s * dot(q, q));
         let axial = dot(given, r);
         let spin_up = if c > 0.0 { axial / c } else { 0.0 };

@@ -8,7 +8,7 @@ use crate::scalar::{Ring, times_power_of_two};
 
 impl<const WORDS: usize> Wide<WORDS> {
     /// 2π.
-    pub(crate) const TWO_PI: Self = Self::constant(0xc90f_daa2_2168_c234_c4c6_628b_80dc_1cd1, 3);
+    pub const TWO_PI: Self = Self::constant(0xc90f_daa2_2168_c234_c4c6_628b_80dc_1cd1, 3);
 
     /// Angle in turns, from an angle in rad.
     pub(crate) fn in_turns(self) -> Self {

@@ -141,7 +141,7 @@ pub(crate) mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}
-    impl<const WORDS: usize> Sealed for super::Wide<WORDS> {}
+    impl<const WORDS: usize> Sealed for crate::scalar::Wide<WORDS> {}
     #[cfg(feature = "fixed")]
     impl Sealed for fixed::types::I2F30 {}
     #[cfg(feature = "fixed")]

@@ -125,6 +125,13 @@ impl Phase {
     }
 }
 
+#[cfg(feature = "defmt")]
+impl defmt::Format for Phase {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=f64} turns", self.to_f64());
+    }
+}
+
 impl Add for Phase {
     type Output = Self;
     #[inline]
@@ -157,7 +164,7 @@ impl AddAssign for Phase {
 }
 
 /// Mantissa and exponent of x = mantissa · 2^exponent, with |mantissa| < 2^53; both 0 where x is not finite.
-pub fn integer_parts(x: f64) -> (i64, i32) {
+pub(crate) fn integer_parts(x: f64) -> (i64, i32) {
     const MANTISSA_BITS: u32 = 52;
     const BIAS: i32 = 1075; // 1023 + 52
     let bits = x.to_bits();
