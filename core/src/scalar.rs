@@ -106,12 +106,6 @@ pub trait Float: Ring + Div<Output = Self> {
     #[must_use]
     fn sqrt(self) -> Self;
 
-    /// Difference ab - cd; in a wide number it has one rounding.
-    #[must_use]
-    fn difference_of_products([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
-        a * b - c * d
-    }
-
     /// Absolute value, |x|.
     #[inline]
     #[must_use]

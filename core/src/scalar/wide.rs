@@ -3,16 +3,12 @@
 //! A launch computes in 128 bits, so that small differences that the `f64` input determines exactly keep their digits. Integer
 //! instructions give the same bits on every processor.
 
-mod newton;
-
 mod words;
 
 mod number;
 
-mod exact;
+mod arithmetic;
 
 mod conversion;
-
-mod arithmetic;
 
 pub use number::{Extended, Extended64, Wide};

@@ -1,10 +1,8 @@
 //! Wide numbers from and to `f64`, phases, integers and other widths.
 
-use super::exact::Exact;
-use super::number::Wide;
-use super::words::leading;
+use super::number::{Exact, Wide};
 use crate::phase::{FRACTION_BITS, Phase, integer_parts};
-use crate::scalar::{Ring, times_power_of_two};
+use crate::scalar::{Float, Ring};
 
 impl<const WORDS: usize> Wide<WORDS> {
     /// 2π.
@@ -39,15 +37,6 @@ impl<const WORDS: usize> Wide<WORDS> {
         Self::scaled(number.upper(), number.exponent - 128, number.negative)
     }
 
-    /// Nearest `f64`, ties to even; infinity beyond its range, and 0 below its normal numbers.
-    #[inline(never)]
-    pub(super) fn nearest(self) -> f64 {
-        let sticky = self.significand.iter().skip(1).any(|word| *word != 0);
-        let size = (leading(&self.significand) | u64::from(sticky)) as f64;
-        let size = times_power_of_two(size, self.exponent - 64);
-        if self.negative { -size } else { size }
-    }
-
     /// Phase of this number of turns, modulo 2^32 turns, rounded to the nearest.
     #[must_use]
     pub fn to_phase(self) -> Phase {
@@ -68,7 +57,7 @@ impl<const WORDS: usize> Wide<WORDS> {
         Self::from(a) + Self::from(b)
     }
 
-    /// Product of two `f64`; exact in [`Extended`](crate::scalar::Extended).
+    /// Product of two `f64`; exact in 128 bits.
     #[must_use]
     pub fn product(a: f64, b: f64) -> Self {
         Self::from(a) * Self::from(b)
@@ -77,8 +66,8 @@ impl<const WORDS: usize> Wide<WORDS> {
     /// Nearest `f64`, and the `f64` nearest to the rest.
     #[must_use]
     pub fn parts(self) -> [f64; 2] {
-        let leading = self.nearest();
-        [leading, (self - leading.into()).nearest()]
+        let leading = self.to_f64();
+        [leading, (self - leading.into()).to_f64()]
     }
 
     /// Largest whole number not above this one, as the sum of two whole `f64`, and the remainder in [0, 1).
