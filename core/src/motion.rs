@@ -1,16 +1,12 @@
 //! Motion of one launch: its kind, its constants, and its phases at t = 0.
 
-pub(crate) mod landen;
-
 pub(crate) mod phase_equations;
-
-mod elliptic_equations;
 
 pub(crate) mod cayley_klein;
 
 pub(crate) mod period;
 
-pub(crate) mod start;
+mod start;
 
 mod launch;
 
@@ -43,7 +39,6 @@ pub struct Motion {
     pub(crate) nutation: NutationVariable,
     /// Slow phases A and B, of α and β, at t = 0.
     pub(crate) phases: [Phase; 2],
-    /// Rounding errors of the constants.
     pub(crate) rounding: LaunchRounding,
     /// Rate χ' without torque, rad per unit time; 0 with one, and where the axis rests.
     free_rate: Extended,
@@ -108,8 +103,17 @@ impl Motion {
     #[must_use]
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
         let windings = Ellipses::swinging(&self.e, self.signs).windings();
-        let period = self.period::<2>(&self.equations(), &mut || {});
-        period.map(|period| period.advance(self.half_tau, windings))
+        let period = self.period::<2>(&self.equations(), &mut || {})?;
+        Some(PeriodAdvance::new(&period, self.half_tau, windings))
+    }
+
+    /// Nutation period, and the rotations during it about the vertical, ψ_A(T) + ψ_B(T), and of the body about its axis,
+    /// ψ_A(T) - ψ_B(T) + τT; whole turns do not count.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn period_and_turns(&self) -> Option<(Extended, [Phase; 2])> {
+        let Period { time, psi: [a, b], .. } = self.period::<2>(&self.equations(), &mut || {})?;
+        Some((time, [a + b, a - b + self.half_tau.doubled() * time].map(phase_of)))
     }
 
     /// Nutation period, in numbers of this many words; `None` where there is none.
@@ -119,8 +123,8 @@ impl Motion {
         between: &mut dyn FnMut(),
     ) -> Option<Period> {
         if self.top.is_torque_free() {
-            return (self.free_rate > Extended::ZERO)
-                .then(|| Period::uniform(Extended::TWO_PI.halved() / self.free_rate));
+            let half_turn = Extended::TWO_PI.halved();
+            return (self.free_rate > Extended::ZERO).then(|| Period::uniform(half_turn / self.free_rate));
         }
         let equations = || equations.map(Wide::<WORDS>::resized);
         (self.e.e3_minus_e2 > Extended::ZERO).then(|| Period::integrated(&equations(), between))
@@ -133,45 +137,27 @@ impl Motion {
 
     /// Tip angle at t = 0, in (-1/2, 1/2] turn.
     pub(crate) fn tip_angle_at_start(&self) -> Phase {
-        let (directions, Ellipses { alpha, beta }) = (self.directions_at_start(), self.ellipses::<f64>());
-        let [a, b] = self.phases;
-        (a + b + alpha.argument(&directions) + beta.argument(&directions)).principal()
+        let ([a, b], [alpha, beta]) = (self.phases, self.ellipses.arguments(&self.directions_at_start()));
+        (a + b + alpha + beta).principal()
     }
 
-    /// Least normal force over the motion, in units of the weight. Where it is negative, a real top leaves the plane. `None` for a fixed
-    /// tip and for a free body.
+    /// Least normal force over the motion, in units of the weight; `None` unless the tip slides. Where it is negative, a real top
+    /// leaves the plane.
     #[must_use]
     pub fn min_normal_force(&self) -> Option<f64> {
         (self.top.support() == Support::Sliding).then(|| {
-            if self.is_steady() {
-                return 1.0;
-            }
             let ScaledTop { a, p, s, .. } = self.scaled_top();
-            normal_force::minimum(&self.e, a / p / s)
+            if self.is_steady() { 1.0 } else { normal_force::minimum(&self.e, a / p / s) }
         })
-    }
-
-    /// Nutation period, and the rotations during it about the vertical and of the body about its axis; whole turns do not count.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn period_and_turns(&self) -> Option<(Extended, [Phase; 2])> {
-        let period = self.period::<2>(&self.equations(), &mut || {})?;
-        Some((period.time, period.rotations(self.half_tau)))
     }
 
     pub(crate) fn scaled_top(&self) -> ScaledTop<Extended> {
         ScaledTop::new(&self.top)
     }
 
-    /// Phase equations.
     #[inline(never)] // set-up needs it in several places
     pub(crate) fn equations(&self) -> PhaseEquations<Extended> {
         self.equations_with(&self.e, self.integrals.l_plus_n, self.free_rate)
-    }
-
-    /// Phase equations, from rounded constants.
-    fn rounded_equations(&self) -> PhaseEquations<f64> {
-        self.equations_with(&self.e.to_f64(), self.integrals.l_plus_n.to_f64(), self.free_rate.to_f64())
     }
 
     fn equations_with<F: Float>(&self, e: &BranchPoints<F>, l_plus_n: F, free_rate: F) -> PhaseEquations<F> {
@@ -197,22 +183,16 @@ impl Motion {
     /// Rates of A and B where u is constant, rad per unit time: ((l ± n)/(A (1 ± u)) ± τ)/2, with the upper signs for
     /// A; 0 for a parameter that is 0.
     pub(crate) fn steady_rates(&self) -> [Extended; 2] {
-        let twice_a = self.scaled_top().a.doubled();
-        let [one_plus_u, one_minus_u] = self.steady_tilt();
+        let (twice_a, zero) = (self.scaled_top().a.doubled(), Extended::ZERO);
         let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {
-            if complement > Extended::ZERO {
-                momentum / (twice_a * complement) + half_tau
-            } else {
-                Extended::ZERO
-            }
+            if complement > zero { momentum / (twice_a * complement) + half_tau } else { zero }
         };
-        [
-            rate(self.integrals.l_plus_n, one_plus_u, self.half_tau),
-            rate(self.integrals.l_minus_n, one_minus_u, -self.half_tau),
-        ]
+        let ([one_plus_u, one_minus_u], half_tau) = (self.steady_tilt(), self.half_tau);
+        let FirstIntegrals { l_plus_n, l_minus_n, .. } = self.integrals;
+        [rate(l_plus_n, one_plus_u, half_tau), rate(l_minus_n, one_minus_u, -half_tau)]
     }
 
-    /// Whether the motion is steady, that is, u is constant.
+    /// Whether u is constant.
     pub(crate) fn is_steady(&self) -> bool {
         matches!(self.nutation, NutationVariable::Steady)
     }
@@ -253,21 +233,13 @@ impl Constants {
     /// Constants of a motion.
     #[must_use]
     pub fn new(motion: &Motion) -> Self {
-        let (chi, v) = match motion.nutation {
+        let Motion { e, integrals, half_tau, nutation, phases, .. } = *motion;
+        let (chi, v) = match nutation {
             NutationVariable::Nutating(chi) => (Some(chi), None),
             NutationVariable::Aperiodic(v) => (None, Some(v)),
             NutationVariable::Steady => (None, None),
         };
-        Self {
-            e: motion.e,
-            integrals: motion.integrals,
-            top: motion.scaled_top(),
-            chi,
-            v,
-            phases: motion.phases,
-            half_tau: motion.half_tau,
-            law: motion.equations(),
-        }
+        Self { e, integrals, top: motion.scaled_top(), chi, v, phases, half_tau, law: motion.equations() }
     }
 }
 

@@ -1,8 +1,6 @@
 //! Attitude state: orientation and rate at one instant, and the quantities that follow from them.
 
-use crate::body::ParameterError;
-use crate::body::State;
-use crate::complex::Complex;
+use crate::body::{ParameterError, State};
 use crate::scalar::{Float, Ring};
 use crate::su2::{Orientation, OrientationRate, Vector};
 
@@ -63,11 +61,5 @@ impl<R: Ring> AttitudeState<R> {
     #[must_use]
     pub fn omega_body(&self) -> Vector<R> {
         self.rate.omega_body(&self.orientation)
-    }
-
-    /// Rate (αβ)', per unit time: the velocity of the tip in units of 2s.
-    pub(crate) fn product_rate(&self) -> Complex<R> {
-        let (Orientation { alpha, beta }, rate) = (self.orientation, self.rate);
-        rate.alpha * beta + alpha * rate.beta
     }
 }

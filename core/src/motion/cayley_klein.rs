@@ -35,11 +35,10 @@ impl Ellipses<f64> {
     /// Ellipses of a motion whose u oscillates between e₁ and e₂, or rises from e₁ to 1.
     pub(crate) fn swinging<F: Float>(e: &BranchPoints<F>, signs: Signs) -> Self {
         let root = |x: F| x.halved().sqrt().to_f64();
-        let (a1, a2) = (root(e.one_plus_e1), root(e.one_plus_e2()));
-        let (b1, b2) = (root(e.one_minus_e1()), root(e.one_minus_e2));
+        let (a2, b2) = (root(e.one_plus_e2()), root(e.one_minus_e2));
         Self {
-            alpha: Ellipse { x: a1, y: signs.l_plus_n.times(a2) },
-            beta: Ellipse { x: b1, y: signs.l_minus_n.times(b2) },
+            alpha: Ellipse { x: root(e.one_plus_e1), y: signs.l_plus_n.times(a2) },
+            beta: Ellipse { x: root(e.one_minus_e1()), y: signs.l_minus_n.times(b2) },
         }
     }
 
@@ -56,10 +55,15 @@ impl Ellipses<f64> {
     }
 }
 
-impl<R: Scalar> Ellipses<R> {
+impl<R: Real> Ellipses<R> {
     /// Winding numbers of both ellipses.
     pub(crate) fn windings(&self) -> [i32; 2] {
         [self.alpha.winding(), self.beta.winding()]
+    }
+
+    /// Arguments of both ellipses.
+    pub(crate) fn arguments(&self, directions: &PhaseDirections<R>) -> [Phase; 2] {
+        [self.alpha.argument(directions), self.beta.argument(directions)]
     }
 
     /// Orientation Φ at these phases.
@@ -73,14 +77,9 @@ impl<R: Scalar> Ellipses<R> {
 
     /// Rate Φ' at these phases, from the rates of χ, A and B, rad per unit time.
     pub(crate) fn rate(&self, directions: &PhaseDirections<R>, rates: &PhaseRates<R>) -> OrientationRate<R> {
-        let rate = |ellipse: &Ellipse<R>, cis: Complex<R>, turning: R| {
-            (ellipse.along(directions).scaled(rates.nutation)
-                + ellipse.at(directions).times_i().scaled(turning))
-                * cis
-        };
         OrientationRate {
-            alpha: rate(&self.alpha, directions.alpha, rates.alpha),
-            beta: rate(&self.beta, directions.beta, rates.beta),
+            alpha: self.alpha.rate(directions, [rates.nutation, rates.alpha]) * directions.alpha,
+            beta: self.beta.rate(directions, [rates.nutation, rates.beta]) * directions.beta,
         }
     }
 }
@@ -92,16 +91,13 @@ impl<R: Scalar> Ellipse<R> {
         Complex::new(self.x * directions.cosine, self.y * directions.sine)
     }
 
-    /// Coefficients of e^{iχ} and e^{-iχ} in the ellipse.
-    pub(crate) fn exponentials(&self) -> [R; 2]
-    where
-        R: Float,
-    {
-        [(self.x + self.y).halved(), (self.x - self.y).halved()]
+    /// Rate of the parameter divided by e^{i slow phase}, from the rates of χ and of the slow phase.
+    pub(crate) fn rate(&self, directions: &PhaseDirections<R>, [nutation, slow]: [R; 2]) -> Complex<R> {
+        self.along(directions).scaled(nutation) + self.at(directions).times_i().scaled(slow)
     }
 
     /// Derivative of the ellipse with respect to χ.
-    pub(crate) fn along(&self, directions: &PhaseDirections<R>) -> Complex<R> {
+    fn along(&self, directions: &PhaseDirections<R>) -> Complex<R> {
         Complex::new(-(self.x * directions.sine), self.y * directions.cosine)
     }
 
@@ -112,6 +108,11 @@ impl<R: Scalar> Ellipse<R> {
 }
 
 impl<R: Real> Ellipse<R> {
+    /// Coefficients of e^{iχ} and e^{-iχ} in the ellipse.
+    pub(crate) fn exponentials(&self) -> [R; 2] {
+        [(self.x + self.y).halved(), (self.x - self.y).halved()]
+    }
+
     /// Argument of the ellipse; where the ellipse is 0, the argument of its derivative with respect to χ.
     pub(crate) fn argument(&self, directions: &PhaseDirections<R>) -> Phase {
         let value = self.at(directions);

@@ -1,14 +1,12 @@
 //! Launch of a motion: from a state, or from branch points and phases.
 
-use crate::body::State;
-use crate::body::{ParameterError, finite, require};
-use crate::body::{ScaledTop, Top};
+use crate::body::{ParameterError, ScaledTop, State, Top, require, within};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, ReducedPoint, Regime, Signs};
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::inverse_gudermannian;
 use crate::motion::start::{chi, half_phase, half_turns, slow_phase};
-use crate::motion::{InitialPhases, Motion, NutationVariable};
+use crate::motion::{InitialPhases, Motion, NutationVariable, phase_of};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::su2::OrientationRate;
@@ -86,8 +84,7 @@ impl Motion {
         let e = BranchPoints::exact(e)?;
         let InitialPhases { theta, arg_alpha, arg_beta } = *start;
         for (name, angle) in [("theta", theta), ("arg_alpha", arg_alpha), ("arg_beta", arg_beta)] {
-            finite(name, angle)?;
-            require(Float::abs(angle) <= 1e6, name, "between -1e6 and 1e6 rad")?;
+            within(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
         }
         let integrals = e.integrals_in(top, signs);
         require(
@@ -98,22 +95,19 @@ impl Motion {
         let chi = half_turns(theta);
         let upright = chi.halves().1 == Phase::QUARTER;
         let mut motion = Self::with_constants(top, &integrals, e, signs, upright);
-        let arguments = [arg_alpha, arg_beta].map(|angle| Extended::from(angle).in_turns().to_phase());
+        motion.phases = [arg_alpha, arg_beta].map(|angle| phase_of(angle.into()));
         motion.nutation = match motion.nutation {
+            NutationVariable::Steady => return Ok(motion),
             NutationVariable::Nutating(_) => NutationVariable::Nutating(chi),
             NutationVariable::Aperiodic(_) => {
                 let (sine, cosine) = f64::sine_cosine(chi);
                 NutationVariable::Aperiodic(inverse_gudermannian(sine, cosine))
             }
-            NutationVariable::Steady => {
-                motion.phases = arguments;
-                return Ok(motion);
-            }
         };
-        let ([alpha, beta], directions) = (arguments, motion.directions_at_start());
-        let ellipses = &motion.ellipses;
-        motion.phases =
-            [alpha - ellipses.alpha.argument(&directions), beta - ellipses.beta.argument(&directions)];
+        let arguments = motion.ellipses.arguments(&motion.directions_at_start());
+        for (phase, argument) in motion.phases.iter_mut().zip(arguments) {
+            *phase = *phase - argument;
+        }
         Ok(motion)
     }
 
@@ -157,23 +151,23 @@ impl Motion {
     /// Sets the nutation variable at a point of the reduced curve.
     #[inline(never)] // the stack frames of a launch must not add up
     fn start_nutation(&mut self, point: &ReducedPoint) {
-        if self.top.is_torque_free() {
+        let ScaledTop { a, s, p, g, .. } = self.scaled_top();
+        let torque_free = self.top.is_torque_free();
+        if torque_free {
             // the axis rotates about the angular momentum m at the rate |m|/A
-            let a = self.scaled_top().a;
             self.free_rate = (point.momentum(a, self.integrals.n) / a).halved();
         }
         if self.is_steady() {
             return;
         }
-        let pair = if self.top.is_torque_free() {
+        let g0_and_below_e3 = if torque_free {
             [(point.udot / self.free_rate.doubled()).squared(), Extended::ONE]
         } else {
-            let ScaledTop { a, s, p, g, .. } = self.scaled_top();
             let d = a / p + s * point.one_minus_u * point.one_plus_u;
             [d * point.udot.squared() / g.doubled(), point.one_minus_u + self.e.e3_minus_one]
         };
         let aperiodic = self.regime == Regime::Aperiodic;
-        let (sine, cosine) = half_phase(&self.e, point, pair, aperiodic);
+        let (sine, cosine) = half_phase(&self.e, point, g0_and_below_e3, aperiodic);
         self.nutation = if aperiodic {
             NutationVariable::Aperiodic(inverse_gudermannian(sine, cosine))
         } else {
@@ -189,7 +183,9 @@ impl Motion {
             return;
         }
         let directions = self.directions_at_start();
-        let rates = self.rounded_equations().rates(directions.sine, directions.cosine);
+        let equations =
+            self.equations_with(&self.e.to_f64(), self.integrals.l_plus_n.to_f64(), self.free_rate.to_f64());
+        let rates = equations.rates(directions.sine, directions.cosine);
         let half_tau = self.half_tau.to_f64();
         let ellipses = &self.ellipses;
         self.phases = [

@@ -72,13 +72,13 @@ pub(crate) fn half_turns(theta: f64) -> Phase {
 pub(crate) fn slow_phase(
     ellipse: &Ellipse<f64>,
     directions: &PhaseDirections<f64>,
-    [nutation, turning]: [f64; 2],
+    rates: [f64; 2],
     z: [Complex<f64>; 2],
 ) -> Phase {
     let [value, rate] = z;
-    let model = ellipse.at(directions);
-    let model_rate = ellipse.along(directions).scaled(nutation) + model.times_i().scaled(turning);
-    let time = 1.0 / (nutation.squared() + turning.squared());
+    let (model, model_rate) = (ellipse.at(directions), ellipse.rate(directions, rates));
+    let [nutation, slow] = rates;
+    let time = 1.0 / (nutation.squared() + slow.squared());
     let sum = value * model.conj() + (rate * model_rate.conj()).scaled(time);
     Phase::from_radians(sum.arg())
 }
