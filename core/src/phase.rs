@@ -59,13 +59,13 @@ impl Phase {
         self.0
     }
 
-    /// Phase as an integer in units of 2^-96 turns: words of 32 bits, the least significant first.
+    /// Words of 32 bits of the integer, the least significant first.
     pub(crate) const fn words(self) -> [u32; 4] {
         let bits = self.0;
         [bits as u32, (bits >> 32) as u32, (bits >> 64) as u32, (bits >> 96) as u32]
     }
 
-    /// Phase from words of 32 bits, the least significant first.
+    /// Phase from the words of its integer.
     #[inline(always)]
     pub(crate) const fn from_words([a, b, c, d]: [u32; 4]) -> Self {
         Self((a as i128) | (b as i128) << 32 | (c as i128) << 64 | (d as i128) << 96)
@@ -176,12 +176,6 @@ pub(crate) fn integer_parts(x: f64) -> (i64, i32) {
         _ => (fraction | (1 << MANTISSA_BITS), magnitude - BIAS),
     };
     (if bits >> 63 == 1 { -mantissa } else { mantissa }, exponent)
-}
-
-/// Integer value of a whole number, modulo 2^128; 0 where it is not finite.
-pub(crate) fn whole_number(x: f64) -> i128 {
-    let (mantissa, exponent) = integer_parts(x);
-    shifted(mantissa.into(), exponent)
 }
 
 /// value · 2^shift, rounded to the nearest integer, modulo 2^128.

@@ -12,7 +12,8 @@ mod power_of_two;
 
 mod wide;
 
-mod sine;
+#[doc(hidden)]
+pub mod sine;
 
 mod float;
 
@@ -21,10 +22,9 @@ mod fixed_point;
 
 pub(crate) use float::sine_cosine_of_radians;
 pub(crate) use power_of_two::{exponent, power_of_two, short_float, short_power_of_two, times_power_of_two};
-pub(crate) use sine::sine_cosine_f64;
 #[cfg(feature = "fixed")]
-pub use sine::sine_cosine_q15;
-pub use sine::{SINE_CONSTANTS, SineConstants, sine_cosine_q26, sine_cosine_q31};
+pub(crate) use sine::sine_cosine_q15;
+pub(crate) use sine::{sine_cosine_f64, sine_cosine_q26, sine_cosine_q31};
 
 pub use wide::{Extended, Extended64, Wide};
 
@@ -49,7 +49,7 @@ pub trait Ring:
     /// One.
     const ONE: Self;
 
-    /// Product; another one than `*` where that is slow on chips without a long multiplication.
+    /// Product; in fixed point another one than `*`, which is slow on chips without a long multiplication.
     #[inline(always)]
     #[must_use]
     fn product(self, other: Self) -> Self {

@@ -1,6 +1,6 @@
 //! Fraction of a turn as an integer of 96 bits: the type of an ephemeris' phases.
 
-use crate::phase::Phase;
+use super::Phase;
 use crate::product::{long_product, wrapping_product};
 
 /// Fraction of a turn in 96 bits; whole turns are dropped.
@@ -59,11 +59,8 @@ impl PhaseFraction {
 
     /// Difference, modulo one turn.
     #[must_use]
-    pub(crate) const fn minus(self, other: Self) -> Self {
-        let ([.., upper], [.., other_upper]) = (self.words, other.words);
-        let (lower, borrow) = self.lower().overflowing_sub(other.lower());
-        let upper = upper.wrapping_sub(other_upper).wrapping_sub(borrow as u32);
-        Self::new([lower as u32, (lower >> 32) as u32, upper])
+    pub(crate) fn minus(self, other: Self) -> Self {
+        Self::from_phase(self.to_phase() - other.to_phase())
     }
 
     /// n times the fraction, modulo one turn.

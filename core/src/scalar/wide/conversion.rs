@@ -1,7 +1,7 @@
 //! Wide numbers from and to `f64`, phases, integers and other widths.
 
 use super::number::{Exact, Wide};
-use crate::phase::{FRACTION_BITS, Phase, integer_parts};
+use crate::phase::{FRACTION_BITS, Phase, integer_parts, shifted};
 use crate::scalar::{Float, Ring};
 
 impl<const WORDS: usize> Wide<WORDS> {
@@ -70,16 +70,16 @@ impl<const WORDS: usize> Wide<WORDS> {
         [leading, (self - leading.into()).to_f64()]
     }
 
-    /// Largest whole number not above this one, as the sum of two whole `f64`, and the remainder in [0, 1).
-    pub(crate) fn floor_and_rest(self) -> ([f64; 2], Self) {
-        let [leading, low] = self.parts();
-        let (whole, low_whole) = (libm::floor(leading), libm::floor(low));
-        let rest = (self - whole.into()) - low_whole.into();
-        if rest < Self::ONE {
-            ([whole, low_whole], rest)
-        } else {
-            ([whole, low_whole + 1.0], rest - Self::ONE)
-        }
+    /// Largest whole number not above this one, modulo 2^128, and the remainder in [0, 1).
+    pub(crate) fn floor_and_rest(self) -> (i128, Self) {
+        let integer = |x: f64| {
+            let (mantissa, exponent) = integer_parts(x);
+            shifted(mantissa.into(), exponent)
+        };
+        let [leading, low] = self.parts().map(libm::floor);
+        let rest = (self - leading.into()) - low.into();
+        let whole = integer(leading).wrapping_add(integer(low));
+        if rest < Self::ONE { (whole, rest) } else { (whole.wrapping_add(1), rest - Self::ONE) }
     }
 }
 
