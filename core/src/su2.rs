@@ -98,18 +98,14 @@ impl<R: Ring> Orientation<R> {
         [across.re, across.im, vertical]
     }
 
-    /// Symmetry axis r = Φ e₃ Φ⁻¹, the unit vector from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = |α|² -
-    /// |β|².
+    /// Symmetry axis r = Φ e₃ Φ⁻¹, the unit vector from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = u.
     #[must_use]
     pub fn axis(&self) -> Vector<R> {
-        // |αβ| <= 1/2, so the intermediate results stay within the fixed-point range of ±2
-        let product = self.alpha * self.beta;
-        [-product.re.doubled(), -product.im.doubled(), self.u()]
+        let tip = self.tip_over_s();
+        [-tip.re, -tip.im, self.u()]
     }
 
-    /// Rate r' = Φ (Ω × e₃) Φ⁻¹ of the symmetry axis in the fixed frame. Its third component is u'.
-    ///
-    /// * `omega_body`: angular velocity Ω in the body frame
+    /// Rate r' = Φ (Ω × e₃) Φ⁻¹ of the symmetry axis in the fixed frame, from Ω in the body frame. Its third component is u'.
     #[must_use]
     pub fn axis_rate(&self, [x1, x2, _]: Vector<R>) -> Vector<R> {
         self.adjoint([x2, -x1, R::ZERO])
@@ -132,6 +128,7 @@ impl<R: Ring> Orientation<R> {
     #[inline]
     #[must_use]
     pub fn tip_over_s(&self) -> Complex<R> {
+        // |αβ| <= 1/2, so the intermediate results stay within the fixed-point range of ±2
         let product = self.alpha * self.beta;
         Complex::new(product.re.doubled(), product.im.doubled())
     }
@@ -170,8 +167,8 @@ impl<R: Float> Orientation<R> {
     /// Distance of two orientations, 2 √(|Δα|² + |Δβ|²), rad: the angle between them, if small. Φ and -Φ are 4 rad apart.
     #[must_use]
     pub fn distance(&self, other: &Self) -> R {
-        let (alpha, beta) = (self.alpha - other.alpha, self.beta - other.beta);
-        (alpha.norm_squared() + beta.norm_squared()).sqrt().doubled()
+        let difference = Self { alpha: self.alpha - other.alpha, beta: self.beta - other.beta };
+        difference.norm_squared().sqrt().doubled()
     }
 
     /// Orientation scaled to unit norm, Φ / √(|α|² + |β|²).
@@ -204,7 +201,8 @@ impl<R: Real> Orientation<R> {
             let (sine, cosine) = R::sine_cosine(Phase::from_radians(0.5 * angle.to_f64()));
             (sine / angle, cosine)
         };
-        Self::from_half_angle(cosine, x.map(|component| component * scale))
+        let [x1, x2, x3] = x.map(|component| component * scale);
+        Self::from_quaternion([cosine, x1, x2, x3])
     }
 
     /// [`Orientation::exp`] of a vector with a component that is not finite, or whose square may overflow.
@@ -221,13 +219,8 @@ impl<R: Real> Orientation<R> {
         // at most √3/2 times the largest finite number
         let half_angle = 0.5 * length.to_f64() * size.to_f64();
         let (sine, cosine) = libm::sincos(half_angle);
-        let sine = R::from_f64(sine);
-        Self::from_half_angle(R::from_f64(cosine), direction.map(|component| component / length * sine))
-    }
-
-    /// Orientation from the cosine of half the angle, and the axis times the sine of half the angle.
-    fn from_half_angle(cosine: R, [x1, x2, x3]: Vector<R>) -> Self {
-        Self { alpha: Complex::new(cosine, x3), beta: Complex::new(-x2, x1) }
+        let [x1, x2, x3] = direction.map(|component| component / length * R::from_f64(sine));
+        Self::from_quaternion([R::from_f64(cosine), x1, x2, x3])
     }
 }
 
@@ -237,6 +230,5 @@ fn small_half_angle<R: Real>(square: R) -> (R, R) {
     let series = |divisors: [f64; 4]| {
         divisors.into_iter().fold(R::ONE, |sum, divisor| R::ONE - square * R::from_f64(1.0 / divisor) * sum)
     };
-    let (sine, cosine) = (series([72.0, 42.0, 20.0, 6.0]), series([56.0, 30.0, 12.0, 2.0]));
-    (sine * R::from_f64(0.5), cosine)
+    (series([72.0, 42.0, 20.0, 6.0]).halved(), series([56.0, 30.0, 12.0, 2.0]))
 }

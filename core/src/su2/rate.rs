@@ -1,8 +1,8 @@
 //! Rate of change of an orientation, and the angular velocities that it determines.
 
+use super::{Orientation, Vector};
 use crate::complex::Complex;
 use crate::scalar::{Float, Ring};
-use crate::su2::{Orientation, Vector};
 
 /// Rate of change Φ' of an orientation. Φ and Φ' together determine every quantity of one instant by products only.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -14,27 +14,18 @@ pub struct OrientationRate<R> {
     pub beta: Complex<R>,
 }
 
-impl<R: Ring> OrientationRate<R> {
+impl<R: Float> OrientationRate<R> {
     /// Rate Φ' = ω Φ, with ω in the fixed frame.
     #[must_use]
-    pub fn from_fixed(phi: &Orientation<R>, omega: Vector<R>) -> Self
-    where
-        R: Float,
-    {
+    pub fn from_fixed(phi: &Orientation<R>, omega: Vector<R>) -> Self {
         let [w1, w2, w3] = omega.map(Float::halved);
-        let (diagonal, upper) = (Complex::new(R::ZERO, w3), Complex::new(-w2, w1));
-        Self {
-            alpha: diagonal * phi.alpha + upper * phi.gamma(),
-            beta: diagonal * phi.beta + upper * phi.delta(),
-        }
+        let Orientation { alpha, beta } = Orientation::from_quaternion([R::ZERO, w1, w2, w3]).compose(phi);
+        Self { alpha, beta }
     }
 
     /// Rate Φ' = Φ Ω, with Ω in the body frame.
     #[must_use]
-    pub fn from_body(phi: &Orientation<R>, omega: Vector<R>) -> Self
-    where
-        R: Float,
-    {
+    pub fn from_body(phi: &Orientation<R>, omega: Vector<R>) -> Self {
         let [x1, x2, x3] = omega.map(Float::halved);
         let (diagonal, transverse) = (Complex::new(R::ZERO, x3), Complex::new(x1, x2));
         Self {
@@ -42,7 +33,9 @@ impl<R: Ring> OrientationRate<R> {
             beta: (phi.alpha * transverse).times_i() - phi.beta * diagonal,
         }
     }
+}
 
+impl<R: Ring> OrientationRate<R> {
     /// Angular velocity ω = Φ' Φ⁻¹ in the fixed frame: equation (2.2) of the paper, erratum 1 corrected.
     #[must_use]
     pub fn omega_fixed(&self, phi: &Orientation<R>) -> Vector<R> {
