@@ -1,6 +1,6 @@
 //! Class of the tip curve, by the paper's criteria (section 4.2).
 
-use super::{BranchPoints, Regime, Signs};
+use crate::constants::{BranchPoints, Regime, Signs};
 use crate::scalar::{Extended, Float, Ring};
 
 /// Class of the curve that the tip draws between its two bounding circles.

@@ -55,6 +55,10 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
     const NOISE: f64 = 1e-15;
     let (zero, one, noise) = (Extended::ZERO, Extended::ONE, Extended::from(NOISE));
     let at_least_0 = |x: Extended| if x > zero { x } else { zero };
+    let point = |u: Extended, udot: Extended, axis_energy: Extended| {
+        let (one_minus_u, one_plus_u) = (one - u, one + u);
+        ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy }
+    };
     let quantities = ScaledTop::<Extended>::new(top);
     let ScaledTop { a, c, s, p, g, .. } = quantities;
     let FirstIntegrals { l, n, h, spin, .. } = *integrals;
@@ -67,15 +71,8 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
         if across < least || horizontal < least || square <= zero {
             return None;
         }
-        let u = l * n / square;
         let udot = (at_least_0(horizontal) * at_least_0(across) / square).sqrt() / a;
-        return Some(ReducedPoint {
-            u,
-            one_minus_u: one - u,
-            one_plus_u: one + u,
-            udot,
-            axis_energy: axis_and_height,
-        });
+        return Some(point(l * n / square, udot, axis_and_height));
     }
     // f(u) = u³ - b u² + c₁ u + c₀
     let (kappa, energy) = (quantities.kappa(), axis_and_height / (p * g));
@@ -85,17 +82,16 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
     let root = (b.squared() - Extended::from(3.0) * c1).sqrt();
     let u = if b > zero { c1 / (b + root) } else { (b - root) / 3.0.into() };
     // f(u) again, without cancellation where the axis is nearly upright
-    let point =
-        ReducedPoint { u, one_minus_u: one - u, one_plus_u: one + u, udot: zero, axis_energy: energy - u };
-    let sine_squared = point.one_minus_u * point.one_plus_u;
-    let peak = point.axis_energy * sine_squared - kappa * point.l_minus_nu(integrals).squared();
+    let found = point(u, zero, energy - u);
+    let sine_squared = found.one_minus_u * found.one_plus_u;
+    let peak = found.axis_energy * sine_squared - kappa * found.l_minus_nu(integrals).squared();
     let noise = (b.abs() + c1.abs() + c0.abs() + one) * noise;
-    if u.abs() > one + noise.sqrt() || peak < -noise || point.axis_energy < -noise.sqrt() {
+    if u.abs() > one + noise.sqrt() || peak < -noise || found.axis_energy < -noise.sqrt() {
         return None;
     }
     let u = if u > one { one } else { u };
     let u = if u < -one { -one } else { u };
-    let (one_minus_u, one_plus_u) = (one - u, one + u);
-    let udot = (g.doubled() * at_least_0(peak) / (a / p + s * one_minus_u * one_plus_u)).sqrt();
-    Some(ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy: at_least_0(energy - u) })
+    let found = point(u, zero, at_least_0(energy - u));
+    let d = a / p + s * found.one_minus_u * found.one_plus_u;
+    Some(ReducedPoint { udot: (g.doubled() * at_least_0(peak) / d).sqrt(), ..found })
 }
