@@ -2,7 +2,7 @@
 
 use crate::body::{ScaledTop, State, Top, Units};
 use crate::scalar::{Extended, Float, Ring};
-use crate::su2::{Vector, cross, dot};
+use crate::su2::{cross, dot};
 
 /// Sign, + or -.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -102,36 +102,6 @@ impl ReducedPoint {
     }
 }
 
-/// Axis r of a state with 1 - u and 1 + u, and its angular velocity ω.
-struct Axis {
-    r: Vector<Extended>,
-    one_minus_u: Extended,
-    one_plus_u: Extended,
-    omega: Vector<Extended>,
-}
-
-impl Axis {
-    #[inline(never)] // the stack frames of a launch must not add up
-    fn new(state: &State) -> Self {
-        let (phi, omega) = state.exact();
-        // every component is quadratic in Φ; without a square root a simple fraction remains exact
-        let norm = phi.norm_squared();
-        let one_minus_u = phi.beta.norm_squared().doubled() / norm;
-        let one_plus_u = phi.alpha.norm_squared().doubled() / norm;
-        let [r1, r2, u] = phi.axis().map(|component| component / norm);
-        // on the vertical the values are exact, so that n is the exact product of C and ω₃
-        let (zero, one) = (Extended::ZERO, Extended::ONE);
-        let (u, one_minus_u, one_plus_u) = if one_minus_u == zero {
-            (one, zero, one.doubled())
-        } else if one_plus_u == zero {
-            (-one, one.doubled(), zero)
-        } else {
-            (u, one_minus_u, one_plus_u)
-        };
-        Self { r: [r1, r2, u], one_minus_u, one_plus_u, omega }
-    }
-}
-
 impl FirstIntegrals {
     /// First integrals of a state, computed in extended precision. Error: one `f64` rounding of the result.
     #[must_use]
@@ -142,21 +112,31 @@ impl FirstIntegrals {
 
 impl FirstIntegrals<Extended> {
     /// First integrals in the units of [`Units`], and the point of the reduced curve.
+    #[inline(never)] // the stack frames of a launch must not add up
     pub(crate) fn with_point(top: &Top, state: &State) -> (Self, ReducedPoint) {
-        Self::from_axis(top, &Axis::new(state))
-    }
+        let (phi, omega) = state.exact();
+        let (zero, one) = (Extended::ZERO, Extended::ONE);
+        // every component is quadratic in Φ; without a square root a simple fraction remains exact
+        let norm = phi.norm_squared();
+        let one_minus_u = phi.beta.norm_squared().doubled() / norm;
+        let one_plus_u = phi.alpha.norm_squared().doubled() / norm;
+        let [r1, r2, u] = phi.axis().map(|component| component / norm);
+        // on the vertical the values are exact, so that n is the exact product of C and ω₃
+        let (u, one_minus_u, one_plus_u) = if one_minus_u == zero {
+            (one, zero, one.doubled())
+        } else if one_plus_u == zero {
+            (-one, one.doubled(), zero)
+        } else {
+            (u, one_minus_u, one_plus_u)
+        };
 
-    #[inline(never)] // as above
-    fn from_axis(top: &Top, axis: &Axis) -> (Self, ReducedPoint) {
         let ScaledTop { a, c, s, p, g, k } = ScaledTop::<Extended>::new(top);
-        let Axis { r, one_minus_u, one_plus_u, omega } = *axis;
-        let ([r1, r2, u], [w1, w2, _]) = (r, omega);
-
+        let (r, [w1, w2, _]) = ([r1, r2, u], omega);
         let spin = dot(omega, r);
         let n = c * spin + k;
         let udot = w1 * r2 - w2 * r1;
         let r_dot = cross(omega, r);
-        let (l_minus_n, l_plus_n) = if c > Extended::ZERO {
+        let (l_minus_n, l_plus_n) = if c > zero {
             // l ∓ n = A ⟨ω, k ∓ r⟩ ∓ ((C - A) ⟨ω, r⟩ + K) (1 ∓ u), without cancellation
             let beyond_sphere = (c - a) * spin + k;
             (
@@ -171,7 +151,7 @@ impl FirstIntegrals<Extended> {
         };
 
         let weight = p * g;
-        let unit = if top.is_torque_free() { Extended::ONE } else { weight };
+        let unit = if top.is_torque_free() { one } else { weight };
         let axis_energy = (a * dot(r_dot, r_dot) + p * s * udot.squared()) / unit.doubled();
         let h = (c * spin.squared()).halved() + weight * u + unit * axis_energy;
 

@@ -4,7 +4,7 @@ use crate::complex::Complex;
 use crate::constants::{BranchPoints, Signs};
 use crate::motion::phase_equations::PhaseRates;
 use crate::phase::Phase;
-use crate::scalar::{Float, Real, Scalar};
+use crate::scalar::{Extended, Float, Real, Scalar};
 use crate::su2::{Orientation, OrientationRate};
 
 /// Ellipses of α and β: α = (a₁ cos χ + i a₂ sin χ) e^{iA}, β = (b₁ cos χ + i b₂ sin χ) e^{iB}, with a₁² = (1+e₁)/2,
@@ -33,8 +33,8 @@ pub(crate) struct PhaseDirections<R> {
 
 impl Ellipses<f64> {
     /// Ellipses of a motion whose u oscillates between e₁ and e₂, or rises from e₁ to 1.
-    pub(crate) fn swinging<F: Float>(e: &BranchPoints<F>, signs: Signs) -> Self {
-        let root = |x: F| x.halved().sqrt().to_f64();
+    pub(crate) fn swinging(e: &BranchPoints<Extended>, signs: Signs) -> Self {
+        let root = |x: Extended| x.halved().sqrt().to_f64();
         let (a2, b2) = (root(e.one_plus_e2()), root(e.one_minus_e2));
         Self {
             alpha: Ellipse { x: root(e.one_plus_e1), y: signs.l_plus_n.times(a2) },
@@ -43,7 +43,7 @@ impl Ellipses<f64> {
     }
 
     /// Ellipses of a motion with constant 1 + u and 1 - u, whose slow phases alone change.
-    pub(crate) fn steady<F: Float>(complements: [F; 2]) -> Self {
+    pub(crate) fn steady(complements: [Extended; 2]) -> Self {
         let [alpha, beta] = complements.map(|x| Ellipse { x: x.halved().sqrt().to_f64(), y: 0.0 });
         Self { alpha, beta }
     }

@@ -1,15 +1,13 @@
 //! Launch of a motion: from a state, or from branch points and phases.
 
 use crate::body::{ParameterError, ScaledTop, State, Top, require, within};
-use crate::complex::Complex;
-use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, ReducedPoint, Regime, Signs};
+use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs};
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::inverse_gudermannian;
-use crate::motion::start::{chi, half_phase, half_turns, slow_phase};
+use crate::motion::start::half_turns;
 use crate::motion::{InitialPhases, Motion, NutationVariable, phase_of};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Scalar};
-use crate::su2::OrientationRate;
 
 impl Motion {
     /// Motion from a state, whose numbers count as exact. Its constants have more digits than `f64`, and are rounded once where they are read.
@@ -59,7 +57,7 @@ impl Motion {
         between();
         motion.start_nutation(&point);
         between();
-        motion.start_slow_phases(parameters_and_rates(state));
+        motion.start_slow_phases(state);
         Ok(motion)
     }
 
@@ -147,52 +145,6 @@ impl Motion {
         }
         motion
     }
-
-    /// Sets the nutation variable at a point of the reduced curve.
-    #[inline(never)] // the stack frames of a launch must not add up
-    fn start_nutation(&mut self, point: &ReducedPoint) {
-        let ScaledTop { a, s, p, g, .. } = self.scaled_top();
-        let torque_free = self.top.is_torque_free();
-        if torque_free {
-            // the axis rotates about the angular momentum m at the rate |m|/A
-            self.free_rate = (point.momentum(a, self.integrals.n) / a).halved();
-        }
-        if self.is_steady() {
-            return;
-        }
-        let g0_and_below_e3 = if torque_free {
-            [(point.udot / self.free_rate.doubled()).squared(), Extended::ONE]
-        } else {
-            let d = a / p + s * point.one_minus_u * point.one_plus_u;
-            [d * point.udot.squared() / g.doubled(), point.one_minus_u + self.e.e3_minus_one]
-        };
-        let aperiodic = self.regime == Regime::Aperiodic;
-        let (sine, cosine) = half_phase(&self.e, point, g0_and_below_e3, aperiodic);
-        self.nutation = if aperiodic {
-            NutationVariable::Aperiodic(inverse_gudermannian(sine, cosine))
-        } else {
-            NutationVariable::Nutating(chi(sine, cosine))
-        };
-    }
-
-    /// Sets the slow phases at a state, whose nutation variable is known.
-    #[inline(never)] // as above
-    fn start_slow_phases(&mut self, [alpha, beta]: [[Complex<f64>; 2]; 2]) {
-        if self.is_steady() {
-            self.phases = [alpha, beta].map(|[z, _]| Phase::from_radians(z.arg()));
-            return;
-        }
-        let directions = self.directions_at_start();
-        let equations =
-            self.equations_with(&self.e.to_f64(), self.integrals.l_plus_n.to_f64(), self.free_rate.to_f64());
-        let rates = equations.rates(directions.sine, directions.cosine);
-        let half_tau = self.half_tau.to_f64();
-        let ellipses = &self.ellipses;
-        self.phases = [
-            slow_phase(&ellipses.alpha, &directions, [rates.nutation, rates.alpha + half_tau], alpha),
-            slow_phase(&ellipses.beta, &directions, [rates.nutation, rates.beta - half_tau], beta),
-        ];
-    }
 }
 
 /// Whether the axial rate (n - K)/C is at most 1e24 per unit of time, or n = K to the rounding of `f64` where C is 0.
@@ -202,13 +154,4 @@ fn has_axial_rate(top: &Top, integrals: &FirstIntegrals<Extended>) -> bool {
         (*integrals, ScaledTop::<Extended>::new(top));
     let noise = (l_plus_n.abs() + l_minus_n.abs() + k.abs()) * Extended::from(f64::EPSILON);
     if c > Extended::ZERO { spin.abs() <= Extended::from(FASTEST) } else { (n - k).abs() <= noise }
-}
-
-/// Parameters α and β of a state, each with its rate.
-#[inline(never)]
-fn parameters_and_rates(state: &State) -> [[Complex<f64>; 2]; 2] {
-    let (phi, omega) = state.exact();
-    let phi = phi.normalised();
-    let rate = OrientationRate::from_fixed(&phi, omega);
-    [[phi.alpha, rate.alpha], [phi.beta, rate.beta]].map(|pair| pair.map(Complex::cast))
 }

@@ -1,11 +1,14 @@
 //! Start of a motion: half phase χ and slow phases at t = 0, from a state or from given angles.
 
+use crate::body::{ScaledTop, State};
 use crate::complex::Complex;
-use crate::constants::BranchPoints;
-use crate::constants::ReducedPoint;
+use crate::constants::{ReducedPoint, Regime};
 use crate::motion::cayley_klein::{Ellipse, PhaseDirections};
+use crate::motion::phase_equations::inverse_gudermannian;
+use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
+use crate::su2::OrientationRate;
 
 /// Phases at t = 0 of a motion given by branch points. All are in rad, and 0 by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -20,36 +23,79 @@ pub struct InitialPhases {
     pub arg_beta: f64,
 }
 
-/// sin χ and cos χ of a point of the reduced curve, times √(e₂ - e₁): √(u - e₁) and ±√(e₂ - u), with the sign of u'. In an
-/// aperiodic motion sin χ has that sign instead.
-///
-/// The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u), given as a pair, without a subtraction.
-pub(crate) fn half_phase(
-    e: &BranchPoints<Extended>,
-    point: &ReducedPoint,
-    [g0, below_e3]: [Extended; 2],
-    aperiodic: bool,
-) -> (f64, f64) {
-    let above_e1 = point.one_plus_u - e.one_plus_e1;
-    let below_e2 = point.one_minus_u - e.one_minus_e2;
-    let (above_e1, below_e2) = if below_e2 < above_e1 {
-        (above_e1, g0 / (below_e3 * above_e1))
-    } else {
-        (g0 / (below_e3 * below_e2), below_e2)
-    };
-    let (sine, cosine) = (above_e1.sqrt().to_f64(), below_e2.sqrt().to_f64());
-    match (point.udot < Extended::ZERO, aperiodic) {
-        (false, _) => (sine, cosine),
-        (true, false) => (sine, -cosine),
-        (true, true) => (-sine, cosine),
+impl Motion {
+    /// Sets the nutation variable at a point of the reduced curve.
+    ///
+    /// √(e₂ - e₁) sin χ = √(u - e₁), and √(e₂ - e₁) cos χ = ±√(e₂ - u) with the sign of u'. In an aperiodic motion sin χ has that sign
+    /// instead. The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u), without a subtraction.
+    #[inline(never)] // the stack frames of a launch must not add up
+    pub(super) fn start_nutation(&mut self, point: &ReducedPoint) {
+        let ScaledTop { a, s, p, g, .. } = self.scaled_top();
+        let ReducedPoint { one_minus_u, one_plus_u, udot, .. } = *point;
+        let torque_free = self.top.is_torque_free();
+        if torque_free {
+            // the axis rotates about the angular momentum m at the rate |m|/A
+            self.free_rate = (point.momentum(a, self.integrals.n) / a).halved();
+        }
+        if self.is_steady() {
+            return;
+        }
+        let (g0, below_e3) = if torque_free {
+            ((udot / self.free_rate.doubled()).squared(), Extended::ONE)
+        } else {
+            let d = a / p + s * one_minus_u * one_plus_u;
+            (d * udot.squared() / g.doubled(), one_minus_u + self.e.e3_minus_one)
+        };
+        let (above_e1, below_e2) = (one_plus_u - self.e.one_plus_e1, one_minus_u - self.e.one_minus_e2);
+        let (above_e1, below_e2) = if below_e2 < above_e1 {
+            (above_e1, g0 / (below_e3 * above_e1))
+        } else {
+            (g0 / (below_e3 * below_e2), below_e2)
+        };
+        let (sine, cosine) = (above_e1.sqrt().to_f64(), below_e2.sqrt().to_f64());
+        let falls = udot < Extended::ZERO;
+        self.nutation = if self.regime == Regime::Aperiodic {
+            NutationVariable::Aperiodic(inverse_gudermannian(if falls { -sine } else { sine }, cosine))
+        } else {
+            NutationVariable::Nutating(chi(sine, if falls { -cosine } else { cosine }))
+        };
     }
+
+    /// Sets the slow phases at a state, whose nutation variable is known.
+    #[inline(never)] // as above
+    pub(super) fn start_slow_phases(&mut self, state: &State) {
+        let [alpha, beta] = parameters_and_rates(state);
+        if self.is_steady() {
+            self.phases = [alpha, beta].map(|[z, _]| Phase::from_radians(z.arg()));
+            return;
+        }
+        let directions = self.directions_at_start();
+        let equations =
+            self.equations_with(&self.e.to_f64(), self.integrals.l_plus_n.to_f64(), self.free_rate.to_f64());
+        let rates = equations.rates(directions.sine, directions.cosine);
+        let half_tau = self.half_tau.to_f64();
+        let ellipses = &self.ellipses;
+        self.phases = [
+            slow_phase(&ellipses.alpha, &directions, [rates.nutation, rates.alpha + half_tau], alpha),
+            slow_phase(&ellipses.beta, &directions, [rates.nutation, rates.beta - half_tau], beta),
+        ];
+    }
+}
+
+/// Parameters α and β of a state, each with its rate.
+#[inline(never)]
+fn parameters_and_rates(state: &State) -> [[Complex<f64>; 2]; 2] {
+    let (phi, omega) = state.exact();
+    let phi = phi.normalised();
+    let rate = OrientationRate::from_fixed(&phi, omega);
+    [[phi.alpha, rate.alpha], [phi.beta, rate.beta]].map(|pair| pair.map(Complex::cast))
 }
 
 /// Half phase χ in [0, 1/2] turn from its sine >= 0 and cosine, with full relative precision near 0, 1/4 and 1/2
 /// turn.
 pub(crate) fn chi(sine: f64, cosine: f64) -> Phase {
     let from = |y: f64, x: f64| Phase::from_radians(libm::atan2(y, x));
-    if Float::abs(cosine) < sine {
+    if cosine.abs() < sine {
         Phase::QUARTER - from(cosine, sine)
     } else if cosine > 0.0 {
         from(sine, cosine)

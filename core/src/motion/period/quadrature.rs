@@ -162,8 +162,10 @@ fn division(nodes: f64) -> (u32, u32) {
         }
         (division, count)
     };
-    let fewer = |a: (u32, u32), b: (u32, u32)| if b.1 < a.1 { b } else { a };
-    fewer(fewer(doubled(1), doubled(3)), doubled(5))
+    [3, 5]
+        .map(doubled)
+        .into_iter()
+        .fold(doubled(1), |least, next| if next.1 < least.1 { next } else { least })
 }
 
 /// Sine and cosine of a right angle divided by 1, 3 or 5.
