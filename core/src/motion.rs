@@ -57,25 +57,21 @@ pub(crate) enum NutationVariable {
 
 impl Motion {
     /// Top of the motion.
-    #[must_use]
     pub fn top(&self) -> &Top {
         &self.top
     }
 
     /// Kind of motion.
-    #[must_use]
     pub fn regime(&self) -> Regime {
         self.regime
     }
 
     /// Class of the curve that the tip draws.
-    #[must_use]
     pub fn tip_class(&self) -> TipClass {
         TipClass::new(self.regime, &self.e, self.signs)
     }
 
     /// First integrals l, n and h.
-    #[must_use]
     pub fn first_integrals(&self) -> FirstIntegrals {
         self.integrals.as_given(&self.top)
     }
@@ -87,20 +83,17 @@ impl Motion {
     }
 
     /// Branch points e₁, e₂, e₃ and their differences.
-    #[must_use]
     pub fn branch_points(&self) -> BranchPoints {
         self.e.to_f64()
     }
 
     /// Signs of l + n and l - n.
-    #[must_use]
     pub fn signs(&self) -> Signs {
         self.signs
     }
 
     /// Nutation period, and advance of α and β over it, computed by this call; where u is constant, of the small nutation that a
     /// push would start. `None` where no motion nearby is periodic (e₂ = e₃).
-    #[must_use]
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
         let windings = Ellipses::swinging(&self.e, self.signs).windings();
         let period = self.period::<2>(&self.equations(), &mut || {})?;
@@ -110,7 +103,6 @@ impl Motion {
     /// Nutation period, and the rotations during it about the vertical, ψ_A(T) + ψ_B(T), and of the body about its axis,
     /// ψ_A(T) - ψ_B(T) + τT; whole turns do not count.
     #[doc(hidden)]
-    #[must_use]
     pub fn period_and_turns(&self) -> Option<(Extended, [Phase; 2])> {
         let Period { time, psi: [a, b], .. } = self.period::<2>(&self.equations(), &mut || {})?;
         Some((time, [a + b, a - b + self.half_tau.doubled() * time].map(phase_of)))
@@ -143,7 +135,6 @@ impl Motion {
 
     /// Least normal force over the motion, in units of the weight; `None` unless the tip slides. Where it is negative, a real top
     /// leaves the plane.
-    #[must_use]
     pub fn min_normal_force(&self) -> Option<f64> {
         (self.top.support() == Support::Sliding).then(|| {
             let ScaledTop { a, p, s, .. } = self.scaled_top();
@@ -231,7 +222,6 @@ pub struct Constants {
 
 impl Constants {
     /// Constants of a motion.
-    #[must_use]
     pub fn new(motion: &Motion) -> Self {
         let Motion { e, integrals, half_tau, nutation, phases, .. } = *motion;
         let (chi, v) = match nutation {
@@ -244,7 +234,6 @@ impl Constants {
 }
 
 /// Phase of an angle in rad.
-#[must_use]
 pub fn phase_of(angle: Extended) -> Phase {
     angle.in_turns().to_phase()
 }

@@ -30,20 +30,17 @@ impl Phase {
     pub const ONE: Self = Self(1 << FRACTION_BITS);
 
     /// Phase from a number of turns, rounded to 2^-96 turns, modulo 2^32 turns; zero where the number is not finite.
-    #[must_use]
     pub fn new(turns: f64) -> Self {
         let (mantissa, exponent) = integer_parts(turns);
         Self(shifted(mantissa.into(), exponent + FRACTION_BITS))
     }
 
     /// Phase from an angle in radians. Relative error: 2^-52, from the product and from the constant 1/2π.
-    #[must_use]
     pub fn from_radians(angle: f64) -> Self {
         Self::new(angle * (0.5 * core::f64::consts::FRAC_1_PI))
     }
 
     /// Phase of bits · 2^-96 turns.
-    #[must_use]
     pub const fn from_bits(bits: i128) -> Self {
         Self(bits)
     }
@@ -54,7 +51,6 @@ impl Phase {
     }
 
     /// Phase as an integer, in units of 2^-96 turns.
-    #[must_use]
     pub const fn to_bits(self) -> i128 {
         self.0
     }
@@ -72,13 +68,11 @@ impl Phase {
     }
 
     /// Number of turns, the whole ones included. Relative error: 2^-53.
-    #[must_use]
     pub fn to_f64(self) -> f64 {
         self.0 as f64 * Self::RESOLUTION
     }
 
     /// Angle in radians, whole turns included. Relative error: 2^-52.
-    #[must_use]
     pub fn to_radians(self) -> f64 {
         self.to_f64() * (2.0 * core::f64::consts::PI)
     }
@@ -119,7 +113,6 @@ impl Phase {
 
     /// Fraction of a turn in [0, 1) as its 64 leading bits: the argument of the sine functions.
     #[inline]
-    #[must_use]
     pub fn fraction(self) -> u64 {
         (self.0 >> (FRACTION_BITS - 64)) as u64
     }

@@ -51,19 +51,16 @@ impl<R: Ring> Orientation<R> {
     pub const IDENTITY: Self = Self { alpha: Complex::ONE, beta: Complex::ZERO };
 
     /// Cayley-Klein parameter γ = -β̄.
-    #[must_use]
     pub fn gamma(&self) -> Complex<R> {
         -self.beta.conj()
     }
 
     /// Cayley-Klein parameter δ = ᾱ.
-    #[must_use]
     pub fn delta(&self) -> Complex<R> {
         self.alpha.conj()
     }
 
     /// Determinant |α|² + |β|².
-    #[must_use]
     pub fn norm_squared(&self) -> R {
         self.alpha.norm_squared() + self.beta.norm_squared()
     }
@@ -84,7 +81,6 @@ impl<R: Ring> Orientation<R> {
     }
 
     /// Adjoint action Ad_Φ: fixed coordinates Φ X Φ⁻¹ of the vector with body coordinates X.
-    #[must_use]
     pub fn adjoint(&self, body: Vector<R>) -> Vector<R> {
         // with w = X₁ + i X₂ and Φ X = ½ i ((q, p), ...), p = αw - βX₃ and q = αX₃ + βw̄:
         //   x₁ + i x₂ = αp - βq,   x₃ = Re(ᾱq + β̄p)
@@ -99,34 +95,29 @@ impl<R: Ring> Orientation<R> {
     }
 
     /// Symmetry axis r = Φ e₃ Φ⁻¹, the unit vector from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = u.
-    #[must_use]
     pub fn axis(&self) -> Vector<R> {
         let tip = self.tip_over_s();
         [-tip.re, -tip.im, self.u()]
     }
 
     /// Rate r' = Φ (Ω × e₃) Φ⁻¹ of the symmetry axis in the fixed frame, from Ω in the body frame. Its third component is u'.
-    #[must_use]
     pub fn axis_rate(&self, [x1, x2, _]: Vector<R>) -> Vector<R> {
         self.adjoint([x2, -x1, R::ZERO])
     }
 
     /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give quaternions of opposite sign.
-    #[must_use]
     pub fn quaternion(&self) -> [R; 4] {
         let Self { alpha, beta } = *self;
         [alpha.re, beta.im, -beta.re, alpha.im]
     }
 
     /// Orientation from a quaternion, the inverse of [`Orientation::quaternion`]. It is not normalised.
-    #[must_use]
     pub fn from_quaternion([w, x, y, z]: [R; 4]) -> Self {
         Self { alpha: Complex::new(w, z), beta: Complex::new(-y, x) }
     }
 
     /// Tip position in units of s, c/s = 2αβ: x + iy relative to the point below the centre of mass.
     #[inline]
-    #[must_use]
     pub fn tip_over_s(&self) -> Complex<R> {
         // |αβ| <= 1/2, so the intermediate results stay within the fixed-point range of ±2
         let product = self.alpha * self.beta;
@@ -134,7 +125,6 @@ impl<R: Ring> Orientation<R> {
     }
 
     /// Rotation matrix Ad_Φ by rows, from body to fixed coordinates. The third column is the axis.
-    #[must_use]
     pub fn matrix(&self) -> [Vector<R>; 3] {
         let (zero, one) = (R::ZERO, R::ONE);
         let [a, b] = [[one, zero, zero], [zero, one, zero]].map(|body| self.adjoint(body));
@@ -143,14 +133,12 @@ impl<R: Ring> Orientation<R> {
     }
 
     /// Cosine of the tilt, u = |α|² - |β|² = Re((α + β)(ᾱ - β̄)). A rounding can take it past ±1.
-    #[must_use]
     pub fn u(&self) -> R {
         let (sum, difference) = (self.alpha + self.beta, self.alpha - self.beta);
         R::inner([sum.re, sum.im], [difference.re, difference.im])
     }
 
     /// u limited to [-1, 1]. A NaN remains NaN.
-    #[must_use]
     pub fn clamped_u(&self) -> R {
         let u = self.u();
         if u > R::ONE {
@@ -165,7 +153,6 @@ impl<R: Ring> Orientation<R> {
 
 impl<R: Float> Orientation<R> {
     /// Distance of two orientations, 2 √(|Δα|² + |Δβ|²), rad: the angle between them, if small. Φ and -Φ are 4 rad apart.
-    #[must_use]
     pub fn distance(&self, other: &Self) -> R {
         let difference = Self { alpha: self.alpha - other.alpha, beta: self.beta - other.beta };
         difference.norm_squared().sqrt().doubled()
@@ -183,7 +170,6 @@ impl<R: Real> Orientation<R> {
     /// Exponential of an element of su(2): the rotation by |x| rad about x; the identity where a component is not finite.
     ///
     /// Error: a few roundings, and that of |x|.
-    #[must_use]
     pub fn exp(x: Vector<R>) -> Self {
         /// Angle below which the sine of `f32` would have too large a relative error.
         const SMALL: f64 = 1.0 / 16.0;

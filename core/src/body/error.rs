@@ -23,7 +23,6 @@ pub enum ParameterError {
 
 impl ParameterError {
     /// Name of the parameter.
-    #[must_use]
     pub fn parameter(&self) -> &'static str {
         match self {
             Self::NotFinite { parameter } | Self::OutOfRange { parameter, .. } => parameter,
@@ -31,7 +30,6 @@ impl ParameterError {
     }
 
     /// Allowed values, in words or as an interval.
-    #[must_use]
     pub fn allowed(&self) -> &'static str {
         match self {
             Self::NotFinite { .. } => "a finite number",

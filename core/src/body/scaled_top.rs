@@ -75,7 +75,6 @@ impl<F: Float> ScaledTop<F> {
 
 impl Top {
     /// Branch point e₄ = √(1 + A/(ps)) (equation (3.5) of the paper), which u never reaches; `None` unless the tip slides.
-    #[must_use]
     pub fn e4(&self) -> Option<f64> {
         let ScaledTop { a, s, p, .. } = ScaledTop::<Extended>::new(self);
         (self.s > 0.0).then(|| (Extended::ONE + a / (p * s)).sqrt().to_f64())

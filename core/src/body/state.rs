@@ -130,13 +130,11 @@ impl State {
     }
 
     /// Orientation Φ at t = 0, as given (not normalised).
-    #[must_use]
     pub fn orientation(&self) -> Orientation<f64> {
         self.orientation
     }
 
     /// Angular velocity ω at t = 0 in the fixed frame, rad/s.
-    #[must_use]
     pub fn omega(&self) -> Vector<f64> {
         self.omega
     }

@@ -29,31 +29,26 @@ pub struct Top {
 
 impl Top {
     /// Support of the tip.
-    #[must_use]
     pub fn support(&self) -> Support {
         self.support
     }
 
     /// Transverse moment of inertia A, kg m²: about the tip for a fixed tip, otherwise about the centre of mass.
-    #[must_use]
     pub fn transverse_inertia(&self) -> f64 {
         self.a
     }
 
     /// Axial moment of inertia C, kg m².
-    #[must_use]
     pub fn axial_inertia(&self) -> f64 {
         self.c
     }
 
     /// Distance s of the centre of mass from a sliding tip, m; 0 for another support.
-    #[must_use]
     pub fn com_height(&self) -> f64 {
         self.s
     }
 
     /// Length that scales the tip curve c = 2 s αβ, m: s, or 1 for another support, whose 2αβ has no unit.
-    #[must_use]
     pub fn tip_scale(&self) -> f64 {
         match self.support {
             Support::Sliding => self.s,
@@ -62,25 +57,21 @@ impl Top {
     }
 
     /// Whether no torque acts: a free body, or a fixed tip without gravity.
-    #[must_use]
     pub fn is_torque_free(&self) -> bool {
         self.g == 0.0
     }
 
     /// Mass moment p = M s, kg m; 0 for a free body.
-    #[must_use]
     pub fn mass_moment(&self) -> f64 {
         self.p.to_f64()
     }
 
     /// Gravity g, m/s²; 0 for a free body.
-    #[must_use]
     pub fn gravity(&self) -> f64 {
         self.g
     }
 
     /// Angular momentum K of the rotor inside, kg m²/s; 0 without one. n = C ⟨ω, r⟩ + K.
-    #[must_use]
     pub fn rotor_momentum(&self) -> f64 {
         self.k
     }

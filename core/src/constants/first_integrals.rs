@@ -30,7 +30,6 @@ impl Sign {
     }
 
     /// Factor ±1.
-    #[must_use]
     pub fn factor(self) -> i32 {
         match self {
             Self::Plus => 1,
@@ -104,7 +103,6 @@ impl ReducedPoint {
 
 impl FirstIntegrals {
     /// First integrals of a state, computed in extended precision. Error: one `f64` rounding of the result.
-    #[must_use]
     pub fn from_state(top: &Top, state: &State) -> Self {
         FirstIntegrals::with_point(top, state).0.as_given(top)
     }
@@ -176,7 +174,6 @@ impl FirstIntegrals<Extended> {
 
 impl<F: Float> FirstIntegrals<F> {
     /// Signs of l + n and l - n; + where the number is 0.
-    #[must_use]
     pub fn signs(&self) -> Signs {
         Signs { l_plus_n: Sign::new(self.l_plus_n), l_minus_n: Sign::new(self.l_minus_n) }
     }

@@ -46,13 +46,11 @@ impl Regime {
     }
 
     /// Whether the motion is a regular precession: u is constant and the axis is not vertical.
-    #[must_use]
     pub fn is_regular_precession(&self) -> bool {
         matches!(self, Self::SlowPrecession | Self::FastPrecession)
     }
 
     /// Whether the axis is vertical at all times; the tip angle does not exist then.
-    #[must_use]
     pub fn is_vertical(&self) -> bool {
         matches!(self, Self::SleepingStable | Self::SleepingUnstable | Self::Hanging)
     }

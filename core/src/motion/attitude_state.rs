@@ -28,37 +28,31 @@ impl<R: Float> AttitudeState<R> {
 
 impl<R: Ring> AttitudeState<R> {
     /// Cosine of the tilt, u = ⟨r, k⟩, in [-1, 1].
-    #[must_use]
     pub fn u(&self) -> R {
         self.orientation.clamped_u()
     }
 
     /// Rate u' of the cosine of the tilt, per unit time.
-    #[must_use]
     pub fn udot(&self) -> R {
         self.rate.udot(&self.orientation)
     }
 
     /// Unit vector r from the tip to the centre of mass, in the fixed frame.
-    #[must_use]
     pub fn axis(&self) -> Vector<R> {
         self.orientation.axis()
     }
 
     /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give quaternions of opposite sign.
-    #[must_use]
     pub fn quaternion(&self) -> [R; 4] {
         self.orientation.quaternion()
     }
 
     /// Angular velocity ω in the fixed frame, rad per unit time.
-    #[must_use]
     pub fn omega(&self) -> Vector<R> {
         self.rate.omega_fixed(&self.orientation)
     }
 
     /// Angular velocity Ω = Φ⁻¹ω Φ in the body frame, rad per unit time.
-    #[must_use]
     pub fn omega_body(&self) -> Vector<R> {
         self.rate.omega_body(&self.orientation)
     }

@@ -34,7 +34,6 @@ impl PeriodAdvance {
     }
 
     /// Advance of the tip angle φ over one period, rad; where the curve passes through the centre, with a signed radius.
-    #[must_use]
     pub fn phi_per_period(&self) -> f64 {
         self.phi
     }

@@ -26,7 +26,6 @@ impl BranchPoints {
 
     /// First integrals of the motion with these branch points and signs (equation (3.6) of the paper). Without torque the branch
     /// points do not determine them, and the result has l = n = 0.
-    #[must_use]
     pub fn integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals {
         self.map(Extended::from).integrals_in(top, signs).as_given(top)
     }

@@ -38,7 +38,6 @@ impl<const WORDS: usize> Wide<WORDS> {
     }
 
     /// Phase of this number of turns, modulo 2^32 turns, rounded to the nearest.
-    #[must_use]
     pub fn to_phase(self) -> Phase {
         let magnitude = self.upper();
         let bits = match self.exponent - (128 - FRACTION_BITS) {
@@ -52,7 +51,6 @@ impl<const WORDS: usize> Wide<WORDS> {
     }
 
     /// Sum of two `f64`.
-    #[must_use]
     pub fn sum(a: f64, b: f64) -> Self {
         Self::from(a) + Self::from(b)
     }
@@ -64,7 +62,6 @@ impl<const WORDS: usize> Wide<WORDS> {
     }
 
     /// Nearest `f64`, and the `f64` nearest to the rest.
-    #[must_use]
     pub fn parts(self) -> [f64; 2] {
         let leading = self.to_f64();
         [leading, (self - leading.into()).to_f64()]
