@@ -1,4 +1,4 @@
-//! Complex numbers over any [`Ring`], fixed point included; the complex types of other crates require floating point.
+//! Complex numbers over any [`Ring`], fixed point included.
 
 use crate::phase::Phase;
 use crate::scalar::{Float, Real, Ring, Scalar};
@@ -61,7 +61,7 @@ impl<R: Scalar> Complex<R> {
 }
 
 impl<R: Float> Complex<R> {
-    /// Complex number in another number type, each part rounded to the nearest.
+    /// Complex number rounded to another number type.
     pub(crate) fn cast<G: Float>(self) -> Complex<G> {
         Complex::new(G::from_f64(self.re.to_f64()), G::from_f64(self.im.to_f64()))
     }

@@ -32,7 +32,7 @@ pub struct Motion {
     signs: Signs,
     pub(crate) e: BranchPoints<Extended>,
     pub(crate) integrals: FirstIntegrals<Extended>,
-    /// Half of τ = ⟨ω, r⟩ - n/A, rad per unit time. The slow phases have the additional rates ±τ/2, compared with C = A and K = 0.
+    /// Half of τ = ⟨ω, r⟩ - n/A, rad per unit time: additional rates ±τ/2 of the slow phases where C ≠ A or K ≠ 0.
     pub(crate) half_tau: Extended,
     ellipses: Ellipses<f64>,
     regime: Regime,
@@ -44,10 +44,10 @@ pub struct Motion {
     free_rate: Extended,
 }
 
-/// Variable of the nutation with its value at t = 0, by kind of motion.
+/// Variable of the nutation with its value at t = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum NutationVariable {
-    /// No variable, because u is constant, and the rates of A and B are too.
+    /// None: u and the rates of A and B are constant.
     Steady,
     /// Half phase χ.
     Nutating(Phase),
@@ -92,8 +92,8 @@ impl Motion {
         self.signs
     }
 
-    /// Nutation period, and advance of α and β over it, computed by this call; where u is constant, of the small nutation that a
-    /// push would start. `None` where no motion nearby is periodic (e₂ = e₃).
+    /// Nutation period, and advance of α and β over it, integrated by this call. Where u is constant, they are those of the small
+    /// nutation that a push would start. `None` for e₂ = e₃.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
         let windings = Ellipses::swinging(&self.e, self.signs).windings();
         let period = self.period::<2>(&self.equations(), &mut || {})?;
@@ -108,7 +108,7 @@ impl Motion {
         Some((time, [a + b, a - b + self.half_tau.doubled() * time].map(phase_of)))
     }
 
-    /// Nutation period, in numbers of this many words; `None` where there is none.
+    /// Nutation period, integrated in numbers of this many words.
     pub(crate) fn period<const WORDS: usize>(
         &self,
         equations: &PhaseEquations<Extended>,
@@ -122,7 +122,7 @@ impl Motion {
         (self.e.e3_minus_e2 > Extended::ZERO).then(|| Period::integrated(&equations(), between))
     }
 
-    /// Winding numbers of the ellipses of α and β; 1 for a steady motion, whose ellipses are constant.
+    /// Winding numbers of the ellipses of α and β; 1 for a steady motion.
     pub(crate) fn windings(&self) -> [i32; 2] {
         if self.is_steady() { [1; 2] } else { self.ellipses.windings() }
     }
@@ -133,8 +133,7 @@ impl Motion {
         (a + b + alpha + beta).principal()
     }
 
-    /// Least normal force over the motion, in units of the weight; `None` unless the tip slides. Where it is negative, a real top
-    /// leaves the plane.
+    /// Least normal force, in units of the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.
     pub fn min_normal_force(&self) -> Option<f64> {
         (self.top.support() == Support::Sliding).then(|| {
             let ScaledTop { a, p, s, .. } = self.scaled_top();
@@ -188,7 +187,7 @@ impl Motion {
         matches!(self.nutation, NutationVariable::Steady)
     }
 
-    /// Nutation direction at t = 0, with both slow phases 0.
+    /// Directions at t = 0, with both slow phases 0.
     fn directions_at_start(&self) -> PhaseDirections<f64> {
         let (sine, cosine) = match self.nutation {
             NutationVariable::Steady => (0.0, 1.0),
@@ -216,8 +215,8 @@ pub struct Constants {
     pub phases: [Phase; 2],
     /// Rate τ/2, rad per unit time.
     pub half_tau: Extended,
-    /// Equations of the phases.
-    pub law: PhaseEquations<Extended>,
+    /// Phase equations.
+    pub equations: PhaseEquations<Extended>,
 }
 
 impl Constants {
@@ -229,7 +228,16 @@ impl Constants {
             NutationVariable::Aperiodic(v) => (None, Some(v)),
             NutationVariable::Steady => (None, None),
         };
-        Self { e, integrals, top: motion.scaled_top(), chi, v, phases, half_tau, law: motion.equations() }
+        Self {
+            e,
+            integrals,
+            top: motion.scaled_top(),
+            chi,
+            v,
+            phases,
+            half_tau,
+            equations: motion.equations(),
+        }
     }
 }
 

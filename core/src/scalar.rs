@@ -1,4 +1,4 @@
-//! Scalars: the traits that the algorithms require of a number type, and the types that implement them.
+//! Scalars: number types, and the traits that the algorithms require of them.
 //!
 //! There is no fused multiply-add and no function of `std`, so that a host and a chip agree to the bit.
 //!

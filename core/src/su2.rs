@@ -116,7 +116,7 @@ impl<R: Ring> Orientation<R> {
         Self { alpha: Complex::new(w, z), beta: Complex::new(-y, x) }
     }
 
-    /// Tip position in units of s, c/s = 2αβ: x + iy relative to the point below the centre of mass.
+    /// Tip position in units of s, 2αβ: x + iy relative to the point below the centre of mass.
     #[inline]
     pub fn tip_over_s(&self) -> Complex<R> {
         // |αβ| <= 1/2, so the intermediate results stay within the fixed-point range of ±2
@@ -152,7 +152,7 @@ impl<R: Ring> Orientation<R> {
 }
 
 impl<R: Float> Orientation<R> {
-    /// Distance of two orientations, 2 √(|Δα|² + |Δβ|²), rad: the angle between them, if small. Φ and -Φ are 4 rad apart.
+    /// Distance 2 √(|Δα|² + |Δβ|²) of two orientations, rad: the angle between them, if small. Φ and -Φ are 4 rad apart.
     pub fn distance(&self, other: &Self) -> R {
         let difference = Self { alpha: self.alpha - other.alpha, beta: self.beta - other.beta };
         difference.norm_squared().sqrt().doubled()
@@ -168,8 +168,6 @@ impl<R: Float> Orientation<R> {
 
 impl<R: Real> Orientation<R> {
     /// Exponential of an element of su(2): the rotation by |x| rad about x; the identity where a component is not finite.
-    ///
-    /// Error: a few roundings, and that of |x|.
     pub fn exp(x: Vector<R>) -> Self {
         /// Angle below which the sine of `f32` would have too large a relative error.
         const SMALL: f64 = 1.0 / 16.0;
@@ -191,7 +189,7 @@ impl<R: Real> Orientation<R> {
         Self::from_quaternion([cosine, x1, x2, x3])
     }
 
-    /// [`Orientation::exp`] of a vector with a component that is not finite, or whose square may overflow.
+    /// Exponential of a vector that is not finite, or whose square may overflow.
     #[cold]
     fn exp_of_large(x: Vector<R>) -> Self {
         let larger = |x: R, y: R| if x > y { x } else { y };

@@ -27,7 +27,7 @@ impl ConstantArguments {
     /// Value and derivative are averaged with weights, so that the argument is well defined also where a parameter is
     /// 0 at t = 0.
     pub(super) fn new(motion: &Motion, closed: [ValueAndSlope; 2]) -> Self {
-        let Constants { e, law, phases, half_tau, chi, v, .. } = Constants::new(motion);
+        let Constants { e, equations, phases, half_tau, chi, v, .. } = Constants::new(motion);
         let (sine, cosine) = match (chi, v) {
             (Some(chi), _) => of_turns(chi),
             (_, Some(v)) => {
@@ -36,7 +36,7 @@ impl ConstantArguments {
             }
             _ => (Extended::ZERO, Extended::ONE),
         };
-        let (signs, rates) = (motion.signs(), law.rates(sine, cosine));
+        let (signs, rates) = (motion.signs(), equations.rates(sine, cosine));
         let root = |x: Extended| x.halved().sqrt();
         let (alpha_root, beta_root) = (root(e.one_plus_e2()), root(e.one_minus_e2));
         let axes = [

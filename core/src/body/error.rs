@@ -3,7 +3,7 @@
 use core::fmt;
 use core::ops::RangeInclusive;
 
-/// Invalid parameter of a top, a state or a motion.
+/// Invalid parameter, with the allowed values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ParameterError {
@@ -58,12 +58,12 @@ pub fn finite(parameter: &'static str, value: f64) -> Result<f64, ParameterError
     if value.is_finite() { Ok(value) } else { Err(ParameterError::NotFinite { parameter }) }
 }
 
-/// Error for this parameter unless `holds`.
+/// Error unless `holds`.
 pub fn require(holds: bool, parameter: &'static str, allowed: &'static str) -> Result<(), ParameterError> {
     if holds { Ok(()) } else { Err(ParameterError::OutOfRange { parameter, allowed }) }
 }
 
-/// Error for this parameter unless its value is in a range; `allowed` are the words for the range.
+/// Error unless a value is in a range; `allowed` are the words for it.
 pub(crate) fn within(
     range: RangeInclusive<f64>,
     parameter: &'static str,

@@ -22,10 +22,8 @@ use crate::su2::{Vector, cross, dot};
 impl State {
     /// State after an impulse J, N s in the fixed frame, at a point X of the body, m in the body frame *from the tip*.
     ///
-    /// For a free body the point is relative to the centre of mass, which otherwise is at [0, 0, s]. It may lie outside the body.
-    /// The horizontal velocity of a sliding top, which changes too, is not part of a state.
-    ///
-    /// An angular impulse, N m s, is a pair: J at X + D and -J at X give D × J for any X.
+    /// For a free body the point is relative to the centre of mass, which otherwise is at [0, 0, s]. It may lie outside the body. A pair
+    /// J at X + D and -J at X is an angular impulse D × J.
     ///
     /// ```
     /// use toytop::{Release, State, Top, TopParameters};
@@ -37,7 +35,7 @@ impl State {
     ///     ..TopParameters::default()
     /// })?;
     /// let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
-    /// // a tangential stroke of 2 mN s on the rim, 25 mm from the axis, at the height of the centre of mass
+    /// // tangential, 25 mm from the axis, at the height of the centre of mass
     /// let struck = state.with_impulse(&top, [0.0, 2.0e-3, 0.0], [0.025, 0.0, 0.03])?;
     /// assert!(struck.omega() != state.omega() && struck.orientation() == state.orientation());
     /// # Ok::<(), toytop::ParameterError>(())
@@ -64,10 +62,8 @@ impl State {
         Ok(Self { omega, ..*self })
     }
 
-    /// Reaction impulse of the support, N s in the fixed frame: p Δω × r - J, and its vertical part under a sliding tip. Where its
-    /// third component is negative, a real top leaves the plane.
-    ///
-    /// * `impulse`, `point`: the arguments of [`State::with_impulse`]
+    /// Reaction of the support to an impulse, N s in the fixed frame: p Δω × r - J, and its vertical part under a sliding tip. Where
+    /// that is negative, a real top leaves the plane.
     ///
     /// # Errors
     /// `impulse`, `point`: a component is not finite or is above 1e12.

@@ -3,7 +3,7 @@
 use super::{ParameterError, Support, Top, finite, require, within};
 use crate::scalar::{Extended, Float, Ring};
 
-/// Parameters of a top by name, in SI or other consistent units. A field of 0 counts as not given.
+/// Parameters of a top, in SI or other consistent units. A field of 0 counts as not given.
 ///
 /// Exactly one of `mass` and `mass_moment` is given; a free body needs neither.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,8 +22,8 @@ pub struct TopParameters {
     pub mass_moment: f64,
     /// Gravity g, m/s²; by default 9.80665; 0 only for a fixed tip or a free body.
     pub gravity: f64,
-    /// Constant angular momentum K of a rotor inside, relative to the body and along its axis, kg m²/s, of either sign. The
-    /// body's mass and inertia include the rotor's.
+    /// Constant angular momentum K of a rotor inside, relative to the body and along its axis, kg m²/s. The body's mass and
+    /// inertia include the rotor's.
     pub rotor_momentum: f64,
 }
 
@@ -41,7 +41,6 @@ impl Default for TopParameters {
     }
 }
 
-/// The value, or an error unless it is a positive number of the allowed size.
 fn magnitude(parameter: &'static str, value: f64) -> Result<f64, ParameterError> {
     finite(parameter, value)?;
     require(value > 0.0, parameter, "positive, between 1e-60 and 1e60")?;
@@ -67,9 +66,9 @@ impl Top {
     /// Top whose tip slides on a plane: Springborn's toy top.
     ///
     /// # Errors
-    /// [`ParameterError`] names the parameter that is wrong. A, s, g, and the mass or its moment must be between 1e-60 and 1e60; C
+    /// [`ParameterError`] names the wrong parameter. A, s, g, and the mass or its moment must be between 1e-60 and 1e60; C
     /// 0, or between 1e-60 A and 2A; A/(ps) between 1e-6 and 1e30; √(pg/A) between 1e-9 and 1e9, and |K|/A at most 1e12, per unit
-    /// of time. Exactly one of `mass` and `mass_moment` must be given.
+    /// of time.
     pub fn sliding(parameters: &TopParameters) -> Result<Self, ParameterError> {
         require(
             parameters.gravity != 0.0,
@@ -92,7 +91,7 @@ impl Top {
     }
 
     /// Top whose tip is held at a fixed point, the Lagrange top. Both moments of inertia are about the *tip*. Either
-    /// `mass_moment` is given, or `mass` together with `com_height`. Without gravity the motion is that of [`Top::free`].
+    /// `mass_moment` is given, or `mass` and `com_height`. Without gravity the motion is that of [`Top::free`].
     ///
     /// # Errors
     /// The errors of [`Top::sliding`]; without gravity, C between 0 and 1e-20 A; with a mass, A below M s² + C/2, which no body
@@ -120,12 +119,12 @@ impl Top {
         Ok(top)
     }
 
-    /// Body without support: thrown, floating or in orbit. A and C are about its centre of mass; the other parameters have no effect.
-    /// See the page `docs/other_tops.md`.
+    /// Body without support. A and C are about its centre of mass; of the other parameters only K has an effect. See the page
+    /// `docs/other_tops.md`.
     ///
     /// # Errors
-    /// [`ParameterError`] names the parameter: A not between 1e-60 and 1e60, C neither 0 nor between 1e-20 A and 2A,
-    /// |K|/A above 1e12 per unit of time, or another one not finite.
+    /// A not between 1e-60 and 1e60, C neither 0 nor between 1e-20 A and 2A, |K|/A above 1e12 per unit of time, or another
+    /// parameter not finite.
     pub fn free(parameters: &TopParameters) -> Result<Self, ParameterError> {
         finite("com_height", parameters.com_height)?;
         finite("mass", parameters.mass)?;

@@ -1,4 +1,4 @@
-//! Parameters of a top in the number type of a set-up stage, in units that keep every product in range.
+//! Parameters of a top in units that keep every product in range.
 
 use super::Top;
 use crate::scalar::{Extended, Float, Ring, exponent, power_of_two, times_power_of_two};
@@ -6,7 +6,7 @@ use crate::scalar::{Extended, Float, Ring, exponent, power_of_two, times_power_o
 /// Units of inertia and length, powers of two, in which A and p are in [1, 2) and no product leaves the range.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Units {
-    /// Exponent of the unit of inertia, and so of angular momentum and of energy.
+    /// Exponent of the unit of inertia, angular momentum and energy.
     inertia: i32,
     /// Exponent of the unit of length.
     length: i32,
@@ -19,7 +19,6 @@ impl Units {
         Self { inertia, length: inertia - moment }
     }
 
-    /// Unit of angular momentum and of energy, in the caller's.
     pub(crate) fn inertia(&self) -> f64 {
         power_of_two(self.inertia)
     }
@@ -43,7 +42,7 @@ pub struct ScaledTop<F> {
 }
 
 impl<F: Float> ScaledTop<F> {
-    /// Parameters in the units of `Units`.
+    /// Parameters in the units inside.
     pub fn new(top: &Top) -> Self {
         Self::in_units(top, Units::new(top))
     }
@@ -67,7 +66,7 @@ impl<F: Float> ScaledTop<F> {
         if self.c > F::ZERO { (n - self.k) / self.c } else { F::ZERO }
     }
 
-    /// Rate τ = ⟨ω, r⟩ - n/A of a body with this axial rate, rad per unit time; (1/C - 1/A) n without a rotor.
+    /// Rate τ = ⟨ω, r⟩ - n/A of a body with this axial rate, rad per unit time.
     pub(crate) fn tau(&self, spin: F) -> F {
         (self.a - self.c) / self.a * spin - self.k / self.a
     }

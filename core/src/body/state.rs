@@ -41,8 +41,7 @@ impl State {
     /// The squared norm may differ from 1 by 1e-6, and is normalised. A component below 1e-60 counts as 0.
     ///
     /// # Errors
-    /// `alpha`, `beta`, `omega`: a component is not finite; `alpha`: the norm differs from 1 by more; `omega`: above
-    /// 1e12 rad/s.
+    /// `alpha`, `beta`, `omega`: a component is not finite; `alpha`: another norm; `omega`: above 1e12 rad/s.
     pub fn new(orientation: Orientation<f64>, omega: Vector<f64>) -> Result<Self, ParameterError> {
         for (name, z) in [("alpha", orientation.alpha), ("beta", orientation.beta)] {
             finite(name, z.re)?;
@@ -65,10 +64,7 @@ impl State {
     }
 
     /// State from the unit quaternion [w, x, y, z] from body to fixed coordinates, and the angular velocity Ω (rad/s) in the
-    /// body frame, as a gyroscope measures it.
-    ///
-    /// The squared norm may differ from 1 by 1e-6. The third body axis points from the tip to the centre of mass. q and -q give
-    /// opposite α and β.
+    /// body frame, as a gyroscope measures it. The third body axis points from the tip to the centre of mass.
     ///
     /// ```
     /// use toytop::State;
@@ -79,8 +75,8 @@ impl State {
     /// ```
     ///
     /// # Errors
-    /// `quaternion`: a component is not finite, or the norm differs from 1 by more; `gyro`: a component is not finite,
-    /// or the magnitude is above 1e12 rad/s.
+    /// `quaternion`: a component is not finite, or the squared norm differs from 1 by more than 1e-6; `gyro`: a component is not
+    /// finite, or the magnitude is above 1e12 rad/s.
     pub fn from_quaternion_and_gyro(quaternion: [f64; 4], gyro: Vector<f64>) -> Result<Self, ParameterError> {
         for component in quaternion {
             finite("quaternion", component)?;
@@ -129,7 +125,7 @@ impl State {
         Self::new(orientation, omega)
     }
 
-    /// Orientation Φ at t = 0, as given (not normalised).
+    /// Orientation Φ at t = 0, not normalised.
     pub fn orientation(&self) -> Orientation<f64> {
         self.orientation
     }
@@ -139,7 +135,7 @@ impl State {
         self.omega
     }
 
-    /// Φ as it was given, not normalised, and ω; components below 1e-60 are 0.
+    /// Φ and ω, with 0 for components below 1e-60.
     pub(crate) fn exact(&self) -> (Orientation<Extended>, Vector<Extended>) {
         let exact = |x: f64| if x.abs() < 1e-60 { Extended::ZERO } else { x.into() };
         let number = |z: Complex<f64>| Complex::new(exact(z.re), exact(z.im));
@@ -148,7 +144,6 @@ impl State {
     }
 }
 
-/// Whether the norm is that of a rotation, | |α|² + |β|² - 1 | <= 1e-6.
 fn is_unit(orientation: &Orientation<f64>) -> bool {
     (orientation.norm_squared() - 1.0).abs() <= 1e-6
 }

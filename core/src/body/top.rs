@@ -10,7 +10,7 @@ pub enum Support {
     Sliding,
     /// Held at a fixed point: the Lagrange top, the limit s → 0 of the formulas at fixed p.
     Fixed,
-    /// None: a body that is thrown, floats or is in orbit, and turns about its centre of mass without torque.
+    /// None: a body that is thrown, floats or is in orbit.
     Free,
 }
 

@@ -1,8 +1,7 @@
 //! Branch points e₁ <= e₂ <= 1 <= e₃ of the hyperelliptic curve, and their small differences (section 3.2 of the
 //! paper).
 //!
-//! On the motion, (s/2)(e₄² - u²) u'² = g (u - e₁)(u - e₂)(u - e₃). Small differences determine the period and the phases; each
-//! is computed without cancellation.
+//! On the motion, (s/2)(e₄² - u²) u'² = g (u - e₁)(u - e₂)(u - e₃). The differences are computed without cancellation.
 
 mod cubic;
 
@@ -39,7 +38,7 @@ pub struct BranchPoints<F = f64> {
 const LARGEST_E3: f64 = 1e14;
 
 impl BranchPoints {
-    /// Branch points from three given numbers, which count as exact.
+    /// Branch points from three numbers, which count as exact.
     ///
     /// # Errors
     /// `e1`, `e2`, `e3`: not finite, or not -1 <= e1 <= e2 <= 1 <= e3 <= 1e14.
@@ -49,7 +48,7 @@ impl BranchPoints {
 }
 
 impl BranchPoints<Extended> {
-    /// Branch points from three given numbers, with exact differences.
+    /// Branch points from three numbers, with exact differences.
     pub(crate) fn exact([e1, e2, e3]: [f64; 3]) -> Result<Self, ParameterError> {
         within(-1.0..=1.0, "e1", e1, "in [-1, e2]")?;
         within(e1..=1.0, "e2", e2, "in [e1, 1]")?;
@@ -93,7 +92,6 @@ impl<F: Float> BranchPoints<F> {
         self.e3_minus_e2 + self.e2_minus_e1
     }
 
-    /// Branch points rounded to `f64`.
     pub(crate) fn to_f64(self) -> BranchPoints {
         self.map(F::to_f64)
     }

@@ -50,7 +50,7 @@ pub struct Signs {
     pub l_minus_n: Sign,
 }
 
-/// First integrals: two components of the angular momentum, and the energy. One of l + n and l - n is small near the vertical.
+/// First integrals: two components of the angular momentum, and the energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FirstIntegrals<F = f64> {
@@ -68,7 +68,7 @@ pub struct FirstIntegrals<F = f64> {
     pub l_minus_n: F,
 }
 
-/// Point (u, u') of the reduced curve, with the quantities that the cubics need there.
+/// Point (u, u') of the reduced curve.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ReducedPoint {
     pub(crate) u: Extended,
@@ -102,7 +102,7 @@ impl ReducedPoint {
 }
 
 impl FirstIntegrals {
-    /// First integrals of a state, computed in extended precision. Error: one `f64` rounding of the result.
+    /// First integrals of a state. Error: one `f64` rounding of the result.
     pub fn from_state(top: &Top, state: &State) -> Self {
         FirstIntegrals::with_point(top, state).0.as_given(top)
     }

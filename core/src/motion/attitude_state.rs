@@ -1,10 +1,10 @@
-//! Attitude state: orientation and rate at one instant, and the quantities that follow from them.
+//! Attitude state: orientation and rate at one instant.
 
 use crate::body::{ParameterError, State};
 use crate::scalar::{Float, Ring};
 use crate::su2::{Orientation, OrientationRate, Vector};
 
-/// Orientation and its rate at one instant. Every method computes by products.
+/// Orientation and its rate at one instant, with the quantities that follow by products.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AttitudeState<R> {
@@ -15,10 +15,10 @@ pub struct AttitudeState<R> {
 }
 
 impl<R: Float> AttitudeState<R> {
-    /// State with this orientation, normalised, and angular velocity, to launch from.
+    /// State to launch from; the orientation is normalised.
     ///
     /// # Errors
-    /// The errors of [`State::new`], where a component is not finite or out of range.
+    /// The errors of [`State::new`].
     pub fn state(&self) -> Result<State, ParameterError> {
         let Orientation { alpha, beta } = self.orientation;
         let orientation = Orientation { alpha: alpha.cast(), beta: beta.cast() };

@@ -42,13 +42,12 @@ impl Ellipses<f64> {
         }
     }
 
-    /// Ellipses of a motion with constant 1 + u and 1 - u, whose slow phases alone change.
+    /// Ellipses of a motion with constant 1 + u and 1 - u.
     pub(crate) fn steady(complements: [Extended; 2]) -> Self {
         let [alpha, beta] = complements.map(|x| Ellipse { x: x.halved().sqrt().to_f64(), y: 0.0 });
         Self { alpha, beta }
     }
 
-    /// Ellipses rounded to the scalar of the tick.
     pub(crate) fn cast<R: Float>(&self) -> Ellipses<R> {
         let cast = |Ellipse { x, y }| Ellipse { x: R::from_f64(x), y: R::from_f64(y) };
         Ellipses { alpha: cast(self.alpha), beta: cast(self.beta) }
@@ -56,17 +55,14 @@ impl Ellipses<f64> {
 }
 
 impl<R: Real> Ellipses<R> {
-    /// Winding numbers of both ellipses.
     pub(crate) fn windings(&self) -> [i32; 2] {
         [self.alpha.winding(), self.beta.winding()]
     }
 
-    /// Arguments of both ellipses.
     pub(crate) fn arguments(&self, directions: &PhaseDirections<R>) -> [Phase; 2] {
         [self.alpha.argument(directions), self.beta.argument(directions)]
     }
 
-    /// Orientation Φ at these phases.
     #[inline]
     pub(crate) fn orientation(&self, directions: &PhaseDirections<R>) -> Orientation<R> {
         Orientation {
@@ -85,13 +81,12 @@ impl<R: Real> Ellipses<R> {
 }
 
 impl<R: Scalar> Ellipse<R> {
-    /// Value of the ellipse.
     #[inline]
     pub(crate) fn at(&self, directions: &PhaseDirections<R>) -> Complex<R> {
         Complex::new(self.x * directions.cosine, self.y * directions.sine)
     }
 
-    /// Rate of the parameter divided by e^{i slow phase}, from the rates of χ and of the slow phase.
+    /// Rate of the Cayley-Klein parameter divided by e^{i slow phase}, from the rates of χ and of the slow phase.
     pub(crate) fn rate(&self, directions: &PhaseDirections<R>, [nutation, slow]: [R; 2]) -> Complex<R> {
         self.along(directions).scaled(nutation) + self.at(directions).times_i().scaled(slow)
     }
@@ -120,7 +115,7 @@ impl<R: Real> Ellipse<R> {
         Phase::from_radians(value.arg().to_f64())
     }
 
-    /// Argument of the ellipse, continuous in χ, up to a constant: ±χ plus at most a quarter turn; constant where the ellipse passes
+    /// Argument of the ellipse, continuous in χ, up to a constant: ±χ plus at most a quarter turn; 0 where the ellipse passes
     /// through 0.
     pub(crate) fn continued_argument(&self, directions: &PhaseDirections<R>, chi: Phase) -> Phase {
         let sense = self.winding();

@@ -10,7 +10,7 @@ use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Scalar};
 
 impl Motion {
-    /// Motion from a state, whose numbers count as exact. Its constants have more digits than `f64`, and are rounded once where they are read.
+    /// Motion from a state, whose numbers count as exact.
     ///
     /// # Errors
     /// `omega`: so large that e₃ would exceed 1e14.
@@ -18,8 +18,7 @@ impl Motion {
         Self::launch_between(top, state, &mut || {})
     }
 
-    /// Motion from a state, as from [`launch`](Self::launch), for a program that has other work meanwhile: feeding a watchdog,
-    /// serving a bus, stepping another motion.
+    /// Motion from a state, as from [`launch`](Self::launch), for a program that has other work meanwhile.
     ///
     /// * `between`: called at least every 50 000 cycles of a Cortex-M4F
     ///
@@ -121,7 +120,7 @@ impl Motion {
         upright: bool,
     ) -> Self {
         let regime = Regime::new(&e, signs, upright);
-        // An oscillation that is too small to count in the regime has its own mean rates, other than those at a constant u.
+        // a nutation that is too small to count in the regime has its own mean rates
         let is_steady = e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable;
         let mut motion = Self {
             top: *top,

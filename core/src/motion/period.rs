@@ -18,12 +18,11 @@ pub struct PeriodAdvance {
     pub alpha_turns: f64,
     /// Advance (arg β(t+T) - arg β(t))/2π; for e₂ = 1, where β passes through 0, that of β with a signed modulus.
     pub beta_turns: f64,
-    /// Advance of the tip angle φ in a period, rad: the sum of the other two advances before they are rounded.
+    /// Sum of the other two advances before they are rounded, rad.
     phi: f64,
 }
 
 impl PeriodAdvance {
-    /// Advance over a period of a motion whose ellipses have these winding numbers.
     pub(super) fn new(period: &Period, half_tau: Extended, windings: [i32; 2]) -> Self {
         let [alpha_turns, beta_turns] = period.turns(half_tau, windings).map(Float::to_f64);
         let Period { time, psi: [psi_alpha, psi_beta], .. } = *period;

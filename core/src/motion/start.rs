@@ -91,8 +91,7 @@ fn parameters_and_rates(state: &State) -> [[Complex<f64>; 2]; 2] {
     [[phi.alpha, rate.alpha], [phi.beta, rate.beta]].map(|pair| pair.map(Complex::cast))
 }
 
-/// Half phase χ in [0, 1/2] turn from its sine >= 0 and cosine, with full relative precision near 0, 1/4 and 1/2
-/// turn.
+/// Half phase χ in [0, 1/2] turn from its sine >= 0 and cosine, with full relative precision near 0, 1/4 and 1/2 turn.
 pub(crate) fn chi(sine: f64, cosine: f64) -> Phase {
     let from = |y: f64, x: f64| Phase::from_radians(libm::atan2(y, x));
     if cosine.abs() < sine {

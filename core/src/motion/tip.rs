@@ -6,7 +6,7 @@ use crate::motion::attitude_state::AttitudeState;
 use crate::scalar::Float;
 use crate::su2::Orientation;
 
-/// Constants of the tip's motion.
+/// Constants of the tip curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TipConstants<R> {
     /// Length 2 s, m; 2 for a fixed tip.

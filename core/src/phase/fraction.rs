@@ -14,17 +14,14 @@ pub(crate) struct PhaseFraction {
 }
 
 impl PhaseFraction {
-    /// Fraction from its words, the least significant first.
     pub(crate) const fn new(words: [u32; 3]) -> Self {
         Self { words }
     }
 
-    /// Words of 32 bits, the least significant first.
     pub(crate) const fn words(self) -> [u32; 3] {
         self.words
     }
 
-    /// Fraction of a phase, exact.
     pub(crate) const fn from_phase(phase: Phase) -> Self {
         let bits = phase.to_bits();
         Self::new([bits as u32, (bits >> 32) as u32, (bits >> 64) as u32])
@@ -36,7 +33,6 @@ impl PhaseFraction {
         Phase::from_bits(((upper as i128) << 64) | self.lower() as i128)
     }
 
-    /// Two lower words as one number.
     #[inline(always)]
     const fn lower(self) -> u64 {
         let [low, middle, _] = self.words;
@@ -69,8 +65,7 @@ impl PhaseFraction {
         Self::new([lowest as u32, leading as u32, (leading >> 32) as u32])
     }
 
-    /// Sum with a fraction given by its 64 leading bits, modulo one turn. The lowest word is unchanged, so no carry
-    /// leaves it.
+    /// Sum with a fraction given by its 64 leading bits, modulo one turn.
     #[inline(always)]
     pub(crate) const fn plus_leading(self, other: u64) -> Self {
         let ([low, ..], sum) = (self.words, self.leading().wrapping_add(other));

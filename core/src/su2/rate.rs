@@ -4,7 +4,7 @@ use super::{Orientation, Vector};
 use crate::complex::Complex;
 use crate::scalar::{Float, Ring};
 
-/// Rate of change Φ' of an orientation. Φ and Φ' together determine every quantity of one instant by products only.
+/// Rate of change Φ' of an orientation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OrientationRate<R> {

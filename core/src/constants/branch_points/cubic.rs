@@ -11,7 +11,7 @@ pub(super) struct Cubic {
 }
 
 impl Cubic {
-    #[inline(never)] // a call, because three functions evaluate the cubic in extended precision
+    #[inline(never)]
     fn value(&self, y: Extended) -> Extended {
         ((y + self.g2) * y + self.g1) * y + self.g0
     }
@@ -29,7 +29,7 @@ impl Cubic {
         })
     }
 
-    /// Upper bound on the largest root, close to it.
+    /// Upper bound on the largest root, close to it, because convergence to a multiple root is linear.
     #[inline(never)] // the stack frames of a launch must not add up
     fn above(&self) -> Extended {
         let (Self { g0, g1, g2 }, zero) = (*self, Extended::ZERO);
@@ -47,8 +47,7 @@ impl Cubic {
         if of_quadratic < above { larger(of_quadratic, zero) } else { above }
     }
 
-    /// Largest root, by Newton's method from above, where the iterates decrease. Convergence to a multiple root is linear, so the
-    /// starting value is close.
+    /// Largest root, by Newton's method from above, where the iterates decrease.
     #[inline(never)] // as above
     pub(super) fn largest_root(&self, between: &mut dyn FnMut()) -> Extended {
         const MOST_STEPS: u32 = 200;

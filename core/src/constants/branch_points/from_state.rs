@@ -1,7 +1,6 @@
 //! Branch points of the motion through a point (u, u') of the reduced curve. Three forms avoid all cancellation:
 //!
-//! * With torque, e₁ - u and e₂ - u, roots of the cubic in e - u, have opposite signs, which gives e₂ - e₁. So do 1 - e₂ and
-//!   1 - e₃, which gives e₃ - e₂.
+//! * With torque, e₁ - u and e₂ - u have opposite signs, which gives e₂ - e₁. So do 1 - e₂ and 1 - e₃, which gives e₃ - e₂.
 //! * With torque and an upright axis at rest, 1 is a double root, and the third root decides whether the top sleeps.
 //! * Without torque e₃ is infinite, and the axis turns about the constant angular momentum m:
 //!
@@ -26,7 +25,7 @@ fn require_slow(holds: bool) -> Result<(), ParameterError> {
 }
 
 impl BranchPoints {
-    /// Branch points of a state. Every field, differences included, has the relative error of one `f64` rounding.
+    /// Branch points of a state. Every field has the relative error of one `f64` rounding.
     ///
     /// # Errors
     /// `omega`: so large that e₃ would exceed 1e14.
@@ -37,7 +36,6 @@ impl BranchPoints {
 }
 
 impl BranchPoints<Extended> {
-    /// Branch points of the motion through a point of the reduced curve.
     pub(crate) fn from_point(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,

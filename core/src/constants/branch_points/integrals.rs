@@ -9,8 +9,7 @@ impl BranchPoints {
     /// Branch points of given l, n and h. Near a degenerate case these are ill-conditioned: see [`BranchPoints::from_state`].
     ///
     /// # Errors
-    /// `h`: no motion has these integrals, because the energy is too low; `l`, `n`, `h`: not finite, or e₃ above
-    /// 1e14.
+    /// `h`: too low for any motion with these l and n; `l`, `n`, `h`: not finite, or e₃ above 1e14.
     pub fn from_integrals(top: &Top, l: f64, n: f64, h: f64) -> Result<Self, ParameterError> {
         let unit = Units::new(top).inertia();
         let [l, n, h] = [finite("l", l)?, finite("n", n)?, finite("h", h)?].map(|x| Extended::from(x / unit));
@@ -32,7 +31,7 @@ impl BranchPoints {
 }
 
 impl BranchPoints<Extended> {
-    /// First integrals in the number type and the units of set-up.
+    /// First integrals in the units inside.
     pub(crate) fn integrals_in(&self, top: &Top, signs: Signs) -> FirstIntegrals<Extended> {
         let quantities = ScaledTop::<Extended>::new(top);
         let ScaledTop { a, c, p, g, .. } = quantities;

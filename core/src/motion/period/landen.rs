@@ -50,8 +50,7 @@ impl<const WORDS: usize> Landen<WORDS> {
         near_one: 0,
     };
 
-    /// Fills the sequence for m and m₁ = 1 - m, each given with full relative precision. `between` is called after every
-    /// transformation.
+    /// Fills the sequence for m and m₁ = 1 - m, each given with full relative precision.
     #[inline(never)]
     pub(super) fn fill(&mut self, [m, m1]: [Wide<WORDS>; 2], between: &mut dyn FnMut()) {
         // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
@@ -75,7 +74,6 @@ impl<const WORDS: usize> Landen<WORDS> {
         }
     }
 
-    /// Steps with a modulus above 0, in order of decreasing modulus.
     fn changing(&self) -> impl Iterator<Item = &LandenStep<Wide<WORDS>>> {
         self.steps.iter().filter(|step| step.modulus > Wide::ZERO)
     }

@@ -1,7 +1,6 @@
 //! Trapezoid rule over a nutation period, in the elliptic argument of [`EllipticEquations`].
 //!
-//! It converges geometrically, at a known rate. The Landen transformation gives sn and cn from equidistant angles, without a
-//! transcendental function.
+//! It converges geometrically, at a known rate.
 
 use super::Period;
 use super::elliptic_equations::EllipticEquations;
@@ -10,7 +9,7 @@ use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Extended, Float, Ring, Wide};
 
 impl Period {
-    /// Period of a motion that nutates, in numbers of this many words. `between` is called several times for each node.
+    /// Period of a motion that nutates. `between` is called several times for each node.
     #[inline(never)]
     pub(crate) fn integrated<const WORDS: usize>(
         equations: &PhaseEquations<Wide<WORDS>>,
@@ -99,7 +98,6 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         sums
     }
 
-    /// Integrands at a node, of which sine and cosine are given.
     #[inline(never)]
     fn at(&self, angle: [Wide<WORDS>; 2], between: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
         let squares = self.landen.squares_at_angle(angle);

@@ -1,4 +1,4 @@
-//! Integers of several words of 64 bits, the most significant first; reciprocals and inverse roots to start from.
+//! Integers of several words of 64 bits, the most significant first.
 
 use crate::product::{long_product, product_of_long};
 use core::mem::replace;
@@ -110,7 +110,7 @@ pub(super) fn quotient<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) -
 #[inline(never)]
 fn short_reciprocal(divisor: u64) -> u64 {
     let word = (divisor >> 32) as u32;
-    // the leading bit is set already; setting it again shows the compiler that the divisor is not 0
+    // setting the leading bit again shows the compiler that the divisor is not 0
     let first = u32::MAX / ((word >> 16) | (1 << 15));
     // 2^48 less the product of word and inverse, which is nearly 2^48
     let rest = (1_i64 << 48) - long_product(word, first) as i64;
