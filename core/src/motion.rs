@@ -6,11 +6,11 @@ pub(crate) mod cayley_klein;
 
 pub(crate) mod period;
 
+pub(crate) mod attitude_state;
+
 mod start;
 
 mod launch;
-
-pub(crate) mod attitude_state;
 
 pub(crate) mod tip;
 
@@ -104,8 +104,8 @@ impl Motion {
     /// ψ_A(T) - ψ_B(T) + τT; whole turns do not count.
     #[doc(hidden)]
     pub fn period_and_turns(&self) -> Option<(Extended, [Phase; 2])> {
-        let Period { time, psi: [a, b], .. } = self.period::<2>(&self.equations(), &mut || {})?;
-        Some((time, [a + b, a - b + self.half_tau.doubled() * time].map(phase_of)))
+        let Period { time, psi: [alpha, beta], .. } = self.period::<2>(&self.equations(), &mut || {})?;
+        Some((time, [alpha + beta, alpha - beta + self.half_tau.doubled() * time].map(phase_of)))
     }
 
     /// Nutation period, integrated in numbers of this many words.
@@ -129,8 +129,9 @@ impl Motion {
 
     /// Tip angle at t = 0, in (-1/2, 1/2] turn.
     pub(crate) fn tip_angle_at_start(&self) -> Phase {
-        let ([a, b], [alpha, beta]) = (self.phases, self.ellipses.arguments(&self.directions_at_start()));
-        (a + b + alpha + beta).principal()
+        let ([alpha, beta], directions) = (self.phases, self.directions_at_start());
+        let [alpha_argument, beta_argument] = self.ellipses.arguments(&directions);
+        (alpha + beta + alpha_argument + beta_argument).principal()
     }
 
     /// Least normal force, in units of the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.

@@ -158,6 +158,11 @@ impl<R: Float> Orientation<R> {
         difference.norm_squared().sqrt().doubled()
     }
 
+    /// Orientation rounded to another number type.
+    pub(crate) fn cast<G: Float>(&self) -> Orientation<G> {
+        Orientation { alpha: self.alpha.cast(), beta: self.beta.cast() }
+    }
+
     /// Orientation scaled to unit norm, Φ / √(|α|² + |β|²).
     #[must_use]
     pub fn normalised(&self) -> Self {

@@ -141,9 +141,9 @@ impl Top {
         p: Extended,
     ) -> Result<Self, ParameterError> {
         /// Least C/A other than 0.
-        const LEAST_SHARE: f64 = 1e-60;
+        const LEAST_RATIO: f64 = 1e-60;
         /// Least C/A other than 0 without torque; the direction of C ω has the rounding error of A ω.
-        const LEAST_TORQUE_FREE_SHARE: f64 = 1e-20;
+        const LEAST_TORQUE_FREE_RATIO: f64 = 1e-20;
         /// Greatest |K|/A, rad per unit time.
         const FASTEST_ROTOR: f64 = 1e12;
         /// Least |K|/A that does not count as 0, rad per unit time.
@@ -157,13 +157,13 @@ impl Top {
             "between 0 and twice transverse_inertia (no body has C > 2A)",
         )?;
         require(
-            c == 0.0 || c >= LEAST_SHARE * a,
+            c == 0.0 || c >= LEAST_RATIO * a,
             "axial_inertia",
             "0, or at least 1e-60 times transverse_inertia",
         )?;
         let g = if parameters.gravity == 0.0 { 0.0 } else { magnitude("gravity", parameters.gravity)? };
         require(
-            g > 0.0 || c == 0.0 || c >= LEAST_TORQUE_FREE_SHARE * a,
+            g > 0.0 || c == 0.0 || c >= LEAST_TORQUE_FREE_RATIO * a,
             "axial_inertia",
             "0, or without gravity at least 1e-20 times transverse_inertia",
         )?;

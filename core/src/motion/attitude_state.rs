@@ -20,9 +20,7 @@ impl<R: Float> AttitudeState<R> {
     /// # Errors
     /// The errors of [`State::new`].
     pub fn state(&self) -> Result<State, ParameterError> {
-        let Orientation { alpha, beta } = self.orientation;
-        let orientation = Orientation { alpha: alpha.cast(), beta: beta.cast() };
-        State::new(orientation.normalised(), self.omega().map(R::to_f64))
+        State::new(self.orientation.cast().normalised(), self.omega().map(R::to_f64))
     }
 }
 

@@ -3,8 +3,9 @@
 use crate::body::{ScaledTop, State};
 use crate::complex::Complex;
 use crate::constants::{ReducedPoint, Regime};
-use crate::motion::cayley_klein::{Ellipse, PhaseDirections};
-use crate::motion::phase_equations::inverse_gudermannian;
+use crate::motion::attitude_state::AttitudeState;
+use crate::motion::cayley_klein::{Ellipse, Ellipses, PhaseDirections};
+use crate::motion::phase_equations::{PhaseRates, inverse_gudermannian};
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
@@ -64,31 +65,33 @@ impl Motion {
     /// Sets the slow phases at a state, whose nutation variable is known.
     #[inline(never)] // as above
     pub(super) fn start_slow_phases(&mut self, state: &State) {
-        let [alpha, beta] = parameters_and_rates(state);
+        let AttitudeState { orientation: phi, rate } = attitude(state);
         if self.is_steady() {
-            self.phases = [alpha, beta].map(|[z, _]| Phase::from_radians(z.arg()));
+            self.phases = [phi.alpha, phi.beta].map(|z| Phase::from_radians(z.arg()));
             return;
         }
         let directions = self.directions_at_start();
         let equations =
             self.equations_with(&self.e.to_f64(), self.integrals.l_plus_n.to_f64(), self.free_rate.to_f64());
-        let rates = equations.rates(directions.sine, directions.cosine);
+        let PhaseRates { nutation, alpha, beta } = equations.rates(directions.sine, directions.cosine);
         let half_tau = self.half_tau.to_f64();
-        let ellipses = &self.ellipses;
+        let Ellipses { alpha: alpha_ellipse, beta: beta_ellipse } = &self.ellipses;
         self.phases = [
-            slow_phase(&ellipses.alpha, &directions, [rates.nutation, rates.alpha + half_tau], alpha),
-            slow_phase(&ellipses.beta, &directions, [rates.nutation, rates.beta - half_tau], beta),
+            slow_phase(alpha_ellipse, &directions, [nutation, alpha + half_tau], [phi.alpha, rate.alpha]),
+            slow_phase(beta_ellipse, &directions, [nutation, beta - half_tau], [phi.beta, rate.beta]),
         ];
     }
 }
 
-/// Parameters α and β of a state, each with its rate.
 #[inline(never)]
-fn parameters_and_rates(state: &State) -> [[Complex<f64>; 2]; 2] {
+fn attitude(state: &State) -> AttitudeState<f64> {
     let (phi, omega) = state.exact();
     let phi = phi.normalised();
     let rate = OrientationRate::from_fixed(&phi, omega);
-    [[phi.alpha, rate.alpha], [phi.beta, rate.beta]].map(|pair| pair.map(Complex::cast))
+    AttitudeState {
+        orientation: phi.cast(),
+        rate: OrientationRate { alpha: rate.alpha.cast(), beta: rate.beta.cast() },
+    }
 }
 
 /// Half phase χ in [0, 1/2] turn from its sine >= 0 and cosine, with full relative precision near 0, 1/4 and 1/2 turn.
@@ -155,8 +158,8 @@ mod tests {
             // a neighbouring number is a different, close angle
             for near in [theta.next_up(), theta.next_down()] {
                 let off = half_turns(near) - turns;
-                let unit = Float::abs(near - theta) * 0.25 * core::f64::consts::FRAC_1_PI;
-                let share = Float::abs(off.to_f64()) / unit;
+                let unit = (near - theta).abs() * 0.25 * core::f64::consts::FRAC_1_PI;
+                let share = off.to_f64().abs() / unit;
                 assert!((0.49..1.51).contains(&share), "{k}: {share}");
                 assert!((half_turns(-near) + half_turns(near)).to_bits().abs() <= 1, "{k}");
             }

@@ -107,11 +107,11 @@ impl<const WORDS: usize> Landen<WORDS> {
             if modulus == Wide::ZERO {
                 continue;
             }
-            let share = scaled_modulus * x;
-            sum = w + share;
+            let kx = scaled_modulus * x;
+            sum = w + kx;
             // W - k X = (1 - k) W + k Y, in the form with the smaller rounding error, which is the second where k is near 1
-            difference = if number < self.near_one { rest * w + modulus * y } else { w - share };
-            y = y * (difference + rest * share);
+            difference = if number < self.near_one { rest * w + modulus * y } else { w - kx };
+            y = y * (difference + rest * kx);
             x = x * w;
             w = sum.squared();
         }
