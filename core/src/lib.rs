@@ -43,7 +43,6 @@ pub mod table_format {}
 #[doc(hidden)]
 pub mod internal {
     pub use crate::body::{ScaledTop, finite, require};
-    pub use crate::motion::phase_equations::PhaseRates;
     pub use crate::motion::{Constants, phase_of};
 }
 

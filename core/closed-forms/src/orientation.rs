@@ -6,7 +6,7 @@ use toytop::AttitudeState;
 use toytop::Complex;
 use toytop::Motion;
 use toytop::Phase;
-use toytop::internal::{Constants, PhaseRates, phase_of};
+use toytop::internal::{Constants, phase_of};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 
@@ -46,11 +46,11 @@ impl ConstantArguments {
         let [alpha_axes, beta_axes] = axes;
         let [alpha, beta] = closed;
         let [alpha_phase, beta_phase] = phases;
-        let PhaseRates { alpha: alpha_rate, beta: beta_rate, nutation } = rates;
-        let argument = |axes, turning, closed| argument(axes, [sine, cosine], [nutation, turning], closed);
+        let argument =
+            |axes, turning, closed| argument(axes, [sine, cosine], [rates.nutation, turning], closed);
         let angles = [
-            alpha_phase + argument(alpha_axes, alpha_rate, alpha),
-            beta_phase + argument(beta_axes, beta_rate, beta),
+            alpha_phase + argument(alpha_axes, rates.alpha, alpha),
+            beta_phase + argument(beta_axes, rates.beta, beta),
         ];
         Self { angles, half_tau }
     }

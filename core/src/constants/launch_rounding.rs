@@ -39,13 +39,13 @@ impl LaunchRounding {
         let [u, one_minus_u, one_plus_u, axis_energy] =
             [u, one_minus_u, one_plus_u, axis_energy].map(Float::to_f64);
         let e = e.to_f64();
-        // magnitudes of the terms of the sums: n,
+        // magnitude of the terms of n
         let n = n.abs() + k.abs();
-        // terms of (1 - e₂) + (1 - e₃)
+        // magnitude of the terms of (1 - e₂) + (1 - e₃)
         let upper_terms =
             2.0 * (axis_energy + one_minus_u + kappa * n * (l_minus_n.abs() + k.abs() * one_minus_u));
         let upper = upper_terms / e.one_minus_e1();
-        // terms of (e₁ - u) + (e₂ - u)
+        // magnitude of the terms of (e₁ - u) + (e₂ - u)
         let l_minus_nu = l_minus_n.abs() + n * one_minus_u;
         let lower_terms = 2.0 * axis_energy + one_minus_u * one_plus_u + 2.0 * kappa * n * l_minus_nu;
         let lower = lower_terms / (e.e3_minus_one + one_minus_u);

@@ -25,6 +25,9 @@ pub(super) struct Landen<const WORDS: usize> {
     near_one: usize,
 }
 
+/// Largest number of nodes on half a period. A motion with m₁ = 1e-300 needs 2560.
+pub(super) const MOST_NODES: u32 = 1 << 13;
+
 /// Transformation to a modulus k.
 #[derive(Clone, Copy)]
 struct LandenStep<F> {
@@ -85,9 +88,26 @@ impl<const WORDS: usize> Landen<WORDS> {
         self.changing().fold(half_pi, |product, step| product * (Wide::ONE + step.modulus))
     }
 
-    /// Number of bits by which each node on K decreases the error of the trapezoid rule: -2 log₂ q for the nome q = e^{-πK'/K}, to a
-    /// few percent; at least 64 where no transformation is needed.
-    pub(super) fn bits_per_node(&self) -> f64 {
+    /// Division of K into nodes with which the trapezoid rule decreases its error by this number of bits: the first division, into 1, 3 or
+    /// 5 parts, and the number of nodes after two or more doublings. The estimate of the error needs two.
+    pub(super) fn division(&self, bits: f64) -> (u32, u32) {
+        let nodes = bits / self.bits_per_node();
+        let doubled = |division: u32| {
+            let mut count = 4 * division;
+            while f64::from(count) < nodes && count < MOST_NODES {
+                count *= 2;
+            }
+            (division, count)
+        };
+        [3, 5]
+            .map(doubled)
+            .into_iter()
+            .fold(doubled(1), |least, next| if next.1 < least.1 { next } else { least })
+    }
+
+    /// Number of bits by which each node decreases the error: -2 log₂ q for the nome q = e^{-πK'/K}, to a few percent; at least 64 where
+    /// no transformation is needed.
+    fn bits_per_node(&self) -> f64 {
         // the modulus after n transformations is nearly 4 q^(2^(n-1)); its exponent is its logarithm to a percent
         let last = self.changing().fold((1.0, 64.0), |(weight, _), step| {
             let exponent = 1023 - (step.modulus.to_f64().to_bits() >> 52) as i32;
@@ -116,5 +136,25 @@ impl<const WORDS: usize> Landen<WORDS> {
             w = sum.squared();
         }
         SquaresOfWhole { sn: self.scale * x, cn: y, dn: difference, whole_of_dn: sum }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Extended;
+
+    /// K'/K is 1 for m = 1/2, so that the error decreases by 2π/ln 2 bits a node; K grows with the logarithm of m₁.
+    #[test]
+    fn the_number_of_nodes_is_known_beforehand() {
+        let [half, small, least] = [0.5, 1e-15, 1e-300].map(|m1| {
+            let m1 = Extended::from(m1);
+            let mut landen = Landen::NONE;
+            landen.fill([Extended::ONE - m1, m1], &mut || {});
+            landen
+        });
+        let (bits, expected) = (half.bits_per_node(), 2.0 * core::f64::consts::PI / core::f64::consts::LN_2);
+        assert!((bits / expected - 1.0).abs() < 0.02, "{bits}");
+        assert_eq!([half, small, least].map(|landen| landen.division(105.0).1), [12, 160, 2560]);
     }
 }

@@ -4,7 +4,7 @@
 
 use super::Period;
 use super::elliptic_equations::EllipticEquations;
-use super::landen::Landen;
+use super::landen::{Landen, MOST_NODES};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Extended, Float, Ring, Wide};
 
@@ -58,7 +58,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         landen: &'a Landen<WORDS>,
         between: &mut dyn FnMut(),
     ) -> (Self, u32) {
-        let (nodes, needed) = division(Self::BITS / landen.bits_per_node());
+        let (nodes, needed) = landen.division(Self::BITS);
         let step = part_of_right_angle(nodes);
         let mut rule =
             Self { equations, landen, sums: [Wide::ZERO; 3], nodes, step, changes: [f64::INFINITY; 2] };
@@ -147,25 +147,6 @@ fn remaining_error(change: f64, before: f64) -> f64 {
     change * (3.0 * change + 30.0 * ratio * ratio)
 }
 
-/// Largest number of nodes on half a period. A motion with m₁ = 1e-300 needs 2560.
-const MOST_NODES: u32 = 1 << 13;
-
-/// First division of the half period, into 1, 3 or 5 parts, and the number of nodes, at least `nodes`, after two or more
-/// doublings. The estimate of the error needs two.
-fn division(nodes: f64) -> (u32, u32) {
-    let doubled = |division: u32| {
-        let mut count = 4 * division;
-        while f64::from(count) < nodes && count < MOST_NODES {
-            count *= 2;
-        }
-        (division, count)
-    };
-    [3, 5]
-        .map(doubled)
-        .into_iter()
-        .fold(doubled(1), |least, next| if next.1 < least.1 { next } else { least })
-}
-
 /// Sine and cosine of a right angle divided by 1, 3 or 5.
 fn part_of_right_angle<F: Float>(division: u32) -> [F; 2] {
     let sine = match division {
@@ -200,20 +181,6 @@ mod tests {
 
     fn period<const WORDS: usize>(motion: &Motion) -> Period {
         motion.period::<WORDS>(&motion.equations(), &mut || {}).unwrap()
-    }
-
-    /// K'/K is 1 for m = 1/2, so that the error decreases by 2π/ln 2 bits a node; K grows with the logarithm of m₁.
-    #[test]
-    fn the_number_of_nodes_is_known_beforehand() {
-        let bits = |m1: f64| {
-            let m1 = Extended::from(m1);
-            let mut landen = Landen::NONE;
-            landen.fill([Extended::ONE - m1, m1], &mut || {});
-            landen.bits_per_node()
-        };
-        let expected = 2.0 * core::f64::consts::PI / core::f64::consts::LN_2;
-        assert!((bits(0.5) / expected - 1.0).abs() < 0.02, "{}", bits(0.5));
-        assert_eq!([0.5, 1e-15, 1e-300].map(|m1| division(105.0 / bits(m1)).1), [12, 160, 2560]);
     }
 
     /// The slow phases of this motion converge later than its period: the last changes of one say nothing about the other.
