@@ -2,7 +2,7 @@
 
 use crate::body::{ScaledTop, State, Top, Units};
 use crate::scalar::{Extended, Float, Ring};
-use crate::su2::{cross, dot};
+use crate::su2::{Vector, cross, dot};
 
 /// Sign, + or -.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -101,17 +101,17 @@ impl ReducedPoint {
     }
 }
 
-impl FirstIntegrals {
-    /// First integrals of a state. Error: one `f64` rounding of the result.
-    pub fn from_state(top: &Top, state: &State) -> Self {
-        FirstIntegrals::with_point(top, state).0.as_given(top)
-    }
+/// Axis r of a state with 1 - u and 1 + u, and its angular velocity ω.
+struct Axis {
+    r: Vector<Extended>,
+    one_minus_u: Extended,
+    one_plus_u: Extended,
+    omega: Vector<Extended>,
 }
 
-impl FirstIntegrals<Extended> {
-    /// First integrals in the units of [`Units`], and the point of the reduced curve.
+impl Axis {
     #[inline(never)] // the stack frames of a launch must not add up
-    pub(crate) fn with_point(top: &Top, state: &State) -> (Self, ReducedPoint) {
+    fn new(state: &State) -> Self {
         let (phi, omega) = state.exact();
         let (zero, one) = (Extended::ZERO, Extended::ONE);
         // every component is quadratic in Φ; without a square root a simple fraction remains exact
@@ -127,14 +127,34 @@ impl FirstIntegrals<Extended> {
         } else {
             (u, one_minus_u, one_plus_u)
         };
+        Self { r: [r1, r2, u], one_minus_u, one_plus_u, omega }
+    }
+}
 
+impl FirstIntegrals {
+    /// First integrals of a state. Error: one `f64` rounding of the result.
+    pub fn from_state(top: &Top, state: &State) -> Self {
+        FirstIntegrals::with_point(top, state).0.as_given(top)
+    }
+}
+
+impl FirstIntegrals<Extended> {
+    /// First integrals in the units of [`Units`], and the point of the reduced curve.
+    pub(crate) fn with_point(top: &Top, state: &State) -> (Self, ReducedPoint) {
+        Self::from_axis(top, &Axis::new(state))
+    }
+
+    #[inline(never)] // as above
+    fn from_axis(top: &Top, axis: &Axis) -> (Self, ReducedPoint) {
         let ScaledTop { a, c, s, p, g, k } = ScaledTop::<Extended>::new(top);
-        let (r, [w1, w2, _]) = ([r1, r2, u], omega);
+        let Axis { r, one_minus_u, one_plus_u, omega } = *axis;
+        let ([r1, r2, u], [w1, w2, _]) = (r, omega);
+
         let spin = dot(omega, r);
         let n = c * spin + k;
         let udot = w1 * r2 - w2 * r1;
         let r_dot = cross(omega, r);
-        let (l_minus_n, l_plus_n) = if c > zero {
+        let (l_minus_n, l_plus_n) = if c > Extended::ZERO {
             // l ∓ n = A ⟨ω, k ∓ r⟩ ∓ ((C - A) ⟨ω, r⟩ + K) (1 ∓ u), without cancellation
             let beyond_sphere = (c - a) * spin + k;
             (
@@ -149,7 +169,7 @@ impl FirstIntegrals<Extended> {
         };
 
         let weight = p * g;
-        let unit = if top.is_torque_free() { one } else { weight };
+        let unit = if top.is_torque_free() { Extended::ONE } else { weight };
         let axis_energy = (a * dot(r_dot, r_dot) + p * s * udot.squared()) / unit.doubled();
         let h = (c * spin.squared()).halved() + weight * u + unit * axis_energy;
 

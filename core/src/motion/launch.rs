@@ -4,7 +4,7 @@ use crate::body::{ParameterError, ScaledTop, State, Top, require, within};
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs};
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::inverse_gudermannian;
-use crate::motion::start::half_turns;
+use crate::motion::start::{attitude, half_turns};
 use crate::motion::{InitialPhases, Motion, NutationVariable, phase_of};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Scalar};
@@ -56,7 +56,7 @@ impl Motion {
         between();
         motion.start_nutation(&point);
         between();
-        motion.start_slow_phases(state);
+        motion.start_slow_phases(&attitude(state));
         Ok(motion)
     }
 

@@ -62,10 +62,12 @@ impl Motion {
         };
     }
 
-    /// Sets the slow phases at a state, whose nutation variable is known.
+    /// Sets the slow phases at an attitude, whose nutation variable is known.
     #[inline(never)] // as above
-    pub(super) fn start_slow_phases(&mut self, state: &State) {
-        let AttitudeState { orientation: phi, rate } = attitude(state);
+    pub(super) fn start_slow_phases(
+        &mut self,
+        AttitudeState { orientation: phi, rate }: &AttitudeState<f64>,
+    ) {
         if self.is_steady() {
             self.phases = [phi.alpha, phi.beta].map(|z| Phase::from_radians(z.arg()));
             return;
@@ -83,8 +85,9 @@ impl Motion {
     }
 }
 
+/// Orientation of a state and its rate, computed in extended precision.
 #[inline(never)]
-fn attitude(state: &State) -> AttitudeState<f64> {
+pub(super) fn attitude(state: &State) -> AttitudeState<f64> {
     let (phi, omega) = state.exact();
     let phi = phi.normalised();
     let rate = OrientationRate::from_fixed(&phi, omega);
