@@ -65,11 +65,6 @@ impl<F: Float> ScaledTop<F> {
     pub(crate) fn spin(&self, n: F) -> F {
         if self.c > F::ZERO { (n - self.k) / self.c } else { F::ZERO }
     }
-
-    /// Rate τ = ⟨ω, r⟩ - n/A of a body with this axial rate, rad per unit time.
-    pub(crate) fn tau(&self, spin: F) -> F {
-        (self.a - self.c) / self.a * spin - self.k / self.a
-    }
 }
 
 impl Top {

@@ -119,6 +119,7 @@ impl Motion {
         signs: Signs,
         upright: bool,
     ) -> Self {
+        let ScaledTop { a, c, k, .. } = ScaledTop::<Extended>::new(top);
         let regime = Regime::new(&e, signs, upright);
         // a nutation that is too small to count in the regime has its own mean rates
         let is_steady = e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable;
@@ -127,7 +128,7 @@ impl Motion {
             signs,
             e,
             integrals: *integrals,
-            half_tau: ScaledTop::new(top).tau(integrals.spin).halved(),
+            half_tau: ((a - c) / a * integrals.spin - k / a).halved(),
             ellipses: Ellipses::swinging(&e, signs),
             regime,
             nutation: match regime {
