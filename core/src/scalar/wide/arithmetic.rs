@@ -136,7 +136,6 @@ impl<const WORDS: usize> Float for Wide<WORDS> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::phase::Phase;
     use crate::scalar::{Extended, Extended64};
 
     /// Numbers of all signs and sizes, some with few bits.
@@ -209,15 +208,6 @@ mod tests {
         assert_eq!((-Extended::ONE / Extended::ZERO).to_f64(), f64::NEG_INFINITY);
         assert_eq!(Extended::ZERO / Extended::ZERO, Extended::ZERO);
         assert_eq!(Extended::from(f64::NAN), Extended::ZERO);
-    }
-
-    #[test]
-    fn a_turn_has_a_phase() {
-        assert_eq!(Extended::from(-3.25).to_phase(), Phase::new(-3.25));
-        assert_eq!(Extended::from(Phase::new(-3.25)).to_f64(), -3.25);
-        assert_eq!((Extended::TWO_PI * 0.25.into()).in_turns().to_phase(), Phase::QUARTER);
-        let (whole, rest) = Extended::sum(1e20, 0.75).floor_and_rest();
-        assert_eq!((whole, rest.to_f64()), (10_i128.pow(20), 0.75));
     }
 
     /// Numbers with 64 significant bits, of both signs and of sizes that overlap.

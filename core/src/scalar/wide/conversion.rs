@@ -100,3 +100,18 @@ impl<const WORDS: usize> From<Phase> for Wide<WORDS> {
         Self::scaled(bits.unsigned_abs(), -FRACTION_BITS, bits < 0)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::phase::Phase;
+    use crate::scalar::{Extended, Float};
+
+    #[test]
+    fn a_turn_has_a_phase() {
+        assert_eq!(Extended::from(-3.25).to_phase(), Phase::new(-3.25));
+        assert_eq!(Extended::from(Phase::new(-3.25)).to_f64(), -3.25);
+        assert_eq!((Extended::TWO_PI * 0.25.into()).in_turns().to_phase(), Phase::QUARTER);
+        let (whole, rest) = Extended::sum(1e20, 0.75).floor_and_rest();
+        assert_eq!((whole, rest.to_f64()), (10_i128.pow(20), 0.75));
+    }
+}
