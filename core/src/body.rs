@@ -1,7 +1,20 @@
 //! Input of a launch: a top, and its state.
 
-pub(crate) mod error;
+mod error;
+mod top;
 
-pub(crate) mod top;
+mod parameters;
 
-pub(crate) mod state;
+mod scaled_top;
+
+mod state;
+
+mod impulse;
+
+pub(crate) use error::within;
+pub use error::{ParameterError, finite, require};
+pub use parameters::TopParameters;
+pub use scaled_top::ScaledTop;
+pub(crate) use scaled_top::Units;
+pub use state::{Release, State};
+pub use top::{Support, Top};

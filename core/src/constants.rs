@@ -1,7 +1,5 @@
-//! Constants of a motion in extended precision: first integrals, branch points, regime, tip class, least normal force.
-//!
-//! Each follows from the one before: [`State`](crate::State) → [`FirstIntegrals`] → [`BranchPoints`] → [`Regime`],
-//! [`TipClass`].
+//! Constants of a motion in extended precision. Each follows from the one before: [`State`](crate::State) → [`FirstIntegrals`] →
+//! [`BranchPoints`] → [`Regime`], [`TipClass`].
 
 mod first_integrals;
 

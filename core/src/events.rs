@@ -12,7 +12,6 @@ mod iterator;
 pub use iterator::Events;
 pub use level::Level;
 
-use crate::phase::whole_number;
 use crate::scalar::{Extended, Float};
 use crate::table::{EphemerisScalar, EphemerisView, Sample};
 
@@ -36,8 +35,8 @@ impl Event {
         if Float::abs(ticks.to_f64()) > COUNTABLE {
             return None;
         }
-        let ([leading, rest], share) = ticks.floor_and_rest();
-        let tick = i64::try_from(whole_number(leading).wrapping_add(whole_number(rest))).ok()?;
+        let (tick, share) = ticks.floor_and_rest();
+        let tick = i64::try_from(tick).ok()?;
         // a share that rounds to 1 becomes the largest number below
         let share = share.to_f64();
         let share = if share < 1.0 { share } else { 1.0 - 0.5 * f64::EPSILON };

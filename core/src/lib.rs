@@ -4,8 +4,14 @@
 
 // Modules in the order of dependence: each one uses only those above it.
 
-// Numbers: products of integers, phases, scalars, complex numbers, SU(2).
-mod numbers;
+// Numbers.
+mod product;
+
+mod phase;
+
+pub mod scalar;
+
+mod complex;
 
 pub mod su2;
 
@@ -24,8 +30,6 @@ mod table;
 
 mod events;
 
-mod interop;
-
 #[cfg(doc)]
 #[doc = include_str!("../docs/error_bound.md")]
 pub mod error_bound {}
@@ -38,11 +42,13 @@ pub mod table_format {}
 
 /// Parts of toytop that its sibling crates share; not covered by semantic versioning.
 #[doc(hidden)]
-pub mod internal;
+pub mod internal {
+    pub use crate::body::{ScaledTop, finite, require};
+    pub use crate::motion::{Constants, phase_of};
+}
 
-pub use body::error::ParameterError;
-pub use body::state::{Release, State};
-pub use body::top::{Support, Top, TopParameters};
+pub use body::{ParameterError, Release, State, Support, Top, TopParameters};
+pub use complex::Complex;
 pub use constants::{BranchPoints, FirstIntegrals, Regime, Sign, Signs, TipClass};
 pub use events::{Event, Events, Level};
 #[cfg(feature = "fixed")]
@@ -50,9 +56,7 @@ pub use fixed;
 pub use motion::attitude_state::AttitudeState;
 pub use motion::period::PeriodAdvance;
 pub use motion::{InitialPhases, Motion};
-pub use numbers::complex::Complex;
-pub use numbers::phase::Phase;
-pub use numbers::scalar;
+pub use phase::Phase;
 pub use stepper::Stepper;
 pub use su2::Orientation;
 pub use table::{
@@ -62,11 +66,6 @@ pub use table::{
 };
 #[cfg(feature = "fixed")]
 pub use table::{EphemerisQ15, EphemerisQ31};
-
-// Shorter paths inside the crate.
-pub(crate) use body::{error, state, top};
-pub(crate) use motion::{attitude_state, cayley_klein, landen, period, tip};
-pub(crate) use numbers::{complex, phase, product};
 
 #[cfg(test)]
 mod tests {
@@ -82,5 +81,20 @@ mod tests {
         held::<Sampler<'static, f32>>();
         #[cfg(feature = "fixed")]
         held::<(EphemerisQ31, EphemerisQ15)>();
+    }
+
+    /// Every public type for firmware but [`Baked`], which is a table, has a format for logs.
+    #[cfg(feature = "defmt")]
+    #[test]
+    fn firmware_may_log_everything() {
+        fn logged<T: defmt::Format>() {}
+        logged::<(Complex<f32>, scalar::Extended, Orientation<f32>, su2::OrientationRate<f64>, Phase)>();
+        logged::<(ParameterError, Support, Top, TopParameters, Release, InitialPhases, State)>();
+        logged::<(BranchPoints, FirstIntegrals, PeriodAdvance, Regime, TipClass)>();
+        logged::<(Motion, Sign, Signs)>();
+        logged::<(EphemerisF32, EphemerisF64, ErrorBound, SetUpError, Tick, TurningPoint)>();
+        logged::<(Cursor, Sample<'static, f64>, AttitudeState<f32>, Stepper<f64>)>();
+        #[cfg(feature = "fixed")]
+        logged::<(Orientation<fixed::types::I2F30>, Complex<fixed::types::I2F14>)>();
     }
 }

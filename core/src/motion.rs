@@ -1,33 +1,29 @@
 //! Motion of one launch: its kind, its constants, and its phases at t = 0.
 
-pub(crate) mod landen;
-
 pub(crate) mod phase_equations;
-
-mod elliptic_equations;
 
 pub(crate) mod cayley_klein;
 
 pub(crate) mod period;
 
-pub(crate) mod start;
+pub(crate) mod attitude_state;
+
+mod start;
 
 mod launch;
-
-pub(crate) mod attitude_state;
 
 pub(crate) mod tip;
 
 pub use start::InitialPhases;
 
-use crate::cayley_klein::{Ellipses, PhaseDirections};
+use crate::body::{ScaledTop, Support, Top};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs, TipClass, normal_force};
+use crate::motion::cayley_klein::{Ellipses, PhaseDirections};
+use crate::motion::period::{Period, PeriodAdvance};
 use crate::motion::phase_equations::{PhaseEquations, gudermannian};
-use crate::period::{Period, PeriodAdvance};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Scalar, Wide};
-use crate::top::{ScaledTop, Support, Top};
 
 /// Motion of one launch: regime, constants and phases at t = 0. Steppers and ephemerides are made from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,23 +32,22 @@ pub struct Motion {
     signs: Signs,
     pub(crate) e: BranchPoints<Extended>,
     pub(crate) integrals: FirstIntegrals<Extended>,
-    /// Half of τ = ⟨ω, r⟩ - n/A, rad per unit time. The slow phases have the additional rates ±τ/2, compared with C = A and K = 0.
+    /// Half of τ = ⟨ω, r⟩ - n/A, rad per unit time: additional rates ±τ/2 of the slow phases where C ≠ A or K ≠ 0.
     pub(crate) half_tau: Extended,
     ellipses: Ellipses<f64>,
     regime: Regime,
     pub(crate) nutation: NutationVariable,
     /// Slow phases A and B, of α and β, at t = 0.
     pub(crate) phases: [Phase; 2],
-    /// Rounding errors of the constants.
     pub(crate) rounding: LaunchRounding,
     /// Rate χ' without torque, rad per unit time; 0 with one, and where the axis rests.
     free_rate: Extended,
 }
 
-/// Variable of the nutation with its value at t = 0, by kind of motion.
+/// Variable of the nutation with its value at t = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum NutationVariable {
-    /// No variable, because u is constant, and the rates of A and B are too.
+    /// None: u and the rates of A and B are constant.
     Steady,
     /// Half phase χ.
     Nutating(Phase),
@@ -62,25 +57,21 @@ pub(crate) enum NutationVariable {
 
 impl Motion {
     /// Top of the motion.
-    #[must_use]
     pub fn top(&self) -> &Top {
         &self.top
     }
 
     /// Kind of motion.
-    #[must_use]
     pub fn regime(&self) -> Regime {
         self.regime
     }
 
     /// Class of the curve that the tip draws.
-    #[must_use]
     pub fn tip_class(&self) -> TipClass {
         TipClass::new(self.regime, &self.e, self.signs)
     }
 
     /// First integrals l, n and h.
-    #[must_use]
     pub fn first_integrals(&self) -> FirstIntegrals {
         self.integrals.as_given(&self.top)
     }
@@ -92,62 +83,62 @@ impl Motion {
     }
 
     /// Branch points e₁, e₂, e₃ and their differences.
-    #[must_use]
     pub fn branch_points(&self) -> BranchPoints {
         self.e.to_f64()
     }
 
     /// Signs of l + n and l - n.
-    #[must_use]
     pub fn signs(&self) -> Signs {
         self.signs
     }
 
-    /// Nutation period, and advance of α and β over it, computed by this call; where u is constant, of the small nutation that a
-    /// push would start. `None` where no motion nearby is periodic (e₂ = e₃).
-    #[must_use]
+    /// Nutation period, and advance of α and β over it, integrated by this call. Where u is constant, they are those of the small
+    /// nutation that a push would start. `None` for e₂ = e₃.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
         let windings = Ellipses::swinging(&self.e, self.signs).windings();
-        let period = self.period::<2>(&self.equations(), &mut || {});
-        period.map(|period| period.advance(self.half_tau, windings))
+        let period = self.period::<2>(&self.equations(), &mut || {})?;
+        Some(PeriodAdvance::new(&period, self.half_tau, windings))
     }
 
-    /// Nutation period, in numbers of this many words; `None` where there is none.
+    /// Nutation period, and the rotations during it about the vertical, ψ_A(T) + ψ_B(T), and of the body about its axis,
+    /// ψ_A(T) - ψ_B(T) + τT; whole turns do not count.
+    #[doc(hidden)]
+    pub fn period_and_turns(&self) -> Option<(Extended, [Phase; 2])> {
+        let Period { time, psi: [alpha, beta], .. } = self.period::<2>(&self.equations(), &mut || {})?;
+        Some((time, [alpha + beta, alpha - beta + self.half_tau.doubled() * time].map(phase_of)))
+    }
+
+    /// Nutation period, integrated in numbers of this many words.
     pub(crate) fn period<const WORDS: usize>(
         &self,
         equations: &PhaseEquations<Extended>,
         between: &mut dyn FnMut(),
     ) -> Option<Period> {
         if self.top.is_torque_free() {
-            return (self.free_rate > Extended::ZERO)
-                .then(|| Period::uniform(Extended::TWO_PI.halved() / self.free_rate));
+            let half_turn = Extended::TWO_PI.halved();
+            return (self.free_rate > Extended::ZERO).then(|| Period::uniform(half_turn / self.free_rate));
         }
         let equations = || equations.map(Wide::<WORDS>::resized);
         (self.e.e3_minus_e2 > Extended::ZERO).then(|| Period::integrated(&equations(), between))
     }
 
-    /// Winding numbers of the ellipses of α and β; 1 for a steady motion, whose ellipses are constant.
+    /// Winding numbers of the ellipses of α and β; 1 for a steady motion.
     pub(crate) fn windings(&self) -> [i32; 2] {
         if self.is_steady() { [1; 2] } else { self.ellipses.windings() }
     }
 
     /// Tip angle at t = 0, in (-1/2, 1/2] turn.
     pub(crate) fn tip_angle_at_start(&self) -> Phase {
-        let (directions, Ellipses { alpha, beta }) = (self.directions_at_start(), self.ellipses::<f64>());
-        let [a, b] = self.phases;
-        (a + b + alpha.argument(&directions) + beta.argument(&directions)).principal()
+        let ([alpha, beta], directions) = (self.phases, self.directions_at_start());
+        let [alpha_argument, beta_argument] = self.ellipses.arguments(&directions);
+        (alpha + beta + alpha_argument + beta_argument).principal()
     }
 
-    /// Least normal force over the motion, in units of the weight. Where it is negative, a real top leaves the plane. `None` for a fixed
-    /// tip and for a free body.
-    #[must_use]
+    /// Least normal force, in units of the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.
     pub fn min_normal_force(&self) -> Option<f64> {
         (self.top.support() == Support::Sliding).then(|| {
-            if self.is_steady() {
-                return 1.0;
-            }
             let ScaledTop { a, p, s, .. } = self.scaled_top();
-            normal_force::minimum(&self.e, a / p / s)
+            if self.is_steady() { 1.0 } else { normal_force::minimum(&self.e, a / p / s) }
         })
     }
 
@@ -155,15 +146,9 @@ impl Motion {
         ScaledTop::new(&self.top)
     }
 
-    /// Phase equations.
     #[inline(never)] // set-up needs it in several places
     pub(crate) fn equations(&self) -> PhaseEquations<Extended> {
         self.equations_with(&self.e, self.integrals.l_plus_n, self.free_rate)
-    }
-
-    /// Phase equations, from rounded constants.
-    fn rounded_equations(&self) -> PhaseEquations<f64> {
-        self.equations_with(&self.e.to_f64(), self.integrals.l_plus_n.to_f64(), self.free_rate.to_f64())
     }
 
     fn equations_with<F: Float>(&self, e: &BranchPoints<F>, l_plus_n: F, free_rate: F) -> PhaseEquations<F> {
@@ -189,27 +174,21 @@ impl Motion {
     /// Rates of A and B where u is constant, rad per unit time: ((l ± n)/(A (1 ± u)) ± τ)/2, with the upper signs for
     /// A; 0 for a parameter that is 0.
     pub(crate) fn steady_rates(&self) -> [Extended; 2] {
-        let twice_a = self.scaled_top().a.doubled();
-        let [one_plus_u, one_minus_u] = self.steady_tilt();
+        let (twice_a, zero) = (self.scaled_top().a.doubled(), Extended::ZERO);
         let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {
-            if complement > Extended::ZERO {
-                momentum / (twice_a * complement) + half_tau
-            } else {
-                Extended::ZERO
-            }
+            if complement > zero { momentum / (twice_a * complement) + half_tau } else { zero }
         };
-        [
-            rate(self.integrals.l_plus_n, one_plus_u, self.half_tau),
-            rate(self.integrals.l_minus_n, one_minus_u, -self.half_tau),
-        ]
+        let ([one_plus_u, one_minus_u], half_tau) = (self.steady_tilt(), self.half_tau);
+        let FirstIntegrals { l_plus_n, l_minus_n, .. } = self.integrals;
+        [rate(l_plus_n, one_plus_u, half_tau), rate(l_minus_n, one_minus_u, -half_tau)]
     }
 
-    /// Whether the motion is steady, that is, u is constant.
+    /// Whether u is constant.
     pub(crate) fn is_steady(&self) -> bool {
         matches!(self.nutation, NutationVariable::Steady)
     }
 
-    /// Nutation direction at t = 0, with both slow phases 0.
+    /// Directions at t = 0, with both slow phases 0.
     fn directions_at_start(&self) -> PhaseDirections<f64> {
         let (sine, cosine) = match self.nutation {
             NutationVariable::Steady => (0.0, 1.0),
@@ -217,5 +196,62 @@ impl Motion {
             NutationVariable::Aperiodic(v) => gudermannian(v),
         };
         PhaseDirections { sine, cosine, alpha: Complex::ONE, beta: Complex::ONE }
+    }
+}
+
+/// Constants of a motion and its phases at t = 0, in extended precision.
+#[derive(Clone, Copy, Debug)]
+pub struct Constants {
+    /// Branch points.
+    pub e: BranchPoints<Extended>,
+    /// First integrals.
+    pub integrals: FirstIntegrals<Extended>,
+    /// Parameters of the top.
+    pub top: ScaledTop<Extended>,
+    /// Half phase χ at t = 0 of a motion that nutates.
+    pub chi: Option<Phase>,
+    /// Variable v at t = 0 of an aperiodic motion.
+    pub v: Option<f64>,
+    /// Slow phases at t = 0.
+    pub phases: [Phase; 2],
+    /// Rate τ/2, rad per unit time.
+    pub half_tau: Extended,
+    /// Phase equations.
+    pub equations: PhaseEquations<Extended>,
+}
+
+impl Constants {
+    /// Constants of a motion.
+    pub fn new(motion: &Motion) -> Self {
+        let Motion { e, integrals, half_tau, nutation, phases, .. } = *motion;
+        let (chi, v) = match nutation {
+            NutationVariable::Nutating(chi) => (Some(chi), None),
+            NutationVariable::Aperiodic(v) => (None, Some(v)),
+            NutationVariable::Steady => (None, None),
+        };
+        Self {
+            e,
+            integrals,
+            top: motion.scaled_top(),
+            chi,
+            v,
+            phases,
+            half_tau,
+            equations: motion.equations(),
+        }
+    }
+}
+
+/// Phase of an angle in rad.
+pub fn phase_of(angle: Extended) -> Phase {
+    angle.in_turns().to_phase()
+}
+
+/// Regime, tip class and bounds of u.
+#[cfg(feature = "defmt")]
+impl defmt::Format for Motion {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let e = self.branch_points();
+        defmt::write!(f, "{} (tip {}), u from {=f64} to {=f64}", self.regime(), self.tip_class(), e.e1, e.e2);
     }
 }

@@ -2,15 +2,15 @@
 //!
 //! The rates depend on χ alone. Orientation and first integrals are functions of the phases, so |Φ|, l, n and h do not drift.
 
-use crate::attitude_state::AttitudeState;
-use crate::cayley_klein::{Ellipses, PhaseDirections};
 use crate::complex::Complex;
+use crate::motion::attitude_state::AttitudeState;
+use crate::motion::cayley_klein::{Ellipses, PhaseDirections};
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates, gudermannian};
+use crate::motion::tip::TipConstants;
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real};
 use crate::su2::{Orientation, Vector};
-use crate::tip::TipConstants;
 
 /// Stepper of one motion. The step dt may change from call to call and have either sign.
 ///
@@ -271,4 +271,11 @@ fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> PhaseRates<R>) -> PhaseRates
     let k3 = rates(k2.nutation * half);
     let k4 = rates(k3.nutation * dt);
     PhaseRates::weighted([k1, k2, k3, k4], dt * R::from_f64(1.0 / 6.0))
+}
+
+#[cfg(feature = "defmt")]
+impl<R: Real + defmt::Format> defmt::Format for Stepper<R> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "stepper at {}", self.orientation());
+    }
 }

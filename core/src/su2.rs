@@ -5,6 +5,9 @@
 
 mod rate;
 
+#[cfg(feature = "nalgebra")]
+mod nalgebra;
+
 use crate::complex::Complex;
 use crate::phase::Phase;
 use crate::scalar::{Float, Real, Ring};
@@ -48,19 +51,16 @@ impl<R: Ring> Orientation<R> {
     pub const IDENTITY: Self = Self { alpha: Complex::ONE, beta: Complex::ZERO };
 
     /// Cayley-Klein parameter γ = -β̄.
-    #[must_use]
     pub fn gamma(&self) -> Complex<R> {
         -self.beta.conj()
     }
 
     /// Cayley-Klein parameter δ = ᾱ.
-    #[must_use]
     pub fn delta(&self) -> Complex<R> {
         self.alpha.conj()
     }
 
     /// Determinant |α|² + |β|².
-    #[must_use]
     pub fn norm_squared(&self) -> R {
         self.alpha.norm_squared() + self.beta.norm_squared()
     }
@@ -81,7 +81,6 @@ impl<R: Ring> Orientation<R> {
     }
 
     /// Adjoint action Ad_Φ: fixed coordinates Φ X Φ⁻¹ of the vector with body coordinates X.
-    #[must_use]
     pub fn adjoint(&self, body: Vector<R>) -> Vector<R> {
         // with w = X₁ + i X₂ and Φ X = ½ i ((q, p), ...), p = αw - βX₃ and q = αX₃ + βw̄:
         //   x₁ + i x₂ = αp - βq,   x₃ = Re(ᾱq + β̄p)
@@ -95,46 +94,37 @@ impl<R: Ring> Orientation<R> {
         [across.re, across.im, vertical]
     }
 
-    /// Symmetry axis r = Φ e₃ Φ⁻¹, the unit vector from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = |α|² -
-    /// |β|².
-    #[must_use]
+    /// Symmetry axis r = Φ e₃ Φ⁻¹, the unit vector from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = u.
     pub fn axis(&self) -> Vector<R> {
-        // |αβ| <= 1/2, so the intermediate results stay within the fixed-point range of ±2
-        let product = self.alpha * self.beta;
-        [-product.re.doubled(), -product.im.doubled(), self.u()]
+        let tip = self.tip_over_s();
+        [-tip.re, -tip.im, self.u()]
     }
 
-    /// Rate r' = Φ (Ω × e₃) Φ⁻¹ of the symmetry axis in the fixed frame. Its third component is u'.
-    ///
-    /// * `omega_body`: angular velocity Ω in the body frame
-    #[must_use]
+    /// Rate r' = Φ (Ω × e₃) Φ⁻¹ of the symmetry axis in the fixed frame, from Ω in the body frame. Its third component is u'.
     pub fn axis_rate(&self, [x1, x2, _]: Vector<R>) -> Vector<R> {
         self.adjoint([x2, -x1, R::ZERO])
     }
 
     /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give quaternions of opposite sign.
-    #[must_use]
     pub fn quaternion(&self) -> [R; 4] {
         let Self { alpha, beta } = *self;
         [alpha.re, beta.im, -beta.re, alpha.im]
     }
 
     /// Orientation from a quaternion, the inverse of [`Orientation::quaternion`]. It is not normalised.
-    #[must_use]
     pub fn from_quaternion([w, x, y, z]: [R; 4]) -> Self {
         Self { alpha: Complex::new(w, z), beta: Complex::new(-y, x) }
     }
 
-    /// Tip position in units of s, c/s = 2αβ: x + iy relative to the point below the centre of mass.
+    /// Tip position in units of s, 2αβ: x + iy relative to the point below the centre of mass.
     #[inline]
-    #[must_use]
     pub fn tip_over_s(&self) -> Complex<R> {
+        // |αβ| <= 1/2, so the intermediate results stay within the fixed-point range of ±2
         let product = self.alpha * self.beta;
         Complex::new(product.re.doubled(), product.im.doubled())
     }
 
     /// Rotation matrix Ad_Φ by rows, from body to fixed coordinates. The third column is the axis.
-    #[must_use]
     pub fn matrix(&self) -> [Vector<R>; 3] {
         let (zero, one) = (R::ZERO, R::ONE);
         let [a, b] = [[one, zero, zero], [zero, one, zero]].map(|body| self.adjoint(body));
@@ -143,14 +133,12 @@ impl<R: Ring> Orientation<R> {
     }
 
     /// Cosine of the tilt, u = |α|² - |β|² = Re((α + β)(ᾱ - β̄)). A rounding can take it past ±1.
-    #[must_use]
     pub fn u(&self) -> R {
         let (sum, difference) = (self.alpha + self.beta, self.alpha - self.beta);
         R::inner([sum.re, sum.im], [difference.re, difference.im])
     }
 
     /// u limited to [-1, 1]. A NaN remains NaN.
-    #[must_use]
     pub fn clamped_u(&self) -> R {
         let u = self.u();
         if u > R::ONE {
@@ -164,11 +152,15 @@ impl<R: Ring> Orientation<R> {
 }
 
 impl<R: Float> Orientation<R> {
-    /// Distance of two orientations, 2 √(|Δα|² + |Δβ|²), rad: the angle between them, if small. Φ and -Φ are 4 rad apart.
-    #[must_use]
+    /// Distance 2 √(|Δα|² + |Δβ|²) of two orientations, rad: the angle between them, if small. Φ and -Φ are 4 rad apart.
     pub fn distance(&self, other: &Self) -> R {
-        let (alpha, beta) = (self.alpha - other.alpha, self.beta - other.beta);
-        (alpha.norm_squared() + beta.norm_squared()).sqrt().doubled()
+        let difference = Self { alpha: self.alpha - other.alpha, beta: self.beta - other.beta };
+        difference.norm_squared().sqrt().doubled()
+    }
+
+    /// Orientation rounded to another number type.
+    pub(crate) fn cast<G: Float>(&self) -> Orientation<G> {
+        Orientation { alpha: self.alpha.cast(), beta: self.beta.cast() }
     }
 
     /// Orientation scaled to unit norm, Φ / √(|α|² + |β|²).
@@ -177,22 +169,10 @@ impl<R: Float> Orientation<R> {
         let scale = R::ONE / self.norm_squared().sqrt();
         Self { alpha: self.alpha.scaled(scale), beta: self.beta.scaled(scale) }
     }
-
-    /// Image (αz + β)/(γz + δ) of z: the rotation in the plane of [`stereographic`]. `None` is the point at infinity.
-    #[must_use]
-    pub fn moebius(&self, z: Option<Complex<R>>) -> Option<Complex<R>> {
-        match z {
-            Some(z) => quotient(self.alpha * z + self.beta, self.gamma() * z + self.delta()),
-            None => quotient(self.alpha, self.gamma()),
-        }
-    }
 }
 
 impl<R: Real> Orientation<R> {
     /// Exponential of an element of su(2): the rotation by |x| rad about x; the identity where a component is not finite.
-    ///
-    /// Error: a few roundings, and that of |x|.
-    #[must_use]
     pub fn exp(x: Vector<R>) -> Self {
         /// Angle below which the sine of `f32` would have too large a relative error.
         const SMALL: f64 = 1.0 / 16.0;
@@ -210,10 +190,11 @@ impl<R: Real> Orientation<R> {
             let (sine, cosine) = R::sine_cosine(Phase::from_radians(0.5 * angle.to_f64()));
             (sine / angle, cosine)
         };
-        Self::from_half_angle(cosine, x.map(|component| component * scale))
+        let [x1, x2, x3] = x.map(|component| component * scale);
+        Self::from_quaternion([cosine, x1, x2, x3])
     }
 
-    /// [`Orientation::exp`] of a vector with a component that is not finite, or whose square may overflow.
+    /// Exponential of a vector that is not finite, or whose square may overflow.
     #[cold]
     fn exp_of_large(x: Vector<R>) -> Self {
         let larger = |x: R, y: R| if x > y { x } else { y };
@@ -227,13 +208,8 @@ impl<R: Real> Orientation<R> {
         // at most √3/2 times the largest finite number
         let half_angle = 0.5 * length.to_f64() * size.to_f64();
         let (sine, cosine) = libm::sincos(half_angle);
-        let sine = R::from_f64(sine);
-        Self::from_half_angle(R::from_f64(cosine), direction.map(|component| component / length * sine))
-    }
-
-    /// Orientation from the cosine of half the angle, and the axis times the sine of half the angle.
-    fn from_half_angle(cosine: R, [x1, x2, x3]: Vector<R>) -> Self {
-        Self { alpha: Complex::new(cosine, x3), beta: Complex::new(-x2, x1) }
+        let [x1, x2, x3] = direction.map(|component| component / length * R::from_f64(sine));
+        Self::from_quaternion([R::from_f64(cosine), x1, x2, x3])
     }
 }
 
@@ -243,25 +219,5 @@ fn small_half_angle<R: Real>(square: R) -> (R, R) {
     let series = |divisors: [f64; 4]| {
         divisors.into_iter().fold(R::ONE, |sum, divisor| R::ONE - square * R::from_f64(1.0 / divisor) * sum)
     };
-    let (sine, cosine) = (series([72.0, 42.0, 20.0, 6.0]), series([56.0, 30.0, 12.0, 2.0]));
-    (sine * R::from_f64(0.5), cosine)
-}
-
-/// Stereographic projection from the north pole, z = (ξ + iη)/(1 - ζ); `None` is the point at infinity.
-pub fn stereographic<R: Float>(point: Vector<R>) -> Option<Complex<R>> {
-    let [xi, eta, zeta] = point;
-    quotient(Complex::new(xi, eta), Complex::new(R::ONE - zeta, R::ZERO))
-}
-
-/// Point of the unit sphere over z (equation (2.4) of the paper): (2 Re z, 2 Im z, |z|² - 1)/(|z|² + 1).
-pub fn sphere_point<R: Float>(z: Option<Complex<R>>) -> Vector<R> {
-    let Some(z) = z else { return [R::ZERO, R::ZERO, R::ONE] };
-    let scale = R::ONE / (z.norm_squared() + R::ONE);
-    [z.re.doubled() * scale, z.im.doubled() * scale, (z.norm_squared() - R::ONE) * scale]
-}
-
-/// Quotient a / b; `None` for b = 0.
-pub fn quotient<R: Float>(a: Complex<R>, b: Complex<R>) -> Option<Complex<R>> {
-    let norm = b.norm_squared();
-    (norm > R::ZERO).then(|| (a * b.conj()).scaled(R::ONE / norm))
+    (series([72.0, 42.0, 20.0, 6.0]).halved(), series([56.0, 30.0, 12.0, 2.0]))
 }

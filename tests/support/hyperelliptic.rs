@@ -22,7 +22,7 @@
 //! Each of w₊₁ and w₋₁ is one of the two values of w over u = ±1. On the general curve sign(w₋₁) = -sign(l + n) and
 //! sign(w₊₁) = -sign(l - n). (The first of the two displayed formulas of the paper gives the negatives of these values.)
 
-use toytop::internal::quotient;
+use crate::complex::quotient;
 use toytop::{BranchPoints, Complex, Motion};
 
 /// Number of nodes of a contour.

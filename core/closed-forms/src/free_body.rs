@@ -14,7 +14,7 @@ use toytop::Complex;
 use toytop::Motion;
 use toytop::Phase;
 use toytop::Stepper;
-use toytop::internal::{Constants, ScaledTop, TWO_PI, phase_of};
+use toytop::internal::{Constants, ScaledTop, phase_of};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate, Vector, dot};
 
@@ -53,7 +53,9 @@ impl FreeBody {
         Some(Self {
             start: attitude.orientation,
             direction: if length > 0.0 { m.map(|component| component / length) } else { [0.0; 3] },
-            precession: motion.period_and_turns().map_or(Extended::ZERO, |(period, _)| TWO_PI / period),
+            precession: motion
+                .period_and_turns()
+                .map_or(Extended::ZERO, |(period, _)| Extended::TWO_PI / period),
             half_tau: constants.half_tau,
             nutation: constants.chi,
         })

@@ -6,7 +6,7 @@ use toytop::AttitudeState;
 use toytop::Complex;
 use toytop::Motion;
 use toytop::Phase;
-use toytop::internal::{Constants, PhaseRates, phase_of};
+use toytop::internal::{Constants, phase_of};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 
@@ -27,7 +27,7 @@ impl ConstantArguments {
     /// Value and derivative are averaged with weights, so that the argument is well defined also where a parameter is
     /// 0 at t = 0.
     pub(super) fn new(motion: &Motion, closed: [ValueAndSlope; 2]) -> Self {
-        let Constants { e, law, phases, half_tau, chi, v, .. } = Constants::new(motion);
+        let Constants { e, equations, phases, half_tau, chi, v, .. } = Constants::new(motion);
         let (sine, cosine) = match (chi, v) {
             (Some(chi), _) => of_turns(chi),
             (_, Some(v)) => {
@@ -36,7 +36,7 @@ impl ConstantArguments {
             }
             _ => (Extended::ZERO, Extended::ONE),
         };
-        let (signs, rates) = (motion.signs(), law.rates(sine, cosine));
+        let (signs, rates) = (motion.signs(), equations.rates(sine, cosine));
         let root = |x: Extended| x.halved().sqrt();
         let (alpha_root, beta_root) = (root(e.one_plus_e2()), root(e.one_minus_e2));
         let axes = [
@@ -46,11 +46,11 @@ impl ConstantArguments {
         let [alpha_axes, beta_axes] = axes;
         let [alpha, beta] = closed;
         let [alpha_phase, beta_phase] = phases;
-        let PhaseRates { alpha: alpha_rate, beta: beta_rate, nutation } = rates;
-        let argument = |axes, turning, closed| argument(axes, [sine, cosine], [nutation, turning], closed);
+        let argument =
+            |axes, turning, closed| argument(axes, [sine, cosine], [rates.nutation, turning], closed);
         let angles = [
-            alpha_phase + argument(alpha_axes, alpha_rate, alpha),
-            beta_phase + argument(beta_axes, beta_rate, beta),
+            alpha_phase + argument(alpha_axes, rates.alpha, alpha),
+            beta_phase + argument(beta_axes, rates.beta, beta),
         ];
         Self { angles, half_tau }
     }

@@ -1,8 +1,9 @@
-//! Reasons for refusing a top, a state or a motion.
+//! Reasons for refusing an input.
 
 use core::fmt;
+use core::ops::RangeInclusive;
 
-/// Invalid parameter of a top, a state or a motion: its name and the reason.
+/// Invalid parameter, with the allowed values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ParameterError {
@@ -15,14 +16,13 @@ pub enum ParameterError {
     OutOfRange {
         /// Name of the parameter.
         parameter: &'static str,
-        /// Allowed values, in words or as an interval.
+        /// Allowed values.
         allowed: &'static str,
     },
 }
 
 impl ParameterError {
-    /// Name of the invalid parameter.
-    #[must_use]
+    /// Name of the parameter.
     pub fn parameter(&self) -> &'static str {
         match self {
             Self::NotFinite { parameter } | Self::OutOfRange { parameter, .. } => parameter,
@@ -30,7 +30,6 @@ impl ParameterError {
     }
 
     /// Allowed values, in words or as an interval.
-    #[must_use]
     pub fn allowed(&self) -> &'static str {
         match self {
             Self::NotFinite { .. } => "a finite number",
@@ -45,6 +44,13 @@ impl fmt::Display for ParameterError {
     }
 }
 
+#[cfg(feature = "defmt")]
+impl defmt::Format for ParameterError {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=str}: must be {=str}", self.parameter(), self.allowed());
+    }
+}
+
 impl core::error::Error for ParameterError {}
 
 /// The value, or an error where it is not finite.
@@ -52,7 +58,17 @@ pub fn finite(parameter: &'static str, value: f64) -> Result<f64, ParameterError
     if value.is_finite() { Ok(value) } else { Err(ParameterError::NotFinite { parameter }) }
 }
 
-/// Error for this parameter unless `holds`.
+/// Error unless `holds`.
 pub fn require(holds: bool, parameter: &'static str, allowed: &'static str) -> Result<(), ParameterError> {
     if holds { Ok(()) } else { Err(ParameterError::OutOfRange { parameter, allowed }) }
+}
+
+/// Error unless a value is in a range; `allowed` are the words for it.
+pub(crate) fn within(
+    range: RangeInclusive<f64>,
+    parameter: &'static str,
+    value: f64,
+    allowed: &'static str,
+) -> Result<(), ParameterError> {
+    require(range.contains(&finite(parameter, value)?), parameter, allowed)
 }

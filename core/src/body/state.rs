@@ -1,24 +1,23 @@
 //! State of a top at t = 0: orientation and angular velocity.
 
-mod impulse;
-
+use super::{ParameterError, finite, require, within};
 use crate::complex::Complex;
-use crate::error::{ParameterError, finite, require};
-use crate::scalar::{Float, sine_cosine_of_radians};
+use crate::scalar::{Extended, Ring, sine_cosine_of_radians};
 use crate::su2::{Orientation, Vector, dot};
+use core::f64::consts::PI;
 
 /// Largest component of an angular velocity, rad/s.
-const FASTEST: f64 = 1e12;
+pub(super) const FASTEST: f64 = 1e12;
 
 /// State at t = 0: orientation and angular velocity. Set-up treats its `f64` numbers as exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct State {
-    orientation: Orientation<f64>,
-    omega: Vector<f64>,
+    pub(super) orientation: Orientation<f64>,
+    pub(super) omega: Vector<f64>,
 }
 
-/// Release of a top: tilt, azimuth and roll (rad), the rates of tilt and azimuth, and the axial angular velocity (rad/s).
+/// Release of a top: angles (rad) and rates (rad/s) at t = 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Release {
@@ -42,8 +41,7 @@ impl State {
     /// The squared norm may differ from 1 by 1e-6, and is normalised. A component below 1e-60 counts as 0.
     ///
     /// # Errors
-    /// `alpha`, `beta`, `omega`: a component is not finite; `alpha`: the norm differs from 1 by more; `omega`: above
-    /// 1e12 rad/s.
+    /// `alpha`, `beta`, `omega`: a component is not finite; `alpha`: another norm; `omega`: above 1e12 rad/s.
     pub fn new(orientation: Orientation<f64>, omega: Vector<f64>) -> Result<Self, ParameterError> {
         for (name, z) in [("alpha", orientation.alpha), ("beta", orientation.beta)] {
             finite(name, z.re)?;
@@ -55,10 +53,10 @@ impl State {
             "of unit norm with beta: | |alpha|^2 + |beta|^2 - 1 | <= 1e-6",
         )?;
         for component in omega {
-            finite("omega", component)?;
-            require(
-                Float::abs(component) <= FASTEST,
+            within(
+                -FASTEST..=FASTEST,
                 "omega",
+                component,
                 "between -1e12 and 1e12 rad/s in every component",
             )?;
         }
@@ -66,10 +64,7 @@ impl State {
     }
 
     /// State from the unit quaternion [w, x, y, z] from body to fixed coordinates, and the angular velocity Ω (rad/s) in the
-    /// body frame, as a gyroscope measures it.
-    ///
-    /// The squared norm may differ from 1 by 1e-6. The third body axis points from the tip to the centre of mass. q and -q give
-    /// opposite α and β.
+    /// body frame, as a gyroscope measures it. The third body axis points from the tip to the centre of mass.
     ///
     /// ```
     /// use toytop::State;
@@ -80,8 +75,8 @@ impl State {
     /// ```
     ///
     /// # Errors
-    /// `quaternion`: a component is not finite, or the norm differs from 1 by more; `gyro`: a component is not finite,
-    /// or the magnitude is above 1e12 rad/s.
+    /// `quaternion`: a component is not finite, or the squared norm differs from 1 by more than 1e-6; `gyro`: a component is not
+    /// finite, or the magnitude is above 1e12 rad/s.
     pub fn from_quaternion_and_gyro(quaternion: [f64; 4], gyro: Vector<f64>) -> Result<Self, ParameterError> {
         for component in quaternion {
             finite("quaternion", component)?;
@@ -106,18 +101,15 @@ impl State {
     /// rad, or a rate is above 1e11 rad/s.
     pub fn release(release: &Release) -> Result<Self, ParameterError> {
         let Release { tilt, azimuth, roll, spin, precession, nutation } = *release;
-        finite("tilt", tilt)?;
         for (name, angle) in [("azimuth", azimuth), ("roll", roll)] {
-            finite(name, angle)?;
-            require(Float::abs(angle) <= 1e6, name, "between -1e6 and 1e6 rad")?;
+            within(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
         }
         for (name, rate) in [("spin", spin), ("precession", precession), ("nutation", nutation)] {
-            finite(name, rate)?;
-            require(Float::abs(rate) <= 1e11, name, "between -1e11 and 1e11 rad/s")?;
+            within(-1e11..=1e11, name, rate, "between -1e11 and 1e11 rad/s")?;
         }
-        require((0.0..=core::f64::consts::PI).contains(&tilt), "tilt", "between 0 and pi")?;
+        within(0.0..=PI, "tilt", tilt, "between 0 and pi")?;
         let (half_sine, half_cosine) =
-            if tilt == core::f64::consts::PI { (1.0, 0.0) } else { sine_cosine_of_radians(0.5 * tilt) };
+            if tilt == PI { (1.0, 0.0) } else { sine_cosine_of_radians(0.5 * tilt) };
         let cis = |angle: f64| {
             let (im, re) = sine_cosine_of_radians(angle);
             Complex::new(re, im)
@@ -133,39 +125,25 @@ impl State {
         Self::new(orientation, omega)
     }
 
-    /// Orientation Φ at t = 0, as given (not normalised).
-    #[must_use]
+    /// Orientation Φ at t = 0, not normalised.
     pub fn orientation(&self) -> Orientation<f64> {
         self.orientation
     }
 
     /// Angular velocity ω at t = 0 in the fixed frame, rad/s.
-    #[must_use]
     pub fn omega(&self) -> Vector<f64> {
         self.omega
     }
 
-    /// Magnitude |ω| of the angular velocity, rad/s.
-    pub(crate) fn speed(&self) -> f64 {
-        libm::sqrt(self.omega.iter().map(|component| component * component).sum())
-    }
-
-    /// Φ as it was given, not normalised, and ω, in the number type of a set-up stage.
-    pub(crate) fn exact<F: Float>(&self) -> (Orientation<F>, Vector<F>) {
-        let lift = |z: Complex<f64>| Complex::new(lifted(z.re), lifted(z.im));
-        let orientation =
-            Orientation { alpha: lift(self.orientation.alpha), beta: lift(self.orientation.beta) };
-        (orientation, self.omega.map(lifted))
+    /// Φ and ω, with 0 for components below 1e-60.
+    pub(crate) fn exact(&self) -> (Orientation<Extended>, Vector<Extended>) {
+        let exact = |x: f64| if x.abs() < 1e-60 { Extended::ZERO } else { x.into() };
+        let number = |z: Complex<f64>| Complex::new(exact(z.re), exact(z.im));
+        let Orientation { alpha, beta } = self.orientation;
+        (Orientation { alpha: number(alpha), beta: number(beta) }, self.omega.map(exact))
     }
 }
 
-/// Whether the norm is that of a rotation, | |α|² + |β|² - 1 | <= 1e-6.
 fn is_unit(orientation: &Orientation<f64>) -> bool {
-    Float::abs(orientation.norm_squared() - 1.0) <= 1e-6
-}
-
-/// x in the number type F, or 0 below 1e-60.
-fn lifted<F: Float>(x: f64) -> F {
-    const LEAST: f64 = 1e-60;
-    if Float::abs(x) < LEAST { F::ZERO } else { F::from_f64(x) }
+    (orientation.norm_squared() - 1.0).abs() <= 1e-6
 }

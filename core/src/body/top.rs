@@ -1,12 +1,6 @@
-//! Top: its moments of inertia A and C, the distance s, the mass moment p, the gravity g and the momentum K of a rotor inside.
+//! Symmetric top, with valid parameters.
 
-mod parameters;
-mod scaled_top;
-
-use crate::scalar::{Extended, Float, Ring};
-pub use parameters::TopParameters;
-pub use scaled_top::ScaledTop;
-pub(crate) use scaled_top::Units;
+use crate::scalar::{Extended, Float};
 
 /// Support of the tip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,53 +10,45 @@ pub enum Support {
     Sliding,
     /// Held at a fixed point: the Lagrange top, the limit s → 0 of the formulas at fixed p.
     Fixed,
-    /// None: a body that is thrown, floats or is in orbit, and turns about its centre of mass without torque.
+    /// None: a body that is thrown, floats or is in orbit.
     Free,
 }
 
-/// Symmetric top with valid parameters. It is immutable.
-///
-/// Any consistent units are allowed; the units named here are SI. With g = 1 they are the paper's.
+/// Symmetric top, in SI or any other consistent units. With g = 1 they are the paper's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Top {
-    support: Support,
-    a: f64,
-    c: f64,
-    s: f64,
-    p: Extended,
-    g: f64,
-    k: f64,
+    pub(super) support: Support,
+    pub(super) a: f64,
+    pub(super) c: f64,
+    pub(super) s: f64,
+    pub(super) p: Extended,
+    pub(super) g: f64,
+    pub(super) k: f64,
 }
 
 impl Top {
     /// Support of the tip.
-    #[must_use]
     pub fn support(&self) -> Support {
         self.support
     }
 
-    /// Transverse moment of inertia A, kg m²: about the centre of mass for a sliding tip or a free body, about the tip for a
-    /// fixed one.
-    #[must_use]
+    /// Transverse moment of inertia A, kg m²: about the tip for a fixed tip, otherwise about the centre of mass.
     pub fn transverse_inertia(&self) -> f64 {
         self.a
     }
 
     /// Axial moment of inertia C, kg m².
-    #[must_use]
     pub fn axial_inertia(&self) -> f64 {
         self.c
     }
 
-    /// Distance s of the centre of mass from a sliding tip, m; 0 for a free body and for a fixed tip.
-    #[must_use]
+    /// Distance s of the centre of mass from a sliding tip, m; 0 for another support.
     pub fn com_height(&self) -> f64 {
         self.s
     }
 
-    /// Length that scales the tip curve c = 2 s αβ, m: s, or 1 for a fixed tip or a free body, whose 2αβ has no unit.
-    #[must_use]
+    /// Length that scales the tip curve c = 2 s αβ, m: s, or 1 for another support, whose 2αβ has no unit.
     pub fn tip_scale(&self) -> f64 {
         match self.support {
             Support::Sliding => self.s,
@@ -71,36 +57,22 @@ impl Top {
     }
 
     /// Whether no torque acts: a free body, or a fixed tip without gravity.
-    #[must_use]
     pub fn is_torque_free(&self) -> bool {
         self.g == 0.0
     }
 
     /// Mass moment p = M s, kg m; 0 for a free body.
-    #[must_use]
     pub fn mass_moment(&self) -> f64 {
         self.p.to_f64()
     }
 
-    /// Gravity g, m/s²; 0 for a free body. The units of the paper have g = 1.
-    #[must_use]
+    /// Gravity g, m/s²; 0 for a free body.
     pub fn gravity(&self) -> f64 {
         self.g
     }
 
     /// Angular momentum K of the rotor inside, kg m²/s; 0 without one. n = C ⟨ω, r⟩ + K.
-    #[must_use]
     pub fn rotor_momentum(&self) -> f64 {
         self.k
-    }
-
-    /// Branch point e₄ = √(1 + A/(ps)) (equation (3.5) of the paper), which u never reaches; `None` for a fixed tip,
-    /// and for a free body, whose e₄ is infinite.
-    #[must_use]
-    pub fn e4(&self) -> Option<f64> {
-        (self.s > 0.0).then(|| {
-            let quantities = ScaledTop::<Extended>::new(self);
-            (Extended::ONE + quantities.a / (quantities.p * quantities.s)).sqrt().to_f64()
-        })
     }
 }

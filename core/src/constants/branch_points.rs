@@ -1,8 +1,7 @@
 //! Branch points e₁ <= e₂ <= 1 <= e₃ of the hyperelliptic curve, and their small differences (section 3.2 of the
 //! paper).
 //!
-//! On the motion, (s/2)(e₄² - u²) u'² = g (u - e₁)(u - e₂)(u - e₃). Small differences determine the period and the phases; each
-//! is computed without cancellation.
+//! On the motion, (s/2)(e₄² - u²) u'² = g (u - e₁)(u - e₂)(u - e₃). The differences are computed without cancellation.
 
 mod cubic;
 
@@ -10,7 +9,7 @@ mod from_state;
 
 mod integrals;
 
-use crate::error::{ParameterError, finite, require};
+use crate::body::{ParameterError, within};
 use crate::scalar::{Extended, Float};
 
 /// Branch points and their differences; none has a unit.
@@ -39,80 +38,56 @@ pub struct BranchPoints<F = f64> {
 const LARGEST_E3: f64 = 1e14;
 
 impl BranchPoints {
-    /// Branch points from three given numbers, which count as exact.
+    /// Branch points from three numbers, which count as exact.
     ///
     /// # Errors
     /// `e1`, `e2`, `e3`: not finite, or not -1 <= e1 <= e2 <= 1 <= e3 <= 1e14.
     pub fn new(e1: f64, e2: f64, e3: f64) -> Result<Self, ParameterError> {
-        Ok(BranchPoints::<Extended>::exact(e1, e2, e3)?.to_f64())
+        Ok(BranchPoints::exact([e1, e2, e3])?.to_f64())
     }
 }
 
-impl<F: Float> BranchPoints<F> {
-    /// Branch points from three given numbers, with exact differences.
-    pub(crate) fn exact(e1: f64, e2: f64, e3: f64) -> Result<Self, ParameterError> {
-        for (name, e) in [("e1", e1), ("e2", e2), ("e3", e3)] {
-            finite(name, e)?;
-        }
-        require((-1.0..=1.0).contains(&e1), "e1", "in [-1, e2]")?;
-        require((e1..=1.0).contains(&e2), "e2", "in [e1, 1]")?;
-        require((1.0..=LARGEST_E3).contains(&e3), "e3", "in [1, 1e14]")?;
-        let [e1, e2, e3] = [e1, e2, e3].map(F::from_f64);
+impl BranchPoints<Extended> {
+    /// Branch points from three numbers, with exact differences.
+    pub(crate) fn exact([e1, e2, e3]: [f64; 3]) -> Result<Self, ParameterError> {
+        within(-1.0..=1.0, "e1", e1, "in [-1, e2]")?;
+        within(e1..=1.0, "e2", e2, "in [e1, 1]")?;
+        within(1.0..=LARGEST_E3, "e3", e3, "in [1, 1e14]")?;
+        let [one, e1, e2, e3] = [1.0, e1, e2, e3].map(Extended::from);
         Ok(Self {
             e1,
             e2,
             e3,
-            one_plus_e1: F::ONE + e1,
-            one_minus_e2: F::ONE - e2,
+            one_plus_e1: one + e1,
+            one_minus_e2: one - e2,
             e2_minus_e1: e2 - e1,
             e3_minus_e2: e3 - e2,
-            e3_minus_one: e3 - F::ONE,
+            e3_minus_one: e3 - one,
         })
     }
+}
 
-    /// Branch points from their differences; the pair is e₃ - e₂ and e₃ - 1.
-    fn from_differences(
-        one_plus_e1: F,
-        one_minus_e2: F,
-        e2_minus_e1: F,
-        [e3_minus_e2, e3_minus_one]: [F; 2],
-    ) -> Self {
-        Self {
-            e1: one_plus_e1 - F::ONE,
-            e2: F::ONE - one_minus_e2,
-            e3: F::ONE + e3_minus_one,
-            one_plus_e1,
-            one_minus_e2,
-            e2_minus_e1,
-            e3_minus_e2,
-            e3_minus_one,
-        }
-    }
-
+impl<F: Float> BranchPoints<F> {
     /// Difference 1 - e₁.
     #[doc(hidden)]
-    #[must_use]
     pub fn one_minus_e1(&self) -> F {
         self.one_minus_e2 + self.e2_minus_e1
     }
 
     /// Sum 1 + e₂.
     #[doc(hidden)]
-    #[must_use]
     pub fn one_plus_e2(&self) -> F {
         self.one_plus_e1 + self.e2_minus_e1
     }
 
     /// Sum 1 + e₃.
     #[doc(hidden)]
-    #[must_use]
     pub fn one_plus_e3(&self) -> F {
         F::from_f64(2.0) + self.e3_minus_one
     }
 
     /// Difference e₃ - e₁.
     #[doc(hidden)]
-    #[must_use]
     pub fn e3_minus_e1(&self) -> F {
         self.e3_minus_e2 + self.e2_minus_e1
     }

@@ -1,9 +1,8 @@
 //! First integrals l, n and h of a state (Proposition 1 of the paper).
 
+use crate::body::{ScaledTop, State, Top, Units};
 use crate::scalar::{Extended, Float, Ring};
-use crate::state::State;
 use crate::su2::{Vector, cross, dot};
-use crate::top::{ScaledTop, Top, Units};
 
 /// Sign, + or -.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -31,7 +30,6 @@ impl Sign {
     }
 
     /// Factor ±1.
-    #[must_use]
     pub fn factor(self) -> i32 {
         match self {
             Self::Plus => 1,
@@ -42,7 +40,7 @@ impl Sign {
 
 /// Signs of l + n and of l - n. With the branch points they determine a motion up to its start.
 ///
-/// Equal signs mean |l| > |n|. Where l + n or l - n is 0, its sign is arbitrary.
+/// Equal signs mean |l| > |n|. The sign of a sum that is 0 is arbitrary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Signs {
@@ -52,7 +50,7 @@ pub struct Signs {
     pub l_minus_n: Sign,
 }
 
-/// First integrals: two components of the angular momentum, and the energy. One of l + n and l - n is small near the vertical.
+/// First integrals: two components of the angular momentum, and the energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FirstIntegrals<F = f64> {
@@ -70,96 +68,93 @@ pub struct FirstIntegrals<F = f64> {
     pub l_minus_n: F,
 }
 
-/// Axis of the body and its angular velocity at one instant.
+/// Point (u, u') of the reduced curve.
 #[derive(Clone, Copy, Debug)]
-struct MovingAxis<F> {
-    /// Components r₁ and r₂ of the axis.
-    across: [F; 2],
-    u: F,
-    one_minus_u: F,
-    one_plus_u: F,
-    /// Angular velocity in the fixed frame.
-    omega: Vector<F>,
-}
-
-impl<F: Float> MovingAxis<F> {
-    /// Axis and angular velocity of a state.
-    #[inline(never)] // the stack frames of a launch must not add up
-    fn new(state: &State) -> Self {
-        let (phi, omega) = state.exact::<F>();
-        // every component is quadratic in Φ; without a square root a simple fraction remains exact
-        let norm = phi.norm_squared();
-        let one_minus_u = phi.beta.norm_squared().doubled() / norm;
-        let one_plus_u = phi.alpha.norm_squared().doubled() / norm;
-        let two = F::ONE.doubled();
-        // on the vertical the values are exact, so that n is the exact product of C and ω₃
-        let [r1, r2, u] = phi.axis().map(|component| component / norm);
-        let (u, one_minus_u, one_plus_u) = if one_minus_u == F::ZERO {
-            (F::ONE, F::ZERO, two)
-        } else if one_plus_u == F::ZERO {
-            (-F::ONE, two, F::ZERO)
-        } else {
-            (u, one_minus_u, one_plus_u)
-        };
-        Self { across: [r1, r2], u, one_minus_u, one_plus_u, omega }
-    }
-}
-
-/// Point (u, u') of the reduced curve, with the quantities that the cubics need there.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ReducedPoint<F> {
-    pub(crate) u: F,
-    pub(crate) one_minus_u: F,
-    pub(crate) one_plus_u: F,
-    pub(crate) udot: F,
+pub(crate) struct ReducedPoint {
+    pub(crate) u: Extended,
+    pub(crate) one_minus_u: Extended,
+    pub(crate) one_plus_u: Extended,
+    pub(crate) udot: Extended,
     /// Kinetic energy of the axis, (A |ω × r|² + p s u'²)/(2 p g); without torque it is not divided by p g.
-    pub(crate) axis_energy: F,
+    pub(crate) axis_energy: Extended,
 }
 
-impl<F: Float> ReducedPoint<F> {
+impl ReducedPoint {
     /// Whether the axis is upright and does not move.
     pub(crate) fn rests_upright(&self) -> bool {
-        self.one_minus_u == F::ZERO && self.axis_energy == F::ZERO
+        self.one_minus_u == Extended::ZERO && self.axis_energy == Extended::ZERO
     }
 
     /// Difference l - n u, from the one of l ∓ n that causes no cancellation.
-    pub(crate) fn l_minus_nu(&self, integrals: &FirstIntegrals<F>) -> F {
+    pub(crate) fn l_minus_nu(&self, integrals: &FirstIntegrals<Extended>) -> Extended {
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
-        if self.u > F::ZERO { l_minus_n + n * self.one_minus_u } else { l_plus_n - n * self.one_plus_u }
+        if self.u > Extended::ZERO {
+            l_minus_n + n * self.one_minus_u
+        } else {
+            l_plus_n - n * self.one_plus_u
+        }
     }
 
     /// Magnitude |m| of the angular momentum of a body without torque: |m|² = n² + A²|ω × r|².
-    pub(crate) fn momentum(&self, a: F, n: F) -> F {
+    pub(crate) fn momentum(&self, a: Extended, n: Extended) -> Extended {
         ((a * self.axis_energy).doubled() + n.squared()).sqrt()
     }
 }
 
-impl FirstIntegrals {
-    /// First integrals of a state, computed in extended precision. Error: one `f64` rounding of the result.
-    #[must_use]
-    pub fn from_state(top: &Top, state: &State) -> Self {
-        FirstIntegrals::<Extended>::with_point(top, state).0.as_given(top)
+/// Axis r of a state with 1 - u and 1 + u, and its angular velocity ω.
+struct Axis {
+    r: Vector<Extended>,
+    one_minus_u: Extended,
+    one_plus_u: Extended,
+    omega: Vector<Extended>,
+}
+
+impl Axis {
+    #[inline(never)] // the stack frames of a launch must not add up
+    fn new(state: &State) -> Self {
+        let (phi, omega) = state.exact();
+        let (zero, one) = (Extended::ZERO, Extended::ONE);
+        // every component is quadratic in Φ; without a square root a simple fraction remains exact
+        let norm = phi.norm_squared();
+        let one_minus_u = phi.beta.norm_squared().doubled() / norm;
+        let one_plus_u = phi.alpha.norm_squared().doubled() / norm;
+        let [r1, r2, u] = phi.axis().map(|component| component / norm);
+        // on the vertical the values are exact, so that n is the exact product of C and ω₃
+        let (u, one_minus_u, one_plus_u) = if one_minus_u == zero {
+            (one, zero, one.doubled())
+        } else if one_plus_u == zero {
+            (-one, one.doubled(), zero)
+        } else {
+            (u, one_minus_u, one_plus_u)
+        };
+        Self { r: [r1, r2, u], one_minus_u, one_plus_u, omega }
     }
 }
 
-impl<F: Float> FirstIntegrals<F> {
+impl FirstIntegrals {
+    /// First integrals of a state. Error: one `f64` rounding of the result.
+    pub fn from_state(top: &Top, state: &State) -> Self {
+        FirstIntegrals::with_point(top, state).0.as_given(top)
+    }
+}
+
+impl FirstIntegrals<Extended> {
     /// First integrals in the units of [`Units`], and the point of the reduced curve.
-    pub(crate) fn with_point(top: &Top, state: &State) -> (Self, ReducedPoint<F>) {
-        Self::from_axis(top, &MovingAxis::new(state))
+    pub(crate) fn with_point(top: &Top, state: &State) -> (Self, ReducedPoint) {
+        Self::from_axis(top, &Axis::new(state))
     }
 
-    #[inline(never)] // the stack frames of a launch must not add up
-    fn from_axis(top: &Top, axis: &MovingAxis<F>) -> (Self, ReducedPoint<F>) {
-        let ScaledTop { a, c, s, p, g, k } = ScaledTop::<F>::new(top);
-        let MovingAxis { across: [r1, r2], u, one_minus_u, one_plus_u, omega } = *axis;
-        let r = [r1, r2, u];
+    #[inline(never)] // as above
+    fn from_axis(top: &Top, axis: &Axis) -> (Self, ReducedPoint) {
+        let ScaledTop { a, c, s, p, g, k } = ScaledTop::<Extended>::new(top);
+        let Axis { r, one_minus_u, one_plus_u, omega } = *axis;
+        let ([r1, r2, u], [w1, w2, _]) = (r, omega);
 
         let spin = dot(omega, r);
         let n = c * spin + k;
-        let [w1, w2, _] = omega;
         let udot = w1 * r2 - w2 * r1;
         let r_dot = cross(omega, r);
-        let (l_minus_n, l_plus_n) = if c > F::ZERO {
+        let (l_minus_n, l_plus_n) = if c > Extended::ZERO {
             // l ∓ n = A ⟨ω, k ∓ r⟩ ∓ ((C - A) ⟨ω, r⟩ + K) (1 ∓ u), without cancellation
             let beyond_sphere = (c - a) * spin + k;
             (
@@ -174,7 +169,7 @@ impl<F: Float> FirstIntegrals<F> {
         };
 
         let weight = p * g;
-        let unit = if top.is_torque_free() { F::ONE } else { weight };
+        let unit = if top.is_torque_free() { Extended::ONE } else { weight };
         let axis_energy = (a * dot(r_dot, r_dot) + p * s * udot.squared()) / unit.doubled();
         let h = (c * spin.squared()).halved() + weight * u + unit * axis_energy;
 
@@ -184,19 +179,21 @@ impl<F: Float> FirstIntegrals<F> {
 
     /// First integrals in the units of the caller, rounded to `f64`.
     pub(crate) fn as_given(self, top: &Top) -> FirstIntegrals {
-        let unit = Units::new(top).inertia;
+        let unit = Units::new(top).inertia();
+        let rounded = |x: Extended| x.to_f64() * unit;
         FirstIntegrals {
-            l: self.l.to_f64() * unit,
-            n: self.n.to_f64() * unit,
-            h: self.h.to_f64() * unit,
+            l: rounded(self.l),
+            n: rounded(self.n),
+            h: rounded(self.h),
             spin: self.spin.to_f64(),
-            l_plus_n: self.l_plus_n.to_f64() * unit,
-            l_minus_n: self.l_minus_n.to_f64() * unit,
+            l_plus_n: rounded(self.l_plus_n),
+            l_minus_n: rounded(self.l_minus_n),
         }
     }
+}
 
+impl<F: Float> FirstIntegrals<F> {
     /// Signs of l + n and l - n; + where the number is 0.
-    #[must_use]
     pub fn signs(&self) -> Signs {
         Signs { l_plus_n: Sign::new(self.l_plus_n), l_minus_n: Sign::new(self.l_minus_n) }
     }

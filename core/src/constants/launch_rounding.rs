@@ -1,36 +1,37 @@
-//! Rounding errors of a launch from a state in extended precision, and their effect on period and phases.
+//! Effect of the rounding errors of a launch on period and phases.
 
-use crate::constants::first_integrals::ReducedPoint;
-use crate::constants::{BranchPoints, FirstIntegrals};
+use crate::body::{ScaledTop, State, Top};
+use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint};
 use crate::scalar::{Extended, Float};
-use crate::top::{ScaledTop, Top};
+use crate::su2::dot;
 
 /// Rounding errors of a launch; 0 for a motion from branch points, which are exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct LaunchRounding {
     /// Relative error of the period, and of ψ_A and ψ_B over a period.
     pub(crate) relative: f64,
-    /// Error of the rates of the slow phases caused by the rounding of l + n, l - n and n, rad per unit time.
-    pub(crate) turning: f64,
+    /// Error of the rates of the slow phases, rad per unit time.
+    pub(crate) slow_rates: f64,
 }
 
 /// Number of successive roundings from a state to the momenta, or to a coefficient of the cubics.
 const OPERATIONS: f64 = 32.0;
 
 impl LaunchRounding {
-    /// Errors of a launch from a state with angular velocity |ω| = `speed`: see `core/docs/error_bound.md`.
+    /// Errors of a launch from a state: see `core/docs/error_bound.md`.
     pub(crate) fn new(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,
-        point: &ReducedPoint<Extended>,
+        point: &ReducedPoint,
         e: &BranchPoints<Extended>,
-        speed: f64,
+        state: &State,
     ) -> Self {
+        let speed = libm::sqrt(dot(state.omega(), state.omega()));
         let rounding = OPERATIONS * Extended::OPERATION_ERROR;
         let ScaledTop { a, c, s, p, g, k } = ScaledTop::<f64>::new(top);
-        let turning = rounding * ((1.0 + Float::abs(c - a) / a) * speed + Float::abs(k) / a);
+        let slow_rates = rounding * ((1.0 + (c - a).abs() / a) * speed + k.abs() / a);
         if top.is_torque_free() {
-            return Self { relative: rounding, turning };
+            return Self { relative: rounding, slow_rates };
         }
         let kappa = 1.0 / (2.0 * a * p * g);
         let ReducedPoint { u, one_minus_u, one_plus_u, axis_energy, .. } = *point;
@@ -38,17 +39,17 @@ impl LaunchRounding {
         let [u, one_minus_u, one_plus_u, axis_energy] =
             [u, one_minus_u, one_plus_u, axis_energy].map(Float::to_f64);
         let e = e.to_f64();
-        // magnitude of the terms of the sum n
-        let n = Float::abs(n) + Float::abs(k);
-        // magnitude of the terms in the sum of 1 - e₂ and 1 - e₃
-        let upper_terms = 2.0
-            * (axis_energy + one_minus_u + kappa * n * (Float::abs(l_minus_n) + Float::abs(k) * one_minus_u));
+        // magnitude of the terms of n
+        let n = n.abs() + k.abs();
+        // magnitude of the terms of (1 - e₂) + (1 - e₃)
+        let upper_terms =
+            2.0 * (axis_energy + one_minus_u + kappa * n * (l_minus_n.abs() + k.abs() * one_minus_u));
         let upper = upper_terms / e.one_minus_e1();
-        // magnitude of the terms in the sum of e₁ - u and e₂ - u
-        let l_minus_nu = Float::abs(l_minus_n) + n * one_minus_u;
+        // magnitude of the terms of (e₁ - u) + (e₂ - u)
+        let l_minus_nu = l_minus_n.abs() + n * one_minus_u;
         let lower_terms = 2.0 * axis_energy + one_minus_u * one_plus_u + 2.0 * kappa * n * l_minus_nu;
         let lower = lower_terms / (e.e3_minus_one + one_minus_u);
-        let felt = upper / e.e3_minus_e2 + lower * (1.0 / e.e3_minus_e1() + 2.0 * Float::abs(u) * p * s / a);
-        Self { relative: if felt.is_finite() { rounding * felt } else { 0.0 }, turning }
+        let felt = upper / e.e3_minus_e2 + lower * (1.0 / e.e3_minus_e1() + 2.0 * u.abs() * p * s / a);
+        Self { relative: if felt.is_finite() { rounding * felt } else { 0.0 }, slow_rates }
     }
 }

@@ -1,40 +1,67 @@
-//! Normal force of the plane, N = 1 + s u''/g in units of the weight, and its least value over a motion.
+//! Normal force of the plane, N = 1 + s u''/g in units of the weight: its least value over a motion, and where it is 0.
 //!
 //! Partial fractions of s u''/g at u = ±e₄ give
 //!
 //! N = (F₊/(e₄ - u)² + F₋/(e₄ + u)²)/2e₄ with F± = (e₄ ∓ e₁)(e₄ ∓ e₂)(±e₄ - e₃)(±1).
 //!
-//! If e₃ >= e₄, then F₊ <= 0, and N is least at e₂. If e₃ < e₄, then N is convex, with the minimum ((∛F₊ + ∛F₋)/2e₄)³ at
-//! (e₄ - u)/(e₄ + u) = ∛(F₊/F₋).
+//! If e₃ >= e₄, then F₊ <= 0, and N is least at e₂; it is 0 at (e₄ - u)/(e₄ + u) = √(-F₊/F₋). If e₃ < e₄, then N is convex, with the
+//! minimum ((∛F₊ + ∛F₋)/2e₄)³ at (e₄ - u)/(e₄ + u) = ∛(F₊/F₋).
 
 use crate::constants::BranchPoints;
 use crate::scalar::{Extended, Float, Ring};
 
-/// Magnitude of N, in units of the weight, below which it counts as 0.
-const NOISE: f64 = 1e-20;
+/// Partial fractions of N; `spread` is A/(ps) = e₄² - 1.
+struct PartialFractions {
+    e4: Extended,
+    e4_minus_one: Extended,
+    /// Numerator F₊ at u = e₄.
+    plus: Extended,
+    /// Numerator F₋ > 0 at u = -e₄.
+    minus: Extended,
+}
 
-/// Least N over u in [e₁, e₂], in units of the weight. `spread` is A/(ps) = e₄² - 1.
-pub(crate) fn minimum(e: &BranchPoints<Extended>, spread: Extended) -> f64 {
-    let e4 = (Extended::ONE + spread).sqrt();
-    let e4_minus_one = spread / (Extended::ONE + e4);
-    let e4_minus_e2 = e4_minus_one + e.one_minus_e2;
-    let upper = (e4_minus_one + e.one_minus_e1()) * e4_minus_e2 * (e4_minus_one - e.e3_minus_one);
-    if upper > Extended::ZERO {
-        let lower = (e4_minus_one + e.one_plus_e1)
+impl PartialFractions {
+    fn new(e: &BranchPoints<Extended>, spread: Extended) -> Self {
+        let e4 = (Extended::ONE + spread).sqrt();
+        let e4_minus_one = spread / (Extended::ONE + e4);
+        let plus = (e4_minus_one + e.one_minus_e1())
+            * (e4_minus_one + e.one_minus_e2)
+            * (e4_minus_one - e.e3_minus_one);
+        let minus = (e4_minus_one + e.one_plus_e1)
             * (e4_minus_one + e.one_plus_e2())
             * (e4_minus_one + e.one_plus_e3());
-        let (upper, lower) = (cube_root(upper), cube_root(lower));
+        Self { e4, e4_minus_one, plus, minus }
+    }
+}
+
+/// Least N over u in [e₁, e₂].
+pub(crate) fn minimum(e: &BranchPoints<Extended>, spread: Extended) -> f64 {
+    let PartialFractions { e4, e4_minus_one, plus, minus } = PartialFractions::new(e, spread);
+    if plus > Extended::ZERO {
+        let (plus, minus) = (cube_root(plus), cube_root(minus));
         // e₄ - u at the minimum is 2 e₄ ∛F₊/(∛F₊ + ∛F₋)
-        if e4.doubled() * upper > e4_minus_e2 * (upper + lower) {
-            let root = (upper + lower) / e4.doubled();
+        if e4.doubled() * plus > (e4_minus_one + e.one_minus_e2) * (plus + minus) {
+            let root = (plus + minus) / e4.doubled();
             return (root.squared() * root).to_f64();
         }
     }
     at_e2(e, spread)
 }
 
+/// 1 - u and 1 + u where N is 0; `None` where it is positive for all u.
+pub(crate) fn zero(e: &BranchPoints<Extended>, spread: Extended) -> Option<[Extended; 2]> {
+    let PartialFractions { e4, e4_minus_one, plus, minus } = PartialFractions::new(e, spread);
+    let one = Extended::ONE;
+    (plus < Extended::ZERO).then(|| {
+        let q = (-plus / minus).sqrt();
+        [(q * (one + e4) - e4_minus_one) / (one + q), (one + e4 - q * e4_minus_one) / (one + q)]
+    })
+}
+
 /// N at u = e₂, where f' = -(e₂ - e₁)(e₃ - e₂).
 fn at_e2(e: &BranchPoints<Extended>, spread: Extended) -> f64 {
+    /// Magnitude below which N counts as 0.
+    const NOISE: f64 = 1e-20;
     let d_over_s = spread + e.one_minus_e2 * e.one_plus_e2();
     let force = (d_over_s - e.e2_minus_e1 * e.e3_minus_e2) / d_over_s;
     if force.abs() > Extended::from(NOISE) { force.to_f64() } else { 0.0 }
@@ -52,8 +79,7 @@ mod tests {
     use super::*;
 
     fn least(e: [f64; 3], spread: f64) -> f64 {
-        let [e1, e2, e3] = e;
-        minimum(&BranchPoints::exact(e1, e2, e3).unwrap(), spread.into())
+        minimum(&BranchPoints::exact(e).unwrap(), spread.into())
     }
 
     /// Comparison with a fine scan of the same rational function, by central differences of f/D. Some cases have the

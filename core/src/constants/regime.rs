@@ -1,4 +1,4 @@
-//! Regime of a motion, determined once by the paper's criteria.
+//! Regime of a motion.
 
 use crate::constants::{BranchPoints, Signs};
 use crate::scalar::{Extended, Ring};
@@ -10,8 +10,7 @@ use crate::scalar::{Extended, Ring};
 pub enum Regime {
     /// e₁ < e₂ < e₃: u oscillates between e₁ and e₂.
     Nutating,
-    /// e₁ = e₂ within ±1 and |l| < |n|: regular precession, the slower of the two at this tilt and spin. The tilt is constant to
-    /// 2^-49 rad, the rounding of a state.
+    /// e₁ = e₂ within ±1 and |l| < |n|: regular precession, the slower of the two at this tilt and spin.
     SlowPrecession,
     /// e₁ = e₂ within ±1 and |l| >= |n|: regular precession, the faster of the two at this tilt and spin.
     FastPrecession,
@@ -26,7 +25,7 @@ pub enum Regime {
 }
 
 impl Regime {
-    /// Regime of exact branch points; `upright` tells whether a motion with e₂ = e₃ = 1 has u = 1.
+    /// Regime of branch points; `upright` tells whether a motion with e₂ = e₃ = 1 has u = 1.
     pub(crate) fn new(e: &BranchPoints<Extended>, signs: Signs, upright: bool) -> Self {
         let zero = Extended::ZERO;
         if !swings(e) {
@@ -45,20 +44,18 @@ impl Regime {
         }
     }
 
-    /// Whether the motion is a regular precession: u is constant and the axis is not vertical.
-    #[must_use]
+    /// Whether u is constant and the axis is not vertical.
     pub fn is_regular_precession(&self) -> bool {
         matches!(self, Self::SlowPrecession | Self::FastPrecession)
     }
 
     /// Whether the axis is vertical at all times; the tip angle does not exist then.
-    #[must_use]
     pub fn is_vertical(&self) -> bool {
         matches!(self, Self::SleepingStable | Self::SleepingUnstable | Self::Hanging)
     }
 }
 
-/// Whether the oscillation of the tilt is larger than the rounding of a state, or passes through the vertical.
+/// Whether the tilt oscillates by more than 2^-49 rad, the rounding of a state, or passes through the vertical.
 fn swings(e: &BranchPoints<Extended>) -> bool {
     const STILL: f64 = 1.0 / (1_u64 << 49) as f64;
     let zero = Extended::ZERO;

@@ -1,9 +1,9 @@
 //! Class of the tip curve, by the paper's criteria (section 4.2).
 
-use super::{BranchPoints, Regime, Signs};
+use crate::constants::{BranchPoints, Regime, Signs};
 use crate::scalar::{Extended, Float, Ring};
 
-/// Class of the curve that the tip draws between its two bounding circles.
+/// Class of the curve that the tip draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -25,7 +25,7 @@ pub enum TipClass {
 }
 
 impl TipClass {
-    /// Class of the tip curve by Proposition 6 of the paper: with -1 < e₁ < e₂ < 1 < e₃ and different signs of l + n
+    /// Class by Proposition 6 of the paper: with -1 < e₁ < e₂ < 1 < e₃ and different signs of l + n
     /// and l - n there are loops if e₃ (e₂ - e₁) > 1 - e₁e₂, and cusps if both sides are equal to the rounding of `f64`.
     pub(crate) fn new(regime: Regime, e: &BranchPoints<Extended>, signs: Signs) -> Self {
         let zero = Extended::ZERO;

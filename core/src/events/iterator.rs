@@ -188,8 +188,8 @@ impl<R: EphemerisScalar> Events<'_, R> {
         let upward = per_period > Extended::ZERO;
         let edge = Self { angle: self.angle + if upward { greatest } else { least }, ..*self };
         let periods = Extended::from(edge.ahead(upward)) / per_period * Extended::from(CAUTION);
-        let ([whole, rest], _) = periods.floor_and_rest();
-        let periods = Extended::sum(whole, rest) - Extended::ONE;
+        let (_, rest) = periods.floor_and_rest();
+        let periods = periods - rest - Extended::ONE;
         if periods > Extended::ZERO {
             let ticks = periods * period;
             Event::at(self.at + ticks, true)?;

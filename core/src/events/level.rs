@@ -1,14 +1,15 @@
 //! Values of u at which events occur.
 
+use crate::body::{ParameterError, finite, require};
+use crate::body::{ScaledTop, Support, Top};
 use crate::complex::Complex;
-use crate::error::{ParameterError, finite, require};
+use crate::constants::normal_force;
 use crate::events::bisect;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float, Ring};
 use crate::su2::Orientation;
 use crate::table::{EphemerisScalar, EphemerisView, Sample};
-use crate::top::{ScaledTop, Support, Top};
 
 /// Value of u, the cosine of the tilt, that a motion may reach, as 1 - u and 1 + u.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,24 +67,8 @@ impl Level {
         if motion.top().support() != Support::Sliding || motion.is_steady() {
             return None;
         }
-        let (e, one) = (&motion.e, Extended::ONE);
-        let ScaledTop { a, p, s, .. } = ScaledTop::<Extended>::new(motion.top());
-        // N = (F₊/(e₄ - u)² + F₋/(e₄ + u)²)/2e₄ with F₋ > 0, see constants/normal_force.rs: it is 0 where (e₄ - u)/(e₄ + u) = q
-        let spread = a / (p * s);
-        let e4 = (one + spread).sqrt();
-        let e4_minus_one = spread / (one + e4);
-        let upper = (e4_minus_one + e.one_minus_e1())
-            * (e4_minus_one + e.one_minus_e2)
-            * (e.e3_minus_one - e4_minus_one);
-        let lower = (e4_minus_one + e.one_plus_e1)
-            * (e4_minus_one + e.one_plus_e2())
-            * (e4_minus_one + e.one_plus_e3());
-        if upper <= Extended::ZERO {
-            return None;
-        }
-        let q = (upper / lower).sqrt();
-        let one_minus_u = (q * (one + e4) - e4_minus_one) / (one + q);
-        let one_plus_u = (one + e4 - q * e4_minus_one) / (one + q);
+        let (e, ScaledTop { a, p, s, .. }) = (&motion.e, motion.scaled_top());
+        let [one_minus_u, one_plus_u] = normal_force::zero(e, a / (p * s))?;
         let reached = one_minus_u > e.one_minus_e2 && one_plus_u > e.one_plus_e1;
         reached.then_some(Self { one_minus_u: one_minus_u.to_f64(), one_plus_u: one_plus_u.to_f64() })
     }

@@ -1,12 +1,10 @@
-//! Attitude state: orientation and rate at one instant, and the quantities that follow from them.
+//! Attitude state: orientation and rate at one instant.
 
-use crate::complex::Complex;
-use crate::error::ParameterError;
+use crate::body::{ParameterError, State};
 use crate::scalar::{Float, Ring};
-use crate::state::State;
 use crate::su2::{Orientation, OrientationRate, Vector};
 
-/// Orientation and its rate at one instant. Every method computes by products.
+/// Orientation and its rate at one instant, with the quantities that follow by products.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AttitudeState<R> {
@@ -17,57 +15,43 @@ pub struct AttitudeState<R> {
 }
 
 impl<R: Float> AttitudeState<R> {
-    /// State with this orientation, normalised, and angular velocity, to launch from.
+    /// State to launch from; the orientation is normalised.
     ///
     /// # Errors
-    /// The errors of [`State::new`], where a component is not finite or out of range.
+    /// The errors of [`State::new`].
     pub fn state(&self) -> Result<State, ParameterError> {
-        let Orientation { alpha, beta } = self.orientation;
-        let orientation = Orientation { alpha: alpha.cast(), beta: beta.cast() };
-        State::new(orientation.normalised(), self.omega().map(R::to_f64))
+        State::new(self.orientation.cast().normalised(), self.omega().map(R::to_f64))
     }
 }
 
 impl<R: Ring> AttitudeState<R> {
     /// Cosine of the tilt, u = ⟨r, k⟩, in [-1, 1].
-    #[must_use]
     pub fn u(&self) -> R {
         self.orientation.clamped_u()
     }
 
     /// Rate u' of the cosine of the tilt, per unit time.
-    #[must_use]
     pub fn udot(&self) -> R {
         self.rate.udot(&self.orientation)
     }
 
     /// Unit vector r from the tip to the centre of mass, in the fixed frame.
-    #[must_use]
     pub fn axis(&self) -> Vector<R> {
         self.orientation.axis()
     }
 
     /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give quaternions of opposite sign.
-    #[must_use]
     pub fn quaternion(&self) -> [R; 4] {
         self.orientation.quaternion()
     }
 
     /// Angular velocity ω in the fixed frame, rad per unit time.
-    #[must_use]
     pub fn omega(&self) -> Vector<R> {
         self.rate.omega_fixed(&self.orientation)
     }
 
     /// Angular velocity Ω = Φ⁻¹ω Φ in the body frame, rad per unit time.
-    #[must_use]
     pub fn omega_body(&self) -> Vector<R> {
         self.rate.omega_body(&self.orientation)
-    }
-
-    /// Rate (αβ)', per unit time: the velocity of the tip in units of 2s.
-    pub(crate) fn product_rate(&self) -> Complex<R> {
-        let (Orientation { alpha, beta }, rate) = (self.orientation, self.rate);
-        rate.alpha * beta + alpha * rate.beta
     }
 }

@@ -4,7 +4,7 @@ use crate::complex::Complex;
 use crate::constants::{BranchPoints, Signs};
 use crate::motion::phase_equations::PhaseRates;
 use crate::phase::Phase;
-use crate::scalar::{Float, Real, Scalar};
+use crate::scalar::{Extended, Float, Real, Scalar};
 use crate::su2::{Orientation, OrientationRate};
 
 /// Ellipses of α and β: α = (a₁ cos χ + i a₂ sin χ) e^{iA}, β = (b₁ cos χ + i b₂ sin χ) e^{iB}, with a₁² = (1+e₁)/2,
@@ -33,36 +33,36 @@ pub(crate) struct PhaseDirections<R> {
 
 impl Ellipses<f64> {
     /// Ellipses of a motion whose u oscillates between e₁ and e₂, or rises from e₁ to 1.
-    pub(crate) fn swinging<F: Float>(e: &BranchPoints<F>, signs: Signs) -> Self {
-        let root = |x: F| x.halved().sqrt().to_f64();
-        let (a1, a2) = (root(e.one_plus_e1), root(e.one_plus_e2()));
-        let (b1, b2) = (root(e.one_minus_e1()), root(e.one_minus_e2));
+    pub(crate) fn swinging(e: &BranchPoints<Extended>, signs: Signs) -> Self {
+        let root = |x: Extended| x.halved().sqrt().to_f64();
+        let (a2, b2) = (root(e.one_plus_e2()), root(e.one_minus_e2));
         Self {
-            alpha: Ellipse { x: a1, y: signs.l_plus_n.times(a2) },
-            beta: Ellipse { x: b1, y: signs.l_minus_n.times(b2) },
+            alpha: Ellipse { x: root(e.one_plus_e1), y: signs.l_plus_n.times(a2) },
+            beta: Ellipse { x: root(e.one_minus_e1()), y: signs.l_minus_n.times(b2) },
         }
     }
 
-    /// Ellipses of a motion with constant 1 + u and 1 - u, whose slow phases alone change.
-    pub(crate) fn steady<F: Float>(complements: [F; 2]) -> Self {
+    /// Ellipses of a motion with constant 1 + u and 1 - u.
+    pub(crate) fn steady(complements: [Extended; 2]) -> Self {
         let [alpha, beta] = complements.map(|x| Ellipse { x: x.halved().sqrt().to_f64(), y: 0.0 });
         Self { alpha, beta }
     }
 
-    /// Ellipses rounded to the scalar of the tick.
     pub(crate) fn cast<R: Float>(&self) -> Ellipses<R> {
         let cast = |Ellipse { x, y }| Ellipse { x: R::from_f64(x), y: R::from_f64(y) };
         Ellipses { alpha: cast(self.alpha), beta: cast(self.beta) }
     }
 }
 
-impl<R: Scalar> Ellipses<R> {
-    /// Winding numbers of both ellipses.
+impl<R: Real> Ellipses<R> {
     pub(crate) fn windings(&self) -> [i32; 2] {
         [self.alpha.winding(), self.beta.winding()]
     }
 
-    /// Orientation Φ at these phases.
+    pub(crate) fn arguments(&self, directions: &PhaseDirections<R>) -> [Phase; 2] {
+        [self.alpha.argument(directions), self.beta.argument(directions)]
+    }
+
     #[inline]
     pub(crate) fn orientation(&self, directions: &PhaseDirections<R>) -> Orientation<R> {
         Orientation {
@@ -73,35 +73,26 @@ impl<R: Scalar> Ellipses<R> {
 
     /// Rate Φ' at these phases, from the rates of χ, A and B, rad per unit time.
     pub(crate) fn rate(&self, directions: &PhaseDirections<R>, rates: &PhaseRates<R>) -> OrientationRate<R> {
-        let rate = |ellipse: &Ellipse<R>, cis: Complex<R>, turning: R| {
-            (ellipse.along(directions).scaled(rates.nutation)
-                + ellipse.at(directions).times_i().scaled(turning))
-                * cis
-        };
         OrientationRate {
-            alpha: rate(&self.alpha, directions.alpha, rates.alpha),
-            beta: rate(&self.beta, directions.beta, rates.beta),
+            alpha: self.alpha.rate(directions, [rates.nutation, rates.alpha]) * directions.alpha,
+            beta: self.beta.rate(directions, [rates.nutation, rates.beta]) * directions.beta,
         }
     }
 }
 
 impl<R: Scalar> Ellipse<R> {
-    /// Value of the ellipse.
     #[inline]
     pub(crate) fn at(&self, directions: &PhaseDirections<R>) -> Complex<R> {
         Complex::new(self.x * directions.cosine, self.y * directions.sine)
     }
 
-    /// Coefficients of e^{iχ} and e^{-iχ} in the ellipse.
-    pub(crate) fn exponentials(&self) -> [R; 2]
-    where
-        R: Float,
-    {
-        [(self.x + self.y).halved(), (self.x - self.y).halved()]
+    /// Rate of the Cayley-Klein parameter divided by e^{i slow phase}, from the rates of χ and of the slow phase.
+    pub(crate) fn rate(&self, directions: &PhaseDirections<R>, [nutation, slow]: [R; 2]) -> Complex<R> {
+        self.along(directions).scaled(nutation) + self.at(directions).times_i().scaled(slow)
     }
 
     /// Derivative of the ellipse with respect to χ.
-    pub(crate) fn along(&self, directions: &PhaseDirections<R>) -> Complex<R> {
+    fn along(&self, directions: &PhaseDirections<R>) -> Complex<R> {
         Complex::new(-(self.x * directions.sine), self.y * directions.cosine)
     }
 
@@ -112,6 +103,11 @@ impl<R: Scalar> Ellipse<R> {
 }
 
 impl<R: Real> Ellipse<R> {
+    /// Coefficients of e^{iχ} and e^{-iχ} in the ellipse.
+    pub(crate) fn exponentials(&self) -> [R; 2] {
+        [(self.x + self.y).halved(), (self.x - self.y).halved()]
+    }
+
     /// Argument of the ellipse; where the ellipse is 0, the argument of its derivative with respect to χ.
     pub(crate) fn argument(&self, directions: &PhaseDirections<R>) -> Phase {
         let value = self.at(directions);
@@ -119,7 +115,7 @@ impl<R: Real> Ellipse<R> {
         Phase::from_radians(value.arg().to_f64())
     }
 
-    /// Argument of the ellipse, continuous in χ, up to a constant: ±χ plus at most a quarter turn; constant where the ellipse passes
+    /// Argument of the ellipse, continuous in χ, up to a constant: ±χ plus at most a quarter turn; 0 where the ellipse passes
     /// through 0.
     pub(crate) fn continued_argument(&self, directions: &PhaseDirections<R>, chi: Phase) -> Phase {
         let sense = self.winding();

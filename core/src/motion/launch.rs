@@ -1,20 +1,16 @@
 //! Launch of a motion: from a state, or from branch points and phases.
 
-use crate::cayley_klein::Ellipses;
-use crate::complex::Complex;
-use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, ReducedPoint, Regime, Signs};
-use crate::error::{ParameterError, finite, require};
+use crate::body::{ParameterError, ScaledTop, State, Top, require, within};
+use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs};
+use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::inverse_gudermannian;
-use crate::motion::start::{chi, half_phase, half_turns, slow_phase};
-use crate::motion::{InitialPhases, Motion, NutationVariable};
+use crate::motion::start::{attitude, half_turns};
+use crate::motion::{InitialPhases, Motion, NutationVariable, phase_of};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Scalar};
-use crate::state::State;
-use crate::su2::OrientationRate;
-use crate::top::{ScaledTop, Top};
 
 impl Motion {
-    /// Motion from a state, whose numbers count as exact. Its constants have more digits than `f64`, and are rounded once where they are read.
+    /// Motion from a state, whose numbers count as exact.
     ///
     /// # Errors
     /// `omega`: so large that e₃ would exceed 1e14.
@@ -22,8 +18,7 @@ impl Motion {
         Self::launch_between(top, state, &mut || {})
     }
 
-    /// Motion from a state, as from [`launch`](Self::launch), for a program that has other work meanwhile: feeding a watchdog,
-    /// serving a bus, stepping another motion.
+    /// Motion from a state, as from [`launch`](Self::launch), for a program that has other work meanwhile.
     ///
     /// * `between`: called at least every 50 000 cycles of a Cortex-M4F
     ///
@@ -57,11 +52,11 @@ impl Motion {
         between();
         let mut motion = Self::with_constants(top, &integrals, e, integrals.signs(), point.rests_upright());
         between();
-        motion.rounding = LaunchRounding::new(top, &integrals, &point, &e, state.speed());
+        motion.rounding = LaunchRounding::new(top, &integrals, &point, &e, state);
         between();
         motion.start_nutation(&point);
         between();
-        motion.start_slow_phases(parameters_and_rates(state));
+        motion.start_slow_phases(&attitude(state));
         Ok(motion)
     }
 
@@ -83,12 +78,10 @@ impl Motion {
             "e3",
             "left out without torque, where it is infinite and branch points tell no rate: give a state or a release",
         )?;
-        let [e1, e2, e3] = e;
-        let e = BranchPoints::exact(e1, e2, e3)?;
+        let e = BranchPoints::exact(e)?;
         let InitialPhases { theta, arg_alpha, arg_beta } = *start;
         for (name, angle) in [("theta", theta), ("arg_alpha", arg_alpha), ("arg_beta", arg_beta)] {
-            finite(name, angle)?;
-            require(Float::abs(angle) <= 1e6, name, "between -1e6 and 1e6 rad")?;
+            within(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
         }
         let integrals = e.integrals_in(top, signs);
         require(
@@ -99,22 +92,19 @@ impl Motion {
         let chi = half_turns(theta);
         let upright = chi.halves().1 == Phase::QUARTER;
         let mut motion = Self::with_constants(top, &integrals, e, signs, upright);
-        let arguments = [arg_alpha, arg_beta].map(|angle| Extended::from(angle).in_turns().to_phase());
+        motion.phases = [arg_alpha, arg_beta].map(|angle| phase_of(angle.into()));
         motion.nutation = match motion.nutation {
+            NutationVariable::Steady => return Ok(motion),
             NutationVariable::Nutating(_) => NutationVariable::Nutating(chi),
             NutationVariable::Aperiodic(_) => {
                 let (sine, cosine) = f64::sine_cosine(chi);
                 NutationVariable::Aperiodic(inverse_gudermannian(sine, cosine))
             }
-            NutationVariable::Steady => {
-                motion.phases = arguments;
-                return Ok(motion);
-            }
         };
-        let ([alpha, beta], directions) = (arguments, motion.directions_at_start());
-        let ellipses = &motion.ellipses;
-        motion.phases =
-            [alpha - ellipses.alpha.argument(&directions), beta - ellipses.beta.argument(&directions)];
+        let arguments = motion.ellipses.arguments(&motion.directions_at_start());
+        for (phase, argument) in motion.phases.iter_mut().zip(arguments) {
+            *phase = *phase - argument;
+        }
         Ok(motion)
     }
 
@@ -129,15 +119,16 @@ impl Motion {
         signs: Signs,
         upright: bool,
     ) -> Self {
+        let ScaledTop { a, c, k, .. } = ScaledTop::<Extended>::new(top);
         let regime = Regime::new(&e, signs, upright);
-        // An oscillation that is too small to count in the regime has its own mean rates, other than those at a constant u.
+        // a nutation that is too small to count in the regime has its own mean rates
         let is_steady = e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable;
         let mut motion = Self {
             top: *top,
             signs,
             e,
             integrals: *integrals,
-            half_tau: ScaledTop::new(top).tau(integrals.spin).halved(),
+            half_tau: ((a - c) / a * integrals.spin - k / a).halved(),
             ellipses: Ellipses::swinging(&e, signs),
             regime,
             nutation: match regime {
@@ -154,50 +145,6 @@ impl Motion {
         }
         motion
     }
-
-    /// Sets the nutation variable at a point of the reduced curve.
-    #[inline(never)] // the stack frames of a launch must not add up
-    fn start_nutation(&mut self, point: &ReducedPoint<Extended>) {
-        if self.top.is_torque_free() {
-            // the axis rotates about the angular momentum m at the rate |m|/A
-            let a = self.scaled_top().a;
-            self.free_rate = (point.momentum(a, self.integrals.n) / a).halved();
-        }
-        if self.is_steady() {
-            return;
-        }
-        let pair = if self.top.is_torque_free() {
-            [(point.udot / self.free_rate.doubled()).squared(), Extended::ONE]
-        } else {
-            let ScaledTop { a, s, p, g, .. } = self.scaled_top();
-            let d = a / p + s * point.one_minus_u * point.one_plus_u;
-            [d * point.udot.squared() / g.doubled(), point.one_minus_u + self.e.e3_minus_one]
-        };
-        let aperiodic = self.regime == Regime::Aperiodic;
-        let (sine, cosine) = half_phase(&self.e, point, pair, aperiodic);
-        self.nutation = if aperiodic {
-            NutationVariable::Aperiodic(inverse_gudermannian(sine, cosine))
-        } else {
-            NutationVariable::Nutating(chi(sine, cosine))
-        };
-    }
-
-    /// Sets the slow phases at a state, whose nutation variable is known.
-    #[inline(never)] // as above
-    fn start_slow_phases(&mut self, [alpha, beta]: [[Complex<f64>; 2]; 2]) {
-        if self.is_steady() {
-            self.phases = [alpha, beta].map(|[z, _]| Phase::from_radians(z.arg()));
-            return;
-        }
-        let directions = self.directions_at_start();
-        let rates = self.rounded_equations().rates(directions.sine, directions.cosine);
-        let half_tau = self.half_tau.to_f64();
-        let ellipses = &self.ellipses;
-        self.phases = [
-            slow_phase(&ellipses.alpha, &directions, [rates.nutation, rates.alpha + half_tau], alpha),
-            slow_phase(&ellipses.beta, &directions, [rates.nutation, rates.beta - half_tau], beta),
-        ];
-    }
 }
 
 /// Whether the axial rate (n - K)/C is at most 1e24 per unit of time, or n = K to the rounding of `f64` where C is 0.
@@ -207,13 +154,4 @@ fn has_axial_rate(top: &Top, integrals: &FirstIntegrals<Extended>) -> bool {
         (*integrals, ScaledTop::<Extended>::new(top));
     let noise = (l_plus_n.abs() + l_minus_n.abs() + k.abs()) * Extended::from(f64::EPSILON);
     if c > Extended::ZERO { spin.abs() <= Extended::from(FASTEST) } else { (n - k).abs() <= noise }
-}
-
-/// Parameters α and β of a state, each with its rate.
-#[inline(never)]
-fn parameters_and_rates(state: &State) -> [[Complex<f64>; 2]; 2] {
-    let (phi, omega) = state.exact::<Extended>();
-    let phi = phi.normalised();
-    let rate = OrientationRate::from_fixed(&phi, omega);
-    [[phi.alpha, rate.alpha], [phi.beta, rate.beta]].map(|pair| pair.map(Complex::cast))
 }

@@ -1,10 +1,69 @@
-//! Nutation period, and the change of the slow phases over one period.
+//! Nutation period, and the change of the phases over it.
 
-mod division;
+mod landen;
 
-mod advance;
+mod elliptic_equations;
 
 mod quadrature;
 
-pub(crate) use advance::Period;
-pub use advance::PeriodAdvance;
+use crate::scalar::{Extended, Float, Ring};
+
+/// Nutation period, and advance of α and β over one period in turns, whole turns included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PeriodAdvance {
+    /// Period T: time from u = e₁ to e₂ and back to e₁, in the unit of time (s).
+    pub period: f64,
+    /// Advance (arg α(t+T) - arg α(t))/2π; for e₁ = -1, where α passes through 0, that of α with a signed modulus.
+    pub alpha_turns: f64,
+    /// Advance (arg β(t+T) - arg β(t))/2π; for e₂ = 1, where β passes through 0, that of β with a signed modulus.
+    pub beta_turns: f64,
+    /// Sum of the other two advances before they are rounded, rad.
+    phi: f64,
+}
+
+impl PeriodAdvance {
+    pub(super) fn new(period: &Period, half_tau: Extended, windings: [i32; 2]) -> Self {
+        let [alpha_turns, beta_turns] = period.turns(half_tau, windings).map(Float::to_f64);
+        let Period { time, psi: [psi_alpha, psi_beta], .. } = *period;
+        // the terms ±τT/2 of α and β cancel
+        let half_turns: i32 = windings.iter().sum();
+        let phi = psi_alpha + psi_beta + Extended::TWO_PI.halved() * f64::from(half_turns).into();
+        Self { period: time.to_f64(), alpha_turns, beta_turns, phi: phi.to_f64() }
+    }
+
+    /// Advance of the tip angle φ over one period, rad; where the curve passes through the centre, with a signed radius.
+    pub fn phi_per_period(&self) -> f64 {
+        self.phi
+    }
+}
+
+/// Nutation period with the angles ψ_A and ψ_B over it, and their errors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Period {
+    /// Period T, in the unit of time.
+    pub(crate) time: Extended,
+    /// Angles ψ_A(T) and ψ_B(T), rad.
+    pub(crate) psi: [Extended; 2],
+    /// Estimated error of the trapezoid rule: relative to the period, and relative to |ψ_A| + |ψ_B|.
+    pub(crate) relative_error: f64,
+    /// Relative error of one operation of the quadrature.
+    pub(crate) operation_error: f64,
+    /// Number of nodes on half a period.
+    pub(crate) nodes: u32,
+}
+
+impl Period {
+    /// Period of a uniform rotation.
+    pub(super) fn uniform(time: Extended) -> Self {
+        let operation_error = Extended::OPERATION_ERROR;
+        Self { time, psi: [Extended::ZERO; 2], relative_error: 0.0, operation_error, nodes: 1 }
+    }
+
+    /// Advances of α and β in turns, whole turns included.
+    pub(crate) fn turns(&self, half_tau: Extended, windings: [i32; 2]) -> [Extended; 2] {
+        let ([psi_alpha, psi_beta], slow) = (self.psi, half_tau * self.time);
+        let [alpha, beta] = windings.map(|sense| Extended::from(0.5 * f64::from(sense)));
+        [(psi_alpha + slow).in_turns() + alpha, (psi_beta - slow).in_turns() + beta]
+    }
+}

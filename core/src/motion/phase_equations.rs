@@ -8,12 +8,11 @@
 //! √2 β = [√(1-e₁) cos χ + i s₋ √(1-e₂) sin χ] e^{i(b + ψ_B - τt/2)}
 //! ```
 //!
-//! The ellipses contain the logarithmic poles of the paper's integrals (equation (3.10)): ψ_A' and ψ_B' have neither 1 - u nor
-//! 1 + u in a denominator.
+//! The ellipses contain the logarithmic poles of the paper's integrals (equation (3.10)), 1 - u and 1 + u in a denominator.
 
+use crate::body::{ScaledTop, Top};
 use crate::constants::{BranchPoints, Signs};
 use crate::scalar::{Float, Real, Ring, Scalar, exponent};
-use crate::top::{ScaledTop, Top};
 
 /// Rates of the three phases, rad per unit time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +26,7 @@ pub struct PhaseRates<R> {
 }
 
 impl<R: Ring> PhaseRates<R> {
-    /// Weighted sum k₁ + 2k₂ + 2k₃ + k₄ of the Runge-Kutta method, times `sixth`, a sixth of the step.
+    /// Sum k₁ + 2k₂ + 2k₃ + k₄ of the Runge-Kutta method, times a sixth of the step.
     pub(crate) fn weighted([k1, k2, k3, k4]: [Self; 4], sixth: R) -> Self {
         let mean = |part: fn(&Self) -> R| (part(&k1) + (part(&k2) + part(&k3)).doubled() + part(&k4)) * sixth;
         Self { nutation: mean(|k| k.nutation), alpha: mean(|k| k.alpha), beta: mean(|k| k.beta) }
@@ -63,7 +62,7 @@ pub(crate) fn inverse_gudermannian(sine: f64, cosine: f64) -> f64 {
     if sine < 0.0 { -v } else { v }
 }
 
-/// Constants of the equations of one motion, in the number type that evaluates them.
+/// Constants of the equations of one motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhaseEquations<F> {
     pub(crate) one_plus_e1: F,
@@ -92,13 +91,11 @@ pub struct PhaseEquations<F> {
 }
 
 impl<F: Float> PhaseEquations<F> {
-    /// Equations rounded to another scalar.
     pub(crate) fn cast<R: Float>(&self) -> PhaseEquations<R> {
         self.map(|x| R::from_f64(x.to_f64()))
     }
 
-    /// Equations in another number type.
-    #[inline(never)] // a call by a pointer, because fifteen conversions in each place would take much of a chip's flash
+    #[inline(never)] // fourteen conversions in each place would take much of a chip's flash
     pub(crate) fn map<R>(&self, convert: fn(F) -> R) -> PhaseEquations<R> {
         PhaseEquations {
             one_plus_e1: convert(self.one_plus_e1),
@@ -118,7 +115,7 @@ impl<F: Float> PhaseEquations<F> {
         }
     }
 
-    /// Equations with all constants 0, before they are computed.
+    /// Constants before they are computed.
     pub const ZERO: Self = Self {
         one_plus_e1: F::ZERO,
         one_minus_e2: F::ZERO,

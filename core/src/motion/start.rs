@@ -1,11 +1,15 @@
 //! Start of a motion: half phase χ and slow phases at t = 0, from a state or from given angles.
 
-use crate::cayley_klein::{Ellipse, PhaseDirections};
+use crate::body::{ScaledTop, State};
 use crate::complex::Complex;
-use crate::constants::BranchPoints;
-use crate::constants::ReducedPoint;
+use crate::constants::{ReducedPoint, Regime};
+use crate::motion::attitude_state::AttitudeState;
+use crate::motion::cayley_klein::{Ellipse, Ellipses, PhaseDirections};
+use crate::motion::phase_equations::{PhaseRates, inverse_gudermannian};
+use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
+use crate::su2::OrientationRate;
 
 /// Phases at t = 0 of a motion given by branch points. All are in rad, and 0 by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -20,36 +24,83 @@ pub struct InitialPhases {
     pub arg_beta: f64,
 }
 
-/// sin χ and cos χ of a point of the reduced curve, times √(e₂ - e₁): √(u - e₁) and ±√(e₂ - u), with the sign of u'. In an
-/// aperiodic motion sin χ has that sign instead.
-///
-/// The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u), given as a pair, without a subtraction.
-pub(crate) fn half_phase(
-    e: &BranchPoints<Extended>,
-    point: &ReducedPoint<Extended>,
-    [g0, below_e3]: [Extended; 2],
-    aperiodic: bool,
-) -> (f64, f64) {
-    let above_e1 = point.one_plus_u - e.one_plus_e1;
-    let below_e2 = point.one_minus_u - e.one_minus_e2;
-    let (above_e1, below_e2) = if below_e2 < above_e1 {
-        (above_e1, g0 / (below_e3 * above_e1))
-    } else {
-        (g0 / (below_e3 * below_e2), below_e2)
-    };
-    let (sine, cosine) = (above_e1.sqrt().to_f64(), below_e2.sqrt().to_f64());
-    match (point.udot < Extended::ZERO, aperiodic) {
-        (false, _) => (sine, cosine),
-        (true, false) => (sine, -cosine),
-        (true, true) => (-sine, cosine),
+impl Motion {
+    /// Sets the nutation variable at a point of the reduced curve.
+    ///
+    /// √(e₂ - e₁) sin χ = √(u - e₁), and √(e₂ - e₁) cos χ = ±√(e₂ - u) with the sign of u'. In an aperiodic motion sin χ has that sign
+    /// instead. The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u), without a subtraction.
+    #[inline(never)] // the stack frames of a launch must not add up
+    pub(super) fn start_nutation(&mut self, point: &ReducedPoint) {
+        let ScaledTop { a, s, p, g, .. } = self.scaled_top();
+        let ReducedPoint { one_minus_u, one_plus_u, udot, .. } = *point;
+        let torque_free = self.top.is_torque_free();
+        if torque_free {
+            // the axis rotates about the angular momentum m at the rate |m|/A
+            self.free_rate = (point.momentum(a, self.integrals.n) / a).halved();
+        }
+        if self.is_steady() {
+            return;
+        }
+        let (g0, below_e3) = if torque_free {
+            ((udot / self.free_rate.doubled()).squared(), Extended::ONE)
+        } else {
+            let d = a / p + s * one_minus_u * one_plus_u;
+            (d * udot.squared() / g.doubled(), one_minus_u + self.e.e3_minus_one)
+        };
+        let (above_e1, below_e2) = (one_plus_u - self.e.one_plus_e1, one_minus_u - self.e.one_minus_e2);
+        let (above_e1, below_e2) = if below_e2 < above_e1 {
+            (above_e1, g0 / (below_e3 * above_e1))
+        } else {
+            (g0 / (below_e3 * below_e2), below_e2)
+        };
+        let (sine, cosine) = (above_e1.sqrt().to_f64(), below_e2.sqrt().to_f64());
+        let falls = udot < Extended::ZERO;
+        self.nutation = if self.regime == Regime::Aperiodic {
+            NutationVariable::Aperiodic(inverse_gudermannian(if falls { -sine } else { sine }, cosine))
+        } else {
+            NutationVariable::Nutating(chi(sine, if falls { -cosine } else { cosine }))
+        };
+    }
+
+    /// Sets the slow phases at an attitude, whose nutation variable is known.
+    #[inline(never)] // as above
+    pub(super) fn start_slow_phases(
+        &mut self,
+        AttitudeState { orientation: phi, rate }: &AttitudeState<f64>,
+    ) {
+        if self.is_steady() {
+            self.phases = [phi.alpha, phi.beta].map(|z| Phase::from_radians(z.arg()));
+            return;
+        }
+        let directions = self.directions_at_start();
+        let equations =
+            self.equations_with(&self.e.to_f64(), self.integrals.l_plus_n.to_f64(), self.free_rate.to_f64());
+        let PhaseRates { nutation, alpha, beta } = equations.rates(directions.sine, directions.cosine);
+        let half_tau = self.half_tau.to_f64();
+        let Ellipses { alpha: alpha_ellipse, beta: beta_ellipse } = &self.ellipses;
+        self.phases = [
+            slow_phase(alpha_ellipse, &directions, [nutation, alpha + half_tau], [phi.alpha, rate.alpha]),
+            slow_phase(beta_ellipse, &directions, [nutation, beta - half_tau], [phi.beta, rate.beta]),
+        ];
     }
 }
 
-/// Half phase χ in [0, 1/2] turn from its sine >= 0 and cosine, with full relative precision near 0, 1/4 and 1/2
-/// turn.
+/// Orientation of a state and its rate, computed in extended precision.
+#[inline(never)]
+pub(super) fn attitude(state: &State) -> AttitudeState<f64> {
+    let (phi, omega) = state.exact();
+    let phi = phi.normalised();
+    let rate = OrientationRate::from_fixed(&phi, omega);
+    AttitudeState {
+        orientation: phi.cast(),
+        rate: OrientationRate { alpha: rate.alpha.cast(), beta: rate.beta.cast() },
+    }
+}
+
+/// Half phase χ in [0, 1/2] turn from its sine >= 0 and cosine, with full relative precision near 0, 1/4 and 1/2 turn.
 pub(crate) fn chi(sine: f64, cosine: f64) -> Phase {
     let from = |y: f64, x: f64| Phase::from_radians(libm::atan2(y, x));
-    if Float::abs(cosine) < sine {
+    if cosine.abs() < sine {
         Phase::QUARTER - from(cosine, sine)
     } else if cosine > 0.0 {
         from(sine, cosine)
@@ -72,13 +123,13 @@ pub(crate) fn half_turns(theta: f64) -> Phase {
 pub(crate) fn slow_phase(
     ellipse: &Ellipse<f64>,
     directions: &PhaseDirections<f64>,
-    [nutation, turning]: [f64; 2],
+    rates: [f64; 2],
     z: [Complex<f64>; 2],
 ) -> Phase {
     let [value, rate] = z;
-    let model = ellipse.at(directions);
-    let model_rate = ellipse.along(directions).scaled(nutation) + model.times_i().scaled(turning);
-    let time = 1.0 / (nutation.squared() + turning.squared());
+    let (model, model_rate) = (ellipse.at(directions), ellipse.rate(directions, rates));
+    let [nutation, slow] = rates;
+    let time = 1.0 / (nutation.squared() + slow.squared());
     let sum = value * model.conj() + (rate * model_rate.conj()).scaled(time);
     Phase::from_radians(sum.arg())
 }
@@ -110,8 +161,8 @@ mod tests {
             // a neighbouring number is a different, close angle
             for near in [theta.next_up(), theta.next_down()] {
                 let off = half_turns(near) - turns;
-                let unit = Float::abs(near - theta) * 0.25 * core::f64::consts::FRAC_1_PI;
-                let share = Float::abs(off.to_f64()) / unit;
+                let unit = (near - theta).abs() * 0.25 * core::f64::consts::FRAC_1_PI;
+                let share = off.to_f64().abs() / unit;
                 assert!((0.49..1.51).contains(&share), "{k}: {share}");
                 assert!((half_turns(-near) + half_turns(near)).to_bits().abs() <= 1, "{k}");
             }

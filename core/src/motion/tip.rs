@@ -1,21 +1,12 @@
 //! Curve c = 2 s αβ that the tip draws on the plane, and its angle (section 4 of the paper).
 
-use crate::attitude_state::AttitudeState;
 use crate::complex::Complex;
 use crate::motion::Motion;
+use crate::motion::attitude_state::AttitudeState;
 use crate::scalar::Float;
 use crate::su2::Orientation;
 
-/// x, or the largest finite `f32` with the sign of x where x is infinite.
-fn saturated<R: Float>(x: R) -> R {
-    if x.to_f64().is_finite() {
-        return x;
-    }
-    let greatest = R::from_f64(f32::MAX.into());
-    if x < R::ZERO { -greatest } else { greatest }
-}
-
-/// Constants of the tip's motion.
+/// Constants of the tip curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TipConstants<R> {
     /// Length 2 s, m; 2 for a fixed tip.
@@ -41,11 +32,12 @@ impl<R: Float> TipConstants<R> {
     }
 
     /// Velocity c' of the tip, m per unit time.
-    pub(crate) fn velocity(&self, state: &AttitudeState<R>) -> Complex<R> {
-        state.product_rate().scaled(self.scale)
+    pub(crate) fn velocity(&self, AttitudeState { orientation, rate }: &AttitudeState<R>) -> Complex<R> {
+        (rate.alpha * orientation.beta + orientation.alpha * rate.beta).scaled(self.scale)
     }
 
-    /// Rate φ' = (l+n)/(4A |α|²) + (l-n)/(4A |β|²) of the tip angle, without a term whose parameter is 0.
+    /// Rate φ' = (l+n)/(4A |α|²) + (l-n)/(4A |β|²) of the tip angle, at most the largest finite `f32`. It has no term for a parameter
+    /// that is 0.
     pub(crate) fn angle_rate(&self, orientation: &Orientation<R>) -> R {
         let part = |momentum: R, z: Complex<R>| {
             let (re, im) = (z.re.abs(), z.im.abs());
@@ -55,13 +47,19 @@ impl<R: Float> TipConstants<R> {
             }
             // |z|² may underflow and 1/|z| overflow where the quotient does neither
             let inverse = R::ONE / size;
-            let direction = match inverse.to_f64().is_finite() {
-                true => z.scaled(inverse),
-                false => Complex::new(z.re / size, z.im / size),
+            let direction = if inverse.to_f64().is_finite() {
+                z.scaled(inverse)
+            } else {
+                Complex::new(z.re / size, z.im / size)
             };
             momentum / size / size / direction.norm_squared()
         };
         let [plus, minus] = self.momenta;
-        saturated(part(plus, orientation.alpha) + part(minus, orientation.beta))
+        let rate = part(plus, orientation.alpha) + part(minus, orientation.beta);
+        if rate.to_f64().is_finite() {
+            return rate;
+        }
+        let greatest = R::from_f64(f32::MAX.into());
+        if rate < R::ZERO { -greatest } else { greatest }
     }
 }

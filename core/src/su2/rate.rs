@@ -1,10 +1,10 @@
 //! Rate of change of an orientation, and the angular velocities that it determines.
 
+use super::{Orientation, Vector};
 use crate::complex::Complex;
 use crate::scalar::{Float, Ring};
-use crate::su2::{Orientation, Vector};
 
-/// Rate of change Φ' of an orientation. Φ and Φ' together determine every quantity of one instant by products only.
+/// Rate of change Φ' of an orientation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OrientationRate<R> {
@@ -14,27 +14,16 @@ pub struct OrientationRate<R> {
     pub beta: Complex<R>,
 }
 
-impl<R: Ring> OrientationRate<R> {
+impl<R: Float> OrientationRate<R> {
     /// Rate Φ' = ω Φ, with ω in the fixed frame.
-    #[must_use]
-    pub fn from_fixed(phi: &Orientation<R>, omega: Vector<R>) -> Self
-    where
-        R: Float,
-    {
+    pub fn from_fixed(phi: &Orientation<R>, omega: Vector<R>) -> Self {
         let [w1, w2, w3] = omega.map(Float::halved);
-        let (diagonal, upper) = (Complex::new(R::ZERO, w3), Complex::new(-w2, w1));
-        Self {
-            alpha: diagonal * phi.alpha + upper * phi.gamma(),
-            beta: diagonal * phi.beta + upper * phi.delta(),
-        }
+        let Orientation { alpha, beta } = Orientation::from_quaternion([R::ZERO, w1, w2, w3]).compose(phi);
+        Self { alpha, beta }
     }
 
     /// Rate Φ' = Φ Ω, with Ω in the body frame.
-    #[must_use]
-    pub fn from_body(phi: &Orientation<R>, omega: Vector<R>) -> Self
-    where
-        R: Float,
-    {
+    pub fn from_body(phi: &Orientation<R>, omega: Vector<R>) -> Self {
         let [x1, x2, x3] = omega.map(Float::halved);
         let (diagonal, transverse) = (Complex::new(R::ZERO, x3), Complex::new(x1, x2));
         Self {
@@ -42,9 +31,10 @@ impl<R: Ring> OrientationRate<R> {
             beta: (phi.alpha * transverse).times_i() - phi.beta * diagonal,
         }
     }
+}
 
+impl<R: Ring> OrientationRate<R> {
     /// Angular velocity ω = Φ' Φ⁻¹ in the fixed frame: equation (2.2) of the paper, erratum 1 corrected.
-    #[must_use]
     pub fn omega_fixed(&self, phi: &Orientation<R>) -> Vector<R> {
         let diagonal = self.alpha * phi.delta() - self.beta * phi.gamma();
         let upper = self.beta * phi.alpha - self.alpha * phi.beta;
@@ -52,7 +42,6 @@ impl<R: Ring> OrientationRate<R> {
     }
 
     /// Angular velocity Ω = Φ⁻¹ Φ' in the body frame: equation (2.3) of the paper, erratum 2 corrected.
-    #[must_use]
     pub fn omega_body(&self, phi: &Orientation<R>) -> Vector<R> {
         let (gamma, delta) = (-self.beta.conj(), self.alpha.conj());
         let diagonal = phi.delta() * self.alpha - phi.beta * gamma;
@@ -61,7 +50,6 @@ impl<R: Ring> OrientationRate<R> {
     }
 
     /// Rate of the cosine of the tilt, u' = d(|α|² - |β|²)/dt.
-    #[must_use]
     pub fn udot(&self, phi: &Orientation<R>) -> R {
         ((phi.alpha.conj() * self.alpha).re - (phi.beta.conj() * self.beta).re).doubled()
     }

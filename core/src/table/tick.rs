@@ -1,6 +1,6 @@
 //! Tick: the unit of time of an ephemeris.
 
-use crate::error::{ParameterError, require};
+use crate::body::{ParameterError, require};
 use crate::scalar::Extended;
 
 /// Tick length as an exact fraction of a second (of the motion's unit of time).

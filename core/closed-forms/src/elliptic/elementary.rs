@@ -4,7 +4,7 @@
 //! near the zeros of the odd functions. The logarithm and the angle take one step of Newton's method from their `f64`
 //! values, which squares the relative error.
 
-use toytop::internal::{TWO_PI, phase_of};
+use toytop::internal::phase_of;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{Complex, Phase};
 
@@ -15,7 +15,7 @@ fn ln_two() -> Extended {
 
 /// Constant π/2.
 pub(crate) fn half_pi() -> Extended {
-    TWO_PI * Extended::from(0.25)
+    Extended::TWO_PI * Extended::from(0.25)
 }
 
 /// Power of two.
@@ -92,7 +92,7 @@ pub(crate) fn of_turns(phase: Phase) -> (Extended, Extended) {
     const QUARTER: i128 = Phase::QUARTER.to_bits();
     let quadrant = (phase.to_bits() + QUARTER / 2).div_euclid(QUARTER);
     let rest = Extended::from(Phase::from_bits(phase.to_bits() - quadrant * QUARTER));
-    in_quadrant(quadrant as u32, series(rest * TWO_PI, -1.0))
+    in_quadrant(quadrant as u32, series(rest * Extended::TWO_PI, -1.0))
 }
 
 /// Sine and cosine of an angle after a number of quarter turns is added to it.

@@ -1,62 +1,60 @@
 //! Roots of a cubic with three real roots.
 
-use crate::scalar::{Float, exponent, power_of_two};
+use crate::scalar::{Extended, Float, Ring, exponent, power_of_two};
 
 /// Cubic y³ + g₂ y² + g₁ y + g₀, whose roots are real.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Cubic<F> {
-    pub(crate) g0: F,
-    pub(crate) g1: F,
-    pub(crate) g2: F,
+pub(super) struct Cubic {
+    pub(super) g0: Extended,
+    pub(super) g1: Extended,
+    pub(super) g2: Extended,
 }
 
-impl<F: Float> Cubic<F> {
-    #[inline(never)] // a call, because three functions evaluate the cubic in extended precision
-    fn value(&self, y: F) -> F {
+impl Cubic {
+    #[inline(never)]
+    fn value(&self, y: Extended) -> Extended {
         ((y + self.g2) * y + self.g1) * y + self.g0
     }
 
     #[inline(never)]
-    fn slope(&self, y: F) -> F {
+    fn slope(&self, y: Extended) -> Extended {
         ((y + y + y) + self.g2.doubled()) * y + self.g1
     }
 
     /// Simple root, improved from an approximate value by three steps of Newton's method.
-    pub(crate) fn polished(&self, start: F) -> F {
+    pub(super) fn polished(&self, start: Extended) -> Extended {
         (0..3).fold(start, |y, _| {
             let slope = self.slope(y);
-            if slope == F::ZERO { y } else { y - self.value(y) / slope }
+            if slope == Extended::ZERO { y } else { y - self.value(y) / slope }
         })
     }
 
-    /// Upper bound on the largest root, close to it.
+    /// Upper bound on the largest root, close to it, because convergence to a multiple root is linear.
     #[inline(never)] // the stack frames of a launch must not add up
-    fn above(&self) -> F {
-        let Self { g0, g1, g2 } = *self;
-        let larger = |x: F, y: F| if x > y { x } else { y };
+    fn above(&self) -> Extended {
+        let (Self { g0, g1, g2 }, zero) = (*self, Extended::ZERO);
+        let larger = |x: Extended, y: Extended| if x > y { x } else { y };
         // a power of two, because the cube root of libm would take much of a chip's flash
-        let cube_root = F::from_f64(power_of_two((exponent(g0.to_f64()) + 2).div_euclid(3)));
+        let cube_root = Extended::from(power_of_two((exponent(g0.to_f64()) + 2).div_euclid(3)));
         let above = larger(g2.abs(), larger(g1.abs().sqrt(), cube_root)).doubled();
-        if g2 <= F::ZERO {
+        if g2 <= zero {
             return above;
         }
         // y³ >= 0 at every iterate, so the root of the quadratic is another upper bound, close for small coefficients
         let root = (g1.squared() - (g2 * g0).doubled().doubled()).sqrt();
-        let of_quadratic =
-            if g1 > F::ZERO { -g0.doubled() / (g1 + root) } else { (root - g1) / g2.doubled() };
-        let of_quadratic = of_quadratic * F::from_f64(1.0 + 1e-15);
-        if of_quadratic < above { larger(of_quadratic, F::ZERO) } else { above }
+        let of_quadratic = if g1 > zero { -g0.doubled() / (g1 + root) } else { (root - g1) / g2.doubled() };
+        let of_quadratic = of_quadratic * Extended::from(1.0 + 1e-15);
+        if of_quadratic < above { larger(of_quadratic, zero) } else { above }
     }
 
-    /// Largest root, by Newton's method from above, where the iterates decrease. Convergence to a multiple root is linear, so the
-    /// starting value is close.
-    #[inline(never)] // the stack frames of a launch must not add up
-    pub(crate) fn largest_root(&self, between: &mut dyn FnMut()) -> F {
+    /// Largest root, by Newton's method from above, where the iterates decrease.
+    #[inline(never)] // as above
+    pub(super) fn largest_root(&self, between: &mut dyn FnMut()) -> Extended {
         const MOST_STEPS: u32 = 200;
         let mut y = self.above();
         for _ in 0..MOST_STEPS {
             let (value, slope) = (self.value(y), self.slope(y));
-            if value <= F::ZERO || slope <= F::ZERO {
+            if value <= Extended::ZERO || slope <= Extended::ZERO {
                 break;
             }
             let next = y - value / slope;

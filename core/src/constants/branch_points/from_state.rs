@@ -1,7 +1,6 @@
 //! Branch points of the motion through a point (u, u') of the reduced curve. Three forms avoid all cancellation:
 //!
-//! * With torque, e₁ - u and e₂ - u, roots of the cubic in e - u, have opposite signs, which gives e₂ - e₁. So do 1 - e₂ and
-//!   1 - e₃, which gives e₃ - e₂.
+//! * With torque, e₁ - u and e₂ - u have opposite signs, which gives e₂ - e₁. So do 1 - e₂ and 1 - e₃, which gives e₃ - e₂.
 //! * With torque and an upright axis at rest, 1 is a double root, and the third root decides whether the top sleeps.
 //! * Without torque e₃ is infinite, and the axis turns about the constant angular momentum m:
 //!
@@ -12,33 +11,35 @@
 
 use super::cubic::Cubic;
 use super::{BranchPoints, LARGEST_E3};
-use crate::constants::FirstIntegrals;
-use crate::constants::first_integrals::ReducedPoint;
-use crate::error::{ParameterError, require};
-use crate::scalar::{Extended, Float};
-use crate::state::State;
-use crate::top::{ScaledTop, Top};
+use crate::body::{ParameterError, ScaledTop, State, Top, require};
+use crate::constants::first_integrals::{FirstIntegrals, ReducedPoint};
+use crate::scalar::{Extended, Float, Ring};
 
-/// Allowed range in the error message for a body that turns too fast for [`LARGEST_E3`].
-const TOO_FAST: &str = "slow enough for e3 <= 1e14 (faster, a body feels no torque: support = \"free\", Top::free, is then exact)";
+/// Error where e₃ is above [`LARGEST_E3`].
+fn require_slow(holds: bool) -> Result<(), ParameterError> {
+    require(
+        holds,
+        "omega",
+        "slow enough for e3 <= 1e14 (faster, a body feels no torque: support = \"free\", Top::free, is then exact)",
+    )
+}
 
 impl BranchPoints {
-    /// Branch points of a state. Every field, differences included, has the relative error of one `f64` rounding.
+    /// Branch points of a state. Every field has the relative error of one `f64` rounding.
     ///
     /// # Errors
     /// `omega`: so large that e₃ would exceed 1e14.
     pub fn from_state(top: &Top, state: &State) -> Result<Self, ParameterError> {
-        let (integrals, point) = FirstIntegrals::<Extended>::with_point(top, state);
+        let (integrals, point) = FirstIntegrals::with_point(top, state);
         Ok(BranchPoints::from_point(top, &integrals, &point, &mut || {})?.to_f64())
     }
 }
 
-impl<F: Float> BranchPoints<F> {
-    /// Branch points of the motion through a point of the reduced curve.
+impl BranchPoints<Extended> {
     pub(crate) fn from_point(
         top: &Top,
-        integrals: &FirstIntegrals<F>,
-        point: &ReducedPoint<F>,
+        integrals: &FirstIntegrals<Extended>,
+        point: &ReducedPoint,
         between: &mut dyn FnMut(),
     ) -> Result<Self, ParameterError> {
         if top.is_torque_free() {
@@ -46,22 +47,42 @@ impl<F: Float> BranchPoints<F> {
         } else if point.rests_upright() {
             Self::upright(&ScaledTop::new(top), integrals.n)
         } else {
-            let pair = LowerPair::new(top, integrals, point, between)?;
+            let pair = LowerPair::new(&ScaledTop::new(top), integrals, point, between)?;
             between();
             Self::above(&pair, integrals, point)
         }
     }
 
+    /// Branch points from their differences; the pair is e₃ - e₂ and e₃ - 1.
+    fn from_differences(
+        one_plus_e1: Extended,
+        one_minus_e2: Extended,
+        e2_minus_e1: Extended,
+        [e3_minus_e2, e3_minus_one]: [Extended; 2],
+    ) -> Self {
+        let one = Extended::ONE;
+        Self {
+            e1: one_plus_e1 - one,
+            e2: one - one_minus_e2,
+            e3: one + e3_minus_one,
+            one_plus_e1,
+            one_minus_e2,
+            e2_minus_e1,
+            e3_minus_e2,
+            e3_minus_one,
+        }
+    }
+
     /// Branch points without torque; e₁ = e₂ = u for a body at rest.
     #[inline(never)] // the stack frames of a launch must not add up
-    fn torque_free(top: &Top, integrals: &FirstIntegrals<F>, point: &ReducedPoint<F>) -> Self {
-        let a = ScaledTop::<F>::new(top).a;
+    fn torque_free(top: &Top, integrals: &FirstIntegrals<Extended>, point: &ReducedPoint) -> Self {
+        let (ScaledTop { a, .. }, zero) = (ScaledTop::new(top), Extended::ZERO);
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
         // larger than every `f64`
-        let infinite = [F::ONE / F::ZERO; 2];
+        let infinite = [Extended::ONE / zero; 2];
         let momentum = point.momentum(a, n);
-        if momentum == F::ZERO {
-            return Self::from_differences(point.one_plus_u, point.one_minus_u, F::ZERO, infinite);
+        if momentum == zero {
+            return Self::from_differences(point.one_plus_u, point.one_minus_u, zero, infinite);
         }
         // (e₁ - u) + (e₂ - u) = 2 (l n/|m|² - u), and (e₁ - u)(e₂ - u) = -(A u'/|m|)²
         let half_sum = (n * point.l_minus_nu(integrals) - point.u * (a * point.axis_energy).doubled())
@@ -76,11 +97,13 @@ impl<F: Float> BranchPoints<F> {
     /// Branch points of an upright axis at rest. The third root is n²/(2 A p g) - 1; the top sleeps if it is at least 1.
     /// The number n² - 4 A p g has a single rounding, so it is 0 exactly on the border of stability.
     #[inline(never)] // as above
-    fn upright(quantities: &ScaledTop<F>, n: F) -> Result<Self, ParameterError> {
-        let ScaledTop { a, p, g, .. } = *quantities;
-        let (zero, two, scale) = (F::ZERO, F::ONE.doubled(), (a * p * g).doubled());
-        let gap = F::difference_of_products([n, n], [(a * g).doubled().doubled(), p]) / scale;
-        require(gap <= F::from_f64(LARGEST_E3), "omega", TOO_FAST)?;
+    fn upright(
+        &ScaledTop { a, p, g, .. }: &ScaledTop<Extended>,
+        n: Extended,
+    ) -> Result<Self, ParameterError> {
+        let (zero, two, scale) = (Extended::ZERO, Extended::ONE.doubled(), (a * p * g).doubled());
+        let gap = Extended::difference_of_products([n, n], [(a * g).doubled().doubled(), p]) / scale;
+        require_slow(gap <= LARGEST_E3.into())?;
         Ok(if gap >= zero {
             Self::from_differences(two, zero, zero, [gap; 2])
         } else {
@@ -91,72 +114,70 @@ impl<F: Float> BranchPoints<F> {
     /// All branch points from the lower two.
     #[inline(never)] // as above
     fn above(
-        pair: &LowerPair<F>,
-        integrals: &FirstIntegrals<F>,
-        point: &ReducedPoint<F>,
+        pair: &LowerPair,
+        integrals: &FirstIntegrals<Extended>,
+        point: &ReducedPoint,
     ) -> Result<Self, ParameterError> {
         let LowerPair { kappa, x1, e2_minus_e1, is_closer } = *pair;
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
         let ReducedPoint { one_minus_u, axis_energy, .. } = *point;
+        let (zero, one) = (Extended::ZERO, Extended::ONE);
         // sum x₂ + x₃ and product x₂ x₃ of the two upper roots, with x = 1 - e
         let x_product = -kappa * l_minus_n.squared() / x1;
         let x_sum = (-(axis_energy - one_minus_u - kappa * l_minus_n * n).doubled() - x_product) / x1;
         let e3_minus_e2 = (x_sum.squared() - x_product.doubled().doubled()).sqrt();
-        let (one_minus_e2, e3_minus_one) = if x_sum > F::ZERO {
+        let (one_minus_e2, e3_minus_one) = if x_sum > zero {
             let x2 = (x_sum + e3_minus_e2).halved();
             (x2, -x_product / x2)
         } else {
             let x3 = (e3_minus_e2 - x_sum).halved();
-            (if x3 > F::ZERO { -x_product / x3 } else { F::ZERO }, x3)
+            (if x3 > zero { -x_product / x3 } else { zero }, x3)
         };
         let e2_minus_e1 = if is_closer { e2_minus_e1 } else { x1 - one_minus_e2 };
-        let two = F::from_f64(2.0);
         let one_minus_e1 = one_minus_e2 + e2_minus_e1;
-        let one_plus_e1 = if one_minus_e1 < F::ONE {
-            two - one_minus_e1
+        let one_plus_e1 = if one_minus_e1 < one {
+            one.doubled() - one_minus_e1
         } else {
             // (1 + e₁)(1 + e₂) = κ (l+n)²/(1 + e₃)
-            lesser_factor(kappa * l_plus_n.squared() / (two + e3_minus_one), e2_minus_e1)
+            lesser_factor(kappa * l_plus_n.squared() / (one.doubled() + e3_minus_one), e2_minus_e1)
         };
-        require(e3_minus_one <= F::from_f64(LARGEST_E3), "omega", TOO_FAST)?;
+        require_slow(e3_minus_one <= LARGEST_E3.into())?;
         Ok(Self::from_differences(one_plus_e1, one_minus_e2, e2_minus_e1, [e3_minus_e2, e3_minus_one]))
     }
 }
 
 /// Lesser of two numbers from their product and their difference.
-fn lesser_factor<F: Float>(product: F, difference: F) -> F {
+fn lesser_factor(product: Extended, difference: Extended) -> Extended {
     let sum = (difference.squared() + product.doubled().doubled()).sqrt();
-    if product > F::ZERO { product.doubled() / (difference + sum) } else { F::ZERO }
+    if product > Extended::ZERO { product.doubled() / (difference + sum) } else { Extended::ZERO }
 }
 
 /// First two branch points, as far as the cubic in e - u determines them without cancellation.
-#[derive(Clone, Copy, Debug)]
-struct LowerPair<F> {
-    kappa: F,
+struct LowerPair {
+    kappa: Extended,
     /// Difference 1 - e₁.
-    x1: F,
-    e2_minus_e1: F,
+    x1: Extended,
+    e2_minus_e1: Extended,
     /// Whether e₂ - e₁ <= e₃ - e₂.
     is_closer: bool,
 }
 
-impl<F: Float> LowerPair<F> {
+impl LowerPair {
     #[inline(never)] // as above
     fn new(
-        top: &Top,
-        integrals: &FirstIntegrals<F>,
-        point: &ReducedPoint<F>,
+        top: &ScaledTop<Extended>,
+        integrals: &FirstIntegrals<Extended>,
+        point: &ReducedPoint,
         between: &mut dyn FnMut(),
     ) -> Result<Self, ParameterError> {
-        let quantities = ScaledTop::<F>::new(top);
-        let (kappa, n) = (quantities.kappa(), integrals.n);
+        let (kappa, n) = (top.kappa(), integrals.n);
         let ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy } = *point;
-        let (limit, spin_energy) = (F::from_f64(LARGEST_E3), kappa * n.squared());
-        require(spin_energy < limit && axis_energy < limit, "omega", TOO_FAST)?;
+        let (limit, spin_energy) = (Extended::from(LARGEST_E3), kappa * n.squared());
+        require_slow(spin_energy < limit && axis_energy < limit)?;
         let sine_squared = one_minus_u * one_plus_u;
-        let d_of_u = quantities.a / quantities.p + quantities.s * sine_squared;
+        let d_of_u = top.a / top.p + top.s * sine_squared;
         let cubic = Cubic {
-            g0: d_of_u * udot.squared() / quantities.g.doubled(),
+            g0: d_of_u * udot.squared() / top.g.doubled(),
             g1: -(u * axis_energy).doubled() - sine_squared
                 + (kappa * n * point.l_minus_nu(integrals)).doubled(),
             g2: u.doubled() - axis_energy - spin_energy,
@@ -169,16 +190,16 @@ impl<F: Float> LowerPair<F> {
 
     /// Pair below the largest root y₃ of the cubic.
     #[inline(never)]
-    fn below(cubic: &Cubic<F>, y3: F, kappa: F, one_minus_u: F) -> Self {
-        let Cubic { g0, g1, g2 } = *cubic;
-        let (product, sum) = if y3 > F::ZERO { (-g0 / y3, (g1 + g0 / y3) / y3) } else { (F::ZERO, -g2) };
+    fn below(cubic: &Cubic, y3: Extended, kappa: Extended, one_minus_u: Extended) -> Self {
+        let (Cubic { g0, g1, g2 }, zero) = (*cubic, Extended::ZERO);
+        let (product, sum) = if y3 > zero { (-g0 / y3, (g1 + g0 / y3) / y3) } else { (zero, -g2) };
         let e2_minus_e1 = (sum.squared() - product.doubled().doubled()).sqrt();
         let y2 = (sum + e2_minus_e1).halved();
         let is_closer = e2_minus_e1 <= y3 - y2;
         let y1 = (sum - e2_minus_e1).halved();
-        let y1 = if is_closer && sum > F::ZERO && y2 > F::ZERO { product / y2 } else { y1 };
+        let y1 = if is_closer && sum > zero && y2 > zero { product / y2 } else { y1 };
         let y1 = if is_closer { y1 } else { cubic.polished(y1) };
-        let y1 = if y1 < F::ZERO { y1 } else { F::ZERO };
+        let y1 = if y1 < zero { y1 } else { zero };
         Self { kappa, x1: one_minus_u - y1, e2_minus_e1, is_closer }
     }
 }
@@ -186,7 +207,6 @@ impl<F: Float> LowerPair<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::Ring;
 
     /// The sign and the size of a difference far below the rounding of its two terms.
     #[test]

@@ -1,24 +1,21 @@
 //! Branch points from the first integrals, and first integrals from the branch points.
 
 use super::BranchPoints;
+use crate::body::{ParameterError, ScaledTop, Top, Units, finite};
 use crate::constants::first_integrals::{FirstIntegrals, ReducedPoint, Signs};
-use crate::error::{ParameterError, finite};
 use crate::scalar::{Extended, Float, Ring};
-use crate::top::{ScaledTop, Top, Units};
 
 impl BranchPoints {
     /// Branch points of given l, n and h. Near a degenerate case these are ill-conditioned: see [`BranchPoints::from_state`].
     ///
     /// # Errors
-    /// `h`: no motion has these integrals, because the energy is too low; `l`, `n`, `h`: not finite, or e₃ above
-    /// 1e14.
+    /// `h`: too low for any motion with these l and n; `l`, `n`, `h`: not finite, or e₃ above 1e14.
     pub fn from_integrals(top: &Top, l: f64, n: f64, h: f64) -> Result<Self, ParameterError> {
-        let unit = Units::new(top).inertia;
+        let unit = Units::new(top).inertia();
         let [l, n, h] = [finite("l", l)?, finite("n", n)?, finite("h", h)?].map(|x| Extended::from(x / unit));
         let spin = ScaledTop::new(top).spin(n);
         let integrals = FirstIntegrals { l, n, h, spin, l_plus_n: l + n, l_minus_n: l - n };
-        let point = fastest_point(top, &integrals);
-        let point = point.ok_or(ParameterError::OutOfRange {
+        let point = fastest_point(top, &integrals).ok_or(ParameterError::OutOfRange {
             parameter: "h",
             allowed: "the energy of some motion with these l and n (it is too low)",
         })?;
@@ -28,16 +25,15 @@ impl BranchPoints {
 
     /// First integrals of the motion with these branch points and signs (equation (3.6) of the paper). Without torque the branch
     /// points do not determine them, and the result has l = n = 0.
-    #[must_use]
     pub fn integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals {
         self.map(Extended::from).integrals_in(top, signs).as_given(top)
     }
 }
 
-impl<F: Float> BranchPoints<F> {
-    /// First integrals in the number type and the units of set-up.
-    pub(crate) fn integrals_in(&self, top: &Top, signs: Signs) -> FirstIntegrals<F> {
-        let quantities = ScaledTop::<F>::new(top);
+impl BranchPoints<Extended> {
+    /// First integrals in the units inside.
+    pub(crate) fn integrals_in(&self, top: &Top, signs: Signs) -> FirstIntegrals<Extended> {
+        let quantities = ScaledTop::<Extended>::new(top);
         let ScaledTop { a, c, p, g, .. } = quantities;
         let scale = (a * p * g).doubled();
         let plus = (scale * self.one_plus_e1 * self.one_plus_e2() * self.one_plus_e3()).sqrt();
@@ -52,11 +48,15 @@ impl<F: Float> BranchPoints<F> {
 }
 
 /// Point of the reduced curve at which (e₄² - u²) u'² is greatest; `None` where no motion has these integrals.
-fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<ReducedPoint<Extended>> {
+fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<ReducedPoint> {
     /// Largest effect of one `f64` rounding of l, n and h, relative to the terms.
     const NOISE: f64 = 1e-15;
     let (zero, one, noise) = (Extended::ZERO, Extended::ONE, Extended::from(NOISE));
     let at_least_0 = |x: Extended| if x > zero { x } else { zero };
+    let point = |u: Extended, udot: Extended, axis_energy: Extended| {
+        let (one_minus_u, one_plus_u) = (one - u, one + u);
+        ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy }
+    };
     let quantities = ScaledTop::<Extended>::new(top);
     let ScaledTop { a, c, s, p, g, .. } = quantities;
     let FirstIntegrals { l, n, h, spin, .. } = *integrals;
@@ -69,15 +69,8 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
         if across < least || horizontal < least || square <= zero {
             return None;
         }
-        let u = l * n / square;
         let udot = (at_least_0(horizontal) * at_least_0(across) / square).sqrt() / a;
-        return Some(ReducedPoint {
-            u,
-            one_minus_u: one - u,
-            one_plus_u: one + u,
-            udot,
-            axis_energy: axis_and_height,
-        });
+        return Some(point(l * n / square, udot, axis_and_height));
     }
     // f(u) = u³ - b u² + c₁ u + c₀
     let (kappa, energy) = (quantities.kappa(), axis_and_height / (p * g));
@@ -87,17 +80,16 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
     let root = (b.squared() - Extended::from(3.0) * c1).sqrt();
     let u = if b > zero { c1 / (b + root) } else { (b - root) / 3.0.into() };
     // f(u) again, without cancellation where the axis is nearly upright
-    let point =
-        ReducedPoint { u, one_minus_u: one - u, one_plus_u: one + u, udot: zero, axis_energy: energy - u };
-    let sine_squared = point.one_minus_u * point.one_plus_u;
-    let peak = point.axis_energy * sine_squared - kappa * point.l_minus_nu(integrals).squared();
+    let found = point(u, zero, energy - u);
+    let sine_squared = found.one_minus_u * found.one_plus_u;
+    let peak = found.axis_energy * sine_squared - kappa * found.l_minus_nu(integrals).squared();
     let noise = (b.abs() + c1.abs() + c0.abs() + one) * noise;
-    if u.abs() > one + noise.sqrt() || peak < -noise || point.axis_energy < -noise.sqrt() {
+    if u.abs() > one + noise.sqrt() || peak < -noise || found.axis_energy < -noise.sqrt() {
         return None;
     }
     let u = if u > one { one } else { u };
     let u = if u < -one { -one } else { u };
-    let (one_minus_u, one_plus_u) = (one - u, one + u);
-    let udot = (g.doubled() * at_least_0(peak) / (a / p + s * one_minus_u * one_plus_u)).sqrt();
-    Some(ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy: at_least_0(energy - u) })
+    let found = point(u, zero, at_least_0(energy - u));
+    let d = a / p + s * found.one_minus_u * found.one_plus_u;
+    Some(ReducedPoint { udot: (g.doubled() * at_least_0(peak) / d).sqrt(), ..found })
 }

@@ -1,17 +1,15 @@
 //! Trapezoid rule over a nutation period, in the elliptic argument of [`EllipticEquations`].
 //!
-//! It converges geometrically, at a known rate. The Landen transformation gives sn and cn from equidistant angles, without a
-//! transcendental function.
+//! It converges geometrically, at a known rate.
 
-use super::advance::Period;
-use super::division::{MOST_NODES, division, part_of_right_angle, sum_of_angles};
-use crate::landen::Landen;
-use crate::motion::elliptic_equations::EllipticEquations;
+use super::Period;
+use super::elliptic_equations::EllipticEquations;
+use super::landen::{Landen, MOST_NODES};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Extended, Float, Ring, Wide};
 
 impl Period {
-    /// Period of a motion that nutates, in numbers of this many words. `between` is called several times for each node.
+    /// Period of a motion that nutates. `between` is called several times for each node.
     #[inline(never)]
     pub(crate) fn integrated<const WORDS: usize>(
         equations: &PhaseEquations<Wide<WORDS>>,
@@ -37,7 +35,7 @@ impl Period {
 /// Trapezoid sums over half a period.
 struct TrapezoidRule<'a, const WORDS: usize> {
     equations: &'a EllipticEquations<'a, Wide<WORDS>>,
-    landen: &'a Landen<Wide<WORDS>>,
+    landen: &'a Landen<WORDS>,
     /// Sums of the integrands of t, ψ_A and ψ_B without their constant factors; the ends of the half period have half weight.
     sums: [Wide<WORDS>; 3],
     nodes: u32,
@@ -57,10 +55,10 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     #[inline(never)] // the stack frames of a launch must not add up
     fn new(
         equations: &'a EllipticEquations<'a, Wide<WORDS>>,
-        landen: &'a Landen<Wide<WORDS>>,
+        landen: &'a Landen<WORDS>,
         between: &mut dyn FnMut(),
     ) -> (Self, u32) {
-        let (nodes, needed) = division(Self::BITS / landen.bits_per_node());
+        let (nodes, needed) = landen.division(Self::BITS);
         let step = part_of_right_angle(nodes);
         let mut rule =
             Self { equations, landen, sums: [Wide::ZERO; 3], nodes, step, changes: [f64::INFINITY; 2] };
@@ -82,27 +80,24 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         let difference = sum(odd, self.sums.map(|sum| -sum));
         self.sums = sum(self.sums, odd);
         (self.nodes, self.step) = (2 * self.nodes, half_step);
-        let ([time, slow], [time_before, slow_before]) = (self.relative(difference), self.changes);
-        self.changes = [time, slow];
+        let (changes, before) = (self.relative(difference), self.changes);
+        self.changes = changes;
+        let ([time, slow], [time_before, slow_before]) = (changes, before);
         remaining_error(time, time_before).max(remaining_error(slow, slow_before))
     }
 
     /// Sums over nodes that begin at an angle and are a step apart.
-    fn sums_of(
-        &self,
-        nodes: u32,
-        mut angle: [Wide<WORDS>; 2],
-        between: &mut dyn FnMut(),
-    ) -> [Wide<WORDS>; 3] {
+    fn sums_of(&self, nodes: u32, first: [Wide<WORDS>; 2], between: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
+        let ([step_sine, step_cosine], [mut sine, mut cosine]) = (self.step, first);
         let mut sums = [Wide::ZERO; 3];
         for _ in 0..nodes {
-            sums = sum(sums, self.at(angle, between));
-            angle = sum_of_angles(angle, self.step);
+            sums = sum(sums, self.at([sine, cosine], between));
+            (sine, cosine) =
+                (sine * step_cosine + cosine * step_sine, cosine * step_cosine - sine * step_sine);
         }
         sums
     }
 
-    /// Integrands at a node, of which sine and cosine are given.
     #[inline(never)]
     fn at(&self, angle: [Wide<WORDS>; 2], between: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
         let squares = self.landen.squares_at_angle(angle);
@@ -114,9 +109,9 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
 
     /// Changes relative to the sums: of the time, and of the slow phases, which are compared with the sum of their magnitudes.
     fn relative(&self, change: [Wide<WORDS>; 3]) -> [f64; 2] {
-        let [alpha_scale, beta_scale] = self.equations.slow_scales().map(Float::abs);
+        let [alpha_scale, beta_scale] = self.equations.slow_scales().map(f64::abs);
         let magnitudes = |sums: [Wide<WORDS>; 3]| {
-            let [time, alpha, beta] = sums.map(|sum| Float::abs(sum.to_f64()));
+            let [time, alpha, beta] = sums.map(|sum| sum.to_f64().abs());
             [time, alpha * alpha_scale + beta * beta_scale]
         };
         let ([time_change, slow_change], [time, slow]) = (magnitudes(change), magnitudes(self.sums));
@@ -152,11 +147,37 @@ fn remaining_error(change: f64, before: f64) -> f64 {
     change * (3.0 * change + 30.0 * ratio * ratio)
 }
 
+/// Sine and cosine of a right angle divided by 1, 3 or 5.
+fn part_of_right_angle<F: Float>(division: u32) -> [F; 2] {
+    let sine = match division {
+        3 => F::ONE.halved(),
+        5 => (F::from_f64(5.0).sqrt() - F::ONE).halved().halved(),
+        _ => return [F::ONE, F::ZERO],
+    };
+    [sine, (F::ONE - sine * sine).sqrt()]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::scalar::Extended64;
     use crate::{Complex, InitialPhases, Motion, Orientation, Release, Signs, State, Top, TopParameters};
+
+    fn sliding([transverse_inertia, axial_inertia, com_height, mass_moment]: [f64; 4], gravity: f64) -> Top {
+        Top::sliding(&TopParameters {
+            transverse_inertia,
+            axial_inertia,
+            com_height,
+            mass_moment,
+            gravity,
+            ..TopParameters::default()
+        })
+        .unwrap()
+    }
+
+    fn released(top: &Top, release: &Release) -> Motion {
+        Motion::launch(top, &State::release(release).unwrap()).unwrap()
+    }
 
     fn period<const WORDS: usize>(motion: &Motion) -> Period {
         motion.period::<WORDS>(&motion.equations(), &mut || {}).unwrap()
@@ -165,21 +186,13 @@ mod tests {
     /// The slow phases of this motion converge later than its period: the last changes of one say nothing about the other.
     #[test]
     fn the_estimate_holds_where_one_integral_converges_later() {
-        let top = Top::sliding(&TopParameters {
-            transverse_inertia: 550_727.206_840_833_8,
-            axial_inertia: 127_428.675_666_720_59,
-            com_height: 3.375_520_805_021_179_3,
-            mass_moment: 1.708_587_416_477_475_3,
-            gravity: 0.224_786_633_213_301_5,
-            ..TopParameters::default()
-        })
-        .unwrap();
+        let [a, c] = [550_727.206_840_833_8, 127_428.675_666_720_59];
+        let top = sliding([a, c, 3.375_520_805_021_179_3, 1.708_587_416_477_475_3], 0.224_786_633_213_301_5);
         let alpha = Complex::new(-0.950_307_621_000_546_7, -0.011_024_362_132_147_47);
         let beta = Complex::new(-0.310_824_514_250_747_36, 0.013_491_117_398_039_085);
         let omega = [0.003_448_181_221_981_053, 5.756_927_032_555_872e-5, -0.005_529_380_379_944_812];
         let state = State::new(Orientation { alpha, beta }, omega).unwrap();
-        let motion = Motion::launch(&top, &state).unwrap();
-        let equations = motion.equations();
+        let equations = Motion::launch(&top, &state).unwrap().equations();
         let first = Period::integrated(&equations, &mut || {});
         let elliptic = EllipticEquations::new(&equations);
         let mut landen = Landen::NONE;
@@ -192,22 +205,14 @@ mod tests {
         assert_eq!(finer.nodes, 2 * first.nodes);
         let error = ((first.time - finer.time) / finer.time).to_f64();
         // beside the roundings of the sums
-        assert!(Float::abs(error) <= first.relative_error + 1e-36, "{error:e} {:e}", first.relative_error);
+        assert!(error.abs() <= first.relative_error + 1e-36, "{error:e} {:e}", first.relative_error);
         assert!(first.relative_error <= 1e-28, "{:e}", first.relative_error);
     }
 
     /// A branch point e₄ close to e₂, with e₃ far away: the number of nodes follows from K'/K of these points.
     #[test]
     fn a_fourth_branch_point_near_the_motion_takes_few_nodes() {
-        let top = Top::sliding(&TopParameters {
-            transverse_inertia: 1.0,
-            axial_inertia: 0.01,
-            com_height: 1.0,
-            mass_moment: 87.0,
-            gravity: 1.0,
-            ..TopParameters::default()
-        })
-        .unwrap();
+        let top = sliding([1.0, 0.01, 1.0, 87.0], 1.0);
         for (e, nodes) in [([-1.0, 1.0, 3.9], 64), ([-0.9, 0.999, 3.9], 48), ([-0.9, 0.999, 1.001], 48)] {
             let motion =
                 Motion::from_branch_points(&top, e, Signs::default(), &InitialPhases::default()).unwrap();
@@ -219,16 +224,8 @@ mod tests {
     /// the variable it needed 65 537 nodes.
     #[test]
     fn a_slender_top_takes_few_nodes() {
-        let slender = Top::sliding(&TopParameters {
-            transverse_inertia: 1.01e-6,
-            axial_inertia: 1e-6,
-            com_height: 1.0,
-            mass: 1.0,
-            gravity: 1.0,
-            ..TopParameters::default()
-        });
         let release = Release { tilt: 1e-3, spin: 1e-3, ..Release::default() };
-        let motion = Motion::launch(&slender.unwrap(), &State::release(&release).unwrap()).unwrap();
+        let motion = released(&sliding([1.01e-6, 1e-6, 1.0, 1.0], 1.0), &release);
         let nodes = period::<2>(&motion).nodes;
         assert!((96..=192).contains(&nodes), "{nodes}");
     }
@@ -239,26 +236,19 @@ mod tests {
         let mut worst = 0.0_f64;
         for k in 1..if cfg!(miri) { 3 } else { 100 } {
             let fraction = |step: f64| (step * f64::from(k)).fract();
-            let top = Top::sliding(&TopParameters {
-                transverse_inertia: 3.0e-5,
-                axial_inertia: 2.0e-5,
-                com_height: 0.03,
-                mass: 10_f64.powf(3.0 * fraction(0.755) - 2.5),
-                ..TopParameters::default()
-            })
-            .unwrap();
+            let mass = 10_f64.powf(3.0 * fraction(0.755) - 2.5);
+            let top = sliding([3.0e-5, 2.0e-5, 0.03, 0.03 * mass], 9.80665);
             let release =
                 Release { tilt: 3.0 * fraction(0.57), spin: 500.0 * fraction(0.327), ..Release::default() };
-            let state = State::release(&release).unwrap();
-            let motion = Motion::launch(&top, &state).unwrap();
+            let motion = released(&top, &release);
             let (exact, rounded) = (period::<2>(&motion), period::<1>(&motion));
             let slow = |period: &Period| period.psi[0] + period.psi[1];
             let size = exact.psi[0].abs() + exact.psi[1].abs();
             let errors = [(rounded.time - exact.time) / exact.time, (slow(&rounded) - slow(&exact)) / size];
-            for error in errors {
+            for error in errors.map(|error| error.to_f64().abs()) {
                 let allowed = rounded.relative_error + 64.0 * rounded.operation_error;
-                assert!(Float::abs(error.to_f64()) <= allowed, "{k}: {:e} {allowed:e}", error.to_f64());
-                worst = worst.max(Float::abs(error.to_f64()));
+                assert!(error <= allowed, "{k}: {error:e} {allowed:e}");
+                worst = worst.max(error);
             }
         }
         assert!(worst > Extended64::OPERATION_ERROR || cfg!(miri), "{worst:e}");

@@ -10,8 +10,8 @@
 //! A span ends where its series would exceed the allowed error. The segments of a cell are equal, and the longest with which the error is allowed.
 //! Where they prove too long, the cell is cut again from its beginning.
 
-use crate::cayley_klein::Ellipses;
 use crate::motion::Motion;
+use crate::motion::cayley_klein::Ellipses;
 use crate::phase::Phase;
 use crate::scalar::times_power_of_two;
 use crate::table::build::errors::{Limits, SegmentErrors, Speeds, TableSummary};

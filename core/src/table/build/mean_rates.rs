@@ -2,7 +2,7 @@
 
 use crate::constants::LaunchRounding;
 use crate::motion::Motion;
-use crate::period::Period;
+use crate::motion::period::Period;
 use crate::scalar::{Extended, Float, Ring};
 
 /// Rates of the nutation phase and of the mean slow phases, with the values needed to step through the half period.
@@ -47,7 +47,7 @@ impl MeanRates {
         let relative = OPERATIONS * Extended::OPERATION_ERROR + STORED + motion.rounding.relative;
         // a rate is the sum of a quotient and ±τ/2, which may cancel
         let half_tau = Float::abs(motion.half_tau.in_turns().to_f64());
-        let slow = Extended::from(motion.rounding.turning).in_turns().to_f64();
+        let slow = Extended::from(motion.rounding.slow_rates).in_turns().to_f64();
         let error = |rate: Extended| (Float::abs(rate.to_f64()) + 2.0 * half_tau) * relative + slow;
         Self {
             half_period: Extended::ZERO,
@@ -77,7 +77,7 @@ impl MeanRates {
 /// Errors of 1/T and of the mean rates of α and β, turns per unit time.
 #[inline(never)]
 fn errors(motion: &Motion, period: &Period) -> [f64; 3] {
-    let LaunchRounding { relative, turning } = motion.rounding;
+    let LaunchRounding { relative, slow_rates } = motion.rounding;
     let operations = OPERATIONS + OPERATIONS_PER_NODE * f64::from(period.nodes);
     let arithmetic = operations * period.operation_error + STORED + relative;
     let rule = period.relative_error;
@@ -85,7 +85,7 @@ fn errors(motion: &Motion, period: &Period) -> [f64; 3] {
     let psi = period.psi.map(|angle| Float::abs(angle.in_turns().to_f64()));
     let [psi_alpha, psi_beta] = psi;
     let half_tau = Float::abs(motion.half_tau.in_turns().to_f64());
-    let slow = Extended::from(turning).in_turns().to_f64();
+    let slow = Extended::from(slow_rates).in_turns().to_f64();
     let [alpha, beta] = psi.map(|own| {
         // the rate is (ψ(T) + half a turn)/T ± τ/2; the error of the trapezoid rule affects the first term only
         let advance = own + 0.5;

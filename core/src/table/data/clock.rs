@@ -2,7 +2,7 @@
 
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::phase::{Phase, PhaseFraction, integer_parts, shifted, whole_number};
+use crate::phase::{Phase, PhaseFraction, integer_parts, shifted};
 use crate::scalar::{Extended, Float};
 use crate::table::build::bound::increment_error;
 use crate::table::build::errors::TableSummary;
@@ -158,8 +158,7 @@ impl<W> Clock<W> {
     #[cold]
     #[inline(never)]
     pub(crate) fn after(&self, ticks: Extended) -> ([PhaseFraction; 3], Phase) {
-        let ([leading, rest], share) = ticks.floor_and_rest();
-        let ticks = whole_number(leading).wrapping_add(whole_number(rest));
+        let (ticks, share) = ticks.floor_and_rest();
         let since_first = ticks.wrapping_sub(i64::MIN.into());
         let mut phases = self.steps();
         for ((phase, exact), first) in phases.iter_mut().zip(self.exact_steps()).zip(self.first) {

@@ -251,3 +251,13 @@ pub(crate) fn put<R: EphemerisScalar>(
     }
     [4.0 * largest, Float::sqrt(slope_squares)]
 }
+
+/// Capacity and error bound, not the table.
+#[cfg(feature = "defmt")]
+impl<R: EphemerisScalar, const SEGMENTS: usize> defmt::Format
+    for EphemerisStorage<R, [R::Segment; SEGMENTS]>
+{
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "ephemeris of {=usize} segments, {}", SEGMENTS, self.error_bound());
+    }
+}

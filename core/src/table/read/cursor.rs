@@ -71,3 +71,11 @@ impl Cursor {
         self.base = self.base.wrapping_add(1 << 32);
     }
 }
+
+/// Tick of the last sample.
+#[cfg(feature = "defmt")]
+impl defmt::Format for Cursor {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "cursor at tick {=i64}", self.tick());
+    }
+}

@@ -1,7 +1,7 @@
 //! Sample of a motion: three phases, and the quantities computed from them on demand.
 
-use crate::attitude_state::AttitudeState;
 use crate::complex::Complex;
+use crate::motion::attitude_state::AttitudeState;
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::Float;
 use crate::su2::{Orientation, OrientationRate, Vector};
@@ -244,4 +244,11 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
 fn converted<A: Copy, B>(orientation: &Orientation<A>, number: impl Fn(A) -> B) -> Orientation<B> {
     let parts = |z: Complex<A>| Complex::new(number(z.re), number(z.im));
     Orientation { alpha: parts(orientation.alpha), beta: parts(orientation.beta) }
+}
+
+#[cfg(feature = "defmt")]
+impl<R: EphemerisScalar + defmt::Format> defmt::Format for Sample<'_, R> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{} (nutation {})", self.orientation(), self.nutation_phase());
+    }
 }

@@ -158,12 +158,12 @@ const STEEPEST: f64 = 4.0;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::body::{Top, TopParameters};
     use crate::complex::Complex;
     use crate::constants::{BranchPoints, Sign, Signs};
     use crate::phase::Phase;
     use crate::scalar::{Extended, Scalar};
     use crate::table::series::expansion::{TERMS, UNIT};
-    use crate::top::{Top, TopParameters};
 
     fn law(spread: f64, [e1, e2, e3]: [f64; 3]) -> PhaseEquations<Extended> {
         let parameters = TopParameters {
@@ -175,7 +175,7 @@ mod tests {
             ..TopParameters::default()
         };
         let top = Top::sliding(&parameters).unwrap();
-        let e = BranchPoints::<Extended>::exact(e1, e2, e3).unwrap();
+        let e = BranchPoints::<Extended>::exact([e1, e2, e3]).unwrap();
         let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
         PhaseEquations::new(&top, &e, e.integrals_in(&top, signs).l_plus_n, signs)
     }

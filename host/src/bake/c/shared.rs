@@ -2,7 +2,7 @@
 
 use super::{decimal, integer};
 use crate::motion::Scalar;
-use toytop::scalar::SINE_CONSTANTS;
+use toytop::scalar::sine::{COSINE, CUBIC, LINEAR, SECANT, SINE, SINES, VERSINE};
 
 /// Name of the header that declares the shared code.
 pub(super) const SHARED_HEADER: &str = "toytop_baked.h";
@@ -118,15 +118,14 @@ fn declarations(functions: &str) -> String {
 
 /// Table of sines in C, and the coefficients of the interpolation.
 fn points() -> String {
-    let ([linear, cubic, versine], secant) = (SINE_CONSTANTS.turn, SINE_CONSTANTS.secant);
-    let rows = SINE_CONSTANTS.points.chunks(8);
+    let rows = SINES.chunks(8);
     let rows: String = rows
         .map(|row| format!("    {},\n", row.iter().map(|&x| integer(x)).collect::<Vec<_>>().join(", ")))
         .collect();
-    let count = SINE_CONSTANTS.points.len();
+    let count = SINES.len();
     format!(
-        "#define TOYTOP_LINEAR {linear}\n#define TOYTOP_CUBIC {cubic}\n#define TOYTOP_VERSINE {versine}\n\
-         #define TOYTOP_SECANT {secant}\n\
+        "#define TOYTOP_LINEAR {LINEAR}\n#define TOYTOP_CUBIC {CUBIC}\n#define TOYTOP_VERSINE {VERSINE}\n\
+         #define TOYTOP_SECANT {SECANT}\n\
          /* 2^31 sin of 0, 1/512, ... turns, at most 2^31 - 1; a quarter turn on is the cosine. */\n\
          static const int32_t toytop_sines[{count}] = {{\n{rows}}};\n"
     )
@@ -139,8 +138,8 @@ fn series() -> String {
         format!("static const double toytop_{name}[{}] = {{\n{rows}}};\n", coefficients.len())
     };
     "/* sin 2 pi x = x S(x^2) and cos 2 pi x = C(x^2) for |x| <= 1/8. */\n".to_owned()
-        + &series("sine", SINE_CONSTANTS.sine)
-        + &series("cosine", SINE_CONSTANTS.cosine)
+        + &series("sine", &SINE)
+        + &series("cosine", &COSINE)
 }
 
 #[cfg(test)]

@@ -37,8 +37,7 @@ float other(void) {{ return toytop_at_tick_f32(&toy_top, 1).u + toytop_at_tick_f
     finished(command.args(["-std=c99", "-O0"]).args(WARNINGS).arg("-o").arg(&program).args(&files)).ok();
     finished(&mut Command::new(&program)).ok();
     let bytes = std::fs::read(&program).expect("the program");
-    let points = toytop::scalar::SINE_CONSTANTS.points;
-    let sines: Vec<u8> = points.iter().flat_map(|sine| sine.to_le_bytes()).collect();
+    let sines: Vec<u8> = toytop::scalar::sine::SINES.iter().flat_map(|sine| sine.to_le_bytes()).collect();
     let copies = bytes.windows(sines.len()).filter(|bytes| *bytes == sines).count();
     assert_eq!(copies, 1, "copies of the sines");
 }

@@ -15,19 +15,15 @@
 //! *Fixed tip, free body.* s = 0, and d is from the point to which A and C belong. K does not change. Where C = 0, J has no moment
 //! about the axis.
 
-use super::{FASTEST, State};
-use crate::error::{ParameterError, finite, require};
-use crate::scalar::Float;
+use super::state::FASTEST;
+use super::{ParameterError, State, Support, Top, require, within};
 use crate::su2::{Vector, cross, dot};
-use crate::top::{Support, Top};
 
 impl State {
     /// State after an impulse J, N s in the fixed frame, at a point X of the body, m in the body frame *from the tip*.
     ///
-    /// For a free body the point is relative to the centre of mass, which otherwise is at [0, 0, s]. It may lie outside the body.
-    /// The horizontal velocity of a sliding top, which changes too, is not part of a state.
-    ///
-    /// An angular impulse, N m s, is a pair: J at X + D and -J at X give D × J for any X.
+    /// For a free body the point is relative to the centre of mass, which otherwise is at [0, 0, s]. It may lie outside the body. A pair
+    /// J at X + D and -J at X is an angular impulse D × J.
     ///
     /// ```
     /// use toytop::{Release, State, Top, TopParameters};
@@ -39,7 +35,7 @@ impl State {
     ///     ..TopParameters::default()
     /// })?;
     /// let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
-    /// // a tangential stroke of 2 mN s on the rim, 25 mm from the axis, at the height of the centre of mass
+    /// // tangential, 25 mm from the axis, at the height of the centre of mass
     /// let struck = state.with_impulse(&top, [0.0, 2.0e-3, 0.0], [0.025, 0.0, 0.03])?;
     /// assert!(struck.omega() != state.omega() && struck.orientation() == state.orientation());
     /// # Ok::<(), toytop::ParameterError>(())
@@ -58,7 +54,7 @@ impl State {
         for (component, before) in omega.iter_mut().zip(self.omega) {
             *component += before;
             require(
-                Float::abs(*component) <= FASTEST,
+                component.abs() <= FASTEST,
                 "impulse",
                 "such that no component of omega exceeds 1e12 rad/s",
             )?;
@@ -66,11 +62,8 @@ impl State {
         Ok(Self { omega, ..*self })
     }
 
-    /// Reaction impulse of the support, N s in the fixed frame: p Δω × r - J, and its vertical part under a sliding tip.
-    ///
-    /// Where the third component is negative, a real top leaves the plane.
-    ///
-    /// * `impulse`, `point`: the arguments of [`State::with_impulse`]
+    /// Reaction of the support to an impulse, N s in the fixed frame: p Δω × r - J, and its vertical part under a sliding tip. Where
+    /// that is negative, a real top leaves the plane.
     ///
     /// # Errors
     /// `impulse`, `point`: a component is not finite or is above 1e12.
@@ -102,16 +95,14 @@ impl State {
     ) -> Result<Vector<f64>, ParameterError> {
         for (name, vector) in [("impulse", impulse), ("point", point)] {
             for component in vector {
-                finite(name, component)?;
-                require(Float::abs(component) <= 1e12, name, "between -1e12 and 1e12 in every component")?;
+                within(-1e12..=1e12, name, component, "between -1e12 and 1e12 in every component")?;
             }
         }
-        let (a, c, s) = (top.transverse_inertia(), top.axial_inertia(), top.com_height());
+        let (a, c, s, p) = (top.a, top.c, top.s, top.mass_moment());
         let phi = self.orientation.normalised();
         let (r, [x, y, z], [.., lift]) = (phi.axis(), point, impulse);
         let given = cross(phi.adjoint([x, y, z - s]), impulse);
         let q = cross(r, [0.0, 0.0, 1.0]);
-        let p = top.mass_moment();
         let reaction = (p * dot(given, q) - a * lift) / (a + p * s * dot(q, q));
         let axial = dot(given, r);
         let spin_up = if c > 0.0 { axial / c } else { 0.0 };

@@ -1,6 +1,5 @@
-//! Numbers of the crate `fixed` as scalars: [`I2F30`] and [`I2F14`], both with the range [-2, 2) (feature `fixed`).
-//!
-//! They evaluate a tick, whose quantities are at most 1 in magnitude: α, β, u, the axis, and the tip in units of s.
+//! Numbers of the crate `fixed` as scalars: [`I2F30`] and [`I2F14`], with the range [-2, 2). The quantities of a tick are at most 1 in
+//! magnitude.
 
 use crate::phase::Phase;
 use crate::product::high_product;

@@ -1,6 +1,6 @@
 //! Fraction of a turn as an integer of 96 bits: the type of an ephemeris' phases.
 
-use crate::phase::Phase;
+use super::Phase;
 use crate::product::{long_product, wrapping_product};
 
 /// Fraction of a turn in 96 bits; whole turns are dropped.
@@ -14,33 +14,25 @@ pub(crate) struct PhaseFraction {
 }
 
 impl PhaseFraction {
-    /// Fraction from its words, the least significant first.
-    #[must_use]
     pub(crate) const fn new(words: [u32; 3]) -> Self {
         Self { words }
     }
 
-    /// Words of 32 bits, the least significant first.
-    #[must_use]
     pub(crate) const fn words(self) -> [u32; 3] {
         self.words
     }
 
-    /// Fraction of a phase, exact.
-    #[must_use]
     pub(crate) const fn from_phase(phase: Phase) -> Self {
         let bits = phase.to_bits();
         Self::new([bits as u32, (bits >> 32) as u32, (bits >> 64) as u32])
     }
 
     /// Phase in [0, 1) turn, exact.
-    #[must_use]
     pub(crate) const fn to_phase(self) -> Phase {
         let [.., upper] = self.words;
         Phase::from_bits(((upper as i128) << 64) | self.lower() as i128)
     }
 
-    /// Two lower words as one number.
     #[inline(always)]
     const fn lower(self) -> u64 {
         let [low, middle, _] = self.words;
@@ -49,7 +41,6 @@ impl PhaseFraction {
 
     /// Sum, modulo one turn.
     #[inline(always)]
-    #[must_use]
     pub(crate) const fn plus(self, other: Self) -> Self {
         let ([.., upper], [.., other_upper]) = (self.words, other.words);
         let (lower, carry) = self.lower().overflowing_add(other.lower());
@@ -58,17 +49,12 @@ impl PhaseFraction {
     }
 
     /// Difference, modulo one turn.
-    #[must_use]
-    pub(crate) const fn minus(self, other: Self) -> Self {
-        let ([.., upper], [.., other_upper]) = (self.words, other.words);
-        let (lower, borrow) = self.lower().overflowing_sub(other.lower());
-        let upper = upper.wrapping_sub(other_upper).wrapping_sub(borrow as u32);
-        Self::new([lower as u32, (lower >> 32) as u32, upper])
+    pub(crate) fn minus(self, other: Self) -> Self {
+        Self::from_phase(self.to_phase() - other.to_phase())
     }
 
     /// n times the fraction, modulo one turn.
     #[inline(always)]
-    #[must_use]
     pub(crate) const fn times(self, n: u64) -> Self {
         let [low, ..] = self.words;
         let (n_low, n_high) = (n as u32, (n >> 32) as u32);
@@ -79,10 +65,8 @@ impl PhaseFraction {
         Self::new([lowest as u32, leading as u32, (leading >> 32) as u32])
     }
 
-    /// Sum with a fraction given by its 64 leading bits, modulo one turn. The lowest word is unchanged, so no carry
-    /// leaves it.
+    /// Sum with a fraction given by its 64 leading bits, modulo one turn.
     #[inline(always)]
-    #[must_use]
     pub(crate) const fn plus_leading(self, other: u64) -> Self {
         let ([low, ..], sum) = (self.words, self.leading().wrapping_add(other));
         Self::new([low, sum as u32, (sum >> 32) as u32])
@@ -91,7 +75,6 @@ impl PhaseFraction {
     /// 64 leading bits of n times the fraction, plus `share`, in units of 2^-64, times the fraction as a signed phase. Rounded down, to
     /// within 2^-95 turns.
     #[inline(always)]
-    #[must_use]
     pub(crate) const fn leading_after(self, n: u64, share: u64) -> u64 {
         let ([low, ..], leading) = (self.words, self.leading());
         // below the product of the leading bits, in units of 2^-128 turns
@@ -105,7 +88,6 @@ impl PhaseFraction {
 
     /// 64 leading bits.
     #[inline(always)]
-    #[must_use]
     pub(crate) const fn leading(self) -> u64 {
         let [_, middle, upper] = self.words;
         ((upper as u64) << 32) | middle as u64

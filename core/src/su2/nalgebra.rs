@@ -3,8 +3,8 @@
 //! A `UnitQuaternion` and an [`Orientation`] are the same element of SU(2), *sign included*. A `Rotation3` has no sign; nalgebra
 //! chooses it.
 
+use super::Orientation;
 use crate::scalar::Ring;
-use crate::su2::Orientation;
 use nalgebra::{Quaternion, RealField, Rotation3, UnitQuaternion};
 
 /// Conversion without normalisation: Φ must have unit norm, as every orientation of this crate does.

@@ -4,30 +4,32 @@ use crate::scalar::{Float, Ring, Wide};
 
 /// Squares sn² u and cn² u, and dn u, as fractions that are not divided yet. The denominator of both squares is their sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct SquaresOfWhole<F> {
+pub(super) struct SquaresOfWhole<F> {
     /// Numerator of sn².
-    pub(crate) sn: F,
+    pub(super) sn: F,
     /// Numerator of cn².
-    pub(crate) cn: F,
+    pub(super) cn: F,
     /// Numerator of dn.
-    pub(crate) dn: F,
+    pub(super) dn: F,
     /// Denominator of dn.
-    pub(crate) whole_of_dn: F,
+    pub(super) whole_of_dn: F,
 }
 
 /// Sequence of Landen transformations of one parameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Landen<F> {
+pub(super) struct Landen<const WORDS: usize> {
     /// Transformations in order of decreasing modulus. Those that would change nothing have the modulus 0.
-    steps: [LandenStep<F>; LANDEN_STEPS],
+    steps: [LandenStep<Wide<WORDS>>; LANDEN_STEPS],
     /// Product of (1 + k)² over all steps.
-    scale: F,
+    scale: Wide<WORDS>,
     /// Number of steps, from the first, with 1 - k <= 1/8.
     near_one: usize,
 }
 
+/// Largest number of nodes on half a period. A motion with m₁ = 1e-300 needs 2560.
+pub(super) const MOST_NODES: u32 = 1 << 13;
+
 /// Transformation to a modulus k.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy)]
 struct LandenStep<F> {
     modulus: F,
     /// Difference 1 - k.
@@ -39,22 +41,21 @@ struct LandenStep<F> {
 /// Greatest number of Landen transformations. Each squares a small modulus: m₁ = 1/2 needs five, 1e-15 nine, 1e-300 twelve.
 const LANDEN_STEPS: usize = 12;
 
-impl<const WORDS: usize> Landen<Wide<WORDS>> {
+impl<const WORDS: usize> Landen<WORDS> {
     /// Modulus of a transformation that changes the period by less than the other errors.
     const LEAST_MODULUS: f64 = if WORDS == 1 { 2e-20 } else { 1e-33 };
 
     /// Sequence for m = 0.
-    pub(crate) const NONE: Self = Self {
+    pub(super) const NONE: Self = Self {
         steps: [LandenStep { modulus: Wide::ZERO, rest: Wide::ONE, scaled_modulus: Wide::ZERO };
             LANDEN_STEPS],
         scale: Wide::ONE,
         near_one: 0,
     };
 
-    /// Fills the sequence for m and m₁ = 1 - m, each given with full relative precision. `between` is called after every
-    /// transformation.
+    /// Fills the sequence for m and m₁ = 1 - m, each given with full relative precision.
     #[inline(never)]
-    pub(crate) fn fill(&mut self, [m, m1]: [Wide<WORDS>; 2], between: &mut dyn FnMut()) {
+    pub(super) fn fill(&mut self, [m, m1]: [Wide<WORDS>; 2], between: &mut dyn FnMut()) {
         // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
         let (mut modulus_squared, mut complement) = (m, m1.sqrt());
         for step in &mut self.steps {
@@ -75,25 +76,38 @@ impl<const WORDS: usize> Landen<Wide<WORDS>> {
             self.scale = self.scale * (Wide::ONE + step.modulus).squared();
         }
     }
-}
 
-impl<F: Float> Landen<F> {
-    /// Steps with a modulus above 0, in order of decreasing modulus.
-    fn changing(&self) -> impl Iterator<Item = &LandenStep<F>> {
-        self.steps.iter().filter(|step| step.modulus > F::ZERO)
+    fn changing(&self) -> impl Iterator<Item = &LandenStep<Wide<WORDS>>> {
+        self.steps.iter().filter(|step| step.modulus > Wide::ZERO)
     }
 
     /// Quarter period K = π/2 ∏ (1 + k).
-    #[must_use]
-    pub(crate) fn quarter_period(&self) -> F {
+    pub(super) fn quarter_period(&self) -> Wide<WORDS> {
         // π/2 to 32 digits
-        let half_pi = F::from_f64(core::f64::consts::FRAC_PI_2) + F::from_f64(6.123233995736766e-17);
-        self.changing().fold(half_pi, |product, step| product * (F::ONE + step.modulus))
+        let half_pi = Wide::sum(core::f64::consts::FRAC_PI_2, 6.123233995736766e-17);
+        self.changing().fold(half_pi, |product, step| product * (Wide::ONE + step.modulus))
     }
 
-    /// Number of bits by which each node on K decreases the error of the trapezoid rule: -2 log₂ q for the nome q = e^{-πK'/K}, to a
-    /// few percent; at least 64 where no transformation is needed.
-    pub(crate) fn bits_per_node(&self) -> f64 {
+    /// Division of K into nodes with which the trapezoid rule decreases its error by this number of bits: the first division, into 1, 3 or
+    /// 5 parts, and the number of nodes after two or more doublings. The estimate of the error needs two.
+    pub(super) fn division(&self, bits: f64) -> (u32, u32) {
+        let nodes = bits / self.bits_per_node();
+        let doubled = |division: u32| {
+            let mut count = 4 * division;
+            while f64::from(count) < nodes && count < MOST_NODES {
+                count *= 2;
+            }
+            (division, count)
+        };
+        [3, 5]
+            .map(doubled)
+            .into_iter()
+            .fold(doubled(1), |least, next| if next.1 < least.1 { next } else { least })
+    }
+
+    /// Number of bits by which each node decreases the error: -2 log₂ q for the nome q = e^{-πK'/K}, to a few percent; at least 64 where
+    /// no transformation is needed.
+    fn bits_per_node(&self) -> f64 {
         // the modulus after n transformations is nearly 4 q^(2^(n-1)); its exponent is its logarithm to a percent
         let last = self.changing().fold((1.0, 64.0), |(weight, _), step| {
             let exponent = 1023 - (step.modulus.to_f64().to_bits() >> 52) as i32;
@@ -104,23 +118,43 @@ impl<F: Float> Landen<F> {
 
     /// Squares at u = 2 K φ/π, from sin φ and cos φ, without a division: sn² and cn² are kept as fractions X/W and Y/W.
     #[inline(never)]
-    pub(crate) fn squares_at_angle(&self, [sine, cosine]: [F; 2]) -> SquaresOfWhole<F> {
+    pub(super) fn squares_at_angle(&self, [sine, cosine]: [Wide<WORDS>; 2]) -> SquaresOfWhole<Wide<WORDS>> {
         // X without its constant factors (1 + k)²
-        let (mut x, mut y, mut w) = (sine.squared(), cosine.squared(), F::ONE);
-        let (mut sum, mut difference) = (F::ONE, F::ONE);
+        let (mut x, mut y, mut w) = (sine.squared(), cosine.squared(), Wide::ONE);
+        let (mut sum, mut difference) = (Wide::ONE, Wide::ONE);
         for (number, step) in self.steps.iter().enumerate().rev() {
             let LandenStep { modulus, rest, scaled_modulus } = *step;
-            if modulus == F::ZERO {
+            if modulus == Wide::ZERO {
                 continue;
             }
-            let share = scaled_modulus * x;
-            sum = w + share;
+            let kx = scaled_modulus * x;
+            sum = w + kx;
             // W - k X = (1 - k) W + k Y, in the form with the smaller rounding error, which is the second where k is near 1
-            difference = if number < self.near_one { rest * w + modulus * y } else { w - share };
-            y = y * (difference + rest * share);
+            difference = if number < self.near_one { rest * w + modulus * y } else { w - kx };
+            y = y * (difference + rest * kx);
             x = x * w;
             w = sum.squared();
         }
         SquaresOfWhole { sn: self.scale * x, cn: y, dn: difference, whole_of_dn: sum }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Extended;
+
+    /// K'/K is 1 for m = 1/2, so that the error decreases by 2π/ln 2 bits a node; K grows with the logarithm of m₁.
+    #[test]
+    fn the_number_of_nodes_is_known_beforehand() {
+        let [half, small, least] = [0.5, 1e-15, 1e-300].map(|m1| {
+            let m1 = Extended::from(m1);
+            let mut landen = Landen::NONE;
+            landen.fill([Extended::ONE - m1, m1], &mut || {});
+            landen
+        });
+        let (bits, expected) = (half.bits_per_node(), 2.0 * core::f64::consts::PI / core::f64::consts::LN_2);
+        assert!((bits / expected - 1.0).abs() < 0.02, "{bits}");
+        assert_eq!([half, small, least].map(|landen| landen.division(105.0).1), [12, 160, 2560]);
     }
 }

@@ -1,4 +1,4 @@
-//! Complex numbers over any [`Ring`], fixed point included; the complex types of other crates require floating point.
+//! Complex numbers over any [`Ring`], fixed point included.
 
 use crate::phase::Phase;
 use crate::scalar::{Float, Real, Ring, Scalar};
@@ -34,7 +34,6 @@ impl<R: Ring> Complex<R> {
     }
 
     /// Squared modulus, |z|².
-    #[must_use]
     pub fn norm_squared(self) -> R {
         R::inner([self.re, self.im], [self.re, self.im])
     }
@@ -55,7 +54,6 @@ impl<R: Ring> Complex<R> {
 impl<R: Scalar> Complex<R> {
     /// Unit complex number e^{2πix} for a phase of x turns.
     #[inline]
-    #[must_use]
     pub fn cis(phase: Phase) -> Self {
         let (im, re) = R::sine_cosine(phase);
         Self { re, im }
@@ -63,13 +61,12 @@ impl<R: Scalar> Complex<R> {
 }
 
 impl<R: Float> Complex<R> {
-    /// Complex number in another number type, each part rounded to the nearest.
+    /// Complex number rounded to another number type.
     pub(crate) fn cast<G: Float>(self) -> Complex<G> {
         Complex::new(G::from_f64(self.re.to_f64()), G::from_f64(self.im.to_f64()))
     }
 
     /// Modulus, |z|.
-    #[must_use]
     pub fn modulus(self) -> R {
         self.norm_squared().sqrt()
     }
@@ -77,7 +74,6 @@ impl<R: Float> Complex<R> {
 
 impl<R: Real> Complex<R> {
     /// Argument in rad, in [-π, π]; 0 for z = 0.
-    #[must_use]
     pub fn arg(self) -> R {
         R::atan2(self.im, self.re)
     }

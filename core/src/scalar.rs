@@ -1,4 +1,4 @@
-//! Scalars: the traits that the algorithms require of a number type, and the types that implement them.
+//! Scalars: number types, and the traits that the algorithms require of them.
 //!
 //! There is no fused multiply-add and no function of `std`, so that a host and a chip agree to the bit.
 //!
@@ -12,7 +12,8 @@ mod power_of_two;
 
 mod wide;
 
-mod sine;
+#[doc(hidden)]
+pub mod sine;
 
 mod float;
 
@@ -21,10 +22,9 @@ mod fixed_point;
 
 pub(crate) use float::sine_cosine_of_radians;
 pub(crate) use power_of_two::{exponent, power_of_two, short_float, short_power_of_two, times_power_of_two};
-pub(crate) use sine::sine_cosine_f64;
 #[cfg(feature = "fixed")]
-pub use sine::sine_cosine_q15;
-pub use sine::{SINE_CONSTANTS, SineConstants, sine_cosine_q26, sine_cosine_q31};
+pub(crate) use sine::sine_cosine_q15;
+pub(crate) use sine::{sine_cosine_f64, sine_cosine_q26, sine_cosine_q31};
 
 pub use wide::{Extended, Extended64, Wide};
 
@@ -49,7 +49,7 @@ pub trait Ring:
     /// One.
     const ONE: Self;
 
-    /// Product; another one than `*` where that is slow on chips without a long multiplication.
+    /// Product; in fixed point another one than `*`, which is slow on chips without a long multiplication.
     #[inline(always)]
     #[must_use]
     fn product(self, other: Self) -> Self {
@@ -106,12 +106,6 @@ pub trait Float: Ring + Div<Output = Self> {
     #[must_use]
     fn sqrt(self) -> Self;
 
-    /// Difference ab - cd; in a wide number it has one rounding.
-    #[must_use]
-    fn difference_of_products([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
-        a * b - c * d
-    }
-
     /// Absolute value, |x|.
     #[inline]
     #[must_use]
@@ -141,7 +135,7 @@ pub(crate) mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}
-    impl<const WORDS: usize> Sealed for super::Wide<WORDS> {}
+    impl<const WORDS: usize> Sealed for crate::scalar::Wide<WORDS> {}
     #[cfg(feature = "fixed")]
     impl Sealed for fixed::types::I2F30 {}
     #[cfg(feature = "fixed")]

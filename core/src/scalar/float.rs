@@ -69,7 +69,7 @@ impl Scalar for f64 {
 /// (sin x, cos x) for an angle of x rad up to 1e6. The error is below 4e-16, relative to the result near its zeros. Those of libm would
 /// take several kilobytes of flash.
 pub(crate) fn sine_cosine_of_radians(x: f64) -> (f64, f64) {
-    if Float::abs(x) < core::f64::consts::FRAC_PI_4 {
+    if x.abs() < core::f64::consts::FRAC_PI_4 {
         return sine::quarter_turns(0, x * (0.5 * core::f64::consts::FRAC_1_PI));
     }
     f64::sine_cosine(Extended::from(x).in_turns().to_phase())

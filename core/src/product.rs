@@ -1,9 +1,9 @@
 //! Products of integers that are wider than a processor's multiply instruction.
 //!
-//! A Cortex-M0+ keeps the *lower* 32 bits of a product; the compiler's wider products cost some 40 cycles. Those of 16-bit halves
-//! here take 15 and give the same bits. ARMv6-M is recognised by its lack of 32-bit atomics.
+//! A Cortex-M0+ keeps the *lower* 32 bits of a product; the compiler's wider products cost some 40 cycles, those of 16-bit halves
+//! here 15.
 
-/// Whether products are made of 16-bit halves: true on ARMv6-M.
+/// Whether products are made of 16-bit halves: on ARMv6-M, which lacks 32-bit atomics.
 const BY_HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 /// Upper 32 bits of the 64-bit product, a·b·2^-32 rounded down: one cycle of a Cortex-M4, an addition included (SMMLA).
@@ -81,7 +81,7 @@ const fn halves(number: i32) -> [i32; 2] {
     [number as i16 as i32, ((number >> 15) + 1) >> 1]
 }
 
-/// [`high_product`] from the halves of both factors. The lower halves are signed, so the sum of the mixed products does not overflow.
+/// [`high_product`] from halves. The lower ones are signed, so the sum of the mixed products does not overflow.
 #[inline(always)]
 const fn product_of_halves([a_low, a_high]: [i32; 2], [b_low, b_high]: [i32; 2]) -> i32 {
     let across = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_high));

@@ -1,14 +1,13 @@
 //! Sine and cosine of an integer phase, whose range reduction is exact.
 //!
 //! The `f64` version evaluates two polynomials. The others compute in integers from 512 tabulated points of the circle (2.5 KiB of
-//! flash); their error is absolute, 2^-29, 2^-26 or 2^-15.
+//! flash); their error is absolute. The constants are public for an evaluator in another language.
 
 use crate::product::{high_product, short_product, short_product_by_constant};
 
 /// Coefficients of S in sin 2πx = x S(x²) for |x| <= 1/8, lowest power first: the Chebyshev interpolant on [0, 1/64]
-/// (mpmath: `chebyfit(lambda y: sin(2*pi*sqrt(y))/sqrt(y), [0, 1/64], 8)`). `COSINE`: C in cos 2πx = C(x²), in the same way.
-/// Truncation error: below 2e-21.
-const SINE: [f64; 8] = [
+/// (mpmath: `chebyfit(lambda y: sin(2*pi*sqrt(y))/sqrt(y), [0, 1/64], 8)`). Truncation error: below 2e-21.
+pub const SINE: [f64; 8] = [
     core::f64::consts::TAU,
     -41.34170224039976,
     81.60524927607493,
@@ -18,7 +17,8 @@ const SINE: [f64; 8] = [
     3.8197881201632113,
     -0.7116358090781666,
 ];
-const COSINE: [f64; 9] = [
+/// Coefficients of C in cos 2πx = C(x²), in the same way.
+pub const COSINE: [f64; 9] = [
     1.0,
     -19.739208802178716,
     64.9393940226683,
@@ -41,7 +41,7 @@ pub(crate) const fn sine_cosine_f64(phase: u64) -> (f64, f64) {
 
 /// (sin, cos) of `quadrant` quarter turns plus x turns, |x| <= 1/8. The error is relative to the result near its
 /// zeros.
-pub(crate) const fn quarter_turns(quadrant: u32, x: f64) -> (f64, f64) {
+pub(super) const fn quarter_turns(quadrant: u32, x: f64) -> (f64, f64) {
     let y = x * x;
     let (sine, cosine) = (x * horner(&SINE, y), horner(&COSINE, y));
     match quadrant & 3 {
@@ -66,7 +66,7 @@ const POINTS: usize = 512;
 
 /// Table of 2^31 sin(k/512 turn), limited to 2^31 - 1. The entries a quarter turn later are the cosines.
 #[allow(clippy::indexing_slicing)] // evaluated by the compiler, which would refuse an index out of range
-static SINES: [i32; POINTS + POINTS / 4] = {
+pub static SINES: [i32; POINTS + POINTS / 4] = {
     let mut sines = [0; POINTS + POINTS / 4];
     let mut i = 0;
     while i < sines.len() {
@@ -81,46 +81,20 @@ static SINES: [i32; POINTS + POINTS / 4] = {
 
 /// Largest distance of a phase from its nearest point, rad: d = DISTANCE x with x in [-1, 1).
 const DISTANCE: f64 = 2.0 * core::f64::consts::PI / 1024.0;
-const LINEAR: i32 = (DISTANCE * (1_u64 << 38) as f64) as i32;
-/// Coefficient of the cubic term d³/6.
-const CUBIC: i32 = (DISTANCE * DISTANCE * DISTANCE / 6.0 * (1_u64 << 32) as f64 + 0.5) as i32;
-/// Coefficient of the versine d²/2, to 15 bits. The next term, d⁴/24, is an eighth of a unit.
-const VERSINE: i32 = (DISTANCE * DISTANCE / 2.0 * (1_u64 << 30) as f64 + 0.5) as i32;
+/// Coefficient of d, times 2^38.
+pub const LINEAR: i32 = (DISTANCE * (1_u64 << 38) as f64) as i32;
+/// Coefficient of the cubic term d³/6, times 2^32.
+pub const CUBIC: i32 = (DISTANCE * DISTANCE * DISTANCE / 6.0 * (1_u64 << 32) as f64 + 0.5) as i32;
+/// Coefficient of the versine d²/2, times 2^30. The next term, d⁴/24, is an eighth of a unit.
+pub const VERSINE: i32 = (DISTANCE * DISTANCE / 2.0 * (1_u64 << 30) as f64 + 0.5) as i32;
+/// Coefficient of the linear approximation d (1 - d²/8) to sin d, times 2^33. It replaces d - d³/6 where 26 bits are enough.
+pub const SECANT: i32 = (DISTANCE * (1.0 - DISTANCE * DISTANCE / 8.0) * (1_u64 << 33) as f64) as i32;
 
-/// Coefficient of the linear approximation d (1 - d²/8) to sin d, which replaces d - d³/6 where 26 bits are enough.
-const SECANT: i32 = (DISTANCE * (1.0 - DISTANCE * DISTANCE / 8.0) * (1_u64 << 33) as f64) as i32;
-
-/// Constants of the sine functions, for an evaluator in another language.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SineConstants {
-    /// 2^31 sin of 0, 1/512, ... 639/512 turns, at most 2^31 - 1 (integer versions).
-    pub points: &'static [i32],
-    /// Coefficients of the distance from the nearest point, of its cube, and of its versine, scaled by 2^38, 2^32 and
-    /// 2^30 (integer versions).
-    pub turn: [i32; 3],
-    /// Coefficient of the linear approximation to the sine of the distance, scaled by 2^33 (version for `f32`).
-    pub secant: i32,
-    /// Coefficients of S, lowest power first: sin 2πx = x S(x²) for |x| <= 1/8 (version for `f64`).
-    pub sine: &'static [f64],
-    /// Coefficients of C, lowest power first: cos 2πx = C(x²) for |x| <= 1/8 (version for `f64`).
-    pub cosine: &'static [f64],
-}
-
-/// Constants that this crate's sine functions use.
-pub static SINE_CONSTANTS: SineConstants = SineConstants {
-    points: &SINES,
-    turn: [LINEAR, CUBIC, VERSINE],
-    secant: SECANT,
-    sine: &SINE,
-    cosine: &COSINE,
-};
-
-/// (sin 2πx, cos 2πx)·2^31 for a phase of x turns, given by the 32 leading bits of its fraction, in integers. Error: below
-/// 2.45 units, 1.2e-9.
+/// (sin 2πx, cos 2πx)·2^31 for a phase of x turns, given by the 32 leading bits of its fraction. Error: below 2.45 units, 1.2e-9.
 ///
 /// The nearest point is rotated by the remaining angle d, with sin d = d - d³/6 and cos d = 1 - d²/2. No sum overflows.
 #[inline(always)]
-pub fn sine_cosine_q31(phase: u32) -> (i32, i32) {
+pub(crate) fn sine_cosine_q31(phase: u32) -> (i32, i32) {
     let x = (phase << 9) as i32;
     let (sine, cosine) = point(phase);
     let square = high_product(x, x);
@@ -133,10 +107,9 @@ pub fn sine_cosine_q31(phase: u32) -> (i32, i32) {
     (sine + ((sine_change + 16) >> 5), cosine - ((cosine_change + 16) >> 5))
 }
 
-/// (sin 2πx, cos 2πx)·2^31 as [`sine_cosine_q31`], with fewer bits, for conversion to `f32`. Error: below 25 units,
-/// 1.2e-8, with sin d ≈ κd.
+/// [`sine_cosine_q31`] with fewer bits, for conversion to `f32`. Error: below 25 units, 1.2e-8.
 #[inline(always)]
-pub fn sine_cosine_q26(phase: u32) -> (i32, i32) {
+pub(crate) fn sine_cosine_q26(phase: u32) -> (i32, i32) {
     let (sine, cosine) = point(phase);
     // 32 fraction bits
     let small_sine = high_product((phase << 9) as i32, SECANT);
@@ -151,9 +124,9 @@ pub fn sine_cosine_q26(phase: u32) -> (i32, i32) {
 /// its tangent, so that the results may exceed 1.
 #[cfg(feature = "fixed")]
 #[inline(always)]
-pub fn sine_cosine_q15(phase: u32) -> (i32, i32) {
-    /// 2π/1024 · 2^22
-    const LINEAR: i32 = (2.0 * core::f64::consts::PI / 1024.0 * (1 << 22) as f64) as i32;
+pub(crate) fn sine_cosine_q15(phase: u32) -> (i32, i32) {
+    /// Coefficient of d, times 2^22.
+    const LINEAR: i32 = (DISTANCE * (1 << 22) as f64) as i32;
     let (sine, cosine) = point(phase);
     let small = (((phase << 9) as i32 >> 16) * LINEAR) >> 15;
     ((sine >> 1) + (((cosine >> 16) * small) >> 7), (cosine >> 1) - (((sine >> 16) * small) >> 7))

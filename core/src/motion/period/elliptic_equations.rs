@@ -13,13 +13,13 @@
 //! v runs from 0 at u = e₁ to K at u = e₂. The integrands have singularities at the imaginary part K' only, so that K/K' tells
 //! how many nodes the trapezoid rule needs. For s = 0, e₄ is infinite.
 
-use crate::landen::SquaresOfWhole;
+use super::landen::SquaresOfWhole;
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::Float;
 
 /// Time and slow phases as functions of v, up to constant factors.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct EllipticEquations<'a, F> {
+pub(super) struct EllipticEquations<'a, F> {
     equations: &'a PhaseEquations<F>,
     root_s: F,
     /// Difference E - √s, which is d₋ at u = 1 and d₊ at u = -1.
@@ -36,7 +36,7 @@ pub(crate) struct EllipticEquations<'a, F> {
 
 impl<'a, F: Float> EllipticEquations<'a, F> {
     #[inline(never)] // the stack frames of a launch must not add up
-    pub(crate) fn new(equations: &'a PhaseEquations<F>) -> Self {
+    pub(super) fn new(equations: &'a PhaseEquations<F>) -> Self {
         let root_s = equations.s.sqrt();
         let least_root = equations.a_over_p / ((equations.a_over_p + equations.s).sqrt() + root_s);
         let at_e1 = least_root + root_s * equations.one_plus_e1;
@@ -66,7 +66,7 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
 
     /// Parameter m of the elliptic functions and m₁ = 1 - m.
     #[inline(never)]
-    pub(crate) fn parameters(&self) -> [F; 2] {
+    pub(super) fn parameters(&self) -> [F; 2] {
         let Self {
             equations, root_s, least_root, roots: [at_e1, at_e2], distances: [from_e1, from_e2], ..
         } = *self;
@@ -81,7 +81,7 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
     }
 
     /// Derivatives dt/dv, dψ_A/dv and dψ_B/dv, each divided by its factor.
-    pub(crate) fn at(&self, squares: &SquaresOfWhole<F>) -> [F; 3] {
+    pub(super) fn at(&self, squares: &SquaresOfWhole<F>) -> [F; 3] {
         let Self { equations, root_s, least_root, roots: [at_e1, at_e2], smoothing, .. } = self;
         let SquaresOfWhole { sn, cn, dn, whole_of_dn } = *squares;
         let ([low, high], [alpha_smoothing, beta_smoothing]) = ([*at_e1 * sn, *at_e2 * cn], *smoothing);
@@ -116,12 +116,12 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
     }
 
     /// Factors of the derivatives of ψ_A and ψ_B, up to a common one.
-    pub(crate) fn slow_scales(&self) -> [f64; 2] {
+    pub(super) fn slow_scales(&self) -> [f64; 2] {
         [self.equations.alpha_scale, self.equations.beta_scale].map(Float::to_f64)
     }
 
     /// Factors of the derivatives.
-    pub(crate) fn factors(&self) -> [F; 3] {
+    pub(super) fn factors(&self) -> [F; 3] {
         let ([_, at_e2], [from_e1, _]) = (self.roots, self.distances);
         let factor = F::ONE / (self.equations.half_g * from_e1 * at_e2).sqrt();
         [factor, self.equations.alpha_scale * factor, self.equations.beta_scale * factor]

@@ -30,20 +30,17 @@ impl Phase {
     pub const ONE: Self = Self(1 << FRACTION_BITS);
 
     /// Phase from a number of turns, rounded to 2^-96 turns, modulo 2^32 turns; zero where the number is not finite.
-    #[must_use]
     pub fn new(turns: f64) -> Self {
         let (mantissa, exponent) = integer_parts(turns);
         Self(shifted(mantissa.into(), exponent + FRACTION_BITS))
     }
 
     /// Phase from an angle in radians. Relative error: 2^-52, from the product and from the constant 1/2π.
-    #[must_use]
     pub fn from_radians(angle: f64) -> Self {
         Self::new(angle * (0.5 * core::f64::consts::FRAC_1_PI))
     }
 
     /// Phase of bits · 2^-96 turns.
-    #[must_use]
     pub const fn from_bits(bits: i128) -> Self {
         Self(bits)
     }
@@ -54,31 +51,28 @@ impl Phase {
     }
 
     /// Phase as an integer, in units of 2^-96 turns.
-    #[must_use]
     pub const fn to_bits(self) -> i128 {
         self.0
     }
 
-    /// Phase as an integer in units of 2^-96 turns: words of 32 bits, the least significant first.
+    /// Words of 32 bits of the integer, the least significant first.
     pub(crate) const fn words(self) -> [u32; 4] {
         let bits = self.0;
         [bits as u32, (bits >> 32) as u32, (bits >> 64) as u32, (bits >> 96) as u32]
     }
 
-    /// Phase from words of 32 bits, the least significant first.
+    /// Phase from the words of its integer.
     #[inline(always)]
     pub(crate) const fn from_words([a, b, c, d]: [u32; 4]) -> Self {
         Self((a as i128) | (b as i128) << 32 | (c as i128) << 64 | (d as i128) << 96)
     }
 
     /// Number of turns, the whole ones included. Relative error: 2^-53.
-    #[must_use]
     pub fn to_f64(self) -> f64 {
         self.0 as f64 * Self::RESOLUTION
     }
 
     /// Angle in radians, whole turns included. Relative error: 2^-52.
-    #[must_use]
     pub fn to_radians(self) -> f64 {
         self.to_f64() * (2.0 * core::f64::consts::PI)
     }
@@ -119,9 +113,15 @@ impl Phase {
 
     /// Fraction of a turn in [0, 1) as its 64 leading bits: the argument of the sine functions.
     #[inline]
-    #[must_use]
     pub fn fraction(self) -> u64 {
         (self.0 >> (FRACTION_BITS - 64)) as u64
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Phase {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=f64} turns", self.to_f64());
     }
 }
 
@@ -157,7 +157,7 @@ impl AddAssign for Phase {
 }
 
 /// Mantissa and exponent of x = mantissa · 2^exponent, with |mantissa| < 2^53; both 0 where x is not finite.
-pub fn integer_parts(x: f64) -> (i64, i32) {
+pub(crate) fn integer_parts(x: f64) -> (i64, i32) {
     const MANTISSA_BITS: u32 = 52;
     const BIAS: i32 = 1075; // 1023 + 52
     let bits = x.to_bits();
@@ -169,12 +169,6 @@ pub fn integer_parts(x: f64) -> (i64, i32) {
         _ => (fraction | (1 << MANTISSA_BITS), magnitude - BIAS),
     };
     (if bits >> 63 == 1 { -mantissa } else { mantissa }, exponent)
-}
-
-/// Integer value of a whole number, modulo 2^128; 0 where it is not finite.
-pub(crate) fn whole_number(x: f64) -> i128 {
-    let (mantissa, exponent) = integer_parts(x);
-    shifted(mantissa.into(), exponent)
 }
 
 /// value · 2^shift, rounded to the nearest integer, modulo 2^128.

@@ -1,14 +1,12 @@
 //! Wide numbers from and to `f64`, phases, integers and other widths.
 
-use super::exact::Exact;
-use super::number::Wide;
-use super::words::leading;
-use crate::phase::{FRACTION_BITS, Phase, integer_parts};
-use crate::scalar::{Ring, times_power_of_two};
+use super::number::{Exact, Wide};
+use crate::phase::{FRACTION_BITS, Phase, integer_parts, shifted};
+use crate::scalar::{Float, Ring};
 
 impl<const WORDS: usize> Wide<WORDS> {
     /// 2π.
-    pub(crate) const TWO_PI: Self = Self::constant(0xc90f_daa2_2168_c234_c4c6_628b_80dc_1cd1, 3);
+    pub const TWO_PI: Self = Self::constant(0xc90f_daa2_2168_c234_c4c6_628b_80dc_1cd1, 3);
 
     /// Angle in turns, from an angle in rad.
     pub(crate) fn in_turns(self) -> Self {
@@ -39,17 +37,7 @@ impl<const WORDS: usize> Wide<WORDS> {
         Self::scaled(number.upper(), number.exponent - 128, number.negative)
     }
 
-    /// Nearest `f64`, ties to even; infinity beyond its range, and 0 below its normal numbers.
-    #[inline(never)]
-    pub(super) fn nearest(self) -> f64 {
-        let sticky = self.significand.iter().skip(1).any(|word| *word != 0);
-        let size = (leading(&self.significand) | u64::from(sticky)) as f64;
-        let size = times_power_of_two(size, self.exponent - 64);
-        if self.negative { -size } else { size }
-    }
-
     /// Phase of this number of turns, modulo 2^32 turns, rounded to the nearest.
-    #[must_use]
     pub fn to_phase(self) -> Phase {
         let magnitude = self.upper();
         let bits = match self.exponent - (128 - FRACTION_BITS) {
@@ -63,34 +51,32 @@ impl<const WORDS: usize> Wide<WORDS> {
     }
 
     /// Sum of two `f64`.
-    #[must_use]
     pub fn sum(a: f64, b: f64) -> Self {
         Self::from(a) + Self::from(b)
     }
 
-    /// Product of two `f64`; exact in [`Extended`](crate::scalar::Extended).
+    /// Product of two `f64`; exact in 128 bits.
     #[must_use]
     pub fn product(a: f64, b: f64) -> Self {
         Self::from(a) * Self::from(b)
     }
 
     /// Nearest `f64`, and the `f64` nearest to the rest.
-    #[must_use]
     pub fn parts(self) -> [f64; 2] {
-        let leading = self.nearest();
-        [leading, (self - leading.into()).nearest()]
+        let leading = self.to_f64();
+        [leading, (self - leading.into()).to_f64()]
     }
 
-    /// Largest whole number not above this one, as the sum of two whole `f64`, and the remainder in [0, 1).
-    pub(crate) fn floor_and_rest(self) -> ([f64; 2], Self) {
-        let [leading, low] = self.parts();
-        let (whole, low_whole) = (libm::floor(leading), libm::floor(low));
-        let rest = (self - whole.into()) - low_whole.into();
-        if rest < Self::ONE {
-            ([whole, low_whole], rest)
-        } else {
-            ([whole, low_whole + 1.0], rest - Self::ONE)
-        }
+    /// Largest whole number not above this one, modulo 2^128, and the remainder in [0, 1).
+    pub(crate) fn floor_and_rest(self) -> (i128, Self) {
+        let integer = |x: f64| {
+            let (mantissa, exponent) = integer_parts(x);
+            shifted(mantissa.into(), exponent)
+        };
+        let [leading, low] = self.parts().map(libm::floor);
+        let rest = (self - leading.into()) - low.into();
+        let whole = integer(leading).wrapping_add(integer(low));
+        if rest < Self::ONE { (whole, rest) } else { (whole.wrapping_add(1), rest - Self::ONE) }
     }
 }
 
@@ -112,5 +98,20 @@ impl<const WORDS: usize> From<Phase> for Wide<WORDS> {
     fn from(phase: Phase) -> Self {
         let bits = phase.to_bits();
         Self::scaled(bits.unsigned_abs(), -FRACTION_BITS, bits < 0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::phase::Phase;
+    use crate::scalar::{Extended, Float};
+
+    #[test]
+    fn a_turn_has_a_phase() {
+        assert_eq!(Extended::from(-3.25).to_phase(), Phase::new(-3.25));
+        assert_eq!(Extended::from(Phase::new(-3.25)).to_f64(), -3.25);
+        assert_eq!((Extended::TWO_PI * 0.25.into()).in_turns().to_phase(), Phase::QUARTER);
+        let (whole, rest) = Extended::sum(1e20, 0.75).floor_and_rest();
+        assert_eq!((whole, rest.to_f64()), (10_i128.pow(20), 0.75));
     }
 }
