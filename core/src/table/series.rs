@@ -1,15 +1,11 @@
 //! Power series of the phase equations, in integers.
 
-mod integers;
-
-mod block;
-
-mod sincos;
+pub(super) mod integers;
 
 mod rate;
 
+mod sincos;
+
 pub(super) mod expansion;
 
-mod coefficients;
-
-mod expand;
+mod recurrence;

@@ -9,11 +9,12 @@ use crate::table::build::bound::{ErrorBound, error_bounds};
 use crate::table::build::builder::{TableBuilder, TooManySegments};
 use crate::table::build::errors::Limits;
 use crate::table::build::mean_rates::MeanRates;
-use crate::table::build::polynomial::{Polynomial, Store};
+use crate::table::build::polynomial::Store;
 use crate::table::cell::{Cell, LONGEST};
 use crate::table::data::clock::Clock;
 use crate::table::data::storage::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
 use crate::table::scalar::EphemerisScalar;
+use crate::table::series::expansion::Polynomial;
 use crate::table::tick::Tick;
 
 /// Memory of a set-up, 4.4 KiB, and the truncation error that it allows. A program with a small stack keeps it in a static.

@@ -22,7 +22,8 @@ use crate::table::build::series::{Series, SpanSeries};
 use crate::table::build::span::{CELL, HALF_PERIOD, Span};
 use crate::table::build::start_search::{FoundStart, StartSearch};
 use crate::table::cell::{Cell, cells_covered, segments_per_cell};
-use crate::table::series::expansion::{TERMS, UNIT, larger_or_nan};
+use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
+use crate::table::series::integers::TERMS;
 
 /// Fraction of the allowed error that the estimated omitted terms of a span's series may cause.
 const OMITTED_SHARE: f32 = 1.0 / 32.0;
@@ -95,7 +96,7 @@ impl TableBuilder {
         for (which, ellipse) in [&ellipses.alpha, &ellipses.beta].into_iter().enumerate() {
             let [plus, minus] = ellipse.exponentials();
             let mut re = [0; TERMS];
-            re[0] = libm::round((plus + minus) / UNIT) as i64;
+            re[0] = libm::round((plus + minus) / TABLE_UNIT) as i64;
             store(0, which, &[re, [0; TERMS]]);
         }
         let [alpha, beta] = motion.phases;
@@ -217,7 +218,7 @@ impl TableBuilder {
         let entry = Cell::new(*segments, begin / segment_length(level), level);
         cells.iter_mut().skip(begin / CELL).take(cells_covered(level)).for_each(|cell| *cell = entry);
         *segments += segments_per_cell(level);
-        *greatest = larger_or_nan(*greatest, UNIT * f64::from(error));
+        *greatest = larger_or_nan(*greatest, TABLE_UNIT * f64::from(error));
         self.summary.speeds = speeds;
     }
 
@@ -250,8 +251,8 @@ impl TableBuilder {
     /// Series of α (0) or β (1) on the span from those of the phases; `None` where it is not accurate.
     fn turn(&mut self, which: usize) -> Option<()> {
         let series = self.series.get_mut(which)?.replace();
-        let [re, im] = series.polynomial.each_mut();
-        series.terms = self.path.turned(which, *self.exponentials.get(which)?, [&mut *re, &mut *im])?;
+        series.terms = self.path.turned(which, *self.exponentials.get(which)?, &mut series.polynomial)?;
+        let [re, im] = &series.polynomial;
         let omitted = 2.0 * larger_or_nan(omitted_terms(re), omitted_terms(im));
         (2.0 * omitted <= OMITTED_SHARE * self.limits.polynomial).then_some(())?;
         series.shorten(0, self.limits.left_out);

@@ -5,7 +5,7 @@ use crate::scalar::{Float, Scalar};
 use crate::table::build::polynomial::Store;
 use crate::table::build::series::Series;
 use crate::table::cell::{CELLS, Cell};
-use crate::table::series::expansion::{UNIT, in_units, larger_or_nan};
+use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
 
 /// One turn in rad.
 pub(crate) const TURN: f64 = 2.0 * core::f64::consts::PI;
@@ -111,7 +111,7 @@ impl SegmentErrors {
     /// Includes the speeds on the segment, whose half length is the fraction `part` of half a period, with the greatest dθ/dx.
     pub(crate) fn note(&self, speeds: &mut Speeds, theta_slope: f32, part: f32) {
         let [slope, slope_error, curvature] =
-            self.slopes.map(|squares| 2.0 * UNIT as f32 * Float::sqrt(squares));
+            self.slopes.map(|squares| 2.0 * TABLE_UNIT as f32 * Float::sqrt(squares));
         let x_rate = 1.0 / part;
         let greater = |greatest: f64, speed: f32| larger_or_nan(greatest, speed.into());
         *speeds = Speeds {
@@ -159,7 +159,8 @@ impl Limits {
 
     /// Limits for a truncation error `allowed`, rad. The series are at least as accurate as for the error `usual`.
     pub(crate) fn new(terms: usize, allowed: f64, usual: f64, capacity: usize) -> Self {
-        let polynomial = |error: f64| in_units((1.0 - STEPS_SHARE) * error);
+        let polynomial =
+            |error: f64| (((1.0 - STEPS_SHARE) * error / TABLE_UNIT) as f32).clamp(f32::MIN, f32::MAX);
         let of_series = allowed.min(usual);
         Self {
             terms,

@@ -6,7 +6,8 @@ use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Wide};
 use crate::table::build::errors::Speeds;
 use crate::table::build::mean_rates::MeanRates;
-use crate::table::series::expansion::{Expansion, PhasePoint, Slopes, TERMS, UNIT, larger_or_nan};
+use crate::table::series::expansion::{Expansion, PhasePoint, Polynomial, Slopes, TABLE_UNIT, larger_or_nan};
+use crate::table::series::integers::TERMS;
 
 /// Position on the path, with the errors up to it.
 #[derive(Clone, Copy, Debug)]
@@ -20,11 +21,7 @@ pub(crate) struct Position {
 
 impl Position {
     /// Position u = e₁.
-    pub(crate) const BEGINNING: Self = Self {
-        point: PhasePoint { chi: Phase::ZERO, theta: [Phase::ZERO; 2] },
-        remainder: 0.0,
-        squares: [0.0; 2],
-    };
+    pub(crate) const BEGINNING: Self = Self { point: PhasePoint::ZERO, remainder: 0.0, squares: [0.0; 2] };
 }
 
 /// Negligible term of the phases at x = 2 over that of α and β at x = 1. A term after the sixth is sixty times as large at x = 2.
@@ -122,7 +119,7 @@ impl Path {
 
     /// Negligible term of α and β in units of 2^-62. What follows two such terms is not larger.
     pub(crate) fn least_term(&self) -> i64 {
-        (self.least / UNIT) as i64
+        (self.least / TABLE_UNIT) as i64
     }
 
     /// Expands the motion around the centre of the span, whose half is 2^-`depth` of a half period. Returns whether the truncation errors
@@ -189,7 +186,7 @@ impl Path {
         &mut self,
         which: usize,
         exponentials: [f64; 2],
-        parts: [&mut [i64; TERMS]; 2],
+        parts: &mut Polynomial,
     ) -> Option<usize> {
         let least = self.least_term();
         self.expansion.turned(which, exponentials, least, parts)
@@ -218,7 +215,7 @@ impl Path {
         let Self { rounded_law, expansion, here, least, .. } = self;
         // a negligible term causes an estimated error of about a twentieth of it at x = 2, and of two thirds of it at x = 3
         let least = (PHASE_TERM * *least).min(4.0 * share);
-        rounded_law.expand(&here.point, &slopes, unit.to_f64(), least, expansion, between);
+        expansion.expand(rounded_law, &here.point, &slopes, unit.to_f64(), least, between);
         between();
     }
 
@@ -234,12 +231,9 @@ impl Path {
         let weight = self.fastest * self.part / Float::abs(slope(rates.nutation));
         Slopes {
             sine_cosine,
-            psi: PhaseRates {
-                nutation: slope(rates.nutation),
-                alpha: slope(rates.alpha),
-                beta: slope(rates.beta),
-            },
-            theta: [slope(rates.alpha + alpha_offset), slope(rates.beta + beta_offset)],
+            chi: slope(rates.nutation),
+            psi: [rates.alpha, rates.beta].map(slope),
+            theta: [rates.alpha + alpha_offset, rates.beta + beta_offset].map(slope),
             weight: if weight > 1.0 { weight } else { 1.0 },
         }
     }
@@ -256,11 +250,12 @@ impl Path {
     fn after(&self, x: u32, share: f64) -> Option<Position> {
         let truncation_error = self.expansion.truncation_error(x);
         (truncation_error <= share).then(|| {
+            let (point, slope) = self.expansion.at(x.into());
             let [chi, theta] = self.expansion.sizes(x);
-            let delay = self.part as f32 * chi;
+            let delay = self.part as f32 * chi / slope as f32;
             let [delays, angles] = self.here.squares;
             Position {
-                point: self.expansion.point(x),
+                point,
                 remainder: self.here.remainder + truncation_error,
                 squares: [delays + delay * delay, angles + theta * theta],
             }

@@ -1,9 +1,7 @@
 //! Polynomials of α and of β in powers of x ∈ [-1, 1], lowest power first.
 
-use crate::table::series::expansion::TERMS;
-
-/// Coefficients of the real and of the imaginary part, in units of 2^-62.
-pub(crate) type Polynomial = [[i64; TERMS]; 2];
+use crate::table::series::expansion::Polynomial;
+use crate::table::series::integers::TERMS;
 
 /// Function that stores a polynomial: index of the segment, 0 for α or 1 for β, coefficients. It returns the errors of the
 /// orientation and of the derivative from rounding the coefficients, in units of 2^-62 rad.

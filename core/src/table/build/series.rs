@@ -5,8 +5,8 @@
 
 use crate::product::{long_product, signed_product};
 use crate::scalar::{Float, Ring, short_float};
-use crate::table::build::polynomial::Polynomial;
-use crate::table::series::expansion::TERMS;
+use crate::table::series::expansion::Polynomial;
+use crate::table::series::integers::TERMS;
 
 /// Series on an interval, whose coordinate x is in [-1, 1].
 #[derive(Clone, Copy, Debug)]
@@ -176,14 +176,14 @@ impl SpanSeries {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::series::expansion::UNIT;
+    use crate::table::series::expansion::TABLE_UNIT;
 
     /// Series of a function of at most 1 whose terms decrease by a factor.
     fn series(ratio: f64, sense: f64) -> Series {
         let mut part = [0; TERMS];
         for (power, c) in part.iter_mut().enumerate() {
             let sign = if power % 2 == 1 { sense } else { 1.0 };
-            *c = (sign * (1.0 - ratio) * ratio.powi(power as i32) / UNIT) as i64;
+            *c = (sign * (1.0 - ratio) * ratio.powi(power as i32) / TABLE_UNIT) as i64;
         }
         let half = part.map(|c| c / 2);
         let polynomial = if sense > 0.0 { [part, half] } else { [half, part] };
@@ -195,7 +195,7 @@ mod tests {
         series.polynomial.map(|part| {
             let factor = |k: i32| (0..order).map(|m| f64::from(k - m)).product::<f64>();
             let terms = part.iter().zip(0..TERMS as i32).skip(order as usize).rev();
-            UNIT * terms.fold(0.0, |sum, (c, k)| sum * x + factor(k) * *c as f64)
+            TABLE_UNIT * terms.fold(0.0, |sum, (c, k)| sum * x + factor(k) * *c as f64)
         })
     }
 
@@ -244,7 +244,7 @@ mod tests {
                 (size(1), bounds.slope_squares.sqrt(), 1.5),
                 (size(2), bounds.curvature_squares.sqrt(), 1.5),
             ] {
-                let bound = UNIT * f64::from(bound);
+                let bound = TABLE_UNIT * f64::from(bound);
                 assert!(worst <= bound * 1.000_001 + 3e-16, "{terms}: {worst:e} {bound:e}");
                 assert!(bound <= most * worst + 1e-8, "{terms}: {worst:e} {bound:e}");
             }

@@ -55,7 +55,7 @@ impl StartSearch {
         span: Span,
     ) -> Option<FoundStart> {
         let x = self.coordinate(expansion, end, is_last)?;
-        let (PhasePoint { theta, .. }, slope) = expansion.point_and_slope(x);
+        let (PhasePoint { theta, .. }, slope) = expansion.at(x);
         let change = if slope > 0.0 { self.per_rounding / slope } else { 0.0 };
         let share = change * span.half_length();
         Some(FoundStart { phase: span.phase(x), theta, share })
@@ -77,7 +77,7 @@ impl StartSearch {
         const LAST_STEP: f64 = 4.0 * f64::ROUNDING;
         let mut x = 0.0_f64;
         for _ in 0..NEWTON_STEPS {
-            let (PhasePoint { chi, .. }, slope) = expansion.point_and_slope(x);
+            let (PhasePoint { chi, .. }, slope) = expansion.at(x);
             let miss = (chi - self.chi).to_radians();
             let next = if slope > 0.0 { (x - miss / slope).clamp(-1.0, 1.0) } else { x };
             let change = Float::abs(next - x);

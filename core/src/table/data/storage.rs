@@ -2,10 +2,10 @@
 
 use crate::scalar::{Float, short_float};
 use crate::table::build::bound::ErrorBound;
-use crate::table::build::polynomial::Polynomial;
 use crate::table::cell::{CELLS, Cell, LONGEST};
 use crate::table::data::clock::Clock;
 use crate::table::scalar::{Coefficient, EphemerisScalar};
+use crate::table::series::expansion::Polynomial;
 use core::ops::{Deref, DerefMut};
 
 /// Ephemeris of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.

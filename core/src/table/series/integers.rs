@@ -1,4 +1,4 @@
-//! Coefficients as integers: their products, their range, and their conversion.
+//! Integers of the power series: their products, their range, and their conversion.
 
 use crate::phase::integer_parts;
 use crate::product::signed_product;
@@ -7,30 +7,27 @@ use crate::product::signed_product;
 pub(crate) const TERMS: usize = 16;
 
 /// Number of bits of a coefficient of the expected magnitude. One may be four times as large.
-pub(crate) const BITS: i32 = 56;
+pub(super) const BITS: i32 = 56;
 
-/// Largest magnitude of a coefficient.
-const LIMIT: i64 = 1 << (BITS + 2);
-
-/// Bits of the lower part of a coefficient.
+/// Bits of the lower part of a [`Split`].
 pub(super) const LOW_BITS: u32 = 30;
 
-/// Integer as high · 2^30 + low, with low in [0, 2^30): the parts of which products are made.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Split {
+/// Integer high · 2^30 + low, with low in [0, 2^30): the parts of which products are made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Split {
     pub(super) high: i32,
     low: i32,
 }
 
 impl Split {
-    pub(crate) const ZERO: Self = Self { high: 0, low: 0 };
+    pub(super) const ZERO: Self = Self { high: 0, low: 0 };
 
-    pub(crate) const fn of(value: i64) -> Self {
+    pub(super) const fn of(value: i64) -> Self {
         Self { high: (value >> LOW_BITS) as i32, low: value as i32 & ((1 << LOW_BITS) - 1) }
     }
 
     #[inline(always)]
-    pub(crate) const fn value(self) -> i64 {
+    pub(super) const fn value(self) -> i64 {
         ((self.high as i64) << LOW_BITS) + self.low as i64
     }
 }
@@ -38,11 +35,6 @@ impl Split {
 /// Exact sum of at most 16 products, divided by 2^shift and rounded to the nearest; [`BEYOND`] marks overflow.
 #[inline(always)]
 pub(super) fn inner<'a>(pairs: impl Iterator<Item = (&'a Split, &'a Split)>, shift: i32) -> i64 {
-    const LOW: u32 = (1 << LOW_BITS) - 1;
-    if cfg!(target_pointer_width = "64") {
-        let sum = pairs.fold(0, |sum, (a, b)| sum + i128::from(a.value()) * i128::from(b.value()));
-        return rounded((sum >> (2 * LOW_BITS)) as i64, (sum >> LOW_BITS) as u32 & LOW, shift);
-    }
     let (upper, across, lower) = pairs.fold((0_i64, 0_i64, 0_u64), |(upper, across, lower), (a, b)| {
         (
             upper + signed_product(a.high, b.high),
@@ -51,14 +43,14 @@ pub(super) fn inner<'a>(pairs: impl Iterator<Item = (&'a Split, &'a Split)>, shi
         )
     });
     let across = across + (lower >> LOW_BITS) as i64;
-    rounded(upper + (across >> LOW_BITS), across as u32 & LOW, shift)
+    rounded(upper + (across >> LOW_BITS), across as u32 & ((1 << LOW_BITS) - 1), shift)
 }
 
 /// Least shift of a quotient in range; a smaller one is of a series that does not converge.
 const LEAST_SHIFT: i32 = 33;
-/// Positive and negative quotient that are not in range: the first numbers beyond 60 bits.
-pub(super) const BEYOND: i64 = 2 * LIMIT;
-pub(super) const BELOW: i64 = -BEYOND - 1;
+/// Positive and negative quotient that are not in range: the first numbers beyond 59 bits.
+const BEYOND: i64 = 1 << (BITS + 3);
+const BELOW: i64 = -BEYOND - 1;
 
 /// Sum upper · 2^60 + lower · 2^30 divided by 2^shift, rounded to the nearest, with lower in [0, 2^30).
 #[inline(always)] // its only caller is Block::product
@@ -83,11 +75,7 @@ fn rounded(upper: i64, lower: u32, shift: i32) -> i64 {
 
 /// Product of two integers divided by 2^SHIFT, for a SHIFT of 54 to 60, rounded to the nearest.
 #[inline(never)] // a call: set-up multiplies in some thirty places
-pub(crate) fn scaled_product<const SHIFT: u32>(a: Split, b: Split) -> i64 {
-    if cfg!(target_pointer_width = "64") {
-        let product = i128::from(a.value()) * i128::from(b.value());
-        return (((product >> (SHIFT - 1)) + 1) >> 1) as i64;
-    }
+pub(super) fn scaled_product<const SHIFT: u32>(a: Split, b: Split) -> i64 {
     let lower = signed_product(a.low, b.low) >> LOW_BITS;
     let across = signed_product(a.high, b.low) + signed_product(a.low, b.high) + lower;
     let half = 1 << (SHIFT - LOW_BITS - 1);
@@ -101,41 +89,76 @@ const fn has_bits(value: i64, bits: i32) -> bool {
     matches!((value >> 32) as i32 >> (bits - 32), -1 | 0)
 }
 
-/// Whether a number is small enough for a coefficient. Otherwise the series does not converge.
+/// Number that is small enough for a coefficient; `None` where the series does not converge.
 #[inline(always)]
-pub(super) const fn is_in_range(value: i64) -> bool {
-    has_bits(value, BITS + 2)
-}
-
-/// The number itself; `None` if it is too large for a coefficient, so that the series does not converge.
-pub(crate) fn in_range(value: i64) -> Option<i64> {
-    is_in_range(value).then_some(value)
+pub(super) fn in_range(value: i64) -> Option<i64> {
+    has_bits(value, BITS + 2).then_some(value)
 }
 
 /// Sum of quotients; `None` where one of them has left the range, because two such quotients could cancel.
 #[inline(always)]
-pub(crate) fn sum_in_range<const N: usize>(quotients: [i64; N]) -> Option<i64> {
+pub(super) fn sum_in_range<const N: usize>(quotients: [i64; N]) -> Option<i64> {
     quotients.iter().all(|quotient| has_bits(*quotient, BITS + 3)).then(|| quotients.iter().sum())
 }
 
-/// Integer nearest to x / 2^exponent, for a quotient below 2^62.
+/// Integer nearest to x / 2^exponent, for a quotient below 2^62; greater ones count as ±2^62.
 #[inline(never)]
-pub(crate) fn scaled(x: f64, exponent: i32) -> i64 {
+pub(super) fn scaled(x: f64, exponent: i32) -> i64 {
     let (mantissa, own) = integer_parts(x);
     match own.saturating_sub(exponent) {
-        10.. => {
-            if mantissa < 0 {
-                -(1 << 62)
-            } else if mantissa > 0 {
-                1 << 62
-            } else {
-                0
-            }
-        }
+        10.. => mantissa.signum() << 62,
         shift @ 0.. => mantissa << shift,
         shift @ -62.. => ((mantissa >> (-shift - 1)) + 1) >> 1,
         _ => 0,
     }
+}
+
+/// Constant factor between two series.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Factor {
+    /// Factor in units of 2^(`doublings` - 60).
+    mantissa: Split,
+    doublings: u32,
+}
+
+/// Fraction bits of a [`Factor`] and of an inverse.
+const FACTOR_BITS: u32 = 60;
+
+impl Factor {
+    /// Factor from a series with the exponent `from` to one with the exponent `to`.
+    pub(super) fn new(factor: f64, from: i32, to: i32) -> Self {
+        let (_, exponent) = integer_parts(factor);
+        let least = to - from - FACTOR_BITS as i32;
+        // 53 bits become 60 at most
+        let own = least.max(exponent - 7);
+        Self { mantissa: Split::of(scaled(factor, own)), doublings: (own - least).min(62) as u32 }
+    }
+
+    /// Product, rounded to the nearest; [`BEYOND`] marks overflow.
+    pub(super) fn times(&self, value: i64) -> i64 {
+        let product = scaled_product::<FACTOR_BITS>(self.mantissa, Split::of(value));
+        if self.doublings == 0 {
+            return product;
+        }
+        product.saturating_mul(1 << self.doublings).clamp(BELOW, BEYOND)
+    }
+}
+
+/// Integral of a term c y^k: the quotient c/(k + 1), rounded to the nearest.
+pub(super) fn integrated(c: i64, k: usize) -> i64 {
+    /// 1/(k + 1), rounded.
+    #[allow(clippy::indexing_slicing)]
+    static INVERSES: [Split; TERMS] = {
+        let mut inverses = [Split::ZERO; TERMS];
+        let mut k = 0;
+        while k < TERMS {
+            let divisor = k as i64 + 1;
+            inverses[k] = Split::of(((1 << FACTOR_BITS) + divisor / 2) / divisor);
+            k += 1;
+        }
+        inverses
+    };
+    INVERSES.get(k).map_or(0, |inverse| scaled_product::<FACTOR_BITS>(*inverse, Split::of(c)))
 }
 
 #[cfg(test)]
@@ -146,12 +169,17 @@ mod tests {
     #[test]
     fn quotients_beyond_the_range_do_not_cancel() {
         for (upper, shift) in
-            [(BEYOND, 60), (4 * LIMIT, 61), (-BEYOND - 1, 60), (1 << 40, 33), (-(1 << 40), 33)]
+            [(BEYOND, 60), (2 * BEYOND, 61), (-BEYOND - 1, 60), (1 << 40, 33), (-(1 << 40), 33)]
         {
             let quotient = rounded(upper, 0, shift);
             assert_eq!(sum_in_range([quotient, -quotient / 2]), None, "{upper:x}");
         }
-        assert_eq!(sum_in_range([LIMIT, -LIMIT]), Some(0));
+        let limit = BEYOND / 2;
+        assert_eq!(sum_in_range([limit, -limit]), Some(0));
+        let eight = Factor::new(8.0, 0, 0);
+        for value in [limit, -limit] {
+            assert_eq!(sum_in_range([eight.times(value), -value]), None, "{value}");
+        }
     }
 
     /// Sums in words round like wide integers, also where a quotient leaves the range.

@@ -5,7 +5,7 @@ use crate::product::signed_product;
 use crate::table::series::integers::{Split, scaled_product};
 
 /// Fraction bits of [`sine_cosine`].
-pub(crate) const FRACTION: i32 = 57;
+pub(super) const FRACTION: i32 = 57;
 
 /// Alternating Taylor series in powers of r², in units of 2^-58. The last coefficients and their products with r² have at most 32 bits.
 struct Series {
@@ -54,7 +54,7 @@ impl Series {
 /// (sin 2πx, cos 2πx) of a phase of x turns, in units of 2^-57. Error: below 2^-56. A product costs a chip without a unit
 /// for `f64` a third of one in `f64`.
 #[inline(never)]
-pub(crate) fn sine_cosine(phase: Phase) -> (i64, i64) {
+pub(super) fn sine_cosine(phase: Phase) -> (i64, i64) {
     /// π/2 in units of 2^-57.
     const QUARTER_TURN: Split = Split::of(226375608064910089);
     let (quadrant, rest) = phase.quadrant();

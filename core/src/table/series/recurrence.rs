@@ -1,0 +1,268 @@
+//! Expansion of the motion around a point: the coefficients of the rates, one after another.
+
+use crate::motion::phase_equations::PhaseEquations;
+use crate::scalar::Float;
+use crate::table::series::expansion::{Expansion, PhasePoint, Slopes, larger_or_nan};
+use crate::table::series::integers::{BITS, Factor, TERMS, in_range, integrated, scaled, sum_in_range};
+use crate::table::series::rate::{Block, Rate, SlowFactors, is_negligible};
+
+/// Constant factors of the recurrence of the coefficients.
+struct Recurrence {
+    slow: [SlowFactors; 2],
+    /// Factor of cos²χ in η.
+    eta: Factor,
+    /// Factors of cos²χ and of its square in δ.
+    linear: Factor,
+    quadratic: Factor,
+    /// Factor from the units of δ to those of ξ.
+    to_drive: Factor,
+    to_sine: Factor,
+    to_cosine: Factor,
+    /// Magnitudes below which a term of sin χ, cos χ and ξ is negligible.
+    negligible_sine: i64,
+    negligible_cosine: i64,
+    negligible_xi: i64,
+}
+
+/// Largest dχ/dy at which series may converge fast enough to be used.
+const STEEPEST: f64 = 4.0;
+
+impl Expansion {
+    /// Expands the motion around `point`, where the phases have these derivatives and x = 1 stands for a time `unit`. Terms are computed
+    /// until two in succession are below `least` at x = 2, y = 1/2; none where they do not converge.
+    #[inline(never)]
+    pub(crate) fn expand(
+        &mut self,
+        law: &PhaseEquations<f64>,
+        point: &PhasePoint,
+        slopes: &Slopes,
+        unit: f64,
+        least: f64,
+        between: &mut dyn FnMut(),
+    ) {
+        self.origin = *point;
+        let recurrence = self.begin(law, slopes, unit, least);
+        between();
+        self.terms = self.recur(&recurrence, between).unwrap_or_default();
+        self.integrate();
+    }
+
+    /// Constants of the recurrence, and the first coefficients.
+    #[inline(never)] // the frame must not remain below those of the recurrence
+    fn begin(&mut self, law: &PhaseEquations<f64>, slopes: &Slopes, unit: f64, least: f64) -> Recurrence {
+        // the series are in y = x/4
+        let by_y = |by_x: f64| 4.0 * by_x;
+        let (unit, chi_slope, (point_sine, point_cosine)) =
+            (by_y(unit), by_y(slopes.chi), slopes.sine_cosine);
+        let swing = law.e2_minus_e1 * point_cosine * point_cosine;
+        let one_minus_u = swing + law.one_minus_e2;
+        let one_plus_u = law.one_plus_e1 + law.e2_minus_e1 * point_sine * point_sine;
+        let per_d = 1.0 / (law.a_over_p + law.s * one_minus_u * one_plus_u);
+        let eta = law.e2_minus_e1 / (law.e3_minus_e2 + swing);
+        let s_per_d = law.s * law.e2_minus_e1 * per_d;
+        let (linear, quadratic) = (2.0 * (s_per_d * (1.0 - one_minus_u)), s_per_d * law.e2_minus_e1);
+
+        // sin χ and cos χ, and the variations of cos²χ, of D and of D dχ/dx
+        let Self { chi, theta: [alpha, beta], scratch: [sine, cosine, square, delta, drive], .. } = self;
+        let magnitude = |own: f64, other: f64| larger_or_nan(Float::abs(own), Float::abs(chi_slope * other));
+        sine.scale_for(magnitude(point_sine, point_cosine));
+        cosine.scale_for(magnitude(point_cosine, point_sine));
+        square.exponent = 2 * cosine.exponent + BITS;
+        let delta_size = square.magnitude_times(Float::abs(linear) + square.magnitude_times(quadratic));
+        delta.scale_for(delta_size);
+        drive.scale_for(delta_size + square.magnitude_times(eta));
+        chi.variation.exponent = drive.exponent;
+        (chi.slope, chi.scale) = (chi_slope, chi_slope);
+        // in range, because the exponents are those of these values
+        let _ = sine.put(0, scaled(point_sine, sine.exponent));
+        let _ = cosine.put(0, scaled(point_cosine, cosine.exponent));
+
+        // the denominators of ψ_A' and ψ_B' over D are combinations of 1 and dχ/dx
+        let scale = unit * unit * law.e2_minus_e1 * per_d;
+        let factors = |numerator: f64, constant: f64, smoothing: f64| {
+            let smoothed = smoothing * chi_slope;
+            let per_divisor = 1.0 / (constant + smoothed);
+            [numerator * (scale * per_divisor), constant * per_divisor, smoothed * per_divisor]
+        };
+        let of_alpha = factors(law.s * law.alpha_scale, unit, law.alpha_smoothing);
+        let of_beta = factors(-law.s_e3 * law.beta_scale, unit * law.root_e3, law.beta_smoothing);
+        let series = [&*square, &*delta, &*drive];
+        let [alpha_psi, beta_psi] = slopes.psi.map(by_y);
+        let slow = [
+            SlowFactors::new(alpha, alpha_psi, of_alpha, series, least),
+            SlowFactors::new(beta, beta_psi, of_beta, series, least),
+        ];
+        [alpha.slope, beta.slope] = slopes.theta.map(by_y);
+        self.weight = slopes.weight as f32;
+        self.variation_size = larger_or_nan(Float::abs(alpha_psi), Float::abs(beta_psi)) as f32;
+        let least_xi = least / Float::abs(slopes.weight * chi_slope);
+        let least_xi = if least_xi > f64::MAX { f64::MAX } else { least_xi };
+        Recurrence {
+            slow,
+            eta: Factor::new(eta, square.exponent, drive.exponent),
+            linear: Factor::new(linear, square.exponent, delta.exponent),
+            quadratic: Factor::new(-quadratic, 2 * square.exponent + BITS, delta.exponent),
+            to_drive: Factor::new(1.0, delta.exponent, drive.exponent),
+            to_sine: Factor::new(chi_slope, cosine.exponent, sine.exponent),
+            to_cosine: Factor::new(-chi_slope, sine.exponent, cosine.exponent),
+            negligible_sine: scaled(least, sine.exponent),
+            negligible_cosine: scaled(least, cosine.exponent),
+            negligible_xi: scaled(least_xi, drive.exponent),
+        }
+    }
+
+    /// Computes the coefficients until two in succession are negligible or all sixteen are known. Returns their number, or `None` where
+    /// one is out of range.
+    #[inline(never)]
+    fn recur(&mut self, recurrence: &Recurrence, between: &mut dyn FnMut()) -> Option<usize> {
+        (self.chi.slope <= STEEPEST).then_some(())?;
+        let mut before = false;
+        for k in 0..TERMS {
+            if k == TERMS / 2 {
+                between();
+            }
+            let rates = k > 0 && self.advance(recurrence, k)?;
+            let negligible = self.turn(recurrence, k)? && rates;
+            if negligible && before {
+                return Some(k + 1);
+            }
+            before = negligible;
+        }
+        Some(TERMS)
+    }
+
+    /// Computes the k-th coefficients of the rates: (1 + ξ)² (1 + δ) = 1 + η.
+    fn advance(&mut self, constants: &Recurrence, k: usize) -> Option<bool> {
+        let Self { chi, theta, scratch: [_, cosine, square_series, delta_series, drive_series], .. } = self;
+        let xi_series = &mut chi.variation;
+        let square = cosine.product(cosine, 0..k + 1, k, BITS);
+        let twice = sum_in_range([square_series.product(square_series, 1..k, k, BITS)])?;
+        let delta = sum_in_range([constants.linear.times(square), constants.quadratic.times(twice)])?;
+        let across = |series: &Block| series.product(xi_series, 1..k, k, -series.exponent);
+        // coefficient of (1 + ξ)(1 + δ) without the unknown ξ
+        let known = sum_in_range([constants.to_drive.times(delta), across(delta_series)])?;
+        let xi = sum_in_range([constants.eta.times(square), -known, -across(drive_series)])? >> 1;
+        let drive = known + xi;
+        square_series.put(k, square)?;
+        delta_series.put(k, delta)?;
+        xi_series.put(k, xi)?;
+        drive_series.put(k, drive)?;
+        let mut negligible = is_negligible(xi, k, constants.negligible_xi);
+        for (rate, factors) in theta.iter_mut().zip(&constants.slow) {
+            negligible &= factors.advance(rate, k, [square, delta, drive])?;
+        }
+        Some(negligible)
+    }
+
+    /// Computes coefficient k + 1 of sin χ and of cos χ. Returns whether both are negligible.
+    fn turn(&mut self, recurrence: &Recurrence, k: usize) -> Option<bool> {
+        let Self { chi, scratch: [sine_series, cosine_series, ..], .. } = self;
+        let xi = &chi.variation;
+        let rate = |part: &Block| sum_in_range([part.get(k), xi.product(part, 1..k + 1, k, -xi.exponent)]);
+        let sine = integrated(in_range(recurrence.to_sine.times(rate(cosine_series)?))?, k);
+        let cosine = integrated(in_range(recurrence.to_cosine.times(rate(sine_series)?))?, k);
+        sine_series.put(k + 1, sine)?;
+        cosine_series.put(k + 1, cosine)?;
+        Some(
+            is_negligible(sine, k, recurrence.negligible_sine)
+                && is_negligible(cosine, k, recurrence.negligible_cosine),
+        )
+    }
+
+    /// Integrates the rates term by term, after the recurrence has used the integrals' memory.
+    #[inline(never)]
+    fn integrate(&mut self) {
+        let Self { chi, theta: [alpha, beta], scratch: [.., delta, _], terms, .. } = self;
+        self.variation_size *= delta.size(3, *terms, 0.0);
+        for Rate { variation, integral, .. } in [chi, alpha, beta] {
+            integral.exponent = variation.exponent;
+            for k in 1..*terms {
+                // not larger than the coefficient, which is in range
+                let _ = integral.put(k, integrated(variation.get(k), k));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::complex::Complex;
+    use crate::constants::{BranchPoints, Sign, Signs};
+    use crate::phase::Phase;
+    use crate::scalar::{Extended, Scalar};
+    use crate::table::series::expansion::TABLE_UNIT;
+    use crate::top::{Top, TopParameters};
+
+    fn law(spread: f64, [e1, e2, e3]: [f64; 3]) -> PhaseEquations<Extended> {
+        let parameters = TopParameters {
+            transverse_inertia: spread,
+            axial_inertia: 0.7 * spread,
+            com_height: 1.0,
+            mass_moment: 1.0,
+            gravity: 1.0,
+            ..TopParameters::default()
+        };
+        let top = Top::sliding(&parameters).unwrap();
+        let e = BranchPoints::<Extended>::exact(e1, e2, e3).unwrap();
+        let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
+        PhaseEquations::new(&top, &e, e.integrals_in(&top, signs).l_plus_n, signs)
+    }
+
+    /// At other points of the segment the series have the rates of the law, and α and β the value that the phases
+    /// give.
+    #[test]
+    fn the_series_obey_the_law() {
+        let mut worst = [0.0_f64; 4];
+        for (spread, e) in [
+            (1.0, [-0.5, 0.5, 1.5]),
+            (0.01, [-0.9, 1.0, 1.0 + 1e-6]),
+            (1e3, [0.5, 0.5 + 1e-9, 1e4]),
+            (1.0, [-0.3, 0.4, 1.0]),
+            (1e-5, [-1.0, 0.26, 28.8]),
+        ] {
+            let exact = law(spread, e);
+            let rounded: PhaseEquations<f64> = exact.cast();
+            for turns in [0.0, 1e-9, 0.1, 0.17, 0.2499, 0.25] {
+                let point = PhasePoint { chi: Phase::new(turns), theta: [Phase::new(0.3), Phase::new(-0.4)] };
+                let (sine, cosine) = point.sine_cosine();
+                let rates = exact.rates(sine.into(), cosine.into());
+                let beyond = rounded.rates(sine, cosine);
+                let size = [beyond.nutation, beyond.alpha, beyond.beta].into_iter().map(f64::abs);
+                let unit = 0.02 * spread.sqrt().min(1.0) / size.fold(0.0, f64::max).max(1.0);
+                let [chi, alpha, beta] =
+                    [rates.nutation, rates.alpha, rates.beta].map(|rate| (rate * unit.into()).to_f64());
+                let slopes = Slopes {
+                    sine_cosine: (sine, cosine),
+                    chi,
+                    psi: [alpha, beta],
+                    theta: [alpha, beta],
+                    weight: (alpha.abs().max(beta.abs()) / chi).max(1.0),
+                };
+                let mut expansion = Expansion::EMPTY;
+                expansion.expand(&rounded, &point, &slopes, unit, 1e-18, &mut || {});
+                assert!(expansion.terms > 2, "{spread} {e:?} {turns}");
+                for x in [-1.0, 0.5, 1.0] {
+                    let (PhasePoint { chi: at, theta }, slope) = expansion.at(x);
+                    let (sine, cosine) = f64::sine_cosine(at);
+                    let rates = exact.rates(sine.into(), cosine.into());
+                    let of = |rate: Extended| (rate * unit.into()).to_f64();
+                    let [alpha, beta] =
+                        expansion.theta.map(|rate| 0.25 * rate.value(0.25 * x, expansion.terms));
+                    worst[0] = worst[0].max(slopes.weight * (slope - of(rates.nutation)).abs());
+                    worst[1] = worst[1].max((alpha - of(rates.alpha)).abs());
+                    worst[2] = worst[2].max((beta - of(rates.beta)).abs());
+                    let ([p, q], mut parts) = ([0.6, -0.3], [[0; TERMS]; 2]);
+                    let mut copy = expansion;
+                    copy.turned(0, [p, q], 5, &mut parts).unwrap();
+                    let [re, im] = parts
+                        .map(|part| part.iter().rev().fold(0.0, |sum, c| sum * x + *c as f64 * TABLE_UNIT));
+                    let [up, down] = [at, -at].map(|chi| Complex::cis(chi + theta[0]));
+                    let truth = up.scaled(p) + down.scaled(q);
+                    worst[3] = worst[3].max((re - truth.re).abs()).max((im - truth.im).abs());
+                }
+            }
+        }
+        assert!(worst.into_iter().all(|worst| (1e-19..5e-15).contains(&worst)), "{worst:?}");
+    }
+}
