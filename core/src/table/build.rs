@@ -2,18 +2,16 @@
 
 pub(super) mod mean_rates;
 
-pub(super) mod polynomial;
-
-mod series;
-
 mod span;
-
-mod start_search;
 
 pub(super) mod errors;
 
-mod path;
+pub(super) mod bound;
+
+mod start;
+
+mod series;
+
+pub(super) mod path;
 
 pub(super) mod builder;
-
-pub(super) mod bound;

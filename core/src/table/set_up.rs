@@ -4,12 +4,10 @@ use core::fmt;
 
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::scalar::Float;
 use crate::table::build::bound::{ErrorBound, error_bounds};
-use crate::table::build::builder::{TableBuilder, TooManySegments};
+use crate::table::build::builder::TableBuilder;
 use crate::table::build::errors::Limits;
-use crate::table::build::mean_rates::MeanRates;
-use crate::table::build::polynomial::Store;
+use crate::table::build::path::Path;
 use crate::table::cell::{Cell, LONGEST};
 use crate::table::data::clock::Clock;
 use crate::table::data::storage::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
@@ -112,32 +110,19 @@ impl SetUp {
         between: &mut dyn FnMut(),
     ) -> Result<(), SetUpError> {
         table.error_bound = ErrorBound::NONE;
-        let rates = self.mean_rates::<R>(motion, between);
+        let capacity = table.capacity();
+        self.tabulate::<R>(motion, &mut table.segments, capacity, between)?;
         between();
-        let segments = &mut table.segments;
-        let capacity = segments.len();
-        let store =
-            &mut |segment: usize, which: usize, parts: &Polynomial| put::<R>(segments, segment, which, parts);
-        self.tabulate::<R>(motion, &rates, capacity, store, between)?;
-        self.describe(table, motion, tick, epoch, &rates, between);
+        self.describe(table, motion, tick, epoch, between);
         Ok(())
     }
 
-    /// Computes the mean rates of a motion in the numbers of a scalar.
-    fn mean_rates<R: EphemerisScalar>(&mut self, motion: &Motion, between: &mut dyn FnMut()) -> MeanRates {
-        match R::RATE_WORDS {
-            1 => self.builder.path.mean_rates::<1>(motion, between),
-            _ => self.builder.path.mean_rates::<2>(motion, between),
-        }
-    }
-
-    /// Computes the polynomials.
+    /// Computes the segments, of which the memory may hold none.
     fn tabulate<R: EphemerisScalar>(
         &mut self,
         motion: &Motion,
-        rates: &MeanRates,
+        segments: &mut [R::Segment],
         capacity: usize,
-        store: &mut Store<'_>,
         between: &mut dyn FnMut(),
     ) -> Result<(), SetUpError> {
         let truncation = self.truncation.unwrap_or(R::TRUNCATION);
@@ -147,17 +132,16 @@ impl SetUp {
         if motion.regime() == Regime::Aperiodic {
             return Err(SetUpError::Aperiodic);
         }
-        if motion.is_steady() {
-            self.builder.steady(motion, store);
-            return Ok(());
+        match R::RATE_WORDS {
+            1 => self.builder.path.launch::<1>(motion, between),
+            _ => self.builder.path.launch::<2>(motion, between),
         }
-        let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
-        self.builder.begin(motion, rates, limits);
         between();
-        let segments = capacity as u32;
-        self.builder
-            .tabulate(motion, store, between)
-            .map_err(|TooManySegments| SetUpError::TooSmall { truncation, segments })
+        let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
+        let store =
+            &mut |segment: usize, which: usize, parts: &Polynomial| put::<R>(segments, segment, which, parts);
+        let too_small = SetUpError::TooSmall { truncation, segments: capacity as u32 };
+        self.builder.tabulate(motion, limits, store, between).ok_or(too_small)
     }
 
     /// Writes the cells, the clock and the error bounds.
@@ -168,25 +152,17 @@ impl SetUp {
         motion: &Motion,
         tick: Tick,
         epoch: i64,
-        rates: &MeanRates,
         between: &mut dyn FnMut(),
     ) {
-        let summary = &self.builder.summary;
+        let TableBuilder { path: Path { rates, .. }, summary, .. } = &self.builder;
         table.cells = summary.cells.map(|Cell(bits)| bits);
         table.segments.get_mut(summary.segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
         table.clock = Clock::new(motion, tick, epoch, rates, summary);
         between();
         table.start_tip_angle(motion, summary.start, epoch, between);
         between();
-        let [x_rate, mean, axial] = table.clock.rates.map(Float::to_f64);
-        let top = motion.top();
-        // x changes by 2 over each segment
-        let half_periods = x_rate / (2 * LONGEST) as f64;
-        let rotor = Float::abs(top.rotor_momentum()) / top.transverse_inertia();
-        let motion_rates = [half_periods, mean, axial, rotor];
-        let per_tick = (tick.length().to_f64(), table.clock.increment_errors());
         [table.error_bound, table.rate_error_bound] =
-            error_bounds(&R::ERRORS, rates, summary, motion_rates, per_tick);
+            error_bounds(&R::ERRORS, motion, tick.length(), rates, summary);
         between();
     }
 }
@@ -238,9 +214,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::within(truncation);
-        let store = &mut |_: usize, _: usize, parts: &Polynomial| put::<R>(&mut [], 0, 0, parts);
-        let rates = set_up.mean_rates::<R>(motion, &mut || {});
-        set_up.tabulate::<R>(motion, &rates, Cell::MOST_SEGMENTS, store, &mut || {}).ok()?;
+        set_up.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
         Some(set_up.builder.summary.segments.max(LONGEST) as u32)
     }
 }

@@ -12,38 +12,31 @@
 
 use crate::cayley_klein::Ellipses;
 use crate::motion::Motion;
-use crate::phase::Phase;
-use crate::scalar::times_power_of_two;
 use crate::table::build::errors::{Limits, SegmentErrors, Speeds, TableSummary};
-use crate::table::build::mean_rates::MeanRates;
 use crate::table::build::path::{Path, Position};
-use crate::table::build::polynomial::{Store, omitted_terms};
 use crate::table::build::series::{Series, SpanSeries};
-use crate::table::build::span::{CELL, HALF_PERIOD, Span};
-use crate::table::build::start_search::{FoundStart, StartSearch};
+use crate::table::build::span::{CELL, HALF_PERIOD};
+use crate::table::build::start::Start;
 use crate::table::cell::{Cell, cells_covered, segments_per_cell};
-use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
+use crate::table::series::expansion::{Polynomial, TABLE_UNIT, larger_or_nan};
 use crate::table::series::integers::TERMS;
 
-/// Fraction of the allowed error that the estimated omitted terms of a span's series may cause.
-const OMITTED_SHARE: f32 = 1.0 / 32.0;
+/// Function that stores a polynomial: index of the segment, 0 for α or 1 for β, coefficients. It returns the errors of the
+/// orientation and of the derivative from rounding the coefficients, in units of 2^-62 rad.
+///
+/// It is a reference, so that set-up is compiled once for all scalars.
+pub(crate) type Store<'a> = dyn FnMut(usize, usize, &Polynomial) -> [f32; 2] + 'a;
 
 /// Memory of a tabulation.
 #[derive(Debug)]
 pub(crate) struct TableBuilder {
     pub(crate) path: Path,
-    /// Coefficients of e^{iχ} and e^{-iχ} in the ellipses of α and of β.
-    exponentials: [[f64; 2]; 2],
-    search: StartSearch,
-    start: Option<FoundStart>,
+    start: Start,
     limits: Limits,
     pub(crate) summary: TableSummary,
-    span: Span,
     cut: Cut,
     /// Series of α and of β on the span.
     series: [SpanSeries; 2],
-    /// Estimates of the terms that they omit, in units of 2^-62.
-    omitted: [f32; 2],
     /// Greatest |dθ/dx| on the span.
     theta_slope: f32,
     /// Series on a segment.
@@ -63,119 +56,124 @@ struct Cut {
     error: f32,
 }
 
-/// Error of a tabulation.
-pub(crate) struct TooManySegments;
+impl Cut {
+    const NONE: Self =
+        Self { begin: 0, end: 0, level: 0, border: Position::BEGINNING, speeds: Speeds::ZERO, error: 0.0 };
+
+    /// Level that is tried first: segments of twice the length. Two cells that share one begin with an even number.
+    fn coarser(&self, begin: usize) -> u32 {
+        self.level.saturating_sub(1).max((begin / CELL % 2) as u32)
+    }
+}
 
 impl TableBuilder {
     pub(crate) const EMPTY: Self = Self {
         path: Path::EMPTY,
-        exponentials: [[0.0; 2]; 2],
-        search: StartSearch::EMPTY,
-        start: None,
+        start: Start::NONE,
         limits: Limits::NONE,
         summary: TableSummary::EMPTY,
-        span: Span::EMPTY,
-        cut: Cut {
-            begin: 0,
-            end: 0,
-            level: 0,
-            border: Position::BEGINNING,
-            speeds: Speeds::ZERO,
-            error: 0.0,
-        },
+        cut: Cut::NONE,
         series: [SpanSeries::ZERO; 2],
-        omitted: [0.0; 2],
         theta_slope: 0.0,
         segment: Series::ZERO,
     };
 
-    /// Tabulates a motion in which u is constant.
-    #[inline(never)]
-    pub(crate) fn steady(&mut self, motion: &Motion, store: &mut Store<'_>) {
-        let ellipses: Ellipses<f64> = motion.ellipses();
-        for (which, ellipse) in [&ellipses.alpha, &ellipses.beta].into_iter().enumerate() {
-            let [plus, minus] = ellipse.exponentials();
-            let mut re = [0; TERMS];
-            re[0] = libm::round((plus + minus) / TABLE_UNIT) as i64;
-            store(0, which, &[re, [0; TERMS]]);
-        }
-        let [alpha, beta] = motion.phases;
-        let error = Speeds::ZERO.rounding([0.0; 2], 0.0);
-        let start = [Phase::ZERO, alpha, beta];
-        self.summary = TableSummary { segments: 1, start, error, ..TableSummary::EMPTY };
-    }
-
-    /// Takes over a motion that nutates.
-    #[inline(never)] // one copy for all scalars
-    pub(crate) fn begin(&mut self, motion: &Motion, rates: &MeanRates, limits: Limits) {
-        self.path.begin(rates, limits.least);
-        let Ellipses { alpha, beta } = motion.ellipses::<f64>();
-        self.exponentials = [alpha.exponentials(), beta.exponentials()];
-        (self.search, self.start) = (StartSearch::new(motion), None);
-        (self.limits, self.summary) = (limits, TableSummary::EMPTY);
-        (self.span, self.cut) = (Span::FIRST, Self::EMPTY.cut);
-    }
-
-    /// Computes all segments. One may be passed to `store` more than once, and the last time is valid.
+    /// Computes all segments of a motion; `None` where they are too many. One may be passed to `store` more than once, and the last time
+    /// is valid.
     #[inline(never)]
     pub(crate) fn tabulate(
         &mut self,
         motion: &Motion,
+        limits: Limits,
         store: &mut Store<'_>,
         between: &mut dyn FnMut(),
-    ) -> Result<(), TooManySegments> {
+    ) -> Option<()> {
+        self.begin(motion, limits);
+        if motion.is_steady() {
+            self.store_constants(store);
+            return Some(());
+        }
+        self.path.begin(limits);
+        between();
         let mut place = 0;
         while place < HALF_PERIOD {
             self.enter_span(place, between)?;
             place = self.cut_span(store, between)?;
         }
-        self.summarise(motion);
-        Ok(())
+        self.summary.start = self.start.phases;
+        self.summary.error += self.path.error(&self.summary.speeds, self.start.delay);
+        Some(())
+    }
+
+    /// Takes over a motion.
+    #[inline(never)]
+    fn begin(&mut self, motion: &Motion, limits: Limits) {
+        let Ellipses { alpha, beta } = motion.ellipses::<f64>();
+        for (series, ellipse) in self.series.iter_mut().zip([alpha, beta]) {
+            series.exponentials = ellipse.exponentials();
+        }
+        (self.start, self.limits, self.cut) = (Start::new(motion), limits, Cut::NONE);
+        self.summary = TableSummary::EMPTY;
+    }
+
+    /// Stores the polynomials of a motion in which u is constant.
+    #[inline(never)]
+    fn store_constants(&mut self, store: &mut Store<'_>) {
+        for (which, series) in self.series.iter().enumerate() {
+            let [plus, minus] = series.exponentials;
+            let mut polynomial = [[0; TERMS]; 2];
+            polynomial[0][0] = libm::round((plus + minus) / TABLE_UNIT) as i64;
+            store(0, which, &polynomial);
+        }
+        self.summary.segments = 1;
+        self.summary.start = self.start.phases;
+        self.summary.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
     }
 
     /// Expands the motion on the span that begins at `place`: the next one, or the first of a cell that is cut again.
-    fn enter_span(&mut self, place: usize, between: &mut dyn FnMut()) -> Result<(), TooManySegments> {
-        if place > self.span.begin {
-            let share = self.share();
-            let twice = Span { begin: place, depth: self.span.depth - 1 };
-            let is_short = place == self.cut.end && self.coarser(place) < self.span.least_level();
-            let doubles = twice.exists() && (is_short || self.path.reaches_twice_as_far(share));
-            let x = if doubles { 3 } else { 2 };
-            self.path.leave(x, f64::from(x) * share);
-            self.span = if doubles { twice } else { Span { begin: place, ..self.span } };
+    fn enter_span(&mut self, place: usize, between: &mut dyn FnMut()) -> Option<()> {
+        let Self { path, cut, .. } = self;
+        if place > path.span.begin {
+            path.leave(place == cut.end && cut.coarser(place) < path.span.least_level());
             between();
-        } else if place < self.span.begin {
-            self.path.go_to(&self.cut.border);
-            self.span.begin = place;
+        } else if place < path.span.begin {
+            path.go_to(place, cut.border);
         }
-        while !self.expand_span(between) {
-            self.span.depth += self.path.halvings(self.share());
-            if self.span.depth > Span::DEEPEST {
-                return Err(TooManySegments);
-            }
-            self.path.return_to_border();
+        while self.expand_span(between).is_none() {
+            self.path.shorten()?;
         }
-        Ok(())
+        Some(())
+    }
+
+    /// Computes the series of α and β on the span; `None` where they are not accurate.
+    fn expand_span(&mut self, between: &mut dyn FnMut()) -> Option<()> {
+        self.path.expand_span(between)?;
+        let Path { expansion, span, end, .. } = &mut self.path;
+        for (which, series) in self.series.iter_mut().enumerate() {
+            between();
+            series.compute(expansion, which, &self.limits)?;
+        }
+        between();
+        self.theta_slope = expansion.greatest_theta_slope();
+        self.start.search(expansion, end.point.chi, *span, between);
+        Some(())
     }
 
     /// Cuts the span into segments. Returns its end, or an earlier place from which on a cell must be cut again.
-    fn cut_span(
-        &mut self,
-        store: &mut Store<'_>,
-        between: &mut dyn FnMut(),
-    ) -> Result<usize, TooManySegments> {
-        let mut place = self.span.begin;
-        let least = self.span.least_level();
+    fn cut_span(&mut self, store: &mut Store<'_>, between: &mut dyn FnMut()) -> Option<usize> {
+        let span = self.path.span;
+        let (mut place, least) = (span.begin, span.least_level());
         if place < self.cut.end && self.cut.level < least {
             // the segments of the cell that goes on are longer than the span
-            self.cut_again(self.cut.level.max(least))?;
+            self.cut_again(least)?;
             place = self.cut.begin;
         }
-        while self.span.begin <= place && place < self.span.end() {
+        while span.begin <= place && place < span.end() {
             if place == self.cut.end {
-                self.begin_cell(place)?;
+                (self.cut.begin, self.cut.border) = (place, self.path.border);
+                self.cut_again(self.cut.coarser(place).max(least))?;
             }
-            let error = self.shorten(place, store, between);
+            let error = self.store_segment(place, store, between);
             self.cut.error = larger_or_nan(self.cut.error, error);
             if error.is_nan() || error > self.limits.segment(self.cut.level) {
                 self.cut_again(self.cut.level + 1)?;
@@ -187,28 +185,16 @@ impl TableBuilder {
                 self.end_cell();
             }
         }
-        Ok(place)
+        Some(place)
     }
 
-    /// Level that is tried first: segments of twice the length. Two cells that share one begin with an even number.
-    fn coarser(&self, begin: usize) -> u32 {
-        self.cut.level.saturating_sub(1).max((begin / CELL % 2) as u32)
-    }
-
-    /// Begins a cell.
-    fn begin_cell(&mut self, begin: usize) -> Result<(), TooManySegments> {
-        let level = self.coarser(begin).max(self.span.least_level());
-        (self.cut.begin, self.cut.border) = (begin, *self.path.border());
-        self.cut_again(level)
-    }
-
-    /// Begins the cell anew with segments of this level.
-    fn cut_again(&mut self, level: u32) -> Result<(), TooManySegments> {
+    /// Begins the cell anew with segments of this level; `None` where they are too many.
+    fn cut_again(&mut self, level: u32) -> Option<()> {
         let end = self.cut.begin + cells_covered(level) * CELL;
         self.cut = Cut { end, level, speeds: self.summary.speeds, error: 0.0, ..self.cut };
         let rest = HALF_PERIOD.saturating_sub(end).div_ceil(2 * CELL);
-        let fits = self.summary.segments + segments_per_cell(level) + rest <= self.limits.capacity;
-        if fits && level <= Cell::DEEPEST { Ok(()) } else { Err(TooManySegments) }
+        let segments = self.summary.segments + segments_per_cell(level) + rest;
+        (segments <= self.limits.capacity && level <= Cell::DEEPEST).then_some(())
     }
 
     /// Enters the finished cell in the summary.
@@ -222,71 +208,25 @@ impl TableBuilder {
         self.summary.speeds = speeds;
     }
 
-    /// Truncation error of a step over half a span, with which the steps together have their part of the allowed error.
-    fn share(&self) -> f64 {
-        times_power_of_two(self.limits.steps, -1 - self.span.depth as i32)
-    }
-
-    /// Computes the series of α and β on the span. Returns whether they are accurate.
-    fn expand_span(&mut self, between: &mut dyn FnMut()) -> bool {
-        if !self.path.expand_span(self.span.depth + 1, self.share(), between) {
-            return false;
-        }
-        for which in 0..self.series.len() {
-            between();
-            if self.turn(which).is_none() {
-                return false;
-            }
-        }
-        between();
-        self.theta_slope = self.path.expansion().greatest_theta_slope();
-        if self.start.is_none() {
-            between();
-            let (end, is_last) = (self.path.end().point.chi, self.span.end() == HALF_PERIOD);
-            self.start = self.search.within(self.path.expansion(), end, is_last, self.span);
-        }
-        true
-    }
-
-    /// Series of α (0) or β (1) on the span from those of the phases; `None` where it is not accurate.
-    fn turn(&mut self, which: usize) -> Option<()> {
-        let series = self.series.get_mut(which)?.replace();
-        series.terms = self.path.turned(which, *self.exponentials.get(which)?, &mut series.polynomial)?;
-        let [re, im] = &series.polynomial;
-        let omitted = 2.0 * larger_or_nan(omitted_terms(re), omitted_terms(im));
-        (2.0 * omitted <= OMITTED_SHARE * self.limits.polynomial).then_some(())?;
-        series.shorten(0, self.limits.left_out);
-        *self.omitted.get_mut(which)? = omitted + self.path.least_term() as f32;
-        Some(())
-    }
-
     /// Stores the polynomials of the segment at `place`. Returns their error in units of 2^-62 rad.
-    fn shorten(&mut self, place: usize, store: &mut Store<'_>, between: &mut dyn FnMut()) -> f32 {
-        let length = segment_length(self.cut.level);
-        let halvings = self.span.halvings(self.cut.level);
+    fn store_segment(&mut self, place: usize, store: &mut Store<'_>, between: &mut dyn FnMut()) -> f32 {
+        let Self { segment, cut, limits, path, .. } = self;
+        let length = segment_length(cut.level);
+        let halvings = path.span.halvings(cut.level);
         let parts = (1_u32 << halvings) as f32;
-        let index = self.summary.segments + (place - self.cut.begin) / length;
-        let mut errors = SegmentErrors::NONE;
-        for (which, (series, omitted)) in self.series.iter_mut().zip(self.omitted).enumerate() {
-            series.restrict([place / length, halvings as usize], self.limits.left_out, &mut self.segment);
-            self.segment.shorten(self.limits.terms, i64::MAX);
+        let index = self.summary.segments + (place - cut.begin) / length;
+        let mut errors = SegmentErrors::default();
+        for (which, series) in self.series.iter_mut().enumerate() {
+            series.restrict(place / length, halvings, limits.left_out, segment);
+            segment.shorten(limits.terms, i64::MAX);
             between();
-            errors.store(&self.segment, [omitted, TERMS as f32 * omitted / parts], (index, which), store);
+            let omitted = [series.omitted, TERMS as f32 * series.omitted / parts];
+            errors.add(&segment.bounds(), omitted, store(index, which, &segment.polynomial));
             between();
         }
-        errors.note(&mut self.cut.speeds, self.theta_slope / parts, self.path.part() as f32 / parts);
+        let part = path.span.half_length() as f32 / parts;
+        errors.include_in(&mut cut.speeds, 1.0 / part, self.theta_slope / parts);
         errors.error()
-    }
-
-    #[inline(never)]
-    fn summarise(&mut self, motion: &Motion) {
-        let found = self.start.unwrap_or_default();
-        let Position { remainder, squares, .. } = *self.path.end();
-        let speeds = self.summary.speeds;
-        self.summary.start = self.search.start(motion, &found);
-        self.summary.error += speeds.truncation_error(remainder, self.path.fastest())
-            + self.path.defect(&speeds)
-            + speeds.rounding(squares.map(f64::from), found.share);
     }
 }
 

@@ -1,14 +1,9 @@
-//! Errors of a table: the limits that it must keep, those of a segment, and those of the whole.
+//! Errors of a table during its build: the limits that it must keep, those of a segment, and those of the whole.
 
 use crate::phase::Phase;
-use crate::scalar::{Float, Scalar};
-use crate::table::build::polynomial::Store;
-use crate::table::build::series::Series;
+use crate::scalar::Float;
 use crate::table::cell::{CELLS, Cell};
 use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
-
-/// One turn in rad.
-pub(crate) const TURN: f64 = 2.0 * core::f64::consts::PI;
 
 /// Upper bounds on the speeds of α and β without their mean rotation: sums of the magnitudes of coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,102 +20,64 @@ pub(crate) struct Speeds {
     pub(crate) x_rate: f64,
 }
 
-/// Number of standard deviations in a bound.
-pub(crate) const DEVIATIONS: f64 = 6.0;
-/// Variance of the roundings that do not depend on the motion, in units of (2^-53 rad)².
-const FIXED_VARIANCE: f64 = 12.0;
-/// Relative error of the `f64` nearest to 1/2π, in units of 2^-53.
-const PER_TURN: f64 = 0.56;
-/// Standard deviation of a step's rounding error over the magnitudes of its terms, in units of 2^-53.
-const STEP: f64 = 2.1;
-
 impl Speeds {
     pub(crate) const ZERO: Self =
         Self { sweep: 0.0, turning: 0.0, acceleration: 0.0, sweep_error: 0.0, x_rate: 0.0 };
+}
 
-    /// Greatest change of the orientation on half a segment, which is at most a cell, rad.
-    pub(crate) fn steepness(&self) -> f64 {
-        self.sweep / 16.0
-    }
-
-    /// Orientation error, rad, if χ alone is delayed by `share` half periods.
-    pub(crate) fn delay(&self, share: f64) -> f64 {
-        (self.sweep + self.turning) * share
-    }
-
-    /// Orientation error, rad, of `remainder`: the sum of the errors of θ and of those of χ, times `fastest` over the rate of χ.
-    pub(crate) fn truncation_error(&self, remainder: f64, fastest: f64) -> f64 {
-        self.delay(remainder / fastest) + 2.0 * remainder
-    }
-
-    /// Orientation error, rad, of all roundings in `f64`.
-    ///
-    /// * `delays`, `angles`: sums of the squares of the steps' terms, of χ as delays in half periods and of θ in rad
-    /// * `start`: sensitivity of the start time to a rounding of χ, in half periods
-    pub(crate) fn rounding(&self, [delays, angles]: [f64; 2], start: f64) -> f64 {
-        let Self { sweep, turning, .. } = *self;
-        let steps = STEP * STEP * (delays * (sweep * sweep + turning * turning) + 4.0 * angles);
-        // of the half phase at the launch, and of the coefficients other than the first
-        let (start, coefficients) = (self.delay(start), self.steepness());
-        let variance = FIXED_VARIANCE + steps + start * start + coefficients * coefficients;
-        (DEVIATIONS * Float::sqrt(variance) + PER_TURN * (sweep + TURN)) * <f64 as Scalar>::ROUNDING
-    }
+/// Upper bounds for one polynomial on [-1, 1], in units of 2^-62.
+pub(crate) struct SeriesBounds {
+    /// Changes of the value and of the derivative by the terms left out.
+    pub(crate) change: f32,
+    pub(crate) slope_change: f32,
+    /// Squares of the first and of the second derivative.
+    pub(crate) slope_squares: f32,
+    pub(crate) curvature_squares: f32,
 }
 
 /// Errors and slopes of a segment, in units of 2^-62. They are in `f32`, because soft `f64` took a third of the time of a polynomial.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct SegmentErrors {
-    /// Sum of the squares of the truncation errors.
-    squares: f32,
     /// Greatest error of the stored coefficients.
     stored: f32,
-    /// Sums of the squares of the slopes, of their errors and of the curvatures.
-    slopes: [f32; 3],
+    /// Sums of the squares of the truncation errors, the slopes, the errors of the slopes and the curvatures.
+    change: f32,
+    slope: f32,
+    slope_error: f32,
+    curvature: f32,
 }
 
 impl SegmentErrors {
-    /// Errors before the first polynomial.
-    pub(crate) const NONE: Self = Self { squares: 0.0, stored: 0.0, slopes: [0.0; 3] };
-
-    /// Stores the polynomial of α (0) or of β (1), and includes its errors.
-    ///
-    /// * `beyond`, `slope_beyond`: errors of the series itself, and of its derivative
-    #[inline(never)] // the stack frames of set-up must not add up
-    pub(crate) fn store(
+    /// Includes a polynomial, with the errors of its series and of the stored coefficients, each of the value and of the derivative.
+    pub(crate) fn add(
         &mut self,
-        series: &Series,
-        [beyond, slope_beyond]: [f32; 2],
-        (segment, which): (usize, usize),
-        store: &mut Store<'_>,
+        bounds: &SeriesBounds,
+        [omitted, slope_omitted]: [f32; 2],
+        [stored, slope_stored]: [f32; 2],
     ) {
-        let bounds = series.bounds();
-        let [stored, rounded_slope] = store(segment, which, &series.polynomial);
-        let change = bounds.change + beyond;
-        let slope_error = bounds.slope_change + slope_beyond + rounded_slope;
-        self.squares += change * change;
+        let change = bounds.change + omitted;
+        let slope_error = bounds.slope_change + slope_omitted + slope_stored;
         self.stored = larger_or_nan(self.stored, stored);
-        let each = [bounds.slope_squares, slope_error * slope_error, bounds.curvature_squares];
-        self.slopes.iter_mut().zip(each).for_each(|(sum, squares)| *sum += squares);
+        self.change += change * change;
+        self.slope += bounds.slope_squares;
+        self.slope_error += slope_error * slope_error;
+        self.curvature += bounds.curvature_squares;
     }
 
     /// Truncation and rounding error of the segment, as an orientation error, in units of 2^-62 rad.
     pub(crate) fn error(&self) -> f32 {
-        larger_or_nan(2.0 * Float::sqrt(self.squares), self.stored)
+        larger_or_nan(2.0 * Float::sqrt(self.change), self.stored)
     }
 
-    /// Includes the speeds on the segment, whose half length is the fraction `part` of half a period, with the greatest dθ/dx.
-    pub(crate) fn note(&self, speeds: &mut Speeds, theta_slope: f32, part: f32) {
-        let [slope, slope_error, curvature] =
-            self.slopes.map(|squares| 2.0 * TABLE_UNIT as f32 * Float::sqrt(squares));
-        let x_rate = 1.0 / part;
-        let greater = |greatest: f64, speed: f32| larger_or_nan(greatest, speed.into());
-        *speeds = Speeds {
-            sweep: greater(speeds.sweep, slope * x_rate),
-            turning: greater(speeds.turning, 2.0 * theta_slope * x_rate),
-            acceleration: greater(speeds.acceleration, curvature * x_rate * x_rate),
-            sweep_error: greater(speeds.sweep_error, slope_error * x_rate),
-            x_rate: greater(speeds.x_rate, x_rate),
-        };
+    /// Includes the speeds on the segment, on which the local coordinate has this rate per half period and dθ/dx this bound.
+    pub(crate) fn include_in(&self, speeds: &mut Speeds, x_rate: f32, theta_slope: f32) {
+        let root = |squares: f32| 2.0 * TABLE_UNIT as f32 * Float::sqrt(squares);
+        let include = |greatest: &mut f64, speed: f32| *greatest = larger_or_nan(*greatest, speed.into());
+        include(&mut speeds.sweep, root(self.slope) * x_rate);
+        include(&mut speeds.turning, 2.0 * theta_slope * x_rate);
+        include(&mut speeds.acceleration, root(self.curvature) * x_rate * x_rate);
+        include(&mut speeds.sweep_error, root(self.slope_error) * x_rate);
+        include(&mut speeds.x_rate, x_rate);
     }
 }
 
@@ -134,7 +91,7 @@ pub(crate) struct Limits {
     /// Truncation error of all steps together, rad.
     pub(crate) steps: f64,
     /// Truncation error of a polynomial, in units of 2^-62 rad.
-    pub(crate) polynomial: f32,
+    polynomial: f32,
     /// Sum of the terms that may be left out of a span's series, in units of 2^-62.
     pub(crate) left_out: i64,
     /// Term of a series that is negligible, rad.
@@ -142,16 +99,14 @@ pub(crate) struct Limits {
 }
 
 /// Part of the allowed error reserved for the steps.
-const STEPS_SHARE: f64 = 0.125;
-
-/// Part of the allowed error reserved for the last terms that are left out of a span's series.
-const LEFT_OUT_SHARE: f32 = 1.0 / 512.0;
-
+const STEPS: f64 = 0.125;
+/// Parts of a polynomial's allowed error: for the last terms that are left out of a span's series, for the estimated terms that the
+/// series omits, and for all of a segment of two cells, whose derivative needs the accuracy.
+const LEFT_OUT: f32 = 1.0 / 512.0;
+const OMITTED: f32 = 1.0 / 32.0;
+const LONG: f32 = 0.125;
 /// Number of segments of which each may omit this part of the allowed error, divided by it.
-const NEGLIGIBLE_SHARE: f64 = 1.0 / 256.0;
-
-/// Part of the allowed error that a segment of two cells may have, for the accuracy of its derivative.
-const LONG_SHARE: f32 = 0.125;
+const NEGLIGIBLE: f64 = 1.0 / 256.0;
 
 impl Limits {
     pub(crate) const NONE: Self =
@@ -159,22 +114,31 @@ impl Limits {
 
     /// Limits for a truncation error `allowed`, rad. The series are at least as accurate as for the error `usual`.
     pub(crate) fn new(terms: usize, allowed: f64, usual: f64, capacity: usize) -> Self {
-        let polynomial =
-            |error: f64| (((1.0 - STEPS_SHARE) * error / TABLE_UNIT) as f32).clamp(f32::MIN, f32::MAX);
+        let polynomial = |error: f64| (((1.0 - STEPS) * error / TABLE_UNIT) as f32).clamp(f32::MIN, f32::MAX);
         let of_series = allowed.min(usual);
         Self {
             terms,
             capacity,
-            steps: STEPS_SHARE * allowed,
+            steps: STEPS * allowed,
             polynomial: polynomial(allowed),
-            left_out: (LEFT_OUT_SHARE * polynomial(of_series)) as i64,
-            least: NEGLIGIBLE_SHARE * of_series,
+            left_out: (LEFT_OUT * polynomial(of_series)) as i64,
+            least: NEGLIGIBLE * of_series,
         }
+    }
+
+    /// Estimated error of a series of α or β on a span, in units of 2^-62.
+    pub(crate) fn omitted(&self) -> f32 {
+        OMITTED * self.polynomial
     }
 
     /// Truncation error of a segment of this level, in units of 2^-62 rad.
     pub(crate) fn segment(&self, level: u32) -> f32 {
-        if level == 0 { LONG_SHARE * self.polynomial } else { self.polynomial }
+        if level == 0 { LONG * self.polynomial } else { self.polynomial }
+    }
+
+    /// Negligible term of α and β in units of 2^-62. What follows two such terms is not larger.
+    pub(crate) fn least_term(&self) -> i64 {
+        (self.least / TABLE_UNIT) as i64
     }
 }
 

@@ -26,7 +26,14 @@ const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
 const OPERATIONS_PER_NODE: f64 = 2.0;
 
 impl MeanRates {
-    /// Mean rates of a motion with this period.
+    pub(crate) const ZERO: Self = Self {
+        half_period: Extended::ZERO,
+        theta_offset: [Extended::ZERO; 2],
+        turns: [Extended::ZERO; 3],
+        errors: [0.0; 3],
+    };
+
+    /// Mean rates of a motion with this period; `None` where u is constant.
     #[inline(never)]
     pub(crate) fn new(motion: &Motion, period: Option<Period>) -> Self {
         match period {
@@ -41,30 +48,26 @@ impl MeanRates {
         alpha.max(beta)
     }
 
-    /// Mean rates of a motion with constant u.
-    pub(crate) fn steady(motion: &Motion) -> Self {
+    fn steady(motion: &Motion) -> Self {
         let [alpha, beta] = motion.steady_rates().map(Extended::in_turns);
         let relative = OPERATIONS * Extended::OPERATION_ERROR + STORED + motion.rounding.relative;
         // a rate is the sum of a quotient and ±τ/2, which may cancel
-        let half_tau = Float::abs(motion.half_tau.in_turns().to_f64());
-        let slow = Extended::from(motion.rounding.turning).in_turns().to_f64();
+        let half_tau = size_in_turns(motion.half_tau);
+        let slow = size_in_turns(motion.rounding.turning.into());
         let error = |rate: Extended| (Float::abs(rate.to_f64()) + 2.0 * half_tau) * relative + slow;
-        Self {
-            half_period: Extended::ZERO,
-            theta_offset: [Extended::ZERO; 2],
-            turns: [Extended::ZERO, alpha, beta],
-            errors: [0.0, error(alpha), error(beta)],
-        }
+        Self { turns: [Extended::ZERO, alpha, beta], errors: [0.0, error(alpha), error(beta)], ..Self::ZERO }
     }
 
     fn periodic(motion: &Motion, period: &Period) -> Self {
-        let half = Extended::from(0.5);
-        let frequency = Extended::ONE / period.time;
-        // an ellipse that passes through 0 changes sign once in a period, which is half a turn in either direction
-        let whole = |turns: Extended, winding: i32| if winding == 0 { turns + half } else { turns };
         let (half_tau, windings) = (motion.half_tau, motion.windings());
-        let ([alpha, beta], [alpha_winding, beta_winding]) = (period.turns(half_tau, windings), windings);
-        let [alpha, beta] = [whole(alpha, alpha_winding) * frequency, whole(beta, beta_winding) * frequency];
+        let frequency = Extended::ONE / period.time;
+        let mut slow = period.turns(half_tau, windings);
+        for (turns, winding) in slow.iter_mut().zip(windings) {
+            // an ellipse that passes through 0 changes sign once in a period, which is half a turn in either direction
+            let whole = if winding == 0 { *turns + Extended::from(0.5) } else { *turns };
+            *turns = whole * frequency;
+        }
+        let [alpha, beta] = slow;
         Self {
             half_period: period.time.halved(),
             theta_offset: [half_tau - Extended::TWO_PI * alpha, -half_tau - Extended::TWO_PI * beta],
@@ -72,6 +75,10 @@ impl MeanRates {
             errors: errors(motion, period),
         }
     }
+}
+
+fn size_in_turns(angle: Extended) -> f64 {
+    Float::abs(angle.in_turns().to_f64())
 }
 
 /// Errors of 1/T and of the mean rates of α and β, turns per unit time.
@@ -82,19 +89,14 @@ fn errors(motion: &Motion, period: &Period) -> [f64; 3] {
     let arithmetic = operations * period.operation_error + STORED + relative;
     let rule = period.relative_error;
     let frequency = 1.0 / period.time.to_f64();
-    let psi = period.psi.map(|angle| Float::abs(angle.in_turns().to_f64()));
-    let [psi_alpha, psi_beta] = psi;
-    let half_tau = Float::abs(motion.half_tau.in_turns().to_f64());
-    let slow = Extended::from(turning).in_turns().to_f64();
-    let [alpha, beta] = psi.map(|own| {
+    let [alpha, beta] = period.psi.map(size_in_turns);
+    let slow = 2.0 * size_in_turns(motion.half_tau) * arithmetic + size_in_turns(turning.into());
+    let error = |own: f64| {
         // the rate is (ψ(T) + half a turn)/T ± τ/2; the error of the trapezoid rule affects the first term only
-        let advance = own + 0.5;
-        let of_rule = (psi_alpha + psi_beta + advance) * rule;
-        (of_rule + 2.0 * (psi_alpha + psi_beta + advance) * arithmetic) * frequency
-            + 2.0 * half_tau * arithmetic
-            + slow
-    });
-    [frequency * (rule + arithmetic), alpha, beta]
+        let advance = alpha + beta + own + 0.5;
+        advance * (rule + 2.0 * arithmetic) * frequency + slow
+    };
+    [frequency * (rule + arithmetic), error(alpha), error(beta)]
 }
 
 #[cfg(test)]

@@ -3,10 +3,11 @@
 use crate::motion::Motion;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, Wide};
-use crate::table::build::errors::Speeds;
+use crate::scalar::{Extended, Float, Wide};
+use crate::table::build::errors::{Limits, Speeds};
 use crate::table::build::mean_rates::MeanRates;
-use crate::table::series::expansion::{Expansion, PhasePoint, Polynomial, Slopes, TABLE_UNIT, larger_or_nan};
+use crate::table::build::span::Span;
+use crate::table::series::expansion::{Expansion, PhasePoint, Slopes, larger_or_nan};
 use crate::table::series::integers::TERMS;
 
 /// Position on the path, with the errors up to it.
@@ -14,9 +15,9 @@ use crate::table::series::integers::TERMS;
 pub(crate) struct Position {
     pub(crate) point: PhasePoint,
     /// Truncation error of the series, estimated from their last terms.
-    pub(crate) remainder: f64,
+    remainder: f64,
     /// Sums of the squares of the steps' terms: of χ as delays, in half periods, and of θ, rad.
-    pub(crate) squares: [f32; 2],
+    squares: [f32; 2],
 }
 
 impl Position {
@@ -27,27 +28,21 @@ impl Position {
 /// Negligible term of the phases at x = 2 over that of α and β at x = 1. A term after the sixth is sixty times as large at x = 2.
 const PHASE_TERM: f64 = 32.0;
 
-/// Path, with the expansion around its last position.
+/// Path through the spans, each with an expansion of the motion around its centre.
 #[derive(Debug)]
 pub(crate) struct Path {
     law: PhaseEquations<Extended>,
     rounded_law: PhaseEquations<f64>,
     /// Derivatives of the phases, in the numbers of the mean rates.
     slopes_of: Option<fn(&Self, Extended) -> Slopes>,
-    half_period: Extended,
-    /// Constant rates of θ_A and θ_B besides ψ_A' and ψ_B', rad per unit time.
-    theta_offset: [Extended; 2],
-    /// Magnitude below which a term of α or β is negligible at x = 1.
-    least: f64,
-    expansion: Expansion,
-    /// Unit of x in the expansion, in units of half a period.
-    part: f64,
-    /// Point of the expansion: the centre of a span, or its border.
-    here: Position,
-    is_at_centre: bool,
-    /// Beginning and end of the span.
-    border: Position,
-    end: Position,
+    pub(crate) rates: MeanRates,
+    limits: Limits,
+    pub(crate) span: Span,
+    /// Positions at the beginning, at the centre and at the end of the span; the centre is not always known.
+    pub(crate) border: Position,
+    centre: Option<Position>,
+    pub(crate) end: Position,
+    pub(crate) expansion: Expansion,
     /// Greatest sum of the rates of χ, θ_A and θ_B at a turning point, rad per half period.
     fastest: f64,
     /// dχ/dt at u = e₂, rad per half period.
@@ -59,206 +54,173 @@ impl Path {
         law: PhaseEquations::ZERO,
         rounded_law: PhaseEquations::ZERO,
         slopes_of: None,
-        half_period: Extended::ZERO,
-        theta_offset: [Extended::ZERO; 2],
-        least: 0.0,
-        expansion: Expansion::EMPTY,
-        part: 0.0,
-        here: Position::BEGINNING,
-        is_at_centre: false,
+        rates: MeanRates::ZERO,
+        limits: Limits::NONE,
+        span: Span::NONE,
         border: Position::BEGINNING,
+        centre: None,
         end: Position::BEGINNING,
+        expansion: Expansion::EMPTY,
         fastest: 0.0,
         nutation_at_end: 0.0,
     };
 
     /// Computes the equations of a motion, and its mean rates in numbers of this many words.
     #[inline(never)]
-    pub(crate) fn mean_rates<const WORDS: usize>(
-        &mut self,
-        motion: &Motion,
-        between: &mut dyn FnMut(),
-    ) -> MeanRates {
-        if motion.is_steady() {
-            return MeanRates::steady(motion);
-        }
-        self.slopes_of = Some(Self::slopes::<WORDS>);
-        self.law = motion.equations();
-        self.rounded_law = self.law.cast();
-        between();
-        MeanRates::new(motion, motion.period::<WORDS>(&self.law, between))
+    pub(crate) fn launch<const WORDS: usize>(&mut self, motion: &Motion, between: &mut dyn FnMut()) {
+        let period = if motion.is_steady() {
+            None
+        } else {
+            self.slopes_of = Some(Self::slopes::<WORDS>);
+            self.law = motion.equations();
+            self.rounded_law = self.law.cast();
+            between();
+            motion.period::<WORDS>(&self.law, between)
+        };
+        self.rates = MeanRates::new(motion, period);
     }
 
-    /// Begins at u = e₁. Terms of α and β below `least` are negligible.
+    /// Begins at u = e₁.
     #[inline(never)]
-    pub(crate) fn begin(&mut self, rates: &MeanRates, least: f64) {
-        (self.half_period, self.theta_offset, self.least) = (rates.half_period, rates.theta_offset, least);
-        let length = self.half_period.to_f64();
+    pub(crate) fn begin(&mut self, limits: Limits) {
+        (self.limits, self.span) = (limits, Span::FIRST);
+        let half_period = self.rates.half_period.to_f64();
         let [begin, end] =
             [(0.0, 1.0), (1.0, 0.0)].map(|(sine, cosine)| self.rounded_law.rates(sine, cosine));
-        self.fastest = length * larger_or_nan(self.speed(&begin), self.speed(&end));
-        self.nutation_at_end = length * end.nutation;
-        self.go_to(&Position::BEGINNING);
+        self.fastest = half_period * larger_or_nan(self.speed(&begin), self.speed(&end));
+        self.nutation_at_end = half_period * end.nutation;
+        self.go_to(0, Position::BEGINNING);
     }
 
-    pub(crate) fn end(&self) -> &Position {
-        &self.end
-    }
-
-    pub(crate) fn expansion(&self) -> &Expansion {
-        &self.expansion
-    }
-
-    pub(crate) fn part(&self) -> f64 {
-        self.part
-    }
-
-    pub(crate) fn fastest(&self) -> f64 {
-        self.fastest
-    }
-
-    /// Negligible term of α and β in units of 2^-62. What follows two such terms is not larger.
-    pub(crate) fn least_term(&self) -> i64 {
-        (self.least / TABLE_UNIT) as i64
-    }
-
-    /// Expands the motion around the centre of the span, whose half is 2^-`depth` of a half period. Returns whether the truncation errors
-    /// at its centre and at its end are at most `share`.
-    #[inline(never)]
-    pub(crate) fn expand_span(&mut self, depth: u32, share: f64, between: &mut dyn FnMut()) -> bool {
-        if !self.is_at_centre {
-            self.expand(depth, share, between);
-            let Some(centre) = self.after(1, share) else { return false };
-            (self.here, self.is_at_centre) = (centre, true);
-            between();
-        }
-        self.expand(depth, share, between);
-        let end = self.after(1, share);
-        between();
-        self.end = end.unwrap_or(self.end);
-        end.is_some()
-    }
-
-    /// Goes on to the next span, whose centre is at `x` if the error there is at most `share`.
-    pub(crate) fn leave(&mut self, x: u32, share: f64) {
-        self.border = self.end;
-        match self.after(x, share) {
-            Some(centre) => (self.here, self.is_at_centre) = (centre, true),
-            None => self.return_to_border(),
-        }
-    }
-
-    /// Returns to the border of the span.
-    pub(crate) fn return_to_border(&mut self) {
-        (self.here, self.is_at_centre) = (self.border, false);
-    }
-
-    /// Position at the beginning of the span.
-    pub(crate) fn border(&self) -> &Position {
-        &self.border
+    /// Speed of α and β at these rates of the phases, rad per unit time.
+    fn speed(&self, rates: &PhaseRates<f64>) -> f64 {
+        let [alpha_offset, beta_offset] = self.rates.theta_offset.map(Float::to_f64);
+        let slow = Float::abs(rates.alpha + alpha_offset) + Float::abs(rates.beta + beta_offset);
+        Float::abs(rates.nutation) + slow
     }
 
     /// Begins a span at an earlier position.
-    pub(crate) fn go_to(&mut self, position: &Position) {
-        self.border = *position;
-        self.return_to_border();
+    pub(crate) fn go_to(&mut self, begin: usize, position: Position) {
+        self.span.begin = begin;
+        (self.border, self.centre) = (position, None);
     }
 
-    /// Whether the series are accurate at x = 2, so that spans of twice the length may do.
-    pub(crate) fn reaches_twice_as_far(&self, share: f64) -> bool {
-        self.expansion.truncation_error(2) <= share
+    /// Goes on to the next span. It is twice as long where the series are accurate at x = 2, or in any case.
+    pub(crate) fn leave(&mut self, in_any_case: bool) {
+        let next = Span { begin: self.span.end(), ..self.span };
+        let twice = Span { depth: self.span.depth - 1, ..next };
+        let allowed = self.allowed();
+        let doubles = twice.exists() && (in_any_case || self.expansion.truncation_error(2) <= allowed);
+        let x = if doubles { 3 } else { 2 };
+        self.centre = self.after(x, f64::from(x) * allowed);
+        self.border = self.end;
+        self.span = if doubles { twice } else { next };
     }
 
-    /// Number of halvings of the span, from one to four, after which the truncation error at its end should be at most `share`.
-    pub(crate) fn halvings(&self, share: f64) -> u32 {
+    /// Shortens the span until its truncation error should be the allowed one, by one to four halvings. `None` where that is too short.
+    pub(crate) fn shorten(&mut self) -> Option<()> {
         // the last of sixteen terms over half the distance
         const PER_HALVING: f64 = 1.0 / (1_u32 << (TERMS - 1)) as f64;
         const MOST: u32 = 4;
         let (mut error, mut halvings) = (PER_HALVING * self.expansion.truncation_error(1), 1);
-        while error > share && error < f64::INFINITY && halvings < MOST {
+        while error > self.allowed() && error < f64::INFINITY && halvings < MOST {
             (error, halvings) = (PER_HALVING * error, halvings + 1);
         }
-        halvings
+        self.span.depth += halvings;
+        self.centre = None;
+        (self.span.depth <= Span::DEEPEST).then_some(())
     }
 
-    /// Series of α (`which` = 0) or of β (1), and the number of its terms: see [`Expansion::turned`].
-    pub(crate) fn turned(
-        &mut self,
-        which: usize,
-        exponentials: [f64; 2],
-        parts: &mut Polynomial,
-    ) -> Option<usize> {
-        let least = self.least_term();
-        self.expansion.turned(which, exponentials, least, parts)
+    /// Expands the motion around the centre of the span; `None` where the truncation error at its centre or its end is too large.
+    #[inline(never)]
+    pub(crate) fn expand_span(&mut self, between: &mut dyn FnMut()) -> Option<()> {
+        let allowed = self.allowed();
+        if self.centre.is_none() {
+            self.expand(between);
+            self.centre = Some(self.after(1, allowed)?);
+            between();
+        }
+        self.expand(between);
+        let end = self.after(1, allowed);
+        between();
+        self.end = end?;
+        Some(())
     }
 
-    /// Error at the upper turning point, where cos χ = 0 and cos θ = 0, as an orientation error in rad.
-    pub(crate) fn defect(&self, speeds: &Speeds) -> f64 {
-        // distance from an odd number of quarter turns, rad
-        let miss = |angle: Phase| {
-            let (quadrant, rest) = angle.quadrant();
-            let rest = Float::abs(rest.to_radians());
-            if quadrant & 1 == 1 { rest } else { core::f64::consts::FRAC_PI_2 - rest }
-        };
-        let PhasePoint { chi, theta } = self.end.point;
-        let [alpha, beta] = theta.map(miss);
-        speeds.delay(miss(chi) / self.nutation_at_end) + 2.0 * alpha.max(beta)
+    /// Allowed truncation error of a step over half a span, with which the steps together have their part of the allowed error.
+    fn allowed(&self) -> f64 {
+        self.limits.steps * self.span.half_length()
     }
 
-    /// Expands the motion around the position reached, where x = 1 stands for 2^-`depth` of a half period.
-    fn expand(&mut self, depth: u32, share: f64, between: &mut dyn FnMut()) {
+    /// Position around which the motion is expanded: the centre of the span, or its beginning where the centre is not known.
+    fn here(&self) -> &Position {
+        self.centre.as_ref().unwrap_or(&self.border)
+    }
+
+    /// Expands the motion around the position reached, where x = 1 stands for half a span.
+    fn expand(&mut self, between: &mut dyn FnMut()) {
         let Some(slopes_of) = self.slopes_of else { return };
-        let unit = (0..depth).fold(self.half_period, |unit, _| unit.halved());
-        self.part = 1.0 / (1_u64 << depth) as f64;
+        let unit = (0..=self.span.depth).fold(self.rates.half_period, |unit, _| unit.halved());
         let slopes = slopes_of(self, unit);
         between();
-        let Self { rounded_law, expansion, here, least, .. } = self;
         // a negligible term causes an estimated error of about a twentieth of it at x = 2, and of two thirds of it at x = 3
-        let least = (PHASE_TERM * *least).min(4.0 * share);
-        expansion.expand(rounded_law, &here.point, &slopes, unit.to_f64(), least, between);
+        let least = (PHASE_TERM * self.limits.least).min(4.0 * self.allowed());
+        let point = self.here().point;
+        self.expansion.expand(&self.rounded_law, &point, &slopes, unit.to_f64(), least, between);
         between();
     }
 
     /// Derivatives of the phases. A slow phase may hardly differ from its mean.
     #[inline(never)]
     fn slopes<const WORDS: usize>(&self, unit: Extended) -> Slopes {
-        let sine_cosine = self.here.point.sine_cosine();
+        let sine_cosine = self.here().point.sine_cosine();
         let (sine, cosine) = sine_cosine;
         let rates = self.law.map(Wide::<WORDS>::resized).rates(sine.into(), cosine.into());
-        let [alpha_offset, beta_offset] = self.theta_offset.map(Wide::resized);
+        let [alpha_offset, beta_offset] = self.rates.theta_offset.map(Wide::resized);
         let unit = Wide::resized(unit);
         let slope = |rate: Wide<WORDS>| (unit * rate).to_f64();
-        let weight = self.fastest * self.part / Float::abs(slope(rates.nutation));
+        let chi = slope(rates.nutation);
+        let weight = self.fastest * self.span.half_length() / Float::abs(chi);
         Slopes {
             sine_cosine,
-            chi: slope(rates.nutation),
+            chi,
             psi: [rates.alpha, rates.beta].map(slope),
             theta: [rates.alpha + alpha_offset, rates.beta + beta_offset].map(slope),
             weight: if weight > 1.0 { weight } else { 1.0 },
         }
     }
 
-    /// Speed of α and β at these rates of the phases, rad per unit time.
-    fn speed(&self, rates: &PhaseRates<f64>) -> f64 {
-        let [alpha_offset, beta_offset] = self.theta_offset.map(Float::to_f64);
-        let slow = Float::abs(rates.alpha + alpha_offset) + Float::abs(rates.beta + beta_offset);
-        Float::abs(rates.nutation) + slow
-    }
-
-    /// Position at `x`; `None` where its truncation error exceeds `share`.
+    /// Position at `x`; `None` where the truncation error of the step is above `allowed`.
     #[inline(never)]
-    fn after(&self, x: u32, share: f64) -> Option<Position> {
+    fn after(&self, x: u32, allowed: f64) -> Option<Position> {
         let truncation_error = self.expansion.truncation_error(x);
-        (truncation_error <= share).then(|| {
+        (truncation_error <= allowed).then(|| {
+            let Position { remainder, squares: [delays, angles], .. } = self.here();
             let (point, slope) = self.expansion.at(x.into());
             let [chi, theta] = self.expansion.sizes(x);
-            let delay = self.part as f32 * chi / slope as f32;
-            let [delays, angles] = self.here.squares;
+            let delay = chi / slope as f32 * self.span.half_length() as f32;
             Position {
                 point,
-                remainder: self.here.remainder + truncation_error,
+                remainder: remainder + truncation_error,
                 squares: [delays + delay * delay, angles + theta * theta],
             }
         })
+    }
+
+    /// Error of the whole path, as an orientation error in rad, with the delay by the rounding of the start.
+    pub(crate) fn error(&self, speeds: &Speeds, start: f64) -> f64 {
+        let Position { point: PhasePoint { chi, theta }, remainder, squares } = self.end;
+        // distance from an odd number of quarter turns, rad
+        let miss = |angle: Phase| {
+            let (quadrant, rest) = angle.quadrant();
+            let rest = Float::abs(rest.to_radians());
+            if quadrant & 1 == 1 { rest } else { core::f64::consts::FRAC_PI_2 - rest }
+        };
+        // at the upper turning point cos χ = 0 and cos θ = 0
+        let [alpha, beta] = theta.map(miss);
+        let delay = remainder / self.fastest + miss(chi) / self.nutation_at_end;
+        speeds.delayed(delay)
+            + 2.0 * (remainder + alpha.max(beta))
+            + speeds.rounding(squares.map(f64::from), start)
     }
 }

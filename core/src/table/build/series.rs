@@ -5,7 +5,8 @@
 
 use crate::product::{long_product, signed_product};
 use crate::scalar::{Float, Ring, short_float};
-use crate::table::series::expansion::Polynomial;
+use crate::table::build::errors::{Limits, SeriesBounds};
+use crate::table::series::expansion::{Expansion, Polynomial, larger_or_nan};
 use crate::table::series::integers::TERMS;
 
 /// Series on an interval, whose coordinate x is in [-1, 1].
@@ -49,16 +50,6 @@ fn times(c: i64, factor: i32) -> i64 {
     let half = 1 << (FACTOR_BITS - 1);
     (signed_product((c >> LOW_BITS) as i32, factor) << (LOW_BITS - FACTOR_BITS))
         + ((signed_product(low, factor) + half) >> FACTOR_BITS)
-}
-
-/// Upper bounds on [-1, 1], in units of 2^-62.
-pub(crate) struct SeriesBounds {
-    /// Changes of the value and of the derivative by the terms left out.
-    pub(crate) change: f32,
-    pub(crate) slope_change: f32,
-    /// Squares of the first and of the second derivative.
-    pub(crate) slope_squares: f32,
-    pub(crate) curvature_squares: f32,
 }
 
 impl Series {
@@ -139,28 +130,57 @@ impl Series {
     }
 }
 
-/// Series on a span, and on the part of it that was halved last.
+/// Estimated sum of the omitted terms of a part of a polynomial, in units of 2^-62: its last four terms are continued as a geometric
+/// series. The result is infinite where these terms do not decrease.
+fn omitted_terms(part: &[i64; TERMS]) -> f32 {
+    /// Magnitude below which terms are rounding errors and need not decrease: 3e-17 in units of 2^-62.
+    const NEGLIGIBLE: i64 = 138;
+    let [.., c12, c13, c14, c15] = part.map(i64::abs);
+    // in pairs, because a series may be even or odd
+    let (before, last) = (c12 + c13, c14 + c15);
+    if last <= NEGLIGIBLE {
+        return 0.0;
+    }
+    let (before, last) = (before as f32, last as f32);
+    let ratio = last / before;
+    if ratio < 1.0 { last * ratio / (1.0 - ratio) } else { f32::INFINITY }
+}
+
+/// Series of α or of β on a span, and on the part of it that was halved last.
 #[derive(Debug)]
 pub(crate) struct SpanSeries {
+    /// Coefficients of e^{iχ} and e^{-iχ} in the ellipse.
+    pub(crate) exponentials: [f64; 2],
     whole: Series,
+    /// Estimate of the terms that the series omits, in units of 2^-62.
+    pub(crate) omitted: f32,
     halved: Series,
     /// Number of that part, and base-2 logarithm of the number of parts; `None` where no series is kept.
-    part: Option<[usize; 2]>,
+    part: Option<(usize, u32)>,
 }
 
 impl SpanSeries {
-    pub(crate) const ZERO: Self = Self { whole: Series::ZERO, halved: Series::ZERO, part: None };
+    pub(crate) const ZERO: Self =
+        Self { exponentials: [0.0; 2], whole: Series::ZERO, omitted: 0.0, halved: Series::ZERO, part: None };
 
-    /// Series on the span, to be replaced.
-    pub(crate) fn replace(&mut self) -> &mut Series {
-        (self.whole, self.part) = (Series::ZERO, None);
-        &mut self.whole
+    /// Computes the series of α (`which` = 0) or β (1); `None` where it is not accurate.
+    pub(crate) fn compute(&mut self, expansion: &mut Expansion, which: usize, limits: &Limits) -> Option<()> {
+        let series = &mut self.whole;
+        (*series, self.part) = (Series::ZERO, None);
+        series.terms =
+            expansion.turned(which, self.exponentials, limits.least_term(), &mut series.polynomial)?;
+        let [re, im] = series.polynomial.each_ref().map(omitted_terms);
+        let omitted = 2.0 * larger_or_nan(re, im);
+        (2.0 * omitted <= limits.omitted()).then_some(())?;
+        series.shorten(0, limits.left_out);
+        self.omitted = omitted + limits.least_term() as f32;
+        Some(())
     }
 
     /// Copies the series on one of 2^halvings parts. Last terms whose changes add up to at most `least` are left out.
-    pub(crate) fn restrict(&mut self, [part, halvings]: [usize; 2], least: i64, to: &mut Series) {
+    pub(crate) fn restrict(&mut self, part: usize, halvings: u32, least: i64, to: &mut Series) {
         let Some(last) = halvings.checked_sub(1) else { return to.clone_from(&self.whole) };
-        let halved = Some([part / 2, last]);
+        let halved = Some((part / 2, last));
         if self.part != halved {
             (self.part, self.halved) = (halved, self.whole);
             for halving in (1..halvings).rev() {
@@ -212,7 +232,7 @@ mod tests {
                 (0..5).flat_map(|halvings| (0..1 << halvings).map(move |part| (halvings, part)))
             {
                 let mut own = Series::ZERO;
-                SpanSeries { whole, ..SpanSeries::ZERO }.restrict([part, halvings], 0, &mut own);
+                SpanSeries { whole, ..SpanSeries::ZERO }.restrict(part, halvings, 0, &mut own);
                 for x in [-1.0, -0.6, -0.3, 0.0, 0.7, 1.0] {
                     let place = (x + (2 * part + 1) as f64) / f64::from(1 << halvings) - 1.0;
                     let error = distance(derivative(&whole, 0, place), derivative(&own, 0, x));

@@ -3,6 +3,7 @@
 //! A span can contain several segments, whose series follow from that of the span.
 
 use crate::phase::Phase;
+use crate::scalar::power_of_two;
 use crate::table::cell::{CELLS, Cell, LONGEST_BITS};
 
 /// One of the 2^depth parts of equal length into which half a period is divided.
@@ -25,7 +26,7 @@ impl Span {
     /// Base-2 logarithm of the number of spans in half a period, at most: a span has at least one segment.
     pub(crate) const DEEPEST: u32 = LONGEST_BITS + Cell::DEEPEST;
 
-    pub(crate) const EMPTY: Self = Self { begin: 0, depth: 0 };
+    pub(crate) const NONE: Self = Self { begin: 0, depth: 0 };
 
     /// Longest span from u = e₁ on.
     pub(crate) const FIRST: Self = Self { begin: 0, depth: Self::SHALLOWEST };
@@ -40,6 +41,10 @@ impl Span {
         self.begin + (HALF_PERIOD >> self.depth)
     }
 
+    pub(crate) fn is_last(self) -> bool {
+        self.end() == HALF_PERIOD
+    }
+
     /// Least level of segments that are not longer than the span.
     pub(crate) fn least_level(self) -> u32 {
         self.depth.saturating_sub(LONGEST_BITS)
@@ -52,16 +57,15 @@ impl Span {
 
     /// Half the length, in units of half a period.
     pub(crate) fn half_length(self) -> f64 {
-        0.5 / (1_u64 << self.depth) as f64
+        power_of_two(-1 - self.depth as i32)
     }
 
     /// Nutation phase at x ∈ [-1, 1] of the span.
     pub(crate) fn phase(self, x: f64) -> Phase {
-        // the half period is half a turn, and the span is twice as long as the unit of x
-        let halvings = 2 + self.depth;
-        let centre = 2 * (self.begin >> (Self::DEEPEST - self.depth)) as i128 + 1;
-        Phase::from_bits(centre * (Phase::ONE.to_bits() >> halvings))
-            + Phase::new(x / (1_u64 << halvings) as f64)
+        // the half period is half a turn
+        let halves = 2 * (self.begin >> (Self::DEEPEST - self.depth)) as i64 + 1;
+        let half = Phase::from_bits(Phase::ONE.to_bits() >> (2 + self.depth));
+        half.times(halves) + Phase::new(0.5 * x * self.half_length())
     }
 }
 

@@ -4,7 +4,6 @@ use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction, integer_parts, shifted, whole_number};
 use crate::scalar::{Extended, Float};
-use crate::table::build::bound::increment_error;
 use crate::table::build::errors::TableSummary;
 use crate::table::build::mean_rates::MeanRates;
 use crate::table::cell::LONGEST;
@@ -93,11 +92,6 @@ impl<W> Clock<W> {
     /// Increments per tick of nutation phase, A and B in turns, whole turns included.
     pub(crate) fn exact_steps(&self) -> [Extended; 3] {
         self.exact_step.map(|[hi, lo]| Extended::sum(hi, lo))
-    }
-
-    /// Rounding errors of the increments, in turns: exact minus rounded.
-    pub(crate) fn increment_errors(&self) -> [f64; 3] {
-        self.exact_steps().map(|exact| increment_error(exact.to_phase(), exact))
     }
 
     /// Increments per tick of nutation phase, A and B in turns, rounded to `f64`.
