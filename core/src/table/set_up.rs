@@ -5,44 +5,15 @@ use core::fmt;
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::table::build::bound::{ErrorBound, error_bounds};
-use crate::table::build::builder::TableBuilder;
+use crate::table::build::builder::SetUp;
 use crate::table::build::errors::Limits;
 use crate::table::build::path::Path;
 use crate::table::cell::{Cell, LONGEST};
 use crate::table::data::clock::Clock;
 use crate::table::data::storage::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
 use crate::table::scalar::EphemerisScalar;
-use crate::table::series::expansion::Polynomial;
+use crate::table::series::integers::TERMS;
 use crate::table::tick::Tick;
-
-/// Memory of a set-up, 4.4 KiB, and the truncation error that it allows. A program with a small stack keeps it in a static.
-///
-/// ```
-/// use toytop::{EphemerisF32, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters};
-/// # let top = Top::sliding(&TopParameters {
-/// #     transverse_inertia: 3.0e-5,
-/// #     axial_inertia: 2.0e-5,
-/// #     com_height: 0.03,
-/// #     mass: 0.05,
-/// #     ..TopParameters::default()
-/// # })?;
-/// # let release = Release { tilt: 0.35, spin: 150.0, ..Release::default() };
-/// let motion = Motion::launch(&top, &State::release(&release)?)?;
-/// let mut set_up = SetUp::new();
-/// let mut memory = EphemerisMemory::<EphemerisF32>::new();
-/// let launched_at = 5000; // tick of a running counter
-/// let table = memory.set_up(&mut set_up, &motion, Tick::hertz(1000)?, launched_at, &mut || {
-///     // feed the watchdog
-/// })?;
-/// assert!(table.at_tick(launched_at).u() > 0.93);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
-#[derive(Debug)]
-pub struct SetUp {
-    /// Allowed truncation error, rad; `None` for that of the scalar.
-    truncation: Option<f64>,
-    builder: TableBuilder,
-}
 
 /// Reason why a motion has no table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,25 +51,7 @@ impl fmt::Display for SetUpError {
 
 impl core::error::Error for SetUpError {}
 
-impl Default for SetUp {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 impl SetUp {
-    /// Set-up with the truncation error of the scalar, [`EphemerisScalar::TRUNCATION`]. A static of it takes no flash.
-    #[must_use]
-    pub const fn new() -> Self {
-        Self { truncation: None, builder: TableBuilder::EMPTY }
-    }
-
-    /// Set-up with another truncation error, rad, finite and positive: a smaller table for a larger error.
-    #[must_use]
-    pub const fn within(truncation: f64) -> Self {
-        Self { truncation: Some(truncation), builder: TableBuilder::EMPTY }
-    }
-
     /// Fills a table.
     #[inline(never)]
     fn fill<R: EphemerisScalar>(
@@ -133,15 +86,16 @@ impl SetUp {
             return Err(SetUpError::Aperiodic);
         }
         match R::RATE_WORDS {
-            1 => self.builder.path.launch::<1>(motion, between),
-            _ => self.builder.path.launch::<2>(motion, between),
+            1 => self.path.launch::<1>(motion, between),
+            _ => self.path.launch::<2>(motion, between),
         }
         between();
         let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
-        let store =
-            &mut |segment: usize, which: usize, parts: &Polynomial| put::<R>(segments, segment, which, parts);
+        let store = &mut |segment: usize, which: usize, parts: [&[i64; TERMS]; 2]| {
+            put::<R>(segments, segment, which, parts)
+        };
         let too_small = SetUpError::TooSmall { truncation, segments: capacity as u32 };
-        self.builder.tabulate(motion, limits, store, between).ok_or(too_small)
+        self.build(motion, limits, store, between).ok_or(too_small)
     }
 
     /// Writes the cells, the clock and the error bounds.
@@ -154,7 +108,7 @@ impl SetUp {
         epoch: i64,
         between: &mut dyn FnMut(),
     ) {
-        let TableBuilder { path: Path { rates, .. }, summary, .. } = &self.builder;
+        let Self { path: Path { rates, .. }, summary, .. } = self;
         table.cells = summary.cells.map(|Cell(bits)| bits);
         table.segments.get_mut(summary.segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
         table.clock = Clock::new(motion, tick, epoch, rates, summary);
@@ -215,6 +169,6 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::within(truncation);
         set_up.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
-        Some(set_up.builder.summary.segments.max(LONGEST) as u32)
+        Some(set_up.summary.segments.max(LONGEST) as u32)
     }
 }

@@ -18,18 +18,42 @@ use crate::table::build::series::{Series, SpanSeries};
 use crate::table::build::span::{CELL, HALF_PERIOD};
 use crate::table::build::start::Start;
 use crate::table::cell::{Cell, cells_covered, segments_per_cell};
-use crate::table::series::expansion::{Polynomial, TABLE_UNIT, larger_or_nan};
+use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
 use crate::table::series::integers::TERMS;
 
-/// Function that stores a polynomial: index of the segment, 0 for α or 1 for β, coefficients. It returns the errors of the
+/// Function that stores a polynomial: index of the segment, 0 for α or 1 for β, and the
+/// coefficients of the real and of the imaginary part in units of 2^-62. It returns the errors of the
 /// orientation and of the derivative from rounding the coefficients, in units of 2^-62 rad.
 ///
 /// It is a reference, so that set-up is compiled once for all scalars.
-pub(crate) type Store<'a> = dyn FnMut(usize, usize, &Polynomial) -> [f32; 2] + 'a;
+pub(crate) type Store<'a> = dyn FnMut(usize, usize, [&[i64; TERMS]; 2]) -> [f32; 2] + 'a;
 
-/// Memory of a tabulation.
+/// Memory of a set-up, 4.4 KiB, and the truncation error that it allows. A program with a small stack keeps it in a static.
+///
+/// ```
+/// use toytop::{EphemerisF32, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters};
+/// # let top = Top::sliding(&TopParameters {
+/// #     transverse_inertia: 3.0e-5,
+/// #     axial_inertia: 2.0e-5,
+/// #     com_height: 0.03,
+/// #     mass: 0.05,
+/// #     ..TopParameters::default()
+/// # })?;
+/// # let release = Release { tilt: 0.35, spin: 150.0, ..Release::default() };
+/// let motion = Motion::launch(&top, &State::release(&release)?)?;
+/// let mut set_up = SetUp::new();
+/// let mut memory = EphemerisMemory::<EphemerisF32>::new();
+/// let launched_at = 5000; // tick of a running counter
+/// let table = memory.set_up(&mut set_up, &motion, Tick::hertz(1000)?, launched_at, &mut || {
+///     // feed the watchdog
+/// })?;
+/// assert!(table.at_tick(launched_at).u() > 0.93);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Debug)]
-pub(crate) struct TableBuilder {
+pub struct SetUp {
+    /// Allowed truncation error, rad; `None` for that of the scalar.
+    pub(crate) truncation: Option<f64>,
     pub(crate) path: Path,
     start: Start,
     limits: Limits,
@@ -66,22 +90,44 @@ impl Cut {
     }
 }
 
-impl TableBuilder {
-    pub(crate) const EMPTY: Self = Self {
-        path: Path::EMPTY,
-        start: Start::NONE,
-        limits: Limits::NONE,
-        summary: TableSummary::EMPTY,
-        cut: Cut::NONE,
-        series: [SpanSeries::ZERO; 2],
-        theta_slope: 0.0,
-        segment: Series::ZERO,
-    };
+impl Default for SetUp {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl SetUp {
+    /// Set-up with the truncation error of the scalar, [`EphemerisScalar::TRUNCATION`](crate::EphemerisScalar::TRUNCATION). A static of it
+    /// takes no flash.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self::with(None)
+    }
+
+    /// Set-up with another truncation error, rad, finite and positive: a smaller table for a larger error.
+    #[must_use]
+    pub const fn within(truncation: f64) -> Self {
+        Self::with(Some(truncation))
+    }
+
+    const fn with(truncation: Option<f64>) -> Self {
+        Self {
+            truncation,
+            path: Path::EMPTY,
+            start: Start::NONE,
+            limits: Limits::NONE,
+            summary: TableSummary::EMPTY,
+            cut: Cut::NONE,
+            series: [SpanSeries::ZERO; 2],
+            theta_slope: 0.0,
+            segment: Series::ZERO,
+        }
+    }
 
     /// Computes all segments of a motion; `None` where they are too many. One may be passed to `store` more than once, and the last time
     /// is valid.
     #[inline(never)]
-    pub(crate) fn tabulate(
+    pub(crate) fn build(
         &mut self,
         motion: &Motion,
         limits: Limits,
@@ -121,9 +167,9 @@ impl TableBuilder {
     fn store_constants(&mut self, store: &mut Store<'_>) {
         for (which, series) in self.series.iter().enumerate() {
             let [plus, minus] = series.exponentials;
-            let mut polynomial = [[0; TERMS]; 2];
-            polynomial[0][0] = libm::round((plus + minus) / TABLE_UNIT) as i64;
-            store(0, which, &polynomial);
+            let mut re = [0; TERMS];
+            re[0] = libm::round((plus + minus) / TABLE_UNIT) as i64;
+            store(0, which, [&re, &[0; TERMS]]);
         }
         self.summary.segments = 1;
         self.summary.start = self.start.phases;
@@ -221,7 +267,8 @@ impl TableBuilder {
             segment.shorten(limits.terms, i64::MAX);
             between();
             let omitted = [series.omitted, TERMS as f32 * series.omitted / parts];
-            errors.add(&segment.bounds(), omitted, store(index, which, &segment.polynomial));
+            let parts = segment.parts.each_ref().map(|part| &part.coefficients);
+            errors.add(&segment.bounds(), omitted, store(index, which, parts));
             between();
         }
         let part = path.span.half_length() as f32 / parts;

@@ -6,19 +6,25 @@
 use crate::product::{long_product, signed_product};
 use crate::scalar::{Float, Ring, short_float};
 use crate::table::build::errors::{Limits, SeriesBounds};
-use crate::table::series::expansion::{Expansion, Polynomial, larger_or_nan};
+use crate::table::series::expansion::{Expansion, larger_or_nan};
 use crate::table::series::integers::TERMS;
+
+/// Real or imaginary part of a series.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Part {
+    pub(crate) coefficients: [i64; TERMS],
+    /// Upper bound on the changes by the terms left out, in units of 2^-62.
+    left_out: i64,
+    /// Upper bound on the changes of the derivative.
+    slope_left_out: i64,
+}
 
 /// Series on an interval, whose coordinate x is in [-1, 1].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Series {
-    pub(crate) polynomial: Polynomial,
+    pub(crate) parts: [Part; 2],
     /// Number of terms.
     pub(crate) terms: usize,
-    /// Upper bounds on the changes of the real and of the imaginary part by the terms left out, in units of 2^-62.
-    left_out: [i64; 2],
-    /// Upper bounds on the changes of their derivatives.
-    slope_left_out: [i64; 2],
 }
 
 /// Fraction bits of [`FACTORS`].
@@ -52,32 +58,53 @@ fn times(c: i64, factor: i32) -> i64 {
         + ((signed_product(low, factor) + half) >> FACTOR_BITS)
 }
 
+impl Part {
+    const ZERO: Self = Self { coefficients: [0; TERMS], left_out: 0, slope_left_out: 0 };
+
+    /// Size of the polynomial c 2^(1-k) T_k that leaves with the term of this degree.
+    fn last(&self, degree: usize) -> i64 {
+        self.coefficients.get(degree).map_or(0, |c| c.abs() >> (degree - 1))
+    }
+
+    /// Leaves out the last term.
+    fn leave_out(&mut self, degree: usize) {
+        let last = self.coefficients.get_mut(degree).map_or(0, core::mem::take);
+        self.left_out += last.abs() >> (degree - 1);
+        self.slope_left_out += (last.abs() * (degree * degree) as i64) >> (degree - 1);
+        let lower = self.coefficients.iter_mut().take(degree).rev().skip(1).step_by(2);
+        let factors = FACTORS.get(degree).into_iter().flatten();
+        lower.zip(factors).for_each(|(c, factor)| *c -= times(last, *factor));
+    }
+
+    /// Estimated sum of the omitted terms, in units of 2^-62: the last four terms are continued as a geometric series. The result is
+    /// infinite where these terms do not decrease.
+    fn omitted(&self) -> f32 {
+        /// Magnitude below which terms are rounding errors and need not decrease: 3e-17 in units of 2^-62.
+        const NEGLIGIBLE: i64 = 138;
+        let [.., c12, c13, c14, c15] = self.coefficients.map(i64::abs);
+        // in pairs, because a series may be even or odd
+        let (before, last) = (c12 + c13, c14 + c15);
+        if last <= NEGLIGIBLE {
+            return 0.0;
+        }
+        let (before, last) = (before as f32, last as f32);
+        let ratio = last / before;
+        if ratio < 1.0 { last * ratio / (1.0 - ratio) } else { f32::INFINITY }
+    }
+}
+
 impl Series {
-    pub(crate) const ZERO: Self =
-        Self { polynomial: [[0; TERMS]; 2], terms: 0, left_out: [0; 2], slope_left_out: [0; 2] };
+    pub(crate) const ZERO: Self = Self { parts: [Part::ZERO; 2], terms: 0 };
 
     /// Leaves out last terms: down to `fewest`, as long as the changes of both parts add up to at most `most`.
     #[inline(never)] // the stack frames of set-up must not add up
     pub(crate) fn shorten(&mut self, fewest: usize, most: i64) {
         while self.terms > fewest.max(2) {
             let degree = self.terms - 1;
-            let last = self.polynomial.map(|part| part.get(degree).copied().unwrap_or_default());
-            let sizes = |factor: usize| last.map(|c| (c.abs() * factor as i64) >> (degree - 1));
-            let values = sizes(1);
-            if self.left_out.iter().chain(&values).sum::<i64>() > most {
+            if self.parts.iter().map(|part| part.left_out + part.last(degree)).sum::<i64>() > most {
                 break;
             }
-            let add = |sums: &mut [i64; 2], sizes: [i64; 2]| {
-                sums.iter_mut().zip(sizes).for_each(|(sum, size)| *sum += size);
-            };
-            add(&mut self.left_out, values);
-            add(&mut self.slope_left_out, sizes(degree * degree));
-            let factors = FACTORS.get(degree).copied().unwrap_or_default();
-            for (part, last) in self.polynomial.iter_mut().zip(last) {
-                let lower = part.iter_mut().take(degree).rev().skip(1).step_by(2);
-                lower.zip(&factors).for_each(|(c, factor)| *c -= times(last, *factor));
-                part.iter_mut().skip(degree).take(1).for_each(|c| *c = 0);
-            }
+            self.parts.iter_mut().for_each(|part| part.leave_out(degree));
             self.terms = degree;
         }
     }
@@ -86,9 +113,9 @@ impl Series {
     /// as |x| <= 1; all roundings together stay below 2^-57.
     #[inline(never)] // the stack frames of set-up must not add up
     pub(crate) fn halve(&mut self, upper: bool) {
-        for part in &mut self.polynomial {
+        for part in &mut self.parts {
             let mut half = [0; TERMS];
-            for (degree, c) in part.iter().take(self.terms).rev().enumerate() {
+            for (degree, c) in part.coefficients.iter().take(self.terms).rev().enumerate() {
                 let mut lower_power = 0;
                 for power in half.iter_mut().take(degree + 1) {
                     let moved = if upper { *power } else { -*power };
@@ -96,9 +123,9 @@ impl Series {
                 }
                 half[0] += c;
             }
-            *part = half;
+            part.coefficients = half;
+            part.slope_left_out = (part.slope_left_out + 1) >> 1;
         }
-        self.slope_left_out = self.slope_left_out.map(|sum| (sum + 1) >> 1);
     }
 
     /// Bounds on the changes and on the derivatives: Σ k |c_k| and Σ k (k - 1) |c_k|.
@@ -107,9 +134,9 @@ impl Series {
         /// Unit of the upper words.
         const WORD: f32 = (1_u64 << 32) as f32;
         let (mut slope_squares, mut curvature_squares) = (0.0, 0.0);
-        for part in &self.polynomial {
+        for part in &self.parts {
             let (mut slope, mut curvature) = (0, 0);
-            for (c, k) in part.iter().zip(0_u32..).take(self.terms) {
+            for (c, k) in part.coefficients.iter().zip(0_u32..).take(self.terms) {
                 let size = (c.unsigned_abs() >> 32) as u32 + 1;
                 slope += long_product(size, k);
                 curvature += long_product(size, k * k.saturating_sub(1));
@@ -117,33 +144,17 @@ impl Series {
             slope_squares += Ring::squared(short_float(slope) * WORD);
             curvature_squares += Ring::squared(short_float(curvature) * WORD);
         }
-        let norm = |sums: [i64; 2]| {
-            let squares = sums.map(|sum| Ring::squared(short_float(sum.unsigned_abs())));
-            Float::sqrt(squares.iter().sum())
+        let norm = |of: fn(&Part) -> i64| {
+            let [re, im] = self.parts.each_ref().map(|part| short_float(of(part).unsigned_abs()));
+            Float::sqrt(re * re + im * im)
         };
         SeriesBounds {
-            change: norm(self.left_out),
-            slope_change: norm(self.slope_left_out),
+            change: norm(|part| part.left_out),
+            slope_change: norm(|part| part.slope_left_out),
             slope_squares,
             curvature_squares,
         }
     }
-}
-
-/// Estimated sum of the omitted terms of a part of a polynomial, in units of 2^-62: its last four terms are continued as a geometric
-/// series. The result is infinite where these terms do not decrease.
-fn omitted_terms(part: &[i64; TERMS]) -> f32 {
-    /// Magnitude below which terms are rounding errors and need not decrease: 3e-17 in units of 2^-62.
-    const NEGLIGIBLE: i64 = 138;
-    let [.., c12, c13, c14, c15] = part.map(i64::abs);
-    // in pairs, because a series may be even or odd
-    let (before, last) = (c12 + c13, c14 + c15);
-    if last <= NEGLIGIBLE {
-        return 0.0;
-    }
-    let (before, last) = (before as f32, last as f32);
-    let ratio = last / before;
-    if ratio < 1.0 { last * ratio / (1.0 - ratio) } else { f32::INFINITY }
 }
 
 /// Series of α or of β on a span, and on the part of it that was halved last.
@@ -167,9 +178,9 @@ impl SpanSeries {
     pub(crate) fn compute(&mut self, expansion: &mut Expansion, which: usize, limits: &Limits) -> Option<()> {
         let series = &mut self.whole;
         (*series, self.part) = (Series::ZERO, None);
-        series.terms =
-            expansion.turned(which, self.exponentials, limits.least_term(), &mut series.polynomial)?;
-        let [re, im] = series.polynomial.each_ref().map(omitted_terms);
+        let parts = series.parts.each_mut().map(|part| &mut part.coefficients);
+        series.terms = expansion.turned(which, self.exponentials, limits.least_term(), parts)?;
+        let [re, im] = series.parts.each_ref().map(Part::omitted);
         let omitted = 2.0 * larger_or_nan(re, im);
         (2.0 * omitted <= limits.omitted()).then_some(())?;
         series.shorten(0, limits.left_out);
@@ -206,15 +217,15 @@ mod tests {
             *c = (sign * (1.0 - ratio) * ratio.powi(power as i32) / TABLE_UNIT) as i64;
         }
         let half = part.map(|c| c / 2);
-        let polynomial = if sense > 0.0 { [part, half] } else { [half, part] };
-        Series { polynomial, terms: TERMS, ..Series::ZERO }
+        let parts = if sense > 0.0 { [part, half] } else { [half, part] };
+        Series { parts: parts.map(|coefficients| Part { coefficients, ..Part::ZERO }), terms: TERMS }
     }
 
     /// Value, or a derivative, at x.
     fn derivative(series: &Series, order: i32, x: f64) -> [f64; 2] {
-        series.polynomial.map(|part| {
+        series.parts.map(|part| {
             let factor = |k: i32| (0..order).map(|m| f64::from(k - m)).product::<f64>();
-            let terms = part.iter().zip(0..TERMS as i32).skip(order as usize).rev();
+            let terms = part.coefficients.iter().zip(0..TERMS as i32).skip(order as usize).rev();
             TABLE_UNIT * terms.fold(0.0, |sum, (c, k)| sum * x + factor(k) * *c as f64)
         })
     }
@@ -253,7 +264,7 @@ mod tests {
         for terms in 2..TERMS {
             let mut short = exact;
             short.shorten(terms, i64::MAX);
-            assert!(short.polynomial.iter().all(|part| part[terms..].iter().all(|c| *c == 0)));
+            assert!(short.parts.iter().all(|part| part.coefficients[terms..].iter().all(|c| *c == 0)));
             let bounds = short.bounds();
             let change =
                 |order| greatest(&|x| distance(derivative(&exact, order, x), derivative(&short, order, x)));
@@ -275,20 +286,21 @@ mod tests {
     fn terms_are_left_out_up_to_a_sum() {
         let exact = series(0.3, 1.0);
         let size = |series: &Series, degree: usize| -> i64 {
-            series.polynomial.iter().map(|part| part[degree].abs() >> (degree - 1)).sum()
+            series.parts.iter().map(|part| part.coefficients[degree].abs() >> (degree - 1)).sum()
         };
         let mut series = exact;
         let last = size(&exact, 15);
         series.shorten(0, last - 1);
         assert_eq!(series.terms, 16);
         series.shorten(0, last);
-        assert_eq!((series.terms, series.left_out.iter().sum::<i64>()), (15, last));
+        assert_eq!((series.terms, series.parts.iter().map(|part| part.left_out).sum::<i64>()), (15, last));
         // what was left out before counts, and the derivative of a half by half as much
         let before = size(&series, 14);
         series.shorten(0, last + before - 1);
         assert_eq!(series.terms, 15);
-        let slopes = series.slope_left_out;
+        let slopes = |series: &Series| series.parts.map(|part| part.slope_left_out);
+        let before = slopes(&series);
         series.halve(false);
-        assert_eq!(series.slope_left_out, slopes.map(|slope| (slope + 1) / 2));
+        assert_eq!(slopes(&series), before.map(|slope| (slope + 1) / 2));
     }
 }

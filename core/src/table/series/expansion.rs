@@ -12,9 +12,6 @@ use crate::table::series::integers::{
 use crate::table::series::rate::{Block, Rate};
 use crate::table::series::sincos::{FRACTION, sine_cosine};
 
-/// Coefficients of x^k in the real and the imaginary part of α or β, in units of 2^-62.
-pub(crate) type Polynomial = [[i64; TERMS]; 2];
-
 /// Unit of the coefficients of α and β, 2^-62.
 pub(crate) const TABLE_UNIT: f64 = power_of_two(-TABLE_BITS);
 
@@ -137,7 +134,7 @@ impl Expansion {
         (last * y / (3 * self.terms) as f32).into()
     }
 
-    /// Ellipse p e^{iχ} + q e^{-iχ} times e^{iθ}, of α (`which` = 0) or of β (1), as a polynomial that was 0. Returns the number of terms
+    /// Ellipse p e^{iχ} + q e^{-iχ} times e^{iθ}, of α (`which` = 0) or of β (1), as coefficients of their real and imaginary part that were 0. Returns the number of terms
     /// that are not below `least`, or `None` where they do not converge.
     #[inline(never)] // set-up's frames should not add up on a small stack
     pub(crate) fn turned(
@@ -145,7 +142,7 @@ impl Expansion {
         which: usize,
         [p, q]: [f64; 2],
         least: i64,
-        sums: &mut Polynomial,
+        mut sums: [&mut [i64; TERMS]; 2],
     ) -> Option<usize> {
         let Self { chi: fast, theta, origin, scratch: [forwards, backwards, re, im, _], terms, .. } = self;
         let (slow, theta) = (theta.get(which)?, *origin.theta.get(which)?);

@@ -55,17 +55,11 @@ const BELOW: i64 = -BEYOND - 1;
 /// Sum upper · 2^60 + lower · 2^30 divided by 2^shift, rounded to the nearest, with lower in [0, 2^30).
 #[inline(always)] // its only caller is Block::product
 fn rounded(upper: i64, lower: u32, shift: i32) -> i64 {
-    let (high, low) = ((upper >> 32) as i32, upper as u32);
-    let words = |high: i32, low: u32| i64::from(high) << 32 | i64::from(low);
-    // shifts of words, of which a chip takes fewer instructions than of 64 bits
     let twice = match shift {
-        61 => upper,
-        62..93 => words(high >> (shift - 61), low >> (shift - 61) | (high as u32) << (93 - shift)),
-        93.. => upper >> (shift - 61).min(63),
+        61.. => upper >> (shift - 61).min(63),
         // whether upper is below 2^(shift - 1)
-        LEAST_SHIFT.. if matches!(high >> (shift - 33), 0 | -1) => {
-            words(high << (61 - shift) | (low >> (shift - 29)) as i32, low << (61 - shift))
-                + i64::from(lower >> (shift - 31))
+        LEAST_SHIFT.. if matches!((upper >> 32) as i32 >> (shift - 33), 0 | -1) => {
+            (upper << (61 - shift)) + i64::from(lower >> (shift - 31))
         }
         _ if upper == 0 && lower == 0 => return 0,
         _ => return if upper < 0 { BELOW } else { BEYOND },

@@ -254,7 +254,7 @@ mod tests {
                     worst[2] = worst[2].max((beta - of(rates.beta)).abs());
                     let ([p, q], mut parts) = ([0.6, -0.3], [[0; TERMS]; 2]);
                     let mut copy = expansion;
-                    copy.turned(0, [p, q], 5, &mut parts).unwrap();
+                    copy.turned(0, [p, q], 5, parts.each_mut()).unwrap();
                     let [re, im] = parts
                         .map(|part| part.iter().rev().fold(0.0, |sum, c| sum * x + *c as f64 * TABLE_UNIT));
                     let [up, down] = [at, -at].map(|chi| Complex::cis(chi + theta[0]));
