@@ -12,7 +12,7 @@ use crate::table::cell::{Cell, LONGEST};
 use crate::table::data::clock::Clock;
 use crate::table::data::storage::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
 use crate::table::scalar::EphemerisScalar;
-use crate::table::series::integers::TERMS;
+use crate::table::series::TERMS;
 use crate::table::tick::Tick;
 
 /// Reason why a motion has no table.

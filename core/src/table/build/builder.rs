@@ -18,8 +18,8 @@ use crate::table::build::series::{Series, SpanSeries};
 use crate::table::build::span::{CELL, HALF_PERIOD};
 use crate::table::build::start::Start;
 use crate::table::cell::{Cell, cells_covered, segments_per_cell};
+use crate::table::series::TERMS;
 use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
-use crate::table::series::integers::TERMS;
 
 /// Function that stores a polynomial: index of the segment, 0 for α or 1 for β, and the
 /// coefficients of the real and of the imaginary part in units of 2^-62. It returns the errors of the

@@ -7,8 +7,8 @@ use crate::scalar::{Extended, Float, Wide};
 use crate::table::build::errors::{Limits, Speeds};
 use crate::table::build::mean_rates::MeanRates;
 use crate::table::build::span::Span;
+use crate::table::series::TERMS;
 use crate::table::series::expansion::{Expansion, PhasePoint, Slopes, larger_or_nan};
-use crate::table::series::integers::TERMS;
 
 /// Position on the path, with the errors up to it.
 #[derive(Clone, Copy, Debug)]

@@ -6,8 +6,8 @@
 use crate::product::{long_product, signed_product};
 use crate::scalar::{Float, Ring, short_float};
 use crate::table::build::errors::{Limits, SeriesBounds};
+use crate::table::series::TERMS;
 use crate::table::series::expansion::{Expansion, larger_or_nan};
-use crate::table::series::integers::TERMS;
 
 /// Real or imaginary part of a series.
 #[derive(Clone, Copy, Debug)]

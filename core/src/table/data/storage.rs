@@ -5,7 +5,7 @@ use crate::table::build::bound::ErrorBound;
 use crate::table::cell::{CELLS, Cell, LONGEST};
 use crate::table::data::clock::Clock;
 use crate::table::scalar::{Coefficient, EphemerisScalar};
-use crate::table::series::integers::TERMS;
+use crate::table::series::TERMS;
 use core::ops::{Deref, DerefMut};
 
 /// Ephemeris of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.

@@ -4,30 +4,78 @@
 //! e₃ - u = (e₃ - u₀) (1 + η). The coefficients of the variations follow one after the other from convolutions without divisions.
 //! sin χ, cos χ and e^{i(θ ± χ)} satisfy linear equations.
 
+mod recurrence;
+
+mod turned;
+
+use super::Block;
+use super::sincos::{FRACTION, sine_cosine};
 use crate::phase::Phase;
 use crate::scalar::{Float, Scalar, power_of_two};
-use crate::table::series::integers::{
-    BITS, Factor, Split, TERMS, in_range, integrated, scaled, scaled_product,
-};
-use crate::table::series::rate::{Block, Rate};
-use crate::table::series::sincos::{FRACTION, sine_cosine};
 
 /// Unit of the coefficients of α and β, 2^-62.
 pub(crate) const TABLE_UNIT: f64 = power_of_two(-TABLE_BITS);
 
 const TABLE_BITS: i32 = 62;
 
-/// Coefficient of x^k in units of 2^-62, from that of yᵏ = (x/4)^k in units of 2^-56.
-fn of_x(coefficient: i64, k: usize) -> i64 {
-    match 2 * k as i32 - (TABLE_BITS - BITS) {
-        shift @ 1.. => ((coefficient >> (shift - 1)) + 1) >> 1,
-        shift => coefficient << -shift,
-    }
-}
-
 /// Larger of two numbers, or NaN if one of them is NaN.
 pub(crate) fn larger_or_nan<F: Float>(a: F, b: F) -> F {
     if b <= a || a.partial_cmp(&a).is_none() { a } else { b }
+}
+
+/// Largest rounding error of a coefficient, in units of its series: the sum of some roundings of half a unit.
+const NOISE: i64 = 4;
+
+/// Rate of a phase along y = x/4: slope + variation. The variation of χ is relative to its slope.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Rate {
+    slope: f64,
+    /// Value of the variation's unit: 1, or the slope for a relative variation.
+    scale: f64,
+    /// Coefficients of y, y², ...
+    variation: Block,
+    /// Coefficients of y², y³, ..., stored with the indices 1, 2, ....
+    integral: Block,
+}
+
+impl Rate {
+    const ZERO: Self = Self { slope: 0.0, scale: 0.0, variation: Block::ZERO, integral: Block::ZERO };
+
+    /// Rate at y in [-1, 1].
+    fn value(&self, y: f64, terms: usize) -> f64 {
+        self.slope + y * (self.variation.sum(y, terms) * self.scale)
+    }
+
+    /// Integral from 0 to y.
+    fn integral(&self, y: f64, terms: usize) -> f64 {
+        y * (self.slope + y * (self.integral.sum(y, terms) * self.scale))
+    }
+
+    /// Upper bound on the rate for y in [-1/4, 1/4].
+    fn greatest(&self, terms: usize) -> f32 {
+        self.bound(self.variation.size(1, terms, 0.0))
+    }
+
+    /// Sum of the magnitudes of the terms of the integral from 0 to y = `quarters`/4.
+    fn size(&self, quarters: u32, terms: usize) -> f32 {
+        // a rounding error of the coefficients counts as the term of which it would be the rounding in f64
+        let noise = (NOISE as f64 / f64::ROUNDING) as f32;
+        0.25 * quarters as f32 * self.bound(self.integral.size(quarters, terms, noise))
+    }
+
+    fn bound(&self, varied: f32) -> f32 {
+        Float::abs(self.slope) as f32 + varied * Float::abs(self.scale) as f32
+    }
+
+    /// Magnitude of the k-th coefficient; 0 where it is a rounding error.
+    fn term(&self, k: usize, weight: f32) -> f32 {
+        let size = self.variation.get(k).abs();
+        match k {
+            0 => Float::abs(weight * self.slope as f32),
+            _ if size <= NOISE => 0.0,
+            _ => size as f32 * self.variation.short_unit() * Float::abs(weight * self.scale as f32),
+        }
+    }
 }
 
 /// Phases of a point of the motion, to which steps add without rounding.
@@ -73,17 +121,17 @@ pub(crate) struct Slopes {
 /// Expansion of the motion around a point, as functions of x = (t - t₀)/unit up to x = 3. The series are in y = x/4.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Expansion {
-    pub(super) chi: Rate,
-    pub(super) theta: [Rate; 2],
-    pub(super) origin: PhasePoint,
+    chi: Rate,
+    theta: [Rate; 2],
+    origin: PhasePoint,
     /// Weight of an error of χ relative to one of θ.
-    pub(super) weight: f32,
+    weight: f32,
     /// Magnitude of the terms whose difference is the variation of dψ/dx.
-    pub(super) variation_size: f32,
-    /// Number of terms computed, at most [`TERMS`]; 0 where the series do not converge.
-    pub(super) terms: usize,
+    variation_size: f32,
+    /// Number of terms computed, at most sixteen; 0 where the series do not converge.
+    terms: usize,
     /// Scratch series.
-    pub(super) scratch: [Block; 5],
+    scratch: [Block; 5],
 }
 
 impl Expansion {
@@ -133,87 +181,4 @@ impl Expansion {
         let last = larger_or_nan(term(before) * power, term(before + 1) * power * y);
         (last * y / (3 * self.terms) as f32).into()
     }
-
-    /// Ellipse p e^{iχ} + q e^{-iχ} times e^{iθ}, of α (`which` = 0) or of β (1), as coefficients of their real and imaginary part that were 0. Returns the number of terms
-    /// that are not below `least`, or `None` where they do not converge.
-    #[inline(never)] // set-up's frames should not add up on a small stack
-    pub(crate) fn turned(
-        &mut self,
-        which: usize,
-        [p, q]: [f64; 2],
-        least: i64,
-        mut sums: [&mut [i64; TERMS]; 2],
-    ) -> Option<usize> {
-        let Self { chi: fast, theta, origin, scratch: [forwards, backwards, re, im, _], terms, .. } = self;
-        let (slow, theta) = (theta.get(which)?, *origin.theta.get(which)?);
-        // θ' + χ' and θ' - χ' in a common unit
-        let size = |rate: &Rate| rate.variation.magnitude_times(Float::abs(rate.scale));
-        let slopes = Float::abs(slow.slope) + Float::abs(fast.slope);
-        forwards.scale_for(larger_or_nan(slopes, size(slow) + size(fast)));
-        let exponent = forwards.exponent;
-        backwards.exponent = exponent;
-        let rates =
-            [slow, fast].map(|rate| (rate, Factor::new(rate.scale, rate.variation.exponent, exponent)));
-        for k in 0..*terms {
-            let [slow, fast] = rates.each_ref().map(|(rate, factor)| match k {
-                0 => scaled(rate.slope, exponent),
-                _ => factor.times(rate.variation.get(k)),
-            });
-            forwards.put(k, slow + fast)?;
-            backwards.put(k, slow - fast)?;
-        }
-        let mut most = 0;
-        for (rate, chi, scale) in [(&*forwards, origin.chi, p), (&*backwards, -origin.chi, q)] {
-            let (sine, cosine) = sine_cosine(theta + chi);
-            let scale = Split::of(scaled(scale, -FRACTION));
-            let start = [cosine, sine]
-                .map(|part| scaled_product::<{ (2 * FRACTION - BITS) as u32 }>(Split::of(part), scale));
-            let computed = exponential(rate, *terms, start, least, [&mut *re, &mut *im])?;
-            for (sum, part) in sums.iter_mut().zip([&*re, &*im]) {
-                for (k, sum) in sum.iter_mut().enumerate().take(computed) {
-                    *sum += part.get(k);
-                }
-            }
-            most = most.max(computed);
-        }
-        for sum in sums {
-            sum.iter_mut().enumerate().take(most).for_each(|(k, sum)| *sum = of_x(*sum, k));
-        }
-        Some(most)
-    }
-}
-
-/// Series of start · e^{i ∫ rate}, the solution of z' = i z rate, in units of 2^-56 like the start. It ends where two terms in succession
-/// are at most `least` units of 2^-62 at x = 1. Returns the number of its terms, or `None` where it does not converge.
-#[inline(never)]
-fn exponential(
-    rate: &Block,
-    terms: usize,
-    [start_re, start_im]: [i64; 2],
-    least: i64,
-    [re, im]: [&mut Block; 2],
-) -> Option<usize> {
-    (re.exponent, im.exponent) = (-BITS, -BITS);
-    re.put(0, start_re)?;
-    im.put(0, start_im)?;
-    // the limit of a coefficient of yᵏ, in units of 2^-62: four times that of the one before
-    let (mut limit, mut before) = (least, false);
-    for k in 0..TERMS - 1 {
-        let next = |part: &Block| {
-            in_range(rate.product(part, 0..terms.min(k + 1), k, -rate.exponent))
-                .map(|next| integrated(next, k))
-        };
-        let (next_re, next_im) = (-next(im)?, next(re)?);
-        re.put(k + 1, next_re)?;
-        im.put(k + 1, next_im)?;
-        if limit < i64::MAX >> 3 {
-            limit <<= 2;
-        }
-        let negligible = next_re.abs().max(next_im.abs()) <= limit >> (TABLE_BITS - BITS);
-        if negligible && before {
-            return Some(k + 2);
-        }
-        before = negligible;
-    }
-    Some(TERMS)
 }

@@ -1,8 +1,8 @@
 //! Sine and cosine in the integers of the series.
 
+use super::{Split, scaled_product};
 use crate::phase::Phase;
 use crate::product::signed_product;
-use crate::table::series::integers::{Split, scaled_product};
 
 /// Fraction bits of [`sine_cosine`].
 pub(super) const FRACTION: i32 = 57;
@@ -47,7 +47,7 @@ impl Series {
         let square = Split::of(square);
         let [first @ .., last] = &self.long;
         let last = last + i64::from(times_square(short));
-        first.iter().rev().fold(last, |sum, c| c + scaled_product::<58>(Split::of(sum), square))
+        first.iter().rev().fold(last, |sum, c| c + scaled_product::<58>(square, sum))
     }
 }
 
@@ -59,9 +59,9 @@ pub(super) fn sine_cosine(phase: Phase) -> (i64, i64) {
     const QUARTER_TURN: Split = Split::of(226375608064910089);
     let (quadrant, rest) = phase.quadrant();
     // from units of 2^-62 turns to rad in units of 2^-58
-    let angle = Split::of(scaled_product::<59>(Split::of((rest.to_bits() >> 34) as i64), QUARTER_TURN));
-    let square = scaled_product::<58>(angle, angle);
-    let sine = scaled_product::<59>(Split::of(SINE.sum(square)), angle);
+    let angle = scaled_product::<59>(QUARTER_TURN, (rest.to_bits() >> 34) as i64);
+    let square = scaled_product::<58>(Split::of(angle), angle);
+    let sine = scaled_product::<59>(Split::of(angle), SINE.sum(square));
     let cosine = (COSINE.sum(square) + 1) >> 1;
     match quadrant % 4 {
         0 => (sine, cosine),

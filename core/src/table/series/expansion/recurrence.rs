@@ -1,10 +1,63 @@
 //! Expansion of the motion around a point: the coefficients of the rates, one after another.
 
+use super::{Expansion, NOISE, PhasePoint, Rate, Slopes, larger_or_nan};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::Float;
-use crate::table::series::expansion::{Expansion, PhasePoint, Slopes, larger_or_nan};
-use crate::table::series::integers::{BITS, Factor, TERMS, in_range, integrated, scaled, sum_in_range};
-use crate::table::series::rate::{Block, Rate, SlowFactors, is_negligible};
+use crate::table::series::{BITS, Block, Factor, TERMS, in_range, integrated, scaled, sum_in_range};
+
+/// Whether the k-th coefficient is a rounding error, or its term at y = 1/2 is below `least` units.
+fn is_negligible(coefficient: i64, k: usize, least: i64) -> bool {
+    let size = coefficient.abs();
+    size <= NOISE || size >> k < least
+}
+
+/// Constant factors of the recurrence for one slow phase, whose denominator is in the memory of the rate's integral until that is computed.
+struct SlowFactors {
+    /// Factor of cos²χ in the rate.
+    square: Factor,
+    /// Factor of the denominator in the rate.
+    divisor: Factor,
+    /// Factors of D and of D dχ/dx in the denominator.
+    delta: Factor,
+    drive: Factor,
+    negligible: i64,
+}
+
+impl SlowFactors {
+    /// Factors for a rate with these factors of cos²χ, D and D dχ/dx. It sets the exponents of the rate's series.
+    fn new(
+        rate: &mut Rate,
+        slope: f64,
+        [of_square, of_delta, of_drive]: [f64; 3],
+        [square, delta, drive]: [&Block; 3],
+        least: f64,
+    ) -> Self {
+        let Rate { variation, integral: divisor, scale, .. } = rate;
+        divisor.scale_for(delta.magnitude_times(of_delta) + drive.magnitude_times(of_drive));
+        variation.scale_for(
+            divisor.magnitude_times(Float::abs(slope)) + square.magnitude_times(Float::abs(of_square)),
+        );
+        *scale = 1.0;
+        Self {
+            square: Factor::new(of_square, square, variation),
+            divisor: Factor::new(slope, divisor, variation),
+            delta: Factor::new(of_delta, delta, divisor),
+            drive: Factor::new(of_drive, drive, divisor),
+            negligible: scaled(least, variation.exponent),
+        }
+    }
+
+    /// Computes the k-th coefficients. Returns whether the rate's is negligible, or `None` where one is out of range.
+    fn advance(&self, rate: &mut Rate, k: usize, [square, delta, drive]: [i64; 3]) -> Option<bool> {
+        let Rate { variation, integral: divisor, .. } = rate;
+        let of_divisor = sum_in_range([self.delta.times(delta), self.drive.times(drive)])?;
+        let known = divisor.product(variation, 1..k, k, -divisor.exponent);
+        let of_rate = sum_in_range([self.square.times(square), -self.divisor.times(of_divisor), -known])?;
+        divisor.put(k, of_divisor)?;
+        variation.put(k, of_rate)?;
+        Some(is_negligible(of_rate, k, self.negligible))
+    }
+}
 
 /// Constant factors of the recurrence of the coefficients.
 struct Recurrence {
@@ -99,12 +152,12 @@ impl Expansion {
         let least_xi = if least_xi > f64::MAX { f64::MAX } else { least_xi };
         Recurrence {
             slow,
-            eta: Factor::new(eta, square.exponent, drive.exponent),
-            linear: Factor::new(linear, square.exponent, delta.exponent),
-            quadratic: Factor::new(-quadratic, 2 * square.exponent + BITS, delta.exponent),
-            to_drive: Factor::new(1.0, delta.exponent, drive.exponent),
-            to_sine: Factor::new(chi_slope, cosine.exponent, sine.exponent),
-            to_cosine: Factor::new(-chi_slope, sine.exponent, cosine.exponent),
+            eta: Factor::new(eta, square, drive),
+            linear: Factor::new(linear, square, delta),
+            quadratic: Factor::new(-square.magnitude_times(quadratic), square, delta),
+            to_drive: Factor::new(1.0, delta, drive),
+            to_sine: Factor::new(chi_slope, cosine, sine),
+            to_cosine: Factor::new(-chi_slope, sine, cosine),
             negligible_sine: scaled(least, sine.exponent),
             negligible_cosine: scaled(least, cosine.exponent),
             negligible_xi: scaled(least_xi, drive.exponent),
@@ -181,88 +234,5 @@ impl Expansion {
                 let _ = integral.put(k, integrated(variation.get(k), k));
             }
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::complex::Complex;
-    use crate::constants::{BranchPoints, Sign, Signs};
-    use crate::phase::Phase;
-    use crate::scalar::{Extended, Scalar};
-    use crate::table::series::expansion::TABLE_UNIT;
-    use crate::top::{Top, TopParameters};
-
-    fn law(spread: f64, [e1, e2, e3]: [f64; 3]) -> PhaseEquations<Extended> {
-        let parameters = TopParameters {
-            transverse_inertia: spread,
-            axial_inertia: 0.7 * spread,
-            com_height: 1.0,
-            mass_moment: 1.0,
-            gravity: 1.0,
-            ..TopParameters::default()
-        };
-        let top = Top::sliding(&parameters).unwrap();
-        let e = BranchPoints::<Extended>::exact(e1, e2, e3).unwrap();
-        let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
-        PhaseEquations::new(&top, &e, e.integrals_in(&top, signs).l_plus_n, signs)
-    }
-
-    /// At other points of the segment the series have the rates of the law, and α and β the value that the phases
-    /// give.
-    #[test]
-    fn the_series_obey_the_law() {
-        let mut worst = [0.0_f64; 4];
-        for (spread, e) in [
-            (1.0, [-0.5, 0.5, 1.5]),
-            (0.01, [-0.9, 1.0, 1.0 + 1e-6]),
-            (1e3, [0.5, 0.5 + 1e-9, 1e4]),
-            (1.0, [-0.3, 0.4, 1.0]),
-            (1e-5, [-1.0, 0.26, 28.8]),
-        ] {
-            let exact = law(spread, e);
-            let rounded: PhaseEquations<f64> = exact.cast();
-            for turns in [0.0, 1e-9, 0.1, 0.17, 0.2499, 0.25] {
-                let point = PhasePoint { chi: Phase::new(turns), theta: [Phase::new(0.3), Phase::new(-0.4)] };
-                let (sine, cosine) = point.sine_cosine();
-                let rates = exact.rates(sine.into(), cosine.into());
-                let beyond = rounded.rates(sine, cosine);
-                let size = [beyond.nutation, beyond.alpha, beyond.beta].into_iter().map(f64::abs);
-                let unit = 0.02 * spread.sqrt().min(1.0) / size.fold(0.0, f64::max).max(1.0);
-                let [chi, alpha, beta] =
-                    [rates.nutation, rates.alpha, rates.beta].map(|rate| (rate * unit.into()).to_f64());
-                let slopes = Slopes {
-                    sine_cosine: (sine, cosine),
-                    chi,
-                    psi: [alpha, beta],
-                    theta: [alpha, beta],
-                    weight: (alpha.abs().max(beta.abs()) / chi).max(1.0),
-                };
-                let mut expansion = Expansion::EMPTY;
-                expansion.expand(&rounded, &point, &slopes, unit, 1e-18, &mut || {});
-                assert!(expansion.terms > 2, "{spread} {e:?} {turns}");
-                for x in [-1.0, 0.5, 1.0] {
-                    let (PhasePoint { chi: at, theta }, slope) = expansion.at(x);
-                    let (sine, cosine) = f64::sine_cosine(at);
-                    let rates = exact.rates(sine.into(), cosine.into());
-                    let of = |rate: Extended| (rate * unit.into()).to_f64();
-                    let [alpha, beta] =
-                        expansion.theta.map(|rate| 0.25 * rate.value(0.25 * x, expansion.terms));
-                    worst[0] = worst[0].max(slopes.weight * (slope - of(rates.nutation)).abs());
-                    worst[1] = worst[1].max((alpha - of(rates.alpha)).abs());
-                    worst[2] = worst[2].max((beta - of(rates.beta)).abs());
-                    let ([p, q], mut parts) = ([0.6, -0.3], [[0; TERMS]; 2]);
-                    let mut copy = expansion;
-                    copy.turned(0, [p, q], 5, parts.each_mut()).unwrap();
-                    let [re, im] = parts
-                        .map(|part| part.iter().rev().fold(0.0, |sum, c| sum * x + *c as f64 * TABLE_UNIT));
-                    let [up, down] = [at, -at].map(|chi| Complex::cis(chi + theta[0]));
-                    let truth = up.scaled(p) + down.scaled(q);
-                    worst[3] = worst[3].max((re - truth.re).abs()).max((im - truth.im).abs());
-                }
-            }
-        }
-        assert!(worst.into_iter().all(|worst| (1e-19..5e-15).contains(&worst)), "{worst:?}");
     }
 }
