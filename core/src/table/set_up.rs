@@ -4,10 +4,9 @@ use core::fmt;
 
 use crate::constants::Regime;
 use crate::motion::Motion;
+use crate::table::build::Limits;
 use crate::table::build::bound::{ErrorBound, error_bounds};
 use crate::table::build::builder::SetUp;
-use crate::table::build::errors::Limits;
-use crate::table::build::path::Path;
 use crate::table::cell::{Cell, LONGEST};
 use crate::table::data::clock::Clock;
 use crate::table::data::storage::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
@@ -86,8 +85,8 @@ impl SetUp {
             return Err(SetUpError::Aperiodic);
         }
         match R::RATE_WORDS {
-            1 => self.path.launch::<1>(motion, between),
-            _ => self.path.launch::<2>(motion, between),
+            1 => self.launch::<1>(motion, between),
+            _ => self.launch::<2>(motion, between),
         }
         between();
         let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
@@ -108,7 +107,7 @@ impl SetUp {
         epoch: i64,
         between: &mut dyn FnMut(),
     ) {
-        let Self { path: Path { rates, .. }, summary, .. } = self;
+        let Self { rates, summary, .. } = self;
         table.cells = summary.cells.map(|Cell(bits)| bits);
         table.segments.get_mut(summary.segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
         table.clock = Clock::new(motion, tick, epoch, rates, summary);

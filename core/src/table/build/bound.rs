@@ -1,9 +1,9 @@
 //! Error bounds of an ephemeris; `core/docs/error_bound.md` derives every term.
 
+use super::mean_rates::MeanRates;
+use super::{Speeds, TableSummary};
 use crate::motion::Motion;
 use crate::scalar::{Extended, Float, Ring, Scalar};
-use crate::table::build::errors::{Speeds, TableSummary};
-use crate::table::build::mean_rates::MeanRates;
 use crate::table::scalar::EvaluationErrors;
 
 /// Upper bound on an error at any tick: `constant` plus `per_tick` for each tick from the launch.

@@ -1,32 +1,49 @@
-//! Builder of a table: half a nutation period as short polynomials; the other half is its mirror image.
-//!
-//! ```text
-//! u = e₁                                                                    u = e₂
-//! |    |    |    |    |    |    |    |    |    |    |    |    |    |    |    |    |    16 cells
-//! |         |         |    |    |    |  |  |  |  ||||||||    |    |         |         |    segments: one polynomial of α and one of β
-//! |                   |         |         |      |  |  |     |         |              |    spans: one expansion of the motion
-//! ```
-//!
-//! A span ends where its series would exceed the allowed error. The segments of a cell are equal, and the longest with which the error is allowed.
-//! Where they prove too long, the cell is cut again from its beginning.
+//! Memory of a build.
 
-use crate::cayley_klein::Ellipses;
-use crate::motion::Motion;
-use crate::table::build::errors::{Limits, SegmentErrors, Speeds, TableSummary};
-use crate::table::build::path::{Path, Position};
-use crate::table::build::series::{Series, SpanSeries};
-use crate::table::build::span::{CELL, HALF_PERIOD};
-use crate::table::build::start::Start;
-use crate::table::cell::{Cell, cells_covered, segments_per_cell};
-use crate::table::series::TERMS;
-use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
+mod path;
 
-/// Function that stores a polynomial: index of the segment, 0 for α or 1 for β, and the
-/// coefficients of the real and of the imaginary part in units of 2^-62. It returns the errors of the
-/// orientation and of the derivative from rounding the coefficients, in units of 2^-62 rad.
-///
-/// It is a reference, so that set-up is compiled once for all scalars.
-pub(crate) type Store<'a> = dyn FnMut(usize, usize, [&[i64; TERMS]; 2]) -> [f32; 2] + 'a;
+mod cut;
+
+use super::mean_rates::MeanRates;
+use super::series::{Series, SpanSeries};
+use super::start::Start;
+use super::{Limits, Span, Speeds, TableSummary};
+use crate::motion::phase_equations::PhaseEquations;
+use crate::scalar::Extended;
+use crate::table::series::expansion::{Expansion, PhasePoint, Slopes};
+
+/// Position on the path, with the errors up to it.
+#[derive(Clone, Copy, Debug)]
+struct Position {
+    point: PhasePoint,
+    /// Truncation error of the series, estimated from their last terms.
+    remainder: f64,
+    /// Sums of the squares of the steps' terms: of χ as delays, in half periods, and of θ, rad.
+    squares: [f32; 2],
+}
+
+impl Position {
+    /// Position u = e₁.
+    const BEGINNING: Self = Self { point: PhasePoint::ZERO, remainder: 0.0, squares: [0.0; 2] };
+}
+
+/// Cell that is cut, or two cells with one segment, in units of the shortest segment.
+#[derive(Clone, Copy, Debug)]
+struct Cut {
+    begin: usize,
+    end: usize,
+    level: u32,
+    /// Position at the beginning, if a span begins there.
+    border: Position,
+    speeds: Speeds,
+    /// Greatest error of a segment, in units of 2^-62 rad.
+    error: f32,
+}
+
+impl Cut {
+    const NONE: Self =
+        Self { begin: 0, end: 0, level: 0, border: Position::BEGINNING, speeds: Speeds::ZERO, error: 0.0 };
+}
 
 /// Memory of a set-up, 4.4 KiB, and the truncation error that it allows. A program with a small stack keeps it in a static.
 ///
@@ -54,40 +71,31 @@ pub(crate) type Store<'a> = dyn FnMut(usize, usize, [&[i64; TERMS]; 2]) -> [f32;
 pub struct SetUp {
     /// Allowed truncation error, rad; `None` for that of the scalar.
     pub(crate) truncation: Option<f64>,
-    pub(crate) path: Path,
-    start: Start,
+    law: PhaseEquations<Extended>,
+    rounded_law: PhaseEquations<f64>,
+    /// Derivatives of the phases, in the numbers of the mean rates.
+    slopes_of: Option<fn(&Self, Extended) -> Slopes>,
+    pub(crate) rates: MeanRates,
     limits: Limits,
-    pub(crate) summary: TableSummary,
-    cut: Cut,
+    /// Greatest sum of the rates of χ, θ_A and θ_B at a turning point, rad per half period.
+    fastest: f64,
+    /// dχ/dt at u = e₂, rad per half period.
+    nutation_at_end: f64,
+    start: Start,
+    span: Span,
+    /// Positions at the beginning, at the centre and at the end of the span; the centre is not always known.
+    border: Position,
+    centre: Option<Position>,
+    end: Position,
+    expansion: Expansion,
     /// Series of α and of β on the span.
     series: [SpanSeries; 2],
     /// Greatest |dθ/dx| on the span.
     theta_slope: f32,
+    cut: Cut,
     /// Series on a segment.
     segment: Series,
-}
-
-/// Cell that is cut, or two cells with one segment, in units of the shortest segment.
-#[derive(Clone, Copy, Debug)]
-struct Cut {
-    begin: usize,
-    end: usize,
-    level: u32,
-    /// Position at the beginning, if a span begins there.
-    border: Position,
-    speeds: Speeds,
-    /// Greatest error of a segment, in units of 2^-62 rad.
-    error: f32,
-}
-
-impl Cut {
-    const NONE: Self =
-        Self { begin: 0, end: 0, level: 0, border: Position::BEGINNING, speeds: Speeds::ZERO, error: 0.0 };
-
-    /// Level that is tried first: segments of twice the length. Two cells that share one begin with an even number.
-    fn coarser(&self, begin: usize) -> u32 {
-        self.level.saturating_sub(1).max((begin / CELL % 2) as u32)
-    }
+    pub(crate) summary: TableSummary,
 }
 
 impl Default for SetUp {
@@ -113,170 +121,24 @@ impl SetUp {
     const fn with(truncation: Option<f64>) -> Self {
         Self {
             truncation,
-            path: Path::EMPTY,
-            start: Start::NONE,
+            law: PhaseEquations::ZERO,
+            rounded_law: PhaseEquations::ZERO,
+            slopes_of: None,
+            rates: MeanRates::ZERO,
             limits: Limits::NONE,
-            summary: TableSummary::EMPTY,
-            cut: Cut::NONE,
+            fastest: 0.0,
+            nutation_at_end: 0.0,
+            start: Start::NONE,
+            span: Span::NONE,
+            border: Position::BEGINNING,
+            centre: None,
+            end: Position::BEGINNING,
+            expansion: Expansion::EMPTY,
             series: [SpanSeries::ZERO; 2],
             theta_slope: 0.0,
+            cut: Cut::NONE,
             segment: Series::ZERO,
+            summary: TableSummary::EMPTY,
         }
     }
-
-    /// Computes all segments of a motion; `None` where they are too many. One may be passed to `store` more than once, and the last time
-    /// is valid.
-    #[inline(never)]
-    pub(crate) fn build(
-        &mut self,
-        motion: &Motion,
-        limits: Limits,
-        store: &mut Store<'_>,
-        between: &mut dyn FnMut(),
-    ) -> Option<()> {
-        self.begin(motion, limits);
-        if motion.is_steady() {
-            self.store_constants(store);
-            return Some(());
-        }
-        self.path.begin(limits);
-        between();
-        let mut place = 0;
-        while place < HALF_PERIOD {
-            self.enter_span(place, between)?;
-            place = self.cut_span(store, between)?;
-        }
-        self.summary.start = self.start.phases;
-        self.summary.error += self.path.error(&self.summary.speeds, self.start.delay);
-        Some(())
-    }
-
-    /// Takes over a motion.
-    #[inline(never)]
-    fn begin(&mut self, motion: &Motion, limits: Limits) {
-        let Ellipses { alpha, beta } = motion.ellipses::<f64>();
-        for (series, ellipse) in self.series.iter_mut().zip([alpha, beta]) {
-            series.exponentials = ellipse.exponentials();
-        }
-        (self.start, self.limits, self.cut) = (Start::new(motion), limits, Cut::NONE);
-        self.summary = TableSummary::EMPTY;
-    }
-
-    /// Stores the polynomials of a motion in which u is constant.
-    #[inline(never)]
-    fn store_constants(&mut self, store: &mut Store<'_>) {
-        for (which, series) in self.series.iter().enumerate() {
-            let [plus, minus] = series.exponentials;
-            let mut re = [0; TERMS];
-            re[0] = libm::round((plus + minus) / TABLE_UNIT) as i64;
-            store(0, which, [&re, &[0; TERMS]]);
-        }
-        self.summary.segments = 1;
-        self.summary.start = self.start.phases;
-        self.summary.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
-    }
-
-    /// Expands the motion on the span that begins at `place`: the next one, or the first of a cell that is cut again.
-    fn enter_span(&mut self, place: usize, between: &mut dyn FnMut()) -> Option<()> {
-        let Self { path, cut, .. } = self;
-        if place > path.span.begin {
-            path.leave(place == cut.end && cut.coarser(place) < path.span.least_level());
-            between();
-        } else if place < path.span.begin {
-            path.go_to(place, cut.border);
-        }
-        while self.expand_span(between).is_none() {
-            self.path.shorten()?;
-        }
-        Some(())
-    }
-
-    /// Computes the series of α and β on the span; `None` where they are not accurate.
-    fn expand_span(&mut self, between: &mut dyn FnMut()) -> Option<()> {
-        self.path.expand_span(between)?;
-        let Path { expansion, span, end, .. } = &mut self.path;
-        for (which, series) in self.series.iter_mut().enumerate() {
-            between();
-            series.compute(expansion, which, &self.limits)?;
-        }
-        between();
-        self.theta_slope = expansion.greatest_theta_slope();
-        self.start.search(expansion, end.point.chi, *span, between);
-        Some(())
-    }
-
-    /// Cuts the span into segments. Returns its end, or an earlier place from which on a cell must be cut again.
-    fn cut_span(&mut self, store: &mut Store<'_>, between: &mut dyn FnMut()) -> Option<usize> {
-        let span = self.path.span;
-        let (mut place, least) = (span.begin, span.least_level());
-        if place < self.cut.end && self.cut.level < least {
-            // the segments of the cell that goes on are longer than the span
-            self.cut_again(least)?;
-            place = self.cut.begin;
-        }
-        while span.begin <= place && place < span.end() {
-            if place == self.cut.end {
-                (self.cut.begin, self.cut.border) = (place, self.path.border);
-                self.cut_again(self.cut.coarser(place).max(least))?;
-            }
-            let error = self.store_segment(place, store, between);
-            self.cut.error = larger_or_nan(self.cut.error, error);
-            if error.is_nan() || error > self.limits.segment(self.cut.level) {
-                self.cut_again(self.cut.level + 1)?;
-                place = self.cut.begin;
-                continue;
-            }
-            place += segment_length(self.cut.level);
-            if place == self.cut.end {
-                self.end_cell();
-            }
-        }
-        Some(place)
-    }
-
-    /// Begins the cell anew with segments of this level; `None` where they are too many.
-    fn cut_again(&mut self, level: u32) -> Option<()> {
-        let end = self.cut.begin + cells_covered(level) * CELL;
-        self.cut = Cut { end, level, speeds: self.summary.speeds, error: 0.0, ..self.cut };
-        let rest = HALF_PERIOD.saturating_sub(end).div_ceil(2 * CELL);
-        let segments = self.summary.segments + segments_per_cell(level) + rest;
-        (segments <= self.limits.capacity && level <= Cell::DEEPEST).then_some(())
-    }
-
-    /// Enters the finished cell in the summary.
-    fn end_cell(&mut self) {
-        let Cut { begin, level, speeds, error, .. } = self.cut;
-        let TableSummary { cells, segments, error: greatest, .. } = &mut self.summary;
-        let entry = Cell::new(*segments, begin / segment_length(level), level);
-        cells.iter_mut().skip(begin / CELL).take(cells_covered(level)).for_each(|cell| *cell = entry);
-        *segments += segments_per_cell(level);
-        *greatest = larger_or_nan(*greatest, TABLE_UNIT * f64::from(error));
-        self.summary.speeds = speeds;
-    }
-
-    /// Stores the polynomials of the segment at `place`. Returns their error in units of 2^-62 rad.
-    fn store_segment(&mut self, place: usize, store: &mut Store<'_>, between: &mut dyn FnMut()) -> f32 {
-        let Self { segment, cut, limits, path, .. } = self;
-        let length = segment_length(cut.level);
-        let halvings = path.span.halvings(cut.level);
-        let parts = (1_u32 << halvings) as f32;
-        let index = self.summary.segments + (place - cut.begin) / length;
-        let mut errors = SegmentErrors::default();
-        for (which, series) in self.series.iter_mut().enumerate() {
-            series.restrict(place / length, halvings, limits.left_out, segment);
-            segment.shorten(limits.terms, i64::MAX);
-            between();
-            let omitted = [series.omitted, TERMS as f32 * series.omitted / parts];
-            let parts = segment.parts.each_ref().map(|part| &part.coefficients);
-            errors.add(&segment.bounds(), omitted, store(index, which, parts));
-            between();
-        }
-        let part = path.span.half_length() as f32 / parts;
-        errors.include_in(&mut cut.speeds, 1.0 / part, self.theta_slope / parts);
-        errors.error()
-    }
-}
-
-fn segment_length(level: u32) -> usize {
-    1 << (Cell::DEEPEST - level)
 }

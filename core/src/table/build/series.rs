@@ -3,9 +3,9 @@
 //! The highest term c x^k is left out together with the multiple of lower powers that makes it c 2^(1-k) T_k(x). As |T_k| <= 1, the value
 //! changes by at most |c| 2^(1-k). The terms that remain are those of a Chebyshev series.
 
+use super::{Limits, SeriesBounds};
 use crate::product::{long_product, signed_product};
 use crate::scalar::{Float, Ring, short_float};
-use crate::table::build::errors::{Limits, SeriesBounds};
 use crate::table::series::TERMS;
 use crate::table::series::expansion::{Expansion, larger_or_nan};
 

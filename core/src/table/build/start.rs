@@ -1,9 +1,9 @@
 //! Start of a motion on the half period that a table covers.
 
+use super::Span;
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
 use crate::scalar::{Float, Scalar};
-use crate::table::build::span::Span;
 use crate::table::series::expansion::{Expansion, PhasePoint};
 
 /// Start of a motion, which is found while its half period is tabulated.

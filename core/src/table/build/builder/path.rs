@@ -1,70 +1,19 @@
 //! Path along half a nutation period, from one expansion of the motion to the next.
 
+use super::{Position, SetUp};
 use crate::motion::Motion;
-use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
+use crate::motion::phase_equations::PhaseRates;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Wide};
-use crate::table::build::errors::{Limits, Speeds};
+use crate::table::build::Span;
 use crate::table::build::mean_rates::MeanRates;
-use crate::table::build::span::Span;
 use crate::table::series::TERMS;
-use crate::table::series::expansion::{Expansion, PhasePoint, Slopes, larger_or_nan};
-
-/// Position on the path, with the errors up to it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Position {
-    pub(crate) point: PhasePoint,
-    /// Truncation error of the series, estimated from their last terms.
-    remainder: f64,
-    /// Sums of the squares of the steps' terms: of χ as delays, in half periods, and of θ, rad.
-    squares: [f32; 2],
-}
-
-impl Position {
-    /// Position u = e₁.
-    pub(crate) const BEGINNING: Self = Self { point: PhasePoint::ZERO, remainder: 0.0, squares: [0.0; 2] };
-}
+use crate::table::series::expansion::{PhasePoint, Slopes, larger_or_nan};
 
 /// Negligible term of the phases at x = 2 over that of α and β at x = 1. A term after the sixth is sixty times as large at x = 2.
 const PHASE_TERM: f64 = 32.0;
 
-/// Path through the spans, each with an expansion of the motion around its centre.
-#[derive(Debug)]
-pub(crate) struct Path {
-    law: PhaseEquations<Extended>,
-    rounded_law: PhaseEquations<f64>,
-    /// Derivatives of the phases, in the numbers of the mean rates.
-    slopes_of: Option<fn(&Self, Extended) -> Slopes>,
-    pub(crate) rates: MeanRates,
-    limits: Limits,
-    pub(crate) span: Span,
-    /// Positions at the beginning, at the centre and at the end of the span; the centre is not always known.
-    pub(crate) border: Position,
-    centre: Option<Position>,
-    pub(crate) end: Position,
-    pub(crate) expansion: Expansion,
-    /// Greatest sum of the rates of χ, θ_A and θ_B at a turning point, rad per half period.
-    fastest: f64,
-    /// dχ/dt at u = e₂, rad per half period.
-    nutation_at_end: f64,
-}
-
-impl Path {
-    pub(crate) const EMPTY: Self = Self {
-        law: PhaseEquations::ZERO,
-        rounded_law: PhaseEquations::ZERO,
-        slopes_of: None,
-        rates: MeanRates::ZERO,
-        limits: Limits::NONE,
-        span: Span::NONE,
-        border: Position::BEGINNING,
-        centre: None,
-        end: Position::BEGINNING,
-        expansion: Expansion::EMPTY,
-        fastest: 0.0,
-        nutation_at_end: 0.0,
-    };
-
+impl SetUp {
     /// Computes the equations of a motion, and its mean rates in numbers of this many words.
     #[inline(never)]
     pub(crate) fn launch<const WORDS: usize>(&mut self, motion: &Motion, between: &mut dyn FnMut()) {
@@ -82,8 +31,8 @@ impl Path {
 
     /// Begins at u = e₁.
     #[inline(never)]
-    pub(crate) fn begin(&mut self, limits: Limits) {
-        (self.limits, self.span) = (limits, Span::FIRST);
+    pub(super) fn begin_path(&mut self) {
+        self.span = Span::FIRST;
         let half_period = self.rates.half_period.to_f64();
         let [begin, end] =
             [(0.0, 1.0), (1.0, 0.0)].map(|(sine, cosine)| self.rounded_law.rates(sine, cosine));
@@ -100,13 +49,13 @@ impl Path {
     }
 
     /// Begins a span at an earlier position.
-    pub(crate) fn go_to(&mut self, begin: usize, position: Position) {
+    pub(super) fn go_to(&mut self, begin: usize, position: Position) {
         self.span.begin = begin;
         (self.border, self.centre) = (position, None);
     }
 
     /// Goes on to the next span. It is twice as long where the series are accurate at x = 2, or in any case.
-    pub(crate) fn leave(&mut self, in_any_case: bool) {
+    pub(super) fn leave(&mut self, in_any_case: bool) {
         let next = Span { begin: self.span.end(), ..self.span };
         let twice = Span { depth: self.span.depth - 1, ..next };
         let allowed = self.allowed();
@@ -118,7 +67,7 @@ impl Path {
     }
 
     /// Shortens the span until its truncation error should be the allowed one, by one to four halvings. `None` where that is too short.
-    pub(crate) fn shorten(&mut self) -> Option<()> {
+    pub(super) fn shorten_span(&mut self) -> Option<()> {
         // the last of sixteen terms over half the distance
         const PER_HALVING: f64 = 1.0 / (1_u32 << (TERMS - 1)) as f64;
         const MOST: u32 = 4;
@@ -133,7 +82,7 @@ impl Path {
 
     /// Expands the motion around the centre of the span; `None` where the truncation error at its centre or its end is too large.
     #[inline(never)]
-    pub(crate) fn expand_span(&mut self, between: &mut dyn FnMut()) -> Option<()> {
+    pub(super) fn expand_law(&mut self, between: &mut dyn FnMut()) -> Option<()> {
         let allowed = self.allowed();
         if self.centre.is_none() {
             self.expand(between);
@@ -208,7 +157,8 @@ impl Path {
     }
 
     /// Error of the whole path, as an orientation error in rad, with the delay by the rounding of the start.
-    pub(crate) fn error(&self, speeds: &Speeds, start: f64) -> f64 {
+    pub(super) fn path_error(&self) -> f64 {
+        let speeds = &self.summary.speeds;
         let Position { point: PhasePoint { chi, theta }, remainder, squares } = self.end;
         // distance from an odd number of quarter turns, rad
         let miss = |angle: Phase| {
@@ -221,6 +171,6 @@ impl Path {
         let delay = remainder / self.fastest + miss(chi) / self.nutation_at_end;
         speeds.delayed(delay)
             + 2.0 * (remainder + alpha.max(beta))
-            + speeds.rounding(squares.map(f64::from), start)
+            + speeds.rounding(squares.map(f64::from), self.start.delay)
     }
 }
