@@ -19,7 +19,7 @@ use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
 
 /// One of the 2^depth parts of equal length into which half a period is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Span {
+pub(crate) struct Span {
     /// Beginning in units of the shortest segment.
     begin: usize,
     depth: u32,
@@ -82,7 +82,7 @@ impl Span {
 
 /// Upper bounds on the speeds of α and β without their mean rotation: sums of the magnitudes of coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Speeds {
+pub(crate) struct Speeds {
     /// Greatest angular velocity 2 √(|dα/dt|² + |dβ/dt|²), in rad per half period.
     sweep: f64,
     /// Twice the greatest rate of θ_A or θ_B, in rad per half period.
@@ -99,16 +99,6 @@ impl Speeds {
     const ZERO: Self = Self { sweep: 0.0, turning: 0.0, acceleration: 0.0, sweep_error: 0.0, x_rate: 0.0 };
 }
 
-/// Upper bounds for one polynomial on [-1, 1], in units of 2^-62.
-struct SeriesBounds {
-    /// Changes of the value and of the derivative by the terms left out.
-    change: f32,
-    slope_change: f32,
-    /// Squares of the first and of the second derivative.
-    slope_squares: f32,
-    curvature_squares: f32,
-}
-
 /// Errors and slopes of a segment, in units of 2^-62. They are in `f32`, because soft `f64` took a third of the time of a polynomial.
 #[derive(Clone, Copy, Debug, Default)]
 struct SegmentErrors {
@@ -122,22 +112,6 @@ struct SegmentErrors {
 }
 
 impl SegmentErrors {
-    /// Includes a polynomial, with the errors of its series and of the stored coefficients, each of the value and of the derivative.
-    fn add(
-        &mut self,
-        bounds: &SeriesBounds,
-        [omitted, slope_omitted]: [f32; 2],
-        [stored, slope_stored]: [f32; 2],
-    ) {
-        let change = bounds.change + omitted;
-        let slope_error = bounds.slope_change + slope_omitted + slope_stored;
-        self.stored = larger_or_nan(self.stored, stored);
-        self.change += change * change;
-        self.slope += bounds.slope_squares;
-        self.slope_error += slope_error * slope_error;
-        self.curvature += bounds.curvature_squares;
-    }
-
     /// Truncation and rounding error of the segment, as an orientation error, in units of 2^-62 rad.
     fn error(&self) -> f32 {
         larger_or_nan(2.0 * Float::sqrt(self.change), self.stored)
@@ -213,30 +187,6 @@ impl Limits {
     fn least_term(&self) -> i64 {
         (self.least / TABLE_UNIT) as i64
     }
-}
-
-/// Summary of a table, for the clock and the error bounds.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct TableSummary {
-    /// Cells with their segments.
-    pub(super) cells: [Cell; CELLS],
-    /// Number of segments.
-    pub(super) segments: usize,
-    /// Nutation phase (0 at u = e₁), and the mean slow phases of α and β, at t = 0.
-    pub(super) start: [Phase; 3],
-    /// Orientation error, rad: truncation, distance of the last point from the upper turning point, and roundings in `f64`.
-    error: f64,
-    speeds: Speeds,
-}
-
-impl TableSummary {
-    const EMPTY: Self = Self {
-        cells: [Cell(0); CELLS],
-        segments: 0,
-        start: [Phase::ZERO; 3],
-        error: 0.0,
-        speeds: Speeds::ZERO,
-    };
 }
 
 #[cfg(test)]

@@ -42,20 +42,6 @@ impl Split {
     }
 }
 
-/// Exact sum of at most 16 products, divided by 2^shift and rounded to the nearest; [`BEYOND`] marks overflow.
-#[inline(always)]
-fn inner<'a>(pairs: impl Iterator<Item = (&'a Split, &'a Split)>, shift: i32) -> i64 {
-    let (upper, across, lower) = pairs.fold((0_i64, 0_i64, 0_u64), |(upper, across, lower), (a, b)| {
-        (
-            upper + signed_product(a.high, b.high),
-            across + signed_product(a.high, b.low) + signed_product(a.low, b.high),
-            lower + signed_product(a.low, b.low) as u64,
-        )
-    });
-    let across = across + (lower >> LOW_BITS) as i64;
-    rounded(upper + (across >> LOW_BITS), across as u32 & ((1 << LOW_BITS) - 1), shift)
-}
-
 /// Least shift of a quotient in range; a smaller one is of a series that does not converge.
 const LEAST_SHIFT: i32 = 33;
 /// Positive and negative quotient that are not in range: the first numbers beyond 59 bits.
@@ -204,14 +190,22 @@ impl Block {
         short_power_of_two(self.exponent)
     }
 
-    /// Coefficient of y^k of a product of two series, from these terms of the first one, divided by 2^shift.
+    /// Coefficient of y^k of a product of two series, from these terms of the first one: an exact sum of products, divided by 2^shift and
+    /// rounded to the nearest. [`BEYOND`] marks overflow.
     #[inline(never)] // a call: set-up multiplies series in a dozen places
     fn product(&self, other: &Self, terms: Range<usize>, k: usize, shift: i32) -> i64 {
         let first = terms.start;
         let ours = self.coefficients.get(terms).unwrap_or_default();
         // the iteration ends with the terms of the first series
         let theirs = other.coefficients.get(..=k.saturating_sub(first)).unwrap_or_default();
-        inner(ours.iter().zip(theirs.iter().rev()), shift)
+        let (mut upper, mut across, mut lower) = (0, 0, 0_u64);
+        for (a, b) in ours.iter().zip(theirs.iter().rev()) {
+            upper += signed_product(a.high, b.high);
+            across += signed_product(a.high, b.low) + signed_product(a.low, b.high);
+            lower += signed_product(a.low, b.low) as u64;
+        }
+        across += (lower >> LOW_BITS) as i64;
+        rounded(upper + (across >> LOW_BITS), across as u32 & ((1 << LOW_BITS) - 1), shift)
     }
 
     /// Sum Σ c yᵏ⁻¹ over the coefficients k from 1 to `terms` - 1, at y in [-1, 1].

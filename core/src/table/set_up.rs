@@ -107,15 +107,14 @@ impl SetUp {
         epoch: i64,
         between: &mut dyn FnMut(),
     ) {
-        let Self { rates, summary, .. } = self;
-        table.cells = summary.cells.map(|Cell(bits)| bits);
-        table.segments.get_mut(summary.segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
-        table.clock = Clock::new(motion, tick, epoch, rates, summary);
+        table.cells = self.cells.map(|Cell(bits)| bits);
+        table.segments.get_mut(self.segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
+        table.clock = Clock::new(motion, tick, epoch, &self.rates, self.start.phases);
         between();
-        table.start_tip_angle(motion, summary.start, epoch, between);
+        table.start_tip_angle(motion, self.start.phases, epoch, between);
         between();
         [table.error_bound, table.rate_error_bound] =
-            error_bounds(&R::ERRORS, motion, tick.length(), rates, summary);
+            error_bounds(&R::ERRORS, motion, tick.length(), &self.rates, &self.speeds, self.error);
         between();
     }
 }
@@ -168,6 +167,6 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::within(truncation);
         set_up.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
-        Some(set_up.summary.segments.max(LONGEST) as u32)
+        Some(set_up.segments.max(LONGEST) as u32)
     }
 }

@@ -1,7 +1,7 @@
 //! Error bounds of an ephemeris; `core/docs/error_bound.md` derives every term.
 
+use super::Speeds;
 use super::mean_rates::MeanRates;
-use super::{Speeds, TableSummary};
 use crate::motion::Motion;
 use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::scalar::EvaluationErrors;
@@ -70,17 +70,17 @@ impl Speeds {
     }
 }
 
-/// Error bounds of the orientation and of the angular velocity, for a length of a tick.
+/// Error bounds of the orientation and of the angular velocity, for a length of a tick and an orientation error of the table.
 #[inline(never)] // one copy for all scalars
 pub(crate) fn error_bounds(
     errors: &EvaluationErrors,
     motion: &Motion,
     tick: Extended,
     rates: &MeanRates,
-    summary: &TableSummary,
+    speeds: &Speeds,
+    error: f64,
 ) -> [ErrorBound; 2] {
-    let TableSummary { error, speeds, .. } = *summary;
-    let Speeds { sweep, turning, acceleration, .. } = speeds;
+    let Speeds { sweep, turning, acceleration, .. } = *speeds;
     let mut growth = rates.errors;
     for (growth, turns) in growth.iter_mut().zip(rates.turns) {
         *growth = *growth * tick.to_f64() + Float::abs(increment_error(turns * tick));
@@ -131,7 +131,6 @@ mod tests {
     #[test]
     fn the_rates_errors_are_in_it() {
         let speeds = Speeds { sweep: 5.0, turning: 3.0, ..Speeds::ZERO };
-        let summary = TableSummary { speeds, ..TableSummary::EMPTY };
         let parameters = TopParameters {
             transverse_inertia: 1.0,
             axial_inertia: 0.7,
@@ -145,7 +144,7 @@ mod tests {
                 .unwrap();
         let per_tick = |errors, turns| {
             let rates = MeanRates { turns: [turns; 3], errors, ..MeanRates::ZERO };
-            let [bound, _] = error_bounds(&f64::ERRORS, &motion, 0.5.into(), &rates, &summary);
+            let [bound, _] = error_bounds(&f64::ERRORS, &motion, 0.5.into(), &rates, &speeds, 0.0);
             bound.per_tick
         };
         let whole = Extended::from(2.0);

@@ -7,9 +7,10 @@ mod cut;
 use super::mean_rates::MeanRates;
 use super::series::{Series, SpanSeries};
 use super::start::Start;
-use super::{Limits, Span, Speeds, TableSummary};
+use super::{Limits, Span, Speeds};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::Extended;
+use crate::table::cell::{CELLS, Cell};
 use crate::table::series::expansion::{Expansion, PhasePoint, Slopes};
 
 /// Position on the path, with the errors up to it.
@@ -81,7 +82,7 @@ pub struct SetUp {
     fastest: f64,
     /// dχ/dt at u = e₂, rad per half period.
     nutation_at_end: f64,
-    start: Start,
+    pub(crate) start: Start,
     span: Span,
     /// Positions at the beginning, at the centre and at the end of the span; the centre is not always known.
     border: Position,
@@ -95,7 +96,13 @@ pub struct SetUp {
     cut: Cut,
     /// Series on a segment.
     segment: Series,
-    pub(crate) summary: TableSummary,
+    /// Cells with their segments.
+    pub(crate) cells: [Cell; CELLS],
+    /// Number of segments.
+    pub(crate) segments: usize,
+    /// Orientation error, rad: truncation, distance of the last point from the upper turning point, and roundings in `f64`.
+    pub(crate) error: f64,
+    pub(crate) speeds: Speeds,
 }
 
 impl Default for SetUp {
@@ -138,7 +145,10 @@ impl SetUp {
             theta_slope: 0.0,
             cut: Cut::NONE,
             segment: Series::ZERO,
-            summary: TableSummary::EMPTY,
+            cells: [Cell(0); CELLS],
+            segments: 0,
+            error: 0.0,
+            speeds: Speeds::ZERO,
         }
     }
 }

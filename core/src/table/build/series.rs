@@ -3,7 +3,7 @@
 //! The highest term c x^k is left out together with the multiple of lower powers that makes it c 2^(1-k) T_k(x). As |T_k| <= 1, the value
 //! changes by at most |c| 2^(1-k). The terms that remain are those of a Chebyshev series.
 
-use super::{Limits, SeriesBounds};
+use super::{Limits, SegmentErrors};
 use crate::product::{long_product, signed_product};
 use crate::scalar::{Float, Ring, short_float};
 use crate::table::series::TERMS;
@@ -128,12 +128,17 @@ impl Series {
         }
     }
 
-    /// Bounds on the changes and on the derivatives: Σ k |c_k| and Σ k (k - 1) |c_k|.
+    /// Adds the errors of the series and of the stored coefficients, each of the value and of the derivative, with the bounds Σ k |c_k| and
+    /// Σ k (k - 1) |c_k| on the derivatives.
     #[inline(never)] // one copy for all scalars
-    pub(crate) fn bounds(&self) -> SeriesBounds {
+    pub(crate) fn add_errors(
+        &self,
+        sums: &mut SegmentErrors,
+        [omitted, slope_omitted]: [f32; 2],
+        [stored, slope_stored]: [f32; 2],
+    ) {
         /// Unit of the upper words.
         const WORD: f32 = (1_u64 << 32) as f32;
-        let (mut slope_squares, mut curvature_squares) = (0.0, 0.0);
         for part in &self.parts {
             let (mut slope, mut curvature) = (0, 0);
             for (c, k) in part.coefficients.iter().zip(0_u32..).take(self.terms) {
@@ -141,19 +146,16 @@ impl Series {
                 slope += long_product(size, k);
                 curvature += long_product(size, k * k.saturating_sub(1));
             }
-            slope_squares += Ring::squared(short_float(slope) * WORD);
-            curvature_squares += Ring::squared(short_float(curvature) * WORD);
+            sums.slope += Ring::squared(short_float(slope) * WORD);
+            sums.curvature += Ring::squared(short_float(curvature) * WORD);
         }
         let norm = |of: fn(&Part) -> i64| {
             let [re, im] = self.parts.each_ref().map(|part| short_float(of(part).unsigned_abs()));
             Float::sqrt(re * re + im * im)
         };
-        SeriesBounds {
-            change: norm(|part| part.left_out),
-            slope_change: norm(|part| part.slope_left_out),
-            slope_squares,
-            curvature_squares,
-        }
+        sums.change += Ring::squared(norm(|part| part.left_out) + omitted);
+        sums.slope_error += Ring::squared(norm(|part| part.slope_left_out) + slope_omitted + slope_stored);
+        sums.stored = larger_or_nan(sums.stored, stored);
     }
 }
 
@@ -265,17 +267,18 @@ mod tests {
             let mut short = exact;
             short.shorten(terms, i64::MAX);
             assert!(short.parts.iter().all(|part| part.coefficients[terms..].iter().all(|c| *c == 0)));
-            let bounds = short.bounds();
+            let mut sums = SegmentErrors::default();
+            short.add_errors(&mut sums, [0.0; 2], [0.0; 2]);
             let change =
                 |order| greatest(&|x| distance(derivative(&exact, order, x), derivative(&short, order, x)));
             let size = |order| greatest(&|x| distance(derivative(&short, order, x), [0.0; 2]));
             for (worst, bound, most) in [
-                (change(0), bounds.change, 1.5),
-                (change(1), bounds.slope_change, 2.5),
-                (size(1), bounds.slope_squares.sqrt(), 1.5),
-                (size(2), bounds.curvature_squares.sqrt(), 1.5),
+                (change(0), sums.change, 1.5),
+                (change(1), sums.slope_error, 2.5),
+                (size(1), sums.slope, 1.5),
+                (size(2), sums.curvature, 1.5),
             ] {
-                let bound = TABLE_UNIT * f64::from(bound);
+                let bound = TABLE_UNIT * f64::from(bound.sqrt());
                 assert!(worst <= bound * 1.000_001 + 3e-16, "{terms}: {worst:e} {bound:e}");
                 assert!(bound <= most * worst + 1e-8, "{terms}: {worst:e} {bound:e}");
             }

@@ -4,7 +4,6 @@ use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction, integer_parts, shifted, whole_number};
 use crate::scalar::{Extended, Float};
-use crate::table::build::TableSummary;
 use crate::table::build::mean_rates::MeanRates;
 use crate::table::cell::LONGEST;
 use crate::table::data::tip_clock::TipClock;
@@ -55,13 +54,7 @@ impl<W: Float> Clock<W> {
     };
 
     /// Clock of a motion that is launched at tick `epoch`; [`TipClock::start`] is not set yet.
-    pub(crate) fn new(
-        motion: &Motion,
-        tick: Tick,
-        epoch: i64,
-        rates: &MeanRates,
-        summary: &TableSummary,
-    ) -> Self {
+    pub(crate) fn new(motion: &Motion, tick: Tick, epoch: i64, rates: &MeanRates, start: [Phase; 3]) -> Self {
         let length = tick.length();
         let exact_step = rates.turns.map(|turns| turns * length);
         let [frequency, alpha, beta] = rates.turns;
@@ -70,7 +63,7 @@ impl<W: Float> Clock<W> {
         // x changes by 2 over each segment
         let x_rate = 4.0 * LONGEST as f64 * frequency.to_f64();
         Self {
-            first: first_phases(summary.start, epoch, exact_step),
+            first: first_phases(start, epoch, exact_step),
             step: exact_step.map(|step| PhaseFraction::from_phase(step.to_phase()).words()),
             exact_step: exact_step.map(Extended::parts),
             ticks_per_time: tick.rate().parts(),

@@ -94,9 +94,7 @@ impl PhasePoint {
         /// Least result of the integer arithmetic, which costs a chip a fifth of that in `f64`.
         const LEAST: i64 = 1 << (FRACTION - 3);
         let (sine, cosine) = sine_cosine(self.chi);
-        if self.chi == Phase::ZERO {
-            (0.0, 1.0)
-        } else if sine.abs().min(cosine.abs()) < LEAST {
+        if sine.abs().min(cosine.abs()) < LEAST {
             f64::sine_cosine(self.chi)
         } else {
             let number = |part: i64| part as f64 * power_of_two(-FRACTION);
@@ -108,14 +106,20 @@ impl PhasePoint {
 /// Derivatives of the phases with respect to x at a point. The pairs are those of α and β.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slopes {
+    pub(crate) point: PhasePoint,
     /// sin χ and cos χ at the point.
-    pub(crate) sine_cosine: (f64, f64),
+    pub(crate) sine: f64,
+    pub(crate) cosine: f64,
+    /// Time of x = 1.
+    pub(crate) unit: f64,
     pub(crate) chi: f64,
     pub(crate) psi: [f64; 2],
     /// Derivatives ψ' minus their mean.
     pub(crate) theta: [f64; 2],
     /// Weight of an error of χ relative to one of θ, large where χ changes slowly.
     pub(crate) weight: f64,
+    /// Magnitude below which a term at x = 2 is negligible.
+    pub(crate) least: f64,
 }
 
 /// Expansion of the motion around a point, as functions of x = (t - t₀)/unit up to x = 3. The series are in y = x/4.

@@ -14,8 +14,8 @@ use super::{Cut, SetUp};
 use crate::cayley_klein::Ellipses;
 use crate::motion::Motion;
 use crate::table::build::start::Start;
-use crate::table::build::{CELL, HALF_PERIOD, Limits, SegmentErrors, Speeds, TableSummary};
-use crate::table::cell::{Cell, cells_covered, segments_per_cell};
+use crate::table::build::{CELL, HALF_PERIOD, Limits, SegmentErrors, Speeds};
+use crate::table::cell::{CELLS, Cell, cells_covered, segments_per_cell};
 use crate::table::series::TERMS;
 use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
 
@@ -49,8 +49,7 @@ impl SetUp {
             self.enter_span(place, between)?;
             place = self.cut_span(store, between)?;
         }
-        self.summary.start = self.start.phases;
-        self.summary.error += self.path_error();
+        self.error += self.path_error();
         Some(())
     }
 
@@ -62,7 +61,8 @@ impl SetUp {
             series.exponentials = ellipse.exponentials();
         }
         (self.start, self.limits, self.cut) = (Start::new(motion), limits, Cut::NONE);
-        self.summary = TableSummary::EMPTY;
+        (self.cells, self.segments) = ([Cell(0); CELLS], 0);
+        (self.error, self.speeds) = (0.0, Speeds::ZERO);
     }
 
     /// Stores the polynomials of a motion in which u is constant.
@@ -74,9 +74,8 @@ impl SetUp {
             re[0] = libm::round((plus + minus) / TABLE_UNIT) as i64;
             store(0, which, [&re, &[0; TERMS]]);
         }
-        self.summary.segments = 1;
-        self.summary.start = self.start.phases;
-        self.summary.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
+        self.segments = 1;
+        self.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
     }
 
     /// Expands the motion on the span that begins at `place`: the next one, or the first of a cell that is cut again.
@@ -143,21 +142,20 @@ impl SetUp {
     /// Begins the cell anew with segments of this level; `None` where they are too many.
     fn cut_again(&mut self, level: u32) -> Option<()> {
         let end = self.cut.begin + cells_covered(level) * CELL;
-        self.cut = Cut { end, level, speeds: self.summary.speeds, error: 0.0, ..self.cut };
+        self.cut = Cut { end, level, speeds: self.speeds, error: 0.0, ..self.cut };
         let rest = HALF_PERIOD.saturating_sub(end).div_ceil(2 * CELL);
-        let segments = self.summary.segments + segments_per_cell(level) + rest;
+        let segments = self.segments + segments_per_cell(level) + rest;
         (segments <= self.limits.capacity && level <= Cell::DEEPEST).then_some(())
     }
 
-    /// Enters the finished cell in the summary.
+    /// Enters the finished cell in the table.
     fn end_cell(&mut self) {
         let Cut { begin, level, speeds, error, .. } = self.cut;
-        let TableSummary { cells, segments, error: greatest, .. } = &mut self.summary;
-        let entry = Cell::new(*segments, begin / segment_length(level), level);
-        cells.iter_mut().skip(begin / CELL).take(cells_covered(level)).for_each(|cell| *cell = entry);
-        *segments += segments_per_cell(level);
-        *greatest = larger_or_nan(*greatest, TABLE_UNIT * f64::from(error));
-        self.summary.speeds = speeds;
+        let entry = Cell::new(self.segments, begin / segment_length(level), level);
+        self.cells.iter_mut().skip(begin / CELL).take(cells_covered(level)).for_each(|cell| *cell = entry);
+        self.segments += segments_per_cell(level);
+        self.error = larger_or_nan(self.error, TABLE_UNIT * f64::from(error));
+        self.speeds = speeds;
     }
 
     /// Stores the polynomials of the segment at `place`. Returns their error in units of 2^-62 rad.
@@ -166,7 +164,7 @@ impl SetUp {
         let length = segment_length(cut.level);
         let halvings = span.halvings(cut.level);
         let parts = (1_u32 << halvings) as f32;
-        let index = self.summary.segments + (place - cut.begin) / length;
+        let index = self.segments + (place - cut.begin) / length;
         let mut errors = SegmentErrors::default();
         for (which, series) in self.series.iter_mut().enumerate() {
             series.restrict(place / length, halvings, limits.left_out, segment);
@@ -174,7 +172,7 @@ impl SetUp {
             between();
             let omitted = [series.omitted, TERMS as f32 * series.omitted / parts];
             let parts = segment.parts.each_ref().map(|part| &part.coefficients);
-            errors.add(&segment.bounds(), omitted, store(index, which, parts));
+            segment.add_errors(&mut errors, omitted, store(index, which, parts));
             between();
         }
         let part = span.half_length() as f32 / parts;

@@ -34,18 +34,15 @@ impl SetUp {
     pub(super) fn begin_path(&mut self) {
         self.span = Span::FIRST;
         let half_period = self.rates.half_period.to_f64();
+        let [alpha, beta] = self.rates.theta_offset.map(Float::to_f64);
+        let speed = |rates: &PhaseRates<f64>| {
+            Float::abs(rates.nutation) + (Float::abs(rates.alpha + alpha) + Float::abs(rates.beta + beta))
+        };
         let [begin, end] =
             [(0.0, 1.0), (1.0, 0.0)].map(|(sine, cosine)| self.rounded_law.rates(sine, cosine));
-        self.fastest = half_period * larger_or_nan(self.speed(&begin), self.speed(&end));
+        self.fastest = half_period * larger_or_nan(speed(&begin), speed(&end));
         self.nutation_at_end = half_period * end.nutation;
         self.go_to(0, Position::BEGINNING);
-    }
-
-    /// Speed of α and β at these rates of the phases, rad per unit time.
-    fn speed(&self, rates: &PhaseRates<f64>) -> f64 {
-        let [alpha_offset, beta_offset] = self.rates.theta_offset.map(Float::to_f64);
-        let slow = Float::abs(rates.alpha + alpha_offset) + Float::abs(rates.beta + beta_offset);
-        Float::abs(rates.nutation) + slow
     }
 
     /// Begins a span at an earlier position.
@@ -70,12 +67,14 @@ impl SetUp {
     pub(super) fn shorten_span(&mut self) -> Option<()> {
         // the last of sixteen terms over half the distance
         const PER_HALVING: f64 = 1.0 / (1_u32 << (TERMS - 1)) as f64;
-        const MOST: u32 = 4;
-        let (mut error, mut halvings) = (PER_HALVING * self.expansion.truncation_error(1), 1);
-        while error > self.allowed() && error < f64::INFINITY && halvings < MOST {
-            (error, halvings) = (PER_HALVING * error, halvings + 1);
+        let (allowed, mut error) = (self.allowed(), self.expansion.truncation_error(1));
+        for _ in 0..4 {
+            error *= PER_HALVING;
+            self.span.depth += 1;
+            if !(error > allowed && error < f64::INFINITY) {
+                break;
+            }
         }
-        self.span.depth += halvings;
         self.centre = None;
         (self.span.depth <= Span::DEEPEST).then_some(())
     }
@@ -112,18 +111,15 @@ impl SetUp {
         let unit = (0..=self.span.depth).fold(self.rates.half_period, |unit, _| unit.halved());
         let slopes = slopes_of(self, unit);
         between();
-        // a negligible term causes an estimated error of about a twentieth of it at x = 2, and of two thirds of it at x = 3
-        let least = (PHASE_TERM * self.limits.least).min(4.0 * self.allowed());
-        let point = self.here().point;
-        self.expansion.expand(&self.rounded_law, &point, &slopes, unit.to_f64(), least, between);
+        self.expansion.expand(&self.rounded_law, &slopes, between);
         between();
     }
 
     /// Derivatives of the phases. A slow phase may hardly differ from its mean.
     #[inline(never)]
     fn slopes<const WORDS: usize>(&self, unit: Extended) -> Slopes {
-        let sine_cosine = self.here().point.sine_cosine();
-        let (sine, cosine) = sine_cosine;
+        let point = self.here().point;
+        let (sine, cosine) = point.sine_cosine();
         let rates = self.law.map(Wide::<WORDS>::resized).rates(sine.into(), cosine.into());
         let [alpha_offset, beta_offset] = self.rates.theta_offset.map(Wide::resized);
         let unit = Wide::resized(unit);
@@ -131,11 +127,16 @@ impl SetUp {
         let chi = slope(rates.nutation);
         let weight = self.fastest * self.span.half_length() / Float::abs(chi);
         Slopes {
-            sine_cosine,
+            point,
+            sine,
+            cosine,
+            unit: unit.to_f64(),
             chi,
             psi: [rates.alpha, rates.beta].map(slope),
             theta: [rates.alpha + alpha_offset, rates.beta + beta_offset].map(slope),
             weight: if weight > 1.0 { weight } else { 1.0 },
+            // a negligible term causes an estimated error of about a twentieth of it at x = 2, and of two thirds of it at x = 3
+            least: (PHASE_TERM * self.limits.least).min(4.0 * self.allowed()),
         }
     }
 
@@ -158,7 +159,7 @@ impl SetUp {
 
     /// Error of the whole path, as an orientation error in rad, with the delay by the rounding of the start.
     pub(super) fn path_error(&self) -> f64 {
-        let speeds = &self.summary.speeds;
+        let speeds = &self.speeds;
         let Position { point: PhasePoint { chi, theta }, remainder, squares } = self.end;
         // distance from an odd number of quarter turns, rad
         let miss = |angle: Phase| {

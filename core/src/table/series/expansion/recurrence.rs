@@ -1,6 +1,6 @@
 //! Expansion of the motion around a point: the coefficients of the rates, one after another.
 
-use super::{Expansion, NOISE, PhasePoint, Rate, Slopes, larger_or_nan};
+use super::{Expansion, NOISE, Rate, Slopes, larger_or_nan};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::Float;
 use crate::table::series::{BITS, Block, Factor, TERMS, in_range, integrated, scaled, sum_in_range};
@@ -81,20 +81,10 @@ struct Recurrence {
 const STEEPEST: f64 = 4.0;
 
 impl Expansion {
-    /// Expands the motion around `point`, where the phases have these derivatives and x = 1 stands for a time `unit`. Terms are computed
-    /// until two in succession are below `least` at x = 2, y = 1/2; none where they do not converge.
+    /// Expands the motion around a point. Terms are computed until two in succession are negligible; none where they do not converge.
     #[inline(never)]
-    pub(crate) fn expand(
-        &mut self,
-        law: &PhaseEquations<f64>,
-        point: &PhasePoint,
-        slopes: &Slopes,
-        unit: f64,
-        least: f64,
-        between: &mut dyn FnMut(),
-    ) {
-        self.origin = *point;
-        let recurrence = self.begin(law, slopes, unit, least);
+    pub(crate) fn expand(&mut self, law: &PhaseEquations<f64>, slopes: &Slopes, between: &mut dyn FnMut()) {
+        let recurrence = self.begin(law, slopes);
         between();
         self.terms = self.recur(&recurrence, between).unwrap_or_default();
         self.integrate();
@@ -102,11 +92,11 @@ impl Expansion {
 
     /// Constants of the recurrence, and the first coefficients.
     #[inline(never)] // the frame must not remain below those of the recurrence
-    fn begin(&mut self, law: &PhaseEquations<f64>, slopes: &Slopes, unit: f64, least: f64) -> Recurrence {
+    fn begin(&mut self, law: &PhaseEquations<f64>, slopes: &Slopes) -> Recurrence {
+        let Slopes { point, sine: point_sine, cosine: point_cosine, weight, least, .. } = *slopes;
         // the series are in y = x/4
         let by_y = |by_x: f64| 4.0 * by_x;
-        let (unit, chi_slope, (point_sine, point_cosine)) =
-            (by_y(unit), by_y(slopes.chi), slopes.sine_cosine);
+        let [unit, chi_slope] = [slopes.unit, slopes.chi].map(by_y);
         let swing = law.e2_minus_e1 * point_cosine * point_cosine;
         let one_minus_u = swing + law.one_minus_e2;
         let one_plus_u = law.one_plus_e1 + law.e2_minus_e1 * point_sine * point_sine;
@@ -146,9 +136,9 @@ impl Expansion {
             SlowFactors::new(beta, beta_psi, of_beta, series, least),
         ];
         [alpha.slope, beta.slope] = slopes.theta.map(by_y);
-        self.weight = slopes.weight as f32;
+        (self.origin, self.weight) = (point, weight as f32);
         self.variation_size = larger_or_nan(Float::abs(alpha_psi), Float::abs(beta_psi)) as f32;
-        let least_xi = least / Float::abs(slopes.weight * chi_slope);
+        let least_xi = least / Float::abs(weight * chi_slope);
         let least_xi = if least_xi > f64::MAX { f64::MAX } else { least_xi };
         Recurrence {
             slow,

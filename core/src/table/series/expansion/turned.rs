@@ -148,14 +148,18 @@ mod tests {
                 let [chi, alpha, beta] =
                     [rates.nutation, rates.alpha, rates.beta].map(|rate| (rate * unit.into()).to_f64());
                 let slopes = Slopes {
-                    sine_cosine: (sine, cosine),
+                    point,
+                    sine,
+                    cosine,
+                    unit,
+                    least: 1e-18,
                     chi,
                     psi: [alpha, beta],
                     theta: [alpha, beta],
                     weight: (alpha.abs().max(beta.abs()) / chi).max(1.0),
                 };
                 let mut expansion = Expansion::EMPTY;
-                expansion.expand(&rounded, &point, &slopes, unit, 1e-18, &mut || {});
+                expansion.expand(&rounded, &slopes, &mut || {});
                 assert!(expansion.terms > 2, "{spread} {e:?} {turns}");
                 for x in [-1.0, 0.5, 1.0] {
                     let (PhasePoint { chi: at, theta }, slope) = expansion.at(x);
