@@ -11,7 +11,6 @@ use crate::table::cell::{Cell, LONGEST};
 use crate::table::data::clock::Clock;
 use crate::table::data::storage::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
 use crate::table::scalar::EphemerisScalar;
-use crate::table::series::TERMS;
 use crate::table::tick::Tick;
 
 /// Reason why a motion has no table.
@@ -90,10 +89,8 @@ impl SetUp {
         }
         between();
         let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
-        let store = &mut |segment: usize, which: usize, parts: [&[i64; TERMS]; 2]| {
-            put::<R>(segments, segment, which, parts)
-        };
         let too_small = SetUpError::TooSmall { truncation, segments: capacity as u32 };
+        let store = &mut |segment, which, parts: [&_; 2]| put::<R>(segments, segment, which, parts);
         self.build(motion, limits, store, between).ok_or(too_small)
     }
 

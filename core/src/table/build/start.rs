@@ -39,17 +39,10 @@ impl Start {
 
     /// Finds the start, if it lies in this span, which ends at χ = `end`, or if the span is the last.
     #[inline(never)]
-    pub(crate) fn search(
-        &mut self,
-        expansion: &Expansion,
-        end: Phase,
-        span: Span,
-        between: &mut dyn FnMut(),
-    ) {
+    pub(crate) fn search(&mut self, expansion: &Expansion, end: Phase, span: Span) {
         if self.is_found {
             return;
         }
-        between();
         let Some(x) = self.coordinate(expansion, end, span.is_last()) else { return };
         let (PhasePoint { theta, .. }, slope) = expansion.at(x);
         let nearest = self.chi.min(Phase::QUARTER - self.chi).to_radians();

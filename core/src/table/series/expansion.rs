@@ -103,14 +103,14 @@ impl PhasePoint {
     }
 }
 
-/// Derivatives of the phases with respect to x at a point. The pairs are those of α and β.
+/// Derivatives of the phases with respect to y = x/4 at a point. The pairs are those of α and β.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slopes {
     pub(crate) point: PhasePoint,
     /// sin χ and cos χ at the point.
     pub(crate) sine: f64,
     pub(crate) cosine: f64,
-    /// Time of x = 1.
+    /// Time of y = 1.
     pub(crate) unit: f64,
     pub(crate) chi: f64,
     pub(crate) psi: [f64; 2],

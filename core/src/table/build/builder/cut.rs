@@ -11,11 +11,9 @@
 //! Where they prove too long, the cell is cut again from its beginning.
 
 use super::{Cut, SetUp};
-use crate::cayley_klein::Ellipses;
 use crate::motion::Motion;
-use crate::table::build::start::Start;
 use crate::table::build::{CELL, HALF_PERIOD, Limits, SegmentErrors, Speeds};
-use crate::table::cell::{CELLS, Cell, cells_covered, segments_per_cell};
+use crate::table::cell::{Cell, cells_covered, segments_per_cell};
 use crate::table::series::TERMS;
 use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
 
@@ -42,7 +40,6 @@ impl SetUp {
             self.store_constants(store);
             return Some(());
         }
-        self.begin_path();
         between();
         let mut place = 0;
         while place < HALF_PERIOD {
@@ -51,18 +48,6 @@ impl SetUp {
         }
         self.error += self.path_error();
         Some(())
-    }
-
-    /// Takes over a motion.
-    #[inline(never)]
-    fn begin(&mut self, motion: &Motion, limits: Limits) {
-        let Ellipses { alpha, beta } = motion.ellipses::<f64>();
-        for (series, ellipse) in self.series.iter_mut().zip([alpha, beta]) {
-            series.exponentials = ellipse.exponentials();
-        }
-        (self.start, self.limits, self.cut) = (Start::new(motion), limits, Cut::NONE);
-        (self.cells, self.segments) = ([Cell(0); CELLS], 0);
-        (self.error, self.speeds) = (0.0, Speeds::ZERO);
     }
 
     /// Stores the polynomials of a motion in which u is constant.
@@ -101,7 +86,8 @@ impl SetUp {
         }
         between();
         self.theta_slope = self.expansion.greatest_theta_slope();
-        self.start.search(&self.expansion, self.end.point.chi, self.span, between);
+        between();
+        self.start.search(&self.expansion, self.end.point.chi, self.span);
         Some(())
     }
 

@@ -1,12 +1,15 @@
 //! Path along half a nutation period, from one expansion of the motion to the next.
 
-use super::{Position, SetUp};
+use super::{Cut, Position, SetUp};
+use crate::cayley_klein::Ellipses;
 use crate::motion::Motion;
 use crate::motion::phase_equations::PhaseRates;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Wide};
-use crate::table::build::Span;
 use crate::table::build::mean_rates::MeanRates;
+use crate::table::build::start::Start;
+use crate::table::build::{Limits, Span, Speeds};
+use crate::table::cell::{CELLS, Cell};
 use crate::table::series::TERMS;
 use crate::table::series::expansion::{PhasePoint, Slopes, larger_or_nan};
 
@@ -29,10 +32,16 @@ impl SetUp {
         self.rates = MeanRates::new(motion, period);
     }
 
-    /// Begins at u = e₁.
+    /// Begins the table of a motion, at u = e₁.
     #[inline(never)]
-    pub(super) fn begin_path(&mut self) {
-        self.span = Span::FIRST;
+    pub(super) fn begin(&mut self, motion: &Motion, limits: Limits) {
+        (self.limits, self.start, self.cut) = (limits, Start::new(motion), Cut::NONE);
+        (self.cells, self.segments) = ([Cell(0); CELLS], 0);
+        (self.error, self.speeds) = (0.0, Speeds::ZERO);
+        let Ellipses { alpha, beta } = motion.ellipses::<f64>();
+        for (series, ellipse) in self.series.iter_mut().zip([alpha, beta]) {
+            series.exponentials = ellipse.exponentials();
+        }
         let half_period = self.rates.half_period.to_f64();
         let [alpha, beta] = self.rates.theta_offset.map(Float::to_f64);
         let speed = |rates: &PhaseRates<f64>| {
@@ -42,6 +51,7 @@ impl SetUp {
             [(0.0, 1.0), (1.0, 0.0)].map(|(sine, cosine)| self.rounded_law.rates(sine, cosine));
         self.fastest = half_period * larger_or_nan(speed(&begin), speed(&end));
         self.nutation_at_end = half_period * end.nutation;
+        self.span = Span::FIRST;
         self.go_to(0, Position::BEGINNING);
     }
 
@@ -105,10 +115,11 @@ impl SetUp {
         self.centre.as_ref().unwrap_or(&self.border)
     }
 
-    /// Expands the motion around the position reached, where x = 1 stands for half a span.
+    /// Expands the motion around the position reached.
     fn expand(&mut self, between: &mut dyn FnMut()) {
         let Some(slopes_of) = self.slopes_of else { return };
-        let unit = (0..=self.span.depth).fold(self.rates.half_period, |unit, _| unit.halved());
+        // time of y = 1, two spans
+        let unit = (1..self.span.depth).fold(self.rates.half_period, |unit, _| unit.halved());
         let slopes = slopes_of(self, unit);
         between();
         self.expansion.expand(&self.rounded_law, &slopes, between);
@@ -125,7 +136,7 @@ impl SetUp {
         let unit = Wide::resized(unit);
         let slope = |rate: Wide<WORDS>| (unit * rate).to_f64();
         let chi = slope(rates.nutation);
-        let weight = self.fastest * self.span.half_length() / Float::abs(chi);
+        let weight = 4.0 * self.fastest * self.span.half_length() / Float::abs(chi);
         Slopes {
             point,
             sine,

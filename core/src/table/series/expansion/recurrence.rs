@@ -93,10 +93,7 @@ impl Expansion {
     /// Constants of the recurrence, and the first coefficients.
     #[inline(never)] // the frame must not remain below those of the recurrence
     fn begin(&mut self, law: &PhaseEquations<f64>, slopes: &Slopes) -> Recurrence {
-        let Slopes { point, sine: point_sine, cosine: point_cosine, weight, least, .. } = *slopes;
-        // the series are in y = x/4
-        let by_y = |by_x: f64| 4.0 * by_x;
-        let [unit, chi_slope] = [slopes.unit, slopes.chi].map(by_y);
+        let Slopes { sine: point_sine, cosine: point_cosine, unit, chi: chi_slope, least, .. } = *slopes;
         let swing = law.e2_minus_e1 * point_cosine * point_cosine;
         let one_minus_u = swing + law.one_minus_e2;
         let one_plus_u = law.one_plus_e1 + law.e2_minus_e1 * point_sine * point_sine;
@@ -130,16 +127,15 @@ impl Expansion {
         let of_alpha = factors(law.s * law.alpha_scale, unit, law.alpha_smoothing);
         let of_beta = factors(-law.s_e3 * law.beta_scale, unit * law.root_e3, law.beta_smoothing);
         let series = [&*square, &*delta, &*drive];
-        let [alpha_psi, beta_psi] = slopes.psi.map(by_y);
+        let [alpha_psi, beta_psi] = slopes.psi;
         let slow = [
             SlowFactors::new(alpha, alpha_psi, of_alpha, series, least),
             SlowFactors::new(beta, beta_psi, of_beta, series, least),
         ];
-        [alpha.slope, beta.slope] = slopes.theta.map(by_y);
-        (self.origin, self.weight) = (point, weight as f32);
+        [alpha.slope, beta.slope] = slopes.theta;
+        (self.origin, self.weight) = (slopes.point, slopes.weight as f32);
         self.variation_size = larger_or_nan(Float::abs(alpha_psi), Float::abs(beta_psi)) as f32;
-        let least_xi = least / Float::abs(weight * chi_slope);
-        let least_xi = if least_xi > f64::MAX { f64::MAX } else { least_xi };
+        let least_xi = (least / Float::abs(slopes.weight * chi_slope)).min(f64::MAX);
         Recurrence {
             slow,
             eta: Factor::new(eta, square, drive),
@@ -201,9 +197,12 @@ impl Expansion {
     fn turn(&mut self, recurrence: &Recurrence, k: usize) -> Option<bool> {
         let Self { chi, scratch: [sine_series, cosine_series, ..], .. } = self;
         let xi = &chi.variation;
-        let rate = |part: &Block| sum_in_range([part.get(k), xi.product(part, 1..k + 1, k, -xi.exponent)]);
-        let sine = integrated(in_range(recurrence.to_sine.times(rate(cosine_series)?))?, k);
-        let cosine = integrated(in_range(recurrence.to_cosine.times(rate(sine_series)?))?, k);
+        let next = |factor: &Factor, part: &Block| {
+            let rate = sum_in_range([part.get(k), xi.product(part, 1..k + 1, k, -xi.exponent)])?;
+            Some(integrated(in_range(factor.times(rate))?, k))
+        };
+        let sine = next(&recurrence.to_sine, cosine_series)?;
+        let cosine = next(&recurrence.to_cosine, sine_series)?;
         sine_series.put(k + 1, sine)?;
         cosine_series.put(k + 1, cosine)?;
         Some(

@@ -151,11 +151,11 @@ mod tests {
                     point,
                     sine,
                     cosine,
-                    unit,
+                    unit: 4.0 * unit,
                     least: 1e-18,
-                    chi,
-                    psi: [alpha, beta],
-                    theta: [alpha, beta],
+                    chi: 4.0 * chi,
+                    psi: [4.0 * alpha, 4.0 * beta],
+                    theta: [4.0 * alpha, 4.0 * beta],
                     weight: (alpha.abs().max(beta.abs()) / chi).max(1.0),
                 };
                 let mut expansion = Expansion::EMPTY;
