@@ -74,9 +74,8 @@ impl Span {
     /// Nutation phase at x ∈ [-1, 1] of the span.
     fn phase(self, x: f64) -> Phase {
         // the half period is half a turn
-        let halves = 2 * (self.begin >> (Self::DEEPEST - self.depth)) as i64 + 1;
-        let half = Phase::from_bits(Phase::ONE.to_bits() >> (2 + self.depth));
-        half.times(halves) + Phase::new(0.5 * x * self.half_length())
+        let unit = Phase::from_bits(Phase::QUARTER.to_bits() >> Self::DEEPEST);
+        unit.times((self.begin + self.end()) as i64) + Phase::new(0.5 * x * self.half_length())
     }
 }
 

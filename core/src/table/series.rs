@@ -208,11 +208,11 @@ impl Block {
         rounded(upper + (across >> LOW_BITS), across as u32 & ((1 << LOW_BITS) - 1), shift)
     }
 
-    /// Sum Σ c yᵏ⁻¹ over the coefficients k from 1 to `terms` - 1, at y in [-1, 1].
-    fn sum(&self, y: f64, terms: usize) -> f64 {
+    /// Sum Σ t yᵏ⁻¹ over the coefficients k from 1 to `terms` - 1, at y in [-1, 1], of this function t of a coefficient and of k.
+    fn sum(&self, y: f64, terms: usize, term: fn(i64, usize) -> i64) -> f64 {
         let y = Split::of(scaled(y, -(FACTOR_BITS as i32)));
         // beyond the range only where the series does not converge
-        let next = |sum, k| scaled_product::<FACTOR_BITS>(y, sum) + self.get(k);
+        let next = |sum, k| scaled_product::<FACTOR_BITS>(y, sum) + term(self.get(k), k);
         times_power_of_two((1..terms).rev().fold(0, next) as f64, self.exponent)
     }
 

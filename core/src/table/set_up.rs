@@ -104,7 +104,7 @@ impl SetUp {
         epoch: i64,
         between: &mut dyn FnMut(),
     ) {
-        table.cells = self.cells.map(|Cell(bits)| bits);
+        table.cells = self.cells;
         table.segments.get_mut(self.segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
         table.clock = Clock::new(motion, tick, epoch, &self.rates, self.start.phases);
         between();

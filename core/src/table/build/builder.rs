@@ -10,7 +10,7 @@ use super::start::Start;
 use super::{Limits, Span, Speeds};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::Extended;
-use crate::table::cell::{CELLS, Cell};
+use crate::table::cell::CELLS;
 use crate::table::series::expansion::{Expansion, PhasePoint, Slopes};
 
 /// Position on the path, with the errors up to it.
@@ -96,8 +96,8 @@ pub struct SetUp {
     cut: Cut,
     /// Series on a segment.
     segment: Series,
-    /// Cells with their segments.
-    pub(crate) cells: [Cell; CELLS],
+    /// Entries of the cells.
+    pub(crate) cells: [u16; CELLS],
     /// Number of segments.
     pub(crate) segments: usize,
     /// Orientation error, rad: truncation, distance of the last point from the upper turning point, and roundings in `f64`.
@@ -145,7 +145,7 @@ impl SetUp {
             theta_slope: 0.0,
             cut: Cut::NONE,
             segment: Series::ZERO,
-            cells: [Cell(0); CELLS],
+            cells: [0; CELLS],
             segments: 0,
             error: 0.0,
             speeds: Speeds::ZERO,

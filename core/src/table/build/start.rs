@@ -26,10 +26,7 @@ impl Start {
 
     /// Start of a motion that is not found yet; that of one that does not nutate is u = e₁.
     pub(crate) fn new(motion: &Motion) -> Self {
-        let start = match motion.nutation {
-            NutationVariable::Nutating(chi) => chi,
-            NutationVariable::Steady | NutationVariable::Aperiodic(_) => Phase::ZERO,
-        };
+        let start = if let NutationVariable::Nutating(chi) = motion.nutation { chi } else { Phase::ZERO };
         let (folded, rest) = start.halves();
         let mirrored = rest > Phase::QUARTER;
         let (folded, chi) = if mirrored { (folded + 1, Phase::HALF - rest) } else { (folded, rest) };

@@ -8,8 +8,8 @@ mod recurrence;
 
 mod turned;
 
-use super::Block;
 use super::sincos::{FRACTION, sine_cosine};
+use super::{Block, integrated};
 use crate::phase::Phase;
 use crate::scalar::{Float, Scalar, power_of_two};
 
@@ -32,23 +32,20 @@ struct Rate {
     slope: f64,
     /// Value of the variation's unit: 1, or the slope for a relative variation.
     scale: f64,
-    /// Coefficients of y, y², ...
     variation: Block,
-    /// Coefficients of y², y³, ..., stored with the indices 1, 2, ....
-    integral: Block,
 }
 
 impl Rate {
-    const ZERO: Self = Self { slope: 0.0, scale: 0.0, variation: Block::ZERO, integral: Block::ZERO };
+    const ZERO: Self = Self { slope: 0.0, scale: 0.0, variation: Block::ZERO };
 
     /// Rate at y in [-1, 1].
     fn value(&self, y: f64, terms: usize) -> f64 {
-        self.slope + y * (self.variation.sum(y, terms) * self.scale)
+        self.slope + y * (self.variation.sum(y, terms, |c, _| c) * self.scale)
     }
 
     /// Integral from 0 to y.
     fn integral(&self, y: f64, terms: usize) -> f64 {
-        y * (self.slope + y * (self.integral.sum(y, terms) * self.scale))
+        y * (self.slope + y * (self.variation.sum(y, terms, integrated) * self.scale))
     }
 
     /// Upper bound on the rate for y in [-1/4, 1/4].
@@ -56,11 +53,11 @@ impl Rate {
         self.bound(self.variation.size(1, terms, 0.0))
     }
 
-    /// Sum of the magnitudes of the terms of the integral from 0 to y = `quarters`/4.
+    /// Upper bound on the sum of the magnitudes of the terms of the integral from 0 to y = `quarters`/4.
     fn size(&self, quarters: u32, terms: usize) -> f32 {
         // a rounding error of the coefficients counts as the term of which it would be the rounding in f64
         let noise = (NOISE as f64 / f64::ROUNDING) as f32;
-        0.25 * quarters as f32 * self.bound(self.integral.size(quarters, terms, noise))
+        0.25 * quarters as f32 * self.bound(self.variation.size(quarters, terms, noise))
     }
 
     fn bound(&self, varied: f32) -> f32 {
@@ -134,6 +131,8 @@ pub(crate) struct Expansion {
     variation_size: f32,
     /// Number of terms computed, at most sixteen; 0 where the series do not converge.
     terms: usize,
+    /// Relative variations of the denominators of ψ_A' and ψ_B'.
+    divisors: [Block; 2],
     /// Scratch series.
     scratch: [Block; 5],
 }
@@ -147,6 +146,7 @@ impl Expansion {
         weight: 0.0,
         variation_size: 0.0,
         terms: 0,
+        divisors: [Block::ZERO; 2],
         scratch: [Block::ZERO; 5],
     };
 

@@ -137,7 +137,7 @@ impl SetUp {
     /// Enters the finished cell in the table.
     fn end_cell(&mut self) {
         let Cut { begin, level, speeds, error, .. } = self.cut;
-        let entry = Cell::new(self.segments, begin / segment_length(level), level);
+        let Cell(entry) = Cell::new(self.segments, begin / segment_length(level), level);
         self.cells.iter_mut().skip(begin / CELL).take(cells_covered(level)).for_each(|cell| *cell = entry);
         self.segments += segments_per_cell(level);
         self.error = larger_or_nan(self.error, TABLE_UNIT * f64::from(error));

@@ -9,7 +9,7 @@ use crate::scalar::{Extended, Float, Wide};
 use crate::table::build::mean_rates::MeanRates;
 use crate::table::build::start::Start;
 use crate::table::build::{Limits, Span, Speeds};
-use crate::table::cell::{CELLS, Cell};
+use crate::table::cell::CELLS;
 use crate::table::series::TERMS;
 use crate::table::series::expansion::{PhasePoint, Slopes, larger_or_nan};
 
@@ -36,7 +36,7 @@ impl SetUp {
     #[inline(never)]
     pub(super) fn begin(&mut self, motion: &Motion, limits: Limits) {
         (self.limits, self.start, self.cut) = (limits, Start::new(motion), Cut::NONE);
-        (self.cells, self.segments) = ([Cell(0); CELLS], 0);
+        (self.cells, self.segments) = ([0; CELLS], 0);
         (self.error, self.speeds) = (0.0, Speeds::ZERO);
         let Ellipses { alpha, beta } = motion.ellipses::<f64>();
         for (series, ellipse) in self.series.iter_mut().zip([alpha, beta]) {

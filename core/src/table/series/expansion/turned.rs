@@ -45,9 +45,10 @@ impl Expansion {
         for (rate, chi, scale) in [(&*forwards, origin.chi, p), (&*backwards, -origin.chi, q)] {
             let (sine, cosine) = sine_cosine(theta + chi);
             let scale = Split::of(scaled(scale, -FRACTION));
-            let start =
-                [cosine, sine].map(|part| scaled_product::<{ (2 * FRACTION - BITS) as u32 }>(scale, part));
-            let computed = exponential(rate, *terms, start, least, [&mut *re, &mut *im])?;
+            let start = |part: i64| scaled_product::<{ (2 * FRACTION - BITS) as u32 }>(scale, part);
+            re.put(0, start(cosine))?;
+            im.put(0, start(sine))?;
+            let computed = exponential(rate, *terms, least, re, im)?;
             for (sum, part) in sums.iter_mut().zip([&*re, &*im]) {
                 for (k, sum) in sum.iter_mut().enumerate().take(computed) {
                     *sum += part.get(k);
@@ -62,19 +63,10 @@ impl Expansion {
     }
 }
 
-/// Series of start · e^{i ∫ rate}, the solution of z' = i z rate, in units of 2^-56 like the start. It ends where two terms in succession
-/// are at most `least` units of 2^-62 at x = 1. Returns the number of its terms, or `None` where it does not converge.
+/// Continues the series of z = re + i im from its first coefficient, as the solution of z' = i z rate, in units of 2^-56. It ends where two
+/// terms in succession are at most `least` units of 2^-62 at x = 1. Returns the number of its terms, or `None` where it does not converge.
 #[inline(never)]
-fn exponential(
-    rate: &Block,
-    terms: usize,
-    [start_re, start_im]: [i64; 2],
-    least: i64,
-    [re, im]: [&mut Block; 2],
-) -> Option<usize> {
-    (re.exponent, im.exponent) = (-BITS, -BITS);
-    re.put(0, start_re)?;
-    im.put(0, start_im)?;
+fn exponential(rate: &Block, terms: usize, least: i64, re: &mut Block, im: &mut Block) -> Option<usize> {
     // the limit of a coefficient of yᵏ, in units of 2^-62: four times that of the one before
     let (mut limit, mut before) = (least, false);
     for k in 0..TERMS - 1 {
