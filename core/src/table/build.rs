@@ -8,8 +8,6 @@ pub(super) mod bound;
 
 mod series;
 
-mod start;
-
 pub(super) mod builder;
 
 use crate::phase::Phase;
@@ -18,7 +16,7 @@ use crate::table::cell::{CELLS, Cell, LONGEST_BITS};
 use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
 
 /// One of the 2^depth parts of equal length into which half a period is divided.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Span {
     /// Beginning in units of the shortest segment.
     begin: usize,
@@ -80,7 +78,7 @@ impl Span {
 }
 
 /// Upper bounds on the speeds of α and β without their mean rotation: sums of the magnitudes of coefficients.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Speeds {
     /// Greatest angular velocity 2 √(|dα/dt|² + |dβ/dt|²), in rad per half period.
     sweep: f64,
@@ -99,7 +97,7 @@ impl Speeds {
 }
 
 /// Errors and slopes of a segment, in units of 2^-62. They are in `f32`, because soft `f64` took a third of the time of a polynomial.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Default)]
 struct SegmentErrors {
     /// Greatest error of the stored coefficients.
     stored: f32,

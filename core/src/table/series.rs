@@ -23,7 +23,7 @@ const BITS: i32 = 56;
 const LOW_BITS: u32 = 30;
 
 /// Integer high · 2^30 + low, with low in [0, 2^30): the parts of which products are made.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 struct Split {
     high: i32,
     low: i32,
@@ -105,7 +105,7 @@ fn scaled(x: f64, exponent: i32) -> i64 {
 }
 
 /// Constant factor between two series.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 struct Factor {
     /// Factor in units of 2^(`doublings` - 60).
     mantissa: Split,
@@ -153,7 +153,7 @@ fn integrated(c: i64, k: usize) -> i64 {
 }
 
 /// Coefficients of 1, y, y², ..., in units of 2^exponent.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 struct Block {
     coefficients: [Split; TERMS],
     exponent: i32,

@@ -36,15 +36,10 @@ const TURN: f64 = 2.0 * core::f64::consts::PI;
 const DEVIATIONS: f64 = 6.0;
 /// Variance of the roundings that do not depend on the motion, in units of (2^-53 rad)².
 const FIXED_VARIANCE: f64 = 12.0;
-/// Relative error of the `f64` nearest to 1/2π, in units of 2^-53.
-const PER_TURN: f64 = 0.56;
+/// Relative error of the `f64` nearest to 1/2π, in units of 2^-53, with the two truncations of the phases to 64 bits.
+const PER_TURN: f64 = 0.56 + 1.0 / 512.0;
 /// Standard deviation of a step's rounding error over the magnitudes of its terms, in units of 2^-53.
 const STEP: f64 = 2.1;
-/// Number of roundings of a derivative of θ.
-const SLOPE_OPERATIONS: f64 = 32.0;
-/// Errors of the phases at a tick, in turns: two truncations to 64 bits.
-const CLOCK: f64 = 1.0 / (1_u64 << 63) as f64;
-
 impl Speeds {
     /// Greatest change of the orientation on half a segment, which is at most a cell, rad.
     fn steepness(&self) -> f64 {
@@ -71,7 +66,6 @@ impl Speeds {
 }
 
 /// Error bounds of the orientation and of the angular velocity, for a length of a tick and an orientation error of the table.
-#[inline(never)] // one copy for all scalars
 pub(crate) fn error_bounds(
     errors: &EvaluationErrors,
     motion: &Motion,
@@ -80,17 +74,14 @@ pub(crate) fn error_bounds(
     speeds: &Speeds,
     error: f64,
 ) -> [ErrorBound; 2] {
-    let Speeds { sweep, turning, acceleration, .. } = *speeds;
+    let Speeds { sweep, acceleration, .. } = *speeds;
     let mut growth = rates.errors;
     for (growth, turns) in growth.iter_mut().zip(rates.turns) {
         *growth = *growth * tick.to_f64() + Float::abs(increment_error(turns * tick));
     }
     let [nutation, alpha, beta] = growth;
     let of_phases = |nutation: f64, slow: f64| 2.0 * (sweep * nutation + TURN * slow);
-    let evaluation = errors.tick
-        + errors.slope * speeds.steepness()
-        + SLOPE_OPERATIONS * errors.operation * (rates.greatest_turning() + turning);
-    let constant = error + evaluation + of_phases(CLOCK, CLOCK);
+    let constant = error + errors.tick + errors.slope * speeds.steepness();
     let orientation = ErrorBound { constant, per_tick: of_phases(nutation, alpha.max(beta)) };
 
     // half periods per unit time, and the terms of the angular velocity, which may cancel: of the transverse part, and of the whole

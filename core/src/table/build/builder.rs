@@ -6,9 +6,9 @@ mod cut;
 
 use super::mean_rates::MeanRates;
 use super::series::{Series, SpanSeries};
-use super::start::Start;
 use super::{Limits, Span, Speeds};
 use crate::motion::phase_equations::PhaseEquations;
+use crate::phase::Phase;
 use crate::scalar::Extended;
 use crate::table::cell::CELLS;
 use crate::table::series::expansion::{Expansion, PhasePoint, Slopes};
@@ -26,6 +26,25 @@ struct Position {
 impl Position {
     /// Position u = e₁.
     const BEGINNING: Self = Self { point: PhasePoint::ZERO, remainder: 0.0, squares: [0.0; 2] };
+}
+
+/// Start of a motion, which is found while its half period is tabulated.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Start {
+    /// Half phase at the start, folded into [0, 1/4] turn.
+    chi: Phase,
+    /// Whether u is falling at the start.
+    mirrored: bool,
+    is_found: bool,
+    /// Nutation phase and mean slow phases at t = 0, once they are found.
+    pub(crate) phases: [Phase; 3],
+    /// Delay by a relative rounding of χ or of its difference from a quarter turn, in half periods.
+    delay: f64,
+}
+
+impl Start {
+    const NONE: Self =
+        Self { chi: Phase::ZERO, mirrored: false, is_found: false, phases: [Phase::ZERO; 3], delay: 0.0 };
 }
 
 /// Cell that is cut, or two cells with one segment, in units of the shortest segment.

@@ -42,13 +42,7 @@ impl MeanRates {
         }
     }
 
-    /// Greater of the angles by which the constant rates turn θ_A and θ_B in half a period, rad.
-    pub(crate) fn greatest_turning(&self) -> f64 {
-        let [alpha, beta] = self.theta_offset.map(|rate| Float::abs((rate * self.half_period).to_f64()));
-        alpha.max(beta)
-    }
-
-    fn steady(motion: &Motion) -> Self {
+    pub(crate) fn steady(motion: &Motion) -> Self {
         let [alpha, beta] = motion.steady_rates().map(Extended::in_turns);
         let relative = OPERATIONS * Extended::OPERATION_ERROR + STORED + motion.rounding.relative;
         // a rate is the sum of a quotient and ±τ/2, which may cancel
@@ -82,7 +76,6 @@ fn size_in_turns(angle: Extended) -> f64 {
 }
 
 /// Errors of 1/T and of the mean rates of α and β, turns per unit time.
-#[inline(never)]
 fn errors(motion: &Motion, period: &Period) -> [f64; 3] {
     let LaunchRounding { relative, turning } = motion.rounding;
     let operations = OPERATIONS + OPERATIONS_PER_NODE * f64::from(period.nodes);

@@ -130,7 +130,6 @@ impl Series {
 
     /// Adds the errors of the series and of the stored coefficients, each of the value and of the derivative, with the bounds Σ k |c_k| and
     /// Σ k (k - 1) |c_k| on the derivatives.
-    #[inline(never)] // one copy for all scalars
     pub(crate) fn add_errors(
         &self,
         sums: &mut SegmentErrors,

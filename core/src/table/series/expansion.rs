@@ -27,16 +27,18 @@ pub(crate) fn larger_or_nan<F: Float>(a: F, b: F) -> F {
 const NOISE: i64 = 4;
 
 /// Rate of a phase along y = x/4: slope + variation. The variation of χ is relative to its slope.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 struct Rate {
     slope: f64,
     /// Value of the variation's unit: 1, or the slope for a relative variation.
     scale: f64,
     variation: Block,
+    /// Relative variation of the denominator of a slow phase's rate.
+    divisor: Block,
 }
 
 impl Rate {
-    const ZERO: Self = Self { slope: 0.0, scale: 0.0, variation: Block::ZERO };
+    const ZERO: Self = Self { slope: 0.0, scale: 0.0, variation: Block::ZERO, divisor: Block::ZERO };
 
     /// Rate at y in [-1, 1].
     fn value(&self, y: f64, terms: usize) -> f64 {
@@ -76,7 +78,7 @@ impl Rate {
 }
 
 /// Phases of a point of the motion, to which steps add without rounding.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct PhasePoint {
     pub(crate) chi: Phase,
     /// Phases θ of α and of β: the slow phases minus their mean rotation.
@@ -101,7 +103,7 @@ impl PhasePoint {
 }
 
 /// Derivatives of the phases with respect to y = x/4 at a point. The pairs are those of α and β.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Slopes {
     pub(crate) point: PhasePoint,
     /// sin χ and cos χ at the point.
@@ -120,7 +122,7 @@ pub(crate) struct Slopes {
 }
 
 /// Expansion of the motion around a point, as functions of x = (t - t₀)/unit up to x = 3. The series are in y = x/4.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Expansion {
     chi: Rate,
     theta: [Rate; 2],
@@ -131,8 +133,6 @@ pub(crate) struct Expansion {
     variation_size: f32,
     /// Number of terms computed, at most sixteen; 0 where the series do not converge.
     terms: usize,
-    /// Relative variations of the denominators of ψ_A' and ψ_B'.
-    divisors: [Block; 2],
     /// Scratch series.
     scratch: [Block; 5],
 }
@@ -146,7 +146,6 @@ impl Expansion {
         weight: 0.0,
         variation_size: 0.0,
         terms: 0,
-        divisors: [Block::ZERO; 2],
         scratch: [Block::ZERO; 5],
     };
 

@@ -1,35 +1,87 @@
-//! Path along half a nutation period, from one expansion of the motion to the next.
+//! Path along half a nutation period, from one expansion of the motion to the next, and the start of the motion on it.
 
-use super::{Cut, Position, SetUp};
+use super::{Cut, Position, SetUp, Start};
 use crate::cayley_klein::Ellipses;
-use crate::motion::Motion;
 use crate::motion::phase_equations::PhaseRates;
+use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Wide};
+use crate::scalar::{Extended, Float, Scalar, Wide};
 use crate::table::build::mean_rates::MeanRates;
-use crate::table::build::start::Start;
 use crate::table::build::{Limits, Span, Speeds};
 use crate::table::cell::CELLS;
 use crate::table::series::TERMS;
-use crate::table::series::expansion::{PhasePoint, Slopes, larger_or_nan};
+use crate::table::series::expansion::{Expansion, PhasePoint, Slopes, larger_or_nan};
 
 /// Negligible term of the phases at x = 2 over that of α and β at x = 1. A term after the sixth is sixty times as large at x = 2.
 const PHASE_TERM: f64 = 32.0;
+
+impl Start {
+    /// Start of a motion that is not found yet; that of one that does not nutate is u = e₁.
+    fn new(motion: &Motion) -> Self {
+        let start = if let NutationVariable::Nutating(chi) = motion.nutation { chi } else { Phase::ZERO };
+        let (folded, rest) = start.halves();
+        let mirrored = rest > Phase::QUARTER;
+        let (folded, chi) = if mirrored { (folded + 1, Phase::HALF - rest) } else { (folded, rest) };
+        let [alpha, beta] = motion.phases.map(|phase| phase + Phase::HALF.times(folded));
+        Self { chi, mirrored, phases: [Phase::ZERO, alpha, beta], ..Self::NONE }
+    }
+
+    /// Finds the start, if it lies in this span, which ends at χ = `end`, or if the span is the last.
+    #[inline(never)]
+    pub(super) fn search(&mut self, expansion: &Expansion, end: Phase, span: Span) {
+        if self.is_found {
+            return;
+        }
+        let Some(x) = self.coordinate(expansion, end, span.is_last()) else { return };
+        let (PhasePoint { theta, .. }, slope) = expansion.at(x);
+        let nearest = self.chi.min(Phase::QUARTER - self.chi).to_radians();
+        let change = if slope > 0.0 { nearest / slope } else { 0.0 };
+        let mirror = |phase: Phase| if self.mirrored { -phase } else { phase };
+        let ([_, alpha, beta], [alpha_theta, beta_theta]) = (self.phases, theta.map(mirror));
+        self.phases = [mirror(span.phase(x)), alpha - alpha_theta, beta - beta_theta];
+        (self.is_found, self.delay) = (true, change * span.half_length());
+    }
+
+    /// Coordinate x of the start.
+    fn coordinate(&self, expansion: &Expansion, end: Phase, is_last: bool) -> Option<f64> {
+        // most motions start at a turning point, which is an end of the half period whatever the errors of the series
+        match self.chi {
+            Phase::ZERO => return Some(-1.0),
+            Phase::QUARTER => return is_last.then_some(1.0),
+            _ if end < self.chi && !is_last => return None,
+            _ => {}
+        }
+        const NEWTON_STEPS: usize = 8;
+        /// Step of some roundings, after which the next would be a rounding error.
+        const LAST_STEP: f64 = 4.0 * f64::ROUNDING;
+        let mut x = 0.0_f64;
+        for _ in 0..NEWTON_STEPS {
+            let (PhasePoint { chi, .. }, slope) = expansion.at(x);
+            let miss = (chi - self.chi).to_radians();
+            let next = if slope > 0.0 { (x - miss / slope).clamp(-1.0, 1.0) } else { x };
+            let change = Float::abs(next - x);
+            x = next;
+            if change <= LAST_STEP {
+                break;
+            }
+        }
+        Some(x)
+    }
+}
 
 impl SetUp {
     /// Computes the equations of a motion, and its mean rates in numbers of this many words.
     #[inline(never)]
     pub(crate) fn launch<const WORDS: usize>(&mut self, motion: &Motion, between: &mut dyn FnMut()) {
-        let period = if motion.is_steady() {
-            None
+        self.rates = if motion.is_steady() {
+            MeanRates::steady(motion)
         } else {
             self.slopes_of = Some(Self::slopes::<WORDS>);
             self.law = motion.equations();
             self.rounded_law = self.law.cast();
             between();
-            motion.period::<WORDS>(&self.law, between)
+            MeanRates::new(motion, motion.period::<WORDS>(&self.law, between))
         };
-        self.rates = MeanRates::new(motion, period);
     }
 
     /// Begins the table of a motion, at u = e₁.

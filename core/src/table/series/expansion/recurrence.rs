@@ -27,13 +27,12 @@ impl SlowFactors {
     /// Factors for a rate with these factors of cos²χ, D and D dχ/dx. It sets the exponents of the series.
     fn new(
         rate: &mut Rate,
-        divisor: &mut Block,
         slope: f64,
         [of_square, of_delta, of_drive]: [f64; 3],
         [square, delta, drive]: [&Block; 3],
         least: f64,
     ) -> Self {
-        let Rate { variation, scale, .. } = rate;
+        let Rate { variation, divisor, scale, .. } = rate;
         divisor.scale_for(delta.magnitude_times(of_delta) + drive.magnitude_times(of_drive));
         variation.scale_for(
             divisor.magnitude_times(Float::abs(slope)) + square.magnitude_times(Float::abs(of_square)),
@@ -49,13 +48,8 @@ impl SlowFactors {
     }
 
     /// Computes the k-th coefficients. Returns whether the rate's is negligible, or `None` where one is out of range.
-    fn advance(
-        &self,
-        variation: &mut Block,
-        divisor: &mut Block,
-        k: usize,
-        [square, delta, drive]: [i64; 3],
-    ) -> Option<bool> {
+    fn advance(&self, rate: &mut Rate, k: usize, [square, delta, drive]: [i64; 3]) -> Option<bool> {
+        let Rate { variation, divisor, .. } = rate;
         let of_divisor = sum_in_range([self.delta.times(delta), self.drive.times(drive)])?;
         let known = divisor.product(variation, 1..k, k, -divisor.exponent);
         let of_rate = sum_in_range([self.square.times(square), -self.divisor.times(of_divisor), -known])?;
@@ -110,8 +104,7 @@ impl Expansion {
         let (linear, quadratic) = (2.0 * (s_per_d * (1.0 - one_minus_u)), s_per_d * law.e2_minus_e1);
 
         // sin χ and cos χ, and the variations of cos²χ, of D and of D dχ/dx
-        let Self { chi, theta: [alpha, beta], divisors: [alpha_divisor, beta_divisor], scratch, .. } = self;
-        let [sine, cosine, square, delta, drive] = scratch;
+        let Self { chi, theta: [alpha, beta], scratch: [sine, cosine, square, delta, drive], .. } = self;
         let magnitude = |own: f64, other: f64| larger_or_nan(Float::abs(own), Float::abs(chi_slope * other));
         sine.scale_for(magnitude(point_sine, point_cosine));
         cosine.scale_for(magnitude(point_cosine, point_sine));
@@ -137,8 +130,8 @@ impl Expansion {
         let series = [&*square, &*delta, &*drive];
         let [alpha_psi, beta_psi] = slopes.psi;
         let slow = [
-            SlowFactors::new(alpha, alpha_divisor, alpha_psi, of_alpha, series, least),
-            SlowFactors::new(beta, beta_divisor, beta_psi, of_beta, series, least),
+            SlowFactors::new(alpha, alpha_psi, of_alpha, series, least),
+            SlowFactors::new(beta, beta_psi, of_beta, series, least),
         ];
         [alpha.slope, beta.slope] = slopes.theta;
         (self.origin, self.weight) = (slopes.point, slopes.weight as f32);
@@ -180,8 +173,7 @@ impl Expansion {
 
     /// Computes the k-th coefficients of the rates: (1 + ξ)² (1 + δ) = 1 + η.
     fn advance(&mut self, constants: &Recurrence, k: usize) -> Option<bool> {
-        let Self { chi, theta, divisors, scratch, .. } = self;
-        let [_, cosine, square_series, delta_series, drive_series] = scratch;
+        let Self { chi, theta, scratch: [_, cosine, square_series, delta_series, drive_series], .. } = self;
         let xi_series = &mut chi.variation;
         let square = cosine.product(cosine, 0..k + 1, k, BITS);
         let twice = sum_in_range([square_series.product(square_series, 1..k, k, BITS)])?;
@@ -196,8 +188,8 @@ impl Expansion {
         xi_series.put(k, xi)?;
         drive_series.put(k, drive)?;
         let mut negligible = is_negligible(xi, k, constants.negligible_xi);
-        for ((rate, divisor), factors) in theta.iter_mut().zip(divisors).zip(&constants.slow) {
-            negligible &= factors.advance(&mut rate.variation, divisor, k, [square, delta, drive])?;
+        for (rate, factors) in theta.iter_mut().zip(&constants.slow) {
+            negligible &= factors.advance(rate, k, [square, delta, drive])?;
         }
         Some(negligible)
     }
