@@ -2,7 +2,7 @@
 //!
 //! On each span one expansion of the law is used. A span can contain several segments, whose series follow from that of the span.
 
-pub(super) mod mean_rates;
+mod mean_rates;
 
 pub(super) mod bound;
 
@@ -11,9 +11,31 @@ mod series;
 pub(super) mod builder;
 
 use crate::phase::Phase;
-use crate::scalar::{Float, power_of_two};
+use crate::scalar::{Extended, Float, Ring, power_of_two};
 use crate::table::cell::{CELLS, Cell, LONGEST_BITS};
 use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
+
+/// Rates of the nutation phase and of the mean slow phases, with the values needed to step through the half period.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MeanRates {
+    /// Half period T/2; 0 where u is constant.
+    half_period: Extended,
+    /// Constant rates of θ_A and θ_B besides ψ_A' and ψ_B': ±τ/2 minus the mean rate, rad per unit time.
+    theta_offset: [Extended; 2],
+    /// Nutation frequency 1/T, and the mean rates of α and β, in turns per unit time.
+    pub(super) turns: [Extended; 3],
+    /// Errors of `turns`, turns per unit time.
+    errors: [f64; 3],
+}
+
+impl MeanRates {
+    const ZERO: Self = Self {
+        half_period: Extended::ZERO,
+        theta_offset: [Extended::ZERO; 2],
+        turns: [Extended::ZERO; 3],
+        errors: [0.0; 3],
+    };
+}
 
 /// One of the 2^depth parts of equal length into which half a period is divided.
 #[derive(Clone, Copy, Debug)]
@@ -48,10 +70,6 @@ impl Span {
     /// End in units of the shortest segment.
     fn end(self) -> usize {
         self.begin + (HALF_PERIOD >> self.depth)
-    }
-
-    fn is_last(self) -> bool {
-        self.end() == HALF_PERIOD
     }
 
     /// Least level of segments that are not longer than the span.
@@ -168,11 +186,6 @@ impl Limits {
             left_out: (LEFT_OUT * polynomial(of_series)) as i64,
             least: NEGLIGIBLE * of_series,
         }
-    }
-
-    /// Estimated error of a series of α or β on a span, in units of 2^-62.
-    fn omitted(&self) -> f32 {
-        OMITTED * self.polynomial
     }
 
     /// Truncation error of a segment of this level, in units of 2^-62 rad.

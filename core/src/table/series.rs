@@ -35,11 +35,6 @@ impl Split {
     const fn of(value: i64) -> Self {
         Self { high: (value >> LOW_BITS) as i32, low: value as i32 & ((1 << LOW_BITS) - 1) }
     }
-
-    #[inline(always)]
-    const fn value(self) -> i64 {
-        ((self.high as i64) << LOW_BITS) + self.low as i64
-    }
 }
 
 /// Least shift of a quotient in range; a smaller one is of a series that does not converge.
@@ -173,7 +168,7 @@ impl Block {
     }
 
     fn get(&self, k: usize) -> i64 {
-        self.coefficients.get(k).map_or(0, |coefficient| coefficient.value())
+        self.coefficients.get(k).map_or(0, |c| (i64::from(c.high) << LOW_BITS) + i64::from(c.low))
     }
 
     /// Stores a coefficient; `None` where it is out of range, so that the series does not converge.
@@ -183,11 +178,6 @@ impl Block {
             *coefficient = value;
         }
         Some(())
-    }
-
-    /// Unit of the coefficients; 0 or infinity beyond the range of `f32`.
-    fn short_unit(&self) -> f32 {
-        short_power_of_two(self.exponent)
     }
 
     /// Coefficient of y^k of a product of two series, from these terms of the first one: an exact sum of products, divided by 2^shift and
@@ -221,7 +211,8 @@ impl Block {
     fn size(&self, quarters: u32, terms: usize, noise: f32) -> f32 {
         let coefficients = self.coefficients.get(1..terms).unwrap_or_default().iter().rev();
         let sum = coefficients.fold(0, |sum: u32, c| ((sum * quarters + 3) >> 2) + c.high.unsigned_abs() + 1);
-        0.25 * quarters as f32 * (((1_u32 << LOW_BITS) as f32 * sum as f32 + noise) * self.short_unit())
+        0.25 * quarters as f32
+            * (((1_u32 << LOW_BITS) as f32 * sum as f32 + noise) * short_power_of_two(self.exponent))
     }
 }
 

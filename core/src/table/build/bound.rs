@@ -1,7 +1,6 @@
 //! Error bounds of an ephemeris; `core/docs/error_bound.md` derives every term.
 
-use super::Speeds;
-use super::mean_rates::MeanRates;
+use super::{MeanRates, Speeds};
 use crate::motion::Motion;
 use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::scalar::EvaluationErrors;

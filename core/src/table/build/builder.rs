@@ -4,9 +4,8 @@ mod path;
 
 mod cut;
 
-use super::mean_rates::MeanRates;
 use super::series::{Series, SpanSeries};
-use super::{Limits, Span, Speeds};
+use super::{Limits, MeanRates, Span, Speeds};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
 use crate::scalar::Extended;
@@ -31,11 +30,10 @@ impl Position {
 /// Start of a motion, which is found while its half period is tabulated.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Start {
-    /// Half phase at the start, folded into [0, 1/4] turn.
-    chi: Phase,
+    /// Half phase at the start, folded into [0, 1/4] turn; `None` once the start is found.
+    chi: Option<Phase>,
     /// Whether u is falling at the start.
     mirrored: bool,
-    is_found: bool,
     /// Nutation phase and mean slow phases at t = 0, once they are found.
     pub(crate) phases: [Phase; 3],
     /// Delay by a relative rounding of χ or of its difference from a quarter turn, in half periods.
@@ -43,8 +41,7 @@ pub(crate) struct Start {
 }
 
 impl Start {
-    const NONE: Self =
-        Self { chi: Phase::ZERO, mirrored: false, is_found: false, phases: [Phase::ZERO; 3], delay: 0.0 };
+    const NONE: Self = Self { chi: None, mirrored: false, phases: [Phase::ZERO; 3], delay: 0.0 };
 }
 
 /// Cell that is cut, or two cells with one segment, in units of the shortest segment.

@@ -1,22 +1,10 @@
 //! Mean rates of a motion: the constant rates of the phases of an ephemeris.
 
+use super::MeanRates;
 use crate::constants::LaunchRounding;
 use crate::motion::Motion;
 use crate::period::Period;
 use crate::scalar::{Extended, Float, Ring};
-
-/// Rates of the nutation phase and of the mean slow phases, with the values needed to step through the half period.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct MeanRates {
-    /// Half period T/2; 0 where u is constant.
-    pub(crate) half_period: Extended,
-    /// Constant rates of θ_A and θ_B besides ψ_A' and ψ_B': ±τ/2 minus the mean rate, rad per unit time.
-    pub(crate) theta_offset: [Extended; 2],
-    /// Nutation frequency 1/T, and the mean rates of α and β, in turns per unit time.
-    pub(crate) turns: [Extended; 3],
-    /// Errors of `turns`, turns per unit time.
-    pub(crate) errors: [f64; 3],
-}
 
 /// Number of successive roundings in a rate and in an increment, without those of the quadrature's nodes.
 const OPERATIONS: f64 = 64.0;
@@ -26,23 +14,16 @@ const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
 const OPERATIONS_PER_NODE: f64 = 2.0;
 
 impl MeanRates {
-    pub(crate) const ZERO: Self = Self {
-        half_period: Extended::ZERO,
-        theta_offset: [Extended::ZERO; 2],
-        turns: [Extended::ZERO; 3],
-        errors: [0.0; 3],
-    };
-
     /// Mean rates of a motion with this period; `None` where u is constant.
     #[inline(never)]
-    pub(crate) fn new(motion: &Motion, period: Option<Period>) -> Self {
+    pub(super) fn new(motion: &Motion, period: Option<Period>) -> Self {
         match period {
             Some(period) => Self::periodic(motion, &period),
             None => Self::steady(motion),
         }
     }
 
-    pub(crate) fn steady(motion: &Motion) -> Self {
+    pub(super) fn steady(motion: &Motion) -> Self {
         let [alpha, beta] = motion.steady_rates().map(Extended::in_turns);
         let relative = OPERATIONS * Extended::OPERATION_ERROR + STORED + motion.rounding.relative;
         // a rate is the sum of a quotient and ±τ/2, which may cancel

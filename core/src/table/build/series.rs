@@ -3,7 +3,7 @@
 //! The highest term c x^k is left out together with the multiple of lower powers that makes it c 2^(1-k) T_k(x). As |T_k| <= 1, the value
 //! changes by at most |c| 2^(1-k). The terms that remain are those of a Chebyshev series.
 
-use super::{Limits, SegmentErrors};
+use super::{Limits, OMITTED, SegmentErrors};
 use crate::product::{long_product, signed_product};
 use crate::scalar::{Float, Ring, short_float};
 use crate::table::series::TERMS;
@@ -24,7 +24,7 @@ pub(crate) struct Part {
 pub(crate) struct Series {
     pub(crate) parts: [Part; 2],
     /// Number of terms.
-    pub(crate) terms: usize,
+    terms: usize,
 }
 
 /// Fraction bits of [`FACTORS`].
@@ -183,7 +183,7 @@ impl SpanSeries {
         series.terms = expansion.turned(which, self.exponentials, limits.least_term(), parts)?;
         let [re, im] = series.parts.each_ref().map(Part::omitted);
         let omitted = 2.0 * larger_or_nan(re, im);
-        (2.0 * omitted <= limits.omitted()).then_some(())?;
+        (2.0 * omitted <= OMITTED * limits.polynomial).then_some(())?;
         series.shorten(0, limits.left_out);
         self.omitted = omitted + limits.least_term() as f32;
         Some(())

@@ -4,7 +4,7 @@ use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction, integer_parts, shifted, whole_number};
 use crate::scalar::{Extended, Float};
-use crate::table::build::mean_rates::MeanRates;
+use crate::table::build::MeanRates;
 use crate::table::cell::LONGEST;
 use crate::table::data::tip_clock::TipClock;
 use crate::table::tick::Tick;

@@ -11,7 +11,7 @@ mod turned;
 use super::sincos::{FRACTION, sine_cosine};
 use super::{Block, integrated};
 use crate::phase::Phase;
-use crate::scalar::{Float, Scalar, power_of_two};
+use crate::scalar::{Float, Scalar, power_of_two, short_power_of_two};
 
 /// Unit of the coefficients of α and β, 2^-62.
 pub(crate) const TABLE_UNIT: f64 = power_of_two(-TABLE_BITS);
@@ -72,7 +72,11 @@ impl Rate {
         match k {
             0 => Float::abs(weight * self.slope as f32),
             _ if size <= NOISE => 0.0,
-            _ => size as f32 * self.variation.short_unit() * Float::abs(weight * self.scale as f32),
+            _ => {
+                size as f32
+                    * short_power_of_two(self.variation.exponent)
+                    * Float::abs(weight * self.scale as f32)
+            }
         }
     }
 }

@@ -6,8 +6,7 @@ use crate::motion::phase_equations::PhaseRates;
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Scalar, Wide};
-use crate::table::build::mean_rates::MeanRates;
-use crate::table::build::{Limits, Span, Speeds};
+use crate::table::build::{HALF_PERIOD, Limits, MeanRates, Span, Speeds};
 use crate::table::cell::CELLS;
 use crate::table::series::TERMS;
 use crate::table::series::expansion::{Expansion, PhasePoint, Slopes, larger_or_nan};
@@ -23,50 +22,47 @@ impl Start {
         let mirrored = rest > Phase::QUARTER;
         let (folded, chi) = if mirrored { (folded + 1, Phase::HALF - rest) } else { (folded, rest) };
         let [alpha, beta] = motion.phases.map(|phase| phase + Phase::HALF.times(folded));
-        Self { chi, mirrored, phases: [Phase::ZERO, alpha, beta], ..Self::NONE }
+        Self { chi: Some(chi), mirrored, phases: [Phase::ZERO, alpha, beta], delay: 0.0 }
     }
 
     /// Finds the start, if it lies in this span, which ends at χ = `end`, or if the span is the last.
     #[inline(never)]
     pub(super) fn search(&mut self, expansion: &Expansion, end: Phase, span: Span) {
-        if self.is_found {
-            return;
-        }
-        let Some(x) = self.coordinate(expansion, end, span.is_last()) else { return };
+        let Some(chi) = self.chi else { return };
+        // most motions start at a turning point, which is an end of the half period whatever the errors of the series
+        let x = match chi {
+            Phase::ZERO => -1.0,
+            _ if (chi == Phase::QUARTER || end < chi) && span.end() < HALF_PERIOD => return,
+            Phase::QUARTER => 1.0,
+            _ => coordinate(expansion, chi),
+        };
         let (PhasePoint { theta, .. }, slope) = expansion.at(x);
-        let nearest = self.chi.min(Phase::QUARTER - self.chi).to_radians();
+        let nearest = chi.min(Phase::QUARTER - chi).to_radians();
         let change = if slope > 0.0 { nearest / slope } else { 0.0 };
         let mirror = |phase: Phase| if self.mirrored { -phase } else { phase };
         let ([_, alpha, beta], [alpha_theta, beta_theta]) = (self.phases, theta.map(mirror));
         self.phases = [mirror(span.phase(x)), alpha - alpha_theta, beta - beta_theta];
-        (self.is_found, self.delay) = (true, change * span.half_length());
+        (self.chi, self.delay) = (None, change * span.half_length());
     }
+}
 
-    /// Coordinate x of the start.
-    fn coordinate(&self, expansion: &Expansion, end: Phase, is_last: bool) -> Option<f64> {
-        // most motions start at a turning point, which is an end of the half period whatever the errors of the series
-        match self.chi {
-            Phase::ZERO => return Some(-1.0),
-            Phase::QUARTER => return is_last.then_some(1.0),
-            _ if end < self.chi && !is_last => return None,
-            _ => {}
+/// Coordinate x of χ on a span, by Newton's method.
+fn coordinate(expansion: &Expansion, chi: Phase) -> f64 {
+    const STEPS: usize = 8;
+    /// Step of some roundings, after which the next would be a rounding error.
+    const LAST_STEP: f64 = 4.0 * f64::ROUNDING;
+    let mut x = 0.0_f64;
+    for _ in 0..STEPS {
+        let (point, slope) = expansion.at(x);
+        let miss = (point.chi - chi).to_radians();
+        let next = if slope > 0.0 { (x - miss / slope).clamp(-1.0, 1.0) } else { x };
+        let change = Float::abs(next - x);
+        x = next;
+        if change <= LAST_STEP {
+            break;
         }
-        const NEWTON_STEPS: usize = 8;
-        /// Step of some roundings, after which the next would be a rounding error.
-        const LAST_STEP: f64 = 4.0 * f64::ROUNDING;
-        let mut x = 0.0_f64;
-        for _ in 0..NEWTON_STEPS {
-            let (PhasePoint { chi, .. }, slope) = expansion.at(x);
-            let miss = (chi - self.chi).to_radians();
-            let next = if slope > 0.0 { (x - miss / slope).clamp(-1.0, 1.0) } else { x };
-            let change = Float::abs(next - x);
-            x = next;
-            if change <= LAST_STEP {
-                break;
-            }
-        }
-        Some(x)
     }
+    x
 }
 
 impl SetUp {
