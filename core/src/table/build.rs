@@ -6,8 +6,6 @@ mod mean_rates;
 
 pub(super) mod bound;
 
-mod series;
-
 pub(super) mod builder;
 
 use crate::phase::Phase;

@@ -1,15 +1,17 @@
 //! Memory of a build.
 
+mod series;
+
 mod path;
 
 mod cut;
 
-use super::series::{Series, SpanSeries};
 use super::{Limits, MeanRates, Span, Speeds};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
 use crate::scalar::Extended;
 use crate::table::cell::CELLS;
+use crate::table::series::TERMS;
 use crate::table::series::expansion::{Expansion, PhasePoint, Slopes};
 
 /// Position on the path, with the errors up to it.
@@ -42,6 +44,50 @@ pub(crate) struct Start {
 
 impl Start {
     const NONE: Self = Self { chi: None, mirrored: false, phases: [Phase::ZERO; 3], delay: 0.0 };
+}
+
+/// Real or imaginary part of a series.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    coefficients: [i64; TERMS],
+    /// Upper bound on the changes by the terms left out, in units of 2^-62.
+    left_out: i64,
+    /// Upper bound on the changes of the derivative.
+    slope_left_out: i64,
+}
+
+/// Series on an interval, whose coordinate x is in [-1, 1].
+#[derive(Clone, Copy, Debug)]
+struct Series {
+    parts: [Part; 2],
+    /// Number of terms.
+    terms: usize,
+}
+
+impl Part {
+    const ZERO: Self = Self { coefficients: [0; TERMS], left_out: 0, slope_left_out: 0 };
+}
+
+impl Series {
+    const ZERO: Self = Self { parts: [Part::ZERO; 2], terms: 0 };
+}
+
+/// Series of α or of β on a span, and on the part of it that was halved last.
+#[derive(Debug)]
+struct SpanSeries {
+    /// Coefficients of e^{iχ} and e^{-iχ} in the ellipse.
+    exponentials: [f64; 2],
+    whole: Series,
+    /// Estimate of the terms that the series omits, in units of 2^-62.
+    omitted: f32,
+    halved: Series,
+    /// Number of that part, and base-2 logarithm of the number of parts; `None` where no series is kept.
+    part: Option<(usize, u32)>,
+}
+
+impl SpanSeries {
+    const ZERO: Self =
+        Self { exponentials: [0.0; 2], whole: Series::ZERO, omitted: 0.0, halved: Series::ZERO, part: None };
 }
 
 /// Cell that is cut, or two cells with one segment, in units of the shortest segment.

@@ -50,18 +50,7 @@ impl Rate {
         y * (self.slope + y * (self.variation.sum(y, terms, integrated) * self.scale))
     }
 
-    /// Upper bound on the rate for y in [-1/4, 1/4].
-    fn greatest(&self, terms: usize) -> f32 {
-        self.bound(self.variation.size(1, terms, 0.0))
-    }
-
-    /// Upper bound on the sum of the magnitudes of the terms of the integral from 0 to y = `quarters`/4.
-    fn size(&self, quarters: u32, terms: usize) -> f32 {
-        // a rounding error of the coefficients counts as the term of which it would be the rounding in f64
-        let noise = (NOISE as f64 / f64::ROUNDING) as f32;
-        0.25 * quarters as f32 * self.bound(self.variation.size(quarters, terms, noise))
-    }
-
+    /// Upper bound on the rate, whose variation has this bound relative to the scale.
     fn bound(&self, varied: f32) -> f32 {
         Float::abs(self.slope) as f32 + varied * Float::abs(self.scale) as f32
     }
@@ -164,14 +153,18 @@ impl Expansion {
 
     /// Upper bounds on the magnitudes of the terms of the changes of χ and of θ at a whole x > 0, rad.
     pub(crate) fn sizes(&self, x: u32) -> [f32; 2] {
-        let [alpha, beta] = self.theta.each_ref().map(|rate| rate.size(x, self.terms));
-        let theta = larger_or_nan(alpha, beta) + 0.25 * x as f32 * self.variation_size;
-        [self.chi.size(x, self.terms), theta]
+        // a rounding error of the coefficients counts as the term of which it would be the rounding in f64
+        let noise = (NOISE as f64 / f64::ROUNDING) as f32;
+        let y = 0.25 * x as f32;
+        let size = |rate: &Rate| y * rate.bound(rate.variation.size(x, self.terms, noise));
+        let [alpha, beta] = self.theta.each_ref().map(size);
+        [size(&self.chi), larger_or_nan(alpha, beta) + y * self.variation_size]
     }
 
     /// Upper bound on |dθ/dx| of α and of β for x in [-1, 1], without the truncation error of the series.
     pub(crate) fn greatest_theta_slope(&self) -> f32 {
-        let [alpha, beta] = self.theta.each_ref().map(|rate| rate.greatest(self.terms));
+        let greatest = |rate: &Rate| rate.bound(rate.variation.size(1, self.terms, 0.0));
+        let [alpha, beta] = self.theta.each_ref().map(greatest);
         0.25 * larger_or_nan(alpha, beta)
     }
 

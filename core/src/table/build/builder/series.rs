@@ -3,29 +3,12 @@
 //! The highest term c x^k is left out together with the multiple of lower powers that makes it c 2^(1-k) T_k(x). As |T_k| <= 1, the value
 //! changes by at most |c| 2^(1-k). The terms that remain are those of a Chebyshev series.
 
-use super::{Limits, OMITTED, SegmentErrors};
+use super::{Part, Series, SpanSeries};
 use crate::product::{long_product, signed_product};
 use crate::scalar::{Float, Ring, short_float};
+use crate::table::build::{Limits, OMITTED, SegmentErrors};
 use crate::table::series::TERMS;
 use crate::table::series::expansion::{Expansion, larger_or_nan};
-
-/// Real or imaginary part of a series.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Part {
-    pub(crate) coefficients: [i64; TERMS],
-    /// Upper bound on the changes by the terms left out, in units of 2^-62.
-    left_out: i64,
-    /// Upper bound on the changes of the derivative.
-    slope_left_out: i64,
-}
-
-/// Series on an interval, whose coordinate x is in [-1, 1].
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Series {
-    pub(crate) parts: [Part; 2],
-    /// Number of terms.
-    terms: usize,
-}
 
 /// Fraction bits of [`FACTORS`].
 const FACTOR_BITS: u32 = TERMS as u32 - 2;
@@ -59,8 +42,6 @@ fn times(c: i64, factor: i32) -> i64 {
 }
 
 impl Part {
-    const ZERO: Self = Self { coefficients: [0; TERMS], left_out: 0, slope_left_out: 0 };
-
     /// Size of the polynomial c 2^(1-k) T_k that leaves with the term of this degree.
     fn last(&self, degree: usize) -> i64 {
         self.coefficients.get(degree).map_or(0, |c| c.abs() >> (degree - 1))
@@ -94,11 +75,9 @@ impl Part {
 }
 
 impl Series {
-    pub(crate) const ZERO: Self = Self { parts: [Part::ZERO; 2], terms: 0 };
-
     /// Leaves out last terms: down to `fewest`, as long as the changes of both parts add up to at most `most`.
     #[inline(never)] // the stack frames of set-up must not add up
-    pub(crate) fn shorten(&mut self, fewest: usize, most: i64) {
+    pub(super) fn shorten(&mut self, fewest: usize, most: i64) {
         while self.terms > fewest.max(2) {
             let degree = self.terms - 1;
             if self.parts.iter().map(|part| part.left_out + part.last(degree)).sum::<i64>() > most {
@@ -112,7 +91,7 @@ impl Series {
     /// Replaces the series by that on the upper or the lower half of the interval, by Horner's rule for x = (y ± 1)/2. Errors do not grow,
     /// as |x| <= 1; all roundings together stay below 2^-57.
     #[inline(never)] // the stack frames of set-up must not add up
-    pub(crate) fn halve(&mut self, upper: bool) {
+    pub(super) fn halve(&mut self, upper: bool) {
         for part in &mut self.parts {
             let mut half = [0; TERMS];
             for (degree, c) in part.coefficients.iter().take(self.terms).rev().enumerate() {
@@ -130,7 +109,7 @@ impl Series {
 
     /// Adds the errors of the series and of the stored coefficients, each of the value and of the derivative, with the bounds Σ k |c_k| and
     /// Σ k (k - 1) |c_k| on the derivatives.
-    pub(crate) fn add_errors(
+    pub(super) fn add_errors(
         &self,
         sums: &mut SegmentErrors,
         [omitted, slope_omitted]: [f32; 2],
@@ -158,25 +137,9 @@ impl Series {
     }
 }
 
-/// Series of α or of β on a span, and on the part of it that was halved last.
-#[derive(Debug)]
-pub(crate) struct SpanSeries {
-    /// Coefficients of e^{iχ} and e^{-iχ} in the ellipse.
-    pub(crate) exponentials: [f64; 2],
-    whole: Series,
-    /// Estimate of the terms that the series omits, in units of 2^-62.
-    pub(crate) omitted: f32,
-    halved: Series,
-    /// Number of that part, and base-2 logarithm of the number of parts; `None` where no series is kept.
-    part: Option<(usize, u32)>,
-}
-
 impl SpanSeries {
-    pub(crate) const ZERO: Self =
-        Self { exponentials: [0.0; 2], whole: Series::ZERO, omitted: 0.0, halved: Series::ZERO, part: None };
-
     /// Computes the series of α (`which` = 0) or β (1); `None` where it is not accurate.
-    pub(crate) fn compute(&mut self, expansion: &mut Expansion, which: usize, limits: &Limits) -> Option<()> {
+    pub(super) fn compute(&mut self, expansion: &mut Expansion, which: usize, limits: &Limits) -> Option<()> {
         let series = &mut self.whole;
         (*series, self.part) = (Series::ZERO, None);
         let parts = series.parts.each_mut().map(|part| &mut part.coefficients);
@@ -190,7 +153,7 @@ impl SpanSeries {
     }
 
     /// Copies the series on one of 2^halvings parts. Last terms whose changes add up to at most `least` are left out.
-    pub(crate) fn restrict(&mut self, part: usize, halvings: u32, least: i64, to: &mut Series) {
+    pub(super) fn restrict(&mut self, part: usize, halvings: u32, least: i64, to: &mut Series) {
         let Some(last) = halvings.checked_sub(1) else { return to.clone_from(&self.whole) };
         let halved = Some((part / 2, last));
         if self.part != halved {
