@@ -55,8 +55,6 @@ impl Span {
     /// Base-2 logarithm of the number of spans in half a period, at most: a span has at least one segment.
     const DEEPEST: u32 = LONGEST_BITS + Cell::DEEPEST;
 
-    const NONE: Self = Self { begin: 0, depth: 0 };
-
     /// Longest span from u = e₁ on.
     const FIRST: Self = Self { begin: 0, depth: Self::SHALLOWEST };
 
@@ -170,8 +168,6 @@ const LONG: f32 = 0.125;
 const NEGLIGIBLE: f64 = 1.0 / 256.0;
 
 impl Limits {
-    const NONE: Self = Self { terms: 0, capacity: 0, steps: 0.0, polynomial: 0.0, left_out: 0, least: 0.0 };
-
     /// Limits for a truncation error `allowed`, rad. The series are at least as accurate as for the error `usual`.
     pub(super) fn new(terms: usize, allowed: f64, usual: f64, capacity: usize) -> Self {
         let polynomial = |error: f64| (((1.0 - STEPS) * error / TABLE_UNIT) as f32).clamp(f32::MIN, f32::MAX);

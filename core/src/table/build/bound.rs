@@ -79,9 +79,8 @@ pub(crate) fn error_bounds(
         *growth = *growth * tick.to_f64() + Float::abs(increment_error(turns * tick));
     }
     let [nutation, alpha, beta] = growth;
-    let of_phases = |nutation: f64, slow: f64| 2.0 * (sweep * nutation + TURN * slow);
     let constant = error + errors.tick + errors.slope * speeds.steepness();
-    let orientation = ErrorBound { constant, per_tick: of_phases(nutation, alpha.max(beta)) };
+    let orientation = ErrorBound { constant, per_tick: 2.0 * (sweep * nutation + TURN * alpha.max(beta)) };
 
     // half periods per unit time, and the terms of the angular velocity, which may cancel: of the transverse part, and of the whole
     let [frequency, alpha_rate, beta_rate] = rates.turns;

@@ -42,10 +42,6 @@ pub(crate) struct Start {
     delay: f64,
 }
 
-impl Start {
-    const NONE: Self = Self { chi: None, mirrored: false, phases: [Phase::ZERO; 3], delay: 0.0 };
-}
-
 /// Real or imaginary part of a series.
 #[derive(Clone, Copy, Debug)]
 struct Part {
@@ -194,11 +190,11 @@ impl SetUp {
             rounded_law: PhaseEquations::ZERO,
             slopes_of: None,
             rates: MeanRates::ZERO,
-            limits: Limits::NONE,
+            limits: Limits { terms: 0, capacity: 0, steps: 0.0, polynomial: 0.0, left_out: 0, least: 0.0 },
             fastest: 0.0,
             nutation_at_end: 0.0,
-            start: Start::NONE,
-            span: Span::NONE,
+            start: Start { chi: None, mirrored: false, phases: [Phase::ZERO; 3], delay: 0.0 },
+            span: Span { begin: 0, depth: 0 },
             border: Position::BEGINNING,
             centre: None,
             end: Position::BEGINNING,

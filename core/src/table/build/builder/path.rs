@@ -147,9 +147,8 @@ impl SetUp {
             between();
         }
         self.expand(between);
-        let end = self.after(1, allowed);
+        self.end = self.after(1, allowed)?;
         between();
-        self.end = end?;
         Some(())
     }
 
@@ -193,7 +192,7 @@ impl SetUp {
             chi,
             psi: [rates.alpha, rates.beta].map(slope),
             theta: [rates.alpha + alpha_offset, rates.beta + beta_offset].map(slope),
-            weight: if weight > 1.0 { weight } else { 1.0 },
+            weight: weight.max(1.0),
             // a negligible term causes an estimated error of about a twentieth of it at x = 2, and of two thirds of it at x = 3
             least: (PHASE_TERM * self.limits.least).min(4.0 * self.allowed()),
         }
@@ -222,9 +221,8 @@ impl SetUp {
         let Position { point: PhasePoint { chi, theta }, remainder, squares } = self.end;
         // distance from an odd number of quarter turns, rad
         let miss = |angle: Phase| {
-            let (quadrant, rest) = angle.quadrant();
-            let rest = Float::abs(rest.to_radians());
-            if quadrant & 1 == 1 { rest } else { core::f64::consts::FRAC_PI_2 - rest }
+            let (_, rest) = (angle + Phase::QUARTER).halves();
+            rest.min(Phase::HALF - rest).to_radians()
         };
         // at the upper turning point cos χ = 0 and cos θ = 0
         let [alpha, beta] = theta.map(miss);

@@ -42,11 +42,6 @@ fn times(c: i64, factor: i32) -> i64 {
 }
 
 impl Part {
-    /// Size of the polynomial c 2^(1-k) T_k that leaves with the term of this degree.
-    fn last(&self, degree: usize) -> i64 {
-        self.coefficients.get(degree).map_or(0, |c| c.abs() >> (degree - 1))
-    }
-
     /// Leaves out the last term.
     fn leave_out(&mut self, degree: usize) {
         let last = self.coefficients.get_mut(degree).map_or(0, core::mem::take);
@@ -80,7 +75,8 @@ impl Series {
     pub(super) fn shorten(&mut self, fewest: usize, most: i64) {
         while self.terms > fewest.max(2) {
             let degree = self.terms - 1;
-            if self.parts.iter().map(|part| part.left_out + part.last(degree)).sum::<i64>() > most {
+            let last = |part: &Part| part.coefficients.get(degree).map_or(0, |c| c.abs() >> (degree - 1));
+            if self.parts.iter().map(|part| part.left_out + last(part)).sum::<i64>() > most {
                 break;
             }
             self.parts.iter_mut().for_each(|part| part.leave_out(degree));
