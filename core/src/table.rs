@@ -26,6 +26,7 @@ mod read;
 mod set_up;
 
 pub use build::bound::ErrorBound;
+pub use build::builder::SetUp;
 pub use data::baked::{Baked, BakedError};
 pub use data::clock::Clock;
 pub use data::storage::{
@@ -40,5 +41,5 @@ pub use read::sampler::Sampler;
 pub(crate) use read::turning_point::PHASE_TOLERANCE;
 pub use read::turning_point::TurningPoint;
 pub use scalar::EphemerisScalar;
-pub use set_up::{SetUp, SetUpError};
+pub use set_up::SetUpError;
 pub use tick::Tick;

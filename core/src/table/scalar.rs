@@ -41,8 +41,6 @@ pub struct EvaluationErrors {
     pub(crate) rate: f64,
     /// Further error of the angular velocity, relative to its greatest value.
     pub(crate) relative_rate: f64,
-    /// Relative error of an operation in the numbers of the mean rates.
-    pub(crate) operation: f64,
 }
 
 /// Scalar of an ephemeris: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.

@@ -1,15 +1,262 @@
-//! Power series of the phase equations, in integers.
-
-mod integers;
-
-mod block;
+//! Power series of the motion, in integers of a common exponent.
+//!
+//! A sum of products is exact and costs a 32-bit processor four multiplications for each pair of coefficients. The coefficients of a
+//! converging series do not grow, so that all of them share an exponent.
 
 mod sincos;
 
-mod rate;
-
 pub(super) mod expansion;
 
-mod coefficients;
+use core::ops::Range;
 
-mod expand;
+use crate::phase::integer_parts;
+use crate::product::signed_product;
+use crate::scalar::{exponent, short_power_of_two, times_power_of_two};
+
+/// Largest number of terms of a series.
+pub(crate) const TERMS: usize = 16;
+
+/// Number of bits of a coefficient of the expected magnitude. One may be four times as large.
+const BITS: i32 = 56;
+
+/// Bits of the lower part of a [`Split`].
+const LOW_BITS: u32 = 30;
+
+/// Integer high · 2^30 + low, with low in [0, 2^30): the parts of which products are made.
+#[derive(Clone, Copy, Debug)]
+struct Split {
+    high: i32,
+    low: i32,
+}
+
+impl Split {
+    const ZERO: Self = Self { high: 0, low: 0 };
+
+    const fn of(value: i64) -> Self {
+        Self { high: (value >> LOW_BITS) as i32, low: value as i32 & ((1 << LOW_BITS) - 1) }
+    }
+}
+
+/// Least shift of a quotient in range; a smaller one is of a series that does not converge.
+const LEAST_SHIFT: i32 = 33;
+/// Positive and negative quotient that are not in range: the first numbers beyond 59 bits.
+const BEYOND: i64 = 1 << (BITS + 3);
+const BELOW: i64 = -BEYOND - 1;
+
+/// Sum upper · 2^60 + lower · 2^30 divided by 2^shift, rounded to the nearest, with lower in [0, 2^30).
+#[inline(always)] // its only caller is Block::product
+fn rounded(upper: i64, lower: u32, shift: i32) -> i64 {
+    let twice = match shift {
+        61.. => upper >> (shift - 61).min(63),
+        // whether upper is below 2^(shift - 1)
+        LEAST_SHIFT.. if matches!((upper >> 32) as i32 >> (shift - 33), 0 | -1) => {
+            (upper << (61 - shift)) + i64::from(lower >> (shift - 31))
+        }
+        _ if upper == 0 && lower == 0 => return 0,
+        _ => return if upper < 0 { BELOW } else { BEYOND },
+    };
+    (twice >> 1) + (twice & 1)
+}
+
+/// Product of two integers divided by 2^SHIFT, for a SHIFT of 54 to 60, rounded to the nearest.
+#[inline(never)] // a call: set-up multiplies in some thirty places
+fn scaled_product<const SHIFT: u32>(a: Split, b: i64) -> i64 {
+    let b = Split::of(b);
+    let lower = signed_product(a.low, b.low) >> LOW_BITS;
+    let across = signed_product(a.high, b.low) + signed_product(a.low, b.high) + lower;
+    let half = 1 << (SHIFT - LOW_BITS - 1);
+    (signed_product(a.high, b.high) << (2 * LOW_BITS - SHIFT)) + ((across + half) >> (SHIFT - LOW_BITS))
+}
+
+/// Whether a number has at most this number of bits besides its sign: from -2^bits to 2^bits - 1, for at least 32 bits.
+#[inline(always)]
+const fn has_bits(value: i64, bits: i32) -> bool {
+    // only the upper word counts, so that a chip compares one word
+    matches!((value >> 32) as i32 >> (bits - 32), -1 | 0)
+}
+
+/// Number that is small enough for a coefficient; `None` where the series does not converge.
+#[inline(always)]
+fn in_range(value: i64) -> Option<i64> {
+    has_bits(value, BITS + 2).then_some(value)
+}
+
+/// Sum of quotients; `None` where one of them has left the range, because two such quotients could cancel.
+#[inline(always)]
+fn sum_in_range<const N: usize>(quotients: [i64; N]) -> Option<i64> {
+    quotients.iter().all(|quotient| has_bits(*quotient, BITS + 3)).then(|| quotients.iter().sum())
+}
+
+/// Integer nearest to x / 2^exponent, for a quotient below 2^62; greater ones count as ±2^62.
+#[inline(never)]
+fn scaled(x: f64, exponent: i32) -> i64 {
+    let (mantissa, own) = integer_parts(x);
+    match own.saturating_sub(exponent) {
+        10.. => mantissa.signum() << 62,
+        shift @ 0.. => mantissa << shift,
+        shift @ -62.. => ((mantissa >> (-shift - 1)) + 1) >> 1,
+        _ => 0,
+    }
+}
+
+/// Constant factor between two series.
+#[derive(Clone, Copy, Debug)]
+struct Factor {
+    /// Factor in units of 2^(`doublings` - 60).
+    mantissa: Split,
+    doublings: u32,
+}
+
+/// Fraction bits of a [`Factor`], of an inverse and of y.
+const FACTOR_BITS: u32 = 60;
+
+impl Factor {
+    /// Factor from a series to another one, whose exponents are known.
+    fn new(factor: f64, from: &Block, to: &Block) -> Self {
+        let (_, exponent) = integer_parts(factor);
+        let least = to.exponent - from.exponent - FACTOR_BITS as i32;
+        // 53 bits become 60 at most
+        let own = least.max(exponent - 7);
+        Self { mantissa: Split::of(scaled(factor, own)), doublings: (own - least).min(62) as u32 }
+    }
+
+    /// Product, rounded to the nearest; [`BEYOND`] marks overflow.
+    fn times(&self, value: i64) -> i64 {
+        let product = scaled_product::<FACTOR_BITS>(self.mantissa, value);
+        if self.doublings == 0 {
+            return product;
+        }
+        product.saturating_mul(1 << self.doublings).clamp(BELOW, BEYOND)
+    }
+}
+
+/// Integral of a term c y^k: the quotient c/(k + 1), rounded to the nearest.
+fn integrated(c: i64, k: usize) -> i64 {
+    /// 1/(k + 1), rounded.
+    #[allow(clippy::indexing_slicing)]
+    static INVERSES: [Split; TERMS] = {
+        let mut inverses = [Split::ZERO; TERMS];
+        let mut k = 0;
+        while k < TERMS {
+            let divisor = k as i64 + 1;
+            inverses[k] = Split::of(((1 << FACTOR_BITS) + divisor / 2) / divisor);
+            k += 1;
+        }
+        inverses
+    };
+    INVERSES.get(k).map_or(0, |inverse| scaled_product::<FACTOR_BITS>(*inverse, c))
+}
+
+/// Coefficients of 1, y, y², ..., in units of 2^exponent.
+#[derive(Clone, Copy, Debug)]
+struct Block {
+    coefficients: [Split; TERMS],
+    exponent: i32,
+}
+
+impl Block {
+    const ZERO: Self = Self { coefficients: [Split::ZERO; TERMS], exponent: 0 };
+
+    /// Sets the exponent for coefficients that are expected to be at most `magnitude`.
+    fn scale_for(&mut self, magnitude: f64) {
+        self.exponent = exponent(magnitude).max(-900) - BITS;
+    }
+
+    /// Product of a factor and the expected magnitude of a coefficient.
+    fn magnitude_times(&self, factor: f64) -> f64 {
+        times_power_of_two(factor, self.exponent + BITS)
+    }
+
+    fn get(&self, k: usize) -> i64 {
+        self.coefficients.get(k).map_or(0, |c| (i64::from(c.high) << LOW_BITS) + i64::from(c.low))
+    }
+
+    /// Stores a coefficient; `None` where it is out of range, so that the series does not converge.
+    fn put(&mut self, k: usize, value: i64) -> Option<()> {
+        let value = Split::of(in_range(value)?);
+        if let Some(coefficient) = self.coefficients.get_mut(k) {
+            *coefficient = value;
+        }
+        Some(())
+    }
+
+    /// Coefficient of y^k of a product of two series, from these terms of the first one: an exact sum of products, divided by 2^shift and
+    /// rounded to the nearest. [`BEYOND`] marks overflow.
+    #[inline(never)] // a call: set-up multiplies series in a dozen places
+    fn product(&self, other: &Self, terms: Range<usize>, k: usize, shift: i32) -> i64 {
+        let first = terms.start;
+        let ours = self.coefficients.get(terms).unwrap_or_default();
+        // the iteration ends with the terms of the first series
+        let theirs = other.coefficients.get(..=k.saturating_sub(first)).unwrap_or_default();
+        let (mut upper, mut across, mut lower) = (0, 0, 0_u64);
+        for (a, b) in ours.iter().zip(theirs.iter().rev()) {
+            upper += signed_product(a.high, b.high);
+            across += signed_product(a.high, b.low) + signed_product(a.low, b.high);
+            lower += signed_product(a.low, b.low) as u64;
+        }
+        across += (lower >> LOW_BITS) as i64;
+        rounded(upper + (across >> LOW_BITS), across as u32 & ((1 << LOW_BITS) - 1), shift)
+    }
+
+    /// Sum Σ t yᵏ⁻¹ over the coefficients k from 1 to `terms` - 1, at y in [-1, 1], of this function t of a coefficient and of k.
+    fn sum(&self, y: f64, terms: usize, term: fn(i64, usize) -> i64) -> f64 {
+        let y = Split::of(scaled(y, -(FACTOR_BITS as i32)));
+        // beyond the range only where the series does not converge
+        let next = |sum, k| scaled_product::<FACTOR_BITS>(y, sum) + term(self.get(k), k);
+        times_power_of_two((1..terms).rev().fold(0, next) as f64, self.exponent)
+    }
+
+    /// Upper bound on the sum Σ |c| yᵏ over these coefficients at y = `quarters`/4, from their upper words. The first one counts as larger
+    /// by `noise`.
+    fn size(&self, quarters: u32, terms: usize, noise: f32) -> f32 {
+        let coefficients = self.coefficients.get(1..terms).unwrap_or_default().iter().rev();
+        let sum = coefficients.fold(0, |sum: u32, c| ((sum * quarters + 3) >> 2) + c.high.unsigned_abs() + 1);
+        0.25 * quarters as f32
+            * (((1_u32 << LOW_BITS) as f32 * sum as f32 + noise) * short_power_of_two(self.exponent))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A quotient beyond the range is seen before it can cancel with another, whatever its sign.
+    #[test]
+    fn quotients_beyond_the_range_do_not_cancel() {
+        for (upper, shift) in
+            [(BEYOND, 60), (2 * BEYOND, 61), (-BEYOND - 1, 60), (1 << 40, 33), (-(1 << 40), 33)]
+        {
+            let quotient = rounded(upper, 0, shift);
+            assert_eq!(sum_in_range([quotient, -quotient / 2]), None, "{upper:x}");
+        }
+        let limit = BEYOND / 2;
+        assert_eq!(sum_in_range([limit, -limit]), Some(0));
+        let eight = Factor::new(8.0, &Block::ZERO, &Block::ZERO);
+        for value in [limit, -limit] {
+            assert_eq!(sum_in_range([eight.times(value), -value]), None, "{value}");
+        }
+    }
+
+    /// Sums in words round like wide integers, also where a quotient leaves the range.
+    #[test]
+    fn sums_round_in_words_as_a_whole() {
+        let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut seen = [0; 3];
+        for _ in 0..if cfg!(miri) { 300 } else { 100_000 } {
+            bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+            let (upper, lower) = (bits as i64 >> (5 + bits % 56), (bits >> 34) as u32);
+            let shift = LEAST_SHIFT + (bits >> 40) as i32 % 90;
+            let sum = (i128::from(upper) << (2 * LOW_BITS)) + (i128::from(lower) << LOW_BITS);
+            let exact = ((sum >> (shift - 1)) + 1) >> 1;
+            let (found, in_range) = (rounded(upper, lower, shift), exact.abs() < i128::from(BEYOND));
+            assert!(!in_range || i128::from(found) == exact, "{upper} {lower} {shift}: {found}");
+            assert_eq!(
+                has_bits(found, BITS + 3),
+                in_range || exact == i128::from(-BEYOND),
+                "{upper} {lower} {shift}"
+            );
+            seen[usize::from(found != 0) + usize::from(!in_range)] += 1;
+        }
+        assert!(seen.iter().all(|count| *count > 10), "{seen:?}");
+    }
+}

@@ -4,46 +4,14 @@ use core::fmt;
 
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::scalar::Float;
+use crate::table::build::Limits;
 use crate::table::build::bound::{ErrorBound, error_bounds};
-use crate::table::build::builder::{TableBuilder, TooManySegments};
-use crate::table::build::errors::Limits;
-use crate::table::build::mean_rates::MeanRates;
-use crate::table::build::polynomial::{Polynomial, Store};
+use crate::table::build::builder::SetUp;
 use crate::table::cell::{Cell, LONGEST};
 use crate::table::data::clock::Clock;
 use crate::table::data::storage::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
 use crate::table::scalar::EphemerisScalar;
 use crate::table::tick::Tick;
-
-/// Memory of a set-up, 4.4 KiB, and the truncation error that it allows. A program with a small stack keeps it in a static.
-///
-/// ```
-/// use toytop::{EphemerisF32, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters};
-/// # let top = Top::sliding(&TopParameters {
-/// #     transverse_inertia: 3.0e-5,
-/// #     axial_inertia: 2.0e-5,
-/// #     com_height: 0.03,
-/// #     mass: 0.05,
-/// #     ..TopParameters::default()
-/// # })?;
-/// # let release = Release { tilt: 0.35, spin: 150.0, ..Release::default() };
-/// let motion = Motion::launch(&top, &State::release(&release)?)?;
-/// let mut set_up = SetUp::new();
-/// let mut memory = EphemerisMemory::<EphemerisF32>::new();
-/// let launched_at = 5000; // tick of a running counter
-/// let table = memory.set_up(&mut set_up, &motion, Tick::hertz(1000)?, launched_at, &mut || {
-///     // feed the watchdog
-/// })?;
-/// assert!(table.at_tick(launched_at).u() > 0.93);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
-#[derive(Debug)]
-pub struct SetUp {
-    /// Allowed truncation error, rad; `None` for that of the scalar.
-    truncation: Option<f64>,
-    builder: TableBuilder,
-}
 
 /// Reason why a motion has no table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,25 +49,7 @@ impl fmt::Display for SetUpError {
 
 impl core::error::Error for SetUpError {}
 
-impl Default for SetUp {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 impl SetUp {
-    /// Set-up with the truncation error of the scalar, [`EphemerisScalar::TRUNCATION`]. A static of it takes no flash.
-    #[must_use]
-    pub const fn new() -> Self {
-        Self { truncation: None, builder: TableBuilder::EMPTY }
-    }
-
-    /// Set-up with another truncation error, rad, finite and positive: a smaller table for a larger error.
-    #[must_use]
-    pub const fn within(truncation: f64) -> Self {
-        Self { truncation: Some(truncation), builder: TableBuilder::EMPTY }
-    }
-
     /// Fills a table.
     #[inline(never)]
     fn fill<R: EphemerisScalar>(
@@ -111,32 +61,19 @@ impl SetUp {
         between: &mut dyn FnMut(),
     ) -> Result<(), SetUpError> {
         table.error_bound = ErrorBound::NONE;
-        let rates = self.mean_rates::<R>(motion, between);
+        let capacity = table.capacity();
+        self.tabulate::<R>(motion, &mut table.segments, capacity, between)?;
         between();
-        let segments = &mut table.segments;
-        let capacity = segments.len();
-        let store =
-            &mut |segment: usize, which: usize, parts: &Polynomial| put::<R>(segments, segment, which, parts);
-        self.tabulate::<R>(motion, &rates, capacity, store, between)?;
-        self.describe(table, motion, tick, epoch, &rates, between);
+        self.describe(table, motion, tick, epoch, between);
         Ok(())
     }
 
-    /// Computes the mean rates of a motion in the numbers of a scalar.
-    fn mean_rates<R: EphemerisScalar>(&mut self, motion: &Motion, between: &mut dyn FnMut()) -> MeanRates {
-        match R::RATE_WORDS {
-            1 => self.builder.path.mean_rates::<1>(motion, between),
-            _ => self.builder.path.mean_rates::<2>(motion, between),
-        }
-    }
-
-    /// Computes the polynomials.
+    /// Computes the segments, of which the memory may hold none.
     fn tabulate<R: EphemerisScalar>(
         &mut self,
         motion: &Motion,
-        rates: &MeanRates,
+        segments: &mut [R::Segment],
         capacity: usize,
-        store: &mut Store<'_>,
         between: &mut dyn FnMut(),
     ) -> Result<(), SetUpError> {
         let truncation = self.truncation.unwrap_or(R::TRUNCATION);
@@ -146,17 +83,15 @@ impl SetUp {
         if motion.regime() == Regime::Aperiodic {
             return Err(SetUpError::Aperiodic);
         }
-        if motion.is_steady() {
-            self.builder.steady(motion, store);
-            return Ok(());
+        match R::RATE_WORDS {
+            1 => self.launch::<1>(motion, between),
+            _ => self.launch::<2>(motion, between),
         }
-        let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
-        self.builder.begin(motion, rates, limits);
         between();
-        let segments = capacity as u32;
-        self.builder
-            .tabulate(motion, store, between)
-            .map_err(|TooManySegments| SetUpError::TooSmall { truncation, segments })
+        let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
+        let too_small = SetUpError::TooSmall { truncation, segments: capacity as u32 };
+        let store = &mut |segment, which, parts: [&_; 2]| put::<R>(segments, segment, which, parts);
+        self.build(motion, limits, store, between).ok_or(too_small)
     }
 
     /// Writes the cells, the clock and the error bounds.
@@ -167,25 +102,16 @@ impl SetUp {
         motion: &Motion,
         tick: Tick,
         epoch: i64,
-        rates: &MeanRates,
         between: &mut dyn FnMut(),
     ) {
-        let summary = &self.builder.summary;
-        table.cells = summary.cells.map(|Cell(bits)| bits);
-        table.segments.get_mut(summary.segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
-        table.clock = Clock::new(motion, tick, epoch, rates, summary);
+        table.cells = self.cells;
+        table.segments.get_mut(self.segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
+        table.clock = Clock::new(motion, tick, epoch, &self.rates, self.start.phases);
         between();
-        table.start_tip_angle(motion, summary.start, epoch, between);
+        table.start_tip_angle(motion, self.start.phases, epoch, between);
         between();
-        let [x_rate, mean, axial] = table.clock.rates.map(Float::to_f64);
-        let top = motion.top();
-        // x changes by 2 over each segment
-        let half_periods = x_rate / (2 * LONGEST) as f64;
-        let rotor = Float::abs(top.rotor_momentum()) / top.transverse_inertia();
-        let motion_rates = [half_periods, mean, axial, rotor];
-        let per_tick = (tick.length().to_f64(), table.clock.increment_errors());
         [table.error_bound, table.rate_error_bound] =
-            error_bounds(&R::ERRORS, rates, summary, motion_rates, per_tick);
+            error_bounds(&R::ERRORS, motion, tick.length(), &self.rates, &self.speeds, self.error);
         between();
     }
 }
@@ -237,9 +163,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::within(truncation);
-        let store = &mut |_: usize, _: usize, parts: &Polynomial| put::<R>(&mut [], 0, 0, parts);
-        let rates = set_up.mean_rates::<R>(motion, &mut || {});
-        set_up.tabulate::<R>(motion, &rates, Cell::MOST_SEGMENTS, store, &mut || {}).ok()?;
-        Some(set_up.builder.summary.segments.max(LONGEST) as u32)
+        set_up.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
+        Some(set_up.segments.max(LONGEST) as u32)
     }
 }

@@ -35,11 +35,15 @@ impl Tick {
 
     /// Length of a tick in units of time.
     pub(crate) fn length(self) -> Extended {
-        Extended::from(f64::from(self.seconds)) / Extended::from(f64::from(self.ticks))
+        quotient(self.seconds, self.ticks)
     }
 
     /// Number of ticks in a unit of time.
     pub(crate) fn rate(self) -> Extended {
-        Extended::from(f64::from(self.ticks)) / Extended::from(f64::from(self.seconds))
+        quotient(self.ticks, self.seconds)
     }
+}
+
+fn quotient(a: u32, b: u32) -> Extended {
+    Extended::from(f64::from(a)) / Extended::from(f64::from(b))
 }

@@ -1,9 +1,8 @@
 //! Error bounds of an ephemeris; `core/docs/error_bound.md` derives every term.
 
-use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Scalar};
-use crate::table::build::errors::{DEVIATIONS, TURN, TableSummary};
-use crate::table::build::mean_rates::MeanRates;
+use super::{MeanRates, Speeds};
+use crate::motion::Motion;
+use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::scalar::EvaluationErrors;
 
 /// Upper bound on an error at any tick: `constant` plus `per_tick` for each tick from the launch.
@@ -30,47 +29,73 @@ impl ErrorBound {
     }
 }
 
-/// Number of roundings of a derivative of θ.
-const SLOPE_OPERATIONS: f64 = 32.0;
-/// Errors of the phases at a tick, in turns: two truncations to 64 bits.
-const CLOCK: f64 = 1.0 / (1_u64 << 63) as f64;
+/// One turn in rad.
+const TURN: f64 = 2.0 * core::f64::consts::PI;
+/// Number of standard deviations in a bound.
+const DEVIATIONS: f64 = 6.0;
+/// Variance of the roundings that do not depend on the motion, in units of (2^-53 rad)².
+const FIXED_VARIANCE: f64 = 12.0;
+/// Relative error of the `f64` nearest to 1/2π, in units of 2^-53, with the two truncations of the phases to 64 bits.
+const PER_TURN: f64 = 0.56 + 1.0 / 512.0;
+/// Standard deviation of a step's rounding error over the magnitudes of its terms, in units of 2^-53.
+const STEP: f64 = 2.1;
+impl Speeds {
+    /// Greatest change of the orientation on half a segment, which is at most a cell, rad.
+    fn steepness(&self) -> f64 {
+        self.sweep / 16.0
+    }
 
-/// Error bounds of the orientation and of the angular velocity.
-///
-/// * `rates`: number of half nutation periods, mean rate of A + B, axial component (n - K)/C of the angular velocity and rate |K|/A of a
-///   rotor's momentum, per unit time
-/// * `increments`: errors of the increments of the phases, turns per tick
-/// * `tick`: length of a tick
-#[inline(never)] // one copy for all scalars
+    /// Orientation error, rad, if χ alone is delayed by this part of half a period.
+    pub(crate) fn delayed(&self, delay: f64) -> f64 {
+        (self.sweep + self.turning) * delay
+    }
+
+    /// Orientation error, rad, of all roundings in `f64`.
+    ///
+    /// * `delays`, `angles`: sums of the squares of the steps' terms, of χ as delays in half periods and of θ in rad
+    /// * `start`: delay by a rounding of χ at t = 0, in half periods
+    pub(crate) fn rounding(&self, [delays, angles]: [f64; 2], start: f64) -> f64 {
+        let Self { sweep, turning, .. } = *self;
+        let steps = STEP * STEP * (delays * (sweep * sweep + turning * turning) + 4.0 * angles);
+        // of the half phase at the launch, and of the coefficients other than the first
+        let others = self.delayed(start).squared() + self.steepness().squared();
+        let deviation = Float::sqrt(FIXED_VARIANCE + steps + others);
+        (DEVIATIONS * deviation + PER_TURN * (sweep + TURN)) * f64::ROUNDING
+    }
+}
+
+/// Error bounds of the orientation and of the angular velocity, for a length of a tick and an orientation error of the table.
 pub(crate) fn error_bounds(
     errors: &EvaluationErrors,
-    mean_rates: &MeanRates,
-    summary: &TableSummary,
-    [half_periods, mean, axial, rotor]: [f64; 4],
-    (tick, increments): (f64, [f64; 3]),
+    motion: &Motion,
+    tick: Extended,
+    rates: &MeanRates,
+    speeds: &Speeds,
+    error: f64,
 ) -> [ErrorBound; 2] {
-    let TableSummary { error, speeds, .. } = *summary;
-    let sweep = speeds.sweep;
-    let [mut nutation, mut alpha, mut beta] = increments;
-    for (error, of_rate) in [&mut nutation, &mut alpha, &mut beta].into_iter().zip(mean_rates.errors) {
-        *error = Float::abs(*error) + of_rate * tick;
+    let Speeds { sweep, acceleration, .. } = *speeds;
+    let mut growth = rates.errors;
+    for (growth, turns) in growth.iter_mut().zip(rates.turns) {
+        *growth = *growth * tick.to_f64() + Float::abs(increment_error(turns * tick));
     }
-    let of_phases = |nutation: f64, slow: f64| 2.0 * (sweep * nutation + TURN * slow);
-    let slopes = SLOPE_OPERATIONS * errors.operation * (mean_rates.greatest_turning() + speeds.turning);
-    let evaluation = errors.tick + errors.slope * speeds.steepness();
-    let constant = error + evaluation + slopes + of_phases(CLOCK, CLOCK);
-    let orientation = ErrorBound { constant, per_tick: of_phases(nutation, alpha.max(beta)) };
+    let [nutation, alpha, beta] = growth;
+    let constant = error + errors.tick + errors.slope * speeds.steepness();
+    let orientation = ErrorBound { constant, per_tick: 2.0 * (sweep * nutation + TURN * alpha.max(beta)) };
 
-    // terms of the angular velocity, which may cancel: of the transverse part, and of the whole
-    let terms = sweep * half_periods + Float::abs(mean);
-    let whole = terms + Float::abs(axial);
+    // half periods per unit time, and the terms of the angular velocity, which may cancel: of the transverse part, and of the whole
+    let [frequency, alpha_rate, beta_rate] = rates.turns;
+    let half_periods = 2.0 * frequency.to_f64();
+    let mean = TURN * Float::abs((alpha_rate + beta_rate).to_f64());
+    let terms = sweep * half_periods + mean;
+    let whole = terms + Float::abs(motion.axial_rate());
+    let rotor = Float::abs(motion.top().rotor_momentum()) / motion.top().transverse_inertia();
     // change of the angular velocity by a delay of half a period, and by one in which the orientation turns by 1 rad
-    let delay = (speeds.acceleration * half_periods) + sweep * whole;
-    let turned = if sweep > 0.0 { speeds.acceleration / sweep * half_periods } else { 0.0 };
-    let relative = errors.relative_rate + DEVIATIONS * <f64 as Scalar>::ROUNDING;
+    let delay = acceleration * half_periods + sweep * whole;
+    let turned = if sweep > 0.0 { acceleration / sweep * half_periods } else { 0.0 };
+    let relative = errors.relative_rate + DEVIATIONS * f64::ROUNDING;
     let rate = ErrorBound {
         constant: speeds.sweep_error * half_periods
-            + errors.rate * (speeds.x_rate * half_periods + Float::abs(mean))
+            + errors.rate * (speeds.x_rate * half_periods + mean)
             + relative * (whole + rotor)
             + (turned + terms + whole) * constant,
         per_tick: 2.0 * nutation * delay + TURN * (alpha + beta) * whole,
@@ -78,55 +103,61 @@ pub(crate) fn error_bounds(
     [orientation, rate]
 }
 
-/// Exact step minus increment, in turns; whole turns are ignored.
-pub(crate) fn increment_error(increment: Phase, exact: Extended) -> f64 {
-    let difference = (exact - increment.into()).to_f64();
+/// Exact step minus its rounding to a phase, in turns; whole turns are ignored.
+fn increment_error(exact: Extended) -> f64 {
+    let difference = (exact - exact.to_phase().into()).to_f64();
     difference - libm::round(difference)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::Ring;
-    use crate::table::build::errors::Speeds;
+    use crate::phase::Phase;
     use crate::table::scalar::EphemerisScalar;
+    use crate::{InitialPhases, Signs, Top, TopParameters};
 
     /// Errors of the rates far above the rounding of the increments: the bound must contain each of them completely.
     #[test]
     fn the_rates_errors_are_in_it() {
         let speeds = Speeds { sweep: 5.0, turning: 3.0, ..Speeds::ZERO };
-        let summary = TableSummary { speeds, ..TableSummary::EMPTY };
-        let nothing = Extended::ZERO;
-        let motion = [1.0, 0.0, 0.0, 0.0];
-        let per_tick = |errors, increment_errors| {
-            let rates = MeanRates {
-                half_period: Extended::ONE,
-                theta_offset: [nothing; 2],
-                turns: [Extended::ONE; 3],
-                errors,
-            };
-            let [bound, _] = error_bounds(&f64::ERRORS, &rates, &summary, motion, (0.5, increment_errors));
+        let parameters = TopParameters {
+            transverse_inertia: 1.0,
+            axial_inertia: 0.7,
+            com_height: 1.0,
+            mass_moment: 1.0,
+            ..TopParameters::default()
+        };
+        let top = Top::sliding(&parameters).unwrap();
+        let motion =
+            Motion::from_branch_points(&top, [-0.5, 0.5, 1.5], Signs::default(), &InitialPhases::default())
+                .unwrap();
+        let per_tick = |errors, turns| {
+            let rates = MeanRates { turns: [turns; 3], errors, ..MeanRates::ZERO };
+            let [bound, _] = error_bounds(&f64::ERRORS, &motion, 0.5.into(), &rates, &speeds, 0.0);
             bound.per_tick
         };
+        let whole = Extended::from(2.0);
         for (errors, allowed) in [
             ([1e-20, 0.0, 0.0], 5e-20),
             ([0.0, 1e-20, 0.0], TURN * 1e-20),
             ([0.0, 0.0, 1e-20], TURN * 1e-20),
             ([1e-20; 3], (5.0 + TURN) * 1e-20),
         ] {
-            assert!((per_tick(errors, [0.0; 3]) / allowed - 1.0).abs() < 1e-12, "{errors:?}");
+            assert!((per_tick(errors, whole) / allowed - 1.0).abs() < 1e-12, "{errors:?}");
         }
-        assert!((per_tick([0.0; 3], [-1e-29; 3]) / (2.0 * (5.0 + TURN) * 1e-29) - 1.0).abs() < 1e-12);
-        assert_eq!(per_tick([0.0; 3], [0.0; 3]), 0.0);
+        // an increment of a third of a turn, off by a third of the last place
+        let third = whole / Extended::from(3.0);
+        let expected = 2.0 * (5.0 + TURN) * Phase::RESOLUTION / 3.0;
+        assert!((per_tick([0.0; 3], third) / expected - 1.0).abs() < 1e-9);
+        assert_eq!(per_tick([0.0; 3], whole), 0.0);
     }
 
     #[test]
     fn an_increment_error_is_known_to_the_last_place() {
         let third = Extended::ONE / Extended::from(3.0);
-        let error = increment_error(third.to_phase(), third) / Phase::RESOLUTION;
+        let error = increment_error(third) / Phase::RESOLUTION;
         assert!((error - 1.0 / 3.0).abs() < 1e-3, "{error}");
         // whole turns beyond 2^32 do not matter
-        let far = third + Extended::from(2_f64.powi(40));
-        assert!(increment_error(far.to_phase(), far).abs() < 1e-18);
+        assert!(increment_error(third + Extended::from(2_f64.powi(40))).abs() < 1e-18);
     }
 }

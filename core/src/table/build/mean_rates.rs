@@ -1,22 +1,10 @@
 //! Mean rates of a motion: the constant rates of the phases of an ephemeris.
 
+use super::MeanRates;
 use crate::constants::LaunchRounding;
 use crate::motion::Motion;
 use crate::motion::period::Period;
 use crate::scalar::{Extended, Float, Ring};
-
-/// Rates of the nutation phase and of the mean slow phases, with the values needed to step through the half period.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct MeanRates {
-    /// Half period T/2; 0 where u is constant.
-    pub(crate) half_period: Extended,
-    /// Constant rates of θ_A and θ_B besides ψ_A' and ψ_B': ±τ/2 minus the mean rate, rad per unit time.
-    pub(crate) theta_offset: [Extended; 2],
-    /// Nutation frequency 1/T, and the mean rates of α and β, in turns per unit time.
-    pub(crate) turns: [Extended; 3],
-    /// Errors of `turns`, turns per unit time.
-    pub(crate) errors: [f64; 3],
-}
 
 /// Number of successive roundings in a rate and in an increment, without those of the quadrature's nodes.
 const OPERATIONS: f64 = 64.0;
@@ -26,45 +14,35 @@ const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
 const OPERATIONS_PER_NODE: f64 = 2.0;
 
 impl MeanRates {
-    /// Mean rates of a motion with this period.
+    /// Mean rates of a motion with this period; `None` where u is constant.
     #[inline(never)]
-    pub(crate) fn new(motion: &Motion, period: Option<Period>) -> Self {
+    pub(super) fn new(motion: &Motion, period: Option<Period>) -> Self {
         match period {
             Some(period) => Self::periodic(motion, &period),
             None => Self::steady(motion),
         }
     }
 
-    /// Greater of the angles by which the constant rates turn θ_A and θ_B in half a period, rad.
-    pub(crate) fn greatest_turning(&self) -> f64 {
-        let [alpha, beta] = self.theta_offset.map(|rate| Float::abs((rate * self.half_period).to_f64()));
-        alpha.max(beta)
-    }
-
-    /// Mean rates of a motion with constant u.
-    pub(crate) fn steady(motion: &Motion) -> Self {
+    pub(super) fn steady(motion: &Motion) -> Self {
         let [alpha, beta] = motion.steady_rates().map(Extended::in_turns);
         let relative = OPERATIONS * Extended::OPERATION_ERROR + STORED + motion.rounding.relative;
         // a rate is the sum of a quotient and ±τ/2, which may cancel
-        let half_tau = Float::abs(motion.half_tau.in_turns().to_f64());
-        let slow = Extended::from(motion.rounding.slow_rates).in_turns().to_f64();
+        let half_tau = size_in_turns(motion.half_tau);
+        let slow = size_in_turns(motion.rounding.slow_rates.into());
         let error = |rate: Extended| (Float::abs(rate.to_f64()) + 2.0 * half_tau) * relative + slow;
-        Self {
-            half_period: Extended::ZERO,
-            theta_offset: [Extended::ZERO; 2],
-            turns: [Extended::ZERO, alpha, beta],
-            errors: [0.0, error(alpha), error(beta)],
-        }
+        Self { turns: [Extended::ZERO, alpha, beta], errors: [0.0, error(alpha), error(beta)], ..Self::ZERO }
     }
 
     fn periodic(motion: &Motion, period: &Period) -> Self {
-        let half = Extended::from(0.5);
-        let frequency = Extended::ONE / period.time;
-        // an ellipse that passes through 0 changes sign once in a period, which is half a turn in either direction
-        let whole = |turns: Extended, winding: i32| if winding == 0 { turns + half } else { turns };
         let (half_tau, windings) = (motion.half_tau, motion.windings());
-        let ([alpha, beta], [alpha_winding, beta_winding]) = (period.turns(half_tau, windings), windings);
-        let [alpha, beta] = [whole(alpha, alpha_winding) * frequency, whole(beta, beta_winding) * frequency];
+        let frequency = Extended::ONE / period.time;
+        let mut slow = period.turns(half_tau, windings);
+        for (turns, winding) in slow.iter_mut().zip(windings) {
+            // an ellipse that passes through 0 changes sign once in a period, which is half a turn in either direction
+            let whole = if winding == 0 { *turns + Extended::from(0.5) } else { *turns };
+            *turns = whole * frequency;
+        }
+        let [alpha, beta] = slow;
         Self {
             half_period: period.time.halved(),
             theta_offset: [half_tau - Extended::TWO_PI * alpha, -half_tau - Extended::TWO_PI * beta],
@@ -74,27 +52,25 @@ impl MeanRates {
     }
 }
 
+fn size_in_turns(angle: Extended) -> f64 {
+    Float::abs(angle.in_turns().to_f64())
+}
+
 /// Errors of 1/T and of the mean rates of α and β, turns per unit time.
-#[inline(never)]
 fn errors(motion: &Motion, period: &Period) -> [f64; 3] {
     let LaunchRounding { relative, slow_rates } = motion.rounding;
     let operations = OPERATIONS + OPERATIONS_PER_NODE * f64::from(period.nodes);
     let arithmetic = operations * period.operation_error + STORED + relative;
     let rule = period.relative_error;
     let frequency = 1.0 / period.time.to_f64();
-    let psi = period.psi.map(|angle| Float::abs(angle.in_turns().to_f64()));
-    let [psi_alpha, psi_beta] = psi;
-    let half_tau = Float::abs(motion.half_tau.in_turns().to_f64());
-    let slow = Extended::from(slow_rates).in_turns().to_f64();
-    let [alpha, beta] = psi.map(|own| {
+    let [alpha, beta] = period.psi.map(size_in_turns);
+    let slow = 2.0 * size_in_turns(motion.half_tau) * arithmetic + size_in_turns(slow_rates.into());
+    let error = |own: f64| {
         // the rate is (ψ(T) + half a turn)/T ± τ/2; the error of the trapezoid rule affects the first term only
-        let advance = own + 0.5;
-        let of_rule = (psi_alpha + psi_beta + advance) * rule;
-        (of_rule + 2.0 * (psi_alpha + psi_beta + advance) * arithmetic) * frequency
-            + 2.0 * half_tau * arithmetic
-            + slow
-    });
-    [frequency * (rule + arithmetic), alpha, beta]
+        let advance = alpha + beta + own + 0.5;
+        advance * (rule + 2.0 * arithmetic) * frequency + slow
+    };
+    [frequency * (rule + arithmetic), error(alpha), error(beta)]
 }
 
 #[cfg(test)]

@@ -4,9 +4,7 @@ use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction, integer_parts, shifted};
 use crate::scalar::{Extended, Float};
-use crate::table::build::bound::increment_error;
-use crate::table::build::errors::TableSummary;
-use crate::table::build::mean_rates::MeanRates;
+use crate::table::build::MeanRates;
 use crate::table::cell::LONGEST;
 use crate::table::data::tip_clock::TipClock;
 use crate::table::tick::Tick;
@@ -56,13 +54,7 @@ impl<W: Float> Clock<W> {
     };
 
     /// Clock of a motion that is launched at tick `epoch`; [`TipClock::start`] is not set yet.
-    pub(crate) fn new(
-        motion: &Motion,
-        tick: Tick,
-        epoch: i64,
-        rates: &MeanRates,
-        summary: &TableSummary,
-    ) -> Self {
+    pub(crate) fn new(motion: &Motion, tick: Tick, epoch: i64, rates: &MeanRates, start: [Phase; 3]) -> Self {
         let length = tick.length();
         let exact_step = rates.turns.map(|turns| turns * length);
         let [frequency, alpha, beta] = rates.turns;
@@ -71,7 +63,7 @@ impl<W: Float> Clock<W> {
         // x changes by 2 over each segment
         let x_rate = 4.0 * LONGEST as f64 * frequency.to_f64();
         Self {
-            first: first_phases(summary.start, epoch, exact_step),
+            first: first_phases(start, epoch, exact_step),
             step: exact_step.map(|step| PhaseFraction::from_phase(step.to_phase()).words()),
             exact_step: exact_step.map(Extended::parts),
             ticks_per_time: tick.rate().parts(),
@@ -93,11 +85,6 @@ impl<W> Clock<W> {
     /// Increments per tick of nutation phase, A and B in turns, whole turns included.
     pub(crate) fn exact_steps(&self) -> [Extended; 3] {
         self.exact_step.map(|[hi, lo]| Extended::sum(hi, lo))
-    }
-
-    /// Rounding errors of the increments, in turns: exact minus rounded.
-    pub(crate) fn increment_errors(&self) -> [f64; 3] {
-        self.exact_steps().map(|exact| increment_error(exact.to_phase(), exact))
     }
 
     /// Increments per tick of nutation phase, A and B in turns, rounded to `f64`.

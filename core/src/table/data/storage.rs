@@ -2,10 +2,10 @@
 
 use crate::scalar::{Float, short_float};
 use crate::table::build::bound::ErrorBound;
-use crate::table::build::polynomial::Polynomial;
 use crate::table::cell::{CELLS, Cell, LONGEST};
 use crate::table::data::clock::Clock;
 use crate::table::scalar::{Coefficient, EphemerisScalar};
+use crate::table::series::TERMS;
 use core::ops::{Deref, DerefMut};
 
 /// Ephemeris of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
@@ -226,11 +226,11 @@ pub(crate) fn put<R: EphemerisScalar>(
     segments: &mut [R::Segment],
     segment: usize,
     which: usize,
-    polynomial: &Polynomial,
+    parts: [&[i64; TERMS]; 2],
 ) -> [f32; 2] {
     let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
     let (mut largest, mut slope_squares) = (0.0, 0.0);
-    for (column, part) in (2 * which..).zip(polynomial) {
+    for (column, part) in (2 * which..).zip(parts) {
         let part = part.get(..R::TERMS).unwrap_or(part);
         // Σ k |error of c_k|
         let (mut errors, mut slope_error) = (0_u64, 0_u64);

@@ -9,10 +9,10 @@
 //! Where u falls, N becomes -N̄. The axial part Ω₃ = (n - K)/C is constant.
 
 use crate::complex::Complex;
-use crate::scalar::{Extended, Scalar, sine_cosine_f64};
+use crate::scalar::{Scalar, sine_cosine_f64};
 use crate::su2::{Orientation, Vector};
 use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint};
-use crate::table::series::expansion::UNIT;
+use crate::table::series::expansion::TABLE_UNIT;
 
 impl EphemerisScalar for f64 {
     type Coefficient = Self;
@@ -30,7 +30,6 @@ impl EphemerisScalar for f64 {
         slope: 0.0,
         rate: 0.0,
         relative_rate: 5.0 * <Self as Scalar>::ROUNDING,
-        operation: Extended::OPERATION_ERROR,
     };
 
     #[inline(always)]
@@ -45,7 +44,7 @@ impl Coefficient for f64 {
 
     fn nearest(value: i64, _: usize) -> (Self, i64) {
         let nearest = value as f64;
-        (nearest * UNIT, (nearest as i64).saturating_sub(value))
+        (nearest * TABLE_UNIT, (nearest as i64).saturating_sub(value))
     }
 
     fn error(_: &[i64]) -> f32 {

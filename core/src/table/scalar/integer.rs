@@ -1,7 +1,7 @@
 //! Evaluation in integers, with the same bits on every chip: four polynomials by Horner's rule and two rotations.
 
 use crate::product::high_product;
-use crate::scalar::{Extended64, Scalar, times_power_of_two};
+use crate::scalar::{Scalar, times_power_of_two};
 use crate::su2::{Orientation, Vector};
 use crate::table::scalar::q30::Q30;
 use crate::table::scalar::word::{Word, is_short};
@@ -20,7 +20,6 @@ const ERRORS: EvaluationErrors = EvaluationErrors {
     slope: PLACE,
     rate: 40.0 * UNIT,
     relative_rate: 3.7 * <f32 as Scalar>::ROUNDING,
-    operation: Extended64::OPERATION_ERROR,
 };
 const PLACE: f64 = 2.0 / (1_u64 << 32) as f64;
 /// Unit of the sums in 16 bits, 2^-15.

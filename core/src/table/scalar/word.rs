@@ -188,7 +188,7 @@ impl Word for i16 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::series::expansion::UNIT;
+    use crate::table::series::expansion::TABLE_UNIT;
 
     /// With six terms the products with the fourth and the fifth power are short, and the sum of the lower one
     /// contains both.
@@ -196,8 +196,8 @@ mod tests {
     fn what_short_products_lose() {
         let near =
             |found: f64, expected: f64| assert!((found - expected).abs() < 2e-13, "{found:e} {expected:e}");
-        let error = |values| UNIT * f64::from(i32::error(&polynomial(values)));
-        let accepted = UNIT * f64::from(SHORT_ERROR);
+        let error = |values| TABLE_UNIT * f64::from(i32::error(&polynomial(values)));
+        let accepted = TABLE_UNIT * f64::from(SHORT_ERROR);
         // in range, but the short products are not accurate enough
         near(error([0.0, 0.0, 0.0, 0.0, 0.02, 0.01]), 0.04 / 32768.0 - accepted);
         near(error([0.9, 0.3, 0.05, 0.02, -0.03, 0.01]), 0.05 / 32768.0 - accepted);

@@ -1,33 +1,21 @@
 //! Sine and cosine in the integers of the series.
 
+use super::{Split, scaled_product};
 use crate::phase::Phase;
 use crate::product::signed_product;
-use crate::table::series::integers::{Split, scaled_product};
 
 /// Fraction bits of [`sine_cosine`].
-pub(crate) const FRACTION: i32 = 57;
+pub(super) const FRACTION: i32 = 57;
 
-/// Alternating Taylor series in powers of r², in units of 2^-58. The last coefficients and their products with r² have at most 32 bits.
-struct Series {
-    long: [i64; 6],
-    short: [i32; 4],
-}
-
-/// sin r/r.
-const SINE: Series = Series {
-    long: [
-        288230376151711744,
-        -48038396025285291,
-        2401919801264265,
-        -57188566696768,
-        794285648566,
-        -7220778623,
-    ],
-    short: [46287042, -220414, 810, -2],
-};
-/// cos r.
-const COSINE: Series = Series {
-    long: [
+/// Alternating Taylor series of sin r/r in powers of r², in units of 2^-58. The last coefficients and their products with r² have at most 32
+/// bits.
+const SINE: ([i64; 6], [i32; 4]) = (
+    [288230376151711744, -48038396025285291, 2401919801264265, -57188566696768, 794285648566, -7220778623],
+    [46287042, -220414, 810, -2],
+);
+/// Series of cos r.
+const COSINE: ([i64; 6], [i32; 4]) = (
+    [
         288230376151711744,
         -144115188075855872,
         12009599006321323,
@@ -35,34 +23,32 @@ const COSINE: Series = Series {
         7148570837096,
         -79428564857,
     ],
-    short: [601731552, -3306217, 13776, -45],
-};
+    [601731552, -3306217, 13776, -45],
+);
 
-impl Series {
-    /// Sum for r² in units of 2^-58, which is below 0.62.
-    fn sum(&self, square: i64) -> i64 {
-        let word = (square >> 27) as i32;
-        let times_square = |sum: i32| (signed_product(sum, word) >> 31) as i32;
-        let short = self.short.iter().rev().fold(0, |sum, c| c + times_square(sum));
-        let square = Split::of(square);
-        let [first @ .., last] = &self.long;
-        let last = last + i64::from(times_square(short));
-        first.iter().rev().fold(last, |sum, c| c + scaled_product::<58>(Split::of(sum), square))
-    }
+/// Sum of a series for r² in units of 2^-58, which is below 0.62.
+fn sum((long, short): &([i64; 6], [i32; 4]), square: i64) -> i64 {
+    let word = (square >> 27) as i32;
+    let times_square = |sum: i32| (signed_product(sum, word) >> 31) as i32;
+    let short = short.iter().rev().fold(0, |sum, c| c + times_square(sum));
+    let square = Split::of(square);
+    let [first @ .., last] = long;
+    let last = last + i64::from(times_square(short));
+    first.iter().rev().fold(last, |sum, c| c + scaled_product::<58>(square, sum))
 }
 
 /// (sin 2πx, cos 2πx) of a phase of x turns, in units of 2^-57. Error: below 2^-56. A product costs a chip without a unit
 /// for `f64` a third of one in `f64`.
 #[inline(never)]
-pub(crate) fn sine_cosine(phase: Phase) -> (i64, i64) {
+pub(super) fn sine_cosine(phase: Phase) -> (i64, i64) {
     /// π/2 in units of 2^-57.
     const QUARTER_TURN: Split = Split::of(226375608064910089);
     let (quadrant, rest) = phase.quadrant();
     // from units of 2^-62 turns to rad in units of 2^-58
-    let angle = Split::of(scaled_product::<59>(Split::of((rest.to_bits() >> 34) as i64), QUARTER_TURN));
-    let square = scaled_product::<58>(angle, angle);
-    let sine = scaled_product::<59>(Split::of(SINE.sum(square)), angle);
-    let cosine = (COSINE.sum(square) + 1) >> 1;
+    let angle = scaled_product::<59>(QUARTER_TURN, (rest.to_bits() >> 34) as i64);
+    let square = scaled_product::<58>(Split::of(angle), angle);
+    let sine = scaled_product::<59>(Split::of(angle), sum(&SINE, square));
+    let cosine = (sum(&COSINE, square) + 1) >> 1;
     match quadrant % 4 {
         0 => (sine, cosine),
         1 => (cosine, -sine),

@@ -3,22 +3,12 @@
 //! The highest term c x^k is left out together with the multiple of lower powers that makes it c 2^(1-k) T_k(x). As |T_k| <= 1, the value
 //! changes by at most |c| 2^(1-k). The terms that remain are those of a Chebyshev series.
 
+use super::{Part, Series, SpanSeries};
 use crate::product::{long_product, signed_product};
 use crate::scalar::{Float, Ring, short_float};
-use crate::table::build::polynomial::Polynomial;
-use crate::table::series::expansion::TERMS;
-
-/// Series on an interval, whose coordinate x is in [-1, 1].
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Series {
-    pub(crate) polynomial: Polynomial,
-    /// Number of terms.
-    pub(crate) terms: usize,
-    /// Upper bounds on the changes of the real and of the imaginary part by the terms left out, in units of 2^-62.
-    left_out: [i64; 2],
-    /// Upper bounds on the changes of their derivatives.
-    slope_left_out: [i64; 2],
-}
+use crate::table::build::{Limits, OMITTED, SegmentErrors};
+use crate::table::series::TERMS;
+use crate::table::series::expansion::{Expansion, larger_or_nan};
 
 /// Fraction bits of [`FACTORS`].
 const FACTOR_BITS: u32 = TERMS as u32 - 2;
@@ -51,42 +41,45 @@ fn times(c: i64, factor: i32) -> i64 {
         + ((signed_product(low, factor) + half) >> FACTOR_BITS)
 }
 
-/// Upper bounds on [-1, 1], in units of 2^-62.
-pub(crate) struct SeriesBounds {
-    /// Changes of the value and of the derivative by the terms left out.
-    pub(crate) change: f32,
-    pub(crate) slope_change: f32,
-    /// Squares of the first and of the second derivative.
-    pub(crate) slope_squares: f32,
-    pub(crate) curvature_squares: f32,
+impl Part {
+    /// Leaves out the last term.
+    fn leave_out(&mut self, degree: usize) {
+        let last = self.coefficients.get_mut(degree).map_or(0, core::mem::take);
+        self.left_out += last.abs() >> (degree - 1);
+        self.slope_left_out += (last.abs() * (degree * degree) as i64) >> (degree - 1);
+        let lower = self.coefficients.iter_mut().take(degree).rev().skip(1).step_by(2);
+        let factors = FACTORS.get(degree).into_iter().flatten();
+        lower.zip(factors).for_each(|(c, factor)| *c -= times(last, *factor));
+    }
+
+    /// Estimated sum of the omitted terms, in units of 2^-62: the last four terms are continued as a geometric series. The result is
+    /// infinite where these terms do not decrease.
+    fn omitted(&self) -> f32 {
+        /// Magnitude below which terms are rounding errors and need not decrease: 3e-17 in units of 2^-62.
+        const NEGLIGIBLE: i64 = 138;
+        let [.., c12, c13, c14, c15] = self.coefficients.map(i64::abs);
+        // in pairs, because a series may be even or odd
+        let (before, last) = (c12 + c13, c14 + c15);
+        if last <= NEGLIGIBLE {
+            return 0.0;
+        }
+        let (before, last) = (before as f32, last as f32);
+        let ratio = last / before;
+        if ratio < 1.0 { last * ratio / (1.0 - ratio) } else { f32::INFINITY }
+    }
 }
 
 impl Series {
-    pub(crate) const ZERO: Self =
-        Self { polynomial: [[0; TERMS]; 2], terms: 0, left_out: [0; 2], slope_left_out: [0; 2] };
-
     /// Leaves out last terms: down to `fewest`, as long as the changes of both parts add up to at most `most`.
     #[inline(never)] // the stack frames of set-up must not add up
-    pub(crate) fn shorten(&mut self, fewest: usize, most: i64) {
+    pub(super) fn shorten(&mut self, fewest: usize, most: i64) {
         while self.terms > fewest.max(2) {
             let degree = self.terms - 1;
-            let last = self.polynomial.map(|part| part.get(degree).copied().unwrap_or_default());
-            let sizes = |factor: usize| last.map(|c| (c.abs() * factor as i64) >> (degree - 1));
-            let values = sizes(1);
-            if self.left_out.iter().chain(&values).sum::<i64>() > most {
+            let last = |part: &Part| part.coefficients.get(degree).map_or(0, |c| c.abs() >> (degree - 1));
+            if self.parts.iter().map(|part| part.left_out + last(part)).sum::<i64>() > most {
                 break;
             }
-            let add = |sums: &mut [i64; 2], sizes: [i64; 2]| {
-                sums.iter_mut().zip(sizes).for_each(|(sum, size)| *sum += size);
-            };
-            add(&mut self.left_out, values);
-            add(&mut self.slope_left_out, sizes(degree * degree));
-            let factors = FACTORS.get(degree).copied().unwrap_or_default();
-            for (part, last) in self.polynomial.iter_mut().zip(last) {
-                let lower = part.iter_mut().take(degree).rev().skip(1).step_by(2);
-                lower.zip(&factors).for_each(|(c, factor)| *c -= times(last, *factor));
-                part.iter_mut().skip(degree).take(1).for_each(|c| *c = 0);
-            }
+            self.parts.iter_mut().for_each(|part| part.leave_out(degree));
             self.terms = degree;
         }
     }
@@ -94,10 +87,10 @@ impl Series {
     /// Replaces the series by that on the upper or the lower half of the interval, by Horner's rule for x = (y ± 1)/2. Errors do not grow,
     /// as |x| <= 1; all roundings together stay below 2^-57.
     #[inline(never)] // the stack frames of set-up must not add up
-    pub(crate) fn halve(&mut self, upper: bool) {
-        for part in &mut self.polynomial {
+    pub(super) fn halve(&mut self, upper: bool) {
+        for part in &mut self.parts {
             let mut half = [0; TERMS];
-            for (degree, c) in part.iter().take(self.terms).rev().enumerate() {
+            for (degree, c) in part.coefficients.iter().take(self.terms).rev().enumerate() {
                 let mut lower_power = 0;
                 for power in half.iter_mut().take(degree + 1) {
                     let moved = if upper { *power } else { -*power };
@@ -105,62 +98,67 @@ impl Series {
                 }
                 half[0] += c;
             }
-            *part = half;
+            part.coefficients = half;
+            part.slope_left_out = (part.slope_left_out + 1) >> 1;
         }
-        self.slope_left_out = self.slope_left_out.map(|sum| (sum + 1) >> 1);
     }
 
-    /// Bounds on the changes and on the derivatives: Σ k |c_k| and Σ k (k - 1) |c_k|.
-    #[inline(never)] // one copy for all scalars
-    pub(crate) fn bounds(&self) -> SeriesBounds {
+    /// Adds the errors of the series and of the stored coefficients, each of the value and of the derivative, with the bounds Σ k |c_k| and
+    /// Σ k (k - 1) |c_k| on the derivatives.
+    pub(super) fn add_errors(
+        &self,
+        sums: &mut SegmentErrors,
+        [omitted, slope_omitted]: [f32; 2],
+        [stored, slope_stored]: [f32; 2],
+    ) {
         /// Unit of the upper words.
         const WORD: f32 = (1_u64 << 32) as f32;
-        let (mut slope_squares, mut curvature_squares) = (0.0, 0.0);
-        for part in &self.polynomial {
+        for part in &self.parts {
             let (mut slope, mut curvature) = (0, 0);
-            for (c, k) in part.iter().zip(0_u32..).take(self.terms) {
+            for (c, k) in part.coefficients.iter().zip(0_u32..).take(self.terms) {
                 let size = (c.unsigned_abs() >> 32) as u32 + 1;
                 slope += long_product(size, k);
                 curvature += long_product(size, k * k.saturating_sub(1));
             }
-            slope_squares += Ring::squared(short_float(slope) * WORD);
-            curvature_squares += Ring::squared(short_float(curvature) * WORD);
+            sums.slope += Ring::squared(short_float(slope) * WORD);
+            sums.curvature += Ring::squared(short_float(curvature) * WORD);
         }
-        let norm = |sums: [i64; 2]| {
-            let squares = sums.map(|sum| Ring::squared(short_float(sum.unsigned_abs())));
-            Float::sqrt(squares.iter().sum())
+        let norm = |of: fn(&Part) -> i64| {
+            let [re, im] = self.parts.each_ref().map(|part| short_float(of(part).unsigned_abs()));
+            Float::sqrt(re * re + im * im)
         };
-        SeriesBounds {
-            change: norm(self.left_out),
-            slope_change: norm(self.slope_left_out),
-            slope_squares,
-            curvature_squares,
-        }
+        sums.change += Ring::squared(norm(|part| part.left_out) + omitted);
+        sums.slope_error += Ring::squared(norm(|part| part.slope_left_out) + slope_omitted + slope_stored);
+        sums.stored = larger_or_nan(sums.stored, stored);
     }
-}
-
-/// Series on a span, and on the part of it that was halved last.
-#[derive(Debug)]
-pub(crate) struct SpanSeries {
-    whole: Series,
-    halved: Series,
-    /// Number of that part, and base-2 logarithm of the number of parts; `None` where no series is kept.
-    part: Option<[usize; 2]>,
 }
 
 impl SpanSeries {
-    pub(crate) const ZERO: Self = Self { whole: Series::ZERO, halved: Series::ZERO, part: None };
-
-    /// Series on the span, to be replaced.
-    pub(crate) fn replace(&mut self) -> &mut Series {
-        (self.whole, self.part) = (Series::ZERO, None);
-        &mut self.whole
+    /// Computes the series of α (`which` = 0) or β (1); `None` where it is not accurate.
+    pub(super) fn compute(
+        &mut self,
+        expansion: &mut Expansion,
+        which: usize,
+        limits: &Limits,
+        between: &mut dyn FnMut(),
+    ) -> Option<()> {
+        let series = &mut self.whole;
+        (*series, self.part) = (Series::ZERO, None);
+        let parts = series.parts.each_mut().map(|part| &mut part.coefficients);
+        series.terms = expansion.turned(which, self.exponentials, limits.least_term(), parts)?;
+        between();
+        let [re, im] = series.parts.each_ref().map(Part::omitted);
+        let omitted = 2.0 * larger_or_nan(re, im);
+        (2.0 * omitted <= OMITTED * limits.polynomial).then_some(())?;
+        series.shorten(0, limits.left_out);
+        self.omitted = omitted + limits.least_term() as f32;
+        Some(())
     }
 
     /// Copies the series on one of 2^halvings parts. Last terms whose changes add up to at most `least` are left out.
-    pub(crate) fn restrict(&mut self, [part, halvings]: [usize; 2], least: i64, to: &mut Series) {
+    pub(super) fn restrict(&mut self, part: usize, halvings: u32, least: i64, to: &mut Series) {
         let Some(last) = halvings.checked_sub(1) else { return to.clone_from(&self.whole) };
-        let halved = Some([part / 2, last]);
+        let halved = Some((part / 2, last));
         if self.part != halved {
             (self.part, self.halved) = (halved, self.whole);
             for halving in (1..halvings).rev() {
@@ -176,26 +174,26 @@ impl SpanSeries {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::series::expansion::UNIT;
+    use crate::table::series::expansion::TABLE_UNIT;
 
     /// Series of a function of at most 1 whose terms decrease by a factor.
     fn series(ratio: f64, sense: f64) -> Series {
         let mut part = [0; TERMS];
         for (power, c) in part.iter_mut().enumerate() {
             let sign = if power % 2 == 1 { sense } else { 1.0 };
-            *c = (sign * (1.0 - ratio) * ratio.powi(power as i32) / UNIT) as i64;
+            *c = (sign * (1.0 - ratio) * ratio.powi(power as i32) / TABLE_UNIT) as i64;
         }
         let half = part.map(|c| c / 2);
-        let polynomial = if sense > 0.0 { [part, half] } else { [half, part] };
-        Series { polynomial, terms: TERMS, ..Series::ZERO }
+        let parts = if sense > 0.0 { [part, half] } else { [half, part] };
+        Series { parts: parts.map(|coefficients| Part { coefficients, ..Part::ZERO }), terms: TERMS }
     }
 
     /// Value, or a derivative, at x.
     fn derivative(series: &Series, order: i32, x: f64) -> [f64; 2] {
-        series.polynomial.map(|part| {
+        series.parts.map(|part| {
             let factor = |k: i32| (0..order).map(|m| f64::from(k - m)).product::<f64>();
-            let terms = part.iter().zip(0..TERMS as i32).skip(order as usize).rev();
-            UNIT * terms.fold(0.0, |sum, (c, k)| sum * x + factor(k) * *c as f64)
+            let terms = part.coefficients.iter().zip(0..TERMS as i32).skip(order as usize).rev();
+            TABLE_UNIT * terms.fold(0.0, |sum, (c, k)| sum * x + factor(k) * *c as f64)
         })
     }
 
@@ -212,7 +210,7 @@ mod tests {
                 (0..5).flat_map(|halvings| (0..1 << halvings).map(move |part| (halvings, part)))
             {
                 let mut own = Series::ZERO;
-                SpanSeries { whole, ..SpanSeries::ZERO }.restrict([part, halvings], 0, &mut own);
+                SpanSeries { whole, ..SpanSeries::ZERO }.restrict(part, halvings, 0, &mut own);
                 for x in [-1.0, -0.6, -0.3, 0.0, 0.7, 1.0] {
                     let place = (x + (2 * part + 1) as f64) / f64::from(1 << halvings) - 1.0;
                     let error = distance(derivative(&whole, 0, place), derivative(&own, 0, x));
@@ -233,18 +231,19 @@ mod tests {
         for terms in 2..TERMS {
             let mut short = exact;
             short.shorten(terms, i64::MAX);
-            assert!(short.polynomial.iter().all(|part| part[terms..].iter().all(|c| *c == 0)));
-            let bounds = short.bounds();
+            assert!(short.parts.iter().all(|part| part.coefficients[terms..].iter().all(|c| *c == 0)));
+            let mut sums = SegmentErrors::default();
+            short.add_errors(&mut sums, [0.0; 2], [0.0; 2]);
             let change =
                 |order| greatest(&|x| distance(derivative(&exact, order, x), derivative(&short, order, x)));
             let size = |order| greatest(&|x| distance(derivative(&short, order, x), [0.0; 2]));
             for (worst, bound, most) in [
-                (change(0), bounds.change, 1.5),
-                (change(1), bounds.slope_change, 2.5),
-                (size(1), bounds.slope_squares.sqrt(), 1.5),
-                (size(2), bounds.curvature_squares.sqrt(), 1.5),
+                (change(0), sums.change, 1.5),
+                (change(1), sums.slope_error, 2.5),
+                (size(1), sums.slope, 1.5),
+                (size(2), sums.curvature, 1.5),
             ] {
-                let bound = UNIT * f64::from(bound);
+                let bound = TABLE_UNIT * f64::from(bound.sqrt());
                 assert!(worst <= bound * 1.000_001 + 3e-16, "{terms}: {worst:e} {bound:e}");
                 assert!(bound <= most * worst + 1e-8, "{terms}: {worst:e} {bound:e}");
             }
@@ -255,20 +254,21 @@ mod tests {
     fn terms_are_left_out_up_to_a_sum() {
         let exact = series(0.3, 1.0);
         let size = |series: &Series, degree: usize| -> i64 {
-            series.polynomial.iter().map(|part| part[degree].abs() >> (degree - 1)).sum()
+            series.parts.iter().map(|part| part.coefficients[degree].abs() >> (degree - 1)).sum()
         };
         let mut series = exact;
         let last = size(&exact, 15);
         series.shorten(0, last - 1);
         assert_eq!(series.terms, 16);
         series.shorten(0, last);
-        assert_eq!((series.terms, series.left_out.iter().sum::<i64>()), (15, last));
+        assert_eq!((series.terms, series.parts.iter().map(|part| part.left_out).sum::<i64>()), (15, last));
         // what was left out before counts, and the derivative of a half by half as much
         let before = size(&series, 14);
         series.shorten(0, last + before - 1);
         assert_eq!(series.terms, 15);
-        let slopes = series.slope_left_out;
+        let slopes = |series: &Series| series.parts.map(|part| part.slope_left_out);
+        let before = slopes(&series);
         series.halve(false);
-        assert_eq!(series.slope_left_out, slopes.map(|slope| (slope + 1) / 2));
+        assert_eq!(slopes(&series), before.map(|slope| (slope + 1) / 2));
     }
 }

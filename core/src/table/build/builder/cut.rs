@@ -1,0 +1,172 @@
+//! Builder of a table: half a nutation period as short polynomials; the other half is its mirror image.
+//!
+//! ```text
+//! u = e₁                                                                    u = e₂
+//! |    |    |    |    |    |    |    |    |    |    |    |    |    |    |    |    |    16 cells
+//! |         |         |    |    |    |  |  |  |  ||||||||    |    |         |         |    segments: one polynomial of α and one of β
+//! |                   |         |         |      |  |  |     |         |              |    spans: one expansion of the motion
+//! ```
+//!
+//! A span ends where its series would exceed the allowed error. The segments of a cell are equal, and the longest with which the error is allowed.
+//! Where they prove too long, the cell is cut again from its beginning.
+
+use super::{Cut, SetUp};
+use crate::motion::Motion;
+use crate::table::build::{CELL, HALF_PERIOD, Limits, SegmentErrors, Speeds};
+use crate::table::cell::{Cell, cells_covered, segments_per_cell};
+use crate::table::series::TERMS;
+use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
+
+/// Function that stores a polynomial: index of the segment, 0 for α or 1 for β, and the
+/// coefficients of the real and of the imaginary part in units of 2^-62. It returns the errors of the
+/// orientation and of the derivative from rounding the coefficients, in units of 2^-62 rad.
+///
+/// It is a reference, so that set-up is compiled once for all scalars.
+pub(crate) type Store<'a> = dyn FnMut(usize, usize, [&[i64; TERMS]; 2]) -> [f32; 2] + 'a;
+
+impl SetUp {
+    /// Computes all segments of a motion; `None` where they are too many. One may be passed to `store` more than once, and the last time
+    /// is valid.
+    #[inline(never)]
+    pub(crate) fn build(
+        &mut self,
+        motion: &Motion,
+        limits: Limits,
+        store: &mut Store<'_>,
+        between: &mut dyn FnMut(),
+    ) -> Option<()> {
+        self.begin(motion, limits);
+        if motion.is_steady() {
+            self.store_constants(store);
+            return Some(());
+        }
+        between();
+        let mut place = 0;
+        while place < HALF_PERIOD {
+            self.enter_span(place, between)?;
+            place = self.cut_span(store, between)?;
+        }
+        self.error += self.path_error();
+        Some(())
+    }
+
+    /// Stores the polynomials of a motion in which u is constant.
+    #[inline(never)]
+    fn store_constants(&mut self, store: &mut Store<'_>) {
+        for (which, series) in self.series.iter().enumerate() {
+            let [plus, minus] = series.exponentials;
+            let mut re = [0; TERMS];
+            re[0] = libm::round((plus + minus) / TABLE_UNIT) as i64;
+            store(0, which, [&re, &[0; TERMS]]);
+        }
+        self.segments = 1;
+        self.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
+    }
+
+    /// Expands the motion on the span that begins at `place`: the next one, or the first of a cell that is cut again.
+    fn enter_span(&mut self, place: usize, between: &mut dyn FnMut()) -> Option<()> {
+        if place > self.span.begin {
+            self.leave(place == self.cut.end && self.coarser(place) < self.span.least_level());
+            between();
+        } else if place < self.span.begin {
+            self.go_to(place, self.cut.border);
+        }
+        while self.expand_span(between).is_none() {
+            self.shorten_span()?;
+        }
+        Some(())
+    }
+
+    /// Computes the series of α and β on the span; `None` where they are not accurate.
+    fn expand_span(&mut self, between: &mut dyn FnMut()) -> Option<()> {
+        self.expand_law(between)?;
+        for (which, series) in self.series.iter_mut().enumerate() {
+            between();
+            series.compute(&mut self.expansion, which, &self.limits, between)?;
+        }
+        between();
+        self.theta_slope = self.expansion.greatest_theta_slope();
+        between();
+        self.start.search(&self.expansion, self.end.point.chi, self.span);
+        Some(())
+    }
+
+    /// Level that is tried first: segments of twice the length. Two cells that share one begin with an even number.
+    fn coarser(&self, begin: usize) -> u32 {
+        self.cut.level.saturating_sub(1).max((begin / CELL % 2) as u32)
+    }
+
+    /// Cuts the span into segments. Returns its end, or an earlier place from which on a cell must be cut again.
+    fn cut_span(&mut self, store: &mut Store<'_>, between: &mut dyn FnMut()) -> Option<usize> {
+        let span = self.span;
+        let (mut place, least) = (span.begin, span.least_level());
+        if place < self.cut.end && self.cut.level < least {
+            // the segments of the cell that goes on are longer than the span
+            self.cut_again(least)?;
+            place = self.cut.begin;
+        }
+        while span.begin <= place && place < span.end() {
+            if place == self.cut.end {
+                (self.cut.begin, self.cut.border) = (place, self.border);
+                self.cut_again(self.coarser(place).max(least))?;
+            }
+            let error = self.store_segment(place, store, between);
+            self.cut.error = larger_or_nan(self.cut.error, error);
+            if error.is_nan() || error > self.limits.segment(self.cut.level) {
+                self.cut_again(self.cut.level + 1)?;
+                place = self.cut.begin;
+                continue;
+            }
+            place += segment_length(self.cut.level);
+            if place == self.cut.end {
+                self.end_cell();
+            }
+        }
+        Some(place)
+    }
+
+    /// Begins the cell anew with segments of this level; `None` where they are too many.
+    fn cut_again(&mut self, level: u32) -> Option<()> {
+        let end = self.cut.begin + cells_covered(level) * CELL;
+        self.cut = Cut { end, level, speeds: self.speeds, error: 0.0, ..self.cut };
+        let rest = HALF_PERIOD.saturating_sub(end).div_ceil(2 * CELL);
+        let segments = self.segments + segments_per_cell(level) + rest;
+        (segments <= self.limits.capacity && level <= Cell::DEEPEST).then_some(())
+    }
+
+    /// Enters the finished cell in the table.
+    fn end_cell(&mut self) {
+        let Cut { begin, level, speeds, error, .. } = self.cut;
+        let Cell(entry) = Cell::new(self.segments, begin / segment_length(level), level);
+        self.cells.iter_mut().skip(begin / CELL).take(cells_covered(level)).for_each(|cell| *cell = entry);
+        self.segments += segments_per_cell(level);
+        self.error = larger_or_nan(self.error, TABLE_UNIT * f64::from(error));
+        self.speeds = speeds;
+    }
+
+    /// Stores the polynomials of the segment at `place`. Returns their error in units of 2^-62 rad.
+    fn store_segment(&mut self, place: usize, store: &mut Store<'_>, between: &mut dyn FnMut()) -> f32 {
+        let Self { segment, cut, limits, span, .. } = self;
+        let length = segment_length(cut.level);
+        let halvings = span.halvings(cut.level);
+        let parts = (1_u32 << halvings) as f32;
+        let index = self.segments + (place - cut.begin) / length;
+        let mut errors = SegmentErrors::default();
+        for (which, series) in self.series.iter_mut().enumerate() {
+            series.restrict(place / length, halvings, limits.left_out, segment);
+            segment.shorten(limits.terms, i64::MAX);
+            between();
+            let omitted = [series.omitted, TERMS as f32 * series.omitted / parts];
+            let parts = segment.parts.each_ref().map(|part| &part.coefficients);
+            segment.add_errors(&mut errors, omitted, store(index, which, parts));
+            between();
+        }
+        let part = span.half_length() as f32 / parts;
+        errors.include_in(&mut cut.speeds, 1.0 / part, self.theta_slope / parts);
+        errors.error()
+    }
+}
+
+fn segment_length(level: u32) -> usize {
+    1 << (Cell::DEEPEST - level)
+}

@@ -1,0 +1,233 @@
+//! Path along half a nutation period, from one expansion of the motion to the next, and the start of the motion on it.
+
+use super::{Cut, Position, SetUp, Start};
+use crate::motion::cayley_klein::Ellipses;
+use crate::motion::phase_equations::PhaseRates;
+use crate::motion::{Motion, NutationVariable};
+use crate::phase::Phase;
+use crate::scalar::{Extended, Float, Scalar, Wide};
+use crate::table::build::{HALF_PERIOD, Limits, MeanRates, Span, Speeds};
+use crate::table::cell::CELLS;
+use crate::table::series::TERMS;
+use crate::table::series::expansion::{Expansion, PhasePoint, Slopes, larger_or_nan};
+
+/// Negligible term of the phases at x = 2 over that of α and β at x = 1. A term after the sixth is sixty times as large at x = 2.
+const PHASE_TERM: f64 = 32.0;
+
+impl Start {
+    /// Start of a motion that is not found yet; that of one that does not nutate is u = e₁.
+    fn new(motion: &Motion) -> Self {
+        let start = if let NutationVariable::Nutating(chi) = motion.nutation { chi } else { Phase::ZERO };
+        let (folded, rest) = start.halves();
+        let mirrored = rest > Phase::QUARTER;
+        let (folded, chi) = if mirrored { (folded + 1, Phase::HALF - rest) } else { (folded, rest) };
+        let [alpha, beta] = motion.phases.map(|phase| phase + Phase::HALF.times(folded));
+        Self { chi: Some(chi), mirrored, phases: [Phase::ZERO, alpha, beta], delay: 0.0 }
+    }
+
+    /// Finds the start, if it lies in this span, which ends at χ = `end`, or if the span is the last.
+    #[inline(never)]
+    pub(super) fn search(&mut self, expansion: &Expansion, end: Phase, span: Span) {
+        let Some(chi) = self.chi else { return };
+        // most motions start at a turning point, which is an end of the half period whatever the errors of the series
+        let x = match chi {
+            Phase::ZERO => -1.0,
+            _ if (chi == Phase::QUARTER || end < chi) && span.end() < HALF_PERIOD => return,
+            Phase::QUARTER => 1.0,
+            _ => coordinate(expansion, chi),
+        };
+        let (PhasePoint { theta, .. }, slope) = expansion.at(x);
+        let nearest = chi.min(Phase::QUARTER - chi).to_radians();
+        let change = if slope > 0.0 { nearest / slope } else { 0.0 };
+        let mirror = |phase: Phase| if self.mirrored { -phase } else { phase };
+        let ([_, alpha, beta], [alpha_theta, beta_theta]) = (self.phases, theta.map(mirror));
+        self.phases = [mirror(span.phase(x)), alpha - alpha_theta, beta - beta_theta];
+        (self.chi, self.delay) = (None, change * span.half_length());
+    }
+}
+
+/// Coordinate x of χ on a span, by Newton's method.
+fn coordinate(expansion: &Expansion, chi: Phase) -> f64 {
+    const STEPS: usize = 8;
+    /// Step of some roundings, after which the next would be a rounding error.
+    const LAST_STEP: f64 = 4.0 * f64::ROUNDING;
+    let mut x = 0.0_f64;
+    for _ in 0..STEPS {
+        let (point, slope) = expansion.at(x);
+        let miss = (point.chi - chi).to_radians();
+        let next = if slope > 0.0 { (x - miss / slope).clamp(-1.0, 1.0) } else { x };
+        let change = Float::abs(next - x);
+        x = next;
+        if change <= LAST_STEP {
+            break;
+        }
+    }
+    x
+}
+
+impl SetUp {
+    /// Computes the equations of a motion, and its mean rates in numbers of this many words.
+    #[inline(never)]
+    pub(crate) fn launch<const WORDS: usize>(&mut self, motion: &Motion, between: &mut dyn FnMut()) {
+        self.rates = if motion.is_steady() {
+            MeanRates::steady(motion)
+        } else {
+            self.slopes_of = Some(Self::slopes::<WORDS>);
+            self.law = motion.equations();
+            self.rounded_law = self.law.cast();
+            between();
+            MeanRates::new(motion, motion.period::<WORDS>(&self.law, between))
+        };
+    }
+
+    /// Begins the table of a motion, at u = e₁.
+    #[inline(never)]
+    pub(super) fn begin(&mut self, motion: &Motion, limits: Limits) {
+        (self.limits, self.start, self.cut) = (limits, Start::new(motion), Cut::NONE);
+        (self.cells, self.segments) = ([0; CELLS], 0);
+        (self.error, self.speeds) = (0.0, Speeds::ZERO);
+        let Ellipses { alpha, beta } = motion.ellipses::<f64>();
+        for (series, ellipse) in self.series.iter_mut().zip([alpha, beta]) {
+            series.exponentials = ellipse.exponentials();
+        }
+        let half_period = self.rates.half_period.to_f64();
+        let [alpha, beta] = self.rates.theta_offset.map(Float::to_f64);
+        let speed = |rates: &PhaseRates<f64>| {
+            Float::abs(rates.nutation) + (Float::abs(rates.alpha + alpha) + Float::abs(rates.beta + beta))
+        };
+        let [begin, end] =
+            [(0.0, 1.0), (1.0, 0.0)].map(|(sine, cosine)| self.rounded_law.rates(sine, cosine));
+        self.fastest = half_period * larger_or_nan(speed(&begin), speed(&end));
+        self.nutation_at_end = half_period * end.nutation;
+        self.span = Span::FIRST;
+        self.go_to(0, Position::BEGINNING);
+    }
+
+    /// Begins a span at an earlier position.
+    pub(super) fn go_to(&mut self, begin: usize, position: Position) {
+        self.span.begin = begin;
+        (self.border, self.centre) = (position, None);
+    }
+
+    /// Goes on to the next span. It is twice as long where the series are accurate at x = 2, or in any case.
+    pub(super) fn leave(&mut self, in_any_case: bool) {
+        let next = Span { begin: self.span.end(), ..self.span };
+        let twice = Span { depth: self.span.depth - 1, ..next };
+        let allowed = self.allowed();
+        let doubles = twice.exists() && (in_any_case || self.expansion.truncation_error(2) <= allowed);
+        let x = if doubles { 3 } else { 2 };
+        self.centre = self.after(x, f64::from(x) * allowed);
+        self.border = self.end;
+        self.span = if doubles { twice } else { next };
+    }
+
+    /// Shortens the span until its truncation error should be the allowed one, by one to four halvings. `None` where that is too short.
+    pub(super) fn shorten_span(&mut self) -> Option<()> {
+        // the last of sixteen terms over half the distance
+        const PER_HALVING: f64 = 1.0 / (1_u32 << (TERMS - 1)) as f64;
+        let (allowed, mut error) = (self.allowed(), self.expansion.truncation_error(1));
+        for _ in 0..4 {
+            error *= PER_HALVING;
+            self.span.depth += 1;
+            if !(error > allowed && error < f64::INFINITY) {
+                break;
+            }
+        }
+        self.centre = None;
+        (self.span.depth <= Span::DEEPEST).then_some(())
+    }
+
+    /// Expands the motion around the centre of the span; `None` where the truncation error at its centre or its end is too large.
+    #[inline(never)]
+    pub(super) fn expand_law(&mut self, between: &mut dyn FnMut()) -> Option<()> {
+        let allowed = self.allowed();
+        if self.centre.is_none() {
+            self.expand(between);
+            self.centre = Some(self.after(1, allowed)?);
+        }
+        self.expand(between);
+        self.end = self.after(1, allowed)?;
+        Some(())
+    }
+
+    /// Allowed truncation error of a step over half a span, with which the steps together have their part of the allowed error.
+    fn allowed(&self) -> f64 {
+        self.limits.steps * self.span.half_length()
+    }
+
+    /// Position around which the motion is expanded: the centre of the span, or its beginning where the centre is not known.
+    fn here(&self) -> &Position {
+        self.centre.as_ref().unwrap_or(&self.border)
+    }
+
+    /// Expands the motion around the position reached.
+    fn expand(&mut self, between: &mut dyn FnMut()) {
+        let Some(slopes_of) = self.slopes_of else { return };
+        between();
+        // time of y = 1, two spans
+        let unit = (1..self.span.depth).fold(self.rates.half_period, |unit, _| unit.halved());
+        let slopes = slopes_of(self, unit);
+        between();
+        self.expansion.expand(&self.rounded_law, &slopes, between);
+        between();
+    }
+
+    /// Derivatives of the phases. A slow phase may hardly differ from its mean.
+    #[inline(never)]
+    fn slopes<const WORDS: usize>(&self, unit: Extended) -> Slopes {
+        let point = self.here().point;
+        let (sine, cosine) = point.sine_cosine();
+        let rates = self.law.map(Wide::<WORDS>::resized).rates(sine.into(), cosine.into());
+        let [alpha_offset, beta_offset] = self.rates.theta_offset.map(Wide::resized);
+        let unit = Wide::resized(unit);
+        let slope = |rate: Wide<WORDS>| (unit * rate).to_f64();
+        let chi = slope(rates.nutation);
+        let weight = 4.0 * self.fastest * self.span.half_length() / Float::abs(chi);
+        Slopes {
+            point,
+            sine,
+            cosine,
+            unit: unit.to_f64(),
+            chi,
+            psi: [rates.alpha, rates.beta].map(slope),
+            theta: [rates.alpha + alpha_offset, rates.beta + beta_offset].map(slope),
+            weight: weight.max(1.0),
+            // a negligible term causes an estimated error of about a twentieth of it at x = 2, and of two thirds of it at x = 3
+            least: (PHASE_TERM * self.limits.least).min(4.0 * self.allowed()),
+        }
+    }
+
+    /// Position at `x`; `None` where the truncation error of the step is above `allowed`.
+    #[inline(never)]
+    fn after(&self, x: u32, allowed: f64) -> Option<Position> {
+        let truncation_error = self.expansion.truncation_error(x);
+        (truncation_error <= allowed).then(|| {
+            let Position { remainder, squares: [delays, angles], .. } = self.here();
+            let (point, slope) = self.expansion.at(x.into());
+            let [chi, theta] = self.expansion.sizes(x);
+            let delay = chi / slope as f32 * self.span.half_length() as f32;
+            Position {
+                point,
+                remainder: remainder + truncation_error,
+                squares: [delays + delay * delay, angles + theta * theta],
+            }
+        })
+    }
+
+    /// Error of the whole path, as an orientation error in rad, with the delay by the rounding of the start.
+    pub(super) fn path_error(&self) -> f64 {
+        let speeds = &self.speeds;
+        let Position { point: PhasePoint { chi, theta }, remainder, squares } = self.end;
+        // distance from an odd number of quarter turns, rad
+        let miss = |angle: Phase| {
+            let (_, rest) = (angle + Phase::QUARTER).halves();
+            rest.min(Phase::HALF - rest).to_radians()
+        };
+        // at the upper turning point cos χ = 0 and cos θ = 0
+        let [alpha, beta] = theta.map(miss);
+        let delay = remainder / self.fastest + miss(chi) / self.nutation_at_end;
+        speeds.delayed(delay)
+            + 2.0 * (remainder + alpha.max(beta))
+            + speeds.rounding(squares.map(f64::from), self.start.delay)
+    }
+}
