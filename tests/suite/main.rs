@@ -2,8 +2,8 @@
 
 /// SU(2), its two actions on the sphere, and conversions.
 mod rotations {
-    #[cfg(feature = "host")]
-    pub(crate) mod cayley_klein;
+    mod cayley_klein;
+    mod fixed_point;
     mod group;
     mod interop;
 }
@@ -15,28 +15,24 @@ mod motion {
     pub(crate) mod full_solver;
     mod invariants;
     #[cfg(feature = "host")]
-    pub(crate) mod lagrangian;
+    mod lagrangian;
     mod normal_force;
     pub(crate) mod properties;
     mod regimes;
     mod stages;
     mod stepper_order;
-    mod tip;
+    mod tip_curve;
     mod tops;
     mod vertical;
 }
 
 /// Tables: accuracy in every scalar, their clock, their memory.
 mod table {
+    mod access;
     mod baked;
     mod bounds;
-    mod ephemeris;
-    mod epoch;
-    mod far_ticks;
-    mod fixed_point;
-    mod long_ticks;
+    mod clock;
     mod rates;
-    mod samples;
     mod set_up;
     mod tip_angle;
     mod truth;
@@ -52,6 +48,7 @@ mod events {
 mod closed_forms {
     mod aperiodic;
     mod combined_corners;
+    mod curve;
     mod e3_equals_e4;
     mod elliptic;
     #[cfg(feature = "host")]
@@ -64,8 +61,6 @@ mod closed_forms {
     #[cfg(feature = "host")]
     mod poles;
     mod precession;
-    #[cfg(feature = "host")]
-    mod tip_curve;
 }
 
 /// Launches found from measurements, and partial derivatives.

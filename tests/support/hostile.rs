@@ -10,7 +10,7 @@ mod input;
 mod launch;
 #[cfg(feature = "host")]
 mod scenario;
-mod sound;
+pub mod sound;
 
 /// Function that accepts any bytes.
 pub struct Target {

@@ -7,7 +7,7 @@ use toytop_host::truth::exact::{Exact, PreciseOrientation};
 use toytop_host::truth::motions::{Numbers, Start};
 
 use toytop_host::truth::precise::{Precise, precise, product, to_f64};
-use toytop_tests::tolerance;
+use toytop_tests::check;
 
 /// Relative change of an input: so small that its square is negligible after a million periods, and exact in `f64` for
 /// inputs with few digits.
@@ -199,7 +199,7 @@ fn derivatives_agree_with_differences_of_launches() {
         }
         worst_of_all = if found.error <= worst_of_all { worst_of_all } else { found.error };
     }
-    tolerance::SENSITIVITY.check("derivatives", worst_of_all);
+    check("derivatives", worst_of_all, 1e-10);
 }
 
 /// Bodies from a thin rod to a disc, C = 2A, with and without a rotor.

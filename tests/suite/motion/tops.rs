@@ -5,85 +5,71 @@ use fixed::types::{I2F14, I2F30};
 use serde_json::Value;
 use toytop::scalar::Real;
 use toytop::{
-    BranchPoints, Complex, EphemerisScalar, Motion, Orientation, State, Stepper, Top, TopParameters,
+    BranchPoints, EphemerisScalar, Motion, Orientation, Release, State, Stepper, Top, TopParameters,
 };
 use toytop_closed_forms::ClosedForm;
-use toytop_tests::{boxed, greater, kilohertz, tolerance, vectors, widened};
+use toytop_tests::vectors::{self, entries, number, orientation, triple};
+use toytop_tests::{apart, boxed, check_all, keep, kilohertz, length, released, widened};
 
 /// Motion of the file, with exact orientations and angular velocities at some times.
 struct Case {
     name: String,
     motion: Motion,
     samples: Vec<(f64, Orientation<f64>, [f64; 3])>,
+    /// Greatest rate of the samples.
+    rate: f64,
 }
 
 fn cases() -> Vec<Case> {
-    let json = vectors::json("tops.json");
-    json["motions"].as_array().unwrap().iter().map(case).collect()
+    entries(&vectors::json("tops.json")["motions"]).iter().map(case).collect()
 }
 
 fn case(json: &Value) -> Case {
-    let number = |value: &Value| vectors::number(value).unwrap();
-    let phi = |json: &Value| {
-        let complex = |key: &str| Complex::new(number(&json[key][0]), number(&json[key][1]));
-        Orientation { alpha: complex("alpha"), beta: complex("beta") }
-    };
-    let omega = |json: &Value| [0, 1, 2].map(|i| number(&json["omega"][i]));
-    let name = json["name"].as_str().unwrap().to_owned();
-    let motion = Motion::launch(&top(json), &State::new(phi(json), omega(json)).unwrap()).unwrap();
-    let samples = json["samples"].as_array().unwrap().iter();
-    let samples = samples.map(|sample| (number(&sample["t"]), phi(sample), omega(sample))).collect();
-    Case { name, motion, samples }
+    let state = State::new(orientation(json), triple(&json["omega"])).unwrap();
+    let sample = |json: &Value| (number(&json["t"]), orientation(json), triple(&json["omega"]));
+    let samples: Vec<_> = entries(&json["samples"]).iter().map(sample).collect();
+    let rate = samples.iter().map(|(_, _, omega)| length(*omega)).fold(0.0, f64::max);
+    Case {
+        name: json["name"].to_string(),
+        motion: Motion::launch(&top(json), &state).unwrap(),
+        samples,
+        rate,
+    }
 }
 
 fn top(json: &Value) -> Top {
     let [transverse_inertia, axial_inertia, com_height, mass_moment, gravity, rotor_momentum] =
-        ["A", "C", "s", "p", "g", "K"].map(|key| vectors::number(&json[key]).unwrap());
+        ["A", "C", "s", "p", "g", "K"].map(|key| number(&json[key]));
     let parameters = TopParameters {
         transverse_inertia,
         axial_inertia,
         com_height,
+        mass: 0.0,
         mass_moment,
         gravity,
         rotor_momentum,
-        ..TopParameters::default()
     };
-    match json["support"].as_str().unwrap() {
-        "sliding" => Top::sliding(&parameters),
-        "fixed" => Top::fixed(&parameters),
-        "free" => Top::free(&parameters),
-        other => panic!("{other}"),
-    }
-    .unwrap()
-}
-
-/// Greatest distance of two angular velocities, relative to the greatest rate of the motion.
-fn apart(case: &Case, omega: [f64; 3], truth: [f64; 3]) -> f64 {
-    let length = |w: [f64; 3]| w.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let most = case.samples.iter().map(|(_, _, omega)| length(*omega)).fold(0.0, f64::max);
-    length(std::array::from_fn(|i| omega[i] - truth[i])) / most
+    let make = match json["support"].as_str().unwrap() {
+        "sliding" => Top::sliding,
+        "fixed" => Top::fixed,
+        _ => Top::free,
+    };
+    make(&parameters).unwrap()
 }
 
 /// Errors of orientation and angular velocity of tables, as shares of their bounds.
-fn of_tables<R: EphemerisScalar<Wide: Into<f64>> + Into<f64>, const SEGMENTS: usize>() -> [f64; 2] {
+fn of_tables<R: EphemerisScalar<Wide: Into<f64>> + Into<f64>>() -> [f64; 2] {
     let mut worst = [0.0; 2];
     for case in cases().into_iter().filter(|case| case.motion.regime() != toytop::Regime::Aperiodic) {
-        let ephemeris = boxed::<R, SEGMENTS>(&case.motion, kilohertz());
+        let ephemeris = boxed::<R, 256>(&case.motion, kilohertz());
         for &(t, phi, omega) in &case.samples {
             let sample = ephemeris.at(t);
-            let distance = widened(sample.orientation()).distance(&phi);
-            let rates = sample.omega().map(Into::into);
-            let rate_distance = (0..3).map(|i| (rates[i] - omega[i]).powi(2)).sum::<f64>().sqrt();
             let shares = [
-                distance / ephemeris.error_bound().after(1000.0 * t),
-                rate_distance / ephemeris.rate_error_bound().after(1000.0 * t),
+                widened(sample.orientation()).distance(&phi) / ephemeris.error_bound().after(1000.0 * t),
+                apart(sample.omega().map(Into::into), omega) / ephemeris.rate_error_bound().after(1000.0 * t),
             ];
-            assert!(
-                shares.iter().all(|share| *share <= 1.0),
-                "{} at {t}: {shares:?} of the bounds",
-                case.name
-            );
-            worst = std::array::from_fn(|i| greater(worst[i], shares[i]));
+            assert!(shares.iter().all(|share| *share <= 1.0), "{} at {t}: {shares:?}", case.name);
+            keep(&mut worst, shares);
         }
     }
     worst
@@ -91,12 +77,9 @@ fn of_tables<R: EphemerisScalar<Wide: Into<f64>> + Into<f64>, const SEGMENTS: us
 
 #[test]
 fn every_table_keeps_its_bounds() {
-    for [orientation, rates] in [
-        of_tables::<f64, 256>(),
-        of_tables::<f32, 256>(),
-        of_tables::<I2F30, 256>(),
-        of_tables::<I2F14, 256>(),
-    ] {
+    for [orientation, rates] in
+        [of_tables::<f64>(), of_tables::<f32>(), of_tables::<I2F30>(), of_tables::<I2F14>()]
+    {
         assert!(
             orientation > 0.05 && rates > 0.02,
             "{orientation} and {rates}: bounds that nothing comes near"
@@ -104,7 +87,7 @@ fn every_table_keeps_its_bounds() {
     }
 }
 
-/// Greatest errors of a stepper with steps of 1/2048: of the orientation, and of the angular velocity.
+/// Greatest errors of a stepper with steps of 1/2048: of the orientation, and of the angular velocity relative to the greatest rate.
 fn of_steppers<R: Real + Into<f64>>() -> [f64; 2] {
     let mut worst = [0.0; 2];
     for case in cases() {
@@ -112,12 +95,8 @@ fn of_steppers<R: Real + Into<f64>>() -> [f64; 2] {
             let mut stepper = Stepper::<R>::new(&case.motion);
             let steps = (t.abs() * 2048.0) as u32;
             (0..steps).for_each(|_| stepper.step(R::from_f64(t.signum() / 2048.0)));
-            let attitude = stepper.attitude_state();
-            let errors = [
-                widened(attitude.orientation).distance(&phi),
-                apart(&case, attitude.omega().map(Into::into), omega),
-            ];
-            worst = std::array::from_fn(|i| greater(worst[i], errors[i]));
+            let rate = apart(stepper.omega().map(Into::into), omega) / case.rate;
+            keep(&mut worst, [widened(stepper.orientation()).distance(&phi), rate]);
         }
     }
     worst
@@ -125,14 +104,11 @@ fn of_steppers<R: Real + Into<f64>>() -> [f64; 2] {
 
 #[test]
 fn steppers_follow_the_truth() {
-    let found = [of_steppers::<f64>(), of_steppers::<f32>()];
-    for (budgets, errors) in tolerance::TOPS_STEPPER.into_iter().zip(found) {
-        for (budget, error) in budgets.into_iter().zip(errors) {
-            budget.check("stepper", error);
-        }
-    }
+    check_all(["orientation, f64", "omega, f64"], of_steppers::<f64>(), [1e-14; 2]);
+    check_all(["orientation, f32", "omega, f32"], of_steppers::<f32>(), [3e-6; 2]);
 }
 
+/// The motions with a closed form are those whose tip does not slide.
 #[test]
 fn closed_forms_agree() {
     let (mut worst, mut count) = ([0.0; 2], 0);
@@ -141,18 +117,13 @@ fn closed_forms_agree() {
         count += 1;
         for &(t, phi, omega) in &case.samples {
             let attitude = form.at(t);
-            let errors = [attitude.orientation.distance(&phi), apart(&case, attitude.omega(), omega)];
-            worst = std::array::from_fn(|i| greater(worst[i], errors[i]));
+            let rate = apart(attitude.omega(), omega) / case.rate;
+            keep(&mut worst, [attitude.orientation.distance(&phi), rate]);
         }
     }
-    assert_eq!(count, CLOSED_FORMS);
-    for (budget, error) in tolerance::TOPS_CLOSED_FORMS.into_iter().zip(worst) {
-        budget.check("closed form", error);
-    }
+    assert_eq!(count, 15);
+    check_all(["orientation", "omega"], worst, [2e-15; 2]);
 }
-
-/// Number of motions of the file with a closed form, which are those whose tip does not slide.
-const CLOSED_FORMS: u32 = 15;
 
 /// A motion depends on quotients only: a change of the units of mass and length by powers of two changes no bit.
 #[test]
@@ -171,12 +142,11 @@ fn a_change_of_units_changes_no_bit() {
         })
         .unwrap()
     };
-    let release = toytop::Release { tilt: 0.5, spin: 3.0, precession: 0.25, ..Default::default() };
-    let state = State::release(&release).unwrap();
-    let motion = Motion::launch(&top(1.0, 1.0), &state).unwrap();
+    let release = Release { tilt: 0.5, spin: 3.0, precession: 0.25, ..Release::default() };
+    let motion = released(&top(1.0, 1.0), &release);
     // units in which the numbers are those of a molecule, a planet or a star
     for (mass, length) in [(unit(-85), unit(-33)), (unit(80), unit(23)), (unit(100), unit(-40))] {
-        let other = Motion::launch(&top(mass, length), &state).unwrap();
+        let other = released(&top(mass, length), &release);
         assert_eq!(motion.branch_points(), other.branch_points());
         assert_eq!(motion.period_advance(), other.period_advance());
         assert_eq!(motion.min_normal_force(), other.min_normal_force());

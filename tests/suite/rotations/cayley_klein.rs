@@ -2,29 +2,29 @@
 
 use toytop::su2::{OrientationRate, Vector, cross, dot};
 use toytop::{Complex, FirstIntegrals, Orientation, Sign, Signs, State};
-use toytop_tests::{by_branch_points, greater, tolerance, top_of, vectors, worst};
+use toytop_tests::{by_branch_points, check, greater, top_of, vectors, worst};
 
-pub(crate) type Matrix = [Complex<f64>; 4];
+type Matrix = [Complex<f64>; 4];
 
 /// Matrix ½ ((i x₃, -x₂ + i x₁), (x₂ + i x₁, -i x₃)) of a vector.
-pub(crate) fn matrix([x1, x2, x3]: Vector<f64>) -> Matrix {
+fn matrix([x1, x2, x3]: Vector<f64>) -> Matrix {
     let half = |re: f64, im: f64| Complex::new(0.5 * re, 0.5 * im);
     [half(0.0, x3), half(-x2, x1), half(x2, x1), half(0.0, -x3)]
 }
 
-pub(crate) fn product([a, b, c, d]: Matrix, [e, f, g, h]: Matrix) -> Matrix {
+fn product([a, b, c, d]: Matrix, [e, f, g, h]: Matrix) -> Matrix {
     [a * e + b * g, a * f + b * h, c * e + d * g, c * f + d * h]
 }
 
-pub(crate) fn far(x: Matrix, y: Matrix) -> f64 {
+fn far(x: Matrix, y: Matrix) -> f64 {
     worst(x.iter().zip(y).map(|(x, y)| (*x - y).norm_squared().sqrt()))
 }
 
-pub(crate) fn of_phi(phi: &Orientation<f64>) -> Matrix {
+fn of_phi(phi: &Orientation<f64>) -> Matrix {
     [phi.alpha, phi.beta, phi.gamma(), phi.delta()]
 }
 
-pub(crate) fn of_rate(rate: &OrientationRate<f64>) -> Matrix {
+fn of_rate(rate: &OrientationRate<f64>) -> Matrix {
     [rate.alpha, rate.beta, -rate.beta.conj(), rate.alpha.conj()]
 }
 
@@ -59,7 +59,7 @@ fn r3_is_su2() {
         worst = greater(worst, (rate.udot(&phi) - turning[2]).abs());
         worst = greater(worst, far(product(of_phi(&phi.inverse()), of_rate(&rate)), matrix(body)));
     }
-    tolerance::GROUP.check("su(2)", worst);
+    check("su(2)", worst, 3e-15);
     let basis = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     assert_eq!(cross(basis[0], basis[1]), basis[2]);
 }
@@ -98,7 +98,7 @@ fn eqn_up1um1_to_eqn_omegasum() {
         off(real(body + fixed - l_plus_n / top.transverse_inertia() - (u + 1.0) * tau));
         off(real(body - fixed + l_minus_n / top.transverse_inertia() + (u - 1.0) * tau));
     }
-    tolerance::EQUATIONS.check("relations of section 3.4", worst);
+    check("relations of section 3.4", worst, 5e-15);
 }
 
 /// Equation (3.6): three numbers e₁, e₂, e₃ have four pairs (l, n): (a, b), (-a, -b), (b, a), (-b, -a), with two

@@ -1,11 +1,8 @@
-//! Section 4: the curve of the tip, its angle, and the criterion for loops and cusps compared with the sampled curve.
+//! Section 4: the curve of the tip, its angle and its velocity, and the criterion for loops and cusps compared with the sampled curve.
 
 use proptest::prelude::*;
-use toytop::{Complex, InitialPhases, Motion, Sign, Signs, Stepper, TipClass, Top};
-use toytop_tests::{by_branch_points, top_of};
-
-const SAME: Signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Plus };
-const DIFFERENT: Signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
+use toytop::{Complex, InitialPhases, Motion, Signs, Stepper, TipClass, Top};
+use toytop_tests::{DIFFERENT, SAME, by_branch_points, keep, top_of, vectors};
 
 fn top() -> Top {
     top_of([1.1, 0.8, 0.6, 0.9], 1.0)
@@ -15,14 +12,9 @@ fn motion(e: [f64; 3], signs: Signs) -> Motion {
     by_branch_points(&top(), e, signs)
 }
 
-fn size(z: Complex<f64>) -> f64 {
-    z.norm_squared().sqrt()
-}
-
 /// A(1 - u²)φ' = l - nu (equation (4.1)) at a tilt.
 fn turning(motion: &Motion, u: f64) -> f64 {
-    let integrals = motion.first_integrals();
-    integrals.l - integrals.n * u
+    motion.first_integrals().l - motion.first_integrals().n * u
 }
 
 /// Rate φ' of the tip angle at a tilt.
@@ -92,11 +84,64 @@ proptest! {
         let motion = motion([low, e2, (1.0 - low * e2) / (e2 - low)], DIFFERENT);
         prop_assert_eq!(motion.tip_class(), TipClass::Cusp);
         prop_assert!((turning_height(&motion) - e2).abs() < 1e-13);
-        let speeds: Vec<f64> = sampled(&motion, 1000).into_iter().map(|(_, velocity)| size(velocity)).collect();
+        let speeds: Vec<f64> = sampled(&motion, 1000).into_iter().map(|(_, velocity)| velocity.modulus()).collect();
         let fastest = speeds.iter().fold(0.0_f64, |fastest, x| fastest.max(*x));
         prop_assert!(speeds[500] < 1e-6 * fastest, "half a period: {:e}", speeds[500]);
         prop_assert!(speeds[0] > 1e-3 * fastest);
         prop_assert!(!runs_back(&motion));
+    }
+}
+
+/// φ and c agree along a motion, φ is continuous, and φ' and c' are their derivatives.
+#[test]
+fn angle_and_velocity_are_derivatives() {
+    let mut worst = [0.0_f64; 2];
+    for vector in vectors::all() {
+        let motion = vector.motion().unwrap();
+        let scale = motion.top().tip_scale();
+        let period = motion.period_advance().map_or(1.0, |averages| averages.period.min(10.0));
+        let dt = period * 1e-4;
+        let mut after = Stepper::<f64>::new(&motion);
+        for _ in 0..15_000 {
+            let before = after;
+            after.step(dt);
+            let middle = after;
+            after.step(dt);
+            let difference = (after.tip() - before.tip()).scaled(0.5 / dt);
+            keep(&mut worst, [(difference - middle.tip_velocity()).modulus() * period / scale, 0.0]);
+            let [Some(a), Some(b), Some(c)] = [before, middle, after].map(|at| at.tip_angle()) else {
+                assert!(motion.regime().is_vertical());
+                continue;
+            };
+            // c = ±ρ e^{iφ}
+            let along: Complex<f64> = middle.tip() * Complex::cis(-b);
+            assert!(along.im.abs() <= 1e-13 * scale, "{}", vector.name);
+            assert!(motion.tip_class() == TipClass::ThroughOrigin || along.re >= 0.0, "{}", vector.name);
+            // near the vertical φ' is large for a short time, so the comparison is made elsewhere
+            if middle.tip().modulus() > 0.05 * scale {
+                let slope = (c - a).to_radians() / (2.0 * dt);
+                keep(&mut worst, [0.0, (slope - middle.tip_angle_rate()).abs() * period]);
+            }
+        }
+    }
+    assert!(worst[0] < 2e-3 && worst[1] < 2e-2 && worst.iter().all(|error| *error > 1e-9), "{worst:?}");
+}
+
+/// Classes of the curves in figures 2 and 3 of the paper.
+#[test]
+fn the_figures_of_the_paper() {
+    for (class, names) in [
+        (
+            TipClass::Smooth,
+            "fig2_same_e3_1 fig2_same_e3_2 fig2_same_e3_100 fig3_diff_e3_1 fig3_diff_e3_1.1 fig3_diff_e3_1.3",
+        ),
+        (TipClass::Cusp, "fig3_diff_e3_1.85"),
+        (TipClass::Loops, "fig3_diff_e3_2.5 fig3_diff_e3_3 generic_AneC"),
+        (TipClass::ThroughOrigin, "vertical_pass_e2_1 e1_m1_l_eq_minus_n planar_e1m1_e2p1"),
+    ] {
+        for name in names.split(' ') {
+            assert_eq!(vectors::motion(name).tip_class(), class, "{name}");
+        }
     }
 }
 
@@ -108,8 +153,8 @@ fn tip_of_regular_precession_is_a_circle() {
         assert_eq!(motion.tip_class(), TipClass::Circle);
         let radius = 0.6 * 0.75_f64.sqrt();
         for (c, velocity) in sampled(&motion, 100) {
-            assert!((size(c) - radius).abs() < 1e-15);
-            assert!((size(velocity) - radius * rate(&motion, 0.5).abs()).abs() < 1e-14);
+            assert!((c.modulus() - radius).abs() < 1e-15);
+            assert!((velocity.modulus() - radius * rate(&motion, 0.5).abs()).abs() < 1e-14);
             assert!((c.conj() * velocity).re.abs() < 1e-15);
         }
     }
@@ -124,7 +169,7 @@ fn tip_through_the_centre() {
         let class = TipClass::ThroughOrigin;
         assert_eq!(motion.tip_class(), class);
         let samples = sampled(&motion, 1000);
-        assert!(size(samples[at].0) < 1e-6, "{:?}", samples[at]);
+        assert!(samples[at].0.modulus() < 1e-6, "{:?}", samples[at]);
         let (before, after) = (samples[(at + 990) % 1000], samples[at + 10]);
         // the direction of c is reversed, the velocity is continuous, and φ' is finite there
         assert!((before.0.conj() * after.0).re < 0.0 && (before.1.conj() * after.1).re > 0.0);
@@ -134,8 +179,8 @@ fn tip_through_the_centre() {
     assert_eq!(straight.tip_class(), TipClass::ThroughOrigin);
     assert_eq!((straight.first_integrals().l, straight.first_integrals().n), (0.0, 0.0));
     let samples = sampled(&straight, 1000);
-    let far = samples.iter().map(|(c, _)| *c).max_by(|a, b| size(*a).total_cmp(&size(*b))).unwrap();
-    assert!((size(far) - 0.6).abs() < 1e-5, "out to s");
+    let far = samples.iter().map(|(c, _)| *c).max_by(|a, b| a.modulus().total_cmp(&b.modulus())).unwrap();
+    assert!((far.modulus() - 0.6).abs() < 1e-5, "out to s");
     assert!(samples.iter().all(|(c, _)| (far.conj() * *c).im.abs() < 1e-15));
 }
 
@@ -160,7 +205,7 @@ fn tip_at_e3_equal_to_one() {
         }
     }
     for (one, other) in sampled(&first, 4000).into_iter().zip(sampled(&second, 4000)) {
-        assert!(size(one.0 - other.0) < 1e-12);
+        assert!((one.0 - other.0).modulus() < 1e-12);
     }
 }
 
@@ -169,7 +214,7 @@ fn tip_at_e3_equal_to_one() {
 fn tip_spirals_in_or_rests() {
     let aperiodic = motion([0.2, 1.0, 1.0], SAME);
     assert_eq!(aperiodic.tip_class(), TipClass::Spiral);
-    let radii: Vec<f64> = sampled(&aperiodic, 200).into_iter().map(|(c, _)| size(c)).collect();
+    let radii: Vec<f64> = sampled(&aperiodic, 200).into_iter().map(|(c, _)| c.modulus()).collect();
     assert!(radii.windows(2).skip(1).all(|pair| pair[1] < pair[0]) && radii[199] > 0.0 && radii[199] < 0.01);
     let start = InitialPhases { theta: std::f64::consts::PI, ..InitialPhases::default() };
     let sleeping = Motion::from_branch_points(&top(), [0.2, 1.0, 1.0], SAME, &start).unwrap();
@@ -177,6 +222,10 @@ fn tip_spirals_in_or_rests() {
     let stable = motion([1.0, 1.0, 1.5], SAME);
     for motion in [&sleeping, &hanging, &stable] {
         assert_eq!(motion.tip_class(), TipClass::Point);
-        assert!(sampled(motion, 20).into_iter().all(|(c, velocity)| size(c) == 0.0 && size(velocity) == 0.0));
+        assert!(
+            sampled(motion, 20)
+                .into_iter()
+                .all(|(c, velocity)| c.modulus() == 0.0 && velocity.modulus() == 0.0)
+        );
     }
 }
