@@ -67,8 +67,6 @@ mod closed_forms {
 mod fit {
     mod drift;
     mod first_guesses;
-    #[cfg(feature = "host")]
-    mod free_partials;
     mod limits;
     #[cfg(feature = "host")]
     mod sensitivity;
