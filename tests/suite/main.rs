@@ -83,7 +83,6 @@ mod errors {
 
 /// Files, dependencies, and the page that maps the paper to tests.
 mod structure {
-    mod dependencies;
     mod layout;
     mod paper;
 }

@@ -59,21 +59,27 @@ fn the_border_of_sleep_is_exact_in_long_numbers() {
     }
 }
 
-/// Motion with e2 = e3 = 1 at θ = π, in several forms of the angle: stable or unstable sleep.
+/// Sections 3.2 and 5.2: at e₂ = e₃ = 1 two motions have the same l, n and h, and u' = 0 at u = 1 for both. One stays there, asleep; the
+/// other descends to e₁ and returns in infinite time. θ = π, in several forms of the angle, tells them apart.
 #[test]
-fn the_sleeping_top_by_branch_points() {
-    let top = top_of([1.1, 0.8, 0.6, 0.9], 1.0);
-    let regime = |theta: f64| {
+fn at_a_double_root_u_may_stay_or_leave() {
+    let motion = |theta: f64| {
         let start = InitialPhases { theta, arg_alpha: 0.3, ..InitialPhases::default() };
-        Motion::from_branch_points(&top, [-0.2, 1.0, 1.0], SAME, &start).unwrap().regime()
+        let top = top_of([1.1, 0.8, 0.6, 0.9], 1.0);
+        Motion::from_branch_points(&top, [-0.2, 1.0, 1.0], SAME, &start).unwrap()
     };
     let pi = std::f64::consts::PI;
     // the last is the f64 nearest to 11 π, and not 11 times the f64 nearest to π
     for theta in [pi, -pi, 3.0 * pi, 34.55751918948773] {
-        assert_eq!(regime(theta), Regime::SleepingUnstable, "{theta}");
-    }
-    for theta in [0.0, 1.0, pi - 1e-12, -3.0] {
-        assert_eq!(regime(theta), Regime::Aperiodic, "{theta}");
+        let sleeping = motion(theta);
+        assert_eq!(sleeping.regime(), Regime::SleepingUnstable, "{theta}");
+        assert_eq!(Stepper::<f64>::new(&sleeping).u(), 1.0);
+        for theta in [0.0, 1.0, pi - 1e-12, -3.0] {
+            let falling = motion(theta);
+            assert_eq!(falling.regime(), Regime::Aperiodic, "{theta}");
+            assert_eq!(falling.first_integrals(), sleeping.first_integrals());
+            assert_eq!(falling.branch_points(), sleeping.branch_points());
+        }
     }
 }
 
