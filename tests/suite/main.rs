@@ -47,9 +47,7 @@ mod events {
 /// Sections 3 to 5 of the paper: curves, integrals and closed forms.
 mod closed_forms {
     mod aperiodic;
-    mod combined_corners;
     mod curve;
-    mod e3_equals_e4;
     mod elliptic;
     #[cfg(feature = "host")]
     mod errata;
@@ -61,6 +59,7 @@ mod closed_forms {
     #[cfg(feature = "host")]
     mod poles;
     mod precession;
+    mod reference;
 }
 
 /// Launches found from measurements, and partial derivatives.

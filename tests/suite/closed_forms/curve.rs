@@ -23,21 +23,10 @@
 //! sign(w₊₁) = -sign(l - n). (The first of the two displayed formulas of the paper gives the negatives of these values.)
 
 use num_complex::Complex64 as C;
-use toytop::{Complex, Motion};
+use toytop::Motion;
 
 /// Imaginary unit.
 pub(super) const I: C = C::new(0.0, 1.0);
-
-/// Complex number as the type of core.
-pub(super) fn narrow(z: C) -> Complex<f64> {
-    Complex::new(z.re, z.im)
-}
-
-/// Value of a function of core.
-pub(super) fn of(function: impl Fn(Complex<f64>) -> Complex<f64>, z: C) -> C {
-    let value = function(narrow(z));
-    C::new(value.re, value.im)
-}
 
 /// Kind of curve.
 #[derive(Clone, Copy, PartialEq)]

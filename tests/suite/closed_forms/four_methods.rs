@@ -130,7 +130,7 @@ fn corners() -> Vec<(f64, f64, [f64; 3])> {
 }
 
 /// The error does not grow as differences of branch points shrink, alone or together, within some periods and after a
-/// million. Tables that do not fit, or whose bound exceeds 1e-14 rad, judge nothing (small A/(ps); the file `combined_corners`
+/// million. Tables that do not fit, or whose bound exceeds 1e-14 rad, judge nothing (small A/(ps); the file `reference`
 /// compares those with exact values).
 #[test]
 fn towards_every_corner() {
