@@ -2,7 +2,9 @@
 //!
 //! The lossy motion is made of exact motions: every half millisecond, angular impulses on the body take rotation away.
 
-use super::simulated::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, Random, SENSORS, held, measured, release};
+use super::simulated::{
+    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, Random, SENSORS, fitted, held, measured, release,
+};
 use nalgebra::{Matrix6, Vector6};
 use toytop::su2::{cross, dot};
 use toytop::{Motion, State, Stepper, Top, TopParameters};
@@ -137,7 +139,7 @@ fn the_motion_with_the_drift_is_that_of_the_measurements() {
     let states = lossy(&top, [LOSS, 0.5 * LOSS, 0.0], 300);
     let measurements = noisy(&top, &states, 3);
     let found = with_drift(&top, &measurements);
-    let without = Fit::new(&top, &SENSORS, &[]).unwrap().run(measurements.iter().copied()).unwrap();
+    let without = fitted(&top, &SENSORS, &[], &measurements);
     assert_eq!(without.reason, Some(Reason::Misfit), "{:?}", without.statistics);
     assert_eq!(found.epoch, measurements[measurements.len() - 1].time);
     let sensitivity = found.sensitivity(&top).unwrap();

@@ -1,7 +1,7 @@
 //! Fits at their limits: readings beyond a range, a top without a moment of inertia, and measurements that are refused.
 
 use super::simulated::{
-    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check, readings, release, simulated,
+    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check, fitted, readings, release, simulated,
 };
 use toytop::{Motion, Orientation, Top, TopParameters};
 use toytop_fit::{
@@ -26,13 +26,12 @@ fn saturated_axes_of_a_turned_gyroscope_are_not_believed() {
 fn the_launch_of_a_thin_rod_has_error_bars() {
     let top = Top::fixed(&TopParameters { transverse_inertia: 4.5e-5, axial_inertia: 0.0, ..TOY }).unwrap();
     let state = release(2.1, -1.2);
-    let motion = Motion::launch(&top, &state).unwrap();
-    let measurements = readings(&motion, &SENSORS, 300, 3);
+    let measurements = readings(&top, &state, &SENSORS, 300, 3);
+    let partials = Sensitivity::new(&Motion::launch(&top, &state).unwrap()).at(0.2).unwrap();
     let gravity = [FreeRatio::new([0.0, 0.0, 0.0, 0.01])];
     for ratios in [&[][..], &gravity] {
-        let found = Fit::new(&top, &SENSORS, ratios).unwrap().run(measurements.iter().copied()).unwrap();
+        let found = fitted(&top, &SENSORS, ratios, &measurements);
         check("rod", &found, &state);
-        let partials = Sensitivity::new(&motion).at(0.2).unwrap();
         let covariance = found.orientation_covariance(&partials);
         let deviation = (covariance[0][0] + covariance[1][1] + covariance[2][2]).sqrt();
         assert!((1e-5..0.1).contains(&deviation), "{deviation:e}");
@@ -43,8 +42,7 @@ fn the_launch_of_a_thin_rod_has_error_bars() {
 #[test]
 fn a_run_begins_without_the_results_of_the_last_one() {
     let top = toy();
-    let motion = Motion::launch(&top, &release(0.35, 150.0)).unwrap();
-    let good = readings(&motion, &SENSORS, 60, 13);
+    let good = readings(&top, &release(0.35, 150.0), &SENSORS, 60, 13);
     let mut fit = Fit::new(&top, &SENSORS, &[]).unwrap();
     let mut run = |count: usize| fit.run(good.iter().copied().take(count)).unwrap();
     let [fresh, _, again] = [1, good.len(), 1].map(&mut run);
@@ -55,9 +53,8 @@ fn a_run_begins_without_the_results_of_the_last_one() {
 
 #[test]
 fn bad_measurements_are_refused_or_not_believed() {
-    let (top, state) = (toy(), release(0.35, 150.0));
-    let motion = Motion::launch(&top, &state).unwrap();
-    let good = readings(&motion, &SENSORS, 60, 13);
+    let top = toy();
+    let good = readings(&top, &release(0.35, 150.0), &SENSORS, 60, 13);
     let run = |measurements: &[Measurement]| {
         Fit::new(&top, &SENSORS, &[]).unwrap().run(measurements.iter().copied())
     };

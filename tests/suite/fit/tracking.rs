@@ -13,11 +13,10 @@ fn a_loss_of_spin_between_two_blocks_is_tracked_and_reported() {
     let (top, state) = (toy(), release(0.35, 150.0));
     let motion = Motion::launch(&top, &state).unwrap();
     // one seed, so that the biases are those of the same sensors
-    let first = readings(&motion, &SENSORS, 300, 21);
+    let first = readings(&top, &state, &SENSORS, 300, 21);
     let at = Sensitivity::new(&motion).at(SPAN).unwrap();
     let slower = State::new(at.orientation_now(), at.angular_velocity().map(|x| (1.0 - LOSS) * x)).unwrap();
-    let later = Motion::launch(&top, &slower).unwrap();
-    let second: Vec<_> = readings(&later, &SENSORS, 300, 21)
+    let second: Vec<_> = readings(&top, &slower, &SENSORS, 300, 21)
         .into_iter()
         .map(|measurement| Measurement { time: measurement.time + SPAN, ..measurement })
         .collect();
@@ -39,9 +38,8 @@ fn single_precision_finds_the_launch_of_double_precision() {
     let single: [&dyn Sensor<f32>; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
     let top = toy();
     for (tilt, spin) in [(0.35, 150.0), (0.6, 20.0)] {
-        let motion = Motion::launch(&top, &release(tilt, spin)).unwrap();
-        let measurements = readings(&motion, &SENSORS, 300, 23);
-        let wide = fitted(&top, &SENSORS, &measurements);
+        let measurements = readings(&top, &release(tilt, spin), &SENSORS, 300, 23);
+        let wide = fitted(&top, &SENSORS, &[], &measurements);
         let narrow = Fit::new(&top, &single, &[]).unwrap().run(measurements.iter().copied()).unwrap();
         assert!(narrow.converged(), "{tilt} {spin}: {:?}", narrow.reason);
         let deviations = wide.deviations();

@@ -30,21 +30,6 @@ fn first_integrals_from_branch_points_and_from_states() {
     check("l, n, h", worst(errors), 4e-16);
 }
 
-#[test]
-fn branch_points_from_exact_states() {
-    let states = vectors::all().into_iter().filter(|vector| vector.is_exact() && !vector.by_branch_points());
-    let errors: Vec<[f64; 3]> = states
-        .map(|vector| {
-            let e = BranchPoints::from_state(&vector.top(), &vector.state()).unwrap();
-            let truth = vector.roots();
-            [0, 1, 2].map(|i| relative([e.e1, e.e2, e.e3][i], truth[i], truth[i].abs().max(0.1)))
-        })
-        .collect();
-    assert!(errors.len() >= 4);
-    let worst = worst(errors.concat());
-    assert!(worst <= f64::EPSILON, "to the last bit but one: {worst:e}");
-}
-
 /// Errors of the nutation period, relative, and of the phase advances over it, rad. Rounded inputs have an effect on them that is an
 /// inverse of the smallest difference.
 #[test]
