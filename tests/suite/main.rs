@@ -47,6 +47,7 @@ mod events {
 /// Sections 3 to 5 of the paper: curves, integrals and closed forms.
 mod closed_forms {
     mod aperiodic;
+    #[cfg(feature = "host")]
     mod curve;
     mod elliptic;
     #[cfg(feature = "host")]
