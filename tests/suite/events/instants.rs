@@ -60,6 +60,7 @@ fn greatest_errors<R: EphemerisScalar>() -> [f64; 3] {
             let allowed = if quantity == 1 && R::TERMS == 3 { 2.0 * bound } else { bound };
             assert!(quantity == 2 || error <= allowed, "{case}: {error:e} of {bound:e} at {event:?}");
             assert!(error < 0.01, "{case}: {event:?}");
+            assert!(kind != "level" || event.upward == (number(&truth["slope"]) > 0.0), "{case}: {event:?}");
             errors[quantity] = greater(errors[quantity], error);
             compared += 1;
         }
