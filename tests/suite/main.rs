@@ -1,6 +1,6 @@
 //! Tests of public behaviour against independent results: one binary, one module per subject.
 
-/// SU(2), its two actions on the sphere, and conversions.
+/// SU(2) in floating and in fixed point, its two actions on the sphere, and conversions.
 mod rotations {
     mod cayley_klein;
     mod fixed_point;
@@ -17,12 +17,12 @@ mod motion {
     #[cfg(feature = "host")]
     mod lagrangian;
     mod normal_force;
+    mod other_tops;
     pub(crate) mod properties;
     mod regimes;
     mod stages;
     mod stepper_order;
     mod tip_curve;
-    mod tops;
     mod vertical;
 }
 

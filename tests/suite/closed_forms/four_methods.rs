@@ -18,7 +18,7 @@ fn closed_forms_agree_with_the_vectors() {
             ClosedForm::Aperiodic(_) => 1,
             ClosedForm::E3EqualsE4(_) => 2,
             ClosedForm::Lagrange(_) => 3,
-            ClosedForm::FreeBody(_) => panic!("{}: tops::closed_forms_agree", vector.name),
+            ClosedForm::FreeBody(_) => panic!("{}: other_tops::closed_forms_agree", vector.name),
         };
         count[kind] += 1;
         let samples = vector.samples();

@@ -1,8 +1,11 @@
-//! Invariants: the unit norm, l, n and h, recomputed from α, β and their rates.
+//! Invariants and symmetries: the unit norm, l, n and h, reversal of time, the mirror image, and the units.
 
 use toytop::scalar::Real;
-use toytop::{FirstIntegrals, InitialPhases, Motion, Orientation, Regime, Sign, Signs, State, Stepper};
-use toytop_tests::{check, check_all, greater, keep, vectors, widened, worst};
+use toytop::{
+    FirstIntegrals, InitialPhases, Motion, Orientation, Regime, Release, Sign, Signs, State, Stepper, Top,
+    TopParameters,
+};
+use toytop_tests::{check, check_all, greater, keep, released, vectors, widened, worst};
 
 /// Change of l, n and h, from Φ and Φ' by the definitions of section 3.1, relative to the largest of them.
 fn drift<R: Real + Into<f64>>(motion: &Motion, stepper: &Stepper<R>) -> f64 {
@@ -94,4 +97,44 @@ fn a_step_far_too_long_is_wrong_only_along_the_motion() {
         drift(&motion, &stepper)
     });
     check("l, n, h", worst(errors), 1e-14);
+}
+
+/// A motion depends on quotients only: a change of the units of mass and length by powers of two changes no bit.
+#[test]
+fn a_change_of_units_changes_no_bit() {
+    let unit = |power: i32| 2.0_f64.powi(power);
+    let top = |mass: f64, length: f64| {
+        let inertia = mass * length * length;
+        Top::sliding(&TopParameters {
+            transverse_inertia: 1.3 * inertia,
+            axial_inertia: 0.7 * inertia,
+            com_height: 0.9 * length,
+            mass_moment: 1.1 * mass * length,
+            gravity: 1.7 * length,
+            rotor_momentum: 0.3 * inertia,
+            ..TopParameters::default()
+        })
+        .unwrap()
+    };
+    let release = Release { tilt: 0.5, spin: 3.0, precession: 0.25, ..Release::default() };
+    let motion = released(&top(1.0, 1.0), &release);
+    // units in which the numbers are those of a molecule, a planet or a star
+    for (mass, length) in [(unit(-85), unit(-33)), (unit(80), unit(23)), (unit(100), unit(-40))] {
+        let other = released(&top(mass, length), &release);
+        assert_eq!(motion.branch_points(), other.branch_points());
+        assert_eq!(motion.period_advance(), other.period_advance());
+        assert_eq!(motion.min_normal_force(), other.min_normal_force());
+        let (one, far) = (motion.first_integrals(), other.first_integrals());
+        let energy = mass * length * length;
+        assert_eq!(
+            [one.l * energy, one.n * energy, one.h * energy, one.spin],
+            [far.l, far.n, far.h, far.spin]
+        );
+        let poses = [&motion, &other].map(|motion| {
+            let mut stepper = Stepper::<f32>::new(motion);
+            (0..100).for_each(|_| stepper.step(0.01));
+            stepper.orientation()
+        });
+        assert_eq!(poses[0], poses[1]);
+    }
 }

@@ -4,12 +4,10 @@
 use fixed::types::{I2F14, I2F30};
 use serde_json::Value;
 use toytop::scalar::Real;
-use toytop::{
-    BranchPoints, EphemerisScalar, Motion, Orientation, Release, State, Stepper, Top, TopParameters,
-};
+use toytop::{BranchPoints, EphemerisScalar, Motion, Orientation, State, Stepper, Top, TopParameters};
 use toytop_closed_forms::ClosedForm;
 use toytop_tests::vectors::{self, entries, number, orientation, triple};
-use toytop_tests::{apart, boxed, check_all, keep, kilohertz, length, released, widened};
+use toytop_tests::{apart, boxed, check_all, keep, kilohertz, length, widened};
 
 /// Motion of the file, with exact orientations and angular velocities at some times.
 struct Case {
@@ -123,46 +121,6 @@ fn closed_forms_agree() {
     }
     assert_eq!(count, 15);
     check_all(["orientation", "omega"], worst, [2e-15; 2]);
-}
-
-/// A motion depends on quotients only: a change of the units of mass and length by powers of two changes no bit.
-#[test]
-fn a_change_of_units_changes_no_bit() {
-    let unit = |power: i32| 2.0_f64.powi(power);
-    let top = |mass: f64, length: f64| {
-        let inertia = mass * length * length;
-        Top::sliding(&TopParameters {
-            transverse_inertia: 1.3 * inertia,
-            axial_inertia: 0.7 * inertia,
-            com_height: 0.9 * length,
-            mass_moment: 1.1 * mass * length,
-            gravity: 1.7 * length,
-            rotor_momentum: 0.3 * inertia,
-            ..TopParameters::default()
-        })
-        .unwrap()
-    };
-    let release = Release { tilt: 0.5, spin: 3.0, precession: 0.25, ..Release::default() };
-    let motion = released(&top(1.0, 1.0), &release);
-    // units in which the numbers are those of a molecule, a planet or a star
-    for (mass, length) in [(unit(-85), unit(-33)), (unit(80), unit(23)), (unit(100), unit(-40))] {
-        let other = released(&top(mass, length), &release);
-        assert_eq!(motion.branch_points(), other.branch_points());
-        assert_eq!(motion.period_advance(), other.period_advance());
-        assert_eq!(motion.min_normal_force(), other.min_normal_force());
-        let (one, far) = (motion.first_integrals(), other.first_integrals());
-        let energy = mass * length * length;
-        assert_eq!(
-            [one.l * energy, one.n * energy, one.h * energy, one.spin],
-            [far.l, far.n, far.h, far.spin]
-        );
-        let poses = [&motion, &other].map(|motion| {
-            let mut stepper = Stepper::<f32>::new(motion);
-            (0..100).for_each(|_| stepper.step(0.01));
-            stepper.orientation()
-        });
-        assert_eq!(poses[0], poses[1]);
-    }
 }
 
 /// Branch points from l, n and h are those of the state.
