@@ -1,4 +1,4 @@
-//! Errors of the printed paper. A test evaluates each formula as printed and as corrected.
+//! Errors of the printed paper. `tests/reference/errata.py` evaluates each formula as printed and as corrected, and a test compares the residuals.
 
 /// Wrong formula of the paper with its correction.
 #[derive(Clone, Copy, Debug)]

@@ -1,8 +1,10 @@
-"""Both versions of every slip of the printed paper, at 50 digits; what `toytop errata` does, without any of its code.
+"""Both versions of every slip of the printed paper, at 50 digits.
 
-The truth is newton_euler.py. Rows are numbered as in core/closed-forms/docs/errata.md. Run without arguments; exits with 1 if a printed
-version passes or a corrected one fails.
+The truth is newton_euler.py. Rows are numbered as in core/closed-forms/docs/errata.md. Run without arguments to write errata.json; exits with 1 if a
+printed version passes or a corrected one fails.
 """
+import json
+import os
 import random
 import sys
 
@@ -13,12 +15,13 @@ from newton_euler import integrate, right_hand_side
 mp.dps = 50
 I = mpc(0, 1)
 K = [0, 0, 1]
-failed = False
+failed, rows = False, []
 
 
 def row(number, what, printed, corrected):
     global failed
     failed |= not (printed > mpf("0.1") and corrected < mpf("1e-42"))
+    rows.append({"number": number, "printed": nstr(printed, 30), "corrected": nstr(corrected, 2)})
     print(f"{number:>2} {what:36} printed {nstr(printed, 3):>7}   corrected {nstr(corrected, 2)}")
 
 
@@ -81,7 +84,8 @@ def instant():
     side = [x - y for x, y in zip(change, cross(w, momentum))]
     a, b = cross(r, w), cross(r, cross(K, w))
     dl = {sign: [(C - A) * S * a[i] + ps * ud * b[i] + sign * p * q[i] for i in range(3)] for sign in (1, -1)}
-    row(3, "DL", far(side, dl[1]), far(side, dl[-1]))
+    missed = [[x - y for x, y in zip(side, dl[sign])] for sign in (1, -1)]
+    row(3, "DL", *[sqrt(dot(x, x)) for x in missed])
     l, n = momentum[2], dot(momentum, r)
     tau = (1 / C - 1 / A) * n
     row(4, "<omega, k>", abs(w[2] - l / A + tau * u), abs(w[2] - l / A - tau * u))
@@ -198,16 +202,16 @@ def full(top, start, t):
 
 
 def e3_equals_e4():
-    one = mpf(1)
-    e1, e2, e3 = mpf("-0.3"), mpf("0.6"), sqrt(mpf(2))
+    one, A = mpf(1), mpf("1.25")
+    e1, e2, e3 = mpf("-0.3"), mpf("0.6"), mpf("1.5")
     centre = (e1 + e2 - e3) / 3
     f = Lattice([e2 - centre, e1 - centre, -e3 - centre])
     w1, w2 = -I * f.imaginary, f.real
-    plus = sqrt(2 * (1 + e1) * (1 + e2) * (1 + e3))
-    minus = -sqrt(2 * (1 - e1) * (1 - e2) * (e3 - 1))
+    plus = sqrt(2 * A * (1 + e1) * (1 + e2) * (1 + e3))
+    minus = -sqrt(2 * A * (1 - e1) * (1 - e2) * (e3 - 1))
     x = mpf("0.7") * I
     t = (I * sqrt(mpf(2)) * (f.zeta(x - w2) + f.zeta(w2) - (e1 + e2 + 2 * e3) * x / 3)).real
-    _, _, u, ud = full((one, one, one, one), at_turning_point(one, one, e2, plus, minus), t)
+    _, _, u, ud = full((A, A, one, one), at_turning_point(A, A, e2, plus, minus), t)
     row(10, "shift", abs(f.p(x - w1) + centre - u), abs(f.p(x - w2) + centre - u))
 
     def ends(printed):
@@ -223,10 +227,10 @@ def e3_equals_e4():
 def aperiodic():
     one, p, e1, e4 = mpf(1), mpf("0.8"), mpf("-0.2"), mpf("1.5")
     f = Lattice([e4 - e1 / 3, e1 - e1 / 3, -e4 - e1 / 3])
-    w3, root2 = f.real - I * f.imaginary, sqrt(mpf(2))
+    w3, root2 = f.real + I * f.imaginary, sqrt(mpf(2))
 
     def ends(printed):
-        return from_root(e1, -one, [e4, -e4], printed), I * from_root(e1, one, [e4, -e4], printed)
+        return from_root(e1, -one, [e4, -e4], printed), -I * from_root(e1, one, [e4, -e4], printed)
 
     def off(a, b):
         return max(abs(f.p(a - w3) + e1 / 3 + 1), abs(f.p(b - w3) + e1 / 3 - 1))
@@ -235,7 +239,7 @@ def aperiodic():
     a, b = ends(False)
     wm = root2 * (1 - e4 ** 2) * sqrt(2 * p * (1 + e1))
     a = a if abs(f.dp(a - w3) - wm) < 1 else -a
-    wp, x = f.dp(b - w3), -mpf("0.6") * b
+    wp, x = f.dp(b - w3), mpf("0.6") * b
     branch, before = mpc(0), mpc(1)
     for j in range(1, 65):  # log(-sigma(x-b)/sigma(x+b)), 0 at x = 0
         now = -f.sigma(x * j / 64 - b) / f.sigma(x * j / 64 + b)
@@ -285,4 +289,7 @@ if __name__ == "__main__":
     loops()
     e3_equals_e4()
     aperiodic()
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "errata.json"), "w") as file:
+        json.dump({"rows": rows}, file, indent=1)
+        file.write("\n")
     sys.exit(failed)

@@ -1,9 +1,9 @@
 //! Tests of public behaviour against independent results: one binary, one module per subject.
 
-/// SU(2), its two actions on the sphere, and conversions.
+/// SU(2) in floating and in fixed point, its two actions on the sphere, and conversions.
 mod rotations {
-    #[cfg(feature = "host")]
-    pub(crate) mod cayley_klein;
+    mod cayley_klein;
+    mod fixed_point;
     mod group;
     mod interop;
 }
@@ -15,28 +15,24 @@ mod motion {
     pub(crate) mod full_solver;
     mod invariants;
     #[cfg(feature = "host")]
-    pub(crate) mod lagrangian;
+    mod lagrangian;
     mod normal_force;
+    mod other_tops;
     pub(crate) mod properties;
     mod regimes;
     mod stages;
     mod stepper_order;
-    mod tip;
-    mod tops;
+    mod tip_curve;
     mod vertical;
 }
 
 /// Tables: accuracy in every scalar, their clock, their memory.
 mod table {
+    mod access;
     mod baked;
     mod bounds;
-    mod ephemeris;
-    mod epoch;
-    mod far_ticks;
-    mod fixed_point;
-    mod long_ticks;
+    mod clock;
     mod rates;
-    mod samples;
     mod set_up;
     mod tip_angle;
     mod truth;
@@ -51,8 +47,8 @@ mod events {
 /// Sections 3 to 5 of the paper: curves, integrals and closed forms.
 mod closed_forms {
     mod aperiodic;
-    mod combined_corners;
-    mod e3_equals_e4;
+    #[cfg(feature = "host")]
+    mod curve;
     mod elliptic;
     #[cfg(feature = "host")]
     mod errata;
@@ -64,16 +60,13 @@ mod closed_forms {
     #[cfg(feature = "host")]
     mod poles;
     mod precession;
-    #[cfg(feature = "host")]
-    mod tip_curve;
+    mod reference;
 }
 
 /// Launches found from measurements, and partial derivatives.
 mod fit {
     mod drift;
     mod first_guesses;
-    #[cfg(feature = "host")]
-    mod free_partials;
     mod limits;
     #[cfg(feature = "host")]
     mod sensitivity;
@@ -90,7 +83,6 @@ mod errors {
 
 /// Files, dependencies, and the page that maps the paper to tests.
 mod structure {
-    mod dependencies;
     mod layout;
     mod paper;
 }

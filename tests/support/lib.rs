@@ -1,15 +1,12 @@
-//! Shared parts of the tests of all crates: reference vectors, tolerances, and the measure of errors.
+//! Shared parts of the tests of all crates: reference vectors, motions, tables, and the measure of errors.
 
-pub mod complex;
 pub mod hostile;
-pub mod hyperelliptic;
-pub mod tolerance;
 pub mod vectors;
 
 use std::ops::Deref;
 use toytop::{
     Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, InitialPhases, Motion, Orientation,
-    SetUp, Signs, Tick, Top, TopParameters,
+    Release, SetUp, SetUpError, Sign, Signs, State, Tick, Top, TopParameters,
 };
 
 /// Larger of two errors. NaN counts as larger than any number, so that it cannot pass a bound; `f64::max` would drop
@@ -21,6 +18,36 @@ pub fn greater(a: f64, b: f64) -> f64 {
 /// Largest of several errors: NaN if one of them is NaN, 0 if there are none.
 pub fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
     errors.into_iter().fold(0.0, greater)
+}
+
+/// Keeps the larger of the errors of each quantity.
+pub fn keep<const N: usize>(worst: &mut [f64; N], errors: [f64; N]) {
+    *worst = std::array::from_fn(|i| greater(worst[i], errors[i]));
+}
+
+/// Checks the worst error of a whole test. It must stay below `most` and reach `most / 30`: a bound far above every error would not fail
+/// if the code, or the test, stopped working.
+///
+/// # Panics
+/// If the error exceeds the bound, is far below it, or is NaN.
+pub fn check(what: &str, worst: f64, most: f64) {
+    assert!(worst <= most, "{what}: {worst:.1e}, allowed {most:.1e}");
+    assert!(worst >= most / 30.0, "{what}: {worst:.1e}, so {most:.1e} is too lax a bound");
+}
+
+/// Checks the worst errors of several quantities.
+pub fn check_all<const N: usize>(what: [&str; N], worst: [f64; N], most: [f64; N]) {
+    (0..N).for_each(|i| check(what[i], worst[i], most[i]));
+}
+
+/// Length of a vector.
+pub fn length(x: [f64; 3]) -> f64 {
+    x.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// Distance of two vectors.
+pub fn apart(x: [f64; 3], y: [f64; 3]) -> f64 {
+    length(std::array::from_fn(|i| x[i] - y[i]))
 }
 
 /// Orientation of any scalar as `f64`.
@@ -44,6 +71,50 @@ pub fn top_of([a, c, s, p]: [f64; 4], gravity: f64) -> Top {
     };
     if s > 0.0 { Top::sliding(&parameters) } else { Top::fixed(&parameters) }.unwrap()
 }
+
+/// Toy top of 50 g, in SI units.
+pub const TOY: TopParameters = TopParameters {
+    transverse_inertia: 3e-5,
+    axial_inertia: 2e-5,
+    com_height: 0.03,
+    mass: 0.05,
+    mass_moment: 0.0,
+    gravity: 9.81,
+    rotor_momentum: 0.0,
+};
+
+/// Top of the parameters [`TOY`].
+///
+/// # Panics
+/// Never.
+pub fn toy() -> Top {
+    Top::sliding(&TOY).unwrap()
+}
+
+/// Motion of a released top.
+///
+/// # Panics
+/// If there is no such motion.
+pub fn released(top: &Top, release: &Release) -> Motion {
+    Motion::launch(top, &State::release(release).unwrap()).unwrap()
+}
+
+/// Motion of a top released from rest apart from its spin.
+pub fn let_go(top: &Top, tilt: f64, spin: f64) -> Motion {
+    released(top, &Release { tilt, spin, ..Release::default() })
+}
+
+/// Positive l + n and l - n.
+pub const SAME: Signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Plus };
+/// Positive l + n and negative l - n.
+pub const DIFFERENT: Signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
+/// All choices of the signs of l + n and l - n.
+pub const SIGNS: [Signs; 4] = [
+    SAME,
+    DIFFERENT,
+    Signs { l_plus_n: Sign::Minus, l_minus_n: Sign::Plus },
+    Signs { l_plus_n: Sign::Minus, l_minus_n: Sign::Minus },
+];
 
 /// Motion with these branch points that starts at e₁.
 ///
@@ -69,26 +140,34 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Table<R, SEGMENTS> {
     }
 }
 
+/// Table of a motion that is launched at tick 0, if it fits.
+pub fn fitting<R: EphemerisScalar, const SEGMENTS: usize>(
+    motion: &Motion,
+    tick: Tick,
+) -> Option<Table<R, SEGMENTS>> {
+    launched_at(motion, tick, 0).ok()
+}
+
 /// Table of a motion that is launched at tick 0.
 ///
 /// # Panics
 /// If the motion does not fit.
 pub fn boxed<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion, tick: Tick) -> Table<R, SEGMENTS> {
-    launched_at(motion, tick, 0)
+    launched_at(motion, tick, 0).unwrap()
 }
 
 /// Table of a motion that is launched at a tick.
 ///
-/// # Panics
+/// # Errors
 /// If the motion does not fit.
 pub fn launched_at<R: EphemerisScalar, const SEGMENTS: usize>(
     motion: &Motion,
     tick: Tick,
     epoch: i64,
-) -> Table<R, SEGMENTS> {
+) -> Result<Table<R, SEGMENTS>, SetUpError> {
     let mut memory = Box::new(EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new());
-    memory.set_up(&mut SetUp::new(), motion, tick, epoch, &mut || {}).unwrap();
-    Table(memory)
+    memory.set_up(&mut SetUp::new(), motion, tick, epoch, &mut || {})?;
+    Ok(Table(memory))
 }
 
 /// The example of the README, compiled and run.

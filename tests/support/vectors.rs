@@ -83,13 +83,9 @@ impl Vector {
         Self { name: file.file_stem().unwrap().to_string_lossy().into_owned(), json: read(file) }
     }
 
-    /// Number at the top level of the file (`e1`, `l`, ...), if it is present.
-    pub fn number(&self, key: &str) -> Option<f64> {
-        self.json.get(key).and_then(number)
-    }
-
-    fn parameter(&self, key: &str) -> Option<f64> {
-        self.json["params"].get(key).and_then(number)
+    /// Number at the top level of the file (`e1`, `l`, ...).
+    pub fn number(&self, key: &str) -> f64 {
+        number(&self.json[key])
     }
 
     /// Whether the inputs are exactly `f64` numbers, so that reading them causes no rounding.
@@ -104,18 +100,18 @@ impl Vector {
 
     /// Difference e₃ - e₂; the errors of a motion are amplified by its inverse.
     pub fn gap(&self) -> f64 {
-        self.number("e3").unwrap() - self.number("e2").unwrap()
+        self.number("e3") - self.number("e2")
     }
 
     /// Smallest of 1, e₃ - e₂ and 1 - e₂ that is not 0: the scale for the effect of a rounding of the inputs.
     pub fn smallest_difference(&self) -> f64 {
-        let differences = [self.gap(), 1.0 - self.number("e2").unwrap()];
+        let differences = [self.gap(), 1.0 - self.number("e2")];
         differences.into_iter().filter(|&x| x > 0.0).fold(1.0, f64::min)
     }
 
     /// Top of the motion; s = 0 means a fixed tip.
     pub fn top(&self) -> Top {
-        crate::top_of(["A", "C", "s", "p"].map(|key| self.parameter(key).unwrap()), 1.0)
+        top(&self.json["params"])
     }
 
     /// Signs of l + n and l - n.
@@ -129,26 +125,25 @@ impl Vector {
 
     /// Start of a motion given by branch points.
     pub fn start(&self) -> InitialPhases {
-        let angle = |key| self.parameter(key).unwrap_or(0.0);
+        let angle = |key| self.json["params"].get(key).map_or(0.0, number);
         InitialPhases { theta: angle("theta0"), arg_alpha: angle("arg_alpha0"), arg_beta: angle("arg_beta0") }
     }
 
     /// Branch points e₁, e₂, e₃.
     pub fn roots(&self) -> [f64; 3] {
-        ["e1", "e2", "e3"].map(|key| self.number(key).unwrap())
+        ["e1", "e2", "e3"].map(|key| self.number(key))
     }
 
     /// State at t = 0, rounded to `f64`.
     pub fn state(&self) -> State {
         let (parameters, initial) = (&self.json["params"], &self.json["initial"]);
-        if parameters.get("alpha0").is_some() {
-            let complex = |key: &str| Complex::new(entry(parameters, key, 0), entry(parameters, key, 1));
-            let omega = [0, 1, 2].map(|i| entry(parameters, "omega0", i));
-            return State::new(Orientation { alpha: complex("alpha0"), beta: complex("beta0") }, omega)
-                .unwrap();
-        }
-        let omega = numbers(&initial["omega_fixed"]).try_into().unwrap();
-        State::new(phi(initial), omega).unwrap()
+        let (phi, omega) = if parameters.get("alpha0").is_some() {
+            let [alpha, beta] = ["alpha0", "beta0"].map(|key| complex(&parameters[key]));
+            (Orientation { alpha, beta }, &parameters["omega0"])
+        } else {
+            (orientation(initial), &initial["omega_fixed"])
+        };
+        State::new(phi, triple(omega)).unwrap()
     }
 
     /// Motion, launched from its branch points or its state.
@@ -162,19 +157,19 @@ impl Vector {
 
     /// Samples over the first periods.
     pub fn samples(&self) -> Vec<Sample> {
-        self.json["samples"].as_array().unwrap().iter().map(sample).collect()
+        entries(&self.json["samples"]).iter().map(sample).collect()
     }
 
     /// Samples near 10³, 10⁶ and 10⁹ periods, with their number of periods.
     pub fn huge_samples(&self) -> Vec<(f64, Sample)> {
         let samples = self.json.get("huge_samples").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
-        samples.iter().map(|json| (number(&json["period_count"]).unwrap(), sample(json))).collect()
+        samples.iter().map(|json| (number(&json["period_count"]), sample(json))).collect()
     }
 
     /// Exact values of a period, if there is one.
     pub fn period(&self) -> Option<Period> {
         let period = self.json.get("period")?;
-        let entry = |key: &str| number(&period[key]).unwrap();
+        let entry = |key: &str| number(&period[key]);
         Some(Period {
             period: entry("T"),
             alpha: entry("delta_arg_alpha"),
@@ -185,32 +180,39 @@ impl Vector {
 }
 
 fn sample(json: &Value) -> Sample {
-    let entry = |key: &str| number(&json[key]);
-    let c = numbers(&json["c"]);
     Sample {
-        t: entry("t").unwrap(),
-        u: entry("u").unwrap(),
-        udot: entry("udot").unwrap(),
-        phi: phi(json),
-        c: Complex::new(c[0], c[1]),
-        tip_angle: entry("phi"),
+        t: number(&json["t"]),
+        u: number(&json["u"]),
+        udot: number(&json["udot"]),
+        phi: orientation(json),
+        c: complex(&json["c"]),
+        tip_angle: json["phi"].is_string().then(|| number(&json["phi"])),
     }
 }
 
-fn phi(json: &Value) -> Orientation<f64> {
-    let complex = |key: &str| {
-        let parts = numbers(&json[key]);
-        Complex::new(parts[0], parts[1])
-    };
-    Orientation { alpha: complex("alpha"), beta: complex("beta") }
+/// Orientation from the keys `alpha` and `beta`.
+pub fn orientation(json: &Value) -> Orientation<f64> {
+    Orientation { alpha: complex(&json["alpha"]), beta: complex(&json["beta"]) }
 }
 
-fn entry(json: &Value, key: &str, i: usize) -> f64 {
-    number(&json[key][i]).unwrap()
+/// Complex number from its two parts.
+pub fn complex(json: &Value) -> Complex<f64> {
+    Complex::new(number(&json[0]), number(&json[1]))
 }
 
-fn numbers(json: &Value) -> Vec<f64> {
-    json.as_array().unwrap().iter().map(|entry| number(entry).unwrap()).collect()
+/// Vector from its three components.
+pub fn triple(json: &Value) -> [f64; 3] {
+    [0, 1, 2].map(|i| number(&json[i]))
+}
+
+/// Top from A, C, s and p, with g = 1; s = 0 means a fixed tip.
+pub fn top(json: &Value) -> Top {
+    crate::top_of(["A", "C", "s", "p"].map(|key| number(&json[key])), 1.0)
+}
+
+/// Entries of a list.
+pub fn entries(json: &Value) -> &[Value] {
+    json.as_array().unwrap()
 }
 
 /// Number from a decimal string, to extended precision: 37 of its digits.
@@ -229,13 +231,11 @@ pub fn exact_number(json: &Value) -> Extended {
 }
 
 /// Number from a JSON number or a decimal string.
-pub fn number(json: &Value) -> Option<f64> {
-    match json {
-        Value::String(text) => match text.as_str() {
-            "pi" => Some(std::f64::consts::PI),
-            "pi/2" => Some(std::f64::consts::FRAC_PI_2),
-            text => text.parse().ok(),
-        },
-        other => other.as_f64(),
+pub fn number(json: &Value) -> f64 {
+    match json.as_str() {
+        Some("pi") => std::f64::consts::PI,
+        Some("pi/2") => std::f64::consts::FRAC_PI_2,
+        Some(text) => text.parse().unwrap(),
+        None => json.as_f64().unwrap(),
     }
 }

@@ -1,4 +1,4 @@
-//! `toytop errata`: the table of the printed errors, which the suite of the cross-crate tests computes again.
+//! `toytop errata`: the table of the printed errors, which the suite of the cross-crate tests compares with fifty digits.
 
 use crate::command::{json, toytop};
 use toytop_host::errata::ERRATA;

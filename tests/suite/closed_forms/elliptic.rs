@@ -7,32 +7,20 @@ use serde_json::Value;
 use toytop::Complex;
 use toytop::scalar::Float;
 use toytop_closed_forms::elliptic::{Jacobi, Weierstrass, carlson_rf};
-use toytop_tests::{greater, tolerance, vectors};
-
-fn number(json: &Value) -> f64 {
-    vectors::number(json).unwrap()
-}
-
-fn complex(json: &Value) -> Complex<f64> {
-    Complex::new(number(&json[0]), number(&json[1]))
-}
+use toytop_tests::vectors::{self, complex, entries, number};
+use toytop_tests::{check, check_all, greater, keep};
 
 fn modulus(z: Complex<f64>) -> f64 {
     z.re.hypot(z.im)
 }
 
-fn entries(json: &Value) -> &Vec<Value> {
-    json.as_array().unwrap()
-}
-
-/// Lattices of the reference, each with its points (z, expected values).
-fn lattices() -> Vec<(Weierstrass, Value)> {
-    let json = vectors::json("elliptic.json");
+/// Lattices of a file of the reference, each with its points (z, expected values).
+fn lattices(file: &str) -> Vec<(Weierstrass, Value)> {
     let lattice = |json: &Value| {
-        let gaps = ["upper_gap", "lower_gap"].map(|key| number(&json[key]));
-        (Weierstrass::from_gaps(gaps[0], gaps[1]).unwrap(), json.clone())
+        let [upper, lower] = ["upper_gap", "lower_gap"].map(|key| number(&json[key]));
+        (Weierstrass::from_gaps(upper, lower).unwrap(), json.clone())
     };
-    entries(&json["lattices"]).iter().map(lattice).collect()
+    entries(&vectors::json(file)["lattices"]).iter().map(lattice).collect()
 }
 
 /// Allowance for the rounding of z in extended precision, relative to |z f'|.
@@ -60,20 +48,20 @@ fn note(worst: &mut [f64; 3], lattice: &Weierstrass, point: &Value) {
     let [g2, _] = lattice.invariants();
     let curvature = (p * p).scaled(6.0) - Complex::new(0.5 * g2, 0.0);
     let size = modulus(z);
-    let errors = [
-        off(lattice.p(z), &point["p"], size * modulus(slope)),
-        off(lattice.p_prime(z), &point["p_prime"], size * modulus(curvature)),
-        off(lattice.zeta(z), &point["zeta"], size * modulus(p)),
-    ];
-    for (worst, error) in worst.iter_mut().zip(errors) {
-        *worst = greater(*worst, error);
-    }
+    keep(
+        worst,
+        [
+            off(lattice.p(z), &point["p"], size * modulus(slope)),
+            off(lattice.p_prime(z), &point["p_prime"], size * modulus(curvature)),
+            off(lattice.zeta(z), &point["zeta"], size * modulus(p)),
+        ],
+    );
 }
 
 #[test]
 fn weierstrass_against_thirty_digits() {
     let (mut worst, mut logarithm, mut sigma) = ([0.0_f64; 3], 0.0_f64, 0.0_f64);
-    for (lattice, json) in lattices() {
+    for (lattice, json) in lattices("elliptic.json") {
         for point in entries(&json["points"]) {
             let z = complex(&point["z"]);
             let [zeta, ln] = ["zeta", "ln_sigma"].map(|key| complex(&point[key]));
@@ -86,30 +74,25 @@ fn weierstrass_against_thirty_digits() {
             logarithm = greater(logarithm, modulus(apart) / (1.0 + modulus(ours) + modulus(ln)));
             if ln.re.abs() < 300.0 {
                 // e^{ln σ} of the expected value has the rounding of its own exponent
-                let (sine, cosine) = ln.im.sin_cos();
-                let truth = Complex::new(cosine, sine).scaled(ln.re.exp());
+                let truth = Complex::new(ln.im.cos(), ln.im.sin()).scaled(ln.re.exp());
                 let error = modulus(lattice.sigma(z) - truth) / modulus(truth);
                 sigma = greater(sigma, error / (1.0 + modulus(ln) + size * modulus(zeta)));
             }
         }
     }
     // four quotients of the root differences a decade from 1e-28 to 1e28
-    for entry in entries(&vectors::json("elliptic_sweep.json")["lattices"]) {
-        let [upper, lower] = ["upper_gap", "lower_gap"].map(|key| number(&entry[key]));
-        let lattice = Weierstrass::from_gaps(upper, lower).unwrap();
-        entries(&entry["points"]).iter().for_each(|point| note(&mut worst, &lattice, point));
+    for (lattice, json) in lattices("elliptic_sweep.json") {
+        entries(&json["points"]).iter().for_each(|point| note(&mut worst, &lattice, point));
     }
-    for (what, error) in ["p", "p'", "zeta"].iter().zip(worst) {
-        tolerance::WEIERSTRASS.check(what, error);
-    }
-    tolerance::LN_SIGMA.check("ln sigma", logarithm);
-    tolerance::LN_SIGMA.check("sigma", sigma);
+    check_all(["p", "p'", "zeta"], worst, [1.2e-16; 3]);
+    check("ln sigma", logarithm, 4e-16);
+    check("sigma", sigma, 4e-16);
 }
 
 #[test]
 fn half_periods_and_quasi_periods() {
     let mut worst = 0.0_f64;
-    for (lattice, json) in lattices() {
+    for (lattice, json) in lattices("elliptic.json") {
         for (values, key) in
             [(lattice.half_periods(), "half_periods"), (lattice.quasi_periods(), "quasi_periods")]
         {
@@ -118,13 +101,13 @@ fn half_periods_and_quasi_periods() {
             }
         }
     }
-    tolerance::HALF_PERIODS.check("half periods", worst);
+    check("half periods", worst, 1.2e-16);
 }
 
 /// ℘ has the values e₁, e₂, e₃ at the half periods, where each difference has a double zero.
 #[test]
 fn roots_at_the_half_periods() {
-    for (lattice, _) in lattices() {
+    for (lattice, _) in lattices("elliptic.json") {
         let [real, imaginary] = lattice.half_periods();
         let points = [Complex::new(real, 0.0), Complex::new(real, imaginary), Complex::new(0.0, imaginary)];
         for (i, z) in points.into_iter().enumerate() {
@@ -166,8 +149,8 @@ fn jacobi_against_thirty_digits() {
         let jacobi = Jacobi::new(1.0 - m1, m1).unwrap();
         quarter = greater(quarter, off_real(jacobi.quarter_period(), &entry["quarter_period"], 0.0));
     }
-    tolerance::JACOBI.check("sn, cn, dn, am", functions);
-    tolerance::HALF_PERIODS.check("K", quarter);
+    check("sn, cn, dn, am", functions, 1.2e-16);
+    check("K", quarter, 1.2e-16);
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use fixed::types::{I2F14, I2F30};
 use toytop::{
-    Complex, Ephemeris, EphemerisScalar, EphemerisView, Motion, Orientation, Release, SetUpError, Sign,
-    Signs, State, Stepper, Tick, Top, TopParameters,
+    Complex, Ephemeris, EphemerisScalar, EphemerisView, Motion, Orientation, SetUpError, Sign, Signs, State,
+    Stepper, Tick, Top, TopParameters,
 };
-use toytop_tests::{by_branch_points, kilohertz, top_of, vectors, worst};
+use toytop_tests::{SAME, by_branch_points, kilohertz, let_go, top_of, toy, worst};
 
 /// The axis misses the vertical by 3e-43: the rate of the tip angle and 1/|β| exceed the range of `f32`.
 #[test]
@@ -21,10 +21,10 @@ fn the_rate_of_the_tip_angle_is_a_number_however_near_the_vertical() {
     }
 }
 
-/// Greatest distance of two tables in a period.
-fn apart(coarse: &EphemerisView<f64>, fine: &EphemerisView<f64>, period: f64) -> f64 {
+/// Greatest distance of two tables of a motion in a period.
+fn apart(motion: &Motion, coarse: &EphemerisView<f64>, fine: &EphemerisView<f64>) -> f64 {
     worst((0..2000).map(|i| {
-        let t = period * f64::from(i) / 2000.0;
+        let t = motion.period_advance().unwrap().period * f64::from(i) / 2000.0;
         coarse.at(t).orientation().distance(&fine.at(t).orientation())
     }))
 }
@@ -34,15 +34,13 @@ fn apart(coarse: &EphemerisView<f64>, fine: &EphemerisView<f64>, period: f64) ->
 #[test]
 fn a_series_that_does_not_converge_is_refused() {
     let top = top_of([1.7e-5, 1e-6, 1.0, 1.0], 1.0);
-    let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Plus };
-    let motion = by_branch_points(&top, [-0.3, 0.26, 28.8], signs);
-    let period = motion.period_advance().unwrap().period;
+    let motion = by_branch_points(&top, [-0.3, 0.26, 28.8], SAME);
     let tick = kilohertz();
     assert!(Ephemeris::<f64, 16>::within(&motion, tick, 1.0).is_err());
     assert_eq!(EphemerisView::<f64>::segments_needed(&motion, 1.0), Some(96));
     let coarse = Ephemeris::<f64, 96>::within(&motion, tick, 1.0).unwrap();
     let fine = Ephemeris::<f64, 512>::new(&motion, tick).unwrap();
-    let worst = apart(&coarse, &fine, period);
+    let worst = apart(&motion, &coarse, &fine);
     let bound = coarse.error_bound().constant;
     assert!(worst <= bound && worst > 0.05 * bound, "{worst:e}, bound {bound:e}");
 }
@@ -51,18 +49,14 @@ fn a_series_that_does_not_converge_is_refused() {
 /// range. The error of α was 2e-14 rad in the middle of the period, nearly as large as the bound.
 #[test]
 fn a_product_of_series_beyond_its_range_shortens_the_segment() {
-    let top = top_of(
-        [0.00015742034488291326, 3.3065282083723238e-6, 0.11407086745336946, 0.6738442746464433],
-        1.2811341798619644,
-    );
+    let top = [0.00015742034488291326, 3.3065282083723238e-6, 0.11407086745336946, 0.6738442746464433];
     let e = [0.9997064562286313, 0.9999999993407629, 1.0];
     let signs = Signs { l_plus_n: Sign::Minus, l_minus_n: Sign::Plus };
-    let motion = by_branch_points(&top, e, signs);
-    let period = motion.period_advance().unwrap().period;
+    let motion = by_branch_points(&top_of(top, 1.2811341798619644), e, signs);
     let tick = Tick::hertz(8192).unwrap();
     let coarse = Ephemeris::<f64, 32>::new(&motion, tick).unwrap();
     let fine = Ephemeris::<f64, 512>::within(&motion, tick, 1e-18).unwrap();
-    let worst = apart(&coarse, &fine, period);
+    let worst = apart(&motion, &coarse, &fine);
     assert!((1e-16..3e-15).contains(&worst), "{worst:e}");
 }
 
@@ -76,15 +70,13 @@ fn a_table_that_its_integers_cannot_hold_fits_no_allowance() {
 }
 
 fn tables_are_refused<R: EphemerisScalar>() {
-    let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Plus };
-    let tick = kilohertz();
     let (mut held, mut refused) = (0, 0);
     // the smaller A, the faster the slow phases change within a segment
     for k in 0..20 {
         let a = 10_f64.powf(-0.25 * f64::from(k));
         let top = top_of([a, a, 1.0, 1.0], 1.0);
-        let motion = by_branch_points(&top, [-0.3, 0.26, 3.0], signs);
-        match Ephemeris::<R, 16>::within(&motion, tick, 1e6) {
+        let motion = by_branch_points(&top, [-0.3, 0.26, 3.0], SAME);
+        match Ephemeris::<R, 16>::within(&motion, kilohertz(), 1e6) {
             Ok(_) => held += 1,
             Err(error) => {
                 assert_eq!(error, SetUpError::TooSmall { truncation: 1e6, segments: 16 });
@@ -115,13 +107,10 @@ fn a_rotor_that_hardly_turns_counts_as_none() {
 /// of them.
 #[test]
 fn a_table_of_any_error_keeps_its_terms() {
-    let top = *vectors::motion("si_toytop_150").top();
-    let release = Release { tilt: 0.35, spin: 150.0, ..Release::default() };
-    let motion = Motion::launch(&top, &State::release(&release).unwrap()).unwrap();
-    let (period, tick) = (motion.period_advance().unwrap().period, kilohertz());
+    let (motion, tick) = (let_go(&toy(), 0.35, 150.0), kilohertz());
     let coarse = Ephemeris::<f64, 64>::within(&motion, tick, f64::MAX).unwrap();
     let fine = Ephemeris::<f64, 512>::new(&motion, tick).unwrap();
-    let worst = apart(&coarse, &fine, period);
+    let worst = apart(&motion, &coarse, &fine);
     let bound = coarse.error_bound().constant;
     assert!(worst <= bound && bound < 1e-6, "{worst:e}, bound {bound:e}");
 }

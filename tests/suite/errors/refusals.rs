@@ -4,7 +4,7 @@ use toytop::{
     BranchPoints, Complex, Ephemeris, InitialPhases, Motion, Orientation, ParameterError, Release,
     SetUpError, Signs, State, Tick, Top, TopParameters,
 };
-use toytop_tests::{kilohertz, top_of, vectors};
+use toytop_tests::{kilohertz, top_of, toy, vectors};
 
 fn parameter<T>(result: Result<T, ParameterError>) -> Option<&'static str> {
     result.err().map(|error| error.parameter())
@@ -12,33 +12,6 @@ fn parameter<T>(result: Result<T, ParameterError>) -> Option<&'static str> {
 
 fn top() -> Top {
     top_of([1.0, 1.0, 1.0, 1.0], 1.0)
-}
-
-#[test]
-fn tops() {
-    for ([a, c, s, p, g], refused) in [
-        ([1.0, 2.0, 1.0, 1.0, 1.0], None),
-        ([1.0, 0.0, 1.0, 1.0, 1.0], None),
-        ([1.1e-6, 1e-6, 1.0, 1.0, 1.0], None),
-        ([1.0, 2.0000001, 1.0, 1.0, 1.0], Some("axial_inertia")),
-        ([1.0, -1e-9, 1.0, 1.0, 1.0], Some("axial_inertia")),
-        ([-1.0, 1.0, 1.0, 1.0, 1.0], Some("transverse_inertia")),
-        ([1e-7, 1e-7, 1.0, 1.0, 1.0], Some("transverse_inertia")),
-        ([1.0, 1.0, 1.0, 1.0, 0.0], Some("gravity")),
-        ([1.0, 1.0, 1.0, 1.0, -9.81], Some("gravity")),
-        ([1.0, 1.0, f64::NAN, 1.0, 1.0], Some("com_height")),
-        ([1.0, 1.0, 1.0, f64::INFINITY, 1.0], Some("mass_moment")),
-    ] {
-        let top = Top::sliding(&TopParameters {
-            transverse_inertia: a,
-            axial_inertia: c,
-            com_height: s,
-            mass_moment: p,
-            gravity: g,
-            ..TopParameters::default()
-        });
-        assert_eq!(parameter(top), refused, "{a} {c} {s} {p} {g}");
-    }
 }
 
 /// Branch points determine neither the rate of a body without torque nor the axial rate of a rod.
@@ -79,6 +52,42 @@ fn states() {
     ] {
         let phi = Orientation { alpha: Complex::new(alpha, 0.0), beta: Complex::new(0.0, beta) };
         assert_eq!(parameter(State::new(phi, [0.0, omega, 0.0])), refused, "{alpha} {beta} {omega}");
+    }
+}
+
+#[test]
+fn impulses() {
+    let state = State::release(&Release { tilt: 0.3, spin: 10.0, ..Release::default() }).unwrap();
+    let (impulse, point) = ([1e-3, 2e-3, -1e-3], [0.01, 0.0, 0.02]);
+    for (impulse, point, refused) in [
+        (impulse, point, [None; 2]),
+        ([0.0, f64::NAN, 0.0], point, [Some("impulse"); 2]),
+        ([0.0, 0.0, 2e12], point, [Some("impulse"); 2]),
+        (impulse, [f64::INFINITY, 0.0, 0.0], [Some("point"); 2]),
+        (impulse, [0.0, -2e12, 0.0], [Some("point"); 2]),
+        // more than 1e12 rad/s, from numbers in range
+        ([1e10, 0.0, 0.0], [0.0, 1.0, 0.0], [Some("impulse"), None]),
+    ] {
+        let after = parameter(state.with_impulse(&toy(), impulse, point));
+        let reaction = parameter(state.reaction_impulse(&toy(), impulse, point));
+        assert_eq!([after, reaction], refused, "{impulse:?} {point:?}");
+    }
+}
+
+#[test]
+fn quaternions_and_gyroscopes() {
+    for (quaternion, gyro, refused) in [
+        ([0.6, 0.0, 0.8000006, 0.0], [0.0, 0.0, 1e12], None),
+        ([0.6, 0.0, 0.8000007, 0.0], [0.0; 3], Some("quaternion")),
+        ([0.0; 4], [0.0; 3], Some("quaternion")),
+        ([f64::NAN, 0.0, 0.8, 0.0], [0.0; 3], Some("quaternion")),
+        ([1e200, 0.0, 0.0, 0.0], [0.0; 3], Some("quaternion")),
+        ([1.0, 0.0, 0.0, 0.0], [0.0, f64::INFINITY, 0.0], Some("gyro")),
+        ([1.0, 0.0, 0.0, 0.0], [8e11, 0.0, 8e11], Some("gyro")),
+        ([1.0, 0.0, 0.0, 0.0], [1e300, 0.0, 0.0], Some("gyro")),
+    ] {
+        let state = State::from_quaternion_and_gyro(quaternion, gyro);
+        assert_eq!(parameter(state), refused, "{quaternion:?} {gyro:?}");
     }
 }
 

@@ -2,22 +2,19 @@
 //!
 //! The lossy motion is made of exact motions: every half millisecond, angular impulses on the body take rotation away.
 
-use super::simulated::{GYROSCOPE, MAGNETOMETER, PARAMETERS, Random, held, mounting, release, sliding};
+use super::simulated::{
+    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, Random, SENSORS, fitted, held, measured, release,
+};
 use nalgebra::{Matrix6, Vector6};
 use toytop::su2::{cross, dot};
 use toytop::{Motion, State, Stepper, Top, TopParameters};
-use toytop_fit::{
-    Accelerometer, Fit, FitError, Fitted, FreeRatio, Measurement, Noise, Reason, Sensitivity, Sensor,
-};
+use toytop_fit::{Fit, FitError, Fitted, FreeRatio, Measurement, Reason, Sensitivity, Sensor};
+use toytop_tests::{TOY, length, toy};
 
 /// Time between two samples, s.
 const STEP: f64 = 1e-3;
 /// Loss of rotation in a minute.
 const LOSS: f64 = 1.0 / 60.0;
-
-const ACCELEROMETER: Accelerometer =
-    Accelerometer { noise: Noise { deviation: 0.022, bias: 0.2 }, mounting: mounting(), range: 157.0 };
-const SENSORS: [&dyn Sensor; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
 
 fn thrown() -> State {
     release(0.35, 150.0)
@@ -25,15 +22,14 @@ fn thrown() -> State {
 
 /// State after an angular impulse: two opposite impulses on the body.
 fn twisted(top: &Top, state: &State, impulse: [f64; 3]) -> State {
-    let size = dot(impulse, impulse).sqrt();
-    if size == 0.0 {
+    if impulse == [0.0; 3] {
         return *state;
     }
     let least = (0..3).min_by(|i, j| impulse[*i].abs().total_cmp(&impulse[*j].abs())).unwrap();
     let mut other = [0.0; 3];
     other[least] = 1.0;
     let arm = cross(impulse, other);
-    let arm = arm.map(|x| x / dot(arm, arm).sqrt());
+    let arm = arm.map(|x| x / length(arm));
     let force = cross(impulse, arm);
     let place = state.orientation().inverse().adjoint(arm);
     let once = state.with_impulse(top, force, place).unwrap();
@@ -70,36 +66,10 @@ fn lossy(top: &Top, losses: [f64; 3], count: usize) -> Vec<State> {
     states
 }
 
-/// Readings of the sensors at states, without noise.
-fn clean(top: &Top, states: &[State]) -> Vec<Measurement> {
-    let mut found = Vec::new();
-    for (n, state) in states.iter().enumerate() {
-        let partials = Sensitivity::new(&Motion::launch(top, state).unwrap()).at(0.0).unwrap();
-        for (sensor, one) in SENSORS.iter().enumerate() {
-            if sensor < 2 || n % 10 == 0 {
-                let [x, y, z] = one.predict(&partials, &[0.0; 4]).difference.map(|x| -x);
-                found.push(Measurement { time: n as f64 * STEP, sensor, values: [x, y, z, 0.0] });
-            }
-        }
-    }
-    found
-}
-
-/// Readings with noise and biases.
-fn noisy(clean: &[Measurement], random: &mut Random) -> Vec<Measurement> {
-    let deviations = [GYROSCOPE.noise, ACCELEROMETER.noise, MAGNETOMETER.noise];
-    let biases = deviations.map(|noise| [0; 3].map(|_| noise.bias * random.normal()));
-    let of = |one: &Measurement| {
-        let mut values = one.values;
-        for (value, bias) in values.iter_mut().zip(biases[one.sensor]) {
-            *value += bias + deviations[one.sensor].deviation * random.normal();
-            if one.sensor == 0 {
-                *value = value.clamp(-GYROSCOPE.range, GYROSCOPE.range);
-            }
-        }
-        Measurement { values, ..*one }
-    };
-    clean.iter().map(of).collect()
+/// Readings at states, with noise and biases.
+fn noisy(top: &Top, states: &[State], seed: u64) -> Vec<Measurement> {
+    let at = |state: &State| Sensitivity::new(&Motion::launch(top, state).unwrap()).at(0.0).unwrap();
+    measured(states.iter().map(at), &SENSORS, seed)
 }
 
 /// Mean rates of l, n and h.
@@ -141,11 +111,11 @@ fn losses_of_every_kind_are_found() {
     let mut squares = [0.0; 3];
     let mut launches = 0.0;
     for case in 0..CASES {
-        let top = if case % 2 == 0 { sliding() } else { held() };
+        let top = if case % 2 == 0 { toy() } else { held() };
         let losses = [0; 3].map(|_| LOSS * random.normal());
         let states = lossy(&top, losses, 250);
         let truth = drift_of(&top, &states);
-        let found = with_drift(&top, &noisy(&clean(&top, &states), &mut random));
+        let found = with_drift(&top, &noisy(&top, &states, u64::from(case)));
         assert!(found.converged(), "{case}: {:?} {:?}", found.reason, found.statistics);
         let drift = found.drift.unwrap();
         for k in 0..3 {
@@ -155,7 +125,6 @@ fn losses_of_every_kind_are_found() {
         }
         launches += square(&found, &states[states.len() - 1]) / f64::from(CASES);
     }
-    println!("{squares:?} {launches}");
     // the mean of 72 squares of a normal number is 1 ± 0.17, that of six is 6 ± 0.41
     for mean in squares {
         assert!((0.55..1.45).contains(&mean), "{squares:?}");
@@ -166,14 +135,13 @@ fn losses_of_every_kind_are_found() {
 /// The motion with the drift reaches back to the first sample, and explains every reading.
 #[test]
 fn the_motion_with_the_drift_is_that_of_the_measurements() {
-    let top = sliding();
+    let top = toy();
     let states = lossy(&top, [LOSS, 0.5 * LOSS, 0.0], 300);
-    let samples = clean(&top, &states);
-    let measurements = noisy(&samples, &mut Random(3));
+    let measurements = noisy(&top, &states, 3);
     let found = with_drift(&top, &measurements);
-    let without = Fit::new(&top, &SENSORS, &[]).unwrap().run(measurements.iter().copied()).unwrap();
+    let without = fitted(&top, &SENSORS, &[], &measurements);
     assert_eq!(without.reason, Some(Reason::Misfit), "{:?}", without.statistics);
-    assert_eq!(found.epoch, samples[samples.len() - 1].time);
+    assert_eq!(found.epoch, measurements[measurements.len() - 1].time);
     let sensitivity = found.sensitivity(&top).unwrap();
     let exact = Sensitivity::new(&found.motion(&top).unwrap());
     let apart = |sensitivity: &Sensitivity, index: usize| {
@@ -190,9 +158,9 @@ fn the_motion_with_the_drift_is_that_of_the_measurements() {
 /// The next block begins from the end of the last one, and fits its own drift.
 #[test]
 fn blocks_with_a_drift_are_tracked() {
-    let top = sliding();
+    let top = toy();
     let states = lossy(&top, [LOSS, 0.0, 0.0], 600);
-    let measurements = noisy(&clean(&top, &states), &mut Random(9));
+    let measurements = noisy(&top, &states, 9);
     let (first, second) = measurements.split_at(measurements.partition_point(|one| one.time < 300.0 * STEP));
     let mut fit = Fit::new(&top, &SENSORS, &[]).unwrap().with_drift(LOSS).unwrap();
     let last = fit.run(first.iter().copied()).unwrap();
@@ -204,7 +172,7 @@ fn blocks_with_a_drift_are_tracked() {
     let off = (drift.rates[1] - truth[1]) / drift.deviations()[1];
     assert!(off.abs() < 4.0, "{off}");
     assert!((tracked.drift[1] / truth[1] - 1.0).abs() < 0.05, "{:?} {truth:?}", tracked.drift);
-    let jump = dot(tracked.jump, tracked.jump).sqrt();
+    let jump = length(tracked.jump);
     assert!(jump > 0.0 && jump < 0.02, "{jump}");
     assert!(square(&tracked.fitted, &states[599]) < 25.0, "{}", square(&tracked.fitted, &states[599]));
 }
@@ -212,9 +180,9 @@ fn blocks_with_a_drift_are_tracked() {
 #[test]
 fn single_precision_finds_the_drift_of_double_precision() {
     let single: [&dyn Sensor<f32>; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
-    let top = sliding();
+    let top = toy();
     let states = lossy(&top, [LOSS, 0.0, 0.0], 300);
-    let measurements = noisy(&clean(&top, &states), &mut Random(21));
+    let measurements = noisy(&top, &states, 21);
     let wide = with_drift(&top, &measurements).drift.unwrap();
     let mut fit = Fit::new(&top, &single, &[]).unwrap().with_drift(LOSS).unwrap();
     let narrow = fit.run(measurements.iter().copied()).unwrap();
@@ -226,10 +194,10 @@ fn single_precision_finds_the_drift_of_double_precision() {
 /// The axial inertia may be free with the drift, and no second ratio.
 #[test]
 fn one_ratio_may_be_free_with_a_drift() {
-    let top = sliding();
+    let top = toy();
     let states = lossy(&top, [LOSS, 0.0, 0.0], 300);
-    let measurements = noisy(&clean(&top, &states), &mut Random(27));
-    let wrong = Top::sliding(&TopParameters { axial_inertia: 2.02e-5, ..PARAMETERS }).unwrap();
+    let measurements = noisy(&top, &states, 27);
+    let wrong = Top::sliding(&TopParameters { axial_inertia: 2.02e-5, ..TOY }).unwrap();
     let fit = |ratios: &[FreeRatio]| Fit::new(&wrong, &SENSORS, ratios).unwrap().with_drift(LOSS);
     let found = fit(&[FreeRatio::AXIAL_INERTIA]).unwrap().run(measurements.iter().copied()).unwrap();
     assert!(found.converged(), "{:?} {:?}", found.reason, found.statistics);

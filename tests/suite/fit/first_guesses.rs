@@ -1,17 +1,9 @@
 //! First guesses: measurements that leave a rotation or the orientation open, and launches that fit only some of the sensors.
 
-use super::simulated::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, fitted, held, mounting, readings, sliding};
-use toytop::{Motion, Orientation, Release, State, Top};
-use toytop_fit::{Accelerometer, Fitted, Measurement, Mounting, Sensor};
-
-/// Readings of a telephone at the centre of mass of a held top, whose magnetometer is read at every tenth sample.
-fn telephone(motion: &Motion, count: u32, seed: u64) -> ([Mounting; 1], Vec<Measurement>) {
-    let place = Mounting { place: [0.0, 0.0, 0.03], ..mounting() };
-    let accelerometer = Accelerometer { mounting: place, ..ACCELEROMETER };
-    let mut all = readings(motion, &[&GYROSCOPE, &accelerometer, &MAGNETOMETER], count, seed);
-    all.retain(|one| one.sensor != 2 || ((one.time * 1e3).round() as u32).is_multiple_of(10));
-    ([place], all)
-}
+use super::simulated::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, held, mounting, simulated};
+use toytop::{Orientation, Release, State, Top};
+use toytop_fit::{Accelerometer, Fitted, Mounting, Sensor};
+use toytop_tests::toy;
 
 /// Angle between the fitted and the true orientation, without the rotation about the vertical if that is undetermined.
 fn error(fitted: &Fitted, state: &State) -> f64 {
@@ -34,10 +26,11 @@ fn thrown(case: u32, tilt: f64, spin: f64) -> State {
     State::release(&release).unwrap()
 }
 
-fn fitted_telephone(top: &Top, state: &State, count: u32, seed: u64) -> Fitted {
-    let ([place], measurements) = telephone(&Motion::launch(top, state).unwrap(), count, seed);
+/// Launch found by a telephone at the centre of mass of a held top.
+fn by_telephone(top: &Top, state: &State, count: u32, seed: u64) -> Fitted {
+    let place = Mounting { place: [0.0, 0.0, 0.03], ..mounting() };
     let accelerometer = Accelerometer { mounting: place, ..ACCELEROMETER };
-    fitted(top, &[&GYROSCOPE, &accelerometer, &MAGNETOMETER], &measurements)
+    simulated(top, state, &[&GYROSCOPE, &accelerometer, &MAGNETOMETER], count, seed)
 }
 
 /// Only the magnetometer tells a direction at once, and only at every tenth sample.
@@ -48,7 +41,7 @@ fn a_held_top_beyond_the_range_of_the_gyroscope_is_found() {
         let mut found = 0;
         for case in 0..24 {
             let state = thrown(case, 0.1 + 0.03 * f64::from(case), 40.0 + 4.7 * f64::from(case));
-            let fit = fitted_telephone(&top, &state, count, u64::from(case));
+            let fit = by_telephone(&top, &state, count, u64::from(case));
             assert!(!fit.converged() || error(&fit, &state) < 0.1, "{case}: {}", error(&fit, &state));
             found += u32::from(fit.converged());
         }
@@ -62,7 +55,7 @@ fn no_launch_is_believed_that_the_magnetometer_contradicts() {
     let top = held();
     for case in 0..80 {
         let state = thrown(case, 0.05 + 0.01 * f64::from(case), 1.0 + 0.36 * f64::from(case));
-        let fit = fitted_telephone(&top, &state, 300, u64::from(case));
+        let fit = by_telephone(&top, &state, 300, u64::from(case));
         assert!(fit.converged(), "{case}: {:?} {:?}", fit.reason, fit.statistics);
         assert!(error(&fit, &state) < 0.1, "{case}: {}", error(&fit, &state));
         assert!(fit.statistics.largest < 8.0 && fit.statistics.outliers < 40, "{:?}", fit.statistics);
@@ -74,11 +67,10 @@ fn no_launch_is_believed_that_the_magnetometer_contradicts() {
 fn a_gyroscope_alone_tells_all_but_the_yaw() {
     let sensors: [&dyn Sensor; 1] = [&GYROSCOPE];
     for case in 0..40 {
-        let (top, fastest) = if case % 4 == 0 { (sliding(), 30.0) } else { (held(), 28.0) };
+        let (top, fastest) = if case % 4 == 0 { (toy(), 30.0) } else { (held(), 28.0) };
         let tilt = (5.0 + 55.0 * f64::from(case) / 39.0).to_radians();
         let state = thrown(case, tilt, 6.0 + (fastest - 6.0) * f64::from(case * 7 % 40) / 39.0);
-        let motion = Motion::launch(&top, &state).unwrap();
-        let fit = fitted(&top, &sensors, &readings(&motion, &sensors, 300, u64::from(case)));
+        let fit = simulated(&top, &state, &sensors, 300, u64::from(case));
         assert!(fit.converged(), "{case}: {:?} {:?}", fit.reason, fit.statistics);
         assert!(fit.unobservable.yaw && fit.unobservable.count == 1, "{case}: {:?}", fit.unobservable);
         assert!(error(&fit, &state) < 0.1, "{case}: {}", error(&fit, &state));

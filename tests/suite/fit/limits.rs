@@ -1,12 +1,13 @@
 //! Fits at their limits: readings beyond a range, a top without a moment of inertia, and measurements that are refused.
 
 use super::simulated::{
-    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, PARAMETERS, SENSORS, check, fitted, readings, release, sliding,
+    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check, fitted, readings, release, simulated,
 };
 use toytop::{Motion, Orientation, Top, TopParameters};
 use toytop_fit::{
     Fit, FitError, Fitted, FreeRatio, Gyroscope, Measurement, Mounting, Reason, Sensitivity, Sensor,
 };
+use toytop_tests::{TOY, toy};
 
 /// The spin exceeds the range of two axes of a gyroscope that is turned by 45 degrees. Along the axis of the top they have opposite signs,
 /// and neither is a measurement of the spin.
@@ -16,24 +17,21 @@ fn saturated_axes_of_a_turned_gyroscope_are_not_believed() {
     let rotation = Orientation::from_quaternion([half_turn.cos(), 0.0, half_turn.sin(), 0.0]);
     let gyroscope = Gyroscope { mounting: Mounting { rotation, place: [0.0; 3] }, ..GYROSCOPE };
     let sensors: [&dyn Sensor; 3] = [&gyroscope, &ACCELEROMETER, &MAGNETOMETER];
-    let (top, state) = (sliding(), release(0.35, 500.0));
-    let motion = Motion::launch(&top, &state).unwrap();
-    check("turned", &fitted(&top, &sensors, &readings(&motion, &sensors, 300, 5)), &state);
+    let (top, state) = (toy(), release(0.35, 250.0));
+    check("turned", &simulated(&top, &state, &sensors, 300, 5), &state);
 }
 
 /// A thin rod has C = 0, and its ratio A/C is infinite: no result may depend on it.
 #[test]
 fn the_launch_of_a_thin_rod_has_error_bars() {
-    let top =
-        Top::fixed(&TopParameters { transverse_inertia: 4.5e-5, axial_inertia: 0.0, ..PARAMETERS }).unwrap();
+    let top = Top::fixed(&TopParameters { transverse_inertia: 4.5e-5, axial_inertia: 0.0, ..TOY }).unwrap();
     let state = release(2.1, -1.2);
-    let motion = Motion::launch(&top, &state).unwrap();
-    let measurements = readings(&motion, &SENSORS, 300, 3);
+    let measurements = readings(&top, &state, &SENSORS, 300, 3);
+    let partials = Sensitivity::new(&Motion::launch(&top, &state).unwrap()).at(0.2).unwrap();
     let gravity = [FreeRatio::new([0.0, 0.0, 0.0, 0.01])];
     for ratios in [&[][..], &gravity] {
-        let found = Fit::new(&top, &SENSORS, ratios).unwrap().run(measurements.iter().copied()).unwrap();
+        let found = fitted(&top, &SENSORS, ratios, &measurements);
         check("rod", &found, &state);
-        let partials = Sensitivity::new(&motion).at(0.2).unwrap();
         let covariance = found.orientation_covariance(&partials);
         let deviation = (covariance[0][0] + covariance[1][1] + covariance[2][2]).sqrt();
         assert!((1e-5..0.1).contains(&deviation), "{deviation:e}");
@@ -43,9 +41,8 @@ fn the_launch_of_a_thin_rod_has_error_bars() {
 /// A run that ends without a launch has nothing of the run before it.
 #[test]
 fn a_run_begins_without_the_results_of_the_last_one() {
-    let top = sliding();
-    let motion = Motion::launch(&top, &release(0.35, 150.0)).unwrap();
-    let good = readings(&motion, &SENSORS, 60, 13);
+    let top = toy();
+    let good = readings(&top, &release(0.35, 150.0), &SENSORS, 60, 13);
     let mut fit = Fit::new(&top, &SENSORS, &[]).unwrap();
     let mut run = |count: usize| fit.run(good.iter().copied().take(count)).unwrap();
     let [fresh, _, again] = [1, good.len(), 1].map(&mut run);
@@ -56,9 +53,8 @@ fn a_run_begins_without_the_results_of_the_last_one() {
 
 #[test]
 fn bad_measurements_are_refused_or_not_believed() {
-    let (top, state) = (sliding(), release(0.35, 150.0));
-    let motion = Motion::launch(&top, &state).unwrap();
-    let good = readings(&motion, &SENSORS, 60, 13);
+    let top = toy();
+    let good = readings(&top, &release(0.35, 150.0), &SENSORS, 60, 13);
     let run = |measurements: &[Measurement]| {
         Fit::new(&top, &SENSORS, &[]).unwrap().run(measurements.iter().copied())
     };
@@ -85,8 +81,8 @@ fn bad_measurements_are_refused_or_not_believed() {
     // a top that is held by hand
     let mut still = good.clone();
     let first: Vec<_> = still[..3].to_vec();
-    for (index, measurement) in still.iter_mut().enumerate() {
-        measurement.values = first[index % 3].values;
+    for measurement in &mut still {
+        measurement.values = first[measurement.sensor].values;
         if measurement.sensor == 0 {
             measurement.values = [0.0; 4];
         }

@@ -2,9 +2,11 @@
 
 use toytop::{Motion, Orientation, Release, State, Top, TopParameters};
 use toytop_fit::{
-    Accelerometer, AxisCamera, Fit, Fitted, FreeRatio, Gyroscope, Magnetometer, Mark, Measurement, Mounting,
-    Noise, OrientationCamera, Prediction, Reason, Sensitivity, Sensor, TipCamera, Unobservable,
+    Accelerometer, AxisCamera, Fit, Fitted, FreeRatio, Gyroscope, Hint, Magnetometer, Mark, Measurement,
+    Mounting, Noise, OrientationCamera, Partials, Prediction, Reason, Sensitivity, Sensor, TipCamera,
+    Unobservable,
 };
+use toytop_tests::{TOY, toy};
 
 /// Numbers near a normal distribution.
 pub(crate) struct Random(pub(crate) u64);
@@ -19,22 +21,8 @@ impl Random {
     }
 }
 
-pub(crate) const PARAMETERS: TopParameters = TopParameters {
-    transverse_inertia: 3e-5,
-    axial_inertia: 2e-5,
-    com_height: 0.03,
-    mass: 0.05,
-    mass_moment: 0.0,
-    gravity: 9.81,
-    rotor_momentum: 0.0,
-};
-
-pub(crate) fn sliding() -> Top {
-    Top::sliding(&PARAMETERS).unwrap()
-}
-
 pub(crate) fn held() -> Top {
-    Top::fixed(&TopParameters { transverse_inertia: 7.5e-5, ..PARAMETERS }).unwrap()
+    Top::fixed(&TopParameters { transverse_inertia: 7.5e-5, ..TOY }).unwrap()
 }
 
 pub(crate) fn release(tilt: f64, spin: f64) -> State {
@@ -58,39 +46,64 @@ pub(crate) const fn mounting() -> Mounting {
     Mounting { rotation: Orientation::IDENTITY, place: [0.0; 3] }
 }
 
-/// Readings at 1 kHz with noise and biases; those of a camera get the noise in the fixed frame.
-pub(crate) fn readings(motion: &Motion, sensors: &[&dyn Sensor], count: u32, seed: u64) -> Vec<Measurement> {
-    let mut random = Random(seed);
-    let sensitivity = Sensitivity::new(motion);
+/// Readings at 1 kHz of a motion that starts in a state.
+pub(crate) fn readings(
+    top: &Top,
+    state: &State,
+    sensors: &[&dyn Sensor],
+    count: u32,
+    seed: u64,
+) -> Vec<Measurement> {
+    let sensitivity = Sensitivity::new(&Motion::launch(top, state).unwrap());
     let mut cursor = sensitivity.cursor();
+    measured((0..count).map(|n| cursor.at(f64::from(n) * 1e-3).unwrap()), sensors, seed)
+}
+
+/// Readings at 1 kHz with noise and biases; those of a camera get the noise in the fixed frame. The third sensor is the magnetometer, which
+/// is read at every tenth sample.
+pub(crate) fn measured(
+    partials: impl Iterator<Item = Partials>,
+    sensors: &[&dyn Sensor],
+    seed: u64,
+) -> Vec<Measurement> {
+    let mut random = Random(seed);
     let biases: Vec<[f64; 3]> =
         sensors.iter().map(|sensor| [0; 3].map(|_| random.normal() * sensor.bias_deviation())).collect();
     let mut found = Vec::new();
-    for n in 0..count {
-        let time = f64::from(n) * 1e-3;
-        let partials = cursor.at(time).unwrap();
-        for (index, sensor) in sensors.iter().enumerate() {
-            let Prediction { difference, deviation, .. } = sensor.predict(&partials, &[0.0; 4]);
+    for (n, partials) in (0_u32..).zip(partials) {
+        for (sensor, one) in
+            sensors.iter().enumerate().filter(|(sensor, _)| *sensor < 2 || n.is_multiple_of(10))
+        {
+            let Prediction { difference, deviation, .. } = one.predict(&partials, &[0.0; 4]);
             // a component that does not exist has an infinite deviation
             let noise = deviation
                 .map(|deviation| if deviation.is_finite() { random.normal() * deviation } else { 0.0 });
-            let full_turn = partials.orientation_now();
-            let camera = matches!(sensor.hint(&[1.0, 0.0, 0.0, 0.0]), toytop_fit::Hint::Orientation(_));
+            let camera = matches!(one.hint(&[1.0, 0.0, 0.0, 0.0]), Hint::Orientation(_));
             let values = if camera {
-                Orientation::exp(noise).compose(&full_turn).quaternion()
+                Orientation::exp(noise).compose(&partials.orientation_now()).quaternion()
             } else {
-                let [x, y, z] = [0, 1, 2].map(|k| biases[index][k] + noise[k] - difference[k]);
-                let range = if index == 0 { GYROSCOPE.range } else { f64::INFINITY };
+                let [x, y, z] = [0, 1, 2].map(|k| biases[sensor][k] + noise[k] - difference[k]);
+                let range = if sensor == 0 { GYROSCOPE.range } else { f64::INFINITY };
                 [x, y, z, 0.0].map(|x| x.clamp(-range, range))
             };
-            found.push(Measurement { time, sensor: index, values });
+            found.push(Measurement { time: f64::from(n) * 1e-3, sensor, values });
         }
     }
     found
 }
 
-pub(crate) fn fitted(top: &Top, sensors: &[&dyn Sensor], measurements: &[Measurement]) -> Fitted {
-    Fit::new(top, sensors, &[]).unwrap().run(measurements.iter().copied()).unwrap()
+pub(crate) fn fitted(
+    top: &Top,
+    sensors: &[&dyn Sensor],
+    ratios: &[FreeRatio],
+    measurements: &[Measurement],
+) -> Fitted {
+    Fit::new(top, sensors, ratios).unwrap().run(measurements.iter().copied()).unwrap()
+}
+
+/// Launch found from the readings of a motion that starts in a state.
+pub(crate) fn simulated(top: &Top, state: &State, sensors: &[&dyn Sensor], count: u32, seed: u64) -> Fitted {
+    fitted(top, sensors, &[], &readings(top, state, sensors, count, seed))
 }
 
 /// Errors in standard deviations of ω, turned back by the error of the orientation.
@@ -110,13 +123,12 @@ pub(crate) fn check(name: &str, fitted: &Fitted, state: &State) {
 
 #[test]
 fn a_launch_is_found_though_the_gyroscope_is_blind_along_the_axis() {
-    for (name, top) in [("sliding", sliding()), ("held", held())] {
+    for (name, top) in [("sliding", toy()), ("held", held())] {
         for (seed, (tilt, spin)) in
             [(0.35, 150.0), (0.1, -220.0), (0.8, 60.0), (0.6, 20.0)].into_iter().enumerate()
         {
             let state = release(tilt, spin);
-            let motion = Motion::launch(&top, &state).unwrap();
-            let found = fitted(&top, &SENSORS, &readings(&motion, &SENSORS, 300, 7 + seed as u64));
+            let found = simulated(&top, &state, &SENSORS, 300, 7 + seed as u64);
             check(&format!("{name} {tilt} {spin}"), &found, &state);
             assert_eq!(found.unobservable.count, 0, "{name} {tilt} {spin}");
         }
@@ -127,12 +139,11 @@ fn a_launch_is_found_though_the_gyroscope_is_blind_along_the_axis() {
 #[test]
 fn the_error_bars_are_those_of_the_launch() {
     // ω₂ is about 0, so that the effect of an error of the yaw on ω₁ depends on the launch
-    let top = sliding();
+    let top = toy();
     let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).unwrap();
-    let motion = Motion::launch(&top, &state).unwrap();
     for seed in 0..8 {
-        let measurements = readings(&motion, &SENSORS, 1000, 31 + seed);
-        let found = fitted(&top, &SENSORS, &measurements);
+        let measurements = readings(&top, &state, &SENSORS, 1000, 31 + seed);
+        let found = fitted(&top, &SENSORS, &[], &measurements);
         let mut fit = Fit::new(&top, &SENSORS, &[]).unwrap();
         let again = fit.run_from(found.launch, measurements.iter().copied()).unwrap();
         assert!(found.converged() && again.converged(), "{seed}: {:?} {:?}", found.reason, again.reason);
@@ -148,52 +159,41 @@ fn the_error_bars_are_those_of_the_launch() {
     }
 }
 
+/// The yaw is undetermined without a magnetometer, and the tilt, which does not depend on it, is determined. A camera of the axis leaves the
+/// roll open.
 #[test]
-fn yaw_without_a_magnetometer_is_said_to_be_undetermined() {
-    let sensors: [&dyn Sensor; 2] = [&GYROSCOPE, &ACCELEROMETER];
-    let (top, state) = (sliding(), release(0.35, 150.0));
-    let motion = Motion::launch(&top, &state).unwrap();
-    let found = fitted(&top, &sensors, &readings(&motion, &sensors, 300, 3));
-    assert!(found.converged(), "{:?} {:?}", found.reason, found.statistics);
-    let Unobservable { yaw, roll, spin, count } = found.unobservable;
-    assert!(yaw && !roll && !spin && count == 1, "{:?}", found.unobservable);
-    // the tilt does not depend on the yaw, and is determined
-    let tilt = |orientation: Orientation<f64>| orientation.u().acos();
-    let off = tilt(found.launch.orientation) - tilt(state.orientation());
-    assert!(off.abs() < 2e-3, "{off:e}");
+fn what_the_sensors_leave_open_is_said() {
+    let (top, state) = (toy(), release(0.35, 150.0));
+    let camera = AxisCamera { deviation: 1e-3 };
+    for (sensors, open) in [(&SENSORS[..2], [true, false]), (&[&camera as &dyn Sensor], [false, true])] {
+        let found = simulated(&top, &state, sensors, 500, 5);
+        assert!(found.converged(), "{:?} {:?}", found.reason, found.statistics);
+        let Unobservable { yaw, roll, spin, count } = found.unobservable;
+        assert!([yaw, roll] == open && !spin && count == 1, "{:?}", found.unobservable);
+        let [ours, truth] = [found.launch.orientation, state.orientation()].map(|phi| phi.u().acos());
+        assert!((ours - truth).abs() < 2e-3, "{ours} {truth}");
+    }
 }
 
 /// If the spin of an upright top is beyond the range of the gyroscope, only a magnetometer determines it.
 #[test]
 fn the_spin_of_an_upright_top_is_not_believed_without_a_magnetometer() {
-    for (name, top) in [("sliding", sliding()), ("held", held())] {
+    for (name, top) in [("sliding", toy()), ("held", held())] {
         for (seed, spin) in [-115.0, 180.0, 45.0].into_iter().enumerate() {
             let state = State::release(&Release { spin, ..Release::default() }).unwrap();
-            let motion = Motion::launch(&top, &state).unwrap();
-            let samples = |count| readings(&motion, &SENSORS[..count], 300, 17 + seed as u64);
-            let found = fitted(&top, &SENSORS[..2], &samples(2));
-            assert_eq!(found.reason, Some(Reason::SpinUnknown), "{name} {spin}: {:?}", found.statistics);
-            check(&format!("{name} {spin}"), &fitted(&top, &SENSORS, &samples(3)), &state);
+            let [without, with] =
+                [2, 3].map(|count| simulated(&top, &state, &SENSORS[..count], 300, 17 + seed as u64));
+            assert_eq!(without.reason, Some(Reason::SpinUnknown), "{name} {spin}: {:?}", without.statistics);
+            check(&format!("{name} {spin}"), &with, &state);
         }
     }
-}
-
-#[test]
-fn a_camera_of_the_axis_leaves_the_roll_open() {
-    let camera = AxisCamera { deviation: 1e-3 };
-    let sensors: [&dyn Sensor; 1] = [&camera];
-    let (top, state) = (sliding(), release(0.35, 150.0));
-    let motion = Motion::launch(&top, &state).unwrap();
-    let found = fitted(&top, &sensors, &readings(&motion, &sensors, 500, 5));
-    check("axis", &found, &state);
-    assert!(found.unobservable.roll && found.unobservable.count == 1, "{:?}", found.unobservable);
 }
 
 /// A camera below the plane sees the tip, which leaves the roll open, and a mark on the body tells it.
 #[test]
 fn a_camera_of_the_tip_and_a_mark_tell_the_launch() {
-    let camera = TipCamera { deviation: 3e-5, tip_scale: PARAMETERS.com_height };
-    let top = sliding();
+    let camera = TipCamera { deviation: 3e-5, tip_scale: TOY.com_height };
+    let top = toy();
     let release =
         Release { tilt: 0.35, azimuth: 0.4, spin: 150.0, precession: 2.0, nutation: 0.5, roll: 0.0 };
     // the search begins with an arbitrary roll, and precise marks are then far from their predictions
@@ -202,16 +202,11 @@ fn a_camera_of_the_tip_and_a_mark_tell_the_launch() {
     {
         let mark = Mark { deviation, place: [0.01, 0.002, 0.0] };
         let state = State::release(&Release { roll, ..release }).unwrap();
-        let motion = Motion::launch(&top, &state).unwrap();
         for (sensors, open) in [(&[&camera as &dyn Sensor] as &[&dyn Sensor], 1), (&[&camera, &mark], 0)] {
-            let found = fitted(&top, sensors, &readings(&motion, sensors, 500, 8));
+            let found = simulated(&top, &state, sensors, 500, 8);
             check("tip", &found, &state);
-            assert_eq!(
-                (found.unobservable.roll, found.unobservable.count),
-                (open == 1, open),
-                "{:?}",
-                found.unobservable
-            );
+            let Unobservable { roll, count, .. } = found.unobservable;
+            assert_eq!((roll, count), (open == 1, open), "{:?}", found.unobservable);
             if open == 0 {
                 // Φ and -Φ are 4 rad apart
                 let distance = found.launch.orientation.distance(&state.orientation());
@@ -229,15 +224,13 @@ fn a_camera_of_the_orientation_tells_the_axial_inertia() {
     let state = release(0.35, 150.0);
     // a top on the plane and a thrown body
     for make in [Top::sliding, Top::free] {
-        let (top, wrong) = (make(&PARAMETERS), make(&TopParameters { axial_inertia: 2.06e-5, ..PARAMETERS }));
+        let (top, wrong) = (make(&TOY), make(&TopParameters { axial_inertia: 2.06e-5, ..TOY }));
         let (top, wrong) = (top.unwrap(), wrong.unwrap());
-        let motion = Motion::launch(&top, &state).unwrap();
-        let measurements = readings(&motion, &sensors, 500, 5);
+        let measurements = readings(&top, &state, &sensors, 500, 5);
         // 3 % wrong
-        let strict = fitted(&wrong, &sensors, &measurements);
+        let strict = fitted(&wrong, &sensors, &[], &measurements);
         assert_eq!(strict.reason, Some(Reason::Misfit), "{:?}", strict.statistics);
-        let mut fit = Fit::new(&wrong, &sensors, &[FreeRatio::AXIAL_INERTIA]).unwrap();
-        let found = fit.run(measurements.iter().copied()).unwrap();
+        let found = fitted(&wrong, &sensors, &[FreeRatio::AXIAL_INERTIA], &measurements);
         check("orientation", &found, &state);
         let inertia = found.top(&wrong).unwrap().axial_inertia();
         let deviation = found.deviations()[6];
@@ -249,26 +242,24 @@ fn a_camera_of_the_orientation_tells_the_axial_inertia() {
 fn outliers_do_not_move_the_launch() {
     let camera = OrientationCamera { deviation: 2e-3 };
     let sensors: [&dyn Sensor; 1] = [&camera];
-    let (top, state) = (sliding(), release(0.35, 150.0));
-    let motion = Motion::launch(&top, &state).unwrap();
-    let mut measurements = readings(&motion, &sensors, 500, 9);
+    let (top, state) = (toy(), release(0.35, 150.0));
+    let mut measurements = readings(&top, &state, &sensors, 500, 9);
     for measurement in measurements.iter_mut().skip(40).step_by(50) {
         measurement.values = [0.5, -0.5, 0.5, 0.5];
     }
-    let found = fitted(&top, &sensors, &measurements);
+    let found = fitted(&top, &sensors, &[], &measurements);
     check("outliers", &found, &state);
     assert!((9..40).contains(&found.statistics.outliers), "{:?}", found.statistics);
 }
 
 #[test]
 fn rates_in_degrees_are_recognised() {
-    let (top, state) = (sliding(), release(0.6, 20.0));
-    let motion = Motion::launch(&top, &state).unwrap();
-    let mut measurements = readings(&motion, &SENSORS, 200, 11);
+    let (top, state) = (toy(), release(0.6, 20.0));
+    let mut measurements = readings(&top, &state, &SENSORS, 200, 11);
     for measurement in measurements.iter_mut().filter(|measurement| measurement.sensor == 0) {
         measurement.values = measurement.values.map(f64::to_degrees);
     }
-    let found = fitted(&top, &SENSORS, &measurements);
+    let found = fitted(&top, &SENSORS, &[], &measurements);
     assert_eq!(found.reason, Some(Reason::RatesInDegrees), "{:?}", found.statistics);
 }
 
@@ -276,27 +267,21 @@ fn rates_in_degrees_are_recognised() {
 /// small numbers, and therefore have small residuals.
 #[test]
 fn a_decaying_nutation_is_not_a_wrong_unit() {
-    let disc = TopParameters { transverse_inertia: 1.0, axial_inertia: 1.94, ..PARAMETERS };
+    let disc = TopParameters { transverse_inertia: 1.0, axial_inertia: 1.94, ..TOY };
     let top = Top::free(&disc).unwrap();
     let state = State::new(Orientation::IDENTITY, [3.9, 0.0, 32.0]).unwrap();
-    let motion = Motion::launch(&top, &state).unwrap();
     let gyroscope = Gyroscope { noise: Noise { deviation: 0.1, bias: 0.3 }, ..GYROSCOPE };
     let sensors: [&dyn Sensor; 2] = [&gyroscope, &OrientationCamera { deviation: 1e-3 }];
-    let all = readings(&motion, &sensors, 640, 5);
-    let first = all.iter().filter(|measurement| measurement.sensor == 1).take(1);
-    let rates = all.iter().filter(|measurement| measurement.sensor == 0).step_by(10);
-    let mut measurements: Vec<_> = first.chain(rates).copied().collect();
-    measurements.sort_by(|a, b| a.time.total_cmp(&b.time));
+    // every tenth rate, and the first orientation
+    let mut measurements: Vec<_> = readings(&top, &state, &sensors, 640, 5).into_iter().step_by(20).collect();
+    measurements.insert(1, readings(&top, &state, &sensors, 1, 5)[1]);
     let guess = Top::free(&TopParameters { axial_inertia: 1.9, ..disc }).unwrap();
     for damping in [0.5, 1.0, 2.0] {
         let mut damped = measurements.clone();
-        for measurement in damped.iter_mut().filter(|measurement| measurement.sensor == 0) {
-            let factor = (-damping * measurement.time).exp();
-            measurement.values[0] *= factor;
-            measurement.values[1] *= factor;
+        for Measurement { time, values, .. } in damped.iter_mut().filter(|one| one.sensor == 0) {
+            values[..2].iter_mut().for_each(|rate| *rate *= (-damping * *time).exp());
         }
-        let mut fit = Fit::new(&guess, &sensors, &[FreeRatio::AXIAL_INERTIA]).unwrap();
-        let found = fit.run(damped.iter().copied()).unwrap();
+        let found = fitted(&guess, &sensors, &[FreeRatio::AXIAL_INERTIA], &damped);
         assert_eq!(found.reason, Some(Reason::Misfit), "{damping}: {:?}", found.statistics);
     }
 }

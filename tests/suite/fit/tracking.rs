@@ -1,24 +1,22 @@
 //! Measurements in blocks, and fits in single precision.
 
-use super::simulated::{
-    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check, fitted, readings, release, sliding,
-};
+use super::simulated::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check, fitted, readings, release};
 use toytop::{Motion, State};
 use toytop_fit::{Fit, Measurement, Sensitivity, Sensor};
+use toytop_tests::{length, toy};
 
 /// The top loses half a percent of ω between two blocks; the next block is fitted from the prediction of the first.
 #[test]
 fn a_loss_of_spin_between_two_blocks_is_tracked_and_reported() {
     const LOSS: f64 = 0.005;
     const SPAN: f64 = 0.3;
-    let (top, state) = (sliding(), release(0.35, 150.0));
+    let (top, state) = (toy(), release(0.35, 150.0));
     let motion = Motion::launch(&top, &state).unwrap();
     // one seed, so that the biases are those of the same sensors
-    let first = readings(&motion, &SENSORS, 300, 21);
+    let first = readings(&top, &state, &SENSORS, 300, 21);
     let at = Sensitivity::new(&motion).at(SPAN).unwrap();
     let slower = State::new(at.orientation_now(), at.angular_velocity().map(|x| (1.0 - LOSS) * x)).unwrap();
-    let later = Motion::launch(&top, &slower).unwrap();
-    let second: Vec<_> = readings(&later, &SENSORS, 300, 21)
+    let second: Vec<_> = readings(&top, &slower, &SENSORS, 300, 21)
         .into_iter()
         .map(|measurement| Measurement { time: measurement.time + SPAN, ..measurement })
         .collect();
@@ -31,18 +29,17 @@ fn a_loss_of_spin_between_two_blocks_is_tracked_and_reported() {
     let n = motion.first_integrals().n;
     let drift = tracked.drift[1] / n;
     assert!((drift + LOSS / SPAN).abs() < 1e-4, "{drift}");
-    let jump = tracked.jump.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let jump = length(tracked.jump);
     assert!(jump > 0.0 && jump < 0.02, "{jump}");
 }
 
 #[test]
 fn single_precision_finds_the_launch_of_double_precision() {
     let single: [&dyn Sensor<f32>; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
-    let top = sliding();
+    let top = toy();
     for (tilt, spin) in [(0.35, 150.0), (0.6, 20.0)] {
-        let motion = Motion::launch(&top, &release(tilt, spin)).unwrap();
-        let measurements = readings(&motion, &SENSORS, 300, 23);
-        let wide = fitted(&top, &SENSORS, &measurements);
+        let measurements = readings(&top, &release(tilt, spin), &SENSORS, 300, 23);
+        let wide = fitted(&top, &SENSORS, &[], &measurements);
         let narrow = Fit::new(&top, &single, &[]).unwrap().run(measurements.iter().copied()).unwrap();
         assert!(narrow.converged(), "{tilt} {spin}: {:?}", narrow.reason);
         let deviations = wide.deviations();

@@ -1,36 +1,28 @@
-//! Conversions to and from nalgebra: component order, sign, both directions.
+//! Quaternions and matrices, against nalgebra: component order, sign, both directions.
 
+use super::group::{rotations, vector};
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 use toytop::Orientation;
 use toytop_tests::widened;
 
 #[test]
 fn the_quaternion_is_the_same_rotation_with_the_same_sign() {
-    for i in 1..60 {
-        let x = [0.31, -0.22, 0.17].map(|component| component * f64::from(i));
-        let phi = Orientation::exp(x);
+    for (i, phi) in (1..).zip(rotations()) {
         let q = UnitQuaternion::from(phi);
-        // nalgebra's own exponential of the same vector, sign included (angles up to several turns)
-        let theirs = UnitQuaternion::new(Vector3::from(x));
-        assert!((q.coords - theirs.coords).norm() < 1e-14 || (q.coords + theirs.coords).norm() < 1e-14);
-        let body = Vector3::new(0.3, -1.2, 0.8);
-        let turned = q * body;
-        let ours = phi.adjoint([0.3, -1.2, 0.8]);
-        assert!((turned - Vector3::from(ours)).norm() < 1e-14);
-        assert_eq!(Orientation::from(q), phi);
+        let [w, x, y, z] = phi.quaternion();
+        assert_eq!([q.w, q.i, q.j, q.k], [w, x, y, z]);
+        assert_eq!([Orientation::from(q), Orientation::from_quaternion([w, x, y, z])], [phi; 2]);
         let minus = Orientation { alpha: -phi.alpha, beta: -phi.beta };
         assert_eq!(UnitQuaternion::from(minus).coords, -q.coords);
+        // nalgebra's own exponential, whose sign is lost beyond a turn
+        let theirs = UnitQuaternion::new(Vector3::from(vector(i)) * 4.0);
+        assert!((q.coords - theirs.coords).norm() < 1e-14 || (q.coords + theirs.coords).norm() < 1e-14);
+        let body = vector(i + 11);
+        let turned = theirs * Vector3::from(body);
+        assert!((turned - Vector3::from(phi.adjoint(body))).norm() < 3e-14);
+        let rows = phi.matrix().map(|row| Vector3::from(row).dot(&Vector3::from(body)));
+        assert!((turned - Vector3::from(rows)).norm() < 3e-14);
     }
-}
-
-#[test]
-fn component_order() {
-    let phi = Orientation::<f64>::exp([0.2, 0.0, 0.0]);
-    let q = UnitQuaternion::from(phi);
-    assert_eq!((q.w, q.i, q.j, q.k), (phi.alpha.re, phi.beta.im, -phi.beta.re, phi.alpha.im));
-    assert!((q.i - 0.1_f64.sin()).abs() < 1e-16);
-    assert!((UnitQuaternion::from(Orientation::<f64>::exp([0.0, 0.2, 0.0])).j - 0.1_f64.sin()).abs() < 1e-16);
-    assert!((UnitQuaternion::from(Orientation::<f64>::exp([0.0, 0.0, 0.2])).k - 0.1_f64.sin()).abs() < 1e-16);
 }
 
 #[test]

@@ -5,38 +5,26 @@ use toytop::scalar::Float;
 use toytop::su2::Vector;
 use toytop::{AttitudeState, Complex, Ephemeris, EphemerisScalar, Motion, Sample, Tick};
 use toytop_closed_forms::ClosedForm;
-use toytop_tests::vectors;
+use toytop_tests::{apart, length, vectors, worst};
 
 /// Ticks in a unit of time of the vectors, a power of two, so that the time of a tick is exact.
 const RATE: u32 = 64;
-
-fn norm(x: Vector<f64>) -> f64 {
-    x.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
 
 fn wide<W: Float>(vector: Vector<W>) -> Vector<f64> {
     vector.map(Float::to_f64)
 }
 
-fn apart(x: Vector<f64>, y: Vector<f64>) -> f64 {
-    norm([x[0] - y[0], x[1] - y[1], x[2] - y[2]])
-}
-
 /// Greatest of the errors of Ω, ω, u' and the tip's velocity over s, rad per unit time.
 fn error<R: EphemerisScalar>(sample: Sample<'_, R>, truth: &AttitudeState<f64>, tip_scale: f64) -> f64 {
     let (velocity, rate) = (sample.tip_velocity(), truth.rate);
-    let AttitudeState { orientation, .. } = truth;
-    let exact = rate.alpha * orientation.beta + orientation.alpha * rate.beta;
-    let off =
-        Complex::new(velocity.re.to_f64() / tip_scale, velocity.im.to_f64() / tip_scale) - exact.scaled(2.0);
-    [
+    let exact = (rate.alpha * truth.orientation.beta + truth.orientation.alpha * rate.beta).scaled(2.0);
+    let off = Complex::new(velocity.re.to_f64() / tip_scale, velocity.im.to_f64() / tip_scale) - exact;
+    worst([
         apart(wide(sample.omega_body()), truth.omega_body()),
         apart(wide(sample.omega()), truth.omega()),
         (sample.udot().to_f64() - truth.udot()).abs(),
         off.modulus(),
-    ]
-    .into_iter()
-    .fold(0.0, f64::max)
+    ])
 }
 
 /// Greatest error of the rates over their bound, for every vector that has a closed form and fits the table.
@@ -50,7 +38,7 @@ fn errors_over_bounds<R: EphemerisScalar, const SEGMENTS: usize>() -> Vec<f64> {
         Some(ticks.fold(0.0_f64, |worst, n| {
             let truth = form.at(n as f64 / f64::from(RATE));
             // the closed form has the rounding of f64, and that of the phases at t = 0
-            let allowed = bound.after(n as f64) + 2e-15 * norm(truth.omega());
+            let allowed = bound.after(n as f64) + 2e-15 * length(truth.omega());
             worst.max(error(ephemeris.at_tick(n), &truth, scale) / allowed)
         }))
     };
@@ -87,12 +75,12 @@ fn consistent<R: EphemerisScalar, const SEGMENTS: usize>(rounding: f64) {
         let [.., x3] = wide(omega_body);
         assert!((x3 / axial - 1.0).abs() <= rounding, "{n}: {x3} {axial}");
         let state = sample.attitude_state();
-        let size = norm(wide(omega_body));
+        let size = length(wide(omega_body));
         assert!(apart(wide(omega_body), wide(sample.omega_body())) == 0.0);
-        let off = apart(wide(state.omega_body()), wide(omega_body)) / size;
-        assert!(off < 40.0 * R::ROUNDING.max(rounding), "{n}: {off:e}");
-        let off = apart(wide(state.omega()), wide(sample.omega())) / size;
-        assert!(off < 40.0 * R::ROUNDING.max(rounding), "{n}: {off:e}");
+        for (ours, others) in [(state.omega_body(), omega_body), (state.omega(), sample.omega())] {
+            let off = apart(wide(ours), wide(others)) / size;
+            assert!(off < 40.0 * R::ROUNDING.max(rounding), "{n}: {off:e}");
+        }
     }
 }
 

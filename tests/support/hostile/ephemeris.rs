@@ -1,13 +1,22 @@
-//! An ephemeris in floating point: set-up and evaluation.
+//! An ephemeris in floating point or in fixed point: set-up and evaluation.
 
 use super::input::Input;
 use super::sound;
+use fixed::types::{I2F14, I2F30};
 use toytop::{Complex, Ephemeris, EphemerisScalar, EphemerisView, Level, Phase};
+
+pub(super) fn run_fixed(bytes: &[u8]) {
+    let mut input = Input::new(bytes);
+    if input.byte().is_multiple_of(2) {
+        check::<I2F30, 16>(&mut input);
+    } else {
+        check::<I2F14, 32>(&mut input);
+    }
+}
 
 pub(super) fn run(bytes: &[u8]) {
     let mut input = Input::new(bytes);
-    let choice = input.byte();
-    match choice % 4 {
+    match input.byte() % 4 {
         0 => check::<f32, 16>(&mut input),
         1 => check::<f64, 16>(&mut input),
         2 => check::<f32, 64>(&mut input),
@@ -16,7 +25,7 @@ pub(super) fn run(bytes: &[u8]) {
 }
 
 /// Checks an ephemeris of one scalar and capacity, for a motion, a tick length and times from the input.
-pub(super) fn check<R: EphemerisScalar + Into<f64>, const SEGMENTS: usize>(input: &mut Input<'_>)
+fn check<R: EphemerisScalar + Into<f64>, const SEGMENTS: usize>(input: &mut Input<'_>)
 where
     R::Wide: Into<f64>,
 {

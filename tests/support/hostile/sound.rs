@@ -49,7 +49,8 @@ pub(super) fn motion(motion: &Motion, input: &mut Input<'_>) {
     stepper::<f32>(motion, &steps, 2e-6);
 }
 
-fn stepper<R: Real + Into<f64>>(motion: &Motion, steps: &[f64], error: f64) {
+/// Checks a stepper over some steps; its norm is 1 within an error.
+pub fn stepper<R: Real + Into<f64>>(motion: &Motion, steps: &[f64], error: f64) {
     let mut stepper = Stepper::<R>::new(motion);
     for &dt in [0.0].iter().chain(steps) {
         stepper.step(R::from_f64(dt));

@@ -1,0 +1,122 @@
+//! Ways to read a table agree with each other and with the stepper. The file `truth` compares tables with exact values.
+
+use fixed::types::{I2F14, I2F30};
+use toytop::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisScalar, Motion, Orientation, Stepper, Tick};
+use toytop_tests::{apart, check, check_all, fitting, keep, kilohertz, vectors, widened, worst};
+
+fn generic() -> Motion {
+    vectors::motion("exact_generic_pm")
+}
+
+/// Cursor, random access and access by time (at whole numbers of ticks) give the same bits.
+#[test]
+fn cursor_and_random_access_and_time_agree_to_the_bit() {
+    let ephemeris = EphemerisF32::new(&generic(), kilohertz()).unwrap();
+    let first = -5_000_000;
+    let mut cursor = ephemeris.cursor(first);
+    for n in first..first + 10_000_000 {
+        let sample = cursor.next(&ephemeris);
+        if n % 97 == 0 {
+            let other = ephemeris.at_tick(n);
+            assert_eq!(sample.attitude_state(), other.attitude_state());
+            assert_eq!((sample.orientation(), sample.tip_angle()), (other.orientation(), other.tip_angle()));
+        }
+    }
+    for tick in [Tick::ratio(44100, 2).unwrap(), Tick::hertz(1024).unwrap()] {
+        let table = EphemerisF64::new(&generic(), tick).unwrap();
+        for n in [0, 1, -1, 7, -7, 1 << 30, -(1 << 30), 12345] {
+            // whole seconds are whole ticks of either length
+            let ticks = n * if tick == Tick::hertz(1024).unwrap() { 1024 } else { 22050 };
+            assert_eq!(table.at(n as f64).orientation(), table.at_tick(ticks).orientation());
+        }
+    }
+}
+
+/// A batch and an iterator give the same bits as their ticks one by one, in every arithmetic.
+#[test]
+fn batches_and_iterators_agree_with_random_access_to_the_bit() {
+    fn agree<R: EphemerisScalar, const S: usize>() {
+        let ephemeris = Ephemeris::<R, S>::new(&generic(), kilohertz()).unwrap();
+        assert_eq!(ephemeris.view().capacity(), S);
+        for (first, length) in [(0, 0), (-1, 1), (-500, 1001), (1 << 40, 4099)] {
+            let mut batch = vec![Orientation::<R>::IDENTITY; length];
+            ephemeris.fill(first, &mut batch);
+            for ((n, phi), sample) in (first..).zip(batch).zip(ephemeris.view().samples(first)) {
+                let expected = ephemeris.at_tick(n).orientation();
+                assert_eq!([phi, sample.orientation()], [expected; 2], "tick {n} of {length} from {first}");
+            }
+        }
+    }
+    agree::<f32, 25>();
+    agree::<f64, 48>();
+    agree::<I2F30, 256>();
+    agree::<I2F14, 128>();
+}
+
+/// A quantity has one name and one value, whether it is asked of a sample, of its attitude state or of the stepper.
+#[test]
+fn samples_and_the_stepper_have_the_same_quantities() {
+    macro_rules! quantities {
+        ($of:expr) => {
+            [
+                &[$of.axis(), $of.omega(), $of.omega_body()].concat(),
+                &$of.quaternion()[..],
+                &[$of.u(), $of.udot()],
+            ]
+            .concat()
+        };
+    }
+    let motion = vectors::motion("generic_AneC");
+    let ephemeris = EphemerisF64::new(&motion, kilohertz()).unwrap();
+    let mut stepper = Stepper::<f64>::new(&motion);
+    let mut greatest = [0.0_f64; 2];
+    for n in 1..=200 {
+        stepper.step(0.001);
+        let sample = ephemeris.at_tick(n);
+        let ours: Vec<f64> = quantities!(sample);
+        let off = |others: Vec<f64>| worst(ours.iter().zip(others).map(|(x, y)| (x - y).abs()));
+        keep(&mut greatest, [off(quantities!(sample.attitude_state())), off(quantities!(stepper))]);
+    }
+    check_all(["attitude state", "stepper"], greatest, [2e-15, 2e-14]);
+}
+
+/// Across the border of two segments value and slope change by no more than in 2e-12 of time.
+#[test]
+fn continuity_across_segments_and_turning_points() {
+    let motion = generic();
+    let period = motion.period_advance().unwrap().period;
+    let ephemeris = EphemerisF64::new(&motion, kilohertz()).unwrap();
+    let phase = ephemeris.at(0.0).nutation_phase().to_f64();
+    let mut jumps = [0.0_f64; 2];
+    for segment in 0..128 {
+        let border = (f64::from(segment) / 128.0 - phase) * period;
+        let [before, after] = [-1e-12, 1e-12].map(|dt| ephemeris.at(border + dt).attitude_state());
+        let value = before.orientation.distance(&after.orientation);
+        keep(&mut jumps, [value, apart(before.omega(), after.omega())]);
+    }
+    check_all(["value", "slope"], jumps, [2e-11; 2]);
+}
+
+/// The state after n + m ticks is the state m ticks after that at tick n, launched again from the attitude state of a
+/// sample. A sample in 16 bits can be launched from too, although its norm differs from 1.
+#[test]
+fn a_relaunch_goes_on_as_before() {
+    let motion = generic();
+    let ephemeris = EphemerisF64::new(&motion, kilohertz()).unwrap();
+    let errors = [3, 1000, -4321].into_iter().flat_map(|n| {
+        let state = ephemeris.at_tick(n).attitude_state().state().unwrap();
+        let again = EphemerisF64::new(&Motion::launch(motion.top(), &state).unwrap(), kilohertz()).unwrap();
+        [0, 1, -1, 700, 9999]
+            .map(|m| again.at_tick(m).orientation().distance(&ephemeris.at_tick(n + m).orientation()))
+    });
+    check("n + m ticks", worst(errors), 5e-14);
+    for vector in vectors::tabulated() {
+        let Some(table) = fitting::<I2F14, 64>(&vector.motion().unwrap(), kilohertz()) else { continue };
+        for n in [0, 12_345, 1 << 40] {
+            let sample = table.at_tick(n);
+            let phi = sample.attitude_state().state().unwrap().orientation();
+            let error = phi.distance(&widened(sample.orientation()));
+            assert!(error < 1e-3 && (phi.norm_squared() - 1.0).abs() < 1e-7, "{}: {error:e}", vector.name);
+        }
+    }
+}

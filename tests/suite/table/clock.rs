@@ -1,0 +1,142 @@
+//! The clock of a table: ticks of any length, ticks and times far from 0, and launches at any tick of a running counter.
+
+use fixed::types::I2F30;
+use toytop::{Complex, EphemerisScalar, Motion, Orientation, Tick};
+use toytop_tests::{
+    SAME, Table, boxed, by_branch_points, check, kilohertz, launched_at, let_go, top_of, toy, vectors,
+    widened, worst,
+};
+
+const NAMES: [&str; 5] =
+    ["generic_AneC", "fig3_diff_e3_3", "vertical_pass_e2_1", "regular_precession", "sleeping_stable"];
+
+fn tick(ticks: u32, seconds: u32) -> Tick {
+    Tick::ratio(ticks, seconds).unwrap()
+}
+
+fn table<R: EphemerisScalar>(name: &str, tick: Tick, epoch: i64) -> Table<R, 512> {
+    launched_at(&vectors::motion(name), tick, epoch).unwrap()
+}
+
+/// The bound is tight enough to detect a wrong increment: eight short ticks are one long tick. The ticks have both signs, up to some 10^17.
+#[test]
+fn the_bound_far_away_is_near_the_error() {
+    let errors = NAMES.map(|name| {
+        let (short, long) = (table::<f64>(name, tick(16, 1), 0), table::<f64>(name, tick(2, 1), 0));
+        let ticks = (0..60).flat_map(|bits| [1_i64 << bits, -(1_i64 << bits), (1_i64 << bits) / 3]);
+        worst(ticks.map(|n| {
+            let distance = long.at_tick(n).orientation().distance(&short.at_tick(8 * n).orientation());
+            let bound = [(&long, n), (&short, 8 * n)].map(|(table, n)| table.error_bound().after(n as f64));
+            distance / bound.iter().sum::<f64>()
+        }))
+    });
+    check("with another tick", worst(errors), 1.0);
+}
+
+/// A launch at tick `epoch` is that at tick 0, with other tick numbers, whatever the length of a tick. The two differ by the truncation of
+/// phases, which is a part of both bounds.
+fn epochs_agree<R: EphemerisScalar + Into<f64>>() {
+    const FAR: i64 = 1 << 62;
+    for (name, (ticks, seconds)) in NAMES
+        .into_iter()
+        .flat_map(|name| [(1000, 1), (16, 1), (1, 60), (1, 86_400), (7, u32::MAX)].map(|ratio| (name, ratio)))
+    {
+        let original = table::<R>(name, tick(ticks, seconds), 0);
+        for epoch in [1, 250, -3, -1_000_000_000, 1_000_000_000_000_007, FAR, -FAR] {
+            let launched = table::<R>(name, tick(ticks, seconds), epoch);
+            let label = format!("{name}, {ticks} ticks in {seconds} s, epoch {epoch}");
+            assert_eq!(launched.error_bound(), original.error_bound(), "{label}");
+            assert_eq!(launched.rate_error_bound(), original.rate_error_bound(), "{label}");
+            for past in [-2_000_000_000, -1000, -2, 0, 1, 77, 4096, 1_000_000_007_i64] {
+                let (now, then) = (launched.at_tick(epoch + past), original.at_tick(past));
+                let distance = widened(now.orientation()).distance(&widened(then.orientation()));
+                assert!(distance <= original.error_bound().constant, "{label}, {past}: {distance:e}");
+                let angles = [now, then].map(|x| x.tip_angle().map_or(0.0, |angle| angle.to_radians()));
+                let turns = (angles[0] - angles[1]).abs() / std::f64::consts::TAU;
+                let turns = turns.min((turns - 2_f64.powi(32)).abs());
+                assert!(turns <= 1e-6 * (1.0 + angles[0].abs()), "{label}, {past}: {angles:?}");
+                let turn = original.next_turning_point(past).map(|at| (at.tick, at.upper));
+                let moved = launched.next_turning_point(epoch + past).map(|at| (at.tick - epoch, at.upper));
+                assert_eq!(moved, turn, "{label}, {past}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_launch_at_any_tick_gives_the_same_motion() {
+    epochs_agree::<f64>();
+    epochs_agree::<f32>();
+    epochs_agree::<I2F30>();
+}
+
+/// A time between two ticks keeps the bound for ticks of any length, beside a table with a millisecond a tick.
+#[test]
+fn times_between_long_ticks_keep_the_bound() {
+    let motion = let_go(&toy(), 0.35, 150.0);
+    let short = boxed::<f64, 48>(&motion, kilohertz());
+    for (ticks, seconds) in [(1, 86_400), (1, 60), (7, 3), (3, 7_654_321), (1, u32::MAX), (u32::MAX, 1)] {
+        let long = boxed::<f64, 48>(&motion, tick(ticks, seconds));
+        let per_time = f64::from(ticks) / f64::from(seconds);
+        for t in [1.2345, -0.1, 1e-7, 59.9, 86_400.0, -12_345.678, 1e6 / 3.0, 4e9] {
+            let [found, truth] = [long.at(t), short.at(t)];
+            let allowed = long.error_bound().after(t * per_time) + short.error_bound().after(1000.0 * t);
+            let error = found.orientation().distance(&truth.orientation());
+            assert!(error <= allowed, "{ticks}/{seconds}, {t}: {error:e} of {allowed:e}");
+            let [found, truth] = [found, truth].map(|sample| sample.tip_angle().unwrap());
+            // the tip is at least 0.3 of its greatest distance from the centre
+            let error = (found - truth).to_radians().abs();
+            assert!(error <= 8.0 * allowed, "{ticks}/{seconds}, {t}: tip angle {error:e} of {allowed:e}");
+        }
+    }
+}
+
+/// Motion with A/(ps) = 1/4096, whose nutation near the vertical is sixty times as fast as on average.
+fn slender() -> Motion {
+    by_branch_points(&top_of([1.0, 1.0, 4096.0, 1.0], 1.0), [-0.75, 0.75, 1.0625], SAME)
+}
+
+/// Orientations by `tests/reference/far_ticks.py`, at ticks in the fast part of the period.
+#[test]
+fn the_bound_holds_where_the_motion_is_fastest() {
+    let ephemeris = boxed::<f64, 4096>(&slender(), Tick::hertz(1_000_000).unwrap());
+    for (tick, alpha, beta) in [
+        (
+            29_201_518_562_686,
+            Complex::new(0.642_841_678_073_326_4, 0.679_154_844_079_357_8),
+            Complex::new(-0.232_292_210_962_675_66, 0.267_476_360_490_950_2),
+        ),
+        (
+            8_269_342_170_972_171_531,
+            Complex::new(-0.934_918_856_283_512_4, -0.030_439_268_095_030_02),
+            Complex::new(-0.288_948_535_189_001_6, -0.203_737_397_488_773_1),
+        ),
+    ] {
+        let error = ephemeris.at_tick(tick).orientation().distance(&Orientation { alpha, beta });
+        let allowed = ephemeris.error_bound().after(tick as f64);
+        assert!((0.05 * allowed..allowed).contains(&error), "tick {tick}: {error:e} of {allowed:e}");
+    }
+}
+
+/// Times beyond the last tick that can be counted, with a tick of half a second, so that t is a whole number of
+/// ticks.
+#[test]
+fn time_goes_on_beyond_the_ticks_that_are_counted() {
+    let ephemeris = boxed::<f64, 4096>(&slender(), Tick::hertz(2).unwrap());
+    let at = |t: f64| ephemeris.at(t).orientation();
+    // neighbours in f64 are 512 units of time, 1024 ticks, apart below 2^62 and twice as far above
+    let border = 2_f64.powi(62);
+    let mut cursor = ephemeris.cursor(i64::MAX);
+    // the tick number of the cursor wraps, and its phases continue
+    let mut next = || cursor.next(&ephemeris).orientation();
+    next();
+    assert_eq!(at(border), next());
+    for _ in 0..2047 {
+        next();
+    }
+    assert_eq!(at(border + 1024.0), next());
+    assert_eq!(at(-border), ephemeris.at_tick(i64::MIN).orientation());
+    // a time twice as far in the other direction is a different instant
+    assert_ne!(at(-2.0 * border), at(-border));
+    assert_ne!(at(1e20), at(1e22));
+}
