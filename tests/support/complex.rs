@@ -15,9 +15,3 @@ pub fn to(z: C) -> Complex<f64> {
 pub fn from(z: Complex<f64>) -> C {
     C::new(z.re, z.im)
 }
-
-/// Quotient a / b; `None` for b = 0.
-pub fn quotient(a: Complex<f64>, b: Complex<f64>) -> Option<Complex<f64>> {
-    let norm = b.norm_squared();
-    (norm > 0.0).then(|| (a * b.conj()).scaled(1.0 / norm))
-}

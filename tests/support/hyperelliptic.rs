@@ -22,7 +22,6 @@
 //! Each of w₊₁ and w₋₁ is one of the two values of w over u = ±1. On the general curve sign(w₋₁) = -sign(l + n) and
 //! sign(w₊₁) = -sign(l - n). (The first of the two displayed formulas of the paper gives the negatives of these values.)
 
-use crate::complex::quotient;
 use toytop::{BranchPoints, Complex, Motion};
 
 /// Number of nodes of a contour.
@@ -209,7 +208,8 @@ fn real(x: f64) -> Complex<f64> {
 
 /// Quotient a / b; infinite at b = 0.
 fn over(a: Complex<f64>, b: Complex<f64>) -> Complex<f64> {
-    quotient(a, b).unwrap_or(Complex::new(f64::INFINITY, f64::INFINITY))
+    let norm = b.norm_squared();
+    if norm > 0.0 { (a * b.conj()).scaled(1.0 / norm) } else { Complex::new(f64::INFINITY, f64::INFINITY) }
 }
 
 /// Square root with Re > 0, or Re = 0 and Im >= 0; -0 in z counts as 0.
