@@ -35,7 +35,7 @@ impl Phase {
         Self(shifted(mantissa.into(), exponent + FRACTION_BITS))
     }
 
-    /// Phase from an angle in radians. Relative error: 2^-52, from the product and from the constant 1/2π.
+    /// Phase of an angle in radians. Relative error: 2^-52.
     pub fn from_radians(angle: f64) -> Self {
         Self::new(angle * (0.5 * core::f64::consts::FRAC_1_PI))
     }
@@ -45,7 +45,7 @@ impl Phase {
         Self(bits)
     }
 
-    /// Phase in [0, 1) turn from the 64 leading bits of its fraction, the inverse of [`Phase::fraction`].
+    /// Phase in [0, 1) turn from the 64 leading bits of its fraction.
     pub(crate) fn from_fraction(leading: u64) -> Self {
         Self(i128::from(leading) << (FRACTION_BITS - 64))
     }
@@ -67,12 +67,12 @@ impl Phase {
         Self((a as i128) | (b as i128) << 32 | (c as i128) << 64 | (d as i128) << 96)
     }
 
-    /// Number of turns, the whole ones included. Relative error: 2^-53.
+    /// Number of turns. Relative error: 2^-53.
     pub fn to_f64(self) -> f64 {
         self.0 as f64 * Self::RESOLUTION
     }
 
-    /// Angle in radians, whole turns included. Relative error: 2^-52.
+    /// Angle in radians. Relative error: 2^-52.
     pub fn to_radians(self) -> f64 {
         self.to_f64() * (2.0 * core::f64::consts::PI)
     }
@@ -111,7 +111,7 @@ impl Phase {
         (quarter as u32, Self(self.0.wrapping_sub(quarter << (FRACTION_BITS - 2))))
     }
 
-    /// Fraction of a turn in [0, 1) as its 64 leading bits: the argument of the sine functions.
+    /// Fraction of a turn in [0, 1) as its 64 leading bits.
     #[inline]
     pub fn fraction(self) -> u64 {
         (self.0 >> (FRACTION_BITS - 64)) as u64

@@ -121,7 +121,7 @@ pub trait Float: Ring + Div<Output = Self> {
     }
 }
 
-/// Floating-point type for both set-up and ticks, with the angle of a point and the exponential function.
+/// Floating-point type for both set-up and ticks.
 pub trait Real: Scalar + Float {
     /// Angle of the point (x, y) in rad, in [-π, π].
     fn atan2(y: Self, x: Self) -> Self;

@@ -38,9 +38,8 @@ impl Sign {
     }
 }
 
-/// Signs of l + n and of l - n. With the branch points they determine a motion up to its start.
-///
-/// Equal signs mean |l| > |n|. The sign of a sum that is 0 is arbitrary.
+/// Signs of l + n and of l - n, which determine a motion with the branch points and the start. Equal signs mean |l| > |n|; the sign
+/// of 0 is arbitrary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Signs {

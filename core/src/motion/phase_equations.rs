@@ -1,6 +1,6 @@
 //! Phase equations: rates of the nutation phase and of the two slow phases.
 //!
-//! With the half phase χ = θ/2, sin²χ = (u - e₁)/(e₂ - e₁), all functions are smooth at the turning points and at the vertical:
+//! With the half phase χ = θ/2, sin²χ = (u - e₁)/(e₂ - e₁), they are smooth at the turning points and at the vertical:
 //!
 //! ```text
 //! χ' = √( g (e₃ - u) / (2 D) ),    D(u) = A/p + s (1 - u²)

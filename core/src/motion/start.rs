@@ -1,4 +1,4 @@
-//! Start of a motion: half phase χ and slow phases at t = 0, from a state or from given angles.
+//! Start of a motion: half phase χ and slow phases at t = 0.
 
 use crate::body::{ScaledTop, State};
 use crate::complex::Complex;

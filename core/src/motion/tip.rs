@@ -36,8 +36,8 @@ impl<R: Float> TipConstants<R> {
         (rate.alpha * orientation.beta + orientation.alpha * rate.beta).scaled(self.scale)
     }
 
-    /// Rate φ' = (l+n)/(4A |α|²) + (l-n)/(4A |β|²) of the tip angle, at most the largest finite `f32`. It has no term for a parameter
-    /// that is 0.
+    /// Rate φ' = (l+n)/(4A |α|²) + (l-n)/(4A |β|²) of the tip angle, at most the largest finite `f32`; without a term whose
+    /// Cayley-Klein parameter is 0.
     pub(crate) fn angle_rate(&self, orientation: &Orientation<R>) -> R {
         let part = |momentum: R, z: Complex<R>| {
             let (re, im) = (z.re.abs(), z.im.abs());

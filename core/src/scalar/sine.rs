@@ -1,7 +1,5 @@
-//! Sine and cosine of an integer phase, whose range reduction is exact.
-//!
-//! The `f64` version evaluates two polynomials. The others compute in integers from 512 tabulated points of the circle (2.5 KiB of
-//! flash); their error is absolute. The constants are public for an evaluator in another language.
+//! Sine and cosine of an integer phase: for `f64` by polynomials, for other scalars in integers from 512 points of the circle (2.5 KiB
+//! of flash). The constants are public for an evaluator in another language.
 
 use crate::product::{high_product, short_product, short_product_by_constant};
 

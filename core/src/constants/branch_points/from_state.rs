@@ -12,7 +12,7 @@
 use super::cubic::Cubic;
 use super::{BranchPoints, LARGEST_E3};
 use crate::body::{ParameterError, ScaledTop, State, Top, require};
-use crate::constants::first_integrals::{FirstIntegrals, ReducedPoint};
+use crate::constants::{FirstIntegrals, ReducedPoint};
 use crate::scalar::{Extended, Float, Ring};
 
 /// Error where e₃ is above [`LARGEST_E3`].

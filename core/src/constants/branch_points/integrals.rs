@@ -2,7 +2,7 @@
 
 use super::BranchPoints;
 use crate::body::{ParameterError, ScaledTop, Top, Units, finite};
-use crate::constants::first_integrals::{FirstIntegrals, ReducedPoint, Signs};
+use crate::constants::{FirstIntegrals, ReducedPoint, Signs};
 use crate::scalar::{Extended, Float, Ring};
 
 impl BranchPoints {

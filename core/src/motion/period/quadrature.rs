@@ -86,7 +86,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         remaining_error(time, time_before).max(remaining_error(slow, slow_before))
     }
 
-    /// Sums over nodes that begin at an angle and are a step apart.
+    /// Sums over nodes that are a step apart.
     fn sums_of(&self, nodes: u32, first: [Wide<WORDS>; 2], between: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
         let ([step_sine, step_cosine], [mut sine, mut cosine]) = (self.step, first);
         let mut sums = [Wide::ZERO; 3];

@@ -14,7 +14,6 @@ pub struct Wide<const WORDS: usize> {
     /// Words of s, the most significant first. The leading bit is set, or all bits of the number are 0.
     pub(super) significand: [u64; WORDS],
     pub(super) exponent: i32,
-    /// Whether the number is below 0.
     pub(super) negative: bool,
 }
 
@@ -69,7 +68,6 @@ pub(super) struct Exact<const WORDS: usize> {
     negative: bool,
 }
 
-/// Leading bit of a word.
 const LEADING: u64 = 1 << 63;
 
 impl<const WORDS: usize> From<Wide<WORDS>> for Exact<WORDS> {
@@ -88,7 +86,6 @@ impl<const WORDS: usize> Exact<WORDS> {
         number
     }
 
-    /// Exact product.
     #[inline(always)]
     pub(super) fn product(a: &Wide<WORDS>, b: &Wide<WORDS>) -> Self {
         let mut words = product(&a.significand, &b.significand);
