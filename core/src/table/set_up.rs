@@ -22,8 +22,7 @@ pub enum SetUpError {
     TooSmall {
         /// Allowed truncation error, rad.
         truncation: f64,
-        /// Number of segments of the table; [`EphemerisView::segments_needed`](crate::EphemerisView::segments_needed) finds a sufficient
-        /// one.
+        /// Number of segments; [`EphemerisView::segments_needed`](crate::EphemerisView::segments_needed) finds a sufficient one.
         segments: u32,
     },
     /// The motion is aperiodic; a stepper or its closed form follows it.
@@ -68,7 +67,7 @@ impl SetUp {
         Ok(())
     }
 
-    /// Computes the segments, of which the memory may hold none.
+    /// Computes the segments. The memory may hold none.
     fn tabulate<R: EphemerisScalar>(
         &mut self,
         motion: &Motion,
@@ -158,8 +157,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Number of segments that is enough for a motion with a given truncation error, rad; `None` if 4096, the largest number, are not
-    /// enough, or the motion has no table.
+    /// Number of segments that is enough for a truncation error, rad; `None` if 4096, the largest number, are not, or the motion has no table.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::within(truncation);

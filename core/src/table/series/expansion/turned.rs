@@ -14,9 +14,9 @@ fn of_x(coefficient: i64, k: usize) -> i64 {
 }
 
 impl Expansion {
-    /// Ellipse p e^{iχ} + q e^{-iχ} times e^{iθ}, of α (`which` = 0) or of β (1), as coefficients of their real and imaginary part that were 0. Returns the number of terms
-    /// that are not below `least`, or `None` where they do not converge.
-    #[inline(never)] // set-up's frames should not add up on a small stack
+    /// Ellipse p e^{iχ} + q e^{-iχ} times e^{iθ} of α (`which` = 0) or β (1). Its coefficients of x^k are added to `sums`, which were 0.
+    /// Returns the number of terms that are not below `least`; `None` where they do not converge.
+    #[inline(never)]
     pub(crate) fn turned(
         &mut self,
         which: usize,
@@ -63,11 +63,11 @@ impl Expansion {
     }
 }
 
-/// Continues the series of z = re + i im from its first coefficient, as the solution of z' = i z rate, in units of 2^-56. It ends where two
-/// terms in succession are at most `least` units of 2^-62 at x = 1. Returns the number of its terms, or `None` where it does not converge.
+/// Continues the solution re + i im of z' = i z rate from its first coefficient, in units of 2^-56, until two terms in succession are at
+/// most `least` units of 2^-62 at x = 1. Returns the number of terms; `None` where it does not converge.
 #[inline(never)]
 fn exponential(rate: &Block, terms: usize, least: i64, re: &mut Block, im: &mut Block) -> Option<usize> {
-    // the limit of a coefficient of yᵏ, in units of 2^-62: four times that of the one before
+    // limit of a coefficient of yᵏ, in units of 2^-62
     let (mut limit, mut before) = (least, false);
     for k in 0..TERMS - 1 {
         let next = |part: &Block| {
