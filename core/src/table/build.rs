@@ -12,7 +12,7 @@ use crate::table::cell::{CELLS, Cell, LONGEST_BITS};
 use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
 
 /// Rates of the nutation phase and of the mean slow phases.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(crate) struct MeanRates {
     /// Half period T/2; 0 where u is constant.
     half_period: Extended,

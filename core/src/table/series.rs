@@ -44,7 +44,6 @@ const BEYOND: i64 = 1 << (BITS + 3);
 const BELOW: i64 = -BEYOND - 1;
 
 /// Sum upper · 2^60 + lower · 2^30 divided by 2^shift, rounded to the nearest, with lower in [0, 2^30).
-#[inline(always)] // its only caller is Block::product
 fn rounded(upper: i64, lower: u32, shift: i32) -> i64 {
     let twice = match shift {
         61.. => upper >> (shift - 61).min(63),
@@ -100,7 +99,6 @@ fn scaled(x: f64, exponent: i32) -> i64 {
 }
 
 /// Constant factor between two series.
-#[derive(Clone, Copy, Debug)]
 struct Factor {
     /// Factor in units of 2^(`doublings` - 60).
     mantissa: Split,
@@ -148,7 +146,7 @@ fn integrated(c: i64, k: usize) -> i64 {
 }
 
 /// Coefficients of 1, y, y², ..., in units of 2^exponent.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 struct Block {
     coefficients: [Split; TERMS],
     exponent: i32,

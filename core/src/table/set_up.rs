@@ -88,9 +88,9 @@ impl SetUp {
         }
         between();
         let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
-        let too_small = SetUpError::TooSmall { truncation, segments: capacity as u32 };
         let store = &mut |segment, which, parts: [&_; 2]| put::<R>(segments, segment, which, parts);
-        self.build(motion, limits, store, between).ok_or(too_small)
+        self.build(motion, limits, store, between)
+            .ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
     }
 
     /// Writes the cells, the clock and the error bounds.

@@ -30,7 +30,7 @@ impl Position {
 }
 
 /// Start of a motion.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(crate) struct Start {
     /// Half phase, folded into [0, 1/4] turn; `None` once its place is found.
     chi: Option<Phase>,
@@ -85,7 +85,7 @@ impl SpanSeries {
 }
 
 /// Cell that is cut, or two with one segment. The unit is the shortest segment.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 struct Cut {
     begin: usize,
     end: usize,

@@ -27,7 +27,7 @@ pub(crate) fn larger_or_nan<F: Float>(a: F, b: F) -> F {
 const NOISE: i64 = 4;
 
 /// Rate of a phase along y = x/4: slope + variation. The variation of χ is relative to its slope.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 struct Rate {
     slope: f64,
     /// Factor of the variation: 1, or the slope.
@@ -96,7 +96,6 @@ impl PhasePoint {
 }
 
 /// Derivatives of the phases by y = x/4 at a point. The pairs are those of α and β.
-#[derive(Clone, Copy)]
 pub(crate) struct Slopes {
     pub(crate) point: PhasePoint,
     /// sin χ and cos χ.
@@ -115,7 +114,7 @@ pub(crate) struct Slopes {
 }
 
 /// Expansion of the motion around a point, in y = x/4. One unit of x is half a span, and x is at most 3.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(crate) struct Expansion {
     chi: Rate,
     theta: [Rate; 2],

@@ -14,7 +14,7 @@ use crate::motion::Motion;
 use crate::table::build::{CELL, HALF_PERIOD, Limits, SegmentErrors, Speeds};
 use crate::table::cell::{Cell, cells_covered, segments_per_cell};
 use crate::table::series::TERMS;
-use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
+use crate::table::series::expansion::TABLE_UNIT;
 
 /// Function that stores a polynomial: index of the segment, 0 for α or 1 for β, coefficients of the real and of the imaginary part. It
 /// returns the errors of the orientation and of the derivative by rounding them. All are in units of 2^-62.
@@ -106,15 +106,15 @@ impl SetUp {
                 self.cut_again(self.coarser(place).max(least))?;
             }
             let error = self.store_segment(place, store, between);
-            self.cut.error = larger_or_nan(self.cut.error, error);
-            if error.is_nan() || error > self.limits.segment(self.cut.level) {
+            if error <= self.limits.segment(self.cut.level) {
+                self.cut.error = self.cut.error.max(error);
+                place += segment_length(self.cut.level);
+                if place == self.cut.end {
+                    self.end_cell();
+                }
+            } else {
                 self.cut_again(self.cut.level + 1)?;
                 place = self.cut.begin;
-                continue;
-            }
-            place += segment_length(self.cut.level);
-            if place == self.cut.end {
-                self.end_cell();
             }
         }
         Some(place)
@@ -134,7 +134,7 @@ impl SetUp {
         let Cell(entry) = Cell::new(self.segments, begin / segment_length(level), level);
         self.cells.iter_mut().skip(begin / CELL).take(cells_covered(level)).for_each(|cell| *cell = entry);
         self.segments += segments_per_cell(level);
-        self.error = larger_or_nan(self.error, TABLE_UNIT * f64::from(error));
+        self.error = self.error.max(TABLE_UNIT * f64::from(error));
         self.speeds = speeds;
     }
 

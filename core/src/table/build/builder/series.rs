@@ -32,7 +32,6 @@ static FACTORS: [[i32; TERMS / 2]; TERMS] = {
 };
 
 /// Product of a coefficient and a factor, rounded to the nearest.
-#[inline(always)]
 fn times(c: i64, factor: i32) -> i64 {
     const LOW_BITS: u32 = 30;
     let low = c as i32 & ((1 << LOW_BITS) - 1);

@@ -159,13 +159,12 @@ mod tests {
                     let rates = exact.rates(sine.into(), cosine.into());
                     let of = |rate: Extended| (rate * unit.into()).to_f64();
                     let [alpha, beta] =
-                        expansion.theta.map(|rate| 0.25 * rate.value(0.25 * x, expansion.terms));
+                        expansion.theta.each_ref().map(|rate| 0.25 * rate.value(0.25 * x, expansion.terms));
                     worst[0] = worst[0].max(slopes.weight * (slope - of(rates.nutation)).abs());
                     worst[1] = worst[1].max((alpha - of(rates.alpha)).abs());
                     worst[2] = worst[2].max((beta - of(rates.beta)).abs());
                     let ([p, q], mut parts) = ([0.6, -0.3], [[0; TERMS]; 2]);
-                    let mut copy = expansion;
-                    copy.turned(0, [p, q], 5, parts.each_mut()).unwrap();
+                    expansion.turned(0, [p, q], 5, parts.each_mut()).unwrap();
                     let [re, im] = parts
                         .map(|part| part.iter().rev().fold(0.0, |sum, c| sum * x + *c as f64 * TABLE_UNIT));
                     let [up, down] = [at, -at].map(|chi| Complex::cis(chi + theta[0]));
