@@ -1,4 +1,4 @@
-//! Division of half a nutation period: 16 cells, by which a tick finds its segment, and segments of one length in each cell.
+//! Division of half a nutation period into 16 cells, by which a tick finds its segment. The segments of a cell are equal.
 //!
 //! At level l the half period would have 8 · 2^l segments. A segment of level 0 covers two cells.
 

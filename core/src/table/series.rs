@@ -1,7 +1,6 @@
 //! Power series of the motion, in integers of a common exponent.
 //!
-//! A sum of products is exact and costs a 32-bit processor four multiplications for each pair of coefficients. The coefficients of a
-//! converging series do not grow, so that all of them share an exponent.
+//! The coefficients of a converging series do not grow, so that one exponent serves all.
 
 mod sincos;
 
@@ -58,7 +57,7 @@ fn rounded(upper: i64, lower: u32, shift: i32) -> i64 {
 }
 
 /// Product of two integers divided by 2^SHIFT, for a SHIFT of 54 to 60, rounded to the nearest.
-#[inline(never)] // a call: set-up multiplies in some thirty places
+#[inline(never)]
 fn scaled_product<const SHIFT: u32>(a: Split, b: i64) -> i64 {
     let b = Split::of(b);
     let lower = signed_product(a.low, b.low) >> LOW_BITS;
@@ -180,11 +179,10 @@ impl Block {
 
     /// Coefficient of y^k of a product of two series, from these terms of the first one: an exact sum, divided by 2^shift and rounded to the
     /// nearest. [`BEYOND`] marks overflow.
-    #[inline(never)] // a call: set-up multiplies series in a dozen places
+    #[inline(never)] // a call: set-up multiplies in dozens of places
     fn product(&self, other: &Self, terms: Range<usize>, k: usize, shift: i32) -> i64 {
         let first = terms.start;
         let ours = self.coefficients.get(terms).unwrap_or_default();
-        // the iteration ends with the terms of the first series
         let theirs = other.coefficients.get(..=k.saturating_sub(first)).unwrap_or_default();
         let (mut upper, mut across, mut lower) = (0, 0, 0_u64);
         for (a, b) in ours.iter().zip(theirs.iter().rev()) {

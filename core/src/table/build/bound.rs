@@ -57,7 +57,7 @@ impl Speeds {
     pub(crate) fn rounding(&self, [delays, angles]: [f64; 2], start: f64) -> f64 {
         let Self { sweep, turning, .. } = *self;
         let steps = STEP * STEP * (delays * (sweep * sweep + turning * turning) + 4.0 * angles);
-        // of the half phase at the launch, and of the coefficients other than the first
+        // of the half phase at the launch, and of the coefficients after the first
         let others = self.delayed(start).squared() + self.steepness().squared();
         let deviation = Float::sqrt(FIXED_VARIANCE + steps + others);
         (DEVIATIONS * deviation + PER_TURN * (sweep + TURN)) * f64::ROUNDING

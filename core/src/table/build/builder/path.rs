@@ -223,7 +223,7 @@ impl SetUp {
             let (_, rest) = (angle + Phase::QUARTER).halves();
             rest.min(Phase::HALF - rest).to_radians()
         };
-        // at the upper turning point cos χ = 0 and cos θ = 0
+        // at u = e₂, cos χ = 0 and cos θ = 0
         let [alpha, beta] = theta.map(miss);
         let delay = remainder / self.fastest + miss(chi) / self.nutation_at_end;
         speeds.delayed(delay)
