@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25> {
     format: 6,
-    crc32: 0x30727eca,
+    crc32: 0xd2b85ef6,
     clock: toytop::Clock {
         step: [[2668364299, 588342322, 56542227], [1444926868, 672778249, 51392304], [1879647339, 2227764775, 4247109518]],
         tip_scale: 0.06,
@@ -24,8 +24,8 @@ pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25>
         },
         has_turning_points: true,
     },
-    error_bound: toytop::ErrorBound { constant: 1.7307138315309055e-7, per_tick: 1.6825931213952776e-18 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00013611330869971213, per_tick: 2.576218342792178e-16 },
+    error_bound: toytop::ErrorBound { constant: 1.7307138314906143e-7, per_tick: 1.6825931213952776e-18 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00013611330695043912, per_tick: 2.5762183420191765e-16 },
     cells: [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
     segments: [
         [

@@ -1,4 +1,4 @@
-//! Division of half a nutation period: 16 cells, by which a tick finds its segment, and segments of one length in each cell.
+//! Division of half a nutation period into 16 cells, by which a tick finds its segment. The segments of a cell are equal.
 //!
 //! At level l the half period would have 8 · 2^l segments. A segment of level 0 covers two cells.
 
@@ -11,8 +11,8 @@ pub(crate) const LONGEST: usize = 1 << LONGEST_BITS;
 /// Base-2 logarithm of [`LONGEST`].
 pub(crate) const LONGEST_BITS: u32 = 3;
 
-/// Entry of a cell, 16 m + l: its segments have the level l, and segment i of half a period at that level is segment m + i of the
-/// table, modulo 4096.
+/// Entry 16 m + l of a cell: its segments have the level l, and segment i of half a period at that level is m + i in the table, modulo
+/// 4096.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Cell(pub(crate) u16);
 
@@ -23,7 +23,7 @@ impl Cell {
     /// Greatest level; one cell could then contain all segments.
     pub(crate) const DEEPEST: u32 = Self::MOST_SEGMENTS.ilog2() + 1;
 
-    /// Cell in which segment `place` of half a period, at this level, is segment `number` of the table.
+    /// Cell in which segment `place` of half a period, at this level, is `number` in the table.
     pub(crate) const fn new(number: usize, place: usize, level: u32) -> Self {
         Self((number.wrapping_sub(place) as u16) << Self::LEVEL_BITS | level as u16)
     }
@@ -42,7 +42,7 @@ impl Cell {
     }
 }
 
-/// Number of segments of a cell at a level; 1 for one that it shares with the next cell.
+/// Number of segments of a cell; 1 for one that it shares with the next cell.
 pub(crate) const fn segments_per_cell(level: u32) -> usize {
     if level == 0 { 1 } else { 1 << (level - 1) }
 }

@@ -1,7 +1,6 @@
 //! Power series of the motion, in integers of a common exponent.
 //!
-//! A sum of products is exact and costs a 32-bit processor four multiplications for each pair of coefficients. The coefficients of a
-//! converging series do not grow, so that all of them share an exponent.
+//! The coefficients of a converging series do not grow, so that one exponent serves all.
 
 mod sincos;
 
@@ -16,13 +15,13 @@ use crate::scalar::{exponent, short_power_of_two, times_power_of_two};
 /// Largest number of terms of a series.
 pub(crate) const TERMS: usize = 16;
 
-/// Number of bits of a coefficient of the expected magnitude. One may be four times as large.
+/// Bits of a coefficient of the expected magnitude. One may be four times as large.
 const BITS: i32 = 56;
 
 /// Bits of the lower part of a [`Split`].
 const LOW_BITS: u32 = 30;
 
-/// Integer high · 2^30 + low, with low in [0, 2^30): the parts of which products are made.
+/// Integer high · 2^30 + low, with low in [0, 2^30), as products need it.
 #[derive(Clone, Copy, Debug)]
 struct Split {
     high: i32,
@@ -37,14 +36,13 @@ impl Split {
     }
 }
 
-/// Least shift of a quotient in range; a smaller one is of a series that does not converge.
+/// Least shift of a quotient in range.
 const LEAST_SHIFT: i32 = 33;
-/// Positive and negative quotient that are not in range: the first numbers beyond 59 bits.
+/// Quotients out of range: the first numbers beyond 59 bits.
 const BEYOND: i64 = 1 << (BITS + 3);
 const BELOW: i64 = -BEYOND - 1;
 
 /// Sum upper · 2^60 + lower · 2^30 divided by 2^shift, rounded to the nearest, with lower in [0, 2^30).
-#[inline(always)] // its only caller is Block::product
 fn rounded(upper: i64, lower: u32, shift: i32) -> i64 {
     let twice = match shift {
         61.. => upper >> (shift - 61).min(63),
@@ -59,7 +57,7 @@ fn rounded(upper: i64, lower: u32, shift: i32) -> i64 {
 }
 
 /// Product of two integers divided by 2^SHIFT, for a SHIFT of 54 to 60, rounded to the nearest.
-#[inline(never)] // a call: set-up multiplies in some thirty places
+#[inline(never)]
 fn scaled_product<const SHIFT: u32>(a: Split, b: i64) -> i64 {
     let b = Split::of(b);
     let lower = signed_product(a.low, b.low) >> LOW_BITS;
@@ -68,26 +66,26 @@ fn scaled_product<const SHIFT: u32>(a: Split, b: i64) -> i64 {
     (signed_product(a.high, b.high) << (2 * LOW_BITS - SHIFT)) + ((across + half) >> (SHIFT - LOW_BITS))
 }
 
-/// Whether a number has at most this number of bits besides its sign: from -2^bits to 2^bits - 1, for at least 32 bits.
+/// Whether a number has at most this number of bits besides its sign, at least 32.
 #[inline(always)]
 const fn has_bits(value: i64, bits: i32) -> bool {
     // only the upper word counts, so that a chip compares one word
     matches!((value >> 32) as i32 >> (bits - 32), -1 | 0)
 }
 
-/// Number that is small enough for a coefficient; `None` where the series does not converge.
+/// Number that is small enough for a coefficient; `None` otherwise, where the series does not converge.
 #[inline(always)]
 fn in_range(value: i64) -> Option<i64> {
     has_bits(value, BITS + 2).then_some(value)
 }
 
-/// Sum of quotients; `None` where one of them has left the range, because two such quotients could cancel.
+/// Sum of quotients; `None` where one is out of range, because two such ones could cancel.
 #[inline(always)]
 fn sum_in_range<const N: usize>(quotients: [i64; N]) -> Option<i64> {
     quotients.iter().all(|quotient| has_bits(*quotient, BITS + 3)).then(|| quotients.iter().sum())
 }
 
-/// Integer nearest to x / 2^exponent, for a quotient below 2^62; greater ones count as ±2^62.
+/// Integer nearest to x / 2^exponent, at most ±2^62.
 #[inline(never)]
 fn scaled(x: f64, exponent: i32) -> i64 {
     let (mantissa, own) = integer_parts(x);
@@ -100,7 +98,6 @@ fn scaled(x: f64, exponent: i32) -> i64 {
 }
 
 /// Constant factor between two series.
-#[derive(Clone, Copy, Debug)]
 struct Factor {
     /// Factor in units of 2^(`doublings` - 60).
     mantissa: Split,
@@ -148,7 +145,7 @@ fn integrated(c: i64, k: usize) -> i64 {
 }
 
 /// Coefficients of 1, y, y², ..., in units of 2^exponent.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 struct Block {
     coefficients: [Split; TERMS],
     exponent: i32,
@@ -171,7 +168,7 @@ impl Block {
         self.coefficients.get(k).map_or(0, |c| (i64::from(c.high) << LOW_BITS) + i64::from(c.low))
     }
 
-    /// Stores a coefficient; `None` where it is out of range, so that the series does not converge.
+    /// Stores a coefficient; `None` where it is out of range.
     fn put(&mut self, k: usize, value: i64) -> Option<()> {
         let value = Split::of(in_range(value)?);
         if let Some(coefficient) = self.coefficients.get_mut(k) {
@@ -180,13 +177,12 @@ impl Block {
         Some(())
     }
 
-    /// Coefficient of y^k of a product of two series, from these terms of the first one: an exact sum of products, divided by 2^shift and
-    /// rounded to the nearest. [`BEYOND`] marks overflow.
-    #[inline(never)] // a call: set-up multiplies series in a dozen places
+    /// Coefficient of y^k of a product of two series, from these terms of the first one: an exact sum, divided by 2^shift and rounded to the
+    /// nearest. [`BEYOND`] marks overflow.
+    #[inline(never)] // a call: set-up multiplies in dozens of places
     fn product(&self, other: &Self, terms: Range<usize>, k: usize, shift: i32) -> i64 {
         let first = terms.start;
         let ours = self.coefficients.get(terms).unwrap_or_default();
-        // the iteration ends with the terms of the first series
         let theirs = other.coefficients.get(..=k.saturating_sub(first)).unwrap_or_default();
         let (mut upper, mut across, mut lower) = (0, 0, 0_u64);
         for (a, b) in ours.iter().zip(theirs.iter().rev()) {
@@ -198,7 +194,7 @@ impl Block {
         rounded(upper + (across >> LOW_BITS), across as u32 & ((1 << LOW_BITS) - 1), shift)
     }
 
-    /// Sum Σ t yᵏ⁻¹ over the coefficients k from 1 to `terms` - 1, at y in [-1, 1], of this function t of a coefficient and of k.
+    /// Sum Σ t(c, k) yᵏ⁻¹ over the coefficients c of k = 1 to `terms` - 1, at y in [-1, 1].
     fn sum(&self, y: f64, terms: usize, term: fn(i64, usize) -> i64) -> f64 {
         let y = Split::of(scaled(y, -(FACTOR_BITS as i32)));
         // beyond the range only where the series does not converge
@@ -206,8 +202,7 @@ impl Block {
         times_power_of_two((1..terms).rev().fold(0, next) as f64, self.exponent)
     }
 
-    /// Upper bound on the sum Σ |c| yᵏ over these coefficients at y = `quarters`/4, from their upper words. The first one counts as larger
-    /// by `noise`.
+    /// Upper bound on the sum Σ |c| yᵏ over these coefficients at y = `quarters`/4, with the first one larger by `noise`.
     fn size(&self, quarters: u32, terms: usize, noise: f32) -> f32 {
         let coefficients = self.coefficients.get(1..terms).unwrap_or_default().iter().rev();
         let sum = coefficients.fold(0, |sum: u32, c| ((sum * quarters + 3) >> 2) + c.high.unsigned_abs() + 1);

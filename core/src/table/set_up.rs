@@ -22,8 +22,7 @@ pub enum SetUpError {
     TooSmall {
         /// Allowed truncation error, rad.
         truncation: f64,
-        /// Number of segments of the table; [`EphemerisView::segments_needed`](crate::EphemerisView::segments_needed) finds a sufficient
-        /// one.
+        /// Number of segments; [`EphemerisView::segments_needed`](crate::EphemerisView::segments_needed) finds a sufficient one.
         segments: u32,
     },
     /// The motion is aperiodic; a stepper or its closed form follows it.
@@ -68,7 +67,7 @@ impl SetUp {
         Ok(())
     }
 
-    /// Computes the segments, of which the memory may hold none.
+    /// Computes the segments. The memory may hold none.
     fn tabulate<R: EphemerisScalar>(
         &mut self,
         motion: &Motion,
@@ -89,9 +88,9 @@ impl SetUp {
         }
         between();
         let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
-        let too_small = SetUpError::TooSmall { truncation, segments: capacity as u32 };
         let store = &mut |segment, which, parts: [&_; 2]| put::<R>(segments, segment, which, parts);
-        self.build(motion, limits, store, between).ok_or(too_small)
+        self.build(motion, limits, store, between)
+            .ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
     }
 
     /// Writes the cells, the clock and the error bounds.
@@ -158,8 +157,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Number of segments that is enough for a motion with a given truncation error, rad; `None` if 4096, the largest number, are not
-    /// enough, or the motion has no table.
+    /// Number of segments that is enough for a truncation error, rad; `None` if 4096, the largest number, are not, or the motion has no table.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::within(truncation);

@@ -12,7 +12,7 @@ pub struct Tick {
 }
 
 impl Tick {
-    /// Tick length for a number of ticks per second: a frequency in Hz.
+    /// Tick length for a frequency in Hz.
     ///
     /// # Errors
     /// `tick`: the frequency is 0.

@@ -22,7 +22,7 @@ impl ErrorBound {
     /// Bound of a table before its set-up.
     pub(crate) const NONE: Self = Self { constant: 0.0, per_tick: 0.0 };
 
-    /// Upper bound on the error at a number of ticks from the launch, which may be fractional and of either sign.
+    /// Upper bound on the error at a number of ticks from the launch, of either sign.
     #[must_use]
     pub fn after(&self, ticks: f64) -> f64 {
         self.constant + self.per_tick * Float::abs(ticks)
@@ -33,38 +33,38 @@ impl ErrorBound {
 const TURN: f64 = 2.0 * core::f64::consts::PI;
 /// Number of standard deviations in a bound.
 const DEVIATIONS: f64 = 6.0;
-/// Variance of the roundings that do not depend on the motion, in units of (2^-53 rad)².
+/// Variance of the roundings that do not depend on the motion, in (2^-53 rad)².
 const FIXED_VARIANCE: f64 = 12.0;
-/// Relative error of the `f64` nearest to 1/2π, in units of 2^-53, with the two truncations of the phases to 64 bits.
+/// Relative errors of the `f64` nearest to 1/2π and of two phases of 64 bits, in units of 2^-53.
 const PER_TURN: f64 = 0.56 + 1.0 / 512.0;
-/// Standard deviation of a step's rounding error over the magnitudes of its terms, in units of 2^-53.
+/// Standard deviation of a step's rounding error, relative to its terms, in units of 2^-53.
 const STEP: f64 = 2.1;
 impl Speeds {
-    /// Greatest change of the orientation on half a segment, which is at most a cell, rad.
+    /// Greatest change of the orientation on half a segment, rad: a segment has two cells at most.
     fn steepness(&self) -> f64 {
         self.sweep / 16.0
     }
 
-    /// Orientation error, rad, if χ alone is delayed by this part of half a period.
+    /// Orientation error by a delay of χ alone, in half periods.
     pub(crate) fn delayed(&self, delay: f64) -> f64 {
         (self.sweep + self.turning) * delay
     }
 
     /// Orientation error, rad, of all roundings in `f64`.
     ///
-    /// * `delays`, `angles`: sums of the squares of the steps' terms, of χ as delays in half periods and of θ in rad
+    /// * `delays`, `angles`: sums of the squares of the steps' terms of χ, as delays in half periods, and of θ
     /// * `start`: delay by a rounding of χ at t = 0, in half periods
     pub(crate) fn rounding(&self, [delays, angles]: [f64; 2], start: f64) -> f64 {
         let Self { sweep, turning, .. } = *self;
         let steps = STEP * STEP * (delays * (sweep * sweep + turning * turning) + 4.0 * angles);
-        // of the half phase at the launch, and of the coefficients other than the first
+        // of the half phase at the launch, and of the coefficients after the first
         let others = self.delayed(start).squared() + self.steepness().squared();
         let deviation = Float::sqrt(FIXED_VARIANCE + steps + others);
         (DEVIATIONS * deviation + PER_TURN * (sweep + TURN)) * f64::ROUNDING
     }
 }
 
-/// Error bounds of the orientation and of the angular velocity, for a length of a tick and an orientation error of the table.
+/// Error bounds of the orientation and of the angular velocity, from the length of a tick and the `error` of the table.
 pub(crate) fn error_bounds(
     errors: &EvaluationErrors,
     motion: &Motion,
@@ -82,14 +82,14 @@ pub(crate) fn error_bounds(
     let constant = error + errors.tick + errors.slope * speeds.steepness();
     let orientation = ErrorBound { constant, per_tick: 2.0 * (sweep * nutation + TURN * alpha.max(beta)) };
 
-    // half periods per unit time, and the terms of the angular velocity, which may cancel: of the transverse part, and of the whole
+    // terms of the angular velocity, which may cancel: of the transverse part, and of the whole
     let [frequency, alpha_rate, beta_rate] = rates.turns;
     let half_periods = 2.0 * frequency.to_f64();
     let mean = TURN * Float::abs((alpha_rate + beta_rate).to_f64());
     let terms = sweep * half_periods + mean;
     let whole = terms + Float::abs(motion.axial_rate());
     let rotor = Float::abs(motion.top().rotor_momentum()) / motion.top().transverse_inertia();
-    // change of the angular velocity by a delay of half a period, and by one in which the orientation turns by 1 rad
+    // change of the angular velocity by a delay of half a period, and by a turn of 1 rad
     let delay = acceleration * half_periods + sweep * whole;
     let turned = if sweep > 0.0 { acceleration / sweep * half_periods } else { 0.0 };
     let relative = errors.relative_rate + DEVIATIONS * f64::ROUNDING;
@@ -103,7 +103,7 @@ pub(crate) fn error_bounds(
     [orientation, rate]
 }
 
-/// Exact step minus its rounding to a phase, in turns; whole turns are ignored.
+/// Rounding error of a step as a phase, in turns; whole turns do not count.
 fn increment_error(exact: Extended) -> f64 {
     let difference = (exact - exact.to_phase().into()).to_f64();
     difference - libm::round(difference)

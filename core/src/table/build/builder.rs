@@ -1,4 +1,4 @@
-//! Memory of a build.
+//! Memory of a set-up.
 
 mod series;
 
@@ -14,13 +14,13 @@ use crate::table::cell::CELLS;
 use crate::table::series::TERMS;
 use crate::table::series::expansion::{Expansion, PhasePoint, Slopes};
 
-/// Position on the path, with the errors up to it.
+/// Position on the path, with the errors of the steps to it.
 #[derive(Clone, Copy, Debug)]
 struct Position {
     point: PhasePoint,
-    /// Truncation error of the series, estimated from their last terms.
+    /// Truncation error.
     remainder: f64,
-    /// Sums of the squares of the steps' terms: of χ as delays, in half periods, and of θ, rad.
+    /// Sums of the squares of the terms of χ, as delays in half periods, and of θ, rad.
     squares: [f32; 2],
 }
 
@@ -29,16 +29,16 @@ impl Position {
     const BEGINNING: Self = Self { point: PhasePoint::ZERO, remainder: 0.0, squares: [0.0; 2] };
 }
 
-/// Start of a motion, which is found while its half period is tabulated.
-#[derive(Clone, Copy, Debug)]
+/// Start of a motion.
+#[derive(Debug)]
 pub(crate) struct Start {
-    /// Half phase at the start, folded into [0, 1/4] turn; `None` once the start is found.
+    /// Half phase, folded into [0, 1/4] turn; `None` once its place is found.
     chi: Option<Phase>,
-    /// Whether u is falling at the start.
+    /// Whether u is falling.
     mirrored: bool,
-    /// Nutation phase and mean slow phases at t = 0, once they are found.
+    /// Nutation phase and mean slow phases.
     pub(crate) phases: [Phase; 3],
-    /// Delay by a relative rounding of χ or of its difference from a quarter turn, in half periods.
+    /// Delay by a relative rounding of χ or of a quarter turn minus χ, in half periods.
     delay: f64,
 }
 
@@ -46,17 +46,15 @@ pub(crate) struct Start {
 #[derive(Clone, Copy, Debug)]
 struct Part {
     coefficients: [i64; TERMS],
-    /// Upper bound on the changes by the terms left out, in units of 2^-62.
+    /// Upper bounds on the changes of the value and of the derivative by the terms left out, in units of 2^-62.
     left_out: i64,
-    /// Upper bound on the changes of the derivative.
     slope_left_out: i64,
 }
 
-/// Series on an interval, whose coordinate x is in [-1, 1].
+/// Power series on an interval, in x from -1 to 1.
 #[derive(Clone, Copy, Debug)]
 struct Series {
     parts: [Part; 2],
-    /// Number of terms.
     terms: usize,
 }
 
@@ -74,10 +72,10 @@ struct SpanSeries {
     /// Coefficients of e^{iχ} and e^{-iχ} in the ellipse.
     exponentials: [f64; 2],
     whole: Series,
-    /// Estimate of the terms that the series omits, in units of 2^-62.
+    /// Estimate of the terms beyond the last, in units of 2^-62.
     omitted: f32,
     halved: Series,
-    /// Number of that part, and base-2 logarithm of the number of parts; `None` where no series is kept.
+    /// Number of that part and of the halvings.
     part: Option<(usize, u32)>,
 }
 
@@ -86,8 +84,8 @@ impl SpanSeries {
         Self { exponentials: [0.0; 2], whole: Series::ZERO, omitted: 0.0, halved: Series::ZERO, part: None };
 }
 
-/// Cell that is cut, or two cells with one segment, in units of the shortest segment.
-#[derive(Clone, Copy, Debug)]
+/// Cell that is cut, or two with one segment. The unit is the shortest segment.
+#[derive(Debug)]
 struct Cut {
     begin: usize,
     end: usize,
@@ -95,7 +93,7 @@ struct Cut {
     /// Position at the beginning, if a span begins there.
     border: Position,
     speeds: Speeds,
-    /// Greatest error of a segment, in units of 2^-62 rad.
+    /// Greatest error, in units of 2^-62 rad.
     error: f32,
 }
 
@@ -128,37 +126,34 @@ impl Cut {
 /// ```
 #[derive(Debug)]
 pub struct SetUp {
-    /// Allowed truncation error, rad; `None` for that of the scalar.
+    /// Truncation error, rad; `None` for that of the scalar.
     pub(crate) truncation: Option<f64>,
     law: PhaseEquations<Extended>,
     rounded_law: PhaseEquations<f64>,
-    /// Derivatives of the phases, in the numbers of the mean rates.
+    /// Function [`SetUp::slopes`] in the numbers of the mean rates.
     slopes_of: Option<fn(&Self, Extended) -> Slopes>,
     pub(crate) rates: MeanRates,
     limits: Limits,
-    /// Greatest sum of the rates of χ, θ_A and θ_B at a turning point, rad per half period.
+    /// Rates of χ, θ_A and θ_B together at the faster turning point, rad per half period.
     fastest: f64,
     /// dχ/dt at u = e₂, rad per half period.
     nutation_at_end: f64,
     pub(crate) start: Start,
     span: Span,
-    /// Positions at the beginning, at the centre and at the end of the span; the centre is not always known.
+    /// Beginning, centre (where it is known) and end of the span.
     border: Position,
     centre: Option<Position>,
     end: Position,
     expansion: Expansion,
-    /// Series of α and of β on the span.
+    /// Series of α and of β.
     series: [SpanSeries; 2],
-    /// Greatest |dθ/dx| on the span.
+    /// Upper bound on |dθ/dx| on the span.
     theta_slope: f32,
     cut: Cut,
-    /// Series on a segment.
     segment: Series,
-    /// Entries of the cells.
     pub(crate) cells: [u16; CELLS],
-    /// Number of segments.
     pub(crate) segments: usize,
-    /// Orientation error, rad: truncation, distance of the last point from the upper turning point, and roundings in `f64`.
+    /// Orientation error besides that of a tick, rad.
     pub(crate) error: f64,
     pub(crate) speeds: Speeds,
 }

@@ -1,4 +1,4 @@
-//! Mean rates of a motion: the constant rates of the phases of an ephemeris.
+//! Mean rates of a motion, and their errors.
 
 use super::MeanRates;
 use crate::constants::LaunchRounding;
@@ -6,7 +6,7 @@ use crate::motion::Motion;
 use crate::motion::period::Period;
 use crate::scalar::{Extended, Float, Ring};
 
-/// Number of successive roundings in a rate and in an increment, without those of the quadrature's nodes.
+/// Number of roundings in a rate and in an increment, besides those of the quadrature's nodes.
 const OPERATIONS: f64 = 64.0;
 /// Relative error of an increment that is stored as the sum of two `f64`.
 const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
@@ -38,7 +38,7 @@ impl MeanRates {
         let frequency = Extended::ONE / period.time;
         let mut slow = period.turns(half_tau, windings);
         for (turns, winding) in slow.iter_mut().zip(windings) {
-            // an ellipse that passes through 0 changes sign once in a period, which is half a turn in either direction
+            // an ellipse through 0 changes sign once in a period: half a turn
             let whole = if winding == 0 { *turns + Extended::from(0.5) } else { *turns };
             *turns = whole * frequency;
         }
@@ -66,7 +66,7 @@ fn errors(motion: &Motion, period: &Period) -> [f64; 3] {
     let [alpha, beta] = period.psi.map(size_in_turns);
     let slow = 2.0 * size_in_turns(motion.half_tau) * arithmetic + size_in_turns(slow_rates.into());
     let error = |own: f64| {
-        // the rate is (ψ(T) + half a turn)/T ± τ/2; the error of the trapezoid rule affects the first term only
+        // the rate is (ψ(T) + half a turn)/T ± τ/2; the trapezoid rule affects only the first term
         let advance = alpha + beta + own + 0.5;
         advance * (rule + 2.0 * arithmetic) * frequency + slow
     };

@@ -1,8 +1,8 @@
-//! Power series of the motion in time around any of its points, with at most sixteen terms.
+//! Power series of the motion in time around any of its points.
 //!
 //! Each quantity of the phase equations is its value at the point times 1 plus a variation: D = D₀ (1 + δ), χ' = χ'₀ (1 + ξ),
-//! e₃ - u = (e₃ - u₀) (1 + η). The coefficients of the variations follow one after the other from convolutions without divisions.
-//! sin χ, cos χ and e^{i(θ ± χ)} satisfy linear equations.
+//! e₃ - u = (e₃ - u₀) (1 + η). The coefficients follow one after the other from convolutions. sin χ, cos χ and e^{i(θ ± χ)} satisfy linear
+//! equations.
 
 mod recurrence;
 
@@ -23,14 +23,14 @@ pub(crate) fn larger_or_nan<F: Float>(a: F, b: F) -> F {
     if b <= a || a.partial_cmp(&a).is_none() { a } else { b }
 }
 
-/// Largest rounding error of a coefficient, in units of its series: the sum of some roundings of half a unit.
+/// Largest rounding error of a coefficient, in units of its series.
 const NOISE: i64 = 4;
 
 /// Rate of a phase along y = x/4: slope + variation. The variation of χ is relative to its slope.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 struct Rate {
     slope: f64,
-    /// Value of the variation's unit: 1, or the slope for a relative variation.
+    /// Factor of the variation: 1, or the slope.
     scale: f64,
     variation: Block,
     /// Relative variation of the denominator of a slow phase's rate.
@@ -50,7 +50,7 @@ impl Rate {
         y * (self.slope + y * (self.variation.sum(y, terms, integrated) * self.scale))
     }
 
-    /// Upper bound on the rate, whose variation has this bound relative to the scale.
+    /// Upper bound on the rate, from that on the variation.
     fn bound(&self, varied: f32) -> f32 {
         Float::abs(self.slope) as f32 + varied * Float::abs(self.scale) as f32
     }
@@ -95,11 +95,10 @@ impl PhasePoint {
     }
 }
 
-/// Derivatives of the phases with respect to y = x/4 at a point. The pairs are those of α and β.
-#[derive(Clone, Copy)]
+/// Derivatives of the phases by y = x/4 at a point. The pairs are those of α and β.
 pub(crate) struct Slopes {
     pub(crate) point: PhasePoint,
-    /// sin χ and cos χ at the point.
+    /// sin χ and cos χ.
     pub(crate) sine: f64,
     pub(crate) cosine: f64,
     /// Time of y = 1.
@@ -108,30 +107,27 @@ pub(crate) struct Slopes {
     pub(crate) psi: [f64; 2],
     /// Derivatives ψ' minus their mean.
     pub(crate) theta: [f64; 2],
-    /// Weight of an error of χ relative to one of θ, large where χ changes slowly.
+    /// Weight of an error of χ over one of θ, large where χ changes slowly.
     pub(crate) weight: f64,
     /// Magnitude below which a term at x = 2 is negligible.
     pub(crate) least: f64,
 }
 
-/// Expansion of the motion around a point, as functions of x = (t - t₀)/unit up to x = 3. The series are in y = x/4.
-#[derive(Clone, Copy, Debug)]
+/// Expansion of the motion around a point, in y = x/4. One unit of x is half a span, and x is at most 3.
+#[derive(Debug)]
 pub(crate) struct Expansion {
     chi: Rate,
     theta: [Rate; 2],
     origin: PhasePoint,
-    /// Weight of an error of χ relative to one of θ.
     weight: f32,
     /// Magnitude of the terms whose difference is the variation of dψ/dx.
     variation_size: f32,
-    /// Number of terms computed, at most sixteen; 0 where the series do not converge.
+    /// Number of terms, at most sixteen; 0 where the series do not converge.
     terms: usize,
-    /// Scratch series.
     scratch: [Block; 5],
 }
 
 impl Expansion {
-    /// Expansion before its first use.
     pub(crate) const EMPTY: Self = Self {
         chi: Rate::ZERO,
         theta: [Rate::ZERO; 2],
@@ -161,15 +157,15 @@ impl Expansion {
         [size(&self.chi), larger_or_nan(alpha, beta) + y * self.variation_size]
     }
 
-    /// Upper bound on |dθ/dx| of α and of β for x in [-1, 1], without the truncation error of the series.
+    /// Upper bound on |dθ/dx| for x in [-1, 1], without the truncation error.
     pub(crate) fn greatest_theta_slope(&self) -> f32 {
         let greatest = |rate: &Rate| rate.bound(rate.variation.size(1, self.terms, 0.0));
         let [alpha, beta] = self.theta.each_ref().map(greatest);
         0.25 * larger_or_nan(alpha, beta)
     }
 
-    /// Estimate of the truncation error of the phases at a whole x > 0, rad: the larger of the last two terms of their rates, each further
-    /// term being at most a quarter of the one before.
+    /// Estimate of the truncation error of the phases at a whole x > 0, rad, from the last two terms of their rates. A further term is at
+    /// most a quarter of the one before.
     pub(crate) fn truncation_error(&self, x: u32) -> f64 {
         let Some(before) = self.terms.checked_sub(2) else { return f64::INFINITY };
         let y = 0.25 * x as f32;

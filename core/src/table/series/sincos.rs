@@ -7,8 +7,7 @@ use crate::product::signed_product;
 /// Fraction bits of [`sine_cosine`].
 pub(super) const FRACTION: i32 = 57;
 
-/// Alternating Taylor series of sin r/r in powers of r², in units of 2^-58. The last coefficients and their products with r² have at most 32
-/// bits.
+/// Series of sin r/r in powers of r², in units of 2^-58. The last coefficients and their products with r² have at most 32 bits.
 const SINE: ([i64; 6], [i32; 4]) = (
     [288230376151711744, -48038396025285291, 2401919801264265, -57188566696768, 794285648566, -7220778623],
     [46287042, -220414, 810, -2],
@@ -37,8 +36,7 @@ fn sum((long, short): &([i64; 6], [i32; 4]), square: i64) -> i64 {
     first.iter().rev().fold(last, |sum, c| c + scaled_product::<58>(square, sum))
 }
 
-/// (sin 2πx, cos 2πx) of a phase of x turns, in units of 2^-57. Error: below 2^-56. A product costs a chip without a unit
-/// for `f64` a third of one in `f64`.
+/// (sin 2πx, cos 2πx) of a phase of x turns, in units of 2^-57. Error: below 2^-56.
 #[inline(never)]
 pub(super) fn sine_cosine(phase: Phase) -> (i64, i64) {
     /// π/2 in units of 2^-57.

@@ -7,26 +7,21 @@
 //! |                   |         |         |      |  |  |     |         |              |    spans: one expansion of the motion
 //! ```
 //!
-//! A span ends where its series would exceed the allowed error. The segments of a cell are equal, and the longest with which the error is allowed.
-//! Where they prove too long, the cell is cut again from its beginning.
+//! The segments of a cell are equal, and the longest with an allowed error. Where they prove too long, the cell is cut again.
 
 use super::{Cut, SetUp};
 use crate::motion::Motion;
 use crate::table::build::{CELL, HALF_PERIOD, Limits, SegmentErrors, Speeds};
 use crate::table::cell::{Cell, cells_covered, segments_per_cell};
 use crate::table::series::TERMS;
-use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
+use crate::table::series::expansion::TABLE_UNIT;
 
-/// Function that stores a polynomial: index of the segment, 0 for α or 1 for β, and the
-/// coefficients of the real and of the imaginary part in units of 2^-62. It returns the errors of the
-/// orientation and of the derivative from rounding the coefficients, in units of 2^-62 rad.
-///
-/// It is a reference, so that set-up is compiled once for all scalars.
+/// Function that stores a polynomial: index of the segment, 0 for α or 1 for β, coefficients of the real and of the imaginary part. It
+/// returns the errors of the orientation and of the derivative by rounding them. All are in units of 2^-62.
 pub(crate) type Store<'a> = dyn FnMut(usize, usize, [&[i64; TERMS]; 2]) -> [f32; 2] + 'a;
 
 impl SetUp {
-    /// Computes all segments of a motion; `None` where they are too many. One may be passed to `store` more than once, and the last time
-    /// is valid.
+    /// Computes all segments; `None` where they are too many. One may be stored more than once.
     #[inline(never)]
     pub(crate) fn build(
         &mut self,
@@ -63,7 +58,7 @@ impl SetUp {
         self.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
     }
 
-    /// Expands the motion on the span that begins at `place`: the next one, or the first of a cell that is cut again.
+    /// Expands the motion on the span that begins at `place`, which is the next one unless a cell is cut again.
     fn enter_span(&mut self, place: usize, between: &mut dyn FnMut()) -> Option<()> {
         if place > self.span.begin {
             self.leave(place == self.cut.end && self.coarser(place) < self.span.least_level());
@@ -91,17 +86,17 @@ impl SetUp {
         Some(())
     }
 
-    /// Level that is tried first: segments of twice the length. Two cells that share one begin with an even number.
+    /// Level that is tried first: segments of twice the length. Two cells with one segment begin with an even number.
     fn coarser(&self, begin: usize) -> u32 {
         self.cut.level.saturating_sub(1).max((begin / CELL % 2) as u32)
     }
 
-    /// Cuts the span into segments. Returns its end, or an earlier place from which on a cell must be cut again.
+    /// Cuts the span into segments. Returns its end, or the place of a cell that must be cut again from an earlier span on.
     fn cut_span(&mut self, store: &mut Store<'_>, between: &mut dyn FnMut()) -> Option<usize> {
         let span = self.span;
         let (mut place, least) = (span.begin, span.least_level());
         if place < self.cut.end && self.cut.level < least {
-            // the segments of the cell that goes on are longer than the span
+            // the segments of the unfinished cell are longer than the span
             self.cut_again(least)?;
             place = self.cut.begin;
         }
@@ -111,15 +106,15 @@ impl SetUp {
                 self.cut_again(self.coarser(place).max(least))?;
             }
             let error = self.store_segment(place, store, between);
-            self.cut.error = larger_or_nan(self.cut.error, error);
-            if error.is_nan() || error > self.limits.segment(self.cut.level) {
+            if error <= self.limits.segment(self.cut.level) {
+                self.cut.error = self.cut.error.max(error);
+                place += segment_length(self.cut.level);
+                if place == self.cut.end {
+                    self.end_cell();
+                }
+            } else {
                 self.cut_again(self.cut.level + 1)?;
                 place = self.cut.begin;
-                continue;
-            }
-            place += segment_length(self.cut.level);
-            if place == self.cut.end {
-                self.end_cell();
             }
         }
         Some(place)
@@ -134,13 +129,12 @@ impl SetUp {
         (segments <= self.limits.capacity && level <= Cell::DEEPEST).then_some(())
     }
 
-    /// Enters the finished cell in the table.
     fn end_cell(&mut self) {
         let Cut { begin, level, speeds, error, .. } = self.cut;
         let Cell(entry) = Cell::new(self.segments, begin / segment_length(level), level);
         self.cells.iter_mut().skip(begin / CELL).take(cells_covered(level)).for_each(|cell| *cell = entry);
         self.segments += segments_per_cell(level);
-        self.error = larger_or_nan(self.error, TABLE_UNIT * f64::from(error));
+        self.error = self.error.max(TABLE_UNIT * f64::from(error));
         self.speeds = speeds;
     }
 

@@ -1,4 +1,4 @@
-//! Path along half a nutation period, from one expansion of the motion to the next, and the start of the motion on it.
+//! Path along half a nutation period, from one expansion of the motion to the next, and the start on it.
 
 use super::{Cut, Position, SetUp, Start};
 use crate::motion::cayley_klein::Ellipses;
@@ -11,11 +11,11 @@ use crate::table::cell::CELLS;
 use crate::table::series::TERMS;
 use crate::table::series::expansion::{Expansion, PhasePoint, Slopes, larger_or_nan};
 
-/// Negligible term of the phases at x = 2 over that of α and β at x = 1. A term after the sixth is sixty times as large at x = 2.
+/// Negligible term of the phases at x = 2 over that of α and β at x = 1. Terms after the sixth grow by sixty from 1 to 2.
 const PHASE_TERM: f64 = 32.0;
 
 impl Start {
-    /// Start of a motion that is not found yet; that of one that does not nutate is u = e₁.
+    /// Start whose place is not found yet; u = e₁ without a nutation.
     fn new(motion: &Motion) -> Self {
         let start = if let NutationVariable::Nutating(chi) = motion.nutation { chi } else { Phase::ZERO };
         let (folded, rest) = start.halves();
@@ -25,11 +25,11 @@ impl Start {
         Self { chi: Some(chi), mirrored, phases: [Phase::ZERO, alpha, beta], delay: 0.0 }
     }
 
-    /// Finds the start, if it lies in this span, which ends at χ = `end`, or if the span is the last.
+    /// Finds the place in this span, which ends at χ = `end`, if it is there or the span is the last.
     #[inline(never)]
     pub(super) fn search(&mut self, expansion: &Expansion, end: Phase, span: Span) {
         let Some(chi) = self.chi else { return };
-        // most motions start at a turning point, which is an end of the half period whatever the errors of the series
+        // a turning point is an end of the half period whatever the errors of the series
         let x = match chi {
             Phase::ZERO => -1.0,
             _ if (chi == Phase::QUARTER || end < chi) && span.end() < HALF_PERIOD => return,
@@ -49,7 +49,7 @@ impl Start {
 /// Coordinate x of χ on a span, by Newton's method.
 fn coordinate(expansion: &Expansion, chi: Phase) -> f64 {
     const STEPS: usize = 8;
-    /// Step of some roundings, after which the next would be a rounding error.
+    /// Step of some roundings.
     const LAST_STEP: f64 = 4.0 * f64::ROUNDING;
     let mut x = 0.0_f64;
     for _ in 0..STEPS {
@@ -66,7 +66,7 @@ fn coordinate(expansion: &Expansion, chi: Phase) -> f64 {
 }
 
 impl SetUp {
-    /// Computes the equations of a motion, and its mean rates in numbers of this many words.
+    /// Computes the equations and, in numbers of this many words, the mean rates.
     #[inline(never)]
     pub(crate) fn launch<const WORDS: usize>(&mut self, motion: &Motion, between: &mut dyn FnMut()) {
         self.rates = if motion.is_steady() {
@@ -80,7 +80,7 @@ impl SetUp {
         };
     }
 
-    /// Begins the table of a motion, at u = e₁.
+    /// Begins a table at u = e₁.
     #[inline(never)]
     pub(super) fn begin(&mut self, motion: &Motion, limits: Limits) {
         (self.limits, self.start, self.cut) = (limits, Start::new(motion), Cut::NONE);
@@ -109,7 +109,7 @@ impl SetUp {
         (self.border, self.centre) = (position, None);
     }
 
-    /// Goes on to the next span. It is twice as long where the series are accurate at x = 2, or in any case.
+    /// Goes on to the next span. It is twice as long where the series are accurate at x = 2 or `in_any_case`.
     pub(super) fn leave(&mut self, in_any_case: bool) {
         let next = Span { begin: self.span.end(), ..self.span };
         let twice = Span { depth: self.span.depth - 1, ..next };
@@ -121,7 +121,7 @@ impl SetUp {
         self.span = if doubles { twice } else { next };
     }
 
-    /// Shortens the span until its truncation error should be the allowed one, by one to four halvings. `None` where that is too short.
+    /// Halves the span one to four times, until the truncation error should be allowed. `None` where it becomes too short.
     pub(super) fn shorten_span(&mut self) -> Option<()> {
         // the last of sixteen terms over half the distance
         const PER_HALVING: f64 = 1.0 / (1_u32 << (TERMS - 1)) as f64;
@@ -137,7 +137,7 @@ impl SetUp {
         (self.span.depth <= Span::DEEPEST).then_some(())
     }
 
-    /// Expands the motion around the centre of the span; `None` where the truncation error at its centre or its end is too large.
+    /// Expands the motion around the centre of the span; `None` where a truncation error is too large.
     #[inline(never)]
     pub(super) fn expand_law(&mut self, between: &mut dyn FnMut()) -> Option<()> {
         let allowed = self.allowed();
@@ -150,17 +150,16 @@ impl SetUp {
         Some(())
     }
 
-    /// Allowed truncation error of a step over half a span, with which the steps together have their part of the allowed error.
+    /// Allowed truncation error of a step over half a span.
     fn allowed(&self) -> f64 {
         self.limits.steps * self.span.half_length()
     }
 
-    /// Position around which the motion is expanded: the centre of the span, or its beginning where the centre is not known.
+    /// Position around which the motion is expanded: the centre, or the beginning where that is not known.
     fn here(&self) -> &Position {
         self.centre.as_ref().unwrap_or(&self.border)
     }
 
-    /// Expands the motion around the position reached.
     fn expand(&mut self, between: &mut dyn FnMut()) {
         let Some(slopes_of) = self.slopes_of else { return };
         between();
@@ -172,7 +171,7 @@ impl SetUp {
         between();
     }
 
-    /// Derivatives of the phases. A slow phase may hardly differ from its mean.
+    /// Derivatives of the phases, in wide numbers because a slow phase may hardly differ from its mean.
     #[inline(never)]
     fn slopes<const WORDS: usize>(&self, unit: Extended) -> Slopes {
         let point = self.here().point;
@@ -192,12 +191,12 @@ impl SetUp {
             psi: [rates.alpha, rates.beta].map(slope),
             theta: [rates.alpha + alpha_offset, rates.beta + beta_offset].map(slope),
             weight: weight.max(1.0),
-            // a negligible term causes an estimated error of about a twentieth of it at x = 2, and of two thirds of it at x = 3
+            // of which about a twentieth is the estimated error at x = 2, and two thirds at x = 3
             least: (PHASE_TERM * self.limits.least).min(4.0 * self.allowed()),
         }
     }
 
-    /// Position at `x`; `None` where the truncation error of the step is above `allowed`.
+    /// Position at `x`; `None` where the truncation error is above `allowed`.
     #[inline(never)]
     fn after(&self, x: u32, allowed: f64) -> Option<Position> {
         let truncation_error = self.expansion.truncation_error(x);
@@ -214,7 +213,7 @@ impl SetUp {
         })
     }
 
-    /// Error of the whole path, as an orientation error in rad, with the delay by the rounding of the start.
+    /// Orientation error by the path and the rounding of the start, rad.
     pub(super) fn path_error(&self) -> f64 {
         let speeds = &self.speeds;
         let Position { point: PhasePoint { chi, theta }, remainder, squares } = self.end;
@@ -223,7 +222,7 @@ impl SetUp {
             let (_, rest) = (angle + Phase::QUARTER).halves();
             rest.min(Phase::HALF - rest).to_radians()
         };
-        // at the upper turning point cos χ = 0 and cos θ = 0
+        // at u = e₂, cos χ = 0 and cos θ = 0
         let [alpha, beta] = theta.map(miss);
         let delay = remainder / self.fastest + miss(chi) / self.nutation_at_end;
         speeds.delayed(delay)

@@ -1,7 +1,7 @@
-//! Power series of α or of β on a span of the half period, on its parts, and with fewer terms.
+//! Power series of α or of β on a span, on its parts, and with fewer terms.
 //!
-//! The highest term c x^k is left out together with the multiple of lower powers that makes it c 2^(1-k) T_k(x). As |T_k| <= 1, the value
-//! changes by at most |c| 2^(1-k). The terms that remain are those of a Chebyshev series.
+//! The highest term c x^k is left out together with the lower powers that make it c 2^(1-k) T_k(x). As |T_k| <= 1, the value changes by
+//! at most |c| 2^(1-k).
 
 use super::{Part, Series, SpanSeries};
 use crate::product::{long_product, signed_product};
@@ -32,7 +32,6 @@ static FACTORS: [[i32; TERMS / 2]; TERMS] = {
 };
 
 /// Product of a coefficient and a factor, rounded to the nearest.
-#[inline(always)]
 fn times(c: i64, factor: i32) -> i64 {
     const LOW_BITS: u32 = 30;
     let low = c as i32 & ((1 << LOW_BITS) - 1);
@@ -52,10 +51,9 @@ impl Part {
         lower.zip(factors).for_each(|(c, factor)| *c -= times(last, *factor));
     }
 
-    /// Estimated sum of the omitted terms, in units of 2^-62: the last four terms are continued as a geometric series. The result is
-    /// infinite where these terms do not decrease.
+    /// Estimate of the terms beyond the last four, which are continued as a geometric series; infinite where they do not decrease.
     fn omitted(&self) -> f32 {
-        /// Magnitude below which terms are rounding errors and need not decrease: 3e-17 in units of 2^-62.
+        /// Magnitude of rounding errors, 3e-17 in units of 2^-62.
         const NEGLIGIBLE: i64 = 138;
         let [.., c12, c13, c14, c15] = self.coefficients.map(i64::abs);
         // in pairs, because a series may be even or odd
@@ -70,8 +68,8 @@ impl Part {
 }
 
 impl Series {
-    /// Leaves out last terms: down to `fewest`, as long as the changes of both parts add up to at most `most`.
-    #[inline(never)] // the stack frames of set-up must not add up
+    /// Leaves out last terms down to `fewest`, as long as the changes add up to at most `most`.
+    #[inline(never)] // here and below: the stack frames of set-up must not add up
     pub(super) fn shorten(&mut self, fewest: usize, most: i64) {
         while self.terms > fewest.max(2) {
             let degree = self.terms - 1;
@@ -84,9 +82,9 @@ impl Series {
         }
     }
 
-    /// Replaces the series by that on the upper or the lower half of the interval, by Horner's rule for x = (y ± 1)/2. Errors do not grow,
-    /// as |x| <= 1; all roundings together stay below 2^-57.
-    #[inline(never)] // the stack frames of set-up must not add up
+    /// Replaces the series by that on half of the interval, by Horner's rule for x = (y ± 1)/2. Errors do not grow, as |x| <= 1; all
+    /// roundings together stay below 2^-57.
+    #[inline(never)]
     pub(super) fn halve(&mut self, upper: bool) {
         for part in &mut self.parts {
             let mut half = [0; TERMS];
@@ -103,8 +101,7 @@ impl Series {
         }
     }
 
-    /// Adds the errors of the series and of the stored coefficients, each of the value and of the derivative, with the bounds Σ k |c_k| and
-    /// Σ k (k - 1) |c_k| on the derivatives.
+    /// Adds the errors of the value and of the derivative, and the bounds Σ k |c_k| and Σ k (k - 1) |c_k| on the derivatives.
     pub(super) fn add_errors(
         &self,
         sums: &mut SegmentErrors,
@@ -155,7 +152,7 @@ impl SpanSeries {
         Some(())
     }
 
-    /// Copies the series on one of 2^halvings parts. Last terms whose changes add up to at most `least` are left out.
+    /// Copies the series on one of 2^halvings parts, without last terms whose changes add up to at most `least`.
     pub(super) fn restrict(&mut self, part: usize, halvings: u32, least: i64, to: &mut Series) {
         let Some(last) = halvings.checked_sub(1) else { return to.clone_from(&self.whole) };
         let halved = Some((part / 2, last));

@@ -1,4 +1,4 @@
-//! Expansion of the motion around a point: the coefficients of the rates, one after another.
+//! Coefficients of the rates of an expansion, one after another.
 
 use super::{Expansion, NOISE, Rate, Slopes, larger_or_nan};
 use crate::motion::phase_equations::PhaseEquations;
@@ -24,7 +24,7 @@ struct SlowFactors {
 }
 
 impl SlowFactors {
-    /// Factors for a rate with these factors of cos²χ, D and D dχ/dx. It sets the exponents of the series.
+    /// Factors for a rate, from the values of those of cos²χ, D and D dχ/dx. It sets the exponents of the series.
     fn new(
         rate: &mut Rate,
         slope: f64,
@@ -47,7 +47,7 @@ impl SlowFactors {
         }
     }
 
-    /// Computes the k-th coefficients. Returns whether the rate's is negligible, or `None` where one is out of range.
+    /// Computes the k-th coefficients. Returns whether that of the rate is negligible; `None` where one is out of range.
     fn advance(&self, rate: &mut Rate, k: usize, [square, delta, drive]: [i64; 3]) -> Option<bool> {
         let Rate { variation, divisor, .. } = rate;
         let of_divisor = sum_in_range([self.delta.times(delta), self.drive.times(drive)])?;
@@ -81,7 +81,7 @@ struct Recurrence {
 const STEEPEST: f64 = 4.0;
 
 impl Expansion {
-    /// Expands the motion around a point. Terms are computed until two in succession are negligible; none where they do not converge.
+    /// Expands the motion around a point.
     #[inline(never)]
     pub(crate) fn expand(&mut self, law: &PhaseEquations<f64>, slopes: &Slopes, between: &mut dyn FnMut()) {
         let recurrence = self.begin(law, slopes);
@@ -113,7 +113,7 @@ impl Expansion {
         drive.scale_for(delta_size + square.magnitude_times(eta));
         chi.variation.exponent = drive.exponent;
         (chi.slope, chi.scale) = (chi_slope, chi_slope);
-        // in range, because the exponents are those of these values
+        // in range by their exponents
         let _ = sine.put(0, scaled(point_sine, sine.exponent));
         let _ = cosine.put(0, scaled(point_cosine, cosine.exponent));
 
@@ -150,8 +150,7 @@ impl Expansion {
         }
     }
 
-    /// Computes the coefficients until two in succession are negligible or all sixteen are known. Returns their number, or `None` where
-    /// one is out of range.
+    /// Computes the coefficients until two in succession are negligible. Returns their number; `None` where one is out of range.
     #[inline(never)]
     fn recur(&mut self, recurrence: &Recurrence, between: &mut dyn FnMut()) -> Option<usize> {
         (self.chi.slope <= STEEPEST).then_some(())?;

@@ -14,9 +14,9 @@ fn of_x(coefficient: i64, k: usize) -> i64 {
 }
 
 impl Expansion {
-    /// Ellipse p e^{iχ} + q e^{-iχ} times e^{iθ}, of α (`which` = 0) or of β (1), as coefficients of their real and imaginary part that were 0. Returns the number of terms
-    /// that are not below `least`, or `None` where they do not converge.
-    #[inline(never)] // set-up's frames should not add up on a small stack
+    /// Ellipse p e^{iχ} + q e^{-iχ} times e^{iθ} of α (`which` = 0) or β (1). Its coefficients of x^k are added to `sums`, which were 0.
+    /// Returns the number of terms that are not below `least`; `None` where they do not converge.
+    #[inline(never)]
     pub(crate) fn turned(
         &mut self,
         which: usize,
@@ -63,11 +63,11 @@ impl Expansion {
     }
 }
 
-/// Continues the series of z = re + i im from its first coefficient, as the solution of z' = i z rate, in units of 2^-56. It ends where two
-/// terms in succession are at most `least` units of 2^-62 at x = 1. Returns the number of its terms, or `None` where it does not converge.
+/// Continues the solution re + i im of z' = i z rate from its first coefficient, in units of 2^-56, until two terms in succession are at
+/// most `least` units of 2^-62 at x = 1. Returns the number of terms; `None` where it does not converge.
 #[inline(never)]
 fn exponential(rate: &Block, terms: usize, least: i64, re: &mut Block, im: &mut Block) -> Option<usize> {
-    // the limit of a coefficient of yᵏ, in units of 2^-62: four times that of the one before
+    // limit of a coefficient of yᵏ, in units of 2^-62
     let (mut limit, mut before) = (least, false);
     for k in 0..TERMS - 1 {
         let next = |part: &Block| {
@@ -159,13 +159,12 @@ mod tests {
                     let rates = exact.rates(sine.into(), cosine.into());
                     let of = |rate: Extended| (rate * unit.into()).to_f64();
                     let [alpha, beta] =
-                        expansion.theta.map(|rate| 0.25 * rate.value(0.25 * x, expansion.terms));
+                        expansion.theta.each_ref().map(|rate| 0.25 * rate.value(0.25 * x, expansion.terms));
                     worst[0] = worst[0].max(slopes.weight * (slope - of(rates.nutation)).abs());
                     worst[1] = worst[1].max((alpha - of(rates.alpha)).abs());
                     worst[2] = worst[2].max((beta - of(rates.beta)).abs());
                     let ([p, q], mut parts) = ([0.6, -0.3], [[0; TERMS]; 2]);
-                    let mut copy = expansion;
-                    copy.turned(0, [p, q], 5, parts.each_mut()).unwrap();
+                    expansion.turned(0, [p, q], 5, parts.each_mut()).unwrap();
                     let [re, im] = parts
                         .map(|part| part.iter().rev().fold(0.0, |sum, c| sum * x + *c as f64 * TABLE_UNIT));
                     let [up, down] = [at, -at].map(|chi| Complex::cis(chi + theta[0]));
