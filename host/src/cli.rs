@@ -10,7 +10,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
 /// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
-#[derive(Debug, Parser)]
+#[derive(Parser)]
 #[command(
     name = "toytop",
     version,
@@ -23,7 +23,7 @@ pub(crate) struct Cli {
 }
 
 /// Command with its arguments.
-#[derive(Debug, Subcommand)]
+#[derive(Subcommand)]
 pub(crate) enum Command {
     /// Errors of the core against an integration of the full 3-D equations
     ///
@@ -183,14 +183,13 @@ pub(crate) fn run(command: &Command) -> Result<Report, Failure> {
 }
 
 /// `toytop completions`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct CompletionsArgs {
     /// Shell that the completions are for
     pub(crate) shell: Shell,
 }
 
 /// Script that completes this program's commands, options and values.
-#[must_use]
 pub fn completions(shell: Shell) -> Vec<u8> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Cli::command(), "toytop", &mut script);

@@ -44,7 +44,6 @@ impl From<String> for Report {
 
 impl Report {
     /// Report with remarks on the result: in the text below a table, but on stderr if another program will read the text.
-    #[must_use]
     pub fn with_remarks(mut self, remarks: impl IntoIterator<Item = String>, below: bool) -> Self {
         for remark in remarks {
             if below {

@@ -64,7 +64,6 @@ pub struct Record(pub Vec<(&'static str, Cell)>);
 
 impl Record {
     /// Record with one more value.
-    #[must_use]
     pub fn with(mut self, name: &'static str, value: impl Into<Cell>) -> Self {
         self.0.push((name, value.into()));
         self
@@ -75,7 +74,6 @@ impl Record {
     }
 
     /// Columns with the names of the values as headings.
-    #[must_use]
     pub fn columns(&self, of_number: fn(f64) -> String) -> Vec<Column<'static>> {
         self.0.iter().map(|(name, _)| (*name, *name, of_number)).collect()
     }
@@ -115,7 +113,6 @@ pub fn written(
 pub type Column<'a> = (&'static str, &'a str, fn(f64) -> String);
 
 /// Header and rows of a table. A value that is absent is a dash.
-#[must_use]
 pub fn rows(records: &[Record], shown: &[Column<'_>]) -> Vec<Vec<String>> {
     let row = |record: &Record| {
         let text = |(name, _, of_number): &Column<'_>| match record.get(name) {
@@ -132,7 +129,6 @@ pub fn rows(records: &[Record], shown: &[Column<'_>]) -> Vec<Vec<String>> {
 
 /// Records as aligned columns below their headings; texts are aligned to the left.
 #[cfg(feature = "program")]
-#[must_use]
 pub fn aligned(records: &[Record], shown: &[Column<'_>]) -> String {
     let mut rows = rows(records, shown);
     if shown.iter().all(|(_, heading, _)| heading.is_empty()) {
@@ -145,25 +141,21 @@ pub fn aligned(records: &[Record], shown: &[Column<'_>]) -> String {
 }
 
 /// Number with eight significant digits.
-#[must_use]
 pub fn eight(x: f64) -> String {
     short(x, 8)
 }
 
 /// Error with two significant digits.
-#[must_use]
 pub fn error(x: f64) -> String {
     format!("{x:.1e}")
 }
 
 /// Number with 17 significant digits; -0 is written as 0.
-#[must_use]
 pub fn number(x: f64) -> String {
     format!("{:.16e}", x + 0.0)
 }
 
 /// Number with this many significant digits, without trailing zeros.
-#[must_use]
 pub fn short(x: f64, digits: usize) -> String {
     let rounded: f64 = format!("{x:.*e}", digits.saturating_sub(1)).parse().unwrap_or(x);
     if (1e-4..1e5).contains(&rounded.abs()) || rounded == 0.0 {
@@ -174,7 +166,6 @@ pub fn short(x: f64, digits: usize) -> String {
 }
 
 /// Beginning of a text of the input, short enough for a message.
-#[must_use]
 pub fn shown(text: &str) -> String {
     const MOST: usize = 60;
     let beginning: String = text.chars().take(MOST).collect();
@@ -182,7 +173,6 @@ pub fn shown(text: &str) -> String {
 }
 
 /// Text for HTML.
-#[must_use]
 pub fn html(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
@@ -204,7 +194,6 @@ pub fn csv(records: &[Record]) -> io::Result<String> {
 }
 
 /// Column names and values of a record.
-#[must_use]
 pub fn flat(record: &Record) -> Vec<(String, String)> {
     let columns = |(name, cell): &(&'static str, Cell)| match cell {
         Cell::Text(text) => vec![((*name).to_owned(), text.clone())],
@@ -233,7 +222,6 @@ impl Serialize for Lists<'_> {
 }
 
 /// Object of JSON with one list.
-#[must_use]
 pub fn list<'a>(key: &'static str, records: &'a [Record]) -> Lists<'a> {
     Lists(vec![(key, records)], Record::default())
 }
@@ -278,7 +266,6 @@ impl Formatter for SeventeenDigits {
 
 /// Rows as aligned columns without rules, the first `left` columns aligned to the left and the others to the right.
 #[cfg(feature = "program")]
-#[must_use]
 pub fn columns(rows: Vec<Vec<String>>, left: usize) -> String {
     text_of(rows, |index| index < left)
 }

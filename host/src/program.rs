@@ -64,7 +64,6 @@ fn in_one_line(message: &str) -> String {
 const NOT_GOOD: u8 = 1;
 
 /// Exit code, after the report or the failure of a command is printed.
-#[must_use]
 pub fn finish(result: Result<Report, Failure>) -> ExitCode {
     match result.and_then(|report| print(&report)) {
         Ok(code) => code,

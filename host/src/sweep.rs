@@ -16,7 +16,6 @@ use columns::Measured;
 use toytop::Motion;
 
 /// Table of a sweep: a header, and a row for each motion.
-#[derive(Clone, Debug)]
 pub struct Sweep {
     template: Template,
     axes: Vec<(Key, Axis)>,
@@ -72,13 +71,11 @@ impl Sweep {
     }
 
     /// Axis of a key of a grid.
-    #[must_use]
     pub fn axis(&self, name: &str) -> Option<&Axis> {
         self.axes.iter().find(|(key, _)| key.name == name && self.sample.is_none()).map(|(_, axis)| axis)
     }
 
     /// Place of a row of a grid on the axis of a key.
-    #[must_use]
     pub fn place(&self, name: &str, index: u64) -> Option<u64> {
         let mut cells = self.count();
         self.axes.iter().find_map(|(key, axis)| {
@@ -95,7 +92,6 @@ impl Sweep {
     }
 
     /// Number of motions.
-    #[must_use]
     pub fn count(&self) -> u64 {
         self.checked_count().unwrap_or(u64::MAX)
     }
@@ -120,7 +116,6 @@ impl Sweep {
     }
 
     /// Names of the columns, with a line break.
-    #[must_use]
     pub fn header(&self) -> String {
         let keys = self.axes.iter().map(|(key, _)| key.name.to_owned());
         let names = keys.chain(self.columns.iter().flat_map(|column| column.header(self.times)));
@@ -147,7 +142,6 @@ impl Sweep {
     }
 
     /// Reason why the scenario refuses the numbers of a row, beginning with the key that varies and its value.
-    #[must_use]
     pub fn refusal(&self, index: u64) -> Option<String> {
         let numbers = self.numbers(index);
         let message = self.motion(&numbers).err()?.to_string();

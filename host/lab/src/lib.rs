@@ -18,14 +18,14 @@ use toytop_host::program::{self, Request};
 use toytop_host::{Failure, Report};
 
 /// Studies of random launches that check toytop itself.
-#[derive(Debug, Parser)]
+#[derive(Parser)]
 #[command(name = "toytop-lab", version)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
 }
 
-#[derive(Debug, Subcommand)]
+#[derive(Subcommand)]
 enum Command {
     /// Errors of tables near every degenerate case, in four scalars, beside their bounds
     ///
@@ -48,7 +48,7 @@ enum Command {
 }
 
 /// Arguments of both studies.
-#[derive(Args, Debug)]
+#[derive(Args)]
 struct Study {
     /// Number of launches
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]

@@ -112,7 +112,6 @@ fn support(support: Support) -> f64 {
 
 /// Natural time T₀ = 2π √((A/p + s)/g) of the top for motions that have no period, s. Without torque it is the time in which
 /// the axis turns once about the angular momentum, and 1 for a body at rest.
-#[must_use]
 pub fn natural_time(motion: &Motion) -> f64 {
     let top = motion.top();
     if top.is_torque_free() {
@@ -123,7 +122,6 @@ pub fn natural_time(motion: &Motion) -> f64 {
 }
 
 /// Nutation period of a motion that nutates, T₀ of any other, s.
-#[must_use]
 pub fn period(motion: &Motion) -> f64 {
     MotionConstants::new(*motion).nutation_period()
 }

@@ -41,13 +41,11 @@ pub struct FullState {
 
 impl FullState {
     /// Unit vector r from the tip to the centre of mass, fixed frame: (-2 alpha beta, |alpha|^2 - |beta|^2).
-    #[must_use]
     pub fn axis(&self) -> [f64; 3] {
         axis(self.alpha, self.beta)
     }
 
     /// Rate of the axis' height u = r . k \[1/s\]: (omega x r) . k.
-    #[must_use]
     pub fn axis_height_rate(&self) -> f64 {
         cross(self.omega, self.axis())[2]
     }
@@ -69,7 +67,6 @@ impl From<&Top> for FullTop {
 impl FullTop {
     /// First integrals (l, n, h): the angular momenta about the vertical and about the axis \[kg m^2/s\] and the energy \[J\], with the
     /// potential energy p g u. Error: a few units in the last place of their largest term.
-    #[must_use]
     pub fn first_integrals(&self, state: &FullState) -> (f64, f64, f64) {
         let equations = Equations::of(self, state);
         let (r, m) = (state.axis(), equations.momentum(state));
@@ -98,14 +95,12 @@ pub struct Equations {
 
 impl Equations {
     /// Parameters of a top, in its units, for a motion from this state.
-    #[must_use]
     pub fn of(top: &FullTop, start: &FullState) -> Self {
         let spin = dot(start.omega, start.axis());
         Self { a: top.a, c: top.c, ps: top.p * top.s, pg: top.p * top.g, k: top.k, spin }
     }
 
     /// Momentum m = A omega + ((C - A) <omega, r> + K) r + p s u' q, where q = r x k and u' = <omega, q>.
-    #[must_use]
     pub fn momentum(&self, state: &FullState) -> Vector {
         let (r, w) = (state.axis(), state.omega);
         let q = [r[1], -r[0], 0.0];
@@ -114,7 +109,6 @@ impl Equations {
     }
 
     /// Numbers of a state for the integration.
-    #[must_use]
     pub fn numbers(&self, state: &FullState) -> Vector7 {
         let ([a, b], [c, d], [m1, m2, m3]) = (state.alpha, state.beta, self.momentum(state));
         [a, b, c, d, m1, m2, m3]
@@ -140,7 +134,6 @@ impl Equations {
     /// Derivative d/dt (Phi, m). Phi' = omega Phi. m' = omega x m + DL with DL = ((C - A) <omega, r> + K) r x omega + p s u' r
     /// x (k x omega) - p g q; the terms along r cancel and Jacobi's identity leaves m' = p s u' (r' x k)
     /// - p g q, which is horizontal: l = m3 is conserved to the last bit.
-    #[must_use]
     pub fn derivative(&self, y: &Vector7) -> Vector7 {
         let r = axis([y[0], y[1]], [y[2], y[3]]);
         let (w, rise) = self.angular_velocity(r, [y[4], y[5], y[6]]);
@@ -157,7 +150,6 @@ impl Equations {
     }
 
     /// State after one step of the classical Runge-Kutta method, with Φ normalised.
-    #[must_use]
     pub fn runge_kutta(&self, y: &Vector7, step: f64) -> Vector7 {
         let ahead =
             |k: &Vector7, share: f64| -> Vector7 { core::array::from_fn(|i| y[i] + share * step * k[i]) };
@@ -178,13 +170,11 @@ fn axis(alpha: [f64; 2], beta: [f64; 2]) -> Vector {
 }
 
 /// Vector product x × y.
-#[must_use]
 pub fn cross(x: Vector, y: Vector) -> Vector {
     [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
 }
 
 /// Scalar product <x, y>.
-#[must_use]
 pub fn dot(x: Vector, y: Vector) -> f64 {
     x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
 }

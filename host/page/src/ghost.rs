@@ -4,7 +4,6 @@ use crate::equations::{Equations, FullState, FullTop, Vector7};
 use toytop::{Complex, Motion, Orientation, Stepper};
 
 /// Integration of the full equations from t = 0, forwards or backwards.
-#[derive(Clone, Copy, Debug)]
 pub struct Ghost {
     equations: Equations,
     /// Distance s of the centre of mass from the tip, m.
@@ -23,7 +22,6 @@ pub const MOST_STEPS: u32 = 40_000;
 
 impl Ghost {
     /// Integration of a motion, at t = 0.
-    #[must_use]
     pub fn new(motion: &Motion, step: f64) -> Self {
         let (top, state) = (motion.top(), Stepper::<f64>::new(motion).attitude_state());
         let Orientation { alpha, beta } = state.orientation;

@@ -25,7 +25,6 @@ pub enum Kind {
 
 impl Kind {
     /// Kind by its number: 0, 1, and any other.
-    #[must_use]
     pub fn of(number: u32) -> Self {
         match number {
             0 => Self::Release,
@@ -83,7 +82,6 @@ pub fn motion(top: &Top, kind: Kind, numbers: &MotionNumbers) -> Result<Motion, 
 }
 
 /// Tilt in rad from degrees. 180, and no other number, becomes the π that means exactly downward.
-#[must_use]
 pub fn tilt(degrees: f64) -> f64 {
     if degrees < 180.0 {
         degrees.to_radians().min(PI.next_down())
@@ -96,7 +94,6 @@ pub fn tilt(degrees: f64) -> f64 {
 
 /// Azimuth or roll in rad from degrees. Only half of either enters a state, so that two whole turns, dropped exactly,
 /// change nothing.
-#[must_use]
 pub fn angle(degrees: f64) -> f64 {
     (degrees % 720.0).to_radians()
 }

@@ -63,7 +63,6 @@ impl Table {
     }
 
     /// Orientation and tip at t, with t taken as exact; the identity before the first motion.
-    #[must_use]
     pub fn at(&self, t: f64) -> (Orientation<f64>, Complex<f64>) {
         match (&self.method, self.memory.get()) {
             (Method::ClosedForm(form), _) => {
@@ -79,7 +78,6 @@ impl Table {
     }
 
     /// Bound on the orientation error at t = 0, rad, and its growth, rad per unit time.
-    #[must_use]
     pub fn error_bound(&self) -> [f64; 2] {
         match (&self.method, self.memory.get()) {
             (Method::ClosedForm(form), _) => [form.error_bound(), GROWTH * self.ticks],
@@ -93,21 +91,18 @@ impl Table {
 }
 
 /// Moment t after t = 0, with t taken as exact.
-#[must_use]
 pub fn moment_at(table: &Table, t: f64) -> Moment {
     let (orientation, tip) = table.at(t);
     moment(&orientation, tip)
 }
 
 /// Numbers of a moment.
-#[must_use]
 pub fn moment(orientation: &Orientation<f64>, tip: Complex<f64>) -> Moment {
     let (Orientation { alpha, beta }, [x, y, z]) = (orientation, orientation.axis());
     [alpha.re, alpha.im, beta.re, beta.im, orientation.clamped_u(), x, y, z, tip.re, tip.im]
 }
 
 /// Ticks in a unit of time, a power of two: at least a thousand in a period, and more than one in a turn.
-#[must_use]
 pub fn ticks_per_time(motion: &Motion) -> f64 {
     /// A [`Tick`] has 32 bits on both sides.
     const MOST: f64 = (1_u32 << 31) as f64;

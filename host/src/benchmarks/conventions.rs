@@ -31,7 +31,6 @@ pub(crate) enum Quantity {
 
 impl Quantity {
     /// Name in files and output.
-    #[must_use]
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Position => "position",
@@ -44,7 +43,6 @@ impl Quantity {
 }
 
 /// Motion at one time, in a source's conventions.
-#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Values {
     /// Position of the centre of mass relative to the tip.
     pub position: [f64; 3],
@@ -56,7 +54,6 @@ pub(crate) struct Values {
 
 impl Conventions {
     /// Rotation P that takes the source's body coordinates to those of the core, whose third axis is the axis of symmetry.
-    #[must_use]
     pub(crate) fn to_core(self) -> Orientation<f64> {
         match self.symmetry_axis {
             // a quarter turn about the first axis takes the second axis to the third
@@ -66,7 +63,6 @@ impl Conventions {
     }
 
     /// Values of a sample of the core in the source's conventions.
-    #[must_use]
     pub(crate) fn values(&self, sample: &Sample) -> Values {
         let core = sample.orientation();
         let orientation = core.compose(&self.to_core());

@@ -8,7 +8,6 @@ use serde::Deserialize;
 use toytop::Stepper;
 
 /// Motion with its source, conventions and reference values.
-#[derive(Clone, Debug)]
 pub(crate) struct Problem {
     /// Scenario of the motion.
     pub(crate) scenario: Scenario,
@@ -42,7 +41,7 @@ struct Description {
 }
 
 /// Value that another program or paper printed.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Printed {
     /// Program or paper that printed it, and its method.
@@ -62,7 +61,7 @@ struct References {
 }
 
 /// Values to 30 digits at one time, in the source's conventions.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Deserialize)]
 pub(crate) struct Reference {
     /// Time, as text.
     pub t: String,
@@ -87,14 +86,12 @@ impl Problem {
     }
 
     /// Name of the problem on the command line.
-    #[must_use]
     pub(crate) fn name(&self) -> &str {
         &self.scenario.name
     }
 
     /// Greatest difference of the components of a printed value from the reference. A quaternion has the sign that is nearer to the
     /// reference. `None` if the catalogue has no reference for the value.
-    #[must_use]
     pub(crate) fn off(&self, printed: &Printed) -> Option<f64> {
         let there = self.references.iter().find(|reference| reference.t == printed.t);
         let digits = |texts: &[String]| texts.iter().filter_map(|text| text.parse().ok()).collect();

@@ -80,7 +80,6 @@ impl CorpusCost {
     }
 
     /// Median and greatest, as a row of output.
-    #[must_use]
     pub(crate) fn record(&self) -> Record {
         let ([median, greatest], cycles) = (self.median_and_greatest(), self.modelled_cycles());
         Record::default()

@@ -73,7 +73,6 @@ impl Image {
     }
 
     /// Function that contains an address.
-    #[must_use]
     pub fn around(&self, address: u64) -> Option<&Function> {
         let after = self.functions.partition_point(|function| function.address <= address);
         let function = self.functions.get(after.checked_sub(1)?)?;
@@ -81,7 +80,6 @@ impl Image {
     }
 
     /// Code between two addresses, if the ELF contains it.
-    #[must_use]
     pub fn code(&self, from: u64, to: u64) -> Option<&[u8]> {
         self.code.iter().find_map(|(start, bytes)| {
             let offset = |address: u64| usize::try_from(address.checked_sub(*start)?).ok();

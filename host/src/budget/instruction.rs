@@ -17,7 +17,6 @@ impl Registers {
     }
 
     /// Whether the two sets have a register in common.
-    #[must_use]
     pub fn meet(self, other: Self) -> bool {
         self.0 & other.0 != 0
     }

@@ -24,7 +24,6 @@ pub enum Model {
 
 impl Model {
     /// Model of a chip; `None` where no timings are published.
-    #[must_use]
     pub fn of(chip: &Chip) -> Option<Self> {
         match chip.name {
             "m0plus" => Some(Self::M0Plus),
@@ -58,7 +57,6 @@ impl Model {
     }
 
     /// Additional cycles, which may be negative, because of the instruction before it.
-    #[must_use]
     pub fn after(self, before: &Instruction, instruction: &Instruction) -> i64 {
         if self == Self::M0Plus {
             return 0;
@@ -76,7 +74,6 @@ impl Model {
     }
 
     /// Additional cycles of a jump to an instruction other than the next one.
-    #[must_use]
     pub fn jump(self, instruction: &Instruction, target: Option<&Instruction>) -> i64 {
         match (self, instruction.kind) {
             (Self::M0Plus, Kind::Call | Kind::Several { .. }) => 2,

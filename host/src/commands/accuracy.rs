@@ -14,7 +14,7 @@ use micromath::F32Ext;
 use std::path::PathBuf;
 
 /// `toytop accuracy`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct AccuracyArgs {
     /// Scalar types
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]

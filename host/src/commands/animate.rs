@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// `toytop animate`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct AnimateArgs {
     /// Scenario file
     scenario: PathBuf,

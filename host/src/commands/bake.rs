@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use toytop::{ErrorBound, Tick};
 
 /// `toytop bake`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct BakeArgs {
     /// Scenario file
     scenario: PathBuf,

@@ -13,7 +13,7 @@ use clap::Args;
 use std::path::PathBuf;
 
 /// `toytop benchmark`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct BenchmarkArgs {
     /// Name of a problem; without it, all problems are listed
     name: Option<String>,

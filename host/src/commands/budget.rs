@@ -16,7 +16,7 @@ use std::process::{Command, Stdio};
 const TICK_RATE: f64 = 1000.0;
 
 /// `toytop budget`
-#[derive(Args, Debug)]
+#[derive(Args)]
 #[command(
     after_help = "Example: toytop budget --chip m4f,m0plus --clock 48\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
 )]

@@ -58,7 +58,7 @@ const RUNS: [(Method, Scalar); 6] = [
 ];
 
 /// `toytop compare`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct CompareArgs {
     /// Scenario files; without any, the built-in motions are compared
     #[arg(value_name = "SCENARIO")]

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use toytop_page::constants::MotionConstants;
 
 /// `toytop constants`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct ConstantsArgs {
     /// Scenario file
     scenario: PathBuf,

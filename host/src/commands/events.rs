@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use toytop::{Level, Motion, ParameterError, Phase, Support};
 
 /// `toytop events`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct EventsArgs {
     /// Scenario file
     scenario: PathBuf,

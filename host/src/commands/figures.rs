@@ -12,7 +12,7 @@ use clap::Args;
 use std::path::PathBuf;
 
 /// `toytop figures`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct FiguresArgs {
     /// Folder to write to, which is created if it does not exist
     #[arg(short, long, value_name = "DIR")]

@@ -18,7 +18,7 @@ use toml::{Table, Value};
 use toytop::Top;
 
 /// `toytop fit`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct FitArgs {
     /// Samples, as `toytop simulate` writes them
     samples: PathBuf,

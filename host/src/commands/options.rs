@@ -20,7 +20,6 @@ pub(crate) enum Method {
 
 impl Method {
     /// Name on the command line.
-    #[must_use]
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Ephemeris => "ephemeris",
@@ -48,7 +47,6 @@ pub(crate) enum ScalarChoice {
 
 impl ScalarChoice {
     /// Chosen types, each once, in the order of their declaration.
-    #[must_use]
     pub(crate) fn chosen(choices: &[Self]) -> Vec<Scalar> {
         let types = [Self::F64, Self::F32, Self::Q31, Self::Q15].into_iter().zip(Scalar::ALL);
         let chosen = types.filter(|(choice, _)| choices.contains(choice) || choices.contains(&Self::All));
@@ -77,7 +75,7 @@ pub(crate) fn positive(text: &str) -> Result<f64, &'static str> {
 }
 
 /// `toytop bench` and `toytop errata`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct FormatArgs {
     /// Form of the output
     #[arg(long, default_value = "table")]

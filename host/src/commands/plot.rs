@@ -17,7 +17,7 @@ use std::path::PathBuf;
 use toytop::{Sign, Support};
 
 /// `toytop plot`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct PlotArgs {
     /// Scenario file
     scenario: PathBuf,
@@ -53,7 +53,6 @@ pub(crate) enum PlotKind {
 
 impl PlotKind {
     /// Greatest number of nutation periods of a picture, and the kind of picture as a message names it. More would fill the frame.
-    #[must_use]
     pub(crate) fn most_cycles(self) -> (u32, &'static str) {
         match self {
             Self::Tilt => (300, " for --kind tilt"),

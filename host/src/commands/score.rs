@@ -19,7 +19,7 @@ use methods::{Group, Run, work};
 use std::path::PathBuf;
 
 /// `toytop score`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct ScoreArgs {
     /// Scenario file; with --benchmark, the first CSV file
     scenario: PathBuf,

@@ -13,7 +13,7 @@ use clap::Args;
 use std::path::PathBuf;
 
 /// `toytop simulate`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct SimulateArgs {
     /// Scenario file
     scenario: PathBuf,

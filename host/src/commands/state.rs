@@ -23,7 +23,7 @@ use toytop_closed_forms::ClosedForm;
 type At = dyn Fn(u64) -> Sample + Sync;
 
 /// `toytop state`
-#[derive(Args, Debug)]
+#[derive(Args)]
 #[command(group = ArgGroup::new("instants").required(true).args(["times", "times_file", "ticks", "from"]))]
 pub(crate) struct StateArgs {
     /// Scenario file

@@ -18,7 +18,7 @@ use std::time::Instant;
 const LARGEST_PLOTTED: u64 = 4096;
 
 /// `toytop sweep`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct SweepArgs {
     /// Scenario file whose numbers vary
     scenario: PathBuf,
@@ -67,7 +67,6 @@ pub(crate) struct SweepArgs {
 
 impl SweepArgs {
     /// Keys of the scenario that vary, each with its axis.
-    #[must_use]
     pub(crate) fn varied(&self) -> Vec<(String, Axis)> {
         let of_release = [
             ("spin", &self.spin),

@@ -7,7 +7,7 @@ use clap::Args;
 use std::path::{Path, PathBuf};
 
 /// Times of `toytop state`: exactly one of the four ways.
-#[derive(Args, Debug)]
+#[derive(Args)]
 #[group(skip)]
 pub(crate) struct TimesArgs {
     /// Times, s, separated by commas, in any order; they may be negative. LOW..HIGH/PLACES spreads times evenly, both ends included,
@@ -50,7 +50,6 @@ pub(crate) enum Ticks {
 
 impl Instants {
     /// Number of times.
-    #[must_use]
     pub(crate) fn count(&self) -> u64 {
         match self {
             Self::Times(axis) => axis.size(),
@@ -60,7 +59,6 @@ impl Instants {
     }
 
     /// Time of this index, s.
-    #[must_use]
     pub(crate) fn time(&self, index: u64) -> f64 {
         match self {
             Self::Times(axis) => axis.at(index),
@@ -101,7 +99,6 @@ impl Instants {
 
 impl Ticks {
     /// Number of the tick of this index.
-    #[must_use]
     pub(crate) fn number(&self, index: u64) -> i64 {
         match self {
             Self::List(numbers) => numbers[index as usize],
@@ -111,7 +108,6 @@ impl Ticks {
 }
 
 /// Option that states the times, with its file if it has one.
-#[must_use]
 pub(crate) fn option(arguments: &TimesArgs) -> String {
     match (&arguments.times_file, &arguments.ticks) {
         (Some(path), _) => format!("--times-file: {}", path.display()),

@@ -10,7 +10,7 @@ use clap::Args;
 use std::path::PathBuf;
 
 /// `toytop view`
-#[derive(Args, Debug)]
+#[derive(Args)]
 pub(crate) struct ViewArgs {
     /// Scenario file of the motion that the page begins with; without it, the page begins with a toy top
     scenario: Option<PathBuf>,

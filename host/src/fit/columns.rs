@@ -16,7 +16,6 @@ pub struct Columns {
 }
 
 /// Row from which no measurements can be made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RefusedRow {
     /// Row, from 0.
     pub row: usize,
@@ -28,7 +27,6 @@ pub struct RefusedRow {
 
 impl Columns {
     /// Columns of measurements, those of one time in one row.
-    #[must_use]
     pub fn of(sensors: &Sensors, measurements: &[Measurement]) -> Self {
         let same = |a: &Measurement, b: &Measurement| a.time == b.time && a.sensor < b.sensor;
         let rows: Vec<_> = measurements.chunk_by(same).collect();

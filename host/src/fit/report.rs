@@ -28,7 +28,6 @@ pub struct FitReport {
 
 impl FitReport {
     /// Values of the free keys with their standard deviations.
-    #[must_use]
     pub fn freed(&self) -> Vec<(&str, f64, f64)> {
         let deviations = self.fitted.deviations();
         let values = self.fitted.launch.other_unknowns().iter().zip(&deviations[6..]);
@@ -41,7 +40,6 @@ impl FitReport {
     }
 
     /// Biases by sensor, with their standard deviations.
-    #[must_use]
     pub fn biases(&self) -> Vec<(&'static str, [f64; 3], [f64; 3])> {
         let deviations = self.fitted.deviations();
         let values = self.fitted.launch.other_unknowns();
@@ -59,13 +57,11 @@ impl FitReport {
     }
 
     /// Whether the launch follows from the samples. Without any value that was used it is that of the beginning.
-    #[must_use]
     pub fn has_launch(&self) -> bool {
         self.fitted.statistics.used > 0
     }
 
     /// Spin ω·r and tilt (rad), each with its standard deviation.
-    #[must_use]
     pub fn spin_and_tilt(&self) -> [(f64, f64); 2] {
         let launch = &self.fitted.launch;
         let (r, w) = (launch.orientation.axis(), launch.omega);
@@ -85,7 +81,6 @@ impl FitReport {
     }
 
     /// Names of the directions of the launch that the samples do not determine.
-    #[must_use]
     pub fn undetermined(&self) -> Vec<&'static str> {
         let found = self.fitted.unobservable;
         let mut names: Vec<&'static str> = [(found.yaw, "yaw"), (found.roll, "roll"), (found.spin, "spin")]
@@ -101,7 +96,6 @@ impl FitReport {
     /// Residuals of each measurement in standard deviations of the noise, after subtraction of the fitted bias. NaN stands for a
     /// component that the sensor does not have or that is at the end of its range, and for a measurement at a time at which
     /// the derivatives of the motion cannot be computed. All residuals are NaN if no top has the fitted numbers.
-    #[must_use]
     pub fn residuals(&self, measurements: &[Measurement]) -> Vec<[f64; 3]> {
         let Ok(sensitivity) = self.fitted.sensitivity(&self.input.top) else {
             return vec![[f64::NAN; 3]; measurements.len()];

@@ -21,7 +21,6 @@ pub struct Kind {
 
 impl Kind {
     /// Names of the residuals: the columns, and for an orientation x, y, z of the rotation vector.
-    #[must_use]
     pub fn residuals(&self) -> &'static [&'static str] {
         &self.columns[self.columns.len().saturating_sub(3)..]
     }
@@ -98,7 +97,6 @@ impl Body {
     /// Properties of a top's body. The origin is the centre of mass of a sliding top or a free body, and the tip of a held top.
     ///
     /// * `com_height`: distance of the centre of mass from the tip, m; if it is not known, the centre of mass of a held top counts as at its tip
-    #[must_use]
     pub fn of(top: &Top, com_height: Option<f64>) -> Self {
         let com = match (top.support(), com_height) {
             (Support::Fixed, Some(height)) => [0.0, 0.0, height],
@@ -110,7 +108,6 @@ impl Body {
 
 impl Sensors {
     /// Sensors as the core takes them.
-    #[must_use]
     pub fn listed(&self) -> Vec<&dyn Sensor> {
         self.instruments.iter().map(|instrument| &*instrument.sensor as &dyn Sensor).collect()
     }
@@ -118,7 +115,6 @@ impl Sensors {
     /// A consumer MEMS gyroscope (2000 degrees per second, noise 0.005 degrees per second and root hertz in 500 Hz, bias 1
     /// degree per second), accelerometer (16 g, 100 micro-g per root hertz, bias 20 milli-g) and magnetometer (0.6 microtesla, one
     /// reading in ten samples) at the centre of mass.
-    #[must_use]
     pub fn telephone(body: Body) -> Self {
         Self::parse("telephone", TELEPHONE, body).expect("sensors in range")
     }

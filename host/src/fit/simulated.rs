@@ -6,7 +6,6 @@ use toytop::{Motion, Orientation};
 use toytop_fit::{Measurement, Partials, Sensitivity};
 
 /// Times of a recording.
-#[derive(Clone, Copy, Debug)]
 pub struct Recording {
     /// Samples a second.
     pub hertz: f64,
@@ -21,7 +20,6 @@ pub const MOST_SAMPLES: f64 = 1e7;
 
 impl Recording {
     /// Times of a recording of this duration, s; `None` where this is not from 1 to [`MOST_SAMPLES`] samples.
-    #[must_use]
     pub fn new(hertz: f64, duration: f64, seed: u64) -> Option<Self> {
         let count = (hertz * duration).round();
         let possible = hertz > 0.0 && (1.0..=MOST_SAMPLES).contains(&count);
@@ -31,7 +29,6 @@ impl Recording {
 
 /// Measurements of a motion; `None` where the derivatives of the motion, from which the readings follow, cannot be
 /// computed at one of the times.
-#[must_use]
 pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -> Option<Vec<Measurement>> {
     let sensitivity = Sensitivity::new(motion);
     let mut cursor = sensitivity.cursor();
@@ -118,7 +115,6 @@ fn passage(
 }
 
 /// Normally distributed numbers, by Box and Muller.
-#[derive(Clone, Debug)]
 pub struct Normal {
     /// Generator of uniform numbers.
     pub uniform: Random,
@@ -126,7 +122,6 @@ pub struct Normal {
 
 impl Normal {
     /// Generator with this seed.
-    #[must_use]
     pub fn new(seed: u64) -> Self {
         Self { uniform: Random::new(seed, 0) }
     }

@@ -63,7 +63,6 @@ pub fn read(
 }
 
 /// Measurements as CSV, those of one time in one row.
-#[must_use]
 pub fn written(sensors: &Sensors, measurements: &[Measurement]) -> String {
     let Columns { t, readings } = Columns::of(sensors, measurements);
     let names = readings.iter().map(|(name, _)| *name);

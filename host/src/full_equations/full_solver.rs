@@ -85,7 +85,6 @@ impl FullSolver {
     /// Measured at the default tolerance, over three nutations and the project's reference motions:
     /// orientation within 5e-14 rad, except where the motion itself amplifies rounding (separatrix,
     /// aperiodic: 3e-9 rad).
-    #[must_use]
     pub fn new(top: FullTop, state: FullState, tolerance: f64) -> Self {
         let rotor = top.k / top.a;
         let rate = (top.p * top.g.abs() / top.a + dot(state.omega, state.omega) + rotor * rotor).sqrt();
@@ -160,7 +159,6 @@ impl FullSolver {
     }
 
     /// State at [`time`](Self::time).
-    #[must_use]
     pub fn state(&self) -> FullState {
         let state = self.equations.state(&self.y);
         FullState { omega: state.omega.map(|w| w * self.rate_unit), ..state }

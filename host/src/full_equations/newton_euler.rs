@@ -21,7 +21,6 @@ pub struct Accelerations {
 }
 
 /// Accelerations of a state of a top; for `s` = 0, about the fixed tip.
-#[must_use]
 pub fn accelerations(top: &FullTop, state: &FullState) -> Accelerations {
     let FullTop { a, c, s, p, g, k } = *top;
     let (r, omega) = (state.axis(), state.omega);

@@ -13,7 +13,6 @@ use toytop::{AttitudeState, Complex, Orientation, Stepper};
 ///
 /// The state of a scenario is used without change. For a motion given by branch points, the state is that of the core's stepper at t = 0:
 /// only the initial conditions (α, β, ω) come from the core, and the motion from the full solver.
-#[must_use]
 pub fn start(scenario: &Scenario) -> (FullTop, FullState) {
     let state = match scenario.given {
         Some(Given { start: Start::State { phi: [alpha, beta], omega }, .. }) => {
@@ -30,7 +29,6 @@ pub fn start(scenario: &Scenario) -> (FullTop, FullState) {
 }
 
 /// Orientation of a state of the full solver.
-#[must_use]
 pub fn phi(state: &FullState) -> Orientation<f64> {
     let complex = |[re, im]: [f64; 2]| Complex::new(re, im);
     Orientation { alpha: complex(state.alpha), beta: complex(state.beta) }

@@ -31,7 +31,6 @@ pub struct OwnBounds {
 
 impl OwnBounds {
     /// Bound on the error of the stepper alone, rad.
-    #[must_use]
     pub fn stepper(&self, scalar: Scalar) -> f64 {
         match scalar {
             Scalar::F64 => 0.0,
@@ -48,7 +47,6 @@ const SEPARATRIX: [(f64, OwnBounds); 2] = [
 ];
 
 /// Own bounds of a built-in motion; `None` for every other motion.
-#[must_use]
 pub fn own_bounds(scenario: &Scenario) -> Option<OwnBounds> {
     SEPARATRIX.iter().find(|(gap, _)| scenario.name == separatrix_name(*gap)).map(|(_, bounds)| *bounds)
 }

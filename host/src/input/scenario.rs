@@ -31,7 +31,6 @@ pub enum Units {
 
 impl Units {
     /// Name of a unit; empty where units have no names.
-    #[must_use]
     pub fn name(self, si: &'static str) -> &'static str {
         match self {
             Self::Si => si,

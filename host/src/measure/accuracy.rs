@@ -42,7 +42,6 @@ pub struct Errors {
 
 impl Errors {
     /// Root of the mean square of the orientation errors, rad.
-    #[must_use]
     pub fn rms(&self) -> f64 {
         let (sum, count) = self.squares;
         (sum / count.max(1) as f64).sqrt()
@@ -63,7 +62,6 @@ impl Errors {
 }
 
 /// Errors of one scalar.
-#[derive(Clone, Debug)]
 pub struct Accuracy {
     /// Scalar of the ephemeris.
     pub scalar: Scalar,
@@ -73,7 +71,6 @@ pub struct Accuracy {
 
 impl Accuracy {
     /// Errors over all ticks.
-    #[must_use]
     pub fn all(&self) -> Errors {
         self.octaves.iter().fold(Errors::default(), |all, &octave| all.and(octave))
     }

@@ -61,7 +61,6 @@ pub trait AnyScalar: Send + Sync {
 }
 
 /// Greatest distance of a time from t = 0 at which an ephemeris can be evaluated, because ticks are counted in 64 bits.
-#[must_use]
 pub fn furthest_time(motion: &Motion) -> f64 {
     62_f64.exp2() / ticks_per_time(motion)
 }

@@ -5,7 +5,6 @@ use crate::full_equations::equations::{FullState, FullTop};
 use toytop::{Complex, Motion, Top};
 
 /// First integrals [l, n, h] in kg m²/s and kg m²/s², by the full equations.
-#[must_use]
 pub fn first_integrals(top: &Top, alpha: Complex<f64>, beta: Complex<f64>, omega: [f64; 3]) -> [f64; 3] {
     let pair = |z: Complex<f64>| [z.re, z.im];
     let (l, n, h) =
@@ -15,7 +14,6 @@ pub fn first_integrals(top: &Top, alpha: Complex<f64>, beta: Complex<f64>, omega
 
 /// Scales of l, n and h: the greatest of the motion's own values, of the values √(2 A p g) and p g that belong to the top's weight, and
 /// of √(2 A h), the momentum of a body that has all its energy in a motion of the axis.
-#[must_use]
 pub fn natural_scales(motion: &Motion) -> [f64; 3] {
     let (top, constants) = (motion.top(), motion.first_integrals());
     let weight = top.mass_moment() * top.gravity();

@@ -34,7 +34,6 @@ pub struct Sample {
 
 impl Sample {
     /// Sample of an attitude state of the core at time t.
-    #[must_use]
     pub fn of<R: Real>(t: f64, state: &AttitudeState<R>, tip: Complex<R>, phi: Option<f64>) -> Self {
         let widen = |z: Complex<R>| cast::complex(z, R::to_f64);
         Self {
@@ -51,13 +50,11 @@ impl Sample {
     }
 
     /// Orientation Φ.
-    #[must_use]
     pub fn orientation(&self) -> Orientation<f64> {
         Orientation { alpha: self.alpha, beta: self.beta }
     }
 
     /// Sample of a stepper at time t.
-    #[must_use]
     pub fn stepped<R: Real>(t: f64, stepper: &Stepper<R>) -> Self {
         let phi = stepper.tip_angle().map(Phase::to_radians);
         Self::of(t, &stepper.attitude_state(), stepper.tip(), phi)
@@ -137,7 +134,6 @@ fn stepped_in<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<
 }
 
 /// Stepper that reaches any time by whole steps, and one shorter last step on a copy.
-#[derive(Debug)]
 pub struct TimedStepper<R> {
     /// Stepper after `whole` steps.
     stepper: Stepper<R>,
@@ -153,7 +149,6 @@ pub struct TimedStepper<R> {
 
 impl<R: Real> TimedStepper<R> {
     /// Stepper at t = 0 with steps of h = `step`, s.
-    #[must_use]
     pub fn new(motion: &Motion, step: f64) -> Self {
         let (stepper, step) = (Stepper::new(motion), R::from_f64(step));
         Self { stepper, whole: 0, step, last: stepper, elapsed: 0.0, steps: 0, stepping: Duration::ZERO }
@@ -187,25 +182,21 @@ impl<R: Real> TimedStepper<R> {
     }
 
     /// Stepper at the elapsed time.
-    #[must_use]
     pub fn last(&self) -> &Stepper<R> {
         &self.last
     }
 
     /// Elapsed time, s.
-    #[must_use]
     pub fn elapsed(&self) -> f64 {
         self.elapsed
     }
 
     /// Number of steps.
-    #[must_use]
     pub fn steps(&self) -> u64 {
         self.steps
     }
 
     /// Wall time of the steps.
-    #[must_use]
     pub fn stepping(&self) -> Duration {
         self.stepping
     }

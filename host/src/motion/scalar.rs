@@ -19,7 +19,6 @@ impl Scalar {
     pub const ALL: [Self; 4] = [Self::F64, Self::F32, Self::Q31, Self::Q15];
 
     /// Name on the command line.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::F64 => "f64",

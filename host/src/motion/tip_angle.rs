@@ -36,7 +36,6 @@ impl TipAngle {
     }
 
     /// Sample at a time, from the orientation and the rates ω and u' there.
-    #[must_use]
     pub fn sample(&self, t: f64, phi: Orientation<f64>, omega: [f64; 3], udot: f64) -> Sample {
         let Orientation { alpha, beta } = phi;
         Sample {

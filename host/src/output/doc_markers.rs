@@ -6,7 +6,6 @@ use crate::output::whole_file;
 use std::path::{Path, PathBuf};
 
 /// Page with a part that a command writes.
-#[derive(Debug)]
 pub struct Page {
     path: PathBuf,
     /// Text up to the first line of the mark, and from the last one on.
@@ -35,14 +34,12 @@ impl Page {
     }
 
     /// Page with this part.
-    #[must_use]
     pub fn with(&self, part: &str) -> String {
         let [before, after] = &self.around;
         format!("{before}{part}{after}")
     }
 
     /// Whether the page has this part.
-    #[must_use]
     pub fn has(&self, part: &str) -> bool {
         self.text == self.with(part)
     }
@@ -57,7 +54,6 @@ impl Page {
 }
 
 /// Table in Markdown, whose first row is the header. Columns of numbers are aligned to the right, and whole numbers are grouped.
-#[must_use]
 pub fn table(rows: &[Vec<String>]) -> String {
     let Some((header, rows)) = rows.split_first() else { return String::new() };
     let is_number = |cell: &String| cell == NO_FIGURE || cell.parse::<f64>().is_ok();
@@ -80,7 +76,6 @@ pub fn table(rows: &[Vec<String>]) -> String {
 pub const NO_FIGURE: &str = "-";
 
 /// Whole number with spaces between groups of three digits: 12345 is "12 345". Other words remain as they are.
-#[must_use]
 pub fn grouped(number: &str) -> String {
     if !number.bytes().all(|digit| digit.is_ascii_digit()) {
         return number.to_owned();

@@ -5,7 +5,6 @@ use std::io::{IsTerminal, stderr};
 use std::time::{Duration, Instant};
 
 /// Progress of work with a known total.
-#[derive(Debug)]
 pub struct Progress {
     bar: ProgressBar,
     started: Instant,
@@ -17,7 +16,6 @@ const PATIENCE: Duration = Duration::from_secs(1);
 
 impl Progress {
     /// Progress of `total` units of work, named `unit`.
-    #[must_use]
     pub fn new(total: u64, unit: &'static str) -> Self {
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
         if let Ok(style) = ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} {msg}, {eta} left")

@@ -17,7 +17,6 @@ pub enum Place {
 
 impl Place {
     /// Name in a legend.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Lowest => "lowest",
@@ -40,7 +39,6 @@ pub struct Bound {
 impl Bound {
     /// Lowest place of the axis, then the highest; one place where the tilt is constant, none where the axis is
     /// vertical at all times.
-    #[must_use]
     pub fn of(motion: &Motion) -> Vec<Self> {
         let e = motion.branch_points();
         let bound = |place, u: f64| Self { place, u: u.clamp(-1.0, 1.0) };
@@ -52,7 +50,6 @@ impl Bound {
     }
 
     /// Tilt, degrees, from 0 to 180.
-    #[must_use]
     pub fn tilt(self) -> f64 {
         self.u.acos().to_degrees()
     }

@@ -6,7 +6,7 @@ use crate::pictures::span::Span;
 use toytop::{Motion, Support};
 
 /// Curve of the tip (of the axis, if the tip is held) and the circles between which it stays.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug)]
 pub struct Curve {
     /// Points (x, y), m (without unit for a fixed tip).
     pub points: Vec<[f64; 2]>,
@@ -33,7 +33,6 @@ impl Curve {
     }
 
     /// Curve over a span of time.
-    #[must_use]
     pub fn over(motion: &Motion, span: &Span) -> Self {
         let circles = circles(motion);
         // where the tip does not slide, the curve of the axis is drawn: -2αβ

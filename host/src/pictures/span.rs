@@ -44,7 +44,6 @@ impl Span {
     }
 
     /// Time from which a chart counts, s: 0, or the first time where the labels of an axis would need more than a few digits.
-    #[must_use]
     pub fn origin(&self) -> f64 {
         const FARTHEST: f64 = 1000.0;
         let [from, until] = self.ends;
@@ -52,7 +51,6 @@ impl Span {
     }
 
     /// Sample at a time.
-    #[must_use]
     pub fn at(&self, t: f64) -> Sample {
         self.table.at(t).sample
     }
@@ -73,7 +71,6 @@ impl Span {
     }
 
     /// First and last time as text, with as many digits as distinguish a thousandth of the span.
-    #[must_use]
     pub fn ends_as_text(&self) -> [String; 2] {
         let [from, until] = self.ends;
         let parts = from.abs().max(until.abs()) / (until - from);

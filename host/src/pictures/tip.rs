@@ -20,7 +20,6 @@ const ABOVE: f64 = 92.0;
 const BELOW: f64 = 58.0;
 
 /// Draws the curve over a span of time; the lines of the caption are below the title.
-#[must_use]
 pub(crate) fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scene {
     let curve = &Curve::over(&scenario.motion, span);
     let s = scenario.motion.top().tip_scale();

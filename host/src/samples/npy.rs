@@ -1,7 +1,6 @@
 //! Rows as a NumPy file: a structured array of one dimension, read by `numpy.load(FILE)["omega_x"]`.
 
 /// Header of a file with columns of these names and this many rows (format 1.0: magic, length, and a Python literal that ends at a multiple of 64 bytes).
-#[must_use]
 pub fn header(names: &[String], rows: u64) -> Vec<u8> {
     const BEFORE: usize = 10;
     let fields: String = names.iter().map(|name| format!("('{name}', '<f8'), ")).collect();

@@ -37,7 +37,6 @@ pub struct Sheet {
 
 impl Sheet {
     /// Bytes before this many rows.
-    #[must_use]
     pub fn head(&self, rows: u64) -> Vec<u8> {
         match self.format {
             SampleFormat::Csv => (self.names().join(",") + "\n").into_bytes(),
@@ -67,7 +66,6 @@ impl Sheet {
     }
 
     /// Text after the rows.
-    #[must_use]
     pub fn end(&self) -> &'static str {
         match (self.format, self.support) {
             (SampleFormat::Json, _) => "]}\n",

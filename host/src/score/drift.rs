@@ -38,7 +38,6 @@ pub enum RateSource {
 
 /// Drift along the rows. It stays unknown where the file has no angular velocity and fewer than seven rows, or errors of more than two
 /// radians, which cannot be followed from row to row.
-#[must_use]
 pub(crate) fn along(rows: &[Row], motion: &Motion, table: &dyn AnyScalar) -> Drift {
     const TOO_FAR: f64 = 2.0;
     let given: Option<Vec<_>> = rows.iter().map(|row| Some((row.orientation, row.omega?))).collect();

@@ -20,7 +20,6 @@ pub struct Judge<'a> {
 }
 
 /// Errors of one trajectory.
-#[derive(Clone, Debug, PartialEq)]
 pub struct Score {
     /// Greatest error of the orientation, 2 √(|Δα|² + |Δβ|²) with the nearer sign, rad.
     pub max_error: f64,
@@ -45,7 +44,6 @@ pub struct Score {
 }
 
 /// Likely reason why the first row is far from the motion, most often another convention.
-#[derive(Clone, Debug, PartialEq)]
 pub struct Doubt {
     reason: String,
     /// Whether the run may start from another state.
@@ -57,7 +55,6 @@ impl Doubt {
     const FAR: f64 = 0.01;
 
     /// Reason as a question; `start` is the command that prints the state from which a run has to start.
-    #[must_use]
     pub fn question(&self, start: &str) -> String {
         let Self { reason, start: doubtful } = self;
         if *doubtful {
@@ -80,7 +77,6 @@ impl<'a> Judge<'a> {
     }
 
     /// The same motion for files with another distance from the tip to the centre of mass.
-    #[must_use]
     pub fn with_length(self, length: f64) -> Self {
         Self { length, ..self }
     }

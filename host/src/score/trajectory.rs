@@ -96,7 +96,6 @@ impl Trajectory {
     }
 
     /// Trajectory in other body axes, where `body` takes the file's body coordinates to the new ones.
-    #[must_use]
     pub fn in_body_axes(mut self, body: &Orientation<f64>) -> Self {
         let inverse = body.inverse();
         for row in &mut self.rows {
@@ -106,7 +105,6 @@ impl Trajectory {
     }
 
     /// Spacing of the rows, s, if it is constant to a millionth; `None` otherwise.
-    #[must_use]
     pub fn spacing(&self) -> Option<f64> {
         let [first, .., last] = &self.rows[..] else { return None };
         let mean = (last.t - first.t) / (self.rows.len() - 1) as f64;

@@ -44,7 +44,6 @@ impl Axis {
     }
 
     /// Number of values, of which a range has one.
-    #[must_use]
     pub fn size(&self) -> u64 {
         self.count().unwrap_or(1)
     }
@@ -82,7 +81,6 @@ impl Axis {
     }
 
     /// Least and greatest value.
-    #[must_use]
     pub fn ends(&self) -> [f64; 2] {
         match self {
             Self::List(numbers) => [

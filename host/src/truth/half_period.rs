@@ -15,7 +15,6 @@ pub(super) type Integrals = [Precise; 3];
 const TOWARDS_THE_POLE: usize = 40;
 
 /// Integrals from u = e₁ to u = e₂.
-#[derive(Clone, Debug)]
 pub(super) struct HalfPeriod {
     integrands: Integrands<Precise>,
     coarse: Integrands<f64>,
@@ -26,7 +25,6 @@ pub(super) struct HalfPeriod {
     pub(super) arrives: bool,
 }
 
-#[derive(Clone, Debug)]
 struct Panel {
     end: TurningPoint,
     /// Sines at the beginning and at the end of the panel.

@@ -15,7 +15,6 @@ use std::f64::consts::PI;
 use toytop::{InitialPhases, Sign, Signs};
 
 /// Constants of a motion, from which the truth starts.
-#[derive(Clone, Debug)]
 pub(super) struct Launched {
     pub(super) integrands: Integrands<Precise>,
     pub(super) half_tau: Precise,

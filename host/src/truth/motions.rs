@@ -73,7 +73,6 @@ impl Numbers {
 }
 
 /// Random branch points: differences down to `least`, e₃ - 1 up to `most`.
-#[must_use]
 pub fn branch_points(random: &mut Random, least: f64, most: f64) -> [f64; 3] {
     // 1 + e₁, e₂ - e₁ and 1 - e₂ add up to 2: a random one of them follows from the other two
     let parts = [(); 2].map(|()| random.scale(least, 0.999));

@@ -4,7 +4,6 @@ use super::precise::{ComplexPrecise, Precise, precise, to_f64};
 use toytop::{Complex, Orientation};
 
 /// Orientation: α and β, each as its real and imaginary part.
-#[derive(Clone, Debug)]
 pub struct PreciseOrientation {
     /// Cayley-Klein parameter α.
     pub alpha: ComplexPrecise,
@@ -20,7 +19,6 @@ impl PreciseOrientation {
     }
 
     /// Distance 2 √(|Δα|² + |Δβ|²) from an orientation whose numbers are taken as exact, rad.
-    #[must_use]
     pub fn distance(&self, found: &Orientation<f64>) -> f64 {
         let Orientation { alpha, beta } = found;
         // for a number that is not finite, the distance is the greatest one
@@ -32,7 +30,6 @@ impl PreciseOrientation {
     }
 
     /// Distance 2 √(|Δα|² + |Δβ|²) of two orientations, rad.
-    #[must_use]
     pub fn apart(&self, other: &Self) -> f64 {
         let pairs = [(&self.alpha, &other.alpha), (&self.beta, &other.beta)];
         let squares = pairs.map(|(x, y)| to_f64(&(&x[0] - &y[0])).powi(2) + to_f64(&(&x[1] - &y[1])).powi(2));
@@ -40,7 +37,6 @@ impl PreciseOrientation {
     }
 
     /// Orientation rounded to `f64`.
-    #[must_use]
     pub fn to_f64(&self) -> Orientation<f64> {
         let narrow = |[re, im]: &ComplexPrecise| Complex::new(to_f64(re), to_f64(im));
         Orientation { alpha: narrow(&self.alpha), beta: narrow(&self.beta) }

@@ -13,74 +13,62 @@ pub type ComplexPrecise = [Precise; 2];
 pub const BITS: usize = 192;
 
 /// Number that equals a finite `f64`; 0 for any other, which every constructor of core refuses.
-#[must_use]
 pub fn precise(x: f64) -> Precise {
     rounded(&Precise::try_from(x).unwrap_or(Precise::ZERO))
 }
 
 /// Number that equals an integer.
-#[must_use]
 pub fn whole(n: i64) -> Precise {
     rounded(&Precise::from(n))
 }
 
 /// Number of any precision, rounded to [`BITS`].
-#[must_use]
 pub fn rounded(x: &Precise) -> Precise {
     x.clone().with_precision(BITS).value()
 }
 
 /// Nearest `f64`.
-#[must_use]
 pub fn to_f64(x: &Precise) -> f64 {
     x.to_f64().value()
 }
 
 /// Decimal number with this many significant digits, rounded to nearest.
-#[must_use]
 pub fn decimal(x: &Precise, digits: usize) -> String {
     format!("{:e}", x.clone().with_base_and_precision::<10>(digits).value())
 }
 
 /// Nearest integer; `None` beyond 64 bits.
-#[must_use]
 pub fn to_nearest(x: &Precise) -> Option<i64> {
     i64::try_from(x.round().to_int().value()).ok()
 }
 
 /// Greatest integer that is at most x; `None` beyond 64 bits.
-#[must_use]
 pub fn to_floor(x: &Precise) -> Option<i64> {
     i64::try_from(x.floor().to_int().value()).ok()
 }
 
 /// Square root of a number that is not negative; 0 for a negative one.
-#[must_use]
 pub fn root(x: &Precise) -> Precise {
     if *x > Precise::ZERO { x.sqrt() } else { precise(0.0) }
 }
 
 /// Whether x is exactly 0.
-#[must_use]
 pub fn is_zero(x: &Precise) -> bool {
     *x == Precise::ZERO
 }
 
 /// Number e^{ix}, by dashu's correctly rounded sine and cosine.
-#[must_use]
 pub fn cis(x: &Precise) -> ComplexPrecise {
     let (sine, cosine) = x.sin_cos();
     [cosine, sine]
 }
 
 /// Product of two complex numbers.
-#[must_use]
 pub fn product(a: &ComplexPrecise, b: &ComplexPrecise) -> ComplexPrecise {
     [&a[0] * &b[0] - &a[1] * &b[1], &a[0] * &b[1] + &a[1] * &b[0]]
 }
 
 /// Conjugate of a complex number.
-#[must_use]
 pub fn conjugate([re, im]: &ComplexPrecise) -> ComplexPrecise {
     [re.clone(), -im]
 }

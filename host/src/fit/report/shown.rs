@@ -37,7 +37,6 @@ impl FitReport {
     }
 
     /// Report as text; of a launch that does not exist, the reason.
-    #[must_use]
     pub fn table(&self) -> String {
         let state = match &self.reason {
             None => "converged".to_owned(),
@@ -105,7 +104,6 @@ impl FitReport {
     }
 
     /// Report as JSON.
-    #[must_use]
     pub fn json(&self) -> serde_json::Value {
         let Fitted { launch, statistics, .. } = self.fitted;
         let deviations = self.fitted.deviations();

@@ -8,7 +8,6 @@ use std::path::Path;
 use toml::{Table, Value};
 
 /// Scenario file whose numbers can be replaced.
-#[derive(Clone, Debug, PartialEq)]
 pub struct Template {
     file: String,
     root: Table,
@@ -39,7 +38,6 @@ impl Template {
     }
 
     /// Name of the scenario file.
-    #[must_use]
     pub fn file(&self) -> &str {
         &self.file
     }

@@ -15,7 +15,6 @@ pub enum Sought {
 }
 
 /// Event with its time and the motion there.
-#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoundEvent {
     /// Time in the motion's unit.
     pub t: f64,
@@ -28,7 +27,6 @@ pub struct FoundEvent {
 impl FoundEvent {
     /// Upper bound on the error of the time: that of u or of the tip angle, divided by its rate. `None` for a turning point, and where the
     /// rate is 0.
-    #[must_use]
     pub fn time_error(&self, sought: &Sought) -> Option<f64> {
         let TimedSample { sample, rate, .. } = &self.there;
         let bound = sample.error_bound? + f64::EPSILON;

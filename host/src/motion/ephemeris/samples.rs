@@ -5,7 +5,6 @@ use toytop::su2::OrientationRate;
 use toytop::{Complex, Phase};
 
 /// Sample of an ephemeris with more than every method has.
-#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimedSample {
     /// α, β and u in the precision of the scalar; rates, tip and tip angle in that of its type for lengths and rates (`f32` for fixed
     /// point).
@@ -19,7 +18,6 @@ pub struct TimedSample {
 }
 
 /// Rates at one time.
-#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RateSample {
     /// Angular velocity ω in the fixed frame, rad per unit time.
     pub omega: [f64; 3],
@@ -31,7 +29,6 @@ pub struct RateSample {
 
 impl RateSample {
     /// Greatest of the differences |Δω|, |ΔΩ| and |Δu'|, rad per unit time; infinite where one of them is no number.
-    #[must_use]
     pub fn distance(&self, other: &Self) -> f64 {
         let apart = |x: [f64; 3], y: [f64; 3]| norm([x[0] - y[0], x[1] - y[1], x[2] - y[2]]);
         let vectors = [apart(self.omega, other.omega), apart(self.omega_body, other.omega_body)];
@@ -40,7 +37,6 @@ impl RateSample {
     }
 
     /// Angular speed |Ω|, rad per unit time.
-    #[must_use]
     pub fn speed(&self) -> f64 {
         norm(self.omega_body)
     }

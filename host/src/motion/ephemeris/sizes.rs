@@ -167,7 +167,6 @@ fn at_any_time(
 }
 
 /// Smallest table of fewer segments than another one, with an error bound that is larger by a hundredth at most; `None` if there is none.
-#[must_use]
 pub fn smaller(
     scalar: Scalar,
     motion: &Motion,

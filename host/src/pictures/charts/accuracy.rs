@@ -6,7 +6,6 @@ use crate::measure::accuracy::Accuracy;
 use kuva::render::render::Scene;
 
 /// Picture of all scalars.
-#[must_use]
 pub(crate) fn picture(all: &[Accuracy], limits: &Limits) -> Scene {
     let curve = |chip: &Chip| {
         let point = |accuracy: &Accuracy| {

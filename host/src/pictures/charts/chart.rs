@@ -9,7 +9,7 @@ use kuva::render::render::{Scene, TextAnchor, render_multiple};
 use std::sync::Arc;
 
 /// Curve of a chart.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Curve {
     /// Name in the legend.
     pub(super) name: String,
@@ -20,7 +20,6 @@ pub(super) struct Curve {
 }
 
 /// Chart with the names of its curves in a legend.
-#[derive(Clone, Debug)]
 pub(super) struct Chart<'a> {
     /// Title above the axes.
     pub(super) title: &'a str,
@@ -50,13 +49,11 @@ const BELOW: f64 = 62.0;
 
 impl Chart<'_> {
     /// Chart of these curves.
-    #[must_use]
     pub(super) fn draw(&self, curves: &[Curve]) -> Scene {
         self.drawn(curves, 1.8)
     }
 
     /// Chart of the marks of these curves alone.
-    #[must_use]
     pub(super) fn draw_marks(&self, curves: &[Curve]) -> Scene {
         self.drawn(curves, 0.0)
     }

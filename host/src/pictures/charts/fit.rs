@@ -21,7 +21,6 @@ const LEVEL: &str = "#8a8a8a";
 
 /// Residuals in standard deviations: a strip for each sensor, with a dot for each sample and lines at ±3. Those at the end of the range
 /// of a sensor are left out.
-#[must_use]
 pub(crate) fn residuals(report: &FitReport, measurements: &[Measurement]) -> Scene {
     let instruments = &report.input.sensors.instruments;
     let mut columns: Vec<Vec<Vec<(f64, f64)>>> =
@@ -95,7 +94,6 @@ const MOST_TIMES: f64 = 200.0;
 
 /// Greatest standard deviation of the predicted orientation, and greatest half axes of the error ellipse of the predicted axis, in
 /// each of the intervals of time after the last sample.
-#[must_use]
 pub(crate) fn prediction(report: &FitReport, motion: &Motion) -> Scene {
     let sensitivity = Sensitivity::new(motion);
     let mut cursor = sensitivity.cursor();

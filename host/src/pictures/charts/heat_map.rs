@@ -11,7 +11,6 @@ use kuva::render::render::{Scene, TextAnchor, render_multiple};
 use std::sync::Arc;
 
 /// Choice of a heat map: the key along x, the key along y, and the column shown.
-#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct HeatMap {
     names: [String; 3],
     axes: [Axis; 2],

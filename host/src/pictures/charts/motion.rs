@@ -29,7 +29,6 @@ fn time_label(scenario: &Scenario, span: &Span) -> String {
 }
 
 /// Tilt between its bounds, against time.
-#[must_use]
 pub(crate) fn tilt(scenario: &Scenario, span: &Span) -> Scene {
     let origin = span.origin();
     let degrees = |t: f64| {
@@ -104,7 +103,6 @@ const NEAREST: f64 = 0.05;
 /// Effective potential minus the energy, against the tilt: the axis moves where it is negative.
 ///
 /// V = (l - n u)²/(2A (1 - u²)) + C ⟨ω, r⟩²/2 + p g u, with u the cosine of the tilt.
-#[must_use]
 pub(crate) fn potential(scenario: &Scenario) -> Scene {
     let (motion, h) = (&scenario.motion, scenario.motion.first_integrals().h);
     let [least, greatest] = match motion.regime() {

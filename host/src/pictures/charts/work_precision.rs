@@ -4,7 +4,6 @@ use super::chart::{Chart, Curve};
 use kuva::render::render::Scene;
 
 /// Picture of methods, each with its name and its runs \[work, error\], whose work is counted in this unit.
-#[must_use]
 pub(crate) fn work_precision(scenario: &str, unit: &str, methods: Vec<(String, Vec<[f64; 2]>)>) -> Scene {
     let line = |(name, mut points): (String, Vec<[f64; 2]>)| {
         points.sort_by(|[a, _], [b, _]| a.total_cmp(b));

@@ -31,7 +31,6 @@ pub(crate) struct Film<'a> {
 
 impl<'a> Film<'a> {
     /// Film of this many frames, evenly spread over the span, each `size` pixels wide and high.
-    #[must_use]
     pub(crate) fn new(scenario: &'a Scenario, span: &'a Span, frames: u64, size: u32) -> Self {
         let camera = Camera::new(-1.05, 0.38, [0.5 * SIDE, 0.72 * SIDE], 0.27 * SIDE);
         let mut film = Self { scenario, span, frames, camera, size, path: Vec::new() };

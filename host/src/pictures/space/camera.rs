@@ -4,7 +4,6 @@ use crate::pictures::drawing;
 use kuva::render::render::Scene;
 
 /// Parallel projection from a direction above the horizon, with its middle and its scale on paper.
-#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Camera {
     right: [f64; 3],
     up: [f64; 3],
@@ -17,7 +16,6 @@ pub(super) struct Camera {
 
 impl Camera {
     /// Projection from the direction with this azimuth and elevation above the horizon, rad.
-    #[must_use]
     pub(super) fn new(azimuth: f64, elevation: f64, middle: [f64; 2], scale: f64) -> Self {
         let (s, c) = azimuth.sin_cos();
         let (rise, level) = elevation.sin_cos();
@@ -31,14 +29,12 @@ impl Camera {
     }
 
     /// Place on paper, pixels.
-    #[must_use]
     pub(super) fn place(&self, point: [f64; 3]) -> (f64, f64) {
         let [x, y] = [self.right, self.up].map(|axis| self.scale * dot(axis, point));
         (self.middle[0] + x, self.middle[1] - y)
     }
 
     /// Whether a point of a sphere about the origin is on its near side.
-    #[must_use]
     pub(super) fn sees(&self, point: [f64; 3]) -> bool {
         dot(self.towards, point) >= 0.0
     }
@@ -73,7 +69,6 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 /// Points of a horizontal circle about the vertical axis.
-#[must_use]
 pub(super) fn circle(radius: f64, height: f64) -> Vec<[f64; 3]> {
     const CORNERS: u32 = 180;
     let corner = |i: u32| {

@@ -15,7 +15,6 @@ const RADIUS: f64 = 265.0;
 const LABELS: f64 = 572.0;
 
 /// Draws the curve of the axis over a span of time; the lines of the caption are below the title.
-#[must_use]
 pub(crate) fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scene {
     let mut scene = Scene::new(WIDTH, HEIGHT);
     let picture = &mut scene;
