@@ -1,7 +1,8 @@
 //! Constants of a motion by name: first integrals, branch points, mean rotations, and tilts and rates in everyday units.
 
 use crate::motion::physical_limits::tilts;
-use crate::output::{Cell, names};
+use crate::output::names;
+use serde_json::Value;
 use std::f64::consts::PI;
 use toytop::{Motion, PeriodAdvance};
 use toytop_page::constants::{CONSTANTS, MotionConstants};
@@ -42,7 +43,7 @@ pub(crate) const ALL: [Constant; 28] = [
 ];
 
 /// Value of a constant; absent where the motion does not have it.
-pub(crate) fn value(motion: &MotionConstants, name: &str) -> Cell {
+pub(crate) fn value(motion: &MotionConstants, name: &str) -> Value {
     let turns_per_second = match name.strip_suffix("_deg_per_s").or(name.strip_suffix("_rpm")) {
         Some("mean_precession") => mean_precession(motion),
         Some("spin") => motion.first_integrals().spin / (2.0 * PI),

@@ -16,61 +16,23 @@ use comfy_table::presets::NOTHING;
 #[cfg(feature = "program")]
 use comfy_table::{CellAlignment, Row, Table};
 use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde_json::Value;
 use serde_json::ser::Formatter;
 use std::io;
 
-/// Value of a record.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Cell {
-    /// Word or name.
-    Text(String),
-    /// Whole number.
-    Count(u64),
-    /// Number, with 17 significant digits in the output.
-    Number(f64),
-    /// Absent value: `null` in JSON, empty in CSV.
-    Absent,
-    /// Several numbers with the suffixes of their CSV columns: an array in JSON.
-    Numbers(Vec<(&'static str, f64)>),
-}
-
-impl From<f64> for Cell {
-    fn from(number: f64) -> Self {
-        Self::Number(number)
-    }
-}
-
-impl From<u64> for Cell {
-    fn from(count: u64) -> Self {
-        Self::Count(count)
-    }
-}
-
-impl From<&str> for Cell {
-    fn from(text: &str) -> Self {
-        Self::Text(text.to_owned())
-    }
-}
-
-impl<T: Into<Self>> From<Option<T>> for Cell {
-    fn from(value: Option<T>) -> Self {
-        value.map_or(Self::Absent, T::into)
-    }
-}
-
-/// Named values, in order.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Record(pub Vec<(&'static str, Cell)>);
+/// Named values, in order: words, numbers, arrays of numbers, and null for an absent value.
+#[derive(Clone, Default)]
+pub struct Record(pub Vec<(&'static str, Value)>);
 
 impl Record {
     /// Record with one more value.
-    pub fn with(mut self, name: &'static str, value: impl Into<Cell>) -> Self {
+    pub fn with(mut self, name: &'static str, value: impl Into<Value>) -> Self {
         self.0.push((name, value.into()));
         self
     }
 
-    fn get(&self, name: &str) -> Option<&Cell> {
-        self.0.iter().find(|(other, _)| *other == name).map(|(_, cell)| cell)
+    fn get(&self, name: &str) -> Option<&Value> {
+        self.0.iter().find(|(other, _)| *other == name).map(|(_, value)| value)
     }
 
     /// Columns with the names of the values as headings.
@@ -115,11 +77,8 @@ pub type Column<'a> = (&'static str, &'a str, fn(f64) -> String);
 /// Header and rows of a table. A value that is absent is a dash.
 pub fn rows(records: &[Record], shown: &[Column<'_>]) -> Vec<Vec<String>> {
     let row = |record: &Record| {
-        let text = |(name, _, of_number): &Column<'_>| match record.get(name) {
-            Some(Cell::Text(text)) => text.clone(),
-            Some(Cell::Count(count)) => count.to_string(),
-            Some(Cell::Number(x)) => of_number(*x),
-            _ => "-".to_owned(),
+        let text = |(name, _, of_number): &Column<'_>| {
+            record.get(name).and_then(|value| text(value, *of_number)).unwrap_or_else(|| "-".to_owned())
         };
         shown.iter().map(text).collect()
     };
@@ -135,7 +94,7 @@ pub fn aligned(records: &[Record], shown: &[Column<'_>]) -> String {
         rows.remove(0);
     }
     let is_text = |index: usize| {
-        records.iter().all(|record| matches!(record.get(shown[index].0), Some(Cell::Text(_)) | None))
+        records.iter().all(|record| matches!(record.get(shown[index].0), Some(Value::String(_)) | None))
     };
     text_of(rows, is_text)
 }
@@ -193,22 +152,29 @@ pub fn csv(records: &[Record]) -> io::Result<String> {
     String::from_utf8(bytes).map_err(io::Error::other)
 }
 
-/// Column names and values of a record.
+/// Word or number of a record as text; `None` for an absent value.
+pub fn text(value: &Value, of_number: impl Fn(f64) -> String) -> Option<String> {
+    match value {
+        Value::String(text) => Some(text.clone()),
+        Value::Number(whole) if !whole.is_f64() => Some(whole.to_string()),
+        value => value.as_f64().map(of_number),
+    }
+}
+
+/// Column names and values of a record. The columns of an array end in x, y and z.
 pub fn flat(record: &Record) -> Vec<(String, String)> {
-    let columns = |(name, cell): &(&'static str, Cell)| match cell {
-        Cell::Text(text) => vec![((*name).to_owned(), text.clone())],
-        Cell::Count(count) => vec![((*name).to_owned(), count.to_string())],
-        Cell::Number(x) => vec![((*name).to_owned(), number(*x))],
-        Cell::Absent => vec![((*name).to_owned(), String::new())],
-        Cell::Numbers(parts) => {
-            parts.iter().map(|(suffix, x)| (format!("{name}_{suffix}"), number(*x))).collect()
+    let field = |value: &Value| text(value, number).unwrap_or_default();
+    let columns = |(name, value): &(&'static str, Value)| match value {
+        Value::Array(parts) => {
+            let parts = parts.iter().zip(["x", "y", "z"]);
+            parts.map(|(part, suffix)| (format!("{name}_{suffix}"), field(part))).collect()
         }
+        value => vec![((*name).to_owned(), field(value))],
     };
     record.0.iter().flat_map(columns).collect()
 }
 
 /// Object of JSON `{"key":[record, ...], ...}`, with the entries of another record after the lists.
-#[derive(Clone, Debug, Default)]
 pub struct Lists<'a>(pub Vec<(&'static str, &'a [Record])>, pub Record);
 
 impl Serialize for Lists<'_> {
@@ -216,7 +182,7 @@ impl Serialize for Lists<'_> {
         let Self(lists, Record(rest)) = self;
         let mut map = serializer.serialize_map(None)?;
         lists.iter().try_for_each(|(key, records)| map.serialize_entry(key, records))?;
-        rest.iter().try_for_each(|(key, cell)| map.serialize_entry(key, cell))?;
+        rest.iter().try_for_each(|(key, value)| map.serialize_entry(key, value))?;
         map.end()
     }
 }
@@ -240,19 +206,7 @@ pub fn json(value: &impl Serialize) -> io::Result<String> {
 
 impl Serialize for Record {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(name, cell)| (name, cell)))
-    }
-}
-
-impl Serialize for Cell {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Text(text) => serializer.serialize_str(text),
-            Self::Count(count) => serializer.serialize_u64(*count),
-            Self::Number(x) => serializer.serialize_f64(*x),
-            Self::Absent => serializer.serialize_none(),
-            Self::Numbers(parts) => serializer.collect_seq(parts.iter().map(|(_, x)| x)),
-        }
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
     }
 }
 

@@ -10,7 +10,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use toytop_host::input::random::Random;
 use toytop_host::motion::Scalar;
 use toytop_host::output::names::regime;
-use toytop_host::output::{Cell, Record};
+use toytop_host::output::Record;
 use toytop_host::{Failure, thread_pool};
 use trial::Errors;
 
@@ -100,22 +100,21 @@ fn merge(sums: &mut [Errors; 4], more: &[Errors; 4]) {
 }
 
 fn row(regime: &str, scalar: &str, errors: &Errors) -> Record {
-    let truth = |x: f64| Cell::from((errors.truths > 0).then_some(x));
+    let truth = |x: f64| (errors.truths > 0).then_some(x);
     let share = |count: u64| truth(count as f64 / errors.truths as f64);
-    Record(vec![
-        ("regime", Cell::Text(regime.to_owned())),
-        ("scalar", Cell::Text(scalar.to_owned())),
-        ("motions", Cell::Count(errors.motions)),
-        ("no_table", Cell::Count(errors.no_table)),
-        ("norm_and_height_of_bound", Cell::Number(errors.norm_and_height)),
-        ("truths", Cell::Count(errors.truths)),
-        ("places", Cell::Count(errors.places)),
-        ("places_by_ticks", Cell::Count(errors.places_by_ticks)),
-        ("error_rad", truth(errors.error)),
-        ("error_of_bound", truth(errors.of_bound)),
-        ("bound_within_hundred", share(errors.close)),
-        ("rate_error_of_bound", truth(errors.rates_of_bound)),
-        ("rate_bound_within_hundred", share(errors.rates_close)),
-        ("beyond_bound", Cell::Count(errors.beyond_bound)),
-    ])
+    Record::default()
+        .with("regime", regime)
+        .with("scalar", scalar)
+        .with("motions", errors.motions)
+        .with("no_table", errors.no_table)
+        .with("norm_and_height_of_bound", errors.norm_and_height)
+        .with("truths", errors.truths)
+        .with("places", errors.places)
+        .with("places_by_ticks", errors.places_by_ticks)
+        .with("error_rad", truth(errors.error))
+        .with("error_of_bound", truth(errors.of_bound))
+        .with("bound_within_hundred", share(errors.close))
+        .with("rate_error_of_bound", truth(errors.rates_of_bound))
+        .with("rate_bound_within_hundred", share(errors.rates_close))
+        .with("beyond_bound", errors.beyond_bound)
 }

@@ -6,7 +6,7 @@ use crate::{Found, Study};
 use launches::{Outcome, SETS, run as trial};
 use std::collections::BTreeMap;
 use toytop_host::input::random::Random;
-use toytop_host::output::{Cell, Record};
+use toytop_host::output::Record;
 use toytop_host::{Failure, thread_pool};
 
 /// Results of the launches with one set of sensors.
@@ -73,13 +73,12 @@ impl Sums {
     fn row(&self, name: &str) -> Record {
         let refused: Vec<_> =
             self.refused.iter().map(|(reason, count)| format!("{count} {reason}")).collect();
-        Record(vec![
-            ("sensors", Cell::Text(name.to_owned())),
-            ("not_converged", Cell::Text(refused.join("; "))),
-            ("converged", Cell::Count(self.converged)),
-            ("wrong", Cell::Count(self.wrong.len() as u64)),
-            ("in_the_95_percent_ellipsoid", Cell::Number(self.covered as f64 / self.converged as f64)),
-            ("rms_error_of_bound", Cell::Number((self.squares / self.freedom as f64).sqrt())),
-        ])
+        Record::default()
+            .with("sensors", name)
+            .with("not_converged", refused.join("; "))
+            .with("converged", self.converged)
+            .with("wrong", self.wrong.len())
+            .with("in_the_95_percent_ellipsoid", self.covered as f64 / self.converged as f64)
+            .with("rms_error_of_bound", (self.squares / self.freedom as f64).sqrt())
     }
 }

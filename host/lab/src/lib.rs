@@ -13,7 +13,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use toytop_host::output::Format;
 use toytop_host::output::doc_markers::{self, Page};
-use toytop_host::output::{self, Cell, Record};
+use toytop_host::output::{self, Record};
 use toytop_host::program::{self, Request};
 use toytop_host::{Failure, Report};
 
@@ -115,13 +115,11 @@ impl Study {
 
 /// Header and rows of a table.
 fn table(records: &[Record]) -> Vec<Vec<String>> {
-    let text = |cell: &Cell| match cell {
-        Cell::Text(text) => text.clone(),
-        Cell::Count(count) => count.to_string(),
-        Cell::Number(x) => output::short(*x, 2),
-        _ => doc_markers::NO_FIGURE.to_owned(),
+    let text = |value: &_| {
+        let text = output::text(value, |x| output::short(x, 2));
+        text.unwrap_or_else(|| doc_markers::NO_FIGURE.to_owned())
     };
     let header = |Record(cells): &Record| cells.iter().map(|(name, _)| name.replace('_', " ")).collect();
-    let row = |Record(cells): &Record| cells.iter().map(|(_, cell)| text(cell)).collect();
+    let row = |Record(cells): &Record| cells.iter().map(|(_, value)| text(value)).collect();
     records.iter().take(1).map(header).chain(records.iter().map(row)).collect()
 }

@@ -8,8 +8,9 @@ use crate::benchmarks::{self, Printed, Problem};
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{furthest_time, smallest};
 use crate::output::doc_markers::{self, Page};
-use crate::output::{self, Cell, Format, Lists, Record, eight};
+use crate::output::{self, Format, Lists, Record, eight};
 use clap::Args;
+use serde_json::Value;
 use std::path::PathBuf;
 
 /// `toytop benchmark`
@@ -75,7 +76,7 @@ fn tables(
     table: fn(Vec<Vec<String>>) -> String,
 ) -> String {
     let text = table(values(records, line));
-    let of_source = records.iter().all(|Record(cells)| matches!(cells[0].1, Cell::Text(_)));
+    let of_source = records.iter().all(|Record(cells)| cells[0].1.is_string());
     if !of_source || problem.printed.is_empty() {
         return text;
     }
@@ -85,7 +86,7 @@ fn tables(
 /// Names of the columns of a time. `toytop score` reads the time, the orientation and the rates by these names.
 const COLUMNS: [&str; 11] = ["t", "x_com", "y_com", "z_com", "w", "x", "y", "z", "wx", "wy", "wz"];
 
-fn record(cells: impl Iterator<Item = Cell>) -> Record {
+fn record(cells: impl Iterator<Item = Value>) -> Record {
     Record(COLUMNS.into_iter().zip(cells).collect())
 }
 
@@ -93,7 +94,7 @@ fn record(cells: impl Iterator<Item = Cell>) -> Record {
 fn references(problem: &Problem) -> Vec<Record> {
     let of = |reference: &benchmarks::Reference| {
         let values = [&reference.position[..], &reference.quaternion, &reference.omega_body].concat();
-        record(std::iter::once(&reference.t).chain(&values).map(|text| Cell::Text(text.clone())))
+        record(std::iter::once(&reference.t).chain(&values).map(|text| Value::from(text.as_str())))
     };
     problem.references.iter().map(of).collect()
 }
@@ -107,7 +108,7 @@ fn computed(problem: &Problem, times: &str) -> Result<Vec<Record>, Failure> {
     let of = |t: &f64| {
         let Values { position, quaternion, omega_body } = problem.conventions.values(&table.at(*t).sample);
         let values = [&[*t][..], &position, &quaternion, &omega_body].concat();
-        record(values.into_iter().map(Cell::Number))
+        record(values.into_iter().map(Value::from))
     };
     Ok(instants.times()?.iter().map(of).collect())
 }

@@ -6,7 +6,7 @@ use crate::input::scenario::{Scenario, Units};
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{FoundEvent, Sought, furthest_time, smallest};
 use crate::motion::physical_limits::tilts;
-use crate::output::{self, Cell, Column, Format, Record, eight};
+use crate::output::{self, Column, Format, Record, eight};
 use clap::Args;
 use std::path::PathBuf;
 use toytop::{Level, Motion, ParameterError, Phase, Support};
@@ -159,7 +159,7 @@ fn record(kind: &Kind, sought: &Sought, event: &FoundEvent) -> Record {
         .with("sense", sense)
         .with("u", sample.u)
         .with("tilt_deg", tilt.to_degrees())
-        .with("tip", Cell::Numbers(vec![("x", sample.tip.re), ("y", sample.tip.im)]))
+        .with("tip", [sample.tip.re, sample.tip.im])
         .with("phi_deg", sample.phi.map(f64::to_degrees))
         .with("time_error", event.time_error(sought))
 }

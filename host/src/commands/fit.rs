@@ -9,12 +9,13 @@ use crate::fit::report::FitReport;
 use crate::fit::sensors::{Body, Sensors};
 use crate::fit::table;
 use crate::input::scenario::Scenario;
-use crate::output::{self, Cell, Format, Record, shown, whole_file};
+use crate::output::{self, Format, Record, shown, whole_file};
 use crate::pictures::charts::fit as pictures;
 use crate::pictures::drawing;
 use clap::Args;
 use std::path::PathBuf;
-use toml::{Table, Value};
+use serde_json::Value;
+use toml::Table;
 use toytop::Top;
 
 /// `toytop fit`
@@ -70,7 +71,7 @@ pub(crate) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
         None => Sensors::telephone(body),
     };
     let (measurements, unused) = table::read(&arguments.samples, &mut sensors, arguments.sensors.is_some())?;
-    let table = keys.get("top").and_then(Value::as_table).cloned().unwrap_or_default();
+    let table = keys.get("top").and_then(toml::Value::as_table).cloned().unwrap_or_default();
     let FitArgs { free, huber, drift, .. } = arguments;
     let input = FitInput { top, table, free: free.clone(), sensors, huber: *huber, drift: *drift };
     let samples = arguments.samples.display();
@@ -88,7 +89,7 @@ pub(crate) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     }
     match (&arguments.output, fitted.converged()) {
         (Some(path), true) => {
-            let units = keys.get("units").and_then(Value::as_str);
+            let units = keys.get("units").and_then(toml::Value::as_str);
             let (text, _) = report.scenario(units)?;
             whole_file::write("--output", path, text.as_bytes())?;
         }
@@ -125,7 +126,7 @@ fn record(report: &FitReport) -> Record {
     let deviations = fitted.deviations();
     let mut cells = vec![("reason", report.reason.as_deref().into()), ("epoch", fitted.epoch.into())];
     let mut add = |names: &[&'static str], values: &[f64]| {
-        cells.extend(names.iter().copied().zip(values.iter().copied().map(Cell::Number)));
+        cells.extend(names.iter().copied().zip(values.iter().copied().map(Value::from)));
     };
     add(&["w", "x", "y", "z"], &fitted.launch.orientation.quaternion());
     add(&["omega_x", "omega_y", "omega_z"], &fitted.launch.omega);

@@ -4,7 +4,7 @@ use super::column::Column;
 use super::npy;
 use crate::input::scenario::Units;
 use crate::motion::propagate::Sample;
-use crate::output::{self, Cell, Record, number, short};
+use crate::output::{self, Record, number, short};
 use toytop::Support;
 
 /// Form of the output of samples.
@@ -120,11 +120,8 @@ fn field(x: &f64) -> String {
 /// Object of JSON.
 fn object(parts: &[Part<'_>]) -> String {
     let entry = |(column, numbers): &Part<'_>| {
-        let cell = match &numbers[..] {
-            [x] => Cell::Number(*x),
-            _ => Cell::Numbers(numbers.iter().map(|x| ("", *x)).collect()),
-        };
-        (column.names().0, cell)
+        let value = if let [x] = numbers[..] { x.into() } else { numbers.clone().into() };
+        (column.names().0, value)
     };
     // a write to memory does not fail
     output::json(&Record(parts.iter().map(entry).collect())).unwrap_or_default().trim_end().to_owned()

@@ -6,7 +6,7 @@ use crate::input::scenario::{Scenario, Units};
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyScalar, approximate, smallest};
 use crate::motion::propagate::Sample;
-use crate::output::Cell;
+use crate::output::text;
 use crate::samples::column::Column as Quantity;
 use crate::samples::spread_times;
 use clap::ValueEnum;
@@ -152,11 +152,9 @@ impl Measured {
     pub(super) fn fields(&self, column: Column) -> Vec<String> {
         let number = |x: f64| if x.is_nan() { String::new() } else { format!("{x:?}") };
         match column {
-            Column::Constant(name) => vec![match constants::value(&self.motion, name) {
-                Cell::Text(text) => text,
-                Cell::Number(x) => number(x),
-                _ => String::new(),
-            }],
+            Column::Constant(name) => {
+                vec![text(&constants::value(&self.motion, name), number).unwrap_or_default()]
+            }
             Column::Sample(quantity) => {
                 let Some(run) = self.double() else { return column.refused(self.times.len() as u32) };
                 run.samples.iter().flat_map(|sample| quantity.numbers(sample)).map(number).collect()

@@ -6,7 +6,7 @@ use super::run::{Run, SAMPLES};
 use super::{RUNS, Row};
 use crate::commands::options::Method;
 use crate::motion::Scalar;
-use crate::output::{self, Cell, Column, Record, error};
+use crate::output::{self, Column, Record, error};
 
 pub(super) fn record(row: &Row) -> Record {
     let (errors, run) = row.measured.as_ref().map(|(errors, run)| (*errors, run)).unzip();
@@ -22,7 +22,7 @@ pub(super) fn record(row: &Row) -> Record {
         .with("l_drift", l)
         .with("n_drift", n)
         .with("steps", run.and_then(|run| run.steps))
-        .with("table", run.and_then(|run| run.table).map(|(size, _)| Cell::Text(by(size))))
+        .with("table", run.and_then(|run| run.table).map(|(size, _)| by(size)))
         .with("wall_time_s", run.map(|run| run.call * calls(run)))
         .with("bound_rad", row.bound)
         .with("verdict", row.verdict())
