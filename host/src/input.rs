@@ -5,8 +5,10 @@
 //! | [`scenario`], [`builtin`] | motion from a TOML file; motions that need no file |
 //! | [`random`] | random numbers fixed by a seed |
 //! | `rows` | messages for rows of CSV files |
+//! | `section` | table of a TOML file |
 
 pub mod builtin;
 pub mod random;
 pub(crate) mod rows;
 pub mod scenario;
+pub(crate) mod section;

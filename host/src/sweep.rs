@@ -10,14 +10,14 @@ pub use columns::{Column, DEFAULT_COLUMNS};
 
 use crate::Failure;
 use crate::input::random::Random;
-use crate::input::scenario::{Key, Template};
+use crate::input::scenario::{Key, ScenarioFile};
 use crate::output::short;
 use columns::Measured;
 use toytop::Motion;
 
 /// Table of a sweep: a header, and a row for each motion.
 pub struct Sweep {
-    template: Template,
+    template: ScenarioFile,
     axes: Vec<(Key, Axis)>,
     /// Number of motions to draw, and the seed; `None` for the grid of all combinations.
     sample: Option<(u64, u64)>,
@@ -36,7 +36,7 @@ impl Sweep {
     /// [`Failure::Input`]: no axis, a key that the scenario does not have or that is given twice, a range in a grid, or a scenario whose
     /// first motion is refused for a key that does not vary.
     pub fn new(
-        template: Template,
+        template: ScenarioFile,
         axes: &[(String, Axis)],
         sample: Option<(u64, u64)>,
         columns: &[Column],
@@ -145,7 +145,7 @@ impl Sweep {
     pub fn refusal(&self, index: u64) -> Option<String> {
         let numbers = self.numbers(index);
         let message = self.motion(&numbers).err()?.to_string();
-        let reason = message.strip_prefix(&format!("{}: ", self.template.file())).unwrap_or(&message);
+        let reason = message.strip_prefix(&format!("{}: ", self.template.file)).unwrap_or(&message);
         let of_key = numbers.iter().find_map(|(key, number)| {
             let reason = reason.strip_prefix(&format!("{key}: "))?;
             Some(format!("{} = {}: {reason}", key.name, short(*number, 5)))

@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use toytop_host::input::random::Random;
 use toytop_host::motion::Scalar;
-use toytop_host::output::names::regime;
 use toytop_host::output::Record;
+use toytop_host::output::names::regime;
 use toytop_host::{Failure, thread_pool};
 use trial::Errors;
 

@@ -8,15 +8,13 @@ use crate::fit::launch::FitInput;
 use crate::fit::report::FitReport;
 use crate::fit::sensors::{Body, Sensors};
 use crate::fit::table;
-use crate::input::scenario::Scenario;
+use crate::input::scenario::ScenarioFile;
 use crate::output::{self, Format, Record, shown, whole_file};
 use crate::pictures::charts::fit as pictures;
 use crate::pictures::drawing;
 use clap::Args;
-use std::path::PathBuf;
 use serde_json::Value;
-use toml::Table;
-use toytop::Top;
+use std::path::PathBuf;
 
 /// `toytop fit`
 #[derive(Args)]
@@ -62,23 +60,19 @@ pub(crate) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     whole_file::require_other("--output", arguments.output.as_deref(), &inputs)?;
     let plots =
         [("--plot-residuals", &arguments.plot_residuals), ("--plot-prediction", &arguments.plot_prediction)];
-    let file = arguments.top.display().to_string();
-    let keys = Scenario::keys(&arguments.top)?;
-    let top = Scenario::top(&arguments.top)?;
-    let body = body(&keys, &top);
-    let mut sensors = match &arguments.sensors {
-        Some(path) => Sensors::read(path, body)?,
-        None => Sensors::telephone(body),
-    };
+    let scenario = ScenarioFile::read(&arguments.top)?;
+    let (top, parameters) = scenario.top()?;
+    let body = Body::of(&top, parameters.com_height);
+    let mut sensors = Sensors::read(arguments.sensors.as_deref(), body)?;
     let (measurements, unused) = table::read(&arguments.samples, &mut sensors, arguments.sensors.is_some())?;
-    let table = keys.get("top").and_then(toml::Value::as_table).cloned().unwrap_or_default();
+    let table = scenario.keys.get("top").and_then(toml::Value::as_table).cloned().unwrap_or_default();
     let FitArgs { free, huber, drift, .. } = arguments;
     let input = FitInput { top, table, free: free.clone(), sensors, huber: *huber, drift: *drift };
     let samples = arguments.samples.display();
     let report = input.fitted(&measurements).map_err(|(parameter, reason)| {
         Failure::Input(match parameter {
             "samples" => format!("{samples}: {reason}"),
-            _ => format!("--{parameter}: {reason} ({file})"),
+            _ => format!("--{parameter}: {reason} ({})", scenario.file),
         })
     })?;
     let fitted = &report.fitted;
@@ -89,7 +83,7 @@ pub(crate) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     }
     match (&arguments.output, fitted.converged()) {
         (Some(path), true) => {
-            let units = keys.get("units").and_then(toml::Value::as_str);
+            let units = scenario.keys.get("units").and_then(toml::Value::as_str);
             let (text, _) = report.scenario(units)?;
             whole_file::write("--output", path, text.as_bytes())?;
         }
@@ -134,13 +128,4 @@ fn record(report: &FitReport) -> Record {
     add(&["omega_x_deviation", "omega_y_deviation", "omega_z_deviation"], &deviations[3..]);
     add(&["reduced_chi_squared"], &[fitted.statistics.reduced_chi_squared(fitted.count)]);
     Record(cells)
-}
-
-/// Lengths of the body that sensors need, from the keys of a scenario file.
-pub(super) fn body(keys: &Table, top: &Top) -> Body {
-    let height = keys
-        .get("top")
-        .and_then(|top| top.get("com_height"))
-        .and_then(|value| value.as_float().or(value.as_integer().map(|x| x as f64)));
-    Body::of(top, height)
 }

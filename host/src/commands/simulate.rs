@@ -3,8 +3,7 @@
 use super::Report;
 use super::options::positive;
 use crate::Failure;
-use crate::commands::fit::body;
-use crate::fit::sensors::Sensors;
+use crate::fit::sensors::{Body, Sensors};
 use crate::fit::simulated::{MOST_SAMPLES, Recording, measurements};
 use crate::fit::table;
 use crate::input::scenario::Scenario;
@@ -38,12 +37,9 @@ pub(crate) fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
     let inputs = [Some(&*arguments.scenario), arguments.sensors.as_deref()];
     whole_file::require_other("--output", Some(&arguments.output), &inputs)?;
     let scenario = Scenario::read(&arguments.scenario)?;
-    let table = Scenario::keys(&arguments.scenario)?;
-    let body = body(&table, scenario.motion.top());
-    let sensors = match &arguments.sensors {
-        Some(path) => Sensors::read(path, body)?,
-        None => Sensors::telephone(body),
-    };
+    let height = scenario.given.as_ref().map_or(0.0, |given| given.top.com_height);
+    let body = Body::of(scenario.motion.top(), height);
+    let sensors = Sensors::read(arguments.sensors.as_deref(), body)?;
     let recording = Recording::new(arguments.hertz, arguments.duration, arguments.seed).ok_or_else(|| {
         Failure::Input(format!("--hertz, --duration: must give from 1 to {MOST_SAMPLES:e} samples"))
     })?;

@@ -2,7 +2,7 @@
 
 use super::Report;
 use crate::Failure;
-use crate::input::scenario::Template;
+use crate::input::scenario::ScenarioFile;
 use crate::output::whole_file;
 use crate::pictures::charts::heat_map::HeatMap;
 use crate::pictures::drawing;
@@ -100,7 +100,7 @@ pub(crate) fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     let started = Instant::now();
     whole_file::require_other("--output", Some(&arguments.output), &[Some(&arguments.scenario)])?;
     let sweep = Sweep::new(
-        Template::read(&arguments.scenario)?,
+        ScenarioFile::read(&arguments.scenario)?,
         &arguments.varied(),
         arguments.motions.map(|motions| (motions, arguments.seed)),
         &arguments.columns,

@@ -3,9 +3,9 @@
 use super::options::ending_in;
 use super::{Report, warnings};
 use crate::Failure;
-use crate::input::scenario::Scenario;
+use crate::input::scenario::ScenarioFile;
 use crate::output::whole_file;
-use crate::pictures::view::{self, Start};
+use crate::pictures::view;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -21,10 +21,11 @@ pub(crate) struct ViewArgs {
 
 pub(crate) fn run(arguments: &ViewArgs) -> Result<Report, Failure> {
     let start = match &arguments.scenario {
-        Some(scenario) => Start { keys: Scenario::keys(scenario)?, scenario: Scenario::read(scenario)? },
-        None => Start::toy_top()?,
+        Some(scenario) => ScenarioFile::read(scenario)?,
+        None => view::toy_top()?,
     };
-    let page = view::page(&start).map_err(|failure| failure.of(&start.scenario.name))?;
+    let scenario = start.scenario()?;
+    let page = view::page(&start).map_err(|failure| failure.of(&scenario.name))?;
     whole_file::write("--output", &arguments.output, page.as_bytes())?;
-    Ok(Report::default().with_remarks(warnings(&[start.scenario]), false))
+    Ok(Report::default().with_remarks(warnings(&[scenario]), false))
 }

@@ -1,5 +1,6 @@
 //! Keys of a top that are unknowns of a fit.
 
+use crate::input::section::number;
 use toml::Table;
 use toytop::{Support, Top};
 use toytop_fit::{FreeRatio, MOST_RATIOS};
@@ -10,8 +11,7 @@ pub const FREE_KEYS: [&str; 6] =
 
 /// Value of a key before the fit: the fitted one is this times e to the power of its unknown.
 pub(super) fn given(key: &str, table: &Table, top: &Top) -> f64 {
-    let number = table.get(key).and_then(|value| value.as_float().or(value.as_integer().map(|x| x as f64)));
-    number.unwrap_or(top.gravity())
+    table.get(key).and_then(number).unwrap_or(top.gravity())
 }
 
 /// Directions of the ratios of a top that belong to free keys.

@@ -96,7 +96,7 @@ fn draw(random: &mut Random) -> Option<(Top, State, Motion, f64)> {
 /// Sensors of a set.
 fn sensors(set: usize, top: &Top, com_height: f64) -> Sensors {
     // a telephone that is held in a top is at its centre of mass, not at the tip
-    let body = Body::of(top, Some(com_height));
+    let body = Body::of(top, com_height);
     let mut sensors = Sensors::telephone(body);
     match set {
         0 => {}

@@ -2,9 +2,9 @@
 
 mod fastest;
 
-use super::section::{Key, Section};
 use super::units::ANGLES;
 use crate::Failure;
+use crate::input::section::{Key, Section};
 use crate::truth::motions::Start;
 use toytop::{Complex, InitialPhases, Motion, Orientation, Release, Sign, Signs, State, Top};
 use toytop_page::scenario::{angle, tilt};
@@ -56,7 +56,7 @@ const SPIN: &str = "a number of rad/s, at most 1e11 in size: the whole component
 const DEGREES: &str = "a finite number of degrees";
 
 static RELEASE: [Key; 6] = [
-    Key::required("tilt_deg", "a number in [0, 180]"),
+    Key::required("tilt_deg", "a number in [0, 180]").within(0.0, 180.0),
     Key::required("spin", SPIN),
     Key::optional("precession", 0.0, RATE),
     Key::optional("nutation", 0.0, RATE),
@@ -65,11 +65,8 @@ static RELEASE: [Key; 6] = [
 ];
 
 fn release(section: &Section<'_>) -> Result<Release, Failure> {
-    let [tilt_deg, spin, precession, nutation, azimuth_deg, roll_deg] = section.numbers("kind", &RELEASE)?;
-    let [tilt_key, ..] = &RELEASE;
-    if !(0.0..=180.0).contains(&tilt_deg) {
-        return Err(section.not_allowed(tilt_key));
-    }
+    section.only_with("kind", &RELEASE)?;
+    let [tilt_deg, spin, precession, nutation, azimuth_deg, roll_deg] = section.numbers(&RELEASE)?;
     Ok(Release {
         tilt: tilt(tilt_deg),
         azimuth: angle(azimuth_deg),
@@ -89,11 +86,14 @@ const STATE: [Key; 3] = [
 ];
 
 fn state(section: &Section<'_>) -> Result<State, Failure> {
-    section.only("kind", &STATE)?;
+    section.only_with("kind", &STATE)?;
     let [alpha, beta, omega] = &STATE;
     let complex = |[re, im]: [f64; 2]| Complex::new(re, im);
-    let phi = Orientation { alpha: complex(section.array(alpha)?), beta: complex(section.array(beta)?) };
-    State::new(phi, section.array(omega)?).map_err(|error| section.refused(&error, &[]))
+    let phi = Orientation {
+        alpha: complex(section.array(alpha, None)?),
+        beta: complex(section.array(beta, None)?),
+    };
+    State::new(phi, section.array(omega, None)?).map_err(|error| section.refused(&error, &[]))
 }
 
 const SIGN: &str = "1 or -1";
@@ -111,7 +111,8 @@ static BRANCH_POINTS: [Key; 8] = [
 ];
 
 fn branch_points(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure> {
-    let [e1, e2, e3, plus, minus, theta, arg_alpha, arg_beta] = section.numbers("kind", &BRANCH_POINTS)?;
+    section.only_with("kind", &BRANCH_POINTS)?;
+    let [e1, e2, e3, plus, minus, theta, arg_alpha, arg_beta] = section.numbers(&BRANCH_POINTS)?;
     let [_, _, _, plus_key, minus_key, ..] = &BRANCH_POINTS;
     let sign = |number: f64, key: &Key| match number {
         1.0 => Ok(Sign::Plus),

@@ -1,7 +1,7 @@
 //! Table `[top]`: support, inertias, mass, gravity.
 
-use super::section::{Key, Section};
 use crate::Failure;
+use crate::input::section::{Key, Section};
 use toytop::{Top, TopParameters};
 
 const MAGNITUDE: &str = "a number between 1e-60 and 1e60";
@@ -18,7 +18,7 @@ pub(super) const KEYS: [Key; 7] = [
 
 /// Top, and the numbers that are given for it.
 pub(super) fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
-    section.only("support", &KEYS)?;
+    section.only_with("support", &KEYS)?;
     let support = section.choice("support", &["sliding", "fixed", "free"], Some("sliding"))?;
     let [transverse, axial, gravity, height, mass, moment, rotor] = &KEYS;
     let mut parameters = TopParameters {

@@ -1,7 +1,7 @@
 //! Numbers with units, as `"30 g"`, in place of numbers in the units of their keys.
 
-use super::section::Section;
 use crate::Failure;
+use crate::input::section::Section;
 use crate::output::shown;
 use std::f64::consts::PI;
 use toml::{Table, Value};
@@ -68,7 +68,7 @@ pub(super) fn in_units_of_keys(file: &str, mut root: Table) -> Result<Table, Fai
     for name in ["top", "motion"] {
         if let Some(Value::Table(written)) = root.get(name) {
             let mut table = written.clone();
-            let section = Section::new(file, name, written);
+            let section = Section { file, name, table: written };
             replace_texts(&section, &mut table, name, no_units)?;
             if written.get("kind").and_then(Value::as_str) == Some("release") {
                 replace_angles(&section, &mut table)?;
