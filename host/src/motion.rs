@@ -19,3 +19,8 @@ mod scalar;
 pub mod tip_angle;
 
 pub use scalar::Scalar;
+
+/// Greater of two errors; infinite where the second is no number.
+pub fn greater(a: f64, b: f64) -> f64 {
+    if b.is_nan() { f64::INFINITY } else { a.max(b) }
+}

@@ -1,7 +1,6 @@
 //! `toytop compare`: errors of the core against the full 3-D equations, for each motion, each scalar and both propagators.
 
 mod bounds;
-mod measure;
 mod run;
 mod show;
 
@@ -15,8 +14,7 @@ use crate::output::{self, Format};
 use crate::samples::spread_times;
 use bounds::{bound, horizon, steps_per_period};
 use clap::Args;
-use measure::{Errors, Truth};
-use run::{Run, SAMPLES, look_up, step_through};
+use run::{Reference, Run, SAMPLES, look_up, step_through};
 use std::path::PathBuf;
 
 /// Comparison of one motion in one scalar by one method.
@@ -24,24 +22,23 @@ struct Row {
     motion: String,
     scalar: Scalar,
     method: Method,
-    /// Errors and run; `None` where no table is large enough.
-    measured: Option<(Errors, Run)>,
+    /// Greatest errors and run; `None` where no table is large enough.
+    measured: Option<([f64; 6], Run)>,
     /// Upper bound on the error of the orientation, rad.
     bound: Option<f64>,
 }
 
 impl Row {
     /// Greatest error of the orientation, rad, and its bound.
-    fn error_and_bound(&self) -> Option<[f64; 2]> {
-        Some([self.measured.as_ref()?.0.orientation, self.bound?])
+    fn error_and_bound(&self) -> [Option<f64>; 2] {
+        [self.measured.as_ref().map(|(errors, _)| errors[0]), self.bound]
     }
 
     fn verdict(&self) -> &'static str {
-        match (&self.measured, self.error_and_bound()) {
-            (None, _) => "no fit",
-            (_, None) => "no bound",
-            (_, Some([error, bound])) if error <= bound => "ok",
-            // also a NaN
+        match self.error_and_bound() {
+            [None, _] => "no fit",
+            [_, None] => "no bound",
+            [Some(error), Some(bound)] if error <= bound => "ok",
             _ => "MISS",
         }
     }
@@ -110,7 +107,7 @@ fn of_motion(
     let span = horizon(motion, periods);
     remarks.extend(span.remark.iter().map(|remark| format!("{name}: {remark}")));
     let times = spread_times(span.time, SAMPLES * periods);
-    let mut truth = Truth::default();
+    let mut reference = Reference::default();
     let chosen = ScalarChoice::chosen(&arguments.scalar);
     let mut rows = Vec::new();
     for (method, scalar) in RUNS.into_iter().filter(|(_, scalar)| chosen.contains(scalar)) {
@@ -120,7 +117,7 @@ fn of_motion(
             _ => Ok(step_through(scalar, motion, &times, step)),
         };
         let measured = match run {
-            Ok(run) => Some((truth.measure(scenario, &run)?, run)),
+            Ok(run) => Some((reference.errors(scenario, &run)?, run)),
             Err(failure) => {
                 remarks.push(format!("{name} {}: {failure}", scalar.name()));
                 None

@@ -24,7 +24,7 @@ pub fn scenarios() -> Result<Vec<Scenario>, Failure> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OwnBounds {
     /// Bound on the error of the full solver.
-    pub truth: f64,
+    pub full_solver: f64,
     /// Bound on the error of the stepper in f32. In f64 the bound of the full solver is larger.
     pub stepper_f32: f64,
 }
@@ -42,8 +42,8 @@ impl OwnBounds {
 /// e₃ - e₂ of the two motions near the separatrix, and their bounds. The measured errors are 1.7e-11 and 5e-6 rad for the first, 4.1e-9
 /// and 1.6e-5 rad for the second.
 const SEPARATRIX: [(f64, OwnBounds); 2] = [
-    (1e-3, OwnBounds { truth: 1e-10, stepper_f32: 2e-5 }),
-    (1e-6, OwnBounds { truth: 1e-8, stepper_f32: 5e-5 }),
+    (1e-3, OwnBounds { full_solver: 1e-10, stepper_f32: 2e-5 }),
+    (1e-6, OwnBounds { full_solver: 1e-8, stepper_f32: 5e-5 }),
 ];
 
 /// Own bounds of a built-in motion; `None` for every other motion.

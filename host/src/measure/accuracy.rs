@@ -7,9 +7,9 @@
 use crate::Failure;
 use crate::input::builtin;
 use crate::input::random::Random;
-use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyScalar, smallest, ticks_per_time};
 use crate::motion::invariants::{first_integrals, natural_scales};
+use crate::motion::{Scalar, greater};
 use crate::output::progress::Progress;
 use crate::thread_pool;
 use crate::truth::exact::{Exact, PreciseOrientation};
@@ -48,8 +48,6 @@ impl Errors {
     }
 
     fn and(self, other: Self) -> Self {
-        // a NaN stays
-        let greater = |a: f64, b: f64| if a > b || a.is_nan() { a } else { b };
         let ((sum, count), (more, others)) = (self.squares, other.squares);
         Self {
             angle: greater(self.angle, other.angle),

@@ -3,7 +3,6 @@
 use crate::Failure;
 use crate::motion::{Scalar, cast};
 use crate::output::progress::Progress;
-use std::time::{Duration, Instant};
 use toytop::scalar::Real;
 use toytop::{AttitudeState, Complex, Motion, Orientation, Phase, Stepper};
 
@@ -52,12 +51,6 @@ impl Sample {
     /// Orientation Φ.
     pub fn orientation(&self) -> Orientation<f64> {
         Orientation { alpha: self.alpha, beta: self.beta }
-    }
-
-    /// Sample of a stepper at time t.
-    pub fn stepped<R: Real>(t: f64, stepper: &Stepper<R>) -> Self {
-        let phi = stepper.tip_angle().map(Phase::to_radians);
-        Self::of(t, &stepper.attitude_state(), stepper.tip(), phi)
     }
 }
 
@@ -128,7 +121,7 @@ fn stepped_in<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<
         || TimedStepper::<R>::new(motion, step),
         |stepper, t| {
             stepper.reach(t, &mut progress);
-            Ok(Sample::stepped(t, stepper.last()))
+            Ok(Sample { t, ..stepper.sample() })
         },
     )
 }
@@ -141,23 +134,22 @@ pub struct TimedStepper<R> {
     /// Step size h > 0, rounded to the scalar.
     step: R,
     /// Stepper at the elapsed time.
-    last: Stepper<R>,
+    pub last: Stepper<R>,
     elapsed: f64,
-    steps: u64,
-    stepping: Duration,
+    /// Number of steps.
+    pub steps: u64,
 }
 
 impl<R: Real> TimedStepper<R> {
     /// Stepper at t = 0 with steps of h = `step`, s.
     pub fn new(motion: &Motion, step: f64) -> Self {
         let (stepper, step) = (Stepper::new(motion), R::from_f64(step));
-        Self { stepper, whole: 0, step, last: stepper, elapsed: 0.0, steps: 0, stepping: Duration::ZERO }
+        Self { stepper, whole: 0, step, last: stepper, elapsed: 0.0, steps: 0 }
     }
 
-    /// Steps to the time `t`, s, in either direction. [`Self::elapsed`] contains the rounding of the last step to the scalar.
+    /// Steps to the time `t`, s, in either direction.
     pub fn reach(&mut self, t: f64, progress: &mut Progress) {
         const BATCH: u64 = 1 << 16;
-        let started = Instant::now();
         let h = self.step.to_f64();
         let whole = (t / h) as i64;
         let step = if whole < self.whole { -self.step } else { self.step };
@@ -178,27 +170,12 @@ impl<R: Real> TimedStepper<R> {
             self.steps += 1;
         }
         self.elapsed = (whole as f64).mul_add(h, rest.to_f64());
-        self.stepping += started.elapsed();
     }
 
-    /// Stepper at the elapsed time.
-    pub fn last(&self) -> &Stepper<R> {
-        &self.last
-    }
-
-    /// Elapsed time, s.
-    pub fn elapsed(&self) -> f64 {
-        self.elapsed
-    }
-
-    /// Number of steps.
-    pub fn steps(&self) -> u64 {
-        self.steps
-    }
-
-    /// Wall time of the steps.
-    pub fn stepping(&self) -> Duration {
-        self.stepping
+    /// Sample at the elapsed time, which contains the rounding of the last step to the scalar.
+    pub fn sample(&self) -> Sample {
+        let phi = self.last.tip_angle().map(Phase::to_radians);
+        Sample::of(self.elapsed, &self.last.attitude_state(), self.last.tip(), phi)
     }
 }
 
@@ -229,7 +206,7 @@ mod tests {
         let gap = |i: u32| {
             let t = 0.3 * step * f64::from(i);
             stepper.reach(t, &mut progress);
-            (stepper.elapsed() - t).abs() / step
+            (stepper.elapsed - t).abs() / step
         };
         (1..1_000_000).map(gap).fold(0.0, f64::max)
     }
@@ -248,7 +225,7 @@ mod tests {
         for i in 1..100 {
             let [once, twice] = [(); 2].map(|()| {
                 stepper.reach(0.017 * f64::from(i), &mut progress);
-                (stepper.elapsed(), *stepper.last())
+                (stepper.elapsed, stepper.last)
             });
             assert_eq!(once, twice);
         }

@@ -3,9 +3,9 @@
 use super::places::{self, Place};
 use toytop::{Motion, ParameterError, Regime};
 use toytop_host::input::random::Random;
-use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{AnyScalar, approximate, smallest, ticks_per_time};
 use toytop_host::motion::propagate::period;
+use toytop_host::motion::{Scalar, greater};
 use toytop_host::truth::exact::Exact;
 use toytop_host::truth::motions::Numbers;
 
@@ -103,11 +103,6 @@ fn norm_and_height(table: &dyn AnyScalar, motion: &Motion, times: &[f64], (rate,
     let heights = turning.map(|(t, u)| (t, table.at(t).sample.orientation().u() - u));
     let share = |(t, error): (f64, f64)| error.abs() / table.error_bound().after(t * rate);
     norms.chain(heights).map(share).fold(0.0, greater)
-}
-
-/// Greater of two errors; one that is no number is the greatest.
-fn greater(a: f64, b: f64) -> f64 {
-    if b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
 /// Errors of a table at these places.

@@ -45,7 +45,7 @@ fn of_the_ephemeris(scalar: Scalar) -> f64 {
 /// initial state, by 1/(e₃ - e₂) and by the ratio of the greatest to the least inertia. Measured against the core's stepper at a million
 /// steps in a period, the error of the same 180 motions is 4e-15/(e₃ - e₂) to 6e-14/(e₃ - e₂); with A/(ps) from 100 to 1e-4 it is up to
 /// 3e-13 times the ratio.
-fn of_the_truth(motion: &Motion) -> f64 {
+fn of_the_full_solver(motion: &Motion) -> f64 {
     let amplified = match motion.regime() {
         Regime::Nutating => 1e-13 / motion.branch_points().e3_minus_e2,
         // the motion is followed until the error has grown by this factor
@@ -77,14 +77,14 @@ pub(super) fn bound(
     table: Option<f64>,
 ) -> Option<f64> {
     let tens = (f64::from(periods) / 10.0).max(1.0);
-    let truth = own.map_or_else(|| of_the_truth(motion), |own| own.truth) * tens * tens;
+    let solver = own.map_or_else(|| of_the_full_solver(motion), |own| own.full_solver) * tens * tens;
     let core = match method {
         Method::Ephemeris => {
             table.map_or(of_the_ephemeris(scalar), |table| of_the_ephemeris(scalar).min(table))
         }
         _ => own.map_or_else(|| of_the_stepper(motion, scalar), |own| own.stepper(scalar)) * tens,
     };
-    Some(core + truth).filter(|bound| *bound < WORST)
+    Some(core + solver).filter(|bound| *bound < WORST)
 }
 
 /// Time over which a motion is compared.

@@ -1,21 +1,23 @@
-//! One run of the core over a motion, by a stepper or by an ephemeris.
+//! One run of the core over a motion, by a stepper or by an ephemeris, and its errors against the full solver.
 
 use crate::Failure;
-use crate::motion::Scalar;
-use crate::motion::cast;
+use crate::full_equations::full_solver::FullState;
+use crate::full_equations::solution;
+use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::smallest;
-use crate::motion::invariants::first_integrals;
+use crate::motion::invariants::{first_integrals, natural_scales};
 use crate::motion::propagate::{Sample, TimedStepper};
+use crate::motion::{Scalar, cast, greater};
 use crate::output::progress::Progress;
 use std::time::Instant;
 use toytop::scalar::Real;
 use toytop::su2::OrientationRate;
-use toytop::{Complex, Motion, Top};
+use toytop::{Motion, Top};
 
 /// Samples and cost of a run.
 pub(super) struct Run {
     /// Samples in the order of the times, each with the first integrals l, n and h.
-    pub(super) samples: Vec<(Sample, [f64; 3])>,
+    samples: Vec<(Sample, [f64; 3])>,
     /// Number of steps of a stepper.
     pub(super) steps: Option<u64>,
     /// Segments and terms of a table, and the bound on its error at the last time, rad.
@@ -24,14 +26,22 @@ pub(super) struct Run {
     pub(super) call: f64,
 }
 
-/// Number of repetitions of which the median counts.
-const REPEATED: usize = 5;
+impl Run {
+    /// Number of steps or evaluations.
+    pub(super) fn calls(&self) -> u64 {
+        self.steps.unwrap_or(self.samples.len() as u64)
+    }
+}
 
-/// Median of the times that repeated runs take.
-fn median(mut run: impl FnMut() -> f64) -> f64 {
-    let mut times: Vec<f64> = (0..REPEATED).map(|_| run()).collect();
+/// Median time of a call in five runs, each of which returns the number of its calls.
+fn median(mut run: impl FnMut() -> u64) -> f64 {
+    let mut times = [(); 5].map(|()| {
+        let started = Instant::now();
+        let calls = run();
+        started.elapsed().as_secs_f64() / calls.max(1) as f64
+    });
     times.sort_by(f64::total_cmp);
-    times[REPEATED / 2]
+    times[2]
 }
 
 /// Samples in a period.
@@ -52,13 +62,13 @@ fn stepped<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Run {
         let mut timed = TimedStepper::<R>::new(motion, step);
         let sample = |&t: &f64| {
             timed.reach(t, &mut progress);
-            let stepper = timed.last();
-            let sample = Sample::stepped(timed.elapsed(), stepper);
-            with_integrals(motion.top(), sample, &stepper.attitude_state().rate)
+            let rate = timed.last.attitude_state().rate;
+            let [alpha, beta] = [rate.alpha, rate.beta].map(|z| cast::complex(z, R::to_f64));
+            with_integrals(motion.top(), timed.sample(), &OrientationRate { alpha, beta })
         };
         samples = times.iter().map(sample).collect();
-        steps = timed.steps();
-        timed.stepping().as_secs_f64() / steps.max(1) as f64
+        steps = timed.steps;
+        steps
     });
     Run { samples, steps: Some(steps), table: None, call }
 }
@@ -71,9 +81,8 @@ pub(super) fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<
     let table = smallest(scalar, motion)?;
     let mut found = Vec::new();
     let call = median(|| {
-        let started = Instant::now();
         found = times.iter().map(|&t| table.at(t)).collect();
-        started.elapsed().as_secs_f64() / times.len() as f64
+        times.len() as u64
     });
     let samples = found.iter().map(|now| with_integrals(motion.top(), now.sample, &now.rate)).collect();
     let last = times.last().copied().unwrap_or(0.0);
@@ -82,9 +91,47 @@ pub(super) fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<
 }
 
 /// Sample with l, n and h, recomputed in f64 from the core's α, β and their rates, so that they do not contain the rounding of a product.
-fn with_integrals<R: Real>(top: &Top, sample: Sample, rate: &OrientationRate<R>) -> (Sample, [f64; 3]) {
-    let widen = |z: Complex<R>| cast::complex(z, R::to_f64);
+fn with_integrals(top: &Top, sample: Sample, rate: &OrientationRate<f64>) -> (Sample, [f64; 3]) {
     let phi = sample.orientation();
-    let rate = OrientationRate { alpha: widen(rate.alpha), beta: widen(rate.beta) };
     (sample, first_integrals(top, phi.alpha, phi.beta, rate.omega_fixed(&phi)))
+}
+
+/// Names of the errors: of the orientation, 2 √(|Δα|² + |Δβ|²), rad; of u; of the tip in units of s; of h, l and n as recomputed from
+/// α, β and their rates, in units of [`natural_scales`].
+pub(super) const ERRORS: [&str; 6] =
+    ["max_orientation_error_rad", "max_u_error", "max_tip_error_per_s", "h_drift", "l_drift", "n_drift"];
+
+/// States of the full solver at the times of the last run, which most other runs share.
+#[derive(Default)]
+pub(super) struct Reference {
+    times: Vec<f64>,
+    states: Vec<FullState>,
+}
+
+impl Reference {
+    /// Greatest errors of a run, by [`ERRORS`], at the times that the run has reached, because an f32 step ends near the requested
+    /// time, not at it.
+    pub(super) fn errors(&mut self, scenario: &Scenario, run: &Run) -> Result<[f64; 6], Failure> {
+        let times: Vec<f64> = run.samples.iter().map(|(sample, _)| sample.t).collect();
+        if times != self.times {
+            self.states = solution::states(scenario, &times)?;
+            self.times = times;
+        }
+        let (motion, constants) = (&scenario.motion, scenario.motion.first_integrals());
+        let (scales, tip_scale) = (natural_scales(motion), motion.top().tip_scale());
+        let errors = |((sample, [l, n, h]), state): (&(Sample, [f64; 3]), &FullState)| {
+            let phi = solution::phi(state);
+            let tip = sample.tip.scaled(1.0 / tip_scale) - (phi.alpha * phi.beta).scaled(2.0);
+            [
+                sample.orientation().distance(&phi),
+                (sample.u - (phi.alpha.norm_squared() - phi.beta.norm_squared())).abs(),
+                tip.norm_squared().sqrt(),
+                (h - constants.h).abs() / scales[2],
+                (l - constants.l).abs() / scales[0],
+                (n - constants.n).abs() / scales[1],
+            ]
+        };
+        let greatest = |most: [f64; 6], now: [f64; 6]| std::array::from_fn(|i| greater(most[i], now[i]));
+        Ok(run.samples.iter().zip(&self.states).map(errors).fold([0.0; 6], greatest))
+    }
 }

@@ -1,58 +1,44 @@
 //! Rows of `compare` as a table and as records.
 
 use super::bounds::steps_per_period;
-use super::measure::Errors;
-use super::run::{Run, SAMPLES};
+use super::run::{ERRORS, Run, SAMPLES};
 use super::{RUNS, Row};
 use crate::commands::options::Method;
 use crate::motion::Scalar;
 use crate::output::{self, Column, Record, error};
 
 pub(super) fn record(row: &Row) -> Record {
-    let (errors, run) = row.measured.as_ref().map(|(errors, run)| (*errors, run)).unzip();
-    let [l, n, h] = [0, 1, 2].map(|i| errors.map(|errors: Errors| errors.integrals[i]));
-    Record::default()
+    let (errors, run) = row.measured.as_ref().map(|(errors, run)| (errors, run)).unzip();
+    let mut record = Record::default()
         .with("motion", &*row.motion)
         .with("scalar", row.scalar.name())
-        .with("method", row.method.name())
-        .with("max_orientation_error_rad", errors.map(|errors| errors.orientation))
-        .with("max_u_error", errors.map(|errors| errors.u))
-        .with("max_tip_error_per_s", errors.map(|errors| errors.tip))
-        .with("h_drift", h)
-        .with("l_drift", l)
-        .with("n_drift", n)
+        .with("method", row.method.name());
+    for (i, name) in ERRORS.into_iter().enumerate() {
+        record = record.with(name, errors.map(|errors| errors[i]));
+    }
+    record
         .with("steps", run.and_then(|run| run.steps))
         .with("table", run.and_then(|run| run.table).map(|(size, _)| by(size)))
-        .with("wall_time_s", run.map(|run| run.call * calls(run)))
+        .with("wall_time_s", run.map(|run| run.call * run.calls() as f64))
         .with("bound_rad", row.bound)
         .with("verdict", row.verdict())
 }
 
-/// Number of steps or evaluations of a run.
-fn calls(run: &Run) -> f64 {
-    run.steps.unwrap_or(run.samples.len() as u64) as f64
-}
-
 pub(super) fn table(rows: &[Row], periods: u32) -> String {
-    let columns: [Column<'_>; 13] = [
-        ("motion", "motion", error),
-        ("scalar", "type", error),
-        ("method", "method", error),
-        ("max_orientation_error_rad", "angle", error),
-        ("max_u_error", "u", error),
-        ("max_tip_error_per_s", "tip", error),
-        ("h_drift", "h", error),
-        ("l_drift", "l", error),
-        ("n_drift", "n", error),
-        ("size", "steps", error),
+    let mut columns: Vec<Column<'_>> =
+        vec![("motion", "motion", error), ("scalar", "type", error), ("method", "method", error)];
+    let errors = ERRORS.into_iter().zip(["angle", "u", "tip", "h", "l", "n"]);
+    columns.extend(errors.map(|(name, heading)| (name, heading, error as fn(f64) -> String)));
+    columns.extend([
+        ("size", "steps", error as fn(f64) -> String),
         ("ns", "ns", |ns| format!("{ns:.0}")),
         ("bound_rad", "bound", |bound| format!("{bound:.0e}")),
         ("verdict", "result", error),
-    ];
+    ]);
+    let size = |run: &Run| run.table.map_or_else(|| run.calls().to_string(), |(size, _)| by(size));
     let line = |row: &Row| {
         let run = row.measured.as_ref().map(|(_, run)| run);
-        let size = run.map(|run| run.table.map_or_else(|| calls(run).to_string(), |(size, _)| by(size)));
-        record(row).with("size", size.as_deref()).with("ns", run.map(|run| 1e9 * run.call))
+        record(row).with("size", run.map(size)).with("ns", run.map(|run| 1e9 * run.call))
     };
     format!(
         "{}\nThe core against the full 3-D equations: greatest differences at {SAMPLES} times in a period over {periods} periods.\n\
@@ -87,17 +73,17 @@ pub(super) fn summary(rows: &[Row], periods: u32) -> String {
 
 fn summary_line(rows: &[Row]) -> Vec<String> {
     let mut cells = vec![rows[0].motion.clone()];
-    let error = |row: &Row| {
-        let errors = row.measured.as_ref().map(|(errors, _)| errors.orientation);
-        errors.map_or("-".to_owned(), |error| format!("{error:.0e}"))
-    };
-    cells.extend(rows.iter().map(error));
-    let share = rows.iter().filter_map(Row::error_and_bound).map(|[error, bound]| error / bound);
-    let runs = rows.iter().filter_map(|row| row.measured.as_ref().map(|(_, run)| run));
-    let slowest = runs.filter(|run| run.table.is_some()).map(|run| 1e9 * run.call).fold(0.0, f64::max);
-    let verdicts: Vec<_> = rows.iter().map(Row::verdict).collect();
-    let worst = ["MISS", "no fit"].into_iter().find(|verdict| verdicts.contains(verdict)).unwrap_or("ok");
-    cells.extend([format!("{:.2}", share.fold(0.0, f64::max)), format!("{slowest:.0}"), worst.to_owned()]);
+    let (mut share, mut slowest) = (0.0_f64, 0.0_f64);
+    for row in rows {
+        let [error, bound] = row.error_and_bound();
+        cells.push(error.map_or("-".to_owned(), |error| format!("{error:.0e}")));
+        share = share.max(error.zip(bound).map_or(0.0, |(error, bound)| error / bound));
+        let look_up = row.measured.as_ref().filter(|(_, run)| run.table.is_some());
+        slowest = slowest.max(look_up.map_or(0.0, |(_, run)| 1e9 * run.call));
+    }
+    let has = |verdict: &&str| rows.iter().any(|row| row.verdict() == *verdict);
+    let worst = ["MISS", "no fit"].into_iter().find(has).unwrap_or("ok");
+    cells.extend([format!("{share:.2}"), format!("{slowest:.0}"), worst.to_owned()]);
     cells
 }
 

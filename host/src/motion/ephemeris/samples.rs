@@ -1,5 +1,6 @@
 //! Samples of an ephemeris of any scalar, in `f64`.
 
+use crate::motion::greater;
 use crate::motion::propagate::Sample;
 use toytop::su2::OrientationRate;
 use toytop::{Complex, Phase};
@@ -32,8 +33,7 @@ impl RateSample {
     pub fn distance(&self, other: &Self) -> f64 {
         let apart = |x: [f64; 3], y: [f64; 3]| norm([x[0] - y[0], x[1] - y[1], x[2] - y[2]]);
         let vectors = [apart(self.omega, other.omega), apart(self.omega_body, other.omega_body)];
-        let greatest = |most: f64, x: f64| if x.is_nan() { f64::INFINITY } else { x.max(most) };
-        vectors.into_iter().fold(greatest(0.0, (self.udot - other.udot).abs()), greatest)
+        vectors.into_iter().fold(greater(0.0, (self.udot - other.udot).abs()), greater)
     }
 
     /// Angular speed |Ω|, rad per unit time.
