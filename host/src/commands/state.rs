@@ -74,7 +74,7 @@ pub(crate) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     }
     let support = scenario.motion.top().support();
     let sheet = Sheet { format, columns, units: scenario.units, support, named_units: arguments.units };
-    let count = instants.count();
+    let count = instants.count;
     let at = source(arguments, &scenario, instants)?;
     // from here on the input cannot cause a failure
     stream::to(arguments.output.as_deref(), |out| {
@@ -115,25 +115,18 @@ fn by_ephemeris(
     option: &str,
 ) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
-    let table = match &instants {
-        Instants::Ticks(_, [there, seconds]) => {
-            let refused = |error| Failure::Input(format!("--hertz: {error}"));
-            table(scalar, motion, Tick::ratio(*there, *seconds).map_err(refused)?, Size::Smallest)
-        }
-        _ => {
-            instants
-                .require_within(furthest_time(motion), " with --method ephemeris")
-                .map_err(|failure| failure.of(option))?;
-            smallest(scalar, motion)
-        }
+    let table = if let Some([there, seconds]) = instants.rate {
+        let refused = |error| Failure::Input(format!("--hertz: {error}"));
+        table(scalar, motion, Tick::ratio(there, seconds).map_err(refused)?, Size::Smallest)
+    } else {
+        let within = instants.require_within(furthest_time(motion), " with --method ephemeris");
+        within.map_err(|failure| failure.of(option))?;
+        smallest(scalar, motion)
     };
     let table = table.map_err(|failure| failure.of(&scenario.name))?;
     Ok(Box::new(move |index| {
-        let t = instants.time(index);
-        match &instants {
-            Instants::Ticks(ticks, _) => table.at_tick(ticks.number(index), t).sample,
-            _ => table.at(t).sample,
-        }
+        let (t, tick) = instants.at(index);
+        if instants.rate.is_some() { table.at_tick(tick, t).sample } else { table.at(t).sample }
     }))
 }
 
@@ -147,7 +140,7 @@ fn by_closed_form(scenario: &Scenario, instants: Instants, option: &str) -> Resu
         .map_err(|failure| failure.of(option))?;
     let angle = TipAngle::of(motion, NOISE)?;
     Ok(Box::new(move |index| {
-        let t = instants.time(index);
+        let (t, _) = instants.at(index);
         let state = form.at(t);
         angle.sample(t, state.orientation, state.omega(), state.udot())
     }))

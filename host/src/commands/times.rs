@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::output::{shown, whole_file};
-use crate::sweep::axis::Axis;
+use crate::sweep::axis::{Axis, ends};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -32,40 +32,30 @@ pub(crate) struct TimesArgs {
 }
 
 /// Times in the order of the request, at least one.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Instants {
-    /// List or grid of times, s.
-    Times(Axis),
-    /// Ticks of a clock with this rate, A ticks in B seconds.
-    Ticks(Ticks, [u32; 2]),
-}
-
-/// Ticks of a clock, as an interrupt counts them.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Ticks {
-    List(Vec<i64>),
-    /// All ticks from the first to the last.
-    Run(i64, i64),
+pub(crate) struct Instants {
+    /// Number of times.
+    pub(crate) count: u64,
+    /// Least and greatest time, s.
+    ends: [f64; 2],
+    /// Number of ticks, and the seconds in which they are, where the times are those of ticks.
+    pub(crate) rate: Option<[u32; 2]>,
+    at: Box<dyn Fn(u64) -> (f64, i64) + Send + Sync>,
 }
 
 impl Instants {
-    /// Number of times.
-    pub(crate) fn count(&self) -> u64 {
-        match self {
-            Self::Times(axis) => axis.size(),
-            Self::Ticks(Ticks::List(numbers), _) => numbers.len() as u64,
-            Self::Ticks(Ticks::Run(first, last), _) => last.abs_diff(*first) + 1,
+    /// Times of an axis.
+    pub(crate) fn of_axis(axis: Axis) -> Self {
+        Self {
+            count: axis.size(),
+            ends: axis.ends(),
+            rate: None,
+            at: Box::new(move |index| (axis.at(index), 0)),
         }
     }
 
-    /// Time of this index, s.
-    pub(crate) fn time(&self, index: u64) -> f64 {
-        match self {
-            Self::Times(axis) => axis.at(index),
-            Self::Ticks(ticks, [there, seconds]) => {
-                ticks.number(index) as f64 * f64::from(*seconds) / f64::from(*there)
-            }
-        }
+    /// Time of this index, s, and its tick, or 0.
+    pub(crate) fn at(&self, index: u64) -> (f64, i64) {
+        (self.at)(index)
     }
 
     /// List of all times, s.
@@ -74,8 +64,8 @@ impl Instants {
     /// [`Failure::Input`]: too many to be held at once; the message does not name the option.
     pub(crate) fn times(&self) -> Result<Vec<f64>, Failure> {
         const MOST: u64 = 5_000_000;
-        match self.count() {
-            count if count <= MOST => Ok((0..count).map(|index| self.time(index)).collect()),
+        match self.count {
+            count if count <= MOST => Ok((0..count).map(|index| self.at(index).0).collect()),
             count => Err(Failure::Input(format!("{count} times: must be at most {MOST} with this --method"))),
         }
     }
@@ -85,24 +75,9 @@ impl Instants {
     /// # Errors
     /// [`Failure::Input`].
     pub(crate) fn require_within(&self, most: f64, method: &str) -> Result<(), Failure> {
-        let ends = match self {
-            Self::Times(axis) => axis.ends(),
-            Self::Ticks(Ticks::Run(..), _) => [self.time(0), self.time(self.count() - 1)],
-            Self::Ticks(Ticks::List(_), _) => Axis::List(self.times()?).ends(),
-        };
-        match ends.into_iter().find(|end| end.abs() > most) {
+        match self.ends.into_iter().find(|end| end.abs() > most) {
             Some(end) => Err(Failure::Input(format!("{end:e} must be within ±{most:.1e} s{method}"))),
             None => Ok(()),
-        }
-    }
-}
-
-impl Ticks {
-    /// Number of the tick of this index.
-    pub(crate) fn number(&self, index: u64) -> i64 {
-        match self {
-            Self::List(numbers) => numbers[index as usize],
-            Self::Run(first, _) => first.wrapping_add_unsigned(index),
         }
     }
 }
@@ -128,12 +103,12 @@ pub(crate) fn read(arguments: &TimesArgs, rate: [u32; 2]) -> Result<Instants, Fa
             let allowed = "must be two finite times, --from first, and a number from 2";
             Failure::Input(format!("--from, --to, --count: {allowed}"))
         })?;
-        return Ok(Instants::Times(axis));
+        return Ok(Instants::of_axis(axis));
     }
     match (&arguments.times, &arguments.times_file, &arguments.ticks) {
-        (Some(text), ..) => Ok(Instants::Times(times(text)?)),
-        (None, Some(path), _) => Ok(Instants::Times(Axis::List(from_file(path)?))),
-        (None, None, Some(text)) => Ok(Instants::Ticks(ticks(text)?, rate)),
+        (Some(text), ..) => times(text),
+        (None, Some(path), _) => from_file(path),
+        (None, None, Some(text)) => ticks(text, rate),
         (None, None, None) => {
             Err(Failure::Input("--times, --times-file, --ticks or --from is required".into()))
         }
@@ -144,36 +119,54 @@ pub(crate) fn read(arguments: &TimesArgs, rate: [u32; 2]) -> Result<Instants, Fa
 ///
 /// # Errors
 /// As [`read`].
-pub(crate) fn times(text: &str) -> Result<Axis, Failure> {
+pub(crate) fn times(text: &str) -> Result<Instants, Failure> {
     let refused = |reason: &str| Failure::Input(format!("--times: {}: {reason}", shown(text)));
-    if text.contains("..") {
-        return match text.parse().map_err(|reason: String| refused(&reason))? {
-            axis @ Axis::Grid(..) => Ok(axis),
-            _ => Err(refused("must be T1,T2,... or LOW..HIGH/PLACES or log:LOW..HIGH/PLACES")),
-        };
+    let axis = if text.contains("..") {
+        text.parse().map_err(|reason: String| refused(&reason))?
+    } else {
+        Axis::List(text.split(',').map(|entry| time(entry, "--times")).collect::<Result<_, _>>()?)
+    };
+    if axis.count().is_none() {
+        return Err(refused("must be T1,T2,... or LOW..HIGH/PLACES or log:LOW..HIGH/PLACES"));
     }
-    text.split(',').map(|entry| time(entry, "--times")).collect::<Result<_, _>>().map(Axis::List)
+    Ok(Instants::of_axis(axis))
 }
 
-/// Ticks of a text `N1,N2,...` or `FIRST..LAST`.
-fn ticks(text: &str) -> Result<Ticks, Failure> {
+/// Ticks of a text `N1,N2,...` or `FIRST..LAST`, as an interrupt counts them.
+fn ticks(text: &str, rate: [u32; 2]) -> Result<Instants, Failure> {
     let refused = || {
         let allowed = "must be N1,N2,... or FIRST..LAST, whole numbers of 64 bits";
         Failure::Input(format!("--ticks: {}: {allowed}", shown(text)))
     };
     let number = |text: &str| text.trim().parse::<i64>().map_err(|_| refused());
+    let [there, seconds] = rate.map(f64::from);
+    let time = move |tick: i64| tick as f64 * seconds / there;
     let Some((first, last)) = text.split_once("..") else {
-        return text.split(',').map(number).collect::<Result<_, _>>().map(Ticks::List);
+        let list = text.split(',').map(number).collect::<Result<Vec<_>, _>>()?;
+        return Ok(Instants {
+            count: list.len() as u64,
+            ends: ends(list.iter().map(|tick| time(*tick))),
+            rate: Some(rate),
+            at: Box::new(move |index| (time(list[index as usize]), list[index as usize])),
+        });
     };
     let (first, last) = (number(first)?, number(last)?);
-    let some = first <= last && last.abs_diff(first) < u64::MAX;
-    if some { Ok(Ticks::Run(first, last)) } else { Err(refused()) }
+    if first > last || last.abs_diff(first) == u64::MAX {
+        return Err(refused());
+    }
+    let at = move |index| first.wrapping_add_unsigned(index);
+    Ok(Instants {
+        count: last.abs_diff(first) + 1,
+        ends: [first, last].map(time),
+        rate: Some(rate),
+        at: Box::new(move |index| (time(at(index)), at(index))),
+    })
 }
 
 /// Size of the largest file of times, MiB: some five million times.
 const LARGEST_FILE: u64 = 64;
 
-fn from_file(path: &Path) -> Result<Vec<f64>, Failure> {
+fn from_file(path: &Path) -> Result<Instants, Failure> {
     let name = path.display();
     let text = whole_file::read(&name.to_string(), path, LARGEST_FILE)?;
     let mut times = Vec::new();
@@ -186,7 +179,7 @@ fn from_file(path: &Path) -> Result<Vec<f64>, Failure> {
     if times.is_empty() {
         return Err(Failure::Input(format!("{name}: must hold at least one time, one finite number a line")));
     }
-    Ok(times)
+    Ok(Instants::of_axis(Axis::List(times)))
 }
 
 fn time(entry: &str, place: &str) -> Result<f64, Failure> {
@@ -202,30 +195,30 @@ mod tests {
 
     #[test]
     fn spread_evenly_with_both_ends() {
-        let all = |text: &str| Instants::Times(times(text).unwrap()).times().unwrap();
+        let all = |text: &str| times(text).unwrap().times().unwrap();
         assert_eq!(all("-1..1/5"), [-1.0, -0.5, 0.0, 0.5, 1.0]);
         let third = all("0..0.3/4");
         assert_eq!((third.len(), third[0], third[3]), (4, 0.0, 0.3));
         let log = all("log:0.01..100/3");
         assert!(log[0] == 0.01 && (log[1] - 1.0).abs() < 1e-14 && log[2] == 100.0, "{log:?}");
-        let far = Instants::Times(times("-3..1/5").unwrap());
+        let far = times("-3..1/5").unwrap();
         assert!(far.require_within(3.0, "").is_ok());
         assert_eq!(far.require_within(2.9, "").unwrap_err().to_string(), "-3e0 must be within ±2.9e0 s");
         for refused in ["0..1", "1..0/3", "0..1/1", "0..1/5000000000", "0..x/3"] {
-            let message = times(refused).unwrap_err().to_string();
+            let message = times(refused).err().unwrap().to_string();
             assert!(message.starts_with(&format!("--times: {refused}: ")), "{message}");
         }
     }
 
     #[test]
     fn ticks_are_exact_fractions_of_a_second() {
-        let ticks = |text: &str| super::ticks(text).map(|ticks| Instants::Ticks(ticks, [44100, 2]));
+        let ticks = |text: &str| super::ticks(text, [44100, 2]);
         let run = ticks("-2..2").unwrap();
-        assert_eq!((run.count(), run.time(0), run.time(4)), (5, -4.0 / 44100.0, 4.0 / 44100.0));
+        assert_eq!((run.count, run.at(0), run.at(4)), (5, (-4.0 / 44100.0, -2), (4.0 / 44100.0, 2)));
         let list = ticks("7,-99, 3").unwrap();
-        assert_eq!((list.count(), list.time(1)), (3, -198.0 / 44100.0));
+        assert_eq!((list.count, list.at(1)), (3, (-198.0 / 44100.0, -99)));
         for refused in ["", "1.5", "2..1", "1,,2", "0..99999999999999999999"] {
-            let message = ticks(refused).unwrap_err().to_string();
+            let message = ticks(refused).err().unwrap().to_string();
             assert!(message.starts_with(&format!("--ticks: {refused}: ")), "{message}");
         }
     }

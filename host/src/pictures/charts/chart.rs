@@ -1,6 +1,7 @@
 //! Chart of curves over linear or logarithmic axes. (The logarithmic axes of kuva have no ticks below 1e-10.)
 
 use crate::pictures::drawing::text;
+use crate::sweep::axis::ends;
 use kuva::plot::scatter::{MarkerShape, ScatterPlot};
 use kuva::plot::{LegendPosition, LinePlot};
 use kuva::render::layout::{Layout, TickFormat};
@@ -119,10 +120,6 @@ impl Chart<'_> {
 
 fn place(x: f64, power: bool) -> Option<f64> {
     if power { (x > 0.0).then(|| x.log10()) } else { Some(x) }
-}
-
-fn ends(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
-    numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
 }
 
 /// Next whole numbers below and above; a number that is almost whole counts as whole.

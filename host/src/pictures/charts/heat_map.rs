@@ -30,7 +30,7 @@ impl HeatMap {
             text.split(',').map(|name| if name == "tilt" { "tilt_deg" } else { name }).collect();
         let &[x, y, column] = &names[..] else { return Err(refuse("must be X,Y,COLUMN")) };
         let axis = |name: &str| match sweep.axis(name) {
-            Some(axis @ Axis::Grid(..)) => Ok(axis.clone()),
+            Some(axis) if axis.is_grid() => Ok(axis.clone()),
             _ => Err(refuse(&format!("{name}: must be a key that varies as LOW..HIGH/PLACES"))),
         };
         let axes = [axis(x)?, axis(y)?];
