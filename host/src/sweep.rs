@@ -21,6 +21,8 @@ pub struct Sweep {
     axes: Vec<(Key, Axis)>,
     /// Number of motions to draw, and the seed; `None` for the grid of all combinations.
     sample: Option<(u64, u64)>,
+    /// Number of motions.
+    pub count: u64,
     /// Columns after those of the numbers that vary.
     columns: Vec<Column>,
     /// Number of times at which each motion is evaluated.
@@ -58,10 +60,12 @@ impl Sweep {
             }
             keys.push((key, axis.clone()));
         }
-        let sweep = Self { template, axes: keys, sample, columns: columns.to_vec(), times, periods };
-        if sweep.checked_count().is_none() {
+        let places = || keys.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size()));
+        let Some(count) = sample.map(|(motions, _)| motions).or_else(places) else {
             return refuse("a grid: must have at most 2^64 places".to_owned());
-        }
+        };
+        let columns = columns.to_vec();
+        let sweep = Self { template, axes: keys, sample, count, columns, times, periods };
         match sweep.template.with(&sweep.numbers(0)) {
             Err(Failure::Input(message)) if !sweep.axes.iter().any(|(key, _)| message.contains(key.name)) => {
                 refuse(message)
@@ -77,38 +81,26 @@ impl Sweep {
 
     /// Place of a row of a grid on the axis of a key.
     pub fn place(&self, name: &str, index: u64) -> Option<u64> {
-        let mut cells = self.count();
-        self.axes.iter().find_map(|(key, axis)| {
-            cells /= axis.size();
-            (key.name == name).then_some(index / cells % axis.size())
+        self.places(index).find(|((key, _), _)| key.name == name).map(|(_, place)| place)
+    }
+
+    /// Axes, each with the place of a row of a grid on it; the last key changes fastest.
+    fn places(&self, index: u64) -> impl Iterator<Item = (&(Key, Axis), u64)> {
+        let mut cells = self.count;
+        self.axes.iter().map(move |axis| {
+            cells /= axis.1.size();
+            (axis, index.checked_div(cells).unwrap_or(0) % axis.1.size())
         })
     }
 
-    fn checked_count(&self) -> Option<u64> {
-        match self.sample {
-            Some((motions, _)) => Some(motions),
-            None => self.axes.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size())),
-        }
-    }
-
-    /// Number of motions.
-    pub fn count(&self) -> u64 {
-        self.checked_count().unwrap_or(u64::MAX)
-    }
-
-    /// Numbers of the motion with this index; in a grid the last key changes fastest.
+    /// Numbers of the motion with this index.
     fn numbers(&self, index: u64) -> Vec<(Key, f64)> {
         let mut random = self.sample.map(|(_, seed)| Random::new(seed, index));
-        let mut cells = self.checked_count().unwrap_or(u64::MAX);
-        let number = |(key, axis): &(Key, Axis)| {
-            cells /= axis.size();
-            let number = match &mut random {
-                Some(random) => axis.draw(random),
-                None => axis.at(index / cells % axis.size()),
-            };
-            (*key, number)
+        let number = |((key, axis), place): (&(Key, Axis), u64)| match &mut random {
+            Some(random) => (*key, axis.draw(random)),
+            None => (*key, axis.at(place)),
         };
-        self.axes.iter().map(number).collect()
+        self.places(index).map(number).collect()
     }
 
     fn motion(&self, numbers: &[(Key, f64)]) -> Result<Motion, Failure> {

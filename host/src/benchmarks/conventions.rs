@@ -13,35 +13,6 @@ pub(crate) struct Conventions {
     pub length: f64,
 }
 
-/// Quantity with its name and components.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(crate) enum Quantity {
-    /// Position of the centre of mass relative to the tip.
-    Position,
-    /// Unit quaternion w, x, y, z from body to fixed axes; both signs mean one rotation.
-    Quaternion,
-    /// Angular velocity along the body axes, rad per unit time.
-    OmegaBody,
-    /// Energy h.
-    Energy,
-    /// Cosine of the tilt.
-    U,
-}
-
-impl Quantity {
-    /// Name in files and output.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Position => "position",
-            Self::Quaternion => "quaternion",
-            Self::OmegaBody => "omega_body",
-            Self::Energy => "energy",
-            Self::U => "u",
-        }
-    }
-}
-
 /// Motion at one time, in a source's conventions.
 pub(crate) struct Values {
     /// Position of the centre of mass relative to the tip.

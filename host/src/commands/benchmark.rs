@@ -142,7 +142,7 @@ fn values(records: &[Record], line: &str) -> Vec<Vec<String>> {
 fn printed(problem: &Problem, line: &str) -> Vec<Vec<String>> {
     let row = |printed: &Printed| {
         let values: Vec<_> = printed.values.iter().map(f64::to_string).collect();
-        let (quantity, off) = (printed.quantity.name(), off(problem, printed));
+        let (quantity, off) = (&printed.quantity, off(problem, printed));
         words([&printed.by, &printed.t, quantity, &values.join(line), &off])
     };
     let header = words(["printed by", "t", "quantity", "printed", "off by"]);
@@ -177,7 +177,7 @@ fn catalogue(problems: &[Problem]) -> String {
         let ([t, height], name) = (last(problem), problem.name());
         let one = |printed: &Printed| {
             let Printed { by, t, quantity, .. } = printed;
-            format!("{by}, {} at {t}: {}", quantity.name(), off(problem, printed))
+            format!("{by}, {quantity} at {t}: {}", off(problem, printed))
         };
         let printed = problem.printed.iter().map(one).collect::<Vec<_>>().join("<br>");
         words([

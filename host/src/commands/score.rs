@@ -11,7 +11,6 @@ use crate::motion::propagate::period;
 use crate::output::{self, Column, Format, Lists, Record, error, short};
 use crate::pictures::charts::work_precision::work_precision;
 use crate::pictures::drawing;
-use crate::score::drift::RateSource;
 use crate::score::judge::Judge;
 use crate::score::trajectory::Trajectory;
 use clap::Args;
@@ -56,7 +55,7 @@ pub(crate) fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     if !steps.is_empty() && steps.len() != files {
         return Err(Failure::Input(format!("--steps: must be {files} numbers, one for each file")));
     }
-    let mut judge = Judge::new(&scenario)?;
+    let mut judge = Judge::new(&scenario, &start)?;
     if let Some(problem) = &problem {
         judge = judge.with_length(problem.conventions.length);
     }
@@ -67,8 +66,7 @@ pub(crate) fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
             trajectory = trajectory.in_body_axes(&problem.conventions.to_core());
         }
         let score = judge.score(&trajectory)?;
-        let doubt = score.doubt.as_ref().map(|doubt| doubt.question(&start));
-        doubts.extend(doubt.map(|doubt| format!("warning: {}: {doubt}", trajectory.name)));
+        doubts.extend(score.doubt.iter().map(|doubt| format!("warning: {}: {doubt}", trajectory.name)));
         runs.push(Run::new(index, trajectory, score, steps.get(index).copied()));
     }
     let mut methods: Vec<String> = Vec::new();
@@ -125,13 +123,7 @@ fn record(run: &Run, method_order: Option<f64>, order: Option<f64>) -> Record {
         .with("drift_h", h)
         .with("drift_l", l)
         .with("drift_n", n)
-        .with(
-            "drift_from",
-            drift.from.map(|from| match from {
-                RateSource::Columns => "columns",
-                RateSource::Differences => "differences",
-            }),
-        )
+        .with("drift_from", drift.from)
         .with("drift_uncertainty", drift.uncertainty)
         .with("max_norm_error", score.norm_error)
         .with("truth_bound_rad", score.truth_bound)
@@ -169,7 +161,7 @@ fn tables(records: &[Record], groups: &[Group<'_>]) -> String {
     };
     let orders: String = groups.iter().filter_map(order).collect();
     let scores = || groups.iter().flat_map(|group| &group.runs).map(|run| &run.score);
-    let differences = scores().any(|score| score.drift.from == Some(RateSource::Differences));
+    let differences = scores().any(|score| score.drift.from == Some("differences"));
     let by = if differences {
         ", for files without angular velocity computed from differences of the error"
     } else {

@@ -113,7 +113,7 @@ pub(crate) fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
         (Some(_), _) => return Err(Failure::Input("--plot: needs a whole file, not a part".to_owned())),
         (None, _) => None,
     };
-    let count = (sweep.count() + parts - part) / parts;
+    let count = (sweep.count + parts - part) / parts;
     let (refused, first) = (AtomicU64::new(0), AtomicU64::new(u64::MAX));
     let row = |row: u64, text: &mut Vec<u8>| {
         let index = row * parts + part - 1;

@@ -21,19 +21,10 @@ use toytop::{Motion, Orientation};
 pub struct Drift {
     /// Drift of l and n in units of the greatest of |l|, |n| and √(2 A p g), and of h in units of the greater of |h| and p g.
     pub integrals: Option<[f64; 3]>,
-    /// Source of the angular velocity.
-    pub from: Option<RateSource>,
+    /// Source of the angular velocity: `columns` of the file, or `differences` of the orientation's error.
+    pub from: Option<&'static str>,
     /// Greatest change of the drifts if five rows are used for differences instead of seven.
     pub uncertainty: Option<f64>,
-}
-
-/// Source of the angular velocity of a trajectory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RateSource {
-    /// Columns of the file.
-    Columns,
-    /// Differences of the orientation's error.
-    Differences,
 }
 
 /// Drift along the rows. It stays unknown where the file has no angular velocity and fewer than seven rows, or errors of more than two
@@ -43,7 +34,7 @@ pub(crate) fn along(rows: &[Row], motion: &Motion, table: &dyn AnyScalar) -> Dri
     let given: Option<Vec<_>> = rows.iter().map(|row| Some((row.orientation, row.omega?))).collect();
     if let Some(given) = given {
         let integrals = Some(greatest(motion, given.into_iter()));
-        return Drift { integrals, from: Some(RateSource::Columns), uncertainty: None };
+        return Drift { integrals, from: Some("columns"), uncertainty: None };
     }
     let errors: Vec<_> = rows.iter().map(|row| ErrorAt::new(row, table)).collect();
     if rows.len() < 7 || errors.iter().any(|error| error.epsilon.norm() > TOO_FAR) {
@@ -59,7 +50,7 @@ pub(crate) fn along(rows: &[Row], motion: &Motion, table: &dyn AnyScalar) -> Dri
         greatest(motion, windows.map(state))
     });
     let uncertainty = seven.iter().zip(five).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    Drift { integrals: Some(seven), from: Some(RateSource::Differences), uncertainty: Some(uncertainty) }
+    Drift { integrals: Some(seven), from: Some("differences"), uncertainty: Some(uncertainty) }
 }
 
 /// Greatest relative differences of l, n and h from the motion's constants.
