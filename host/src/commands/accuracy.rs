@@ -3,13 +3,14 @@
 use super::Report;
 use super::options::{PICTURE, ScalarChoice, ending_in};
 use crate::Failure;
-use crate::budget::{CHIPS, Limits};
+use crate::budget::{CHIPS, Chip, Limits, Model};
 use crate::measure::accuracy::{Accuracy, Errors, OCTAVES, measured};
 use crate::output::doc_markers::{self, Page};
 use crate::output::{self, Column, Format, Record};
-use crate::pictures::charts::accuracy::picture;
+use crate::pictures::charts::chart::{Chart, Curve};
 use crate::pictures::drawing;
 use clap::Args;
+use kuva::render::render::Scene;
 use micromath::F32Ext;
 use std::path::PathBuf;
 
@@ -105,4 +106,27 @@ fn of_octaves(accuracy: &Accuracy, limits: &Limits) -> Vec<Record> {
 fn micromath() -> f64 {
     let error = |x: f32| (f64::from(F32Ext::sin(x)) - f64::from(x).sin()).abs();
     (0..=u16::MAX).map(|i| error(1e-4 * f32::from(i))).fold(0.0, f64::max)
+}
+
+/// Picture of error against cost: a curve for each chip, with a mark for each scalar.
+fn picture(all: &[Accuracy], limits: &Limits) -> Scene {
+    let curve = |chip: &Chip| {
+        let point = |accuracy: &Accuracy| {
+            Some([limits.next_tick(accuracy.scalar.name(), chip)? as f64, accuracy.all().angle])
+        };
+        let unit = if Model::of(chip).is_some() { "cycles" } else { "instructions" };
+        let points = all.iter().filter_map(point).collect();
+        Curve { width: 0.0, ..Curve::marked(format!("{}, {unit}", chip.core), points) }
+    };
+    let name = |accuracy: &Accuracy| format!("{} {:.0e}", accuracy.scalar.name(), accuracy.all().angle);
+    let names: Vec<_> = all.iter().map(name).collect();
+    let chart = Chart {
+        title: "What an orientation costs, and how exact it is",
+        labels: [
+            "cost of the next tick: modelled cycles, or instructions executed",
+            &format!("greatest error over ticks 1 to 2⁴⁰, rad: {}", names.join(", ")),
+        ],
+        powers: [true; 2],
+    };
+    chart.draw(&CHIPS.iter().map(curve).collect::<Vec<_>>())
 }

@@ -9,7 +9,7 @@ use crate::benchmarks;
 use crate::input::scenario::Scenario;
 use crate::motion::propagate::period;
 use crate::output::{self, Column, Format, Lists, Record, error, short};
-use crate::pictures::charts::work_precision::work_precision;
+use crate::pictures::charts::chart::Chart;
 use crate::pictures::drawing;
 use crate::score::judge::Judge;
 use crate::score::trajectory::Trajectory;
@@ -78,7 +78,12 @@ pub(crate) fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let groups: Vec<_> = methods.iter().map(|name| Group::new(name, &runs)).collect();
     if let Some(path) = &arguments.plot {
         let (unit, lines) = work(&groups, period(&scenario.motion))?;
-        drawing::write("--plot", path, &work_precision(&scenario.name, unit, lines), None)?;
+        let chart = Chart {
+            title: &format!("Work and precision: {}", scenario.name),
+            labels: [unit, "greatest error of the orientation, rad"],
+            powers: [true; 2],
+        };
+        drawing::write("--plot", path, &chart.draw(&lines), None)?;
     }
     doubts.extend(groups.iter().flat_map(Group::doubts));
     let with_orders = groups.iter().flat_map(|group| group.with_orders().map(move |run| (group.order, run)));

@@ -16,7 +16,7 @@ use crate::samples::sheet::{SampleFormat, Sheet};
 use crate::samples::stream;
 use clap::{ArgGroup, Args};
 use std::path::PathBuf;
-use toytop::Tick;
+use toytop::{Regime, Tick};
 use toytop_closed_forms::ClosedForm;
 
 /// Sample at a time, by the index of the time in the request.
@@ -115,6 +115,10 @@ fn by_ephemeris(
     option: &str,
 ) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
+    if motion.regime() == Regime::Aperiodic && scalar != Scalar::F64 {
+        let reason = format!("{}: an aperiodic motion has a closed form in f64, and no table", scalar.name());
+        return Err(Failure::Method(format!("{}: --scalar: {reason}", scenario.name)));
+    }
     let table = if let Some([there, seconds]) = instants.rate {
         let refused = |error| Failure::Input(format!("--hertz: {error}"));
         table(scalar, motion, Tick::ratio(there, seconds).map_err(refused)?, Size::Smallest)

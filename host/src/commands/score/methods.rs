@@ -1,6 +1,7 @@
 //! Runs of integrators, grouped by their methods.
 
 use crate::Failure;
+use crate::pictures::charts::chart::Curve;
 use crate::score::judge::Score;
 use crate::score::order;
 use crate::score::trajectory::Trajectory;
@@ -101,12 +102,9 @@ impl<'a> Group<'a> {
     }
 }
 
-/// Name and runs, \[work, error\], of a method.
-pub(super) type Line = (String, Vec<[f64; 2]>);
-
-/// Unit of the work, and the runs of each method. The work is the number of evaluations of the equations if every file states it,
+/// Unit of the work, and a curve of greatest error against work for each method. The work is the number of evaluations of the equations if every file states it,
 /// otherwise the number of steps.
-pub(super) fn work(groups: &[Group<'_>], period: f64) -> Result<(&'static str, Vec<Line>), Failure> {
+pub(super) fn work(groups: &[Group<'_>], period: f64) -> Result<(&'static str, Vec<Curve>), Failure> {
     let counted = groups.iter().flat_map(|group| &group.runs).all(|run| run.evaluations.is_some());
     let point = |run: &&Run| {
         let steps = run.step.map(|(step, _)| period / step);
@@ -120,7 +118,9 @@ pub(super) fn work(groups: &[Group<'_>], period: f64) -> Result<(&'static str, V
         let order = group.order.map(|order| format!("measured order {order:.2}"));
         let name = Some(group.method.to_owned()).filter(|name| !name.is_empty());
         let names: Vec<_> = name.into_iter().chain(order).collect();
-        Ok((names.join(", "), group.runs.iter().map(point).collect::<Result<_, Failure>>()?))
+        let mut points = group.runs.iter().map(point).collect::<Result<Vec<[f64; 2]>, Failure>>()?;
+        points.sort_by(|[a, _], [b, _]| a.total_cmp(b));
+        Ok(Curve::marked(names.join(", "), points))
     };
     let lines = groups.iter().map(line).collect::<Result<_, Failure>>()?;
     Ok((if counted { "evaluations of the equations" } else { "steps in a nutation period" }, lines))

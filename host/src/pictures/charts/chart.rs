@@ -10,24 +10,37 @@ use kuva::render::render::{Scene, TextAnchor, render_multiple};
 use std::sync::Arc;
 
 /// Curve of a chart.
-#[derive(Debug)]
-pub(super) struct Curve {
+pub(crate) struct Curve {
     /// Name in the legend.
-    pub(super) name: String,
+    pub(crate) name: String,
     /// Points \[x, y\].
-    pub(super) points: Vec<[f64; 2]>,
+    pub(crate) points: Vec<[f64; 2]>,
+    /// Width of the line through the points; 0 for none.
+    pub(crate) width: f64,
     /// Whether every point has a mark.
-    pub(super) marked: bool,
+    pub(crate) marked: bool,
+}
+
+impl Curve {
+    /// Line through points.
+    pub(crate) fn line(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        Self { name: name.into(), points, width: 1.8, marked: false }
+    }
+
+    /// Line through points with marks.
+    pub(crate) fn marked(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        Self { marked: true, ..Self::line(name, points) }
+    }
 }
 
 /// Chart with the names of its curves in a legend.
-pub(super) struct Chart<'a> {
+pub(crate) struct Chart<'a> {
     /// Title above the axes.
-    pub(super) title: &'a str,
+    pub(crate) title: &'a str,
     /// Labels of x and y.
-    pub(super) labels: [&'a str; 2],
+    pub(crate) labels: [&'a str; 2],
     /// Whether the axes of x and of y are logarithmic; numbers that are not above 0 are then left out.
-    pub(super) powers: [bool; 2],
+    pub(crate) powers: [bool; 2],
 }
 
 /// Colours of the curves, which colour-blind readers can distinguish (the palette of Okabe and Ito).
@@ -50,16 +63,7 @@ const BELOW: f64 = 62.0;
 
 impl Chart<'_> {
     /// Chart of these curves.
-    pub(super) fn draw(&self, curves: &[Curve]) -> Scene {
-        self.drawn(curves, 1.8)
-    }
-
-    /// Chart of the marks of these curves alone.
-    pub(super) fn draw_marks(&self, curves: &[Curve]) -> Scene {
-        self.drawn(curves, 0.0)
-    }
-
-    fn drawn(&self, curves: &[Curve], width: f64) -> Scene {
+    pub(crate) fn draw(&self, curves: &[Curve]) -> Scene {
         let mut plots: Vec<Plot> = Vec::new();
         let mut all = Vec::new();
         let mut marks = MARKS.into_iter().cycle();
@@ -67,7 +71,8 @@ impl Chart<'_> {
             let place = |&[x, y]: &[f64; 2]| Some((place(x, self.powers[0])?, place(y, self.powers[1])?));
             let points: Vec<(f64, f64)> = curve.points.iter().filter_map(place).collect();
             all.extend(points.iter().copied());
-            let line = LinePlot::new().with_data(points.clone()).with_color(color).with_stroke_width(width);
+            let line = LinePlot::new().with_data(points.clone()).with_color(color);
+            let line = line.with_stroke_width(curve.width);
             match marks.next().filter(|_| curve.marked) {
                 Some(mark) => {
                     let dots = ScatterPlot::new().with_data(points).with_color(color).with_size(4.5);

@@ -98,7 +98,7 @@ pub(crate) fn prediction(report: &FitReport, motion: &Motion) -> Scene {
     let sensitivity = Sensitivity::new(motion);
     let mut cursor = sensitivity.cursor();
     let names = ["orientation", "axis: long half axis", "axis: short half axis"];
-    let mut curves = names.map(|name| Curve { name: name.to_owned(), points: Vec::new(), marked: false });
+    let mut curves = names.map(|name| Curve::line(name, Vec::new()));
     let step = period(motion) / PER_PERIOD;
     let begin =
         |interval: u32| AHEAD[0] * (AHEAD[1] / AHEAD[0]).powf(f64::from(interval) / f64::from(INTERVALS));

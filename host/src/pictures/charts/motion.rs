@@ -14,10 +14,6 @@ fn label(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.to_owned() } else { format!("{name}, {unit}") }
 }
 
-fn curve(name: &str, points: Vec<[f64; 2]>) -> Curve {
-    Curve { name: name.to_owned(), points, marked: false }
-}
-
 /// Label of the axis of time, which counts from the origin of the span.
 fn time_label(scenario: &Scenario, span: &Span) -> String {
     let origin = span.origin();
@@ -35,7 +31,7 @@ pub(crate) fn tilt(scenario: &Scenario, span: &Span) -> Scene {
         let phi = span.at(t).orientation();
         [t - origin, crate::samples::angles::tilt_azimuth_roll(&phi)[0].to_degrees()]
     };
-    let mut curves = vec![curve("tilt", span.times_of_curve().map(degrees).collect())];
+    let mut curves = vec![Curve::line("tilt", span.times_of_curve().map(degrees).collect())];
     curves.extend(Bound::of(&scenario.motion).into_iter().map(|bound| {
         let name = match bound.place {
             Place::Lowest => "greatest",
@@ -43,7 +39,7 @@ pub(crate) fn tilt(scenario: &Scenario, span: &Span) -> Scene {
             Place::Constant | Place::Horizontal => "constant",
         };
         let tilt = bound.tilt();
-        curve(&format!("{name}: {tilt:.2}°"), span.ends.map(|t| [t - origin, tilt]).into())
+        Curve::line(format!("{name}: {tilt:.2}°"), span.ends.map(|t| [t - origin, tilt]).into())
     }));
     Chart {
         title: &format!("{}: tilt of the axis from the vertical", scenario.name),
@@ -76,13 +72,13 @@ pub(crate) fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Fail
     let turns = if origin == 0.0 { 0.0 } else { (continued(from) / 360.0).trunc() };
     let azimuth = |t: f64| without_rounding(continued(t) - 360.0 * turns);
     let degrees = |t: f64| [t - origin, azimuth(t)];
-    let mut curves = vec![curve("azimuth of the axis", span.times_of_curve().map(degrees).collect())];
+    let mut curves = vec![Curve::line("azimuth of the axis", span.times_of_curve().map(degrees).collect())];
     if let Some(advance) = scenario.motion.period_advance() {
         let rate = without_rounding(advance.phi_per_period().to_degrees()) / advance.period;
         let first = azimuth(from);
         let mean = vec![[from - origin, first], [until - origin, first + rate * (until - from)]];
         let unit = if scenario.units.name("s").is_empty() { "" } else { " degrees/s" };
-        curves.push(curve(&format!("its mean: {}{unit}", crate::output::short(rate, 4)), mean));
+        curves.push(Curve::line(format!("its mean: {}{unit}", crate::output::short(rate, 4)), mean));
     }
     let less = if turns == 0.0 {
         String::new()
@@ -118,13 +114,13 @@ pub(crate) fn potential(scenario: &Scenario) -> Scene {
     let (unit, scale) = if scenario.units == Units::Si { ("mJ", 1e3) } else { ("", 1.0) };
     let above = |degrees: f64| scale * (effective_potential(motion, degrees.to_radians().cos()) - h);
     let mut curves = vec![
-        curve("effective potential", tilts.map(|degrees| [degrees, above(degrees)]).collect()),
-        curve("energy", vec![[from, 0.0], [until, 0.0]]),
+        Curve::line("effective potential", tilts.map(|degrees| [degrees, above(degrees)]).collect()),
+        Curve::line("energy", vec![[from, 0.0], [until, 0.0]]),
     ];
     let (name, tilts) = marks(motion, above);
     if !tilts.is_empty() {
         let points = tilts.iter().map(|tilt| [*tilt, 0.0]).collect();
-        curves.push(Curve { name: name.to_owned(), points, marked: true });
+        curves.push(Curve::marked(name, points));
     }
     Chart {
         title: &format!("{}: effective potential of the nutation", scenario.name),
