@@ -5,10 +5,10 @@
 //! | [`problem`] | problem with scenario, conventions of its source, reference values, and values that others printed |
 //! | [`conventions`] | body axes and quantities of a source |
 
-pub(crate) mod conventions;
-pub(crate) mod problem;
+pub mod conventions;
+pub mod problem;
 
-pub(crate) use problem::{Printed, Problem, Reference};
+pub use problem::{Printed, Problem, Reference};
 
 use crate::Failure;
 
@@ -34,7 +34,7 @@ const FILES: [Files; 9] = files! {
 ///
 /// # Errors
 /// None: a test reads every file.
-pub(crate) fn all() -> Result<Vec<Problem>, Failure> {
+pub fn all() -> Result<Vec<Problem>, Failure> {
     FILES.iter().map(Problem::read).collect()
 }
 
@@ -42,7 +42,7 @@ pub(crate) fn all() -> Result<Vec<Problem>, Failure> {
 ///
 /// # Errors
 /// [`Failure::Input`]: there is no such problem; the message lists the names.
-pub(crate) fn named(name: &str) -> Result<Problem, Failure> {
+pub fn named(name: &str) -> Result<Problem, Failure> {
     Problem::read(files_of(name)?)
 }
 
@@ -50,7 +50,7 @@ pub(crate) fn named(name: &str) -> Result<Problem, Failure> {
 ///
 /// # Errors
 /// As [`named`].
-pub(crate) fn scenario(name: &str) -> Result<&'static str, Failure> {
+pub fn scenario(name: &str) -> Result<&'static str, Failure> {
     files_of(name).map(|(_, scenario, ..)| *scenario)
 }
 

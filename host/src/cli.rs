@@ -16,15 +16,15 @@ use clap_complete::Shell;
     version,
     help_template = "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\nCommands:\n{subcommands}\n"
 )]
-pub(crate) struct Cli {
+pub struct Cli {
     /// Command to run.
     #[command(subcommand)]
-    pub(crate) command: Command,
+    pub command: Command,
 }
 
 /// Command with its arguments.
 #[derive(Subcommand)]
-pub(crate) enum Command {
+pub enum Command {
     /// Errors of the core against an integration of the full 3-D equations
     ///
     /// The exit code is 1 if a bound is missed.
@@ -156,7 +156,7 @@ pub(crate) enum Command {
 ///
 /// # Errors
 /// See [`Failure`].
-pub(crate) fn run(command: &Command) -> Result<Report, Failure> {
+pub fn run(command: &Command) -> Result<Report, Failure> {
     match command {
         Command::Compare(arguments) => compare::run(arguments),
         Command::State(arguments) => state::run(arguments),
@@ -184,9 +184,9 @@ pub(crate) fn run(command: &Command) -> Result<Report, Failure> {
 
 /// `toytop completions`
 #[derive(Args)]
-pub(crate) struct CompletionsArgs {
+pub struct CompletionsArgs {
     /// Shell that the completions are for
-    pub(crate) shell: Shell,
+    pub shell: Shell,
 }
 
 /// Script that completes this program's commands, options and values.

@@ -1,25 +1,25 @@
 //! Commands of `toytop`, one file for each. A command returns its whole output, and nothing is printed before it is complete.
 
-pub(crate) mod accuracy;
-pub(crate) mod animate;
-pub(crate) mod bake;
-pub(crate) mod bench;
-pub(crate) mod benchmark;
-pub(crate) mod budget;
-pub(crate) mod compare;
-pub(crate) mod constants;
-pub(crate) mod errata;
-pub(crate) mod events;
-pub(crate) mod figures;
-pub(crate) mod fit;
-pub(crate) mod options;
-pub(crate) mod plot;
-pub(crate) mod score;
-pub(crate) mod simulate;
-pub(crate) mod state;
-pub(crate) mod sweep;
+pub mod accuracy;
+pub mod animate;
+pub mod bake;
+pub mod bench;
+pub mod benchmark;
+pub mod budget;
+pub mod compare;
+pub mod constants;
+pub mod errata;
+pub mod events;
+pub mod figures;
+pub mod fit;
+pub mod options;
+pub mod plot;
+pub mod score;
+pub mod simulate;
+pub mod state;
+pub mod sweep;
 mod times;
-pub(crate) mod view;
+pub mod view;
 
 use crate::input::scenario::Scenario;
 use crate::motion::physical_limits;

@@ -8,10 +8,10 @@ use toytop::{Motion, PeriodAdvance};
 use toytop_page::constants::{CONSTANTS, MotionConstants};
 
 /// Name of a constant, and its unit in a scenario in SI units.
-pub(crate) type Constant = (&'static str, &'static str);
+pub type Constant = (&'static str, &'static str);
 
 /// All constants. Without units in the scenario, a second stands for its unit of time.
-pub(crate) const ALL: [Constant; 28] = [
+pub const ALL: [Constant; 28] = [
     ("l", "kg m^2/s"),
     ("n", "kg m^2/s"),
     ("h", "kg m^2/s^2"),
@@ -43,7 +43,7 @@ pub(crate) const ALL: [Constant; 28] = [
 ];
 
 /// Value of a constant; absent where the motion does not have it.
-pub(crate) fn value(motion: &MotionConstants, name: &str) -> Value {
+pub fn value(motion: &MotionConstants, name: &str) -> Value {
     let turns_per_second = match name.strip_suffix("_deg_per_s").or(name.strip_suffix("_rpm")) {
         Some("mean_precession") => mean_precession(motion),
         Some("spin") => motion.first_integrals().spin / (2.0 * PI),

@@ -18,10 +18,13 @@
 //! | [`bake`] | ephemeris as Rust or C |
 //! | [`pictures`] | curve of the tip, figures, page for a browser |
 //! | [`output`] | tables, CSV, JSON, files, progress |
-//! | [`cli`], [`commands`], [`program`] | command line, one file for each command, exit codes |
+//! | `cli`, `commands`, [`program`] | command line, one file for each command, exit codes |
 //!
 //! A command computes everything that can fail before the first byte is printed, so a failure leaves no partial output.
 //! The program `toytop-lab` (the folder `lab`) uses this library for studies that check the core itself.
+
+// Visibility is that of the modules: what a private one declares `pub` is its interface within the crate.
+#![allow(unreachable_pub)]
 
 pub mod bake;
 #[cfg(feature = "program")]
@@ -29,9 +32,9 @@ mod benchmarks;
 #[cfg(feature = "program")]
 pub mod budget;
 #[cfg(feature = "program")]
-pub mod cli;
+mod cli;
 #[cfg(feature = "program")]
-pub mod commands;
+mod commands;
 #[cfg(feature = "program")]
 mod constants;
 #[cfg(feature = "program")]

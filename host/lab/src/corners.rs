@@ -31,7 +31,7 @@ struct Tally {
     failures: Vec<String>,
 }
 
-pub(super) fn run(study: &Study, truths: u64) -> Result<Found, Failure> {
+pub fn run(study: &Study, truths: u64) -> Result<Found, Failure> {
     let cores = thread_pool::of_all_cores()?;
     let add = |tally: &mut Tally, launch| tally.add(study, truths, launch);
     let tally = thread_pool::tally(&cores, (study.motions, "launches"), add, Tally::merged);

@@ -21,7 +21,7 @@ struct Sums {
     refused: BTreeMap<String, u64>,
 }
 
-pub(super) fn run(study: &Study) -> Result<Found, Failure> {
+pub fn run(study: &Study) -> Result<Found, Failure> {
     let cores = thread_pool::of_all_cores()?;
     let add = |sums: &mut [Sums; 3], launch| {
         for (set, sums) in sums.iter_mut().enumerate() {

@@ -5,6 +5,9 @@
 //! | `corners` | tables of motions near every degenerate case, against the truth and their bounds |
 //! | `fit` | launches fitted to simulated samples, and their error bars |
 
+// Visibility is that of the modules.
+#![allow(unreachable_pub)]
+
 mod corners;
 mod fit;
 

@@ -6,7 +6,7 @@ use toytop::Orientation;
 
 /// Body axes and length of a source. The third fixed axis points up in all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-pub(crate) struct Conventions {
+pub struct Conventions {
     /// Number of the body axis that points from the tip to the centre of mass: 2 or 3.
     pub symmetry_axis: usize,
     /// Distance from the tip to the centre of mass, in which positions are computed.
@@ -14,7 +14,7 @@ pub(crate) struct Conventions {
 }
 
 /// Motion at one time, in a source's conventions.
-pub(crate) struct Values {
+pub struct Values {
     /// Position of the centre of mass relative to the tip.
     pub position: [f64; 3],
     /// Quaternion w, x, y, z from body to fixed axes.
@@ -25,7 +25,7 @@ pub(crate) struct Values {
 
 impl Conventions {
     /// Rotation P that takes the source's body coordinates to those of the core, whose third axis is the axis of symmetry.
-    pub(crate) fn to_core(self) -> Orientation<f64> {
+    pub fn to_core(self) -> Orientation<f64> {
         match self.symmetry_axis {
             // a quarter turn about the first axis takes the second axis to the third
             2 => Orientation::from_quaternion([1.0, 1.0, 0.0, 0.0]).normalised(),
@@ -34,7 +34,7 @@ impl Conventions {
     }
 
     /// Values of a sample of the core in the source's conventions.
-    pub(crate) fn values(&self, sample: &Sample) -> Values {
+    pub fn values(&self, sample: &Sample) -> Values {
         let core = sample.orientation();
         let orientation = core.compose(&self.to_core());
         Values {

@@ -8,23 +8,23 @@ use serde::Deserialize;
 use toytop::Stepper;
 
 /// Motion with its source, conventions and reference values.
-pub(crate) struct Problem {
+pub struct Problem {
     /// Scenario of the motion.
-    pub(crate) scenario: Scenario,
+    pub scenario: Scenario,
     /// Title of the problem.
-    pub(crate) title: String,
+    pub title: String,
     /// Paper or program that posed it.
-    pub(crate) source: String,
+    pub source: String,
     /// Body axes and length of its source.
-    pub(crate) conventions: Conventions,
+    pub conventions: Conventions,
     /// Length of a run, in the unit of time.
-    pub(crate) seconds: f64,
+    pub seconds: f64,
     /// Programs that use the problem, one sentence for each.
-    pub(crate) used_by: Vec<String>,
+    pub used_by: Vec<String>,
     /// Values that others printed.
-    pub(crate) printed: Vec<Printed>,
+    pub printed: Vec<Printed>,
     /// Values to 30 digits, at the source's times.
-    pub(crate) references: Vec<Reference>,
+    pub references: Vec<Reference>,
 }
 
 /// File that describes a problem.
@@ -43,15 +43,15 @@ struct Description {
 /// Value that another program or paper printed.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Printed {
+pub struct Printed {
     /// Program or paper that printed it, and its method.
-    pub(crate) by: String,
+    pub by: String,
     /// Time, as text.
-    pub(crate) t: String,
+    pub t: String,
     /// Name of the quantity of these numbers: position, quaternion, omega_body, energy or u.
-    pub(crate) quantity: String,
+    pub quantity: String,
     /// Numbers, in the source's conventions.
-    pub(crate) values: Vec<f64>,
+    pub values: Vec<f64>,
 }
 
 /// File of reference values.
@@ -62,7 +62,7 @@ struct References {
 
 /// Values to 30 digits at one time, in the source's conventions.
 #[derive(Deserialize)]
-pub(crate) struct Reference {
+pub struct Reference {
     /// Time, as text.
     pub t: String,
     /// Position of the centre of mass relative to the tip.
@@ -74,7 +74,7 @@ pub(crate) struct Reference {
 }
 
 impl Problem {
-    pub(super) fn read((name, scenario, description, references): &Files) -> Result<Self, Failure> {
+    pub fn read((name, scenario, description, references): &Files) -> Result<Self, Failure> {
         let broken =
             |error: &dyn std::fmt::Display| Failure::Tool(format!("the catalogue's {name}: {error}"));
         let Description { title, source, conventions, seconds, used_by, printed } =
@@ -86,13 +86,13 @@ impl Problem {
     }
 
     /// Name of the problem on the command line.
-    pub(crate) fn name(&self) -> &str {
+    pub fn name(&self) -> &str {
         &self.scenario.name
     }
 
     /// Greatest difference of the components of a printed value from the reference. A quaternion has the sign that is nearer to the
     /// reference. `None` if the catalogue has no reference for the value.
-    pub(crate) fn off(&self, printed: &Printed) -> Option<f64> {
+    pub fn off(&self, printed: &Printed) -> Option<f64> {
         let there = self.references.iter().find(|reference| reference.t == printed.t);
         let digits = |texts: &[String]| texts.iter().filter_map(|text| text.parse().ok()).collect();
         let reference = match &*printed.quantity {

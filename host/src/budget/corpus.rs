@@ -8,13 +8,13 @@ use std::path::Path;
 
 /// Costs of all launches of one scalar with one result on one chip.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct CorpusCost {
-    pub(super) chip: &'static str,
-    pub(super) scalar: String,
+pub struct CorpusCost {
+    pub chip: &'static str,
+    pub scalar: String,
     /// Result of the launches, `ready` or `refused`.
-    pub(super) result: String,
+    pub result: String,
     /// Instructions of each launch, motion and table together, in ascending order.
-    pub(super) launches: Vec<u64>,
+    pub launches: Vec<u64>,
     /// Instructions of the longest slice of the launch or of the table's set-up.
     slice: u64,
     /// Modelled cycles per instruction, equal to those of the call `launch`; `None` where the chip has no model.
@@ -25,7 +25,7 @@ pub(crate) struct CorpusCost {
 ///
 /// # Errors
 /// [`Failure::Tool`]: there is no QEMU, the program did not end with exit code 0, or a line of its output cannot be read.
-pub(crate) fn corpus(chip: &'static Chip, elf: &Path, limits: &Limits) -> Result<Vec<CorpusCost>, Failure> {
+pub fn corpus(chip: &'static Chip, elf: &Path, limits: &Limits) -> Result<Vec<CorpusCost>, Failure> {
     let fail = |what: String| Failure::Tool(format!("budget: {}: {what}", chip.name));
     let ended = chip
         .qemu(elf)
@@ -72,7 +72,7 @@ impl CorpusCost {
     }
 
     /// Modelled cycles of the median and of the greatest launch, and of the longest slice; `None` without a model of the chip.
-    pub(super) fn modelled_cycles(&self) -> [Option<u64>; 3] {
+    pub fn modelled_cycles(&self) -> [Option<u64>; 3] {
         let [median, greatest] = self.median_and_greatest();
         let cycles =
             |instructions: u64| Some((self.cycles_per_instruction? * instructions as f64).round() as u64);
@@ -80,7 +80,7 @@ impl CorpusCost {
     }
 
     /// Median and greatest, as a row of output.
-    pub(crate) fn record(&self) -> Record {
+    pub fn record(&self) -> Record {
         let ([median, greatest], cycles) = (self.median_and_greatest(), self.modelled_cycles());
         Record::default()
             .with("chip", self.chip)

@@ -68,7 +68,7 @@ impl Image {
     }
 
     /// Bytes of flash, of code and constants.
-    pub(crate) fn flash(&self) -> u64 {
+    pub fn flash(&self) -> u64 {
         self.flash
     }
 

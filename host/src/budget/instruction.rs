@@ -79,14 +79,14 @@ pub struct Instruction {
 }
 
 /// Decoder of Thumb code.
-pub(super) struct Decoder(Capstone);
+pub struct Decoder(Capstone);
 
 impl Decoder {
     /// Decoder for every Cortex-M.
     ///
     /// # Errors
     /// The errors of Capstone.
-    pub(super) fn new() -> Result<Self, capstone::Error> {
+    pub fn new() -> Result<Self, capstone::Error> {
         let builder = Capstone::new().arm().mode(ArchMode::Thumb);
         let extra = std::iter::once(capstone::arch::arm::ArchExtraMode::MClass);
         Ok(Self(builder.extra_mode(extra).detail(true).build()?))
@@ -96,7 +96,7 @@ impl Decoder {
     ///
     /// # Errors
     /// The errors of Capstone.
-    pub(super) fn decode(&self, code: &[u8], address: u64) -> Result<Vec<Instruction>, capstone::Error> {
+    pub fn decode(&self, code: &[u8], address: u64) -> Result<Vec<Instruction>, capstone::Error> {
         let decoded = self.0.disasm_all(code, address)?;
         decoded.iter().map(|instruction| self.facts(instruction)).collect()
     }

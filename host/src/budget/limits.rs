@@ -95,7 +95,7 @@ impl Limits {
     }
 
     /// Line for each figure that is not within its limit, and for each call that has a measurement or a limit but not both.
-    pub(crate) fn complaints(&self, chip: &str, measured: &Costs) -> Vec<String> {
+    pub fn complaints(&self, chip: &str, measured: &Costs) -> Vec<String> {
         let mut lines = Vec::new();
         let limits = self.0.get(chip).into_iter().flat_map(BTreeMap::keys);
         for call in limits.chain(measured.keys()).collect::<BTreeSet<_>>() {

@@ -33,7 +33,7 @@ impl Model {
     }
 
     /// Cycles of consecutive instructions.
-    pub(super) fn cycles(self, instructions: &[Instruction]) -> i64 {
+    pub fn cycles(self, instructions: &[Instruction]) -> i64 {
         let alone: i64 = instructions.iter().map(|instruction| self.alone(instruction)).sum();
         alone + instructions.windows(2).map(|pair| self.after(&pair[0], &pair[1])).sum::<i64>()
     }

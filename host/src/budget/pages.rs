@@ -14,7 +14,7 @@ pub const OF_LIMITS: [Part<Limits>; 2] =
     [(COSTS, "toytop budget: calls", calls), (FRONT_PAGE, "toytop budget: front page", front_page)];
 
 /// Parts of pages that have costs of many launches.
-pub(crate) const OF_CORPUS: [Part<[CorpusCost]>; 2] = [
+pub const OF_CORPUS: [Part<[CorpusCost]>; 2] = [
     (COSTS, "toytop budget: launches", launches),
     (FRONT_PAGE, "toytop budget: median launch", median_launch),
 ];

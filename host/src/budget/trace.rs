@@ -15,20 +15,20 @@ const LONGEST_RUN: Duration = Duration::from_secs(120);
 
 /// Consecutive instructions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub(super) struct Block {
+pub struct Block {
     /// Address of the first instruction.
-    pub(super) start: u64,
+    pub start: u64,
     /// Address after the last instruction.
-    pub(super) end: u64,
+    pub end: u64,
     /// Number of instructions.
-    pub(super) count: u64,
+    pub count: u64,
 }
 
 /// Output of an ELF that QEMU runs. `executed` is called for every executed block.
 ///
 /// # Errors
 /// [`Failure::Tool`]: there is no QEMU, the program did not end in time and with exit code 0, or the log cannot be read.
-pub(super) fn run(
+pub fn run(
     chip: &Chip,
     elf: &Path,
     executed: impl FnMut(Block) -> Result<(), Failure>,

@@ -16,7 +16,7 @@ use std::path::PathBuf;
 
 /// `toytop accuracy`
 #[derive(Args)]
-pub(crate) struct AccuracyArgs {
+pub struct AccuracyArgs {
     /// Scalar types
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]
     scalar: Vec<ScalarChoice>,
@@ -31,7 +31,7 @@ pub(crate) struct AccuracyArgs {
     format: Format,
 }
 
-pub(crate) fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     let page = arguments.accept.as_deref().map(|path| Page::read(path, "toytop accuracy: scalars"));
     let page = page.transpose()?;
     let limits = Limits::built_in()?;

@@ -15,7 +15,7 @@ use std::process::{Command, Stdio};
 
 /// `toytop animate`
 #[derive(Args)]
-pub(crate) struct AnimateArgs {
+pub struct AnimateArgs {
     /// Scenario file
     scenario: PathBuf,
     /// Times to show, s; without it, from 0 over about one turn of the tip around the centre
@@ -36,7 +36,7 @@ fn length(text: &str) -> Result<f64, &'static str> {
     text.parse().ok().filter(|x| (0.1..=600.0).contains(x)).ok_or("must be a number from 0.1 to 600")
 }
 
-pub(crate) fn run(arguments: &AnimateArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &AnimateArgs) -> Result<Report, Failure> {
     let path = &arguments.output;
     let scenario = Scenario::read(&arguments.scenario)?;
     let is_gif = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("gif"));

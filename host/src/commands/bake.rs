@@ -14,7 +14,7 @@ use toytop::{ErrorBound, Tick};
 
 /// `toytop bake`
 #[derive(Args)]
-pub(crate) struct BakeArgs {
+pub struct BakeArgs {
     /// Scenario file
     scenario: PathBuf,
     /// Scalar type of the results
@@ -44,14 +44,14 @@ pub(crate) struct BakeArgs {
 
 /// Language that `bake` writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Language {
+pub enum Language {
     /// Module with one static
     Rust,
     /// Header with the table and the code that evaluates it
     C,
 }
 
-pub(crate) fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     whole_file::require_other("--output", arguments.output.as_deref(), &[Some(&arguments.scenario)])?;
     let scenario = Scenario::read(&arguments.scenario)?;
     if arguments.split.is_some() && arguments.lang != Language::C {

@@ -37,7 +37,7 @@ fn least<T>(states: u32, mut task: impl FnMut() -> T) -> (f64, T) {
     (1..RUNS).map(|_| timed()).fold(first, |best, run| (best.0.min(run.0), run.1))
 }
 
-pub(crate) fn run(arguments: &FormatArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &FormatArgs) -> Result<Report, Failure> {
     let figures = builtin::figures()?.concat();
     // a curve with cusps
     let [.., scenario, _, _] = &figures[..] else { return Err(Failure::Tool("bench: no motion".into())) };

@@ -15,7 +15,7 @@ use std::path::PathBuf;
 
 /// `toytop benchmark`
 #[derive(Args)]
-pub(crate) struct BenchmarkArgs {
+pub struct BenchmarkArgs {
     /// Name of a problem; without it, all problems are listed
     name: Option<String>,
     /// Times, s, in place of the source's, with 17 digits in place of 30: T1,T2,... or LOW..HIGH/PLACES
@@ -32,7 +32,7 @@ pub(crate) struct BenchmarkArgs {
     format: Format,
 }
 
-pub(crate) fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
     let name = arguments.name.as_deref();
     let problem = name.map(benchmarks::named).transpose().map_err(|failure| failure.of("benchmark"))?;
     if let Some(name) = name.filter(|_| arguments.scenario) {

@@ -20,7 +20,7 @@ const TICK_RATE: f64 = 1000.0;
 #[command(
     after_help = "Example: toytop budget --chip m4f,m0plus --clock 48\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
 )]
-pub(crate) struct BudgetArgs {
+pub struct BudgetArgs {
     /// Chips, separated by commas: m0plus, m4f, m7, m33, riscv; without it, all
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     chip: Vec<String>,
@@ -48,7 +48,7 @@ pub(crate) struct BudgetArgs {
     format: Format,
 }
 
-pub(crate) fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
     let chips = chosen(&arguments.chip)?;
     if let Some(elf) = &arguments.elf {
         let [chip] = chips[..] else {

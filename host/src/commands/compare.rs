@@ -56,7 +56,7 @@ const RUNS: [(Method, Scalar); 6] = [
 
 /// `toytop compare`
 #[derive(Args)]
-pub(crate) struct CompareArgs {
+pub struct CompareArgs {
     /// Scenario files; without any, the built-in motions are compared
     #[arg(value_name = "SCENARIO")]
     scenarios: Vec<PathBuf>,
@@ -74,7 +74,7 @@ pub(crate) struct CompareArgs {
     format: Format,
 }
 
-pub(crate) fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     let built_in = arguments.scenarios.is_empty();
     let scenarios = if built_in {
         builtin::scenarios()?

@@ -11,7 +11,7 @@ use toytop_page::constants::MotionConstants;
 
 /// `toytop constants`
 #[derive(Args)]
-pub(crate) struct ConstantsArgs {
+pub struct ConstantsArgs {
     /// Scenario file
     scenario: PathBuf,
     /// Form of the output
@@ -19,7 +19,7 @@ pub(crate) struct ConstantsArgs {
     format: Format,
 }
 
-pub(crate) fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let motion = MotionConstants::new(scenario.motion);
     let record = Record(ALL.map(|(name, _)| (name, value(&motion, name))).into());

@@ -6,7 +6,7 @@ use crate::Failure;
 use crate::errata::{ERRATA, Erratum};
 use crate::output::{self, Record};
 
-pub(crate) fn run(arguments: &FormatArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &FormatArgs) -> Result<Report, Failure> {
     let record = |(number, erratum): (u64, Erratum)| {
         let Erratum { place, against, printed, corrected, residuals } = erratum;
         Record::default()

@@ -13,7 +13,7 @@ use toytop::{Level, Motion, ParameterError, Phase, Support};
 
 /// `toytop events`
 #[derive(Args)]
-pub(crate) struct EventsArgs {
+pub struct EventsArgs {
     /// Scenario file
     scenario: PathBuf,
     /// Events to list, separated by commas: turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS, lift-off. With :up or :down
@@ -33,7 +33,7 @@ pub(crate) struct EventsArgs {
 
 /// Kind of event on the command line.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Kind {
+pub struct Kind {
     /// Kind of the event.
     what: What,
     /// Whether only upward (`true`) or only downward (`false`) events count; `None` for both.
@@ -44,7 +44,7 @@ pub(crate) struct Kind {
 
 /// Kinds of event.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum What {
+pub enum What {
     /// Turning point of u.
     Turning,
     /// Time at which the tilt has this value, degrees.
@@ -84,7 +84,7 @@ fn time(text: &str) -> Result<f64, &'static str> {
     text.parse().ok().filter(|t: &f64| t.is_finite()).ok_or("must be a finite number")
 }
 
-pub(crate) fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let motion = &scenario.motion;
     let reach = furthest_time(motion);

@@ -13,13 +13,13 @@ use std::path::PathBuf;
 
 /// `toytop figures`
 #[derive(Args)]
-pub(crate) struct FiguresArgs {
+pub struct FiguresArgs {
     /// Folder to write to, which is created if it does not exist
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
 }
 
-pub(crate) fn run(arguments: &FiguresArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &FiguresArgs) -> Result<Report, Failure> {
     let folder = &arguments.output;
     std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--output", folder, error))?;
     let mut text = String::new();

@@ -18,7 +18,7 @@ use std::path::PathBuf;
 
 /// `toytop fit`
 #[derive(Args)]
-pub(crate) struct FitArgs {
+pub struct FitArgs {
     /// Samples, as `toytop simulate` writes them
     samples: PathBuf,
     /// Scenario file with the top; its motion is not read
@@ -55,7 +55,7 @@ fn huber(text: &str) -> Result<f64, &'static str> {
     text.parse().ok().filter(|x| *x >= 1.0).ok_or("must be a number from 1, or inf")
 }
 
-pub(crate) fn run(arguments: &FitArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let inputs = [Some(&*arguments.samples), Some(&*arguments.top), arguments.sensors.as_deref()];
     whole_file::require_other("--output", arguments.output.as_deref(), &inputs)?;
     let plots =

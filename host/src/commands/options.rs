@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 /// Method by which `state` reaches a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Method {
+pub enum Method {
     /// Ephemeris of the core: any time at the same cost
     Ephemeris,
     /// Stepper of the core
@@ -20,7 +20,7 @@ pub(crate) enum Method {
 
 impl Method {
     /// Name on the command line.
-    pub(crate) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Ephemeris => "ephemeris",
             Self::Stepper => "stepper",
@@ -32,7 +32,7 @@ impl Method {
 
 /// One scalar type, or all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ScalarChoice {
+pub enum ScalarChoice {
     /// Double precision
     F64,
     /// Single precision
@@ -47,7 +47,7 @@ pub(crate) enum ScalarChoice {
 
 impl ScalarChoice {
     /// Chosen types, each once, in the order of their declaration.
-    pub(crate) fn chosen(choices: &[Self]) -> Vec<Scalar> {
+    pub fn chosen(choices: &[Self]) -> Vec<Scalar> {
         let types = [Self::F64, Self::F32, Self::Q31, Self::Q15].into_iter().zip(Scalar::ALL);
         let chosen = types.filter(|(choice, _)| choices.contains(choice) || choices.contains(&Self::All));
         chosen.map(|(_, scalar)| scalar).collect()
@@ -55,10 +55,10 @@ impl ScalarChoice {
 }
 
 /// Endings of a picture.
-pub(crate) const PICTURE: &str = ".svg or .png";
+pub const PICTURE: &str = ".svg or .png";
 
 /// Reader of the name of a file that has one of these endings.
-pub(crate) fn ending_in(allowed: &'static str) -> impl Fn(&str) -> Result<PathBuf, String> + Clone {
+pub fn ending_in(allowed: &'static str) -> impl Fn(&str) -> Result<PathBuf, String> + Clone {
     move |name| {
         let mut endings = allowed.split([',', ' ']).filter(|word| word.starts_with('.'));
         if endings.any(|ending| name.to_lowercase().ends_with(ending)) {
@@ -70,27 +70,27 @@ pub(crate) fn ending_in(allowed: &'static str) -> impl Fn(&str) -> Result<PathBu
 }
 
 /// Number above 0.
-pub(crate) fn positive(text: &str) -> Result<f64, &'static str> {
+pub fn positive(text: &str) -> Result<f64, &'static str> {
     text.parse().ok().filter(|x| *x > 0.0 && f64::is_finite(*x)).ok_or("must be a number above 0")
 }
 
 /// `toytop bench` and `toytop errata`
 #[derive(Args)]
-pub(crate) struct FormatArgs {
+pub struct FormatArgs {
     /// Form of the output
     #[arg(long, default_value = "table")]
     pub format: Format,
 }
 
 /// Two times, LOW..HIGH, s.
-pub(crate) fn span(text: &str) -> Result<[f64; 2], &'static str> {
+pub fn span(text: &str) -> Result<[f64; 2], &'static str> {
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
     let ends = text.split_once("..").and_then(|(from, until)| Some([number(from)?, number(until)?]));
     ends.filter(|[from, until]| from < until).ok_or("must be LOW..HIGH, two times in s")
 }
 
 /// Ticks, and seconds in which they are.
-pub(crate) fn hertz(text: &str) -> Result<[u32; 2], &'static str> {
+pub fn hertz(text: &str) -> Result<[u32; 2], &'static str> {
     let (ticks, seconds) = text.split_once('/').unwrap_or((text, "1"));
     let whole = |text: &str| text.parse::<u32>().ok().filter(|n| *n > 0);
     whole(ticks)

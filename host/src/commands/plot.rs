@@ -18,7 +18,7 @@ use toytop::{Sign, Support};
 
 /// `toytop plot`
 #[derive(Args)]
-pub(crate) struct PlotArgs {
+pub struct PlotArgs {
     /// Scenario file
     scenario: PathBuf,
     /// Kind of picture
@@ -38,7 +38,7 @@ pub(crate) struct PlotArgs {
 
 /// Kind of picture that `plot` draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum PlotKind {
+pub enum PlotKind {
     /// Curve of the tip between its two bounding circles, from above; for a held tip, the curve of the axis
     Tip,
     /// Curve of the axis on the unit sphere
@@ -53,7 +53,7 @@ pub(crate) enum PlotKind {
 
 impl PlotKind {
     /// Greatest number of nutation periods of a picture, and the kind of picture as a message names it. More would fill the frame.
-    pub(crate) fn most_cycles(self) -> (u32, &'static str) {
+    pub fn most_cycles(self) -> (u32, &'static str) {
         match self {
             Self::Tilt => (300, " for --kind tilt"),
             Self::Precession => (300, " for --kind precession"),
@@ -62,7 +62,7 @@ impl PlotKind {
     }
 }
 
-pub(crate) fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let scene = scene(arguments, &scenario).map_err(|failure| failure.of_motion(&scenario.name))?;
     drawing::write("--output", &arguments.output, &scene, arguments.size)?;
@@ -92,7 +92,7 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
 }
 
 /// Class of the curve and numbers of the scenario, in two lines.
-pub(super) fn caption(kind: PlotKind, scenario: &Scenario, span: &Span) -> [String; 2] {
+pub fn caption(kind: PlotKind, scenario: &Scenario, span: &Span) -> [String; 2] {
     let motion = &scenario.motion;
     let (top, e, signs) = (motion.top(), motion.branch_points(), motion.signs());
     let class = tip_class(motion.tip_class()).replace('_', " ");

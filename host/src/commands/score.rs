@@ -19,7 +19,7 @@ use std::path::PathBuf;
 
 /// `toytop score`
 #[derive(Args)]
-pub(crate) struct ScoreArgs {
+pub struct ScoreArgs {
     /// Scenario file; with --benchmark, the first CSV file
     scenario: PathBuf,
     /// CSV files with the output of integrators for this scenario: one file for each step size and method
@@ -39,7 +39,7 @@ pub(crate) struct ScoreArgs {
     format: Format,
 }
 
-pub(crate) fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let first = &arguments.scenario;
     let problem = arguments.benchmark.as_deref().map(benchmarks::named);
     let problem = problem.transpose().map_err(|failure| failure.of("--benchmark"))?;

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 
 /// `toytop simulate`
 #[derive(Args)]
-pub(crate) struct SimulateArgs {
+pub struct SimulateArgs {
     /// Scenario file
     scenario: PathBuf,
     /// Sensors; without this option, a gyroscope, an accelerometer and a magnetometer of a telephone at the centre of mass
@@ -33,7 +33,7 @@ pub(crate) struct SimulateArgs {
     output: PathBuf,
 }
 
-pub(crate) fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
     let inputs = [Some(&*arguments.scenario), arguments.sensors.as_deref()];
     whole_file::require_other("--output", Some(&arguments.output), &inputs)?;
     let scenario = Scenario::read(&arguments.scenario)?;

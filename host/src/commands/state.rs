@@ -25,7 +25,7 @@ type At = dyn Fn(u64) -> Sample + Sync;
 /// `toytop state`
 #[derive(Args)]
 #[command(group = ArgGroup::new("instants").required(true).args(["times", "times_file", "ticks", "from"]))]
-pub(crate) struct StateArgs {
+pub struct StateArgs {
     /// Scenario file
     scenario: PathBuf,
     // without a doc comment, which would replace the help text of the whole command
@@ -58,7 +58,7 @@ pub(crate) struct StateArgs {
     output: Option<PathBuf>,
 }
 
-pub(crate) fn run(arguments: &StateArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let inputs = [Some(&*arguments.scenario), arguments.times.times_file.as_deref()];
     whole_file::require_other("--output", arguments.output.as_deref(), &inputs)?;
     let scenario = Scenario::read(&arguments.scenario)?;

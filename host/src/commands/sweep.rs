@@ -19,7 +19,7 @@ const LARGEST_PLOTTED: u64 = 4096;
 
 /// `toytop sweep`
 #[derive(Args)]
-pub(crate) struct SweepArgs {
+pub struct SweepArgs {
     /// Scenario file whose numbers vary
     scenario: PathBuf,
     /// CSV file to write (- is stdout); it appears under its name when it is complete
@@ -67,7 +67,7 @@ pub(crate) struct SweepArgs {
 
 impl SweepArgs {
     /// Keys of the scenario that vary, each with its axis.
-    pub(crate) fn varied(&self) -> Vec<(String, Axis)> {
+    pub fn varied(&self) -> Vec<(String, Axis)> {
         let of_release = [
             ("spin", &self.spin),
             ("tilt_deg", &self.tilt),
@@ -96,7 +96,7 @@ fn part(text: &str) -> Result<[u64; 2], &'static str> {
         .ok_or("must be I/N with I from 1 to N, and N at most 2^32")
 }
 
-pub(crate) fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     let started = Instant::now();
     whole_file::require_other("--output", Some(&arguments.output), &[Some(&arguments.scenario)])?;
     let sweep = Sweep::new(

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 /// Times of `toytop state`: exactly one of the four ways.
 #[derive(Args)]
 #[group(skip)]
-pub(crate) struct TimesArgs {
+pub struct TimesArgs {
     /// Times, s, separated by commas, in any order; they may be negative. LOW..HIGH/PLACES spreads times evenly, both ends included,
     /// log:LOW..HIGH/PLACES evenly in the logarithm
     #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true)]
@@ -32,19 +32,19 @@ pub(crate) struct TimesArgs {
 }
 
 /// Times in the order of the request, at least one.
-pub(crate) struct Instants {
+pub struct Instants {
     /// Number of times.
-    pub(crate) count: u64,
+    pub count: u64,
     /// Least and greatest time, s.
     ends: [f64; 2],
     /// Number of ticks, and the seconds in which they are, where the times are those of ticks.
-    pub(crate) rate: Option<[u32; 2]>,
+    pub rate: Option<[u32; 2]>,
     at: Box<dyn Fn(u64) -> (f64, i64) + Send + Sync>,
 }
 
 impl Instants {
     /// Times of an axis.
-    pub(crate) fn of_axis(axis: Axis) -> Self {
+    pub fn of_axis(axis: Axis) -> Self {
         Self {
             count: axis.size(),
             ends: axis.ends(),
@@ -54,7 +54,7 @@ impl Instants {
     }
 
     /// Time of this index, s, and its tick, or 0.
-    pub(crate) fn at(&self, index: u64) -> (f64, i64) {
+    pub fn at(&self, index: u64) -> (f64, i64) {
         (self.at)(index)
     }
 
@@ -62,7 +62,7 @@ impl Instants {
     ///
     /// # Errors
     /// [`Failure::Input`]: too many to be held at once; the message does not name the option.
-    pub(crate) fn times(&self) -> Result<Vec<f64>, Failure> {
+    pub fn times(&self) -> Result<Vec<f64>, Failure> {
         const MOST: u64 = 5_000_000;
         match self.count {
             count if count <= MOST => Ok((0..count).map(|index| self.at(index).0).collect()),
@@ -74,7 +74,7 @@ impl Instants {
     ///
     /// # Errors
     /// [`Failure::Input`].
-    pub(crate) fn require_within(&self, most: f64, method: &str) -> Result<(), Failure> {
+    pub fn require_within(&self, most: f64, method: &str) -> Result<(), Failure> {
         match self.ends.into_iter().find(|end| end.abs() > most) {
             Some(end) => Err(Failure::Input(format!("{end:e} must be within ±{most:.1e} s{method}"))),
             None => Ok(()),
@@ -83,7 +83,7 @@ impl Instants {
 }
 
 /// Option that states the times, with its file if it has one.
-pub(crate) fn option(arguments: &TimesArgs) -> String {
+pub fn option(arguments: &TimesArgs) -> String {
     match (&arguments.times_file, &arguments.ticks) {
         (Some(path), _) => format!("--times-file: {}", path.display()),
         (None, Some(_)) => "--ticks".to_owned(),
@@ -96,7 +96,7 @@ pub(crate) fn option(arguments: &TimesArgs) -> String {
 ///
 /// # Errors
 /// [`Failure::Input`]: an unreadable file, an entry that is no finite number, or no tick.
-pub(crate) fn read(arguments: &TimesArgs, rate: [u32; 2]) -> Result<Instants, Failure> {
+pub fn read(arguments: &TimesArgs, rate: [u32; 2]) -> Result<Instants, Failure> {
     if let (Some(from), Some(to), Some(count)) = (arguments.from, arguments.to, arguments.count) {
         // {:?} has the digits that read back the same number
         let axis = format!("{from:?}..{to:?}/{count}").parse().map_err(|_| {
@@ -119,7 +119,7 @@ pub(crate) fn read(arguments: &TimesArgs, rate: [u32; 2]) -> Result<Instants, Fa
 ///
 /// # Errors
 /// As [`read`].
-pub(crate) fn times(text: &str) -> Result<Instants, Failure> {
+pub fn times(text: &str) -> Result<Instants, Failure> {
     let refused = |reason: &str| Failure::Input(format!("--times: {}: {reason}", shown(text)));
     let axis = if text.contains("..") {
         text.parse().map_err(|reason: String| refused(&reason))?

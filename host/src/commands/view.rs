@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 /// `toytop view`
 #[derive(Args)]
-pub(crate) struct ViewArgs {
+pub struct ViewArgs {
     /// Scenario file of the motion that the page begins with; without it, the page begins with a toy top
     scenario: Option<PathBuf>,
     /// Output file, whose name ends in .html or .htm
@@ -19,7 +19,7 @@ pub(crate) struct ViewArgs {
     output: PathBuf,
 }
 
-pub(crate) fn run(arguments: &ViewArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &ViewArgs) -> Result<Report, Failure> {
     let start = match &arguments.scenario {
         Some(scenario) => ScenarioFile::read(scenario)?,
         None => view::toy_top()?,

@@ -6,13 +6,13 @@ use std::io::{self, ErrorKind, Read};
 const LONGEST_LINE: usize = 1 << 20;
 
 /// Reader that refuses a line of more than a mebibyte, for which a reader of CSV would need unbounded memory.
-pub(crate) struct BoundedLines<R> {
+pub struct BoundedLines<R> {
     inner: R,
     length: usize,
 }
 
 impl<R> BoundedLines<R> {
-    pub(crate) fn new(inner: R) -> Self {
+    pub fn new(inner: R) -> Self {
         Self { inner, length: 0 }
     }
 }
@@ -34,7 +34,7 @@ impl<R: Read> Read for BoundedLines<R> {
 ///
 /// # Errors
 /// Column whose unit is another one than the program's.
-pub(crate) fn names(header: &csv::StringRecord) -> Result<Vec<String>, String> {
+pub fn names(header: &csv::StringRecord) -> Result<Vec<String>, String> {
     let name = |field: &str| {
         let (name, unit) = field.split_once(['[', '(']).unwrap_or((field, ""));
         let (name, unit) = (name.trim(), unit.trim_end_matches([']', ')', ' ']).trim());
@@ -60,7 +60,7 @@ fn units(name: &str) -> &'static [&'static str] {
 }
 
 /// Text of an error of the reader of CSV, with the line if a row has another number of fields than the header.
-pub(crate) fn unread(error: &csv::Error) -> String {
+pub fn unread(error: &csv::Error) -> String {
     match error.kind() {
         csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
             let line = pos.as_ref().map_or(0, csv::Position::line);

@@ -6,8 +6,8 @@ use toml::{Table, Value};
 use toytop::ParameterError;
 
 /// Key whose value is a number or an array of numbers.
-pub(crate) struct Key {
-    pub(crate) name: &'static str,
+pub struct Key {
+    pub name: &'static str,
     /// Allowed values, in words.
     allowed: &'static str,
     /// Value of a missing key; `None` where it must not be missing.
@@ -17,16 +17,16 @@ pub(crate) struct Key {
 }
 
 impl Key {
-    pub(crate) const fn required(name: &'static str, allowed: &'static str) -> Self {
+    pub const fn required(name: &'static str, allowed: &'static str) -> Self {
         Self { name, allowed, default: None, range: [f64::MIN, f64::MAX] }
     }
 
-    pub(crate) const fn optional(name: &'static str, default: f64, allowed: &'static str) -> Self {
+    pub const fn optional(name: &'static str, default: f64, allowed: &'static str) -> Self {
         Self { default: Some(default), ..Self::required(name, allowed) }
     }
 
     /// Key whose value is in this range.
-    pub(crate) const fn within(self, low: f64, high: f64) -> Self {
+    pub const fn within(self, low: f64, high: f64) -> Self {
         Self { range: [low, high], ..self }
     }
 }
@@ -35,7 +35,7 @@ impl Key {
 ///
 /// # Errors
 /// [`Failure::Input`] with the line: no TOML.
-pub(crate) fn parse(file: &str, text: &str) -> Result<Table, Failure> {
+pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
     text.parse::<Table>().map_err(|error| {
         let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
         Failure::Input(format!("{file}: line {line}: must be TOML: {}", error.message()))
@@ -44,38 +44,38 @@ pub(crate) fn parse(file: &str, text: &str) -> Result<Table, Failure> {
 
 /// Table of a file.
 #[derive(Clone, Copy)]
-pub(crate) struct Section<'a> {
-    pub(crate) file: &'a str,
-    pub(crate) name: &'a str,
-    pub(crate) table: &'a Table,
+pub struct Section<'a> {
+    pub file: &'a str,
+    pub name: &'a str,
+    pub table: &'a Table,
 }
 
 impl Section<'_> {
     /// Failure that names a key and the reason.
-    pub(crate) fn refuse(&self, key: &str, reason: &str) -> Failure {
+    pub fn refuse(&self, key: &str, reason: &str) -> Failure {
         Failure::Input(format!("{}: {}.{}: {reason}", self.file, shown(self.name), shown(key)))
     }
 
     /// Failure for an error of the core, whose parameters have the names of the keys, except for those that `renamed` lists.
-    pub(crate) fn refused(&self, error: &ParameterError, renamed: &[(&str, &str)]) -> Failure {
+    pub fn refused(&self, error: &ParameterError, renamed: &[(&str, &str)]) -> Failure {
         let parameter = error.parameter();
         let key = renamed.iter().find(|(name, _)| *name == parameter).map_or(parameter, |(_, key)| key);
         self.refuse(key, &format!("must be {}", error.allowed()))
     }
 
-    pub(crate) fn has(&self, key: &Key) -> bool {
+    pub fn has(&self, key: &Key) -> bool {
         self.table.contains_key(key.name)
     }
 
     /// Failure if there is a key other than these.
-    pub(crate) fn only(&self, names: &[&str]) -> Result<(), Failure> {
+    pub fn only(&self, names: &[&str]) -> Result<(), Failure> {
         let unknown = self.table.keys().find(|key| !names.contains(&key.as_str()));
         let refuse = |key| Err(self.refuse(key, &format!("unknown key; allowed: {}", names.join(", "))));
         unknown.map_or(Ok(()), |key| refuse(key))
     }
 
     /// Failure if there is a key other than `choice`, which selects among the kinds of a table, and those listed.
-    pub(crate) fn only_with(&self, choice: &str, keys: &[Key]) -> Result<(), Failure> {
+    pub fn only_with(&self, choice: &str, keys: &[Key]) -> Result<(), Failure> {
         let names: Vec<_> = std::iter::once(choice).chain(keys.iter().map(|key| key.name)).collect();
         let Some(key) = self.table.keys().find(|key| !names.contains(&key.as_str())) else { return Ok(()) };
         let selected = self.table.get(choice).and_then(Value::as_str);
@@ -84,7 +84,7 @@ impl Section<'_> {
     }
 
     /// Value of a key that is one of several words, with an optional default.
-    pub(crate) fn choice(
+    pub fn choice(
         &self,
         key: &str,
         words: &[&'static str],
@@ -100,7 +100,7 @@ impl Section<'_> {
     }
 
     /// Value of a key that is a number in the key's range.
-    pub(crate) fn number(&self, key: &Key) -> Result<f64, Failure> {
+    pub fn number(&self, key: &Key) -> Result<f64, Failure> {
         let [low, high] = key.range;
         match (self.table.get(key.name), key.default) {
             (Some(value), _) => number(value)
@@ -112,7 +112,7 @@ impl Section<'_> {
     }
 
     /// Values of these keys, each a number in its range.
-    pub(crate) fn numbers<const N: usize>(&self, keys: &[Key; N]) -> Result<[f64; N], Failure> {
+    pub fn numbers<const N: usize>(&self, keys: &[Key; N]) -> Result<[f64; N], Failure> {
         let mut numbers = [0.0; N];
         for (slot, key) in numbers.iter_mut().zip(keys) {
             *slot = self.number(key)?;
@@ -121,7 +121,7 @@ impl Section<'_> {
     }
 
     /// Value of a key that is an array of N finite numbers; `default` replaces a missing one.
-    pub(crate) fn array<const N: usize>(
+    pub fn array<const N: usize>(
         &self,
         key: &Key,
         default: Option<[f64; N]>,
@@ -137,12 +137,12 @@ impl Section<'_> {
         self.refuse(key.name, &format!("missing; must be {}", key.allowed))
     }
 
-    pub(crate) fn not_allowed(&self, key: &Key) -> Failure {
+    pub fn not_allowed(&self, key: &Key) -> Failure {
         self.refuse(key.name, &format!("must be {}", key.allowed))
     }
 }
 
 /// Number of a value; an integer is allowed.
-pub(crate) fn number(value: &Value) -> Option<f64> {
+pub fn number(value: &Value) -> Option<f64> {
     value.as_float().or(value.as_integer().map(|number| number as f64))
 }

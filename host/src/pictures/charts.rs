@@ -7,7 +7,7 @@
 //! | `fit` | residuals of a fit, error of its prediction |
 //! | `heat_map` | column of a sweep over two axes |
 
-pub(crate) mod chart;
-pub(crate) mod fit;
-pub(crate) mod heat_map;
-pub(crate) mod motion;
+pub mod chart;
+pub mod fit;
+pub mod heat_map;
+pub mod motion;

@@ -1,5 +1,5 @@
 //! Pictures of space: the camera, the axis on its sphere, and the top in motion.
 
-pub(crate) mod animation;
+pub mod animation;
 mod camera;
-pub(crate) mod sphere;
+pub mod sphere;

@@ -20,7 +20,7 @@ const ABOVE: f64 = 92.0;
 const BELOW: f64 = 58.0;
 
 /// Draws the curve over a span of time; the lines of the caption are below the title.
-pub(crate) fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scene {
+pub fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scene {
     let curve = &Curve::over(&scenario.motion, span);
     let s = scenario.motion.top().tip_scale();
     // in mm, or in units of s where the scenario names no units

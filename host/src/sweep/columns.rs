@@ -49,7 +49,7 @@ impl FromStr for Column {
 
 impl Column {
     /// Names in the header.
-    pub(super) fn header(self, times: u32) -> Vec<String> {
+    pub fn header(self, times: u32) -> Vec<String> {
         match self {
             Self::Named(name) => vec![name.to_owned()],
             Self::Sample(quantity) => {
@@ -60,7 +60,7 @@ impl Column {
     }
 
     /// Fields of a row whose numbers the scenario refuses.
-    pub(super) fn refused(self, times: u32) -> Vec<String> {
+    pub fn refused(self, times: u32) -> Vec<String> {
         match self {
             Self::Named("regime") => vec!["refused".to_owned()],
             _ => vec![String::new(); self.header(times).len()],
@@ -69,7 +69,7 @@ impl Column {
 }
 
 /// Motion of a row, with its tables and the full solver as far as columns need them.
-pub(super) struct Measured {
+pub struct Measured {
     motion: MotionConstants,
     times: Vec<f64>,
     double: OnceCell<Option<Run>>,
@@ -95,7 +95,7 @@ impl Run {
 
 impl Measured {
     /// Motion with `count` times spread over this many periods.
-    pub(super) fn new(motion: Motion, count: u32, periods: f64) -> Self {
+    pub fn new(motion: Motion, count: u32, periods: f64) -> Self {
         let motion = MotionConstants::new(motion);
         let times = spread_times(periods * motion.nutation_period(), count);
         let (double, single, full) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
@@ -130,7 +130,7 @@ impl Measured {
     }
 
     /// Fields of a column; an absent value is an empty field. A number has the shortest decimal that reads back the same `f64`.
-    pub(super) fn fields(&self, column: Column) -> Vec<String> {
+    pub fn fields(&self, column: Column) -> Vec<String> {
         let number = |x: f64| if x.is_nan() { String::new() } else { format!("{x:?}") };
         match column {
             Column::Named(name) => vec![text(&self.value(name), number).unwrap_or_default()],

@@ -6,7 +6,7 @@ use std::ops::{Add, Div, Mul, Sub};
 use std::sync::LazyLock;
 
 /// Number in which an integral is computed: of 192 bits, or `f64` for a first guess.
-pub(crate) trait Number:
+pub trait Number:
     Clone
     + PartialEq
     + From<u8>
@@ -65,7 +65,7 @@ static NODES: LazyLock<Vec<(Precise, Precise)>> = LazyLock::new(|| {
 });
 
 /// Integrals of `f` from a to b.
-pub(crate) fn integrate<R: Number, const N: usize>([a, b]: [&R; 2], f: impl Fn(&R) -> [R; N]) -> [R; N] {
+pub fn integrate<R: Number, const N: usize>([a, b]: [&R; 2], f: impl Fn(&R) -> [R; N]) -> [R; N] {
     let half = |x: R| x / R::from(2);
     let (middle, length) = (half(a.clone() + b.clone()), half(b.clone() - a.clone()));
     let mut sums = [(); N].map(|()| R::from(0));

@@ -5,7 +5,7 @@ use super::precise::Precise;
 
 /// Turning point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum TurningPoint {
+pub enum TurningPoint {
     /// Turning point u = e₁.
     Lower,
     /// Turning point u = e₂.
@@ -14,23 +14,23 @@ pub(super) enum TurningPoint {
 
 /// Constants of a motion; differences of the branch points are separate constants.
 #[derive(Clone, Debug)]
-pub(super) struct Integrands<R> {
-    pub(super) s: R,
-    pub(super) g: R,
-    pub(super) a_over_p: R,
-    pub(super) one_plus_e1: R,
-    pub(super) one_minus_e2: R,
-    pub(super) e2_minus_e1: R,
-    pub(super) e3_minus_e2: R,
+pub struct Integrands<R> {
+    pub s: R,
+    pub g: R,
+    pub a_over_p: R,
+    pub one_plus_e1: R,
+    pub one_minus_e2: R,
+    pub e2_minus_e1: R,
+    pub e3_minus_e2: R,
     /// Whether torque acts. Without torque e₃ - u does not depend on u, and is 1 in the units of this module.
-    pub(super) torque: bool,
+    pub torque: bool,
     /// Rates (l ± n)/(2A).
-    pub(super) momenta: [R; 2],
+    pub momenta: [R; 2],
 }
 
 impl Integrands<Precise> {
     /// Constants in numbers of another type or precision.
-    pub(super) fn map<R>(&self, number: fn(&Precise) -> R) -> Integrands<R> {
+    pub fn map<R>(&self, number: fn(&Precise) -> R) -> Integrands<R> {
         Integrands {
             s: number(&self.s),
             g: number(&self.g),
@@ -47,7 +47,7 @@ impl Integrands<Precise> {
 
 impl<R: Number> Integrands<R> {
     /// Values of 1 + u, 1 - u and e₃ - u, where x is the sine of the difference of χ from a turning point.
-    pub(super) fn heights(&self, end: TurningPoint, x: &R) -> [R; 3] {
+    pub fn heights(&self, end: TurningPoint, x: &R) -> [R; 3] {
         let square = x.clone() * x.clone();
         let complement = R::from(1) - square.clone();
         let (above, below) =
@@ -59,7 +59,7 @@ impl<R: Number> Integrands<R> {
     }
 
     /// Derivatives of t, arg α and arg β with respect to x, without the rate ±τ/2.
-    pub(super) fn rates(&self, end: TurningPoint, x: &R) -> [R; 3] {
+    pub fn rates(&self, end: TurningPoint, x: &R) -> [R; 3] {
         let [one_plus_u, one_minus_u, below_e3] = self.heights(end, x);
         let d = self.a_over_p.clone() + self.s.clone() * (one_plus_u.clone() * one_minus_u.clone());
         let cosine = R::from(1) - x.clone() * x.clone();
@@ -76,7 +76,7 @@ impl<R: Number> Integrands<R> {
 impl Integrands<f64> {
     /// Square of the rate of Φ without its mean rotation: |α|'² + |β|'² plus |α|² and |β|² times the squared deviations of the rates of arg α
     /// and arg β from their mean rates.
-    pub(super) fn relative_speed_squared(&self, end: TurningPoint, x: f64, mean_rates: [f64; 2]) -> f64 {
+    pub fn relative_speed_squared(&self, end: TurningPoint, x: f64, mean_rates: [f64; 2]) -> f64 {
         let [slowness, alpha, beta] = self.rates(end, &x);
         let [one_plus_u, one_minus_u, _] = self.heights(end, &x);
         let rise = self.e2_minus_e1 * x / slowness;
@@ -89,7 +89,7 @@ impl Integrands<f64> {
 
     /// Distance of the nearest singularity from the turning point, as the sine of an imaginary angle; `None` for the pole of
     /// an aperiodic motion.
-    pub(super) fn depth(&self, end: TurningPoint) -> Option<f64> {
+    pub fn depth(&self, end: TurningPoint) -> Option<f64> {
         // e₄² - 1 = A/(ps)
         let spread = self.a_over_p / self.s;
         let beyond_e4 = spread / ((1.0 + spread).sqrt() + 1.0);

@@ -14,7 +14,7 @@ const MOST: f64 = 1e12;
 /// 1e-12, and one in sixteen at 0. Half of them are branch points; a quarter are states on such motions, in `f64`; a
 /// quarter are releases: tilts down to 1e-6 from either vertical, spins from 1e-3 to 1e6 rad/s, and in every second one a top that
 /// the paper does not contain.
-pub(super) fn random(random: &mut Random) -> Numbers {
+pub fn random(random: &mut Random) -> Numbers {
     let numbers = on_paper(random);
     if random.one_in(2) {
         return numbers;
@@ -30,7 +30,7 @@ pub(super) fn random(random: &mut Random) -> Numbers {
 }
 
 /// Random input with one number outside the allowed range.
-pub(super) fn beyond(random: &mut Random) -> Numbers {
+pub fn beyond(random: &mut Random) -> Numbers {
     let Numbers { mut top, mut start } = self::random(random);
     let far = random.scale(1e3, 1e12);
     let not_finite = if random.one_in(2) { f64::NAN } else { f64::INFINITY };

@@ -7,10 +7,10 @@ use toytop_host::truth::exact::{Course, Exact, PreciseOrientation};
 use toytop_host::truth::precise::{Precise, precise, to_f64, to_floor, to_nearest, whole};
 
 /// Tick with the exact orientation and rates at it.
-pub(super) struct Place {
-    pub(super) tick: i64,
-    pub(super) phi: PreciseOrientation,
-    pub(super) rates: RateSample,
+pub struct Place {
+    pub tick: i64,
+    pub phi: PreciseOrientation,
+    pub rates: RateSample,
 }
 
 /// Number of random ticks in the first period, of ticks near a turning point, and of random distant ticks.
@@ -22,7 +22,7 @@ const SEARCHED: i64 = 64;
 
 /// Places in the first period, at ticks up to ±2^62, and at the ticks `more`. The number of ticks in a unit of time is a power of two, so that
 /// the time of a tick is exact; a motion without a period is given its natural time.
-pub(super) fn with_truth(
+pub fn with_truth(
     exact: &Exact,
     (rate, period): (f64, f64),
     more: &[i64],

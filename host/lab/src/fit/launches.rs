@@ -9,7 +9,7 @@ use toytop_host::input::random::Random;
 use toytop_host::score::rotation_between;
 
 /// Sets of sensors that are tried.
-pub(super) const SETS: [&str; 3] =
+pub const SETS: [&str; 3] =
     ["gyroscope, accelerometer, magnetometer", "gyroscope, accelerometer", "camera"];
 
 /// Number of samples of a launch.
@@ -23,7 +23,7 @@ const WRONG: f64 = 56.0;
 const QUANTILES: [f64; 6] = [3.841, 5.991, 7.815, 9.488, 11.070, 12.592];
 
 /// Result of one launch with one set of sensors.
-pub(super) enum Outcome {
+pub enum Outcome {
     /// Launch that the fit refused, with the reason.
     Refused(String),
     /// Accepted launch that is far from the truth.
@@ -121,7 +121,7 @@ fn sensors(set: usize, top: &Top, com_height: f64) -> Sensors {
 }
 
 /// Simulates a launch and fits it.
-pub(super) fn run(random: &mut Random, set: usize, seed: u64) -> Outcome {
+pub fn run(random: &mut Random, set: usize, seed: u64) -> Outcome {
     let (top, state, motion, height) = random_launch(random);
     let sensors = sensors(set, &top, height);
     let recording = Recording { hertz: HERTZ, count: SAMPLES, seed };

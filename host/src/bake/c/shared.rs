@@ -5,9 +5,9 @@ use crate::motion::Scalar;
 use toytop::scalar::SINE_CONSTANTS;
 
 /// Name of the header that declares the shared code.
-pub(super) const SHARED_HEADER: &str = "toytop_baked.h";
+pub const SHARED_HEADER: &str = "toytop_baked.h";
 /// Name of the source that defines the shared code.
-pub(super) const SHARED_SOURCE: &str = "toytop_baked.c";
+pub const SHARED_SOURCE: &str = "toytop_baked.c";
 
 /// Part of the code: its types and its functions, of which the public ones begin with [`API`].
 struct Part {
@@ -59,7 +59,7 @@ fn format() -> u32 {
 }
 
 /// Code for a header that needs no other file: every function is `static inline`, and included once.
-pub(super) fn inlined(scalar: Scalar) -> String {
+pub fn inlined(scalar: Scalar) -> String {
     // fixed point uses the integers of f32, and 16 bits the vectors of 32 bits
     let needed: &[Scalar] = match scalar {
         Scalar::F64 => &[Scalar::F64],
@@ -76,7 +76,7 @@ pub(super) fn inlined(scalar: Scalar) -> String {
 }
 
 /// Text of [`SHARED_HEADER`].
-pub(super) fn header() -> String {
+pub fn header() -> String {
     let mut text = format!(
         "/* What all tables of `toytop bake` share: types and functions, defined in {SHARED_SOURCE}. C99 and C++11 or later. */\n\
          #ifndef TOYTOP_BAKED_H\n#define TOYTOP_BAKED_H\n"
@@ -91,7 +91,7 @@ pub(super) fn header() -> String {
 }
 
 /// Text of [`SHARED_SOURCE`].
-pub(super) fn source() -> String {
+pub fn source() -> String {
     let mut text = format!(
         "/* What all tables of `toytop bake` share: the functions. C99. */\n#include \"{SHARED_HEADER}\"\n\n#define TOYTOP_API\n"
     );

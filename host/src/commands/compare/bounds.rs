@@ -9,7 +9,7 @@ use toytop::{Motion, Regime};
 /// Steps in a period, in f64 and in every other type. In f64, truncation and rounding of the fourth-order step are equal at about
 /// 2048 steps (smooth motions) to 8192 steps (near the separatrix). In f32, the error from 512 steps on is rounding alone, also near
 /// the separatrix; because the phases are integers, it does not grow with more steps, which only take time.
-pub(super) fn steps_per_period(scalar: Scalar) -> u32 {
+pub fn steps_per_period(scalar: Scalar) -> u32 {
     match scalar {
         Scalar::F64 => 4096,
         _ => 512,
@@ -69,7 +69,7 @@ const WORST: f64 = 4.0;
 ///
 /// Beyond ten periods the bound of the stepper grows in proportion to time, and that of the reference, whose energy drifts, with the
 /// square of time (measured: over 1000 periods the error is 10^3 to 10^4 times as large).
-pub(super) fn bound(
+pub fn bound(
     motion: &Motion,
     (method, scalar): (Method, Scalar),
     periods: u32,
@@ -88,13 +88,13 @@ pub(super) fn bound(
 }
 
 /// Time over which a motion is compared.
-pub(super) struct Span {
+pub struct Span {
     /// The nutation period or, where there is none, a natural time of the top, s.
-    pub(super) period: f64,
+    pub period: f64,
     /// Time over which the motion is compared, s.
-    pub(super) time: f64,
+    pub time: f64,
     /// Reason why the time is shorter than requested.
-    pub(super) remark: Option<String>,
+    pub remark: Option<String>,
 }
 
 /// Greatest growth of rounding errors. Near the upright position the errors of the full equations grow like e^{λt}; the comparison ends
@@ -103,7 +103,7 @@ const MOST_AMPLIFIED: f64 = 1e4;
 
 /// Time of `periods` periods. For an aperiodic motion the time ends shortly before the axis reaches the vertical, because from there the
 /// solution of the full equations, unlike that of the core, falls again.
-pub(super) fn horizon(motion: &Motion, periods: u32) -> Span {
+pub fn horizon(motion: &Motion, periods: u32) -> Span {
     let period = period(motion);
     let time = period * f64::from(periods);
     let span = Span { period, time, remark: None };

@@ -15,20 +15,20 @@ use toytop::su2::OrientationRate;
 use toytop::{Motion, Top};
 
 /// Samples and cost of a run.
-pub(super) struct Run {
+pub struct Run {
     /// Samples in the order of the times, each with the first integrals l, n and h.
     samples: Vec<(Sample, [f64; 3])>,
     /// Number of steps of a stepper.
-    pub(super) steps: Option<u64>,
+    pub steps: Option<u64>,
     /// Segments and terms of a table, and the bound on its error at the last time, rad.
-    pub(super) table: Option<([usize; 2], f64)>,
+    pub table: Option<([usize; 2], f64)>,
     /// Median time of a step or of an evaluation, s.
-    pub(super) call: f64,
+    pub call: f64,
 }
 
 impl Run {
     /// Number of steps or evaluations.
-    pub(super) fn calls(&self) -> u64 {
+    pub fn calls(&self) -> u64 {
         self.steps.unwrap_or(self.samples.len() as u64)
     }
 }
@@ -45,10 +45,10 @@ fn median(mut run: impl FnMut() -> u64) -> f64 {
 }
 
 /// Samples in a period.
-pub(super) const SAMPLES: u32 = 64;
+pub const SAMPLES: u32 = 64;
 
 /// Run of the stepper through the times, in steps of `step`, s.
-pub(super) fn step_through(scalar: Scalar, motion: &Motion, times: &[f64], step: f64) -> Run {
+pub fn step_through(scalar: Scalar, motion: &Motion, times: &[f64], step: f64) -> Run {
     match scalar {
         Scalar::F64 => stepped::<f64>(motion, times, step),
         _ => stepped::<f32>(motion, times, step),
@@ -77,7 +77,7 @@ fn stepped<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Run {
 ///
 /// # Errors
 /// [`Failure::Method`]: no table is large enough.
-pub(super) fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
+pub fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
     let table = smallest(scalar, motion)?;
     let mut found = Vec::new();
     let call = median(|| {
@@ -98,12 +98,12 @@ fn with_integrals(top: &Top, sample: Sample, rate: &OrientationRate<f64>) -> (Sa
 
 /// Names of the errors: of the orientation, 2 √(|Δα|² + |Δβ|²), rad; of u; of the tip in units of s; of h, l and n as recomputed from
 /// α, β and their rates, in units of [`natural_scales`].
-pub(super) const ERRORS: [&str; 6] =
+pub const ERRORS: [&str; 6] =
     ["max_orientation_error_rad", "max_u_error", "max_tip_error_per_s", "h_drift", "l_drift", "n_drift"];
 
 /// States of the full solver at the times of the last run, which most other runs share.
 #[derive(Default)]
-pub(super) struct Reference {
+pub struct Reference {
     times: Vec<f64>,
     states: Vec<FullState>,
 }
@@ -111,7 +111,7 @@ pub(super) struct Reference {
 impl Reference {
     /// Greatest errors of a run, by [`ERRORS`], at the times that the run has reached, because an f32 step ends near the requested
     /// time, not at it.
-    pub(super) fn errors(&mut self, scenario: &Scenario, run: &Run) -> Result<[f64; 6], Failure> {
+    pub fn errors(&mut self, scenario: &Scenario, run: &Run) -> Result<[f64; 6], Failure> {
         let times: Vec<f64> = run.samples.iter().map(|(sample, _)| sample.t).collect();
         if times != self.times {
             self.states = solution::states(scenario, &times)?;

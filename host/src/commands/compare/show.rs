@@ -7,7 +7,7 @@ use crate::commands::options::Method;
 use crate::motion::Scalar;
 use crate::output::{self, Column, Record, error};
 
-pub(super) fn record(row: &Row) -> Record {
+pub fn record(row: &Row) -> Record {
     let (errors, run) = row.measured.as_ref().map(|(errors, run)| (errors, run)).unzip();
     let mut record = Record::default()
         .with("motion", &*row.motion)
@@ -24,7 +24,7 @@ pub(super) fn record(row: &Row) -> Record {
         .with("verdict", row.verdict())
 }
 
-pub(super) fn table(rows: &[Row], periods: u32) -> String {
+pub fn table(rows: &[Row], periods: u32) -> String {
     let mut columns: Vec<Column<'_>> =
         vec![("motion", "motion", error), ("scalar", "type", error), ("method", "method", error)];
     let errors = ERRORS.into_iter().zip(["angle", "u", "tip", "h", "l", "n"]);
@@ -52,7 +52,7 @@ pub(super) fn table(rows: &[Row], periods: u32) -> String {
 }
 
 /// Table with one row for each motion: the error of each run, the greatest share of a bound, the cost, and whether all bounds are kept.
-pub(super) fn summary(rows: &[Row], periods: u32) -> String {
+pub fn summary(rows: &[Row], periods: u32) -> String {
     let runs: Vec<_> =
         RUNS.into_iter().filter(|run| rows.iter().any(|row| (row.method, row.scalar) == *run)).collect();
     let name = |(index, (method, scalar)): (usize, &(Method, Scalar))| {

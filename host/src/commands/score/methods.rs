@@ -7,22 +7,22 @@ use crate::score::order;
 use crate::score::trajectory::Trajectory;
 
 /// One file with its score.
-pub(super) struct Run {
+pub struct Run {
     /// Place of the file on the command line.
-    pub(super) file: usize,
-    pub(super) name: String,
-    pub(super) method: String,
-    pub(super) rows: usize,
+    pub file: usize,
+    pub name: String,
+    pub method: String,
+    pub rows: usize,
     /// Step size, s, and its source.
-    pub(super) step: Option<(f64, &'static str)>,
-    pub(super) evaluations: Option<f64>,
+    pub step: Option<(f64, &'static str)>,
+    pub evaluations: Option<f64>,
     /// Time of the last row, s.
     end: f64,
-    pub(super) score: Score,
+    pub score: Score,
 }
 
 impl Run {
-    pub(super) fn new(file: usize, trajectory: Trajectory, score: Score, step: Option<f64>) -> Self {
+    pub fn new(file: usize, trajectory: Trajectory, score: Score, step: Option<f64>) -> Self {
         let spacing = trajectory.spacing();
         let Trajectory { name, method, step: stated, evaluations, rows } = trajectory;
         let step = step.map(|step| (step, "option"));
@@ -52,17 +52,17 @@ impl Run {
 }
 
 /// Runs of one method, from the largest step; those without a step are the last.
-pub(super) struct Group<'a> {
-    pub(super) method: &'a str,
-    pub(super) runs: Vec<&'a Run>,
+pub struct Group<'a> {
+    pub method: &'a str,
+    pub runs: Vec<&'a Run>,
     /// Run that ends at another time than the first, so that there is no order.
     uneven: Option<&'a Run>,
     /// Order of convergence.
-    pub(super) order: Option<f64>,
+    pub order: Option<f64>,
 }
 
 impl<'a> Group<'a> {
-    pub(super) fn new(method: &'a str, runs: &'a [Run]) -> Self {
+    pub fn new(method: &'a str, runs: &'a [Run]) -> Self {
         let mut runs: Vec<_> = runs.iter().filter(|run| run.method == method).collect();
         let first = runs[0];
         let uneven = runs.iter().copied().find(|run| !run.is_as_long_as(first));
@@ -74,7 +74,7 @@ impl<'a> Group<'a> {
     }
 
     /// Runs, each with the order from the next larger step.
-    pub(super) fn with_orders(&self) -> impl Iterator<Item = (&'a Run, Option<f64>)> {
+    pub fn with_orders(&self) -> impl Iterator<Item = (&'a Run, Option<f64>)> {
         self.runs.iter().enumerate().map(|(index, run)| {
             let before = index.checked_sub(1).map(|before| self.runs[before]);
             let coarse = before.filter(|before| run.is_as_long_as(before)).and_then(Run::point);
@@ -83,7 +83,7 @@ impl<'a> Group<'a> {
     }
 
     /// Warnings about orders.
-    pub(super) fn doubts(&self) -> Vec<String> {
+    pub fn doubts(&self) -> Vec<String> {
         let negative = self.with_orders().filter_map(|(run, order)| {
             let order = order.filter(|order| *order < 0.0)?;
             let question = match run.step {
@@ -104,7 +104,7 @@ impl<'a> Group<'a> {
 
 /// Unit of the work, and a curve of greatest error against work for each method. The work is the number of evaluations of the equations if every file states it,
 /// otherwise the number of steps.
-pub(super) fn work(groups: &[Group<'_>], period: f64) -> Result<(&'static str, Vec<Curve>), Failure> {
+pub fn work(groups: &[Group<'_>], period: f64) -> Result<(&'static str, Vec<Curve>), Failure> {
     let counted = groups.iter().flat_map(|group| &group.runs).all(|run| run.evaluations.is_some());
     let point = |run: &&Run| {
         let steps = run.step.map(|(step, _)| period / step);

@@ -10,7 +10,7 @@ use toytop::{Complex, InitialPhases, Motion, Orientation, Release, Sign, Signs, 
 use toytop_page::scenario::{angle, tilt};
 
 /// Motion, and its launch.
-pub(super) fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure> {
+pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure> {
     match section.choice("kind", &["release", "state", "branch_points"], None)? {
         "release" => {
             let release = release(section)?;
@@ -25,7 +25,7 @@ pub(super) fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), 
 }
 
 /// Keys of a kind that hold one number each.
-pub(super) fn numbers(kind: &str) -> &'static [Key] {
+pub fn numbers(kind: &str) -> &'static [Key] {
     match kind {
         "release" => &RELEASE,
         "branch_points" => &BRANCH_POINTS,

@@ -56,14 +56,14 @@ const QUANTITIES: [(&str, &str, Quantity); 14] = [
 ];
 
 /// Angles of a release: their keys, which need a unit, and their keys in degrees.
-pub(super) const ANGLES: [(&str, &str); 3] =
+pub const ANGLES: [(&str, &str); 3] =
     [("tilt", "tilt_deg"), ("azimuth", "azimuth_deg"), ("roll", "roll_deg")];
 
 /// Keys and values with every number in the unit of its key, and the angles of a release under their keys in degrees.
 ///
 /// # Errors
 /// [`Failure::Input`]: not a number and a unit of the quantity; kg, m or s in a scenario without units; one angle twice.
-pub(super) fn in_units_of_keys(file: &str, mut root: Table) -> Result<Table, Failure> {
+pub fn in_units_of_keys(file: &str, mut root: Table) -> Result<Table, Failure> {
     let no_units = root.get("units").and_then(Value::as_str) == Some("none");
     for name in ["top", "motion"] {
         if let Some(Value::Table(written)) = root.get(name) {

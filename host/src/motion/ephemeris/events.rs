@@ -48,7 +48,7 @@ impl FoundEvent {
 const MOST_UNWANTED: u32 = 10_000;
 
 /// Events at tick `from` or later, at times that `wanted` accepts.
-pub(super) fn found<R: EphemerisScalar>(
+pub fn found<R: EphemerisScalar>(
     view: &EphemerisView<R>,
     sought: Sought,
     from: i64,

@@ -10,41 +10,41 @@ use kuva::render::render::{Scene, TextAnchor, render_multiple};
 use std::sync::Arc;
 
 /// Curve of a chart.
-pub(crate) struct Curve {
+pub struct Curve {
     /// Name in the legend.
-    pub(crate) name: String,
+    pub name: String,
     /// Points \[x, y\].
-    pub(crate) points: Vec<[f64; 2]>,
+    pub points: Vec<[f64; 2]>,
     /// Width of the line through the points; 0 for none.
-    pub(crate) width: f64,
+    pub width: f64,
     /// Whether every point has a mark.
-    pub(crate) marked: bool,
+    pub marked: bool,
 }
 
 impl Curve {
     /// Line through points.
-    pub(crate) fn line(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+    pub fn line(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
         Self { name: name.into(), points, width: 1.8, marked: false }
     }
 
     /// Line through points with marks.
-    pub(crate) fn marked(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+    pub fn marked(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
         Self { marked: true, ..Self::line(name, points) }
     }
 }
 
 /// Chart with the names of its curves in a legend.
-pub(crate) struct Chart<'a> {
+pub struct Chart<'a> {
     /// Title above the axes.
-    pub(crate) title: &'a str,
+    pub title: &'a str,
     /// Labels of x and y.
-    pub(crate) labels: [&'a str; 2],
+    pub labels: [&'a str; 2],
     /// Whether the axes of x and of y are logarithmic; numbers that are not above 0 are then left out.
-    pub(crate) powers: [bool; 2],
+    pub powers: [bool; 2],
 }
 
 /// Colours of the curves, which colour-blind readers can distinguish (the palette of Okabe and Ito).
-pub(crate) const COLORS: [&str; 9] =
+pub const COLORS: [&str; 9] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#999933", "#882255"];
 
 /// Marks that distinguish the curves without their colours.
@@ -63,7 +63,7 @@ const BELOW: f64 = 62.0;
 
 impl Chart<'_> {
     /// Chart of these curves.
-    pub(crate) fn draw(&self, curves: &[Curve]) -> Scene {
+    pub fn draw(&self, curves: &[Curve]) -> Scene {
         let mut plots: Vec<Plot> = Vec::new();
         let mut all = Vec::new();
         let mut marks = MARKS.into_iter().cycle();

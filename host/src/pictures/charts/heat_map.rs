@@ -11,7 +11,7 @@ use kuva::render::render::{Scene, TextAnchor, render_multiple};
 use std::sync::Arc;
 
 /// Choice of a heat map: the key along x, the key along y, and the column shown.
-pub(crate) struct HeatMap {
+pub struct HeatMap {
     names: [String; 3],
     axes: [Axis; 2],
 }
@@ -24,7 +24,7 @@ impl HeatMap {
     ///
     /// # Errors
     /// [`Failure::Input`]: there is no such key or column, or one of the keys has no grid of even steps.
-    pub(crate) fn new(text: &str, sweep: &Sweep) -> Result<Self, Failure> {
+    pub fn new(text: &str, sweep: &Sweep) -> Result<Self, Failure> {
         let refuse = |reason: &str| Failure::Input(format!("--plot: {text}: {reason}"));
         let names: Vec<_> =
             text.split(',').map(|name| if name == "tilt" { "tilt_deg" } else { name }).collect();
@@ -44,7 +44,7 @@ impl HeatMap {
     ///
     /// # Errors
     /// [`Failure::Input`]: the column contains no numbers.
-    pub(crate) fn draw(&self, sweep: &Sweep, csv: &str) -> Result<Scene, Failure> {
+    pub fn draw(&self, sweep: &Sweep, csv: &str) -> Result<Scene, Failure> {
         let [x_name, y_name, column] = &self.names;
         let refuse = |reason: &str| Failure::Input(format!("--plot: {column}: {reason}"));
         let mut reader = csv::Reader::from_reader(csv.as_bytes());

@@ -25,7 +25,7 @@ fn time_label(scenario: &Scenario, span: &Span) -> String {
 }
 
 /// Tilt between its bounds, against time.
-pub(crate) fn tilt(scenario: &Scenario, span: &Span) -> Scene {
+pub fn tilt(scenario: &Scenario, span: &Span) -> Scene {
     let origin = span.origin();
     let degrees = |t: f64| {
         let phi = span.at(t).orientation();
@@ -59,7 +59,7 @@ fn without_rounding(degrees: f64) -> f64 {
 ///
 /// # Errors
 /// [`Failure::Method`]: the axis is vertical at all times.
-pub(crate) fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Failure> {
+pub fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Failure> {
     // the axis leans in the direction opposite to the tip, so that its azimuth differs from the tip angle by half a turn
     let start = span.at(0.0).phi.ok_or_else(|| {
         Failure::Method("the axis is vertical at all times, so that it has no azimuth".to_owned())
@@ -99,7 +99,7 @@ const NEAREST: f64 = 0.05;
 /// Effective potential minus the energy, against the tilt: the axis moves where it is negative.
 ///
 /// V = (l - n u)²/(2A (1 - u²)) + C ⟨ω, r⟩²/2 + p g u, with u the cosine of the tilt.
-pub(crate) fn potential(scenario: &Scenario) -> Scene {
+pub fn potential(scenario: &Scenario) -> Scene {
     let (motion, h) = (&scenario.motion, scenario.motion.first_integrals().h);
     let [least, greatest] = match motion.regime() {
         Regime::Hanging => [120.0, 180.0],

@@ -18,7 +18,7 @@ const AXIS: f64 = 1.45;
 const PATH: u64 = 1500;
 
 /// Frames of a motion over a span of time.
-pub(crate) struct Film<'a> {
+pub struct Film<'a> {
     scenario: &'a Scenario,
     span: &'a Span,
     frames: u64,
@@ -31,7 +31,7 @@ pub(crate) struct Film<'a> {
 
 impl<'a> Film<'a> {
     /// Film of this many frames, evenly spread over the span, each `size` pixels wide and high.
-    pub(crate) fn new(scenario: &'a Scenario, span: &'a Span, frames: u64, size: u32) -> Self {
+    pub fn new(scenario: &'a Scenario, span: &'a Span, frames: u64, size: u32) -> Self {
         let camera = Camera::new(-1.05, 0.38, [0.5 * SIDE, 0.72 * SIDE], 0.27 * SIDE);
         let mut film = Self { scenario, span, frames, camera, size, path: Vec::new() };
         // what leaves a trace is the tip that slides, or the upper end of the axis
@@ -89,7 +89,7 @@ impl<'a> Film<'a> {
     ///
     /// # Errors
     /// The frame cannot be encoded.
-    pub(crate) fn png(&self, frame: u64) -> io::Result<Vec<u8>> {
+    pub fn png(&self, frame: u64) -> io::Result<Vec<u8>> {
         raster(&self.scene(frame), f64::from(self.size) / SIDE)
     }
 
@@ -98,7 +98,7 @@ impl<'a> Film<'a> {
     ///
     /// # Errors
     /// The errors of the writer.
-    pub(crate) fn gif(&self, delay: u16, out: impl Write, mut done: impl FnMut()) -> io::Result<()> {
+    pub fn gif(&self, delay: u16, out: impl Write, mut done: impl FnMut()) -> io::Result<()> {
         let side = u16::try_from(self.size).map_err(io::Error::other)?;
         let mut encoder = gif::Encoder::new(out, side, side, &[]).map_err(io::Error::other)?;
         encoder.set_repeat(gif::Repeat::Infinite).map_err(io::Error::other)?;

@@ -4,7 +4,7 @@ use crate::pictures::drawing;
 use kuva::render::render::Scene;
 
 /// Parallel projection from a direction above the horizon, with its middle and its scale on paper.
-pub(super) struct Camera {
+pub struct Camera {
     right: [f64; 3],
     up: [f64; 3],
     towards: [f64; 3],
@@ -16,7 +16,7 @@ pub(super) struct Camera {
 
 impl Camera {
     /// Projection from the direction with this azimuth and elevation above the horizon, rad.
-    pub(super) fn new(azimuth: f64, elevation: f64, middle: [f64; 2], scale: f64) -> Self {
+    pub fn new(azimuth: f64, elevation: f64, middle: [f64; 2], scale: f64) -> Self {
         let (s, c) = azimuth.sin_cos();
         let (rise, level) = elevation.sin_cos();
         Self {
@@ -29,24 +29,24 @@ impl Camera {
     }
 
     /// Place on paper, pixels.
-    pub(super) fn place(&self, point: [f64; 3]) -> (f64, f64) {
+    pub fn place(&self, point: [f64; 3]) -> (f64, f64) {
         let [x, y] = [self.right, self.up].map(|axis| self.scale * dot(axis, point));
         (self.middle[0] + x, self.middle[1] - y)
     }
 
     /// Whether a point of a sphere about the origin is on its near side.
-    pub(super) fn sees(&self, point: [f64; 3]) -> bool {
+    pub fn sees(&self, point: [f64; 3]) -> bool {
         dot(self.towards, point) >= 0.0
     }
 
     /// Adds a line through points of space.
-    pub(super) fn line(&self, scene: &mut Scene, points: &[[f64; 3]], color: &str, stroke_width: f64) {
+    pub fn line(&self, scene: &mut Scene, points: &[[f64; 3]], color: &str, stroke_width: f64) {
         let points = points.iter().map(|point| self.place(*point)).collect();
         drawing::line(scene, points, color, stroke_width);
     }
 
     /// Adds a line on a sphere about the origin. Its part on the far side is thinner and pale.
-    pub(super) fn line_on_sphere(
+    pub fn line_on_sphere(
         &self,
         scene: &mut Scene,
         points: &[[f64; 3]],
@@ -69,7 +69,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 /// Points of a horizontal circle about the vertical axis.
-pub(super) fn circle(radius: f64, height: f64) -> Vec<[f64; 3]> {
+pub fn circle(radius: f64, height: f64) -> Vec<[f64; 3]> {
     const CORNERS: u32 = 180;
     let corner = |i: u32| {
         let angle = 2.0 * std::f64::consts::PI * f64::from(i) / f64::from(CORNERS);

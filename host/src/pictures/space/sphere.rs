@@ -15,7 +15,7 @@ const RADIUS: f64 = 265.0;
 const LABELS: f64 = 572.0;
 
 /// Draws the curve of the axis over a span of time; the lines of the caption are below the title.
-pub(crate) fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scene {
+pub fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scene {
     let mut scene = Scene::new(WIDTH, HEIGHT);
     let picture = &mut scene;
     let camera = Camera::new(-1.05, 0.42, MIDDLE, RADIUS);

@@ -6,7 +6,7 @@ use toytop::{Motion, Release, State, Top};
 
 /// Failure for a release that is too fast. It names the greatest of its rates and, if the top can have the other ones, the limit of this
 /// one.
-pub(super) fn too_fast(section: &Section<'_>, top: &Top, release: &Release) -> Failure {
+pub fn too_fast(section: &Section<'_>, top: &Top, release: &Release) -> Failure {
     let rates = [("spin", release.spin), ("precession", release.precession), ("nutation", release.nutation)];
     let greater = |a: (&'static str, f64), b: (&'static str, f64)| if b.1.abs() > a.1.abs() { b } else { a };
     let (key, value) = rates.into_iter().fold(rates[0], greater);
