@@ -6,7 +6,7 @@ use crate::commands::{
     Report, accuracy, animate, bake, bench, benchmark, budget, compare, constants, errata, events, figures,
     fit, plot, score, simulate, state, sweep, view,
 };
-use clap::{Args, CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
 /// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
@@ -149,7 +149,10 @@ pub enum Command {
     #[command(
         after_help = "Example: toytop completions bash > ~/.local/share/bash-completion/completions/toytop"
     )]
-    Completions(CompletionsArgs),
+    Completions {
+        /// Shell that the completions are for
+        shell: Shell,
+    },
 }
 
 /// Report of a command.
@@ -176,22 +179,10 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
         Command::Errata(arguments) => errata::run(arguments),
         Command::Accuracy(arguments) => accuracy::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
-        Command::Completions(arguments) => {
-            Ok(String::from_utf8_lossy(&completions(arguments.shell)).into_owned().into())
+        Command::Completions { shell } => {
+            let mut script = Vec::new();
+            clap_complete::generate(*shell, &mut Cli::command(), "toytop", &mut script);
+            Ok(String::from_utf8_lossy(&script).into_owned().into())
         }
     }
-}
-
-/// `toytop completions`
-#[derive(Args)]
-pub struct CompletionsArgs {
-    /// Shell that the completions are for
-    pub shell: Shell,
-}
-
-/// Script that completes this program's commands, options and values.
-pub fn completions(shell: Shell) -> Vec<u8> {
-    let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Cli::command(), "toytop", &mut script);
-    script
 }

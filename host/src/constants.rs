@@ -1,6 +1,6 @@
 //! Constants of a motion by name: first integrals, branch points, mean rotations, and tilts and rates in everyday units.
 
-use crate::motion::physical_limits::tilts;
+use crate::motion::tilts;
 use crate::output::names;
 use serde_json::Value;
 use std::f64::consts::PI;

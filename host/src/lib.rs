@@ -6,7 +6,7 @@
 //! | [`motion`] | the core's stepper and ephemeris at given times |
 //! | [`full_equations`] | integration of the full 3-D equations |
 //! | [`truth`] | the paper's integrals to more than thirty digits |
-//! | [`measure`] | errors and times of the core against the truth |
+//! | `accuracy` | errors of the core against the truth |
 //! | `benchmarks` | catalogue of problems that integrators are tested with |
 //! | [`budget`] | cost of a call on an emulated chip |
 //! | [`errata`] | errors of the printed paper, and their corrections |
@@ -26,6 +26,8 @@
 // Visibility is that of the modules: what a private one declares `pub` is its interface within the crate.
 #![allow(unreachable_pub)]
 
+#[cfg(feature = "program")]
+mod accuracy;
 pub mod bake;
 #[cfg(feature = "program")]
 mod benchmarks;
@@ -43,8 +45,6 @@ mod failure;
 pub mod fit;
 pub mod full_equations;
 pub mod input;
-#[cfg(feature = "program")]
-pub mod measure;
 pub mod motion;
 pub mod output;
 pub mod pictures;
@@ -70,8 +70,5 @@ use std::ffi::OsString;
 /// See [`Failure`].
 #[cfg(feature = "program")]
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<Report, Failure> {
-    match program::parse::<cli::Cli>(arguments)? {
-        program::Request::Show(text) => Ok(Report { text, ..Report::default() }),
-        program::Request::Run(cli) => cli::run(&cli.command),
-    }
+    program::report(arguments, |cli: &cli::Cli| cli::run(&cli.command))
 }

@@ -17,8 +17,7 @@ use std::path::PathBuf;
 use toytop_host::output::Format;
 use toytop_host::output::doc_markers::{self, Page};
 use toytop_host::output::{self, Record};
-use toytop_host::program::{self, Request};
-use toytop_host::{Failure, Report};
+use toytop_host::{Failure, Report, program};
 
 /// Studies of random launches that check toytop itself.
 #[derive(Parser)]
@@ -72,16 +71,12 @@ struct Study {
 /// # Errors
 /// See [`Failure`].
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<Report, Failure> {
-    let cli = match program::parse::<Cli>(arguments)? {
-        Request::Show(text) => return Ok(Report { text, ..Report::default() }),
-        Request::Run(cli) => cli,
-    };
-    match &cli.command {
+    program::report(arguments, |cli: &Cli| match &cli.command {
         Command::Corners { study, truths } => {
             study.run("toytop-lab corners: corners", || corners::run(study, *truths))
         }
         Command::Fit(study) => study.run("toytop-lab fit: launches", || fit::run(study)),
-    }
+    })
 }
 
 /// Result of a study.

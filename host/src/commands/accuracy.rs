@@ -3,8 +3,8 @@
 use super::Report;
 use super::options::{PICTURE, ScalarChoice, ending_in};
 use crate::Failure;
+use crate::accuracy::{Accuracy, Errors, OCTAVES, measured};
 use crate::budget::{CHIPS, Chip, Limits, Model};
-use crate::measure::accuracy::{Accuracy, Errors, OCTAVES, measured};
 use crate::output::doc_markers::{self, Page};
 use crate::output::{self, Column, Format, Record};
 use crate::pictures::charts::chart::{Chart, Curve};

@@ -49,7 +49,7 @@ pub fn run(arguments: &AnimateArgs) -> Result<Report, Failure> {
     let span =
         Span::new(&scenario.motion, arguments.times).map_err(|failure| failure.of_motion(&scenario.name))?;
     let film = Film::new(&scenario, &span, frames, arguments.size);
-    let mut progress = Progress::new(frames, "frames");
+    let progress = Progress::new(frames, "frames");
     if is_gif {
         whole_file::write_by("--output", path, |file| {
             film.gif((100 / GIF_RATE) as u16, BufWriter::new(file), || progress.add(1))

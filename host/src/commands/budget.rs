@@ -97,7 +97,7 @@ fn each<T>(
     chips: Vec<&'static Chip>,
     mut result: impl FnMut(&'static Chip) -> Result<T, Failure>,
 ) -> Result<Vec<T>, Failure> {
-    let mut progress = Progress::new(chips.len() as u64, "chips");
+    let progress = Progress::new(chips.len() as u64, "chips");
     chips.into_iter().map(|chip| result(chip).inspect(|_| progress.add(1))).collect()
 }
 

@@ -5,7 +5,7 @@ use crate::Failure;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{FoundEvent, Sought, furthest_time, smallest};
-use crate::motion::physical_limits::tilts;
+use crate::motion::tilts;
 use crate::output::{self, Column, Format, Record, eight};
 use clap::Args;
 use std::path::PathBuf;

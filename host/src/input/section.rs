@@ -121,11 +121,7 @@ impl Section<'_> {
     }
 
     /// Value of a key that is an array of N finite numbers; `default` replaces a missing one.
-    pub fn array<const N: usize>(
-        &self,
-        key: &Key,
-        default: Option<[f64; N]>,
-    ) -> Result<[f64; N], Failure> {
+    pub fn array<const N: usize>(&self, key: &Key, default: Option<[f64; N]>) -> Result<[f64; N], Failure> {
         let finite = |value: &Value| number(value).filter(|number| number.is_finite());
         let Some(value) = self.table.get(key.name) else { return default.ok_or_else(|| self.missing(key)) };
         let numbers =

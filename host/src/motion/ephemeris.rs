@@ -11,8 +11,8 @@ pub use sizes::{Size, approximate, smaller, smallest, table};
 pub use toytop_page::table::ticks_per_time;
 
 use crate::bake::{Bake, Parts};
-use crate::motion::cast;
 use crate::motion::propagate::Sample;
+use crate::motion::widened;
 use crate::samples::column::Column;
 use std::f64::consts::TAU;
 use toytop::scalar::Float;
@@ -76,7 +76,7 @@ impl<R: EphemerisScalar> Boxed<R> {
     /// Sample at time t, which is this number of ticks.
     fn timed(&self, t: f64, ticks: f64, now: toytop::Sample<'_, R>) -> TimedSample {
         let (orientation, state) = (now.orientation(), now.attitude_state());
-        let wide = |z: Complex<R::Wide>| cast::complex(z, Float::to_f64);
+        let wide = |z: Complex<R::Wide>| widened(z, Float::to_f64);
         let phi = now.tip_angle().map(|angle| self.unwrapped(angle, t));
         TimedSample {
             sample: Sample {
@@ -174,7 +174,7 @@ fn unwrapped(phase: Phase, near: f64) -> f64 {
 }
 
 fn exact<R: Into<f64>>(z: Complex<R>) -> Complex<f64> {
-    cast::complex(z, Into::into)
+    widened(z, Into::into)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Stepper of the core at given times: equal steps, and one shorter last step to each time.
 
 use crate::Failure;
-use crate::motion::{Scalar, cast};
+use crate::motion::{Scalar, widened};
 use crate::output::progress::Progress;
 use toytop::scalar::Real;
 use toytop::{AttitudeState, Complex, Motion, Orientation, Phase, Stepper};
@@ -34,7 +34,7 @@ pub struct Sample {
 impl Sample {
     /// Sample of an attitude state of the core at time t.
     pub fn of<R: Real>(t: f64, state: &AttitudeState<R>, tip: Complex<R>, phi: Option<f64>) -> Self {
-        let widen = |z: Complex<R>| cast::complex(z, R::to_f64);
+        let widen = |z: Complex<R>| widened(z, R::to_f64);
         Self {
             t,
             u: state.u().to_f64(),
@@ -115,12 +115,12 @@ pub fn stepped(scalar: Scalar, motion: &Motion, times: &[f64], step: f64) -> Res
 }
 
 fn stepped_in<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sample>, Failure> {
-    let mut progress = Progress::new(steps_needed(times, step)?, "steps");
+    let progress = Progress::new(steps_needed(times, step)?, "steps");
     visit_times(
         times,
         || TimedStepper::<R>::new(motion, step),
         |stepper, t| {
-            stepper.reach(t, &mut progress);
+            stepper.reach(t, &progress);
             Ok(Sample { t, ..stepper.sample() })
         },
     )
@@ -148,7 +148,7 @@ impl<R: Real> TimedStepper<R> {
     }
 
     /// Steps to the time `t`, s, in either direction.
-    pub fn reach(&mut self, t: f64, progress: &mut Progress) {
+    pub fn reach(&mut self, t: f64, progress: &Progress) {
         const BATCH: u64 = 1 << 16;
         let h = self.step.to_f64();
         let whole = (t / h) as i64;
@@ -202,10 +202,10 @@ mod tests {
     fn greatest_gap<R: Real>() -> f64 {
         let step = period(&motion()) / 4096.0;
         let mut stepper = TimedStepper::<R>::new(&motion(), step);
-        let mut progress = Progress::new(0, "steps");
+        let progress = Progress::new(0, "steps");
         let gap = |i: u32| {
             let t = 0.3 * step * f64::from(i);
-            stepper.reach(t, &mut progress);
+            stepper.reach(t, &progress);
             (stepper.elapsed - t).abs() / step
         };
         (1..1_000_000).map(gap).fold(0.0, f64::max)
@@ -221,10 +221,10 @@ mod tests {
     #[test]
     fn a_time_requested_twice_is_reached_once() {
         let mut stepper = TimedStepper::<f32>::new(&motion(), 0.01);
-        let mut progress = Progress::new(0, "steps");
+        let progress = Progress::new(0, "steps");
         for i in 1..100 {
             let [once, twice] = [(); 2].map(|()| {
-                stepper.reach(0.017 * f64::from(i), &mut progress);
+                stepper.reach(0.017 * f64::from(i), &progress);
                 (stepper.elapsed, stepper.last)
             });
             assert_eq!(once, twice);

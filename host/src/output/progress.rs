@@ -2,13 +2,14 @@
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, stderr};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::time::{Duration, Instant};
 
 /// Progress of work with a known total.
 pub struct Progress {
     bar: ProgressBar,
     started: Instant,
-    possible: bool,
+    possible: AtomicBool,
 }
 
 /// Time before the bar is shown.
@@ -23,14 +24,14 @@ impl Progress {
             bar.set_style(style);
         }
         bar.set_message(unit);
-        Self { bar, started: Instant::now(), possible: stderr().is_terminal() }
+        Self { bar, started: Instant::now(), possible: stderr().is_terminal().into() }
     }
 
     /// Adds units of finished work.
-    pub fn add(&mut self, units: u64) {
+    pub fn add(&self, units: u64) {
         self.bar.inc(units);
-        if self.possible && self.started.elapsed() > PATIENCE {
-            self.possible = false;
+        let due = self.possible.load(Relaxed) && self.started.elapsed() > PATIENCE;
+        if due && self.possible.swap(false, Relaxed) {
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
         }
     }

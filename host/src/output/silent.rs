@@ -10,5 +10,5 @@ impl Progress {
     }
 
     /// Adds units of finished work.
-    pub fn add(&mut self, _units: u64) {}
+    pub fn add(&self, _units: u64) {}
 }

@@ -40,14 +40,7 @@ pub fn raster(scene: &Scene, scale: f64) -> io::Result<Vec<u8>> {
 }
 
 /// Adds a line of text.
-pub fn text(
-    scene: &mut Scene,
-    content: &str,
-    [x, y]: [f64; 2],
-    size: u32,
-    anchor: TextAnchor,
-    color: &str,
-) {
+pub fn text(scene: &mut Scene, content: &str, [x, y]: [f64; 2], size: u32, anchor: TextAnchor, color: &str) {
     let (content, color) = (content.to_owned(), Some(Color::from(color)));
     scene.add(Primitive::Text { x, y, content, size, anchor, rotate: None, bold: false, color });
 }

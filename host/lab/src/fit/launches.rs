@@ -9,8 +9,7 @@ use toytop_host::input::random::Random;
 use toytop_host::score::rotation_between;
 
 /// Sets of sensors that are tried.
-pub const SETS: [&str; 3] =
-    ["gyroscope, accelerometer, magnetometer", "gyroscope, accelerometer", "camera"];
+pub const SETS: [&str; 3] = ["gyroscope, accelerometer, magnetometer", "gyroscope, accelerometer", "camera"];
 
 /// Number of samples of a launch.
 const SAMPLES: u64 = 300;

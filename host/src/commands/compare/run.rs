@@ -7,7 +7,7 @@ use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::smallest;
 use crate::motion::invariants::{first_integrals, natural_scales};
 use crate::motion::propagate::{Sample, TimedStepper};
-use crate::motion::{Scalar, cast, greater};
+use crate::motion::{Scalar, greater, widened};
 use crate::output::progress::Progress;
 use std::time::Instant;
 use toytop::scalar::Real;
@@ -56,14 +56,14 @@ pub fn step_through(scalar: Scalar, motion: &Motion, times: &[f64], step: f64) -
 }
 
 fn stepped<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Run {
-    let mut progress = Progress::new(0, "steps");
+    let progress = Progress::new(0, "steps");
     let (mut samples, mut steps) = (Vec::new(), 0);
     let call = median(|| {
         let mut timed = TimedStepper::<R>::new(motion, step);
         let sample = |&t: &f64| {
-            timed.reach(t, &mut progress);
+            timed.reach(t, &progress);
             let rate = timed.last.attitude_state().rate;
-            let [alpha, beta] = [rate.alpha, rate.beta].map(|z| cast::complex(z, R::to_f64));
+            let [alpha, beta] = [rate.alpha, rate.beta].map(|z| widened(z, R::to_f64));
             with_integrals(motion.top(), timed.sample(), &OrientationRate { alpha, beta })
         };
         samples = times.iter().map(sample).collect();

@@ -3,7 +3,7 @@
 use super::chart::{Chart, Curve};
 use crate::Failure;
 use crate::input::scenario::{Scenario, Units};
-use crate::motion::physical_limits::tilts;
+use crate::motion::tilts;
 use crate::pictures::bounds::{Bound, Place};
 use crate::pictures::span::Span;
 use kuva::render::render::Scene;

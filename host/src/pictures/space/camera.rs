@@ -46,13 +46,7 @@ impl Camera {
     }
 
     /// Adds a line on a sphere about the origin. Its part on the far side is thinner and pale.
-    pub fn line_on_sphere(
-        &self,
-        scene: &mut Scene,
-        points: &[[f64; 3]],
-        [near, far]: [&str; 2],
-        width: f64,
-    ) {
+    pub fn line_on_sphere(&self, scene: &mut Scene, points: &[[f64; 3]], [near, far]: [&str; 2], width: f64) {
         let mut from = 0;
         for piece in points.chunk_by(|a, b| self.sees(*a) == self.sees(*b)) {
             let until = from + piece.len();

@@ -16,7 +16,6 @@ use crate::truth::exact::{Exact, PreciseOrientation};
 use crate::truth::motions::{Numbers, Start};
 use crate::truth::precise::{precise, whole};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
-use std::sync::Mutex;
 use toytop::{InitialPhases, Motion, Regime, Support};
 
 /// Binary logarithm of the last tick.
@@ -80,14 +79,8 @@ impl Accuracy {
 /// None: the motions are valid, and their tables are large enough.
 pub fn measured(scalars: &[Scalar]) -> Result<Vec<Accuracy>, Failure> {
     let motions = motions()?;
-    let progress = Mutex::new(Progress::new(motions.len() as u64, "motions"));
-    let of_motion = |numbers: &Numbers| {
-        let found = on(numbers, scalars);
-        if let Ok(mut progress) = progress.lock() {
-            progress.add(1);
-        }
-        found
-    };
+    let progress = Progress::new(motions.len() as u64, "motions");
+    let of_motion = |numbers: &Numbers| on(numbers, scalars).inspect(|_| progress.add(1));
     // in the order of the motions, so that sums do not depend on the order in which threads finish
     let found: Vec<Vec<Vec<Errors>>> = thread_pool::of_all_cores()?
         .install(|| motions.par_iter().map(of_motion).collect::<Result<_, Failure>>())?;
