@@ -43,20 +43,9 @@ pub fn all() -> Result<Vec<Problem>, Failure> {
 /// # Errors
 /// [`Failure::Input`]: there is no such problem; the message lists the names.
 pub fn named(name: &str) -> Result<Problem, Failure> {
-    Problem::read(files_of(name)?)
-}
-
-/// Scenario file of a problem, as text.
-///
-/// # Errors
-/// As [`named`].
-pub fn scenario(name: &str) -> Result<&'static str, Failure> {
-    files_of(name).map(|(_, scenario, ..)| *scenario)
-}
-
-fn files_of(name: &str) -> Result<&'static Files, Failure> {
-    FILES.iter().find(|(known, ..)| *known == name).ok_or_else(|| {
+    let files = FILES.iter().find(|(known, ..)| *known == name).ok_or_else(|| {
         let names = FILES.map(|(name, ..)| name).join(", ");
         Failure::Input(format!("{}: must be one of {names}", crate::output::shown(name)))
-    })
+    })?;
+    Problem::read(files)
 }

@@ -26,7 +26,7 @@ use crate::motion::tilts;
 use toytop::{Motion, Regime, Support};
 
 /// Report of a command.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Default)]
 pub struct Report {
     /// Text for stdout.
     pub text: String,

@@ -43,7 +43,7 @@ impl Record {
 
 /// Form of the output.
 #[cfg(feature = "program")]
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
 pub enum Format {
     /// Aligned table
     Table,
@@ -53,21 +53,16 @@ pub enum Format {
     Json,
 }
 
-/// Records in a form: `object` is what JSON has, and `table` makes the table.
+/// Records in a form. CSV has the first list, or without a list the other entries; `table` makes the table.
 ///
 /// # Errors
 /// None: the writers' types can fail, but a write to memory does not.
 #[cfg(feature = "program")]
-pub fn written(
-    format: Format,
-    records: &[Record],
-    object: &impl Serialize,
-    table: impl FnOnce() -> String,
-) -> io::Result<String> {
+pub fn written(format: Format, lists: &Lists<'_>, table: impl FnOnce() -> String) -> io::Result<String> {
     match format {
         Format::Table => Ok(table()),
-        Format::Csv => csv(records),
-        Format::Json => json(object),
+        Format::Csv => csv(lists.0.first().map_or(std::slice::from_ref(&lists.1), |(_, records)| records)),
+        Format::Json => json(lists),
     }
 }
 

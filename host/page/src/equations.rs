@@ -11,7 +11,7 @@ type Vector = [f64; 3];
 pub type Vector7 = [f64; 7];
 
 /// Body: moments of inertia, position of the centre of mass, and gravity. Units are SI or any consistent ones.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct FullTop {
     /// Transverse moment of inertia A \[kg m^2\], > 0: about the centre of mass, or about the tip when `s` is
     /// 0.
@@ -29,7 +29,7 @@ pub struct FullTop {
 }
 
 /// Orientation Phi = \[\[alpha, beta\], \[-conj beta, conj alpha\]\] and angular velocity.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct FullState {
     /// Parameter alpha as (re, im).
     pub alpha: [f64; 2],
@@ -77,7 +77,7 @@ impl FullTop {
 }
 
 /// Parameters of the motion: A, C, p s, p g and K, in any units of inertia and time.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Equations {
     /// Transverse moment of inertia A.
     pub a: f64,

@@ -9,7 +9,6 @@ use toytop::{
 use toytop_closed_forms::Aperiodic;
 
 /// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
-#[derive(Debug)]
 pub struct Table {
     memory: EphemerisMemory<Ephemeris<f64, 4096>>,
     method: Method,
@@ -19,7 +18,6 @@ pub struct Table {
 }
 
 /// Method that answers for a motion. The tag of the first variant is 0, so that a table before its first motion takes no space in a file.
-#[derive(Debug)]
 #[repr(u8)]
 #[allow(clippy::large_enum_variant)] // there is no heap, and one table
 enum Method {

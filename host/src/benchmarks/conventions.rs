@@ -5,7 +5,7 @@ use serde::Deserialize;
 use toytop::Orientation;
 
 /// Body axes and length of a source. The third fixed axis points up in all of them.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Deserialize)]
 pub struct Conventions {
     /// Number of the body axis that points from the tip to the centre of mass: 2 or 3.
     pub symmetry_axis: usize,

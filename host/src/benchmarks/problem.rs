@@ -11,6 +11,8 @@ use toytop::Stepper;
 pub struct Problem {
     /// Scenario of the motion.
     pub scenario: Scenario,
+    /// File of the scenario.
+    pub text: &'static str,
     /// Title of the problem.
     pub title: String,
     /// Paper or program that posed it.
@@ -74,15 +76,15 @@ pub struct Reference {
 }
 
 impl Problem {
-    pub fn read((name, scenario, description, references): &Files) -> Result<Self, Failure> {
+    pub fn read((name, text, description, references): &Files) -> Result<Self, Failure> {
         let broken =
             |error: &dyn std::fmt::Display| Failure::Tool(format!("the catalogue's {name}: {error}"));
         let Description { title, source, conventions, seconds, used_by, printed } =
             toml::from_str(description).map_err(|error| broken(&error))?;
         let References { samples: references } =
             serde_json::from_str(references).map_err(|error| broken(&error))?;
-        let scenario = Scenario::parse(name, scenario)?;
-        Ok(Self { scenario, title, source, conventions, seconds, used_by, printed, references })
+        let scenario = Scenario::parse(name, text)?;
+        Ok(Self { scenario, text, title, source, conventions, seconds, used_by, printed, references })
     }
 
     /// Name of the problem on the command line.

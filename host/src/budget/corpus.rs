@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Costs of all launches of one scalar with one result on one chip.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone)]
 pub struct CorpusCost {
     pub chip: &'static str,
     pub scalar: String,

@@ -6,7 +6,6 @@ use std::fs;
 use std::path::Path;
 
 /// Symbol of a function.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Function {
     /// Name of the symbol.
     pub name: String,
@@ -17,13 +16,12 @@ pub struct Function {
 }
 
 /// Functions and code of an ELF.
-#[derive(Clone, Debug)]
 pub struct Image {
     /// Functions in the order of their addresses, each with the first of its names.
     functions: Vec<Function>,
     code: Vec<(u64, Vec<u8>)>,
     /// Bytes of code and constants that the linker put into flash.
-    flash: u64,
+    pub flash: u64,
 }
 
 /// Whether sections of this kind are in flash; variables with an initial value are there too.
@@ -65,11 +63,6 @@ impl Image {
         let flash =
             file.sections().filter(|section| is_in_flash(section.kind())).map(|section| section.size()).sum();
         Ok(Self { functions, code, flash })
-    }
-
-    /// Bytes of flash, of code and constants.
-    pub fn flash(&self) -> u64 {
-        self.flash
     }
 
     /// Function that contains an address.

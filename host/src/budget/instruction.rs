@@ -5,7 +5,7 @@ use capstone::arch::arm::{ArchMode, ArmOperandType, ArmReg};
 use capstone::prelude::*;
 
 /// Set of registers, as bits at the numbers that Capstone gives them.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 pub struct Registers(u128);
 
 impl Registers {
@@ -23,7 +23,7 @@ impl Registers {
 }
 
 /// Class of an instruction by its cycles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Kind {
     /// Data processing, multiplication included.
     Plain,
@@ -64,7 +64,7 @@ pub enum Kind {
 }
 
 /// Decoded instruction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 pub struct Instruction {
     /// Class by its cycles.
     pub kind: Kind,

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Allowed costs, by the name of the chip.
-#[derive(Clone, Debug, Default, Deserialize, PartialEq, Eq)]
+#[derive(Debug, Deserialize, PartialEq)]
 pub struct Limits(pub BTreeMap<String, Costs>);
 
 /// Reciprocal of the share by which a limit exceeds the measured cost, so that another compiler causes no failure.

@@ -14,7 +14,7 @@ use super::Chip;
 use super::instruction::{Instruction, Kind, Registers};
 
 /// Processor with published timings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Model {
     /// Cortex-M0+ with the fast multiplier.
     M0Plus,

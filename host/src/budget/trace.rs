@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 const LONGEST_RUN: Duration = Duration::from_secs(120);
 
 /// Consecutive instructions.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub struct Block {
     /// Address of the first instruction.
     pub start: u64,
@@ -61,7 +61,7 @@ pub fn run(
 }
 
 /// Reader of the log, line by line.
-#[derive(Debug, Default)]
+#[derive(Default)]
 struct Reader {
     /// Blocks that were translated and not yet executed, by start address.
     fresh: HashMap<u64, Block>,

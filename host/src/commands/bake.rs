@@ -43,7 +43,7 @@ pub struct BakeArgs {
 }
 
 /// Language that `bake` writes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, PartialEq, ValueEnum)]
 pub enum Language {
     /// Module with one static
     Rust,

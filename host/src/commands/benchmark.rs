@@ -35,8 +35,8 @@ pub struct BenchmarkArgs {
 pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
     let name = arguments.name.as_deref();
     let problem = name.map(benchmarks::named).transpose().map_err(|failure| failure.of("benchmark"))?;
-    if let Some(name) = name.filter(|_| arguments.scenario) {
-        return Ok(benchmarks::scenario(name)?.to_owned().into());
+    if let Some(problem) = problem.as_ref().filter(|_| arguments.scenario) {
+        return Ok(problem.text.to_owned().into());
     }
     if let Some(page) = &arguments.accept {
         let page = Page::read(page, &format!("toytop benchmark: {}", name.unwrap_or("catalogue")))?;
@@ -53,7 +53,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
                 + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"
         };
         let object = output::list("problems", &summaries);
-        return Ok(output::written(arguments.format, &summaries, &object, table)?.into());
+        return Ok(output::written(arguments.format, &object, table)?.into());
     };
     let records = match &arguments.times {
         Some(times) => computed(&problem, times)?,
@@ -65,7 +65,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
         .with("symmetry_axis", problem.conventions.symmetry_axis as u64);
     let object = Lists(vec![("samples", &records)], rest);
     let table = || heading(&problem) + &tables(&problem, &records, "\n", |rows| output::columns(rows, 3));
-    Ok(output::written(arguments.format, &records, &object, table)?.into())
+    Ok(output::written(arguments.format, &object, table)?.into())
 }
 
 /// Values at the times of records, and for the times of the source what others printed; `line` is between the numbers of one quantity.

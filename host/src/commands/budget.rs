@@ -68,7 +68,7 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         }
         // a set-up cannot be linked without the rest of its table: its flash is that of a program, as the linker sees it
         let flash = program("flash")?;
-        let linked = Image::read(&flash)?.flash() - Image::read(&program("empty")?)?.flash();
+        let linked = Image::read(&flash)?.flash - Image::read(&program("empty")?)?.flash;
         for call in SET_UPS {
             costs.entry(call.to_owned()).and_modify(|cost| cost.flash = linked);
         }
@@ -148,7 +148,7 @@ fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> R
             output::aligned(&records, &columns)
         )
     };
-    Ok(output::written(arguments.format, &records, &output::list("rows", &records), table)?.into())
+    Ok(output::written(arguments.format, &output::list("rows", &records), table)?.into())
 }
 
 /// Path of the firmware after its build, optimised for size if `size`, otherwise for speed. The messages of the build go to stderr.
@@ -223,7 +223,7 @@ fn shown(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<R
             output::aligned(&records, &columns)
         )
     };
-    Ok(output::written(arguments.format, &records, &output::list("rows", &records), table)?.into())
+    Ok(output::written(arguments.format, &output::list("rows", &records), table)?.into())
 }
 
 fn record(chip: &str, call: &str, cost: &Cost, megahertz: f64) -> Record {

@@ -86,7 +86,7 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
         rows.extend(of_motion(scenario, arguments, &mut remarks)?);
     }
     let records: Vec<_> = rows.iter().map(show::record).collect();
-    let text = output::written(arguments.format, &records, &output::list("rows", &records), || {
+    let text = output::written(arguments.format, &output::list("rows", &records), || {
         let table = if built_in && !arguments.all { show::summary } else { show::table };
         table(&rows, arguments.periods)
     })?;

@@ -4,7 +4,7 @@ use super::{Report, warnings};
 use crate::Failure;
 use crate::constants::{ALL, Constant, value};
 use crate::input::scenario::{Scenario, Units};
-use crate::output::{self, Format, Record, eight};
+use crate::output::{self, Format, Lists, Record, eight};
 use clap::Args;
 use std::path::PathBuf;
 use toytop_page::constants::MotionConstants;
@@ -32,6 +32,6 @@ pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
         };
         output::aligned(&ALL.map(line), &[("key", "", eight), ("value", "", eight), ("unit", "", eight)])
     };
-    let text = output::written(arguments.format, std::slice::from_ref(&record), &record, table)?;
+    let text = output::written(arguments.format, &Lists(Vec::new(), record), table)?;
     Ok(Report::from(text).with_remarks(warnings(&[scenario]), arguments.format == Format::Table))
 }

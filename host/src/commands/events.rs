@@ -32,7 +32,7 @@ pub struct EventsArgs {
 }
 
 /// Kind of event on the command line.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Kind {
     /// Kind of the event.
     what: What,
@@ -43,7 +43,7 @@ pub struct Kind {
 }
 
 /// Kinds of event.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum What {
     /// Turning point of u.
     Turning,
@@ -113,7 +113,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
         [] => none(&arguments.kinds, motion),
         _ => output::aligned(&records, &columns(scenario.units)),
     };
-    let text = output::written(arguments.format, &records, &output::list("events", &records), table)?;
+    let text = output::written(arguments.format, &output::list("events", &records), table)?;
     // no warning that the top leaves the plane if the command asks for these times
     let asked = arguments.kinds.iter().any(|kind| kind.what == What::LiftOff);
     let remarks = if asked { Vec::new() } else { warnings(&[scenario]) };

@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
 /// Method by which `state` reaches a time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
 pub enum Method {
     /// Ephemeris of the core: any time at the same cost
     Ephemeris,
@@ -31,7 +31,7 @@ impl Method {
 }
 
 /// One scalar type, or all of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, PartialEq, ValueEnum)]
 pub enum ScalarChoice {
     /// Double precision
     F64,

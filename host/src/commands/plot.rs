@@ -37,7 +37,7 @@ pub struct PlotArgs {
 }
 
 /// Kind of picture that `plot` draws.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
 pub enum PlotKind {
     /// Curve of the tip between its two bounding circles, from above; for a held tip, the curve of the axis
     Tip,

@@ -7,7 +7,6 @@ use toytop_fit::Measurement;
 const BEYOND: f64 = 1.01;
 
 /// Samples by column. NaN means that there is no reading.
-#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Columns {
     /// Time of each row, s.
     pub t: Vec<f64>,

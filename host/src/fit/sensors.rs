@@ -12,7 +12,7 @@ use toytop_fit::{
 };
 
 /// Kind of a sensor: its table in the file, and its columns in the samples.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Kind {
     /// Name of the table.
     pub name: &'static str,
@@ -148,7 +148,7 @@ impl Sensors {
             };
             let section = Section { file, name, table };
             if name == "timing" {
-                section.only(&["jitter", "dropped"])?;
+                section.only(UNKNOWN, &["jitter", "dropped"])?;
                 [sensors.jitter, sensors.dropped] = section.numbers(&TIMING)?;
             } else if let Some(kind) = KINDS.into_iter().find(|kind| kind.name == name) {
                 sensors.instruments.push(instrument(&section, kind, body)?);
@@ -165,6 +165,8 @@ impl Sensors {
         Ok(sensors)
     }
 }
+
+const UNKNOWN: &str = "unknown key; allowed";
 
 static TIMING: [Key; 2] = [
     Key::optional("jitter", 0.0, "a number from 0 to 1e6").within(0.0, 1e6),
@@ -184,13 +186,14 @@ static POSITION: Key = Key::required("position", "an array of 3 finite numbers")
 static FIELD: Key = Key::required("field", "an array of 3 finite numbers, not all 0");
 
 fn instrument(section: &Section<'_>, kind: Kind, body: Body) -> Result<Instrument, Failure> {
-    section.only(match kind.name {
+    let allowed: &[&str] = match kind.name {
         "gyroscope" => &["noise", "bias", "range", "rotation", "quantum", "every"],
         "accelerometer" => &["noise", "bias", "range", "rotation", "position", "quantum", "every"],
         "magnetometer" => &["noise", "bias", "field", "rotation", "quantum", "every"],
         "mark" => &["noise", "position"],
         _ => &["noise", "quantum", "every"],
-    })?;
+    };
+    section.only(UNKNOWN, allowed)?;
     let [deviation, bias, range, quantum, every] = section.numbers(&NUMBERS)?;
     let noise = Noise { deviation, bias };
     if every.fract() != 0.0 {

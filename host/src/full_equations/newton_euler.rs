@@ -10,7 +10,7 @@
 use super::equations::{FullState, FullTop, cross, dot};
 
 /// Accelerations and normal force of a state.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Debug)]
 pub struct Accelerations {
     /// Angular acceleration ω', rad/s².
     pub omega: [f64; 3],

@@ -21,7 +21,7 @@ pub fn scenarios() -> Result<Vec<Scenario>, Failure> {
 }
 
 /// Bounds on the errors of a built-in motion over ten periods, rad, in place of those of any motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct OwnBounds {
     /// Bound on the error of the full solver.
     pub full_solver: f64,

@@ -17,7 +17,7 @@ use toml::{Table, Value};
 use toytop::{Motion, Top, TopParameters};
 
 /// Units of a scenario's numbers.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Units {
     /// SI: kg, m, s.
     Si,

@@ -67,20 +67,33 @@ impl Section<'_> {
         self.table.contains_key(key.name)
     }
 
-    /// Failure if there is a key other than these.
-    pub fn only(&self, names: &[&str]) -> Result<(), Failure> {
-        let unknown = self.table.keys().find(|key| !names.contains(&key.as_str()));
-        let refuse = |key| Err(self.refuse(key, &format!("unknown key; allowed: {}", names.join(", "))));
-        unknown.map_or(Ok(()), |key| refuse(key))
+    /// Failure if there is a key other than these; `reason` begins the message.
+    pub fn only(&self, reason: &str, names: &[&str]) -> Result<(), Failure> {
+        match self.table.keys().find(|key| !names.contains(&key.as_str())) {
+            Some(key) => Err(self.refuse(key, &format!("{reason}: {}", names.join(", ")))),
+            None => Ok(()),
+        }
     }
 
     /// Failure if there is a key other than `choice`, which selects among the kinds of a table, and those listed.
     pub fn only_with(&self, choice: &str, keys: &[Key]) -> Result<(), Failure> {
         let names: Vec<_> = std::iter::once(choice).chain(keys.iter().map(|key| key.name)).collect();
-        let Some(key) = self.table.keys().find(|key| !names.contains(&key.as_str())) else { return Ok(()) };
         let selected = self.table.get(choice).and_then(Value::as_str);
         let place = selected.map_or(String::new(), |value| format!(" with {choice} = {:?}", shown(value)));
-        Err(self.refuse(key, &format!("unknown or unneeded key; allowed{place}: {}", names.join(", "))))
+        self.only(&format!("unknown or unneeded key; allowed{place}"), &names)
+    }
+
+    /// Value of a key by `read`, or the default where it is missing.
+    fn value<T>(
+        &self,
+        (key, allowed): (&str, &str),
+        default: Option<T>,
+        read: impl Fn(&Value) -> Option<T>,
+    ) -> Result<T, Failure> {
+        match self.table.get(key) {
+            Some(value) => read(value).ok_or_else(|| self.refuse(key, &format!("must be {allowed}"))),
+            None => default.ok_or_else(|| self.refuse(key, &format!("missing; must be {allowed}"))),
+        }
     }
 
     /// Value of a key that is one of several words, with an optional default.
@@ -90,25 +103,17 @@ impl Section<'_> {
         words: &[&'static str],
         default: Option<&'static str>,
     ) -> Result<&'static str, Failure> {
-        let allowed = || words.iter().map(|word| format!("{word:?}")).collect::<Vec<_>>().join(", ");
-        let Some(value) = self.table.get(key) else {
-            return default
-                .ok_or_else(|| self.refuse(key, &format!("missing; must be one of {}", allowed())));
-        };
-        let chosen = words.iter().find(|word| value.as_str() == Some(word));
-        chosen.copied().ok_or_else(|| self.refuse(key, &format!("must be one of {}", allowed())))
+        let quoted: Vec<_> = words.iter().map(|word| format!("{word:?}")).collect();
+        let allowed = format!("one of {}", quoted.join(", "));
+        let word = |value: &Value| words.iter().copied().find(|word| value.as_str() == Some(word));
+        self.value((key, &allowed), default, word)
     }
 
     /// Value of a key that is a number in the key's range.
     pub fn number(&self, key: &Key) -> Result<f64, Failure> {
         let [low, high] = key.range;
-        match (self.table.get(key.name), key.default) {
-            (Some(value), _) => number(value)
-                .filter(|number| (low..=high).contains(number))
-                .ok_or_else(|| self.not_allowed(key)),
-            (None, Some(default)) => Ok(default),
-            (None, None) => Err(self.missing(key)),
-        }
+        let within = |value: &Value| number(value).filter(|number| (low..=high).contains(number));
+        self.value((key.name, key.allowed), key.default, within)
     }
 
     /// Values of these keys, each a number in its range.
@@ -120,19 +125,15 @@ impl Section<'_> {
         Ok(numbers)
     }
 
-    /// Value of a key that is an array of N finite numbers; `default` replaces a missing one.
+    /// Value of a key that is an array of N finite numbers.
     pub fn array<const N: usize>(&self, key: &Key, default: Option<[f64; N]>) -> Result<[f64; N], Failure> {
         let finite = |value: &Value| number(value).filter(|number| number.is_finite());
-        let Some(value) = self.table.get(key.name) else { return default.ok_or_else(|| self.missing(key)) };
-        let numbers =
-            value.as_array().and_then(|entries| entries.iter().map(finite).collect::<Option<Vec<_>>>());
-        numbers.and_then(|numbers| numbers.try_into().ok()).ok_or_else(|| self.not_allowed(key))
+        self.value((key.name, key.allowed), default, |value| {
+            value.as_array()?.iter().map(finite).collect::<Option<Vec<_>>>()?.try_into().ok()
+        })
     }
 
-    fn missing(&self, key: &Key) -> Failure {
-        self.refuse(key.name, &format!("missing; must be {}", key.allowed))
-    }
-
+    /// Failure that states the allowed values of a key.
     pub fn not_allowed(&self, key: &Key) -> Failure {
         self.refuse(key.name, &format!("must be {}", key.allowed))
     }

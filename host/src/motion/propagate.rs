@@ -9,7 +9,7 @@ use toytop::{AttitudeState, Complex, Motion, Orientation, Phase, Stepper};
 pub use toytop_page::constants::{natural_time, period};
 
 /// Motion at one time in `f64`, by any method.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct Sample {
     /// Time, s.
     pub t: f64,

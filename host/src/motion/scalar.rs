@@ -1,7 +1,7 @@
 //! Scalar types of the core.
 
 /// Scalar types of the core.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "program", derive(clap::ValueEnum))]
 pub enum Scalar {
     /// Double precision

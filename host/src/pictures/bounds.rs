@@ -3,7 +3,7 @@
 use toytop::Motion;
 
 /// Place of the axis at a bound.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Place {
     /// Lowest place of the axis, u = e₁.
     Lowest,
@@ -28,7 +28,7 @@ impl Place {
 }
 
 /// Bound on the height of the axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct Bound {
     /// Place of the axis.
     pub place: Place,

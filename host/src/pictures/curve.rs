@@ -6,7 +6,6 @@ use crate::pictures::span::Span;
 use toytop::{Motion, Support};
 
 /// Curve of the tip (of the axis, if the tip is held) and the circles between which it stays.
-#[derive(Debug)]
 pub struct Curve {
     /// Points (x, y), m (without unit for a fixed tip).
     pub points: Vec<[f64; 2]>,
@@ -15,7 +14,6 @@ pub struct Curve {
 }
 
 /// Circle of radius ρ(e) = s √(1 - e²), a bound on the distance from the centre.
-#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circle {
     /// Radius, in the unit of the curve.
     pub radius: f64,

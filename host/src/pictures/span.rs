@@ -111,7 +111,7 @@ fn turn(motion: &Motion) -> Option<f64> {
 }
 
 /// Time in which tilt and azimuth of the axis do the same again, with its name in messages.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy)]
 struct Cycle {
     /// Length, s.
     time: f64,

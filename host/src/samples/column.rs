@@ -6,7 +6,7 @@ use crate::motion::propagate::Sample;
 use toytop::{Complex, Support};
 
 /// Quantity of a sample: a group of columns.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "program", derive(clap::ValueEnum), value(rename_all = "snake_case"))]
 pub enum Column {
     /// Time

@@ -8,7 +8,7 @@ use crate::output::{self, Record, number, short};
 use toytop::Support;
 
 /// Form of the output of samples.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
 pub enum SampleFormat {
     /// Aligned table
     Table,
@@ -21,7 +21,6 @@ pub enum SampleFormat {
 }
 
 /// Columns of the rows, the units of their numbers, and the form in which they are written.
-#[derive(Clone, Debug)]
 pub struct Sheet {
     /// Form of the output.
     pub format: SampleFormat,

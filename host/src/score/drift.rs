@@ -17,7 +17,7 @@ use nalgebra::Vector3;
 use toytop::{Motion, Orientation};
 
 /// Greatest relative change of l, n and h from the motion's values, and how it was found.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Default)]
 pub struct Drift {
     /// Drift of l and n in units of the greatest of |l|, |n| and √(2 A p g), and of h in units of the greater of |h| and p g.
     pub integrals: Option<[f64; 3]>,

@@ -20,7 +20,7 @@ use std::f64::consts::PI;
 use toytop::{Complex, Motion, Orientation, Regime};
 
 /// Phase errors of a trajectory over some rows, above 0 where it is ahead of the motion.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Default)]
 pub struct PhaseErrors {
     /// Nutation phase error Δθ, rad; `None` where the axis does not nutate.
     pub nutation: Option<f64>,

@@ -11,7 +11,7 @@ use std::path::Path;
 use toytop::{Complex, Orientation};
 
 /// Row of a trajectory.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Row {
     /// Time, s.
     pub t: f64,
@@ -28,7 +28,7 @@ pub struct Row {
 }
 
 /// Times and orientations of one run of an integrator.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug)]
 pub struct Trajectory {
     /// Name of the file.
     pub name: String,
@@ -143,25 +143,27 @@ fn goes_on(rows: &[Row], t: f64) -> bool {
     }
 }
 
-/// Indices of the columns by their names.
-struct Columns(HashMap<String, usize>);
+/// Names of the columns; of equal names the first counts.
+struct Columns(Vec<String>);
 
 impl Columns {
     fn of(header: &csv::StringRecord) -> Result<Self, String> {
-        let names = rows::names(header)?;
-        let first_places = names.iter().enumerate().rev().map(|(place, name)| (name.clone(), place));
-        let columns = Self(first_places.collect());
+        let columns = Self(rows::names(header)?);
         let orientation = columns.have(&QUATERNION) || columns.have(&ALPHA_BETA) || columns.have(&MATRIX);
         if orientation && columns.have(&["t"]) {
             return Ok(columns);
         }
         let allowed =
             "t with w,x,y,z (body to fixed), alpha_re,alpha_im,beta_re,beta_im or r11,r12,...,r33 (by rows)";
-        Err(format!("columns: must have {allowed}; has {}", shown(&names.join(","))))
+        Err(format!("columns: must have {allowed}; has {}", shown(&columns.0.join(","))))
+    }
+
+    fn place(&self, name: &str) -> Option<usize> {
+        self.0.iter().position(|own| own == name)
     }
 
     fn have(&self, names: &[&str]) -> bool {
-        names.iter().all(|name| self.0.contains_key(*name))
+        names.iter().all(|name| self.place(name).is_some())
     }
 
     /// Numbers of a row in these columns; `None` where one of the columns is missing.
@@ -175,7 +177,7 @@ impl Columns {
         }
         let mut numbers = [0.0; N];
         for (number, name) in numbers.iter_mut().zip(names) {
-            let text = record.get(self.0[name]).unwrap_or_default();
+            let text = self.place(name).and_then(|place| record.get(place)).unwrap_or_default();
             let finite = text.parse().ok().filter(|x: &f64| x.is_finite());
             *number = finite.ok_or_else(|| format!("{name}: {:?} must be a finite number", shown(text)))?;
         }

@@ -17,7 +17,7 @@ use toytop::{Motion, Orientation};
 use toytop_page::constants::MotionConstants;
 
 /// Column of a sweep, or the columns of a quantity at every time.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub enum Column {
     /// Constant of the motion or figure of its tables, by its name.
     Named(&'static str),

@@ -44,7 +44,7 @@ struct HalfPhase {
 }
 
 /// Behaviour of u.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(PartialEq)]
 pub enum Course {
     /// Constant u.
     Steady,

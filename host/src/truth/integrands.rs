@@ -4,7 +4,7 @@ use super::gauss::Number;
 use super::precise::Precise;
 
 /// Turning point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum TurningPoint {
     /// Turning point u = e₁.
     Lower,
@@ -13,7 +13,7 @@ pub enum TurningPoint {
 }
 
 /// Constants of a motion; differences of the branch points are separate constants.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Integrands<R> {
     pub s: R,
     pub g: R,

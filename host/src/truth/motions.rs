@@ -5,7 +5,7 @@ use std::fmt;
 use toytop::{Complex, InitialPhases, Motion, Orientation, ParameterError, Signs, State, Top, TopParameters};
 
 /// Numbers of a motion, taken as exact.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct Numbers {
     /// Numbers A, C, s, p, g and K of the top. The tip slides if s > 0, and is held if s = 0 and p > 0; for p = 0 the body is free.
     pub top: [f64; 6],

@@ -53,10 +53,8 @@ fn all() -> Vec<Part> {
     parts(&[Scalar::F32, Scalar::Q31, Scalar::Q15, Scalar::F64])
 }
 
-/// Version of the format, the value of the clock's macro.
-fn format() -> u32 {
-    toytop::Baked::<f32, 16>::FORMAT
-}
+/// Version of the format, the value of the macros.
+const FORMAT: u32 = toytop::Baked::<f32, 16>::FORMAT;
 
 /// Code for a header that needs no other file: every function is `static inline`, and included once.
 pub fn inlined(scalar: Scalar) -> String {
@@ -69,8 +67,7 @@ pub fn inlined(scalar: Scalar) -> String {
     };
     let mut text = "#ifndef TOYTOP_API\n#define TOYTOP_API static inline\n#endif\n".to_owned();
     for Part { guard, types, functions } in parts(needed) {
-        let version = format();
-        text += &format!("#ifndef {guard}\n#define {guard} {version}\n{types}\n{functions}#endif\n");
+        text += &format!("#ifndef {guard}\n#define {guard} {FORMAT}\n{types}\n{functions}#endif\n");
     }
     text
 }
@@ -83,7 +80,7 @@ pub fn header() -> String {
     );
     let parts = all();
     for Part { guard, types, .. } in &parts {
-        text += &format!("#define {guard} {}\n{types}", format());
+        text += &format!("#define {guard} {FORMAT}\n{types}");
     }
     text += "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
     parts.iter().for_each(|part| text += &declarations(&part.functions));

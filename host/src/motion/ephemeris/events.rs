@@ -4,7 +4,7 @@ use super::TimedSample;
 use toytop::{EphemerisScalar, EphemerisView, Event, Level, Phase};
 
 /// Event that is searched for.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Sought {
     /// Turning points of u.
     Turning,
