@@ -91,20 +91,16 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     if arguments.from.abs() > reach {
         return Err(Failure::Input(format!("--from: {:e} must be within ±{reach:.1e} s", arguments.from)));
     }
-    let mut searches = Vec::new();
-    for kind in &arguments.kinds {
-        searches.extend(
-            sought(kind, motion).map_err(|failure| failure.of("--kind"))?.into_iter().map(|s| (kind, s)),
-        );
-    }
     let table = smallest(Scalar::F64, motion).map_err(|failure| failure.of(&scenario.name))?;
+    let from = (arguments.from * table.ticks_per_time()).floor() as i64;
     let mut events = Vec::new();
-    for (kind, sought) in searches {
+    for kind in &arguments.kinds {
         let wanted =
             |t: f64, upward: bool| t >= arguments.from && kind.upward.is_none_or(|only| only == upward);
-        let from = (arguments.from * table.ticks_per_time()).floor() as i64;
-        let found = table.events(sought, from, &wanted, arguments.count as usize);
-        events.extend(found.into_iter().map(|event| (kind, sought, event)));
+        for sought in sought(kind, motion).map_err(|failure| failure.of("--kind"))? {
+            let found = table.events(sought, from, &wanted, arguments.count as usize);
+            events.extend(found.into_iter().map(|event| (kind, sought, event)));
+        }
     }
     events.sort_by(|(_, _, a), (_, _, b)| a.t.total_cmp(&b.t));
     events.truncate(arguments.count as usize);

@@ -84,7 +84,7 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     match (&arguments.output, fitted.converged()) {
         (Some(path), true) => {
             let units = scenario.keys.get("units").and_then(toml::Value::as_str);
-            let (text, _) = report.scenario(units)?;
+            let text = report.scenario(units)?;
             whole_file::write("--output", path, text.as_bytes())?;
         }
         (Some(path), false) => {

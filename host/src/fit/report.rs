@@ -8,7 +8,6 @@ use super::launch::FitInput;
 use crate::Failure;
 use crate::output::{number, short};
 use toml::{Table, Value};
-use toytop::Motion;
 use toytop_fit::{Drift, Fitted, Measurement};
 
 /// First integrals, and the units of their rates.
@@ -120,9 +119,9 @@ impl FitReport {
     ///
     /// # Errors
     /// [`Failure::Input`]: no top has the fitted numbers.
-    pub fn scenario(&self, units: Option<&str>) -> Result<(String, Motion), Failure> {
+    pub fn scenario(&self, units: Option<&str>) -> Result<String, Failure> {
         let refuse = |error: toytop::ParameterError| Failure::Input(format!("the fitted top: {error}"));
-        let motion = self.fitted.motion(&self.input.top).map_err(refuse)?;
+        self.fitted.motion(&self.input.top).map_err(refuse)?;
         let state = self.fitted.state().map_err(refuse)?;
         let mut text =
             format!("# Fitted by `toytop fit`; t = 0 is t = {} of the samples.\n", number(self.fitted.epoch));
@@ -154,6 +153,6 @@ impl FitReport {
         if let Some(units) = units {
             root.insert("units".to_owned(), Value::from(units));
         }
-        Ok((format!("{text}\n{root}"), motion))
+        Ok(format!("{text}\n{root}"))
     }
 }

@@ -4,7 +4,7 @@ use super::chart::{Chart, Curve};
 use crate::Failure;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::tilts;
-use crate::pictures::bounds::{Bound, Place};
+use crate::pictures::curve::Bound;
 use crate::pictures::span::Span;
 use kuva::render::render::Scene;
 use std::f64::consts::PI;
@@ -34,9 +34,9 @@ pub fn tilt(scenario: &Scenario, span: &Span) -> Scene {
     let mut curves = vec![Curve::line("tilt", span.times_of_curve().map(degrees).collect())];
     curves.extend(Bound::of(&scenario.motion).into_iter().map(|bound| {
         let name = match bound.place {
-            Place::Lowest => "greatest",
-            Place::Highest => "least",
-            Place::Constant | Place::Horizontal => "constant",
+            "lowest" => "greatest",
+            "highest" => "least",
+            _ => "constant",
         };
         let tilt = bound.tilt();
         Curve::line(format!("{name}: {tilt:.2}°"), span.ends.map(|t| [t - origin, tilt]).into())

@@ -2,7 +2,7 @@
 
 use super::camera::{Camera, circle};
 use crate::input::scenario::Scenario;
-use crate::pictures::bounds::{Bound, Place};
+use crate::pictures::curve::Bound;
 use crate::pictures::drawing::{BOUND, CAPTION, CURVE, START, disc, line, text};
 use crate::pictures::span::Span;
 use kuva::render::render::{Scene, TextAnchor};
@@ -36,7 +36,7 @@ pub fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scene {
         camera.line_on_sphere(picture, &circle(radius, bound.u), ["#6a6a6a", "#cfcfcf"], 1.2);
         // beside the sphere, with a line from the right end of the parallel
         let (x, y) = camera.place([0.0, 0.0, bound.u]);
-        let label = if bound.place == Place::Lowest { y.max(highest + 18.0) } else { y };
+        let label = if bound.place == "lowest" { y.max(highest + 18.0) } else { y };
         let ends = [(x + RADIUS * radius + 3.0, y), (LABELS - 6.0, label - 4.0)];
         line(picture, ends.into(), "#cfcfcf", 1.0);
         text(picture, &bound.to_string(), [LABELS, label], 12, TextAnchor::Start, "#333333");
