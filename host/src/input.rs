@@ -12,3 +12,8 @@ pub mod random;
 pub(crate) mod rows;
 pub mod scenario;
 pub(crate) mod section;
+
+/// Finite number of a text.
+pub(crate) fn finite(text: &str) -> Option<f64> {
+    text.trim().parse().ok().filter(|x: &f64| x.is_finite())
+}

@@ -2,6 +2,7 @@
 
 use super::{Report, warnings};
 use crate::Failure;
+use crate::input::finite;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{FoundEvent, Sought, furthest_time, smallest};
@@ -65,8 +66,7 @@ fn kind(text: &str) -> Result<Kind, String> {
         Some(_) => return Err(ALLOWED.to_owned()),
         None => (text, None),
     };
-    let number = |value: &str| value.parse::<f64>().ok().filter(|x| x.is_finite());
-    let what = match rest.split_once('=').map(|(name, value)| (name, number(value))) {
+    let what = match rest.split_once('=').map(|(name, value)| (name, finite(value))) {
         None if rest == "turning" => What::Turning,
         None if rest == "lift-off" => What::LiftOff,
         Some(("tilt", Some(degrees))) if (0.0..=180.0).contains(&degrees) => What::Tilt(degrees),
@@ -81,7 +81,7 @@ fn kind(text: &str) -> Result<Kind, String> {
 }
 
 fn time(text: &str) -> Result<f64, &'static str> {
-    text.parse().ok().filter(|t: &f64| t.is_finite()).ok_or("must be a finite number")
+    finite(text).ok_or("must be a finite number")
 }
 
 pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {

@@ -1,5 +1,6 @@
 //! Values that several commands read: method, scalar, name of a file.
 
+use crate::input::finite;
 use crate::motion::Scalar;
 use crate::output::Format;
 use clap::{Args, ValueEnum};
@@ -71,7 +72,7 @@ pub fn ending_in(allowed: &'static str) -> impl Fn(&str) -> Result<PathBuf, Stri
 
 /// Number above 0.
 pub fn positive(text: &str) -> Result<f64, &'static str> {
-    text.parse().ok().filter(|x| *x > 0.0 && f64::is_finite(*x)).ok_or("must be a number above 0")
+    finite(text).filter(|x| *x > 0.0).ok_or("must be a number above 0")
 }
 
 /// `toytop bench` and `toytop errata`
@@ -84,8 +85,7 @@ pub struct FormatArgs {
 
 /// Two times, LOW..HIGH, s.
 pub fn span(text: &str) -> Result<[f64; 2], &'static str> {
-    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
-    let ends = text.split_once("..").and_then(|(from, until)| Some([number(from)?, number(until)?]));
+    let ends = text.split_once("..").and_then(|(from, until)| Some([finite(from)?, finite(until)?]));
     ends.filter(|[from, until]| from < until).ok_or("must be LOW..HIGH, two times in s")
 }
 

@@ -1,6 +1,7 @@
 //! Times at which a motion is computed: times or ticks on the command line, or a file of times.
 
 use crate::Failure;
+use crate::input::finite;
 use crate::output::{shown, whole_file};
 use crate::sweep::axis::{Axis, ends};
 use clap::Args;
@@ -183,10 +184,8 @@ fn from_file(path: &Path) -> Result<Instants, Failure> {
 }
 
 fn time(entry: &str, place: &str) -> Result<f64, Failure> {
-    match entry.trim().parse::<f64>() {
-        Ok(time) if time.is_finite() => Ok(time),
-        _ => Err(Failure::Input(format!("{place}: {:?} must be a finite number", shown(entry.trim())))),
-    }
+    finite(entry)
+        .ok_or_else(|| Failure::Input(format!("{place}: {:?} must be a finite number", shown(entry.trim()))))
 }
 
 #[cfg(test)]

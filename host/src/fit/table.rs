@@ -3,13 +3,11 @@
 use super::columns::{Columns, keep_present};
 use super::sensors::Sensors;
 use crate::Failure;
+use crate::input::finite;
 use crate::input::rows::{self, unread};
-use crate::output::{number, shown, whole_file};
+use crate::output::{number, shown};
 use std::path::Path;
 use toytop_fit::Measurement;
-
-/// Largest file of samples, MiB.
-const LARGEST_FILE: u64 = 1024;
 
 /// Measurements of a file in the order of its rows, and the names of the columns that no sensor reads; the sensors without columns are
 /// removed.
@@ -25,10 +23,9 @@ pub fn read(
     all: bool,
 ) -> Result<(Vec<Measurement>, Vec<String>), Failure> {
     let file = path.display().to_string();
-    let text = whole_file::read(&file, path, LARGEST_FILE)?;
+    let text = rows::read(&file, path)?;
     let refuse = |line: u64, reason: String| Failure::Input(format!("{file}: line {line}: {reason}"));
-    let mut reader =
-        csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
+    let mut reader = rows::reader(&text);
     let header = reader.headers().map_err(|error| refuse(1, error.to_string()))?;
     let header = rows::names(header).map_err(|reason| refuse(1, reason))?;
     let place = |name: &str| header.iter().position(|column| column == name);
@@ -45,7 +42,7 @@ pub fn read(
         let line = record.position().map_or(0, csv::Position::line);
         let value = |place: usize, name: &str| {
             let field = record.get(place).unwrap_or_default();
-            field.parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(|| {
+            finite(field).ok_or_else(|| {
                 refuse(line, format!("{name}: must be a finite number, not {:?}", shown(field)))
             })
         };

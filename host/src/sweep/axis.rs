@@ -1,5 +1,6 @@
 //! Values of one number of a sweep: a list, or a range.
 
+use crate::input::finite;
 use crate::input::random::Random;
 use std::str::FromStr;
 
@@ -104,8 +105,7 @@ impl FromStr for Axis {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let refused = || format!("must be {FORMS}");
-        let number =
-            |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(refused);
+        let number = |text: &str| finite(text).ok_or_else(refused);
         let (log, rest) = text.strip_prefix("log:").map_or((false, text), |rest| (true, rest));
         let Some((low, rest)) = rest.split_once("..") else {
             let list = text.split(',').map(number).collect::<Result<_, _>>()?;
