@@ -1,11 +1,12 @@
 //! Command line of `toytop`: its commands, their help texts and their arguments.
 
 use crate::Failure;
+use crate::commands::Report;
+use crate::commands::data::{benchmark, fit, score, simulate};
+use crate::commands::motion::{bake, constants, events, state};
 use crate::commands::options::FormatArgs;
-use crate::commands::{
-    Report, accuracy, animate, bake, bench, benchmark, budget, compare, constants, errata, events, figures,
-    fit, plot, score, simulate, state, sweep, view,
-};
+use crate::commands::pictures::{animate, figures, plot, view};
+use crate::commands::studies::{accuracy, bench, budget, compare, errata, sweep};
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 

@@ -1,25 +1,10 @@
-//! Commands of `toytop`, one file for each. A command returns its whole output, and nothing is printed before it is complete.
+//! Commands of `toytop`, one file for each, in folders by their purpose. A command returns its whole output, and nothing is printed before it is complete.
 
-pub mod accuracy;
-pub mod animate;
-pub mod bake;
-pub mod bench;
-pub mod benchmark;
-pub mod budget;
-pub mod compare;
-pub mod constants;
-pub mod errata;
-pub mod events;
-pub mod figures;
-pub mod fit;
+pub mod data;
+pub mod motion;
 pub mod options;
-pub mod plot;
-pub mod score;
-pub mod simulate;
-pub mod state;
-pub mod sweep;
-mod times;
-pub mod view;
+pub mod pictures;
+pub mod studies;
 
 use crate::input::scenario::Scenario;
 use crate::motion::tilts;
