@@ -2,10 +2,8 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`problem`] | problem with scenario, conventions of its source, reference values, and values that others printed |
-//! | [`conventions`] | body axes and quantities of a source |
+//! | [`problem`] | problem with scenario, body axes and quantities of its source, reference values, and values that others printed |
 
-pub mod conventions;
 pub mod problem;
 
 pub use problem::{Printed, Problem, Reference};

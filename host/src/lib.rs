@@ -10,7 +10,6 @@
 //! | `benchmarks` | catalogue of problems that integrators are tested with |
 //! | [`budget`] | cost of a call on an emulated chip |
 //! | [`errata`] | errors of the printed paper, and their corrections |
-//! | `constants` | constants of a motion by name |
 //! | [`samples`] | samples of a motion as tables of chosen columns |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
 //! | [`score`] | output of an integrator against the exact motion |
@@ -37,8 +36,6 @@ pub mod budget;
 mod cli;
 #[cfg(feature = "program")]
 mod commands;
-#[cfg(feature = "program")]
-mod constants;
 #[cfg(feature = "program")]
 pub mod errata;
 mod failure;

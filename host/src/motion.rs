@@ -11,10 +11,7 @@
 pub mod ephemeris;
 pub mod invariants;
 pub mod propagate;
-mod scalar;
 pub mod tip_angle;
-
-pub use scalar::Scalar;
 
 use toytop::{Complex, Motion, Regime};
 
@@ -37,5 +34,34 @@ pub fn tilts(motion: &Motion) -> [f64; 2] {
         Regime::Hanging => [180.0; 2],
         regime if regime.is_vertical() => [0.0; 2],
         _ => [tilt(2.0 - e.one_minus_e2, e.one_minus_e2), tilt(e.one_plus_e1, 2.0 - e.one_plus_e1)],
+    }
+}
+
+/// Scalar types of the core.
+#[derive(Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "program", derive(clap::ValueEnum))]
+pub enum Scalar {
+    /// Double precision
+    F64,
+    /// Single precision
+    F32,
+    /// Fixed point of 32 bits
+    Q31,
+    /// Fixed point of 16 bits
+    Q15,
+}
+
+impl Scalar {
+    /// All scalar types.
+    pub const ALL: [Self; 4] = [Self::F64, Self::F32, Self::Q31, Self::Q15];
+
+    /// Name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::F64 => "f64",
+            Self::F32 => "f32",
+            Self::Q31 => "q31",
+            Self::Q15 => "q15",
+        }
     }
 }

@@ -1,7 +1,6 @@
 //! `toytop-lab corners`: random launches near every degenerate case. Each keeps its error bound or is refused with a typed error.
 
-mod input;
-mod places;
+mod inputs;
 mod trial;
 
 use crate::{Found, Study};
@@ -56,14 +55,14 @@ impl Tally {
     fn add(&mut self, study: &Study, truths: u64, launch: u64) {
         let mut random = Random::new(study.seed, launch);
         if random.one_in(ONE_BEYOND_IN) {
-            let input = input::beyond(&mut random);
+            let input = inputs::beyond(&mut random);
             match input.motion() {
                 Ok(_) => self.failures.push(format!("{launch}: beyond the range, but launched: {input}")),
                 Err(_) => self.beyond += 1,
             }
             return;
         }
-        let input = input::random(&mut random);
+        let input = inputs::random(&mut random);
         // launches are independent, so that those with the truth may be spread evenly
         let with_truth = launch.is_multiple_of((study.motions / truths).max(1));
         match catch_unwind(AssertUnwindSafe(|| trial::run(&input, &mut random, with_truth))) {

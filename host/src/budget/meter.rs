@@ -1,6 +1,6 @@
 //! Cost of each call, from the log of a run.
 
-use super::instruction::{Decoder, Instruction};
+use super::model::{Decoder, Instruction};
 use super::trace::{self, Block};
 use super::{Chip, Image, Model};
 use crate::Failure;

@@ -3,8 +3,8 @@
 #[cfg(feature = "program")]
 mod shown;
 
-use super::free::given;
 use super::launch::FitInput;
+use super::launch::given;
 use crate::Failure;
 use crate::output::{number, short};
 use toml::{Table, Value};

@@ -1,12 +1,10 @@
 //! Ephemeris of the core with as many segments as a motion needs, behind a trait that hides scalar and capacity.
 
-mod events;
 mod rise;
 mod samples;
 mod sizes;
 
-pub use events::{FoundEvent, Sought};
-pub use samples::{RateSample, TimedSample};
+pub use samples::{FoundEvent, RateSample, Sought, TimedSample};
 pub use sizes::{Size, approximate, smaller, smallest, table};
 pub use toytop_page::table::ticks_per_time;
 
@@ -158,7 +156,7 @@ impl<R: Bake> AnyScalar for Boxed<R> {
     ) -> Vec<FoundEvent> {
         let table = self.table();
         let there = |event: &_, t| self.timed(t, t * self.ticks_per_time(), table.at_event(event));
-        events::found(table, sought, from, wanted, most, there)
+        samples::found(table, sought, from, wanted, most, there)
     }
 
     fn parts(&self) -> Option<Parts> {

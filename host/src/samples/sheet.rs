@@ -1,7 +1,6 @@
 //! Rows of chosen columns as CSV, JSON, a NumPy file or an aligned table.
 
 use super::column::Column;
-use super::npy;
 use crate::input::scenario::Units;
 use crate::motion::propagate::Sample;
 use crate::output::{self, Record, number, short};
@@ -40,7 +39,7 @@ impl Sheet {
         match self.format {
             SampleFormat::Csv => (self.names().join(",") + "\n").into_bytes(),
             SampleFormat::Json => b"{\"samples\":[".to_vec(),
-            SampleFormat::Npy => npy::header(&self.names(), rows),
+            SampleFormat::Npy => npy_header(&self.names(), rows),
             SampleFormat::Table => Vec::new(),
         }
     }
@@ -124,4 +123,20 @@ fn object(parts: &[Part<'_>]) -> String {
     };
     // a write to memory does not fail
     output::json(&Record(parts.iter().map(entry).collect())).unwrap_or_default().trim_end().to_owned()
+}
+
+/// Header of a file with columns of these names and this many rows (format 1.0: magic, length, and a Python literal that ends at a multiple of 64 bytes).
+fn npy_header(names: &[String], rows: u64) -> Vec<u8> {
+    const BEFORE: usize = 10;
+    let fields: String = names.iter().map(|name| format!("('{name}', '<f8'), ")).collect();
+    let mut text = format!("{{'descr': [{fields}], 'fortran_order': False, 'shape': ({rows},), }}");
+    while !(BEFORE + text.len() + 1).is_multiple_of(64) {
+        text.push(' ');
+    }
+    text.push('\n');
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    // the header has some hundred bytes, so its length fits 16 bits
+    bytes.extend_from_slice(&(text.len() as u16).to_le_bytes());
+    bytes.extend_from_slice(text.as_bytes());
+    bytes
 }

@@ -1,6 +1,6 @@
 //! Columns of a sweep, and what is computed of a motion for them.
 
-use crate::constants;
+use crate::commands::motion::constants;
 use crate::full_equations::solution;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::Scalar;

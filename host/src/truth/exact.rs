@@ -8,10 +8,10 @@
 //! |α|² = (1 + u)/2 and |β|² = (1 - u)/2; where e₁ = -1 (e₂ = 1) α (β) changes sign instead of turning.
 
 use super::half_period::{HalfPeriod, Integrals};
-use super::integrands::{Integrands, TurningPoint};
+use super::integrals::{Integrands, TurningPoint};
 use super::launch::Launched;
 use super::motions::Numbers;
-pub use super::orientation::PreciseOrientation;
+pub use super::precise::PreciseOrientation;
 use super::precise::{
     ComplexPrecise, Precise, cis, conjugate, is_zero, precise, product, root, to_f64, to_nearest, whole,
 };

@@ -4,8 +4,8 @@
 //! are lost where the nearest singularity is at a distance of a millionth. The panels of the quadrature grow by factors of 4 with the distance
 //! from a turning point.
 
-use super::gauss::{Number, integrate};
-use super::integrands::{Integrands, TurningPoint};
+use super::integrals::{Integrands, TurningPoint};
+use super::integrals::{Number, integrate};
 use super::precise::{Precise, precise, to_f64, whole};
 
 /// Time, and the advances of arg α and arg β without ±τt/2.

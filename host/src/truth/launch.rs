@@ -6,7 +6,7 @@
 //! (u - e₁)(u - e₂)(u - e₃) = u³ - E u² - u + E - κ (l - nu)² with κ = 1/(2Apg) and E = (h - n²/2C)/(pg). Newton's method
 //! from beyond the roots converges to e₁ and e₃ without passing them.
 
-use super::integrands::Integrands;
+use super::integrals::Integrands;
 use super::motions::{Numbers, Start};
 use super::precise::{
     ComplexPrecise, Precise, cis, conjugate, is_zero, precise, product, root, rounded, to_f64, whole,

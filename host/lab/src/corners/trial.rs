@@ -1,6 +1,6 @@
 //! Trial of one launch: its table in each scalar, compared with the truth and with its own bounds.
 
-use super::places::{self, Place};
+use super::inputs::{self, Place};
 use toytop::{Motion, ParameterError, Regime};
 use toytop_host::input::random::Random;
 use toytop_host::motion::ephemeris::{AnyScalar, approximate, smallest, ticks_per_time};
@@ -79,7 +79,7 @@ pub fn run(
     let rate = ticks_per_time(&motion);
     let places = if with_truth {
         let doubtful = doubtful(&tables, &motion, period, rate);
-        places::with_truth(&Exact::new(input), (rate, period), &doubtful, random)
+        inputs::with_truth(&Exact::new(input), (rate, period), &doubtful, random)
     } else {
         Vec::new()
     };

@@ -3,7 +3,7 @@
 use super::Report;
 use super::times;
 use crate::Failure;
-use crate::benchmarks::conventions::Values;
+use crate::benchmarks::problem::Values;
 use crate::benchmarks::{self, Printed, Problem};
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{furthest_time, smallest};

@@ -3,11 +3,11 @@
 use super::Report;
 use super::options::{PICTURE, ending_in, positive};
 use crate::Failure;
-use crate::fit::free::FREE_KEYS;
+use crate::fit::columns;
+use crate::fit::launch::FREE_KEYS;
 use crate::fit::launch::FitInput;
 use crate::fit::report::FitReport;
 use crate::fit::sensors::{Body, Sensors};
-use crate::fit::table;
 use crate::input::scenario::ScenarioFile;
 use crate::output::{self, Format, Record, shown, whole_file};
 use crate::pictures::charts::fit as pictures;
@@ -64,7 +64,8 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let (top, parameters) = scenario.top()?;
     let body = Body::of(&top, parameters.com_height);
     let mut sensors = Sensors::read(arguments.sensors.as_deref(), body)?;
-    let (measurements, unused) = table::read(&arguments.samples, &mut sensors, arguments.sensors.is_some())?;
+    let (measurements, unused) =
+        columns::read(&arguments.samples, &mut sensors, arguments.sensors.is_some())?;
     let table = scenario.keys.get("top").and_then(toml::Value::as_table).cloned().unwrap_or_default();
     let FitArgs { free, huber, drift, .. } = arguments;
     let input = FitInput { top, table, free: free.clone(), sensors, huber: *huber, drift: *drift };

@@ -3,9 +3,9 @@
 use super::Report;
 use super::options::positive;
 use crate::Failure;
+use crate::fit::columns;
 use crate::fit::sensors::{Body, Sensors};
 use crate::fit::simulated::{MOST_SAMPLES, Recording, measurements};
-use crate::fit::table;
 use crate::input::scenario::Scenario;
 use crate::output::whole_file;
 use clap::Args;
@@ -47,7 +47,7 @@ pub fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
         let reason = "the motion has no period, and cannot be followed for so long";
         Failure::Method(format!("{}: {reason}", scenario.name))
     })?;
-    let text = table::written(&sensors, &found);
+    let text = columns::written(&sensors, &found);
     whole_file::write("--output", &arguments.output, text.as_bytes())?;
     Ok(Report::default())
 }

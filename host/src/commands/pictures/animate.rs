@@ -6,7 +6,7 @@ use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::output::progress::Progress;
 use crate::output::whole_file;
-use crate::pictures::space::animation::Film;
+use crate::pictures::space::Film;
 use crate::pictures::span::{Span, require_at_most};
 use clap::Args;
 use std::io::{BufWriter, ErrorKind, Write};

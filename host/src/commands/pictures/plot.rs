@@ -8,7 +8,7 @@ use crate::output::names::tip_class;
 use crate::output::short;
 use crate::pictures::charts::motion;
 use crate::pictures::drawing;
-use crate::pictures::space::sphere;
+use crate::pictures::space;
 use crate::pictures::span::{Span, require_at_most};
 use crate::pictures::tip;
 use clap::{Args, ValueEnum};
@@ -86,7 +86,7 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
     Ok(match arguments.kind {
         PlotKind::Tilt => motion::tilt(scenario, &span),
         PlotKind::Precession => motion::precession(scenario, &span)?,
-        PlotKind::Axis => sphere::draw(scenario, &span, &caption()),
+        PlotKind::Axis => space::draw(scenario, &span, &caption()),
         _ => tip::draw(scenario, &span, &caption()),
     })
 }

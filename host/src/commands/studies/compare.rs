@@ -2,7 +2,6 @@
 
 mod bounds;
 mod run;
-mod show;
 
 use super::options::{Method, ScalarChoice};
 use super::{Report, warnings};
@@ -85,9 +84,9 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     for scenario in &scenarios {
         rows.extend(of_motion(scenario, arguments, &mut remarks)?);
     }
-    let records: Vec<_> = rows.iter().map(show::record).collect();
+    let records: Vec<_> = rows.iter().map(run::record).collect();
     let text = output::written(arguments.format, &output::list("rows", &records), || {
-        let table = if built_in && !arguments.all { show::summary } else { show::table };
+        let table = if built_in && !arguments.all { run::summary } else { run::table };
         table(&rows, arguments.periods)
     })?;
     remarks.extend(warnings(&scenarios));
