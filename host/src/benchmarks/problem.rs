@@ -122,16 +122,6 @@ pub struct Conventions {
     pub length: f64,
 }
 
-/// Motion at one time, in a source's conventions.
-pub struct Values {
-    /// Position of the centre of mass relative to the tip.
-    pub position: [f64; 3],
-    /// Quaternion w, x, y, z from body to fixed axes.
-    pub quaternion: [f64; 4],
-    /// Angular velocity along the body axes.
-    pub omega_body: [f64; 3],
-}
-
 impl Conventions {
     /// Rotation P that takes the source's body coordinates to those of the core, whose third axis is the axis of symmetry.
     pub fn to_core(self) -> Orientation<f64> {
@@ -142,15 +132,14 @@ impl Conventions {
         }
     }
 
-    /// Values of a sample of the core in the source's conventions.
-    pub fn values(&self, sample: &Sample) -> Values {
+    /// Numbers of a sample of the core in the source's conventions: position of the centre of mass relative to the tip, quaternion w, x,
+    /// y, z from body to fixed axes, and angular velocity along the body axes.
+    pub fn values(&self, sample: &Sample) -> Vec<f64> {
         let core = sample.orientation();
         let orientation = core.compose(&self.to_core());
-        Values {
-            position: core.axis().map(|x| self.length * x),
-            quaternion: orientation.quaternion(),
-            omega_body: orientation.inverse().adjoint(sample.omega),
-        }
+        let position = core.axis().map(|x| self.length * x);
+        let omega = orientation.inverse().adjoint(sample.omega);
+        [&position[..], &orientation.quaternion(), &omega].concat()
     }
 }
 

@@ -64,14 +64,16 @@ impl Model {
             return 0;
         }
         let waits_for_float = match before.kind {
-            Kind::Float | Kind::FloatMultiplyAdd | Kind::FloatDivide => before.writes.meet(instruction.reads),
+            Kind::Float | Kind::FloatMultiplyAdd | Kind::FloatDivide => {
+                meet(before.writes, instruction.reads)
+            }
             _ => false,
         };
-        let waits_for_address = before.kind == Kind::Plain && before.writes.meet(instruction.addressing);
+        let waits_for_address = before.kind == Kind::Plain && meet(before.writes, instruction.addressing);
         let overlaps = matches!(before.kind, Kind::Load { .. })
             && matches!(instruction.kind, Kind::Load { .. } | Kind::Store { indexed: true })
-            && !before.writes.meet(Registers::PC)
-            && !before.writes.meet(instruction.addressing);
+            && !meet(before.writes, PC)
+            && !meet(before.writes, instruction.addressing);
         i64::from(waits_for_float) + i64::from(waits_for_address) - i64::from(overlaps)
     }
 
@@ -91,21 +93,18 @@ impl Model {
 }
 
 /// Set of registers, as bits at the numbers that Capstone gives them.
-#[derive(Clone, Copy)]
-pub struct Registers(u128);
+type Registers = u128;
 
-impl Registers {
-    /// Program counter.
-    pub const PC: Self = Self(1 << ArmReg::ARM_REG_PC);
+/// Program counter.
+const PC: Registers = 1 << ArmReg::ARM_REG_PC;
 
-    fn new(registers: &[RegId]) -> Self {
-        Self(registers.iter().fold(0, |set, register| set | 1 << register.0))
-    }
+fn set(registers: &[RegId]) -> Registers {
+    registers.iter().fold(0, |set, register| set | 1 << register.0)
+}
 
-    /// Whether the two sets have a register in common.
-    pub fn meet(self, other: Self) -> bool {
-        self.0 & other.0 != 0
-    }
+/// Whether two sets have a register in common.
+fn meet(a: Registers, b: Registers) -> bool {
+    a & b != 0
 }
 
 /// Class of an instruction by its cycles.
@@ -204,9 +203,9 @@ impl Decoder {
         let mnemonic = instruction.mnemonic().unwrap_or_default();
         Ok(Instruction {
             kind: kind(mnemonic, &operands, addressing.len() > 1),
-            reads: Registers::new(detail.regs_read()),
-            writes: Registers::new(detail.regs_write()),
-            addressing: Registers::new(&addressing),
+            reads: set(detail.regs_read()),
+            writes: set(detail.regs_write()),
+            addressing: set(&addressing),
             straddles: instruction.len() == 4 && !instruction.address().is_multiple_of(4),
         })
     }

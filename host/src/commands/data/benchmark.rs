@@ -3,7 +3,6 @@
 use super::Report;
 use super::times;
 use crate::Failure;
-use crate::benchmarks::problem::Values;
 use crate::benchmarks::{self, Printed, Problem};
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{furthest_time, smallest};
@@ -106,9 +105,8 @@ fn computed(problem: &Problem, times: &str) -> Result<Vec<Record>, Failure> {
     instants.require_within(furthest_time(motion), "").map_err(|failure| failure.of("--times"))?;
     let table = smallest(Scalar::F64, motion).map_err(|failure| failure.of(problem.name()))?;
     let of = |t: &f64| {
-        let Values { position, quaternion, omega_body } = problem.conventions.values(&table.at(*t).sample);
-        let values = [&[*t][..], &position, &quaternion, &omega_body].concat();
-        record(values.into_iter().map(Value::from))
+        let values = problem.conventions.values(&table.at(*t).sample);
+        record(std::iter::once(*t).chain(values).map(Value::from))
     };
     Ok(instants.times()?.iter().map(of).collect())
 }

@@ -51,17 +51,6 @@ pub enum PlotKind {
     Potential,
 }
 
-impl PlotKind {
-    /// Greatest number of nutation periods of a picture, and the kind of picture as a message names it. More would fill the frame.
-    pub fn most_cycles(self) -> (u32, &'static str) {
-        match self {
-            Self::Tilt => (300, " for --kind tilt"),
-            Self::Precession => (300, " for --kind precession"),
-            Self::Tip | Self::Axis | Self::Potential => (1000, ""),
-        }
-    }
-}
-
 pub fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let scene = scene(arguments, &scenario).map_err(|failure| failure.of_motion(&scenario.name))?;
@@ -78,7 +67,12 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
         return Ok(motion::potential(scenario));
     }
     if let Some(times) = times {
-        let (most, kind) = arguments.kind.most_cycles();
+        // more would fill the frame
+        let (most, kind) = match arguments.kind {
+            PlotKind::Tilt => (300, " for --kind tilt"),
+            PlotKind::Precession => (300, " for --kind precession"),
+            _ => (1000, ""),
+        };
         require_at_most(most, scenario, times, kind)?;
     }
     let span = Span::new(&scenario.motion, times)?;

@@ -5,7 +5,6 @@ use super::options::positive;
 use crate::Failure;
 use crate::budget::{CHIPS, Chip, Cost, Costs, Image, Limits, OF_CORPUS, OF_LIMITS, Part, corpus, measure};
 use crate::output::doc_markers::Page;
-use crate::output::progress::Progress;
 use crate::output::{self, Column, Format, Record, eight, short, whole_file};
 use clap::Args;
 use std::collections::BTreeMap;
@@ -60,7 +59,7 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
     if arguments.corpus {
         return launches(arguments, &root, chips);
     }
-    let measured = each(chips, |chip| {
+    let measured = |chip: &'static Chip| {
         let program = |name| build(&root, chip, name, arguments.size);
         let mut costs = measure(chip, &program("cost")?)?;
         if FITTING_CHIPS.contains(&chip.name) {
@@ -74,8 +73,8 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         }
         costs.extend(measure(chip, &flash)?);
         Ok((chip.name.to_owned(), costs))
-    })?;
-    let measured = BTreeMap::from_iter(measured);
+    };
+    let measured = chips.into_iter().map(measured).collect::<Result<BTreeMap<_, _>, Failure>>()?;
     if arguments.accept {
         let limits = Limits::around(measured);
         let report = rewrite(&root, OF_LIMITS, &limits)?;
@@ -90,15 +89,6 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         report = report.with_remarks(remarks, arguments.format == Format::Table);
     }
     Ok(report)
-}
-
-/// Results for each chip, with a progress bar.
-fn each<T>(
-    chips: Vec<&'static Chip>,
-    mut result: impl FnMut(&'static Chip) -> Result<T, Failure>,
-) -> Result<Vec<T>, Failure> {
-    let progress = Progress::new(chips.len() as u64, "chips");
-    chips.into_iter().map(|chip| result(chip).inspect(|_| progress.add(1))).collect()
 }
 
 fn chosen(names: &[String]) -> Result<Vec<&'static Chip>, Failure> {
@@ -132,9 +122,10 @@ fn repository() -> Result<PathBuf, Failure> {
 fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> Result<Report, Failure> {
     let limits = Limits::read(&root.join(LIMITS))?;
     let modelled = |chip: &Chip| limits.of(chip.name, "launch").is_some_and(|cost| cost.cycles.is_some());
-    let chips = chips.into_iter().filter(|chip| !arguments.accept || modelled(chip)).collect();
-    let costs = each(chips, |chip| corpus(chip, &build(root, chip, "corpus", arguments.size)?, &limits))?;
-    let costs = costs.concat();
+    let mut costs = Vec::new();
+    for chip in chips.into_iter().filter(|chip| !arguments.accept || modelled(chip)) {
+        costs.extend(corpus(chip, &build(root, chip, "corpus", arguments.size)?, &limits)?);
+    }
     if arguments.accept {
         return rewrite(root, OF_CORPUS, &costs[..]);
     }
