@@ -62,14 +62,14 @@ impl Sums {
         let stream = 3 * launch + set as u64;
         let noise = seed.wrapping_mul(1_000_003).wrapping_add(stream);
         match trial(&mut Random::new(seed, stream), set, noise) {
-            Outcome::Good { square, freedom, covered } => {
+            Ok(Accepted { square, .. }) if square > WRONG => self.wrong.push(launch),
+            Ok(Accepted { square, freedom }) => {
                 self.converged += 1;
-                self.covered += u64::from(covered);
+                self.covered += u64::from(square <= QUANTILES[freedom - 1]);
                 self.squares += square;
                 self.freedom += freedom as u64;
             }
-            Outcome::Wrong => self.wrong.push(launch),
-            Outcome::Refused(reason) => *self.refused.entry(reason).or_default() += 1,
+            Err(reason) => *self.refused.entry(reason).or_default() += 1,
         }
     }
 
@@ -99,21 +99,12 @@ const WRONG: f64 = 56.0;
 /// 95 % quantiles of the chi-squared distributions of 1 to 6 degrees of freedom.
 const QUANTILES: [f64; 6] = [3.841, 5.991, 7.815, 9.488, 11.070, 12.592];
 
-/// Result of one launch with one set of sensors.
-pub enum Outcome {
-    /// Launch that the fit refused, with the reason.
-    Refused(String),
-    /// Accepted launch that is far from the truth.
-    Wrong,
-    /// Accepted launch that is near the truth.
-    Good {
-        /// Square of the normalised error.
-        square: f64,
-        /// Number of directions that the samples determine.
-        freedom: usize,
-        /// Whether the truth is in the ellipsoid of 95 %.
-        covered: bool,
-    },
+/// Accepted launch with one set of sensors.
+struct Accepted {
+    /// Square of the normalised error.
+    square: f64,
+    /// Number of directions that the samples determine.
+    freedom: usize,
 }
 
 /// A random launch whose tip stays on the plane, and the height of its centre of mass.
@@ -198,27 +189,24 @@ fn sensors(set: usize, top: &Top, com_height: f64) -> Sensors {
 }
 
 /// Simulates a launch and fits it.
-fn trial(random: &mut Random, set: usize, seed: u64) -> Outcome {
+///
+/// # Errors
+/// Reason why the fit refuses the launch.
+fn trial(random: &mut Random, set: usize, seed: u64) -> Result<Accepted, String> {
     let (top, state, motion, height) = random_launch(random);
     let sensors = sensors(set, &top, height);
     let recording = Recording { hertz: HERTZ, count: SAMPLES, seed };
-    let Some(samples) = measurements(&motion, &sensors, &recording) else {
-        return Outcome::Refused("not simulated".to_owned());
-    };
-    let fitted =
-        match Fit::new(&top, &sensors.listed(), &[]).and_then(|mut fit| fit.run(samples.iter().copied())) {
-            Ok(fitted) => fitted,
-            Err(error) => return Outcome::Refused(error.to_string()),
-        };
-    if let Some(reason) = fitted.reason {
-        return Outcome::Refused(reason.to_string());
+    let samples = measurements(&motion, &sensors, &recording).ok_or("not simulated")?;
+    let listed = sensors.listed();
+    let mut fit = Fit::new(&top, &listed, &[]).map_err(|error| error.to_string())?;
+    let fitted = fit.run(samples.iter().copied()).map_err(|error| error.to_string())?;
+    match fitted.reason {
+        Some(reason) => Err(reason.to_string()),
+        None => Ok(Accepted {
+            square: normalised_square(&fitted, &state),
+            freedom: 6 - fitted.unobservable.count.min(5),
+        }),
     }
-    let freedom = 6 - fitted.unobservable.count.min(5);
-    let square = normalised_square(&fitted, &state);
-    if square > WRONG {
-        return Outcome::Wrong;
-    }
-    Outcome::Good { square, freedom, covered: square <= QUANTILES[freedom - 1] }
 }
 
 /// Square of the error of the launch in standard deviations.

@@ -8,10 +8,8 @@ use std::path::{Path, PathBuf};
 /// Page with a part that a command writes.
 pub struct Page {
     path: PathBuf,
-    /// Text up to the first line of the mark, and from the last one on.
-    around: [String; 2],
-    /// Whole text.
-    text: String,
+    /// Text up to the first line of the mark, between the lines, and from the last one on.
+    parts: [String; 3],
 }
 
 impl Page {
@@ -24,24 +22,17 @@ impl Page {
         let text = whole_file::read(&place, path, 16)?;
         let name = mark.split_once(": ").map_or(mark, |(_, name)| name);
         let [begin, end] = [format!("<!-- {mark} -->\n"), format!("<!-- end of {name} -->\n")];
-        let found =
-            text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
-        let (before, after) = found.ok_or_else(|| {
+        let found = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?)));
+        let (before, (part, after)) = found.ok_or_else(|| {
             Failure::Input(format!("{place}: must hold the lines {} and {}", begin.trim(), end.trim()))
         })?;
-        let around = [before.to_owned() + &begin, end + after];
-        Ok(Self { path: path.to_owned(), around, text })
-    }
-
-    /// Page with this part.
-    pub fn with(&self, part: &str) -> String {
-        let [before, after] = &self.around;
-        format!("{before}{part}{after}")
+        let parts = [before.to_owned() + &begin, part.to_owned(), end + after];
+        Ok(Self { path: path.to_owned(), parts })
     }
 
     /// Whether the page has this part.
     pub fn has(&self, part: &str) -> bool {
-        self.text == self.with(part)
+        self.parts[1] == part
     }
 
     /// Writes the page with this part.
@@ -49,7 +40,8 @@ impl Page {
     /// # Errors
     /// The failures of [`whole_file::write`].
     pub fn write(&self, part: &str) -> Result<(), Failure> {
-        whole_file::write("--accept", &self.path, self.with(part).as_bytes())
+        let [before, _, after] = &self.parts;
+        whole_file::write("--accept", &self.path, [before, part, after].concat().as_bytes())
     }
 }
 

@@ -76,16 +76,24 @@ fn row(what: &str, seconds: f64, error: Option<f64>) -> Record {
     Record::default().with("what", what).with("seconds", seconds).with("error_rad", error)
 }
 
+fn fail(error: impl std::fmt::Display) -> Failure {
+    Failure::Method(format!("bench: {error}"))
+}
+
+/// Time of a state, and the states of all places.
+fn states<P: Copy, T>(places: &[P], state: impl Fn(P) -> T) -> (f64, Vec<T>) {
+    least(STATES, || places.iter().map(|&place| state(place)).collect())
+}
+
 fn rows(scenario: &Scenario) -> Result<Vec<Record>, Failure> {
     let motion = &scenario.motion;
-    let fail = |error: &dyn std::fmt::Display| Failure::Method(format!("bench: {error}"));
     let period = motion.period_advance().map_or(1.0, |advance| advance.period);
     // whole ticks whose times are exact in f64, so that all methods compute the same times
     let apart = (f64::from(PERIODS) * period / f64::from(STATES) * f64::from(HERTZ)).round();
     let ticks: Vec<i64> = (1..=i64::from(STATES)).map(|i| i * apart as i64).collect();
     let apart = apart / f64::from(HERTZ);
     let times: Vec<f64> = (1..=STATES).map(|i| f64::from(i) * apart).collect();
-    let tick = Tick::hertz(HERTZ).map_err(|error| fail(&error))?;
+    let tick = Tick::hertz(HERTZ).map_err(fail)?;
     let truth = solution::states(scenario, &times)?;
     let error = |found: &[Orientation<f64>]| {
         Some(found.iter().zip(&truth).map(|(found, truth)| found.distance(&phi(truth))).fold(0.0, f64::max))
@@ -97,7 +105,7 @@ fn rows(scenario: &Scenario) -> Result<Vec<Record>, Failure> {
         let mut solver = FullSolver::new(top, state, TOLERANCE);
         times.iter().map(|&t| solver.advance_to(t)).collect::<Result<Vec<_>, _>>()
     });
-    let solved = solved.map_err(|error| fail(&error))?;
+    let solved = solved.map_err(fail)?;
     let (steps_time, stepped) = least(STATES, || {
         let (equations, step) = (Equations::of(&top, &state), apart / f64::from(STEPS));
         let mut y = equations.numbers(&state);
@@ -108,17 +116,17 @@ fn rows(scenario: &Scenario) -> Result<Vec<Record>, Failure> {
         times.iter().map(|_| state()).collect::<Vec<_>>()
     });
     let (set_up, table) = least(1, || EphemerisF64::new(motion, tick));
-    let table = table.map_err(|error| fail(&error))?;
-    let (both, _) = least(STATES, || {
-        times.iter().map(|t| table.at(*t)).map(|now| (now.orientation(), now.omega())).collect::<Vec<_>>()
+    let table = table.map_err(fail)?;
+    let (both, _) = states(&times, |t| {
+        let now = table.at(t);
+        (now.orientation(), now.omega())
     });
-    let (any, phis) = least(STATES, || times.iter().map(|t| table.at(*t).orientation()).collect::<Vec<_>>());
-    let (at_tick, _) =
-        least(STATES, || ticks.iter().map(|&n| table.at_tick(n).orientation()).collect::<Vec<_>>());
+    let (any, phis) = states(&times, |t| table.at(t).orientation());
+    let (at_tick, _) = states(&ticks, |n| table.at_tick(n).orientation());
     let per_period = STEPS * STATES / PERIODS;
     let solver = format!("full solver, tolerance {TOLERANCE:.0e}: orientation and angular velocity");
     let steps = format!("Runge-Kutta of the full equations, {per_period} steps a period: the same");
-    let single = EphemerisF32::new(motion, tick).map_err(|error| fail(&error))?;
+    let single = EphemerisF32::new(motion, tick).map_err(fail)?;
     let mut rows = vec![
         row(&solver, solver_time, of_states(&solved)),
         row(&steps, steps_time, of_states(&stepped)),
