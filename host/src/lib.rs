@@ -40,6 +40,7 @@ mod commands;
 pub mod errata;
 mod failure;
 pub mod fit;
+#[cfg(feature = "program")]
 pub mod full_equations;
 pub mod input;
 pub mod motion;

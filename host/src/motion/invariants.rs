@@ -1,8 +1,8 @@
 //! First integrals l, n and h from one orientation and one angular velocity, by the definitions of mechanics, without formulas of the
 //! core and without constants of a motion.
 
-use crate::full_equations::equations::{FullState, FullTop};
 use toytop::{Complex, Motion, Top};
+use toytop_page::equations::{FullState, FullTop};
 
 /// First integrals [l, n, h] in kg m²/s and kg m²/s², by the full equations.
 pub fn first_integrals(top: &Top, alpha: Complex<f64>, beta: Complex<f64>, omega: [f64; 3]) -> [f64; 3] {

@@ -16,7 +16,7 @@ pub struct Judge<'a> {
     motion: &'a Motion,
     table: Box<dyn AnyScalar>,
     /// Distance from the tip to the centre of mass in the files.
-    length: f64,
+    pub length: f64,
     /// Command that prints the state from which a run has to start.
     start: String,
 }
@@ -57,11 +57,6 @@ impl<'a> Judge<'a> {
         let motion = &scenario.motion;
         let table = smallest(Scalar::F64, motion).map_err(|failure| failure.of(&scenario.name))?;
         Ok(Self { motion, table, length: motion.top().com_height(), start: start.to_owned() })
-    }
-
-    /// The same motion for files with another distance from the tip to the centre of mass.
-    pub fn with_length(self, length: f64) -> Self {
-        Self { length, ..self }
     }
 
     /// Errors of a trajectory.

@@ -57,7 +57,7 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     }
     let mut judge = Judge::new(&scenario, &start)?;
     if let Some(problem) = &problem {
-        judge = judge.with_length(problem.conventions.length);
+        judge.length = problem.conventions.length;
     }
     let (mut runs, mut doubts) = (Vec::new(), Vec::new());
     for (index, path) in results.into_iter().enumerate() {
