@@ -55,7 +55,7 @@ pub fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scene {
 }
 
 /// Parallel projection from a direction above the horizon, with its middle and its scale on paper.
-pub struct Camera {
+struct Camera {
     right: [f64; 3],
     up: [f64; 3],
     towards: [f64; 3],
@@ -67,7 +67,7 @@ pub struct Camera {
 
 impl Camera {
     /// Projection from the direction with this azimuth and elevation above the horizon, rad.
-    pub fn new(azimuth: f64, elevation: f64, middle: [f64; 2], scale: f64) -> Self {
+    fn new(azimuth: f64, elevation: f64, middle: [f64; 2], scale: f64) -> Self {
         let (s, c) = azimuth.sin_cos();
         let (rise, level) = elevation.sin_cos();
         Self {
@@ -80,24 +80,24 @@ impl Camera {
     }
 
     /// Place on paper, pixels.
-    pub fn place(&self, point: [f64; 3]) -> (f64, f64) {
+    fn place(&self, point: [f64; 3]) -> (f64, f64) {
         let [x, y] = [self.right, self.up].map(|axis| self.scale * dot(axis, point));
         (self.middle[0] + x, self.middle[1] - y)
     }
 
     /// Whether a point of a sphere about the origin is on its near side.
-    pub fn sees(&self, point: [f64; 3]) -> bool {
+    fn sees(&self, point: [f64; 3]) -> bool {
         dot(self.towards, point) >= 0.0
     }
 
     /// Adds a line through points of space.
-    pub fn line(&self, scene: &mut Scene, points: &[[f64; 3]], color: &str, stroke_width: f64) {
+    fn line(&self, scene: &mut Scene, points: &[[f64; 3]], color: &str, stroke_width: f64) {
         let points = points.iter().map(|point| self.place(*point)).collect();
         line(scene, points, color, stroke_width);
     }
 
     /// Adds a line on a sphere about the origin. Its part on the far side is thinner and pale.
-    pub fn line_on_sphere(&self, scene: &mut Scene, points: &[[f64; 3]], [near, far]: [&str; 2], width: f64) {
+    fn line_on_sphere(&self, scene: &mut Scene, points: &[[f64; 3]], [near, far]: [&str; 2], width: f64) {
         let mut from = 0;
         for piece in points.chunk_by(|a, b| self.sees(*a) == self.sees(*b)) {
             let until = from + piece.len();
@@ -114,7 +114,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 /// Points of a horizontal circle about the vertical axis.
-pub fn circle(radius: f64, height: f64) -> Vec<[f64; 3]> {
+fn circle(radius: f64, height: f64) -> Vec<[f64; 3]> {
     const CORNERS: u32 = 180;
     let corner = |i: u32| {
         let angle = 2.0 * std::f64::consts::PI * f64::from(i) / f64::from(CORNERS);
