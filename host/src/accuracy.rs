@@ -157,7 +157,7 @@ fn orientation(table: &dyn AnyScalar, (n, t): (i64, f64), truth: &PreciseOrienta
 fn energy(motion: &Motion, table: &dyn AnyScalar, t: f64) -> f64 {
     let instant = table.at(t);
     let phi = instant.sample.orientation();
-    let [.., h] = first_integrals(motion.top(), phi.alpha, phi.beta, instant.rate.omega_fixed(&phi));
+    let [.., h] = first_integrals(motion.top(), &phi, instant.rate.omega_fixed(&phi));
     let [.., scale] = natural_scales(motion);
     (h - motion.first_integrals().h).abs() / scale
 }

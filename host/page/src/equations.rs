@@ -1,8 +1,8 @@
 //! Euler-Poisson equations of the toy top for (Phi, m) in the fixed frame. They use no angles, do not divide by 1 - u^2, and do not use
 //! that the motion is integrable.
 
-use toytop::Top;
 use toytop::scalar::Float;
+use toytop::{Complex, Orientation, Top};
 
 /// Vector of the fixed frame, in which k = (0, 0, 1) points up.
 type Vector = [f64; 3];
@@ -40,6 +40,18 @@ pub struct FullState {
 }
 
 impl FullState {
+    /// State of this orientation and angular velocity.
+    pub fn new(orientation: &Orientation<f64>, omega: [f64; 3]) -> Self {
+        let [alpha, beta] = [orientation.alpha, orientation.beta].map(|z| [z.re, z.im]);
+        Self { alpha, beta, omega }
+    }
+
+    /// Orientation Φ.
+    pub fn orientation(&self) -> Orientation<f64> {
+        let [alpha, beta] = [self.alpha, self.beta].map(|[re, im]| Complex::new(re, im));
+        Orientation { alpha, beta }
+    }
+
     /// Unit vector r from the tip to the centre of mass, fixed frame: (-2 alpha beta, |alpha|^2 - |beta|^2).
     pub fn axis(&self) -> [f64; 3] {
         axis(self.alpha, self.beta)
@@ -65,14 +77,14 @@ impl From<&Top> for FullTop {
 }
 
 impl FullTop {
-    /// First integrals (l, n, h): the angular momenta about the vertical and about the axis \[kg m^2/s\] and the energy \[J\], with the
+    /// First integrals \[l, n, h\]: the angular momenta about the vertical and about the axis \[kg m^2/s\] and the energy \[J\], with the
     /// potential energy p g u. Error: a few units in the last place of their largest term.
-    pub fn first_integrals(&self, state: &FullState) -> (f64, f64, f64) {
+    pub fn first_integrals(&self, state: &FullState) -> [f64; 3] {
         let equations = Equations::of(self, state);
         let (r, m) = (state.axis(), equations.momentum(state));
         // the energy of the rotor relative to the body is constant and not counted
         let twice_kinetic = dot(m, state.omega) - self.k * dot(state.omega, r);
-        (m[2], dot(m, r), 0.5 * twice_kinetic + equations.pg * r[2])
+        [m[2], dot(m, r), 0.5 * twice_kinetic + equations.pg * r[2]]
     }
 }
 

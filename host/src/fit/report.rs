@@ -9,6 +9,7 @@ use crate::Failure;
 use crate::output::{number, short};
 use toml::{Table, Value};
 use toytop_fit::{Drift, Fitted, Measurement};
+use toytop_page::equations::dot;
 
 /// First integrals, and the units of their rates.
 const RATES: [(&str, &str); 3] = [("l", "N m"), ("n", "N m"), ("h", "W")];
@@ -64,7 +65,6 @@ impl FitReport {
     pub fn spin_and_tilt(&self) -> [(f64, f64); 2] {
         let launch = &self.fitted.launch;
         let (r, w) = (launch.orientation.axis(), launch.omega);
-        let dot = |x: [f64; 3], y: [f64; 3]| x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
         let deviation = |row: [f64; 6]| {
             let square: f64 = (0..6)
                 .map(|i| (0..6).map(|j| row[i] * self.fitted.covariance.get(i, j) * row[j]).sum::<f64>())

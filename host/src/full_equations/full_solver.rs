@@ -294,9 +294,9 @@ mod tests {
         for (top, rate) in [(TOP, 1.0), (toy, 9.7)] {
             let start = FullState { omega: START.omega.map(|w| w * rate), ..START };
             let mut solver = FullSolver::new(top, start, FULL_SOLVER_TOLERANCE);
-            let (l, n, h) = top.first_integrals(&solver.state());
+            let [l, n, h] = top.first_integrals(&solver.state());
             solver.advance_to(50.0 / rate).unwrap();
-            let (l2, n2, h2) = top.first_integrals(&solver.state());
+            let [l2, n2, h2] = top.first_integrals(&solver.state());
             assert!([l2 / l, n2 / n, h2 / h].iter().all(|x| (x - 1.0).abs() < 5e-14), "{l2} {n2} {h2}");
             assert!(angle(solver.advance_to(0.0).unwrap(), start) < 1e-12);
         }

@@ -1,15 +1,12 @@
 //! First integrals l, n and h from one orientation and one angular velocity, by the definitions of mechanics, without formulas of the
 //! core and without constants of a motion.
 
-use toytop::{Complex, Motion, Top};
+use toytop::{Motion, Orientation, Top};
 use toytop_page::equations::{FullState, FullTop};
 
 /// First integrals [l, n, h] in kg m²/s and kg m²/s², by the full equations.
-pub fn first_integrals(top: &Top, alpha: Complex<f64>, beta: Complex<f64>, omega: [f64; 3]) -> [f64; 3] {
-    let pair = |z: Complex<f64>| [z.re, z.im];
-    let (l, n, h) =
-        FullTop::from(top).first_integrals(&FullState { alpha: pair(alpha), beta: pair(beta), omega });
-    [l, n, h]
+pub fn first_integrals(top: &Top, phi: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
+    FullTop::from(top).first_integrals(&FullState::new(phi, omega))
 }
 
 /// Scales of l, n and h: the greatest of the motion's own values, of the values √(2 A p g) and p g that belong to the top's weight, and
@@ -28,7 +25,7 @@ pub fn natural_scales(motion: &Motion) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use toytop::{FirstIntegrals, Orientation, State, TopParameters};
+    use toytop::{Complex, FirstIntegrals, State, TopParameters};
 
     #[test]
     fn they_agree_with_the_core() {
@@ -56,7 +53,7 @@ mod tests {
             let omega = [0.3, -0.7, 1.9];
             let core =
                 FirstIntegrals::from_state(&top, &State::new(Orientation { alpha, beta }, omega).unwrap());
-            let found = first_integrals(&top, alpha, beta, omega);
+            let found = first_integrals(&top, &Orientation { alpha, beta }, omega);
             for (x, y) in found.into_iter().zip([core.l, core.n, core.h]) {
                 assert!((x - y).abs() < 4e-15 * y.abs(), "{x} {y}");
             }

@@ -9,6 +9,7 @@ use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
 use std::io::{self, Write};
 use toytop::Support;
+use toytop_page::equations::dot;
 
 const WIDTH: f64 = 720.0;
 const HEIGHT: f64 = 700.0;
@@ -107,10 +108,6 @@ impl Camera {
             from = until;
         }
     }
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// Points of a horizontal circle about the vertical axis.

@@ -58,7 +58,7 @@ fn greatest(motion: &Motion, states: impl Iterator<Item = (Orientation<f64>, [f6
     let constants = motion.first_integrals();
     let (exact, scales) = ([constants.l, constants.n, constants.h], natural_scales(motion));
     states.fold([0.0; 3], |most: [f64; 3], (phi, omega)| {
-        let found = first_integrals(motion.top(), phi.alpha, phi.beta, omega);
+        let found = first_integrals(motion.top(), &phi, omega);
         std::array::from_fn(|i| most[i].max((found[i] - exact[i]).abs() / scales[i]))
     })
 }

@@ -124,7 +124,7 @@ impl Measured {
             let scenario =
                 Scenario { name: String::new(), motion: *self.motion, given: None, units: Units::None };
             let states = solution::states(&scenario, &self.times).ok()?;
-            Some(states.iter().map(solution::phi).collect())
+            Some(states.iter().map(|state| state.orientation()).collect())
         };
         self.full.get_or_init(solved).as_ref()
     }

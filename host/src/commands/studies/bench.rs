@@ -4,7 +4,7 @@ use super::Report;
 use super::options::FormatArgs;
 use crate::Failure;
 use crate::full_equations::full_solver::{Equations, FullSolver, FullState};
-use crate::full_equations::solution::{self, phi};
+use crate::full_equations::solution;
 use crate::input::builtin;
 use crate::input::scenario::Scenario;
 use crate::output::{self, Record, short};
@@ -96,9 +96,16 @@ fn rows(scenario: &Scenario) -> Result<Vec<Record>, Failure> {
     let tick = Tick::hertz(HERTZ).map_err(fail)?;
     let truth = solution::states(scenario, &times)?;
     let error = |found: &[Orientation<f64>]| {
-        Some(found.iter().zip(&truth).map(|(found, truth)| found.distance(&phi(truth))).fold(0.0, f64::max))
+        Some(
+            found
+                .iter()
+                .zip(&truth)
+                .map(|(found, truth)| found.distance(&truth.orientation()))
+                .fold(0.0, f64::max),
+        )
     };
-    let of_states = |states: &[FullState]| error(&states.iter().map(phi).collect::<Vec<_>>());
+    let of_states =
+        |states: &[FullState]| error(&states.iter().map(FullState::orientation).collect::<Vec<_>>());
 
     let (top, state) = solution::start(scenario);
     let (solver_time, solved) = least(STATES, || {

@@ -4,6 +4,7 @@ use crate::motion::greater;
 use crate::motion::propagate::Sample;
 use toytop::su2::OrientationRate;
 use toytop::{Complex, EphemerisScalar, EphemerisView, Event, Level, Phase};
+use toytop_page::equations::dot;
 
 /// Sample of an ephemeris with more than every method has.
 pub struct TimedSample {
@@ -42,8 +43,8 @@ impl RateSample {
     }
 }
 
-fn norm([x, y, z]: [f64; 3]) -> f64 {
-    (x * x + y * y + z * z).sqrt()
+fn norm(x: [f64; 3]) -> f64 {
+    dot(x, x).sqrt()
 }
 
 /// Event that is searched for.

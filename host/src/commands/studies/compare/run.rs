@@ -97,7 +97,7 @@ pub fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Fa
 /// Sample with l, n and h, recomputed in f64 from the core's α, β and their rates, so that they do not contain the rounding of a product.
 fn with_integrals(top: &Top, sample: Sample, rate: &OrientationRate<f64>) -> (Sample, [f64; 3]) {
     let phi = sample.orientation();
-    (sample, first_integrals(top, phi.alpha, phi.beta, rate.omega_fixed(&phi)))
+    (sample, first_integrals(top, &phi, rate.omega_fixed(&phi)))
 }
 
 /// Names of the errors: of the orientation, 2 √(|Δα|² + |Δβ|²), rad; of u; of the tip in units of s; of h, l and n as recomputed from
@@ -124,7 +124,7 @@ impl Reference {
         let (motion, constants) = (&scenario.motion, scenario.motion.first_integrals());
         let (scales, tip_scale) = (natural_scales(motion), motion.top().tip_scale());
         let errors = |((sample, [l, n, h]), state): (&(Sample, [f64; 3]), &FullState)| {
-            let phi = solution::phi(state);
+            let phi = state.orientation();
             let tip = sample.tip.scaled(1.0 / tip_scale) - (phi.alpha * phi.beta).scaled(2.0);
             [
                 sample.orientation().distance(&phi),
