@@ -24,13 +24,9 @@ pub struct Image {
     pub flash: u64,
 }
 
-/// Whether sections of this kind are in flash; variables with an initial value are there too.
-fn is_in_flash(kind: SectionKind) -> bool {
-    matches!(
-        kind,
-        SectionKind::Text | SectionKind::ReadOnlyData | SectionKind::ReadOnlyString | SectionKind::Data
-    )
-}
+/// Kinds of section that are in flash; variables with an initial value are there too.
+const IN_FLASH: [SectionKind; 4] =
+    [SectionKind::Text, SectionKind::ReadOnlyData, SectionKind::ReadOnlyString, SectionKind::Data];
 
 impl Image {
     /// Reads an ELF.
@@ -60,8 +56,11 @@ impl Image {
             .map(|section| Ok((section.address(), section.data()?.to_vec())))
             .collect::<Result<_, object::Error>>()
             .map_err(|error| refuse(&error))?;
-        let flash =
-            file.sections().filter(|section| is_in_flash(section.kind())).map(|section| section.size()).sum();
+        let flash = file
+            .sections()
+            .filter(|section| IN_FLASH.contains(&section.kind()))
+            .map(|section| section.size())
+            .sum();
         Ok(Self { functions, code, flash })
     }
 

@@ -57,11 +57,7 @@ impl TipAngle {
         if product.norm_squared() < self.noise * self.noise {
             return Some(guide);
         }
-        Some(guide + remainder(product.im.atan2(product.re) - guide, self.unit))
+        let ahead = product.im.atan2(product.re) - guide;
+        Some(guide + (ahead - self.unit * (ahead / self.unit).round()))
     }
-}
-
-/// Difference of x and the nearest multiple of `unit`.
-fn remainder(x: f64, unit: f64) -> f64 {
-    x - unit * (x / unit).round()
 }

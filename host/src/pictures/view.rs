@@ -72,17 +72,13 @@ pub fn page(start: &ScenarioFile) -> Result<String, Failure> {
     let values = [
         ("name", html(&scenario.name)),
         ("style", concat!(include_str!("view/style.css"), include_str!("view/layout.css")).to_owned()),
-        ("data", in_script(&data.to_string())),
+        // without characters that could end the element of a script
+        ("data", data.to_string().replace('<', "\\u003c")),
         ("core", base64(CORE)),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
         ("script", SCRIPTS.concat()),
     ];
     Ok(filled(include_str!("view/page.html"), &values))
-}
-
-/// Text of a script element: JSON without characters that could end the element.
-fn in_script(json: &str) -> String {
-    json.replace('<', "\\u003c")
 }
 
 /// Template with every {{name}} replaced. Names in the replacement texts are not replaced.

@@ -64,17 +64,17 @@ impl Sheet {
     }
 
     /// Text after the rows.
-    pub fn end(&self) -> &'static str {
-        match (self.format, self.support) {
-            (SampleFormat::Json, _) => "]}\n",
-            (SampleFormat::Table, Support::Fixed) if self.columns.contains(&Column::Tip) => {
-                "\ntip: 2 alpha beta, minus the horizontal part of the axis (the tip is held)\n"
-            }
-            (SampleFormat::Table, Support::Free) if self.columns.contains(&Column::Tip) => {
-                "\ntip: 2 alpha beta, minus the horizontal part of the axis (the body is free)\n"
-            }
-            _ => "",
+    pub fn end(&self) -> String {
+        let reason = match (self.format, self.support) {
+            (SampleFormat::Json, _) => return "]}\n".to_owned(),
+            (SampleFormat::Table, Support::Fixed) => "the tip is held",
+            (SampleFormat::Table, Support::Free) => "the body is free",
+            _ => return String::new(),
+        };
+        if !self.columns.contains(&Column::Tip) {
+            return String::new();
         }
+        format!("\ntip: 2 alpha beta, minus the horizontal part of the axis ({reason})\n")
     }
 
     /// Names of all numbers of a row.

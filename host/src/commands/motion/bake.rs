@@ -9,7 +9,7 @@ use crate::motion::Scalar;
 use crate::motion::ephemeris::{Size, smaller, table};
 use crate::output::whole_file;
 use clap::{Args, ValueEnum};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use toytop::{ErrorBound, Tick};
 
 /// `toytop bake`
@@ -66,7 +66,13 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     };
     let mut report = Report::default();
     match &arguments.split {
-        Some(folder) => write_files(folder, &split_files(&label, &parts))?,
+        Some(folder) => {
+            std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--split", folder, error))?;
+            // the files that all tables share are the first
+            for (name, text) in split_files(&label, &parts) {
+                whole_file::write("--split", &folder.join(name), text.as_bytes())?;
+            }
+        }
         None => {
             let text = match arguments.lang {
                 Language::Rust => module(&label, &parts),
@@ -80,15 +86,6 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     }
     let remarks = std::iter::once(summary(&label, &parts, smaller.as_ref())).chain(warnings(&[scenario]));
     Ok(report.with_remarks(remarks, false))
-}
-
-/// Writes each file completely or not at all, and the files that all tables share first.
-fn write_files(folder: &Path, files: &[(String, String)]) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--split", folder, error))?;
-    for (name, text) in files {
-        whole_file::write("--split", &folder.join(name), text.as_bytes())?;
-    }
-    Ok(())
 }
 
 /// Table that is written, and the smallest one that would be enough, if that has fewer segments.
