@@ -96,7 +96,11 @@ impl Study {
         // a missing place in the page is reported before the computation
         let page = self.accept.as_deref().map(|path| Page::read(path, mark)).transpose()?;
         let Found { headline, rows, failures } = study()?;
-        let table = table(&rows);
+        let columns = rows.first().map(|row| row.columns(|x| output::short(x, 2))).unwrap_or_default();
+        let mut table = output::rows(&rows, &columns);
+        for heading in &mut table[0] {
+            *heading = heading.replace('_', " ");
+        }
         if let Some(page) = page {
             page.write(&format!("{headline}\n\n{}", doc_markers::table(&table)))?;
         }
@@ -109,15 +113,4 @@ impl Study {
         Ok(Report { text, missed: !failures.is_empty(), ..Report::default() }
             .with_remarks(first, self.format == Format::Table))
     }
-}
-
-/// Header and rows of a table.
-fn table(records: &[Record]) -> Vec<Vec<String>> {
-    let text = |value: &_| {
-        let text = output::text(value, |x| output::short(x, 2));
-        text.unwrap_or_else(|| doc_markers::NO_FIGURE.to_owned())
-    };
-    let header = |Record(cells): &Record| cells.iter().map(|(name, _)| name.replace('_', " ")).collect();
-    let row = |Record(cells): &Record| cells.iter().map(|(_, value)| text(value)).collect();
-    records.iter().take(1).map(header).chain(records.iter().map(row)).collect()
 }
