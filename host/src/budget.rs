@@ -5,7 +5,6 @@
 //! and its cycles are computed (`model`). No clock is used: the same ELF gives the same figures. The allowed costs are in
 //! a file (`limits`) and in tables of pages (`pages`). The module `corpus` measures the set-up of many launches.
 
-#[allow(unreachable_pub)]
 mod chips;
 mod corpus;
 mod image;

@@ -5,15 +5,14 @@
 //! | [`propagate`] | stepper at given times |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
 //! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
-//! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
 //! | [`Scalar`] | scalar types of the core |
 
 pub mod ephemeris;
-pub mod invariants;
 pub mod propagate;
 pub mod tip_angle;
 
-use toytop::{Complex, Motion, Regime};
+use toytop::{Complex, Motion, Orientation, Regime, Top};
+use toytop_page::equations::{FullState, FullTop};
 
 /// Complex number in `f64`, each part by `to_f64`.
 pub fn widened<R>(z: Complex<R>, to_f64: impl Fn(R) -> f64) -> Complex<f64> {
@@ -62,6 +61,63 @@ impl Scalar {
             Self::F32 => "f32",
             Self::Q31 => "q31",
             Self::Q15 => "q15",
+        }
+    }
+}
+
+/// First integrals [l, n, h] in kg m²/s and kg m²/s², by the full equations.
+pub fn first_integrals(top: &Top, phi: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
+    FullTop::from(top).first_integrals(&FullState::new(phi, omega))
+}
+
+/// Scales of l, n and h: the greatest of the motion's own values, of the values √(2 A p g) and p g that belong to the top's weight, and
+/// of √(2 A h), the momentum of a body that has all its energy in a motion of the axis.
+pub fn natural_scales(motion: &Motion) -> [f64; 3] {
+    let (top, constants) = (motion.top(), motion.first_integrals());
+    let weight = top.mass_moment() * top.gravity();
+    let a = top.transverse_inertia();
+    // for a free body at rest all of them are 0
+    let energy = weight.max(constants.h.abs()).max(f64::MIN_POSITIVE);
+    let momentum = (2.0 * a * weight).sqrt().max(constants.l.abs()).max(constants.n.abs());
+    let momentum = if top.is_torque_free() { momentum.max((2.0 * a * energy).sqrt()) } else { momentum };
+    [momentum, momentum, energy]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toytop::{Complex, FirstIntegrals, State, TopParameters};
+
+    #[test]
+    fn they_agree_with_the_core() {
+        let sliding = Top::sliding(&TopParameters {
+            transverse_inertia: 1.1,
+            axial_inertia: 0.8,
+            com_height: 0.6,
+            mass_moment: 0.9,
+            gravity: 9.81,
+            ..TopParameters::default()
+        });
+        for top in [
+            sliding,
+            Top::fixed(&TopParameters {
+                transverse_inertia: 1.1,
+                axial_inertia: 0.8,
+                mass_moment: 0.9,
+                gravity: 2.0,
+                ..TopParameters::default()
+            }),
+        ]
+        .map(Result::unwrap)
+        {
+            let (alpha, beta) = (Complex::new(0.48, 0.64), Complex::new(-0.36, 0.48));
+            let omega = [0.3, -0.7, 1.9];
+            let core =
+                FirstIntegrals::from_state(&top, &State::new(Orientation { alpha, beta }, omega).unwrap());
+            let found = first_integrals(&top, &Orientation { alpha, beta }, omega);
+            for (x, y) in found.into_iter().zip([core.l, core.n, core.h]) {
+                assert!((x - y).abs() < 4e-15 * y.abs(), "{x} {y}");
+            }
         }
     }
 }

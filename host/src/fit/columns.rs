@@ -2,8 +2,9 @@
 
 use super::sensors::{KINDS, Sensors};
 use crate::Failure;
+use crate::input::finite;
 use crate::input::rows::{self, unread};
-use crate::output::number;
+use crate::output::{number, shown};
 use std::path::Path;
 use toytop_fit::Measurement;
 
@@ -146,7 +147,10 @@ pub fn read(
         let record = record.map_err(|error| Failure::Input(format!("{file}: {}", unread(&error))))?;
         let line = record.position().map_or(0, csv::Position::line);
         let value = |place: usize, name: &str| {
-            rows::number(&record, place, name).map_err(|reason| refuse(line, reason))
+            let field = record.get(place).unwrap_or_default();
+            finite(field).ok_or_else(|| {
+                refuse(line, format!("{name}: must be a finite number, not {:?}", shown(field)))
+            })
         };
         columns.t.push(value(time, "t")?);
         for ((name, readings), place) in columns.readings.iter_mut().zip(&places) {

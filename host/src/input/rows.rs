@@ -1,8 +1,7 @@
 //! CSV files: names of columns without their units, errors with the line.
 
 use crate::Failure;
-use crate::input::finite;
-use crate::output::{shown, whole_file};
+use crate::output::whole_file;
 use std::path::Path;
 
 /// Text of a file; `name` is its name in messages.
@@ -45,15 +44,6 @@ fn units(name: &str) -> &'static [&'static str] {
         "mark" => &["rad"],
         _ => &[],
     }
-}
-
-/// Number of a row in a column, by its place and its name.
-///
-/// # Errors
-/// Name and text of a field that is no finite number.
-pub fn number(record: &csv::StringRecord, place: usize, name: &str) -> Result<f64, String> {
-    let text = record.get(place).unwrap_or_default();
-    finite(text).ok_or_else(|| format!("{name}: {:?} must be a finite number", shown(text)))
 }
 
 /// Text of an error of the reader of CSV, with the line if a row has another number of fields than the header.

@@ -12,7 +12,7 @@
 use super::rotation_between;
 use super::trajectory::Row;
 use crate::motion::ephemeris::AnyScalar;
-use crate::motion::invariants::{first_integrals, natural_scales};
+use crate::motion::{first_integrals, natural_scales};
 use nalgebra::Vector3;
 use toytop::{Motion, Orientation};
 

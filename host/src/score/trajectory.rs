@@ -158,8 +158,9 @@ impl Columns {
         }
         let mut numbers = [0.0; N];
         for (number, name) in numbers.iter_mut().zip(names) {
-            let Some(place) = self.place(name) else { return Ok(None) };
-            *number = rows::number(record, place, name)?;
+            let text = self.place(name).and_then(|place| record.get(place)).unwrap_or_default();
+            *number =
+                finite(text).ok_or_else(|| format!("{name}: {:?} must be a finite number", shown(text)))?;
         }
         Ok(Some(numbers))
     }
