@@ -17,7 +17,6 @@ pub use self::c::{header, split_files};
 pub use self::rust::module;
 
 /// Numbers of a [`Baked`](toytop::Baked) of any size and scalar.
-#[derive(Clone, Debug, PartialEq)]
 pub struct Parts {
     /// Version of the format.
     pub format: u32,
@@ -41,7 +40,6 @@ pub struct Parts {
 
 impl Parts {
     /// Size of the table in bytes, without the clock.
-    #[must_use]
     pub fn table_bytes(&self) -> usize {
         let bytes = match self.scalar {
             Scalar::F64 => 8,
@@ -88,7 +86,6 @@ fn wide<W: Into<f64>>(clock: Clock<W>) -> Clock<f64> {
 }
 
 /// Description of the motion of a table, for the comment of a file.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
     /// Name of the scenario.
     pub name: String,
@@ -99,7 +96,6 @@ pub struct Label {
 impl Label {
     /// Name as an identifier in lower case: letters and digits of ASCII are kept, any other letter or digit becomes `u` and at least four
     /// hexadecimal digits, and everything between becomes one underscore, but not at the ends.
-    #[must_use]
     pub fn identifier(&self) -> String {
         let mut identifier = String::new();
         for c in self.name.chars() {
@@ -120,7 +116,6 @@ impl Label {
 
     /// Identifier as a name in C and C++, and of a file. A single word or a name that ends in `_t` may belong to the language or to a library
     /// (`int`, `clock`), and a name that begins with `toytop_` may belong to this library. Such a name gets the prefix `top_`.
-    #[must_use]
     pub fn c_name(&self) -> String {
         let name = self.identifier();
         let free = name.contains('_') && !name.ends_with("_t") && !name.starts_with("toytop_");

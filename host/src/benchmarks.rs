@@ -2,13 +2,11 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`problem`] | problem with scenario, conventions of its source, reference values, and values that others printed |
-//! | [`conventions`] | body axes and quantities of a source |
+//! | [`problem`] | problem with scenario, body axes and quantities of its source, reference values, and values that others printed |
 
-pub(crate) mod conventions;
-pub(crate) mod problem;
+pub mod problem;
 
-pub(crate) use problem::{Printed, Problem, Reference};
+pub use problem::{Printed, Problem, Reference};
 
 use crate::Failure;
 
@@ -34,7 +32,7 @@ const FILES: [Files; 9] = files! {
 ///
 /// # Errors
 /// None: a test reads every file.
-pub(crate) fn all() -> Result<Vec<Problem>, Failure> {
+pub fn all() -> Result<Vec<Problem>, Failure> {
     FILES.iter().map(Problem::read).collect()
 }
 
@@ -42,21 +40,10 @@ pub(crate) fn all() -> Result<Vec<Problem>, Failure> {
 ///
 /// # Errors
 /// [`Failure::Input`]: there is no such problem; the message lists the names.
-pub(crate) fn named(name: &str) -> Result<Problem, Failure> {
-    Problem::read(files_of(name)?)
-}
-
-/// Scenario file of a problem, as text.
-///
-/// # Errors
-/// As [`named`].
-pub(crate) fn scenario(name: &str) -> Result<&'static str, Failure> {
-    files_of(name).map(|(_, scenario, ..)| *scenario)
-}
-
-fn files_of(name: &str) -> Result<&'static Files, Failure> {
-    FILES.iter().find(|(known, ..)| *known == name).ok_or_else(|| {
+pub fn named(name: &str) -> Result<Problem, Failure> {
+    let files = FILES.iter().find(|(known, ..)| *known == name).ok_or_else(|| {
         let names = FILES.map(|(name, ..)| name).join(", ");
         Failure::Input(format!("{}: must be one of {names}", crate::output::shown(name)))
-    })
+    })?;
+    Problem::read(files)
 }

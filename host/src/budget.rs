@@ -2,14 +2,12 @@
 //!
 //! The firmware `cost` gives every call a symbol of its own. QEMU runs it and logs which blocks of code it executes (`trace`); the blocks
 //! between the entry of a call and its return are counted (`meter`). For chips whose timings are published each instruction is decoded
-//! (`instruction`) and its cycles are computed (`model`). No clock is used: the same ELF gives the same figures. The allowed costs are in
+//! and its cycles are computed (`model`). No clock is used: the same ELF gives the same figures. The allowed costs are in
 //! a file (`limits`) and in tables of pages (`pages`). The module `corpus` measures the set-up of many launches.
 
-#[allow(unreachable_pub)]
 mod chips;
 mod corpus;
 mod image;
-mod instruction;
 mod limits;
 mod meter;
 mod model;

@@ -1,30 +1,31 @@
 //! Command line of `toytop`: its commands, their help texts and their arguments.
 
 use crate::Failure;
+use crate::commands::Report;
+use crate::commands::data::{benchmark, fit, score, simulate};
+use crate::commands::motion::{bake, constants, events, state};
 use crate::commands::options::FormatArgs;
-use crate::commands::{
-    Report, accuracy, animate, bake, bench, benchmark, budget, compare, constants, errata, events, figures,
-    fit, plot, score, simulate, state, sweep, view,
-};
-use clap::{Args, CommandFactory, Parser, Subcommand};
+use crate::commands::pictures::{animate, figures, plot, view};
+use crate::commands::studies::{accuracy, bench, budget, compare, errata, sweep};
+use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
 /// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
-#[derive(Debug, Parser)]
+#[derive(Parser)]
 #[command(
     name = "toytop",
     version,
     help_template = "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\nCommands:\n{subcommands}\n"
 )]
-pub(crate) struct Cli {
+pub struct Cli {
     /// Command to run.
     #[command(subcommand)]
-    pub(crate) command: Command,
+    pub command: Command,
 }
 
 /// Command with its arguments.
-#[derive(Debug, Subcommand)]
-pub(crate) enum Command {
+#[derive(Subcommand)]
+pub enum Command {
     /// Errors of the core against an integration of the full 3-D equations
     ///
     /// The exit code is 1 if a bound is missed.
@@ -149,14 +150,17 @@ pub(crate) enum Command {
     #[command(
         after_help = "Example: toytop completions bash > ~/.local/share/bash-completion/completions/toytop"
     )]
-    Completions(CompletionsArgs),
+    Completions {
+        /// Shell that the completions are for
+        shell: Shell,
+    },
 }
 
 /// Report of a command.
 ///
 /// # Errors
 /// See [`Failure`].
-pub(crate) fn run(command: &Command) -> Result<Report, Failure> {
+pub fn run(command: &Command) -> Result<Report, Failure> {
     match command {
         Command::Compare(arguments) => compare::run(arguments),
         Command::State(arguments) => state::run(arguments),
@@ -176,23 +180,10 @@ pub(crate) fn run(command: &Command) -> Result<Report, Failure> {
         Command::Errata(arguments) => errata::run(arguments),
         Command::Accuracy(arguments) => accuracy::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
-        Command::Completions(arguments) => {
-            Ok(String::from_utf8_lossy(&completions(arguments.shell)).into_owned().into())
+        Command::Completions { shell } => {
+            let mut script = Vec::new();
+            clap_complete::generate(*shell, &mut Cli::command(), "toytop", &mut script);
+            Ok(String::from_utf8_lossy(&script).into_owned().into())
         }
     }
-}
-
-/// `toytop completions`
-#[derive(Args, Debug)]
-pub(crate) struct CompletionsArgs {
-    /// Shell that the completions are for
-    pub(crate) shell: Shell,
-}
-
-/// Script that completes this program's commands, options and values.
-#[must_use]
-pub fn completions(shell: Shell) -> Vec<u8> {
-    let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Cli::command(), "toytop", &mut script);
-    script
 }

@@ -1,32 +1,17 @@
-//! Commands of `toytop`, one file for each. A command returns its whole output, and nothing is printed before it is complete.
+//! Commands of `toytop`, one file for each, in folders by their purpose. A command returns its whole output, and nothing is printed before it is complete.
 
-pub(crate) mod accuracy;
-pub(crate) mod animate;
-pub(crate) mod bake;
-pub(crate) mod bench;
-pub(crate) mod benchmark;
-pub(crate) mod budget;
-pub(crate) mod compare;
-pub(crate) mod constants;
-pub(crate) mod errata;
-pub(crate) mod events;
-pub(crate) mod figures;
-pub(crate) mod fit;
-pub(crate) mod options;
-pub(crate) mod plot;
-pub(crate) mod score;
-pub(crate) mod simulate;
-pub(crate) mod state;
-pub(crate) mod sweep;
-mod times;
-pub(crate) mod view;
+pub mod data;
+pub mod motion;
+pub mod options;
+pub mod pictures;
+pub mod studies;
 
 use crate::input::scenario::Scenario;
-use crate::motion::physical_limits;
-use toytop::Motion;
+use crate::motion::tilts;
+use toytop::{Motion, Regime, Support};
 
 /// Report of a command.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Default)]
 pub struct Report {
     /// Text for stdout.
     pub text: String,
@@ -44,7 +29,6 @@ impl From<String> for Report {
 
 impl Report {
     /// Report with remarks on the result: in the text below a table, but on stderr if another program will read the text.
-    #[must_use]
     pub fn with_remarks(mut self, remarks: impl IntoIterator<Item = String>, below: bool) -> Self {
         for remark in remarks {
             if below {
@@ -59,24 +43,25 @@ impl Report {
 
 /// Warnings that a real top on a plane would move differently, one line for each reason, with the names of the motions.
 fn warnings(scenarios: &[Scenario]) -> Vec<String> {
-    let line = |what: &str, number: fn(&Motion) -> Option<f64>, digits: usize| {
-        let of = |scenario: &Scenario| {
-            number(&scenario.motion).map(|number| format!("{} ({})", scenario.name, rounded(number, digits)))
-        };
-        let named: Vec<_> = scenarios.iter().filter_map(of).collect();
-        (!named.is_empty()).then(|| format!("warning: a real top would {what}: {}", named.join(", ")))
+    let line = |what: &str, of: &dyn Fn(&Motion) -> Option<String>| {
+        let named = |scenario: &Scenario| of(&scenario.motion).map(|number| scenario.name.clone() + &number);
+        let names: Vec<_> = scenarios.iter().filter_map(named).collect();
+        (!names.is_empty()).then(|| format!("warning: {what}: {}", names.join(", ")))
     };
-    let pulled = line("leave the plane (least normal force / weight)", physical_limits::pulled, 3);
-    let fallen = line("fall on its side (greatest tilt, degrees)", physical_limits::fallen, 1);
-    let upright: Vec<_> = scenarios
-        .iter()
-        .filter(|scenario| physical_limits::unstable(&scenario.motion))
-        .map(|scenario| scenario.name.as_str())
-        .collect();
-    let unstable = (!upright.is_empty()).then(|| {
-        let names = upright.join(", ");
-        format!("warning: by the equations the axis stays upright, but the motion is unstable (a real top would fall): {names}")
+    let pulled = line("a real top would leave the plane (least normal force / weight)", &|motion| {
+        let force = motion.min_normal_force().filter(|force| *force < 0.0)?;
+        Some(format!(" ({})", rounded(force, 3)))
     });
+    // an unstable sleeping top does not leave the vertical, although its e₁ may be below 0
+    let fallen = line("a real top would fall on its side (greatest tilt, degrees)", &|motion| {
+        let [_, tilt] = tilts(motion);
+        let fallen = motion.top().support() == Support::Sliding && tilt > 90.0;
+        fallen.then(|| format!(" ({})", rounded(tilt, 1)))
+    });
+    let unstable = line(
+        "by the equations the axis stays upright, but the motion is unstable (a real top would fall)",
+        &|motion| (motion.regime() == Regime::SleepingUnstable).then(String::new),
+    );
     [pulled, fallen, unstable].into_iter().flatten().collect()
 }
 

@@ -1,7 +1,6 @@
 //! Errors of the printed paper. `tests/reference/errata.py` evaluates each formula as printed and as corrected, and a test compares the residuals.
 
 /// Wrong formula of the paper with its correction.
-#[derive(Clone, Copy, Debug)]
 pub struct Erratum {
     /// Place in the paper: a label or a section.
     pub place: &'static str,

@@ -18,7 +18,6 @@ pub enum Failure {
 
 impl Failure {
     /// Exit code of the process.
-    #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Output(_) | Self::Tool(_) => 1,
@@ -28,7 +27,6 @@ impl Failure {
     }
 
     /// Failure with the name of its object in front.
-    #[must_use]
     pub fn of(self, name: &str) -> Self {
         match self {
             Self::Input(message) => Self::Input(format!("{name}: {message}")),
@@ -39,7 +37,6 @@ impl Failure {
     }
 
     /// Failure with the name of the motion in front, if a method does not apply to it.
-    #[must_use]
     pub fn of_motion(self, name: &str) -> Self {
         if matches!(self, Self::Method(_)) { self.of(name) } else { self }
     }

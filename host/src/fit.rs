@@ -1,9 +1,7 @@
 //! Measurements of a top: sensors from a file, samples as columns, simulated samples, and the launch that is fitted to them.
 
 pub mod columns;
-pub mod free;
 pub mod launch;
 pub mod report;
 pub mod sensors;
 pub mod simulated;
-pub mod table;

@@ -7,11 +7,8 @@
 //! | [`full_solver`] | integration with a tolerance |
 //! | [`solution`] | full solver of a scenario at given times |
 
-#[cfg(feature = "program")]
 pub mod full_solver;
-#[cfg(feature = "program")]
 pub mod newton_euler;
-#[cfg(feature = "program")]
 pub mod solution;
 
 pub use toytop_page::equations;

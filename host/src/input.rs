@@ -5,8 +5,15 @@
 //! | [`scenario`], [`builtin`] | motion from a TOML file; motions that need no file |
 //! | [`random`] | random numbers fixed by a seed |
 //! | `rows` | messages for rows of CSV files |
+//! | `section` | table of a TOML file |
 
 pub mod builtin;
 pub mod random;
 pub(crate) mod rows;
 pub mod scenario;
+pub(crate) mod section;
+
+/// Finite number of a text.
+pub(crate) fn finite(text: &str) -> Option<f64> {
+    text.trim().parse().ok().filter(|x: &f64| x.is_finite())
+}

@@ -6,11 +6,10 @@
 //! | [`motion`] | the core's stepper and ephemeris at given times |
 //! | [`full_equations`] | integration of the full 3-D equations |
 //! | [`truth`] | the paper's integrals to more than thirty digits |
-//! | [`measure`] | errors and times of the core against the truth |
+//! | `accuracy` | errors of the core against the truth |
 //! | `benchmarks` | catalogue of problems that integrators are tested with |
 //! | [`budget`] | cost of a call on an emulated chip |
 //! | [`errata`] | errors of the printed paper, and their corrections |
-//! | `constants` | constants of a motion by name |
 //! | [`samples`] | samples of a motion as tables of chosen columns |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
 //! | [`score`] | output of an integrator against the exact motion |
@@ -18,30 +17,32 @@
 //! | [`bake`] | ephemeris as Rust or C |
 //! | [`pictures`] | curve of the tip, figures, page for a browser |
 //! | [`output`] | tables, CSV, JSON, files, progress |
-//! | [`cli`], [`commands`], [`program`] | command line, one file for each command, exit codes |
+//! | `cli`, `commands`, [`program`] | command line, one file for each command, exit codes |
 //!
 //! A command computes everything that can fail before the first byte is printed, so a failure leaves no partial output.
 //! The program `toytop-lab` (the folder `lab`) uses this library for studies that check the core itself.
 
+// Visibility is that of the modules: what a private one declares `pub` is its interface within the crate.
+#![allow(unreachable_pub)]
+
+#[cfg(feature = "program")]
+mod accuracy;
 pub mod bake;
 #[cfg(feature = "program")]
 mod benchmarks;
 #[cfg(feature = "program")]
 pub mod budget;
 #[cfg(feature = "program")]
-pub mod cli;
+mod cli;
 #[cfg(feature = "program")]
-pub mod commands;
-#[cfg(feature = "program")]
-mod constants;
+mod commands;
 #[cfg(feature = "program")]
 pub mod errata;
 mod failure;
 pub mod fit;
+#[cfg(feature = "program")]
 pub mod full_equations;
 pub mod input;
-#[cfg(feature = "program")]
-pub mod measure;
 pub mod motion;
 pub mod output;
 pub mod pictures;
@@ -67,8 +68,5 @@ use std::ffi::OsString;
 /// See [`Failure`].
 #[cfg(feature = "program")]
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<Report, Failure> {
-    match program::parse::<cli::Cli>(arguments)? {
-        program::Request::Show(text) => Ok(Report { text, ..Report::default() }),
-        program::Request::Run(cli) => cli::run(&cli.command),
-    }
+    program::report(arguments, |cli: &cli::Cli| cli::run(&cli.command))
 }

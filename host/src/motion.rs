@@ -5,17 +5,119 @@
 //! | [`propagate`] | stepper at given times |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
 //! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
-//! | [`invariants`] | l, n, h from orientation and angular velocity, without the core's formulas |
-//! | [`cast`] | complex numbers and orientations of any scalar as `f64` |
 //! | [`Scalar`] | scalar types of the core |
-//! | [`physical_limits`] | motions of the equations that a top on a table cannot perform |
 
-pub mod cast;
 pub mod ephemeris;
-pub mod invariants;
-pub mod physical_limits;
 pub mod propagate;
-mod scalar;
 pub mod tip_angle;
 
-pub use scalar::Scalar;
+use toytop::{Complex, Motion, Orientation, Regime, Top};
+use toytop_page::equations::{FullState, FullTop};
+
+/// Complex number in `f64`, each part by `to_f64`.
+pub fn widened<R>(z: Complex<R>, to_f64: impl Fn(R) -> f64) -> Complex<f64> {
+    Complex { re: to_f64(z.re), im: to_f64(z.im) }
+}
+
+/// Greater of two errors; infinite where the second is no number.
+pub fn greater(a: f64, b: f64) -> f64 {
+    if b.is_nan() { f64::INFINITY } else { a.max(b) }
+}
+
+/// Least and greatest tilt of the axis, degrees.
+pub fn tilts(motion: &Motion) -> [f64; 2] {
+    let e = motion.branch_points();
+    let tilt =
+        |one_plus_e: f64, one_minus_e: f64| 2.0 * one_minus_e.sqrt().atan2(one_plus_e.sqrt()).to_degrees();
+    match motion.regime() {
+        Regime::Hanging => [180.0; 2],
+        regime if regime.is_vertical() => [0.0; 2],
+        _ => [tilt(2.0 - e.one_minus_e2, e.one_minus_e2), tilt(e.one_plus_e1, 2.0 - e.one_plus_e1)],
+    }
+}
+
+/// Scalar types of the core.
+#[derive(Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "program", derive(clap::ValueEnum))]
+pub enum Scalar {
+    /// Double precision
+    F64,
+    /// Single precision
+    F32,
+    /// Fixed point of 32 bits
+    Q31,
+    /// Fixed point of 16 bits
+    Q15,
+}
+
+impl Scalar {
+    /// All scalar types.
+    pub const ALL: [Self; 4] = [Self::F64, Self::F32, Self::Q31, Self::Q15];
+
+    /// Name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::F64 => "f64",
+            Self::F32 => "f32",
+            Self::Q31 => "q31",
+            Self::Q15 => "q15",
+        }
+    }
+}
+
+/// First integrals [l, n, h] in kg m²/s and kg m²/s², by the full equations.
+pub fn first_integrals(top: &Top, phi: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
+    FullTop::from(top).first_integrals(&FullState::new(phi, omega))
+}
+
+/// Scales of l, n and h: the greatest of the motion's own values, of the values √(2 A p g) and p g that belong to the top's weight, and
+/// of √(2 A h), the momentum of a body that has all its energy in a motion of the axis.
+pub fn natural_scales(motion: &Motion) -> [f64; 3] {
+    let (top, constants) = (motion.top(), motion.first_integrals());
+    let weight = top.mass_moment() * top.gravity();
+    let a = top.transverse_inertia();
+    // for a free body at rest all of them are 0
+    let energy = weight.max(constants.h.abs()).max(f64::MIN_POSITIVE);
+    let momentum = (2.0 * a * weight).sqrt().max(constants.l.abs()).max(constants.n.abs());
+    let momentum = if top.is_torque_free() { momentum.max((2.0 * a * energy).sqrt()) } else { momentum };
+    [momentum, momentum, energy]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toytop::{Complex, FirstIntegrals, State, TopParameters};
+
+    #[test]
+    fn they_agree_with_the_core() {
+        let sliding = Top::sliding(&TopParameters {
+            transverse_inertia: 1.1,
+            axial_inertia: 0.8,
+            com_height: 0.6,
+            mass_moment: 0.9,
+            gravity: 9.81,
+            ..TopParameters::default()
+        });
+        for top in [
+            sliding,
+            Top::fixed(&TopParameters {
+                transverse_inertia: 1.1,
+                axial_inertia: 0.8,
+                mass_moment: 0.9,
+                gravity: 2.0,
+                ..TopParameters::default()
+            }),
+        ]
+        .map(Result::unwrap)
+        {
+            let (alpha, beta) = (Complex::new(0.48, 0.64), Complex::new(-0.36, 0.48));
+            let omega = [0.3, -0.7, 1.9];
+            let core =
+                FirstIntegrals::from_state(&top, &State::new(Orientation { alpha, beta }, omega).unwrap());
+            let found = first_integrals(&top, &Orientation { alpha, beta }, omega);
+            for (x, y) in found.into_iter().zip([core.l, core.n, core.h]) {
+                assert!((x - y).abs() < 4e-15 * y.abs(), "{x} {y}");
+            }
+        }
+    }
+}

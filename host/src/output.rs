@@ -16,66 +16,26 @@ use comfy_table::presets::NOTHING;
 #[cfg(feature = "program")]
 use comfy_table::{CellAlignment, Row, Table};
 use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde_json::Value;
 use serde_json::ser::Formatter;
 use std::io;
 
-/// Value of a record.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Cell {
-    /// Word or name.
-    Text(String),
-    /// Whole number.
-    Count(u64),
-    /// Number, with 17 significant digits in the output.
-    Number(f64),
-    /// Absent value: `null` in JSON, empty in CSV.
-    Absent,
-    /// Several numbers with the suffixes of their CSV columns: an array in JSON.
-    Numbers(Vec<(&'static str, f64)>),
-}
-
-impl From<f64> for Cell {
-    fn from(number: f64) -> Self {
-        Self::Number(number)
-    }
-}
-
-impl From<u64> for Cell {
-    fn from(count: u64) -> Self {
-        Self::Count(count)
-    }
-}
-
-impl From<&str> for Cell {
-    fn from(text: &str) -> Self {
-        Self::Text(text.to_owned())
-    }
-}
-
-impl<T: Into<Self>> From<Option<T>> for Cell {
-    fn from(value: Option<T>) -> Self {
-        value.map_or(Self::Absent, T::into)
-    }
-}
-
-/// Named values, in order.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Record(pub Vec<(&'static str, Cell)>);
+/// Named values, in order: words, numbers, arrays of numbers, and null for an absent value.
+#[derive(Clone, Default)]
+pub struct Record(pub Vec<(&'static str, Value)>);
 
 impl Record {
     /// Record with one more value.
-    #[must_use]
-    pub fn with(mut self, name: &'static str, value: impl Into<Cell>) -> Self {
+    pub fn with(mut self, name: &'static str, value: impl Into<Value>) -> Self {
         self.0.push((name, value.into()));
         self
     }
 
-    fn get(&self, name: &str) -> Option<&Cell> {
-        self.0.iter().find(|(other, _)| *other == name).map(|(_, cell)| cell)
+    fn get(&self, name: &str) -> Option<&Value> {
+        self.0.iter().find(|(other, _)| *other == name).map(|(_, value)| value)
     }
 
     /// Columns with the names of the values as headings.
-    #[must_use]
     pub fn columns(&self, of_number: fn(f64) -> String) -> Vec<Column<'static>> {
         self.0.iter().map(|(name, _)| (*name, *name, of_number)).collect()
     }
@@ -83,7 +43,7 @@ impl Record {
 
 /// Form of the output.
 #[cfg(feature = "program")]
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
 pub enum Format {
     /// Aligned table
     Table,
@@ -93,21 +53,16 @@ pub enum Format {
     Json,
 }
 
-/// Records in a form: `object` is what JSON has, and `table` makes the table.
+/// Records in a form. CSV has the first list, or without a list the other entries; `table` makes the table.
 ///
 /// # Errors
 /// None: the writers' types can fail, but a write to memory does not.
 #[cfg(feature = "program")]
-pub fn written(
-    format: Format,
-    records: &[Record],
-    object: &impl Serialize,
-    table: impl FnOnce() -> String,
-) -> io::Result<String> {
+pub fn written(format: Format, lists: &Lists<'_>, table: impl FnOnce() -> String) -> io::Result<String> {
     match format {
         Format::Table => Ok(table()),
-        Format::Csv => csv(records),
-        Format::Json => json(object),
+        Format::Csv => csv(lists.0.first().map_or(std::slice::from_ref(&lists.1), |(_, records)| records)),
+        Format::Json => json(lists),
     }
 }
 
@@ -115,14 +70,10 @@ pub fn written(
 pub type Column<'a> = (&'static str, &'a str, fn(f64) -> String);
 
 /// Header and rows of a table. A value that is absent is a dash.
-#[must_use]
 pub fn rows(records: &[Record], shown: &[Column<'_>]) -> Vec<Vec<String>> {
     let row = |record: &Record| {
-        let text = |(name, _, of_number): &Column<'_>| match record.get(name) {
-            Some(Cell::Text(text)) => text.clone(),
-            Some(Cell::Count(count)) => count.to_string(),
-            Some(Cell::Number(x)) => of_number(*x),
-            _ => "-".to_owned(),
+        let text = |(name, _, of_number): &Column<'_>| {
+            record.get(name).and_then(|value| text(value, *of_number)).unwrap_or_else(|| "-".to_owned())
         };
         shown.iter().map(text).collect()
     };
@@ -132,38 +83,33 @@ pub fn rows(records: &[Record], shown: &[Column<'_>]) -> Vec<Vec<String>> {
 
 /// Records as aligned columns below their headings; texts are aligned to the left.
 #[cfg(feature = "program")]
-#[must_use]
 pub fn aligned(records: &[Record], shown: &[Column<'_>]) -> String {
     let mut rows = rows(records, shown);
     if shown.iter().all(|(_, heading, _)| heading.is_empty()) {
         rows.remove(0);
     }
     let is_text = |index: usize| {
-        records.iter().all(|record| matches!(record.get(shown[index].0), Some(Cell::Text(_)) | None))
+        records.iter().all(|record| matches!(record.get(shown[index].0), Some(Value::String(_)) | None))
     };
     text_of(rows, is_text)
 }
 
 /// Number with eight significant digits.
-#[must_use]
 pub fn eight(x: f64) -> String {
     short(x, 8)
 }
 
 /// Error with two significant digits.
-#[must_use]
 pub fn error(x: f64) -> String {
     format!("{x:.1e}")
 }
 
 /// Number with 17 significant digits; -0 is written as 0.
-#[must_use]
 pub fn number(x: f64) -> String {
     format!("{:.16e}", x + 0.0)
 }
 
 /// Number with this many significant digits, without trailing zeros.
-#[must_use]
 pub fn short(x: f64, digits: usize) -> String {
     let rounded: f64 = format!("{x:.*e}", digits.saturating_sub(1)).parse().unwrap_or(x);
     if (1e-4..1e5).contains(&rounded.abs()) || rounded == 0.0 {
@@ -174,7 +120,6 @@ pub fn short(x: f64, digits: usize) -> String {
 }
 
 /// Beginning of a text of the input, short enough for a message.
-#[must_use]
 pub fn shown(text: &str) -> String {
     const MOST: usize = 60;
     let beginning: String = text.chars().take(MOST).collect();
@@ -182,7 +127,6 @@ pub fn shown(text: &str) -> String {
 }
 
 /// Text for HTML.
-#[must_use]
 pub fn html(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
@@ -203,23 +147,29 @@ pub fn csv(records: &[Record]) -> io::Result<String> {
     String::from_utf8(bytes).map_err(io::Error::other)
 }
 
-/// Column names and values of a record.
-#[must_use]
+/// Word or number of a record as text; `None` for an absent value.
+pub fn text(value: &Value, of_number: impl Fn(f64) -> String) -> Option<String> {
+    match value {
+        Value::String(text) => Some(text.clone()),
+        Value::Number(whole) if !whole.is_f64() => Some(whole.to_string()),
+        value => value.as_f64().map(of_number),
+    }
+}
+
+/// Column names and values of a record. The columns of an array end in x, y and z.
 pub fn flat(record: &Record) -> Vec<(String, String)> {
-    let columns = |(name, cell): &(&'static str, Cell)| match cell {
-        Cell::Text(text) => vec![((*name).to_owned(), text.clone())],
-        Cell::Count(count) => vec![((*name).to_owned(), count.to_string())],
-        Cell::Number(x) => vec![((*name).to_owned(), number(*x))],
-        Cell::Absent => vec![((*name).to_owned(), String::new())],
-        Cell::Numbers(parts) => {
-            parts.iter().map(|(suffix, x)| (format!("{name}_{suffix}"), number(*x))).collect()
+    let field = |value: &Value| text(value, number).unwrap_or_default();
+    let columns = |(name, value): &(&'static str, Value)| match value {
+        Value::Array(parts) => {
+            let parts = parts.iter().zip(["x", "y", "z"]);
+            parts.map(|(part, suffix)| (format!("{name}_{suffix}"), field(part))).collect()
         }
+        value => vec![((*name).to_owned(), field(value))],
     };
     record.0.iter().flat_map(columns).collect()
 }
 
 /// Object of JSON `{"key":[record, ...], ...}`, with the entries of another record after the lists.
-#[derive(Clone, Debug, Default)]
 pub struct Lists<'a>(pub Vec<(&'static str, &'a [Record])>, pub Record);
 
 impl Serialize for Lists<'_> {
@@ -227,13 +177,12 @@ impl Serialize for Lists<'_> {
         let Self(lists, Record(rest)) = self;
         let mut map = serializer.serialize_map(None)?;
         lists.iter().try_for_each(|(key, records)| map.serialize_entry(key, records))?;
-        rest.iter().try_for_each(|(key, cell)| map.serialize_entry(key, cell))?;
+        rest.iter().try_for_each(|(key, value)| map.serialize_entry(key, value))?;
         map.end()
     }
 }
 
 /// Object of JSON with one list.
-#[must_use]
 pub fn list<'a>(key: &'static str, records: &'a [Record]) -> Lists<'a> {
     Lists(vec![(key, records)], Record::default())
 }
@@ -252,19 +201,7 @@ pub fn json(value: &impl Serialize) -> io::Result<String> {
 
 impl Serialize for Record {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(name, cell)| (name, cell)))
-    }
-}
-
-impl Serialize for Cell {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Text(text) => serializer.serialize_str(text),
-            Self::Count(count) => serializer.serialize_u64(*count),
-            Self::Number(x) => serializer.serialize_f64(*x),
-            Self::Absent => serializer.serialize_none(),
-            Self::Numbers(parts) => serializer.collect_seq(parts.iter().map(|(_, x)| x)),
-        }
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
     }
 }
 
@@ -278,7 +215,6 @@ impl Formatter for SeventeenDigits {
 
 /// Rows as aligned columns without rules, the first `left` columns aligned to the left and the others to the right.
 #[cfg(feature = "program")]
-#[must_use]
 pub fn columns(rows: Vec<Vec<String>>, left: usize) -> String {
     text_of(rows, |index| index < left)
 }

@@ -2,16 +2,14 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`bounds`] | bounds between which the axis stays |
 //! | [`span`] | motion over a span of time |
-//! | [`curve`] | curve of the tip |
+//! | [`curve`] | curve of the tip, bounds between which the axis stays |
 //! | `drawing` | colours, texts and lines; files of pictures |
 //! | `tip` | picture of the curve of the tip |
 //! | `space` | the axis on its sphere; animation of the top |
 //! | `charts` | curves over two axes |
 //! | [`view`] | page for a browser |
 
-pub mod bounds;
 #[cfg(feature = "program")]
 pub(crate) mod charts;
 pub mod curve;

@@ -8,34 +8,27 @@ use std::ffi::OsString;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-/// Request of a command line.
-#[derive(Debug)]
-pub enum Request<C> {
-    /// Request to run a command.
-    Run(Box<C>),
-    /// Request to print the help or the version.
-    Show(String),
-}
-
-/// Request of a command line that begins with the program's name.
+/// Report of `run`, or the help or the version that the command line asks for; it begins with the program's name.
 ///
 /// # Errors
-/// [`Failure::Input`] for everything that clap refuses.
-pub fn parse<C: Parser>(arguments: impl IntoIterator<Item = OsString>) -> Result<Request<C>, Failure> {
+/// [`Failure::Input`] for everything that clap refuses, and the failures of `run`.
+pub fn report<C: Parser>(
+    arguments: impl IntoIterator<Item = OsString>,
+    run: impl FnOnce(&C) -> Result<Report, Failure>,
+) -> Result<Report, Failure> {
     let parsed = with_negative_numbers(C::command())
         .try_get_matches_from(arguments)
         .and_then(|matches| C::from_arg_matches(&matches));
-    match parsed {
-        Ok(cli) => Ok(Request::Run(Box::new(cli))),
-        Err(error) => match error.kind() {
-            ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
-                Ok(Request::Show(error.render().to_string()))
-            }
-            ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
-                Err(Failure::Input(format!("no command given; see {} --help", C::command().get_name())))
-            }
-            _ => Err(Failure::Input(in_one_line(&error.render().to_string()))),
-        },
+    let error = match parsed {
+        Ok(cli) => return run(&cli),
+        Err(error) => error,
+    };
+    match error.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => Ok(error.render().to_string().into()),
+        ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            Err(Failure::Input(format!("no command given; see {} --help", C::command().get_name())))
+        }
+        _ => Err(Failure::Input(in_one_line(&error.render().to_string()))),
     }
 }
 
@@ -60,11 +53,7 @@ fn in_one_line(message: &str) -> String {
     line.trim_start_matches("error: ").to_owned() + &meant
 }
 
-/// Exit code where a bound is missed or the output cannot be written.
-const NOT_GOOD: u8 = 1;
-
 /// Exit code, after the report or the failure of a command is printed.
-#[must_use]
 pub fn finish(result: Result<Report, Failure>) -> ExitCode {
     match result.and_then(|report| print(&report)) {
         Ok(code) => code,
@@ -88,6 +77,6 @@ fn print(report: &Report) -> Result<ExitCode, Failure> {
     match stdout.write_all(report.text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
         // a reader that closes the pipe (`| head`) is no failure
-        _ => Ok(if report.missed { ExitCode::from(NOT_GOOD) } else { ExitCode::SUCCESS }),
+        _ => Ok(ExitCode::from(u8::from(report.missed))),
     }
 }

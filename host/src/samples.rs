@@ -5,13 +5,10 @@
 //! | `column` | quantities of a sample |
 //! | [`angles`] | Euler angles of an orientation |
 //! | `sheet` | rows as CSV, JSON or an aligned table |
-//! | `npy` | rows as a NumPy array |
 //! | `stream` | blocks of rows, computed on all cores and written in order |
 
 pub mod angles;
 pub mod column;
-#[cfg(feature = "program")]
-pub mod npy;
 #[cfg(feature = "program")]
 pub mod sheet;
 #[cfg(feature = "program")]

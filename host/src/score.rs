@@ -18,7 +18,6 @@ use toytop::Orientation;
 
 /// Rotation vector x of the shorter rotation exp(x) that takes `from` to `to`, in the fixed frame, rad: `to` = exp(x) `from`, whatever
 /// the signs of both.
-#[must_use]
 pub fn rotation_between(from: &Orientation<f64>, to: &Orientation<f64>) -> [f64; 3] {
     let [w, x, y, z] = to.compose(&from.inverse()).quaternion();
     let sine = (x * x + y * y + z * z).sqrt();

@@ -10,18 +10,19 @@ pub use columns::{Column, DEFAULT_COLUMNS};
 
 use crate::Failure;
 use crate::input::random::Random;
-use crate::input::scenario::{Key, Template};
+use crate::input::scenario::{Key, ScenarioFile};
 use crate::output::short;
 use columns::Measured;
 use toytop::Motion;
 
 /// Table of a sweep: a header, and a row for each motion.
-#[derive(Clone, Debug)]
 pub struct Sweep {
-    template: Template,
+    template: ScenarioFile,
     axes: Vec<(Key, Axis)>,
     /// Number of motions to draw, and the seed; `None` for the grid of all combinations.
     sample: Option<(u64, u64)>,
+    /// Number of motions.
+    pub count: u64,
     /// Columns after those of the numbers that vary.
     columns: Vec<Column>,
     /// Number of times at which each motion is evaluated.
@@ -37,7 +38,7 @@ impl Sweep {
     /// [`Failure::Input`]: no axis, a key that the scenario does not have or that is given twice, a range in a grid, or a scenario whose
     /// first motion is refused for a key that does not vary.
     pub fn new(
-        template: Template,
+        template: ScenarioFile,
         axes: &[(String, Axis)],
         sample: Option<(u64, u64)>,
         columns: &[Column],
@@ -59,10 +60,12 @@ impl Sweep {
             }
             keys.push((key, axis.clone()));
         }
-        let sweep = Self { template, axes: keys, sample, columns: columns.to_vec(), times, periods };
-        if sweep.checked_count().is_none() {
+        let places = || keys.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size()));
+        let Some(count) = sample.map(|(motions, _)| motions).or_else(places) else {
             return refuse("a grid: must have at most 2^64 places".to_owned());
-        }
+        };
+        let columns = columns.to_vec();
+        let sweep = Self { template, axes: keys, sample, count, columns, times, periods };
         match sweep.template.with(&sweep.numbers(0)) {
             Err(Failure::Input(message)) if !sweep.axes.iter().any(|(key, _)| message.contains(key.name)) => {
                 refuse(message)
@@ -72,47 +75,32 @@ impl Sweep {
     }
 
     /// Axis of a key of a grid.
-    #[must_use]
     pub fn axis(&self, name: &str) -> Option<&Axis> {
         self.axes.iter().find(|(key, _)| key.name == name && self.sample.is_none()).map(|(_, axis)| axis)
     }
 
     /// Place of a row of a grid on the axis of a key.
-    #[must_use]
     pub fn place(&self, name: &str, index: u64) -> Option<u64> {
-        let mut cells = self.count();
-        self.axes.iter().find_map(|(key, axis)| {
-            cells /= axis.size();
-            (key.name == name).then_some(index / cells % axis.size())
+        self.places(index).find(|((key, _), _)| key.name == name).map(|(_, place)| place)
+    }
+
+    /// Axes, each with the place of a row of a grid on it; the last key changes fastest.
+    fn places(&self, index: u64) -> impl Iterator<Item = (&(Key, Axis), u64)> {
+        let mut cells = self.count;
+        self.axes.iter().map(move |axis| {
+            cells /= axis.1.size();
+            (axis, index.checked_div(cells).unwrap_or(0) % axis.1.size())
         })
     }
 
-    fn checked_count(&self) -> Option<u64> {
-        match self.sample {
-            Some((motions, _)) => Some(motions),
-            None => self.axes.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size())),
-        }
-    }
-
-    /// Number of motions.
-    #[must_use]
-    pub fn count(&self) -> u64 {
-        self.checked_count().unwrap_or(u64::MAX)
-    }
-
-    /// Numbers of the motion with this index; in a grid the last key changes fastest.
+    /// Numbers of the motion with this index.
     fn numbers(&self, index: u64) -> Vec<(Key, f64)> {
         let mut random = self.sample.map(|(_, seed)| Random::new(seed, index));
-        let mut cells = self.checked_count().unwrap_or(u64::MAX);
-        let number = |(key, axis): &(Key, Axis)| {
-            cells /= axis.size();
-            let number = match &mut random {
-                Some(random) => axis.draw(random),
-                None => axis.at(index / cells % axis.size()),
-            };
-            (*key, number)
+        let number = |((key, axis), place): (&(Key, Axis), u64)| match &mut random {
+            Some(random) => (*key, axis.draw(random)),
+            None => (*key, axis.at(place)),
         };
-        self.axes.iter().map(number).collect()
+        self.places(index).map(number).collect()
     }
 
     fn motion(&self, numbers: &[(Key, f64)]) -> Result<Motion, Failure> {
@@ -120,7 +108,6 @@ impl Sweep {
     }
 
     /// Names of the columns, with a line break.
-    #[must_use]
     pub fn header(&self) -> String {
         let keys = self.axes.iter().map(|(key, _)| key.name.to_owned());
         let names = keys.chain(self.columns.iter().flat_map(|column| column.header(self.times)));
@@ -147,11 +134,10 @@ impl Sweep {
     }
 
     /// Reason why the scenario refuses the numbers of a row, beginning with the key that varies and its value.
-    #[must_use]
     pub fn refusal(&self, index: u64) -> Option<String> {
         let numbers = self.numbers(index);
         let message = self.motion(&numbers).err()?.to_string();
-        let reason = message.strip_prefix(&format!("{}: ", self.template.file())).unwrap_or(&message);
+        let reason = message.strip_prefix(&format!("{}: ", self.template.file)).unwrap_or(&message);
         let of_key = numbers.iter().find_map(|(key, number)| {
             let reason = reason.strip_prefix(&format!("{key}: "))?;
             Some(format!("{} = {}: {reason}", key.name, short(*number, 5)))

@@ -5,7 +5,6 @@ use crate::output::progress::Progress;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::io;
-use std::sync::Mutex;
 
 /// Stack of a thread, bytes. The largest table has one and a half megabytes, and its set-up is on the stack.
 pub(crate) const STACK: usize = 1 << 25;
@@ -28,12 +27,10 @@ pub fn tally<T: Default + Send>(
     add: impl Fn(&mut T, u64) + Sync,
     merged: impl Fn(T, T) -> T + Sync,
 ) -> T {
-    let progress = Mutex::new(Progress::new(trials, what));
+    let progress = Progress::new(trials, what);
     let each = |mut tally: T, trial| {
         add(&mut tally, trial);
-        if let Ok(mut progress) = progress.lock() {
-            progress.add(1);
-        }
+        progress.add(1);
         tally
     };
     cores.install(|| (0..trials).into_par_iter().fold(T::default, each).reduce(T::default, &merged))

@@ -8,17 +8,15 @@
 //! |---|---|
 //! | [`motions`] | numbers of a motion: its top, and branch points or a state |
 //! | `launch` | constants of a motion |
-//! | `integrands`, `gauss`, `half_period` | integrands, their quadrature, integrals along half a period |
+//! | `integrals`, `half_period` | integrands, their quadrature, integrals along half a period |
 //! | [`exact`] | orientation and rates at a time |
 //! | [`precise`] | arithmetic |
 
 pub mod exact;
-mod gauss;
 mod half_period;
-mod integrands;
+mod integrals;
 mod launch;
 pub mod motions;
-mod orientation;
 pub mod precise;
 
 #[cfg(test)]

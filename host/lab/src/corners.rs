@@ -1,7 +1,6 @@
 //! `toytop-lab corners`: random launches near every degenerate case. Each keeps its error bound or is refused with a typed error.
 
-mod input;
-mod places;
+mod inputs;
 mod trial;
 
 use crate::{Found, Study};
@@ -9,8 +8,8 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use toytop_host::input::random::Random;
 use toytop_host::motion::Scalar;
+use toytop_host::output::Record;
 use toytop_host::output::names::regime;
-use toytop_host::output::{Cell, Record};
 use toytop_host::{Failure, thread_pool};
 use trial::Errors;
 
@@ -31,7 +30,7 @@ struct Tally {
     failures: Vec<String>,
 }
 
-pub(super) fn run(study: &Study, truths: u64) -> Result<Found, Failure> {
+pub fn run(study: &Study, truths: u64) -> Result<Found, Failure> {
     let cores = thread_pool::of_all_cores()?;
     let add = |tally: &mut Tally, launch| tally.add(study, truths, launch);
     let tally = thread_pool::tally(&cores, (study.motions, "launches"), add, Tally::merged);
@@ -56,14 +55,14 @@ impl Tally {
     fn add(&mut self, study: &Study, truths: u64, launch: u64) {
         let mut random = Random::new(study.seed, launch);
         if random.one_in(ONE_BEYOND_IN) {
-            let input = input::beyond(&mut random);
+            let input = inputs::beyond(&mut random);
             match input.motion() {
                 Ok(_) => self.failures.push(format!("{launch}: beyond the range, but launched: {input}")),
                 Err(_) => self.beyond += 1,
             }
             return;
         }
-        let input = input::random(&mut random);
+        let input = inputs::random(&mut random);
         // launches are independent, so that those with the truth may be spread evenly
         let with_truth = launch.is_multiple_of((study.motions / truths).max(1));
         match catch_unwind(AssertUnwindSafe(|| trial::run(&input, &mut random, with_truth))) {
@@ -100,22 +99,21 @@ fn merge(sums: &mut [Errors; 4], more: &[Errors; 4]) {
 }
 
 fn row(regime: &str, scalar: &str, errors: &Errors) -> Record {
-    let truth = |x: f64| Cell::from((errors.truths > 0).then_some(x));
+    let truth = |x: f64| (errors.truths > 0).then_some(x);
     let share = |count: u64| truth(count as f64 / errors.truths as f64);
-    Record(vec![
-        ("regime", Cell::Text(regime.to_owned())),
-        ("scalar", Cell::Text(scalar.to_owned())),
-        ("motions", Cell::Count(errors.motions)),
-        ("no_table", Cell::Count(errors.no_table)),
-        ("norm_and_height_of_bound", Cell::Number(errors.norm_and_height)),
-        ("truths", Cell::Count(errors.truths)),
-        ("places", Cell::Count(errors.places)),
-        ("places_by_ticks", Cell::Count(errors.places_by_ticks)),
-        ("error_rad", truth(errors.error)),
-        ("error_of_bound", truth(errors.of_bound)),
-        ("bound_within_hundred", share(errors.close)),
-        ("rate_error_of_bound", truth(errors.rates_of_bound)),
-        ("rate_bound_within_hundred", share(errors.rates_close)),
-        ("beyond_bound", Cell::Count(errors.beyond_bound)),
-    ])
+    Record::default()
+        .with("regime", regime)
+        .with("scalar", scalar)
+        .with("motions", errors.motions)
+        .with("no_table", errors.no_table)
+        .with("norm_and_height_of_bound", errors.norm_and_height)
+        .with("truths", errors.truths)
+        .with("places", errors.places)
+        .with("places_by_ticks", errors.places_by_ticks)
+        .with("error_rad", truth(errors.error))
+        .with("error_of_bound", truth(errors.of_bound))
+        .with("bound_within_hundred", share(errors.close))
+        .with("rate_error_of_bound", truth(errors.rates_of_bound))
+        .with("rate_bound_within_hundred", share(errors.rates_close))
+        .with("beyond_bound", errors.beyond_bound)
 }

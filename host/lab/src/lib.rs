@@ -5,6 +5,9 @@
 //! | `corners` | tables of motions near every degenerate case, against the truth and their bounds |
 //! | `fit` | launches fitted to simulated samples, and their error bars |
 
+// Visibility is that of the modules.
+#![allow(unreachable_pub)]
+
 mod corners;
 mod fit;
 
@@ -13,19 +16,18 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use toytop_host::output::Format;
 use toytop_host::output::doc_markers::{self, Page};
-use toytop_host::output::{self, Cell, Record};
-use toytop_host::program::{self, Request};
-use toytop_host::{Failure, Report};
+use toytop_host::output::{self, Record};
+use toytop_host::{Failure, Report, program};
 
 /// Studies of random launches that check toytop itself.
-#[derive(Debug, Parser)]
+#[derive(Parser)]
 #[command(name = "toytop-lab", version)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
 }
 
-#[derive(Debug, Subcommand)]
+#[derive(Subcommand)]
 enum Command {
     /// Errors of tables near every degenerate case, in four scalars, beside their bounds
     ///
@@ -48,7 +50,7 @@ enum Command {
 }
 
 /// Arguments of both studies.
-#[derive(Args, Debug)]
+#[derive(Args)]
 struct Study {
     /// Number of launches
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
@@ -69,16 +71,12 @@ struct Study {
 /// # Errors
 /// See [`Failure`].
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<Report, Failure> {
-    let cli = match program::parse::<Cli>(arguments)? {
-        Request::Show(text) => return Ok(Report { text, ..Report::default() }),
-        Request::Run(cli) => cli,
-    };
-    match &cli.command {
+    program::report(arguments, |cli: &Cli| match &cli.command {
         Command::Corners { study, truths } => {
             study.run("toytop-lab corners: corners", || corners::run(study, *truths))
         }
         Command::Fit(study) => study.run("toytop-lab fit: launches", || fit::run(study)),
-    }
+    })
 }
 
 /// Result of a study.
@@ -98,7 +96,11 @@ impl Study {
         // a missing place in the page is reported before the computation
         let page = self.accept.as_deref().map(|path| Page::read(path, mark)).transpose()?;
         let Found { headline, rows, failures } = study()?;
-        let table = table(&rows);
+        let columns = rows.first().map(|row| row.columns(|x| output::short(x, 2))).unwrap_or_default();
+        let mut table = output::rows(&rows, &columns);
+        for heading in &mut table[0] {
+            *heading = heading.replace('_', " ");
+        }
         if let Some(page) = page {
             page.write(&format!("{headline}\n\n{}", doc_markers::table(&table)))?;
         }
@@ -111,17 +113,4 @@ impl Study {
         Ok(Report { text, missed: !failures.is_empty(), ..Report::default() }
             .with_remarks(first, self.format == Format::Table))
     }
-}
-
-/// Header and rows of a table.
-fn table(records: &[Record]) -> Vec<Vec<String>> {
-    let text = |cell: &Cell| match cell {
-        Cell::Text(text) => text.clone(),
-        Cell::Count(count) => count.to_string(),
-        Cell::Number(x) => output::short(*x, 2),
-        _ => doc_markers::NO_FIGURE.to_owned(),
-    };
-    let header = |Record(cells): &Record| cells.iter().map(|(name, _)| name.replace('_', " ")).collect();
-    let row = |Record(cells): &Record| cells.iter().map(|(_, cell)| text(cell)).collect();
-    records.iter().take(1).map(header).chain(records.iter().map(row)).collect()
 }

@@ -85,11 +85,11 @@ pub const CONSTANTS: [Constant; 34] = [
     ("phi_per_period", |motion| motion.turning(PeriodAdvance::phi_per_period)),
     ("min_normal_force", |motion| motion.min_normal_force().unwrap_or(f64::NAN)),
     ("natural_time", |motion| natural_time(motion)),
-    ("tilt", |motion| tilt(&at_start(motion))),
-    ("azimuth", |motion| azimuth(&at_start(motion))),
+    ("tilt", |motion| axis_at_start(motion)[0]),
+    ("azimuth", |motion| axis_at_start(motion)[1]),
     ("spin", |motion| motion.first_integrals().spin),
-    ("precession", |motion| precession(&at_start(motion))),
-    ("nutation", |motion| nutation(&at_start(motion))),
+    ("precession", |motion| axis_at_start(motion)[2]),
+    ("nutation", |motion| axis_at_start(motion)[3]),
     ("m_x", |motion| momentum(motion)[0]),
     ("m_y", |motion| momentum(motion)[1]),
     ("m_z", |motion| momentum(motion)[2]),
@@ -112,7 +112,6 @@ fn support(support: Support) -> f64 {
 
 /// Natural time T₀ = 2π √((A/p + s)/g) of the top for motions that have no period, s. Without torque it is the time in which
 /// the axis turns once about the angular momentum, and 1 for a body at rest.
-#[must_use]
 pub fn natural_time(motion: &Motion) -> f64 {
     let top = motion.top();
     if top.is_torque_free() {
@@ -123,7 +122,6 @@ pub fn natural_time(motion: &Motion) -> f64 {
 }
 
 /// Nutation period of a motion that nutates, T₀ of any other, s.
-#[must_use]
 pub fn period(motion: &Motion) -> f64 {
     MotionConstants::new(*motion).nutation_period()
 }
@@ -132,37 +130,18 @@ fn at_start(motion: &Motion) -> AttitudeState<f64> {
     Stepper::new(motion).attitude_state()
 }
 
-/// Horizontal part of the axis, and its length.
-fn horizontal(state: &AttitudeState<f64>) -> ([f64; 2], f64) {
-    let [x, y, _] = state.axis();
-    ([x, y], Float::sqrt(x * x + y * y))
-}
-
-fn tilt(state: &AttitudeState<f64>) -> f64 {
-    Real::atan2(horizontal(state).1, state.u())
-}
-
-fn azimuth(state: &AttitudeState<f64>) -> f64 {
-    let ([x, y], _) = horizontal(state);
-    Real::atan2(y, x)
-}
-
-/// Rate of the azimuth, rad/s; 0 where the axis is vertical.
-fn precession(state: &AttitudeState<f64>) -> f64 {
-    let ([x, y], length) = horizontal(state);
-    let [rx, ry, _] = axis_rate(state);
-    if length > 0.0 { (x * ry - y * rx) / length.squared() } else { 0.0 }
-}
-
-/// Rate of the tilt, rad/s; where the axis is vertical, the rate at which it leaves.
-fn nutation(state: &AttitudeState<f64>) -> f64 {
-    let ([x, y], length) = horizontal(state);
-    let [rx, ry, rz] = axis_rate(state);
-    if length > 0.0 {
-        (x * rx + y * ry) / length * state.u() - rz * length
+/// Tilt and azimuth of the axis at t = 0, rad, and their rates, rad/s. Where the axis is vertical the azimuth has no rate, and the tilt that
+/// at which the axis leaves.
+fn axis_at_start(motion: &Motion) -> [f64; 4] {
+    let state = at_start(motion);
+    let ([x, y, _], [rx, ry, rz]) = (state.axis(), axis_rate(&state));
+    let (level, u) = (Float::sqrt(x * x + y * y), state.u());
+    let [precession, nutation] = if level > 0.0 {
+        [(x * ry - y * rx) / level.squared(), (x * rx + y * ry) / level * u - rz * level]
     } else {
-        Float::sqrt(rx * rx + ry * ry)
-    }
+        [0.0, Float::sqrt(rx * rx + ry * ry)]
+    };
+    [Real::atan2(level, u), Real::atan2(y, x), precession, nutation]
 }
 
 /// Rate of the axis r' = ω × r, 1/s.

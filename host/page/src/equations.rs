@@ -1,8 +1,8 @@
 //! Euler-Poisson equations of the toy top for (Phi, m) in the fixed frame. They use no angles, do not divide by 1 - u^2, and do not use
 //! that the motion is integrable.
 
-use toytop::Top;
 use toytop::scalar::Float;
+use toytop::{Complex, Orientation, Top};
 
 /// Vector of the fixed frame, in which k = (0, 0, 1) points up.
 type Vector = [f64; 3];
@@ -11,7 +11,7 @@ type Vector = [f64; 3];
 pub type Vector7 = [f64; 7];
 
 /// Body: moments of inertia, position of the centre of mass, and gravity. Units are SI or any consistent ones.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct FullTop {
     /// Transverse moment of inertia A \[kg m^2\], > 0: about the centre of mass, or about the tip when `s` is
     /// 0.
@@ -29,7 +29,7 @@ pub struct FullTop {
 }
 
 /// Orientation Phi = \[\[alpha, beta\], \[-conj beta, conj alpha\]\] and angular velocity.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct FullState {
     /// Parameter alpha as (re, im).
     pub alpha: [f64; 2],
@@ -40,14 +40,24 @@ pub struct FullState {
 }
 
 impl FullState {
+    /// State of this orientation and angular velocity.
+    pub fn new(orientation: &Orientation<f64>, omega: [f64; 3]) -> Self {
+        let [alpha, beta] = [orientation.alpha, orientation.beta].map(|z| [z.re, z.im]);
+        Self { alpha, beta, omega }
+    }
+
+    /// Orientation Φ.
+    pub fn orientation(&self) -> Orientation<f64> {
+        let [alpha, beta] = [self.alpha, self.beta].map(|[re, im]| Complex::new(re, im));
+        Orientation { alpha, beta }
+    }
+
     /// Unit vector r from the tip to the centre of mass, fixed frame: (-2 alpha beta, |alpha|^2 - |beta|^2).
-    #[must_use]
     pub fn axis(&self) -> [f64; 3] {
         axis(self.alpha, self.beta)
     }
 
     /// Rate of the axis' height u = r . k \[1/s\]: (omega x r) . k.
-    #[must_use]
     pub fn axis_height_rate(&self) -> f64 {
         cross(self.omega, self.axis())[2]
     }
@@ -67,20 +77,19 @@ impl From<&Top> for FullTop {
 }
 
 impl FullTop {
-    /// First integrals (l, n, h): the angular momenta about the vertical and about the axis \[kg m^2/s\] and the energy \[J\], with the
+    /// First integrals \[l, n, h\]: the angular momenta about the vertical and about the axis \[kg m^2/s\] and the energy \[J\], with the
     /// potential energy p g u. Error: a few units in the last place of their largest term.
-    #[must_use]
-    pub fn first_integrals(&self, state: &FullState) -> (f64, f64, f64) {
+    pub fn first_integrals(&self, state: &FullState) -> [f64; 3] {
         let equations = Equations::of(self, state);
         let (r, m) = (state.axis(), equations.momentum(state));
         // the energy of the rotor relative to the body is constant and not counted
         let twice_kinetic = dot(m, state.omega) - self.k * dot(state.omega, r);
-        (m[2], dot(m, r), 0.5 * twice_kinetic + equations.pg * r[2])
+        [m[2], dot(m, r), 0.5 * twice_kinetic + equations.pg * r[2]]
     }
 }
 
 /// Parameters of the motion: A, C, p s, p g and K, in any units of inertia and time.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Equations {
     /// Transverse moment of inertia A.
     pub a: f64,
@@ -98,14 +107,12 @@ pub struct Equations {
 
 impl Equations {
     /// Parameters of a top, in its units, for a motion from this state.
-    #[must_use]
     pub fn of(top: &FullTop, start: &FullState) -> Self {
         let spin = dot(start.omega, start.axis());
         Self { a: top.a, c: top.c, ps: top.p * top.s, pg: top.p * top.g, k: top.k, spin }
     }
 
     /// Momentum m = A omega + ((C - A) <omega, r> + K) r + p s u' q, where q = r x k and u' = <omega, q>.
-    #[must_use]
     pub fn momentum(&self, state: &FullState) -> Vector {
         let (r, w) = (state.axis(), state.omega);
         let q = [r[1], -r[0], 0.0];
@@ -114,7 +121,6 @@ impl Equations {
     }
 
     /// Numbers of a state for the integration.
-    #[must_use]
     pub fn numbers(&self, state: &FullState) -> Vector7 {
         let ([a, b], [c, d], [m1, m2, m3]) = (state.alpha, state.beta, self.momentum(state));
         [a, b, c, d, m1, m2, m3]
@@ -140,7 +146,6 @@ impl Equations {
     /// Derivative d/dt (Phi, m). Phi' = omega Phi. m' = omega x m + DL with DL = ((C - A) <omega, r> + K) r x omega + p s u' r
     /// x (k x omega) - p g q; the terms along r cancel and Jacobi's identity leaves m' = p s u' (r' x k)
     /// - p g q, which is horizontal: l = m3 is conserved to the last bit.
-    #[must_use]
     pub fn derivative(&self, y: &Vector7) -> Vector7 {
         let r = axis([y[0], y[1]], [y[2], y[3]]);
         let (w, rise) = self.angular_velocity(r, [y[4], y[5], y[6]]);
@@ -157,7 +162,6 @@ impl Equations {
     }
 
     /// State after one step of the classical Runge-Kutta method, with Φ normalised.
-    #[must_use]
     pub fn runge_kutta(&self, y: &Vector7, step: f64) -> Vector7 {
         let ahead =
             |k: &Vector7, share: f64| -> Vector7 { core::array::from_fn(|i| y[i] + share * step * k[i]) };
@@ -178,13 +182,11 @@ fn axis(alpha: [f64; 2], beta: [f64; 2]) -> Vector {
 }
 
 /// Vector product x × y.
-#[must_use]
 pub fn cross(x: Vector, y: Vector) -> Vector {
     [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
 }
 
 /// Scalar product <x, y>.
-#[must_use]
 pub fn dot(x: Vector, y: Vector) -> f64 {
     x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
 }

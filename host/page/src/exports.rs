@@ -6,7 +6,7 @@
 use crate::constants::{CONSTANTS, MotionConstants};
 use crate::ghost::Ghost;
 use crate::names;
-use crate::scenario::{self, Kind, MotionNumbers, TopNumbers};
+use crate::scenario::{self, MotionNumbers, TopNumbers};
 use crate::table::{self, Table, moment_at};
 use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
@@ -48,7 +48,7 @@ pub extern "C" fn launch(kind: u32) -> i32 {
     let top: TopNumbers = from_fn(number);
     let motion: MotionNumbers = from_fn(|i| number(top.len() + i));
     (*MOTION.lock(), *GHOST.lock()) = (None, None);
-    match launched(&top, Kind::of(kind), &motion) {
+    match launched(&top, kind, &motion) {
         Ok(motion) => {
             let bound = TABLE.lock().error_bound();
             let constants = MotionConstants::new(motion);
@@ -60,7 +60,7 @@ pub extern "C" fn launch(kind: u32) -> i32 {
     }
 }
 
-fn launched(top: &TopNumbers, kind: Kind, numbers: &MotionNumbers) -> Result<Motion, ParameterError> {
+fn launched(top: &TopNumbers, kind: u32, numbers: &MotionNumbers) -> Result<Motion, ParameterError> {
     let motion = scenario::motion(&scenario::top(top)?, kind, numbers)?;
     TABLE.lock().set_up(&motion)?;
     Ok(motion)

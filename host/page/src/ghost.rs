@@ -4,7 +4,6 @@ use crate::equations::{Equations, FullState, FullTop, Vector7};
 use toytop::{Complex, Motion, Orientation, Stepper};
 
 /// Integration of the full equations from t = 0, forwards or backwards.
-#[derive(Clone, Copy, Debug)]
 pub struct Ghost {
     equations: Equations,
     /// Distance s of the centre of mass from the tip, m.
@@ -23,11 +22,9 @@ pub const MOST_STEPS: u32 = 40_000;
 
 impl Ghost {
     /// Integration of a motion, at t = 0.
-    #[must_use]
     pub fn new(motion: &Motion, step: f64) -> Self {
         let (top, state) = (motion.top(), Stepper::<f64>::new(motion).attitude_state());
-        let Orientation { alpha, beta } = state.orientation;
-        let full = FullState { alpha: [alpha.re, alpha.im], beta: [beta.re, beta.im], omega: state.omega() };
+        let full = FullState::new(&state.orientation, state.omega());
         let equations = Equations::of(&FullTop::from(top), &full);
         let start = equations.numbers(&full);
         Self { equations, com_height: top.com_height(), start, step, y: start, steps: 0.0, sense: 1.0 }
@@ -57,9 +54,7 @@ impl Ghost {
 
     fn at(&self, t: f64, y: &Vector7) -> (f64, Orientation<f64>, Complex<f64>) {
         let state = self.equations.state(y);
-        let complex = |[re, im]: [f64; 2]| Complex::new(re, im);
-        let orientation = Orientation { alpha: complex(state.alpha), beta: complex(state.beta) };
         let [x, y, _] = state.axis();
-        (t, orientation, Complex::new(x, y).scaled(-self.com_height))
+        (t, state.orientation(), Complex::new(x, y).scaled(-self.com_height))
     }
 }

@@ -3,7 +3,6 @@
 use toytop::{Regime, TipClass};
 
 /// Word for a regime: `nutating`, `regular_precession`, ...
-#[must_use]
 pub fn regime(regime: Regime) -> &'static str {
     match regime {
         Regime::Nutating => "nutating",
@@ -17,7 +16,6 @@ pub fn regime(regime: Regime) -> &'static str {
 }
 
 /// Word for a class of tip curve: `smooth`, `cusp`, `loops`, ...
-#[must_use]
 pub fn tip_class(class: TipClass) -> &'static str {
     match class {
         TipClass::Smooth => "smooth",

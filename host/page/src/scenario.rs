@@ -9,31 +9,11 @@ use toytop::{
 /// Numbers of a top: 1 for a held tip, 2 for a free body and 0 for a sliding tip, then A, C, s, M, p, g and K, with 0 for what is not given.
 pub type TopNumbers = [f64; 8];
 
-/// Numbers of a motion, by its [`Kind`]; what a kind does not need is ignored.
+/// Numbers of a motion by its kind; what a kind does not need is ignored.
+///
+/// 0, release: tilt (degrees), spin, precession, nutation, azimuth and roll (degrees). 1, state: α and β as real and imaginary parts, and
+/// ω. 2, branch points: e₁, e₂, e₃, the signs of l + n and l - n, and the phases at t = 0.
 pub type MotionNumbers = [f64; 8];
-
-/// Kind of a scenario's motion: the key `kind`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Tilt (degrees), spin, precession, nutation, azimuth and roll (degrees).
-    Release,
-    /// α and β as real and imaginary parts, and ω.
-    State,
-    /// e₁, e₂, e₃, the signs of l + n and l - n, and the phases at t = 0.
-    BranchPoints,
-}
-
-impl Kind {
-    /// Kind by its number: 0, 1, and any other.
-    #[must_use]
-    pub fn of(number: u32) -> Self {
-        match number {
-            0 => Self::Release,
-            1 => Self::State,
-            _ => Self::BranchPoints,
-        }
-    }
-}
 
 /// Top from its numbers.
 ///
@@ -62,19 +42,19 @@ pub fn top(numbers: &TopNumbers) -> Result<Top, ParameterError> {
 ///
 /// # Errors
 /// The errors of [`State::release`], [`State::new`], [`Motion::launch`] and [`Motion::from_branch_points`].
-pub fn motion(top: &Top, kind: Kind, numbers: &MotionNumbers) -> Result<Motion, ParameterError> {
+pub fn motion(top: &Top, kind: u32, numbers: &MotionNumbers) -> Result<Motion, ParameterError> {
     let [a, b, c, d, e, f, g, h] = *numbers;
     match kind {
-        Kind::Release => {
+        0 => {
             let (tilt, azimuth, roll) = (tilt(a), angle(e), angle(f));
             let release = Release { tilt, azimuth, roll, spin: b, precession: c, nutation: d };
             Motion::launch(top, &State::release(&release)?)
         }
-        Kind::State => {
+        1 => {
             let phi = Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) };
             Motion::launch(top, &State::new(phi, [e, f, g])?)
         }
-        Kind::BranchPoints => {
+        _ => {
             let signs = Signs { l_plus_n: Sign::new(d), l_minus_n: Sign::new(e) };
             let start = InitialPhases { theta: f, arg_alpha: g, arg_beta: h };
             Motion::from_branch_points(top, [a, b, c], signs, &start)
@@ -83,7 +63,6 @@ pub fn motion(top: &Top, kind: Kind, numbers: &MotionNumbers) -> Result<Motion, 
 }
 
 /// Tilt in rad from degrees. 180, and no other number, becomes the π that means exactly downward.
-#[must_use]
 pub fn tilt(degrees: f64) -> f64 {
     if degrees < 180.0 {
         degrees.to_radians().min(PI.next_down())
@@ -96,7 +75,6 @@ pub fn tilt(degrees: f64) -> f64 {
 
 /// Azimuth or roll in rad from degrees. Only half of either enters a state, so that two whole turns, dropped exactly,
 /// change nothing.
-#[must_use]
 pub fn angle(degrees: f64) -> f64 {
     (degrees % 720.0).to_radians()
 }

@@ -9,7 +9,6 @@ use toytop::{
 use toytop_closed_forms::Aperiodic;
 
 /// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
-#[derive(Debug)]
 pub struct Table {
     memory: EphemerisMemory<Ephemeris<f64, 4096>>,
     method: Method,
@@ -19,7 +18,6 @@ pub struct Table {
 }
 
 /// Method that answers for a motion. The tag of the first variant is 0, so that a table before its first motion takes no space in a file.
-#[derive(Debug)]
 #[repr(u8)]
 #[allow(clippy::large_enum_variant)] // there is no heap, and one table
 enum Method {
@@ -63,7 +61,6 @@ impl Table {
     }
 
     /// Orientation and tip at t, with t taken as exact; the identity before the first motion.
-    #[must_use]
     pub fn at(&self, t: f64) -> (Orientation<f64>, Complex<f64>) {
         match (&self.method, self.memory.get()) {
             (Method::ClosedForm(form), _) => {
@@ -79,7 +76,6 @@ impl Table {
     }
 
     /// Bound on the orientation error at t = 0, rad, and its growth, rad per unit time.
-    #[must_use]
     pub fn error_bound(&self) -> [f64; 2] {
         match (&self.method, self.memory.get()) {
             (Method::ClosedForm(form), _) => [form.error_bound(), GROWTH * self.ticks],
@@ -93,21 +89,18 @@ impl Table {
 }
 
 /// Moment t after t = 0, with t taken as exact.
-#[must_use]
 pub fn moment_at(table: &Table, t: f64) -> Moment {
     let (orientation, tip) = table.at(t);
     moment(&orientation, tip)
 }
 
 /// Numbers of a moment.
-#[must_use]
 pub fn moment(orientation: &Orientation<f64>, tip: Complex<f64>) -> Moment {
     let (Orientation { alpha, beta }, [x, y, z]) = (orientation, orientation.axis());
     [alpha.re, alpha.im, beta.re, beta.im, orientation.clamped_u(), x, y, z, tip.re, tip.im]
 }
 
 /// Ticks in a unit of time, a power of two: at least a thousand in a period, and more than one in a turn.
-#[must_use]
 pub fn ticks_per_time(motion: &Motion) -> f64 {
     /// A [`Tick`] has 32 bits on both sides.
     const MOST: f64 = (1_u32 << 31) as f64;

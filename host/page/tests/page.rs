@@ -4,16 +4,18 @@ use toytop::scalar::Float;
 use toytop::{EphemerisF64, Motion, Pose, Release, State, Stepper, Support};
 use toytop_page::constants::{self, CONSTANTS, MotionConstants};
 use toytop_page::ghost::{Ghost, MOST_STEPS};
-use toytop_page::scenario::{self, Kind};
+use toytop_page::scenario;
 use toytop_page::table::{Table, moment_at, tick};
 
 /// The toy top of the README: support, A, C, s, M, p, g.
 const TOY_TOP: [f64; 8] = [0.0, 3.0e-5, 2.0e-5, 0.03, 0.05, 0.0, 9.81, 0.0];
+/// Kind of a motion that is a release.
+const RELEASE: u32 = 0;
 /// Tilt, spin, precession, nutation, azimuth, roll.
 const THROW: [f64; 8] = [20.0, 150.0, 4.0, -3.0, 50.0, 70.0, 0.0, 0.0];
 
 fn thrown() -> Motion {
-    scenario::motion(&scenario::top(&TOY_TOP).unwrap(), Kind::Release, &THROW).unwrap()
+    scenario::motion(&scenario::top(&TOY_TOP).unwrap(), RELEASE, &THROW).unwrap()
 }
 
 fn constant(motion: &Motion, name: &str) -> f64 {
@@ -45,9 +47,8 @@ fn numbers_make_the_motion_that_names_make() {
     assert_eq!(thrown(), Motion::launch(&top, &state).unwrap());
     let ([alpha, beta], omega) = ([state.orientation().alpha, state.orientation().beta], state.omega());
     let numbers = [alpha.re, alpha.im, beta.re, beta.im, omega[0], omega[1], omega[2], 0.0];
-    assert_eq!(scenario::motion(&top, Kind::State, &numbers).unwrap(), thrown());
-    let of_roots =
-        scenario::motion(&top, Kind::BranchPoints, &[0.5, 0.75, 2.0, 1.0, -1.0, 0.0, 0.0, 0.0]).unwrap();
+    assert_eq!(scenario::motion(&top, 1, &numbers).unwrap(), thrown());
+    let of_roots = scenario::motion(&top, 2, &[0.5, 0.75, 2.0, 1.0, -1.0, 0.0, 0.0, 0.0]).unwrap();
     assert_eq!(["e1", "e2", "e3"].map(|name| constant(&of_roots, name)), [0.5, 0.75, 2.0]);
     assert!(constant(&of_roots, "l").abs() < constant(&of_roots, "n").abs());
 }
@@ -73,7 +74,7 @@ fn angles_and_rates_at_the_start_are_those_of_the_throw() {
 #[test]
 fn a_free_body_has_its_angular_momentum() {
     let top = scenario::top(&[2.0, 3.0e-5, 2.0e-5, 0.0, 0.0, 0.0, 9.81, 1.0e-3]).unwrap();
-    let motion = scenario::motion(&top, Kind::Release, &THROW).unwrap();
+    let motion = scenario::motion(&top, RELEASE, &THROW).unwrap();
     let state = Stepper::<f64>::new(&motion).attitude_state();
     let (r, omega) = (state.axis(), state.omega());
     let axial = -1.0e-5 * 150.0 + 1.0e-3;
@@ -89,7 +90,7 @@ fn a_free_body_has_its_angular_momentum() {
 #[test]
 fn a_pendulum_does_not_precess() {
     let top = scenario::top(&[1.0, 3.0e-5, 0.0, 0.0, 0.0, 0.0015, 9.81, 0.0]).unwrap();
-    let motion = scenario::motion(&top, Kind::Release, &[170.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).unwrap();
+    let motion = scenario::motion(&top, RELEASE, &[170.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).unwrap();
     for name in ["alpha_turns", "beta_turns", "phi_per_period"] {
         assert_eq!(constant(&motion, name), 0.0, "{name}");
         assert!(constant(&thrown(), name) != 0.0, "{name}");
@@ -102,7 +103,7 @@ fn what_is_no_motion_is_refused_by_its_name() {
     let refused = |i: usize, x: f64| {
         let mut numbers = THROW;
         numbers[i] = x;
-        scenario::motion(&top, Kind::Release, &numbers).unwrap_err().parameter()
+        scenario::motion(&top, RELEASE, &numbers).unwrap_err().parameter()
     };
     assert_eq!(
         [refused(0, 180.1), refused(0, -1.0), refused(1, f64::NAN), refused(2, 1e12)],

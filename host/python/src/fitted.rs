@@ -98,7 +98,7 @@ impl Fitted {
         let motion = match (core.reason, report.scenario(None)) {
             (Some(reason), _) => Err(format!("must be that of a fit that has converged: {reason}")),
             (None, Err(failure)) => Err(failure.to_string()),
-            (None, Ok((text, _))) => Ok(Py::new(py, PyMotion::parsed("fitted", &text)?)?),
+            (None, Ok(text)) => Ok(Py::new(py, PyMotion::parsed("fitted", &text)?)?),
         };
         let numbers = |numbers: &[f64]| array(py, numbers.to_vec(), &[numbers.len()], 1).map(Bound::unbind);
         let all = core.deviations();

@@ -7,7 +7,8 @@ use std::path::PathBuf;
 use toytop::Motion;
 use toytop_host::Failure;
 use toytop_host::pictures::curve::{Circle, Curve};
-use toytop_host::pictures::view::{self, Start};
+use toytop_host::input::scenario::ScenarioFile;
+use toytop_host::pictures::view;
 
 /// Page that shows a top in motion. A notebook draws it where it ends a cell.
 #[pyclass(module = "toytop", frozen)]
@@ -46,7 +47,7 @@ impl Page {
 /// # Errors
 /// [`Failure::Method`]: no table fits the motion.
 pub(crate) fn live(scenario: &str) -> Result<Page, Failure> {
-    Ok(Page { html: view::page(&Start::parse("A spinning top", scenario)?)? })
+    Ok(Page { html: view::page(&ScenarioFile::parse("A spinning top", scenario)?)? })
 }
 
 /// Width and height of the picture of the tip's curve, pixels.

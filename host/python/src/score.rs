@@ -96,7 +96,7 @@ pub(crate) fn score(
         let rows = (0..count).map(row).collect::<Result<_, Failure>>()?;
         let trajectory =
             Trajectory { name: "result".into(), method: None, step: None, evaluations: None, rows };
-        Judge::new(&scenario)?.score(&trajectory)
+        Judge::new(&scenario, "motion.at(times[0])")?.score(&trajectory)
     })?;
     let score = score.map_err(|failure| failed(&failure))?;
     let drift = score.drift.integrals.map(|[l, n, h]| [Some(l), Some(n), Some(h)]).unwrap_or_default();
@@ -115,7 +115,7 @@ pub(crate) fn score(
         drift_n,
         norm_error: score.norm_error,
         truth_bound: score.truth_bound,
-        doubt: score.doubt.map(|doubt| doubt.question("motion.at(times[0])")),
+        doubt: score.doubt,
     })
 }
 

@@ -14,8 +14,7 @@ use toytop_host::fit::sensors::{Body, Sensors};
 
 /// Lengths of a top's body that sensors need.
 fn body(top: &TopDefinition) -> Body {
-    let height = top.parameters.com_height;
-    Body::of(&top.top, (height != 0.0).then_some(height))
+    Body::of(&top.top, top.parameters.com_height)
 }
 
 /// Sensors of a mapping, of a file, or those of a telephone.

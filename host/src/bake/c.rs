@@ -13,14 +13,12 @@ use toytop::{Clock, ErrorBound};
 use shared::{SHARED_HEADER, SHARED_SOURCE, header as shared_header, source as shared_source};
 
 /// Text of a header that needs no other file. If one file includes several headers, the code that they share is compiled once.
-#[must_use]
 pub fn header(label: &Label, parts: &Parts) -> String {
     let evaluators = shared::inlined(parts.scalar);
     guarded(label, parts, &format!("{evaluators}\n{}", table(label, parts, "static const")))
 }
 
 /// Names and texts of the files that all tables share, and of the header and the source of a table.
-#[must_use]
 pub fn split_files(label: &Label, parts: &Parts) -> Vec<(String, String)> {
     let name = label.c_name();
     vec![

@@ -5,7 +5,6 @@ use crate::motion::Scalar;
 use toytop::{Clock, ErrorBound, TipClock};
 
 /// Text of the module. Numbers are printed by Rust, which reads back the same bits.
-#[must_use]
 pub fn module(label: &Label, parts: &Parts) -> String {
     let name = label.identifier().to_uppercase();
     let [segments, _] = parts.size;

@@ -1,31 +1,32 @@
 //! Problem of the catalogue, from its three files.
 
 use super::Files;
-use super::conventions::{Conventions, Quantity};
 use crate::Failure;
 use crate::input::scenario::Scenario;
+use crate::motion::propagate::Sample;
 use serde::Deserialize;
-use toytop::Stepper;
+use toytop::{Orientation, Stepper};
 
 /// Motion with its source, conventions and reference values.
-#[derive(Clone, Debug)]
-pub(crate) struct Problem {
+pub struct Problem {
     /// Scenario of the motion.
-    pub(crate) scenario: Scenario,
+    pub scenario: Scenario,
+    /// File of the scenario.
+    pub text: &'static str,
     /// Title of the problem.
-    pub(crate) title: String,
+    pub title: String,
     /// Paper or program that posed it.
-    pub(crate) source: String,
+    pub source: String,
     /// Body axes and length of its source.
-    pub(crate) conventions: Conventions,
+    pub conventions: Conventions,
     /// Length of a run, in the unit of time.
-    pub(crate) seconds: f64,
+    pub seconds: f64,
     /// Programs that use the problem, one sentence for each.
-    pub(crate) used_by: Vec<String>,
+    pub used_by: Vec<String>,
     /// Values that others printed.
-    pub(crate) printed: Vec<Printed>,
+    pub printed: Vec<Printed>,
     /// Values to 30 digits, at the source's times.
-    pub(crate) references: Vec<Reference>,
+    pub references: Vec<Reference>,
 }
 
 /// File that describes a problem.
@@ -42,17 +43,17 @@ struct Description {
 }
 
 /// Value that another program or paper printed.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Printed {
+pub struct Printed {
     /// Program or paper that printed it, and its method.
-    pub(crate) by: String,
+    pub by: String,
     /// Time, as text.
-    pub(crate) t: String,
-    /// Quantity of these numbers.
-    pub(crate) quantity: Quantity,
+    pub t: String,
+    /// Name of the quantity of these numbers: position, quaternion, omega_body, energy or u.
+    pub quantity: String,
     /// Numbers, in the source's conventions.
-    pub(crate) values: Vec<f64>,
+    pub values: Vec<f64>,
 }
 
 /// File of reference values.
@@ -62,8 +63,8 @@ struct References {
 }
 
 /// Values to 30 digits at one time, in the source's conventions.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-pub(crate) struct Reference {
+#[derive(Deserialize)]
+pub struct Reference {
     /// Time, as text.
     pub t: String,
     /// Position of the centre of mass relative to the tip.
@@ -75,48 +76,76 @@ pub(crate) struct Reference {
 }
 
 impl Problem {
-    pub(super) fn read((name, scenario, description, references): &Files) -> Result<Self, Failure> {
+    pub fn read((name, text, description, references): &Files) -> Result<Self, Failure> {
         let broken =
             |error: &dyn std::fmt::Display| Failure::Tool(format!("the catalogue's {name}: {error}"));
         let Description { title, source, conventions, seconds, used_by, printed } =
             toml::from_str(description).map_err(|error| broken(&error))?;
         let References { samples: references } =
             serde_json::from_str(references).map_err(|error| broken(&error))?;
-        let scenario = Scenario::parse(name, scenario)?;
-        Ok(Self { scenario, title, source, conventions, seconds, used_by, printed, references })
+        let scenario = Scenario::parse(name, text)?;
+        Ok(Self { scenario, text, title, source, conventions, seconds, used_by, printed, references })
     }
 
     /// Name of the problem on the command line.
-    #[must_use]
-    pub(crate) fn name(&self) -> &str {
+    pub fn name(&self) -> &str {
         &self.scenario.name
     }
 
     /// Greatest difference of the components of a printed value from the reference. A quaternion has the sign that is nearer to the
     /// reference. `None` if the catalogue has no reference for the value.
-    #[must_use]
-    pub(crate) fn off(&self, printed: &Printed) -> Option<f64> {
+    pub fn off(&self, printed: &Printed) -> Option<f64> {
         let there = self.references.iter().find(|reference| reference.t == printed.t);
         let digits = |texts: &[String]| texts.iter().filter_map(|text| text.parse().ok()).collect();
-        let reference = match printed.quantity {
-            Quantity::Energy => vec![self.scenario.motion.first_integrals().h],
-            Quantity::U => vec![Stepper::<f64>::new(&self.scenario.motion).u()],
-            Quantity::Position => digits(&there?.position),
-            Quantity::Quaternion => digits(&there?.quaternion),
-            Quantity::OmegaBody => digits(&there?.omega_body),
+        let reference = match &*printed.quantity {
+            "energy" => vec![self.scenario.motion.first_integrals().h],
+            "u" => vec![Stepper::<f64>::new(&self.scenario.motion).u()],
+            "position" => digits(&there?.position),
+            "quaternion" => digits(&there?.quaternion),
+            _ => digits(&there?.omega_body),
         };
         let distance = |sign: f64| {
             let pairs = reference.iter().zip(&printed.values);
             pairs.map(|(reference, value)| (sign * value - reference).abs()).fold(0.0, f64::max)
         };
         let off = distance(1.0);
-        Some(if printed.quantity == Quantity::Quaternion { off.min(distance(-1.0)) } else { off })
+        Some(if printed.quantity == "quaternion" { off.min(distance(-1.0)) } else { off })
+    }
+}
+
+/// Body axes and length of a source. The third fixed axis points up in all of them.
+#[derive(Clone, Copy, Deserialize)]
+pub struct Conventions {
+    /// Number of the body axis that points from the tip to the centre of mass: 2 or 3.
+    pub symmetry_axis: usize,
+    /// Distance from the tip to the centre of mass, in which positions are computed.
+    pub length: f64,
+}
+
+impl Conventions {
+    /// Rotation P that takes the source's body coordinates to those of the core, whose third axis is the axis of symmetry.
+    pub fn to_core(self) -> Orientation<f64> {
+        match self.symmetry_axis {
+            // a quarter turn about the first axis takes the second axis to the third
+            2 => Orientation::from_quaternion([1.0, 1.0, 0.0, 0.0]).normalised(),
+            _ => Orientation::IDENTITY,
+        }
+    }
+
+    /// Numbers of a sample of the core in the source's conventions: position of the centre of mass relative to the tip, quaternion w, x,
+    /// y, z from body to fixed axes, and angular velocity along the body axes.
+    pub fn values(&self, sample: &Sample) -> Vec<f64> {
+        let core = sample.orientation();
+        let orientation = core.compose(&self.to_core());
+        let position = core.axis().map(|x| self.length * x);
+        let omega = orientation.inverse().adjoint(sample.omega);
+        [&position[..], &orientation.quaternion(), &omega].concat()
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::benchmarks::{self, conventions::Quantity};
+    use crate::benchmarks;
 
     #[test]
     fn every_file_is_read_whole() {
@@ -135,10 +164,11 @@ mod tests {
                 assert_eq!(longest, Some(30), "{name}");
             }
             for printed in &problem.printed {
-                let components = match printed.quantity {
-                    Quantity::Position | Quantity::OmegaBody => 3,
-                    Quantity::Quaternion => 4,
-                    Quantity::Energy | Quantity::U => 1,
+                let components = match &*printed.quantity {
+                    "position" | "omega_body" => 3,
+                    "quaternion" => 4,
+                    "energy" | "u" => 1,
+                    other => panic!("{name}: {other}"),
                 };
                 assert_eq!(printed.values.len(), components, "{name}");
                 assert!(

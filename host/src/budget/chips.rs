@@ -4,7 +4,6 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Processor core with its Rust target and QEMU machine.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Chip {
     /// Name on the command line and in `firmware-examples/budgets.toml`.
     pub name: &'static str,
@@ -76,7 +75,6 @@ pub const RISCV: Chip = Chip {
 
 impl Chip {
     /// Command that runs an ELF to its end: no input, and the semihosting of the host. Both outputs are piped.
-    #[must_use]
     pub fn qemu(&self, elf: &Path) -> Command {
         let mut command = Command::new(self.emulator);
         command

@@ -7,25 +7,25 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Costs of all launches of one scalar with one result on one chip.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct CorpusCost {
-    pub(super) chip: &'static str,
-    pub(super) scalar: String,
+pub struct CorpusCost {
+    pub chip: &'static str,
+    pub scalar: String,
     /// Result of the launches, `ready` or `refused`.
-    pub(super) result: String,
-    /// Instructions of each launch, motion and table together, in ascending order.
-    pub(super) launches: Vec<u64>,
-    /// Instructions of the longest slice of the launch or of the table's set-up.
-    slice: u64,
-    /// Modelled cycles per instruction, equal to those of the call `launch`; `None` where the chip has no model.
-    cycles_per_instruction: Option<f64>,
+    pub result: String,
+    /// Number of launches.
+    pub launches: usize,
+    /// Median and greatest number of instructions of a launch, motion and table together.
+    instructions: [u64; 2],
+    /// Modelled cycles of the median and of the greatest launch, and of the longest slice of the launch or of the table's set-up, in
+    /// proportion to those of the call `launch`; `None` where the chip has no model.
+    pub cycles: [Option<u64>; 3],
 }
 
 /// Costs of the launches of an ELF on an emulated chip.
 ///
 /// # Errors
 /// [`Failure::Tool`]: there is no QEMU, the program did not end with exit code 0, or a line of its output cannot be read.
-pub(crate) fn corpus(chip: &'static Chip, elf: &Path, limits: &Limits) -> Result<Vec<CorpusCost>, Failure> {
+pub fn corpus(chip: &'static Chip, elf: &Path, limits: &Limits) -> Result<Vec<CorpusCost>, Failure> {
     let fail = |what: String| Failure::Tool(format!("budget: {}: {what}", chip.name));
     let ended = chip
         .qemu(elf)
@@ -38,7 +38,7 @@ pub(crate) fn corpus(chip: &'static Chip, elf: &Path, limits: &Limits) -> Result
     }
     let text = String::from_utf8_lossy(&ended.stdout);
     let ratio = limits.of(chip.name, "launch").and_then(|cost| Some((cost.cycles?, cost.instructions)));
-    let cycles_per_instruction = ratio.map(|(cycles, instructions)| cycles as f64 / instructions as f64);
+    let ratio = ratio.map(|(cycles, instructions)| cycles as f64 / instructions as f64);
     let mut groups: BTreeMap<(String, String), (Vec<u64>, u64)> = BTreeMap::new();
     for line in text.lines() {
         let (key, [motion, table, slice]) =
@@ -49,7 +49,10 @@ pub(crate) fn corpus(chip: &'static Chip, elf: &Path, limits: &Limits) -> Result
     }
     let cost = |((scalar, result), (mut launches, slice)): (_, (Vec<u64>, u64))| {
         launches.sort_unstable();
-        CorpusCost { chip: chip.name, scalar, result, launches, slice, cycles_per_instruction }
+        let launch = |place: usize| launches.get(place).copied().unwrap_or_default();
+        let instructions @ [median, greatest] = [launch(launches.len() / 2), launch(launches.len() - 1)];
+        let cycles = [median, greatest, slice].map(|count| Some((ratio? * count as f64).round() as u64));
+        CorpusCost { chip: chip.name, scalar, result, launches: launches.len(), instructions, cycles }
     };
     Ok(groups.into_iter().map(cost).collect())
 }
@@ -65,29 +68,14 @@ fn parsed(line: &str) -> Option<((String, String), [u64; 3])> {
 }
 
 impl CorpusCost {
-    /// Median and greatest number of instructions of a launch.
-    fn median_and_greatest(&self) -> [u64; 2] {
-        let median = self.launches.get(self.launches.len() / 2).copied().unwrap_or_default();
-        [median, self.launches.last().copied().unwrap_or_default()]
-    }
-
-    /// Modelled cycles of the median and of the greatest launch, and of the longest slice; `None` without a model of the chip.
-    pub(super) fn modelled_cycles(&self) -> [Option<u64>; 3] {
-        let [median, greatest] = self.median_and_greatest();
-        let cycles =
-            |instructions: u64| Some((self.cycles_per_instruction? * instructions as f64).round() as u64);
-        [median, greatest, self.slice].map(cycles)
-    }
-
     /// Median and greatest, as a row of output.
-    #[must_use]
-    pub(crate) fn record(&self) -> Record {
-        let ([median, greatest], cycles) = (self.median_and_greatest(), self.modelled_cycles());
+    pub fn record(&self) -> Record {
+        let Self { instructions: [median, greatest], cycles, .. } = *self;
         Record::default()
             .with("chip", self.chip)
             .with("scalar", &*self.scalar)
             .with("result", &*self.result)
-            .with("launches", self.launches.len() as u64)
+            .with("launches", self.launches)
             .with("median_instructions", median)
             .with("greatest_instructions", greatest)
             .with("median_cycles_model", cycles[0])

@@ -6,7 +6,6 @@ use std::fs;
 use std::path::Path;
 
 /// Symbol of a function.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Function {
     /// Name of the symbol.
     pub name: String,
@@ -17,22 +16,17 @@ pub struct Function {
 }
 
 /// Functions and code of an ELF.
-#[derive(Clone, Debug)]
 pub struct Image {
     /// Functions in the order of their addresses, each with the first of its names.
     functions: Vec<Function>,
     code: Vec<(u64, Vec<u8>)>,
     /// Bytes of code and constants that the linker put into flash.
-    flash: u64,
+    pub flash: u64,
 }
 
-/// Whether sections of this kind are in flash; variables with an initial value are there too.
-fn is_in_flash(kind: SectionKind) -> bool {
-    matches!(
-        kind,
-        SectionKind::Text | SectionKind::ReadOnlyData | SectionKind::ReadOnlyString | SectionKind::Data
-    )
-}
+/// Kinds of section that are in flash; variables with an initial value are there too.
+const IN_FLASH: [SectionKind; 4] =
+    [SectionKind::Text, SectionKind::ReadOnlyData, SectionKind::ReadOnlyString, SectionKind::Data];
 
 impl Image {
     /// Reads an ELF.
@@ -62,18 +56,15 @@ impl Image {
             .map(|section| Ok((section.address(), section.data()?.to_vec())))
             .collect::<Result<_, object::Error>>()
             .map_err(|error| refuse(&error))?;
-        let flash =
-            file.sections().filter(|section| is_in_flash(section.kind())).map(|section| section.size()).sum();
+        let flash = file
+            .sections()
+            .filter(|section| IN_FLASH.contains(&section.kind()))
+            .map(|section| section.size())
+            .sum();
         Ok(Self { functions, code, flash })
     }
 
-    /// Bytes of flash, of code and constants.
-    pub(crate) fn flash(&self) -> u64 {
-        self.flash
-    }
-
     /// Function that contains an address.
-    #[must_use]
     pub fn around(&self, address: u64) -> Option<&Function> {
         let after = self.functions.partition_point(|function| function.address <= address);
         let function = self.functions.get(after.checked_sub(1)?)?;
@@ -81,7 +72,6 @@ impl Image {
     }
 
     /// Code between two addresses, if the ELF contains it.
-    #[must_use]
     pub fn code(&self, from: u64, to: u64) -> Option<&[u8]> {
         self.code.iter().find_map(|(start, bytes)| {
             let offset = |address: u64| usize::try_from(address.checked_sub(*start)?).ok();

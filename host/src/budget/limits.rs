@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Allowed costs, by the name of the chip.
-#[derive(Clone, Debug, Default, Deserialize, PartialEq, Eq)]
+#[derive(Debug, Deserialize, PartialEq)]
 pub struct Limits(pub BTreeMap<String, Costs>);
 
 /// Reciprocal of the share by which a limit exceeds the measured cost, so that another compiler causes no failure.
@@ -45,7 +45,6 @@ impl Limits {
     }
 
     /// Limits that exceed the measured costs by a twentieth.
-    #[must_use]
     pub fn around(mut measured: BTreeMap<String, Costs>) -> Self {
         let more = |figure: u64| figure + figure.div_ceil(SLACK);
         for Cost { instructions, cycles, stack, flash, ram: _ } in
@@ -62,7 +61,6 @@ impl Limits {
     }
 
     /// Text of the file.
-    #[must_use]
     pub fn to_toml(&self) -> String {
         let mut text = HEAD.to_owned();
         for (chip, costs) in &self.0 {
@@ -85,22 +83,19 @@ impl Limits {
     }
 
     /// Limit of a call on a chip.
-    #[must_use]
     pub fn of(&self, chip: &str, call: &str) -> Option<&Cost> {
         self.0.get(chip)?.get(call)
     }
 
     /// Greatest cost of the next tick, from a cursor to α, β, u and the tip in memory: modelled cycles, or instructions where the chip has
     /// no model. `None` where it was not measured.
-    #[must_use]
     pub fn next_tick(&self, scalar: &str, chip: &Chip) -> Option<u64> {
         let cost = self.of(chip.name, &format!("cursor_{scalar}"))?;
         Some(cost.cycles.unwrap_or(cost.instructions))
     }
 
     /// Line for each figure that is not within its limit, and for each call that has a measurement or a limit but not both.
-    #[must_use]
-    pub(crate) fn complaints(&self, chip: &str, measured: &Costs) -> Vec<String> {
+    pub fn complaints(&self, chip: &str, measured: &Costs) -> Vec<String> {
         let mut lines = Vec::new();
         let limits = self.0.get(chip).into_iter().flat_map(BTreeMap::keys);
         for call in limits.chain(measured.keys()).collect::<BTreeSet<_>>() {

@@ -1,6 +1,6 @@
 //! Cost of each call, from the log of a run.
 
-use super::instruction::{Decoder, Instruction};
+use super::model::{Decoder, Instruction};
 use super::trace::{self, Block};
 use super::{Chip, Image, Model};
 use crate::Failure;
@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::Path;
 
 /// Cost of the costliest of several calls.
-#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Cost {
     /// Exact number of instructions, from the first to the return.

@@ -11,10 +11,12 @@
 //! * an instruction that a condition skips takes as many cycles as if it were executed
 
 use super::Chip;
-use super::instruction::{Instruction, Kind, Registers};
+use capstone::arch::ArchDetail;
+use capstone::arch::arm::{ArchMode, ArmOperandType, ArmReg};
+use capstone::prelude::*;
 
 /// Processor with published timings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Model {
     /// Cortex-M0+ with the fast multiplier.
     M0Plus,
@@ -24,7 +26,6 @@ pub enum Model {
 
 impl Model {
     /// Model of a chip; `None` where no timings are published.
-    #[must_use]
     pub fn of(chip: &Chip) -> Option<Self> {
         match chip.name {
             "m0plus" => Some(Self::M0Plus),
@@ -34,7 +35,7 @@ impl Model {
     }
 
     /// Cycles of consecutive instructions.
-    pub(super) fn cycles(self, instructions: &[Instruction]) -> i64 {
+    pub fn cycles(self, instructions: &[Instruction]) -> i64 {
         let alone: i64 = instructions.iter().map(|instruction| self.alone(instruction)).sum();
         alone + instructions.windows(2).map(|pair| self.after(&pair[0], &pair[1])).sum::<i64>()
     }
@@ -58,25 +59,25 @@ impl Model {
     }
 
     /// Additional cycles, which may be negative, because of the instruction before it.
-    #[must_use]
     pub fn after(self, before: &Instruction, instruction: &Instruction) -> i64 {
         if self == Self::M0Plus {
             return 0;
         }
         let waits_for_float = match before.kind {
-            Kind::Float | Kind::FloatMultiplyAdd | Kind::FloatDivide => before.writes.meet(instruction.reads),
+            Kind::Float | Kind::FloatMultiplyAdd | Kind::FloatDivide => {
+                meet(before.writes, instruction.reads)
+            }
             _ => false,
         };
-        let waits_for_address = before.kind == Kind::Plain && before.writes.meet(instruction.addressing);
+        let waits_for_address = before.kind == Kind::Plain && meet(before.writes, instruction.addressing);
         let overlaps = matches!(before.kind, Kind::Load { .. })
             && matches!(instruction.kind, Kind::Load { .. } | Kind::Store { indexed: true })
-            && !before.writes.meet(Registers::PC)
-            && !before.writes.meet(instruction.addressing);
+            && !meet(before.writes, PC)
+            && !meet(before.writes, instruction.addressing);
         i64::from(waits_for_float) + i64::from(waits_for_address) - i64::from(overlaps)
     }
 
     /// Additional cycles of a jump to an instruction other than the next one.
-    #[must_use]
     pub fn jump(self, instruction: &Instruction, target: Option<&Instruction>) -> i64 {
         match (self, instruction.kind) {
             (Self::M0Plus, Kind::Call | Kind::Several { .. }) => 2,
@@ -91,9 +92,164 @@ impl Model {
     }
 }
 
+/// Set of registers, as bits at the numbers that Capstone gives them.
+type Registers = u128;
+
+/// Program counter.
+const PC: Registers = 1 << ArmReg::ARM_REG_PC;
+
+fn set(registers: &[RegId]) -> Registers {
+    registers.iter().fold(0, |set, register| set | 1 << register.0)
+}
+
+/// Whether two sets have a register in common.
+fn meet(a: Registers, b: Registers) -> bool {
+    a & b != 0
+}
+
+/// Class of an instruction by its cycles.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// Data processing, multiplication included.
+    Plain,
+    /// IT.
+    IfThen,
+    /// SDIV, UDIV.
+    Divide,
+    /// Barrier, or access to a special register.
+    System,
+    /// Load of one word or less; `indexed` if a register is added to the address.
+    Load { indexed: bool },
+    /// Store of one word or less; `indexed` if a register is added to the address.
+    Store { indexed: bool },
+    /// Transfer of this many words: LDM, STM, LDRD, STRD, PUSH, POP, VLDM, VSTM.
+    Several { words: u32 },
+    /// VADD, VMUL, VCVT and others, whose result is not ready for the next instruction.
+    Float,
+    /// VMLA, VFMA and others.
+    FloatMultiplyAdd,
+    /// VDIV, VSQRT.
+    FloatDivide,
+    /// VMOV, VCMP, VNEG and others; `two` if two core registers are moved.
+    FloatMove { two: bool },
+    /// VLDR.
+    FloatLoad { words: u32 },
+    /// VSTR.
+    FloatStore { words: u32 },
+    /// B to an address in the instruction.
+    Branch,
+    /// BL to an address in the instruction.
+    Call,
+    /// B with a condition, CBZ, CBNZ.
+    Conditional,
+    /// BX, BLX.
+    ToRegister,
+    /// TBB, TBH.
+    Table,
+}
+
+/// Decoded instruction.
+#[derive(Clone, Copy)]
+pub struct Instruction {
+    /// Class by its cycles.
+    pub kind: Kind,
+    /// Registers that it reads.
+    pub reads: Registers,
+    /// Registers that it writes.
+    pub writes: Registers,
+    /// Registers that it computes an address from.
+    pub addressing: Registers,
+    /// Whether it has four bytes at an address that is no multiple of four, which makes a jump to it slow.
+    pub straddles: bool,
+}
+
+/// Decoder of Thumb code.
+pub struct Decoder(Capstone);
+
+impl Decoder {
+    /// Decoder for every Cortex-M.
+    ///
+    /// # Errors
+    /// The errors of Capstone.
+    pub fn new() -> Result<Self, capstone::Error> {
+        let builder = Capstone::new().arm().mode(ArchMode::Thumb);
+        let extra = std::iter::once(capstone::arch::arm::ArchExtraMode::MClass);
+        Ok(Self(builder.extra_mode(extra).detail(true).build()?))
+    }
+
+    /// Instructions of a piece of code, up to the first that cannot be decoded.
+    ///
+    /// # Errors
+    /// The errors of Capstone.
+    pub fn decode(&self, code: &[u8], address: u64) -> Result<Vec<Instruction>, capstone::Error> {
+        let decoded = self.0.disasm_all(code, address)?;
+        decoded.iter().map(|instruction| self.facts(instruction)).collect()
+    }
+
+    fn facts(&self, instruction: &capstone::Insn) -> Result<Instruction, capstone::Error> {
+        let detail = self.0.insn_detail(instruction)?;
+        let mut operands = Vec::new();
+        let mut addressing = Vec::new();
+        let ArchDetail::ArmDetail(arm) = detail.arch_detail();
+        for operand in arm.operands() {
+            match operand.op_type {
+                ArmOperandType::Reg(register) => operands.extend(self.0.reg_name(register)),
+                ArmOperandType::Mem(memory) => addressing.extend([memory.base(), memory.index()]),
+                _ => {}
+            }
+        }
+        // the number 0 is no register
+        addressing.retain(|register| register.0 != 0);
+        let mnemonic = instruction.mnemonic().unwrap_or_default();
+        Ok(Instruction {
+            kind: kind(mnemonic, &operands, addressing.len() > 1),
+            reads: set(detail.regs_read()),
+            writes: set(detail.regs_write()),
+            addressing: set(&addressing),
+            straddles: instruction.len() == 4 && !instruction.address().is_multiple_of(4),
+        })
+    }
+}
+
+/// Class of an instruction by its name without width, condition and data types.
+fn kind(mnemonic: &str, operands: &[String], indexed: bool) -> Kind {
+    let name = mnemonic.split('.').next().unwrap_or_default();
+    let of = |prefixes: &[&str]| prefixes.iter().any(|prefix| name.starts_with(prefix));
+    let words = |names: &[String]| names.iter().map(|name| if name.starts_with('d') { 2 } else { 1 }).sum();
+    match name {
+        "b" => Kind::Branch,
+        "bl" => Kind::Call,
+        "bx" | "blx" | "bxns" | "blxns" => Kind::ToRegister,
+        "cbz" | "cbnz" => Kind::Conditional,
+        "tbb" | "tbh" => Kind::Table,
+        "push" | "pop" => Kind::Several { words: words(operands) },
+        "dmb" | "dsb" | "isb" | "mrs" | "msr" | "cpsie" | "cpsid" | "svc" | "bkpt" => Kind::System,
+        _ if name.len() == 3 && name.starts_with('b') && name != "bic" && name != "bfi" && name != "bfc" => {
+            Kind::Conditional
+        }
+        _ if name.starts_with("it") => Kind::IfThen,
+        _ if of(&["vldr"]) => Kind::FloatLoad { words: words(operands) },
+        _ if of(&["vstr"]) => Kind::FloatStore { words: words(operands) },
+        _ if of(&["vpush", "vpop"]) => Kind::Several { words: words(operands) },
+        _ if of(&["vldm", "vstm"]) => Kind::Several { words: words(operands.get(1..).unwrap_or_default()) },
+        _ if of(&["vmla", "vmls", "vnmla", "vnmls", "vfma", "vfms", "vfnma", "vfnms"]) => {
+            Kind::FloatMultiplyAdd
+        }
+        _ if of(&["vdiv", "vsqrt"]) => Kind::FloatDivide,
+        _ if of(&["vadd", "vsub", "vmul", "vnmul", "vcvt", "vrint"]) => Kind::Float,
+        _ if name.starts_with('v') => Kind::FloatMove { two: operands.len() > 2 },
+        _ if of(&["ldrd", "strd"]) => Kind::Several { words: 2 },
+        _ if of(&["ldm", "stm"]) => Kind::Several { words: words(operands.get(1..).unwrap_or_default()) },
+        _ if of(&["ldr"]) => Kind::Load { indexed },
+        _ if of(&["str"]) => Kind::Store { indexed },
+        _ if of(&["sdiv", "udiv"]) => Kind::Divide,
+        _ => Kind::Plain,
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::super::instruction::Decoder;
+    use super::Decoder;
     use super::*;
 
     /// Cycles of a piece of Thumb code that runs from top to bottom and returns.

@@ -14,7 +14,7 @@ pub const OF_LIMITS: [Part<Limits>; 2] =
     [(COSTS, "toytop budget: calls", calls), (FRONT_PAGE, "toytop budget: front page", front_page)];
 
 /// Parts of pages that have costs of many launches.
-pub(crate) const OF_CORPUS: [Part<[CorpusCost]>; 2] = [
+pub const OF_CORPUS: [Part<[CorpusCost]>; 2] = [
     (COSTS, "toytop budget: launches", launches),
     (FRONT_PAGE, "toytop budget: median launch", median_launch),
 ];
@@ -106,9 +106,9 @@ fn launches(costs: &[CorpusCost]) -> String {
         "cycles of the longest slice",
     ];
     let rows = costs.iter().map(|cost| {
-        let CorpusCost { chip, scalar, result, launches, .. } = cost;
-        let words = [(*chip).to_owned(), scalar.clone(), result.clone(), launches.len().to_string()];
-        words.into_iter().chain(cost.modelled_cycles().map(cell)).collect()
+        let CorpusCost { chip, scalar, result, launches, cycles, .. } = cost;
+        let words = [(*chip).to_owned(), scalar.clone(), result.clone(), launches.to_string()];
+        words.into_iter().chain(cycles.map(cell)).collect()
     });
     table(&header, rows)
 }
@@ -117,8 +117,8 @@ fn launches(costs: &[CorpusCost]) -> String {
 fn median_launch(costs: &[CorpusCost]) -> String {
     let of_chip = |cost: &&CorpusCost| cost.chip == "m4f" && cost.scalar == "f32" && cost.result == "ready";
     let Some(cost) = costs.iter().find(of_chip) else { return String::new() };
-    let [median, greatest, slice] = cost.modelled_cycles().map(|figure| grouped(&cell(figure)));
-    let launches = cost.launches.len();
+    let [median, greatest, slice] = cost.cycles.map(|figure| grouped(&cell(figure)));
+    let launches = cost.launches;
     format!(
         "Set-up of {launches} [very different launches](host/docs/costs.md#set-up-of-200-launches): median {median} cycles, worst {greatest}, other work at \
          least every {slice}.\n"

@@ -14,21 +14,21 @@ use std::time::{Duration, Instant};
 const LONGEST_RUN: Duration = Duration::from_secs(120);
 
 /// Consecutive instructions.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub(super) struct Block {
+#[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub struct Block {
     /// Address of the first instruction.
-    pub(super) start: u64,
+    pub start: u64,
     /// Address after the last instruction.
-    pub(super) end: u64,
+    pub end: u64,
     /// Number of instructions.
-    pub(super) count: u64,
+    pub count: u64,
 }
 
 /// Output of an ELF that QEMU runs. `executed` is called for every executed block.
 ///
 /// # Errors
 /// [`Failure::Tool`]: there is no QEMU, the program did not end in time and with exit code 0, or the log cannot be read.
-pub(super) fn run(
+pub fn run(
     chip: &Chip,
     elf: &Path,
     executed: impl FnMut(Block) -> Result<(), Failure>,
@@ -61,7 +61,7 @@ pub(super) fn run(
 }
 
 /// Reader of the log, line by line.
-#[derive(Debug, Default)]
+#[derive(Default)]
 struct Reader {
     /// Blocks that were translated and not yet executed, by start address.
     fresh: HashMap<u64, Block>,
@@ -75,60 +75,59 @@ struct Reader {
 impl Reader {
     fn read(
         &mut self,
-        mut log: impl BufRead,
+        log: impl BufRead,
         mut executed: impl FnMut(Block) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
         let started = Instant::now();
-        let mut line = Vec::with_capacity(256);
         // a block is counted when the next begins, because QEMU may cancel it
         let mut begun = None;
-        loop {
-            line.clear();
-            let end = log.read_until(b'\n', &mut line)? == 0;
-            if end || line.starts_with(b"Trace ") {
-                if let Some(block) = begun {
-                    executed(block)?;
-                }
-                if end {
-                    return Ok(());
-                }
-                begun = Some(self.begun(&line).ok_or_else(|| unknown(&line))?);
-            } else if line.starts_with(b"Stopped execution of TB") {
+        for line in log.lines() {
+            let line = line?;
+            let unknown = || Failure::Tool(format!("budget: QEMU's log is not as expected: {line}"));
+            if line.starts_with("Trace ") {
+                begun.take().map_or(Ok(()), &mut executed)?;
+                begun = Some(self.begun(&line).ok_or_else(unknown)?);
+            } else if line.starts_with("Stopped execution of TB") {
                 begun = None;
-            } else if line.starts_with(b"0x") {
-                self.list(&line).ok_or_else(|| unknown(&line))?;
+            } else if let Some(listed) = line.strip_prefix("0x") {
+                self.list(listed).ok_or_else(unknown)?;
             } else if self.remarks.len() < 20
-                && !(line.starts_with(b"----") || line.starts_with(b"IN:") || line == b"\n")
+                && !(line.starts_with("----") || line.starts_with("IN:") || line.is_empty())
             {
-                self.remarks.push(String::from_utf8_lossy(&line).trim().to_owned());
+                self.remarks.push(line);
             }
             if started.elapsed() > LONGEST_RUN {
                 let limit = LONGEST_RUN.as_secs();
                 return Err(Failure::Tool(format!("budget: the firmware did not end within {limit} s")));
             }
         }
+        begun.map_or(Ok(()), executed)
     }
 
-    /// Reads an instruction of a block that is being translated, `0x00000404:  480e       ldr  r0, [pc, #0x38]`.
-    fn list(&mut self, line: &[u8]) -> Option<()> {
-        let (address, rest) = hexadecimal(&line[2..]);
-        let digits = rest.iter().skip(1).skip_while(|byte| **byte == b' ');
-        let length = code_length(&digits.copied().collect::<Vec<_>>())?;
+    /// Reads an instruction of a block that is being translated, `00000404:  480e       ldr  r0, [pc, #0x38]`. Its code is one or two
+    /// groups of digits.
+    fn list(&mut self, line: &str) -> Option<()> {
+        let (address, rest) = line.split_once(':')?;
+        let address = u64::from_str_radix(address, 16).ok()?;
+        let is_code = |group: &&str| {
+            matches!(group.len(), 4 | 8) && group.bytes().all(|digit| digit.is_ascii_hexdigit())
+        };
+        let digits: usize = rest.trim_start().split(' ').take_while(is_code).map(str::len).sum();
         if self.listed.end != address || self.listed.count == 0 {
             self.listed = Block { start: address, end: address, count: 0 };
         }
         self.listed.count += 1;
-        self.listed.end += length;
-        Some(())
+        self.listed.end += digits as u64 / 2;
+        (digits > 0).then_some(())
     }
 
     /// Block that begins, `Trace 0: 0x7fe810000100 [00800408/00000400/00000110/ff000200] Reset`: after the colon is the address of the
     /// translation, and the second number in brackets is the program counter.
-    fn begun(&mut self, line: &[u8]) -> Option<Block> {
-        let at = line.iter().position(|&byte| byte == b'x')?;
-        let (place, rest) = hexadecimal(&line[at + 1..]);
-        let at = rest.iter().position(|&byte| byte == b'/')?;
-        let (pc, _) = hexadecimal(&rest[at + 1..]);
+    fn begun(&mut self, line: &str) -> Option<Block> {
+        let (_, rest) = line.split_once("0x")?;
+        let (place, rest) = rest.split_once(' ')?;
+        let [place, pc] = [place, rest.split('/').nth(1)?].map(|text| u64::from_str_radix(text, 16));
+        let (place, pc) = (place.ok()?, pc.ok()?);
         let listed = std::mem::take(&mut self.listed);
         if listed.count > 0 {
             self.fresh.insert(listed.start, listed);
@@ -138,36 +137,6 @@ impl Reader {
         }
         self.translated.get(&place).filter(|block| block.start == pc).copied()
     }
-}
-
-fn unknown(line: &[u8]) -> Failure {
-    let line = String::from_utf8_lossy(line);
-    Failure::Tool(format!("budget: QEMU's log is not as expected: {}", line.trim()))
-}
-
-/// Hexadecimal number at the beginning of a text, and the rest.
-fn hexadecimal(text: &[u8]) -> (u64, &[u8]) {
-    let mut value = 0;
-    for (index, &byte) in text.iter().enumerate() {
-        match char::from(byte).to_digit(16) {
-            Some(digit) => value = value << 4 | u64::from(digit),
-            None => return (value, &text[index..]),
-        }
-    }
-    (value, &[])
-}
-
-/// Length of an instruction in bytes, from its groups of hexadecimal digits: `f017 fa94  bl ...`.
-fn code_length(text: &[u8]) -> Option<u64> {
-    let mut length = 0;
-    for group in text.split(|&byte| byte == b' ') {
-        let digits = group.len();
-        if !matches!(digits, 4 | 8) || !group.iter().all(u8::is_ascii_hexdigit) {
-            break;
-        }
-        length += digits as u64 / 2;
-    }
-    (length > 0).then_some(length)
 }
 
 #[cfg(test)]

@@ -1,13 +1,14 @@
 //! Values that several commands read: method, scalar, name of a file.
 
+use crate::input::finite;
 use crate::motion::Scalar;
 use crate::output::Format;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
 /// Method by which `state` reaches a time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Method {
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub enum Method {
     /// Ephemeris of the core: any time at the same cost
     Ephemeris,
     /// Stepper of the core
@@ -20,8 +21,7 @@ pub(crate) enum Method {
 
 impl Method {
     /// Name on the command line.
-    #[must_use]
-    pub(crate) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Ephemeris => "ephemeris",
             Self::Stepper => "stepper",
@@ -32,8 +32,8 @@ impl Method {
 }
 
 /// One scalar type, or all of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ScalarChoice {
+#[derive(Clone, PartialEq, ValueEnum)]
+pub enum ScalarChoice {
     /// Double precision
     F64,
     /// Single precision
@@ -48,8 +48,7 @@ pub(crate) enum ScalarChoice {
 
 impl ScalarChoice {
     /// Chosen types, each once, in the order of their declaration.
-    #[must_use]
-    pub(crate) fn chosen(choices: &[Self]) -> Vec<Scalar> {
+    pub fn chosen(choices: &[Self]) -> Vec<Scalar> {
         let types = [Self::F64, Self::F32, Self::Q31, Self::Q15].into_iter().zip(Scalar::ALL);
         let chosen = types.filter(|(choice, _)| choices.contains(choice) || choices.contains(&Self::All));
         chosen.map(|(_, scalar)| scalar).collect()
@@ -57,10 +56,10 @@ impl ScalarChoice {
 }
 
 /// Endings of a picture.
-pub(crate) const PICTURE: &str = ".svg or .png";
+pub const PICTURE: &str = ".svg or .png";
 
 /// Reader of the name of a file that has one of these endings.
-pub(crate) fn ending_in(allowed: &'static str) -> impl Fn(&str) -> Result<PathBuf, String> + Clone {
+pub fn ending_in(allowed: &'static str) -> impl Fn(&str) -> Result<PathBuf, String> + Clone {
     move |name| {
         let mut endings = allowed.split([',', ' ']).filter(|word| word.starts_with('.'));
         if endings.any(|ending| name.to_lowercase().ends_with(ending)) {
@@ -72,27 +71,26 @@ pub(crate) fn ending_in(allowed: &'static str) -> impl Fn(&str) -> Result<PathBu
 }
 
 /// Number above 0.
-pub(crate) fn positive(text: &str) -> Result<f64, &'static str> {
-    text.parse().ok().filter(|x| *x > 0.0 && f64::is_finite(*x)).ok_or("must be a number above 0")
+pub fn positive(text: &str) -> Result<f64, &'static str> {
+    finite(text).filter(|x| *x > 0.0).ok_or("must be a number above 0")
 }
 
 /// `toytop bench` and `toytop errata`
-#[derive(Args, Debug)]
-pub(crate) struct FormatArgs {
+#[derive(Args)]
+pub struct FormatArgs {
     /// Form of the output
     #[arg(long, default_value = "table")]
     pub format: Format,
 }
 
 /// Two times, LOW..HIGH, s.
-pub(crate) fn span(text: &str) -> Result<[f64; 2], &'static str> {
-    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
-    let ends = text.split_once("..").and_then(|(from, until)| Some([number(from)?, number(until)?]));
+pub fn span(text: &str) -> Result<[f64; 2], &'static str> {
+    let ends = text.split_once("..").and_then(|(from, until)| Some([finite(from)?, finite(until)?]));
     ends.filter(|[from, until]| from < until).ok_or("must be LOW..HIGH, two times in s")
 }
 
 /// Ticks, and seconds in which they are.
-pub(crate) fn hertz(text: &str) -> Result<[u32; 2], &'static str> {
+pub fn hertz(text: &str) -> Result<[u32; 2], &'static str> {
     let (ticks, seconds) = text.split_once('/').unwrap_or((text, "1"));
     let whole = |text: &str| text.parse::<u32>().ok().filter(|n| *n > 0);
     whole(ticks)

@@ -1,13 +1,17 @@
-//! Samples by column: a time for each row, and the readings of the sensors.
+//! Samples by column, and their CSV: a time for each row, and the readings of the sensors; an empty field means that there is no reading.
 
 use super::sensors::{KINDS, Sensors};
+use crate::Failure;
+use crate::input::finite;
+use crate::input::rows::{self, unread};
+use crate::output::{number, shown};
+use std::path::Path;
 use toytop_fit::Measurement;
 
 /// Share of a sensor's range that a reading may reach: data sheets and registers round it.
 const BEYOND: f64 = 1.01;
 
 /// Samples by column. NaN means that there is no reading.
-#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Columns {
     /// Time of each row, s.
     pub t: Vec<f64>,
@@ -16,7 +20,6 @@ pub struct Columns {
 }
 
 /// Row from which no measurements can be made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RefusedRow {
     /// Row, from 0.
     pub row: usize,
@@ -28,7 +31,6 @@ pub struct RefusedRow {
 
 impl Columns {
     /// Columns of measurements, those of one time in one row.
-    #[must_use]
     pub fn of(sensors: &Sensors, measurements: &[Measurement]) -> Self {
         let same = |a: &Measurement, b: &Measurement| a.time == b.time && a.sensor < b.sensor;
         let rows: Vec<_> = measurements.chunk_by(same).collect();
@@ -111,4 +113,73 @@ pub fn keep_present(sensors: &mut Sensors, has: impl Fn(&str) -> bool, all: bool
         return Err(format!("must have the columns of a sensor: {}", names.join("; ")));
     }
     Ok(())
+}
+
+/// Measurements of a file in the order of its rows, and the names of the columns that no sensor reads; the sensors without columns are
+/// removed.
+///
+/// * `all`: whether every sensor must have its columns
+///
+/// # Errors
+/// [`Failure::Input`]: the file cannot be read; no column `t`, or no sensor with all its columns; a field that is no
+/// finite number; a row that is incomplete for a sensor, beyond its range, or earlier than the one before.
+pub fn read(
+    path: &Path,
+    sensors: &mut Sensors,
+    all: bool,
+) -> Result<(Vec<Measurement>, Vec<String>), Failure> {
+    let file = path.display().to_string();
+    let text = rows::read(&file, path)?;
+    let refuse = |line: u64, reason: String| Failure::Input(format!("{file}: line {line}: {reason}"));
+    let mut reader = rows::reader(&text);
+    let header = reader.headers().map_err(|error| refuse(1, error.to_string()))?;
+    let header = rows::names(header).map_err(|reason| refuse(1, reason))?;
+    let place = |name: &str| header.iter().position(|column| column == name);
+    let time = place("t").ok_or_else(|| refuse(1, "must have a column t".to_owned()))?;
+    keep_present(sensors, |name| place(name).is_some(), all).map_err(|reason| refuse(1, reason))?;
+    let names = sensors.instruments.iter().flat_map(|instrument| instrument.kind.columns.iter().copied());
+    let mut columns = Columns { t: Vec::new(), readings: names.map(|name| (name, Vec::new())).collect() };
+    let places: Vec<_> = columns.readings.iter().filter_map(|(name, _)| place(name)).collect();
+    let used = |name: &&String| *name == "t" || columns.readings.iter().any(|(own, _)| own == name);
+    let unused: Vec<_> = header.iter().filter(|name| !used(name)).cloned().collect();
+    let mut lines = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|error| Failure::Input(format!("{file}: {}", unread(&error))))?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let value = |place: usize, name: &str| {
+            let field = record.get(place).unwrap_or_default();
+            finite(field).ok_or_else(|| {
+                refuse(line, format!("{name}: must be a finite number, not {:?}", shown(field)))
+            })
+        };
+        columns.t.push(value(time, "t")?);
+        for ((name, readings), place) in columns.readings.iter_mut().zip(&places) {
+            let empty = record.get(*place).unwrap_or_default().is_empty();
+            readings.push(if empty { f64::NAN } else { value(*place, name)? });
+        }
+        lines.push(line);
+    }
+    let measurements = columns
+        .measurements(sensors)
+        .map_err(|refused| refuse(lines[refused.row], format!("{}: {}", refused.column, refused.reason)))?;
+    Ok((measurements.into_iter().map(|(_, measurement)| measurement).collect(), unused))
+}
+
+/// Measurements as CSV, those of one time in one row.
+pub fn written(sensors: &Sensors, measurements: &[Measurement]) -> String {
+    let Columns { t, readings } = Columns::of(sensors, measurements);
+    let names = readings.iter().map(|(name, _)| *name);
+    let header: Vec<_> = std::iter::once("t").chain(names).collect();
+    let mut text = header.join(",") + "\n";
+    for (row, time) in t.iter().enumerate() {
+        text += &number(*time);
+        for (_, readings) in &readings {
+            text.push(',');
+            if !readings[row].is_nan() {
+                text += &number(readings[row]);
+            }
+        }
+        text.push('\n');
+    }
+    text
 }

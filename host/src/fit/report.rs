@@ -3,13 +3,13 @@
 #[cfg(feature = "program")]
 mod shown;
 
-use super::free::given;
 use super::launch::FitInput;
+use super::launch::given;
 use crate::Failure;
 use crate::output::{number, short};
 use toml::{Table, Value};
-use toytop::Motion;
 use toytop_fit::{Drift, Fitted, Measurement};
+use toytop_page::equations::dot;
 
 /// First integrals, and the units of their rates.
 const RATES: [(&str, &str); 3] = [("l", "N m"), ("n", "N m"), ("h", "W")];
@@ -28,7 +28,6 @@ pub struct FitReport {
 
 impl FitReport {
     /// Values of the free keys with their standard deviations.
-    #[must_use]
     pub fn freed(&self) -> Vec<(&str, f64, f64)> {
         let deviations = self.fitted.deviations();
         let values = self.fitted.launch.other_unknowns().iter().zip(&deviations[6..]);
@@ -41,7 +40,6 @@ impl FitReport {
     }
 
     /// Biases by sensor, with their standard deviations.
-    #[must_use]
     pub fn biases(&self) -> Vec<(&'static str, [f64; 3], [f64; 3])> {
         let deviations = self.fitted.deviations();
         let values = self.fitted.launch.other_unknowns();
@@ -59,17 +57,14 @@ impl FitReport {
     }
 
     /// Whether the launch follows from the samples. Without any value that was used it is that of the beginning.
-    #[must_use]
     pub fn has_launch(&self) -> bool {
         self.fitted.statistics.used > 0
     }
 
     /// Spin ω·r and tilt (rad), each with its standard deviation.
-    #[must_use]
     pub fn spin_and_tilt(&self) -> [(f64, f64); 2] {
         let launch = &self.fitted.launch;
         let (r, w) = (launch.orientation.axis(), launch.omega);
-        let dot = |x: [f64; 3], y: [f64; 3]| x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
         let deviation = |row: [f64; 6]| {
             let square: f64 = (0..6)
                 .map(|i| (0..6).map(|j| row[i] * self.fitted.covariance.get(i, j) * row[j]).sum::<f64>())
@@ -85,7 +80,6 @@ impl FitReport {
     }
 
     /// Names of the directions of the launch that the samples do not determine.
-    #[must_use]
     pub fn undetermined(&self) -> Vec<&'static str> {
         let found = self.fitted.unobservable;
         let mut names: Vec<&'static str> = [(found.yaw, "yaw"), (found.roll, "roll"), (found.spin, "spin")]
@@ -101,7 +95,6 @@ impl FitReport {
     /// Residuals of each measurement in standard deviations of the noise, after subtraction of the fitted bias. NaN stands for a
     /// component that the sensor does not have or that is at the end of its range, and for a measurement at a time at which
     /// the derivatives of the motion cannot be computed. All residuals are NaN if no top has the fitted numbers.
-    #[must_use]
     pub fn residuals(&self, measurements: &[Measurement]) -> Vec<[f64; 3]> {
         let Ok(sensitivity) = self.fitted.sensitivity(&self.input.top) else {
             return vec![[f64::NAN; 3]; measurements.len()];
@@ -126,9 +119,9 @@ impl FitReport {
     ///
     /// # Errors
     /// [`Failure::Input`]: no top has the fitted numbers.
-    pub fn scenario(&self, units: Option<&str>) -> Result<(String, Motion), Failure> {
+    pub fn scenario(&self, units: Option<&str>) -> Result<String, Failure> {
         let refuse = |error: toytop::ParameterError| Failure::Input(format!("the fitted top: {error}"));
-        let motion = self.fitted.motion(&self.input.top).map_err(refuse)?;
+        self.fitted.motion(&self.input.top).map_err(refuse)?;
         let state = self.fitted.state().map_err(refuse)?;
         let mut text =
             format!("# Fitted by `toytop fit`; t = 0 is t = {} of the samples.\n", number(self.fitted.epoch));
@@ -160,6 +153,6 @@ impl FitReport {
         if let Some(units) = units {
             root.insert("units".to_owned(), Value::from(units));
         }
-        Ok((format!("{text}\n{root}"), motion))
+        Ok(format!("{text}\n{root}"))
     }
 }

@@ -1,6 +1,7 @@
 //! Sensors of a recording: their noise, bias, range and mounting, from a TOML file.
 
 use crate::Failure;
+use crate::input::section::{self, Key, Section};
 use crate::output::{shown, whole_file};
 use std::path::Path;
 use toml::{Table, Value};
@@ -11,7 +12,7 @@ use toytop_fit::{
 };
 
 /// Kind of a sensor: its table in the file, and its columns in the samples.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Kind {
     /// Name of the table.
     pub name: &'static str,
@@ -21,7 +22,6 @@ pub struct Kind {
 
 impl Kind {
     /// Names of the residuals: the columns, and for an orientation x, y, z of the rotation vector.
-    #[must_use]
     pub fn residuals(&self) -> &'static [&'static str] {
         &self.columns[self.columns.len().saturating_sub(3)..]
     }
@@ -86,7 +86,7 @@ every = 10
 const REACHED: f64 = 0.999;
 
 /// Properties of a top's body that predictions of some sensors need.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Body {
     /// Scale of the tip's curve, m.
     pub tip_scale: f64,
@@ -97,20 +97,15 @@ pub struct Body {
 impl Body {
     /// Properties of a top's body. The origin is the centre of mass of a sliding top or a free body, and the tip of a held top.
     ///
-    /// * `com_height`: distance of the centre of mass from the tip, m; if it is not known, the centre of mass of a held top counts as at its tip
-    #[must_use]
-    pub fn of(top: &Top, com_height: Option<f64>) -> Self {
-        let com = match (top.support(), com_height) {
-            (Support::Fixed, Some(height)) => [0.0, 0.0, height],
-            _ => [0.0; 3],
-        };
-        Self { tip_scale: top.tip_scale(), com }
+    /// * `com_height`: distance of the centre of mass from the tip, m, or 0 if it is not known
+    pub fn of(top: &Top, com_height: f64) -> Self {
+        let height = if top.support() == Support::Fixed { com_height } else { 0.0 };
+        Self { tip_scale: top.tip_scale(), com: [0.0, 0.0, height] }
     }
 }
 
 impl Sensors {
     /// Sensors as the core takes them.
-    #[must_use]
     pub fn listed(&self) -> Vec<&dyn Sensor> {
         self.instruments.iter().map(|instrument| &*instrument.sensor as &dyn Sensor).collect()
     }
@@ -118,16 +113,16 @@ impl Sensors {
     /// A consumer MEMS gyroscope (2000 degrees per second, noise 0.005 degrees per second and root hertz in 500 Hz, bias 1
     /// degree per second), accelerometer (16 g, 100 micro-g per root hertz, bias 20 milli-g) and magnetometer (0.6 microtesla, one
     /// reading in ten samples) at the centre of mass.
-    #[must_use]
     pub fn telephone(body: Body) -> Self {
         Self::parse("telephone", TELEPHONE, body).expect("sensors in range")
     }
 
-    /// Sensors of a file.
+    /// Sensors of a file; those of a telephone without one.
     ///
     /// # Errors
-    /// [`Failure::Input`]: the file cannot be read, is no TOML, or has a key that is unknown, missing or out of range.
-    pub fn read(path: &Path, body: Body) -> Result<Self, Failure> {
+    /// [`Failure::Input`]: the file cannot be read, or as [`Sensors::parse`].
+    pub fn read(path: Option<&Path>, body: Body) -> Result<Self, Failure> {
+        let Some(path) = path else { return Ok(Self::telephone(body)) };
         let file = path.display().to_string();
         Self::parse(&file, &whole_file::read(&file, path, 1)?, body)
     }
@@ -135,13 +130,9 @@ impl Sensors {
     /// Sensors of the text of a file; `file` is its name in messages.
     ///
     /// # Errors
-    /// [`Failure::Input`]: no TOML, or a key that is unknown, missing or out of range.
+    /// [`Failure::Input`]: no TOML, or as [`Sensors::of_table`].
     pub fn parse(file: &str, text: &str, body: Body) -> Result<Self, Failure> {
-        let root = text.parse::<Table>().map_err(|error| {
-            let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
-            Failure::Input(format!("{file}: line {line}: must be TOML: {}", error.message()))
-        })?;
-        Self::of_table(file, &root, body)
+        Self::of_table(file, &section::parse(file, text)?, body)
     }
 
     /// Sensors of the tables of a file; `file` is its name in messages.
@@ -149,30 +140,25 @@ impl Sensors {
     /// # Errors
     /// [`Failure::Input`]: a key is unknown, missing or out of range.
     pub fn of_table(file: &str, root: &Table, body: Body) -> Result<Self, Failure> {
+        let refuse = |reason: String| Err(Failure::Input(format!("{file}: {reason}")));
         let mut sensors = Self { instruments: Vec::new(), jitter: 0.0, dropped: 0.0 };
         for (name, value) in root {
             let Value::Table(table) = value else {
-                return Err(Failure::Input(format!("{file}: {}: must be a table", shown(name))));
+                return refuse(format!("{}: must be a table", shown(name)));
             };
-            let keys = Keys { file, name, table };
+            let section = Section { file, name, table };
             if name == "timing" {
-                keys.only(&["jitter", "dropped"])?;
-                sensors.jitter = keys.number("jitter", Some(0.0), [0.0, 1e6])?;
-                sensors.dropped = keys.number("dropped", Some(0.0), [0.0, 0.99])?;
-                continue;
+                section.only(UNKNOWN, &["jitter", "dropped"])?;
+                [sensors.jitter, sensors.dropped] = section.numbers(&TIMING)?;
+            } else if let Some(kind) = KINDS.into_iter().find(|kind| kind.name == name) {
+                sensors.instruments.push(instrument(&section, kind, body)?);
+            } else {
+                let allowed = KINDS.map(|kind| kind.name).join(", ");
+                return refuse(format!("{}: unknown sensor; allowed: timing, {allowed}", shown(name)));
             }
-            let Some(kind) = KINDS.into_iter().find(|kind| kind.name == name) else {
-                let allowed: Vec<_> = KINDS.iter().map(|kind| kind.name).collect();
-                let name = shown(name);
-                return Err(Failure::Input(format!(
-                    "{file}: {name}: unknown sensor; allowed: timing, {}",
-                    allowed.join(", ")
-                )));
-            };
-            sensors.instruments.push(instrument(&keys, kind, body)?);
         }
         if !(1..=4).contains(&sensors.instruments.len()) {
-            return Err(Failure::Input(format!("{file}: must have one to four sensors")));
+            return refuse("must have one to four sensors".to_owned());
         }
         // in the order of the columns, whatever that of the file
         sensors.instruments.sort_by_key(|found| KINDS.iter().position(|kind| *kind == found.kind));
@@ -180,8 +166,26 @@ impl Sensors {
     }
 }
 
-fn instrument(keys: &Keys<'_>, kind: Kind, body: Body) -> Result<Instrument, Failure> {
-    const MOST: f64 = 1e12;
+const UNKNOWN: &str = "unknown key; allowed";
+
+static TIMING: [Key; 2] = [
+    Key::optional("jitter", 0.0, "a number from 0 to 1e6").within(0.0, 1e6),
+    Key::optional("dropped", 0.0, "a number from 0 to 0.99").within(0.0, 0.99),
+];
+
+static NUMBERS: [Key; 5] = [
+    Key::required("noise", "a number from 1e-12 to 1e12").within(1e-12, 1e12),
+    Key::optional("bias", 0.0, "a number from 0 to 1e12").within(0.0, 1e12),
+    Key::optional("range", f64::INFINITY, "a number from 1e-12").within(1e-12, f64::INFINITY),
+    Key::optional("quantum", 0.0, "a number from 0 to 1e12").within(0.0, 1e12),
+    Key::optional("every", 1.0, "a whole number from 1 to 1e9").within(1.0, 1e9),
+];
+
+static ROTATION: Key = Key::required("rotation", "a unit quaternion [w, x, y, z] from sensor to body");
+static POSITION: Key = Key::required("position", "an array of 3 finite numbers");
+static FIELD: Key = Key::required("field", "an array of 3 finite numbers, not all 0");
+
+fn instrument(section: &Section<'_>, kind: Kind, body: Body) -> Result<Instrument, Failure> {
     let allowed: &[&str] = match kind.name {
         "gyroscope" => &["noise", "bias", "range", "rotation", "quantum", "every"],
         "accelerometer" => &["noise", "bias", "range", "rotation", "position", "quantum", "every"],
@@ -189,84 +193,33 @@ fn instrument(keys: &Keys<'_>, kind: Kind, body: Body) -> Result<Instrument, Fai
         "mark" => &["noise", "position"],
         _ => &["noise", "quantum", "every"],
     };
-    keys.only(allowed)?;
-    let deviation = keys.number("noise", None, [1e-12, MOST])?;
-    let bias = keys.number("bias", Some(0.0), [0.0, MOST])?;
+    section.only(UNKNOWN, allowed)?;
+    let [deviation, bias, range, quantum, every] = section.numbers(&NUMBERS)?;
     let noise = Noise { deviation, bias };
-    let range = keys.number("range", Some(f64::INFINITY), [1e-12, f64::INFINITY])?;
-    let quantum = keys.number("quantum", Some(0.0), [0.0, MOST])?;
-    let every = keys.number("every", Some(1.0), [1.0, 1e9])?;
     if every.fract() != 0.0 {
-        return Err(keys.refuse("every", "must be a whole number"));
+        return Err(section.not_allowed(&NUMBERS[4]));
     }
-    let rotation = keys.array("rotation", Some([1.0, 0.0, 0.0, 0.0]))?;
+    let rotation = section.array(&ROTATION, Some([1.0, 0.0, 0.0, 0.0]))?;
     let norm: f64 = rotation.iter().map(|x| x * x).sum();
     if (norm - 1.0).abs() > 1e-6 {
-        return Err(keys.refuse("rotation", "must be a unit quaternion [w, x, y, z] from sensor to body"));
+        return Err(section.not_allowed(&ROTATION));
     }
     let rotation = Orientation::from_quaternion(rotation).normalised();
-    let mounting = Mounting { rotation, place: keys.array("position", Some(body.com))? };
+    let mounting = Mounting { rotation, place: section.array(&POSITION, Some(body.com))? };
     let sensor: Box<dyn Sensor + Send + Sync> = match kind.name {
         "gyroscope" => Box::new(Gyroscope { noise, mounting, range: REACHED * range }),
         "accelerometer" => Box::new(Accelerometer { noise, mounting, range: REACHED * range }),
         "magnetometer" => {
-            let field = keys.array("field", Some([20.0, 0.0, -43.0]))?;
+            let field = section.array(&FIELD, Some([20.0, 0.0, -43.0]))?;
             if field == [0.0; 3] {
-                return Err(keys.refuse("field", "must not be 0"));
+                return Err(section.not_allowed(&FIELD));
             }
             Box::new(Magnetometer { noise, mounting, field })
         }
         "orientation" => Box::new(OrientationCamera { deviation }),
         "axis" => Box::new(AxisCamera { deviation }),
         "tip" => Box::new(TipCamera { deviation, tip_scale: body.tip_scale }),
-        _ => Box::new(Mark { deviation, place: keys.array("position", Some([1.0, 0.0, 0.0]))? }),
+        _ => Box::new(Mark { deviation, place: section.array(&POSITION, Some([1.0, 0.0, 0.0]))? }),
     };
     Ok(Instrument { kind, sensor, noise, range, quantum, every: every as u64 })
-}
-
-/// One table of the file.
-struct Keys<'a> {
-    file: &'a str,
-    name: &'a str,
-    table: &'a Table,
-}
-
-impl Keys<'_> {
-    fn refuse(&self, key: &str, reason: &str) -> Failure {
-        Failure::Input(format!("{}: {}.{}: {reason}", self.file, shown(self.name), shown(key)))
-    }
-
-    fn only(&self, allowed: &[&str]) -> Result<(), Failure> {
-        match self.table.keys().find(|key| !allowed.contains(&key.as_str())) {
-            Some(key) => Err(self.refuse(key, &format!("unknown key; allowed: {}", allowed.join(", ")))),
-            None => Ok(()),
-        }
-    }
-
-    fn number(&self, key: &str, default: Option<f64>, [low, high]: [f64; 2]) -> Result<f64, Failure> {
-        let range = || format!("must be a number from {low:e} to {high:e}");
-        match (self.table.get(key), default) {
-            (None, Some(default)) => Ok(default),
-            (None, None) => Err(self.refuse(key, &format!("missing; {}", range()))),
-            (Some(value), _) => value
-                .as_float()
-                .or(value.as_integer().map(|x| x as f64))
-                .filter(|x| (low..=high).contains(x))
-                .ok_or_else(|| self.refuse(key, &range())),
-        }
-    }
-
-    fn array<const N: usize>(&self, key: &str, default: Option<[f64; N]>) -> Result<[f64; N], Failure> {
-        let number = |value: &Value| {
-            value.as_float().or(value.as_integer().map(|x| x as f64)).filter(|x| x.is_finite())
-        };
-        match (self.table.get(key), default) {
-            (None, Some(default)) => Ok(default),
-            (value, _) => value
-                .and_then(Value::as_array)
-                .and_then(|entries| entries.iter().map(number).collect::<Option<Vec<_>>>())
-                .and_then(|numbers| numbers.try_into().ok())
-                .ok_or_else(|| self.refuse(key, &format!("must be an array of {N} finite numbers"))),
-        }
-    }
 }

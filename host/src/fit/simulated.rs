@@ -2,11 +2,11 @@
 
 use super::sensors::Sensors;
 use crate::input::random::Random;
+use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
 use toytop_fit::{Measurement, Partials, Sensitivity};
 
 /// Times of a recording.
-#[derive(Clone, Copy, Debug)]
 pub struct Recording {
     /// Samples a second.
     pub hertz: f64,
@@ -21,7 +21,6 @@ pub const MOST_SAMPLES: f64 = 1e7;
 
 impl Recording {
     /// Times of a recording of this duration, s; `None` where this is not from 1 to [`MOST_SAMPLES`] samples.
-    #[must_use]
     pub fn new(hertz: f64, duration: f64, seed: u64) -> Option<Self> {
         let count = (hertz * duration).round();
         let possible = hertz > 0.0 && (1.0..=MOST_SAMPLES).contains(&count);
@@ -31,32 +30,30 @@ impl Recording {
 
 /// Measurements of a motion; `None` where the derivatives of the motion, from which the readings follow, cannot be
 /// computed at one of the times.
-#[must_use]
 pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -> Option<Vec<Measurement>> {
     let sensitivity = Sensitivity::new(motion);
     let mut cursor = sensitivity.cursor();
-    let mut random = Normal::new(recording.seed);
+    let mut random = Random::new(recording.seed, 0);
     let biases: Vec<[f64; 3]> =
-        sensors.instruments.iter().map(|one| [0; 3].map(|_| one.noise.bias * random.draw())).collect();
+        sensors.instruments.iter().map(|one| [0; 3].map(|_| one.noise.bias * normal(&mut random))).collect();
     let mut found = Vec::new();
     let mut marks_before: Vec<Option<f64>> = vec![None; sensors.instruments.len()];
     for n in 0..recording.count {
         let time = n as f64 / recording.hertz;
-        let partials = cursor.at(time + sensors.jitter * random.draw())?;
-        let dropped = random.uniform.share() < sensors.dropped;
+        let partials = cursor.at(time + sensors.jitter * normal(&mut random))?;
+        let dropped = random.share() < sensors.dropped;
         for (sensor, instrument) in sensors.instruments.iter().enumerate() {
             if instrument.kind.name == "mark" {
                 let [ahead, ..] = instrument.sensor.predict(&partials, &[0.0; 4]).difference;
-                let before = marks_before[sensor].replace(ahead);
-                if let Some(passage) = before.and_then(|before| {
-                    passage(
+                if let Some(before) = marks_before[sensor].replace(ahead)
+                    && let Some(passage) = passage(
                         &sensitivity,
                         &*instrument.sensor,
                         [time - 1.0 / recording.hertz, time],
                         [before, ahead],
                     )
-                }) {
-                    let time = passage + instrument.noise.deviation * random.draw();
+                {
+                    let time = passage + instrument.noise.deviation * normal(&mut random);
                     found.push(Measurement { time, sensor, values: [0.0; 4] });
                 }
                 continue;
@@ -64,7 +61,7 @@ pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -
             if dropped || n % instrument.every != 0 {
                 continue;
             }
-            let noise = [0; 3].map(|_| instrument.noise.deviation * random.draw());
+            let noise = [0; 3].map(|_| instrument.noise.deviation * normal(&mut random));
             let values = if instrument.kind.name == "orientation" {
                 Orientation::exp(noise).compose(&partials.orientation_now()).quaternion()
             } else {
@@ -72,11 +69,8 @@ pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -
             };
             let used = instrument.kind.columns.len();
             let mut coarse = values.map(|x| {
-                let rounded = if instrument.quantum > 0.0 {
-                    (x / instrument.quantum).round() * instrument.quantum
-                } else {
-                    x
-                };
+                let quantum = instrument.quantum;
+                let rounded = if quantum > 0.0 { (x / quantum).round() * quantum } else { x };
                 rounded.clamp(-instrument.range, instrument.range)
             });
             coarse[used..].fill(0.0);
@@ -106,7 +100,7 @@ fn passage(
     [before, after]: [f64; 2],
 ) -> Option<f64> {
     // the angle jumps by a turn half a turn away from the passage
-    if before.signum() == after.signum() || (before - after).abs() > std::f64::consts::PI {
+    if before.signum() == after.signum() || (before - after).abs() > PI {
         return None;
     }
     for _ in 0..50 {
@@ -117,23 +111,8 @@ fn passage(
     Some(0.5 * (low + high))
 }
 
-/// Normally distributed numbers, by Box and Muller.
-#[derive(Clone, Debug)]
-pub struct Normal {
-    /// Generator of uniform numbers.
-    pub uniform: Random,
-}
-
-impl Normal {
-    /// Generator with this seed.
-    #[must_use]
-    pub fn new(seed: u64) -> Self {
-        Self { uniform: Random::new(seed, 0) }
-    }
-
-    /// Number of mean 0 and variance 1.
-    pub fn draw(&mut self) -> f64 {
-        let radius = (-2.0 * (1.0 - self.uniform.share()).ln()).sqrt();
-        radius * (2.0 * std::f64::consts::PI * self.uniform.share()).cos()
-    }
+/// Normally distributed number of mean 0 and variance 1, by Box and Muller.
+fn normal(random: &mut Random) -> f64 {
+    let radius = (-2.0 * (1.0 - random.share()).ln()).sqrt();
+    radius * (2.0 * PI * random.share()).cos()
 }

@@ -10,7 +10,7 @@
 use super::equations::{FullState, FullTop, cross, dot};
 
 /// Accelerations and normal force of a state.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Debug)]
 pub struct Accelerations {
     /// Angular acceleration ω', rad/s².
     pub omega: [f64; 3],
@@ -21,7 +21,6 @@ pub struct Accelerations {
 }
 
 /// Accelerations of a state of a top; for `s` = 0, about the fixed tip.
-#[must_use]
 pub fn accelerations(top: &FullTop, state: &FullState) -> Accelerations {
     let FullTop { a, c, s, p, g, k } = *top;
     let (r, omega) = (state.axis(), state.omega);

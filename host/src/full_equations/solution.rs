@@ -7,33 +7,23 @@ use crate::input::scenario::{Given, Scenario};
 use crate::motion::propagate::{Sample, visit_times};
 use crate::motion::tip_angle::TipAngle;
 use crate::truth::motions::Start;
-use toytop::{AttitudeState, Complex, Orientation, Stepper};
+use toytop::Stepper;
 
 /// Top and initial state of the full equations.
 ///
 /// The state of a scenario is used without change. For a motion given by branch points, the state is that of the core's stepper at t = 0:
 /// only the initial conditions (α, β, ω) come from the core, and the motion from the full solver.
-#[must_use]
 pub fn start(scenario: &Scenario) -> (FullTop, FullState) {
     let state = match scenario.given {
         Some(Given { start: Start::State { phi: [alpha, beta], omega }, .. }) => {
             FullState { alpha, beta, omega }
         }
         _ => {
-            let state: AttitudeState<f64> = Stepper::new(&scenario.motion).attitude_state();
-            let pair = |z: Complex<f64>| [z.re, z.im];
-            let Orientation { alpha, beta } = state.orientation;
-            FullState { alpha: pair(alpha), beta: pair(beta), omega: state.omega() }
+            let state = Stepper::<f64>::new(&scenario.motion).attitude_state();
+            FullState::new(&state.orientation, state.omega())
         }
     };
     (scenario.motion.top().into(), state)
-}
-
-/// Orientation of a state of the full solver.
-#[must_use]
-pub fn phi(state: &FullState) -> Orientation<f64> {
-    let complex = |[re, im]: [f64; 2]| Complex::new(re, im);
-    Orientation { alpha: complex(state.alpha), beta: complex(state.beta) }
 }
 
 /// State of the full solver at each time, in the order of the times.
@@ -59,7 +49,8 @@ pub fn samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failur
     // An orientation determines its tip angle up to whole turns. The number of whole turns is that of the core's ephemeris; the angle
     // itself is the full solver's.
     let angle = TipAngle::of(&scenario.motion, NO_ARGUMENT)?;
-    let sample =
-        |(&t, state): (&f64, &FullState)| angle.sample(t, phi(state), state.omega, state.axis_height_rate());
+    let sample = |(&t, state): (&f64, &FullState)| {
+        angle.sample(t, state.orientation(), state.omega, state.axis_height_rate())
+    };
     Ok(times.iter().zip(&states).map(sample).collect())
 }

@@ -1,12 +1,10 @@
 //! Generator of random numbers (SplitMix64). A seed and a number determine each stream.
 
 /// Stream of random numbers.
-#[derive(Clone, Debug)]
 pub struct Random(u64);
 
 impl Random {
     /// Stream of this number. The numbers do not depend on the thread or on the order in which threads compute.
-    #[must_use]
     pub fn new(seed: u64, stream: u64) -> Self {
         let mut random = Self(seed);
         random.0 ^= random.bits().wrapping_add(stream.wrapping_mul(0xd1b5_4a32_d192_ed03));

@@ -1,40 +1,27 @@
-//! CSV files: bounded lines, names of columns without their units, errors with the line.
+//! CSV files: names of columns without their units, errors with the line.
 
-use std::io::{self, ErrorKind, Read};
+use crate::Failure;
+use crate::output::whole_file;
+use std::path::Path;
 
-/// Greatest length of a line, bytes.
-const LONGEST_LINE: usize = 1 << 20;
-
-/// Reader that refuses a line of more than a mebibyte, for which a reader of CSV would need unbounded memory.
-pub(crate) struct BoundedLines<R> {
-    inner: R,
-    length: usize,
+/// Text of a file; `name` is its name in messages.
+///
+/// # Errors
+/// [`Failure::Input`]: it cannot be read, is larger than 1 GiB, or is not UTF-8.
+pub fn read(name: &str, path: &Path) -> Result<String, Failure> {
+    whole_file::read(name, path, 1024)
 }
 
-impl<R> BoundedLines<R> {
-    pub(crate) fn new(inner: R) -> Self {
-        Self { inner, length: 0 }
-    }
-}
-
-impl<R: Read> Read for BoundedLines<R> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = self.inner.read(buffer)?;
-        for byte in &buffer[..count] {
-            self.length = if *byte == b'\n' { 0 } else { self.length + 1 };
-            if self.length > LONGEST_LINE {
-                return Err(io::Error::new(ErrorKind::InvalidData, "must have lines of at most 1 MiB"));
-            }
-        }
-        Ok(count)
-    }
+/// Reader of a text with a header, in which # begins a comment.
+pub fn reader(text: &str) -> csv::Reader<&[u8]> {
+    csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes())
 }
 
 /// Names of columns without the units that follow in brackets.
 ///
 /// # Errors
 /// Column whose unit is another one than the program's.
-pub(crate) fn names(header: &csv::StringRecord) -> Result<Vec<String>, String> {
+pub fn names(header: &csv::StringRecord) -> Result<Vec<String>, String> {
     let name = |field: &str| {
         let (name, unit) = field.split_once(['[', '(']).unwrap_or((field, ""));
         let (name, unit) = (name.trim(), unit.trim_end_matches([']', ')', ' ']).trim());
@@ -60,7 +47,7 @@ fn units(name: &str) -> &'static [&'static str] {
 }
 
 /// Text of an error of the reader of CSV, with the line if a row has another number of fields than the header.
-pub(crate) fn unread(error: &csv::Error) -> String {
+pub fn unread(error: &csv::Error) -> String {
     match error.kind() {
         csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
             let line = pos.as_ref().map_or(0, csv::Position::line);

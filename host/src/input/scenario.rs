@@ -4,26 +4,22 @@
 //! line that names file, key and what is allowed.
 
 mod motion;
-mod section;
-mod template;
 mod top;
 mod units;
 
-pub use template::{Key, Template};
-
+use super::section::{self, Section};
 use crate::Failure;
 use crate::output::{shown, whole_file};
 use crate::truth::motions::Start;
-use section::Section;
+use std::fmt;
 use std::path::Path;
 use toml::{Table, Value};
 use toytop::{Motion, Top, TopParameters};
 
 /// Units of a scenario's numbers.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Units {
     /// SI: kg, m, s.
-    #[default]
     Si,
     /// No names: any consistent units, or those of the paper, with p = s = g = 1.
     None,
@@ -31,7 +27,6 @@ pub enum Units {
 
 impl Units {
     /// Name of a unit; empty where units have no names.
-    #[must_use]
     pub fn name(self, si: &'static str) -> &'static str {
         match self {
             Self::Si => si,
@@ -41,7 +36,7 @@ impl Units {
 }
 
 /// One top with one motion.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Scenario {
     /// Name in reports.
     pub name: String,
@@ -54,7 +49,7 @@ pub struct Scenario {
 }
 
 /// Numbers of a scenario file.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone)]
 pub struct Given {
     /// Numbers of the top.
     pub top: TopParameters,
@@ -62,87 +57,132 @@ pub struct Given {
     pub start: Start,
 }
 
-/// Size of the largest scenario file, MiB; a usual one has a dozen lines.
-const LARGEST_FILE: u64 = 1;
-
 impl Scenario {
     /// Scenario of a file, with the name of the file.
     ///
     /// # Errors
-    /// [`Failure::Input`]: the file cannot be read, is larger than 1 MiB or not UTF-8, or as [`Scenario::parse`].
+    /// As [`ScenarioFile::read`] and [`ScenarioFile::scenario`].
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        let file = path.display().to_string();
-        let text = whole_file::read(&file, path, LARGEST_FILE)?;
-        let mut scenario = Self::parse(&file, &text)?;
-        if let Some(stem) = path.file_stem() {
-            scenario.name = stem.to_string_lossy().into_owned();
-        }
-        Ok(scenario)
-    }
-
-    /// Keys and values of a scenario file, with numbers in the units of the keys.
-    ///
-    /// # Errors
-    /// [`Failure::Input`]: the file cannot be read, is larger than 1 MiB or not UTF-8, or as [`Scenario::keys_of`].
-    pub fn keys(path: &Path) -> Result<Table, Failure> {
-        let file = path.display().to_string();
-        Self::keys_of(&file, &whole_file::read(&file, path, LARGEST_FILE)?)
-    }
-
-    /// Keys and values of the text of a scenario file, with numbers in the units of the keys; `file` is its name in messages.
-    ///
-    /// # Errors
-    /// [`Failure::Input`]: no TOML, or a text in place of a number that is not a number with a unit of its key.
-    pub fn keys_of(file: &str, text: &str) -> Result<Table, Failure> {
-        units::in_units_of_keys(file, table(file, text)?)
-    }
-
-    /// Top of a scenario file, whose motion is not read and may be missing.
-    ///
-    /// # Errors
-    /// As [`Scenario::keys`], and [`Failure::Input`]: not a table `[top]` with exactly the keys it needs, in range.
-    pub fn top(path: &Path) -> Result<Top, Failure> {
-        let file = path.display().to_string();
-        top::read(&section(&file, "top", &Self::keys(path)?)?).map(|(top, _)| top)
+        ScenarioFile::read(path)?.scenario()
     }
 
     /// Scenario of the text of a file; `file` is its name in messages.
     ///
     /// # Errors
-    /// [`Failure::Input`]: no TOML, or not the tables `[top]` and `[motion]` with exactly the keys they need, in range.
+    /// As [`ScenarioFile::parse`] and [`ScenarioFile::scenario`].
     pub fn parse(file: &str, text: &str) -> Result<Self, Failure> {
-        let root = Self::keys_of(file, text)?;
-        Self::of_table(file, &root)
+        ScenarioFile::parse(file, text)?.scenario()
+    }
+}
+
+/// Key whose value is one number: its table and its name.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Key {
+    table: &'static str,
+    /// Name of the key.
+    pub name: &'static str,
+}
+
+impl fmt::Display for Key {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.table, self.name)
+    }
+}
+
+/// Keys and values of a scenario file, whose numbers can be replaced.
+#[derive(Clone)]
+pub struct ScenarioFile {
+    /// Name of the file in messages.
+    pub file: String,
+    /// Name of its scenario.
+    name: String,
+    /// Keys and values, with numbers in the units of the keys.
+    pub keys: Table,
+}
+
+impl ScenarioFile {
+    /// Keys and values of a file.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: the file cannot be read, is larger than 1 MiB or not UTF-8, or as [`ScenarioFile::parse`].
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let file = path.display().to_string();
+        let read = Self::parse(&file, &whole_file::read(&file, path, 1)?)?;
+        Ok(Self { name: path.file_stem().map_or(file, |stem| stem.to_string_lossy().into_owned()), ..read })
     }
 
-    fn of_table(file: &str, root: &Table) -> Result<Self, Failure> {
-        if let Some(key) = root.keys().find(|key| !["units", "top", "motion"].contains(&key.as_str())) {
-            let key = shown(key);
-            return Err(Failure::Input(format!("{file}: {key}: unknown key; allowed: units, top, motion")));
+    /// Keys and values of the text of a file; `file` is its name in messages.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: no TOML, or a text in place of a number that is not a number with a unit of its key.
+    pub fn parse(file: &str, text: &str) -> Result<Self, Failure> {
+        let keys = units::in_units_of_keys(file, section::parse(file, text)?)?;
+        Ok(Self { file: file.to_owned(), name: file.to_owned(), keys })
+    }
+
+    /// Top, and the numbers that are given for it. The motion is not read and may be missing.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: not a table `[top]` with exactly the keys it needs, in range.
+    pub fn top(&self) -> Result<(Top, TopParameters), Failure> {
+        top::read(&self.section("top")?)
+    }
+
+    /// Scenario.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: not the tables `[top]` and `[motion]` with exactly the keys they need, in range.
+    pub fn scenario(&self) -> Result<Scenario, Failure> {
+        let refuse = |reason: String| Failure::Input(format!("{}: {reason}", self.file));
+        if let Some(key) = self.keys.keys().find(|key| !["units", "top", "motion"].contains(&key.as_str())) {
+            return Err(refuse(format!("{}: unknown key; allowed: units, top, motion", shown(key))));
         }
-        let units = match root.get("units").map(Value::as_str) {
+        let units = match self.keys.get("units").map(Value::as_str) {
             None | Some(Some("SI")) => Units::Si,
             Some(Some("none")) => Units::None,
-            _ => return Err(Failure::Input(format!("{file}: units: must be one of \"SI\", \"none\""))),
+            _ => return Err(refuse("units: must be one of \"SI\", \"none\"".to_owned())),
         };
-        let (top, parameters) = top::read(&section(file, "top", root)?)?;
-        let (motion, start) = motion::read(&section(file, "motion", root)?, &top)?;
-        let given = Some(Given { top: parameters, start });
-        Ok(Self { name: file.to_owned(), motion, given, units })
+        let (top, parameters) = self.top()?;
+        let (motion, start) = motion::read(&self.section("motion")?, &top)?;
+        Ok(Scenario { name: self.name.clone(), motion, given: Some(Given { top: parameters, start }), units })
     }
-}
 
-fn table(file: &str, text: &str) -> Result<Table, Failure> {
-    text.parse::<Table>().map_err(|error| {
-        let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
-        Failure::Input(format!("{file}: line {line}: must be TOML: {}", error.message()))
-    })
-}
+    fn section(&self, name: &'static str) -> Result<Section<'_>, Failure> {
+        let file = &*self.file;
+        match self.keys.get(name) {
+            Some(Value::Table(table)) => Ok(Section { file, name, table }),
+            Some(_) => Err(Failure::Input(format!("{file}: {name}: must be a table, [{name}]"))),
+            None => Err(Failure::Input(format!("{file}: {name}: missing; must be a table, [{name}]"))),
+        }
+    }
 
-fn section<'a>(file: &'a str, name: &'static str, root: &'a Table) -> Result<Section<'a>, Failure> {
-    match root.get(name) {
-        Some(Value::Table(table)) => Ok(Section::new(file, name, table)),
-        Some(_) => Err(Failure::Input(format!("{file}: {name}: must be a table, [{name}]"))),
-        None => Err(Failure::Input(format!("{file}: {name}: missing; must be a table, [{name}]"))),
+    /// Key of this name.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: the scenario has no such number; the message lists those it has.
+    pub fn key(&self, name: &str) -> Result<Key, Failure> {
+        let kind = self.keys.get("motion").and_then(|motion| motion.get("kind")).and_then(Value::as_str);
+        let of_motion = motion::numbers(kind.unwrap_or_default()).iter().map(|key| ("motion", key.name));
+        let keys: Vec<_> = top::KEYS.iter().map(|key| ("top", key.name)).chain(of_motion).collect();
+        let found = keys.iter().find(|(_, key)| *key == name).map(|&(table, name)| Key { table, name });
+        found.ok_or_else(|| {
+            let allowed: Vec<_> = keys.iter().map(|(_, key)| *key).collect();
+            let (name, allowed) = (shown(name), allowed.join(", "));
+            Failure::Input(format!("{}: {name}: no number of this scenario; allowed: {allowed}", self.file))
+        })
+    }
+
+    /// Scenario with these numbers, whose keys may be missing in the file.
+    ///
+    /// # Errors
+    /// As [`ScenarioFile::scenario`].
+    pub fn with(&self, numbers: &[(Key, f64)]) -> Result<Scenario, Failure> {
+        let mut changed = self.clone();
+        for (key, number) in numbers {
+            if let Some(Value::Table(table)) = changed.keys.get_mut(key.table) {
+                table.insert(key.name.to_owned(), Value::Float(*number));
+            }
+        }
+        changed.scenario()
     }
 }

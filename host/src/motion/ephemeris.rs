@@ -1,18 +1,16 @@
 //! Ephemeris of the core with as many segments as a motion needs, behind a trait that hides scalar and capacity.
 
-mod events;
 mod rise;
 mod samples;
 mod sizes;
 
-pub use events::{FoundEvent, Sought};
-pub use samples::{RateSample, TimedSample};
+pub use samples::{FoundEvent, RateSample, Sought, TimedSample};
 pub use sizes::{Size, approximate, smaller, smallest, table};
 pub use toytop_page::table::ticks_per_time;
 
 use crate::bake::{Bake, Parts};
-use crate::motion::cast;
 use crate::motion::propagate::Sample;
+use crate::motion::widened;
 use crate::samples::column::Column;
 use std::f64::consts::TAU;
 use toytop::scalar::Float;
@@ -61,7 +59,6 @@ pub trait AnyScalar: Send + Sync {
 }
 
 /// Greatest distance of a time from t = 0 at which an ephemeris can be evaluated, because ticks are counted in 64 bits.
-#[must_use]
 pub fn furthest_time(motion: &Motion) -> f64 {
     62_f64.exp2() / ticks_per_time(motion)
 }
@@ -77,7 +74,7 @@ impl<R: EphemerisScalar> Boxed<R> {
     /// Sample at time t, which is this number of ticks.
     fn timed(&self, t: f64, ticks: f64, now: toytop::Sample<'_, R>) -> TimedSample {
         let (orientation, state) = (now.orientation(), now.attitude_state());
-        let wide = |z: Complex<R::Wide>| cast::complex(z, Float::to_f64);
+        let wide = |z: Complex<R::Wide>| widened(z, Float::to_f64);
         let phi = now.tip_angle().map(|angle| self.unwrapped(angle, t));
         TimedSample {
             sample: Sample {
@@ -159,7 +156,7 @@ impl<R: Bake> AnyScalar for Boxed<R> {
     ) -> Vec<FoundEvent> {
         let table = self.table();
         let there = |event: &_, t| self.timed(t, t * self.ticks_per_time(), table.at_event(event));
-        events::found(table, sought, from, wanted, most, there)
+        samples::found(table, sought, from, wanted, most, there)
     }
 
     fn parts(&self) -> Option<Parts> {
@@ -175,7 +172,7 @@ fn unwrapped(phase: Phase, near: f64) -> f64 {
 }
 
 fn exact<R: Into<f64>>(z: Complex<R>) -> Complex<f64> {
-    cast::complex(z, Into::into)
+    widened(z, Into::into)
 }
 
 #[cfg(test)]

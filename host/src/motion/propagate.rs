@@ -1,16 +1,15 @@
 //! Stepper of the core at given times: equal steps, and one shorter last step to each time.
 
 use crate::Failure;
-use crate::motion::{Scalar, cast};
+use crate::motion::{Scalar, widened};
 use crate::output::progress::Progress;
-use std::time::{Duration, Instant};
 use toytop::scalar::Real;
 use toytop::{AttitudeState, Complex, Motion, Orientation, Phase, Stepper};
 
 pub use toytop_page::constants::{natural_time, period};
 
 /// Motion at one time in `f64`, by any method.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct Sample {
     /// Time, s.
     pub t: f64,
@@ -34,9 +33,8 @@ pub struct Sample {
 
 impl Sample {
     /// Sample of an attitude state of the core at time t.
-    #[must_use]
     pub fn of<R: Real>(t: f64, state: &AttitudeState<R>, tip: Complex<R>, phi: Option<f64>) -> Self {
-        let widen = |z: Complex<R>| cast::complex(z, R::to_f64);
+        let widen = |z: Complex<R>| widened(z, R::to_f64);
         Self {
             t,
             u: state.u().to_f64(),
@@ -51,16 +49,8 @@ impl Sample {
     }
 
     /// Orientation Φ.
-    #[must_use]
     pub fn orientation(&self) -> Orientation<f64> {
         Orientation { alpha: self.alpha, beta: self.beta }
-    }
-
-    /// Sample of a stepper at time t.
-    #[must_use]
-    pub fn stepped<R: Real>(t: f64, stepper: &Stepper<R>) -> Self {
-        let phi = stepper.tip_angle().map(Phase::to_radians);
-        Self::of(t, &stepper.attitude_state(), stepper.tip(), phi)
     }
 }
 
@@ -125,19 +115,18 @@ pub fn stepped(scalar: Scalar, motion: &Motion, times: &[f64], step: f64) -> Res
 }
 
 fn stepped_in<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sample>, Failure> {
-    let mut progress = Progress::new(steps_needed(times, step)?, "steps");
+    let progress = Progress::new(steps_needed(times, step)?, "steps");
     visit_times(
         times,
         || TimedStepper::<R>::new(motion, step),
         |stepper, t| {
-            stepper.reach(t, &mut progress);
-            Ok(Sample::stepped(t, stepper.last()))
+            stepper.reach(t, &progress);
+            Ok(Sample { t, ..stepper.sample() })
         },
     )
 }
 
 /// Stepper that reaches any time by whole steps, and one shorter last step on a copy.
-#[derive(Debug)]
 pub struct TimedStepper<R> {
     /// Stepper after `whole` steps.
     stepper: Stepper<R>,
@@ -145,24 +134,22 @@ pub struct TimedStepper<R> {
     /// Step size h > 0, rounded to the scalar.
     step: R,
     /// Stepper at the elapsed time.
-    last: Stepper<R>,
+    pub last: Stepper<R>,
     elapsed: f64,
-    steps: u64,
-    stepping: Duration,
+    /// Number of steps.
+    pub steps: u64,
 }
 
 impl<R: Real> TimedStepper<R> {
     /// Stepper at t = 0 with steps of h = `step`, s.
-    #[must_use]
     pub fn new(motion: &Motion, step: f64) -> Self {
         let (stepper, step) = (Stepper::new(motion), R::from_f64(step));
-        Self { stepper, whole: 0, step, last: stepper, elapsed: 0.0, steps: 0, stepping: Duration::ZERO }
+        Self { stepper, whole: 0, step, last: stepper, elapsed: 0.0, steps: 0 }
     }
 
-    /// Steps to the time `t`, s, in either direction. [`Self::elapsed`] contains the rounding of the last step to the scalar.
-    pub fn reach(&mut self, t: f64, progress: &mut Progress) {
+    /// Steps to the time `t`, s, in either direction.
+    pub fn reach(&mut self, t: f64, progress: &Progress) {
         const BATCH: u64 = 1 << 16;
-        let started = Instant::now();
         let h = self.step.to_f64();
         let whole = (t / h) as i64;
         let step = if whole < self.whole { -self.step } else { self.step };
@@ -183,31 +170,12 @@ impl<R: Real> TimedStepper<R> {
             self.steps += 1;
         }
         self.elapsed = (whole as f64).mul_add(h, rest.to_f64());
-        self.stepping += started.elapsed();
     }
 
-    /// Stepper at the elapsed time.
-    #[must_use]
-    pub fn last(&self) -> &Stepper<R> {
-        &self.last
-    }
-
-    /// Elapsed time, s.
-    #[must_use]
-    pub fn elapsed(&self) -> f64 {
-        self.elapsed
-    }
-
-    /// Number of steps.
-    #[must_use]
-    pub fn steps(&self) -> u64 {
-        self.steps
-    }
-
-    /// Wall time of the steps.
-    #[must_use]
-    pub fn stepping(&self) -> Duration {
-        self.stepping
+    /// Sample at the elapsed time, which contains the rounding of the last step to the scalar.
+    pub fn sample(&self) -> Sample {
+        let phi = self.last.tip_angle().map(Phase::to_radians);
+        Sample::of(self.elapsed, &self.last.attitude_state(), self.last.tip(), phi)
     }
 }
 
@@ -234,11 +202,11 @@ mod tests {
     fn greatest_gap<R: Real>() -> f64 {
         let step = period(&motion()) / 4096.0;
         let mut stepper = TimedStepper::<R>::new(&motion(), step);
-        let mut progress = Progress::new(0, "steps");
+        let progress = Progress::new(0, "steps");
         let gap = |i: u32| {
             let t = 0.3 * step * f64::from(i);
-            stepper.reach(t, &mut progress);
-            (stepper.elapsed() - t).abs() / step
+            stepper.reach(t, &progress);
+            (stepper.elapsed - t).abs() / step
         };
         (1..1_000_000).map(gap).fold(0.0, f64::max)
     }
@@ -253,11 +221,11 @@ mod tests {
     #[test]
     fn a_time_requested_twice_is_reached_once() {
         let mut stepper = TimedStepper::<f32>::new(&motion(), 0.01);
-        let mut progress = Progress::new(0, "steps");
+        let progress = Progress::new(0, "steps");
         for i in 1..100 {
             let [once, twice] = [(); 2].map(|()| {
-                stepper.reach(0.017 * f64::from(i), &mut progress);
-                (stepper.elapsed(), *stepper.last())
+                stepper.reach(0.017 * f64::from(i), &progress);
+                (stepper.elapsed, stepper.last)
             });
             assert_eq!(once, twice);
         }

@@ -36,7 +36,6 @@ impl TipAngle {
     }
 
     /// Sample at a time, from the orientation and the rates ω and u' there.
-    #[must_use]
     pub fn sample(&self, t: f64, phi: Orientation<f64>, omega: [f64; 3], udot: f64) -> Sample {
         let Orientation { alpha, beta } = phi;
         Sample {
@@ -58,11 +57,7 @@ impl TipAngle {
         if product.norm_squared() < self.noise * self.noise {
             return Some(guide);
         }
-        Some(guide + remainder(product.im.atan2(product.re) - guide, self.unit))
+        let ahead = product.im.atan2(product.re) - guide;
+        Some(guide + (ahead - self.unit * (ahead / self.unit).round()))
     }
-}
-
-/// Difference of x and the nearest multiple of `unit`.
-fn remainder(x: f64, unit: f64) -> f64 {
-    x - unit * (x / unit).round()
 }

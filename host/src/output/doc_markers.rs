@@ -6,13 +6,10 @@ use crate::output::whole_file;
 use std::path::{Path, PathBuf};
 
 /// Page with a part that a command writes.
-#[derive(Debug)]
 pub struct Page {
     path: PathBuf,
-    /// Text up to the first line of the mark, and from the last one on.
-    around: [String; 2],
-    /// Whole text.
-    text: String,
+    /// Text up to the first line of the mark, between the lines, and from the last one on.
+    parts: [String; 3],
 }
 
 impl Page {
@@ -25,26 +22,17 @@ impl Page {
         let text = whole_file::read(&place, path, 16)?;
         let name = mark.split_once(": ").map_or(mark, |(_, name)| name);
         let [begin, end] = [format!("<!-- {mark} -->\n"), format!("<!-- end of {name} -->\n")];
-        let found =
-            text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
-        let (before, after) = found.ok_or_else(|| {
+        let found = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?)));
+        let (before, (part, after)) = found.ok_or_else(|| {
             Failure::Input(format!("{place}: must hold the lines {} and {}", begin.trim(), end.trim()))
         })?;
-        let around = [before.to_owned() + &begin, end + after];
-        Ok(Self { path: path.to_owned(), around, text })
-    }
-
-    /// Page with this part.
-    #[must_use]
-    pub fn with(&self, part: &str) -> String {
-        let [before, after] = &self.around;
-        format!("{before}{part}{after}")
+        let parts = [before.to_owned() + &begin, part.to_owned(), end + after];
+        Ok(Self { path: path.to_owned(), parts })
     }
 
     /// Whether the page has this part.
-    #[must_use]
     pub fn has(&self, part: &str) -> bool {
-        self.text == self.with(part)
+        self.parts[1] == part
     }
 
     /// Writes the page with this part.
@@ -52,12 +40,12 @@ impl Page {
     /// # Errors
     /// The failures of [`whole_file::write`].
     pub fn write(&self, part: &str) -> Result<(), Failure> {
-        whole_file::write("--accept", &self.path, self.with(part).as_bytes())
+        let [before, _, after] = &self.parts;
+        whole_file::write("--accept", &self.path, [before, part, after].concat().as_bytes())
     }
 }
 
 /// Table in Markdown, whose first row is the header. Columns of numbers are aligned to the right, and whole numbers are grouped.
-#[must_use]
 pub fn table(rows: &[Vec<String>]) -> String {
     let Some((header, rows)) = rows.split_first() else { return String::new() };
     let is_number = |cell: &String| cell == NO_FIGURE || cell.parse::<f64>().is_ok();
@@ -80,7 +68,6 @@ pub fn table(rows: &[Vec<String>]) -> String {
 pub const NO_FIGURE: &str = "-";
 
 /// Whole number with spaces between groups of three digits: 12345 is "12 345". Other words remain as they are.
-#[must_use]
 pub fn grouped(number: &str) -> String {
     if !number.bytes().all(|digit| digit.is_ascii_digit()) {
         return number.to_owned();

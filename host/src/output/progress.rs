@@ -2,14 +2,14 @@
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, stderr};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::time::{Duration, Instant};
 
 /// Progress of work with a known total.
-#[derive(Debug)]
 pub struct Progress {
     bar: ProgressBar,
     started: Instant,
-    possible: bool,
+    possible: AtomicBool,
 }
 
 /// Time before the bar is shown.
@@ -17,7 +17,6 @@ const PATIENCE: Duration = Duration::from_secs(1);
 
 impl Progress {
     /// Progress of `total` units of work, named `unit`.
-    #[must_use]
     pub fn new(total: u64, unit: &'static str) -> Self {
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
         if let Ok(style) = ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} {msg}, {eta} left")
@@ -25,14 +24,14 @@ impl Progress {
             bar.set_style(style);
         }
         bar.set_message(unit);
-        Self { bar, started: Instant::now(), possible: stderr().is_terminal() }
+        Self { bar, started: Instant::now(), possible: stderr().is_terminal().into() }
     }
 
     /// Adds units of finished work.
-    pub fn add(&mut self, units: u64) {
+    pub fn add(&self, units: u64) {
         self.bar.inc(units);
-        if self.possible && self.started.elapsed() > PATIENCE {
-            self.possible = false;
+        let due = self.possible.load(Relaxed) && self.started.elapsed() > PATIENCE;
+        if due && self.possible.swap(false, Relaxed) {
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
         }
     }

@@ -100,12 +100,14 @@ pub fn read(name: &str, path: &Path, most_mebibytes: u64) -> Result<String, Fail
     String::from_utf8(bytes).map_err(|_| refuse("must be UTF-8".to_owned()))
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
 mod tests {
     use super::*;
+    #[cfg(unix)]
     use std::os::unix::fs::{PermissionsExt, symlink};
 
     /// A link to a missing file creates its target, and the permissions of a file are kept.
+    #[cfg(unix)]
     #[test]
     fn links_and_modes_are_kept() {
         let folder = std::env::temp_dir().join(format!("toytop_whole_file_{}", std::process::id()));

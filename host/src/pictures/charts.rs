@@ -4,14 +4,10 @@
 //! |---|---|
 //! | `chart` | curves over linear or logarithmic axes |
 //! | `motion` | tilt and precession against time, potential |
-//! | `accuracy` | error of each scalar against its cost |
-//! | `work_precision` | error of an integrator against its work |
 //! | `fit` | residuals of a fit, error of its prediction |
 //! | `heat_map` | column of a sweep over two axes |
 
-pub(crate) mod accuracy;
-mod chart;
-pub(crate) mod fit;
-pub(crate) mod heat_map;
-pub(crate) mod motion;
-pub(crate) mod work_precision;
+pub mod chart;
+pub mod fit;
+pub mod heat_map;
+pub mod motion;

@@ -1,12 +1,45 @@
-//! Curve of the tip, and the circles between which it stays.
+//! Curve of the tip, and the bounds between which the axis and the tip stay.
 
 use crate::Failure;
-use crate::pictures::bounds::{Bound, Place};
 use crate::pictures::span::Span;
 use toytop::{Motion, Support};
 
+/// Bound between which the axis stays.
+#[derive(Clone, Copy)]
+pub struct Bound {
+    /// Place of the axis as legends name it: `lowest` (u = e₁), `highest` (u = e₂), `constant` where both are one, or `horizontal` (u = 0).
+    pub place: &'static str,
+    /// Cosine u of the tilt, from -1 to 1.
+    pub u: f64,
+}
+
+impl Bound {
+    /// Lowest place of the axis, then the highest; one place where the tilt is constant, none where the axis is
+    /// vertical at all times.
+    pub fn of(motion: &Motion) -> Vec<Self> {
+        let e = motion.branch_points();
+        let bound = |place, u: f64| Self { place, u: u.clamp(-1.0, 1.0) };
+        match motion.regime() {
+            regime if regime.is_vertical() => Vec::new(),
+            regime if regime.is_regular_precession() => vec![bound("constant", e.e2)],
+            _ => vec![bound("lowest", e.e1), bound("highest", e.e2)],
+        }
+    }
+
+    /// Tilt, degrees, from 0 to 180.
+    pub fn tilt(self) -> f64 {
+        self.u.acos().to_degrees()
+    }
+}
+
+/// Name and tilt, as in `lowest: tilt 45.57°`.
+impl std::fmt::Display for Bound {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: tilt {:.2}°", self.place, self.tilt())
+    }
+}
+
 /// Curve of the tip (of the axis, if the tip is held) and the circles between which it stays.
-#[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     /// Points (x, y), m (without unit for a fixed tip).
     pub points: Vec<[f64; 2]>,
@@ -15,7 +48,6 @@ pub struct Curve {
 }
 
 /// Circle of radius ρ(e) = s √(1 - e²), a bound on the distance from the centre.
-#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circle {
     /// Radius, in the unit of the curve.
     pub radius: f64,
@@ -33,7 +65,6 @@ impl Curve {
     }
 
     /// Curve over a span of time.
-    #[must_use]
     pub fn over(motion: &Motion, span: &Span) -> Self {
         let circles = circles(motion);
         // where the tip does not slide, the curve of the axis is drawn: -2αβ
@@ -54,13 +85,13 @@ fn circles(motion: &Motion) -> Vec<Circle> {
     let mut bounds = Bound::of(motion);
     // between e₁ and e₂ the axis is horizontal, which is the largest circle
     if e.e1 < 0.0 && e.e2 > 0.0 && bounds.len() == 2 {
-        bounds.push(Bound { place: Place::Horizontal, u: 0.0 });
+        bounds.push(Bound { place: "horizontal", u: 0.0 });
     }
     let circle = |bound: Bound| {
         let (one_plus_u, one_minus_u) = match bound.place {
-            Place::Lowest => (e.one_plus_e1, 2.0 - e.one_plus_e1),
-            Place::Horizontal => (1.0, 1.0),
-            Place::Highest | Place::Constant => (2.0 - e.one_minus_e2, e.one_minus_e2),
+            "lowest" => (e.one_plus_e1, 2.0 - e.one_plus_e1),
+            "horizontal" => (1.0, 1.0),
+            _ => (2.0 - e.one_minus_e2, e.one_minus_e2),
         };
         Circle { radius: scale * (one_plus_u * one_minus_u).sqrt(), bound }
     };

@@ -10,17 +10,17 @@ use std::io;
 use std::path::Path;
 
 /// Colours of the tip or axis, of its bounds, of its start, and of captions.
-pub(super) const CURVE: &str = "#1f4e8c";
-pub(super) const BOUND: &str = "#8a8a8a";
-pub(super) const START: &str = "#c0392b";
-pub(super) const CAPTION: &str = "#555555";
+pub const CURVE: &str = "#1f4e8c";
+pub const BOUND: &str = "#8a8a8a";
+pub const START: &str = "#c0392b";
+pub const CAPTION: &str = "#555555";
 
 /// Writes a picture as SVG or PNG, by the ending of the file's name. `width` is in pixels; without it an SVG has the size of its layout, and
 /// a PNG two pixels for each of its units.
 ///
 /// # Errors
 /// The failures of [`whole_file::write`], or [`Failure::Output`]: the picture cannot be encoded.
-pub(crate) fn write(option: &str, path: &Path, scene: &Scene, width: Option<u32>) -> Result<(), Failure> {
+pub fn write(option: &str, path: &Path, scene: &Scene, width: Option<u32>) -> Result<(), Failure> {
     let scale = width.map(|width| f64::from(width) / scene.width);
     let bytes = if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
         raster(scene, scale.unwrap_or(2.0)).map_err(Failure::Output)?
@@ -35,32 +35,25 @@ pub(crate) fn write(option: &str, path: &Path, scene: &Scene, width: Option<u32>
 }
 
 /// PNG with `scale` pixels for each unit of the layout.
-pub(super) fn raster(scene: &Scene, scale: f64) -> io::Result<Vec<u8>> {
+pub fn raster(scene: &Scene, scale: f64) -> io::Result<Vec<u8>> {
     RasterBackend::new().with_scale(scale as f32).render_scene(scene).map_err(io::Error::other)
 }
 
 /// Adds a line of text.
-pub(super) fn text(
-    scene: &mut Scene,
-    content: &str,
-    [x, y]: [f64; 2],
-    size: u32,
-    anchor: TextAnchor,
-    color: &str,
-) {
+pub fn text(scene: &mut Scene, content: &str, [x, y]: [f64; 2], size: u32, anchor: TextAnchor, color: &str) {
     let (content, color) = (content.to_owned(), Some(Color::from(color)));
     scene.add(Primitive::Text { x, y, content, size, anchor, rotate: None, bold: false, color });
 }
 
 /// Adds a disc, with an outline of another colour if there is one.
-pub(super) fn disc(scene: &mut Scene, (cx, cy): (f64, f64), r: f64, fill: &str, outline: Option<&str>) {
+pub fn disc(scene: &mut Scene, (cx, cy): (f64, f64), r: f64, fill: &str, outline: Option<&str>) {
     let (fill, stroke) = (Color::from(fill), outline.map(Color::from));
     let stroke_width = outline.map(|_| 1.0);
     scene.add(Primitive::Circle { cx, cy, r, fill, fill_opacity: None, stroke, stroke_width });
 }
 
 /// Adds a line through points.
-pub(super) fn line(scene: &mut Scene, points: Vec<(f64, f64)>, color: &str, stroke_width: f64) {
+pub fn line(scene: &mut Scene, points: Vec<(f64, f64)>, color: &str, stroke_width: f64) {
     let stroke = Color::from(color);
     scene.add(Primitive::PolyLine { points, stroke, stroke_width, stroke_dasharray: None });
 }

@@ -16,7 +16,8 @@ pub struct Span {
     pub ends: [f64; 2],
     /// Number of nutation periods, where they set the span.
     pub periods: Option<u32>,
-    cycle: Option<Cycle>,
+    /// Length of a cycle, s; `None` where the axis is at rest.
+    cycle: Option<f64>,
 }
 
 impl Span {
@@ -40,11 +41,10 @@ impl Span {
             };
             [0.0, time]
         });
-        Ok(Self { table, ends, periods, cycle: Cycle::of(motion) })
+        Ok(Self { table, ends, periods, cycle: cycle(motion).map(|(time, _)| time) })
     }
 
     /// Time from which a chart counts, s: 0, or the first time where the labels of an axis would need more than a few digits.
-    #[must_use]
     pub fn origin(&self) -> f64 {
         const FARTHEST: f64 = 1000.0;
         let [from, until] = self.ends;
@@ -52,7 +52,6 @@ impl Span {
     }
 
     /// Sample at a time.
-    #[must_use]
     pub fn at(&self, t: f64) -> Sample {
         self.table.at(t).sample
     }
@@ -68,12 +67,11 @@ impl Span {
         const LEAST: u64 = 1500;
         const IN_A_CYCLE: f64 = 64.0;
         let [from, until] = self.ends;
-        let cycles = self.cycle.map_or(0.0, |cycle| (until - from) / cycle.time);
+        let cycles = self.cycle.map_or(0.0, |time| (until - from) / time);
         self.times(LEAST.max((IN_A_CYCLE * cycles.ceil()) as u64 + 1))
     }
 
     /// First and last time as text, with as many digits as distinguish a thousandth of the span.
-    #[must_use]
     pub fn ends_as_text(&self) -> [String; 2] {
         let [from, until] = self.ends;
         let parts = from.abs().max(until.abs()) / (until - from);
@@ -113,26 +111,14 @@ fn turn(motion: &Motion) -> Option<f64> {
     (rate > 0.0 && !motion.regime().is_vertical()).then(|| 2.0 * PI / rate)
 }
 
-/// Time in which tilt and azimuth of the axis do the same again, with its name in messages.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Cycle {
-    /// Length, s.
-    time: f64,
-    /// Name in the plural.
-    name: &'static str,
-}
-
-impl Cycle {
-    /// Nutation period; a turn about the vertical where the tilt is constant; the natural time of an aperiodic motion. `None` where
-    /// the axis is at rest.
-    fn of(motion: &Motion) -> Option<Self> {
-        let (time, name) = match motion.regime() {
-            Regime::Nutating => (period(motion), "nutation periods"),
-            Regime::Aperiodic => (natural_time(motion), "times 2 pi sqrt((A/p + s)/g)"),
-            regime if regime.is_regular_precession() => (turn(motion)?, "turns about the vertical"),
-            _ => return None,
-        };
-        Some(Self { time, name })
+/// Time in which tilt and azimuth of the axis do the same again, s, with its name in the plural: the nutation period; a turn about the
+/// vertical where the tilt is constant; the natural time of an aperiodic motion. `None` where the axis is at rest.
+fn cycle(motion: &Motion) -> Option<(f64, &'static str)> {
+    match motion.regime() {
+        Regime::Nutating => Some((period(motion), "nutation periods")),
+        Regime::Aperiodic => Some((natural_time(motion), "times 2 pi sqrt((A/p + s)/g)")),
+        regime if regime.is_regular_precession() => Some((turn(motion)?, "turns about the vertical")),
+        _ => None,
     }
 }
 
@@ -146,7 +132,7 @@ pub fn require_at_most(
     [from, until]: [f64; 2],
     kind: &str,
 ) -> Result<(), Failure> {
-    let Some(Cycle { time, name }) = Cycle::of(&scenario.motion) else { return Ok(()) };
+    let Some((time, name)) = cycle(&scenario.motion) else { return Ok(()) };
     let longest = f64::from(most) * time;
     if until - from <= longest {
         return Ok(());

@@ -20,8 +20,7 @@ const ABOVE: f64 = 92.0;
 const BELOW: f64 = 58.0;
 
 /// Draws the curve over a span of time; the lines of the caption are below the title.
-#[must_use]
-pub(crate) fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scene {
+pub fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scene {
     let curve = &Curve::over(&scenario.motion, span);
     let s = scenario.motion.top().tip_scale();
     // in mm, or in units of s where the scenario names no units
@@ -31,7 +30,7 @@ pub(crate) fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scen
         (Support::Fixed | Support::Free, _) => ("axis", " of the axis (length 1)", 1.0),
     };
     let extent = extent(curve, scale);
-    let plots = lines(curve, scale, name);
+    let plots = lines(curve, scale, extent, name);
     let layout = Layout::auto_from_plots(&plots)
         .with_x_axis_min(-extent)
         .with_x_axis_max(extent)
@@ -68,8 +67,8 @@ pub(crate) fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scen
 }
 
 /// Head of an arrow on the curve, near its start; none where the curve is a point.
-fn arrow(curve: &Curve, scale: f64) -> Option<Plot> {
-    let size = 0.035 * extent(curve, scale);
+fn arrow(curve: &Curve, scale: f64, extent: f64) -> Option<Plot> {
+    let size = 0.035 * extent;
     let places: Vec<[f64; 2]> = curve.points.iter().map(|point| point.map(|x| x / scale)).collect();
     let first = places.first()?;
     let away = |place: &[f64; 2]| (place[0] - first[0]).hypot(place[1] - first[1]) > 2.5 * size;
@@ -77,19 +76,14 @@ fn arrow(curve: &Curve, scale: f64) -> Option<Plot> {
     let ([x, y], [from_x, from_y]) = (places[tip], places[tip - 1]);
     let angle = (y - from_y).atan2(x - from_x);
     let arm = |turn: f64| (x + size * (angle + turn).cos(), y + size * (angle + turn).sin());
-    Some(
-        LinePlot::new()
-            .with_color(START)
-            .with_stroke_width(1.7)
-            .with_data([arm(2.7), (x, y), arm(-2.7)])
-            .into(),
-    )
+    let head = LinePlot::new().with_color(START).with_stroke_width(1.7);
+    Some(head.with_data([arm(2.7), (x, y), arm(-2.7)]).into())
 }
 
 /// Circles, then the curve, then its start, each drawn over the one before; lengths in units of `scale`.
-fn lines(curve: &Curve, scale: f64, name: &str) -> Vec<Plot> {
+fn lines(curve: &Curve, scale: f64, extent: f64, name: &str) -> Vec<Plot> {
     // rounded, so that the last bits of a table do not change the picture
-    let unit = 10_f64.powf(extent(curve, scale).log10().floor() - 5.0);
+    let unit = 10_f64.powf(extent.log10().floor() - 5.0);
     let rounded = |x: f64| (x / scale / unit).round() * unit;
     let place = |&[x, y]: &[f64; 2]| (rounded(x), rounded(y));
     let mut plots: Vec<Plot> = Vec::new();
@@ -106,7 +100,7 @@ fn lines(curve: &Curve, scale: f64, name: &str) -> Vec<Plot> {
     let start_name = if curve.circles.is_empty() { "start" } else { "start, direction" };
     let start = ScatterPlot::new().with_color(START).with_size(4.0).with_legend(start_name);
     plots.push(start.with_data(curve.points.first().map(place)).into());
-    plots.extend(arrow(curve, scale));
+    plots.extend(arrow(curve, scale, extent));
     plots
 }
 

@@ -3,12 +3,11 @@
 
 use crate::Failure;
 use crate::input::builtin::{FIGURES, TOY_TOP};
-use crate::input::scenario::Scenario;
+use crate::input::scenario::ScenarioFile;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::smallest;
 use crate::output::{base64, html};
 use serde_json::json;
-use toml::Table;
 use toytop_page::constants;
 
 /// The core as WebAssembly; empty in a program that was compiled without that target.
@@ -43,71 +42,43 @@ const SCRIPTS: [&str; 25] = [
     include_str!("view/main.js"),
 ];
 
-/// Motion that a page starts with.
-#[derive(Clone, Debug)]
-pub struct Start {
-    /// Keys and values of its scenario.
-    pub keys: Table,
-    /// Scenario read from that text.
-    pub scenario: Scenario,
-}
-
-impl Start {
-    /// Motion of a scenario file's text; `name` is the name on the page and in messages.
-    ///
-    /// # Errors
-    /// [`Failure::Input`]: as [`Scenario::parse`].
-    pub fn parse(name: &str, text: &str) -> Result<Self, Failure> {
-        let scenario = Scenario::parse(name, text)?;
-        Ok(Self { keys: Scenario::keys_of(name, text)?, scenario })
-    }
-
-    /// Toy top of the sample scenarios.
-    ///
-    /// # Errors
-    /// None: the sample is valid.
-    pub fn toy_top() -> Result<Self, Failure> {
-        Self::parse("A spinning top", TOY_TOP)
-    }
-}
-
-fn keys_of_toy_top() -> Result<Table, Failure> {
-    TOY_TOP.parse().map_err(|error| Failure::Input(format!("toy top: {error}")))
+/// Toy top, with which a page starts without a scenario.
+///
+/// # Errors
+/// None: the sample is valid.
+pub fn toy_top() -> Result<ScenarioFile, Failure> {
+    ScenarioFile::parse("A spinning top", TOY_TOP)
 }
 
 /// Page that starts with a motion.
 ///
 /// # Errors
-/// [`Failure::Tool`]: the program was compiled without WebAssembly. [`Failure::Method`]: no table fits the motion.
-pub fn page(start: &Start) -> Result<String, Failure> {
+/// [`Failure::Input`]: as [`ScenarioFile::scenario`]. [`Failure::Tool`]: the program was compiled without WebAssembly. [`Failure::Method`]: no table fits the motion.
+pub fn page(start: &ScenarioFile) -> Result<String, Failure> {
     if CORE.is_empty() {
         let install = "rustup target add wasm32-unknown-unknown, then install toytop again";
         return Err(Failure::Tool(format!("this toytop was compiled without the page: {install}")));
     }
-    let Start { keys, scenario } = start;
+    let scenario = start.scenario()?;
     smallest(Scalar::F64, &scenario.motion)?;
     let unwritten = |error: serde_json::Error| Failure::Method(format!("view: {error}"));
     let data = json!({
         "name": scenario.name,
-        "scenario": serde_json::to_value(keys).map_err(unwritten)?,
+        "scenario": serde_json::to_value(&start.keys).map_err(unwritten)?,
         "constants": constants::names().collect::<Vec<_>>(),
         "figures": FIGURES.map(|(figure, signs, e3s)| json!([figure, signs.l_minus_n.factor(), e3s])),
-        "toy_top": serde_json::to_value(keys_of_toy_top()?).map_err(unwritten)?,
+        "toy_top": serde_json::to_value(toy_top()?.keys).map_err(unwritten)?,
     });
     let values = [
         ("name", html(&scenario.name)),
         ("style", concat!(include_str!("view/style.css"), include_str!("view/layout.css")).to_owned()),
-        ("data", in_script(&data.to_string())),
+        // without characters that could end the element of a script
+        ("data", data.to_string().replace('<', "\\u003c")),
         ("core", base64(CORE)),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
         ("script", SCRIPTS.concat()),
     ];
     Ok(filled(include_str!("view/page.html"), &values))
-}
-
-/// Text of a script element: JSON without characters that could end the element.
-fn in_script(json: &str) -> String {
-    json.replace('<', "\\u003c")
 }
 
 /// Template with every {{name}} replaced. Names in the replacement texts are not replaced.

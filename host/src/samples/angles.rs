@@ -5,7 +5,6 @@ use toytop::{Complex, Orientation};
 
 /// Tilt in [0, π], azimuth and roll in (-π, π] of a scenario's release: Rz(azimuth) Ry(tilt) Rz(roll). Where the axis is vertical, one of
 /// the two is 0.
-#[must_use]
 pub fn tilt_azimuth_roll(phi: &Orientation<f64>) -> [f64; 3] {
     let Orientation { alpha, beta } = *phi;
     let tilt = 2.0 * modulus(beta).atan2(modulus(alpha));
@@ -20,7 +19,6 @@ pub fn tilt_azimuth_roll(phi: &Orientation<f64>) -> [f64; 3] {
 }
 
 /// Euler's angles φ in (-π, π], θ in [0, π], ψ in (-π, π] of the sequence z-x-z: Rz(φ) Rx(θ) Rz(ψ).
-#[must_use]
 pub fn zxz(phi: &Orientation<f64>) -> [f64; 3] {
     let [tilt, azimuth, roll] = tilt_azimuth_roll(phi);
     [wrapped(azimuth + 0.5 * PI), tilt, wrapped(roll - 0.5 * PI)]

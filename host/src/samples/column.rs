@@ -6,7 +6,7 @@ use crate::motion::propagate::Sample;
 use toytop::{Complex, Support};
 
 /// Quantity of a sample: a group of columns.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "program", derive(clap::ValueEnum), value(rename_all = "snake_case"))]
 pub enum Column {
     /// Time
@@ -48,7 +48,6 @@ pub const DEFAULT_COLUMNS: &str = "t,u,udot,alpha,beta,quaternion,omega,tip,phi,
 
 impl Column {
     /// Key of JSON, and names of its numbers as columns of CSV.
-    #[must_use]
     pub fn names(self) -> (&'static str, &'static [&'static str]) {
         match self {
             Self::T => ("t", &["t"]),
@@ -71,7 +70,6 @@ impl Column {
     }
 
     /// Unit of its numbers; empty where there is none.
-    #[must_use]
     pub fn unit(self, units: Units, support: Support) -> &'static str {
         match (self, support) {
             (Self::T, _) => units.name("s"),
@@ -84,7 +82,6 @@ impl Column {
     }
 
     /// Numbers of a sample; NaN stands for what does not exist.
-    #[must_use]
     pub fn numbers(self, sample: &Sample) -> Vec<f64> {
         let phi = sample.orientation();
         let pair = |z: Complex<f64>| vec![z.re, z.im];

@@ -1,14 +1,13 @@
 //! Rows of chosen columns as CSV, JSON, a NumPy file or an aligned table.
 
 use super::column::Column;
-use super::npy;
 use crate::input::scenario::Units;
 use crate::motion::propagate::Sample;
-use crate::output::{self, Cell, Record, number, short};
+use crate::output::{self, Record, number, short};
 use toytop::Support;
 
 /// Form of the output of samples.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
 pub enum SampleFormat {
     /// Aligned table
     Table,
@@ -21,7 +20,6 @@ pub enum SampleFormat {
 }
 
 /// Columns of the rows, the units of their numbers, and the form in which they are written.
-#[derive(Clone, Debug)]
 pub struct Sheet {
     /// Form of the output.
     pub format: SampleFormat,
@@ -37,12 +35,11 @@ pub struct Sheet {
 
 impl Sheet {
     /// Bytes before this many rows.
-    #[must_use]
     pub fn head(&self, rows: u64) -> Vec<u8> {
         match self.format {
             SampleFormat::Csv => (self.names().join(",") + "\n").into_bytes(),
             SampleFormat::Json => b"{\"samples\":[".to_vec(),
-            SampleFormat::Npy => npy::header(&self.names(), rows),
+            SampleFormat::Npy => npy_header(&self.names(), rows),
             SampleFormat::Table => Vec::new(),
         }
     }
@@ -67,18 +64,17 @@ impl Sheet {
     }
 
     /// Text after the rows.
-    #[must_use]
-    pub fn end(&self) -> &'static str {
-        match (self.format, self.support) {
-            (SampleFormat::Json, _) => "]}\n",
-            (SampleFormat::Table, Support::Fixed) if self.columns.contains(&Column::Tip) => {
-                "\ntip: 2 alpha beta, minus the horizontal part of the axis (the tip is held)\n"
-            }
-            (SampleFormat::Table, Support::Free) if self.columns.contains(&Column::Tip) => {
-                "\ntip: 2 alpha beta, minus the horizontal part of the axis (the body is free)\n"
-            }
-            _ => "",
+    pub fn end(&self) -> String {
+        let reason = match (self.format, self.support) {
+            (SampleFormat::Json, _) => return "]}\n".to_owned(),
+            (SampleFormat::Table, Support::Fixed) => "the tip is held",
+            (SampleFormat::Table, Support::Free) => "the body is free",
+            _ => return String::new(),
+        };
+        if !self.columns.contains(&Column::Tip) {
+            return String::new();
         }
+        format!("\ntip: 2 alpha beta, minus the horizontal part of the axis ({reason})\n")
     }
 
     /// Names of all numbers of a row.
@@ -122,12 +118,25 @@ fn field(x: &f64) -> String {
 /// Object of JSON.
 fn object(parts: &[Part<'_>]) -> String {
     let entry = |(column, numbers): &Part<'_>| {
-        let cell = match &numbers[..] {
-            [x] => Cell::Number(*x),
-            _ => Cell::Numbers(numbers.iter().map(|x| ("", *x)).collect()),
-        };
-        (column.names().0, cell)
+        let value = if let [x] = numbers[..] { x.into() } else { numbers.clone().into() };
+        (column.names().0, value)
     };
     // a write to memory does not fail
     output::json(&Record(parts.iter().map(entry).collect())).unwrap_or_default().trim_end().to_owned()
+}
+
+/// Header of a file with columns of these names and this many rows (format 1.0: magic, length, and a Python literal that ends at a multiple of 64 bytes).
+fn npy_header(names: &[String], rows: u64) -> Vec<u8> {
+    const BEFORE: usize = 10;
+    let fields: String = names.iter().map(|name| format!("('{name}', '<f8'), ")).collect();
+    let mut text = format!("{{'descr': [{fields}], 'fortran_order': False, 'shape': ({rows},), }}");
+    while !(BEFORE + text.len() + 1).is_multiple_of(64) {
+        text.push(' ');
+    }
+    text.push('\n');
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    // the header has some hundred bytes, so its length fits 16 bits
+    bytes.extend_from_slice(&(text.len() as u16).to_le_bytes());
+    bytes.extend_from_slice(text.as_bytes());
+    bytes
 }

@@ -33,7 +33,7 @@ pub fn rows(count: u64, encode: &Encode<'_>, out: &mut dyn Write) -> io::Result<
         return out.flush();
     }
     let cores = thread_pool::of_all_cores().map_err(io::Error::other)?;
-    let mut progress = Progress::new(count, "rows");
+    let progress = Progress::new(count, "rows");
     for first in (0..count).step_by((BLOCK * BLOCKS) as usize) {
         let last = count.min(first + BLOCK * BLOCKS);
         let part = |part: u64| block(first + BLOCK * part..last.min(first + BLOCK * (part + 1)));

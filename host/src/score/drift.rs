@@ -12,39 +12,29 @@
 use super::rotation_between;
 use super::trajectory::Row;
 use crate::motion::ephemeris::AnyScalar;
-use crate::motion::invariants::{first_integrals, natural_scales};
+use crate::motion::{first_integrals, natural_scales};
 use nalgebra::Vector3;
 use toytop::{Motion, Orientation};
 
 /// Greatest relative change of l, n and h from the motion's values, and how it was found.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Default)]
 pub struct Drift {
     /// Drift of l and n in units of the greatest of |l|, |n| and √(2 A p g), and of h in units of the greater of |h| and p g.
     pub integrals: Option<[f64; 3]>,
-    /// Source of the angular velocity.
-    pub from: Option<RateSource>,
+    /// Source of the angular velocity: `columns` of the file, or `differences` of the orientation's error.
+    pub from: Option<&'static str>,
     /// Greatest change of the drifts if five rows are used for differences instead of seven.
     pub uncertainty: Option<f64>,
 }
 
-/// Source of the angular velocity of a trajectory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RateSource {
-    /// Columns of the file.
-    Columns,
-    /// Differences of the orientation's error.
-    Differences,
-}
-
 /// Drift along the rows. It stays unknown where the file has no angular velocity and fewer than seven rows, or errors of more than two
 /// radians, which cannot be followed from row to row.
-#[must_use]
 pub(crate) fn along(rows: &[Row], motion: &Motion, table: &dyn AnyScalar) -> Drift {
     const TOO_FAR: f64 = 2.0;
     let given: Option<Vec<_>> = rows.iter().map(|row| Some((row.orientation, row.omega?))).collect();
     if let Some(given) = given {
         let integrals = Some(greatest(motion, given.into_iter()));
-        return Drift { integrals, from: Some(RateSource::Columns), uncertainty: None };
+        return Drift { integrals, from: Some("columns"), uncertainty: None };
     }
     let errors: Vec<_> = rows.iter().map(|row| ErrorAt::new(row, table)).collect();
     if rows.len() < 7 || errors.iter().any(|error| error.epsilon.norm() > TOO_FAR) {
@@ -60,7 +50,7 @@ pub(crate) fn along(rows: &[Row], motion: &Motion, table: &dyn AnyScalar) -> Dri
         greatest(motion, windows.map(state))
     });
     let uncertainty = seven.iter().zip(five).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    Drift { integrals: Some(seven), from: Some(RateSource::Differences), uncertainty: Some(uncertainty) }
+    Drift { integrals: Some(seven), from: Some("differences"), uncertainty: Some(uncertainty) }
 }
 
 /// Greatest relative differences of l, n and h from the motion's constants.
@@ -68,7 +58,7 @@ fn greatest(motion: &Motion, states: impl Iterator<Item = (Orientation<f64>, [f6
     let constants = motion.first_integrals();
     let (exact, scales) = ([constants.l, constants.n, constants.h], natural_scales(motion));
     states.fold([0.0; 3], |most: [f64; 3], (phi, omega)| {
-        let found = first_integrals(motion.top(), phi.alpha, phi.beta, omega);
+        let found = first_integrals(motion.top(), &phi, omega);
         std::array::from_fn(|i| most[i].max((found[i] - exact[i]).abs() / scales[i]))
     })
 }

@@ -16,11 +16,12 @@ pub struct Judge<'a> {
     motion: &'a Motion,
     table: Box<dyn AnyScalar>,
     /// Distance from the tip to the centre of mass in the files.
-    length: f64,
+    pub length: f64,
+    /// Command that prints the state from which a run has to start.
+    start: String,
 }
 
 /// Errors of one trajectory.
-#[derive(Clone, Debug, PartialEq)]
 pub struct Score {
     /// Greatest error of the orientation, 2 √(|Δα|² + |Δβ|²) with the nearer sign, rad.
     pub max_error: f64,
@@ -40,49 +41,22 @@ pub struct Score {
     pub norm_error: f64,
     /// Upper bound on the error of the exact motion itself, rad.
     pub truth_bound: f64,
-    /// Reason why the first row is far from the motion, if it is.
-    pub doubt: Option<Doubt>,
+    /// Likely reason why the first row is far from the motion, as a question; most often another convention.
+    pub doubt: Option<String>,
 }
 
-/// Likely reason why the first row is far from the motion, most often another convention.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Doubt {
-    reason: String,
-    /// Whether the run may start from another state.
-    start: bool,
-}
-
-impl Doubt {
-    /// Distance from which a first row is far: rad, or a share.
-    const FAR: f64 = 0.01;
-
-    /// Reason as a question; `start` is the command that prints the state from which a run has to start.
-    #[must_use]
-    pub fn question(&self, start: &str) -> String {
-        let Self { reason, start: doubtful } = self;
-        if *doubtful {
-            format!("{reason} does the run start from the state of this motion? ({start})")
-        } else {
-            reason.clone()
-        }
-    }
-}
+/// Distance from which a first row is far: rad, or a share.
+const FAR: f64 = 0.01;
 
 impl<'a> Judge<'a> {
-    /// Exact motion of a scenario, by its ephemeris in `f64`.
+    /// Exact motion of a scenario, by its ephemeris in `f64`; `start` is the command that prints the state from which a run has to start.
     ///
     /// # Errors
     /// [`Failure::Method`]: no ephemeris is large enough.
-    pub fn new(scenario: &'a Scenario) -> Result<Self, Failure> {
+    pub fn new(scenario: &'a Scenario, start: &str) -> Result<Self, Failure> {
         let motion = &scenario.motion;
         let table = smallest(Scalar::F64, motion).map_err(|failure| failure.of(&scenario.name))?;
-        Ok(Self { motion, table, length: motion.top().com_height() })
-    }
-
-    /// The same motion for files with another distance from the tip to the centre of mass.
-    #[must_use]
-    pub fn with_length(self, length: f64) -> Self {
-        Self { length, ..self }
+        Ok(Self { motion, table, length: motion.top().com_height(), start: start.to_owned() })
     }
 
     /// Errors of a trajectory.
@@ -131,32 +105,30 @@ impl<'a> Judge<'a> {
     }
 
     /// Reason why the first row is far from the motion; `None` if it is near.
-    fn doubt(&self, first: &Row) -> Option<Doubt> {
+    fn doubt(&self, first: &Row) -> Option<String> {
         let sample = self.table.at(first.t).sample;
         let exact = sample.orientation();
         let [error, inverse] =
             [first.orientation, first.orientation.inverse()].map(|found| distance(&exact, &found));
-        if error >= Doubt::FAR {
-            let far = format!("the first row is {error:.1e} rad from the motion;");
-            let start = inverse >= Doubt::FAR;
-            let transposed = "are the columns from fixed to body coordinates?";
-            let reason =
-                if start { far } else { format!("{far} and its inverse {inverse:.1e} rad: {transposed}") };
-            return Some(Doubt { reason, start });
-        }
         let speed = apart(sample.omega, [0.0; 3]).max(2.0 * std::f64::consts::PI / period(self.motion));
         let length = if self.length > 0.0 { self.length } else { 1.0 };
-        let far =
-            |error: Option<f64>, unit: f64| error.map(|error| error / unit).filter(|x| *x >= Doubt::FAR);
-        let reason = if let Some(error) = far(first.omega.map(|omega| apart(omega, sample.omega)), speed) {
+        let off = |error: Option<f64>, unit: f64| error.map(|error| error / unit).filter(|x| *x >= FAR);
+        let reason = if error >= FAR {
+            let far = format!("the first row is {error:.1e} rad from the motion;");
+            if inverse < FAR {
+                let transposed = "are the columns from fixed to body coordinates?";
+                return Some(format!("{far} and its inverse {inverse:.1e} rad: {transposed}"));
+            }
+            far
+        } else if let Some(error) = off(first.omega.map(|omega| apart(omega, sample.omega)), speed) {
             format!(
                 "the angular velocity of the first row is off by {error:.1e} of its size: are wx,wy,wz in the body frame, and"
             )
         } else {
-            let error = far(self.position_error(first), length)?;
+            let error = off(self.position_error(first), length)?;
             format!("the position of the first row is off by {error:.1e} of the length of the top;")
         };
-        Some(Doubt { reason, start: true })
+        Some(format!("{reason} does the run start from the state of this motion? ({})", self.start))
     }
 }
 

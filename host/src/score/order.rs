@@ -1,7 +1,6 @@
 //! Order of convergence: the slope of the error against the step size, both in logarithms.
 
 /// Order of convergence between two runs \[step, error\]; `None` where the second step is not smaller by a twentieth at least.
-#[must_use]
 pub fn between([coarse_step, coarse_error]: [f64; 2], [fine_step, fine_error]: [f64; 2]) -> Option<f64> {
     const SMALLER: f64 = 1.05;
     let order = (coarse_error / fine_error).ln() / (coarse_step / fine_step).ln();
@@ -12,7 +11,6 @@ pub fn between([coarse_step, coarse_error]: [f64; 2], [fine_step, fine_error]: [
 ///
 /// Runs with an error above half a radian are left out. Towards small steps the fit ends where rounding dominates: where the
 /// order between two runs is below seven tenths of the order before, or below 1/2. `None` if fewer than two runs remain.
-#[must_use]
 pub fn fitted(runs: &[[f64; 2]]) -> Option<f64> {
     const LOST: f64 = 0.5;
     let mut sorted: Vec<_> =

@@ -20,7 +20,7 @@ use std::f64::consts::PI;
 use toytop::{Complex, Motion, Orientation, Regime};
 
 /// Phase errors of a trajectory over some rows, above 0 where it is ahead of the motion.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Default)]
 pub struct PhaseErrors {
     /// Nutation phase error Δθ, rad; `None` where the axis does not nutate.
     pub nutation: Option<f64>,
@@ -33,7 +33,7 @@ pub struct PhaseErrors {
 }
 
 /// Fit of phase errors to rows.
-pub(super) struct Fit<'a> {
+pub struct Fit<'a> {
     table: &'a dyn AnyScalar,
     /// Time that a fit covers, s.
     period: f64,
@@ -48,8 +48,7 @@ const LEAST_ROWS: usize = 8;
 
 impl<'a> Fit<'a> {
     /// Fit for a motion with its ephemeris; `None` for an aperiodic motion, which has no such phases.
-    #[must_use]
-    pub(super) fn new(motion: &Motion, table: &'a dyn AnyScalar) -> Option<Self> {
+    pub fn new(motion: &Motion, table: &'a dyn AnyScalar) -> Option<Self> {
         let exist = match motion.regime() {
             Regime::Nutating => [true; 3],
             Regime::Aperiodic => return None,
@@ -65,8 +64,7 @@ impl<'a> Fit<'a> {
 
     /// Phase errors in the middle of the last nutation period of the rows (of the last eight rows, if these take longer). The fit goes
     /// through the periods before it one by one, so that errors of more than half a turn are recognised.
-    #[must_use]
-    pub(super) fn last(&self, rows: &[Row]) -> PhaseErrors {
+    pub fn last(&self, rows: &[Row]) -> PhaseErrors {
         let mut angles = [Vector3::zeros(); 2];
         let mut residual = None;
         for window in self.windows(rows) {

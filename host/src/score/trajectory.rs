@@ -1,17 +1,15 @@
 //! Trajectory of a CSV file: columns by name, and statements about the run in comment lines above the header.
 
 use crate::Failure;
-use crate::input::rows::{self, BoundedLines, unread};
+use crate::input::finite;
+use crate::input::rows::{self, unread};
 use crate::output::shown;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
-use std::collections::HashMap;
-use std::fs::File;
-use std::io::{self, BufRead, BufReader, Cursor, Read};
 use std::path::Path;
 use toytop::{Complex, Orientation};
 
 /// Row of a trajectory.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Row {
     /// Time, s.
     pub t: f64,
@@ -28,7 +26,7 @@ pub struct Row {
 }
 
 /// Times and orientations of one run of an integrator.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug)]
 pub struct Trajectory {
     /// Name of the file.
     pub name: String,
@@ -42,41 +40,39 @@ pub struct Trajectory {
     pub rows: Vec<Row>,
 }
 
-/// Greatest length of a line above the header, bytes.
-const LONGEST_COMMENT: u64 = 1 << 16;
-
 /// Columns of an orientation, one of three sets; the first that is complete counts.
 const QUATERNION: [&str; 4] = ["w", "x", "y", "z"];
 const ALPHA_BETA: [&str; 4] = ["alpha_re", "alpha_im", "beta_re", "beta_im"];
 const MATRIX: [&str; 9] = ["r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"];
 
 impl Trajectory {
-    /// Trajectory of a file, which is read row by row.
+    /// Trajectory of a file.
     ///
     /// # Errors
     /// [`Failure::Input`] with the file and the line: a column is missing, a value is not a finite number or no rotation, or a time is out
     /// of order.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
-        let file = File::open(path).map_err(|error| Failure::Input(format!("{name}: {error}")))?;
-        Self::parse(&name, BufReader::new(BoundedLines::new(file)))
+        Self::parse(&name, &rows::read(&name, path)?)
     }
 
-    fn parse(name: &str, mut text: impl BufRead) -> Result<Self, Failure> {
+    fn parse(name: &str, text: &str) -> Result<Self, Failure> {
         let refuse = |reason: String| Failure::Input(format!("{name}: {reason}"));
-        let (stated, header) = head(&mut text).map_err(|error| refuse(error.to_string()))?;
-        let positive = |key: &str| match stated.get(key) {
+        // a byte order mark would hide the first comment
+        let text = text.trim_start_matches('\u{feff}');
+        let stated = |key: &str| {
+            let mut comments = text.lines().map_while(|line| line.strip_prefix('#')?.split_once('='));
+            comments.find(|(own, _)| own.trim() == key).map(|(_, value)| value.trim())
+        };
+        let positive = |key: &str| match stated(key) {
             None => Ok(None),
-            Some(value) => match value.parse() {
-                Ok(x) if x > 0.0 && f64::is_finite(x) => Ok(Some(x)),
+            Some(value) => match finite(value) {
+                Some(x) if x > 0.0 => Ok(Some(x)),
                 _ => Err(refuse(format!("# {key} = {}: must be a number above 0", shown(value)))),
             },
         };
         let (step, evaluations) = (positive("step")?, positive("evaluations")?);
-        let mut reader = csv::ReaderBuilder::new()
-            .comment(Some(b'#'))
-            .trim(csv::Trim::All)
-            .from_reader(header.chain(text));
+        let mut reader = rows::reader(text);
         let columns =
             Columns::of(reader.headers().map_err(|error| refuse(error.to_string()))?).map_err(&refuse)?;
         let mut rows: Vec<Row> = Vec::new();
@@ -92,11 +88,16 @@ impl Trajectory {
         if rows.is_empty() {
             return Err(refuse("must hold at least one row below the header".to_owned()));
         }
-        Ok(Self { name: name.to_owned(), method: stated.get("method").cloned(), step, evaluations, rows })
+        Ok(Self {
+            name: name.to_owned(),
+            method: stated("method").map(str::to_owned),
+            step,
+            evaluations,
+            rows,
+        })
     }
 
     /// Trajectory in other body axes, where `body` takes the file's body coordinates to the new ones.
-    #[must_use]
     pub fn in_body_axes(mut self, body: &Orientation<f64>) -> Self {
         let inverse = body.inverse();
         for row in &mut self.rows {
@@ -106,33 +107,11 @@ impl Trajectory {
     }
 
     /// Spacing of the rows, s, if it is constant to a millionth; `None` otherwise.
-    #[must_use]
     pub fn spacing(&self) -> Option<f64> {
         let [first, .., last] = &self.rows[..] else { return None };
         let mean = (last.t - first.t) / (self.rows.len() - 1) as f64;
         let even = |pair: &[Row]| (pair[1].t - pair[0].t - mean).abs() <= 1e-6 * mean.abs();
         self.rows.windows(2).all(even).then_some(mean.abs())
-    }
-}
-
-/// Keys and values of the lines above the header.
-type Stated = HashMap<String, String>;
-
-/// Values of the lines `# key = value` above the header, and what a reader of CSV has to read before the rest.
-fn head(text: &mut impl BufRead) -> io::Result<(Stated, Cursor<Vec<u8>>)> {
-    let (mut stated, mut before) = (HashMap::new(), Vec::new());
-    loop {
-        let mut line = Vec::new();
-        text.by_ref().take(LONGEST_COMMENT).read_until(b'\n', &mut line)?;
-        let line = line.strip_prefix("\u{feff}".as_bytes()).unwrap_or(&line);
-        let Some(comment) = line.strip_prefix(b"#") else {
-            // with a line for each comment, so that lines are counted as they stand in the file
-            return Ok((stated, Cursor::new([&before[..], line].concat())));
-        };
-        before.push(b'\n');
-        if let Some((key, value)) = String::from_utf8_lossy(comment).split_once('=') {
-            stated.entry(key.trim().to_owned()).or_insert_with(|| value.trim().to_owned());
-        }
     }
 }
 
@@ -145,25 +124,27 @@ fn goes_on(rows: &[Row], t: f64) -> bool {
     }
 }
 
-/// Indices of the columns by their names.
-struct Columns(HashMap<String, usize>);
+/// Names of the columns; of equal names the first counts.
+struct Columns(Vec<String>);
 
 impl Columns {
     fn of(header: &csv::StringRecord) -> Result<Self, String> {
-        let names = rows::names(header)?;
-        let first_places = names.iter().enumerate().rev().map(|(place, name)| (name.clone(), place));
-        let columns = Self(first_places.collect());
+        let columns = Self(rows::names(header)?);
         let orientation = columns.have(&QUATERNION) || columns.have(&ALPHA_BETA) || columns.have(&MATRIX);
         if orientation && columns.have(&["t"]) {
             return Ok(columns);
         }
         let allowed =
             "t with w,x,y,z (body to fixed), alpha_re,alpha_im,beta_re,beta_im or r11,r12,...,r33 (by rows)";
-        Err(format!("columns: must have {allowed}; has {}", shown(&names.join(","))))
+        Err(format!("columns: must have {allowed}; has {}", shown(&columns.0.join(","))))
+    }
+
+    fn place(&self, name: &str) -> Option<usize> {
+        self.0.iter().position(|own| own == name)
     }
 
     fn have(&self, names: &[&str]) -> bool {
-        names.iter().all(|name| self.0.contains_key(*name))
+        names.iter().all(|name| self.place(name).is_some())
     }
 
     /// Numbers of a row in these columns; `None` where one of the columns is missing.
@@ -177,9 +158,9 @@ impl Columns {
         }
         let mut numbers = [0.0; N];
         for (number, name) in numbers.iter_mut().zip(names) {
-            let text = record.get(self.0[name]).unwrap_or_default();
-            let finite = text.parse().ok().filter(|x: &f64| x.is_finite());
-            *number = finite.ok_or_else(|| format!("{name}: {:?} must be a finite number", shown(text)))?;
+            let text = self.place(name).and_then(|place| record.get(place)).unwrap_or_default();
+            *number =
+                finite(text).ok_or_else(|| format!("{name}: {:?} must be a finite number", shown(text)))?;
         }
         Ok(Some(numbers))
     }
@@ -253,7 +234,7 @@ mod tests {
                 "\u{feff}# method = Euler\n#evaluations= 7\nt,r11,r12,r13,r21,r22,r23,r31,r32,r33\n1,{m}\n"
             ),
         ];
-        let read = texts.map(|text| Trajectory::parse("a.csv", text.as_bytes()).unwrap());
+        let read = texts.map(|text| Trajectory::parse("a.csv", &text).unwrap());
         for (trajectory, has_omega) in read.iter().zip([true, true, false]) {
             let [row] = trajectory.rows[..] else { panic!("one row") };
             assert!(row.t == 1.0 && row.norm_error < 1e-15);
@@ -289,7 +270,7 @@ mod tests {
                 "line 2: r11..r33: must be a rotation",
             ),
         ] {
-            let message = Trajectory::parse("a.csv", text.as_bytes()).unwrap_err().to_string();
+            let message = Trajectory::parse("a.csv", text).unwrap_err().to_string();
             assert!(message.starts_with("a.csv: ") && message.contains(part), "{text:?}: {message}");
         }
     }

@@ -1,5 +1,6 @@
 //! Values of one number of a sweep: a list, or a range.
 
+use crate::input::finite;
 use crate::input::random::Random;
 use std::str::FromStr;
 
@@ -8,63 +9,64 @@ use std::str::FromStr;
 pub enum Axis {
     /// List of numbers.
     List(Vec<f64>),
-    /// All numbers of a range, for a random sample only.
-    Range(Range),
-    /// Range with this many values, evenly spread, both ends included.
-    Grid(Range, u32),
-}
-
-/// Range from `low` to `high`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Range {
-    low: f64,
-    high: f64,
-    /// Whether values are spread evenly in the logarithm.
-    log: bool,
-}
-
-impl Range {
-    fn at(&self, share: f64) -> f64 {
-        let Self { low, high, log } = *self;
-        let between = |low: f64, high: f64| low + (high - low) * share;
-        let x = if log { between(low.ln(), high.ln()).exp() } else { between(low, high) };
-        // rounding must neither change the ends nor pass them
-        if share == 0.0 { low } else { x.clamp(low, high) }
-    }
+    /// Range from `low` to `high`.
+    Range {
+        /// Lower end.
+        low: f64,
+        /// Upper end.
+        high: f64,
+        /// Whether values are spread evenly in the logarithm.
+        log: bool,
+        /// Number of values, both ends included; `None` for all numbers, of which a random sample is drawn.
+        places: Option<u32>,
+    },
 }
 
 impl Axis {
-    /// Number of values; `None` for a range.
+    /// Number of values; `None` where there are all of a range.
     pub fn count(&self) -> Option<u64> {
         match self {
             Self::List(numbers) => Some(numbers.len() as u64),
-            Self::Range(_) => None,
-            Self::Grid(_, places) => Some(u64::from(*places)),
+            Self::Range { places, .. } => places.map(u64::from),
         }
     }
 
-    /// Number of values, of which a range has one.
-    #[must_use]
+    /// Number of values, of which all of a range count as one.
     pub fn size(&self) -> u64 {
         self.count().unwrap_or(1)
     }
 
-    /// Value with this index. A range has only one, its lower end.
+    /// Whether the values are those of a range in even steps.
+    pub fn is_grid(&self) -> bool {
+        matches!(self, Self::Range { places: Some(_), .. })
+    }
+
+    /// Value with this index, which is 0 where there are all of a range.
     pub fn at(&self, place: u64) -> f64 {
-        match self {
-            Self::List(numbers) => numbers.get(place as usize).copied().unwrap_or(f64::NAN),
-            Self::Range(range) => range.low,
-            Self::Grid(range, places) if place + 1 == u64::from(*places) && place > 0 => range.high,
-            Self::Grid(range, places) => range.at(place as f64 / f64::from((*places - 1).max(1))),
+        self.at_share(place, place as f64 / (self.size().max(2) - 1) as f64)
+    }
+
+    /// Value with this index of a list, or at this share of a range.
+    fn at_share(&self, place: u64, share: f64) -> f64 {
+        match *self {
+            Self::List(ref numbers) => numbers.get(place as usize).copied().unwrap_or(f64::NAN),
+            // rounding must neither change the ends nor pass them
+            Self::Range { low, .. } if share == 0.0 => low,
+            Self::Range { high, .. } if share == 1.0 => high,
+            Self::Range { low, high, log, .. } => {
+                let between = |low: f64, high: f64| low + (high - low) * share;
+                let x = if log { between(low.ln(), high.ln()).exp() } else { between(low, high) };
+                x.clamp(low, high)
+            }
         }
     }
 
     /// Random number.
     pub(super) fn draw(&self, random: &mut Random) -> f64 {
         let share = random.share();
-        match self {
-            Self::Range(range) => range.at(share),
-            _ => self.at((share * self.size() as f64) as u64),
+        match self.count() {
+            None => self.at_share(0, share),
+            Some(size) => self.at((share * size as f64) as u64),
         }
     }
 
@@ -78,20 +80,21 @@ impl Axis {
 
     /// Whether the values are spread evenly in the logarithm.
     pub fn is_log(&self) -> bool {
-        matches!(self, Self::Range(range) | Self::Grid(range, _) if range.log)
+        matches!(self, Self::Range { log: true, .. })
     }
 
     /// Least and greatest value.
-    #[must_use]
     pub fn ends(&self) -> [f64; 2] {
         match self {
-            Self::List(numbers) => [
-                numbers.iter().copied().fold(f64::INFINITY, f64::min),
-                numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max),
-            ],
-            Self::Range(range) | Self::Grid(range, _) => [range.low, range.high],
+            Self::List(numbers) => ends(numbers.iter().copied()),
+            Self::Range { low, high, .. } => [*low, *high],
         }
     }
+}
+
+/// Least and greatest of numbers.
+pub fn ends(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
+    numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
 }
 
 const FORMS: &str =
@@ -102,26 +105,25 @@ impl FromStr for Axis {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let refused = || format!("must be {FORMS}");
-        let number =
-            |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(refused);
+        let number = |text: &str| finite(text).ok_or_else(refused);
         let (log, rest) = text.strip_prefix("log:").map_or((false, text), |rest| (true, rest));
         let Some((low, rest)) = rest.split_once("..") else {
             let list = text.split(',').map(number).collect::<Result<_, _>>()?;
             return Ok(Self::List(list));
         };
         let (high, places) = rest.split_once('/').map_or((rest, None), |(high, places)| (high, Some(places)));
-        let range = Range { low: number(low)?, high: number(high)?, log };
-        if range.low >= range.high {
+        let (low, high) = (number(low)?, number(high)?);
+        if low >= high {
             return Err("LOW must be below HIGH".to_owned());
         }
-        if log && range.low <= 0.0 {
+        if log && low <= 0.0 {
             return Err("LOW must be above 0 with log:".to_owned());
         }
-        let Some(places) = places else { return Ok(Self::Range(range)) };
-        match places.trim().parse::<u32>() {
-            Ok(places) if places >= 2 => Ok(Self::Grid(range, places)),
-            _ => Err("PLACES must be a whole number from 2 to 4294967295".to_owned()),
-        }
+        let places = places.map(|places| {
+            let places = places.trim().parse().ok().filter(|places| *places >= 2);
+            places.ok_or("PLACES must be a whole number from 2 to 4294967295")
+        });
+        Ok(Self::Range { low, high, log, places: places.transpose()? })
     }
 }
 

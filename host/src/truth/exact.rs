@@ -8,10 +8,10 @@
 //! |α|² = (1 + u)/2 and |β|² = (1 - u)/2; where e₁ = -1 (e₂ = 1) α (β) changes sign instead of turning.
 
 use super::half_period::{HalfPeriod, Integrals};
-use super::integrands::{Integrands, TurningPoint};
+use super::integrals::{Integrands, TurningPoint};
 use super::launch::Launched;
 use super::motions::Numbers;
-pub use super::orientation::PreciseOrientation;
+pub use super::precise::PreciseOrientation;
 use super::precise::{
     ComplexPrecise, Precise, cis, conjugate, is_zero, precise, product, root, to_f64, to_nearest, whole,
 };
@@ -19,7 +19,6 @@ use crate::motion::ephemeris::RateSample;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Motion with its integrals from turning point to turning point.
-#[derive(Clone, Debug)]
 pub struct Exact {
     integrands: Integrands<Precise>,
     coarse: Integrands<f64>,
@@ -33,7 +32,6 @@ pub struct Exact {
 }
 
 /// Half phase χ = nπ ± y with y in [0, π/2].
-#[derive(Clone, Debug)]
 struct HalfPhase {
     /// Number n.
     half_turns: i64,
@@ -46,7 +44,7 @@ struct HalfPhase {
 }
 
 /// Behaviour of u.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(PartialEq)]
 pub enum Course {
     /// Constant u.
     Steady,
@@ -58,13 +56,11 @@ pub enum Course {
 
 impl Exact {
     /// Motion of these numbers.
-    #[must_use]
     pub fn new(numbers: &Numbers) -> Self {
         Self::with_mass_moment(numbers, &precise(numbers.top[3]))
     }
 
     /// Motion of these numbers with another mass moment, which as a product of mass and height need not be an `f64`.
-    #[must_use]
     pub fn with_mass_moment(numbers: &Numbers, p: &Precise) -> Self {
         Self::with_panels(Launched::new(numbers, p), 0)
     }
@@ -83,7 +79,6 @@ impl Exact {
     }
 
     /// Kind of motion, by the branch points of the truth.
-    #[must_use]
     pub fn course(&self) -> Course {
         let Integrands { one_minus_e2, e2_minus_e1, e3_minus_e2, .. } = &self.integrands;
         let HalfPhase { end, sine, .. } = &self.start.0;
@@ -98,7 +93,6 @@ impl Exact {
     }
 
     /// Nutation period; `None` for a motion that does not nutate.
-    #[must_use]
     pub fn period(&self) -> Option<Precise> {
         self.half_period
             .as_ref()
@@ -107,7 +101,6 @@ impl Exact {
     }
 
     /// Time after the start at which χ has this value, rad; 0 for a steady motion.
-    #[must_use]
     pub fn time_of(&self, half_phase: f64) -> Precise {
         let half_turns = (half_phase / PI).round();
         let angle = half_phase - PI * half_turns;
@@ -127,7 +120,6 @@ impl Exact {
 
     /// Time after the start, in one of the periods, at which Φ without its mean rotation changes fastest; 0 for a motion that does not
     /// nutate.
-    #[must_use]
     pub fn fastest(&self) -> Precise {
         const PER_OCTAVE: u32 = 4;
         let Some(half_period) = &self.half_period else { return whole(0) };
@@ -150,7 +142,6 @@ impl Exact {
     }
 
     /// Orientation Φ at a time after the start, which is taken as exact.
-    #[must_use]
     pub fn at(&self, t: &Precise) -> PreciseOrientation {
         let (heights, turned, signs) = match &self.half_period {
             None => {
@@ -195,7 +186,6 @@ impl Exact {
     /// Rates at a time after the start, which is taken as exact, by central differences of Φ, without a formula of the rates.
     ///
     /// * `unit`: a time, such as the period; a shorter one is taken where the body rotates by more than 10^8 rad in it
-    #[must_use]
     pub fn rates(&self, t: &Precise, unit: f64) -> RateSample {
         /// Half the time between the two orientations, as a share of the unit of time. The relative error of the rates is below 1e-20, and
         /// as many digits of the difference remain.

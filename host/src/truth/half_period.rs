@@ -4,29 +4,27 @@
 //! are lost where the nearest singularity is at a distance of a millionth. The panels of the quadrature grow by factors of 4 with the distance
 //! from a turning point.
 
-use super::gauss::{Number, integrate};
-use super::integrands::{Integrands, TurningPoint};
+use super::integrals::{Integrands, TurningPoint};
+use super::integrals::{Number, integrate};
 use super::precise::{Precise, precise, to_f64, whole};
 
 /// Time, and the advances of arg α and arg β without ±τt/2.
-pub(super) type Integrals = [Precise; 3];
+pub type Integrals = [Precise; 3];
 
 /// Number of panels of an aperiodic motion towards its turning point: down to a sine of 4^-40, 8e-25.
 const TOWARDS_THE_POLE: usize = 40;
 
 /// Integrals from u = e₁ to u = e₂.
-#[derive(Clone, Debug)]
-pub(super) struct HalfPeriod {
+pub struct HalfPeriod {
     integrands: Integrands<Precise>,
     coarse: Integrands<f64>,
     panels: Vec<Panel>,
     /// Integrals over all panels.
-    pub(super) whole: Integrals,
+    pub whole: Integrals,
     /// Whether u = e₂ is reached, which it is not in an aperiodic motion.
-    pub(super) arrives: bool,
+    pub arrives: bool,
 }
 
-#[derive(Clone, Debug)]
 struct Panel {
     end: TurningPoint,
     /// Sines at the beginning and at the end of the panel.
@@ -37,7 +35,7 @@ struct Panel {
 
 impl HalfPeriod {
     /// Half period of a motion in which u changes; the panels at the turning points are shorter by the factor 4 to the power `finer`.
-    pub(super) fn new(integrands: &Integrands<Precise>, coarse: &Integrands<f64>, finer: usize) -> Self {
+    pub fn new(integrands: &Integrands<Precise>, coarse: &Integrands<f64>, finer: usize) -> Self {
         let [lower, upper] = [TurningPoint::Lower, TurningPoint::Upper].map(|end| coarse.depth(end));
         let mut rising = edges(lower, finer);
         rising.reverse();
@@ -55,7 +53,7 @@ impl HalfPeriod {
     }
 
     /// Integrals from u = e₁ to a place.
-    pub(super) fn passed(&self, end: TurningPoint, sine: &Precise) -> Integrals {
+    pub fn passed(&self, end: TurningPoint, sine: &Precise) -> Integrals {
         let beyond = |panel: &Panel| match end {
             TurningPoint::Lower => panel.end == TurningPoint::Upper || panel.sines[0] > *sine,
             TurningPoint::Upper => panel.end == TurningPoint::Upper && panel.sines[0] < *sine,
@@ -66,7 +64,7 @@ impl HalfPeriod {
 
     /// Half phase at a time after u = e₁, and the integrals there. Beyond the last panel of an aperiodic motion, where |β| is below 1e-24,
     /// α turns at a constant rate.
-    pub(super) fn at(&self, time: &Precise) -> (TurningPoint, Precise, Integrals) {
+    pub fn at(&self, time: &Precise) -> (TurningPoint, Precise, Integrals) {
         const NEWTON_STEPS: u32 = 4;
         /// Difference whose square is far below the errors that the truth is compared with, also in differences of neighbouring launches.
         const NEAR: f64 = 1e-18;

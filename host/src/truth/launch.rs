@@ -6,7 +6,7 @@
 //! (u - e₁)(u - e₂)(u - e₃) = u³ - E u² - u + E - κ (l - nu)² with κ = 1/(2Apg) and E = (h - n²/2C)/(pg). Newton's method
 //! from beyond the roots converges to e₁ and e₃ without passing them.
 
-use super::integrands::Integrands;
+use super::integrals::Integrands;
 use super::motions::{Numbers, Start};
 use super::precise::{
     ComplexPrecise, Precise, cis, conjugate, is_zero, precise, product, root, rounded, to_f64, whole,
@@ -15,18 +15,17 @@ use std::f64::consts::PI;
 use toytop::{InitialPhases, Sign, Signs};
 
 /// Constants of a motion, from which the truth starts.
-#[derive(Clone, Debug)]
-pub(super) struct Launched {
-    pub(super) integrands: Integrands<Precise>,
-    pub(super) half_tau: Precise,
+pub struct Launched {
+    pub integrands: Integrands<Precise>,
+    pub half_tau: Precise,
     /// Values of cos χ and sin χ at t = 0.
-    pub(super) half_phase: [Precise; 2],
-    pub(super) directions: [ComplexPrecise; 2],
+    pub half_phase: [Precise; 2],
+    pub directions: [ComplexPrecise; 2],
 }
 
 impl Launched {
     /// Constants of these numbers with another mass moment, which as a product of mass and height need not be an `f64`.
-    pub(super) fn new(numbers: &Numbers, p: &Precise) -> Self {
+    pub fn new(numbers: &Numbers, p: &Precise) -> Self {
         match numbers.start {
             Start::BranchPoints { e, signs, phases } => {
                 Self::from_branch_points(numbers.top, p, e, signs, phases)

@@ -5,7 +5,7 @@ use std::fmt;
 use toytop::{Complex, InitialPhases, Motion, Orientation, ParameterError, Signs, State, Top, TopParameters};
 
 /// Numbers of a motion, taken as exact.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct Numbers {
     /// Numbers A, C, s, p, g and K of the top. The tip slides if s > 0, and is held if s = 0 and p > 0; for p = 0 the body is free.
     pub top: [f64; 6],
@@ -73,7 +73,6 @@ impl Numbers {
 }
 
 /// Random branch points: differences down to `least`, e₃ - 1 up to `most`.
-#[must_use]
 pub fn branch_points(random: &mut Random, least: f64, most: f64) -> [f64; 3] {
     // 1 + e₁, e₂ - e₁ and 1 - e₂ add up to 2: a random one of them follows from the other two
     let parts = [(); 2].map(|()| random.scale(least, 0.999));

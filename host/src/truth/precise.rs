@@ -1,7 +1,8 @@
-//! Arithmetic of the truth, in numbers of 192 bits, independent of core.
+//! Arithmetic of the truth in numbers of 192 bits, independent of core, and orientations in them.
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
+use toytop::{Complex, Orientation};
 
 /// Number of 192 bits, if it comes from [`precise`] or [`whole`] or is computed from such numbers.
 pub type Precise = FBig<HalfEven>;
@@ -13,76 +14,104 @@ pub type ComplexPrecise = [Precise; 2];
 pub const BITS: usize = 192;
 
 /// Number that equals a finite `f64`; 0 for any other, which every constructor of core refuses.
-#[must_use]
 pub fn precise(x: f64) -> Precise {
     rounded(&Precise::try_from(x).unwrap_or(Precise::ZERO))
 }
 
 /// Number that equals an integer.
-#[must_use]
 pub fn whole(n: i64) -> Precise {
     rounded(&Precise::from(n))
 }
 
 /// Number of any precision, rounded to [`BITS`].
-#[must_use]
 pub fn rounded(x: &Precise) -> Precise {
     x.clone().with_precision(BITS).value()
 }
 
 /// Nearest `f64`.
-#[must_use]
 pub fn to_f64(x: &Precise) -> f64 {
     x.to_f64().value()
 }
 
 /// Decimal number with this many significant digits, rounded to nearest.
-#[must_use]
 pub fn decimal(x: &Precise, digits: usize) -> String {
     format!("{:e}", x.clone().with_base_and_precision::<10>(digits).value())
 }
 
 /// Nearest integer; `None` beyond 64 bits.
-#[must_use]
 pub fn to_nearest(x: &Precise) -> Option<i64> {
     i64::try_from(x.round().to_int().value()).ok()
 }
 
 /// Greatest integer that is at most x; `None` beyond 64 bits.
-#[must_use]
 pub fn to_floor(x: &Precise) -> Option<i64> {
     i64::try_from(x.floor().to_int().value()).ok()
 }
 
 /// Square root of a number that is not negative; 0 for a negative one.
-#[must_use]
 pub fn root(x: &Precise) -> Precise {
     if *x > Precise::ZERO { x.sqrt() } else { precise(0.0) }
 }
 
 /// Whether x is exactly 0.
-#[must_use]
 pub fn is_zero(x: &Precise) -> bool {
     *x == Precise::ZERO
 }
 
 /// Number e^{ix}, by dashu's correctly rounded sine and cosine.
-#[must_use]
 pub fn cis(x: &Precise) -> ComplexPrecise {
     let (sine, cosine) = x.sin_cos();
     [cosine, sine]
 }
 
 /// Product of two complex numbers.
-#[must_use]
 pub fn product(a: &ComplexPrecise, b: &ComplexPrecise) -> ComplexPrecise {
     [&a[0] * &b[0] - &a[1] * &b[1], &a[0] * &b[1] + &a[1] * &b[0]]
 }
 
 /// Conjugate of a complex number.
-#[must_use]
 pub fn conjugate([re, im]: &ComplexPrecise) -> ComplexPrecise {
     [re.clone(), -im]
+}
+
+/// Orientation: α and β, each as its real and imaginary part.
+pub struct PreciseOrientation {
+    /// Cayley-Klein parameter α.
+    pub alpha: ComplexPrecise,
+    /// Cayley-Klein parameter β.
+    pub beta: ComplexPrecise,
+}
+
+impl PreciseOrientation {
+    /// Cosine of the tilt.
+    pub(super) fn u(&self) -> Precise {
+        let norm = |z: &ComplexPrecise| z[0].sqr() + z[1].sqr();
+        norm(&self.alpha) - norm(&self.beta)
+    }
+
+    /// Distance 2 √(|Δα|² + |Δβ|²) from an orientation whose numbers are taken as exact, rad.
+    pub fn distance(&self, found: &Orientation<f64>) -> f64 {
+        let Orientation { alpha, beta } = found;
+        // for a number that is not finite, the distance is the greatest one
+        if ![alpha.re, alpha.im, beta.re, beta.im].iter().all(|x| x.is_finite()) {
+            return f64::INFINITY;
+        }
+        let lift = |z: &Complex<f64>| [precise(z.re), precise(z.im)];
+        self.apart(&Self { alpha: lift(alpha), beta: lift(beta) })
+    }
+
+    /// Distance 2 √(|Δα|² + |Δβ|²) of two orientations, rad.
+    pub fn apart(&self, other: &Self) -> f64 {
+        let pairs = [(&self.alpha, &other.alpha), (&self.beta, &other.beta)];
+        let squares = pairs.map(|(x, y)| to_f64(&(&x[0] - &y[0])).powi(2) + to_f64(&(&x[1] - &y[1])).powi(2));
+        2.0 * (squares[0] + squares[1]).sqrt()
+    }
+
+    /// Orientation rounded to `f64`.
+    pub fn to_f64(&self) -> Orientation<f64> {
+        let narrow = |[re, im]: &ComplexPrecise| Complex::new(to_f64(re), to_f64(im));
+        Orientation { alpha: narrow(&self.alpha), beta: narrow(&self.beta) }
+    }
 }
 
 #[cfg(test)]

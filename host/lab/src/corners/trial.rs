@@ -1,41 +1,41 @@
 //! Trial of one launch: its table in each scalar, compared with the truth and with its own bounds.
 
-use super::places::{self, Place};
+use super::inputs::{self, Place};
 use toytop::{Motion, ParameterError, Regime};
 use toytop_host::input::random::Random;
-use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{AnyScalar, approximate, smallest, ticks_per_time};
 use toytop_host::motion::propagate::period;
+use toytop_host::motion::{Scalar, greater};
 use toytop_host::truth::exact::Exact;
 use toytop_host::truth::motions::Numbers;
 
 /// Counts and greatest errors of the tables of one scalar.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Errors {
+pub struct Errors {
     /// Number of motions.
-    pub(super) motions: u64,
+    pub motions: u64,
     /// Number of motions for which no table is large enough.
-    pub(super) no_table: u64,
+    pub no_table: u64,
     /// Number of motions that were compared with the truth.
-    pub(super) truths: u64,
+    pub truths: u64,
     /// Number of these whose greatest error is at least a hundredth of its bound.
-    pub(super) close: u64,
+    pub close: u64,
     /// Number of these whose greatest error of the rates is at least a hundredth of its bound.
-    pub(super) rates_close: u64,
+    pub rates_close: u64,
     /// Number of ticks at which they were compared.
-    pub(super) places: u64,
+    pub places: u64,
     /// Number of these at which more than half of the bound comes from the number of ticks.
-    pub(super) places_by_ticks: u64,
+    pub places_by_ticks: u64,
     /// Greatest error of Φ's norm, and of u at its turning points, as a share of the bound.
-    pub(super) norm_and_height: f64,
+    pub norm_and_height: f64,
     /// Greatest error, rad.
-    pub(super) error: f64,
+    pub error: f64,
     /// Greatest error as a share of its bound.
-    pub(super) of_bound: f64,
+    pub of_bound: f64,
     /// Greatest error of the rates as a share of its bound.
-    pub(super) rates_of_bound: f64,
+    pub rates_of_bound: f64,
     /// Number of motions with an error beyond its bound.
-    pub(super) beyond_bound: u64,
+    pub beyond_bound: u64,
 }
 
 /// Least share of the bound for an error that counts as close to it.
@@ -47,7 +47,7 @@ const FINE: f64 = 1e-18;
 
 impl Errors {
     /// Adds the errors of other motions.
-    pub(super) fn add(&mut self, other: &Self) {
+    pub fn add(&mut self, other: &Self) {
         self.motions += other.motions;
         self.no_table += other.no_table;
         self.truths += other.truths;
@@ -67,7 +67,7 @@ impl Errors {
 ///
 /// # Errors
 /// The refusal of the launch.
-pub(super) fn run(
+pub fn run(
     input: &Numbers,
     random: &mut Random,
     with_truth: bool,
@@ -79,7 +79,7 @@ pub(super) fn run(
     let rate = ticks_per_time(&motion);
     let places = if with_truth {
         let doubtful = doubtful(&tables, &motion, period, rate);
-        places::with_truth(&Exact::new(input), (rate, period), &doubtful, random)
+        inputs::with_truth(&Exact::new(input), (rate, period), &doubtful, random)
     } else {
         Vec::new()
     };
@@ -103,11 +103,6 @@ fn norm_and_height(table: &dyn AnyScalar, motion: &Motion, times: &[f64], (rate,
     let heights = turning.map(|(t, u)| (t, table.at(t).sample.orientation().u() - u));
     let share = |(t, error): (f64, f64)| error.abs() / table.error_bound().after(t * rate);
     norms.chain(heights).map(share).fold(0.0, greater)
-}
-
-/// Greater of two errors; one that is no number is the greatest.
-fn greater(a: f64, b: f64) -> f64 {
-    if b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
 /// Errors of a table at these places.

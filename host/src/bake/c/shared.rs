@@ -5,9 +5,9 @@ use crate::motion::Scalar;
 use toytop::scalar::sine::{COSINE, CUBIC, LINEAR, SECANT, SINE, SINES, VERSINE};
 
 /// Name of the header that declares the shared code.
-pub(super) const SHARED_HEADER: &str = "toytop_baked.h";
+pub const SHARED_HEADER: &str = "toytop_baked.h";
 /// Name of the source that defines the shared code.
-pub(super) const SHARED_SOURCE: &str = "toytop_baked.c";
+pub const SHARED_SOURCE: &str = "toytop_baked.c";
 
 /// Part of the code: its types and its functions, of which the public ones begin with [`API`].
 struct Part {
@@ -53,13 +53,11 @@ fn all() -> Vec<Part> {
     parts(&[Scalar::F32, Scalar::Q31, Scalar::Q15, Scalar::F64])
 }
 
-/// Version of the format, the value of the clock's macro.
-fn format() -> u32 {
-    toytop::Baked::<f32, 16>::FORMAT
-}
+/// Version of the format, the value of the macros.
+const FORMAT: u32 = toytop::Baked::<f32, 16>::FORMAT;
 
 /// Code for a header that needs no other file: every function is `static inline`, and included once.
-pub(super) fn inlined(scalar: Scalar) -> String {
+pub fn inlined(scalar: Scalar) -> String {
     // fixed point uses the integers of f32, and 16 bits the vectors of 32 bits
     let needed: &[Scalar] = match scalar {
         Scalar::F64 => &[Scalar::F64],
@@ -69,21 +67,20 @@ pub(super) fn inlined(scalar: Scalar) -> String {
     };
     let mut text = "#ifndef TOYTOP_API\n#define TOYTOP_API static inline\n#endif\n".to_owned();
     for Part { guard, types, functions } in parts(needed) {
-        let version = format();
-        text += &format!("#ifndef {guard}\n#define {guard} {version}\n{types}\n{functions}#endif\n");
+        text += &format!("#ifndef {guard}\n#define {guard} {FORMAT}\n{types}\n{functions}#endif\n");
     }
     text
 }
 
 /// Text of [`SHARED_HEADER`].
-pub(super) fn header() -> String {
+pub fn header() -> String {
     let mut text = format!(
         "/* What all tables of `toytop bake` share: types and functions, defined in {SHARED_SOURCE}. C99 and C++11 or later. */\n\
          #ifndef TOYTOP_BAKED_H\n#define TOYTOP_BAKED_H\n"
     );
     let parts = all();
     for Part { guard, types, .. } in &parts {
-        text += &format!("#define {guard} {}\n{types}", format());
+        text += &format!("#define {guard} {FORMAT}\n{types}");
     }
     text += "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
     parts.iter().for_each(|part| text += &declarations(&part.functions));
@@ -91,7 +88,7 @@ pub(super) fn header() -> String {
 }
 
 /// Text of [`SHARED_SOURCE`].
-pub(super) fn source() -> String {
+pub fn source() -> String {
     let mut text = format!(
         "/* What all tables of `toytop bake` share: the functions. C99. */\n#include \"{SHARED_HEADER}\"\n\n#define TOYTOP_API\n"
     );

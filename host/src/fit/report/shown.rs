@@ -9,15 +9,9 @@ use toytop_fit::{Fitted, Sensitivity};
 /// Times after the end of the samples at which the error of the prediction is stated, s.
 const AHEAD: [f64; 5] = [0.0, 1.0, 2.0, 5.0, 10.0];
 
-/// Uncertainty of the predicted orientation at a time.
-struct Prediction {
-    t: f64,
-    orientation: f64,
-    axis: f64,
-}
-
 impl FitReport {
-    fn predictions(&self) -> Vec<Prediction> {
+    /// Times of the prediction, s, each with the standard deviations of the orientation and of the axis, rad.
+    fn predictions(&self) -> Vec<[f64; 3]> {
         if !self.has_launch() {
             return Vec::new();
         }
@@ -31,13 +25,12 @@ impl FitReport {
             let trace: f64 = (0..3).map(|k| covariance[k][k]).sum();
             let along: f64 =
                 (0..3).map(|i| (0..3).map(|j| axis[i] * covariance[i][j] * axis[j]).sum::<f64>()).sum();
-            Some(Prediction { t, orientation: trace.sqrt(), axis: (trace - along).max(0.0).sqrt() })
+            Some([t, trace.sqrt(), (trace - along).max(0.0).sqrt()])
         };
         AHEAD.iter().filter_map(at).collect()
     }
 
     /// Report as text; of a launch that does not exist, the reason.
-    #[must_use]
     pub fn table(&self) -> String {
         let state = match &self.reason {
             None => "converged".to_owned(),
@@ -98,14 +91,13 @@ impl FitReport {
             text += &format!("{} other launches fit the first samples as well\n", self.fitted.alternatives);
         }
         let mut ahead = vec![["t, s", "orientation +-, rad", "axis +-, rad"].map(str::to_owned).to_vec()];
-        for Prediction { t, orientation, axis } in self.predictions() {
+        for [t, orientation, axis] in self.predictions() {
             ahead.push(vec![short(t, 6), short(orientation, 2), short(axis, 2)]);
         }
         text + "\nprediction\n" + &columns(ahead, 0) + "\n"
     }
 
     /// Report as JSON.
-    #[must_use]
     pub fn json(&self) -> serde_json::Value {
         let Fitted { launch, statistics, .. } = self.fitted;
         let deviations = self.fitted.deviations();
@@ -124,7 +116,7 @@ impl FitReport {
         let predictions: Vec<_> = self
             .predictions()
             .iter()
-            .map(|one| json!({"t": one.t, "orientation_rad": one.orientation, "axis_rad": one.axis}))
+            .map(|[t, orientation, axis]| json!({"t": t, "orientation_rad": orientation, "axis_rad": axis}))
             .collect();
         json!({
             "converged": self.fitted.converged(),

@@ -1,12 +1,12 @@
 //! Table `[top]`: support, inertias, mass, gravity.
 
-use super::section::{Key, Section};
 use crate::Failure;
+use crate::input::section::{Key, Section};
 use toytop::{Top, TopParameters};
 
 const MAGNITUDE: &str = "a number between 1e-60 and 1e60";
 
-pub(super) const KEYS: [Key; 7] = [
+pub const KEYS: [Key; 7] = [
     Key::required("transverse_inertia", MAGNITUDE),
     Key::required("axial_inertia", "a number between 0 and twice transverse_inertia"),
     Key::optional("gravity", 9.80665, MAGNITUDE),
@@ -17,8 +17,8 @@ pub(super) const KEYS: [Key; 7] = [
 ];
 
 /// Top, and the numbers that are given for it.
-pub(super) fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
-    section.only("support", &KEYS)?;
+pub fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
+    section.only_with("support", &KEYS)?;
     let support = section.choice("support", &["sliding", "fixed", "free"], Some("sliding"))?;
     let [transverse, axial, gravity, height, mass, moment, rotor] = &KEYS;
     let mut parameters = TopParameters {

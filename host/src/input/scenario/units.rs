@@ -1,7 +1,7 @@
 //! Numbers with units, as `"30 g"`, in place of numbers in the units of their keys.
 
-use super::section::Section;
 use crate::Failure;
+use crate::input::section::Section;
 use crate::output::shown;
 use std::f64::consts::PI;
 use toml::{Table, Value};
@@ -38,38 +38,38 @@ const RADIANS: Quantity = &[("rad", 1.0, 1.0), ("deg", PI, 180.0), ("turns", 2.0
 const DEGREES: Quantity = &[("deg", 1.0, 1.0), ("rad", 180.0, PI), ("turns", 360.0, 1.0)];
 
 /// Quantities of the keys of `[top]` and `[motion]`; an array has numbers of one quantity.
-const QUANTITIES: [(&str, &str, Quantity); 14] = [
-    ("top", "transverse_inertia", INERTIA),
-    ("top", "axial_inertia", INERTIA),
-    ("top", "mass", MASS),
-    ("top", "mass_moment", MOMENT),
-    ("top", "com_height", LENGTH),
-    ("top", "gravity", ACCELERATION),
-    ("top", "rotor_momentum", ANGULAR_MOMENTUM),
-    ("motion", "spin", RATE),
-    ("motion", "precession", RATE),
-    ("motion", "nutation", RATE),
-    ("motion", "omega", RATE),
-    ("motion", "nutation_phase", RADIANS),
-    ("motion", "arg_alpha", RADIANS),
-    ("motion", "arg_beta", RADIANS),
+const QUANTITIES: [(&str, Quantity); 14] = [
+    ("transverse_inertia", INERTIA),
+    ("axial_inertia", INERTIA),
+    ("mass", MASS),
+    ("mass_moment", MOMENT),
+    ("com_height", LENGTH),
+    ("gravity", ACCELERATION),
+    ("rotor_momentum", ANGULAR_MOMENTUM),
+    ("spin", RATE),
+    ("precession", RATE),
+    ("nutation", RATE),
+    ("omega", RATE),
+    ("nutation_phase", RADIANS),
+    ("arg_alpha", RADIANS),
+    ("arg_beta", RADIANS),
 ];
 
 /// Angles of a release: their keys, which need a unit, and their keys in degrees.
-pub(super) const ANGLES: [(&str, &str); 3] =
+pub const ANGLES: [(&str, &str); 3] =
     [("tilt", "tilt_deg"), ("azimuth", "azimuth_deg"), ("roll", "roll_deg")];
 
 /// Keys and values with every number in the unit of its key, and the angles of a release under their keys in degrees.
 ///
 /// # Errors
 /// [`Failure::Input`]: not a number and a unit of the quantity; kg, m or s in a scenario without units; one angle twice.
-pub(super) fn in_units_of_keys(file: &str, mut root: Table) -> Result<Table, Failure> {
+pub fn in_units_of_keys(file: &str, mut root: Table) -> Result<Table, Failure> {
     let no_units = root.get("units").and_then(Value::as_str) == Some("none");
     for name in ["top", "motion"] {
         if let Some(Value::Table(written)) = root.get(name) {
             let mut table = written.clone();
-            let section = Section::new(file, name, written);
-            replace_texts(&section, &mut table, name, no_units)?;
+            let section = Section { file, name, table: written };
+            replace_texts(&section, &mut table, no_units)?;
             if written.get("kind").and_then(Value::as_str) == Some("release") {
                 replace_angles(&section, &mut table)?;
             }
@@ -79,14 +79,9 @@ pub(super) fn in_units_of_keys(file: &str, mut root: Table) -> Result<Table, Fai
     Ok(root)
 }
 
-fn replace_texts(
-    section: &Section<'_>,
-    table: &mut Table,
-    table_name: &str,
-    no_units: bool,
-) -> Result<(), Failure> {
-    for (_, key, quantity) in QUANTITIES.iter().filter(|(of, ..)| *of == table_name) {
-        let entries = match table.get_mut(*key) {
+fn replace_texts(section: &Section<'_>, table: &mut Table, no_units: bool) -> Result<(), Failure> {
+    for (key, quantity) in QUANTITIES {
+        let entries = match table.get_mut(key) {
             None => continue,
             Some(Value::Array(entries)) => entries.as_mut_slice(),
             Some(value) => std::slice::from_mut(value),

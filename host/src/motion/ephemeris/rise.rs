@@ -8,7 +8,7 @@ use toytop::{ErrorBound, Motion, Phase};
 use toytop_closed_forms::Aperiodic;
 
 /// Closed form of an aperiodic motion.
-pub(super) struct Rise {
+pub struct Rise {
     form: Aperiodic,
     /// Ticks in a unit of time.
     ticks: f64,
@@ -24,7 +24,7 @@ const INTERVALS: i32 = 8192;
 
 impl Rise {
     /// Closed form of a motion; `None` if it is not aperiodic.
-    pub(super) fn new(motion: &Motion) -> Option<Self> {
+    pub fn new(motion: &Motion) -> Option<Self> {
         let form = Aperiodic::new(motion)?;
         let mut upright = natural_time(motion);
         while form.v(upright) < UPRIGHT || form.v(-upright) > -UPRIGHT {

@@ -10,10 +10,12 @@ use toytop::{Ephemeris, EphemerisMemory, EphemerisView, ErrorBound, Motion, SetU
 use toytop_page::table::tick;
 
 /// Capacity of a table.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub enum Size {
     /// Smallest that is enough.
     Smallest,
+    /// Smallest with a truncation error of at most this, rad.
+    Within(f64),
     /// Capacity of the crate's own type if that is enough, otherwise the smallest that is.
     Default,
     /// Number of segments.
@@ -47,24 +49,13 @@ fn allowed(scalar: Scalar) -> Vec<u32> {
 /// [`Failure::Method`]: no table is large enough, or the given size is not; the message states the size that would be.
 /// [`Failure::Input`]: there is no such size.
 pub fn table(scalar: Scalar, motion: &Motion, tick: Tick, size: Size) -> Result<Box<dyn AnyScalar>, Failure> {
-    within(scalar, motion, tick, size, None)
-}
-
-/// Table with a truncation error, rad; without one, that of the scalar.
-fn within(
-    scalar: Scalar,
-    motion: &Motion,
-    tick: Tick,
-    size: Size,
-    truncation: Option<f64>,
-) -> Result<Box<dyn AnyScalar>, Failure> {
     let of_scalar = match scalar {
         Scalar::F64 => table_in::<f64>,
         Scalar::F32 => table_in::<f32>,
         Scalar::Q31 => table_in::<I2F30>,
         Scalar::Q15 => table_in::<I2F14>,
     };
-    of_scalar(scalar, motion, tick, size, truncation)
+    of_scalar(scalar, motion, tick, size)
 }
 
 fn table_in<R: Bake>(
@@ -72,13 +63,17 @@ fn table_in<R: Bake>(
     motion: &Motion,
     tick: Tick,
     size: Size,
-    truncation: Option<f64>,
 ) -> Result<Box<dyn AnyScalar>, Failure> {
-    let (truncation, allowed) = (truncation.unwrap_or(R::TRUNCATION), allowed(scalar));
-    let tried: Vec<u32> = match size {
-        Size::Smallest => CAPACITIES.to_vec(),
+    let truncation = if let Size::Within(truncation) = size { truncation } else { R::TRUNCATION };
+    let mut allowed = allowed(scalar);
+    let mut largest = format!("4096x{} segments, the most", R::TERMS);
+    let tried = match size {
+        Size::Smallest | Size::Within(_) => CAPACITIES.to_vec(),
         Size::Default => allowed.iter().copied().filter(|size| *size >= default_size(scalar)).collect(),
-        Size::Exactly(segments) if allowed.contains(&segments) => vec![segments],
+        Size::Exactly(segments) if allowed.contains(&segments) => {
+            largest = format!("{segments} segments");
+            vec![segments]
+        }
         Size::Exactly(segments) => {
             let names: Vec<_> = allowed.iter().map(u32::to_string).collect();
             return Err(Failure::Input(format!("--size: {segments}: must be one of {}", names.join(", "))));
@@ -86,31 +81,29 @@ fn table_in<R: Bake>(
     };
     let mut refusal = String::new();
     for segments in tried {
-        match set_up::<R>(segments, motion, tick, truncation) {
-            Ok(table) => return Ok(table),
+        let mut memory = memory::<R>(segments);
+        match memory.set_up(&mut SetUp::within(truncation), motion, tick, 0, &mut || {}) {
+            Ok(_) => return Ok(Box::new(Boxed(memory))),
             Err(error @ SetUpError::TooSmall { .. }) => refusal = error.to_string(),
             Err(error) => return Err(Failure::Method(format!("no ephemeris: {error}"))),
         }
     }
     let needed = EphemerisView::<R>::segments_needed(motion, truncation);
-    let enough = match (needed, needed.and_then(|needed| allowed.iter().find(|size| **size >= needed))) {
+    allowed.retain(|size| needed.is_some_and(|needed| *size >= needed));
+    let enough = match (needed, allowed.first()) {
         (_, Some(size)) => format!("at least --size {size}"),
         (Some(needed), None) => format!("{needed} segments of this degree"),
         (None, None) => "not even 4096 segments of this degree".to_owned(),
-    };
-    let largest = match size {
-        Size::Exactly(segments) => format!("{segments} segments"),
-        _ => format!("4096x{} segments, the most", R::TERMS),
     };
     Err(Failure::Method(format!("no ephemeris of {largest}: {refusal}; {enough} would be enough")))
 }
 
 /// Memory of a table of this many segments, one of the [`allowed`] capacities.
-fn memory<R: Bake>(segments: u32) -> Option<Box<EphemerisMemory<EphemerisView<R>>>> {
+fn memory<R: Bake>(segments: u32) -> Box<EphemerisMemory<EphemerisView<R>>> {
     fn boxed<R: Bake, const N: usize>() -> Box<EphemerisMemory<EphemerisView<R>>> {
         Box::new(EphemerisMemory::<Ephemeris<R, N>>::new())
     }
-    Some(match segments {
+    match segments {
         8 => boxed::<R, 8>(),
         16 => boxed::<R, 16>(),
         25 => boxed::<R, 25>(),
@@ -122,20 +115,8 @@ fn memory<R: Bake>(segments: u32) -> Option<Box<EphemerisMemory<EphemerisView<R>
         512 => boxed::<R, 512>(),
         1024 => boxed::<R, 1024>(),
         2048 => boxed::<R, 2048>(),
-        4096 => boxed::<R, 4096>(),
-        _ => return None,
-    })
-}
-
-fn set_up<R: Bake>(
-    segments: u32,
-    motion: &Motion,
-    tick: Tick,
-    truncation: f64,
-) -> Result<Box<dyn AnyScalar>, SetUpError> {
-    let mut memory = memory::<R>(segments).ok_or(SetUpError::TooSmall { truncation, segments })?;
-    memory.set_up(&mut SetUp::within(truncation), motion, tick, 0, &mut || {})?;
-    Ok(Box::new(Boxed(memory)))
+        _ => boxed::<R, 4096>(),
+    }
 }
 
 /// Smallest table whose truncation error is within the rounding of the scalar, or the closed form of an aperiodic motion.
@@ -143,7 +124,7 @@ fn set_up<R: Bake>(
 /// # Errors
 /// [`Failure::Method`]: no table is large enough; the message states the size that would be.
 pub fn smallest(scalar: Scalar, motion: &Motion) -> Result<Box<dyn AnyScalar>, Failure> {
-    at_any_time(scalar, motion, None)
+    at_any_time(scalar, motion, Size::Smallest)
 }
 
 /// Smallest table in `f64` with a truncation error of at most `truncation`, rad.
@@ -151,23 +132,18 @@ pub fn smallest(scalar: Scalar, motion: &Motion) -> Result<Box<dyn AnyScalar>, F
 /// # Errors
 /// As [`smallest`].
 pub fn approximate(motion: &Motion, truncation: f64) -> Result<Box<dyn AnyScalar>, Failure> {
-    at_any_time(Scalar::F64, motion, Some(truncation))
+    at_any_time(Scalar::F64, motion, Size::Within(truncation))
 }
 
-fn at_any_time(
-    scalar: Scalar,
-    motion: &Motion,
-    truncation: Option<f64>,
-) -> Result<Box<dyn AnyScalar>, Failure> {
+fn at_any_time(scalar: Scalar, motion: &Motion, size: Size) -> Result<Box<dyn AnyScalar>, Failure> {
     if let Some(rise) = Rise::new(motion) {
         return Ok(Box::new(rise));
     }
     let tick = tick(motion).map_err(|error| Failure::Method(error.to_string()))?;
-    within(scalar, motion, tick, Size::Smallest, truncation)
+    table(scalar, motion, tick, size)
 }
 
 /// Smallest table of fewer segments than another one, with an error bound that is larger by a hundredth at most; `None` if there is none.
-#[must_use]
 pub fn smaller(
     scalar: Scalar,
     motion: &Motion,

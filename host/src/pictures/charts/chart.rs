@@ -1,6 +1,7 @@
 //! Chart of curves over linear or logarithmic axes. (The logarithmic axes of kuva have no ticks below 1e-10.)
 
 use crate::pictures::drawing::text;
+use crate::sweep::axis::ends;
 use kuva::plot::scatter::{MarkerShape, ScatterPlot};
 use kuva::plot::{LegendPosition, LinePlot};
 use kuva::render::layout::{Layout, TickFormat};
@@ -9,29 +10,41 @@ use kuva::render::render::{Scene, TextAnchor, render_multiple};
 use std::sync::Arc;
 
 /// Curve of a chart.
-#[derive(Clone, Debug)]
-pub(super) struct Curve {
+pub struct Curve {
     /// Name in the legend.
-    pub(super) name: String,
+    pub name: String,
     /// Points \[x, y\].
-    pub(super) points: Vec<[f64; 2]>,
+    pub points: Vec<[f64; 2]>,
+    /// Width of the line through the points; 0 for none.
+    pub width: f64,
     /// Whether every point has a mark.
-    pub(super) marked: bool,
+    pub marked: bool,
+}
+
+impl Curve {
+    /// Line through points.
+    pub fn line(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        Self { name: name.into(), points, width: 1.8, marked: false }
+    }
+
+    /// Line through points with marks.
+    pub fn marked(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        Self { marked: true, ..Self::line(name, points) }
+    }
 }
 
 /// Chart with the names of its curves in a legend.
-#[derive(Clone, Debug)]
-pub(super) struct Chart<'a> {
+pub struct Chart<'a> {
     /// Title above the axes.
-    pub(super) title: &'a str,
+    pub title: &'a str,
     /// Labels of x and y.
-    pub(super) labels: [&'a str; 2],
+    pub labels: [&'a str; 2],
     /// Whether the axes of x and of y are logarithmic; numbers that are not above 0 are then left out.
-    pub(super) powers: [bool; 2],
+    pub powers: [bool; 2],
 }
 
 /// Colours of the curves, which colour-blind readers can distinguish (the palette of Okabe and Ito).
-pub(crate) const COLORS: [&str; 9] =
+pub const COLORS: [&str; 9] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#999933", "#882255"];
 
 /// Marks that distinguish the curves without their colours.
@@ -50,18 +63,7 @@ const BELOW: f64 = 62.0;
 
 impl Chart<'_> {
     /// Chart of these curves.
-    #[must_use]
-    pub(super) fn draw(&self, curves: &[Curve]) -> Scene {
-        self.drawn(curves, 1.8)
-    }
-
-    /// Chart of the marks of these curves alone.
-    #[must_use]
-    pub(super) fn draw_marks(&self, curves: &[Curve]) -> Scene {
-        self.drawn(curves, 0.0)
-    }
-
-    fn drawn(&self, curves: &[Curve], width: f64) -> Scene {
+    pub fn draw(&self, curves: &[Curve]) -> Scene {
         let mut plots: Vec<Plot> = Vec::new();
         let mut all = Vec::new();
         let mut marks = MARKS.into_iter().cycle();
@@ -69,7 +71,8 @@ impl Chart<'_> {
             let place = |&[x, y]: &[f64; 2]| Some((place(x, self.powers[0])?, place(y, self.powers[1])?));
             let points: Vec<(f64, f64)> = curve.points.iter().filter_map(place).collect();
             all.extend(points.iter().copied());
-            let line = LinePlot::new().with_data(points.clone()).with_color(color).with_stroke_width(width);
+            let line = LinePlot::new().with_data(points.clone()).with_color(color);
+            let line = line.with_stroke_width(curve.width);
             match marks.next().filter(|_| curve.marked) {
                 Some(mark) => {
                     let dots = ScatterPlot::new().with_data(points).with_color(color).with_size(4.5);
@@ -122,10 +125,6 @@ impl Chart<'_> {
 
 fn place(x: f64, power: bool) -> Option<f64> {
     if power { (x > 0.0).then(|| x.log10()) } else { Some(x) }
-}
-
-fn ends(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
-    numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
 }
 
 /// Next whole numbers below and above; a number that is almost whole counts as whole.

@@ -21,8 +21,7 @@ const LEVEL: &str = "#8a8a8a";
 
 /// Residuals in standard deviations: a strip for each sensor, with a dot for each sample and lines at ±3. Those at the end of the range
 /// of a sensor are left out.
-#[must_use]
-pub(crate) fn residuals(report: &FitReport, measurements: &[Measurement]) -> Scene {
+pub fn residuals(report: &FitReport, measurements: &[Measurement]) -> Scene {
     let instruments = &report.input.sensors.instruments;
     let mut columns: Vec<Vec<Vec<(f64, f64)>>> =
         instruments.iter().map(|one| vec![Vec::new(); one.kind.residuals().len()]).collect();
@@ -95,12 +94,11 @@ const MOST_TIMES: f64 = 200.0;
 
 /// Greatest standard deviation of the predicted orientation, and greatest half axes of the error ellipse of the predicted axis, in
 /// each of the intervals of time after the last sample.
-#[must_use]
-pub(crate) fn prediction(report: &FitReport, motion: &Motion) -> Scene {
+pub fn prediction(report: &FitReport, motion: &Motion) -> Scene {
     let sensitivity = Sensitivity::new(motion);
     let mut cursor = sensitivity.cursor();
     let names = ["orientation", "axis: long half axis", "axis: short half axis"];
-    let mut curves = names.map(|name| Curve { name: name.to_owned(), points: Vec::new(), marked: false });
+    let mut curves = names.map(|name| Curve::line(name, Vec::new()));
     let step = period(motion) / PER_PERIOD;
     let begin =
         |interval: u32| AHEAD[0] * (AHEAD[1] / AHEAD[0]).powf(f64::from(interval) / f64::from(INTERVALS));

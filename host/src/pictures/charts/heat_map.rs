@@ -11,8 +11,7 @@ use kuva::render::render::{Scene, TextAnchor, render_multiple};
 use std::sync::Arc;
 
 /// Choice of a heat map: the key along x, the key along y, and the column shown.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct HeatMap {
+pub struct HeatMap {
     names: [String; 3],
     axes: [Axis; 2],
 }
@@ -25,13 +24,13 @@ impl HeatMap {
     ///
     /// # Errors
     /// [`Failure::Input`]: there is no such key or column, or one of the keys has no grid of even steps.
-    pub(crate) fn new(text: &str, sweep: &Sweep) -> Result<Self, Failure> {
+    pub fn new(text: &str, sweep: &Sweep) -> Result<Self, Failure> {
         let refuse = |reason: &str| Failure::Input(format!("--plot: {text}: {reason}"));
         let names: Vec<_> =
             text.split(',').map(|name| if name == "tilt" { "tilt_deg" } else { name }).collect();
         let &[x, y, column] = &names[..] else { return Err(refuse("must be X,Y,COLUMN")) };
         let axis = |name: &str| match sweep.axis(name) {
-            Some(axis @ Axis::Grid(..)) => Ok(axis.clone()),
+            Some(axis) if axis.is_grid() => Ok(axis.clone()),
             _ => Err(refuse(&format!("{name}: must be a key that varies as LOW..HIGH/PLACES"))),
         };
         let axes = [axis(x)?, axis(y)?];
@@ -45,7 +44,7 @@ impl HeatMap {
     ///
     /// # Errors
     /// [`Failure::Input`]: the column contains no numbers.
-    pub(crate) fn draw(&self, sweep: &Sweep, csv: &str) -> Result<Scene, Failure> {
+    pub fn draw(&self, sweep: &Sweep, csv: &str) -> Result<Scene, Failure> {
         let [x_name, y_name, column] = &self.names;
         let refuse = |reason: &str| Failure::Input(format!("--plot: {column}: {reason}"));
         let mut reader = csv::Reader::from_reader(csv.as_bytes());

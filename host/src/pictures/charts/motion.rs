@@ -3,8 +3,8 @@
 use super::chart::{Chart, Curve};
 use crate::Failure;
 use crate::input::scenario::{Scenario, Units};
-use crate::motion::physical_limits::tilts;
-use crate::pictures::bounds::{Bound, Place};
+use crate::motion::tilts;
+use crate::pictures::curve::Bound;
 use crate::pictures::span::Span;
 use kuva::render::render::Scene;
 use std::f64::consts::PI;
@@ -12,10 +12,6 @@ use toytop::{Motion, Regime};
 
 fn label(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.to_owned() } else { format!("{name}, {unit}") }
-}
-
-fn curve(name: &str, points: Vec<[f64; 2]>) -> Curve {
-    Curve { name: name.to_owned(), points, marked: false }
 }
 
 /// Label of the axis of time, which counts from the origin of the span.
@@ -29,22 +25,21 @@ fn time_label(scenario: &Scenario, span: &Span) -> String {
 }
 
 /// Tilt between its bounds, against time.
-#[must_use]
-pub(crate) fn tilt(scenario: &Scenario, span: &Span) -> Scene {
+pub fn tilt(scenario: &Scenario, span: &Span) -> Scene {
     let origin = span.origin();
     let degrees = |t: f64| {
         let phi = span.at(t).orientation();
         [t - origin, crate::samples::angles::tilt_azimuth_roll(&phi)[0].to_degrees()]
     };
-    let mut curves = vec![curve("tilt", span.times_of_curve().map(degrees).collect())];
+    let mut curves = vec![Curve::line("tilt", span.times_of_curve().map(degrees).collect())];
     curves.extend(Bound::of(&scenario.motion).into_iter().map(|bound| {
         let name = match bound.place {
-            Place::Lowest => "greatest",
-            Place::Highest => "least",
-            Place::Constant | Place::Horizontal => "constant",
+            "lowest" => "greatest",
+            "highest" => "least",
+            _ => "constant",
         };
         let tilt = bound.tilt();
-        curve(&format!("{name}: {tilt:.2}°"), span.ends.map(|t| [t - origin, tilt]).into())
+        Curve::line(format!("{name}: {tilt:.2}°"), span.ends.map(|t| [t - origin, tilt]).into())
     }));
     Chart {
         title: &format!("{}: tilt of the axis from the vertical", scenario.name),
@@ -64,7 +59,7 @@ fn without_rounding(degrees: f64) -> f64 {
 ///
 /// # Errors
 /// [`Failure::Method`]: the axis is vertical at all times.
-pub(crate) fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Failure> {
+pub fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Failure> {
     // the axis leans in the direction opposite to the tip, so that its azimuth differs from the tip angle by half a turn
     let start = span.at(0.0).phi.ok_or_else(|| {
         Failure::Method("the axis is vertical at all times, so that it has no azimuth".to_owned())
@@ -77,13 +72,13 @@ pub(crate) fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Fail
     let turns = if origin == 0.0 { 0.0 } else { (continued(from) / 360.0).trunc() };
     let azimuth = |t: f64| without_rounding(continued(t) - 360.0 * turns);
     let degrees = |t: f64| [t - origin, azimuth(t)];
-    let mut curves = vec![curve("azimuth of the axis", span.times_of_curve().map(degrees).collect())];
+    let mut curves = vec![Curve::line("azimuth of the axis", span.times_of_curve().map(degrees).collect())];
     if let Some(advance) = scenario.motion.period_advance() {
         let rate = without_rounding(advance.phi_per_period().to_degrees()) / advance.period;
         let first = azimuth(from);
         let mean = vec![[from - origin, first], [until - origin, first + rate * (until - from)]];
         let unit = if scenario.units.name("s").is_empty() { "" } else { " degrees/s" };
-        curves.push(curve(&format!("its mean: {}{unit}", crate::output::short(rate, 4)), mean));
+        curves.push(Curve::line(format!("its mean: {}{unit}", crate::output::short(rate, 4)), mean));
     }
     let less = if turns == 0.0 {
         String::new()
@@ -104,8 +99,7 @@ const NEAREST: f64 = 0.05;
 /// Effective potential minus the energy, against the tilt: the axis moves where it is negative.
 ///
 /// V = (l - n u)²/(2A (1 - u²)) + C ⟨ω, r⟩²/2 + p g u, with u the cosine of the tilt.
-#[must_use]
-pub(crate) fn potential(scenario: &Scenario) -> Scene {
+pub fn potential(scenario: &Scenario) -> Scene {
     let (motion, h) = (&scenario.motion, scenario.motion.first_integrals().h);
     let [least, greatest] = match motion.regime() {
         Regime::Hanging => [120.0, 180.0],
@@ -120,13 +114,13 @@ pub(crate) fn potential(scenario: &Scenario) -> Scene {
     let (unit, scale) = if scenario.units == Units::Si { ("mJ", 1e3) } else { ("", 1.0) };
     let above = |degrees: f64| scale * (effective_potential(motion, degrees.to_radians().cos()) - h);
     let mut curves = vec![
-        curve("effective potential", tilts.map(|degrees| [degrees, above(degrees)]).collect()),
-        curve("energy", vec![[from, 0.0], [until, 0.0]]),
+        Curve::line("effective potential", tilts.map(|degrees| [degrees, above(degrees)]).collect()),
+        Curve::line("energy", vec![[from, 0.0], [until, 0.0]]),
     ];
     let (name, tilts) = marks(motion, above);
     if !tilts.is_empty() {
         let points = tilts.iter().map(|tilt| [*tilt, 0.0]).collect();
-        curves.push(Curve { name: name.to_owned(), points, marked: true });
+        curves.push(Curve::marked(name, points));
     }
     Chart {
         title: &format!("{}: effective potential of the nutation", scenario.name),

@@ -1,7 +1,7 @@
 //! Bad arguments: exit code 2, nothing on stdout, one line on stderr that names the option and the allowed values.
 
 use crate::command::{all_refused, toytop, write};
-use crate::{RELEASE, TOP, needle, scenario};
+use crate::{RELEASE, TOP, branch_points, needle, scenario};
 
 #[test]
 fn arguments() {
@@ -97,7 +97,12 @@ fn long_input_makes_no_long_message() {
 #[test]
 fn a_method_that_does_not_apply() {
     let needle = needle("needle");
+    let rising = scenario("rising", &branch_points([0.2, 1.0, 1.0], 1));
     for (line, parts) in [
+        (
+            &*format!("{rising} --times 1 --scalar f32"),
+            "rising: --scalar: f32: an aperiodic motion has a closed form in f64, and no table",
+        ),
         (
             "@toy_top --times 1e6 --method full",
             "toy_top: full solver: gives up at t = 3.59e3 ... evaluations ... ask for earlier times",
@@ -114,7 +119,7 @@ fn a_method_that_does_not_apply() {
         ("@toy_top --times 1 --method closed-form --format csv", "toy_top:  ... e3 = e4 ... e2 = e3 = 1"),
         ("@toy_top --times 1 --method closed-form --format json", "toy_top:  ... e3 = e4 ... e2 = e3 = 1"),
         (
-            &*format!("{needle} --times 1 --scalar f64"),
+            &format!("{needle} --times 1 --scalar f64"),
             "needle ... no ephemeris ... 4096x11 ... segments of this degree would be enough",
         ),
         (

@@ -1,0 +1,184 @@
+//! `toytop score`: output of an integrator, compared with the exact motion.
+
+mod methods;
+
+use super::Report;
+use super::options::{PICTURE, ending_in, positive};
+use crate::Failure;
+use crate::benchmarks;
+use crate::input::scenario::Scenario;
+use crate::motion::propagate::period;
+use crate::output::{self, Column, Format, Lists, Record, error, short};
+use crate::pictures::charts::chart::Chart;
+use crate::pictures::drawing;
+use crate::score::judge::Judge;
+use crate::score::trajectory::Trajectory;
+use clap::Args;
+use methods::{Group, Run, work};
+use std::path::PathBuf;
+
+/// `toytop score`
+#[derive(Args)]
+pub struct ScoreArgs {
+    /// Scenario file; with --benchmark, the first CSV file
+    scenario: PathBuf,
+    /// CSV files with the output of integrators for this scenario: one file for each step size and method
+    #[arg(value_name = "RESULT.csv", required_unless_present = "benchmark")]
+    results: Vec<PathBuf>,
+    /// Problem of `toytop benchmark` that replaces the scenario; the files are in the conventions of its source
+    #[arg(long, value_name = "NAME")]
+    benchmark: Option<String>,
+    /// Step size of each file, s; without it, the step size that the file states, or the spacing of its rows
+    #[arg(long, value_name = "H1,H2,...", value_delimiter = ',', allow_hyphen_values = true, value_parser = positive)]
+    steps: Vec<f64>,
+    /// Picture of the greatest error against the work, whose name ends in .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = ending_in(PICTURE))]
+    plot: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
+    let first = &arguments.scenario;
+    let problem = arguments.benchmark.as_deref().map(benchmarks::named);
+    let problem = problem.transpose().map_err(|failure| failure.of("--benchmark"))?;
+    // command that prints the state from which a run has to start
+    let (scenario, start) = match &problem {
+        Some(problem) => {
+            (problem.scenario.clone(), format!("toytop benchmark {} --times 0 --format csv", problem.name()))
+        }
+        None => (Scenario::read(first)?, format!("toytop state {} --times 0", first.display())),
+    };
+    let results: Vec<_> = problem.iter().map(|_| first).chain(&arguments.results).collect();
+    let (steps, files) = (&arguments.steps, results.len());
+    if !steps.is_empty() && steps.len() != files {
+        return Err(Failure::Input(format!("--steps: must be {files} numbers, one for each file")));
+    }
+    let mut judge = Judge::new(&scenario, &start)?;
+    if let Some(problem) = &problem {
+        judge.length = problem.conventions.length;
+    }
+    let (mut runs, mut doubts) = (Vec::new(), Vec::new());
+    for (index, path) in results.into_iter().enumerate() {
+        let mut trajectory = Trajectory::read(path)?;
+        if let Some(problem) = &problem {
+            trajectory = trajectory.in_body_axes(&problem.conventions.to_core());
+        }
+        let score = judge.score(&trajectory)?;
+        doubts.extend(score.doubt.iter().map(|doubt| format!("warning: {}: {doubt}", trajectory.name)));
+        runs.push(Run::new(index, trajectory, score, steps.get(index).copied()));
+    }
+    let mut methods: Vec<String> = Vec::new();
+    for run in &runs {
+        if !methods.contains(&run.method) {
+            methods.push(run.method.clone());
+        }
+    }
+    let groups: Vec<_> = methods.iter().map(|name| Group::new(name, &runs)).collect();
+    if let Some(path) = &arguments.plot {
+        let (unit, lines) = work(&groups, period(&scenario.motion))?;
+        let chart = Chart {
+            title: &format!("Work and precision: {}", scenario.name),
+            labels: [unit, "greatest error of the orientation, rad"],
+            powers: [true; 2],
+        };
+        drawing::write("--plot", path, &chart.draw(&lines), None)?;
+    }
+    doubts.extend(groups.iter().flat_map(Group::doubts));
+    let with_orders = groups.iter().flat_map(|group| group.with_orders().map(move |run| (group.order, run)));
+    let mut rows: Vec<_> =
+        with_orders.map(|(all, (run, order))| (run.file, record(run, all, order))).collect();
+    let ranked: Vec<_> = rows.iter().map(|(_, record)| record.clone()).collect();
+    rows.sort_by_key(|(file, _)| *file);
+    let records: Vec<_> = rows.into_iter().map(|(_, record)| record).collect();
+    let of_method = |group: &Group<'_>| {
+        let files = group.runs.len() as u64;
+        Record::default().with("method", group.method).with("files", files).with("order", group.order)
+    };
+    let of_methods: Vec<_> = groups.iter().map(of_method).collect();
+    let order = if let [only] = &groups[..] { only.order } else { None };
+    let rest =
+        Record::default().with("order", order).with("scenario", &*scenario.name).with("sign", "nearest");
+    let object = Lists(vec![("files", &records), ("methods", &of_methods)], rest);
+    let text = output::written(arguments.format, &object, || tables(&ranked, &groups))?;
+    Ok(Report::from(text).with_remarks(doubts, arguments.format == Format::Table))
+}
+
+fn record(run: &Run, method_order: Option<f64>, order: Option<f64>) -> Record {
+    let Run { score, .. } = run;
+    let (phases, drift) = (&score.phases, &score.drift);
+    let [l, n, h] = [0, 1, 2].map(|i| drift.integrals.map(|drifts| drifts[i]));
+    Record::default()
+        .with("name", &*run.name)
+        .with("method", Some(&*run.method).filter(|name| !name.is_empty()))
+        .with("rows", run.rows as u64)
+        .with("step", run.step.map(|(step, _)| step))
+        .with("step_from", run.step.map(|(_, from)| from))
+        .with("evaluations", run.evaluations)
+        .with("max_error_rad", score.max_error)
+        .with("rms_error_rad", score.rms_error)
+        .with("final_error_rad", score.final_error)
+        .with("max_u_error", score.max_u_error)
+        .with("max_position_error", score.max_position_error)
+        .with("nutation_error_rad", phases.nutation)
+        .with("precession_error_rad", phases.precession)
+        .with("spin_error_rad", phases.spin)
+        .with("residual_rad", phases.residual)
+        .with("drift_h", h)
+        .with("drift_l", l)
+        .with("drift_n", n)
+        .with("drift_from", drift.from)
+        .with("drift_uncertainty", drift.uncertainty)
+        .with("max_norm_error", score.norm_error)
+        .with("truth_bound_rad", score.truth_bound)
+        .with("method_order", method_order)
+        .with("order", order)
+}
+
+/// Table of the errors, table of the phase errors and drifts, and the orders of convergence.
+fn tables(records: &[Record], groups: &[Group<'_>]) -> String {
+    let two = |x| format!("{x:.2}");
+    let errors: [Column<'_>; 9] = [
+        ("name", "", two),
+        ("rows", "rows", two),
+        ("step", "step, s", |step| short(step, 4)),
+        ("max_error_rad", "max, rad", error),
+        ("rms_error_rad", "rms, rad", error),
+        ("final_error_rad", "final, rad", error),
+        ("max_u_error", "u", error),
+        ("max_position_error", "position", error),
+        ("order", "order", two),
+    ];
+    let details: [Column<'_>; 8] = [
+        ("name", "", error),
+        ("nutation_error_rad", "nutation", error),
+        ("precession_error_rad", "precession", error),
+        ("spin_error_rad", "spin", error),
+        ("residual_rad", "residual", error),
+        ("drift_h", "h", error),
+        ("drift_l", "l", error),
+        ("drift_n", "n", error),
+    ];
+    let order = |group: &Group<'_>| {
+        let of = if group.method.is_empty() { String::new() } else { format!(" of {}", group.method) };
+        group.order.map(|order| format!("Order of convergence{of}: {order:.2}\n"))
+    };
+    let orders: String = groups.iter().filter_map(order).collect();
+    let scores = || groups.iter().flat_map(|group| &group.runs).map(|run| &run.score);
+    let differences = scores().any(|score| score.drift.from == Some("differences"));
+    let by = if differences {
+        ", for files without angular velocity computed from differences of the error"
+    } else {
+        ""
+    };
+    let bound = scores().map(|score| score.truth_bound).fold(0.0, f64::max);
+    format!(
+        "Errors against the exact motion\n{}\nPhase errors over the last nutation period, rad (above 0: ahead), and relative drifts of h, l and n\n{}\n\
+         {orders}The exact motion is within {bound:.1e} rad. Errors of the orientation are 2 sqrt(|d alpha|^2 + |d beta|^2) with the nearer\n\
+         sign. Residual: what no phase error explains. Order: from the next larger step of the same method. Drifts: of h in units of\n\
+         max(|h|, p g), of l and n in units of max(|l|, |n|, sqrt(2 A p g)){by}.\n",
+        output::aligned(records, &errors),
+        output::aligned(records, &details),
+    )
+}

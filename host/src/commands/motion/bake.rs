@@ -1,0 +1,115 @@
+//! `toytop bake`: the table of a motion as a file for another program.
+
+use super::options::hertz;
+use super::{Report, warnings};
+use crate::Failure;
+use crate::bake::{Label, Parts, header, module, split_files};
+use crate::input::scenario::Scenario;
+use crate::motion::Scalar;
+use crate::motion::ephemeris::{Size, smaller, table};
+use crate::output::whole_file;
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+use toytop::{ErrorBound, Tick};
+
+/// `toytop bake`
+#[derive(Args)]
+pub struct BakeArgs {
+    /// Scenario file
+    scenario: PathBuf,
+    /// Scalar type of the results
+    #[arg(long, default_value = "f32")]
+    scalar: Scalar,
+    /// Language of the table
+    #[arg(long, default_value = "rust")]
+    lang: Language,
+    /// Number of segments that the table can hold: 8, 16, 32, ... 4096; in f32 also 25, in f64 also 48. Without it, the default of the
+    /// crate (25 in f32, 48 in f64, 32 in q31, 16 in q15), or if the motion needs more, the smallest size that is enough
+    #[arg(long, value_name = "SEGMENTS")]
+    size: Option<u32>,
+    /// Ticks in a second: N, or A/B for A ticks in B seconds
+    #[arg(long, value_name = "N", default_value = "1000", value_parser = hertz)]
+    hertz: [u32; 2],
+    /// Name of the table; without it, that of the scenario file
+    #[arg(long, value_name = "NAME")]
+    name: Option<String>,
+    /// Output file; without it, stdout
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Folder for NAME.h and NAME.c in C, beside toytop_baked.h and toytop_baked.c, which all tables share. Without it, C is one
+    /// header that needs no other file
+    #[arg(long, value_name = "FOLDER", conflicts_with = "output")]
+    split: Option<PathBuf>,
+}
+
+/// Language that `bake` writes.
+#[derive(Clone, PartialEq, ValueEnum)]
+pub enum Language {
+    /// Module with one static
+    Rust,
+    /// Header with the table and the code that evaluates it
+    C,
+}
+
+pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
+    whole_file::require_other("--output", arguments.output.as_deref(), &[Some(&arguments.scenario)])?;
+    let scenario = Scenario::read(&arguments.scenario)?;
+    if arguments.split.is_some() && arguments.lang != Language::C {
+        return Err(Failure::Input("--split: needs --lang c".to_owned()));
+    }
+    let [ticks, seconds] = arguments.hertz;
+    let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--hertz: {error}")))?;
+    let (parts, smaller) = baked(arguments, &scenario, tick)?;
+    let label = Label {
+        name: arguments.name.clone().unwrap_or_else(|| scenario.name.clone()),
+        tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },
+    };
+    let mut report = Report::default();
+    match &arguments.split {
+        Some(folder) => {
+            std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--split", folder, error))?;
+            // the files that all tables share are the first
+            for (name, text) in split_files(&label, &parts) {
+                whole_file::write("--split", &folder.join(name), text.as_bytes())?;
+            }
+        }
+        None => {
+            let text = match arguments.lang {
+                Language::Rust => module(&label, &parts),
+                Language::C => header(&label, &parts),
+            };
+            match &arguments.output {
+                None => report.text = text,
+                Some(path) => whole_file::write("--output", path, text.as_bytes())?,
+            }
+        }
+    }
+    let remarks = std::iter::once(summary(&label, &parts, smaller.as_ref())).chain(warnings(&[scenario]));
+    Ok(report.with_remarks(remarks, false))
+}
+
+/// Table that is written, and the smallest one that would be enough, if that has fewer segments.
+fn baked(arguments: &BakeArgs, scenario: &Scenario, tick: Tick) -> Result<(Parts, Option<Parts>), Failure> {
+    let (scalar, motion) = (arguments.scalar, &scenario.motion);
+    let size = arguments.size.map_or(Size::Default, Size::Exactly);
+    let table = table(scalar, motion, tick, size).map_err(|failure| failure.of_motion(&scenario.name))?;
+    let parts = table.parts().ok_or_else(|| {
+        let scalar = scalar.name();
+        Failure::Input(format!("--scalar: {scalar}: must be f64, f32, q31 or q15 with bake"))
+    })?;
+    Ok((parts, smaller(scalar, motion, tick, &*table).and_then(|table| table.parts())))
+}
+
+/// Line that states the scalar, the size and the error bound of the table that was written, and the size of a smaller table with the same
+/// bound.
+fn summary(label: &Label, parts: &Parts, smaller: Option<&Parts>) -> String {
+    let ([segments, terms], ErrorBound { constant, per_tick }) = (parts.size, parts.error_bound);
+    let (scalar, bytes) = (parts.scalar.name(), parts.table_bytes());
+    let advice = smaller.map_or_else(String::new, |parts| {
+        format!("; --size {} would be enough ({} bytes)", parts.size[0], parts.table_bytes())
+    });
+    format!(
+        "{}: {segments}x{terms} in {scalar}, {bytes} bytes, {}; orientation within {constant:.1e} rad + {per_tick:.1e} rad a tick{advice}",
+        label.name, label.tick,
+    )
+}

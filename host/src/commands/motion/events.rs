@@ -1,0 +1,218 @@
+//! `toytop events`: times of turning points, tilts, circles, tip angles and lift-off.
+
+use super::{Report, warnings};
+use crate::Failure;
+use crate::input::finite;
+use crate::input::scenario::{Scenario, Units};
+use crate::motion::Scalar;
+use crate::motion::ephemeris::{FoundEvent, Sought, furthest_time, smallest};
+use crate::motion::tilts;
+use crate::output::{self, Column, Format, Record, eight};
+use clap::Args;
+use std::path::PathBuf;
+use toytop::{Level, Motion, ParameterError, Phase, Support};
+
+/// `toytop events`
+#[derive(Args)]
+pub struct EventsArgs {
+    /// Scenario file
+    scenario: PathBuf,
+    /// Events to list, separated by commas: turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS, lift-off. With :up or :down
+    /// after its name an event counts only where u (or the tip angle) rises or falls
+    #[arg(long = "kind", value_name = "KIND,...", value_delimiter = ',', default_value = "turning", allow_hyphen_values = true, value_parser = kind)]
+    kinds: Vec<Kind>,
+    /// Time of the earliest event to list, s
+    #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true, value_parser = time)]
+    from: f64,
+    /// Greatest number of events
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    count: u32,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+/// Kind of event on the command line.
+#[derive(Clone, PartialEq)]
+pub struct Kind {
+    /// Kind of the event.
+    what: What,
+    /// Whether only upward (`true`) or only downward (`false`) events count; `None` for both.
+    upward: Option<bool>,
+    /// Text of the command line that names it.
+    text: String,
+}
+
+/// Kinds of event.
+#[derive(Clone, Debug, PartialEq)]
+pub enum What {
+    /// Turning point of u.
+    Turning,
+    /// Time at which the tilt has this value, degrees.
+    Tilt(f64),
+    /// Time at which the tip angle has this value, degrees, modulo whole turns.
+    TipAngle(f64),
+    /// Time at which the tip is at this distance from the centre, m.
+    Circle(f64),
+    /// Time at which the normal force is 0.
+    LiftOff,
+}
+
+fn kind(text: &str) -> Result<Kind, String> {
+    const ALLOWED: &str = "must be turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS or lift-off, with or without :up or :down";
+    let (rest, upward) = match text.rsplit_once(':') {
+        Some((rest, "up")) => (rest, Some(true)),
+        Some((rest, "down")) => (rest, Some(false)),
+        Some(_) => return Err(ALLOWED.to_owned()),
+        None => (text, None),
+    };
+    let what = match rest.split_once('=').map(|(name, value)| (name, finite(value))) {
+        None if rest == "turning" => What::Turning,
+        None if rest == "lift-off" => What::LiftOff,
+        Some(("tilt", Some(degrees))) if (0.0..=180.0).contains(&degrees) => What::Tilt(degrees),
+        Some(("tilt", Some(_))) => return Err("tilt: must be in [0, 180] degrees".to_owned()),
+        Some(("tip-angle", Some(degrees))) if degrees.abs() <= 1e6 => What::TipAngle(degrees),
+        Some(("tip-angle", Some(_))) => return Err("tip-angle: must be within ±1e6 degrees".to_owned()),
+        Some(("circle", Some(radius))) if radius > 0.0 => What::Circle(radius),
+        Some(("circle", Some(_))) => return Err("circle: must be above 0".to_owned()),
+        _ => return Err(ALLOWED.to_owned()),
+    };
+    Ok(Kind { what, upward, text: text.to_owned() })
+}
+
+fn time(text: &str) -> Result<f64, &'static str> {
+    finite(text).ok_or("must be a finite number")
+}
+
+pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
+    let scenario = Scenario::read(&arguments.scenario)?;
+    let motion = &scenario.motion;
+    let reach = furthest_time(motion);
+    if arguments.from.abs() > reach {
+        return Err(Failure::Input(format!("--from: {:e} must be within ±{reach:.1e} s", arguments.from)));
+    }
+    let table = smallest(Scalar::F64, motion).map_err(|failure| failure.of(&scenario.name))?;
+    let from = (arguments.from * table.ticks_per_time()).floor() as i64;
+    let mut events = Vec::new();
+    for kind in &arguments.kinds {
+        let wanted =
+            |t: f64, upward: bool| t >= arguments.from && kind.upward.is_none_or(|only| only == upward);
+        for sought in sought(kind, motion).map_err(|failure| failure.of("--kind"))? {
+            let found = table.events(sought, from, &wanted, arguments.count as usize);
+            events.extend(found.into_iter().map(|event| (kind, sought, event)));
+        }
+    }
+    events.sort_by(|(_, _, a), (_, _, b)| a.t.total_cmp(&b.t));
+    events.truncate(arguments.count as usize);
+    let records: Vec<_> = events.iter().map(|(kind, sought, event)| record(kind, sought, event)).collect();
+    let table = || match &records[..] {
+        [] => none(&arguments.kinds, motion),
+        _ => output::aligned(&records, &columns(scenario.units)),
+    };
+    let text = output::written(arguments.format, &output::list("events", &records), table)?;
+    // no warning that the top leaves the plane if the command asks for these times
+    let asked = arguments.kinds.iter().any(|kind| kind.what == What::LiftOff);
+    let remarks = if asked { Vec::new() } else { warnings(&[scenario]) };
+    Ok(Report::from(text).with_remarks(remarks, arguments.format == Format::Table))
+}
+
+/// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.
+fn sought(kind: &Kind, motion: &Motion) -> Result<Vec<Sought>, Failure> {
+    let refused = |error: ParameterError| Failure::Input(format!("{}: {error}", kind.text));
+    let top = motion.top();
+    Ok(match kind.what {
+        What::Turning => vec![Sought::Turning],
+        What::Tilt(degrees) => vec![Sought::Crossing(Level::of_tilt(degrees.to_radians()).map_err(refused)?)],
+        What::TipAngle(degrees) => vec![Sought::TipAngle(Phase::new(degrees / 360.0))],
+        What::Circle(radius) => {
+            let levels = Level::of_circle(top, radius).map_err(|_| {
+                let allowed = format!("must be above 0 and below {}", output::short(top.tip_scale(), 6));
+                Failure::Input(format!("{}: {allowed}", kind.text))
+            })?;
+            levels.map(Sought::Crossing).to_vec()
+        }
+        What::LiftOff if top.support() != Support::Sliding => {
+            return Err(Failure::Method(
+                "lift-off: none, because the tip does not slide on a plane".to_owned(),
+            ));
+        }
+        What::LiftOff => Level::of_lift_off(motion).map(Sought::Crossing).into_iter().collect(),
+    })
+}
+
+fn record(kind: &Kind, sought: &Sought, event: &FoundEvent) -> Record {
+    let sample = &event.there.sample;
+    let sense = match (sought, event.upward) {
+        (Sought::Turning, true) => "upper",
+        (Sought::Turning, false) => "lower",
+        (_, true) => "up",
+        (_, false) => "down",
+    };
+    let tilt = 2.0 * sample.beta.modulus().atan2(sample.alpha.modulus());
+    Record::default()
+        .with("t", event.t)
+        .with("kind", &*kind.text)
+        .with("sense", sense)
+        .with("u", sample.u)
+        .with("tilt_deg", tilt.to_degrees())
+        .with("tip", [sample.tip.re, sample.tip.im])
+        .with("phi_deg", sample.phi.map(f64::to_degrees))
+        .with("time_error", event.time_error(sought))
+}
+
+/// Text in place of a table without events, with the range of the tilt if no tilt that was sought is in it.
+fn none(kinds: &[Kind], motion: &Motion) -> String {
+    let [least, greatest] = tilts(motion);
+    let outside = |kind: &Kind| matches!(kind.what, What::Tilt(tilt) if tilt < least || tilt > greatest);
+    if !kinds.iter().all(outside) {
+        return "no such event\n".to_owned();
+    }
+    let [least, greatest] = [least, greatest].map(|tilt| output::short(tilt, 5));
+    if least == greatest {
+        return format!("no such event: the tilt stays at {least} degrees\n");
+    }
+    format!("no such event: the tilt stays between {least} and {greatest} degrees\n")
+}
+
+fn columns(units: Units) -> [Column<'static>; 6] {
+    let [t, error] = match units {
+        Units::Si => ["t, s", "error of t at most, s"],
+        Units::None => ["t", "error of t at most"],
+    };
+    [
+        ("kind", "event", eight),
+        ("sense", "sense", eight),
+        ("t", t, |t| output::short(t, 17)),
+        ("tilt_deg", "tilt, degrees", eight),
+        ("phi_deg", "tip angle, degrees", eight),
+        ("time_error", error, output::error),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kinds_are_read_and_refused() {
+        assert_eq!(kind("turning").map(|kind| (kind.what, kind.upward)), Ok((What::Turning, None)));
+        assert_eq!(
+            kind("tilt=30:up").map(|kind| (kind.what, kind.upward)),
+            Ok((What::Tilt(30.0), Some(true)))
+        );
+        assert_eq!(kind("tip-angle=-90").map(|kind| kind.what), Ok(What::TipAngle(-90.0)));
+        for bad in [
+            "",
+            "tilt",
+            "tilt=x",
+            "tilt=181",
+            "circle=0",
+            "circle=-1",
+            "tilt=nan",
+            "turning:left",
+            "lift-off=1",
+        ] {
+            assert!(kind(bad).is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! `toytop state`: orientation, rates and tip at given times.
+
+use super::options::{Method, hertz};
+use super::times::{self, Instants, TimesArgs};
+use super::{Report, warnings};
+use crate::Failure;
+use crate::full_equations::solution;
+use crate::input::scenario::Scenario;
+use crate::motion::Scalar;
+use crate::motion::ephemeris::{Size, furthest_time, smallest, table};
+use crate::motion::propagate::{Sample, period, stepped};
+use crate::motion::tip_angle::TipAngle;
+use crate::output::whole_file;
+use crate::samples::column::{Column, DEFAULT_COLUMNS};
+use crate::samples::sheet::{SampleFormat, Sheet};
+use crate::samples::stream;
+use clap::{ArgGroup, Args};
+use std::path::PathBuf;
+use toytop::{Regime, Tick};
+use toytop_closed_forms::ClosedForm;
+
+/// Sample at a time, by the index of the time in the request.
+type At = dyn Fn(u64) -> Sample + Sync;
+
+/// `toytop state`
+#[derive(Args)]
+#[command(group = ArgGroup::new("instants").required(true).args(["times", "times_file", "ticks", "from"]))]
+pub struct StateArgs {
+    /// Scenario file
+    scenario: PathBuf,
+    // without a doc comment, which would replace the help text of the whole command
+    #[command(flatten)]
+    times: TimesArgs,
+    /// Method that computes the motion
+    #[arg(long, default_value = "ephemeris")]
+    method: Method,
+    /// Scalar type of the core
+    #[arg(long, default_value = "f64")]
+    scalar: Scalar,
+    /// Steps of the stepper in a nutation period (for a motion without a period: in a time of 2 pi sqrt((A/p + s)/g)), for --method
+    /// stepper; 4096 without this option
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
+    steps_per_period: Option<u32>,
+    /// Ticks in a second, for --ticks: N, or A/B for A ticks in B seconds; 1000 without this option
+    #[arg(long, value_name = "N", value_parser = hertz)]
+    hertz: Option<[u32; 2]>,
+    /// Columns, in the order of the output
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS)]
+    columns: Vec<Column>,
+    /// Add units to the column names, as in omega_x [rad/s]
+    #[arg(long)]
+    units: bool,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: SampleFormat,
+    /// Output file; without it, stdout
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
+    let inputs = [Some(&*arguments.scenario), arguments.times.times_file.as_deref()];
+    whole_file::require_other("--output", arguments.output.as_deref(), &inputs)?;
+    let scenario = Scenario::read(&arguments.scenario)?;
+    if arguments.hertz.is_some() && arguments.times.ticks.is_none() {
+        return Err(Failure::Input("--hertz: needs --ticks".to_owned()));
+    }
+    let instants = times::read(&arguments.times, arguments.hertz.unwrap_or([1000, 1]))?;
+    let format = arguments.format;
+    let mut columns = arguments.columns.clone();
+    // a program that reads JSON always gets the bound
+    if format == SampleFormat::Json && !columns.contains(&Column::ErrorBound) {
+        columns.push(Column::ErrorBound);
+    }
+    let support = scenario.motion.top().support();
+    let sheet = Sheet { format, columns, units: scenario.units, support, named_units: arguments.units };
+    let count = instants.count;
+    let at = source(arguments, &scenario, instants)?;
+    // from here on the input cannot cause a failure
+    stream::to(arguments.output.as_deref(), |out| {
+        out.write_all(&sheet.head(count))?;
+        stream::rows(count, &|row, bytes| sheet.row(row, &at(row), bytes), out)?;
+        out.write_all(sheet.end().as_bytes())
+    })?;
+    let table = format == SampleFormat::Table && arguments.output.is_none();
+    Ok(Report::default().with_remarks(warnings(&[scenario]), table))
+}
+
+/// Function that computes samples by a method.
+fn source(arguments: &StateArgs, scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
+    let motion = &scenario.motion;
+    if arguments.steps_per_period.is_some() && arguments.method != Method::Stepper {
+        return Err(Failure::Input("--steps-per-period: needs --method stepper".to_owned()));
+    }
+    let step = period(motion) / f64::from(arguments.steps_per_period.unwrap_or(4096));
+    let option = times::option(&arguments.times);
+    let listed = || instants.times().map_err(|failure| failure.of(&option));
+    let samples = match (arguments.method, arguments.scalar) {
+        (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, instants, &option),
+        (Method::Stepper, scalar) => stepped(scalar, motion, &listed()?, step)?,
+        (Method::Full, Scalar::F64) => solution::samples(scenario, &listed()?)?,
+        (Method::ClosedForm, Scalar::F64) => return by_closed_form(scenario, instants, &option),
+        (method, scalar) => {
+            let (name, method) = (scalar.name(), method.name());
+            return Err(Failure::Input(format!("--scalar: {name}: must be f64 with --method {method}")));
+        }
+    };
+    Ok(Box::new(move |index| samples[index as usize]))
+}
+
+fn by_ephemeris(
+    scalar: Scalar,
+    scenario: &Scenario,
+    instants: Instants,
+    option: &str,
+) -> Result<Box<At>, Failure> {
+    let motion = &scenario.motion;
+    if motion.regime() == Regime::Aperiodic && scalar != Scalar::F64 {
+        let reason = format!("{}: an aperiodic motion has a closed form in f64, and no table", scalar.name());
+        return Err(Failure::Method(format!("{}: --scalar: {reason}", scenario.name)));
+    }
+    let table = if let Some([there, seconds]) = instants.rate {
+        let refused = |error| Failure::Input(format!("--hertz: {error}"));
+        table(scalar, motion, Tick::ratio(there, seconds).map_err(refused)?, Size::Smallest)
+    } else {
+        let within = instants.require_within(furthest_time(motion), " with --method ephemeris");
+        within.map_err(|failure| failure.of(option))?;
+        smallest(scalar, motion)
+    };
+    let table = table.map_err(|failure| failure.of(&scenario.name))?;
+    Ok(Box::new(move |index| {
+        let (t, tick) = instants.at(index);
+        if instants.rate.is_some() { table.at_tick(tick, t).sample } else { table.at(t).sample }
+    }))
+}
+
+/// Function that computes samples by the closed form, if the motion has one.
+fn by_closed_form(scenario: &Scenario, instants: Instants, option: &str) -> Result<Box<At>, Failure> {
+    let motion = &scenario.motion;
+    let form =
+        ClosedForm::of(motion).map_err(|refusal| Failure::Method(refusal.to_string()).of(&scenario.name))?;
+    instants
+        .require_within(MOST_PERIODS * period(motion), " with --method closed-form")
+        .map_err(|failure| failure.of(option))?;
+    let angle = TipAngle::of(motion, NOISE)?;
+    Ok(Box::new(move |index| {
+        let (t, _) = instants.at(index);
+        let state = form.at(t);
+        angle.sample(t, state.orientation, state.omega(), state.udot())
+    }))
+}
+
+/// Greatest number of periods of a closed form. If e₃ = e₄ holds only up to rounding, the form loses up to 5e-14 rad in a period, and
+/// beyond this number no digit is correct.
+const MOST_PERIODS: f64 = 1e12;
+
+/// Least |αβ| at which the rounding of α and β changes the argument of αβ by less than 1e-5 rad.
+const NOISE: f64 = 1e-11;

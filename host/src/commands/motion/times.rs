@@ -1,0 +1,224 @@
+//! Times at which a motion is computed: times or ticks on the command line, or a file of times.
+
+use crate::Failure;
+use crate::input::finite;
+use crate::output::{shown, whole_file};
+use crate::sweep::axis::{Axis, ends};
+use clap::Args;
+use std::path::{Path, PathBuf};
+
+/// Times of `toytop state`: exactly one of the four ways.
+#[derive(Args)]
+#[group(skip)]
+pub struct TimesArgs {
+    /// Times, s, separated by commas, in any order; they may be negative. LOW..HIGH/PLACES spreads times evenly, both ends included,
+    /// log:LOW..HIGH/PLACES evenly in the logarithm
+    #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true)]
+    pub times: Option<String>,
+    /// File with one time, s, in each line; # starts a comment
+    #[arg(long, value_name = "FILE")]
+    pub times_file: Option<PathBuf>,
+    /// Ticks of a clock, as an interrupt counts them, in place of times: N1,N2,... or FIRST..LAST
+    #[arg(long, value_name = "N1,N2,...", allow_hyphen_values = true)]
+    pub ticks: Option<String>,
+    /// First of --count times that are spread evenly, s
+    #[arg(long, value_name = "T", allow_hyphen_values = true, requires_all = ["to", "count"])]
+    pub from: Option<f64>,
+    /// Last of these times, s
+    #[arg(long, value_name = "T", allow_hyphen_values = true, requires = "from")]
+    pub to: Option<f64>,
+    /// Number of these times
+    #[arg(long, value_name = "N", requires = "from")]
+    pub count: Option<u32>,
+}
+
+/// Times in the order of the request, at least one.
+pub struct Instants {
+    /// Number of times.
+    pub count: u64,
+    /// Least and greatest time, s.
+    ends: [f64; 2],
+    /// Number of ticks, and the seconds in which they are, where the times are those of ticks.
+    pub rate: Option<[u32; 2]>,
+    at: Box<dyn Fn(u64) -> (f64, i64) + Send + Sync>,
+}
+
+impl Instants {
+    /// Times of an axis.
+    pub fn of_axis(axis: Axis) -> Self {
+        Self {
+            count: axis.size(),
+            ends: axis.ends(),
+            rate: None,
+            at: Box::new(move |index| (axis.at(index), 0)),
+        }
+    }
+
+    /// Time of this index, s, and its tick, or 0.
+    pub fn at(&self, index: u64) -> (f64, i64) {
+        (self.at)(index)
+    }
+
+    /// List of all times, s.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: too many to be held at once; the message does not name the option.
+    pub fn times(&self) -> Result<Vec<f64>, Failure> {
+        const MOST: u64 = 5_000_000;
+        match self.count {
+            count if count <= MOST => Ok((0..count).map(|index| self.at(index).0).collect()),
+            count => Err(Failure::Input(format!("{count} times: must be at most {MOST} with this --method"))),
+        }
+    }
+
+    /// Refuses times further from t = 0 than `most`, s; `method` ends the message, which does not name the option.
+    ///
+    /// # Errors
+    /// [`Failure::Input`].
+    pub fn require_within(&self, most: f64, method: &str) -> Result<(), Failure> {
+        match self.ends.into_iter().find(|end| end.abs() > most) {
+            Some(end) => Err(Failure::Input(format!("{end:e} must be within ±{most:.1e} s{method}"))),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Option that states the times, with its file if it has one.
+pub fn option(arguments: &TimesArgs) -> String {
+    match (&arguments.times_file, &arguments.ticks) {
+        (Some(path), _) => format!("--times-file: {}", path.display()),
+        (None, Some(_)) => "--ticks".to_owned(),
+        (None, None) if arguments.from.is_some() => "--from, --to".to_owned(),
+        (None, None) => "--times".to_owned(),
+    }
+}
+
+/// Times of the command line.
+///
+/// # Errors
+/// [`Failure::Input`]: an unreadable file, an entry that is no finite number, or no tick.
+pub fn read(arguments: &TimesArgs, rate: [u32; 2]) -> Result<Instants, Failure> {
+    if let (Some(from), Some(to), Some(count)) = (arguments.from, arguments.to, arguments.count) {
+        // {:?} has the digits that read back the same number
+        let axis = format!("{from:?}..{to:?}/{count}").parse().map_err(|_| {
+            let allowed = "must be two finite times, --from first, and a number from 2";
+            Failure::Input(format!("--from, --to, --count: {allowed}"))
+        })?;
+        return Ok(Instants::of_axis(axis));
+    }
+    match (&arguments.times, &arguments.times_file, &arguments.ticks) {
+        (Some(text), ..) => times(text),
+        (None, Some(path), _) => from_file(path),
+        (None, None, Some(text)) => ticks(text, rate),
+        (None, None, None) => {
+            Err(Failure::Input("--times, --times-file, --ticks or --from is required".into()))
+        }
+    }
+}
+
+/// Times of a text `T1,T2,...` or `LOW..HIGH/PLACES`.
+///
+/// # Errors
+/// As [`read`].
+pub fn times(text: &str) -> Result<Instants, Failure> {
+    let refused = |reason: &str| Failure::Input(format!("--times: {}: {reason}", shown(text)));
+    let axis = if text.contains("..") {
+        text.parse().map_err(|reason: String| refused(&reason))?
+    } else {
+        Axis::List(text.split(',').map(|entry| time(entry, "--times")).collect::<Result<_, _>>()?)
+    };
+    if axis.count().is_none() {
+        return Err(refused("must be T1,T2,... or LOW..HIGH/PLACES or log:LOW..HIGH/PLACES"));
+    }
+    Ok(Instants::of_axis(axis))
+}
+
+/// Ticks of a text `N1,N2,...` or `FIRST..LAST`, as an interrupt counts them.
+fn ticks(text: &str, rate: [u32; 2]) -> Result<Instants, Failure> {
+    let refused = || {
+        let allowed = "must be N1,N2,... or FIRST..LAST, whole numbers of 64 bits";
+        Failure::Input(format!("--ticks: {}: {allowed}", shown(text)))
+    };
+    let number = |text: &str| text.trim().parse::<i64>().map_err(|_| refused());
+    let [there, seconds] = rate.map(f64::from);
+    let time = move |tick: i64| tick as f64 * seconds / there;
+    let Some((first, last)) = text.split_once("..") else {
+        let list = text.split(',').map(number).collect::<Result<Vec<_>, _>>()?;
+        return Ok(Instants {
+            count: list.len() as u64,
+            ends: ends(list.iter().map(|tick| time(*tick))),
+            rate: Some(rate),
+            at: Box::new(move |index| (time(list[index as usize]), list[index as usize])),
+        });
+    };
+    let (first, last) = (number(first)?, number(last)?);
+    if first > last || last.abs_diff(first) == u64::MAX {
+        return Err(refused());
+    }
+    let at = move |index| first.wrapping_add_unsigned(index);
+    Ok(Instants {
+        count: last.abs_diff(first) + 1,
+        ends: [first, last].map(time),
+        rate: Some(rate),
+        at: Box::new(move |index| (time(at(index)), at(index))),
+    })
+}
+
+/// Size of the largest file of times, MiB: some five million times.
+const LARGEST_FILE: u64 = 64;
+
+fn from_file(path: &Path) -> Result<Instants, Failure> {
+    let name = path.display();
+    let text = whole_file::read(&name.to_string(), path, LARGEST_FILE)?;
+    let mut times = Vec::new();
+    for (index, line) in text.lines().enumerate() {
+        let entry = line.split('#').next().unwrap_or_default().trim();
+        if !entry.is_empty() {
+            times.push(time(entry, &format!("{name}: line {}", index + 1))?);
+        }
+    }
+    if times.is_empty() {
+        return Err(Failure::Input(format!("{name}: must hold at least one time, one finite number a line")));
+    }
+    Ok(Instants::of_axis(Axis::List(times)))
+}
+
+fn time(entry: &str, place: &str) -> Result<f64, Failure> {
+    finite(entry)
+        .ok_or_else(|| Failure::Input(format!("{place}: {:?} must be a finite number", shown(entry.trim()))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spread_evenly_with_both_ends() {
+        let all = |text: &str| times(text).unwrap().times().unwrap();
+        assert_eq!(all("-1..1/5"), [-1.0, -0.5, 0.0, 0.5, 1.0]);
+        let third = all("0..0.3/4");
+        assert_eq!((third.len(), third[0], third[3]), (4, 0.0, 0.3));
+        let log = all("log:0.01..100/3");
+        assert!(log[0] == 0.01 && (log[1] - 1.0).abs() < 1e-14 && log[2] == 100.0, "{log:?}");
+        let far = times("-3..1/5").unwrap();
+        assert!(far.require_within(3.0, "").is_ok());
+        assert_eq!(far.require_within(2.9, "").unwrap_err().to_string(), "-3e0 must be within ±2.9e0 s");
+        for refused in ["0..1", "1..0/3", "0..1/1", "0..1/5000000000", "0..x/3"] {
+            let message = times(refused).err().unwrap().to_string();
+            assert!(message.starts_with(&format!("--times: {refused}: ")), "{message}");
+        }
+    }
+
+    #[test]
+    fn ticks_are_exact_fractions_of_a_second() {
+        let ticks = |text: &str| super::ticks(text, [44100, 2]);
+        let run = ticks("-2..2").unwrap();
+        assert_eq!((run.count, run.at(0), run.at(4)), (5, (-4.0 / 44100.0, -2), (4.0 / 44100.0, 2)));
+        let list = ticks("7,-99, 3").unwrap();
+        assert_eq!((list.count, list.at(1)), (3, (-198.0 / 44100.0, -99)));
+        for refused in ["", "1.5", "2..1", "1,,2", "0..99999999999999999999"] {
+            let message = ticks(refused).err().unwrap().to_string();
+            assert!(message.starts_with(&format!("--ticks: {refused}: ")), "{message}");
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! `toytop bench`: computing times of states, by the core and by other methods, on this machine with this build.
+
+use super::Report;
+use super::options::FormatArgs;
+use crate::Failure;
+use crate::full_equations::full_solver::{Equations, FullSolver, FullState};
+use crate::full_equations::solution;
+use crate::input::builtin;
+use crate::input::scenario::Scenario;
+use crate::output::{self, Record, short};
+use std::hint::black_box;
+use std::time::Instant;
+use toytop::scalar::Real;
+use toytop::{
+    EphemerisF32, EphemerisF64, EphemerisScalar, EphemerisView, Motion, Orientation, Stepper, Tick,
+};
+
+/// Number of states of a task, of steps of the Runge-Kutta method between two of them, and of ticks in a second.
+const STATES: u32 = 1000;
+const STEPS: u32 = 640;
+const HERTZ: u32 = 1024;
+/// Number of periods over which the states are spread.
+const PERIODS: u32 = 100;
+/// Tolerance of the full solver.
+const TOLERANCE: f64 = 1e-12;
+/// Number of runs of a task, of which the least time counts, because other processes can only make a run longer.
+const RUNS: u32 = 5;
+
+/// Least time of a task of this many states, divided by their number, and the result of the last run.
+fn least<T>(states: u32, mut task: impl FnMut() -> T) -> (f64, T) {
+    let mut timed = || {
+        let started = Instant::now();
+        let result = black_box(task());
+        (started.elapsed().as_secs_f64() / f64::from(states), result)
+    };
+    let first = timed();
+    (1..RUNS).map(|_| timed()).fold(first, |best, run| (best.0.min(run.0), run.1))
+}
+
+pub fn run(arguments: &FormatArgs) -> Result<Report, Failure> {
+    let figures = builtin::figures()?.concat();
+    // a curve with cusps
+    let [.., scenario, _, _] = &figures[..] else { return Err(Failure::Tool("bench: no motion".into())) };
+    let rows = rows(scenario)?;
+    let table = || {
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let build = if cfg!(debug_assertions) { "UNOPTIMISED build" } else { "release build" };
+        let columns: [output::Column<'_>; 4] = [
+            ("what", "", short_seconds),
+            ("seconds", "time of a state", short_seconds),
+            ("error_rad", "error, rad", output::error),
+            ("seconds", "million a second", |seconds| short(1e-6 / seconds, 3)),
+        ];
+        format!(
+            "{}\n{STATES} states over {PERIODS} periods of the paper's curve with cusps. The processor may work on several ticks at once\n\
+             where the numbers are given; the next tick waits for the one before. Least of {RUNS} runs on one core of {cores}; {build}.\n",
+            output::aligned(&rows, &columns),
+        )
+    };
+    Ok(output::written(arguments.format, &output::list("rows", &rows), table)?.into())
+}
+
+/// Time with three digits and a unit.
+fn short_seconds(seconds: f64) -> String {
+    let (scale, unit) = match seconds {
+        x if x < 1e-6 => (1e9, "ns"),
+        x if x < 1e-3 => (1e6, "µs"),
+        x if x < 1.0 => (1e3, "ms"),
+        _ => (1.0, "s"),
+    };
+    format!("{} {unit}", short(scale * seconds, 3))
+}
+
+/// Task with the time of one state, s, and the greatest error of the orientation, rad.
+fn row(what: &str, seconds: f64, error: Option<f64>) -> Record {
+    Record::default().with("what", what).with("seconds", seconds).with("error_rad", error)
+}
+
+fn fail(error: impl std::fmt::Display) -> Failure {
+    Failure::Method(format!("bench: {error}"))
+}
+
+/// Time of a state, and the states of all places.
+fn states<P: Copy, T>(places: &[P], state: impl Fn(P) -> T) -> (f64, Vec<T>) {
+    least(STATES, || places.iter().map(|&place| state(place)).collect())
+}
+
+fn rows(scenario: &Scenario) -> Result<Vec<Record>, Failure> {
+    let motion = &scenario.motion;
+    let period = motion.period_advance().map_or(1.0, |advance| advance.period);
+    // whole ticks whose times are exact in f64, so that all methods compute the same times
+    let apart = (f64::from(PERIODS) * period / f64::from(STATES) * f64::from(HERTZ)).round();
+    let ticks: Vec<i64> = (1..=i64::from(STATES)).map(|i| i * apart as i64).collect();
+    let apart = apart / f64::from(HERTZ);
+    let times: Vec<f64> = (1..=STATES).map(|i| f64::from(i) * apart).collect();
+    let tick = Tick::hertz(HERTZ).map_err(fail)?;
+    let truth = solution::states(scenario, &times)?;
+    let error = |found: &[Orientation<f64>]| {
+        Some(
+            found
+                .iter()
+                .zip(&truth)
+                .map(|(found, truth)| found.distance(&truth.orientation()))
+                .fold(0.0, f64::max),
+        )
+    };
+    let of_states =
+        |states: &[FullState]| error(&states.iter().map(FullState::orientation).collect::<Vec<_>>());
+
+    let (top, state) = solution::start(scenario);
+    let (solver_time, solved) = least(STATES, || {
+        let mut solver = FullSolver::new(top, state, TOLERANCE);
+        times.iter().map(|&t| solver.advance_to(t)).collect::<Result<Vec<_>, _>>()
+    });
+    let solved = solved.map_err(fail)?;
+    let (steps_time, stepped) = least(STATES, || {
+        let (equations, step) = (Equations::of(&top, &state), apart / f64::from(STEPS));
+        let mut y = equations.numbers(&state);
+        let mut state = || {
+            (0..STEPS).for_each(|_| y = equations.runge_kutta(&y, step));
+            equations.state(&y)
+        };
+        times.iter().map(|_| state()).collect::<Vec<_>>()
+    });
+    let (set_up, table) = least(1, || EphemerisF64::new(motion, tick));
+    let table = table.map_err(fail)?;
+    let (both, _) = states(&times, |t| {
+        let now = table.at(t);
+        (now.orientation(), now.omega())
+    });
+    let (any, phis) = states(&times, |t| table.at(t).orientation());
+    let (at_tick, _) = states(&ticks, |n| table.at_tick(n).orientation());
+    let per_period = STEPS * STATES / PERIODS;
+    let solver = format!("full solver, tolerance {TOLERANCE:.0e}: orientation and angular velocity");
+    let steps = format!("Runge-Kutta of the full equations, {per_period} steps a period: the same");
+    let single = EphemerisF32::new(motion, tick).map_err(fail)?;
+    let mut rows = vec![
+        row(&solver, solver_time, of_states(&solved)),
+        row(&steps, steps_time, of_states(&stepped)),
+        row("ephemeris f64, 48x11, at any time: the same", both, error(&phis)),
+        row("ephemeris f64, 48x11, at any time: orientation", any, error(&phis)),
+        row("ephemeris f64, 48x11, at any tick: orientation", at_tick, error(&phis)),
+        row("ephemeris f64: its set-up, once", set_up, None),
+    ];
+    rows.extend(ephemeris("f32", &single));
+    rows.extend(ephemeris("f64", &table));
+    rows.extend([stepper::<f32>("f32", motion), stepper::<f64>("f64", motion)]);
+    Ok(rows)
+}
+
+/// Ticks of a run: enough for the clock, and few enough for the cache.
+const TICKS: u32 = 4096;
+const FIRST: i64 = 1 << 40;
+
+fn per_tick(what: &str, task: impl FnMut()) -> Record {
+    row(what, least(TICKS, task).0, None)
+}
+
+fn ephemeris<R: EphemerisScalar>(name: &str, table: &EphemerisView<R>) -> [Record; 3] {
+    let name = format!("ephemeris {name}, {}x{}", table.capacity(), R::TERMS);
+    let mut out = vec![Orientation::<R>::IDENTITY; TICKS as usize];
+    let batch = per_tick(&format!("{name}: in a batch"), || {
+        table.fill(black_box(FIRST), &mut out);
+        black_box(&mut out);
+    });
+    let next = per_tick(&format!("{name}: the next tick"), || {
+        let mut cursor = table.cursor(black_box(FIRST));
+        (0..TICKS).for_each(|_| {
+            black_box(cursor.next(table).orientation());
+        });
+    });
+    let any = per_tick(&format!("{name}: any tick"), || {
+        (0..i64::from(TICKS)).for_each(|n| {
+            black_box(table.at_tick(black_box(FIRST + n)).orientation());
+        });
+    });
+    [batch, next, any]
+}
+
+fn stepper<R: Real>(name: &str, motion: &Motion) -> Record {
+    let mut stepper = Stepper::<R>::new(motion);
+    let step = R::from_f64(1e-3);
+    per_tick(&format!("stepper {name}: a step"), || {
+        (0..TICKS).for_each(|_| {
+            stepper.step(step);
+            black_box(stepper.orientation());
+        });
+    })
+}

@@ -1,0 +1,151 @@
+//! `toytop sweep`: many motions, one row for each, in one CSV file.
+
+use super::Report;
+use crate::Failure;
+use crate::input::scenario::ScenarioFile;
+use crate::output::whole_file;
+use crate::pictures::charts::heat_map::HeatMap;
+use crate::pictures::drawing;
+use crate::samples::stream;
+use crate::sweep::{Axis, Column, DEFAULT_COLUMNS, Sweep};
+use clap::Args;
+use std::path::PathBuf;
+use std::str::FromStr;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::time::Instant;
+
+/// Size of the largest file that is drawn, MiB.
+const LARGEST_PLOTTED: u64 = 4096;
+
+/// `toytop sweep`
+#[derive(Args)]
+pub struct SweepArgs {
+    /// Scenario file whose numbers vary
+    scenario: PathBuf,
+    /// CSV file to write (- is stdout); it appears under its name when it is complete
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// Spin of a release, rad/s: X,Y,... or LOW..HIGH, in a grid LOW..HIGH/PLACES; with log: in front even in the logarithm
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    spin: Option<Axis>,
+    /// Tilt of a release, degrees
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    tilt: Option<Axis>,
+    /// Precession of a release, rad/s
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    precession: Option<Axis>,
+    /// Nutation of a release, rad/s
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    nutation: Option<Axis>,
+    /// Any other number of the scenario, in the key's unit: --axis com_height=0.02..0.04/21
+    #[arg(long, value_name = "KEY=AXIS", value_parser = key_and_axis)]
+    axis: Vec<(String, Axis)>,
+    /// Heat map of a column over two keys of a grid, as an SVG file beside the output
+    #[arg(long, value_name = "X,Y,COLUMN")]
+    plot: Option<String>,
+    /// Number of random motions; without it, the motions are the grid of all combinations
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000_000))]
+    motions: Option<u64>,
+    /// Seed of the random motions
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    seed: u64,
+    /// Columns of each motion: constants by their names in toytop constants; columns of toytop state, at every time; error_f32, the
+    /// greatest error of the f32 ephemeris against the f64 ephemeris, bound_f32 and segments_f32; full_error_f64 and full_error_f32,
+    /// the greatest errors against the full solver (slow)
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS, value_parser = Column::from_str)]
+    columns: Vec<Column>,
+    /// Number of times at which each motion is evaluated
+    #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    samples: u32,
+    /// Nutation periods that these times are spread over (for a motion without a period: times of 2 pi sqrt((A/p + s)/g))
+    #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = periods, allow_hyphen_values = true)]
+    periods: f64,
+    /// Every N-th motion, beginning with the I-th; only part 1 has the header, so that cat joins all parts
+    #[arg(long, value_name = "I/N", default_value = "1/1", value_parser = part)]
+    part: [u64; 2],
+}
+
+impl SweepArgs {
+    /// Keys of the scenario that vary, each with its axis.
+    pub fn varied(&self) -> Vec<(String, Axis)> {
+        let of_release = [
+            ("spin", &self.spin),
+            ("tilt_deg", &self.tilt),
+            ("precession", &self.precession),
+            ("nutation", &self.nutation),
+        ];
+        let named = of_release.into_iter().filter_map(|(key, axis)| Some((key.to_owned(), axis.clone()?)));
+        named.chain(self.axis.iter().cloned()).collect()
+    }
+}
+
+fn key_and_axis(text: &str) -> Result<(String, Axis), String> {
+    let (key, axis) = text.split_once('=').ok_or("must be KEY=AXIS")?;
+    Ok((key.to_owned(), axis.parse()?))
+}
+
+fn periods(text: &str) -> Result<f64, &'static str> {
+    text.parse().ok().filter(|x| *x > 0.0 && *x <= 1e9).ok_or("must be above 0 and at most 1e9")
+}
+
+fn part(text: &str) -> Result<[u64; 2], &'static str> {
+    const MOST: u64 = 1 << 32;
+    let number = |text: &str| text.parse::<u64>().ok();
+    let pair = text.split_once('/').and_then(|(part, parts)| Some([number(part)?, number(parts)?]));
+    pair.filter(|[part, parts]| *parts <= MOST && (1..=*parts).contains(part))
+        .ok_or("must be I/N with I from 1 to N, and N at most 2^32")
+}
+
+pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
+    let started = Instant::now();
+    whole_file::require_other("--output", Some(&arguments.output), &[Some(&arguments.scenario)])?;
+    let sweep = Sweep::new(
+        ScenarioFile::read(&arguments.scenario)?,
+        &arguments.varied(),
+        arguments.motions.map(|motions| (motions, arguments.seed)),
+        &arguments.columns,
+        (arguments.samples, arguments.periods),
+    )?;
+    let [part, parts] = arguments.part;
+    let file = (arguments.output.as_os_str() != "-").then_some(&*arguments.output);
+    let map = match (&arguments.plot, file) {
+        (Some(text), Some(file)) if parts == 1 => Some((HeatMap::new(text, &sweep)?, file)),
+        (Some(_), _) => return Err(Failure::Input("--plot: needs a whole file, not a part".to_owned())),
+        (None, _) => None,
+    };
+    let count = (sweep.count + parts - part) / parts;
+    let (refused, first) = (AtomicU64::new(0), AtomicU64::new(u64::MAX));
+    let row = |row: u64, text: &mut Vec<u8>| {
+        let index = row * parts + part - 1;
+        if !sweep.row(index, text) {
+            refused.fetch_add(1, Relaxed);
+            first.fetch_min(index, Relaxed);
+        }
+    };
+    stream::to(file, |out| {
+        // only the first part has the header, so that `cat` joins all parts
+        out.write_all(if part == 1 { sweep.header() } else { String::new() }.as_bytes())?;
+        stream::rows(count, &row, out)
+    })?;
+    if let Some((map, file)) = map {
+        let csv = whole_file::read("--output", file, LARGEST_PLOTTED)?;
+        drawing::write("--plot", &file.with_extension("svg"), &map.draw(&sweep, &csv)?, None)?;
+    }
+    let refused = match refused.into_inner() {
+        0 => String::new(),
+        refused => {
+            let row = first.into_inner();
+            let reason = sweep.refusal(row).unwrap_or_default();
+            format!(", {refused} of them refused (first: row {row}, {reason}),")
+        }
+    };
+    let seconds = started.elapsed().as_secs_f64();
+    let name = file.map_or("stdout".into(), |file| file.to_string_lossy());
+    let text = format!("{name}: {count} motions{refused} in {seconds:.1} s\n");
+    let report = Report::default();
+    Ok(if file.is_some() {
+        Report { text, ..report }
+    } else {
+        report.with_remarks([text.trim_end().to_owned()], false)
+    })
+}

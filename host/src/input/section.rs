@@ -1,0 +1,145 @@
+//! One table of a TOML file. Each [`Key`] states its allowed values, by which the table is read.
+
+use crate::Failure;
+use crate::output::shown;
+use toml::{Table, Value};
+use toytop::ParameterError;
+
+/// Key whose value is a number or an array of numbers.
+pub struct Key {
+    pub name: &'static str,
+    /// Allowed values, in words.
+    allowed: &'static str,
+    /// Value of a missing key; `None` where it must not be missing.
+    default: Option<f64>,
+    /// Least and greatest value.
+    range: [f64; 2],
+}
+
+impl Key {
+    pub const fn required(name: &'static str, allowed: &'static str) -> Self {
+        Self { name, allowed, default: None, range: [f64::MIN, f64::MAX] }
+    }
+
+    pub const fn optional(name: &'static str, default: f64, allowed: &'static str) -> Self {
+        Self { default: Some(default), ..Self::required(name, allowed) }
+    }
+
+    /// Key whose value is in this range.
+    pub const fn within(self, low: f64, high: f64) -> Self {
+        Self { range: [low, high], ..self }
+    }
+}
+
+/// Keys and values of a TOML file; `file` is its name in messages.
+///
+/// # Errors
+/// [`Failure::Input`] with the line: no TOML.
+pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
+    text.parse::<Table>().map_err(|error| {
+        let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
+        Failure::Input(format!("{file}: line {line}: must be TOML: {}", error.message()))
+    })
+}
+
+/// Table of a file.
+#[derive(Clone, Copy)]
+pub struct Section<'a> {
+    pub file: &'a str,
+    pub name: &'a str,
+    pub table: &'a Table,
+}
+
+impl Section<'_> {
+    /// Failure that names a key and the reason.
+    pub fn refuse(&self, key: &str, reason: &str) -> Failure {
+        Failure::Input(format!("{}: {}.{}: {reason}", self.file, shown(self.name), shown(key)))
+    }
+
+    /// Failure for an error of the core, whose parameters have the names of the keys, except for those that `renamed` lists.
+    pub fn refused(&self, error: &ParameterError, renamed: &[(&str, &str)]) -> Failure {
+        let parameter = error.parameter();
+        let key = renamed.iter().find(|(name, _)| *name == parameter).map_or(parameter, |(_, key)| key);
+        self.refuse(key, &format!("must be {}", error.allowed()))
+    }
+
+    pub fn has(&self, key: &Key) -> bool {
+        self.table.contains_key(key.name)
+    }
+
+    /// Failure if there is a key other than these; `reason` begins the message.
+    pub fn only(&self, reason: &str, names: &[&str]) -> Result<(), Failure> {
+        match self.table.keys().find(|key| !names.contains(&key.as_str())) {
+            Some(key) => Err(self.refuse(key, &format!("{reason}: {}", names.join(", ")))),
+            None => Ok(()),
+        }
+    }
+
+    /// Failure if there is a key other than `choice`, which selects among the kinds of a table, and those listed.
+    pub fn only_with(&self, choice: &str, keys: &[Key]) -> Result<(), Failure> {
+        let names: Vec<_> = std::iter::once(choice).chain(keys.iter().map(|key| key.name)).collect();
+        let selected = self.table.get(choice).and_then(Value::as_str);
+        let place = selected.map_or(String::new(), |value| format!(" with {choice} = {:?}", shown(value)));
+        self.only(&format!("unknown or unneeded key; allowed{place}"), &names)
+    }
+
+    /// Value of a key by `read`, or the default where it is missing.
+    fn value<T>(
+        &self,
+        (key, allowed): (&str, &str),
+        default: Option<T>,
+        read: impl Fn(&Value) -> Option<T>,
+    ) -> Result<T, Failure> {
+        match self.table.get(key) {
+            Some(value) => read(value).ok_or_else(|| self.refuse(key, &format!("must be {allowed}"))),
+            None => default.ok_or_else(|| self.refuse(key, &format!("missing; must be {allowed}"))),
+        }
+    }
+
+    /// Value of a key that is one of several words, with an optional default.
+    pub fn choice(
+        &self,
+        key: &str,
+        words: &[&'static str],
+        default: Option<&'static str>,
+    ) -> Result<&'static str, Failure> {
+        let quoted: Vec<_> = words.iter().map(|word| format!("{word:?}")).collect();
+        let allowed = format!("one of {}", quoted.join(", "));
+        let word = |value: &Value| words.iter().copied().find(|word| value.as_str() == Some(word));
+        self.value((key, &allowed), default, word)
+    }
+
+    /// Value of a key that is a number in the key's range.
+    pub fn number(&self, key: &Key) -> Result<f64, Failure> {
+        let [low, high] = key.range;
+        let within = |value: &Value| number(value).filter(|number| (low..=high).contains(number));
+        self.value((key.name, key.allowed), key.default, within)
+    }
+
+    /// Values of these keys, each a number in its range.
+    pub fn numbers<const N: usize>(&self, keys: &[Key; N]) -> Result<[f64; N], Failure> {
+        let mut numbers = [0.0; N];
+        for (slot, key) in numbers.iter_mut().zip(keys) {
+            *slot = self.number(key)?;
+        }
+        Ok(numbers)
+    }
+
+    /// Value of a key that is an array of N finite numbers.
+    pub fn array<const N: usize>(&self, key: &Key, default: Option<[f64; N]>) -> Result<[f64; N], Failure> {
+        let finite = |value: &Value| number(value).filter(|number| number.is_finite());
+        self.value((key.name, key.allowed), default, |value| {
+            value.as_array()?.iter().map(finite).collect::<Option<Vec<_>>>()?.try_into().ok()
+        })
+    }
+
+    /// Failure that states the allowed values of a key.
+    pub fn not_allowed(&self, key: &Key) -> Failure {
+        self.refuse(key.name, &format!("must be {}", key.allowed))
+    }
+}
+
+/// Number of a value; an integer is allowed.
+pub fn number(value: &Value) -> Option<f64> {
+    value.as_float().or(value.as_integer().map(|number| number as f64))
+}
